@@ -1,0 +1,355 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file glint.h
+ * glint draws lit 3D objects on small displays from cores without FPU: a freestanding C99 library, all fixed point,
+ * drawn tile by tile with per-fragment Blinn-Phong lighting.
+ *
+ * Conventions
+ * - Scalars are Q16.16 (`glint_q16`) unless said otherwise; angles are degrees in Q16.16.
+ * - World space is right-handed. A camera looks along its own -z axis, with +y up and +x to the right.
+ * - Front faces are counter-clockwise seen from outside.
+ * - Screen x runs right and y runs down; pixel (x, y) has its centre at (x + 1/2, y + 1/2). A pixel belongs to a
+ *   triangle when its centre lies inside, or on a top or left edge.
+ * - Colours are linear, 0 is black and 1 is full; sums above 1 are clamped when a pixel is stored.
+ * - Functions that can fail return GLINT_OK or a negative `glint_status`; on failure nothing they were to fill in is
+ *   to be used.
+ *
+ * Nothing is allocated and no global is written: everything lives in the caller's structures and arena, so that any
+ * number of renderers work side by side.
+ */
+#ifndef GLINT_H
+#define GLINT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define GLINT_VERSION_MAJOR 0
+#define GLINT_VERSION_MINOR 1
+#define GLINT_VERSION_PATCH 0
+
+/* ---- Numbers ------------------------------------------------------------------------------------------------- */
+
+/** Signed fixed point, 16 fractional bits: 65536 is 1. */
+typedef int32_t glint_q16;
+
+/** One in Q16.16. */
+#define GLINT_ONE ((glint_q16)65536)
+
+/** A constant as Q16.16, rounded to nearest. For literals: the compiler folds it, no floating point is left. */
+#define GLINT_Q16(x) ((glint_q16)((x) * 65536.0 + ((x) < 0 ? -0.5 : 0.5)))
+
+/** A point, a direction or a length per axis. */
+typedef struct glint_vector {
+    glint_q16 x, y, z;
+} glint_vector;
+
+/** Linear colour, each channel from 0 to GLINT_COLOUR_MAX. */
+typedef struct glint_colour {
+    glint_q16 r, g, b;
+} glint_colour;
+
+/** Largest colour channel, and largest product of a light's and a material's channel: 16. */
+#define GLINT_COLOUR_MAX (16 * GLINT_ONE)
+
+/** An affine map, column vectors: (x, y, z) goes to m[.][0] x + m[.][1] y + m[.][2] z + m[.][3]. */
+typedef struct glint_pose {
+    glint_q16 m[3][4];
+} glint_pose;
+
+/* ---- Errors -------------------------------------------------------------------------------------------------- */
+
+/** Result of every function that can fail. `glint_strerror` gives the sentence. */
+typedef enum glint_status {
+    GLINT_OK = 0,
+    GLINT_ERROR_NULL = -1,       /**< A required pointer is null. */
+    GLINT_ERROR_SIZE = -2,       /**< Width or height is not from 1 to GLINT_SIZE_MAX. */
+    GLINT_ERROR_TILE = -3,       /**< Tile width or height is not 8, 16, 32 or 64. */
+    GLINT_ERROR_ARENA = -4,      /**< The arena is smaller than the smallest this scene can be drawn with. */
+    GLINT_ERROR_CAMERA = -5,     /**< The camera's axes are not unit and perpendicular, its field of view is not from
+                                      1 to 170 degrees, its near plane is not above 0, or eye, target and up lie on
+                                      one line. */
+    GLINT_ERROR_LIGHTS = -6,     /**< More than GLINT_LIGHTS_MAX lights. */
+    GLINT_ERROR_DIRECTION = -7,  /**< A light's direction has length 0. */
+    GLINT_ERROR_COLOUR = -8,     /**< A colour channel, or a light's times a material's, is not from 0 to 16. */
+    GLINT_ERROR_SHININESS = -9,  /**< A shininess exponent is below 0. */
+    GLINT_ERROR_MESH = -10,      /**< A mesh has no vertices, no triangles, more vertices than uint16 can index, or an
+                                      extent below 0. */
+    GLINT_ERROR_INDEX = -11,     /**< A triangle refers to a vertex that its mesh does not have. */
+    GLINT_ERROR_POSE = -12,      /**< A pose is singular: it squashes the object flat. */
+    GLINT_ERROR_RANGE = -13,     /**< An object is too far from the camera or too large for 32-bit coordinates. */
+    GLINT_ERROR_FLUSH = -14,     /**< The flush callback reported a failure; the frame was not finished. */
+    GLINT_ERROR_VIEWER = -15     /**< The viewer is neither infinite nor local. */
+} glint_status;
+
+/** A sentence in English for a status; for a number that is no status, "unknown status". Never null. */
+const char *glint_strerror(int status);
+
+/* ---- Scene --------------------------------------------------------------------------------------------------- */
+
+/** Most lights in a scene. */
+#define GLINT_LIGHTS_MAX 8
+
+/** Triangles are drawn from both sides; seen from the back they are lit with the normal flipped. */
+#define GLINT_MESH_DOUBLE_SIDED 1u
+
+/**
+ * Triangles in flash. Positions are stored as int16 steps: object space is offset + extent * step / 32768, per axis.
+ * Owned by the caller; read while a frame is drawn, never written.
+ */
+typedef struct glint_mesh {
+    const int16_t (*positions)[3];  /**< vertex_count positions, steps. */
+    const int16_t (*normals)[3];    /**< vertex_count outward normals in object space, Q15; any length but 0. */
+    const uint16_t (*triangles)[3]; /**< triangle_count index triples, counter-clockwise from outside. */
+    uint32_t vertex_count;          /**< 1 to 65536. */
+    uint32_t triangle_count;        /**< 1 or more. */
+    glint_vector offset;            /**< Object-space position of step 0. */
+    glint_vector extent;            /**< Object-space length of 32768 steps, 0 or more. */
+    uint32_t flags;                 /**< 0 or GLINT_MESH_DOUBLE_SIDED. */
+} glint_mesh;
+
+/** How a surface reflects; a descriptor, such as `glint_model_blinn_phong`. */
+typedef struct glint_model glint_model;
+
+/** Ambient + diffuse max(N.L, 0) + specular max(N.H, 0)^shininess where N.L > 0 (Blinn, 1977). */
+extern const glint_model glint_model_blinn_phong;
+
+/** What an object is made of. Each channel from 0 to GLINT_COLOUR_MAX. */
+typedef struct glint_material {
+    const glint_model *model;
+    glint_colour ambient;  /**< Times the scene's ambient light. */
+    glint_colour diffuse;  /**< Times each light's diffuse colour. */
+    glint_colour specular; /**< Times each light's specular colour. */
+    glint_q16 shininess;   /**< Specular exponent p, 0 or more, any real number; 0^0 is 1. */
+} glint_material;
+
+/** What kind of light; a descriptor, such as `glint_light_directional`. */
+typedef struct glint_light_type glint_light_type;
+
+/** Light from infinitely far: `vector` points towards it, in world space, of any length but 0. */
+extern const glint_light_type glint_light_directional;
+
+typedef struct glint_light {
+    const glint_light_type *type;
+    glint_vector vector; /**< Direction towards the light. */
+    glint_colour diffuse;
+    glint_colour specular;
+} glint_light;
+
+typedef struct glint_object {
+    const glint_mesh *mesh;
+    const glint_material *material;
+    glint_pose pose; /**< Object to world; scales may differ per axis and mirror. */
+} glint_object;
+
+typedef struct glint_camera {
+    glint_pose pose;         /**< Camera to world: a rotation and the eye's position. */
+    glint_q16 field_of_view; /**< Vertical, degrees, 1 to 170. */
+    glint_q16 near_plane;    /**< Distance to the near plane, above 0. */
+} glint_camera;
+
+/** Where highlights are seen from. */
+typedef enum glint_viewer {
+    GLINT_VIEWER_INFINITE = 0, /**< V is the camera's backward axis everywhere: cheaper. */
+    GLINT_VIEWER_LOCAL = 1     /**< V points from each fragment to the eye. */
+} glint_viewer;
+
+/** All that a frame shows. Owned by the caller; read while a frame is drawn, never written. */
+typedef struct glint_scene {
+    glint_camera camera;
+    glint_viewer viewer;
+    glint_colour background;
+    glint_colour ambient; /**< Ambient light. */
+    const glint_light *lights;
+    uint32_t light_count; /**< 0 to GLINT_LIGHTS_MAX. */
+    const glint_object *objects;
+    uint32_t object_count; /**< 0 or more. Where depths tie, the first drawn wins. */
+} glint_scene;
+
+/* ---- Poses and cameras --------------------------------------------------------------------------------------- */
+
+/** Sine of an angle in degrees, Q16.16 in and out. */
+glint_q16 glint_sin(glint_q16 degrees);
+
+/** Cosine of an angle in degrees, Q16.16 in and out. */
+glint_q16 glint_cos(glint_q16 degrees);
+
+/** The pose that changes nothing. */
+glint_pose glint_pose_identity(void);
+
+/** A move by (x, y, z). */
+glint_pose glint_pose_translate(glint_q16 x, glint_q16 y, glint_q16 z);
+
+/** A scale per axis. */
+glint_pose glint_pose_scale(glint_q16 x, glint_q16 y, glint_q16 z);
+
+/** A right-handed turn about the x axis. */
+glint_pose glint_pose_rotate_x(glint_q16 degrees);
+
+/** A right-handed turn about the y axis. */
+glint_pose glint_pose_rotate_y(glint_q16 degrees);
+
+/** A right-handed turn about the z axis. */
+glint_pose glint_pose_rotate_z(glint_q16 degrees);
+
+/** `first` and then `second`; each entry rounded to nearest and saturated. */
+glint_pose glint_pose_then(const glint_pose *first, const glint_pose *second);
+
+/**
+ * Sets camera->pose so that the camera stands at `eye`, looks at `at`, and sees `up` upwards.
+ * @return GLINT_ERROR_CAMERA when the three lie on one line.
+ */
+glint_status glint_camera_look_at(glint_camera *camera, glint_vector eye, glint_vector at, glint_vector up);
+
+/* ---- Output -------------------------------------------------------------------------------------------------- */
+
+/** How pixels are stored; a descriptor. */
+typedef struct glint_format glint_format;
+
+extern const glint_format glint_format_rgb565;    /**< 16 bits, RRRRRGGGGGGBBBBB, in the core's byte order. */
+extern const glint_format glint_format_rgb565_be; /**< 16 bits, high byte first: as most SPI panels want it. */
+extern const glint_format glint_format_rgb888;    /**< 3 bytes: red, green, blue. */
+extern const glint_format glint_format_grey8;     /**< 1 byte: 0.299 R + 0.587 G + 0.114 B. */
+extern const glint_format glint_format_grey4;     /**< 4 bits, the left pixel of a byte in its high half. */
+
+/** Bytes that one row of `width` pixels takes. */
+size_t glint_row_bytes(const glint_format *format, uint32_t width);
+
+/**
+ * Takes finished tiles. `begin` starts to send a rectangle and may return before it is sent; `wait` returns when it
+ * is. They are called in pairs, in order, and the pixels stay as they are in between. Either returns 0, or anything
+ * else to report a failure, which ends the frame with GLINT_ERROR_FLUSH.
+ */
+typedef struct glint_flush {
+    /** @param stride bytes from a row of `pixels` to the next. */
+    int (*begin)(void *context, int x, int y, int width, int height, const void *pixels, size_t stride);
+    /** May be null when `begin` returns only once all is sent. */
+    int (*wait)(void *context);
+    void *context;
+} glint_flush;
+
+/** Largest width and height. */
+#define GLINT_SIZE_MAX 1024
+
+/** How and where to draw. Copied by `glint_init`; what it points to stays the caller's. */
+typedef struct glint_config {
+    uint16_t width;       /**< Pixels, 1 to GLINT_SIZE_MAX. */
+    uint16_t height;      /**< Pixels, 1 to GLINT_SIZE_MAX. */
+    uint16_t tile_width;  /**< 8, 16, 32 or 64; 0 for the default, 32. */
+    uint16_t tile_height; /**< 8, 16, 32 or 64; 0 for the default, 32. */
+    const glint_format *format;
+    glint_flush flush;
+    void *arena;          /**< Working memory, any alignment. More means fewer passes, never other pixels. */
+    size_t arena_size;    /**< Bytes; see `glint_arena_need`. */
+} glint_config;
+
+/** What a frame took; counts since the frame began. */
+typedef struct glint_stats {
+    uint32_t passes;      /**< Times the scene was gone through. */
+    uint32_t tiles;       /**< Tiles drawn and sent. */
+    uint32_t vertices;    /**< Vertices transformed. */
+    uint32_t triangles;   /**< Triangles looked at. */
+    uint32_t culled;      /**< Of these, dropped: facing away, outside, or covering no pixel centre. */
+    uint32_t clipped;     /**< Of these, cut at the near plane or the guard band. */
+    uint32_t references;  /**< Triangle references put into tiles. */
+    uint32_t arena_used;  /**< Most bytes of the arena in use. */
+} glint_stats;
+
+/** Bytes of arena for a scene. */
+typedef struct glint_need {
+    size_t smallest; /**< Below this, GLINT_ERROR_ARENA. */
+    size_t best;     /**< With this, one pass. */
+} glint_need;
+
+/* The rest of this section is the inside of a renderer: public so that it can be declared, not to be touched. */
+
+/** Everything that drawing tiles of a frame reads; written by glint_frame_begin and glint_frame_next only. */
+typedef struct glint_frame {
+    glint_config config;
+    const glint_scene *scene;
+    glint_stats stats;
+    struct glint_memory {
+        uint8_t *base;
+        size_t size, low, high; /* free bytes lie from base + low to base + high */
+    } memory;
+    const struct glint_view *view;        /* camera, lights and materials, prepared */
+    struct glint_batch *batch;            /* what this pass draws */
+    uint16_t tile_first, tile_end;        /* tiles of this pass */
+    uint16_t tile_columns, tile_rows;
+    uint16_t pass_tiles;                  /* tiles tried at once */
+    uint8_t state;
+} glint_frame;
+
+/** What drawing one tile needs. */
+typedef struct glint_workspace {
+    void *pixels;      /**< The finished tile. */
+    size_t stride;     /**< Bytes from row to row. */
+    uint16_t *depth;
+    struct glint_fragments *fragments;
+} glint_workspace;
+
+typedef struct glint_renderer {
+    glint_config config;
+    glint_stats stats; /**< Of the last frame. */
+} glint_renderer;
+
+/**
+ * Sets up a renderer; draws nothing.
+ * @return GLINT_ERROR_NULL, _SIZE, _TILE, or _ARENA when the arena cannot hold even the tile buffers.
+ */
+glint_status glint_init(glint_renderer *renderer, const glint_config *config);
+
+/**
+ * Draws a scene: every pixel of the screen goes through the flush callback once, tile by tile, left to right and top
+ * to bottom. Errors in the scene are found before the first tile is sent.
+ */
+glint_status glint_render(glint_renderer *renderer, const glint_scene *scene);
+
+/**
+ * How much arena a scene needs when drawn by glint_render with this configuration (its arena is not looked at).
+ * @return the error that drawing the scene would give.
+ */
+glint_status glint_arena_need(const glint_config *config, const glint_scene *scene, glint_need *need);
+
+/* ---- Tile by tile -------------------------------------------------------------------------------------------- */
+/*
+ * glint_render is a loop over these; use them to draw the tiles of a frame in another order, or on two cores:
+ *
+ *     glint_frame_begin(&frame, &config, &scene);
+ *     while ((status = glint_frame_next(&frame)) > 0)           // a pass
+ *         for (tile = frame.tile_first; tile < frame.tile_end; tile++)
+ *             if (glint_render_tile(&frame, &workspace, tile))  // any number of callers at once
+ *                 send it, glint_tile_rectangle says where;
+ */
+
+/** Bytes of a workspace. */
+size_t glint_workspace_size(const glint_config *config);
+
+/** Lays a workspace out in `memory`, of glint_workspace_size bytes, aligned to 4. */
+void glint_workspace_init(glint_workspace *workspace, const glint_config *config, void *memory);
+
+/** Begins a frame: checks the scene and prepares camera, lights and materials in the arena, all of which it may use. */
+glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene);
+
+/** Prepares the next pass. @return 1 when there is one, 0 when the frame is done, or an error. */
+int glint_frame_next(glint_frame *frame);
+
+/**
+ * Draws what this pass holds of a tile from frame->tile_first to frame->tile_end - 1. Reads the frame, writes the
+ * workspace: callers with workspaces of their own may draw tiles of one pass at the same time. A tile that takes
+ * several passes must be drawn into the same workspace in each.
+ * @return 1 when the tile is finished, 0 when a later pass adds to it.
+ */
+int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile);
+
+/** Where a tile lies on the screen, in pixels, cut at its right and bottom. */
+void glint_tile_rectangle(const glint_frame *frame, uint32_t tile, int *x, int *y, int *width, int *height);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
