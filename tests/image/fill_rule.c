@@ -1,0 +1,361 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Suite: the fill rule. Triangles that share edges cover each pixel of their union exactly once: every triangle is
+ * drawn on its own, unlit white on black, and the coverages are added. Closed meshes have no holes.
+ */
+#include "bench.h"
+#include "glint.h"
+#include "harness.h"
+#include "library_geometry.h"
+#include "picture.h"
+#include "reference.h"
+#include "scenes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define SIZE 64
+#define PATCH_VERTICES 64
+#define PATCH_TRIANGLES 96
+
+/* The screen's half height in steps of 28.4, and mesh steps per step of 28.4: the extent is 4 half heights. */
+#define HALF_HEIGHT (SIZE / 2 * 16)
+#define STEPS_PER_SNAP (32768 / 4 / HALF_HEIGHT)
+
+/* A patch of triangles in the plane z = -1, seen with a field of view of 90 degrees. */
+typedef struct patch {
+    int16_t positions[PATCH_VERTICES][3];
+    int16_t normals[PATCH_VERTICES][3];
+    uint16_t triangles[PATCH_TRIANGLES][3];
+    glint_mesh mesh;
+    glint_object object;
+    glint_scene scene;
+} patch;
+
+static const glint_material white = {.model = &glint_model_blinn_phong, .ambient = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
+
+static uint32_t random_state = 1;
+
+static int random_below(int limit) {
+    random_state = random_state * 1664525u + 1013904223u;
+    return (int)((random_state >> 8) % (unsigned)limit);
+}
+
+static void patch_begin(patch *p) {
+    memset(p, 0, sizeof *p);
+    p->mesh = (glint_mesh){.positions = (const int16_t(*)[3])p->positions,
+                           .normals = (const int16_t(*)[3])p->normals,
+                           .triangles = (const uint16_t(*)[3])p->triangles,
+                           .extent = {4 * GLINT_ONE, 4 * GLINT_ONE, 4 * GLINT_ONE}};
+    p->object = (glint_object){.mesh = &p->mesh, .material = &white, .pose = glint_pose_translate(0, 0, -GLINT_ONE)};
+    p->scene = (glint_scene){
+        .camera = {.pose = glint_pose_identity(), .field_of_view = 90 * GLINT_ONE, .near_plane = GLINT_ONE / 16},
+        .ambient = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
+        .objects = &p->object,
+        .object_count = 1};
+}
+
+/* A vertex at a screen position in 28.4, at z = -1. */
+static uint16_t patch_vertex(patch *p, int x, int y) {
+    uint32_t index = p->mesh.vertex_count++;
+    p->positions[index][0] = (int16_t)((x - HALF_HEIGHT) * STEPS_PER_SNAP);
+    p->positions[index][1] = (int16_t)((HALF_HEIGHT - y) * STEPS_PER_SNAP);
+    p->normals[index][2] = 32767;
+    return (uint16_t)index;
+}
+
+/* Screen y runs down: counter-clockwise as seen. */
+static void patch_triangle(patch *p, int a, int b, int c) {
+    uint16_t *triangle = p->triangles[p->mesh.triangle_count++];
+    triangle[0] = (uint16_t)a;
+    triangle[1] = (uint16_t)b;
+    triangle[2] = (uint16_t)c;
+}
+
+/* Sums the coverage of each triangle drawn alone. */
+static void add_up(const glint_scene *scene, int counts[SIZE * SIZE]) {
+    const glint_mesh *whole = scene->objects[0].mesh;
+    picture image = picture_open(SIZE, SIZE, &glint_format_grey8);
+    memset(counts, 0, SIZE * SIZE * sizeof *counts);
+    for (uint32_t i = 0; i < whole->triangle_count; i++) {
+        glint_mesh single = *whole;
+        glint_object object = scene->objects[0];
+        glint_scene alone = *scene;
+        single.triangles += i;
+        single.triangle_count = 1;
+        object.mesh = &single;
+        alone.objects = &object;
+        if (!CHECK_EQUAL(picture_render(&image, &alone, NULL, NULL), GLINT_OK))
+            break;
+        for (int pixel = 0; pixel < SIZE * SIZE; pixel++)
+            counts[pixel] += image.bytes[pixel] != 0;
+    }
+    picture_close(&image);
+}
+
+/*
+ * No pixel counted twice; the mesh drawn whole covers the same; and both cover what the reference says, drawn with the
+ * library's own screen positions. @return pixels covered, so that a caller can tell that something was tested.
+ */
+static int check_patch(const glint_scene *scene) {
+    static reference_pixel pixels[SIZE * SIZE];
+    static int counts[SIZE * SIZE];
+    const reference_image expected = {SIZE, SIZE, pixels};
+    picture together = picture_open(SIZE, SIZE, &glint_format_grey8);
+    glint_config config = picture_config(&together, NULL);
+    library_geometry geometry;
+    int covered = 0;
+    CHECK_EQUAL(library_geometry_open(&geometry, &config, scene), GLINT_OK);
+    reference_render(&expected, scene, (const reference_position *const *)geometry.positions);
+    CHECK_EQUAL(picture_render(&together, scene, NULL, NULL), GLINT_OK);
+    add_up(scene, counts);
+    int twice = 0;
+    int unlike_whole = 0;
+    int unlike_reference = 0;
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        twice += counts[i] > 1;
+        unlike_whole += (counts[i] > 0) != (together.bytes[i] != 0);
+        unlike_reference += (together.bytes[i] != 0) != pixels[i].covered;
+        covered += counts[i] > 0;
+    }
+    CHECK_EQUAL(twice, 0);
+    CHECK_EQUAL(unlike_whole, 0);
+    CHECK_EQUAL(unlike_reference, 0);
+    library_geometry_close(&geometry);
+    picture_close(&together);
+    return covered;
+}
+
+/* ---- Flat patches, nothing clipped --------------------------------------------------------------------------- */
+
+/*
+ * Around a centre, at equal angles and random radii: star-shaped, so that all triangles keep their winding. Grid 8,
+ * half a pixel, puts vertices and edges through pixel centres.
+ */
+static void build_fan(patch *p, int spokes, int grid) {
+    int x = (26 * 16 + random_below(12 * 16)) / grid * grid;
+    int y = (26 * 16 + random_below(12 * 16)) / grid * grid;
+    patch_begin(p);
+    patch_vertex(p, x, y);
+    for (int i = 0; i < spokes; i++) {
+        double angle = -6.283185307 * i / spokes;
+        double radius = 16 * (10 + random_below(18));
+        patch_vertex(p, x + (int)lrint(radius * cos(angle)) / grid * grid,
+                     y + (int)lrint(radius * sin(angle)) / grid * grid);
+    }
+    for (int i = 0; i < spokes; i++)
+        patch_triangle(p, 0, 1 + i, 1 + (i + 1) % spokes);
+}
+
+static void fans(void) {
+    static const int grids[4] = {1, 4, 8, 16};
+    for (int i = 0; i < 60; i++) {
+        static patch p;
+        build_fan(&p, 3 + random_below(12), grids[i % 4]);
+        CHECK(check_patch(&p.scene) > 100);
+    }
+}
+
+/* A lattice of quads with jittered vertices that keeps its triangles' winding. */
+static void build_lattice(patch *p, int grid, int jitter) {
+    const int pitch = 8 * 16;
+    patch_begin(p);
+    for (int i = 0; i < 49; i++) {
+        int x = (i % 7 + 1) * pitch + (random_below(2 * jitter + 1) - jitter) / grid * grid;
+        int y = (i / 7 + 1) * pitch + (random_below(2 * jitter + 1) - jitter) / grid * grid;
+        patch_vertex(p, x, y);
+    }
+    for (int i = 0; i < 36; i++) {
+        int a = i / 6 * 7 + i % 6;
+        patch_triangle(p, a, a + 7, a + 8);
+        patch_triangle(p, a, a + 8, a + 1);
+    }
+}
+
+static void strips(void) {
+    static const int grids[4] = {1, 2, 8, 16};
+    for (int i = 0; i < 12; i++) {
+        static patch p;
+        build_lattice(&p, grids[i % 4], 40);
+        CHECK(check_patch(&p.scene) > 1500);
+    }
+}
+
+static void reverse_winding(patch *p) {
+    for (uint32_t i = 0; i < p->mesh.triangle_count; i++) {
+        uint16_t first = p->triangles[i][0];
+        p->triangles[i][0] = p->triangles[i][2];
+        p->triangles[i][2] = first;
+    }
+}
+
+/* Reversed: nothing when single-sided, the same pixels when double-sided, and the same again in a mirror. */
+static void reversed_winding(void) {
+    static patch p;
+    for (int i = 0; i < 8; i++) {
+        build_lattice(&p, 8, 40);
+        int forward = check_patch(&p.scene);
+        reverse_winding(&p);
+        CHECK_EQUAL(check_patch(&p.scene), 0);
+        p.mesh.flags = GLINT_MESH_DOUBLE_SIDED;
+        CHECK_EQUAL(check_patch(&p.scene), forward);
+        p.mesh.flags = 0;
+        p.object.pose.m[0][0] = -GLINT_ONE;
+        CHECK(check_patch(&p.scene) > 1500);
+    }
+}
+
+/* A zigzag strip along y, or along x, whose two rails are `width` apart. */
+static void build_sliver_strip(patch *p, int width, int lying) {
+    const int corners = 14;
+    int across = 8 + random_below(48 * 16);
+    int along = random_below(8 * 16);
+    patch_begin(p);
+    for (int k = 0; k < corners; k++) {
+        int a = across + (k & 1 ? width : 0);
+        int b = along + k * 64 + random_below(16);
+        patch_vertex(p, lying ? b : a, lying ? a : b);
+    }
+    for (int k = 0; k + 2 < corners; k++) {
+        int forward = (k & 1) ^ lying;
+        patch_triangle(p, k, forward ? k + 1 : k + 2, forward ? k + 2 : k + 1);
+    }
+}
+
+/* Down to one sixteenth of a pixel wide: most cover no centre, and none is to be covered twice. */
+static void slivers(void) {
+    int covered = 0;
+    for (int i = 0; i < 80; i++) {
+        static patch p;
+        build_sliver_strip(&p, 1 + i % 20, i / 20 % 2);
+        covered += check_patch(&p.scene);
+    }
+    CHECK(covered > 500);
+}
+
+/* ---- Off the screen, beyond the guard band, through the near plane ------------------------------------------- */
+
+static void parts_off_the_screen(void) {
+    static const int shift[][2] = {{40, 0}, {-40, 3}, {7, 40}, {0, -45}, {38, 38}, {-39, -37}};
+    for (unsigned i = 0; i < TEST_COUNT(shift); i++) {
+        static patch p;
+        build_lattice(&p, 8, 40);
+        p.object.pose.m[0][3] = shift[i][0] * GLINT_ONE / 32;
+        p.object.pose.m[1][3] = shift[i][1] * GLINT_ONE / 32;
+        CHECK(check_patch(&p.scene) > 100);
+    }
+}
+
+/* Whether all eight neighbours of a pixel and itself are covered by the reference. */
+static int deep_inside(const reference_pixel *pixels, int pixel) {
+    int x = pixel % SIZE;
+    int y = pixel / SIZE;
+    for (int row = y - 1; row <= y + 1; row++) {
+        for (int column = x - 1; column <= x + 1; column++) {
+            if (row >= 0 && row < SIZE && column >= 0 && column < SIZE && !pixels[row * SIZE + column].covered)
+                return 0;
+        }
+    }
+    return 1;
+}
+
+/* Where triangles are clipped, the outline may lie a sixteenth off, but inside it every pixel is covered once. */
+static int check_clipped(const glint_scene *scene) {
+    static reference_pixel pixels[SIZE * SIZE];
+    static int counts[SIZE * SIZE];
+    const reference_image expected = {SIZE, SIZE, pixels};
+    int covered = 0;
+    int wrong = 0;
+    int twice = 0;
+    reference_render(&expected, scene, NULL);
+    add_up(scene, counts);
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        twice += counts[i] > 1;
+        wrong += deep_inside(pixels, i) && counts[i] != 1;
+        covered += counts[i] > 0;
+    }
+    CHECK_EQUAL(twice, 0);
+    CHECK_EQUAL(wrong, 0);
+    return covered;
+}
+
+static void clipped_at_the_near_plane(void) {
+    for (int i = 0; i < 10; i++) {
+        static patch p;
+        build_lattice(&p, 1, 40);
+        glint_pose tilt = glint_pose_rotate_x((-80 + 3 * i) * GLINT_ONE);
+        glint_pose turn = glint_pose_rotate_z(i * 17 * GLINT_ONE);
+        glint_pose away = glint_pose_translate(i * 1000, -GLINT_ONE / 3, -GLINT_ONE / 4);
+        p.object.pose = glint_pose_then(&turn, &tilt);
+        p.object.pose = glint_pose_then(&p.object.pose, &away);
+        p.scene.camera.near_plane = GLINT_ONE / 10;
+        CHECK(check_clipped(&p.scene) > 200);
+    }
+}
+
+static void clipped_at_the_guard_band(void) {
+    for (int i = 0; i < 10; i++) {
+        static patch p;
+        build_lattice(&p, 1, 40);
+        for (int axis = 0; axis < 2; axis++)
+            p.object.pose.m[axis][axis] = (60 + 13 * i) * GLINT_ONE;
+        p.object.pose.m[0][3] = random_below(20 * GLINT_ONE) - 10 * GLINT_ONE;
+        p.object.pose.m[1][3] = random_below(20 * GLINT_ONE) - 10 * GLINT_ONE;
+        CHECK_EQUAL(check_clipped(&p.scene), SIZE * SIZE);
+    }
+}
+
+/* ---- Closed meshes ------------------------------------------------------------------------------------------- */
+
+/* A closed mesh covers what the reference covers, and the sphere's every row is one run. */
+static void check_closed(int which, double about_x, double about_y, double distance) {
+    static reference_pixel pixels[SIZE * SIZE];
+    const reference_image expected = {SIZE, SIZE, pixels};
+    bench_scene scene;
+    picture image = picture_open(SIZE, SIZE, &glint_format_grey8);
+    glint_config config = picture_config(&image, NULL);
+    library_geometry geometry;
+    bench_build_scene(&scene, &bench_definitions[which], scene_bench_mesh(which), 0);
+    scene.object.pose = bench_turn(about_x, about_y);
+    scene.object.pose.m[2][3] = bench_q16(-distance);
+    scene.material = white;
+    CHECK_EQUAL(library_geometry_open(&geometry, &config, &scene.scene), GLINT_OK);
+    reference_render(&expected, &scene.scene, (const reference_position *const *)geometry.positions);
+    CHECK_EQUAL(picture_render(&image, &scene.scene, NULL, NULL), GLINT_OK);
+    int wrong = 0;
+    int runs = 0;
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        int drawn = image.bytes[i] != 0;
+        wrong += drawn != pixels[i].covered;
+        runs += drawn && (i % SIZE == 0 || image.bytes[i - 1] == 0);
+    }
+    CHECK_EQUAL(wrong, 0);
+    CHECK(runs > 0 && (bench_definitions[which].shape == BENCH_TORUS || runs <= SIZE));
+    library_geometry_close(&geometry);
+    picture_close(&image);
+}
+
+static void closed_meshes_have_no_holes(void) {
+    for (int i = 0; i < 40; i++) {
+        double about_x = random_below(6283) / 1000.0;
+        double about_y = random_below(6283) / 1000.0;
+        double distance = 2.5 + random_below(4000) / 1000.0;
+        for (int which = 0; which < BENCH_SCENES; which++)
+            check_closed(which, about_x, about_y, distance);
+    }
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {
+        TEST_CASE(fans),
+        TEST_CASE(strips),
+        TEST_CASE(reversed_winding),
+        TEST_CASE(slivers),
+        TEST_CASE(parts_off_the_screen),
+        TEST_CASE(clipped_at_the_near_plane),
+        TEST_CASE(clipped_at_the_guard_band),
+        TEST_CASE(closed_meshes_have_no_holes),
+    };
+    return test_run(write, cases, TEST_COUNT(cases));
+}

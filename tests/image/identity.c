@@ -1,0 +1,229 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Suite: the image is the same, byte for byte, for every tile size, every arena from the smallest to the best, tiles
+ * drawn in another order by two workspaces, and objects in another order.
+ */
+#include "glint.h"
+#include "harness.h"
+#include "picture.h"
+#include "scenes.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A size that no tile divides. */
+#define WIDTH 150
+#define HEIGHT 101
+
+static const uint16_t tile_sizes[4] = {8, 16, 32, 64};
+
+/* Draws with options and holds the bytes against `wanted`; both arguments' pictures have the same size. */
+static void check_same(const picture *wanted, const glint_scene *scene, const picture_options *options) {
+    picture got = picture_open(wanted->width, wanted->height, wanted->format);
+    CHECK_EQUAL(picture_render(&got, scene, options, NULL), GLINT_OK);
+    CHECK(picture_is_complete(&got));
+    CHECK(picture_equal(wanted, &got));
+    picture_close(&got);
+}
+
+typedef void (*scene_check)(const picture *wanted, const glint_scene *scene);
+
+/* Runs a check over every scene, with one image drawn the default way. */
+static void for_each_scene(scene_check check) {
+    for (unsigned i = 0; i < scene_count; i++) {
+        test_scene scene;
+        picture wanted = picture_open(WIDTH, HEIGHT, &glint_format_rgb888);
+        scene_build(&scene, &scene_definitions[i]);
+        scene.scene.viewer = i % 3 ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
+        CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
+        CHECK(picture_is_complete(&wanted));
+        check(&wanted, &scene.scene);
+        picture_close(&wanted);
+    }
+}
+
+static void check_tile_sizes(const picture *wanted, const glint_scene *scene) {
+    for (int i = 0; i < 16; i++) {
+        const picture_options options = {.tile_width = tile_sizes[i % 4], .tile_height = tile_sizes[i / 4]};
+        check_same(wanted, scene, &options);
+    }
+}
+
+static void every_tile_size(void) {
+    for_each_scene(check_tile_sizes);
+}
+
+static glint_need arena_need(const picture *like, const glint_scene *scene, const picture_options *options) {
+    picture image = *like;
+    glint_config config = picture_config(&image, options);
+    glint_need need = {0};
+    CHECK_EQUAL(glint_arena_need(&config, scene, &need), GLINT_OK);
+    CHECK(need.smallest <= need.best);
+    return need;
+}
+
+/* From the smallest arena, which takes many passes, to beyond the best, which takes one. */
+static void check_arenas(const picture *wanted, const glint_scene *scene) {
+    for (int i = 0; i < 3; i++) {
+        picture_options options = {.tile_width = tile_sizes[i], .tile_height = tile_sizes[(i + 1) % 3]};
+        glint_need need = arena_need(wanted, scene, &options);
+        for (int eighth = 0; eighth <= 9; eighth++) {
+            options.arena_size = need.smallest + (need.best - need.smallest) / 8 * (size_t)eighth + (eighth & 3);
+            check_same(wanted, scene, &options);
+        }
+        options.arena_size = need.smallest;
+        check_same(wanted, scene, &options);
+        options.arena_size = need.best;
+        check_same(wanted, scene, &options);
+    }
+}
+
+static void every_arena(void) {
+    for_each_scene(check_arenas);
+}
+
+static void best_arena_takes_one_pass(void) {
+    for (unsigned i = 0; i < scene_count; i++) {
+        test_scene scene;
+        glint_stats stats = {0};
+        picture image = picture_open(WIDTH, HEIGHT, &glint_format_rgb565);
+        scene_build(&scene, &scene_definitions[i]);
+        picture_options options = {0};
+        glint_need need = arena_need(&image, &scene.scene, &options);
+        CHECK_EQUAL(picture_render(&image, &scene.scene, &options, &stats), GLINT_OK);
+        CHECK_EQUAL(stats.passes, 1);
+        CHECK_AT_MOST(stats.arena_used, need.best);
+        options.arena_size = need.smallest;
+        CHECK_EQUAL(picture_render(&image, &scene.scene, &options, &stats), GLINT_OK);
+        CHECK_AT_MOST(stats.arena_used, need.smallest);
+        options.arena_size = need.smallest - 1;
+        CHECK_EQUAL(picture_render(&image, &scene.scene, &options, &stats), GLINT_ERROR_ARENA);
+        picture_close(&image);
+    }
+}
+
+/* ---- Tile by tile -------------------------------------------------------------------------------------------- */
+
+typedef struct two_workspaces {
+    glint_workspace of[2];
+    void *memory[2];
+} two_workspaces;
+
+static two_workspaces workspaces_open(const glint_config *config) {
+    two_workspaces workspaces;
+    for (int i = 0; i < 2; i++) {
+        workspaces.memory[i] = malloc(glint_workspace_size(config));
+        CHECK(workspaces.memory[i] != NULL);
+        glint_workspace_init(&workspaces.of[i], config, workspaces.memory[i]);
+    }
+    return workspaces;
+}
+
+static void draw_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile, picture *image) {
+    int rectangle[4];
+    if (!glint_render_tile(frame, workspace, tile))
+        return;
+    glint_tile_rectangle(frame, tile, &rectangle[0], &rectangle[1], &rectangle[2], &rectangle[3]);
+    CHECK_EQUAL(picture_put(image, rectangle, workspace->pixels, workspace->stride), 0);
+}
+
+/*
+ * The last tile of a pass first, workspaces in turn. Only the last tile of a pass may need a later one, which must find
+ * it in the same workspace: a workspace is chosen by the tile's number, and no other tile may come between.
+ */
+static void draw_backwards(const picture *wanted, const glint_scene *scene, size_t arena_size) {
+    const picture_options options = {.tile_width = 16, .tile_height = 8};
+    picture got = picture_open(wanted->width, wanted->height, wanted->format);
+    glint_config config = picture_config(&got, &options);
+    config.arena_size = arena_size;
+    config.arena = malloc(arena_size);
+    two_workspaces workspaces = workspaces_open(&config);
+    glint_frame frame;
+    int status = CHECK(config.arena != NULL) ? (int)glint_frame_begin(&frame, &config, scene) : GLINT_ERROR_NULL;
+    CHECK_EQUAL(status, GLINT_OK);
+    while (status >= 0 && (status = glint_frame_next(&frame)) > 0) {
+        for (uint32_t tile = frame.tile_end; tile-- > frame.tile_first;)
+            draw_tile(&frame, &workspaces.of[tile % 2], tile, &got);
+    }
+    CHECK_EQUAL(status, 0);
+    CHECK(picture_is_complete(&got));
+    CHECK(picture_equal(wanted, &got));
+    free(workspaces.memory[0]);
+    free(workspaces.memory[1]);
+    free(config.arena);
+    picture_close(&got);
+}
+
+static void check_tile_order(const picture *wanted, const glint_scene *scene) {
+    const picture_options options = {.tile_width = 16, .tile_height = 8};
+    glint_need need = arena_need(wanted, scene, &options);
+    draw_backwards(wanted, scene, need.best);
+    draw_backwards(wanted, scene, need.smallest + (need.best - need.smallest) / 3);
+    draw_backwards(wanted, scene, need.smallest);
+}
+
+static void two_workspaces_in_another_tile_order(void) {
+    for_each_scene(check_tile_order);
+}
+
+/* ---- Object order -------------------------------------------------------------------------------------------- */
+
+/* Four spheres one behind the other, overlapping on the screen and nowhere touching. */
+static void build_row_of_spheres(test_scene *scene) {
+    for (unsigned i = 0; i < scene_count; i++) {
+        if (strcmp(scene_definitions[i].name, "p of 0, 0.5, 1, 1.5") == 0)
+            scene_build(scene, &scene_definitions[i]);
+    }
+    for (int i = 0; i < 4; i++) {
+        scene->objects[i].pose.m[0][3] = (i - 1) * GLINT_ONE / 2;
+        scene->objects[i].pose.m[1][3] = (i % 3 - 1) * GLINT_ONE / 4;
+        scene->objects[i].pose.m[2][3] = -(4 + 3 * i) * GLINT_ONE;
+    }
+}
+
+static void every_order_of_objects(void) {
+    test_scene scene;
+    build_row_of_spheres(&scene);
+    picture wanted = picture_open(WIDTH, HEIGHT, &glint_format_rgb888);
+    CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
+    for (int order = 0; order < 4 * 4 * 4; order++) {
+        int picks[4] = {order % 4, order / 4 % 4, order / 16, 0};
+        picks[3] = 6 - picks[0] - picks[1] - picks[2];
+        glint_object objects[4];
+        int seen = 0;
+        for (int i = 0; i < 4; i++)
+            seen |= picks[i] >= 0 && picks[i] < 4 ? 1 << picks[i] : 0;
+        if (seen != 15)
+            continue;
+        for (int i = 0; i < 4; i++)
+            objects[i] = scene.objects[picks[i]];
+        glint_scene shuffled = scene.scene;
+        shuffled.objects = objects;
+        check_same(&wanted, &shuffled, NULL);
+    }
+    picture_close(&wanted);
+}
+
+/* The same object twice in two colours: where depths tie, the first drawn wins. */
+static void first_of_ties_wins(void) {
+    test_scene scene;
+    scene_build(&scene, &scene_definitions[0]);
+    picture wanted = picture_open(WIDTH, HEIGHT, &glint_format_rgb888);
+    CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
+    scene.objects[1] = scene.objects[0];
+    scene.objects[1].material = &scene.materials[1];
+    scene.materials[1].diffuse = (glint_colour){0, GLINT_ONE, 0};
+    scene.scene.object_count = 2;
+    check_same(&wanted, &scene.scene, NULL);
+    picture_close(&wanted);
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {
+        TEST_CASE(every_tile_size),           TEST_CASE(every_arena),
+        TEST_CASE(best_arena_takes_one_pass), TEST_CASE(two_workspaces_in_another_tile_order),
+        TEST_CASE(every_order_of_objects),    TEST_CASE(first_of_ties_wins),
+    };
+    return test_run(write, cases, TEST_COUNT(cases));
+}

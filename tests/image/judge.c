@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: MIT */
+#include "judge.h"
+
+#include "library_geometry.h"
+#include "picture.h"
+#include "reference.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Surfaces nearer to each other than this many depth steps may come out in either order. */
+#define CLOSE_STEPS 2
+
+typedef struct images {
+    reference_image reference;
+    picture shaded;   /* in the task's format */
+    picture coverage; /* the same triangles, unlit white on black */
+    double depth_scale;
+} images;
+
+static const glint_material white = {.model = &glint_model_blinn_phong, .ambient = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
+
+/* The scene with every material unlit and white. */
+static glint_status render_coverage(picture *coverage, const glint_scene *scene) {
+    glint_object objects[LIBRARY_OBJECTS_MAX];
+    glint_scene unlit = *scene;
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        objects[i] = scene->objects[i];
+        objects[i].material = &white;
+    }
+    unlit.objects = objects;
+    unlit.light_count = 0;
+    unlit.background = (glint_colour){0, 0, 0};
+    unlit.ambient = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
+    return picture_render(coverage, &unlit, NULL, NULL);
+}
+
+static void measure_vertices(const judge_task *task, const library_geometry *geometry, judgement *total) {
+    for (uint32_t object = 0; object < task->scene->object_count; object++) {
+        uint32_t count = task->scene->objects[object].mesh->vertex_count;
+        for (uint32_t index = 0; index < count; index++) {
+            const reference_position *snapped = &geometry->positions[object][index];
+            if (!snapped->known)
+                continue;
+            reference_vertex exact = reference_transform(task->scene, object, index, task->width, task->height);
+            double error = fmax(fabs(snapped->x / 16.0 - exact.x), fabs(snapped->y / 16.0 - exact.y));
+            total->vertex_error = fmax(total->vertex_error, error);
+        }
+    }
+}
+
+/* Whether the reference's coverage changes within one pixel of (x, y). */
+static int beside_silhouette(const reference_image *image, int x, int y) {
+    int covered = image->pixels[y * image->width + x].covered;
+    for (int row = y > 0 ? y - 1 : 0; row <= y + 1 && row < image->height; row++) {
+        for (int column = x > 0 ? x - 1 : 0; column <= x + 1 && column < image->width; column++) {
+            if (image->pixels[row * image->width + column].covered != covered)
+                return 1;
+        }
+    }
+    return 0;
+}
+
+static double wanted_level(const reference_pixel *pixel, const glint_format *format, int channel) {
+    const double *colour = pixel->colour;
+    double value = colour[channel];
+    if (picture_channels(format) == 1)
+        value = 0.299 * colour[0] + 0.587 * colour[1] + 0.114 * colour[2];
+    return value * picture_level_max(format, channel);
+}
+
+/* Largest distance over the channels of a pixel, from the unrounded and from the rounded reference, in steps. */
+typedef struct distance {
+    double unrounded;
+    int rounded;
+    double squares;
+} distance;
+
+static distance measure_pixel(const images *all, int x, int y) {
+    const reference_pixel *reference = &all->reference.pixels[y * all->reference.width + x];
+    const picture *shaded = &all->shaded;
+    distance result = {0, 0, 0};
+    for (int channel = 0; channel < picture_channels(shaded->format); channel++) {
+        double wanted = wanted_level(reference, shaded->format, channel);
+        int stored = picture_level(shaded, x, y, channel);
+        double error = fabs(stored - wanted);
+        double relative = error / picture_level_max(shaded->format, channel);
+        int steps = abs(stored - (int)floor(wanted + 0.5));
+        result.unrounded = fmax(result.unrounded, error);
+        result.rounded = steps > result.rounded ? steps : result.rounded;
+        result.squares += relative * relative;
+    }
+    return result;
+}
+
+static void judge_pixel(const judge_task *task, const images *all, int x, int y, judgement *total) {
+    const reference_pixel *reference = &all->reference.pixels[y * task->width + x];
+    int drawn = picture_level(&all->coverage, x, y, 0) > 0;
+    distance error = measure_pixel(all, x, y);
+    total->covered += reference->covered;
+    if (drawn != reference->covered) {
+        total->missed++;
+        total->missed_inside += !beside_silhouette(&all->reference, x, y);
+        return;
+    }
+    if (!reference->covered) {
+        total->spilled += error.rounded > 0;
+        return;
+    }
+    total->squares += error.squares;
+    total->samples += picture_channels(task->format);
+    if ((reference->nearest - reference->second) * all->depth_scale < CLOSE_STEPS) {
+        total->close++;
+        return;
+    }
+    total->judged++;
+    total->over_one += error.rounded > 1;
+    total->over_two += error.rounded > 2;
+    total->not_fine += error.unrounded > task->fine;
+    total->worst = fmax(total->worst, error.unrounded);
+}
+
+static glint_status draw_all(const judge_task *task, images *all, judgement *total) {
+    library_geometry geometry;
+    picture_options options = {0};
+    glint_config config = picture_config(&all->shaded, &options);
+    glint_status status = library_geometry_open(&geometry, &config, task->scene);
+    if (status == GLINT_OK) {
+        all->depth_scale = geometry.depth_scale;
+        measure_vertices(task, &geometry, total);
+        reference_render(&all->reference, task->scene, (const reference_position *const *)geometry.positions);
+        status = picture_render(&all->shaded, task->scene, NULL, NULL);
+    }
+    if (status == GLINT_OK)
+        status = render_coverage(&all->coverage, task->scene);
+    library_geometry_close(&geometry);
+    return status;
+}
+
+void judge(const judge_task *task, judgement *total) {
+    images all = {.reference = {.width = task->width, .height = task->height},
+                  .shaded = picture_open(task->width, task->height, task->format),
+                  .coverage = picture_open(task->width, task->height, &glint_format_grey8)};
+    all.reference.pixels = malloc((size_t)task->width * (size_t)task->height * sizeof *all.reference.pixels);
+    glint_status status = all.reference.pixels ? draw_all(task, &all, total) : GLINT_ERROR_NULL;
+    if (status != GLINT_OK)
+        total->status = status;
+    for (int y = 0; y < task->height && status == GLINT_OK; y++) {
+        for (int x = 0; x < task->width; x++)
+            judge_pixel(task, &all, x, y, total);
+    }
+    free(all.reference.pixels);
+    picture_close(&all.shaded);
+    picture_close(&all.coverage);
+}
+
+double judgement_psnr(const judgement *total) {
+    return total->squares > 0 ? -10 * log10(total->squares / (double)total->samples) : INFINITY;
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file judge.h
+ * Holds the library's image of a scene against the reference's, in steps of the output format.
+ */
+#ifndef GLINT_JUDGE_H
+#define GLINT_JUDGE_H
+
+#include "glint.h"
+
+/** What to draw, and how much the stored value may differ from the unrounded one to count as fine. */
+typedef struct judge_task {
+    const glint_scene *scene;
+    int width, height;
+    const glint_format *format;
+    double fine; /**< Steps. */
+} judge_task;
+
+/** Counts of pixels, summed over the tasks judged. */
+typedef struct judgement {
+    glint_status status; /**< Of the library; the rest holds only with GLINT_OK. */
+    long covered;        /**< Pixels the reference covers. */
+    long missed;         /**< Covered by the reference or the library only. */
+    long missed_inside;  /**< Of these, not beside the reference's silhouette. */
+    long spilled;        /**< Not covered by the reference and not the background's colour. */
+    long close;          /**< The two nearest surfaces are less than 2 depth steps apart: left out of the bounds. */
+    long judged;         /**< Covered by both and not close. */
+    long over_one;       /**< Judged and more than 1 step from the rounded reference. */
+    long over_two;       /**< Judged and more than 2. */
+    long not_fine;       /**< Judged and more than `fine` steps from the unrounded reference. */
+    double worst;        /**< Largest distance from the unrounded reference, steps. */
+    double vertex_error; /**< Largest distance of a snapped coordinate from the exact one, pixels. */
+    double squares;      /**< Sum of squared errors, levels as 0..1, over `samples`. */
+    long samples;        /**< Channels of pixels covered by both. */
+} judgement;
+
+/** Judges a scene and adds to `total`, which begins as zeros. */
+void judge(const judge_task *task, judgement *total);
+
+/** Peak signal to noise ratio of what was judged, decibels. */
+double judgement_psnr(const judgement *total);
+
+#endif

@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: MIT */
+#include "picture.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void *allocate(size_t size) {
+    void *memory = calloc(1, size ? size : 1);
+    if (memory == NULL) {
+        fputs("out of memory\n", stderr);
+        exit(1);
+    }
+    return memory;
+}
+
+picture picture_open(int width, int height, const glint_format *format) {
+    picture image = {.width = width, .height = height, .format = format};
+    image.stride = glint_row_bytes(format, (uint32_t)width);
+    image.size = image.stride * (size_t)height;
+    image.bytes = allocate(image.size);
+    image.sent = allocate((size_t)width * (size_t)height);
+    return image;
+}
+
+void picture_close(picture *image) {
+    free(image->bytes);
+    free(image->sent);
+    *image = (picture){0};
+}
+
+int picture_put(picture *image, const int rectangle[4], const void *pixels, size_t stride) {
+    int x = rectangle[0];
+    int y = rectangle[1];
+    int width = rectangle[2];
+    int height = rectangle[3];
+    size_t left = glint_row_bytes(image->format, (uint32_t)x);
+    size_t length = glint_row_bytes(image->format, (uint32_t)width);
+    if (x < 0 || y < 0 || width < 1 || height < 1 || x + width > image->width || y + height > image->height)
+        return 1;
+    for (int row = 0; row < height; row++) {
+        const uint8_t *source = (const uint8_t *)pixels + (size_t)row * stride;
+        memcpy(image->bytes + (size_t)(y + row) * image->stride + left, source, length);
+        for (int column = 0; column < width; column++)
+            image->sent[(size_t)(y + row) * (size_t)image->width + (size_t)(x + column)]++;
+    }
+    return 0;
+}
+
+static int begin(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    const int rectangle[4] = {x, y, width, height};
+    return picture_put(context, rectangle, pixels, stride);
+}
+
+glint_config picture_config(picture *image, const picture_options *options) {
+    return (glint_config){.width = (uint16_t)image->width,
+                          .height = (uint16_t)image->height,
+                          .tile_width = options ? options->tile_width : 0,
+                          .tile_height = options ? options->tile_height : 0,
+                          .format = image->format,
+                          .flush = {.begin = begin, .context = image}};
+}
+
+glint_status picture_render(picture *image, const glint_scene *scene, const picture_options *options,
+                            glint_stats *stats) {
+    glint_config config = picture_config(image, options);
+    glint_renderer renderer;
+    glint_need need;
+    glint_status status = glint_arena_need(&config, scene, &need);
+    if (status != GLINT_OK)
+        return status;
+    memset(image->sent, 0, (size_t)image->width * (size_t)image->height);
+    config.arena_size = options && options->arena_size ? options->arena_size : need.best;
+    config.arena = allocate(config.arena_size);
+    status = glint_init(&renderer, &config);
+    if (status == GLINT_OK)
+        status = glint_render(&renderer, scene);
+    if (stats != NULL)
+        *stats = renderer.stats;
+    free(config.arena);
+    return status;
+}
+
+int picture_is_complete(const picture *image) {
+    for (int i = 0; i < image->width * image->height; i++) {
+        if (image->sent[i] != 1)
+            return 0;
+    }
+    return 1;
+}
+
+int picture_equal(const picture *a, const picture *b) {
+    return a->size == b->size && memcmp(a->bytes, b->bytes, a->size) == 0;
+}
+
+int picture_channels(const glint_format *format) {
+    return format == &glint_format_grey8 || format == &glint_format_grey4 ? 1 : 3;
+}
+
+int picture_level_max(const glint_format *format, int channel) {
+    if (format == &glint_format_rgb888 || format == &glint_format_grey8)
+        return 255;
+    if (format == &glint_format_grey4)
+        return 15;
+    return channel == 1 ? 63 : 31;
+}
+
+int picture_level(const picture *image, int x, int y, int channel) {
+    const uint8_t *row = image->bytes + (size_t)y * image->stride;
+    const uint8_t *pixel = row + glint_row_bytes(image->format, (uint32_t)x);
+    uint16_t word = 0;
+    if (image->format == &glint_format_rgb888)
+        return pixel[channel];
+    if (image->format == &glint_format_grey8)
+        return pixel[0];
+    if (image->format == &glint_format_grey4)
+        return x % 2 ? row[x / 2] & 15 : row[x / 2] >> 4;
+    if (image->format == &glint_format_rgb565)
+        memcpy(&word, pixel, sizeof word);
+    else
+        word = (uint16_t)(pixel[0] << 8 | pixel[1]);
+    return channel == 0 ? word >> 11 : channel == 1 ? word >> 5 & 63 : word & 31;
+}

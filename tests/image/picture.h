@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file picture.h
+ * An image drawn by the library into memory, as the bytes it sent, and how often each pixel was sent.
+ */
+#ifndef GLINT_PICTURE_H
+#define GLINT_PICTURE_H
+
+#include "glint.h"
+
+typedef struct picture {
+    int width, height;
+    const glint_format *format;
+    size_t stride; /**< Bytes per row. */
+    size_t size;   /**< Bytes in all. */
+    uint8_t *bytes;
+    uint8_t *sent; /**< Per pixel, times it was sent. */
+} picture;
+
+/** How to draw; zeros for the defaults and the best arena. */
+typedef struct picture_options {
+    uint16_t tile_width, tile_height;
+    size_t arena_size;
+} picture_options;
+
+/** Allocates an empty picture; ends the program when there is no memory. Free with picture_close. */
+picture picture_open(int width, int height, const glint_format *format);
+
+void picture_close(picture *image);
+
+/** A configuration for drawing into `image`, without an arena. */
+glint_config picture_config(picture *image, const picture_options *options);
+
+/** Draws a scene with glint_render and an arena of the size asked for. */
+glint_status picture_render(picture *image, const glint_scene *scene, const picture_options *options,
+                            glint_stats *stats);
+
+/** Copies a finished tile into `image`: what the flush callback does. @return 1 when it lies outside. */
+int picture_put(picture *image, const int rectangle[4], const void *pixels, size_t stride);
+
+/** Whether every pixel was sent once. */
+int picture_is_complete(const picture *image);
+
+/** Whether two pictures hold the same bytes. */
+int picture_equal(const picture *a, const picture *b);
+
+/** Channels of a format, 3 or 1, and the highest level of one. */
+int picture_channels(const glint_format *format);
+int picture_level_max(const glint_format *format, int channel);
+
+/** The stored level of a channel. */
+int picture_level(const picture *image, int x, int y, int channel);
+
+#endif

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file scenes.h
+ * Scenes beside the benchmark's, each for something that a renderer gets wrong: clipping, mirrors, extreme scales,
+ * many lights, colours above 1, odd exponents, normals that cancel.
+ */
+#ifndef GLINT_SCENES_H
+#define GLINT_SCENES_H
+
+#include "bench.h"
+#include "glint.h"
+
+#define SCENE_OBJECTS_MAX 4
+
+/** A scene and what it points to; not to be moved once built. */
+typedef struct test_scene {
+    glint_material materials[SCENE_OBJECTS_MAX];
+    glint_light lights[GLINT_LIGHTS_MAX];
+    glint_object objects[SCENE_OBJECTS_MAX];
+    glint_scene scene;
+} test_scene;
+
+/** A named scene; `cut` tells that triangles cross the near plane, where the library makes vertices of its own. */
+typedef struct scene_definition {
+    const char *name;
+    void (*build)(test_scene *scene);
+    int cut;
+} scene_definition;
+
+extern const scene_definition scene_definitions[];
+extern const unsigned scene_count;
+
+/** Builds a scene; its meshes are shared and built on first use. */
+void scene_build(test_scene *scene, const scene_definition *definition);
+
+/** The mesh of a benchmark scene, built on first use. */
+const bench_mesh *scene_bench_mesh(int which);
+
+#endif

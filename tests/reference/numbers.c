@@ -1,0 +1,252 @@
+/* SPDX-License-Identifier: MIT */
+/* Suite: the library's arithmetic against libm in long double, at the largest errors its contracts state. */
+#include "glint.h"
+#include "harness.h"
+#include "numeric.h"
+
+#include <math.h>
+
+static const long double pi = 3.14159265358979323846264L;
+
+/* A linear congruential generator (Knuth, MMIX); its high half. */
+static uint32_t random_bits(void) {
+    static uint64_t state = 1;
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return (uint32_t)(state >> 32);
+}
+
+static int32_t random_signed(unsigned bits) {
+    return (int32_t)random_bits() >> (32 - bits);
+}
+
+/* Says how much of what a contract allows was found; fails above 1. */
+static void report(const char *name, long double worst, long double allowed) {
+    test_write("  ");
+    test_write(name);
+    test_write(": ");
+    test_write_number((int64_t)(worst / allowed * 1000));
+    test_write(" thousandths of the error allowed\n");
+    CHECK(worst <= allowed);
+}
+
+static void sine_and_cosine_of_all_angles(void) {
+    long double worst = 0;
+    for (int64_t degrees = INT32_MIN; degrees <= INT32_MAX; degrees += 9973) {
+        long double angle = (long double)(degrees % (360 * 65536)) / 65536 * pi / 180;
+        worst = fmaxl(worst, fabsl((long double)glint_sin((glint_q16)degrees) - 65536 * sinl(angle)));
+        worst = fmaxl(worst, fabsl((long double)glint_cos((glint_q16)degrees) - 65536 * cosl(angle)));
+    }
+    report("sin, cos", worst, 0.5L + 0.004L); /* rounding, and the sine's 4e-8 */
+}
+
+static void sine_of_quarter_turns_is_exact(void) {
+    for (int quarter = -8; quarter <= 8; quarter++) {
+        static const int sines[4] = {0, 1, 0, -1};
+        CHECK_EQUAL(glint_sin(quarter * 90 * GLINT_ONE), sines[(unsigned)quarter & 3] * GLINT_ONE);
+        CHECK_EQUAL(glint_cos(quarter * 90 * GLINT_ONE), sines[(unsigned)(quarter + 1) & 3] * GLINT_ONE);
+    }
+}
+
+static void sine_of_phases(void) {
+    long double worst = 0;
+    for (uint64_t phase = 0; phase < (uint64_t)1 << 32; phase += 2039) {
+        long double exact = sinl((long double)phase / 2147483648.0L * pi);
+        worst = fmaxl(worst, fabsl((long double)glint_sine((uint32_t)phase) / 1073741824 - exact));
+    }
+    report("sine", worst, 4e-8L);
+}
+
+static void inverse_roots(void) {
+    long double worst = 0;
+    for (uint64_t c = (uint64_t)1 << 28; c <= (uint64_t)3 << 30; c += 509) {
+        long double exact = GLINT_UNIT / sqrtl((long double)c) * 32768;
+        worst = fmaxl(worst, fabsl((long double)glint_inverse_root((uint32_t)c) / exact - 1));
+    }
+    report("inverse root", worst, 4.8e-5L);
+}
+
+static void reciprocals(void) {
+    long double worst = 0;
+    for (uint64_t x = (uint64_t)1 << 31; x < (uint64_t)1 << 32; x += 499) {
+        long double exact = 9223372036854775808.0L / (long double)x;
+        worst = fmaxl(worst, fabsl((long double)glint_reciprocal((uint32_t)x) / exact - 1));
+    }
+    report("reciprocal", worst, 0x1p-29L);
+}
+
+static void logarithms(void) {
+    long double worst = 0;
+    for (uint64_t x = 1; x <= (uint64_t)1 << 31; x += x < 100000 ? 1 : 1013) {
+        long double exact = log2l((long double)x) - 31;
+        worst = fmaxl(worst, fabsl((long double)glint_log2((uint32_t)x) / 67108864 - exact));
+    }
+    report("log2", worst, 4e-8L);
+    CHECK_EQUAL(glint_log2(0), -32 * (1 << 26));
+}
+
+static void exponentials(void) {
+    long double worst = 0;
+    for (int64_t y = 0; y >= INT32_MIN; y -= y > -100000 ? 1 : 1013) {
+        long double exact = exp2l((long double)y / 67108864 + 30);
+        long double error = fabsl((long double)glint_exp2((int32_t)y) - exact);
+        worst = fmaxl(worst, error / (0.5L + 2e-8L * exact));
+    }
+    report("exp2", worst, 1);
+}
+
+/* p times the logarithm's error, a step of Q26, and the exponential's error. */
+static void powers(void) {
+    static const int32_t exponents[] = {1, 32768, 65536, 65537, 2 << 16, 100 << 16, 1024 << 16, INT32_MAX};
+    long double worst = 0;
+    for (unsigned i = 0; i < TEST_COUNT(exponents); i++) {
+        long double p = exponents[i] / 65536.0L;
+        for (uint64_t x = 1; x <= (uint64_t)1 << 31; x += x < 1000 ? 1 : 10007) {
+            long double exact = powl((long double)x / 2147483648.0L, p) * 1073741824;
+            long double relative = 0.6931472L * (p * 4e-8L + 0x1p-26L) + 2e-8L;
+            long double error = fabsl((long double)glint_power((uint32_t)x, exponents[i]) - exact);
+            worst = fmaxl(worst, error / (0.5L + relative * exact));
+        }
+        CHECK_EQUAL(glint_power(0, exponents[i]), 0);
+    }
+    report("power", worst, 1);
+    CHECK_EQUAL(glint_power(0, 0), 1 << 30);
+    CHECK_EQUAL(glint_power(12345, 0), 1 << 30);
+}
+
+static void unit_vectors(void) {
+    long double worst = 0;
+    long double worst_length = 0;
+    for (int i = 0; i < 3000000; i++) {
+        unsigned bits = 1 + random_bits() % 32;
+        int32_t v[3] = {random_signed(bits), random_signed(1 + random_bits() % bits), random_signed(bits)};
+        int16_t unit[3];
+        long double length = sqrtl((long double)v[0] * v[0] + (long double)v[1] * v[1] + (long double)v[2] * v[2]);
+        glint_unit(v[0], v[1], v[2], unit);
+        for (int axis = 0; axis < 3 && length > 0; axis++)
+            worst = fmaxl(worst, fabsl(unit[axis] - v[axis] / length * GLINT_UNIT));
+        long double got = sqrtl((long double)(unit[0] * unit[0]) + unit[1] * unit[1] + unit[2] * unit[2]);
+        worst_length = fmaxl(worst_length, length > 0 ? fabsl(got - GLINT_UNIT) : got);
+    }
+    report("unit vector", worst, 1.3L);
+    report("unit vector's length", worst_length, 2.2L);
+}
+
+static void unit_vectors_of_extremes(void) {
+    static const int32_t values[] = {INT32_MIN, INT32_MIN + 1, -65536, -1, 0, 1, 32767, 32768, INT32_MAX};
+    long double worst = 0;
+    for (unsigned i = 0; i < 9 * 9 * 9; i++) {
+        const int32_t v[3] = {values[i % 9], values[i / 9 % 9], values[i / 81]};
+        int16_t unit[3];
+        long double length = sqrtl((long double)v[0] * v[0] + (long double)v[1] * v[1] + (long double)v[2] * v[2]);
+        glint_unit(v[0], v[1], v[2], unit);
+        for (int axis = 0; axis < 3 && length > 0; axis++)
+            worst = fmaxl(worst, fabsl(unit[axis] - v[axis] / length * GLINT_UNIT));
+        CHECK(length > 0 || (unit[0] == 0 && unit[1] == 0 && unit[2] == 0));
+    }
+    report("unit vector of extremes", worst, 1.3L);
+}
+
+static glint_pose random_pose(unsigned bits) {
+    glint_pose pose;
+    for (int i = 0; i < 12; i++)
+        pose.m[i / 4][i % 4] = random_signed(bits);
+    return pose;
+}
+
+/* The thousandth is for the halves that the products may lose before they are added. */
+static void poses_one_after_another(void) {
+    long double worst = 0;
+    for (int i = 0; i < 20000; i++) {
+        glint_pose first = random_pose(1 + random_bits() % 32);
+        glint_pose second = random_pose(1 + random_bits() % 32);
+        glint_pose both = glint_pose_then(&first, &second);
+        for (int entry = 0; entry < 12; entry++) {
+            int row = entry / 4;
+            int column = entry % 4;
+            long double exact = column == 3 ? second.m[row][3] : 0;
+            for (int k = 0; k < 3; k++)
+                exact += (long double)second.m[row][k] * first.m[k][column] / 65536;
+            exact = fminl(fmaxl(exact, INT32_MIN), INT32_MAX);
+            worst = fmaxl(worst, fabsl((long double)both.m[row][column] - exact));
+        }
+    }
+    report("pose then pose", worst, 0.501L);
+}
+
+static void rotations_turn_right_handed(void) {
+    const glint_pose x = glint_pose_rotate_x(90 * GLINT_ONE);
+    const glint_pose y = glint_pose_rotate_y(90 * GLINT_ONE);
+    const glint_pose z = glint_pose_rotate_z(90 * GLINT_ONE);
+    CHECK_EQUAL(x.m[2][1], GLINT_ONE); /* y goes to z */
+    CHECK_EQUAL(x.m[1][2], -GLINT_ONE);
+    CHECK_EQUAL(y.m[0][2], GLINT_ONE); /* z goes to x */
+    CHECK_EQUAL(y.m[2][0], -GLINT_ONE);
+    CHECK_EQUAL(z.m[1][0], GLINT_ONE); /* x goes to y */
+    CHECK_EQUAL(z.m[0][1], -GLINT_ONE);
+    CHECK_EQUAL(x.m[0][0] + y.m[1][1] + z.m[2][2], 3 * GLINT_ONE);
+}
+
+/* Back = eye - at, right = up x back, up = back x right, all of length 1. */
+static void look_at_exact(const glint_vector v[3], long double axes[3][3]) {
+    const long double back[3] = {(long double)v[0].x - v[1].x, (long double)v[0].y - v[1].y,
+                                 (long double)v[0].z - v[1].z};
+    const long double up[3] = {v[2].x, v[2].y, v[2].z};
+    for (int i = 0; i < 3; i++) {
+        axes[2][i] = back[i];
+        axes[0][i] = up[(i + 1) % 3] * back[(i + 2) % 3] - up[(i + 2) % 3] * back[(i + 1) % 3];
+    }
+    for (int axis = 2; axis >= 0; axis -= 2) {
+        long double length =
+            sqrtl(axes[axis][0] * axes[axis][0] + axes[axis][1] * axes[axis][1] + axes[axis][2] * axes[axis][2]);
+        for (int i = 0; i < 3; i++)
+            axes[axis][i] /= length;
+    }
+    for (int i = 0; i < 3; i++)
+        axes[1][i] = axes[2][(i + 1) % 3] * axes[0][(i + 2) % 3] - axes[2][(i + 2) % 3] * axes[0][(i + 1) % 3];
+}
+
+/*
+ * Up stands at least 30 degrees off the view: back and up, rounded, are off by 0.87 steps each, their product's
+ * direction by (0.87 + 0.87) / sin(30 degrees) and its own rounding.
+ */
+static void cameras_look_at(void) {
+    long double worst = 0;
+    for (int i = 0; i < 200000; i++) {
+        glint_vector v[3];
+        long double axes[3][3];
+        for (int k = 0; k < 3; k++)
+            v[k] = (glint_vector){random_signed(24), random_signed(24), random_signed(24)};
+        look_at_exact(v, axes);
+        long double up_length =
+            sqrtl((long double)v[2].x * v[2].x + (long double)v[2].y * v[2].y + (long double)v[2].z * v[2].z);
+        long double along = (axes[2][0] * v[2].x + axes[2][1] * v[2].y + axes[2][2] * v[2].z) / up_length;
+        glint_camera camera = {.field_of_view = GLINT_ONE};
+        if (!(fabsl(along) < 0.866L) || !CHECK_EQUAL(glint_camera_look_at(&camera, v[0], v[1], v[2]), GLINT_OK))
+            continue;
+        for (int entry = 0; entry < 9; entry++) {
+            long double exact = axes[entry % 3][entry / 3] * 65536;
+            worst = fmaxl(worst, fabsl((long double)camera.pose.m[entry / 3][entry % 3] - exact));
+        }
+        CHECK(camera.pose.m[0][3] == v[0].x && camera.pose.m[1][3] == v[0].y && camera.pose.m[2][3] == v[0].z);
+    }
+    report("look at", worst, 4.5L);
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {
+        TEST_CASE(sine_and_cosine_of_all_angles),
+        TEST_CASE(sine_of_quarter_turns_is_exact),
+        TEST_CASE(sine_of_phases),
+        TEST_CASE(inverse_roots),
+        TEST_CASE(reciprocals),
+        TEST_CASE(logarithms),
+        TEST_CASE(exponentials),
+        TEST_CASE(powers),
+        TEST_CASE(unit_vectors),
+        TEST_CASE(unit_vectors_of_extremes),
+        TEST_CASE(poses_one_after_another),
+        TEST_CASE(rotations_turn_right_handed),
+        TEST_CASE(cameras_look_at),
+    };
+    return test_run(write, cases, TEST_COUNT(cases));
+}
