@@ -40,7 +40,7 @@ typedef int32_t glint_q16;
 #define GLINT_ONE ((glint_q16)65536)
 
 /** A constant as Q16.16, rounded to nearest. For literals: the compiler folds it, no floating point is left. */
-#define GLINT_Q16(x) ((glint_q16)((x) * 65536.0 + ((x) < 0 ? -0.5 : 0.5)))
+#define GLINT_Q16(x) ((glint_q16)((x)*65536.0 + ((x) < 0 ? -0.5 : 0.5)))
 
 /** A point, a direction or a length per axis. */
 typedef struct glint_vector {
@@ -65,24 +65,24 @@ typedef struct glint_pose {
 /** Result of every function that can fail. `glint_strerror` gives the sentence. */
 typedef enum glint_status {
     GLINT_OK = 0,
-    GLINT_ERROR_NULL = -1,       /**< A required pointer is null. */
-    GLINT_ERROR_SIZE = -2,       /**< Width or height is not from 1 to GLINT_SIZE_MAX. */
-    GLINT_ERROR_TILE = -3,       /**< Tile width or height is not 8, 16, 32 or 64. */
-    GLINT_ERROR_ARENA = -4,      /**< The arena is smaller than the smallest this scene can be drawn with. */
-    GLINT_ERROR_CAMERA = -5,     /**< The camera's axes are not unit and perpendicular, its field of view is not from
-                                      1 to 170 degrees, its near plane is not above 0, or eye, target and up lie on
-                                      one line. */
-    GLINT_ERROR_LIGHTS = -6,     /**< More than GLINT_LIGHTS_MAX lights. */
-    GLINT_ERROR_DIRECTION = -7,  /**< A light's direction has length 0. */
-    GLINT_ERROR_COLOUR = -8,     /**< A colour channel, or a light's times a material's, is not from 0 to 16. */
-    GLINT_ERROR_SHININESS = -9,  /**< A shininess exponent is below 0. */
-    GLINT_ERROR_MESH = -10,      /**< A mesh has no vertices, no triangles, more vertices than uint16 can index, or an
-                                      extent below 0. */
-    GLINT_ERROR_INDEX = -11,     /**< A triangle refers to a vertex that its mesh does not have. */
-    GLINT_ERROR_POSE = -12,      /**< A pose is singular: it squashes the object flat. */
-    GLINT_ERROR_RANGE = -13,     /**< An object is too far from the camera or too large for 32-bit coordinates. */
-    GLINT_ERROR_FLUSH = -14,     /**< The flush callback reported a failure; the frame was not finished. */
-    GLINT_ERROR_VIEWER = -15     /**< The viewer is neither infinite nor local. */
+    GLINT_ERROR_NULL = -1,      /**< A required pointer is null. */
+    GLINT_ERROR_SIZE = -2,      /**< Width or height is not from 1 to GLINT_SIZE_MAX. */
+    GLINT_ERROR_TILE = -3,      /**< Tile width or height is not 8, 16, 32 or 64. */
+    GLINT_ERROR_ARENA = -4,     /**< The arena is smaller than the smallest this scene can be drawn with. */
+    GLINT_ERROR_CAMERA = -5,    /**< The camera's axes are not unit and perpendicular, its field of view is not from
+                                     1 to 170 degrees, its near plane is not above 0, or eye, target and up lie on
+                                     one line. */
+    GLINT_ERROR_LIGHTS = -6,    /**< More than GLINT_LIGHTS_MAX lights. */
+    GLINT_ERROR_DIRECTION = -7, /**< A light's direction has length 0. */
+    GLINT_ERROR_COLOUR = -8,    /**< A colour channel, or a light's times a material's, is not from 0 to 16. */
+    GLINT_ERROR_SHININESS = -9, /**< A shininess exponent is below 0. */
+    GLINT_ERROR_MESH = -10,     /**< A mesh has no vertices, no triangles, more vertices than uint16 can index, or an
+                                     extent below 0. */
+    GLINT_ERROR_INDEX = -11,    /**< A triangle refers to a vertex that its mesh does not have. */
+    GLINT_ERROR_POSE = -12,     /**< A pose is singular: it squashes the object flat. */
+    GLINT_ERROR_RANGE = -13,    /**< An object is too far from the camera or too large for 32-bit coordinates. */
+    GLINT_ERROR_FLUSH = -14,    /**< The flush callback reported a failure; the frame was not finished. */
+    GLINT_ERROR_VIEWER = -15    /**< The viewer is neither infinite nor local. */
 } glint_status;
 
 /** A sentence in English for a status; for a number that is no status, "unknown status". Never null. */
@@ -242,20 +242,20 @@ typedef struct glint_config {
     uint16_t tile_height; /**< 8, 16, 32 or 64; 0 for the default, 32. */
     const glint_format *format;
     glint_flush flush;
-    void *arena;          /**< Working memory, any alignment. More means fewer passes, never other pixels. */
-    size_t arena_size;    /**< Bytes; see `glint_arena_need`. */
+    void *arena;       /**< Working memory, any alignment. More means fewer passes, never other pixels. */
+    size_t arena_size; /**< Bytes; see `glint_arena_need`. */
 } glint_config;
 
 /** What a frame took; counts since the frame began. */
 typedef struct glint_stats {
-    uint32_t passes;      /**< Times the scene was gone through. */
-    uint32_t tiles;       /**< Tiles drawn and sent. */
-    uint32_t vertices;    /**< Vertices transformed. */
-    uint32_t triangles;   /**< Triangles looked at. */
-    uint32_t culled;      /**< Of these, dropped: facing away, outside, or covering no pixel centre. */
-    uint32_t clipped;     /**< Of these, cut at the near plane or the guard band. */
-    uint32_t references;  /**< Triangle references put into tiles. */
-    uint32_t arena_used;  /**< Most bytes of the arena in use. */
+    uint32_t passes;     /**< Times the scene was gone through. */
+    uint32_t tiles;      /**< Tiles drawn and sent. */
+    uint32_t vertices;   /**< Vertices transformed. */
+    uint32_t triangles;  /**< Triangles looked at. */
+    uint32_t culled;     /**< Of these, dropped: facing away, outside, or covering no pixel centre. */
+    uint32_t clipped;    /**< Of these, cut at the near plane or the guard band. */
+    uint32_t references; /**< Triangle references put into tiles. */
+    uint32_t arena_used; /**< Most bytes of the arena in use. */
 } glint_stats;
 
 /** Bytes of arena for a scene. */
@@ -266,27 +266,41 @@ typedef struct glint_need {
 
 /* The rest of this section is the inside of a renderer: public so that it can be declared, not to be touched. */
 
-/** Everything that drawing tiles of a frame reads; written by glint_frame_begin and glint_frame_next only. */
+/** Memory handed out from both ends; the bytes from `low` to `high` are free. */
+typedef struct glint_memory {
+    uint8_t *base;
+    size_t low, high;
+} glint_memory;
+
+/** Everything that drawing the tiles of a pass reads; written by glint_frame_begin and glint_frame_next only. */
 typedef struct glint_frame {
     glint_config config;
     const glint_scene *scene;
+    const struct glint_view *view;       /* camera and lights, prepared */
+    const struct glint_shading *shading; /* materials, prepared */
+    glint_memory memory;
+    uint32_t shading_count;
+    uint16_t tile_first, tile_end; /* tiles of this pass */
+    uint16_t tile_columns, tile_count;
+    uint16_t pass_tiles;                /* tiles that a pass may hold */
+    uint8_t tile_shift_x, tile_shift_y; /* binary logarithms of the tile's size */
+    uint8_t starts, ends;               /* the pass holds the scene's first triangle, its last */
+    uint8_t covers_end;                 /* what is loaded reaches the scene's end */
+    uint8_t resident;                   /* what is loaded is all of the scene */
+    uint32_t object, triangle;          /* where the next pass goes on */
+    size_t prepared_end, vertices_end;  /* of the arena's use */
+    struct glint_draw *draws;           /* what this pass draws */
+    struct glint_list *lists;           /* one for each of its tiles */
+    struct glint_reference *references;
+    uint32_t reference_count;
+    struct glint_clipped *clipped; /* above the last; they grow downwards */
     glint_stats stats;
-    struct glint_memory {
-        uint8_t *base;
-        size_t size, low, high; /* free bytes lie from base + low to base + high */
-    } memory;
-    const struct glint_view *view;        /* camera, lights and materials, prepared */
-    struct glint_batch *batch;            /* what this pass draws */
-    uint16_t tile_first, tile_end;        /* tiles of this pass */
-    uint16_t tile_columns, tile_rows;
-    uint16_t pass_tiles;                  /* tiles tried at once */
-    uint8_t state;
 } glint_frame;
 
 /** What drawing one tile needs. */
 typedef struct glint_workspace {
-    void *pixels;      /**< The finished tile. */
-    size_t stride;     /**< Bytes from row to row. */
+    void *pixels;  /**< The finished tile. */
+    size_t stride; /**< Bytes from row to row. */
     uint16_t *depth;
     struct glint_fragments *fragments;
 } glint_workspace;

@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT */
+#include "glint.h"
+
+const char *glint_strerror(int status) {
+    static const char *const sentences[] = {
+        "no error",
+        "a required pointer is null",
+        "width or height is not from 1 to 1024",
+        "tile width or height is not 8, 16, 32 or 64",
+        "the arena is too small for this scene",
+        "the camera's axes, field of view or near plane are not valid",
+        "more than 8 lights",
+        "a light's direction has length 0",
+        "a colour, or a light's times a material's, is not from 0 to 16",
+        "a shininess exponent is below 0",
+        "a mesh has no vertices, no triangles, more than 65536 vertices or a negative extent",
+        "a triangle refers to a vertex that its mesh does not have",
+        "an object's pose is singular",
+        "an object is too far from the camera or too large",
+        "the flush callback reported a failure",
+        "the viewer is neither infinite nor local",
+    };
+    const int count = (int)(sizeof sentences / sizeof *sentences);
+    return status > 0 || status <= -count ? "unknown status" : sentences[-status];
+}

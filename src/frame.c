@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: MIT */
+/* Frame: from a scene to passes, each of which holds some tiles' triangles, or some triangles of one tile. */
+#include "frame.h"
+
+static unsigned tile_shift(uint16_t size) {
+    return 31u - glint_leading_zeros(size);
+}
+
+/* One shading for each distinct material. */
+static glint_status prepare_materials(glint_frame *frame) {
+    glint_shading *all = 0;
+    for (uint32_t i = 0; i < frame->scene->object_count; i++) {
+        const glint_material *material = frame->scene->objects[i].material;
+        uint32_t known = 0;
+        while (known < frame->shading_count && all[known].material != material)
+            known++;
+        if (known < frame->shading_count)
+            continue;
+        glint_shading *shading = glint_take(&frame->memory, sizeof *shading);
+        if (!shading)
+            return GLINT_ERROR_ARENA;
+        if (!all)
+            frame->shading = all = shading;
+        glint_status status = glint_prepare_shading(shading, material, frame->scene);
+        if (status != GLINT_OK)
+            return status;
+        frame->shading_count++;
+    }
+    return GLINT_OK;
+}
+
+static glint_status prepare(glint_frame *frame) {
+    glint_status status = glint_check_scene(frame->scene);
+    if (status != GLINT_OK)
+        return status;
+    glint_view *view = glint_take(&frame->memory, sizeof *view);
+    if (!view)
+        return GLINT_ERROR_ARENA;
+    frame->view = view;
+    status = glint_prepare_view(view, &frame->config, frame->scene);
+    return status == GLINT_OK ? prepare_materials(frame) : status;
+}
+
+glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
+    static const glint_frame empty = {0};
+    if (!frame || !config || !scene || !config->arena)
+        return GLINT_ERROR_NULL;
+    *frame = empty;
+    frame->config = *config;
+    frame->scene = scene;
+    glint_status status = glint_check_config(&frame->config);
+    if (status != GLINT_OK)
+        return status;
+    size_t skew = (size_t)(-(uintptr_t)config->arena & (sizeof(void *) - 1));
+    if (config->arena_size < skew + sizeof(void *))
+        return GLINT_ERROR_ARENA;
+    frame->memory.base = (uint8_t *)config->arena + skew;
+    frame->memory.high = (config->arena_size - skew) & ~(sizeof(void *) - 1);
+    frame->tile_shift_x = (uint8_t)tile_shift(frame->config.tile_width);
+    frame->tile_shift_y = (uint8_t)tile_shift(frame->config.tile_height);
+    frame->tile_columns = (uint16_t)((config->width + frame->config.tile_width - 1) >> frame->tile_shift_x);
+    frame->tile_count =
+        (uint16_t)(frame->tile_columns * ((config->height + frame->config.tile_height - 1) >> frame->tile_shift_y));
+    frame->pass_tiles = frame->tile_count;
+    status = prepare(frame);
+    frame->prepared_end = frame->memory.low;
+    return status;
+}
+
+/* Goes on where the last pass stopped. @return 0 when the frame is done. */
+static int advance(glint_frame *frame) {
+    if (frame->stats.passes == 0)
+        return 1;
+    if (frame->ends) {
+        frame->tile_first = frame->tile_end;
+        frame->object = 0;
+        frame->triangle = 0;
+    }
+    return frame->tile_first < frame->tile_count;
+}
+
+/* Bins for as many tiles as the arena allows; a single tile may get a part of the triangles. */
+static glint_status bin_tiles(glint_frame *frame) {
+    const uint32_t object = frame->object, triangle = frame->triangle;
+    const glint_stats stats = frame->stats;
+    int complete = 0;
+    if (!frame->covers_end)
+        frame->pass_tiles = 1;
+    for (;;) {
+        uint32_t end = (uint32_t)frame->tile_first + frame->pass_tiles;
+        frame->tile_end = (uint16_t)(end < frame->tile_count ? end : frame->tile_count);
+        glint_status status = glint_bin(frame, &complete);
+        if (status != GLINT_OK)
+            return status;
+        if (complete || frame->pass_tiles == 1)
+            break;
+        frame->pass_tiles = (uint16_t)((frame->pass_tiles + 1) / 2);
+        frame->object = object;
+        frame->triangle = triangle;
+        frame->stats = stats;
+    }
+    frame->ends = complete && frame->covers_end;
+    if (!complete && frame->object == object && frame->triangle == triangle)
+        return GLINT_ERROR_ARENA;
+    return GLINT_OK;
+}
+
+int glint_frame_next(glint_frame *frame) {
+    if (!frame)
+        return GLINT_ERROR_NULL;
+    if (!advance(frame))
+        return 0;
+    frame->starts = frame->object == 0 && frame->triangle == 0;
+    if (!frame->resident) {
+        glint_status status = glint_load(frame);
+        if (status != GLINT_OK)
+            return status;
+    }
+    glint_status status = bin_tiles(frame);
+    if (status != GLINT_OK)
+        return status;
+    frame->stats.passes++;
+    frame->stats.tiles += frame->ends ? (uint32_t)(frame->tile_end - frame->tile_first) : 0;
+    return 1;
+}
+
+void glint_tile_rectangle(const glint_frame *frame, uint32_t tile, int *x, int *y, int *width, int *height) {
+    *x = (int)(tile % frame->tile_columns) << frame->tile_shift_x;
+    *y = (int)(tile / frame->tile_columns) << frame->tile_shift_y;
+    *width = frame->config.width - *x < frame->config.tile_width ? frame->config.width - *x : frame->config.tile_width;
+    *height =
+        frame->config.height - *y < frame->config.tile_height ? frame->config.height - *y : frame->config.tile_height;
+}

@@ -1,0 +1,248 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file frame.h
+ * What the stages hand to each other: view -> transform -> vertex -> batch -> fragments. Formats: numeric.h.
+ */
+#ifndef GLINT_FRAME_H
+#define GLINT_FRAME_H
+
+#include "glint.h"
+#include "numeric.h"
+
+/** Half width of the guard band in pixels: clip space x = w lies this far from the screen's centre. */
+#define GLINT_GUARD_BAND 1023
+
+/** Tile width and height where the configuration says 0. */
+#define GLINT_TILE_DEFAULT 32
+
+/** Fragments shaded together. */
+#define GLINT_FRAGMENTS_MAX 32
+
+/** Intervals of a power table, and bits of the position within one that are used. */
+#define GLINT_POWER_TABLE_BITS 7
+#define GLINT_POWER_INTERVALS (1 << GLINT_POWER_TABLE_BITS)
+#define GLINT_POWER_FRACTION_BITS 12
+
+/* ---- prepare: the scene, once a frame ---- */
+
+/** A light in camera space. */
+typedef struct glint_prepared_light {
+    int16_t direction[3];   /* towards the light, unit */
+    int16_t half_vector[3]; /* for the infinite viewer, unit; 0 when the light is straight behind */
+} glint_prepared_light;
+
+/** Camera and lights. */
+typedef struct glint_view {
+    int32_t rotation[3][3]; /* world to camera, Q16.16 */
+    int32_t eye[3];         /* world, Q16.16 */
+    int32_t focal;          /* twice the focal length in pixels, Q12 */
+    int32_t focal_mantissa; /* focal length / guard band = mantissa 2^-shift, 2^23 to 2^24 */
+    uint32_t focal_shift;
+    int64_t near_plane; /* Q28 */
+    int64_t nearest;    /* Q28: no visible w is smaller */
+    uint32_t light_count;
+    uint32_t local_viewer;
+    glint_prepared_light lights[GLINT_LIGHTS_MAX];
+} glint_view;
+
+/** x^p for x = 1 - u, or for x itself where p < 2. */
+typedef struct glint_power_table {
+    int32_t exponent;            /* p, Q16.16 */
+    uint32_t direct;             /* p < 2: no table, the power is computed */
+    uint32_t window;             /* Q30: the table spans sin^2 from 0 to this power of two; beyond, the power is 0 */
+    uint32_t index_shift;        /* sin^2 in Q30 >> this is the interval */
+    int32_t cosine_square_floor; /* Q15: below this cos^2 lies outside the window */
+    uint16_t value[GLINT_POWER_INTERVALS + 1]; /* Q15 */
+} glint_power_table;
+
+/** A material under the scene's lights. */
+typedef struct glint_shading {
+    const glint_material *material;
+    uint32_t ambient[3]; /* Q23 */
+    struct {
+        uint32_t diffuse[3], specular[3]; /* Q12 */
+    } weights[GLINT_LIGHTS_MAX];
+    uint32_t has_specular;
+    glint_power_table power;
+} glint_shading;
+
+/* ---- transform: an object, once a pass ---- */
+
+/** Mesh steps to clip space, and object normals to camera space. */
+typedef struct glint_transform {
+    int32_t matrix[3][3]; /* rows x, y, w: clip coordinate of 2^15 steps */
+    int32_t translation[3];
+    int32_t normal[3][3];
+    int32_t exponent;       /* a clip unit is 2^-exponent */
+    int32_t near_plane;     /* w of the near plane */
+    int32_t depth_mantissa; /* nearest w of the frame = mantissa 2^-shift, mantissa 2^30 to 2^31 */
+    uint32_t depth_shift;
+    int32_t center_x, center_y; /* of the screen, 28.4 */
+    uint8_t visible, clips, mirrored;
+} glint_transform;
+
+/* ---- geometry: vertices ---- */
+
+#define GLINT_VERTEX_CLIP 1u /* in front of the near plane or outside the guard band: x, y and 1/w are not valid */
+
+typedef struct glint_vertex {
+    int16_t x, y;      /* 28.4 */
+    int32_t inverse_w; /* Q31 */
+    int16_t normal[3]; /* unit, in camera space */
+    uint16_t flags;
+} glint_vertex;
+
+/** Clip coordinates; kept only where an object may have to be clipped. */
+typedef struct glint_position {
+    int32_t x, y, w;
+} glint_position;
+
+/* ---- bin: what a pass draws ---- */
+
+/** An object, or a run of its triangles. */
+typedef struct glint_draw {
+    struct glint_draw *next;
+    const uint16_t (*triangles)[3]; /* the first one's indices */
+    glint_vertex *vertices;
+    glint_position *positions; /* null when nothing of the object can be clipped */
+    const glint_shading *shading;
+    uint32_t vertex_count;
+    uint32_t object;         /* index in the scene */
+    uint32_t first_triangle; /* of the mesh */
+    uint16_t first;          /* number in the pass of its first triangle */
+    uint16_t count;
+    uint8_t mirrored, double_sided;
+} glint_draw;
+
+/** A triangle made by clipping. */
+typedef struct glint_clipped {
+    glint_vertex corners[3];
+    const glint_draw *draw;
+} glint_clipped;
+
+/** A triangle in a tile's list, by its number: of a draw from 0 up, of the clipped from GLINT_CLIPPED_TOP down. */
+typedef struct glint_reference {
+    uint16_t next; /* index of the next reference, or GLINT_LIST_END */
+    uint16_t triangle;
+} glint_reference;
+
+#define GLINT_LIST_END 0xffffu
+#define GLINT_CLIPPED_TOP 0xfffeu
+
+/** Most triangles of draws in a pass: numbers above are left to clipped ones. */
+#define GLINT_TRIANGLES_MAX 0xe000u
+
+typedef struct glint_list {
+    uint16_t head, tail;
+} glint_list;
+
+/* ---- raster and shade: fragments of one triangle ---- */
+
+typedef struct glint_fragments {
+    uint32_t count;
+    int32_t tile_x, tile_y;                 /* of the tile's first pixel on the screen */
+    int32_t tile_width, tile_height;        /* of what the screen shows of it */
+    uint16_t offset[GLINT_FRAGMENTS_MAX];   /* pixel in the tile */
+    int16_t normal[GLINT_FRAGMENTS_MAX][3]; /* unit */
+    int16_t view[GLINT_FRAGMENTS_MAX][3];   /* unit, towards the eye; only for the local viewer */
+    uint32_t colour[GLINT_FRAGMENTS_MAX][3];
+} glint_fragments;
+
+/* ---- descriptors ---- */
+
+struct glint_model {
+    /** Adds what one light gives to the fragments' colours. */
+    void (*light)(const glint_shading *shading, uint32_t light, const glint_view *view, glint_fragments *fragments);
+};
+
+struct glint_light_type {
+    /** Brings a light to camera space. @return GLINT_ERROR_DIRECTION when it has none. */
+    glint_status (*prepare)(const glint_light *light, const glint_view *view, glint_prepared_light *prepared);
+};
+
+struct glint_format {
+    uint32_t bits; /* per pixel */
+    /** Stores `count` colours at pixel offsets in a tile. */
+    void (*store)(void *pixels, const uint16_t *offset, uint32_t (*colour)[3], uint32_t count);
+    /** Gives all `count` pixels one colour; count is a multiple of 8. */
+    void (*fill)(void *pixels, uint32_t count, const uint32_t colour[3]);
+};
+
+/* ---- stages ---- */
+
+/** Checks a scene, all but its meshes' indices. */
+glint_status glint_check_scene(const glint_scene *scene);
+
+/** Camera, lights and depth scale. */
+glint_status glint_prepare_view(glint_view *view, const glint_config *config, const glint_scene *scene);
+
+/** A material's weights and power table. */
+glint_status glint_prepare_shading(glint_shading *shading, const glint_material *material, const glint_scene *scene);
+
+/** A power table for exponent p; weight, Q12, is the largest that its values are multiplied by. */
+void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t weight);
+
+/** Brings a world direction to camera space, unit. @return 0 when it has length 0. */
+int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_t out[3]);
+
+/** An object's transform. Takes view->nearest as it stands. */
+glint_status glint_transform_prepare(glint_transform *transform, const glint_view *view, const glint_config *config,
+                                     const glint_object *object);
+
+/** Smallest w of the object's bounding box, Q28, no less than the near plane. */
+int64_t glint_transform_nearest(const glint_transform *transform, const glint_view *view);
+
+/** Transforms one vertex; position may be null. */
+void glint_transform_vertex(const glint_transform *transform, const glint_mesh *mesh, uint32_t index,
+                            glint_vertex *vertex, glint_position *position);
+
+/** Screen position and 1/w of clip coordinates inside the guard band and beyond the near plane. */
+void glint_project(const glint_transform *transform, const glint_position *position, glint_vertex *vertex);
+
+/** Most corners of a clipped triangle: each of 5 planes adds one. */
+#define GLINT_CLIP_CORNERS 8
+
+/** Clips a triangle at the near plane and the guard band. @return corners of the polygon: 0, or 3 to 8. */
+int glint_clip(const glint_transform *transform, const glint_vertex *const corners[3],
+               const glint_position *const positions[3], glint_vertex out[GLINT_CLIP_CORNERS]);
+
+/** A rectangle of pixels or tiles; right and bottom are exclusive. */
+typedef struct glint_range {
+    int32_t left, top, right, bottom;
+} glint_range;
+
+/**
+ * Twice a triangle's area in 28.4 squared; above 0 when its corners run clockwise on the screen, y down.
+ * The guard band keeps it in 32 bits.
+ */
+static inline int32_t glint_double_area(const glint_vertex *a, const glint_vertex *b, const glint_vertex *c) {
+    return (b->x - a->x) * (c->y - a->y) - (c->x - a->x) * (b->y - a->y);
+}
+
+/** Fills in defaults. @return GLINT_ERROR_NULL, _SIZE or _TILE. */
+glint_status glint_check_config(glint_config *config);
+
+/** Bytes of arena that glint_render keeps for tiles. */
+size_t glint_tile_buffers_size(const glint_config *config);
+
+/** Puts triangles from (frame->object, frame->triangle) on into the lists of the pass's tiles. */
+glint_status glint_bin(glint_frame *frame, int *complete);
+
+/** Loads vertices of objects from (frame->object, frame->triangle) on, as many as fit. */
+glint_status glint_load(glint_frame *frame);
+
+/** Least free bytes that binning one triangle into one tile needs. */
+#define GLINT_BIN_RESERVE \
+    (sizeof(glint_list) + (GLINT_CLIP_CORNERS - 2) * (sizeof(glint_reference) + sizeof(glint_clipped)) + 16)
+
+/** Draws a triangle's part of a tile. */
+void glint_raster(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                  const glint_vertex *const corners[3]);
+
+/** Lights and stores the fragments gathered so far. */
+void glint_shade(const glint_frame *frame, glint_workspace *workspace, const glint_shading *shading);
+
+/** `size` bytes from the arena's low end, aligned for pointers; null when it is full. */
+void *glint_take(glint_memory *memory, size_t size);
+
+#endif

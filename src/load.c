@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Load: the vertices of a pass. Whole objects as long as the arena holds them; an object too large for the arena
+ * goes in runs of triangles, each with an index list of its own.
+ */
+#include "frame.h"
+
+#define ALIGNMENT (sizeof(void *))
+
+void *glint_take(glint_memory *memory, size_t size) {
+    size_t start = (memory->low + ALIGNMENT - 1) & ~(ALIGNMENT - 1);
+    if (start > memory->high || size > memory->high - start)
+        return 0;
+    memory->low = start + size;
+    return memory->base + start;
+}
+
+static const glint_shading *find_shading(const glint_frame *frame, const glint_material *material) {
+    const glint_shading *shading = frame->shading;
+    while (shading->material != material)
+        shading++;
+    return shading;
+}
+
+/* An empty draw at the end of the list. */
+static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_transform *transform) {
+    glint_draw *draw = glint_take(&frame->memory, sizeof *draw);
+    if (!draw)
+        return 0;
+    const glint_object *object = &frame->scene->objects[frame->object];
+    draw->next = 0;
+    draw->shading = find_shading(frame, object->material);
+    draw->object = frame->object;
+    draw->first_triangle = frame->triangle;
+    draw->first = last ? (uint16_t)(last->first + last->count) : 0;
+    draw->mirrored = transform->mirrored;
+    draw->double_sided = (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
+    draw->triangles = object->mesh->triangles + frame->triangle;
+    if (last)
+        last->next = draw;
+    else
+        frame->draws = draw;
+    return draw;
+}
+
+/* Room for `count` vertices, and their clip coordinates if they are needed. */
+static int take_vertices(glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t count) {
+    draw->vertex_count = count;
+    draw->vertices = glint_take(&frame->memory, count * sizeof *draw->vertices);
+    draw->positions = transform->clips ? glint_take(&frame->memory, count * sizeof *draw->positions) : 0;
+    return draw->vertices && (draw->positions || !transform->clips);
+}
+
+static void transform_vertex(glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t index,
+                             uint32_t slot) {
+    glint_transform_vertex(transform, frame->scene->objects[draw->object].mesh, index, &draw->vertices[slot],
+                           draw->positions ? &draw->positions[slot] : 0);
+    frame->stats.vertices++;
+}
+
+/* All of an object from the present triangle on. @return 0 when the arena is too full. */
+static int load_whole(glint_frame *frame, glint_draw *last, const glint_transform *transform) {
+    const glint_mesh *mesh = frame->scene->objects[frame->object].mesh;
+    uint32_t numbered = last ? (uint32_t)last->first + last->count : 0;
+    uint32_t count = mesh->triangle_count - frame->triangle;
+    glint_draw *draw = add_draw(frame, last, transform);
+    if (!draw || !take_vertices(frame, draw, transform, mesh->vertex_count) ||
+        frame->memory.high - frame->memory.low < GLINT_BIN_RESERVE || numbered + count > GLINT_TRIANGLES_MAX)
+        return 0;
+    draw->count = (uint16_t)count;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+        transform_vertex(frame, draw, transform, i, i);
+    return 1;
+}
+
+/* Vertices of a run, found by their index in the mesh: open addressing. */
+typedef struct slots {
+    uint16_t *map, *index; /* slot + 1 or 0; mesh index of a slot */
+    uint32_t mask, count, limit;
+} slots;
+
+/* The slot of a mesh's vertex; `limit` when it is new and there is no room. */
+static uint32_t find_slot(slots *s, uint32_t index, int *is_new) {
+    uint32_t place = (index * 40503u) & s->mask;
+    for (; s->map[place]; place = (place + 1) & s->mask)
+        if (s->index[s->map[place] - 1] == index)
+            return s->map[place] - 1u;
+    if (s->count == s->limit)
+        return s->limit;
+    *is_new = 1;
+    s->index[s->count] = (uint16_t)index;
+    s->map[place] = (uint16_t)(s->count + 1);
+    return s->count++;
+}
+
+static size_t run_size(const glint_transform *transform, uint32_t vertices, uint32_t *map_size) {
+    *map_size = 4;
+    while (*map_size <= vertices)
+        *map_size *= 2;
+    return vertices * (sizeof(glint_vertex) + (transform->clips ? sizeof(glint_position) : 0) + 14) + *map_size * 2 +
+           5 * ALIGNMENT; /* two triangles of three indices, and the slot's index, per vertex */
+}
+
+/* Most vertices of a run that the arena holds. */
+static uint32_t run_capacity(const glint_frame *frame, const glint_transform *transform, uint32_t *map_size) {
+    size_t room = frame->memory.high - frame->memory.low;
+    if (room < GLINT_BIN_RESERVE)
+        return 0;
+    room -= GLINT_BIN_RESERVE;
+    uint32_t vertices = room / 34 < 0xfff0 ? (uint32_t)(room / 34) : 0xfff0;
+    while (vertices && run_size(transform, vertices, map_size) > room)
+        vertices -= (vertices + 15) / 16;
+    return vertices;
+}
+
+/* Adds triangles to a run until its vertices or its list are full. */
+static glint_status fill_run(glint_frame *frame, glint_draw *draw, const glint_transform *transform, slots *s,
+                             uint16_t (*list)[3]) {
+    const glint_mesh *mesh = frame->scene->objects[draw->object].mesh;
+    while (draw->count < 2 * s->limit && draw->first_triangle + draw->count < mesh->triangle_count) {
+        const uint16_t *triangle = mesh->triangles[draw->first_triangle + draw->count];
+        if (s->limit - s->count < 3)
+            break;
+        for (int i = 0; i < 3; i++) {
+            int is_new = 0;
+            if (triangle[i] >= mesh->vertex_count)
+                return GLINT_ERROR_INDEX;
+            uint32_t slot = find_slot(s, triangle[i], &is_new);
+            if (is_new)
+                transform_vertex(frame, draw, transform, triangle[i], slot);
+            list[draw->count][i] = (uint16_t)slot;
+        }
+        draw->count++;
+    }
+    draw->vertex_count = s->count;
+    return GLINT_OK;
+}
+
+static glint_status load_run(glint_frame *frame, const glint_transform *transform) {
+    glint_memory *memory = &frame->memory;
+    uint32_t map_size = 0;
+    glint_draw *draw = add_draw(frame, 0, transform);
+    uint32_t vertices = draw ? run_capacity(frame, transform, &map_size) : 0;
+    if (vertices < 3)
+        return GLINT_ERROR_ARENA;
+    slots s = {0, 0, map_size - 1, 0, vertices};
+    take_vertices(frame, draw, transform, vertices);
+    uint16_t(*list)[3] = glint_take(memory, vertices * 2 * sizeof *list);
+    size_t end = memory->low; /* what follows is needed only while the run is filled */
+    s.map = glint_take(memory, map_size * sizeof *s.map);
+    s.index = glint_take(memory, vertices * sizeof *s.index);
+    for (uint32_t i = 0; i < map_size; i++)
+        s.map[i] = 0;
+    draw->count = 0;
+    glint_status status = fill_run(frame, draw, transform, &s, list);
+    draw->triangles = (const uint16_t(*)[3])list;
+    memory->low = end;
+    return status;
+}
+
+glint_status glint_load(glint_frame *frame) {
+    uint32_t object = frame->object, triangle = frame->triangle;
+    glint_draw *last = 0;
+    glint_status status = GLINT_OK;
+    frame->draws = 0;
+    frame->memory.low = frame->prepared_end;
+    for (; frame->object < frame->scene->object_count; frame->object++, frame->triangle = 0) {
+        glint_transform transform;
+        size_t low = frame->memory.low;
+        glint_transform_prepare(&transform, frame->view, &frame->config, &frame->scene->objects[frame->object]);
+        if (!transform.visible)
+            continue;
+        if (load_whole(frame, last, &transform)) {
+            last = last ? last->next : frame->draws;
+            continue;
+        }
+        frame->memory.low = low;
+        if (last)
+            last->next = 0;
+        else
+            status = load_run(frame, &transform);
+        break;
+    }
+    frame->covers_end = frame->object == frame->scene->object_count;
+    frame->resident = frame->covers_end && object == 0 && triangle == 0;
+    frame->object = object;
+    frame->triangle = triangle;
+    frame->vertices_end = frame->memory.low;
+    return status;
+}

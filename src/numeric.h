@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file numeric.h
+ * Fixed-point arithmetic, and the one table of every number format inside glint.
+ *
+ * | quantity | space | format | range | guaranteed by |
+ * | --- | --- | --- | --- | --- |
+ * | API scalars | | Q16.16, int32 | | caller |
+ * | mesh position | object | int16 steps of extent / 2^15 | | caller |
+ * | mesh normal | object | int16 Q15 | not 0 | caller |
+ * | matrix to clip space | | int32, block exponent per object | sum of a row's magnitudes < 2^30 | transform.c |
+ * | clip coordinates x, y, w | clip: guard band at x, y = +-w | int32, same exponent | < 2^30 | transform.c |
+ * | normal matrix | camera | int32, block exponent | < 2^30 | transform.c |
+ * | unit vector | camera | int16, 1 = GLINT_UNIT | length 32764 +-2.2 | glint_unit |
+ * | screen x, y | screen | int16 28.4 | strictly within +-1023 px of the centre | clip.c |
+ * | 1/w | screen | int32 Q31 of the frame's nearest | 0 to 2^31 - 2^16 | geometry.c |
+ * | depth | screen | uint16, 1/w >> 15 | 1 to 65534, 0 is empty | raster.c |
+ * | N/w | screen | int32, normalised per triangle | +-2^30 | raster.c |
+ * | twice a triangle's area | screen | int32, 28.4 squared | < 2^31 | guard band |
+ * | light weight (light times material) | | uint32 Q12 | 0 to 16 | prepare.c |
+ * | power table | | uint16 Q15 | 0 to 2^15 | power.c |
+ * | fragment colour | | uint32 Q23 | below 2^32: 8 lights of 2 x 16, ambient 16 | prepare.c |
+ */
+#ifndef GLINT_NUMERIC_H
+#define GLINT_NUMERIC_H
+
+#include <stdint.h>
+
+/** Length of a unit vector: a little below 2^15, so that its rounded components always fit int16. */
+#define GLINT_UNIT 32764
+
+/* Right shifts of negative numbers are arithmetic on every compiler glint knows; this fails to compile elsewhere. */
+typedef char glint_arithmetic_shift[(-1 >> 1) == -1 ? 1 : -1];
+
+extern const uint16_t glint_inverse_root_table[354];
+extern const uint32_t glint_log2_inverse_table[32];
+extern const uint32_t glint_log2_table[32];
+extern const uint32_t glint_exp2_table[32];
+
+/** floor(x / 2^n), n from 0 to 31. */
+static inline int32_t glint_shift_right(int32_t x, unsigned n) {
+    return x >> n;
+}
+
+/** floor(x / 2^n), n from 0 to 63. */
+static inline int64_t glint_shift_right64(int64_t x, unsigned n) {
+    return x >> n;
+}
+
+/** x / 2^n rounded to nearest, halves up; n from 1 to 62, |x| below 2^62. */
+static inline int64_t glint_round_shift64(int64_t x, unsigned n) {
+    return glint_shift_right64(x + ((int64_t)1 << (n - 1)), n);
+}
+
+/** x 2^n for either sign, n from 0 to 31; the product must fit. */
+static inline int32_t glint_shift_left(int32_t x, unsigned n) {
+    return (int32_t)((uint32_t)x << n);
+}
+
+/** x + y modulo 2^32: planes are evaluated so, and are right wherever their true value fits. */
+static inline int32_t glint_add_wrap(int32_t x, int32_t y) {
+    return (int32_t)((uint32_t)x + (uint32_t)y);
+}
+
+/** x y modulo 2^32. */
+static inline int32_t glint_multiply_wrap(int32_t x, int32_t y) {
+    return (int32_t)((uint32_t)x * (uint32_t)y);
+}
+
+/** Leading zero bits of x, 32 for 0. */
+static inline unsigned glint_leading_zeros(uint32_t x) {
+#if defined(__GNUC__)
+    return x ? (unsigned)__builtin_clz(x) : 32u;
+#else
+    unsigned n = 0;
+    for (; n < 32 && !(x & 0x80000000u); n++)
+        x <<= 1;
+    return n;
+#endif
+}
+
+/** Bits needed for x: 0 for 0, 64 from 2^63 on. */
+static inline unsigned glint_bits64(uint64_t x) {
+    uint32_t high = (uint32_t)(x >> 32);
+    return high ? 64u - glint_leading_zeros(high) : 32u - glint_leading_zeros((uint32_t)x);
+}
+
+static inline uint64_t glint_magnitude64(int64_t x) {
+    return x < 0 ? 0u - (uint64_t)x : (uint64_t)x;
+}
+
+/** |x| or |x| - 1: enough to tell how many bits a component needs. */
+static inline uint32_t glint_magnitude_bits(int32_t x) {
+    return (uint32_t)(x ^ glint_shift_right(x, 31));
+}
+
+/**
+ * UNIT / sqrt(c): c from 2^28 to 3 2^30 as an integer, result scaled by 2^15; linear interpolation.
+ * Relative error at most 4.8e-5.
+ */
+static inline int32_t glint_inverse_root(uint32_t c) {
+    const uint16_t *node = &glint_inverse_root_table[(c >> 23) - 32];
+    int32_t fraction = (int32_t)((c >> 7) & 0xffff);
+    return node[0] - glint_shift_right((node[0] - node[1]) * fraction, 16);
+}
+
+/**
+ * A unit vector in the direction of (x, y, z), of any int32 components; 0 for 0.
+ * Each component is off by at most 1.3 steps from direction times UNIT, length by at most 2.2.
+ */
+static inline void glint_unit(int32_t x, int32_t y, int32_t z, int16_t out[3]) {
+    unsigned zeros = glint_leading_zeros(glint_magnitude_bits(x) | glint_magnitude_bits(y) | glint_magnitude_bits(z));
+    if (zeros < 17) { /* scale the largest component to 2^14 .. 2^15 */
+        unsigned n = 16 - zeros;
+        x = glint_shift_right(glint_shift_right(x, n) + 1, 1);
+        y = glint_shift_right(glint_shift_right(y, n) + 1, 1);
+        z = glint_shift_right(glint_shift_right(z, n) + 1, 1);
+    } else {
+        x = glint_shift_left(x, zeros - 17);
+        y = glint_shift_left(y, zeros - 17);
+        z = glint_shift_left(z, zeros - 17);
+    }
+    uint32_t c = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z); /* 2^28 .. 3 2^30, or 0 */
+    int32_t r = c ? glint_inverse_root(c) : 0;
+    out[0] = (int16_t)glint_shift_right(x * r + 0x4000, 15);
+    out[1] = (int16_t)glint_shift_right(y * r + 0x4000, 15);
+    out[2] = (int16_t)glint_shift_right(z * r + 0x4000, 15);
+}
+
+/** a . b of two unit vectors: 1 is UNIT^2, just below 2^30; rounding may pass it by 2^-12 of it. */
+static inline int32_t glint_dot(const int16_t a[3], const int16_t b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/**
+ * floor-ish 2^63 / x for x from 2^31: below 2^32, relative error at most 2^-29.
+ * One Newton step from a 16-bit division.
+ */
+uint32_t glint_reciprocal(uint32_t x);
+
+/** Binary logarithm of x / 2^31, x from 1 to 2^31: Q26, -31 to 0; error at most 4e-8. 0 gives -32. */
+int32_t glint_log2(uint32_t x);
+
+/** 2^y for y Q26, 0 or below: Q30; relative error at most 2e-8 and half a step. */
+uint32_t glint_exp2(int32_t y);
+
+/** (x / 2^31)^p: x from 0 to 2^31, p Q16.16 from 0 up; Q30. 0^0 is 1. */
+uint32_t glint_power(uint32_t x, int32_t p);
+
+/** Sine of a phase, 2^32 to the turn: Q30, error at most 4e-8. */
+int32_t glint_sine(uint32_t phase);
+
+/** Degrees Q16.16 as a phase, 2^32 to the turn. */
+uint32_t glint_phase(int32_t degrees);
+
+#endif

@@ -1,0 +1,180 @@
+/* SPDX-License-Identifier: MIT */
+/* Prepare: checks a scene and brings camera, lights and materials into the form that a frame reads. */
+#include "frame.h"
+
+static int colour_is_valid(const glint_colour *colour) {
+    return colour->r >= 0 && colour->g >= 0 && colour->b >= 0 && colour->r <= GLINT_COLOUR_MAX &&
+           colour->g <= GLINT_COLOUR_MAX && colour->b <= GLINT_COLOUR_MAX;
+}
+
+static glint_status check_mesh(const glint_mesh *mesh) {
+    if (!mesh || !mesh->positions || !mesh->normals || !mesh->triangles)
+        return GLINT_ERROR_NULL;
+    if (mesh->vertex_count < 1 || mesh->vertex_count > 65536 || mesh->triangle_count < 1 || mesh->extent.x < 0 ||
+        mesh->extent.y < 0 || mesh->extent.z < 0)
+        return GLINT_ERROR_MESH;
+    return GLINT_OK;
+}
+
+static glint_status check_material(const glint_material *material) {
+    if (!material || !material->model)
+        return GLINT_ERROR_NULL;
+    if (!colour_is_valid(&material->ambient) || !colour_is_valid(&material->diffuse) ||
+        !colour_is_valid(&material->specular))
+        return GLINT_ERROR_COLOUR;
+    return material->shininess < 0 ? GLINT_ERROR_SHININESS : GLINT_OK;
+}
+
+static glint_status check_lights(const glint_scene *scene) {
+    if (scene->light_count > GLINT_LIGHTS_MAX)
+        return GLINT_ERROR_LIGHTS;
+    if (scene->light_count && !scene->lights)
+        return GLINT_ERROR_NULL;
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        if (!scene->lights[i].type)
+            return GLINT_ERROR_NULL;
+        if (!colour_is_valid(&scene->lights[i].diffuse) || !colour_is_valid(&scene->lights[i].specular))
+            return GLINT_ERROR_COLOUR;
+    }
+    return GLINT_OK;
+}
+
+/* Unit and perpendicular to within 2^-9, far more than rounding to Q16.16 takes away. */
+static int camera_is_valid(const glint_camera *camera) {
+    for (int i = 0; i < 3; i++) {
+        for (int j = i; j < 3; j++) {
+            int64_t dot = 0;
+            for (int k = 0; k < 3; k++) {
+                if (camera->pose.m[k][i] > 2 * GLINT_ONE || camera->pose.m[k][i] < -2 * GLINT_ONE)
+                    return 0;
+                dot += (int64_t)camera->pose.m[k][i] * camera->pose.m[k][j];
+            }
+            if (glint_magnitude64(dot - (i == j ? (int64_t)1 << 32 : 0)) > (1u << 23))
+                return 0;
+        }
+    }
+    return camera->field_of_view >= GLINT_ONE && camera->field_of_view <= 170 * GLINT_ONE && camera->near_plane > 0;
+}
+
+glint_status glint_check_scene(const glint_scene *scene) {
+    if (!scene || (scene->object_count && !scene->objects))
+        return GLINT_ERROR_NULL;
+    if (!camera_is_valid(&scene->camera))
+        return GLINT_ERROR_CAMERA;
+    if (scene->viewer != GLINT_VIEWER_INFINITE && scene->viewer != GLINT_VIEWER_LOCAL)
+        return GLINT_ERROR_VIEWER;
+    if (!colour_is_valid(&scene->background) || !colour_is_valid(&scene->ambient))
+        return GLINT_ERROR_COLOUR;
+    glint_status status = check_lights(scene);
+    for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++) {
+        status = check_mesh(scene->objects[i].mesh);
+        if (status == GLINT_OK)
+            status = check_material(scene->objects[i].material);
+    }
+    return status;
+}
+
+int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_t out[3]) {
+    const int32_t in[3] = {world.x, world.y, world.z};
+    int64_t sum[3];
+    uint64_t bits = 0;
+    for (int i = 0; i < 3; i++) {
+        sum[i] = 0;
+        for (int j = 0; j < 3; j++)
+            sum[i] += (int64_t)view->rotation[i][j] * in[j]; /* below 2^50 */
+        bits |= glint_magnitude64(sum[i]);
+    }
+    unsigned size = glint_bits64(bits);
+    unsigned down = size > 30 ? size - 30 : 0;
+    glint_unit((int32_t)glint_shift_right64(sum[0], down), (int32_t)glint_shift_right64(sum[1], down),
+               (int32_t)glint_shift_right64(sum[2], down), out);
+    return (in[0] | in[1] | in[2]) != 0;
+}
+
+/* Focal length from the vertical field of view: half the height over the tangent of half the angle. */
+static void prepare_focal_length(glint_view *view, const glint_config *config, glint_q16 field_of_view) {
+    uint32_t phase = glint_phase(field_of_view) >> 1;
+    int64_t sine = glint_sine(phase), cosine = glint_sine(phase + 0x40000000u);
+    int64_t focal = (cosine << 31) / sine * config->height; /* twice the focal length, Q31: below 2^48 */
+    view->focal = (int32_t)glint_round_shift64(focal, 31 - 12);
+    int64_t ratio = focal * (1 << 12) / (2 * GLINT_GUARD_BAND); /* focal length / guard band, Q43 */
+    unsigned bits = glint_bits64((uint64_t)ratio);
+    view->focal_shift = bits > 24 ? 43 - (bits - 24) : 43;
+    view->focal_mantissa = (int32_t)(bits > 24 ? glint_shift_right64(ratio, bits - 24) : ratio);
+}
+
+static glint_status prepare_lights(glint_view *view, const glint_scene *scene) {
+    view->light_count = scene->light_count;
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        glint_status status = scene->lights[i].type->prepare(&scene->lights[i], view, &view->lights[i]);
+        if (status != GLINT_OK)
+            return status;
+    }
+    return GLINT_OK;
+}
+
+/* Depth is scaled to the nearest corner of any visible object's bounding box. */
+static glint_status prepare_nearest(glint_view *view, const glint_config *config, const glint_scene *scene) {
+    int64_t nearest = INT64_MAX;
+    view->nearest = view->near_plane;
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        glint_transform transform;
+        glint_status status = glint_transform_prepare(&transform, view, config, &scene->objects[i]);
+        if (status != GLINT_OK)
+            return status;
+        int64_t w = transform.visible ? glint_transform_nearest(&transform, view) : INT64_MAX;
+        if (w < nearest)
+            nearest = w;
+    }
+    if (nearest < INT64_MAX)
+        view->nearest = nearest;
+    return GLINT_OK;
+}
+
+glint_status glint_prepare_view(glint_view *view, const glint_config *config, const glint_scene *scene) {
+    const glint_camera *camera = &scene->camera;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++)
+            view->rotation[i][j] = camera->pose.m[j][i];
+        view->eye[i] = camera->pose.m[i][3];
+    }
+    view->near_plane = (int64_t)camera->near_plane << 12;
+    view->local_viewer = scene->viewer == GLINT_VIEWER_LOCAL;
+    prepare_focal_length(view, config, camera->field_of_view);
+    glint_status status = prepare_lights(view, scene);
+    return status == GLINT_OK ? prepare_nearest(view, config, scene) : status;
+}
+
+/* Product of two colour channels with `bits` fractional bits. @return 0 when it passes GLINT_COLOUR_MAX. */
+static int weigh(glint_q16 a, glint_q16 b, unsigned bits, uint32_t *weight) {
+    uint64_t product = (uint64_t)a * (uint64_t)b;
+    if (product > (uint64_t)GLINT_COLOUR_MAX << 16)
+        return 0;
+    *weight = (uint32_t)((product + ((uint64_t)1 << (31 - bits))) >> (32 - bits));
+    return 1;
+}
+
+static int weigh_colour(const glint_colour *a, const glint_colour *b, unsigned bits, uint32_t weight[3]) {
+    return weigh(a->r, b->r, bits, &weight[0]) && weigh(a->g, b->g, bits, &weight[1]) &&
+           weigh(a->b, b->b, bits, &weight[2]);
+}
+
+glint_status glint_prepare_shading(glint_shading *shading, const glint_material *material, const glint_scene *scene) {
+    uint32_t largest = 0;
+    shading->material = material;
+    if (!weigh_colour(&material->ambient, &scene->ambient, 23, shading->ambient))
+        return GLINT_ERROR_COLOUR;
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        if (!weigh_colour(&material->diffuse, &scene->lights[i].diffuse, 12, shading->weights[i].diffuse) ||
+            !weigh_colour(&material->specular, &scene->lights[i].specular, 12, shading->weights[i].specular))
+            return GLINT_ERROR_COLOUR;
+        for (int c = 0; c < 3; c++) {
+            if (shading->weights[i].specular[c] > largest)
+                largest = shading->weights[i].specular[c];
+        }
+    }
+    shading->has_specular = largest != 0;
+    if (largest)
+        glint_power_prepare(&shading->power, material->shininess, largest);
+    return GLINT_OK;
+}

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT */
+/* Render: every tile of a frame through the flush callback, one sent while the next is drawn. */
+#include "frame.h"
+
+static int is_tile_size(uint16_t size) {
+    return size == 8 || size == 16 || size == 32 || size == 64;
+}
+
+glint_status glint_check_config(glint_config *config) {
+    if (!config->format)
+        return GLINT_ERROR_NULL;
+    if (config->width < 1 || config->width > GLINT_SIZE_MAX || config->height < 1 || config->height > GLINT_SIZE_MAX)
+        return GLINT_ERROR_SIZE;
+    config->tile_width = config->tile_width ? config->tile_width : GLINT_TILE_DEFAULT;
+    config->tile_height = config->tile_height ? config->tile_height : GLINT_TILE_DEFAULT;
+    return is_tile_size(config->tile_width) && is_tile_size(config->tile_height) ? GLINT_OK : GLINT_ERROR_TILE;
+}
+
+/* Bytes of a second tile buffer, to draw into while the first is sent. */
+static size_t buffer_size(const glint_config *config) {
+    return config->flush.wait ? glint_row_bytes(config->format, config->tile_width) * config->tile_height : 0;
+}
+
+size_t glint_tile_buffers_size(const glint_config *config) {
+    size_t size = glint_workspace_size(config) + buffer_size(config);
+    return (size + sizeof(void *) - 1) & ~(sizeof(void *) - 1);
+}
+
+glint_status glint_init(glint_renderer *renderer, const glint_config *config) {
+    static const glint_renderer empty = {0};
+    if (!renderer || !config || !config->flush.begin || !config->arena)
+        return GLINT_ERROR_NULL;
+    *renderer = empty;
+    renderer->config = *config;
+    glint_status status = glint_check_config(&renderer->config);
+    if (status == GLINT_OK && config->arena_size < glint_tile_buffers_size(&renderer->config) + sizeof(void *))
+        status = GLINT_ERROR_ARENA;
+    if (status != GLINT_OK)
+        *renderer = empty;
+    return status;
+}
+
+/* The tile being sent, if any, and the buffers to take turns with. */
+typedef struct sender {
+    const glint_flush *flush;
+    void *buffers[2];
+    uint32_t sent;
+    int busy;
+} sender;
+
+static int wait(sender *s) {
+    int failed = s->busy && s->flush->wait && s->flush->wait(s->flush->context) != 0;
+    s->busy = 0;
+    return failed;
+}
+
+static glint_status send(sender *s, const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
+    int x, y, width, height;
+    glint_tile_rectangle(frame, tile, &x, &y, &width, &height);
+    if (wait(s) || s->flush->begin(s->flush->context, x, y, width, height, workspace->pixels, workspace->stride) != 0)
+        return GLINT_ERROR_FLUSH;
+    s->busy = 1;
+    workspace->pixels = s->buffers[++s->sent & 1];
+    return GLINT_OK;
+}
+
+static glint_status render_passes(glint_frame *frame, glint_workspace *workspace, sender *s) {
+    int pass;
+    while ((pass = glint_frame_next(frame)) > 0) {
+        for (uint32_t tile = frame->tile_first; tile < frame->tile_end; tile++) {
+            if (!glint_render_tile(frame, workspace, tile))
+                continue;
+            glint_status status = send(s, frame, workspace, tile);
+            if (status != GLINT_OK)
+                return status;
+        }
+    }
+    return (glint_status)pass;
+}
+
+glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
+    static const glint_stats none = {0};
+    if (!renderer || !scene || !renderer->config.flush.begin)
+        return GLINT_ERROR_NULL;
+    glint_config config = renderer->config;
+    glint_frame frame;
+    glint_workspace workspace;
+    size_t skew = (size_t)(-(uintptr_t)config.arena & (sizeof(void *) - 1));
+    size_t buffers = glint_tile_buffers_size(&config) + skew;
+    uint8_t *memory = config.arena;
+    glint_workspace_init(&workspace, &config, memory + skew);
+    config.arena = memory + buffers;
+    config.arena_size -= buffers;
+    renderer->stats = none;
+    glint_status status = glint_frame_begin(&frame, &config, scene);
+    if (status != GLINT_OK)
+        return status;
+    uint8_t *first = workspace.pixels;
+    sender s = {&config.flush, {first, first + buffer_size(&config)}, 0, 0};
+    status = render_passes(&frame, &workspace, &s);
+    if (wait(&s) && status == GLINT_OK)
+        status = GLINT_ERROR_FLUSH;
+    renderer->stats = frame.stats;
+    return status;
+}
