@@ -1,22 +1,45 @@
-# SPDX-License-Identifier: MIT
-# glint: see `make help`.
+#SPDX - License - Identifier : MIT
+#glint : see `make help`.
 
 BUILD    := build
 WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
 CFLAGS   ?= -O2
 LIBRARY  := $(wildcard src/*.c)
 
+# Commands are printed with V=1.
+Q := $(if $(V),,@)
+
+# Python leaves nothing beside its sources.
+export PYTHONDONTWRITEBYTECODE := 1
+
+.DELETE_ON_ERROR:
+.PHONY: help
+help: ## list what can be made
+	@sed -n 's/^\([a-z][a-z-]*\):.*## \(.*\)/\1\t\2/p' $(MAKEFILE_LIST) | sort | awk -F '\t' '{ printf "make %-14s %s\n", $$1, $$2 }'
+
 # The library for the host: build/host/libglint.a
 HOST_CFLAGS := -std=c99 $(WARNINGS) -g $(CFLAGS) -Isrc
 $(BUILD)/host/src/%.o: src/%.c $(wildcard src/*.h)
 	@mkdir -p $(@D)
-	$(CC) $(HOST_CFLAGS) -ffreestanding -c $< -o $@
+	$(Q)$(CC) $(HOST_CFLAGS) -ffreestanding -c $< -o $@
 $(BUILD)/host/libglint.a: $(LIBRARY:src/%.c=$(BUILD)/host/src/%.o)
 	@rm -f $@
-	$(AR) rcs $@ $^
+	$(Q)$(AR) rcs $@ $^
+
+# Every suite that `make test` runs, each a phony target that closes with `N passed, N failed`.
+SUITES := test-unit-host test-image test-identity test-sanitize test-matrix test-host-cli \
+    test-board-panel test-board-unit test-board-identity test-freestanding test-firmware
 
 -include port/host/host.mk port/boards.mk tests/tests.mk
 
-.PHONY: clean
-clean:
+.PHONY: test lint clean $(SUITES)
+test: ## run every suite; installs missing tools first
+	@tools/setup.sh
+	@tools/test.sh $(BUILD)/test $(SUITES)
+
+lint: ## check format, static analysis, licence lines and version numbers
+	@tools/setup.sh
+	@tools/lint.sh $(BUILD)/lint
+
+clean: ## remove everything that was built
 	rm -rf $(BUILD)

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file board.h
+ * What a board gives to firmware. Each directory port/<board>/ implements all of it; start-up code calls board_init
+ * before main and board_exit with what main returned.
+ */
+#ifndef GLINT_BOARD_H
+#define GLINT_BOARD_H
+
+#include "panel/bus.h"
+
+#include <stdint.h>
+
+/** Sets clocks and pins. Bounded: where a clock does not come up, the board runs on, slower, from another. */
+void board_init(void);
+
+/** Writes text where a developer sees it: a debugger, an emulator's console, a serial line. */
+void board_write(const char *text);
+
+/** Ends the program and tells the debugger or emulator `status`, 0 for success. Does not return. */
+void board_exit(int status);
+
+/** Returns no earlier than after this many milliseconds. */
+void board_delay(uint32_t milliseconds);
+
+/** The bus to the board's panel; null when it has none. */
+const glint_bus *board_panel_bus(void);
+
+/**
+ * Says that what `name` names is done, and goes on. A debugger or emulator that started the program with arguments
+ * whose last word is "stop" gets time to look: then a character from it is waited for.
+ */
+void board_checkpoint(const char *name);
+
+/** Most bytes of stack used so far; 0 when the board cannot tell. */
+uint32_t board_stack_used(void);
+
+#endif

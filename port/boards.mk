@@ -1,0 +1,97 @@
+#SPDX - License - Identifier : MIT
+#Firmware for every board, from one pattern.A board is the five lines below; a program is its sources.
+#build / < board> / < level> / < program>.elf, with what it takes of flash, RAM and stack printed and kept beside it.
+
+CROSS ?= arm-none-eabi-
+
+#-- -- Boards : core flags, port sources, linker script, \
+    how to run it(empty : not), QEMU 's name of the processor' s machine
+
+BOARDS := lm3s6965evb microbit mps2-an385 mps2-an385-m0 template
+
+CORTEX_M := $(wildcard port/cortex-m/*.c) port/libc/memory.c
+
+lm3s6965evb_CPU     := -mcpu=cortex-m3 -mthumb
+lm3s6965evb_SOURCES := $(CORTEX_M) $(wildcard port/lm3s6965evb/*.c)
+lm3s6965evb_LINKER  := linker/lm3s6965evb.ld
+lm3s6965evb_MACHINE := lm3s6965evb
+lm3s6965evb_PANEL   := port/panel/panel.c port/panel/solomon.c port/panel/ssd0323.c
+
+microbit_CPU     := -mcpu=cortex-m0 -mthumb
+microbit_SOURCES := $(CORTEX_M) $(wildcard port/microbit/*.c)
+microbit_LINKER  := linker/microbit.ld
+microbit_MACHINE := microbit
+
+mps2-an385_CPU     := -mcpu=cortex-m3 -mthumb
+mps2-an385_SOURCES := $(CORTEX_M) $(wildcard port/mps2-an385/*.c)
+mps2-an385_LINKER  := linker/mps2-an385.ld
+mps2-an385_MACHINE := mps2-an385
+
+# ARMv6-M code on the M3 of the same board: a Cortex-M0 with room to spare.
+mps2-an385-m0_CPU     := -mcpu=cortex-m0 -mthumb
+mps2-an385-m0_SOURCES := $(mps2-an385_SOURCES)
+mps2-an385-m0_LINKER  := $(mps2-an385_LINKER)
+mps2-an385-m0_MACHINE := mps2-an385
+
+template_CPU     := -mcpu=cortex-m3 -mthumb
+template_SOURCES := $(CORTEX_M) $(wildcard port/template/*.c)
+template_LINKER  := linker/template.ld
+template_PANEL   := $(lm3s6965evb_PANEL)
+
+# ---- Programs
+
+PROGRAM_turntable := examples/firmware/turntable_main.c examples/turntable/turntable.c
+PROGRAM_minimal   := examples/firmware/minimal.c
+PROGRAM_pattern   := tests/board/pattern.c
+PROGRAM_identity  := tests/board/identity_board.c tests/board/identity.c tests/board/frames.c \
+    examples/turntable/turntable.c
+PROGRAM_unit      := tests/board/unit.c tests/harness.c $(wildcard tests/unit/*.c)
+
+# ---- The pattern
+
+# Freestanding and without a C library: memcpy and its like are in port/libc, 64-bit division in libgcc.
+FIRMWARE_CFLAGS = -std=c99 $(WARNINGS) -g -ffreestanding -ffunction-sections -fdata-sections -fstack-usage \
+    -Isrc -Iport -Iport/libc -Iexamples -Itests -MMD -MP
+FIRMWARE_LDFLAGS = -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings -Llinker
+
+# Levels of optimisation: O0, Os and O2 are the compiler's; in `release` what runs once a pixel, a triangle or a row is
+# compiled for speed and the rest for size.
+HOT_release := src/raster.c src/shade.c src/tile.c src/blinn_phong.c $(wildcard src/pixel_*.c)
+optimise = $(if $(filter release,$1),$(if $(filter $(HOT_release),$2),-O2,-Os),-$1)
+
+# $(call firmware_objects,board,level): objects and library of one board
+define firmware_objects
+$(BUILD)/$1/$2/%.o: %.c
+	@mkdir -p $$(@D)
+	$$(Q)$(CROSS)gcc $$($1_CPU) $$(FIRMWARE_CFLAGS) $$(call optimise,$2,$$<) \
+	    $$(if $$(filter port/libc/%,$$<),-fno-tree-loop-distribute-patterns) -c $$< -o $$@
+$(BUILD)/$1/$2/libglint.a: $(LIBRARY:%.c=$(BUILD)/$1/$2/%.o)
+	@rm -f $$@
+	$$(Q)$(CROSS)gcc-ar rcs $$@ $$^
+endef
+
+# $(call firmware_program,board,level,program,linker flags)
+define firmware_program
+$(BUILD)/$1/$2/$3.elf: $(patsubst %.c,$(BUILD)/$1/$2/%.o,$(PROGRAM_$3) $($1_SOURCES) $($1_PANEL)) \
+        $(BUILD)/$1/$2/libglint.a $($1_LINKER) linker/sections.ld
+	$$(Q)$(CROSS)gcc $$($1_CPU) $$(FIRMWARE_LDFLAGS) $4 -Wl,-Map=$$(@:.elf=.map) -T $($1_LINKER) \
+	    $$(filter %.o,$$^) $$(filter %.a,$$^) -lgcc -o $$@
+	@python3 tools/size.py $$(@:.elf=.map) | tee $$(@:.elf=.size)
+FIRMWARE += $(BUILD)/$1/$2/$3.elf
+endef
+
+$(foreach board,$(BOARDS),$(eval $(call firmware_objects,$(board),release)))
+$(foreach board,mps2-an385 mps2-an385-m0,$(foreach level,O0 Os O2,$(eval $(call firmware_objects,$(board),$(level)))))
+
+$(foreach program,turntable minimal pattern unit,$(eval $(call firmware_program,lm3s6965evb,release,$(program))))
+$(eval $(call firmware_program,microbit,release,unit))
+$(eval $(call firmware_program,template,release,minimal))
+$(foreach board,mps2-an385 mps2-an385-m0,$(foreach level,O0 Os O2,\
+    $(eval $(call firmware_program,$(board),$(level),identity))))
+
+-include $(wildcard $(foreach board,$(BOARDS),$(BUILD)/$(board)/*/*/*.d $(BUILD)/$(board)/*/*/*/*.d))
+
+.PHONY: boards
+boards: $(FIRMWARE) ## build the firmware of every board; prints flash, RAM and stack
+
+include tests/board/board.mk tests/freestanding/freestanding.mk

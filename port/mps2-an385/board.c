@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Arm MPS2 with the AN385 image: Cortex-M3 at 25 MHz, 4 MB RAM. Room for what needs more than a small board has;
+ * ARMv6-M code runs here too, and so does the Cortex-M0 build of everything. No panel yet.
+ */
+#include "board.h"
+
+#include "cortex-m/cortex-m.h"
+#include "cortex-m/semihosting.h"
+
+enum { CLOCK_HZ = 25000000 };
+
+void board_init(void) {
+}
+
+void board_write(const char *text) {
+    semihosting_write(text);
+}
+
+void board_exit(int status) {
+    cortex_m_exit(status);
+}
+
+void board_delay(uint32_t milliseconds) {
+    cortex_m_delay(milliseconds, CLOCK_HZ);
+}
+
+const glint_bus *board_panel_bus(void) {
+    return 0;
+}
+
+void board_checkpoint(const char *name) {
+    cortex_m_checkpoint(name);
+}

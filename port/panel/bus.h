@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file bus.h
+ * The bus to a panel, as callbacks that a board provides. One line, D/C, tells commands (low) from data (high); chip
+ * select is the callbacks' business, and high between calls. Bytes go most significant bit first.
+ */
+#ifndef GLINT_BUS_H
+#define GLINT_BUS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What the callbacks return. Every wait in them is bounded, so that a dead bus is an error and never a hang. */
+typedef enum glint_bus_status {
+    GLINT_BUS_OK = 0,
+    GLINT_BUS_TIMEOUT = -1, /**< The bus took no byte, or did not fall idle, for longer than it can need. */
+    GLINT_BUS_FAULT = -2    /**< The bus reported a failed transfer. */
+} glint_bus_status;
+
+/** Const data of a board. */
+typedef struct glint_bus {
+    /** Sends bytes with D/C low; returns when the last one has left. */
+    glint_bus_status (*command)(void *context, const uint8_t *bytes, size_t count);
+    /** Sends bytes with D/C high; returns when the last one has left. */
+    glint_bus_status (*data)(void *context, const uint8_t *bytes, size_t count);
+    /**
+     * Starts to send `rows` rows of `row_bytes` each with D/C high, `stride` bytes from one row to the next. May return
+     * before they are sent: they stay as they are until `wait`. Nothing else is called in between.
+     */
+    glint_bus_status (*begin)(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride);
+    /** Returns when what `begin` started is sent. Null when `begin` returns only then. */
+    glint_bus_status (*wait)(void *context);
+    /** Pulls the panel's reset line low (1) or lets it go (0). Null when it hangs on the board's own reset. */
+    void (*reset)(void *context, int active);
+    /** Switches the light behind the panel. Null for a panel that glows by itself. */
+    void (*backlight)(void *context, int on);
+    /** Returns no earlier than after this many milliseconds. */
+    void (*delay)(void *context, uint32_t milliseconds);
+    /** Handed to each of the above. */
+    void *context;
+} glint_bus;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,51 @@
+#SPDX - License - Identifier : MIT
+#Suites that run firmware in QEMU; included by port / boards.mk.
+
+QEMU ?= qemu-system-arm
+
+#-- -- What the panel shows is what the host draws
+
+HOST_TURNTABLE = $(BUILD)/host/turntable
+$(HOST_TURNTABLE): tests/board/turntable_host.c tests/board/frames.c tests/board/frames.h \
+        $(wildcard examples/turntable/* examples/meshes/*) $(BUILD)/host/libglint.a
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples tests/board/turntable_host.c tests/board/frames.c examples/turntable/turntable.c \
+	    $(BUILD)/host/libglint.a -o $@
+
+test-board-panel: $(HOST_TURNTABLE) $(BUILD)/lm3s6965evb/release/pattern.elf $(BUILD)/lm3s6965evb/release/turntable.elf
+	@python3 tests/board/panel.py --qemu $(QEMU) --output $(BUILD)/board --host $(HOST_TURNTABLE) \
+	    --pattern $(BUILD)/lm3s6965evb/release/pattern.elf --turntable $(BUILD)/lm3s6965evb/release/turntable.elf
+
+# ---- The unit tests on Cortex-M3 and Cortex-M0
+
+test-board-unit: $(BUILD)/lm3s6965evb/release/unit.elf $(BUILD)/microbit/release/unit.elf
+	@python3 tests/board/unit.py --qemu $(QEMU) lm3s6965evb=$(BUILD)/lm3s6965evb/release/unit.elf \
+	    microbit=$(BUILD)/microbit/release/unit.elf
+
+# ---- The same frames on every core, compiler and optimisation
+
+IDENTITY_LEVELS := O0 Os O2
+IDENTITY_CORES  := mps2-an385 mps2-an385-m0
+IDENTITY_ELF    := $(foreach core,$(IDENTITY_CORES),$(foreach level,$(IDENTITY_LEVELS),$(BUILD)/$(core)/$(level)/identity.elf))
+IDENTITY_HOST   := $(foreach compiler,gcc clang,$(foreach level,$(IDENTITY_LEVELS),$(BUILD)/identity/$(compiler)-$(level)))
+$(BUILD)/identity/%: tests/board/identity_host.c tests/board/identity.c tests/board/frames.c tests/board/frames.h \
+        $(wildcard src/*) $(wildcard examples/turntable/* examples/meshes/*)
+	@mkdir -p $(@D)
+	$(Q)$(firstword $(subst -, ,$*)) -std=c99 $(WARNINGS) -$(lastword $(subst -, ,$*)) -Isrc -Iport -Iexamples \
+	    tests/board/identity_host.c tests/board/identity.c tests/board/frames.c examples/turntable/turntable.c \
+	    $(LIBRARY) -o $@
+
+test-board-identity: $(IDENTITY_ELF) $(IDENTITY_HOST)
+	@python3 tests/board/identity.py --qemu $(QEMU) --machine mps2-an385 \
+	    --host $(IDENTITY_HOST) --firmware $(IDENTITY_ELF)
+
+# ---- What firmware may take, and that what is there to copy compiles
+
+# Bytes that the turntable, everything included, may take of lm3s6965evb.
+FLASH_MOST   := 65536
+RAM_MOST     := 32768
+LIBRARY_MOST := 16384
+
+test-firmware: $(FIRMWARE)
+	@python3 tests/board/firmware.py --flash $(FLASH_MOST) --ram $(RAM_MOST) --library $(LIBRARY_MOST) \
+	    $(BUILD)/lm3s6965evb/release/turntable.map --programs $(FIRMWARE) --example examples/firmware/minimal.c

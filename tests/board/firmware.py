@@ -1,0 +1,36 @@
+#!/ usr / bin / env python3
+#SPDX - License - Identifier : MIT
+"""Checks what firmware takes, that every program was linked, and that the README's example is short."""
+import argparse
+import os
+import subprocess
+import sys
+
+from qemu import Tally
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    for limit in ("flash", "ram", "library"):
+        parser.add_argument("--" + limit, required=True)
+    parser.add_argument("--example", required=True)
+    parser.add_argument("--programs", nargs="+", required=True)
+    parser.add_argument("map")
+    arguments = parser.parse_args()
+    tally = Tally()
+    for limit in ("flash", "ram", "library"):
+        size = subprocess.run([sys.executable, "tools/size.py", arguments.map,
+                               "--" + limit, getattr(arguments, limit)], capture_output=True, text=True)
+        tally.check(size.returncode == 0, size.stdout + size.stderr)
+    for program in arguments.programs:
+        tally.check(os.path.getsize(program) > 0, program)
+        with open(program[:-len(".elf")] + ".size") as file:
+            print("  " + file.read().strip())
+    with open(arguments.example) as file:
+        lines = len(file.readlines())
+    tally.check(lines <= 30, "%s has %d lines, more than 30" % (arguments.example, lines))
+    return tally.close()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

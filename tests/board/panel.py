@@ -1,0 +1,104 @@
+#!/ usr / bin / env python3
+#SPDX - License - Identifier : MIT
+"""Compares what the emulated board's panel shows with what the host draws, pixel for pixel.
+
+QEMU's panel model is the judge: it shows each pixel as 4x4 of its screen, in 16 greys. Where a frame differs, the panel's
+picture, the host's, and their difference (white) stay in the output directory.
+"""
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+
+from qemu import Died, Machine, Tally, read_netpbm, write_grey
+
+WIDTH, HEIGHT, MAGNIFIED, STEP = 128, 64, 4, 17
+MODELS, FRAMES = ("torus576", "teapot"), 10
+
+
+def glass(path):
+    """What the panel shows, a level from 0 to 15 for each pixel, from a screendump."""
+    width, height, channels, data = read_netpbm(path)
+    if (width, height) != (WIDTH * MAGNIFIED, HEIGHT * MAGNIFIED):
+        raise Died("the screen is %dx%d" % (width, height))
+    pixels = []
+    for y in range(HEIGHT):
+        for x in range(WIDTH):
+            block = set()
+            for row in range(y * MAGNIFIED, (y + 1) * MAGNIFIED):
+                at = (row * width + x * MAGNIFIED) * channels
+                block.update(data[at:at + MAGNIFIED * channels])
+            if len(block) != 1 or min(block) % STEP:
+                raise Died("pixel %d,%d is not one of 16 greys" % (x, y))
+            pixels.append(block.pop() // STEP)
+    return pixels
+
+
+def pattern():
+    """The sum of tests/board/pattern.c."""
+    return [(x * 7 + y * 11 + x * y // 5) & 15 for y in range(HEIGHT) for x in range(WIDTH)]
+
+
+def compare(tally, name, shown, wanted, output):
+    different = [index for index, pair in enumerate(zip(shown, wanted)) if pair[0] != pair[1]]
+    path = os.path.join(output, name)
+    write_grey(path + "-panel.pgm", WIDTH, HEIGHT, shown)
+    write_grey(path + "-host.pgm", WIDTH, HEIGHT, wanted)
+    if different:
+        write_grey(path + "-difference.pgm", WIDTH, HEIGHT, [15 if a != b else 0 for a, b in zip(shown, wanted)])
+    tally.check(not different, "%s: %d pixels differ, the first at %s; see %s-*.pgm" % (
+        name, len(different), different and (different[0] % WIDTH, different[0] // WIDTH), path))
+    lit = sum(1 for level in shown if level)
+    tally.check(lit > 200, "%s: only %d pixels are lit" % (name, lit))
+
+
+def watch(machine, tally, output, wanted):
+    """Takes a picture at each checkpoint until the firmware ends. @return the names of the frames seen."""
+    seen = []
+    while True:
+        line = machine.line()
+        if line is None:
+            return seen
+        if not line.endswith(" done"):
+            print("  firmware: " + line)
+            continue
+        name = line[:-len(" done")].replace(" ", "-")
+        dump = os.path.join(output, name + "-screen.ppm")
+        machine.screendump(dump)
+        compare(tally, name, glass(dump), wanted(name), output)
+        os.remove(dump)
+        seen.append(name)
+        machine.go_on()
+
+
+def run(arguments, tally, elf, names, wanted):
+    try:
+        with Machine(arguments.qemu, "lm3s6965evb", elf, ["stop"]) as machine:
+            seen = watch(machine, tally, arguments.output, wanted)
+            tally.check(seen == names, "%s: frames %s instead of %s" % (elf, seen, names))
+            status = machine.process.wait(60)
+            tally.check(status == 0, "%s: exit status %d %s" % (elf, status, " ".join(machine.errors)))
+    except (Died, OSError, subprocess.SubprocessError) as problem:
+        tally.check(False, "%s: %s" % (elf, problem))
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    for name in ("qemu", "output", "host", "pattern", "turntable"):
+        parser.add_argument("--" + name, required=True)
+    arguments = parser.parse_args()
+    host = os.path.join(arguments.output, "host")
+    shutil.rmtree(arguments.output, ignore_errors=True)
+    os.makedirs(host)
+    tally = Tally()
+    run(arguments, tally, arguments.pattern, ["pattern-0"], lambda name: pattern())
+    drawn = subprocess.run([arguments.host, host]).returncode
+    if tally.check(drawn == 0, "the host cannot draw the turntable"):
+        run(arguments, tally, arguments.turntable, ["%s-%d" % (m, f) for m in MODELS for f in range(FRAMES)],
+            lambda name: list(read_netpbm(os.path.join(host, name + ".pgm"))[3]))
+    return tally.close()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

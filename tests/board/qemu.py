@@ -1,0 +1,142 @@
+#SPDX - License - Identifier : MIT
+"""Runs firmware in QEMU, and pictures; shared by the suites of tests/board."""
+import json
+import os
+import queue
+import socket
+import subprocess
+import tempfile
+import threading
+import time
+
+#Seconds after which an emulated program that says nothing is taken for dead.Generous : a loaded machine is no failure.
+SILENCE = 180
+
+
+class Died(Exception):
+    """The program ended or fell silent where it should not have."""
+
+
+class Machine:
+    """A running emulator: what the firmware writes, and QEMU's own monitor."""
+
+    def __init__(self, qemu, machine, elf, arguments=()):
+        self.directory = tempfile.TemporaryDirectory()
+        control = os.path.join(self.directory.name, "qmp")
+        config = "enable=on,target=native,chardev=text,arg=firmware" + "".join(",arg=" + a for a in arguments)
+        self.process = subprocess.Popen(
+            [qemu, "-M", machine, "-display", "none", "-serial", "none", "-monitor", "none", "-nodefaults",
+             "-chardev", "stdio,id=text,signal=off", "-semihosting-config", config,
+             "-qmp", "unix:%s,server=on,wait=off" % control, "-kernel", elf],
+            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.control_path, self.control = control, None
+        self.lines = queue.Queue()
+        self.errors = []
+        threading.Thread(target=self._read, daemon=True).start()
+        threading.Thread(target=self._read_errors, daemon=True).start()
+
+    def _read(self):
+        for line in self.process.stdout:
+            self.lines.put(line.decode("ascii", "replace").rstrip("\r\n"))
+        self.lines.put(None)
+
+    def _read_errors(self):
+        for line in self.process.stderr:
+            self.errors.append(line.decode("utf-8", "replace").rstrip())
+
+    def line(self):
+        """The next line the firmware writes; None when it has ended."""
+        try:
+            return self.lines.get(timeout=SILENCE)
+        except queue.Empty:
+            raise Died("no output for %d s" % SILENCE)
+
+    def go_on(self):
+        self.process.stdin.write(b"\n")
+        self.process.stdin.flush()
+
+    def command(self, name, **arguments):
+        """A command of QEMU's machine protocol."""
+        if self.control is None:
+            self._connect()
+        self.control.write(json.dumps({"execute": name, "arguments": arguments}).encode() + b"\n")
+        self.control.flush()
+        while True:
+            answer = json.loads(self.control.readline())
+            if "error" in answer:
+                raise Died("monitor: %s" % answer["error"])
+            if "return" in answer:
+                return answer["return"]
+
+    def _connect(self):
+        connection = socket.socket(socket.AF_UNIX)
+        connection.settimeout(SILENCE)
+        for _ in range(100):
+            try:
+                connection.connect(self.control_path)
+                break
+            except OSError:
+                time.sleep(0.1)
+        self.control = connection.makefile("rwb")
+        self.control.readline()
+        self.command("qmp_capabilities")
+
+    def screendump(self, path):
+        self.command("screendump", filename=os.path.abspath(path))
+
+    def end(self):
+        """Waits for the firmware to end. @return its exit status."""
+        while self.line() is not None:
+            pass
+        return self.process.wait(SILENCE)
+
+    def close(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.wait()
+        self.directory.cleanup()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+
+class Tally:
+    """Counts checks, prints those that fail, and closes as every suite does."""
+
+    def __init__(self):
+        self.passed = self.failed = 0
+
+    def check(self, good, what):
+        if good:
+            self.passed += 1
+        else:
+            self.failed += 1
+            print("FAILED: " + what)
+        return good
+
+    def close(self):
+        print("%d passed, %d failed" % (self.passed, self.failed))
+        return 1 if self.failed or not self.passed else 0
+
+
+def read_netpbm(path):
+    """A binary PGM or PPM as (width, height, samples per pixel, bytes)."""
+    with open(path, "rb") as file:
+        data = file.read()
+    fields, at = [], 0
+    while len(fields) < 4:
+        end = at
+        while not data[end:end + 1].isspace():
+            end += 1
+        fields.append(data[at:end])
+        at = end + 1
+    channels = {b"P5": 1, b"P6": 3}[fields[0]]
+    return int(fields[1]), int(fields[2]), channels, data[at:]
+
+
+def write_grey(path, width, height, pixels):
+    with open(path, "wb") as file:
+        file.write(b"P5\n%d %d\n15\n" % (width, height) + bytes(pixels))

@@ -1,0 +1,166 @@
+#!/ usr / bin / env python3
+#SPDX - License - Identifier : MIT
+""
+    "Checks the library's objects, one directory for each core and optimisation:
+
+    - no undefined symbol but those listed below;
+- no floating point:no helper function, and on a core with an FPU no instruction of it;
+- no writable data;
+- no recursion through direct calls.
+
+    Each check is also shown to find what tests /
+    freestanding / planted.c plants.Prints the deepest stack of each public function; an indirect call is taken to reach any function that nothing calls directly and that is not public.
+"""
+import argparse
+import glob
+import os
+import re
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "board"))
+from qemu import Tally
+
+#What the compiler may call : memory blocks(port / libc for firmware without a C library), and libgcc's integer helpers.
+ALLOWED = re.compile(r"""^(
+    memcpy | memset |
+    __aeabi_u?idiv | __aeabi_u?idivmod |          # 32-bit division
+    __aeabi_u?ldivmod | __aeabi_lmul |            # 64-bit division and product
+    __aeabi_lasr | __aeabi_llsl | __aeabi_llsr |  # 64-bit shifts
+    __aeabi_lcmp | __aeabi_ulcmp |                # 64-bit comparison
+    __clzsi2 | __clzdi2 | __ctzsi2 | __popcountsi2 |
+    __gnu_thumb1_case_(si|shi|sqi|uhi|uqi)        # switch tables on ARMv6-M
+)$""", re.VERBOSE)
+
+#Run - time functions of floating point : Arm 's names, and gcc' s(sf, df, tf; also in conversions such as floatsisf).
+FLOAT_HELPER = re.compile(r"^(__aeabi_(f|d|cf|cd|i2|ui2|l2|ul2|h2)\w*|__\w*[sdt]f\w*|__\w*(fix|float)\w*)$")
+FLOAT_INSTRUCTION = re.compile(r"^\s*[0-9a-f]+:\t[0-9a-f ]+\t(v(?:add|sub|mul|div|neg|abs|sqrt|cvt|cmp|mov|ldr|str|ldm|stm|"
+                               r"push|pop|mla|mls|fm|fnm|nm|sel|mrs|msr|rint)\w*)", re.MULTILINE)
+
+
+def run(*command):
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+
+def undefined(cross, objects, output):
+    """Undefined symbols of all objects linked together."""
+    run(cross + "ld", "-r", "-o", output, *objects)
+    return [line.split()[-1] for line in run(cross + "nm", "-u", output).splitlines()]
+
+
+def writable(cross, objects):
+    """Sections that would take RAM, as `object: section`."""
+    found = []
+    for path in objects:
+        for line in run(cross + "objdump", "-h", "-w", path).splitlines():
+            fields = line.split()
+            if len(fields) > 7 and fields[0].isdigit() and int(fields[2], 16) and "ALLOC" in line and \
+                    "READONLY" not in line:
+                found.append("%s: %s" % (path, fields[1]))
+        found += ["%s: common" % path for line in run(cross + "nm", path).splitlines() if " C " in line]
+    return found
+
+
+def float_instructions(cross, objects):
+    return [match for path in objects
+            for match in FLOAT_INSTRUCTION.findall(run(cross + "objdump", "-d", path))]
+
+
+def call_graph(directory, sources):
+    """From gcc's -fcallgraph-info: {function: (stack, set of called functions)}; statics are named file:function."""
+    graph = {}
+    for source in sources:
+        with open(os.path.join(directory, source)) as file:
+            text = file.read()
+        for name, label in re.findall(r'node: \{ title: "([^"]*)" label: "([^"]*)"', text):
+            stack = re.search(r"(\d+) bytes \((\w+)", label)
+            if stack:
+                graph.setdefault(name, [0, set()])[0] = int(stack[1])
+        for caller, callee in re.findall(r'edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"', text):
+            graph.setdefault(caller, [0, set()])[1].add(callee)
+    return graph
+
+
+def cycle(graph):
+    """A function that reaches itself by direct calls, or None."""
+    state = {}
+
+    def visit(name):
+        state[name] = 1
+        for callee in graph.get(name, (0, ()))[1]:
+            if state.get(callee) == 1 or (callee not in state and visit(callee)):
+                return True
+        state[name] = 2
+        return False
+
+    return next((name for name in graph if name not in state and visit(name)), None)
+
+
+def deepest(graph, entry, public):
+    """Bytes of stack below a call of `entry`, callbacks of the caller's not included."""
+    called = {callee for _, callees in graph.values() for callee in callees}
+    targets = [name for name in graph if name not in called and name.split(":")[-1] not in public]
+
+    def depth(name, path):
+        stack, callees = graph.get(name, (0, ()))
+        below = 0
+        for callee in callees:
+            for target in targets if callee == "__indirect_call" else [callee]:
+                if target not in path:
+                    below = max(below, depth(target, path | {target}))
+        return stack + below
+
+    return depth(entry, {entry})
+
+
+def public_functions():
+    with open("src/glint.h") as file:
+        return re.findall(r"^[\w ]+[ *](glint_\w+)\(", file.read(), re.MULTILINE)
+
+
+def check_planted(tally, cross, directory):
+    objects = glob.glob(directory + "/tests/freestanding/*.o")
+    outside = undefined(cross, objects, directory + "/planted.out")
+    graph = call_graph(directory, ["tests/freestanding/planted.ci"])
+    tally.check([name for name in outside if not ALLOWED.match(name)], directory + ": planted call not found")
+    tally.check([name for name in outside if FLOAT_HELPER.match(name)], directory + ": planted float helper not found")
+    tally.check(writable(cross, objects), directory + ": planted variable not found")
+    tally.check(cycle(graph), directory + ": planted recursion not found")
+    if "m4f" in directory:
+        tally.check(float_instructions(cross, objects), directory + ": planted instruction not found")
+
+
+def check_library(tally, cross, directory):
+    objects = sorted(glob.glob(directory + "/src/*.o"))
+    outside = undefined(cross, objects, directory + "/glint.out")
+    graph = call_graph(directory, sorted("src/" + os.path.basename(path)
+                                         for path in glob.glob(directory + "/src/*.ci")))
+    floats = [name for name in outside if FLOAT_HELPER.match(name)] + float_instructions(cross, objects)
+    strangers = [name for name in outside if not ALLOWED.match(name)]
+    tally.check(not strangers, "%s: undefined: %s" % (directory, " ".join(strangers)))
+    tally.check(not floats, "%s: floating point: %s" % (directory, " ".join(floats)))
+    tally.check(not writable(cross, objects), "%s: writable: %s" % (directory, " ".join(writable(cross, objects))))
+    tally.check(not cycle(graph), "%s: recursion through %s" % (directory, cycle(graph)))
+    public = public_functions()
+    missing = [name for name in public if name not in graph]
+    tally.check(public and not missing, "%s: declared but not defined: %s" % (directory, " ".join(missing)))
+    print("  %s: needs %s" % (directory, " ".join(outside) or "nothing"))
+    print("  %s: stack of glint_render %d, glint_frame_begin %d, glint_render_tile %d bytes, callbacks apart" % (
+        (directory,) + tuple(deepest(graph, name, public) if name in graph else 0
+                             for name in ("glint_render", "glint_frame_begin", "glint_render_tile"))))
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--cross", required=True)
+    parser.add_argument("directories", nargs="+")
+    arguments = parser.parse_args()
+    tally = Tally()
+    for directory in arguments.directories:
+        check_planted(tally, arguments.cross, directory)
+        check_library(tally, arguments.cross, directory)
+    return tally.close()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
