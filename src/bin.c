@@ -11,11 +11,10 @@ static int32_t most(int32_t a, int32_t b, int32_t c) {
     return -least(-a, -b, -c);
 }
 
-/* Tiles that a triangle may touch. @return 0 when it faces away, has no area or covers no pixel centre. */
-static int find_tiles(const glint_frame *frame, const glint_draw *draw, const glint_vertex *const v[3],
-                      glint_range *range) {
+int glint_find_tiles(const glint_frame *frame, int mirrored, int double_sided, const glint_vertex *const v[3],
+                     glint_range *range) {
     int32_t area = glint_double_area(v[0], v[1], v[2]);
-    if (area == 0 || (!draw->double_sided && (area > 0) != draw->mirrored))
+    if (area == 0 || (!double_sided && (area > 0) != mirrored))
         return 0;
     /* From the first pixel centre at or after the least coordinate to the last before the greatest. */
     int32_t left = glint_shift_right(least(v[0]->x, v[1]->x, v[2]->x) + 7, 4);
@@ -85,7 +84,7 @@ static int list_clipped(glint_frame *frame, const glint_draw *draw, const glint_
     for (int i = 2; i < corners; i++) {
         const glint_vertex *const part[3] = {&fan[0], &fan[i - 1], &fan[i]};
         glint_range range;
-        if (!find_tiles(frame, draw, part, &range))
+        if (!glint_find_tiles(frame, draw->mirrored, draw->double_sided, part, &range))
             continue;
         uint32_t number = (uint32_t)(top - frame->clipped);
         frame->clipped--;
@@ -108,7 +107,7 @@ static int bin_triangle(glint_frame *frame, const glint_draw *draw, const glint_
     if ((v[0]->flags | v[1]->flags | v[2]->flags) & GLINT_VERTEX_CLIP)
         return has_room_for_clipped(frame) && list_clipped(frame, draw, transform, v, indices);
     glint_range range;
-    if (!find_tiles(frame, draw, v, &range)) {
+    if (!glint_find_tiles(frame, draw->mirrored, draw->double_sided, v, &range)) {
         frame->stats.culled++;
         return 1;
     }

@@ -41,29 +41,38 @@ static glint_status prepare(glint_frame *frame) {
     return status == GLINT_OK ? prepare_materials(frame) : status;
 }
 
-glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
+glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
     static const glint_frame empty = {0};
-    if (!frame || !config || !scene || !config->arena)
-        return GLINT_ERROR_NULL;
     *frame = empty;
     frame->config = *config;
     frame->scene = scene;
     glint_status status = glint_check_config(&frame->config);
     if (status != GLINT_OK)
         return status;
-    size_t skew = (size_t)(-(uintptr_t)config->arena & (sizeof(void *) - 1));
-    if (config->arena_size < skew + sizeof(void *))
-        return GLINT_ERROR_ARENA;
-    frame->memory.base = (uint8_t *)config->arena + skew;
-    frame->memory.high = (config->arena_size - skew) & ~(sizeof(void *) - 1);
     frame->tile_shift_x = (uint8_t)tile_shift(frame->config.tile_width);
     frame->tile_shift_y = (uint8_t)tile_shift(frame->config.tile_height);
-    frame->tile_columns = (uint16_t)((config->width + frame->config.tile_width - 1) >> frame->tile_shift_x);
-    frame->tile_count =
-        (uint16_t)(frame->tile_columns * ((config->height + frame->config.tile_height - 1) >> frame->tile_shift_y));
+    uint32_t columns = (uint32_t)(config->width + frame->config.tile_width - 1) >> frame->tile_shift_x;
+    uint32_t rows = (uint32_t)(config->height + frame->config.tile_height - 1) >> frame->tile_shift_y;
+    frame->tile_columns = (uint16_t)columns;
+    frame->tile_count = (uint16_t)(columns * rows);
     frame->pass_tiles = frame->tile_count;
+    return GLINT_OK;
+}
+
+glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
+    if (!frame || !config || !scene || !config->arena)
+        return GLINT_ERROR_NULL;
+    glint_status status = glint_frame_grid(frame, config, scene);
+    if (status != GLINT_OK)
+        return status;
+    if (config->arena_size < GLINT_ALIGNMENT)
+        return GLINT_ERROR_ARENA;
+    frame->memory.base = glint_align(config->arena);
+    frame->memory.high = (config->arena_size - (GLINT_ALIGNMENT - 1)) & ~(GLINT_ALIGNMENT - 1);
     status = prepare(frame);
     frame->prepared_end = frame->memory.low;
+    if (status == GLINT_OK && frame->memory.high - frame->memory.low < GLINT_LEAST_ROOM)
+        status = GLINT_ERROR_ARENA;
     return status;
 }
 

@@ -231,9 +231,37 @@ glint_status glint_bin(glint_frame *frame, int *complete);
 /** Loads vertices of objects from (frame->object, frame->triangle) on, as many as fit. */
 glint_status glint_load(glint_frame *frame);
 
-/** Least free bytes that binning one triangle into one tile needs. */
+/** Sets up all of a frame but its arena. */
+glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, const glint_scene *scene);
+
+/** Tiles that a triangle may touch. @return 0 when it faces away, has no area or covers no pixel centre. */
+int glint_find_tiles(const glint_frame *frame, int mirrored, int double_sided, const glint_vertex *const v[3],
+                     glint_range *range);
+
+/** What everything in the arena is aligned to. */
+#define GLINT_ALIGNMENT (sizeof(void *))
+
+/** Bytes, rounded up to the alignment. */
+#define GLINT_ALIGNED(size) (((size) + GLINT_ALIGNMENT - 1) & ~(GLINT_ALIGNMENT - 1))
+
+/** The first aligned byte: at most GLINT_ALIGNMENT - 1 further. An arena gives those up wherever it starts. */
+static inline uint8_t *glint_align(void *memory) {
+    uint8_t *bytes = memory;
+    return bytes + (-(uintptr_t)bytes & (GLINT_ALIGNMENT - 1));
+}
+
+/** Free bytes with which any triangle can be binned into one tile. */
 #define GLINT_BIN_RESERVE \
-    (sizeof(glint_list) + (GLINT_CLIP_CORNERS - 2) * (sizeof(glint_reference) + sizeof(glint_clipped)) + 16)
+    GLINT_ALIGNED(sizeof(glint_list) + (GLINT_CLIP_CORNERS - 2) * (sizeof(glint_reference) + sizeof(glint_clipped)))
+
+/** Bytes of a run's vertices, index list, and slots with a map of `map` entries while it is loaded. */
+#define GLINT_RUN_SIZE(vertices, clips, map)                                                           \
+    (GLINT_ALIGNED((vertices) * sizeof(glint_vertex)) +                                                \
+     GLINT_ALIGNED((clips) ? (vertices) * sizeof(glint_position) : 0) + GLINT_ALIGNED((vertices)*12) + \
+     GLINT_ALIGNED((map)*2) + GLINT_ALIGNED((vertices)*2))
+
+/** Bytes beyond what is prepared with which any scene can be drawn: a run of one triangle, and its bin. */
+#define GLINT_LEAST_ROOM (GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_RUN_SIZE(3, 1, 4) + GLINT_BIN_RESERVE)
 
 /** Draws a triangle's part of a tile. */
 void glint_raster(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,

@@ -5,10 +5,8 @@
  */
 #include "frame.h"
 
-#define ALIGNMENT (sizeof(void *))
-
 void *glint_take(glint_memory *memory, size_t size) {
-    size_t start = (memory->low + ALIGNMENT - 1) & ~(ALIGNMENT - 1);
+    size_t start = GLINT_ALIGNED(memory->low);
     if (start > memory->high || size > memory->high - start)
         return 0;
     memory->low = start + size;
@@ -93,12 +91,12 @@ static uint32_t find_slot(slots *s, uint32_t index, int *is_new) {
     return s->count++;
 }
 
+/* Bytes that a run takes; map_size: a power of two above the number of vertices. */
 static size_t run_size(const glint_transform *transform, uint32_t vertices, uint32_t *map_size) {
     *map_size = 4;
     while (*map_size <= vertices)
         *map_size *= 2;
-    return vertices * (sizeof(glint_vertex) + (transform->clips ? sizeof(glint_position) : 0) + 14) + *map_size * 2 +
-           5 * ALIGNMENT; /* two triangles of three indices, and the slot's index, per vertex */
+    return GLINT_RUN_SIZE((size_t)vertices, transform->clips, (size_t)*map_size);
 }
 
 /* Most vertices of a run that the arena holds. */

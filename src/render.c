@@ -22,8 +22,7 @@ static size_t buffer_size(const glint_config *config) {
 }
 
 size_t glint_tile_buffers_size(const glint_config *config) {
-    size_t size = glint_workspace_size(config) + buffer_size(config);
-    return (size + sizeof(void *) - 1) & ~(sizeof(void *) - 1);
+    return GLINT_ALIGNED(glint_workspace_size(config) + buffer_size(config));
 }
 
 glint_status glint_init(glint_renderer *renderer, const glint_config *config) {
@@ -33,7 +32,7 @@ glint_status glint_init(glint_renderer *renderer, const glint_config *config) {
     *renderer = empty;
     renderer->config = *config;
     glint_status status = glint_check_config(&renderer->config);
-    if (status == GLINT_OK && config->arena_size < glint_tile_buffers_size(&renderer->config) + sizeof(void *))
+    if (status == GLINT_OK && config->arena_size < glint_tile_buffers_size(&renderer->config) + GLINT_ALIGNMENT)
         status = GLINT_ERROR_ARENA;
     if (status != GLINT_OK)
         *renderer = empty;
@@ -85,12 +84,11 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
     glint_config config = renderer->config;
     glint_frame frame;
     glint_workspace workspace;
-    size_t skew = (size_t)(-(uintptr_t)config.arena & (sizeof(void *) - 1));
-    size_t buffers = glint_tile_buffers_size(&config) + skew;
-    uint8_t *memory = config.arena;
-    glint_workspace_init(&workspace, &config, memory + skew);
+    uint8_t *memory = glint_align(config.arena);
+    size_t buffers = glint_tile_buffers_size(&config);
+    glint_workspace_init(&workspace, &config, memory);
     config.arena = memory + buffers;
-    config.arena_size -= buffers;
+    config.arena_size -= buffers; /* what aligning took is given up in glint_frame_begin */
     renderer->stats = none;
     glint_status status = glint_frame_begin(&frame, &config, scene);
     if (status != GLINT_OK)

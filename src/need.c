@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT */
+/* Need: goes through a scene as a pass would, with no arena at all, and counts what it would take. */
+#include "frame.h"
+
+typedef struct tally {
+    size_t vertices, references, clipped; /* bytes, counts */
+} tally;
+
+static void count_part(const glint_frame *frame, const glint_transform *transform, const glint_mesh *mesh,
+                       const glint_vertex *const v[3], int clipped, tally *sum) {
+    glint_range range;
+    int double_sided = (mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
+    if (!glint_find_tiles(frame, transform->mirrored, double_sided, v, &range))
+        return;
+    sum->references += (size_t)((range.right - range.left) * (range.bottom - range.top));
+    sum->clipped += (size_t)clipped;
+}
+
+static glint_status count_triangle(const glint_frame *frame, const glint_transform *transform, const glint_mesh *mesh,
+                                   const uint16_t *indices, tally *sum) {
+    glint_vertex vertices[3], fan[GLINT_CLIP_CORNERS];
+    glint_position positions[3];
+    for (int i = 0; i < 3; i++) {
+        if (indices[i] >= mesh->vertex_count)
+            return GLINT_ERROR_INDEX;
+        glint_transform_vertex(transform, mesh, indices[i], &vertices[i], transform->clips ? &positions[i] : 0);
+    }
+    const glint_vertex *const v[3] = {&vertices[0], &vertices[1], &vertices[2]};
+    const glint_position *const p[3] = {&positions[0], &positions[1], &positions[2]};
+    if (!((v[0]->flags | v[1]->flags | v[2]->flags) & GLINT_VERTEX_CLIP)) {
+        count_part(frame, transform, mesh, v, 0, sum);
+        return GLINT_OK;
+    }
+    int corners = glint_clip(transform, v, p, fan);
+    for (int i = 2; i < corners; i++) {
+        const glint_vertex *const part[3] = {&fan[0], &fan[i - 1], &fan[i]};
+        count_part(frame, transform, mesh, part, 1, sum);
+    }
+    return GLINT_OK;
+}
+
+static glint_status count_object(const glint_frame *frame, const glint_object *object, tally *sum) {
+    const glint_mesh *mesh = object->mesh;
+    glint_transform transform;
+    glint_status status = glint_transform_prepare(&transform, frame->view, &frame->config, object);
+    if (status != GLINT_OK || !transform.visible)
+        return status;
+    sum->vertices += GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(mesh->vertex_count * sizeof(glint_vertex));
+    if (transform.clips)
+        sum->vertices += GLINT_ALIGNED(mesh->vertex_count * sizeof(glint_position));
+    for (uint32_t i = 0; i < mesh->triangle_count && status == GLINT_OK; i++)
+        status = count_triangle(frame, &transform, mesh, mesh->triangles[i], sum);
+    return status;
+}
+
+/* Distinct materials, each checked. */
+static glint_status count_materials(const glint_scene *scene, size_t *count) {
+    glint_shading shading;
+    glint_status status = GLINT_OK;
+    *count = 0;
+    for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++) {
+        uint32_t earlier = 0;
+        while (scene->objects[earlier].material != scene->objects[i].material)
+            earlier++;
+        if (earlier < i)
+            continue;
+        status = glint_prepare_shading(&shading, scene->objects[i].material, scene);
+        ++*count;
+    }
+    return status;
+}
+
+glint_status glint_arena_need(const glint_config *config, const glint_scene *scene, glint_need *need) {
+    if (!config || !scene || !need)
+        return GLINT_ERROR_NULL;
+    glint_frame frame;
+    glint_view view;
+    tally sum = {0, 0, 0};
+    size_t materials = 0;
+    glint_status status = glint_frame_grid(&frame, config, scene);
+    if (status == GLINT_OK)
+        status = glint_check_scene(scene);
+    if (status == GLINT_OK)
+        status = glint_prepare_view(&view, &frame.config, scene);
+    if (status == GLINT_OK)
+        status = count_materials(scene, &materials);
+    frame.view = &view;
+    for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++)
+        status = count_object(&frame, &scene->objects[i], &sum);
+    if (status != GLINT_OK)
+        return status;
+    size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame.config) + GLINT_ALIGNED(sizeof(glint_view)) +
+                      materials * GLINT_ALIGNED(sizeof(glint_shading));
+    size_t lists = GLINT_ALIGNED(frame.tile_count * sizeof(glint_list)) +
+                   GLINT_ALIGNED(sum.references * sizeof(glint_reference)) +
+                   GLINT_ALIGNED(sum.clipped * sizeof(glint_clipped)) + GLINT_BIN_RESERVE;
+    need->smallest = prepared + GLINT_LEAST_ROOM;
+    need->best = prepared + sum.vertices + lists;
+    if (need->best < need->smallest)
+        need->best = need->smallest;
+    return GLINT_OK;
+}
