@@ -1,5 +1,5 @@
-#SPDX - License - Identifier : MIT
-#glint : see `make help`.
+# SPDX-License-Identifier: MIT
+# glint: see `make help`.
 
 BUILD    := build
 WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror

@@ -1,11 +1,10 @@
-#SPDX - License - Identifier : MIT
-#Firmware for every board, from one pattern.A board is the five lines below; a program is its sources.
-#build / < board> / < level> / < program>.elf, with what it takes of flash, RAM and stack printed and kept beside it.
+# SPDX-License-Identifier: MIT
+# Firmware for every board, from one pattern. A board is the five lines below; a program is its sources.
+# build/<board>/<level>/<program>.elf, with what it takes of flash, RAM and stack printed and kept beside it.
 
 CROSS ?= arm-none-eabi-
 
-#-- -- Boards : core flags, port sources, linker script, \
-    how to run it(empty : not), QEMU 's name of the processor' s machine
+# ---- Boards: core flags, port sources, linker script, how to run it (empty: not), QEMU's name of the processor's machine
 
 BOARDS := lm3s6965evb microbit mps2-an385 mps2-an385-m0 template
 

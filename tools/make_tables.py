@@ -1,9 +1,8 @@
-#!/ usr / bin / env python3
-#SPDX - License - Identifier : MIT
-""
-    "Writes src/tables.c: python3 tools/make_tables.py > src/tables.c
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Writes src/tables.c: python3 tools/make_tables.py > src/tables.c
 
-    Every entry is computed here from its formula; tests/unit checks the functions that read them.
+Every entry is computed here from its formula; tests/unit checks the functions that read them.
 """
 import math
 

@@ -1,45 +1,58 @@
-#!/ usr / bin / env bash
-#SPDX - License - Identifier : MIT
-#Makes sure that everything `make test`, `make lint` and `make fuzz` need is there : installs what is missing with
-#apt - get as root or through sudo, \
-    or else prints the one command to run and exits with 1. Quick when nothing is missing.
-set - u
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Makes sure that everything `make test`, `make lint` and `make fuzz` need is there: installs what is missing with
+# apt-get as root or through sudo, or else prints the one command to run and exits with 1. Quick when nothing is missing.
+set -u
 
-          missing = () need() {
-#need PACKAGE COMMAND... : true when all of the commands are there local package =
-        $1 command shift for command in "$@";
-    do
-        command - v "$command" > / dev / null 2 > &1 || {
-            missing += ("$package");
-            return;
-        }
+missing=()
+need() { # need PACKAGE COMMAND...: true when all of the commands are there
+    local package=$1 command
+    shift
+    for command in "$@"; do
+        command -v "$command" >/dev/null 2>&1 || { missing+=("$package"); return; }
     done
 }
 
 look() {
-    missing = () need gcc gcc need make make need git git need python3 python3 need clang clang need clang -
-                  format clang - format need clang - tidy clang - tidy need cppcheck cppcheck need gcc - arm - none -
-                  eabi arm - none - eabi - gcc need qemu - system - arm qemu - system -
-                  arm
-#libraries, which no command shows : the host 's C library, and clang' s sanitizers and fuzzer
-                      [-e / usr / include / stdio.h] ||
-              missing += (libc6 - dev) if command - v clang > / dev / null 2 > &1;
-    then ls "$(clang -print-resource-dir)" / lib / linux / libclang_rt.fuzzer - *.a > / dev / null 2 > & 1 || missing +=
-        (libclang - rt - dev) else missing += (libclang - rt - dev) fi
+    missing=()
+    need gcc gcc
+    need make make
+    need git git
+    need python3 python3
+    need clang clang
+    need clang-format clang-format
+    need clang-tidy clang-tidy
+    need cppcheck cppcheck
+    need gcc-arm-none-eabi arm-none-eabi-gcc
+    need qemu-system-arm qemu-system-arm
+    # libraries, which no command shows: the host's C library, and clang's sanitizers and fuzzer
+    [ -e /usr/include/stdio.h ] || missing+=(libc6-dev)
+    if command -v clang >/dev/null 2>&1; then
+        ls "$(clang -print-resource-dir)"/lib/linux/libclang_rt.fuzzer-*.a >/dev/null 2>&1 || missing+=(libclang-rt-dev)
+    else
+        missing+=(libclang-rt-dev)
+    fi
 }
 
 install() {
-    local as_root = () if["$(id -u)" - ne 0];
-    then sudo - n true 2 > / dev / null || return 1 as_root =
-        (sudo - n) fi command - v apt - get > / dev / null 2 > & 1 || return 1 echo
-        "setup: installing ${missing[*]}"
-        "${as_root[@]}" env DEBIAN_FRONTEND =
-            noninteractive apt - get update - q > / dev / null "${as_root[@]}" env DEBIAN_FRONTEND =
-                noninteractive apt - get install - q - y-- no - install - recommends - o DPkg::Lock::Timeout =
-                    300 "${missing[@]}" > / dev / null
+    local as_root=()
+    if [ "$(id -u)" -ne 0 ]; then
+        sudo -n true 2>/dev/null || return 1
+        as_root=(sudo -n)
+    fi
+    command -v apt-get >/dev/null 2>&1 || return 1
+    echo "setup: installing ${missing[*]}"
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -q >/dev/null
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends \
+        -o DPkg::Lock::Timeout=300 "${missing[@]}" >/dev/null
 }
 
-look[$ { #missing[@] } - eq 0] &&exit 0 wanted =
-    ("${missing[@]}")install look[$ { #missing[@] } - eq 0] &&
-    exit 0 echo "setup: missing: ${missing[*]}. Run:" >
-        &2 echo "    sudo apt-get update && sudo apt-get install -y --no-install-recommends ${wanted[*]}" > &2 exit 1
+look
+[ ${#missing[@]} -eq 0 ] && exit 0
+wanted=("${missing[@]}")
+install
+look
+[ ${#missing[@]} -eq 0 ] && exit 0
+echo "setup: missing: ${missing[*]}. Run:" >&2
+echo "    sudo apt-get update && sudo apt-get install -y --no-install-recommends ${wanted[*]}" >&2
+exit 1

@@ -1,11 +1,8 @@
-#!/ usr / bin / env python3
-#SPDX - License - Identifier : MIT
-""
-    "Prints what a firmware takes, from its linker map: size.py MAP [--flash N] [--ram N] [--library N]
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Prints what a firmware takes, from its linker map: size.py MAP [--flash N] [--ram N] [--library N]
 
-    Flash is code,
-    constants and the initial values of data;
-RAM is stack, data and zeroed data; library is the part of
+Flash is code, constants and the initial values of data; RAM is stack, data and zeroed data; library is the part of
 flash that comes from libglint.a. With limits (bytes), exits with 1 when one is exceeded.
 """
 import argparse
@@ -55,7 +52,8 @@ def measure(path):
         "ram": sum(whole.get(name, 0) for name in IN_RAM),
         "stack": whole.get(".stack", 0),
         "library": library,
-}
+    }
+
 
 def main():
     parser = argparse.ArgumentParser()

@@ -27,18 +27,24 @@ static void paint_stack(void) {
     }
 }
 
-uint32_t board_stack_used(void) {
-    const uint32_t *word = linker_stack_bottom;
+/* Bytes between two of the linker script's symbols, which to C are objects of their own. */
+static size_t between(const void *begin, const void *end) {
+    return (uintptr_t)end - (uintptr_t)begin;
+}
 
-    while (word < linker_stack_top && *word == stack_paint) {
-        word++;
+uint32_t board_stack_used(void) {
+    const size_t words = between(linker_stack_bottom, linker_stack_top) / sizeof(uint32_t);
+    size_t unused = 0;
+
+    while (unused < words && linker_stack_bottom[unused] == stack_paint) {
+        unused++;
     }
-    return (uint32_t)((uintptr_t)linker_stack_top - (uintptr_t)word);
+    return (uint32_t)((words - unused) * sizeof(uint32_t));
 }
 
 static void reset(void) {
-    memcpy(linker_data_begin, linker_data_load, (size_t)(linker_data_end - linker_data_begin));
-    memset(linker_bss_begin, 0, (size_t)(linker_bss_end - linker_bss_begin));
+    memcpy(linker_data_begin, linker_data_load, between(linker_data_begin, linker_data_end));
+    memset(linker_bss_begin, 0, between(linker_bss_begin, linker_bss_end));
     paint_stack();
     board_init();
     board_exit(main());

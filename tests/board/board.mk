@@ -1,9 +1,9 @@
-#SPDX - License - Identifier : MIT
-#Suites that run firmware in QEMU; included by port / boards.mk.
+# SPDX-License-Identifier: MIT
+# Suites that run firmware in QEMU; included by port/boards.mk.
 
 QEMU ?= qemu-system-arm
 
-#-- -- What the panel shows is what the host draws
+# ---- What the panel shows is what the host draws
 
 HOST_TURNTABLE = $(BUILD)/host/turntable
 $(HOST_TURNTABLE): tests/board/turntable_host.c tests/board/frames.c tests/board/frames.h \

@@ -1,5 +1,5 @@
-#!/ usr / bin / env python3
-#SPDX - License - Identifier : MIT
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Checks what firmware takes, that every program was linked, and that the README's example is short."""
 import argparse
 import os

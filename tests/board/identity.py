@@ -1,5 +1,5 @@
-#!/ usr / bin / env python3
-#SPDX - License - Identifier : MIT
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Compares the checksums of tests/board/identity.c across builds: host programs against firmware in QEMU.
 
 One check for each program and line: its checksum equals that of the first program's first line for the same picture,
@@ -57,14 +57,17 @@ def main():
     tally, pictures, expected = Tally(), {}, 0
     for program in arguments.host + arguments.firmware:
         try:
-            lines
-= host_lines(program) if program in arguments
-      .host else board_lines(arguments.qemu, arguments.machine, program)
-          except(Died, OSError, subprocess.SubprocessError) as problem
-    : tally.check(False, "%s: %s" % (program, problem)) continue frames =
-    judge(tally, program, lines, pictures, expected) expected =
-        expected or frames print("  %s: %d frames" % (program, frames)) tally
-                            .check(len(set(pictures.values())) == len(pictures),
-                                   "two different pictures have the same checksum") return tally.close()
+            lines = host_lines(program) if program in arguments.host else board_lines(
+                arguments.qemu, arguments.machine, program)
+        except (Died, OSError, subprocess.SubprocessError) as problem:
+            tally.check(False, "%s: %s" % (program, problem))
+            continue
+        frames = judge(tally, program, lines, pictures, expected)
+        expected = expected or frames
+        print("  %s: %d frames" % (program, frames))
+    tally.check(len(set(pictures.values())) == len(pictures), "two different pictures have the same checksum")
+    return tally.close()
 
-                                if __name__ == "__main__" : sys.exit(main())
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,5 +1,5 @@
-#!/ usr / bin / env python3
-#SPDX - License - Identifier : MIT
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Compares what the emulated board's panel shows with what the host draws, pixel for pixel.
 
 QEMU's panel model is the judge: it shows each pixel as 4x4 of its screen, in 16 greys. Where a frame differs, the panel's

@@ -1,4 +1,4 @@
-#SPDX - License - Identifier : MIT
+# SPDX-License-Identifier: MIT
 """Runs firmware in QEMU, and pictures; shared by the suites of tests/board."""
 import json
 import os
@@ -9,7 +9,7 @@ import tempfile
 import threading
 import time
 
-#Seconds after which an emulated program that says nothing is taken for dead.Generous : a loaded machine is no failure.
+# Seconds after which an emulated program that says nothing is taken for dead. Generous: a loaded machine is no failure.
 SILENCE = 180
 
 

@@ -1,16 +1,17 @@
-#!/ usr / bin / env python3
-#SPDX - License - Identifier : MIT
-""
-    "Runs the unit tests' firmware: unit.py --qemu QEMU MACHINE=ELF...; closes with the sum of what they report."
-    "" import argparse import re import sys
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Runs the unit tests' firmware: unit.py --qemu QEMU MACHINE=ELF...; closes with the sum of what they report."""
+import argparse
+import re
+import sys
 
-        from qemu import Died,
-    Machine,
-    Tally
+from qemu import Died, Machine, Tally
 
-        def
-        run(qemu, name, elf, tally)
-    : closing = None try : with Machine(qemu, name, elf) as machine:
+
+def run(qemu, name, elf, tally):
+    closing = None
+    try:
+        with Machine(qemu, name, elf) as machine:
             while True:
                 line = machine.line()
                 if line is None:

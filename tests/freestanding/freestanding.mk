@@ -1,11 +1,11 @@
-#SPDX - License - Identifier : MIT
-#The library by itself, for every core : what it needs from outside, and what it must not contain.
+# SPDX-License-Identifier: MIT
+# The library by itself, for every core: what it needs from outside, and what it must not contain.
 
 freestanding_m0  := -mcpu=cortex-m0 -mthumb
 freestanding_m3  := -mcpu=cortex-m3 -mthumb
 freestanding_m4f := -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard
 
-#$(call freestanding_core, core, optimisation)
+# $(call freestanding_core,core,optimisation)
 define freestanding_core
 $(BUILD)/freestanding/$1-$2/%.o: %.c $(wildcard src/*.h)
 	@mkdir -p $$(@D)

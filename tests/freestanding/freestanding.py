@@ -1,15 +1,14 @@
-#!/ usr / bin / env python3
-#SPDX - License - Identifier : MIT
-""
-    "Checks the library's objects, one directory for each core and optimisation:
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Checks the library's objects, one directory for each core and optimisation:
 
-    - no undefined symbol but those listed below;
-- no floating point:no helper function, and on a core with an FPU no instruction of it;
+- no undefined symbol but those listed below;
+- no floating point: no helper function, and on a core with an FPU no instruction of it;
 - no writable data;
 - no recursion through direct calls.
 
-    Each check is also shown to find what tests /
-    freestanding / planted.c plants.Prints the deepest stack of each public function; an indirect call is taken to reach any function that nothing calls directly and that is not public.
+Each check is also shown to find what tests/freestanding/planted.c plants. Prints the deepest stack of each public
+function; an indirect call is taken to reach any function that nothing calls directly and that is not public.
 """
 import argparse
 import glob
@@ -21,7 +20,7 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "board"))
 from qemu import Tally
 
-#What the compiler may call : memory blocks(port / libc for firmware without a C library), and libgcc's integer helpers.
+# What the compiler may call: memory blocks (port/libc for firmware without a C library), and libgcc's integer helpers.
 ALLOWED = re.compile(r"""^(
     memcpy | memset |
     __aeabi_u?idiv | __aeabi_u?idivmod |          # 32-bit division
@@ -32,7 +31,7 @@ ALLOWED = re.compile(r"""^(
     __gnu_thumb1_case_(si|shi|sqi|uhi|uqi)        # switch tables on ARMv6-M
 )$""", re.VERBOSE)
 
-#Run - time functions of floating point : Arm 's names, and gcc' s(sf, df, tf; also in conversions such as floatsisf).
+# Run-time functions of floating point: Arm's names, and gcc's (sf, df, tf; also in conversions such as floatsisf).
 FLOAT_HELPER = re.compile(r"^(__aeabi_(f|d|cf|cd|i2|ui2|l2|ul2|h2)\w*|__\w*[sdt]f\w*|__\w*(fix|float)\w*)$")
 FLOAT_INSTRUCTION = re.compile(r"^\s*[0-9a-f]+:\t[0-9a-f ]+\t(v(?:add|sub|mul|div|neg|abs|sqrt|cvt|cmp|mov|ldr|str|ldm|stm|"
                                r"push|pop|mla|mls|fm|fnm|nm|sel|mrs|msr|rint)\w*)", re.MULTILINE)

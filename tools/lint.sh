@@ -1,0 +1,79 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Static checks of the whole tree: lint.sh LOGS. Each prints what it found; none stops the others.
+set -u
+logs=$1
+mkdir -p "$logs"
+jobs=$(nproc 2>/dev/null || echo 2)
+failed=0
+
+files() { # files PATTERN...: what belongs to the project, new files included
+    git ls-files --cached --others --exclude-standard -- "$@" | sort -u | while read -r file; do
+        [ -e "$file" ] && printf '%s\n' "$file"
+    done
+}
+
+check() { # check NAME COMMAND...
+    local name=$1
+    shift
+    if "$@" >"$logs/$name.log" 2>&1; then
+        echo "lint: $name: good"
+    else
+        echo "lint: $name: FAILED"
+        cat "$logs/$name.log"
+        failed=1
+    fi
+}
+
+# Meshes are written by the converter, and judged by what they draw.
+format() {
+    files '*.c' '*.h' | grep -v '^examples/meshes/' | xargs clang-format --dry-run -Werror
+}
+
+# Each part is read with the headers and for the core that it is compiled for.
+tidy() {
+    local status=0
+    tidy_files "-Isrc" 'src/*.c' || status=1
+    tidy_files "-Isrc -Iport/host" 'port/host/*.c' || status=1
+    tidy_files "-Isrc -Iport -Iport/libc -Iexamples -Itests $(arm)" \
+        'port/*.c' 'examples/firmware/*.c' 'tests/board/*_board.c' \
+        'tests/board/pattern.c' 'tests/board/unit.c' ':!port/host' || status=1
+    tidy_files "-Isrc -Iport -Iport/host -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit" \
+        'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' \
+        ':!tests/board/*_board.c' ':!tests/board/pattern.c' ':!tests/board/unit.c' || status=1
+    return $status
+}
+
+arm() {
+    echo "--target=arm-none-eabi -mcpu=cortex-m0 -mthumb -ffreestanding"
+}
+
+tidy_files() { # tidy_files FLAGS PATTERN...
+    local flags=$1
+    shift
+    # shellcheck disable=SC2086 # flags are words
+    files "$@" | xargs -r -P "$jobs" -I FILE clang-tidy --quiet FILE -- -std=c99 $flags
+}
+
+cppcheck_all() {
+    files 'src/*.c' 'port/*.c' 'tests/*.c' 'examples/*.c' | xargs cppcheck --quiet --std=c99 -j "$jobs" --error-exitcode=1 \
+        --enable=warning,performance,portability --inline-suppr --suppress=missingIncludeSystem \
+        -Isrc -Iport -Iport/host -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit
+}
+
+licence() {
+    local status=0
+    while read -r file; do
+        head -n 3 "$file" | grep -q 'SPDX-License-Identifier: MIT' && continue
+        echo "$file: no SPDX-License-Identifier line at its top"
+        status=1
+    done < <(files '*.c' '*.h' '*.ld' '*.mk' '*.sh' '*.py' Makefile '*/Makefile' .ci/run .clang-tidy)
+    return $status
+}
+
+check format format
+check licence licence
+check version tools/version.sh
+check cppcheck cppcheck_all
+check clang-tidy tidy
+exit $failed
