@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+#include "command.h"
+
+#include "output.h"
+#include "png.h"
+
+#include <stdlib.h>
+
+int command_fail(const char *file, const host_problem *problem) {
+    problem_print(file, problem);
+    return COMMAND_FAILED;
+}
+
+bool command_load(const host_settings *settings, bool scaled, host_model *model, quantised_mesh *mesh) {
+    host_problem problem;
+    if (!load_model(settings->model, settings->crease, model, &problem)) {
+        problem_print(settings->model, &problem);
+        return false;
+    }
+    if (scaled) {
+        mesh_scale(&model->mesh, settings->scale);
+    }
+    if (!quantise(&model->mesh, settings->double_sided ? GLINT_MESH_DOUBLE_SIDED : 0, mesh, &problem)) {
+        problem_print(settings->model, &problem);
+        mesh_free(&model->mesh);
+        return false;
+    }
+    return true;
+}
+
+bool command_write_png(const framebuffer *source, const char *path, host_problem *problem) {
+    uint8_t *picture = framebuffer_expand(source);
+    host_bytes file = {NULL, 0, 0};
+    png_encode(&file, picture, source->width, source->height, source->format->channels);
+    const bool ok = bytes_write_file(&file, path, problem);
+    free(file.data);
+    free(picture);
+    return ok;
+}

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file command.h
+ * The program's commands. Each takes the arguments after its name and returns the program's exit status: 0, or 2 after
+ * one line on stderr, with no output file written.
+ */
+#ifndef GLINT_HOST_COMMAND_H
+#define GLINT_HOST_COMMAND_H
+
+#include "load.h"
+#include "quantise.h"
+#include "settings.h"
+
+/** Exit status for bad input and failed output. */
+#define COMMAND_FAILED 2
+
+/** Draws a model into a PNG. */
+int command_render(const host_settings *settings);
+
+/** Prints what there is to know about a model. */
+int command_info(const host_settings *settings);
+
+/** Writes a model as a C header. */
+int command_convert(const host_settings *settings);
+
+/** Draws the sheet that shows what the library does. */
+int command_demo(const host_settings *settings);
+
+/** Prints a problem with an input file, or with none when `file` is null. @return COMMAND_FAILED */
+int command_fail(const char *file, const host_problem *problem);
+
+/**
+ * Loads the settings' model, scales it when `scaled`, and quantises it; prints what is wrong.
+ * @return false after a problem; nothing is then to be freed, else model->mesh and `mesh`
+ */
+bool command_load(const host_settings *settings, bool scaled, host_model *model, quantised_mesh *mesh);
+
+/** Expands a framebuffer into a PNG file. @return false with a problem */
+bool command_write_png(const framebuffer *source, const char *path, host_problem *problem);
+
+#endif

@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: MIT */
+#include "command.h"
+
+#include "output.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** Room for an identifier: a --name of 64 characters, or as many of a file name's. */
+#define NAME_SIZE 66
+
+typedef struct header_writer {
+    host_bytes *out;
+    const host_settings *settings;
+    char name[NAME_SIZE];
+} header_writer;
+
+static bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+static bool is_plain(char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || c == '_';
+}
+
+/** The given name; else the file's without folder and ending, as a C identifier. */
+static void choose_name(const host_settings *settings, char name[NAME_SIZE]) {
+    const char *base = settings->name != NULL ? settings->name : path_base_name(settings->model);
+    const char *dot = strrchr(base, '.');
+    size_t length = dot != NULL && dot > base ? (size_t)(dot - base) : strlen(base);
+    size_t used = 0;
+    if (!is_letter(base[0]) && settings->name == NULL) {
+        name[used++] = 'm'; /* identifiers begin with a letter */
+    }
+    length = length > NAME_SIZE - 2 ? NAME_SIZE - 2 : length;
+    for (size_t i = 0; i < length; i++) {
+        name[used++] = (char)(is_plain(base[i]) ? base[i] : '_');
+    }
+    name[used] = '\0';
+}
+
+/** Text that cannot end a comment, open one, or leave its line. */
+static void print_in_comment(host_bytes *out, const char *text) {
+    for (; *text != '\0'; text++) {
+        bytes_add(out, (uint8_t)(*text < ' ' || *text > '~' || *text == '*' || *text == '\\' ? '_' : *text));
+    }
+}
+
+/** The options that shape the mesh, in one order. The output's name is not among them: it must not change the bytes. */
+static void print_command_line(const header_writer *writer) {
+    const host_settings *settings = writer->settings;
+    const double *scale = settings->scale;
+    bytes_print(writer->out, "glint convert ");
+    print_in_comment(writer->out, path_base_name(settings->model));
+    if (settings->name != NULL) {
+        bytes_print(writer->out, " --name %s", settings->name);
+    }
+    if (settings->licence != NULL) {
+        bytes_print(writer->out, " --licence \"%s\"", settings->licence);
+    }
+    if (settings->crease >= 0) {
+        bytes_print(writer->out, " --crease %.9g", settings->crease);
+    }
+    if (scale[0] < 1 || scale[0] > 1 || scale[1] < 1 || scale[1] > 1 || scale[2] < 1 || scale[2] > 1) {
+        bytes_print(writer->out, " --scale %.9g,%.9g,%.9g", scale[0], scale[1], scale[2]);
+    }
+    if (settings->double_sided) {
+        bytes_print(writer->out, " --double-sided");
+    }
+}
+
+static void print_head(const header_writer *writer, const host_model *model, const quantised_mesh *mesh) {
+    host_bytes *out = writer->out;
+    if (writer->settings->licence != NULL) {
+        bytes_print(out, "/* SPDX-License-Identifier: %s */\n", writer->settings->licence);
+    }
+    bytes_print(out, "/*\n * ");
+    print_in_comment(out, path_base_name(writer->settings->model));
+    bytes_print(out, ": %zu vertices, %zu triangles, %zu bytes of flash. Generated, not to be edited, by\n *     ",
+                mesh->vertex_count, mesh->triangle_count, 12 * mesh->vertex_count + 6 * mesh->triangle_count);
+    print_command_line(writer);
+    bytes_print(out, "\n * from a source whose FNV-1a hash (64 bits) is %016llx.\n *\n",
+                (unsigned long long)model->hash);
+    bytes_print(out, " * positions  int16 steps: object space is offset + extent * step / 32768, per axis\n"
+                     " * normals    int16, Q15, unit length: 32767 is 1\n"
+                     " * triangles  uint16 indices, counter-clockwise seen from outside\n"
+                     " * offset     Q16.16, where step 0 lies\n"
+                     " * extent     Q16.16, the length of 32768 steps\n */\n");
+}
+
+static void print_guard(const header_writer *writer, const char *directive) {
+    bytes_print(writer->out, "%s ", directive);
+    for (const char *c = writer->name; *c != '\0'; c++) {
+        bytes_add(writer->out, (uint8_t)(*c >= 'a' && *c <= 'z' ? *c - 'a' + 'A' : *c));
+    }
+    bytes_print(writer->out, "_MESH_H\n");
+}
+
+/** Begins a row of 6 items, or goes on with one. */
+static void print_gap(const header_writer *writer, size_t item) {
+    bytes_print(writer->out, item % 6 == 0 ? "\n    " : " ");
+}
+
+static void print_int16(const header_writer *writer, const char *what, const char *suffix, const int16_t (*items)[3],
+                        size_t count) {
+    bytes_print(writer->out, "\nstatic const int16_t %s_%s%s[%zu][3] = {", writer->name, what, suffix, count);
+    for (size_t i = 0; i < count; i++) {
+        print_gap(writer, i);
+        bytes_print(writer->out, "{%d, %d, %d},", items[i][0], items[i][1], items[i][2]);
+    }
+    bytes_print(writer->out, "\n};\n");
+}
+
+static void print_arrays(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {
+    print_int16(writer, "positions", suffix, mesh->positions, mesh->vertex_count);
+    print_int16(writer, "normals", suffix, mesh->normals, mesh->vertex_count);
+    bytes_print(writer->out, "\nstatic const uint16_t %s_triangles%s[%lu][3] = {", writer->name, suffix,
+                (unsigned long)mesh->triangle_count);
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        print_gap(writer, i);
+        bytes_print(writer->out, "{%u, %u, %u},", mesh->triangles[i][0], mesh->triangles[i][1], mesh->triangles[i][2]);
+    }
+    bytes_print(writer->out, "\n};\n");
+}
+
+static void print_mesh(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {
+    const char *name = writer->name;
+    bytes_print(writer->out, "    %s_positions%s,\n    %s_normals%s,\n    %s_triangles%s,\n", name, suffix, name,
+                suffix, name, suffix);
+    bytes_print(writer->out, "    %luu, /* vertices */\n    %luu, /* triangles */\n", (unsigned long)mesh->vertex_count,
+                (unsigned long)mesh->triangle_count);
+    bytes_print(writer->out, "    {%ld, %ld, %ld}, /* offset */\n", (long)mesh->offset.x, (long)mesh->offset.y,
+                (long)mesh->offset.z);
+    bytes_print(writer->out, "    {%ld, %ld, %ld}, /* extent */\n", (long)mesh->extent.x, (long)mesh->extent.y,
+                (long)mesh->extent.z);
+    bytes_print(writer->out, "    %s,\n", mesh->flags != 0 ? "GLINT_MESH_DOUBLE_SIDED" : "0");
+}
+
+/** One mesh as NAME_mesh; several pieces as the array NAME_meshes. */
+static void print_meshes(const header_writer *writer, const quantised_mesh *mesh) {
+    char suffix[16] = "";
+    const bool many = mesh->piece_count > 1;
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        if (many) {
+            snprintf(suffix, sizeof suffix, "_%u", (unsigned)i);
+        }
+        print_arrays(writer, &mesh->pieces[i], suffix);
+    }
+    if (!many) {
+        bytes_print(writer->out, "\nstatic const glint_mesh %s_mesh = {\n", writer->name);
+        print_mesh(writer, &mesh->pieces[0], "");
+        bytes_print(writer->out, "};\n");
+        return;
+    }
+    bytes_print(writer->out, "\n/* More vertices than 16 bits can index: one object for each of these. */\n");
+    bytes_print(writer->out, "static const glint_mesh %s_meshes[%zu] = {\n", writer->name, mesh->piece_count);
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        snprintf(suffix, sizeof suffix, "_%u", (unsigned)i);
+        bytes_print(writer->out, "    {\n");
+        print_mesh(writer, &mesh->pieces[i], suffix);
+        bytes_print(writer->out, "    },\n");
+    }
+    bytes_print(writer->out, "};\n");
+}
+
+int command_convert(const host_settings *settings) {
+    host_model model;
+    quantised_mesh mesh;
+    if (!command_load(settings, true, &model, &mesh)) {
+        return COMMAND_FAILED;
+    }
+    host_bytes file = {NULL, 0, 0};
+    header_writer writer = {.out = &file, .settings = settings};
+    choose_name(settings, writer.name);
+    print_head(&writer, &model, &mesh);
+    print_guard(&writer, "#ifndef");
+    print_guard(&writer, "#define");
+    bytes_print(&file, "\n#include \"glint.h\"\n");
+    print_meshes(&writer, &mesh);
+    bytes_print(&file, "\n#endif\n");
+    mesh_free(&model.mesh);
+    quantised_free(&mesh);
+    host_problem problem;
+    const bool ok = bytes_write_file(&file, settings->output, &problem);
+    free(file.data);
+    return ok ? 0 : command_fail(settings->output, &problem);
+}

@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: MIT */
+#include "command.h"
+
+#include "view.h"
+
+#include <stdio.h>
+
+/** Panels that people have, for the table of arenas. */
+static const struct info_panel {
+    uint16_t width, height;
+    const char *format;
+} panels[] = {
+    {128, 64, "grey4"}, {128, 128, "rgb565"}, {160, 128, "rgb565"}, {240, 240, "rgb565"}, {320, 240, "rgb565"},
+};
+
+static void print_counts(const host_model *model, const quantised_mesh *mesh) {
+    const mesh_topology topology = mesh_check_topology(&model->mesh);
+    const bool all = model->given_normals == model->corner_count;
+    printf("positions %zu\n", model->mesh.position_count);
+    printf("positions_used %zu\n", topology.point_count);
+    printf("vertices %zu\n", mesh->vertex_count);
+    printf("faces %zu\n", model->mesh.face_count);
+    printf("triangles %zu\n", mesh->triangle_count);
+    printf("triangles_dropped %zu\n", mesh->dropped_count);
+    printf("groups %zu\n", model->mesh.group_count);
+    printf("pieces %zu\n", mesh->piece_count);
+    printf("normals %s\n", all ? "given" : model->given_normals == 0 ? "computed" : "partly given");
+    printf("boundary_edges %zu\n", topology.boundary_edges);
+    printf("inconsistent_edges %zu\n", topology.inconsistent_edges);
+    printf("shared_edges %zu\n", topology.shared_edges);
+    printf("flash_bytes %zu\n", 12 * mesh->vertex_count + 6 * mesh->triangle_count);
+}
+
+static void print_bounds(const host_model *model, const quantised_mesh *mesh) {
+    double low[3];
+    double high[3];
+    mesh_bounds(&model->mesh, low, high);
+    printf("lowest %.6g %.6g %.6g\n", low[0], low[1], low[2]);
+    printf("highest %.6g %.6g %.6g\n", high[0], high[1], high[2]);
+    printf("largest_move %.3g\n", mesh->largest_move);
+}
+
+/** Prints the arena that the framed model needs on a panel. @return false with a problem */
+static bool print_panel(const struct info_panel *panel, const host_settings *settings, const quantised_mesh *mesh,
+                        host_problem *problem) {
+    host_settings framed = *settings;
+    framed.width = panel->width;
+    framed.height = panel->height;
+    framed.format = framebuffer_find_format(panel->format, NULL);
+    host_view view;
+    if (!view_make(&view, &framed, mesh, problem)) {
+        return false;
+    }
+    const glint_config config = {.width = framed.width, .height = framed.height, .format = framed.format->format};
+    glint_need need;
+    const glint_status status = glint_arena_need(&config, &view.scene, &need);
+    view_free(&view);
+    if (status != GLINT_OK) {
+        return problem_set(problem, 0, "%s", glint_strerror(status));
+    }
+    char size[16];
+    snprintf(size, sizeof size, "%ux%u", panel->width, panel->height);
+    printf("%-8s %-7s %9zu %9zu\n", size, panel->format, need.smallest, need.best);
+    return true;
+}
+
+int command_info(const host_settings *settings) {
+    host_model model;
+    quantised_mesh mesh;
+    if (!command_load(settings, false, &model, &mesh)) {
+        return COMMAND_FAILED;
+    }
+    print_counts(&model, &mesh);
+    print_bounds(&model, &mesh);
+    mesh_free(&model.mesh);
+    printf("\nBytes of arena to draw it framed, at least and in one pass:\n");
+    host_problem problem;
+    bool ok = true;
+    for (size_t i = 0; ok && i < sizeof panels / sizeof panels[0]; i++) {
+        ok = print_panel(&panels[i], settings, &mesh, &problem);
+    }
+    quantised_free(&mesh);
+    return ok ? 0 : command_fail(NULL, &problem);
+}

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+#include "load.h"
+
+#include "obj.h"
+#include "output.h"
+#include "shapes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static uint64_t fnv1a(const void *data, size_t count) {
+    const uint8_t *byte = data;
+    uint64_t hash = 0xCBF29CE484222325u;
+    for (size_t i = 0; i < count; i++) {
+        hash = (hash ^ byte[i]) * 0x100000001B3u;
+    }
+    return hash;
+}
+
+static bool load_mesh(const char *name, host_model *model, host_problem *problem) {
+    const host_shape *shape = shape_find(name);
+    if (shape != NULL) {
+        model->hash = fnv1a(name, strlen(name));
+        return shape_make(shape, name, &model->mesh, problem);
+    }
+    host_bytes file;
+    if (!bytes_read_file(&file, name, problem)) {
+        return false;
+    }
+    model->hash = fnv1a(file.data, file.count);
+    const bool ok = obj_read((const char *)file.data, file.count, &model->mesh, problem);
+    free(file.data);
+    return ok;
+}
+
+bool load_model(const char *name, double crease, host_model *model, host_problem *problem) {
+    if (!load_mesh(name, model, problem)) {
+        return false;
+    }
+    model->corner_count = 3 * model->mesh.triangle_count;
+    model->given_normals = 0;
+    for (size_t i = 0; i < model->corner_count; i++) {
+        model->given_normals += model->mesh.triangles[i / 3][i % 3].normal != MESH_NO_NORMAL;
+    }
+    mesh_make_normals(&model->mesh, crease);
+    return true;
+}

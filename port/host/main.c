@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file main.c
+ * The host program: see `glint help`.
+ */
+#include "command.h"
+
+#include "shapes.h"
+
+#include <stdio.h>
+#include <string.h>
+
+typedef struct host_command {
+    const char *name;
+    const char *usage;
+    const char *summary;
+    int bit;
+    bool takes_model, takes_output;
+    int (*run)(const host_settings *settings);
+} host_command;
+
+static const host_command commands[] = {
+    {"render", "MODEL [options] -o OUT.png", "draw a model", COMMAND_RENDER, true, true, command_render},
+    {"info", "MODEL [options]", "counts, bounds, and the arena it needs on common panels", COMMAND_INFO, true, false,
+     command_info},
+    {"convert", "MODEL [options] -o MESH.h", "write a model as const arrays", COMMAND_CONVERT, true, true,
+     command_convert},
+    {"demo", "[options] -o OUT.png", "draw several models on one sheet", COMMAND_DEMO, false, true, command_demo},
+};
+
+#define COMMAND_COUNT (sizeof commands / sizeof commands[0])
+
+static void print_command(const host_command *command) {
+    printf("\nglint %s %s\n  %s\n", command->name, command->usage, command->summary);
+    settings_help(command->bit);
+}
+
+static int print_help(void) {
+    printf("glint draws lit 3D models as the library of the same name does, pixel for pixel.\n");
+    for (size_t i = 0; i < COMMAND_COUNT; i++) {
+        print_command(&commands[i]);
+    }
+    printf("\nglint help\nglint --version\n\nMODEL is a Wavefront OBJ file or one of\n");
+    for (const host_shape *shape = host_shapes; shape->name != NULL; shape++) {
+        printf("  %s:%s\n", shape->name, shape->help);
+    }
+    printf("\nWhat holds without an option stands last in its line. Bad input ends with one line on stderr,\n"
+           "exit status 2, and no output file.\n");
+    return 0;
+}
+
+static int print_version(void) {
+    printf("glint %d.%d.%d\n", GLINT_VERSION_MAJOR, GLINT_VERSION_MINOR, GLINT_VERSION_PATCH);
+    return 0;
+}
+
+static int run_command(const host_command *command, int count, char **arguments) {
+    host_settings settings;
+    host_problem problem;
+    settings_default(&settings);
+    if (!settings_parse(&settings, command->bit, count, arguments, &problem)) {
+        return command_fail(NULL, &problem);
+    }
+    if (settings.help) {
+        print_command(command);
+        return 0;
+    }
+    if (command->takes_model && settings.model == NULL) {
+        problem_set(&problem, 0, "%s: a model is missing: an OBJ file, or a shape such as torus:24x12", command->name);
+        return command_fail(NULL, &problem);
+    }
+    if (command->takes_output && settings.output == NULL) {
+        problem_set(&problem, 0, "%s: the file to write is missing: -o FILE", command->name);
+        return command_fail(NULL, &problem);
+    }
+    return command->run(&settings);
+}
+
+/** What was printed may have gone to a full disk: that is a failure too. */
+static int finish(int status) {
+    if (status == 0 && (fflush(stdout) != 0 || ferror(stdout))) {
+        fputs("glint: standard output cannot be written\n", stderr);
+        return COMMAND_FAILED;
+    }
+    return status;
+}
+
+static int run(int count, char **arguments) {
+    host_problem problem;
+    if (count < 2) {
+        problem_set(&problem, 0, "a command is missing: see glint help");
+        return command_fail(NULL, &problem);
+    }
+    if (strcmp(arguments[1], "help") == 0 || strcmp(arguments[1], "--help") == 0) {
+        return print_help();
+    }
+    if (strcmp(arguments[1], "--version") == 0) {
+        return print_version();
+    }
+    for (size_t i = 0; i < COMMAND_COUNT; i++) {
+        if (strcmp(arguments[1], commands[i].name) == 0) {
+            return run_command(&commands[i], count - 2, arguments + 2);
+        }
+    }
+    char quote[PROBLEM_QUOTE_SIZE];
+    problem_set(&problem, 0, "unknown command '%s': see glint help",
+                problem_quote(quote, arguments[1], strlen(arguments[1])));
+    return command_fail(NULL, &problem);
+}
+
+int main(int count, char **arguments) {
+    return finish(run(count, arguments));
+}

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file obj.h
+ * Wavefront OBJ files.
+ *
+ * Read: `v` (3 coordinates; a weight and a colour after them are checked and skipped), `vn`, `vt` (checked and
+ * skipped), and `f` with corners v, v/t, v//n or v/t/n, counting from 1 or, negative, back from the last one read; a
+ * corner may refer only to what stands before it. Polygons become triangles. `g` and `o` are counted. Comments, CRLF,
+ * lone CR, a backslash at a line's end that continues it, a byte order mark, and a last line without an end are all
+ * right. The other keywords of the format (materials, smoothing groups, points, lines, curves and surfaces) are
+ * skipped with their line; any other word at the start of a line is an error, so that a file of another kind is not
+ * taken for an empty model.
+ */
+#ifndef GLINT_HOST_OBJ_H
+#define GLINT_HOST_OBJ_H
+
+#include "mesh.h"
+#include "problem.h"
+
+/** Largest coordinate that is read; what Q16.16 holds is far less, but a model may be scaled first. */
+#define OBJ_COORDINATE_MAX 1e30
+
+/**
+ * Reads a model from memory. Corners without a normal, or whose normal is of length 0, get MESH_NO_NORMAL.
+ * @param text `length` bytes, any, not terminated
+ * @param mesh set up, whatever it held before; the caller frees it with mesh_free
+ * @return false with a problem; nothing is then to be freed
+ */
+bool obj_read(const char *text, size_t length, host_mesh *mesh, host_problem *problem);
+
+#endif

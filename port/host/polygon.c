@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file polygon.c
+ * Polygons into triangles: a fan, or ear clipping (Meisters, 1975) in the plane that shows the polygon largest.
+ */
+#include "mesh.h"
+
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/** Ear clipping takes the square of the number of corners, the cube at worst. */
+#define EAR_CORNERS_MAX 1024
+
+typedef struct flat_point {
+    double x, y;
+} flat_point;
+
+typedef struct polygon_ring {
+    const mesh_corner *corners;
+    flat_point *points; /* by corner, counter-clockwise as a whole */
+    size_t *left;       /* corners not yet clipped */
+    size_t count;
+} polygon_ring;
+
+/** Area vector of a polygon (Newell): twice its area long. */
+static void area_vector(const host_mesh *mesh, const mesh_corner *corners, size_t count, double area[3]) {
+    area[0] = area[1] = area[2] = 0;
+    for (size_t i = 0; i < count; i++) {
+        const double *p = mesh->positions[corners[i].position];
+        const double *q = mesh->positions[corners[(i + 1) % count].position];
+        for (int axis = 0; axis < 3; axis++) {
+            const int j = (axis + 1) % 3;
+            const int k = (axis + 2) % 3;
+            area[axis] += (p[j] - q[j]) * (p[k] + q[k]);
+        }
+    }
+}
+
+/** Drops the axis along which the polygon is seen largest. */
+static void flatten(const host_mesh *mesh, const mesh_corner *corners, size_t count, flat_point *points) {
+    double area[3];
+    area_vector(mesh, corners, count, area);
+    int axis = fabs(area[1]) > fabs(area[0]) ? 1 : 0;
+    axis = fabs(area[2]) > fabs(area[axis]) ? 2 : axis;
+    const int first = (axis + (area[axis] < 0 ? 2 : 1)) % 3;
+    const int second = (axis + (area[axis] < 0 ? 1 : 2)) % 3;
+    for (size_t i = 0; i < count; i++) {
+        points[i].x = mesh->positions[corners[i].position][first];
+        points[i].y = mesh->positions[corners[i].position][second];
+    }
+}
+
+/** Above 0 when a, b, c turn counter-clockwise. */
+static double turn(flat_point a, flat_point b, flat_point c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+static int is_convex(const flat_point *points, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        if (turn(points[i], points[(i + 1) % count], points[(i + 2) % count]) < 0) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int same_point(flat_point a, flat_point b) {
+    return !(a.x < b.x || a.x > b.x || a.y < b.y || a.y > b.y);
+}
+
+/** Whether the corner at place `at` can be cut off: it turns left, and no other corner lies in its triangle. */
+static int is_ear(const polygon_ring *ring, size_t at) {
+    const flat_point a = ring->points[ring->left[(at + ring->count - 1) % ring->count]];
+    const flat_point b = ring->points[ring->left[at]];
+    const flat_point c = ring->points[ring->left[(at + 1) % ring->count]];
+    if (turn(a, b, c) <= 0) {
+        return 0;
+    }
+    for (size_t i = 0; i < ring->count; i++) {
+        const flat_point p = ring->points[ring->left[i]];
+        if (!same_point(p, a) && !same_point(p, b) && !same_point(p, c) && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 &&
+            turn(c, a, p) >= 0) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static void clip_corner(host_mesh *mesh, polygon_ring *ring, size_t at) {
+    mesh_add_triangle(mesh, ring->corners[ring->left[(at + ring->count - 1) % ring->count]],
+                      ring->corners[ring->left[at]], ring->corners[ring->left[(at + 1) % ring->count]]);
+    ring->count--;
+    for (size_t i = at; i < ring->count; i++) {
+        ring->left[i] = ring->left[i + 1];
+    }
+}
+
+static void clip_ears(host_mesh *mesh, polygon_ring *ring) {
+    for (size_t i = 0; i < ring->count; i++) {
+        ring->left[i] = i;
+    }
+    size_t at = 0;
+    while (ring->count >= 3) {
+        size_t tried = 0;
+        while (tried < ring->count && !is_ear(ring, at)) {
+            at = (at + 1) % ring->count;
+            tried++;
+        }
+        /* A ring that crosses itself may have no ear: cutting any corner still ends, with all corners used. */
+        clip_corner(mesh, ring, at);
+        at %= ring->count;
+    }
+}
+
+void mesh_add_polygon(host_mesh *mesh, const mesh_corner *corners, size_t count) {
+    flat_point *points = NULL;
+    int fan = count == 3 || count > EAR_CORNERS_MAX;
+    if (!fan) {
+        points = memory_new(count, sizeof *points);
+        flatten(mesh, corners, count, points);
+        fan = is_convex(points, count);
+    }
+    if (fan) {
+        for (size_t i = 1; i + 1 < count; i++) {
+            mesh_add_triangle(mesh, corners[0], corners[i], corners[i + 1]);
+        }
+    } else {
+        polygon_ring ring = {corners, points, memory_new(count, sizeof *ring.left), count};
+        clip_ears(mesh, &ring);
+        free(ring.left);
+    }
+    free(points);
+}

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+#include "problem.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+static char printable(char c) {
+    return (char)(c >= ' ' && c <= '~' ? c : '?');
+}
+
+bool problem_set(host_problem *problem, size_t line, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    problem->line = line;
+    vsnprintf(problem->text, sizeof problem->text, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+const char *problem_quote(char out[PROBLEM_QUOTE_SIZE], const char *start, size_t length) {
+    const bool whole = length < PROBLEM_QUOTE_SIZE;
+    const size_t kept = whole ? length : PROBLEM_QUOTE_SIZE - 4;
+    for (size_t i = 0; i < kept; i++) {
+        out[i] = printable(start[i]);
+    }
+    strcpy(out + kept, whole ? "" : "...");
+    return out;
+}
+
+void problem_print(const char *file, const host_problem *problem) {
+    if (file == NULL) {
+        fprintf(stderr, "glint: %s\n", problem->text);
+        return;
+    }
+    for (; *file != '\0'; file++) {
+        /* File names may hold any byte; only control characters would break the one line. */
+        fputc((unsigned char)*file < ' ' ? '?' : *file, stderr);
+    }
+    fprintf(stderr, ":%zu: %s\n", problem->line, problem->text);
+}

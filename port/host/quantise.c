@@ -1,0 +1,237 @@
+/* SPDX-License-Identifier: MIT */
+#include "quantise.h"
+
+#include "memory.h"
+#include "number.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define VERTICES_MAX 65536u
+
+/** Twice VERTICES_MAX: open addressing stays fast half full. */
+#define SLOT_COUNT 131072u
+
+typedef struct mesh_quantiser {
+    const host_mesh *mesh;
+    double offset[3], extent[3];
+} mesh_quantiser;
+
+/** A vertex of a piece, and where its corner stood in the mesh. */
+typedef struct piece_vertex {
+    int16_t values[6]; /* position steps, then normal */
+    mesh_corner corner;
+    uint32_t number; /* in order of first use */
+} piece_vertex;
+
+/** The piece that is being filled. */
+typedef struct mesh_piece {
+    piece_vertex *vertices;
+    uint32_t *slots; /* vertex number plus one, by hash; 0 for free */
+    uint16_t (*triangles)[3];
+    size_t vertex_count, vertex_capacity, triangle_count, triangle_capacity;
+} mesh_piece;
+
+/* ---- Steps ------------------------------------------------------------------------------------------------------ */
+
+/** Offset in the middle and an extent that reaches both ends, both as Q16.16 holds them. */
+static void choose_range(mesh_quantiser *quantiser, int axis, double low, double high, glint_mesh *frame) {
+    const glint_q16 offset = number_q16(low / 2 + high / 2);
+    quantiser->offset[axis] = number_from_q16(offset);
+    const double reach = fmax(high - quantiser->offset[axis], quantiser->offset[axis] - low);
+    /* Rounded up, so that the end lies on step 32767 or below it. */
+    const glint_q16 extent = (glint_q16)ceil(reach * (32768.0 / 32767.0) * 65536.0);
+    quantiser->extent[axis] = number_from_q16(extent);
+    *(axis == 0 ? &frame->offset.x : axis == 1 ? &frame->offset.y : &frame->offset.z) = offset;
+    *(axis == 0 ? &frame->extent.x : axis == 1 ? &frame->extent.y : &frame->extent.z) = extent;
+}
+
+static int16_t clamp_step(long step) {
+    return (int16_t)(step > 32767 ? 32767 : step < -32767 ? -32767 : step);
+}
+
+static void quantise_corner(const mesh_quantiser *quantiser, mesh_corner corner, int16_t values[6]) {
+    for (int axis = 0; axis < 3; axis++) {
+        const double extent = quantiser->extent[axis];
+        const double distance = quantiser->mesh->positions[corner.position][axis] - quantiser->offset[axis];
+        values[axis] = extent > 0 ? clamp_step(lround(distance / extent * 32768.0)) : 0;
+        values[3 + axis] = clamp_step(lround(quantiser->mesh->normals[corner.normal][axis] * 32767.0));
+    }
+}
+
+/* ---- Pieces ----------------------------------------------------------------------------------------------------- */
+
+static uint32_t hash_values(const int16_t values[6]) {
+    uint32_t hash = 2166136261u;
+    for (int i = 0; i < 6; i++) {
+        hash = (hash ^ (uint16_t)values[i]) * 16777619u;
+    }
+    return (hash ^ hash >> 15) % SLOT_COUNT;
+}
+
+/** The slot that holds a vertex with these values, or the free one where it belongs. */
+static uint32_t *find_slot(const mesh_piece *piece, const int16_t values[6]) {
+    uint32_t slot = hash_values(values);
+    while (piece->slots[slot] != 0 &&
+           memcmp(piece->vertices[piece->slots[slot] - 1].values, values, 6 * sizeof values[0]) != 0) {
+        slot = (slot + 1) % SLOT_COUNT;
+    }
+    return &piece->slots[slot];
+}
+
+static uint16_t place_vertex(mesh_piece *piece, const int16_t values[6], mesh_corner corner) {
+    uint32_t *slot = find_slot(piece, values);
+    if (*slot == 0) {
+        piece->vertices =
+            memory_grow(piece->vertices, &piece->vertex_capacity, piece->vertex_count, sizeof *piece->vertices);
+        piece_vertex *vertex = &piece->vertices[piece->vertex_count];
+        memcpy(vertex->values, values, sizeof vertex->values);
+        vertex->corner = corner;
+        vertex->number = (uint32_t)piece->vertex_count++;
+        *slot = (uint32_t)piece->vertex_count;
+    }
+    return (uint16_t)(*slot - 1);
+}
+
+static int compare_vertices(const void *left, const void *right) {
+    const piece_vertex *a = left;
+    const piece_vertex *b = right;
+    if (a->corner.position != b->corner.position) {
+        return a->corner.position < b->corner.position ? -1 : 1;
+    }
+    return (a->corner.normal > b->corner.normal) - (a->corner.normal < b->corner.normal);
+}
+
+/** Puts vertices into the order of the mesh and renumbers the triangles. */
+static void sort_vertices(mesh_piece *piece) {
+    uint16_t *places = memory_new(piece->vertex_count, sizeof *places);
+    qsort(piece->vertices, piece->vertex_count, sizeof *piece->vertices, compare_vertices);
+    for (size_t i = 0; i < piece->vertex_count; i++) {
+        places[piece->vertices[i].number] = (uint16_t)i;
+    }
+    for (size_t i = 0; i < 3 * piece->triangle_count; i++) {
+        uint16_t *index = &piece->triangles[i / 3][i % 3];
+        *index = places[*index];
+    }
+    free(places);
+}
+
+/** Moves the piece into the result and starts an empty one. */
+static void finish_piece(mesh_piece *piece, const glint_mesh *frame, quantised_mesh *out) {
+    sort_vertices(piece);
+    int16_t(*positions)[3] = memory_new(piece->vertex_count, sizeof *positions);
+    int16_t(*normals)[3] = memory_new(piece->vertex_count, sizeof *normals);
+    for (size_t i = 0; i < piece->vertex_count; i++) {
+        memcpy(positions[i], piece->vertices[i].values, sizeof positions[i]);
+        memcpy(normals[i], piece->vertices[i].values + 3, sizeof normals[i]);
+    }
+    size_t capacity = out->piece_count;
+    out->pieces = memory_grow(out->pieces, &capacity, out->piece_count, sizeof *out->pieces);
+    glint_mesh *made = &out->pieces[out->piece_count++];
+    *made = *frame;
+    made->positions = (const int16_t(*)[3])positions;
+    made->normals = (const int16_t(*)[3])normals;
+    made->triangles = (const uint16_t(*)[3])piece->triangles;
+    made->vertex_count = (uint32_t)piece->vertex_count;
+    made->triangle_count = (uint32_t)piece->triangle_count;
+    out->vertex_count += piece->vertex_count;
+    out->triangle_count += piece->triangle_count;
+    memset(piece->slots, 0, SLOT_COUNT * sizeof *piece->slots);
+    piece->triangles = NULL;
+    piece->vertex_count = piece->triangle_count = piece->triangle_capacity = 0;
+}
+
+static bool same_position(const int16_t a[6], const int16_t b[6]) {
+    return memcmp(a, b, 3 * sizeof a[0]) == 0;
+}
+
+/** Adds a triangle to the piece, or to the next when three more vertices might not fit; or drops it. */
+static void place_triangle(const mesh_quantiser *quantiser, size_t triangle, mesh_piece *piece, const glint_mesh *frame,
+                           quantised_mesh *out) {
+    const mesh_corner *corners = quantiser->mesh->triangles[triangle];
+    int16_t values[3][6];
+    for (int i = 0; i < 3; i++) {
+        quantise_corner(quantiser, corners[i], values[i]);
+    }
+    if (same_position(values[0], values[1]) || same_position(values[1], values[2]) ||
+        same_position(values[2], values[0])) {
+        out->dropped_count++;
+        return;
+    }
+    size_t added = 0;
+    for (int i = 0; i < 3; i++) {
+        added += *find_slot(piece, values[i]) == 0;
+    }
+    if (piece->vertex_count + added > VERTICES_MAX) {
+        finish_piece(piece, frame, out);
+    }
+    piece->triangles =
+        memory_grow(piece->triangles, &piece->triangle_capacity, piece->triangle_count, sizeof *piece->triangles);
+    for (int i = 0; i < 3; i++) {
+        piece->triangles[piece->triangle_count][i] = place_vertex(piece, values[i], corners[i]);
+    }
+    piece->triangle_count++;
+}
+
+/* ---- Public ----------------------------------------------------------------------------------------------------- */
+
+void quantised_position(const glint_mesh *mesh, uint32_t vertex, double position[3]) {
+    const int16_t *step = mesh->positions[vertex];
+    position[0] = number_from_q16(mesh->offset.x) + number_from_q16(mesh->extent.x) * step[0] / 32768.0;
+    position[1] = number_from_q16(mesh->offset.y) + number_from_q16(mesh->extent.y) * step[1] / 32768.0;
+    position[2] = number_from_q16(mesh->offset.z) + number_from_q16(mesh->extent.z) * step[2] / 32768.0;
+}
+
+static double largest_move(const mesh_quantiser *quantiser) {
+    double largest = 0;
+    for (size_t i = 0; i < 3 * quantiser->mesh->triangle_count; i++) {
+        int16_t values[6];
+        const mesh_corner corner = quantiser->mesh->triangles[i / 3][i % 3];
+        quantise_corner(quantiser, corner, values);
+        for (int axis = 0; axis < 3; axis++) {
+            const double there = quantiser->offset[axis] + quantiser->extent[axis] * values[axis] / 32768.0;
+            largest = fmax(largest, fabs(there - quantiser->mesh->positions[corner.position][axis]));
+        }
+    }
+    return largest;
+}
+
+bool quantise(const host_mesh *mesh, uint32_t flags, quantised_mesh *out, host_problem *problem) {
+    mesh_quantiser quantiser = {.mesh = mesh};
+    glint_mesh frame = {.flags = flags};
+    double low[3];
+    double high[3];
+    memset(out, 0, sizeof *out);
+    mesh_bounds(mesh, low, high);
+    for (int axis = 0; axis < 3; axis++) {
+        const double largest = fmax(-low[axis], high[axis]);
+        if (largest > QUANTISE_COORDINATE_MAX) {
+            return problem_set(problem, mesh->farthest_line, "coordinates reach %.6g, beyond the %.0f that fit Q16.16",
+                               largest, QUANTISE_COORDINATE_MAX);
+        }
+        choose_range(&quantiser, axis, low[axis], high[axis], &frame);
+    }
+    mesh_piece piece = {.slots = memory_new(SLOT_COUNT, sizeof *piece.slots)};
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        place_triangle(&quantiser, i, &piece, &frame, out);
+    }
+    if (piece.triangle_count > 0) {
+        finish_piece(&piece, &frame, out);
+    }
+    free(piece.vertices);
+    free(piece.slots);
+    out->largest_move = largest_move(&quantiser);
+    return out->piece_count > 0 || problem_set(problem, 0, "all %zu triangles are without area", mesh->triangle_count);
+}
+
+void quantised_free(quantised_mesh *mesh) {
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        /* The library sees them as const; they are this module's own. */
+        free((void *)(uintptr_t)mesh->pieces[i].positions);
+        free((void *)(uintptr_t)mesh->pieces[i].normals);
+        free((void *)(uintptr_t)mesh->pieces[i].triangles);
+    }
+    free(mesh->pieces);
+    memset(mesh, 0, sizeof *mesh);
+}

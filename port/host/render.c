@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+#include "command.h"
+
+#include "view.h"
+
+#include <stdio.h>
+
+static void print_stats(const glint_stats *stats, const framebuffer *target) {
+    printf("passes %lu\n", (unsigned long)stats->passes);
+    printf("tiles %lu\n", (unsigned long)stats->tiles);
+    printf("vertices %lu\n", (unsigned long)stats->vertices);
+    printf("triangles %lu\n", (unsigned long)stats->triangles);
+    printf("culled %lu\n", (unsigned long)stats->culled);
+    printf("clipped %lu\n", (unsigned long)stats->clipped);
+    printf("references %lu\n", (unsigned long)stats->references);
+    printf("arena_used %lu\n", (unsigned long)stats->arena_used);
+    printf("bytes_sent %llu\n", (unsigned long long)target->bytes_sent);
+}
+
+static int render(const host_settings *settings, const quantised_mesh *mesh) {
+    host_problem problem;
+    host_view view;
+    if (!view_make(&view, settings, mesh, &problem)) {
+        return command_fail(NULL, &problem);
+    }
+    framebuffer target;
+    glint_stats stats;
+    const bool drawn = view_draw(&view.scene, settings, &target, &stats, &problem);
+    view_free(&view);
+    if (!drawn) {
+        return command_fail(NULL, &problem);
+    }
+    const bool written = command_write_png(&target, settings->output, &problem);
+    if (written && settings->stats) {
+        print_stats(&stats, &target);
+    }
+    framebuffer_free(&target);
+    return written ? 0 : command_fail(settings->output, &problem);
+}
+
+int command_render(const host_settings *settings) {
+    host_model model;
+    quantised_mesh mesh;
+    if (!command_load(settings, false, &model, &mesh)) {
+        return COMMAND_FAILED;
+    }
+    mesh_free(&model.mesh);
+    const int status = render(settings, &mesh);
+    quantised_free(&mesh);
+    return status;
+}

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file settings.h
+ * The command line, taken apart and checked.
+ */
+#ifndef GLINT_HOST_SETTINGS_H
+#define GLINT_HOST_SETTINGS_H
+
+#include "framebuffer.h"
+#include "problem.h"
+
+/** Commands, as bits: which of them take an option. */
+enum {
+    COMMAND_RENDER = 1,
+    COMMAND_INFO = 2,
+    COMMAND_CONVERT = 4,
+    COMMAND_DEMO = 8,
+};
+
+/** All that options can say; settings_default gives what holds without them. Strings are the command line's own. */
+typedef struct host_settings {
+    const char *model;  /**< File or shape, or null. */
+    const char *output; /**< File to write, or null. */
+    bool help;
+
+    const framebuffer_format *format;
+    uint16_t width, height;
+    uint16_t tile_width, tile_height; /**< 0 for the library's default. */
+    size_t arena;                     /**< Bytes; 0 for what the scene is best drawn with. */
+    bool stats;
+
+    bool eye_given, at_given, near_given;
+    glint_vector eye, at, up;
+    glint_q16 field_of_view, near_plane;
+    glint_viewer viewer;
+
+    double scale[3]; /**< Each within what Q16.16 holds. */
+    glint_q16 rotate_y;
+    glint_colour ambient, diffuse, specular, background;
+    glint_q16 shininess;
+    glint_light lights[GLINT_LIGHTS_MAX];
+    uint32_t light_count; /**< 0 for the default light. */
+
+    double crease;       /**< Degrees, or MESH_NO_CREASE. */
+    bool double_sided;   /**< Draw triangles from both sides. */
+    const char *name;    /**< Of converted arrays, or null. */
+    const char *licence; /**< SPDX expression for a converted mesh, or null. */
+    const char *models;  /**< Folder of the demo's models. */
+} host_settings;
+
+/** Grey colour. */
+glint_colour settings_grey(double level);
+
+/** What holds without options. */
+void settings_default(host_settings *settings);
+
+/**
+ * Takes the arguments after the command: options as `--name value` or `--name=value`, and at most one model.
+ * @param command one of the bits above
+ * @return false with a problem (its line is 0)
+ */
+bool settings_parse(host_settings *settings, int command, int count, char **arguments, host_problem *problem);
+
+/** Prints the options that a command takes, one a line. */
+void settings_help(int command);
+
+#endif

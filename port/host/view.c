@@ -1,0 +1,257 @@
+/* SPDX-License-Identifier: MIT */
+#include "view.h"
+
+#include "memory.h"
+#include "number.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** Degrees that a framing camera stands above the model's horizon. */
+#define FRAME_ELEVATION 20.0
+
+/** Part of the view, per axis, that a framed model fills. */
+#define FRAME_FILL 0.92
+
+/** Farthest that a framing camera may stand; what it looks at must fit Q16.16 too. */
+#define FRAME_EYE_MAX (NUMBER_Q16_MAX - FRAME_LOOK)
+
+/** How far before itself a framing camera looks: far enough for a fine direction. */
+#define FRAME_LOOK 16.0
+
+static const double pi = 3.14159265358979323846;
+
+typedef struct vector3 {
+    double v[3];
+} vector3;
+
+/** Axes of a camera as unit vectors in world space. */
+typedef struct frame_axes {
+    vector3 right, up, back;
+} frame_axes;
+
+/** How far a model reaches in a camera's axes: largest sums of a coordinate along the screen and depth times slope. */
+typedef struct frame_reach {
+    double right, left, above, below;
+    double nearest, farthest; /* along `back` */
+} frame_reach;
+
+static double dot(vector3 a, vector3 b) {
+    return a.v[0] * b.v[0] + a.v[1] * b.v[1] + a.v[2] * b.v[2];
+}
+
+/** a x + b y. */
+static vector3 combine(double a, vector3 x, double b, vector3 y) {
+    const vector3 sum = {{a * x.v[0] + b * y.v[0], a * x.v[1] + b * y.v[1], a * x.v[2] + b * y.v[2]}};
+    return sum;
+}
+
+static vector3 unit_length(vector3 a) {
+    return combine(1.0 / sqrt(dot(a, a)), a, 0.0, a);
+}
+
+static vector3 cross(vector3 a, vector3 b) {
+    const vector3 product = {
+        {a.v[1] * b.v[2] - a.v[2] * b.v[1], a.v[2] * b.v[0] - a.v[0] * b.v[2], a.v[0] * b.v[1] - a.v[1] * b.v[0]}};
+    return product;
+}
+
+static vector3 from_q16(glint_vector a) {
+    const vector3 vector = {{number_from_q16(a.x), number_from_q16(a.y), number_from_q16(a.z)}};
+    return vector;
+}
+
+static glint_vector to_q16(vector3 a) {
+    const glint_vector vector = {number_q16(a.v[0]), number_q16(a.v[1]), number_q16(a.v[2])};
+    return vector;
+}
+
+/* ---- Framing ---------------------------------------------------------------------------------------------------- */
+
+/** A camera before the model, a little above: before is +z, or -y when up is near the z axis. */
+static frame_axes framing_axes(glint_vector up) {
+    const vector3 along_z = {{0, 0, 1}};
+    const vector3 against_y = {{0, -1, 0}};
+    const vector3 sky = unit_length(from_q16(up));
+    const vector3 front = fabs(sky.v[2]) > 0.9 ? against_y : along_z;
+    const vector3 level = unit_length(combine(1.0, front, -dot(front, sky), sky));
+    const double angle = FRAME_ELEVATION * pi / 180.0;
+    frame_axes axes;
+    axes.back = unit_length(combine(cos(angle), level, sin(angle), sky));
+    axes.right = unit_length(cross(sky, axes.back));
+    axes.up = cross(axes.back, axes.right);
+    return axes;
+}
+
+static vector3 posed(const glint_pose *pose, const glint_mesh *mesh, uint32_t vertex) {
+    double position[3];
+    vector3 world;
+    quantised_position(mesh, vertex, position);
+    for (int row = 0; row < 3; row++) {
+        world.v[row] = number_from_q16(pose->m[row][3]);
+        for (int column = 0; column < 3; column++) {
+            world.v[row] += number_from_q16(pose->m[row][column]) * position[column];
+        }
+    }
+    return world;
+}
+
+static frame_reach measure(const quantised_mesh *mesh, const glint_pose *pose, const frame_axes *axes, double slope_x,
+                           double slope_y) {
+    frame_reach reach = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, HUGE_VAL};
+    for (size_t piece = 0; piece < mesh->piece_count; piece++) {
+        for (uint32_t i = 0; i < mesh->pieces[piece].vertex_count; i++) {
+            const vector3 point = posed(pose, &mesh->pieces[piece], i);
+            const double x = dot(point, axes->right);
+            const double y = dot(point, axes->up);
+            const double z = dot(point, axes->back);
+            reach.right = fmax(reach.right, x + slope_x * z);
+            reach.left = fmax(reach.left, -x + slope_x * z);
+            reach.above = fmax(reach.above, y + slope_y * z);
+            reach.below = fmax(reach.below, -y + slope_y * z);
+            reach.nearest = fmax(reach.nearest, z);
+            reach.farthest = fmin(reach.farthest, z);
+        }
+    }
+    return reach;
+}
+
+/**
+ * Places the camera as near as it can stand with all vertices inside the view. In its axes, vertex p is inside when
+ * |p.x - eye.x| <= slope (eye.z - p.z), and likewise for y: four half spaces for the eye.
+ */
+static bool frame_model(host_view *view, const host_settings *settings, const quantised_mesh *mesh,
+                        host_problem *problem) {
+    const frame_axes axes = framing_axes(settings->up);
+    const double slope_y = FRAME_FILL * tan(number_from_q16(settings->field_of_view) * pi / 360.0);
+    const double slope_x = slope_y * settings->width / settings->height;
+    const frame_reach reach = measure(mesh, &view->objects[0].pose, &axes, slope_x, slope_y);
+    const vector3 at = from_q16(settings->at);
+    const double x = settings->at_given ? dot(at, axes.right) : (reach.right - reach.left) / 2;
+    const double y = settings->at_given ? dot(at, axes.up) : (reach.above - reach.below) / 2;
+    double z = fmax(fmax(reach.right - x, reach.left + x) / slope_x, fmax(reach.above - y, reach.below + y) / slope_y);
+    /* A sharp tip may reach into the camera: keep off by a part of the depth, and by the near plane. */
+    const double off = settings->near_given ? number_from_q16(settings->near_plane) * 1.01 : 1.0 / 1024.0;
+    z = fmax(z, reach.nearest + fmax(off, 0.05 * (reach.nearest - reach.farthest)));
+    const double gap = z - reach.nearest;
+    if (!settings->near_given && gap / 2 < number_from_q16(settings->near_plane)) {
+        view->scene.camera.near_plane = number_q16(gap / 2);
+    }
+    const vector3 eye = combine(1.0, combine(x, axes.right, y, axes.up), z, axes.back);
+    if (fmax(fabs(eye.v[0]), fmax(fabs(eye.v[1]), fabs(eye.v[2]))) > FRAME_EYE_MAX) {
+        return problem_set(problem, 0, "the model is too large to be framed: give --eye");
+    }
+    const glint_status status = glint_camera_look_at(&view->scene.camera, to_q16(eye),
+                                                     to_q16(combine(1.0, eye, -FRAME_LOOK, axes.back)), settings->up);
+    return status == GLINT_OK || problem_set(problem, 0, "%s", glint_strerror(status));
+}
+
+/* ---- Scenes ----------------------------------------------------------------------------------------------------- */
+
+/** From the upper left of the camera and half behind it, white. */
+static glint_light default_light(const glint_camera *camera) {
+    static const double direction[3] = {-0.5, 0.7, 0.7};
+    glint_light light = {.type = &glint_light_directional, .diffuse = settings_grey(1), .specular = settings_grey(1)};
+    vector3 world = {{0, 0, 0}};
+    for (int row = 0; row < 3; row++) {
+        for (int column = 0; column < 3; column++) {
+            world.v[row] += number_from_q16(camera->pose.m[row][column]) * direction[column];
+        }
+    }
+    light.vector = to_q16(world);
+    return light;
+}
+
+static void place_objects(host_view *view, const host_settings *settings, const quantised_mesh *mesh) {
+    const double *scale = settings->scale;
+    const glint_pose scaled = glint_pose_scale(number_q16(scale[0]), number_q16(scale[1]), number_q16(scale[2]));
+    const glint_pose turned = glint_pose_rotate_y(settings->rotate_y);
+    view->objects = memory_new(mesh->piece_count, sizeof *view->objects);
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        view->objects[i].mesh = &mesh->pieces[i];
+        view->objects[i].material = &view->material;
+        view->objects[i].pose = glint_pose_then(&scaled, &turned);
+    }
+    view->scene.objects = view->objects;
+    view->scene.object_count = (uint32_t)mesh->piece_count;
+}
+
+static bool place_camera(host_view *view, const host_settings *settings, const quantised_mesh *mesh,
+                         host_problem *problem) {
+    glint_camera *camera = &view->scene.camera;
+    camera->field_of_view = settings->field_of_view;
+    camera->near_plane = settings->near_plane;
+    if (!settings->eye_given) {
+        return frame_model(view, settings, mesh, problem);
+    }
+    const glint_status status = glint_camera_look_at(camera, settings->eye, settings->at, settings->up);
+    return status == GLINT_OK || problem_set(problem, 0, "%s", glint_strerror(status));
+}
+
+bool view_make(host_view *view, const host_settings *settings, const quantised_mesh *mesh, host_problem *problem) {
+    memset(view, 0, sizeof *view);
+    place_objects(view, settings, mesh);
+    if (!place_camera(view, settings, mesh, problem)) {
+        view_free(view);
+        return false;
+    }
+    view->material.model = &glint_model_blinn_phong;
+    view->material.ambient = settings->ambient;
+    view->material.diffuse = settings->diffuse;
+    view->material.specular = settings->specular;
+    view->material.shininess = settings->shininess;
+    memcpy(view->lights, settings->lights, sizeof view->lights);
+    if (settings->light_count == 0) {
+        view->lights[0] = default_light(&view->scene.camera);
+    }
+    view->scene.lights = view->lights;
+    view->scene.light_count = settings->light_count > 0 ? settings->light_count : 1;
+    view->scene.viewer = settings->viewer;
+    view->scene.background = settings->background;
+    view->scene.ambient = settings_grey(1);
+    return true;
+}
+
+void view_free(host_view *view) {
+    free(view->objects);
+    view->objects = NULL;
+}
+
+/* ---- Drawing ---------------------------------------------------------------------------------------------------- */
+
+static glint_status draw(const glint_scene *scene, glint_config *config, glint_stats *stats) {
+    glint_renderer renderer;
+    config->arena = memory_new(config->arena_size, 1);
+    glint_status status = glint_init(&renderer, config);
+    if (status == GLINT_OK) {
+        status = glint_render(&renderer, scene);
+        *stats = renderer.stats;
+    }
+    free(config->arena);
+    return status;
+}
+
+bool view_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, glint_stats *stats,
+               host_problem *problem) {
+    glint_config config = {.width = settings->width, .height = settings->height, .format = settings->format->format};
+    config.tile_width = settings->tile_width;
+    config.tile_height = settings->tile_height;
+    framebuffer_init(target, config.format, config.width, config.height);
+    config.flush = framebuffer_flush(target);
+    glint_need need = {0, 0};
+    glint_status status = glint_arena_need(&config, scene, &need);
+    config.arena_size = settings->arena > 0 ? settings->arena : need.best;
+    if (status == GLINT_OK) {
+        status = draw(scene, &config, stats);
+    }
+    if (status == GLINT_OK) {
+        return true;
+    }
+    framebuffer_free(target);
+    if (status == GLINT_ERROR_ARENA && need.smallest > 0) {
+        return problem_set(problem, 0, "--arena %zu: this scene takes %zu bytes, or %zu to be drawn in one pass",
+                           config.arena_size, need.smallest, need.best);
+    }
+    return problem_set(problem, 0, "%s", glint_strerror(status));
+}

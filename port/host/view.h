@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file view.h
+ * From settings and a mesh to a scene, and from a scene to pixels.
+ */
+#ifndef GLINT_HOST_VIEW_H
+#define GLINT_HOST_VIEW_H
+
+#include "quantise.h"
+#include "settings.h"
+
+/** A scene with all that it points to but the mesh. It points into itself: not to be copied. */
+typedef struct host_view {
+    glint_scene scene;
+    glint_material material;
+    glint_light lights[GLINT_LIGHTS_MAX];
+    glint_object *objects;
+} host_view;
+
+/**
+ * Makes the scene that settings describe: one object for each piece of the mesh. Without an eye the camera is placed
+ * so that the model fills the view.
+ * @param mesh stays the caller's and must outlive the view
+ * @return false with a problem; nothing is then to be freed, else the view with view_free
+ */
+bool view_make(host_view *view, const host_settings *settings, const quantised_mesh *mesh, host_problem *problem);
+
+/** Frees what view_make made. */
+void view_free(host_view *view);
+
+/**
+ * Draws a scene with the settings' size, format, tiles and arena.
+ * @param target set up by this, the caller frees it; untouched when the result is false
+ */
+bool view_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, glint_stats *stats,
+               host_problem *problem);
+
+#endif
