@@ -119,7 +119,7 @@ reference_vertex reference_transform(const glint_scene *scene, uint32_t object, 
 /* ---- Lighting ------------------------------------------------------------------------------------------------ */
 
 static void add_light(const drawing *draw, uint32_t index, const double normal[3], const double view[3],
-                      double colour[3]) {
+                      reference_pixel *pixel) {
     const glint_light *light = &draw->scene->lights[index];
     const glint_material *material = draw->material;
     const double *towards = draw->lights.towards[index];
@@ -131,16 +131,17 @@ static void add_light(const drawing *draw, uint32_t index, const double normal[3
                                 real(light->specular.b) * real(material->specular.b)};
     double half[3] = {towards[0] + view[0], towards[1] + view[1], towards[2] + view[2]};
     double n_dot_l = dot(normal, towards);
+    pixel->grazing = fmin(pixel->grazing, fabs(n_dot_l));
     if (n_dot_l <= 0)
         return;
     normalise(half);
     double shine = pow(fmax(dot(normal, half), 0), real(material->shininess));
     for (int channel = 0; channel < 3; channel++)
-        colour[channel] += diffuse[channel] * n_dot_l + specular[channel] * shine;
+        pixel->colour[channel] += diffuse[channel] * n_dot_l + specular[channel] * shine;
 }
 
 /* Blinn, 1977: ambient + sum over lights of gate(N.L > 0) (diffuse N.L + specular (N.H)^p), clamped at 1. */
-static void shade(const drawing *draw, const double place[3], const double normal[3], double colour[3]) {
+static void shade(const drawing *draw, const double place[3], const double normal[3], reference_pixel *pixel) {
     const glint_material *material = draw->material;
     const glint_colour *ambient = &draw->scene->ambient;
     double unit[3] = {normal[0], normal[1], normal[2]};
@@ -151,13 +152,14 @@ static void shade(const drawing *draw, const double place[3], const double norma
             view[axis] = -place[axis];
         normalise(view);
     }
-    colour[0] = real(material->ambient.r) * real(ambient->r);
-    colour[1] = real(material->ambient.g) * real(ambient->g);
-    colour[2] = real(material->ambient.b) * real(ambient->b);
+    pixel->grazing = 1;
+    pixel->colour[0] = real(material->ambient.r) * real(ambient->r);
+    pixel->colour[1] = real(material->ambient.g) * real(ambient->g);
+    pixel->colour[2] = real(material->ambient.b) * real(ambient->b);
     for (uint32_t index = 0; index < draw->scene->light_count; index++)
-        add_light(draw, index, unit, view, colour);
+        add_light(draw, index, unit, view, pixel);
     for (int channel = 0; channel < 3; channel++)
-        colour[channel] = fmin(colour[channel], 1);
+        pixel->colour[channel] = fmin(pixel->colour[channel], 1);
 }
 
 /* ---- Raster -------------------------------------------------------------------------------------------------- */
@@ -193,7 +195,7 @@ static void draw_fragment(const drawing *draw, const corner *const c[3], const d
     pixel->second = pixel->nearest;
     pixel->nearest = depth;
     pixel->covered = 1;
-    shade(draw, place, normal, pixel->colour);
+    shade(draw, place, normal, pixel);
 }
 
 /* The pixels from floor(least) to floor(most) of 28.4 values, cut to the screen. */

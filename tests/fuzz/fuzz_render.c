@@ -1,0 +1,330 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * libFuzzer target: bytes become a scene, any values included, and a configuration. The sanitizers watch the library;
+ * the target itself ends the program when a frame does not send every pixel once, when the arena that glint_arena_need
+ * asks for does not suffice, or when other tiles and another arena give another image.
+ */
+#include "glint.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define MESHES 2
+#define OBJECTS 4
+#define VERTICES_MAX 40
+#define TRIANGLES_MAX 30
+#define PIXELS_MAX 16384
+
+/* ---- Bytes --------------------------------------------------------------------------------------------------- */
+
+typedef struct source {
+    const uint8_t *bytes;
+    size_t left;
+} source;
+
+static uint32_t take(source *s, int count) {
+    uint32_t value = 0;
+    for (; count > 0 && s->left > 0; count--, s->left--)
+        value = value << 8 | *s->bytes++;
+    return value;
+}
+
+static uint32_t below(source *s, uint32_t limit) {
+    return take(s, limit > 256 ? 2 : 1) % limit;
+}
+
+/* Any number, of any magnitude. */
+static glint_q16 any(source *s) {
+    uint32_t shift = below(s, 32);
+    return (int32_t)take(s, 4) >> shift;
+}
+
+static glint_vector any_vector(source *s) {
+    glint_vector vector;
+    vector.x = any(s);
+    vector.y = any(s);
+    vector.z = any(s);
+    return vector;
+}
+
+/* One time in `odds` any number, else one from 0 to `most`. */
+static glint_q16 likely(source *s, uint32_t odds, glint_q16 most) {
+    if (below(s, odds) == 1)
+        return any(s);
+    return (glint_q16)((uint64_t)take(s, 2) * (uint32_t)most / 65535);
+}
+
+static void require(int condition) {
+    if (!condition)
+        abort();
+}
+
+static void *allocate(size_t size) {
+    void *memory = malloc(size);
+    require(memory != NULL || size == 0);
+    return memory;
+}
+
+/* ---- Scene --------------------------------------------------------------------------------------------------- */
+
+typedef struct drawing {
+    glint_mesh meshes[MESHES];
+    glint_material materials[OBJECTS];
+    glint_light lights[GLINT_LIGHTS_MAX + 1];
+    glint_object objects[OBJECTS];
+    glint_scene scene;
+} drawing;
+
+static int16_t (*take_triples(source *s, uint32_t count))[3] {
+    int16_t(*triples)[3] = allocate(count * sizeof *triples);
+    for (uint32_t i = 0; i < count * 3; i++)
+        triples[i / 3][i % 3] = (int16_t)take(s, 2);
+    return triples;
+}
+
+static uint16_t (*take_triangles(source *s, uint32_t count, uint32_t vertices))[3] {
+    uint16_t(*triangles)[3] = allocate(count * sizeof *triangles);
+    int wild = below(s, 16) == 1;
+    for (uint32_t i = 0; i < count * 3; i++)
+        triangles[i / 3][i % 3] = (uint16_t)(wild ? take(s, 2) : below(s, vertices));
+    return triangles;
+}
+
+/* Arrays of exactly the size that the mesh states, so that reading past them is seen. */
+static void take_mesh(source *s, glint_mesh *mesh) {
+    mesh->vertex_count = 1 + below(s, VERTICES_MAX);
+    mesh->triangle_count = 1 + below(s, TRIANGLES_MAX);
+    mesh->positions = (const int16_t(*)[3])take_triples(s, mesh->vertex_count);
+    mesh->normals = (const int16_t(*)[3])take_triples(s, mesh->vertex_count);
+    mesh->triangles = (const uint16_t(*)[3])take_triangles(s, mesh->triangle_count, mesh->vertex_count);
+    mesh->extent.x = likely(s, 8, 4 * GLINT_ONE);
+    mesh->extent.y = likely(s, 8, 4 * GLINT_ONE);
+    mesh->extent.z = likely(s, 8, 4 * GLINT_ONE);
+    if (below(s, 4) == 1)
+        mesh->offset = any_vector(s);
+    mesh->flags = below(s, 2);
+}
+
+static glint_pose take_pose(source *s) {
+    glint_pose pose;
+    if (below(s, 8) == 1) {
+        for (int i = 0; i < 12; i++)
+            pose.m[i / 4][i % 4] = any(s);
+        return pose;
+    }
+    glint_pose scaling = glint_pose_scale(likely(s, 4, 2 * GLINT_ONE), likely(s, 4, 2 * GLINT_ONE), GLINT_ONE);
+    glint_pose x = glint_pose_rotate_x(any(s));
+    glint_pose y = glint_pose_rotate_y(any(s));
+    glint_pose z = glint_pose_rotate_z(any(s));
+    pose = glint_pose_then(&scaling, &x);
+    pose = glint_pose_then(&pose, &y);
+    pose = glint_pose_then(&pose, &z);
+    pose.m[0][3] = any(s) / 16;
+    pose.m[1][3] = any(s) / 16;
+    pose.m[2][3] = -likely(s, 4, 8 * GLINT_ONE);
+    return pose;
+}
+
+static glint_colour take_colour(source *s) {
+    glint_colour colour;
+    glint_q16 most = below(s, 8) == 1 ? GLINT_COLOUR_MAX : GLINT_ONE;
+    colour.r = likely(s, 64, most);
+    colour.g = likely(s, 64, most);
+    colour.b = likely(s, 64, most);
+    return colour;
+}
+
+static void take_camera(source *s, glint_camera *camera) {
+    camera->pose = glint_pose_identity();
+    if (below(s, 4) == 1)
+        glint_camera_look_at(camera, any_vector(s), any_vector(s), any_vector(s));
+    if (below(s, 32) == 1)
+        camera->pose = take_pose(s);
+    camera->field_of_view = likely(s, 16, 169 * GLINT_ONE) | GLINT_ONE;
+    camera->near_plane = likely(s, 8, GLINT_ONE) | 1;
+}
+
+static void take_lights(source *s, drawing *d) {
+    d->scene.light_count = below(s, 32) == 1 ? GLINT_LIGHTS_MAX + 1 : below(s, GLINT_LIGHTS_MAX + 1);
+    for (uint32_t i = 0; i < d->scene.light_count; i++) {
+        d->lights[i].type = &glint_light_directional;
+        d->lights[i].vector = any_vector(s);
+        d->lights[i].diffuse = take_colour(s);
+        d->lights[i].specular = take_colour(s);
+    }
+    d->scene.lights = d->lights;
+}
+
+static void take_objects(source *s, drawing *d) {
+    d->scene.object_count = below(s, OBJECTS + 1);
+    for (uint32_t i = 0; i < d->scene.object_count; i++) {
+        d->materials[i].model = &glint_model_blinn_phong;
+        d->materials[i].ambient = take_colour(s);
+        d->materials[i].diffuse = take_colour(s);
+        d->materials[i].specular = take_colour(s);
+        d->materials[i].shininess = likely(s, 4, 64 * GLINT_ONE);
+        d->objects[i].mesh = &d->meshes[below(s, MESHES)];
+        d->objects[i].material = &d->materials[below(s, i + 1)];
+        d->objects[i].pose = take_pose(s);
+    }
+    d->scene.objects = d->objects;
+}
+
+static void take_drawing(source *s, drawing *d) {
+    memset(d, 0, sizeof *d);
+    take_camera(s, &d->scene.camera);
+    d->scene.viewer = (glint_viewer)(below(s, 64) == 1 ? 2 : below(s, 2));
+    d->scene.background = take_colour(s);
+    d->scene.ambient = take_colour(s);
+    take_lights(s, d);
+    take_objects(s, d);
+    for (int i = 0; i < MESHES; i++)
+        take_mesh(s, &d->meshes[i]);
+}
+
+static void free_drawing(drawing *d) {
+    for (int i = 0; i < MESHES; i++) {
+        free((void *)(uintptr_t)d->meshes[i].positions);
+        free((void *)(uintptr_t)d->meshes[i].normals);
+        free((void *)(uintptr_t)d->meshes[i].triangles);
+    }
+}
+
+/* ---- Frame --------------------------------------------------------------------------------------------------- */
+
+typedef struct screen {
+    const glint_config *config;
+    uint8_t *bytes;
+    uint8_t *sent;
+    uint32_t calls, fail_at;
+    int sending;
+} screen;
+
+static int begin(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    screen *to = context;
+    size_t row_bytes = glint_row_bytes(to->config->format, to->config->width);
+    size_t left = glint_row_bytes(to->config->format, (uint32_t)x);
+    require(!to->sending && x >= 0 && y >= 0 && width > 0 && height > 0);
+    require(x + width <= to->config->width && y + height <= to->config->height);
+    for (int row = 0; row < height; row++) {
+        memcpy(to->bytes + (size_t)(y + row) * row_bytes + left, (const uint8_t *)pixels + (size_t)row * stride,
+               glint_row_bytes(to->config->format, (uint32_t)width));
+        for (int column = 0; column < width; column++)
+            require(to->sent[(size_t)(y + row) * to->config->width + (size_t)(x + column)]++ == 0);
+    }
+    to->sending = 1;
+    return to->calls++ == to->fail_at;
+}
+
+static int wait(void *context) {
+    screen *to = context;
+    require(to->sending);
+    to->sending = 0;
+    return 0;
+}
+
+static void open_screen(screen *to, const glint_config *config) {
+    memset(to, 0, sizeof *to);
+    to->config = config;
+    to->bytes = calloc(glint_row_bytes(config->format, config->width) + 1u, (size_t)config->height + 1u);
+    to->sent = calloc((size_t)config->width + 1u, (size_t)config->height + 1u);
+    to->fail_at = UINT32_MAX;
+    require(to->bytes != NULL && to->sent != NULL);
+}
+
+static void close_screen(screen *to) {
+    free(to->bytes);
+    free(to->sent);
+}
+
+static void take_config(source *s, glint_config *config) {
+    static const glint_format *const formats[5] = {&glint_format_rgb565, &glint_format_rgb565_be, &glint_format_rgb888,
+                                                   &glint_format_grey8, &glint_format_grey4};
+    static const uint16_t tiles[8] = {0, 8, 16, 32, 64, 8, 16, 24};
+    memset(config, 0, sizeof *config);
+    config->width = (uint16_t)(below(s, 8) == 1 ? take(s, 2) : 1 + below(s, 128));
+    config->height = (uint16_t)(below(s, 8) == 1 ? take(s, 2) : 1 + below(s, 128));
+    if (config->width > 0 && config->height > PIXELS_MAX / config->width)
+        config->height = (uint16_t)(PIXELS_MAX / config->width);
+    config->tile_width = tiles[below(s, 8)];
+    config->tile_height = tiles[below(s, 8)];
+    config->format = formats[below(s, 5)];
+    config->flush.begin = begin;
+    config->flush.wait = wait;
+}
+
+/* Draws with exactly `size` bytes of arena at some alignment. */
+static glint_status draw(const glint_config *wanted, const glint_scene *scene, size_t size, size_t skew, screen *to) {
+    glint_config config = *wanted;
+    glint_renderer renderer;
+    uint8_t *memory = allocate(size + skew);
+    config.arena = memory + skew;
+    config.arena_size = size;
+    config.flush.context = to;
+    glint_status status = glint_init(&renderer, &config);
+    if (status == GLINT_OK)
+        status = glint_render(&renderer, scene);
+    require(status != GLINT_OK || !to->sending);
+    free(memory);
+    return status;
+}
+
+/* Once more in tiles of another size, with the arena that takes one pass. */
+static void draw_again(const glint_config *config, const glint_scene *scene, const screen *first) {
+    glint_config other = *config;
+    glint_need need;
+    screen second;
+    other.tile_width = config->tile_width == 16 ? 64 : 16;
+    other.tile_height = config->tile_height == 8 ? 32 : 8;
+    open_screen(&second, &other);
+    require(glint_arena_need(&other, scene, &need) == GLINT_OK);
+    require(draw(&other, scene, need.best, 0, &second) == GLINT_OK);
+    require(memcmp(first->bytes, second.bytes, glint_row_bytes(config->format, config->width) * config->height) == 0);
+    close_screen(&second);
+}
+
+static size_t take_arena_size(source *s, const glint_need *need) {
+    switch (below(s, 4)) {
+    case 0:
+        return need->smallest;
+    case 1:
+        return need->best;
+    case 2:
+        return need->smallest + (need->best - need->smallest) * below(s, 256) / 256;
+    default:
+        return take(s, 2);
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    source s = {data, size};
+    glint_config config;
+    glint_need need;
+    drawing d;
+    screen first;
+    take_config(&s, &config);
+    size_t skew = below(&s, 8);
+    uint32_t fail_at = below(&s, 4) == 1 ? below(&s, 16) : UINT32_MAX;
+    uint32_t arena_choice = take(&s, 3);
+    take_drawing(&s, &d);
+    glint_status status = glint_arena_need(&config, &d.scene, &need);
+    open_screen(&first, &config);
+    first.fail_at = fail_at;
+    if (status == GLINT_OK) {
+        const uint8_t bytes[3] = {(uint8_t)arena_choice, (uint8_t)(arena_choice >> 8), (uint8_t)(arena_choice >> 16)};
+        source choice = {bytes, sizeof bytes};
+        size_t arena_size = take_arena_size(&choice, &need);
+        status = draw(&config, &d.scene, arena_size, skew, &first);
+        require(arena_size < need.smallest ? status == GLINT_ERROR_ARENA
+                                           : status == GLINT_OK || status == GLINT_ERROR_FLUSH);
+        if (status == GLINT_OK)
+            draw_again(&config, &d.scene, &first);
+    } else {
+        require(draw(&config, &d.scene, 65536, skew, &first) != GLINT_OK && first.calls == 0);
+    }
+    close_screen(&first);
+    free_drawing(&d);
+    return 0;
+}

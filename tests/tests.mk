@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: MIT
+# The library's suites on the host. Each is a program that closes with `N passed, N failed` and exits 1 on a failure.
+
+TEST_INCLUDES := -Isrc -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit
+TEST_CFLAGS   := -std=c99 $(WARNINGS) -g $(TEST_INCLUDES)
+
+TEST_HARNESS := tests/harness.c tests/main.c
+TEST_UNIT    := $(wildcard tests/unit/*.c)
+TEST_SCENES  := tests/image/picture.c tests/image/scenes.c examples/bench/bench.c
+TEST_JUDGE   := tests/image/library_geometry.c tests/image/judge.c tests/reference/reference.c
+TEST_HEADERS := $(wildcard src/*.h tests/*.h tests/*/*.h examples/bench/*.h)
+
+SUITE_unit      := $(TEST_HARNESS) $(TEST_UNIT)
+SUITE_numbers   := $(TEST_HARNESS) tests/reference/numbers.c
+SUITE_compare   := $(TEST_HARNESS) tests/image/compare.c $(TEST_SCENES) $(TEST_JUDGE)
+SUITE_fill_rule := $(TEST_HARNESS) tests/image/fill_rule.c $(TEST_SCENES) $(TEST_JUDGE)
+SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
+TEST_SUITES     := unit numbers compare fill_rule identity
+
+# $(call test_suite,variant,suite,compiler,flags): build/tests/<variant>/<suite>
+define test_suite
+$(BUILD)/tests/$1/$2: $(SUITE_$2) $(LIBRARY) $(TEST_HEADERS)
+	@mkdir -p $$(@D)
+	$$(Q)$3 $(TEST_CFLAGS) $4 $(SUITE_$2) $(LIBRARY) -lm -o $$@
+endef
+
+$(foreach suite,$(TEST_SUITES),$(eval $(call test_suite,host,$(suite),$(CC),$(CFLAGS))))
+
+# Address and undefined-behaviour sanitisers; a report ends the program.
+SANITIZE := -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+$(foreach suite,$(TEST_SUITES),$(eval $(call test_suite,sanitize,$(suite),clang,$(SANITIZE))))
+
+# Both compilers at every level of optimisation.
+MATRIX := $(foreach compiler,gcc clang,$(foreach level,O0 Os O2,$(compiler)-$(level)))
+$(foreach variant,$(MATRIX),$(eval $(call test_suite,$(variant),unit,$(subst -, -,$(variant)))))
+
+# $(call run_suites,programs): runs all, also after a failure
+run_suites = @status=0; for suite in $1; do echo "$$suite"; $$suite || status=1; done; exit $$status
+
+.PHONY: test-unit-host test-image test-identity test-sanitize test-matrix fuzz unit-tables
+
+test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers) ## unit tests on the host, arithmetic against libm
+	$(call run_suites,$^)
+
+test-image: $(addprefix $(BUILD)/tests/host/,compare fill_rule) ## images against the double-precision reference
+	$(call run_suites,$^)
+
+test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order
+	$(call run_suites,$^)
+
+test-sanitize: $(addprefix $(BUILD)/tests/sanitize/,$(TEST_SUITES)) ## the host suites under ASan and UBSan
+	$(call run_suites,$^)
+
+test-matrix: $(MATRIX:%=$(BUILD)/tests/%/unit) ## unit tests by gcc and clang at -O0, -Os and -O2
+	$(call run_suites,$^)
+
+# ---- Tables of the unit tests, made anew when a pixel changes on purpose
+
+$(BUILD)/tests/print_torus: tests/image/print_torus.c examples/bench/bench.c $(BUILD)/host/libglint.a
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(TEST_CFLAGS) $^ -lm -o $@
+
+$(BUILD)/tests/print_checksums: tests/image/print_checksums.c tests/harness.c tests/unit/checksummed.c \
+        tests/unit/fixture.c $(BUILD)/host/libglint.a $(TEST_HEADERS)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(TEST_CFLAGS) $(filter-out %.h,$^) -lm -o $@
+
+unit-tables: $(BUILD)/tests/print_torus $(BUILD)/tests/print_checksums ## write the unit tests' mesh and checksums anew
+	$(BUILD)/tests/print_torus > $(BUILD)/tests/torus.h && cp $(BUILD)/tests/torus.h tests/unit/
+	$(BUILD)/tests/print_checksums > $(BUILD)/tests/checksums.h && cp $(BUILD)/tests/checksums.h tests/unit/
+
+# ---- Fuzzing
+
+FUZZ_SECONDS ?= 60
+FUZZ_CC      := clang
+FUZZ_CFLAGS  := -std=c99 $(WARNINGS) -g -O1 -Isrc -Iport/host -fsanitize=fuzzer,address,undefined \
+    -fno-sanitize-recover=all -fno-omit-frame-pointer
+FUZZ_TARGETS := $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
+
+# What a target links beside the library.
+FUZZ_SOURCES_fuzz_obj := port/host/obj.c port/host/mesh.c
+
+define fuzz_target
+$(BUILD)/fuzz/$1: tests/fuzz/$1.c $(FUZZ_SOURCES_$1) $(LIBRARY) $(wildcard src/*.h port/host/*.h)
+	@mkdir -p $$(@D)
+	$$(Q)$(FUZZ_CC) $(FUZZ_CFLAGS) $$(filter %.c,$$^) -lm -o $$@
+endef
+$(foreach target,$(FUZZ_TARGETS),$(eval $(call fuzz_target,$(target))))
+
+fuzz: $(FUZZ_TARGETS:%=$(BUILD)/fuzz/%) ## random scenes and models for FUZZ_SECONDS each, under ASan and UBSan
+	@set -e; for target in $^; do \
+	    mkdir -p $$target-corpus; \
+	    $$target -max_total_time=$(FUZZ_SECONDS) -timeout=10 -print_final_stats=1 -verbosity=0 \
+	        -artifact_prefix=$$target- $$target-corpus; \
+	done

@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: MIT */
+/* Bad configurations, arenas and flush callbacks. */
+#include "fixture.h"
+#include "harness.h"
+#include "unit.h"
+
+static void expect_size(uint16_t width, uint16_t height) {
+    fixture *f = fixture_begin();
+    f->config.width = width;
+    f->config.height = height;
+    fixture_expect_error(f, GLINT_ERROR_SIZE);
+}
+
+static void expect_tile(uint16_t width, uint16_t height) {
+    fixture *f = fixture_begin();
+    f->config.tile_width = width;
+    f->config.tile_height = height;
+    fixture_expect_error(f, GLINT_ERROR_TILE);
+}
+
+void init_refuses_bad_configurations(void) {
+    static const uint16_t tiles[] = {1, 4, 7, 9, 12, 24, 48, 63, 65, 128, 65535};
+    expect_size(0, 32);
+    expect_size(32, 0);
+    expect_size(GLINT_SIZE_MAX + 1, 32);
+    expect_size(32, GLINT_SIZE_MAX + 1);
+    expect_size(65535, 65535);
+    for (unsigned i = 0; i < TEST_COUNT(tiles); i++) {
+        expect_tile(tiles[i], 8);
+        expect_tile(8, tiles[i]);
+    }
+    fixture *f = fixture_begin();
+    f->config.arena_size = 0;
+    fixture_expect_error(f, GLINT_ERROR_ARENA);
+    f = fixture_begin();
+    f->config.arena_size = 8;
+    fixture_expect_error(f, GLINT_ERROR_ARENA);
+    f = fixture_begin();
+    f->config.arena_size = glint_workspace_size(&f->config) - 1;
+    CHECK_EQUAL(glint_init(&f->renderer, &f->config), GLINT_ERROR_ARENA);
+}
+
+void null_pointers_are_refused(void) {
+    fixture *f = fixture_begin();
+    glint_frame frame;
+    glint_need need;
+    const glint_vector zero = {0, 0, 0};
+    const glint_vector at = {0, 0, -GLINT_ONE};
+    const glint_vector up = {0, GLINT_ONE, 0};
+    CHECK_EQUAL(glint_init(0, &f->config), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_init(&f->renderer, 0), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_render(0, &f->scene), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_arena_need(0, &f->scene, &need), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_arena_need(&f->config, 0, &need), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_arena_need(&f->config, &f->scene, 0), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_frame_begin(0, &f->config, &f->scene), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_frame_begin(&frame, 0, &f->scene), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_frame_begin(&frame, &f->config, 0), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_frame_next(0), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_camera_look_at(0, zero, at, up), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_init(&f->renderer, &f->config), GLINT_OK);
+    CHECK_EQUAL(glint_render(&f->renderer, 0), GLINT_ERROR_NULL);
+    f->config.format = 0;
+    CHECK_EQUAL(glint_init(&f->renderer, &f->config), GLINT_ERROR_NULL);
+    f = fixture_begin();
+    f->config.flush.begin = 0;
+    CHECK_EQUAL(glint_init(&f->renderer, &f->config), GLINT_ERROR_NULL);
+    f = fixture_begin();
+    f->config.arena = 0;
+    CHECK_EQUAL(glint_init(&f->renderer, &f->config), GLINT_ERROR_NULL);
+}
+
+/* ---- Arena --------------------------------------------------------------------------------------------------- */
+
+/* The smallest arena at every alignment draws the frame, one byte less is refused. */
+void arena_one_byte_short_is_refused(void) {
+    fixture *f = fixture_begin();
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    uint32_t wanted = fixture_checksum(f);
+    glint_need need = fixture_need(f);
+    CHECK(need.smallest <= need.best);
+    for (unsigned skew = 0; skew < 8 && need.smallest + skew <= FIXTURE_ARENA_BYTES; skew++) {
+        f = fixture_begin();
+        f->config.arena = fixture_arena() + skew;
+        f->config.arena_size = need.smallest;
+        CHECK_EQUAL(fixture_render(f), GLINT_OK);
+        CHECK_EQUAL(fixture_checksum(f), wanted);
+        f = fixture_begin();
+        f->config.arena = fixture_arena() + skew;
+        f->config.arena_size = need.smallest - 1;
+        fixture_expect_error(f, GLINT_ERROR_ARENA);
+    }
+}
+
+/* ---- Flush --------------------------------------------------------------------------------------------------- */
+
+/* After the failure no tile is begun, and the next frame is right. */
+static void fail_at(uint32_t begin, uint32_t wait, uint32_t wanted) {
+    fixture *f = fixture_begin();
+    f->fail_begin = begin;
+    f->fail_wait = wait;
+    CHECK_EQUAL(fixture_render(f), GLINT_ERROR_FLUSH);
+    CHECK(begin == FIXTURE_NEVER || f->begins == begin + 1);
+    CHECK(wait == FIXTURE_NEVER || f->waits == wait + 1);
+    f->fail_begin = f->fail_wait = FIXTURE_NEVER;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_EQUAL(fixture_checksum(f), wanted);
+}
+
+void failing_flush_ends_the_frame(void) {
+    fixture *f = fixture_begin();
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    uint32_t wanted = fixture_checksum(f);
+    uint32_t tiles = f->begins;
+    CHECK_EQUAL(tiles, (FIXTURE_WIDTH / 16) * (FIXTURE_HEIGHT / 16));
+    for (uint32_t tile = 0; tile < tiles; tile++) {
+        fail_at(tile, FIXTURE_NEVER, wanted);
+        fail_at(FIXTURE_NEVER, tile, wanted);
+    }
+}
+
+static uint32_t tiles_taken;
+
+static int take_tile(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    tiles_taken += context == 0 && x >= 0 && y >= 0 && width > 0 && height > 0 && pixels != 0 && stride > 0;
+    return 0;
+}
+
+void flush_without_wait(void) {
+    fixture *f = fixture_begin();
+    f->config.flush.begin = take_tile;
+    f->config.flush.wait = 0;
+    f->config.flush.context = 0;
+    tiles_taken = 0;
+    CHECK_EQUAL(glint_init(&f->renderer, &f->config), GLINT_OK);
+    CHECK_EQUAL(glint_render(&f->renderer, &f->scene), GLINT_OK);
+    CHECK_EQUAL(tiles_taken, (FIXTURE_WIDTH / 16) * (FIXTURE_HEIGHT / 16));
+}

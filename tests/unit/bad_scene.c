@@ -1,0 +1,225 @@
+/* SPDX-License-Identifier: MIT */
+/* Bad scenes: each gives its documented error before anything is sent, and spoils nothing. */
+#include "fixture.h"
+#include "harness.h"
+#include "unit.h"
+
+void null_pointers_in_scenes_are_refused(void) {
+    for (int which = 0; which < 9; which++) {
+        fixture *f = fixture_begin();
+        const void **const pointers[9] = {
+            (const void **)(void *)&f->scene.lights,        (const void **)(void *)&f->scene.objects,
+            (const void **)(void *)&f->lights[0].type,      (const void **)(void *)&f->objects[0].mesh,
+            (const void **)(void *)&f->objects[0].material, (const void **)(void *)&f->materials[0].model,
+            (const void **)(void *)&f->torus.positions,     (const void **)(void *)&f->torus.normals,
+            (const void **)(void *)&f->torus.triangles};
+        *pointers[which] = 0;
+        fixture_expect_error(f, GLINT_ERROR_NULL);
+    }
+}
+
+/* ---- Camera and viewer --------------------------------------------------------------------------------------- */
+
+static void expect_camera(glint_q16 field_of_view, glint_q16 near_plane) {
+    fixture *f = fixture_begin();
+    f->scene.camera.field_of_view = field_of_view;
+    f->scene.camera.near_plane = near_plane;
+    fixture_expect_error(f, GLINT_ERROR_CAMERA);
+}
+
+static void expect_camera_axis(int row, int column, glint_q16 value) {
+    fixture *f = fixture_begin();
+    f->scene.camera.pose.m[row][column] = value;
+    fixture_expect_error(f, GLINT_ERROR_CAMERA);
+}
+
+static void expect_look_at(glint_vector eye, glint_vector at, glint_vector up) {
+    glint_camera camera;
+    CHECK_EQUAL(glint_camera_look_at(&camera, eye, at, up), GLINT_ERROR_CAMERA);
+}
+
+void bad_cameras_are_refused(void) {
+    const glint_vector zero = {0, 0, 0};
+    const glint_vector along = {GLINT_ONE, 2 * GLINT_ONE, 3 * GLINT_ONE};
+    const glint_vector twice = {2 * GLINT_ONE, 4 * GLINT_ONE, 6 * GLINT_ONE};
+    expect_camera(GLINT_ONE - 1, GLINT_ONE);
+    expect_camera(0, GLINT_ONE);
+    expect_camera(-60 * GLINT_ONE, GLINT_ONE);
+    expect_camera(170 * GLINT_ONE + 1, GLINT_ONE);
+    expect_camera(INT32_MAX, GLINT_ONE);
+    expect_camera(60 * GLINT_ONE, 0);
+    expect_camera(60 * GLINT_ONE, -1);
+    expect_camera(60 * GLINT_ONE, INT32_MIN);
+    expect_camera_axis(0, 0, 2 * GLINT_ONE);
+    expect_camera_axis(1, 1, 0);
+    expect_camera_axis(2, 2, GLINT_ONE / 2);
+    expect_camera_axis(0, 1, GLINT_ONE / 4);
+    expect_camera_axis(2, 0, INT32_MIN);
+    expect_look_at(zero, zero, along);
+    expect_look_at(zero, along, zero);
+    expect_look_at(zero, along, twice);
+    expect_look_at(twice, along, along);
+    for (int viewer = 2; viewer < 4; viewer++) {
+        fixture *f = fixture_begin();
+        f->scene.viewer = (glint_viewer)viewer;
+        fixture_expect_error(f, GLINT_ERROR_VIEWER);
+    }
+}
+
+/* ---- Lights and colours -------------------------------------------------------------------------------------- */
+
+void bad_lights_are_refused(void) {
+    fixture *f = fixture_begin();
+    f->scene.light_count = GLINT_LIGHTS_MAX + 1;
+    fixture_expect_error(f, GLINT_ERROR_LIGHTS);
+    f = fixture_begin();
+    f->scene.light_count = 0xffffffffu;
+    fixture_expect_error(f, GLINT_ERROR_LIGHTS);
+    const glint_vector zero = {0, 0, 0};
+    f = fixture_begin();
+    f->scene.light_count = GLINT_LIGHTS_MAX;
+    f->lights[GLINT_LIGHTS_MAX - 1].vector = zero;
+    fixture_expect_error(f, GLINT_ERROR_DIRECTION);
+    static const glint_q16 exponents[] = {-1, -GLINT_ONE, INT32_MIN};
+    for (unsigned i = 0; i < TEST_COUNT(exponents); i++) {
+        f = fixture_begin();
+        f->materials[0].shininess = exponents[i];
+        fixture_expect_error(f, GLINT_ERROR_SHININESS);
+    }
+}
+
+static glint_q16 *channel_of(glint_colour *colour, int channel) {
+    return channel == 0 ? &colour->r : channel == 1 ? &colour->g : &colour->b;
+}
+
+/* Every colour of a scene, every channel. */
+static void expect_colour(int which, int channel, glint_q16 value) {
+    fixture *f = fixture_begin();
+    glint_colour *const colours[7] = {&f->scene.background,     &f->scene.ambient,        &f->lights[0].diffuse,
+                                      &f->lights[0].specular,   &f->materials[0].ambient, &f->materials[0].diffuse,
+                                      &f->materials[0].specular};
+    *channel_of(colours[which], channel) = value;
+    fixture_expect_error(f, GLINT_ERROR_COLOUR);
+}
+
+void bad_colours_are_refused(void) {
+    for (int which = 0; which < 7; which++) {
+        expect_colour(which, which % 3, -1);
+        expect_colour(which, (which + 1) % 3, GLINT_COLOUR_MAX + 1);
+        expect_colour(which, (which + 2) % 3, INT32_MIN);
+        expect_colour(which, which % 3, INT32_MAX);
+    }
+    fixture *f = fixture_begin(); /* each within its limits, their product is not */
+    f->lights[0].diffuse.g = 5 * GLINT_ONE;
+    f->materials[0].diffuse.g = 4 * GLINT_ONE;
+    fixture_expect_error(f, GLINT_ERROR_COLOUR);
+    f = fixture_begin();
+    f->lights[0].specular.b = GLINT_COLOUR_MAX;
+    f->materials[0].specular.b = GLINT_COLOUR_MAX;
+    fixture_expect_error(f, GLINT_ERROR_COLOUR);
+}
+
+/* ---- Meshes and poses ---------------------------------------------------------------------------------------- */
+
+static void expect_index(uint16_t index, int corner) {
+    uint16_t triangles[3][3] = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
+    fixture *f = fixture_begin();
+    triangles[2][corner] = index;
+    f->torus.triangles = (const uint16_t(*)[3])triangles;
+    f->torus.triangle_count = 3;
+    fixture_expect_error(f, GLINT_ERROR_INDEX);
+}
+
+void bad_meshes_are_refused(void) {
+    for (int which = 0; which < 6; which++) {
+        fixture *f = fixture_begin();
+        f->torus.vertex_count = which == 0 ? 0 : which == 1 ? 65537 : which == 2 ? 0xffffffffu : 72;
+        f->torus.triangle_count = which == 3 ? 0 : 144;
+        f->torus.extent.x = which == 4 ? -1 : GLINT_ONE;
+        f->torus.extent.z = which == 5 ? INT32_MIN : GLINT_ONE;
+        fixture_expect_error(f, GLINT_ERROR_MESH);
+    }
+    for (int corner = 0; corner < 3; corner++) {
+        expect_index(72, corner);
+        expect_index(65535, corner);
+    }
+}
+
+static void expect_pose(glint_q16 x, glint_q16 y, glint_q16 z) {
+    fixture *f = fixture_begin();
+    glint_pose scaling = glint_pose_scale(x, y, z);
+    f->objects[0].pose = glint_pose_then(&scaling, &f->objects[0].pose);
+    fixture_expect_error(f, GLINT_ERROR_POSE);
+}
+
+void bad_poses_are_refused(void) {
+    expect_pose(0, 0, 0);
+    expect_pose(0, GLINT_ONE, GLINT_ONE);
+    expect_pose(GLINT_ONE, 0, GLINT_ONE);
+    expect_pose(GLINT_ONE, GLINT_ONE, 0);
+    fixture *f = fixture_begin(); /* two columns alike */
+    for (int row = 0; row < 3; row++)
+        f->objects[0].pose.m[row][1] = f->objects[0].pose.m[row][2];
+    fixture_expect_error(f, GLINT_ERROR_POSE);
+    f = fixture_begin();
+    for (int row = 0; row < 3; row++)
+        f->objects[0].pose.m[row][row] = INT32_MAX;
+    f->torus.extent.x = f->torus.extent.y = f->torus.extent.z = INT32_MAX;
+    f->torus.offset.x = INT32_MAX;
+    fixture_expect_error(f, GLINT_ERROR_RANGE);
+}
+
+/* ---- What is allowed ----------------------------------------------------------------------------------------- */
+
+/* Scenes at their limits, which are none beyond them; @return 0 when there is no such scene. */
+static int set_up_limit(fixture *f, int which) {
+    switch (which) {
+    case 0:
+        f->scene.camera.field_of_view = GLINT_ONE;
+        return 1;
+    case 1:
+        f->scene.camera.field_of_view = 170 * GLINT_ONE;
+        return 1;
+    case 2:
+        f->scene.camera.near_plane = 1;
+        return 1;
+    case 3:
+        f->scene.camera.near_plane = INT32_MAX;
+        return 1;
+    case 4:
+        f->scene.light_count = 0;
+        f->scene.lights = 0;
+        return 1;
+    case 5:
+        f->scene.object_count = 0;
+        f->scene.objects = 0;
+        return 1;
+    case 6:
+        f->scene.background.r = f->materials[0].ambient.r = f->lights[0].diffuse.g = GLINT_COLOUR_MAX;
+        return 1;
+    case 7:
+        f->materials[0].shininess = INT32_MAX;
+        return 1;
+    case 8:
+        f->torus.extent.x = f->torus.extent.y = f->torus.extent.z = 0;
+        return 1;
+    case 9:
+        f->lights[0].vector.x = f->lights[0].vector.y = f->lights[0].vector.z = INT32_MIN;
+        return 1;
+    case 10:
+        f->lights[0].vector.x = f->lights[0].vector.y = 0;
+        f->lights[0].vector.z = 1;
+        return 1;
+    default:
+        return 0;
+    }
+}
+
+void limits_are_accepted(void) {
+    for (int which = 0;; which++) {
+        fixture *f = fixture_begin();
+        if (!set_up_limit(f, which))
+            break;
+        CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    }
+}

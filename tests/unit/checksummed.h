@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file checksummed.h
+ * Images and runs of numbers whose bits are to be the same on every core, for every compiler and its options.
+ */
+#ifndef GLINT_UNIT_CHECKSUMMED_H
+#define GLINT_UNIT_CHECKSUMMED_H
+
+#include <stdint.h>
+
+#include "fixture.h"
+
+extern const unsigned checksummed_count;
+
+const char *checksummed_name(unsigned index);
+
+/** Draws or computes an entry. @return its checksum. */
+uint32_t checksummed_compute(unsigned index);
+
+/** Sets the fixture up to draw an entry. @return 0 when the entry is no image. */
+int checksummed_set_up(unsigned index, fixture *f);
+
+#endif

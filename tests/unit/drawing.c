@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: MIT */
+/* What a frame looks like where it can be told without a reference, and what the rest of the interface says. */
+#include "fixture.h"
+#include "harness.h"
+#include "unit.h"
+
+void status_sentences(void) {
+    for (int status = GLINT_OK; status >= GLINT_ERROR_VIEWER; status--) {
+        const char *sentence = glint_strerror(status);
+        CHECK(sentence != 0 && sentence[0] != '\0');
+        for (int other = GLINT_OK; other > status; other--)
+            CHECK(sentence != glint_strerror(other));
+        CHECK(sentence != glint_strerror(1));
+    }
+    static const int none[] = {1, 2, GLINT_ERROR_VIEWER - 1, -1000000, INT32_MAX, INT32_MIN};
+    for (unsigned i = 0; i < TEST_COUNT(none); i++) {
+        const char *wanted = "unknown status";
+        const char *sentence = glint_strerror(none[i]);
+        while (*wanted != '\0' && *wanted == *sentence) {
+            wanted++;
+            sentence++;
+        }
+        CHECK_EQUAL(*sentence, *wanted);
+    }
+}
+
+void row_bytes(void) {
+    CHECK_EQUAL(glint_row_bytes(&glint_format_rgb565, 7), 14);
+    CHECK_EQUAL(glint_row_bytes(&glint_format_rgb565_be, GLINT_SIZE_MAX), 2 * GLINT_SIZE_MAX);
+    CHECK_EQUAL(glint_row_bytes(&glint_format_rgb888, 5), 15);
+    CHECK_EQUAL(glint_row_bytes(&glint_format_grey8, 9), 9);
+    CHECK_EQUAL(glint_row_bytes(&glint_format_grey4, 8), 4);
+    CHECK_EQUAL(glint_row_bytes(&glint_format_grey4, 9), 5);
+    CHECK_EQUAL(glint_row_bytes(&glint_format_grey4, 0), 0);
+}
+
+void statistics(void) {
+    fixture *f = fixture_begin();
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    const glint_stats *stats = &f->renderer.stats;
+    CHECK_EQUAL(stats->tiles, f->begins);
+    CHECK(stats->passes >= 1);
+    CHECK(stats->vertices >= 72);
+    CHECK(stats->triangles >= 144);
+    CHECK(stats->culled > 0 && stats->culled < stats->triangles);
+    CHECK_EQUAL(stats->clipped, 0);
+    CHECK(stats->references > 0);
+    CHECK(stats->arena_used > 0);
+    CHECK_AT_MOST(stats->arena_used, FIXTURE_ARENA_BYTES);
+    f->objects[0].pose.m[2][3] = GLINT_Q16(-0.7);
+    f->scene.camera.near_plane = GLINT_Q16(0.3);
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK(f->renderer.stats.clipped > 0);
+}
+
+/* ---- Two renderers ------------------------------------------------------------------------------------------- */
+
+typedef struct half {
+    glint_frame frame;
+    glint_config config;
+    glint_scene scene;
+    glint_workspace workspace;
+    uint32_t tile, checksum;
+    int status;
+} half;
+
+/* Half of the arena each: a workspace at its end, the frame's memory before. */
+static void half_begin(half *h, const fixture *f, int which) {
+    const size_t size = FIXTURE_ARENA_BYTES / 2;
+    uint8_t *memory = fixture_arena() + (size_t)which * size;
+    h->config = f->config;
+    h->config.width = h->config.height = 16;
+    h->config.tile_width = h->config.tile_height = 8;
+    h->scene = f->scene;
+    h->scene.viewer = which ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
+    size_t reserved = (glint_workspace_size(&h->config) + 15) / 8 * 8;
+    uint8_t *aligned = memory + (0u - (unsigned)((uintptr_t)memory & 7u)) % 8u;
+    glint_workspace_init(&h->workspace, &h->config, aligned);
+    h->config.arena = aligned + reserved - 8;
+    h->config.arena_size = size - reserved;
+    h->checksum = FIXTURE_CHECKSUM_START;
+    h->status = glint_frame_begin(&h->frame, &h->config, &h->scene);
+    CHECK_EQUAL(h->status, GLINT_OK);
+    h->tile = h->frame.tile_end;
+    h->status = h->status == GLINT_OK ? 1 : h->status;
+}
+
+/* Draws one tile, or prepares a pass. */
+static void half_step(half *h) {
+    if (h->tile == h->frame.tile_end) {
+        h->status = glint_frame_next(&h->frame);
+        h->tile = h->frame.tile_first;
+        return;
+    }
+    if (glint_render_tile(&h->frame, &h->workspace, h->tile)) {
+        int x, y, width, height;
+        glint_tile_rectangle(&h->frame, h->tile, &x, &y, &width, &height);
+        for (int row = 0; row < height; row++)
+            h->checksum = fixture_checksum_add(h->checksum,
+                                               (const uint8_t *)h->workspace.pixels + (size_t)row * h->workspace.stride,
+                                               glint_row_bytes(h->config.format, (uint32_t)width));
+    }
+    h->tile++;
+}
+
+/* Two frames drawn a tile at a time in turn come out as each drawn alone. */
+void two_renderers_side_by_side(void) {
+    uint32_t alone[2];
+    half halves[2];
+    fixture *f = fixture_begin();
+    for (int i = 0; i < 2; i++) {
+        half_begin(&halves[i], f, i);
+        while (halves[i].status > 0)
+            half_step(&halves[i]);
+        CHECK_EQUAL(halves[i].status, 0);
+        alone[i] = halves[i].checksum;
+    }
+    CHECK(alone[0] != alone[1]);
+    half_begin(&halves[0], f, 0);
+    half_begin(&halves[1], f, 1);
+    while (halves[0].status > 0 || halves[1].status > 0) {
+        for (int i = 0; i < 2; i++) {
+            if (halves[i].status > 0)
+                half_step(&halves[i]);
+        }
+    }
+    CHECK_EQUAL(halves[0].checksum, alone[0]);
+    CHECK_EQUAL(halves[1].checksum, alone[1]);
+}
+
+/* ---- Pixels -------------------------------------------------------------------------------------------------- */
+
+/* A square facing the camera, far larger than the screen. */
+static fixture *begin_square(void) {
+    fixture *f = fixture_begin();
+    f->objects[0].mesh = &f->floor;
+    f->objects[0].pose = glint_pose_rotate_x(90 * GLINT_ONE);
+    f->objects[0].pose.m[2][3] = -10 * GLINT_ONE;
+    f->config.format = &glint_format_rgb888;
+    f->config.width = 40;
+    return f;
+}
+
+/* @return largest difference of a channel of any pixel from the colour wanted. */
+static int worst_difference(const fixture *f, const int wanted[3]) {
+    int worst = 0;
+    for (int y = 0; y < f->config.height; y++) {
+        const uint8_t *row = fixture_row(f, y);
+        for (int i = 0; i < 3 * f->config.width; i++) {
+            int difference = row[i] - wanted[i % 3];
+            difference = difference < 0 ? -difference : difference;
+            worst = difference > worst ? difference : worst;
+        }
+    }
+    return worst;
+}
+
+void unlit_white_square_fills_the_screen(void) {
+    static const int white[3] = {255, 255, 255};
+    fixture *f = begin_square();
+    f->scene.light_count = 0;
+    f->materials[0].ambient.r = f->materials[0].ambient.g = f->materials[0].ambient.b = GLINT_ONE;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_EQUAL(worst_difference(f, white), 0);
+    f->materials[0].ambient.g = GLINT_ONE / 2; /* 127.5 rounds either way */
+    f->materials[0].ambient.b = 0;
+    static const int orange[3] = {255, 128, 0};
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_AT_MOST(worst_difference(f, orange), 1);
+    CHECK_EQUAL(fixture_row(f, 5)[6], 255);
+    CHECK_EQUAL(fixture_row(f, 5)[8], 0);
+}
+
+/* N.L = 0.6, N.H = cos(half of 53.13 degrees) = 0.894427, to the power 4: 0.64. */
+void light_on_a_facing_square(void) {
+    fixture *f = begin_square();
+    const glint_vector towards = {4 * GLINT_ONE, 0, 3 * GLINT_ONE};
+    f->scene.viewer = GLINT_VIEWER_INFINITE;
+    f->lights[0].vector = towards;
+    f->materials[0].shininess = 4 * GLINT_ONE;
+    f->materials[0].ambient.r = f->materials[0].ambient.g = f->materials[0].ambient.b = GLINT_ONE / 10;
+    f->materials[0].diffuse.r = GLINT_ONE / 2;
+    f->materials[0].diffuse.g = f->materials[0].diffuse.b = 0;
+    f->materials[0].specular.r = 0;
+    f->materials[0].specular.g = GLINT_ONE / 2;
+    f->materials[0].specular.b = 2 * GLINT_ONE;   /* clamped */
+    static const int wanted[3] = {102, 107, 255}; /* 255 x 0.4, 0.42, 1.38 */
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_AT_MOST(worst_difference(f, wanted), 1);
+    f->lights[0].vector.z = -1; /* from just behind: ambient alone */
+    static const int unlit[3] = {26, 26, 26};
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_AT_MOST(worst_difference(f, unlit), 1);
+}
+
+/* In either order, and the first of two at the same depth. */
+void nearer_object_hides_the_farther(void) {
+    for (int order = 0; order < 4; order++) {
+        static const int red[3] = {255, 0, 0};
+        fixture *f = begin_square();
+        int nearer = order == 1; /* orders 2 and 3 tie */
+        f->scene.light_count = 0;
+        f->scene.object_count = 2;
+        f->objects[1] = f->objects[0];
+        f->objects[1].material = &f->materials[1];
+        if (order < 2)
+            f->objects[nearer].pose.m[2][3] += GLINT_ONE;
+        for (int i = 0; i < 2; i++) {
+            const glint_colour colour = {i == nearer ? GLINT_ONE : 0, i == nearer ? 0 : GLINT_ONE, 0};
+            f->materials[i].ambient = colour;
+        }
+        CHECK_EQUAL(fixture_render(f), GLINT_OK);
+        CHECK_EQUAL(worst_difference(f, red), 0);
+    }
+}

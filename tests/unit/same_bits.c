@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+#include "checksummed.h"
+#include "checksums.h"
+#include "harness.h"
+#include "unit.h"
+
+/* A new entry without its checksum does not compile to a pass. */
+void same_bits_on_every_core(void) {
+    CHECK_EQUAL(checksummed_count, TEST_COUNT(expected_checksums));
+    for (unsigned i = 0; i < checksummed_count && i < TEST_COUNT(expected_checksums); i++) {
+        uint32_t checksum = checksummed_compute(i);
+        if (!CHECK_EQUAL(checksum, expected_checksums[i])) {
+            test_write("  of ");
+            test_write(checksummed_name(i));
+            test_write("\n");
+        }
+    }
+}
+
+/* @return 1 when the arena sufficed. */
+static int draw_with(unsigned index, uint16_t tile_width, uint16_t tile_height, int smallest_arena) {
+    fixture *f = fixture_begin();
+    if (!checksummed_set_up(index, f))
+        return 0;
+    f->config.tile_width = tile_width;
+    f->config.tile_height = tile_height;
+    glint_need need = fixture_need(f);
+    if (need.smallest > FIXTURE_ARENA_BYTES)
+        return 0;
+    if (smallest_arena)
+        f->config.arena_size = need.smallest;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_EQUAL(fixture_checksum(f), expected_checksums[index]);
+    return 1;
+}
+
+/* All 16 sizes are compared on the host; here those whose buffers fit the smallest core. */
+void same_bits_for_every_tile_and_arena(void) {
+    static const uint16_t sizes[][2] = {{8, 8}, {16, 8}, {8, 32}, {16, 16}, {32, 16}};
+    int drawn = 0;
+    for (unsigned i = 0; i < checksummed_count && i < TEST_COUNT(expected_checksums); i++) {
+        for (unsigned size = 0; size < TEST_COUNT(sizes); size++)
+            drawn += draw_with(i, sizes[size][0], sizes[size][1], size & 1);
+        drawn += draw_with(i, 8, 8, 1);
+    }
+    CHECK(drawn >= 4 * 20);
+}

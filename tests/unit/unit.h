@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT */
+/* The unit suite's cases, one list, and their declarations. */
+#ifndef GLINT_UNIT_H
+#define GLINT_UNIT_H
+
+#define UNIT_CASES(CASE)                      \
+    CASE(same_bits_on_every_core)             \
+    CASE(same_bits_for_every_tile_and_arena)  \
+    CASE(init_refuses_bad_configurations)     \
+    CASE(null_pointers_are_refused)           \
+    CASE(null_pointers_in_scenes_are_refused) \
+    CASE(bad_cameras_are_refused)             \
+    CASE(bad_lights_are_refused)              \
+    CASE(bad_colours_are_refused)             \
+    CASE(bad_meshes_are_refused)              \
+    CASE(bad_poses_are_refused)               \
+    CASE(limits_are_accepted)                 \
+    CASE(arena_one_byte_short_is_refused)     \
+    CASE(failing_flush_ends_the_frame)        \
+    CASE(flush_without_wait)                  \
+    CASE(status_sentences)                    \
+    CASE(statistics)                          \
+    CASE(row_bytes)                           \
+    CASE(two_renderers_side_by_side)          \
+    CASE(unlit_white_square_fills_the_screen) \
+    CASE(nearer_object_hides_the_farther)     \
+    CASE(light_on_a_facing_square)
+
+#define UNIT_DECLARE(name) void name(void);
+UNIT_CASES(UNIT_DECLARE)
+#undef UNIT_DECLARE
+
+#endif
