@@ -55,12 +55,12 @@ FIRMWARE_LDFLAGS = -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings -Llinker
 
 # Levels of optimisation: O0, Os and O2 are the compiler's; in `release` what runs once a pixel, a triangle or a row is
 # compiled for speed and the rest for size.
-HOT_release := src/raster.c src/shade.c src/tile.c src/blinn_phong.c $(wildcard src/pixel_*.c)
+HOT_release := src/raster.c src/shade.c src/tile.c $(wildcard src/pixel_*.c)
 optimise = $(if $(filter release,$1),$(if $(filter $(HOT_release),$2),-O2,-Os),-$1)
 
 # $(call firmware_objects,board,level): objects and library of one board
 define firmware_objects
-$(BUILD)/$1/$2/%.o: %.c
+$(BUILD)/$1/$2/%.o: %.c port/boards.mk
 	@mkdir -p $$(@D)
 	$$(Q)$(CROSS)gcc $$($1_CPU) $$(FIRMWARE_CFLAGS) $$(call optimise,$2,$$<) \
 	    $$(if $$(filter port/libc/%,$$<),-fno-tree-loop-distribute-patterns) -c $$< -o $$@

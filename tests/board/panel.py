@@ -10,8 +10,9 @@ import os
 import shutil
 import subprocess
 import sys
+import time
 
-from qemu import Died, Machine, Tally, read_netpbm, write_grey
+from qemu import SILENCE, Died, Machine, Tally, read_netpbm, write_grey
 
 WIDTH, HEIGHT, MAGNIFIED, STEP = 128, 64, 4, 17
 MODELS, FRAMES = ("torus576", "teapot"), 10
@@ -83,9 +84,45 @@ def run(arguments, tally, elf, names, wanted):
         tally.check(False, "%s: %s" % (elf, problem))
 
 
+def run_example(arguments, tally):
+    """The README's example ends well, with something on the panel until then."""
+    dump = os.path.join(arguments.output, "minimal-screen.ppm")
+    lit = 0
+    try:
+        with Machine(arguments.qemu, "lm3s6965evb", arguments.minimal) as machine:
+            while machine.process.poll() is None and not lit:
+                try:
+                    machine.screendump(dump)
+                    lit = sum(1 for level in glass(dump) if level)
+                except (Died, OSError, ValueError):
+                    break  # it has ended
+            status = machine.end()
+        tally.check(status == 0, "%s: exit status %d" % (arguments.minimal, status))
+        tally.check(lit, "%s: nothing on the panel" % arguments.minimal)
+    except (Died, OSError, subprocess.SubprocessError) as problem:
+        tally.check(False, "%s: %s" % (arguments.minimal, problem))
+
+
+def run_alone(arguments, tally):
+    """Firmware runs on a board that no debugger listens to."""
+    dump = os.path.join(arguments.output, "alone-screen.ppm")
+    end = time.monotonic() + SILENCE
+    shown = None
+    try:
+        with Machine(arguments.qemu, "lm3s6965evb", arguments.pattern, debugger=False) as machine:
+            while shown != pattern() and time.monotonic() < end:
+                time.sleep(0.1)
+                machine.screendump(dump)
+                shown = glass(dump)
+            tally.check(machine.command("query-status")["status"] == "running", "no debugger: the core has stopped")
+    except (Died, OSError, ValueError) as problem:
+        tally.check(False, "no debugger: %s" % problem)
+    tally.check(shown == pattern(), "no debugger: the pattern is not on the panel")
+
+
 def main():
     parser = argparse.ArgumentParser()
-    for name in ("qemu", "output", "host", "pattern", "turntable"):
+    for name in ("qemu", "output", "host", "pattern", "minimal", "turntable"):
         parser.add_argument("--" + name, required=True)
     arguments = parser.parse_args()
     host = os.path.join(arguments.output, "host")
@@ -93,6 +130,8 @@ def main():
     os.makedirs(host)
     tally = Tally()
     run(arguments, tally, arguments.pattern, ["pattern-0"], lambda name: pattern())
+    run_alone(arguments, tally)
+    run_example(arguments, tally)
     drawn = subprocess.run([arguments.host, host]).returncode
     if tally.check(drawn == 0, "the host cannot draw the turntable"):
         run(arguments, tally, arguments.turntable, ["%s-%d" % (m, f) for m in MODELS for f in range(FRAMES)],
