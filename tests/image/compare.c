@@ -128,7 +128,7 @@ static void bench_scenes_at_128x64(void) {
 
 /*
  * Among very many pixels some lie where N.L is 0 to the last bit and the highlight, gated by N.L > 0, ends in a jump.
- * Suites of that size leave them out. N.L is evenly spread, so that with 8 lights they are 8 in 2^14.
+ * Where that is to be expected they are left out. N.L is evenly spread, so that with 8 lights they are 8 in 2^14.
  */
 static void check_gates(const judgement *found) {
     CHECK(found->gated * 2048 < found->covered);
@@ -145,7 +145,7 @@ static void compare_scene(const scene_definition *definition, glint_viewer viewe
     scene_build(&scene, definition);
     scene.scene.viewer = viewer;
     task.scene = &scene.scene;
-    task.leave_out_gates = width == GLINT_SIZE_MAX;
+    task.leave_out_gates = width == GLINT_SIZE_MAX && scene.materials[0].shininess == 0; /* the jump is full height */
     judge(&task, &of_565);
     task.format = &glint_format_rgb888;
     task.fine = FINE_888;
