@@ -87,6 +87,8 @@ static int list_clipped(glint_frame *frame, const glint_draw *draw, const glint_
         if (!glint_find_tiles(frame, draw->mirrored, draw->double_sided, part, &range))
             continue;
         uint32_t number = (uint32_t)(top - frame->clipped);
+        if (room(frame) < sizeof(glint_clipped)) /* a pass of many tiles can run out of room half way */
+            return 0;
         frame->clipped--;
         for (int j = 0; j < 3; j++)
             frame->clipped->corners[j] = *part[j];
@@ -127,6 +129,14 @@ static int begin_lists(glint_frame *frame) {
     for (uint32_t i = 0; i < tiles; i++)
         frame->lists[i].head = GLINT_LIST_END;
     return 1;
+}
+
+void glint_count_arena(glint_frame *frame) {
+    const uint8_t *base = frame->memory.base;
+    const uint8_t *low = (const uint8_t *)(frame->references + frame->reference_count);
+    size_t used = (size_t)(low - base) + (size_t)(base + frame->memory.high - (const uint8_t *)frame->clipped);
+    if (used > frame->stats.arena_used)
+        frame->stats.arena_used = (uint32_t)used;
 }
 
 glint_status glint_bin(glint_frame *frame, int *complete) {

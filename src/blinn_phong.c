@@ -20,6 +20,11 @@ static uint32_t specular_power(const glint_power_table *table, const int16_t n[3
     return (uint32_t)(node[0] + glint_shift_right((node[1] - node[0]) * fraction, GLINT_POWER_FRACTION_BITS));
 }
 
+/* 0^p, Q15: 0^0 is 1. */
+static uint32_t power_of_zero(const glint_power_table *table) {
+    return table->exponent ? 0 : 1u << 15;
+}
+
 static void add(uint32_t colour[3], uint32_t amount, const uint32_t weight[3]) {
     colour[0] += amount * weight[0] >> 4;
     colour[1] += amount * weight[1] >> 4;
@@ -31,7 +36,7 @@ static uint32_t specular_infinite(const glint_power_table *table, const glint_pr
                                   const int16_t normal[3]) {
     int32_t cosine = glint_dot(normal, light->half_vector);
     if (cosine <= 0)
-        return 0;
+        return power_of_zero(table);
     int32_t bound = glint_shift_right(cosine, 15) + 1;
     if (glint_shift_right(bound * bound, 15) < table->cosine_square_floor)
         return 0;
@@ -46,7 +51,7 @@ static uint32_t specular_local(const glint_power_table *table, const glint_prepa
     int32_t z = light->direction[2] + view[2];
     int32_t along = normal[0] * x + normal[1] * y + normal[2] * z; /* |L + V| is at most 2 UNIT: below 2^31 */
     if (along <= 0)
-        return 0;
+        return power_of_zero(table);
     /* |H|^2 = 2 (1 + L.V): compare cos^2 |H|^2 / 4 with its floor, both rounded to the safe side. */
     int32_t half_square = glint_shift_right(GLINT_UNIT * GLINT_UNIT + glint_dot(light->direction, view), 16);
     int32_t bound = glint_shift_right(along, 16) + 1;
@@ -55,7 +60,7 @@ static uint32_t specular_local(const glint_power_table *table, const glint_prepa
     int16_t half_vector[3];
     glint_unit(x, y, z, half_vector);
     int32_t cosine = glint_dot(normal, half_vector);
-    return cosine > 0 ? specular_power(table, normal, half_vector, cosine) : 0;
+    return cosine > 0 ? specular_power(table, normal, half_vector, cosine) : power_of_zero(table);
 }
 
 static void light(const glint_shading *shading, uint32_t index, const glint_view *view, glint_fragments *fragments) {

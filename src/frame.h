@@ -228,6 +228,9 @@ size_t glint_tile_buffers_size(const glint_config *config);
 /** Puts triangles from (frame->object, frame->triangle) on into the lists of the pass's tiles. */
 glint_status glint_bin(glint_frame *frame, int *complete);
 
+/** Brings stats.arena_used up to date after binning. */
+void glint_count_arena(glint_frame *frame);
+
 /** Loads vertices of objects from (frame->object, frame->triangle) on, as many as fit. */
 glint_status glint_load(glint_frame *frame);
 

@@ -71,6 +71,9 @@ static int load_whole(glint_frame *frame, glint_draw *last, const glint_transfor
     return 1;
 }
 
+/* Twice as many triangles still fit a draw. */
+#define RUN_VERTICES_MAX 0x6000
+
 /* Vertices of a run, found by their index in the mesh: open addressing. */
 typedef struct slots {
     uint16_t *map, *index; /* slot + 1 or 0; mesh index of a slot */
@@ -105,7 +108,7 @@ static uint32_t run_capacity(const glint_frame *frame, const glint_transform *tr
     if (room < GLINT_BIN_RESERVE)
         return 0;
     room -= GLINT_BIN_RESERVE;
-    uint32_t vertices = room / 34 < 0xfff0 ? (uint32_t)(room / 34) : 0xfff0;
+    uint32_t vertices = room / 34 < RUN_VERTICES_MAX ? (uint32_t)(room / 34) : RUN_VERTICES_MAX;
     while (vertices && run_size(transform, vertices, map_size) > room)
         vertices -= (vertices + 15) / 16;
     return vertices;
