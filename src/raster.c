@@ -14,9 +14,10 @@ typedef struct plane {
     int32_t start, dx, dy;
 } plane;
 
-/* Depth, and the normal over w. */
+/* Depth, and up to two triples: a normal over w or a lit colour, and the surface's own colour. */
 typedef struct attributes {
-    plane depth, normal[3];
+    plane depth, main[3], extra[3];
+    uint8_t has_main, has_extra;
     int32_t anchor_x, anchor_y; /* pixel */
 } attributes;
 
@@ -90,59 +91,135 @@ static int32_t plane_at(const plane *p, int32_t x, int32_t y) {
     return glint_add_wrap(p->start, glint_add_wrap(glint_multiply_wrap(p->dx, x), glint_multiply_wrap(p->dy, y)));
 }
 
-/* Normal over w, scaled so that the nearest corner's is in 30 bits; turned where the back is seen. */
-static void normal_planes(attributes *a, const gradients *g, const glint_vertex *const v[3], int back) {
-    int32_t scaled[3][3];
-    unsigned zeros = glint_leading_zeros((uint32_t)(v[0]->inverse_w | v[1]->inverse_w | v[2]->inverse_w));
-    for (int i = 0; i < 3; i++) {
-        uint32_t w = (uint32_t)v[i]->inverse_w << (zeros - 1); /* the largest in 2^30 .. 2^31 */
-        int32_t high = (int32_t)(w >> 16), low = (int32_t)(w & 0xffff);
-        for (int j = 0; j < 3; j++) {
-            int32_t n = back ? -v[i]->normal[j] : v[i]->normal[j];
-            scaled[i][j] = n * high + glint_shift_right(n * low, 16);
-        }
+/* 1/w of the corners, the largest in 2^30 .. 2^31; @return the shift that took. */
+static unsigned scale_inverse_w(const glint_vertex *const v[3], uint32_t w[3]) {
+    unsigned up =
+        glint_leading_zeros((uint32_t)v[0]->inverse_w | (uint32_t)v[1]->inverse_w | (uint32_t)v[2]->inverse_w | 1) - 1;
+    for (int i = 0; i < 3; i++)
+        w[i] = (uint32_t)v[i]->inverse_w << up;
+    return up;
+}
+
+/* An attribute of 16 bits over w: below 2^30. */
+static int32_t over_w(int32_t attribute, uint32_t w) {
+    return attribute * (int32_t)(w >> 16) + glint_shift_right(attribute * (int32_t)(w & 0xffff), 16);
+}
+
+/* Normals over w, turned where the back is seen. */
+static void normal_planes(plane planes[3], const gradients *g, const int16_t *const n[3], const uint32_t w[3],
+                          int back) {
+    for (int c = 0; c < 3; c++) {
+        int32_t scaled[3];
+        for (int i = 0; i < 3; i++)
+            scaled[i] = over_w(back ? -n[i][c] : n[i][c], w[i]);
+        plane_begin(&planes[c], g, scaled[0], scaled[1], scaled[2]);
     }
-    for (int j = 0; j < 3; j++)
-        plane_begin(&a->normal[j], g, scaled[0][j], scaled[1][j], scaled[2][j]);
 }
 
-/* The farthest surfaces still count as nearer than nothing. */
-static int32_t depth_of(const glint_vertex *v) {
-    return v->inverse_w < 1 << 15 ? 1 << 15 : v->inverse_w;
+/*
+ * Is a colour's plane on the screen within 1/4 of an 8-bit step of the right one? Where w changes by a factor r, the
+ * two are at most a quarter of (r - 1) of the colour's change apart (the largest of x - x / (r - (r - 1) x), to first
+ * order).
+ */
+static int is_linear(const int16_t *const colour[3], const uint32_t w[3]) {
+    uint32_t most = w[0] > w[1] ? w[0] : w[1], least = w[0] < w[1] ? w[0] : w[1];
+    most = (most > w[2] ? most : w[2]) >> 16;
+    least = (least < w[2] ? least : w[2]) >> 16;
+    for (int c = 0; c < 3; c++) {
+        int32_t a = colour[0][c], b = colour[1][c], d = colour[2][c];
+        int32_t top = a > b ? a : b, low = a < b ? a : b;
+        int32_t change = (top > d ? top : d) - (low < d ? low : d);
+        if ((uint32_t)change * (most - least) > 128 * least)
+            return 0;
+    }
+    return 1;
 }
 
-static void attributes_begin(attributes *a, const glint_vertex *const v[3], int32_t area, int back) {
+static void colour_planes(plane planes[3], const gradients *g, const int16_t *const colour[3], const uint32_t w[3],
+                          int perspective) {
+    for (int c = 0; c < 3; c++) {
+        int32_t scaled[3];
+        for (int i = 0; i < 3; i++)
+            scaled[i] = perspective ? over_w(colour[i][c], w[i]) : colour[i][c] * (1 << 15);
+        plane_begin(&planes[c], g, scaled[0], scaled[1], scaled[2]);
+    }
+}
+
+/* The farthest surfaces still count as nearer than nothing: depth 1. */
+static int32_t depth_of(int32_t inverse_w) {
+    return glint_shift_right(inverse_w, 15) + 1;
+}
+
+static void attributes_begin(attributes *a, glint_fragments *fragments, const glint_draw *draw, const glint_triangle *t,
+                             int32_t area, int back) {
+    const glint_vertex *const *v = t->corners;
+    const int16_t *const main[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
     gradients g;
+    uint32_t w[3];
     gradients_begin(&g, v, area);
     a->anchor_x = glint_shift_right(v[0]->x, 4);
     a->anchor_y = glint_shift_right(v[0]->y, 4);
-    plane_begin(&a->depth, &g, depth_of(v[0]), depth_of(v[1]), depth_of(v[2]));
-    normal_planes(a, &g, v, back);
+    plane_begin(&a->depth, &g, v[0]->inverse_w, v[1]->inverse_w, v[2]->inverse_w);
+    a->has_main = draw->evaluation->planes != 0;
+    a->has_extra = a->has_main && draw->extra && !draw->evaluation->lit;
+    fragments->facet = t->facet;
+    if (!a->has_main)
+        return;
+    const unsigned up = scale_inverse_w(v, w);
+    if (draw->evaluation->lit) {
+        const int16_t *const *colour = back && draw->double_sided ? t->extra : main;
+        fragments->perspective = is_linear(colour, w) ? 0 : up + 1;
+        colour_planes(a->main, &g, colour, w, fragments->perspective != 0);
+    } else {
+        normal_planes(a->main, &g, main, w, back);
+    }
+    if (a->has_extra) {
+        fragments->perspective = is_linear(t->extra, w) ? 0 : up + 1;
+        colour_planes(a->extra, &g, t->extra, w, fragments->perspective != 0);
+    }
 }
 
-/* Fragments of one row, from column `left` to before `right`; tile coordinates in `fragments`. */
+static void planes_at(const plane planes[3], int32_t x, int32_t y, int32_t value[3]) {
+    for (int c = 0; c < 3; c++)
+        value[c] = plane_at(&planes[c], x, y);
+}
+
+static void step(const plane planes[3], int32_t value[3]) {
+    value[0] = glint_add_wrap(value[0], planes[0].dx);
+    value[1] = glint_add_wrap(value[1], planes[1].dx);
+    value[2] = glint_add_wrap(value[2], planes[2].dx);
+}
+
+/* Fragments of one row, from column `left` to before `right`. */
 static void row(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw, const attributes *a,
                 int32_t left, int32_t right, int32_t y) {
     glint_fragments *fragments = workspace->fragments;
-    int32_t depth = plane_at(&a->depth, left - a->anchor_x, y - a->anchor_y);
-    int32_t n[3];
-    for (int i = 0; i < 3; i++)
-        n[i] = plane_at(&a->normal[i], left - a->anchor_x, y - a->anchor_y);
+    const int32_t from_x = left - a->anchor_x, from_y = y - a->anchor_y;
+    int32_t inverse_w = plane_at(&a->depth, from_x, from_y), main[3], extra[3];
+    if (a->has_main)
+        planes_at(a->main, from_x, from_y, main);
+    if (a->has_extra)
+        planes_at(a->extra, from_x, from_y, extra);
     uint32_t offset = ((uint32_t)(y - fragments->tile_y) << frame->tile_shift_x) + (uint32_t)(left - fragments->tile_x);
     for (; left < right; left++, offset++) {
-        int32_t here = glint_shift_right(depth, 15);
-        if (here > workspace->depth[offset]) {
-            workspace->depth[offset] = (uint16_t)here;
+        int32_t depth = depth_of(inverse_w);
+        if (depth > workspace->depth[offset]) {
+            workspace->depth[offset] = (uint16_t)depth;
             uint32_t i = fragments->count++;
             fragments->offset[i] = (uint16_t)offset;
-            glint_unit(n[0], n[1], n[2], fragments->normal[i]);
+            fragments->inverse_w[i] = inverse_w;
+            for (int c = 0; c < 3 && a->has_main; c++)
+                fragments->attribute[i][c] = main[c];
+            for (int c = 0; c < 3 && a->has_extra; c++)
+                fragments->extra[i][c] = extra[c];
             if (i == GLINT_FRAGMENTS_MAX - 1)
-                glint_shade(frame, workspace, draw->shading);
+                glint_shade(frame, workspace, draw);
         }
-        depth = glint_add_wrap(depth, a->depth.dx);
-        n[0] = glint_add_wrap(n[0], a->normal[0].dx);
-        n[1] = glint_add_wrap(n[1], a->normal[1].dx);
-        n[2] = glint_add_wrap(n[2], a->normal[2].dx);
+        inverse_w = glint_add_wrap(inverse_w, a->depth.dx);
+        if (a->has_main)
+            step(a->main, main);
+        if (a->has_extra)
+            step(a->extra, extra);
     }
 }
 
@@ -173,21 +250,13 @@ static void swap(const glint_vertex **a, const glint_vertex **b) {
     *b = t;
 }
 
-void glint_raster(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                  const glint_vertex *const corners[3]) {
+/* The triangle's rows in the tile: its upper part to the middle corner, then the lower. */
+static void walk(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw, const attributes *a,
+                 const glint_vertex *const corners[3]) {
     const glint_fragments *fragments = workspace->fragments;
     const glint_range tile = {fragments->tile_x, fragments->tile_y, fragments->tile_x + fragments->tile_width,
                               fragments->tile_y + fragments->tile_height};
-    const glint_vertex *v[3] = {corners[0], corners[1], corners[2]};
-    int32_t area = glint_double_area(v[0], v[1], v[2]);
-    int back = (area > 0) != draw->mirrored;
-    if (area < 0) {
-        swap(&v[1], &v[2]);
-        area = -area;
-    }
-    attributes a;
-    attributes_begin(&a, v, area, back);
-    const glint_vertex *top = v[0], *middle = v[1], *bottom = v[2];
+    const glint_vertex *top = corners[0], *middle = corners[1], *bottom = corners[2];
     if (middle->y < top->y)
         swap(&top, &middle);
     if (bottom->y < middle->y)
@@ -195,17 +264,34 @@ void glint_raster(const glint_frame *frame, glint_workspace *workspace, const gl
     if (middle->y < top->y)
         swap(&top, &middle);
     /* y runs down, so the middle corner lies right of the long edge where this area is above 0. */
-    int long_is_left = glint_double_area(top, middle, bottom) > 0;
+    const int first_side = glint_double_area(top, middle, bottom) > 0 ? 2 : 0;
     int32_t first = first_row(top), turn = first_row(middle), end = first_row(bottom);
     first = first < tile.top ? tile.top : first;
     end = end > tile.bottom ? tile.bottom : end;
     const glint_vertex *const upper[6] = {top, middle, top, bottom, top, middle};
     const glint_vertex *const lower[6] = {middle, bottom, top, bottom, middle, bottom};
     if (first < turn)
-        rows(frame, workspace, draw, &a, &tile, upper + (long_is_left ? 2 : 0), first, turn < end ? turn : end);
+        rows(frame, workspace, draw, a, &tile, upper + first_side, first, turn < end ? turn : end);
     first = first < turn ? turn : first;
     if (first < end)
-        rows(frame, workspace, draw, &a, &tile, lower + (long_is_left ? 2 : 0), first, end);
+        rows(frame, workspace, draw, a, &tile, lower + first_side, first, end);
+}
+
+void glint_raster(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                  const glint_triangle *triangle) {
+    glint_triangle t = *triangle;
+    int32_t area = glint_double_area(t.corners[0], t.corners[1], t.corners[2]);
+    const int back = (area > 0) != draw->mirrored;
+    if (area < 0) {
+        const int16_t *extra = t.extra[1];
+        swap(&t.corners[1], &t.corners[2]);
+        t.extra[1] = t.extra[2];
+        t.extra[2] = extra;
+        area = -area;
+    }
+    attributes a;
+    attributes_begin(&a, workspace->fragments, draw, &t, area, back);
+    walk(frame, workspace, draw, &a, t.corners);
     if (workspace->fragments->count)
-        glint_shade(frame, workspace, draw->shading);
+        glint_shade(frame, workspace, draw);
 }

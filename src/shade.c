@@ -1,27 +1,75 @@
 /* SPDX-License-Identifier: MIT */
-/* Shade: colours of a few fragments of one triangle, light by light, then into the tile's pixels. */
+/* Shade: colours of a few fragments of one triangle into the tile's pixels. */
 #include "frame.h"
 
-/* V points from the fragment to the eye: against the ray through the pixel's centre, in half pixels, Q12. */
-static void find_view_vectors(const glint_frame *frame, glint_fragments *fragments) {
-    uint32_t mask = (uint32_t)frame->config.tile_width - 1;
+int glint_needs_rays(const glint_view *view, const glint_shading *shading) {
+    return view->has_positions || (view->local_viewer && shading->has_specular);
+}
+
+/* V points to the eye: along the ray for the local viewer, straight back for the infinite one. */
+static void find_view_vectors(const glint_view *view, glint_fragments *fragments) {
     for (uint32_t i = 0; i < fragments->count; i++) {
-        int32_t x = fragments->tile_x + (int32_t)(fragments->offset[i] & mask);
-        int32_t y = fragments->tile_y + (fragments->offset[i] >> frame->tile_shift_x);
-        glint_unit((frame->config.width - 1 - 2 * x) * 4096, (2 * y + 1 - frame->config.height) * 4096,
-                   frame->view->focal, fragments->view[i]);
+        const int32_t *ray = fragments->ray[i];
+        if (view->local_viewer)
+            glint_unit(ray[0], ray[1], ray[2], fragments->view[i]);
+        else
+            fragments->view[i][0] = 0, fragments->view[i][1] = 0, fragments->view[i][2] = GLINT_UNIT;
     }
 }
 
-void glint_shade(const glint_frame *frame, glint_workspace *workspace, const glint_shading *shading) {
-    glint_fragments *fragments = workspace->fragments;
-    if (frame->view->local_viewer && shading->has_specular)
-        find_view_vectors(frame, fragments);
+static void begin_colours(const glint_shading *shading, glint_fragments *fragments, int has_surface) {
+    for (uint32_t i = 0; i < fragments->count; i++) {
+        for (int c = 0; c < 3; c++) {
+            uint32_t ambient = shading->ambient[c];
+            if (has_surface)
+                ambient = (uint32_t)((uint64_t)ambient * ((uint32_t)fragments->surface[i][c] + 1) >> 15);
+            fragments->colour[i][c] = ambient;
+        }
+    }
+}
+
+/* GLINT_MATERIAL_MAX: lights were summed up from 0; where ambient light is brighter, it is taken. */
+static void combine_largest(const glint_shading *shading, glint_fragments *fragments, int has_surface) {
+    uint32_t lit[GLINT_FRAGMENTS_MAX][3];
     for (uint32_t i = 0; i < fragments->count; i++)
         for (int c = 0; c < 3; c++)
-            fragments->colour[i][c] = shading->ambient[c];
+            lit[i][c] = fragments->colour[i][c];
+    begin_colours(shading, fragments, has_surface);
+    for (uint32_t i = 0; i < fragments->count; i++)
+        for (int c = 0; c < 3; c++)
+            if (lit[i][c] > fragments->colour[i][c])
+                fragments->colour[i][c] = lit[i][c];
+}
+
+void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const glint_shading *shading,
+                     int has_surface) {
+    const glint_model *model = shading->material->model;
+    const uint32_t takes_largest = shading->material->flags & GLINT_MATERIAL_MAX;
+    if (!model->light || !takes_largest)
+        begin_colours(shading, fragments, has_surface);
+    if (!model->light)
+        return;
+    if (takes_largest)
+        for (uint32_t i = 0; i < fragments->count; i++)
+            fragments->colour[i][0] = 0, fragments->colour[i][1] = 0, fragments->colour[i][2] = 0;
+    if (shading->has_specular)
+        find_view_vectors(frame->view, fragments);
     for (uint32_t light = 0; light < frame->view->light_count; light++)
-        shading->material->model->light(shading, light, frame->view, fragments);
-    frame->config.format->store(workspace->pixels, fragments->offset, fragments->colour, fragments->count);
+        model->light(shading, light, frame->view, fragments, has_surface);
+    if (takes_largest)
+        combine_largest(shading, fragments, has_surface);
+}
+
+void glint_clamp_colour(const uint32_t colour[3], int16_t out[3]) {
+    for (int c = 0; c < 3; c++)
+        out[c] = (int16_t)(colour[c] < (1u << 23) - 256 ? (colour[c] + 128) >> 8 : GLINT_COLOUR_ONE);
+}
+
+void glint_shade(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw) {
+    glint_fragments *fragments = workspace->fragments;
+    draw->evaluation->shade(frame, fragments, draw);
+    if (frame->config.gamma)
+        glint_apply_gamma(frame->config.gamma, fragments->colour, fragments->count);
+    frame->config.format->store(workspace->pixels, fragments, frame->tile_shift_x);
     fragments->count = 0;
 }
