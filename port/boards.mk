@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# Firmware for every board, from one pattern. A board is the five lines below; a program is its sources.
+# Firmware for every board, from one pattern. A board is the few lines below; a program is its sources.
 # build/<board>/<level>/<program>.elf, with what it takes of flash, RAM and stack printed and kept beside it.
 
 CROSS ?= arm-none-eabi-
 
-# ---- Boards: core flags, port sources, linker script, how to run it (empty: not), QEMU's name of the processor's machine
+# ---- Boards: core flags, sources of the port, linker script, and sources of the driver for its panel
 
 BOARDS := lm3s6965evb microbit mps2-an385 mps2-an385-m0 template
 
@@ -13,24 +13,20 @@ CORTEX_M := $(wildcard port/cortex-m/*.c) port/libc/memory.c
 lm3s6965evb_CPU     := -mcpu=cortex-m3 -mthumb
 lm3s6965evb_SOURCES := $(CORTEX_M) $(wildcard port/lm3s6965evb/*.c)
 lm3s6965evb_LINKER  := linker/lm3s6965evb.ld
-lm3s6965evb_MACHINE := lm3s6965evb
 lm3s6965evb_PANEL   := port/panel/panel.c port/panel/solomon.c port/panel/ssd0323.c
 
 microbit_CPU     := -mcpu=cortex-m0 -mthumb
 microbit_SOURCES := $(CORTEX_M) $(wildcard port/microbit/*.c)
 microbit_LINKER  := linker/microbit.ld
-microbit_MACHINE := microbit
 
 mps2-an385_CPU     := -mcpu=cortex-m3 -mthumb
 mps2-an385_SOURCES := $(CORTEX_M) $(wildcard port/mps2-an385/*.c)
 mps2-an385_LINKER  := linker/mps2-an385.ld
-mps2-an385_MACHINE := mps2-an385
 
 # ARMv6-M code on the M3 of the same board: a Cortex-M0 with room to spare.
 mps2-an385-m0_CPU     := -mcpu=cortex-m0 -mthumb
 mps2-an385-m0_SOURCES := $(mps2-an385_SOURCES)
 mps2-an385-m0_LINKER  := $(mps2-an385_LINKER)
-mps2-an385-m0_MACHINE := mps2-an385
 
 template_CPU     := -mcpu=cortex-m3 -mthumb
 template_SOURCES := $(CORTEX_M) $(wildcard port/template/*.c)
@@ -55,12 +51,12 @@ FIRMWARE_LDFLAGS = -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings -Llinker
 
 # Levels of optimisation: O0, Os and O2 are the compiler's; in `release` what runs once a pixel, a triangle or a row is
 # compiled for speed and the rest for size.
-HOT_release := src/raster.c src/shade.c src/tile.c src/blinn_phong.c $(wildcard src/pixel_*.c)
+HOT_release := src/raster.c src/shade.c src/tile.c $(wildcard src/pixel_*.c)
 optimise = $(if $(filter release,$1),$(if $(filter $(HOT_release),$2),-O2,-Os),-$1)
 
 # $(call firmware_objects,board,level): objects and library of one board
 define firmware_objects
-$(BUILD)/$1/$2/%.o: %.c
+$(BUILD)/$1/$2/%.o: %.c port/boards.mk
 	@mkdir -p $$(@D)
 	$$(Q)$(CROSS)gcc $$($1_CPU) $$(FIRMWARE_CFLAGS) $$(call optimise,$2,$$<) \
 	    $$(if $$(filter port/libc/%,$$<),-fno-tree-loop-distribute-patterns) -c $$< -o $$@

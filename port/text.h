@@ -11,7 +11,7 @@
 
 /** Writes a number in decimal to the end of `digits`. @return its first digit. */
 static inline const char *text_number(char digits[TEXT_NUMBER_SIZE], uint32_t number) {
-    char *at = digits + TEXT_NUMBER_SIZE - 1;
+    char *at = digits + (TEXT_NUMBER_SIZE - 1);
 
     *at = '\0';
     do {

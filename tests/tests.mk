@@ -78,7 +78,7 @@ FUZZ_CFLAGS  := -std=c99 $(WARNINGS) -g -O1 -Isrc -Iport/host -fsanitize=fuzzer,
 FUZZ_TARGETS := $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
 
 # What a target links beside the library.
-FUZZ_SOURCES_fuzz_obj := port/host/obj.c port/host/mesh.c
+FUZZ_SOURCES_fuzz_obj := $(HOST_READER_SOURCES)
 
 define fuzz_target
 $(BUILD)/fuzz/$1: tests/fuzz/$1.c $(FUZZ_SOURCES_$1) $(LIBRARY) $(wildcard src/*.h port/host/*.h)
@@ -90,6 +90,6 @@ $(foreach target,$(FUZZ_TARGETS),$(eval $(call fuzz_target,$(target))))
 fuzz: $(FUZZ_TARGETS:%=$(BUILD)/fuzz/%) ## random scenes and models for FUZZ_SECONDS each, under ASan and UBSan
 	@set -e; for target in $^; do \
 	    mkdir -p $$target-corpus; \
-	    $$target -max_total_time=$(FUZZ_SECONDS) -timeout=10 -print_final_stats=1 -verbosity=0 \
-	        -artifact_prefix=$$target- $$target-corpus; \
+	    $$target -max_total_time=$(FUZZ_SECONDS) -timeout=10 -max_len=4096 -len_control=10 \
+	        -print_final_stats=1 -verbosity=0 -artifact_prefix=$$target- $$target-corpus; \
 	done

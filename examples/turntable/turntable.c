@@ -53,7 +53,7 @@ static glint_status set_teapot(turntable *table, uint32_t frame) {
     table->scene.light_count = 2;
     table->scene.viewer = GLINT_VIEWER_INFINITE;
     table->scene.ambient = (glint_colour)COLOUR(0.15, 0.15, 0.15);
-    table->scene.camera.field_of_view = GLINT_Q16(27);
+    table->scene.camera.field_of_view = GLINT_Q16(29);
     return glint_camera_look_at(&table->scene.camera, eye, at, up);
 }
 

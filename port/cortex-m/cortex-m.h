@@ -10,7 +10,7 @@ enum { EXIT_FAULT = 100, EXIT_INTERRUPT = 101 };
 
 /** A register of a peripheral. */
 static inline volatile uint32_t *cortex_m_register(uintptr_t address) {
-    return (volatile uint32_t *)address; /* NOLINT(performance-no-int-to-ptr): registers have addresses */
+    return (volatile uint32_t *)address;
 }
 
 /** Waits at least so many milliseconds on a core that runs at clock_hz. */

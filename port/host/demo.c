@@ -1,7 +1,165 @@
 /* SPDX-License-Identifier: MIT */
+/**
+ * @file demo.c
+ * A sheet of pictures, each of them what `glint render` draws with the arguments that stand here.
+ */
 #include "command.h"
 
+#include "memory.h"
+#include "output.h"
+#include "png.h"
+#include "view.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define SHEET_WIDTH 960u
+#define SHEET_HEIGHT 720u
+
+/** Most arguments of a cell, and bytes of all of them. */
+#define ARGUMENTS_MAX 48
+#define ARGUMENTS_SIZE 512
+
+/** A picture and its place on the sheet. File names are looked up in the folder of the models. */
+typedef struct demo_cell {
+    uint32_t x, y;
+    const char *arguments;
+} demo_cell;
+
+static const demo_cell cells[] = {
+    /* Porcelain: a warm key light, a cool one from behind that draws the outline, a faint one from below. */
+    {0, 0,
+     "teapot.obj --size 640x480 --double-sided --eye 0.5,1.05,2.45 --at 0,-0.03,0 --fov 36 --viewer local "
+     "--light dir:-0.6,0.8,0.7:1,0.95,0.86 --light dir:0.9,0.35,-0.7:0.35,0.55,0.95 "
+     "--light dir:0.2,-0.9,0.4:0.2,0.13,0.1 --ambient .07,.07,.09 --diffuse .83,.8,.76 --specular .7 "
+     "--shininess 90 --background .075,.085,.115"},
+    /* Copper. */
+    {640, 0,
+     "spot.obj --rotate-y 205 --eye 0.1,0.75,2.9 --at 0,0.12,0 --fov 36 --viewer local "
+     "--light dir:-0.7,0.8,0.6:1,.95,.9 --light dir:1,0.2,-0.4:.5,.35,.3 --ambient .08,.035,.025 "
+     "--diffuse .62,.27,.13 --specular .8,.52,.34 --shininess 22 --background .12,.085,.08"},
+    /* Plastic, seen by the infinite viewer. */
+    {640, 240,
+     "torus:96x48 --eye 0.9,-2.3,2.1 --at 0,0,-0.1 --up 0,0,1 --fov 48 --viewer infinite "
+     "--light dir:-0.5,-0.5,1 --light dir:0.9,0.4,0.5:.25,.3,.45 --ambient .01,.04,.07 "
+     "--diffuse .04,.36,.68 --specular .85 --shininess 160 --background .06,.1,.13"},
+    /* Facets: normals split at every edge. */
+    {0, 480,
+     "spot-control.obj --crease 0 --rotate-y 150 --eye 0.2,0.8,2.9 --at 0,0.1,0 --fov 37 --viewer infinite "
+     "--light dir:-0.6,0.9,0.5:1,1,.9 --light dir:0.8,-0.1,0.6:.3,.35,.5 --ambient .06,.09,.06 "
+     "--diffuse .45,.68,.33 --specular .15 --shininess 8 --background .085,.115,.085"},
+    /* Steel. */
+    {320, 480,
+     "featuretype.obj --rotate-y 28 --eye -0.45,1.5,2.1 --at -0.03,-0.02,0 --fov 40 --viewer local "
+     "--light dir:-0.45,1,0.8:.95,.97,1 --light dir:0.3,0.62,-0.82:.75,.6,.4 --light dir:0.9,-0.45,0.7:.4,.45,.55 "
+     "--ambient .07,.075,.085 --diffuse .44,.46,.5 --specular .7 --shininess 18 --background .1,.1,.108"},
+    /* Three coloured lights and a grey one on white. */
+    {640, 480,
+     "sphere:128x64 --eye 0,0.5,3.1 --fov 42 --viewer local --light dir:-1,0.5,0.6:1,.16,.12 "
+     "--light dir:1,0.5,0.5:.14,.35,1 --light dir:0,-1,0.35:.12,.8,.2 --light dir:0,1,.6:.3,.3,.3 --ambient .03 "
+     "--diffuse .75 --specular .6 --shininess 300 --background .095,.085,.12"},
+};
+
+typedef struct demo_words {
+    char text[ARGUMENTS_SIZE];
+    char *words[ARGUMENTS_MAX];
+    int count;
+} demo_words;
+
+static void split_words(const char *text, demo_words *out) {
+    out->count = 0;
+    snprintf(out->text, sizeof out->text, "%s", text);
+    for (char *word = strtok(out->text, " "); word != NULL && out->count < ARGUMENTS_MAX; word = strtok(NULL, " ")) {
+        out->words[out->count++] = word;
+    }
+}
+
+/** The model's path: shapes have none. The caller frees it. */
+static char *model_path(const char *folder, const char *model) {
+    const size_t size = strlen(folder) + strlen(model) + 2;
+    char *path = memory_new(size, 1);
+    const bool is_shape = strchr(model, ':') != NULL;
+    snprintf(path, size, "%s%s%s", is_shape ? "" : folder, is_shape ? "" : "/", model);
+    return path;
+}
+
+static void place_picture(const framebuffer *source, const demo_cell *cell, uint8_t *sheet) {
+    uint8_t *picture = framebuffer_expand(source);
+    const size_t row = 3 * (size_t)source->width;
+    for (uint32_t y = 0; y < source->height; y++) {
+        memcpy(sheet + 3 * ((size_t)(cell->y + y) * SHEET_WIDTH + cell->x), picture + y * row, row);
+    }
+    free(picture);
+}
+
+/** Draws a cell's scene onto the sheet. @return false with a problem */
+static bool draw_view(const host_settings *settings, const quantised_mesh *mesh, const demo_cell *cell, uint8_t *sheet,
+                      host_problem *problem) {
+    host_view view;
+    framebuffer target;
+    glint_stats stats;
+    if (!view_make(&view, settings, mesh, problem)) {
+        return false;
+    }
+    const bool drawn = view_draw(&view.scene, settings, &target, &stats, problem);
+    view_free(&view);
+    if (drawn) {
+        place_picture(&target, cell, sheet);
+        framebuffer_free(&target);
+    }
+    return drawn;
+}
+
+/** Draws a cell, or prints what is wrong. */
+static bool draw_cell(const demo_cell *cell, const char *folder, uint8_t *sheet) {
+    demo_words words;
+    host_settings settings;
+    host_problem problem;
+    settings_default(&settings);
+    split_words(cell->arguments, &words);
+    if (!settings_parse(&settings, COMMAND_RENDER, words.count, words.words, &problem)) {
+        problem_print(NULL, &problem);
+        return false;
+    }
+    char *path = model_path(folder, settings.model);
+    settings.model = path;
+    host_model model;
+    quantised_mesh mesh;
+    bool ok = command_load(&settings, false, &model, &mesh);
+    free(path);
+    if (!ok) {
+        return false;
+    }
+    mesh_free(&model.mesh);
+    ok = draw_view(&settings, &mesh, cell, sheet, &problem);
+    quantised_free(&mesh);
+    if (!ok) {
+        problem_print(NULL, &problem);
+    }
+    return ok;
+}
+
+static int write_sheet(const uint8_t *sheet, const char *path) {
+    host_bytes file = {NULL, 0, 0};
+    host_problem problem;
+    png_encode(&file, sheet, SHEET_WIDTH, SHEET_HEIGHT, 3);
+    const bool ok = bytes_write_file(&file, path, &problem);
+    free(file.data);
+    if (!ok) {
+        return command_fail(path, &problem);
+    }
+    printf("%s\n", path);
+    return 0;
+}
+
 int command_demo(const host_settings *settings) {
-    (void)settings;
-    return COMMAND_FAILED;
+    uint8_t *sheet = memory_new((size_t)SHEET_WIDTH * SHEET_HEIGHT, 3);
+    bool ok = true;
+    for (size_t i = 0; ok && i < sizeof cells / sizeof cells[0]; i++) {
+        ok = draw_cell(&cells[i], settings->models, sheet);
+    }
+    const int status = ok ? write_sheet(sheet, settings->output) : COMMAND_FAILED;
+    free(sheet);
+    return status;
 }

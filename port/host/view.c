@@ -186,7 +186,7 @@ static bool place_camera(host_view *view, const host_settings *settings, const q
         return frame_model(view, settings, mesh, problem);
     }
     const glint_status status = glint_camera_look_at(camera, settings->eye, settings->at, settings->up);
-    return status == GLINT_OK || problem_set(problem, 0, "%s", glint_strerror(status));
+    return status == GLINT_OK || problem_set(problem, 0, "--eye, --at and --up lie on one line");
 }
 
 bool view_make(host_view *view, const host_settings *settings, const quantised_mesh *mesh, host_problem *problem) {

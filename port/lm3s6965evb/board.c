@@ -7,6 +7,7 @@
 
 #include "cortex-m/cortex-m.h"
 #include "cortex-m/semihosting.h"
+#include "panel/ssd0323.h"
 #include "spi.h"
 
 enum {
@@ -33,7 +34,7 @@ enum {
 
 enum { CLOCK_FULL = 50000000, CLOCK_INTERNAL = 12000000 };
 
-/* Cores go on with the internal oscillator, 12 MHz, when the PLL does not lock. */
+/* @return the core's clock. Goes on with the internal oscillator, 12 MHz, when the PLL does not lock. */
 static uint32_t start_clock(void) {
     volatile uint32_t *clock = cortex_m_register(SYSCTL_CLOCK);
     const uint32_t internal = *clock;
@@ -54,7 +55,7 @@ static uint32_t start_clock(void) {
 }
 
 void board_init(void) {
-    lm3s_spi_start(start_clock());
+    lm3s_spi_start(start_clock(), glint_panel_ssd0323.clock_max);
 }
 
 void board_write(const char *text) {

@@ -35,7 +35,6 @@ enum {
     STATUS_TX_NOT_FULL = 1u << 1,
     STATUS_RX_NOT_EMPTY = 1u << 2,
     STATUS_BUSY = 1u << 4,
-    PANEL_HZ = 3500000,
 };
 
 /*
@@ -55,9 +54,8 @@ static void output_pin(uintptr_t port, uint32_t pin) {
     write_pin(port, pin, 1);
 }
 
-void lm3s_spi_start(uint32_t core_hz) {
-    /* even, rounded up: never faster than the panel takes */
-    const uint32_t prescale = ((core_hz + PANEL_HZ - 1) / PANEL_HZ + 1) & ~1u;
+void lm3s_spi_start(uint32_t core_hz, uint32_t bus_hz) {
+    const uint32_t prescale = ((core_hz + bus_hz - 1) / bus_hz + 1) & ~1u; /* even, rounded up: never too fast */
 
     *cortex_m_register(SYSCTL_GATES_1) |= GATE_1_SSI0;
     *cortex_m_register(SYSCTL_GATES_2) |= GATE_2_PORTS_A_C_D;

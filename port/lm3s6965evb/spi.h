@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-/** Sets up SSI0 and its pins; core_hz is the clock they divide. */
-void lm3s_spi_start(uint32_t core_hz);
+/** Sets up SSI0 and its pins: from a core at core_hz, a bus of at most bus_hz. */
+void lm3s_spi_start(uint32_t core_hz, uint32_t bus_hz);
 
 #endif

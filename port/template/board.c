@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * A port that compiles and does nothing: copy the directory and linker/template.ld, fill in what the comments ask for,
- * and add five lines to port/boards.mk. docs/porting.md walks through it.
+ * and add a few lines to port/boards.mk. docs/porting.md walks through it.
  */
 #include "board.h"
 

@@ -12,13 +12,14 @@ $(HOST_TURNTABLE): tests/board/turntable_host.c tests/board/frames.c tests/board
 	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples tests/board/turntable_host.c tests/board/frames.c examples/turntable/turntable.c \
 	    $(BUILD)/host/libglint.a -o $@
 
-test-board-panel: $(HOST_TURNTABLE) $(BUILD)/lm3s6965evb/release/pattern.elf $(BUILD)/lm3s6965evb/release/turntable.elf
+PANEL_PROGRAMS := pattern minimal turntable
+test-board-panel: $(HOST_TURNTABLE) $(PANEL_PROGRAMS:%=$(BUILD)/lm3s6965evb/release/%.elf) ## the OLED against the host
 	@python3 tests/board/panel.py --qemu $(QEMU) --output $(BUILD)/board --host $(HOST_TURNTABLE) \
-	    --pattern $(BUILD)/lm3s6965evb/release/pattern.elf --turntable $(BUILD)/lm3s6965evb/release/turntable.elf
+	    $(foreach program,$(PANEL_PROGRAMS),--$(program) $(BUILD)/lm3s6965evb/release/$(program).elf)
 
 # ---- The unit tests on Cortex-M3 and Cortex-M0
 
-test-board-unit: $(BUILD)/lm3s6965evb/release/unit.elf $(BUILD)/microbit/release/unit.elf
+test-board-unit: $(BUILD)/lm3s6965evb/release/unit.elf $(BUILD)/microbit/release/unit.elf ## unit tests on Cortex-M3 and M0
 	@python3 tests/board/unit.py --qemu $(QEMU) lm3s6965evb=$(BUILD)/lm3s6965evb/release/unit.elf \
 	    microbit=$(BUILD)/microbit/release/unit.elf
 
@@ -35,7 +36,7 @@ $(BUILD)/identity/%: tests/board/identity_host.c tests/board/identity.c tests/bo
 	    tests/board/identity_host.c tests/board/identity.c tests/board/frames.c examples/turntable/turntable.c \
 	    $(LIBRARY) -o $@
 
-test-board-identity: $(IDENTITY_ELF) $(IDENTITY_HOST)
+test-board-identity: $(IDENTITY_ELF) $(IDENTITY_HOST) ## the same bits from every core and compiler
 	@python3 tests/board/identity.py --qemu $(QEMU) --machine mps2-an385 \
 	    --host $(IDENTITY_HOST) --firmware $(IDENTITY_ELF)
 
@@ -46,6 +47,6 @@ FLASH_MOST   := 65536
 RAM_MOST     := 32768
 LIBRARY_MOST := 16384
 
-test-firmware: $(FIRMWARE)
+test-firmware: $(FIRMWARE) ## flash, RAM and library within their limits
 	@python3 tests/board/firmware.py --flash $(FLASH_MOST) --ram $(RAM_MOST) --library $(LIBRARY_MOST) \
 	    $(BUILD)/lm3s6965evb/release/turntable.map --programs $(FIRMWARE) --example examples/firmware/minimal.c

@@ -6,6 +6,8 @@ One check for each program and line: its checksum equals that of the first progr
 whatever the tile size and the arena.
 """
 import argparse
+import concurrent.futures
+import os
 import subprocess
 import sys
 
@@ -55,10 +57,13 @@ def main():
     parser.add_argument("--firmware", nargs="+", required=True)
     arguments = parser.parse_args()
     tally, pictures, expected = Tally(), {}, 0
-    for program in arguments.host + arguments.firmware:
+    programs = arguments.host + arguments.firmware
+    workers = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
+    running = [workers.submit(host_lines, program) for program in arguments.host]
+    running += [workers.submit(board_lines, arguments.qemu, arguments.machine, elf) for elf in arguments.firmware]
+    for program, result in zip(programs, running):
         try:
-            lines = host_lines(program) if program in arguments.host else board_lines(
-                arguments.qemu, arguments.machine, program)
+            lines = result.result()
         except (Died, OSError, subprocess.SubprocessError) as problem:
             tally.check(False, "%s: %s" % (program, problem))
             continue

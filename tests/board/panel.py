@@ -10,8 +10,9 @@ import os
 import shutil
 import subprocess
 import sys
+import time
 
-from qemu import Died, Machine, Tally, read_netpbm, write_grey
+from qemu import SILENCE, Died, Machine, Tally, read_netpbm, write_grey
 
 WIDTH, HEIGHT, MAGNIFIED, STEP = 128, 64, 4, 17
 MODELS, FRAMES = ("torus576", "teapot"), 10
@@ -83,9 +84,35 @@ def run(arguments, tally, elf, names, wanted):
         tally.check(False, "%s: %s" % (elf, problem))
 
 
+def shown_alone(arguments, tally, elf, enough):
+    """Waits until the panel of a board that no debugger listens to shows enough: firmware runs there as well."""
+    dump = os.path.join(arguments.output, "alone-screen.ppm")
+    end = time.monotonic() + SILENCE
+    shown = []
+    try:
+        with Machine(arguments.qemu, "lm3s6965evb", elf, debugger=False) as machine:
+            while not enough(shown) and time.monotonic() < end:
+                time.sleep(0.1)
+                machine.screendump(dump)
+                shown = glass(dump)
+            tally.check(machine.command("query-status")["status"] == "running", elf + ": the core has stopped")
+    except (Died, OSError, ValueError) as problem:
+        tally.check(False, "%s without a debugger: %s" % (elf, problem))
+    tally.check(enough(shown), "%s without a debugger: not on the panel" % elf)
+
+
+def exit_status(arguments, tally, elf):
+    try:
+        with Machine(arguments.qemu, "lm3s6965evb", elf) as machine:
+            status = machine.end()
+        tally.check(status == 0, "%s: exit status %d" % (elf, status))
+    except (Died, OSError, subprocess.SubprocessError) as problem:
+        tally.check(False, "%s: %s" % (elf, problem))
+
+
 def main():
     parser = argparse.ArgumentParser()
-    for name in ("qemu", "output", "host", "pattern", "turntable"):
+    for name in ("qemu", "output", "host", "pattern", "minimal", "turntable"):
         parser.add_argument("--" + name, required=True)
     arguments = parser.parse_args()
     host = os.path.join(arguments.output, "host")
@@ -93,6 +120,9 @@ def main():
     os.makedirs(host)
     tally = Tally()
     run(arguments, tally, arguments.pattern, ["pattern-0"], lambda name: pattern())
+    shown_alone(arguments, tally, arguments.pattern, lambda pixels: pixels == pattern())
+    shown_alone(arguments, tally, arguments.minimal, lambda pixels: sum(map(bool, pixels)) > 200)
+    exit_status(arguments, tally, arguments.minimal)
     drawn = subprocess.run([arguments.host, host]).returncode
     if tally.check(drawn == 0, "the host cannot draw the turntable"):
         run(arguments, tally, arguments.turntable, ["%s-%d" % (m, f) for m in MODELS for f in range(FRAMES)],

@@ -20,14 +20,15 @@ class Died(Exception):
 class Machine:
     """A running emulator: what the firmware writes, and QEMU's own monitor."""
 
-    def __init__(self, qemu, machine, elf, arguments=()):
+    def __init__(self, qemu, machine, elf, arguments=(), debugger=True):
+        """Without a debugger, firmware has nobody to write to."""
         self.directory = tempfile.TemporaryDirectory()
         control = os.path.join(self.directory.name, "qmp")
         config = "enable=on,target=native,chardev=text,arg=firmware" + "".join(",arg=" + a for a in arguments)
         self.process = subprocess.Popen(
             [qemu, "-M", machine, "-display", "none", "-serial", "none", "-monitor", "none", "-nodefaults",
-             "-chardev", "stdio,id=text,signal=off", "-semihosting-config", config,
-             "-qmp", "unix:%s,server=on,wait=off" % control, "-kernel", elf],
+             "-chardev", "stdio,id=text,signal=off", "-qmp", "unix:%s,server=on,wait=off" % control, "-kernel", elf] +
+            (["-semihosting-config", config] if debugger else []),
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.control_path, self.control = control, None
         self.lines = queue.Queue()

@@ -7,7 +7,7 @@ freestanding_m4f := -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard
 
 # $(call freestanding_core,core,optimisation)
 define freestanding_core
-$(BUILD)/freestanding/$1-$2/%.o: %.c $(wildcard src/*.h)
+$(BUILD)/freestanding/$1-$2/%.o: %.c $(wildcard src/*.h) tests/freestanding/freestanding.mk
 	@mkdir -p $$(@D)
 	$$(Q)$(CROSS)gcc $$(freestanding_$1) -std=c99 $(WARNINGS) -$2 -ffreestanding -ffunction-sections -fdata-sections \
 	    -fcallgraph-info=su -Isrc -c $$< -o $$@
@@ -17,6 +17,6 @@ endef
 
 $(foreach core,m0 m3 m4f,$(foreach level,Os O2,$(eval $(call freestanding_core,$(core),$(level)))))
 
-test-freestanding: $(FREESTANDING_OBJECTS)
+test-freestanding: $(FREESTANDING_OBJECTS) ## the library needs nothing and has no float, data or recursion
 	@python3 tests/freestanding/freestanding.py --cross $(CROSS) \
 	    $(foreach core,m0 m3 m4f,$(foreach level,Os O2,$(BUILD)/freestanding/$(core)-$(level)))

@@ -13,7 +13,7 @@
 #define OBJECTS 4
 #define VERTICES_MAX 40
 #define TRIANGLES_MAX 30
-#define PIXELS_MAX 16384
+#define PIXELS_MAX 8192
 
 /* ---- Bytes --------------------------------------------------------------------------------------------------- */
 
@@ -75,18 +75,32 @@ typedef struct drawing {
     glint_scene scene;
 } drawing;
 
+/* A linear congruential generator (Numerical Recipes): short inputs are to make whole meshes too. */
+static uint32_t next_random(uint32_t *state) {
+    *state = *state * 1664525u + 1013904223u;
+    return *state >> 8;
+}
+
+/* All of int16, or a few values of it, which makes degenerate triangles and ties. */
 static int16_t (*take_triples(source *s, uint32_t count))[3] {
+    static const int16_t few[8] = {-32768, -16384, -1, 0, 1, 8192, 16384, 32767};
     int16_t(*triples)[3] = allocate(count * sizeof *triples);
-    for (uint32_t i = 0; i < count * 3; i++)
-        triples[i / 3][i % 3] = (int16_t)take(s, 2);
+    int coarse = below(s, 4) == 1;
+    uint32_t state = take(s, 3);
+    for (uint32_t i = 0; i < count * 3; i++) {
+        uint32_t bits = next_random(&state);
+        triples[i / 3][i % 3] = coarse ? few[bits % 8] : (int16_t)bits;
+    }
     return triples;
 }
 
 static uint16_t (*take_triangles(source *s, uint32_t count, uint32_t vertices))[3] {
     uint16_t(*triangles)[3] = allocate(count * sizeof *triangles);
-    int wild = below(s, 16) == 1;
+    uint32_t state = take(s, 3);
     for (uint32_t i = 0; i < count * 3; i++)
-        triangles[i / 3][i % 3] = (uint16_t)(wild ? take(s, 2) : below(s, vertices));
+        triangles[i / 3][i % 3] = (uint16_t)(next_random(&state) % vertices);
+    if (below(s, 16) == 1)
+        triangles[below(s, count)][below(s, 3)] = (uint16_t)take(s, 2);
     return triangles;
 }
 
@@ -176,10 +190,10 @@ static void take_drawing(source *s, drawing *d) {
     d->scene.viewer = (glint_viewer)(below(s, 64) == 1 ? 2 : below(s, 2));
     d->scene.background = take_colour(s);
     d->scene.ambient = take_colour(s);
-    take_lights(s, d);
-    take_objects(s, d);
     for (int i = 0; i < MESHES; i++)
         take_mesh(s, &d->meshes[i]);
+    take_objects(s, d);
+    take_lights(s, d);
 }
 
 static void free_drawing(drawing *d) {
@@ -240,14 +254,14 @@ static void close_screen(screen *to) {
 static void take_config(source *s, glint_config *config) {
     static const glint_format *const formats[5] = {&glint_format_rgb565, &glint_format_rgb565_be, &glint_format_rgb888,
                                                    &glint_format_grey8, &glint_format_grey4};
-    static const uint16_t tiles[8] = {0, 8, 16, 32, 64, 8, 16, 24};
+    static const uint16_t tiles[16] = {8, 0, 16, 32, 64, 8, 16, 24, 8, 8, 8, 8, 16, 32, 64, 8};
     memset(config, 0, sizeof *config);
     config->width = (uint16_t)(below(s, 8) == 1 ? take(s, 2) : 1 + below(s, 128));
     config->height = (uint16_t)(below(s, 8) == 1 ? take(s, 2) : 1 + below(s, 128));
     if (config->width > 0 && config->height > PIXELS_MAX / config->width)
         config->height = (uint16_t)(PIXELS_MAX / config->width);
-    config->tile_width = tiles[below(s, 8)];
-    config->tile_height = tiles[below(s, 8)];
+    config->tile_width = tiles[below(s, 16)];
+    config->tile_height = tiles[below(s, 16)];
     config->format = formats[below(s, 5)];
     config->flush.begin = begin;
     config->flush.wait = wait;
@@ -269,31 +283,55 @@ static glint_status draw(const glint_config *wanted, const glint_scene *scene, s
     return status;
 }
 
-/* Once more in tiles of another size, with the arena that takes one pass. */
-static void draw_again(const glint_config *config, const glint_scene *scene, const screen *first) {
-    glint_config other = *config;
-    glint_need need;
-    screen second;
-    other.tile_width = config->tile_width == 16 ? 64 : 16;
-    other.tile_height = config->tile_height == 8 ? 32 : 8;
-    open_screen(&second, &other);
-    require(glint_arena_need(&other, scene, &need) == GLINT_OK);
-    require(draw(&other, scene, need.best, 0, &second) == GLINT_OK);
-    require(memcmp(first->bytes, second.bytes, glint_row_bytes(config->format, config->width) * config->height) == 0);
-    close_screen(&second);
+static void require_same(const screen *a, const screen *b) {
+    require(memcmp(a->bytes, b->bytes, glint_row_bytes(a->config->format, a->config->width) * a->config->height) == 0);
 }
 
-static size_t take_arena_size(source *s, const glint_need *need) {
-    switch (below(s, 4)) {
-    case 0:
-        return need->smallest;
-    case 1:
-        return need->best;
-    case 2:
-        return need->smallest + (need->best - need->smallest) * below(s, 256) / 256;
-    default:
-        return take(s, 2);
+/* With an arena of `size` bytes the frame is `wanted`. */
+static void draw_with_arena(const glint_config *config, const glint_scene *scene, size_t size, size_t skew,
+                            const screen *wanted) {
+    screen got;
+    open_screen(&got, config);
+    require(draw(config, scene, size, skew, &got) == GLINT_OK);
+    require_same(wanted, &got);
+    close_screen(&got);
+}
+
+/* In tiles of another size, with the arena that takes one pass. */
+static void draw_with_other_tiles(const glint_config *config, const glint_scene *scene, const screen *wanted) {
+    glint_config other = *config;
+    glint_need need;
+    other.tile_width = config->tile_width == 16 ? 64 : 16;
+    other.tile_height = config->tile_height == 8 ? 32 : 8;
+    require(glint_arena_need(&other, scene, &need) == GLINT_OK);
+    draw_with_arena(&other, scene, need.best, 0, wanted);
+}
+
+/* A flush that fails ends the frame, at once. */
+static void draw_until_failure(const glint_config *config, const glint_scene *scene, size_t size, uint32_t fail_at) {
+    screen cut;
+    open_screen(&cut, config);
+    cut.fail_at = fail_at;
+    require(draw(config, scene, size, 0, &cut) == GLINT_ERROR_FLUSH && cut.calls == fail_at + 1);
+    close_screen(&cut);
+}
+
+static void draw_every_way(source *s, const glint_config *config, const glint_scene *scene, const glint_need *need) {
+    screen wanted;
+    screen refused;
+    open_screen(&wanted, config);
+    open_screen(&refused, config);
+    require(draw(config, scene, need->best, 0, &wanted) == GLINT_OK);
+    require(draw(config, scene, need->smallest - 1, 0, &refused) == GLINT_ERROR_ARENA && refused.calls == 0);
+    for (uint32_t tries = below(s, 4); tries > 0; tries--) {
+        size_t size = need->smallest + (need->best - need->smallest) * take(s, 2) / 65535;
+        draw_with_arena(config, scene, size, below(s, 8), &wanted);
     }
+    draw_with_arena(config, scene, need->smallest, below(s, 8), &wanted);
+    draw_with_other_tiles(config, scene, &wanted);
+    draw_until_failure(config, scene, need->best, below(s, 256) % wanted.calls);
+    close_screen(&wanted);
+    close_screen(&refused);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -303,28 +341,17 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     glint_config config;
     glint_need need;
     drawing d;
-    screen first;
     take_config(&s, &config);
-    size_t skew = below(&s, 8);
-    uint32_t fail_at = below(&s, 4) == 1 ? below(&s, 16) : UINT32_MAX;
-    uint32_t arena_choice = take(&s, 3);
+    source choices = s; /* read again for how to draw: needs no bytes of its own */
     take_drawing(&s, &d);
-    glint_status status = glint_arena_need(&config, &d.scene, &need);
-    open_screen(&first, &config);
-    first.fail_at = fail_at;
-    if (status == GLINT_OK) {
-        const uint8_t bytes[3] = {(uint8_t)arena_choice, (uint8_t)(arena_choice >> 8), (uint8_t)(arena_choice >> 16)};
-        source choice = {bytes, sizeof bytes};
-        size_t arena_size = take_arena_size(&choice, &need);
-        status = draw(&config, &d.scene, arena_size, skew, &first);
-        require(arena_size < need.smallest ? status == GLINT_ERROR_ARENA
-                                           : status == GLINT_OK || status == GLINT_ERROR_FLUSH);
-        if (status == GLINT_OK)
-            draw_again(&config, &d.scene, &first);
+    if (glint_arena_need(&config, &d.scene, &need) == GLINT_OK) {
+        draw_every_way(&choices, &config, &d.scene, &need);
     } else {
-        require(draw(&config, &d.scene, 65536, skew, &first) != GLINT_OK && first.calls == 0);
+        screen refused;
+        open_screen(&refused, &config);
+        require(draw(&config, &d.scene, 65536, 0, &refused) != GLINT_OK && refused.calls == 0);
+        close_screen(&refused);
     }
-    close_screen(&first);
     free_drawing(&d);
     return 0;
 }

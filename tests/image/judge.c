@@ -12,9 +12,6 @@
 /* Surfaces nearer to each other than this many depth steps may come out in either order. */
 #define CLOSE_STEPS 2
 
-/* Below this, unit vectors in Q15 cannot tell on which side of a surface its light stands. */
-#define GRAZING (1.0 / 4096)
-
 typedef struct images {
     reference_image reference;
     picture shaded;   /* in the task's format */
@@ -115,10 +112,6 @@ static void judge_pixel(const judge_task *task, const images *all, int x, int y,
     total->samples += picture_channels(task->format);
     if ((reference->nearest - reference->second) * all->depth_scale < CLOSE_STEPS) {
         total->close++;
-        return;
-    }
-    if (task->low_shine && reference->grazing < GRAZING) {
-        total->grazed++;
         return;
     }
     total->judged++;

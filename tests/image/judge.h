@@ -13,8 +13,7 @@ typedef struct judge_task {
     const glint_scene *scene;
     int width, height;
     const glint_format *format;
-    double fine;   /**< Steps. */
-    int low_shine; /**< Leave pixels that light grazes out of the bounds: see `grazed`. */
+    double fine; /**< Steps. */
 } judge_task;
 
 /** Counts of pixels, summed over the tasks judged. */
@@ -25,7 +24,6 @@ typedef struct judgement {
     long missed_inside;  /**< Of these, not beside the reference's silhouette. */
     long spilled;        /**< Not covered by the reference and not the background's colour. */
     long close;          /**< The two nearest surfaces are less than 2 depth steps apart: left out of the bounds. */
-    long grazed;         /**< With low_shine: |N.L| below 2^-12, where for p near 0 the highlight ends in a jump. */
     long judged;         /**< Covered by both and not close. */
     long over_one;       /**< Judged and more than 1 step from the rounded reference. */
     long over_two;       /**< Judged and more than 2. */

@@ -207,22 +207,22 @@ static void build_far(test_scene *scene) {
 }
 
 const scene_definition scene_definitions[] = {
-    {"near plane", build_near_plane, 1, 0},
-    {"near plane, double-sided", build_near_double_sided, 1, 0},
-    {"floor to the horizon", build_floor, 1, 0},
-    {"guard band", build_guard_band, 0, 0},
-    {"mirrored", build_mirrored, 0, 0},
-    {"mirrored, double-sided", build_mirrored_double_sided, 0, 0},
-    {"scaled 1:0.01:0.5", build_squashed, 0, 0},
-    {"scaled 0.05:0.05:5", build_stretched, 1, 0},
-    {"eight lights", build_eight_lights, 0, 0},
-    {"saturated", build_saturated, 0, 0},
-    {"interlocked", build_interlocked, 0, 0},
-    {"p of 0, 0.5, 1, 1.5", build_low_exponents, 0, 1},
-    {"opposed lights", build_opposed_lights, 0, 0},
-    {"leaning normals", build_leaning_normals, 0, 0},
-    {"turned camera", build_turned_camera, 0, 0},
-    {"far away", build_far, 0, 0},
+    {"near plane", build_near_plane, 1},
+    {"near plane, double-sided", build_near_double_sided, 1},
+    {"floor to the horizon", build_floor, 1},
+    {"guard band", build_guard_band, 0},
+    {"mirrored", build_mirrored, 0},
+    {"mirrored, double-sided", build_mirrored_double_sided, 0},
+    {"scaled 1:0.01:0.5", build_squashed, 0},
+    {"scaled 0.05:0.05:5", build_stretched, 1},
+    {"eight lights", build_eight_lights, 0},
+    {"saturated", build_saturated, 0},
+    {"interlocked", build_interlocked, 0},
+    {"p of 0, 0.5, 1, 1.5", build_low_exponents, 0},
+    {"opposed lights", build_opposed_lights, 0},
+    {"leaning normals", build_leaning_normals, 0},
+    {"turned camera", build_turned_camera, 0},
+    {"far away", build_far, 0},
 };
 const unsigned scene_count = sizeof scene_definitions / sizeof scene_definitions[0];
 

@@ -20,14 +20,11 @@ typedef struct test_scene {
     glint_scene scene;
 } test_scene;
 
-/**
- * A named scene. `cut`: triangles cross the near plane, where the library makes vertices of its own. `low_shine`: with
- * an exponent below 1 the highlight ends in a jump where N.L is 0.
- */
+/** A named scene; `cut` tells that triangles cross the near plane, where the library makes vertices of its own. */
 typedef struct scene_definition {
     const char *name;
     void (*build)(test_scene *scene);
-    int cut, low_shine;
+    int cut;
 } scene_definition;
 
 extern const scene_definition scene_definitions[];

@@ -131,7 +131,6 @@ static void add_light(const drawing *draw, uint32_t index, const double normal[3
                                 real(light->specular.b) * real(material->specular.b)};
     double half[3] = {towards[0] + view[0], towards[1] + view[1], towards[2] + view[2]};
     double n_dot_l = dot(normal, towards);
-    pixel->grazing = fmin(pixel->grazing, fabs(n_dot_l));
     if (n_dot_l <= 0)
         return;
     normalise(half);
@@ -152,7 +151,6 @@ static void shade(const drawing *draw, const double place[3], const double norma
             view[axis] = -place[axis];
         normalise(view);
     }
-    pixel->grazing = 1;
     pixel->colour[0] = real(material->ambient.r) * real(ambient->r);
     pixel->colour[1] = real(material->ambient.g) * real(ambient->g);
     pixel->colour[2] = real(material->ambient.b) * real(ambient->b);

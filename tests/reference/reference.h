@@ -33,7 +33,6 @@ typedef struct reference_pixel {
     double colour[3]; /**< Clamped to 0..1, not rounded. */
     double nearest;   /**< 1/w of the surface seen, 0 for background. */
     double second;    /**< 1/w of the next surface behind it, 0 when there is none. */
-    double grazing;   /**< Smallest |N.L| of the lights: near 0, the gate N.L > 0 is decided by rounding. */
     int covered;      /**< Whether any surface is seen. */
 } reference_pixel;
 

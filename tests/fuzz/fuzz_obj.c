@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file fuzz_obj.c
+ * The OBJ reader on any bytes (libFuzzer): it either reports one problem, or gives a mesh that normals can be made for
+ * and that quantises into meshes as the library documents them.
+ */
+#include "obj.h"
+#include "quantise.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+/** Ends the run with a report when a promise is broken. */
+static void require(bool kept) {
+    if (!kept) {
+        abort();
+    }
+}
+
+static void check_problem(const host_problem *problem) {
+    require(problem->text[0] != '\0' && strlen(problem->text) < sizeof problem->text);
+    for (const char *c = problem->text; *c != '\0'; c++) {
+        require(*c >= ' ' && *c <= '~');
+    }
+}
+
+static void check_corners(const host_mesh *mesh) {
+    for (size_t i = 0; i < 3 * mesh->triangle_count; i++) {
+        const mesh_corner corner = mesh->triangles[i / 3][i % 3];
+        require(corner.position < mesh->position_count && corner.normal < mesh->normal_count);
+        const double *normal = mesh->normals[corner.normal];
+        const double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+        require(length > 0.999999 && length < 1.000001);
+    }
+}
+
+static void check_piece(const glint_mesh *piece) {
+    require(piece->vertex_count >= 1 && piece->vertex_count <= 65536 && piece->triangle_count >= 1);
+    require(piece->extent.x >= 0 && piece->extent.y >= 0 && piece->extent.z >= 0);
+    for (uint32_t i = 0; i < 3 * piece->triangle_count; i++) {
+        require(piece->triangles[i / 3][i % 3] < piece->vertex_count);
+    }
+    for (uint32_t i = 0; i < 3 * piece->vertex_count; i++) {
+        require(piece->positions[i / 3][i % 3] >= -32767 && piece->normals[i / 3][i % 3] >= -32767);
+    }
+}
+
+static void check_quantised(const host_mesh *mesh) {
+    host_problem problem = {0, ""};
+    quantised_mesh quantised;
+    if (!quantise(mesh, 0, &quantised, &problem)) {
+        check_problem(&problem);
+        return;
+    }
+    require(quantised.triangle_count + quantised.dropped_count == mesh->triangle_count);
+    for (size_t i = 0; i < quantised.piece_count; i++) {
+        check_piece(&quantised.pieces[i]);
+    }
+    quantised_free(&quantised);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    host_mesh mesh;
+    host_problem problem = {0, ""};
+    if (!obj_read((const char *)data, size, &mesh, &problem)) {
+        check_problem(&problem);
+        require(problem.line >= 1);
+        return 0;
+    }
+    mesh_make_normals(&mesh, MESH_NO_CREASE);
+    check_corners(&mesh);
+    mesh_check_topology(&mesh);
+    check_quantised(&mesh);
+    mesh_make_normals(&mesh, 30.0);
+    check_corners(&mesh);
+    mesh_free(&mesh);
+    return 0;
+}

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: MIT
+"""Runs the program under test in a folder of its own, and counts what holds."""
+import os
+import re
+import subprocess
+import tempfile
+
+import picture
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+MODELS = os.path.join(ROOT, "examples", "models")
+
+# A square of side 2 before the camera, facing it, without normals: with the camera at z = 3 and a field of view of 90
+# degrees it covers a third of the height.
+SQUARE = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n"
+SQUARE_VIEW = ["--eye", "0,0,3", "--fov", "90", "--size", "90x90"]
+
+
+class Host:
+    def __init__(self, program):
+        self.program = os.path.abspath(program)
+        self.folder = tempfile.TemporaryDirectory(prefix="glint-host-")
+        self.passed = self.failed = 0
+
+    # ---- What is checked
+
+    def check(self, name, holds, detail=""):
+        self.passed += bool(holds)
+        self.failed += not holds
+        if not holds:
+            print(f"FAILED {name}{': ' if detail else ''}{detail}")
+
+    def equal(self, name, got, wanted):
+        self.check(name, got == wanted, f"got {got!r}, expected {wanted!r}")
+
+    # ---- What is run
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def write(self, name, content):
+        data = content if isinstance(content, bytes) else content.encode()
+        with open(self.path(name), "wb") as file:
+            file.write(data)
+        return name
+
+    def read(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def files(self):
+        return sorted(os.listdir(self.folder.name))
+
+    def run(self, *arguments, env=None):
+        return subprocess.run([self.program, *arguments], cwd=self.folder.name, capture_output=True, text=True,
+                              timeout=60, check=False, env={**os.environ, **(env or {})})
+
+    def render_bytes(self, *arguments):
+        """The PNG file that `render` writes; it must."""
+        run = self.run("render", *arguments, "-o", "out.png")
+        if run.returncode != 0 or run.stderr:
+            raise AssertionError(f"render {' '.join(arguments)}: status {run.returncode}, {run.stderr.strip()}")
+        data = self.read("out.png")
+        os.remove(self.path("out.png"))
+        return data
+
+    def render(self, *arguments):
+        return picture.decode(self.render_bytes(*arguments))
+
+    def info(self, model, *arguments):
+        """The `name value` lines of `info`, as a dictionary of strings."""
+        run = self.run("info", model, *arguments)
+        if run.returncode != 0 or run.stderr:
+            raise AssertionError(f"info {model}: status {run.returncode}, {run.stderr.strip()}")
+        return dict(line.split(" ", 1) for line in run.stdout.split("\n\n")[0].splitlines())
+
+    def refuses(self, name, arguments, pattern):
+        """Status 2, one line on stderr that the pattern matches whole, nothing on stdout, no file more or less."""
+        before = self.files()
+        run = self.run(*arguments)
+        self.check(name, run.returncode == 2 and run.stdout == "" and run.stderr.endswith("\n") and
+                   run.stderr.count("\n") == 1 and re.fullmatch(pattern, run.stderr.rstrip("\n")) is not None and
+                   self.files() == before,
+                   f"status {run.returncode}, stdout {run.stdout!r}, stderr {run.stderr!r}, files {self.files()}")

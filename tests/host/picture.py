@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: MIT
+"""A PNG decoder that shares nothing with the writer under test: zlib and CRC are Python's own."""
+import struct
+import zlib
+
+SIGNATURE = b"\x89PNG\r\n\x1a\n"
+
+
+class Picture:
+    """Pixels of an 8-bit grey or RGB picture: rows[y][x] is a tuple of 1 or 3 levels."""
+
+    def __init__(self, width, height, channels, rows):
+        self.width, self.height, self.channels, self.rows = width, height, channels, rows
+
+    def at(self, x, y):
+        return self.rows[y][x]
+
+    def levels(self, channel=0):
+        return {pixel[channel] for row in self.rows for pixel in row}
+
+    def box(self, background):
+        """Smallest rectangle (left, top, right, bottom), all inclusive, of what is not background; None for nothing."""
+        where = [(x, y) for y, row in enumerate(self.rows) for x, pixel in enumerate(row) if pixel != background]
+        if not where:
+            return None
+        columns, lines = [x for x, _ in where], [y for _, y in where]
+        return min(columns), min(lines), max(columns), max(lines)
+
+
+def chunks(data):
+    if data[:8] != SIGNATURE:
+        raise ValueError("no PNG signature")
+    at, found = 8, []
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        (crc,) = struct.unpack(">I", data[at + 8 + length:at + 12 + length])
+        if crc != zlib.crc32(kind + body):
+            raise ValueError(f"wrong CRC in {kind}")
+        found.append((kind, body))
+        at += 12 + length
+    if at != len(data) or found[0][0] != b"IHDR" or found[-1] != (b"IEND", b""):
+        raise ValueError("chunks out of order")
+    return found
+
+
+def paeth(a, b, c):
+    near = [abs(b - c), abs(a - c), abs(a + b - 2 * c)]
+    return (a, b, c)[near.index(min(near))]
+
+
+def unfilter(kind, row, above, step):
+    out = bytearray(row)
+    for i, value in enumerate(row):
+        left = out[i - step] if i >= step else 0
+        corner = above[i - step] if i >= step else 0
+        guess = (0, left, above[i], (left + above[i]) // 2, paeth(left, above[i], corner))[kind]
+        out[i] = (value + guess) & 255
+    return bytes(out)
+
+
+def decode(data):
+    """The Picture in a PNG file's bytes; ValueError or zlib.error when they are not right."""
+    parts = chunks(data)
+    width, height, depth, colour, *methods = struct.unpack(">IIBBBBB", parts[0][1])
+    if depth != 8 or colour not in (0, 2) or methods != [0, 0, 0]:
+        raise ValueError("neither 8-bit grey nor RGB")
+    channels = 3 if colour == 2 else 1
+    raw = zlib.decompress(b"".join(body for kind, body in parts if kind == b"IDAT"))
+    size = width * channels
+    if len(raw) != height * (size + 1):
+        raise ValueError("wrong amount of data")
+    rows, above = [], bytes(size)
+    for y in range(height):
+        line = raw[y * (size + 1):(y + 1) * (size + 1)]
+        above = unfilter(line[0], line[1:], above, channels)
+        rows.append([tuple(above[i:i + channels]) for i in range(0, size, channels)])
+    return Picture(width, height, channels, rows)

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+"""Drives the host program from outside: run.py PROGRAM. Closes with `N passed, N failed`; status 1 on a failure."""
+import sys
+import traceback
+
+import test_convert
+import test_errors
+import test_obj
+import test_render
+from harness import Host
+
+
+def main():
+    host = Host(sys.argv[1])
+    for module in (test_render, test_obj, test_errors, test_convert):
+        for name in (name for name in vars(module) if name.startswith("test_")):
+            try:
+                vars(module)[name](host)
+            except Exception:  # pylint: disable=broad-except # one broken test must not hide the others
+                host.check(f"{module.__name__}.{name}", False, traceback.format_exc())
+    print(f"{host.passed} passed, {host.failed} failed")
+    return 1 if host.failed or not host.passed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: MIT
+"""`convert`: the header, its numbers against the model, and the headers that are checked in."""
+import os
+import re
+import shutil
+import subprocess
+
+from harness import MODELS, ROOT, SQUARE
+
+STRICT = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror", "-I", os.path.join(ROOT, "src"), "-I", "."]
+
+
+def convert(host, *arguments):
+    run = host.run("convert", *arguments, "-o", "mesh.h")
+    if run.returncode != 0 or run.stderr or run.stdout:
+        raise AssertionError(f"convert {arguments}: {run.returncode} {run.stderr} {run.stdout}")
+    text = host.read("mesh.h").decode()
+    os.remove(host.path("mesh.h"))
+    return text
+
+
+def array(text, name):
+    """The triples of an array, and how many the header declares."""
+    match = re.search(r"static const u?int16_t " + name + r"\[(\d+)\]\[3\] = \{(.*?)\n\};", text, re.DOTALL)
+    triples = [tuple(int(v) for v in t.split(",")) for t in re.findall(r"\{([^{}]*)\}", match.group(2))]
+    return triples, int(match.group(1))
+
+
+def mesh(text, name):
+    """Positions, normals, triangles, offset and extent, as numbers of object space."""
+    body = re.search(r"static const glint_mesh " + name + r"_mesh = \{(.*?)\n\};", text, re.DOTALL).group(1)
+    (offset, extent) = [[int(v) / 65536 for v in t.split(",")] for t in re.findall(r"\{([^{}]*)\}", body)]
+    steps, _ = array(text, name + "_positions")
+    positions = [tuple(offset[a] + extent[a] * step[a] / 32768 for a in range(3)) for step in steps]
+    normals = [tuple(v / 32767 for v in n) for n in array(text, name + "_normals")[0]]
+    return positions, normals, array(text, name + "_triangles")[0], offset, extent
+
+
+def test_checked_in_meshes(host):
+    for name, source, more in [("torus576", "torus:24x12", ["--name", "torus576"]),
+                               ("teapot", os.path.join(MODELS, "teapot.obj"), [])]:
+        with open(os.path.join(ROOT, "examples", "meshes", name + ".h"), encoding="utf-8") as file:
+            host.check(f"examples/meshes/{name}.h is up to date (make meshes)",
+                       file.read() == convert(host, source, *more, "--licence", "MIT"))
+
+
+def test_same_input_same_bytes(host):
+    host.write("a.obj", SQUARE)
+    first = convert(host, "a.obj")
+    host.equal("convert twice", convert(host, "a.obj"), first)
+    os.mkdir(host.path("sub"))
+    shutil.copy(host.path("a.obj"), host.path("sub/a.obj"))
+    host.run("convert", "sub/a.obj", "-o", "sub/other.h")
+    host.equal("convert elsewhere", host.read("sub/other.h").decode(), first)
+    shutil.rmtree(host.path("sub"))
+    host.write("a.obj", SQUARE + "# more\n")
+    host.check("the hash is the file's", convert(host, "a.obj") != first)
+
+
+def fnv1a(data):
+    value = 0xCBF29CE484222325
+    for byte in data:
+        value = (value ^ byte) * 0x100000001B3 & (1 << 64) - 1
+    return f"{value:016x}"
+
+
+def test_head(host):
+    host.write("my model.2.obj", SQUARE)
+    text = convert(host, "my model.2.obj", "--crease", "30", "--scale", "2,2,2", "--double-sided", "--licence", "CC0-1.0")
+    host.check("default name", "static const glint_mesh my_model_2_mesh = {" in text)
+    host.check("guard", "#ifndef MY_MODEL_2_MESH_H\n#define MY_MODEL_2_MESH_H\n" in text and text.endswith("\n#endif\n"))
+    host.check("hash", fnv1a(SQUARE.encode()) in text)
+    host.check("command line", '\n *     glint convert my model.2.obj --licence "CC0-1.0" --crease 30 --scale 2,2,2 '
+               "--double-sided\n" in text)
+    host.check("licence", text.startswith("/* SPDX-License-Identifier: CC0-1.0 */\n"))
+    host.check("flag", "    GLINT_MESH_DOUBLE_SIDED,\n};" in text)
+    host.check("Q formats", "Q16.16" in text and "Q15" in text and "offset + extent * step / 32768" in text)
+    host.check("hash of a shape is its name's", fnv1a(b"torus:24x12") in convert(host, "torus:24x12"))
+    host.write("*_ \\.obj", SQUARE)
+    host.check("a name that would end the comment", convert(host, "*_ \\.obj").count("*/") == 5)
+    host.write("9.obj", SQUARE)
+    host.check("a name that begins with a digit", "static const glint_mesh m9_mesh = {" in convert(host, "9.obj"))
+
+
+def obj_triangles(path):
+    """Corner positions and normals of a file of triangles with v//n, read plainly."""
+    positions, normals, triangles = [], [], []
+    with open(path, encoding="utf-8") as file:
+        for line in file:
+            words = line.split()
+            if words and words[0] == "v":
+                positions.append(tuple(float(v) for v in words[1:4]))
+            elif words and words[0] == "vn":
+                normals.append(tuple(float(v) for v in words[1:4]))
+            elif words and words[0] == "f":
+                triangles.append([(positions[int(c.split("/")[0]) - 1], normals[int(c.split("/")[2]) - 1])
+                                  for c in words[1:]])
+    return triangles
+
+
+def test_numbers_against_the_model(host):
+    for name in ("teapot", "featuretype"):
+        path = os.path.join(MODELS, name + ".obj")
+        positions, normals, triangles, _, extent = mesh(convert(host, path), name)
+        source = obj_triangles(path)
+        host.equal(f"{name}: triangles", len(triangles), len(source))
+        moved = turned = 0.0
+        for indices, corners in zip(triangles, source):
+            for index, (position, normal) in zip(indices, corners):
+                length = sum(v * v for v in normal) ** 0.5
+                moved = max([moved] + [abs(positions[index][a] - position[a]) / extent[a] for a in range(3)])
+                turned = max([turned] + [abs(normals[index][a] - normal[a] / length) for a in range(3)])
+        host.check(f"{name}: positions within half a step", moved <= 0.5001 / 32768, f"{moved * 32768} steps")
+        host.check(f"{name}: normals within half a step", turned <= 0.5001 / 32767, f"{turned * 32767} steps")
+        host.equal(f"{name}: no vertex twice", len(set(zip(positions, normals))), len(positions))
+        host.equal(f"{name}: no vertex unused", {i for t in triangles for i in t}, set(range(len(positions))))
+
+
+def test_range_of_steps(host):
+    for name, text in [("odd", "v 0.1 0.2 0.3\nv 0.7 -12.3 7.77\nv 3.3 0 -1\nf 1 2 3\n"),
+                       ("far", "v 32766 -32766 0\nv -32766 32766 0\nv 0 1 0.00001\nf 1 2 3\n"),
+                       ("flat", SQUARE), ("aside", SQUARE.replace("0\n", "1234.567\n")),
+                       ("tiny", "v 1e-5 0 0\nv 0 1e-5 0\nv 0 0 1e-5\nf 1 2 3\n")]:
+        host.write(name + ".obj", text)
+        steps, _ = array(convert(host, name + ".obj"), name + "_positions")
+        host.check(f"{name}: steps within +-32767", all(-32767 <= v <= 32767 for step in steps for v in step), str(steps))
+    steps, _ = array(convert(host, "odd.obj"), "odd_positions")
+    host.check("steps use the range", all(max(abs(step[a]) for step in steps) > 32700 for a in range(3)), str(steps))
+
+
+def test_scale(host):
+    host.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n")
+    plain, scaled = mesh(convert(host, "a.obj"), "a"), mesh(convert(host, "a.obj", "--scale", "-2,3,1"), "a")
+    wrong = max(abs(s[0] + 2 * p[0]) + abs(s[1] - 3 * p[1]) + abs(s[2] - p[2]) for p, s in zip(plain[0], scaled[0]))
+    host.check("positions are scaled", wrong < 1e-3, str(wrong))
+    host.equal("a mirrored mesh turns its triangles", (plain[2], scaled[2]), ([(0, 1, 2)], [(0, 2, 1)]))
+    wanted = (0, -1 / 10 ** 0.5, 3 / 10 ** 0.5)  # (0, -1, 1) by the inverse transpose: (0, -1/3, 1)
+    host.check("normals go by the inverse transpose", max(abs(a - b) for a, b in zip(scaled[1][0], wanted)) < 1e-4,
+               str(scaled[1][0]))
+
+
+def test_torus_is_the_documented_one(host):
+    positions, normals, triangles, _, _ = mesh(convert(host, "torus:24x12", "--name", "t"), "t")
+    host.equal("torus counts", (len(positions), len(triangles)), (288, 576))
+    host.equal("torus triangles", triangles[:2] + triangles[-2:],
+               [(0, 12, 13), (0, 13, 1), (287, 11, 0), (287, 0, 276)])
+    from math import cos, pi, sin  # pylint: disable=import-outside-toplevel # the only test that takes them
+    wrong = 0.0
+    for i in range(24):
+        for j in range(12):
+            u, v = 2 * pi * i / 24, 2 * pi * j / 12
+            n = (cos(v) * cos(u), cos(v) * sin(u), sin(v))
+            p = ((1 + 0.4 * cos(v)) * cos(u), (1 + 0.4 * cos(v)) * sin(u), 0.4 * sin(v))
+            wrong = max([wrong] + [abs(a - b) for a, b in zip(positions[i * 12 + j] + normals[i * 12 + j], p + n)])
+    host.check("torus vertices", wrong < 3e-5, str(wrong))
+
+
+def test_pieces(host):
+    text = convert(host, "torus:512x256", "--name", "big")
+    triangles = vertices = 0
+    host.check("pieces as an array", "static const glint_mesh big_meshes[" in text)
+    for piece in range(int(re.search(r"big_meshes\[(\d+)\]", text).group(1))):
+        positions, declared = array(text, f"big_positions_{piece}")
+        indices, _ = array(text, f"big_triangles_{piece}")
+        host.check(f"piece {piece}", len(positions) == declared <= 65536 and
+                   max(max(t) for t in indices) == len(positions) - 1)
+        triangles += len(indices)
+        vertices += len(positions)
+    host.check("pieces hold it all", triangles == 262144 and vertices >= 131072, f"{triangles} {vertices}")
+    host.equal("pieces share offset and extent", len(set(re.findall(r"\{.*\}, /\* (?:offset|extent) \*/", text))), 2)
+
+
+def test_headers_compile(host):
+    host.write("mesh_source.obj", SQUARE)
+    names = {"teapot": convert(host, os.path.join(MODELS, "teapot.obj")), "mesh_source": convert(host, "mesh_source.obj"),
+             "big": convert(host, "torus:320x256", "--name", "big")}
+    for name, text in names.items():
+        host.write(name + ".h", text)
+        value = "big_meshes[1]" if name == "big" else name + "_mesh"
+        for suffix in ("c", "cpp"):
+            host.write(f"use.{suffix}", f'#include "{name}.h"\n#include "{name}.h"\n'
+                       f"int main(void);\nint main(void) {{ return {value}.vertex_count == 0; }}\n")
+        for compiler, options, suffix in [("cc", ["-std=c99"], "c"), ("clang", ["-std=c99"], "c"), ("c++", [], "cpp"),
+                                          ("clang++", [], "cpp")]:
+            if shutil.which(compiler) is None:
+                continue
+            run = subprocess.run([compiler, *options, *STRICT, "-fsyntax-only", f"use.{suffix}"], cwd=host.folder.name,
+                                 capture_output=True, text=True, check=False)
+            host.check(f"{name}.h with {compiler}", run.returncode == 0, run.stderr[:500])
+        os.remove(host.path(name + ".h"))

@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: MIT
+"""Bad input: one line on stderr, status 2, no file."""
+import os
+
+from harness import SQUARE
+
+POINTS = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+
+# What is wrong with a file, the file, and `line: message` as a pattern.
+BAD_MODELS = [
+    ("an empty file", "", r"1: no faces"),
+    ("no faces", POINTS, r"4: no faces"),
+    ("only comments", "# a\n# b", r"2: no faces"),
+    ("garbage", "hello world\n", r"1: 'hello' is not an OBJ keyword"),
+    ("a PNG", b"\x89PNG\r\n\x1a\n\x00\x00", r"1: '\?PNG' is not an OBJ keyword"),
+    ("zero bytes", b"v 0 0 0\n\x00\x00\x00\n", r"2: '\?\?\?' is not an OBJ keyword"),
+    ("a long word", "x" * 5000, r"1: 'x{28}\.\.\.' is not an OBJ keyword"),
+    ("a keyword in capitals", "V 0 0 0\n", r"1: 'V' is not an OBJ keyword"),
+    ("index 0", POINTS + "f 1 2 0\n", r"4: position index 0 is out of range: 3 so far"),
+    ("index too large", POINTS + "f 1 2 4\n", r"4: position index 4 is out of range: 3 so far"),
+    ("index too far back", POINTS + "f 1 2 -4\n", r"4: position index -4 is out of range: 3 so far"),
+    ("index of a later position", "v 0 0 0\nv 1 0 0\nf 1 2 3\nv 0 1 0\n", r"3: position index 3 is out of range: 2 so far"),
+    ("huge index", POINTS + "f 1 2 99999999999999999999\n", r"4: '99999999999999999999' is not a position index"),
+    ("no number as index", POINTS + "f 1 2 x\n", r"4: 'x' is not a position index"),
+    ("fraction as index", POINTS + "f 1 2 3.5\n", r"4: '3\.5' is not a position index"),
+    ("texture index", POINTS + "f 1/1 2/1 3/1\n", r"4: texture index 1 is out of range: 0 so far"),
+    ("texture index 0", POINTS + "vt 0 0\nf 1/0 2/1 3/1\n", r"5: texture index 0 is out of range: 1 so far"),
+    ("normal index", POINTS + "vn 0 0 1\nf 1//1 2//2 3//1\n", r"5: normal index 2 is out of range: 1 so far"),
+    ("normal index 0", POINTS + "vn 0 0 1\nf 1//0 2//1 3//1\n", r"5: normal index 0 is out of range: 1 so far"),
+    ("empty texture", POINTS + "f 1/ 2/ 3/\n", r"4: '' is not a texture index"),
+    ("empty normal", POINTS + "f 1// 2// 3//\n", r"4: '' is not a normal index"),
+    ("empty position", POINTS + "f /1 2 3\n", r"4: '' is not a position index"),
+    ("four parts", POINTS + "f 1/1/1/1 2 3\n", r"4: corner '1/1/1/1' is not v, v/t, v//n or v/t/n"),
+    ("two corners", POINTS + "f 1 2\n", r"4: a face takes 3 or more corners, here are 2"),
+    ("no corners", POINTS + "f\n", r"4: a face takes 3 or more corners, here are 0"),
+    ("a truncated face", POINTS + "f 1 2", r"4: a face takes 3 or more corners, here are 2"),
+    ("a truncated position", "v 0 0 0\nv 1 0\n", r"2: v takes 3 coordinates, here are 2 numbers"),
+    ("an empty position", "v\n", r"1: v takes 3 coordinates, here are 0 numbers"),
+    ("five numbers", "v 1 2 3 4 5\n", r"1: v takes 3 coordinates, here are 5 numbers"),
+    ("nine numbers", "v 1 2 3 4 5 6 7 8 9\n", r"1: too many numbers"),
+    ("a truncated normal", POINTS + "vn 0 0\n", r"4: vn takes 3 numbers, here are 2"),
+    ("a normal of four", POINTS + "vn 0 0 1 0\n", r"4: vn takes 3 numbers, here are 4"),
+    ("an empty texture coordinate", POINTS + "vt\n", r"4: vt takes 1 to 3 numbers, here are 0"),
+    ("no number", "v 0 0 zero\n", r"1: 'zero' is not a finite number"),
+    ("NaN", "v 0 nan 0\n", r"1: 'nan' is not a finite number"),
+    ("infinity", "v 0 0 0\nvn inf 0 0\n", r"2: 'inf' is not a finite number"),
+    ("minus infinity", "vt -Infinity\n", r"1: '-Infinity' is not a finite number"),
+    ("overflow", "v 1e999 0 0\n", r"1: '1e999' is not a finite number"),
+    ("a comma", "v 0,5 0 0\n", r"1: '0,5' is not a finite number"),
+    ("hexadecimal", "v 0x10 0 0\n", r"1: '0x10' is not a finite number"),
+    ("two points", "v 1.2.3 0 0\n", r"1: '1\.2\.3' is not a finite number"),
+    ("an empty exponent", "v 1e 0 0\n", r"1: '1e' is not a finite number"),
+    ("a lone sign", "v - 0 0\n", r"1: '-' is not a finite number"),
+    ("a number and more", "v 1f 0 0\n", r"1: '1f' is not a finite number"),
+    ("a continuation without a line", POINTS + "f 1 2 3 \\", r"4: '\\' is not a position index"),
+    ("the line inside a continued one", POINTS + "f 1 \\\n2 \\\nx\n", r"6: 'x' is not a position index"),
+    ("the line after CRLF", (POINTS + "f 1 2 9\n").replace("\n", "\r\n"), r"4: position index 9 .*"),
+    ("the line after CR", (POINTS + "f 1 2 9\n").replace("\n", "\r"), r"4: position index 9 .*"),
+    ("a coordinate beyond Q16.16", "v 0 0 0\nv 0 40000 0\nv 1 0 0\nf 1 2 3\n",
+     r"2: coordinates reach 40000, beyond the 32766 that fit Q16\.16"),
+    ("a coordinate beyond all", "v 1e40 0 0\n", r"1: coordinate of 1e\+40 is too large"),
+    ("no area at all", POINTS + "f 1 1 2\nf 3 3 3\n", r"0: all 2 triangles are without area"),
+]
+
+# Options of `render` and what stands after `glint: `.
+BAD_OPTIONS = [
+    (["--size", "0x240"], r"--size 0x240: takes WxH, each from 1 to 1024"),
+    (["--size", "320x0"], r"--size 320x0: takes .*"),
+    (["--size", "1025x240"], r"--size 1025x240: takes .*"),
+    (["--size", "320x1025"], r"--size 320x1025: takes .*"),
+    (["--size", "-1x5"], r"--size -1x5: takes .*"),
+    (["--size", "320"], r"--size 320: takes .*"),
+    (["--size", "320x"], r"--size 320x: takes .*"),
+    (["--size", "320x240x1"], r"--size 320x240x1: takes .*"),
+    (["--size", "3 20x240"], r"--size 3 20x240: takes .*"),
+    (["--size", "99999999999999999999x1"], r"--size 99999999999999999999x1: takes .*"),
+    (["--size="], r"--size : takes .*"),
+    (["--format", "rgb"], r"--format rgb: takes rgb565, rgb565_be, rgb888, grey8 or grey4"),
+    (["--eye", "1,2"], r"--eye 1,2: takes x,y,z, each from -32767 to 32767"),
+    (["--eye", "1,2,3,4"], r"--eye 1,2,3,4: takes .*"),
+    (["--eye", "1,2,nan"], r"--eye 1,2,nan: takes .*"),
+    (["--eye", "1,2,"], r"--eye 1,2,: takes .*"),
+    (["--eye", "0,0,32768"], r"--eye 0,0,32768: takes .*"),
+    (["--at", "1e9,0,0"], r"--at 1e9,0,0: takes .*"),
+    (["--up", "0,0,0"], r"--up 0,0,0: takes a direction, and this one's length is 0"),
+    (["--up", "x"], r"--up x: takes .*"),
+    (["--fov", "0"], r"--fov 0: takes degrees from 1 to 170"),
+    (["--fov", "171"], r"--fov 171: takes .*"),
+    (["--fov", "inf"], r"--fov inf: takes .*"),
+    (["--near", "0"], r"--near 0: takes a distance from 1/65536 to 32767"),
+    (["--near", "-1"], r"--near -1: takes .*"),
+    (["--rotate-y", "ninety"], r"--rotate-y ninety: takes .*"),
+    (["--rotate-y", "40000"], r"--rotate-y 40000: takes .*"),
+    (["--scale", "0,1,1"], r"--scale 0,1,1: takes .*"),
+    (["--scale", "1,1"], r"--scale 1,1: takes .*"),
+    (["--scale", "1,1,40000"], r"--scale 1,1,40000: takes .*"),
+    (["--light", "1,2,3"], r"--light 1,2,3: takes dir:x,y,z or dir:x,y,z:r,g,b"),
+    (["--light", "point:1,2,3"], r"--light point:1,2,3: takes .*"),
+    (["--light", "dir:1,2"], r"--light dir:1,2: takes .*"),
+    (["--light", "dir:0,0,0"], r"--light dir:0,0,0: takes a direction, and this one's length is 0"),
+    (["--light", "dir:1,2,3:"], r"--light dir:1,2,3:: takes .*"),
+    (["--light", "dir:1,2,3:1,1"], r"--light dir:1,2,3:1,1: takes .*"),
+    (["--light", "dir:1,2,3:1,1,17"], r"--light dir:1,2,3:1,1,17: takes .*"),
+    (["--light", "dir:1,1,1"] * 9, r"--light dir:1,1,1: can be given 8 times at most"),
+    (["--ambient", "-0.1"], r"--ambient -0\.1: takes r,g,b or one grey level, each from 0 to 16"),
+    (["--ambient", "1,1"], r"--ambient 1,1: takes .*"),
+    (["--diffuse", "16.1,0,0"], r"--diffuse 16\.1,0,0: takes .*"),
+    (["--specular", "a,b,c"], r"--specular a,b,c: takes .*"),
+    (["--background", "0,0,-1"], r"--background 0,0,-1: takes .*"),
+    (["--diffuse", "8", "--light", "dir:0,0,1:4,4,4"], r".*[Cc]olour.*"),
+    (["--shininess", "-1"], r"--shininess -1: takes an exponent from 0 to 32767"),
+    (["--shininess", "40000"], r"--shininess 40000: takes .*"),
+    (["--viewer", "near"], r"--viewer near: takes infinite or local"),
+    (["--tile", "32"], r"--tile 32: takes WxH, each 8, 16, 32 or 64"),
+    (["--tile", "24x32"], r"--tile 24x32: takes .*"),
+    (["--tile", "128x8"], r"--tile 128x8: takes .*"),
+    (["--arena", "0"], r"--arena 0: takes bytes, from 1 to 1073741824"),
+    (["--arena", "1.5"], r"--arena 1\.5: takes .*"),
+    (["--arena", "1K"], r"--arena 1K: takes .*"),
+    (["--crease", "181"], r"--crease 181: takes degrees from 0 to 180"),
+    (["--crease", "-1"], r"--crease -1: takes .*"),
+    (["--stats=1"], r"--stats takes no value"),
+    (["--colour", "1"], r"unknown option --colour"),
+    (["-x"], r"unknown option -x"),
+    (["--name", "a"], r"unknown option --name"),
+    (["--siz", "10x10"], r"unknown option --siz"),
+    (["another.obj"], r"unexpected argument 'another\.obj'"),
+    (["--fov"], r"--fov takes a value: DEG"),
+    (["--eye", "0,3,0"], r"--eye, --at and --up lie on one line"),
+]
+
+BAD_SHAPES = [
+    ("torus:", r"torus takes two sizes, as in torus:24x12"), ("torus:24", r"torus takes two sizes, as in torus:24x12"),
+    ("torus:2x12", r"torus takes sizes from 3x3 to 1024x1024"), ("torus:24x2000", r"torus takes sizes from .*"),
+    ("torus:24x12 ", r"torus takes two sizes, .*"), ("sphere:3x1", r"sphere takes sizes from 3x2 to 1024x1024"),
+    ("sphere:axb", r"sphere takes two sizes, .*"),
+]
+
+
+def test_bad_models(host):
+    for name, text, pattern in BAD_MODELS:
+        host.write("bad.obj", text)
+        host.refuses(f"render {name}", ["render", "bad.obj", "-o", "out.png"], r"bad\.obj:" + pattern)
+        host.refuses(f"convert {name}", ["convert", "bad.obj", "-o", "out.h"], r"bad\.obj:" + pattern)
+    host.refuses("info of a bad model", ["info", "bad.obj"], r"bad\.obj:0: .*")
+
+
+def test_files_that_cannot_be_read(host):
+    for command, output in (("render", ["-o", "out.png"]), ("info", []), ("convert", ["-o", "out.h"])):
+        host.refuses(f"{command} a missing file", [command, "missing.obj", *output],
+                     r"missing\.obj:0: cannot be opened: No such file or directory")
+        os.mkdir(host.path("folder.obj"))
+        host.refuses(f"{command} a folder", [command, "folder.obj", *output], r"folder\.obj:0: cannot be (read|opened): .+")
+        os.rmdir(host.path("folder.obj"))
+    host.refuses("a line end in a name", ["info", "a\nb"], r"a\?b:0: cannot be opened: .+")
+
+
+def test_bad_options(host):
+    host.write("good.obj", SQUARE)
+    for options, pattern in BAD_OPTIONS:
+        host.refuses(f"render {' '.join(options)}", ["render", "good.obj", "-o", "out.png", *options], "glint: " + pattern)
+
+
+def test_bad_shapes(host):
+    for name, pattern in BAD_SHAPES:
+        host.refuses(f"render {name}", ["render", name, "-o", "out.png"], name + ":0: " + pattern)
+
+
+def test_bad_commands(host):
+    host.write("good.obj", SQUARE)
+    for arguments, pattern in [
+            ([], r"a command is missing: see glint help"), (["draw"], r"unknown command 'draw': see glint help"),
+            (["render", "-o", "x.png"], r"render: a model is missing: .*"),
+            (["render", "good.obj"], r"render: the file to write is missing: -o FILE"),
+            (["render", "good.obj", "-o"], r"-o takes a value: FILE"),
+            (["render", "good.obj", "-o", ""], r"-o : takes the name of a file"),
+            (["convert", "good.obj"], r"convert: the file to write is missing: -o FILE"),
+            (["convert"], r"convert: a model is missing: .*"), (["info"], r"info: a model is missing: .*"),
+            (["info", "good.obj", "-o", "x"], r"unknown option -o"),
+            (["convert", "good.obj", "-o", "x.h", "--name", "1st"], r"--name 1st: takes a C identifier .*"),
+            (["convert", "good.obj", "-o", "x.h", "--name", "a-b"], r"--name a-b: takes a C identifier .*"),
+            (["convert", "good.obj", "-o", "x.h", "--name", ""], r"--name : takes a C identifier .*"),
+            (["convert", "good.obj", "-o", "x.h", "--licence", "*/"], r"--licence \*/: takes an SPDX licence expression"),
+            (["demo"], r"demo: the file to write is missing: -o FILE"),
+            (["demo", "good.obj", "-o", "x.png"], r"unexpected argument 'good\.obj'")]:
+        host.refuses(f"glint {' '.join(arguments)}", arguments, "glint: " + pattern)
+
+
+def test_extreme_scenes_are_refused_or_drawn(host):
+    """Within what options take, the library may still refuse: by its sentence, never by a crash."""
+    host.write("far.obj", "v -32766 -32766 0\nv 32766 -32766 0\nv 0 32766 0\nf 1 2 3\n")
+    for options in (["--scale", "32767"], ["--scale", "1,1,0.00002"], ["--eye", "0,0,32767"], ["--near", "32767"],
+                    ["--eye", "32767,32767,32767", "--at", "-32767,-32767,-32767"], ["--fov", "170"], ["--fov", "1"],
+                    ["--shininess", "32767"], ["--shininess", "0"], ["--scale", "0.00002"]):
+        run = host.run("render", "far.obj", *options, "-o", "far.png")
+        drawn = run.returncode == 0 and run.stderr == "" and os.path.exists(host.path("far.png"))
+        refused = run.returncode == 2 and run.stderr.startswith("glint: ") and run.stderr.count("\n") == 1
+        host.check(f"far.obj {' '.join(options)}", drawn or refused, f"{run.returncode} {run.stderr!r}")
+        if os.path.exists(host.path("far.png")):
+            os.remove(host.path("far.png"))

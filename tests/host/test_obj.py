@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: MIT
+"""The OBJ reader through `render` and `info`: what is read, and how."""
+import os
+
+from harness import MODELS, SQUARE, SQUARE_VIEW
+
+BLACK = (0, 0, 0)
+
+# A cube: position 1 + x + 2 y + 4 z, six quads seen counter-clockwise from outside.
+CUBE_V = "".join(f"v {2 * x - 1} {2 * y - 1} {2 * z - 1}\n" for z in (0, 1) for y in (0, 1) for x in (0, 1))
+CUBE_F = "f 5 6 8 7\nf 2 1 3 4\nf 6 2 4 8\nf 1 5 7 3\nf 7 8 4 3\nf 1 2 6 5\n"
+CUBE_VIEW = ["--eye", "2,3,4", "--size", "96x96"]
+
+
+def test_same_model_written_differently(host):
+    host.write("plain.obj", CUBE_V + CUBE_F)
+    plain = host.render_bytes("plain.obj", *CUBE_VIEW)
+    lines = (CUBE_V + CUBE_F).splitlines()
+    negative = [line if line[0] != "f" else "f " + " ".join(str(int(i) - 9) for i in line[2:].split()) for line in lines]
+    triangles = [line for line in lines if line[0] == "v"]
+    for line in lines:
+        if line[0] == "f":
+            a, b, c, d = line[2:].split()
+            triangles += [f"f {a} {b} {c}", f"f {a} {c} {d}"]
+    textured = ["vt 0.5", "vt 0 1", "vt 0 1 0"] + [line if line[0] != "f" else
+                                                  "f " + " ".join(f"{i}/{1 + int(i) % 3}" for i in line[2:].split())
+                                                  for line in lines]
+    others = {
+        "CRLF": "\r\n".join(lines) + "\r\n", "CR": "\r".join(lines) + "\r", "no final newline": "\n".join(lines),
+        "byte order mark": b"\xef\xbb\xbf" + "\n".join(lines).encode(),
+        "comments": "# glint\n" + " # v 9\n".join(lines) + " #\n#", "blank lines": "\n\n \t\n" + "\n\n".join(lines),
+        "blanks": "\n".join("\t " + line.replace(" ", " \t ") + "  " for line in lines),
+        "continued lines": "\n".join(line.replace(" ", " \\\n", 2).replace("\n1 ", "\n1\\\r\n ") for line in lines),
+        "negative indices": "\n".join(negative), "triangles": "\n".join(triangles), "v/t": "\n".join(textured),
+        "groups": "mtllib a b.mtl\no box\ng a b\ns 1\nusemtl x\n" + "\n".join(lines) + "\ng\nl 1 2\np 1\nvp 1 2\nend\n",
+        "weights": "\n".join(line + " 1" if line[0] == "v" else line for line in lines),
+        "colours": "\n".join(line + " 1 0.5 0" if line[0] == "v" else line for line in lines),
+        "other spellings": "\n".join(lines).replace(" 1", " +1.0e0", 1).replace(" -1", " -.1E+1", 1),
+        "unused positions": "\n".join(lines) + "\nv 100 200 300\n",
+    }
+    for name, text in others.items():
+        host.write("other.obj", text)
+        host.equal(f"OBJ: {name}", host.render_bytes("other.obj", *CUBE_VIEW), plain)
+
+
+def test_numbers(host):
+    cases = {"1": 1, "-1": -1, "+1": 1, "1.": 1, ".5": 0.5, "5e-1": 0.5, "5E-1": 0.5, "0.5e+0": 0.5, "-0": 0,
+             "0.000000000000000000000000001e27": 1, "1000000000000000000000000e-24": 1, "1e-999": 0,
+             "3." + "0" * 400: 3, "0" * 400 + "7": 7, "123.456": 123.456, "1e-5": 1e-5}
+    for text, value in cases.items():
+        host.write("number.obj", f"v {text} -1 0\nv {text} 1 0\nv {text} 0 1\nf 1 2 3\n")
+        lowest = host.info("number.obj")["lowest"].split()[0]
+        host.check(f"number {text[:20]}", abs(float(lowest) - value) <= 1e-6 * abs(value), lowest)
+    host.write("comma.obj", SQUARE.replace("1", "0.5", 1))
+    host.equal("numbers do not follow the locale", host.run("info", "comma.obj", env={"LC_ALL": "de_DE.UTF-8"}).returncode, 0)
+
+
+def test_normals(host):
+    normals = "vn 0 0 1\nvn 0 0 -1\nvn 1 0 0\nvn -1 0 0\nvn 0 1 0\nvn 0 -1 0\n"
+    faces = [line[2:].split() for line in CUBE_F.splitlines()]
+    flat = "".join("f " + " ".join(f"{i}//{n + 1}" for i in face) + "\n" for n, face in enumerate(faces))
+    both = "vt 0 0\n" + "".join("f " + " ".join(f"{i}/1/{n - 6}" for i in face) + "\n" for n, face in enumerate(faces))
+    smooth = "".join(f"vn {2 * (i & 1) - 1} {(i & 2) - 1} {(i & 4) / 2 - 1}\n" for i in range(8)) + \
+        "".join("f " + " ".join(f"{i}//{i}" for i in face) + "\n" for face in faces)
+    for name, text in [("none", CUBE_F), ("flat", normals + flat), ("both", normals + both), ("smooth", smooth),
+                       ("zero", "vn 0 0 0\n" + "".join("f " + " ".join(f"{i}//1" for i in face) + "\n" for face in faces))]:
+        host.write(f"{name}.obj", CUBE_V + text)
+    flat_picture = host.render_bytes("flat.obj", *CUBE_VIEW)
+    host.equal("v/t/n is v//n", host.render_bytes("both.obj", *CUBE_VIEW), flat_picture)
+    host.equal("--crease below the angle splits", host.render_bytes("none.obj", *CUBE_VIEW, "--crease", "89"), flat_picture)
+    host.equal("--crease overrides normals", host.render_bytes("smooth.obj", *CUBE_VIEW, "--crease", "30"), flat_picture)
+    averaged = host.render_bytes("none.obj", *CUBE_VIEW)
+    host.check("missing normals are smooth", averaged != flat_picture)
+    host.equal("--crease at the angle smooths", host.render_bytes("none.obj", *CUBE_VIEW, "--crease", "90"), averaged)
+    host.equal("normals of length 0 are missing", host.render_bytes("zero.obj", *CUBE_VIEW), averaged)
+    host.equal("info: normals", [host.info(f"{n}.obj")["normals"] for n in ("none", "flat", "zero")],
+               ["computed", "given", "computed"])
+
+
+def test_averages_are_weighted_by_area(host):
+    """A roof of a large slope facing +x+z and a small one facing -x+z: its ridge's normal leans to the large one."""
+    host.write("roof.obj", "v 0 -1 0\nv 0 1 0\nv 3 -1 -3\nv 3 1 -3\nv -1 -1 -1\nv -1 1 -1\nf 1 3 4 2\nf 5 1 2 6\n")
+    host.run("convert", "roof.obj", "-o", "roof.h")
+    text = host.read("roof.h").decode()
+    os.remove(host.path("roof.h"))
+    first = text.split("roof_normals")[1].split("{")[2].split("}")[0]
+    x, y, z = (int(v) / 32767 for v in first.split(","))
+    # Area vectors (6, 0, 6) and (-2, 0, 2); the quads' diagonals share them between the ridge's ends: the first end has
+    # one triangle of the large slope twice.
+    host.check("area weights", abs(y) < 1e-4 and x > 0 and 0.4 < x / z < 0.85, first)
+
+
+def test_polygons(host):
+    view = ["--eye", "0,0,3", "--size", "120x120", "--light", "dir:0,0,1:0,0,0", "--ambient", "1"]
+    shape = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv 0.2 -0.5 0\nv -1 1 0\n"  # dart: no fan from corner 1 covers it
+    host.write("dart.obj", shape + "f 1 2 3 4 5\n")
+    host.write("parts.obj", shape + "f 1 2 4\nf 2 3 4\nf 1 4 5\n")
+    host.equal("a concave polygon", host.render_bytes("dart.obj", *view), host.render_bytes("parts.obj", *view))
+    for turn in range(5):
+        corners = [str(1 + (i + turn) % 5) for i in range(5)]
+        host.write("dart.obj", shape + f"f {' '.join(corners)}\n")
+        host.equal(f"a concave polygon from corner {turn + 1}", host.render_bytes("dart.obj", *view),
+                   host.render_bytes("parts.obj", *view))
+    host.write("back.obj", shape + "f 5 4 3 2 1\n")
+    host.equal("a concave polygon seen from behind", host.render("back.obj", *view).box(BLACK), None)
+    many = [f"v {x} {y} 0" for x, y in ((i / 600 - 1, -1) for i in range(1200))] + ["v 1 1 0", "v -1 1 0"]
+    host.write("many.obj", "\n".join(many) + "\nf " + " ".join(str(i + 1) for i in range(1202)) + "\n")
+    host.write("square.obj", SQUARE)
+    host.equal("a polygon of 1202 corners", host.info("many.obj")["faces"], "1")
+    host.equal("its box", host.render("many.obj", *view).box(BLACK), host.render("square.obj", *view).box(BLACK))
+
+
+def test_info(host):
+    expected = {
+        "teapot.obj": {"positions": "1177", "faces": "2256", "triangles": "2256", "boundary_edges": "96",
+                       "inconsistent_edges": "0", "shared_edges": "0", "normals": "given", "pieces": "1"},
+        "spot.obj": {"positions": "2930", "triangles": "5856", "boundary_edges": "0", "normals": "computed",
+                     "vertices": "2930"},
+        "spot-control.obj": {"positions": "188", "faces": "180", "triangles": "372", "boundary_edges": "0"},
+        "featuretype.obj": {"positions": "1722", "triangles": "3476", "boundary_edges": "0", "normals": "given"},
+    }
+    for model, wanted in expected.items():
+        got = host.info(os.path.join(MODELS, model))
+        host.equal(f"info {model}", {name: got[name] for name in wanted}, wanted)
+    host.write("bad.obj", SQUARE + "v 5 5 5\ng a\no b\nf 1 2 3\nf 4 1 2 \nf 1 1 2\n")
+    got = host.info("bad.obj")
+    host.equal("info counts", [got[name] for name in ("positions", "positions_used", "groups", "triangles_dropped")],
+               ["5", "4", "2", "1"])
+    host.equal("info bounds", (got["lowest"], got["highest"]), ("-1 -1 0", "1 1 0"))
+    table = host.run("info", "torus:24x12").stdout.split("\n\n")[1].splitlines()[1:]
+    host.equal("info panels", [row.split()[:2] for row in table],
+               [["128x64", "grey4"], ["128x128", "rgb565"], ["160x128", "rgb565"], ["240x240", "rgb565"],
+                ["320x240", "rgb565"]])
+    for row in table:
+        size, pixel, smallest, best = row.split()
+        arguments = ["torus:24x12", "--size", size, "--format", pixel]
+        host.check(f"info arena {size}", 0 < int(smallest) <= int(best))
+        host.equal(f"info smallest arena {size}", host.render_bytes(*arguments, "--arena", smallest),
+                   host.render_bytes(*arguments, "--arena", best))
+        host.check(f"info arena {size}, a byte less", host.run("render", *arguments, "--arena", str(int(smallest) - 1),
+                                                               "-o", "x.png").returncode == 2)
+
+
+def test_topology(host):
+    host.write("inside-out.obj", CUBE_V + CUBE_F.replace("f 5 6 8 7", "f 7 8 6 5"))
+    host.equal("a face turned round", host.info("inside-out.obj")["inconsistent_edges"], "4")
+    host.write("fin.obj", CUBE_V + "v 3 3 3\n" + CUBE_F + "f 5 6 9\n")
+    got = host.info("fin.obj")
+    host.equal("a fin", (got["shared_edges"], got["boundary_edges"]), ("1", "2"))
+    soup, count = "", 0
+    for line in CUBE_F.splitlines():
+        for i in line[2:].split():
+            soup += CUBE_V.splitlines()[int(i) - 1] + "\n"
+        count += 4
+        soup += "f -4 -3 -2 -1\n"
+    host.write("soup.obj", soup)
+    got = host.info("soup.obj")
+    host.equal("equal positions are one point", (got["positions"], got["positions_used"], got["boundary_edges"]),
+               ("24", "8", "0"))
+
+
+def test_large_mesh_has_no_seam(host):
+    """Two pieces, one offset and extent: no background shows between them."""
+    got = host.info("torus:512x256")
+    host.check("pieces", int(got["pieces"]) >= 2 and int(got["triangles"]) == 262144, str(got))
+    view = ["--eye", "0,0,2.2", "--at", "1,0,0", "--fov", "20", "--light", "dir:0,0,1:0,0,0", "--ambient", "1"]
+    large, small = host.render("torus:512x256", *view), host.render("torus:128x64", *view)
+    host.equal("a torus in pieces covers what one does", [row.count(BLACK) for row in large.rows[100:140]],
+               [row.count(BLACK) for row in small.rows[100:140]])
+
+
+def test_quantised_square_keeps_its_place(host):
+    host.write("square.obj", SQUARE)
+    host.equal("largest move", float(host.info("square.obj")["largest_move"]) < 1 / 32000, True)
+    image = host.render("square.obj", *SQUARE_VIEW, "--light", "dir:0,0,1:0,0,0", "--ambient", "1")
+    host.equal("square", image.box(BLACK), (30, 30, 59, 59))

@@ -1,0 +1,256 @@
+# SPDX-License-Identifier: MIT
+"""Options of `render`: what each does to the picture."""
+import os
+import re
+
+from harness import MODELS, ROOT, SQUARE, SQUARE_VIEW
+import picture
+
+BLACK = (0, 0, 0)
+TORUS = ["torus:24x12", "--eye", "1,1.5,3.2"]
+
+# No light but the ambient: a flat colour.
+DARK = ["--light", "dir:0,0,1:0,0,0"]
+
+
+def near(pixel, wanted, steps=1):
+    return all(abs(a - b) <= steps for a, b in zip(pixel, wanted))
+
+
+def test_defaults(host):
+    plain = host.render_bytes("torus:24x12")
+    image = picture.decode(plain)
+    host.equal("default size and format", (image.width, image.height, image.channels), (320, 240, 3))
+    host.equal("default background", image.at(0, 0), BLACK)
+    spelled = host.render_bytes("torus:24x12", "--size", "320x240", "--format", "rgb888", "--up", "0,1,0", "--fov", "45",
+                                "--near", "0.1", "--rotate-y", "0", "--scale", "1,1,1", "--ambient", ".1,.1,.1",
+                                "--diffuse", ".6,.6,.6", "--specular", ".4,.4,.4", "--shininess", "32", "--viewer",
+                                "infinite", "--background", "0,0,0")
+    host.equal("defaults spelled out", spelled, plain)
+    eye = host.render_bytes("torus:24x12", "--eye", "0,0,4")
+    host.equal("--at is the origin", host.render_bytes("torus:24x12", "--eye", "0,0,4", "--at", "0,0,0"), eye)
+
+
+def test_every_option_changes_the_picture(host):
+    plain = host.render_bytes(*TORUS)
+    for option, value in [("--size", "64x48"), ("--format", "rgb565"), ("--format", "grey8"), ("--format", "grey4"),
+                          ("--eye", "1,1.5,3.3"), ("--at", "0.1,0,0"), ("--up", "0.3,1,0"), ("--fov", "46"),
+                          ("--near", "3"), ("--rotate-y", "30"), ("--scale", "1,0.9,1"), ("--light", "dir:1,0,0"),
+                          ("--ambient", ".2"), ("--diffuse", ".5,.6,.6"), ("--specular", ".3"), ("--shininess", "8.5"),
+                          ("--viewer", "local"), ("--background", "0,0,.1"), ("--crease", "10")]:
+        host.check(f"{option} {value}", host.render_bytes(*TORUS, option, value) != plain)
+        host.equal(f"{option}={value}", host.render_bytes(*TORUS, f"{option}={value}"),
+                   host.render_bytes(*TORUS, option, value))
+
+
+def test_sizes(host):
+    for size in [(1, 1), (1, 240), (33, 7), (1024, 1), (1024, 1024)]:
+        image = host.render(*TORUS, "--size", "%dx%d" % size)
+        host.equal(f"--size {size}", (image.width, image.height), size)
+
+
+def test_formats(host):
+    reference = host.render(*TORUS, "--diffuse", ".7,.5,.3", "--size", "160x120")
+    options = [*TORUS, "--diffuse", ".7,.5,.3", "--size", "160x120", "--format"]
+    five = {(v * 255 + 15) // 31 for v in range(32)}
+    six = {(v * 255 + 31) // 63 for v in range(64)}
+    image = host.render(*options, "rgb565")
+    host.check("rgb565 levels", image.channels == 3 and image.levels(0) <= five and image.levels(1) <= six and
+               image.levels(2) <= five)
+    # A level that was rounded to nearest lies within half a step of the finer one, and its own rounding.
+    worst = [max(abs(a[c] - b[c]) for p, q in zip(image.rows, reference.rows) for a, b in zip(p, q)) for c in range(3)]
+    host.check("rgb565 is the same picture", worst[0] <= 6 and worst[1] <= 4 and worst[2] <= 6, str(worst))
+    host.equal("rgb565_be is rgb565", host.render_bytes(*options, "rgb565_be"), host.render_bytes(*options, "rgb565"))
+    grey = host.render(*options, "grey8")
+    wrong = max(abs(g[0] - (0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2]))
+                for p, q in zip(grey.rows, reference.rows) for g, c in zip(p, q))
+    host.check("grey8 is the luma", grey.channels == 1 and wrong <= 1.6, str(wrong))
+    four = host.render(*options, "grey4")
+    wrong = max(abs(a[0] - b[0]) for p, q in zip(four.rows, grey.rows) for a, b in zip(p, q))
+    host.check("grey4 levels", four.channels == 1 and four.levels() <= {v * 17 for v in range(16)} and
+               len(four.levels()) > 8)
+    host.check("grey4 is the same picture", wrong <= 9, str(wrong))
+
+
+def test_levels_expand_exactly(host):
+    """A background of every level shows it: v of n to round(v 255 / (n - 1))."""
+    host.write("square.obj", SQUARE)
+    away = ["square.obj", "--eye", "0,0,-3", "--size", "8x8"]
+    for bits, name in [(5, "rgb565"), (6, "rgb565"), (4, "grey4"), (8, "rgb888"), (8, "grey8")]:
+        top = (1 << bits) - 1
+        for v in range(0, top + 1, 1 if bits < 8 else 15):
+            image = host.render(*away, "--format", name, "--background", f"{v / top:.9f}")
+            got = image.at(4, 4)[1 if bits == 6 else 0]
+            if got != (v * 255 + top // 2) // top:
+                host.equal(f"{name} level {v} of {bits} bits", got, (v * 255 + top // 2) // top)
+        host.check(f"{name} levels of {bits} bits", True)
+
+
+def test_tiles_and_arenas(host):
+    plain = host.render_bytes(*TORUS, "--viewer", "local")
+    for width in (8, 16, 32, 64):
+        for height in (8, 16, 32, 64):
+            host.equal(f"--tile {width}x{height}",
+                       host.render_bytes(*TORUS, "--viewer", "local", "--tile", f"{width}x{height}"), plain)
+    run = host.run("render", *TORUS, "--arena", "1", "-o", "out.png")
+    told = re.fullmatch(r"glint: --arena 1: this scene takes (\d+) bytes, or (\d+) to be drawn in one pass\n", run.stderr)
+    host.check("an arena too small tells what is needed", told is not None, run.stderr)
+    smallest, best = int(told.group(1)), int(told.group(2))
+    host.refuses("an arena one byte short", ["render", *TORUS, "--arena", str(smallest - 1), "-o", "out.png"],
+                 r"glint: --arena \d+: this scene takes \d+ bytes, or \d+ to be drawn in one pass")
+    for arena in (smallest, (smallest + best) // 2, best, best * 2):
+        host.equal(f"--arena {arena}", host.render_bytes(*TORUS, "--viewer", "local", "--arena", str(arena)), plain)
+
+
+def stats(host, *arguments):
+    run = host.run("render", *arguments, "--stats", "-o", "out.png")
+    return {name: int(value) for name, value in (line.split(" ") for line in run.stdout.splitlines())}
+
+
+def test_stats(host):
+    values = stats(host, *TORUS)
+    host.equal("--stats names", list(values), ["passes", "tiles", "vertices", "triangles", "culled", "clipped",
+                                               "references", "arena_used", "bytes_sent"])
+    host.equal("--stats passes", values["passes"], 1)
+    host.equal("--stats triangles", values["triangles"], 576)
+    host.equal("--stats bytes of rgb888", values["bytes_sent"], 320 * 240 * 3)
+    host.equal("--stats bytes of grey4", stats(host, *TORUS, "--format", "grey4", "--size", "33x8")["bytes_sent"], 17 * 8)
+    host.equal("--stats bytes of rgb565", stats(host, *TORUS, "--format", "rgb565")["bytes_sent"], 320 * 240 * 2)
+    host.check("--stats clipped", stats(host, *TORUS, "--near", "3.5")["clipped"] > 0)
+    os.remove(host.path("out.png"))
+
+
+def test_camera(host):
+    host.write("square.obj", SQUARE)
+    flat = ["square.obj", *DARK, "--ambient", "1"]
+    image = host.render(*flat, *SQUARE_VIEW)
+    host.equal("--fov is vertical", image.box(BLACK), (30, 30, 59, 59))
+    image = host.render(*flat, *SQUARE_VIEW, "--size", "180x90")
+    host.equal("--size keeps pixels square", image.box(BLACK), (75, 30, 104, 59))
+    image = host.render(*flat, *SQUARE_VIEW, "--at", "0,0,1", "--eye", "1,1,3")
+    host.check("--at aims", image.box(BLACK)[0] < 45 and image.box(BLACK) != (30, 30, 59, 59))
+    image = host.render(*flat, *SQUARE_VIEW, "--eye", "1,1,3", "--at", "1,1,0")
+    host.equal("x runs right, y up", image.box(BLACK), (15, 45, 44, 74))
+    image = host.render(*flat, *SQUARE_VIEW, "--eye", "1,1,3", "--at", "1,1,0", "--up", "1,0,0")
+    host.equal("--up rolls", image.box(BLACK), (45, 45, 74, 74))
+    host.equal("--near hides", host.render(*flat, *SQUARE_VIEW, "--near", "3.01").box(BLACK), None)
+    host.equal("--near shows", host.render(*flat, *SQUARE_VIEW, "--near", "2.99").box(BLACK), (30, 30, 59, 59))
+
+
+def test_pose(host):
+    host.write("square.obj", SQUARE)
+    host.write("side.obj", "v 0 -1 1\nv 0 -1 -1\nv 0 1 -1\nv 0 1 1\nf 1 2 3 4\n")  # faces +x
+    flat = [*SQUARE_VIEW, *DARK, "--ambient", "1"]
+    host.equal("--scale", host.render("square.obj", *flat, "--scale", "2,0.5,1").box(BLACK), (15, 37, 74, 51))
+    host.equal("--scale by one factor", host.render("square.obj", *flat, "--scale", "2").box(BLACK), (15, 15, 74, 74))
+    host.equal("--scale mirrors", host.render("square.obj", *flat, "--scale", "-1,1,1").box(BLACK), (30, 30, 59, 59))
+    host.equal("back faces are culled", host.render("square.obj", *flat, "--rotate-y", "180").box(BLACK), None)
+    host.equal("--double-sided", host.render("square.obj", *flat, "--rotate-y", "180", "--double-sided").box(BLACK),
+               (30, 30, 59, 59))
+    # Turned by -90 degrees about y, +x goes to +z; its width comes from z, so only a scale before the turn doubles it.
+    host.equal("--scale comes before --rotate-y",
+               host.render("side.obj", *flat, "--scale", "1,1,2", "--rotate-y", "-90").box(BLACK), (15, 30, 74, 59))
+    host.equal("--rotate-y is right-handed", host.render("side.obj", *flat, "--rotate-y", "90").box(BLACK), None)
+
+
+def test_light(host):
+    host.write("square.obj", SQUARE)
+    view = ["square.obj", *SQUARE_VIEW]
+    ahead = ["--light", "dir:0,0,2"]
+
+    def centre(*options):
+        return host.render(*view, *options).at(45, 45)
+
+    host.check("--ambient is final", near(centre(*DARK, "--ambient", ".2,.4,.6"), (51, 102, 153)))
+    host.check("--ambient grey", near(centre(*DARK, "--ambient", ".2"), (51, 51, 51)))
+    lit = centre(*ahead, "--ambient", "0", "--diffuse", ".2,.4,.6", "--specular", "0")
+    host.check("--diffuse", near(lit, (51, 102, 153)), str(lit))
+    lit = centre(*ahead, "--ambient", "0", "--diffuse", "0", "--specular", ".2,.4,.6")
+    host.check("--specular", near(lit, (51, 102, 153)), str(lit))
+    lit = centre("--light", "dir:0,0,1:1,.5,.25", "--ambient", "0", "--diffuse", ".4", "--specular", ".4")
+    host.check("--light colours both", near(lit, (204, 102, 51)), str(lit))
+    lit = centre("--light", "dir:1,0,1", "--ambient", "0", "--diffuse", "1", "--specular", "0")
+    host.check("--light slants", near(lit, (180,) * 3), str(lit))
+    lit = centre(*ahead, *ahead, "--ambient", ".1", "--diffuse", ".2", "--specular", "0")
+    host.check("--light adds up", near(lit, (127,) * 3), str(lit))
+    host.equal("sums are clamped", centre(*ahead, "--diffuse", "2"), (255, 255, 255))
+    host.check("--light from behind", near(centre("--light", "dir:0,0,-1"), (25,) * 3))
+    host.check("eight lights", near(centre(*DARK * 8, "--ambient", ".2"), (51,) * 3))
+    # Half way between light and viewer at 45 degrees: cos(22.5 degrees)^p.
+    for p in (2, 8.5, 32, 100):
+        lit = centre("--light", "dir:1,0,1", "--ambient", "0", "--diffuse", "0", "--specular", "1", "--shininess", str(p))
+        host.check(f"--shininess {p}", near(lit, (round(255 * 0.9238795 ** p),) * 3), str(lit))
+
+
+def test_viewer(host):
+    host.write("square.obj", SQUARE)
+    shiny = ["square.obj", *SQUARE_VIEW, "--light", "dir:0,0,1", "--ambient", "0", "--diffuse", "0", "--specular", "1"]
+    infinite, local = host.render(*shiny), host.render(*shiny, "--viewer", "local")
+    host.equal("--viewer infinite is even", {p for row in infinite.rows[31:59] for p in row[31:59]}, {(255, 255, 255)})
+    host.check("--viewer local fades outwards", local.at(45, 45)[0] > 250 > 200 > local.at(31, 31)[0],
+               f"{local.at(45, 45)} {local.at(31, 31)}")
+
+
+def test_default_light(host):
+    image = host.render("sphere:32x16", "--specular", "0")
+    host.check("upper left is lit", image.at(130, 90)[0] > image.at(190, 150)[0] + 60)
+    turned = host.render("sphere:32x16", "--specular", "0", "--eye", "-3,0,0")
+    host.check("the light follows the camera", turned.at(130, 90)[0] > turned.at(190, 150)[0] + 60)
+
+
+def test_framing(host):
+    models = [os.path.join(MODELS, name) for name in sorted(os.listdir(MODELS)) if name.endswith(".obj")]
+    for model in models + ["torus:24x12", "sphere:32x16"]:
+        for width, height, more in [(320, 240, []), (100, 200, ["--fov", "100"]), (200, 50, ["--rotate-y", "70"]),
+                                    (120, 120, ["--up", "0,0,1", "--scale", "1,3,1"])]:
+            image = host.render(model, "--size", f"{width}x{height}", "--background", "0,0,1", *more)
+            left, top, right, bottom = image.box((0, 0, 255))
+            filled = max((right - left + 1) / width, (bottom - top + 1) / height)
+            host.check(f"{os.path.basename(model)} framed at {width}x{height}",
+                       left > 0 and top > 0 and right < width - 1 and bottom < height - 1 and filled > 0.85,
+                       f"{left} {top} {right} {bottom}")
+    host.write("tiny.obj", "v 0 0 0\nv .01 0 0\nv 0 .01 0\nf 1 2 3\n")
+    host.check("a tiny model is framed", host.render("tiny.obj").box(BLACK) is not None)
+    near_at = host.render("sphere:32x16", "--at", "1,0,0", "--background", "0,0,1").box((0, 0, 255))
+    host.check("--at without --eye frames round it", near_at[0] < 100 and near_at[2] < 170, str(near_at))
+
+
+def test_output(host):
+    host.write("keep.png", "older")
+    host.refuses("a failed run keeps an older file", ["render", "no.obj", "-o", "keep.png"], r"no\.obj:0: .*")
+    host.equal("older file", host.read("keep.png"), b"older")
+    host.equal("an older file is replaced", host.run("render", *TORUS, "-o", "keep.png").returncode, 0)
+    host.equal("new file", host.read("keep.png"), host.render_bytes(*TORUS))
+    host.refuses("no such folder", ["render", *TORUS, "-o", "no/out.png"], r"no/out\.png:0: cannot be written: .+")
+    if os.path.exists("/dev/full"):
+        host.refuses("full disk", ["render", *TORUS, "-o", "/dev/full"], r"/dev/full:0: cannot be written: .+")
+        host.check("a device stays", not os.path.isfile("/dev/full"))
+    host.equal("/dev/null", host.run("render", *TORUS, "-o", "/dev/null").returncode, 0)
+    host.check("/dev/null stays", os.path.exists("/dev/null") and not os.path.isfile("/dev/null"))
+
+
+def test_demo(host):
+    run = host.run("demo", "--models", MODELS, "-o", "sheet.png")
+    host.equal("demo names its file last", (run.returncode, run.stdout.splitlines()[-1:]), (0, ["sheet.png"]))
+    image = picture.decode(host.read("sheet.png"))
+    os.remove(host.path("sheet.png"))
+    host.equal("demo size", (image.width, image.height), (960, 720))
+    for x, y, width, height in [(0, 0, 640, 480), (640, 0, 320, 240), (640, 240, 320, 240), (0, 480, 320, 240),
+                                (320, 480, 320, 240), (640, 480, 320, 240)]:
+        colours = {image.at(i, j) for j in range(y, y + height) for i in range(x, x + width)}
+        host.check(f"demo cell at {x},{y}", len(colours) > 20, f"{len(colours)} colours")
+    host.refuses("demo without models", ["demo", "--models", "none", "-o", "sheet.png"], r"none/teapot\.obj:0: .+")
+
+
+def test_help_and_version(host):
+    with open(os.path.join(ROOT, "src", "glint.h"), encoding="utf-8") as file:
+        parts = re.findall(r"#define GLINT_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", file.read())
+    host.equal("--version", host.run("--version").stdout, f"glint {'.'.join(parts)}\n")
+    text = host.run("help").stdout
+    host.equal("help is --help", host.run("--help").stdout, text)
+    for option in ("size format eye at up fov near rotate-y scale light ambient diffuse specular shininess viewer "
+                   "background tile arena stats crease double-sided name licence models").split():
+        host.check(f"help names --{option}", f"--{option} " in text)
+    for command in ("render", "info", "convert", "demo"):
+        run = host.run(command, "--help")
+        host.check(f"{command} --help", run.returncode == 0 and run.stdout.startswith(f"\nglint {command} "))
