@@ -29,7 +29,7 @@ $(BUILD)/host/libglint.a: $(LIBRARY:src/%.c=$(BUILD)/host/src/%.o)
 
 # Every suite that `make test` runs, each a phony target that closes with `N passed, N failed`.
 SUITES := test-unit-host test-image test-identity test-sanitize test-matrix test-host-cli \
-    test-board-panel test-board-unit test-board-identity test-freestanding test-firmware
+    test-panel-bus test-board-panel test-board-unit test-board-identity test-freestanding test-firmware
 
 -include port/host/host.mk port/boards.mk tests/tests.mk
 

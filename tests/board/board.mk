@@ -50,3 +50,13 @@ LIBRARY_MOST := 16384
 test-firmware: $(FIRMWARE) ## flash, RAM and library within their limits
 	@python3 tests/board/firmware.py --flash $(FLASH_MOST) --ram $(RAM_MOST) --library $(LIBRARY_MOST) \
 	    $(BUILD)/lm3s6965evb/release/turntable.map --programs $(FIRMWARE) --example examples/firmware/minimal.c
+
+# ---- The panel driver on a bus that records and fails
+
+$(BUILD)/host/bus: tests/board/bus.c tests/harness.c tests/main.c tests/harness.h $(lm3s6965evb_PANEL) \
+        $(wildcard port/panel/*.h) $(BUILD)/host/libglint.a
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(HOST_CFLAGS) -Iport -Itests $(filter %.c,$^) $(BUILD)/host/libglint.a -o $@
+
+test-panel-bus: $(BUILD)/host/bus ## what the panel driver sends, and what it does when the bus fails
+	@$<

@@ -54,6 +54,32 @@ static void every_tile_size(void) {
     for_each_scene(check_tile_sizes);
 }
 
+/*
+ * Two planes that cross at a quarter of a degree: over most of the screen their depths are a few steps apart, so that
+ * whatever makes depth depend on the tile shows in the colours.
+ */
+static void every_tile_size_where_depths_nearly_tie(void) {
+    test_scene scene;
+    picture wanted = picture_open(WIDTH, HEIGHT, &glint_format_rgb888);
+    for (unsigned i = 0; i < scene_count; i++) {
+        if (strcmp(scene_definitions[i].name, "floor to the horizon") == 0)
+            scene_build(&scene, &scene_definitions[i]);
+    }
+    for (int i = 0; i < 2; i++) {
+        glint_pose tilt = glint_pose_rotate_x(80 * GLINT_ONE + i * GLINT_ONE / 4);
+        glint_pose turn = glint_pose_rotate_z((20 + i) * GLINT_ONE);
+        scene.objects[i] = scene.objects[0];
+        scene.objects[i].pose = glint_pose_then(&tilt, &turn);
+        scene.objects[i].pose.m[2][3] = -9 * GLINT_ONE;
+        scene.objects[i].material = &scene.materials[i];
+    }
+    scene.materials[1].ambient = (glint_colour){0, 0, GLINT_ONE};
+    scene.scene.object_count = 2;
+    CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
+    check_tile_sizes(&wanted, &scene.scene);
+    picture_close(&wanted);
+}
+
 static glint_need arena_need(const picture *like, const glint_scene *scene, const picture_options *options) {
     picture image = *like;
     glint_config config = picture_config(&image, options);
@@ -221,9 +247,13 @@ static void first_of_ties_wins(void) {
 
 int test_main(test_writer write) {
     static const test_case cases[] = {
-        TEST_CASE(every_tile_size),           TEST_CASE(every_arena),
-        TEST_CASE(best_arena_takes_one_pass), TEST_CASE(two_workspaces_in_another_tile_order),
-        TEST_CASE(every_order_of_objects),    TEST_CASE(first_of_ties_wins),
+        TEST_CASE(every_tile_size),
+        TEST_CASE(every_tile_size_where_depths_nearly_tie),
+        TEST_CASE(every_arena),
+        TEST_CASE(best_arena_takes_one_pass),
+        TEST_CASE(two_workspaces_in_another_tile_order),
+        TEST_CASE(every_order_of_objects),
+        TEST_CASE(first_of_ties_wins),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

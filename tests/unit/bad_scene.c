@@ -130,6 +130,20 @@ static void expect_index(uint16_t index, int corner) {
     fixture_expect_error(f, GLINT_ERROR_INDEX);
 }
 
+/* The last index of a mesh, with an arena that takes many passes: found before the first tile all the same. */
+static void expect_last_index(void) {
+    static uint16_t triangles[48][3];
+    fixture *f = fixture_begin();
+    const uint32_t count = TEST_COUNT(triangles);
+    f->torus.triangle_count = count;
+    f->config.arena_size = fixture_need(f).smallest;
+    for (uint32_t i = 0; i < 3 * count; i++)
+        triangles[i / 3][i % 3] = f->torus.triangles[i / 3][i % 3];
+    triangles[count - 1][2] = 72;
+    f->torus.triangles = (const uint16_t(*)[3])triangles;
+    fixture_expect_error(f, GLINT_ERROR_INDEX);
+}
+
 void bad_meshes_are_refused(void) {
     for (int which = 0; which < 6; which++) {
         fixture *f = fixture_begin();
@@ -143,6 +157,7 @@ void bad_meshes_are_refused(void) {
         expect_index(72, corner);
         expect_index(65535, corner);
     }
+    expect_last_index();
 }
 
 static void expect_pose(glint_q16 x, glint_q16 y, glint_q16 z) {
