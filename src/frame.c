@@ -33,7 +33,7 @@ static glint_status prepare(glint_frame *frame) {
     glint_status status = glint_check_scene(frame->scene);
     if (status != GLINT_OK)
         return status;
-    glint_view *view = glint_take(&frame->memory, sizeof *view);
+    glint_view *view = glint_take(&frame->memory, GLINT_VIEW_SIZE(frame->scene->light_count));
     if (!view)
         return GLINT_ERROR_ARENA;
     frame->view = view;
@@ -128,6 +128,7 @@ int glint_frame_next(glint_frame *frame) {
     glint_status status = bin_tiles(frame);
     if (status != GLINT_OK)
         return status;
+    glint_count_arena(frame);
     frame->stats.passes++;
     frame->stats.tiles += frame->ends ? (uint32_t)(frame->tile_end - frame->tile_first) : 0;
     return 1;

@@ -59,6 +59,9 @@ typedef struct glint_view {
     glint_prepared_light lights[GLINT_LIGHTS_MAX];
 } glint_view;
 
+/** Bytes of a view with so many lights. */
+#define GLINT_VIEW_SIZE(count) (offsetof(glint_view, lights) + (count) * sizeof(glint_prepared_light))
+
 /** x^p for x = 1 - u, or for x itself where p < 2. */
 typedef struct glint_power_table {
     int32_t exponent;            /* p, Q16.16 */
@@ -293,6 +296,9 @@ size_t glint_tile_buffers_size(const glint_config *config);
 
 /** Puts triangles from (frame->object, frame->triangle) on into the lists of the pass's tiles. */
 glint_status glint_bin(glint_frame *frame, int *complete);
+
+/** Brings stats.arena_used up to date after binning. */
+void glint_count_arena(glint_frame *frame);
 
 /** Loads vertices of objects from (frame->object, frame->triangle) on, as many as fit. */
 glint_status glint_load(glint_frame *frame);

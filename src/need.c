@@ -89,7 +89,8 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
         status = count_object(&frame, &scene->objects[i], &sum);
     if (status != GLINT_OK)
         return status;
-    size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame.config) + GLINT_ALIGNED(sizeof(glint_view)) +
+    size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame.config) +
+                      GLINT_ALIGNED(GLINT_VIEW_SIZE(scene->light_count)) +
                       materials * GLINT_ALIGNED(sizeof(glint_shading));
     size_t lists = GLINT_ALIGNED(frame.tile_count * sizeof(glint_list)) +
                    GLINT_ALIGNED(sum.references * sizeof(glint_reference)) +

@@ -11,7 +11,7 @@
  * | matrix to clip space | | int32, block exponent per object | sum of a row's magnitudes < 2^30 | transform.c |
  * | clip coordinates x, y, w | clip: guard band at x, y = +-w | int32, same exponent | < 2^30 | transform.c |
  * | normal matrix | camera | int32, block exponent | < 2^30 | transform.c |
- * | unit vector | camera | int16, 1 = GLINT_UNIT | length 32764 +-2.2 | glint_unit |
+ * | unit vector | camera | int16, 1 = GLINT_UNIT | length 32764 +-2.3 | glint_unit |
  * | screen x, y | screen | int16 28.4 | strictly within +-1023 px of the centre | clip.c |
  * | 1/w | screen | int32 Q31 of the frame's nearest | 0 to 2^31 - 2^16 | geometry.c |
  * | depth | screen | uint16, 1/w >> 15 | 1 to 65534, 0 is empty | raster.c |
@@ -96,17 +96,17 @@ static inline uint32_t glint_magnitude_bits(int32_t x) {
 
 /**
  * UNIT / sqrt(c): c from 2^28 to 3 2^30 as an integer, result scaled by 2^15; linear interpolation.
- * Relative error at most 4.8e-5.
+ * Relative error at most 5.5e-5.
  */
 static inline int32_t glint_inverse_root(uint32_t c) {
     const uint16_t *node = &glint_inverse_root_table[(c >> 23) - 32];
     int32_t fraction = (int32_t)((c >> 7) & 0xffff);
-    return node[0] - glint_shift_right((node[0] - node[1]) * fraction, 16);
+    return node[0] - glint_shift_right((node[0] - node[1]) * fraction + 0x8000, 16);
 }
 
 /**
  * A unit vector in the direction of (x, y, z), of any int32 components; 0 for 0.
- * Each component is off by at most 1.3 steps from direction times UNIT, length by at most 2.2.
+ * Each component is off by at most 2.3 steps from direction times UNIT, length by at most 2.3.
  */
 static inline void glint_unit(int32_t x, int32_t y, int32_t z, int16_t out[3]) {
     unsigned zeros = glint_leading_zeros(glint_magnitude_bits(x) | glint_magnitude_bits(y) | glint_magnitude_bits(z));
@@ -141,13 +141,13 @@ uint32_t glint_reciprocal(uint32_t x);
 /** Binary logarithm of x / 2^31, x from 1 to 2^31: Q26, -31 to 0; error at most 4e-8. 0 gives -32. */
 int32_t glint_log2(uint32_t x);
 
-/** 2^y for y Q26, 0 or below: Q30; relative error at most 2e-8 and half a step. */
+/** 2^y for y Q26, 0 or below: Q30; relative error at most 2e-8 and one step. */
 uint32_t glint_exp2(int32_t y);
 
 /** (x / 2^31)^p: x from 0 to 2^31, p Q16.16 from 0 up; Q30. 0^0 is 1. */
 uint32_t glint_power(uint32_t x, int32_t p);
 
-/** Sine of a phase, 2^32 to the turn: Q30, error at most 4e-8. */
+/** Sine of a phase, 2^32 to the turn: Q30, error at most 6e-8. */
 int32_t glint_sine(uint32_t phase);
 
 /** Degrees Q16.16 as a phase, 2^32 to the turn. */

@@ -99,5 +99,6 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
     if (wait(&s) && status == GLINT_OK)
         status = GLINT_ERROR_FLUSH;
     renderer->stats = frame.stats;
+    renderer->stats.arena_used += (uint32_t)(buffers + GLINT_ALIGNMENT - 1);
     return status;
 }
