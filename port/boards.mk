@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Firmware for every board, from one pattern. A board is the few lines below; a program is its sources.
-# build/<board>/<level>/<program>.elf, with what it takes of flash, RAM and stack printed and kept beside it.
+# build/<board>/<level>/<program>.elf, with what it takes of flash, RAM and stack beside it in <program>.size.
 
 CROSS ?= arm-none-eabi-
 
@@ -71,7 +71,7 @@ $(BUILD)/$1/$2/$3.elf: $(patsubst %.c,$(BUILD)/$1/$2/%.o,$(PROGRAM_$3) $($1_SOUR
         $(BUILD)/$1/$2/libglint.a $($1_LINKER) linker/sections.ld
 	$$(Q)$(CROSS)gcc $$($1_CPU) $$(FIRMWARE_LDFLAGS) $4 -Wl,-Map=$$(@:.elf=.map) -T $($1_LINKER) \
 	    $$(filter %.o,$$^) $$(filter %.a,$$^) -lgcc -o $$@
-	@python3 tools/size.py $$(@:.elf=.map) | tee $$(@:.elf=.size)
+	@python3 tools/size.py $$(@:.elf=.map) > $$(@:.elf=.size)
 FIRMWARE += $(BUILD)/$1/$2/$3.elf
 endef
 
@@ -88,5 +88,6 @@ $(foreach board,mps2-an385 mps2-an385-m0,$(foreach level,O0 Os O2,\
 
 .PHONY: boards
 boards: $(FIRMWARE) ## build the firmware of every board; prints flash, RAM and stack
+	@cat $(FIRMWARE:.elf=.size)
 
 include tests/board/board.mk tests/freestanding/freestanding.mk

@@ -52,7 +52,7 @@ static bool print_panel(const struct info_panel *panel, const host_settings *set
         return false;
     }
     glint_config config = {.width = framed.width, .height = framed.height, .format = framed.format->format};
-    framebuffer target; /* not drawn to: a port that waits takes two tile buffers, and this one does */
+    framebuffer target = {0}; /* not drawn to: a port that waits takes two tile buffers, and this one does */
     config.flush = framebuffer_flush(&target);
     glint_need need;
     const glint_status status = glint_arena_need(&config, &view.scene, &need);

@@ -81,10 +81,9 @@ bool bytes_write_file(const host_bytes *bytes, const char *path, host_problem *p
     if (lstat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
         return write_directly(bytes, path, problem);
     }
-    const size_t length = strlen(path);
-    char *beside = memory_new(length + sizeof ".part", 1);
-    memcpy(beside, path, length);
-    memcpy(beside + length, ".part", sizeof ".part");
+    const size_t size = strlen(path) + sizeof ".part";
+    char *beside = memory_new(size, 1);
+    snprintf(beside, size, "%s.part", path);
     const bool ok = write_beside(bytes, beside, path, problem);
     free(beside);
     return ok;

@@ -163,7 +163,7 @@ static void place_triangle(const mesh_quantiser *quantiser, size_t triangle, mes
     for (int i = 0; i < 3; i++) {
         added += *find_slot(piece, values[i]) == 0;
     }
-    if (piece->vertex_count + added > VERTICES_MAX) {
+    if (piece->triangle_count > 0 && piece->vertex_count + added > VERTICES_MAX) {
         finish_piece(piece, frame, out);
     }
     piece->triangles =

@@ -22,22 +22,15 @@ static unit circle_octant(int i, int n) {
 
 /** cos and sin of 2 pi i / n for 0 <= i < n, as symmetric as the circle is. */
 static unit circle(int i, int n) {
-    if (2 * i > n) {
-        const unit mirrored = circle(n - i, n);
-        const unit point = {mirrored.c, -mirrored.s};
-        return point;
-    }
-    if (4 * i > n) { /* 180 degrees less the angle, in units of half a step so that an odd n works */
-        const unit mirrored = circle(n - 2 * i, 2 * n);
-        const unit point = {-mirrored.c, mirrored.s};
-        return point;
-    }
-    if (8 * i > n) { /* 90 degrees less the angle, in quarters of a step */
-        const unit mirrored = circle_octant(n - 4 * i, 4 * n);
-        const unit point = {mirrored.s, mirrored.c};
-        return point;
-    }
-    return circle_octant(i, n);
+    const int below = 2 * i > n; /* mirrored at the x axis */
+    i = below ? n - i : i;
+    const int left = 4 * i > n; /* at the y axis, in half steps so that an odd n works */
+    const int i2 = left ? n - 2 * i : 2 * i;
+    const int above = 4 * i2 > n; /* n / 2 half steps make a quarter; at the diagonal, in quarter steps */
+    const unit low = circle_octant(above ? n - 2 * i2 : 2 * i2, 4 * n);
+    const unit first = {above ? low.s : low.c, above ? low.c : low.s};
+    const unit point = {left ? -first.c : first.c, below ? -first.s : first.s};
+    return point;
 }
 
 static mesh_corner both(uint32_t index) {

@@ -12,7 +12,7 @@ import subprocess
 import sys
 import time
 
-from qemu import SILENCE, Died, Machine, Tally, read_netpbm, write_grey
+from qemu import SILENCE, Died, Machine, Tally, check_stack, read_netpbm, write_grey
 
 WIDTH, HEIGHT, MAGNIFIED, STEP = 128, 64, 4, 17
 MODELS, FRAMES = ("torus576", "teapot"), 10
@@ -54,7 +54,7 @@ def compare(tally, name, shown, wanted, output):
     tally.check(lit > 200, "%s: only %d pixels are lit" % (name, lit))
 
 
-def watch(machine, tally, output, wanted):
+def watch(machine, tally, elf, output, wanted):
     """Takes a picture at each checkpoint until the firmware ends. @return the names of the frames seen."""
     seen = []
     while True:
@@ -63,6 +63,7 @@ def watch(machine, tally, output, wanted):
             return seen
         if not line.endswith(" done"):
             print("  firmware: " + line)
+            check_stack(tally, elf, line)
             continue
         name = line[:-len(" done")].replace(" ", "-")
         dump = os.path.join(output, name + "-screen.ppm")
@@ -76,7 +77,7 @@ def watch(machine, tally, output, wanted):
 def run(arguments, tally, elf, names, wanted):
     try:
         with Machine(arguments.qemu, "lm3s6965evb", elf, ["stop"]) as machine:
-            seen = watch(machine, tally, arguments.output, wanted)
+            seen = watch(machine, tally, elf, arguments.output, wanted)
             tally.check(seen == names, "%s: frames %s instead of %s" % (elf, seen, names))
             status = machine.process.wait(60)
             tally.check(status == 0, "%s: exit status %d %s" % (elf, status, " ".join(machine.errors)))

@@ -3,6 +3,7 @@
 import json
 import os
 import queue
+import re
 import socket
 import subprocess
 import tempfile
@@ -102,6 +103,15 @@ class Machine:
 
     def __exit__(self, *_):
         self.close()
+
+
+def check_stack(tally, elf, line):
+    """Holds "stack used N" against what the linker script reserves: a quarter of it stays free."""
+    match = re.match(r"^stack used (\d+)$", line)
+    if match:
+        with open(elf[:-len(".elf")] + ".size") as file:
+            reserved = int(re.search(r"\(stack (\d+)\)", file.read())[1])
+        tally.check(0 < 4 * int(match[1]) <= 3 * reserved, "%s: %s of %d bytes" % (elf, line, reserved))
 
 
 class Tally:

@@ -5,7 +5,7 @@ import argparse
 import re
 import sys
 
-from qemu import Died, Machine, Tally
+from qemu import Died, Machine, Tally, check_stack
 
 
 def run(qemu, name, elf, tally):
@@ -16,6 +16,7 @@ def run(qemu, name, elf, tally):
                 line = machine.line()
                 if line is None:
                     break
+                check_stack(tally, elf, line)
                 match = re.match(r"^(\d+) passed, (\d+) failed$", line)
                 if match:
                     closing = int(match[1]), int(match[2])

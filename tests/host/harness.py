@@ -51,9 +51,10 @@ class Host:
     def files(self):
         return sorted(os.listdir(self.folder.name))
 
-    def run(self, *arguments, env=None):
+    def run(self, *arguments, env=None, before=None):
+        """Runs the program; `before` is called in its process, to limit what it may do."""
         return subprocess.run([self.program, *arguments], cwd=self.folder.name, capture_output=True, text=True,
-                              timeout=60, check=False, env={**os.environ, **(env or {})})
+                              timeout=60, check=False, env={**os.environ, **(env or {})}, preexec_fn=before)
 
     def render_bytes(self, *arguments):
         """The PNG file that `render` writes; it must."""
@@ -74,11 +75,11 @@ class Host:
             raise AssertionError(f"info {model}: status {run.returncode}, {run.stderr.strip()}")
         return dict(line.split(" ", 1) for line in run.stdout.split("\n\n")[0].splitlines())
 
-    def refuses(self, name, arguments, pattern):
+    def refuses(self, name, arguments, pattern, before=None):
         """Status 2, one line on stderr that the pattern matches whole, nothing on stdout, no file more or less."""
-        before = self.files()
-        run = self.run(*arguments)
+        files = self.files()
+        run = self.run(*arguments, before=before)
         self.check(name, run.returncode == 2 and run.stdout == "" and run.stderr.endswith("\n") and
                    run.stderr.count("\n") == 1 and re.fullmatch(pattern, run.stderr.rstrip("\n")) is not None and
-                   self.files() == before,
+                   self.files() == files,
                    f"status {run.returncode}, stdout {run.stdout!r}, stderr {run.stderr!r}, files {self.files()}")

@@ -2,6 +2,8 @@
 """Options of `render`: what each does to the picture."""
 import os
 import re
+import resource
+import signal
 
 from harness import MODELS, ROOT, SQUARE, SQUARE_VIEW
 import picture
@@ -215,7 +217,17 @@ def test_framing(host):
     host.check("--at without --eye frames round it", near_at[0] < 100 and near_at[2] < 170, str(near_at))
 
 
+def small_files_only():
+    """Writing beyond a kilobyte fails, as on a full disk."""
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1024, 1024))
+
+
 def test_output(host):
+    host.refuses("no room for the file", ["render", *TORUS, "-o", "out.png"], r"out\.png:0: cannot be written: .+",
+                 before=small_files_only)
+    host.refuses("no room for the header", ["convert", "torus:24x12", "-o", "out.h"],
+                 r"out\.h:0: cannot be written: .+", before=small_files_only)
     host.write("keep.png", "older")
     host.refuses("a failed run keeps an older file", ["render", "no.obj", "-o", "keep.png"], r"no\.obj:0: .*")
     host.equal("older file", host.read("keep.png"), b"older")

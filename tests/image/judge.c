@@ -12,6 +12,9 @@
 /* Surfaces nearer to each other than this many depth steps may come out in either order. */
 #define CLOSE_STEPS 2
 
+/* Two steps of a unit vector in Q15: N and L are each rounded to one. */
+#define GATE (2.0 / 32768)
+
 typedef struct images {
     reference_image reference;
     picture shaded;   /* in the task's format */
@@ -48,18 +51,6 @@ static void measure_vertices(const judge_task *task, const library_geometry *geo
             total->vertex_error = fmax(total->vertex_error, error);
         }
     }
-}
-
-/* Whether the reference's coverage changes within one pixel of (x, y). */
-static int beside_silhouette(const reference_image *image, int x, int y) {
-    int covered = image->pixels[y * image->width + x].covered;
-    for (int row = y > 0 ? y - 1 : 0; row <= y + 1 && row < image->height; row++) {
-        for (int column = x > 0 ? x - 1 : 0; column <= x + 1 && column < image->width; column++) {
-            if (image->pixels[row * image->width + column].covered != covered)
-                return 1;
-        }
-    }
-    return 0;
 }
 
 static double wanted_level(const reference_pixel *pixel, const glint_format *format, int channel) {
@@ -99,9 +90,12 @@ static void judge_pixel(const judge_task *task, const images *all, int x, int y,
     int drawn = picture_level(&all->coverage, x, y, 0) > 0;
     distance error = measure_pixel(all, x, y);
     total->covered += reference->covered;
+    if (reference->uncertain) {
+        total->uncertain++;
+        return;
+    }
     if (drawn != reference->covered) {
         total->missed++;
-        total->missed_inside += !beside_silhouette(&all->reference, x, y);
         return;
     }
     if (!reference->covered) {
@@ -114,6 +108,9 @@ static void judge_pixel(const judge_task *task, const images *all, int x, int y,
         total->close++;
         return;
     }
+    total->gated += reference->grazing < GATE;
+    if (task->leave_out_gates && reference->grazing < GATE)
+        return;
     total->judged++;
     total->over_one += error.rounded > 1;
     total->over_two += error.rounded > 2;

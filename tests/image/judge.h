@@ -13,7 +13,8 @@ typedef struct judge_task {
     const glint_scene *scene;
     int width, height;
     const glint_format *format;
-    double fine; /**< Steps. */
+    int leave_out_gates; /**< Leave `gated` pixels out of the bounds. */
+    double fine;         /**< Steps. */
 } judge_task;
 
 /** Counts of pixels, summed over the tasks judged. */
@@ -21,14 +22,15 @@ typedef struct judgement {
     glint_status status; /**< Of the library; the rest holds only with GLINT_OK. */
     long covered;        /**< Pixels the reference covers. */
     long missed;         /**< Covered by the reference or the library only. */
-    long missed_inside;  /**< Of these, not beside the reference's silhouette. */
+    long uncertain;      /**< Beside an edge of a triangle that library and reference each clip: not looked at. */
     long spilled;        /**< Not covered by the reference and not the background's colour. */
     long close;          /**< The two nearest surfaces are less than 2 depth steps apart: left out of the bounds. */
-    long judged;         /**< Covered by both and not close. */
-    long over_one;       /**< Judged and more than 1 step from the rounded reference. */
-    long over_two;       /**< Judged and more than 2. */
-    long not_fine;       /**< Judged and more than `fine` steps from the unrounded reference. */
-    double worst;        /**< Largest distance from the unrounded reference, steps. */
+    long gated;    /**< A light's |N.L| is below 2^-14: rounding decides whether its highlight, which jumps, is seen. */
+    long judged;   /**< Covered by both and not close. */
+    long over_one; /**< Judged and more than 1 step from the rounded reference. */
+    long over_two; /**< Judged and more than 2. */
+    long not_fine; /**< Judged and more than `fine` steps from the unrounded reference. */
+    double worst;  /**< Largest distance from the unrounded reference, steps. */
     double vertex_error; /**< Largest distance of a snapped coordinate from the exact one, pixels. */
     double squares;      /**< Sum of squared errors, levels as 0..1, over `samples`. */
     long samples;        /**< Channels of pixels covered by both. */

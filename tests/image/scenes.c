@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "scenes.h"
 
+#include <math.h>
 #include <string.h>
 
 static bench_mesh bench_meshes[BENCH_SCENES];
@@ -77,7 +78,7 @@ static glint_colour colour(double r, double g, double b) {
 static void build_near_plane(test_scene *scene) {
     begin(scene, 0);
     place(&scene->objects[0], 0.2, 0.1, -0.7);
-    scene->scene.camera.near_plane = bench_q16(0.3);
+    scene->scene.camera.near_plane = bench_q16(0.75);
 }
 
 static void build_near_double_sided(test_scene *scene) {
@@ -206,23 +207,96 @@ static void build_far(test_scene *scene) {
     place(&scene->objects[0], 2, 1, -30);
 }
 
+/* ---- Random scenes ------------------------------------------------------------------------------------------- */
+
+static uint32_t random_state;
+
+/* From a to b, by a linear congruential generator (Numerical Recipes). */
+static double between(double a, double b) {
+    random_state = random_state * 1664525u + 1013904223u;
+    return a + (b - a) * (random_state >> 8) / 16777216.0;
+}
+
+static glint_vector random_vector(double reach) {
+    glint_vector vector;
+    vector.x = bench_q16(between(-reach, reach));
+    vector.y = bench_q16(between(-reach, reach));
+    vector.z = bench_q16(between(-reach, reach));
+    return vector;
+}
+
+static glint_colour random_colour(double most) {
+    double r = between(0, most);
+    double g = between(0, most);
+    return colour(r, g, between(0, most));
+}
+
+/* Turned and scaled by up to a factor of 8 between axes, mirrored half of the time, near `centre`. */
+static void place_at_random(glint_object *object, const glint_vector *centre) {
+    double about_x = between(-4, 4);
+    double x = between(0.25, 2) * (between(0, 1) < 0.5 ? -1 : 1);
+    double y = between(0.25, 2);
+    object->pose = bench_turn(about_x, between(-4, 4));
+    scale_columns(&object->pose, x, y, between(0.25, 2));
+    object->pose.m[0][3] = centre->x + bench_q16(between(-1, 1));
+    object->pose.m[1][3] = centre->y + bench_q16(between(-1, 1));
+    object->pose.m[2][3] = centre->z + bench_q16(between(-1, 1));
+}
+
+/* The camera looks at the centre from 4.5 to 6 units away: no object comes nearer to it than a third of a unit. */
+static void look_from_random(glint_camera *camera, const glint_vector *centre) {
+    double longitude = between(-3.1, 3.1);
+    double distance = between(4.5, 6) * 65536;
+    glint_vector eye = *centre;
+    glint_vector up = {bench_q16(between(-0.3, 0.3)), GLINT_ONE, 0};
+    eye.x += (int32_t)(distance * 0.8 * cos(longitude));
+    eye.y += (int32_t)(distance * between(-0.6, 0.6));
+    eye.z += (int32_t)(distance * 0.8 * sin(longitude));
+    glint_camera_look_at(camera, eye, *centre, up);
+    camera->field_of_view = bench_q16(between(10, 110));
+}
+
+void scene_build_random(test_scene *scene, uint32_t seed) {
+    random_state = seed * 2654435761u;
+    begin(scene, 0);
+    glint_vector centre = random_vector(between(0, 1) < 0.5 ? 5 : 20000);
+    look_from_random(&scene->scene.camera, &centre);
+    scene->scene.viewer = between(0, 1) < 0.5 ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
+    scene->scene.object_count = 1 + (uint32_t)between(0, 3);
+    scene->scene.light_count = (uint32_t)between(0, 9);
+    for (uint32_t i = 0; i < scene->scene.object_count; i++) {
+        scene->objects[i].mesh = &scene_bench_mesh(between(0, 1) < 0.5 ? 1 : 3)->mesh;
+        place_at_random(&scene->objects[i], &centre);
+        scene->materials[i].ambient = random_colour(0.3);
+        scene->materials[i].diffuse = random_colour(0.8);
+        scene->materials[i].specular = random_colour(0.8);
+        scene->materials[i].shininess = bench_q16(exp(between(0.7, 6)));
+    }
+    for (uint32_t i = 0; i < scene->scene.light_count; i++) {
+        scene->lights[i].type = &glint_light_directional;
+        scene->lights[i].vector = random_vector(1);
+        scene->lights[i].diffuse = random_colour(1);
+        scene->lights[i].specular = random_colour(1);
+    }
+}
+
 const scene_definition scene_definitions[] = {
-    {"near plane", build_near_plane, 1},
-    {"near plane, double-sided", build_near_double_sided, 1},
-    {"floor to the horizon", build_floor, 1},
-    {"guard band", build_guard_band, 0},
-    {"mirrored", build_mirrored, 0},
-    {"mirrored, double-sided", build_mirrored_double_sided, 0},
-    {"scaled 1:0.01:0.5", build_squashed, 0},
-    {"scaled 0.05:0.05:5", build_stretched, 1},
-    {"eight lights", build_eight_lights, 0},
-    {"saturated", build_saturated, 0},
-    {"interlocked", build_interlocked, 0},
-    {"p of 0, 0.5, 1, 1.5", build_low_exponents, 0},
-    {"opposed lights", build_opposed_lights, 0},
-    {"leaning normals", build_leaning_normals, 0},
-    {"turned camera", build_turned_camera, 0},
-    {"far away", build_far, 0},
+    {"near plane", build_near_plane},
+    {"near plane, double-sided", build_near_double_sided},
+    {"floor to the horizon", build_floor},
+    {"guard band", build_guard_band},
+    {"mirrored", build_mirrored},
+    {"mirrored, double-sided", build_mirrored_double_sided},
+    {"scaled 1:0.01:0.5", build_squashed},
+    {"scaled 0.05:0.05:5", build_stretched},
+    {"eight lights", build_eight_lights},
+    {"saturated", build_saturated},
+    {"interlocked", build_interlocked},
+    {"p of 0, 0.5, 1, 1.5", build_low_exponents},
+    {"opposed lights", build_opposed_lights},
+    {"leaning normals", build_leaning_normals},
+    {"turned camera", build_turned_camera},
+    {"far away", build_far},
 };
 const unsigned scene_count = sizeof scene_definitions / sizeof scene_definitions[0];
 

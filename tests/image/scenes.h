@@ -20,15 +20,17 @@ typedef struct test_scene {
     glint_scene scene;
 } test_scene;
 
-/** A named scene; `cut` tells that triangles cross the near plane, where the library makes vertices of its own. */
+/** A named scene. */
 typedef struct scene_definition {
     const char *name;
     void (*build)(test_scene *scene);
-    int cut;
 } scene_definition;
 
 extern const scene_definition scene_definitions[];
 extern const unsigned scene_count;
+
+/** Builds one of endlessly many scenes of one to three objects, none of which crosses the near plane. */
+void scene_build_random(test_scene *scene, uint32_t seed);
 
 /** Builds a scene; its meshes are shared and built on first use. */
 void scene_build(test_scene *scene, const scene_definition *definition);

@@ -23,6 +23,7 @@ typedef struct drawing {
     const glint_scene *scene;
     const glint_material *material;
     light_vectors lights;
+    int rounded_here; /* the present triangle's screen positions are not given */
 } drawing;
 
 static double real(glint_q16 value) {
@@ -131,6 +132,7 @@ static void add_light(const drawing *draw, uint32_t index, const double normal[3
                                 real(light->specular.b) * real(material->specular.b)};
     double half[3] = {towards[0] + view[0], towards[1] + view[1], towards[2] + view[2]};
     double n_dot_l = dot(normal, towards);
+    pixel->grazing = fmin(pixel->grazing, fabs(n_dot_l));
     if (n_dot_l <= 0)
         return;
     normalise(half);
@@ -151,6 +153,7 @@ static void shade(const drawing *draw, const double place[3], const double norma
             view[axis] = -place[axis];
         normalise(view);
     }
+    pixel->grazing = 1;
     pixel->colour[0] = real(material->ambient.r) * real(ambient->r);
     pixel->colour[1] = real(material->ambient.g) * real(ambient->g);
     pixel->colour[2] = real(material->ambient.b) * real(ambient->b);
@@ -196,14 +199,36 @@ static void draw_fragment(const drawing *draw, const corner *const c[3], const d
     shade(draw, place, normal, pixel);
 }
 
-/* The pixels from floor(least) to floor(most) of 28.4 values, cut to the screen. */
+/* The pixels of 28.4 values and two sixteenths beyond, cut to the screen. */
 static void pixel_range(const int64_t value[3], int size, int *first, int *last) {
     int64_t least = value[0] < value[1] ? value[0] : value[1];
     int64_t most = value[0] > value[1] ? value[0] : value[1];
     least = least < value[2] ? least : value[2];
     most = most > value[2] ? most : value[2];
+    least -= 2;
+    most += 2;
     *first = least < 0 ? 0 : (int)(least / 16 < size ? least / 16 : size);
     *last = most < 0 ? -1 : (int)(most / 16 < size ? most / 16 : size - 1);
+}
+
+/* How far inside a triangle a pixel's centre lies: weights of the corners, and sixteenths from the nearest edge. */
+typedef struct position {
+    double weight[3];
+    double distance;
+    int inside;
+} position;
+
+static position locate(const corner *const c[3], int64_t area, int x, int y) {
+    position at = {.distance = INFINITY, .inside = 1};
+    for (int i = 0; i < 3; i++) {
+        const corner *a = c[(i + 1) % 3];
+        const corner *b = c[(i + 2) % 3];
+        int64_t value = edge(a, b, 16 * (int64_t)x + 8, 16 * (int64_t)y + 8);
+        at.inside &= value > 0 || (value == 0 && is_top_left(a, b));
+        at.weight[i] = (double)value / (double)area;
+        at.distance = fmin(at.distance, (double)value / hypot((double)(b->x - a->x), (double)(b->y - a->y)));
+    }
+    return at;
 }
 
 /* Corners clockwise on the screen, area above 0. */
@@ -215,18 +240,11 @@ static void draw_clockwise(const drawing *draw, const corner *const c[3], int64_
     pixel_range(ys, draw->image->height, &first_y, &last_y);
     for (int y = first_y; y <= last_y; y++) {
         for (int x = first_x; x <= last_x; x++) {
-            double weight[3];
-            int inside = 1;
-            for (int i = 0; i < 3; i++) {
-                const corner *a = c[(i + 1) % 3];
-                const corner *b = c[(i + 2) % 3];
-                int64_t value = edge(a, b, 16 * (int64_t)x + 8, 16 * (int64_t)y + 8);
-                inside &= value > 0 || (value == 0 && is_top_left(a, b));
-                weight[i] = (double)value / (double)area;
-            }
-            if (inside)
-                draw_fragment(draw, c, weight,
-                              &draw->image->pixels[(size_t)y * (size_t)draw->image->width + (size_t)x]);
+            reference_pixel *pixel = &draw->image->pixels[(size_t)y * (size_t)draw->image->width + (size_t)x];
+            position at = locate(c, area, x, y);
+            pixel->uncertain |= draw->rounded_here && fabs(at.distance) <= 1.5;
+            if (at.inside)
+                draw_fragment(draw, c, at.weight, pixel);
         }
     }
 }
@@ -303,6 +321,8 @@ static void draw_object_triangle(const drawing *draw, uint32_t object, uint32_t 
         corners[i].w = vertex.w;
         known = known && positions[indices[i]].known && vertex.w >= real(draw->scene->camera.near_plane);
     }
+    drawing local = *draw;
+    local.rounded_here = !known;
     int count = clip(draw, corners, kept);
     for (int i = 0; i < count; i++) {
         snap(draw, &kept[i]);
@@ -312,7 +332,8 @@ static void draw_object_triangle(const drawing *draw, uint32_t object, uint32_t 
         }
     }
     for (int i = 2; i < count; i++)
-        draw_triangle(draw, &kept[0], &kept[i - 1], &kept[i], mirrored, source->mesh->flags & GLINT_MESH_DOUBLE_SIDED);
+        draw_triangle(&local, &kept[0], &kept[i - 1], &kept[i], mirrored,
+                      source->mesh->flags & GLINT_MESH_DOUBLE_SIDED);
 }
 
 /* ---- Scene --------------------------------------------------------------------------------------------------- */

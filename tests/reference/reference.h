@@ -33,7 +33,9 @@ typedef struct reference_pixel {
     double colour[3]; /**< Clamped to 0..1, not rounded. */
     double nearest;   /**< 1/w of the surface seen, 0 for background. */
     double second;    /**< 1/w of the next surface behind it, 0 when there is none. */
+    double grazing;   /**< Smallest |N.L| of the lights, 1 without any: at 0 the gate lets a highlight jump. */
     int covered;      /**< Whether any surface is seen. */
+    int uncertain;    /**< Within 1.5/16 of a pixel of an edge that was rounded here, which another may round apart. */
 } reference_pixel;
 
 /** An image; `pixels` belongs to the caller, width times height, row by row. */
