@@ -190,6 +190,12 @@ static void step(const plane planes[3], int32_t value[3]) {
     value[2] = glint_add_wrap(value[2], planes[2].dx);
 }
 
+static void copy(int32_t to[3], const int32_t from[3]) {
+    to[0] = from[0];
+    to[1] = from[1];
+    to[2] = from[2];
+}
+
 /* Fragments of one row, from column `left` to before `right`. */
 static void row(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw, const attributes *a,
                 int32_t left, int32_t right, int32_t y) {
@@ -208,10 +214,10 @@ static void row(const glint_frame *frame, glint_workspace *workspace, const glin
             uint32_t i = fragments->count++;
             fragments->offset[i] = (uint16_t)offset;
             fragments->inverse_w[i] = inverse_w;
-            for (int c = 0; c < 3 && a->has_main; c++)
-                fragments->attribute[i][c] = main[c];
-            for (int c = 0; c < 3 && a->has_extra; c++)
-                fragments->extra[i][c] = extra[c];
+            if (a->has_main)
+                copy(fragments->attribute[i], main);
+            if (a->has_extra)
+                copy(fragments->extra[i], extra);
             if (i == GLINT_FRAGMENTS_MAX - 1)
                 glint_shade(frame, workspace, draw);
         }

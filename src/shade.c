@@ -8,24 +8,29 @@ int glint_needs_rays(const glint_view *view, const glint_shading *shading) {
 
 /* V points to the eye: along the ray for the local viewer, straight back for the infinite one. */
 static void find_view_vectors(const glint_view *view, glint_fragments *fragments) {
+    if (view->local_viewer) {
+        for (uint32_t i = 0; i < fragments->count; i++)
+            glint_unit(fragments->ray[i][0], fragments->ray[i][1], fragments->ray[i][2], fragments->view[i]);
+        return;
+    }
+    for (uint32_t i = 0; i < fragments->count; i++)
+        fragments->view[i][0] = 0, fragments->view[i][1] = 0, fragments->view[i][2] = GLINT_UNIT;
+}
+
+static void set_colours(glint_fragments *fragments, uint32_t red, uint32_t green, uint32_t blue) {
     for (uint32_t i = 0; i < fragments->count; i++) {
-        const int32_t *ray = fragments->ray[i];
-        if (view->local_viewer)
-            glint_unit(ray[0], ray[1], ray[2], fragments->view[i]);
-        else
-            fragments->view[i][0] = 0, fragments->view[i][1] = 0, fragments->view[i][2] = GLINT_UNIT;
+        fragments->colour[i][0] = red;
+        fragments->colour[i][1] = green;
+        fragments->colour[i][2] = blue;
     }
 }
 
 static void begin_colours(const glint_shading *shading, glint_fragments *fragments, int has_surface) {
-    for (uint32_t i = 0; i < fragments->count; i++) {
-        for (int c = 0; c < 3; c++) {
-            uint32_t ambient = shading->ambient[c];
-            if (has_surface)
-                ambient = (uint32_t)((uint64_t)ambient * ((uint32_t)fragments->surface[i][c] + 1) >> 15);
-            fragments->colour[i][c] = ambient;
-        }
-    }
+    const uint32_t *ambient = shading->ambient;
+    set_colours(fragments, ambient[0], ambient[1], ambient[2]);
+    for (uint32_t i = 0; i < fragments->count && has_surface; i++)
+        for (int c = 0; c < 3; c++)
+            fragments->colour[i][c] = (uint32_t)((uint64_t)ambient[c] * ((uint32_t)fragments->surface[i][c] + 1) >> 15);
 }
 
 /* GLINT_MATERIAL_MAX: lights were summed up from 0; where ambient light is brighter, it is taken. */
@@ -50,8 +55,7 @@ void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const
     if (!model->light)
         return;
     if (takes_largest)
-        for (uint32_t i = 0; i < fragments->count; i++)
-            fragments->colour[i][0] = 0, fragments->colour[i][1] = 0, fragments->colour[i][2] = 0;
+        set_colours(fragments, 0, 0, 0);
     if (shading->has_specular)
         find_view_vectors(frame->view, fragments);
     for (uint32_t light = 0; light < frame->view->light_count; light++)
