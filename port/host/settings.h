@@ -15,15 +15,19 @@ enum {
     COMMAND_INFO = 2,
     COMMAND_CONVERT = 4,
     COMMAND_DEMO = 8,
+    COMMAND_SCENE = 16,
 };
 
 /** All that options can say; settings_default gives what holds without them. Strings are the command line's own. */
 typedef struct host_settings {
-    const char *model;  /**< File or shape, or null. */
+    const char *model;  /**< File, shape or scene, or null. */
     const char *output; /**< File to write, or null. */
     bool help;
 
     const framebuffer_format *format;
+    bool dither;
+    double gamma; /**< Output is linear^(1 / gamma). */
+    bool size_given;
     uint16_t width, height;
     uint16_t tile_width, tile_height; /**< 0 for the library's default. */
     size_t arena;                     /**< Bytes; 0 for what the scene is best drawn with. */
@@ -38,8 +42,15 @@ typedef struct host_settings {
     glint_q16 rotate_y;
     glint_colour ambient, diffuse, specular, background;
     glint_q16 shininess;
+    const glint_model *reflection;
+    const glint_evaluation *evaluation; /**< Or null for the library's default. */
+    uint32_t material_flags;
     glint_light lights[GLINT_LIGHTS_MAX];
     uint32_t light_count; /**< 0 for the default light. */
+
+    bool list;        /**< Print the scenes. */
+    uint32_t frame;   /**< Of a scene. */
+    uint32_t animate; /**< Frames of an animation; 0 for a still picture. */
 
     double crease;       /**< Degrees, or MESH_NO_CREASE. */
     bool double_sided;   /**< Draw triangles from both sides. */
