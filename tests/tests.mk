@@ -88,8 +88,11 @@ endef
 $(foreach target,$(FUZZ_TARGETS),$(eval $(call fuzz_target,$(target))))
 
 fuzz: $(FUZZ_TARGETS:%=$(BUILD)/fuzz/%) ## random scenes and models for FUZZ_SECONDS each, under ASan and UBSan
-	@set -e; for target in $^; do \
+	@for target in $^; do \
 	    mkdir -p $$target-corpus; \
-	    $$target -max_total_time=$(FUZZ_SECONDS) -timeout=10 -max_len=4096 -len_control=10 \
-	        -print_final_stats=1 -verbosity=0 -artifact_prefix=$$target- $$target-corpus; \
+	    if ! $$target -max_total_time=$(FUZZ_SECONDS) -timeout=10 -max_len=4096 -len_control=10 -print_final_stats=1 \
+	            -artifact_prefix=$$target- $$target-corpus > $$target.log 2>&1; then \
+	        grep -v '^#' $$target.log; echo "$$target: a report; the input is beside it"; exit 1; \
+	    fi; \
+	    echo "$$target: no report in $(FUZZ_SECONDS) s," `sed -n 's/^stat::number_of_executed_units: *//p' $$target.log` runs; \
 	done

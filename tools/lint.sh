@@ -55,9 +55,11 @@ tidy_files() { # tidy_files FLAGS PATTERN...
     files "$@" | xargs -r -P "$jobs" -I FILE clang-tidy --quiet FILE -- -std=c99 $flags
 }
 
+# src/numeric.h owns the shifts of negative numbers, and does not compile where they are not arithmetic.
 cppcheck_all() {
     files 'src/*.c' 'port/*.c' 'tests/*.c' 'examples/*.c' | xargs cppcheck --quiet --std=c99 -j "$jobs" --error-exitcode=1 \
         --enable=warning,performance,portability --inline-suppr --suppress=missingIncludeSystem \
+        --suppress=shiftTooManyBitsSigned:src/numeric.h \
         -Isrc -Iport -Iport/host -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit
 }
 

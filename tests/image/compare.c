@@ -59,14 +59,15 @@ static void check_geometry(const judgement *found) {
 static const int exponents[] = {1, 2, 8, 32, 100, 256, 1024};
 
 /* Frames 0 and 5 of a benchmark. */
-static void judge_bench(int which, int exponent, glint_viewer viewer, judge_task *task, judgement *total) {
+static void judge_bench(int which, int exponent, glint_viewer viewer, const judge_task *like, judgement *total) {
     for (int frame = 0; frame <= 5; frame += 5) {
         bench_scene scene;
+        judge_task task = *like;
         bench_build_scene(&scene, &bench_definitions[which], scene_bench_mesh(which), frame);
         scene.material.shininess = exponent * GLINT_ONE;
         scene.scene.viewer = viewer;
-        task->scene = &scene.scene;
-        judge(task, total);
+        task.scene = &scene.scene;
+        judge(&task, total);
     }
 }
 

@@ -8,9 +8,7 @@
 #include "picture.h"
 #include "scenes.h"
 
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* A size that no tile divides. */
 #define WIDTH 150
@@ -61,10 +59,7 @@ static void every_tile_size(void) {
 static void every_tile_size_where_depths_nearly_tie(void) {
     test_scene scene;
     picture wanted = picture_open(WIDTH, HEIGHT, &glint_format_rgb888);
-    for (unsigned i = 0; i < scene_count; i++) {
-        if (strcmp(scene_definitions[i].name, "floor to the horizon") == 0)
-            scene_build(&scene, &scene_definitions[i]);
-    }
+    scene_build_named(&scene, "floor to the horizon");
     for (int i = 0; i < 2; i++) {
         glint_pose tilt = glint_pose_rotate_x(80 * GLINT_ONE + i * GLINT_ONE / 4);
         glint_pose turn = glint_pose_rotate_z((20 + i) * GLINT_ONE);
@@ -197,10 +192,7 @@ static void two_workspaces_in_another_tile_order(void) {
 
 /* Four spheres one behind the other, overlapping on the screen and nowhere touching. */
 static void build_row_of_spheres(test_scene *scene) {
-    for (unsigned i = 0; i < scene_count; i++) {
-        if (strcmp(scene_definitions[i].name, "p of 0, 0.5, 1, 1.5") == 0)
-            scene_build(scene, &scene_definitions[i]);
-    }
+    scene_build_named(scene, "p of 0, 0.5, 1, 1.5");
     for (int i = 0; i < 4; i++) {
         scene->objects[i].pose.m[0][3] = (i - 1) * GLINT_ONE / 2;
         scene->objects[i].pose.m[1][3] = (i % 3 - 1) * GLINT_ONE / 4;

@@ -2,6 +2,8 @@
 #include "scenes.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static bench_mesh bench_meshes[BENCH_SCENES];
@@ -302,4 +304,15 @@ const unsigned scene_count = sizeof scene_definitions / sizeof scene_definitions
 
 void scene_build(test_scene *scene, const scene_definition *definition) {
     definition->build(scene);
+}
+
+void scene_build_named(test_scene *scene, const char *name) {
+    for (unsigned i = 0; i < scene_count; i++) {
+        if (strcmp(scene_definitions[i].name, name) == 0) {
+            scene_build(scene, &scene_definitions[i]);
+            return;
+        }
+    }
+    fprintf(stderr, "no scene is called %s\n", name);
+    exit(1);
 }

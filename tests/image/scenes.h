@@ -35,6 +35,9 @@ void scene_build_random(test_scene *scene, uint32_t seed);
 /** Builds a scene; its meshes are shared and built on first use. */
 void scene_build(test_scene *scene, const scene_definition *definition);
 
+/** Builds the scene of that name; ends the program when there is none. */
+void scene_build_named(test_scene *scene, const char *name);
+
 /** The mesh of a benchmark scene, built on first use. */
 const bench_mesh *scene_bench_mesh(int which);
 

@@ -224,8 +224,9 @@ static void cameras_look_at(void) {
         if (!(fabsl(along) < 0.866L) || !CHECK_EQUAL(glint_camera_look_at(&camera, v[0], v[1], v[2]), GLINT_OK))
             continue;
         for (int entry = 0; entry < 9; entry++) {
-            long double exact = axes[entry % 3][entry / 3] * 65536;
-            worst = fmaxl(worst, fabsl((long double)camera.pose.m[entry / 3][entry % 3] - exact));
+            int row = entry / 3;
+            int column = entry % 3;
+            worst = fmaxl(worst, fabsl((long double)camera.pose.m[row][column] - axes[column][row] * 65536));
         }
         CHECK(camera.pose.m[0][3] == v[0].x && camera.pose.m[1][3] == v[0].y && camera.pose.m[2][3] == v[0].z);
     }

@@ -106,7 +106,7 @@ reference_vertex reference_transform(const glint_scene *scene, uint32_t object, 
     const double normal[3] = {steps[0], steps[1], steps[2]};
     double world[3];
     double focal = focal_length(scene, height);
-    reference_vertex vertex;
+    reference_vertex vertex = {{0}, {0}, 0, 0, 0};
     transform_place(scene, source, index, vertex.place);
     transform_normal(&source->pose, normal, world);
     rotate_to_camera(&scene->camera, world, vertex.normal);

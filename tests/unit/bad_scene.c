@@ -186,44 +186,43 @@ void bad_poses_are_refused(void) {
 
 /* ---- What is allowed ----------------------------------------------------------------------------------------- */
 
-/* Scenes at their limits, which are none beyond them; @return 0 when there is no such scene. */
+static void set_up_camera_limit(fixture *f, int which) {
+    glint_camera *camera = &f->scene.camera;
+    camera->field_of_view = which == 0 ? GLINT_ONE : which == 1 ? 170 * GLINT_ONE : camera->field_of_view;
+    camera->near_plane = which == 2 ? 1 : which == 3 ? INT32_MAX : camera->near_plane;
+}
+
+static void set_up_light_limit(fixture *f, int which) {
+    glint_vector *vector = &f->lights[0].vector;
+    vector->x = vector->y = which == 0 ? INT32_MIN : 0;
+    vector->z = which == 0 ? INT32_MIN : 1;
+}
+
+/* Scenes at their limits, none beyond them; @return 0 when there is no such scene. */
 static int set_up_limit(fixture *f, int which) {
     switch (which) {
     case 0:
-        f->scene.camera.field_of_view = GLINT_ONE;
-        return 1;
     case 1:
-        f->scene.camera.field_of_view = 170 * GLINT_ONE;
-        return 1;
     case 2:
-        f->scene.camera.near_plane = 1;
-        return 1;
     case 3:
-        f->scene.camera.near_plane = INT32_MAX;
+        set_up_camera_limit(f, which);
         return 1;
     case 4:
+    case 5:
+        set_up_light_limit(f, which - 4);
+        return 1;
+    case 6:
         f->scene.light_count = 0;
         f->scene.lights = 0;
         return 1;
-    case 5:
-        f->scene.object_count = 0;
-        f->scene.objects = 0;
-        return 1;
-    case 6:
+    case 7:
         f->scene.background.r = f->materials[0].ambient.r = f->lights[0].diffuse.g = GLINT_COLOUR_MAX;
         return 1;
-    case 7:
+    case 8:
         f->materials[0].shininess = INT32_MAX;
         return 1;
-    case 8:
-        f->torus.extent.x = f->torus.extent.y = f->torus.extent.z = 0;
-        return 1;
     case 9:
-        f->lights[0].vector.x = f->lights[0].vector.y = f->lights[0].vector.z = INT32_MIN;
-        return 1;
-    case 10:
-        f->lights[0].vector.x = f->lights[0].vector.y = 0;
-        f->lights[0].vector.z = 1;
+        f->torus.extent.x = f->torus.extent.y = f->torus.extent.z = 0;
         return 1;
     default:
         return 0;
