@@ -41,8 +41,12 @@ static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
 }
 
 const example_scene example_teapot = {
-    "teapot", "Teapot and torus, lit per vertex or per fragment, with exponent 1 or 100.",
-    variants, COUNT_OF(variants),
-    FRAMES,   320,
-    160,      build,
+    .name = "teapot",
+    .summary = "Teapot and torus, lit per vertex or per fragment, with exponent 1 or 100.",
+    .variants = variants,
+    .variant_count = COUNT_OF(variants),
+    .frames = FRAMES,
+    .width = 320,
+    .height = 160,
+    .build = build,
 };

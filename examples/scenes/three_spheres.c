@@ -35,12 +35,12 @@ static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
 }
 
 const example_scene example_three_spheres = {
-    "three-spheres",
-    "Phong's highlight: none, exponent 4, exponent 16, under a dim and a bright light.",
-    variants,
-    COUNT_OF(variants),
-    1,
-    320,
-    160,
-    build,
+    .name = "three-spheres",
+    .summary = "Phong's highlight: none, exponent 4, exponent 16, under a dim and a bright light.",
+    .variants = variants,
+    .variant_count = COUNT_OF(variants),
+    .frames = 1,
+    .width = 320,
+    .height = 160,
+    .build = build,
 };
