@@ -95,6 +95,8 @@ static int keep_part(glint_frame *frame, const glint_draw *draw, uint32_t triang
                      const glint_corner *const corners[3], const glint_range *range) {
     const glint_clipped *top = (const glint_clipped *)(const void *)(frame->memory.base + frame->memory.high);
     uint32_t number = (uint32_t)(top - frame->clipped);
+    if (room(frame) < sizeof(glint_clipped)) /* a pass of many tiles can run out of room half way */
+        return 0;
     glint_clipped *part = --frame->clipped;
     part->draw = draw;
     part->triangle = (uint16_t)triangle;

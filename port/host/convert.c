@@ -135,6 +135,7 @@ static void print_mesh(const header_writer *writer, const glint_mesh *mesh, cons
     bytes_print(writer->out, "    {%ld, %ld, %ld}, /* extent */\n", (long)mesh->extent.x, (long)mesh->extent.y,
                 (long)mesh->extent.z);
     bytes_print(writer->out, "    %s,\n", mesh->flags != 0 ? "GLINT_MESH_DOUBLE_SIDED" : "0");
+    bytes_print(writer->out, "    0,\n    0, /* no colours */\n");
 }
 
 /** One mesh as NAME_mesh; several pieces as the array NAME_meshes. */

@@ -28,6 +28,7 @@ bool parse_frame(host_settings *settings, const char *text, host_problem *proble
     if (!number_integer(text, strlen(text), &value) || value < 0 || value > FRAME_MAX) {
         return value_expected(problem, "takes a frame, from 0 to 1000000");
     }
+    settings->frame_given = true;
     settings->frame = (uint32_t)value;
     return true;
 }

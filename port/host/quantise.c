@@ -40,8 +40,8 @@ static void choose_range(mesh_quantiser *quantiser, int axis, double low, double
     const glint_q16 offset = number_q16(low / 2 + high / 2);
     quantiser->offset[axis] = number_from_q16(offset);
     const double reach = fmax(high - quantiser->offset[axis], quantiser->offset[axis] - low);
-    /* Rounded up, so that the end lies on step 32767 or below it. */
-    const glint_q16 extent = (glint_q16)ceil(reach * (32768.0 / 32767.0) * 65536.0);
+    /* Rounded up, so that the end lies on step 32767 or below it; exact for what was quantised before. */
+    const glint_q16 extent = (glint_q16)ceil(reach * (32768.0 * 65536.0) / 32767.0);
     quantiser->extent[axis] = number_from_q16(extent);
     *(axis == 0 ? &frame->offset.x : axis == 1 ? &frame->offset.y : &frame->offset.z) = offset;
     *(axis == 0 ? &frame->extent.x : axis == 1 ? &frame->extent.y : &frame->extent.z) = extent;

@@ -48,7 +48,8 @@ typedef struct host_settings {
     glint_light lights[GLINT_LIGHTS_MAX];
     uint32_t light_count; /**< 0 for the default light. */
 
-    bool list;        /**< Print the scenes. */
+    bool list; /**< Print the scenes. */
+    bool frame_given;
     uint32_t frame;   /**< Of a scene. */
     uint32_t animate; /**< Frames of an animation; 0 for a still picture. */
 
