@@ -18,6 +18,11 @@ bool parse_ungated(host_settings *settings, const char *text, host_problem *prob
 bool parse_dither(host_settings *settings, const char *text, host_problem *problem);
 bool parse_gamma(host_settings *settings, const char *text, host_problem *problem);
 
+bool parse_crease(host_settings *settings, const char *text, host_problem *problem);
+bool parse_weights(host_settings *settings, const char *text, host_problem *problem);
+bool parse_facets(host_settings *settings, const char *text, host_problem *problem);
+bool parse_repair(host_settings *settings, const char *text, host_problem *problem);
+
 bool parse_list(host_settings *settings, const char *text, host_problem *problem);
 bool parse_frame(host_settings *settings, const char *text, host_problem *problem);
 bool parse_animate(host_settings *settings, const char *text, host_problem *problem);

@@ -162,10 +162,6 @@ static bool parse_stats(host_settings *settings, const char *text, host_problem 
     return true;
 }
 
-static bool parse_crease(host_settings *settings, const char *text, host_problem *problem) {
-    return value_real(text, 0, 180, &settings->crease) || value_expected(problem, "takes degrees from 0 to 180");
-}
-
 static bool parse_double_sided(host_settings *settings, const char *text, host_problem *problem) {
     (void)text;
     (void)problem;
@@ -243,6 +239,11 @@ static const host_option options[] = {
     {"--arena", "BYTES", "working memory; what one pass takes", COMMANDS_THAT_DRAW, parse_arena},
     {"--stats", NULL, "print what the frame took, a `name value` a line", COMMANDS_THAT_DRAW, parse_stats},
     {"--crease", "DEG", "make all normals anew, split at edges sharper than that", COMMANDS_WITH_MESH, parse_crease},
+    {"--weights", "area|angle", "what triangles weigh in the normals that are made; area", COMMANDS_WITH_MESH,
+     parse_weights},
+    {"--facets", NULL, "make all normals anew, the triangles' own", COMMANDS_WITH_MESH, parse_facets},
+    {"--repair", NULL, "turn triangles so that connected parts are wound consistently and face outwards",
+     COMMANDS_WITH_MESH, parse_repair},
     {"--list", NULL, "print the scenes and their variants", COMMAND_SCENE, parse_list},
     {"--frame", "N", "which frame, counted from 0; 0", COMMAND_SCENE, parse_frame},
     {"--animate", "N", "an APNG of N frames, 1 to 1000, spread over the time in which the scene repeats", COMMAND_SCENE,
@@ -324,7 +325,7 @@ void settings_default(host_settings *settings) {
     settings->shininess = GLINT_Q16(32);
     settings->reflection = &glint_model_blinn_phong;
     settings->gamma = 1.0;
-    settings->crease = MESH_NO_CREASE;
+    settings->load.crease = MESH_NO_CREASE;
     settings->models = "examples/models";
 }
 

@@ -7,6 +7,7 @@
 #define GLINT_HOST_SETTINGS_H
 
 #include "framebuffer.h"
+#include "load.h"
 #include "problem.h"
 
 /** Commands, as bits: which of them take an option. */
@@ -53,7 +54,7 @@ typedef struct host_settings {
     uint32_t frame;   /**< Of a scene. */
     uint32_t animate; /**< Frames of an animation; 0 for a still picture. */
 
-    double crease;       /**< Degrees, or MESH_NO_CREASE. */
+    load_options load;
     bool double_sided;   /**< Draw triangles from both sides. */
     const char *name;    /**< Of converted arrays, or null. */
     const char *licence; /**< SPDX expression for a converted mesh, or null. */
