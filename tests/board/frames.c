@@ -36,16 +36,14 @@ glint_status frame_draw(frame_image *image, turntable_model model, uint32_t fram
     turntable table;
     glint_renderer renderer;
     glint_config config = {.width = TURNTABLE_WIDTH, .height = TURNTABLE_HEIGHT};
-    glint_status status = turntable_frame(&table, model, frame);
 
+    turntable_frame(&table, model, frame);
     config.tile_width = options->tile_width;
     config.tile_height = options->tile_height;
     config.format = options->format;
     config.flush.begin = flush_begin;
     config.flush.context = image;
-    if (status == GLINT_OK) {
-        status = prepare(&config, &table.scene, options->smallest);
-    }
+    glint_status status = prepare(&config, &table.scene, options->smallest);
     if (status == GLINT_OK) {
         status = glint_init(&renderer, &config);
     }

@@ -261,8 +261,9 @@ def test_help_and_version(host):
     text = host.run("help").stdout
     host.equal("help is --help", host.run("--help").stdout, text)
     for option in ("size format eye at up fov near rotate-y scale light ambient diffuse specular shininess viewer "
-                   "background tile arena stats crease double-sided name licence models").split():
+                   "background tile arena stats crease double-sided name licence models model shading combine ungated "
+                   "dither gamma weights facets repair list frame animate").split():
         host.check(f"help names --{option}", f"--{option} " in text)
-    for command in ("render", "info", "convert", "demo"):
+    for command in ("render", "info", "convert", "scene", "demo"):
         run = host.run(command, "--help")
         host.check(f"{command} --help", run.returncode == 0 and run.stdout.startswith(f"\nglint {command} "))

@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Suite: every lighting model under every kind of light, evaluated per fragment, per vertex and per facet, against the
+ * double-precision reference. Light weights sum to 1. A row stands for both viewers and all exponents.
+ */
+#include "bench.h"
+#include "glint.h"
+#include "harness.h"
+#include "judge.h"
+#include "scenes.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define WIDTH 160
+#define HEIGHT 120
+
+/* ---- What is combined ---------------------------------------------------------------------------------------- */
+
+typedef struct model_kind {
+    const char *name;
+    const glint_model *model;
+    uint32_t flags;
+    int exponents; /* how many of them, 0 when the model has none */
+} model_kind;
+
+static const double exponents[] = {0.5, 1, 4, 50, 100, 1024};
+
+static const model_kind models[] = {
+    {"lambert", &glint_model_lambert, 0, 0},
+    {"phong", &glint_model_phong, 0, 6},
+    {"blinn-phong", &glint_model_blinn_phong, 0, 6},
+    {"unlit", &glint_model_unlit, 0, 0},
+    {"phong ungated", &glint_model_phong, GLINT_MATERIAL_UNGATED, 6},
+    {"blinn ungated", &glint_model_blinn_phong, GLINT_MATERIAL_UNGATED, 6},
+    {"lambert max", &glint_model_lambert, GLINT_MATERIAL_MAX, 0},
+    {"phong max", &glint_model_phong, GLINT_MATERIAL_MAX, 3},
+    {"blinn max ungated", &glint_model_blinn_phong, GLINT_MATERIAL_MAX | GLINT_MATERIAL_UNGATED, 3},
+};
+
+typedef struct evaluation_kind {
+    const char *name;
+    const glint_evaluation *const *evaluation;
+} evaluation_kind;
+
+static const glint_evaluation *const fragment = &glint_per_fragment;
+static const glint_evaluation *const vertex = &glint_per_vertex;
+static const glint_evaluation *const facet = &glint_per_facet;
+static const evaluation_kind evaluations[] = {{"fragment", &fragment}, {"vertex", &vertex}, {"facet", &facet}};
+
+/* Positions are relative to the middle between the two objects. */
+typedef struct light_kind {
+    const char *name;
+    const glint_light_type *type;
+    double vector[3];
+    double linear, quadratic;
+    double inner, outer;
+} light_kind;
+
+static const light_kind lights[] = {
+    {"directional", &glint_light_directional, {0.4, 0.6, 0.7}, 0, 0, 0, 0},
+    {"point far", &glint_light_point, {4, 6, 5}, 0, 0, 0, 0},
+    {"point near", &glint_light_point, {0.9, 0.9, 1.1}, 0.2, 0.1, 0, 0},
+    {"point between", &glint_light_point, {0.1, 0.5, 0.2}, 0.5, 0, 0, 0},
+    {"point faint", &glint_light_point, {0.9, 0.9, 1.1}, 8000, 30000, 0, 0},
+    {"spot soft", &glint_light_spot, {0.5, 1, 2}, 0.1, 0, 10, 25},
+    {"spot hard", &glint_light_spot, {0.5, 1, 2}, 0, 0.1, 15, 15},
+    {"spot all round", &glint_light_spot, {0.9, 0.9, 1.1}, 0, 0, 0, 180},
+};
+
+/* ---- Scene --------------------------------------------------------------------------------------------------- */
+
+static glint_colour colour(double r, double g, double b) {
+    return (glint_colour){bench_q16(r), bench_q16(g), bench_q16(b)};
+}
+
+static glint_vector vector(double x, double y, double z) {
+    return (glint_vector){bench_q16(x), bench_q16(y), bench_q16(z)};
+}
+
+/* A torus with a small sphere before it. */
+static void build_objects(test_scene *scene) {
+    scene_build_named(scene, "interlocked");
+    scene->objects[1].mesh = &scene_bench_mesh(3)->mesh;
+    scene->objects[1].pose = glint_pose_scale(GLINT_ONE / 2, GLINT_ONE / 2, GLINT_ONE / 2);
+    for (int row = 0; row < 2; row++)
+        scene->objects[row].pose.m[0][3] = scene->objects[row].pose.m[1][3] = 0;
+    scene->objects[0].mesh = &scene_bench_mesh(1)->mesh;
+    scene->objects[0].pose.m[2][3] = bench_q16(-3.7);
+    scene->objects[1].pose.m[0][3] = bench_q16(0.6);
+    scene->objects[1].pose.m[1][3] = bench_q16(-0.5);
+    scene->objects[1].pose.m[2][3] = bench_q16(-3);
+    scene->scene.ambient = colour(1, 1, 1);
+    scene->scene.light_count = 1;
+}
+
+static void set_model(test_scene *scene, const model_kind *model, double exponent) {
+    for (uint32_t i = 0; i < scene->scene.object_count; i++) {
+        glint_material *material = &scene->materials[i];
+        material->model = model->model;
+        material->flags = model->flags;
+        material->shininess = bench_q16(exponent);
+        material->ambient = colour(0.1, 0.08, 0.05);
+        material->diffuse = i ? colour(0.2, 0.4, 0.5) : colour(0.5, 0.35, 0.2);
+        material->specular = colour(0.4, 0.4, 0.3);
+    }
+}
+
+static void set_light(test_scene *scene, const light_kind *kind) {
+    const double *v = kind->vector;
+    const int directional = kind->type == &glint_light_directional;
+    scene->lights[0] = (glint_light){.type = kind->type,
+                                     .vector = vector(v[0], v[1], directional ? v[2] : v[2] - 3.5),
+                                     .diffuse = colour(1, 1, 1),
+                                     .specular = colour(1, 1, 1),
+                                     .linear = bench_q16(kind->linear),
+                                     .quadratic = bench_q16(kind->quadratic),
+                                     .axis = vector(-v[0], -v[1], -v[2]),
+                                     .inner = bench_q16(kind->inner),
+                                     .outer = bench_q16(kind->outer)};
+}
+
+static void set_evaluation(test_scene *scene, const evaluation_kind *evaluation) {
+    for (uint32_t i = 0; i < scene->scene.object_count; i++)
+        scene->objects[i].evaluation = *evaluation->evaluation;
+}
+
+/* ---- Bounds -------------------------------------------------------------------------------------------------- */
+
+static double percent(long part, long whole) {
+    return whole > 0 ? 100.0 * (double)part / (double)whole : 0;
+}
+
+static void print_heading(void) {
+    test_write(
+        "                                                    covered missed gated%  >1 step%     >2  worst   psnr\n");
+}
+
+static void print_row(const char *name, const judgement *found) {
+    char line[200];
+    snprintf(line, sizeof line, "%-50s %8ld %6ld %6.3f %9.4f %6ld %6.3f %6.2f\n", name, found->covered, found->missed,
+             percent(found->gated, found->covered), percent(found->over_one, found->judged), found->over_two,
+             found->worst, judgement_psnr(found));
+    test_write(line);
+}
+
+/* The contract: per fragment one step for 99.99 % and two for the rest; where colours are lit earlier, one step. */
+static int is_within(const judgement *found, const evaluation_kind *evaluation) {
+    long allowed = evaluation == &evaluations[0] ? found->judged / 10000 : 0;
+    return found->status == GLINT_OK && found->missed == 0 && found->spilled == 0 && found->over_two == 0 &&
+           found->over_one <= allowed;
+}
+
+static void check_row(const judgement *found, const evaluation_kind *evaluation) {
+    CHECK_EQUAL(found->status, GLINT_OK);
+    CHECK_EQUAL(found->missed, 0);
+    CHECK_EQUAL(found->spilled, 0);
+    CHECK_EQUAL(found->over_two, 0);
+    CHECK(found->judged > 0);
+    CHECK_AT_MOST(found->over_one * 10000, evaluation == &evaluations[0] ? found->judged : 0);
+    CHECK(found->gated * 50 < found->covered);
+    CHECK(found->close * 500 < found->covered);
+    CHECK(found->vertex_error <= 1.0 / 16);
+}
+
+/* Where a row misses its bounds: which of its images. */
+static void print_miss(const glint_scene *scene, const judgement *found) {
+    char line[200];
+    snprintf(
+        line, sizeof line, "    %s viewer, p = %g: %ld over 1 step, %ld over 2, %ld missed, worst %.3f at (%d, %d)\n",
+        scene->viewer == GLINT_VIEWER_LOCAL ? "local" : "infinite", scene->objects[0].material->shininess / 65536.0,
+        found->over_one, found->over_two, found->missed, found->worst, found->worst_x, found->worst_y);
+    test_write(line);
+}
+
+static void judge_once(test_scene *scene, const evaluation_kind *evaluation, judgement *total) {
+    const judge_task task = {.scene = &scene->scene,
+                             .width = WIDTH,
+                             .height = HEIGHT,
+                             .format = &glint_format_rgb565,
+                             .leave_out_gates = 1,
+                             .fine = 1};
+    judgement found = {0};
+    judge(&task, &found);
+    if (!is_within(&found, evaluation))
+        print_miss(&scene->scene, &found);
+    judgement_add(total, &found);
+}
+
+/* Both viewers and all exponents that make a difference. */
+static void judge_row(const char *name, test_scene *scene, const model_kind *model, const evaluation_kind *evaluation) {
+    judgement total = {0};
+    set_evaluation(scene, evaluation);
+    for (int i = 0; i < model->exponents || i == 0; i++) {
+        set_model(scene, model, exponents[i]);
+        for (int viewer = 0; viewer < (model->exponents ? 2 : 1); viewer++) {
+            scene->scene.viewer = (glint_viewer)viewer;
+            judge_once(scene, evaluation, &total);
+        }
+    }
+    print_row(name, &total);
+    check_row(&total, evaluation);
+}
+
+static void judge_models(const evaluation_kind *evaluation) {
+    print_heading();
+    for (unsigned light = 0; light < TEST_COUNT(lights); light++) {
+        for (unsigned model = 0; model < TEST_COUNT(models); model++) {
+            test_scene scene;
+            char name[80];
+            build_objects(&scene);
+            set_light(&scene, &lights[light]);
+            snprintf(name, sizeof name, "%s, %s, per %s", lights[light].name, models[model].name, evaluation->name);
+            judge_row(name, &scene, &models[model], evaluation);
+        }
+    }
+}
+
+static void models_per_fragment(void) {
+    judge_models(&evaluations[0]);
+}
+
+static void models_per_vertex(void) {
+    judge_models(&evaluations[1]);
+}
+
+static void models_per_facet(void) {
+    judge_models(&evaluations[2]);
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {
+        TEST_CASE(models_per_fragment),
+        TEST_CASE(models_per_vertex),
+        TEST_CASE(models_per_facet),
+    };
+    return test_run(write, cases, TEST_COUNT(cases));
+}
