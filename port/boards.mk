@@ -49,9 +49,9 @@ FIRMWARE_CFLAGS = -std=c99 $(WARNINGS) -g -ffreestanding -ffunction-sections -fd
     -Isrc -Iport -Iport/libc -Iexamples -Itests -MMD -MP
 FIRMWARE_LDFLAGS = -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings -Llinker
 
-# Levels of optimisation: O0, Os and O2 are the compiler's; in `release` what runs once a pixel, a triangle or a row is
+# Levels of optimisation: O0, Os and O2 are the compiler's; in `release` the loop over pixels is
 # compiled for speed and the rest for size.
-HOT_release := src/raster.c src/shade.c src/tile.c $(wildcard src/pixel_*.c)
+HOT_release := src/raster.c
 optimise = $(if $(filter release,$1),$(if $(filter $(HOT_release),$2),-O2,-Os),-$1)
 
 # $(call firmware_objects,board,level): objects and library of one board

@@ -42,8 +42,7 @@ static glint_status prepare(glint_frame *frame) {
 }
 
 glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
-    static const glint_frame empty = {0};
-    *frame = empty;
+    *frame = (glint_frame){0};
     frame->config = *config;
     frame->scene = scene;
     glint_status status = glint_check_config(&frame->config);

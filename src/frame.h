@@ -167,7 +167,7 @@ typedef struct glint_fragments {
     uint32_t count;
     int32_t tile_x, tile_y;               /* of the tile's first pixel on the screen */
     int32_t tile_width, tile_height;      /* of what the screen shows of it */
-    uint32_t perspective;                 /* 0: colours are linear on the screen; n: over w 2^(n - 1) */
+    uint32_t scale;                       /* attributes are interpolated over w 2^scale */
     const int16_t *facet;                 /* the triangle's colour */
     uint16_t offset[GLINT_FRAGMENTS_MAX]; /* pixel in the tile */
     int32_t inverse_w[GLINT_FRAGMENTS_MAX];

@@ -15,6 +15,11 @@ static inline int glint_in_window(const glint_power_table *table, int32_t cosine
     return glint_shift_right(bound * bound, 15) >= table->cosine_square_floor;
 }
 
+/** 0^p, Q15: 0^0 is 1. */
+static inline uint32_t glint_power_of_zero(const glint_power_table *table) {
+    return table->exponent ? 0 : 1u << 15;
+}
+
 /** cos^p in Q15 between the unit vectors a and b, from their cross product; cosine is a . b, above 0. */
 uint32_t glint_specular_power(const glint_power_table *table, const int16_t a[3], const int16_t b[3], int32_t cosine);
 

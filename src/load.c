@@ -54,10 +54,9 @@ size_t glint_draw_size(const glint_object *object, const glint_transform *transf
 /* A draw at the end of the list, with room for so many vertices and triangles; the arena has it. */
 static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_transform *transform, uint32_t vertices,
                             uint32_t triangles) {
-    static const glint_draw empty = {0};
     const glint_object *object = &frame->scene->objects[frame->object];
     glint_draw *draw = glint_take(&frame->memory, sizeof *draw);
-    *draw = empty;
+    *draw = (glint_draw){0};
     draw->vertices = glint_take(&frame->memory, vertices * sizeof *draw->vertices);
     if (keeps_positions(object, transform))
         draw->positions = glint_take(&frame->memory, vertices * sizeof *draw->positions);
@@ -82,17 +81,13 @@ static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_tr
 
 /* A vertex's own colour, 1 = GLINT_COLOUR_ONE. */
 static void load_colour(const glint_mesh *mesh, uint32_t index, int16_t out[3]) {
-    uint32_t level[3], top[3] = {255, 255, 255};
-    if (mesh->colours) {
-        for (int c = 0; c < 3; c++)
-            level[c] = mesh->colours[index][c];
-    } else {
-        uint32_t packed = mesh->colours565[index];
-        level[0] = packed >> 11, level[1] = packed >> 5 & 63, level[2] = packed & 31;
-        top[0] = 31, top[1] = 63, top[2] = 31;
-    }
-    for (int c = 0; c < 3; c++)
-        out[c] = (int16_t)((level[c] * GLINT_COLOUR_ONE + top[c] / 2) / top[c]);
+    const uint32_t packed = mesh->colours565 ? mesh->colours565[index] : 0;
+    const uint8_t *level = mesh->colours ? mesh->colours[index] : 0;
+    for (int c = 0; c < 3; c++) /* factors: 2^15 over the highest level, Q8 */
+        if (level)
+            out[c] = (int16_t)(level[c] * 32896u >> 8);
+        else
+            out[c] = (int16_t)(c == 1 ? (packed >> 5 & 63) * 133152u >> 8 : (packed >> (c ? 0 : 11) & 31) * 1057u);
 }
 
 static void transform_vertex(glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t index,
@@ -126,6 +121,9 @@ static int load_whole(glint_frame *frame, glint_draw *last, const glint_transfor
     light_vertices(frame, draw, transform);
     return 1;
 }
+
+/* Twice as many triangles still fit a draw. */
+#define RUN_VERTICES_MAX 0x6000
 
 /* Vertices of a run, found by their index in the mesh: open addressing. */
 typedef struct slots {
@@ -164,7 +162,7 @@ static uint32_t run_capacity(const glint_frame *frame, const glint_transform *tr
     if (room < GLINT_BIN_RESERVE)
         return 0;
     room -= GLINT_BIN_RESERVE;
-    uint32_t vertices = room / 34 < 0x6000 ? (uint32_t)(room / 34) : 0x6000;
+    uint32_t vertices = room / 34 < RUN_VERTICES_MAX ? (uint32_t)(room / 34) : RUN_VERTICES_MAX;
     while (vertices && run_size(object, transform, vertices, map_size) > room)
         vertices -= (vertices + 15) / 16;
     return vertices;

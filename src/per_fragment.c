@@ -19,7 +19,7 @@ static void shade(const glint_frame *frame, glint_fragments *fragments, const gl
         find_rays(frame, fragments);
     for (uint32_t i = 0; i < fragments->count; i++) {
         const int32_t *n = fragments->attribute[i];
-        glint_unit(n[0], n[1], n[2], fragments->normal[i]);
+        glint_unit_inline(n[0], n[1], n[2], fragments->normal[i]);
         if (draw->extra)
             glint_resolve_colour(fragments, i, fragments->extra[i], fragments->surface[i]);
     }

@@ -11,7 +11,9 @@ static uint32_t specular(const glint_power_table *table, const glint_prepared_li
     glint_unit(glint_shift_right(twice * normal[0], 15) - light[0], glint_shift_right(twice * normal[1], 15) - light[1],
                glint_shift_right(twice * normal[2], 15) - light[2], mirrored);
     int32_t along = glint_dot(mirrored, view);
-    if (along <= 0 || !glint_in_window(table, along))
+    if (along <= 0)
+        return glint_power_of_zero(table);
+    if (!glint_in_window(table, along))
         return 0;
     return glint_specular_power(table, mirrored, view, along);
 }

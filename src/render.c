@@ -26,16 +26,15 @@ size_t glint_tile_buffers_size(const glint_config *config) {
 }
 
 glint_status glint_init(glint_renderer *renderer, const glint_config *config) {
-    static const glint_renderer empty = {0};
     if (!renderer || !config || !config->flush.begin || !config->arena)
         return GLINT_ERROR_NULL;
-    *renderer = empty;
+    *renderer = (glint_renderer){0};
     renderer->config = *config;
     glint_status status = glint_check_config(&renderer->config);
     if (status == GLINT_OK && config->arena_size < glint_tile_buffers_size(&renderer->config) + GLINT_ALIGNMENT)
         status = GLINT_ERROR_ARENA;
     if (status != GLINT_OK)
-        *renderer = empty;
+        *renderer = (glint_renderer){0};
     return status;
 }
 
@@ -78,7 +77,6 @@ static glint_status render_passes(glint_frame *frame, glint_workspace *workspace
 }
 
 glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
-    static const glint_stats none = {0};
     if (!renderer || !scene || !renderer->config.flush.begin)
         return GLINT_ERROR_NULL;
     glint_config config = renderer->config;
@@ -89,7 +87,7 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
     glint_workspace_init(&workspace, &config, memory);
     config.arena = memory + buffers;
     config.arena_size -= buffers; /* what aligning took is given up in glint_frame_begin */
-    renderer->stats = none;
+    renderer->stats = (glint_stats){0};
     glint_status status = glint_frame_begin(&frame, &config, scene);
     if (status != GLINT_OK)
         return status;

@@ -10,7 +10,7 @@ int glint_needs_rays(const glint_view *view, const glint_shading *shading) {
 static void find_view_vectors(const glint_view *view, glint_fragments *fragments) {
     if (view->local_viewer) {
         for (uint32_t i = 0; i < fragments->count; i++)
-            glint_unit(fragments->ray[i][0], fragments->ray[i][1], fragments->ray[i][2], fragments->view[i]);
+            glint_unit_inline(fragments->ray[i][0], fragments->ray[i][1], fragments->ray[i][2], fragments->view[i]);
         return;
     }
     for (uint32_t i = 0; i < fragments->count; i++)
@@ -25,43 +25,42 @@ static void set_colours(glint_fragments *fragments, uint32_t red, uint32_t green
     }
 }
 
-static void begin_colours(const glint_shading *shading, glint_fragments *fragments, int has_surface) {
-    const uint32_t *ambient = shading->ambient;
-    set_colours(fragments, ambient[0], ambient[1], ambient[2]);
-    for (uint32_t i = 0; i < fragments->count && has_surface; i++)
-        for (int c = 0; c < 3; c++)
-            fragments->colour[i][c] = (uint32_t)((uint64_t)ambient[c] * ((uint32_t)fragments->surface[i][c] + 1) >> 15);
+/* Ambient light of a fragment's channel. */
+static uint32_t ambient_of(const glint_shading *shading, const glint_fragments *fragments, uint32_t i, int c,
+                           int has_surface) {
+    uint32_t ambient = shading->ambient[c];
+    return has_surface ? (uint32_t)((uint64_t)ambient * ((uint32_t)fragments->surface[i][c] + 1) >> 15) : ambient;
 }
 
-/* GLINT_MATERIAL_MAX: lights were summed up from 0; where ambient light is brighter, it is taken. */
-static void combine_largest(const glint_shading *shading, glint_fragments *fragments, int has_surface) {
-    uint32_t lit[GLINT_FRAGMENTS_MAX][3];
-    for (uint32_t i = 0; i < fragments->count; i++)
-        for (int c = 0; c < 3; c++)
-            lit[i][c] = fragments->colour[i][c];
-    begin_colours(shading, fragments, has_surface);
-    for (uint32_t i = 0; i < fragments->count; i++)
-        for (int c = 0; c < 3; c++)
-            if (lit[i][c] > fragments->colour[i][c])
-                fragments->colour[i][c] = lit[i][c];
+/* The larger of each colour and its ambient light: what is 0 becomes ambient light. */
+static void raise_to_ambient(const glint_shading *shading, glint_fragments *fragments, int has_surface) {
+    for (uint32_t i = 0; i < fragments->count; i++) {
+        for (int c = 0; c < 3; c++) {
+            uint32_t ambient = ambient_of(shading, fragments, i, c, has_surface);
+            if (fragments->colour[i][c] < ambient)
+                fragments->colour[i][c] = ambient;
+        }
+    }
 }
 
 void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const glint_shading *shading,
                      int has_surface) {
     const glint_model *model = shading->material->model;
-    const uint32_t takes_largest = shading->material->flags & GLINT_MATERIAL_MAX;
-    if (!model->light || !takes_largest)
-        begin_colours(shading, fragments, has_surface);
+    const uint32_t takes_largest = model->light ? shading->material->flags & GLINT_MATERIAL_MAX : 0;
+    if (takes_largest || has_surface)
+        set_colours(fragments, 0, 0, 0);
+    else
+        set_colours(fragments, shading->ambient[0], shading->ambient[1], shading->ambient[2]);
+    if (has_surface && !takes_largest)
+        raise_to_ambient(shading, fragments, has_surface);
     if (!model->light)
         return;
-    if (takes_largest)
-        set_colours(fragments, 0, 0, 0);
     if (shading->has_specular)
         find_view_vectors(frame->view, fragments);
     for (uint32_t light = 0; light < frame->view->light_count; light++)
         model->light(shading, light, frame->view, fragments, has_surface);
     if (takes_largest)
-        combine_largest(shading, fragments, has_surface);
+        raise_to_ambient(shading, fragments, has_surface);
 }
 
 void glint_clamp_colour(const uint32_t colour[3], int16_t out[3]) {

@@ -7,28 +7,34 @@
 /* Coordinates are rounded to a step or two: this keeps w above 0. */
 #define SMALLEST_W 16
 
-/* Exact in 64 bits: pose times mesh extent, and the mesh's origin relative to the eye; Q28. */
-static int place_in_world(const glint_view *view, const glint_object *object, int64_t axes[3][3], int64_t origin[3]) {
+/* Exact in 64 bits: pose times mesh extent, and the mesh's origin relative to the eye as a fourth column; Q28. */
+static int place_in_world(const glint_view *view, const glint_object *object, int64_t world[3][4]) {
     const glint_mesh *mesh = object->mesh;
     const int32_t extent[3] = {mesh->extent.x, mesh->extent.y, mesh->extent.z};
     const int32_t offset[3] = {mesh->offset.x, mesh->offset.y, mesh->offset.z};
+    uint64_t bits = 0;
     for (int i = 0; i < 3; i++) {
-        origin[i] = ((int64_t)object->pose.m[i][3] - view->eye[i]) * (1 << 12);
+        world[i][3] = ((int64_t)object->pose.m[i][3] - view->eye[i]) * (1 << 12);
         for (int j = 0; j < 3; j++) {
-            axes[i][j] = glint_round_shift64((int64_t)object->pose.m[i][j] * extent[j], 4);
-            origin[i] += glint_round_shift64((int64_t)object->pose.m[i][j] * offset[j], 4);
-            if (glint_magnitude64(axes[i][j]) >= (uint64_t)RANGE)
-                return 0;
+            world[i][j] = glint_round_shift64((int64_t)object->pose.m[i][j] * extent[j], 4);
+            world[i][3] += glint_round_shift64((int64_t)object->pose.m[i][j] * offset[j], 4);
+            bits |= glint_magnitude64(world[i][j]);
         }
-        if (glint_magnitude64(origin[i]) >= (uint64_t)RANGE)
-            return 0;
+        bits |= glint_magnitude64(world[i][3]);
     }
-    return 1;
+    return bits < (uint64_t)RANGE;
 }
 
-/* Row i of the camera's rotation times a world column, Q28; below 2^47. */
-static int64_t rotate(const glint_view *view, int i, int64_t x, int64_t y, int64_t z) {
-    return glint_round_shift64(view->rotation[i][0] * x + view->rotation[i][1] * y + view->rotation[i][2] * z, 16);
+/* The camera's rotation of columns below 2^46. */
+static void rotate(const glint_view *view, int64_t in[3][4], int64_t out[3][4]) {
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 4; j++) {
+            int64_t sum = 0;
+            for (int k = 0; k < 3; k++)
+                sum += view->rotation[i][k] * in[k][j];
+            out[i][j] = glint_round_shift64(sum, 16);
+        }
+    }
 }
 
 /* Largest magnitude that any coordinate of the bounding box takes. */
@@ -45,6 +51,16 @@ static uint64_t largest_coordinate(int64_t rows[3][4]) {
 
 static int64_t scale(int64_t x, int shift) {
     return shift > 0 ? glint_round_shift64(x, (unsigned)shift) : x * ((int64_t)1 << -shift);
+}
+
+/* Scales three rows of four alike, the largest number to 30 bits. */
+static void to_30_bits(int64_t *x) {
+    uint64_t bits = 0;
+    for (int i = 0; i < 12; i++)
+        bits |= glint_magnitude64(x[i]);
+    int shift = (int)glint_bits64(bits) - 30;
+    for (int i = 0; i < 12; i++)
+        x[i] = scale(x[i], shift);
 }
 
 /* Clip rows x, y, w in 30 bits; @return the exponent: a unit is 2^-exponent. */
@@ -96,36 +112,33 @@ static void classify(glint_transform *transform, const glint_config *config) {
 
 /* The inverse transpose up to its scale: cofactors, with the determinant's sign. @return 0 when it is singular. */
 static int prepare_normals(glint_transform *transform, const glint_view *view, const glint_pose *pose) {
-    int64_t p[3][3], cofactor[3][3], rotated[3][3];
-    uint64_t bits = 0;
-    for (int i = 0; i < 9; i++)
-        bits |= glint_magnitude64(pose->m[i / 3][i % 3]);
-    int shift = (int)glint_bits64(bits) - 30;
-    for (int i = 0; i < 9; i++)
-        p[i / 3][i % 3] = scale(pose->m[i / 3][i % 3], shift);
-    bits = 0;
-    for (int i = 0; i < 9; i++) {
-        int r = i / 3, c = i % 3, r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
-        cofactor[r][c] = p[r1][c1] * p[r2][c2] - p[r1][c2] * p[r2][c1];
-        bits |= glint_magnitude64(cofactor[r][c]);
+    static const uint8_t next[3] = {1, 2, 0};
+    int64_t p[3][4], cofactor[3][4], rotated[3][4];
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++)
+            p[i][j] = pose->m[i][j];
+        p[i][3] = cofactor[i][3] = 0;
     }
-    shift = (int)glint_bits64(bits) - 30;
-    for (int i = 0; i < 9; i++)
-        cofactor[i / 3][i % 3] = scale(cofactor[i / 3][i % 3], shift);
-    int64_t determinant = p[0][0] * cofactor[0][0] + p[0][1] * cofactor[0][1] + p[0][2] * cofactor[0][2];
+    to_30_bits(p[0]);
+    for (int i = 0; i < 3; i++) {
+        const int64_t *a = p[next[i]], *b = p[next[next[i]]];
+        for (int j = 0; j < 3; j++) {
+            int k = next[j], l = next[k];
+            cofactor[i][j] = a[k] * b[l] - a[l] * b[k];
+        }
+    }
+    to_30_bits(cofactor[0]);
+    int64_t determinant = 0;
+    for (int j = 0; j < 3; j++)
+        determinant += p[0][j] * cofactor[0][j];
     if (glint_magnitude64(determinant) < (uint64_t)1 << 36) /* 2^-24 of what orthogonal axes give */
         return 0;
     transform->mirrored = determinant < 0;
-    bits = 0;
-    for (int i = 0; i < 9; i++) {
-        int c = i % 3;
-        int64_t entry = rotate(view, i / 3, cofactor[0][c], cofactor[1][c], cofactor[2][c]);
-        rotated[i / 3][c] = transform->mirrored ? -entry : entry;
-        bits |= glint_magnitude64(entry);
-    }
-    shift = (int)glint_bits64(bits) - 30;
-    for (int i = 0; i < 9; i++)
-        transform->normal[i / 3][i % 3] = (int32_t)scale(rotated[i / 3][i % 3], shift);
+    rotate(view, cofactor, rotated);
+    to_30_bits(rotated[0]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            transform->normal[i][j] = (int32_t)(transform->mirrored ? -rotated[i][j] : rotated[i][j]);
     return 1;
 }
 
@@ -153,16 +166,12 @@ int64_t glint_transform_nearest(const glint_transform *transform, const glint_vi
 
 glint_status glint_transform_prepare(glint_transform *transform, const glint_view *view, const glint_config *config,
                                      const glint_object *object) {
-    int64_t axes[3][3], origin[3], rows[3][4];
+    int64_t world[3][4], rows[3][4];
     if (!prepare_normals(transform, view, &object->pose))
         return GLINT_ERROR_POSE;
-    if (!place_in_world(view, object, axes, origin))
+    if (!place_in_world(view, object, world))
         return GLINT_ERROR_RANGE;
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++)
-            rows[i][j] = rotate(view, i, axes[0][j], axes[1][j], axes[2][j]);
-        rows[i][3] = rotate(view, i, origin[0], origin[1], origin[2]);
-    }
+    rotate(view, world, rows);
     transform->exponent = to_clip_space(transform, view, rows);
     transform->center_x = config->width * 8;
     transform->center_y = config->height * 8;

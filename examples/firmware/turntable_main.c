@@ -27,11 +27,9 @@ static void report(const char *what, uint32_t number) {
 static glint_status draw(glint_renderer *renderer, turntable_model model, uint32_t frame) {
     char name[TEXT_NUMBER_SIZE + 16];
     turntable table;
-    glint_status status = turntable_frame(&table, model, frame);
 
-    if (status == GLINT_OK) {
-        status = glint_render(renderer, &table.scene);
-    }
+    turntable_frame(&table, model, frame);
+    glint_status status = glint_render(renderer, &table.scene);
     if (status != GLINT_OK) {
         report("glint_status -", (uint32_t)-status); /* glint_strerror's sentences would take 0.8 KB of flash */
         return status;

@@ -34,16 +34,15 @@ static void set_torus(turntable *table, uint32_t frame) {
 }
 
 /* A tenth of a turn a frame; the camera stands still, a little above. */
-static glint_status set_teapot(turntable *table, uint32_t frame) {
+static void set_teapot(turntable *table, uint32_t frame) {
     const glint_light key = {&glint_light_directional, COLOUR(-0.5, 0.8, 0.7), COLOUR(0.9, 0.9, 0.9),
                              COLOUR(0.8, 0.8, 0.8)};
     const glint_light rim = {&glint_light_directional, COLOUR(1, 0.2, -0.6), COLOUR(0.3, 0.3, 0.3),
                              COLOUR(0.4, 0.4, 0.4)};
     const glint_material material = {&glint_model_blinn_phong, COLOUR(0.7, 0.7, 0.7), COLOUR(0.7, 0.7, 0.7),
                                      COLOUR(0.6, 0.6, 0.6), GLINT_Q16(50)};
-    const glint_vector eye = {0, GLINT_Q16(0.9), GLINT_Q16(2.6)};
-    const glint_vector at = {0, 0, 0};
-    const glint_vector up = {0, GLINT_ONE, 0};
+    const glint_pose back = glint_pose_translate(0, 0, GLINT_Q16(2.75));
+    const glint_pose above = glint_pose_rotate_x(GLINT_Q16(-19));
 
     table->material = material;
     table->lights[0] = key;
@@ -54,10 +53,10 @@ static glint_status set_teapot(turntable *table, uint32_t frame) {
     table->scene.viewer = GLINT_VIEWER_INFINITE;
     table->scene.ambient = (glint_colour)COLOUR(0.15, 0.15, 0.15);
     table->scene.camera.field_of_view = GLINT_Q16(29);
-    return glint_camera_look_at(&table->scene.camera, eye, at, up);
+    table->scene.camera.pose = glint_pose_then(&back, &above);
 }
 
-glint_status turntable_frame(turntable *table, turntable_model model, uint32_t frame) {
+void turntable_frame(turntable *table, turntable_model model, uint32_t frame) {
     glint_scene *scene = &table->scene;
 
     scene->camera.near_plane = GLINT_Q16(0.1);
@@ -66,9 +65,8 @@ glint_status turntable_frame(turntable *table, turntable_model model, uint32_t f
     scene->objects = &table->object;
     scene->object_count = 1;
     table->object.material = &table->material;
-    if (model == TURNTABLE_TEAPOT) {
-        return set_teapot(table, frame);
-    }
-    set_torus(table, frame);
-    return GLINT_OK;
+    if (model == TURNTABLE_TEAPOT)
+        set_teapot(table, frame);
+    else
+        set_torus(table, frame);
 }

@@ -33,7 +33,7 @@ typedef struct turntable {
 /** "torus576" or "teapot". */
 const char *turntable_name(turntable_model model);
 
-/** Sets up frame 0, 1, ... of a model. @return GLINT_OK, or the error of glint_camera_look_at. */
-glint_status turntable_frame(turntable *table, turntable_model model, uint32_t frame);
+/** Sets up frame 0, 1, ... of a model. */
+void turntable_frame(turntable *table, turntable_model model, uint32_t frame);
 
 #endif
