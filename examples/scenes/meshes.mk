@@ -30,3 +30,53 @@ SCENE_MESH_sphere10x6 := sphere:10x6 --name sphere10x6 --licence MIT
 
 SCENE_MESHES += examples/meshes/sphere48x32.h
 SCENE_MESH_sphere48x32 := sphere:48x32 --name sphere48x32 --licence MIT
+
+# Halloween; examples/scenes/make_models.py wrote these models.
+
+SCENE_MESHES += examples/meshes/pumpkin_merry.h
+SCENE_MESH_pumpkin_merry := examples/models/pumpkin-merry.obj --name pumpkin_merry --licence MIT
+
+SCENE_MESHES += examples/meshes/pumpkin_merry_lining.h
+SCENE_MESH_pumpkin_merry_lining := examples/models/pumpkin-merry-lining.obj --name pumpkin_merry_lining --licence MIT --double-sided
+
+SCENE_MESHES += examples/meshes/pumpkin_grim.h
+SCENE_MESH_pumpkin_grim := examples/models/pumpkin-grim.obj --name pumpkin_grim --licence MIT
+
+SCENE_MESHES += examples/meshes/pumpkin_grim_lining.h
+SCENE_MESH_pumpkin_grim_lining := examples/models/pumpkin-grim-lining.obj --name pumpkin_grim_lining --licence MIT --double-sided
+
+SCENE_MESHES += examples/meshes/pumpkin.h
+SCENE_MESH_pumpkin := examples/models/pumpkin.obj --name pumpkin --licence MIT
+
+SCENE_MESHES += examples/meshes/stem.h
+SCENE_MESH_stem := examples/models/stem.obj --name stem --licence MIT
+
+SCENE_MESHES += examples/meshes/tree.h
+SCENE_MESH_tree := examples/models/tree.obj --name tree --licence MIT
+
+SCENE_MESHES += examples/meshes/tombstone.h
+SCENE_MESH_tombstone := examples/models/tombstone.obj --name tombstone --licence MIT
+
+SCENE_MESHES += examples/meshes/picket.h
+SCENE_MESH_picket := examples/models/picket.obj --name picket --licence MIT
+
+SCENE_MESHES += examples/meshes/bat_wing.h
+SCENE_MESH_bat_wing := examples/models/bat-wing.obj --name bat_wing --licence MIT --double-sided
+
+SCENE_MESHES += examples/meshes/flame.h
+SCENE_MESH_flame := examples/models/flame.obj --name flame --licence MIT
+
+SCENE_MESHES += examples/meshes/glow.h
+SCENE_MESH_glow := examples/models/glow.obj --name glow --licence MIT
+
+SCENE_MESHES += examples/meshes/stars.h
+SCENE_MESH_stars := examples/models/stars.obj --name stars --licence MIT
+
+SCENE_MESHES += examples/meshes/cone24x1.h
+SCENE_MESH_cone24x1 := cone-capped:24x1 --name cone24x1 --licence MIT
+
+SCENE_MESHES += examples/meshes/cylinder24x1.h
+SCENE_MESH_cylinder24x1 := cylinder-capped:24x1 --name cylinder24x1 --licence MIT
+
+SCENE_MESHES += examples/meshes/box.h
+SCENE_MESH_box := box --name box --licence MIT

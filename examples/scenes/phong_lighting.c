@@ -72,28 +72,29 @@ static const struct option {
     {DRAW_LIGHT | DARK | BLINN_PHONG, GLINT_Q16(SMALL)},
 };
 
-/* A turn of the hue circle, for the columns of the cylinder. */
-#define HUES(X)                                                                                                  \
-    X(255, 0, 0)                                                                                                 \
-    X(255, 51, 0)                                                                                                \
-    X(255, 102, 0)                                                                                               \
-    X(255, 153, 0)                                                                                               \
-    X(255, 204, 0)                                                                                               \
-    X(255, 255, 0) X(204, 255, 0) X(153, 255, 0) X(102, 255, 0) X(51, 255, 0) X(0, 255, 0) X(0, 255, 51)         \
-        X(0, 255, 102) X(0, 255, 153) X(0, 255, 204) X(0, 255, 255) X(0, 204, 255) X(0, 153, 255) X(0, 102, 255) \
-            X(0, 51, 255) X(0, 0, 255) X(51, 0, 255) X(102, 0, 255) X(153, 0, 255) X(204, 0, 255) X(255, 0, 255) \
-                X(255, 0, 204) X(255, 0, 153) X(255, 0, 102) X(255, 0, 51)
+/* A turn of the hue circle, for the columns of the cylinder. Formatted by hand, five columns a line. */
+/* clang-format off */
+#define HUES(X) \
+    X(255, 0, 0) X(255, 51, 0) X(255, 102, 0) X(255, 153, 0) X(255, 204, 0) \
+    X(255, 255, 0) X(204, 255, 0) X(153, 255, 0) X(102, 255, 0) X(51, 255, 0) \
+    X(0, 255, 0) X(0, 255, 51) X(0, 255, 102) X(0, 255, 153) X(0, 255, 204) \
+    X(0, 255, 255) X(0, 204, 255) X(0, 153, 255) X(0, 102, 255) X(0, 51, 255) \
+    X(0, 0, 255) X(51, 0, 255) X(102, 0, 255) X(153, 0, 255) X(204, 0, 255) \
+    X(255, 0, 255) X(255, 0, 204) X(255, 0, 153) X(255, 0, 102) X(255, 0, 51)
 
 /* A column: its hue below, white in the middle, and another hue above. */
 #define COLUMN(r, g, b) {r, g, b}, {255, 255, 255}, {b, r, g},
 #define BOTTOM(r, g, b) {r, g, b},
 #define TOP(r, g, b) {b, r, g},
-#define WHITE \
-    { 255, 255, 255 }
+#define WHITE {255, 255, 255}
 
 /* In the order of the mesh: sides, and each cap's rim and centre. */
-static const uint8_t cylinder_colours[COUNT_OF(cylinder30x2_positions)][3] = {HUES(COLUMN) HUES(BOTTOM) WHITE,
-                                                                              HUES(TOP) WHITE};
+static const uint8_t cylinder_colours[COUNT_OF(cylinder30x2_positions)][3] = {
+    HUES(COLUMN)
+    HUES(BOTTOM) WHITE,
+    HUES(TOP) WHITE
+};
+/* clang-format on */
 
 /* 32768 steps where 32767 are 1. */
 #define UNIT_EXTENT 65538
