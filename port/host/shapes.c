@@ -95,6 +95,11 @@ const host_shape *shape_find(const char *name) {
     return NULL;
 }
 
+static bool bad_counts(const host_shape *shape, host_problem *problem) {
+    return problem_set(problem, 0, "%s takes counts from %lux%lu, and at most 65536 vertices", shape->name,
+                       (unsigned long)shape->least[0], (unsigned long)shape->least[1]);
+}
+
 /** Reads the counts at `*at`, and moves on to the colon before the sizes, or the end. */
 static bool read_counts(const host_shape *shape, const char **at, uint32_t counts[2], host_problem *problem) {
     const size_t length = strcspn(*at, ":");
@@ -106,8 +111,7 @@ static bool read_counts(const host_shape *shape, const char **at, uint32_t count
     }
     for (int i = 0; i < 2; i++) {
         if (values[i] < shape->least[i] || values[i] > COUNT_LARGEST) {
-            return problem_set(problem, 0, "%s takes counts from %lux%lu, and at most 65536 vertices", shape->name,
-                               (unsigned long)shape->least[0], (unsigned long)shape->least[1]);
+            return bad_counts(shape, problem);
         }
         counts[i] = (uint32_t)values[i];
     }
@@ -161,9 +165,11 @@ static bool generate(const host_shape *shape, const uint32_t counts[2], const gl
     glint_mesh made = {0};
     /* Without room the generator only counts, and says that there is too little. */
     (void)shape->generate(&made, &room, counts, sizes);
-    if (made.vertex_count == 0 || made.vertex_count > 65536) {
-        return problem_set(problem, 0, "%s takes counts from %lux%lu, and at most 65536 vertices", shape->name,
-                           (unsigned long)shape->least[0], (unsigned long)shape->least[1]);
+    if (made.vertex_count > 65536 || (uint64_t)counts[0] * counts[1] > 65536) {
+        return bad_counts(shape, problem);
+    }
+    if (made.vertex_count == 0) {
+        return problem_set(problem, 0, "%s: its sizes come to more than 8192", shape->name);
     }
     room.vertex_room = made.vertex_count;
     room.triangle_room = made.triangle_count;
