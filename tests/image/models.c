@@ -6,11 +6,11 @@
 #include "bench.h"
 #include "glint.h"
 #include "harness.h"
-#include "judge.h"
+#include "rows.h"
 #include "scenes.h"
+#include "surfaces.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #define WIDTH 160
 #define HEIGHT 120
@@ -125,67 +125,7 @@ static void set_evaluation(test_scene *scene, const evaluation_kind *evaluation)
         scene->objects[i].evaluation = *evaluation->evaluation;
 }
 
-/* ---- Bounds -------------------------------------------------------------------------------------------------- */
-
-static double percent(long part, long whole) {
-    return whole > 0 ? 100.0 * (double)part / (double)whole : 0;
-}
-
-static void print_heading(void) {
-    test_write(
-        "                                                    covered missed gated%  >1 step%     >2  worst   psnr\n");
-}
-
-static void print_row(const char *name, const judgement *found) {
-    char line[200];
-    snprintf(line, sizeof line, "%-50s %8ld %6ld %6.3f %9.4f %6ld %6.3f %6.2f\n", name, found->covered, found->missed,
-             percent(found->gated, found->covered), percent(found->over_one, found->judged), found->over_two,
-             found->worst, judgement_psnr(found));
-    test_write(line);
-}
-
-/* The contract: per fragment one step for 99.99 % and two for the rest; where colours are lit earlier, one step. */
-static int is_within(const judgement *found, const evaluation_kind *evaluation) {
-    long allowed = evaluation == &evaluations[0] ? found->judged / 10000 : 0;
-    return found->status == GLINT_OK && found->missed == 0 && found->spilled == 0 && found->over_two == 0 &&
-           found->over_one <= allowed;
-}
-
-static void check_row(const judgement *found, const evaluation_kind *evaluation) {
-    CHECK_EQUAL(found->status, GLINT_OK);
-    CHECK_EQUAL(found->missed, 0);
-    CHECK_EQUAL(found->spilled, 0);
-    CHECK_EQUAL(found->over_two, 0);
-    CHECK(found->judged > 0);
-    CHECK_AT_MOST(found->over_one * 10000, evaluation == &evaluations[0] ? found->judged : 0);
-    CHECK(found->gated * 50 < found->covered);
-    CHECK(found->close * 500 < found->covered);
-    CHECK(found->vertex_error <= 1.0 / 16);
-}
-
-/* Where a row misses its bounds: which of its images. */
-static void print_miss(const glint_scene *scene, const judgement *found) {
-    char line[200];
-    snprintf(
-        line, sizeof line, "    %s viewer, p = %g: %ld over 1 step, %ld over 2, %ld missed, worst %.3f at (%d, %d)\n",
-        scene->viewer == GLINT_VIEWER_LOCAL ? "local" : "infinite", scene->objects[0].material->shininess / 65536.0,
-        found->over_one, found->over_two, found->missed, found->worst, found->worst_x, found->worst_y);
-    test_write(line);
-}
-
-static void judge_once(test_scene *scene, const evaluation_kind *evaluation, judgement *total) {
-    const judge_task task = {.scene = &scene->scene,
-                             .width = WIDTH,
-                             .height = HEIGHT,
-                             .format = &glint_format_rgb565,
-                             .leave_out_gates = 1,
-                             .fine = 1};
-    judgement found = {0};
-    judge(&task, &found);
-    if (!is_within(&found, evaluation))
-        print_miss(&scene->scene, &found);
-    judgement_add(total, &found);
-}
+/* ---- Rows ---------------------------------------------------------------------------------------------------- */
 
 /* Both viewers and all exponents that make a difference. */
 static void judge_row(const char *name, test_scene *scene, const model_kind *model, const evaluation_kind *evaluation) {
@@ -195,15 +135,16 @@ static void judge_row(const char *name, test_scene *scene, const model_kind *mod
         set_model(scene, model, exponents[i]);
         for (int viewer = 0; viewer < (model->exponents ? 2 : 1); viewer++) {
             scene->scene.viewer = (glint_viewer)viewer;
-            judge_once(scene, evaluation, &total);
+            row_judge(&scene->scene, WIDTH, HEIGHT, &total);
         }
     }
-    print_row(name, &total);
-    check_row(&total, evaluation);
+    row_print(name, &total);
+    row_check(&total, row_is_per_fragment(&scene->scene));
+    CHECK(total.gated * 50 < total.covered);
 }
 
 static void judge_models(const evaluation_kind *evaluation) {
-    print_heading();
+    row_print_heading();
     for (unsigned light = 0; light < TEST_COUNT(lights); light++) {
         for (unsigned model = 0; model < TEST_COUNT(models); model++) {
             test_scene scene;
@@ -228,11 +169,52 @@ static void models_per_facet(void) {
     judge_models(&evaluations[2]);
 }
 
+/* ---- Surfaces and lights that are hard ----------------------------------------------------------------------- */
+
+static void judge_surface(const scene_definition *definition, const evaluation_kind *evaluation) {
+    const glint_model *const kinds[] = {&glint_model_blinn_phong, &glint_model_phong};
+    judgement total = {0};
+    char name[80];
+    for (int i = 0; i < 4; i++) {
+        test_scene scene;
+        definition->build(&scene);
+        set_evaluation(&scene, evaluation);
+        if (scene.materials[0].model != &glint_model_unlit)
+            scene.materials[0].model = kinds[i / 2];
+        scene.scene.viewer = (glint_viewer)(i % 2);
+        row_judge(&scene.scene, 2 * WIDTH, 2 * HEIGHT, &total);
+    }
+    snprintf(name, sizeof name, "%s, per %s", definition->name, evaluation->name);
+    row_print(name, &total);
+    row_check(&total, evaluation == &evaluations[0]);
+    CHECK(total.gated * 50 < total.covered);
+}
+
+static void surfaces(void) {
+    row_print_heading();
+    for (unsigned i = 0; i < surface_count; i++) {
+        for (unsigned k = 0; k < TEST_COUNT(evaluations); k++)
+            judge_surface(&surface_definitions[i], &evaluations[k]);
+    }
+}
+
+/* All kinds together; the bounds hold over all of them. */
+static void random_scenes(void) {
+    judgement total = {0};
+    for (uint32_t seed = 1; seed <= 300; seed++) {
+        test_scene scene;
+        surface_build_random(&scene, seed);
+        row_judge(&scene.scene, WIDTH, HEIGHT, &total);
+    }
+    row_print_heading();
+    row_print("300 random scenes", &total);
+    row_check(&total, 1);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
-        TEST_CASE(models_per_fragment),
-        TEST_CASE(models_per_vertex),
-        TEST_CASE(models_per_facet),
+        TEST_CASE(models_per_fragment), TEST_CASE(models_per_vertex), TEST_CASE(models_per_facet), TEST_CASE(surfaces),
+        TEST_CASE(random_scenes),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

@@ -77,6 +77,9 @@ static double cone(const glint_light *light, const double axis[3], const double 
     return t * t * (3 - 2 * t);
 }
 
+/* Two steps of a coordinate: a light so near lies in a direction that rounding decides. */
+#define TOUCHING (2.0 / 65536)
+
 /* Direction to a light, unit. @return how much of it arrives. */
 static double illuminate(const glint_light *light, const reference_lights *lights, uint32_t index,
                          const double place[3], double towards[3], double *grazing) {
@@ -85,6 +88,8 @@ static double illuminate(const glint_light *light, const reference_lights *light
     double distance = reference_normalise(towards);
     if (!has_position(light))
         return 1;
+    if (distance < TOUCHING)
+        *grazing = 0;
     if (distance == 0)
         return 0;
     double strength =

@@ -25,7 +25,8 @@ typedef struct reference_surface {
 typedef struct reference_light {
     double colour[3]; /**< Clamped to 0..1. */
     double grazing;   /**< Distance to the nearest jump: the smallest |N.L| where a highlight is gated, the distance of
-                           the cosine from that of a cone without soft edge; 1 when there is none. */
+                           the cosine from that of a cone without soft edge, 0 where a light touches the point; 1 when
+                           there is none. */
 } reference_light;
 
 void reference_prepare_lights(reference_lights *lights, const glint_scene *scene);

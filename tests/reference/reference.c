@@ -146,8 +146,16 @@ static reference_light light_fragment(const drawing *draw, const attributes *at)
     return reference_shade(draw->scene, &draw->lights, draw->object->material, &surface);
 }
 
-static void draw_fragment(const drawing *draw, const corner *const c[3], const double weight[3],
-                          reference_pixel *pixel) {
+/* The point of depth 1/w seen through a pixel's centre: exact, where the corners' weights would add their rounding. */
+static void place_on_ray(const drawing *draw, int x, int y, double depth, double place[3]) {
+    double focal = focal_length(draw->scene, draw->image->height);
+    place[0] = (x + 0.5 - 0.5 * draw->image->width) / focal / depth;
+    place[1] = (0.5 * draw->image->height - y - 0.5) / focal / depth;
+    place[2] = -1 / depth;
+}
+
+static void draw_fragment(const drawing *draw, const corner *const c[3], const double weight[3], int x, int y) {
+    reference_pixel *pixel = &draw->image->pixels[(size_t)y * (size_t)draw->image->width + (size_t)x];
     double share[3];
     double depth = 0;
     for (int i = 0; i < 3; i++)
@@ -158,7 +166,8 @@ static void draw_fragment(const drawing *draw, const corner *const c[3], const d
     }
     for (int i = 0; i < 3; i++)
         share[i] = weight[i] / c[i]->w / depth;
-    const attributes at = mix(c, share, draw->back);
+    attributes at = mix(c, share, draw->back);
+    place_on_ray(draw, x, y, depth, at.place);
     const reference_light light = light_fragment(draw, &at);
     pixel->second = pixel->nearest;
     pixel->nearest = depth;
@@ -212,7 +221,7 @@ static void draw_clockwise(const drawing *draw, const corner *const c[3], int64_
             position at = locate(c, area, x, y);
             pixel->uncertain |= draw->rounded_here && fabs(at.distance) <= 1.5;
             if (at.inside)
-                draw_fragment(draw, c, at.weight, pixel);
+                draw_fragment(draw, c, at.weight, x, y);
         }
     }
 }
