@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * cylinder-capped:30x2: 152 vertices, 180 triangles, 2904 bytes of flash. Generated, not to be edited, by
- *     glint convert cylinder-capped:30x2 --name cylinder30x2 --licence "MIT"
- * from a source whose FNV-1a hash (64 bits) is b9613badac9a9cfe.
+ * cylinder-capped:30x2:1,0.85: 152 vertices, 180 triangles, 2904 bytes of flash. Generated, not to be edited, by
+ *     glint convert cylinder-capped:30x2:1,0.85 --name cylinder30x2 --licence "MIT"
+ * from a source whose FNV-1a hash (64 bits) is f52d5e63f79eede8.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis
  * normals    int16, Q15, unit length: 32767 is 1
@@ -113,7 +113,7 @@ static const glint_mesh cylinder30x2_mesh = {
     152u, /* vertices */
     180u, /* triangles */
     {0, 0, 0}, /* offset */
-    {65538, 65178, 65538}, /* extent */
+    {65538, 65178, 55708}, /* extent */
     0,
     0,
     0, /* no colours */

@@ -47,16 +47,13 @@ static const uint8_t glow_colours[COUNT_OF(glow_positions)][3] = {
 };
 /* clang-format on */
 
-/* 32768 steps where 32767 are the largest radius, 20. */
-#define GLOW_EXTENT 1310761
-
 static const glint_mesh coloured_glow = {
     .positions = glow_positions,
     .normals = glow_normals,
     .triangles = glow_triangles,
     .vertex_count = COUNT_OF(glow_positions),
     .triangle_count = COUNT_OF(glow_triangles),
-    .extent = {GLOW_EXTENT, GLOW_EXTENT, 0},
+    .extent = {1310761, 1310761, 0}, /* as in glow.h: C takes no constant from a constant structure */
     .colours = glow_colours,
 };
 

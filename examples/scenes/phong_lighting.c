@@ -96,16 +96,13 @@ static const uint8_t cylinder_colours[COUNT_OF(cylinder30x2_positions)][3] = {
 };
 /* clang-format on */
 
-/* 32768 steps where 32767 are 1. */
-#define UNIT_EXTENT 65538
-
 static const glint_mesh coloured_cylinder = {
     .positions = cylinder30x2_positions,
     .normals = cylinder30x2_normals,
     .triangles = cylinder30x2_triangles,
     .vertex_count = COUNT_OF(cylinder30x2_positions),
     .triangle_count = COUNT_OF(cylinder30x2_triangles),
-    .extent = {UNIT_EXTENT, UNIT_EXTENT, UNIT_EXTENT},
+    .extent = {65538, 65178, 55708}, /* as in cylinder30x2.h: C takes no constant from a constant structure */
     .colours = cylinder_colours,
 };
 
@@ -145,7 +142,7 @@ static glint_vector light_position(uint32_t flags, uint32_t frame) {
 static void add_cylinder(example_stage *stage, const struct option *option) {
     glint_material material = paint(option, (glint_colour)RGB(0.75, 0.6, 0.3));
     const glint_pose stand = glint_pose_rotate_x(GLINT_Q16(-90));
-    const glint_vector scale = {GLINT_ONE, GLINT_Q16(0.85), option->flags & SCALED ? GLINT_Q16(0.3) : GLINT_ONE};
+    const glint_vector scale = {GLINT_ONE, GLINT_ONE, option->flags & SCALED ? GLINT_Q16(0.3) : GLINT_ONE};
     const glint_pose place = stage_place(scale, GLINT_Q16(-25), (glint_vector)XYZ(0, 0.85, 0));
     const glint_pose pose = glint_pose_then(&stand, &place);
 
