@@ -8,23 +8,21 @@ static unsigned tile_shift(uint16_t size) {
 
 /* One shading for each distinct material. */
 static glint_status prepare_materials(glint_frame *frame) {
-    glint_shading *all = 0;
+    const glint_object *objects = frame->scene->objects;
     for (uint32_t i = 0; i < frame->scene->object_count; i++) {
-        const glint_material *material = frame->scene->objects[i].material;
-        uint32_t known = 0;
-        while (known < frame->shading_count && all[known].material != material)
-            known++;
-        if (known < frame->shading_count)
+        uint32_t earlier = 0;
+        while (objects[earlier].material != objects[i].material)
+            earlier++;
+        if (earlier < i)
             continue;
         glint_shading *shading = glint_take(&frame->memory, sizeof *shading);
         if (!shading)
             return GLINT_ERROR_ARENA;
-        if (!all)
-            frame->shading = all = shading;
-        glint_status status = glint_prepare_shading(shading, material, frame->scene);
+        if (!frame->shading)
+            frame->shading = shading;
+        glint_status status = glint_prepare_shading(shading, objects[i].material, frame->scene);
         if (status != GLINT_OK)
             return status;
-        frame->shading_count++;
     }
     return GLINT_OK;
 }

@@ -385,7 +385,6 @@ typedef struct glint_frame {
     const struct glint_view *view;       /* camera and lights, prepared */
     const struct glint_shading *shading; /* materials, prepared */
     glint_memory memory;
-    uint32_t shading_count;
     uint16_t tile_first, tile_end; /* tiles of this pass */
     uint16_t tile_columns, tile_count;
     uint16_t pass_tiles;                /* tiles that a pass may hold */
