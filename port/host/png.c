@@ -73,29 +73,44 @@ typedef struct png_rectangle {
 } png_rectangle;
 
 /** Each row with the filter that leaves the smallest differences, the usual heuristic (PNG specification, 12.8). */
-static uint8_t *filter_rows(const png_rectangle *part) {
+static int choose_filter(uint8_t *out, const png_rectangle *part, const uint8_t *row, const uint8_t *above) {
+    int best = 0;
+    uint32_t least = UINT32_MAX;
+    for (int filter = 0; filter <= 2; filter++) {
+        const uint32_t sum = filter_row(out, filter, row, above, (size_t)part->width * part->channels, part->channels);
+        best = sum < least ? filter : best;
+        least = sum < least ? sum : least;
+    }
+    return best;
+}
+
+/** Appends a part's rows, filtered or as they are. */
+static void put_rows(host_bytes *out, const png_rectangle *part, bool filtered) {
     const size_t row_size = (size_t)part->width * part->channels;
-    uint8_t *filtered = memory_new(part->height, row_size + 1);
+    uint8_t *rows = memory_new(part->height, row_size + 1);
     for (size_t y = 0; y < part->height; y++) {
         const uint8_t *row = part->pixels + y * part->stride;
         const uint8_t *above = y > 0 ? row - part->stride : NULL;
-        uint8_t *out = filtered + y * (row_size + 1);
-        int best = 0;
-        uint32_t least = UINT32_MAX;
-        for (int filter = 0; filter <= 2; filter++) {
-            const uint32_t sum = filter_row(out, filter, row, above, row_size, part->channels);
-            best = sum < least ? filter : best;
-            least = sum < least ? sum : least;
-        }
-        filter_row(out, best, row, above, row_size, part->channels);
+        uint8_t *to = rows + y * (row_size + 1);
+        const int filter = filtered ? choose_filter(to, part, row, above) : 0;
+        filter_row(to, filter, row, above, row_size, part->channels);
     }
-    return filtered;
+    zlib_encode(out, rows, (row_size + 1) * part->height);
+    free(rows);
 }
 
+/** Differences are short where levels are many, and whole pixels repeat where they are few: whichever is shorter. */
 static void put_pixels(host_bytes *out, const png_rectangle *part) {
-    uint8_t *filtered = filter_rows(part);
-    zlib_encode(out, filtered, ((size_t)part->width * part->channels + 1) * part->height);
-    free(filtered);
+    host_bytes filtered = {NULL, 0, 0};
+    host_bytes plain = {NULL, 0, 0};
+    put_rows(&filtered, part, true);
+    put_rows(&plain, part, false);
+    const host_bytes *shorter = plain.count < filtered.count ? &plain : &filtered;
+    for (size_t i = 0; i < shorter->count; i++) {
+        bytes_add(out, shorter->data[i]);
+    }
+    free(filtered.data);
+    free(plain.data);
 }
 
 static png_rectangle whole(const uint8_t *pixels, uint32_t width, uint32_t height, uint32_t channels) {
