@@ -102,9 +102,9 @@ static glint_q16 wave(uint32_t frame, int turns, int start) {
 
 /* How bright a candle burns, about 1. */
 static glint_q16 flicker(uint32_t frame, int start) {
-    return GLINT_Q16(0.95) + stage_multiply(GLINT_Q16(0.12), wave(frame, 3, start)) +
-           stage_multiply(GLINT_Q16(0.09), wave(frame, 7, 2 * start + 50)) +
-           stage_multiply(GLINT_Q16(0.08), wave(frame, 13, 3 * start));
+    return GLINT_Q16(0.92) + stage_multiply(GLINT_Q16(0.16), wave(frame, 3, start)) +
+           stage_multiply(GLINT_Q16(0.11), wave(frame, 7, 2 * start + 50)) +
+           stage_multiply(GLINT_Q16(0.09), wave(frame, 13, 3 * start));
 }
 
 static void add_sky(example_stage *stage) {
@@ -216,7 +216,7 @@ static void add_lantern(example_stage *stage, const lantern *jack, uint32_t fram
                                                  GLINT_Q16(-0.5), GLINT_Q16(0.1));
     glint_pose flame = glint_pose_then(&dance, &wick);
     glint_material skin = shiny((glint_colour)RGB(0.85, 0.34, 0.05), GLINT_Q16(0.3), GLINT_Q16(18));
-    glint_material flesh = matt((glint_colour)RGB(0.95, 0.75, 0.35));
+    glint_material flesh = matt((glint_colour)RGB(0.8, 0.52, 0.2));
     const glint_material stalk = matt((glint_colour)RGB(0.3, 0.36, 0.14));
     const glint_material fire = unlit((glint_colour)RGB(1, 0.92, 0.55));
 
