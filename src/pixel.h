@@ -48,12 +48,27 @@ static inline void glint_store_fragments(void *pixels, const glint_fragments *fr
     }
 }
 
-/** The loop of every format's `fill`. */
+/** Compilers call memcpy even in freestanding code; here the library does. */
+void *memcpy(void *to, const void *from, size_t size);
+
+/**
+ * Every format's `fill`: 8 pixels, copied along their row; rows after the first, or after the first 8 where they are
+ * dithered, are copies.
+ */
 static inline void glint_fill_tile(void *pixels, uint32_t width, uint32_t height, const uint32_t colour[3],
-                                   glint_put put, int dithered) {
-    for (uint32_t y = 0; y < height; y++)
-        for (uint32_t x = 0; x < width; x++)
+                                   glint_put put, uint32_t bits, int dithered) {
+    const uint32_t rows = dithered ? 8 : 1, row_bytes = width / 8 * bits;
+    uint8_t *row = pixels;
+    for (uint32_t y = 0; y < height; y++, row += row_bytes) {
+        if (y >= rows) {
+            memcpy(row, row - rows * row_bytes, row_bytes);
+            continue;
+        }
+        for (uint32_t x = 0; x < 8; x++)
             put(pixels, y * width + x, colour, dithered ? glint_dither_threshold(x, y) : GLINT_HALF_LEVEL);
+        for (uint32_t done = bits; done < row_bytes; done += bits)
+            memcpy(row + done, row, bits);
+    }
 }
 
 /** Defines a format and its dithered twin, which the linker keeps only where they are named. */
@@ -62,13 +77,13 @@ static inline void glint_fill_tile(void *pixels, uint32_t width, uint32_t height
         glint_store_fragments(pixels, fragments, tile_shift_x, put, 0);                                  \
     }                                                                                                    \
     static void fill(void *pixels, uint32_t width, uint32_t height, const uint32_t colour[3]) {          \
-        glint_fill_tile(pixels, width, height, colour, put, 0);                                          \
+        glint_fill_tile(pixels, width, height, colour, put, bits, 0);                                    \
     }                                                                                                    \
     static void store_dithered(void *pixels, const glint_fragments *fragments, unsigned tile_shift_x) {  \
         glint_store_fragments(pixels, fragments, tile_shift_x, put, 1);                                  \
     }                                                                                                    \
     static void fill_dithered(void *pixels, uint32_t width, uint32_t height, const uint32_t colour[3]) { \
-        glint_fill_tile(pixels, width, height, colour, put, 1);                                          \
+        glint_fill_tile(pixels, width, height, colour, put, bits, 1);                                    \
     }                                                                                                    \
     const glint_format name = {bits, store, fill};                                                       \
     const glint_format name##_dithered = {bits, store_dithered, fill_dithered}

@@ -2,6 +2,9 @@
 /* Tile: draws the triangles that a pass lists for one tile. */
 #include "frame.h"
 
+/* Compilers call memset even in freestanding code; here the library does. */
+void *memset(void *bytes, int value, size_t size);
+
 size_t glint_row_bytes(const glint_format *format, uint32_t width) {
     return ((size_t)width * format->bits + 7) / 8;
 }
@@ -36,9 +39,7 @@ static void clear(const glint_frame *frame, glint_workspace *workspace) {
     if (config->gamma)
         glint_apply_gamma(config->gamma, colour, 1);
     config->format->fill(workspace->pixels, config->tile_width, config->tile_height, colour[0]);
-    uint32_t count = tile_pixels(config);
-    for (uint32_t i = 0; i < count; i++)
-        workspace->depth[i] = 0;
+    memset(workspace->depth, 0, tile_pixels(config) * sizeof *workspace->depth);
 }
 
 static void draw_clipped(const glint_frame *frame, glint_workspace *workspace, const glint_clipped *clipped) {
