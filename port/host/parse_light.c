@@ -103,7 +103,7 @@ bool parse_light(host_settings *settings, const char *text, host_problem *proble
         if (strncmp(text, kinds[i].name, length) != 0 || text[length] != ':') {
             continue;
         }
-        light_field fields[FIELDS_MAX];
+        light_field fields[FIELDS_MAX] = {{"", 0}};
         glint_light light = {.type = NULL};
         const size_t count = split_fields(text + length + 1, fields);
         if (count < kinds[i].least || count > kinds[i].most) {

@@ -81,6 +81,9 @@ static bool check(const host_settings *settings, host_problem *problem) {
     if (settings->frame_given && settings->animate > 0) {
         return problem_set(problem, 0, "scene: --frame and --animate exclude each other");
     }
+    if (settings->stats && settings->animate > 0) {
+        return problem_set(problem, 0, "scene: --stats and --animate exclude each other");
+    }
     return true;
 }
 

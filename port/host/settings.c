@@ -222,7 +222,7 @@ static const host_option options[] = {
     {"--near", "N", "distance of the near plane; 0.1, or less to frame a small model", COMMAND_RENDER, parse_near},
     {"--rotate-y", "DEG", "turn about the y axis, after --scale", COMMAND_RENDER, parse_rotate_y},
     {"--scale", "sx,sy,sz", "factors per axis, or one for all", COMMAND_RENDER | COMMAND_CONVERT, parse_scale},
-    {"--light", "LIGHT", "up to 8 times; see below; dir: from the upper left", COMMAND_RENDER, parse_light},
+    {"--light", "LIGHT", "see below; up to 8 times; one from the upper left", COMMAND_RENDER, parse_light},
     {"--model", "NAME", "lambert, phong, blinn-phong or unlit; blinn-phong", COMMAND_RENDER, parse_model},
     {"--shading", "NAME", "where light is evaluated: flat, vertex or fragment; fragment", COMMAND_RENDER,
      parse_shading},

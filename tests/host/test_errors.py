@@ -236,6 +236,8 @@ def test_bad_commands(host):
             (["scene", "teapot", "-o", "x.png", "--animate", "1001"], r"--animate 1001: takes a number of frames, .*"),
             (["scene", "teapot", "-o", "x.png", "--animate", "2", "--frame", "1"],
              r"scene: --frame and --animate exclude each other"),
+            (["scene", "teapot", "-o", "x.png", "--animate", "2", "--stats"],
+             r"scene: --stats and --animate exclude each other"),
             (["scene", "teapot", "-o", "x.png", "--size", "0x1"], r"--size 0x1: takes .*"),
             (["scene", "teapot", "-o", "x.png", "--model", "phong"], r"unknown option --model"),
             (["scene", "teapot", "-o", "x.png", "--arena", "100"], r"--arena 100: this scene takes \d+ bytes, .*"),
