@@ -27,3 +27,13 @@ def test_gallery(host):
     size = os.path.getsize(os.path.join(made, "halloween.apng"))
     host.check("the animation is small", size <= 600000, f"{size} bytes")
     shutil.rmtree(made)
+
+
+def test_readme_picture(host):
+    """The picture in the README is what `make demo` draws."""
+    made = host.path("demo.png")
+    run = subprocess.run([host.program, "demo", "--models", os.path.join(ROOT, "examples", "models"), "-o", made],
+                         capture_output=True, text=True, check=False)
+    host.equal("demo", run.returncode, 0)
+    with open(made, "rb") as new, open(os.path.join(ROOT, "docs", "demo.png"), "rb") as old:
+        host.check("docs/demo.png is up to date (make demo)", new.read() == old.read())
