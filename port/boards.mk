@@ -36,6 +36,7 @@ template_PANEL   := $(lm3s6965evb_PANEL)
 # ---- Programs
 
 PROGRAM_turntable := examples/firmware/turntable_main.c examples/turntable/turntable.c
+PROGRAM_scenes    := examples/firmware/scenes_main.c examples/firmware/shown.c $(wildcard examples/scenes/*.c)
 PROGRAM_minimal   := examples/firmware/minimal.c
 PROGRAM_pattern   := tests/board/pattern.c
 PROGRAM_identity  := tests/board/identity_board.c tests/board/identity.c tests/board/frames.c \
@@ -49,6 +50,8 @@ PROGRAM_unit      := tests/board/unit.c tests/harness.c $(wildcard tests/unit/*.
 FIRMWARE_CFLAGS = -std=c99 $(WARNINGS) -g -ffreestanding -ffunction-sections -fdata-sections -fstack-usage \
     -Isrc -Iport -Iport/libc -Iexamples -Itests -I$(BUILD)/bench -MMD -MP
 FIRMWARE_LDFLAGS = -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings -Llinker
+
+comma := ,
 
 # Levels of optimisation: O0, Os and O2 are the compiler's; `release` is for size, so that a small flash suffices.
 optimise = -$(if $(filter release,$1),Os,$1)
@@ -78,6 +81,8 @@ $(foreach board,$(BOARDS),$(eval $(call firmware_objects,$(board),release)))
 $(foreach board,mps2-an385 mps2-an385-m0,$(foreach level,O0 Os O2,$(eval $(call firmware_objects,$(board),$(level)))))
 
 $(foreach program,turntable minimal pattern unit,$(eval $(call firmware_program,lm3s6965evb,release,$(program))))
+# Vertices lit by lights that have positions take the deepest stack.
+$(eval $(call firmware_program,lm3s6965evb,release,scenes,-Wl$(comma)--defsym=stack_size=4096))
 $(eval $(call firmware_program,microbit,release,unit))
 $(eval $(call firmware_program,template,release,minimal))
 $(foreach board,mps2-an385 mps2-an385-m0,$(foreach level,O0 Os O2,\
