@@ -168,14 +168,6 @@ static int begin_lists(glint_frame *frame) {
     return 1;
 }
 
-void glint_count_arena(glint_frame *frame) {
-    const uint8_t *base = frame->memory.base;
-    const uint8_t *low = (const uint8_t *)(frame->references + frame->reference_count);
-    size_t used = (size_t)(low - base) + (size_t)(base + frame->memory.high - (const uint8_t *)frame->clipped);
-    if (used > frame->stats.arena_used)
-        frame->stats.arena_used = (uint32_t)used;
-}
-
 glint_status glint_bin(glint_frame *frame, int *complete) {
     *complete = 0;
     if (!begin_lists(frame))

@@ -447,7 +447,7 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
 /** Bytes of a workspace. */
 size_t glint_workspace_size(const glint_config *config);
 
-/** Lays a workspace out in `memory`, of glint_workspace_size bytes, aligned to 4. */
+/** Lays a workspace out in `memory`, of glint_workspace_size bytes, aligned as a pointer is. */
 void glint_workspace_init(glint_workspace *workspace, const glint_config *config, void *memory);
 
 /** Begins a frame: checks the scene and prepares camera, lights and materials in the arena, all of which it may use. */

@@ -5,14 +5,6 @@
  */
 #include "frame.h"
 
-void *glint_take(glint_memory *memory, size_t size) {
-    size_t start = GLINT_ALIGNED(memory->low);
-    if (start > memory->high || size > memory->high - start)
-        return 0;
-    memory->low = start + size;
-    return memory->base + start;
-}
-
 static const glint_shading *find_shading(const glint_frame *frame, const glint_material *material) {
     const glint_shading *shading = frame->shading;
     while (shading->material != material)

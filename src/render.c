@@ -2,29 +2,6 @@
 /* Render: every tile of a frame through the flush callback, one sent while the next is drawn. */
 #include "frame.h"
 
-static int is_tile_size(uint16_t size) {
-    return size == 8 || size == 16 || size == 32 || size == 64;
-}
-
-glint_status glint_check_config(glint_config *config) {
-    if (!config->format)
-        return GLINT_ERROR_NULL;
-    if (config->width < 1 || config->width > GLINT_SIZE_MAX || config->height < 1 || config->height > GLINT_SIZE_MAX)
-        return GLINT_ERROR_SIZE;
-    config->tile_width = config->tile_width ? config->tile_width : GLINT_TILE_DEFAULT;
-    config->tile_height = config->tile_height ? config->tile_height : GLINT_TILE_DEFAULT;
-    return is_tile_size(config->tile_width) && is_tile_size(config->tile_height) ? GLINT_OK : GLINT_ERROR_TILE;
-}
-
-/* Bytes of a second tile buffer, to draw into while the first is sent. */
-static size_t buffer_size(const glint_config *config) {
-    return config->flush.wait ? glint_row_bytes(config->format, config->tile_width) * config->tile_height : 0;
-}
-
-size_t glint_tile_buffers_size(const glint_config *config) {
-    return GLINT_ALIGNED(glint_workspace_size(config) + buffer_size(config));
-}
-
 glint_status glint_init(glint_renderer *renderer, const glint_config *config) {
     if (!renderer || !config || !config->flush.begin || !config->arena)
         return GLINT_ERROR_NULL;
@@ -92,7 +69,8 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
     if (status != GLINT_OK)
         return status;
     uint8_t *first = workspace.pixels;
-    sender s = {&config.flush, {first, first + buffer_size(&config)}, 0, 0};
+    uint8_t *second = config.flush.wait ? first + workspace.stride * config.tile_height : first;
+    sender s = {&config.flush, {first, second}, 0, 0};
     status = render_passes(&frame, &workspace, &s);
     if (wait(&s) && status == GLINT_OK)
         status = GLINT_ERROR_FLUSH;

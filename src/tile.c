@@ -5,20 +5,8 @@
 /* Compilers call memset even in freestanding code; here the library does. */
 void *memset(void *bytes, int value, size_t size);
 
-size_t glint_row_bytes(const glint_format *format, uint32_t width) {
-    return ((size_t)width * format->bits + 7) / 8;
-}
-
 static uint32_t tile_pixels(const glint_config *config) {
     return (uint32_t)config->tile_width * config->tile_height;
-}
-
-size_t glint_workspace_size(const glint_config *config) {
-    glint_config full = *config;
-    if (glint_check_config(&full) != GLINT_OK)
-        return 0;
-    return sizeof(glint_fragments) + tile_pixels(&full) * sizeof(uint16_t) +
-           glint_row_bytes(full.format, full.tile_width) * full.tile_height;
 }
 
 void glint_workspace_init(glint_workspace *workspace, const glint_config *config, void *memory) {
