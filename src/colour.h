@@ -6,6 +6,7 @@
 #include "frame.h"
 
 /** Fragment i's colour, 1 = GLINT_COLOUR_ONE, from its planes; off by at most 2 steps. */
-void glint_resolve_colour(const glint_fragments *fragments, uint32_t i, const int32_t plane[3], int16_t out[3]);
+void glint_resolve_colour(const glint_frame *frame, const glint_fragments *fragments, uint32_t i,
+                          const glint_plane planes[3], int16_t out[3]);
 
 #endif

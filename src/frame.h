@@ -163,22 +163,33 @@ typedef struct glint_list {
 
 /* ---- raster and shade: fragments of one triangle, or vertices to be lit ---- */
 
+/** A linear function of the pixel: value at the anchor, change per pixel in x and y. */
+typedef struct glint_plane {
+    int32_t start, dx, dy;
+} glint_plane;
+
+/** Depth, and up to two triples: a normal over w or a lit colour, and the surface's own colour. */
+typedef struct glint_attributes {
+    glint_plane depth, main[3], extra[3];
+    uint8_t has_main, has_extra;
+    int32_t anchor_x, anchor_y; /* pixel */
+} glint_attributes;
+
 typedef struct glint_fragments {
     uint32_t count;
-    int32_t tile_x, tile_y;               /* of the tile's first pixel on the screen */
-    int32_t tile_width, tile_height;      /* of what the screen shows of it */
-    uint32_t scale;                       /* attributes are interpolated over w 2^scale */
-    const int16_t *facet;                 /* the triangle's colour */
+    int32_t tile_x, tile_y;          /* of the tile's first pixel on the screen */
+    int32_t tile_width, tile_height; /* of what the screen shows of it */
+    uint32_t scale;                  /* attributes are interpolated over w 2^scale */
+    const int16_t *facet;            /* the triangle's colour */
+    const glint_attributes *attributes;
     uint16_t offset[GLINT_FRAGMENTS_MAX]; /* pixel in the tile */
     int32_t inverse_w[GLINT_FRAGMENTS_MAX];
-    int32_t attribute[GLINT_FRAGMENTS_MAX][3]; /* interpolated, any length */
-    int32_t extra[GLINT_FRAGMENTS_MAX][3];     /* interpolated surface colour */
-    int32_t ray[GLINT_FRAGMENTS_MAX][3];       /* towards the eye: minus the position times 1/w, Q12 */
-    int16_t normal[GLINT_FRAGMENTS_MAX][3];    /* unit */
-    int16_t view[GLINT_FRAGMENTS_MAX][3];      /* unit, towards the eye */
-    int16_t light[GLINT_FRAGMENTS_MAX][3];     /* unit, towards a light that has a position */
-    uint16_t strength[GLINT_FRAGMENTS_MAX];    /* of that light, Q15 */
-    int16_t surface[GLINT_FRAGMENTS_MAX][3];   /* colours of their own */
+    int32_t ray[GLINT_FRAGMENTS_MAX][3];     /* towards the eye: minus the position times 1/w, Q12 */
+    int16_t normal[GLINT_FRAGMENTS_MAX][3];  /* unit */
+    int16_t view[GLINT_FRAGMENTS_MAX][3];    /* unit, towards the eye */
+    int16_t light[GLINT_FRAGMENTS_MAX][3];   /* unit, towards a light that has a position */
+    uint16_t strength[GLINT_FRAGMENTS_MAX];  /* of that light, Q15 */
+    int16_t surface[GLINT_FRAGMENTS_MAX][3]; /* colours of their own */
     uint32_t colour[GLINT_FRAGMENTS_MAX][3];
 } glint_fragments;
 
@@ -341,6 +352,7 @@ typedef struct glint_triangle {
     const glint_vertex *corners[3];
     const int16_t *extra[3]; /* where the draw has extra attributes */
     const int16_t *facet;    /* its colour, where the draw is lit by facet */
+    const glint_attributes *attributes;
 } glint_triangle;
 
 /** Draws a triangle's part of a tile. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Lighting at every fragment, with the normal interpolated and made unit (Phong, 1975). */
 #include "colour.h"
+#include "setup.h"
 
 /* Against the ray through the pixel's centre, in half pixels, Q12. */
 static void find_rays(const glint_frame *frame, glint_fragments *fragments) {
@@ -14,15 +15,23 @@ static void find_rays(const glint_frame *frame, glint_fragments *fragments) {
     }
 }
 
+/* Unit normals, and the surface's own colours. */
+static void find_surface(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw) {
+    const glint_attributes *a = fragments->attributes;
+    for (uint32_t i = 0; i < fragments->count; i++) {
+        int32_t x, y;
+        glint_fragment_place(frame, fragments, i, &x, &y);
+        glint_unit_inline(glint_plane_at(&a->main[0], x, y), glint_plane_at(&a->main[1], x, y),
+                          glint_plane_at(&a->main[2], x, y), fragments->normal[i]);
+        if (draw->extra)
+            glint_resolve_colour(frame, fragments, i, a->extra, fragments->surface[i]);
+    }
+}
+
 static void shade(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw) {
     if (glint_needs_rays(frame->view, draw->shading))
         find_rays(frame, fragments);
-    for (uint32_t i = 0; i < fragments->count; i++) {
-        const int32_t *n = fragments->attribute[i];
-        glint_unit_inline(n[0], n[1], n[2], fragments->normal[i]);
-        if (draw->extra)
-            glint_resolve_colour(fragments, i, fragments->extra[i], fragments->surface[i]);
-    }
+    find_surface(frame, fragments, draw);
     glint_light_all(frame, fragments, draw->shading, draw->extra != 0);
 }
 

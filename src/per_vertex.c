@@ -43,11 +43,10 @@ static void light_vertices(const glint_frame *frame, glint_draw *draw, const gli
 }
 
 static void shade(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw) {
-    (void)frame;
     (void)draw;
     for (uint32_t i = 0; i < fragments->count; i++) {
         int16_t colour[3];
-        glint_resolve_colour(fragments, i, fragments->attribute[i], colour);
+        glint_resolve_colour(frame, fragments, i, fragments->attributes->main, colour);
         for (int c = 0; c < 3; c++) /* 32767 stands for 1 */
             fragments->colour[i][c] = ((uint32_t)colour[c] << 8) + ((uint32_t)colour[c] >> 7);
     }

@@ -43,62 +43,29 @@ static void edge_step(edge *e) {
     }
 }
 
-static int32_t plane_at(const glint_plane *p, int32_t x, int32_t y) {
-    return glint_add_wrap(p->start, glint_add_wrap(glint_multiply_wrap(p->dx, x), glint_multiply_wrap(p->dy, y)));
-}
-
 /* The farthest surfaces still count as nearer than nothing: depth 1. */
 static int32_t depth_of(int32_t inverse_w) {
     return glint_shift_right(inverse_w, 15) + 1;
-}
-
-static void planes_at(const glint_plane planes[3], int32_t x, int32_t y, int32_t value[3]) {
-    for (int c = 0; c < 3; c++)
-        value[c] = plane_at(&planes[c], x, y);
-}
-
-static void step(const glint_plane planes[3], int32_t value[3]) {
-    value[0] = glint_add_wrap(value[0], planes[0].dx);
-    value[1] = glint_add_wrap(value[1], planes[1].dx);
-    value[2] = glint_add_wrap(value[2], planes[2].dx);
-}
-
-static void copy(int32_t to[3], const int32_t from[3]) {
-    to[0] = from[0];
-    to[1] = from[1];
-    to[2] = from[2];
 }
 
 /* Fragments of one row, from column `left` to before `right`. */
 static void row(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw, const glint_attributes *a,
                 int32_t left, int32_t right, int32_t y) {
     glint_fragments *fragments = workspace->fragments;
-    const int32_t from_x = left - a->anchor_x, from_y = y - a->anchor_y;
-    int32_t inverse_w = plane_at(&a->depth, from_x, from_y), main[3], extra[3];
-    if (a->has_main)
-        planes_at(a->main, from_x, from_y, main);
-    if (a->has_extra)
-        planes_at(a->extra, from_x, from_y, extra);
+    int32_t inverse_w = glint_plane_at(&a->depth, left - a->anchor_x, y - a->anchor_y);
     uint32_t offset = ((uint32_t)(y - fragments->tile_y) << frame->tile_shift_x) + (uint32_t)(left - fragments->tile_x);
-    for (; left < right; left++, offset++) {
+    const uint32_t end = offset + (uint32_t)(right - left);
+    for (; offset < end; offset++) {
         int32_t depth = depth_of(inverse_w);
         if (depth > workspace->depth[offset]) {
             workspace->depth[offset] = (uint16_t)depth;
             uint32_t i = fragments->count++;
             fragments->offset[i] = (uint16_t)offset;
             fragments->inverse_w[i] = inverse_w;
-            if (a->has_main)
-                copy(fragments->attribute[i], main);
-            if (a->has_extra)
-                copy(fragments->extra[i], extra);
             if (i == GLINT_FRAGMENTS_MAX - 1)
                 glint_shade(frame, workspace, draw);
         }
         inverse_w = glint_add_wrap(inverse_w, a->depth.dx);
-        if (a->has_main)
-            step(a->main, main);
-        if (a->has_extra)
-            step(a->extra, extra);
     }
 }
 

@@ -73,6 +73,7 @@ void glint_setup(glint_attributes *a, glint_fragments *fragments, const glint_dr
     a->has_main = draw->evaluation->planes != 0;
     a->has_extra = a->has_main && draw->extra && !draw->evaluation->lit;
     fragments->facet = t->facet;
+    fragments->attributes = a;
     if (!a->has_main)
         return;
     const int lit = draw->evaluation->lit;
