@@ -16,7 +16,7 @@
 #define GLINT_TILE_DEFAULT 32
 
 /** Fragments shaded together. */
-#define GLINT_FRAGMENTS_MAX 16
+#define GLINT_FRAGMENTS_MAX 8
 
 /** Intervals of a power table, and bits of the position within one that are used. */
 #define GLINT_POWER_TABLE_BITS 7

@@ -161,8 +161,10 @@ typedef struct glint_light_type glint_light_type;
 /** Light from infinitely far: `vector` points towards it, of any length but 0. */
 extern const glint_light_type glint_light_directional;
 
-/** Light from the point `vector`, weaker with its distance d: 1 / (1 + linear d + quadratic d^2). Adds nothing at d =
- * 0. */
+/**
+ * Light from the point `vector`, weaker with its distance d: 1 / (1 + linear d + quadratic d^2). Adds nothing at d = 0,
+ * that is, nearer than about 1/32768 of the way to the eye.
+ */
 extern const glint_light_type glint_light_point;
 
 /** A point light along `axis`: full up to `inner` degrees from it, none from `outer` on, a smooth step between. */

@@ -37,7 +37,7 @@ void glint_point_place(const glint_light *light, glint_prepared_light *prepared,
 }
 
 /* x 2^shift, as far as it fits; x below 2^47. */
-static uint64_t scale(uint64_t x, int shift) {
+static uint64_t shifted(uint64_t x, int shift) {
     return shift >= 0 ? (shift < 16 ? x << shift : x << 16) : shift > -64 ? x >> -shift : 0;
 }
 
@@ -47,41 +47,67 @@ static uint32_t attenuate(const glint_prepared_light *light, uint32_t inverse_w,
     exponent -= light->point.distance_shift;
     int size_a = (int)glint_bits64(inverse_w), size_b = (int)glint_bits64(product) + exponent;
     int top = (size_a > size_b ? size_a : size_b) - 15; /* bring the larger to 15 bits: d = b / a */
-    uint64_t a = scale(inverse_w, -top) | (size_a - top < 1), b = scale(product, exponent - top);
+    uint64_t a = shifted(inverse_w, -top) | (size_a - top < 1), b = shifted(product, exponent - top);
     uint64_t one = a * a << 16;
     uint64_t sum = one + a * b * (uint32_t)light->point.linear + b * b * (uint32_t)light->point.quadratic;
     int down = (int)glint_bits64(sum) - 31;
-    sum = scale(sum, -down);
-    one = scale(one, -down);
+    sum = shifted(sum, -down);
+    one = shifted(one, -down);
     uint32_t divisor = (uint32_t)(sum >> 15);
     uint32_t result = divisor ? (uint32_t)one / divisor : 0;
     return result > 1u << 15 ? 1u << 15 : result;
+}
+
+/* Is the light so near, next to the eye, that rounding alone tells where? */
+static int is_at_light(const int64_t towards[3], const int32_t ray[3]) {
+    unsigned distance =
+        glint_bits64(glint_magnitude64(towards[0]) | glint_magnitude64(towards[1]) | glint_magnitude64(towards[2]));
+    unsigned to_eye = 32 - glint_leading_zeros(glint_magnitude_bits(ray[0]) | glint_magnitude_bits(ray[1]) |
+                                               glint_magnitude_bits(ray[2]));
+    return distance + 15 <= to_eye;
+}
+
+/* From fragment i towards the light, its length in the ray's units times 2^scale. @return scale. */
+static int find_direction(const glint_prepared_light *light, const glint_fragments *fragments, uint32_t i,
+                          int64_t towards[3]) {
+    const int shift = light->point.shift; /* below 0 only for lights far beyond all that is drawn */
+    for (int c = 0; c < 3; c++) {
+        int64_t position = (int64_t)light->point.mantissa[c] * fragments->inverse_w[i];
+        int32_t ray = fragments->ray[i][c];
+        if (shift >= 0)
+            towards[c] = glint_shift_right64(position, shift < 63 ? (unsigned)shift : 63u) + ray;
+        else
+            towards[c] = position + (shift > -31 ? glint_shift_right(ray, (unsigned)-shift) : 0);
+    }
+    return shift < 0 ? shift : 0;
+}
+
+/* Length of a vector of 30 bits, as a number of 16 bits times 2^exponent. */
+static uint32_t find_length(const int32_t in[3], int *exponent) {
+    int32_t v[3];
+    unsigned zeros =
+        glint_leading_zeros(glint_magnitude_bits(in[0]) | glint_magnitude_bits(in[1]) | glint_magnitude_bits(in[2]));
+    int down = 17 - (int)zeros;
+    for (int c = 0; c < 3; c++)
+        v[c] = down > 0 ? glint_shift_right(in[c], (unsigned)down) : glint_shift_left(in[c], (unsigned)-down);
+    uint32_t square = (uint32_t)(v[0] * v[0]) + (uint32_t)(v[1] * v[1]) + (uint32_t)(v[2] * v[2]);
+    *exponent += down;
+    return (uint32_t)(((uint64_t)square * (uint32_t)glint_inverse_root(square)) >> 30);
 }
 
 void glint_point_illuminate(const glint_prepared_light *light, glint_fragments *fragments) {
     for (uint32_t i = 0; i < fragments->count; i++) {
         int64_t towards[3];
         int32_t v[3];
-        int shift = light->point.shift;
-        for (int c = 0; c < 3; c++) {
-            int64_t position = (int64_t)light->point.mantissa[c] * fragments->inverse_w[i];
-            towards[c] = shift >= 0
-                             ? glint_shift_right64(position, shift < 63 ? (unsigned)shift : 63u) + fragments->ray[i][c]
-                             : position + (shift > -31 ? glint_shift_right(fragments->ray[i][c], (unsigned)-shift) : 0);
-        }
-        int exponent = (int)glint_reduce(towards, v) - (shift < 0 ? shift : 0);
-        fragments->strength[i] = 0;
-        unsigned zeros =
-            glint_leading_zeros(glint_magnitude_bits(v[0]) | glint_magnitude_bits(v[1]) | glint_magnitude_bits(v[2]));
+        int scale = find_direction(light, fragments, i, towards);
+        int exponent = (int)glint_reduce(towards, v) - scale;
         glint_unit(v[0], v[1], v[2], fragments->light[i]);
-        if ((v[0] | v[1] | v[2]) == 0)
-            continue;               /* the light is at the fragment */
-        int down = 17 - (int)zeros; /* to 15 bits, for the length */
-        for (int c = 0; c < 3; c++)
-            v[c] = down > 0 ? glint_shift_right(v[c], (unsigned)down) : glint_shift_left(v[c], (unsigned)-down);
-        uint32_t square = (uint32_t)(v[0] * v[0]) + (uint32_t)(v[1] * v[1]) + (uint32_t)(v[2] * v[2]);
-        uint32_t length = (uint32_t)(((uint64_t)square * (uint32_t)glint_inverse_root(square)) >> 30);
-        fragments->strength[i] = (uint16_t)attenuate(light, (uint32_t)fragments->inverse_w[i], length, exponent + down);
+        if (is_at_light(towards, fragments->ray[i])) {
+            fragments->strength[i] = 0;
+            continue;
+        }
+        uint32_t length = find_length(v, &exponent);
+        fragments->strength[i] = (uint16_t)attenuate(light, (uint32_t)fragments->inverse_w[i], length, exponent);
     }
 }
 

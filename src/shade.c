@@ -25,20 +25,16 @@ static void set_colours(glint_fragments *fragments, uint32_t red, uint32_t green
     }
 }
 
-/* Ambient light of a fragment's channel. */
-static uint32_t ambient_of(const glint_shading *shading, const glint_fragments *fragments, uint32_t i, int c,
-                           int has_surface) {
-    uint32_t ambient = shading->ambient[c];
-    return has_surface ? (uint32_t)((uint64_t)ambient * ((uint32_t)fragments->surface[i][c] + 1) >> 15) : ambient;
-}
-
 /* The larger of each colour and its ambient light: what is 0 becomes ambient light. */
 static void raise_to_ambient(const glint_shading *shading, glint_fragments *fragments, int has_surface) {
-    for (uint32_t i = 0; i < fragments->count; i++) {
+    const int16_t *surface = fragments->surface[0];
+    uint32_t *colour = fragments->colour[0];
+    for (uint32_t i = 0; i < fragments->count; i++, surface += 3, colour += 3) {
         for (int c = 0; c < 3; c++) {
-            uint32_t ambient = ambient_of(shading, fragments, i, c, has_surface);
-            if (fragments->colour[i][c] < ambient)
-                fragments->colour[i][c] = ambient;
+            uint32_t ambient = shading->ambient[c];
+            if (has_surface)
+                ambient = (uint32_t)((uint64_t)ambient * ((uint32_t)surface[c] + 1) >> 15);
+            colour[c] = colour[c] < ambient ? ambient : colour[c];
         }
     }
 }
