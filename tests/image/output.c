@@ -92,12 +92,12 @@ static void blocks_mean_their_colour(void) {
 /* ---- Dithered images ----------------------------------------------------------------------------------------- */
 
 /* Bayer, 1973: each quarter of the matrix is the one of half its size, times 4, plus 0, 2, 3 or 1. */
-static int bayer(int x, int y, int size) {
-    if (size == 1)
-        return 0;
-    int half = size / 2;
-    int quarter = x / half == y / half ? (x / half ? 1 : 0) : x / half ? 2 : 3;
-    return 4 * bayer(x % half, y % half, half) + quarter;
+static int bayer(int x, int y) {
+    static const int quarters[2][2] = {{0, 2}, {3, 1}};
+    int value = 0;
+    for (int half = 1; half < 8; half *= 2) /* the smallest quarter weighs most */
+        value = 4 * value + quarters[y / half % 2][x / half % 2];
+    return value;
 }
 
 /*
@@ -112,7 +112,7 @@ static int count_misplaced(const picture *coarse, const picture *fine) {
         for (int channel = 0; channel < 3; channel++) {
             double value = picture_level(fine, x, y, channel) / 255.0 * picture_level_max(coarse->format, channel);
             double slack = 0.6 / 255 * picture_level_max(coarse->format, channel);
-            double threshold = (2 * bayer(x % 8, y % 8, 8) + 1) / 128.0;
+            double threshold = (2 * bayer(x, y) + 1) / 128.0;
             int level = picture_level(coarse, x, y, channel);
             misplaced += level < (int)floor(value + threshold - slack) || level > (int)floor(value + threshold + slack);
         }
