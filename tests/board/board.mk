@@ -32,12 +32,12 @@ IDENTITY_LEVELS := O0 Os O2
 IDENTITY_CORES  := mps2-an385 mps2-an385-m0
 IDENTITY_ELF    := $(foreach core,$(IDENTITY_CORES),$(foreach level,$(IDENTITY_LEVELS),$(BUILD)/$(core)/$(level)/identity.elf))
 IDENTITY_HOST   := $(foreach compiler,gcc clang,$(foreach level,$(IDENTITY_LEVELS),$(BUILD)/identity/$(compiler)-$(level)))
-$(BUILD)/identity/%: tests/board/identity_host.c tests/board/identity.c tests/board/frames.c tests/board/frames.h \
-        $(wildcard src/*) $(wildcard examples/turntable/* examples/meshes/*)
+IDENTITY_SOURCES := tests/board/identity_host.c tests/board/identity.c tests/board/frames.c \
+    examples/turntable/turntable.c $(EXAMPLE_SCENES)
+$(BUILD)/identity/%: $(IDENTITY_SOURCES) tests/board/frames.h $(EXAMPLE_DATA) $(wildcard src/*)
 	@mkdir -p $(@D)
 	$(Q)$(firstword $(subst -, ,$*)) -std=c99 $(WARNINGS) -$(lastword $(subst -, ,$*)) -Isrc -Iport -Iexamples \
-	    tests/board/identity_host.c tests/board/identity.c tests/board/frames.c examples/turntable/turntable.c \
-	    $(LIBRARY) -o $@
+	    $(IDENTITY_SOURCES) $(LIBRARY) -o $@
 
 test-board-identity: $(IDENTITY_ELF) $(IDENTITY_HOST) ## the same bits from every core and compiler
 	@python3 tests/board/identity.py --qemu $(QEMU) --machine mps2-an385 \

@@ -26,7 +26,7 @@ typedef struct judgement {
     long spilled;        /**< Not covered by the reference and not the background's colour. */
     long close;          /**< The two nearest surfaces are less than 2 depth steps apart: left out of the bounds. */
     long gated;    /**< The colour jumps where a light's |N.L| is 0, or at the edge of a cone, and a cosine is within
-                        2^-14 of that, or a light is nearer than 2^-15: rounding decides. */
+                        2^-14 of that, or a light touches the surface: rounding decides. */
     long judged;   /**< Covered by both and not close. */
     long over_one; /**< Judged and more than 1 step from the rounded reference. */
     long over_two; /**< Judged and more than 2. */

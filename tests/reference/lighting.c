@@ -77,8 +77,8 @@ static double cone(const glint_light *light, const double axis[3], const double 
     return t * t * (3 - 2 * t);
 }
 
-/* Two steps of a coordinate: a light so near lies in a direction that rounding decides. */
-#define TOUCHING (2.0 / 65536)
+/* Parts of the way to the eye: a light about as near as the 1/32768 below which it is to add nothing. */
+#define TOUCHING (1.0 / 8192)
 
 /* Direction to a light, unit. @return how much of it arrives. */
 static double illuminate(const glint_light *light, const reference_lights *lights, uint32_t index,
@@ -88,7 +88,7 @@ static double illuminate(const glint_light *light, const reference_lights *light
     double distance = reference_normalise(towards);
     if (!has_position(light))
         return 1;
-    if (distance < TOUCHING)
+    if (distance < TOUCHING * sqrt(reference_dot(place, place)))
         *grazing = 0;
     if (distance == 0)
         return 0;

@@ -193,31 +193,33 @@ void light_on_a_facing_square(void) {
     CHECK_AT_MOST(worst_difference(f, unlit), 1);
 }
 
-/*
- * At a triangle's centroid, where its facet is lit, without gate and with p = 0: any light from there would be seen.
- * The same a little above.
- */
-void light_at_no_distance_adds_nothing(void) {
+/* A triangle around (0, 0, -depth), lit at its centroid, without gate and with p = 0: any light would be seen. */
+static int red_of_facet(int depth, int light_above) {
     static const int16_t positions[3][3] = {{-30000, 0, 15000}, {30000, 0, 15000}, {0, 0, -30000}};
     static const uint16_t triangle[1][3] = {{0, 1, 2}};
-    for (int above = 0; above < 2; above++) {
-        fixture *f = begin_square();
-        f->floor.positions = positions;
-        f->floor.triangles = triangle;
-        f->floor.vertex_count = 3;
-        f->floor.triangle_count = 1;
-        f->objects[0].evaluation = &glint_per_facet;
-        f->lights[0].type = &glint_light_point;
-        f->lights[0].vector.x = f->lights[0].vector.y = 0;
-        f->lights[0].vector.z = (above - 8) * GLINT_ONE;
-        f->objects[0].pose.m[2][3] = -8 * GLINT_ONE;
-        f->materials[0].ambient.r = f->materials[0].ambient.g = f->materials[0].ambient.b = GLINT_ONE / 5;
-        f->materials[0].specular.r = GLINT_ONE;
-        f->materials[0].shininess = 0;
-        f->materials[0].flags = GLINT_MATERIAL_UNGATED;
-        CHECK_EQUAL(fixture_render(f), GLINT_OK);
-        const uint8_t *middle = fixture_row(f, f->config.height / 2) + 3 * (f->config.width / 2);
-        CHECK_EQUAL(middle[0], above ? 255 : 51);
+    fixture *f = begin_square();
+    f->floor.positions = positions;
+    f->floor.triangles = triangle;
+    f->floor.vertex_count = 3;
+    f->floor.triangle_count = 1;
+    f->objects[0].evaluation = &glint_per_facet;
+    f->objects[0].pose.m[2][3] = -depth * GLINT_ONE;
+    f->lights[0].type = &glint_light_point;
+    f->lights[0].vector.x = f->lights[0].vector.y = 0;
+    f->lights[0].vector.z = (light_above - depth) * GLINT_ONE;
+    f->materials[0].ambient.r = f->materials[0].ambient.g = f->materials[0].ambient.b = GLINT_ONE / 5;
+    f->materials[0].specular.r = GLINT_ONE;
+    f->materials[0].shininess = 0;
+    f->materials[0].flags = GLINT_MATERIAL_UNGATED;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    return fixture_row(f, f->config.height / 2)[3 * (f->config.width / 2)];
+}
+
+/* At depths that fixed point holds exactly and at others. */
+void light_at_no_distance_adds_nothing(void) {
+    for (int depth = 4; depth <= 12; depth++) {
+        CHECK_EQUAL(red_of_facet(depth, 0), 51);
+        CHECK_EQUAL(red_of_facet(depth, 1), 255);
     }
 }
 
