@@ -40,7 +40,7 @@ PROGRAM_scenes    := examples/firmware/scenes_main.c examples/firmware/shown.c $
 PROGRAM_minimal   := examples/firmware/minimal.c
 PROGRAM_pattern   := tests/board/pattern.c
 PROGRAM_identity  := tests/board/identity_board.c tests/board/identity.c tests/board/frames.c \
-    examples/turntable/turntable.c
+    examples/turntable/turntable.c $(wildcard examples/scenes/*.c)
 PROGRAM_frames    := tools/bench/frames.c
 PROGRAM_unit      := tests/board/unit.c tests/harness.c $(wildcard tests/unit/*.c)
 
@@ -80,10 +80,11 @@ endef
 $(foreach board,$(BOARDS),$(eval $(call firmware_objects,$(board),release)))
 $(foreach board,mps2-an385 mps2-an385-m0,$(foreach level,O0 Os O2,$(eval $(call firmware_objects,$(board),$(level)))))
 
-$(foreach program,turntable minimal pattern unit,$(eval $(call firmware_program,lm3s6965evb,release,$(program))))
+$(foreach program,turntable minimal pattern,$(eval $(call firmware_program,lm3s6965evb,release,$(program))))
 # Vertices lit by lights that have positions take the deepest stack.
 $(eval $(call firmware_program,lm3s6965evb,release,scenes,-Wl$(comma)--defsym=stack_size=4096))
-$(eval $(call firmware_program,microbit,release,unit))
+$(foreach board,lm3s6965evb microbit,\
+    $(eval $(call firmware_program,$(board),release,unit,-Wl$(comma)--defsym=stack_size=3584)))
 $(eval $(call firmware_program,template,release,minimal))
 $(foreach board,mps2-an385 mps2-an385-m0,$(foreach level,O0 Os O2,\
     $(eval $(call firmware_program,$(board),$(level),identity))))
