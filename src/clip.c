@@ -28,11 +28,9 @@ static int32_t mix(int32_t a, int32_t b, int64_t t) {
     return a + (int32_t)glint_round_shift64(((int64_t)b - a) * t, 31);
 }
 
-/* inside and outside: distances, inside >= 0 > outside; both below 2^32. */
+/* inside and outside: distances, inside >= 0 > outside; both at most 2^31 away from 0. */
 static void cut(const glint_corner *from, const glint_corner *to, int64_t inside, int64_t outside, glint_corner *out) {
-    uint64_t whole = (uint64_t)(inside - outside);
-    unsigned bits = glint_bits64(whole), down = bits > 32 ? bits - 32 : 0;
-    int64_t t = (int64_t)((((uint64_t)inside >> down) << 31) / (whole >> down));
+    const int64_t t = inside * ((int64_t)1 << 31) / (inside - outside);
     out->position.x = mix(from->position.x, to->position.x, t);
     out->position.y = mix(from->position.y, to->position.y, t);
     out->position.w = mix(from->position.w, to->position.w, t);

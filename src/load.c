@@ -86,7 +86,7 @@ static void transform_vertex(glint_frame *frame, glint_draw *draw, const glint_t
                              uint32_t slot) {
     const glint_mesh *mesh = frame->scene->objects[draw->object].mesh;
     glint_transform_vertex(transform, mesh, index, &draw->vertices[slot], draw->positions ? &draw->positions[slot] : 0);
-    if (has_colours(mesh))
+    if (draw->extra && has_colours(mesh))
         load_colour(mesh, index, draw->extra[slot]);
     frame->stats.vertices++;
 }

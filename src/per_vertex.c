@@ -20,25 +20,33 @@ static void gather(const glint_frame *frame, const glint_draw *draw, const glint
     }
 }
 
+/* Colours of some vertices, seen from the front or the back. @return how many. */
+static uint32_t light_some(const glint_frame *frame, const glint_draw *draw, const glint_transform *transform,
+                           uint32_t first, int back, int has_surface, int16_t colour[GLINT_FRAGMENTS_MAX][3]) {
+    glint_fragments vertices;
+    gather(frame, draw, transform, first, back, &vertices);
+    glint_light_all(frame, &vertices, draw->shading, has_surface);
+    for (uint32_t i = 0; i < vertices.count; i++)
+        glint_clamp_colour(vertices.colour[i], colour[i]);
+    return vertices.count;
+}
+
 static void light_vertices(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
                            const glint_mesh *mesh) {
-    glint_fragments vertices;
-    int16_t front[GLINT_FRAGMENTS_MAX][3];
     const int has_surface = mesh->colours || mesh->colours565;
-    for (uint32_t first = 0; first < draw->vertex_count; first += vertices.count) {
-        gather(frame, draw, transform, first, 0, &vertices);
-        glint_light_all(frame, &vertices, draw->shading, has_surface);
-        for (uint32_t i = 0; i < vertices.count; i++)
-            glint_clamp_colour(vertices.colour[i], front[i]);
-        if (draw->double_sided) {
-            gather(frame, draw, transform, first, 1, &vertices);
-            glint_light_all(frame, &vertices, draw->shading, has_surface);
-            for (uint32_t i = 0; i < vertices.count; i++)
-                glint_clamp_colour(vertices.colour[i], draw->extra[first + i]);
-        }
-        for (uint32_t i = 0; i < vertices.count; i++)
-            for (int c = 0; c < 3; c++)
+    uint32_t count;
+    for (uint32_t first = 0; first < draw->vertex_count; first += count) {
+        int16_t front[GLINT_FRAGMENTS_MAX][3] = {{0}}, back[GLINT_FRAGMENTS_MAX][3] = {{0}};
+        count = light_some(frame, draw, transform, first, 0, has_surface, front);
+        if (draw->double_sided)
+            light_some(frame, draw, transform, first, 1, has_surface, back);
+        for (uint32_t i = 0; i < count; i++) {
+            for (int c = 0; c < 3; c++) {
                 draw->vertices[first + i].attribute[c] = front[i][c];
+                if (draw->double_sided)
+                    draw->extra[first + i][c] = back[i][c];
+            }
+        }
     }
 }
 

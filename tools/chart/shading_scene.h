@@ -23,7 +23,8 @@ static const uint16_t shading_sizes[][2] = {{12, 6}, {16, 8}, {24, 12}, {32, 16}
 static const struct {
     const char *name;
     const glint_evaluation *evaluation;
-} shading_evaluations[] = {{"facet", &glint_per_facet}, {"vertex", &glint_per_vertex}, {"fragment", &glint_per_fragment}};
+} shading_evaluations[] = {
+    {"facet", &glint_per_facet}, {"vertex", &glint_per_vertex}, {"fragment", &glint_per_fragment}};
 #define SHADING_EVALUATIONS (sizeof shading_evaluations / sizeof *shading_evaluations)
 
 typedef struct shading_scene {
