@@ -36,23 +36,25 @@ template_PANEL   := $(lm3s6965evb_PANEL)
 # ---- Programs
 
 PROGRAM_turntable := examples/firmware/turntable_main.c examples/turntable/turntable.c
+PROGRAM_scenes    := examples/firmware/scenes_main.c examples/firmware/shown.c $(wildcard examples/scenes/*.c)
 PROGRAM_minimal   := examples/firmware/minimal.c
 PROGRAM_pattern   := tests/board/pattern.c
 PROGRAM_identity  := tests/board/identity_board.c tests/board/identity.c tests/board/frames.c \
-    examples/turntable/turntable.c
+    examples/turntable/turntable.c $(wildcard examples/scenes/*.c)
+PROGRAM_frames    := tools/bench/frames.c
 PROGRAM_unit      := tests/board/unit.c tests/harness.c $(wildcard tests/unit/*.c)
 
 # ---- The pattern
 
 # Freestanding and without a C library: memcpy and its like are in port/libc, 64-bit division in libgcc.
 FIRMWARE_CFLAGS = -std=c99 $(WARNINGS) -g -ffreestanding -ffunction-sections -fdata-sections -fstack-usage \
-    -Isrc -Iport -Iport/libc -Iexamples -Itests -MMD -MP
+    -Isrc -Iport -Iport/libc -Iexamples -Itests -I$(BUILD)/bench -MMD -MP
 FIRMWARE_LDFLAGS = -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings -Llinker
 
-# Levels of optimisation: O0, Os and O2 are the compiler's; in `release` what runs once a pixel, a triangle or a row is
-# compiled for speed and the rest for size.
-HOT_release := src/raster.c src/shade.c src/tile.c $(wildcard src/pixel_*.c)
-optimise = $(if $(filter release,$1),$(if $(filter $(HOT_release),$2),-O2,-Os),-$1)
+comma := ,
+
+# Levels of optimisation: O0, Os and O2 are the compiler's; `release` is for size, so that a small flash suffices.
+optimise = -$(if $(filter release,$1),Os,$1)
 
 # $(call firmware_objects,board,level): objects and library of one board
 define firmware_objects
@@ -78,11 +80,15 @@ endef
 $(foreach board,$(BOARDS),$(eval $(call firmware_objects,$(board),release)))
 $(foreach board,mps2-an385 mps2-an385-m0,$(foreach level,O0 Os O2,$(eval $(call firmware_objects,$(board),$(level)))))
 
-$(foreach program,turntable minimal pattern unit,$(eval $(call firmware_program,lm3s6965evb,release,$(program))))
-$(eval $(call firmware_program,microbit,release,unit))
+$(foreach program,turntable minimal pattern,$(eval $(call firmware_program,lm3s6965evb,release,$(program))))
+# Vertices lit by lights that have positions take the deepest stack.
+$(eval $(call firmware_program,lm3s6965evb,release,scenes,-Wl$(comma)--defsym=stack_size=4096))
+$(foreach board,lm3s6965evb microbit,\
+    $(eval $(call firmware_program,$(board),release,unit,-Wl$(comma)--defsym=stack_size=3584)))
 $(eval $(call firmware_program,template,release,minimal))
 $(foreach board,mps2-an385 mps2-an385-m0,$(foreach level,O0 Os O2,\
     $(eval $(call firmware_program,$(board),$(level),identity))))
+$(foreach board,mps2-an385 mps2-an385-m0,$(eval $(call firmware_program,$(board),O2,frames)))
 
 -include $(wildcard $(foreach board,$(BOARDS),$(BUILD)/$(board)/*/*/*.d $(BUILD)/$(board)/*/*/*/*.d))
 
@@ -90,4 +96,4 @@ $(foreach board,mps2-an385 mps2-an385-m0,$(foreach level,O0 Os O2,\
 boards: $(FIRMWARE) ## build the firmware of every board; prints flash, RAM and stack
 	@cat $(FIRMWARE:.elf=.size)
 
-include tests/board/board.mk tests/freestanding/freestanding.mk
+include tests/board/board.mk tests/freestanding/freestanding.mk tools/bench/bench.mk

@@ -72,47 +72,84 @@ static int has_room_for_clipped(const glint_frame *frame) {
            (uint32_t)(top - frame->clipped) + most_made <= GLINT_CLIPPED_TOP - GLINT_TRIANGLES_MAX;
 }
 
-/* Clips a triangle and lists the fan that is left of it. */
-static int list_clipped(glint_frame *frame, const glint_draw *draw, const glint_transform *transform,
-                        const glint_vertex *const v[3], const uint16_t *indices) {
-    const glint_position *const positions[3] = {&draw->positions[indices[0]], &draw->positions[indices[1]],
-                                                &draw->positions[indices[2]]};
-    glint_vertex fan[GLINT_CLIP_CORNERS];
-    int corners = glint_clip(transform, v, positions, fan);
+/* Corners of a triangle of a draw, as clipping takes them. */
+static void gather_corners(const glint_draw *draw, const uint16_t *indices, glint_corner corners[3]) {
+    for (int i = 0; i < 3; i++) {
+        corners[i].position = draw->positions[indices[i]];
+        for (int c = 0; c < 3; c++) {
+            corners[i].attribute[c] = draw->vertices[indices[i]].attribute[c];
+            corners[i].attribute[3 + c] = draw->extra ? draw->extra[indices[i]][c] : 0;
+        }
+    }
+}
+
+static void finish_corner(const glint_transform *transform, const glint_corner *corner, glint_vertex *vertex) {
+    glint_project(transform, &corner->position, vertex);
+    for (int c = 0; c < 3; c++)
+        vertex->attribute[c] = (int16_t)corner->attribute[c];
+    vertex->flags = 0;
+}
+
+/* Keeps a part of a clipped triangle and lists it. */
+static int keep_part(glint_frame *frame, const glint_draw *draw, uint32_t triangle, const glint_vertex *const v[3],
+                     const glint_corner *const corners[3], const glint_range *range) {
     const glint_clipped *top = (const glint_clipped *)(const void *)(frame->memory.base + frame->memory.high);
+    uint32_t number = (uint32_t)(top - frame->clipped);
+    if (room(frame) < sizeof(glint_clipped)) /* a pass of many tiles can run out of room half way */
+        return 0;
+    glint_clipped *part = --frame->clipped;
+    part->draw = draw;
+    part->triangle = (uint16_t)triangle;
+    for (int i = 0; i < 3; i++) {
+        part->corners[i] = *v[i];
+        for (int c = 0; c < 3; c++)
+            part->extra[i][c] = (int16_t)corners[i]->attribute[3 + c];
+    }
+    return list_triangle(frame, range, GLINT_CLIPPED_TOP - number);
+}
+
+static void light_once(const glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t i) {
+    if (draw->evaluation->light_triangle)
+        draw->evaluation->light_triangle(frame, draw, transform, i);
+}
+
+/* Clips a triangle and lists the fan that is left of it. */
+static int list_clipped(glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t triangle) {
+    glint_corner corners[GLINT_CLIP_CORNERS];
+    glint_vertex fan[GLINT_CLIP_CORNERS];
+    gather_corners(draw, draw->triangles[triangle], corners);
+    int count = glint_clip(transform, corners);
     frame->stats.clipped++;
-    for (int i = 2; i < corners; i++) {
+    if (count)
+        light_once(frame, draw, transform, triangle);
+    for (int i = 0; i < count; i++)
+        finish_corner(transform, &corners[i], &fan[i]);
+    for (int i = 2; i < count; i++) {
         const glint_vertex *const part[3] = {&fan[0], &fan[i - 1], &fan[i]};
+        const glint_corner *const ends[3] = {&corners[0], &corners[i - 1], &corners[i]};
         glint_range range;
-        if (!glint_find_tiles(frame, draw->mirrored, draw->double_sided, part, &range))
-            continue;
-        uint32_t number = (uint32_t)(top - frame->clipped);
-        if (room(frame) < sizeof(glint_clipped)) /* a pass of many tiles can run out of room half way */
-            return 0;
-        frame->clipped--;
-        for (int j = 0; j < 3; j++)
-            frame->clipped->corners[j] = *part[j];
-        frame->clipped->draw = draw;
-        if (!list_triangle(frame, &range, GLINT_CLIPPED_TOP - number))
+        if (glint_find_tiles(frame, draw->mirrored, draw->double_sided, part, &range) &&
+            !keep_part(frame, draw, triangle, part, ends, &range))
             return 0;
     }
     return 1;
 }
 
 /* @return 1, 0 when the arena is full, or an error. */
-static int bin_triangle(glint_frame *frame, const glint_draw *draw, const glint_transform *transform, uint32_t i) {
+static int bin_triangle(glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t i) {
     const uint16_t *indices = draw->triangles[i];
     if (indices[0] >= draw->vertex_count || indices[1] >= draw->vertex_count || indices[2] >= draw->vertex_count)
         return GLINT_ERROR_INDEX;
     const glint_vertex *const v[3] = {&draw->vertices[indices[0]], &draw->vertices[indices[1]],
                                       &draw->vertices[indices[2]]};
     if ((v[0]->flags | v[1]->flags | v[2]->flags) & GLINT_VERTEX_CLIP)
-        return has_room_for_clipped(frame) && list_clipped(frame, draw, transform, v, indices);
+        return has_room_for_clipped(frame) && list_clipped(frame, draw, transform, i);
     glint_range range;
     if (!glint_find_tiles(frame, draw->mirrored, draw->double_sided, v, &range)) {
         frame->stats.culled++;
         return 1;
     }
+    light_once(frame, draw, transform, i);
     return list_triangle(frame, &range, draw->first + i);
 }
 
@@ -131,19 +168,11 @@ static int begin_lists(glint_frame *frame) {
     return 1;
 }
 
-void glint_count_arena(glint_frame *frame) {
-    const uint8_t *base = frame->memory.base;
-    const uint8_t *low = (const uint8_t *)(frame->references + frame->reference_count);
-    size_t used = (size_t)(low - base) + (size_t)(base + frame->memory.high - (const uint8_t *)frame->clipped);
-    if (used > frame->stats.arena_used)
-        frame->stats.arena_used = (uint32_t)used;
-}
-
 glint_status glint_bin(glint_frame *frame, int *complete) {
     *complete = 0;
     if (!begin_lists(frame))
         return GLINT_OK;
-    for (const glint_draw *draw = frame->draws; draw; draw = draw->next) {
+    for (glint_draw *draw = frame->draws; draw; draw = draw->next) {
         uint32_t end = draw->first_triangle + draw->count;
         if (draw->object < frame->object || (draw->object == frame->object && end <= frame->triangle))
             continue;

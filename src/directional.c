@@ -2,7 +2,7 @@
 /* Directional lights: the same direction everywhere. */
 #include "frame.h"
 
-static glint_status prepare(const glint_light *light, const glint_view *view, glint_prepared_light *prepared) {
+static glint_status prepare(const glint_light *light, glint_prepared_light *prepared, const glint_view *view) {
     if (!glint_direction_to_camera(view, light->vector, prepared->direction))
         return GLINT_ERROR_DIRECTION;
     /* H = L + V, V = (0, 0, 1) */
@@ -11,4 +11,4 @@ static glint_status prepare(const glint_light *light, const glint_view *view, gl
     return GLINT_OK;
 }
 
-const glint_light_type glint_light_directional = {prepare};
+const glint_light_type glint_light_directional = {prepare, 0, 0};

@@ -19,6 +19,9 @@ const char *glint_strerror(int status) {
         "an object is too far from the camera or too large",
         "the flush callback reported a failure",
         "the viewer is neither infinite nor local",
+        "an attenuation coefficient is below 0",
+        "a spot's cone is wider inside than outside, or not from 0 to 180 degrees",
+        "a generator has too few divisions, a size not above 0, or too little room",
     };
     const int count = (int)(sizeof sentences / sizeof *sentences);
     return status > 0 || status <= -count ? "unknown status" : sentences[-status];

@@ -31,7 +31,7 @@ static glint_status prepare(glint_frame *frame) {
     glint_status status = glint_check_scene(frame->scene);
     if (status != GLINT_OK)
         return status;
-    glint_view *view = glint_take(&frame->memory, sizeof *view);
+    glint_view *view = glint_take(&frame->memory, GLINT_VIEW_SIZE(frame->scene->light_count));
     if (!view)
         return GLINT_ERROR_ARENA;
     frame->view = view;
@@ -40,8 +40,7 @@ static glint_status prepare(glint_frame *frame) {
 }
 
 glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
-    static const glint_frame empty = {0};
-    *frame = empty;
+    *frame = (glint_frame){0};
     frame->config = *config;
     frame->scene = scene;
     glint_status status = glint_check_config(&frame->config);

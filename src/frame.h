@@ -16,7 +16,7 @@
 #define GLINT_TILE_DEFAULT 32
 
 /** Fragments shaded together. */
-#define GLINT_FRAGMENTS_MAX 32
+#define GLINT_FRAGMENTS_MAX 8
 
 /** Intervals of a power table, and bits of the position within one that are used. */
 #define GLINT_POWER_TABLE_BITS 7
@@ -27,8 +27,21 @@
 
 /** A light in camera space. */
 typedef struct glint_prepared_light {
-    int16_t direction[3];   /* towards the light, unit */
-    int16_t half_vector[3]; /* for the infinite viewer, unit; 0 when the light is straight behind */
+    const glint_light_type *type;
+    int16_t direction[3];   /* directional: towards the light, unit; spot: against its axis, unit */
+    int16_t half_vector[3]; /* directional, for the infinite viewer; 0 when the light is straight behind */
+    struct {
+        int32_t mantissa[3]; /* position times 2 focal lengths over the frame's nearest w: mantissa 2^-shift, Q12, over
+                                Q31 */
+        int32_t shift;
+        int32_t distance_mantissa; /* |light vector| / (1/w) in world units: mantissa 2^-shift, 2^30 to 2^31 */
+        int32_t distance_shift;
+        int32_t linear, quadratic; /* Q16 */
+    } point;
+    struct {
+        int32_t cosine_outer, cosine_inner; /* times GLINT_UNIT^2 */
+        int32_t slope;                      /* Q15: 2^30 / (difference >> 15) */
+    } spot;
 } glint_prepared_light;
 
 /** Camera and lights. */
@@ -41,9 +54,13 @@ typedef struct glint_view {
     int64_t near_plane; /* Q28 */
     int64_t nearest;    /* Q28: no visible w is smaller */
     uint32_t light_count;
-    uint32_t local_viewer;
+    uint8_t local_viewer;
+    uint8_t has_positions; /* some light has one */
     glint_prepared_light lights[GLINT_LIGHTS_MAX];
 } glint_view;
+
+/** Bytes of a view with so many lights. */
+#define GLINT_VIEW_SIZE(count) (offsetof(glint_view, lights) + (count) * sizeof(glint_prepared_light))
 
 /** x^p for x = 1 - u, or for x itself where p < 2. */
 typedef struct glint_power_table {
@@ -86,11 +103,14 @@ typedef struct glint_transform {
 #define GLINT_VERTEX_CLIP 1u /* in front of the near plane or outside the guard band: x, y and 1/w are not valid */
 
 typedef struct glint_vertex {
-    int16_t x, y;      /* 28.4 */
-    int32_t inverse_w; /* Q31 */
-    int16_t normal[3]; /* unit, in camera space */
+    int16_t x, y;         /* 28.4 */
+    int32_t inverse_w;    /* Q31 */
+    int16_t attribute[3]; /* unit normal in camera space; once lit, colour, 1 = GLINT_COLOUR_ONE */
     uint16_t flags;
 } glint_vertex;
+
+/** Full brightness of a colour in int16. */
+#define GLINT_COLOUR_ONE 32767
 
 /** Clip coordinates; kept only where an object may have to be clipped. */
 typedef struct glint_position {
@@ -104,8 +124,11 @@ typedef struct glint_draw {
     struct glint_draw *next;
     const uint16_t (*triangles)[3]; /* the first one's indices */
     glint_vertex *vertices;
-    glint_position *positions; /* null when nothing of the object can be clipped */
+    glint_position *positions; /* null unless the object may be clipped or is lit before it is drawn */
+    int16_t (*extra)[3];       /* null, or per vertex: the surface's colour, or the back's colour when lit */
+    int16_t (*facets)[3];      /* null, or colours of the triangles */
     const glint_shading *shading;
+    const glint_evaluation *evaluation;
     uint32_t vertex_count;
     uint32_t object;         /* index in the scene */
     uint32_t first_triangle; /* of the mesh */
@@ -117,6 +140,8 @@ typedef struct glint_draw {
 /** A triangle made by clipping. */
 typedef struct glint_clipped {
     glint_vertex corners[3];
+    int16_t extra[3][3];
+    uint16_t triangle; /* of the draw */
     const glint_draw *draw;
 } glint_clipped;
 
@@ -136,36 +161,75 @@ typedef struct glint_list {
     uint16_t head, tail;
 } glint_list;
 
-/* ---- raster and shade: fragments of one triangle ---- */
+/* ---- raster and shade: fragments of one triangle, or vertices to be lit ---- */
+
+/** A linear function of the pixel: value at the anchor, change per pixel in x and y. */
+typedef struct glint_plane {
+    int32_t start, dx, dy;
+} glint_plane;
+
+/** Depth, and up to two triples: a normal over w or a lit colour, and the surface's own colour. */
+typedef struct glint_attributes {
+    glint_plane depth, main[3], extra[3];
+    uint8_t has_main, has_extra;
+    int32_t anchor_x, anchor_y; /* pixel */
+} glint_attributes;
 
 typedef struct glint_fragments {
     uint32_t count;
-    int32_t tile_x, tile_y;                 /* of the tile's first pixel on the screen */
-    int32_t tile_width, tile_height;        /* of what the screen shows of it */
-    uint16_t offset[GLINT_FRAGMENTS_MAX];   /* pixel in the tile */
-    int16_t normal[GLINT_FRAGMENTS_MAX][3]; /* unit */
-    int16_t view[GLINT_FRAGMENTS_MAX][3];   /* unit, towards the eye; only for the local viewer */
+    int32_t tile_x, tile_y;          /* of the tile's first pixel on the screen */
+    int32_t tile_width, tile_height; /* of what the screen shows of it */
+    uint32_t scale;                  /* attributes are interpolated over w 2^scale */
+    const int16_t *facet;            /* the triangle's colour */
+    const glint_attributes *attributes;
+    uint16_t offset[GLINT_FRAGMENTS_MAX]; /* pixel in the tile */
+    int32_t inverse_w[GLINT_FRAGMENTS_MAX];
+    int32_t ray[GLINT_FRAGMENTS_MAX][3];     /* towards the eye: minus the position times 1/w, Q12 */
+    int16_t normal[GLINT_FRAGMENTS_MAX][3];  /* unit */
+    int16_t view[GLINT_FRAGMENTS_MAX][3];    /* unit, towards the eye */
+    int16_t light[GLINT_FRAGMENTS_MAX][3];   /* unit, towards a light that has a position */
+    uint16_t strength[GLINT_FRAGMENTS_MAX];  /* of that light, Q15 */
+    int16_t surface[GLINT_FRAGMENTS_MAX][3]; /* colours of their own */
     uint32_t colour[GLINT_FRAGMENTS_MAX][3];
 } glint_fragments;
 
 /* ---- descriptors ---- */
 
 struct glint_model {
-    /** Adds what one light gives to the fragments' colours. */
-    void (*light)(const glint_shading *shading, uint32_t light, const glint_view *view, glint_fragments *fragments);
+    /** Beyond the weights: what `light` needs. May be null. */
+    void (*prepare)(glint_shading *shading, uint32_t largest_specular);
+    /** Adds what one light gives to the fragments' colours; null for surfaces that are not lit. */
+    void (*light)(const glint_shading *shading, uint32_t light, const glint_view *view, glint_fragments *fragments,
+                  int has_surface);
 };
 
 struct glint_light_type {
-    /** Brings a light to camera space. @return GLINT_ERROR_DIRECTION when it has none. */
-    glint_status (*prepare)(const glint_light *light, const glint_view *view, glint_prepared_light *prepared);
+    /** Brings a light to camera space. @return GLINT_ERROR_DIRECTION, _ATTENUATION or _CONE when it is not valid. */
+    glint_status (*prepare)(const glint_light *light, glint_prepared_light *prepared, const glint_view *view);
+    /** Direction and strength at the fragments; null where both are the same everywhere. */
+    void (*illuminate)(const glint_prepared_light *light, glint_fragments *fragments);
+    /** The part of `prepare` that needs the frame's nearest w; may be null. */
+    void (*place)(const glint_light *light, glint_prepared_light *prepared, const glint_view *view);
+};
+
+struct glint_evaluation {
+    uint8_t planes; /* attributes that are interpolated: 0 or 3 */
+    uint8_t lit;    /* they are colours: lit before they are drawn */
+    /** Lights vertices after they are loaded; null where that comes later. */
+    void (*light_vertices)(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
+                           const glint_mesh *mesh);
+    /** Lights one triangle; null where there is no need. */
+    void (*light_triangle)(const glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t i);
+    /** Finds the colours of the fragments. */
+    void (*shade)(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw);
 };
 
 struct glint_format {
     uint32_t bits; /* per pixel */
-    /** Stores `count` colours at pixel offsets in a tile. */
-    void (*store)(void *pixels, const uint16_t *offset, uint32_t (*colour)[3], uint32_t count);
-    /** Gives all `count` pixels one colour; count is a multiple of 8. */
-    void (*fill)(void *pixels, uint32_t count, const uint32_t colour[3]);
+    /** Stores the fragments' colours in a tile. */
+    void (*store)(void *pixels, const glint_fragments *fragments, unsigned tile_shift_x);
+    /** Gives all of a tile one colour. */
+    void (*fill)(void *pixels, uint32_t width, uint32_t height, const uint32_t colour[3]);
 };
 
 /* ---- stages ---- */
@@ -185,6 +249,9 @@ void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t we
 /** Brings a world direction to camera space, unit. @return 0 when it has length 0. */
 int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_t out[3]);
 
+/** Scales a vector of 64 bits to one of 30, its direction kept. @return n: it is 2^n times the result. */
+unsigned glint_reduce(const int64_t in[3], int32_t out[3]);
+
 /** An object's transform. Takes view->nearest as it stands. */
 glint_status glint_transform_prepare(glint_transform *transform, const glint_view *view, const glint_config *config,
                                      const glint_object *object);
@@ -199,12 +266,25 @@ void glint_transform_vertex(const glint_transform *transform, const glint_mesh *
 /** Screen position and 1/w of clip coordinates inside the guard band and beyond the near plane. */
 void glint_project(const glint_transform *transform, const glint_position *position, glint_vertex *vertex);
 
+/** Ray towards the eye and 1/w, as fragments have them, of a point anywhere: a position or a sum of some. */
+void glint_ray(const glint_transform *transform, const glint_view *view, const int64_t point[3], int32_t ray[3],
+               int32_t *inverse_w);
+
 /** Most corners of a clipped triangle: each of 5 planes adds one. */
 #define GLINT_CLIP_CORNERS 8
 
-/** Clips a triangle at the near plane and the guard band. @return corners of the polygon: 0, or 3 to 8. */
-int glint_clip(const glint_transform *transform, const glint_vertex *const corners[3],
-               const glint_position *const positions[3], glint_vertex out[GLINT_CLIP_CORNERS]);
+/** A corner on its way through clipping. */
+typedef struct glint_corner {
+    glint_position position;
+    int32_t attribute[6]; /* a vertex's attribute and its extra one; normals get shorter where interpolated */
+} glint_corner;
+
+/**
+ * Clips a triangle at the near plane and the guard band.
+ * @param corners the triangle in, the polygon out
+ * @return corners of the polygon: 0, or 3 to 8
+ */
+int glint_clip(const glint_transform *transform, glint_corner corners[GLINT_CLIP_CORNERS]);
 
 /** A rectangle of pixels or tiles; right and bottom are exclusive. */
 typedef struct glint_range {
@@ -257,21 +337,43 @@ static inline uint8_t *glint_align(void *memory) {
 #define GLINT_BIN_RESERVE \
     GLINT_ALIGNED(sizeof(glint_list) + (GLINT_CLIP_CORNERS - 2) * (sizeof(glint_reference) + sizeof(glint_clipped)))
 
-/** Bytes of a run's vertices, index list, and slots with a map of `map` entries while it is loaded. */
-#define GLINT_RUN_SIZE(vertices, clips, map)                                                           \
-    (GLINT_ALIGNED((vertices) * sizeof(glint_vertex)) +                                                \
-     GLINT_ALIGNED((clips) ? (vertices) * sizeof(glint_position) : 0) + GLINT_ALIGNED((vertices)*12) + \
-     GLINT_ALIGNED((map)*2) + GLINT_ALIGNED((vertices)*2))
+/** Bytes of arena that a draw of so many vertices and triangles takes, its own index list included if it has one. */
+size_t glint_draw_size(const glint_object *object, const glint_transform *transform, size_t vertices, size_t triangles,
+                       int has_list);
 
 /** Bytes beyond what is prepared with which any scene can be drawn: a run of one triangle, and its bin. */
-#define GLINT_LEAST_ROOM (GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_RUN_SIZE(3, 1, 4) + GLINT_BIN_RESERVE)
+#define GLINT_LEAST_ROOM                                                                                        \
+    (GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(3 * sizeof(glint_vertex)) +                              \
+     GLINT_ALIGNED(3 * sizeof(glint_position)) + GLINT_ALIGNED(18) + 2 * GLINT_ALIGNED(36) + GLINT_ALIGNED(8) + \
+     GLINT_ALIGNED(6) + GLINT_BIN_RESERVE)
+
+/** A triangle to draw. */
+typedef struct glint_triangle {
+    const glint_vertex *corners[3];
+    const int16_t *extra[3]; /* where the draw has extra attributes */
+    const int16_t *facet;    /* its colour, where the draw is lit by facet */
+    const glint_attributes *attributes;
+} glint_triangle;
 
 /** Draws a triangle's part of a tile. */
 void glint_raster(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                  const glint_vertex *const corners[3]);
+                  const glint_triangle *triangle);
 
-/** Lights and stores the fragments gathered so far. */
-void glint_shade(const glint_frame *frame, glint_workspace *workspace, const glint_shading *shading);
+/** Finds the colours of the fragments gathered so far and stores them. */
+void glint_shade(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw);
+
+/** Ambient and every light: colours of fragments with normals, rays, and colours of their own if has_surface. */
+void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const glint_shading *shading,
+                     int has_surface);
+
+/** A lit colour, clamped at 1, 1 = GLINT_COLOUR_ONE. */
+void glint_clamp_colour(const uint32_t colour[3], int16_t out[3]);
+
+/** Puts colours through an output table. */
+void glint_apply_gamma(const uint16_t (*gamma)[GLINT_GAMMA_ENTRIES], uint32_t (*colour)[3], uint32_t count);
+
+/** Are rays towards the eye needed under these lights? */
+int glint_needs_rays(const glint_view *view, const glint_shading *shading);
 
 /** `size` bytes from the arena's low end, aligned for pointers; null when it is full. */
 void *glint_take(glint_memory *memory, size_t size);

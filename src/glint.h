@@ -65,24 +65,27 @@ typedef struct glint_pose {
 /** Result of every function that can fail. `glint_strerror` gives the sentence. */
 typedef enum glint_status {
     GLINT_OK = 0,
-    GLINT_ERROR_NULL = -1,      /**< A required pointer is null. */
-    GLINT_ERROR_SIZE = -2,      /**< Width or height is not from 1 to GLINT_SIZE_MAX. */
-    GLINT_ERROR_TILE = -3,      /**< Tile width or height is not 8, 16, 32 or 64. */
-    GLINT_ERROR_ARENA = -4,     /**< The arena is smaller than the smallest this scene can be drawn with. */
-    GLINT_ERROR_CAMERA = -5,    /**< The camera's axes are not unit and perpendicular, its field of view is not from
-                                     1 to 170 degrees, its near plane is not above 0, or eye, target and up lie on
-                                     one line. */
-    GLINT_ERROR_LIGHTS = -6,    /**< More than GLINT_LIGHTS_MAX lights. */
-    GLINT_ERROR_DIRECTION = -7, /**< A light's direction has length 0. */
-    GLINT_ERROR_COLOUR = -8,    /**< A colour channel, or a light's times a material's, is not from 0 to 16. */
-    GLINT_ERROR_SHININESS = -9, /**< A shininess exponent is below 0. */
-    GLINT_ERROR_MESH = -10,     /**< A mesh has no vertices, no triangles, more vertices than uint16 can index, or an
-                                     extent below 0. */
-    GLINT_ERROR_INDEX = -11,    /**< A triangle refers to a vertex that its mesh does not have. */
-    GLINT_ERROR_POSE = -12,     /**< A pose is singular: it squashes the object flat. */
-    GLINT_ERROR_RANGE = -13,    /**< An object is too far from the camera or too large for 32-bit coordinates. */
-    GLINT_ERROR_FLUSH = -14,    /**< The flush callback reported a failure; the frame was not finished. */
-    GLINT_ERROR_VIEWER = -15    /**< The viewer is neither infinite nor local. */
+    GLINT_ERROR_NULL = -1,         /**< A required pointer is null. */
+    GLINT_ERROR_SIZE = -2,         /**< Width or height is not from 1 to GLINT_SIZE_MAX. */
+    GLINT_ERROR_TILE = -3,         /**< Tile width or height is not 8, 16, 32 or 64. */
+    GLINT_ERROR_ARENA = -4,        /**< The arena is smaller than the smallest this scene can be drawn with. */
+    GLINT_ERROR_CAMERA = -5,       /**< The camera's axes are not unit and perpendicular, its field of view is not from
+                                        1 to 170 degrees, its near plane is not above 0, or eye, target and up lie on
+                                        one line. */
+    GLINT_ERROR_LIGHTS = -6,       /**< More than GLINT_LIGHTS_MAX lights. */
+    GLINT_ERROR_DIRECTION = -7,    /**< A light's direction has length 0. */
+    GLINT_ERROR_COLOUR = -8,       /**< A colour channel, or a light's times a material's, is not from 0 to 16. */
+    GLINT_ERROR_SHININESS = -9,    /**< A shininess exponent is below 0. */
+    GLINT_ERROR_MESH = -10,        /**< A mesh has no vertices, no triangles, more vertices than uint16 can index, or an
+                                        extent below 0. */
+    GLINT_ERROR_INDEX = -11,       /**< A triangle refers to a vertex that its mesh does not have. */
+    GLINT_ERROR_POSE = -12,        /**< A pose is singular: it squashes the object flat. */
+    GLINT_ERROR_RANGE = -13,       /**< An object is too far from the camera or too large for 32-bit coordinates. */
+    GLINT_ERROR_FLUSH = -14,       /**< The flush callback reported a failure; the frame was not finished. */
+    GLINT_ERROR_VIEWER = -15,      /**< The viewer is neither infinite nor local. */
+    GLINT_ERROR_ATTENUATION = -16, /**< An attenuation coefficient is below 0. */
+    GLINT_ERROR_CONE = -17,        /**< A spot's cone is wider inside than outside, below 0 or above 180 degrees. */
+    GLINT_ERROR_GENERATOR = -18    /**< A generator has too few divisions, a size not above 0, or too little room. */
 } glint_status;
 
 /** A sentence in English for a status; for a number that is no status, "unknown status". Never null. */
@@ -109,40 +112,93 @@ typedef struct glint_mesh {
     glint_vector offset;            /**< Object-space position of step 0. */
     glint_vector extent;            /**< Object-space length of 32768 steps, 0 or more. */
     uint32_t flags;                 /**< 0 or GLINT_MESH_DOUBLE_SIDED. */
+    const uint8_t (*colours)[3];    /**< vertex_count red, green, blue times 255, or null: the material's ambient and
+                                         diffuse colours are multiplied by them. */
+    const uint16_t *colours565;     /**< The same in 16 bits, or null. */
 } glint_mesh;
 
-/** How a surface reflects; a descriptor, such as `glint_model_blinn_phong`. */
+/** How a surface reflects; a descriptor, one of those below. */
 typedef struct glint_model glint_model;
 
-/** Ambient + diffuse max(N.L, 0) + specular max(N.H, 0)^shininess where N.L > 0 (Blinn, 1977). */
+/** Ambient + diffuse max(N.L, 0) (Lambert, 1760). */
+extern const glint_model glint_model_lambert;
+
+/** The same + specular max(R.V, 0)^shininess where N.L > 0, R = 2 (N.L) N - L (Phong, 1975). */
+extern const glint_model glint_model_phong;
+
+/** The same + specular max(N.H, 0)^shininess where N.L > 0, H = (L + V) / |L + V| (Blinn, 1977). */
 extern const glint_model glint_model_blinn_phong;
+
+/** The diffuse colour as it is, whatever the lights. */
+extern const glint_model glint_model_unlit;
+
+/** Specular light also where N.L <= 0: the highlight shines through. */
+#define GLINT_MATERIAL_UNGATED 1u
+
+/** The larger of diffuse + specular and ambient, channel by channel, in place of their sum. */
+#define GLINT_MATERIAL_MAX 2u
 
 /** What an object is made of. Each channel from 0 to GLINT_COLOUR_MAX. */
 typedef struct glint_material {
     const glint_model *model;
     glint_colour ambient;  /**< Times the scene's ambient light. */
     glint_colour diffuse;  /**< Times each light's diffuse colour. */
-    glint_colour specular; /**< Times each light's specular colour. */
+    glint_colour specular; /**< Times each light's specular colour: white for plastic, the diffuse one for metal. */
     glint_q16 shininess;   /**< Specular exponent p, 0 or more, any real number; 0^0 is 1. */
+    uint32_t flags;        /**< 0, or GLINT_MATERIAL_UNGATED and GLINT_MATERIAL_MAX. */
 } glint_material;
 
-/** What kind of light; a descriptor, such as `glint_light_directional`. */
+/**
+ * A surface of one paint: ambient paint * ambient_fraction, diffuse paint * (1 - ambient_fraction), a white highlight.
+ * @param ambient_fraction 0 to 1
+ */
+glint_material glint_material_paint(const glint_model *model, glint_colour paint, glint_q16 ambient_fraction,
+                                    glint_q16 shininess);
+
+/** What kind of light; a descriptor, one of those below. */
 typedef struct glint_light_type glint_light_type;
 
-/** Light from infinitely far: `vector` points towards it, in world space, of any length but 0. */
+/** Light from infinitely far: `vector` points towards it, of any length but 0. */
 extern const glint_light_type glint_light_directional;
 
+/**
+ * Light from the point `vector`, weaker with its distance d: 1 / (1 + linear d + quadratic d^2). Adds nothing at d = 0,
+ * that is, nearer than about 1/32768 of the way to the eye.
+ */
+extern const glint_light_type glint_light_point;
+
+/** A point light along `axis`: full up to `inner` degrees from it, none from `outer` on, a smooth step between.
+ * Unit vectors of 15 bits resolve a step of a quarter of a degree or more; a narrower one shows their rounding. */
+extern const glint_light_type glint_light_spot;
+
+/** A light, in world space. Ambient light is the scene's. */
 typedef struct glint_light {
     const glint_light_type *type;
-    glint_vector vector; /**< Direction towards the light. */
+    glint_vector vector; /**< Direction towards the light, or its position. */
     glint_colour diffuse;
     glint_colour specular;
+    glint_q16 linear, quadratic; /**< Attenuation, per unit and per unit squared, 0 or more. */
+    glint_vector axis;           /**< Of a spot: where it points, of any length but 0. */
+    glint_q16 inner, outer;      /**< Of a spot: degrees from the axis, 0 <= inner <= outer <= 180. */
 } glint_light;
+
+/** Where lighting is evaluated; a descriptor, one of those below. */
+typedef struct glint_evaluation glint_evaluation;
+
+/** At every fragment, with the normal interpolated and made unit (Phong, 1975). What a null pointer means. */
+extern const glint_evaluation glint_per_fragment;
+
+/** At every vertex; colours, clamped at 1, are interpolated (Gouraud, 1971). */
+extern const glint_evaluation glint_per_vertex;
+
+/** Once a triangle, at its centroid, with the normal of its plane. */
+extern const glint_evaluation glint_per_facet;
 
 typedef struct glint_object {
     const glint_mesh *mesh;
     const glint_material *material;
-    glint_pose pose; /**< Object to world; scales may differ per axis and mirror. */
+    glint_pose pose;                    /**< Object to world; scales may differ per axis and mirror. */
+    const glint_evaluation *evaluation; /**< Where it is lit; null for every fragment. */
 } glint_object;
 
 typedef struct glint_camera {
@@ -204,6 +260,47 @@ glint_pose glint_pose_then(const glint_pose *first, const glint_pose *second);
  */
 glint_status glint_camera_look_at(glint_camera *camera, glint_vector eye, glint_vector at, glint_vector up);
 
+/* ---- Generated meshes ---- */
+
+/** Where a generator writes. Owned by the caller, who keeps it as long as the mesh. */
+typedef struct glint_mesh_room {
+    int16_t (*positions)[3];
+    int16_t (*normals)[3];
+    uint16_t (*triangles)[3];
+    uint32_t vertex_room, triangle_room; /**< How many fit. */
+} glint_mesh_room;
+
+/*
+ * Each generator fills `room` with a surface and its normals, both from the formula, and sets `mesh` up to point there.
+ * Returns GLINT_ERROR_GENERATOR when a size is not above 0, when there are fewer divisions than a solid needs or more
+ * vertices than uint16 can index, or when the room is too small: then mesh->vertex_count and mesh->triangle_count tell
+ * how much it takes. Sizes are Q16.16, up to 8192.
+ */
+
+/** Around the z axis: `radius` to the tube's centre, `tube` its own; `around` and `along` quads, 3 or more. */
+glint_status glint_generate_torus(glint_mesh *mesh, const glint_mesh_room *room, uint32_t around, uint32_t along,
+                                  glint_q16 radius, glint_q16 tube);
+
+/** Poles on z; `around` quads, 3 or more, from pole to pole in `along` steps, 2 or more. */
+glint_status glint_generate_sphere(glint_mesh *mesh, const glint_mesh_room *room, uint32_t around, uint32_t along,
+                                   glint_q16 radius);
+
+/** Around the z axis from -half_height to half_height in `along` steps, 1 or more; open, or with caps. */
+glint_status glint_generate_cylinder(glint_mesh *mesh, const glint_mesh_room *room, uint32_t around, uint32_t along,
+                                     glint_q16 radius, glint_q16 half_height, int capped);
+
+/** Around the z axis, its tip at half_height, its base at -half_height open or with a cap. */
+glint_status glint_generate_cone(glint_mesh *mesh, const glint_mesh_room *room, uint32_t around, uint32_t along,
+                                 glint_q16 radius, glint_q16 half_height, int capped);
+
+/** In the plane z = 0, seen from +z: x and y from minus to plus the half sizes, in columns and rows of quads. */
+glint_status glint_generate_plane(glint_mesh *mesh, const glint_mesh_room *room, uint32_t columns, uint32_t rows,
+                                  glint_q16 half_width, glint_q16 half_height);
+
+/** Six faces, each of its own vertices: 24 vertices, 12 triangles. */
+glint_status glint_generate_box(glint_mesh *mesh, const glint_mesh_room *room, glint_q16 half_width,
+                                glint_q16 half_height, glint_q16 half_depth);
+
 /* ---- Output -------------------------------------------------------------------------------------------------- */
 
 /** How pixels are stored; a descriptor. */
@@ -214,6 +311,16 @@ extern const glint_format glint_format_rgb565_be; /**< 16 bits, high byte first:
 extern const glint_format glint_format_rgb888;    /**< 3 bytes: red, green, blue. */
 extern const glint_format glint_format_grey8;     /**< 1 byte: 0.299 R + 0.587 G + 0.114 B. */
 extern const glint_format glint_format_grey4;     /**< 4 bits, the left pixel of a byte in its high half. */
+
+/* The same with ordered dithering (Bayer, 1973) over 8 x 8 pixels: no banding, at the price of a fine pattern. */
+extern const glint_format glint_format_rgb565_dithered;
+extern const glint_format glint_format_rgb565_be_dithered;
+extern const glint_format glint_format_rgb888_dithered;
+extern const glint_format glint_format_grey8_dithered;
+extern const glint_format glint_format_grey4_dithered;
+
+/** Entries of an output table. */
+#define GLINT_GAMMA_ENTRIES 257
 
 /** Bytes that one row of `width` pixels takes. */
 size_t glint_row_bytes(const glint_format *format, uint32_t width);
@@ -244,6 +351,8 @@ typedef struct glint_config {
     glint_flush flush;
     void *arena;       /**< Working memory, any alignment. More means fewer passes, never other pixels. */
     size_t arena_size; /**< Bytes; see `glint_arena_need`. */
+    /** Output tables for red, green and blue, or null: what a panel needs to show 0, 1/256 .. 1; Q16, 65535 is 1. */
+    const uint16_t (*gamma)[GLINT_GAMMA_ENTRIES];
 } glint_config;
 
 /** What a frame took; counts since the frame began. */
@@ -341,7 +450,7 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
 /** Bytes of a workspace. */
 size_t glint_workspace_size(const glint_config *config);
 
-/** Lays a workspace out in `memory`, of glint_workspace_size bytes, aligned to 4. */
+/** Lays a workspace out in `memory`, of glint_workspace_size bytes, aligned as a pointer is. */
 void glint_workspace_init(glint_workspace *workspace, const glint_config *config, void *memory);
 
 /** Begins a frame: checks the scene and prepares camera, lights and materials in the arena, all of which it may use. */

@@ -5,14 +5,6 @@
  */
 #include "frame.h"
 
-void *glint_take(glint_memory *memory, size_t size) {
-    size_t start = GLINT_ALIGNED(memory->low);
-    if (start > memory->high || size > memory->high - start)
-        return 0;
-    memory->low = start + size;
-    return memory->base + start;
-}
-
 static const glint_shading *find_shading(const glint_frame *frame, const glint_material *material) {
     const glint_shading *shading = frame->shading;
     while (shading->material != material)
@@ -20,13 +12,51 @@ static const glint_shading *find_shading(const glint_frame *frame, const glint_m
     return shading;
 }
 
-/* An empty draw at the end of the list. */
-static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_transform *transform) {
-    glint_draw *draw = glint_take(&frame->memory, sizeof *draw);
-    if (!draw)
-        return 0;
+static const glint_evaluation *evaluation_of(const glint_object *object) {
+    return object->evaluation ? object->evaluation : &glint_per_fragment;
+}
+
+/* What a draw keeps beyond its vertices. */
+static int keeps_positions(const glint_object *object, const glint_transform *transform) {
+    return transform->clips || evaluation_of(object)->lit;
+}
+
+static int has_colours(const glint_mesh *mesh) {
+    return mesh->colours || mesh->colours565;
+}
+
+static int keeps_extra(const glint_object *object) {
+    const glint_evaluation *evaluation = evaluation_of(object);
+    return has_colours(object->mesh) ||
+           (evaluation->light_vertices && (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0);
+}
+
+size_t glint_draw_size(const glint_object *object, const glint_transform *transform, size_t vertices, size_t triangles,
+                       int has_list) {
+    size_t size = GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(vertices * sizeof(glint_vertex));
+    if (keeps_positions(object, transform))
+        size += GLINT_ALIGNED(vertices * sizeof(glint_position));
+    if (keeps_extra(object))
+        size += GLINT_ALIGNED(vertices * 3 * sizeof(int16_t));
+    if (evaluation_of(object)->light_triangle)
+        size += GLINT_ALIGNED(triangles * 3 * sizeof(int16_t));
+    return has_list ? size + GLINT_ALIGNED(triangles * 3 * sizeof(uint16_t)) : size;
+}
+
+/* A draw at the end of the list, with room for so many vertices and triangles; the arena has it. */
+static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_transform *transform, uint32_t vertices,
+                            uint32_t triangles) {
     const glint_object *object = &frame->scene->objects[frame->object];
-    draw->next = 0;
+    glint_draw *draw = glint_take(&frame->memory, sizeof *draw);
+    *draw = (glint_draw){0};
+    draw->vertices = glint_take(&frame->memory, vertices * sizeof *draw->vertices);
+    if (keeps_positions(object, transform))
+        draw->positions = glint_take(&frame->memory, vertices * sizeof *draw->positions);
+    if (keeps_extra(object))
+        draw->extra = glint_take(&frame->memory, vertices * sizeof *draw->extra);
+    if (evaluation_of(object)->light_triangle)
+        draw->facets = glint_take(&frame->memory, triangles * sizeof *draw->facets);
+    draw->evaluation = evaluation_of(object);
     draw->shading = find_shading(frame, object->material);
     draw->object = frame->object;
     draw->first_triangle = frame->triangle;
@@ -41,33 +71,46 @@ static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_tr
     return draw;
 }
 
-/* Room for `count` vertices, and their clip coordinates if they are needed. */
-static int take_vertices(glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t count) {
-    draw->vertex_count = count;
-    draw->vertices = glint_take(&frame->memory, count * sizeof *draw->vertices);
-    draw->positions = transform->clips ? glint_take(&frame->memory, count * sizeof *draw->positions) : 0;
-    return draw->vertices && (draw->positions || !transform->clips);
+/* A vertex's own colour, 1 = GLINT_COLOUR_ONE. */
+static void load_colour(const glint_mesh *mesh, uint32_t index, int16_t out[3]) {
+    const uint32_t packed = mesh->colours565 ? mesh->colours565[index] : 0;
+    const uint8_t *level = mesh->colours ? mesh->colours[index] : 0;
+    for (int c = 0; c < 3; c++) /* factors: 2^15 over the highest level, Q8 */
+        if (level)
+            out[c] = (int16_t)(level[c] * 32896u >> 8);
+        else
+            out[c] = (int16_t)(c == 1 ? (packed >> 5 & 63) * 133152u >> 8 : (packed >> (c ? 0 : 11) & 31) * 1057u);
 }
 
 static void transform_vertex(glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t index,
                              uint32_t slot) {
-    glint_transform_vertex(transform, frame->scene->objects[draw->object].mesh, index, &draw->vertices[slot],
-                           draw->positions ? &draw->positions[slot] : 0);
+    const glint_mesh *mesh = frame->scene->objects[draw->object].mesh;
+    glint_transform_vertex(transform, mesh, index, &draw->vertices[slot], draw->positions ? &draw->positions[slot] : 0);
+    if (draw->extra && has_colours(mesh))
+        load_colour(mesh, index, draw->extra[slot]);
     frame->stats.vertices++;
+}
+
+static void light_vertices(const glint_frame *frame, glint_draw *draw, const glint_transform *transform) {
+    if (draw->evaluation->light_vertices)
+        draw->evaluation->light_vertices(frame, draw, transform, frame->scene->objects[draw->object].mesh);
 }
 
 /* All of an object from the present triangle on. @return 0 when the arena is too full. */
 static int load_whole(glint_frame *frame, glint_draw *last, const glint_transform *transform) {
-    const glint_mesh *mesh = frame->scene->objects[frame->object].mesh;
+    const glint_object *object = &frame->scene->objects[frame->object];
+    const glint_mesh *mesh = object->mesh;
     uint32_t numbered = last ? (uint32_t)last->first + last->count : 0;
     uint32_t count = mesh->triangle_count - frame->triangle;
-    glint_draw *draw = add_draw(frame, last, transform);
-    if (!draw || !take_vertices(frame, draw, transform, mesh->vertex_count) ||
-        frame->memory.high - frame->memory.low < GLINT_BIN_RESERVE || numbered + count > GLINT_TRIANGLES_MAX)
+    size_t size = glint_draw_size(object, transform, mesh->vertex_count, count, 0) + GLINT_BIN_RESERVE;
+    if (size > frame->memory.high - GLINT_ALIGNED(frame->memory.low) || numbered + count > GLINT_TRIANGLES_MAX)
         return 0;
+    glint_draw *draw = add_draw(frame, last, transform, mesh->vertex_count, count);
+    draw->vertex_count = mesh->vertex_count;
     draw->count = (uint16_t)count;
     for (uint32_t i = 0; i < mesh->vertex_count; i++)
         transform_vertex(frame, draw, transform, i, i);
+    light_vertices(frame, draw, transform);
     return 1;
 }
 
@@ -94,22 +137,25 @@ static uint32_t find_slot(slots *s, uint32_t index, int *is_new) {
     return s->count++;
 }
 
-/* Bytes that a run takes; map_size: a power of two above the number of vertices. */
-static size_t run_size(const glint_transform *transform, uint32_t vertices, uint32_t *map_size) {
+/* Bytes that a run of so many vertices and twice as many triangles takes; map_size: a power of two above them. */
+static size_t run_size(const glint_object *object, const glint_transform *transform, uint32_t vertices,
+                       uint32_t *map_size) {
     *map_size = 4;
     while (*map_size <= vertices)
         *map_size *= 2;
-    return GLINT_RUN_SIZE((size_t)vertices, transform->clips, (size_t)*map_size);
+    return glint_draw_size(object, transform, vertices, 2 * (size_t)vertices, 1) +
+           GLINT_ALIGNED(*map_size * sizeof(uint16_t)) + GLINT_ALIGNED(vertices * sizeof(uint16_t));
 }
 
 /* Most vertices of a run that the arena holds. */
 static uint32_t run_capacity(const glint_frame *frame, const glint_transform *transform, uint32_t *map_size) {
-    size_t room = frame->memory.high - frame->memory.low;
+    const glint_object *object = &frame->scene->objects[frame->object];
+    size_t room = frame->memory.high - GLINT_ALIGNED(frame->memory.low);
     if (room < GLINT_BIN_RESERVE)
         return 0;
     room -= GLINT_BIN_RESERVE;
     uint32_t vertices = room / 34 < RUN_VERTICES_MAX ? (uint32_t)(room / 34) : RUN_VERTICES_MAX;
-    while (vertices && run_size(transform, vertices, map_size) > room)
+    while (vertices && run_size(object, transform, vertices, map_size) > room)
         vertices -= (vertices + 15) / 16;
     return vertices;
 }
@@ -139,23 +185,22 @@ static glint_status fill_run(glint_frame *frame, glint_draw *draw, const glint_t
 
 static glint_status load_run(glint_frame *frame, const glint_transform *transform) {
     glint_memory *memory = &frame->memory;
-    uint32_t map_size = 0;
-    glint_draw *draw = add_draw(frame, 0, transform);
-    uint32_t vertices = draw ? run_capacity(frame, transform, &map_size) : 0;
+    uint32_t map_size = 0, vertices = run_capacity(frame, transform, &map_size);
     if (vertices < 3)
         return GLINT_ERROR_ARENA;
+    glint_draw *draw = add_draw(frame, 0, transform, vertices, 2 * vertices);
     slots s = {0, 0, map_size - 1, 0, vertices};
-    take_vertices(frame, draw, transform, vertices);
     uint16_t(*list)[3] = glint_take(memory, vertices * 2 * sizeof *list);
     size_t end = memory->low; /* what follows is needed only while the run is filled */
     s.map = glint_take(memory, map_size * sizeof *s.map);
     s.index = glint_take(memory, vertices * sizeof *s.index);
     for (uint32_t i = 0; i < map_size; i++)
         s.map[i] = 0;
-    draw->count = 0;
     glint_status status = fill_run(frame, draw, transform, &s, list);
     draw->triangles = (const uint16_t(*)[3])list;
     memory->low = end;
+    if (status == GLINT_OK)
+        light_vertices(frame, draw, transform);
     return status;
 }
 
@@ -167,7 +212,6 @@ glint_status glint_load(glint_frame *frame) {
     frame->memory.low = frame->prepared_end;
     for (; frame->object < frame->scene->object_count; frame->object++, frame->triangle = 0) {
         glint_transform transform;
-        size_t low = frame->memory.low;
         glint_transform_prepare(&transform, frame->view, &frame->config, &frame->scene->objects[frame->object]);
         if (!transform.visible)
             continue;
@@ -175,10 +219,7 @@ glint_status glint_load(glint_frame *frame) {
             last = last ? last->next : frame->draws;
             continue;
         }
-        frame->memory.low = low;
-        if (last)
-            last->next = 0;
-        else
+        if (!last)
             status = load_run(frame, &transform);
         break;
     }

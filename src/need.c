@@ -18,23 +18,25 @@ static void count_part(const glint_frame *frame, const glint_transform *transfor
 
 static glint_status count_triangle(const glint_frame *frame, const glint_transform *transform, const glint_mesh *mesh,
                                    const uint16_t *indices, tally *sum) {
-    glint_vertex vertices[3], fan[GLINT_CLIP_CORNERS];
-    glint_position positions[3];
+    glint_vertex vertices[GLINT_CLIP_CORNERS];
+    glint_corner corners[GLINT_CLIP_CORNERS] = {0};
+    uint32_t flags = 0;
+    int count = 3, clips = transform->clips;
     for (int i = 0; i < 3; i++) {
         if (indices[i] >= mesh->vertex_count)
             return GLINT_ERROR_INDEX;
-        glint_transform_vertex(transform, mesh, indices[i], &vertices[i], transform->clips ? &positions[i] : 0);
+        glint_transform_vertex(transform, mesh, indices[i], &vertices[i], clips ? &corners[i].position : 0);
+        flags |= vertices[i].flags;
     }
-    const glint_vertex *const v[3] = {&vertices[0], &vertices[1], &vertices[2]};
-    const glint_position *const p[3] = {&positions[0], &positions[1], &positions[2]};
-    if (!((v[0]->flags | v[1]->flags | v[2]->flags) & GLINT_VERTEX_CLIP)) {
-        count_part(frame, transform, mesh, v, 0, sum);
-        return GLINT_OK;
+    clips = (flags & GLINT_VERTEX_CLIP) != 0;
+    if (clips) {
+        count = glint_clip(transform, corners);
+        for (int i = 0; i < count; i++)
+            glint_project(transform, &corners[i].position, &vertices[i]);
     }
-    int corners = glint_clip(transform, v, p, fan);
-    for (int i = 2; i < corners; i++) {
-        const glint_vertex *const part[3] = {&fan[0], &fan[i - 1], &fan[i]};
-        count_part(frame, transform, mesh, part, 1, sum);
+    for (int i = 2; i < count; i++) {
+        const glint_vertex *const part[3] = {&vertices[0], &vertices[i - 1], &vertices[i]};
+        count_part(frame, transform, mesh, part, clips, sum);
     }
     return GLINT_OK;
 }
@@ -45,9 +47,7 @@ static glint_status count_object(const glint_frame *frame, const glint_object *o
     glint_status status = glint_transform_prepare(&transform, frame->view, &frame->config, object);
     if (status != GLINT_OK || !transform.visible)
         return status;
-    sum->vertices += GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(mesh->vertex_count * sizeof(glint_vertex));
-    if (transform.clips)
-        sum->vertices += GLINT_ALIGNED(mesh->vertex_count * sizeof(glint_position));
+    sum->vertices += glint_draw_size(object, &transform, mesh->vertex_count, mesh->triangle_count, 0);
     for (uint32_t i = 0; i < mesh->triangle_count && status == GLINT_OK; i++)
         status = count_triangle(frame, &transform, mesh, mesh->triangles[i], sum);
     return status;
@@ -89,7 +89,8 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
         status = count_object(&frame, &scene->objects[i], &sum);
     if (status != GLINT_OK)
         return status;
-    size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame.config) + GLINT_ALIGNED(sizeof(glint_view)) +
+    size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame.config) +
+                      GLINT_ALIGNED(GLINT_VIEW_SIZE(scene->light_count)) +
                       materials * GLINT_ALIGNED(sizeof(glint_shading));
     size_t lists = GLINT_ALIGNED(frame.tile_count * sizeof(glint_list)) +
                    GLINT_ALIGNED(sum.references * sizeof(glint_reference)) +

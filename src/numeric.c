@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "numeric.h"
 
+void glint_unit(int32_t x, int32_t y, int32_t z, int16_t out[3]) {
+    glint_unit_inline(x, y, z, out);
+}
+
 uint32_t glint_reciprocal(uint32_t x) {
     uint32_t start = (0xffffffffu / (x >> 16)) << 15; /* off by 2^-15, never too low by more than 2^-16 */
     int64_t error = (int64_t)(((uint64_t)1 << 63) - (uint64_t)x * start); /* 2^63 (1 - x start / 2^63) */

@@ -104,11 +104,8 @@ static inline int32_t glint_inverse_root(uint32_t c) {
     return node[0] - glint_shift_right((node[0] - node[1]) * fraction + 0x8000, 16);
 }
 
-/**
- * A unit vector in the direction of (x, y, z), of any int32 components; 0 for 0.
- * Each component is off by at most 2.3 steps from direction times UNIT, length by at most 2.3.
- */
-static inline void glint_unit(int32_t x, int32_t y, int32_t z, int16_t out[3]) {
+/** glint_unit, for the loops over fragments. */
+static inline void glint_unit_inline(int32_t x, int32_t y, int32_t z, int16_t out[3]) {
     unsigned zeros = glint_leading_zeros(glint_magnitude_bits(x) | glint_magnitude_bits(y) | glint_magnitude_bits(z));
     if (zeros < 17) { /* scale the largest component to 2^14 .. 2^15 */
         unsigned n = 16 - zeros;
@@ -126,6 +123,12 @@ static inline void glint_unit(int32_t x, int32_t y, int32_t z, int16_t out[3]) {
     out[1] = (int16_t)glint_shift_right(y * r + 0x4000, 15);
     out[2] = (int16_t)glint_shift_right(z * r + 0x4000, 15);
 }
+
+/**
+ * A unit vector in the direction of (x, y, z), of any int32 components; 0 for 0.
+ * Each component is off by at most 2.3 steps from direction times UNIT, length by at most 2.3.
+ */
+void glint_unit(int32_t x, int32_t y, int32_t z, int16_t out[3]);
 
 /** a . b of two unit vectors: 1 is UNIT^2, just below 2^30; rounding may pass it by 2^-12 of it. */
 static inline int32_t glint_dot(const int16_t a[3], const int16_t b[3]) {

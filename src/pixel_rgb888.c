@@ -1,22 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Pixels of 24 bits: red, green, blue, rounded to nearest. */
+/* Pixels of 24 bits: red, green, blue. */
 #include "pixel.h"
 
-static void put(uint8_t *out, const uint32_t colour[3]) {
-    for (int c = 0; c < 3; c++)
-        out[c] = (uint8_t)glint_level(colour[c], 255);
+static void put(void *pixels, uint32_t offset, const uint32_t colour[3], uint32_t threshold) {
+    uint8_t *out = (uint8_t *)pixels + 3 * offset;
+    out[0] = (uint8_t)glint_level(colour[0], 255, threshold);
+    out[1] = (uint8_t)glint_level(colour[1], 255, threshold);
+    out[2] = (uint8_t)glint_level(colour[2], 255, threshold);
 }
 
-static void store(void *pixels, const uint16_t *offset, uint32_t (*colour)[3], uint32_t count) {
-    uint8_t *out = pixels;
-    for (uint32_t i = 0; i < count; i++)
-        put(out + 3 * offset[i], colour[i]);
-}
-
-static void fill(void *pixels, uint32_t count, const uint32_t colour[3]) {
-    uint8_t *out = pixels;
-    for (uint32_t i = 0; i < count; i++)
-        put(out + 3 * i, colour);
-}
-
-const glint_format glint_format_rgb888 = {24, store, fill};
+GLINT_DEFINE_FORMAT(glint_format_rgb888, 24, put);

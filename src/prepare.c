@@ -74,20 +74,25 @@ glint_status glint_check_scene(const glint_scene *scene) {
     return status;
 }
 
+unsigned glint_reduce(const int64_t in[3], int32_t out[3]) {
+    unsigned size = glint_bits64(glint_magnitude64(in[0]) | glint_magnitude64(in[1]) | glint_magnitude64(in[2]));
+    unsigned down = size > 30 ? size - 30 : 0;
+    for (int i = 0; i < 3; i++)
+        out[i] = (int32_t)glint_shift_right64(in[i], down);
+    return down;
+}
+
 int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_t out[3]) {
     const int32_t in[3] = {world.x, world.y, world.z};
     int64_t sum[3];
-    uint64_t bits = 0;
+    int32_t reduced[3];
     for (int i = 0; i < 3; i++) {
         sum[i] = 0;
         for (int j = 0; j < 3; j++)
             sum[i] += (int64_t)view->rotation[i][j] * in[j]; /* below 2^50 */
-        bits |= glint_magnitude64(sum[i]);
     }
-    unsigned size = glint_bits64(bits);
-    unsigned down = size > 30 ? size - 30 : 0;
-    glint_unit((int32_t)glint_shift_right64(sum[0], down), (int32_t)glint_shift_right64(sum[1], down),
-               (int32_t)glint_shift_right64(sum[2], down), out);
+    glint_reduce(sum, reduced);
+    glint_unit(reduced[0], reduced[1], reduced[2], out);
     return (in[0] | in[1] | in[2]) != 0;
 }
 
@@ -105,12 +110,24 @@ static void prepare_focal_length(glint_view *view, const glint_config *config, g
 
 static glint_status prepare_lights(glint_view *view, const glint_scene *scene) {
     view->light_count = scene->light_count;
+    view->has_positions = 0;
     for (uint32_t i = 0; i < scene->light_count; i++) {
-        glint_status status = scene->lights[i].type->prepare(&scene->lights[i], view, &view->lights[i]);
+        const glint_light *light = &scene->lights[i];
+        view->lights[i].type = light->type;
+        if (light->type->illuminate)
+            view->has_positions = 1;
+        glint_status status = light->type->prepare(light, &view->lights[i], view);
         if (status != GLINT_OK)
             return status;
     }
     return GLINT_OK;
+}
+
+/* Lights with positions are kept in the units of the depth's scale. */
+static void place_lights(glint_view *view, const glint_scene *scene) {
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        if (scene->lights[i].type->place)
+            scene->lights[i].type->place(&scene->lights[i], &view->lights[i], view);
 }
 
 /* Depth is scaled to the nearest corner of any visible object's bounding box. */
@@ -142,7 +159,11 @@ glint_status glint_prepare_view(glint_view *view, const glint_config *config, co
     view->local_viewer = scene->viewer == GLINT_VIEWER_LOCAL;
     prepare_focal_length(view, config, camera->field_of_view);
     glint_status status = prepare_lights(view, scene);
-    return status == GLINT_OK ? prepare_nearest(view, config, scene) : status;
+    if (status == GLINT_OK)
+        status = prepare_nearest(view, config, scene);
+    if (status == GLINT_OK)
+        place_lights(view, scene);
+    return status;
 }
 
 /* Product of two colour channels with `bits` fractional bits. @return 0 when it passes GLINT_COLOUR_MAX. */
@@ -159,22 +180,30 @@ static int weigh_colour(const glint_colour *a, const glint_colour *b, unsigned b
            weigh(a->b, b->b, bits, &weight[2]);
 }
 
+static glint_status weigh_light(glint_shading *shading, uint32_t i, const glint_light *light) {
+    const glint_material *material = shading->material;
+    return weigh_colour(&material->diffuse, &light->diffuse, 12, shading->weights[i].diffuse) &&
+                   weigh_colour(&material->specular, &light->specular, 12, shading->weights[i].specular)
+               ? GLINT_OK
+               : GLINT_ERROR_COLOUR;
+}
+
 glint_status glint_prepare_shading(glint_shading *shading, const glint_material *material, const glint_scene *scene) {
     uint32_t largest = 0;
     shading->material = material;
+    shading->has_specular = 0;
     if (!weigh_colour(&material->ambient, &scene->ambient, 23, shading->ambient))
         return GLINT_ERROR_COLOUR;
     for (uint32_t i = 0; i < scene->light_count; i++) {
-        if (!weigh_colour(&material->diffuse, &scene->lights[i].diffuse, 12, shading->weights[i].diffuse) ||
-            !weigh_colour(&material->specular, &scene->lights[i].specular, 12, shading->weights[i].specular))
-            return GLINT_ERROR_COLOUR;
+        glint_status status = weigh_light(shading, i, &scene->lights[i]);
+        if (status != GLINT_OK)
+            return status;
         for (int c = 0; c < 3; c++) {
             if (shading->weights[i].specular[c] > largest)
                 largest = shading->weights[i].specular[c];
         }
     }
-    shading->has_specular = largest != 0;
-    if (largest)
-        glint_power_prepare(&shading->power, material->shininess, largest);
+    if (material->model->prepare)
+        material->model->prepare(shading, largest);
     return GLINT_OK;
 }

@@ -4,28 +4,8 @@
  *
  * Coverage is exact. An edge is walked with an integer quotient and remainder, so that a pixel is inside exactly
  * when its centre is, and left and right edges round alike: a shared edge gives each pixel to one side.
- * Attributes are planes: one integer polynomial per triangle, anchored at its first corner and evaluated modulo 2^32,
- * so that a pixel gets the same value whatever tile it is drawn in.
  */
-#include "frame.h"
-
-/* A linear function of the pixel: value at the anchor, change per pixel in x and y. */
-typedef struct plane {
-    int32_t start, dx, dy;
-} plane;
-
-/* Depth, and the normal over w. */
-typedef struct attributes {
-    plane depth, normal[3];
-    int32_t anchor_x, anchor_y; /* pixel */
-} attributes;
-
-/* Change of the two barycentric coordinates per pixel: value 2^-shift. */
-typedef struct gradients {
-    int32_t x1, y1, x2, y2;
-    unsigned shift;
-    int32_t to_center_x, to_center_y; /* from the first corner to the anchor's centre, in sixteenths */
-} gradients;
+#include "setup.h"
 
 /* Pixel columns where an edge crosses the centres of successive rows: ceil of the exact crossing. */
 typedef struct edge {
@@ -63,92 +43,36 @@ static void edge_step(edge *e) {
     }
 }
 
-static void gradients_begin(gradients *g, const glint_vertex *const v[3], int32_t area) {
-    unsigned zeros = glint_leading_zeros((uint32_t)area);
-    int64_t reciprocal = glint_reciprocal((uint32_t)area << zeros); /* 1 / area is this times 2^(zeros - 63) */
-    g->x1 = (int32_t)glint_shift_right64((v[2]->y - v[0]->y) * reciprocal, 17);
-    g->y1 = (int32_t)glint_shift_right64((v[0]->x - v[2]->x) * reciprocal, 17);
-    g->x2 = (int32_t)glint_shift_right64((v[0]->y - v[1]->y) * reciprocal, 17);
-    g->y2 = (int32_t)glint_shift_right64((v[1]->x - v[0]->x) * reciprocal, 17);
-    g->shift = 42 - zeros; /* 63 - 17, less 4 for sixteenths of a pixel */
-    g->to_center_x = 8 - (v[0]->x & 15);
-    g->to_center_y = 8 - (v[0]->y & 15);
+/* The farthest surfaces still count as nearer than nothing: depth 1. */
+static int32_t depth_of(int32_t inverse_w) {
+    return glint_shift_right(inverse_w, 15) + 1;
 }
 
-/* Corner values are below 2^31 apart. Slivers have slopes above 2^31: those wrap, as their values do. */
-static void plane_begin(plane *p, const gradients *g, int32_t a0, int32_t a1, int32_t a2) {
-    int64_t d1 = (int64_t)a1 - a0, d2 = (int64_t)a2 - a0;
-    int64_t dx = glint_round_shift64(d1 * g->x1 + d2 * g->x2, g->shift);
-    int64_t dy = glint_round_shift64(d1 * g->y1 + d2 * g->y2, g->shift);
-    p->dx = (int32_t)(uint32_t)dx;
-    p->dy = (int32_t)(uint32_t)dy;
-    int64_t to_center = glint_shift_right64(dx * g->to_center_x + dy * g->to_center_y, 4);
-    p->start = (int32_t)((uint32_t)a0 + (uint32_t)to_center);
-}
-
-static int32_t plane_at(const plane *p, int32_t x, int32_t y) {
-    return glint_add_wrap(p->start, glint_add_wrap(glint_multiply_wrap(p->dx, x), glint_multiply_wrap(p->dy, y)));
-}
-
-/* Normal over w, scaled so that the nearest corner's is in 30 bits; turned where the back is seen. */
-static void normal_planes(attributes *a, const gradients *g, const glint_vertex *const v[3], int back) {
-    int32_t scaled[3][3];
-    unsigned zeros = glint_leading_zeros((uint32_t)(v[0]->inverse_w | v[1]->inverse_w | v[2]->inverse_w));
-    for (int i = 0; i < 3; i++) {
-        uint32_t w = (uint32_t)v[i]->inverse_w << (zeros - 1); /* the largest in 2^30 .. 2^31 */
-        int32_t high = (int32_t)(w >> 16), low = (int32_t)(w & 0xffff);
-        for (int j = 0; j < 3; j++) {
-            int32_t n = back ? -v[i]->normal[j] : v[i]->normal[j];
-            scaled[i][j] = n * high + glint_shift_right(n * low, 16);
-        }
-    }
-    for (int j = 0; j < 3; j++)
-        plane_begin(&a->normal[j], g, scaled[0][j], scaled[1][j], scaled[2][j]);
-}
-
-/* The farthest surfaces still count as nearer than nothing. */
-static int32_t depth_of(const glint_vertex *v) {
-    return v->inverse_w < 1 << 15 ? 1 << 15 : v->inverse_w;
-}
-
-static void attributes_begin(attributes *a, const glint_vertex *const v[3], int32_t area, int back) {
-    gradients g;
-    gradients_begin(&g, v, area);
-    a->anchor_x = glint_shift_right(v[0]->x, 4);
-    a->anchor_y = glint_shift_right(v[0]->y, 4);
-    plane_begin(&a->depth, &g, depth_of(v[0]), depth_of(v[1]), depth_of(v[2]));
-    normal_planes(a, &g, v, back);
-}
-
-/* Fragments of one row, from column `left` to before `right`; tile coordinates in `fragments`. */
-static void row(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw, const attributes *a,
+/* Fragments of one row, from column `left` to before `right`. */
+static void row(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw, const glint_attributes *a,
                 int32_t left, int32_t right, int32_t y) {
     glint_fragments *fragments = workspace->fragments;
-    int32_t depth = plane_at(&a->depth, left - a->anchor_x, y - a->anchor_y);
-    int32_t n[3];
-    for (int i = 0; i < 3; i++)
-        n[i] = plane_at(&a->normal[i], left - a->anchor_x, y - a->anchor_y);
+    int32_t inverse_w = glint_plane_at(&a->depth, left - a->anchor_x, y - a->anchor_y);
     uint32_t offset = ((uint32_t)(y - fragments->tile_y) << frame->tile_shift_x) + (uint32_t)(left - fragments->tile_x);
-    for (; left < right; left++, offset++) {
-        int32_t here = glint_shift_right(depth, 15);
-        if (here > workspace->depth[offset]) {
-            workspace->depth[offset] = (uint16_t)here;
+    const uint32_t end = offset + (uint32_t)(right - left);
+    for (; offset < end; offset++) {
+        int32_t depth = depth_of(inverse_w);
+        if (depth > workspace->depth[offset]) {
+            workspace->depth[offset] = (uint16_t)depth;
             uint32_t i = fragments->count++;
             fragments->offset[i] = (uint16_t)offset;
-            glint_unit(n[0], n[1], n[2], fragments->normal[i]);
+            fragments->inverse_w[i] = inverse_w;
             if (i == GLINT_FRAGMENTS_MAX - 1)
-                glint_shade(frame, workspace, draw->shading);
+                glint_shade(frame, workspace, draw);
         }
-        depth = glint_add_wrap(depth, a->depth.dx);
-        n[0] = glint_add_wrap(n[0], a->normal[0].dx);
-        n[1] = glint_add_wrap(n[1], a->normal[1].dx);
-        n[2] = glint_add_wrap(n[2], a->normal[2].dx);
+        inverse_w = glint_add_wrap(inverse_w, a->depth.dx);
     }
 }
 
 /* Rows from `top` to before `bottom` between two edges. */
-static void rows(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw, const attributes *a,
-                 const glint_range *tile, const glint_vertex *const sides[4], int32_t top, int32_t bottom) {
+static void rows(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                 const glint_attributes *a, const glint_range *tile, const glint_vertex *const sides[4], int32_t top,
+                 int32_t bottom) {
     edge left, right;
     edge_begin(&left, sides[0], sides[1], top);
     edge_begin(&right, sides[2], sides[3], top);
@@ -173,21 +97,13 @@ static void swap(const glint_vertex **a, const glint_vertex **b) {
     *b = t;
 }
 
-void glint_raster(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                  const glint_vertex *const corners[3]) {
+/* The triangle's rows in the tile: its upper part to the middle corner, then the lower. */
+static void walk(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                 const glint_attributes *a, const glint_vertex *const corners[3]) {
     const glint_fragments *fragments = workspace->fragments;
     const glint_range tile = {fragments->tile_x, fragments->tile_y, fragments->tile_x + fragments->tile_width,
                               fragments->tile_y + fragments->tile_height};
-    const glint_vertex *v[3] = {corners[0], corners[1], corners[2]};
-    int32_t area = glint_double_area(v[0], v[1], v[2]);
-    int back = (area > 0) != draw->mirrored;
-    if (area < 0) {
-        swap(&v[1], &v[2]);
-        area = -area;
-    }
-    attributes a;
-    attributes_begin(&a, v, area, back);
-    const glint_vertex *top = v[0], *middle = v[1], *bottom = v[2];
+    const glint_vertex *top = corners[0], *middle = corners[1], *bottom = corners[2];
     if (middle->y < top->y)
         swap(&top, &middle);
     if (bottom->y < middle->y)
@@ -195,17 +111,34 @@ void glint_raster(const glint_frame *frame, glint_workspace *workspace, const gl
     if (middle->y < top->y)
         swap(&top, &middle);
     /* y runs down, so the middle corner lies right of the long edge where this area is above 0. */
-    int long_is_left = glint_double_area(top, middle, bottom) > 0;
+    const int first_side = glint_double_area(top, middle, bottom) > 0 ? 2 : 0;
     int32_t first = first_row(top), turn = first_row(middle), end = first_row(bottom);
     first = first < tile.top ? tile.top : first;
     end = end > tile.bottom ? tile.bottom : end;
     const glint_vertex *const upper[6] = {top, middle, top, bottom, top, middle};
     const glint_vertex *const lower[6] = {middle, bottom, top, bottom, middle, bottom};
     if (first < turn)
-        rows(frame, workspace, draw, &a, &tile, upper + (long_is_left ? 2 : 0), first, turn < end ? turn : end);
+        rows(frame, workspace, draw, a, &tile, upper + first_side, first, turn < end ? turn : end);
     first = first < turn ? turn : first;
     if (first < end)
-        rows(frame, workspace, draw, &a, &tile, lower + (long_is_left ? 2 : 0), first, end);
+        rows(frame, workspace, draw, a, &tile, lower + first_side, first, end);
+}
+
+void glint_raster(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                  const glint_triangle *triangle) {
+    glint_triangle t = *triangle;
+    int32_t area = glint_double_area(t.corners[0], t.corners[1], t.corners[2]);
+    const int back = (area > 0) != draw->mirrored;
+    if (area < 0) {
+        const int16_t *extra = t.extra[1];
+        swap(&t.corners[1], &t.corners[2]);
+        t.extra[1] = t.extra[2];
+        t.extra[2] = extra;
+        area = -area;
+    }
+    glint_attributes a;
+    glint_setup(&a, workspace->fragments, draw, &t, area, back);
+    walk(frame, workspace, draw, &a, t.corners);
     if (workspace->fragments->count)
-        glint_shade(frame, workspace, draw->shading);
+        glint_shade(frame, workspace, draw);
 }

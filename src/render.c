@@ -2,40 +2,16 @@
 /* Render: every tile of a frame through the flush callback, one sent while the next is drawn. */
 #include "frame.h"
 
-static int is_tile_size(uint16_t size) {
-    return size == 8 || size == 16 || size == 32 || size == 64;
-}
-
-glint_status glint_check_config(glint_config *config) {
-    if (!config->format)
-        return GLINT_ERROR_NULL;
-    if (config->width < 1 || config->width > GLINT_SIZE_MAX || config->height < 1 || config->height > GLINT_SIZE_MAX)
-        return GLINT_ERROR_SIZE;
-    config->tile_width = config->tile_width ? config->tile_width : GLINT_TILE_DEFAULT;
-    config->tile_height = config->tile_height ? config->tile_height : GLINT_TILE_DEFAULT;
-    return is_tile_size(config->tile_width) && is_tile_size(config->tile_height) ? GLINT_OK : GLINT_ERROR_TILE;
-}
-
-/* Bytes of a second tile buffer, to draw into while the first is sent. */
-static size_t buffer_size(const glint_config *config) {
-    return config->flush.wait ? glint_row_bytes(config->format, config->tile_width) * config->tile_height : 0;
-}
-
-size_t glint_tile_buffers_size(const glint_config *config) {
-    return GLINT_ALIGNED(glint_workspace_size(config) + buffer_size(config));
-}
-
 glint_status glint_init(glint_renderer *renderer, const glint_config *config) {
-    static const glint_renderer empty = {0};
     if (!renderer || !config || !config->flush.begin || !config->arena)
         return GLINT_ERROR_NULL;
-    *renderer = empty;
+    *renderer = (glint_renderer){0};
     renderer->config = *config;
     glint_status status = glint_check_config(&renderer->config);
     if (status == GLINT_OK && config->arena_size < glint_tile_buffers_size(&renderer->config) + GLINT_ALIGNMENT)
         status = GLINT_ERROR_ARENA;
     if (status != GLINT_OK)
-        *renderer = empty;
+        *renderer = (glint_renderer){0};
     return status;
 }
 
@@ -78,7 +54,6 @@ static glint_status render_passes(glint_frame *frame, glint_workspace *workspace
 }
 
 glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
-    static const glint_stats none = {0};
     if (!renderer || !scene || !renderer->config.flush.begin)
         return GLINT_ERROR_NULL;
     glint_config config = renderer->config;
@@ -89,12 +64,13 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
     glint_workspace_init(&workspace, &config, memory);
     config.arena = memory + buffers;
     config.arena_size -= buffers; /* what aligning took is given up in glint_frame_begin */
-    renderer->stats = none;
+    renderer->stats = (glint_stats){0};
     glint_status status = glint_frame_begin(&frame, &config, scene);
     if (status != GLINT_OK)
         return status;
     uint8_t *first = workspace.pixels;
-    sender s = {&config.flush, {first, first + buffer_size(&config)}, 0, 0};
+    uint8_t *second = config.flush.wait ? first + workspace.stride * config.tile_height : first;
+    sender s = {&config.flush, {first, second}, 0, 0};
     status = render_passes(&frame, &workspace, &s);
     if (wait(&s) && status == GLINT_OK)
         status = GLINT_ERROR_FLUSH;

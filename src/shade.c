@@ -1,27 +1,74 @@
 /* SPDX-License-Identifier: MIT */
-/* Shade: colours of a few fragments of one triangle, light by light, then into the tile's pixels. */
+/* Shade: colours of a few fragments of one triangle into the tile's pixels. */
 #include "frame.h"
 
-/* V points from the fragment to the eye: against the ray through the pixel's centre, in half pixels, Q12. */
-static void find_view_vectors(const glint_frame *frame, glint_fragments *fragments) {
-    uint32_t mask = (uint32_t)frame->config.tile_width - 1;
+int glint_needs_rays(const glint_view *view, const glint_shading *shading) {
+    return view->has_positions || (view->local_viewer && shading->has_specular);
+}
+
+/* V points to the eye: along the ray for the local viewer, straight back for the infinite one. */
+static void find_view_vectors(const glint_view *view, glint_fragments *fragments) {
+    if (view->local_viewer) {
+        for (uint32_t i = 0; i < fragments->count; i++)
+            glint_unit_inline(fragments->ray[i][0], fragments->ray[i][1], fragments->ray[i][2], fragments->view[i]);
+        return;
+    }
+    for (uint32_t i = 0; i < fragments->count; i++)
+        fragments->view[i][0] = 0, fragments->view[i][1] = 0, fragments->view[i][2] = GLINT_UNIT;
+}
+
+static void set_colours(glint_fragments *fragments, uint32_t red, uint32_t green, uint32_t blue) {
     for (uint32_t i = 0; i < fragments->count; i++) {
-        int32_t x = fragments->tile_x + (int32_t)(fragments->offset[i] & mask);
-        int32_t y = fragments->tile_y + (fragments->offset[i] >> frame->tile_shift_x);
-        glint_unit((frame->config.width - 1 - 2 * x) * 4096, (2 * y + 1 - frame->config.height) * 4096,
-                   frame->view->focal, fragments->view[i]);
+        fragments->colour[i][0] = red;
+        fragments->colour[i][1] = green;
+        fragments->colour[i][2] = blue;
     }
 }
 
-void glint_shade(const glint_frame *frame, glint_workspace *workspace, const glint_shading *shading) {
-    glint_fragments *fragments = workspace->fragments;
-    if (frame->view->local_viewer && shading->has_specular)
-        find_view_vectors(frame, fragments);
-    for (uint32_t i = 0; i < fragments->count; i++)
-        for (int c = 0; c < 3; c++)
-            fragments->colour[i][c] = shading->ambient[c];
+/* The larger of each colour and its ambient light: what is 0 becomes ambient light. */
+static void raise_to_ambient(const glint_shading *shading, glint_fragments *fragments, int has_surface) {
+    const int16_t *surface = fragments->surface[0];
+    uint32_t *colour = fragments->colour[0];
+    for (uint32_t i = 0; i < fragments->count; i++, surface += 3, colour += 3) {
+        for (int c = 0; c < 3; c++) {
+            uint32_t ambient = shading->ambient[c];
+            if (has_surface)
+                ambient = (uint32_t)((uint64_t)ambient * ((uint32_t)surface[c] + 1) >> 15);
+            colour[c] = colour[c] < ambient ? ambient : colour[c];
+        }
+    }
+}
+
+void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const glint_shading *shading,
+                     int has_surface) {
+    const glint_model *model = shading->material->model;
+    const uint32_t takes_largest = model->light ? shading->material->flags & GLINT_MATERIAL_MAX : 0;
+    if (takes_largest || has_surface)
+        set_colours(fragments, 0, 0, 0);
+    else
+        set_colours(fragments, shading->ambient[0], shading->ambient[1], shading->ambient[2]);
+    if (has_surface && !takes_largest)
+        raise_to_ambient(shading, fragments, has_surface);
+    if (!model->light)
+        return;
+    if (shading->has_specular)
+        find_view_vectors(frame->view, fragments);
     for (uint32_t light = 0; light < frame->view->light_count; light++)
-        shading->material->model->light(shading, light, frame->view, fragments);
-    frame->config.format->store(workspace->pixels, fragments->offset, fragments->colour, fragments->count);
+        model->light(shading, light, frame->view, fragments, has_surface);
+    if (takes_largest)
+        raise_to_ambient(shading, fragments, has_surface);
+}
+
+void glint_clamp_colour(const uint32_t colour[3], int16_t out[3]) {
+    for (int c = 0; c < 3; c++)
+        out[c] = (int16_t)(colour[c] < (1u << 23) - 256 ? (colour[c] + 128) >> 8 : GLINT_COLOUR_ONE);
+}
+
+void glint_shade(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw) {
+    glint_fragments *fragments = workspace->fragments;
+    draw->evaluation->shade(frame, fragments, draw);
+    if (frame->config.gamma)
+        glint_apply_gamma(frame->config.gamma, fragments->colour, fragments->count);
+    frame->config.format->store(workspace->pixels, fragments, frame->tile_shift_x);
     fragments->count = 0;
 }

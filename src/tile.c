@@ -2,20 +2,11 @@
 /* Tile: draws the triangles that a pass lists for one tile. */
 #include "frame.h"
 
-size_t glint_row_bytes(const glint_format *format, uint32_t width) {
-    return ((size_t)width * format->bits + 7) / 8;
-}
+/* Compilers call memset even in freestanding code; here the library does. */
+void *memset(void *bytes, int value, size_t size);
 
 static uint32_t tile_pixels(const glint_config *config) {
     return (uint32_t)config->tile_width * config->tile_height;
-}
-
-size_t glint_workspace_size(const glint_config *config) {
-    glint_config full = *config;
-    if (glint_check_config(&full) != GLINT_OK)
-        return 0;
-    return sizeof(glint_fragments) + tile_pixels(&full) * sizeof(uint16_t) +
-           glint_row_bytes(full.format, full.tile_width) * full.tile_height;
 }
 
 void glint_workspace_init(glint_workspace *workspace, const glint_config *config, void *memory) {
@@ -29,30 +20,47 @@ void glint_workspace_init(glint_workspace *workspace, const glint_config *config
 }
 
 static void clear(const glint_frame *frame, glint_workspace *workspace) {
+    const glint_config *config = &frame->config;
     const glint_colour *background = &frame->scene->background;
-    const uint32_t colour[3] = {(uint32_t)background->r << 7, (uint32_t)background->g << 7,
-                                (uint32_t)background->b << 7};
-    uint32_t count = tile_pixels(&frame->config);
-    frame->config.format->fill(workspace->pixels, count, colour);
-    for (uint32_t i = 0; i < count; i++)
-        workspace->depth[i] = 0;
+    uint32_t colour[1][3] = {
+        {(uint32_t)background->r << 7, (uint32_t)background->g << 7, (uint32_t)background->b << 7}};
+    if (config->gamma)
+        glint_apply_gamma(config->gamma, colour, 1);
+    config->format->fill(workspace->pixels, config->tile_width, config->tile_height, colour[0]);
+    memset(workspace->depth, 0, tile_pixels(config) * sizeof *workspace->depth);
+}
+
+static void draw_clipped(const glint_frame *frame, glint_workspace *workspace, const glint_clipped *clipped) {
+    glint_triangle triangle;
+    for (int i = 0; i < 3; i++) {
+        triangle.corners[i] = &clipped->corners[i];
+        triangle.extra[i] = clipped->extra[i];
+    }
+    triangle.facet = clipped->draw->facets ? clipped->draw->facets[clipped->triangle] : 0;
+    glint_raster(frame, workspace, clipped->draw, &triangle);
+}
+
+static void draw_triangle(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw, uint32_t i) {
+    const uint16_t *indices = draw->triangles[i];
+    glint_triangle triangle;
+    for (int j = 0; j < 3; j++) {
+        triangle.corners[j] = &draw->vertices[indices[j]];
+        triangle.extra[j] = draw->extra ? draw->extra[indices[j]] : 0;
+    }
+    triangle.facet = draw->facets ? draw->facets[i] : 0;
+    glint_raster(frame, workspace, draw, &triangle);
 }
 
 static void draw_reference(const glint_frame *frame, glint_workspace *workspace, const glint_draw **draw,
                            uint32_t number) {
     if (number > GLINT_TRIANGLES_MAX) {
         const glint_clipped *top = (const glint_clipped *)(const void *)(frame->memory.base + frame->memory.high);
-        const glint_clipped *clipped = top - 1 - (GLINT_CLIPPED_TOP - number);
-        const glint_vertex *const corners[3] = {&clipped->corners[0], &clipped->corners[1], &clipped->corners[2]};
-        glint_raster(frame, workspace, clipped->draw, corners);
+        draw_clipped(frame, workspace, top - 1 - (GLINT_CLIPPED_TOP - number));
         return;
     }
     while (number >= (uint32_t)(*draw)->first + (*draw)->count)
         *draw = (*draw)->next;
-    const uint16_t *indices = (*draw)->triangles[number - (*draw)->first];
-    const glint_vertex *vertices = (*draw)->vertices;
-    const glint_vertex *const corners[3] = {&vertices[indices[0]], &vertices[indices[1]], &vertices[indices[2]]};
-    glint_raster(frame, workspace, *draw, corners);
+    draw_triangle(frame, workspace, *draw, number - (*draw)->first);
 }
 
 int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {

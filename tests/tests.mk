@@ -1,21 +1,27 @@
 # SPDX-License-Identifier: MIT
 # The library's suites on the host. Each is a program that closes with `N passed, N failed` and exits 1 on a failure.
 
-TEST_INCLUDES := -Isrc -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit
+TEST_INCLUDES := -Isrc -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit
 TEST_CFLAGS   := -std=c99 $(WARNINGS) -g $(TEST_INCLUDES)
 
 TEST_HARNESS := tests/harness.c tests/main.c
 TEST_UNIT    := $(wildcard tests/unit/*.c)
 TEST_SCENES  := tests/image/picture.c tests/image/scenes.c examples/bench/bench.c
-TEST_JUDGE   := tests/image/library_geometry.c tests/image/judge.c tests/reference/reference.c
-TEST_HEADERS := $(wildcard src/*.h tests/*.h tests/*/*.h examples/bench/*.h)
+TEST_JUDGE   := tests/image/library_geometry.c tests/image/judge.c tests/reference/reference.c \
+    tests/reference/lighting.c
+TEST_HEADERS := $(wildcard src/*.h tests/*.h tests/*/*.h examples/bench/*.h examples/scenes/*.h examples/meshes/*.h)
 
 SUITE_unit      := $(TEST_HARNESS) $(TEST_UNIT)
 SUITE_numbers   := $(TEST_HARNESS) tests/reference/numbers.c
 SUITE_compare   := $(TEST_HARNESS) tests/image/compare.c $(TEST_SCENES) $(TEST_JUDGE)
+SUITE_models    := $(TEST_HARNESS) tests/image/models.c tests/image/surfaces.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
+SUITE_gallery   := $(TEST_HARNESS) tests/image/gallery.c tests/image/rows.c tests/image/picture.c $(TEST_JUDGE) \
+    $(wildcard examples/scenes/*.c)
+SUITE_output    := $(TEST_HARNESS) tests/image/output.c $(TEST_SCENES)
+SUITE_highlights := $(TEST_HARNESS) tests/image/highlights.c $(TEST_SCENES)
 SUITE_fill_rule := $(TEST_HARNESS) tests/image/fill_rule.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit numbers compare fill_rule identity
+TEST_SUITES     := unit numbers compare models gallery output highlights fill_rule identity
 
 # $(call test_suite,variant,suite,compiler,flags): build/tests/<variant>/<suite>
 define test_suite
@@ -42,7 +48,7 @@ run_suites = @status=0; for suite in $1; do echo "$$suite"; $$suite || status=1;
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers) ## unit tests on the host, arithmetic against libm
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,compare fill_rule) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,compare models gallery output highlights fill_rule) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order

@@ -34,7 +34,7 @@ format() {
 tidy() {
     local status=0
     tidy_files "-Isrc" 'src/*.c' || status=1
-    tidy_files "-Isrc -Iport/host" 'port/host/*.c' || status=1
+    tidy_files "-Isrc -Iport/host -Iexamples" 'port/host/*.c' || status=1
     tidy_files "-Isrc -Iport -Iport/libc -Iexamples -Itests $(arm)" \
         'port/*.c' 'examples/firmware/*.c' 'tests/board/*_board.c' \
         'tests/board/pattern.c' 'tests/board/unit.c' ':!port/host' || status=1

@@ -803,6 +803,8 @@ static const glint_mesh teapot_mesh = {
     {-958, 0, 0}, /* offset */
     {64581, 31640, 40177}, /* extent */
     0,
+    0,
+    0, /* no colours */
 };
 
 #endif

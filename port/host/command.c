@@ -13,7 +13,7 @@ int command_fail(const char *file, const host_problem *problem) {
 
 bool command_load(const host_settings *settings, bool scaled, host_model *model, quantised_mesh *mesh) {
     host_problem problem;
-    if (!load_model(settings->model, settings->crease, model, &problem)) {
+    if (!load_model(settings->model, &settings->load, model, &problem)) {
         problem_print(settings->model, &problem);
         return false;
     }

@@ -23,6 +23,9 @@ int command_info(const host_settings *settings);
 /** Writes a model as a C header. */
 int command_convert(const host_settings *settings);
 
+/** Draws an example scene into a PNG or an APNG, or lists them. */
+int command_scene(const host_settings *settings);
+
 /** Draws the sheet that shows what the library does. */
 int command_demo(const host_settings *settings);
 
@@ -34,6 +37,9 @@ int command_fail(const char *file, const host_problem *problem);
  * @return false after a problem; nothing is then to be freed, else model->mesh and `mesh`
  */
 bool command_load(const host_settings *settings, bool scaled, host_model *model, quantised_mesh *mesh);
+
+/** Prints what a frame took, a name and a value a line. */
+void command_print_stats(const glint_stats *stats, const framebuffer *target);
 
 /** Expands a framebuffer into a PNG file. @return false with a problem */
 bool command_write_png(const framebuffer *source, const char *path, host_problem *problem);

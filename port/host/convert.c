@@ -47,6 +47,14 @@ static void print_in_comment(host_bytes *out, const char *text) {
     }
 }
 
+static void print_load_options(host_bytes *out, const load_options *load) {
+    if (load->crease >= 0) {
+        bytes_print(out, " --crease %.9g", load->crease);
+    }
+    bytes_print(out, "%s%s%s", load->weights == MESH_BY_ANGLE ? " --weights angle" : "",
+                load->facets ? " --facets" : "", load->repair ? " --repair" : "");
+}
+
 /** The options that shape the mesh, in one order. The output's name is not among them: it must not change the bytes. */
 static void print_command_line(const header_writer *writer) {
     const host_settings *settings = writer->settings;
@@ -59,9 +67,7 @@ static void print_command_line(const header_writer *writer) {
     if (settings->licence != NULL) {
         bytes_print(writer->out, " --licence \"%s\"", settings->licence);
     }
-    if (settings->crease >= 0) {
-        bytes_print(writer->out, " --crease %.9g", settings->crease);
-    }
+    print_load_options(writer->out, &settings->load);
     if (scale[0] < 1 || scale[0] > 1 || scale[1] < 1 || scale[1] > 1 || scale[2] < 1 || scale[2] > 1) {
         bytes_print(writer->out, " --scale %.9g,%.9g,%.9g", scale[0], scale[1], scale[2]);
     }
@@ -78,15 +84,17 @@ static void print_head(const header_writer *writer, const host_model *model, con
     bytes_print(out, "/*\n * ");
     print_in_comment(out, path_base_name(writer->settings->model));
     bytes_print(out, ": %zu vertices, %zu triangles, %zu bytes of flash. Generated, not to be edited, by\n *     ",
-                mesh->vertex_count, mesh->triangle_count, 12 * mesh->vertex_count + 6 * mesh->triangle_count);
+                mesh->vertex_count, mesh->triangle_count, quantised_size(mesh));
     print_command_line(writer);
     bytes_print(out, "\n * from a source whose FNV-1a hash (64 bits) is %016llx.\n *\n",
                 (unsigned long long)model->hash);
-    bytes_print(out, " * positions  int16 steps: object space is offset + extent * step / 32768, per axis\n"
-                     " * normals    int16, Q15, unit length: 32767 is 1\n"
-                     " * triangles  uint16 indices, counter-clockwise seen from outside\n"
-                     " * offset     Q16.16, where step 0 lies\n"
-                     " * extent     Q16.16, the length of 32768 steps\n */\n");
+    bytes_print(out,
+                " * positions  int16 steps: object space is offset + extent * step / 32768, per axis\n"
+                " * normals    int16, Q15, unit length: 32767 is 1\n"
+                " * triangles  uint16 indices, counter-clockwise seen from outside\n"
+                " * offset     Q16.16, where step 0 lies\n"
+                " * extent     Q16.16, the length of 32768 steps\n%s */\n",
+                mesh->pieces[0].colours != NULL ? " * colours    uint8 red, green, blue: 255 is 1\n" : "");
 }
 
 static void print_guard(const header_writer *writer, const char *directive) {
@@ -112,9 +120,22 @@ static void print_int16(const header_writer *writer, const char *what, const cha
     bytes_print(writer->out, "\n};\n");
 }
 
+static void print_colours(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {
+    bytes_print(writer->out, "\nstatic const uint8_t %s_colours%s[%lu][3] = {", writer->name, suffix,
+                (unsigned long)mesh->vertex_count);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        print_gap(writer, i);
+        bytes_print(writer->out, "{%u, %u, %u},", mesh->colours[i][0], mesh->colours[i][1], mesh->colours[i][2]);
+    }
+    bytes_print(writer->out, "\n};\n");
+}
+
 static void print_arrays(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {
     print_int16(writer, "positions", suffix, mesh->positions, mesh->vertex_count);
     print_int16(writer, "normals", suffix, mesh->normals, mesh->vertex_count);
+    if (mesh->colours != NULL) {
+        print_colours(writer, mesh, suffix);
+    }
     bytes_print(writer->out, "\nstatic const uint16_t %s_triangles%s[%lu][3] = {", writer->name, suffix,
                 (unsigned long)mesh->triangle_count);
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
@@ -135,6 +156,11 @@ static void print_mesh(const header_writer *writer, const glint_mesh *mesh, cons
     bytes_print(writer->out, "    {%ld, %ld, %ld}, /* extent */\n", (long)mesh->extent.x, (long)mesh->extent.y,
                 (long)mesh->extent.z);
     bytes_print(writer->out, "    %s,\n", mesh->flags != 0 ? "GLINT_MESH_DOUBLE_SIDED" : "0");
+    if (mesh->colours != NULL) {
+        bytes_print(writer->out, "    %s_colours%s,\n    0, /* no 16-bit colours */\n", name, suffix);
+    } else {
+        bytes_print(writer->out, "    0,\n    0, /* no colours */\n");
+    }
 }
 
 /** One mesh as NAME_mesh; several pieces as the array NAME_meshes. */
@@ -164,6 +190,19 @@ static void print_meshes(const header_writer *writer, const quantised_mesh *mesh
     bytes_print(writer->out, "};\n");
 }
 
+/** Says on stderr when the mesh that is written is not wound as it should be. */
+static void warn_of_winding(const char *file, const host_mesh *mesh) {
+    const mesh_winding winding = mesh_check_winding(mesh);
+    host_problem warning;
+    if (winding.mixed_parts == 0 && winding.inward_parts == 0) {
+        return;
+    }
+    problem_set(&warning, 0, "warning: of %zu connected parts %zu are wound inconsistently and %zu inside out%s",
+                winding.part_count, winding.mixed_parts, winding.inward_parts,
+                winding.mixed_parts > winding.one_sided_parts || winding.inward_parts > 0 ? ": see --repair" : "");
+    problem_print(file, &warning);
+}
+
 int command_convert(const host_settings *settings) {
     host_model model;
     quantised_mesh mesh;
@@ -179,10 +218,13 @@ int command_convert(const host_settings *settings) {
     bytes_print(&file, "\n#include \"glint.h\"\n");
     print_meshes(&writer, &mesh);
     bytes_print(&file, "\n#endif\n");
-    mesh_free(&model.mesh);
     quantised_free(&mesh);
     host_problem problem;
     const bool ok = bytes_write_file(&file, settings->output, &problem);
     free(file.data);
+    if (ok) {
+        warn_of_winding(settings->model, &model.mesh);
+    }
+    mesh_free(&model.mesh);
     return ok ? 0 : command_fail(settings->output, &problem);
 }

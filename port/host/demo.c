@@ -28,12 +28,12 @@ typedef struct demo_cell {
 } demo_cell;
 
 static const demo_cell cells[] = {
-    /* Porcelain: a warm key light, a cool one from behind that draws the outline, a faint one from below. */
+    /* Glazed clay: a warm key light, a cool one from behind that draws the outline, a faint one from below. */
     {0, 0,
      "teapot.obj --size 640x480 --double-sided --eye 0.5,1.05,2.45 --at 0,-0.03,0 --fov 36 --viewer local "
      "--light dir:-0.6,0.8,0.7:1,0.95,0.86 --light dir:0.9,0.35,-0.7:0.35,0.55,0.95 "
-     "--light dir:0.2,-0.9,0.4:0.2,0.13,0.1 --ambient .07,.07,.09 --diffuse .83,.8,.76 --specular .7 "
-     "--shininess 90 --background .075,.085,.115"},
+     "--light dir:0.2,-0.9,0.4:0.2,0.13,0.1 --ambient .05,.055,.07 --diffuse .5,.13,.1 --specular .9 "
+     "--shininess 60 --background .075,.085,.115"},
     /* Copper. */
     {640, 0,
      "spot.obj --rotate-y 205 --eye 0.1,0.75,2.9 --at 0,0.12,0 --fov 36 --viewer local "

@@ -37,14 +37,17 @@ static void expand_grey4(const uint8_t *row, uint32_t x, uint8_t *levels) {
 }
 
 const framebuffer_format framebuffer_formats[] = {
-    {"rgb565", &glint_format_rgb565, 3, expand_rgb565}, {"rgb565_be", &glint_format_rgb565_be, 3, expand_rgb565_be},
-    {"rgb888", &glint_format_rgb888, 3, expand_rgb888}, {"grey8", &glint_format_grey8, 1, expand_grey8},
-    {"grey4", &glint_format_grey4, 1, expand_grey4},    {NULL, NULL, 0, NULL},
+    {"rgb565", &glint_format_rgb565, &glint_format_rgb565_dithered, 3, expand_rgb565},
+    {"rgb565_be", &glint_format_rgb565_be, &glint_format_rgb565_be_dithered, 3, expand_rgb565_be},
+    {"rgb888", &glint_format_rgb888, &glint_format_rgb888_dithered, 3, expand_rgb888},
+    {"grey8", &glint_format_grey8, &glint_format_grey8_dithered, 1, expand_grey8},
+    {"grey4", &glint_format_grey4, &glint_format_grey4_dithered, 1, expand_grey4},
+    {NULL, NULL, NULL, 0, NULL},
 };
 
 const framebuffer_format *framebuffer_find_format(const char *name, const glint_format *format) {
     for (const framebuffer_format *found = framebuffer_formats; found->name != NULL; found++) {
-        if (name != NULL ? strcmp(found->name, name) == 0 : found->format == format) {
+        if (name != NULL ? strcmp(found->name, name) == 0 : found->format == format || found->dithered == format) {
             return found;
         }
     }

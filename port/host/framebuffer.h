@@ -12,7 +12,8 @@
 typedef struct framebuffer_format {
     const char *name;
     const glint_format *format;
-    uint32_t channels; /**< Of the picture it becomes: 1 for grey, 3 for red, green, blue. */
+    const glint_format *dithered; /**< The same with ordered dithering. */
+    uint32_t channels;            /**< Of the picture it becomes: 1 for grey, 3 for red, green, blue. */
     /** Expands the pixel at column `x` of a stored row to 8 bits a channel. */
     void (*expand)(const uint8_t *row, uint32_t x, uint8_t *levels);
 } framebuffer_format;
@@ -20,7 +21,7 @@ typedef struct framebuffer_format {
 /** All formats, ended by one without a name. */
 extern const framebuffer_format framebuffer_formats[];
 
-/** The format of a name or, with a null name, of a descriptor; null when there is none. */
+/** The format of a name or, with a null name, of a descriptor, dithered or not; null when there is none. */
 const framebuffer_format *framebuffer_find_format(const char *name, const glint_format *format);
 
 /** What one frame was sent as. Owns `rows`. */

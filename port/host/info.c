@@ -13,6 +13,15 @@ static const struct info_panel {
     {128, 64, "grey4"}, {128, 128, "rgb565"}, {160, 128, "rgb565"}, {240, 240, "rgb565"}, {320, 240, "rgb565"},
 };
 
+static void print_winding(const host_model *model) {
+    const mesh_winding winding = mesh_check_winding(&model->mesh);
+    printf("parts %zu\n", winding.part_count);
+    printf("mixed_parts %zu\n", winding.mixed_parts);
+    printf("inward_parts %zu\n", winding.inward_parts);
+    printf("one_sided_parts %zu\n", winding.one_sided_parts);
+    printf("triangles_turned %zu\n", model->turned_count);
+}
+
 static void print_counts(const host_model *model, const quantised_mesh *mesh) {
     const mesh_topology topology = mesh_check_topology(&model->mesh);
     const bool all = model->given_normals == model->corner_count;
@@ -28,7 +37,9 @@ static void print_counts(const host_model *model, const quantised_mesh *mesh) {
     printf("boundary_edges %zu\n", topology.boundary_edges);
     printf("inconsistent_edges %zu\n", topology.inconsistent_edges);
     printf("shared_edges %zu\n", topology.shared_edges);
-    printf("flash_bytes %zu\n", 12 * mesh->vertex_count + 6 * mesh->triangle_count);
+    print_winding(model);
+    printf("colours %s\n", model->mesh.colours != NULL ? "given" : "none");
+    printf("flash_bytes %zu\n", quantised_size(mesh));
 }
 
 static void print_bounds(const host_model *model, const quantised_mesh *mesh) {

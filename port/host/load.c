@@ -33,7 +33,7 @@ static bool load_mesh(const char *name, host_model *model, host_problem *problem
     return ok;
 }
 
-bool load_model(const char *name, double crease, host_model *model, host_problem *problem) {
+bool load_model(const char *name, const load_options *options, host_model *model, host_problem *problem) {
     if (!load_mesh(name, model, problem)) {
         return false;
     }
@@ -42,6 +42,11 @@ bool load_model(const char *name, double crease, host_model *model, host_problem
     for (size_t i = 0; i < model->corner_count; i++) {
         model->given_normals += model->mesh.triangles[i / 3][i % 3].normal != MESH_NO_NORMAL;
     }
-    mesh_make_normals(&model->mesh, crease);
+    model->turned_count = options->repair ? mesh_repair_winding(&model->mesh) : 0;
+    if (options->facets) {
+        mesh_make_facet_normals(&model->mesh);
+    } else {
+        mesh_average_normals(&model->mesh, options->crease, options->weights);
+    }
     return true;
 }

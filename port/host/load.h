@@ -9,19 +9,27 @@
 #include "mesh.h"
 #include "problem.h"
 
+/** What becomes of a model when it is loaded. */
+typedef struct load_options {
+    double crease; /**< As for mesh_average_normals. */
+    mesh_weights weights;
+    bool facets; /**< Facet normals in place of averages. */
+    bool repair; /**< Turn triangles that are wound the wrong way. */
+} load_options;
+
 /** A model with normals at every corner. */
 typedef struct host_model {
     host_mesh mesh;
     uint64_t hash;        /**< FNV-1a, 64 bits, of the file's bytes, or of a shape's name. */
     size_t corner_count;  /**< Corners of all triangles... */
     size_t given_normals; /**< ...and those of them whose normal came with the model. */
+    size_t turned_count;  /**< Triangles turned by the repair. */
 } host_model;
 
 /**
  * Loads a model and makes the normals that are missing.
- * @param crease as for mesh_make_normals
  * @return false with a problem; nothing is then to be freed, else the mesh
  */
-bool load_model(const char *name, double crease, host_model *model, host_problem *problem);
+bool load_model(const char *name, const load_options *options, host_model *model, host_problem *problem);
 
 #endif

@@ -25,6 +25,10 @@ static const host_command commands[] = {
      command_info},
     {"convert", "MODEL [options] -o MESH.h", "write a model as const arrays", COMMAND_CONVERT, true, true,
      command_convert},
+#ifndef HOST_WITHOUT_SCENES
+    {"scene", "NAME[:VARIANT] [options] -o OUT.png", "draw a frame of an example scene, or an animation", COMMAND_SCENE,
+     false, false, command_scene},
+#endif
     {"demo", "[options] -o OUT.png", "draw several models on one sheet", COMMAND_DEMO, false, true, command_demo},
 };
 
@@ -36,13 +40,15 @@ static void print_command(const host_command *command) {
 }
 
 static int print_help(void) {
-    printf("glint draws lit 3D models as the library of the same name does, pixel for pixel.\n");
+    printf("glint draws lit 3D models and scenes as the library of the same name does, pixel for pixel.\n");
     for (size_t i = 0; i < COMMAND_COUNT; i++) {
         print_command(&commands[i]);
     }
     printf("\nglint help\nglint --version\n\nMODEL is a Wavefront OBJ file or one of\n");
     for (const host_shape *shape = host_shapes; shape->name != NULL; shape++) {
-        printf("  %s:%s\n", shape->name, shape->help);
+        char left[40];
+        snprintf(left, sizeof left, "%s%s", shape->name, shape->syntax);
+        printf("  %-26s %s\n", left, shape->help);
     }
     printf("\nWhat holds without an option stands last in its line. Bad input ends with one line on stderr,\n"
            "exit status 2, and no output file.\n");

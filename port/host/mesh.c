@@ -11,6 +11,7 @@ void mesh_free(host_mesh *mesh) {
     free(mesh->positions);
     free(mesh->normals);
     free(mesh->triangles);
+    free(mesh->colours);
     memset(mesh, 0, sizeof *mesh);
 }
 
@@ -38,6 +39,20 @@ uint32_t mesh_add_normal(host_mesh *mesh, double x, double y, double z) {
     normal[1] = y / length;
     normal[2] = z / length;
     return (uint32_t)mesh->normal_count++;
+}
+
+void mesh_add_colour(host_mesh *mesh, uint8_t r, uint8_t g, uint8_t b) {
+    mesh->colours = memory_grow(mesh->colours, &mesh->colour_capacity, mesh->colour_count, sizeof *mesh->colours);
+    uint8_t *colour = mesh->colours[mesh->colour_count++];
+    colour[0] = r;
+    colour[1] = g;
+    colour[2] = b;
+}
+
+void mesh_drop_colours(host_mesh *mesh) {
+    free(mesh->colours);
+    mesh->colours = NULL;
+    mesh->colour_count = mesh->colour_capacity = 0;
 }
 
 void mesh_add_triangle(host_mesh *mesh, mesh_corner a, mesh_corner b, mesh_corner c) {

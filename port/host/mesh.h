@@ -6,6 +6,7 @@
 #ifndef GLINT_HOST_MESH_H
 #define GLINT_HOST_MESH_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -25,11 +26,13 @@ typedef struct host_mesh {
     double (*positions)[3];
     double (*normals)[3];        /**< Outward, unit length or all 0. */
     mesh_corner (*triangles)[3]; /**< Counter-clockwise seen from outside. */
+    uint8_t (*colours)[3];       /**< Of the positions, 255 for 1; null when there are none. */
     size_t position_count, position_capacity;
     size_t normal_count, normal_capacity;
     size_t triangle_count, triangle_capacity;
-    size_t face_count;    /**< Faces that the triangles came from. */
-    size_t group_count;   /**< Groups and objects named in the file. */
+    size_t colour_count, colour_capacity; /**< position_count, or 0 when there are none. */
+    size_t face_count;                    /**< Faces that the triangles came from. */
+    size_t group_count;                   /**< Groups and objects named in the file. */
     size_t farthest_line; /**< Line of the largest coordinate; 0 when the mesh did not come from a file. */
 } host_mesh;
 
@@ -49,6 +52,20 @@ typedef struct mesh_topology {
     size_t shared_edges;       /**< Edges of more than two triangles. */
 } mesh_topology;
 
+/** How a mesh is wound, part by part; a part hangs together by edges that exactly two triangles share. */
+typedef struct mesh_winding {
+    size_t part_count;
+    size_t mixed_parts;     /**< With triangles that are wound against each other. */
+    size_t inward_parts;    /**< Closed, consistently wound, and inside out. */
+    size_t one_sided_parts; /**< That no winding makes consistent. */
+} mesh_winding;
+
+/** What triangles weigh in the normal of a corner that they share. */
+typedef enum mesh_weights {
+    MESH_BY_AREA, /**< Their areas. */
+    MESH_BY_ANGLE /**< Their angles there (Thuermer and Wuethrich, 1998): cutting a face up changes nothing. */
+} mesh_weights;
+
 /** Frees what a mesh owns and makes it empty. */
 void mesh_free(host_mesh *mesh);
 
@@ -57,6 +74,12 @@ uint32_t mesh_add_position(host_mesh *mesh, double x, double y, double z);
 
 /** Appends a normal, made unit length unless its length is 0. @return its index */
 uint32_t mesh_add_normal(host_mesh *mesh, double x, double y, double z);
+
+/** Appends the colour of the next position that has none, each channel 0 to 255. */
+void mesh_add_colour(host_mesh *mesh, uint8_t r, uint8_t g, uint8_t b);
+
+/** Frees the colours. */
+void mesh_drop_colours(host_mesh *mesh);
 
 /** Appends a triangle. */
 void mesh_add_triangle(host_mesh *mesh, mesh_corner a, mesh_corner b, mesh_corner c);
@@ -75,11 +98,31 @@ void mesh_bounds(const host_mesh *mesh, double low[3], double high[3]);
 void mesh_scale(host_mesh *mesh, const double factors[3]);
 
 /**
- * Gives normals to the corners that have none: area-weighted averages over the triangles round a position.
+ * Gives normals to the corners that have none: weighted averages over the triangles round a position.
  * @param crease with an angle from 0 to 180 degrees all normals are made anew, and split at edges whose triangles turn
  *        by more than that; MESH_NO_CREASE to make the missing ones only, without splits
  */
+void mesh_average_normals(host_mesh *mesh, double crease, mesh_weights weights);
+
+/** The same with MESH_BY_AREA. */
 void mesh_make_normals(host_mesh *mesh, double crease);
+
+/** Makes all normals anew: the triangles' own. */
+void mesh_make_facet_normals(host_mesh *mesh);
+
+/** Numbers positions so that those with equal coordinates have the same number. @return the caller frees them */
+uint32_t *mesh_weld(const host_mesh *mesh);
+
+/** Looks at how the mesh is wound. */
+mesh_winding mesh_check_winding(const host_mesh *mesh);
+
+/**
+ * Turns triangles so that each part is wound consistently and faces outwards: away from the volume that it encloses or,
+ * when it is open, from its middle. A flat part keeps the way in which most of its area faces; a one-sided one stays.
+ * Normals of turned triangles that then face backwards are turned too.
+ * @return the number of triangles turned
+ */
+size_t mesh_repair_winding(host_mesh *mesh);
 
 /** Cross product of two edges of a triangle: outward, twice its area long. */
 void mesh_triangle_normal(const host_mesh *mesh, size_t triangle, double normal[3]);

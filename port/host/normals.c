@@ -91,13 +91,32 @@ static size_t *sets_by_position(const host_mesh *mesh) {
     return sets;
 }
 
-static double (*sum_over_sets(const host_mesh *mesh, const size_t *sets))[3] {
+static double length(const double v[3]) {
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/** Angle between two edges of a triangle at corner `i`, over the length of the triangle's normal. */
+static double angle_weight(const host_mesh *mesh, size_t i, const double normal[3]) {
+    const mesh_corner *triangle = mesh->triangles[i / 3];
+    const double *here = mesh->positions[triangle[i % 3].position];
+    const double *next = mesh->positions[triangle[(i + 1) % 3].position];
+    const double *last = mesh->positions[triangle[(i + 2) % 3].position];
+    double dot = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        dot += (next[axis] - here[axis]) * (last[axis] - here[axis]);
+    }
+    const double twice_area = length(normal);
+    return twice_area > 0 ? atan2(twice_area, dot) / twice_area : 0.0;
+}
+
+static double (*sum_over_sets(const host_mesh *mesh, const size_t *sets, mesh_weights weights))[3] {
     double(*sums)[3] = memory_new(3 * mesh->triangle_count, sizeof *sums);
     for (size_t i = 0; i < 3 * mesh->triangle_count; i++) {
         double normal[3];
         mesh_triangle_normal(mesh, i / 3, normal);
+        const double weight = weights == MESH_BY_ANGLE ? angle_weight(mesh, i, normal) : 1.0;
         for (int axis = 0; axis < 3; axis++) {
-            sums[sets[i]][axis] += normal[axis];
+            sums[sets[i]][axis] += weight * normal[axis];
         }
     }
     return sums;
@@ -116,10 +135,10 @@ static uint32_t add_set_normal(host_mesh *mesh, const double sum[3], size_t tria
     return mesh_add_normal(mesh, normal[0], normal[1], is_zero(normal) ? 1.0 : normal[2]);
 }
 
-void mesh_make_normals(host_mesh *mesh, double crease) {
+void mesh_average_normals(host_mesh *mesh, double crease, mesh_weights weights) {
     const size_t count = 3 * mesh->triangle_count;
     size_t *sets = crease < 0 ? sets_by_position(mesh) : sets_by_crease(mesh, crease);
-    double(*sums)[3] = sum_over_sets(mesh, sets);
+    double(*sums)[3] = sum_over_sets(mesh, sets, weights);
     uint32_t *made = memory_new(count, sizeof *made); /* plus one; 0 for none yet */
     mesh->normal_count = crease < 0 ? mesh->normal_count : 0;
     for (size_t i = 0; i < count; i++) {
@@ -135,4 +154,19 @@ void mesh_make_normals(host_mesh *mesh, double crease) {
     free(made);
     free(sums);
     free(sets);
+}
+
+void mesh_make_normals(host_mesh *mesh, double crease) {
+    mesh_average_normals(mesh, crease, MESH_BY_AREA);
+}
+
+void mesh_make_facet_normals(host_mesh *mesh) {
+    mesh->normal_count = 0;
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        const double none[3] = {0, 0, 0};
+        const uint32_t normal = add_set_normal(mesh, none, i);
+        for (int j = 0; j < 3; j++) {
+            mesh->triangles[i][j].normal = normal;
+        }
+    }
 }

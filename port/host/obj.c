@@ -116,6 +116,19 @@ static bool has_room(obj_reader *reader, size_t count) {
     return count < MESH_NO_NORMAL - 1 || problem_set(reader->problem, reader->line, "more than 2^32 - 2 of a kind");
 }
 
+/** Keeps a position's colour. @return false with a problem when it is none */
+static bool read_colour(obj_reader *reader, const double *channels) {
+    uint8_t levels[3];
+    for (int i = 0; i < 3; i++) {
+        if (!(channels[i] >= 0 && channels[i] <= 1)) {
+            return problem_set(reader->problem, reader->line, "colour %.6g is not from 0 to 1", channels[i]);
+        }
+        levels[i] = (uint8_t)lround(channels[i] * 255.0);
+    }
+    mesh_add_colour(reader->mesh, levels[0], levels[1], levels[2]);
+    return true;
+}
+
 static bool read_position(obj_reader *reader) {
     double values[8];
     const int count = read_numbers(reader, values);
@@ -133,7 +146,7 @@ static bool read_position(obj_reader *reader) {
         reader->farthest = largest;
         reader->mesh->farthest_line = reader->line;
     }
-    if (!has_room(reader, reader->mesh->position_count)) {
+    if (!has_room(reader, reader->mesh->position_count) || (count >= 6 && !read_colour(reader, values + count - 3))) {
         return false;
     }
     mesh_add_position(reader->mesh, values[0], values[1], values[2]);
@@ -309,6 +322,9 @@ bool obj_read(const char *text, size_t length, host_mesh *mesh, host_problem *pr
     }
     if (ok && mesh->triangle_count == 0) {
         ok = problem_set(problem, reader.line, "no faces");
+    }
+    if (mesh->colour_count != mesh->position_count) {
+        mesh_drop_colours(mesh); /* some have none */
     }
     free(reader.face);
     if (!ok) {

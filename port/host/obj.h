@@ -3,13 +3,13 @@
  * @file obj.h
  * Wavefront OBJ files.
  *
- * Read: `v` (3 coordinates; a weight and a colour after them are checked and skipped), `vn`, `vt` (checked and
- * skipped), and `f` with corners v, v/t, v//n or v/t/n, counting from 1 or, negative, back from the last one read; a
- * corner may refer only to what stands before it. Polygons become triangles. `g` and `o` are counted. Comments, CRLF,
- * lone CR, a backslash at a line's end that continues it, a byte order mark, and a last line without an end are all
- * right. The other keywords of the format (materials, smoothing groups, points, lines, curves and surfaces) are
- * skipped with their line; any other word at the start of a line is an error, so that a file of another kind is not
- * taken for an empty model.
+ * Read: `v` (3 coordinates; a weight after them is checked and skipped; a colour, 0 to 1, is kept when all have one),
+ * `vn`, `vt` (checked and skipped), and `f` with corners v, v/t, v//n or v/t/n, counting from 1 or, negative, back from
+ * the last one read; a corner may refer only to what stands before it. Polygons become triangles. `g` and `o` are
+ * counted. Comments, CRLF, lone CR, a backslash at a line's end that continues it, a byte order mark, and a last line
+ * without an end are all right. The other keywords of the format (materials, smoothing groups, points, lines, curves
+ * and surfaces) are skipped with their line; any other word at the start of a line is an error, so that a file of
+ * another kind is not taken for an empty model.
  */
 #ifndef GLINT_HOST_OBJ_H
 #define GLINT_HOST_OBJ_H

@@ -1,130 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "png.h"
 
+#include "deflate.h"
 #include "memory.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-/* ---- Deflate (RFC 1951): one block with the fixed Huffman codes ------------------------------------------------ */
-
-#define MATCH_MIN 3
-#define MATCH_MAX 258
-#define WINDOW 32768
-#define HASH_BITS 15
-
-typedef struct bit_writer {
-    host_bytes *out;
-    uint32_t pending; /* bits not yet written, the first one lowest */
-    int count;        /* of them, below 8 between calls */
-} bit_writer;
-
-static void put_bits(bit_writer *writer, uint32_t value, int count) {
-    writer->pending |= value << writer->count;
-    for (writer->count += count; writer->count >= 8; writer->count -= 8) {
-        bytes_add(writer->out, (uint8_t)(writer->pending & 0xFF));
-        writer->pending >>= 8;
-    }
-}
-
-/** Huffman codes go with their highest bit first, all else with the lowest. */
-static void put_code(bit_writer *writer, uint32_t code, int count) {
-    uint32_t reversed = 0;
-    for (int i = 0; i < count; i++) {
-        reversed |= ((code >> i) & 1u) << (count - 1 - i);
-    }
-    put_bits(writer, reversed, count);
-}
-
-/** A literal, the end of the block (256), or a length symbol (257 to 285). */
-static void put_symbol(bit_writer *writer, uint32_t symbol) {
-    if (symbol < 144) {
-        put_code(writer, 0x30 + symbol, 8);
-    } else if (symbol < 256) {
-        put_code(writer, 0x190 + symbol - 144, 9);
-    } else if (symbol < 280) {
-        put_code(writer, symbol - 256, 7);
-    } else {
-        put_code(writer, 0xC0 + symbol - 280, 8);
-    }
-}
-
-static void put_length(bit_writer *writer, uint32_t length) {
-    if (length == MATCH_MAX) {
-        put_symbol(writer, 285);
-        return;
-    }
-    /* Symbols come in fours that share a number of extra bits; the first eight have none. */
-    uint32_t rest = length - MATCH_MIN;
-    int extra = 0;
-    while ((rest >> extra) >= 8) {
-        extra++;
-    }
-    put_symbol(writer, 257 + 4 * (uint32_t)extra + (rest >> extra));
-    put_bits(writer, rest & ((1u << extra) - 1), extra);
-}
-
-static void put_distance(bit_writer *writer, uint32_t distance) {
-    uint32_t rest = distance - 1;
-    int extra = 0;
-    while ((rest >> extra) >= 4) {
-        extra++;
-    }
-    put_code(writer, 2 * (uint32_t)extra + (rest >> extra), 5);
-    put_bits(writer, rest & ((1u << extra) - 1), extra);
-}
-
-static size_t match_length(const uint8_t *earlier, const uint8_t *at, size_t left) {
-    const size_t limit = left < MATCH_MAX ? left : MATCH_MAX;
-    size_t length = 0;
-    while (length < limit && earlier[length] == at[length]) {
-        length++;
-    }
-    return length;
-}
-
-static uint32_t hash3(const uint8_t *at) {
-    const uint32_t word = at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16;
-    return (word * 2654435761u) >> (32 - HASH_BITS);
-}
-
-/** Appends `data` as one deflate block; `latest` remembers where three bytes were last seen, plus one. */
-static void deflate_block(bit_writer *writer, const uint8_t *data, size_t count, size_t *latest) {
-    put_bits(writer, 1, 1); /* the last block */
-    put_bits(writer, 1, 2); /* fixed codes */
-    size_t at = 0;
-    while (at < count) {
-        size_t length = 0;
-        size_t distance = 0;
-        if (count - at >= MATCH_MIN) {
-            size_t *seen = &latest[hash3(data + at)];
-            if (*seen > 0 && at + 1 - *seen <= WINDOW) {
-                distance = at + 1 - *seen;
-                length = match_length(data + at - distance, data + at, count - at);
-            }
-            *seen = at + 1;
-        }
-        if (length >= MATCH_MIN) {
-            put_length(writer, (uint32_t)length);
-            put_distance(writer, (uint32_t)distance);
-            at += length;
-        } else {
-            put_symbol(writer, data[at++]);
-        }
-    }
-    put_symbol(writer, 256);
-    put_bits(writer, 0, 7); /* fill the last byte */
-}
-
-static uint32_t adler32(const uint8_t *data, size_t count) {
-    uint32_t a = 1;
-    uint32_t b = 0;
-    for (size_t i = 0; i < count; i++) {
-        a = (a + data[i]) % 65521;
-        b = (b + a) % 65521;
-    }
-    return b << 16 | a;
-}
 
 /* ---- PNG -------------------------------------------------------------------------------------------------------- */
 
@@ -134,14 +15,9 @@ static void put_u32(host_bytes *out, uint32_t value) {
     }
 }
 
-static void zlib_stream(host_bytes *out, const uint8_t *data, size_t count) {
-    size_t *latest = memory_new((size_t)1 << HASH_BITS, sizeof *latest);
-    bit_writer writer = {out, 0, 0};
-    bytes_add(out, 0x78); /* 32 KB window */
-    bytes_add(out, 0x01);
-    deflate_block(&writer, data, count, latest);
-    put_u32(out, adler32(data, count));
-    free(latest);
+static void put_u16(host_bytes *out, uint32_t value) {
+    bytes_add(out, (uint8_t)(value >> 8 & 0xFF));
+    bytes_add(out, (uint8_t)(value & 0xFF));
 }
 
 static uint32_t crc32(const uint8_t *data, size_t count) {
@@ -188,44 +64,155 @@ static uint32_t filter_row(uint8_t *out, int filter, const uint8_t *row, const u
     return sum;
 }
 
+/** Part of a picture. */
+typedef struct png_rectangle {
+    const uint8_t *pixels; /* of its first row */
+    size_t stride;         /* from row to row */
+    uint32_t x, y, width, height;
+    uint32_t channels;
+} png_rectangle;
+
 /** Each row with the filter that leaves the smallest differences, the usual heuristic (PNG specification, 12.8). */
-static uint8_t *filter_rows(const uint8_t *pixels, size_t row_size, size_t rows, size_t step) {
-    uint8_t *filtered = memory_new(rows, row_size + 1);
-    for (size_t y = 0; y < rows; y++) {
-        const uint8_t *row = pixels + y * row_size;
-        const uint8_t *above = y > 0 ? row - row_size : NULL;
-        uint8_t *out = filtered + y * (row_size + 1);
-        int best = 0;
-        uint32_t least = UINT32_MAX;
-        for (int filter = 0; filter <= 2; filter++) {
-            const uint32_t sum = filter_row(out, filter, row, above, row_size, step);
-            best = sum < least ? filter : best;
-            least = sum < least ? sum : least;
-        }
-        filter_row(out, best, row, above, row_size, step);
+static int choose_filter(uint8_t *out, const png_rectangle *part, const uint8_t *row, const uint8_t *above) {
+    int best = 0;
+    uint32_t least = UINT32_MAX;
+    for (int filter = 0; filter <= 2; filter++) {
+        const uint32_t sum = filter_row(out, filter, row, above, (size_t)part->width * part->channels, part->channels);
+        best = sum < least ? filter : best;
+        least = sum < least ? sum : least;
     }
-    return filtered;
+    return best;
 }
 
-void png_encode(host_bytes *out, const uint8_t *pixels, uint32_t width, uint32_t height, uint32_t channels) {
+/** Appends a part's rows, filtered or as they are. */
+static void put_rows(host_bytes *out, const png_rectangle *part, bool filtered) {
+    const size_t row_size = (size_t)part->width * part->channels;
+    uint8_t *rows = memory_new(part->height, row_size + 1);
+    for (size_t y = 0; y < part->height; y++) {
+        const uint8_t *row = part->pixels + y * part->stride;
+        const uint8_t *above = y > 0 ? row - part->stride : NULL;
+        uint8_t *to = rows + y * (row_size + 1);
+        const int filter = filtered ? choose_filter(to, part, row, above) : 0;
+        filter_row(to, filter, row, above, row_size, part->channels);
+    }
+    zlib_encode(out, rows, (row_size + 1) * part->height);
+    free(rows);
+}
+
+/** Differences are short where levels are many, and whole pixels repeat where they are few: whichever is shorter. */
+static void put_pixels(host_bytes *out, const png_rectangle *part) {
+    host_bytes filtered = {NULL, 0, 0};
+    host_bytes plain = {NULL, 0, 0};
+    put_rows(&filtered, part, true);
+    put_rows(&plain, part, false);
+    const host_bytes *shorter = plain.count < filtered.count ? &plain : &filtered;
+    for (size_t i = 0; i < shorter->count; i++) {
+        bytes_add(out, shorter->data[i]);
+    }
+    free(filtered.data);
+    free(plain.data);
+}
+
+static png_rectangle whole(const uint8_t *pixels, uint32_t width, uint32_t height, uint32_t channels) {
+    const png_rectangle part = {pixels, (size_t)width * channels, 0, 0, width, height, channels};
+    return part;
+}
+
+/* ---- Files ------------------------------------------------------------------------------------------------------ */
+
+static void put_head(host_bytes *out, const png_rectangle *picture) {
     static const uint8_t signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
     for (size_t i = 0; i < sizeof signature; i++) {
         bytes_add(out, signature[i]);
     }
-    size_t chunk = chunk_begin(out, "IHDR");
-    put_u32(out, width);
-    put_u32(out, height);
-    const uint8_t rest[5] = {8, channels == 3 ? 2 : 0, 0, 0,
-                             0}; /* bits, colour type, then the only methods there are */
-    for (size_t i = 0; i < sizeof rest; i++) {
-        bytes_add(out, rest[i]);
+    const size_t chunk = chunk_begin(out, "IHDR");
+    put_u32(out, picture->width);
+    put_u32(out, picture->height);
+    bytes_add(out, 8);                              /* bits */
+    bytes_add(out, picture->channels == 3 ? 2 : 0); /* colour type */
+    for (int i = 0; i < 3; i++) {
+        bytes_add(out, 0); /* the only methods there are */
     }
     chunk_end(out, chunk);
-    const size_t row_size = (size_t)width * channels;
-    uint8_t *filtered = filter_rows(pixels, row_size, height, channels);
-    chunk = chunk_begin(out, "IDAT");
-    zlib_stream(out, filtered, (row_size + 1) * height);
+}
+
+static void put_data(host_bytes *out, const png_rectangle *picture) {
+    const size_t chunk = chunk_begin(out, "IDAT");
+    put_pixels(out, picture);
     chunk_end(out, chunk);
-    free(filtered);
+}
+
+void png_encode(host_bytes *out, const uint8_t *pixels, uint32_t width, uint32_t height, uint32_t channels) {
+    const png_rectangle picture = whole(pixels, width, height, channels);
+    put_head(out, &picture);
+    put_data(out, &picture);
+    chunk_end(out, chunk_begin(out, "IEND"));
+}
+
+/* ---- Animations ------------------------------------------------------------------------------------------------- */
+
+/** The rectangle outside which two pictures are equal: one pixel when they are equal everywhere. */
+static png_rectangle difference(const uint8_t *before, const png_rectangle *picture) {
+    uint32_t left = picture->width;
+    uint32_t top = picture->height;
+    uint32_t right = 0;
+    uint32_t bottom = 0;
+    for (uint32_t y = 0; y < picture->height; y++) {
+        for (uint32_t x = 0; x < picture->width; x++) {
+            const size_t at = y * picture->stride + (size_t)x * picture->channels;
+            if (memcmp(before + at, picture->pixels + at, picture->channels) != 0) {
+                left = x < left ? x : left;
+                right = x > right ? x : right;
+                top = y < top ? y : top;
+                bottom = y;
+            }
+        }
+    }
+    png_rectangle part = *picture;
+    part.x = left < picture->width ? left : 0;
+    part.y = top < picture->height ? top : 0;
+    part.width = right + 1 - part.x;
+    part.height = bottom + 1 - part.y;
+    part.pixels = picture->pixels + part.y * picture->stride + (size_t)part.x * picture->channels;
+    return part;
+}
+
+static void put_frame_control(host_bytes *out, uint32_t sequence, const png_rectangle *part, const png_movie *movie) {
+    const size_t chunk = chunk_begin(out, "fcTL");
+    put_u32(out, sequence);
+    put_u32(out, part->width);
+    put_u32(out, part->height);
+    put_u32(out, part->x);
+    put_u32(out, part->y);
+    put_u16(out, movie->delay_numerator);
+    put_u16(out, movie->delay_denominator);
+    bytes_add(out, 0); /* left as it is when the next one comes */
+    bytes_add(out, 0); /* replaces what was there */
+    chunk_end(out, chunk);
+}
+
+static void put_animation_control(host_bytes *out, const png_movie *movie) {
+    const size_t chunk = chunk_begin(out, "acTL");
+    put_u32(out, movie->count);
+    put_u32(out, 0); /* for ever */
+    chunk_end(out, chunk);
+}
+
+void png_encode_movie(host_bytes *out, const png_movie *movie, uint32_t width, uint32_t height, uint32_t channels) {
+    const png_rectangle first = whole(movie->frames[0], width, height, channels);
+    uint32_t sequence = 0;
+    put_head(out, &first);
+    put_animation_control(out, movie);
+    put_frame_control(out, sequence++, &first, movie);
+    put_data(out, &first);
+    for (uint32_t i = 1; i < movie->count; i++) {
+        const png_rectangle picture = whole(movie->frames[i], width, height, channels);
+        const png_rectangle part = difference(movie->frames[i - 1], &picture);
+        put_frame_control(out, sequence++, &part, movie);
+        const size_t chunk = chunk_begin(out, "fdAT");
+        put_u32(out, sequence++);
+        put_pixels(out, &part);
+        chunk_end(out, chunk);
+    }
     chunk_end(out, chunk_begin(out, "IEND"));
 }

@@ -10,6 +10,9 @@
 
 #define VERTICES_MAX 65536u
 
+/** What makes vertices different. */
+#define VALUES 9
+
 /** Twice VERTICES_MAX: open addressing stays fast half full. */
 #define SLOT_COUNT 131072u
 
@@ -20,7 +23,7 @@ typedef struct mesh_quantiser {
 
 /** A vertex of a piece, and where its corner stood in the mesh. */
 typedef struct piece_vertex {
-    int16_t values[6]; /* position steps, then normal */
+    int16_t values[VALUES]; /* position steps, normal, colour */
     mesh_corner corner;
     uint32_t number; /* in order of first use */
 } piece_vertex;
@@ -40,8 +43,8 @@ static void choose_range(mesh_quantiser *quantiser, int axis, double low, double
     const glint_q16 offset = number_q16(low / 2 + high / 2);
     quantiser->offset[axis] = number_from_q16(offset);
     const double reach = fmax(high - quantiser->offset[axis], quantiser->offset[axis] - low);
-    /* Rounded up, so that the end lies on step 32767 or below it. */
-    const glint_q16 extent = (glint_q16)ceil(reach * (32768.0 / 32767.0) * 65536.0);
+    /* Rounded up, so that the end lies on step 32767 or below it; exact for what was quantised before. */
+    const glint_q16 extent = (glint_q16)ceil(reach * (32768.0 * 65536.0) / 32767.0);
     quantiser->extent[axis] = number_from_q16(extent);
     *(axis == 0 ? &frame->offset.x : axis == 1 ? &frame->offset.y : &frame->offset.z) = offset;
     *(axis == 0 ? &frame->extent.x : axis == 1 ? &frame->extent.y : &frame->extent.z) = extent;
@@ -51,36 +54,37 @@ static int16_t clamp_step(long step) {
     return (int16_t)(step > 32767 ? 32767 : step < -32767 ? -32767 : step);
 }
 
-static void quantise_corner(const mesh_quantiser *quantiser, mesh_corner corner, int16_t values[6]) {
+static void quantise_corner(const mesh_quantiser *quantiser, mesh_corner corner, int16_t values[VALUES]) {
     for (int axis = 0; axis < 3; axis++) {
         const double extent = quantiser->extent[axis];
         const double distance = quantiser->mesh->positions[corner.position][axis] - quantiser->offset[axis];
         values[axis] = extent > 0 ? clamp_step(lround(distance / extent * 32768.0)) : 0;
         values[3 + axis] = clamp_step(lround(quantiser->mesh->normals[corner.normal][axis] * 32767.0));
+        values[6 + axis] = quantiser->mesh->colours != NULL ? quantiser->mesh->colours[corner.position][axis] : 0;
     }
 }
 
 /* ---- Pieces ----------------------------------------------------------------------------------------------------- */
 
-static uint32_t hash_values(const int16_t values[6]) {
+static uint32_t hash_values(const int16_t values[VALUES]) {
     uint32_t hash = 2166136261u;
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < VALUES; i++) {
         hash = (hash ^ (uint16_t)values[i]) * 16777619u;
     }
     return (hash ^ hash >> 15) % SLOT_COUNT;
 }
 
 /** The slot that holds a vertex with these values, or the free one where it belongs. */
-static uint32_t *find_slot(const mesh_piece *piece, const int16_t values[6]) {
+static uint32_t *find_slot(const mesh_piece *piece, const int16_t values[VALUES]) {
     uint32_t slot = hash_values(values);
     while (piece->slots[slot] != 0 &&
-           memcmp(piece->vertices[piece->slots[slot] - 1].values, values, 6 * sizeof values[0]) != 0) {
+           memcmp(piece->vertices[piece->slots[slot] - 1].values, values, VALUES * sizeof values[0]) != 0) {
         slot = (slot + 1) % SLOT_COUNT;
     }
     return &piece->slots[slot];
 }
 
-static uint16_t place_vertex(mesh_piece *piece, const int16_t values[6], mesh_corner corner) {
+static uint16_t place_vertex(mesh_piece *piece, const int16_t values[VALUES], mesh_corner corner) {
     uint32_t *slot = find_slot(piece, values);
     if (*slot == 0) {
         piece->vertices =
@@ -117,8 +121,17 @@ static void sort_vertices(mesh_piece *piece) {
     free(places);
 }
 
+/** The colours of a piece's vertices; the caller frees them. */
+static const uint8_t (*piece_colours(const mesh_piece *piece))[3] {
+    uint8_t(*colours)[3] = memory_new(piece->vertex_count, sizeof *colours);
+    for (size_t i = 0; i < 3 * piece->vertex_count; i++) {
+        colours[i / 3][i % 3] = (uint8_t)piece->vertices[i / 3].values[6 + i % 3];
+    }
+    return (const uint8_t(*)[3])colours;
+}
+
 /** Moves the piece into the result and starts an empty one. */
-static void finish_piece(mesh_piece *piece, const glint_mesh *frame, quantised_mesh *out) {
+static void finish_piece(mesh_piece *piece, const glint_mesh *frame, bool coloured, quantised_mesh *out) {
     sort_vertices(piece);
     int16_t(*positions)[3] = memory_new(piece->vertex_count, sizeof *positions);
     int16_t(*normals)[3] = memory_new(piece->vertex_count, sizeof *normals);
@@ -133,6 +146,7 @@ static void finish_piece(mesh_piece *piece, const glint_mesh *frame, quantised_m
     made->positions = (const int16_t(*)[3])positions;
     made->normals = (const int16_t(*)[3])normals;
     made->triangles = (const uint16_t(*)[3])piece->triangles;
+    made->colours = coloured ? piece_colours(piece) : NULL;
     made->vertex_count = (uint32_t)piece->vertex_count;
     made->triangle_count = (uint32_t)piece->triangle_count;
     out->vertex_count += piece->vertex_count;
@@ -142,7 +156,7 @@ static void finish_piece(mesh_piece *piece, const glint_mesh *frame, quantised_m
     piece->vertex_count = piece->triangle_count = piece->triangle_capacity = 0;
 }
 
-static bool same_position(const int16_t a[6], const int16_t b[6]) {
+static bool same_position(const int16_t a[VALUES], const int16_t b[VALUES]) {
     return memcmp(a, b, 3 * sizeof a[0]) == 0;
 }
 
@@ -150,7 +164,7 @@ static bool same_position(const int16_t a[6], const int16_t b[6]) {
 static void place_triangle(const mesh_quantiser *quantiser, size_t triangle, mesh_piece *piece, const glint_mesh *frame,
                            quantised_mesh *out) {
     const mesh_corner *corners = quantiser->mesh->triangles[triangle];
-    int16_t values[3][6];
+    int16_t values[3][VALUES];
     for (int i = 0; i < 3; i++) {
         quantise_corner(quantiser, corners[i], values[i]);
     }
@@ -164,7 +178,7 @@ static void place_triangle(const mesh_quantiser *quantiser, size_t triangle, mes
         added += *find_slot(piece, values[i]) == 0;
     }
     if (piece->triangle_count > 0 && piece->vertex_count + added > VERTICES_MAX) {
-        finish_piece(piece, frame, out);
+        finish_piece(piece, frame, quantiser->mesh->colours != NULL, out);
     }
     piece->triangles =
         memory_grow(piece->triangles, &piece->triangle_capacity, piece->triangle_count, sizeof *piece->triangles);
@@ -186,7 +200,7 @@ void quantised_position(const glint_mesh *mesh, uint32_t vertex, double position
 static double largest_move(const mesh_quantiser *quantiser) {
     double largest = 0;
     for (size_t i = 0; i < 3 * quantiser->mesh->triangle_count; i++) {
-        int16_t values[6];
+        int16_t values[VALUES];
         const mesh_corner corner = quantiser->mesh->triangles[i / 3][i % 3];
         quantise_corner(quantiser, corner, values);
         for (int axis = 0; axis < 3; axis++) {
@@ -217,12 +231,17 @@ bool quantise(const host_mesh *mesh, uint32_t flags, quantised_mesh *out, host_p
         place_triangle(&quantiser, i, &piece, &frame, out);
     }
     if (piece.triangle_count > 0) {
-        finish_piece(&piece, &frame, out);
+        finish_piece(&piece, &frame, mesh->colours != NULL, out);
     }
     free(piece.vertices);
     free(piece.slots);
     out->largest_move = largest_move(&quantiser);
     return out->piece_count > 0 || problem_set(problem, 0, "all %zu triangles are without area", mesh->triangle_count);
+}
+
+size_t quantised_size(const quantised_mesh *mesh) {
+    const size_t vertex = 2 * 3 * sizeof(int16_t) + (mesh->pieces[0].colours != NULL ? 3 : 0);
+    return vertex * mesh->vertex_count + 3 * sizeof(uint16_t) * mesh->triangle_count;
 }
 
 void quantised_free(quantised_mesh *mesh) {
@@ -231,6 +250,7 @@ void quantised_free(quantised_mesh *mesh) {
         free((void *)(uintptr_t)mesh->pieces[i].positions);
         free((void *)(uintptr_t)mesh->pieces[i].normals);
         free((void *)(uintptr_t)mesh->pieces[i].triangles);
+        free((void *)(uintptr_t)mesh->pieces[i].colours);
     }
     free(mesh->pieces);
     memset(mesh, 0, sizeof *mesh);

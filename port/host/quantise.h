@@ -20,7 +20,7 @@
 typedef struct quantised_mesh {
     glint_mesh *pieces;
     size_t piece_count;
-    size_t vertex_count;   /**< Of all pieces: different (position, normal) pairs. */
+    size_t vertex_count;   /**< Of all pieces: different (position, normal, colour) triples. */
     size_t triangle_count; /**< Of all pieces. */
     size_t dropped_count;  /**< Triangles left out: two corners fell on one position. */
     double largest_move;   /**< Largest distance along an axis between a position and its quantised one. */
@@ -35,6 +35,9 @@ typedef struct quantised_mesh {
  *         then to be freed
  */
 bool quantise(const host_mesh *mesh, uint32_t flags, quantised_mesh *out, host_problem *problem);
+
+/** Bytes of flash that its arrays take. */
+size_t quantised_size(const quantised_mesh *mesh);
 
 /** Frees what quantise made. */
 void quantised_free(quantised_mesh *mesh);

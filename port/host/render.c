@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-static void print_stats(const glint_stats *stats, const framebuffer *target) {
+void command_print_stats(const glint_stats *stats, const framebuffer *target) {
     printf("passes %lu\n", (unsigned long)stats->passes);
     printf("tiles %lu\n", (unsigned long)stats->tiles);
     printf("vertices %lu\n", (unsigned long)stats->vertices);
@@ -32,7 +32,7 @@ static int render(const host_settings *settings, const quantised_mesh *mesh) {
     }
     const bool written = command_write_png(&target, settings->output, &problem);
     if (written && settings->stats) {
-        print_stats(&stats, &target);
+        command_print_stats(&stats, &target);
     }
     framebuffer_free(&target);
     return written ? 0 : command_fail(settings->output, &problem);

@@ -3,6 +3,8 @@
 
 #include "mesh.h"
 #include "number.h"
+#include "parsers.h"
+#include "values.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -11,75 +13,21 @@
 /** Largest --arena: far more than any scene needs, and sure to be a size_t. */
 #define ARENA_MAX 1073741824
 
-/** Says what a value should have been; false, as all parsers return then. */
-static bool expected(host_problem *problem, const char *what) {
-    return problem_set(problem, 0, "%s", what);
-}
-
-static bool real_within(const char *text, double least, double most, double *value) {
-    return number_real(text, strlen(text), value) && *value >= least && *value <= most;
-}
-
-/* ---- Kinds of values -------------------------------------------------------------------------------------------- */
-
-static bool parse_pair(const char *text, int64_t *first, int64_t *second) {
-    const char *cross = strchr(text, 'x');
-    return cross != NULL && number_integer(text, (size_t)(cross - text), first) &&
-           number_integer(cross + 1, strlen(cross + 1), second);
-}
-
-static bool parse_vector(const char *text, size_t length, glint_vector *vector, host_problem *problem) {
-    double values[3];
-    bool ok = number_list(text, length, ',', 3, values);
-    for (int i = 0; ok && i < 3; i++) {
-        ok = fabs(values[i]) <= NUMBER_Q16_MAX;
-    }
-    if (!ok) {
-        return expected(problem, "takes x,y,z, each from -32767 to 32767");
-    }
-    vector->x = number_q16(values[0]);
-    vector->y = number_q16(values[1]);
-    vector->z = number_q16(values[2]);
-    return true;
-}
-
-static bool is_zero(glint_vector vector) {
-    return vector.x == 0 && vector.y == 0 && vector.z == 0;
-}
-
-static bool parse_colour(const char *text, size_t length, glint_colour *colour, host_problem *problem) {
-    double values[3];
-    bool ok = number_list(text, length, ',', 3, values);
-    if (!ok && number_list(text, length, ',', 1, values)) {
-        values[1] = values[2] = values[0];
-        ok = true;
-    }
-    for (int i = 0; ok && i < 3; i++) {
-        ok = values[i] >= 0 && values[i] <= 16;
-    }
-    if (!ok) {
-        return expected(problem, "takes r,g,b or one grey level, each from 0 to 16");
-    }
-    colour->r = number_q16(values[0]);
-    colour->g = number_q16(values[1]);
-    colour->b = number_q16(values[2]);
-    return true;
-}
-
 /* ---- Options ---------------------------------------------------------------------------------------------------- */
 
 static bool parse_output(host_settings *settings, const char *text, host_problem *problem) {
     settings->output = text;
-    return text[0] != '\0' || expected(problem, "takes the name of a file");
+    return text[0] != '\0' || value_expected(problem, "takes the name of a file");
 }
 
 static bool parse_size(host_settings *settings, const char *text, host_problem *problem) {
     int64_t width;
     int64_t height;
-    if (!parse_pair(text, &width, &height) || width < 1 || height < 1 || width > GLINT_SIZE_MAX ||
+    if (!value_pair(text, &width, &height) || width < 1 || height < 1 || width > GLINT_SIZE_MAX ||
         height > GLINT_SIZE_MAX) {
-        return expected(problem, "takes WxH, each from 1 to 1024");
+        return value_expected(problem, "takes WxH, each from 1 to 1024");
     }
+    settings->size_given = true;
     settings->width = (uint16_t)width;
     settings->height = (uint16_t)height;
     return true;
@@ -92,8 +40,8 @@ static bool is_tile_size(int64_t size) {
 static bool parse_tile(host_settings *settings, const char *text, host_problem *problem) {
     int64_t width;
     int64_t height;
-    if (!parse_pair(text, &width, &height) || !is_tile_size(width) || !is_tile_size(height)) {
-        return expected(problem, "takes WxH, each 8, 16, 32 or 64");
+    if (!value_pair(text, &width, &height) || !is_tile_size(width) || !is_tile_size(height)) {
+        return value_expected(problem, "takes WxH, each 8, 16, 32 or 64");
     }
     settings->tile_width = (uint16_t)width;
     settings->tile_height = (uint16_t)height;
@@ -103,7 +51,7 @@ static bool parse_tile(host_settings *settings, const char *text, host_problem *
 static bool parse_format(host_settings *settings, const char *text, host_problem *problem) {
     const framebuffer_format *format = framebuffer_find_format(text, NULL);
     if (format == NULL) {
-        return expected(problem, "takes rgb565, rgb565_be, rgb888, grey8 or grey4");
+        return value_expected(problem, "takes rgb565, rgb565_be, rgb888, grey8 or grey4");
     }
     settings->format = format;
     return true;
@@ -111,25 +59,22 @@ static bool parse_format(host_settings *settings, const char *text, host_problem
 
 static bool parse_eye(host_settings *settings, const char *text, host_problem *problem) {
     settings->eye_given = true;
-    return parse_vector(text, strlen(text), &settings->eye, problem);
+    return value_vector(text, strlen(text), &settings->eye, problem);
 }
 
 static bool parse_at(host_settings *settings, const char *text, host_problem *problem) {
     settings->at_given = true;
-    return parse_vector(text, strlen(text), &settings->at, problem);
+    return value_vector(text, strlen(text), &settings->at, problem);
 }
 
 static bool parse_up(host_settings *settings, const char *text, host_problem *problem) {
-    if (!parse_vector(text, strlen(text), &settings->up, problem)) {
-        return false;
-    }
-    return !is_zero(settings->up) || expected(problem, "takes a direction, and this one's length is 0");
+    return value_direction(text, strlen(text), &settings->up, problem);
 }
 
 static bool parse_fov(host_settings *settings, const char *text, host_problem *problem) {
     double value;
-    if (!real_within(text, 1, 170, &value)) {
-        return expected(problem, "takes degrees from 1 to 170");
+    if (!value_real(text, 1, 170, &value)) {
+        return value_expected(problem, "takes degrees from 1 to 170");
     }
     settings->field_of_view = number_q16(value);
     return true;
@@ -137,8 +82,8 @@ static bool parse_fov(host_settings *settings, const char *text, host_problem *p
 
 static bool parse_near(host_settings *settings, const char *text, host_problem *problem) {
     double value;
-    if (!real_within(text, 1.0 / 65536.0, NUMBER_Q16_MAX, &value)) {
-        return expected(problem, "takes a distance from 1/65536 to 32767");
+    if (!value_real(text, 1.0 / 65536.0, NUMBER_Q16_MAX, &value)) {
+        return value_expected(problem, "takes a distance from 1/65536 to 32767");
     }
     settings->near_given = true;
     settings->near_plane = number_q16(value);
@@ -147,8 +92,8 @@ static bool parse_near(host_settings *settings, const char *text, host_problem *
 
 static bool parse_rotate_y(host_settings *settings, const char *text, host_problem *problem) {
     double value;
-    if (!real_within(text, -NUMBER_Q16_MAX, NUMBER_Q16_MAX, &value)) {
-        return expected(problem, "takes degrees from -32767 to 32767");
+    if (!value_real(text, -NUMBER_Q16_MAX, NUMBER_Q16_MAX, &value)) {
+        return value_expected(problem, "takes degrees from -32767 to 32767");
     }
     settings->rotate_y = number_q16(value);
     return true;
@@ -164,54 +109,29 @@ static bool parse_scale(host_settings *settings, const char *text, host_problem 
     for (int i = 0; ok && i < 3; i++) {
         ok = fabs(scale[i]) >= 1.0 / 65536.0 && fabs(scale[i]) <= NUMBER_Q16_MAX;
     }
-    return ok || expected(problem, "takes sx,sy,sz or one factor, each not 0 and from -32767 to 32767");
-}
-
-static bool parse_light(host_settings *settings, const char *text, host_problem *problem) {
-    if (settings->light_count == GLINT_LIGHTS_MAX) {
-        return expected(problem, "can be given 8 times at most");
-    }
-    if (strncmp(text, "dir:", 4) != 0) {
-        return expected(problem, "takes dir:x,y,z or dir:x,y,z:r,g,b");
-    }
-    glint_light light = {.type = &glint_light_directional, .diffuse = settings_grey(1)};
-    const char *vector = text + 4;
-    const char *colour = strchr(vector, ':');
-    const size_t length = colour != NULL ? (size_t)(colour - vector) : strlen(vector);
-    if (!parse_vector(vector, length, &light.vector, problem)) {
-        return false;
-    }
-    if (is_zero(light.vector)) {
-        return expected(problem, "takes a direction, and this one's length is 0");
-    }
-    if (colour != NULL && !parse_colour(colour + 1, strlen(colour + 1), &light.diffuse, problem)) {
-        return false;
-    }
-    light.specular = light.diffuse;
-    settings->lights[settings->light_count++] = light;
-    return true;
+    return ok || value_expected(problem, "takes sx,sy,sz or one factor, each not 0 and from -32767 to 32767");
 }
 
 static bool parse_ambient(host_settings *settings, const char *text, host_problem *problem) {
-    return parse_colour(text, strlen(text), &settings->ambient, problem);
+    return value_colour(text, strlen(text), &settings->ambient, problem);
 }
 
 static bool parse_diffuse(host_settings *settings, const char *text, host_problem *problem) {
-    return parse_colour(text, strlen(text), &settings->diffuse, problem);
+    return value_colour(text, strlen(text), &settings->diffuse, problem);
 }
 
 static bool parse_specular(host_settings *settings, const char *text, host_problem *problem) {
-    return parse_colour(text, strlen(text), &settings->specular, problem);
+    return value_colour(text, strlen(text), &settings->specular, problem);
 }
 
 static bool parse_background(host_settings *settings, const char *text, host_problem *problem) {
-    return parse_colour(text, strlen(text), &settings->background, problem);
+    return value_colour(text, strlen(text), &settings->background, problem);
 }
 
 static bool parse_shininess(host_settings *settings, const char *text, host_problem *problem) {
     double value;
-    if (!real_within(text, 0, NUMBER_Q16_MAX, &value)) {
-        return expected(problem, "takes an exponent from 0 to 32767");
+    if (!value_real(text, 0, NUMBER_Q16_MAX, &value)) {
+        return value_expected(problem, "takes an exponent from 0 to 32767");
     }
     settings->shininess = number_q16(value);
     return true;
@@ -220,7 +140,7 @@ static bool parse_shininess(host_settings *settings, const char *text, host_prob
 static bool parse_viewer(host_settings *settings, const char *text, host_problem *problem) {
     const bool local = strcmp(text, "local") == 0;
     if (!local && strcmp(text, "infinite") != 0) {
-        return expected(problem, "takes infinite or local");
+        return value_expected(problem, "takes infinite or local");
     }
     settings->viewer = local ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
     return true;
@@ -229,7 +149,7 @@ static bool parse_viewer(host_settings *settings, const char *text, host_problem
 static bool parse_arena(host_settings *settings, const char *text, host_problem *problem) {
     int64_t value;
     if (!number_integer(text, strlen(text), &value) || value < 1 || value > ARENA_MAX) {
-        return expected(problem, "takes bytes, from 1 to 1073741824");
+        return value_expected(problem, "takes bytes, from 1 to 1073741824");
     }
     settings->arena = (size_t)value;
     return true;
@@ -240,10 +160,6 @@ static bool parse_stats(host_settings *settings, const char *text, host_problem 
     (void)problem;
     settings->stats = true;
     return true;
-}
-
-static bool parse_crease(host_settings *settings, const char *text, host_problem *problem) {
-    return real_within(text, 0, 180, &settings->crease) || expected(problem, "takes degrees from 0 to 180");
 }
 
 static bool parse_double_sided(host_settings *settings, const char *text, host_problem *problem) {
@@ -257,18 +173,19 @@ static bool parse_name(host_settings *settings, const char *text, host_problem *
     settings->name = text;
     const size_t plain = strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
     const bool ok = plain > 0 && text[plain] == '\0' && !(text[0] >= '0' && text[0] <= '9') && plain <= 64;
-    return ok || expected(problem, "takes a C identifier of at most 64 characters");
+    return ok || value_expected(problem, "takes a C identifier of at most 64 characters");
 }
 
 static bool parse_licence(host_settings *settings, const char *text, host_problem *problem) {
     settings->licence = text;
     const size_t plain = strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 -.+()");
-    return (plain > 0 && plain <= 100 && text[plain] == '\0') || expected(problem, "takes an SPDX licence expression");
+    return (plain > 0 && plain <= 100 && text[plain] == '\0') ||
+           value_expected(problem, "takes an SPDX licence expression");
 }
 
 static bool parse_models(host_settings *settings, const char *text, host_problem *problem) {
     settings->models = text;
-    return text[0] != '\0' || expected(problem, "takes a folder");
+    return text[0] != '\0' || value_expected(problem, "takes a folder");
 }
 
 static bool parse_help(host_settings *settings, const char *text, host_problem *problem) {
@@ -287,13 +204,17 @@ typedef struct host_option {
     bool (*parse)(host_settings *settings, const char *text, host_problem *problem);
 } host_option;
 
+#define COMMANDS_THAT_DRAW (COMMAND_RENDER | COMMAND_SCENE)
 #define COMMANDS_WITH_MESH (COMMAND_RENDER | COMMAND_INFO | COMMAND_CONVERT)
-#define COMMANDS_WITH_OUTPUT (COMMAND_RENDER | COMMAND_CONVERT | COMMAND_DEMO)
+#define COMMANDS_WITH_OUTPUT (COMMANDS_THAT_DRAW | COMMAND_CONVERT | COMMAND_DEMO)
 
 static const host_option options[] = {
     {"-o", "FILE", "the file to write", COMMANDS_WITH_OUTPUT, parse_output},
-    {"--size", "WxH", "of the picture, up to 1024x1024; 320x240", COMMAND_RENDER, parse_size},
-    {"--format", "NAME", "rgb565, rgb565_be, rgb888, grey8 or grey4; rgb888", COMMAND_RENDER, parse_format},
+    {"--size", "WxH", "of the picture, up to 1024x1024; 320x240, or what a scene is composed for", COMMANDS_THAT_DRAW,
+     parse_size},
+    {"--format", "NAME", "rgb565, rgb565_be, rgb888, grey8 or grey4; rgb888", COMMANDS_THAT_DRAW, parse_format},
+    {"--dither", NULL, "ordered dithering of the format's levels", COMMANDS_THAT_DRAW, parse_dither},
+    {"--gamma", "G", "output is linear^(1/G), G from 0.1 to 10; 1", COMMANDS_THAT_DRAW, parse_gamma},
     {"--eye", "x,y,z", "where the camera stands; else the model is framed", COMMAND_RENDER, parse_eye},
     {"--at", "x,y,z", "what it looks at; 0,0,0 when --eye is given", COMMAND_RENDER, parse_at},
     {"--up", "x,y,z", "what it sees upwards; 0,1,0", COMMAND_RENDER, parse_up},
@@ -301,23 +222,37 @@ static const host_option options[] = {
     {"--near", "N", "distance of the near plane; 0.1, or less to frame a small model", COMMAND_RENDER, parse_near},
     {"--rotate-y", "DEG", "turn about the y axis, after --scale", COMMAND_RENDER, parse_rotate_y},
     {"--scale", "sx,sy,sz", "factors per axis, or one for all", COMMAND_RENDER | COMMAND_CONVERT, parse_scale},
-    {"--light", "dir:x,y,z[:r,g,b]", "direction towards a light, and its colour; repeatable; upper left",
-     COMMAND_RENDER, parse_light},
+    {"--light", "LIGHT", "see below; up to 8 times; one from the upper left", COMMAND_RENDER, parse_light},
+    {"--model", "NAME", "lambert, phong, blinn-phong or unlit; blinn-phong", COMMAND_RENDER, parse_model},
+    {"--shading", "NAME", "where light is evaluated: flat, vertex or fragment; fragment", COMMAND_RENDER,
+     parse_shading},
+    {"--combine", "sum|max", "ambient with diffuse + specular: their sum or the larger; sum", COMMAND_RENDER,
+     parse_combine},
+    {"--ungated", NULL, "specular light also where a surface faces away from the light", COMMAND_RENDER, parse_ungated},
     {"--ambient", "r,g,b", "final ambient colour, or one grey level; 0.1", COMMAND_RENDER, parse_ambient},
     {"--diffuse", "r,g,b", "times each light; 0.6", COMMAND_RENDER, parse_diffuse},
     {"--specular", "r,g,b", "times each light; 0.4", COMMAND_RENDER, parse_specular},
     {"--shininess", "P", "specular exponent, any real number from 0; 32", COMMAND_RENDER, parse_shininess},
     {"--viewer", "infinite|local", "where highlights are seen from; infinite", COMMAND_RENDER, parse_viewer},
     {"--background", "r,g,b", "colour of the background; 0", COMMAND_RENDER, parse_background},
-    {"--tile", "WxH", "size of the tiles, each 8, 16, 32 or 64", COMMAND_RENDER, parse_tile},
-    {"--arena", "BYTES", "working memory; what one pass takes", COMMAND_RENDER, parse_arena},
-    {"--stats", NULL, "print what the frame took, a `name value` a line", COMMAND_RENDER, parse_stats},
+    {"--tile", "WxH", "size of the tiles, each 8, 16, 32 or 64", COMMANDS_THAT_DRAW, parse_tile},
+    {"--arena", "BYTES", "working memory; what one pass takes", COMMANDS_THAT_DRAW, parse_arena},
+    {"--stats", NULL, "print what the frame took, a `name value` a line", COMMANDS_THAT_DRAW, parse_stats},
     {"--crease", "DEG", "make all normals anew, split at edges sharper than that", COMMANDS_WITH_MESH, parse_crease},
+    {"--weights", "area|angle", "what triangles weigh in the normals that are made; area", COMMANDS_WITH_MESH,
+     parse_weights},
+    {"--facets", NULL, "make all normals anew, the triangles' own", COMMANDS_WITH_MESH, parse_facets},
+    {"--repair", NULL, "turn triangles so that connected parts are wound consistently and face outwards",
+     COMMANDS_WITH_MESH, parse_repair},
+    {"--list", NULL, "print the scenes and their variants", COMMAND_SCENE, parse_list},
+    {"--frame", "N", "which frame, counted from 0; 0", COMMAND_SCENE, parse_frame},
+    {"--animate", "N", "an APNG of N frames, 1 to 1000, spread over the time in which the scene repeats", COMMAND_SCENE,
+     parse_animate},
     {"--double-sided", NULL, "draw triangles from both sides", COMMAND_RENDER | COMMAND_CONVERT, parse_double_sided},
     {"--name", "NAME", "C identifier that the arrays' names begin with", COMMAND_CONVERT, parse_name},
     {"--licence", "SPDX", "licence that the header states", COMMAND_CONVERT, parse_licence},
     {"--models", "DIR", "folder of the models; examples/models", COMMAND_DEMO, parse_models},
-    {"--help", NULL, "print this", COMMANDS_WITH_MESH | COMMAND_DEMO, parse_help},
+    {"--help", NULL, "print this", COMMANDS_WITH_MESH | COMMAND_DEMO | COMMAND_SCENE, parse_help},
 };
 
 #define OPTION_COUNT (sizeof options / sizeof options[0])
@@ -388,7 +323,9 @@ void settings_default(host_settings *settings) {
     settings->diffuse = settings_grey(0.6);
     settings->specular = settings_grey(0.4);
     settings->shininess = GLINT_Q16(32);
-    settings->crease = MESH_NO_CREASE;
+    settings->reflection = &glint_model_blinn_phong;
+    settings->gamma = 1.0;
+    settings->load.crease = MESH_NO_CREASE;
     settings->models = "examples/models";
 }
 
@@ -403,7 +340,7 @@ bool settings_parse(host_settings *settings, int command, int count, char **argu
             continue;
         }
         char quote[PROBLEM_QUOTE_SIZE];
-        if (settings->model != NULL || (command & COMMANDS_WITH_MESH) == 0) {
+        if (settings->model != NULL || (command & (COMMANDS_WITH_MESH | COMMAND_SCENE)) == 0) {
             return problem_set(problem, 0, "unexpected argument '%s'",
                                problem_quote(quote, arguments[i], strlen(arguments[i])));
         }
@@ -411,6 +348,14 @@ bool settings_parse(host_settings *settings, int command, int count, char **argu
         taken = 1;
     }
     return true;
+}
+
+static void print_lights(void) {
+    printf(
+        "  LIGHT is one of these; colours r,g,b from 0 to 16, attenuation 1 / (1 + k1 d + k2 d^2), degrees:\n"
+        "    dir:x,y,z[:r,g,b]                                   from that direction, infinitely far\n"
+        "    point:x,y,z[:r,g,b[:k1[:k2]]]                       from that point\n"
+        "    spot:x,y,z:ax,ay,az:inner,outer[:r,g,b[:k1[:k2]]]   along an axis, full up to inner, none from outer\n");
 }
 
 void settings_help(int command) {
@@ -421,5 +366,8 @@ void settings_help(int command) {
                      options[i].argument != NULL ? options[i].argument : "");
             printf("  %-26s %s\n", left, options[i].help);
         }
+    }
+    if ((command & COMMAND_RENDER) != 0) {
+        print_lights();
     }
 }

@@ -7,6 +7,7 @@
 #define GLINT_HOST_SETTINGS_H
 
 #include "framebuffer.h"
+#include "load.h"
 #include "problem.h"
 
 /** Commands, as bits: which of them take an option. */
@@ -15,34 +16,42 @@ enum {
     COMMAND_INFO = 2,
     COMMAND_CONVERT = 4,
     COMMAND_DEMO = 8,
+    COMMAND_SCENE = 16,
 };
 
 /** All that options can say; settings_default gives what holds without them. Strings are the command line's own. */
 typedef struct host_settings {
-    const char *model;  /**< File or shape, or null. */
+    const char *model;  /**< File, shape or scene, or null. */
     const char *output; /**< File to write, or null. */
-    bool help;
 
     const framebuffer_format *format;
+    double gamma; /**< Output is linear^(1 / gamma). */
     uint16_t width, height;
     uint16_t tile_width, tile_height; /**< 0 for the library's default. */
     size_t arena;                     /**< Bytes; 0 for what the scene is best drawn with. */
-    bool stats;
 
-    bool eye_given, at_given, near_given;
+    bool help, list, stats;    /**< What to print. */
+    bool dither, double_sided; /**< How to draw. */
+    bool size_given, eye_given, at_given, near_given, frame_given;
+
     glint_vector eye, at, up;
     glint_q16 field_of_view, near_plane;
     glint_viewer viewer;
-
-    double scale[3]; /**< Each within what Q16.16 holds. */
     glint_q16 rotate_y;
+    double scale[3]; /**< Each within what Q16.16 holds. */
+
+    const glint_model *reflection;
+    const glint_evaluation *evaluation; /**< Or null for the library's default. */
     glint_colour ambient, diffuse, specular, background;
     glint_q16 shininess;
+    uint32_t material_flags;
     glint_light lights[GLINT_LIGHTS_MAX];
     uint32_t light_count; /**< 0 for the default light. */
 
-    double crease;       /**< Degrees, or MESH_NO_CREASE. */
-    bool double_sided;   /**< Draw triangles from both sides. */
+    uint32_t frame;   /**< Of a scene. */
+    uint32_t animate; /**< Frames of an animation; 0 for a still picture. */
+
+    load_options load;
     const char *name;    /**< Of converted arrays, or null. */
     const char *licence; /**< SPDX expression for a converted mesh, or null. */
     const char *models;  /**< Folder of the demo's models. */

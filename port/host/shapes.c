@@ -1,134 +1,200 @@
 /* SPDX-License-Identifier: MIT */
 #include "shapes.h"
 
+#include "memory.h"
 #include "number.h"
+#include "quantise.h"
 
-#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-static const double pi = 3.14159265358979323846;
+/** Largest size that the library generates. */
+#define SIZE_LARGEST 8192.0
 
-typedef struct unit {
-    double c, s;
-} unit;
+/** Largest count: the library checks the vertices. */
+#define COUNT_LARGEST 65536
 
-/** cos and sin of 2 pi i / n for 0 <= i <= n/8: 1/2 exactly at 30 degrees, so that no rounding rests on libm's last
- * bit. */
-static unit circle_octant(int i, int n) {
-    const double angle = 2.0 * pi * i / n;
-    const unit point = {cos(angle), 12 * i == n ? 0.5 : sin(angle)};
-    return point;
+/* ---- The library's generators ----------------------------------------------------------------------------------- */
+
+static glint_status torus(glint_mesh *mesh, const glint_mesh_room *room, const uint32_t counts[2],
+                          const glint_q16 sizes[SHAPE_SIZES_MAX]) {
+    return glint_generate_torus(mesh, room, counts[0], counts[1], sizes[0], sizes[1]);
 }
 
-/** cos and sin of 2 pi i / n for 0 <= i < n, as symmetric as the circle is. */
-static unit circle(int i, int n) {
-    const int below = 2 * i > n; /* mirrored at the x axis */
-    i = below ? n - i : i;
-    const int left = 4 * i > n; /* at the y axis, in half steps so that an odd n works */
-    const int i2 = left ? n - 2 * i : 2 * i;
-    const int above = 4 * i2 > n; /* n / 2 half steps make a quarter; at the diagonal, in quarter steps */
-    const unit low = circle_octant(above ? n - 2 * i2 : 2 * i2, 4 * n);
-    const unit first = {above ? low.s : low.c, above ? low.c : low.s};
-    const unit point = {left ? -first.c : first.c, below ? -first.s : first.s};
-    return point;
+static glint_status sphere(glint_mesh *mesh, const glint_mesh_room *room, const uint32_t counts[2],
+                           const glint_q16 sizes[SHAPE_SIZES_MAX]) {
+    return glint_generate_sphere(mesh, room, counts[0], counts[1], sizes[0]);
 }
 
-static mesh_corner both(uint32_t index) {
-    const mesh_corner corner = {index, index};
-    return corner;
+static glint_status cylinder(glint_mesh *mesh, const glint_mesh_room *room, const uint32_t counts[2],
+                             const glint_q16 sizes[SHAPE_SIZES_MAX]) {
+    return glint_generate_cylinder(mesh, room, counts[0], counts[1], sizes[0], sizes[1], 0);
 }
 
-/** R = 1, r = 0.4, axis z; vertex i nv + j. */
-static void make_torus(host_mesh *mesh, int nu, int nv) {
-    for (int i = 0; i < nu; i++) {
-        const unit u = circle(i, nu);
-        for (int j = 0; j < nv; j++) {
-            const unit v = circle(j, nv);
-            const double ring = 1.0 + 0.4 * v.c;
-            mesh_add_position(mesh, ring * u.c, ring * u.s, 0.4 * v.s);
-            mesh_add_normal(mesh, v.c * u.c, v.c * u.s, v.s);
-        }
-    }
-    for (int i = 0; i < nu; i++) {
-        for (int j = 0; j < nv; j++) {
-            const int i1 = (i + 1) % nu;
-            const int j1 = (j + 1) % nv;
-            const mesh_corner a = both((uint32_t)(i * nv + j));
-            const mesh_corner b = both((uint32_t)(i1 * nv + j));
-            const mesh_corner c = both((uint32_t)(i1 * nv + j1));
-            const mesh_corner d = both((uint32_t)(i * nv + j1));
-            mesh_add_triangle(mesh, a, b, c);
-            mesh_add_triangle(mesh, a, c, d);
-        }
-    }
+static glint_status cylinder_capped(glint_mesh *mesh, const glint_mesh_room *room, const uint32_t counts[2],
+                                    const glint_q16 sizes[SHAPE_SIZES_MAX]) {
+    return glint_generate_cylinder(mesh, room, counts[0], counts[1], sizes[0], sizes[1], 1);
 }
 
-static void add_sphere_point(host_mesh *mesh, double x, double y, double z) {
-    mesh_add_position(mesh, x, y, z);
-    mesh_add_normal(mesh, x, y, z);
+static glint_status cone(glint_mesh *mesh, const glint_mesh_room *room, const uint32_t counts[2],
+                         const glint_q16 sizes[SHAPE_SIZES_MAX]) {
+    return glint_generate_cone(mesh, room, counts[0], counts[1], sizes[0], sizes[1], 0);
 }
 
-/** Radius 1: the pole at z = 1, nv - 1 rings of nu points, the pole at z = -1. */
-static void make_sphere(host_mesh *mesh, int nu, int nv) {
-    add_sphere_point(mesh, 0, 0, 1);
-    for (int j = 1; j < nv; j++) {
-        const unit polar = circle(j, 2 * nv);
-        for (int i = 0; i < nu; i++) {
-            const unit u = circle(i, nu);
-            add_sphere_point(mesh, polar.s * u.c, polar.s * u.s, polar.c);
-        }
-    }
-    add_sphere_point(mesh, 0, 0, -1);
-    const mesh_corner north = both(0);
-    const mesh_corner south = both((uint32_t)(nu * (nv - 1) + 1));
-    for (int j = 0; j < nv; j++) {
-        for (int i = 0; i < nu; i++) {
-            const int i1 = (i + 1) % nu;
-            const mesh_corner a = j > 0 ? both((uint32_t)(1 + (j - 1) * nu + i)) : north;
-            const mesh_corner b = j + 1 < nv ? both((uint32_t)(1 + j * nu + i)) : south;
-            const mesh_corner c = j + 1 < nv ? both((uint32_t)(1 + j * nu + i1)) : south;
-            const mesh_corner d = j > 0 ? both((uint32_t)(1 + (j - 1) * nu + i1)) : north;
-            if (j + 1 < nv) {
-                mesh_add_triangle(mesh, a, b, c);
-            }
-            if (j > 0) {
-                mesh_add_triangle(mesh, a, c, d);
-            }
-        }
-    }
+static glint_status cone_capped(glint_mesh *mesh, const glint_mesh_room *room, const uint32_t counts[2],
+                                const glint_q16 sizes[SHAPE_SIZES_MAX]) {
+    return glint_generate_cone(mesh, room, counts[0], counts[1], sizes[0], sizes[1], 1);
+}
+
+static glint_status plane(glint_mesh *mesh, const glint_mesh_room *room, const uint32_t counts[2],
+                          const glint_q16 sizes[SHAPE_SIZES_MAX]) {
+    return glint_generate_plane(mesh, room, counts[0], counts[1], sizes[0], sizes[1]);
+}
+
+static glint_status box(glint_mesh *mesh, const glint_mesh_room *room, const uint32_t counts[2],
+                        const glint_q16 sizes[SHAPE_SIZES_MAX]) {
+    (void)counts;
+    return glint_generate_box(mesh, room, sizes[0], sizes[1], sizes[2]);
 }
 
 const host_shape host_shapes[] = {
-    {"torus", "NUxNV: radii 1 and 0.4 round z, NU steps round it, NV round the tube", {3, 3}, 1024, make_torus},
-    {"sphere", "NUxNV: radius 1, poles on z, NU steps round it, NV from pole to pole", {3, 2}, 1024, make_sphere},
-    {NULL, NULL, {0, 0}, 0, NULL},
+    {"torus", ":NxM[:R,r]", "round z, N steps round it, M round the tube; radii 1,0.4", {3, 3}, 2, {1, 0.4, 0}, torus},
+    {"sphere", ":NxM[:R]", "N steps round z, M from pole to pole; radius 1", {3, 2}, 1, {1, 0, 0}, sphere},
+    {"cylinder",
+     ":NxM[:R,H]",
+     "open, N steps round z, M along it; radius 1, half height 1",
+     {3, 1},
+     2,
+     {1, 1, 0},
+     cylinder},
+    {"cylinder-capped", ":NxM[:R,H]", "the same with both caps", {3, 1}, 2, {1, 1, 0}, cylinder_capped},
+    {"cone",
+     ":NxM[:R,H]",
+     "open, its tip at z = H, its base at -H; radius 1, half height 1",
+     {3, 1},
+     2,
+     {1, 1, 0},
+     cone},
+    {"cone-capped", ":NxM[:R,H]", "the same with a cap", {3, 1}, 2, {1, 1, 0}, cone_capped},
+    {"plane", ":NxM[:X,Y]", "z = 0, N columns, M rows, seen from +z; half sizes 1,1", {1, 1}, 2, {1, 1, 0}, plane},
+    {"box", "[:X,Y,Z]", "six faces; half sizes 1,1,1", {0, 0}, 3, {1, 1, 1}, box},
+    {NULL, NULL, NULL, {0, 0}, 0, {0, 0, 0}, NULL},
 };
 
+/* ---- Names ------------------------------------------------------------------------------------------------------ */
+
 const host_shape *shape_find(const char *name) {
+    const size_t length = strcspn(name, ":");
     for (const host_shape *shape = host_shapes; shape->name != NULL; shape++) {
-        const size_t length = strlen(shape->name);
-        if (strncmp(name, shape->name, length) == 0 && name[length] == ':') {
+        /* A shape without counts may do without a colon; no other may, so that a file can be called torus. */
+        if (strlen(shape->name) == length && memcmp(name, shape->name, length) == 0 &&
+            (name[length] == ':' || shape->least[0] == 0)) {
             return shape;
         }
     }
     return NULL;
 }
 
-bool shape_make(const host_shape *shape, const char *name, host_mesh *mesh, host_problem *problem) {
-    const char *sizes = strchr(name, ':') + 1;
-    const char *cross = strchr(sizes, 'x');
-    int64_t nu;
-    int64_t nv;
-    if (cross == NULL || !number_integer(sizes, (size_t)(cross - sizes), &nu) ||
-        !number_integer(cross + 1, strlen(cross + 1), &nv)) {
-        return problem_set(problem, 0, "%s takes two sizes, as in %s:24x12", shape->name, shape->name);
+static bool bad_counts(const host_shape *shape, host_problem *problem) {
+    return problem_set(problem, 0, "%s takes counts from %lux%lu, and at most 65536 vertices", shape->name,
+                       (unsigned long)shape->least[0], (unsigned long)shape->least[1]);
+}
+
+/** Reads the counts at `*at`, and moves on to the colon before the sizes, or the end. */
+static bool read_counts(const host_shape *shape, const char **at, uint32_t counts[2], host_problem *problem) {
+    const size_t length = strcspn(*at, ":");
+    const char *cross = memchr(*at, 'x', length);
+    int64_t values[2];
+    if (cross == NULL || !number_integer(*at, (size_t)(cross - *at), &values[0]) ||
+        !number_integer(cross + 1, (size_t)(*at + length - cross - 1), &values[1])) {
+        return problem_set(problem, 0, "%s takes two counts, as in %s:24x12", shape->name, shape->name);
     }
-    if (nu < shape->least[0] || nv < shape->least[1] || nu > shape->most || nv > shape->most) {
-        return problem_set(problem, 0, "%s takes sizes from %dx%d to %dx%d", shape->name, shape->least[0],
-                           shape->least[1], shape->most, shape->most);
+    for (int i = 0; i < 2; i++) {
+        if (values[i] < shape->least[i] || values[i] > COUNT_LARGEST) {
+            return bad_counts(shape, problem);
+        }
+        counts[i] = (uint32_t)values[i];
     }
-    memset(mesh, 0, sizeof *mesh);
-    shape->make(mesh, (int)nu, (int)nv);
-    mesh->face_count = mesh->triangle_count;
+    *at += length;
     return true;
+}
+
+/** Reads a colon and the sizes at `at`, which may be the end. */
+static bool read_sizes(const host_shape *shape, const char *at, glint_q16 sizes[SHAPE_SIZES_MAX],
+                       host_problem *problem) {
+    double values[SHAPE_SIZES_MAX];
+    memcpy(values, shape->sizes, sizeof values);
+    bool ok = *at == '\0' || number_list(at + 1, strlen(at + 1), ',', shape->size_count, values);
+    for (uint32_t i = 0; ok && i < shape->size_count; i++) {
+        ok = values[i] >= 1.0 / 65536.0 && values[i] <= SIZE_LARGEST;
+    }
+    if (!ok) {
+        return problem_set(problem, 0, "%s takes %lu size%s above 0, up to 8192", shape->name,
+                           (unsigned long)shape->size_count, shape->size_count > 1 ? "s" : "");
+    }
+    for (int i = 0; i < SHAPE_SIZES_MAX; i++) {
+        sizes[i] = number_q16(values[i]);
+    }
+    return true;
+}
+
+/* ---- Meshes ----------------------------------------------------------------------------------------------------- */
+
+static void read_back(const glint_mesh *made, host_mesh *mesh) {
+    memset(mesh, 0, sizeof *mesh);
+    for (uint32_t i = 0; i < made->vertex_count; i++) {
+        double position[3];
+        const int16_t *normal = made->normals[i];
+        quantised_position(made, i, position);
+        mesh_add_position(mesh, position[0], position[1], position[2]);
+        mesh_add_normal(mesh, normal[0], normal[1], normal[2]);
+    }
+    for (uint32_t i = 0; i < made->triangle_count; i++) {
+        mesh_corner corners[3];
+        for (int j = 0; j < 3; j++) {
+            corners[j].position = corners[j].normal = made->triangles[i][j];
+        }
+        mesh_add_triangle(mesh, corners[0], corners[1], corners[2]);
+    }
+    mesh->face_count = mesh->triangle_count;
+}
+
+static bool generate(const host_shape *shape, const uint32_t counts[2], const glint_q16 sizes[SHAPE_SIZES_MAX],
+                     host_mesh *mesh, host_problem *problem) {
+    glint_mesh_room room = {0};
+    glint_mesh made = {0};
+    /* Without room the generator only counts, and says that there is too little. */
+    (void)shape->generate(&made, &room, counts, sizes);
+    if (made.vertex_count > 65536 || (uint64_t)counts[0] * counts[1] > 65536) {
+        return bad_counts(shape, problem);
+    }
+    if (made.vertex_count == 0) {
+        return problem_set(problem, 0, "%s: its sizes come to more than 8192", shape->name);
+    }
+    room.vertex_room = made.vertex_count;
+    room.triangle_room = made.triangle_count;
+    room.positions = memory_new(room.vertex_room, sizeof *room.positions);
+    room.normals = memory_new(room.vertex_room, sizeof *room.normals);
+    room.triangles = memory_new(room.triangle_room, sizeof *room.triangles);
+    const glint_status status = shape->generate(&made, &room, counts, sizes);
+    if (status == GLINT_OK) {
+        read_back(&made, mesh);
+    }
+    free(room.positions);
+    free(room.normals);
+    free(room.triangles);
+    return status == GLINT_OK || problem_set(problem, 0, "%s", glint_strerror(status));
+}
+
+bool shape_make(const host_shape *shape, const char *name, host_mesh *mesh, host_problem *problem) {
+    const char *at = name + strlen(shape->name);
+    uint32_t counts[2] = {0, 0};
+    glint_q16 sizes[SHAPE_SIZES_MAX];
+    if (shape->least[0] > 0) {
+        at++; /* the colon that shape_find saw */
+        if (!read_counts(shape, &at, counts, problem)) {
+            return false;
+        }
+    }
+    return read_sizes(shape, at, sizes, problem) && generate(shape, counts, sizes, mesh, problem);
 }

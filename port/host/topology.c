@@ -55,8 +55,7 @@ mesh_half_edge *mesh_half_edges(const host_mesh *mesh, const uint32_t *points) {
     return edges;
 }
 
-/** Numbers positions so that those with equal coordinates have the same number. */
-static uint32_t *weld(const host_mesh *mesh) {
+uint32_t *mesh_weld(const host_mesh *mesh) {
     placed *places = memory_new(mesh->position_count, sizeof *places);
     for (size_t i = 0; i < mesh->position_count; i++) {
         for (int axis = 0; axis < 3; axis++) {
@@ -98,7 +97,7 @@ static void count_edge(mesh_topology *topology, const mesh_half_edge *edges, siz
 
 mesh_topology mesh_check_topology(const host_mesh *mesh) {
     mesh_topology topology = {0, 0, 0, 0};
-    uint32_t *points = weld(mesh);
+    uint32_t *points = mesh_weld(mesh);
     mesh_half_edge *edges = mesh_half_edges(mesh, points);
     const size_t count = 3 * mesh->triangle_count;
     size_t first = 0;

@@ -172,6 +172,7 @@ static void place_objects(host_view *view, const host_settings *settings, const 
         view->objects[i].mesh = &mesh->pieces[i];
         view->objects[i].material = &view->material;
         view->objects[i].pose = glint_pose_then(&scaled, &turned);
+        view->objects[i].evaluation = settings->evaluation;
     }
     view->scene.objects = view->objects;
     view->scene.object_count = (uint32_t)mesh->piece_count;
@@ -196,11 +197,12 @@ bool view_make(host_view *view, const host_settings *settings, const quantised_m
         view_free(view);
         return false;
     }
-    view->material.model = &glint_model_blinn_phong;
+    view->material.model = settings->reflection;
     view->material.ambient = settings->ambient;
     view->material.diffuse = settings->diffuse;
     view->material.specular = settings->specular;
     view->material.shininess = settings->shininess;
+    view->material.flags = settings->material_flags;
     memcpy(view->lights, settings->lights, sizeof view->lights);
     if (settings->light_count == 0) {
         view->lights[0] = default_light(&view->scene.camera);
@@ -232,11 +234,31 @@ static glint_status draw(const glint_scene *scene, glint_config *config, glint_s
     return status;
 }
 
-bool view_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, glint_stats *stats,
-               host_problem *problem) {
-    glint_config config = {.width = settings->width, .height = settings->height, .format = settings->format->format};
+/** The output table of linear^(1 / gamma), the same for all three channels. */
+static void make_gamma(double gamma, uint16_t tables[3][GLINT_GAMMA_ENTRIES]) {
+    for (int i = 0; i < GLINT_GAMMA_ENTRIES; i++) {
+        const double level = pow((double)i / (GLINT_GAMMA_ENTRIES - 1), 1.0 / gamma);
+        tables[0][i] = tables[1][i] = tables[2][i] = (uint16_t)lround(65535.0 * level);
+    }
+}
+
+/** Configures all but arena and flush. `tables` must outlive the configuration. */
+static glint_config configure(const host_settings *settings, uint16_t tables[3][GLINT_GAMMA_ENTRIES]) {
+    glint_config config = {.width = settings->width, .height = settings->height};
+    config.format = settings->dither ? settings->format->dithered : settings->format->format;
     config.tile_width = settings->tile_width;
     config.tile_height = settings->tile_height;
+    if (settings->gamma < 1 || settings->gamma > 1) {
+        make_gamma(settings->gamma, tables);
+        config.gamma = (const uint16_t(*)[GLINT_GAMMA_ENTRIES])tables;
+    }
+    return config;
+}
+
+bool view_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, glint_stats *stats,
+               host_problem *problem) {
+    uint16_t tables[3][GLINT_GAMMA_ENTRIES];
+    glint_config config = configure(settings, tables);
     framebuffer_init(target, config.format, config.width, config.height);
     config.flush = framebuffer_flush(target);
     glint_need need = {0, 0};

@@ -5,16 +5,19 @@ QEMU ?= qemu-system-arm
 
 # ---- What the panel shows is what the host draws
 
-HOST_TURNTABLE = $(BUILD)/host/turntable
-$(HOST_TURNTABLE): tests/board/turntable_host.c tests/board/frames.c tests/board/frames.h \
-        $(wildcard examples/turntable/* examples/meshes/*) $(BUILD)/host/libglint.a
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples tests/board/turntable_host.c tests/board/frames.c examples/turntable/turntable.c \
-	    $(BUILD)/host/libglint.a -o $@
+# What the example scenes are made of.
+EXAMPLE_SCENES := $(wildcard examples/scenes/*.c)
+EXAMPLE_DATA   := $(wildcard examples/turntable/* examples/scenes/*.h examples/meshes/*.h)
 
-PANEL_PROGRAMS := pattern minimal turntable
-test-board-panel: $(HOST_TURNTABLE) $(PANEL_PROGRAMS:%=$(BUILD)/lm3s6965evb/release/%.elf) ## the OLED against the host
-	@python3 tests/board/panel.py --qemu $(QEMU) --output $(BUILD)/board --host $(HOST_TURNTABLE) \
+PANEL_HOST := $(BUILD)/host/panel
+$(PANEL_HOST): tests/board/panel_host.c tests/board/frames.c tests/board/frames.h examples/firmware/shown.c \
+        examples/firmware/shown.h $(EXAMPLE_SCENES) $(EXAMPLE_DATA) $(BUILD)/host/libglint.a
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples $(filter %.c,$^) $(BUILD)/host/libglint.a -o $@
+
+PANEL_PROGRAMS := pattern minimal turntable scenes
+test-board-panel: $(PANEL_HOST) $(PANEL_PROGRAMS:%=$(BUILD)/lm3s6965evb/release/%.elf) ## the OLED against the host
+	@python3 tests/board/panel.py --qemu $(QEMU) --output $(BUILD)/board --host $(PANEL_HOST) \
 	    $(foreach program,$(PANEL_PROGRAMS),--$(program) $(BUILD)/lm3s6965evb/release/$(program).elf)
 
 # ---- The unit tests on Cortex-M3 and Cortex-M0
@@ -29,12 +32,12 @@ IDENTITY_LEVELS := O0 Os O2
 IDENTITY_CORES  := mps2-an385 mps2-an385-m0
 IDENTITY_ELF    := $(foreach core,$(IDENTITY_CORES),$(foreach level,$(IDENTITY_LEVELS),$(BUILD)/$(core)/$(level)/identity.elf))
 IDENTITY_HOST   := $(foreach compiler,gcc clang,$(foreach level,$(IDENTITY_LEVELS),$(BUILD)/identity/$(compiler)-$(level)))
-$(BUILD)/identity/%: tests/board/identity_host.c tests/board/identity.c tests/board/frames.c tests/board/frames.h \
-        $(wildcard src/*) $(wildcard examples/turntable/* examples/meshes/*)
+IDENTITY_SOURCES := tests/board/identity_host.c tests/board/identity.c tests/board/frames.c \
+    examples/turntable/turntable.c $(EXAMPLE_SCENES)
+$(BUILD)/identity/%: $(IDENTITY_SOURCES) tests/board/frames.h $(EXAMPLE_DATA) $(wildcard src/*)
 	@mkdir -p $(@D)
 	$(Q)$(firstword $(subst -, ,$*)) -std=c99 $(WARNINGS) -$(lastword $(subst -, ,$*)) -Isrc -Iport -Iexamples \
-	    tests/board/identity_host.c tests/board/identity.c tests/board/frames.c examples/turntable/turntable.c \
-	    $(LIBRARY) -o $@
+	    $(IDENTITY_SOURCES) $(LIBRARY) -o $@
 
 test-board-identity: $(IDENTITY_ELF) $(IDENTITY_HOST) ## the same bits from every core and compiler
 	@python3 tests/board/identity.py --qemu $(QEMU) --machine mps2-an385 \

@@ -29,21 +29,22 @@ static glint_status prepare(glint_config *config, const glint_scene *scene, int 
     }
     config->arena = arena;
     config->arena_size = smallest ? need.smallest : need.best;
-    return config->arena_size <= sizeof arena ? GLINT_OK : GLINT_ERROR_ARENA;
+    if (config->arena_size > sizeof arena) {
+        config->arena_size = sizeof arena;
+    }
+    return GLINT_OK;
 }
 
-glint_status frame_draw(frame_image *image, turntable_model model, uint32_t frame, const frame_options *options) {
-    turntable table;
+glint_status frame_draw_scene(frame_image *image, const glint_scene *scene, const frame_options *options) {
     glint_renderer renderer;
     glint_config config = {.width = TURNTABLE_WIDTH, .height = TURNTABLE_HEIGHT};
 
-    turntable_frame(&table, model, frame);
     config.tile_width = options->tile_width;
     config.tile_height = options->tile_height;
     config.format = options->format;
     config.flush.begin = flush_begin;
     config.flush.context = image;
-    glint_status status = prepare(&config, &table.scene, options->smallest);
+    glint_status status = prepare(&config, scene, options->smallest);
     if (status == GLINT_OK) {
         status = glint_init(&renderer, &config);
     }
@@ -52,9 +53,16 @@ glint_status frame_draw(frame_image *image, turntable_model model, uint32_t fram
     }
     image->row_bytes = glint_row_bytes(options->format, TURNTABLE_WIDTH);
     image->arena_size = config.arena_size;
-    status = glint_render(&renderer, &table.scene);
+    status = glint_render(&renderer, scene);
     image->stats = renderer.stats;
     return status;
+}
+
+glint_status frame_draw(frame_image *image, turntable_model model, uint32_t frame, const frame_options *options) {
+    turntable table;
+
+    turntable_frame(&table, model, frame);
+    return frame_draw_scene(image, &table.scene, options);
 }
 
 uint32_t frame_checksum(const frame_image *image) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/** @file frames.h The turntable's frames drawn into memory: the same code on the host and on the boards. */
+/** @file frames.h Frames of the examples drawn into memory: the same code on the host and on the boards. */
 #ifndef GLINT_TESTS_FRAMES_H
 #define GLINT_TESTS_FRAMES_H
 
@@ -22,7 +22,13 @@ typedef struct frame_image {
     glint_stats stats;
 } frame_image;
 
-/** Draws a frame. @return the library's error, or GLINT_ERROR_ARENA when the arena here does not hold what it needs. */
+/**
+ * Draws a scene at the turntable's size; in as many passes as it takes when the arena here does not hold all.
+ * @return the library's error
+ */
+glint_status frame_draw_scene(frame_image *image, const glint_scene *scene, const frame_options *options);
+
+/** Draws a frame of the turntable. @return the library's error */
 glint_status frame_draw(frame_image *image, turntable_model model, uint32_t frame, const frame_options *options);
 
 /** FNV-1a (Fowler, Noll, Vo) of all pixels, row by row. */

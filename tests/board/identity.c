@@ -2,6 +2,7 @@
 #include "identity.h"
 
 #include "frames.h"
+#include "scenes/scenes.h"
 #include "text.h"
 
 typedef struct named_format {
@@ -16,9 +17,37 @@ static const named_format formats[] = {
 
 enum { FORMATS = sizeof formats / sizeof formats[0], WIDEST = FORMATS - 1 };
 
+static const named_format dithered[FORMATS] = {
+    {"grey4 dithered", &glint_format_grey4_dithered},   {"grey8 dithered", &glint_format_grey8_dithered},
+    {"rgb565 dithered", &glint_format_rgb565_dithered}, {"rgb565_be dithered", &glint_format_rgb565_be_dithered},
+    {"rgb888 dithered", &glint_format_rgb888_dithered},
+};
+
+/* Where a scene is lit, when not where it says itself. */
+static const struct {
+    const char *name;
+    const glint_evaluation *evaluation;
+} evaluations[] = {
+    {"fragment", &glint_per_fragment},
+    {"vertex", &glint_per_vertex},
+    {"facet", &glint_per_facet},
+};
+
+static const struct {
+    const char *name;
+    const glint_light_type *type;
+} lights[] = {
+    {"directional", &glint_light_directional},
+    {"point", &glint_light_point},
+    {"spot", &glint_light_spot},
+};
+
+enum { EVALUATIONS = sizeof evaluations / sizeof evaluations[0], LIGHTS = sizeof lights / sizeof lights[0] };
+
 static const uint16_t tile_sizes[] = {8, 16, 32, 64};
 
 static frame_image image;
+static example_stage stage;
 
 static void write_number(void (*write)(const char *text), uint32_t number) {
     char digits[TEXT_NUMBER_SIZE];
@@ -36,22 +65,13 @@ static void write_hex(void (*write)(const char *text), uint32_t number) {
     write(digits);
 }
 
-static int draw(void (*write)(const char *text), turntable_model model, uint32_t frame, const named_format *format,
-                frame_options options) {
-    glint_status status;
-
-    options.format = format->format;
-    write(turntable_name(model));
-    write(" ");
-    write_number(write, frame);
-    write(" ");
-    write(format->name);
+/* The second and the last part of a line. @return 1 when the frame could not be drawn */
+static int write_drawn(void (*write)(const char *text), const frame_options *options, glint_status status) {
     write(" | tile ");
-    write_number(write, options.tile_width);
+    write_number(write, options->tile_width);
     write("x");
-    write_number(write, options.tile_height);
-    write(options.smallest ? " smallest | " : " best | ");
-    status = frame_draw(&image, model, frame, &options);
+    write_number(write, options->tile_height);
+    write(options->smallest ? " smallest | " : " best | ");
     if (status != GLINT_OK) {
         write(glint_strerror(status));
     } else {
@@ -59,6 +79,17 @@ static int draw(void (*write)(const char *text), turntable_model model, uint32_t
     }
     write("\n");
     return status != GLINT_OK;
+}
+
+static int draw(void (*write)(const char *text), turntable_model model, uint32_t frame, const named_format *format,
+                frame_options options) {
+    options.format = format->format;
+    write(turntable_name(model));
+    write(" ");
+    write_number(write, frame);
+    write(" ");
+    write(format->name);
+    return write_drawn(write, &options, frame_draw(&image, model, frame, &options));
 }
 
 /* One frame in every tile size, or in square ones only, with the largest and the smallest arena. */
@@ -70,6 +101,77 @@ static int draw_tiles(void (*write)(const char *text), turntable_model model, ui
         if (!square || options.tile_width == options.tile_height) {
             failed += draw(write, model, frame, &formats[WIDEST], options);
         }
+    }
+    return failed;
+}
+
+/* ---- Example scenes ---------------------------------------------------------------------------------------------- */
+
+static int draw_stage(void (*write)(const char *text), const named_format *format, frame_options options) {
+    options.format = format->format;
+    write(" ");
+    write(format->name);
+    return write_drawn(write, &options, frame_draw_scene(&image, &stage.scene, &options));
+}
+
+/* One frame of each variant of each scene. */
+static int draw_variants(void (*write)(const char *text)) {
+    const frame_options options = {NULL, 0, 0, 0};
+    int failed = 0;
+
+    for (int i = 0; i < EXAMPLE_SCENES; i++) {
+        const example_scene *scene = example_scenes[i];
+        for (uint32_t variant = 0; variant < scene->variant_count; variant++) {
+            scene->build(&stage, variant, scene->frames / 3);
+            write(scene->name);
+            write(" ");
+            write(scene->variants[variant].name);
+            failed += draw_stage(write, &formats[WIDEST], options);
+        }
+    }
+    return failed;
+}
+
+/* The torus of the teapot's scene under one light of a type, a little above it, lit where `evaluation` says. */
+static void build_lit(int light, int evaluation) {
+    glint_light *lamp = &stage.lights[0];
+
+    example_teapot.build(&stage, 0, 5);
+    lamp->type = lights[light].type;
+    lamp->linear = GLINT_Q16(0.1);
+    lamp->quadratic = GLINT_Q16(0.05);
+    lamp->inner = GLINT_Q16(20);
+    lamp->outer = GLINT_Q16(60);
+    lamp->axis = (glint_vector){GLINT_Q16(0.2), -GLINT_ONE, GLINT_Q16(-0.8)};
+    stage.scene.objects = &stage.objects[1];
+    stage.scene.object_count = 1;
+    stage.objects[1].evaluation = evaluations[evaluation].evaluation;
+}
+
+static int draw_lit(void (*write)(const char *text), int light, int evaluation, const named_format *format,
+                    frame_options options) {
+    build_lit(light, evaluation);
+    write(lights[light].name);
+    write(" ");
+    write(evaluations[evaluation].name);
+    return draw_stage(write, format, options);
+}
+
+/* Each type of light lit in each place, and tile sizes and dithered formats lit per facet, per vertex and per fragment.
+ */
+static int draw_lights(void (*write)(const char *text)) {
+    const frame_options usual = {NULL, 0, 0, 0};
+    int failed = 0;
+
+    for (int i = 0; i < LIGHTS * EVALUATIONS; i++) {
+        failed += draw_lit(write, i / EVALUATIONS, i % EVALUATIONS, &formats[WIDEST], usual);
+    }
+    for (int i = 0; i < 2 * EVALUATIONS * 4; i++) {
+        const frame_options options = {NULL, tile_sizes[i & 3], tile_sizes[(i + i / 4) & 3], i >= EVALUATIONS * 4};
+        failed += draw_lit(write, i % LIGHTS, i / 4 % EVALUATIONS, &dithered[WIDEST], options);
+    }
+    for (int format = 0; format < FORMATS; format++) {
+        failed += draw_lit(write, format % LIGHTS, format % EVALUATIONS, &dithered[format], usual);
     }
     return failed;
 }
@@ -88,5 +190,5 @@ int identity_run(void (*write)(const char *text)) {
         /* the smallest arena means hundreds of passes over the larger mesh: there, square tiles are enough */
         failed += draw_tiles(write, (turntable_model)model, 5, model == TURNTABLE_TEAPOT);
     }
-    return failed;
+    return failed + draw_variants(write) + draw_lights(write);
 }

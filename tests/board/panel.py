@@ -15,7 +15,9 @@ import time
 from qemu import SILENCE, Died, Machine, Tally, check_stack, read_netpbm, write_grey
 
 WIDTH, HEIGHT, MAGNIFIED, STEP = 128, 64, 4, 17
-MODELS, FRAMES = ("torus576", "teapot"), 10
+
+# The frames that a panel must show at least: two models, ten frames each; variants of three scenes.
+TURNTABLE_FRAMES, SCENE_FRAMES = 20, 43
 
 
 def glass(path):
@@ -111,9 +113,19 @@ def exit_status(arguments, tally, elf):
         tally.check(False, "%s: %s" % (elf, problem))
 
 
+def draw_on_host(arguments, tally, program, directory, least):
+    """@return the names of what the host drew."""
+    drawn = subprocess.run([arguments.host, program, directory], stdout=subprocess.PIPE, text=True)
+    names = drawn.stdout.split()
+    tally.check(drawn.returncode == 0, "the host cannot draw the frames of " + program)
+    tally.check(len(set(names)) >= least, "%s: the host drew %d different frames, not %d" % (
+        program, len(set(names)), least))
+    return names
+
+
 def main():
     parser = argparse.ArgumentParser()
-    for name in ("qemu", "output", "host", "pattern", "minimal", "turntable"):
+    for name in ("qemu", "output", "host", "pattern", "minimal", "turntable", "scenes"):
         parser.add_argument("--" + name, required=True)
     arguments = parser.parse_args()
     host = os.path.join(arguments.output, "host")
@@ -124,9 +136,9 @@ def main():
     shown_alone(arguments, tally, arguments.pattern, lambda pixels: pixels == pattern())
     shown_alone(arguments, tally, arguments.minimal, lambda pixels: sum(map(bool, pixels)) > 200)
     exit_status(arguments, tally, arguments.minimal)
-    drawn = subprocess.run([arguments.host, host]).returncode
-    if tally.check(drawn == 0, "the host cannot draw the turntable"):
-        run(arguments, tally, arguments.turntable, ["%s-%d" % (m, f) for m in MODELS for f in range(FRAMES)],
+    for program, least in (("turntable", TURNTABLE_FRAMES), ("scenes", SCENE_FRAMES)):
+        names = draw_on_host(arguments, tally, program, host, least)
+        run(arguments, tally, getattr(arguments, program), names,
             lambda name: list(read_netpbm(os.path.join(host, name + ".pgm"))[3]))
     return tally.close()
 

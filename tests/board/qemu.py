@@ -21,15 +21,15 @@ class Died(Exception):
 class Machine:
     """A running emulator: what the firmware writes, and QEMU's own monitor."""
 
-    def __init__(self, qemu, machine, elf, arguments=(), debugger=True):
-        """Without a debugger, firmware has nobody to write to."""
+    def __init__(self, qemu, machine, elf, arguments=(), debugger=True, options=()):
+        """Without a debugger, firmware has nobody to write to. `options` are the emulator's own."""
         self.directory = tempfile.TemporaryDirectory()
         control = os.path.join(self.directory.name, "qmp")
         config = "enable=on,target=native,chardev=text,arg=firmware" + "".join(",arg=" + a for a in arguments)
         self.process = subprocess.Popen(
             [qemu, "-M", machine, "-display", "none", "-serial", "none", "-monitor", "none", "-nodefaults",
              "-chardev", "stdio,id=text,signal=off", "-qmp", "unix:%s,server=on,wait=off" % control, "-kernel", elf] +
-            (["-semihosting-config", config] if debugger else []),
+            (["-semihosting-config", config] if debugger else []) + list(options),
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.control_path, self.control = control, None
         self.lines = queue.Queue()

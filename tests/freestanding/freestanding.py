@@ -5,7 +5,8 @@
 - no undefined symbol but those listed below;
 - no floating point: no helper function, and on a core with an FPU no instruction of it;
 - no writable data;
-- no recursion through direct calls.
+- no recursion through direct calls;
+- no function that nothing refers to: a compiler leaves one when it wrongly drops its calls (gcc 12's -Os has done so).
 
 Each check is also shown to find what tests/freestanding/planted.c plants. Prints the deepest stack of each public
 function; an indirect call is taken to reach any function that nothing calls directly and that is not public.
@@ -57,6 +58,16 @@ def writable(cross, objects):
                     "READONLY" not in line:
                 found.append("%s: %s" % (path, fields[1]))
         found += ["%s: common" % path for line in run(cross + "nm", path).splitlines() if " C " in line]
+    return found
+
+
+def unreferenced(cross, objects):
+    """Static functions that nothing in their object refers to; each has a section of its own."""
+    found = []
+    for path in objects:
+        targets = set(re.findall(r"\sR_ARM_\w+\s+(?:\.text\.)?([\w.$]+)", run(cross + "objdump", "-r", path)))
+        statics = re.findall(r"^[0-9a-f]+ t ([A-Za-z_][\w.]*)$", run(cross + "nm", path), re.MULTILINE)
+        found += ["%s: %s" % (path, name) for name in statics if name not in targets]
     return found
 
 
@@ -125,6 +136,7 @@ def check_planted(tally, cross, directory):
     tally.check([name for name in outside if FLOAT_HELPER.match(name)], directory + ": planted float helper not found")
     tally.check(writable(cross, objects), directory + ": planted variable not found")
     tally.check(cycle(graph), directory + ": planted recursion not found")
+    tally.check(unreferenced(cross, objects), directory + ": planted function without a call not found")
     if "m4f" in directory:
         tally.check(float_instructions(cross, objects), directory + ": planted instruction not found")
 
@@ -139,6 +151,8 @@ def check_library(tally, cross, directory):
     tally.check(not strangers, "%s: undefined: %s" % (directory, " ".join(strangers)))
     tally.check(not floats, "%s: floating point: %s" % (directory, " ".join(floats)))
     tally.check(not writable(cross, objects), "%s: writable: %s" % (directory, " ".join(writable(cross, objects))))
+    uncalled = unreferenced(cross, objects)
+    tally.check(not uncalled, "%s: nothing refers to %s" % (directory, " ".join(uncalled)))
     tally.check(not cycle(graph), "%s: recursion through %s" % (directory, cycle(graph)))
     public = public_functions()
     missing = [name for name in public if name not in graph]

@@ -26,3 +26,8 @@ int planted_recursion(int depth) { /* NOLINT(misc-no-recursion): planted */
 int planted_global(void) {
     return ++counter;
 }
+
+/* What a compiler leaves that drops the calls of a function. */
+__attribute__((used)) static int planted_uncalled(int x) {
+    return outside(x);
+}

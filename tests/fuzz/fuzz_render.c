@@ -104,6 +104,27 @@ static uint16_t (*take_triangles(source *s, uint32_t count, uint32_t vertices))[
     return triangles;
 }
 
+/* None, 24 bits, 16 bits, or both. */
+static void take_mesh_colours(source *s, glint_mesh *mesh) {
+    uint32_t choice = below(s, 6);
+    uint32_t state = take(s, 2);
+    uint8_t(*colours)[3] = allocate(mesh->vertex_count * sizeof *colours);
+    uint16_t *colours565 = allocate(mesh->vertex_count * sizeof *colours565);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        for (int c = 0; c < 3; c++)
+            colours[i][c] = (uint8_t)next_random(&state);
+        colours565[i] = (uint16_t)next_random(&state);
+    }
+    if (choice == 1 || choice == 3)
+        mesh->colours = (const uint8_t(*)[3])colours;
+    else
+        free(colours);
+    if (choice == 2 || choice == 3)
+        mesh->colours565 = colours565;
+    else
+        free(colours565);
+}
+
 /* Arrays of exactly the size that the mesh states, so that reading past them is seen. */
 static void take_mesh(source *s, glint_mesh *mesh) {
     mesh->vertex_count = 1 + below(s, VERTICES_MAX);
@@ -117,6 +138,7 @@ static void take_mesh(source *s, glint_mesh *mesh) {
     if (below(s, 4) == 1)
         mesh->offset = any_vector(s);
     mesh->flags = below(s, 2);
+    take_mesh_colours(s, mesh);
 }
 
 static glint_pose take_pose(source *s) {
@@ -158,10 +180,24 @@ static void take_camera(source *s, glint_camera *camera) {
     camera->near_plane = likely(s, 8, GLINT_ONE) | 1;
 }
 
+/* What lamps have beside the rest: mostly sound, so that frames are drawn. */
+static void take_lamp(source *s, glint_light *light) {
+    static const glint_light_type *const types[4] = {&glint_light_directional, &glint_light_point, &glint_light_spot,
+                                                     &glint_light_point};
+    light->type = types[below(s, 4)];
+    if (light->type == &glint_light_directional)
+        return;
+    light->linear = likely(s, 32, GLINT_ONE);
+    light->quadratic = likely(s, 32, GLINT_ONE);
+    light->axis = any_vector(s);
+    light->outer = likely(s, 32, 180 * GLINT_ONE);
+    light->inner = below(s, 4) == 1 ? light->outer : likely(s, 32, light->outer < 0 ? 0 : light->outer);
+}
+
 static void take_lights(source *s, drawing *d) {
     d->scene.light_count = below(s, 32) == 1 ? GLINT_LIGHTS_MAX + 1 : below(s, GLINT_LIGHTS_MAX + 1);
     for (uint32_t i = 0; i < d->scene.light_count; i++) {
-        d->lights[i].type = &glint_light_directional;
+        take_lamp(s, &d->lights[i]);
         d->lights[i].vector = any_vector(s);
         d->lights[i].diffuse = take_colour(s);
         d->lights[i].specular = take_colour(s);
@@ -170,15 +206,20 @@ static void take_lights(source *s, drawing *d) {
 }
 
 static void take_objects(source *s, drawing *d) {
+    static const glint_model *const models[4] = {&glint_model_blinn_phong, &glint_model_phong, &glint_model_lambert,
+                                                 &glint_model_unlit};
+    const glint_evaluation *const evaluations[4] = {NULL, &glint_per_fragment, &glint_per_vertex, &glint_per_facet};
     d->scene.object_count = below(s, OBJECTS + 1);
     for (uint32_t i = 0; i < d->scene.object_count; i++) {
-        d->materials[i].model = &glint_model_blinn_phong;
+        d->materials[i].model = models[below(s, 4)];
+        d->materials[i].flags = below(s, 32) == 1 ? take(s, 4) : below(s, 4);
         d->materials[i].ambient = take_colour(s);
         d->materials[i].diffuse = take_colour(s);
         d->materials[i].specular = take_colour(s);
         d->materials[i].shininess = likely(s, 4, 64 * GLINT_ONE);
         d->objects[i].mesh = &d->meshes[below(s, MESHES)];
         d->objects[i].material = &d->materials[below(s, i + 1)];
+        d->objects[i].evaluation = evaluations[below(s, 4)];
         d->objects[i].pose = take_pose(s);
     }
     d->scene.objects = d->objects;
@@ -201,6 +242,8 @@ static void free_drawing(drawing *d) {
         free((void *)(uintptr_t)d->meshes[i].positions);
         free((void *)(uintptr_t)d->meshes[i].normals);
         free((void *)(uintptr_t)d->meshes[i].triangles);
+        free((void *)(uintptr_t)d->meshes[i].colours);
+        free((void *)(uintptr_t)d->meshes[i].colours565);
     }
 }
 
@@ -251,9 +294,24 @@ static void close_screen(screen *to) {
     free(to->sent);
 }
 
+/* Null, or tables of any values, of exactly their size. */
+static const uint16_t (*take_gamma(source *s))[GLINT_GAMMA_ENTRIES] {
+    uint16_t(*tables)[GLINT_GAMMA_ENTRIES];
+    if (below(s, 4) != 1)
+        return NULL;
+    uint32_t state = take(s, 1);
+    tables = allocate(3 * sizeof *tables);
+    for (int i = 0; i < 3 * GLINT_GAMMA_ENTRIES; i++)
+        tables[i / GLINT_GAMMA_ENTRIES][i % GLINT_GAMMA_ENTRIES] = (uint16_t)next_random(&state);
+    return (const uint16_t(*)[GLINT_GAMMA_ENTRIES])tables;
+}
+
 static void take_config(source *s, glint_config *config) {
-    static const glint_format *const formats[5] = {&glint_format_rgb565, &glint_format_rgb565_be, &glint_format_rgb888,
-                                                   &glint_format_grey8, &glint_format_grey4};
+    static const glint_format *const formats[10] = {&glint_format_rgb565,          &glint_format_rgb565_be,
+                                                    &glint_format_rgb888,          &glint_format_grey8,
+                                                    &glint_format_grey4,           &glint_format_rgb565_dithered,
+                                                    &glint_format_rgb888_dithered, &glint_format_rgb565_be_dithered,
+                                                    &glint_format_grey8_dithered,  &glint_format_grey4_dithered};
     static const uint16_t tiles[16] = {8, 0, 16, 32, 64, 8, 16, 24, 8, 8, 8, 8, 16, 32, 64, 8};
     memset(config, 0, sizeof *config);
     config->width = (uint16_t)(below(s, 8) == 1 ? take(s, 2) : 1 + below(s, 128));
@@ -262,9 +320,10 @@ static void take_config(source *s, glint_config *config) {
         config->height = (uint16_t)(PIXELS_MAX / config->width);
     config->tile_width = tiles[below(s, 16)];
     config->tile_height = tiles[below(s, 16)];
-    config->format = formats[below(s, 5)];
+    config->format = formats[below(s, 10)];
     config->flush.begin = begin;
     config->flush.wait = wait;
+    config->gamma = take_gamma(s);
 }
 
 /* Draws with exactly `size` bytes of arena at some alignment. */
@@ -353,5 +412,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         close_screen(&refused);
     }
     free_drawing(&d);
+    free((void *)(uintptr_t)config.gamma);
     return 0;
 }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Runs the program under test in a folder of its own, and counts what holds."""
+import math
 import os
 import re
 import subprocess
@@ -14,6 +15,18 @@ MODELS = os.path.join(ROOT, "examples", "models")
 # degrees it covers a third of the height.
 SQUARE = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n"
 SQUARE_VIEW = ["--eye", "0,0,3", "--fov", "90", "--size", "90x90"]
+
+
+def torus_text(around, along):
+    """A torus as OBJ text: radii 1 and 0.4 round z, smooth, without normals."""
+    rings = [[((1 + 0.4 * math.cos(v)) * math.cos(u), (1 + 0.4 * math.cos(v)) * math.sin(u), 0.4 * math.sin(v))
+              for v in (2 * math.pi * j / along for j in range(along))]
+             for u in (2 * math.pi * i / around for i in range(around))]
+    lines = [f"v {x:.9f} {y:.9f} {z:.9f}" for ring in rings for x, y, z in ring]
+    for i in range(around):
+        here, there = i * along + 1, (i + 1) % around * along + 1
+        lines += [f"f {here + j} {there + j} {there + (j + 1) % along} {here + (j + 1) % along}" for j in range(along)]
+    return "\n".join(lines) + "\n"
 
 
 class Host:

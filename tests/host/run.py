@@ -5,14 +5,20 @@ import traceback
 
 import test_convert
 import test_errors
+import test_gallery
 import test_obj
 import test_render
+import test_scene
+import test_shading
+import test_shapes
+import test_winding
 from harness import Host
 
 
 def main():
     host = Host(sys.argv[1])
-    for module in (test_render, test_obj, test_errors, test_convert):
+    for module in (test_render, test_shading, test_obj, test_winding, test_shapes, test_errors, test_convert, test_scene,
+                   test_gallery):
         for name in (name for name in vars(module) if name.startswith("test_")):
             try:
                 vars(module)[name](host)

@@ -5,7 +5,7 @@ import re
 import shutil
 import subprocess
 
-from harness import MODELS, ROOT, SQUARE
+from harness import MODELS, ROOT, SQUARE, torus_text
 
 STRICT = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror", "-I", os.path.join(ROOT, "src"), "-I", "."]
 
@@ -36,12 +36,22 @@ def mesh(text, name):
     return positions, normals, array(text, name + "_triangles")[0], offset, extent
 
 
+def checked_in():
+    """[(header, arguments)] of the meshes that `make meshes` writes."""
+    meshes = [("torus576", ["torus:24x12", "--name", "torus576", "--licence", "MIT"]),
+              ("teapot", [os.path.join(MODELS, "teapot.obj"), "--licence", "MIT"])]
+    with open(os.path.join(ROOT, "examples", "scenes", "meshes.mk"), encoding="utf-8") as file:
+        for name, arguments in re.findall(r"^SCENE_MESH_(\w+) := (.+)$", file.read(), re.MULTILINE):
+            meshes.append((name, arguments.replace("examples/models", MODELS).split()))
+    return meshes
+
+
 def test_checked_in_meshes(host):
-    for name, source, more in [("torus576", "torus:24x12", ["--name", "torus576"]),
-                               ("teapot", os.path.join(MODELS, "teapot.obj"), [])]:
+    for name, arguments in checked_in():
         with open(os.path.join(ROOT, "examples", "meshes", name + ".h"), encoding="utf-8") as file:
-            host.check(f"examples/meshes/{name}.h is up to date (make meshes)",
-                       file.read() == convert(host, source, *more, "--licence", "MIT"))
+            host.check(f"examples/meshes/{name}.h is up to date (make meshes)", file.read() == convert(host, *arguments))
+    headers = {file for file in os.listdir(os.path.join(ROOT, "examples", "meshes")) if file.endswith(".h")}
+    host.equal("every mesh is made by make meshes", headers, {name + ".h" for name, _ in checked_in()})
 
 
 def test_same_input_same_bytes(host):
@@ -73,11 +83,11 @@ def test_head(host):
     host.check("command line", '\n *     glint convert my model.2.obj --licence "CC0-1.0" --crease 30 --scale 2,2,2 '
                "--double-sided\n" in text)
     host.check("licence", text.startswith("/* SPDX-License-Identifier: CC0-1.0 */\n"))
-    host.check("flag", "    GLINT_MESH_DOUBLE_SIDED,\n};" in text)
+    host.check("flag", "    GLINT_MESH_DOUBLE_SIDED,\n    0,\n    0, /* no colours */\n};" in text)
     host.check("Q formats", "Q16.16" in text and "Q15" in text and "offset + extent * step / 32768" in text)
     host.check("hash of a shape is its name's", fnv1a(b"torus:24x12") in convert(host, "torus:24x12"))
     host.write("*_ \\.obj", SQUARE)
-    host.check("a name that would end the comment", convert(host, "*_ \\.obj").count("*/") == 5)
+    host.check("a name that would end the comment", convert(host, "*_ \\.obj").count("*/") == 6)
     host.write("9.obj", SQUARE)
     host.check("a name that begins with a digit", "static const glint_mesh m9_mesh = {" in convert(host, "9.obj"))
 
@@ -156,7 +166,8 @@ def test_torus_is_the_documented_one(host):
 
 
 def test_pieces(host):
-    text = convert(host, "torus:512x256", "--name", "big")
+    host.write("big.obj", torus_text(512, 256))
+    text = convert(host, "big.obj")
     triangles = vertices = 0
     host.check("pieces as an array", "static const glint_mesh big_meshes[" in text)
     for piece in range(int(re.search(r"big_meshes\[(\d+)\]", text).group(1))):
@@ -172,8 +183,10 @@ def test_pieces(host):
 
 def test_headers_compile(host):
     host.write("mesh_source.obj", SQUARE)
+    host.write("big.obj", torus_text(320, 256))
+    host.write("painted.obj", "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n")
     names = {"teapot": convert(host, os.path.join(MODELS, "teapot.obj")), "mesh_source": convert(host, "mesh_source.obj"),
-             "big": convert(host, "torus:320x256", "--name", "big")}
+             "big": convert(host, "big.obj"), "painted": convert(host, "painted.obj")}
     for name, text in names.items():
         host.write(name + ".h", text)
         value = "big_meshes[1]" if name == "big" else name + "_mesh"
@@ -188,3 +201,25 @@ def test_headers_compile(host):
                                  capture_output=True, text=True, check=False)
             host.check(f"{name}.h with {compiler}", run.returncode == 0, run.stderr[:500])
         os.remove(host.path(name + ".h"))
+
+
+def test_colours(host):
+    body = "f 1 2 3\nf 1 3 4\n"
+    host.write("painted.obj", "v 0 0 0 1 0 0.5\nv 1 0 0 0 1 0\nv 1 1 0 0.2 0.4 0.6\nv 0 1 0 1 1 1\n" + body)
+    text = convert(host, "painted.obj")
+    colours = re.search(r"static const uint8_t painted_colours\[4\]\[3\] = \{(.*?)\n\};", text, re.DOTALL).group(1)
+    host.equal("colours, 255 is 1", colours.split(), "{255, 0, 128}, {0, 255, 0}, {51, 102, 153}, {255, 255, 255},".split())
+    host.check("the mesh has them", "    painted_colours,\n    0, /* no 16-bit colours */\n};" in text)
+    host.check("the head says so", "\n * colours    uint8 red, green, blue: 255 is 1\n" in text and
+               f"{4 * 15 + 2 * 6} bytes of flash" in text)
+    host.write("partly.obj", "v 0 0 0 1 0 0.5\nv 1 0 0\nv 1 1 0 0.2 0.4 0.6\nv 0 1 0 1 1 1\n" + body)
+    host.check("colours of some only are left out", "colours" not in convert(host, "partly.obj").replace("no colours", ""))
+    same = "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 0 0\nv 0 0 0 0 0 1\nv 1 1 0 0 0 1\nv 0 1 0 0 0 1\n"
+    host.write("edge.obj", same + "f 1 2 3\nf 4 5 6\n")
+    host.check("equal places of two colours stay two vertices", "edge_colours[6]" in convert(host, "edge.obj"))
+
+
+def test_repair_is_in_the_head(host):
+    host.write("a.obj", SQUARE)
+    text = convert(host, "a.obj", "--weights", "angle", "--facets", "--repair")
+    host.check("command line", "\n *     glint convert a.obj --weights angle --facets --repair\n" in text)

@@ -2,7 +2,7 @@
 """The OBJ reader through `render` and `info`: what is read, and how."""
 import os
 
-from harness import MODELS, SQUARE, SQUARE_VIEW
+from harness import MODELS, SQUARE, SQUARE_VIEW, torus_text
 
 BLACK = (0, 0, 0)
 
@@ -34,7 +34,9 @@ def test_same_model_written_differently(host):
         "negative indices": "\n".join(negative), "triangles": "\n".join(triangles), "v/t": "\n".join(textured),
         "groups": "mtllib a b.mtl\no box\ng a b\ns 1\nusemtl x\n" + "\n".join(lines) + "\ng\nl 1 2\np 1\nvp 1 2\nend\n",
         "weights": "\n".join(line + " 1" if line[0] == "v" else line for line in lines),
-        "colours": "\n".join(line + " 1 0.5 0" if line[0] == "v" else line for line in lines),
+        "white": "\n".join(line + " 1 1 1" if line[0] == "v" else line for line in lines),
+        "weights and white": "\n".join(line + " 2 1 1.0 1" if line[0] == "v" else line for line in lines),
+        "a colour missing": "\n".join(line + " 1 0.5 0" if line[0] == "v" and i else line for i, line in enumerate(lines)),
         "other spellings": "\n".join(lines).replace(" 1", " +1.0e0", 1).replace(" -1", " -.1E+1", 1),
         "unused positions": "\n".join(lines) + "\nv 100 200 300\n",
     }
@@ -161,10 +163,11 @@ def test_topology(host):
 
 def test_large_mesh_has_no_seam(host):
     """Two pieces, one offset and extent: no background shows between them."""
-    got = host.info("torus:512x256")
+    host.write("big.obj", torus_text(512, 256))
+    got = host.info("big.obj")
     host.check("pieces", int(got["pieces"]) >= 2 and int(got["triangles"]) == 262144, str(got))
     view = ["--eye", "0,0,2.2", "--at", "1,0,0", "--fov", "20", "--light", "dir:0,0,1:0,0,0", "--ambient", "1"]
-    large, small = host.render("torus:512x256", *view), host.render("torus:128x64", *view)
+    large, small = host.render("big.obj", *view), host.render("torus:128x64", *view)
     host.equal("a torus in pieces covers what one does", [row.count(BLACK) for row in large.rows[100:140]],
                [row.count(BLACK) for row in small.rows[100:140]])
 

@@ -18,19 +18,24 @@
 typedef struct images {
     reference_image reference;
     picture shaded;   /* in the task's format */
-    picture coverage; /* the same triangles, unlit white on black */
+    picture coverage; /* the same triangles, evaluated the same way, white on black */
     double depth_scale;
 } images;
 
 static const glint_material white = {.model = &glint_model_blinn_phong, .ambient = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
 
-/* The scene with every material unlit and white. */
+/* The scene with every material and mesh white. */
 static glint_status render_coverage(picture *coverage, const glint_scene *scene) {
     glint_object objects[LIBRARY_OBJECTS_MAX];
+    glint_mesh meshes[LIBRARY_OBJECTS_MAX];
     glint_scene unlit = *scene;
     for (uint32_t i = 0; i < scene->object_count; i++) {
         objects[i] = scene->objects[i];
         objects[i].material = &white;
+        meshes[i] = *scene->objects[i].mesh;
+        meshes[i].colours = NULL;
+        meshes[i].colours565 = NULL;
+        objects[i].mesh = &meshes[i];
     }
     unlit.objects = objects;
     unlit.light_count = 0;
@@ -115,7 +120,11 @@ static void judge_pixel(const judge_task *task, const images *all, int x, int y,
     total->over_one += error.rounded > 1;
     total->over_two += error.rounded > 2;
     total->not_fine += error.unrounded > task->fine;
-    total->worst = fmax(total->worst, error.unrounded);
+    if (error.unrounded > total->worst) {
+        total->worst = error.unrounded;
+        total->worst_x = x;
+        total->worst_y = y;
+    }
 }
 
 static glint_status draw_all(const judge_task *task, images *all, judgement *total) {
@@ -150,6 +159,25 @@ void judge(const judge_task *task, judgement *total) {
     free(all.reference.pixels);
     picture_close(&all.shaded);
     picture_close(&all.coverage);
+}
+
+void judgement_add(judgement *total, const judgement *part) {
+    judgement sum = part->worst > total->worst ? *part : *total;
+    sum.status = total->status != GLINT_OK ? total->status : part->status;
+    sum.covered = total->covered + part->covered;
+    sum.missed = total->missed + part->missed;
+    sum.uncertain = total->uncertain + part->uncertain;
+    sum.spilled = total->spilled + part->spilled;
+    sum.close = total->close + part->close;
+    sum.gated = total->gated + part->gated;
+    sum.judged = total->judged + part->judged;
+    sum.over_one = total->over_one + part->over_one;
+    sum.over_two = total->over_two + part->over_two;
+    sum.not_fine = total->not_fine + part->not_fine;
+    sum.vertex_error = fmax(total->vertex_error, part->vertex_error);
+    sum.squares = total->squares + part->squares;
+    sum.samples = total->samples + part->samples;
+    *total = sum;
 }
 
 double judgement_psnr(const judgement *total) {

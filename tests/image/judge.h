@@ -25,12 +25,14 @@ typedef struct judgement {
     long uncertain;      /**< Beside an edge of a triangle that library and reference each clip: not looked at. */
     long spilled;        /**< Not covered by the reference and not the background's colour. */
     long close;          /**< The two nearest surfaces are less than 2 depth steps apart: left out of the bounds. */
-    long gated;    /**< A light's |N.L| is below 2^-14: rounding decides whether its highlight, which jumps, is seen. */
+    long gated;    /**< The colour jumps where a light's |N.L| is 0, or at the edge of a cone, and a cosine is within
+                        2^-14 of that, or a light touches the surface: rounding decides. */
     long judged;   /**< Covered by both and not close. */
     long over_one; /**< Judged and more than 1 step from the rounded reference. */
     long over_two; /**< Judged and more than 2. */
     long not_fine; /**< Judged and more than `fine` steps from the unrounded reference. */
     double worst;  /**< Largest distance from the unrounded reference, steps. */
+    int worst_x, worst_y;
     double vertex_error; /**< Largest distance of a snapped coordinate from the exact one, pixels. */
     double squares;      /**< Sum of squared errors, levels as 0..1, over `samples`. */
     long samples;        /**< Channels of pixels covered by both. */
@@ -38,6 +40,9 @@ typedef struct judgement {
 
 /** Judges a scene and adds to `total`, which begins as zeros. */
 void judge(const judge_task *task, judgement *total);
+
+/** Adds what was found of one task to what was found of others. */
+void judgement_add(judgement *total, const judgement *part);
 
 /** Peak signal to noise ratio of what was judged, decibels. */
 double judgement_psnr(const judgement *total);

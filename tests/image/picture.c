@@ -58,6 +58,7 @@ glint_config picture_config(picture *image, const picture_options *options) {
                           .tile_width = options ? options->tile_width : 0,
                           .tile_height = options ? options->tile_height : 0,
                           .format = image->format,
+                          .gamma = options ? options->gamma : NULL,
                           .flush = {.begin = begin, .context = image}};
 }
 
@@ -93,29 +94,45 @@ int picture_equal(const picture *a, const picture *b) {
     return a->size == b->size && memcmp(a->bytes, b->bytes, a->size) == 0;
 }
 
+const glint_format *picture_undithered(const glint_format *format) {
+    static const glint_format *const pairs[][2] = {{&glint_format_rgb565_dithered, &glint_format_rgb565},
+                                                   {&glint_format_rgb565_be_dithered, &glint_format_rgb565_be},
+                                                   {&glint_format_rgb888_dithered, &glint_format_rgb888},
+                                                   {&glint_format_grey8_dithered, &glint_format_grey8},
+                                                   {&glint_format_grey4_dithered, &glint_format_grey4}};
+    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
+        if (format == pairs[i][0])
+            return pairs[i][1];
+    }
+    return format;
+}
+
 int picture_channels(const glint_format *format) {
-    return format == &glint_format_grey8 || format == &glint_format_grey4 ? 1 : 3;
+    const glint_format *kind = picture_undithered(format);
+    return kind == &glint_format_grey8 || kind == &glint_format_grey4 ? 1 : 3;
 }
 
 int picture_level_max(const glint_format *format, int channel) {
-    if (format == &glint_format_rgb888 || format == &glint_format_grey8)
+    const glint_format *kind = picture_undithered(format);
+    if (kind == &glint_format_rgb888 || kind == &glint_format_grey8)
         return 255;
-    if (format == &glint_format_grey4)
+    if (kind == &glint_format_grey4)
         return 15;
     return channel == 1 ? 63 : 31;
 }
 
 int picture_level(const picture *image, int x, int y, int channel) {
+    const glint_format *kind = picture_undithered(image->format);
     const uint8_t *row = image->bytes + (size_t)y * image->stride;
-    const uint8_t *pixel = row + glint_row_bytes(image->format, (uint32_t)x);
+    const uint8_t *pixel = row + glint_row_bytes(kind, (uint32_t)x);
     uint16_t word = 0;
-    if (image->format == &glint_format_rgb888)
+    if (kind == &glint_format_rgb888)
         return pixel[channel];
-    if (image->format == &glint_format_grey8)
+    if (kind == &glint_format_grey8)
         return pixel[0];
-    if (image->format == &glint_format_grey4)
+    if (kind == &glint_format_grey4)
         return x % 2 ? row[x / 2] & 15 : row[x / 2] >> 4;
-    if (image->format == &glint_format_rgb565)
+    if (kind == &glint_format_rgb565)
         memcpy(&word, pixel, sizeof word);
     else
         word = (uint16_t)(pixel[0] << 8 | pixel[1]);

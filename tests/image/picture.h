@@ -21,6 +21,7 @@ typedef struct picture {
 typedef struct picture_options {
     uint16_t tile_width, tile_height;
     size_t arena_size;
+    const uint16_t (*gamma)[GLINT_GAMMA_ENTRIES];
 } picture_options;
 
 /** Allocates an empty picture; ends the program when there is no memory. Free with picture_close. */
@@ -43,6 +44,9 @@ int picture_is_complete(const picture *image);
 
 /** Whether two pictures hold the same bytes. */
 int picture_equal(const picture *a, const picture *b);
+
+/** The format itself, or that of which it is the dithered twin. */
+const glint_format *picture_undithered(const glint_format *format);
 
 /** Channels of a format, 3 or 1, and the highest level of one. */
 int picture_channels(const glint_format *format);

@@ -1,19 +1,25 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference.h"
 
+#include "lighting.h"
+
 #include <math.h>
 #include <string.h>
 
 #define CORNERS_MAX 4 /* a triangle cut by one plane */
 
-typedef struct light_vectors {
-    double towards[GLINT_LIGHTS_MAX][3]; /* camera space, unit length */
-} light_vectors;
+/* What is interpolated between corners, all of it linear in camera space. */
+typedef struct attributes {
+    double place[3];
+    double normal[3];
+    double colour[3];  /* of the mesh */
+    double lit[2][3];  /* per vertex: clamped colours of the front and the back */
+    double grazing[2]; /* not interpolated: the smallest counts */
+} attributes;
 
 /* A triangle's corner as it is drawn. */
 typedef struct corner {
-    double place[3];
-    double normal[3];
+    attributes at;
     double w;
     int64_t x, y; /* 28.4 */
 } corner;
@@ -21,41 +27,19 @@ typedef struct corner {
 typedef struct drawing {
     const reference_image *image;
     const glint_scene *scene;
-    const glint_material *material;
-    light_vectors lights;
-    int rounded_here; /* the present triangle's screen positions are not given */
+    const glint_object *object;
+    reference_lights lights;
+    reference_light facet; /* the present triangle's colour, where it is lit once */
+    int rounded_here;      /* the present triangle's screen positions are not given */
+    int back;              /* it is seen from the back */
 } drawing;
-
-static double real(glint_q16 value) {
-    return value / 65536.0;
-}
-
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/* Zero stays zero. */
-static void normalise(double v[3]) {
-    double length = sqrt(dot(v, v));
-    for (int axis = 0; axis < 3 && length > 0; axis++)
-        v[axis] /= length;
-}
-
-/* World to camera: the inverse of a rotation is its transpose. */
-static void rotate_to_camera(const glint_camera *camera, const double world[3], double result[3]) {
-    for (int axis = 0; axis < 3; axis++) {
-        result[axis] = 0;
-        for (int row = 0; row < 3; row++)
-            result[axis] += real(camera->pose.m[row][axis]) * world[row];
-    }
-}
 
 /* The cofactors of a pose's linear part: its transposed inverse times the determinant. @return the determinant. */
 static double cofactors(const glint_pose *pose, double cofactor[3][3]) {
     double m[3][3];
     for (int row = 0; row < 3; row++) {
         for (int column = 0; column < 3; column++)
-            m[row][column] = real(pose->m[row][column]);
+            m[row][column] = reference_real(pose->m[row][column]);
     }
     for (int row = 0; row < 3; row++) {
         int r1 = (row + 1) % 3;
@@ -66,7 +50,7 @@ static double cofactors(const glint_pose *pose, double cofactor[3][3]) {
             cofactor[row][column] = m[r1][c1] * m[r2][c2] - m[r1][c2] * m[r2][c1];
         }
     }
-    return dot(m[0], cofactor[0]);
+    return reference_dot(m[0], cofactor[0]);
 }
 
 /* By the transposed inverse, up to a positive factor. */
@@ -74,7 +58,7 @@ static void transform_normal(const glint_pose *pose, const double object[3], dou
     double cofactor[3][3];
     double sign = cofactors(pose, cofactor) < 0 ? -1 : 1;
     for (int row = 0; row < 3; row++)
-        world[row] = sign * dot(cofactor[row], object);
+        world[row] = sign * reference_dot(cofactor[row], object);
 }
 
 static void transform_place(const glint_scene *scene, const glint_object *object, uint32_t index, double place[3]) {
@@ -85,19 +69,21 @@ static void transform_place(const glint_scene *scene, const glint_object *object
     double local[3];
     double world[3];
     for (int axis = 0; axis < 3; axis++)
-        local[axis] = real(offset[axis]) + real(extent[axis]) * mesh->positions[index][axis] / 32768.0;
+        local[axis] =
+            reference_real(offset[axis]) + reference_real(extent[axis]) * mesh->positions[index][axis] / 32768.0;
     for (int row = 0; row < 3; row++) {
         const glint_q16 *m = object->pose.m[row];
-        world[row] = real(m[0]) * local[0] + real(m[1]) * local[1] + real(m[2]) * local[2] + real(m[3]);
-        world[row] -= real(camera->pose.m[row][3]);
+        world[row] = reference_real(m[0]) * local[0] + reference_real(m[1]) * local[1] +
+                     reference_real(m[2]) * local[2] + reference_real(m[3]);
+        world[row] -= reference_real(camera->pose.m[row][3]);
     }
-    rotate_to_camera(camera, world, place);
+    reference_to_camera(camera, world, place);
 }
 
 /* Pixels per unit of x/w and y/w: pixels are square, the field of view is vertical. */
 static double focal_length(const glint_scene *scene, int height) {
     const double degree = 3.14159265358979323846 / 180;
-    return 0.5 * height / tan(0.5 * real(scene->camera.field_of_view) * degree);
+    return 0.5 * height / tan(0.5 * reference_real(scene->camera.field_of_view) * degree);
 }
 
 reference_vertex reference_transform(const glint_scene *scene, uint32_t object, uint32_t index, int width, int height) {
@@ -109,58 +95,12 @@ reference_vertex reference_transform(const glint_scene *scene, uint32_t object, 
     reference_vertex vertex = {{0}, {0}, 0, 0, 0};
     transform_place(scene, source, index, vertex.place);
     transform_normal(&source->pose, normal, world);
-    rotate_to_camera(&scene->camera, world, vertex.normal);
-    normalise(vertex.normal);
+    reference_to_camera(&scene->camera, world, vertex.normal);
+    reference_normalise(vertex.normal);
     vertex.w = -vertex.place[2];
     vertex.x = 0.5 * width + focal * vertex.place[0] / vertex.w;
     vertex.y = 0.5 * height - focal * vertex.place[1] / vertex.w;
     return vertex;
-}
-
-/* ---- Lighting ------------------------------------------------------------------------------------------------ */
-
-static void add_light(const drawing *draw, uint32_t index, const double normal[3], const double view[3],
-                      reference_pixel *pixel) {
-    const glint_light *light = &draw->scene->lights[index];
-    const glint_material *material = draw->material;
-    const double *towards = draw->lights.towards[index];
-    const double diffuse[3] = {real(light->diffuse.r) * real(material->diffuse.r),
-                               real(light->diffuse.g) * real(material->diffuse.g),
-                               real(light->diffuse.b) * real(material->diffuse.b)};
-    const double specular[3] = {real(light->specular.r) * real(material->specular.r),
-                                real(light->specular.g) * real(material->specular.g),
-                                real(light->specular.b) * real(material->specular.b)};
-    double half[3] = {towards[0] + view[0], towards[1] + view[1], towards[2] + view[2]};
-    double n_dot_l = dot(normal, towards);
-    pixel->grazing = fmin(pixel->grazing, fabs(n_dot_l));
-    if (n_dot_l <= 0)
-        return;
-    normalise(half);
-    double shine = pow(fmax(dot(normal, half), 0), real(material->shininess));
-    for (int channel = 0; channel < 3; channel++)
-        pixel->colour[channel] += diffuse[channel] * n_dot_l + specular[channel] * shine;
-}
-
-/* Blinn, 1977: ambient + sum over lights of gate(N.L > 0) (diffuse N.L + specular (N.H)^p), clamped at 1. */
-static void shade(const drawing *draw, const double place[3], const double normal[3], reference_pixel *pixel) {
-    const glint_material *material = draw->material;
-    const glint_colour *ambient = &draw->scene->ambient;
-    double unit[3] = {normal[0], normal[1], normal[2]};
-    double view[3] = {0, 0, 1};
-    normalise(unit);
-    if (draw->scene->viewer == GLINT_VIEWER_LOCAL) {
-        for (int axis = 0; axis < 3; axis++)
-            view[axis] = -place[axis];
-        normalise(view);
-    }
-    pixel->grazing = 1;
-    pixel->colour[0] = real(material->ambient.r) * real(ambient->r);
-    pixel->colour[1] = real(material->ambient.g) * real(ambient->g);
-    pixel->colour[2] = real(material->ambient.b) * real(ambient->b);
-    for (uint32_t index = 0; index < draw->scene->light_count; index++)
-        add_light(draw, index, unit, view, pixel);
-    for (int channel = 0; channel < 3; channel++)
-        pixel->colour[channel] = fmin(pixel->colour[channel], 1);
 }
 
 /* ---- Raster -------------------------------------------------------------------------------------------------- */
@@ -175,10 +115,48 @@ static int is_top_left(const corner *a, const corner *b) {
     return b->y < a->y || (b->y == a->y && b->x > a->x);
 }
 
-static void draw_fragment(const drawing *draw, const corner *const c[3], const double weight[3],
-                          reference_pixel *pixel) {
-    double place[3] = {0, 0, 0};
-    double normal[3] = {0, 0, 0};
+/* sum of weight times attribute; the normal points to the viewer's side */
+static attributes mix(const corner *const c[3], const double share[3], int back) {
+    attributes sum = {.grazing = {1, 1}};
+    for (int i = 0; i < 3; i++) {
+        const attributes *at = &c[i]->at;
+        for (int axis = 0; axis < 3; axis++) {
+            sum.place[axis] += share[i] * at->place[axis];
+            sum.normal[axis] += share[i] * (back ? -at->normal[axis] : at->normal[axis]);
+            sum.colour[axis] += share[i] * at->colour[axis];
+            sum.lit[back][axis] += share[i] * at->lit[back][axis];
+        }
+        sum.grazing[back] = fmin(sum.grazing[back], at->grazing[back]);
+    }
+    return sum;
+}
+
+static reference_light light_fragment(const drawing *draw, const attributes *at) {
+    reference_surface surface;
+    reference_light result = {.grazing = at->grazing[draw->back]};
+    if (draw->object->evaluation == &glint_per_facet)
+        return draw->facet;
+    if (draw->object->evaluation == &glint_per_vertex) {
+        memcpy(result.colour, at->lit[draw->back], sizeof result.colour);
+        return result;
+    }
+    memcpy(surface.place, at->place, sizeof surface.place);
+    memcpy(surface.normal, at->normal, sizeof surface.normal);
+    memcpy(surface.colour, at->colour, sizeof surface.colour);
+    return reference_shade(draw->scene, &draw->lights, draw->object->material, &surface);
+}
+
+/* The point of depth 1/w seen through a pixel's centre: exact, where the corners' weights would add their rounding. */
+static void place_on_ray(const drawing *draw, int x, int y, double depth, double place[3]) {
+    double focal = focal_length(draw->scene, draw->image->height);
+    place[0] = (x + 0.5 - 0.5 * draw->image->width) / focal / depth;
+    place[1] = (0.5 * draw->image->height - y - 0.5) / focal / depth;
+    place[2] = -1 / depth;
+}
+
+static void draw_fragment(const drawing *draw, const corner *const c[3], const double weight[3], int x, int y) {
+    reference_pixel *pixel = &draw->image->pixels[(size_t)y * (size_t)draw->image->width + (size_t)x];
+    double share[3];
     double depth = 0;
     for (int i = 0; i < 3; i++)
         depth += weight[i] / c[i]->w;
@@ -186,17 +164,16 @@ static void draw_fragment(const drawing *draw, const corner *const c[3], const d
         pixel->second = fmax(pixel->second, depth);
         return;
     }
-    for (int i = 0; i < 3; i++) {
-        double share = weight[i] / c[i]->w / depth;
-        for (int axis = 0; axis < 3; axis++) {
-            place[axis] += share * c[i]->place[axis];
-            normal[axis] += share * c[i]->normal[axis];
-        }
-    }
+    for (int i = 0; i < 3; i++)
+        share[i] = weight[i] / c[i]->w / depth;
+    attributes at = mix(c, share, draw->back);
+    place_on_ray(draw, x, y, depth, at.place);
+    const reference_light light = light_fragment(draw, &at);
     pixel->second = pixel->nearest;
     pixel->nearest = depth;
     pixel->covered = 1;
-    shade(draw, place, normal, pixel);
+    pixel->grazing = light.grazing;
+    memcpy(pixel->colour, light.colour, sizeof pixel->colour);
 }
 
 /* The pixels of 28.4 values and two sixteenths beyond, cut to the screen. */
@@ -244,24 +221,19 @@ static void draw_clockwise(const drawing *draw, const corner *const c[3], int64_
             position at = locate(c, area, x, y);
             pixel->uncertain |= draw->rounded_here && fabs(at.distance) <= 1.5;
             if (at.inside)
-                draw_fragment(draw, c, at.weight, pixel);
+                draw_fragment(draw, c, at.weight, x, y);
         }
     }
 }
 
 /* Culls, turns and draws; corners are counter-clockwise in a right-handed view when seen from outside. */
-static void draw_triangle(const drawing *draw, const corner *a, const corner *b, const corner *c, int mirrored,
-                          int double_sided) {
+static void draw_triangle(drawing *draw, const corner *a, const corner *b, const corner *c, int mirrored) {
     int64_t area = edge(a, b, c->x, c->y);
     int front = mirrored ? area > 0 : area < 0;
-    if (area == 0 || (!front && !double_sided))
+    if (area == 0 || (!front && !(draw->object->mesh->flags & GLINT_MESH_DOUBLE_SIDED)))
         return;
-    corner turned[3] = {*a, *b, *c};
-    for (int i = 0; i < 3 && !front; i++) {
-        for (int axis = 0; axis < 3; axis++)
-            turned[i].normal[axis] = -turned[i].normal[axis];
-    }
-    const corner *const clockwise[3] = {&turned[0], &turned[area > 0 ? 1 : 2], &turned[area > 0 ? 2 : 1]};
+    const corner *const clockwise[3] = {a, area > 0 ? b : c, area > 0 ? c : b};
+    draw->back = !front;
     draw_clockwise(draw, clockwise, area > 0 ? area : -area);
 }
 
@@ -270,26 +242,27 @@ static void draw_triangle(const drawing *draw, const corner *a, const corner *b,
 /* Rounds a screen position to 28.4, half up. Good to 2^28 pixels, beyond which edge functions leave 64 bits. */
 static void snap(const drawing *draw, corner *c) {
     double focal = focal_length(draw->scene, draw->image->height);
-    c->w = -c->place[2];
-    c->x = (int64_t)floor(16 * (0.5 * draw->image->width + focal * c->place[0] / c->w) + 0.5);
-    c->y = (int64_t)floor(16 * (0.5 * draw->image->height - focal * c->place[1] / c->w) + 0.5);
+    c->w = -c->at.place[2];
+    c->x = (int64_t)floor(16 * (0.5 * draw->image->width + focal * c->at.place[0] / c->w) + 0.5);
+    c->y = (int64_t)floor(16 * (0.5 * draw->image->height - focal * c->at.place[1] / c->w) + 0.5);
 }
 
 static corner between(const drawing *draw, const corner *in, const corner *out, double near) {
-    double t = (in->w - near) / (in->w - out->w);
-    corner cut;
-    for (int axis = 0; axis < 3; axis++) {
-        cut.place[axis] = in->place[axis] + t * (out->place[axis] - in->place[axis]);
-        cut.normal[axis] = in->normal[axis] + t * (out->normal[axis] - in->normal[axis]);
-    }
-    cut.place[2] = -near;
+    const double t = (in->w - near) / (in->w - out->w);
+    const double share[3] = {1 - t, t, 0};
+    const corner *const ends[3] = {in, out, out};
+    const attributes back = mix(ends, share, 1);
+    corner cut = {.at = mix(ends, share, 0)};
+    memcpy(cut.at.lit[1], back.lit[1], sizeof back.lit[1]);
+    cut.at.grazing[1] = back.grazing[1];
+    cut.at.place[2] = -near;
     snap(draw, &cut);
     return cut;
 }
 
 /* Keeps the part with w >= near (Sutherland and Hodgman, 1974). @return its number of corners. */
 static int clip(const drawing *draw, const corner c[3], corner kept[CORNERS_MAX]) {
-    double near = real(draw->scene->camera.near_plane);
+    double near = reference_real(draw->scene->camera.near_plane);
     int count = 0;
     for (int i = 0; i < 3; i++) {
         const corner *from = &c[i];
@@ -304,9 +277,57 @@ static int clip(const drawing *draw, const corner c[3], corner kept[CORNERS_MAX]
     return count;
 }
 
-static void draw_object_triangle(const drawing *draw, uint32_t object, uint32_t triangle,
+/* Once a triangle: at the mean of its corners, with the normal of its plane turned towards the eye. */
+static reference_light light_facet(const drawing *draw, const corner c[3]) {
+    reference_surface surface;
+    double a[3];
+    double b[3];
+    for (int axis = 0; axis < 3; axis++) {
+        surface.place[axis] = (c[0].at.place[axis] + c[1].at.place[axis] + c[2].at.place[axis]) / 3;
+        surface.colour[axis] = (c[0].at.colour[axis] + c[1].at.colour[axis] + c[2].at.colour[axis]) / 3;
+        a[axis] = c[1].at.place[axis] - c[0].at.place[axis];
+        b[axis] = c[2].at.place[axis] - c[0].at.place[axis];
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        int next = (axis + 1) % 3;
+        int last = (axis + 2) % 3;
+        surface.normal[axis] = a[next] * b[last] - a[last] * b[next];
+    }
+    double away = reference_dot(surface.normal, surface.place);
+    for (int axis = 0; axis < 3 && away > 0; axis++)
+        surface.normal[axis] = -surface.normal[axis];
+    return reference_shade(draw->scene, &draw->lights, draw->object->material, &surface);
+}
+
+/* Both sides of a vertex. */
+static void light_vertex(const drawing *draw, attributes *at) {
+    for (int back = 0; back < 2; back++) {
+        reference_surface surface;
+        memcpy(surface.place, at->place, sizeof surface.place);
+        memcpy(surface.colour, at->colour, sizeof surface.colour);
+        for (int axis = 0; axis < 3; axis++)
+            surface.normal[axis] = back ? -at->normal[axis] : at->normal[axis];
+        const reference_light light = reference_shade(draw->scene, &draw->lights, draw->object->material, &surface);
+        memcpy(at->lit[back], light.colour, sizeof light.colour);
+        at->grazing[back] = light.grazing;
+    }
+}
+
+static corner make_corner(const drawing *draw, uint32_t object, uint32_t index) {
+    const reference_vertex vertex =
+        reference_transform(draw->scene, object, index, draw->image->width, draw->image->height);
+    corner result = {.at = {.grazing = {1, 1}}, .w = vertex.w};
+    memcpy(result.at.place, vertex.place, sizeof vertex.place);
+    memcpy(result.at.normal, vertex.normal, sizeof vertex.normal);
+    reference_mesh_colour(draw->object->mesh, index, result.at.colour);
+    if (draw->object->evaluation == &glint_per_vertex)
+        light_vertex(draw, &result.at);
+    return result;
+}
+
+static void draw_object_triangle(drawing *draw, uint32_t object, uint32_t triangle,
                                  const reference_position *positions) {
-    const glint_object *source = &draw->scene->objects[object];
+    const glint_object *source = draw->object;
     const uint16_t *indices = source->mesh->triangles[triangle];
     corner corners[3];
     corner kept[CORNERS_MAX];
@@ -314,15 +335,12 @@ static void draw_object_triangle(const drawing *draw, uint32_t object, uint32_t 
     int mirrored = cofactors(&source->pose, cofactor) < 0;
     int known = positions != NULL;
     for (int i = 0; i < 3; i++) {
-        reference_vertex vertex =
-            reference_transform(draw->scene, object, indices[i], draw->image->width, draw->image->height);
-        memcpy(corners[i].place, vertex.place, sizeof vertex.place);
-        memcpy(corners[i].normal, vertex.normal, sizeof vertex.normal);
-        corners[i].w = vertex.w;
-        known = known && positions[indices[i]].known && vertex.w >= real(draw->scene->camera.near_plane);
+        corners[i] = make_corner(draw, object, indices[i]);
+        known = known && positions[indices[i]].known && corners[i].w >= reference_real(draw->scene->camera.near_plane);
     }
-    drawing local = *draw;
-    local.rounded_here = !known;
+    if (source->evaluation == &glint_per_facet)
+        draw->facet = light_facet(draw, corners);
+    draw->rounded_here = !known;
     int count = clip(draw, corners, kept);
     for (int i = 0; i < count; i++) {
         snap(draw, &kept[i]);
@@ -332,35 +350,26 @@ static void draw_object_triangle(const drawing *draw, uint32_t object, uint32_t 
         }
     }
     for (int i = 2; i < count; i++)
-        draw_triangle(&local, &kept[0], &kept[i - 1], &kept[i], mirrored,
-                      source->mesh->flags & GLINT_MESH_DOUBLE_SIDED);
+        draw_triangle(draw, &kept[0], &kept[i - 1], &kept[i], mirrored);
 }
 
 /* ---- Scene --------------------------------------------------------------------------------------------------- */
 
 static void clear(const reference_image *image, const glint_colour *background) {
-    const reference_pixel empty = {
-        .colour = {fmin(real(background->r), 1), fmin(real(background->g), 1), fmin(real(background->b), 1)}};
+    const reference_pixel empty = {.colour = {fmin(reference_real(background->r), 1),
+                                              fmin(reference_real(background->g), 1),
+                                              fmin(reference_real(background->b), 1)}};
     for (int i = 0; i < image->width * image->height; i++)
         image->pixels[i] = empty;
-}
-
-static void prepare_lights(const glint_scene *scene, light_vectors *lights) {
-    for (uint32_t index = 0; index < scene->light_count; index++) {
-        const glint_vector *vector = &scene->lights[index].vector;
-        const double world[3] = {real(vector->x), real(vector->y), real(vector->z)};
-        rotate_to_camera(&scene->camera, world, lights->towards[index]);
-        normalise(lights->towards[index]);
-    }
 }
 
 void reference_render(const reference_image *image, const glint_scene *scene,
                       const reference_position *const *positions) {
     drawing draw = {.image = image, .scene = scene};
     clear(image, &scene->background);
-    prepare_lights(scene, &draw.lights);
+    reference_prepare_lights(&draw.lights, scene);
     for (uint32_t object = 0; object < scene->object_count; object++) {
-        draw.material = scene->objects[object].material;
+        draw.object = &scene->objects[object];
         for (uint32_t triangle = 0; triangle < scene->objects[object].mesh->triangle_count; triangle++)
             draw_object_triangle(&draw, object, triangle, positions ? positions[object] : NULL);
     }

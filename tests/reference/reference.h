@@ -4,8 +4,8 @@
  * The judge of glint's images: a renderer in double precision that shares nothing with src/ but the public header.
  *
  * It reads the same quantised data (Q16.16 scene, int16 mesh) and takes every later step in double precision: pose,
- * near-plane clipping, perspective-correct position and unit normal, lighting with libm. Only coverage is decided in
- * integers: exact edge functions on 28.4 screen positions, pixel centres, top-left rule.
+ * near-plane clipping, perspective-correct position, unit normal and colours, lighting with libm. Only coverage is
+ * decided in integers: exact edge functions on 28.4 screen positions, pixel centres, top-left rule.
  *
  * The screen positions may be those of the renderer under judgement. Coverage is then to agree in every pixel, and
  * colours differ by what shading alone got wrong.
@@ -33,7 +33,8 @@ typedef struct reference_pixel {
     double colour[3]; /**< Clamped to 0..1, not rounded. */
     double nearest;   /**< 1/w of the surface seen, 0 for background. */
     double second;    /**< 1/w of the next surface behind it, 0 when there is none. */
-    double grazing;   /**< Smallest |N.L| of the lights, 1 without any: at 0 the gate lets a highlight jump. */
+    double grazing;   /**< How near a jump of the colour is: the smallest |N.L| where a highlight is gated, the distance
+                           of a cosine from that of a cone without soft edge, 0 where a light touches; 1 without any. */
     int covered;      /**< Whether any surface is seen. */
     int uncertain;    /**< Within 1.5/16 of a pixel of an edge that was rounded here, which another may round apart. */
 } reference_pixel;

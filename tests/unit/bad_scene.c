@@ -88,6 +88,69 @@ void bad_lights_are_refused(void) {
     }
 }
 
+/* A sound spot as the last light. */
+static glint_light *last_spot(fixture *f) {
+    glint_light *light = &f->lights[GLINT_LIGHTS_MAX - 1];
+    f->scene.light_count = GLINT_LIGHTS_MAX;
+    light->type = &glint_light_spot;
+    light->axis.z = -1;
+    light->outer = GLINT_ONE;
+    return light;
+}
+
+static void expect_attenuation(const glint_light_type *type, glint_q16 linear, glint_q16 quadratic) {
+    fixture *f = fixture_begin();
+    glint_light *light = last_spot(f);
+    light->type = type;
+    light->linear = linear;
+    light->quadratic = quadratic;
+    fixture_expect_error(f, GLINT_ERROR_ATTENUATION);
+}
+
+static void expect_cone(glint_q16 inner, glint_q16 outer) {
+    fixture *f = fixture_begin();
+    glint_light *light = last_spot(f);
+    light->inner = inner;
+    light->outer = outer;
+    fixture_expect_error(f, GLINT_ERROR_CONE);
+}
+
+static void accept_cone(glint_q16 inner, glint_q16 outer) {
+    fixture *f = fixture_begin();
+    glint_light *light = last_spot(f);
+    light->inner = inner;
+    light->outer = outer;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+}
+
+void bad_lamps_are_refused(void) {
+    for (int spot = 0; spot < 2; spot++) {
+        const glint_light_type *type = spot ? &glint_light_spot : &glint_light_point;
+        expect_attenuation(type, -1, 0);
+        expect_attenuation(type, 0, -1);
+        expect_attenuation(type, INT32_MIN, INT32_MAX);
+    }
+    expect_cone(2, 1);
+    expect_cone(-1, GLINT_ONE);
+    expect_cone(-2, -1);
+    expect_cone(0, 180 * GLINT_ONE + 1);
+    expect_cone(INT32_MAX, INT32_MAX);
+    expect_cone(0, -1);
+    accept_cone(0, 0);
+    accept_cone(45 * GLINT_ONE, 45 * GLINT_ONE);
+    accept_cone(0, 180 * GLINT_ONE);
+    accept_cone(180 * GLINT_ONE, 180 * GLINT_ONE);
+    fixture *f = fixture_begin();
+    last_spot(f)->axis.z = 0;
+    fixture_expect_error(f, GLINT_ERROR_DIRECTION);
+    f = fixture_begin(); /* a position may be anywhere, and the rest is no spot's */
+    glint_light *light = last_spot(f);
+    light->type = &glint_light_point;
+    light->vector.x = light->vector.y = light->vector.z = light->axis.z = 0;
+    light->inner = 2 * GLINT_ONE;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+}
+
 static glint_q16 *channel_of(glint_colour *colour, int channel) {
     return channel == 0 ? &colour->r : channel == 1 ? &colour->g : &colour->b;
 }

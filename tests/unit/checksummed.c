@@ -153,6 +153,86 @@ static void one_pixel(fixture *f) {
     f->config.width = f->config.height = 1;
 }
 
+/* ---- Models, lights and evaluations -------------------------------------------------------------------------- */
+
+static void point_light(fixture *f) {
+    const glint_vector position = {GLINT_ONE, GLINT_Q16(1.2), GLINT_Q16(-2.4)};
+    f->lights[0].type = &glint_light_point;
+    f->lights[0].vector = position;
+    f->lights[0].linear = GLINT_ONE / 8;
+    f->lights[0].quadratic = GLINT_ONE / 16;
+}
+
+static void spot_phong(fixture *f) {
+    const glint_vector axis = {-GLINT_ONE, -GLINT_ONE, -GLINT_ONE};
+    point_light(f);
+    f->lights[0].type = &glint_light_spot;
+    f->lights[0].axis = axis;
+    f->lights[0].inner = 15 * GLINT_ONE;
+    f->lights[0].outer = 40 * GLINT_ONE;
+    f->materials[0].model = &glint_model_phong;
+}
+
+static void lambert_infinite(fixture *f) {
+    f->materials[0].model = &glint_model_lambert;
+    infinite_viewer(f);
+}
+
+static void phong_ungated_max(fixture *f) {
+    f->materials[0].model = &glint_model_phong;
+    f->materials[0].flags = GLINT_MATERIAL_UNGATED | GLINT_MATERIAL_MAX;
+    f->materials[0].shininess = GLINT_Q16(3.5);
+}
+
+static void per_vertex(fixture *f) {
+    point_light(f);
+    f->objects[0].evaluation = &glint_per_vertex;
+}
+
+static void per_vertex_clipped(fixture *f) {
+    near_plane(f);
+    f->torus.flags = GLINT_MESH_DOUBLE_SIDED;
+    f->objects[0].evaluation = &glint_per_vertex;
+}
+
+static void per_facet(fixture *f) {
+    spot_phong(f);
+    f->objects[0].evaluation = &glint_per_facet;
+}
+
+static void per_facet_clipped(fixture *f) {
+    near_plane(f);
+    f->objects[0].evaluation = &glint_per_facet;
+}
+
+static void mesh_colours(fixture *f) {
+    static const uint8_t corners[4][3] = {{255, 0, 20}, {0, 255, 130}, {255, 250, 255}, {3, 0, 255}};
+    floor_to_horizon(f);
+    f->floor.colours = corners;
+}
+
+static void mesh_colours565_per_vertex(fixture *f) {
+    static const uint16_t corners[4] = {0xf800, 0x07ff, 0x8c51, 0xffff};
+    floor_to_horizon(f);
+    f->floor.colours565 = corners;
+    f->objects[0].evaluation = &glint_per_vertex;
+}
+
+static void mesh_colours_unlit_facets(fixture *f) {
+    mesh_colours(f);
+    f->materials[0].model = &glint_model_unlit;
+    f->objects[0].evaluation = &glint_per_facet;
+}
+
+static void rgb565_dithered(fixture *f) {
+    f->config.format = &glint_format_rgb565_dithered;
+}
+
+static void grey4_dithered_odd_size(fixture *f) {
+    grey4_odd_size(f);
+    f->config.format = &glint_format_grey4_dithered;
+}
+
 /* ---- Numbers ------------------------------------------------------------------------------------------------- */
 
 static uint32_t add_number(uint32_t checksum, uint32_t number) {
@@ -264,6 +344,19 @@ static const entry entries[] = {
     IMAGE(grey4_odd_size),
     IMAGE(tall_and_thin),
     IMAGE(one_pixel),
+    IMAGE(point_light),
+    IMAGE(spot_phong),
+    IMAGE(lambert_infinite),
+    IMAGE(phong_ungated_max),
+    IMAGE(per_vertex),
+    IMAGE(per_vertex_clipped),
+    IMAGE(per_facet),
+    IMAGE(per_facet_clipped),
+    IMAGE(mesh_colours),
+    IMAGE(mesh_colours565_per_vertex),
+    IMAGE(mesh_colours_unlit_facets),
+    IMAGE(rgb565_dithered),
+    IMAGE(grey4_dithered_odd_size),
     NUMBERS(elementary_functions),
     NUMBERS(unit_vectors),
     NUMBERS(poses),

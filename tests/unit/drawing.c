@@ -5,14 +5,14 @@
 #include "unit.h"
 
 void status_sentences(void) {
-    for (int status = GLINT_OK; status >= GLINT_ERROR_VIEWER; status--) {
+    for (int status = GLINT_OK; status >= GLINT_ERROR_GENERATOR; status--) {
         const char *sentence = glint_strerror(status);
         CHECK(sentence != 0 && sentence[0] != '\0');
         for (int other = GLINT_OK; other > status; other--)
             CHECK(sentence != glint_strerror(other));
         CHECK(sentence != glint_strerror(1));
     }
-    static const int none[] = {1, 2, GLINT_ERROR_VIEWER - 1, -1000000, INT32_MAX, INT32_MIN};
+    static const int none[] = {1, 2, GLINT_ERROR_GENERATOR - 1, -1000000, INT32_MAX, INT32_MIN};
     for (unsigned i = 0; i < TEST_COUNT(none); i++) {
         const char *wanted = "unknown status";
         const char *sentence = glint_strerror(none[i]);
@@ -191,6 +191,36 @@ void light_on_a_facing_square(void) {
     static const int unlit[3] = {26, 26, 26};
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
     CHECK_AT_MOST(worst_difference(f, unlit), 1);
+}
+
+/* A triangle around (0, 0, -depth), lit at its centroid, without gate and with p = 0: any light would be seen. */
+static int red_of_facet(int depth, int light_above) {
+    static const int16_t positions[3][3] = {{-30000, 0, 15000}, {30000, 0, 15000}, {0, 0, -30000}};
+    static const uint16_t triangle[1][3] = {{0, 1, 2}};
+    fixture *f = begin_square();
+    f->floor.positions = positions;
+    f->floor.triangles = triangle;
+    f->floor.vertex_count = 3;
+    f->floor.triangle_count = 1;
+    f->objects[0].evaluation = &glint_per_facet;
+    f->objects[0].pose.m[2][3] = -depth * GLINT_ONE;
+    f->lights[0].type = &glint_light_point;
+    f->lights[0].vector.x = f->lights[0].vector.y = 0;
+    f->lights[0].vector.z = (light_above - depth) * GLINT_ONE;
+    f->materials[0].ambient.r = f->materials[0].ambient.g = f->materials[0].ambient.b = GLINT_ONE / 5;
+    f->materials[0].specular.r = GLINT_ONE;
+    f->materials[0].shininess = 0;
+    f->materials[0].flags = GLINT_MATERIAL_UNGATED;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    return fixture_row(f, f->config.height / 2)[3 * (f->config.width / 2)];
+}
+
+/* At depths that fixed point holds exactly and at others. */
+void light_at_no_distance_adds_nothing(void) {
+    for (int depth = 4; depth <= 12; depth++) {
+        CHECK_EQUAL(red_of_facet(depth, 0), 51);
+        CHECK_EQUAL(red_of_facet(depth, 1), 255);
+    }
 }
 
 /* In either order, and the first of two at the same depth. */

@@ -24,7 +24,13 @@
     CASE(two_renderers_side_by_side)          \
     CASE(unlit_white_square_fills_the_screen) \
     CASE(nearer_object_hides_the_farther)     \
-    CASE(light_on_a_facing_square)
+    CASE(light_on_a_facing_square)            \
+    CASE(light_at_no_distance_adds_nothing)   \
+    CASE(bad_lamps_are_refused)               \
+    CASE(generators_fill_their_room)          \
+    CASE(generators_face_outwards)            \
+    CASE(generators_follow_their_formulas)    \
+    CASE(generators_refuse_bad_input)
 
 #define UNIT_DECLARE(name) void name(void);
 UNIT_CASES(UNIT_DECLARE)

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file scenes.h
+ * The example scenes, as data for glint: freestanding, so that the host, the tests and the boards draw the same bits.
+ */
+#ifndef GLINT_EXAMPLE_SCENES_H
+#define GLINT_EXAMPLE_SCENES_H
+
+#include "glint.h"
+
+/** Most objects of a scene. */
+#define EXAMPLE_OBJECTS_MAX 32
+
+/** What a scene is built in; owned by the caller, and not to be moved while the scene is drawn. */
+typedef struct example_stage {
+    glint_scene scene;
+    glint_light lights[GLINT_LIGHTS_MAX];
+    glint_object objects[EXAMPLE_OBJECTS_MAX];
+    glint_material materials[EXAMPLE_OBJECTS_MAX];
+} example_stage;
+
+/** A named way to draw a scene. */
+typedef struct example_variant {
+    const char *name;
+    const char *look_for; /**< One sentence: what to look for. */
+} example_variant;
+
+typedef struct example_scene {
+    const char *name;
+    const char *summary; /**< One sentence. */
+    const example_variant *variants;
+    uint32_t variant_count; /**< 1 or more; the first is the default. */
+    uint32_t frames;        /**< After so many frames it repeats; 1 when it does not move. */
+    uint16_t width, height; /**< What it is composed for. */
+    /** Builds a frame of a variant, both counted from 0, in `stage`. */
+    void (*build)(example_stage *stage, uint32_t variant, uint32_t frame);
+} example_scene;
+
+/** All of them, in the order of the texts. */
+#define EXAMPLE_SCENES 5
+extern const example_scene *const example_scenes[EXAMPLE_SCENES];
+
+extern const example_scene example_shaders, example_three_spheres, example_halloween, example_teapot,
+    example_phong_lighting;
+
+#endif

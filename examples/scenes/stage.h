@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file stage.h
+ * What the example scenes share: short ways to fill an example_stage.
+ */
+#ifndef GLINT_EXAMPLE_STAGE_H
+#define GLINT_EXAMPLE_STAGE_H
+
+#include "scenes.h"
+
+/** Initialisers of a colour and of a vector from literals. */
+#define RGB(r, g, b) \
+    { GLINT_Q16(r), GLINT_Q16(g), GLINT_Q16(b) }
+#define GREY(v) RGB(v, v, v)
+#define XYZ(x, y, z) \
+    { GLINT_Q16(x), GLINT_Q16(y), GLINT_Q16(z) }
+
+#define COUNT_OF(array) ((uint32_t)(sizeof(array) / sizeof((array)[0])))
+
+/** Nothing on the stage: no lights, no objects, white ambient light, which the materials weigh; a local viewer. */
+void stage_clear(example_stage *stage, glint_colour background);
+
+/** Sets the camera, y up. `eye` must not be straight above or below `at`. */
+void stage_look(example_stage *stage, glint_vector eye, glint_vector at, glint_q16 field_of_view);
+
+/** Adds a light of one colour without attenuation; the caller may change it. */
+glint_light *stage_light(example_stage *stage, const glint_light_type *type, glint_vector vector, glint_colour colour);
+
+/** Adds an object with a copy of `material`; the caller may change it. */
+glint_object *stage_add(example_stage *stage, const glint_mesh *mesh, const glint_material *material,
+                        const glint_pose *pose);
+
+/** Adds an object of the material of the one before. */
+glint_object *stage_again(example_stage *stage, const glint_mesh *mesh, const glint_pose *pose);
+
+/** A scale, a turn about y, and a move. */
+glint_pose stage_place(glint_vector scale, glint_q16 turn, glint_vector position);
+
+/** A times b, both Q16.16, rounded to nearest; the product must fit. */
+glint_q16 stage_multiply(glint_q16 a, glint_q16 b);
+
+#endif

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT */
+/* Three spheres of one paint under a dim and a bright light: no highlight, then Phong's with exponents 4 and 16. */
+#include "stage.h"
+
+#include "meshes/sphere32x16.h"
+
+enum { PHONG, BLINN_PHONG, VERTEX };
+
+static const example_variant variants[] = {
+    {"phong", "The lobe of exponent 4, in the middle, is wide and soft, that of 16, on the right, is small and sharp."},
+    {"blinn-phong", "At the same exponents the half vector's lobes are about twice as wide as those of phong."},
+    {"vertex", "Lit at the vertices alone the highlights are dimmer and show the mesh."},
+};
+
+static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
+    const glint_vector rear_left = XYZ(-1, 0, -0.5), front_upper_right = XYZ(1, 1, 0.5);
+    const glint_vector eye = XYZ(0, 0, 16), at = XYZ(0, 0, 0);
+    const glint_model *shiny = variant == BLINN_PHONG ? &glint_model_blinn_phong : &glint_model_phong;
+    /* Ambient light of 0.2, tinted with the paint. */
+    glint_material material = {&glint_model_lambert, RGB(0.17, 0.07, 0.05), RGB(0.6, 0.23, 0.15), GREY(0.4), 0, 0};
+
+    (void)frame;
+    stage_clear(stage, (glint_colour)RGB(0, 0, 0));
+    stage_look(stage, eye, at, GLINT_Q16(12));
+    stage_light(stage, &glint_light_directional, rear_left, (glint_colour)RGB(0.3, 0.4, 0.6));
+    stage_light(stage, &glint_light_directional, front_upper_right, (glint_colour)GREY(1));
+    for (int i = 0; i < 3; i++) {
+        const glint_pose pose = glint_pose_translate((i - 1) * GLINT_Q16(2.2), 0, 0);
+
+        stage_add(stage, &sphere32x16_mesh, &material, &pose)->evaluation =
+            variant == VERTEX ? &glint_per_vertex : &glint_per_fragment;
+        material.model = shiny;
+        material.shininess = i == 0 ? GLINT_Q16(4) : GLINT_Q16(16);
+    }
+}
+
+const example_scene example_three_spheres = {
+    .name = "three-spheres",
+    .summary = "Phong's highlight: none, exponent 4, exponent 16, under a dim and a bright light.",
+    .variants = variants,
+    .variant_count = COUNT_OF(variants),
+    .frames = 1,
+    .width = 320,
+    .height = 160,
+    .build = build,
+};

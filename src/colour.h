@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT */
+/** @file colour.h Colours that were interpolated over w. */
+#ifndef GLINT_COLOUR_H
+#define GLINT_COLOUR_H
+
+#include "frame.h"
+
+/** Fragment i's colour, 1 = GLINT_COLOUR_ONE, from its planes; off by at most 2 steps. */
+void glint_resolve_colour(const glint_frame *frame, const glint_fragments *fragments, uint32_t i,
+                          const glint_plane planes[3], int16_t out[3]);
+
+#endif

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+/* Config: checks how and where to draw, and tells what a tile takes. */
+#include "frame.h"
+
+static int is_tile_size(uint16_t size) {
+    return size == 8 || size == 16 || size == 32 || size == 64;
+}
+
+glint_status glint_check_config(glint_config *config) {
+    if (!config->format)
+        return GLINT_ERROR_NULL;
+    if (config->width < 1 || config->width > GLINT_SIZE_MAX || config->height < 1 || config->height > GLINT_SIZE_MAX)
+        return GLINT_ERROR_SIZE;
+    config->tile_width = config->tile_width ? config->tile_width : GLINT_TILE_DEFAULT;
+    config->tile_height = config->tile_height ? config->tile_height : GLINT_TILE_DEFAULT;
+    return is_tile_size(config->tile_width) && is_tile_size(config->tile_height) ? GLINT_OK : GLINT_ERROR_TILE;
+}
+
+size_t glint_row_bytes(const glint_format *format, uint32_t width) {
+    return ((size_t)width * format->bits + 7) / 8;
+}
+
+size_t glint_workspace_size(const glint_config *config) {
+    glint_config full = *config;
+    if (glint_check_config(&full) != GLINT_OK)
+        return 0;
+    return sizeof(glint_fragments) + (size_t)full.tile_width * full.tile_height * sizeof(uint16_t) +
+           glint_row_bytes(full.format, full.tile_width) * full.tile_height;
+}
+
+size_t glint_tile_buffers_size(const glint_config *config) {
+    size_t second = config->flush.wait ? glint_row_bytes(config->format, config->tile_width) * config->tile_height : 0;
+    return GLINT_ALIGNED(glint_workspace_size(config) + second); /* to draw into while the first is sent */
+}

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT */
+/* Spots: point lights within a cone, with a smooth step from its inner to its outer angle. */
+#include "point.h"
+
+/* Cosine of an angle in degrees, times UNIT^2. */
+static int32_t cosine_of(glint_q16 degrees) {
+    int64_t cosine = glint_sine(glint_phase(degrees) + 0x40000000u);
+    return (int32_t)glint_round_shift64(cosine * (GLINT_UNIT * GLINT_UNIT), 30);
+}
+
+static glint_status prepare(const glint_light *light, glint_prepared_light *prepared, const glint_view *view) {
+    if (light->inner < 0 || light->inner > light->outer || light->outer > 180 * GLINT_ONE)
+        return GLINT_ERROR_CONE;
+    if (light->linear < 0 || light->quadratic < 0)
+        return GLINT_ERROR_ATTENUATION;
+    prepared->point.linear = light->linear;
+    prepared->point.quadratic = light->quadratic;
+    prepared->spot.cosine_inner = cosine_of(light->inner);
+    prepared->spot.cosine_outer = cosine_of(light->outer);
+    int32_t width = glint_shift_right(prepared->spot.cosine_inner - prepared->spot.cosine_outer, 15);
+    prepared->spot.slope = width > 0 ? (1 << 30) / width : 0;
+    if (!glint_direction_to_camera(view, light->axis, prepared->direction))
+        return GLINT_ERROR_DIRECTION;
+    for (int i = 0; i < 3; i++)
+        prepared->direction[i] = (int16_t)-prepared->direction[i];
+    return GLINT_OK;
+}
+
+static void illuminate(const glint_prepared_light *light, glint_fragments *fragments) {
+    glint_point_illuminate(light, fragments);
+    for (uint32_t i = 0; i < fragments->count; i++) {
+        int32_t cosine = glint_dot(fragments->light[i], light->direction);
+        if (cosine >= light->spot.cosine_inner)
+            continue;
+        uint32_t step = 0;
+        if (cosine > light->spot.cosine_outer) {
+            uint32_t t = (uint32_t)glint_shift_right(
+                glint_shift_right(cosine - light->spot.cosine_outer, 15) * light->spot.slope, 15);
+            t = t > 1u << 15 ? 1u << 15 : t;
+            step = (t * t >> 15) * ((3u << 15) - 2 * t) >> 15; /* t^2 (3 - 2 t) */
+        }
+        fragments->strength[i] = (uint16_t)(fragments->strength[i] * step >> 15);
+    }
+}
+
+const glint_light_type glint_light_spot = {prepare, illuminate, glint_point_place};

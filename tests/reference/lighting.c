@@ -1,0 +1,191 @@
+/* SPDX-License-Identifier: MIT */
+#include "lighting.h"
+
+#include <math.h>
+
+double reference_real(glint_q16 value) {
+    return value / 65536.0;
+}
+
+double reference_dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+double reference_normalise(double v[3]) {
+    double length = sqrt(reference_dot(v, v));
+    for (int axis = 0; axis < 3 && length > 0; axis++)
+        v[axis] /= length;
+    return length;
+}
+
+void reference_to_camera(const glint_camera *camera, const double world[3], double result[3]) {
+    for (int axis = 0; axis < 3; axis++) {
+        result[axis] = 0;
+        for (int row = 0; row < 3; row++)
+            result[axis] += reference_real(camera->pose.m[row][axis]) * world[row];
+    }
+}
+
+void reference_mesh_colour(const glint_mesh *mesh, uint32_t index, double colour[3]) {
+    for (int channel = 0; channel < 3; channel++)
+        colour[channel] = mesh->colours ? mesh->colours[index][channel] / 255.0 : 1;
+    if (mesh->colours565) {
+        uint16_t word = mesh->colours565[index];
+        colour[0] = (word >> 11) / 31.0;
+        colour[1] = (word >> 5 & 63) / 63.0;
+        colour[2] = (word & 31) / 31.0;
+    }
+}
+
+/* ---- Lights -------------------------------------------------------------------------------------------------- */
+
+static int has_position(const glint_light *light) {
+    return light->type == &glint_light_point || light->type == &glint_light_spot;
+}
+
+void reference_prepare_lights(reference_lights *lights, const glint_scene *scene) {
+    const glint_camera *camera = &scene->camera;
+    for (uint32_t index = 0; index < scene->light_count; index++) {
+        const glint_light *light = &scene->lights[index];
+        double vector[3] = {reference_real(light->vector.x), reference_real(light->vector.y),
+                            reference_real(light->vector.z)};
+        const double axis[3] = {reference_real(light->axis.x), reference_real(light->axis.y),
+                                reference_real(light->axis.z)};
+        for (int row = 0; row < 3 && has_position(light); row++)
+            vector[row] -= reference_real(camera->pose.m[row][3]);
+        reference_to_camera(camera, vector, lights->vector[index]);
+        reference_to_camera(camera, axis, lights->axis[index]);
+        reference_normalise(lights->axis[index]);
+        if (!has_position(light))
+            reference_normalise(lights->vector[index]);
+    }
+}
+
+/* How much of a spot's light falls in the direction of a point: t^2 (3 - 2 t). */
+static double cone(const glint_light *light, const double axis[3], const double towards[3], double *grazing) {
+    const double degree = 3.14159265358979323846 / 180;
+    double cosine = -reference_dot(axis, towards);
+    double inner = cos(reference_real(light->inner) * degree);
+    double outer = cos(reference_real(light->outer) * degree);
+    if (light->inner == light->outer)
+        *grazing = fmin(*grazing, fabs(cosine - outer));
+    if (cosine >= inner)
+        return 1;
+    if (cosine <= outer)
+        return 0;
+    double t = (cosine - outer) / (inner - outer);
+    return t * t * (3 - 2 * t);
+}
+
+/* Parts of the way to the eye: a light about as near as the 1/32768 below which it is to add nothing. */
+#define TOUCHING (1.0 / 8192)
+
+/* Direction to a light, unit. @return how much of it arrives. */
+static double illuminate(const glint_light *light, const reference_lights *lights, uint32_t index,
+                         const double place[3], double towards[3], double *grazing) {
+    for (int axis = 0; axis < 3; axis++)
+        towards[axis] = lights->vector[index][axis] - (has_position(light) ? place[axis] : 0);
+    double distance = reference_normalise(towards);
+    if (!has_position(light))
+        return 1;
+    if (distance < TOUCHING * sqrt(reference_dot(place, place)))
+        *grazing = 0;
+    if (distance == 0)
+        return 0;
+    double strength =
+        1 / (1 + reference_real(light->linear) * distance + reference_real(light->quadratic) * distance * distance);
+    if (light->type == &glint_light_spot)
+        strength *= cone(light, lights->axis[index], towards, grazing);
+    return strength;
+}
+
+/* ---- Materials ----------------------------------------------------------------------------------------------- */
+
+/* Cosine whose power a highlight is: of Phong's mirrored light R = 2 (N.L) N - L, or of Blinn's half vector. */
+static double specular_cosine(const glint_material *material, const double normal[3], const double towards[3],
+                              const double view[3]) {
+    double other[3];
+    if (material->model == &glint_model_phong) {
+        double twice = 2 * reference_dot(normal, towards);
+        for (int axis = 0; axis < 3; axis++)
+            other[axis] = twice * normal[axis] - towards[axis];
+        return reference_dot(other, view);
+    }
+    for (int axis = 0; axis < 3; axis++)
+        other[axis] = towards[axis] + view[axis];
+    reference_normalise(other);
+    return reference_dot(normal, other);
+}
+
+static void product(const glint_colour *a, const glint_colour *b, double result[3]) {
+    result[0] = reference_real(a->r) * reference_real(b->r);
+    result[1] = reference_real(a->g) * reference_real(b->g);
+    result[2] = reference_real(a->b) * reference_real(b->b);
+}
+
+/* Adds one light's diffuse and specular part. */
+static void add_light(const glint_light *light, const glint_material *material, const reference_surface *surface,
+                      const double towards[3], const double view[3], double strength, reference_light *result) {
+    const int has_highlight = material->model == &glint_model_phong || material->model == &glint_model_blinn_phong;
+    const int gated = has_highlight && !(material->flags & GLINT_MATERIAL_UNGATED);
+    double n_dot_l = reference_dot(surface->normal, towards);
+    double shine = 0;
+    double diffuse[3];
+    double specular[3];
+    product(&light->diffuse, &material->diffuse, diffuse);
+    product(&light->specular, &material->specular, specular);
+    if (gated)
+        result->grazing = fmin(result->grazing, fabs(n_dot_l));
+    if (has_highlight && (n_dot_l > 0 || !gated))
+        shine = pow(fmax(specular_cosine(material, surface->normal, towards, view), 0),
+                    reference_real(material->shininess));
+    for (int channel = 0; channel < 3; channel++)
+        result->colour[channel] +=
+            strength * (diffuse[channel] * surface->colour[channel] * fmax(n_dot_l, 0) + specular[channel] * shine);
+}
+
+static void find_view(const glint_scene *scene, const double place[3], double view[3]) {
+    for (int axis = 0; axis < 3; axis++)
+        view[axis] = scene->viewer == GLINT_VIEWER_LOCAL ? -place[axis] : axis == 2;
+    reference_normalise(view);
+}
+
+static reference_light light_all(const glint_scene *scene, const reference_lights *lights,
+                                 const glint_material *material, const reference_surface *surface) {
+    reference_light result = {{0, 0, 0}, 1};
+    double view[3];
+    double ambient[3];
+    find_view(scene, surface->place, view);
+    for (uint32_t index = 0; index < scene->light_count; index++) {
+        const glint_light *light = &scene->lights[index];
+        double towards[3];
+        double strength = illuminate(light, lights, index, surface->place, towards, &result.grazing);
+        add_light(light, material, surface, towards, view, strength, &result);
+    }
+    product(&material->ambient, &scene->ambient, ambient);
+    for (int channel = 0; channel < 3; channel++) {
+        double base = ambient[channel] * surface->colour[channel];
+        if (material->flags & GLINT_MATERIAL_MAX)
+            result.colour[channel] = fmax(result.colour[channel], base);
+        else
+            result.colour[channel] += base;
+    }
+    return result;
+}
+
+reference_light reference_shade(const glint_scene *scene, const reference_lights *lights,
+                                const glint_material *material, const reference_surface *surface) {
+    const double paint[3] = {reference_real(material->diffuse.r), reference_real(material->diffuse.g),
+                             reference_real(material->diffuse.b)};
+    reference_surface local = *surface;
+    reference_light result = {{0, 0, 0}, 1};
+    reference_normalise(local.normal);
+    if (material->model != &glint_model_unlit)
+        result = light_all(scene, lights, material, &local);
+    for (int channel = 0; channel < 3; channel++) {
+        if (material->model == &glint_model_unlit)
+            result.colour[channel] = paint[channel] * surface->colour[channel];
+        result.colour[channel] = fmin(result.colour[channel], 1);
+    }
+    return result;
+}

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file lighting.h
+ * The reference's lights and materials, in double precision, from the formulas that glint.h states.
+ */
+#ifndef GLINT_REFERENCE_LIGHTING_H
+#define GLINT_REFERENCE_LIGHTING_H
+
+#include "glint.h"
+
+/** Lights in camera space. */
+typedef struct reference_lights {
+    double vector[GLINT_LIGHTS_MAX][3]; /**< Directional: unit, towards the light; else its position. */
+    double axis[GLINT_LIGHTS_MAX][3];   /**< Unit; of spots only. */
+} reference_lights;
+
+/** A point to be lit, in camera space. */
+typedef struct reference_surface {
+    double place[3];
+    double normal[3]; /**< Any length. */
+    double colour[3]; /**< Of the mesh, 1 where it has none. */
+} reference_surface;
+
+/** What was found at a point. */
+typedef struct reference_light {
+    double colour[3]; /**< Clamped to 0..1. */
+    double grazing;   /**< Distance to the nearest jump: the smallest |N.L| where a highlight is gated, the distance of
+                           the cosine from that of a cone without soft edge, 0 where a light touches the point; 1 when
+                           there is none. */
+} reference_light;
+
+void reference_prepare_lights(reference_lights *lights, const glint_scene *scene);
+
+reference_light reference_shade(const glint_scene *scene, const reference_lights *lights,
+                                const glint_material *material, const reference_surface *surface);
+
+/** Red, green and blue of a vertex as the mesh has them, 1 where it has none. */
+void reference_mesh_colour(const glint_mesh *mesh, uint32_t index, double colour[3]);
+
+/* ---- Vectors ------------------------------------------------------------------------------------------------- */
+
+double reference_dot(const double a[3], const double b[3]);
+
+/** Makes a vector unit; zero stays zero. @return its length before. */
+double reference_normalise(double v[3]);
+
+/** World to camera: the inverse of a rotation is its transpose. */
+void reference_to_camera(const glint_camera *camera, const double world[3], double result[3]);
+
+/** A Q16.16 number. */
+double reference_real(glint_q16 value);
+
+#endif

@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Firmware that counts the instructions of whole frames of the benchmark scenes, clear and copy to a framebuffer in
+ * memory included. It writes a line for each scene and variant,
+ *     torus2304,320x240 local 32x32,INSTRUCTIONS,SMALLEST,BEST
+ * the last two being the bytes of arena that the ten frames need on a panel that is sent one tile while the next is
+ * drawn.
+ */
+#include "board.h"
+#include "counter.h"
+#include "text.h"
+
+#include <bench_scenes.h>
+
+/** The largest screen. */
+#define WIDTH 320
+#define HEIGHT 240
+
+#define SCENES (sizeof bench_scenes / sizeof bench_scenes[0])
+
+typedef struct variant {
+    uint16_t width, height;
+    glint_viewer viewer;
+    uint16_t tile_width, tile_height;
+} variant;
+
+static const variant variants[] = {
+    {320, 240, GLINT_VIEWER_LOCAL, 32, 32}, {320, 240, GLINT_VIEWER_INFINITE, 32, 32},
+    {128, 64, GLINT_VIEWER_LOCAL, 32, 32},  {320, 240, GLINT_VIEWER_LOCAL, 16, 16},
+    {320, 240, GLINT_VIEWER_LOCAL, 32, 16}, {320, 240, GLINT_VIEWER_LOCAL, 64, 32},
+    {320, 240, GLINT_VIEWER_LOCAL, 64, 64},
+};
+
+static uint32_t arena[(1 << 20) / sizeof(uint32_t)];
+static uint16_t framebuffer[HEIGHT][WIDTH];
+
+typedef struct measured {
+    uint32_t instructions; /* mean of the ten frames */
+    size_t smallest, best; /* largest of the ten frames */
+} measured;
+
+static int copy_tile(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    const uint8_t *bytes = pixels;
+
+    (void)context;
+    for (int row = 0; row < height; row++) {
+        const uint16_t *from = (const uint16_t *)(const void *)(bytes + (size_t)row * stride);
+        for (int column = 0; column < width; column++) {
+            framebuffer[y + row][x + column] = from[column];
+        }
+    }
+    return 0;
+}
+
+static int wait_tile(void *context) {
+    (void)context;
+    return 0;
+}
+
+static glint_status need(const glint_config *config, const glint_scene *scene, measured *result) {
+    glint_config panel = *config;
+    glint_need bytes;
+
+    panel.flush.wait = wait_tile;
+    const glint_status status = glint_arena_need(&panel, scene, &bytes);
+    if (status == GLINT_OK) {
+        result->smallest = bytes.smallest > result->smallest ? bytes.smallest : result->smallest;
+        result->best = bytes.best > result->best ? bytes.best : result->best;
+    }
+    return status;
+}
+
+/* Draws the scene's frames, each from glint_init on. */
+static glint_status measure(const glint_config *config, const glint_scene *scene, glint_object *object,
+                            const glint_pose *poses, measured *result) {
+    uint32_t ticks = 0;
+
+    for (int frame = 0; frame < BENCH_FRAMES; frame++) {
+        glint_renderer renderer;
+        object->pose = poses[frame];
+        glint_status status = need(config, scene, result);
+        const uint32_t start = counter_now();
+        if (status == GLINT_OK) {
+            status = glint_init(&renderer, config);
+        }
+        if (status == GLINT_OK) {
+            status = glint_render(&renderer, scene);
+        }
+        if (status != GLINT_OK) {
+            return status;
+        }
+        ticks += counter_ticks_since(start);
+    }
+    result->instructions = ticks * (COUNTER_INSTRUCTIONS_PER_TICK / BENCH_FRAMES);
+    return GLINT_OK;
+}
+
+static glint_status measure_variant(uint32_t which, const variant *v, measured *result) {
+    glint_object object = {.mesh = bench_scenes[which].mesh, .material = &bench_material};
+    glint_scene scene = {.viewer = v->viewer,
+                         .ambient = {BENCH_AMBIENT, BENCH_AMBIENT, BENCH_AMBIENT},
+                         .lights = &bench_light,
+                         .light_count = 1,
+                         .objects = &object,
+                         .object_count = 1};
+    glint_config config = {.width = v->width,
+                           .height = v->height,
+                           .tile_width = v->tile_width,
+                           .tile_height = v->tile_height,
+                           .format = &glint_format_rgb565,
+                           .arena = arena,
+                           .arena_size = sizeof arena};
+
+    scene.camera.pose = glint_pose_identity();
+    scene.camera.field_of_view = BENCH_FIELD_OF_VIEW;
+    scene.camera.near_plane = BENCH_NEAR_PLANE;
+    config.flush.begin = copy_tile;
+    return measure(&config, &scene, &object, bench_scenes[which].poses, result);
+}
+
+static void write_number(uint32_t number, const char *end) {
+    char digits[TEXT_NUMBER_SIZE];
+
+    board_write(text_number(digits, number));
+    board_write(end);
+}
+
+static void report(const char *name, const variant *v, const measured *result) {
+    board_write(name);
+    board_write(",");
+    write_number(v->width, "x");
+    write_number(v->height, v->viewer == GLINT_VIEWER_LOCAL ? " local " : " infinite ");
+    write_number(v->tile_width, "x");
+    write_number(v->tile_height, ",");
+    write_number(result->instructions, ",");
+    write_number((uint32_t)result->smallest, ",");
+    write_number((uint32_t)result->best, "\n");
+}
+
+int main(void) {
+    counter_start();
+    for (uint32_t scene = 0; scene < SCENES; scene++) {
+        for (uint32_t i = 0; i < sizeof variants / sizeof variants[0]; i++) {
+            measured result = {0, 0, 0};
+            const glint_status status = measure_variant(scene, &variants[i], &result);
+            if (status != GLINT_OK) {
+                board_write(glint_strerror(status));
+                board_write("\n");
+                return 1;
+            }
+            report(bench_scenes[scene].name, &variants[i], &result);
+        }
+    }
+    return 0;
+}
