@@ -37,12 +37,12 @@ static const uint32_t expected_checksums[] = {
     0x9804da18u, /* spot_phong */
     0x37ae56c2u, /* lambert_infinite */
     0x171ada5bu, /* phong_ungated_max */
-    0x5b1d5e67u, /* per_vertex */
-    0x6679eea7u, /* per_vertex_clipped */
+    0x59bb3e07u, /* per_vertex */
+    0x11f13aa3u, /* per_vertex_clipped */
     0xa331ea83u, /* per_facet */
     0xd913fef0u, /* per_facet_clipped */
-    0x953834d5u, /* mesh_colours */
-    0xdd412fbeu, /* mesh_colours565_per_vertex */
+    0x0c8b9f5du, /* mesh_colours */
+    0xac712d7eu, /* mesh_colours565_per_vertex */
     0xc000fff1u, /* mesh_colours_unlit_facets */
     0x7535c4f7u, /* rgb565_dithered */
     0x0df2e9b3u, /* grey4_dithered_odd_size */
