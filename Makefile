@@ -29,17 +29,18 @@ $(BUILD)/host/libglint.a: $(LIBRARY:src/%.c=$(BUILD)/host/src/%.o)
 
 # Every suite that `make test` runs, each a phony target that closes with `N passed, N failed`.
 SUITES := test-unit-host test-image test-identity test-sanitize test-matrix test-host-cli \
-    test-panel-bus test-board-panel test-board-unit test-board-identity test-freestanding test-firmware
+    test-panel-bus test-board-panel test-board-unit test-board-identity test-freestanding test-firmware test-features
 
--include port/host/host.mk port/boards.mk tests/tests.mk
+-include port/host/host.mk port/boards.mk tests/tests.mk tools/chart/chart.mk
 
 .PHONY: test lint clean $(SUITES)
 test: ## run every suite; installs missing tools first
 	@tools/setup.sh
 	@tools/test.sh $(BUILD)/test $(SUITES)
 
-lint: ## check format, static analysis, licence lines and version numbers
+lint: ## check format, static analysis, licence lines, version numbers and figures
 	@tools/setup.sh
+	@$(MAKE) --no-print-directory $(BUILD)/bench/bench_scenes.h
 	@tools/lint.sh $(BUILD)/lint
 
 clean: ## remove everything that was built

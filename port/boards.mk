@@ -80,9 +80,8 @@ endef
 $(foreach board,$(BOARDS),$(eval $(call firmware_objects,$(board),release)))
 $(foreach board,mps2-an385 mps2-an385-m0,$(foreach level,O0 Os O2,$(eval $(call firmware_objects,$(board),$(level)))))
 
-$(foreach program,turntable minimal pattern,$(eval $(call firmware_program,lm3s6965evb,release,$(program))))
+$(foreach program,turntable scenes minimal pattern,$(eval $(call firmware_program,lm3s6965evb,release,$(program))))
 # Vertices lit by lights that have positions take the deepest stack.
-$(eval $(call firmware_program,lm3s6965evb,release,scenes,-Wl$(comma)--defsym=stack_size=4096))
 $(foreach board,lm3s6965evb microbit,\
     $(eval $(call firmware_program,$(board),release,unit,-Wl$(comma)--defsym=stack_size=3584)))
 $(eval $(call firmware_program,template,release,minimal))
@@ -96,4 +95,4 @@ $(foreach board,mps2-an385 mps2-an385-m0,$(eval $(call firmware_program,$(board)
 boards: $(FIRMWARE) ## build the firmware of every board; prints flash, RAM and stack
 	@cat $(FIRMWARE:.elf=.size)
 
-include tests/board/board.mk tests/freestanding/freestanding.mk tools/bench/bench.mk
+include tests/board/board.mk tests/freestanding/freestanding.mk tools/bench/bench.mk tools/features/features.mk

@@ -7,12 +7,19 @@ void glint_resolve_colour(const glint_frame *frame, const glint_fragments *fragm
                           const glint_plane planes[3], int16_t out[3]) {
     int32_t x, y;
     glint_fragment_place(frame, fragments, i, &x, &y);
-    uint32_t w = (uint32_t)fragments->inverse_w[i] | 1;
-    unsigned zeros = glint_leading_zeros(w);
-    int64_t reciprocal = glint_reciprocal(w << zeros); /* 1 / w is this times 2^(zeros - 63) */
-    unsigned shift = 47 - zeros + fragments->scale;    /* the planes hold colour times w 2^(scale - 16) */
+    /*
+     * The planes hold colour times w 2^-16; both are brought to 16 bits, which spares 64-bit products. What is cut off
+     * is rounded up, so that white stays white; 0 stays 0.
+     */
+    const uint32_t w = ((uint32_t)fragments->inverse_w[i] | 1) << fragments->scale;
+    const unsigned zeros = glint_leading_zeros(w);
+    const uint32_t reciprocal = 0x80000000u / ((w << zeros) >> 16) + 1; /* 2^15 + 1 to 2^16 + 1 */
     for (int c = 0; c < 3; c++) {
-        int64_t value = glint_round_shift64(glint_plane_at(&planes[c], x, y) * reciprocal, shift);
-        out[c] = (int16_t)(value < 0 ? 0 : value > GLINT_COLOUR_ONE ? GLINT_COLOUR_ONE : value);
+        int32_t value = glint_plane_at(&planes[c], x, y);
+        uint32_t scaled = value > 0 ? (uint32_t)value << zeros : 0; /* colour times w in 16 bits: below 2^31 */
+        scaled = scaled < 0x7fff8000u ? scaled : 0x7fff8000u;
+        uint32_t product = ((scaled + 0x7fff) >> 15) * reciprocal; /* at most 2^32 - 1 */
+        uint32_t colour = ((product >> 15) + 1) >> 1;
+        out[c] = (int16_t)(colour < GLINT_COLOUR_ONE ? colour : GLINT_COLOUR_ONE);
     }
 }

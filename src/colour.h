@@ -5,7 +5,7 @@
 
 #include "frame.h"
 
-/** Fragment i's colour, 1 = GLINT_COLOUR_ONE, from its planes; off by at most 2 steps. */
+/** Fragment i's colour, 1 = GLINT_COLOUR_ONE, from its planes; off by at most 4 steps. */
 void glint_resolve_colour(const glint_frame *frame, const glint_fragments *fragments, uint32_t i,
                           const glint_plane planes[3], int16_t out[3]);
 

@@ -266,9 +266,9 @@ void glint_transform_vertex(const glint_transform *transform, const glint_mesh *
 /** Screen position and 1/w of clip coordinates inside the guard band and beyond the near plane. */
 void glint_project(const glint_transform *transform, const glint_position *position, glint_vertex *vertex);
 
-/** Ray towards the eye and 1/w, as fragments have them, of a point anywhere: a position or a sum of some. */
-void glint_ray(const glint_transform *transform, const glint_view *view, const int64_t point[3], int32_t ray[3],
-               int32_t *inverse_w);
+/** Ray towards the eye and 1/w, as fragments have them, of the mean of some positions anywhere, given their sum. */
+void glint_ray(const glint_transform *transform, const glint_view *view, const int64_t sum[3], int32_t count,
+               int32_t ray[3], int32_t *inverse_w);
 
 /** Most corners of a clipped triangle: each of 5 planes adds one. */
 #define GLINT_CLIP_CORNERS 8

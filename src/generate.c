@@ -242,8 +242,9 @@ glint_status glint_generate_box(glint_mesh *mesh, const glint_mesh_room *room, g
         const int u = (axis + 1) % 3, v = (axis + 2) % 3;
         const uint32_t first = b.vertices;
         for (int corner = 0; corner < 4; corner++) { /* counter-clockwise from outside */
-            int32_t position[3], normal[3] = {0, 0, 0};
-            position[axis] = normal[axis] = sign;
+            int32_t position[3], normal[3];
+            for (int i = 0; i < 3; i++)
+                position[i] = normal[i] = i == axis ? sign : 0;
             position[u] = corner == 1 || corner == 2 ? sign : -sign;
             position[v] = corner >= 2 ? ONE : -ONE;
             add_vertex(&b, position, normal);

@@ -54,14 +54,15 @@ void glint_transform_vertex(const glint_transform *transform, const glint_mesh *
                normal_row(transform->normal[2], n), vertex->attribute);
 }
 
-void glint_ray(const glint_transform *transform, const glint_view *view, const int64_t point[3], int32_t ray[3],
-               int32_t *inverse_w) {
+void glint_ray(const glint_transform *transform, const glint_view *view, const int64_t sum[3], int32_t count,
+               int32_t ray[3], int32_t *inverse_w) {
     /* Half pixels, Q12, as rays of fragments are: x and y in guard bands, w in focal lengths; below 2^60. */
-    const int64_t long_ray[3] = {-point[0] * (2 * GLINT_GUARD_BAND * 4096), point[1] * (2 * GLINT_GUARD_BAND * 4096),
-                                 point[2] * view->focal};
+    const int64_t long_ray[3] = {-sum[0] * (2 * GLINT_GUARD_BAND * 4096), sum[1] * (2 * GLINT_GUARD_BAND * 4096),
+                                 sum[2] * view->focal};
     int down = (int)transform->depth_shift - 31; /* the nearest w, Q31, which 1/w is relative to */
     int64_t nearest = down > 0 ? glint_shift_right64(transform->depth_mantissa, down < 63 ? (unsigned)down : 63u)
                                : transform->depth_mantissa * ((int64_t)1 << -down);
+    nearest *= count; /* only its ratio to the ray matters */
     uint64_t bits = (uint64_t)nearest;
     for (int i = 0; i < 3; i++)
         bits |= glint_magnitude64(long_ray[i]);

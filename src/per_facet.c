@@ -29,10 +29,9 @@ static void light_triangle(const glint_frame *frame, glint_draw *draw, const gli
                                         &draw->positions[indices[2]]};
     const int64_t sum[3] = {(int64_t)p[0]->x + p[1]->x + p[2]->x, (int64_t)p[0]->y + p[1]->y + p[2]->y,
                             (int64_t)p[0]->w + p[1]->w + p[2]->w};
-    const int64_t centroid[3] = {sum[0] / 3, sum[1] / 3, sum[2] / 3};
     glint_fragments one;
     one.count = 1;
-    glint_ray(transform, frame->view, centroid, one.ray[0], &one.inverse_w[0]);
+    glint_ray(transform, frame->view, sum, 3, one.ray[0], &one.inverse_w[0]);
     facet_normal(frame->view, p, one.normal[0]);
     int64_t facing = 0;
     for (int c = 0; c < 3; c++) {

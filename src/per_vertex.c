@@ -5,12 +5,14 @@
 /* Fragments of vertices from `first` on, seen from the front or the back. */
 static void gather(const glint_frame *frame, const glint_draw *draw, const glint_transform *transform, uint32_t first,
                    int back, glint_fragments *vertices) {
+    const int has_rays = glint_needs_rays(frame->view, draw->shading);
     uint32_t rest = draw->vertex_count - first;
     vertices->count = rest < GLINT_FRAGMENTS_MAX ? rest : GLINT_FRAGMENTS_MAX;
     for (uint32_t i = 0; i < vertices->count; i++) {
         const glint_position *p = &draw->positions[first + i];
         const int64_t point[3] = {p->x, p->y, p->w};
-        glint_ray(transform, frame->view, point, vertices->ray[i], &vertices->inverse_w[i]);
+        if (has_rays)
+            glint_ray(transform, frame->view, point, 1, vertices->ray[i], &vertices->inverse_w[i]);
         for (int c = 0; c < 3; c++) {
             int16_t n = draw->vertices[first + i].attribute[c];
             vertices->normal[i][c] = (int16_t)(back ? -n : n);

@@ -3,6 +3,7 @@
 # Static checks of the whole tree: lint.sh LOGS. Each prints what it found; none stops the others.
 set -u
 logs=$1
+bench=$logs/../bench # the generated scenes of the benchmark
 mkdir -p "$logs"
 jobs=$(nproc 2>/dev/null || echo 2)
 failed=0
@@ -38,8 +39,10 @@ tidy() {
     tidy_files "-Isrc -Iport -Iport/libc -Iexamples -Itests $(arm)" \
         'port/*.c' 'examples/firmware/*.c' 'tests/board/*_board.c' \
         'tests/board/pattern.c' 'tests/board/unit.c' ':!port/host' || status=1
+    tidy_files "-Isrc -Iport -Iport/libc -I$bench $(arm)" 'tools/bench/frames.c' 'tools/features/*.c' || status=1
+    tidy_files "-Isrc -Iexamples -Iexamples/bench" 'tools/bench/scenes.c' || status=1
     tidy_files "-Isrc -Iport -Iport/host -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit" \
-        'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' \
+        'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' 'examples/scenes/*.c' \
         ':!tests/board/*_board.c' ':!tests/board/pattern.c' ':!tests/board/unit.c' || status=1
     return $status
 }
@@ -57,7 +60,7 @@ tidy_files() { # tidy_files FLAGS PATTERN...
 
 # src/numeric.h owns the shifts of negative numbers, and does not compile where they are not arithmetic.
 cppcheck_all() {
-    files 'src/*.c' 'port/*.c' 'tests/*.c' 'examples/*.c' | xargs cppcheck --quiet --std=c99 -j "$jobs" --error-exitcode=1 \
+    files 'src/*.c' 'port/*.c' 'tests/*.c' 'examples/*.c' 'tools/bench/*.c' 'tools/features/*.c' | xargs cppcheck --quiet --std=c99 -j "$jobs" --error-exitcode=1 \
         --enable=warning,performance,portability --inline-suppr --suppress=missingIncludeSystem \
         --suppress=shiftTooManyBitsSigned:src/numeric.h \
         -Isrc -Iport -Iport/host -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit
@@ -73,7 +76,19 @@ licence() {
     return $status
 }
 
+# The README shows all of a program, but for its licence line.
+readme() {
+    diff <(tail -n +2 examples/firmware/minimal.c) <(awk '/^```c$/ { on = 1; next } /^```$/ { on = 0 } on' README.md)
+}
+
+# The figures that explain the default size of a tile are those of the benchmark.
+tile_sizes() {
+    python3 tools/bench/tiles.py --page docs/design.md docs/bench.csv docs/bench-arena.csv
+}
+
 check format format
+check readme readme
+check tile-sizes tile_sizes
 check licence licence
 check version tools/version.sh
 check cppcheck cppcheck_all

@@ -38,8 +38,8 @@ static const uint32_t expected_checksums[] = {
     0x37ae56c2u, /* lambert_infinite */
     0x171ada5bu, /* phong_ungated_max */
     0x59bb3e07u, /* per_vertex */
-    0xc953185fu, /* per_vertex_clipped */
-    0x918d1a73u, /* per_facet */
+    0x11f13aa3u, /* per_vertex_clipped */
+    0xa331ea83u, /* per_facet */
     0xd913fef0u, /* per_facet_clipped */
     0x0c8b9f5du, /* mesh_colours */
     0xac712d7eu, /* mesh_colours565_per_vertex */

@@ -4,7 +4,7 @@ import os
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "tests", "board"))
-from qemu import Died, Machine
+from qemu import Died, Machine, Tally
 
 # An instruction takes a nanosecond of emulated time; tools/bench/counter.h counts on it.
 COUNTED = ("-icount", "shift=0")

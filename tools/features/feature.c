@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Firmware that draws the torus of 576 triangles with one feature, chosen by the macros below when it is compiled, and
+ * says how many instructions a frame takes. What they are without a definition is the base that features are held
+ * against.
+ */
+#include "../bench/counter.h"
+#include "board.h"
+#include "text.h"
+
+#include <bench_scenes.h>
+
+#ifndef FEATURE_WIDTH
+#define FEATURE_WIDTH 320
+#endif
+#ifndef FEATURE_HEIGHT
+#define FEATURE_HEIGHT 240
+#endif
+#ifndef FEATURE_MODEL
+#define FEATURE_MODEL glint_model_blinn_phong
+#endif
+#ifndef FEATURE_LIGHT
+#define FEATURE_LIGHT glint_light_directional
+#endif
+#ifndef FEATURE_EVALUATION
+#define FEATURE_EVALUATION glint_per_fragment
+#endif
+#ifndef FEATURE_FORMAT
+#define FEATURE_FORMAT glint_format_rgb565
+#endif
+#ifndef FEATURE_VIEWER
+#define FEATURE_VIEWER GLINT_VIEWER_INFINITE
+#endif
+#ifndef FEATURE_MATERIAL_FLAGS
+#define FEATURE_MATERIAL_FLAGS 0
+#endif
+#ifndef FEATURE_MESH_FLAGS
+#define FEATURE_MESH_FLAGS 0
+#endif
+#ifndef FEATURE_COLOURS
+#define FEATURE_COLOURS 0
+#endif
+#ifndef FEATURE_COLOURS565
+#define FEATURE_COLOURS565 0
+#endif
+#ifndef FEATURE_GAMMA
+#define FEATURE_GAMMA 0
+#endif
+#ifndef FEATURE_LIGHTS
+#define FEATURE_LIGHTS 1
+#endif
+/* A function that is named and not called while instructions are counted. */
+#ifndef FEATURE_FUNCTION
+#define FEATURE_FUNCTION 0
+#endif
+
+enum { WIDTH = FEATURE_WIDTH, HEIGHT = FEATURE_HEIGHT, PIXEL_MAX = 3 };
+
+static uint32_t arena[(1 << 18) / sizeof(uint32_t)];
+static uint8_t framebuffer[WIDTH * HEIGHT * PIXEL_MAX];
+
+/* As many as the mesh has vertices; of which content is no matter. */
+enum { VERTICES = 288 };
+extern const uint8_t feature_colours[VERTICES][3];
+extern const uint16_t feature_colours565[VERTICES];
+extern const uint16_t feature_gamma[3][GLINT_GAMMA_ENTRIES];
+const uint8_t feature_colours[VERTICES][3] = {{255, 128, 1}, {1, 255, 128}};
+const uint16_t feature_colours565[VERTICES] = {0xffff, 0x1234};
+const uint16_t feature_gamma[3][GLINT_GAMMA_ENTRIES] = {{0, 65535}, {0, 65535}, {0, 65535}};
+
+/* What the base names, so that firmware can have both. */
+static const void *volatile feature_base[] = {
+#ifdef FEATURE_WITH_BASE
+    &glint_model_blinn_phong, &glint_light_directional, &glint_per_fragment, &glint_format_rgb565,
+#endif
+    0};
+
+typedef void feature_function(void);
+static feature_function *volatile feature_named;
+
+static int copy_tile(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    const glint_format *format = context;
+    const size_t row_bytes = glint_row_bytes(format, WIDTH), left = glint_row_bytes(format, (uint32_t)x);
+    const size_t bytes = glint_row_bytes(format, (uint32_t)width);
+
+    for (int row = 0; row < height; row++) {
+        const uint8_t *from = (const uint8_t *)pixels + (size_t)row * stride;
+        uint8_t *to = framebuffer + (size_t)(y + row) * row_bytes + left;
+        for (size_t i = 0; i < bytes; i++) {
+            to[i] = from[i];
+        }
+    }
+    return 0;
+}
+
+static void set_lights(glint_light lights[FEATURE_LIGHTS]) {
+    for (int i = 0; i < FEATURE_LIGHTS; i++) {
+        lights[i] = bench_light;
+        lights[i].type = &FEATURE_LIGHT;
+        lights[i].linear = GLINT_Q16(0.25);
+        lights[i].axis = (glint_vector){-bench_light.vector.x, -bench_light.vector.y, -GLINT_Q16(3)};
+        lights[i].inner = GLINT_Q16(20);
+        lights[i].outer = GLINT_Q16(40);
+    }
+}
+
+static void set_config(glint_config *config) {
+    config->width = WIDTH;
+    config->height = HEIGHT;
+    config->format = &FEATURE_FORMAT;
+    config->arena = arena;
+    config->arena_size = sizeof arena;
+    config->flush.begin = copy_tile;
+    config->flush.context = (void *)(uintptr_t)&FEATURE_FORMAT;
+    config->gamma = FEATURE_GAMMA;
+}
+
+static void set_camera(glint_camera *camera) {
+    camera->pose.m[0][0] = camera->pose.m[1][1] = camera->pose.m[2][2] = GLINT_ONE;
+    camera->field_of_view = BENCH_FIELD_OF_VIEW;
+    camera->near_plane = BENCH_NEAR_PLANE;
+}
+
+/* @return ticks that the ten frames take, 0 after an error */
+static uint32_t draw_frames(const glint_config *config, const glint_scene *scene, glint_object *object) {
+    glint_renderer renderer;
+    uint32_t ticks = 0;
+
+    for (int frame = 0; frame < BENCH_FRAMES; frame++) {
+        object->pose = torus576_poses[frame];
+        const uint32_t start = counter_now();
+        if (glint_init(&renderer, config) != GLINT_OK || glint_render(&renderer, scene) != GLINT_OK) {
+            return 0;
+        }
+        ticks += counter_ticks_since(start);
+    }
+    return ticks;
+}
+
+int main(void) {
+    glint_mesh mesh = torus576_mesh;
+    glint_material material = bench_material;
+    glint_light lights[FEATURE_LIGHTS];
+    glint_object object = {.mesh = &mesh, .material = &material, .evaluation = &FEATURE_EVALUATION};
+    glint_scene scene = {.viewer = FEATURE_VIEWER,
+                         .ambient = {BENCH_AMBIENT, BENCH_AMBIENT, BENCH_AMBIENT},
+                         .lights = lights,
+                         .light_count = FEATURE_LIGHTS,
+                         .objects = &object,
+                         .object_count = 1};
+    glint_config config = {0};
+    char digits[TEXT_NUMBER_SIZE];
+
+    mesh.flags = FEATURE_MESH_FLAGS;
+    mesh.colours = FEATURE_COLOURS;
+    mesh.colours565 = FEATURE_COLOURS565;
+    material.model = &FEATURE_MODEL;
+    material.flags = FEATURE_MATERIAL_FLAGS;
+    feature_named = (feature_function *)FEATURE_FUNCTION;
+    (void)feature_base[0];
+    set_lights(lights);
+    set_camera(&scene.camera);
+    set_config(&config);
+    counter_start();
+    const uint32_t ticks = draw_frames(&config, &scene, &object);
+    board_write(text_number(digits, ticks * (COUNTER_INSTRUCTIONS_PER_TICK / BENCH_FRAMES)));
+    board_write("\n");
+    return ticks == 0;
+}
