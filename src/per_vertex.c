@@ -33,22 +33,24 @@ static uint32_t light_some(const glint_frame *frame, const glint_draw *draw, con
     return vertices.count;
 }
 
+static void copy_colour(const int16_t from[3], int16_t to[3]) {
+    to[0] = from[0];
+    to[1] = from[1];
+    to[2] = from[2];
+}
+
 static void light_vertices(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
                            const glint_mesh *mesh) {
     const int has_surface = mesh->colours || mesh->colours565;
-    uint32_t count;
-    for (uint32_t first = 0; first < draw->vertex_count; first += count) {
-        int16_t front[GLINT_FRAGMENTS_MAX][3] = {{0}}, back[GLINT_FRAGMENTS_MAX][3] = {{0}};
-        count = light_some(frame, draw, transform, first, 0, has_surface, front);
-        if (draw->double_sided)
-            light_some(frame, draw, transform, first, 1, has_surface, back);
-        for (uint32_t i = 0; i < count; i++) {
-            for (int c = 0; c < 3; c++) {
-                draw->vertices[first + i].attribute[c] = front[i][c];
-                if (draw->double_sided)
-                    draw->extra[first + i][c] = back[i][c];
-            }
-        }
+    uint32_t fronts, backs;
+    for (uint32_t first = 0; first < draw->vertex_count; first += fronts) {
+        int16_t front[GLINT_FRAGMENTS_MAX][3], back[GLINT_FRAGMENTS_MAX][3];
+        fronts = light_some(frame, draw, transform, first, 0, has_surface, front);
+        backs = draw->double_sided && draw->extra ? light_some(frame, draw, transform, first, 1, has_surface, back) : 0;
+        for (uint32_t i = 0; i < fronts; i++)
+            copy_colour(front[i], draw->vertices[first + i].attribute);
+        for (uint32_t i = 0; i < backs; i++)
+            copy_colour(back[i], draw->extra[first + i]);
     }
 }
 
