@@ -22,8 +22,9 @@ $(BUILD)/chart/shading.csv: $(BUILD)/chart/shading $(BUILD)/chart/shading.elf
 	paste -d, $(BUILD)/chart/errors.csv $(BUILD)/chart/instructions.csv | cut -d, -f1-4,7 > $@
 
 .PHONY: chart
-chart: $(BUILD)/chart/shading.csv ## measure and draw the charts of docs/charts
+chart: ## measure and draw the charts of docs/charts
 	@tools/setup.sh
+	@$(MAKE) --no-print-directory $(BUILD)/chart/shading.csv
 	@mkdir -p docs/charts
-	cp $< docs/charts/shading.csv
+	cp $(BUILD)/chart/shading.csv docs/charts/shading.csv
 	gnuplot -e "csv='docs/charts/shading.csv'" tools/chart/shading.gp > docs/charts/shading.svg
