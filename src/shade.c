@@ -27,14 +27,14 @@ static void set_colours(glint_fragments *fragments, uint32_t red, uint32_t green
 
 /* The larger of each colour and its ambient light: what is 0 becomes ambient light. */
 static void raise_to_ambient(const glint_shading *shading, glint_fragments *fragments, int has_surface) {
-    const int16_t *surface = fragments->surface[0];
-    uint32_t *colour = fragments->colour[0];
-    for (uint32_t i = 0; i < fragments->count; i++, surface += 3, colour += 3) {
+    int16_t(*surface)[3] = fragments->surface;
+    uint32_t(*colour)[3] = fragments->colour;
+    for (uint32_t i = 0; i < fragments->count; i++, surface++, colour++) {
         for (int c = 0; c < 3; c++) {
             uint32_t ambient = shading->ambient[c];
             if (has_surface)
-                ambient = (uint32_t)((uint64_t)ambient * ((uint32_t)surface[c] + 1) >> 15);
-            colour[c] = colour[c] < ambient ? ambient : colour[c];
+                ambient = (uint32_t)((uint64_t)ambient * ((uint32_t)(*surface)[c] + 1) >> 15);
+            (*colour)[c] = (*colour)[c] < ambient ? ambient : (*colour)[c];
         }
     }
 }

@@ -54,13 +54,15 @@ static int64_t scale(int64_t x, int shift) {
 }
 
 /* Scales three rows of four alike, the largest number to 30 bits. */
-static void to_30_bits(int64_t *x) {
+static void to_30_bits(int64_t x[3][4]) {
     uint64_t bits = 0;
-    for (int i = 0; i < 12; i++)
-        bits |= glint_magnitude64(x[i]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 4; j++)
+            bits |= glint_magnitude64(x[i][j]);
     int shift = (int)glint_bits64(bits) - 30;
-    for (int i = 0; i < 12; i++)
-        x[i] = scale(x[i], shift);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 4; j++)
+            x[i][j] = scale(x[i][j], shift);
 }
 
 /* Clip rows x, y, w in 30 bits; @return the exponent: a unit is 2^-exponent. */
@@ -119,7 +121,7 @@ static int prepare_normals(glint_transform *transform, const glint_view *view, c
             p[i][j] = pose->m[i][j];
         p[i][3] = cofactor[i][3] = 0;
     }
-    to_30_bits(p[0]);
+    to_30_bits(p);
     for (int i = 0; i < 3; i++) {
         const int64_t *a = p[next[i]], *b = p[next[next[i]]];
         for (int j = 0; j < 3; j++) {
@@ -127,7 +129,7 @@ static int prepare_normals(glint_transform *transform, const glint_view *view, c
             cofactor[i][j] = a[k] * b[l] - a[l] * b[k];
         }
     }
-    to_30_bits(cofactor[0]);
+    to_30_bits(cofactor);
     int64_t determinant = 0;
     for (int j = 0; j < 3; j++)
         determinant += p[0][j] * cofactor[0][j];
@@ -135,7 +137,7 @@ static int prepare_normals(glint_transform *transform, const glint_view *view, c
         return 0;
     transform->mirrored = determinant < 0;
     rotate(view, cofactor, rotated);
-    to_30_bits(rotated[0]);
+    to_30_bits(rotated);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             transform->normal[i][j] = (int32_t)(transform->mirrored ? -rotated[i][j] : rotated[i][j]);
