@@ -31,7 +31,8 @@ $(BUILD)/host/libglint.a: $(LIBRARY:src/%.c=$(BUILD)/host/src/%.o)
 SUITES := test-unit-host test-image test-identity test-sanitize test-matrix test-host-cli \
     test-panel-bus test-board-panel test-board-unit test-board-identity test-freestanding test-firmware test-features
 
--include port/host/host.mk port/boards.mk tests/tests.mk tools/chart/chart.mk
+# A folder of tests or tools that needs targets of its own brings them, and adds its suites to SUITES.
+-include port/host/host.mk port/boards.mk tests/tests.mk $(sort $(wildcard tests/*/*.mk tools/*/*.mk))
 
 .PHONY: test lint clean $(SUITES)
 test: ## run every suite; installs missing tools first

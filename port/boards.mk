@@ -94,5 +94,3 @@ $(foreach board,mps2-an385 mps2-an385-m0,$(eval $(call firmware_program,$(board)
 .PHONY: boards
 boards: $(FIRMWARE) ## build the firmware of every board; prints flash, RAM and stack
 	@cat $(FIRMWARE:.elf=.size)
-
-include tests/board/board.mk tests/freestanding/freestanding.mk tools/bench/bench.mk tools/features/features.mk
