@@ -26,6 +26,7 @@ look() {
     need gcc-arm-none-eabi arm-none-eabi-gcc
     need qemu-system-arm qemu-system-arm
     need gnuplot-nox gnuplot
+    need frama-c-base frama-c
     # libraries, which no command shows: the host's C library, and clang's sanitizers and fuzzer
     [ -e /usr/include/stdio.h ] || missing+=(libc6-dev)
     if command -v clang >/dev/null 2>&1; then
