@@ -4,9 +4,10 @@
 
 CROSS ?= arm-none-eabi-
 
-# ---- Boards: core flags, sources of the port, linker script, and sources of the driver for its panel
+# ---- Boards: core flags, sources of the port, linker script, sources of the driver for its panel, and the prefix of its
+# ---- compiler's commands where that is not Arm's
 
-BOARDS := lm3s6965evb microbit mps2-an385 mps2-an385-m0 template
+BOARDS := lm3s6965evb microbit mps2-an385 mps2-an385-m0 mps2-an386 virt template
 
 CORTEX_M := $(wildcard port/cortex-m/*.c) port/libc/memory.c
 
@@ -27,6 +28,17 @@ mps2-an385_LINKER  := linker/mps2-an385.ld
 mps2-an385-m0_CPU     := -mcpu=cortex-m0 -mthumb
 mps2-an385-m0_SOURCES := $(mps2-an385_SOURCES)
 mps2-an385-m0_LINKER  := $(mps2-an385_LINKER)
+
+# The same board with a Cortex-M4F; nothing here uses its floating point.
+mps2-an386_CPU     := -mcpu=cortex-m4 -mthumb
+mps2-an386_SOURCES := $(mps2-an385_SOURCES)
+mps2-an386_LINKER  := $(mps2-an385_LINKER)
+
+# RISC-V without floating point, and without a global pointer to small data.
+virt_CPU     := -march=rv32imc -mabi=ilp32 -msmall-data-limit=0
+virt_SOURCES := $(wildcard port/virt/*.c) port/libc/memory.c
+virt_LINKER  := linker/virt.ld
+virt_CROSS   := riscv64-unknown-elf-
 
 template_CPU     := -mcpu=cortex-m3 -mthumb
 template_SOURCES := $(CORTEX_M) $(wildcard port/template/*.c)
@@ -53,6 +65,9 @@ FIRMWARE_LDFLAGS = -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings -Llinker
 
 comma := ,
 
+# $(call cross,board): prefix of the compiler's commands
+cross = $(or $($1_CROSS),$(CROSS))
+
 # Levels of optimisation: O0, Os and O2 are the compiler's; `release` is for size, so that a small flash suffices.
 optimise = -$(if $(filter release,$1),Os,$1)
 
@@ -60,34 +75,36 @@ optimise = -$(if $(filter release,$1),Os,$1)
 define firmware_objects
 $(BUILD)/$1/$2/%.o: %.c port/boards.mk
 	@mkdir -p $$(@D)
-	$$(Q)$(CROSS)gcc $$($1_CPU) $$(FIRMWARE_CFLAGS) $$(call optimise,$2,$$<) \
+	$$(Q)$(call cross,$1)gcc $$($1_CPU) $$(FIRMWARE_CFLAGS) $$(call optimise,$2,$$<) \
 	    $$(if $$(filter port/libc/%,$$<),-fno-tree-loop-distribute-patterns) -c $$< -o $$@
 $(BUILD)/$1/$2/libglint.a: $(LIBRARY:%.c=$(BUILD)/$1/$2/%.o)
 	@rm -f $$@
-	$$(Q)$(CROSS)gcc-ar rcs $$@ $$^
+	$$(Q)$(call cross,$1)gcc-ar rcs $$@ $$^
 endef
 
 # $(call firmware_program,board,level,program,linker flags)
 define firmware_program
 $(BUILD)/$1/$2/$3.elf: $(patsubst %.c,$(BUILD)/$1/$2/%.o,$(PROGRAM_$3) $($1_SOURCES) $($1_PANEL)) \
         $(BUILD)/$1/$2/libglint.a $($1_LINKER) linker/sections.ld
-	$$(Q)$(CROSS)gcc $$($1_CPU) $$(FIRMWARE_LDFLAGS) $4 -Wl,-Map=$$(@:.elf=.map) -T $($1_LINKER) \
+	$$(Q)$(call cross,$1)gcc $$($1_CPU) $$(FIRMWARE_LDFLAGS) $4 -Wl,-Map=$$(@:.elf=.map) -T $($1_LINKER) \
 	    $$(filter %.o,$$^) $$(filter %.a,$$^) -lgcc -o $$@
 	@python3 tools/size.py $$(@:.elf=.map) > $$(@:.elf=.size)
 FIRMWARE += $(BUILD)/$1/$2/$3.elf
 endef
 
 $(foreach board,$(BOARDS),$(eval $(call firmware_objects,$(board),release)))
-$(foreach board,mps2-an385 mps2-an385-m0,$(foreach level,O0 Os O2,$(eval $(call firmware_objects,$(board),$(level)))))
+# Boards whose bits and instructions are compared.
+MEASURED := mps2-an385 mps2-an385-m0 mps2-an386 virt
+$(foreach board,$(MEASURED),$(foreach level,O0 Os O2,$(eval $(call firmware_objects,$(board),$(level)))))
 
 $(foreach program,turntable scenes minimal pattern,$(eval $(call firmware_program,lm3s6965evb,release,$(program))))
 # Vertices lit by lights that have positions take the deepest stack.
-$(foreach board,lm3s6965evb microbit,\
+$(foreach board,lm3s6965evb microbit virt,\
     $(eval $(call firmware_program,$(board),release,unit,-Wl$(comma)--defsym=stack_size=3584)))
 $(eval $(call firmware_program,template,release,minimal))
-$(foreach board,mps2-an385 mps2-an385-m0,$(foreach level,O0 Os O2,\
+$(foreach board,mps2-an385 mps2-an385-m0 virt,$(foreach level,O0 Os O2,\
     $(eval $(call firmware_program,$(board),$(level),identity))))
-$(foreach board,mps2-an385 mps2-an385-m0,$(eval $(call firmware_program,$(board),O2,frames)))
+$(foreach board,$(MEASURED),$(eval $(call firmware_program,$(board),O2,frames)))
 
 -include $(wildcard $(foreach board,$(BOARDS),$(BUILD)/$(board)/*/*/*.d $(BUILD)/$(board)/*/*/*/*.d))
 

@@ -38,7 +38,9 @@ tidy() {
     tidy_files "-Isrc -Iport/host -Iexamples" 'port/host/*.c' || status=1
     tidy_files "-Isrc -Iport -Iport/libc -Iexamples -Itests $(arm)" \
         'port/*.c' 'examples/firmware/*.c' 'tests/board/*_board.c' \
-        'tests/board/pattern.c' 'tests/board/unit.c' ':!port/host' || status=1
+        'tests/board/pattern.c' 'tests/board/unit.c' ':!port/host' ':!port/virt' || status=1
+    tidy_files "-Isrc -Iport -Iport/libc --target=riscv32-unknown-elf -march=rv32imc -ffreestanding" \
+        'port/virt/*.c' || status=1
     tidy_files "-Isrc -Iport -Iport/libc -I$bench $(arm)" 'tools/bench/frames.c' 'tools/features/*.c' || status=1
     tidy_files "-Isrc -Iexamples -Iexamples/bench" 'tools/bench/scenes.c' || status=1
     tidy_files "-Isrc -Iport -Iport/host -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit" \

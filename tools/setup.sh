@@ -25,6 +25,8 @@ look() {
     need cppcheck cppcheck
     need gcc-arm-none-eabi arm-none-eabi-gcc
     need qemu-system-arm qemu-system-arm
+    need gcc-riscv64-unknown-elf riscv64-unknown-elf-gcc
+    need qemu-system-misc qemu-system-riscv32
     need gnuplot-nox gnuplot
     need frama-c-base frama-c
     # libraries, which no command shows: the host's C library, and clang's sanitizers and fuzzer

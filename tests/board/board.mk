@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 # Suites that run firmware in QEMU; included by port/boards.mk.
 
-QEMU ?= qemu-system-arm
+QEMU       ?= qemu-system-arm
+QEMU_RISCV ?= qemu-system-riscv32
+export QEMU_RISCV
 
 # ---- What the panel shows is what the host draws
 
@@ -20,16 +22,16 @@ test-board-panel: $(PANEL_HOST) $(PANEL_PROGRAMS:%=$(BUILD)/lm3s6965evb/release/
 	@python3 tests/board/panel.py --qemu $(QEMU) --output $(BUILD)/board --host $(PANEL_HOST) \
 	    $(foreach program,$(PANEL_PROGRAMS),--$(program) $(BUILD)/lm3s6965evb/release/$(program).elf)
 
-# ---- The unit tests on Cortex-M3 and Cortex-M0
+# ---- The unit tests on Cortex-M3, Cortex-M0 and RV32
 
-test-board-unit: $(BUILD)/lm3s6965evb/release/unit.elf $(BUILD)/microbit/release/unit.elf ## unit tests on Cortex-M3 and M0
-	@python3 tests/board/unit.py --qemu $(QEMU) lm3s6965evb=$(BUILD)/lm3s6965evb/release/unit.elf \
-	    microbit=$(BUILD)/microbit/release/unit.elf
+UNIT_BOARDS := lm3s6965evb microbit virt
+test-board-unit: $(UNIT_BOARDS:%=$(BUILD)/%/release/unit.elf) ## unit tests on Cortex-M3, M0 and RV32
+	@python3 tests/board/unit.py --qemu $(QEMU) $(foreach board,$(UNIT_BOARDS),$(board)=$(BUILD)/$(board)/release/unit.elf)
 
 # ---- The same frames on every core, compiler and optimisation
 
 IDENTITY_LEVELS := O0 Os O2
-IDENTITY_CORES  := mps2-an385 mps2-an385-m0
+IDENTITY_CORES  := mps2-an385 mps2-an385-m0 virt
 IDENTITY_ELF    := $(foreach core,$(IDENTITY_CORES),$(foreach level,$(IDENTITY_LEVELS),$(BUILD)/$(core)/$(level)/identity.elf))
 IDENTITY_HOST   := $(foreach compiler,gcc clang,$(foreach level,$(IDENTITY_LEVELS),$(BUILD)/identity/$(compiler)-$(level)))
 IDENTITY_SOURCES := tests/board/identity_host.c tests/board/identity.c tests/board/frames.c \
@@ -40,8 +42,8 @@ $(BUILD)/identity/%: $(IDENTITY_SOURCES) tests/board/frames.h $(EXAMPLE_DATA) $(
 	    $(IDENTITY_SOURCES) $(LIBRARY) -o $@
 
 test-board-identity: $(IDENTITY_ELF) $(IDENTITY_HOST) ## the same bits from every core and compiler
-	@python3 tests/board/identity.py --qemu $(QEMU) --machine mps2-an385 \
-	    --host $(IDENTITY_HOST) --firmware $(IDENTITY_ELF)
+	@python3 tests/board/identity.py --qemu $(QEMU) --host $(IDENTITY_HOST) \
+	    --firmware $(foreach elf,$(IDENTITY_ELF),$(if $(findstring /virt/,$(elf)),virt,mps2-an385)=$(elf))
 
 # ---- What firmware may take, and that what is there to copy compiles
 

@@ -52,15 +52,15 @@ def judge(tally, program, lines, pictures, expected):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--qemu", required=True)
-    parser.add_argument("--machine", required=True)
     parser.add_argument("--host", nargs="+", required=True)
-    parser.add_argument("--firmware", nargs="+", required=True)
+    parser.add_argument("--firmware", nargs="+", required=True, help="MACHINE=ELF")
     arguments = parser.parse_args()
     tally, pictures, expected = Tally(), {}, 0
-    programs = arguments.host + arguments.firmware
+    firmware = [pair.split("=", 1) for pair in arguments.firmware]
+    programs = arguments.host + [elf for _, elf in firmware]
     workers = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
     running = [workers.submit(host_lines, program) for program in arguments.host]
-    running += [workers.submit(board_lines, arguments.qemu, arguments.machine, elf) for elf in arguments.firmware]
+    running += [workers.submit(board_lines, arguments.qemu, machine, elf) for machine, elf in firmware]
     for program, result in zip(programs, running):
         try:
             lines = result.result()

@@ -13,6 +13,9 @@ import time
 # Seconds after which an emulated program that says nothing is taken for dead. Generous: a loaded machine is no failure.
 SILENCE = 180
 
+# Machines that an emulator of their own runs, and what it must be told; all others are Arm's.
+OTHER_EMULATORS = {"virt": [os.environ.get("QEMU_RISCV", "qemu-system-riscv32"), "-bios", "none"]}
+
 
 class Died(Exception):
     """The program ended or fell silent where it should not have."""
@@ -27,7 +30,8 @@ class Machine:
         control = os.path.join(self.directory.name, "qmp")
         config = "enable=on,target=native,chardev=text,arg=firmware" + "".join(",arg=" + a for a in arguments)
         self.process = subprocess.Popen(
-            [qemu, "-M", machine, "-display", "none", "-serial", "none", "-monitor", "none", "-nodefaults",
+            OTHER_EMULATORS.get(machine, [qemu]) +
+            ["-M", machine, "-display", "none", "-serial", "none", "-monitor", "none", "-nodefaults",
              "-chardev", "stdio,id=text,signal=off", "-qmp", "unix:%s,server=on,wait=off" % control, "-kernel", elf] +
             (["-semihosting-config", config] if debugger else []) + list(options),
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
