@@ -15,6 +15,9 @@
 /** Tile width and height where the configuration says 0. */
 #define GLINT_TILE_DEFAULT 32
 
+/** Largest tile width and height. */
+#define GLINT_TILE_MAX 64
+
 /** Fragments shaded together. */
 #define GLINT_FRAGMENTS_MAX 8
 
@@ -168,11 +171,31 @@ typedef struct glint_plane {
     int32_t start, dx, dy;
 } glint_plane;
 
-/** Depth, and up to two triples: a normal over w or a lit colour, and the surface's own colour. */
+/** Change of the second and third corner's barycentric coordinates per pixel, times 2^shift. */
+typedef struct glint_gradients {
+    int32_t x1, y1, x2, y2;
+    unsigned shift;
+    int32_t to_center_x, to_center_y; /* from the first corner to the anchor's centre, in sixteenths */
+} glint_gradients;
+
+/** Pixels of one row of a tile: `count` from column `left` on. */
+typedef struct glint_span {
+    uint8_t left, count;
+} glint_span;
+
+/** The part of a triangle that lies in one tile. Its anchor is the pixel of the triangle's first corner. */
+typedef struct glint_part {
+    int32_t x, y;                     /* of the tile's first pixel, from the anchor: where planes are evaluated */
+    uint32_t top, bottom;             /* rows of the tile; bottom is exclusive */
+    glint_span spans[GLINT_TILE_MAX]; /* of these rows */
+    glint_gradients gradients;
+    glint_plane depth; /* 1/w, Q31 */
+} glint_part;
+
+/** Up to two triples: a normal over w or a lit colour, and the surface's own colour. */
 typedef struct glint_attributes {
-    glint_plane depth, main[3], extra[3];
-    uint8_t has_main, has_extra;
-    int32_t anchor_x, anchor_y; /* pixel */
+    glint_plane main[3], extra[3];
+    int32_t x, y; /* of the tile's first pixel, from the anchor */
 } glint_attributes;
 
 typedef struct glint_fragments {
@@ -349,15 +372,26 @@ size_t glint_draw_size(const glint_object *object, const glint_transform *transf
 
 /** A triangle to draw. */
 typedef struct glint_triangle {
-    const glint_vertex *corners[3];
-    const int16_t *extra[3]; /* where the draw has extra attributes */
-    const int16_t *facet;    /* its colour, where the draw is lit by facet */
-    const glint_attributes *attributes;
+    const glint_vertex *corners[3]; /* clockwise on the screen, y down, once glint_raster has seen it */
+    const int16_t *extra[3];        /* where the draw has extra attributes */
+    const int16_t *facet;           /* its colour, where the draw is lit by facet */
+    int32_t area;                   /* twice its area, 28.4 squared, above 0 */
+    int back;                       /* seen from the back */
 } glint_triangle;
 
-/** Draws a triangle's part of a tile. */
+/** Draws a triangle's part of a tile. Sets the triangle's area and back, and the order of its corners. */
 void glint_raster(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                  const glint_triangle *triangle);
+                  glint_triangle *triangle);
+
+/** Draws the spans of a triangle: tests and stores depth, and stores the pixels that pass. */
+typedef void glint_kernel(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                          const glint_triangle *triangle, const glint_part *part);
+
+/** The kernel for a triangle: depends on the triangle alone, never on tile or pass. */
+glint_kernel *glint_choose_kernel(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle);
+
+/** The kernel for everything: gathers the fragments that pass the depth test, and shades a few at once. */
+glint_kernel glint_draw_any;
 
 /** Finds the colours of the fragments gathered so far and stores them. */
 void glint_shade(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw);

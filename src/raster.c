@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Raster: the part of a triangle that lies in one tile, as rows of fragments that pass the depth test.
+ * Raster: the part of a triangle that lies in one tile, as spans of pixels for a kernel to draw.
  *
  * Coverage is exact. An edge is walked with an integer quotient and remainder, so that a pixel is inside exactly
  * when its centre is, and left and right edges round alike: a shared edge gives each pixel to one side.
@@ -43,44 +43,18 @@ static void edge_step(edge *e) {
     }
 }
 
-/* The farthest surfaces still count as nearer than nothing: depth 1. */
-static int32_t depth_of(int32_t inverse_w) {
-    return glint_shift_right(inverse_w, 15) + 1;
-}
-
-/* Fragments of one row, from column `left` to before `right`. */
-static void row(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw, const glint_attributes *a,
-                int32_t left, int32_t right, int32_t y) {
-    glint_fragments *fragments = workspace->fragments;
-    int32_t inverse_w = glint_plane_at(&a->depth, left - a->anchor_x, y - a->anchor_y);
-    uint32_t offset = ((uint32_t)(y - fragments->tile_y) << frame->tile_shift_x) + (uint32_t)(left - fragments->tile_x);
-    const uint32_t end = offset + (uint32_t)(right - left);
-    for (; offset < end; offset++) {
-        int32_t depth = depth_of(inverse_w);
-        if (depth > workspace->depth[offset]) {
-            workspace->depth[offset] = (uint16_t)depth;
-            uint32_t i = fragments->count++;
-            fragments->offset[i] = (uint16_t)offset;
-            fragments->inverse_w[i] = inverse_w;
-            if (i == GLINT_FRAGMENTS_MAX - 1)
-                glint_shade(frame, workspace, draw);
-        }
-        inverse_w = glint_add_wrap(inverse_w, a->depth.dx);
-    }
-}
-
-/* Rows from `top` to before `bottom` between two edges. */
-static void rows(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                 const glint_attributes *a, const glint_range *tile, const glint_vertex *const sides[4], int32_t top,
-                 int32_t bottom) {
+/* Spans from row `top` to before `bottom`, of the tile, between two edges. */
+static void find_spans(glint_part *part, const glint_range *tile, const glint_vertex *const sides[4], int32_t top,
+                       int32_t bottom) {
     edge left, right;
     edge_begin(&left, sides[0], sides[1], top);
     edge_begin(&right, sides[2], sides[3], top);
     for (int32_t y = top; y < bottom; y++) {
         int32_t from = left.x < tile->left ? tile->left : left.x;
         int32_t to = right.x > tile->right ? tile->right : right.x;
-        if (from < to)
-            row(frame, workspace, draw, a, from, to, y);
+        glint_span *span = &part->spans[y - tile->top];
+        span->left = (uint8_t)(from - tile->left);
+        span->count = (uint8_t)(from < to ? to - from : 0);
         edge_step(&left);
         edge_step(&right);
     }
@@ -97,12 +71,8 @@ static void swap(const glint_vertex **a, const glint_vertex **b) {
     *b = t;
 }
 
-/* The triangle's rows in the tile: its upper part to the middle corner, then the lower. */
-static void walk(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                 const glint_attributes *a, const glint_vertex *const corners[3]) {
-    const glint_fragments *fragments = workspace->fragments;
-    const glint_range tile = {fragments->tile_x, fragments->tile_y, fragments->tile_x + fragments->tile_width,
-                              fragments->tile_y + fragments->tile_height};
+/* The triangle's spans in the tile: of its upper part to the middle corner, then of the lower. */
+static void find_part(glint_part *part, const glint_range *tile, const glint_vertex *const corners[3]) {
     const glint_vertex *top = corners[0], *middle = corners[1], *bottom = corners[2];
     if (middle->y < top->y)
         swap(&top, &middle);
@@ -113,32 +83,45 @@ static void walk(const glint_frame *frame, glint_workspace *workspace, const gli
     /* y runs down, so the middle corner lies right of the long edge where this area is above 0. */
     const int first_side = glint_double_area(top, middle, bottom) > 0 ? 2 : 0;
     int32_t first = first_row(top), turn = first_row(middle), end = first_row(bottom);
-    first = first < tile.top ? tile.top : first;
-    end = end > tile.bottom ? tile.bottom : end;
+    first = first < tile->top ? tile->top : first;
+    end = end > tile->bottom ? tile->bottom : end;
+    end = end < first ? first : end;
+    part->top = (uint32_t)(first - tile->top);
+    part->bottom = (uint32_t)(end - tile->top);
     const glint_vertex *const upper[6] = {top, middle, top, bottom, top, middle};
     const glint_vertex *const lower[6] = {middle, bottom, top, bottom, middle, bottom};
     if (first < turn)
-        rows(frame, workspace, draw, a, &tile, upper + first_side, first, turn < end ? turn : end);
+        find_spans(part, tile, upper + first_side, first, turn < end ? turn : end);
     first = first < turn ? turn : first;
     if (first < end)
-        rows(frame, workspace, draw, a, &tile, lower + first_side, first, end);
+        find_spans(part, tile, lower + first_side, first, end);
+}
+
+/* Orders the corners clockwise. */
+static void orient(glint_triangle *t, int mirrored) {
+    t->area = glint_double_area(t->corners[0], t->corners[1], t->corners[2]);
+    t->back = (t->area > 0) != mirrored;
+    if (t->area < 0) {
+        const int16_t *extra = t->extra[1];
+        swap(&t->corners[1], &t->corners[2]);
+        t->extra[1] = t->extra[2];
+        t->extra[2] = extra;
+        t->area = -t->area;
+    }
 }
 
 void glint_raster(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                  const glint_triangle *triangle) {
-    glint_triangle t = *triangle;
-    int32_t area = glint_double_area(t.corners[0], t.corners[1], t.corners[2]);
-    const int back = (area > 0) != draw->mirrored;
-    if (area < 0) {
-        const int16_t *extra = t.extra[1];
-        swap(&t.corners[1], &t.corners[2]);
-        t.extra[1] = t.extra[2];
-        t.extra[2] = extra;
-        area = -area;
-    }
-    glint_attributes a;
-    glint_setup(&a, workspace->fragments, draw, &t, area, back);
-    walk(frame, workspace, draw, &a, t.corners);
-    if (workspace->fragments->count)
-        glint_shade(frame, workspace, draw);
+                  glint_triangle *triangle) {
+    const glint_fragments *fragments = workspace->fragments;
+    const glint_range tile = {fragments->tile_x, fragments->tile_y, fragments->tile_x + fragments->tile_width,
+                              fragments->tile_y + fragments->tile_height};
+    glint_part part;
+    orient(triangle, draw->mirrored);
+    find_part(&part, &tile, triangle->corners);
+    if (part.top == part.bottom)
+        return;
+    part.x = tile.left - glint_shift_right(triangle->corners[0]->x, 4);
+    part.y = tile.top - glint_shift_right(triangle->corners[0]->y, 4);
+    glint_setup(&part, triangle);
+    glint_choose_kernel(frame, draw, triangle)(frame, workspace, draw, triangle, &part);
 }

@@ -5,12 +5,14 @@
 
 #include "frame.h"
 
+/** Gradients and depth plane of a triangle whose corners and area are in order; the rest of the part stays. */
+void glint_setup(glint_part *part, const glint_triangle *triangle);
+
 /**
- * Planes of a triangle whose corners run clockwise on the screen, y down; area is twice its area, above 0.
- * Also sets what is common to the triangle's fragments.
+ * The plane of an attribute that is a0, a1, a2 at the corners; below 2^31 apart. Slivers have slopes above 2^31: those
+ * wrap, as their values do.
  */
-void glint_setup(glint_attributes *attributes, glint_fragments *fragments, const glint_draw *draw,
-                 const glint_triangle *triangle, int32_t area, int back);
+void glint_plane_begin(glint_plane *plane, const glint_gradients *gradients, int32_t a0, int32_t a1, int32_t a2);
 
 /** A plane's value at a pixel, x and y from the anchor. */
 static inline int32_t glint_plane_at(const glint_plane *p, int32_t x, int32_t y) {
@@ -21,8 +23,8 @@ static inline int32_t glint_plane_at(const glint_plane *p, int32_t x, int32_t y)
 static inline void glint_fragment_place(const glint_frame *frame, const glint_fragments *fragments, uint32_t i,
                                         int32_t *x, int32_t *y) {
     const uint32_t offset = fragments->offset[i], mask = (uint32_t)frame->config.tile_width - 1;
-    *x = fragments->tile_x + (int32_t)(offset & mask) - fragments->attributes->anchor_x;
-    *y = fragments->tile_y + (int32_t)(offset >> frame->tile_shift_x) - fragments->attributes->anchor_y;
+    *x = fragments->attributes->x + (int32_t)(offset & mask);
+    *y = fragments->attributes->y + (int32_t)(offset >> frame->tile_shift_x);
 }
 
 #endif

@@ -23,7 +23,7 @@ STAGES = {
     "cull": ["bin:glint_find_tiles"],
     "bin": ["bin", "clip"],
     "set-up": ["setup"],
-    "raster": ["raster", "tile:glint_render_tile"],
+    "raster": ["raster", "kernel", "tile:glint_render_tile"],
     "shade": ["shade", "light", "per_fragment", "specular", "blinn_phong"],
     "pixel": ["pixel_rgb565"],
     "clear": ["tile", "pixel_rgb565:fill"],
