@@ -311,6 +311,11 @@ extern const glint_format glint_format_rgb565_be; /**< 16 bits, high byte first:
 extern const glint_format glint_format_rgb888;    /**< 3 bytes: red, green, blue. */
 extern const glint_format glint_format_grey8;     /**< 1 byte: 0.299 R + 0.587 G + 0.114 B. */
 extern const glint_format glint_format_grey4;     /**< 4 bits, the left pixel of a byte in its high half. */
+extern const glint_format glint_format_rgb444;    /**< 12 bits, RRRRGGGGBBBB, high bits first: 2 pixels in 3 bytes. */
+extern const glint_format glint_format_mono;      /**< 1 bit of luma, the left pixel of a byte lowest. */
+
+/** 1 bit of luma, as OLED controllers keep it: pixel (x, y) of a tile is bit y % 8 of byte x + y / 8 * 8 stride. */
+extern const glint_format glint_format_mono_pages;
 
 /* The same with ordered dithering (Bayer, 1973) over 8 x 8 pixels: no banding, at the price of a fine pattern. */
 extern const glint_format glint_format_rgb565_dithered;
@@ -318,6 +323,9 @@ extern const glint_format glint_format_rgb565_be_dithered;
 extern const glint_format glint_format_rgb888_dithered;
 extern const glint_format glint_format_grey8_dithered;
 extern const glint_format glint_format_grey4_dithered;
+extern const glint_format glint_format_rgb444_dithered;
+extern const glint_format glint_format_mono_dithered;
+extern const glint_format glint_format_mono_pages_dithered;
 
 /** Entries of an output table. */
 #define GLINT_GAMMA_ENTRIES 257

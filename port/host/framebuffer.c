@@ -36,12 +36,25 @@ static void expand_grey4(const uint8_t *row, uint32_t x, uint8_t *levels) {
     levels[0] = (uint8_t)((x % 2 == 0 ? row[x / 2] >> 4 : row[x / 2] & 15) * 17);
 }
 
+static void expand_rgb444(const uint8_t *row, uint32_t x, uint8_t *levels) {
+    const uint8_t *pair = row + x / 2 * 3;
+    levels[0] = (uint8_t)((x % 2 == 0 ? pair[0] >> 4 : pair[1] & 15) * 17);
+    levels[1] = (uint8_t)((x % 2 == 0 ? pair[0] & 15 : pair[2] >> 4) * 17);
+    levels[2] = (uint8_t)((x % 2 == 0 ? pair[1] >> 4 : pair[2] & 15) * 17);
+}
+
+static void expand_mono(const uint8_t *row, uint32_t x, uint8_t *levels) {
+    levels[0] = (uint8_t)((row[x / 8] >> x % 8 & 1) * 255);
+}
+
 const framebuffer_format framebuffer_formats[] = {
     {"rgb565", &glint_format_rgb565, &glint_format_rgb565_dithered, 3, expand_rgb565},
     {"rgb565_be", &glint_format_rgb565_be, &glint_format_rgb565_be_dithered, 3, expand_rgb565_be},
     {"rgb888", &glint_format_rgb888, &glint_format_rgb888_dithered, 3, expand_rgb888},
     {"grey8", &glint_format_grey8, &glint_format_grey8_dithered, 1, expand_grey8},
     {"grey4", &glint_format_grey4, &glint_format_grey4_dithered, 1, expand_grey4},
+    {"rgb444", &glint_format_rgb444, &glint_format_rgb444_dithered, 3, expand_rgb444},
+    {"mono", &glint_format_mono, &glint_format_mono_dithered, 1, expand_mono},
     {NULL, NULL, NULL, 0, NULL},
 };
 
@@ -64,9 +77,9 @@ static int begin_transfer(void *context, int x, int y, int width, int height, co
         height > screen_height - y) {
         return -1;
     }
-    /* Two pixels of 4 bits share a byte: a rectangle may end between them only at the right of the screen. */
-    const int splits =
-        target->format->format == &glint_format_grey4 && (x % 2 != 0 || (width % 2 != 0 && x + width != screen_width));
+    /* Pixels may share a byte: a rectangle may end between them only at the right of the screen. */
+    const int bits = (int)glint_row_bytes(target->format->format, 8); /* bytes of 8 pixels */
+    const int splits = x * bits % 8 != 0 || (width * bits % 8 != 0 && x + width != screen_width);
     if (splits || stride < glint_row_bytes(target->format->format, (uint32_t)width)) {
         return -1;
     }

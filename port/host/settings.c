@@ -51,7 +51,7 @@ static bool parse_tile(host_settings *settings, const char *text, host_problem *
 static bool parse_format(host_settings *settings, const char *text, host_problem *problem) {
     const framebuffer_format *format = framebuffer_find_format(text, NULL);
     if (format == NULL) {
-        return value_expected(problem, "takes rgb565, rgb565_be, rgb888, grey8 or grey4");
+        return value_expected(problem, "takes rgb565, rgb565_be, rgb444, rgb888, grey8, grey4 or mono");
     }
     settings->format = format;
     return true;
@@ -212,7 +212,8 @@ static const host_option options[] = {
     {"-o", "FILE", "the file to write", COMMANDS_WITH_OUTPUT, parse_output},
     {"--size", "WxH", "of the picture, up to 1024x1024; 320x240, or what a scene is composed for", COMMANDS_THAT_DRAW,
      parse_size},
-    {"--format", "NAME", "rgb565, rgb565_be, rgb888, grey8 or grey4; rgb888", COMMANDS_THAT_DRAW, parse_format},
+    {"--format", "NAME", "rgb565, rgb565_be, rgb444, rgb888, grey8, grey4 or mono; rgb888", COMMANDS_THAT_DRAW,
+     parse_format},
     {"--dither", NULL, "ordered dithering of the format's levels", COMMANDS_THAT_DRAW, parse_dither},
     {"--gamma", "G", "output is linear^(1/G), G from 0.1 to 10; 1", COMMANDS_THAT_DRAW, parse_gamma},
     {"--eye", "x,y,z", "where the camera stands; else the model is framed", COMMAND_RENDER, parse_eye},

@@ -78,7 +78,7 @@ BAD_OPTIONS = [
     (["--size", "3 20x240"], r"--size 3 20x240: takes .*"),
     (["--size", "99999999999999999999x1"], r"--size 99999999999999999999x1: takes .*"),
     (["--size="], r"--size : takes .*"),
-    (["--format", "rgb"], r"--format rgb: takes rgb565, rgb565_be, rgb888, grey8 or grey4"),
+    (["--format", "rgb"], r"--format rgb: takes rgb565, rgb565_be, rgb444, rgb888, grey8, grey4 or mono"),
     (["--eye", "1,2"], r"--eye 1,2: takes x,y,z, each from -32767 to 32767"),
     (["--eye", "1,2,3,4"], r"--eye 1,2,3,4: takes .*"),
     (["--eye", "1,2,nan"], r"--eye 1,2,nan: takes .*"),

@@ -36,6 +36,7 @@ def test_defaults(host):
 def test_every_option_changes_the_picture(host):
     plain = host.render_bytes(*TORUS)
     for option, value in [("--size", "64x48"), ("--format", "rgb565"), ("--format", "grey8"), ("--format", "grey4"),
+                          ("--format", "rgb444"), ("--format", "mono"),
                           ("--eye", "1,1.5,3.3"), ("--at", "0.1,0,0"), ("--up", "0.3,1,0"), ("--fov", "46"),
                           ("--near", "3"), ("--rotate-y", "30"), ("--scale", "1,0.9,1"), ("--light", "dir:1,0,0"),
                           ("--ambient", ".2"), ("--diffuse", ".5,.6,.6"), ("--specular", ".3"), ("--shininess", "8.5"),
@@ -72,13 +73,21 @@ def test_formats(host):
     host.check("grey4 levels", four.channels == 1 and four.levels() <= {v * 17 for v in range(16)} and
                len(four.levels()) > 8)
     host.check("grey4 is the same picture", wrong <= 9, str(wrong))
+    image = host.render(*options, "rgb444")
+    worst = max(abs(a[c] - b[c]) for p, q in zip(image.rows, reference.rows) for a, b in zip(p, q) for c in range(3))
+    host.check("rgb444 is the same picture", image.channels == 3 and worst <= 9, str(worst))
+    host.check("rgb444 levels", all(image.levels(c) <= {v * 17 for v in range(16)} for c in range(3)) and
+               len(image.levels(0)) > 8)
+    wrong = [g[0] for p, q in zip(host.render(*options, "mono").rows, grey.rows) for m, g in zip(p, q)
+             if m[0] != 255 * (g[0] > 127)]
+    host.check("mono is the same picture", all(127 <= g <= 128 for g in wrong), str(wrong))
 
 
 def test_levels_expand_exactly(host):
     """A background of every level shows it: v of n to round(v 255 / (n - 1))."""
     host.write("square.obj", SQUARE)
     away = ["square.obj", "--eye", "0,0,-3", "--size", "8x8"]
-    for bits, name in [(5, "rgb565"), (6, "rgb565"), (4, "grey4"), (8, "rgb888"), (8, "grey8")]:
+    for bits, name in [(5, "rgb565"), (6, "rgb565"), (4, "grey4"), (4, "rgb444"), (1, "mono"), (8, "rgb888"), (8, "grey8")]:
         top = (1 << bits) - 1
         for v in range(0, top + 1, 1 if bits < 8 else 15):
             image = host.render(*away, "--format", name, "--background", f"{v / top:.9f}")

@@ -116,7 +116,8 @@ def test_vertex_colours(host):
 
 
 def test_dither(host):
-    for name, top, level in (("grey4", 15, 0.42), ("rgb565", 31, 0.415), ("rgb565_be", 31, 0.415), ("grey8", 255, 0.3)):
+    for name, top, level in (("grey4", 15, 0.42), ("rgb565", 31, 0.415), ("rgb565_be", 31, 0.415), ("grey8", 255, 0.3),
+                             ("rgb444", 15, 0.42), ("mono", 1, 0.42)):
         flat = ["--light", "dir:0,0,-1", "--ambient", str(level), "--format", name]
         plain = {p for row in square(host, *flat).rows[31:59] for p in row[31:59]}
         host.equal(f"{name} undithered is even", len(plain), 1)

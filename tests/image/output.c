@@ -12,7 +12,8 @@
 
 static const glint_format *const dithered[] = {&glint_format_rgb565_dithered, &glint_format_rgb565_be_dithered,
                                                &glint_format_rgb888_dithered, &glint_format_grey8_dithered,
-                                               &glint_format_grey4_dithered};
+                                               &glint_format_grey4_dithered,  &glint_format_rgb444_dithered,
+                                               &glint_format_mono_dithered};
 
 /* ---- Flat colours -------------------------------------------------------------------------------------------- */
 

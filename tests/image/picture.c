@@ -99,7 +99,9 @@ const glint_format *picture_undithered(const glint_format *format) {
                                                    {&glint_format_rgb565_be_dithered, &glint_format_rgb565_be},
                                                    {&glint_format_rgb888_dithered, &glint_format_rgb888},
                                                    {&glint_format_grey8_dithered, &glint_format_grey8},
-                                                   {&glint_format_grey4_dithered, &glint_format_grey4}};
+                                                   {&glint_format_grey4_dithered, &glint_format_grey4},
+                                                   {&glint_format_rgb444_dithered, &glint_format_rgb444},
+                                                   {&glint_format_mono_dithered, &glint_format_mono}};
     for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
         if (format == pairs[i][0])
             return pairs[i][1];
@@ -109,16 +111,24 @@ const glint_format *picture_undithered(const glint_format *format) {
 
 int picture_channels(const glint_format *format) {
     const glint_format *kind = picture_undithered(format);
-    return kind == &glint_format_grey8 || kind == &glint_format_grey4 ? 1 : 3;
+    return kind == &glint_format_grey8 || kind == &glint_format_grey4 || kind == &glint_format_mono ? 1 : 3;
 }
 
 int picture_level_max(const glint_format *format, int channel) {
     const glint_format *kind = picture_undithered(format);
     if (kind == &glint_format_rgb888 || kind == &glint_format_grey8)
         return 255;
-    if (kind == &glint_format_grey4)
+    if (kind == &glint_format_grey4 || kind == &glint_format_rgb444)
         return 15;
+    if (kind == &glint_format_mono)
+        return 1;
     return channel == 1 ? 63 : 31;
+}
+
+/* Three channels of 4 bits each, in the order of their bits. */
+static int level_of_444(const uint8_t *row, int x, int channel) {
+    int nibble = 3 * x + channel;
+    return nibble % 2 ? row[nibble / 2] & 15 : row[nibble / 2] >> 4;
 }
 
 int picture_level(const picture *image, int x, int y, int channel) {
@@ -132,6 +142,10 @@ int picture_level(const picture *image, int x, int y, int channel) {
         return pixel[0];
     if (kind == &glint_format_grey4)
         return x % 2 ? row[x / 2] & 15 : row[x / 2] >> 4;
+    if (kind == &glint_format_rgb444)
+        return level_of_444(row, x, channel);
+    if (kind == &glint_format_mono)
+        return row[x / 8] >> x % 8 & 1;
     if (kind == &glint_format_rgb565)
         memcpy(&word, pixel, sizeof word);
     else
