@@ -28,9 +28,13 @@ static int32_t mix(int32_t a, int32_t b, int64_t t) {
     return a + (int32_t)glint_round_shift64(((int64_t)b - a) * t, 31);
 }
 
-/* inside and outside: distances, inside >= 0 > outside; both at most 2^31 away from 0. */
+/* Where an edge crosses a plane, Q31 from 0 to 1: distances inside >= 0 > outside, both at most 2^31 away from 0. */
+static int64_t crossing(int64_t inside, int64_t outside) {
+    return inside * ((int64_t)1 << 31) / (inside - outside);
+}
+
 static void cut(const glint_corner *from, const glint_corner *to, int64_t inside, int64_t outside, glint_corner *out) {
-    const int64_t t = inside * ((int64_t)1 << 31) / (inside - outside);
+    const int64_t t = crossing(inside, outside);
     out->position.x = mix(from->position.x, to->position.x, t);
     out->position.y = mix(from->position.y, to->position.y, t);
     out->position.w = mix(from->position.w, to->position.w, t);

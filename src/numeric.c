@@ -7,8 +7,9 @@ void glint_unit(int32_t x, int32_t y, int32_t z, int16_t out[3]) {
 
 uint32_t glint_reciprocal(uint32_t x) {
     uint32_t start = (0xffffffffu / (x >> 16)) << 15; /* off by 2^-15, never too low by more than 2^-16 */
-    int64_t error = (int64_t)(((uint64_t)1 << 63) - (uint64_t)x * start); /* 2^63 (1 - x start / 2^63) */
-    int64_t result = (int64_t)start + glint_shift_right64((int64_t)start * glint_shift_right64(error, 32), 31);
+    /* 2^31 (1 - x start / 2^63), rounded down */
+    int64_t error = ((int64_t)1 << 31) - (int64_t)(((uint64_t)x * start + 0xffffffffu) >> 32);
+    int64_t result = (int64_t)start + glint_shift_right64((int64_t)start * error, 31);
     return result > 0xffffffffLL ? 0xffffffffu : (uint32_t)result;
 }
 
@@ -27,7 +28,9 @@ int32_t glint_log2(uint32_t x) {
     unsigned i = (mantissa >> 26) & 31;
     int64_t r = (int64_t)(((uint64_t)mantissa * glint_log2_inverse_table[i]) >> 31) - ((int64_t)1 << 31);
     int64_t tail = glint_shift_right64(natural_logarithm(r) * 1549082005, 30); /* log2(e), Q30 */
-    return (int32_t)glint_round_shift64((int64_t)glint_log2_table[i] + tail, 5) - (int32_t)zeros * (1 << 26);
+    int32_t fraction = (int32_t)glint_round_shift64((int64_t)glint_log2_table[i] + tail, 5);
+    int32_t logarithm = fraction - (int32_t)zeros * (1 << 26);
+    return logarithm < 0 ? logarithm : 0; /* rounding may pass 0, which large exponents would show */
 }
 
 uint32_t glint_exp2(int32_t y) {

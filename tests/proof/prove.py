@@ -1,0 +1,171 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Proves the drivers of tests/proof with Frama-C EVA, and writes docs/proofs.md from what it found.
+
+A driver passes when EVA reaches its end, raises no alarm, and finds every contract's precondition and postcondition
+true. A planted driver passes when one of these is not so. Contracts that no driver proves must say what they stand on.
+"""
+import argparse
+import concurrent.futures
+import pathlib
+import re
+import subprocess
+import sys
+
+FLAGS = ("-machdep gcc_x86_32 -kernel-warn-key annot:missing-spec=inactive -eva -eva-no-print -eva-slevel 20000 "
+         "-eva-auto-loop-unroll 5000 -eva-split-return auto -eva-no-show-progress -eva-warn-key "
+         "builtins:missing-spec=inactive -warn-signed-overflow").split()
+DRIVER = re.compile(r"/\*((?:(?!\*/).)*)\*/\n(PROOF|PLANTED)\((\w+)\)", re.S)
+CONTRACT = re.compile(r"(?:/\* (Stands on [^/]*?) \*/\s*)?/\*@(?:(?!\*/).)*\*/\s*[\w ]*?[ *](\w+)\(", re.S)
+REACHED = re.compile(r"(\d+) statements reached \(out of (\d+)\)")
+
+
+class Driver:
+    """A driver of a file: what it says of itself, and what EVA found."""
+
+    def __init__(self, path, text, kind, kernel):
+        self.path, self.planted, self.kernel = path, kind == "PLANTED", kernel
+        words = " ".join(line.strip(" *") for line in text.splitlines()).strip()
+        self.domain, *tags = re.split(r"\s*@", words)
+        tags = dict((tag.split(None, 1) + [""])[:2] for tag in tags)
+        self.contracts = tags.pop("contract", "").split()
+        self.narrowing = tags.pop("narrowing", "")
+        self.unsigned = tags.pop("unsigned", None) is not None
+        self.options = tags.pop("options", "").split()
+        self.unreached = tags.pop("unreached", "")
+        if tags:
+            raise SystemExit(f"{path}: {kernel}: unknown tag {tags}")
+        self.problems = []
+
+    def prove(self, frama_c, include, log):
+        sources = re.findall(r"@link (\S+)", self.path.read_text())
+        command = [frama_c, f"-cpp-extra-args=-I{include}", str(self.path), *(f"{include}/{s}" for s in sources), *FLAGS,
+                   "-main", f"prove_{self.kernel}", *self.options]
+        if not self.narrowing:
+            command.append("-warn-signed-downcast")
+        if self.unsigned:
+            command.append("-warn-unsigned-overflow")
+        if self.contracts:
+            command += ["-eva-use-spec", ",".join(self.contracts)]
+        run = subprocess.run(command, capture_output=True, text=True, timeout=300)
+        out = run.stdout + run.stderr
+        log.write_text(" ".join(command) + "\n" + out)
+        self.problems = find_problems(out, run.returncode, self.kernel)
+        reached = REACHED.findall(out)
+        reached, of = (int(n) for n in reached[-1]) if reached else (0, 0)
+        allowed = int(self.unreached.split()[0]) if self.unreached else 0
+        if of - reached != allowed:
+            self.problems.append(f"{of - reached} statements are not reached; {allowed} are said to be")
+        return self
+
+
+def find_problems(out, status, kernel):
+    problems = []
+    if status:
+        problems.append(f"frama-c ended with {status}: {out.strip().splitlines()[-1] if out.strip() else 'silent'}")
+    lines = out.splitlines()
+    for i, line in enumerate(lines):
+        if "[eva:alarm]" in line:
+            problems.append(" ".join(part.strip() for part in lines[i:i + 2]))
+    if f"Frama_C_show_each_end_{kernel}" not in out:
+        problems.append("EVA does not reach the driver's end")
+    if not re.search(r"^  0 alarms generated", out, re.M):
+        problems.append("EVA does not say 0 alarms")
+    properties = re.findall(r"(\d+) unknown +(\d+) invalid", out)
+    if any(int(n) for pair in properties for n in pair):
+        problems.append("a property is not proven")
+    return problems
+
+
+def read_drivers(folder):
+    drivers = []
+    for path in sorted(folder.glob("*.c")):
+        text = path.read_text()
+        found = [Driver(path, *match.groups()) for match in DRIVER.finditer(text)]
+        if len(found) != len(re.findall(r"^(?:PROOF|PLANTED)\(", text, re.M)):
+            raise SystemExit(f"{path}: a driver without a comment")
+        drivers += found
+    return drivers
+
+
+HEAD = """# Proofs
+
+Written by `make prove`; not to be edited.
+
+[Frama-C](https://frama-c.com) EVA goes through {count} kernels with every input of the domain below. It finds no
+signed overflow, bad shift, access out of range, division by zero or read of what was never written, and no conversion
+to a narrower signed type that loses bits, unless the last table says so; it reaches every statement, and the end. The
+same check finds every planted error, one of each kind: that is tested too.
+
+A callee that stands by its contract (`tests/proof/contracts.h`) is proven by itself; what it asks of its caller is
+proven here. Domains are cut into parts, because EVA keeps a range of each variable but no relation between two.
+
+"""
+
+
+def table(heads, rows):
+    lines = [heads, ["---"] * len(heads)] + sorted(rows)
+    return "".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |\n" for line in lines)
+
+
+def page(drivers, contracts):
+    proven = [d for d in drivers if not d.planted]
+    text = HEAD.format(count=len(proven))
+    text += table(["file", "kernel", "domain", "callees by contract", "alarms", "statements not reached"],
+                  [[d.path.name, f"`{d.kernel}`", d.domain, ", ".join(f"`{c}`" for c in d.contracts),
+                    str(len(d.problems)), d.unreached or "0"] for d in proven])
+    text += "\n## Where something else stands in\n\nBounds that rest on a relation: the reason, and the test.\n\n"
+    text += table(["bound of", "reason"],
+                  [[f"`{name}`", reason.removeprefix("Stands on ")] for name, reason in contracts.items() if reason])
+    text += "\nConversions to a narrower signed type that may lose bits:\n\n"
+    return text + table(["kernel", "why"], [[f"`{d.kernel}`", d.narrowing] for d in proven if d.narrowing])
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--frama-c", default="frama-c")
+    parser.add_argument("--include", default="src")
+    parser.add_argument("--folder", type=pathlib.Path, required=True)
+    parser.add_argument("--output", type=pathlib.Path, required=True)
+    parser.add_argument("--page", type=pathlib.Path, help="written when everything passes")
+    parser.add_argument("--check", action="store_true", help="compare the page instead")
+    parser.add_argument("--only", help="drivers whose name contains this")
+    arguments = parser.parse_args()
+    arguments.output.mkdir(parents=True, exist_ok=True)
+    drivers = read_drivers(arguments.folder)
+    contracts = {}
+    for reason, name in CONTRACT.findall((arguments.folder / "contracts.h").read_text()):
+        contracts[name] = " ".join(line.strip(" *") for line in reason.splitlines())
+    if arguments.only:
+        drivers = [d for d in drivers if arguments.only in d.kernel]
+    passed = failed = 0
+
+    def tally(good, text):
+        nonlocal passed, failed
+        passed, failed = passed + good, failed + (not good)
+        if not good:
+            print(text)
+
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        jobs = [pool.submit(d.prove, arguments.frama_c, arguments.include, arguments.output / f"{d.kernel}.log")
+                for d in drivers]
+        for job in jobs:
+            d = job.result()
+            tally(bool(d.problems) == d.planted,
+                  f"{d.path.name}: {d.kernel}: " + ("planted, and not found" if d.planted else "; ".join(d.problems[:3])))
+    if not arguments.only:
+        names = {d.kernel for d in drivers}
+        for name, reason in contracts.items():
+            tally(bool(reason) != (name in names), f"contract of {name}: has to have a driver or to say what it stands on")
+        used = {c for d in drivers for c in d.contracts}
+        tally(used <= set(contracts), f"no contract: {used - set(contracts)}")
+        text = page(drivers, contracts)
+        if arguments.check:
+            tally(arguments.page.read_text() == text, f"{arguments.page} is not what make prove writes")
+        elif not failed:
+            arguments.page.write_text(text)
+    print(f"{passed} passed, {failed} failed")
+    return failed > 0
+
+
+sys.exit(main())
