@@ -1,30 +1,65 @@
 # SPDX-License-Identifier: MIT
-# Charts, from figures measured here: errors on the host, instructions on an emulated Cortex-M3.
+# Charts, and the pages that walk through them, from figures measured here: errors on the host, instructions on emulated
+# cores. What was measured is kept in docs/ as CSV; `make chart` draws from that.
 
-SHADING_HOST := tools/chart/shading.c tests/image/picture.c tests/reference/reference.c tests/reference/lighting.c
-SHADING_BOARD := tools/chart/shading_board.c $(wildcard src/*.c port/cortex-m/*.c) port/mps2-an385/board.c port/libc/memory.c
+CHART_IMAGE := tests/image/picture.c tests/image/library_geometry.c tests/reference/reference.c tests/reference/lighting.c
 
-$(BUILD)/chart/shading: $(SHADING_HOST) $(LIBRARY) tools/chart/shading_scene.h $(wildcard src/*.h)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(TEST_CFLAGS) $(CFLAGS) $(SHADING_HOST) $(LIBRARY) -lm -o $@
+# ---- Errors, on the host
 
-$(BUILD)/chart/shading.elf: $(SHADING_BOARD) tools/chart/shading_scene.h $(wildcard src/*.h) linker/mps2-an385.ld
-	@mkdir -p $(@D)
-	$(Q)$(CROSS)gcc $(mps2-an385_CPU) $(filter-out -MMD -MP -fstack-usage,$(FIRMWARE_CFLAGS)) -O2 \
-	    -fno-tree-loop-distribute-patterns $(FIRMWARE_LDFLAGS) -T linker/mps2-an385.ld $(SHADING_BOARD) -lgcc -o $@
+# $(call chart_host,program,sources)
+define chart_host
+$(BUILD)/chart/$1: tools/chart/$1.c $2 $(CHART_IMAGE) $(LIBRARY) $(TEST_HEADERS) $(wildcard tools/chart/*.h)
+	@mkdir -p $$(@D)
+	$$(Q)$$(CC) $$(TEST_CFLAGS) $$(CFLAGS) tools/chart/$1.c $2 $(CHART_IMAGE) $(LIBRARY) -lm -o $$@
+endef
+$(eval $(call chart_host,frame_accuracy,examples/bench/bench.c))
+$(eval $(call chart_host,shading,))
 
-# evaluation, triangles, root mean square error, largest error, instructions
-$(BUILD)/chart/shading.csv: $(BUILD)/chart/shading $(BUILD)/chart/shading.elf
+$(BUILD)/frame-accuracy.csv: $(BUILD)/chart/frame_accuracy
+	$< > $@
+
+# ---- Instructions, in the emulator
+
+PROGRAM_frame_board   := tools/chart/frame_board.c
+PROGRAM_shading_board := tools/chart/shading_board.c
+
+CHART_BOARDS := m0=mps2-an385-m0 m3=mps2-an385 m4=mps2-an386
+
+# $(call chart_elf,core=board,program), and the same with the machine that runs it
+chart_elf = $(BUILD)/$(lastword $(subst =, ,$1))/O2/$2.elf
+chart_run = $(firstword $(subst =, ,$1))=$(patsubst %-m0,%,$(lastword $(subst =, ,$1)))=$(call chart_elf,$1,$2)
+
+$(foreach pair,$(CHART_BOARDS),$(eval $(call firmware_program,$(lastword $(subst =, ,$(pair))),O2,frame_board)))
+$(eval $(call firmware_program,mps2-an385,O2,shading_board))
+# They measure; `make boards` lists what is to run on a board.
+FIRMWARE := $(filter-out %/frame_board.elf %/shading_board.elf,$(FIRMWARE))
+
+$(foreach pair,$(CHART_BOARDS),\
+    $(BUILD)/$(lastword $(subst =, ,$(pair)))/O2/tools/chart/frame_board.o): $(BUILD)/bench/bench_scenes.h
+
+CHART_FRAMES := $(foreach pair,$(CHART_BOARDS),$(call chart_elf,$(pair),frame_board))
+$(BUILD)/frame-instructions.csv: $(CHART_FRAMES) tools/chart/count.py tools/bench/emulate.py
+	python3 tools/chart/count.py --qemu $(QEMU) --head scene,size,format,choice,cpu,instructions \
+	    $(foreach pair,$(CHART_BOARDS),$(call chart_run,$(pair),frame_board)) > $@
+
+# Both in one table.
+$(BUILD)/shading.csv: $(BUILD)/chart/shading $(BUILD)/mps2-an385/O2/shading_board.elf tools/chart/count.py
 	$(BUILD)/chart/shading > $(BUILD)/chart/errors.csv
-	qemu-system-arm -M mps2-an385 -display none -serial none -monitor none -icount shift=0 \
-	    -semihosting-config enable=on,target=native -kernel $(BUILD)/chart/shading.elf \
-	    > $(BUILD)/chart/instructions.csv 2>&1
-	paste -d, $(BUILD)/chart/errors.csv $(BUILD)/chart/instructions.csv | cut -d, -f1-4,7 > $@
+	python3 tools/chart/count.py --qemu $(QEMU) --head evaluation,triangles,cpu,instructions \
+	    m3=mps2-an385=$(BUILD)/mps2-an385/O2/shading_board.elf > $(BUILD)/chart/instructions.csv
+	paste -d, $(BUILD)/chart/errors.csv $(BUILD)/chart/instructions.csv | cut -d, -f1-4,7-8 > $@
 
-.PHONY: chart
-chart: ## measure and draw the charts of docs/charts
+# ---- Kept, drawn, checked
+
+.PHONY: frame-figures chart test-chart
+frame-figures: $(BUILD)/frame-accuracy.csv $(BUILD)/frame-instructions.csv $(BUILD)/shading.csv ## measure PSNR and instructions of whole frames, and keep them in docs
+	cp $(BUILD)/frame-accuracy.csv $(BUILD)/frame-instructions.csv docs/
+	cp $(BUILD)/shading.csv docs/charts/
+
+chart: ## draw the charts of docs/charts and the tables of docs/accuracy.md from the CSV files kept in docs
 	@tools/setup.sh
-	@$(MAKE) --no-print-directory $(BUILD)/chart/shading.csv
-	@mkdir -p docs/charts
-	cp $(BUILD)/chart/shading.csv docs/charts/shading.csv
-	gnuplot -e "csv='docs/charts/shading.csv'" tools/chart/shading.gp > docs/charts/shading.svg
+	@python3 tools/chart/chart.py
+
+SUITES += test-chart
+test-chart: ## charts and figures in pages against the CSV files kept in docs
+	@python3 tools/chart/chart.py --check $(BUILD)/chart

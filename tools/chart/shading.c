@@ -68,6 +68,7 @@ int main(void) {
     glint_mesh mesh;
     if (!build_torus(&mesh, SHADING_TRUE_AROUND, SHADING_TRUE_ALONG))
         return 1;
+    puts("evaluation,triangles,rms,largest");
     shading_build(&s, &mesh, &glint_per_fragment);
     reference_render(&image, &s.scene, NULL);
     for (size_t i = 0; i < SHADING_SIZES; i++)

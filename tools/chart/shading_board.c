@@ -1,16 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/*
- * Instructions per frame of the same scenes, clear and stored pixels included. Under QEMU's -icount shift=0 an
- * instruction takes a nanosecond and SysTick counts 25 MHz: 40 instructions a tick.
- */
+/* Firmware that counts the instructions per frame of the same scenes, clear and stored pixels included. */
+#include "../bench/counter.h"
 #include "board.h"
-#include "cortex-m/cortex-m.h"
 #include "shading_scene.h"
 #include "text.h"
 
 #define VERTICES 4608
-#define TICKS 0x1000000u
-#define INSTRUCTIONS_PER_TICK 40
 
 static int16_t positions[VERTICES][3], normals[VERTICES][3];
 static uint16_t triangles[2 * VERTICES][3];
@@ -20,16 +15,6 @@ static uint32_t arena[1 << 17];
 static int discard_tile(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
     (void)context, (void)x, (void)y, (void)width, (void)height, (void)pixels, (void)stride;
     return 0;
-}
-
-static void start_ticks(void) {
-    *cortex_m_register(0xe000e014u) = TICKS - 1;
-    *cortex_m_register(0xe000e018u) = 0;
-    *cortex_m_register(0xe000e010u) = 5;
-}
-
-static uint32_t ticks(void) {
-    return *cortex_m_register(0xe000e018u);
 }
 
 static int measure(const glint_mesh *mesh, size_t which) {
@@ -43,21 +28,21 @@ static int measure(const glint_mesh *mesh, size_t which) {
     glint_renderer renderer;
     shading_scene s;
     shading_build(&s, mesh, shading_evaluations[which].evaluation);
-    uint32_t start = ticks();
+    const uint32_t start = counter_now();
     if (glint_init(&renderer, &config) != GLINT_OK || glint_render(&renderer, &s.scene) != GLINT_OK)
         return 1;
-    uint32_t taken = (start - ticks()) & (TICKS - 1);
+    const uint32_t ticks = counter_ticks_since(start);
     board_write(shading_evaluations[which].name);
     board_write(",");
     board_write(text_number(number, mesh->triangle_count));
     board_write(",");
-    board_write(text_number(number, taken * INSTRUCTIONS_PER_TICK));
+    board_write(text_number(number, ticks * COUNTER_INSTRUCTIONS_PER_TICK));
     board_write("\n");
     return 0;
 }
 
 int main(void) {
-    start_ticks();
+    counter_start();
     for (size_t i = 0; i < SHADING_SIZES; i++) {
         glint_mesh mesh;
         if (glint_generate_torus(&mesh, &room, shading_sizes[i][0], shading_sizes[i][1], GLINT_ONE, GLINT_Q16(0.4)) !=

@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Draws the charts of docs/charts and fills the figures into docs/accuracy.md and README.md: chart.py [--check DIRECTORY]
+
+With --check the charts are drawn into DIRECTORY and held against those kept, and the pages against what they should say.
+"""
+import argparse
+import os
+import sys
+
+from charts import CHARTS
+from figures import Figures
+from page import CLAIMS, PAGES, fill
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "tests", "board"))
+from qemu import Tally
+
+DATA, KEPT = "docs", "docs/charts"
+
+
+def text_of(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+def write(path, text):
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def draw(figures, directory):
+    os.makedirs(directory, exist_ok=True)
+    for name, chart in CHARTS.items():
+        write(os.path.join(directory, name + ".svg"), chart(figures))
+
+
+def check(figures, directory):
+    tally = Tally()
+    draw(figures, directory)
+    for name in CHARTS:
+        drawn, kept = (os.path.join(place, name + ".svg") for place in (directory, KEPT))
+        tally.check(text_of(drawn) == text_of(kept), "%s is not what `make chart` draws: %s" % (kept, drawn))
+    for path, blocks in PAGES.items():
+        tally.check(fill(text_of(path), blocks, figures) == text_of(path), "%s: run `make chart`" % path)
+    words = " ".join(text_of("docs/accuracy.md").split())
+    for claim, holds in CLAIMS.items():
+        tally.check(claim in words and holds(figures), "docs/accuracy.md says otherwise than: " + claim)
+    return tally.close()
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--check", metavar="DIRECTORY")
+    arguments = parser.parse_args()
+    figures = Figures(DATA)
+    if arguments.check:
+        return check(figures, arguments.check)
+    draw(figures, KEPT)
+    for path, blocks in PAGES.items():
+        write(path, fill(text_of(path), blocks, figures))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

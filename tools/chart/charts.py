@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: MIT
+"""Every chart of docs/charts, as a function from the figures to an SVG."""
+import math
+
+from figures import CPUS, front
+from plot import Axis, Chart, Panel
+
+EVALUATIONS = {"facet": ("per facet", "gold"), "vertex": ("per vertex", "blue"), "fragment": ("per fragment", "red")}
+
+
+def grid(chart, count, columns, left=64, top=86, gap=(66, 84), right=16, bottom=48):
+    """@return the boxes of `count` panels in rows of `columns`, filling the chart."""
+    rows = (count + columns - 1) // columns
+    width = (chart.width - left - right - chart.right_labels * columns - gap[0] * (columns - 1)) / columns
+    height = (chart.height - top - bottom - gap[1] * (rows - 1)) / rows
+    step = width + gap[0] + chart.right_labels
+    return [(left + step * (i % columns), top + (height + gap[1]) * (i // columns), width, height)
+            for i in range(count)]
+
+
+def span(values, below=0.8, above=1.3):
+    """A range of a logarithmic axis around values."""
+    return min(values) * below, max(values) * above
+
+
+def staircase(points, x_end):
+    """A front as a line that keeps what is reached until the next point."""
+    line = []
+    for x, y in points:
+        if line:
+            line.append((x, line[-1][1]))
+        line.append((x, y))
+    return line + [(x_end, line[-1][1])]
+
+
+# Points of one colour nearer to each other than this, in pixels, share a label.
+MERGED = 10
+
+
+def merge(panel, points):
+    """@return the points (x, y, label, colour), with the labels of close ones of a colour put together at the first."""
+    merged = []
+    for x, y, label, colour in points:
+        here = panel.place(x, y)
+        near = [i for i, other in enumerate(merged)
+                if other[2] and other[3] == colour and math.dist(here, panel.place(*other[:2])) < MERGED]
+        if near:
+            other = merged[near[0]]
+            merged[near[0]] = (*other[:2], joined(other[2], label), colour)
+            label = ""
+        merged.append((x, y, label, colour))
+    return merged
+
+
+def joined(first, second):
+    """"Phong local" and "Blinn-Phong local" as "Phong, Blinn-Phong local"."""
+    head, _, tail = first.rpartition(" ")
+    if head and second.endswith(" " + tail):
+        first = head
+    return first + ", " + second
+
+
+def frames(figures, scene="torus2304", size="320x240"):
+    cpus = [cpu for cpu in ("m4", "m3", "m0", "rv32") if cpu in figures.cpus(figures.counts)]
+    rows = (len(cpus) + 1) // 2
+    chart = Chart("Whole frames of %s at %s: PSNR over instructions" % (scene, size),
+                  [*EVALUATIONS.values(), ("other libraries", "grey"), ("dashed: best for their price", "green")],
+                  1020, 74 + 400 * rows)
+    for cpu, box in zip(cpus, grid(chart, len(cpus), 2)):
+        chart.panels.append(frames_panel(figures, scene, size, cpu, box))
+    return chart.svg()
+
+
+def frames_panel(figures, scene, size, cpu, box):
+    points = [(figures.instructions(scene, size, choice, cpu), figures.psnr(scene, size, choice),
+               choice.split(" ", 1)[1], EVALUATIONS[choice.split(" ", 1)[0]][1]) for choice in figures.choices()]
+    with_fpu = "m4f" if cpu == "m4" else cpu
+    others = [(float(row["million_instructions"]), float(row["psnr_db"]), "%s, %s" % (row["library"], row["mode"]), "grey")
+              for row in figures.others
+              if (row["scene"], row["size"], row["cpu"]) == (scene, size, with_fpu) and row["psnr_db"]]
+    title = CPUS[cpu] + (", where others use the FPU" if cpu == "m4" else "")
+    ideal = figures.psnr(scene, size, "correctly rounded")
+    low = math.floor(min(y for _, y, *_ in points + others)) - 2
+    panel = Panel(title, box, Axis("million instructions per frame", *span([p[0] for p in points + others]), log=True),
+                  Axis("PSNR, dB", low, math.ceil(ideal) + 2))
+    for x, y, label, colour in merge(panel, points) + others:
+        panel.point(x, y, label, colour, filled=colour != "grey")
+    panel.rule(ideal, "RGB565, correctly rounded", right=len(others) > 0)
+    panel.line(staircase(front([point[:2] for point in points + others], largest=True), panel.x.high), "green", 1.2, dash=2)
+    return panel
+
+
+def shading(figures):
+    chart = Chart("A torus with a highlight (p = 50), 320x240: error against the true smooth surface",
+                  list(EVALUATIONS.values()), 960, 430)
+    columns = (("triangles", "triangles", 1), ("instructions", "million instructions per frame on Cortex-M3", 1e-6))
+    errors = [float(row["rms"]) for row in figures.shading]
+    for (key, label, scale), box in zip(columns, grid(chart, 2, 2)):
+        values = [float(row[key]) * scale for row in figures.shading]
+        panel = Panel("", box, Axis(label, *span(values), log=True),
+                      Axis("root mean square error, steps of 8 bits", *span(errors, 0.6), log=True))
+        for name, (words, colour) in EVALUATIONS.items():
+            rows = [row for row in figures.shading if row["evaluation"] == name]
+            panel.line([(float(row[key]) * scale, float(row["rms"])) for row in rows], colour, 2, marks=True)
+            panel.point(float(rows[-1][key]) * scale, float(rows[-1]["rms"]), words, colour)
+        chart.panels.append(panel)
+    return chart.svg()
+
+
+CHARTS = {"frames": frames, "shading": shading}

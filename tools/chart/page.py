@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: MIT
+"""What pages say in figures: each block of text between a page's markers, as a function of the figures."""
+import re
+
+from figures import ASKED, CPUS, only
+
+EXPONENTS = ("1", "2", "8", "32", "64", "256", "1024")
+
+# What the contract asks for: of the pixels of an image, percent at least.
+CLAUSES = (
+    ("RGB565: 99.9 % within the bound", "rgb565", "within_bound_percent", 99.9),
+    ("RGB888: 99.9 % within the bound", "rgb888", "within_bound_percent", 99.9),
+    ("RGB565: 99.99 % within one step of the rounded reference", "rgb565", "within_one_percent", 99.99),
+    ("RGB888: 99.99 % within one step of the rounded reference", "rgb888", "within_one_percent", 99.99),
+    ("RGB565: all within two", "rgb565", "within_two_percent", 100),
+    ("RGB888: all within two", "rgb888", "within_two_percent", 100),
+)
+
+# The frame that figures in words are about, and the likeness that it is to have.
+SCENE, SIZE, LEAST_PSNR = "torus2304", "320x240", 41.5
+
+
+def table(head, rows):
+    lines = [head, ["---"] * len(head)] + rows
+    return "".join("| %s |\n" % " | ".join(cells) for cells in lines)
+
+
+def row_name(row):
+    return "%s %s, %s, p = %s: %%s" % (row["scene"], row["size"], row["choice"], row["p"])
+
+
+def contract(figures):
+    """Where the contract is met and where it is missed."""
+    own = only(figures.frames, against="own")
+    rows = []
+    for title, kind, key, least in CLAUSES:
+        judged = only(own, format=kind)
+        missed = [row_name(row) % (row[key] + " %") for row in judged if float(row[key]) < least]
+        rows.append([title, "%d of %d" % (len(judged) - len(missed), len(judged)), "; ".join(missed) or "nowhere"])
+    psnr = figures.psnr(SCENE, SIZE, ASKED)
+    rows.append(["%s at %s, local viewer: at least %.1f dB" % (SCENE, SIZE, LEAST_PSNR),
+                 "%d of 1" % (psnr >= LEAST_PSNR), "%.2f dB" % psnr])
+    return table(["contract", "met in", "missed in"], rows)
+
+
+def steps(figures):
+    """The largest errors of Blinn-Phong over both sizes and viewers."""
+    rows = []
+    for kind, title in (("rgb565", "RGB565"), ("rgb888", "RGB888")):
+        for scene in dict.fromkeys(row["scene"] for row in figures.frames):
+            judged = [row for row in only(figures.frames, scene=scene, format=kind, against="own")
+                      if "Blinn-Phong" in row["choice"]]
+            rows.append([title, scene] + ["%.2f" % max(float(row["worst_steps"]) for row in only(judged, p=p))
+                                          for p in EXPONENTS])
+    return table(["largest error, steps of", "scene"] + ["p = " + p for p in EXPONENTS], rows)
+
+
+def frames(figures):
+    cpus = figures.cpus(figures.counts)
+    rows = []
+    for choice in figures.choices():
+        evaluation, rest = choice.split(" ", 1)
+        rows.append(["per " + evaluation, rest, "%.1f" % figures.psnr(SCENE, SIZE, choice)] +
+                    ["%.2f" % figures.instructions(SCENE, SIZE, choice, cpu) for cpu in cpus])
+    return table(["evaluation", "model and viewer", "PSNR, dB"] + ["million instructions, " + CPUS[cpu] for cpu in cpus],
+                 rows)
+
+
+def others(figures):
+    """Other libraries' instructions as multiples of those that the library's exact image takes."""
+    cpus = [cpu for cpu in figures.cpus(figures.counts) if cpu != "rv32"]
+    own = {cpu: figures.instructions(SCENE, SIZE, ASKED, cpu) for cpu in cpus}
+    rows = [["**glint**", "per fragment", "%.1f" % figures.psnr(SCENE, SIZE, ASKED)] +
+            ["%.2f" % own[cpu] for cpu in cpus]]
+    measured = only(figures.others, scene=SCENE, size=SIZE)
+    for library, mode in dict.fromkeys((row["library"], row["mode"]) for row in measured):
+        of = only(measured, library=library, mode=mode)
+        counts = {row["cpu"].replace("m4f", "m4"): row["million_instructions"] for row in of}
+        rows.append([library, mode, of[0]["psnr_db"]] +
+                    ["%s (%.2g times)" % (counts[cpu], float(counts[cpu]) / own[cpu]) if cpu in counts else ""
+                     for cpu in cpus])
+    return table(["library", "mode", "PSNR, dB"] + ["million instructions, " + CPUS[cpu] +
+                                                    (" with FPU" if cpu == "m4" else "") for cpu in cpus], rows)
+
+
+def best(figures):
+    """Two sentences for the README."""
+    exact = figures.psnr(SCENE, SIZE, ASKED)
+    ideal = figures.psnr(SCENE, SIZE, "correctly rounded")
+    floats = {row["cpu"]: float(row["million_instructions"])
+              for row in only(figures.others, library="plain float", scene=SCENE, size=SIZE)}
+    counts = {cpu: figures.instructions(SCENE, SIZE, ASKED, cpu) for cpu in ("m3", "m0")}
+    return ("Lit per fragment, a torus of 2304 triangles at 320x240 has a PSNR of %.1f dB against double precision, where "
+            "RGB565\nitself allows %.1f. A frame of it takes %.1f million instructions on a Cortex-M3 and %.1f on a Cortex-M0, "
+            "%.0f and %.0f times\nfewer than the same lighting in plain float ([accuracy](docs/accuracy.md)).\n" % (
+                exact, ideal, counts["m3"], counts["m0"], floats["m3"] / counts["m3"], floats["m0"] / counts["m0"]))
+
+
+def shading(figures):
+    """Triangles and instructions that each evaluation takes for the same error."""
+    rows = []
+    for row in figures.shading:
+        rows.append(["per " + row["evaluation"], row["triangles"], "%.1f" % float(row["rms"]), "%.0f" % float(row["largest"]),
+                     "%.1f" % (float(row["instructions"]) / 1e6)])
+    return table(["evaluation", "triangles", "root mean square error", "largest error", "million instructions, Cortex-M3"],
+                 rows)
+
+
+def evaluation_matters_less(figures):
+    return (figures.psnr(SCENE, SIZE, "vertex Blinn-Phong local") > figures.psnr(SCENE, SIZE, "fragment Blinn-Phong infinite")
+            > figures.psnr(SCENE, SIZE, "fragment Lambert"))
+
+
+def exact_is_ideal(figures):
+    ideal = figures.psnr(SCENE, SIZE, "correctly rounded")
+    return all((figures.psnr(SCENE, SIZE, choice) > ideal - 0.5) == (choice == ASKED) for choice in figures.choices())
+
+
+def facet_is_cheapest(figures):
+    return all(figures.instructions(SCENE, SIZE, "facet Blinn-Phong local", cpu) ==
+               min(figures.instructions(SCENE, SIZE, evaluation + " Blinn-Phong local", cpu)
+                   for evaluation in ("facet", "vertex", "fragment")) for cpu in figures.cpus(figures.counts))
+
+
+def least(rows, key, most):
+    """The least of `key` with which an evaluation stays within an error."""
+    return min(float(row[key]) for row in rows if float(row["rms"]) <= most)
+
+
+def fragments_need_less(figures):
+    """Of the error that per vertex reaches with the most triangles."""
+    vertex, fragment = (only(figures.shading, evaluation=name) for name in ("vertex", "fragment"))
+    reached = min(float(row["rms"]) for row in vertex)
+    return (all(2 * least(fragment, "triangles", float(row["rms"])) <= float(row["triangles"]) for row in vertex[2:]) and
+            least(fragment, "instructions", reached) < least(vertex, "instructions", reached))
+
+
+# What docs/accuracy.md says in words, and whether it is so.
+CLAIMS = {
+    "The viewer is worth more than the evaluation": evaluation_matters_less,
+    "Per fragment with a local viewer is within half a decibel of what the format allows, and nothing else is":
+        exact_is_ideal,
+    "Per facet takes the fewest instructions on every core": facet_is_cheapest,
+    "for the same error, lighting per fragment needs at most half the triangles": fragments_need_less,
+}
+
+PAGES = {
+    "docs/accuracy.md": {"contract": contract, "steps": steps, "frames": frames, "others": others, "shading": shading},
+    "README.md": {"frames": best},
+}
+
+
+def fill(text, blocks, figures):
+    """@return a page's text with what its blocks say now"""
+    for name, block in blocks.items():
+        begin, end = "<!-- %s: made by make chart -->\n" % name, "<!-- end of %s -->" % name
+        if text.count(begin) != 1 or text.count(end) != 1:
+            raise ValueError("no block '%s' in the page" % name)
+        text = re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: begin + block(figures) + end, text, flags=re.S)
+    return text
