@@ -67,21 +67,32 @@ def frames(figures, scene="torus2304", size="320x240"):
                   [*EVALUATIONS.values(), ("other libraries", "grey"), ("dashed: best for their price", "green")],
                   1020, 74 + 400 * rows)
     for cpu, box in zip(cpus, grid(chart, len(cpus), 2)):
-        chart.panels.append(frames_panel(figures, scene, size, cpu, box))
+        title = CPUS[cpu] + (", where others use the FPU" if cpu == "m4" else "")
+        chart.panels.append(frames_panel(figures, title, scene, size, cpu, box))
     return chart.svg()
 
 
-def frames_panel(figures, scene, size, cpu, box):
+def frames_scenes(figures):
+    """The other benchmark scenes, on one core."""
+    scenes = (("torus576", "320x240"), ("torus9216", "320x240"), ("sphere960", "320x240"), ("torus2304", "128x64"))
+    chart = Chart("The other benchmark scenes on Cortex-M3: PSNR over instructions",
+                  [*EVALUATIONS.values(), ("dashed: best for their price", "green")],
+                  1020, 74 + 400 * ((len(scenes) + 1) // 2))
+    for (scene, size), box in zip(scenes, grid(chart, len(scenes), 2)):
+        chart.panels.append(frames_panel(figures, "%s at %s" % (scene, size), scene, size, "m3", box))
+    return chart.svg()
+
+
+def frames_panel(figures, title, scene, size, cpu, box):
     points = [(figures.instructions(scene, size, choice, cpu), figures.psnr(scene, size, choice),
                choice.split(" ", 1)[1], EVALUATIONS[choice.split(" ", 1)[0]][1]) for choice in figures.choices()]
     with_fpu = "m4f" if cpu == "m4" else cpu
     others = [(float(row["million_instructions"]), float(row["psnr_db"]), "%s, %s" % (row["library"], row["mode"]), "grey")
               for row in figures.others
               if (row["scene"], row["size"], row["cpu"]) == (scene, size, with_fpu) and row["psnr_db"]]
-    title = CPUS[cpu] + (", where others use the FPU" if cpu == "m4" else "")
     ideal = figures.psnr(scene, size, "correctly rounded")
     low = math.floor(min(y for _, y, *_ in points + others)) - 2
-    panel = Panel(title, box, Axis("million instructions per frame", *span([p[0] for p in points + others]), log=True),
+    panel = Panel(title, box, Axis("million instructions per frame", *span([p[0] for p in points + others], 0.6), log=True),
                   Axis("PSNR, dB", low, math.ceil(ideal) + 2))
     for x, y, label, colour in merge(panel, points) + others:
         panel.point(x, y, label, colour, filled=colour != "grey")
@@ -107,4 +118,4 @@ def shading(figures):
     return chart.svg()
 
 
-CHARTS = {"frames": frames, "shading": shading}
+CHARTS = {"frames": frames, "frames-scenes": frames_scenes, "shading": shading}

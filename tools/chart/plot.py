@@ -34,9 +34,10 @@ class Axis:
         self.label, self.low, self.high, self.log = label, low, high, log
 
     def ticks(self):
-        """1, 2, 5, 10 .. of a logarithmic axis, or only powers of ten where that is many."""
+        """Of a logarithmic axis: powers of ten, with 2 and 5 or more between them where that is few."""
         first, last = math.floor(math.log10(self.low)), math.ceil(math.log10(self.high))
-        steps = (1,) if last - first > 4 else (1, 2, 5)
+        decades = math.log10(self.high / self.low)
+        steps = (1,) if decades > 3 else (1, 2, 5) if decades > 1 else (1, 1.5, 2, 3, 4, 5, 7)
         return [step * 10.0**power for power in range(first, last + 1) for step in steps
                 if self.low <= step * 10.0**power <= self.high]
 
@@ -110,7 +111,7 @@ class Labels:
     """Finds places for labels beside their points, near ones first, by moving each in turn until none gains."""
 
     HEIGHT = LABEL_SIZE + 2
-    ROUNDS = 4
+    ROUNDS = 8
 
     def __init__(self, panel):
         left, top, width, height = panel.box
@@ -149,10 +150,10 @@ class Labels:
             return math.inf
         cost = distance + 34 * sum(crosses(a, b, box) for a, b in self.segments)
         if distance > 16:
-            cost += 60 * sum(crosses(anchor, end, other[0]) for other in others)
-            cost += 25 * sum(crosses(anchor, end, (x - r, y - r, x + r, y + r)) for x, y, r in self.points
+            cost += 200 * sum(crosses(anchor, end, other[0]) for other in others)
+            cost += 90 * sum(crosses(anchor, end, (x - r, y - r, x + r, y + r)) for x, y, r in self.points
                              if (x, y) != anchor)
-        cost += 60 * sum(crosses(self.anchors[i][0], other[1], box) for i, other in self.placed.items()
+        cost += 200 * sum(crosses(self.anchors[i][0], other[1], box) for i, other in self.placed.items()
                          if i != index and other[2] > 16)
         return cost
 
@@ -233,7 +234,7 @@ class Chart:
         for (x, y, label, *_), (_, anchor, box, leader) in labelled:
             self.text(box[0], (box[1] + box[3]) / 2, label, colours[(x, y, label)])
             if leader:
-                self.leader(anchor, leader)
+                self.leader(anchor, leader, colours[(x, y, label)])
 
     def draw_line_names(self, panel):
         """Names lines at their right ends, beside the panel."""
