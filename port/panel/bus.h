@@ -32,7 +32,8 @@ typedef struct glint_bus {
      * before they are sent: they stay as they are until `wait`. Nothing else is called in between.
      */
     glint_bus_status (*begin)(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride);
-    /** Returns when what `begin` started is sent. Null when `begin` returns only then. */
+    /** Returns when what `begin` started is sent, at once when it started nothing. Null when `begin` returns only then.
+     */
     glint_bus_status (*wait)(void *context);
     /** Pulls the panel's reset line low (1) or lets it go (0). Null when it hangs on the board's own reset. */
     void (*reset)(void *context, int active);
@@ -40,8 +41,13 @@ typedef struct glint_bus {
     void (*backlight)(void *context, int on);
     /** Returns no earlier than after this many milliseconds. */
     void (*delay)(void *context, uint32_t milliseconds);
-    /** Handed to each of the above. */
+    /** Handed to all of these. */
     void *context;
+    /**
+     * As `begin`, of 16-bit words in the core's byte order, which the bus sends high byte first: what an SPI or a DMA
+     * of 16 bits does. `row_bytes` and `stride` are even. Null where the bus sends bytes only.
+     */
+    glint_bus_status (*begin_words)(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride);
 } glint_bus;
 
 #ifdef __cplusplus

@@ -1,7 +1,52 @@
 /* SPDX-License-Identifier: MIT */
 #include "panel.h"
 
-static int send_command(const glint_panel *panel, const uint8_t *bytes, size_t count) {
+static int is_turned(const glint_panel *panel) {
+    return panel->rotation == GLINT_PANEL_90 || panel->rotation == GLINT_PANEL_270;
+}
+
+/* ---- The picture ------------------------------------------------------------------------------------------------ */
+
+uint16_t glint_panel_width(const glint_panel *panel) {
+    return is_turned(panel) ? panel->type->height : panel->type->width;
+}
+
+uint16_t glint_panel_height(const glint_panel *panel) {
+    return is_turned(panel) ? panel->type->width : panel->type->height;
+}
+
+const glint_format *glint_panel_format(const glint_panel *panel) {
+    if (panel->format) {
+        return panel->format;
+    }
+    return is_turned(panel) && panel->type->format_turned ? panel->type->format_turned : panel->type->format;
+}
+
+unsigned glint_panel_pixel_bits(const glint_panel *panel) {
+    return (unsigned)glint_row_bytes(glint_panel_format(panel), 8); /* bytes of 8 pixels */
+}
+
+/* Turned by a quarter, the picture's x runs down the glass and its y to the left. */
+glint_panel_axes glint_panel_find_axes(const glint_panel *panel) {
+    const glint_panel_type *type = panel->type;
+    const unsigned turns_x = panel->rotation == GLINT_PANEL_90 || panel->rotation == GLINT_PANEL_180;
+    const unsigned turns_y = panel->rotation == GLINT_PANEL_180 || panel->rotation == GLINT_PANEL_270;
+    glint_panel_axes axes;
+    uint16_t column, row;
+
+    axes.exchanged = (uint8_t)is_turned(panel);
+    axes.mirror_x = (uint8_t)(((type->glass & GLINT_PANEL_MIRRORED_X) != 0) ^ turns_x);
+    axes.mirror_y = (uint8_t)(((type->glass & GLINT_PANEL_MIRRORED_Y) != 0) ^ turns_y);
+    column = (uint16_t)(axes.mirror_x ? type->memory_width - type->left - type->width : type->left);
+    row = (uint16_t)(axes.mirror_y ? type->memory_height - type->top - type->height : type->top);
+    axes.first_x = axes.exchanged ? row : column;
+    axes.first_y = axes.exchanged ? column : row;
+    return axes;
+}
+
+/* ---- Start ------------------------------------------------------------------------------------------------------ */
+
+int glint_panel_send(const glint_panel *panel, const uint8_t *bytes, size_t count) {
     const glint_bus *bus = panel->bus;
     int status;
 
@@ -12,7 +57,22 @@ static int send_command(const glint_panel *panel, const uint8_t *bytes, size_t c
     return status ? status : bus->data(bus->context, bytes + 1, count - 1);
 }
 
-static void reset(const glint_panel *panel) {
+static int send_sequence(const glint_panel *panel, const uint8_t *step) {
+    int status = GLINT_PANEL_OK;
+
+    while (*step != GLINT_PANEL_END && !status) {
+        const size_t count = *step++;
+        if (count & 128u) {
+            panel->bus->delay(panel->bus->context, *step++);
+        } else {
+            status = glint_panel_send(panel, step, count);
+            step += count;
+        }
+    }
+    return status;
+}
+
+static int reset(const glint_panel *panel) {
     const glint_bus *bus = panel->bus;
 
     if (bus->reset) {
@@ -21,52 +81,116 @@ static void reset(const glint_panel *panel) {
         bus->reset(bus->context, 0);
     }
     bus->delay(bus->context, panel->type->reset_wait_ms);
+    return bus->reset ? GLINT_PANEL_OK : send_sequence(panel, panel->type->family->recover);
 }
 
-int glint_panel_start(const glint_panel *panel) {
-    const glint_bus *bus = panel->bus;
-    const uint8_t *step = panel->type->start;
+static int check(const glint_panel *panel) {
+    const glint_panel_type *type = panel->type;
+    const unsigned bits = glint_panel_pixel_bits(panel);
 
-    reset(panel);
-    while (*step != GLINT_PANEL_END) {
-        const size_t count = *step++;
-        if (count & 128u) {
-            bus->delay(bus->context, *step++);
-        } else {
-            const int status = send_command(panel, step, count);
-            if (status) {
-                return status;
-            }
-            step += count;
-        }
+    if (panel->rotation != GLINT_PANEL_0 && (type->glass & GLINT_PANEL_UPRIGHT)) {
+        return GLINT_PANEL_ERROR_ROTATION;
     }
-    if (bus->backlight) {
-        bus->backlight(bus->context, 1);
+    if ((bits != type->bits[0] && bits != type->bits[1]) ||
+        (panel->has_words && (bits != 16 || !panel->bus->begin_words))) {
+        return GLINT_PANEL_ERROR_FORMAT;
     }
     return GLINT_PANEL_OK;
 }
 
-static int window_fits(const glint_panel_type *type, int x, int y, int width, int height) {
-    const int step = type->pixels_per_byte;
+int glint_panel_start(const glint_panel *panel) {
+    const glint_bus *bus = panel->bus;
+    int status = check(panel);
 
-    return x >= 0 && y >= 0 && width > 0 && height > 0 && width <= type->width - x && height <= type->height - y &&
-           x % step == 0 && width % step == 0;
+    if (!status) {
+        status = reset(panel);
+    }
+    if (!status) {
+        status = send_sequence(panel, panel->type->start);
+    }
+    if (!status) {
+        status = panel->type->family->set_up(panel);
+    }
+    if (!status && bus->backlight) {
+        bus->backlight(bus->context, 1);
+    }
+    return status;
+}
+
+/* ---- Pixels ----------------------------------------------------------------------------------------------------- */
+
+/* Distance of `centre` from a span of `count` pixels from `first` on, both in half pixels; 0 inside. */
+static int32_t distance(int32_t centre, int first, int count) {
+    const int32_t low = 2 * first + 1, high = 2 * (first + count) - 1;
+
+    return centre < low ? low - centre : centre > high ? centre - high : 0;
+}
+
+int glint_panel_shows(const glint_panel *panel, int x, int y, int width, int height) {
+    const int32_t radius = panel->type->width; /* in half pixels, and where the centre is */
+    int32_t across, down;
+
+    if (!(panel->type->glass & GLINT_PANEL_ROUND)) {
+        return 1;
+    }
+    across = distance(radius, x, width);
+    down = distance(radius, y, height);
+    return across * across + down * down <= radius * radius;
+}
+
+/* Pages of the picture lie along its rows as long as it is not turned by a quarter. */
+static int has_pages(const glint_panel *panel) {
+    return (panel->type->glass & GLINT_PANEL_PAGES) && !is_turned(panel);
+}
+
+/* Pixels that whole bytes hold. */
+static int bytes_step(const glint_panel *panel) {
+    const unsigned bits = glint_panel_pixel_bits(panel);
+
+    return has_pages(panel) || bits % 8 == 0 ? 1 : bits == 1 ? 8 : 2;
+}
+
+static int window_fits(const glint_panel *panel, int x, int y, int width, int height) {
+    const int step = bytes_step(panel), line = has_pages(panel) ? 8 : 1;
+
+    return x >= 0 && y >= 0 && width > 0 && height > 0 && width <= glint_panel_width(panel) - x &&
+           height <= glint_panel_height(panel) - y && x % step == 0 && y % line == 0 && height % line == 0;
+}
+
+/*
+ * Columns to send so that rows are whole bytes: at the right edge of a glass of odd width, a column more, which the
+ * memory has and the glass does not show. 0 when there is none.
+ */
+static int whole_width(const glint_panel *panel, int x, int width) {
+    const glint_panel_type *type = panel->type;
+    const int step = bytes_step(panel), whole = (width + step - 1) / step * step;
+    const int memory = is_turned(panel) ? type->memory_height : type->memory_width;
+    const int is_edge = x + width == glint_panel_width(panel);
+
+    return whole == width || (is_edge && glint_panel_find_axes(panel).first_x + x + whole <= memory) ? whole : 0;
 }
 
 int glint_panel_begin(const glint_panel *panel, int x, int y, int width, int height, const void *pixels,
                       size_t stride) {
-    const glint_panel_type *type = panel->type;
     const glint_bus *bus = panel->bus;
+    const int whole = window_fits(panel, x, y, width, height) ? whole_width(panel, x, width) : 0;
     int status;
 
-    if (!window_fits(type, x, y, width, height)) {
+    if (whole == 0) {
         return GLINT_PANEL_ERROR_WINDOW;
     }
-    status = type->family->window(bus, x, y, x + width - 1, y + height - 1);
+    if (!glint_panel_shows(panel, x, y, width, height)) {
+        return GLINT_PANEL_OK;
+    }
+    status = panel->type->family->window(panel, x, y, x + whole - 1, y + height - 1);
     if (status) {
         return status;
     }
-    return bus->begin(bus->context, pixels, glint_row_bytes(type->format, (uint32_t)width), (size_t)height, stride);
+    if (has_pages(panel)) {
+        return bus->begin(bus->context, pixels, (size_t)width, (size_t)height / 8, 8 * stride);
+    }
+    return (panel->has_words ? bus->begin_words : bus->begin)(
+        bus->context, pixels, glint_row_bytes(glint_panel_format(panel), (uint32_t)whole), (size_t)height, stride);
 }
 
 int glint_panel_wait(const glint_panel *panel) {

@@ -24,7 +24,6 @@ static const uint8_t start[] = {
     GLINT_PANEL_SEND(2), 0xbc, 0x10, /* precharge */
     GLINT_PANEL_SEND(9), 0xb8, 0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76, /* pulse widths of the greys */
     GLINT_PANEL_SEND(2), 0xad, 0x03,                                           /* converter on */
-    GLINT_PANEL_SEND(1), 0xaf,                                                 /* display on */
     GLINT_PANEL_END,
 };
 
@@ -34,7 +33,10 @@ const glint_panel_type glint_panel_ssd0323 = {
     .start = start,
     .width = 128,
     .height = 64,
-    .pixels_per_byte = 2,
+    .memory_width = 128,
+    .memory_height = 80,
+    .glass = GLINT_PANEL_UPRIGHT, /* how its lines are wired to the glass was not checked */
+    .bits = {4},
     .reset_low_ms = 1,
     .reset_wait_ms = 1,
     .clock_max = 3500000, /* what the vendor's examples run it at */

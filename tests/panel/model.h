@@ -38,6 +38,7 @@ typedef struct model_module {
     int mirror_x, mirror_y; /* columns of the memory run to the left, rows upwards */
     int is_bgr;             /* colours of a pixel lie blue, green, red */
     int is_inverted;        /* the glass is dark where the controller means light */
+    int is_round;
 } model_module;
 
 struct panel_model {
@@ -91,6 +92,10 @@ uint8_t *model_cell(const panel_model *model, int column, int row);
 /** A level of 0 to `top`, as one of 0 to 255, rounded to nearest. */
 uint8_t model_level(unsigned level, unsigned top);
 
-extern const model_controller model_ili9341, model_st7789, model_ssd1306;
+/** Steps `at` through its range. @return 1 when it has begun again. */
+int model_step(int *at, int first, int last);
+
+extern const model_controller model_ili9341, model_st7789, model_st7735, model_st7735_large, model_gc9a01;
+extern const model_controller model_ssd0323, model_ssd1306, model_ssd1351;
 
 #endif

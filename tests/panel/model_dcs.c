@@ -160,7 +160,7 @@ static void take_pixels(panel_model *model, uint8_t byte) {
 static void reset(panel_model *model) {
     const model_controller *controller = model->module->controller;
 
-    model->is_awake = model->is_on = model->is_inverse = 0;
+    model->is_awake = model->is_on = model->is_inverse = model->unlocked = 0;
     model->memory_access = 0;
     model->pixel_format = FORMAT_18;
     model->first_x = model->first_y = 0;
@@ -225,8 +225,24 @@ static void execute(panel_model *model, uint8_t byte) {
     }
 }
 
+/* The GC9A01's own registers open when these two follow each other. */
+enum { OPEN_FIRST = 0xfe, OPEN_SECOND = 0xef };
+
+static void mind_lock(panel_model *model, uint8_t before, uint8_t byte) {
+    const int is_own = model->module->controller == &model_gc9a01 && byte >= 0x60;
+
+    if (is_own && byte == OPEN_SECOND && before == OPEN_FIRST) {
+        model->unlocked = 1;
+    } else if (is_own && byte != OPEN_FIRST && !model->unlocked) {
+        model_complain(model, PANEL_COMPLAINT_LOCKED);
+    }
+}
+
 static void command(panel_model *model, uint8_t byte) {
+    const uint8_t before = model->current;
+
     if (model_begin_command(model, byte) != NULL) {
+        mind_lock(model, before, byte);
         execute(model, byte);
     }
 }
@@ -293,12 +309,36 @@ static const model_rule st7789_rules[] = {
     {0xc3, 1, 1}, {0xc4, 1, 1}, {0xc6, 1, 1}, {0xd0, 2, 2}, {0xe0, 14, 14}, {0xe1, 14, 14}, LAST_RULE,
 };
 
+static const model_rule st7735_rules[] = {
+    {0xb1, 3, 3}, {0xb2, 3, 3}, {0xb3, 6, 6}, {0xb4, 1, 1},   {0xb6, 2, 2},   {0xc0, 2, 3}, {0xc1, 1, 1}, {0xc2, 2, 2},
+    {0xc3, 2, 2}, {0xc4, 2, 2}, {0xc5, 1, 2}, {0xe0, 16, 16}, {0xe1, 16, 16}, {0xfc, 1, 2}, LAST_RULE,
+};
+
+/* Registers that no document explains take any number of parameters. */
+#define UNDOCUMENTED(command) \
+    { command, 0, MODEL_ANY }
+
+static const model_rule gc9a01_rules[] = {
+    {OPEN_FIRST, 0, 0}, {OPEN_SECOND, 0, 0}, {0xb6, 2, 2},       {0xc3, 1, 1},       {0xc4, 1, 1},
+    {0xc9, 1, 1},       {0xe8, 1, 1},        {0xf0, 6, 6},       {0xf1, 6, 6},       {0xf2, 6, 6},
+    {0xf3, 6, 6},       UNDOCUMENTED(0x62),  UNDOCUMENTED(0x63), UNDOCUMENTED(0x64), UNDOCUMENTED(0x66),
+    UNDOCUMENTED(0x67), UNDOCUMENTED(0x70),  UNDOCUMENTED(0x74), UNDOCUMENTED(0x84), UNDOCUMENTED(0x85),
+    UNDOCUMENTED(0x86), UNDOCUMENTED(0x87),  UNDOCUMENTED(0x88), UNDOCUMENTED(0x89), UNDOCUMENTED(0x8a),
+    UNDOCUMENTED(0x8b), UNDOCUMENTED(0x8c),  UNDOCUMENTED(0x8d), UNDOCUMENTED(0x8e), UNDOCUMENTED(0x8f),
+    UNDOCUMENTED(0x90), UNDOCUMENTED(0x98),  UNDOCUMENTED(0xae), UNDOCUMENTED(0xbc), UNDOCUMENTED(0xbd),
+    UNDOCUMENTED(0xbe), UNDOCUMENTED(0xcd),  UNDOCUMENTED(0xdf), UNDOCUMENTED(0xe1), UNDOCUMENTED(0xeb),
+    UNDOCUMENTED(0xed), UNDOCUMENTED(0xff),  LAST_RULE,
+};
+
 #define DCS_RESET_LOW MODEL_MICROSECONDS(10)
 #define DCS_RESET_WAIT MODEL_MILLISECONDS(5)
-#define DCS_FUNCTIONS reset, command, data, show
 
-/* Serial write cycles of 100 ns and 66 ns. */
-const model_controller model_ili9341 = {240,   320,           10000000,     DCS_RESET_LOW, DCS_RESET_WAIT,
-                                        rules, DCS_FUNCTIONS, ili9341_rules};
-const model_controller model_st7789 = {240,   320,           15151515,    DCS_RESET_LOW, DCS_RESET_WAIT,
-                                       rules, DCS_FUNCTIONS, st7789_rules};
+#define DCS_CONTROLLER(width, height, clock, rules_of_its_own) \
+    { width, height, clock, DCS_RESET_LOW, DCS_RESET_WAIT, rules, reset, command, data, show, rules_of_its_own }
+
+/* Serial write cycles of 100 ns, 66 ns, and 10 ns. */
+const model_controller model_ili9341 = DCS_CONTROLLER(240, 320, 10000000, ili9341_rules);
+const model_controller model_st7789 = DCS_CONTROLLER(240, 320, 15151515, st7789_rules);
+const model_controller model_st7735 = DCS_CONTROLLER(128, 160, 15151515, st7735_rules);
+const model_controller model_st7735_large = DCS_CONTROLLER(132, 162, 15151515, st7735_rules);
+const model_controller model_gc9a01 = DCS_CONTROLLER(240, 240, 100000000, gc9a01_rules);

@@ -71,25 +71,15 @@ static void store(panel_model *model, uint8_t byte) {
     model->pixels += 8;
 }
 
-/* Steps `along` through its range. @return 1 when it has begun again. */
-static int step(int *along, int first, int last) {
-    if (*along == last) {
-        *along = first;
-        return 1;
-    }
-    ++*along;
-    return 0;
-}
-
 static void advance(panel_model *model) {
     if (model->mode == MODE_PAGE) {
-        model->is_full = step(&model->x, 0, WIDTH - 1);
+        model->is_full = model_step(&model->x, 0, WIDTH - 1);
     } else if (model->mode == MODE_HORIZONTAL) {
-        model->is_full =
-            step(&model->x, model->first_x, model->last_x) && step(&model->y, model->first_y, model->last_y);
+        model->is_full = model_step(&model->x, model->first_x, model->last_x) &&
+                         model_step(&model->y, model->first_y, model->last_y);
     } else {
-        model->is_full =
-            step(&model->y, model->first_y, model->last_y) && step(&model->x, model->first_x, model->last_x);
+        model->is_full = model_step(&model->y, model->first_y, model->last_y) &&
+                         model_step(&model->x, model->first_x, model->last_x);
     }
 }
 

@@ -7,11 +7,17 @@
 /* ---- Modules, as they are commonly sold ------------------------------------------------------------------------- */
 
 static const model_module modules[] = {
-    {"ili9341", &model_ili9341, 240, 320, 0, 0, 1, 0, 1, 0},
-    {"st7789-240x240", &model_st7789, 240, 240, 0, 0, 0, 0, 0, 1},
-    {"st7789-240x320", &model_st7789, 240, 320, 0, 0, 0, 0, 0, 1},
-    {"st7789-135x240", &model_st7789, 135, 240, 52, 40, 0, 0, 0, 1},
-    {"ssd1306", &model_ssd1306, 128, 64, 0, 0, 1, 1, 0, 0},
+    {"ili9341", &model_ili9341, 240, 320, 0, 0, .mirror_x = 1, .is_bgr = 1},
+    {"st7789-240x240", &model_st7789, 240, 240, 0, 0, .is_inverted = 1},
+    {"st7789-240x320", &model_st7789, 240, 320, 0, 0, .is_inverted = 1},
+    {"st7789-135x240", &model_st7789, 135, 240, 52, 40, .is_inverted = 1},
+    {"st7735-green", &model_st7735_large, 128, 160, 2, 1, .mirror_x = 1, .mirror_y = 1, .is_bgr = 1},
+    {"st7735-red", &model_st7735, 128, 160, 0, 0, .mirror_x = 1, .mirror_y = 1, .is_bgr = 1},
+    {"st7735-black", &model_st7735, 128, 160, 0, 0, .mirror_x = 1, .mirror_y = 1},
+    {"gc9a01", &model_gc9a01, 240, 240, 0, 0, .mirror_x = 1, .is_bgr = 1, .is_inverted = 1, .is_round = 1},
+    {"ssd0323", &model_ssd0323, 128, 64, 0, 0},
+    {"ssd1306", &model_ssd1306, 128, 64, 0, 0, .mirror_x = 1, .mirror_y = 1},
+    {"ssd1351", &model_ssd1351, 128, 128, 0, 0, .mirror_y = 1},
 };
 
 enum { MODULE_COUNT = sizeof modules / sizeof modules[0] };
@@ -199,6 +205,23 @@ uint8_t model_level(unsigned level, unsigned top) {
     return (uint8_t)((level * 255 + top / 2) / top);
 }
 
+int model_step(int *at, int first, int last) {
+    if (*at == last) {
+        *at = first;
+        return 1;
+    }
+    ++*at;
+    return 0;
+}
+
+/* On a round glass, pixels are seen whose centres lie in its circle. */
+static int is_seen(const model_module *module, int x, int y) {
+    const int across = 2 * x + 1 - module->width;
+    const int down = 2 * y + 1 - module->height;
+
+    return !module->is_round || across * across + down * down <= module->width * module->width;
+}
+
 static void find_colour(const panel_model *model, int x, int y, uint8_t rgb[3]) {
     const model_module *module = model->module;
     const int column = module->left + (module->mirror_x ? module->width - 1 - x : x);
@@ -223,7 +246,7 @@ const panel_picture *panel_model_picture(panel_model *model) {
     for (int y = 0; y < model->picture.height; y++) {
         for (int x = 0; x < model->picture.width; x++, rgb += 3) {
             memset(rgb, 0, 3);
-            if (shows) {
+            if (shows && is_seen(model->module, x, y)) {
                 find_colour(model, x, y, rgb);
             }
         }
