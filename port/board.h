@@ -7,6 +7,7 @@
 #ifndef GLINT_BOARD_H
 #define GLINT_BOARD_H
 
+#include "glint.h"
 #include "panel/bus.h"
 
 #include <stdint.h>
@@ -25,6 +26,16 @@ void board_delay(uint32_t milliseconds);
 
 /** The bus to the board's panel; null when it has none. */
 const glint_bus *board_panel_bus(void);
+
+/** What a board shows pictures on. */
+typedef struct board_display {
+    uint16_t width, height; /**< Pixels. */
+    const glint_format *format;
+    glint_flush flush;
+} board_display;
+
+/** Starts the board's display. @return 0, or below 0 when it does not answer: a glint_panel_status. */
+int board_display_start(board_display *display);
 
 /**
  * Says that what `name` names is done, and goes on. A debugger or emulator that started the program with arguments

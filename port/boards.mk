@@ -4,10 +4,11 @@
 
 CROSS ?= arm-none-eabi-
 
-# ---- Boards: core flags, sources of the port, linker script, sources of the driver for its panel, and the prefix of its
-# ---- compiler's commands where that is not Arm's
+# ---- Boards: core flags, sources of the port, linker script, sources of the driver for its panel, bytes of arena that it
+# ---- can spare (ARENA), what an ELF file needs before it is whole (FINISH), and the prefix of its compiler's commands
+# ---- where that is not Arm's
 
-BOARDS := lm3s6965evb microbit mps2-an385 mps2-an385-m0 mps2-an386 virt template
+BOARDS := lm3s6965evb microbit mps2-an385 mps2-an385-m0 mps2-an386 virt pico template
 
 CORTEX_M := $(wildcard port/cortex-m/*.c) port/libc/memory.c
 
@@ -40,6 +41,14 @@ virt_SOURCES := $(wildcard port/virt/*.c) port/libc/memory.c
 virt_LINKER  := linker/virt.ld
 virt_CROSS   := riscv64-unknown-elf-
 
+# Raspberry Pi Pico. Its boot ROM wants a checksum in the first 256 bytes of flash.
+pico_CPU     := -mcpu=cortex-m0plus -mthumb
+pico_SOURCES := $(CORTEX_M) $(wildcard port/pico/*.c)
+pico_LINKER  := linker/pico.ld
+pico_PANEL   := port/panel/panel.c port/panel/dcs.c port/panel/st7789.c
+pico_ARENA   := 131072
+pico_FINISH  := python3 tools/uf2.py checksum
+
 template_CPU     := -mcpu=cortex-m3 -mthumb
 template_SOURCES := $(CORTEX_M) $(wildcard port/template/*.c)
 template_LINKER  := linker/template.ld
@@ -49,6 +58,7 @@ template_PANEL   := $(lm3s6965evb_PANEL)
 
 PROGRAM_turntable := examples/firmware/turntable_main.c examples/turntable/turntable.c
 PROGRAM_scenes    := examples/firmware/scenes_main.c examples/firmware/shown.c $(wildcard examples/scenes/*.c)
+PROGRAM_show      := examples/firmware/show_main.c examples/turntable/turntable.c
 PROGRAM_minimal   := examples/firmware/minimal.c
 PROGRAM_pattern   := tests/board/pattern.c
 PROGRAM_identity  := tests/board/identity_board.c tests/board/identity.c tests/board/frames.c \
@@ -75,7 +85,7 @@ optimise = -$(if $(filter release,$1),Os,$1)
 define firmware_objects
 $(BUILD)/$1/$2/%.o: %.c port/boards.mk
 	@mkdir -p $$(@D)
-	$$(Q)$(call cross,$1)gcc $$($1_CPU) $$(FIRMWARE_CFLAGS) $$(call optimise,$2,$$<) \
+	$$(Q)$(call cross,$1)gcc $$($1_CPU) $$(FIRMWARE_CFLAGS) $$(call optimise,$2,$$<) $(if $($1_ARENA),-DBOARD_ARENA=$($1_ARENA)) \
 	    $$(if $$(filter port/libc/%,$$<),-fno-tree-loop-distribute-patterns) -c $$< -o $$@
 $(BUILD)/$1/$2/libglint.a: $(LIBRARY:%.c=$(BUILD)/$1/$2/%.o)
 	@rm -f $$@
@@ -88,6 +98,7 @@ $(BUILD)/$1/$2/$3.elf: $(patsubst %.c,$(BUILD)/$1/$2/%.o,$(PROGRAM_$3) $($1_SOUR
         $(BUILD)/$1/$2/libglint.a $($1_LINKER) linker/sections.ld
 	$$(Q)$(call cross,$1)gcc $$($1_CPU) $$(FIRMWARE_LDFLAGS) $4 -Wl,-Map=$$(@:.elf=.map) -T $($1_LINKER) \
 	    $$(filter %.o,$$^) $$(filter %.a,$$^) -lgcc -o $$@
+	$(if $($1_FINISH),$$(Q)$($1_FINISH) $$@)
 	@python3 tools/size.py $$(@:.elf=.map) > $$(@:.elf=.size)
 FIRMWARE += $(BUILD)/$1/$2/$3.elf
 endef
@@ -106,8 +117,19 @@ $(foreach board,mps2-an385 mps2-an385-m0 virt,$(foreach level,O0 Os O2,\
     $(eval $(call firmware_program,$(board),$(level),identity))))
 $(foreach board,$(MEASURED),$(eval $(call firmware_program,$(board),O2,frames)))
 
+$(eval $(call firmware_program,pico,release,show))
+$(eval $(call firmware_program,pico,release,unit,-Wl$(comma)--defsym=stack_size=3584))
+
+# What programmers and boot loaders take.
+$(BUILD)/%.hex: $(BUILD)/%.elf
+	$(Q)$(call cross,$(firstword $(subst /, ,$*)))objcopy -O ihex $< $@
+$(BUILD)/%.bin: $(BUILD)/%.elf
+	$(Q)$(call cross,$(firstword $(subst /, ,$*)))objcopy -O binary $< $@
+$(BUILD)/%.uf2: $(BUILD)/%.bin
+	$(Q)python3 tools/uf2.py convert $< $@
+
 -include $(wildcard $(foreach board,$(BOARDS),$(BUILD)/$(board)/*/*/*.d $(BUILD)/$(board)/*/*/*/*.d))
 
 .PHONY: boards
-boards: $(FIRMWARE) ## build the firmware of every board; prints flash, RAM and stack
+boards: $(FIRMWARE) $(FIRMWARE:.elf=.hex) $(FIRMWARE:.elf=.bin) $(patsubst %.elf,%.uf2,$(filter $(BUILD)/pico/%,$(FIRMWARE))) ## build the firmware of every board as ELF, HEX, BIN (and UF2); prints flash, RAM and stack
 	@cat $(FIRMWARE:.elf=.size)

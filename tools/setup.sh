@@ -28,6 +28,8 @@ look() {
     need gcc-riscv64-unknown-elf riscv64-unknown-elf-gcc
     need qemu-system-misc qemu-system-riscv32
     need gnuplot-nox gnuplot
+    need nodejs node
+    need npm npm
     need frama-c-base frama-c
     # libraries, which no command shows: the host's C library, and clang's sanitizers and fuzzer
     [ -e /usr/include/stdio.h ] || missing+=(libc6-dev)

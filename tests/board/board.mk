@@ -65,3 +65,18 @@ $(BUILD)/host/bus: tests/board/bus.c tests/harness.c tests/main.c tests/harness.
 
 test-panel-bus: $(BUILD)/host/bus ## what the panel driver sends, and what it does when the bus fails
 	@$<
+
+# ---- What the panels of boards without one in their emulator show, by a model of the panel
+
+SHOW_HOST := $(BUILD)/host/show
+$(SHOW_HOST): tests/board/show_host.c tests/image/picture.c examples/turntable/turntable.c tests/image/picture.h \
+        $(EXAMPLE_DATA) $(BUILD)/host/libglint.a
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -Itests/image $(filter %.c,$^) $(BUILD)/host/libglint.a -o $@
+
+SHOW_FIRMWARE := pico=$(BUILD)/pico/release/show.bin
+SUITES += test-board-show
+.PHONY: test-board-show
+test-board-show: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed \
+        $(foreach pair,$(SHOW_FIRMWARE),$(lastword $(subst =, ,$(pair)))) ## each board's panel, as its bus drives it, against the host
+	@python3 tests/board/show.py --host $(SHOW_HOST) --stream $(BUILD)/host/panel_stream --output $(BUILD)/show $(SHOW_FIRMWARE)

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT */
+/** @file display.h A panel as what a board shows pictures on, for board.c to use. */
+#ifndef GLINT_DISPLAY_H
+#define GLINT_DISPLAY_H
+
+#include "board.h"
+#include "panel/panel.h"
+
+/** board_display_start for a board with a panel, which must outlive the display. */
+static inline int display_start(const glint_panel *panel, board_display *display) {
+    const int status = glint_panel_start(panel);
+
+    if (status == GLINT_PANEL_OK) {
+        *display = (board_display){glint_panel_width(panel), glint_panel_height(panel), glint_panel_format(panel),
+                                   glint_panel_flush(panel)};
+    }
+    return status;
+}
+
+#endif

@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Runs examples/firmware/show_main.c on boards and compares what their panels show with what the host draws.
+
+show.py --host SHOW_HOST --stream PANEL_STREAM --output DIRECTORY BOARD=FIRMWARE...
+
+The stock firmware runs in an emulator that has no panel; what goes over the bus is captured and given to a model of the
+panel's controller (tests/panel), whose picture must equal the host's pixel for pixel, without a complaint of the model.
+"""
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+
+from qemu import Died, Tally, check_stack, read_netpbm
+
+FRAMES = ["torus576-0", "torus576-1", "teapot-0", "teapot-1"]
+
+
+class Pico:
+    """Raspberry Pi Pico in rp2040js."""
+    module, width, height, format = "st7789-240x240", 240, 240, "rgb565"
+
+    @staticmethod
+    def capture(firmware, stream, *bus):
+        """@return what the firmware wrote, line by line; Died when it did not end well."""
+        script = os.path.join(os.path.dirname(__file__), "..", "pico", "run.js")
+        run = subprocess.run(["node", script, firmware, stream] + list(bus), stdout=subprocess.PIPE, text=True)
+        if run.returncode:
+            raise Died("exit status %d: %s" % (run.returncode, run.stdout[-200:]))
+        return run.stdout.splitlines()
+
+    @staticmethod
+    def times(stream):
+        """Emulated nanoseconds in all, and those that bytes were on the bus."""
+        with open(stream) as file:
+            words = file.read().splitlines()[-1].split()
+        return int(words[2]), int(words[6])
+
+    @classmethod
+    def more(cls, tally, firmware, stream):
+        """Sending and drawing overlap: a bus that takes no time saves less than the time on it."""
+        free = stream + "-free"
+        cls.capture(firmware, free, "free")
+        (total, on_bus), (total_free, _) = cls.times(stream), cls.times(free)
+        waited = total - total_free
+        print("  pico: %.1f ms in all, %.1f ms on the bus, of which the core waited for %.1f ms" % (
+            total / 1e6, on_bus / 1e6, waited / 1e6))
+        tally.check(on_bus - waited > min(on_bus, total_free) / 4, "the core waits for the bus: DMA does not overlap")
+
+
+BOARDS = {"pico": Pico}
+
+
+def compare(tally, name, shown, wanted):
+    try:
+        got, expected = read_netpbm(shown), read_netpbm(wanted)
+    except OSError as problem:
+        tally.check(False, "%s: %s" % (name, problem))
+        return
+    tally.check(got[:3] == expected[:3], "%s: %dx%d shown" % (name, got[0], got[1]))
+    different = [at // 3 for at in range(0, len(expected[3]), 3) if got[3][at:at + 3] != expected[3][at:at + 3]]
+    tally.check(not different, "%s: %d pixels differ, the first at %s; see %s" % (
+        name, len(different), different and (different[0] % got[0], different[0] // got[0]), shown))
+    tally.check(sum(1 for byte in got[3] if byte) > 600, name + ": next to nothing is lit")
+
+
+def run(arguments, tally, name, firmware):
+    board = BOARDS[name]
+    directory = os.path.join(arguments.output, name)
+    host = os.path.join(directory, "host")
+    os.makedirs(host)
+    drawn = subprocess.run([arguments.host, str(board.width), str(board.height), board.format, host],
+                           stdout=subprocess.PIPE, text=True)
+    tally.check(drawn.stdout.split() == FRAMES, "%s: the host drew %s" % (name, drawn.stdout.split()))
+    stream = os.path.abspath(os.path.join(directory, "stream"))
+    try:
+        lines = board.capture(firmware, stream)
+    except (Died, OSError, subprocess.SubprocessError) as problem:
+        tally.check(False, "%s: %s" % (name, problem))
+        return
+    for line in lines:
+        print("  %s: %s" % (name, line))
+        check_stack(tally, os.path.splitext(firmware)[0] + ".elf", line)
+    with open(stream) as file:
+        model = subprocess.run([os.path.abspath(arguments.stream), board.module, "last.ppm"], stdin=file,
+                               stdout=subprocess.PIPE, text=True, cwd=directory)
+    print("  %s: %s" % (name, model.stdout.strip().splitlines()[-1:]))
+    tally.check(model.returncode == 0, "%s: the panel's model complains: %s" % (name, model.stdout))
+    if hasattr(board, "more"):
+        board.more(tally, firmware, stream)
+    for frame in FRAMES:
+        compare(tally, "%s %s" % (name, frame), os.path.join(directory, frame + ".ppm"), os.path.join(host, frame + ".ppm"))
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    for name in ("host", "stream", "output"):
+        parser.add_argument("--" + name, required=True)
+    parser.add_argument("firmware", nargs="+")
+    arguments = parser.parse_args()
+    shutil.rmtree(arguments.output, ignore_errors=True)
+    tally = Tally()
+    for firmware in arguments.firmware:
+        run(arguments, tally, *firmware.split("=", 1))
+    return tally.close()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
