@@ -67,7 +67,7 @@ $(BUILD)/tests/print_torus: tests/image/print_torus.c examples/bench/bench.c $(B
 	$(Q)$(CC) $(TEST_CFLAGS) $^ -lm -o $@
 
 $(BUILD)/tests/print_checksums: tests/image/print_checksums.c tests/harness.c tests/unit/checksummed.c \
-        tests/unit/fixture.c $(BUILD)/host/libglint.a $(TEST_HEADERS)
+        tests/unit/domains.c tests/unit/fixture.c $(BUILD)/host/libglint.a $(TEST_HEADERS)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(TEST_CFLAGS) $(filter-out %.h,$^) -lm -o $@
 

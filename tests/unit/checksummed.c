@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "checksummed.h"
 
+#include "domains.h"
 #include "harness.h"
 #include "numeric.h"
 
@@ -362,20 +363,27 @@ static const entry entries[] = {
     NUMBERS(poses),
     NUMBERS(cameras),
 };
-const unsigned checksummed_count = TEST_COUNT(entries);
+
+/* The functions of one argument follow the entries, over their whole domains at as many arguments. */
+#define DOMAIN_ARGUMENTS 4096
+
+const unsigned checksummed_count = TEST_COUNT(entries) + DOMAIN_COUNT;
 
 const char *checksummed_name(unsigned index) {
-    return entries[index].name;
+    return index < TEST_COUNT(entries) ? entries[index].name : domains[index - TEST_COUNT(entries)].name;
 }
 
 int checksummed_set_up(unsigned index, fixture *f) {
-    if (entries[index].set_up)
-        entries[index].set_up(f);
-    return entries[index].set_up != 0;
+    if (index >= TEST_COUNT(entries) || !entries[index].set_up)
+        return 0;
+    entries[index].set_up(f);
+    return 1;
 }
 
 uint32_t checksummed_compute(unsigned index) {
     fixture *f = fixture_begin();
+    if (index >= TEST_COUNT(entries))
+        return domain_checksum(&domains[index - TEST_COUNT(entries)], DOMAIN_ARGUMENTS);
     if (!checksummed_set_up(index, f))
         return entries[index].compute();
     CHECK_EQUAL(fixture_render(f), GLINT_OK);

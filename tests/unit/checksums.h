@@ -50,6 +50,32 @@ static const uint32_t expected_checksums[] = {
     0x79785263u, /* unit_vectors */
     0x7dc44604u, /* poses */
     0xca3899d5u, /* cameras */
+    0x08e7d75eu, /* leading_zeros */
+    0xe2eb2995u, /* magnitude_bits */
+    0xa6eeab3fu, /* inverse_root */
+    0xeca747b2u, /* reciprocal */
+    0x78495554u, /* log2 */
+    0x91f01fe9u, /* exp2 */
+    0x7a3afcf8u, /* power_least */
+    0x2193b891u, /* power_half */
+    0xf37a2ab9u, /* power_1 */
+    0xe2852292u, /* power_2 */
+    0xdc338fd3u, /* power_32 */
+    0x77184510u, /* power_100_3 */
+    0xc4fb240fu, /* power_1024 */
+    0x49f54259u, /* power_largest */
+    0x36bc3c2cu, /* sine_of_phase */
+    0xd5e2b0d3u, /* phase */
+    0x85d801aeu, /* sin */
+    0x14aedc65u, /* cos */
+    0x36118962u, /* level_15 */
+    0xb35368aau, /* level_31 */
+    0x72e7369au, /* level_63 */
+    0x1dc75f1au, /* level_255 */
+    0x49e59785u, /* luma_of_grey */
+    0x3cbd01d5u, /* clamped_colour */
+    0x16346f31u, /* gamma_of_squares */
+    0x76dc5fc5u, /* dither_threshold */
 };
 
 #endif

@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: MIT */
+#include "domains.h"
+
+#include "fixture.h"
+#include "frame.h"
+#include "numeric.h"
+#include "pixel.h"
+
+static int64_t leading_zeros(int64_t x) {
+    return glint_leading_zeros((uint32_t)x);
+}
+
+static int64_t magnitude_bits(int64_t x) {
+    return glint_magnitude_bits((int32_t)x);
+}
+
+static int64_t inverse_root(int64_t x) {
+    return glint_inverse_root((uint32_t)x);
+}
+
+static int64_t reciprocal(int64_t x) {
+    return glint_reciprocal((uint32_t)x);
+}
+
+static int64_t logarithm(int64_t x) {
+    return glint_log2((uint32_t)x);
+}
+
+static int64_t exponential(int64_t x) {
+    return glint_exp2((int32_t)x);
+}
+
+static int64_t sine_of_phase(int64_t x) {
+    return glint_sine((uint32_t)x);
+}
+
+static int64_t phase(int64_t x) {
+    return glint_phase((int32_t)x);
+}
+
+static int64_t sine(int64_t x) {
+    return glint_sin((int32_t)x);
+}
+
+static int64_t cosine(int64_t x) {
+    return glint_cos((int32_t)x);
+}
+
+#define POWER(name, exponent)                                 \
+    static int64_t name(int64_t x) {                          \
+        return glint_power((uint32_t)x, (int32_t)(exponent)); \
+    }
+POWER(power_least, 1)
+POWER(power_half, GLINT_ONE / 2)
+POWER(power_1, GLINT_ONE)
+POWER(power_2, 2 * GLINT_ONE)
+POWER(power_32, 32 * GLINT_ONE)
+POWER(power_100_3, GLINT_Q16(100.3))
+POWER(power_1024, 1024 * GLINT_ONE)
+POWER(power_largest, INT32_MAX)
+
+#define LEVEL(name, top)                                        \
+    static int64_t name(int64_t x) {                            \
+        return glint_level((uint32_t)x, top, GLINT_HALF_LEVEL); \
+    }
+LEVEL(level_15, 15)
+LEVEL(level_31, 31)
+LEVEL(level_63, 63)
+LEVEL(level_255, 255)
+
+static int64_t luma_of_grey(int64_t x) {
+    const uint32_t colour[3] = {(uint32_t)x, (uint32_t)x, (uint32_t)x};
+    return glint_luma(colour);
+}
+
+static int64_t clamped_colour(int64_t x) {
+    const uint32_t colour[3] = {(uint32_t)x, (uint32_t)x, (uint32_t)x};
+    int16_t out[3];
+    glint_clamp_colour(colour, out);
+    return out[1];
+}
+
+/* An output table of squares: entry i is (i / 256)^2, the last one 1. */
+#define SQUARE(i) ((i) * (i) - (i) / 256)
+#define SQUARES4(i) SQUARE(i), SQUARE((i) + 1), SQUARE((i) + 2), SQUARE((i) + 3)
+#define SQUARES16(i) SQUARES4(i), SQUARES4((i) + 4), SQUARES4((i) + 8), SQUARES4((i) + 12)
+#define SQUARES64(i) SQUARES16(i), SQUARES16((i) + 16), SQUARES16((i) + 32), SQUARES16((i) + 48)
+#define SQUARES SQUARES64(0), SQUARES64(64), SQUARES64(128), SQUARES64(192), SQUARE(256)
+
+static int64_t gamma_of_squares(int64_t x) {
+    static const uint16_t squares[3][GLINT_GAMMA_ENTRIES] = {{SQUARES}, {SQUARES}, {SQUARES}};
+    uint32_t colour[1][3] = {{(uint32_t)x, (uint32_t)x, (uint32_t)x}};
+    glint_apply_gamma(squares, colour, 1);
+    return colour[0][1];
+}
+
+static int64_t dither_threshold(int64_t x) {
+    return glint_dither_threshold((uint32_t)x & 7, (uint32_t)x >> 3);
+}
+
+#define FULL_RANGE INT32_MIN, INT32_MAX
+#define Q31_RANGE 0, (int64_t)1 << 31
+#define COLOUR_RANGE 0, UINT32_MAX
+
+const domain domains[DOMAIN_COUNT] = {
+    {"leading_zeros", 0, UINT32_MAX, leading_zeros},
+    {"magnitude_bits", FULL_RANGE, magnitude_bits},
+    {"inverse_root", 1 << 28, (int64_t)3 << 30, inverse_root},
+    {"reciprocal", (int64_t)1 << 31, UINT32_MAX, reciprocal},
+    {"log2", Q31_RANGE, logarithm},
+    {"exp2", INT32_MIN, 0, exponential},
+    {"power_least", Q31_RANGE, power_least},
+    {"power_half", Q31_RANGE, power_half},
+    {"power_1", Q31_RANGE, power_1},
+    {"power_2", Q31_RANGE, power_2},
+    {"power_32", Q31_RANGE, power_32},
+    {"power_100_3", Q31_RANGE, power_100_3},
+    {"power_1024", Q31_RANGE, power_1024},
+    {"power_largest", Q31_RANGE, power_largest},
+    {"sine_of_phase", 0, UINT32_MAX, sine_of_phase},
+    {"phase", FULL_RANGE, phase},
+    {"sin", FULL_RANGE, sine},
+    {"cos", FULL_RANGE, cosine},
+    {"level_15", COLOUR_RANGE, level_15},
+    {"level_31", COLOUR_RANGE, level_31},
+    {"level_63", COLOUR_RANGE, level_63},
+    {"level_255", COLOUR_RANGE, level_255},
+    {"luma_of_grey", COLOUR_RANGE, luma_of_grey},
+    {"clamped_colour", COLOUR_RANGE, clamped_colour},
+    {"gamma_of_squares", COLOUR_RANGE, gamma_of_squares},
+    {"dither_threshold", 0, 63, dither_threshold},
+};
+
+uint32_t domain_checksum(const domain *function, uint32_t count) {
+    uint32_t checksum = FIXTURE_CHECKSUM_START;
+    const int64_t width = function->last - function->first;
+    for (uint32_t i = 0; i < count; i++) {
+        const uint64_t value = (uint64_t)function->value(function->first + width * i / (count - 1));
+        const uint8_t bytes[4] = {(uint8_t)value, (uint8_t)(value >> 8), (uint8_t)(value >> 16),
+                                  (uint8_t)(value >> 24)};
+        checksum = fixture_checksum_add(checksum, bytes, 4);
+    }
+    return checksum;
+}
