@@ -14,7 +14,10 @@
 extern "C" {
 #endif
 
-/** What the callbacks return. Every wait in them is bounded, so that a dead bus is an error and never a hang. */
+/**
+ * What the callbacks return. Every wait in them is bounded, so that a dead bus is an error and never a hang. Once one
+ * has returned an error, nothing is on its way any more: what was left of a transfer is given up.
+ */
 typedef enum glint_bus_status {
     GLINT_BUS_OK = 0,
     GLINT_BUS_TIMEOUT = -1, /**< The bus took no byte, or did not fall idle, for longer than it can need. */

@@ -1,14 +1,27 @@
 # SPDX-License-Identifier: MIT
-# Models of panels.
+# Drivers of panels against models of their controllers.
 
-PANEL_MODEL         := tests/panel/panel_model.c $(wildcard tests/panel/model_*.c)
-PANEL_MODEL_HEADERS := $(wildcard tests/panel/*.h)
+PANEL_MODEL   := $(wildcard tests/panel/*model*.c)
+PANEL_DRIVERS := $(wildcard port/panel/*.c)
+PANEL_HEADERS := $(wildcard tests/panel/*.h tests/*.h tests/image/*.h port/panel/*.h src/*.h)
 
 # What a recorded bus stream puts on the glass.
 PANEL_STREAM := $(BUILD)/host/panel_stream
-$(PANEL_STREAM): tests/panel/panel_stream.c $(PANEL_MODEL) $(PANEL_MODEL_HEADERS)
+$(PANEL_STREAM): tests/panel/panel_stream.c $(PANEL_MODEL) $(PANEL_HEADERS)
 	@mkdir -p $(@D)
 	$(Q)$(CC) -std=c99 $(WARNINGS) -g $(CFLAGS) -Itests/panel $(filter %.c,$^) -o $@
 
-.PHONY: panel-stream
+# The suites; under the sanitisers, for models and drivers count in bytes.
+PANEL_SUITES := pictures complaints faults
+PANEL_SHARED := tests/panel/wire.c tests/panel/panels.c $(PANEL_MODEL) $(PANEL_DRIVERS) $(TEST_HARNESS) $(TEST_SCENES)
+$(BUILD)/tests/panel/%: tests/panel/%.c $(PANEL_SHARED) $(LIBRARY) $(PANEL_HEADERS)
+	@mkdir -p $(@D)
+	$(Q)clang $(TEST_CFLAGS) -Iport -Itests/panel $(SANITIZE) $(filter %.c,$^) -lm -o $@
+
+.PHONY: panel-stream test-panel
 panel-stream: $(PANEL_STREAM) ## the program that shows what a recorded bus stream puts on a panel
+
+test-panel: $(PANEL_SUITES:%=$(BUILD)/tests/panel/%) ## every panel, rotation and format through driver and model
+	$(call run_suites,$^)
+
+SUITES += test-panel

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT */
+#include "panels.h"
+
+#include "panel/gc9a01.h"
+#include "panel/ili9341.h"
+#include "panel/ssd0323.h"
+#include "panel/ssd1306.h"
+#include "panel/ssd1351.h"
+#include "panel/st7735.h"
+#include "panel/st7789.h"
+
+const tested_panel tested_panels[] = {
+    {&glint_panel_ili9341, "ili9341", {16, 0}, 1, 11},
+    {&glint_panel_st7789_240x240, "st7789-240x240", {16, 12}, 1, 11},
+    {&glint_panel_st7789_240x320, "st7789-240x320", {16, 12}, 1, 11},
+    {&glint_panel_st7789_135x240, "st7789-135x240", {16, 12}, 1, 11},
+    {&glint_panel_st7735_green, "st7735-green", {16, 12}, 1, 11},
+    {&glint_panel_st7735_red, "st7735-red", {16, 12}, 1, 11},
+    {&glint_panel_st7735_black, "st7735-black", {16, 12}, 1, 11},
+    {&glint_panel_gc9a01, "gc9a01", {16, 12}, 1, 11},
+    {&glint_panel_ssd0323, "ssd0323", {4, 0}, 0, 6},
+    {&glint_panel_ssd1306, "ssd1306", {1, 0}, 1, 6},
+    {&glint_panel_ssd1351, "ssd1351", {16, 0}, 1, 7},
+};
+
+const unsigned tested_panel_count = sizeof tested_panels / sizeof tested_panels[0];
+
+void panels_find_on_glass(const glint_panel_type *type, unsigned quarters, int x, int y, int glass[2]) {
+    const int right = type->width - 1;
+    const int bottom = type->height - 1;
+    const int across[4] = {x, right - y, right - x, y};
+    const int down[4] = {y, x, bottom - y, bottom - x};
+
+    glass[0] = across[quarters];
+    glass[1] = down[quarters];
+}
+
+int panels_is_seen(const tested_panel *panel, int x, int y) {
+    const int across = 2 * x + 1 - panel->type->width;
+    const int down = 2 * y + 1 - panel->type->height;
+
+    return !(panel->type->glass & GLINT_PANEL_ROUND) ||
+           across * across + down * down <= panel->type->width * panel->type->width;
+}

@@ -1,0 +1,447 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Suite: every panel, rotation and pixel format, through driver and model, against the plain picture, pixel by pixel;
+ * and what a frame takes in bytes.
+ */
+#include "harness.h"
+#include "panels.h"
+#include "picture.h"
+#include "scenes.h"
+#include "wire.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIDE_MAX = 320 };
+
+/* A way to draw to a panel. */
+typedef struct way {
+    const tested_panel *panel;
+    glint_panel driver;
+    unsigned bits;
+} way;
+
+static void *allocate(size_t size) {
+    void *memory = calloc(size, 1);
+    if (memory == NULL) {
+        fputs("out of memory\n", stderr);
+        exit(1);
+    }
+    return memory;
+}
+
+static int turns(const tested_panel *panel) {
+    return panel->can_turn ? 4 : 1;
+}
+
+static void report_complaints(const wire *line, const char *module) {
+    panel_note notes[PANEL_NOTES_MAX];
+    const unsigned count = panel_model_notes(line->model, notes);
+    char text[200];
+
+    if (!CHECK_EQUAL(panel_model_all_complaints(line->model), 0) && count > 0) {
+        snprintf(text, sizeof text, "  %s, byte %llu, command %02x: %s\n", module, (unsigned long long)notes[0].byte,
+                 notes[0].command, panel_complaint_text(notes[0].complaint));
+        test_write(text);
+    }
+}
+
+/* ---- A pattern that tells every pixel from its neighbours, sent as rectangles ----------------------------------- */
+
+/* Level of a channel, of 2^bits. */
+static unsigned pattern_level(int x, int y, int channel, unsigned bits) {
+    const uint32_t mixed = ((uint32_t)x * 2654435761u) ^ ((uint32_t)y * 40503u * 65537u) ^ ((uint32_t)channel << 20);
+
+    return (mixed ^ mixed >> 15) * 2246822519u >> (32 - bits);
+}
+
+static uint8_t expand(unsigned level, unsigned bits) {
+    const unsigned top = (1u << bits) - 1;
+
+    return (uint8_t)((level * 255 + top / 2) / top);
+}
+
+/* Bits of a channel in a pixel of so many bits. */
+static unsigned channel_bits(unsigned bits, int channel) {
+    return bits == 16 ? (channel == 1 ? 6 : 5) : bits == 12 ? 4 : bits;
+}
+
+static void put_16(uint8_t *row, int column, int x, int y, int has_words) {
+    const unsigned word = pattern_level(x, y, 0, 5) << 11 | pattern_level(x, y, 1, 6) << 5 | pattern_level(x, y, 2, 5);
+    const uint16_t native = (uint16_t)word;
+
+    row[2 * column] = (uint8_t)(word >> 8);
+    row[2 * column + 1] = (uint8_t)word;
+    if (has_words) {
+        memcpy(row + 2 * column, &native, sizeof native);
+    }
+}
+
+static void put_nibble(uint8_t *row, int at, unsigned level) {
+    row[at / 2] = (uint8_t)(at % 2 ? (row[at / 2] & 0xf0) | level : (row[at / 2] & 0x0f) | level << 4);
+}
+
+/* Fills a tile of `stride` bytes a row with the pattern at (left, top). */
+static void fill(const way *to, uint8_t *tile, size_t stride, const int rectangle[4]) {
+    const int has_pages = to->bits == 1 && to->driver.rotation % 2 == 0;
+
+    for (int i = 0; i < rectangle[2] * rectangle[3]; i++) {
+        const int column = i % rectangle[2];
+        const int line = i / rectangle[2];
+        const int x = rectangle[0] + column;
+        const int y = rectangle[1] + line;
+        uint8_t *row = tile + (size_t)line * stride;
+        if (to->bits == 16) {
+            put_16(row, column, x, y, to->driver.has_words);
+        } else if (to->bits == 12) {
+            for (int channel = 0; channel < 3; channel++) {
+                put_nibble(row, 3 * column + channel, pattern_level(x, y, channel, 4));
+            }
+        } else if (to->bits == 4) {
+            put_nibble(row, column, pattern_level(x, y, 0, 4));
+        } else if (has_pages) {
+            tile[(size_t)(line / 8 * 8) * stride + (size_t)column] |= (uint8_t)(pattern_level(x, y, 0, 1) << line % 8);
+        } else {
+            row[column / 8] |= (uint8_t)(pattern_level(x, y, 0, 1) << column % 8);
+        }
+    }
+}
+
+static void expect_pattern(const way *to, int x, int y, uint8_t rgb[3]) {
+    for (int channel = 0; channel < 3; channel++) {
+        const unsigned bits = channel_bits(to->bits, channel);
+        rgb[channel] = expand(pattern_level(x, y, to->bits > 4 ? channel : 0, bits), bits);
+    }
+}
+
+/* Pixels of the glass that are not as wanted; `wanted` is called for each pixel of the picture. */
+static int count_wrong(const way *to, wire *line, void (*wanted)(const way *to, int x, int y, uint8_t rgb[3])) {
+    const panel_picture *glass = panel_model_picture(line->model);
+    int wrong = 0;
+
+    for (int y = 0; y < glint_panel_height(&to->driver); y++) {
+        for (int x = 0; x < glint_panel_width(&to->driver); x++) {
+            uint8_t rgb[3] = {0, 0, 0};
+            int at[2];
+            panels_find_on_glass(to->panel->type, to->driver.rotation, x, y, at);
+            if (panels_is_seen(to->panel, at[0], at[1])) {
+                wanted(to, x, y, rgb);
+            }
+            wrong += memcmp(glass->rgb + (size_t)(at[1] * glass->width + at[0]) * 3, rgb, 3) != 0;
+        }
+    }
+    return wrong;
+}
+
+static int smaller(int a, int b) {
+    return a < b ? a : b;
+}
+
+/* Sends the pattern as a grid of rectangles of one size. */
+static void send_pattern(const way *to, int width, int height) {
+    const int across = glint_panel_width(&to->driver);
+    const int down = glint_panel_height(&to->driver);
+    const size_t stride = glint_row_bytes(glint_panel_format(&to->driver), (uint32_t)(width + 7) / 8 * 8);
+    uint8_t *tile = allocate(stride * (size_t)(height + 7) / 8 * 8);
+
+    for (int y = 0; y < down; y += height) {
+        for (int x = 0; x < across; x += width) {
+            const int rectangle[4] = {x, y, smaller(width, across - x), smaller(height, down - y)};
+            memset(tile, 0, stride * (size_t)height);
+            fill(to, tile, stride, rectangle);
+            CHECK_EQUAL(glint_panel_begin(&to->driver, x, y, rectangle[2], rectangle[3], tile, stride), GLINT_PANEL_OK);
+            CHECK_EQUAL(glint_panel_wait(&to->driver), GLINT_PANEL_OK);
+        }
+    }
+    free(tile);
+}
+
+/* Sets up one way. `line` carries it. */
+static way choose(const tested_panel *panel, wire *line, unsigned rotation, unsigned bits, int has_words) {
+    static const glint_format *const of_bits[17] = {[12] = &glint_format_rgb444, [16] = &glint_format_rgb565_be};
+    way to = {panel, {panel->type, &line->bus, (glint_panel_rotation)rotation, NULL, has_words}, bits};
+
+    to.driver.format = has_words ? &glint_format_rgb565 : of_bits[bits];
+    return to;
+}
+
+static void check_pattern(const tested_panel *panel, unsigned rotation, unsigned bits, int has_words) {
+    /* sizes that divide no side; whole bytes all the same, but for the last column */
+    static const int sizes[][2] = {{SIDE_MAX, SIDE_MAX}, {24, 40}, {8, 8}, {64, 16}};
+    wire line;
+    way to;
+
+    wire_open(&line, panel->module, panel->type->clock_max, 1);
+    to = choose(panel, &line, rotation, bits, has_words);
+    CHECK_EQUAL(glint_panel_start(&to.driver), GLINT_PANEL_OK);
+    CHECK(line.is_lit);
+    for (unsigned i = 0; i < TEST_COUNT(sizes); i++) {
+        send_pattern(&to, sizes[i][0], sizes[i][1]);
+        CHECK_EQUAL(count_wrong(&to, &line, expect_pattern), 0);
+    }
+    report_complaints(&line, panel->module);
+    wire_close(&line);
+}
+
+/* The number of ways tried is printed, and must be what the table of panels comes to. */
+static void patterns_arrive(void) {
+    unsigned ways = 0;
+    char text[100];
+
+    for (unsigned i = 0; i < tested_panel_count; i++) {
+        const tested_panel *panel = &tested_panels[i];
+        for (int rotation = 0; rotation < turns(panel); rotation++) {
+            for (int kind = 0; kind < 2 && panel->bits[kind]; kind++, ways++) {
+                check_pattern(panel, (unsigned)rotation, panel->bits[kind], 0);
+            }
+            if (panel->bits[0] == 16) {
+                check_pattern(panel, (unsigned)rotation, 16, 1);
+                ways++;
+            }
+        }
+    }
+    snprintf(text, sizeof text, "panels %u, with each rotation and format %u\n", tested_panel_count, ways);
+    test_write(text);
+    CHECK_EQUAL(ways, 7 * 4 * 3 + 2 * 4 * 2 + 4 + 1);
+}
+
+/* ---- What the library draws ------------------------------------------------------------------------------------- */
+
+static picture plain; /* the picture that `wanted_plain` looks into */
+
+static void wanted_plain(const way *to, int x, int y, uint8_t rgb[3]) {
+    (void)to;
+    for (int channel = 0; channel < 3; channel++) {
+        const int of = picture_channels(plain.format) == 1 ? 0 : channel;
+        const int top = picture_level_max(plain.format, of);
+        rgb[channel] = (uint8_t)((picture_level(&plain, x, y, of) * 255 + top / 2) / top);
+    }
+}
+
+static const glint_scene *example(void) {
+    static test_scene scene;
+
+    scene_build_named(&scene, "interlocked");
+    scene.scene.background = (glint_colour){GLINT_Q16(0.2), GLINT_Q16(0.45), GLINT_Q16(0.7)};
+    return &scene.scene;
+}
+
+static glint_status draw(const glint_panel *driver, uint16_t tile, void *arena, size_t size) {
+    glint_renderer renderer;
+    glint_config config = {.width = glint_panel_width(driver), .height = glint_panel_height(driver)};
+    glint_status status;
+
+    config.tile_width = config.tile_height = tile;
+    config.format = glint_panel_format(driver);
+    config.flush = glint_panel_flush(driver);
+    config.arena = arena;
+    config.arena_size = size;
+    status = glint_init(&renderer, &config);
+    return status ? status : glint_render(&renderer, example());
+}
+
+/* One-bit pages are judged by the one-bit rows that the image tests judge. */
+static const glint_format *judged_format(const glint_format *format) {
+    return format == &glint_format_mono_pages            ? &glint_format_mono
+           : format == &glint_format_mono_pages_dithered ? &glint_format_mono_dithered
+                                                         : format;
+}
+
+static void check_drawing(const tested_panel *panel, unsigned rotation, const glint_format *format, uint16_t tile) {
+    const size_t size = 1 << 20;
+    void *arena = allocate(size);
+    wire line;
+    way to = {panel, {panel->type, &line.bus, (glint_panel_rotation)rotation, format, 0}, 0};
+
+    wire_open(&line, panel->module, panel->type->clock_max, 1);
+    line.is_random = 1;
+    to.driver.has_words = format == &glint_format_rgb565 || format == &glint_format_rgb565_dithered;
+    plain = picture_open(glint_panel_width(&to.driver), glint_panel_height(&to.driver),
+                         judged_format(glint_panel_format(&to.driver)));
+    CHECK_EQUAL(picture_render(&plain, example(), NULL, NULL), GLINT_OK);
+    CHECK_EQUAL(glint_panel_start(&to.driver), GLINT_PANEL_OK);
+    CHECK_EQUAL(draw(&to.driver, tile, arena, size), GLINT_OK);
+    CHECK_EQUAL(count_wrong(&to, &line, wanted_plain), 0);
+    report_complaints(&line, panel->module);
+    picture_close(&plain);
+    wire_close(&line);
+    free(arena);
+}
+
+/* Bytes leave at random times, while the next tile is drawn and after. */
+static void drawings_arrive(void) {
+    static const glint_format *const coloured[] = {
+        &glint_format_rgb565,          &glint_format_rgb565_be,          &glint_format_rgb444,
+        &glint_format_rgb565_dithered, &glint_format_rgb565_be_dithered, &glint_format_rgb444_dithered};
+    static const uint16_t tiles[] = {8, 16, 32, 64};
+
+    for (unsigned i = 0; i < tested_panel_count; i++) {
+        const tested_panel *panel = &tested_panels[i];
+        for (int rotation = 0; rotation < turns(panel); rotation++) {
+            const unsigned count = panel->bits[0] == 16 ? TEST_COUNT(coloured) : 0;
+            check_drawing(panel, (unsigned)rotation, NULL, tiles[(i + (unsigned)rotation) % 4]);
+            for (unsigned kind = 0; kind < count; kind++) {
+                if (panel->bits[1] == 12 || glint_row_bytes(coloured[kind], 8) == 16) {
+                    check_drawing(panel, (unsigned)rotation, coloured[kind], tiles[(i + kind) % 4]);
+                }
+            }
+        }
+    }
+}
+
+static void one_bit_undithered_arrives(void) {
+    const tested_panel *panel = &tested_panels[9];
+
+    for (unsigned rotation = 0; rotation < 4; rotation++) {
+        check_drawing(panel, rotation, rotation % 2 ? &glint_format_mono : &glint_format_mono_pages, 32);
+    }
+}
+
+/* ---- Bytes ------------------------------------------------------------------------------------------------------ */
+
+/* Bytes of the pixels of a frame, in tiles of 32x32: rows of whole bytes, and round glasses without their corners. */
+static unsigned pixel_bytes(const way *to, unsigned *tiles) {
+    const int width = glint_panel_width(&to->driver);
+    const int height = glint_panel_height(&to->driver);
+    unsigned bytes = 0;
+
+    *tiles = 0;
+    for (int y = 0; y < height; y += 32) {
+        for (int x = 0; x < width; x += 32) {
+            const int across = smaller(32, width - x);
+            const int down = smaller(32, height - y);
+            int seen = 0;
+            for (int i = 0; i < across * down; i++) {
+                seen |= panels_is_seen(to->panel, x + i % across, y + i / across);
+            }
+            if (seen) {
+                ++*tiles;
+                bytes += to->bits == 12 ? (unsigned)(down * ((across + 1) / 2 * 3))
+                                        : (unsigned)(down * across) * to->bits / 8;
+            }
+        }
+    }
+    return bytes;
+}
+
+static void check_bytes(const tested_panel *panel, unsigned rotation, unsigned bits) {
+    static uint32_t arena[1 << 16];
+    wire line;
+    way to;
+    uint64_t before;
+    unsigned tiles, pixels;
+    char text[100];
+
+    wire_open(&line, panel->module, panel->type->clock_max, 1);
+    to = choose(panel, &line, rotation, bits, 0);
+    CHECK_EQUAL(glint_panel_start(&to.driver), GLINT_PANEL_OK);
+    before = panel_model_bytes(line.model);
+    CHECK_EQUAL(draw(&to.driver, 32, arena, sizeof arena), GLINT_OK);
+    pixels = pixel_bytes(&to, &tiles);
+    CHECK_EQUAL(line.streamed, pixels);
+    CHECK_EQUAL(panel_model_bytes(line.model) - before, tiles * panel->window_bytes + pixels);
+    if (rotation == 0) {
+        snprintf(text, sizeof text, "%-15s %2u bits: %3u tiles of 32x32, %6u bytes a frame, of these %4u not pixels\n",
+                 panel->module, bits, tiles, tiles * panel->window_bytes + pixels, tiles * panel->window_bytes);
+        test_write(text);
+    }
+    wire_close(&line);
+}
+
+static void no_byte_too_many(void) {
+    for (unsigned i = 0; i < tested_panel_count; i++) {
+        for (int rotation = 0; rotation < turns(&tested_panels[i]); rotation++) {
+            for (int kind = 0; kind < 2 && tested_panels[i].bits[kind]; kind++) {
+                check_bytes(&tested_panels[i], (unsigned)rotation, tested_panels[i].bits[kind]);
+            }
+        }
+    }
+}
+
+/* ---- What a driver refuses -------------------------------------------------------------------------------------- */
+
+static int start_status(const tested_panel *panel, unsigned rotation, const glint_format *format, int has_words,
+                        int can_send_words) {
+    wire line;
+    glint_panel driver = {panel->type, &line.bus, (glint_panel_rotation)rotation, format, has_words};
+    int status;
+
+    wire_open(&line, panel->module, 0, 1);
+    if (!can_send_words) {
+        line.bus.begin_words = NULL;
+    }
+    status = glint_panel_start(&driver);
+    CHECK(status == GLINT_PANEL_OK || panel_model_bytes(line.model) == 0);
+    wire_close(&line);
+    return status;
+}
+
+static void what_a_panel_cannot_is_refused(void) {
+    for (unsigned i = 0; i < tested_panel_count; i++) {
+        const tested_panel *panel = &tested_panels[i];
+        const int has_16 = panel->bits[0] == 16;
+        const int has_12 = panel->bits[1] == 12;
+        for (unsigned rotation = 1; rotation < 4; rotation++) {
+            CHECK_EQUAL(start_status(panel, rotation, NULL, 0, 1), panel->can_turn ? 0 : GLINT_PANEL_ERROR_ROTATION);
+        }
+        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb565_be, 0, 1), has_16 ? 0 : GLINT_PANEL_ERROR_FORMAT);
+        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb444, 0, 1), has_12 ? 0 : GLINT_PANEL_ERROR_FORMAT);
+        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb888, 0, 1), GLINT_PANEL_ERROR_FORMAT);
+        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb565, 1, 1), has_16 ? 0 : GLINT_PANEL_ERROR_FORMAT);
+        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb565, 1, 0), GLINT_PANEL_ERROR_FORMAT);
+    }
+}
+
+static void windows_off_the_glass_are_refused(void) {
+    static const uint8_t pixels[2 * SIDE_MAX];
+
+    for (unsigned i = 0; i < tested_panel_count; i++) {
+        wire line;
+        const glint_panel driver = {tested_panels[i].type, &line.bus};
+        const int right = glint_panel_width(&driver);
+        const int bottom = glint_panel_height(&driver);
+        const int wrong[][4] = {{-8, 0, 8, 8}, {0, -8, 8, 8}, {right - 8, 0, 16, 8},     {0, bottom - 8, 8, 16},
+                                {0, 0, 0, 8},  {0, 0, 8, 0},  {0, 0, right + 8, bottom}, {right, 0, 8, 8}};
+        wire_open(&line, tested_panels[i].module, 0, 1);
+        for (unsigned j = 0; j < TEST_COUNT(wrong); j++) {
+            CHECK_EQUAL(glint_panel_begin(&driver, wrong[j][0], wrong[j][1], wrong[j][2], wrong[j][3], pixels, 16),
+                        GLINT_PANEL_ERROR_WINDOW);
+        }
+        CHECK_EQUAL(panel_model_bytes(line.model), 0);
+        wire_close(&line);
+    }
+}
+
+/* Left and right edges on whole bytes; pages begin on theirs. */
+static void split_bytes_are_refused(void) {
+    static const uint8_t pixels[64];
+    wire line;
+    const glint_panel packed = {tested_panels[1].type, &line.bus, GLINT_PANEL_0, &glint_format_rgb444, 0};
+    const glint_panel pages = {tested_panels[9].type, &line.bus, GLINT_PANEL_0, NULL, 0};
+    const glint_panel rows = {tested_panels[9].type, &line.bus, GLINT_PANEL_90, NULL, 0};
+
+    wire_open(&line, "st7789-240x240", 0, 1);
+    CHECK_EQUAL(glint_panel_begin(&packed, 1, 0, 2, 1, pixels, 3), GLINT_PANEL_ERROR_WINDOW);
+    CHECK_EQUAL(glint_panel_begin(&packed, 0, 0, 3, 1, pixels, 6), GLINT_PANEL_ERROR_WINDOW);
+    CHECK_EQUAL(glint_panel_begin(&pages, 0, 4, 8, 8, pixels, 1), GLINT_PANEL_ERROR_WINDOW);
+    CHECK_EQUAL(glint_panel_begin(&pages, 0, 0, 8, 4, pixels, 1), GLINT_PANEL_ERROR_WINDOW);
+    CHECK_EQUAL(glint_panel_begin(&rows, 4, 0, 8, 8, pixels, 1), GLINT_PANEL_ERROR_WINDOW);
+    CHECK_EQUAL(glint_panel_begin(&rows, 0, 0, 4, 8, pixels, 1), GLINT_PANEL_ERROR_WINDOW);
+    CHECK_EQUAL(panel_model_bytes(line.model), 0);
+    wire_close(&line);
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {
+        TEST_CASE(patterns_arrive),
+        TEST_CASE(drawings_arrive),
+        TEST_CASE(one_bit_undithered_arrives),
+        TEST_CASE(no_byte_too_many),
+        TEST_CASE(what_a_panel_cannot_is_refused),
+        TEST_CASE(windows_off_the_glass_are_refused),
+        TEST_CASE(split_bytes_are_refused),
+    };
+
+    return test_run(write, cases, TEST_COUNT(cases));
+}
