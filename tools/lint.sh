@@ -41,11 +41,12 @@ tidy() {
         'tests/board/pattern.c' 'tests/board/unit.c' ':!port/host' ':!port/virt' || status=1
     tidy_files "-Isrc -Iport -Iport/libc --target=riscv32-unknown-elf -march=rv32imc -ffreestanding" \
         'port/virt/*.c' || status=1
-    tidy_files "-Isrc -Iport -Iport/libc -I$bench $(arm)" 'tools/bench/frames.c' 'tools/features/*.c' || status=1
+    tidy_files "-Isrc -Iport -Iport/libc -I$bench $(arm)" 'tools/bench/frames.c' 'tools/features/*.c' \
+        'tools/chart/*_board.c' || status=1
     tidy_files "-Isrc -Iexamples -Iexamples/bench" 'tools/bench/scenes.c' || status=1
     tidy_files "-Isrc -Iport -Iport/host -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit" \
-        'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' 'examples/scenes/*.c' \
-        ':!tests/board/*_board.c' ':!tests/board/pattern.c' ':!tests/board/unit.c' || status=1
+        'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' 'examples/scenes/*.c' 'tools/chart/*.c' \
+        ':!tools/chart/*_board.c' ':!tests/board/*_board.c' ':!tests/board/pattern.c' ':!tests/board/unit.c' || status=1
     return $status
 }
 
@@ -62,7 +63,7 @@ tidy_files() { # tidy_files FLAGS PATTERN...
 
 # src/numeric.h owns the shifts of negative numbers, and does not compile where they are not arithmetic.
 cppcheck_all() {
-    files 'src/*.c' 'port/*.c' 'tests/*.c' 'examples/*.c' 'tools/bench/*.c' 'tools/features/*.c' | xargs cppcheck --quiet --std=c99 -j "$jobs" --error-exitcode=1 \
+    files 'src/*.c' 'port/*.c' 'tests/*.c' 'examples/*.c' 'tools/*.c' | xargs cppcheck --quiet --std=c99 -j "$jobs" --error-exitcode=1 \
         --enable=warning,performance,portability --inline-suppr --suppress=missingIncludeSystem \
         --suppress=shiftTooManyBitsSigned:src/numeric.h \
         -Isrc -Iport -Iport/host -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit
