@@ -9,16 +9,29 @@ $(BUILD)/bench/bench_scenes.h: $(BUILD)/bench/scenes
 	$(Q)$< > $@
 
 # Firmware that draws them includes them.
-$(foreach board,mps2-an385 mps2-an385-m0,$(foreach level,Os O2,\
+$(foreach board,$(MEASURED),$(foreach level,Os O2,\
     $(patsubst %.c,$(BUILD)/$(board)/$(level)/%.o,tools/bench/frames.c))): $(BUILD)/bench/bench_scenes.h
 
-BENCH_PROGRAMS := m3=$(BUILD)/mps2-an385/O2/frames.elf m0=$(BUILD)/mps2-an385-m0/O2/frames.elf
+PROGRAM_methods := tools/bench/methods.c $(METHODS)
+$(foreach board,$(MEASURED),$(eval $(call firmware_program,$(board),O2,methods)))
+
+# Name in the table, emulated machine and board of each core. ARMv6-M code runs on the M3's board.
+BENCH_CORES := m3=mps2-an385=mps2-an385 m0=mps2-an385=mps2-an385-m0 m4=mps2-an386=mps2-an386 rv32=virt=virt
+
+# $(call bench_elf,core,program)
+bench_elf = $(BUILD)/$(lastword $(subst =, ,$1))/O2/$2.elf
+
+# $(call bench_programs,program): name=machine=firmware of each core
+bench_programs = $(foreach core,$(BENCH_CORES),\
+    $(word 1,$(subst =, ,$(core)))=$(word 2,$(subst =, ,$(core)))=$(call bench_elf,$(core),$1))
 
 .PHONY: bench bench-diff
-$(BUILD)/bench.csv: $(foreach program,$(BENCH_PROGRAMS),$(lastword $(subst =, ,$(program)))) tools/bench/bench.py tests/board/qemu.py
-	$(Q)python3 tools/bench/bench.py --qemu $(QEMU) --output $(BUILD) $(BENCH_PROGRAMS)
+$(BUILD)/bench.csv: $(foreach core,$(BENCH_CORES),$(call bench_elf,$(core),frames) $(call bench_elf,$(core),methods)) \
+        $(wildcard tools/bench/*.py) tests/board/qemu.py
+	$(Q)python3 tools/bench/bench.py --qemu $(QEMU) --output $(BUILD) --frames $(call bench_programs,frames) \
+	    --methods $(call bench_programs,methods)
 
-bench: $(BUILD)/bench.csv ## count the instructions of whole frames; writes build/bench.csv
+bench: $(BUILD)/bench.csv ## count the instructions of whole frames and of methods; writes build/bench.csv
 	@python3 tools/bench/table.py $<
 
 bench-diff: $(BUILD)/bench.csv ## what changed against docs/bench.csv; fails when anything did

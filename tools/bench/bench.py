@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Counts instructions of whole frames: bench.py --qemu QEMU --output DIRECTORY CPU=ELF...
+"""Counts instructions: bench.py --qemu QEMU --output DIRECTORY --frames CPU=MACHINE=ELF... --methods CPU=MACHINE=ELF...
 
-Writes DIRECTORY/bench.csv, with instructions a frame and the bytes of the library's tables, and
-DIRECTORY/bench-arena.csv, with the arena that the frames need.
+Writes DIRECTORY/bench.csv, with instructions a frame and the bytes of the library's tables, then instructions of each
+method and the bytes of its own tables; and DIRECTORY/bench-arena.csv, with the arena that the frames need.
 """
 import argparse
 import concurrent.futures
@@ -23,26 +23,41 @@ def write(path, columns, rows):
         table.writerows(rows)
 
 
+def frame_rows(firmware, running, arenas):
+    for (cpu, _, elf), result in zip(firmware, running):
+        tables = library_bytes(elf[:-len(".elf")] + ".map", "tables.o")
+        for line in result.result():
+            name, variant, instructions, smallest, best = line.split(",")
+            yield "frame", name, variant, cpu, int(instructions), "frame", tables
+            # Structs with pointers are as large on every core here.
+            if arenas.setdefault((name, variant), (smallest, best)) != (smallest, best):
+                raise Died("%s needs another arena: %s" % (elf, line))
+
+
+def method_rows(firmware, running):
+    for (cpu, _, _), result in zip(firmware, running):
+        for line in result.result():
+            kind, name, variant, hundredths, unit, tables = line.split(",")
+            yield kind, name, variant, cpu, "%.2f" % (int(hundredths) / 100), unit, tables
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--qemu", required=True)
     parser.add_argument("--output", required=True)
-    parser.add_argument("firmware", nargs="+")
+    parser.add_argument("--frames", nargs="+", required=True)
+    parser.add_argument("--methods", nargs="+", required=True)
     arguments = parser.parse_args()
-    firmware = [pair.split("=", 1) for pair in arguments.firmware]
+    frames = [program.split("=") for program in arguments.frames]
+    methods = [program.split("=") for program in arguments.methods]
     workers = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
-    running = [workers.submit(lines_of, arguments.qemu, "mps2-an385", elf) for _, elf in firmware]
-    frames, arenas = [], {}
-    for (cpu, elf), result in zip(firmware, running):
-        tables = library_bytes(elf[:-len(".elf")] + ".map", "tables.o")
-        for line in result.result():
-            name, variant, instructions, smallest, best = line.split(",")
-            frames.append(("frame", name, variant, cpu, int(instructions), "frame", tables))
-            if arenas.setdefault((name, variant), (smallest, best)) != (smallest, best):
-                raise Died("%s needs another arena: %s" % (elf, line))
+    running = [workers.submit(lines_of, arguments.qemu, machine, elf) for _, machine, elf in frames + methods]
+    arenas = {}
+    rows = list(frame_rows(frames, running, arenas))
+    rows += method_rows(methods, running[len(frames):])
     write(os.path.join(arguments.output, "bench-arena.csv"), ("name", "variant", "smallest", "best"),
           [key + value for key, value in arenas.items()])
-    write(os.path.join(arguments.output, "bench.csv"), COLUMNS, frames)
+    write(os.path.join(arguments.output, "bench.csv"), COLUMNS, rows)
 
 
 if __name__ == "__main__":

@@ -91,7 +91,7 @@ static glint_status measure(const glint_config *config, const glint_scene *scene
         }
         ticks += counter_ticks_since(start);
     }
-    result->instructions = ticks * (COUNTER_INSTRUCTIONS_PER_TICK / BENCH_FRAMES);
+    result->instructions = ticks * COUNTER_INSTRUCTIONS_PER_TICK / BENCH_FRAMES;
     return GLINT_OK;
 }
 

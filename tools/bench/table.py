@@ -12,8 +12,9 @@ def read(path):
 
 
 def show(rows):
-    for (_, name, variant, cpu), row in rows.items():
-        print("%-10s %-24s %-3s %10s instructions" % (name, variant, cpu, row["instructions"]))
+    for (kind, name, variant, cpu), row in rows.items():
+        print("%-11s %-32s %-24s %-4s %11s instructions a %s" % (
+            kind, name, variant, cpu, row["instructions"], row["unit"]))
 
 
 def compare(now, before):
@@ -27,8 +28,9 @@ def compare(now, before):
         if new is None or old is None:
             print("%s: %s" % (" ".join(key), "new" if old is None else "gone"))
             continue
-        was, is_now = int(old["instructions"]), int(new["instructions"])
-        print("%s: %d, was %d, %+.2f %%" % (" ".join(key), is_now, was, 100.0 * (is_now - was) / was))
+        was, is_now = float(old["instructions"]), float(new["instructions"])
+        print("%s: %s, was %s, %+.2f %%" % (" ".join(key), new["instructions"], old["instructions"],
+                                            100.0 * (is_now - was) / (was or 1)))
     print("%d of %d rows changed" % (changed, len(now)))
     return changed
 
