@@ -1,0 +1,283 @@
+/* SPDX-License-Identifier: MIT */
+#include "contract.h"
+
+#include "library_geometry.h"
+#include "lighting.h"
+#include "picture.h"
+#include "reference.h"
+#include "weights.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* As judge.c has it. */
+#define CLOSE_STEPS 2
+
+#define GATE (4.6 / 32768)
+
+/* The scene as the library drew it, and as the reference sees it: its light, its objects and its normals. */
+typedef struct views {
+    int width, height;
+    const glint_scene *scene;
+    reference_lights lights;
+    library_geometry geometry;
+    int clips; /* some object is clipped */
+    picture shaded;
+    reference_image light, object, normal;
+} views;
+
+/* ---- What the reference sees beside light: as unlit colours of the vertices ------------------------------------ */
+
+static const glint_material paint = {.model = &glint_model_unlit, .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
+
+static uint8_t encode(double value) {
+    return (uint8_t)lrint(127.5 + 127.5 * fmax(-1, fmin(1, value)));
+}
+
+/* Unit normals of an object's vertices, or its number, as colours. */
+static void paint_vertices(const views *all, uint32_t object, int is_normal, uint8_t (*colours)[3]) {
+    for (uint32_t i = 0; i < all->scene->objects[object].mesh->vertex_count; i++) {
+        reference_vertex vertex = reference_transform(all->scene, object, i, all->width, all->height);
+        for (int axis = 0; axis < 3; axis++)
+            colours[i][axis] = is_normal ? encode(vertex.normal[axis]) : (uint8_t)object;
+    }
+}
+
+static void render_painted(const views *all, int is_normal, const reference_image *image) {
+    glint_object objects[LIBRARY_OBJECTS_MAX];
+    glint_mesh meshes[LIBRARY_OBJECTS_MAX];
+    uint8_t(*colours[LIBRARY_OBJECTS_MAX])[3];
+    glint_scene painted = *all->scene;
+    for (uint32_t i = 0; i < painted.object_count; i++) {
+        objects[i] = painted.objects[i];
+        meshes[i] = *objects[i].mesh;
+        colours[i] = calloc(meshes[i].vertex_count, sizeof *colours[i]);
+        if (colours[i] == NULL)
+            abort();
+        paint_vertices(all, i, is_normal, colours[i]);
+        meshes[i].colours = (const uint8_t(*)[3])colours[i];
+        meshes[i].colours565 = NULL;
+        objects[i].mesh = &meshes[i];
+        objects[i].material = &paint;
+        objects[i].evaluation = NULL;
+    }
+    painted.objects = objects;
+    reference_render(image, &painted, (const reference_position *const *)all->geometry.positions);
+    for (uint32_t i = 0; i < painted.object_count; i++)
+        free(colours[i]);
+}
+
+/* Length of the interpolated normal, to within 0.014: colours have 8 bits. */
+static double normal_length(const views *all, size_t at) {
+    const double *colour = all->normal.pixels[at].colour;
+    double square = 0;
+    for (int axis = 0; axis < 3; axis++)
+        square += (2 * colour[axis] - 1) * (2 * colour[axis] - 1);
+    return sqrt(square);
+}
+
+/* ---- Pixels -------------------------------------------------------------------------------------------------- */
+
+static double wanted_level(const double colour[3], const glint_format *format, int channel) {
+    double value = colour[channel];
+    if (picture_channels(format) == 1)
+        value = 0.299 * colour[0] + 0.587 * colour[1] + 0.114 * colour[2];
+    return value * picture_level_max(format, channel);
+}
+
+static int is_per_fragment(const glint_object *object) {
+    return object->evaluation == NULL || object->evaluation == &glint_per_fragment;
+}
+
+/* The place seen in a pixel, in camera space. */
+static void find_place(const views *all, int x, int y, double inverse_w, double place[3]) {
+    const double half_angle = reference_real(all->scene->camera.field_of_view) * 3.14159265358979323846 / 360;
+    const double focal = 0.5 * all->height / tan(half_angle);
+    place[0] = (x + 0.5 - 0.5 * all->width) / focal / inverse_w;
+    place[1] = (0.5 * all->height - y - 0.5) / focal / inverse_w;
+    place[2] = -1 / inverse_w;
+}
+
+/* Is a spot's soft edge too narrow for unit vectors of 15 bits, and the direction, if there is one, within it? */
+static int is_narrow(const views *all, uint32_t light, const double *towards) {
+    const glint_light *spot = &all->scene->lights[light];
+    const double degree = 3.14159265358979323846 / 180;
+    const double inner = cos(reference_real(spot->inner) * degree);
+    const double outer = cos(reference_real(spot->outer) * degree);
+    if (spot->type != &glint_light_spot || inner - outer >= CONTRACT_NARROW)
+        return 0;
+    double cosine = towards ? -reference_dot(all->lights.axis[light], towards) : inner;
+    return cosine <= inner + GATE && cosine >= outer - GATE;
+}
+
+/* Is L + V too short to tell its direction? */
+static int is_short(const views *all, const double towards[3], const double place[3]) {
+    const int local = all->scene->viewer == GLINT_VIEWER_LOCAL;
+    double view[3];
+    double sum[3];
+    for (int axis = 0; axis < 3; axis++)
+        view[axis] = local ? -place[axis] : axis == 2;
+    reference_normalise(view);
+    for (int axis = 0; axis < 3; axis++)
+        sum[axis] = towards[axis] + view[axis];
+    return sqrt(reference_dot(sum, sum)) < CONTRACT_SHORT;
+}
+
+/* Does the last bit of a light's direction decide? */
+static int is_ill_lit(const views *all, const glint_object *object, const double place[3]) {
+    int found = 0;
+    for (uint32_t light = 0; light < all->scene->light_count; light++) {
+        const int placed = all->scene->lights[light].type != &glint_light_directional;
+        double towards[3];
+        for (int axis = 0; axis < 3; axis++)
+            towards[axis] = all->lights.vector[light][axis] - (placed ? place[axis] : 0);
+        reference_normalise(towards);
+        found |= is_narrow(all, light, is_per_fragment(object) ? towards : NULL);
+        found |= object->material->model == &glint_model_blinn_phong && is_short(all, towards, place);
+    }
+    return found;
+}
+
+/* What changes, at most, from a pixel to the next: light in steps, and 1/w. */
+typedef struct change {
+    double light, inverse_w;
+} change;
+
+static change find_change(const views *all, int x, int y) {
+    const reference_pixel *here = &all->light.pixels[(size_t)y * (size_t)all->width + (size_t)x];
+    change largest = {0, 0};
+    for (int i = 0; i < 9; i++) {
+        int column = x + i % 3 - 1;
+        int row = y + i / 3 - 1;
+        if (column < 0 || row < 0 || column >= all->width || row >= all->height)
+            continue;
+        const reference_pixel *there = &all->light.pixels[(size_t)row * (size_t)all->width + (size_t)column];
+        largest.inverse_w = fmax(largest.inverse_w, fabs(there->nearest - here->nearest));
+        for (int channel = 0; channel < picture_channels(all->shaded.format); channel++)
+            largest.light = fmax(largest.light, fabs(wanted_level(there->colour, all->shaded.format, channel) -
+                                                     wanted_level(here->colour, all->shaded.format, channel)));
+    }
+    return largest;
+}
+
+/* Does what clipping rounds, 1.5/16 of a pixel, decide on the light, or on which surface is nearer? */
+static int is_rounded(const views *all, int x, int y) {
+    const reference_pixel *here = &all->light.pixels[(size_t)y * (size_t)all->width + (size_t)x];
+    const change largest = find_change(all, x, y);
+    return largest.light * 1.5 / 16 > 0.25 || here->nearest - here->second < largest.inverse_w * 1.5 / 16;
+}
+
+static void judge_distance(const views *all, int x, int y, double bound, int is_excused, contract_result *result) {
+    const reference_pixel *wanted = &all->light.pixels[(size_t)y * (size_t)all->width + (size_t)x];
+    double worst = 0;
+    int steps = 0;
+    for (int channel = 0; channel < picture_channels(all->shaded.format); channel++) {
+        double level = wanted_level(wanted->colour, all->shaded.format, channel);
+        int stored = picture_level(&all->shaded, x, y, channel);
+        int off = abs(stored - (int)floor(level + 0.5));
+        worst = fmax(worst, fabs(stored - level));
+        steps = off > steps ? off : steps;
+    }
+    if (is_excused) {
+        result->excused += worst > bound || steps > 1;
+        return;
+    }
+    result->found.not_fine += worst > bound;
+    result->found.over_one += steps > 1;
+    result->found.over_two += steps > 2;
+    if (worst / bound > result->worst_share) {
+        result->worst_share = worst / bound;
+        result->bound = bound;
+        result->found.worst = worst;
+        result->worst_x = x;
+        result->worst_y = y;
+    }
+}
+
+static void judge_pixel(const views *all, int x, int y, contract_result *result) {
+    const size_t at = (size_t)y * (size_t)all->width + (size_t)x;
+    const reference_pixel *wanted = &all->light.pixels[at];
+    if (!wanted->covered || wanted->uncertain || wanted->grazing < GATE ||
+        (wanted->nearest - wanted->second) * all->geometry.depth_scale < CLOSE_STEPS)
+        return;
+    const glint_object *object = &all->scene->objects[lrint(255 * all->object.pixels[at].colour[0])];
+    double bound = weights_bound(weights_sum(all->scene, object->material), all->shaded.format);
+    double place[3];
+    find_place(all, x, y, wanted->nearest, place);
+    judge_distance(all, x, y, bound,
+                   (is_per_fragment(object) && normal_length(all, at) < CONTRACT_SHORT) ||
+                       is_ill_lit(all, object, place) || (all->clips && is_rounded(all, x, y)),
+                   result);
+}
+
+static reference_image open_image(int width, int height) {
+    reference_image image = {.width = width, .height = height};
+    image.pixels = malloc((size_t)width * (size_t)height * sizeof *image.pixels);
+    if (image.pixels == NULL)
+        abort();
+    return image;
+}
+
+/* Looks at each pixel with its own object's bound; counts anew what was over a bound. */
+static void look_closely(views *all, contract_result *result) {
+    glint_config config = picture_config(&all->shaded, NULL);
+    library_geometry_open(&all->geometry, &config, all->scene);
+    picture_render(&all->shaded, all->scene, NULL, NULL);
+    for (uint32_t i = 0; i < all->geometry.object_count; i++) {
+        for (uint32_t vertex = 0; vertex < all->scene->objects[i].mesh->vertex_count; vertex++)
+            all->clips |= !all->geometry.positions[i][vertex].known;
+    }
+    reference_prepare_lights(&all->lights, all->scene);
+    reference_render(&all->light, all->scene, (const reference_position *const *)all->geometry.positions);
+    render_painted(all, 0, &all->object);
+    render_painted(all, 1, &all->normal);
+    result->found.not_fine = result->found.over_one = result->found.over_two = 0;
+    result->worst_share = result->found.worst = 0;
+    for (int y = 0; y < all->height; y++) {
+        for (int x = 0; x < all->width; x++)
+            judge_pixel(all, x, y, result);
+    }
+    library_geometry_close(&all->geometry);
+}
+
+/* ---- Scenes -------------------------------------------------------------------------------------------------- */
+
+/* The strictest of the objects' bounds: a scene that keeps to it need not be looked at closely. */
+static double strictest_bound(const glint_scene *scene, const glint_format *format) {
+    double least = INFINITY;
+    for (uint32_t i = 0; i < scene->object_count; i++)
+        least = fmin(least, weights_bound(weights_sum(scene, scene->objects[i].material), format));
+    return least;
+}
+
+void contract_judge(const glint_scene *scene, int width, int height, const glint_format *format,
+                    contract_result *result) {
+    const judge_task task = {.scene = scene,
+                             .width = width,
+                             .height = height,
+                             .format = format,
+                             .leave_out_gates = 1,
+                             .fine = strictest_bound(scene, format)};
+    *result = (contract_result){.bound = task.fine};
+    judge(&task, &result->found);
+    result->worst_share = result->found.worst / task.fine;
+    result->worst_x = result->found.worst_x;
+    result->worst_y = result->found.worst_y;
+    if (result->found.status != GLINT_OK || result->found.not_fine + result->found.over_one == 0)
+        return;
+    views all = {.width = width, .height = height, .scene = scene, .shaded = picture_open(width, height, format)};
+    all.light = open_image(width, height);
+    all.object = open_image(width, height);
+    all.normal = open_image(width, height);
+    look_closely(&all, result);
+    free(all.light.pixels);
+    free(all.object.pixels);
+    free(all.normal.pixels);
+    picture_close(&all.shaded);
+}
+
+int contract_holds(const contract_result *result) {
+    const judgement *found = &result->found;
+    return found->status == GLINT_OK && found->missed == 0 && found->spilled == 0 && found->over_two == 0;
+}

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file contract.h
+ * The accuracy contract, pixel by pixel. Given the snapped vertices, coverage is that of the reference. A stored value
+ * is within weights_bound of the unrounded reference for 99.9 % of the pixels, within one step of the rounded one
+ * for 99.99 %, and within two for all.
+ *
+ * Left out are pixels where the last bit of an input decides, by rules that do not look at the outcome:
+ * - close: two surfaces less than 2 depth steps apart (judge.h);
+ * - uncertain: beside an edge that library and reference each clip and round (judge.h);
+ * - gated: a cosine within 4.6 / 2^15 of a light's horizon, where a highlight's gate jumps, or of a cone without soft
+ *   edge: each of the two unit vectors is off by up to 2.3 / 2^15;
+ * - short: a sum of unit vectors nearly cancels. An interpolated normal, or L + V of a light with Blinn's highlight, is
+ *   shorter than a quarter, so that its direction is known to fewer than 13 bits.
+ * - narrow: within the soft edge of a spot whose inner and outer cosines are less than 1/64 apart. The cosine of two
+ * unit vectors of 15 bits is known to about 2^-14, which there is more than 1.5 steps of 256. Surfaces lit per vertex
+ * or facet count as within wherever they are seen.
+ * - rounded: in a scene with a clipped object, where 1.5/16 of a pixel changes the light by over a quarter of a step,
+ * or 1/w by more than two surfaces are apart. Library and reference cut on their own and round the cut corners, so that
+ * their snapped vertices are not the same.
+ */
+#ifndef GLINT_STABILITY_CONTRACT_H
+#define GLINT_STABILITY_CONTRACT_H
+
+#include "glint.h"
+#include "judge.h"
+
+/** Length below which a sum of unit vectors counts as short. */
+#define CONTRACT_SHORT 0.25
+
+/** Difference of cosines below which a spot's edge counts as narrow. */
+#define CONTRACT_NARROW (1.0 / 64)
+
+typedef struct contract_result {
+    judgement found;    /**< Its worst and its counts over bounds are those of the pixels that count. */
+    long excused;       /**< Pixels over a bound that were left out as short, narrow or rounded. */
+    double worst_share; /**< Largest distance from the unrounded reference over the pixel's bound. */
+    double bound;       /**< That pixel's. */
+    int worst_x, worst_y;
+} contract_result;
+
+/** Judges one scene. */
+void contract_judge(const glint_scene *scene, int width, int height, const glint_format *format,
+                    contract_result *result);
+
+/** Whether coverage is right and no pixel is over two steps, as every scene must have it. */
+int contract_holds(const contract_result *result);
+
+#endif

@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The tables of docs/stability.md: page.py PAGE REGIONS SEARCH.csv writes them anew; with --check, says whether they are
+those, and with --program PROGRAM draws each region's worst scene again and compares.
+
+REGIONS holds the first table as it is to stand; SEARCH.csv is search.py's.
+"""
+import argparse
+import csv
+import difflib
+import sys
+
+from search import search
+
+BEGIN, END = "<!-- begin of the %s -->\n", "<!-- end of the %s -->\n"
+
+
+def percent(part, whole):
+    return "%.4f" % (100 * part / whole) if whole else "-"
+
+
+def describe_search(rows):
+    total = {name: sum(int(row[name]) for row in rows) for name in
+             ("scenes", "judged", "left_out", "over_fine", "over_one", "over_two", "missed")}
+    lines = ["%d scenes from seed %s, %d pixels judged. Left out beyond a bound: %d." % (
+        total["scenes"], rows[0]["first_seed"], total["judged"], total["left_out"]), "",
+        "| region | scenes | pixels | % beyond the bound | beyond one step | beyond two | wrongly covered "
+        "| left out | worst, of its bound | its seed |", "| --- |" + " ---: |" * 9]
+    for row in rows:
+        judged = int(row["judged"])
+        lines.append("| %s | %s | %d | %s | %s | %s | %s | %s | %.2f of %.2f | %s |" % (
+            row["region"] + ("" if row["in_contract"] == "1" else " (beyond the contract)"), row["scenes"], judged,
+            percent(int(row["over_fine"]), judged), row["over_one"], row["over_two"], row["missed"], row["left_out"],
+            float(row["worst"]), float(row["bound"]), row["worst_seed"]))
+    lines.append("| **all** | %d | %d | %s | %d | %d | %d | %d | | |" % (
+        total["scenes"], total["judged"], percent(total["over_fine"], total["judged"]), total["over_one"],
+        total["over_two"], total["missed"], total["left_out"]))
+    return "\n".join(lines) + "\n"
+
+
+def replace(text, name, table):
+    begin, end = BEGIN % name, END % name
+    before, rest = text.split(begin, 1)
+    return before + begin + table + end + rest.split(end, 1)[1]
+
+
+def check_worst(program, rows):
+    """@return whether each region's worst scene still comes out as the figures say."""
+    failed = 0
+    for row in rows:
+        found = {again["region"]: again for again in search(program, int(row["worst_seed"]), 1)[0]}[row["region"]]
+        same = all(found[name] == row[name] for name in ("worst", "bound", "worst_checksum"))
+        failed += not same
+        if not same:
+            print("%s, seed %s: worst %s of %s where the figures say %s of %s" % (
+                row["region"], row["worst_seed"], found["worst"], found["bound"], row["worst"], row["bound"]))
+    return failed
+
+
+def check(text, page, rows, program):
+    failed = check_worst(program, rows)
+    if text != page:
+        failed += 1
+        sys.stdout.writelines(difflib.unified_diff(page.splitlines(True), text.splitlines(True), "page", "as found"))
+    if failed:
+        print("docs/stability.md is not what the library does; `make stability` writes it anew")
+    print("%d passed, %d failed" % (len(rows) + 1 - failed, failed))
+    return failed > 0
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("page")
+    parser.add_argument("regions")
+    parser.add_argument("search")
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--program")
+    arguments = parser.parse_args()
+    with open(arguments.page) as file:
+        page = file.read()
+    with open(arguments.regions) as file:
+        text = replace(page, "regions", file.read())
+    with open(arguments.search, newline="") as file:
+        rows = list(csv.DictReader(file))
+    text = replace(text, "search", describe_search(rows))
+    if arguments.check:
+        return check(text, page, rows, arguments.program)
+    with open(arguments.page, "w") as file:
+        file.write(text)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
