@@ -8,12 +8,12 @@ CROSS ?= arm-none-eabi-
 # ---- can spare (ARENA), what an ELF file needs before it is whole (FINISH), and the prefix of its compiler's commands
 # ---- where that is not Arm's
 
-BOARDS := lm3s6965evb microbit mps2-an385 mps2-an385-m0 mps2-an386 virt pico template
+BOARDS := lm3s6965evb microbit mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 virt pico template
 
 CORTEX_M := $(wildcard port/cortex-m/*.c) port/libc/memory.c
 
 lm3s6965evb_CPU     := -mcpu=cortex-m3 -mthumb
-lm3s6965evb_SOURCES := $(CORTEX_M) $(wildcard port/lm3s6965evb/*.c)
+lm3s6965evb_SOURCES := $(CORTEX_M) $(wildcard port/lm3s6965evb/*.c) port/pl022/pl022.c
 lm3s6965evb_LINKER  := linker/lm3s6965evb.ld
 lm3s6965evb_PANEL   := port/panel/panel.c port/panel/solomon.c port/panel/ssd0323.c
 
@@ -22,18 +22,31 @@ microbit_SOURCES := $(CORTEX_M) $(wildcard port/microbit/*.c)
 microbit_LINKER  := linker/microbit.ld
 
 mps2-an385_CPU     := -mcpu=cortex-m3 -mthumb
-mps2-an385_SOURCES := $(CORTEX_M) $(wildcard port/mps2-an385/*.c)
+mps2-an385_SOURCES := $(CORTEX_M) $(wildcard port/mps2-an385/*.c) port/pl022/pl022.c
 mps2-an385_LINKER  := linker/mps2-an385.ld
+mps2-an385_PANEL   := port/panel/panel.c port/panel/dcs.c port/panel/ili9341.c
+mps2-an385_ARENA   := 262144
 
 # ARMv6-M code on the M3 of the same board: a Cortex-M0 with room to spare.
 mps2-an385-m0_CPU     := -mcpu=cortex-m0 -mthumb
 mps2-an385-m0_SOURCES := $(mps2-an385_SOURCES)
 mps2-an385-m0_LINKER  := $(mps2-an385_LINKER)
+mps2-an385-m0_PANEL   := $(mps2-an385_PANEL)
+mps2-an385-m0_ARENA   := $(mps2-an385_ARENA)
 
 # The same board with a Cortex-M4F; nothing here uses its floating point.
 mps2-an386_CPU     := -mcpu=cortex-m4 -mthumb
 mps2-an386_SOURCES := $(mps2-an385_SOURCES)
 mps2-an386_LINKER  := $(mps2-an385_LINKER)
+mps2-an386_PANEL   := $(mps2-an385_PANEL)
+mps2-an386_ARENA   := $(mps2-an385_ARENA)
+
+# And with a Cortex-M7.
+mps2-an500_CPU     := -mcpu=cortex-m7 -mthumb
+mps2-an500_SOURCES := $(mps2-an385_SOURCES)
+mps2-an500_LINKER  := $(mps2-an385_LINKER)
+mps2-an500_PANEL   := $(mps2-an385_PANEL)
+mps2-an500_ARENA   := $(mps2-an385_ARENA)
 
 # RISC-V without floating point, and without a global pointer to small data.
 virt_CPU     := -march=rv32imc -mabi=ilp32 -msmall-data-limit=0
@@ -117,7 +130,7 @@ $(foreach board,mps2-an385 mps2-an385-m0 virt,$(foreach level,O0 Os O2,\
     $(eval $(call firmware_program,$(board),$(level),identity))))
 $(foreach board,$(MEASURED),$(eval $(call firmware_program,$(board),O2,frames)))
 
-$(eval $(call firmware_program,pico,release,show))
+$(foreach board,pico mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500,$(eval $(call firmware_program,$(board),release,show)))
 $(eval $(call firmware_program,pico,release,unit,-Wl$(comma)--defsym=stack_size=3584))
 
 # What programmers and boot loaders take.
@@ -131,5 +144,9 @@ $(BUILD)/%.uf2: $(BUILD)/%.bin
 -include $(wildcard $(foreach board,$(BOARDS),$(BUILD)/$(board)/*/*/*.d $(BUILD)/$(board)/*/*/*/*.d))
 
 .PHONY: boards
-boards: $(FIRMWARE) $(FIRMWARE:.elf=.hex) $(FIRMWARE:.elf=.bin) $(patsubst %.elf,%.uf2,$(filter $(BUILD)/pico/%,$(FIRMWARE))) ## build the firmware of every board as ELF, HEX, BIN (and UF2); prints flash, RAM and stack
+# Files that are read later add firmware too.
+FIRMWARE_FILES = $(FIRMWARE) $(FIRMWARE:.elf=.hex) $(FIRMWARE:.elf=.bin) \
+    $(patsubst %.elf,%.uf2,$(filter $(BUILD)/pico/%,$(FIRMWARE)))
+.SECONDEXPANSION:
+boards: $$(FIRMWARE_FILES) ## build the firmware of every board as ELF, HEX, BIN (and UF2); prints flash, RAM and stack
 	@cat $(FIRMWARE:.elf=.size)

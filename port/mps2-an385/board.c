@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Arm MPS2 with the AN385 image: Cortex-M3 at 25 MHz, 4 MB RAM. Room for what needs more than a small board has;
- * ARMv6-M code runs here too, and so does the Cortex-M0 build of everything. No panel yet.
+ * ARMv6-M code runs here too, and so does the Cortex-M0 build of everything. An ILI9341 of 320x240 as it lies on the
+ * LCD's port.
  */
 #include "board.h"
 
 #include "cortex-m/cortex-m.h"
 #include "cortex-m/semihosting.h"
+#include "display.h"
+#include "lcd.h"
+#include "panel/ili9341.h"
 
 enum { CLOCK_HZ = 25000000 };
 
@@ -26,7 +30,14 @@ void board_delay(uint32_t milliseconds) {
 }
 
 const glint_bus *board_panel_bus(void) {
-    return 0;
+    return &mps2_lcd_bus;
+}
+
+int board_display_start(board_display *display) {
+    static const glint_panel panel = {.type = &glint_panel_ili9341, .bus = &mps2_lcd_bus, .rotation = GLINT_PANEL_90};
+
+    mps2_lcd_start(CLOCK_HZ, glint_panel_ili9341.clock_max);
+    return display_start(&panel, display);
 }
 
 void board_checkpoint(const char *name) {

@@ -52,7 +52,9 @@ FLASH_MOST   := 65536
 RAM_MOST     := 32768
 LIBRARY_MOST := 16384
 
-test-firmware: $(FIRMWARE) ## flash, RAM and library within their limits
+# Files that are read later add firmware too.
+.SECONDEXPANSION:
+test-firmware: $$(FIRMWARE) ## flash, RAM and library within their limits
 	@python3 tests/board/firmware.py --flash $(FLASH_MOST) --ram $(RAM_MOST) --library $(LIBRARY_MOST) \
 	    $(BUILD)/lm3s6965evb/release/turntable.map --programs $(FIRMWARE) --example examples/firmware/minimal.c
 
@@ -74,7 +76,8 @@ $(SHOW_HOST): tests/board/show_host.c tests/image/picture.c examples/turntable/t
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -Itests/image $(filter %.c,$^) $(BUILD)/host/libglint.a -o $@
 
-SHOW_FIRMWARE := pico=$(BUILD)/pico/release/show.bin
+SHOW_BOARDS   := mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500
+SHOW_FIRMWARE := pico=$(BUILD)/pico/release/show.bin $(foreach board,$(SHOW_BOARDS),$(board)=$(BUILD)/$(board)/release/show.elf)
 SUITES += test-board-show
 .PHONY: test-board-show
 test-board-show: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed \

@@ -9,18 +9,20 @@ panel's controller (tests/panel), whose picture must equal the host's pixel for 
 """
 import argparse
 import os
+import re
 import shutil
 import subprocess
 import sys
+import tempfile
 
-from qemu import Died, Tally, check_stack, read_netpbm
+from qemu import Died, Machine, Tally, check_stack, read_netpbm
 
 FRAMES = ["torus576-0", "torus576-1", "teapot-0", "teapot-1"]
 
 
 class Pico:
     """Raspberry Pi Pico in rp2040js."""
-    module, width, height, format = "st7789-240x240", 240, 240, "rgb565"
+    module, width, height, format, rotation = "st7789-240x240", 240, 240, "rgb565", 0
 
     @staticmethod
     def capture(firmware, stream, *bus):
@@ -50,7 +52,74 @@ class Pico:
         tally.check(on_bus - waited > min(on_bus, total_free) / 4, "the core waits for the bus: DMA does not overlap")
 
 
-BOARDS = {"pico": Pico}
+class Traced:
+    """A board in QEMU, which logs every write to a register: -trace memory_region_ops_write.
+
+    The trace tells neither when a write came nor when a frame is done: the model gets all the time it may want before
+    each command, and a frame ends when so many pixel bytes have been sent as it has.
+    """
+    WRITE = re.compile(r"addr 0x([0-9a-f]+) value 0x([0-9a-f]+)")
+    machine, rotation = None, 0
+    clock = 1000000  # Hz, told to the model where the board's own is not traced
+
+    def registers(self):
+        """Registers that matter: {address: function of the value written, which calls self.byte or sets self.is_data}."""
+        raise NotImplementedError
+
+    def byte(self, value):
+        if self.is_data is None or not self.selected:
+            raise Died("a byte for no panel")
+        if self.is_data:
+            self.out.append("D %02x" % value)
+            self.pixel_bytes += self.is_pixel
+            if self.is_pixel and self.pixel_bytes % self.frame_bytes == 0:
+                self.out.append("P %s.ppm" % FRAMES[self.pixel_bytes // self.frame_bytes - 1])
+        else:
+            self.out += ["T 200000", "C %02x" % value]
+            self.is_pixel = self.starts_pixels(value)
+
+    @staticmethod
+    def starts_pixels(command):
+        return command == 0x2c  # MIPI DCS: write memory start
+
+    def capture(self, firmware, stream):
+        self.out, self.is_data, self.selected, self.is_pixel, self.pixel_bytes = [], None, False, False, 0
+        with tempfile.TemporaryDirectory() as directory:
+            trace = os.path.join(directory, "trace")
+            with Machine("qemu-system-arm", self.machine, firmware,
+                         options=("-trace", "memory_region_ops_write", "-D", trace)) as machine:
+                lines = list(iter(machine.line, None))
+                status = machine.process.wait(60)
+            if status:
+                raise Died("exit status %d: %s" % (status, lines[-1:]))
+            registers = self.registers()
+            with open(trace) as file:
+                for line in file:
+                    write = self.WRITE.search(line)
+                    if write and int(write[1], 16) in registers:
+                        registers[int(write[1], 16)](int(write[2], 16))
+        with open(stream, "w") as file:
+            file.write("R 1\nT 100000\nR 0\nH %d\n" % self.clock + "\n".join(self.out) + "\n")
+        return lines
+
+
+class Mps2(Traced):
+    """Arm MPS2: a PL022 and, in the FPGA, chip select (bit 0) and D/C (bit 4)."""
+    module, width, height, format, rotation = "ili9341", 320, 240, "rgb565", 90
+    frame_bytes = 2 * width * height
+
+    def __init__(self, machine):
+        self.machine = machine
+
+    def lines(self, value):
+        self.selected, self.is_data = not value & 1, bool(value & 16)
+
+    def registers(self):
+        return {0x40021008: self.byte, 0x4002804c: self.lines}
+
+
+BOARDS = {"pico": Pico, "mps2-an385": Mps2("mps2-an385"), "mps2-an385-m0": Mps2("mps2-an385"),
+          "mps2-an386": Mps2("mps2-an386"), "mps2-an500": Mps2("mps2-an500")}
 
 
 def compare(tally, name, shown, wanted):
@@ -84,7 +153,7 @@ def run(arguments, tally, name, firmware):
         print("  %s: %s" % (name, line))
         check_stack(tally, os.path.splitext(firmware)[0] + ".elf", line)
     with open(stream) as file:
-        model = subprocess.run([os.path.abspath(arguments.stream), board.module, "last.ppm"], stdin=file,
+        model = subprocess.run([os.path.abspath(arguments.stream), "-r", str(board.rotation), board.module, "last.ppm"], stdin=file,
                                stdout=subprocess.PIPE, text=True, cwd=directory)
     print("  %s: %s" % (name, model.stdout.strip().splitlines()[-1:]))
     tally.check(model.returncode == 0, "%s: the panel's model complains: %s" % (name, model.stdout))
