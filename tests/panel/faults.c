@@ -235,10 +235,64 @@ static void every_fault_is_survived(void) {
     }
 }
 
+/*
+ * Where parameters go as commands do, a panel without a reset line may still wait for some. 0xb8 has 8, 0x21 has 2,
+ * whose values are nonsense then.
+ */
+static void half_a_command_is_ended(void) {
+    static const struct {
+        const char *module;
+        uint8_t command;
+        unsigned complaints;
+    } list[] = {{"ssd0323", 0xb8, 0}, {"ssd1306", 0x21, 1}};
+
+    for (unsigned i = 0; i < tested_panel_count; i++) {
+        for (unsigned j = 0; j < TEST_COUNT(list); j++) {
+            wire line;
+            const glint_panel driver = {tested_panels[i].type, &line.bus};
+            if (strcmp(tested_panels[i].module, list[j].module) != 0) {
+                continue;
+            }
+            open_panel(&tested_panels[i], &line, 0);
+            panel_model_delay(line.model, 1000000);
+            panel_model_command(line.model, list[j].command);
+            CHECK_EQUAL(glint_panel_start(&driver), GLINT_PANEL_OK);
+            CHECK_EQUAL(draw(&driver, 1), GLINT_PANEL_OK);
+            CHECK(is_whole(&tested_panels[i], &line));
+            CHECK_EQUAL(panel_model_all_complaints(line.model), list[j].complaints);
+            wire_close(&line);
+        }
+    }
+}
+
+/* What another program left behind in a panel without a reset line: awake and inverted. */
+static void what_was_left_behind_is_reset(void) {
+    for (unsigned i = 0; i < tested_panel_count; i++) {
+        static const uint8_t left[] = {0x11, 0x21, 0x29};
+        wire line;
+        const glint_panel driver = {tested_panels[i].type, &line.bus};
+        if (tested_panels[i].window_bytes != 11) {
+            continue;
+        }
+        open_panel(&tested_panels[i], &line, 0);
+        for (unsigned j = 0; j < TEST_COUNT(left); j++) {
+            panel_model_delay(line.model, 120000000);
+            panel_model_command(line.model, left[j]);
+        }
+        CHECK_EQUAL(glint_panel_start(&driver), GLINT_PANEL_OK);
+        CHECK_EQUAL(draw(&driver, 1), GLINT_PANEL_OK);
+        CHECK(is_whole(&tested_panels[i], &line));
+        CHECK_EQUAL(panel_model_all_complaints(line.model), 0);
+        wire_close(&line);
+    }
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(order_is_the_same_at_random_times),
         TEST_CASE(every_fault_is_survived),
+        TEST_CASE(half_a_command_is_ended),
+        TEST_CASE(what_was_left_behind_is_reset),
     };
 
     return test_run(write, cases, TEST_COUNT(cases));

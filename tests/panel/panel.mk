@@ -21,7 +21,8 @@ $(BUILD)/tests/panel/%: tests/panel/%.c $(PANEL_SHARED) $(LIBRARY) $(PANEL_HEADE
 .PHONY: panel-stream test-panel
 panel-stream: $(PANEL_STREAM) ## the program that shows what a recorded bus stream puts on a panel
 
-test-panel: $(PANEL_SUITES:%=$(BUILD)/tests/panel/%) ## every panel, rotation and format through driver and model
-	$(call run_suites,$^)
+test-panel: $(PANEL_SUITES:%=$(BUILD)/tests/panel/%) $(PANEL_STREAM) ## every panel, rotation and format through driver and model
+	@status=0; for suite in $(PANEL_SUITES:%=$(BUILD)/tests/panel/%); do echo "$$suite"; $$suite || status=1; done; \
+	    python3 tests/panel/stream.py $(PANEL_STREAM) || status=1; exit $$status
 
 SUITES += test-panel
