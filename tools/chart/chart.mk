@@ -23,7 +23,7 @@ $(BUILD)/frame-accuracy.csv: $(BUILD)/chart/frame_accuracy
 PROGRAM_frame_board   := tools/chart/frame_board.c
 PROGRAM_shading_board := tools/chart/shading_board.c
 
-CHART_BOARDS := m0=mps2-an385-m0 m3=mps2-an385 m4=mps2-an386
+CHART_BOARDS := m0=mps2-an385-m0 m3=mps2-an385 m4=mps2-an386 rv32=virt
 
 # $(call chart_elf,core=board,program), and the same with the machine that runs it
 chart_elf = $(BUILD)/$(lastword $(subst =, ,$1))/O2/$2.elf

@@ -5,6 +5,9 @@ import math
 from figures import CPUS, front
 from plot import Axis, Chart, Panel
 
+# Exponents at which methods are compared: those for which their instructions are counted.
+POWER_P, LIGHTING_P = "64", "32"
+
 EVALUATIONS = {"facet": ("per facet", "gold"), "vertex": ("per vertex", "blue"), "fragment": ("per fragment", "red")}
 
 
@@ -118,4 +121,79 @@ def shading(figures):
     return chart.svg()
 
 
-CHARTS = {"frames": frames, "frames-scenes": frames_scenes, "shading": shading}
+# Of what a method is given and returns: the variant column, in the order that it first appears.
+VARIANT_COLOURS = ("blue", "red", "gold", "violet", "grey")
+
+# Errors below this are drawn at it: a hundredth of a step is nothing to see.
+SMALLEST_ERROR = 0.01
+
+
+def variant_colours(figures, kind):
+    return dict(zip(dict.fromkeys(variant for _, variant, _ in figures.names(kind)), VARIANT_COLOURS))
+
+
+def methods(figures, kind, p, title, unit, compared=None):
+    """
+    Error over instructions of every method of a kind, a panel for each core. Those of one variant do the same work from
+    the same input, so that each variant has a front of its own.
+    @param compared the one variant that is named and compared; thin lines lead to the others
+    """
+    cpus, colours = figures.cpus([row for row in figures.bench if row["kind"] == kind]), variant_colours(figures, kind)
+    subtitle = list(colours.items()) + [("dashed: best for their price", "ink"), ("circled: the library's", "ink")]
+    chart = Chart(title, subtitle, 1020, 74 + 400 * ((len(cpus) + 1) // 2))
+    for cpu, box in zip(cpus, grid(chart, len(cpus), 2)):
+        chart.panels.append(methods_panel(figures.methods(kind, cpu, p), CPUS[cpu], box, colours, unit, compared))
+    return chart.svg()
+
+
+def methods_panel(found, title, box, colours, unit, compared):
+    errors = [max(method.error, SMALLEST_ERROR) for method in found]
+    panel = Panel(title, box,
+                  Axis("instructions per " + unit, *span([method.instructions for method in found]), log=True),
+                  Axis("largest error, steps of 8 bits", *span(errors, 0.6, 2), log=True))
+    for method, error in zip(found, errors):
+        label = method.name if compared in (None, method.variant) else ""
+        panel.point(method.instructions, error, label, colours[method.variant], circled=method.shipped and bool(label))
+    if compared:
+        for name in dict.fromkeys(method.name for method in found):
+            panel.line([(method.instructions, error) for method, error in zip(found, errors) if method.name == name],
+                       "grey", 0.7)
+    panel.rule(0.5, "half a step")
+    for variant, colour in colours.items():
+        if compared not in (None, variant):
+            continue
+        own = [(method.instructions, error) for method, error in zip(found, errors) if method.variant == variant]
+        panel.line(staircase(front(own), panel.x.high), colour, 1, dash=2)
+    return panel
+
+
+def power(figures):
+    return methods(figures, "power", POWER_P, "cos^p, p = %s: error over instructions" % POWER_P, "call")
+
+
+def normalise(figures):
+    return methods(figures, "normalise", "", "One over a square root, and unit vectors: error over instructions", "call")
+
+
+def fragment(figures):
+    return methods(figures, "lighting", LIGHTING_P,
+                   "Lighting of a run of fragments, p = %s: error over instructions" % LIGHTING_P, "fragment", "16 pixels")
+
+
+def exponent(figures):
+    colours = variant_colours(figures, "power")
+    chart = Chart("cos^p: error over the exponent p", [*colours.items(), ("thick: the library's", "ink")], 1020, 640,
+                  right_labels=180)
+    values = [float(row["p"]) for row in figures.accuracy if row["kind"] == "power"]
+    panel = Panel("", grid(chart, 1, 1)[0], Axis("exponent p", min(values), max(values), log=True),
+                  Axis("largest error, steps of 8 bits", SMALLEST_ERROR, 300, log=True))
+    for name, variant, shipped in figures.names("power"):
+        pairs = [(p, max(error, SMALLEST_ERROR)) for p, error in figures.errors("power", name, variant)]
+        panel.line(pairs, colours[variant], 3 if shipped else 1.2, label=name)
+    panel.rule(0.5, "half a step", right=True)
+    chart.panels.append(panel)
+    return chart.svg()
+
+
+CHARTS = {"power": power, "normalise": normalise, "fragment": fragment, "frames": frames, "frames-scenes": frames_scenes,
+          "exponent": exponent, "shading": shading}

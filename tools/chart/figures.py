@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The figures that charts and pages show, read from the CSV files that are kept in docs/."""
+import collections
 import csv
 import os
 
@@ -43,16 +44,41 @@ def front(points, largest=False):
     return kept
 
 
+Method = collections.namedtuple("Method", "name variant instructions error shipped")
+
+
 class Figures:
     def __init__(self, directory):
         self.frames = read(directory, "frame-accuracy.csv")
         self.counts = read(directory, "frame-instructions.csv")
         self.others = read(directory, "other-libraries.csv")
+        self.bench = read(directory, "bench.csv")
+        self.accuracy = read(directory, "accuracy.csv")
         self.shading = read(os.path.join(directory, "charts"), "shading.csv")
 
     def cpus(self, rows):
         """Those that rows have, in the order of CPUS."""
         return [cpu for cpu in CPUS if any(row["cpu"] == cpu for row in rows)]
+
+    def methods(self, kind, cpu, p):
+        """Of each method of a kind; `p` is "" where there is none."""
+        return [Method(row["name"], row["variant"], float(row["instructions"]),
+                       *self.error(kind, row["name"], row["variant"], p)) for row in only(self.bench, kind=kind, cpu=cpu)]
+
+    def error(self, kind, name, variant, p):
+        """Largest, in steps of 8 bits, and whether the method is the library's own."""
+        row = one(self.accuracy, kind=kind, name=name, variant=variant, p=p)
+        return float(row["max_error_lsb8"]), row["shipped"] == "shipped"
+
+    def errors(self, kind, name, variant):
+        """@return (p, largest error) by rising p; p is 0 where there is none"""
+        return sorted((float(row["p"] or 0), float(row["max_error_lsb8"]))
+                      for row in only(self.accuracy, kind=kind, name=name, variant=variant))
+
+    def names(self, kind):
+        """@return name, variant and whether the library's own, of every method of a kind"""
+        return list(dict.fromkeys((row["name"], row["variant"], row["shipped"] == "shipped")
+                                  for row in only(self.accuracy, kind=kind)))
 
     def instructions(self, scene, size, choice, cpu):
         """Of a frame, in millions."""

@@ -85,7 +85,7 @@ static int report(uint32_t which, const uint16_t size[2], const choice *chosen) 
     write_number(size[1], ",rgb565,");
     board_write(chosen->name);
     board_write(",");
-    write_number(ticks * (COUNTER_INSTRUCTIONS_PER_TICK / BENCH_FRAMES), "\n");
+    write_number(ticks * COUNTER_INSTRUCTIONS_PER_TICK / BENCH_FRAMES, "\n");
     return ticks == 0;
 }
 

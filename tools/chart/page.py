@@ -2,7 +2,7 @@
 """What pages say in figures: each block of text between a page's markers, as a function of the figures."""
 import re
 
-from figures import ASKED, CPUS, only
+from figures import ASKED, CPUS, front, only
 
 EXPONENTS = ("1", "2", "8", "32", "64", "256", "1024")
 
@@ -111,6 +111,69 @@ def best(figures):
                 exact, ideal, counts["m3"], counts["m0"], floats["m3"] / counts["m3"], floats["m0"] / counts["m0"]))
 
 
+def format_count(value):
+    return "%.0f" % value if value >= 99.5 else "%.1f" % value
+
+
+def format_error(value):
+    return "%.2f" % value if value < 10 else "%.0f" % value
+
+
+def best_for_price(found):
+    """@return name and variant of the methods that none of their variant beats in both"""
+    kept = set()
+    for variant in {method.variant for method in found}:
+        own = [method for method in found if method.variant == variant]
+        best = front([(method.instructions, method.error) for method in own])
+        kept |= {(method.name, variant) for method in own if (method.instructions, method.error) in best}
+    return kept
+
+
+def emphasised(text, strong):
+    return "**%s**" % text if strong else text
+
+
+def methods(kind, p, exponents, of="of"):
+    """A block of every method of a kind: errors and instructions; bold are the library's, and the best for their price."""
+    def block(figures):
+        cpus = figures.cpus(only(figures.bench, kind=kind))
+        found = {cpu: {(method.name, method.variant): method for method in figures.methods(kind, cpu, p)} for cpu in cpus}
+        best = {cpu: best_for_price(found[cpu].values()) for cpu in cpus}
+        rows = []
+        for name, variant, shipped in figures.names(kind):
+            errors = dict(figures.errors(kind, name, variant))
+            cells = [emphasised(name, shipped), variant]
+            cells += [format_error(errors[e]) if e in errors else "" for e in map(float, exponents or ("0",))]
+            cells += [emphasised(format_count(found[cpu][(name, variant)].instructions), (name, variant) in best[cpu])
+                      for cpu in cpus]
+            rows.append(cells + [only(figures.bench, kind=kind, name=name, variant=variant)[0]["table_bytes"]])
+        return table(["method", of] + (["p = " + e for e in exponents] or ["error"]) + [CPUS[cpu] for cpu in cpus] +
+                     ["table, bytes"], rows)
+    return block
+
+
+def breaks(figures):
+    """At which exponents each power method stays within half a step."""
+    rows = []
+    for name, variant, shipped in figures.names("power"):
+        errors = figures.errors("power", name, variant)
+        rows.append([emphasised(name, shipped), variant, ranges(errors) or "none"])
+    return table(["method", "of", "exponents at which it is within half a step"], rows)
+
+
+def ranges(errors):
+    """Runs of exponents whose error is at most half a step."""
+    runs = []
+    for index, (p, error) in enumerate(errors):
+        if error > 0.5:
+            continue
+        if runs and runs[-1][1] == index - 1:
+            runs[-1] = (runs[-1][0], index)
+        else:
+            runs.append((index, index))
+    return ", ".join("%g" % errors[a][0] if a == b else "%g to %g" % (errors[a][0], errors[b][0]) for a, b in runs)
+
+
 def shading(figures):
     """Triangles and instructions that each evaluation takes for the same error."""
     rows = []
@@ -192,10 +255,16 @@ shading_findings = findings(
      "  on, and for the smallest errors fewer instructions.", fragments_need_less),
     ("Where a mesh is coarse and a rough picture will do, lighting per facet is the cheapest.", facets_are_cheapest))
 
+POWERS, LIGHTINGS = ("1", "8", "64", "256", "1024"), ("8", "32", "64", "256", "1024")
+
 PAGES = {
-    "docs/accuracy.md": {"contract": contract, "steps": steps, "frames": frames, "frame findings": frame_findings, "scenes": scenes,
-                         "scene findings": scene_findings, "others": others, "shading": shading,
-                         "shading findings": shading_findings},
+    "docs/accuracy.md": {
+        "contract": contract, "steps": steps, "frames": frames, "frame findings": frame_findings, "scenes": scenes,
+        "scene findings": scene_findings, "others": others, "shading": shading, "shading findings": shading_findings,
+        "lighting": methods("lighting", "32", LIGHTINGS, "in runs of"), "power": methods("power", "64", POWERS),
+        "breaks": breaks, "normalise": methods("normalise", "", ()), "divide": methods("divide", "", ()),
+        "half vector": methods("half_vector", "32", LIGHTINGS), "colour": methods("colour", "", ()),
+        "rounding": methods("rounding", "", ())},
     "README.md": {"frames": best},
 }
 

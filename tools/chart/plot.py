@@ -24,6 +24,9 @@ COLOURS = {
 # Of a point and of the circle around a special one, pixels.
 POINT_RADIUS, CIRCLE = 4, 9
 
+# A label further than this from its point is joined to it by a line.
+NEAR = 16
+
 
 class Unreadable(Exception):
     """A label finds no free place."""
@@ -128,7 +131,7 @@ class Labels:
     def candidates(self, anchor, label):
         """Boxes around a point with the end of a leader."""
         width = text_width(label)
-        for distance in (POINT_RADIUS + 3, CIRCLE + 3, 16, 26, 38, 52, 68, 86, 106, 130, 160, 190):
+        for distance in (POINT_RADIUS + 3, CIRCLE + 3, NEAR, 26, 38, 52, 68, 86, 106, 130, 160, 190):
             for turn in range(16):
                 angle = math.pi * turn / 8
                 dx, dy = distance * math.cos(angle), distance * math.sin(angle)
@@ -137,32 +140,39 @@ class Labels:
                 box = (left, middle - self.HEIGHT / 2, left + width, middle + self.HEIGHT / 2)
                 yield distance, box, (min(max(anchor[0], box[0]), box[2]), min(max(anchor[1], box[1]), box[3]))
 
+    def covered(self, index, box):
+        """How many labels and points the box of a label covers; points count more, since they cannot move."""
+        wide = (box[0] - 3, box[1], box[2] + 3, box[3])
+        return (sum(overlap(wide, other[0]) for i, other in self.placed.items() if i != index) +
+                3 * sum(overlap(wide, other) for other in self.fixed) +
+                3 * sum(overlap(box, (x - r, y - r, x + r, y + r)) for x, y, r in self.points))
+
     def cost(self, index, distance, box, end):
-        """Infinite where the label cannot stand."""
+        """Infinite outside the panel."""
         frame, anchor = self.frame, self.anchors[index][0]
         if box[0] < frame[0] or box[1] < frame[1] or box[2] > frame[2] or box[3] > frame[3]:
             return math.inf
         others = [placed for i, placed in self.placed.items() if i != index]
-        wide = (box[0] - 3, box[1], box[2] + 3, box[3])
-        if any(overlap(wide, other[0]) for other in others) or any(overlap(wide, other) for other in self.fixed):
-            return math.inf
-        if any(overlap(box, (x - r, y - r, x + r, y + r)) for x, y, r in self.points):
-            return math.inf
-        cost = distance + 34 * sum(crosses(a, b, box) for a, b in self.segments)
-        if distance > 16:
+        cost = distance + 1000 * self.covered(index, box) + 30 * sum(crosses(a, b, box) for a, b in self.segments)
+        if distance > NEAR:
             cost += 200 * sum(crosses(anchor, end, other[0]) for other in others)
             cost += 90 * sum(crosses(anchor, end, (x - r, y - r, x + r, y + r)) for x, y, r in self.points
                              if (x, y) != anchor)
         cost += 200 * sum(crosses(self.anchors[i][0], other[1], box) for i, other in self.placed.items()
-                         if i != index and other[2] > 16)
+                         if i != index and other[2] > NEAR)
         return cost
 
     def best(self, index):
         anchor, label = self.anchors[index]
-        cost, choice = min(((self.cost(index, distance, box, end), (box, end, distance))
-                            for distance, box, end in self.candidates(anchor, label)), key=lambda found: found[0])
-        if cost == math.inf:
-            raise Unreadable("no room for the label '%s'" % label)
+        cost, choice = math.inf, None
+        for distance, box, end in self.candidates(anchor, label):
+            if distance >= cost: # those still to come are further away
+                break
+            now = self.cost(index, distance, box, end)
+            if now < cost:
+                cost, choice = now, (box, end, distance)
+        if choice is None:
+            raise Unreadable("the label '%s' is wider than the panel" % label)
         return choice
 
     def solve(self):
@@ -170,7 +180,10 @@ class Labels:
         for _ in range(self.ROUNDS):
             for index in range(len(self.anchors)):
                 self.placed[index] = self.best(index)
-        return [(label, anchor, self.placed[i][0], self.placed[i][1] if self.placed[i][2] > 16 else None)
+        for index, (box, _, _) in self.placed.items():
+            if self.covered(index, box):
+                raise Unreadable("no room for the label '%s'" % self.anchors[index][1])
+        return [(label, anchor, self.placed[i][0], self.placed[i][1] if self.placed[i][2] > NEAR else None)
                 for i, (anchor, label) in enumerate(self.anchors)]
 
 
@@ -216,9 +229,9 @@ class Chart:
         self.script.append('set label "%s" at %s %s textcolor rgb "%s" font ",%d" front' % (
             text.replace('"', "'"), self.at(x, y), align, COLOURS[colour][0], size))
 
-    def leader(self, start, end, colour="grey"):
-        self.script.append('set arrow from %s to %s nohead linewidth 0.6 linecolor rgb "%s" front' % (
-            self.at(*start), self.at(*end), COLOURS[colour][0]))
+    def leader(self, start, end, colour="grey", layer="front"):
+        self.script.append('set arrow from %s to %s nohead linewidth 0.6 linecolor rgb "%s" %s' % (
+            self.at(*start), self.at(*end), COLOURS[colour][0], layer))
 
     def draw_heading(self):
         self.text(self.width / 2, 20, self.title, size=TITLE_SIZE, align="center")
@@ -239,10 +252,11 @@ class Chart:
     def draw_line_names(self, panel):
         """Names lines at their right ends, beside the panel."""
         left, top, width, height = panel.box
-        named = sorted((panel.place(*pairs[-1])[1], label, colour, panel.place(*pairs[-1]))
+        height_of = lambda pairs: sum(panel.place(*pair)[1] for pair in pairs) / len(pairs)
+        named = sorted((panel.place(*pairs[-1])[1], height_of(pairs), label, colour, panel.place(*pairs[-1]))
                        for pairs, colour, _, label, *_ in panel.lines if label)
         places = spread([name[0] for name in named], LABEL_SIZE + 3, top + 4, top + height - 4)
-        for place, (_, label, colour, end) in zip(places, named):
+        for place, (_, _, label, colour, end) in zip(places, named):
             if left + width + 22 + text_width(label) > left + width + self.right_labels:
                 raise Unreadable("the name '%s' is too long" % label)
             self.leader(end, (left + width + 18, place), colour)
@@ -266,7 +280,7 @@ class Chart:
                     name, ", ".join('"%s" %.9g' % (decimal(tick), tick) for tick in axis.ticks()))]
         self.text(left + width / 2, top - 10, panel.title, size=TEXT_SIZE, align="center")
         for y, label, at_right in panel.rules:
-            self.leader(panel.place(panel.x.low, y), panel.place(panel.x.high, y))
+            self.leader(panel.place(panel.x.low, y), panel.place(panel.x.high, y), layer="back")
             box = rule_box(panel, (y, label, at_right))
             self.text(box[0], (box[1] + box[3]) / 2, label, "grey")
         self.draw_labels(panel)
@@ -312,13 +326,14 @@ class Chart:
 
 
 def finish(svg, title):
-    """Gives it its title, its fonts, and the colours of a dark page."""
+    """Gives it its title, its fonts, text that stands out from lines behind it, and the colours of a dark page."""
     svg = re.sub(r"rgb\( *(\d+), *(\d+), *(\d+)\)", lambda rgb: "#%02x%02x%02x" % tuple(map(int, rgb.groups())), svg)
     svg = svg.replace(COLOURS["paper"][0].upper(), COLOURS["paper"][0])
     rules = ["[%s='%s']{%s:%s}" % (key, light, key, dark) for light, dark in COLOURS.values()
              for key in ("fill", "stroke", "color") if re.search("%s=.%s" % (key, light), svg)]
-    head = "<title>%s</title>\n<style>@media (prefers-color-scheme: dark) {%s}</style>" % (
-        title.replace("&", "&amp;").replace("<", "&lt;"), "".join(rules))
+    halo = ["text{paint-order:stroke;stroke:%s;stroke-width:5px;stroke-linejoin:round}" % paper for paper in COLOURS["paper"]]
+    head = "<title>%s</title>\n<style>%s @media (prefers-color-scheme: dark) {%s}</style>" % (
+        title.replace("&", "&amp;").replace("<", "&lt;"), halo[0], halo[1] + "".join(rules))
     svg = re.sub(r"<title>.*?</title>\s*<desc>.*?</desc>", lambda _: head, svg, flags=re.S)
     svg = svg.replace('font-family="%s"' % FONT.split(",")[0], 'font-family="%s"' % FONT)
     return "\n".join(line.rstrip() for line in svg.splitlines() if line.strip()) + "\n"
