@@ -51,10 +51,14 @@ $(BUILD)/shading.csv: $(BUILD)/chart/shading $(BUILD)/mps2-an385/O2/shading_boar
 
 # ---- Kept, drawn, checked
 
-.PHONY: frame-figures chart test-chart
+.PHONY: frame-figures figures chart test-chart
 frame-figures: $(BUILD)/frame-accuracy.csv $(BUILD)/frame-instructions.csv $(BUILD)/shading.csv ## measure PSNR and instructions of whole frames, and keep them in docs
 	cp $(BUILD)/frame-accuracy.csv $(BUILD)/frame-instructions.csv docs/
 	cp $(BUILD)/shading.csv docs/charts/
+
+figures: $(BUILD)/bench.csv $(BUILD)/accuracy.csv frame-figures ## measure all that charts and pages show, keep it in docs, and draw it
+	cp $(BUILD)/bench.csv $(BUILD)/bench-arena.csv $(BUILD)/accuracy.csv docs/
+	@$(MAKE) --no-print-directory chart
 
 chart: ## draw the charts of docs/charts and the tables of docs/accuracy.md from the CSV files kept in docs
 	@tools/setup.sh

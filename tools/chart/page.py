@@ -152,6 +152,23 @@ def methods(kind, p, exponents, of="of"):
     return block
 
 
+def cheapest(kind, variant, exponents):
+    """A block: on each core the cheapest method within half a step at all of some exponents, and the library's."""
+    def block(figures):
+        cpus = figures.cpus(only(figures.bench, kind=kind))
+        good = {name for name, of, _ in figures.names(kind) if of == variant and
+                all(error <= 0.5 for p, error in figures.errors(kind, name, of) if not p or p in exponents)}
+        own = [name for name, of, shipped in figures.names(kind) if of == variant and shipped]
+        rows = [["cheapest"], ["the library's"]]
+        for cpu in cpus:
+            price = {row["name"]: (round(float(row["instructions"]), 1), int(row["table_bytes"]), row["name"])
+                     for row in only(figures.bench, kind=kind, variant=variant, cpu=cpu)}
+            for cells, names in zip(rows, (sorted(good, key=price.get)[:1], own)):
+                cells.append(", ".join("%s: %s" % (name, format_count(price[name][0])) for name in names))
+        return table(["within half a step" + (", %s" % variant if variant else "")] + [CPUS[cpu] for cpu in cpus], rows)
+    return block
+
+
 def breaks(figures):
     """At which exponents each power method stays within half a step."""
     rows = []
@@ -261,6 +278,10 @@ PAGES = {
     "docs/accuracy.md": {
         "contract": contract, "steps": steps, "frames": frames, "frame findings": frame_findings, "scenes": scenes,
         "scene findings": scene_findings, "others": others, "shading": shading, "shading findings": shading_findings,
+        "lighting cheapest": cheapest("lighting", "16 pixels", (8, 32, 64, 256, 1024)),
+        "power cheapest": cheapest("power", "sin^2", (2, 4, 8, 16, 32, 64, 128, 256, 512, 1024)),
+        "normalise cheapest": cheapest("normalise", "vector", ()),
+        "half vector cheapest": cheapest("half_vector", "", (8, 32, 64, 256, 1024)),
         "lighting": methods("lighting", "32", LIGHTINGS, "in runs of"), "power": methods("power", "64", POWERS),
         "breaks": breaks, "normalise": methods("normalise", "", ()), "divide": methods("divide", "", ()),
         "half vector": methods("half_vector", "32", LIGHTINGS), "colour": methods("colour", "", ()),
