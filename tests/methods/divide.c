@@ -208,6 +208,7 @@ static inline void position_short_one(const int32_t *in, int32_t *out) {
     const unsigned zeros = glint_leading_zeros((uint32_t)in[2]) - 1;
     const int32_t w = glint_shift_left(in[2], zeros) >> 15;
     for (int i = 0; i < 2; i++) {
+        /* NOLINTNEXTLINE(clang-analyzer-core.DivideZero): w has 16 bits, for the input is above 0 */
         out[i] = glint_shift_right(glint_shift_left(in[i], zeros) / w * SIXTEENTHS + 0x4000, 15);
     }
 }

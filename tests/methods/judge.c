@@ -62,7 +62,7 @@ static inline double series_power(series *s, int32_t u, double q) {
 static int is_beyond(const judged *j, double q) {
     int32_t any = 0;
     for (uint32_t i = 0; i < j->count; i++) {
-        any |= j->out[i] | (j->in[i] - j->in[0]) >> 31;
+        any |= j->out[i] | (j->in[i] < j->in[0]);
     }
     return any == 0 && pow(1 - j->in[0] * 0x1p-30, q) < 1e-10;
 }
@@ -238,7 +238,8 @@ static void judge_level(const judged *j) {
     method_errors errors = *j->errors;
     const uint32_t pixels = j->method->problem->units;
     for (uint32_t i = 0; i < j->count * pixels; i++) {
-        note(&errors, (double)j->out[i] / j->method->one - j->in[i / pixels] / 8388608.0);
+        const uint32_t item = i / pixels;
+        note(&errors, (double)j->out[i] / j->method->one - j->in[item] / 8388608.0);
     }
     *j->errors = errors;
 }

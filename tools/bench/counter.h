@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file counter.h
- * Counts instructions. Under QEMU's -icount shift=0 an instruction takes a nanosecond, the same on every run. SysTick of
- * the MPS2 boards counts 25 MHz: forty instructions a tick. RISC-V counts instructions itself.
+ * Counts instructions. Under QEMU's -icount shift=0 an instruction takes a nanosecond, the same on every run. SysTick
+ * of the MPS2 boards counts 25 MHz: forty instructions a tick. RISC-V counts instructions itself.
  */
 #ifndef GLINT_BENCH_COUNTER_H
 #define GLINT_BENCH_COUNTER_H
