@@ -15,7 +15,10 @@ endef
 $(eval $(call chart_host,frame_accuracy,examples/bench/bench.c))
 $(eval $(call chart_host,shading,))
 
-$(BUILD)/frame-accuracy.csv: $(BUILD)/chart/frame_accuracy
+$(eval $(call chart_host,gallery_accuracy,tests/stability/contract.c tests/stability/weights.c tests/image/judge.c \
+    $(wildcard examples/scenes/*.c)))
+
+$(BUILD)/%-accuracy.csv: $(BUILD)/chart/%_accuracy
 	$< > $@
 
 # ---- Instructions, in the emulator
@@ -52,8 +55,8 @@ $(BUILD)/shading.csv: $(BUILD)/chart/shading $(BUILD)/mps2-an385/O2/shading_boar
 # ---- Kept, drawn, checked
 
 .PHONY: frame-figures figures chart test-chart
-frame-figures: $(BUILD)/frame-accuracy.csv $(BUILD)/frame-instructions.csv $(BUILD)/shading.csv ## measure PSNR and instructions of whole frames, and keep them in docs
-	cp $(BUILD)/frame-accuracy.csv $(BUILD)/frame-instructions.csv docs/
+frame-figures: $(BUILD)/frame-accuracy.csv $(BUILD)/gallery-accuracy.csv $(BUILD)/frame-instructions.csv $(BUILD)/shading.csv ## measure accuracy and instructions of whole frames, and keep them in docs
+	cp $(BUILD)/frame-accuracy.csv $(BUILD)/gallery-accuracy.csv $(BUILD)/frame-instructions.csv docs/
 	cp $(BUILD)/shading.csv docs/charts/
 
 figures: $(BUILD)/bench.csv $(BUILD)/accuracy.csv frame-figures ## measure all that charts and pages show, keep it in docs, and draw it

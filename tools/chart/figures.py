@@ -50,6 +50,7 @@ Method = collections.namedtuple("Method", "name variant instructions error shipp
 class Figures:
     def __init__(self, directory):
         self.frames = read(directory, "frame-accuracy.csv")
+        self.gallery = read(directory, "gallery-accuracy.csv")
         self.counts = read(directory, "frame-instructions.csv")
         self.others = read(directory, "other-libraries.csv")
         self.bench = read(directory, "bench.csv")

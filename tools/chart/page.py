@@ -55,6 +55,22 @@ def steps(figures):
     return table(["largest error, steps of", "scene"] + ["p = " + p for p in EXPONENTS], rows)
 
 
+def gallery(figures):
+    """The example scenes: the worst of each over its variants."""
+    rows = []
+    for scene, kind in dict.fromkeys((row["scene"], row["format"]) for row in figures.gallery):
+        judged = only(figures.gallery, scene=scene, format=kind)
+        worst = max(judged, key=lambda row: float(row["worst_over_bound"]))
+        rows.append([scene, kind.upper(), "%d" % len(judged), "%d" % sum(int(row["pixels"]) for row in judged),
+                     "%d" % sum(int(row["missed"]) for row in judged)] +
+                    ["%.2f" % min(float(row[key]) for row in judged)
+                     for key in ("within_bound_percent", "within_one_percent", "within_two_percent")] +
+                    ["%s of the bound (%s steps), in %s" % (worst["worst_over_bound"], worst["worst_steps"],
+                                                            worst["variant"])])
+    return table(["scene", "format", "variants", "pixels", "coverage differs", "within the bound, %", "within one step, %",
+                  "within two, %", "worst pixel"], rows)
+
+
 def frames(figures):
     cpus = figures.cpus(figures.counts)
     rows = []
@@ -276,7 +292,7 @@ POWERS, LIGHTINGS = ("1", "8", "64", "256", "1024"), ("8", "32", "64", "256", "1
 
 PAGES = {
     "docs/accuracy.md": {
-        "contract": contract, "steps": steps, "frames": frames, "frame findings": frame_findings, "scenes": scenes,
+        "contract": contract, "steps": steps, "gallery": gallery, "frames": frames, "frame findings": frame_findings, "scenes": scenes,
         "scene findings": scene_findings, "others": others, "shading": shading, "shading findings": shading_findings,
         "lighting cheapest": cheapest("lighting", "16 pixels", (8, 32, 64, 256, 1024)),
         "power cheapest": cheapest("power", "sin^2", (2, 4, 8, 16, 32, 64, 128, 256, 512, 1024)),
