@@ -63,7 +63,7 @@ def gallery(figures):
         worst = max(judged, key=lambda row: float(row["worst_over_bound"]))
         rows.append([scene, kind.upper(), "%d" % len(judged), "%d" % sum(int(row["pixels"]) for row in judged),
                      "%d" % sum(int(row["missed"]) for row in judged)] +
-                    ["%.2f" % min(float(row[key]) for row in judged)
+                    ["%.7g" % min(float(row[key]) for row in judged)
                      for key in ("within_bound_percent", "within_one_percent", "within_two_percent")] +
                     ["%s of the bound (%s steps), in %s" % (worst["worst_over_bound"], worst["worst_steps"],
                                                             worst["variant"])])
