@@ -5,12 +5,12 @@
 CROSS ?= arm-none-eabi-
 
 # ---- Boards: core flags, sources of the port, linker script, sources of the driver for its panel, bytes of arena that it
-# ---- can spare (ARENA), what an ELF file needs before it is whole (FINISH), and the prefix of its compiler's commands
+# ---- can spare (ARENA), width and height of its tiles where not the default (TILE), what an ELF file needs before it is whole (FINISH), and the prefix of its compiler's commands
 # ---- where that is not Arm's
 
-BOARDS := lm3s6965evb microbit mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 virt pico template
+BOARDS := lm3s6965evb microbit stm32vldiscovery netduinoplus2 mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 virt pico template
 
-CORTEX_M := $(wildcard port/cortex-m/*.c) port/libc/memory.c
+CORTEX_M := $(wildcard port/cortex-m/*.c) port/semihosting/semihosting.c port/libc/memory.c
 
 lm3s6965evb_CPU     := -mcpu=cortex-m3 -mthumb
 lm3s6965evb_SOURCES := $(CORTEX_M) $(wildcard port/lm3s6965evb/*.c) port/pl022/pl022.c
@@ -20,6 +20,8 @@ lm3s6965evb_PANEL   := port/panel/panel.c port/panel/solomon.c port/panel/ssd032
 microbit_CPU     := -mcpu=cortex-m0 -mthumb
 microbit_SOURCES := $(CORTEX_M) $(wildcard port/microbit/*.c)
 microbit_LINKER  := linker/microbit.ld
+microbit_PANEL   := port/panel/panel.c port/panel/solomon.c port/panel/ssd1306.c
+microbit_ARENA   := 12288
 
 mps2-an385_CPU     := -mcpu=cortex-m3 -mthumb
 mps2-an385_SOURCES := $(CORTEX_M) $(wildcard port/mps2-an385/*.c) port/pl022/pl022.c
@@ -48,12 +50,6 @@ mps2-an500_LINKER  := $(mps2-an385_LINKER)
 mps2-an500_PANEL   := $(mps2-an385_PANEL)
 mps2-an500_ARENA   := $(mps2-an385_ARENA)
 
-# RISC-V without floating point, and without a global pointer to small data.
-virt_CPU     := -march=rv32imc -mabi=ilp32 -msmall-data-limit=0
-virt_SOURCES := $(wildcard port/virt/*.c) port/libc/memory.c
-virt_LINKER  := linker/virt.ld
-virt_CROSS   := riscv64-unknown-elf-
-
 # Raspberry Pi Pico. Its boot ROM wants a checksum in the first 256 bytes of flash.
 pico_CPU     := -mcpu=cortex-m0plus -mthumb
 pico_SOURCES := $(CORTEX_M) $(wildcard port/pico/*.c)
@@ -61,6 +57,27 @@ pico_LINKER  := linker/pico.ld
 pico_PANEL   := port/panel/panel.c port/panel/dcs.c port/panel/st7789.c
 pico_ARENA   := 131072
 pico_FINISH  := python3 tools/uf2.py checksum
+
+netduinoplus2_CPU     := -mcpu=cortex-m4 -mthumb
+netduinoplus2_SOURCES := $(CORTEX_M) $(wildcard port/netduinoplus2/*.c) port/stm32/spi.c
+netduinoplus2_LINKER  := linker/netduinoplus2.ld
+netduinoplus2_PANEL   := $(pico_PANEL)
+netduinoplus2_ARENA   := 65536
+
+# 8 KB of RAM: tiles of 16x16 leave some for vertices.
+stm32vldiscovery_CPU     := -mcpu=cortex-m3 -mthumb
+stm32vldiscovery_SOURCES := $(CORTEX_M) $(wildcard port/stm32vldiscovery/*.c) port/stm32/spi.c
+stm32vldiscovery_LINKER  := linker/stm32vldiscovery.ld
+stm32vldiscovery_PANEL   := $(microbit_PANEL)
+stm32vldiscovery_ARENA   := 5120
+stm32vldiscovery_TILE    := 16
+
+# RISC-V without floating point, and without a global pointer to small data.
+virt_CPU     := -march=rv32imc -mabi=ilp32 -msmall-data-limit=0
+virt_SOURCES := $(wildcard port/virt/*.c) port/semihosting/semihosting.c port/libc/memory.c
+virt_ARENA   := 262144
+virt_LINKER  := linker/virt.ld
+virt_CROSS   := riscv64-unknown-elf-
 
 template_CPU     := -mcpu=cortex-m3 -mthumb
 template_SOURCES := $(CORTEX_M) $(wildcard port/template/*.c)
@@ -98,7 +115,7 @@ optimise = -$(if $(filter release,$1),Os,$1)
 define firmware_objects
 $(BUILD)/$1/$2/%.o: %.c port/boards.mk
 	@mkdir -p $$(@D)
-	$$(Q)$(call cross,$1)gcc $$($1_CPU) $$(FIRMWARE_CFLAGS) $$(call optimise,$2,$$<) $(if $($1_ARENA),-DBOARD_ARENA=$($1_ARENA)) \
+	$$(Q)$(call cross,$1)gcc $$($1_CPU) $$(FIRMWARE_CFLAGS) $$(call optimise,$2,$$<) $(if $($1_ARENA),-DBOARD_ARENA=$($1_ARENA) -DBOARD_TILE=$(or $($1_TILE),0)) \
 	    $$(if $$(filter port/libc/%,$$<),-fno-tree-loop-distribute-patterns) -c $$< -o $$@
 $(BUILD)/$1/$2/libglint.a: $(LIBRARY:%.c=$(BUILD)/$1/$2/%.o)
 	@rm -f $$@
@@ -130,7 +147,7 @@ $(foreach board,mps2-an385 mps2-an385-m0 virt,$(foreach level,O0 Os O2,\
     $(eval $(call firmware_program,$(board),$(level),identity))))
 $(foreach board,$(MEASURED),$(eval $(call firmware_program,$(board),O2,frames)))
 
-$(foreach board,pico mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500,$(eval $(call firmware_program,$(board),release,show)))
+$(foreach board,pico microbit stm32vldiscovery netduinoplus2 mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 virt,$(eval $(call firmware_program,$(board),release,show)))
 $(eval $(call firmware_program,pico,release,unit,-Wl$(comma)--defsym=stack_size=3584))
 
 # What programmers and boot loaders take.

@@ -10,7 +10,8 @@
 /** Frames of each model. */
 #define FRAMES 2
 
-/* BOARD_ARENA, bytes, is what the board can spare (port/boards.mk); what does not fit costs more passes. */
+/* BOARD_ARENA, bytes, is what the board can spare, BOARD_TILE its tiles' size (port/boards.mk). What does not fit costs
+ * more passes. */
 static uint32_t arena[BOARD_ARENA / sizeof(uint32_t)];
 
 static void report(const char *what, uint32_t number) {
@@ -46,6 +47,8 @@ int main(void) {
     }
     const glint_config config = {.width = display.width,
                                  .height = display.height,
+                                 .tile_width = BOARD_TILE,
+                                 .tile_height = BOARD_TILE,
                                  .format = display.format,
                                  .flush = display.flush,
                                  .arena = arena,

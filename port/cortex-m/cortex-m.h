@@ -16,9 +16,6 @@ static inline volatile uint32_t *cortex_m_register(uintptr_t address) {
 /** Waits at least so many milliseconds on a core that runs at clock_hz. */
 void cortex_m_delay(uint32_t milliseconds, uint32_t clock_hz);
 
-/** board_checkpoint by semihosting. */
-void cortex_m_checkpoint(const char *name);
-
 /** board_exit by semihosting. */
 void cortex_m_exit(int status);
 

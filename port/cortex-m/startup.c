@@ -6,7 +6,7 @@
 #include "cortex-m.h"
 
 #include "board.h"
-#include "semihosting.h"
+#include "semihosting/semihosting.h"
 
 #include <string.h>
 
@@ -100,23 +100,12 @@ void cortex_m_delay(uint32_t milliseconds, uint32_t clock_hz) {
     }
 }
 
-static int ends_with(const char *text, const char *end) {
-    const char *at = end;
+int semihosting_call(int operation, const void *argument) {
+    register int result __asm__("r0") = operation;
+    register const void *parameter __asm__("r1") = argument;
 
-    for (; *text != '\0'; text++) {
-        at = *text == *at ? at + 1 : end + (*text == *end);
-    }
-    return *at == '\0';
-}
-
-void cortex_m_checkpoint(const char *name) {
-    char arguments[128];
-
-    board_write(name);
-    board_write(" done\n");
-    if (semihosting_arguments(arguments, sizeof arguments) == 0 && ends_with(arguments, "stop")) {
-        semihosting_read();
-    }
+    __asm__ volatile("bkpt 0xab" : "+r"(result) : "r"(parameter) : "memory");
+    return result;
 }
 
 void cortex_m_exit(int status) {

@@ -6,8 +6,8 @@
 #include "board.h"
 
 #include "cortex-m/cortex-m.h"
-#include "cortex-m/semihosting.h"
 #include "panel/ssd0323.h"
+#include "semihosting/semihosting.h"
 #include "spi.h"
 
 enum {
@@ -71,5 +71,5 @@ void board_delay(uint32_t milliseconds) {
 }
 
 void board_checkpoint(const char *name) {
-    cortex_m_checkpoint(name);
+    semihosting_checkpoint(name);
 }

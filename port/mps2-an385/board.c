@@ -7,10 +7,10 @@
 #include "board.h"
 
 #include "cortex-m/cortex-m.h"
-#include "cortex-m/semihosting.h"
 #include "display.h"
 #include "lcd.h"
 #include "panel/ili9341.h"
+#include "semihosting/semihosting.h"
 
 enum { CLOCK_HZ = 25000000 };
 
@@ -41,5 +41,5 @@ int board_display_start(board_display *display) {
 }
 
 void board_checkpoint(const char *name) {
-    cortex_m_checkpoint(name);
+    semihosting_checkpoint(name);
 }

@@ -7,10 +7,10 @@
 #include "board.h"
 
 #include "cortex-m/cortex-m.h"
-#include "cortex-m/semihosting.h"
 #include "display.h"
 #include "panel/st7789.h"
 #include "rp2040.h"
+#include "semihosting/semihosting.h"
 #include "spi.h"
 
 enum { CRYSTAL_HZ = 12000000, RING_HZ = 6500000 };
@@ -114,7 +114,7 @@ void board_delay(uint32_t milliseconds) {
 }
 
 void board_checkpoint(const char *name) {
-    cortex_m_checkpoint(name);
+    semihosting_checkpoint(name);
 }
 
 int board_display_start(board_display *display) {

@@ -81,6 +81,6 @@ void board_delay(uint32_t milliseconds) {
 }
 
 void board_checkpoint(const char *name) {
-    /* FILL IN, to be tested in an emulator: cortex_m_checkpoint of port/cortex-m. */
+    /* FILL IN, to be tested in an emulator: semihosting_checkpoint of port/semihosting. */
     (void)name;
 }

@@ -1,22 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * QEMU's RISC-V machine `virt`: any core, memory from 0x80000000 on. Here RV32IMC shows that the library computes the
- * same bits, and what it takes. It has no panel. Text and exit status go through semihosting (RISC-V Semihosting 0.2),
- * whose operations are Arm's.
+ * same bits, and what it takes. It has no panel: pictures go to a framebuffer in memory. Text and exit status go
+ * through semihosting.
  */
 #include "board.h"
 
+#include "semihosting/semihosting.h"
 #include "virt.h"
 
-enum { SYS_WRITE0 = 0x04, SYS_EXIT_EXTENDED = 0x20 };
-
-/* ADP_Stopped_ApplicationExit: the reason that carries an exit status. */
-static const uintptr_t application_exit = 0x20026;
+#include <string.h>
 
 /* Ticks of the core's timer in a millisecond. */
 enum { TIMER_TICKS = 10000 };
 
-static void semihosting(int operation, const void *argument) {
+int semihosting_call(int operation, const void *argument) {
     register int number __asm__("a0") = operation;
     register const void *parameter __asm__("a1") = argument;
 
@@ -30,19 +28,33 @@ static void semihosting(int operation, const void *argument) {
                      : "+r"(number)
                      : "r"(parameter)
                      : "memory", "t0", "t1");
+    return number;
+}
+
+enum { WIDTH = 320, HEIGHT = 240 };
+
+/** What a display would show. */
+uint16_t virt_framebuffer[HEIGHT][WIDTH];
+
+static int copy_tile(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    const uint8_t *row = pixels;
+
+    (void)context;
+    for (int line = 0; line < height; line++, row += stride) {
+        memcpy(&virt_framebuffer[y + line][x], row, (size_t)width * sizeof(uint16_t));
+    }
+    return 0;
 }
 
 void board_init(void) {
 }
 
 void board_write(const char *text) {
-    semihosting(SYS_WRITE0, text);
+    semihosting_write(text);
 }
 
 void board_exit(int status) {
-    const uintptr_t block[2] = {application_exit, (uintptr_t)status};
-
-    semihosting(SYS_EXIT_EXTENDED, block);
+    semihosting_exit(status);
     for (;;) { /* nobody listens: stay */
     }
 }
@@ -61,8 +73,11 @@ const glint_bus *board_panel_bus(void) {
     return 0;
 }
 
-/* Without a panel there is nothing to stop for. */
+int board_display_start(board_display *display) {
+    *display = (board_display){WIDTH, HEIGHT, &glint_format_rgb565, {copy_tile, 0, 0}};
+    return 0;
+}
+
 void board_checkpoint(const char *name) {
-    board_write(name);
-    board_write(" done\n");
+    semihosting_checkpoint(name);
 }

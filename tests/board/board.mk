@@ -76,10 +76,15 @@ $(SHOW_HOST): tests/board/show_host.c tests/image/picture.c examples/turntable/t
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -Itests/image $(filter %.c,$^) $(BUILD)/host/libglint.a -o $@
 
-SHOW_BOARDS   := mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500
+SHOW_BOARDS   := microbit stm32vldiscovery netduinoplus2 virt mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500
 SHOW_FIRMWARE := pico=$(BUILD)/pico/release/show.bin $(foreach board,$(SHOW_BOARDS),$(board)=$(BUILD)/$(board)/release/show.elf)
 SUITES += test-board-show
-.PHONY: test-board-show
+.PHONY: test-board-show run
+run: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed $$(lastword $$(subst =, ,$$(filter $$(BOARD)=%,$$(SHOW_FIRMWARE)))) ## run one board, BOARD=pico say, and write what its panel shows to build/run
+	@test -n "$(filter $(BOARD)=%,$(SHOW_FIRMWARE))" || { echo "BOARD must be one of: $(foreach pair,$(SHOW_FIRMWARE),$(firstword $(subst =, ,$(pair))))"; exit 1; }
+	@python3 tests/board/show.py --host $(SHOW_HOST) --stream $(BUILD)/host/panel_stream --output $(BUILD)/run $(filter $(BOARD)=%,$(SHOW_FIRMWARE))
+	@ls $(BUILD)/run/$(BOARD)/*.png
+
 test-board-show: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed \
         $(foreach pair,$(SHOW_FIRMWARE),$(lastword $(subst =, ,$(pair)))) ## each board's panel, as its bus drives it, against the host
 	@python3 tests/board/show.py --host $(SHOW_HOST) --stream $(BUILD)/host/panel_stream --output $(BUILD)/show $(SHOW_FIRMWARE)

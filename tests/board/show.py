@@ -6,14 +6,17 @@ show.py --host SHOW_HOST --stream PANEL_STREAM --output DIRECTORY BOARD=FIRMWARE
 
 The stock firmware runs in an emulator that has no panel; what goes over the bus is captured and given to a model of the
 panel's controller (tests/panel), whose picture must equal the host's pixel for pixel, without a complaint of the model.
+Each picture is left as DIRECTORY/BOARD/<name>-<frame>.png.
 """
 import argparse
 import os
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
+import zlib
 
 from qemu import Died, Machine, Tally, check_stack, read_netpbm
 
@@ -50,6 +53,42 @@ class Pico:
         print("  pico: %.1f ms in all, %.1f ms on the bus, of which the core waited for %.1f ms" % (
             total / 1e6, on_bus / 1e6, waited / 1e6))
         tally.check(on_bus - waited > min(on_bus, total_free) / 4, "the core waits for the bus: DMA does not overlap")
+
+
+class Virt:
+    """QEMU's RISC-V machine: no panel, but a framebuffer, read out of memory at each checkpoint."""
+    module, width, height, format, rotation = None, 320, 240, "rgb565", 0
+
+    @staticmethod
+    def address(elf, name):
+        table = subprocess.run(["riscv64-unknown-elf-nm", elf], stdout=subprocess.PIPE, text=True, check=True).stdout
+        return int(re.search(r"^([0-9a-f]+) . %s$" % name, table, re.M)[1], 16)
+
+    def capture(self, firmware, directory):
+        lines, memory = [], os.path.join(os.path.abspath(directory), "framebuffer")
+        with Machine("qemu-system-riscv32", "virt", firmware, ["stop"], options=("-bios", "none")) as machine:
+            for line in iter(machine.line, None):
+                lines.append(line)
+                if line.endswith(" done"):
+                    machine.command("pmemsave", val=self.address(firmware, "virt_framebuffer"),
+                                    size=2 * self.width * self.height, filename=memory)
+                    self.convert(memory, os.path.join(directory, line[:-len(" done")].replace(" ", "-") + ".ppm"))
+                    machine.go_on()
+            status = machine.process.wait(60)
+        if status:
+            raise Died("exit status %d: %s" % (status, lines[-1:]))
+        return lines
+
+    def convert(self, source, target):
+        with open(source, "rb") as file:
+            data = file.read()
+        out = bytearray()
+        for at in range(0, len(data), 2):
+            word = data[at] | data[at + 1] << 8
+            for level, most in ((word >> 11, 31), (word >> 5 & 63, 63), (word & 31, 31)):
+                out.append((level * 255 + most // 2) // most)
+        with open(target, "wb") as file:
+            file.write(b"P6\n%d %d\n255\n" % (self.width, self.height) + out)
 
 
 class Traced:
@@ -118,8 +157,95 @@ class Mps2(Traced):
         return {0x40021008: self.byte, 0x4002804c: self.lines}
 
 
-BOARDS = {"pico": Pico, "mps2-an385": Mps2("mps2-an385"), "mps2-an385-m0": Mps2("mps2-an385"),
+class Stm32(Traced):
+    """SPI1, with chip select on PA4 and D/C on PC4, both by the ports' set/reset registers."""
+    SELECT = DATA_COMMAND = 4
+
+    def level(self, value, pin):
+        """What a write leaves on a pin; None where it leaves it as it was."""
+        return True if value >> pin & 1 else False if value >> (pin + 16) & 1 else None
+
+    def port_a(self, value):
+        level = self.level(value, self.SELECT)
+        self.selected = self.selected if level is None else not level
+
+    def port_c(self, value):
+        level = self.level(value, self.DATA_COMMAND)
+        self.is_data = self.is_data if level is None else level
+
+    def registers(self):
+        return {0x4001300c: self.byte, self.set_reset_a: self.port_a, self.set_reset_c: self.port_c}
+
+
+class NetduinoPlus2(Stm32):
+    machine, set_reset_a, set_reset_c = "netduinoplus2", 0x40020018, 0x40020818
+    module, width, height, format = "st7789-240x320", 240, 320, "rgb565"
+    frame_bytes = 2 * width * height
+
+
+class Ssd1306(Traced):
+    """Commands and their parameters go with D/C low: all else are pixels."""
+    module, width, height, format = "ssd1306", 128, 64, "mono"
+    frame_bytes = width * height // 8
+
+    def byte(self, value):
+        self.is_pixel = self.is_data
+        Traced.byte(self, value)
+
+    @staticmethod
+    def starts_pixels(command):
+        return False
+
+
+class Stm32VlDiscovery(Ssd1306, Stm32):
+    machine, set_reset_a, set_reset_c = "stm32vldiscovery", 0x40010810, 0x40011010
+
+
+class Microbit(Ssd1306):
+    """A bus by hand: the panel takes a bit when the clock rises."""
+    machine = "microbit"
+    CLOCK, DATA, SELECT, DATA_COMMAND = 1 << 23, 1 << 21, 1 << 16, 1 << 18
+
+    def set(self, pins):
+        if pins & self.CLOCK and self.selected:
+            self.bits.append(self.data)
+            if len(self.bits) == 8:
+                self.byte(int("".join(map(str, self.bits)), 2))
+                self.bits = []
+        self.data = 1 if pins & self.DATA else self.data
+        self.is_data = True if pins & self.DATA_COMMAND else self.is_data
+        if pins & self.SELECT:
+            if self.bits:
+                raise Died("a byte of %d bits" % len(self.bits))
+            self.selected = False
+
+    def clear(self, pins):
+        self.data = 0 if pins & self.DATA else self.data
+        self.is_data = False if pins & self.DATA_COMMAND else self.is_data
+        self.selected = self.selected or bool(pins & self.SELECT)
+
+    def registers(self):
+        self.bits, self.data = [], 0
+        return {0x50000508: self.set, 0x5000050c: self.clear}
+
+
+BOARDS = {"pico": Pico, "netduinoplus2": NetduinoPlus2(), "stm32vldiscovery": Stm32VlDiscovery(), "microbit": Microbit(),
+          "virt": Virt(),
+          "mps2-an385": Mps2("mps2-an385"), "mps2-an385-m0": Mps2("mps2-an385"),
           "mps2-an386": Mps2("mps2-an386"), "mps2-an500": Mps2("mps2-an500")}
+
+
+def write_png(source, target):
+    width, height, channels, data = read_netpbm(source)
+    row = width * channels
+    raw = b"".join(b"\0" + data[y * row:(y + 1) * row] for y in range(height))
+
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+    with open(target, "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0)) +
+                   chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b""))
 
 
 def compare(tally, name, shown, wanted):
@@ -133,6 +259,7 @@ def compare(tally, name, shown, wanted):
     tally.check(not different, "%s: %d pixels differ, the first at %s; see %s" % (
         name, len(different), different and (different[0] % got[0], different[0] // got[0]), shown))
     tally.check(sum(1 for byte in got[3] if byte) > 600, name + ": next to nothing is lit")
+    write_png(shown, os.path.splitext(shown)[0] + ".png")
 
 
 def run(arguments, tally, name, firmware):
@@ -143,7 +270,7 @@ def run(arguments, tally, name, firmware):
     drawn = subprocess.run([arguments.host, str(board.width), str(board.height), board.format, host],
                            stdout=subprocess.PIPE, text=True)
     tally.check(drawn.stdout.split() == FRAMES, "%s: the host drew %s" % (name, drawn.stdout.split()))
-    stream = os.path.abspath(os.path.join(directory, "stream"))
+    stream = os.path.abspath(os.path.join(directory, "stream")) if board.module else directory
     try:
         lines = board.capture(firmware, stream)
     except (Died, OSError, subprocess.SubprocessError) as problem:
@@ -152,6 +279,14 @@ def run(arguments, tally, name, firmware):
     for line in lines:
         print("  %s: %s" % (name, line))
         check_stack(tally, os.path.splitext(firmware)[0] + ".elf", line)
+    if board.module:
+        show_stream(arguments, tally, name, board, firmware, directory, stream)
+    for frame in FRAMES:
+        compare(tally, "%s %s" % (name, frame), os.path.join(directory, frame + ".ppm"), os.path.join(host, frame + ".ppm"))
+
+
+def show_stream(arguments, tally, name, board, firmware, directory, stream):
+    """The model of the panel's controller takes what went over the bus, and writes its pictures beside it."""
     with open(stream) as file:
         model = subprocess.run([os.path.abspath(arguments.stream), "-r", str(board.rotation), board.module, "last.ppm"], stdin=file,
                                stdout=subprocess.PIPE, text=True, cwd=directory)
@@ -159,8 +294,6 @@ def run(arguments, tally, name, firmware):
     tally.check(model.returncode == 0, "%s: the panel's model complains: %s" % (name, model.stdout))
     if hasattr(board, "more"):
         board.more(tally, firmware, stream)
-    for frame in FRAMES:
-        compare(tally, "%s %s" % (name, frame), os.path.join(directory, frame + ".ppm"), os.path.join(host, frame + ".ppm"))
 
 
 def main():

@@ -17,7 +17,7 @@ static const struct {
     const glint_format *format;
 } formats[] = {{"rgb565", &glint_format_rgb565},
                {"rgb444", &glint_format_rgb444},
-               {"mono", &glint_format_mono_pages_dithered},
+               {"mono", &glint_format_mono_dithered},
                {"grey4", &glint_format_grey4}};
 
 static const glint_format *find_format(const char *name) {
