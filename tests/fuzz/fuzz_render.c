@@ -307,11 +307,20 @@ static const uint16_t (*take_gamma(source *s))[GLINT_GAMMA_ENTRIES] {
 }
 
 static void take_config(source *s, glint_config *config) {
-    static const glint_format *const formats[10] = {&glint_format_rgb565,          &glint_format_rgb565_be,
-                                                    &glint_format_rgb888,          &glint_format_grey8,
-                                                    &glint_format_grey4,           &glint_format_rgb565_dithered,
-                                                    &glint_format_rgb888_dithered, &glint_format_rgb565_be_dithered,
-                                                    &glint_format_grey8_dithered,  &glint_format_grey4_dithered};
+    static const glint_format *const formats[14] = {&glint_format_rgb565,
+                                                    &glint_format_rgb565_be,
+                                                    &glint_format_rgb888,
+                                                    &glint_format_grey8,
+                                                    &glint_format_grey4,
+                                                    &glint_format_rgb565_dithered,
+                                                    &glint_format_rgb888_dithered,
+                                                    &glint_format_rgb565_be_dithered,
+                                                    &glint_format_grey8_dithered,
+                                                    &glint_format_grey4_dithered,
+                                                    &glint_format_rgb444,
+                                                    &glint_format_rgb444_dithered,
+                                                    &glint_format_mono,
+                                                    &glint_format_mono_dithered};
     static const uint16_t tiles[16] = {8, 0, 16, 32, 64, 8, 16, 24, 8, 8, 8, 8, 16, 32, 64, 8};
     memset(config, 0, sizeof *config);
     config->width = (uint16_t)(below(s, 8) == 1 ? take(s, 2) : 1 + below(s, 128));
@@ -320,7 +329,7 @@ static void take_config(source *s, glint_config *config) {
         config->height = (uint16_t)(PIXELS_MAX / config->width);
     config->tile_width = tiles[below(s, 16)];
     config->tile_height = tiles[below(s, 16)];
-    config->format = formats[below(s, 10)];
+    config->format = formats[below(s, 14)];
     config->flush.begin = begin;
     config->flush.wait = wait;
     config->gamma = take_gamma(s);

@@ -145,6 +145,12 @@ static void grey4_odd_size(fixture *f) {
     f->config.height = 29;
 }
 
+static void rgb444_odd_size(fixture *f) {
+    f->config.format = &glint_format_rgb444;
+    f->config.width = 61;
+    f->config.height = 29;
+}
+
 static void tall_and_thin(fixture *f) {
     f->config.width = 1;
     f->config.height = 1024;
@@ -232,6 +238,15 @@ static void rgb565_dithered(fixture *f) {
 static void grey4_dithered_odd_size(fixture *f) {
     grey4_odd_size(f);
     f->config.format = &glint_format_grey4_dithered;
+}
+
+static void rgb444_dithered(fixture *f) {
+    f->config.format = &glint_format_rgb444_dithered;
+}
+
+static void mono_dithered_odd_size(fixture *f) {
+    grey4_odd_size(f);
+    f->config.format = &glint_format_mono_dithered;
 }
 
 /* ---- Numbers ------------------------------------------------------------------------------------------------- */
@@ -343,6 +358,7 @@ static const entry entries[] = {
     IMAGE(rgb888_odd_size),
     IMAGE(grey8_odd_size),
     IMAGE(grey4_odd_size),
+    IMAGE(rgb444_odd_size),
     IMAGE(tall_and_thin),
     IMAGE(one_pixel),
     IMAGE(point_light),
@@ -358,6 +374,8 @@ static const entry entries[] = {
     IMAGE(mesh_colours_unlit_facets),
     IMAGE(rgb565_dithered),
     IMAGE(grey4_dithered_odd_size),
+    IMAGE(rgb444_dithered),
+    IMAGE(mono_dithered_odd_size),
     NUMBERS(elementary_functions),
     NUMBERS(unit_vectors),
     NUMBERS(poses),

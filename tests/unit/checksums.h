@@ -31,6 +31,7 @@ static const uint32_t expected_checksums[] = {
     0xe5843de8u, /* rgb888_odd_size */
     0xa2eae28fu, /* grey8_odd_size */
     0xb17b101cu, /* grey4_odd_size */
+    0x4821fb52u, /* rgb444_odd_size */
     0xd33277eau, /* tall_and_thin */
     0x418a6b15u, /* one_pixel */
     0xab116681u, /* point_light */
@@ -46,6 +47,8 @@ static const uint32_t expected_checksums[] = {
     0xc000fff1u, /* mesh_colours_unlit_facets */
     0x7535c4f7u, /* rgb565_dithered */
     0x0df2e9b3u, /* grey4_dithered_odd_size */
+    0x74d9d3bdu, /* rgb444_dithered */
+    0xb68aaf6au, /* mono_dithered_odd_size */
     0x969b287eu, /* elementary_functions */
     0x79785263u, /* unit_vectors */
     0x7dc44604u, /* poses */

@@ -32,6 +32,11 @@ void row_bytes(void) {
     CHECK_EQUAL(glint_row_bytes(&glint_format_grey4, 8), 4);
     CHECK_EQUAL(glint_row_bytes(&glint_format_grey4, 9), 5);
     CHECK_EQUAL(glint_row_bytes(&glint_format_grey4, 0), 0);
+    CHECK_EQUAL(glint_row_bytes(&glint_format_rgb444, 8), 12);
+    CHECK_EQUAL(glint_row_bytes(&glint_format_rgb444, 7), 11);
+    CHECK_EQUAL(glint_row_bytes(&glint_format_mono, 8), 1);
+    CHECK_EQUAL(glint_row_bytes(&glint_format_mono, 9), 2);
+    CHECK_EQUAL(glint_row_bytes(&glint_format_mono_pages, 32), 4);
 }
 
 void statistics(void) {
