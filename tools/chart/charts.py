@@ -185,7 +185,7 @@ def exponent(figures):
     chart = Chart("cos^p: error over the exponent p", [*colours.items(), ("thick: the library's", "ink")], 1020, 640,
                   right_labels=180)
     values = [float(row["p"]) for row in figures.accuracy if row["kind"] == "power"]
-    panel = Panel("", grid(chart, 1, 1)[0], Axis("exponent p", min(values), max(values), log=True),
+    panel = Panel("", grid(chart, 1, 1)[0], Axis("exponent p", min(values), max(values), True, [4.0**power for power in range(-1, 7)]),
                   Axis("largest error, steps of 8 bits", SMALLEST_ERROR, 300, log=True))
     for name, variant, shipped in figures.names("power"):
         pairs = [(p, max(error, SMALLEST_ERROR)) for p, error in figures.errors("power", name, variant)]

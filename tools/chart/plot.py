@@ -33,11 +33,14 @@ class Unreadable(Exception):
 
 
 class Axis:
-    def __init__(self, label, low, high, log=False):
-        self.label, self.low, self.high, self.log = label, low, high, log
+    def __init__(self, label, low, high, log=False, marks=None):
+        """@param marks where a logarithmic axis has its ticks, when not at round numbers"""
+        self.label, self.low, self.high, self.log, self.marks = label, low, high, log, marks
 
     def ticks(self):
         """Of a logarithmic axis: powers of ten, with 2 and 5 or more between them where that is few."""
+        if self.marks:
+            return self.marks
         first, last = math.floor(math.log10(self.low)), math.ceil(math.log10(self.high))
         decades = math.log10(self.high / self.low)
         steps = (1,) if decades > 3 else (1, 2, 5) if decades > 1 else (1, 1.5, 2, 3, 4, 5, 7)
