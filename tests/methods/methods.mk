@@ -24,7 +24,7 @@ test-methods: $(BUILD)/methods/test ## every method's error is what it states, o
 # As many processes as cores, one method each.
 $(BUILD)/accuracy.csv: $(BUILD)/methods/accuracy
 	$(Q)rm -rf $(BUILD)/methods/rows && mkdir -p $(BUILD)/methods/rows
-	$(Q)seq -w 0 $$(($$($<) - 1)) | xargs -P $$(nproc) -I N sh -c '$< N > $(BUILD)/methods/rows/N || exit 255'
+	$(Q)seq -w 0 $$(($$($<) - 1)) | xargs -P $$(nproc) -I {} sh -c '$< {} > $(BUILD)/methods/rows/{} || exit 255'
 	$(Q){ $< header && cat $(BUILD)/methods/rows/*; } > $@
 
 accuracy: $(BUILD)/accuracy.csv ## what every method is off by, over whole domains; writes build/accuracy.csv
