@@ -25,7 +25,7 @@ static int64_t distance(const glint_position *p, int plane, int32_t near_plane) 
 
 /* a + (b - a) t, t Q31. */
 static int32_t mix(int32_t a, int32_t b, int64_t t) {
-    return a + (int32_t)glint_round_shift64(((int64_t)b - a) * t, 31);
+    return (int32_t)(a + glint_round_shift64(((int64_t)b - a) * t, 31));
 }
 
 /* Where an edge crosses a plane, Q31 from 0 to 1: distances inside >= 0 > outside, both at most 2^31 away from 0. */

@@ -2,7 +2,7 @@
 /*
  * Stores: every format into a tile of 64 x 64 pixels and not a byte more.
  * @link pixel_rgb565.c @link pixel_rgb565_be.c @link pixel_rgb888.c @link pixel_grey8.c @link pixel_grey4.c
- * @link dither.c
+ * @link pixel_rgb444.c @link pixel_mono.c @link pixel_mono_pages.c @link dither.c
  */
 #include "proof.h"
 
@@ -23,7 +23,9 @@ static glint_fragments any_fragments(void) {
 
 static void store(const glint_format *format, void *tile) {
     const glint_fragments fragments = any_fragments();
-    format->store(tile, &fragments, ANY_UNSIGNED(3, 6));
+    FOR_PARTS(shift, 3, 6) {
+        format->store(tile, &fragments, (unsigned)shift);
+    }
 }
 
 static void fill(const glint_format *format, void *tile) {
@@ -119,4 +121,46 @@ PROOF(grey4_fill) {
     static uint8_t tile[SIDE * SIDE * 4 / 8];
     fill(&glint_format_grey4, tile);
     fill(&glint_format_grey4_dithered, tile);
+}
+
+/* Up to 8 fragments of any colour anywhere in a tile, plain and dithered. */
+PROOF(rgb444_store) {
+    static uint8_t tile[SIDE * SIDE * 12 / 8];
+    store(&glint_format_rgb444, tile);
+    store(&glint_format_rgb444_dithered, tile);
+}
+
+/* Any colour, tiles of 8 to 64 pixels a side, plain and dithered. */
+PROOF(rgb444_fill) {
+    static uint8_t tile[SIDE * SIDE * 12 / 8];
+    fill(&glint_format_rgb444, tile);
+    fill(&glint_format_rgb444_dithered, tile);
+}
+
+/* Up to 8 fragments of any colour anywhere in a tile, plain and dithered. */
+PROOF(mono_store) {
+    static uint8_t tile[SIDE * SIDE * 1 / 8];
+    store(&glint_format_mono, tile);
+    store(&glint_format_mono_dithered, tile);
+}
+
+/* Any colour, tiles of 8 to 64 pixels a side, plain and dithered. */
+PROOF(mono_fill) {
+    static uint8_t tile[SIDE * SIDE * 1 / 8];
+    fill(&glint_format_mono, tile);
+    fill(&glint_format_mono_dithered, tile);
+}
+
+/* Up to 8 fragments of any colour anywhere in a tile, plain and dithered. */
+PROOF(mono_pages_store) {
+    static uint8_t tile[SIDE * SIDE * 1 / 8];
+    store(&glint_format_mono_pages, tile);
+    store(&glint_format_mono_pages_dithered, tile);
+}
+
+/* Any colour, tiles of 8 to 64 pixels a side, plain and dithered. */
+PROOF(mono_pages_fill) {
+    static uint8_t tile[SIDE * SIDE * 1 / 8];
+    fill(&glint_format_mono_pages, tile);
+    fill(&glint_format_mono_pages_dithered, tile);
 }

@@ -134,8 +134,9 @@ def main():
     arguments.output.mkdir(parents=True, exist_ok=True)
     drivers = read_drivers(arguments.folder)
     contracts = {}
-    for reason, name in CONTRACT.findall((arguments.folder / "contracts.h").read_text()):
-        contracts[name] = " ".join(line.strip(" *") for line in reason.splitlines())
+    for path in sorted(arguments.folder.glob("*.[ch]")):
+        for reason, name in CONTRACT.findall(path.read_text()):
+            contracts[name] = " ".join(line.strip(" *") for line in reason.splitlines())
     if arguments.only:
         drivers = [d for d in drivers if arguments.only in d.kernel]
     passed = failed = 0
@@ -156,7 +157,7 @@ def main():
     if not arguments.only:
         names = {d.kernel for d in drivers}
         for name, reason in contracts.items():
-            tally(bool(reason) != (name in names), f"contract of {name}: has to have a driver or to say what it stands on")
+            tally(bool(reason) or name in names, f"contract of {name}: has neither a driver nor what it stands on")
         used = {c for d in drivers for c in d.contracts}
         tally(used <= set(contracts), f"no contract: {used - set(contracts)}")
         text = page(drivers, contracts)

@@ -38,6 +38,14 @@ static void sine_of_quarter_turns_is_exact(void) {
     }
 }
 
+/* Within 2^20 of the quarter turns; elsewhere the sine is further from 1 than it is off. */
+static void sine_stays_within_one(void) {
+    for (uint32_t phase = 0x40000000u - (1u << 20); phase <= 0x40000000u + (1u << 20); phase++) {
+        CHECK_AT_MOST(glint_sine(phase), 1 << 30);
+        CHECK_AT_MOST(-glint_sine(phase + 0x80000000u), 1 << 30);
+    }
+}
+
 static void powers_of_0_and_1(void) {
     static const int32_t exponents[] = {1, 32768, 65536, 65537, 2 << 16, 100 << 16, 1024 << 16, INT32_MAX};
     for (unsigned i = 0; i < TEST_COUNT(exponents); i++) {
@@ -172,6 +180,7 @@ static void cameras_look_at(void) {
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(sine_of_quarter_turns_is_exact),
+        TEST_CASE(sine_stays_within_one),
         TEST_CASE(powers_of_0_and_1),
         TEST_CASE(unit_vectors),
         TEST_CASE(unit_vectors_of_extremes),
