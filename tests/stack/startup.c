@@ -29,7 +29,7 @@ __attribute__((noinline)) static void listed(void) {
 
 __attribute__((noinline)) static void unlisted(void) {
     pointer();
-    sink++;
+    sink--;
 }
 
 __attribute__((noinline)) static void deep(void) {

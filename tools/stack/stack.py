@@ -133,7 +133,7 @@ def read(elf, table):
             target = re.search(r"\b(?:0x)?([0-9a-f]+) <([^+>]+)>", operands)
             if target and re.match(r"^(b|bl|jal|j|c\.j|tail|call|c\.jal|beq|bne|blt|bge|bgt|ble|bcc|bcs|bhi|bls|bmi|bpl)(\.[nw])?$", operation):
                 to = starts[bisect.bisect_right(starts, int(target[1], 16)) - 1]
-                if to != start:
+                if to != start or operation.startswith(("bl", "jal")) and not operation.startswith(("ble", "blt", "bls")):
                     calls.add(to)
             elif is_indirect(operation, operands):
                 reached = targets_of(places[address], table, known)
