@@ -183,15 +183,15 @@ static void library(const int32_t *in, int32_t *out, uint32_t count) {
 
 static const method methods[] = {
     METHOD(&fair, "multiply and clamp", "sum 1", "", 0, 0, 1, 0, prepare_fair, multiply, 4130),
-    METHOD(&fair, "multiply and truncate", "sum 1", "", 0, 0, 1, 0, prepare_fair, truncate, 8010),
-    METHOD(&fair, "added tables", "sum 1", "", 0, 0, 1, 2048, prepare_fair_tables, add, 4890),
-    METHOD(&fair, "added tables and clamp", "sum 1", "", 0, 0, 1, 2048, prepare_fair_tables, add_and_clamp, 4890),
+    METHOD(&fair, "multiply and truncate", "sum 1", "", 0, 0, 1, 0, prepare_fair, truncate, 8020),
+    METHOD(&fair, "added tables", "sum 1", "", 0, 0, 1, 2048, prepare_fair_tables, add, 5060),
+    METHOD(&fair, "added tables and clamp", "sum 1", "", 0, 0, 1, 2048, prepare_fair_tables, add_and_clamp, 5060),
     METHOD(&fair, "glint_add_light", "sum 1", "", 1, 0, 1, 0, prepare_fair, library, 4120),
     METHOD(&clamping, "multiply and clamp", "clamping", "", 0, 0, 1, 0, prepare_clamping, multiply, 4130),
-    METHOD(&clamping, "multiply and truncate", "clamping", "", 0, 0, 1, 0, prepare_clamping, truncate, 7560),
-    METHOD(&clamping, "added tables", "clamping", "", 0, 0, 1, 2048, prepare_clamping_tables, add, 255000),
+    METHOD(&clamping, "multiply and truncate", "clamping", "", 0, 0, 1, 0, prepare_clamping, truncate, 7790),
+    METHOD(&clamping, "added tables", "clamping", "", 0, 0, 1, 2048, prepare_clamping_tables, add, 256000),
     METHOD(&clamping, "added tables and clamp", "clamping", "", 0, 0, 1, 2048, prepare_clamping_tables, add_and_clamp,
-           5150),
+           5260),
     METHOD(&clamping, "glint_add_light", "clamping", "", 1, 0, 1, 0, prepare_clamping, library, 4120),
 };
 

@@ -239,14 +239,14 @@ static const method methods[] = {
     METHOD(&colours, "64 bit division", "colour", "", 0, 0, 32768, 0, 0, colour_wide, 8),
     METHOD(&colours, "32 bit division", "colour", "", 0, 0, 32768, 0, 0, colour_short, 8),
     METHOD(&colours, "reciprocal table 256 nearest", "colour", "", 0, 0, 32768, 512, prepare_nearest_256,
-           colour_nearest, 491),
+           colour_nearest, 499),
     METHOD(&colours, "reciprocal table 256 linear", "colour", "", 0, 0, 32768, 514, prepare_inverse, colour_linear, 16),
     METHOD(&colours, "reciprocal table 64 and Newton", "colour", "", 0, 0, 32768, 128, prepare_nearest_64,
            colour_newton, 24),
     METHOD(&colours, "glint_resolve_colour", "colour", "", 1, 0, 32768, 0, prepare_library, colour_library, 16),
     METHOD(&positions, "64 bit division", "position", "", 0, 0, SIXTEENTHS, 0, 0, position_wide, 8),
     METHOD(&positions, "32 bit division", "position", "", 0, 0, SIXTEENTHS, 0, 0, position_short, 16),
-    METHOD(&positions, "16 bit reciprocal", "position", "", 0, 0, SIXTEENTHS, 0, 0, position_reciprocal, 29),
+    METHOD(&positions, "16 bit reciprocal", "position", "", 0, 0, SIXTEENTHS, 0, 0, position_reciprocal, 31),
     METHOD(&positions, "glint_project", "position", "", 1, 0, SIXTEENTHS, 0, 0, position_library, 10),
 };
 

@@ -112,11 +112,11 @@ ROUNDING(random)
 
 static const method methods[] = {
     BOTH("truncate 8 bits", "", 0, 0, truncate, 3990, 3990),
-    BOTH("round 8 bits", "", 0, 0, byte_nearest, 5980, 5980),
-    BOTH("times 63 truncated", "", 0, 0, down, 4050, 4050),
+    BOTH("round 8 bits", "", 0, 0, byte_nearest, 5990, 5990),
+    BOTH("times 63 truncated", "", 0, 0, down, 4060, 4060),
     BOTH("times 63 rounded", "", 1, 0, nearest, 2030, 2030),
     BOTH("dithered 8 x 8", "Bayer 1973", 1, 64, dithered, 4020, 32),
-    BOTH("dithered at random", "Roberts 1962", 0, 0, random, 4050, 506),
+    BOTH("dithered at random", "Roberts 1962", 0, 0, random, 4060, 507),
 };
 
 const method_list methods_rounding = METHOD_LIST(methods);
