@@ -39,7 +39,7 @@ int command_fail(const char *file, const host_problem *problem);
 bool command_load(const host_settings *settings, bool scaled, host_model *model, quantised_mesh *mesh);
 
 /** Prints what a frame took, a name and a value a line. */
-void command_print_stats(const glint_stats *stats, const framebuffer *target);
+void command_print_stats(const glint_stats *stats, const framebuffer *target, const host_settings *settings);
 
 /** Expands a framebuffer into a PNG file. @return false with a problem */
 bool command_write_png(const framebuffer *source, const char *path, host_problem *problem);

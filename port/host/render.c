@@ -5,7 +5,25 @@
 
 #include <stdio.h>
 
-void command_print_stats(const glint_stats *stats, const framebuffer *target) {
+/* Milliseconds of sending, of drawing, and of both: one after the other, and at the same time, as well as that can go.
+ */
+static void print_times(const host_settings *settings, uint64_t bytes) {
+    const double bus = settings->bus > 0 ? (double)bytes * 8 / (settings->bus * 1000) : 0;
+    const double core = settings->core > 0 ? settings->instructions / settings->core * 1000 : 0;
+
+    if (bus > 0) {
+        printf("bus_ms %.3f\n", bus);
+    }
+    if (core > 0) {
+        printf("core_ms %.3f\n", core);
+    }
+    if (bus > 0 && core > 0) {
+        printf("frame_ms %.3f\n", bus + core);
+        printf("frame_ms_overlapped %.3f\n", bus > core ? bus : core);
+    }
+}
+
+void command_print_stats(const glint_stats *stats, const framebuffer *target, const host_settings *settings) {
     printf("passes %lu\n", (unsigned long)stats->passes);
     printf("tiles %lu\n", (unsigned long)stats->tiles);
     printf("vertices %lu\n", (unsigned long)stats->vertices);
@@ -15,6 +33,7 @@ void command_print_stats(const glint_stats *stats, const framebuffer *target) {
     printf("references %lu\n", (unsigned long)stats->references);
     printf("arena_used %lu\n", (unsigned long)stats->arena_used);
     printf("bytes_sent %llu\n", (unsigned long long)target->bytes_sent);
+    print_times(settings, target->bytes_sent);
 }
 
 static int render(const host_settings *settings, const quantised_mesh *mesh) {
@@ -32,7 +51,7 @@ static int render(const host_settings *settings, const quantised_mesh *mesh) {
     }
     const bool written = command_write_png(&target, settings->output, &problem);
     if (written && settings->stats) {
-        command_print_stats(&stats, &target);
+        command_print_stats(&stats, &target, settings);
     }
     framebuffer_free(&target);
     return written ? 0 : command_fail(settings->output, &problem);

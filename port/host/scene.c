@@ -107,7 +107,7 @@ static int draw_still(const chosen_scene *chosen, const host_settings *settings)
     }
     const bool written = command_write_png(&target, settings->output, &problem);
     if (written && settings->stats) {
-        command_print_stats(&stats, &target);
+        command_print_stats(&stats, &target, settings);
     }
     framebuffer_free(&target);
     return written ? 0 : command_fail(settings->output, &problem);

@@ -162,6 +162,19 @@ static bool parse_stats(host_settings *settings, const char *text, host_problem 
     return true;
 }
 
+static bool parse_bus(host_settings *settings, const char *text, host_problem *problem) {
+    return value_real(text, 0.001, 1000, &settings->bus) || value_expected(problem, "takes MHz from 0.001 to 1000");
+}
+
+static bool parse_core(host_settings *settings, const char *text, host_problem *problem) {
+    return value_real(text, 0.001, 10000, &settings->core) || value_expected(problem, "takes MHz from 0.001 to 10000");
+}
+
+static bool parse_instructions(host_settings *settings, const char *text, host_problem *problem) {
+    return value_real(text, 0.001, 100000, &settings->instructions) ||
+           value_expected(problem, "takes millions from 0.001 to 100000");
+}
+
 static bool parse_double_sided(host_settings *settings, const char *text, host_problem *problem) {
     (void)text;
     (void)problem;
@@ -239,6 +252,11 @@ static const host_option options[] = {
     {"--tile", "WxH", "size of the tiles, each 8, 16, 32 or 64", COMMANDS_THAT_DRAW, parse_tile},
     {"--arena", "BYTES", "working memory; what one pass takes", COMMANDS_THAT_DRAW, parse_arena},
     {"--stats", NULL, "print what the frame took, a `name value` a line", COMMANDS_THAT_DRAW, parse_stats},
+    {"--bus", "MHZ", "--stats: clock of a panel's bus, for the time that sending takes", COMMANDS_THAT_DRAW, parse_bus},
+    {"--core", "MHZ", "--stats: clock of a core, for the time that drawing takes, an instruction a clock",
+     COMMANDS_THAT_DRAW, parse_core},
+    {"--instructions", "M", "--stats: millions that the frame takes on that core, see docs/bench.csv",
+     COMMANDS_THAT_DRAW, parse_instructions},
     {"--crease", "DEG", "make all normals anew, split at edges sharper than that", COMMANDS_WITH_MESH, parse_crease},
     {"--weights", "area|angle", "what triangles weigh in the normals that are made; area", COMMANDS_WITH_MESH,
      parse_weights},
@@ -347,6 +365,9 @@ bool settings_parse(host_settings *settings, int command, int count, char **argu
         }
         settings->model = arguments[i];
         taken = 1;
+    }
+    if ((settings->core > 0) != (settings->instructions > 0)) {
+        return problem_set(problem, 0, "--core and --instructions go together");
     }
     return true;
 }

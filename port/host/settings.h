@@ -31,6 +31,8 @@ typedef struct host_settings {
     size_t arena;                     /**< Bytes; 0 for what the scene is best drawn with. */
 
     bool help, list, stats;    /**< What to print. */
+    double bus, core;          /**< Clocks of a panel's bus and of a core, MHz; 0 for none. */
+    double instructions;       /**< Millions that the core takes for the frame; 0 for unknown. */
     bool dither, double_sided; /**< How to draw. */
     bool size_given, eye_given, at_given, near_given, frame_given;
 
