@@ -45,7 +45,7 @@ tidy() {
         'tools/chart/*_board.c' || status=1
     tidy_files "-Isrc -Iexamples -Iexamples/bench" 'tools/bench/scenes.c' || status=1
     tidy_files "-Isrc -Iport -Iport/host -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit" \
-        'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' 'examples/scenes/*.c' 'tools/chart/*.c' \
+        'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' 'examples/scenes/*.c' 'tools/chart/*.c' ':!tests/proof' \
         ':!tools/chart/*_board.c' ':!tests/board/*_board.c' ':!tests/board/pattern.c' ':!tests/board/unit.c' || status=1
     return $status
 }
