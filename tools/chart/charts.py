@@ -2,7 +2,7 @@
 """Every chart of docs/charts, as a function from the figures to an SVG."""
 import math
 
-from figures import CPUS, front
+from figures import ASKED, CPUS, front, only
 from plot import Axis, Chart, Panel
 
 # Exponents at which methods are compared: those for which their instructions are counted.
@@ -195,5 +195,50 @@ def exponent(figures):
     return chart.svg()
 
 
+# Of a sweep: its axis, and what one unit of the axis is.
+SWEEPS = {"triangles": ("triangles, thousands", 1e-3), "pixels": ("pixels of the screen, thousands", 1e-3),
+          "lights": ("lights", 1), "objects": ("objects of 192 triangles", 1)}
+
+
+def scaling(figures):
+    colours = {"m3": "blue", "m0": "red"}
+    chart = Chart("How the cost of a frame grows", [("Cortex-M3", "blue"), ("Cortex-M0", "red"),
+                                                    ("lines: straight, fitted to the points", "grey")], 960, 780)
+    for (sweep, (label, unit)), box in zip(SWEEPS.items(), grid(chart, len(SWEEPS), 2)):
+        rows = only(figures.scaling, sweep=sweep)
+        most = max(float(row["count"]) for row in rows) * unit
+        panel = Panel("", box, Axis(label, 0, most * 1.08),
+                      Axis("million instructions per frame", 0, max(int(row["instructions"]) for row in rows) / 1e6 * 1.1))
+        for cpu, colour in colours.items():
+            of_core = only(rows, cpu=cpu)
+            start, slope = float(of_core[0]["line_start"]), float(of_core[0]["line_slope"])
+            panel.line([(x, (start + slope * x / unit) / 1e6) for x in (0, most)], colour, 1.2)
+            for row in of_core:
+                panel.point(float(row["count"]) * unit, int(row["instructions"]) / 1e6, "", colour)
+        chart.panels.append(panel)
+    return chart.svg()
+
+
+# Of the bus: pixels of a frame at 16 bits.
+BUS_FRAMES = (("torus2304", "320x240"), ("torus2304", "128x64"))
+
+
+def bus(figures):
+    """Above the diagonal the bus takes longer than the core, which draws an instruction a clock."""
+    chart = Chart("Time of a frame in RGB565: what the core takes against what the bus takes",
+                  [("320x240", "blue"), ("128x64", "red"), ("above the dashed line the bus takes longer, below it the core", "grey")], 820, 560)
+    low, high = 0.5, 200
+    panel = Panel("", grid(chart, 1, 1)[0], Axis("core, ms at an instruction a clock", low, high, log=True),
+                  Axis("bus, ms", low, high, log=True))
+    panel.line([(low, low), (high, high)], "grey", 1, dash=2)
+    for (scene, size), colour in zip(BUS_FRAMES, ("blue", "red")):
+        pixels = math.prod(map(int, size.split("x")))
+        for part in figures.parts:
+            core = figures.instructions(scene, size, ASKED, part["cpu"]) * 1e3 / float(part["core_mhz"])
+            panel.point(core, pixels * 16 / 1e3 / float(part["bus_mhz"]), part["part"], colour)
+    chart.panels.append(panel)
+    return chart.svg()
+
+
 CHARTS = {"power": power, "normalise": normalise, "fragment": fragment, "frames": frames, "frames-scenes": frames_scenes,
-          "exponent": exponent, "shading": shading}
+          "exponent": exponent, "shading": shading, "scaling": scaling, "bus": bus}

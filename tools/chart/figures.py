@@ -56,6 +56,8 @@ class Figures:
         self.bench = read(directory, "bench.csv")
         self.accuracy = read(directory, "accuracy.csv")
         self.shading = read(os.path.join(directory, "charts"), "shading.csv")
+        self.scaling = read(os.path.join(directory, "charts"), "scaling.csv")
+        self.parts = read(directory, "parts.csv")
 
     def cpus(self, rows):
         """Those that rows have, in the order of CPUS."""
