@@ -16,6 +16,7 @@ lm3s6965evb_CPU     := -mcpu=cortex-m3 -mthumb
 lm3s6965evb_SOURCES := $(CORTEX_M) $(wildcard port/lm3s6965evb/*.c) port/pl022/pl022.c
 lm3s6965evb_LINKER  := linker/lm3s6965evb.ld
 lm3s6965evb_PANEL   := port/panel/panel.c port/panel/solomon.c port/panel/ssd0323.c
+lm3s6965evb_ARENA   := 49152
 
 microbit_CPU     := -mcpu=cortex-m0 -mthumb
 microbit_SOURCES := $(CORTEX_M) $(wildcard port/microbit/*.c)
@@ -83,6 +84,7 @@ template_CPU     := -mcpu=cortex-m3 -mthumb
 template_SOURCES := $(CORTEX_M) $(wildcard port/template/*.c)
 template_LINKER  := linker/template.ld
 template_PANEL   := $(lm3s6965evb_PANEL)
+template_ARENA   := 16384
 
 # ---- Programs
 
@@ -95,6 +97,11 @@ PROGRAM_identity  := tests/board/identity_board.c tests/board/identity.c tests/b
     examples/turntable/turntable.c $(wildcard examples/scenes/*.c)
 PROGRAM_frames    := tools/bench/frames.c
 PROGRAM_unit      := tests/board/unit.c tests/harness.c $(wildcard tests/unit/*.c)
+
+# What breaks on a board's bus is a matter of the board.
+FAULT_BOARDS := lm3s6965evb pico
+$(foreach board,$(FAULT_BOARDS),$(eval PROGRAM_faults-$(board) := tests/board/faults.c tests/board/faults_$(board).c \
+    examples/turntable/turntable.c))
 
 # ---- The pattern
 
@@ -147,7 +154,8 @@ $(foreach board,mps2-an385 mps2-an385-m0 virt,$(foreach level,O0 Os O2,\
     $(eval $(call firmware_program,$(board),$(level),identity))))
 $(foreach board,$(MEASURED),$(eval $(call firmware_program,$(board),O2,frames)))
 
-$(foreach board,pico microbit stm32vldiscovery netduinoplus2 mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 virt,$(eval $(call firmware_program,$(board),release,show)))
+$(foreach board,$(BOARDS),$(eval $(call firmware_program,$(board),release,show)))
+$(foreach board,$(FAULT_BOARDS),$(eval $(call firmware_program,$(board),release,faults-$(board))))
 $(eval $(call firmware_program,pico,release,unit,-Wl$(comma)--defsym=stack_size=3584))
 
 # What programmers and boot loaders take.

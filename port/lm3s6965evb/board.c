@@ -6,6 +6,7 @@
 #include "board.h"
 
 #include "cortex-m/cortex-m.h"
+#include "display.h"
 #include "panel/ssd0323.h"
 #include "semihosting/semihosting.h"
 #include "spi.h"
@@ -72,4 +73,11 @@ void board_delay(uint32_t milliseconds) {
 
 void board_checkpoint(const char *name) {
     semihosting_checkpoint(name);
+}
+
+int board_display_start(board_display *display) {
+    static glint_panel panel = {.type = &glint_panel_ssd0323};
+
+    panel.bus = board_panel_bus();
+    return display_start(&panel, display);
 }

@@ -61,9 +61,15 @@ void lm3s_spi_start(uint32_t core_hz, uint32_t bus_hz) {
     *cortex_m_register(INTERRUPTS_ENABLE) = 1u << INTERRUPT_SSI;
 }
 
-static void select(int is_data) {
-    write_pin(PORT_C, PIN_DATA, (uint32_t)is_data);
-    write_pin(PORT_A, PIN_SELECT, 0);
+/* What a transfer that was given up left behind leaves before the panel listens. */
+static glint_bus_status select(int is_data) {
+    const glint_bus_status status = pl022_finish(&ssi);
+
+    if (!status) {
+        write_pin(PORT_C, PIN_DATA, (uint32_t)is_data);
+        write_pin(PORT_A, PIN_SELECT, 0);
+    }
+    return status;
 }
 
 /* Lets the panel go. */
@@ -73,8 +79,12 @@ static glint_bus_status finish(glint_bus_status status) {
 }
 
 static glint_bus_status send(const uint8_t *bytes, size_t count, int is_data) {
-    select(is_data);
-    const glint_bus_status status = pl022_send(&ssi, bytes, count);
+    glint_bus_status status = select(is_data);
+
+    if (status) {
+        return status;
+    }
+    status = pl022_send(&ssi, bytes, count);
     return finish(status ? status : pl022_finish(&ssi));
 }
 
@@ -89,10 +99,13 @@ static glint_bus_status data(void *context, const uint8_t *bytes, size_t count) 
 }
 
 static glint_bus_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
+    const glint_bus_status status = select(1);
+
     (void)context;
-    select(1);
-    pl022_begin(&ssi, bytes, row_bytes, rows, stride);
-    return GLINT_BUS_OK;
+    if (!status) {
+        pl022_begin(&ssi, bytes, row_bytes, rows, stride);
+    }
+    return status;
 }
 
 static glint_bus_status wait(void *context) {

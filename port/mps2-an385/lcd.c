@@ -45,10 +45,24 @@ static glint_bus_status finish(glint_bus_status status) {
     return status;
 }
 
+/* What a transfer that was given up left behind leaves before the panel listens. */
+static glint_bus_status select(int is_data) {
+    const glint_bus_status status = pl022_finish(&port);
+
+    if (!status) {
+        set(MISC_DATA, is_data);
+        set(MISC_NOT_SELECTED, 0);
+    }
+    return status;
+}
+
 static glint_bus_status send(const uint8_t *bytes, size_t count, int is_data) {
-    set(MISC_DATA, is_data);
-    set(MISC_NOT_SELECTED, 0);
-    const glint_bus_status status = pl022_send(&port, bytes, count);
+    glint_bus_status status = select(is_data);
+
+    if (status) {
+        return status;
+    }
+    status = pl022_send(&port, bytes, count);
     return finish(status ? status : pl022_finish(&port));
 }
 
@@ -63,11 +77,13 @@ static glint_bus_status data(void *context, const uint8_t *bytes, size_t count) 
 }
 
 static glint_bus_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
+    const glint_bus_status status = select(1);
+
     (void)context;
-    set(MISC_DATA, 1);
-    set(MISC_NOT_SELECTED, 0);
-    pl022_begin(&port, bytes, row_bytes, rows, stride);
-    return GLINT_BUS_OK;
+    if (!status) {
+        pl022_begin(&port, bytes, row_bytes, rows, stride);
+    }
+    return status;
 }
 
 static glint_bus_status wait(void *context) {

@@ -66,10 +66,14 @@ enum {
     DMA_QUIET = 1u << 21,
     DMA_BUSY = 1u << 24,
 };
+#define DMA_ERRORS_CLEAR (3u << 29) /* by writing them */
 #define DMA_FAULTS (7u << 29)
 
-/* A byte takes 8 bits / 62.5 MHz, 16 clocks of the core; a poll takes at least 5. Waits may take hundredfold. */
-enum { BYTE_POLLS = 1000, BUSY_POLLS = 10000 };
+/*
+ * A byte takes 8 bits / 62.5 MHz, 16 clocks of the core, and a full FIFO 128. A poll takes at least 5, and at least 15
+ * while DMA sends: waits give up after some 20 times what they can need.
+ */
+enum { BYTE_POLLS = 64, BUSY_POLLS = 512, DMA_BYTE_POLLS = 16 };
 
 /** A row for the list: as the registers at DMA_ALIAS_3_COUNT lie. */
 typedef struct dma_row {
@@ -118,18 +122,35 @@ static void drain(void) {
     *cortex_m_register(SPI_INTERRUPT_CLEAR) = OVERRUN;
 }
 
-/* Sees the last byte out, then lets the panel go. */
-static glint_bus_status finish(glint_bus_status status) {
+static glint_bus_status wait_until_idle(void) {
     uint32_t polls = BUSY_POLLS;
 
     while ((*cortex_m_register(SPI_STATUS) & STATUS_BUSY) && --polls) {
     }
     drain();
-    set_pin(PIN_SELECT, 1);
-    return status || polls ? status : GLINT_BUS_TIMEOUT;
+    return polls ? GLINT_BUS_OK : GLINT_BUS_TIMEOUT;
 }
 
-static glint_bus_status send(const uint8_t *bytes, size_t count) {
+/* What a transfer that was given up left behind leaves before the panel listens. */
+static glint_bus_status select(int is_data) {
+    const glint_bus_status status = wait_until_idle();
+
+    if (!status) {
+        set_pin(PIN_DATA, is_data);
+        set_pin(PIN_SELECT, 0);
+    }
+    return status;
+}
+
+/* Sees the last byte out, then lets the panel go. */
+static glint_bus_status finish(glint_bus_status status) {
+    const glint_bus_status last = wait_until_idle();
+
+    set_pin(PIN_SELECT, 1);
+    return status ? status : last;
+}
+
+static glint_bus_status push(const uint8_t *bytes, size_t count) {
     for (size_t i = 0; i < count; i++) {
         uint32_t polls = BYTE_POLLS;
         while ((*cortex_m_register(SPI_STATUS) & STATUS_TX_NOT_FULL) == 0) {
@@ -142,29 +163,27 @@ static glint_bus_status send(const uint8_t *bytes, size_t count) {
     return GLINT_BUS_OK;
 }
 
+static glint_bus_status send(int is_data, const uint8_t *bytes, size_t count) {
+    const glint_bus_status status = select(is_data);
+
+    return status ? status : finish(push(bytes, count));
+}
+
 static glint_bus_status command(void *context, const uint8_t *bytes, size_t count) {
     (void)context;
-    set_pin(PIN_DATA, 0);
-    set_pin(PIN_SELECT, 0);
-    return finish(send(bytes, count));
+    return send(0, bytes, count);
 }
 
 static glint_bus_status data(void *context, const uint8_t *bytes, size_t count) {
     (void)context;
-    set_pin(PIN_DATA, 1);
-    set_pin(PIN_SELECT, 0);
-    return finish(send(bytes, count));
+    return send(1, bytes, count);
 }
 
 static void dma(uintptr_t channel, uintptr_t offset, uintptr_t value) {
     *cortex_m_register(channel + offset) = (uint32_t)value;
 }
 
-static glint_bus_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t row_count, size_t stride) {
-    (void)context;
-    if (row_count == 0 || row_count >= sizeof rows / sizeof rows[0]) {
-        return GLINT_BUS_FAULT;
-    }
+static void list_rows(const uint8_t *bytes, size_t row_bytes, size_t row_count, size_t stride) {
     if (row_bytes == stride) { /* one long row */
         row_bytes *= row_count;
         row_count = 1;
@@ -173,12 +192,23 @@ static glint_bus_status begin(void *context, const uint8_t *bytes, size_t row_by
         rows[i] = (dma_row){(uint32_t)row_bytes, bytes + i * stride};
     }
     rows[row_count] = (dma_row){0, 0};
-    patience = (uint32_t)(row_bytes * row_count) * BYTE_POLLS;
-    set_pin(PIN_DATA, 1);
-    set_pin(PIN_SELECT, 0);
+    patience = (uint32_t)(row_bytes * row_count) * DMA_BYTE_POLLS + BUSY_POLLS;
+}
+
+static glint_bus_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t row_count, size_t stride) {
+    (void)context;
+    if (row_count == 0 || row_count >= sizeof rows / sizeof rows[0]) {
+        return GLINT_BUS_FAULT;
+    }
+    const glint_bus_status status = select(1);
+    if (status) {
+        return status;
+    }
+    list_rows(bytes, row_bytes, row_count, stride);
     dma(DMA_ROW, DMA_WRITE, SPI_DATA);
     dma(DMA_ROW, DMA_ALIAS_1_CONTROL,
-        DMA_ENABLE | DMA_READ_ON | 1u << DMA_CHAIN_SHIFT | (uint32_t)DMA_PACE_SPI0_OUT << DMA_PACE_SHIFT | DMA_QUIET);
+        DMA_ERRORS_CLEAR | DMA_ENABLE | DMA_READ_ON | 1u << DMA_CHAIN_SHIFT |
+            (uint32_t)DMA_PACE_SPI0_OUT << DMA_PACE_SHIFT | DMA_QUIET);
     dma(DMA_LIST, DMA_READ, (uintptr_t)rows);
     dma(DMA_LIST, DMA_WRITE, DMA_ROW + DMA_ALIAS_3_COUNT);
     dma(DMA_LIST, DMA_COUNT, 2);
@@ -197,17 +227,23 @@ static int is_sent(void) {
     return next > rows && next[-1].bytes == 0 && (busy & DMA_BUSY) == 0;
 }
 
+static int has_failed(void) {
+    return (*cortex_m_register(DMA_ROW + DMA_ALIAS_1_CONTROL) & DMA_FAULTS) != 0;
+}
+
 static glint_bus_status wait(void *context) {
     glint_bus_status status = GLINT_BUS_OK;
 
     (void)context;
-    while (!is_sent() && --patience) {
+    while (!is_sent() && !has_failed() && --patience) { /* a channel that has failed stands still */
     }
-    if (patience == 0) {
-        *cortex_m_register(DMA_ABORT) = 3;
-        status = GLINT_BUS_TIMEOUT;
-    } else if (*cortex_m_register(DMA_ROW + DMA_ALIAS_1_CONTROL) & DMA_FAULTS) {
+    if (has_failed()) {
         status = GLINT_BUS_FAULT;
+    } else if (patience == 0) {
+        status = GLINT_BUS_TIMEOUT;
+    }
+    if (status) {
+        *cortex_m_register(DMA_ABORT) = 3;
     }
     return finish(status);
 }

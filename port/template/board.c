@@ -5,6 +5,9 @@
  */
 #include "board.h"
 
+#include "display.h"
+#include "panel/ssd0323.h"
+
 /* Clock after board_init, Hz. FILL IN. */
 enum { CLOCK_HZ = 16000000 };
 
@@ -53,6 +56,13 @@ static const glint_bus panel_bus = {.command = command, .data = data, .begin = b
 
 const glint_bus *board_panel_bus(void) {
     return &panel_bus;
+}
+
+/* FILL IN the kind of panel, and how it is turned (port/panel/panel.h). */
+int board_display_start(board_display *display) {
+    static const glint_panel panel = {.type = &glint_panel_ssd0323, .bus = &panel_bus};
+
+    return display_start(&panel, display);
 }
 
 /* ---- The board -----------------------------------------------------------------------------------------------------

@@ -76,7 +76,7 @@ $(SHOW_HOST): tests/board/show_host.c tests/image/picture.c examples/turntable/t
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -Itests/image $(filter %.c,$^) $(BUILD)/host/libglint.a -o $@
 
-SHOW_BOARDS   := microbit stm32vldiscovery netduinoplus2 virt mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500
+SHOW_BOARDS   := lm3s6965evb microbit stm32vldiscovery netduinoplus2 virt mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500
 SHOW_FIRMWARE := pico=$(BUILD)/pico/release/show.bin $(foreach board,$(SHOW_BOARDS),$(board)=$(BUILD)/$(board)/release/show.elf)
 SUITES += test-board-show
 .PHONY: test-board-show run
@@ -88,3 +88,25 @@ run: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed $$
 test-board-show: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed \
         $(foreach pair,$(SHOW_FIRMWARE),$(lastword $(subst =, ,$(pair)))) ## each board's panel, as its bus drives it, against the host
 	@python3 tests/board/show.py --host $(SHOW_HOST) --stream $(BUILD)/host/panel_stream --output $(BUILD)/show $(SHOW_FIRMWARE)
+
+# ---- Faults: what breaks on a bus, on the board itself
+
+FAULT_FIRMWARE := $(foreach board,$(FAULT_BOARDS),$(board)=$(BUILD)/$(board)/release/faults-$(board).$(if $(filter pico,$(board)),bin,elf))
+SUITES += test-board-faults
+.PHONY: test-board-faults
+test-board-faults: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed \
+        $(foreach pair,$(FAULT_FIRMWARE),$(lastword $(subst =, ,$(pair)))) ## on boards: a bus that stops, is slow, fails; a reset in mid-frame
+	@python3 tests/board/faults.py --host $(SHOW_HOST) --stream $(BUILD)/host/panel_stream --output $(BUILD)/faults $(FAULT_FIRMWARE)
+
+# ---- RAM that is too small is told at the link, with what is missing
+
+# $(call small_ram,board): links the board's firmware with less RAM than it takes
+small_ram = python3 tests/board/small_ram.py $($1_LINKER) $(BUILD)/$1/release/show.size $(BUILD)/small/$1 \
+    $(call cross,$1)gcc $($1_CPU) $(FIRMWARE_LDFLAGS) -Wl,-Map=$(BUILD)/small/$1/small.map \
+    $(patsubst %.c,$(BUILD)/$1/release/%.o,$(PROGRAM_show) $($1_SOURCES) $($1_PANEL)) $(BUILD)/$1/release/libglint.a -lgcc
+
+SUITES += test-small-ram
+.PHONY: test-small-ram
+test-small-ram: $(BOARDS:%=$(BUILD)/%/release/show.elf) ## a board with too little RAM: the link fails with the bytes missing
+	@failed=0; mkdir -p $(BUILD)/small; $(foreach board,$(BOARDS),mkdir -p $(BUILD)/small/$(board); $(call small_ram,$(board)) || failed=$$((failed + 1));) \
+	    echo "$$(($(words $(BOARDS)) - failed)) passed, $$failed failed"; [ $$failed -eq 0 ]

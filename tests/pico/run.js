@@ -2,7 +2,9 @@
 // Runs firmware of the Raspberry Pi Pico: node run.js FIRMWARE.bin [STREAM [BUS]]. Writes its text to stdout and ends
 // with its exit status; what goes over SPI0 goes to STREAM, as tests/panel/panel_stream.c reads it, with a picture asked
 // for at each checkpoint: P name-number.ppm. Its last line is a comment, "# nanoseconds TOTAL on the bus BUS". Where BUS
-// is "free" bytes take no time: the difference is what the core waited for the bus.
+// is "free" bytes take no time: the difference is what the core waited for the bus. Firmware that writes "bus: stopped",
+// "slow", "broken", "reset" or "mended" gets it so a while later (tests/board/faults.c); after a reset it runs as far as
+// its first checkpoint, whose picture is reset-name-number.ppm.
 import fs from "node:fs";
 import path from "node:path";
 import { createRequire } from "node:module";
@@ -18,6 +20,9 @@ const PIN_SELECT = 17;
 const PIN_RESET = 21;
 const SILENCE_NS = 60e9; // of emulated time, without text or a byte on the bus
 const FAULT = 100;
+const BYTES_UNTIL_FAULT = 300; // the window and some pixels
+const SLOWNESS = 100;
+const DMA_READ_ERROR = 1 << 30;
 
 const [image, stream, bus] = process.argv.slice(2);
 const mcu = new RP2040();
@@ -61,7 +66,25 @@ function passTime() {
 const spi = mcu.spi[0];
 let clockNoted = 0;
 let onBus = 0;
+let fault = "mended";
+let bytesUntilFault = 0;
+let isStopped = false;
+let leftBehind = false;
+let hasToReset = false;
+let wasReset = false;
 const done = clock.createAlarm(() => spi.completeTransmit(0));
+
+function breakBus() {
+  if (fault === "stopped") {
+    isStopped = true;
+  } else if (fault === "broken") {
+    mcu.dma.channels[0].ctrl |= DMA_READ_ERROR; // and a channel that has failed stands still
+    mcu.dma.channels[0].abort();
+  } else if (fault === "reset") {
+    hasToReset = true;
+  }
+}
+
 spi.onTransmit = (value) => {
   const hertz = spi.clockFrequency;
   if (hertz !== clockNoted) {
@@ -69,6 +92,12 @@ spi.onTransmit = (value) => {
     clockNoted = hertz;
   }
   if (mcu.gpio[PIN_SELECT].value !== GPIOPinState.Low) {
+    if (leftBehind) { // what the driver gave up leaves now, to no panel
+      if (!isStopped) {
+        done.schedule(0);
+      }
+      return;
+    }
     throw new Error("a byte left while the panel was not selected");
   }
   passTime();
@@ -79,9 +108,15 @@ spi.onTransmit = (value) => {
   }
   bytes.push(value);
   lastSign = clock.nanos;
-  const takes = (8 * 1e9) / hertz; // on the wire
+  leftBehind = fault !== "mended";
+  if (fault !== "mended" && bytesUntilFault-- === 0) {
+    breakBus();
+  }
+  const takes = ((8 * 1e9) / hertz) * (fault === "slow" && bytesUntilFault < 0 ? SLOWNESS : 1); // on the wire
   onBus += takes;
-  done.schedule(bus === "free" ? 0 : takes);
+  if (!isStopped && !hasToReset) {
+    done.schedule(bus === "free" ? 0 : takes);
+  }
 };
 mcu.gpio[PIN_RESET].addListener((state) => {
   passTime();
@@ -100,10 +135,20 @@ const operations = {
     for (let end; (end = text.indexOf("\n")) >= 0; text = text.slice(end + 1)) {
       const line = text.slice(0, end);
       console.log(line);
+      const told = line.match(/^bus: (\w+)$/);
+      if (told) {
+        fault = told[1];
+        bytesUntilFault = BYTES_UNTIL_FAULT;
+        if (isStopped) {
+          isStopped = false;
+          done.schedule(0);
+        }
+      }
       const shown = line.match(/^(\S+) (\d+) done$/);
       if (shown) {
         passTime();
-        note(`P ${shown[1]}-${shown[2]}.ppm`);
+        note(`P ${wasReset ? "reset-" : ""}${shown[1]}-${shown[2]}.ppm`);
+        status = wasReset ? 0 : status;
       }
     }
     lastSign = clock.nanos;
@@ -128,13 +173,37 @@ mcu.onBreak = (code) => {
 };
 
 // The boot ROM is not ours to have: start where it would, behind the second boot stage, or in it.
-core.VTOR = FLASH + BOOT_SIZE;
-core.SP = mcu.readUint32(FLASH + BOOT_SIZE);
-core.PC = mcu.readUint32(FLASH + BOOT_SIZE + 4) & ~1;
+function start() {
+  core.VTOR = FLASH + BOOT_SIZE;
+  core.SP = mcu.readUint32(FLASH + BOOT_SIZE);
+  core.PC = mcu.readUint32(FLASH + BOOT_SIZE + 4) & ~1;
+}
+
+// What the RUN pin does to the parts that this firmware uses; the panel is not told.
+function reset() {
+  done.cancel();
+  for (const channel of mcu.dma.channels) {
+    channel.abort();
+    channel.reset();
+  }
+  spi.txFIFO.reset();
+  spi.rxFIFO.reset();
+  spi.busy = false;
+  fault = "mended";
+  hasToReset = false;
+  wasReset = true;
+  core.waiting = false;
+  start();
+}
+
+start();
 
 const cycle = 1e9 / 125e6;
 while (status === null) {
   clock.tick(core.waiting ? clock.nanosToNextAlarm : core.executeInstruction() * cycle);
+  if (hasToReset) {
+    reset();
+  }
   if (clock.nanos - lastSign > SILENCE_NS) {
     console.log("no sign of life");
     status = FAULT;
