@@ -444,6 +444,49 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene);
  */
 glint_status glint_arena_need(const glint_config *config, const glint_scene *scene, glint_need *need);
 
+/* ---- Only what changed ---- */
+/*
+ * A panel keeps its picture: tiles that are what they were need not be sent. A filter between the renderer and the
+ * panel's flush knows each by a signature of 64 bits, 8 bytes a tile of the caller's memory. Tiles that differ have
+ * the same one with a chance of 2^-64, those that differ in four bytes only never.
+ *
+ *     static glint_signature signatures[80];                    // glint_changes_count(&config)
+ *     glint_changes_init(&changes, signatures, &config);
+ *     config.flush = glint_changes_flush(&changes);             // and then glint_init
+ *
+ * Tile size, format and arena are the configuration's own; a tile's pixels are aligned to 4 bytes, as the renderer has
+ * them.
+ */
+
+/** What a tile was sent as; 0 for one that has yet to be sent. */
+typedef struct glint_signature {
+    uint32_t a, b;
+} glint_signature;
+
+/** The filter. Owned by the caller; only `sent` and `unchanged` are to be looked at. */
+typedef struct glint_changes {
+    uint32_t sent, unchanged; /**< Tiles, since glint_changes_init. */
+    glint_flush flush;
+    glint_signature *signatures, *sending, pending;
+    uint32_t count;
+    uint16_t columns, tile_width, tile_height;
+} glint_changes;
+
+/** How many signatures a configuration takes; 0 when it is not valid. */
+uint32_t glint_changes_count(const glint_config *config);
+
+/**
+ * Sets a filter up before config->flush; everything is yet to be sent.
+ * @return GLINT_ERROR_NULL, _SIZE or _TILE.
+ */
+glint_status glint_changes_init(glint_changes *changes, glint_signature *signatures, const glint_config *config);
+
+/** Sends everything once more: for a panel that was started anew. A tile whose flush failed is sent again anyhow. */
+void glint_changes_forget(glint_changes *changes);
+
+/** The flush to draw with; `changes` must outlive it. */
+glint_flush glint_changes_flush(glint_changes *changes);
+
 /* ---- Tile by tile -------------------------------------------------------------------------------------------- */
 /*
  * glint_render is a loop over these; use them to draw the tiles of a frame in another order, or on two cores:

@@ -20,8 +20,9 @@ SUITE_gallery   := $(TEST_HARNESS) tests/image/gallery.c tests/image/rows.c test
 SUITE_output    := $(TEST_HARNESS) tests/image/output.c $(TEST_SCENES)
 SUITE_highlights := $(TEST_HARNESS) tests/image/highlights.c $(TEST_SCENES)
 SUITE_fill_rule := $(TEST_HARNESS) tests/image/fill_rule.c $(TEST_SCENES) $(TEST_JUDGE)
+SUITE_changes   := $(TEST_HARNESS) tests/image/changes.c $(TEST_SCENES)
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit numbers compare models gallery output highlights fill_rule identity
+TEST_SUITES     := unit numbers compare models gallery output highlights fill_rule identity changes
 
 # $(call test_suite,variant,suite,compiler,flags): build/tests/<variant>/<suite>
 define test_suite
@@ -48,7 +49,7 @@ run_suites = @status=0; for suite in $1; do echo "$$suite"; $$suite || status=1;
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers) ## unit tests on the host, arithmetic against libm
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,compare models gallery output highlights fill_rule) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,compare models gallery output highlights fill_rule changes) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order

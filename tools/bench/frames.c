@@ -22,17 +22,20 @@ typedef struct variant {
     uint16_t width, height;
     glint_viewer viewer;
     uint16_t tile_width, tile_height;
+    int changes; /* only tiles that changed since the last frame are copied */
 } variant;
 
 static const variant variants[] = {
-    {320, 240, GLINT_VIEWER_LOCAL, 32, 32}, {320, 240, GLINT_VIEWER_INFINITE, 32, 32},
-    {128, 64, GLINT_VIEWER_LOCAL, 32, 32},  {320, 240, GLINT_VIEWER_LOCAL, 16, 16},
-    {320, 240, GLINT_VIEWER_LOCAL, 32, 16}, {320, 240, GLINT_VIEWER_LOCAL, 64, 32},
-    {320, 240, GLINT_VIEWER_LOCAL, 64, 64},
+    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 0}, {320, 240, GLINT_VIEWER_INFINITE, 32, 32, 0},
+    {128, 64, GLINT_VIEWER_LOCAL, 32, 32, 0},  {320, 240, GLINT_VIEWER_LOCAL, 16, 16, 0},
+    {320, 240, GLINT_VIEWER_LOCAL, 32, 16, 0}, {320, 240, GLINT_VIEWER_LOCAL, 64, 32, 0},
+    {320, 240, GLINT_VIEWER_LOCAL, 64, 64, 0}, {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 1},
 };
 
 static uint32_t arena[(1 << 20) / sizeof(uint32_t)];
 static uint16_t framebuffer[HEIGHT][WIDTH];
+static glint_signature signatures[80];
+static glint_changes changes;
 
 typedef struct measured {
     uint32_t instructions; /* mean of the ten frames */
@@ -115,6 +118,10 @@ static glint_status measure_variant(uint32_t which, const variant *v, measured *
     scene.camera.field_of_view = BENCH_FIELD_OF_VIEW;
     scene.camera.near_plane = BENCH_NEAR_PLANE;
     config.flush.begin = copy_tile;
+    if (v->changes && glint_changes_count(&config) <= sizeof signatures / sizeof signatures[0]) {
+        glint_changes_init(&changes, signatures, &config);
+        config.flush = glint_changes_flush(&changes);
+    }
     return measure(&config, &scene, &object, bench_scenes[which].poses, result);
 }
 
@@ -131,7 +138,7 @@ static void report(const char *name, const variant *v, const measured *result) {
     write_number(v->width, "x");
     write_number(v->height, v->viewer == GLINT_VIEWER_LOCAL ? " local " : " infinite ");
     write_number(v->tile_width, "x");
-    write_number(v->tile_height, ",");
+    write_number(v->tile_height, v->changes ? " changes," : ",");
     write_number(result->instructions, ",");
     write_number((uint32_t)result->smallest, ",");
     write_number((uint32_t)result->best, "\n");
