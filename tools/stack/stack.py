@@ -107,10 +107,11 @@ def sources(tools, elf, addresses):
 
 def targets_of(place, table, known):
     """Functions that an indirect call in a source function may reach."""
-    for function, _ in place:
-        if function in table:
-            return [address for address, (name, file) in known.items()
-                    for pattern in table[function] if fnmatch.fnmatch("%s:%s" % (file, name), pattern)]
+    for function, source in place:
+        for caller in ("%s:%s" % (source, function), function):
+            if caller in table:
+                return [address for address, (name, file) in known.items()
+                        for pattern in table[caller] if fnmatch.fnmatch("%s:%s" % (file, name), pattern)]
     return None
 
 
