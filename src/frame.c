@@ -126,6 +126,7 @@ int glint_frame_next(glint_frame *frame) {
     if (status != GLINT_OK)
         return status;
     glint_count_arena(frame);
+    frame->stats.references += frame->reference_count;
     frame->stats.passes++;
     frame->stats.tiles += frame->ends ? (uint32_t)(frame->tile_end - frame->tile_first) : 0;
     return 1;

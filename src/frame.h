@@ -8,6 +8,7 @@
 
 #include "glint.h"
 #include "numeric.h"
+#include "product.h"
 
 /** Half width of the guard band in pixels: clip space x = w lies this far from the screen's centre. */
 #define GLINT_GUARD_BAND 1023
@@ -90,24 +91,24 @@ typedef struct glint_shading {
 
 /** Mesh steps to clip space, and object normals to camera space. */
 typedef struct glint_transform {
-    int32_t matrix[3][3]; /* rows x, y, w: clip coordinate of 2^15 steps */
+    glint_row matrix[3]; /* rows x, y, w: clip coordinate of 2^15 steps */
     int32_t translation[3];
-    int32_t normal[3][3];
-    int32_t exponent;       /* a clip unit is 2^-exponent */
-    int32_t near_plane;     /* w of the near plane */
-    int32_t depth_mantissa; /* nearest w of the frame = mantissa 2^-shift, mantissa 2^30 to 2^31 */
-    uint32_t depth_shift;
-    int32_t center_x, center_y; /* of the screen, 28.4 */
+    glint_row normal[3];
+    int32_t exponent;            /* a clip unit is 2^-exponent */
+    int32_t near_plane, least_w; /* w of the near plane, and of the nearest corner of the box */
+    int32_t nearest;             /* w of the frame; less than it may be where the object is not visible */
+    int32_t center_x, center_y;  /* of the screen, 28.4 and 11 bits for rounding */
     uint8_t visible, clips, mirrored;
 } glint_transform;
 
 /* ---- geometry: vertices ---- */
 
-#define GLINT_VERTEX_CLIP 1u /* in front of the near plane or outside the guard band: x, y and 1/w are not valid */
+#define GLINT_VERTEX_CLIP 1u   /* in front of the near plane or outside the guard band: x, y and 1/w are not valid */
+#define GLINT_VERTEX_NORMAL 4u /* its normal is known; until then its number in the mesh stands in attribute[0] */
 
 typedef struct glint_vertex {
-    int16_t x, y;         /* 28.4 */
     int32_t inverse_w;    /* Q31 */
+    int16_t x, y;         /* 28.4 */
     int16_t attribute[3]; /* unit normal in camera space; once lit, colour, 1 = GLINT_COLOUR_ONE */
     uint16_t flags;
 } glint_vertex;
@@ -127,11 +128,13 @@ typedef struct glint_draw {
     struct glint_draw *next;
     const uint16_t (*triangles)[3]; /* the first one's indices */
     glint_vertex *vertices;
-    glint_position *positions; /* null unless the object may be clipped or is lit before it is drawn */
-    int16_t (*extra)[3];       /* null, or per vertex: the surface's colour, or the back's colour when lit */
-    int16_t (*facets)[3];      /* null, or colours of the triangles */
+    glint_position *positions;   /* null unless the object may be clipped or is lit before it is drawn */
+    int16_t (*extra)[3];         /* null, or per vertex: the surface's colour, or the back's colour when lit */
+    int16_t (*facets)[3];        /* null, or colours of the triangles */
+    const int16_t (*normals)[3]; /* of the mesh */
     const glint_shading *shading;
     const glint_evaluation *evaluation;
+    glint_transform transform;
     uint32_t vertex_count;
     uint32_t object;         /* index in the scene */
     uint32_t first_triangle; /* of the mesh */
@@ -282,9 +285,12 @@ glint_status glint_transform_prepare(glint_transform *transform, const glint_vie
 /** Smallest w of the object's bounding box, Q28, no less than the near plane. */
 int64_t glint_transform_nearest(const glint_transform *transform, const glint_view *view);
 
-/** Transforms one vertex; position may be null. */
-void glint_transform_vertex(const glint_transform *transform, const glint_mesh *mesh, uint32_t index,
-                            glint_vertex *vertex, glint_position *position);
+/** Transforms vertices of a mesh from `first` on, all but their normals; positions may be null. */
+void glint_transform_vertices(const glint_transform *transform, const glint_mesh *mesh, uint32_t first, uint32_t count,
+                              glint_vertex *vertices, glint_position *positions);
+
+/** Brings a vertex's normal to camera space. */
+void glint_transform_normal(const glint_draw *draw, glint_vertex *vertex);
 
 /** Screen position and 1/w of clip coordinates inside the guard band and beyond the near plane. */
 void glint_project(const glint_transform *transform, const glint_position *position, glint_vertex *vertex);
@@ -328,6 +334,20 @@ glint_status glint_check_config(glint_config *config);
 /** Bytes of arena that glint_render keeps for tiles. */
 size_t glint_tile_buffers_size(const glint_config *config);
 
+/** Triangles that are culled at once. */
+#define GLINT_SEEN_MAX 64
+
+/** Is culling left to a closer look: at draws that may be clipped, or are seen from both sides? */
+static inline int glint_takes_all(const glint_draw *draw) {
+    return draw->transform.clips || draw->double_sided;
+}
+
+/**
+ * Finds those that face the eye among GLINT_SEEN_MAX triangles from number *next on.
+ * @return how many, or GLINT_ERROR_INDEX
+ */
+int glint_cull(const glint_draw *draw, uint32_t *next, uint16_t seen[GLINT_SEEN_MAX]);
+
 /** Puts triangles from (frame->object, frame->triangle) on into the lists of the pass's tiles. */
 glint_status glint_bin(glint_frame *frame, int *complete);
 
@@ -340,9 +360,14 @@ glint_status glint_load(glint_frame *frame);
 /** Sets up all of a frame but its arena. */
 glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, const glint_scene *scene);
 
-/** Tiles that a triangle may touch. @return 0 when it faces away, has no area or covers no pixel centre. */
-int glint_find_tiles(const glint_frame *frame, int mirrored, int double_sided, const glint_vertex *const v[3],
-                     glint_range *range);
+/** Does a triangle face the eye? Not when it has no area. */
+static inline int glint_faces(int mirrored, int double_sided, const glint_vertex *const v[3]) {
+    int32_t area = glint_double_area(v[0], v[1], v[2]);
+    return area != 0 && (double_sided || (area > 0) == mirrored);
+}
+
+/** Tiles that a triangle may touch. @return 0 when it covers no pixel centre of the screen. */
+int glint_find_tiles(const glint_frame *frame, const glint_vertex *const v[3], glint_range *range);
 
 /** What everything in the arena is aligned to. */
 #define GLINT_ALIGNMENT (sizeof(void *))

@@ -2,56 +2,78 @@
 /* Geometry: vertices to clip space, to the screen, and their normals to camera space. */
 #include "frame.h"
 
-void glint_project(const glint_transform *transform, const glint_position *position, glint_vertex *vertex) {
-    unsigned zeros = glint_leading_zeros((uint32_t)position->w); /* w from 1 to 2^30: 1 to 31 */
-    int64_t reciprocal = glint_reciprocal((uint32_t)position->w << zeros);
-    /* x / w is x reciprocal 2^(zeros - 63); in Q17 it times the guard band's 16 x 1023 fits 31 bits */
-    int32_t x = (int32_t)glint_shift_right64(position->x * reciprocal, 46 - zeros);
-    int32_t y = (int32_t)glint_shift_right64(position->y * reciprocal, 46 - zeros);
-    x = glint_shift_right(x * (16 * GLINT_GUARD_BAND) + (1 << 16), 17);
-    y = glint_shift_right(y * (16 * GLINT_GUARD_BAND) + (1 << 16), 17);
-    vertex->x = (int16_t)(x + transform->center_x);
-    vertex->y = (int16_t)(y + transform->center_y);
-    unsigned shift = 32 + transform->depth_shift - zeros;
-    uint64_t inverse = shift < 64 ? (uint64_t)(transform->depth_mantissa * reciprocal) >> shift : 0;
-    /* The nearest surface ends up just below the top, so that a plane's rounding cannot pass it. */
-    vertex->inverse_w = inverse > 0x7fff0000u ? 0x7fff0000 : (int32_t)inverse;
-}
-
-static int32_t row(const int32_t matrix[3], int32_t translation, const int16_t p[3]) {
-    int64_t sum = (int64_t)matrix[0] * p[0] + (int64_t)matrix[1] * p[1] + (int64_t)matrix[2] * p[2];
-    return translation + (int32_t)glint_round_shift64(sum, 15);
-}
-
-/* Below 2^47 from 30-bit entries and Q15; 31 bits keep direction even where scales differ by 10^4. */
-static int32_t normal_row(const int32_t matrix[3], const int16_t n[3]) {
-    int64_t sum = (int64_t)matrix[0] * n[0] + (int64_t)matrix[1] * n[1] + (int64_t)matrix[2] * n[2];
-    return (int32_t)glint_shift_right64(sum, 17);
-}
-
-static int is_outside(const glint_position *p, int32_t near_plane) {
-    return p->w < near_plane || p->x >= p->w || p->x <= -p->w || p->y >= p->w || p->y <= -p->w;
-}
-
-void glint_transform_vertex(const glint_transform *transform, const glint_mesh *mesh, uint32_t index,
-                            glint_vertex *vertex, glint_position *position) {
-    const int16_t *p = mesh->positions[index], *n = mesh->normals[index];
-    glint_position clip;
-    clip.x = row(transform->matrix[0], transform->translation[0], p);
-    clip.y = row(transform->matrix[1], transform->translation[1], p);
-    clip.w = row(transform->matrix[2], transform->translation[2], p);
-    if (position) {
-        *position = clip;
-        vertex->flags = is_outside(&clip, transform->near_plane) ? GLINT_VERTEX_CLIP : 0;
-    } else {
-        vertex->flags = 0;
+/* Clip coordinates inside the guard band and beyond the near plane, w from 1 up. */
+static inline void project(const glint_transform *transform, int32_t x, int32_t y, int32_t w, glint_vertex *vertex) {
+    int32_t nearest = transform->nearest < w ? transform->nearest : w;
+    unsigned up = 0;
+    while (w < 1 << 28) { /* twice at most unless the object is near or deep: faster than to count zeros */
+        w *= 2;
+        up++;
     }
-    if (vertex->flags)
-        vertex->x = 0, vertex->y = 0, vertex->inverse_w = 0;
-    else
-        glint_project(transform, &clip, vertex);
-    glint_unit(normal_row(transform->normal[0], n), normal_row(transform->normal[1], n),
-               normal_row(transform->normal[2], n), vertex->attribute);
+    uint32_t inverse = glint_inverse((uint32_t)w);
+    int32_t depth = glint_scale(glint_shift_left(nearest, up), inverse); /* Q25 */
+    inverse -= inverse >> 10; /* GUARD_BAND is 1023 pixels, this in 1024: sixteenths are Q14 */
+    x = glint_scale(glint_shift_left(x, up), inverse) + transform->center_x;
+    y = glint_scale(glint_shift_left(y, up), inverse) + transform->center_y;
+    vertex->x = (int16_t)glint_shift_right(x, 11);
+    vertex->y = (int16_t)glint_shift_right(y, 11);
+    /* The nearest surface ends up just below the top, so that a plane's rounding cannot pass it. */
+    vertex->inverse_w = depth < 0x7fff0000 >> 6 ? depth * 64 : 0x7fff0000;
+}
+
+void glint_project(const glint_transform *transform, const glint_position *position, glint_vertex *vertex) {
+    project(transform, position->x, position->y, position->w, vertex);
+}
+
+static int is_outside(int32_t x, int32_t y, int32_t w, int32_t near_plane) {
+    return w < near_plane || x >= w || x <= -w || y >= w || y <= -w;
+}
+
+void glint_transform_vertices(const glint_transform *transform, const glint_mesh *mesh, uint32_t first, uint32_t count,
+                              glint_vertex *vertex, glint_position *position) {
+    const int16_t(*p)[3] = mesh->positions + first;
+    for (const glint_vertex *end = vertex + count; vertex < end; vertex++, p++, first++) {
+        const int32_t i = (*p)[0], j = (*p)[1], k = (*p)[2];
+        int32_t x = glint_row_times(&transform->matrix[0], i, j, k, transform->translation[0]);
+        int32_t y = glint_row_times(&transform->matrix[1], i, j, k, transform->translation[1]);
+        int32_t w = glint_row_times(&transform->matrix[2], i, j, k, transform->translation[2]);
+        vertex->flags = 0;
+        vertex->attribute[0] = (int16_t)(uint16_t)first;
+        if (position)
+            *position++ = (glint_position){x, y, w};
+        if (transform->clips && is_outside(x, y, w, transform->near_plane)) {
+            vertex->flags = GLINT_VERTEX_CLIP;
+            x = y = 0;
+            w = 1 << 28;
+        }
+        project(transform, x, y, w, vertex);
+    }
+}
+
+/* Half the length that a normal of 32767 has when it was turned; how far it may be from that; and that as squares. */
+#define HALF_LENGTH 16380
+#define HALF_TOLERANCE 3
+#define LEAST_SQUARE ((uint32_t)(HALF_LENGTH - HALF_TOLERANCE) * (HALF_LENGTH - HALF_TOLERANCE))
+#define SQUARES ((uint32_t)HALF_LENGTH * 4 * HALF_TOLERANCE)
+
+/* A normal that was unit stays so when the object is turned and scaled evenly: its length then need not be made so. */
+void glint_transform_normal(const glint_draw *draw, glint_vertex *vertex) {
+    const int16_t *n = draw->normals[(uint16_t)vertex->attribute[0]];
+    const glint_row *matrix = draw->transform.normal;
+    const int32_t half = 1 << 12;
+    int32_t x = glint_row_times(&matrix[0], n[0], n[1], n[2], half);
+    int32_t y = glint_row_times(&matrix[1], n[0], n[1], n[2], half);
+    int32_t z = glint_row_times(&matrix[2], n[0], n[1], n[2], half);
+    int32_t a = glint_shift_right(x, 14), b = glint_shift_right(y, 14), c = glint_shift_right(z, 14);
+    uint32_t square = (uint32_t)(a * a) + (uint32_t)(b * b) + (uint32_t)(c * c); /* below 9 2^28 */
+    vertex->flags |= GLINT_VERTEX_NORMAL;
+    if (square - LEAST_SQUARE > SQUARES) {
+        glint_unit(x - half, y - half, z - half, vertex->attribute);
+        return;
+    }
+    vertex->attribute[0] = (int16_t)glint_shift_right(x, 13);
+    vertex->attribute[1] = (int16_t)glint_shift_right(y, 13);
+    vertex->attribute[2] = (int16_t)glint_shift_right(z, 13);
 }
 
 void glint_ray(const glint_transform *transform, const glint_view *view, const int64_t sum[3], int32_t count,
@@ -59,10 +81,8 @@ void glint_ray(const glint_transform *transform, const glint_view *view, const i
     /* Half pixels, Q12, as rays of fragments are: x and y in guard bands, w in focal lengths; below 2^60. */
     const int64_t long_ray[3] = {-sum[0] * (2 * GLINT_GUARD_BAND * 4096), sum[1] * (2 * GLINT_GUARD_BAND * 4096),
                                  sum[2] * view->focal};
-    int down = (int)transform->depth_shift - 31; /* the nearest w, Q31, which 1/w is relative to */
-    int64_t nearest = down > 0 ? glint_shift_right64(transform->depth_mantissa, down < 63 ? (unsigned)down : 63u)
-                               : transform->depth_mantissa * ((int64_t)1 << -down);
-    nearest *= count; /* only its ratio to the ray matters */
+    /* 1/w is relative to the nearest w; only its ratio to the ray matters */
+    int64_t nearest = (int64_t)transform->nearest * count * ((int64_t)1 << 31);
     uint64_t bits = (uint64_t)nearest;
     for (int i = 0; i < 3; i++)
         bits |= glint_magnitude64(long_ray[i]);

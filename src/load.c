@@ -47,6 +47,7 @@ size_t glint_draw_size(const glint_object *object, const glint_transform *transf
 static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_transform *transform, uint32_t vertices,
                             uint32_t triangles) {
     const glint_object *object = &frame->scene->objects[frame->object];
+    const glint_evaluation *evaluation = evaluation_of(object);
     glint_draw *draw = glint_take(&frame->memory, sizeof *draw);
     *draw = (glint_draw){0};
     draw->vertices = glint_take(&frame->memory, vertices * sizeof *draw->vertices);
@@ -54,13 +55,15 @@ static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_tr
         draw->positions = glint_take(&frame->memory, vertices * sizeof *draw->positions);
     if (keeps_extra(object))
         draw->extra = glint_take(&frame->memory, vertices * sizeof *draw->extra);
-    if (evaluation_of(object)->light_triangle)
+    if (evaluation->light_triangle)
         draw->facets = glint_take(&frame->memory, triangles * sizeof *draw->facets);
-    draw->evaluation = evaluation_of(object);
+    draw->evaluation = evaluation;
     draw->shading = find_shading(frame, object->material);
     draw->object = frame->object;
     draw->first_triangle = frame->triangle;
     draw->first = last ? (uint16_t)(last->first + last->count) : 0;
+    draw->transform = *transform;
+    draw->normals = object->mesh->normals;
     draw->mirrored = transform->mirrored;
     draw->double_sided = (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
     draw->triangles = object->mesh->triangles + frame->triangle;
@@ -82,18 +85,24 @@ static void load_colour(const glint_mesh *mesh, uint32_t index, int16_t out[3]) 
             out[c] = (int16_t)(c == 1 ? (packed >> 5 & 63) * 133152u >> 8 : (packed >> (c ? 0 : 11) & 31) * 1057u);
 }
 
-static void transform_vertex(glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t index,
-                             uint32_t slot) {
+/* `count` vertices of the mesh from `index` on. */
+static void transform_vertices(glint_frame *frame, glint_draw *draw, uint32_t index, uint32_t slot, uint32_t count) {
     const glint_mesh *mesh = frame->scene->objects[draw->object].mesh;
-    glint_transform_vertex(transform, mesh, index, &draw->vertices[slot], draw->positions ? &draw->positions[slot] : 0);
-    if (draw->extra && has_colours(mesh))
-        load_colour(mesh, index, draw->extra[slot]);
-    frame->stats.vertices++;
+    glint_transform_vertices(&draw->transform, mesh, index, count, &draw->vertices[slot],
+                             draw->positions ? &draw->positions[slot] : 0);
+    frame->stats.vertices += count;
+    if (!draw->extra || !has_colours(mesh))
+        return;
+    for (uint32_t i = 0; i < count; i++)
+        load_colour(mesh, index + i, draw->extra[slot + i]);
 }
 
-static void light_vertices(const glint_frame *frame, glint_draw *draw, const glint_transform *transform) {
-    if (draw->evaluation->light_vertices)
-        draw->evaluation->light_vertices(frame, draw, transform, frame->scene->objects[draw->object].mesh);
+static void light_vertices(const glint_frame *frame, glint_draw *draw) {
+    if (!draw->evaluation->light_vertices)
+        return;
+    for (uint32_t i = 0; i < draw->vertex_count; i++)
+        glint_transform_normal(draw, &draw->vertices[i]);
+    draw->evaluation->light_vertices(frame, draw, &draw->transform, frame->scene->objects[draw->object].mesh);
 }
 
 /* All of an object from the present triangle on. @return 0 when the arena is too full. */
@@ -108,9 +117,8 @@ static int load_whole(glint_frame *frame, glint_draw *last, const glint_transfor
     glint_draw *draw = add_draw(frame, last, transform, mesh->vertex_count, count);
     draw->vertex_count = mesh->vertex_count;
     draw->count = (uint16_t)count;
-    for (uint32_t i = 0; i < mesh->vertex_count; i++)
-        transform_vertex(frame, draw, transform, i, i);
-    light_vertices(frame, draw, transform);
+    transform_vertices(frame, draw, 0, 0, mesh->vertex_count);
+    light_vertices(frame, draw);
     return 1;
 }
 
@@ -161,8 +169,7 @@ static uint32_t run_capacity(const glint_frame *frame, const glint_transform *tr
 }
 
 /* Adds triangles to a run until its vertices or its list are full. */
-static glint_status fill_run(glint_frame *frame, glint_draw *draw, const glint_transform *transform, slots *s,
-                             uint16_t (*list)[3]) {
+static glint_status fill_run(glint_frame *frame, glint_draw *draw, slots *s, uint16_t (*list)[3]) {
     const glint_mesh *mesh = frame->scene->objects[draw->object].mesh;
     while (draw->count < 2 * s->limit && draw->first_triangle + draw->count < mesh->triangle_count) {
         const uint16_t *triangle = mesh->triangles[draw->first_triangle + draw->count];
@@ -174,7 +181,7 @@ static glint_status fill_run(glint_frame *frame, glint_draw *draw, const glint_t
                 return GLINT_ERROR_INDEX;
             uint32_t slot = find_slot(s, triangle[i], &is_new);
             if (is_new)
-                transform_vertex(frame, draw, transform, triangle[i], slot);
+                transform_vertices(frame, draw, triangle[i], slot, 1);
             list[draw->count][i] = (uint16_t)slot;
         }
         draw->count++;
@@ -196,11 +203,11 @@ static glint_status load_run(glint_frame *frame, const glint_transform *transfor
     s.index = glint_take(memory, vertices * sizeof *s.index);
     for (uint32_t i = 0; i < map_size; i++)
         s.map[i] = 0;
-    glint_status status = fill_run(frame, draw, transform, &s, list);
+    glint_status status = fill_run(frame, draw, &s, list);
     draw->triangles = (const uint16_t(*)[3])list;
     memory->low = end;
     if (status == GLINT_OK)
-        light_vertices(frame, draw, transform);
+        light_vertices(frame, draw);
     return status;
 }
 

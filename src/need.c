@@ -10,7 +10,7 @@ static void count_part(const glint_frame *frame, const glint_transform *transfor
                        const glint_vertex *const v[3], int clipped, tally *sum) {
     glint_range range;
     int double_sided = (mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
-    if (!glint_find_tiles(frame, transform->mirrored, double_sided, v, &range))
+    if (!glint_faces(transform->mirrored, double_sided, v) || !glint_find_tiles(frame, v, &range))
         return;
     sum->references += (size_t)((range.right - range.left) * (range.bottom - range.top));
     sum->clipped += (size_t)clipped;
@@ -25,7 +25,7 @@ static glint_status count_triangle(const glint_frame *frame, const glint_transfo
     for (int i = 0; i < 3; i++) {
         if (indices[i] >= mesh->vertex_count)
             return GLINT_ERROR_INDEX;
-        glint_transform_vertex(transform, mesh, indices[i], &vertices[i], clips ? &corners[i].position : 0);
+        glint_transform_vertices(transform, mesh, indices[i], 1, &vertices[i], clips ? &corners[i].position : 0);
         flags |= vertices[i].flags;
     }
     clips = (flags & GLINT_VERTEX_CLIP) != 0;

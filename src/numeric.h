@@ -8,10 +8,11 @@
  * | API scalars | | Q16.16, int32 | | caller |
  * | mesh position | object | int16 steps of extent / 2^15 | | caller |
  * | mesh normal | object | int16 Q15 | not 0 | caller |
- * | matrix to clip space | | int32, block exponent per object | sum of a row's magnitudes < 2^30 | transform.c |
- * | clip coordinates x, y, w | clip: guard band at x, y = +-w | int32, same exponent | < 2^30 | transform.c |
- * | normal matrix | camera | int32, block exponent | < 2^30 | transform.c |
+ * | matrix to clip space | | int32, block exponent per object | sum of a row's magnitudes < 3 2^28 | transform.c |
+ * | clip coordinates x, y, w | clip: guard band at x, y = +-w | int32, same exponent | < 3 2^28 | transform.c |
+ * | normal matrix | camera | int32, a turn has rows of length 2^13 UNIT | sum of squares <= 3 2^56 | transform.c |
  * | unit vector | camera | int16, 1 = GLINT_UNIT | length 32764 +-2.3 | glint_unit |
+ * | normal of a vertex | camera | int16, 1 = GLINT_UNIT | length 32764 +-6 | geometry.c |
  * | screen x, y | screen | int16 28.4 | strictly within +-1023 px of the centre | clip.c |
  * | 1/w | screen | int32 Q31 of the frame's nearest | 0 to 2^31 - 2^16 | geometry.c |
  * | depth | screen | uint16, (1/w >> 15) + 1 | 1 to 65535, 0 is empty | kernel.c |
@@ -30,6 +31,13 @@
 
 /** Length of a unit vector: a little below 2^15, so that its rounded components always fit int16. */
 #define GLINT_UNIT 32764
+
+/** Keeps a function out of the loop that calls it, so that the loop has the registers. */
+#if defined(__GNUC__)
+#define GLINT_NOINLINE __attribute__((noinline))
+#else
+#define GLINT_NOINLINE
+#endif
 
 /* Right shifts of negative numbers are arithmetic on every compiler glint knows; this fails to compile elsewhere. */
 typedef char glint_arithmetic_shift[(-1 >> 1) == -1 ? 1 : -1];
@@ -131,6 +139,13 @@ static inline void glint_unit_inline(int32_t x, int32_t y, int32_t z, int16_t ou
  * Each component is off by at most 2.3 steps from direction times UNIT, length by at most 2.3.
  */
 void glint_unit(int32_t x, int32_t y, int32_t z, int16_t out[3]);
+
+/* Built for size, loops call it too. */
+#if defined(__OPTIMIZE_SIZE__)
+#define glint_unit_each glint_unit
+#else
+#define glint_unit_each glint_unit_inline
+#endif
 
 /** a . b of two unit vectors: 1 is UNIT^2, just below 2^30; rounding may pass it by 2^-12 of it. */
 static inline int32_t glint_dot(const int16_t a[3], const int16_t b[3]) {

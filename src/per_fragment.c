@@ -21,8 +21,8 @@ static void find_surface(const glint_frame *frame, glint_fragments *fragments, c
     for (uint32_t i = 0; i < fragments->count; i++) {
         int32_t x, y;
         glint_fragment_place(frame, fragments, i, &x, &y);
-        glint_unit_inline(glint_plane_at(&a->main[0], x, y), glint_plane_at(&a->main[1], x, y),
-                          glint_plane_at(&a->main[2], x, y), fragments->normal[i]);
+        glint_unit_each(glint_plane_at(&a->main[0], x, y), glint_plane_at(&a->main[1], x, y),
+                        glint_plane_at(&a->main[2], x, y), fragments->normal[i]);
         if (draw->extra)
             glint_resolve_colour(frame, fragments, i, a->extra, fragments->surface[i]);
     }

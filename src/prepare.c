@@ -75,8 +75,10 @@ glint_status glint_check_scene(const glint_scene *scene) {
 }
 
 unsigned glint_reduce(const int64_t in[3], int32_t out[3]) {
-    unsigned size = glint_bits64(glint_magnitude64(in[0]) | glint_magnitude64(in[1]) | glint_magnitude64(in[2]));
-    unsigned down = size > 30 ? size - 30 : 0;
+    uint64_t bits = 0;
+    for (int i = 0; i < 3; i++)
+        bits |= glint_magnitude64(in[i]);
+    unsigned size = glint_bits64(bits), down = size > 30 ? size - 30 : 0;
     for (int i = 0; i < 3; i++)
         out[i] = (int32_t)glint_shift_right64(in[i], down);
     return down;

@@ -10,7 +10,7 @@ int glint_needs_rays(const glint_view *view, const glint_shading *shading) {
 static void find_view_vectors(const glint_view *view, glint_fragments *fragments) {
     if (view->local_viewer) {
         for (uint32_t i = 0; i < fragments->count; i++)
-            glint_unit_inline(fragments->ray[i][0], fragments->ray[i][1], fragments->ray[i][2], fragments->view[i]);
+            glint_unit_each(fragments->ray[i][0], fragments->ray[i][1], fragments->ray[i][2], fragments->view[i]);
         return;
     }
     for (uint32_t i = 0; i < fragments->count; i++)

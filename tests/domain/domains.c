@@ -36,6 +36,10 @@ static double exact_inverse_root(int64_t x) {
     return GLINT_UNIT * 32768.0 / sqrt((double)x);
 }
 
+static double exact_inverse(int64_t x) {
+    return 0x1p48 / (double)x;
+}
+
 static double exact_reciprocal(int64_t x) {
     return 0x1p63 / (double)x;
 }
@@ -159,6 +163,7 @@ static const reference references[] = {
     {"leading_zeros", exact_leading_zeros, 0, 0, 0, 0},
     {"magnitude_bits", exact_magnitude_bits, 0, 0, 0, 0},
     {"inverse_root", exact_inverse_root, 5.44e-5, 1, 0, 0},
+    {"inverse", exact_inverse, 3.1e-6, 1, 0, 0},
     {"reciprocal", exact_reciprocal, 1.64e-9, 1, 0, 0},
     {"log2", exact_log2, 1.93, 0, 0, 0},
     {"exp2", exact_exp2, 12.8, 0, 0, 0},

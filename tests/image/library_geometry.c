@@ -22,7 +22,7 @@ static glint_status transform_object(library_geometry *geometry, const glint_fra
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         glint_vertex vertex;
         glint_position clip;
-        glint_transform_vertex(&transform, mesh, i, &vertex, &clip);
+        glint_transform_vertices(&transform, mesh, i, 1, &vertex, &clip);
         positions[i] = (reference_position){vertex.x, vertex.y, !(vertex.flags & GLINT_VERTEX_CLIP)};
     }
     return GLINT_OK;

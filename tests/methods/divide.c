@@ -159,7 +159,7 @@ METHOD_LOOP(colour_library, 4, 3)
 /* Inside the guard band, |x| and |y| below w; w from 2^20 to 2^30. */
 static void input_position(uint64_t index, int32_t *in) {
     const uint32_t seed = (uint32_t)index * 4;
-    const int32_t w = (int32_t)((method_hash(seed) >> 2 | 1u << 29) >> (method_hash(seed + 1) % 10));
+    const int32_t w = (int32_t)((method_hash(seed) >> 3 | 1u << 28) >> (method_hash(seed + 1) % 9));
     in[0] = (int32_t)((int64_t)(int32_t)method_hash(seed + 2) * w >> 31);
     in[1] = (int32_t)((int64_t)(int32_t)method_hash(seed + 3) * w >> 31);
     in[2] = w;
@@ -226,7 +226,7 @@ static inline void position_reciprocal_one(const int32_t *in, int32_t *out) {
 METHOD_LOOP(position_reciprocal, 3, 2)
 
 static inline void position_library_one(const int32_t *in, int32_t *out) {
-    static const glint_transform middle = {.depth_mantissa = 1 << 30, .depth_shift = 31};
+    static const glint_transform middle = {.nearest = 1, .center_x = 1 << 10, .center_y = 1 << 10};
     const glint_position position = {in[0], in[1], in[2]};
     glint_vertex vertex;
     glint_project(&middle, &position, &vertex);

@@ -5,7 +5,7 @@
  */
 #include "glint.h"
 #include "harness.h"
-#include "numeric.h"
+#include "product.h"
 
 #include <math.h>
 
@@ -88,6 +88,44 @@ static void unit_vectors_of_extremes(void) {
         CHECK(length > 0 || (unit[0] == 0 && unit[1] == 0 && unit[2] == 0));
     }
     report("unit vector of extremes", worst, 2.3L);
+}
+
+/* Both forms of a product, where the magnitudes of a row sum up to 3 2^28 and at the ends of what they may be. */
+static void products_of_rows(void) {
+    for (int i = 0; i < 3000000; i++) {
+        int32_t limit = 3 << 28;
+        int32_t v[3];
+        int64_t sum = 1 << 14;
+        glint_row_whole whole;
+        glint_row_split split;
+        for (int j = 0; j < 3; j++) {
+            int32_t entry = i % 7 ? random_signed(1 + random_bits() % 30) : j == i % 3 ? limit : 0;
+            entry = entry > limit ? limit : entry < -limit ? -limit : entry;
+            limit -= entry < 0 ? -entry : entry;
+            v[j] = i % 5 ? random_signed(16) : random_bits() & 1 ? INT16_MIN : INT16_MAX;
+            glint_row_set_whole(&whole, j, entry);
+            glint_row_set_split(&split, j, entry);
+            CHECK_EQUAL(glint_row_get_whole(&whole, j), entry);
+            CHECK_EQUAL(glint_row_get_split(&split, j), entry);
+            sum += (int64_t)entry * v[j];
+        }
+        const int32_t t = limit > 0 ? random_signed(32) % limit : 0;
+        const int64_t exact = t + (int64_t)floorl((long double)sum / 32768);
+        CHECK_EQUAL(glint_row_times_whole(&whole, v[0], v[1], v[2], t), exact);
+        CHECK_EQUAL(glint_row_times_split(&split, v[0], v[1], v[2], t), exact);
+    }
+}
+
+/* Both forms of coordinates over w: those of the guard band's edges, and any between. */
+static void coordinates_over_w(void) {
+    for (int i = 0; i < 3000000; i++) {
+        const int32_t w = (1 << 28) + (int32_t)(random_bits() % (2u << 28));
+        const int32_t x = i % 5 ? random_signed(31) % w : i % 2 ? w : -w;
+        const uint32_t r = glint_inverse((uint32_t)w);
+        const int64_t exact = (int64_t)floorl((long double)(x & ~0xff) / 256 * r / 32768);
+        CHECK_EQUAL(glint_scale_whole(x, r), exact);
+        CHECK_EQUAL(glint_scale_split(x, r), exact);
+    }
 }
 
 static glint_pose random_pose(unsigned bits) {
@@ -184,6 +222,8 @@ int test_main(test_writer write) {
         TEST_CASE(powers_of_0_and_1),
         TEST_CASE(unit_vectors),
         TEST_CASE(unit_vectors_of_extremes),
+        TEST_CASE(products_of_rows),
+        TEST_CASE(coordinates_over_w),
         TEST_CASE(poses_one_after_another),
         TEST_CASE(rotations_turn_right_handed),
         TEST_CASE(cameras_look_at),

@@ -10,44 +10,44 @@
 #include <stdint.h>
 
 static const uint32_t expected_checksums[] = {
-    0x3b9498f4u, /* local_viewer */
-    0x039232dau, /* infinite_viewer */
-    0x0e393813u, /* exponent_half */
-    0x2d9be738u, /* exponent_two */
-    0xd12ae760u, /* exponent_1024 */
-    0xa051e411u, /* exponents_beyond */
-    0xc4ca1b5au, /* eight_lights */
-    0x2bae9fbbu, /* eight_lights_infinite */
-    0xc312f2d6u, /* saturated */
-    0x1c33eefdu, /* near_plane */
+    0xbdd92626u, /* local_viewer */
+    0xffa6b045u, /* infinite_viewer */
+    0x354c489cu, /* exponent_half */
+    0x1a4c57ccu, /* exponent_two */
+    0x6fbeeda4u, /* exponent_1024 */
+    0xb50def4bu, /* exponents_beyond */
+    0x49a985c3u, /* eight_lights */
+    0x04db6918u, /* eight_lights_infinite */
+    0x57e9bc99u, /* saturated */
+    0x8bd854a8u, /* near_plane */
     0xda8a09c5u, /* floor_to_horizon */
-    0x71712085u, /* guard_band */
-    0x92888349u, /* mirrored_double_sided */
-    0x48db1401u, /* squashed */
-    0x45965872u, /* interlocked */
-    0x56451c6au, /* turned_camera */
+    0x6ba9753du, /* guard_band */
+    0x24e135e1u, /* mirrored_double_sided */
+    0xf33559ddu, /* squashed */
+    0x4782ac08u, /* interlocked */
+    0xf66d3711u, /* turned_camera */
     0x77051dc5u, /* no_objects */
-    0x460e9816u, /* big_endian */
-    0xe5843de8u, /* rgb888_odd_size */
-    0xa2eae28fu, /* grey8_odd_size */
-    0xb17b101cu, /* grey4_odd_size */
-    0x4821fb52u, /* rgb444_odd_size */
+    0x8bb45efcu, /* big_endian */
+    0x5e19852eu, /* rgb888_odd_size */
+    0xd4c48de9u, /* grey8_odd_size */
+    0x392c720cu, /* grey4_odd_size */
+    0xa534a365u, /* rgb444_odd_size */
     0xd33277eau, /* tall_and_thin */
     0x418a6b15u, /* one_pixel */
-    0xab116681u, /* point_light */
-    0x9804da18u, /* spot_phong */
-    0x37ae56c2u, /* lambert_infinite */
-    0x171ada5bu, /* phong_ungated_max */
-    0x59bb3e07u, /* per_vertex */
-    0x11f13aa3u, /* per_vertex_clipped */
-    0xa331ea83u, /* per_facet */
-    0xd913fef0u, /* per_facet_clipped */
+    0x6a9e76a7u, /* point_light */
+    0xc89cdb20u, /* spot_phong */
+    0x2b986e56u, /* lambert_infinite */
+    0x6282db6bu, /* phong_ungated_max */
+    0xaf07a8c7u, /* per_vertex */
+    0xf7ef4bd9u, /* per_vertex_clipped */
+    0x75eab97bu, /* per_facet */
+    0x2b3439b3u, /* per_facet_clipped */
     0x0c8b9f5du, /* mesh_colours */
-    0xac712d7eu, /* mesh_colours565_per_vertex */
+    0x8794b496u, /* mesh_colours565_per_vertex */
     0xc000fff1u, /* mesh_colours_unlit_facets */
-    0x7535c4f7u, /* rgb565_dithered */
-    0x0df2e9b3u, /* grey4_dithered_odd_size */
-    0x74d9d3bdu, /* rgb444_dithered */
+    0xe6b68816u, /* rgb565_dithered */
+    0x7f400056u, /* grey4_dithered_odd_size */
+    0x90935931u, /* rgb444_dithered */
     0xb68aaf6au, /* mono_dithered_odd_size */
     0x969b287eu, /* elementary_functions */
     0x79785263u, /* unit_vectors */
@@ -56,6 +56,7 @@ static const uint32_t expected_checksums[] = {
     0x08e7d75eu, /* leading_zeros */
     0xe2eb2995u, /* magnitude_bits */
     0xa6eeab3fu, /* inverse_root */
+    0xa377c888u, /* inverse */
     0xeca747b2u, /* reciprocal */
     0x78495554u, /* log2 */
     0x91f01fe9u, /* exp2 */

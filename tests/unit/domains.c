@@ -5,6 +5,7 @@
 #include "frame.h"
 #include "numeric.h"
 #include "pixel.h"
+#include "product.h"
 
 static int64_t leading_zeros(int64_t x) {
     return glint_leading_zeros((uint32_t)x);
@@ -16,6 +17,10 @@ static int64_t magnitude_bits(int64_t x) {
 
 static int64_t inverse_root(int64_t x) {
     return glint_inverse_root((uint32_t)x);
+}
+
+static int64_t inverse(int64_t x) {
+    return glint_inverse((uint32_t)x);
 }
 
 static int64_t reciprocal(int64_t x) {
@@ -106,6 +111,7 @@ const domain domains[DOMAIN_COUNT] = {
     {"leading_zeros", 0, UINT32_MAX, leading_zeros},
     {"magnitude_bits", FULL_RANGE, magnitude_bits},
     {"inverse_root", 1 << 28, (int64_t)3 << 30, inverse_root},
+    {"inverse", 1 << 28, 3 << 28, inverse},
     {"reciprocal", (int64_t)1 << 31, UINT32_MAX, reciprocal},
     {"log2", Q31_RANGE, logarithm},
     {"exp2", INT32_MIN, 0, exponential},

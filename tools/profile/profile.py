@@ -20,7 +20,7 @@ import tempfile
 STAGES = {
     "prepare": ["prepare", "power", "directional", "config", "frame", "arena", "gamma", "light:glint_prepare_specular"],
     "vertices": ["transform", "load", "geometry"],
-    "cull": ["bin:glint_find_tiles"],
+    "cull": ["cull", "bin:glint_find_tiles"],
     "bin": ["bin", "clip"],
     "set-up": ["setup"],
     "raster": ["raster", "kernel", "tile:glint_render_tile"],

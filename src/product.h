@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file product.h
+ * Products of more than 32 bits per vertex, on cores that have a product of 64 bits and on those that have not. Both
+ * forms give the same bits.
+ */
+#ifndef GLINT_PRODUCT_H
+#define GLINT_PRODUCT_H
+
+#include "numeric.h"
+
+/** Has the core no product of 32 x 32 to 64 bits? */
+#ifndef GLINT_SPLIT_PRODUCTS
+#if defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__)
+#define GLINT_SPLIT_PRODUCTS 1
+#else
+#define GLINT_SPLIT_PRODUCTS 0
+#endif
+#endif
+
+/** Three entries of a matrix, times 2. */
+typedef struct glint_row_whole {
+    int32_t entry[3];
+} glint_row_whole;
+
+/** The same: entry = high 2^14 + low, low from 0 to 2^14 - 1. */
+typedef struct glint_row_split {
+    int32_t high[3], low[3];
+} glint_row_split;
+
+static inline void glint_row_set_whole(glint_row_whole *row, int i, int32_t entry) {
+    row->entry[i] = entry * 2;
+}
+
+static inline void glint_row_set_split(glint_row_split *row, int i, int32_t entry) {
+    row->high[i] = glint_shift_right(entry, 14);
+    row->low[i] = entry & 0x3fff;
+}
+
+static inline int32_t glint_row_get_whole(const glint_row_whole *row, int i) {
+    return glint_shift_right(row->entry[i], 1);
+}
+
+static inline int32_t glint_row_get_split(const glint_row_split *row, int i) {
+    return row->high[i] * (1 << 14) + row->low[i];
+}
+
+/**
+ * row . (x, y, z) / 2^15 rounded to nearest, halves up, and then t added; x, y and z are int16. Exact but for rounding.
+ * Entries and t are below 2^30, and the magnitudes of the products sum up to at most 3 2^43.
+ */
+static inline int32_t glint_row_times_whole(const glint_row_whole *row, int32_t x, int32_t y, int32_t z, int32_t t) {
+    int64_t sum = (int64_t)t * ((int64_t)1 << 32) + ((int64_t)1 << 31); /* the result is its high half */
+    sum += (int64_t)row->entry[0] * (x * 65536);
+    sum += (int64_t)row->entry[1] * (y * 65536);
+    sum += (int64_t)row->entry[2] * (z * 65536);
+    return (int32_t)glint_shift_right64(sum, 32);
+}
+
+/* The products of the high parts sum up to at most 3 2^29 + 3 2^15, those of the low ones to 3 2^29. */
+static inline int32_t glint_row_times_split(const glint_row_split *row, int32_t x, int32_t y, int32_t z, int32_t t) {
+    const int32_t *high = row->high, *low = row->low;
+    int32_t sum = glint_shift_right(low[0] * x + low[1] * y + low[2] * z + (1 << 14), 14);
+    return t + glint_shift_right(high[0] * x + high[1] * y + high[2] * z + sum, 1);
+}
+
+/** floor(floor(x / 2^8) r / 2^15): |x| below 2^30, r below 2^22, |x| r at most 2^48 + 2^30. */
+static inline int32_t glint_scale_whole(int32_t x, uint32_t r) {
+    return (int32_t)glint_shift_right64((int64_t)(x & ~0xff) * (int32_t)(r << 9), 32);
+}
+
+static inline int32_t glint_scale_split(int32_t x, uint32_t r) {
+    uint32_t low = ((uint32_t)x >> 8 & 0x3ff) * r >> 10;
+    return glint_shift_right(glint_shift_right(x, 18) * (int32_t)r + (int32_t)low, 5);
+}
+
+#if GLINT_SPLIT_PRODUCTS
+typedef glint_row_split glint_row;
+#define glint_row_set glint_row_set_split
+#define glint_row_get glint_row_get_split
+#define glint_row_times glint_row_times_split
+#define glint_scale glint_scale_split
+#else
+typedef glint_row_whole glint_row;
+#define glint_row_set glint_row_set_whole
+#define glint_row_get glint_row_get_whole
+#define glint_row_times glint_row_times_whole
+#define glint_scale glint_scale_whole
+#endif
+
+/**
+ * 2^48 / w, w from 2^28 to 3 2^28: relative error at most 3.1e-6. The square of its inverse root, and one Newton step;
+ * products of 32 bits only.
+ */
+static inline uint32_t glint_inverse(uint32_t w) {
+    uint32_t root = (uint32_t)glint_inverse_root(w << 2);
+    uint32_t r = root * root >> 10;               /* too small by 1.3e-4 to 3.6e-4 */
+    int32_t error = (int32_t)(0u - (w >> 6) * r); /* 2^42 (1 - w r / 2^48): below 2^31 */
+    return r + (uint32_t)glint_shift_right((int32_t)(r >> 7) * glint_shift_right(error, 15), 20);
+}
+
+#endif
