@@ -97,6 +97,9 @@ PROGRAM_identity  := tests/board/identity_board.c tests/board/identity.c tests/b
     examples/turntable/turntable.c $(wildcard examples/scenes/*.c)
 PROGRAM_frames    := tools/bench/frames.c
 PROGRAM_unit      := tests/board/unit.c tests/harness.c $(wildcard tests/unit/*.c)
+PROGRAM_unit-pico := tests/board/unit_pico.c $(filter-out tests/unit/unit.c,$(PROGRAM_unit))
+PROGRAM_unit-8k   := tests/board/unit.c tests/board/unit_8k.c tests/harness.c \
+    tests/unit/generators.c tests/unit/domains.c tests/unit/drawing.c
 
 # What breaks on a board's bus is a matter of the board.
 FAULT_BOARDS := lm3s6965evb pico
@@ -147,7 +150,8 @@ $(foreach board,$(MEASURED),$(foreach level,O0 Os O2,$(eval $(call firmware_obje
 
 $(foreach program,turntable scenes minimal pattern,$(eval $(call firmware_program,lm3s6965evb,release,$(program))))
 # Vertices lit by lights that have positions take the deepest stack.
-$(foreach board,lm3s6965evb microbit virt,\
+UNIT_BOARDS := lm3s6965evb microbit netduinoplus2 mps2-an385 mps2-an386 mps2-an500 virt
+$(foreach board,$(UNIT_BOARDS),\
     $(eval $(call firmware_program,$(board),release,unit,-Wl$(comma)--defsym=stack_size=3584)))
 $(eval $(call firmware_program,template,release,minimal))
 $(foreach board,mps2-an385 mps2-an385-m0 virt,$(foreach level,O0 Os O2,\
@@ -156,7 +160,8 @@ $(foreach board,$(MEASURED),$(eval $(call firmware_program,$(board),O2,frames)))
 
 $(foreach board,$(BOARDS),$(eval $(call firmware_program,$(board),release,show)))
 $(foreach board,$(FAULT_BOARDS),$(eval $(call firmware_program,$(board),release,faults-$(board))))
-$(eval $(call firmware_program,pico,release,unit,-Wl$(comma)--defsym=stack_size=3584))
+$(eval $(call firmware_program,pico,release,unit-pico,-Wl$(comma)--defsym=stack_size=3584))
+$(eval $(call firmware_program,stm32vldiscovery,release,unit-8k))
 
 # What programmers and boot loaders take.
 $(BUILD)/%.hex: $(BUILD)/%.elf

@@ -22,11 +22,13 @@ test-board-panel: $(PANEL_HOST) $(PANEL_PROGRAMS:%=$(BUILD)/lm3s6965evb/release/
 	@python3 tests/board/panel.py --qemu $(QEMU) --output $(BUILD)/board --host $(PANEL_HOST) \
 	    $(foreach program,$(PANEL_PROGRAMS),--$(program) $(BUILD)/lm3s6965evb/release/$(program).elf)
 
-# ---- The unit tests on Cortex-M3, Cortex-M0 and RV32
+# ---- The unit tests on every board; what a board leaves out it says by name
 
-UNIT_BOARDS := lm3s6965evb microbit virt
-test-board-unit: $(UNIT_BOARDS:%=$(BUILD)/%/release/unit.elf) ## unit tests on Cortex-M3, M0 and RV32
-	@python3 tests/board/unit.py --qemu $(QEMU) $(foreach board,$(UNIT_BOARDS),$(board)=$(BUILD)/$(board)/release/unit.elf)
+UNIT_FIRMWARE := $(foreach board,$(UNIT_BOARDS),$(board)=$(BUILD)/$(board)/release/unit.elf)
+UNIT_PART     := stm32vldiscovery=$(BUILD)/stm32vldiscovery/release/unit-8k.elf pico=$(BUILD)/pico/release/unit-pico.bin
+test-board-unit: $(BUILD)/pico/emulator/installed \
+        $(foreach pair,$(UNIT_FIRMWARE) $(UNIT_PART),$(lastword $(subst =, ,$(pair)))) ## unit tests on every board
+	@python3 tests/board/unit.py --qemu $(QEMU) --cases tests/unit/unit.h --part $(UNIT_PART) --whole $(UNIT_FIRMWARE)
 
 # ---- The same frames on every core, compiler and optimisation
 

@@ -29,13 +29,19 @@ class Pico:
     module, width, height, format, rotation = "st7789-240x240", 240, 240, "rgb565", 0
 
     @staticmethod
-    def capture(firmware, stream, *bus):
-        """@return what the firmware wrote, line by line; Died when it did not end well."""
+    def run(firmware, stream, *bus):
+        """@return what the firmware wrote, line by line, and its exit status."""
         script = os.path.join(os.path.dirname(__file__), "..", "pico", "run.js")
         run = subprocess.run(["node", script, firmware, stream] + list(bus), stdout=subprocess.PIPE, text=True)
-        if run.returncode:
-            raise Died("exit status %d: %s" % (run.returncode, run.stdout[-200:]))
-        return run.stdout.splitlines()
+        return run.stdout.splitlines(), run.returncode
+
+    @classmethod
+    def capture(cls, firmware, stream, *bus):
+        """@return what the firmware wrote; Died when it did not end well."""
+        lines, status = cls.run(firmware, stream, *bus)
+        if status:
+            raise Died("exit status %d: %s" % (status, lines[-5:]))
+        return lines
 
     @staticmethod
     def times(stream):
