@@ -8,7 +8,7 @@ CROSS ?= arm-none-eabi-
 # ---- can spare (ARENA), width and height of its tiles where not the default (TILE), what an ELF file needs before it is whole (FINISH), and the prefix of its compiler's commands
 # ---- where that is not Arm's
 
-BOARDS := lm3s6965evb microbit stm32vldiscovery netduinoplus2 mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 virt pico template
+BOARDS := lm3s6965evb microbit stm32vldiscovery netduinoplus2 mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 mps2-an505 virt pico template
 
 CORTEX_M := $(wildcard port/cortex-m/*.c) port/semihosting/semihosting.c port/libc/memory.c
 
@@ -50,6 +50,13 @@ mps2-an500_SOURCES := $(mps2-an385_SOURCES)
 mps2-an500_LINKER  := $(mps2-an385_LINKER)
 mps2-an500_PANEL   := $(mps2-an385_PANEL)
 mps2-an500_ARENA   := $(mps2-an385_ARENA)
+
+# And with a Cortex-M33, in its secure state, where every Armv8-M core starts.
+mps2-an505_CPU     := -mcpu=cortex-m33 -mthumb
+mps2-an505_SOURCES := $(mps2-an385_SOURCES)
+mps2-an505_LINKER  := linker/mps2-an505.ld
+mps2-an505_PANEL   := $(mps2-an385_PANEL)
+mps2-an505_ARENA   := $(mps2-an385_ARENA)
 
 # Raspberry Pi Pico. Its boot ROM wants a checksum in the first 256 bytes of flash.
 pico_CPU     := -mcpu=cortex-m0plus -mthumb
@@ -150,7 +157,7 @@ $(foreach board,$(MEASURED),$(foreach level,O0 Os O2,$(eval $(call firmware_obje
 
 $(foreach program,turntable scenes minimal pattern,$(eval $(call firmware_program,lm3s6965evb,release,$(program))))
 # Vertices lit by lights that have positions take the deepest stack.
-UNIT_BOARDS := lm3s6965evb microbit netduinoplus2 mps2-an385 mps2-an386 mps2-an500 virt
+UNIT_BOARDS := lm3s6965evb microbit netduinoplus2 mps2-an385 mps2-an386 mps2-an500 mps2-an505 virt
 $(foreach board,$(UNIT_BOARDS),\
     $(eval $(call firmware_program,$(board),release,unit,-Wl$(comma)--defsym=stack_size=3584)))
 $(eval $(call firmware_program,template,release,minimal))

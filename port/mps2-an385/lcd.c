@@ -10,13 +10,17 @@
 #include "cortex-m/cortex-m.h"
 #include "pl022/pl022.h"
 
+/* The images for Armv8-M have it elsewhere: all runs in the secure state, whose addresses these are. */
+#if defined __ARM_ARCH_8M_MAIN__
+enum { LCD = 0x50206000, MISC = 0x5030204c, INTERRUPT_LCD = 52 };
+#else
 enum { LCD = 0x40021000, MISC = 0x4002804c };
+enum { INTERRUPT_LCD = 11 }; /* shared with the port at 0x40020000, which is not used */
+#endif
 
 enum { MISC_NOT_SELECTED = 1u << 0, MISC_NOT_RESET = 1u << 3, MISC_DATA = 1u << 4, MISC_BACKLIGHT = 1u << 6 };
 
-enum { INTERRUPT_LCD = 11 }; /* shared with the port at 0x40020000, which is not used */
-
-#define INTERRUPTS_ENABLE 0xe000e100u
+#define INTERRUPTS_ENABLE 0xe000e100u /* 32 to a word */
 
 static pl022 port = {.base = LCD};
 
@@ -36,7 +40,7 @@ static void set(uint32_t bits, int high) {
 void mps2_lcd_start(uint32_t clock_hz, uint32_t bus_hz) {
     *cortex_m_register(MISC) = MISC_NOT_SELECTED | MISC_NOT_RESET;
     pl022_start(&port, clock_hz, bus_hz, PL022_MODE_0);
-    *cortex_m_register(INTERRUPTS_ENABLE) = 1u << INTERRUPT_LCD;
+    *cortex_m_register(INTERRUPTS_ENABLE + INTERRUPT_LCD / 32 * 4) = 1u << INTERRUPT_LCD % 32;
 }
 
 /* Lets the panel go. */

@@ -183,14 +183,14 @@ class Mps2(Traced):
     module, width, height, format, rotation = "ili9341", 320, 240, "rgb565", 90
     frame_bytes = 2 * width * height
 
-    def __init__(self, machine):
-        self.machine = machine
+    def __init__(self, machine, data=0x40021008, misc=0x4002804c):
+        self.machine, self.data, self.misc = machine, data, misc
 
     def lines(self, value):
         self.selected, self.is_data = not value & 1, bool(value & 16)
 
     def registers(self):
-        return {0x40021008: self.byte, 0x4002804c: self.lines}
+        return {self.data: self.byte, self.misc: self.lines}
 
 
 class Stm32(Traced):
@@ -268,7 +268,8 @@ class Microbit(Ssd1306):
 BOARDS = {"lm3s6965evb": Lm3s6965evb(), "pico": Pico, "netduinoplus2": NetduinoPlus2(), "stm32vldiscovery": Stm32VlDiscovery(), "microbit": Microbit(),
           "virt": Virt(),
           "mps2-an385": Mps2("mps2-an385"), "mps2-an385-m0": Mps2("mps2-an385"),
-          "mps2-an386": Mps2("mps2-an386"), "mps2-an500": Mps2("mps2-an500")}
+          "mps2-an386": Mps2("mps2-an386"), "mps2-an500": Mps2("mps2-an500"),
+          "mps2-an505": Mps2("mps2-an505", 0x40206008, 0x4030204c)}  # as they lie behind the gates to the buses
 
 
 def write_png(source, target):

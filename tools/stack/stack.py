@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Worst-case stack of firmware: stack.py --targets CSV ELF...
+"""Worst-case stack of firmware: stack.py --targets CSV [--entries HEADER] ELF...
 
 Frames come from the compiler (-fstack-usage, files *.su beside the objects) or, for what is not C, from the prologue;
 calls from the disassembly; the targets of a call through a pointer from the table, by the source function it stands in.
 Fails on recursion, on a frame without bound, on an indirect call whose function is not in the table, and when main and
-the deepest interrupt need more than the linker script reserves.
+the deepest interrupt need more than the linker script reserves. With a header, also what each function declared there takes.
 """
 import argparse
 import bisect
@@ -163,9 +163,23 @@ def reserve(elf):
         return int(re.search(r"\(stack (\d+)\)", file.read())[1])
 
 
-def check(elf, table):
+def read_table(path):
+    """{calling function: patterns of what it may reach}"""
+    with open(path, newline="") as file:
+        return {row["caller"]: row["targets"].split() for row in csv.DictReader(file)}
+
+
+def entries(functions, header):
+    """{function that the header declares: bytes of its deepest chain}, of those that the firmware has."""
+    with open(header) as file:
+        declared = set(re.findall(r"^[a-z]\w* (?:\w+ )?\*?(glint_\w+)\(", file.read(), re.M))
+    known = {}
+    return {function.name: deepest(functions, address, known=known)[0]
+            for address, function in functions.items() if function.name in declared}
+
+
+def check(elf, functions):
     """@return (worst bytes, reserved bytes, chain)"""
-    functions = read(elf, table)
     known = {}
     entry = next(address for address, function in functions.items()
                  if function.file == "startup.c" and function.name in ("reset", "start"))
@@ -178,16 +192,19 @@ def check(elf, table):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--targets", required=True)
+    parser.add_argument("--entries")
     parser.add_argument("elf", nargs="+")
     arguments = parser.parse_args()
-    with open(arguments.targets, newline="") as file:
-        table = {row["caller"]: row["targets"].split() for row in csv.DictReader(file)}
+    table = read_table(arguments.targets)
     passed = failed = 0
     for elf in arguments.elf:
         try:
-            worst, reserved, chain = check(elf, table)
+            functions = read(elf, table)
+            worst, reserved, chain = check(elf, functions)
             good = worst <= reserved
             print("%s: %d of %d bytes: %s" % (elf, worst, reserved, " > ".join(chain)))
+            if arguments.entries:
+                print("".join("  %s %d\n" % pair for pair in sorted(entries(functions, arguments.entries).items())), end="")
         except Wrong as problem:
             good = False
             print("%s: %s" % (elf, problem))
