@@ -1,0 +1,135 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Writes the tables and pictures of docs/boards.md, or checks that they are true.
+
+boards.py --build BUILD --host SHOW_HOST [--shown DIRECTORY] PAGE PICTURES
+
+With --shown (what tests/board/show.py left there) the page and its pictures are written; without, they are checked:
+figures against the firmware that was built, within 2 %; pictures against what the host draws, which is what the panels show.
+"""
+import argparse
+import csv
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import zlib
+
+HERE = os.path.dirname(__file__)
+sys.path += [os.path.join(HERE, "..", "stack"), os.path.join(HERE, "..", "..", "tests", "board")]
+import show  # noqa: E402
+import stack  # noqa: E402
+
+PICTURE = "teapot-0"
+
+# A figure may be off by so much of itself before the page has to be written anew.
+MOST = 0.02
+
+# Firmware of the benchmark, which has all that the library draws.
+ENTRY_CORES = (("Cortex-M0", "mps2-an385-m0"), ("Cortex-M3", "mps2-an385"), ("RV32IMC", "virt"))
+ENTRIES = ("glint_init", "glint_arena_need", "glint_render", "glint_frame_begin", "glint_frame_next", "glint_render_tile")
+
+
+def read_boards():
+    with open(os.path.join(HERE, "boards.csv"), newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def read_size(path):
+    with open(path) as file:
+        return map(int, re.search(r"flash (\d+) \(library (\d+)\), RAM (\d+) \(stack (\d+)\)", file.read()).groups())
+
+
+def table_of_boards(build, table):
+    lines = ["| board | core | emulator | panel | bus | pixels go | flash | of it glint | RAM | stack, at most | shows | command |",
+             "| --- | --- | --- | --- | --- | --- | ---: | ---: | ---: | ---: | --- | --- |"]
+    for row in read_boards():
+        elf = "%s/%s/release/show.elf" % (build, row["board"])
+        flash, library, ram, reserved = read_size(elf[:-len(".elf")] + ".size")
+        worst = stack.check(elf, stack.read(elf, table))[0]
+        lines.append("| %s | %s | %s | %s | %s | %s | %d | %d | %d | %d of %d | ![%s](boards/%s.png) | `make run BOARD=%s` |" % (
+            row["name"], row["core"], row["emulator"], row["panel"], row["bus"], row["sent"], flash, library, ram, worst,
+            reserved, row["board"], row["board"], row["board"]))
+    return lines
+
+
+def table_of_entries(build, table):
+    lines = ["| function | " + " | ".join(core for core, _ in ENTRY_CORES) + " |", "| --- |" + " ---: |" * len(ENTRY_CORES)]
+    header = os.path.join(HERE, "..", "..", "src", "glint.h")
+    found = [stack.entries(stack.read("%s/%s/O2/frames.elf" % (build, board), table), header) for _, board in ENTRY_CORES]
+    for entry in ENTRIES:
+        lines.append("| `%s` | " % entry + " | ".join(str(by_core[entry]) for by_core in found) + " |")
+    return lines
+
+
+def fill(page, name, lines):
+    """The page with what stands between its markers of this name replaced."""
+    begin, end = "<!-- %s -->\n" % name, "<!-- end of %s -->\n" % name
+    head, rest = page.split(begin)
+    return head + begin + "\n".join(lines) + "\n" + end + rest.split(end)[1]
+
+
+def pixels(png):
+    """Of a picture that show.write_png wrote."""
+    with open(png, "rb") as file:
+        data = file.read()
+    at, body = 8, b""
+    while at < len(data):
+        length, kind = int.from_bytes(data[at:at + 4], "big"), data[at + 4:at + 8]
+        body += data[at + 8:at + 8 + length] if kind in (b"IHDR", b"IDAT") else b""
+        at += 12 + length
+    return body[:13] + zlib.decompress(body[13:])
+
+
+def picture_is_true(host, name, png):
+    board = show.BOARDS[name]
+    with tempfile.TemporaryDirectory() as directory:
+        subprocess.run([host, str(board.width), str(board.height), board.format, directory], stdout=subprocess.PIPE, check=True)
+        drawn = os.path.join(directory, "drawn.png")
+        show.write_png(os.path.join(directory, PICTURE + ".ppm"), drawn)
+        return os.path.exists(png) and pixels(png) == pixels(drawn)
+
+
+def is_true(says, built):
+    """Is a row of a table the same but for figures that moved a little?"""
+    figure = r"\b\d{2,}\b"
+    a, b = (list(map(int, re.findall(figure, row))) for row in (says, built))
+    return re.sub(figure, "", says) == re.sub(figure, "", built) and len(a) == len(b) and \
+        all(abs(x - y) <= MOST * y for x, y in zip(a, b))
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--build", required=True)
+    parser.add_argument("--host", required=True)
+    parser.add_argument("--shown")
+    parser.add_argument("page")
+    parser.add_argument("pictures")
+    arguments = parser.parse_args()
+    with open(arguments.page) as file:
+        old = file.read()
+    table = stack.read_table(os.path.join(HERE, "..", "stack", "targets.csv"))
+    new = fill(old, "boards", table_of_boards(arguments.build, table))
+    new = fill(new, "entries", table_of_entries(arguments.build, table))
+    names = [row["board"] for row in read_boards()]
+    if arguments.shown:
+        with open(arguments.page, "w") as file:
+            file.write(new)
+        for name in names:
+            shutil.copyfile(os.path.join(arguments.shown, name, PICTURE + ".png"), os.path.join(arguments.pictures, name + ".png"))
+        return 0
+    tally = show.Tally()
+    tally.check(len(old.splitlines()) == len(new.splitlines()), "%s: rows are missing; see make boards-page" % arguments.page)
+    for says, built in zip(old.splitlines(), new.splitlines()):
+        if built.startswith("|") and not built.startswith("| ---"):
+            tally.check(is_true(says, built), "%s says\n  %s\ninstead of\n  %s" % (arguments.page, says, built))
+    for name in names:
+        png = os.path.join(arguments.pictures, name + ".png")
+        tally.check(picture_is_true(os.path.abspath(arguments.host), name, png), png + " is not what the panel shows")
+    return tally.close()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
