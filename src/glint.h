@@ -168,7 +168,8 @@ extern const glint_light_type glint_light_directional;
 extern const glint_light_type glint_light_point;
 
 /** A point light along `axis`: full up to `inner` degrees from it, none from `outer` on, a smooth step between.
- * Unit vectors of 15 bits resolve a step of a quarter of a degree or more; a narrower one shows their rounding. */
+ * Unit vectors of 15 bits tell cosines to about 2^-14: a step shows their rounding where the cosines of `inner` and
+ * `outer` are less than 1/64 apart. */
 extern const glint_light_type glint_light_spot;
 
 /** A light, in world space. Ambient light is the scene's. */
