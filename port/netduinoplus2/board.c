@@ -105,6 +105,9 @@ void board_checkpoint(const char *name) {
 }
 
 static glint_bus_status send(int is_data, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
+    if (!stm32_spi_is_idle(SPI1)) {
+        return GLINT_BUS_TIMEOUT;
+    }
     write_pin(PORT_C, C_DATA_COMMAND, is_data);
     write_pin(PORT_A, A_SELECT, 0);
     const glint_bus_status status = stm32_spi_send(SPI1, bytes, row_bytes, rows, stride);

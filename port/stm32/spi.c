@@ -46,14 +46,17 @@ static glint_bus_status send_row(uintptr_t base, const uint8_t *bytes, size_t co
     return GLINT_BUS_OK;
 }
 
+int stm32_spi_is_idle(uintptr_t base) {
+    return stm32_wait(base + STATUS, STATUS_TX_EMPTY, STATUS_TX_EMPTY) && stm32_wait(base + STATUS, STATUS_BUSY, 0);
+}
+
 glint_bus_status stm32_spi_send(uintptr_t base, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
     glint_bus_status status = GLINT_BUS_OK;
 
     for (size_t row = 0; row < rows && status == GLINT_BUS_OK; row++) {
         status = send_row(base, bytes + row * stride, row_bytes);
     }
-    if (status == GLINT_BUS_OK &&
-        (!stm32_wait(base + STATUS, STATUS_TX_EMPTY, STATUS_TX_EMPTY) || !stm32_wait(base + STATUS, STATUS_BUSY, 0))) {
+    if (status == GLINT_BUS_OK && !stm32_spi_is_idle(base)) {
         status = GLINT_BUS_TIMEOUT;
     }
     (void)*cortex_m_register(base + DATA); /* what came back, and with the status the overrun it may have left */

@@ -12,6 +12,9 @@
 /** Sets the SPI at `base` up; the bus is never faster than bus_hz if a 256th of the peripheral's clock is not. */
 void stm32_spi_start(uintptr_t base, uint32_t clock_hz, uint32_t bus_hz);
 
+/** Waits until nothing is left of a transfer that was given up, at most a while. @return whether nothing is. */
+int stm32_spi_is_idle(uintptr_t base);
+
 /** Sends rows of bytes; returns when the last has left. */
 glint_bus_status stm32_spi_send(uintptr_t base, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride);
 

@@ -15,7 +15,8 @@ enum { CLOCK_HZ = 16000000 };
  */
 
 static glint_bus_status command(void *context, const uint8_t *bytes, size_t count) {
-    /* FILL IN: D/C low, chip select low, send, wait (bounded) until the last bit has left, chip select high. */
+    /* FILL IN: wait (bounded) until the bus is idle, D/C low, chip select low, send, wait (bounded) until the last bit
+     * has left, chip select high. */
     (void)context;
     (void)bytes;
     (void)count;
