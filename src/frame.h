@@ -174,25 +174,36 @@ typedef struct glint_plane {
     int32_t start, dx, dy;
 } glint_plane;
 
-/** Change of the second and third corner's barycentric coordinates per pixel, times 2^shift. */
+/**
+ * Change of the second and third corner's barycentric coordinates per pixel, times 2^shift: 15 bits and a sign, where
+ * `wide` 31 bits.
+ */
 typedef struct glint_gradients {
     int32_t x1, y1, x2, y2;
-    unsigned shift;
+    int32_t shift;
     int32_t to_center_x, to_center_y; /* from the first corner to the anchor's centre, in sixteenths */
+    int32_t wide;
 } glint_gradients;
 
-/** Pixels of one row of a tile: `count` from column `left` on. */
+/** Pixels of one row of a tile: from column `left` to before `right`, none where they are equal. */
 typedef struct glint_span {
-    uint8_t left, count;
+    uint8_t left, right;
 } glint_span;
+
+/** A corner in a tile, in sixteenths from the centre of its first pixel, and the first row of centres below or at it.
+ */
+typedef struct glint_place {
+    int32_t x, y, row;
+} glint_place;
 
 /** The part of a triangle that lies in one tile. Its anchor is the pixel of the triangle's first corner. */
 typedef struct glint_part {
-    int32_t x, y;                     /* of the tile's first pixel, from the anchor: where planes are evaluated */
-    uint32_t top, bottom;             /* rows of the tile; bottom is exclusive */
-    glint_span spans[GLINT_TILE_MAX]; /* of these rows */
+    glint_place places[3]; /* of the corners */
+    int32_t x, y;          /* of the tile's first pixel, from the anchor: where planes are evaluated */
+    uint32_t top, bottom;  /* rows of the tile; bottom is exclusive */
+    glint_plane depth;     /* 1/w, Q31 */
     glint_gradients gradients;
-    glint_plane depth; /* 1/w, Q31 */
+    glint_span spans[GLINT_TILE_MAX]; /* of these rows */
 } glint_part;
 
 /** Up to two triples: a normal over w or a lit colour, and the surface's own colour. */

@@ -58,11 +58,11 @@ static int32_t depth_of(int32_t inverse_w) {
     return glint_shift_right(inverse_w, 15) + 1;
 }
 
-/* Gathers the fragments of a span, the first at `offset`, and shades them whenever there are enough. */
+/* Gathers the fragments from `offset` to before `end`, and shades them whenever there are enough. */
 static void gather(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw, uint32_t offset,
-                   uint32_t count, int32_t inverse_w, int32_t slope) {
+                   uint32_t end, int32_t inverse_w, int32_t slope) {
     glint_fragments *fragments = workspace->fragments;
-    for (const uint32_t end = offset + count; offset < end; offset++) {
+    for (; offset < end; offset++) {
         int32_t depth = depth_of(inverse_w);
         if (depth > workspace->depth[offset]) {
             workspace->depth[offset] = (uint16_t)depth;
@@ -82,7 +82,8 @@ void glint_draw_any(const glint_frame *frame, glint_workspace *workspace, const 
     begin(&attributes, workspace->fragments, draw, triangle, part);
     for (uint32_t row = part->top; row < part->bottom; row++) {
         const glint_span span = part->spans[row];
-        gather(frame, workspace, draw, (row << frame->tile_shift_x) + span.left, span.count,
+        const uint32_t first = row << frame->tile_shift_x;
+        gather(frame, workspace, draw, first + span.left, first + span.right,
                glint_plane_at(&part->depth, part->x + span.left, part->y + (int32_t)row), part->depth.dx);
     }
     if (workspace->fragments->count)

@@ -5,30 +5,81 @@
  */
 #include "setup.h"
 
-static void gradients_begin(glint_gradients *g, const glint_vertex *const v[3], int32_t area) {
-    unsigned zeros = glint_leading_zeros((uint32_t)area);
-    int64_t reciprocal = glint_reciprocal((uint32_t)area << zeros); /* 1 / area is this times 2^(zeros - 63) */
-    g->x1 = (int32_t)glint_shift_right64((v[2]->y - v[0]->y) * reciprocal, 17);
-    g->y1 = (int32_t)glint_shift_right64((v[0]->x - v[2]->x) * reciprocal, 17);
-    g->x2 = (int32_t)glint_shift_right64((v[0]->y - v[1]->y) * reciprocal, 17);
-    g->y2 = (int32_t)glint_shift_right64((v[1]->x - v[0]->x) * reciprocal, 17);
-    g->shift = 42 - zeros; /* 63 - 17, less 4 for sixteenths of a pixel */
-    g->to_center_x = 8 - (v[0]->x & 15);
-    g->to_center_y = 8 - (v[0]->y & 15);
+#include "division.h"
+
+/* Narrow triangles: bits of the longest side, and bits by which its square may pass the area. */
+#define NARROW_SIZE 10
+#define NARROW_SLENDER 6
+
+/* A side of at most `size` bits, up to 16, times 1/area. */
+static int32_t to_30_bits(int32_t side, int64_t reciprocal, int32_t size) {
+    return (int32_t)glint_shift_right64(glint_shift_left(side, 16 - (unsigned)size) * reciprocal, 17);
+}
+
+/*
+ * Narrow: 1/area of 16 bits, gradients rounded to 15 bits. A plane's value at a pixel of the triangle is then off by at
+ * most 2^-12 of the corners' difference, 2^-9 where the triangle is slender, and a step for each pixel from the anchor.
+ * Wide, it is off by at most 2^-7 of the difference, or of 2^26 where that is less: a needle 2000 pixels long.
+ */
+static void gradients_begin(glint_gradients *g, const glint_place places[3], int32_t area) {
+    const int32_t x1 = places[2].y - places[0].y, y1 = places[0].x - places[2].x;
+    const int32_t x2 = places[0].y - places[1].y, y2 = places[1].x - places[0].x;
+    const uint32_t bits =
+        glint_magnitude_bits(x1) | glint_magnitude_bits(y1) | glint_magnitude_bits(x2) | glint_magnitude_bits(y2);
+    const int32_t zeros = (int32_t)glint_leading_zeros((uint32_t)area), area_bits = 31 - zeros;
+    int32_t size = (area_bits + 1) / 2; /* of the longest side: at least half as many bits as the area */
+    while ((bits + 1) >> size)
+        size++;
+    g->to_center_x = 8 - ((places[0].x + 8) & 15);
+    g->to_center_y = 8 - ((places[0].y + 8) & 15);
+    g->shift = 42 - zeros - size;
+    g->wide = size > NARROW_SIZE || 2 * size - area_bits > NARROW_SLENDER;
+    if (g->wide) {
+        int64_t reciprocal = glint_reciprocal((uint32_t)area << zeros) / 2; /* 1 / area = this times 2^(zeros - 62) */
+        g->x1 = to_30_bits(x1, reciprocal, size);
+        g->y1 = to_30_bits(y1, reciprocal, size);
+        g->x2 = to_30_bits(x2, reciprocal, size);
+        g->y2 = to_30_bits(y2, reciprocal, size);
+        return;
+    }
+    const int32_t reciprocal = glint_reciprocal16((uint32_t)area << zeros >> 16), half = 1 << size;
+    g->x1 = glint_shift_right(x1 * reciprocal + half, (unsigned)size + 1);
+    g->y1 = glint_shift_right(y1 * reciprocal + half, (unsigned)size + 1);
+    g->x2 = glint_shift_right(x2 * reciprocal + half, (unsigned)size + 1);
+    g->y2 = glint_shift_right(y2 * reciprocal + half, (unsigned)size + 1);
+}
+
+/* x 2^n, |n| < 32; up, it may wrap */
+static inline int32_t scale(int32_t x, int32_t n) {
+    return n < 0 ? glint_shift_right(x, (unsigned)-n) : glint_shift_left(x, (unsigned)n);
+}
+
+static inline int32_t high_sum(int32_t d1, int32_t g1, int32_t d2, int32_t g2) {
+    return (int32_t)glint_shift_right64((int64_t)d1 * g1 + (int64_t)d2 * g2, 31);
 }
 
 void glint_plane_begin(glint_plane *p, const glint_gradients *g, int32_t a0, int32_t a1, int32_t a2) {
-    int64_t d1 = (int64_t)a1 - a0, d2 = (int64_t)a2 - a0;
-    int64_t dx = glint_round_shift64(d1 * g->x1 + d2 * g->x2, g->shift);
-    int64_t dy = glint_round_shift64(d1 * g->y1 + d2 * g->y2, g->shift);
-    p->dx = (int32_t)(uint32_t)dx;
-    p->dy = (int32_t)(uint32_t)dy;
-    int64_t to_center = glint_shift_right64(dx * g->to_center_x + dy * g->to_center_y, 4);
-    p->start = (int32_t)((uint32_t)a0 + (uint32_t)to_center);
+    int32_t d1 = a1 - a0, d2 = a2 - a0, dx, dy, up = 16;
+    if (g->wide) {
+        dx = high_sum(d1, g->x1, d2, g->x2);
+        dy = high_sum(d1, g->y1, d2, g->y2);
+    } else { /* differences in 15 bits and a sign */
+        up = 17 - (int32_t)glint_leading_zeros(glint_magnitude_bits(d1) | glint_magnitude_bits(d2));
+        up = up > 0 ? up : 0;
+        d1 = glint_shift_right(d1, (unsigned)up);
+        d2 = glint_shift_right(d2, (unsigned)up);
+        dx = d1 * g->x1 + d2 * g->x2;
+        dy = d1 * g->y1 + d2 * g->y2;
+    }
+    up -= g->shift;
+    p->dx = scale(dx, up);
+    p->dy = scale(dy, up);
+    const int32_t to_center = glint_shift_right(dx, 5) * g->to_center_x + glint_shift_right(dy, 5) * g->to_center_y;
+    p->start = glint_add_wrap(a0, scale(to_center, up + 1));
 }
 
 void glint_setup(glint_part *part, const glint_triangle *t) {
     const glint_vertex *const *v = t->corners;
-    gradients_begin(&part->gradients, v, t->area);
+    gradients_begin(&part->gradients, part->places, t->area);
     glint_plane_begin(&part->depth, &part->gradients, v[0]->inverse_w, v[1]->inverse_w, v[2]->inverse_w);
 }

@@ -29,10 +29,12 @@ def inverse_root(index):
 print("/* SPDX-License-Identifier: MIT */")
 print("/* Made by tools/make_tables.py; not to be edited. */")
 print("/* clang-format off */")
-print('#include "numeric.h"')
+print('#include "division.h"')
 table("uint16_t", "glint_inverse_root_table",
       "2^30 UNIT / 2^15 / sqrt(i 2^23) for i = 32 to 385, less 1/16 of its second difference",
       [min(65535, round(chord(inverse_root, i, 1))) for i in range(32, 386)], 14)
+table("uint16_t", "glint_quotient_table", "2^20 / i for i = 16 to 256",
+      [min(65535, round(2**20 / i)) for i in range(16, 257)], 14)
 inverses = [round(2**31 / (1 + (i + 0.5) / 32)) for i in range(32)]
 table("uint32_t", "glint_log2_inverse_table", "Q31: 1 / (1 + (i + 1/2) / 32)", inverses, 8)
 table("uint32_t", "glint_log2_table", "Q31: minus the binary logarithm of the entry above",

@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file division.h
+ * Small divisions, by the core where it divides in hardware, otherwise by a table. Either way the pixels are the same.
+ */
+#ifndef GLINT_DIVISION_H
+#define GLINT_DIVISION_H
+
+#include "numeric.h"
+
+/** Does the core divide in hardware? */
+#if (defined(__arm__) && !defined(__ARM_FEATURE_IDIV)) || (defined(__riscv) && !defined(__riscv_div))
+#define GLINT_DIVIDES 0
+#else
+#define GLINT_DIVIDES 1
+#endif
+
+/** 2^20 / i, i from 16 to 256, to the nearest; 65535 for 16. */
+extern const uint16_t glint_quotient_table[241];
+
+/* ---- 2^31 / x to the nearest, halves up, for x from 2^15 to 2^16 - 1 ---- */
+
+static inline int32_t glint_reciprocal16_by_division(uint32_t x) {
+    return (int32_t)((0x80000000u + x / 2) / x);
+}
+
+/** One Newton step from a table; what it falls short by is made good. */
+static inline int32_t glint_reciprocal16_by_table(uint32_t x) {
+    const int32_t start = glint_quotient_table[((x + 128) >> 8) - 16]; /* 2^28 / x */
+    const int32_t error = (int32_t)(0x80000000u - (uint32_t)start * 8 * x);
+    uint32_t result = (uint32_t)(start * 8 + glint_shift_right(glint_shift_right(error, 10) * start, 18));
+    for (uint32_t rest = 0x80000000u + x / 2 - result * x; rest >= x; rest -= x)
+        result++;
+    return (int32_t)result;
+}
+
+static inline int32_t glint_reciprocal16(uint32_t x) {
+    return GLINT_DIVIDES ? glint_reciprocal16_by_division(x) : glint_reciprocal16_by_table(x);
+}
+
+/* ---- Short edges ---- */
+/*
+ * A short edge spans |dx| < GLINT_EDGE_DX and 0 < dy < GLINT_EDGE_DY sixteenths of a pixel. Where it crosses a row,
+ * Q20, comes out less than GLINT_EDGE_ERROR steps off. The exact crossings are multiples of 1 / (16 dy) pixels, of
+ * which GLINT_EDGE_ERROR is at most half, so that the first column at or right of a crossing is found exactly: the
+ * larger errors of a table and the smaller ones of a division give the same pixels.
+ */
+
+#define GLINT_EDGE_DX 1024
+#define GLINT_EDGE_DY (GLINT_DIVIDES ? 512 : 256)
+#define GLINT_EDGE_ERROR 64
+
+/** Added to a crossing, this makes its whole part the first column at or right of it. */
+#define GLINT_EDGE_CEILING ((1 << 20) - GLINT_EDGE_ERROR)
+
+/** dx / dy, Q20, rounded towards 0. */
+static inline int32_t glint_slope_by_division(int32_t dx, int32_t dy) {
+    return dx * (1 << 20) / dy;
+}
+
+/** dx / dy, Q20, for dy below 256. */
+static inline int32_t glint_slope_by_table(int32_t dx, int32_t dy) {
+    if (dy < 16) {
+        dx = dx * 16;
+        dy = dy * 16;
+    }
+    const int32_t inverse = glint_quotient_table[dy - 16], slope = dx * inverse;
+    /* What is left of dx 2^20 is far below 2^31, whatever the two parts are. */
+    const int32_t rest = (int32_t)(((uint32_t)dx << 20) - (uint32_t)slope * (uint32_t)dy);
+    return slope + glint_shift_right(glint_shift_right(rest, 6) * inverse, 14);
+}
+
+static inline int32_t glint_slope(int32_t dx, int32_t dy) {
+    return GLINT_DIVIDES ? glint_slope_by_division(dx, dy) : glint_slope_by_table(dx, dy);
+}
+
+/** From an edge's top, y sixteenths below a row of centres, to where it crosses the first row below or at it. */
+static inline int32_t glint_edge_start(int32_t slope, int32_t y) {
+    return glint_shift_right(slope, 4) * (-y & 15);
+}
+
+#endif

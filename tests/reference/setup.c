@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: MIT */
+/* Suite: the arithmetic of edges and planes, against exact quotients and long double, at the errors it states. */
+#include "setup.h"
+#include "division.h"
+#include "harness.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static uint32_t random_bits(void) {
+    static uint64_t state = 1;
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return (uint32_t)(state >> 32);
+}
+
+static int32_t random_below(int32_t limit) {
+    return (int32_t)(random_bits() % (uint32_t)limit);
+}
+
+static void reciprocals_of_16_bits(void) {
+    int wrong = 0;
+    for (uint32_t x = 1u << 15; x < 1u << 16; x++) {
+        const int64_t nearest = (int64_t)floorl(2147483648.0L / x + 0.5L);
+        wrong += glint_reciprocal16_by_division(x) != nearest;
+        wrong += glint_reciprocal16_by_table(x) != nearest;
+    }
+    CHECK_EQUAL(wrong, 0);
+}
+
+/* Largest error of the crossings of an edge, in steps times 16 dy: at its first row and its last, for all positions. */
+static int64_t worst_crossing(int32_t slope, int32_t dx, int32_t dy) {
+    int64_t worst = 0;
+    for (int32_t y = 0; y > -16; y--) {
+        const int32_t first = -y & 15;
+        const int32_t last = first + (dy - 1 - first) / 16 * 16;
+        for (int32_t down = first; down<dy; down += last> first ? last - first : 16) {
+            const int64_t found = (int64_t)glint_edge_start(slope, y) + (int64_t)slope * ((down - first) / 16);
+            int64_t error = found * 16 * dy - (int64_t)down * dx * (1 << 20);
+            error = error < 0 ? -error : error;
+            worst = error > worst ? error : worst;
+        }
+    }
+    return worst;
+}
+
+static void check_edges(const char *name, int32_t (*slope)(int32_t, int32_t), int32_t end) {
+    double worst = 0;
+    for (int32_t dy = 1; dy < end; dy++) {
+        for (int32_t dx = 1 - GLINT_EDGE_DX; dx < GLINT_EDGE_DX; dx++)
+            worst = fmax(worst, (double)worst_crossing(slope(dx, dy), dx, dy) / (16 * dy));
+    }
+    test_write("  ");
+    test_write(name);
+    test_write(": ");
+    test_write_number((int64_t)(worst * 1000 / GLINT_EDGE_ERROR));
+    test_write(" thousandths of the error allowed\n");
+    CHECK(worst < GLINT_EDGE_ERROR);
+    CHECK((1 << 20) / (16 * (end - 1)) >= 2 * GLINT_EDGE_ERROR); /* exact crossings lie so far apart */
+}
+
+static void crossings_of_all_short_edges(void) {
+    check_edges("edges by division", glint_slope_by_division, 512);
+    check_edges("edges by table", glint_slope_by_table, 256);
+    CHECK(GLINT_EDGE_DY <= 512);
+}
+
+/* ---- Planes */
+
+typedef struct drawn {
+    glint_vertex corners[3];
+    glint_triangle triangle;
+    glint_part part;
+} drawn;
+
+/* A triangle with corners up to `size` sixteenths apart and depths up to `range`. @return 0 when it has no area */
+static int draw(drawn *d, int32_t size, int32_t range) {
+    int32_t x[3], y[3];
+    const int32_t base = random_below(0x7fff0000 - range + 1);
+    for (int i = 0; i < 3; i++) {
+        x[i] = random_below(size) - size / 2;
+        y[i] = random_below(size) - size / 2;
+        d->corners[i].inverse_w = base + random_below(range);
+        d->triangle.corners[i] = &d->corners[i];
+    }
+    d->triangle.area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+    if (d->triangle.area <= 0)
+        return 0;
+    for (int i = 0; i < 3; i++)
+        d->part.places[i] = (glint_place){x[i], y[i], (y[i] + 15) >> 4};
+    glint_setup(&d->part, &d->triangle);
+    return 1;
+}
+
+/* Largest error over the pixels of a triangle, as a part of the corners' largest difference, or of `least`. */
+static double worst_plane(const drawn *d, double least) {
+    const glint_place *p = d->part.places;
+    const int32_t anchor_x = (p[0].x + 8) >> 4, anchor_y = (p[0].y + 8) >> 4;
+    const double area = d->triangle.area, a = d->corners[0].inverse_w;
+    const double da = d->corners[1].inverse_w - a, db = d->corners[2].inverse_w - a;
+    double worst = 0;
+    for (int tries = 0; tries < 64; tries++) {
+        /* a pixel near a random place of the triangle */
+        const double s = random_below(1000) / 1000.0, t = random_below(1000) / 1000.0 * (1 - s);
+        const int32_t x = (int32_t)floor((p[0].x + s * (p[1].x - p[0].x) + t * (p[2].x - p[0].x)) / 16 + 0.5);
+        const int32_t y = (int32_t)floor((p[0].y + s * (p[1].y - p[0].y) + t * (p[2].y - p[0].y)) / 16 + 0.5);
+        const double u = ((16.0 * x - p[0].x) * (p[2].y - p[0].y) - (16.0 * y - p[0].y) * (p[2].x - p[0].x)) / area;
+        const double v = ((16.0 * y - p[0].y) * (p[1].x - p[0].x) - (16.0 * x - p[0].x) * (p[1].y - p[0].y)) / area;
+        if (u < 0 || v < 0 || u + v > 1)
+            continue;
+        const double found = glint_plane_at(&d->part.depth, x - anchor_x, y - anchor_y);
+        const double rounding = 4 + abs(x - anchor_x) + abs(y - anchor_y); /* slopes are whole */
+        worst = fmax(worst, fabs(found - (a + u * da + v * db)) - rounding);
+    }
+    return worst / fmax(fmax(fabs(da), fabs(db)), least);
+}
+
+static void report(const char *name, double worst, double allowed) {
+    test_write("  planes of ");
+    test_write(name);
+    test_write(": ");
+    test_write_number((int64_t)(worst / allowed * 1000));
+    test_write(" thousandths of the error allowed\n");
+    CHECK(worst > 0 && worst <= allowed);
+}
+
+static void planes(void) {
+    static const int32_t ranges[4] = {1 << 16, 1 << 24, 1 << 28, 0x7fff0000};
+    double worst = 0;
+    double worst_slender = 0;
+    double worst_wide = 0;
+    for (int i = 0; i < 3000000; i++) {
+        drawn d;
+        if (!draw(&d, 4 << random_below(13), ranges[i % 4]))
+            continue;
+        const glint_gradients *g = &d.part.gradients;
+        const int32_t area_bits = 31 - (int32_t)glint_leading_zeros((uint32_t)d.triangle.area);
+        const int32_t size = 11 + area_bits - g->shift;
+        double *kind = g->wide ? &worst_wide : 2 * size - area_bits > 2 ? &worst_slender : &worst;
+        *kind = fmax(*kind, worst_plane(&d, g->wide ? 1 << 26 : 1));
+    }
+    report("narrow triangles", worst, 0x1p-12);
+    report("slender triangles", worst_slender, 0x1p-9);
+    report("wide triangles", worst_wide, 0x1p-7);
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {
+        TEST_CASE(reciprocals_of_16_bits),
+        TEST_CASE(crossings_of_all_short_edges),
+        TEST_CASE(planes),
+    };
+    return test_run(write, cases, TEST_COUNT(cases));
+}
