@@ -180,7 +180,7 @@ typedef struct glint_plane {
  */
 typedef struct glint_gradients {
     int32_t x1, y1, x2, y2;
-    int32_t shift;
+    int32_t shift, size; /* 2^size sixteenths are more than the other corners lie from the first, in x and y */
     int32_t to_center_x, to_center_y; /* from the first corner to the anchor's centre, in sixteenths */
     int32_t wide;
 } glint_gradients;
@@ -196,8 +196,14 @@ typedef struct glint_place {
     int32_t x, y, row;
 } glint_place;
 
+/** A tile on the screen: its first pixel's centre in sixteenths, and how much of it the screen shows, in pixels. */
+typedef struct glint_window {
+    int32_t left, top, width, height;
+} glint_window;
+
 /** The part of a triangle that lies in one tile. Its anchor is the pixel of the triangle's first corner. */
 typedef struct glint_part {
+    glint_window window;
     glint_place places[3]; /* of the corners */
     int32_t x, y;          /* of the tile's first pixel, from the anchor: where planes are evaluated */
     uint32_t top, bottom;  /* rows of the tile; bottom is exclusive */
@@ -408,16 +414,23 @@ size_t glint_draw_size(const glint_object *object, const glint_transform *transf
 
 /** A triangle to draw. */
 typedef struct glint_triangle {
-    const glint_vertex *corners[3]; /* clockwise on the screen, y down, once glint_raster has seen it */
-    const int16_t *extra[3];        /* where the draw has extra attributes */
-    const int16_t *facet;           /* its colour, where the draw is lit by facet */
-    int32_t area;                   /* twice its area, 28.4 squared, above 0 */
-    int back;                       /* seen from the back */
+    const glint_vertex *corners[3];
+    const int16_t *extra[3]; /* where the draw has extra attributes */
+    const int16_t *facet;    /* its colour, where the draw is lit by facet */
+    int32_t area;            /* twice its area, 28.4 squared, above 0 */
+    int clockwise;           /* on the screen */
+    int back;                /* seen from the back */
 } glint_triangle;
 
-/** Draws a triangle's part of a tile. Sets the triangle's area and back, and the order of its corners. */
+/**
+ * Draws a triangle's part of a tile, the part's window. Sets all of the triangle but what it points to, and the rest of
+ * the part.
+ */
 void glint_raster(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                  glint_triangle *triangle);
+                  glint_triangle *triangle, glint_part *part);
+
+/** Is all that a tile shows background, now that this pass is prepared? */
+int glint_tile_is_empty(const glint_frame *frame, uint32_t tile);
 
 /** Draws the spans of a triangle: tests and stores depth, and stores the pixels that pass. */
 typedef void glint_kernel(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,

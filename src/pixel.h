@@ -48,27 +48,20 @@ static inline void glint_store_fragments(void *pixels, const glint_fragments *fr
     }
 }
 
-/** Compilers call memcpy even in freestanding code; here the library does. */
-void *memcpy(void *to, const void *from, size_t size);
+/** Copies the first `period` bytes all over the first `size`. */
+void glint_repeat(void *bytes, size_t period, size_t size);
 
-/**
- * Every format's `fill`: 8 pixels, copied along their row; rows after the first, or after the first 8 where they are
- * dithered, are copies.
- */
+/** Every format's `fill`: 8 pixels, repeated along their row, and this row, or 8 where they are dithered, down the
+ * tile. */
 static inline void glint_fill_tile(void *pixels, uint32_t width, uint32_t height, const uint32_t colour[3],
                                    glint_put put, uint32_t bits, int dithered) {
     const uint32_t rows = dithered ? 8 : 1, row_bytes = width / 8 * bits;
-    uint8_t *row = pixels;
-    for (uint32_t y = 0; y < height; y++, row += row_bytes) {
-        if (y >= rows) {
-            memcpy(row, row - rows * row_bytes, row_bytes);
-            continue;
-        }
+    for (uint32_t y = 0; y < rows; y++) {
         for (uint32_t x = 0; x < 8; x++)
             put(pixels, y * width + x, colour, dithered ? glint_dither_threshold(x, y) : GLINT_HALF_LEVEL);
-        for (uint32_t done = bits; done < row_bytes; done += bits)
-            memcpy(row + done, row, bits);
+        glint_repeat((uint8_t *)pixels + y * row_bytes, bits, row_bytes);
     }
+    glint_repeat(pixels, rows * row_bytes, height * row_bytes);
 }
 
 /** Defines a format and its dithered twin, which the linker keeps only where they are named. */

@@ -24,8 +24,7 @@ static inline void fill_pages(void *pixels, uint32_t width, uint32_t height, con
             eight |= is_lit(colour, x, y, dithered) << y;
         bytes[x] = (uint8_t)eight;
     }
-    for (uint32_t done = 8; done < width * height / 8; done += 8)
-        memcpy(bytes + done, bytes, 8);
+    glint_repeat(bytes, 8, width * height / 8);
 }
 
 static void store(void *pixels, const glint_fragments *fragments, unsigned tile_shift_x) {

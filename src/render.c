@@ -19,7 +19,7 @@ glint_status glint_init(glint_renderer *renderer, const glint_config *config) {
 typedef struct sender {
     const glint_flush *flush;
     void *buffers[2];
-    uint32_t sent;
+    void *background; /* the one that holds nothing else, or null */
     int busy;
 } sender;
 
@@ -35,15 +35,29 @@ static glint_status send(sender *s, const glint_frame *frame, glint_workspace *w
     if (wait(s) || s->flush->begin(s->flush->context, x, y, width, height, workspace->pixels, workspace->stride) != 0)
         return GLINT_ERROR_FLUSH;
     s->busy = 1;
-    workspace->pixels = s->buffers[++s->sent & 1];
+    workspace->pixels = s->buffers[workspace->pixels == s->buffers[0]];
     return GLINT_OK;
+}
+
+/* Draws a tile, unless a buffer holds what it shows. @return 1 when it is finished. */
+static int draw(sender *s, const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
+    const int empty = glint_tile_is_empty(frame, tile);
+    if (empty && s->background) {
+        workspace->pixels = s->background;
+        return 1;
+    }
+    if (empty)
+        s->background = workspace->pixels;
+    else if (workspace->pixels == s->background)
+        s->background = 0;
+    return glint_render_tile(frame, workspace, tile);
 }
 
 static glint_status render_passes(glint_frame *frame, glint_workspace *workspace, sender *s) {
     int pass;
     while ((pass = glint_frame_next(frame)) > 0) {
         for (uint32_t tile = frame->tile_first; tile < frame->tile_end; tile++) {
-            if (!glint_render_tile(frame, workspace, tile))
+            if (!draw(s, frame, workspace, tile))
                 continue;
             glint_status status = send(s, frame, workspace, tile);
             if (status != GLINT_OK)

@@ -12,41 +12,49 @@
 #define NARROW_SLENDER 6
 
 /* A side of at most `size` bits, up to 16, times 1/area. */
-static int32_t to_30_bits(int32_t side, int64_t reciprocal, int32_t size) {
-    return (int32_t)glint_shift_right64(glint_shift_left(side, 16 - (unsigned)size) * reciprocal, 17);
+static int32_t to_30_bits(int32_t side, int32_t reciprocal, int32_t size) {
+    return (int32_t)glint_shift_right64((int64_t)glint_shift_left(side, 16 - (unsigned)size) * reciprocal, 17);
 }
 
 /*
  * Narrow: 1/area of 16 bits, gradients rounded to 15 bits. A plane's value at a pixel of the triangle is then off by at
- * most 2^-12 of the corners' difference, 2^-9 where the triangle is slender, and a step for each pixel from the anchor.
+ * most 2^-12 of the corners' difference, 2^-8 where the triangle is slender, and a step for each pixel from the anchor.
  * Wide, it is off by at most 2^-7 of the difference, or of 2^26 where that is less: a needle 2000 pixels long.
  */
-static void gradients_begin(glint_gradients *g, const glint_place places[3], int32_t area) {
-    const int32_t x1 = places[2].y - places[0].y, y1 = places[0].x - places[2].x;
-    const int32_t x2 = places[0].y - places[1].y, y2 = places[1].x - places[0].x;
+static void gradients_begin(glint_gradients *g, const glint_place places[3], const glint_triangle *t) {
+    int32_t x1 = places[0].y - places[2].y, y1 = places[2].x - places[0].x;
+    int32_t x2 = places[1].y - places[0].y, y2 = places[0].x - places[1].x;
+    const uint32_t area = (uint32_t)t->area;
     const uint32_t bits =
         glint_magnitude_bits(x1) | glint_magnitude_bits(y1) | glint_magnitude_bits(x2) | glint_magnitude_bits(y2);
-    const int32_t zeros = (int32_t)glint_leading_zeros((uint32_t)area), area_bits = 31 - zeros;
+    const int32_t zeros = (int32_t)glint_leading_zeros(area), area_bits = 31 - zeros;
     int32_t size = (area_bits + 1) / 2; /* of the longest side: at least half as many bits as the area */
     while ((bits + 1) >> size)
         size++;
     g->to_center_x = 8 - ((places[0].x + 8) & 15);
     g->to_center_y = 8 - ((places[0].y + 8) & 15);
+    g->size = size;
     g->shift = 42 - zeros - size;
     g->wide = size > NARROW_SIZE || 2 * size - area_bits > NARROW_SLENDER;
     if (g->wide) {
-        int64_t reciprocal = glint_reciprocal((uint32_t)area << zeros) / 2; /* 1 / area = this times 2^(zeros - 62) */
-        g->x1 = to_30_bits(x1, reciprocal, size);
-        g->y1 = to_30_bits(y1, reciprocal, size);
-        g->x2 = to_30_bits(x2, reciprocal, size);
-        g->y2 = to_30_bits(y2, reciprocal, size);
-        return;
+        /* 1 / area is this times 2^(zeros - 62) */
+        const int32_t reciprocal = (int32_t)(glint_reciprocal(area << zeros) >> 1);
+        x1 = to_30_bits(x1, reciprocal, size);
+        y1 = to_30_bits(y1, reciprocal, size);
+        x2 = to_30_bits(x2, reciprocal, size);
+        y2 = to_30_bits(y2, reciprocal, size);
+    } else {
+        /* 1 / area is this times 2^(zeros - 47) */
+        const int32_t reciprocal = glint_reciprocal16(area << zeros >> 16), half = 1 << size;
+        x1 = glint_shift_right(x1 * reciprocal + half, (unsigned)size + 1);
+        y1 = glint_shift_right(y1 * reciprocal + half, (unsigned)size + 1);
+        x2 = glint_shift_right(x2 * reciprocal + half, (unsigned)size + 1);
+        y2 = glint_shift_right(y2 * reciprocal + half, (unsigned)size + 1);
     }
-    const int32_t reciprocal = glint_reciprocal16((uint32_t)area << zeros >> 16), half = 1 << size;
-    g->x1 = glint_shift_right(x1 * reciprocal + half, (unsigned)size + 1);
-    g->y1 = glint_shift_right(y1 * reciprocal + half, (unsigned)size + 1);
-    g->x2 = glint_shift_right(x2 * reciprocal + half, (unsigned)size + 1);
-    g->y2 = glint_shift_right(y2 * reciprocal + half, (unsigned)size + 1);
+    g->x1 = t->clockwise ? -x1 : x1;
+    g->y1 = t->clockwise ? -y1 : y1;
+    g->x2 = t->clockwise ? -x2 : x2;
+    g->y2 = t->clockwise ? -y2 : y2;
 }
 
 /* x 2^n, |n| < 32; up, it may wrap */
@@ -80,6 +88,6 @@ void glint_plane_begin(glint_plane *p, const glint_gradients *g, int32_t a0, int
 
 void glint_setup(glint_part *part, const glint_triangle *t) {
     const glint_vertex *const *v = t->corners;
-    gradients_begin(&part->gradients, part->places, t->area);
+    gradients_begin(&part->gradients, part->places, t);
     glint_plane_begin(&part->depth, &part->gradients, v[0]->inverse_w, v[1]->inverse_w, v[2]->inverse_w);
 }

@@ -5,7 +5,7 @@
 
 #include "frame.h"
 
-/** Gradients and depth plane of a triangle whose corners and area are in order; the rest of the part stays. */
+/** Gradients and depth plane of a triangle, from its places and area; the rest of the part stays. */
 void glint_setup(glint_part *part, const glint_triangle *triangle);
 
 /**

@@ -1,9 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /* Tile: draws the triangles that a pass lists for one tile. */
-#include "frame.h"
+#include "pixel.h"
 
-/* Compilers call memset even in freestanding code; here the library does. */
+/* Compilers call these two even in freestanding code; here the library does. */
+void *memcpy(void *to, const void *from, size_t size);
 void *memset(void *bytes, int value, size_t size);
+
+void glint_repeat(void *bytes, size_t period, size_t size) {
+    uint8_t *first = bytes;
+    for (size_t done = period; done < size; done *= 2)
+        memcpy(first + done, first, done < size - done ? done : size - done);
+}
 
 static uint32_t tile_pixels(const glint_config *config) {
     return (uint32_t)config->tile_width * config->tile_height;
@@ -19,7 +26,7 @@ void glint_workspace_init(glint_workspace *workspace, const glint_config *config
     workspace->stride = glint_row_bytes(full.format, full.tile_width);
 }
 
-static void clear(const glint_frame *frame, glint_workspace *workspace) {
+static void fill(const glint_frame *frame, glint_workspace *workspace) {
     const glint_config *config = &frame->config;
     const glint_colour *background = &frame->scene->background;
     uint32_t colour[1][3] = {
@@ -27,55 +34,62 @@ static void clear(const glint_frame *frame, glint_workspace *workspace) {
     if (config->gamma)
         glint_apply_gamma(config->gamma, colour, 1);
     config->format->fill(workspace->pixels, config->tile_width, config->tile_height, colour[0]);
-    memset(workspace->depth, 0, tile_pixels(config) * sizeof *workspace->depth);
 }
 
-static void draw_clipped(const glint_frame *frame, glint_workspace *workspace, const glint_clipped *clipped) {
-    glint_triangle triangle;
-    for (int i = 0; i < 3; i++) {
-        triangle.corners[i] = &clipped->corners[i];
-        triangle.extra[i] = clipped->extra[i];
-    }
-    triangle.facet = clipped->draw->facets ? clipped->draw->facets[clipped->triangle] : 0;
-    glint_raster(frame, workspace, clipped->draw, &triangle);
+int glint_tile_is_empty(const glint_frame *frame, uint32_t tile) {
+    return frame->starts && frame->ends && frame->lists[tile - frame->tile_first].head == GLINT_LIST_END;
 }
 
-static void draw_triangle(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw, uint32_t i) {
-    const uint16_t *indices = draw->triangles[i];
-    glint_triangle triangle;
-    for (int j = 0; j < 3; j++) {
-        triangle.corners[j] = &draw->vertices[indices[j]];
-        triangle.extra[j] = draw->extra ? draw->extra[indices[j]] : 0;
-    }
-    triangle.facet = draw->facets ? draw->facets[i] : 0;
-    glint_raster(frame, workspace, draw, &triangle);
-}
-
-static void draw_reference(const glint_frame *frame, glint_workspace *workspace, const glint_draw **draw,
-                           uint32_t number) {
+/* A triangle by its number, of a draw or made by clipping; a list names draws in order, none before `draw`. */
+static void find_triangle(const glint_frame *frame, const glint_draw **draw, uint32_t number, glint_triangle *t) {
     if (number > GLINT_TRIANGLES_MAX) {
         const glint_clipped *top = (const glint_clipped *)(const void *)(frame->memory.base + frame->memory.high);
-        draw_clipped(frame, workspace, top - 1 - (GLINT_CLIPPED_TOP - number));
-        return;
+        const glint_clipped *clipped = top - 1 - (GLINT_CLIPPED_TOP - number);
+        for (int i = 0; i < 3; i++) {
+            t->corners[i] = &clipped->corners[i];
+            t->extra[i] = clipped->extra[i];
+        }
+        *draw = clipped->draw;
+        number = clipped->triangle;
+    } else {
+        while (number >= (uint32_t)(*draw)->first + (*draw)->count)
+            *draw = (*draw)->next;
+        number -= (*draw)->first;
+        const uint16_t *indices = (*draw)->triangles[number];
+        for (int i = 0; i < 3; i++) {
+            t->corners[i] = &(*draw)->vertices[indices[i]];
+            t->extra[i] = (*draw)->extra ? (*draw)->extra[indices[i]] : 0;
+        }
     }
-    while (number >= (uint32_t)(*draw)->first + (*draw)->count)
-        *draw = (*draw)->next;
-    draw_triangle(frame, workspace, *draw, number - (*draw)->first);
+    t->facet = (*draw)->facets ? (*draw)->facets[number] : 0;
+}
+
+/* Where a tile lies, for raster and for shading. */
+static void place_tile(const glint_frame *frame, glint_fragments *fragments, glint_window *window, uint32_t tile) {
+    int x, y, width, height;
+    glint_tile_rectangle(frame, tile, &x, &y, &width, &height);
+    *window = (glint_window){16 * x + 8, 16 * y + 8, width, height};
+    fragments->count = 0;
+    fragments->tile_x = x;
+    fragments->tile_y = y;
 }
 
 int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
-    int x, y, width, height;
-    glint_tile_rectangle(frame, tile, &x, &y, &width, &height);
-    workspace->fragments->count = 0;
-    workspace->fragments->tile_x = x;
-    workspace->fragments->tile_y = y;
-    workspace->fragments->tile_width = width;
-    workspace->fragments->tile_height = height;
-    if (frame->starts)
-        clear(frame, workspace);
+    glint_part part;
+    place_tile(frame, workspace->fragments, &part.window, tile);
+    if (frame->starts) {
+        fill(frame, workspace);
+        if (!glint_tile_is_empty(frame, tile))
+            memset(workspace->depth, 0, tile_pixels(&frame->config) * sizeof *workspace->depth);
+    }
     const glint_draw *draw = frame->draws;
     uint32_t here = frame->lists[tile - frame->tile_first].head;
-    for (; here != GLINT_LIST_END; here = frame->references[here].next)
-        draw_reference(frame, workspace, &draw, frame->references[here].triangle);
+    while (here != GLINT_LIST_END) {
+        const glint_reference *reference = &frame->references[here];
+        glint_triangle triangle;
+        find_triangle(frame, &draw, reference->triangle, &triangle);
+        glint_raster(frame, workspace, draw, &triangle, &part);
+        here = reference->next;
+    }
     return frame->ends;
 }

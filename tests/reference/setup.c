@@ -82,9 +82,11 @@ static int draw(drawn *d, int32_t size, int32_t range) {
         d->corners[i].inverse_w = base + random_below(range);
         d->triangle.corners[i] = &d->corners[i];
     }
-    d->triangle.area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
-    if (d->triangle.area <= 0)
+    d->triangle.area = (x[2] - x[0]) * (y[1] - y[0]) - (x[1] - x[0]) * (y[2] - y[0]);
+    if (d->triangle.area == 0)
         return 0;
+    d->triangle.clockwise = d->triangle.area < 0;
+    d->triangle.area = abs(d->triangle.area);
     for (int i = 0; i < 3; i++)
         d->part.places[i] = (glint_place){x[i], y[i], (y[i] + 15) >> 4};
     glint_setup(&d->part, &d->triangle);
@@ -95,7 +97,7 @@ static int draw(drawn *d, int32_t size, int32_t range) {
 static double worst_plane(const drawn *d, double least) {
     const glint_place *p = d->part.places;
     const int32_t anchor_x = (p[0].x + 8) >> 4, anchor_y = (p[0].y + 8) >> 4;
-    const double area = d->triangle.area, a = d->corners[0].inverse_w;
+    const double area = d->triangle.clockwise ? d->triangle.area : -d->triangle.area, a = d->corners[0].inverse_w;
     const double da = d->corners[1].inverse_w - a, db = d->corners[2].inverse_w - a;
     double worst = 0;
     for (int tries = 0; tries < 64; tries++) {
@@ -139,7 +141,7 @@ static void planes(void) {
         *kind = fmax(*kind, worst_plane(&d, g->wide ? 1 << 26 : 1));
     }
     report("narrow triangles", worst, 0x1p-12);
-    report("slender triangles", worst_slender, 0x1p-9);
+    report("slender triangles", worst_slender, 0x1p-8);
     report("wide triangles", worst_wide, 0x1p-7);
 }
 

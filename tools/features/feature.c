@@ -5,6 +5,7 @@
  * against.
  */
 #include "../bench/counter.h"
+#include "../bench/framebuffer.h"
 #include "board.h"
 #include "text.h"
 
@@ -80,16 +81,10 @@ static feature_function *volatile feature_named;
 
 static int copy_tile(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
     const glint_format *format = context;
-    const size_t row_bytes = glint_row_bytes(format, WIDTH), left = glint_row_bytes(format, (uint32_t)x);
-    const size_t bytes = glint_row_bytes(format, (uint32_t)width);
+    const size_t pitch = glint_row_bytes(format, WIDTH), left = glint_row_bytes(format, (uint32_t)x);
 
-    for (int row = 0; row < height; row++) {
-        const uint8_t *from = (const uint8_t *)pixels + (size_t)row * stride;
-        uint8_t *to = framebuffer + (size_t)(y + row) * row_bytes + left;
-        for (size_t i = 0; i < bytes; i++) {
-            to[i] = from[i];
-        }
-    }
+    framebuffer_copy(framebuffer + (size_t)y * pitch + left, pitch, pixels, stride,
+                     glint_row_bytes(format, (uint32_t)width), height);
     return 0;
 }
 

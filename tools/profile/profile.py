@@ -59,7 +59,7 @@ def stage_of(name, source):
     part = source.rsplit(".", 1)[0]
     if name.startswith("mem"):
         return "memory"
-    if source in ("", "lib1funcs.S") or name.startswith("__aeabi") or "div" in name:
+    if source in ("", "lib1funcs.S", "libgcc2.c") or name.startswith("__aeabi") or "div" in name:
         return "division"
     if part in ("board", "text", "semihosting", "cortex-m", "start"):
         return None

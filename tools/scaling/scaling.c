@@ -5,6 +5,7 @@
  *     triangles,2304,INSTRUCTIONS
  */
 #include "bench/counter.h"
+#include "bench/framebuffer.h"
 #include "board.h"
 #include "text.h"
 
@@ -51,15 +52,8 @@ static const workload workloads[] = {
 };
 
 static int copy_tile(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
-    const uint8_t *bytes = pixels;
-
     (void)context;
-    for (int row = 0; row < height; row++) {
-        const uint16_t *from = (const uint16_t *)(const void *)(bytes + (size_t)row * stride);
-        for (int column = 0; column < width; column++) {
-            framebuffer[y + row][x + column] = from[column];
-        }
-    }
+    framebuffer_copy(&framebuffer[y][x], sizeof framebuffer[0], pixels, stride, 2 * (size_t)width, height);
     return 0;
 }
 
