@@ -48,7 +48,7 @@ static inline void glint_store_fragments(void *pixels, const glint_fragments *fr
     }
 }
 
-/** Copies the first `period` bytes all over the first `size`. */
+/** Copies the first `period` bytes all over the first `size`, which is a power of two times as many. */
 void glint_repeat(void *bytes, size_t period, size_t size);
 
 /** Every format's `fill`: 8 pixels, repeated along their row, and this row, or 8 where they are dithered, down the

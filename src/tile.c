@@ -9,7 +9,7 @@ void *memset(void *bytes, int value, size_t size);
 void glint_repeat(void *bytes, size_t period, size_t size) {
     uint8_t *first = bytes;
     for (size_t done = period; done < size; done *= 2)
-        memcpy(first + done, first, done < size - done ? done : size - done);
+        memcpy(first + done, first, done);
 }
 
 static uint32_t tile_pixels(const glint_config *config) {
@@ -56,10 +56,11 @@ static void find_triangle(const glint_frame *frame, const glint_draw **draw, uin
             *draw = (*draw)->next;
         number -= (*draw)->first;
         const uint16_t *indices = (*draw)->triangles[number];
-        for (int i = 0; i < 3; i++) {
-            t->corners[i] = &(*draw)->vertices[indices[i]];
-            t->extra[i] = (*draw)->extra ? (*draw)->extra[indices[i]] : 0;
-        }
+        t->corners[0] = &(*draw)->vertices[indices[0]];
+        t->corners[1] = &(*draw)->vertices[indices[1]];
+        t->corners[2] = &(*draw)->vertices[indices[2]];
+        for (int i = 0; i < 3 && (*draw)->extra; i++)
+            t->extra[i] = (*draw)->extra[indices[i]];
     }
     t->facet = (*draw)->facets ? (*draw)->facets[number] : 0;
 }
