@@ -40,7 +40,7 @@ static glint_status send(sender *s, const glint_frame *frame, glint_workspace *w
 }
 
 /* Draws a tile, unless a buffer holds what it shows. @return 1 when it is finished. */
-static int draw(sender *s, const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
+static int finish_tile(sender *s, const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
     const int empty = glint_tile_is_empty(frame, tile);
     if (empty && s->background) {
         workspace->pixels = s->background;
@@ -57,7 +57,7 @@ static glint_status render_passes(glint_frame *frame, glint_workspace *workspace
     int pass;
     while ((pass = glint_frame_next(frame)) > 0) {
         for (uint32_t tile = frame->tile_first; tile < frame->tile_end; tile++) {
-            if (!draw(s, frame, workspace, tile))
+            if (!finish_tile(s, frame, workspace, tile))
                 continue;
             glint_status status = send(s, frame, workspace, tile);
             if (status != GLINT_OK)

@@ -26,7 +26,7 @@ void glint_workspace_init(glint_workspace *workspace, const glint_config *config
     workspace->stride = glint_row_bytes(full.format, full.tile_width);
 }
 
-static void fill(const glint_frame *frame, glint_workspace *workspace) {
+static void clear(const glint_frame *frame, glint_workspace *workspace) {
     const glint_config *config = &frame->config;
     const glint_colour *background = &frame->scene->background;
     uint32_t colour[1][3] = {
@@ -79,7 +79,7 @@ int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint
     glint_part part;
     place_tile(frame, workspace->fragments, &part.window, tile);
     if (frame->starts) {
-        fill(frame, workspace);
+        clear(frame, workspace);
         if (!glint_tile_is_empty(frame, tile))
             memset(workspace->depth, 0, tile_pixels(&frame->config) * sizeof *workspace->depth);
     }
