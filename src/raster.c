@@ -45,8 +45,15 @@ static void walk(edge *e, uint8_t *side, int32_t rows, int32_t width) {
     }
 }
 
-/* Finds the side of the spans, left or right, that is the edge from a down to b. */
-static void find_side(glint_part *part, uint8_t *side, const glint_place *a, const glint_place *b) {
+/* Finds one side of the spans between two corners that follow each other counter-clockwise. */
+static void find_side(glint_part *part, const glint_place *a, const glint_place *b) {
+    uint8_t *side = &part->spans[0].left;
+    if (a->row > b->row) { /* edges that run up are right ones */
+        const glint_place *place = a;
+        a = b;
+        b = place;
+        side = &part->spans[0].right;
+    }
     const int32_t height = part->window.height, width = part->window.width;
     int32_t top = a->row, rows = b->row < height ? b->row : height;
     if (top >= rows || rows <= 0)
@@ -84,29 +91,23 @@ static void find_place(glint_place *place, const glint_window *window, const gli
     place->row = glint_shift_right(place->y + 15, 4);
 }
 
-/* Corners from the top row to the bottom one. @return on which side the middle one lies, 0 or 1 */
-static int sort(const glint_place places[3], const glint_place *sorted[3]) {
-    const glint_place *a = &places[0], *b = &places[1], *c = &places[2];
-    const glint_place *t;
-    int side = 0;
-    if (b->row < a->row)
-        t = a, a = b, b = t, side ^= 1;
-    if (c->row < b->row) {
-        t = b, b = c, c = t, side ^= 1;
-        if (b->row < a->row)
-            t = a, a = b, b = t, side ^= 1;
-    }
-    sorted[0] = a;
-    sorted[1] = b;
-    sorted[2] = c;
-    return side;
+/* The triangle's rows in the tile. @return 0 when there are none */
+static int find_rows(glint_part *part) {
+    const int32_t a = part->places[0].row, b = part->places[1].row, c = part->places[2].row;
+    int32_t top = a < b ? a : b, bottom = a < b ? b : a;
+    top = top < c ? top : c;
+    bottom = bottom > c ? bottom : c;
+    bottom = bottom < part->window.height ? bottom : part->window.height;
+    top = top < 0 ? 0 : top;
+    part->top = (uint32_t)top;
+    part->bottom = (uint32_t)bottom;
+    return top < bottom;
 }
 
 void glint_raster(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                   glint_triangle *triangle, glint_part *part) {
     glint_place *places = part->places;
     const glint_vertex *const *v = triangle->corners;
-    const glint_place *down[3];
     const int32_t area = glint_double_area(v[0], v[1], v[2]);
     triangle->clockwise = area > 0;
     triangle->area = area < 0 ? -area : area;
@@ -114,20 +115,14 @@ void glint_raster(const glint_frame *frame, glint_workspace *workspace, const gl
     find_place(&places[0], &part->window, v[0]);
     find_place(&places[1], &part->window, v[1]);
     find_place(&places[2], &part->window, v[2]);
-    /* Counter-clockwise, edges that run down from a corner to the next one are left ones. */
-    const int side = sort(places, down) ^ triangle->clockwise;
-    const int32_t top = down[0]->row < 0 ? 0 : down[0]->row;
-    const int32_t bottom = down[2]->row < part->window.height ? down[2]->row : part->window.height;
-    if (top >= bottom)
+    if (!find_rows(part))
         return;
-    part->top = (uint32_t)top;
-    part->bottom = (uint32_t)bottom;
     part->x = -glint_shift_right(places[0].x + 8, 4);
     part->y = -glint_shift_right(places[0].y + 8, 4);
     glint_setup(part, triangle);
-    uint8_t *left = &part->spans[0].left;
-    find_side(part, left + side, down[0], down[1]);
-    find_side(part, left + side, down[1], down[2]);
-    find_side(part, left + 1 - side, down[0], down[2]);
+    const glint_place *second = &places[1 + triangle->clockwise], *third = &places[2 - triangle->clockwise];
+    find_side(part, places, second);
+    find_side(part, second, third);
+    find_side(part, third, places);
     glint_choose_kernel(frame, draw, triangle)(frame, workspace, draw, triangle, part);
 }
