@@ -8,7 +8,7 @@
 int test_main(test_writer write) {
 #define UNIT_ENTRY(name) TEST_CASE(name),
     static const test_case all[] = {UNIT_CASES(UNIT_ENTRY)};
-    test_case cases[TEST_COUNT(all)];
+    static test_case cases[TEST_COUNT(all)];
     unsigned count = 0;
 
     for (unsigned i = 0; i < TEST_COUNT(all); i++) {
