@@ -81,8 +81,8 @@ static GLINT_NOINLINE void light_once(const glint_frame *frame, glint_draw *draw
     for (int i = 0; i < 3; i++)
         if (!(draw->vertices[indices[i]].flags & GLINT_VERTEX_NORMAL))
             glint_transform_normal(draw, &draw->vertices[indices[i]]);
-    if (draw->evaluation->light_triangle)
-        draw->evaluation->light_triangle(frame, draw, &draw->transform, triangle);
+    if (draw->light)
+        draw->light(frame, draw, &draw->transform, triangle);
 }
 
 static void finish_corner(const glint_transform *transform, const glint_corner *corner, glint_vertex *vertex,

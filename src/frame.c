@@ -36,7 +36,9 @@ static glint_status prepare(glint_frame *frame) {
         return GLINT_ERROR_ARENA;
     frame->view = view;
     status = glint_prepare_view(view, &frame->config, frame->scene);
-    return status == GLINT_OK ? prepare_materials(frame) : status;
+    if (status == GLINT_OK)
+        status = prepare_materials(frame);
+    return status == GLINT_OK && frame->config.format->fast ? frame->config.format->fast->prepare(frame) : status;
 }
 
 glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, const glint_scene *scene) {

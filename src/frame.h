@@ -84,6 +84,7 @@ typedef struct glint_shading {
         uint32_t diffuse[3], specular[3]; /* Q12 */
     } weights[GLINT_LIGHTS_MAX];
     uint32_t has_specular;
+    const struct glint_deviation *deviation; /* tables of fast lighting, or null */
     glint_power_table power;
 } glint_shading;
 
@@ -104,6 +105,7 @@ typedef struct glint_transform {
 /* ---- geometry: vertices ---- */
 
 #define GLINT_VERTEX_CLIP 1u   /* in front of the near plane or outside the guard band: x, y and 1/w are not valid */
+#define GLINT_VERTEX_LIT 2u    /* its terms of fast lighting are known */
 #define GLINT_VERTEX_NORMAL 4u /* its normal is known; until then its number in the mesh stands in attribute[0] */
 
 typedef struct glint_vertex {
@@ -123,6 +125,18 @@ typedef struct glint_position {
 
 /* ---- bin: what a pass draws ---- */
 
+struct glint_draw;
+struct glint_triangle;
+struct glint_part;
+
+/** Draws the spans of a triangle: tests and stores depth, and stores the pixels that pass. */
+typedef void glint_kernel(const glint_frame *frame, glint_workspace *workspace, const struct glint_draw *draw,
+                          const struct glint_triangle *triangle, const struct glint_part *part);
+
+/** Lights triangle i of a draw. */
+typedef void glint_light_triangle(const glint_frame *frame, struct glint_draw *draw, const glint_transform *transform,
+                                  uint32_t i);
+
 /** An object, or a run of its triangles. */
 typedef struct glint_draw {
     struct glint_draw *next;
@@ -130,10 +144,13 @@ typedef struct glint_draw {
     glint_vertex *vertices;
     glint_position *positions;   /* null unless the object may be clipped or is lit before it is drawn */
     int16_t (*extra)[3];         /* null, or per vertex: the surface's colour, or the back's colour when lit */
+    int16_t (*terms)[3];         /* null, or per vertex: the terms of fast lighting */
     int16_t (*facets)[3];        /* null, or colours of the triangles */
     const int16_t (*normals)[3]; /* of the mesh */
     const glint_shading *shading;
     const glint_evaluation *evaluation;
+    glint_light_triangle *light; /* null, or lights a triangle that is kept */
+    glint_kernel *kernel;
     glint_transform transform;
     uint32_t vertex_count;
     uint32_t object;         /* index in the scene */
@@ -244,7 +261,13 @@ struct glint_model {
     /** Adds what one light gives to the fragments' colours; null for surfaces that are not lit. */
     void (*light)(const glint_shading *shading, uint32_t light, const glint_view *view, glint_fragments *fragments,
                   int has_surface);
+    uint8_t lobe; /* what fast lighting takes it for */
 };
+
+/* What a model's specular light lies around. */
+#define GLINT_LOBE_OTHER 0       /* what fast lighting does not know */
+#define GLINT_LOBE_NONE 1        /* there is none */
+#define GLINT_LOBE_HALF_VECTOR 2 /* Blinn's */
 
 struct glint_light_type {
     /** Brings a light to camera space. @return GLINT_ERROR_DIRECTION, _ATTENUATION or _CONE when it is not valid. */
@@ -262,7 +285,7 @@ struct glint_evaluation {
     void (*light_vertices)(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
                            const glint_mesh *mesh);
     /** Lights one triangle; null where there is no need. */
-    void (*light_triangle)(const glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t i);
+    glint_light_triangle *light_triangle;
     /** Finds the colours of the fragments. */
     void (*shade)(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw);
 };
@@ -273,6 +296,7 @@ struct glint_format {
     void (*store)(void *pixels, const glint_fragments *fragments, unsigned tile_shift_x);
     /** Gives all of a tile one colour. */
     void (*fill)(void *pixels, uint32_t width, uint32_t height, const uint32_t colour[3]);
+    const struct glint_fast *fast; /* or null */
 };
 
 /* ---- stages ---- */
@@ -403,8 +427,8 @@ static inline uint8_t *glint_align(void *memory) {
     GLINT_ALIGNED(sizeof(glint_list) + (GLINT_CLIP_CORNERS - 2) * (sizeof(glint_reference) + sizeof(glint_clipped)))
 
 /** Bytes of arena that a draw of so many vertices and triangles takes, its own index list included if it has one. */
-size_t glint_draw_size(const glint_object *object, const glint_transform *transform, size_t vertices, size_t triangles,
-                       int has_list);
+size_t glint_draw_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,
+                       size_t vertices, size_t triangles, int has_list);
 
 /** Bytes beyond what is prepared with which any scene can be drawn: a run of one triangle, and its bin. */
 #define GLINT_LEAST_ROOM                                                                                        \
@@ -432,15 +456,18 @@ void glint_raster(const glint_frame *frame, glint_workspace *workspace, const gl
 /** Is all that a tile shows background, now that this pass is prepared? */
 int glint_tile_is_empty(const glint_frame *frame, uint32_t tile);
 
-/** Draws the spans of a triangle: tests and stores depth, and stores the pixels that pass. */
-typedef void glint_kernel(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                          const glint_triangle *triangle, const glint_part *part);
-
-/** The kernel for a triangle: depends on the triangle alone, never on tile or pass. */
-glint_kernel *glint_choose_kernel(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle);
-
 /** The kernel for everything: gathers the fragments that pass the depth test, and shades a few at once. */
 glint_kernel glint_draw_any;
+
+/** Fast lighting: what a format that has it links. deviation.h. */
+typedef struct glint_fast {
+    int (*serves)(const glint_frame *frame, const glint_object *object);
+    glint_status (*prepare)(glint_frame *frame); /* behind all shadings */
+    /** Adds the bytes that a material takes at least, and its tables, which want as much room left behind them. */
+    void (*need)(const glint_frame *frame, const glint_shading *shading, size_t *least, size_t *tables);
+    glint_light_triangle *light;
+    glint_kernel *draw;
+} glint_fast;
 
 /** Finds the colours of the fragments gathered so far and stores them. */
 void glint_shade(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw);

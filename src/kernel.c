@@ -1,13 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Kernel: from the spans of a triangle to pixels. The one for everything, and the choice among all. */
+/* Kernel: from the spans of a triangle to pixels: the one for everything. */
 #include "setup.h"
-
-glint_kernel *glint_choose_kernel(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle) {
-    (void)frame;
-    (void)draw;
-    (void)triangle;
-    return glint_draw_any;
-}
 
 /* 1/w of the corners, the largest in 2^30 .. 2^31; @return the shift that took. */
 static unsigned scale_inverse_w(const glint_vertex *const v[3], uint32_t w[3]) {

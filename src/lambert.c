@@ -7,4 +7,4 @@ static void light(const glint_shading *shading, uint32_t index, const glint_view
     glint_light_fragments(shading, index, view, fragments, has_surface, 0);
 }
 
-const glint_model glint_model_lambert = {0, light};
+const glint_model glint_model_lambert = {0, light, GLINT_LOBE_NONE};

@@ -20,13 +20,22 @@ static inline uint32_t glint_power_of_zero(const glint_power_table *table) {
     return table->exponent ? 0 : 1u << 15;
 }
 
+/** cos^p, Q15, for sin^2 in Q30 from the table; p is 2 or more. */
+static inline uint32_t glint_power_at(const glint_power_table *table, uint32_t u) {
+    if (u >= table->window)
+        return 0;
+    const uint16_t *node = &table->value[u >> table->index_shift];
+    int32_t fraction =
+        (int32_t)((u >> (table->index_shift - GLINT_POWER_FRACTION_BITS)) & ((1u << GLINT_POWER_FRACTION_BITS) - 1));
+    return (uint32_t)(node[0] + glint_shift_right((node[1] - node[0]) * fraction, GLINT_POWER_FRACTION_BITS));
+}
+
 /** cos^p in Q15 between the unit vectors a and b, from their cross product; cosine is a . b, above 0. */
 uint32_t glint_specular_power(const glint_power_table *table, const int16_t a[3], const int16_t b[3], int32_t cosine);
 
 static inline void glint_add_light(uint32_t colour[3], uint32_t amount, const uint32_t weight[3]) {
-    colour[0] += amount * weight[0] >> 4;
-    colour[1] += amount * weight[1] >> 4;
-    colour[2] += amount * weight[2] >> 4;
+    for (int c = 0; c < 3; c++)
+        colour[c] += amount * weight[c] >> 4;
 }
 
 /** The diffuse part of one light on a surface with a colour of its own. */

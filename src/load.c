@@ -16,6 +16,11 @@ static const glint_evaluation *evaluation_of(const glint_object *object) {
     return object->evaluation ? object->evaluation : &glint_per_fragment;
 }
 
+static int is_fast(const glint_frame *frame, const glint_object *object) {
+    const glint_fast *fast = frame->config.format->fast;
+    return fast && fast->serves(frame, object);
+}
+
 /* What a draw keeps beyond its vertices. */
 static int keeps_positions(const glint_object *object, const glint_transform *transform) {
     return transform->clips || evaluation_of(object)->lit;
@@ -31,12 +36,12 @@ static int keeps_extra(const glint_object *object) {
            (evaluation->light_vertices && (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0);
 }
 
-size_t glint_draw_size(const glint_object *object, const glint_transform *transform, size_t vertices, size_t triangles,
-                       int has_list) {
+size_t glint_draw_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,
+                       size_t vertices, size_t triangles, int has_list) {
     size_t size = GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(vertices * sizeof(glint_vertex));
     if (keeps_positions(object, transform))
         size += GLINT_ALIGNED(vertices * sizeof(glint_position));
-    if (keeps_extra(object))
+    if (keeps_extra(object) || is_fast(frame, object))
         size += GLINT_ALIGNED(vertices * 3 * sizeof(int16_t));
     if (evaluation_of(object)->light_triangle)
         size += GLINT_ALIGNED(triangles * 3 * sizeof(int16_t));
@@ -58,6 +63,13 @@ static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_tr
     if (evaluation->light_triangle)
         draw->facets = glint_take(&frame->memory, triangles * sizeof *draw->facets);
     draw->evaluation = evaluation;
+    draw->light = draw->evaluation->light_triangle;
+    draw->kernel = glint_draw_any;
+    if (is_fast(frame, object)) {
+        draw->terms = glint_take(&frame->memory, vertices * sizeof *draw->terms);
+        draw->light = frame->config.format->fast->light;
+        draw->kernel = frame->config.format->fast->draw;
+    }
     draw->shading = find_shading(frame, object->material);
     draw->object = frame->object;
     draw->first_triangle = frame->triangle;
@@ -111,7 +123,7 @@ static int load_whole(glint_frame *frame, glint_draw *last, const glint_transfor
     const glint_mesh *mesh = object->mesh;
     uint32_t numbered = last ? (uint32_t)last->first + last->count : 0;
     uint32_t count = mesh->triangle_count - frame->triangle;
-    size_t size = glint_draw_size(object, transform, mesh->vertex_count, count, 0) + GLINT_BIN_RESERVE;
+    size_t size = glint_draw_size(frame, object, transform, mesh->vertex_count, count, 0) + GLINT_BIN_RESERVE;
     if (size > frame->memory.high - GLINT_ALIGNED(frame->memory.low) || numbered + count > GLINT_TRIANGLES_MAX)
         return 0;
     glint_draw *draw = add_draw(frame, last, transform, mesh->vertex_count, count);
@@ -146,12 +158,12 @@ static uint32_t find_slot(slots *s, uint32_t index, int *is_new) {
 }
 
 /* Bytes that a run of so many vertices and twice as many triangles takes; map_size: a power of two above them. */
-static size_t run_size(const glint_object *object, const glint_transform *transform, uint32_t vertices,
-                       uint32_t *map_size) {
+static size_t run_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,
+                       uint32_t vertices, uint32_t *map_size) {
     *map_size = 4;
     while (*map_size <= vertices)
         *map_size *= 2;
-    return glint_draw_size(object, transform, vertices, 2 * (size_t)vertices, 1) +
+    return glint_draw_size(frame, object, transform, vertices, 2 * (size_t)vertices, 1) +
            GLINT_ALIGNED(*map_size * sizeof(uint16_t)) + GLINT_ALIGNED(vertices * sizeof(uint16_t));
 }
 
@@ -163,7 +175,7 @@ static uint32_t run_capacity(const glint_frame *frame, const glint_transform *tr
         return 0;
     room -= GLINT_BIN_RESERVE;
     uint32_t vertices = room / 34 < RUN_VERTICES_MAX ? (uint32_t)(room / 34) : RUN_VERTICES_MAX;
-    while (vertices && run_size(object, transform, vertices, map_size) > room)
+    while (vertices && run_size(frame, object, transform, vertices, map_size) > room)
         vertices -= (vertices + 15) / 16;
     return vertices;
 }

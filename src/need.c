@@ -4,6 +4,7 @@
 
 typedef struct tally {
     size_t vertices, references, clipped; /* bytes, counts */
+    size_t materials, tables;             /* bytes */
 } tally;
 
 static void count_part(const glint_frame *frame, const glint_transform *transform, const glint_mesh *mesh,
@@ -47,17 +48,18 @@ static glint_status count_object(const glint_frame *frame, const glint_object *o
     glint_status status = glint_transform_prepare(&transform, frame->view, &frame->config, object);
     if (status != GLINT_OK || !transform.visible)
         return status;
-    sum->vertices += glint_draw_size(object, &transform, mesh->vertex_count, mesh->triangle_count, 0);
+    sum->vertices += glint_draw_size(frame, object, &transform, mesh->vertex_count, mesh->triangle_count, 0);
     for (uint32_t i = 0; i < mesh->triangle_count && status == GLINT_OK; i++)
         status = count_triangle(frame, &transform, mesh, mesh->triangles[i], sum);
     return status;
 }
 
-/* Distinct materials, each checked. */
-static glint_status count_materials(const glint_scene *scene, size_t *count) {
+/* Bytes of distinct materials, each checked. */
+static glint_status count_materials(const glint_frame *frame, tally *sum) {
+    const glint_scene *scene = frame->scene;
+    const glint_fast *fast = frame->config.format->fast;
     glint_shading shading;
     glint_status status = GLINT_OK;
-    *count = 0;
     for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++) {
         uint32_t earlier = 0;
         while (scene->objects[earlier].material != scene->objects[i].material)
@@ -65,7 +67,9 @@ static glint_status count_materials(const glint_scene *scene, size_t *count) {
         if (earlier < i)
             continue;
         status = glint_prepare_shading(&shading, scene->objects[i].material, scene);
-        ++*count;
+        sum->materials += GLINT_ALIGNED(sizeof shading);
+        if (fast && status == GLINT_OK)
+            fast->need(frame, &shading, &sum->materials, &sum->tables);
     }
     return status;
 }
@@ -75,28 +79,27 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
         return GLINT_ERROR_NULL;
     glint_frame frame;
     glint_view view;
-    tally sum = {0, 0, 0};
-    size_t materials = 0;
+    tally sum = {0};
     glint_status status = glint_frame_grid(&frame, config, scene);
     if (status == GLINT_OK)
         status = glint_check_scene(scene);
     if (status == GLINT_OK)
         status = glint_prepare_view(&view, &frame.config, scene);
     if (status == GLINT_OK)
-        status = count_materials(scene, &materials);
+        status = count_materials(&frame, &sum);
     frame.view = &view;
     for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++)
         status = count_object(&frame, &scene->objects[i], &sum);
     if (status != GLINT_OK)
         return status;
     size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame.config) +
-                      GLINT_ALIGNED(GLINT_VIEW_SIZE(scene->light_count)) +
-                      materials * GLINT_ALIGNED(sizeof(glint_shading));
+                      GLINT_ALIGNED(GLINT_VIEW_SIZE(scene->light_count)) + sum.materials;
     size_t lists = GLINT_ALIGNED(frame.tile_count * sizeof(glint_list)) +
                    GLINT_ALIGNED(sum.references * sizeof(glint_reference)) +
                    GLINT_ALIGNED(sum.clipped * sizeof(glint_clipped)) + GLINT_BIN_RESERVE;
     need->smallest = prepared + GLINT_LEAST_ROOM;
-    need->best = prepared + sum.vertices + lists;
+    const size_t pass = sum.vertices + lists;
+    need->best = prepared + sum.tables + (pass > sum.tables ? pass : sum.tables);
     if (need->best < need->smallest)
         need->best = need->smallest;
     return GLINT_OK;

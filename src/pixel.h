@@ -64,8 +64,8 @@ static inline void glint_fill_tile(void *pixels, uint32_t width, uint32_t height
     glint_repeat(pixels, rows * row_bytes, height * row_bytes);
 }
 
-/** Defines a format and its dithered twin, which the linker keeps only where they are named. */
-#define GLINT_DEFINE_FORMAT(name, bits, put)                                                             \
+/** Defines a format with fast lighting, and its dithered twin, which the linker keeps only where they are named. */
+#define GLINT_DEFINE_FAST_FORMAT(name, bits, put, fast)                                                  \
     static void store(void *pixels, const glint_fragments *fragments, unsigned tile_shift_x) {           \
         glint_store_fragments(pixels, fragments, tile_shift_x, put, 0);                                  \
     }                                                                                                    \
@@ -78,7 +78,10 @@ static inline void glint_fill_tile(void *pixels, uint32_t width, uint32_t height
     static void fill_dithered(void *pixels, uint32_t width, uint32_t height, const uint32_t colour[3]) { \
         glint_fill_tile(pixels, width, height, colour, put, bits, 1);                                    \
     }                                                                                                    \
-    const glint_format name = {bits, store, fill};                                                       \
-    const glint_format name##_dithered = {bits, store_dithered, fill_dithered}
+    const glint_format name = {bits, store, fill, fast};                                                 \
+    const glint_format name##_dithered = {bits, store_dithered, fill_dithered, 0}
+
+/** The same without fast lighting. */
+#define GLINT_DEFINE_FORMAT(name, bits, put) GLINT_DEFINE_FAST_FORMAT(name, bits, put, 0)
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Pixels of 16 bits: 5 red, 6 green, 5 blue. */
 #include "pixel.h"
+#include "spans565.h"
 
 static void put(void *pixels, uint32_t offset, const uint32_t colour[3], uint32_t threshold) {
     uint16_t *out = pixels;
@@ -8,4 +9,5 @@ static void put(void *pixels, uint32_t offset, const uint32_t colour[3], uint32_
                              glint_level(colour[2], 31, threshold));
 }
 
-GLINT_DEFINE_FORMAT(glint_format_rgb565, 16, put);
+GLINT_DEFINE_FAST(fast, 0);
+GLINT_DEFINE_FAST_FORMAT(glint_format_rgb565, 16, put, &fast);

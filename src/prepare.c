@@ -2,16 +2,17 @@
 /* Prepare: checks a scene and brings camera, lights and materials into the form that a frame reads. */
 #include "frame.h"
 
+/* Below 0 is far above the largest when unsigned. */
 static int colour_is_valid(const glint_colour *colour) {
-    return colour->r >= 0 && colour->g >= 0 && colour->b >= 0 && colour->r <= GLINT_COLOUR_MAX &&
-           colour->g <= GLINT_COLOUR_MAX && colour->b <= GLINT_COLOUR_MAX;
+    const uint32_t most = GLINT_COLOUR_MAX;
+    return (uint32_t)colour->r <= most && (uint32_t)colour->g <= most && (uint32_t)colour->b <= most;
 }
 
 static glint_status check_mesh(const glint_mesh *mesh) {
     if (!mesh || !mesh->positions || !mesh->normals || !mesh->triangles)
         return GLINT_ERROR_NULL;
-    if (mesh->vertex_count < 1 || mesh->vertex_count > 65536 || mesh->triangle_count < 1 || mesh->extent.x < 0 ||
-        mesh->extent.y < 0 || mesh->extent.z < 0)
+    if (mesh->vertex_count - 1 >= 65536 || mesh->triangle_count < 1 ||
+        (mesh->extent.x | mesh->extent.y | mesh->extent.z) < 0)
         return GLINT_ERROR_MESH;
     return GLINT_OK;
 }
@@ -45,7 +46,7 @@ static int camera_is_valid(const glint_camera *camera) {
         for (int j = i; j < 3; j++) {
             int64_t dot = 0;
             for (int k = 0; k < 3; k++) {
-                if (camera->pose.m[k][i] > 2 * GLINT_ONE || camera->pose.m[k][i] < -2 * GLINT_ONE)
+                if ((uint32_t)camera->pose.m[k][i] + 2 * GLINT_ONE > 4 * GLINT_ONE)
                     return 0;
                 dot += (int64_t)camera->pose.m[k][i] * camera->pose.m[k][j];
             }
@@ -168,18 +169,16 @@ glint_status glint_prepare_view(glint_view *view, const glint_config *config, co
     return status;
 }
 
-/* Product of two colour channels with `bits` fractional bits. @return 0 when it passes GLINT_COLOUR_MAX. */
-static int weigh(glint_q16 a, glint_q16 b, unsigned bits, uint32_t *weight) {
-    uint64_t product = (uint64_t)a * (uint64_t)b;
-    if (product > (uint64_t)GLINT_COLOUR_MAX << 16)
-        return 0;
-    *weight = (uint32_t)((product + ((uint64_t)1 << (31 - bits))) >> (32 - bits));
-    return 1;
-}
-
+/* Products of two colours with `bits` fractional bits. @return 0 when one passes GLINT_COLOUR_MAX. */
 static int weigh_colour(const glint_colour *a, const glint_colour *b, unsigned bits, uint32_t weight[3]) {
-    return weigh(a->r, b->r, bits, &weight[0]) && weigh(a->g, b->g, bits, &weight[1]) &&
-           weigh(a->b, b->b, bits, &weight[2]);
+    const glint_q16 left[3] = {a->r, a->g, a->b}, right[3] = {b->r, b->g, b->b};
+    for (int c = 0; c < 3; c++) {
+        uint64_t product = (uint64_t)left[c] * (uint64_t)right[c];
+        if (product > (uint64_t)GLINT_COLOUR_MAX << 16)
+            return 0;
+        weight[c] = (uint32_t)((product + ((uint64_t)1 << (31 - bits))) >> (32 - bits));
+    }
+    return 1;
 }
 
 static glint_status weigh_light(glint_shading *shading, uint32_t i, const glint_light *light) {
@@ -194,6 +193,7 @@ glint_status glint_prepare_shading(glint_shading *shading, const glint_material 
     uint32_t largest = 0;
     shading->material = material;
     shading->has_specular = 0;
+    shading->deviation = 0;
     if (!weigh_colour(&material->ambient, &scene->ambient, 23, shading->ambient))
         return GLINT_ERROR_COLOUR;
     for (uint32_t i = 0; i < scene->light_count; i++) {

@@ -124,5 +124,5 @@ void glint_raster(const glint_frame *frame, glint_workspace *workspace, const gl
     find_side(part, places, second);
     find_side(part, second, third);
     find_side(part, third, places);
-    glint_choose_kernel(frame, draw, triangle)(frame, workspace, draw, triangle, part);
+    draw->kernel(frame, workspace, draw, triangle, part);
 }

@@ -17,12 +17,10 @@ static void find_view_vectors(const glint_view *view, glint_fragments *fragments
         fragments->view[i][0] = 0, fragments->view[i][1] = 0, fragments->view[i][2] = GLINT_UNIT;
 }
 
-static void set_colours(glint_fragments *fragments, uint32_t red, uint32_t green, uint32_t blue) {
-    for (uint32_t i = 0; i < fragments->count; i++) {
-        fragments->colour[i][0] = red;
-        fragments->colour[i][1] = green;
-        fragments->colour[i][2] = blue;
-    }
+static void set_colours(glint_fragments *fragments, const uint32_t colour[3]) {
+    for (uint32_t i = 0; i < fragments->count; i++)
+        for (int c = 0; c < 3; c++)
+            fragments->colour[i][c] = colour[c];
 }
 
 /* The larger of each colour and its ambient light: what is 0 becomes ambient light. */
@@ -43,10 +41,8 @@ void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const
                      int has_surface) {
     const glint_model *model = shading->material->model;
     const uint32_t takes_largest = model->light ? shading->material->flags & GLINT_MATERIAL_MAX : 0;
-    if (takes_largest || has_surface)
-        set_colours(fragments, 0, 0, 0);
-    else
-        set_colours(fragments, shading->ambient[0], shading->ambient[1], shading->ambient[2]);
+    static const uint32_t black[3] = {0, 0, 0};
+    set_colours(fragments, takes_largest || has_surface ? black : shading->ambient);
     if (has_surface && !takes_largest)
         raise_to_ambient(shading, fragments, has_surface);
     if (!model->light)

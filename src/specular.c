@@ -15,11 +15,5 @@ uint32_t glint_specular_power(const glint_power_table *table, const int16_t a[3]
         uint32_t x = ((uint32_t)cosine << 1) + ((uint32_t)cosine >> 11); /* Q31; UNIT^2 is 2^30 less a part in 2^12 */
         return (glint_power(x > 1u << 31 ? 1u << 31 : x, table->exponent) + (1u << 14)) >> 15;
     }
-    uint32_t u = sine_square(a, b);
-    if (u >= table->window)
-        return 0;
-    const uint16_t *node = &table->value[u >> table->index_shift];
-    int32_t fraction =
-        (int32_t)((u >> (table->index_shift - GLINT_POWER_FRACTION_BITS)) & ((1u << GLINT_POWER_FRACTION_BITS) - 1));
-    return (uint32_t)(node[0] + glint_shift_right((node[1] - node[0]) * fraction, GLINT_POWER_FRACTION_BITS));
+    return glint_power_at(table, sine_square(a, b));
 }

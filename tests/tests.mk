@@ -15,6 +15,7 @@ SUITE_unit      := $(TEST_HARNESS) $(TEST_UNIT)
 SUITE_numbers   := $(TEST_HARNESS) tests/reference/numbers.c
 SUITE_setup     := $(TEST_HARNESS) tests/reference/setup.c
 SUITE_compare   := $(TEST_HARNESS) tests/image/compare.c $(TEST_SCENES) $(TEST_JUDGE)
+SUITE_accuracy  := $(TEST_HARNESS) tests/image/accuracy.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_models    := $(TEST_HARNESS) tests/image/models.c tests/image/surfaces.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_gallery   := $(TEST_HARNESS) tests/image/gallery.c tests/image/rows.c tests/image/picture.c $(TEST_JUDGE) \
     $(wildcard examples/scenes/*.c)
@@ -23,7 +24,7 @@ SUITE_highlights := $(TEST_HARNESS) tests/image/highlights.c $(TEST_SCENES)
 SUITE_fill_rule := $(TEST_HARNESS) tests/image/fill_rule.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_changes   := $(TEST_HARNESS) tests/image/changes.c $(TEST_SCENES)
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit numbers setup compare models gallery output highlights fill_rule identity changes
+TEST_SUITES     := unit numbers setup compare accuracy models gallery output highlights fill_rule identity changes
 
 # $(call test_suite,variant,suite,compiler,flags): build/tests/<variant>/<suite>
 define test_suite
@@ -50,7 +51,7 @@ run_suites = @status=0; for suite in $1; do echo "$$suite"; $$suite || status=1;
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers setup) ## unit tests on the host, arithmetic against libm
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,compare models gallery output highlights fill_rule changes) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery output highlights fill_rule changes) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order

@@ -35,6 +35,14 @@ table("uint16_t", "glint_inverse_root_table",
       [min(65535, round(chord(inverse_root, i, 1))) for i in range(32, 386)], 14)
 table("uint16_t", "glint_quotient_table", "2^20 / i for i = 16 to 256",
       [min(65535, round(2**20 / i)) for i in range(16, 257)], 14)
+
+
+def inverse(index):
+    return 2**30 / (UNIT + index * 2**9)
+
+
+table("uint16_t", "glint_inverse_table", "2^30 / (UNIT + i 2^9) for i = 0 to 64, less 1/16 of its second difference",
+      [round(chord(inverse, i, 1)) for i in range(65)], 14)
 inverses = [round(2**31 / (1 + (i + 0.5) / 32)) for i in range(32)]
 table("uint32_t", "glint_log2_inverse_table", "Q31: 1 / (1 + (i + 1/2) / 32)", inverses, 8)
 table("uint32_t", "glint_log2_table", "Q31: minus the binary logarithm of the entry above",

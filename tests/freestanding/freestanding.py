@@ -8,8 +8,7 @@
 - no recursion through direct calls;
 - no function that nothing refers to: a compiler leaves one when it wrongly drops its calls (gcc 12's -Os has done so).
 
-Each check is also shown to find what tests/freestanding/planted.c plants. Prints the deepest stack of each public
-function; an indirect call is taken to reach any function that nothing calls directly and that is not public.
+Each check is also shown to find what tests/freestanding/planted.c plants. tools/stack bounds the stack.
 """
 import argparse
 import glob
@@ -106,23 +105,6 @@ def cycle(graph):
     return next((name for name in graph if name not in state and visit(name)), None)
 
 
-def deepest(graph, entry, public):
-    """Bytes of stack below a call of `entry`, callbacks of the caller's not included."""
-    called = {callee for _, callees in graph.values() for callee in callees}
-    targets = [name for name in graph if name not in called and name.split(":")[-1] not in public]
-
-    def depth(name, path):
-        stack, callees = graph.get(name, (0, ()))
-        below = 0
-        for callee in callees:
-            for target in targets if callee == "__indirect_call" else [callee]:
-                if target not in path:
-                    below = max(below, depth(target, path | {target}))
-        return stack + below
-
-    return depth(entry, {entry})
-
-
 def public_functions():
     with open("src/glint.h") as file:
         return re.findall(r"^[\w ]+[ *](glint_\w+)\(", file.read(), re.MULTILINE)
@@ -158,9 +140,6 @@ def check_library(tally, cross, directory):
     missing = [name for name in public if name not in graph]
     tally.check(public and not missing, "%s: declared but not defined: %s" % (directory, " ".join(missing)))
     print("  %s: needs %s" % (directory, " ".join(outside) or "nothing"))
-    print("  %s: stack of glint_render %d, glint_frame_begin %d, glint_render_tile %d bytes, callbacks apart" % (
-        (directory,) + tuple(deepest(graph, name, public) if name in graph else 0
-                             for name in ("glint_render", "glint_frame_begin", "glint_render_tile"))))
 
 
 def main():

@@ -28,10 +28,10 @@ static void check_same(const picture *wanted, const glint_scene *scene, const pi
 typedef void (*scene_check)(const picture *wanted, const glint_scene *scene);
 
 /* Runs a check over every scene, with one image drawn the default way. */
-static void for_each_scene(scene_check check) {
+static void for_each_scene_in(const glint_format *format, scene_check check) {
     for (unsigned i = 0; i < scene_count; i++) {
         test_scene scene;
-        picture wanted = picture_open(WIDTH, HEIGHT, &glint_format_rgb888);
+        picture wanted = picture_open(WIDTH, HEIGHT, format);
         scene_build(&scene, &scene_definitions[i]);
         scene.scene.viewer = i % 3 ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
         CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
@@ -39,6 +39,12 @@ static void for_each_scene(scene_check check) {
         check(&wanted, &scene.scene);
         picture_close(&wanted);
     }
+}
+
+/* In a format that takes the general path, and in one with kernels of its own. */
+static void for_each_scene(scene_check check) {
+    for_each_scene_in(&glint_format_rgb888, check);
+    for_each_scene_in(&glint_format_rgb565, check);
 }
 
 static void check_tile_sizes(const picture *wanted, const glint_scene *scene) {

@@ -70,20 +70,23 @@ static double wanted_level(const reference_pixel *pixel, const glint_format *for
 typedef struct distance {
     double unrounded;
     int rounded;
+    int is_fine;
     double squares;
 } distance;
 
-static distance measure_pixel(const images *all, int x, int y) {
+static distance measure_pixel(const judge_task *task, const images *all, int x, int y) {
     const reference_pixel *reference = &all->reference.pixels[y * all->reference.width + x];
     const picture *shaded = &all->shaded;
-    distance result = {0, 0, 0};
+    distance result = {0, 0, 1, 0};
     for (int channel = 0; channel < picture_channels(shaded->format); channel++) {
         double wanted = wanted_level(reference, shaded->format, channel);
         int stored = picture_level(shaded, x, y, channel);
         double error = fabs(stored - wanted);
         double relative = error / picture_level_max(shaded->format, channel);
         int steps = abs(stored - (int)floor(wanted + 0.5));
+        double fine = task->fine_of[0] > 0 ? task->fine_of[channel] : task->fine;
         result.unrounded = fmax(result.unrounded, error);
+        result.is_fine = result.is_fine && error <= fine;
         result.rounded = steps > result.rounded ? steps : result.rounded;
         result.squares += relative * relative;
     }
@@ -93,7 +96,7 @@ static distance measure_pixel(const images *all, int x, int y) {
 static void judge_pixel(const judge_task *task, const images *all, int x, int y, judgement *total) {
     const reference_pixel *reference = &all->reference.pixels[y * task->width + x];
     int drawn = picture_level(&all->coverage, x, y, 0) > 0;
-    distance error = measure_pixel(all, x, y);
+    distance error = measure_pixel(task, all, x, y);
     total->covered += reference->covered;
     if (reference->uncertain) {
         total->uncertain++;
@@ -119,7 +122,7 @@ static void judge_pixel(const judge_task *task, const images *all, int x, int y,
     total->judged++;
     total->over_one += error.rounded > 1;
     total->over_two += error.rounded > 2;
-    total->not_fine += error.unrounded > task->fine;
+    total->not_fine += !error.is_fine;
     if (error.unrounded > total->worst) {
         total->worst = error.unrounded;
         total->worst_x = x;

@@ -15,6 +15,7 @@ typedef struct judge_task {
     const glint_format *format;
     int leave_out_gates; /**< Leave `gated` pixels out of the bounds. */
     double fine;         /**< Steps. */
+    double fine_of[3];   /**< Steps of each channel, in place of `fine` where the first is not 0. */
 } judge_task;
 
 /** Counts of pixels, summed over the tasks judged. */

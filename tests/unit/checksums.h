@@ -23,7 +23,7 @@ static const uint32_t expected_checksums[] = {
     0xda8a09c5u, /* floor_to_horizon */
     0x3104de64u, /* guard_band */
     0x24e135e1u, /* mirrored_double_sided */
-    0xf33559ddu, /* squashed */
+    0x7b8d6d35u, /* squashed */
     0xa2cf24a8u, /* interlocked */
     0xf66d3711u, /* turned_camera */
     0x77051dc5u, /* no_objects */

@@ -1,0 +1,483 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Fast lighting of fragments under one directional light.
+ *
+ * With unit normal N and half vector H, k = (N.H + nz) / (1 + hz) and e = (nx - hx k, ny - hy k) are the coordinates of
+ * N in the plane across H, turned so that H points along z: |e|^2 = sin^2 of the angle between them. Over a small
+ * triangle e and N.L are linear; the half vector is found at vertices only.
+ */
+#include "deviation.h"
+#include "light.h"
+#include "setup.h"
+
+/* A ray's z; its length goes into a table that ends at sqrt(12) times this. */
+#define RAY_Z (1 << 14)
+
+/* A highlight ends where it is 2^-9 of one: below 1/8 of a level of 63 at weight 1. */
+#define CUT_BITS 9
+
+/* N.L, Q15, that is above 0 at every pixel: planes are off by at most 2^-7 of their corners' difference. */
+#define LIT 300
+
+/* N.L at which rounding cannot light what faces away. */
+#define UNLIT -16
+
+/* Steps of error that turn and slant may make each: 12/32 and 1/2 (find_limits). */
+#define TURN_LIMIT 12
+
+/* Binary logarithm of the specular table's entries for each node that is computed; it is linear between them. */
+#define NODE_BITS 3
+
+/* ---- Tables ---- */
+
+static uint32_t largest_weight(const uint32_t weight[3]) {
+    uint32_t largest = weight[0] > weight[1] ? weight[0] : weight[1];
+    return largest > weight[2] ? largest : weight[2];
+}
+
+int glint_deviation_serves(const glint_frame *frame, const glint_object *object) {
+    const glint_scene *scene = frame->scene;
+    const glint_material *material = object->material;
+    return scene->light_count == 1 && !scene->lights[0].type->illuminate && !frame->config.gamma &&
+           (!object->evaluation || object->evaluation == &glint_per_fragment) && !object->mesh->colours &&
+           !object->mesh->colours565 && material->flags == 0 &&
+           (material->model->lobe == GLINT_LOBE_NONE ||
+            (material->model->lobe == GLINT_LOBE_HALF_VECTOR && material->shininess >= 2 * GLINT_ONE));
+}
+
+/* sin^2 where the highlight ends, Q30; 0 when it never shows. */
+static uint32_t find_cut(const glint_shading *shading) {
+    uint32_t weight = largest_weight(shading->weights[0].specular);
+    if (!shading->has_specular)
+        return 0;
+    int64_t bits = (int64_t)glint_log2(weight << 15) + ((4 + CUT_BITS) << 26); /* Q26; weight is Q12 */
+    if (bits <= 0)
+        return 0;
+    return (1u << 30) - glint_exp2((int32_t) - ((2 * bits << 16) / shading->material->shininess));
+}
+
+/* Entries of the specular table: at most about 1/6 of a level apart. */
+static uint32_t specular_entries(const glint_shading *shading) {
+    uint32_t weight = largest_weight(shading->weights[0].specular);
+    if (!find_cut(shading))
+        return 0;
+    return weight <= 1100 ? 256 : weight <= 2200 ? 512 : 1024;
+}
+
+static int serves_some(const glint_frame *frame, const glint_shading *shading) {
+    for (uint32_t i = 0; i < frame->scene->object_count; i++) {
+        const glint_object *object = &frame->scene->objects[i];
+        if (object->material == shading->material && glint_deviation_serves(frame, object))
+            return 1;
+    }
+    return 0;
+}
+
+static size_t tables_size(const glint_shading *shading) {
+    return GLINT_ALIGNED(GLINT_DIFFUSE_ENTRIES * (sizeof(uint32_t) + sizeof(uint16_t)) +
+                         specular_entries(shading) * sizeof(uint32_t));
+}
+
+void glint_deviation_need(const glint_frame *frame, const glint_shading *shading, size_t *least, size_t *tables) {
+    if (!serves_some(frame, shading))
+        return;
+    *least += GLINT_ALIGNED(sizeof(glint_deviation));
+    *tables += tables_size(shading);
+}
+
+/* A colour, Q23 times 31, 63 and 31, as a word. */
+static uint32_t spread(const uint32_t level[3]) {
+    return (level[0] >> 18) << 10 | (level[1] >> 19) << 21 | level[2] >> 19;
+}
+
+/* Half of what `spread` cuts off. */
+static const uint32_t spread_half[3] = {1 << 17, 1 << 18, 1 << 18};
+
+static const uint32_t levels[3] = {31, 63, 31};
+
+/* A colour that changes by `step` from entry to entry, up to `most`. */
+typedef struct ramp {
+    uint32_t level[3], step[3], most[3];
+} ramp;
+
+/* Its next `count` words. */
+static void fill(ramp *r, uint32_t *words, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++) {
+        words[i] = spread(r->level);
+        for (int c = 0; c < 3; c++) {
+            r->level[c] += r->step[c];
+            r->level[c] = r->level[c] > r->most[c] ? r->most[c] : r->level[c];
+        }
+    }
+}
+
+/* Ambient and diffuse light over N.L in 256 steps, the first at its middle. */
+static void diffuse_ramp(const glint_shading *shading, ramp *r) {
+    for (int c = 0; c < 3; c++) {
+        uint32_t ambient = shading->ambient[c] < 1u << 23 ? shading->ambient[c] : 1u << 23;
+        r->step[c] = shading->weights[0].diffuse[c] * levels[c] << 3; /* Q12 to Q23, 256 steps; below 2^26 */
+        r->most[c] = (levels[c] << 23) + (1 << 22) + spread_half[c];
+        r->level[c] = ambient * levels[c] + (1 << 22) + spread_half[c] + r->step[c] / 2;
+        r->level[c] = r->level[c] > r->most[c] ? r->most[c] : r->level[c];
+    }
+}
+
+static uint32_t diffuse_word(const glint_shading *shading, uint32_t index) {
+    ramp r;
+    diffuse_ramp(shading, &r);
+    for (int c = 0; c < 3; c++) {
+        uint64_t level = r.level[c] + (uint64_t)r.step[c] * index;
+        r.level[c] = level > r.most[c] ? r.most[c] : (uint32_t)level;
+    }
+    return spread(r.level);
+}
+
+/* Highlight at node i, clamped at 1 in each channel; Q23 times 31, 63 and 31. */
+static void highlight(const glint_shading *shading, uint32_t i, uint32_t level[3]) {
+    const glint_deviation *deviation = shading->deviation;
+    const uint32_t nodes = deviation->specular_end >> (15 + NODE_BITS);
+    uint32_t power = glint_power_at(&shading->power, (uint32_t)((uint64_t)deviation->sine_square_end * i / nodes));
+    for (int c = 0; c < 3; c++) {
+        uint32_t amount = power * shading->weights[0].specular[c] >> 4;
+        level[c] = (amount < 1u << 23 ? amount : 1u << 23) * levels[c];
+    }
+}
+
+/* From a node of the highlight to the next, the first entry at its middle; downwards modulo 2^32. */
+static void highlight_ramp(const uint32_t here[3], const uint32_t next[3], ramp *r) {
+    for (int c = 0; c < 3; c++) {
+        const int32_t change = (int32_t)(next[c] - here[c]);
+        r->step[c] = (uint32_t)glint_shift_right(change, NODE_BITS);
+        r->level[c] = here[c] + (uint32_t)glint_shift_right(change, NODE_BITS + 1) + spread_half[c];
+        r->most[c] = UINT32_MAX;
+    }
+}
+
+static uint32_t highlight_word(const glint_shading *shading, uint32_t index) {
+    uint32_t here[3], next[3];
+    ramp r;
+    highlight(shading, index >> NODE_BITS, here);
+    highlight(shading, (index >> NODE_BITS) + 1, next);
+    highlight_ramp(here, next, &r);
+    for (int c = 0; c < 3; c++)
+        r.level[c] += r.step[c] * (index & ((1 << NODE_BITS) - 1));
+    return spread(r.level);
+}
+
+uint32_t glint_deviation_pixel(const glint_shading *shading, int32_t cosine, uint32_t square) {
+    if (cosine <= 0)
+        return shading->deviation->ambient;
+    uint32_t word = diffuse_word(shading, (uint32_t)cosine >> 22);
+    if (square < shading->deviation->specular_end)
+        word = glint_spread_clamp(word + highlight_word(shading, square >> 15));
+    return glint_spread_pack(word);
+}
+
+static void fill_specular(const glint_shading *shading, uint32_t *words, uint32_t entries) {
+    uint32_t here[3], next[3];
+    highlight(shading, 0, here);
+    for (uint32_t i = 0; i < entries >> NODE_BITS; i++) {
+        ramp r;
+        highlight(shading, i + 1, next);
+        highlight_ramp(here, next, &r);
+        fill(&r, words + (i << NODE_BITS), 1 << NODE_BITS);
+        for (int c = 0; c < 3; c++)
+            here[c] = next[c];
+    }
+}
+
+/* The tables, if they leave as much room as they take. */
+static void make_tables(glint_memory *memory, glint_deviation *deviation, const glint_shading *shading) {
+    const uint32_t entries = specular_entries(shading);
+    ramp r;
+    if (memory->high - GLINT_ALIGNED(memory->low) < 2 * tables_size(shading))
+        return;
+    uint32_t *words = glint_take(memory, tables_size(shading));
+    deviation->diffuse = words;
+    diffuse_ramp(shading, &r);
+    fill(&r, words, GLINT_DIFFUSE_ENTRIES);
+    words += GLINT_DIFFUSE_ENTRIES;
+    if (entries)
+        fill_specular(shading, words, entries);
+    deviation->specular = words;
+    uint16_t *pixels = (uint16_t *)(void *)(words + entries);
+    deviation->diffuse_pixel = pixels;
+    for (uint32_t i = 0; i < GLINT_DIFFUSE_ENTRIES; i++)
+        pixels[i] = (uint16_t)glint_spread_pack(deviation->diffuse[i]);
+}
+
+/* ---- What fits ---- */
+
+static uint32_t square_root(uint64_t x) {
+    uint64_t root = 0;
+    for (uint64_t bit = (uint64_t)1 << 31; bit; bit >>= 1)
+        if ((root | bit) * (root | bit) <= x)
+            root |= bit;
+    return (uint32_t)root;
+}
+
+/* Levels of 63 that a weight, Q12, makes; at least a little. */
+static uint32_t weight_in_levels(const uint32_t weight[3]) {
+    uint32_t largest = 1;
+    for (int c = 0; c < 3; c++)
+        largest = weight[c] * levels[c] > largest ? weight[c] * levels[c] : largest;
+    return largest;
+}
+
+static int32_t at_most(uint64_t value, int32_t most) {
+    return value < (uint64_t)most ? (int32_t)value : most;
+}
+
+/*
+ * Across h = extent / focal length the half vector bends by up to 0.06 h^2 from a straight line, and the highlight's
+ * steepest slope is 0.61 sqrt(p): h^2 = 1/4 / (0.037 sqrt(p) weight) costs a quarter of a level.
+ */
+static int32_t find_extent(const glint_frame *frame, const glint_shading *shading, uint32_t weight) {
+    uint64_t focal = (uint32_t)at_most((uint64_t)(uint32_t)frame->view->focal >> 9, 1 << 19); /* sixteenths */
+    uint64_t root = square_root((uint64_t)(uint32_t)shading->material->shininess);            /* Q8 */
+    return (int32_t)square_root((focal * focal * 7 << 20) / (weight * root + 1));
+}
+
+static void find_limits(const glint_frame *frame, glint_deviation *deviation, const glint_shading *shading) {
+    const uint32_t diffuse = weight_in_levels(shading->weights[0].diffuse);
+    const uint32_t specular = weight_in_levels(shading->weights[0].specular);
+    deviation->turn = at_most(((uint64_t)TURN_LIMIT << (26 + 12)) / diffuse, 1 << 26);
+    deviation->turn_specular = at_most(((uint64_t)TURN_LIMIT << (26 + 12)) / (diffuse + specular / 2), 1 << 26);
+    deviation->extent = deviation->local_viewer ? find_extent(frame, shading, specular) : INT32_MAX;
+    deviation->slant = (uint32_t)at_most(((uint64_t)deviation->cut << 12) / specular, 0xffff);
+}
+
+static void prepare_rays(glint_deviation *deviation, const glint_frame *frame) {
+    /* focal is twice the length in pixels, Q12: half of it in sixteenths is focal 2^-9 */
+    uint64_t scale = ((uint64_t)RAY_Z << (16 + 9)) / (uint32_t)frame->view->focal;
+    deviation->ray_scale = at_most(scale, INT32_MAX);
+    deviation->ray_limit = INT32_MAX / deviation->ray_scale;
+    deviation->center_x = frame->config.width * 8;
+    deviation->center_y = frame->config.height * 8;
+    deviation->local_viewer = frame->view->local_viewer;
+    for (int c = 0; c < 3; c++) {
+        deviation->light[c] = frame->view->lights[0].direction[c];
+        deviation->half_vector[c] = frame->view->lights[0].half_vector[c];
+    }
+}
+
+static void prepare_highlight(glint_deviation *deviation, const glint_shading *shading) {
+    const uint32_t entries = specular_entries(shading), cut = find_cut(shading);
+    deviation->sine_square_end = cut;
+    deviation->specular_end = entries << 15;
+    if (!cut)
+        return;
+    /* e is Q14; where its square is the cut, the plane's high half is the root of the table's end */
+    deviation->scale = (int32_t)square_root(((uint64_t)entries << 49) / cut);
+    deviation->cut = (int32_t)square_root(cut >> 2) + 4; /* more than rounding takes */
+    deviation->cut_diagonal = (deviation->cut * 23171 >> 14) + 1;
+    deviation->reach = at_most((uint64_t)(990 << 20) / (uint32_t)deviation->scale, INT16_MAX - 1);
+}
+
+static void prepare_ambient(glint_deviation *deviation, const glint_shading *shading) {
+    uint32_t level[3];
+    for (int c = 0; c < 3; c++)
+        level[c] = (shading->ambient[c] < 1u << 23 ? shading->ambient[c] : 1u << 23) * levels[c] + (1 << 22);
+    deviation->ambient = (uint16_t)glint_spread_pack(spread(level));
+}
+
+glint_status glint_deviation_prepare(glint_frame *frame) {
+    const glint_shading *end =
+        (const glint_shading *)(const void *)(frame->memory.base + GLINT_ALIGNED(frame->memory.low));
+    if (!frame->scene->object_count)
+        return GLINT_OK;
+    for (glint_shading *shading = (glint_shading *)frame->shading; shading < end; shading++) {
+        if (!serves_some(frame, shading))
+            continue;
+        glint_deviation *deviation = glint_take(&frame->memory, sizeof *deviation);
+        if (!deviation)
+            return GLINT_ERROR_ARENA;
+        *deviation = (glint_deviation){0};
+        shading->deviation = deviation;
+        prepare_rays(deviation, frame);
+        prepare_ambient(deviation, shading);
+        prepare_highlight(deviation, shading);
+        find_limits(frame, deviation, shading);
+        make_tables(&frame->memory, deviation, shading);
+    }
+    return GLINT_OK;
+}
+
+/* ---- Vertices ---- */
+
+/* UNIT 2^15 / (UNIT + z), z from 0 to UNIT; linear interpolation, off by at most 2. */
+static int32_t inverse_of_one_and(int32_t z) {
+    const uint16_t *node = &glint_inverse_table[z >> 9];
+    return node[0] - ((node[0] - node[1]) * (z & 511) >> 9);
+}
+
+/* H = (L + V) / |L + V| at a point of the screen. @return 0 when it lies too far out, or L + V is too short. */
+static int find_half_vector(const glint_deviation *deviation, const glint_vertex *vertex, int16_t half_vector[3]) {
+    int32_t x = deviation->center_x - vertex->x, y = vertex->y - deviation->center_y, z = RAY_Z;
+    const int32_t limit = deviation->ray_limit;
+    if (x > limit || x < -limit || y > limit || y < -limit)
+        return 0;
+    x = glint_shift_right(x * deviation->ray_scale, 16);
+    y = glint_shift_right(y * deviation->ray_scale, 16);
+    int32_t root = glint_inverse_root((uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z));
+    x = glint_shift_right(x * root + 0x4000, 15) + deviation->light[0];
+    y = glint_shift_right(y * root + 0x4000, 15) + deviation->light[1];
+    z = glint_shift_right(z * root + 0x4000, 15) + deviation->light[2];
+    if (z < 0)
+        return 0;
+    x = glint_shift_right(x, 1), y = glint_shift_right(y, 1), z = glint_shift_right(z, 1);
+    uint32_t c = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
+    if (c < 1u << 28)
+        return 0;
+    root = glint_inverse_root(c);
+    half_vector[0] = (int16_t)glint_shift_right(x * root + 0x4000, 15);
+    half_vector[1] = (int16_t)glint_shift_right(y * root + 0x4000, 15);
+    half_vector[2] = (int16_t)glint_shift_right(z * root + 0x4000, 15);
+    return 1;
+}
+
+/* N.L, N.H of unit vectors in steps of UNIT: products are short of 2^30 by a part in 2^12. */
+static int32_t cosine_of(const int16_t a[3], const int16_t b[3]) {
+    int32_t cosine = glint_dot(a, b);
+    return glint_shift_right(cosine + glint_shift_right(cosine, 13) + 0x4000, 15);
+}
+
+/* e, Q14. Where N.H < 0, |e| falls again: there it is stretched, so that the back of H stays outside the highlight. */
+static void find_deviation(const int16_t n[3], const int16_t h[3], int16_t e[2]) {
+    const int32_t cosine = cosine_of(n, h);
+    const int32_t k = glint_shift_right((cosine + n[2]) * inverse_of_one_and(h[2]), 16); /* Q14 */
+    for (int c = 0; c < 2; c++) {
+        int32_t v = glint_shift_right(n[c] * (1 << 14) - h[c] * k + 0x4000, 15);
+        if (cosine < 0)
+            v += glint_shift_right(v * -cosine, 14);
+        e[c] = (int16_t)v;
+    }
+    if (cosine < -GLINT_UNIT / 2)
+        e[0] = INT16_MAX;
+}
+
+static void light_vertex(const glint_deviation *deviation, const glint_vertex *vertex, int16_t lit[3]) {
+    int16_t found[3];
+    const int16_t *half_vector = deviation->half_vector;
+    int32_t cosine = cosine_of(vertex->attribute, deviation->light);
+    lit[0] = (int16_t)(cosine > GLINT_UNIT ? GLINT_UNIT : cosine);
+    lit[1] = 0;
+    lit[2] = 0;
+    if (!deviation->specular_end)
+        return;
+    if (deviation->local_viewer) {
+        half_vector = found;
+        if (!find_half_vector(deviation, vertex, found)) {
+            lit[0] = GLINT_DEVIATION_NONE;
+            return;
+        }
+    }
+    find_deviation(vertex->attribute, half_vector, lit + 1);
+}
+
+void glint_deviation_light(const glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t i) {
+    (void)frame;
+    (void)transform;
+    for (int corner = 0; corner < 3; corner++) {
+        const uint32_t index = draw->triangles[i][corner];
+        glint_vertex *vertex = &draw->vertices[index];
+        if (vertex->flags & (GLINT_VERTEX_CLIP | GLINT_VERTEX_LIT))
+            continue;
+        vertex->flags |= GLINT_VERTEX_LIT;
+        light_vertex(draw->shading->deviation, vertex, draw->terms[index]);
+    }
+}
+
+/* ---- Triangles ---- */
+
+/* Sum of the squares of the normals' differences, Q26: 9 less the square of their sum. */
+static int32_t turn_of(const glint_vertex *const v[3]) {
+    int32_t square = 0;
+    for (int c = 0; c < 3; c++) {
+        int32_t sum = glint_shift_right(v[0]->attribute[c] + v[1]->attribute[c] + v[2]->attribute[c], 2);
+        square += sum * sum;
+    }
+    return 9 * (GLINT_UNIT / 4 * (GLINT_UNIT / 4)) - square;
+}
+
+static int32_t least(int32_t a, int32_t b, int32_t c) {
+    int32_t m = a < b ? a : b;
+    return m < c ? m : c;
+}
+
+static int32_t most(int32_t a, int32_t b, int32_t c) {
+    int32_t m = a > b ? a : b;
+    return m > c ? m : c;
+}
+
+/* Are all three outside the same side of the highlight's octagon? */
+static int is_outside(const glint_deviation *deviation, const int16_t *const lit[3]) {
+    const int32_t cut = deviation->cut, diagonal = deviation->cut_diagonal;
+    const int32_t x0 = lit[0][1], x1 = lit[1][1], x2 = lit[2][1], y0 = lit[0][2], y1 = lit[1][2], y2 = lit[2][2];
+    return least(x0, x1, x2) >= cut || most(x0, x1, x2) <= -cut || least(y0, y1, y2) >= cut ||
+           most(y0, y1, y2) <= -cut || least(x0 + y0, x1 + y1, x2 + y2) >= diagonal ||
+           most(x0 + y0, x1 + y1, x2 + y2) <= -diagonal || least(x0 - y0, x1 - y1, x2 - y2) >= diagonal ||
+           most(x0 - y0, x1 - y1, x2 - y2) <= -diagonal;
+}
+
+/* Is the error of linear lighting small: `turn`, of the normal, Q26, and the change of 1/w across the triangle? */
+static int fits(int32_t limit, int32_t turn, uint32_t w_least, uint32_t w_change) {
+    if (turn > limit || w_change > w_least >> 2)
+        return 0;
+    return (w_change * w_change >> 2) <= (uint32_t)((limit - turn) >> 16) * (w_least * w_least >> 16);
+}
+
+/* Across the screen, as |dx| + |dy|. */
+static int32_t extent_of(const glint_vertex *const v[3]) {
+    return most(v[0]->x, v[1]->x, v[2]->x) - least(v[0]->x, v[1]->x, v[2]->x) + most(v[0]->y, v[1]->y, v[2]->y) -
+           least(v[0]->y, v[1]->y, v[2]->y);
+}
+
+static int fits_highlight(const glint_deviation *deviation, const int16_t *const lit[3], uint32_t w_least,
+                          uint32_t w_change) {
+    int32_t x_least = least(lit[0][1], lit[1][1], lit[2][1]), x_most = most(lit[0][1], lit[1][1], lit[2][1]);
+    int32_t y_least = least(lit[0][2], lit[1][2], lit[2][2]), y_most = most(lit[0][2], lit[1][2], lit[2][2]);
+    int32_t reach = deviation->reach;
+    if (x_least < -reach || y_least < -reach || x_most > reach || y_most > reach)
+        return 0;
+    return (uint32_t)(x_most - x_least + y_most - y_least) * w_change <= deviation->slant * w_least;
+}
+
+static void begin_highlight(const glint_deviation *deviation, const int16_t *const lit[3], const glint_gradients *g,
+                            int32_t longer, glint_deviation_planes *planes) {
+    const int32_t scale = deviation->scale + glint_shift_right(glint_shift_right(deviation->scale, 6) * longer, 9);
+    glint_plane_begin(&planes->x, g, lit[0][1] * scale, lit[1][1] * scale, lit[2][1] * scale);
+    glint_plane_begin(&planes->y, g, lit[0][2] * scale, lit[1][2] * scale, lit[2][2] * scale);
+}
+
+glint_deviation_kind glint_deviation_begin(const glint_draw *draw, const glint_triangle *triangle,
+                                           const glint_part *part, glint_deviation_planes *planes) {
+    const glint_deviation *deviation = draw->shading->deviation;
+    const glint_vertex *const *v = triangle->corners;
+    if (!(v[0]->flags & GLINT_VERTEX_LIT) || triangle->back) /* corners made by clipping are not lit */
+        return GLINT_DEVIATION_UNFIT;
+    const int16_t *const lit[3] = {draw->terms[v[0] - draw->vertices], draw->terms[v[1] - draw->vertices],
+                                   draw->terms[v[2] - draw->vertices]};
+    const int32_t darkest = least(lit[0][0], lit[1][0], lit[2][0]);
+    if (darkest == GLINT_DEVIATION_NONE)
+        return GLINT_DEVIATION_UNFIT;
+    if (most(lit[0][0], lit[1][0], lit[2][0]) <= UNLIT)
+        return GLINT_DEVIATION_AMBIENT;
+    const int32_t turn = turn_of(v);
+    const int32_t w0 = glint_shift_right(v[0]->inverse_w, 15), w1 = glint_shift_right(v[1]->inverse_w, 15);
+    const int32_t w2 = glint_shift_right(v[2]->inverse_w, 15);
+    const uint32_t w_least = (uint32_t)least(w0, w1, w2), w_change = (uint32_t)most(w0, w1, w2) - w_least + 1;
+    const int shows = deviation->specular_end && !is_outside(deviation, lit);
+    if (!fits(shows ? deviation->turn_specular : deviation->turn, turn, w_least, w_change) ||
+        (shows &&
+         (darkest < LIT || extent_of(v) > deviation->extent || !fits_highlight(deviation, lit, w_least, w_change))))
+        return GLINT_DEVIATION_UNFIT;
+    /* Longer by half of what chords fall short: 1 + turn / 32. */
+    const int32_t longer = turn > 0 ? glint_shift_right(turn, 16) : 0; /* of 2^15 */
+    const int32_t length = (1 << 15) + longer;
+    glint_plane_begin(&planes->cosine, &part->gradients, lit[0][0] * length, lit[1][0] * length, lit[2][0] * length);
+    if (!shows)
+        return darkest < LIT ? GLINT_DEVIATION_GATED : GLINT_DEVIATION_DIFFUSE;
+    begin_highlight(deviation, lit, &part->gradients, longer, planes);
+    return GLINT_DEVIATION_SPECULAR;
+}

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file deviation.h
+ * Fast lighting of fragments under one directional light: at each vertex N.L and the deviation of its normal from its
+ * half vector, which are linear over a small triangle; tables of colour over both; and what makes triangles fit.
+ */
+#ifndef GLINT_DEVIATION_H
+#define GLINT_DEVIATION_H
+
+#include "frame.h"
+
+/** Entries of a diffuse table: 256 for N.L from 0 to 1, the rest for what lengthened normals reach above it. */
+#define GLINT_DIFFUSE_ENTRIES 272
+
+/** N.L of a vertex that cannot be lit this way. */
+#define GLINT_DEVIATION_NONE INT16_MIN
+
+/**
+ * A colour as one word, "spread": blue in bits 0 to 8, red in 10 to 19, green in 21 to 30. Of these the lowest 4, 5 and
+ * 4 are fractions of a level. The bit above each channel is clear, so that two words can be added.
+ */
+#define GLINT_SPREAD_GUARD 0x80100200u
+#define GLINT_SPREAD_LEVELS 0x7e0f81f0u
+
+typedef struct glint_deviation {
+    /* Tables, null where the arena had no room: then each word is computed when it is needed, the same to the bit. */
+    const uint32_t *diffuse;       /* ambient and diffuse light over N.L, spread, half a level included */
+    const uint16_t *diffuse_pixel; /* the same, packed */
+    const uint32_t *specular;      /* over the squared deviation, spread */
+    uint32_t specular_end;         /* squared deviation where it ends; 0 where no highlight ever shows */
+    uint32_t sine_square_end;      /* the same as sin^2, Q30 */
+    int32_t scale;                 /* from the deviation of a vertex to that of a plane */
+    int32_t cut, cut_diagonal;     /* outside an octagon of this radius no highlight shows */
+    int32_t reach;                 /* deviation that a plane can hold */
+    int32_t turn, turn_specular;   /* limits that keep the error small: fits() in deviation.c */
+    uint32_t slant;
+    int32_t extent;               /* on the screen, 28.4 */
+    int32_t ray_scale, ray_limit; /* from 28.4 to a ray with z = 2^14, Q16 */
+    int32_t center_x, center_y;   /* of the screen, 28.4 */
+    int16_t light[3], half_vector[3];
+    uint16_t ambient; /* packed */
+    uint8_t local_viewer;
+} glint_deviation;
+
+/** How a triangle is drawn. */
+typedef enum glint_deviation_kind {
+    GLINT_DEVIATION_UNFIT,   /* not by these kernels */
+    GLINT_DEVIATION_AMBIENT, /* faces away from the light all over */
+    GLINT_DEVIATION_DIFFUSE, /* lit all over, without highlight */
+    GLINT_DEVIATION_GATED,   /* without highlight, and N.L may be below 0 */
+    GLINT_DEVIATION_SPECULAR /* lit all over */
+} glint_deviation_kind;
+
+/** Planes of a triangle. */
+typedef struct glint_deviation_planes {
+    glint_plane cosine; /* N.L, Q30 */
+    glint_plane x, y;   /* deviation, so that the sum of the squares of their high halves is 2^15 a table's entry */
+} glint_deviation_planes;
+
+/** A word packed into 16 bits: 5 red, 6 green, 5 blue. */
+static inline uint32_t glint_spread_pack(uint32_t word) {
+    word &= GLINT_SPREAD_LEVELS;
+    return (word >> 4 | word >> 20) & 0xffff;
+}
+
+/** A sum of two words, each channel clamped: a guard bit that is set sets the nine below. */
+static inline uint32_t glint_spread_clamp(uint32_t word) {
+    uint32_t over = word & GLINT_SPREAD_GUARD;
+    return word | (over - (over >> 9));
+}
+
+/** Can an object be lit this way? */
+int glint_deviation_serves(const glint_frame *frame, const glint_object *object);
+
+/** Bytes that a material takes, and its tables. */
+void glint_deviation_need(const glint_frame *frame, const glint_shading *shading, size_t *least, size_t *tables);
+
+/** Prepares the materials of a frame; they are what the arena holds last. */
+glint_status glint_deviation_prepare(glint_frame *frame);
+
+/** A pixel, packed, as the tables make it: N.L in Q30, and the squared deviation. */
+uint32_t glint_deviation_pixel(const glint_shading *shading, int32_t cosine, uint32_t square);
+
+/** Lights the vertices of a triangle, unless they are. */
+glint_light_triangle glint_deviation_light;
+
+/** How to draw a triangle, and the planes that it takes. */
+glint_deviation_kind glint_deviation_begin(const glint_draw *draw, const glint_triangle *triangle,
+                                           const glint_part *part, glint_deviation_planes *planes);
+
+#endif
