@@ -230,12 +230,12 @@ static int32_t at_most(uint64_t value, int32_t most) {
 
 /*
  * Across h = extent / focal length the half vector bends by up to 0.06 h^2 from a straight line, and the highlight's
- * steepest slope is 0.61 sqrt(p): h^2 = 1/4 / (0.037 sqrt(p) weight) costs a quarter of a level.
+ * steepest slope is 0.61 sqrt(p): h^2 = 0.6 / (0.037 sqrt(p) weight) costs 0.6 of a level at the worst place.
  */
 static int32_t find_extent(const glint_frame *frame, const glint_shading *shading, uint32_t weight) {
     uint64_t focal = (uint32_t)at_most((uint64_t)(uint32_t)frame->view->focal >> 9, 1 << 19); /* sixteenths */
     uint64_t root = square_root((uint64_t)(uint32_t)shading->material->shininess);            /* Q8 */
-    return (int32_t)square_root((focal * focal * 7 << 20) / (weight * root + 1));
+    return (int32_t)square_root((focal * focal * 16 << 20) / (weight * root + 1));
 }
 
 static void find_limits(const glint_frame *frame, glint_deviation *deviation, const glint_shading *shading) {
