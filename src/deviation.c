@@ -20,7 +20,7 @@
 #define LIT 300
 
 /* N.L at which rounding cannot light what faces away. */
-#define UNLIT -16
+#define UNLIT (-16)
 
 /* Steps of error that turn and slant may make each: 12/32 and 1/2 (find_limits). */
 #define TURN_LIMIT 12

@@ -328,7 +328,7 @@ int64_t glint_transform_nearest(const glint_transform *transform, const glint_vi
 
 /** Transforms vertices of a mesh from `first` on, all but their normals; positions may be null. */
 void glint_transform_vertices(const glint_transform *transform, const glint_mesh *mesh, uint32_t first, uint32_t count,
-                              glint_vertex *vertices, glint_position *positions);
+                              glint_vertex *vertex, glint_position *position);
 
 /** Brings a vertex's normal to camera space. */
 void glint_transform_normal(const glint_draw *draw, glint_vertex *vertex);

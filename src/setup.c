@@ -16,10 +16,18 @@ static int32_t to_30_bits(int32_t side, int32_t reciprocal, int32_t size) {
     return (int32_t)glint_shift_right64((int64_t)glint_shift_left(side, 16 - (unsigned)size) * reciprocal, 17);
 }
 
+/* Bits of the largest difference in 1/w from the first corner. */
+static uint32_t depth_bits(const glint_triangle *t) {
+    const int32_t first = t->corners[0]->inverse_w;
+    return glint_magnitude_bits(t->corners[1]->inverse_w - first) |
+           glint_magnitude_bits(t->corners[2]->inverse_w - first);
+}
+
 /*
- * Narrow: 1/area of 16 bits, gradients rounded to 15 bits. A plane's value at a pixel of the triangle is then off by at
- * most 2^-12 of the corners' difference, 2^-8 where the triangle is slender, and a step for each pixel from the anchor.
- * Wide, it is off by at most 2^-7 of the difference, or of 2^26 where that is less: a needle 2000 pixels long.
+ * Narrow, where that keeps depth to about a step: 1/area of 16 bits, gradients rounded to 15 bits. A plane's value
+ * at a pixel of the triangle is then off by at most 2^-12 of the corners' difference, 2^-8 where the triangle is
+ * slender, and a step for each pixel from the anchor. Wide, it is off by at most 2^-7 of the difference, or of 2^26
+ * where that is less: a needle 2000 pixels long.
  */
 static void gradients_begin(glint_gradients *g, const glint_place places[3], const glint_triangle *t) {
     int32_t x1 = places[0].y - places[2].y, y1 = places[2].x - places[0].x;
@@ -35,7 +43,8 @@ static void gradients_begin(glint_gradients *g, const glint_place places[3], con
     g->to_center_y = 8 - ((places[0].y + 8) & 15);
     g->size = size;
     g->shift = 42 - zeros - size;
-    g->wide = size > NARROW_SIZE || 2 * size - area_bits > NARROW_SLENDER;
+    const int32_t slender = 2 * size - area_bits;
+    g->wide = size > NARROW_SIZE || slender > NARROW_SLENDER || depth_bits(t) >> (29 - slender);
     if (g->wide) {
         /* 1 / area is this times 2^(zeros - 62) */
         const int32_t reciprocal = (int32_t)(glint_reciprocal(area << zeros) >> 1);

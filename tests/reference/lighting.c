@@ -136,9 +136,12 @@ static void add_light(const glint_light *light, const glint_material *material, 
     product(&light->specular, &material->specular, specular);
     if (gated)
         result->grazing = fmin(result->grazing, fabs(n_dot_l));
-    if (has_highlight && (n_dot_l > 0 || !gated))
-        shine = pow(fmax(specular_cosine(material, surface->normal, towards, view), 0),
-                    reference_real(material->shininess));
+    if (has_highlight && (n_dot_l > 0 || !gated)) {
+        const double cosine = specular_cosine(material, surface->normal, towards, view);
+        shine = pow(fmax(cosine, 0), reference_real(material->shininess));
+        if (material->shininess > 0 && material->shininess < GLINT_ONE) /* R turns twice as fast as N */
+            result->grazing = fmin(result->grazing, fabs(cosine) / 2);
+    }
     for (int channel = 0; channel < 3; channel++)
         result->colour[channel] +=
             strength * (diffuse[channel] * surface->colour[channel] * fmax(n_dot_l, 0) + specular[channel] * shine);

@@ -24,9 +24,9 @@ typedef struct reference_surface {
 /** What was found at a point. */
 typedef struct reference_light {
     double colour[3]; /**< Clamped to 0..1. */
-    double grazing;   /**< Distance to the nearest jump: the smallest |N.L| where a highlight is gated, the distance of
-                           the cosine from that of a cone without soft edge, 0 where a light touches the point; 1 when
-                           there is none. */
+    double grazing;   /**< Distance to the nearest jump: the smallest |N.L| where a highlight is gated, half the
+                         highlight's cosine where p < 1, the distance of the cosine from that of a cone without soft edge,
+                         0 where a light touches the point; 1 when there is none. */
 } reference_light;
 
 void reference_prepare_lights(reference_lights *lights, const glint_scene *scene);

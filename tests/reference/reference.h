@@ -33,8 +33,9 @@ typedef struct reference_pixel {
     double colour[3]; /**< Clamped to 0..1, not rounded. */
     double nearest;   /**< 1/w of the surface seen, 0 for background. */
     double second;    /**< 1/w of the next surface behind it, 0 when there is none. */
-    double grazing;   /**< How near a jump of the colour is: the smallest |N.L| where a highlight is gated, the distance
-                           of a cosine from that of a cone without soft edge, 0 where a light touches; 1 without any. */
+    double grazing;   /**< How near a jump of the colour is: the smallest |N.L| where a highlight is gated, half the
+                         highlight's cosine where p < 1, the distance of a cosine from that of a cone without soft edge, 0
+                         where a light touches; 1 without any. */
     int covered;      /**< Whether any surface is seen. */
     int uncertain;    /**< Within 1.5/16 of a pixel of an edge that was rounded here, which another may round apart. */
 } reference_pixel;

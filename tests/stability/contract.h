@@ -8,8 +8,9 @@
  * Left out are pixels where the last bit of an input decides, by rules that do not look at the outcome:
  * - close: two surfaces less than 2 depth steps apart (judge.h);
  * - uncertain: beside an edge that library and reference each clip and round (judge.h);
- * - gated: a cosine within 4.6 / 2^15 of a light's horizon, where a highlight's gate jumps, or of a cone without soft
- *   edge: each of the two unit vectors is off by up to 2.3 / 2^15;
+ * - gated: a cosine within 4.6 / 2^15 of a light's horizon, where a highlight's gate jumps, of a cone without soft
+ * edge, or of 0 where it is raised to less than 1, from where it rises without bound: each of the two unit vectors is
+ * off by up to 2.3 / 2^15;
  * - short: a sum of unit vectors nearly cancels. An interpolated normal, or L + V of a light with Blinn's highlight, is
  *   shorter than a quarter, so that its direction is known to fewer than 13 bits.
  * - narrow: within the soft edge of a spot whose inner and outer cosines are less than 1/64 apart. The cosine of two
