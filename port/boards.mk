@@ -125,8 +125,9 @@ comma := ,
 # $(call cross,board): prefix of the compiler's commands
 cross = $(or $($1_CROSS),$(CROSS))
 
-# Levels of optimisation: O0, Os and O2 are the compiler's; `release` is for size, so that a small flash suffices.
-optimise = -$(if $(filter release,$1),Os,$1)
+# Levels of optimisation: O0, Os and O2 are the compiler's; `release` is for size, so that a small flash suffices: what a
+# loop needs again is computed again.
+optimise = $(if $(filter release,$1),-Os -fno-move-loop-invariants,-$1)
 
 # $(call firmware_objects,board,level): objects and library of one board
 define firmware_objects
