@@ -76,6 +76,7 @@ class Lm3s6965evb:
                 if line == "reset 0 done":
                     machine.command("system_reset")
                     prefix = "reset-"
+                    continue  # a newline now would be read after the reset, and let the next picture go
                 elif line.endswith(" done"):
                     machine.screendump(dump)
                     with open(os.path.join(directory, prefix + line[:-len(" done")].replace(" ", "-") + ".ppm"), "wb") as file:
