@@ -64,8 +64,9 @@ void glint_transform_normal(const glint_draw *draw, glint_vertex *vertex) {
     int32_t x = glint_row_times(&matrix[0], n[0], n[1], n[2], half);
     int32_t y = glint_row_times(&matrix[1], n[0], n[1], n[2], half);
     int32_t z = glint_row_times(&matrix[2], n[0], n[1], n[2], half);
-    int32_t a = glint_shift_right(x, 14), b = glint_shift_right(y, 14), c = glint_shift_right(z, 14);
-    uint32_t square = (uint32_t)(a * a) + (uint32_t)(b * b) + (uint32_t)(c * c); /* below 9 2^28 */
+    const uint32_t a = (uint32_t)glint_shift_right(x, 14), b = (uint32_t)glint_shift_right(y, 14),
+                   c = (uint32_t)glint_shift_right(z, 14);
+    uint32_t square = a * a + b * b + c * c; /* at most 9 2^28, which a single component may have */
     vertex->flags |= GLINT_VERTEX_NORMAL;
     if (square - LEAST_SQUARE > SQUARES) {
         glint_unit(x - half, y - half, z - half, vertex->attribute);

@@ -58,13 +58,13 @@ static uint32_t attenuate(const glint_prepared_light *light, uint32_t inverse_w,
     return result > 1u << 15 ? 1u << 15 : result;
 }
 
-/* Is the light so near, next to the eye, that rounding alone tells where? */
+/* Is the light here, or so near, next to the eye, that rounding alone tells where? */
 static int is_at_light(const int64_t towards[3], const int32_t ray[3]) {
     unsigned distance =
         glint_bits64(glint_magnitude64(towards[0]) | glint_magnitude64(towards[1]) | glint_magnitude64(towards[2]));
     unsigned to_eye = 32 - glint_leading_zeros(glint_magnitude_bits(ray[0]) | glint_magnitude_bits(ray[1]) |
                                                glint_magnitude_bits(ray[2]));
-    return distance + 15 <= to_eye;
+    return distance == 0 || distance + 15 <= to_eye; /* short rays are those of small screens */
 }
 
 /* From fragment i towards the light, its length in the ray's units times 2^scale. @return scale. */

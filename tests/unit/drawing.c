@@ -228,6 +228,47 @@ void light_at_no_distance_adds_nothing(void) {
     }
 }
 
+/* The screen's one pixel sees 170 degrees: its ray is too short to tell how near the light is. */
+void light_at_the_only_pixel_is_left_out(void) {
+    fixture *f = begin_square();
+    f->config.width = f->config.height = 1;
+    f->scene.camera.field_of_view = 170 * GLINT_ONE;
+    f->objects[0].pose.m[2][3] = -3 * GLINT_ONE;
+    f->lights[0].type = &glint_light_point;
+    f->lights[0].vector.x = f->lights[0].vector.y = 0;
+    f->lights[0].vector.z = -3 * GLINT_ONE;
+    f->materials[0].ambient.r = GLINT_ONE / 5;
+    f->materials[0].specular.r = GLINT_ONE;
+    f->materials[0].shininess = 0;
+    f->materials[0].flags = GLINT_MATERIAL_UNGATED;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_EQUAL(fixture_row(f, 0)[0], 51);
+}
+
+/* Normals of length sqrt(3), all of which a squashed object turns into one component: the largest there is. */
+void longest_normals_are_made_unit(void) {
+    static const int16_t normals[4][3] = {
+        {32767, 32767, 32767}, {32767, 32767, 32767}, {32767, 32767, 32767}, {32767, 32767, 32767}};
+    static const glint_q16 squash[3][3] = {{9, 9, 9}, {46341, -46341, 0}, {26755, 26755, -53510}};
+    static const int wanted[3] = {255, 0, 0};
+    fixture *f = begin_square();
+    f->floor.normals = normals;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            f->objects[0].pose.m[i][j] = squash[i][j];
+    f->scene.camera.pose = glint_pose_rotate_y(90 * GLINT_ONE);
+    f->objects[0].pose.m[0][3] = -10 * GLINT_ONE;
+    f->objects[0].pose.m[2][3] = 0;
+    f->lights[0].vector.x = GLINT_ONE;
+    f->lights[0].vector.y = f->lights[0].vector.z = 0;
+    f->scene.ambient.r = f->scene.ambient.g = f->scene.ambient.b = 0;
+    f->materials[0].diffuse.r = GLINT_ONE;
+    f->materials[0].diffuse.g = f->materials[0].diffuse.b = 0;
+    f->materials[0].specular.r = f->materials[0].specular.g = f->materials[0].specular.b = 0;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_AT_MOST(worst_difference(f, wanted), 1);
+}
+
 /* In either order, and the first of two at the same depth. */
 void nearer_object_hides_the_farther(void) {
     for (int order = 0; order < 4; order++) {

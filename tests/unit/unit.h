@@ -26,6 +26,8 @@
     CASE(nearer_object_hides_the_farther)     \
     CASE(light_on_a_facing_square)            \
     CASE(light_at_no_distance_adds_nothing)   \
+    CASE(light_at_the_only_pixel_is_left_out) \
+    CASE(longest_normals_are_made_unit)       \
     CASE(bad_lamps_are_refused)               \
     CASE(generators_fill_their_room)          \
     CASE(generators_face_outwards)            \
