@@ -134,9 +134,10 @@ static GLINT_NOINLINE int bin_seen(glint_frame *frame, glint_draw *draw, const u
         if (all && (v[0]->flags | v[1]->flags | v[2]->flags) & GLINT_VERTEX_CLIP) {
             if (!has_room_for_clipped(frame) || !list_clipped(frame, draw, seen[i]))
                 return i;
-        } else if ((all && !glint_faces(draw->mirrored, draw->double_sided, v)) ||
-                   !glint_find_tiles(frame, v, &range)) {
-            frame->stats.culled++;
+        } else if (all && !glint_faces(draw->mirrored, draw->double_sided, v)) {
+            frame->stats.facing_away++;
+        } else if (!glint_find_tiles(frame, v, &range)) {
+            frame->stats.outside++;
         } else {
             if (!(v[0]->flags & v[1]->flags & v[2]->flags & ready))
                 light_once(frame, draw, seen[i]);
@@ -159,7 +160,7 @@ static int bin_draw(glint_frame *frame, glint_draw *draw) {
         int binned = bin_seen(frame, draw, seen, count);
         uint32_t end = binned < count ? seen[binned] : next;
         frame->stats.triangles += end - from;
-        frame->stats.culled += end - from - (uint32_t)binned;
+        frame->stats.facing_away += end - from - (uint32_t)binned;
         frame->triangle = draw->first_triangle + end;
         if (binned < count)
             return 0;

@@ -3,7 +3,7 @@
 #include "frame.h"
 
 static int is_tile_size(uint16_t size) {
-    return size == 8 || size == 16 || size == 32 || size == 64;
+    return size >= 8 && size <= GLINT_TILE_MAX && (size & (size - 1)) == 0;
 }
 
 glint_status glint_check_config(glint_config *config) {

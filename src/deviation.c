@@ -450,6 +450,13 @@ static void begin_highlight(const glint_deviation *deviation, const int16_t *con
     glint_plane_begin(&planes->y, g, lit[0][2] * scale, lit[1][2] * scale, lit[2][2] * scale);
 }
 
+uint32_t glint_deviation_covered(const glint_part *part) {
+    uint32_t covered = 0;
+    for (uint32_t row = part->top; row < part->bottom; row++)
+        covered += (uint32_t)part->spans[row].right - part->spans[row].left;
+    return covered;
+}
+
 glint_deviation_kind glint_deviation_begin(const glint_draw *draw, const glint_triangle *triangle,
                                            const glint_part *part, glint_deviation_planes *planes) {
     const glint_deviation *deviation = draw->shading->deviation;

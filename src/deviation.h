@@ -44,11 +44,11 @@ typedef struct glint_deviation {
 
 /** How a triangle is drawn. */
 typedef enum glint_deviation_kind {
-    GLINT_DEVIATION_UNFIT,   /* not by these kernels */
-    GLINT_DEVIATION_AMBIENT, /* faces away from the light all over */
-    GLINT_DEVIATION_DIFFUSE, /* lit all over, without highlight */
-    GLINT_DEVIATION_GATED,   /* without highlight, and N.L may be below 0 */
-    GLINT_DEVIATION_SPECULAR /* lit all over */
+    GLINT_DEVIATION_UNFIT,                            /* not by these kernels */
+    GLINT_DEVIATION_AMBIENT = GLINT_KERNEL_AMBIENT,   /* faces away from the light all over */
+    GLINT_DEVIATION_DIFFUSE = GLINT_KERNEL_DIFFUSE,   /* lit all over, without highlight */
+    GLINT_DEVIATION_GATED = GLINT_KERNEL_GATED,       /* without highlight, and N.L may be below 0 */
+    GLINT_DEVIATION_SPECULAR = GLINT_KERNEL_SPECULAR, /* lit all over */
 } glint_deviation_kind;
 
 /** Planes of a triangle. */
@@ -83,6 +83,9 @@ uint32_t glint_deviation_pixel(const glint_shading *shading, int32_t cosine, uin
 
 /** Lights the vertices of a triangle, unless they are. */
 glint_light_triangle glint_deviation_light;
+
+/** Pixels of a part's spans. */
+uint32_t glint_deviation_covered(const glint_part *part);
 
 /** How to draw a triangle, and the planes that it takes. */
 glint_deviation_kind glint_deviation_begin(const glint_draw *draw, const glint_triangle *triangle,

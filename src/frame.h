@@ -316,6 +316,9 @@ void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t we
 /** Brings a world direction to camera space, unit. @return 0 when it has length 0. */
 int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_t out[3]);
 
+/** x / 2^shift, rounded to nearest, halves up; shift from -62 to 62, |x| and the result below 2^62. */
+int64_t glint_shift_round64(int64_t x, int shift);
+
 /** Scales a vector of 64 bits to one of 30, its direction kept. @return n: it is 2^n times the result. */
 unsigned glint_reduce(const int64_t in[3], int32_t out[3]);
 
@@ -455,6 +458,14 @@ void glint_raster(const glint_frame *frame, glint_workspace *workspace, const gl
 
 /** Is all that a tile shows background, now that this pass is prepared? */
 int glint_tile_is_empty(const glint_frame *frame, uint32_t tile);
+
+/** Adds a part that covers so many pixels to what a kernel drew, where that is counted. */
+static inline void glint_count(const glint_workspace *workspace, glint_kernel_name kernel, uint32_t covered) {
+    if (!workspace->drawn)
+        return;
+    workspace->drawn[kernel].parts++;
+    workspace->drawn[kernel].covered += covered;
+}
 
 /** The kernel for everything: gathers the fragments that pass the depth test, and shades a few at once. */
 glint_kernel glint_draw_any;

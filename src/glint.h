@@ -362,18 +362,38 @@ typedef struct glint_config {
     size_t arena_size; /**< Bytes; see `glint_arena_need`. */
     /** Output tables for red, green and blue, or null: what a panel needs to show 0, 1/256 .. 1; Q16, 65535 is 1. */
     const uint16_t (*gamma)[GLINT_GAMMA_ENTRIES];
+    uint8_t counts_drawn; /**< Not 0: glint_stats.drawn is counted, for one instruction in a hundred. */
 } glint_config;
+
+/** Kernels: loops that draw the spans of a triangle. */
+typedef enum glint_kernel_name {
+    GLINT_KERNEL_GENERAL,  /**< For everything. */
+    GLINT_KERNEL_AMBIENT,  /**< One colour: the triangle faces away from the light. */
+    GLINT_KERNEL_DIFFUSE,  /**< Lit all over, without specular light. */
+    GLINT_KERNEL_GATED,    /**< Lit in part, without specular light. */
+    GLINT_KERNEL_SPECULAR, /**< Lit all over, with specular light. */
+    GLINT_KERNELS
+} glint_kernel_name;
+
+/** What a kernel drew. */
+typedef struct glint_drawn {
+    uint32_t parts;   /**< Parts of triangles: a triangle has one in each tile that it may touch. */
+    uint32_t covered; /**< Pixels of their spans, before the depth test. */
+} glint_drawn;
 
 /** What a frame took; counts since the frame began. */
 typedef struct glint_stats {
-    uint32_t passes;     /**< Times the scene was gone through. */
-    uint32_t tiles;      /**< Tiles drawn and sent. */
-    uint32_t vertices;   /**< Vertices transformed. */
-    uint32_t triangles;  /**< Triangles looked at. */
-    uint32_t culled;     /**< Of these, dropped: facing away, outside, or covering no pixel centre. */
-    uint32_t clipped;    /**< Of these, cut at the near plane or the guard band. */
-    uint32_t references; /**< Triangle references put into tiles. */
-    uint32_t arena_used; /**< Most bytes of the arena in use. */
+    uint32_t passes;                  /**< Times the scene was gone through. */
+    uint32_t tiles;                   /**< Tiles drawn and sent. */
+    uint32_t vertices;                /**< Vertices transformed. */
+    uint32_t triangles;               /**< Triangles looked at. */
+    uint32_t facing_away;             /**< Of these, dropped: facing away, or without area. */
+    uint32_t outside;                 /**< Of these, dropped: outside the screen, or between pixel centres. */
+    uint32_t clipped;                 /**< Of these, cut at the near plane or the guard band. */
+    uint32_t hidden;                  /**< Objects dropped whole: outside the screen. */
+    uint32_t references;              /**< Triangle references put into tiles. */
+    uint32_t arena_used;              /**< Most bytes of the arena in use. */
+    glint_drawn drawn[GLINT_KERNELS]; /**< Where the configuration asks for it, else 0. */
 } glint_stats;
 
 /** Bytes of arena for a scene. */
@@ -420,6 +440,7 @@ typedef struct glint_workspace {
     size_t stride; /**< Bytes from row to row. */
     uint16_t *depth;
     struct glint_fragments *fragments;
+    glint_drawn *drawn; /**< Null, or GLINT_KERNELS counters of the caller's, added to. */
 } glint_workspace;
 
 typedef struct glint_renderer {

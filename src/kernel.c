@@ -73,12 +73,15 @@ void glint_draw_any(const glint_frame *frame, glint_workspace *workspace, const 
                     const glint_triangle *triangle, const glint_part *part) {
     glint_attributes attributes;
     begin(&attributes, workspace->fragments, draw, triangle, part);
+    uint32_t covered = 0;
     for (uint32_t row = part->top; row < part->bottom; row++) {
         const glint_span span = part->spans[row];
         const uint32_t first = row << frame->tile_shift_x;
+        covered += (uint32_t)span.right - span.left;
         gather(frame, workspace, draw, first + span.left, first + span.right,
                glint_plane_at(&part->depth, part->x + span.left, part->y + (int32_t)row), part->depth.dx);
     }
     if (workspace->fragments->count)
         glint_shade(frame, workspace, draw);
+    glint_count(workspace, GLINT_KERNEL_GENERAL, covered);
 }

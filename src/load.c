@@ -232,8 +232,10 @@ glint_status glint_load(glint_frame *frame) {
     for (; frame->object < frame->scene->object_count; frame->object++, frame->triangle = 0) {
         glint_transform transform;
         glint_transform_prepare(&transform, frame->view, &frame->config, &frame->scene->objects[frame->object]);
-        if (!transform.visible)
+        if (!transform.visible) {
+            frame->stats.hidden++;
             continue;
+        }
         if (load_whole(frame, last, &transform)) {
             last = last ? last->next : frame->draws;
             continue;

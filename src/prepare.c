@@ -170,13 +170,13 @@ glint_status glint_prepare_view(glint_view *view, const glint_config *config, co
 }
 
 /* Products of two colours with `bits` fractional bits. @return 0 when one passes GLINT_COLOUR_MAX. */
-static int weigh_colour(const glint_colour *a, const glint_colour *b, unsigned bits, uint32_t weight[3]) {
+static int weigh_colour(const glint_colour *a, const glint_colour *b, int bits, uint32_t weight[3]) {
     const glint_q16 left[3] = {a->r, a->g, a->b}, right[3] = {b->r, b->g, b->b};
     for (int c = 0; c < 3; c++) {
-        uint64_t product = (uint64_t)left[c] * (uint64_t)right[c];
-        if (product > (uint64_t)GLINT_COLOUR_MAX << 16)
+        int64_t product = (int64_t)left[c] * right[c];
+        if (product > (int64_t)GLINT_COLOUR_MAX << 16)
             return 0;
-        weight[c] = (uint32_t)((product + ((uint64_t)1 << (31 - bits))) >> (32 - bits));
+        weight[c] = (uint32_t)glint_shift_round64(product, 32 - bits);
     }
     return 1;
 }

@@ -84,11 +84,12 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
         return status;
     uint8_t *first = workspace.pixels;
     uint8_t *second = config.flush.wait ? first + workspace.stride * config.tile_height : first;
+    workspace.drawn = config.counts_drawn ? frame.stats.drawn : 0;
     sender s = {&config.flush, {first, second}, 0, 0};
     status = render_passes(&frame, &workspace, &s);
     if (wait(&s) && status == GLINT_OK)
         status = GLINT_ERROR_FLUSH;
+    frame.stats.arena_used += (uint32_t)(buffers + GLINT_ALIGNMENT - 1);
     renderer->stats = frame.stats;
-    renderer->stats.arena_used += (uint32_t)(buffers + GLINT_ALIGNMENT - 1);
     return status;
 }

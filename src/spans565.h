@@ -153,9 +153,13 @@ static inline void glint_draw_565(const glint_frame *frame, glint_workspace *wor
     const glint_spans spans = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
     glint_deviation_planes planes;
     const glint_deviation_kind kind = glint_deviation_begin(draw, triangle, part, &planes);
-    if (kind == GLINT_DEVIATION_UNFIT)
+    if (kind == GLINT_DEVIATION_UNFIT) {
         glint_draw_any(frame, workspace, draw, triangle, part);
-    else if (kind == GLINT_DEVIATION_AMBIENT)
+        return;
+    }
+    if (workspace->drawn)
+        glint_count(workspace, (glint_kernel_name)kind, glint_deviation_covered(part));
+    if (kind == GLINT_DEVIATION_AMBIENT)
         glint_draw_constant(&spans, deviation->ambient, high_first);
     else if (!deviation->diffuse)
         glint_draw_without_tables(&spans, draw->shading, &planes, kind, high_first);

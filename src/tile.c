@@ -16,14 +16,18 @@ static uint32_t tile_pixels(const glint_config *config) {
     return (uint32_t)config->tile_width * config->tile_height;
 }
 
+static uint32_t or_default(uint32_t size) {
+    return size ? size : GLINT_TILE_DEFAULT;
+}
+
 void glint_workspace_init(glint_workspace *workspace, const glint_config *config, void *memory) {
-    glint_config full = *config;
+    const uint32_t width = or_default(config->tile_width), height = or_default(config->tile_height);
     uint8_t *bytes = memory;
-    glint_check_config(&full);
     workspace->fragments = memory;
     workspace->depth = (uint16_t *)(void *)(bytes + sizeof(glint_fragments));
-    workspace->pixels = workspace->depth + tile_pixels(&full);
-    workspace->stride = glint_row_bytes(full.format, full.tile_width);
+    workspace->pixels = workspace->depth + width * height;
+    workspace->stride = glint_row_bytes(config->format, width);
+    workspace->drawn = 0;
 }
 
 static void clear(const glint_frame *frame, glint_workspace *workspace) {

@@ -7,8 +7,7 @@
 /* Coordinates are rounded to a step or two: this keeps w above 0. */
 #define SMALLEST_W 16
 
-/* x / 2^shift, rounded to nearest. */
-static int64_t scale(int64_t x, int shift) {
+int64_t glint_shift_round64(int64_t x, int shift) {
     return shift > 0 ? glint_round_shift64(x, (unsigned)shift) : x * ((int64_t)1 << -shift);
 }
 
@@ -21,8 +20,8 @@ static int place_in_world(const glint_view *view, const glint_object *object, in
     for (int i = 0; i < 3; i++) {
         world[i][3] = ((int64_t)object->pose.m[i][3] - view->eye[i]) * (1 << 12);
         for (int j = 0; j < 3; j++) {
-            world[i][j] = scale((int64_t)object->pose.m[i][j] * extent[j], 4);
-            world[i][3] += scale((int64_t)object->pose.m[i][j] * offset[j], 4);
+            world[i][j] = glint_shift_round64((int64_t)object->pose.m[i][j] * extent[j], 4);
+            world[i][3] += glint_shift_round64((int64_t)object->pose.m[i][j] * offset[j], 4);
             bits |= glint_magnitude64(world[i][j]);
         }
         bits |= glint_magnitude64(world[i][3]);
@@ -39,7 +38,7 @@ static int to_30_bits(int64_t x[3][4], int32_t out[3][4]) {
     int shift = (int)glint_bits64(bits) - 30;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 4; j++)
-            out[i][j] = (int32_t)scale(x[i][j], shift);
+            out[i][j] = (int32_t)glint_shift_round64(x[i][j], shift);
     return shift;
 }
 
@@ -50,7 +49,7 @@ static void rotate(const glint_view *view, int32_t in[3][4], int64_t out[3][4]) 
             int64_t sum = 0;
             for (int k = 0; k < 3; k++)
                 sum += (int64_t)view->rotation[i][k] * in[k][j];
-            out[i][j] = scale(sum, 12);
+            out[i][j] = glint_shift_round64(sum, 12);
         }
     }
 }
@@ -63,7 +62,7 @@ static int to_clip_space(glint_transform *transform, const glint_view *view, int
         uint64_t sum = 0; /* the largest magnitude that the bounding box takes */
         for (int j = 0; j < 4; j++) {
             if (i < 2)
-                rows[i][j] = scale(rows[i][j] * view->focal_mantissa, (int)view->focal_shift);
+                rows[i][j] = glint_shift_round64(rows[i][j] * view->focal_mantissa, (int)view->focal_shift);
             if (i > 0) /* screen y runs down, and z towards the eye */
                 rows[i][j] = -rows[i][j];
             sum += glint_magnitude64(rows[i][j]);
@@ -73,8 +72,8 @@ static int to_clip_space(glint_transform *transform, const glint_view *view, int
     int shift = (int)glint_bits64(largest + largest / 2) - 30;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++)
-            glint_row_set(&transform->matrix[i], j, (int32_t)scale(rows[i][j], shift));
-        transform->translation[i] = (int32_t)scale(rows[i][3], shift);
+            glint_row_set(&transform->matrix[i], j, (int32_t)glint_shift_round64(rows[i][j], shift));
+        transform->translation[i] = (int32_t)glint_shift_round64(rows[i][3], shift);
     }
     return shift;
 }
@@ -123,7 +122,7 @@ static void scale_normals(glint_transform *transform, int32_t matrix[3][4]) {
     factor = transform->mirrored ? -factor : factor;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            glint_row_set(&transform->normal[i], j, (int32_t)scale((int64_t)matrix[i][j] * factor, 17));
+            glint_row_set(&transform->normal[i], j, (int32_t)glint_shift_round64((int64_t)matrix[i][j] * factor, 17));
 }
 
 /* The inverse transpose up to its scale: cofactors, with the determinant's sign. @return 0 when it is singular. */
@@ -157,7 +156,7 @@ static int prepare_normals(glint_transform *transform, const glint_view *view, c
 
 /* A w, Q28, in units of 2^shift; 2^30, which is farther than any coordinate, where it is more. */
 static int32_t to_units(int64_t w, int shift) {
-    return (int)glint_bits64((uint64_t)w) - shift > 30 ? 1 << 30 : (int32_t)scale(w, shift);
+    return (int)glint_bits64((uint64_t)w) - shift > 30 ? 1 << 30 : (int32_t)glint_shift_round64(w, shift);
 }
 
 /* The near plane and the frame's nearest w in the object's units. */
@@ -171,7 +170,7 @@ int64_t glint_transform_nearest(const glint_transform *transform, const glint_vi
     int32_t w = transform->least_w;
     if (w <= transform->near_plane)
         return view->near_plane;
-    int64_t nearest = scale(w, transform->exponent - 28);
+    int64_t nearest = glint_shift_round64(w, transform->exponent - 28);
     return nearest > view->near_plane ? nearest : view->near_plane;
 }
 

@@ -23,15 +23,26 @@ static void print_times(const host_settings *settings, uint64_t bytes) {
     }
 }
 
+static void print_drawn(const glint_drawn *drawn) {
+    static const char *const names[GLINT_KERNELS] = {"general", "ambient", "diffuse", "gated", "specular"};
+    for (int kernel = 0; kernel < GLINT_KERNELS; kernel++) {
+        printf("parts_%s %lu\n", names[kernel], (unsigned long)drawn[kernel].parts);
+        printf("covered_%s %lu\n", names[kernel], (unsigned long)drawn[kernel].covered);
+    }
+}
+
 void command_print_stats(const glint_stats *stats, const framebuffer *target, const host_settings *settings) {
     printf("passes %lu\n", (unsigned long)stats->passes);
     printf("tiles %lu\n", (unsigned long)stats->tiles);
     printf("vertices %lu\n", (unsigned long)stats->vertices);
     printf("triangles %lu\n", (unsigned long)stats->triangles);
-    printf("culled %lu\n", (unsigned long)stats->culled);
+    printf("facing_away %lu\n", (unsigned long)stats->facing_away);
+    printf("outside %lu\n", (unsigned long)stats->outside);
     printf("clipped %lu\n", (unsigned long)stats->clipped);
+    printf("hidden %lu\n", (unsigned long)stats->hidden);
     printf("references %lu\n", (unsigned long)stats->references);
     printf("arena_used %lu\n", (unsigned long)stats->arena_used);
+    print_drawn(stats->drawn);
     printf("bytes_sent %llu\n", (unsigned long long)target->bytes_sent);
     print_times(settings, target->bytes_sent);
 }

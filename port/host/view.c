@@ -248,6 +248,7 @@ static glint_config configure(const host_settings *settings, uint16_t tables[3][
     config.format = settings->dither ? settings->format->dithered : settings->format->format;
     config.tile_width = settings->tile_width;
     config.tile_height = settings->tile_height;
+    config.counts_drawn = settings->stats;
     if (settings->gamma < 1 || settings->gamma > 1) {
         make_gamma(settings->gamma, tables);
         config.gamma = (const uint16_t(*)[GLINT_GAMMA_ENTRIES])tables;

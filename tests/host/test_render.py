@@ -119,10 +119,16 @@ def stats(host, *arguments):
             for name, value in (line.split(" ") for line in run.stdout.splitlines())}
 
 
+KERNELS = ("general", "ambient", "diffuse", "gated", "specular")
+STATS = ["passes", "tiles", "vertices", "triangles", "facing_away", "outside", "clipped", "hidden", "references",
+         "arena_used"] + [what + kernel for kernel in KERNELS for what in ("parts_", "covered_")] + ["bytes_sent"]
+
+
 def test_stats(host):
     values = stats(host, *TORUS)
-    host.equal("--stats names", list(values), ["passes", "tiles", "vertices", "triangles", "culled", "clipped",
-                                               "references", "arena_used", "bytes_sent"])
+    host.equal("--stats names", list(values), STATS)
+    host.check("--stats covered", values["covered_general"] > 1000)
+    host.equal("--stats parts", values["parts_general"], values["references"])
     host.equal("--stats passes", values["passes"], 1)
     host.equal("--stats triangles", values["triangles"], 576)
     host.equal("--stats bytes of rgb888", values["bytes_sent"], 320 * 240 * 3)

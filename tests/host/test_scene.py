@@ -6,6 +6,7 @@ import struct
 import zlib
 
 import picture
+from test_render import STATS
 
 SMALL = ["--size", "64x48"]
 
@@ -70,7 +71,7 @@ def test_options(host):
     run = host.run("scene", "teapot", "--stats", "-o", "scene.png")
     os.remove(host.path("scene.png"))
     host.equal("scene --stats", [line.split(" ")[0] for line in run.stdout.splitlines()],
-               ["passes", "tiles", "vertices", "triangles", "culled", "clipped", "references", "arena_used", "bytes_sent"])
+               STATS)
 
 
 def decode_movie(host, data, name):

@@ -47,8 +47,9 @@ void statistics(void) {
     CHECK(stats->passes >= 1);
     CHECK(stats->vertices >= 72);
     CHECK(stats->triangles >= 144);
-    CHECK(stats->culled > 0 && stats->culled < stats->triangles);
+    CHECK(stats->facing_away > 0 && stats->facing_away < stats->triangles);
     CHECK_EQUAL(stats->clipped, 0);
+    CHECK_EQUAL(stats->hidden, 0);
     CHECK(stats->references > 0);
     CHECK(stats->arena_used > 0);
     CHECK_AT_MOST(stats->arena_used, FIXTURE_ARENA_BYTES);
@@ -56,6 +57,10 @@ void statistics(void) {
     f->scene.camera.near_plane = GLINT_Q16(0.3);
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
     CHECK(f->renderer.stats.clipped > 0);
+    CHECK(f->renderer.stats.outside > 0);
+    f->objects[0].pose.m[0][3] = GLINT_Q16(-100);
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK(f->renderer.stats.hidden > 0);
 }
 
 /* ---- Two renderers ------------------------------------------------------------------------------------------- */

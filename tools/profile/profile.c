@@ -67,7 +67,7 @@ static void report(const char *scene, const variant *v, const glint_stats *stats
     board_write(",");
     write_number(stats->vertices, ",");
     write_number(stats->triangles, ",");
-    write_number(stats->culled, ",");
+    write_number(stats->facing_away + stats->outside, ",");
     write_number(stats->references, ",");
     write_number(count_pixels(v), "\n");
 }
