@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file undropped.h
+ * Twins of the library's models and of its kernels for RGB565 that drop nothing: what faces away is lit by nothing,
+ * what lies outside a highlight is looked up in its table, and weights of zero are multiplied. The image is the same to
+ * the bit, or the library drops what shows.
+ */
+#ifndef GLINT_UNDROPPED_H
+#define GLINT_UNDROPPED_H
+
+#include "glint.h"
+
+/** Most objects of a scene. */
+#define UNDROPPED_OBJECTS_MAX 32
+
+/** How often the library would have dropped something; counted since the program began. */
+typedef struct undropped_drops {
+    uint32_t facing_away;   /**< Fragments and vertices that face away from a light. */
+    uint32_t out_of_reach;  /**< Of the others, those that a light with a position or a cone does not reach. */
+    uint32_t no_highlight;  /**< Of the others, those that lie outside a highlight. */
+    uint32_t no_specular;   /**< Materials without specular light. */
+    uint32_t parts_ambient; /**< Parts of triangles that face away all over, drawn in one colour. */
+    uint32_t parts_matt;    /**< Parts outside the highlight, drawn without it. */
+} undropped_drops;
+
+extern undropped_drops undropped;
+
+/** A scene whose materials have the twins; not to be moved once made. */
+typedef struct undropped_scene {
+    glint_scene scene;
+    glint_object objects[UNDROPPED_OBJECTS_MAX];
+    glint_material materials[UNDROPPED_OBJECTS_MAX];
+} undropped_scene;
+
+/** Makes the twin of a scene. @return 0 when it has too many objects. */
+int undropped_make(undropped_scene *twin, const glint_scene *scene);
+
+/** The twin of a format: of RGB565, its own; of others, themselves. */
+const glint_format *undropped_format(const glint_format *format);
+
+#endif
