@@ -8,6 +8,7 @@
  */
 #include "deviation.h"
 #include "light.h"
+#include "quadratic.h"
 #include "setup.h"
 
 /* A ray's z; its length goes into a table that ends at sqrt(12) times this. */
@@ -208,7 +209,7 @@ static void make_tables(glint_memory *memory, glint_deviation *deviation, const 
 
 /* ---- What fits ---- */
 
-static uint32_t square_root(uint64_t x) {
+uint32_t glint_square_root(uint64_t x) {
     uint64_t root = 0;
     for (uint64_t bit = (uint64_t)1 << 31; bit; bit >>= 1)
         if ((root | bit) * (root | bit) <= x)
@@ -234,8 +235,8 @@ static int32_t at_most(uint64_t value, int32_t most) {
  */
 static int32_t find_extent(const glint_frame *frame, const glint_shading *shading, uint32_t weight) {
     uint64_t focal = (uint32_t)at_most((uint64_t)(uint32_t)frame->view->focal >> 9, 1 << 19); /* sixteenths */
-    uint64_t root = square_root((uint64_t)(uint32_t)shading->material->shininess);            /* Q8 */
-    return (int32_t)square_root((focal * focal * 16 << 20) / (weight * root + 1));
+    uint64_t root = glint_square_root((uint64_t)(uint32_t)shading->material->shininess);      /* Q8 */
+    return (int32_t)glint_square_root((focal * focal * 16 << 20) / (weight * root + 1));
 }
 
 static void find_limits(const glint_frame *frame, glint_deviation *deviation, const glint_shading *shading) {
@@ -268,8 +269,8 @@ static void prepare_highlight(glint_deviation *deviation, const glint_shading *s
     if (!cut)
         return;
     /* e is Q14; where its square is the cut, the plane's high half is the root of the table's end */
-    deviation->scale = (int32_t)square_root(((uint64_t)entries << 49) / cut);
-    deviation->cut = (int32_t)square_root(cut >> 2) + 4; /* more than rounding takes */
+    deviation->scale = (int32_t)glint_square_root(((uint64_t)entries << 49) / cut);
+    deviation->cut = (int32_t)glint_square_root(cut >> 2) + 4; /* more than rounding takes */
     deviation->cut_diagonal = (deviation->cut * 23171 >> 14) + 1;
     deviation->reach = at_most((uint64_t)(990 << 20) / (uint32_t)deviation->scale, INT16_MAX - 1);
 }
@@ -298,6 +299,7 @@ glint_status glint_deviation_prepare(glint_frame *frame) {
         prepare_ambient(deviation, shading);
         prepare_highlight(deviation, shading);
         find_limits(frame, deviation, shading);
+        glint_quadratic_prepare(deviation, shading);
         make_tables(&frame->memory, deviation, shading);
     }
     return GLINT_OK;
@@ -305,15 +307,10 @@ glint_status glint_deviation_prepare(glint_frame *frame) {
 
 /* ---- Vertices ---- */
 
-/* UNIT 2^15 / (UNIT + z), z from 0 to UNIT; linear interpolation, off by at most 2. */
-static int32_t inverse_of_one_and(int32_t z) {
-    const uint16_t *node = &glint_inverse_table[z >> 9];
-    return node[0] - ((node[0] - node[1]) * (z & 511) >> 9);
-}
-
-/* H = (L + V) / |L + V| at a point of the screen. @return 0 when it lies too far out, or L + V is too short. */
-static int find_half_vector(const glint_deviation *deviation, const glint_vertex *vertex, int16_t half_vector[3]) {
-    int32_t x = deviation->center_x - vertex->x, y = vertex->y - deviation->center_y, z = RAY_Z;
+int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, int16_t half_vector[3]) {
+    int32_t z = RAY_Z;
+    x = deviation->center_x - x;
+    y -= deviation->center_y;
     const int32_t limit = deviation->ray_limit;
     if (x > limit || x < -limit || y > limit || y < -limit)
         return 0;
@@ -345,7 +342,7 @@ static int32_t cosine_of(const int16_t a[3], const int16_t b[3]) {
 /* e, Q14. Where N.H < 0, |e| falls again: there it is stretched, so that the back of H stays outside the highlight. */
 static void find_deviation(const int16_t n[3], const int16_t h[3], int16_t e[2]) {
     const int32_t cosine = cosine_of(n, h);
-    const int32_t k = glint_shift_right((cosine + n[2]) * inverse_of_one_and(h[2]), 16); /* Q14 */
+    const int32_t k = glint_shift_right((cosine + n[2]) * glint_inverse_of_one_and(h[2]), 16); /* Q14 */
     for (int c = 0; c < 2; c++) {
         int32_t v = glint_shift_right(n[c] * (1 << 14) - h[c] * k + 0x4000, 15);
         if (cosine < 0)
@@ -367,7 +364,7 @@ static void light_vertex(const glint_deviation *deviation, const glint_vertex *v
         return;
     if (deviation->local_viewer) {
         half_vector = found;
-        if (!find_half_vector(deviation, vertex, found)) {
+        if (!glint_deviation_half_vector(deviation, vertex->x, vertex->y, found)) {
             lit[0] = GLINT_DEVIATION_NONE;
             return;
         }

@@ -22,6 +22,20 @@
 #define GLINT_SPREAD_GUARD 0x80100200u
 #define GLINT_SPREAD_LEVELS 0x7e0f81f0u
 
+/** Where the highlight of quadratic.c lies, and what a half vector may bend. */
+typedef struct glint_quadratic_limits {
+    int32_t scale;             /* of the deviation, Q15, above 2^14.5: what makes `end` a whole power of two */
+    uint32_t shift;            /* a squared deviation over w^2, Q30, >> this has 16 bits wherever the highlight shows */
+    uint32_t limit;            /* and is below this; 0 where no highlight ever shows */
+    uint32_t end;              /* entries of the specular table, times 2^20 */
+    int32_t cut, cut_diagonal; /* outside an octagon of this radius no highlight shows; scaled, Q14 */
+    int32_t behind;            /* N.H at corners, Q15: the back of the highlight's cone shows at none above this */
+    int32_t bend;              /* third order that a half vector may have in a square of pixels; scaled, Q30 */
+    uint32_t cell;             /* binary logarithm of the side of the largest square that suits, pixels */
+    int32_t change;            /* of the half vector from pixel to pixel, Q20, at most */
+    int16_t across[2][3];      /* infinite viewer: what takes a normal to its deviation, scaled, Q15 */
+} glint_quadratic_limits;
+
 typedef struct glint_deviation {
     /* Tables, null where the arena had no room: then each word is computed when it is needed, the same to the bit. */
     const uint32_t *diffuse;       /* ambient and diffuse light over N.L, spread, half a level included */
@@ -40,6 +54,7 @@ typedef struct glint_deviation {
     int16_t light[3], half_vector[3];
     uint16_t ambient; /* packed */
     uint8_t local_viewer;
+    glint_quadratic_limits quadratic;
 } glint_deviation;
 
 /** How a triangle is drawn. */
@@ -80,6 +95,21 @@ glint_status glint_deviation_prepare(glint_frame *frame);
 
 /** A pixel, packed, as the tables make it: N.L in Q30, and the squared deviation. */
 uint32_t glint_deviation_pixel(const glint_shading *shading, int32_t cosine, uint32_t square);
+
+/** UNIT 2^15 / (UNIT + z), z from 0 to UNIT; linear interpolation, off by at most 2. */
+static inline int32_t glint_inverse_of_one_and(int32_t z) {
+    const uint16_t *node = &glint_inverse_table[z >> 9];
+    return node[0] - ((node[0] - node[1]) * (z & 511) >> 9);
+}
+
+/** Square root, rounded down. */
+uint32_t glint_square_root(uint64_t x);
+
+/**
+ * H = (L + V) / |L + V|, unit, at a point of the screen, 28.4.
+ * @return 0 when it lies too far out, or |L + V| is below 1.
+ */
+int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, int16_t half_vector[3]);
 
 /** Lights the vertices of a triangle, unless they are. */
 glint_light_triangle glint_deviation_light;

@@ -367,11 +367,13 @@ typedef struct glint_config {
 
 /** Kernels: loops that draw the spans of a triangle. */
 typedef enum glint_kernel_name {
-    GLINT_KERNEL_GENERAL,  /**< For everything. */
-    GLINT_KERNEL_AMBIENT,  /**< One colour: the triangle faces away from the light. */
-    GLINT_KERNEL_DIFFUSE,  /**< Lit all over, without specular light. */
-    GLINT_KERNEL_GATED,    /**< Lit in part, without specular light. */
-    GLINT_KERNEL_SPECULAR, /**< Lit all over, with specular light. */
+    GLINT_KERNEL_GENERAL,         /**< For everything. */
+    GLINT_KERNEL_AMBIENT,         /**< One colour: the triangle faces away from the light. */
+    GLINT_KERNEL_DIFFUSE,         /**< Lit all over, without specular light. */
+    GLINT_KERNEL_GATED,           /**< Lit in part, without specular light. */
+    GLINT_KERNEL_SPECULAR,        /**< Lit all over, with specular light. */
+    GLINT_KERNEL_CURVED_DIFFUSE,  /**< Its normals turn far; without specular light. */
+    GLINT_KERNEL_CURVED_SPECULAR, /**< Its normals turn far; with specular light. */
     GLINT_KERNELS
 } glint_kernel_name;
 

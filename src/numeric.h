@@ -44,6 +44,7 @@ typedef char glint_arithmetic_shift[(-1 >> 1) == -1 ? 1 : -1];
 
 extern const uint16_t glint_inverse_root_table[354];
 extern const uint16_t glint_inverse_table[65];
+extern const uint16_t glint_root_table[768];
 extern const uint32_t glint_log2_inverse_table[32];
 extern const uint32_t glint_log2_table[32];
 extern const uint32_t glint_exp2_table[32];

@@ -146,6 +146,8 @@ static inline void glint_draw_without_tables(const glint_spans *s, const glint_s
     }
 }
 
+#include "quadratic565.h"
+
 /** The kernel of a format; `high_first` is a constant where this is inlined. */
 static inline void glint_draw_565(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                                   const glint_triangle *triangle, const glint_part *part, int high_first) {
@@ -154,7 +156,8 @@ static inline void glint_draw_565(const glint_frame *frame, glint_workspace *wor
     glint_deviation_planes planes;
     const glint_deviation_kind kind = glint_deviation_begin(draw, triangle, part, &planes);
     if (kind == GLINT_DEVIATION_UNFIT) {
-        glint_draw_any(frame, workspace, draw, triangle, part);
+        if (!glint_draw_quadratic(frame, workspace, draw, triangle, part, high_first))
+            glint_draw_any(frame, workspace, draw, triangle, part);
         return;
     }
     if (workspace->drawn)

@@ -43,6 +43,8 @@ def inverse(index):
 
 table("uint16_t", "glint_inverse_table", "2^30 / (UNIT + i 2^9) for i = 0 to 64, less 1/16 of its second difference",
       [round(chord(inverse, i, 1)) for i in range(65)], 14)
+table("uint16_t", "glint_root_table", "2^15 / sqrt((i + 1/2) / 1024) for i = 256 to 1023",
+      [round(2**15 / math.sqrt((i + 0.5) / 1024)) for i in range(256, 1024)], 14)
 inverses = [round(2**31 / (1 + (i + 0.5) / 32)) for i in range(32)]
 table("uint32_t", "glint_log2_inverse_table", "Q31: 1 / (1 + (i + 1/2) / 32)", inverses, 8)
 table("uint32_t", "glint_log2_table", "Q31: minus the binary logarithm of the entry above",

@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file quadratic.h
+ * Exact lighting of fragments under one directional light, for triangles that turn too far for deviation.h: with
+ * M = N/w linear on the screen, M.L is linear and M.M quadratic, and so, with the half vector, is the deviation over w.
+ * Polynomials of whole numbers, stepped from pixel to pixel by forward differences.
+ */
+#ifndef GLINT_QUADRATIC_H
+#define GLINT_QUADRATIC_H
+
+#include "deviation.h"
+
+/**
+ * A quadratic function of the pixel, x and y from the anchor, modulo 2^32:
+ * start + dx x + dy y + dxx x (x - 1) / 2 + dxy x y + dyy y (y - 1) / 2.
+ */
+typedef struct glint_quadratic {
+    uint32_t start, dx, dy, dxx, dxy, dyy;
+} glint_quadratic;
+
+/** How a triangle, or a square of it, is drawn. */
+typedef enum glint_quadratic_kind {
+    GLINT_QUADRATIC_UNFIT,                                  /* not by these kernels */
+    GLINT_QUADRATIC_AMBIENT = GLINT_KERNEL_AMBIENT,         /* faces away from the light all over */
+    GLINT_QUADRATIC_DIFFUSE = GLINT_KERNEL_CURVED_DIFFUSE,  /* without highlight */
+    GLINT_QUADRATIC_SPECULAR = GLINT_KERNEL_CURVED_SPECULAR /* with one */
+} glint_quadratic_kind;
+
+/** A triangle's lighting. Below, 1/w is 1 at its nearest corner, or a little less. */
+typedef struct glint_quadratic_light {
+    glint_plane normal[3];  /* M = N/w, Q30 */
+    glint_plane cosine;     /* M.L, Q30 */
+    glint_quadratic square; /* M.M, Q32, less 1/4: from 0 to below 3/4 */
+    glint_quadratic x, y;   /* deviation over w, scaled, Q30 */
+    uint32_t gated;         /* N.L may be below 0 */
+} glint_quadratic_light;
+
+/** What a material and the frame's viewer ask for; behind all else of `deviation`. */
+void glint_quadratic_prepare(glint_deviation *deviation, const glint_shading *shading);
+
+/**
+ * A triangle's lighting, but for the deviation of the local viewer.
+ * @return whether highlights may show; with the local viewer glint_quadratic_bend tells more
+ */
+glint_quadratic_kind glint_quadratic_begin(const glint_draw *draw, const glint_triangle *triangle,
+                                           const glint_part *part, glint_quadratic_light *light);
+
+/** A square of pixels on the screen, of side 2^size: what lies up to half a side from a middle. */
+typedef struct glint_square {
+    int32_t x, y; /* its middle */
+    uint32_t size;
+} glint_square;
+
+/** The square around a triangle. @return 0 when it is too large to be bent at once */
+int glint_quadratic_square(const glint_triangle *triangle, glint_square *square);
+
+/**
+ * The deviation of the local viewer in a square.
+ * @return whether highlights show in it
+ */
+glint_quadratic_kind glint_quadratic_bend(const glint_deviation *deviation, const glint_triangle *triangle,
+                                          const glint_part *part, const glint_square *square,
+                                          glint_quadratic_light *light);
+
+#endif
