@@ -127,7 +127,7 @@ cross = $(or $($1_CROSS),$(CROSS))
 
 # Levels of optimisation: O0, Os and O2 are the compiler's; `release` is for size, so that a small flash suffices: what a
 # loop needs again is computed again.
-optimise = $(if $(filter release,$1),-Os -fno-move-loop-invariants,-$1)
+optimise = $(if $(filter release,$1),-Os -fno-move-loop-invariants -fno-tree-loop-optimize -fno-schedule-insns2,-$1)
 
 # $(call firmware_objects,board,level): objects and library of one board
 define firmware_objects

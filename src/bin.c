@@ -29,28 +29,32 @@ static size_t room(const glint_frame *frame) {
     return (size_t)((const uint8_t *)frame->clipped - low);
 }
 
+/* Appends a triangle to the list of a tile, counted in the pass. @return 0 when the arena is full. */
+static inline int append(glint_frame *frame, uint32_t tile, uint32_t triangle) {
+    const uint32_t here = frame->reference_count;
+    glint_reference *const reference = &frame->references[here];
+    glint_list *const list = &frame->lists[tile];
+    if ((const void *)(reference + 1) > (const void *)frame->clipped || here == GLINT_LIST_END)
+        return 0;
+    reference->next = GLINT_LIST_END;
+    reference->triangle = (uint16_t)triangle;
+    if (list->head == GLINT_LIST_END)
+        list->head = (uint16_t)here;
+    else
+        frame->references[list->tail].next = (uint16_t)here;
+    list->tail = (uint16_t)here;
+    frame->reference_count = here + 1;
+    return 1;
+}
+
 /* Appends a triangle to the list of each tile of the pass in range. @return 0 when the arena is full. */
-static int list_triangle(glint_frame *frame, const glint_range *range, uint32_t triangle) {
+static GLINT_NOINLINE int list_triangle(glint_frame *frame, const glint_range *range, uint32_t triangle) {
     const uint32_t count = (uint32_t)(frame->tile_end - frame->tile_first);
-    glint_reference *const references = frame->references;
     for (int32_t row = range->top; row < range->bottom; row++) {
         uint32_t tile = (uint32_t)(row * frame->tile_columns + range->left - frame->tile_first);
-        for (int32_t column = range->left; column < range->right; column++, tile++) {
-            const uint32_t here = frame->reference_count;
-            if (tile >= count)
-                continue;
-            if ((const void *)&references[here + 1] > (const void *)frame->clipped || here == GLINT_LIST_END)
+        for (int32_t column = range->left; column < range->right; column++, tile++)
+            if (tile < count && !append(frame, tile, triangle))
                 return 0;
-            references[here].next = GLINT_LIST_END;
-            references[here].triangle = (uint16_t)triangle;
-            glint_list *list = &frame->lists[tile];
-            if (list->head == GLINT_LIST_END)
-                list->head = (uint16_t)here;
-            else
-                references[list->tail].next = (uint16_t)here;
-            list->tail = (uint16_t)here;
-            frame->reference_count = here + 1;
-        }
     }
     return 1;
 }
@@ -122,28 +126,64 @@ static int list_clipped(glint_frame *frame, glint_draw *draw, uint32_t triangle)
     return 1;
 }
 
+/* x and y of a vertex as two halves of a word, from the last pixel centre before it. */
+static inline uint32_t place_of(const glint_vertex *v) {
+    return ((uint32_t)(uint16_t)v->x | (uint32_t)(uint16_t)v->y << 16) + 0x00070007;
+}
+
+/*
+ * Most triangles lie in one tile: then their corners' places agree in all bits above it. A carry from x to y comes from
+ * x < 0, which is on no tile.
+ */
+typedef enum where { NOWHERE, ONE_TILE, SOMEWHERE } where;
+
+static inline where find_tile(const glint_frame *frame, const glint_vertex *const v[3], uint32_t *tile) {
+    if (GLINT_SMALL)
+        return SOMEWHERE;
+    const unsigned shift_x = frame->tile_shift_x + 4, shift_y = frame->tile_shift_y + 4;
+    const uint32_t a = place_of(v[0]), b = place_of(v[1]), c = place_of(v[2]), differ = (a ^ b) | (a ^ c);
+    if (!(differ & 0xfff0) || !(differ >> 20))
+        return NOWHERE;
+    if ((differ & 0xffff) >> shift_x || differ >> 16 >> shift_y)
+        return SOMEWHERE;
+    const uint32_t column = (a & 0xffff) >> shift_x, row = a >> 16 >> shift_y;
+    if (column >= (uint32_t)frame->config.width >> frame->tile_shift_x ||
+        row >= (uint32_t)frame->config.height >> frame->tile_shift_y) /* the screen's last ones may not be whole */
+        return SOMEWHERE;
+    *tile = row * (uint32_t)frame->tile_columns + column - (uint32_t)frame->tile_first;
+    return ONE_TILE;
+}
+
 /* Bins triangles that cull saw. @return how many, before the arena is full. */
 static GLINT_NOINLINE int bin_seen(glint_frame *frame, glint_draw *draw, const uint16_t *seen, int count) {
     const int all = glint_takes_all(draw);
+    const uint32_t tiles = (uint32_t)(frame->tile_end - frame->tile_first);
     const uint32_t ready = draw->evaluation->light_triangle ? 0 : GLINT_VERTEX_NORMAL;
     for (int i = 0; i < count; i++) {
         const uint16_t *indices = draw->triangles[seen[i]];
         const glint_vertex *const v[3] = {&draw->vertices[indices[0]], &draw->vertices[indices[1]],
                                           &draw->vertices[indices[2]]};
         glint_range range;
+        uint32_t tile;
         if (all && (v[0]->flags | v[1]->flags | v[2]->flags) & GLINT_VERTEX_CLIP) {
             if (!has_room_for_clipped(frame) || !list_clipped(frame, draw, seen[i]))
                 return i;
-        } else if (all && !glint_faces(draw->mirrored, draw->double_sided, v)) {
-            frame->stats.facing_away++;
-        } else if (!glint_find_tiles(frame, v, &range)) {
-            frame->stats.outside++;
-        } else {
-            if (!(v[0]->flags & v[1]->flags & v[2]->flags & ready))
-                light_once(frame, draw, seen[i]);
-            if (!list_triangle(frame, &range, draw->first + seen[i]))
-                return i;
+            continue;
         }
+        if (all && !glint_faces(draw->mirrored, draw->double_sided, v)) {
+            frame->stats.facing_away++;
+            continue;
+        }
+        const where place = find_tile(frame, v, &tile);
+        if (place == NOWHERE || (place == SOMEWHERE && !glint_find_tiles(frame, v, &range))) {
+            frame->stats.outside++;
+            continue;
+        }
+        if (!(v[0]->flags & v[1]->flags & v[2]->flags & ready))
+            light_once(frame, draw, seen[i]);
+        if (place == SOMEWHERE ? !list_triangle(frame, &range, draw->first + seen[i])
+                               : tile < tiles && !append(frame, tile, draw->first + seen[i]))
+            return i;
     }
     return count;
 }

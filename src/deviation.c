@@ -17,11 +17,22 @@
 /* A highlight ends where it is 2^-9 of one: below 1/8 of a level of 63 at weight 1. */
 #define CUT_BITS 9
 
-/* N.L, Q15, that is above 0 at every pixel: planes are off by at most 2^-7 of their corners' difference. */
-#define LIT 300
+/* N.L, Q14, that is above 0 at every pixel: planes are off by at most 2^-7 of their corners' difference. */
+#define LIT 150
 
-/* N.L at which rounding cannot light what faces away. */
-#define UNLIT (-16)
+/* N.L, Q14, at which rounding cannot light what faces away. */
+#define UNLIT (-8)
+
+/* Largest x and y of a deviation that a plane can hold. */
+#define REACH 15000
+
+/* What a vertex's flags say of its terms. */
+#define FLAG_UNFIT 0x8u     /* it cannot be lit this way */
+#define FLAG_DIM 0x10u      /* N.L is below LIT */
+#define FLAG_DARK 0x20u     /* N.L is at most UNLIT */
+#define FLAG_FAR 0x40u      /* beyond REACH */
+#define FLAG_OUTSIDE 0x100u /* beyond side 0 of the highlight's octagon; the other sides follow */
+#define FLAGS_OUTSIDE 0xff00u
 
 /* Steps of error that turn and slant may make each: 12/32 and 1/2 (find_limits). */
 #define TURN_LIMIT 12
@@ -245,7 +256,7 @@ static void find_limits(const glint_frame *frame, glint_deviation *deviation, co
     deviation->turn = at_most(((uint64_t)TURN_LIMIT << (26 + 12)) / diffuse, 1 << 26);
     deviation->turn_specular = at_most(((uint64_t)TURN_LIMIT << (26 + 12)) / (diffuse + specular / 2), 1 << 26);
     deviation->extent = deviation->local_viewer ? find_extent(frame, shading, specular) : INT32_MAX;
-    deviation->slant = (uint32_t)at_most(((uint64_t)deviation->cut << 12) / specular, 0xffff);
+    deviation->slant = (uint32_t)at_most(((uint64_t)deviation->side << 12) / specular, 0xffff);
 }
 
 static void prepare_rays(glint_deviation *deviation, const glint_frame *frame) {
@@ -268,11 +279,13 @@ static void prepare_highlight(glint_deviation *deviation, const glint_shading *s
     deviation->specular_end = entries << 15;
     if (!cut)
         return;
-    /* e is Q14; where its square is the cut, the plane's high half is the root of the table's end */
+    /* e is Q14; where its square is the cut, that of the scaled one is the table's end */
     deviation->scale = (int32_t)glint_square_root(((uint64_t)entries << 49) / cut);
+    deviation->side = (int32_t)glint_square_root(deviation->specular_end) + (deviation->scale >> 14) + 2;
+    deviation->side_diagonal = (deviation->side * 23171 >> 14) + 1;
     deviation->cut = (int32_t)glint_square_root(cut >> 2) + 4; /* more than rounding takes */
     deviation->cut_diagonal = (deviation->cut * 23171 >> 14) + 1;
-    deviation->reach = at_most((uint64_t)(990 << 20) / (uint32_t)deviation->scale, INT16_MAX - 1);
+    deviation->reach = at_most((uint64_t)(REACH << 16) / (uint32_t)deviation->scale, INT16_MAX);
 }
 
 static void prepare_ambient(glint_deviation *deviation, const glint_shading *shading) {
@@ -340,36 +353,76 @@ static int32_t cosine_of(const int16_t a[3], const int16_t b[3]) {
 }
 
 /* e, Q14. Where N.H < 0, |e| falls again: there it is stretched, so that the back of H stays outside the highlight. */
-static void find_deviation(const int16_t n[3], const int16_t h[3], int16_t e[2]) {
+static void find_deviation(const int16_t n[3], const int16_t h[3], int32_t e[2]) {
     const int32_t cosine = cosine_of(n, h);
     const int32_t k = glint_shift_right((cosine + n[2]) * glint_inverse_of_one_and(h[2]), 16); /* Q14 */
     for (int c = 0; c < 2; c++) {
-        int32_t v = glint_shift_right(n[c] * (1 << 14) - h[c] * k + 0x4000, 15);
+        e[c] = glint_shift_right(n[c] * (1 << 14) - h[c] * k + 0x4000, 15);
         if (cosine < 0)
-            v += glint_shift_right(v * -cosine, 14);
-        e[c] = (int16_t)v;
+            e[c] += glint_shift_right(e[c] * -cosine, 14);
     }
     if (cosine < -GLINT_UNIT / 2)
         e[0] = INT16_MAX;
 }
 
-static void light_vertex(const glint_deviation *deviation, const glint_vertex *vertex, int16_t lit[3]) {
+/* A deviation on the scale of planes, cut off where it is beyond their reach. @return flags */
+static uint32_t scale_deviation(const glint_deviation *deviation, const int32_t e[2], int16_t scaled[2]) {
+    const int32_t reach = deviation->reach;
+    uint32_t flags = 0;
+    for (int c = 0; c < 2; c++) {
+        int32_t v = e[c];
+        if (v > reach || v < -reach) {
+            flags = FLAG_FAR;
+            v = v > 0 ? reach : -reach;
+        }
+        scaled[c] = (int16_t)glint_shift_right(v * deviation->scale + (1 << 15), 16);
+    }
+    return flags;
+}
+
+/* The sides of the octagon around the highlight that a deviation lies beyond. */
+static uint32_t find_sides(const glint_deviation *deviation, int32_t x, int32_t y) {
+    const int32_t cut = deviation->side, diagonal = deviation->side_diagonal;
+    uint32_t flags = 0;
+    if (x >= cut)
+        flags |= FLAG_OUTSIDE;
+    if (x <= -cut)
+        flags |= FLAG_OUTSIDE << 1;
+    if (y >= cut)
+        flags |= FLAG_OUTSIDE << 2;
+    if (y <= -cut)
+        flags |= FLAG_OUTSIDE << 3;
+    if (x + y >= diagonal)
+        flags |= FLAG_OUTSIDE << 4;
+    if (x + y <= -diagonal)
+        flags |= FLAG_OUTSIDE << 5;
+    if (x - y >= diagonal)
+        flags |= FLAG_OUTSIDE << 6;
+    if (x - y <= -diagonal)
+        flags |= FLAG_OUTSIDE << 7;
+    return flags;
+}
+
+/* Finds a vertex's terms: N.L, Q14, and its scaled deviation. @return flags */
+static uint32_t light_vertex(const glint_deviation *deviation, const glint_vertex *vertex, int16_t terms[3]) {
     int16_t found[3];
+    int32_t e[2];
     const int16_t *half_vector = deviation->half_vector;
-    int32_t cosine = cosine_of(vertex->attribute, deviation->light);
-    lit[0] = (int16_t)(cosine > GLINT_UNIT ? GLINT_UNIT : cosine);
-    lit[1] = 0;
-    lit[2] = 0;
+    const int32_t cosine = glint_shift_right(cosine_of(vertex->attribute, deviation->light) + 1, 1);
+    uint32_t flags = cosine >= LIT ? 0 : cosine > UNLIT ? FLAG_DIM : FLAG_DIM | FLAG_DARK;
+    terms[0] = (int16_t)(cosine > GLINT_UNIT / 2 ? GLINT_UNIT / 2 : cosine);
+    terms[1] = 0;
+    terms[2] = 0;
     if (!deviation->specular_end)
-        return;
+        return flags | FLAGS_OUTSIDE;
     if (deviation->local_viewer) {
         half_vector = found;
-        if (!glint_deviation_half_vector(deviation, vertex->x, vertex->y, found)) {
-            lit[0] = GLINT_DEVIATION_NONE;
-            return;
-        }
+        if (!glint_deviation_half_vector(deviation, vertex->x, vertex->y, found))
+            return FLAG_UNFIT;
     }
-    find_deviation(vertex->attribute, half_vector, lit + 1);
+    find_deviation(vertex->attribute, half_vector, e);
+    flags |= scale_deviation(deviation, e, terms + 1);
+    return flags | find_sides(deviation, terms[1], terms[2]);
 }
 
 void glint_deviation_light(const glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t i) {
@@ -380,21 +433,23 @@ void glint_deviation_light(const glint_frame *frame, glint_draw *draw, const gli
         glint_vertex *vertex = &draw->vertices[index];
         if (vertex->flags & (GLINT_VERTEX_CLIP | GLINT_VERTEX_LIT))
             continue;
-        vertex->flags |= GLINT_VERTEX_LIT;
-        light_vertex(draw->shading->deviation, vertex, draw->terms[index]);
+        const uint32_t flags = light_vertex(draw->shading->deviation, vertex, draw->terms[index]);
+        vertex->flags = (uint16_t)(vertex->flags | GLINT_VERTEX_LIT | flags);
     }
 }
 
 /* ---- Triangles ---- */
 
+static inline int32_t square_of_sum(int32_t a, int32_t b, int32_t c) {
+    const int32_t sum = glint_shift_right(a + b + c, 2);
+    return sum * sum;
+}
+
 /* Sum of the squares of the normals' differences, Q26: 9 less the square of their sum. */
-static int32_t turn_of(const glint_vertex *const v[3]) {
-    int32_t square = 0;
-    for (int c = 0; c < 3; c++) {
-        int32_t sum = glint_shift_right(v[0]->attribute[c] + v[1]->attribute[c] + v[2]->attribute[c], 2);
-        square += sum * sum;
-    }
-    return 9 * (GLINT_UNIT / 4 * (GLINT_UNIT / 4)) - square;
+static inline int32_t turn_of(const glint_vertex *const v[3]) {
+    const int16_t *a = v[0]->attribute, *b = v[1]->attribute, *c = v[2]->attribute;
+    return 9 * (GLINT_UNIT / 4 * (GLINT_UNIT / 4)) - square_of_sum(a[0], b[0], c[0]) - square_of_sum(a[1], b[1], c[1]) -
+           square_of_sum(a[2], b[2], c[2]);
 }
 
 static int32_t least(int32_t a, int32_t b, int32_t c) {
@@ -407,21 +462,22 @@ static int32_t most(int32_t a, int32_t b, int32_t c) {
     return m > c ? m : c;
 }
 
-/* Are all three outside the same side of the highlight's octagon? */
-static int is_outside(const glint_deviation *deviation, const int16_t *const lit[3]) {
-    const int32_t cut = deviation->cut, diagonal = deviation->cut_diagonal;
-    const int32_t x0 = lit[0][1], x1 = lit[1][1], x2 = lit[2][1], y0 = lit[0][2], y1 = lit[1][2], y2 = lit[2][2];
-    return least(x0, x1, x2) >= cut || most(x0, x1, x2) <= -cut || least(y0, y1, y2) >= cut ||
-           most(y0, y1, y2) <= -cut || least(x0 + y0, x1 + y1, x2 + y2) >= diagonal ||
-           most(x0 + y0, x1 + y1, x2 + y2) <= -diagonal || least(x0 - y0, x1 - y1, x2 - y2) >= diagonal ||
-           most(x0 - y0, x1 - y1, x2 - y2) <= -diagonal;
+/* How 1/w changes across a triangle, Q16. */
+typedef struct w_range {
+    uint32_t least, change;
+} w_range;
+
+static w_range find_w_range(const glint_vertex *const v[3]) {
+    const int32_t a = v[0]->inverse_w, b = v[1]->inverse_w, c = v[2]->inverse_w;
+    const uint32_t low = (uint32_t)least(a, b, c) >> 15, high = (uint32_t)most(a, b, c) >> 15;
+    return (w_range){low, high - low + 1};
 }
 
 /* Is the error of linear lighting small: `turn`, of the normal, Q26, and the change of 1/w across the triangle? */
-static int fits(int32_t limit, int32_t turn, uint32_t w_least, uint32_t w_change) {
-    if (turn > limit || w_change > w_least >> 2)
+static int fits(int32_t limit, int32_t turn, w_range w) {
+    if (turn > limit || w.change > w.least >> 2)
         return 0;
-    return (w_change * w_change >> 2) <= (uint32_t)((limit - turn) >> 16) * (w_least * w_least >> 16);
+    return (w.change * w.change >> 2) <= (uint32_t)((limit - turn) >> 16) * (w.least * w.least >> 16);
 }
 
 /* Across the screen, as |dx| + |dy|. */
@@ -430,21 +486,49 @@ static int32_t extent_of(const glint_vertex *const v[3]) {
            least(v[0]->y, v[1]->y, v[2]->y);
 }
 
-static int fits_highlight(const glint_deviation *deviation, const int16_t *const lit[3], uint32_t w_least,
-                          uint32_t w_change) {
-    int32_t x_least = least(lit[0][1], lit[1][1], lit[2][1]), x_most = most(lit[0][1], lit[1][1], lit[2][1]);
-    int32_t y_least = least(lit[0][2], lit[1][2], lit[2][2]), y_most = most(lit[0][2], lit[1][2], lit[2][2]);
-    int32_t reach = deviation->reach;
-    if (x_least < -reach || y_least < -reach || x_most > reach || y_most > reach)
-        return 0;
-    return (uint32_t)(x_most - x_least + y_most - y_least) * w_change <= deviation->slant * w_least;
+static int fits_highlight(const glint_deviation *deviation, const int16_t *const terms[3], w_range w) {
+    const int32_t change = most(terms[0][1], terms[1][1], terms[2][1]) - least(terms[0][1], terms[1][1], terms[2][1]) +
+                           most(terms[0][2], terms[1][2], terms[2][2]) - least(terms[0][2], terms[1][2], terms[2][2]);
+    return (uint32_t)change * w.change <= deviation->slant * w.least;
 }
 
-static void begin_highlight(const glint_deviation *deviation, const int16_t *const lit[3], const glint_gradients *g,
-                            int32_t longer, glint_deviation_planes *planes) {
-    const int32_t scale = deviation->scale + glint_shift_right(glint_shift_right(deviation->scale, 6) * longer, 9);
-    glint_plane_begin(&planes->x, g, lit[0][1] * scale, lit[1][1] * scale, lit[2][1] * scale);
-    glint_plane_begin(&planes->y, g, lit[0][2] * scale, lit[1][2] * scale, lit[2][2] * scale);
+/* Gradients for planes of terms, of a narrow triangle: longer by half of what chords fall short, 1 + turn / 32. */
+typedef struct term_gradients {
+    const glint_gradients *g;
+    int32_t x1, y1, x2, y2;
+    int32_t length;       /* 2^16 times how much longer */
+    unsigned right, left; /* shifts from a term's slope to its plane's */
+} term_gradients;
+
+static inline void lengthen(term_gradients *t, const glint_gradients *g, int32_t turn) {
+    const int32_t longer = turn > 0 ? glint_shift_right(turn, 16) : 0; /* of 2^15 */
+    const int32_t up = 16 - g->shift;
+    t->g = g;
+    t->length = (1 << 16) + 2 * longer;
+    t->left = up > 0 ? (unsigned)up : 0;
+    t->right = up < 0 ? (unsigned)-up : 0;
+    if (g->wide)
+        return;
+    t->x1 = g->x1 + glint_shift_right(g->x1 * longer, 15);
+    t->y1 = g->y1 + glint_shift_right(g->y1 * longer, 15);
+    t->x2 = g->x2 + glint_shift_right(g->x2 * longer, 15);
+    t->y2 = g->y2 + glint_shift_right(g->y2 * longer, 15);
+}
+
+/* The plane of a term, its value in the high half. Narrow, differences have 15 bits: none is made less precise. */
+static void begin_term(glint_plane *p, const term_gradients *t, int32_t a0, int32_t a1, int32_t a2) {
+    if (t->g->wide) {
+        glint_plane_begin(p, t->g, a0 * t->length, a1 * t->length, a2 * t->length);
+        return;
+    }
+    const int32_t d1 = a1 - a0, d2 = a2 - a0;
+    const int32_t dx = glint_add_wrap(glint_multiply_wrap(d1, t->x1), glint_multiply_wrap(d2, t->x2));
+    const int32_t dy = glint_add_wrap(glint_multiply_wrap(d1, t->y1), glint_multiply_wrap(d2, t->y2));
+    const int32_t to_center =
+        glint_shift_right(dx, 5) * t->g->to_center_x + glint_shift_right(dy, 5) * t->g->to_center_y;
+    p->dx = glint_shift_left(glint_shift_right(dx, t->right), t->left);
+    p->dy = glint_shift_left(glint_shift_right(dy, t->right), t->left);
+    p->start = glint_add_wrap(a0 * t->length, glint_shift_left(glint_shift_right(to_center, t->right), t->left + 1));
 }
 
 uint32_t glint_deviation_covered(const glint_part *part) {
@@ -458,30 +542,29 @@ glint_deviation_kind glint_deviation_begin(const glint_draw *draw, const glint_t
                                            const glint_part *part, glint_deviation_planes *planes) {
     const glint_deviation *deviation = draw->shading->deviation;
     const glint_vertex *const *v = triangle->corners;
-    if (!(v[0]->flags & GLINT_VERTEX_LIT) || triangle->back) /* corners made by clipping are not lit */
+    const uint32_t all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
+    /* corners made by clipping are not lit */
+    if (!(all & GLINT_VERTEX_LIT) || any & FLAG_UNFIT || triangle->back)
         return GLINT_DEVIATION_UNFIT;
-    const int16_t *const lit[3] = {draw->terms[v[0] - draw->vertices], draw->terms[v[1] - draw->vertices],
-                                   draw->terms[v[2] - draw->vertices]};
-    const int32_t darkest = least(lit[0][0], lit[1][0], lit[2][0]);
-    if (darkest == GLINT_DEVIATION_NONE)
-        return GLINT_DEVIATION_UNFIT;
-    if (most(lit[0][0], lit[1][0], lit[2][0]) <= UNLIT)
+    if (all & FLAG_DARK)
         return GLINT_DEVIATION_AMBIENT;
+    const int16_t *const terms[3] = {draw->terms[v[0] - draw->vertices], draw->terms[v[1] - draw->vertices],
+                                     draw->terms[v[2] - draw->vertices]};
     const int32_t turn = turn_of(v);
-    const int32_t w0 = glint_shift_right(v[0]->inverse_w, 15), w1 = glint_shift_right(v[1]->inverse_w, 15);
-    const int32_t w2 = glint_shift_right(v[2]->inverse_w, 15);
-    const uint32_t w_least = (uint32_t)least(w0, w1, w2), w_change = (uint32_t)most(w0, w1, w2) - w_least + 1;
-    const int shows = deviation->specular_end && !is_outside(deviation, lit);
-    if (!fits(shows ? deviation->turn_specular : deviation->turn, turn, w_least, w_change) ||
-        (shows &&
-         (darkest < LIT || extent_of(v) > deviation->extent || !fits_highlight(deviation, lit, w_least, w_change))))
+    const int shows = !(all & FLAGS_OUTSIDE);
+    const w_range w = find_w_range(v);
+    if (!fits(shows ? deviation->turn_specular : deviation->turn, turn, w))
         return GLINT_DEVIATION_UNFIT;
-    /* Longer by half of what chords fall short: 1 + turn / 32. */
-    const int32_t longer = turn > 0 ? glint_shift_right(turn, 16) : 0; /* of 2^15 */
-    const int32_t length = (1 << 15) + longer;
-    glint_plane_begin(&planes->cosine, &part->gradients, lit[0][0] * length, lit[1][0] * length, lit[2][0] * length);
+    if (shows && (any & (FLAG_DIM | FLAG_FAR) ||
+                  (4 << part->gradients.size > deviation->extent && extent_of(v) > deviation->extent) ||
+                  !fits_highlight(deviation, terms, w)))
+        return GLINT_DEVIATION_UNFIT;
+    term_gradients t;
+    lengthen(&t, &part->gradients, turn);
+    begin_term(&planes->cosine, &t, terms[0][0], terms[1][0], terms[2][0]);
     if (!shows)
-        return darkest < LIT ? GLINT_DEVIATION_GATED : GLINT_DEVIATION_DIFFUSE;
-    begin_highlight(deviation, lit, &part->gradients, longer, planes);
+        return any & FLAG_DIM ? GLINT_DEVIATION_GATED : GLINT_DEVIATION_DIFFUSE;
+    begin_term(&planes->x, &t, terms[0][1], terms[1][1], terms[2][1]);
+    begin_term(&planes->y, &t, terms[0][2], terms[1][2], terms[2][2]);
     return GLINT_DEVIATION_SPECULAR;
 }

@@ -12,15 +12,11 @@
 /** Entries of a diffuse table: 256 for N.L from 0 to 1, the rest for what lengthened normals reach above it. */
 #define GLINT_DIFFUSE_ENTRIES 272
 
-/** N.L of a vertex that cannot be lit this way. */
-#define GLINT_DEVIATION_NONE INT16_MIN
-
 /**
  * A colour as one word, "spread": blue in bits 0 to 8, red in 10 to 19, green in 21 to 30. Of these the lowest 4, 5 and
  * 4 are fractions of a level. The bit above each channel is clear, so that two words can be added.
  */
 #define GLINT_SPREAD_GUARD 0x80100200u
-#define GLINT_SPREAD_LEVELS 0x7e0f81f0u
 
 /** Where the highlight of quadratic.c lies, and what a half vector may bend. */
 typedef struct glint_quadratic_limits {
@@ -43,9 +39,10 @@ typedef struct glint_deviation {
     const uint32_t *specular;      /* over the squared deviation, spread */
     uint32_t specular_end;         /* squared deviation where it ends; 0 where no highlight ever shows */
     uint32_t sine_square_end;      /* the same as sin^2, Q30 */
-    int32_t scale;                 /* from the deviation of a vertex to that of a plane */
-    int32_t cut, cut_diagonal;     /* outside an octagon of this radius no highlight shows */
-    int32_t reach;                 /* deviation that a plane can hold */
+    int32_t scale;                 /* from a deviation, Q14, to a scaled one, whose square is the table's: Q16 */
+    int32_t side, side_diagonal;   /* scaled: outside an octagon of this radius no highlight shows */
+    int32_t cut, cut_diagonal;     /* its radius as a deviation, Q14 */
+    int32_t reach;                 /* deviation, Q14, that a plane can hold */
     int32_t turn, turn_specular;   /* limits that keep the error small: fits() in deviation.c */
     uint32_t slant;
     int32_t extent;               /* on the screen, 28.4 */
@@ -69,13 +66,12 @@ typedef enum glint_deviation_kind {
 /** Planes of a triangle. */
 typedef struct glint_deviation_planes {
     glint_plane cosine; /* N.L, Q30 */
-    glint_plane x, y;   /* deviation, so that the sum of the squares of their high halves is 2^15 a table's entry */
+    glint_plane x, y;   /* scaled deviation in the high half: the sum of the squares is 2^15 a table's entry */
 } glint_deviation_planes;
 
-/** A word packed into 16 bits: 5 red, 6 green, 5 blue. */
+/** A word packed into 16 bits: 5 red, 6 green, 5 blue; what is above them is to be cut off. */
 static inline uint32_t glint_spread_pack(uint32_t word) {
-    word &= GLINT_SPREAD_LEVELS;
-    return (word >> 4 | word >> 20) & 0xffff;
+    return (word >> 4 & ~0x7e0u) | (word >> 25 & 63) << 5;
 }
 
 /** A sum of two words, each channel clamped: a guard bit that is set sets the nine below. */

@@ -107,6 +107,7 @@ typedef struct glint_transform {
 #define GLINT_VERTEX_CLIP 1u   /* in front of the near plane or outside the guard band: x, y and 1/w are not valid */
 #define GLINT_VERTEX_LIT 2u    /* its terms of fast lighting are known */
 #define GLINT_VERTEX_NORMAL 4u /* its normal is known; until then its number in the mesh stands in attribute[0] */
+/* The other flags tell of these terms: deviation.c. */
 
 typedef struct glint_vertex {
     int32_t inverse_w;    /* Q31 */
@@ -439,13 +440,12 @@ size_t glint_draw_size(const glint_frame *frame, const glint_object *object, con
      GLINT_ALIGNED(3 * sizeof(glint_position)) + GLINT_ALIGNED(18) + 2 * GLINT_ALIGNED(36) + GLINT_ALIGNED(8) + \
      GLINT_ALIGNED(6) + GLINT_BIN_RESERVE)
 
-/** A triangle to draw. */
+/** A triangle to draw; raster puts its corners counter-clockwise on the screen. */
 typedef struct glint_triangle {
     const glint_vertex *corners[3];
     const int16_t *extra[3]; /* where the draw has extra attributes */
     const int16_t *facet;    /* its colour, where the draw is lit by facet */
     int32_t area;            /* twice its area, 28.4 squared, above 0 */
-    int clockwise;           /* on the screen */
     int back;                /* seen from the back */
 } glint_triangle;
 

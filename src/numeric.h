@@ -39,6 +39,20 @@
 #define GLINT_NOINLINE
 #endif
 
+/** Is the library built for size? Then shortcuts that change no result are left out. */
+#if defined(__OPTIMIZE_SIZE__)
+#define GLINT_SMALL 1
+#else
+#define GLINT_SMALL 0
+#endif
+
+/** Hides from the compiler what a loop's variable is, so that it leaves the loop as it stands. */
+#if defined(__GNUC__)
+#define GLINT_OPAQUE(x) __asm__("" : "+r"(x))
+#else
+#define GLINT_OPAQUE(x) ((void)0)
+#endif
+
 /* Right shifts of negative numbers are arithmetic on every compiler glint knows; this fails to compile elsewhere. */
 typedef char glint_arithmetic_shift[(-1 >> 1) == -1 ? 1 : -1];
 

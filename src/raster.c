@@ -45,47 +45,71 @@ static void walk(edge *e, uint8_t *side, int32_t rows, int32_t width) {
     }
 }
 
-/* Finds one side of the spans between two corners that follow each other counter-clockwise. */
-static void find_side(glint_part *part, const glint_place *a, const glint_place *b) {
-    uint8_t *side = &part->spans[0].left;
-    if (a->row > b->row) { /* edges that run up are right ones */
-        const glint_place *place = a;
-        a = b;
-        b = place;
-        side = &part->spans[0].right;
-    }
-    const int32_t height = part->window.height, width = part->window.width;
-    int32_t top = a->row, rows = b->row < height ? b->row : height;
-    if (top >= rows || rows <= 0)
-        return;
-    const int32_t above = top < 0 ? -top : 0; /* rows of the edge above the tile */
-    top += above;
-    rows -= top;
-    side += sizeof(glint_span) * (uint32_t)top;
-    const int32_t dx = b->x - a->x, dy = b->y - a->y;
+/* The rows of a side in the tile. */
+typedef struct side {
+    const glint_place *a, *b; /* its upper and its lower corner */
+    uint8_t *column;          /* of the first row */
+    int32_t rows;
+    int32_t above; /* rows above the tile */
+} side;
+
+/* Any edge; `down` is from its top to the first row's centres. */
+static void find_exactly(const glint_part *part, const side *s) {
+    const int32_t dx = s->b->x - s->a->x, dy = s->b->y - s->a->y;
     edge e;
-    if (part->gradients.size >= GLINT_EDGE_SIZE &&
-        (dy >= GLINT_EDGE_DY || dx >= GLINT_EDGE_DX || dx <= -GLINT_EDGE_DX)) {
-        begin_exactly(&e, a->x, dx, dy, 16 * above + (-a->y & 15));
-    } else {
-        const int32_t slope = glint_slope(dx, dy);
-        int32_t x = a->x * (1 << 16) + GLINT_EDGE_CEILING + glint_edge_start(slope, a->y) + slope * above;
-        const uint32_t limit = (uint32_t)(width + 1) << 20;
-        if ((uint32_t)x < limit && (uint32_t)(x + slope * (rows - 1)) < limit) {
-            do {
-                *side = (uint8_t)(x >> 20);
-                side += sizeof(glint_span);
-                x += slope;
-            } while (--rows);
-            return;
-        }
-        const int32_t mask = (1 << 20) - 1;
-        e = (edge){glint_shift_right(x, 20), x & mask, glint_shift_right(slope, 20), slope & mask, mask + 1};
-    }
-    walk(&e, side, rows, width);
+    begin_exactly(&e, s->a->x, dx, dy, 16 * s->above + (-s->a->y & 15));
+    walk(&e, s->column, s->rows, part->window.width);
 }
 
-static void find_place(glint_place *place, const glint_window *window, const glint_vertex *v) {
+/* A short edge, from where it crosses the first row, Q20, by its slope; it leaves the tile. */
+static void find_clamped(const glint_part *part, const side *s, int32_t x, int32_t slope) {
+    const int32_t width = part->window.width;
+    uint8_t *column = s->column;
+    for (int32_t row = 0; row < s->rows; row++) {
+        const int32_t whole = glint_shift_right(x, 20), inside = whole < 0 ? 0 : whole;
+        *column = (uint8_t)(inside > width ? width : inside);
+        column += sizeof(glint_span);
+        x = glint_add_wrap(x, slope);
+    }
+}
+
+/* Finds one side of the spans between two corners that follow each other counter-clockwise. */
+static void find_side(glint_part *part, const glint_place *a, const glint_place *b) {
+    side s = {a, b, &part->spans[0].left, 0, 0};
+    if (a->row > b->row) /* edges that run up are right ones */
+        s = (side){b, a, &part->spans[0].right, 0, 0};
+    int32_t top = s.a->row, bottom = s.b->row < part->window.height ? s.b->row : part->window.height;
+    if (top < 0) {
+        s.above = -top;
+        top = 0;
+    }
+    s.rows = bottom - top;
+    if (s.rows <= 0)
+        return;
+    s.column += sizeof(glint_span) * (uint32_t)top;
+    const int32_t dx = s.b->x - s.a->x, dy = s.b->y - s.a->y;
+    if ((GLINT_SMALL && GLINT_DIVIDES) || (part->gradients.size >= GLINT_EDGE_SIZE &&
+                                           (dy >= GLINT_EDGE_DY || dx >= GLINT_EDGE_DX || dx <= -GLINT_EDGE_DX))) {
+        find_exactly(part, &s);
+        return;
+    }
+    const int32_t slope = glint_slope(dx, dy);
+    int32_t x = s.a->x * (1 << 16) + GLINT_EDGE_CEILING + glint_edge_start(slope, s.a->y) + slope * s.above;
+    const uint32_t limit = (uint32_t)(part->window.width + 1) << 20;
+    if ((uint32_t)x >= limit || (uint32_t)(x + slope * (s.rows - 1)) >= limit) {
+        find_clamped(part, &s, x, slope);
+        return;
+    }
+    uint8_t *column = s.column;
+    int32_t rows = s.rows;
+    do {
+        *column = (uint8_t)(x >> 20);
+        column += sizeof(glint_span);
+        x += slope;
+    } while (--rows);
+}
+
+static inline void find_place(glint_place *place, const glint_window *window, const glint_vertex *v) {
     place->x = v->x - window->left;
     place->y = v->y - window->top;
     place->row = glint_shift_right(place->y + 15, 4);
@@ -104,14 +128,28 @@ static int find_rows(glint_part *part) {
     return top < bottom;
 }
 
+/* Puts the corners of a triangle that runs clockwise on the screen in the other order. */
+static void turn_round(glint_triangle *triangle, int has_extra) {
+    const glint_vertex *corner = triangle->corners[1];
+    triangle->corners[1] = triangle->corners[2];
+    triangle->corners[2] = corner;
+    if (has_extra) {
+        const int16_t *extra = triangle->extra[1];
+        triangle->extra[1] = triangle->extra[2];
+        triangle->extra[2] = extra;
+    }
+}
+
 void glint_raster(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                   glint_triangle *triangle, glint_part *part) {
-    glint_place *places = part->places;
     const glint_vertex *const *v = triangle->corners;
-    const int32_t area = glint_double_area(v[0], v[1], v[2]);
-    triangle->clockwise = area > 0;
-    triangle->area = area < 0 ? -area : area;
-    triangle->back = triangle->clockwise != draw->mirrored;
+    glint_place *places = part->places;
+    triangle->area = -glint_double_area(v[0], v[1], v[2]);
+    triangle->back = (triangle->area < 0) != draw->mirrored;
+    if (triangle->area < 0) {
+        triangle->area = -triangle->area;
+        turn_round(triangle, draw->extra != 0);
+    }
     find_place(&places[0], &part->window, v[0]);
     find_place(&places[1], &part->window, v[1]);
     find_place(&places[2], &part->window, v[2]);
@@ -120,9 +158,8 @@ void glint_raster(const glint_frame *frame, glint_workspace *workspace, const gl
     part->x = -glint_shift_right(places[0].x + 8, 4);
     part->y = -glint_shift_right(places[0].y + 8, 4);
     glint_setup(part, triangle);
-    const glint_place *second = &places[1 + triangle->clockwise], *third = &places[2 - triangle->clockwise];
-    find_side(part, places, second);
-    find_side(part, second, third);
-    find_side(part, third, places);
+    find_side(part, &places[0], &places[1]);
+    find_side(part, &places[1], &places[2]);
+    find_side(part, &places[2], &places[0]);
     draw->kernel(frame, workspace, draw, triangle, part);
 }

@@ -11,59 +11,56 @@
 #define NARROW_SIZE 10
 #define NARROW_SLENDER 6
 
+/* Sides across from the second and the third corner, turned by a right angle, in sixteenths; and the area. */
+typedef struct sides {
+    int32_t x1, y1, x2, y2;
+    uint32_t area;
+    int32_t area_bits;  /* 2^area_bits is at most the area */
+    int32_t reciprocal; /* 1/area = reciprocal 2^-(16 + area_bits), 16 bits; of narrow triangles only */
+} sides;
+
 /* A side of at most `size` bits, up to 16, times 1/area. */
-static int32_t to_30_bits(int32_t side, int32_t reciprocal, int32_t size) {
+static GLINT_NOINLINE int32_t to_30_bits(int32_t side, int32_t reciprocal, int32_t size) {
     return (int32_t)glint_shift_right64((int64_t)glint_shift_left(side, 16 - (unsigned)size) * reciprocal, 17);
 }
 
-/* Bits of the largest difference in 1/w from the first corner. */
-static uint32_t depth_bits(const glint_triangle *t) {
-    const int32_t first = t->corners[0]->inverse_w;
-    return glint_magnitude_bits(t->corners[1]->inverse_w - first) |
-           glint_magnitude_bits(t->corners[2]->inverse_w - first);
+/* A side of at most `size` bits, up to 10, times 1/area: 15 bits. */
+static inline int32_t to_15_bits(int32_t side, int32_t reciprocal, int32_t size) {
+    return glint_shift_right(side * reciprocal + (1 << size), (unsigned)size + 1);
 }
 
 /*
- * Narrow, where that keeps depth to about a step: 1/area of 16 bits, gradients rounded to 15 bits. A plane's value
- * at a pixel of the triangle is then off by at most 2^-12 of the corners' difference, 2^-8 where the triangle is
- * slender, and a step for each pixel from the anchor. Wide, it is off by at most 2^-7 of the difference, or of 2^26
+ * Narrow triangles have a 1/area of 16 bits, and gradients rounded to 15 bits. A plane's value at a pixel of the
+ * triangle is then off by at most 2^-12 of the corners' difference, 2^-8 where the triangle is slender, and a step for
+ * each pixel from the anchor; depth is refined to 2^-13. Wide, it is off by at most 2^-7 of the difference, or of 2^26
  * where that is less: a needle 2000 pixels long.
  */
-static void gradients_begin(glint_gradients *g, const glint_place places[3], const glint_triangle *t) {
-    int32_t x1 = places[0].y - places[2].y, y1 = places[2].x - places[0].x;
-    int32_t x2 = places[1].y - places[0].y, y2 = places[0].x - places[1].x;
-    const uint32_t area = (uint32_t)t->area;
-    const uint32_t bits =
-        glint_magnitude_bits(x1) | glint_magnitude_bits(y1) | glint_magnitude_bits(x2) | glint_magnitude_bits(y2);
-    const int32_t zeros = (int32_t)glint_leading_zeros(area), area_bits = 31 - zeros;
+static void gradients_begin(glint_gradients *g, sides *s) {
+    const uint32_t bits = glint_magnitude_bits(s->x1) | glint_magnitude_bits(s->y1) | glint_magnitude_bits(s->x2) |
+                          glint_magnitude_bits(s->y2);
+    const uint32_t zeros = glint_leading_zeros(s->area);
+    const int32_t area_bits = 31 - (int32_t)zeros;
     int32_t size = (area_bits + 1) / 2; /* of the longest side: at least half as many bits as the area */
     while ((bits + 1) >> size)
         size++;
-    g->to_center_x = 8 - ((places[0].x + 8) & 15);
-    g->to_center_y = 8 - ((places[0].y + 8) & 15);
+    s->area_bits = area_bits;
     g->size = size;
-    g->shift = 42 - zeros - size;
-    const int32_t slender = 2 * size - area_bits;
-    g->wide = size > NARROW_SIZE || slender > NARROW_SLENDER || depth_bits(t) >> (29 - slender);
+    g->shift = 11 + area_bits - size;
+    g->wide = size > NARROW_SIZE || 2 * size - area_bits > NARROW_SLENDER;
     if (g->wide) {
         /* 1 / area is this times 2^(zeros - 62) */
-        const int32_t reciprocal = (int32_t)(glint_reciprocal(area << zeros) >> 1);
-        x1 = to_30_bits(x1, reciprocal, size);
-        y1 = to_30_bits(y1, reciprocal, size);
-        x2 = to_30_bits(x2, reciprocal, size);
-        y2 = to_30_bits(y2, reciprocal, size);
+        const int32_t reciprocal = (int32_t)(glint_reciprocal(s->area << zeros) >> 1);
+        g->x1 = to_30_bits(s->x1, reciprocal, size);
+        g->y1 = to_30_bits(s->y1, reciprocal, size);
+        g->x2 = to_30_bits(s->x2, reciprocal, size);
+        g->y2 = to_30_bits(s->y2, reciprocal, size);
     } else {
-        /* 1 / area is this times 2^(zeros - 47) */
-        const int32_t reciprocal = glint_reciprocal16(area << zeros >> 16), half = 1 << size;
-        x1 = glint_shift_right(x1 * reciprocal + half, (unsigned)size + 1);
-        y1 = glint_shift_right(y1 * reciprocal + half, (unsigned)size + 1);
-        x2 = glint_shift_right(x2 * reciprocal + half, (unsigned)size + 1);
-        y2 = glint_shift_right(y2 * reciprocal + half, (unsigned)size + 1);
+        s->reciprocal = glint_reciprocal16(s->area << zeros >> 16);
+        g->x1 = to_15_bits(s->x1, s->reciprocal, size);
+        g->y1 = to_15_bits(s->y1, s->reciprocal, size);
+        g->x2 = to_15_bits(s->x2, s->reciprocal, size);
+        g->y2 = to_15_bits(s->y2, s->reciprocal, size);
     }
-    g->x1 = t->clockwise ? -x1 : x1;
-    g->y1 = t->clockwise ? -y1 : y1;
-    g->x2 = t->clockwise ? -x2 : x2;
-    g->y2 = t->clockwise ? -y2 : y2;
 }
 
 /* x 2^n, |n| < 32; up, it may wrap */
@@ -75,28 +72,64 @@ static inline int32_t high_sum(int32_t d1, int32_t g1, int32_t d2, int32_t g2) {
     return (int32_t)glint_shift_right64((int64_t)d1 * g1 + (int64_t)d2 * g2, 31);
 }
 
-void glint_plane_begin(glint_plane *p, const glint_gradients *g, int32_t a0, int32_t a1, int32_t a2) {
-    int32_t d1 = a1 - a0, d2 = a2 - a0, dx, dy, up = 16;
-    if (g->wide) {
-        dx = high_sum(d1, g->x1, d2, g->x2);
-        dy = high_sum(d1, g->y1, d2, g->y2);
-    } else { /* differences in 15 bits and a sign */
-        up = 17 - (int32_t)glint_leading_zeros(glint_magnitude_bits(d1) | glint_magnitude_bits(d2));
-        up = up > 0 ? up : 0;
-        d1 = glint_shift_right(d1, (unsigned)up);
-        d2 = glint_shift_right(d2, (unsigned)up);
-        dx = d1 * g->x1 + d2 * g->x2;
-        dy = d1 * g->y1 + d2 * g->y2;
-    }
-    up -= g->shift;
-    p->dx = scale(dx, up);
-    p->dy = scale(dy, up);
+/* A plane from slopes that are 2^-n of its own. */
+static inline void finish_plane(glint_plane *p, const glint_gradients *g, int32_t start, int32_t dx, int32_t dy,
+                                int32_t n) {
     const int32_t to_center = glint_shift_right(dx, 5) * g->to_center_x + glint_shift_right(dy, 5) * g->to_center_y;
-    p->start = glint_add_wrap(a0, scale(to_center, up + 1));
+    p->dx = scale(dx, n);
+    p->dy = scale(dy, n);
+    p->start = glint_add_wrap(start, scale(to_center, n + 1));
+}
+
+/* Brings two differences to 15 bits and a sign. @return n: they were 2^n as much */
+static inline int32_t to_differences(int32_t *d1, int32_t *d2) {
+    int32_t up = 17 - (int32_t)glint_leading_zeros(glint_magnitude_bits(*d1) | glint_magnitude_bits(*d2));
+    up = up > 0 ? up : 0;
+    *d1 = glint_shift_right(*d1, (unsigned)up);
+    *d2 = glint_shift_right(*d2, (unsigned)up);
+    return up;
+}
+
+void glint_plane_begin(glint_plane *p, const glint_gradients *g, int32_t a0, int32_t a1, int32_t a2) {
+    int32_t d1 = a1 - a0, d2 = a2 - a0;
+    if (g->wide) {
+        finish_plane(p, g, a0, high_sum(d1, g->x1, d2, g->x2), high_sum(d1, g->y1, d2, g->y2), 16 - g->shift);
+    } else {
+        const int32_t up = to_differences(&d1, &d2);
+        finish_plane(p, g, a0, d1 * g->x1 + d2 * g->x2, d1 * g->y1 + d2 * g->y2, up - g->shift);
+    }
+}
+
+/*
+ * The slope d1 g1 + d2 g2 of a narrow triangle made precise: by what it differs from the exact quotient, less than 2^17
+ * steps, times 1/area. @return the slope 2^-k, off by at most 9 steps of the whole one, or one of its own
+ */
+static inline int32_t refine(const sides *s, int32_t slope, int32_t exact, int32_t shift, unsigned k) {
+    const int32_t part = glint_shift_right(slope, k);
+    const uint32_t rest = ((uint32_t)exact << (shift + 4 - (int32_t)k)) - (uint32_t)part * s->area;
+    const int32_t high = glint_shift_right((int32_t)rest, (unsigned)s->area_bits + 3 - k);
+    return part + glint_shift_right(high * s->reciprocal, 13 + k);
+}
+
+/* Depth of a narrow triangle: the differences' rounding, 2^-15 of them, is all its error but for steps. */
+static void narrow_depth(glint_plane *p, const glint_gradients *g, const sides *s, int32_t a0, int32_t d1, int32_t d2) {
+    const int32_t up = to_differences(&d1, &d2);
+    const unsigned k = s->area_bits > 12 ? (unsigned)s->area_bits - 12 : 0;
+    const int32_t dx = refine(s, d1 * g->x1 + d2 * g->x2, d1 * s->x1 + d2 * s->x2, g->shift, k);
+    const int32_t dy = refine(s, d1 * g->y1 + d2 * g->y2, d1 * s->y1 + d2 * s->y2, g->shift, k);
+    finish_plane(p, g, a0, dx, dy, up - g->shift + (int32_t)k);
 }
 
 void glint_setup(glint_part *part, const glint_triangle *t) {
-    const glint_vertex *const *v = t->corners;
-    gradients_begin(&part->gradients, part->places, t);
-    glint_plane_begin(&part->depth, &part->gradients, v[0]->inverse_w, v[1]->inverse_w, v[2]->inverse_w);
+    const glint_place *a = &part->places[0], *b = &part->places[1], *c = &part->places[2];
+    const int32_t w = t->corners[0]->inverse_w, w1 = t->corners[1]->inverse_w, w2 = t->corners[2]->inverse_w;
+    glint_gradients *g = &part->gradients;
+    sides s = {.x1 = a->y - c->y, .y1 = c->x - a->x, .x2 = b->y - a->y, .y2 = a->x - b->x, .area = (uint32_t)t->area};
+    g->to_center_x = 8 - ((a->x + 8) & 15);
+    g->to_center_y = 8 - ((a->y + 8) & 15);
+    gradients_begin(g, &s);
+    if (g->wide)
+        glint_plane_begin(&part->depth, g, w, w1, w2);
+    else
+        narrow_depth(&part->depth, g, &s, w, w1 - w, w2 - w);
 }

@@ -39,48 +39,88 @@ typedef struct glint_spans {
     unsigned shift;
 } glint_spans;
 
+/* A plane's value at the first column of the triangle's first row. */
+static inline uint32_t glint_first_row(const glint_part *part, const glint_plane *plane) {
+    return (uint32_t)glint_plane_at(plane, part->x, part->y + (int32_t)part->top);
+}
+
+/* From 1/w to depth, in their own steps: the farthest surfaces still count as nearer than nothing. */
+#define GLINT_DEPTH_BIAS (1u << 15)
+
+/* Tests depth at `place`, and stores it. @return 0 for what is hidden */
+static inline int glint_is_nearest(uint8_t *place, uint32_t z) {
+    uint16_t *depth = (uint16_t *)(void *)place;
+    if (z >> 15 <= *depth)
+        return 0;
+    *depth = (uint16_t)(z >> 15);
+    return 1;
+}
+
+/*
+ * The loops carry the planes' values from the end of a span to the start of the next: that takes fewer registers than
+ * keeping what they are where rows begin.
+ */
+
 /* The light of one colour all over. */
 static inline void glint_draw_constant(const glint_spans *s, uint32_t colour, int high_first) {
     const glint_part *part = s->part;
-    glint_walk w = glint_walk_begin(&part->depth, part->x, part->y + (int32_t)part->top);
-    w.row += 1u << 15;
-    for (uint32_t row = part->top; row < part->bottom; row++, w.row += w.dy) {
-        const glint_span span = part->spans[row];
-        const uint32_t offset = (row << s->shift) + span.left;
-        uint16_t *depth = s->depth + offset, *end = s->depth + (row << s->shift) + span.right;
-        uint8_t *pixel = s->pixels + 2 * offset;
-        uint32_t z = w.row + w.dx * span.left;
-        for (; depth < end; depth++, pixel += 2, z += w.dx) {
-            const uint32_t here = z >> 15;
-            if (here <= *depth)
-                continue;
-            *depth = (uint16_t)here;
-            glint_put_565(pixel, colour, high_first);
+    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
+    const uint32_t z_dx = (uint32_t)part->depth.dx;
+    uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS, column = 0;
+    uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
+    for (; span != last; span++) {
+        const uint32_t left = span->left, right = span->right;
+        if (left < right) {
+            depth += 2 * (int32_t)(left - column);
+            z += z_dx * (left - column);
+            uint8_t *const end = depth + 2 * (right - left);
+            do {
+                if (glint_is_nearest(depth, z))
+                    glint_put_565(depth + to_pixels, colour, high_first);
+                depth += 2;
+                GLINT_OPAQUE(depth);
+                z += z_dx;
+            } while (depth != end);
+            column = right;
         }
+        depth += stride;
+        z += (uint32_t)part->depth.dy;
     }
 }
 
 /* Diffuse light only; gated, ambient light alone where N.L <= 0. */
 static inline void glint_draw_diffuse(const glint_spans *s, const glint_deviation *deviation, const glint_plane *cosine,
                                       int gated, int high_first) {
-    const uint16_t *table = deviation->diffuse_pixel;
     const glint_part *part = s->part;
-    const int32_t y = part->y + (int32_t)part->top;
-    glint_walk w = glint_walk_begin(&part->depth, part->x, y), d = glint_walk_begin(cosine, part->x, y);
-    w.row += 1u << 15;
-    for (uint32_t row = part->top; row < part->bottom; row++, w.row += w.dy, d.row += d.dy) {
-        const glint_span span = part->spans[row];
-        const uint32_t offset = (row << s->shift) + span.left;
-        uint16_t *depth = s->depth + offset, *end = s->depth + (row << s->shift) + span.right;
-        uint8_t *pixel = s->pixels + 2 * offset;
-        uint32_t z = w.row + w.dx * span.left, level = d.row + d.dx * span.left;
-        for (; depth < end; depth++, pixel += 2, z += w.dx, level += d.dx) {
-            const uint32_t here = z >> 15;
-            if (here <= *depth)
-                continue;
-            *depth = (uint16_t)here;
-            glint_put_565(pixel, gated && (int32_t)level <= 0 ? deviation->ambient : table[level >> 22], high_first);
+    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
+    const uint16_t *const table = deviation->diffuse_pixel;
+    const uint32_t z_dx = (uint32_t)part->depth.dx, level_dx = (uint32_t)cosine->dx;
+    uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS, level = glint_first_row(part, cosine);
+    uint32_t column = 0;
+    uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
+    for (; span != last; span++) {
+        const uint32_t left = span->left, right = span->right;
+        if (left < right) {
+            depth += 2 * (int32_t)(left - column);
+            z += z_dx * (left - column);
+            level += level_dx * (left - column);
+            uint8_t *const end = depth + 2 * (right - left);
+            do {
+                if (glint_is_nearest(depth, z))
+                    glint_put_565(depth + to_pixels,
+                                  gated && (int32_t)level <= 0 ? deviation->ambient : table[level >> 22], high_first);
+                depth += 2;
+                GLINT_OPAQUE(depth);
+                z += z_dx;
+                level += level_dx;
+            } while (depth != end);
+            column = right;
         }
+        depth += stride;
+        z += (uint32_t)part->depth.dy;
+        level += (uint32_t)cosine->dy;
     }
 }
 
@@ -94,31 +134,48 @@ static inline uint32_t glint_high_square(uint32_t value) {
 static inline void glint_draw_highlight(const glint_spans *s, const glint_deviation *deviation,
                                         const glint_deviation_planes *planes, int high_first) {
     const glint_part *part = s->part;
-    const uint32_t *diffuse = deviation->diffuse, *specular = deviation->specular, end_square = deviation->specular_end;
-    const int32_t first = part->y + (int32_t)part->top;
-    glint_walk w = glint_walk_begin(&part->depth, part->x, first),
-               d = glint_walk_begin(&planes->cosine, part->x, first);
-    glint_walk ex = glint_walk_begin(&planes->x, part->x, first), ey = glint_walk_begin(&planes->y, part->x, first);
-    w.row += 1u << 15;
-    for (uint32_t row = part->top; row < part->bottom;
-         row++, w.row += w.dy, d.row += d.dy, ex.row += ex.dy, ey.row += ey.dy) {
-        const glint_span span = part->spans[row];
-        const uint32_t offset = (row << s->shift) + span.left;
-        uint16_t *depth = s->depth + offset, *end = s->depth + (row << s->shift) + span.right;
-        uint8_t *pixel = s->pixels + 2 * offset;
-        uint32_t z = w.row + w.dx * span.left, level = d.row + d.dx * span.left;
-        uint32_t x = ex.row + ex.dx * span.left, y = ey.row + ey.dx * span.left;
-        for (; depth < end; depth++, pixel += 2, z += w.dx, level += d.dx, x += ex.dx, y += ey.dx) {
-            const uint32_t here = z >> 15;
-            if (here <= *depth)
-                continue;
-            *depth = (uint16_t)here;
-            const uint32_t square = glint_high_square(x) + glint_high_square(y);
-            uint32_t word = diffuse[level >> 22];
-            if (square < end_square)
-                word = glint_spread_clamp(word + specular[square >> 15]);
-            glint_put_565(pixel, glint_spread_pack(word), high_first);
+    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
+    const uint32_t *const diffuse = deviation->diffuse, *const specular = deviation->specular;
+    const uint32_t end_square = deviation->specular_end;
+    const uint32_t z_dx = (uint32_t)part->depth.dx, level_dx = (uint32_t)planes->cosine.dx;
+    const uint32_t x_dx = (uint32_t)planes->x.dx, y_dx = (uint32_t)planes->y.dx;
+    uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS;
+    uint32_t level = glint_first_row(part, &planes->cosine);
+    uint32_t x = glint_first_row(part, &planes->x), y = glint_first_row(part, &planes->y);
+    uint32_t column = 0;
+    uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
+    for (; span != last; span++) {
+        const uint32_t left = span->left, right = span->right;
+        if (left < right) {
+            depth += 2 * (int32_t)(left - column);
+            z += z_dx * (left - column);
+            level += level_dx * (left - column);
+            x += x_dx * (left - column);
+            y += y_dx * (left - column);
+            uint8_t *const end = depth + 2 * (right - left);
+            do {
+                if (glint_is_nearest(depth, z)) {
+                    const uint32_t square = glint_high_square(x) + glint_high_square(y);
+                    uint32_t word = diffuse[level >> 22];
+                    if (square < end_square)
+                        word = glint_spread_clamp(word + specular[square >> 15]);
+                    glint_put_565(depth + to_pixels, glint_spread_pack(word), high_first);
+                }
+                depth += 2;
+                GLINT_OPAQUE(depth);
+                z += z_dx;
+                level += level_dx;
+                x += x_dx;
+                y += y_dx;
+            } while (depth != end);
+            column = right;
         }
+        depth += stride;
+        z += (uint32_t)part->depth.dy;
+        level += (uint32_t)planes->cosine.dy;
+        x += (uint32_t)planes->x.dy;
+        y += (uint32_t)planes->y.dy;
     }
 }
 
@@ -132,10 +189,9 @@ static inline void glint_draw_without_tables(const glint_spans *s, const glint_s
         for (uint32_t column = span.left; column < span.right; column++) {
             const int32_t x = part->x + (int32_t)column, y = part->y + (int32_t)row;
             const uint32_t offset = (row << s->shift) + column;
-            const uint32_t here = ((uint32_t)glint_plane_at(&part->depth, x, y) + (1u << 15)) >> 15;
-            if (here <= s->depth[offset])
+            if (!glint_is_nearest((uint8_t *)(s->depth + offset),
+                                  (uint32_t)glint_plane_at(&part->depth, x, y) + GLINT_DEPTH_BIAS))
                 continue;
-            s->depth[offset] = (uint16_t)here;
             const int32_t level = glint_plane_at(&planes->cosine, x, y);
             uint32_t square = UINT32_MAX;
             if (kind == GLINT_DEVIATION_SPECULAR)

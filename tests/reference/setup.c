@@ -85,8 +85,14 @@ static int draw(drawn *d, int32_t size, int32_t range) {
     d->triangle.area = (x[2] - x[0]) * (y[1] - y[0]) - (x[1] - x[0]) * (y[2] - y[0]);
     if (d->triangle.area == 0)
         return 0;
-    d->triangle.clockwise = d->triangle.area < 0;
-    d->triangle.area = abs(d->triangle.area);
+    if (d->triangle.area < 0) { /* counter-clockwise, as raster turns it */
+        const int32_t swapped[2] = {x[1], y[1]};
+        x[1] = x[2];
+        y[1] = y[2];
+        x[2] = swapped[0];
+        y[2] = swapped[1];
+        d->triangle.area = -d->triangle.area;
+    }
     for (int i = 0; i < 3; i++)
         d->part.places[i] = (glint_place){x[i], y[i], (y[i] + 15) >> 4};
     glint_setup(&d->part, &d->triangle);
@@ -94,10 +100,10 @@ static int draw(drawn *d, int32_t size, int32_t range) {
 }
 
 /* Largest error over the pixels of a triangle, as a part of the corners' largest difference, or of `least`. */
-static double worst_plane(const drawn *d, double least) {
+static double worst_plane(const drawn *d, const glint_plane *plane, double least) {
     const glint_place *p = d->part.places;
     const int32_t anchor_x = (p[0].x + 8) >> 4, anchor_y = (p[0].y + 8) >> 4;
-    const double area = d->triangle.clockwise ? d->triangle.area : -d->triangle.area, a = d->corners[0].inverse_w;
+    const double area = -d->triangle.area, a = d->corners[0].inverse_w;
     const double da = d->corners[1].inverse_w - a, db = d->corners[2].inverse_w - a;
     double worst = 0;
     for (int tries = 0; tries < 64; tries++) {
@@ -109,7 +115,7 @@ static double worst_plane(const drawn *d, double least) {
         const double v = ((16.0 * y - p[0].y) * (p[1].x - p[0].x) - (16.0 * x - p[0].x) * (p[1].y - p[0].y)) / area;
         if (u < 0 || v < 0 || u + v > 1)
             continue;
-        const double found = glint_plane_at(&d->part.depth, x - anchor_x, y - anchor_y);
+        const double found = glint_plane_at(plane, x - anchor_x, y - anchor_y);
         const double rounding = 4 + abs(x - anchor_x) + abs(y - anchor_y); /* slopes are whole */
         worst = fmax(worst, fabs(found - (a + u * da + v * db)) - rounding);
     }
@@ -127,9 +133,7 @@ static void report(const char *name, double worst, double allowed) {
 
 static void planes(void) {
     static const int32_t ranges[4] = {1 << 16, 1 << 24, 1 << 28, 0x7fff0000};
-    double worst = 0;
-    double worst_slender = 0;
-    double worst_wide = 0;
+    double worst = 0, worst_slender = 0, worst_depth = 0, worst_wide = 0;
     for (int i = 0; i < 3000000; i++) {
         drawn d;
         if (!draw(&d, 4 << random_below(13), ranges[i % 4]))
@@ -137,11 +141,19 @@ static void planes(void) {
         const glint_gradients *g = &d.part.gradients;
         const int32_t area_bits = 31 - (int32_t)glint_leading_zeros((uint32_t)d.triangle.area);
         const int32_t size = 11 + area_bits - g->shift;
-        double *kind = g->wide ? &worst_wide : 2 * size - area_bits > 2 ? &worst_slender : &worst;
-        *kind = fmax(*kind, worst_plane(&d, g->wide ? 1 << 26 : 1));
+        if (g->wide) {
+            worst_wide = fmax(worst_wide, worst_plane(&d, &d.part.depth, 1 << 26));
+            continue;
+        }
+        glint_plane attribute;
+        glint_plane_begin(&attribute, g, d.corners[0].inverse_w, d.corners[1].inverse_w, d.corners[2].inverse_w);
+        double *kind = 2 * size - area_bits > 2 ? &worst_slender : &worst;
+        *kind = fmax(*kind, worst_plane(&d, &attribute, 1));
+        worst_depth = fmax(worst_depth, worst_plane(&d, &d.part.depth, 1));
     }
     report("narrow triangles", worst, 0x1p-12);
     report("slender triangles", worst_slender, 0x1p-8);
+    report("narrow triangles' depth", worst_depth, 0x1p-13);
     report("wide triangles", worst_wide, 0x1p-7);
 }
 
