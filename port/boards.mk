@@ -126,8 +126,9 @@ comma := ,
 cross = $(or $($1_CROSS),$(CROSS))
 
 # Levels of optimisation: O0, Os and O2 are the compiler's; `release` is for size, so that a small flash suffices: what a
-# loop needs again is computed again.
-optimise = $(if $(filter release,$1),-Os -fno-move-loop-invariants -fno-tree-loop-optimize -fno-schedule-insns2,-$1)
+# loop needs again is computed again, and loops and expressions stay as they are written.
+SIZE_FLAGS := -Os -fno-move-loop-invariants -fno-tree-loop-im -fno-tree-loop-ivcanon -fno-tree-forwprop -fno-schedule-insns2
+optimise = $(if $(filter release,$1),$(SIZE_FLAGS),-$1)
 
 # $(call firmware_objects,board,level): objects and library of one board
 define firmware_objects

@@ -20,7 +20,7 @@ static glint_status prepare_materials(glint_frame *frame) {
             return GLINT_ERROR_ARENA;
         if (!frame->shading)
             frame->shading = shading;
-        glint_status status = glint_prepare_shading(shading, objects[i].material, frame->scene);
+        glint_status status = glint_prepare_shading(frame, shading, objects[i].material);
         if (status != GLINT_OK)
             return status;
     }

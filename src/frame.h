@@ -83,7 +83,9 @@ typedef struct glint_shading {
     struct {
         uint32_t diffuse[3], specular[3]; /* Q12 */
     } weights[GLINT_LIGHTS_MAX];
-    uint32_t has_specular;
+    uint32_t lights;                         /* bit i: light i shows */
+    uint32_t has_specular;                   /* bit i: its specular light does */
+    uint32_t spare;                          /* of the error budget, Q12: what each light's specular light may lack */
     const struct glint_deviation *deviation; /* tables of fast lighting, or null */
     glint_power_table power;
 } glint_shading;
@@ -309,10 +311,13 @@ glint_status glint_check_scene(const glint_scene *scene);
 glint_status glint_prepare_view(glint_view *view, const glint_config *config, const glint_scene *scene);
 
 /** A material's weights and power table. */
-glint_status glint_prepare_shading(glint_shading *shading, const glint_material *material, const glint_scene *scene);
+glint_status glint_prepare_shading(const glint_frame *frame, glint_shading *shading, const glint_material *material);
 
-/** A power table for exponent p; weight, Q12, is the largest that its values are multiplied by. */
-void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t weight);
+/**
+ * A power table for exponent p; weight, Q12, is the largest that its values are multiplied by. What falls below
+ * `spare`, Q12, need not show: where that is 0, below 1/16 of an 8-bit step.
+ */
+void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t weight, uint32_t spare);
 
 /** Brings a world direction to camera space, unit. @return 0 when it has length 0. */
 int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_t out[3]);

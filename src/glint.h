@@ -85,7 +85,8 @@ typedef enum glint_status {
     GLINT_ERROR_VIEWER = -15,      /**< The viewer is neither infinite nor local. */
     GLINT_ERROR_ATTENUATION = -16, /**< An attenuation coefficient is below 0. */
     GLINT_ERROR_CONE = -17,        /**< A spot's cone is wider inside than outside, below 0 or above 180 degrees. */
-    GLINT_ERROR_GENERATOR = -18    /**< A generator has too few divisions, a size not above 0, or too little room. */
+    GLINT_ERROR_GENERATOR = -18,   /**< A generator has too few divisions, a size not above 0, or too little room. */
+    GLINT_ERROR_BUDGET = -19       /**< An error budget is not from 0 to GLINT_BUDGET_MAX. */
 } glint_status;
 
 /** A sentence in English for a status; for a number that is no status, "unknown status". Never null. */
@@ -214,6 +215,9 @@ typedef enum glint_viewer {
     GLINT_VIEWER_LOCAL = 1     /**< V points from each fragment to the eye. */
 } glint_viewer;
 
+/** Largest error budget. */
+#define GLINT_BUDGET_MAX 8
+
 /** All that a frame shows. Owned by the caller; read while a frame is drawn, never written. */
 typedef struct glint_scene {
     glint_camera camera;
@@ -224,6 +228,10 @@ typedef struct glint_scene {
     uint32_t light_count; /**< 0 to GLINT_LIGHTS_MAX. */
     const glint_object *objects;
     uint32_t object_count; /**< 0 or more. Where depths tie, the first drawn wins. */
+    /** Steps of an output channel by which any may differ from the exact image, for fewer instructions: 0, exact, to
+     * GLINT_BUDGET_MAX. Formats of 1 bit count steps of 8 bits; with output tables, which may steepen errors, it is 0.
+     */
+    int32_t error_budget;
 } glint_scene;
 
 /* ---- Poses and cameras --------------------------------------------------------------------------------------- */

@@ -51,6 +51,7 @@ static inline void glint_light_fragments(const glint_shading *shading, uint32_t 
     const glint_prepared_light *source = &view->lights[index];
     const int has_position = source->type->illuminate != 0;
     const int fixed_half_vector = !has_position && !view->local_viewer;
+    const uint32_t has_specular = specular ? shading->has_specular >> index & 1 : 0;
     const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED;
     if (has_position)
         source->type->illuminate(source, fragments);
@@ -71,7 +72,7 @@ static inline void glint_light_fragments(const glint_shading *shading, uint32_t 
         } else if (!ungated) {
             continue;
         }
-        if (!specular || !shading->has_specular || !strength)
+        if (!has_specular || !strength)
             continue;
         uint32_t power = specular(&shading->power, fixed_half_vector ? source : 0, normal, light, fragments->view[i]);
         if (power)
@@ -82,9 +83,8 @@ static inline void glint_light_fragments(const glint_shading *shading, uint32_t 
 
 /** The power table of a model with highlights. */
 static inline void glint_prepare_specular(glint_shading *shading, uint32_t largest_specular) {
-    shading->has_specular = largest_specular != 0;
     if (largest_specular)
-        glint_power_prepare(&shading->power, shading->material->shininess, largest_specular);
+        glint_power_prepare(&shading->power, shading->material->shininess, largest_specular, shading->spare);
 }
 
 #endif

@@ -66,7 +66,7 @@ static glint_status count_materials(const glint_frame *frame, tally *sum) {
             earlier++;
         if (earlier < i)
             continue;
-        status = glint_prepare_shading(&shading, scene->objects[i].material, scene);
+        status = glint_prepare_shading(frame, &shading, scene->objects[i].material);
         sum->materials += GLINT_ALIGNED(sizeof shading);
         if (fast && status == GLINT_OK)
             fast->need(frame, &shading, &sum->materials, &sum->tables);

@@ -13,24 +13,29 @@ static int32_t power_of_sine(uint32_t u, int32_t exponent) {
     return (int32_t)glint_power((1u << 31) - 2 * square, exponent >> 1);
 }
 
-/* Where (1 - u)^(p/2) times the weight falls below 1/16 of an 8-bit step, as the next power of two; Q30. */
-static uint32_t find_window(int32_t exponent, uint32_t weight) {
-    unsigned bits = 12; /* 2^-12 is 1/16 of 1/255 */
-    while (bits < 16 && weight > 4096u << (bits - 12))
+/* Where (1 - u)^(p/2) times the weight falls below what need not show; Q30. */
+static uint32_t find_cut(int32_t exponent, uint32_t weight, uint32_t spare) {
+    unsigned bits = spare ? 0 : 12; /* 2^-12 is 1/16 of 1/255 */
+    while (bits < 16 && weight > (spare ? spare : 1) << bits)
         bits++;
     int64_t y = ((int64_t)(2 * bits) << 42) / exponent; /* 2 bits / p, Q26 */
-    uint32_t cut = (1u << 30) - glint_exp2((int32_t)-y);
+    return (1u << 30) - glint_exp2((int32_t)-y);
+}
+
+/* The next power of two. */
+static uint32_t find_window(uint32_t cut) {
     uint32_t window = 1u << (GLINT_POWER_TABLE_BITS + GLINT_POWER_FRACTION_BITS);
     while (window < cut)
         window <<= 1;
     return window;
 }
 
-void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t weight) {
+void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t weight, uint32_t spare) {
     table->exponent = exponent;
     table->direct = exponent < 2 * GLINT_ONE;
-    table->window = table->direct ? 1u << 30 : find_window(exponent, weight);
-    uint32_t inside = (1u << 30) - table->window;
+    const uint32_t cut = table->direct ? 1u << 30 : find_cut(exponent, weight, spare);
+    table->window = find_window(cut);
+    uint32_t inside = (1u << 30) - (spare ? cut : table->window);
     table->cosine_square_floor = (int32_t)((inside - (inside >> 11)) >> 15);
     if (table->direct)
         return;

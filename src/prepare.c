@@ -64,6 +64,8 @@ glint_status glint_check_scene(const glint_scene *scene) {
         return GLINT_ERROR_CAMERA;
     if (scene->viewer != GLINT_VIEWER_INFINITE && scene->viewer != GLINT_VIEWER_LOCAL)
         return GLINT_ERROR_VIEWER;
+    if ((uint32_t)scene->error_budget > GLINT_BUDGET_MAX)
+        return GLINT_ERROR_BUDGET;
     if (!colour_is_valid(&scene->background) || !colour_is_valid(&scene->ambient))
         return GLINT_ERROR_COLOUR;
     glint_status status = check_lights(scene);
@@ -169,43 +171,58 @@ glint_status glint_prepare_view(glint_view *view, const glint_config *config, co
     return status;
 }
 
-/* Products of two colours with `bits` fractional bits. @return 0 when one passes GLINT_COLOUR_MAX. */
-static int weigh_colour(const glint_colour *a, const glint_colour *b, int bits, uint32_t weight[3]) {
+/* Products of two colours with `bits` fractional bits. @return the largest, below 0 when one passes GLINT_COLOUR_MAX.
+ */
+static int32_t weigh_colour(const glint_colour *a, const glint_colour *b, int bits, uint32_t weight[3]) {
     const glint_q16 left[3] = {a->r, a->g, a->b}, right[3] = {b->r, b->g, b->b};
+    int32_t largest = 0;
     for (int c = 0; c < 3; c++) {
         int64_t product = (int64_t)left[c] * right[c];
         if (product > (int64_t)GLINT_COLOUR_MAX << 16)
-            return 0;
-        weight[c] = (uint32_t)glint_shift_round64(product, 32 - bits);
+            return -1;
+        const int32_t here = (int32_t)glint_shift_round64(product, 32 - bits);
+        weight[c] = (uint32_t)here;
+        largest = here > largest ? here : largest;
     }
-    return 1;
+    return largest;
 }
 
-static glint_status weigh_light(glint_shading *shading, uint32_t i, const glint_light *light) {
-    const glint_material *material = shading->material;
-    return weigh_colour(&material->diffuse, &light->diffuse, 12, shading->weights[i].diffuse) &&
-                   weigh_colour(&material->specular, &light->specular, 12, shading->weights[i].specular)
-               ? GLINT_OK
-               : GLINT_ERROR_COLOUR;
+/* What the error budget allows, as a weight, Q12: its steps less a quarter for what is rounded otherwise. */
+static int32_t find_spare(const glint_frame *frame) {
+    const int32_t budget = frame->scene->error_budget, bits = (int32_t)frame->config.format->bits;
+    const int32_t levels = bits & 4 ? 15 : bits == 16 ? 63 : 255;
+    return budget && !frame->config.gamma ? (4096 * budget - 1024) / levels : 0;
 }
 
-glint_status glint_prepare_shading(glint_shading *shading, const glint_material *material, const glint_scene *scene) {
-    uint32_t largest = 0;
-    shading->material = material;
-    shading->has_specular = 0;
-    shading->deviation = 0;
-    if (!weigh_colour(&material->ambient, &scene->ambient, 23, shading->ambient))
+glint_status glint_prepare_shading(const glint_frame *frame, glint_shading *shading, const glint_material *material) {
+    const glint_scene *scene = frame->scene;
+    const glint_light *light = scene->lights;
+    int32_t spare = find_spare(frame), largest = 0;
+    *shading = (glint_shading){.material = material};
+    if (weigh_colour(&material->ambient, &scene->ambient, 23, shading->ambient) < 0)
         return GLINT_ERROR_COLOUR;
-    for (uint32_t i = 0; i < scene->light_count; i++) {
-        glint_status status = weigh_light(shading, i, &scene->lights[i]);
-        if (status != GLINT_OK)
-            return status;
-        for (int c = 0; c < 3; c++) {
-            if (shading->weights[i].specular[c] > largest)
-                largest = shading->weights[i].specular[c];
+    for (uint32_t i = 0; i < scene->light_count; i++, light++) {
+        const int32_t diffuse = weigh_colour(&material->diffuse, &light->diffuse, 12, shading->weights[i].diffuse);
+        const int32_t specular = weigh_colour(&material->specular, &light->specular, 12, shading->weights[i].specular);
+        if ((diffuse | specular) < 0)
+            return GLINT_ERROR_COLOUR;
+        if (specular > spare) {
+            shading->has_specular |= 1u << i;
+            largest = specular > largest ? specular : largest;
+        } else {
+            spare -= specular;
+            if (diffuse <= spare) {
+                spare -= diffuse;
+                continue;
+            }
         }
+        shading->lights |= 1u << i;
     }
+    if (scene->light_count)
+        shading->spare = (uint32_t)spare / scene->light_count;
     if (material->model->prepare)
-        material->model->prepare(shading, largest);
+        material->model->prepare(shading, (uint32_t)largest);
+    else
+        shading->has_specular = 0;
     return GLINT_OK;
 }

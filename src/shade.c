@@ -50,7 +50,8 @@ void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const
     if (shading->has_specular)
         find_view_vectors(frame->view, fragments);
     for (uint32_t light = 0; light < frame->view->light_count; light++)
-        model->light(shading, light, frame->view, fragments, has_surface);
+        if (shading->lights >> light & 1)
+            model->light(shading, light, frame->view, fragments, has_surface);
     if (takes_largest)
         raise_to_ambient(shading, fragments, has_surface);
 }

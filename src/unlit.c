@@ -5,6 +5,7 @@
 static void prepare(glint_shading *shading, uint32_t largest_specular) {
     const glint_colour *colour = &shading->material->diffuse;
     (void)largest_specular;
+    shading->has_specular = 0;
     shading->ambient[0] = (uint32_t)colour->r << 7;
     shading->ambient[1] = (uint32_t)colour->g << 7;
     shading->ambient[2] = (uint32_t)colour->b << 7;

@@ -25,8 +25,10 @@ SUITE_fill_rule := $(TEST_HARNESS) tests/image/fill_rule.c $(TEST_SCENES) $(TEST
 SUITE_changes   := $(TEST_HARNESS) tests/image/changes.c $(TEST_SCENES)
 SUITE_drops     := $(TEST_HARNESS) tests/image/drops.c tests/image/undropped.c tests/stability/random_scene.c \
     tests/stability/weights.c $(TEST_SCENES) $(wildcard examples/scenes/*.c)
+SUITE_budget    := $(TEST_HARNESS) tests/image/budget.c tests/stability/random_scene.c tests/stability/weights.c \
+    $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit numbers setup compare accuracy models gallery output highlights fill_rule identity changes drops
+TEST_SUITES     := unit numbers setup compare accuracy models gallery output highlights fill_rule identity changes drops budget
 
 # $(call test_suite,variant,suite,compiler,flags): build/tests/<variant>/<suite>
 define test_suite
@@ -53,7 +55,7 @@ run_suites = @status=0; for suite in $1; do echo "$$suite"; $$suite || status=1;
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers setup) ## unit tests on the host, arithmetic against libm
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery output highlights fill_rule changes drops) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery output highlights fill_rule changes drops budget) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order

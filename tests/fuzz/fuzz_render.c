@@ -229,6 +229,7 @@ static void take_drawing(source *s, drawing *d) {
     memset(d, 0, sizeof *d);
     take_camera(s, &d->scene.camera);
     d->scene.viewer = (glint_viewer)(below(s, 64) == 1 ? 2 : below(s, 2));
+    d->scene.error_budget = below(s, 64) == 1 ? any(s) : (int32_t)below(s, GLINT_BUDGET_MAX + 1);
     d->scene.background = take_colour(s);
     d->scene.ambient = take_colour(s);
     for (int i = 0; i < MESHES; i++)

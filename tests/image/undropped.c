@@ -95,10 +95,17 @@ static void light_blinn_phong(const glint_shading *shading, uint32_t index, cons
 
 static void prepare(glint_shading *shading, uint32_t largest_specular) {
     undropped.no_specular += !largest_specular;
+    shading->lights = shading->has_specular = UINT32_MAX;
     glint_prepare_specular(shading, largest_specular ? largest_specular : 1);
 }
 
-static const glint_model twin_of_lambert = {0, light_lambert, GLINT_LOBE_NONE};
+static void prepare_lambert(glint_shading *shading, uint32_t largest_specular) {
+    (void)largest_specular;
+    shading->lights = UINT32_MAX;
+    shading->has_specular = 0;
+}
+
+static const glint_model twin_of_lambert = {prepare_lambert, light_lambert, GLINT_LOBE_NONE};
 static const glint_model twin_of_phong = {prepare, light_phong, GLINT_LOBE_OTHER};
 static const glint_model twin_of_blinn_phong = {prepare, light_blinn_phong, GLINT_LOBE_HALF_VECTOR};
 
@@ -128,47 +135,19 @@ int undropped_make(undropped_scene *twin, const glint_scene *scene) {
 
 /* ---- Kernels of RGB565 --------------------------------------------------------------------------------------- */
 
-/* Planes of N.L and of the deviation, which is 2^down times as large. */
-typedef struct wide_planes {
-    glint_plane cosine, x, y;
-    unsigned down;
-} wide_planes;
-
-static int32_t scaled(const glint_deviation *deviation, int32_t e, unsigned down) {
-    return (int32_t)glint_shift_right64((int64_t)e * deviation->scale, down);
+/* The plane of a term, its value in the high half. */
+static void begin_plane(glint_plane *plane, const glint_part *part, const int16_t *const terms[3], int which) {
+    glint_plane_begin(plane, &part->gradients, terms[0][which] * (1 << 16), terms[1][which] * (1 << 16),
+                      terms[2][which] * (1 << 16));
 }
 
-/* Planes of a triangle anywhere, the back of the highlight too: the library's reach only so far. */
-static void begin_wide(const glint_draw *draw, const glint_triangle *triangle, const glint_part *part,
-                       wide_planes *planes) {
-    const glint_deviation *deviation = draw->shading->deviation;
-    const int16_t *lit[3];
-    uint64_t bits = 0;
-    for (int i = 0; i < 3; i++) {
-        lit[i] = draw->terms[triangle->corners[i] - draw->vertices];
-        for (int c = 1; c < 3; c++)
-            bits |= glint_magnitude64((int64_t)lit[i][c] * deviation->scale);
-    }
-    planes->down = glint_bits64(bits) > 29 ? glint_bits64(bits) - 29 : 0;
-    const unsigned down = planes->down;
-    glint_plane_begin(&planes->cosine, &part->gradients, lit[0][0] * (1 << 15), lit[1][0] * (1 << 15),
-                      lit[2][0] * (1 << 15));
-    glint_plane_begin(&planes->x, &part->gradients, scaled(deviation, lit[0][1], down),
-                      scaled(deviation, lit[1][1], down), scaled(deviation, lit[2][1], down));
-    glint_plane_begin(&planes->y, &part->gradients, scaled(deviation, lit[0][2], down),
-                      scaled(deviation, lit[1][2], down), scaled(deviation, lit[2][2], down));
-}
-
-static uint32_t square_at(const wide_planes *planes, int32_t x, int32_t y) {
-    const int64_t ex = glint_plane_at(&planes->x, x, y), ey = glint_plane_at(&planes->y, x, y);
-    const unsigned down = 2 * planes->down;
-    const uint64_t square = (uint64_t)(ex * ex + ey * ey);
-    const uint64_t whole = down < 32 ? square >> (32 - down) : square;
-    return whole < UINT32_MAX ? (uint32_t)whole : UINT32_MAX;
+static uint32_t square_of_high_half(const glint_plane *plane, int32_t x, int32_t y) {
+    const int32_t high = glint_shift_right(glint_plane_at(plane, x, y), 16);
+    return (uint32_t)(high * high);
 }
 
 static void draw_pixels(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                        const glint_part *part, const glint_plane *cosine, const wide_planes *planes) {
+                        const glint_part *part, const glint_deviation_planes *planes) {
     for (uint32_t row = part->top; row < part->bottom; row++) {
         for (uint32_t column = part->spans[row].left; column < part->spans[row].right; column++) {
             const int32_t x = part->x + (int32_t)column, y = part->y + (int32_t)row;
@@ -177,9 +156,9 @@ static void draw_pixels(const glint_frame *frame, glint_workspace *workspace, co
             if (here <= workspace->depth[offset])
                 continue;
             workspace->depth[offset] = (uint16_t)here;
-            const uint32_t square = planes ? square_at(planes, x, y) : UINT32_MAX;
+            const uint32_t square = square_of_high_half(&planes->x, x, y) + square_of_high_half(&planes->y, x, y);
             ((uint16_t *)workspace->pixels)[offset] =
-                (uint16_t)glint_deviation_pixel(draw->shading, glint_plane_at(cosine, x, y), square);
+                (uint16_t)glint_deviation_pixel(draw->shading, glint_plane_at(&planes->cosine, x, y), square);
         }
     }
 }
@@ -187,19 +166,22 @@ static void draw_pixels(const glint_frame *frame, glint_workspace *workspace, co
 /* What the library draws with its highlight is drawn by the library; all else with all that it left out. */
 static void draw_undropped(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                            const glint_triangle *triangle, const glint_part *part) {
-    const glint_deviation *deviation = draw->shading->deviation;
     glint_deviation_planes planes;
-    wide_planes wide;
     const glint_deviation_kind kind = glint_deviation_begin(draw, triangle, part, &planes);
     if (kind == GLINT_DEVIATION_UNFIT || kind == GLINT_DEVIATION_SPECULAR) {
         glint_format_rgb565.fast->draw(frame, workspace, draw, triangle, part);
         return;
     }
-    begin_wide(draw, triangle, part, &wide);
+    const int16_t *const terms[3] = {draw->terms[triangle->corners[0] - draw->vertices],
+                                     draw->terms[triangle->corners[1] - draw->vertices],
+                                     draw->terms[triangle->corners[2] - draw->vertices]};
+    if (kind == GLINT_DEVIATION_AMBIENT)
+        begin_plane(&planes.cosine, part, terms, 0);
+    begin_plane(&planes.x, part, terms, 1);
+    begin_plane(&planes.y, part, terms, 2);
     undropped.parts_ambient += kind == GLINT_DEVIATION_AMBIENT;
-    undropped.parts_matt += kind != GLINT_DEVIATION_AMBIENT && deviation->specular_end;
-    draw_pixels(frame, workspace, draw, part, kind == GLINT_DEVIATION_AMBIENT ? &wide.cosine : &planes.cosine,
-                deviation->specular_end ? &wide : 0);
+    undropped.parts_matt += kind != GLINT_DEVIATION_AMBIENT && draw->shading->deviation->specular_end;
+    draw_pixels(frame, workspace, draw, part, &planes);
 }
 
 const glint_format *undropped_format(const glint_format *format) {

@@ -28,7 +28,7 @@ static unsigned sine_shift;
 
 static void prepare(int32_t p) {
     exponent = (uint32_t)p >> 16;
-    glint_power_prepare(&table, p, specular_weight[0]);
+    glint_power_prepare(&table, p, specular_weight[0], 0);
     sine_shift = 31 - glint_leading_zeros(table.window) - 16; /* brings what is in the window to 16 bits */
 }
 
@@ -329,7 +329,7 @@ RUN(flat)
 /* ---- The library ---- */
 
 static glint_material material;
-static glint_shading shading = {.material = &material};
+static glint_shading shading = {.material = &material, .has_specular = 1};
 static glint_view view;
 static glint_fragments fragments;
 

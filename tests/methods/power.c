@@ -172,7 +172,7 @@ METHOD_LOOP(sine_256, 1, 1)
 static glint_power_table library;
 
 static void prepare_library(int32_t p) {
-    glint_power_prepare(&library, p, 1u << 12);
+    glint_power_prepare(&library, p, 1u << 12, 0);
 }
 
 /* Its table, given sin^2. */

@@ -16,11 +16,17 @@ static int32_t power_of_sine(uint32_t u, int32_t exponent);
 
 /*@ requires exponent >= 0x20000;
     requires weight <= 0x10000;
-    assigns \result \from exponent, weight;
+    requires spare <= 0x10000;
+    assigns \result \from exponent, weight, spare;
+    ensures \result <= 0x40000000; */
+static uint32_t find_cut(int32_t exponent, uint32_t weight, uint32_t spare);
+
+/*@ requires cut <= 0x40000000;
+    assigns \result \from cut;
     ensures \result == 0x80000 || \result == 0x100000 || \result == 0x200000 || \result == 0x400000 ||
             \result == 0x800000 || \result == 0x1000000 || \result == 0x2000000 || \result == 0x4000000 ||
             \result == 0x8000000 || \result == 0x10000000 || \result == 0x20000000 || \result == 0x40000000; */
-static uint32_t find_window(int32_t exponent, uint32_t weight);
+static uint32_t find_window(uint32_t cut);
 
 /* Stands on |a x b| <= |a| |b| of unit vectors: at most 2^15 before rounding and squaring; UBSan in the image tests. */
 /*@ requires \valid_read(a + (0 .. 2)) && \valid_read(b + (0 .. 2));
@@ -32,19 +38,24 @@ PROOF(power_of_sine) {
     power_of_sine(ANY_UNSIGNED(0, 1u << 30), ANY(2 * GLINT_ONE, INT32_MAX));
 }
 
-/* p from 2 up, weights from 0 to 16. @contract glint_exp2 */
+/* p from 2 up, weights from 0 to 16, what need not show up to 16. @contract glint_exp2 */
+PROOF(find_cut) {
+    find_cut(ANY(2 * GLINT_ONE, INT32_MAX), ANY_UNSIGNED(0, 16u << 12), ANY_UNSIGNED(0, 16u << 12));
+}
+
+/* Any cut. */
 PROOF(find_window) {
-    find_window(ANY(2 * GLINT_ONE, INT32_MAX), ANY_UNSIGNED(0, 16u << 12));
+    find_window(ANY_UNSIGNED(0, 1u << 30));
 }
 
 /*
- * p from 0 up, weights from 0 to 16. @contract find_window power_of_sine
+ * p from 0 up, weights from 0 to 16, what need not show alike. @contract find_cut find_window power_of_sine
  * @unreached 2 leading zeros of 0 and of 1: no window is so small
  */
 PROOF(glint_power_prepare) {
     glint_power_table table;
-    glint_power_prepare(&table, ANY(0, 2 * GLINT_ONE - 1), ANY_UNSIGNED(0, 16u << 12));
-    glint_power_prepare(&table, ANY(2 * GLINT_ONE, INT32_MAX), ANY_UNSIGNED(0, 16u << 12));
+    glint_power_prepare(&table, ANY(0, 2 * GLINT_ONE - 1), ANY_UNSIGNED(0, 16u << 12), ANY_UNSIGNED(0, 16u << 12));
+    glint_power_prepare(&table, ANY(2 * GLINT_ONE, INT32_MAX), ANY_UNSIGNED(0, 16u << 12), ANY_UNSIGNED(0, 16u << 12));
 }
 
 /* Vectors of components up to 32767, a cosine above 0, every window, any table. @contract glint_power sine_square */
