@@ -320,7 +320,8 @@ glint_status glint_deviation_prepare(glint_frame *frame) {
 
 /* ---- Vertices ---- */
 
-int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, int16_t half_vector[3]) {
+int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, int16_t half_vector[3],
+                                glint_view_vector *view) {
     int32_t z = RAY_Z;
     x = deviation->center_x - x;
     y -= deviation->center_y;
@@ -330,9 +331,13 @@ int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int
     x = glint_shift_right(x * deviation->ray_scale, 16);
     y = glint_shift_right(y * deviation->ray_scale, 16);
     int32_t root = glint_inverse_root((uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z));
-    x = glint_shift_right(x * root + 0x4000, 15) + deviation->light[0];
-    y = glint_shift_right(y * root + 0x4000, 15) + deviation->light[1];
-    z = glint_shift_right(z * root + 0x4000, 15) + deviation->light[2];
+    view->root = root;
+    view->v[0] = glint_shift_right(x * root + 0x4000, 15);
+    view->v[1] = glint_shift_right(y * root + 0x4000, 15);
+    view->v[2] = glint_shift_right(z * root + 0x4000, 15);
+    x = view->v[0] + deviation->light[0];
+    y = view->v[1] + deviation->light[1];
+    z = view->v[2] + deviation->light[2];
     if (z < 0)
         return 0;
     x = glint_shift_right(x, 1), y = glint_shift_right(y, 1), z = glint_shift_right(z, 1);
@@ -340,6 +345,7 @@ int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int
     if (c < 1u << 28)
         return 0;
     root = glint_inverse_root(c);
+    view->half_root = root;
     half_vector[0] = (int16_t)glint_shift_right(x * root + 0x4000, 15);
     half_vector[1] = (int16_t)glint_shift_right(y * root + 0x4000, 15);
     half_vector[2] = (int16_t)glint_shift_right(z * root + 0x4000, 15);
@@ -406,6 +412,7 @@ static uint32_t find_sides(const glint_deviation *deviation, int32_t x, int32_t 
 /* Finds a vertex's terms: N.L, Q14, and its scaled deviation. @return flags */
 static uint32_t light_vertex(const glint_deviation *deviation, const glint_vertex *vertex, int16_t terms[3]) {
     int16_t found[3];
+    glint_view_vector view;
     int32_t e[2];
     const int16_t *half_vector = deviation->half_vector;
     const int32_t cosine = glint_shift_right(cosine_of(vertex->attribute, deviation->light) + 1, 1);
@@ -417,7 +424,7 @@ static uint32_t light_vertex(const glint_deviation *deviation, const glint_verte
         return flags | FLAGS_OUTSIDE;
     if (deviation->local_viewer) {
         half_vector = found;
-        if (!glint_deviation_half_vector(deviation, vertex->x, vertex->y, found))
+        if (!glint_deviation_half_vector(deviation, vertex->x, vertex->y, found, &view))
             return FLAG_UNFIT;
     }
     find_deviation(vertex->attribute, half_vector, e);

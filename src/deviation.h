@@ -18,18 +18,21 @@
  */
 #define GLINT_SPREAD_GUARD 0x80100200u
 
-/** Where the highlight of quadratic.c lies, and what a half vector may bend. */
+/** Where the highlight of quadratic.c lies, and how far a half vector can be taken for linear. */
 typedef struct glint_quadratic_limits {
     int32_t scale;             /* of the deviation, Q15, above 2^14.5: what makes `end` a whole power of two */
-    uint32_t shift;            /* a squared deviation over w^2, Q30, >> this has 16 bits wherever the highlight shows */
+    uint32_t shift;            /* a squared deviation over w^2, Q30, >> this has 16 bits where the highlight shows */
     uint32_t limit;            /* and is below this; 0 where no highlight ever shows */
     uint32_t end;              /* entries of the specular table, times 2^20 */
     int32_t cut, cut_diagonal; /* outside an octagon of this radius no highlight shows; scaled, Q14 */
     int32_t behind;            /* N.H at corners, Q15: the back of the highlight's cone shows at none above this */
-    int32_t bend;              /* third order that a half vector may have in a square of pixels; scaled, Q30 */
-    uint32_t cell;             /* binary logarithm of the side of the largest square that suits, pixels */
-    int32_t change;            /* of the half vector from pixel to pixel, Q20, at most */
-    int16_t across[2][3];      /* infinite viewer: what takes a normal to its deviation, scaled, Q15 */
+    /* The local viewer's */
+    int32_t error;        /* of a deviation, from a half vector that is not linear, Q14 */
+    int32_t extent;       /* of a triangle that has one for linear, sixteenths */
+    uint32_t cell;        /* a square of 2^cell pixels has one too; below 3, none has */
+    int32_t pixel;        /* a pixel in units of the focal length, 14 bits */
+    uint32_t pixel_shift; /* over 2^pixel_shift */
+    int16_t across[2][3]; /* infinite viewer: what takes a normal to its deviation, scaled, Q15 */
 } glint_quadratic_limits;
 
 typedef struct glint_deviation {
@@ -101,11 +104,17 @@ static inline int32_t glint_inverse_of_one_and(int32_t z) {
 /** Square root, rounded down. */
 uint32_t glint_square_root(uint64_t x);
 
+/** V, unit; the focal length over that of its ray, and 1 / |L + V|: Q16, at most 1. */
+typedef struct glint_view_vector {
+    int32_t v[3], root, half_root;
+} glint_view_vector;
+
 /**
  * H = (L + V) / |L + V|, unit, at a point of the screen, 28.4.
  * @return 0 when it lies too far out, or |L + V| is below 1.
  */
-int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, int16_t half_vector[3]);
+int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, int16_t half_vector[3],
+                                glint_view_vector *view);
 
 /** Lights the vertices of a triangle, unless they are. */
 glint_light_triangle glint_deviation_light;

@@ -2,10 +2,9 @@
 /*
  * Exact lighting of fragments under one directional light, by quadratics.
  *
- * With M = N/w, which is linear on the screen, N.L = M.L / |M|, and the deviation of N from the half vector
- * (deviation.c) is that of M, which is linear in M, over |M|. So three quadratics give a fragment's light: M.M exactly;
- * and the deviation, exactly for the infinite viewer, for the local one through nine points of a square of pixels, in
- * which the half vector bends little.
+ * With M = N/w, which is linear on the screen, N.L = M.L / |M|, and the deviation of N from the half vector H
+ * (deviation.c) is that of M, which is linear in M, over |M|. So quadratics give a fragment's light: M.M exactly; and
+ * the deviation, for the infinite viewer exactly, for the local one with H linear around a point of the triangle.
  */
 #include "quadratic.h"
 
@@ -18,11 +17,14 @@
 /* N.L at which rounding cannot light what faces away (deviation.c). */
 #define UNLIT (-16)
 
-/* Sum of the squares of the normals' differences, with the ratio of 1/w: M.M stays above 0.3 of its largest. */
+/* M.M stays above 0.3 of its largest. */
 #define LEAST_SQUARE ((6u << 27) / 10 * 3)
 
-/* Error of a highlight that its third order may make, in 1/64 of a level. */
-#define BEND_LIMIT 10
+/* Error of a highlight that a bent half vector may make, in 1/64 of a level. */
+#define BEND_LIMIT 48
+
+/* Slenderness of triangles, as bits, up to which sums over a row keep what a plane has. */
+#define SLENDER 7
 
 /* ---- Frame ---- */
 
@@ -46,21 +48,25 @@ static void find_across(glint_quadratic_limits *limits, const int16_t h[3]) {
 }
 
 /*
- * The slope of a highlight is at most 0.61 sqrt(p) weight; what is left of the third order in a square of side s, in
- * units of the focal length, is about 0.3 s^3 where L and V are less than 120 degrees apart.
+ * The slope of a highlight is at most 0.61 sqrt(p) weight. At d from where H is known with its slope, in units of the
+ * focal length, H is off by about 0.15 d^2 where L and V are less than 120 degrees apart.
  */
-static void find_bend(glint_quadratic_limits *limits, const glint_deviation *deviation, const glint_shading *shading) {
-    const uint32_t root = glint_square_root((uint64_t)(uint32_t)shading->material->shininess);         /* Q8 */
-    const uint32_t weight = largest_level(shading->weights[0].specular) + 1;                           /* Q12 */
-    const uint64_t bend = ((uint64_t)BEND_LIMIT << (30 + 20 - 6)) * 5 / 3 / ((uint64_t)weight * root); /* Q30 */
-    limits->bend = bend < 1 << 28 ? (int32_t)bend : 1 << 28;
-    limits->cell = 5;
-    for (; limits->cell > 3; limits->cell--) {
-        const uint64_t side = (uint64_t)(uint32_t)deviation->ray_scale << limits->cell >> 10; /* Q16 */
-        if (side < 1 << 16 && side * side * side < bend * 3 << 18)
-            break;
-    }
-    limits->change = glint_shift_right(deviation->ray_scale, 6) + 1;
+static void find_extent(glint_quadratic_limits *limits, const glint_deviation *deviation,
+                        const glint_shading *shading) {
+    const uint32_t root = glint_square_root((uint64_t)(uint32_t)shading->material->shininess); /* Q8 */
+    const uint32_t weight = largest_level(shading->weights[0].specular) + 1;                   /* Q12 */
+    /* 1 / (64 0.61) is 0.0256 */
+    const uint64_t error = ((uint64_t)BEND_LIMIT << (30 + 20)) / 39 / ((uint64_t)weight * root); /* Q30 */
+    const uint32_t d = glint_square_root(error * 20 / 3);                                        /* Q15 */
+    const unsigned zeros = glint_leading_zeros((uint32_t)deviation->ray_scale);
+    /* a pixel in units of the focal length is ray_scale 2^-26 */
+    const uint64_t extent = ((uint64_t)d << 26 >> 11) / (uint32_t)deviation->ray_scale; /* sixteenths */
+    limits->error = error < 1 << 28 ? (int32_t)(error >> 16) : 1 << 12;
+    limits->extent = extent < 1 << 10 ? (int32_t)extent : 1 << 10;
+    while (limits->cell < 5 && (24 << limits->cell) <= limits->extent)
+        limits->cell++;
+    limits->pixel_shift = 26 - 18 + zeros;
+    limits->pixel = (int32_t)((uint32_t)deviation->ray_scale << zeros >> 18);
 }
 
 void glint_quadratic_prepare(glint_deviation *deviation, const glint_shading *shading) {
@@ -70,20 +76,19 @@ void glint_quadratic_prepare(glint_deviation *deviation, const glint_shading *sh
         return;
     const uint64_t density = ((uint64_t)entries << 46) / cut; /* entries over sin^2 from 0 to 1, Q16 */
     const unsigned bits = glint_bits64(density - 1) - 16;
-    limits->scale = (int32_t)glint_square_root(density << (30 - 16) >> bits);
-    limits->scale = limits->scale < INT16_MAX ? limits->scale : INT16_MAX;
     if (bits > 24)
         return;
+    limits->scale = (int32_t)glint_square_root(density << (30 - 16) >> bits);
+    limits->scale = limits->scale < INT16_MAX ? limits->scale : INT16_MAX;
     limits->shift = 24 - bits;
     limits->limit = entries << (6 + limits->shift);
     limits->end = entries << 20;
     limits->cut = glint_shift_right((deviation->cut + 1) * limits->scale, 15) + 1;
     limits->cut_diagonal = glint_shift_right((deviation->cut_diagonal + 1) * limits->scale, 15) + 1;
     limits->behind = -(int32_t)(glint_square_root((uint64_t)((1u << 30) - cut)) / 2);
-    if (deviation->local_viewer) {
-        limits->behind = glint_shift_right(limits->behind * limits->scale, 15);
-        find_bend(limits, deviation, shading);
-    } else
+    if (deviation->local_viewer)
+        find_extent(limits, deviation, shading);
+    else
         find_across(limits, deviation->half_vector);
 }
 
@@ -99,22 +104,18 @@ static int32_t most(int32_t a, int32_t b, int32_t c) {
     return m > c ? m : c;
 }
 
-static int32_t dot(const int32_t a[3], const int32_t b[3]) {
+static inline int32_t dot(const int32_t a[3], const int32_t b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* x 2^n modulo 2^32, n below 32. */
-static uint32_t scale(int32_t x, int32_t n) {
-    if (n >= 0)
-        return (uint32_t)x << n;
-    return n < -30 ? 0 : (uint32_t)glint_shift_right(x + glint_shift_left(1, (unsigned)(-n - 1)), (unsigned)-n);
+/* x 2^n modulo 2^32, rounded down; n below 32. */
+static inline uint32_t scale(int32_t x, int32_t n) {
+    return n >= 0 ? (uint32_t)x << n : (uint32_t)glint_shift_right(x, (unsigned)(n < -31 ? 31 : -n));
 }
 
-/* Normals of the corners, those of the back when that is seen. */
-static void find_normals(const glint_triangle *triangle, int32_t normal[3][3]) {
-    for (int i = 0; i < 3; i++)
-        for (int c = 0; c < 3; c++)
-            normal[i][c] = triangle->back ? -triangle->corners[i]->attribute[c] : triangle->corners[i]->attribute[c];
+static inline int32_t square_of_sum(int32_t a, int32_t b, int32_t c) {
+    const int32_t sum = glint_shift_right(a + b + c, 2);
+    return sum * sum;
 }
 
 /*
@@ -122,77 +123,75 @@ static void find_normals(const glint_triangle *triangle, int32_t normal[3][3]) {
  * the same they need no weights.
  * @return 0 where M.M gets too small: by the turn of the normals, an edge's middle has it 1 - turn / 6
  */
-static int find_weights(const glint_triangle *triangle, int32_t normal[3][3], int32_t weight[3]) {
+static int find_weights(const glint_triangle *triangle, int32_t weight[3]) {
     const glint_vertex *const *v = triangle->corners;
-    int32_t squares = 0, differs = 0;
-    for (int c = 0; c < 3; c++) {
-        const int32_t sum = glint_shift_right(normal[0][c] + normal[1][c] + normal[2][c], 2);
-        squares += sum * sum;
-        differs |= (normal[0][c] ^ normal[1][c]) | (normal[0][c] ^ normal[2][c]);
-    }
-    const int32_t turn = 9 * (GLINT_UNIT / 4 * (GLINT_UNIT / 4)) - squares; /* Q26 */
-    const unsigned up =
-        glint_leading_zeros((uint32_t)v[0]->inverse_w | (uint32_t)v[1]->inverse_w | (uint32_t)v[2]->inverse_w | 1) - 1;
-    const uint32_t w[3] = {(uint32_t)v[0]->inverse_w << up >> 15, (uint32_t)v[1]->inverse_w << up >> 15,
-                           (uint32_t)v[2]->inverse_w << up >> 15};
-    int32_t reciprocal = glint_reciprocal16((uint32_t)most((int32_t)w[0], (int32_t)w[1], (int32_t)w[2]));
+    const int16_t *a = v[0]->attribute, *b = v[1]->attribute, *c = v[2]->attribute;
+    const int32_t turn = 9 * (GLINT_UNIT / 4 * (GLINT_UNIT / 4)) - square_of_sum(a[0], b[0], c[0]) -
+                         square_of_sum(a[1], b[1], c[1]) - square_of_sum(a[2], b[2], c[2]); /* Q26 */
+    uint32_t w0 = (uint32_t)v[0]->inverse_w, w1 = (uint32_t)v[1]->inverse_w, w2 = (uint32_t)v[2]->inverse_w;
+    const unsigned zeros = glint_leading_zeros(w0 | w1 | w2 | 1);
+    w0 = w0 << zeros >> 16, w1 = w1 << zeros >> 16, w2 = w2 << zeros >> 16;
+    uint32_t reciprocal = (uint32_t)glint_reciprocal16((uint32_t)most((int32_t)w0, (int32_t)w1, (int32_t)w2));
     reciprocal -= reciprocal >> 6;
-    for (int i = 0; i < 3; i++)
-        weight[i] = differs ? (int32_t)(w[i] * (uint32_t)reciprocal >> 16) : 32256;
+    weight[0] = (int32_t)(w0 * reciprocal >> 16);
+    weight[1] = (int32_t)(w1 * reciprocal >> 16);
+    weight[2] = (int32_t)(w2 * reciprocal >> 16);
+    if (turn < 64 && a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[0] == c[0] && a[1] == c[1] && a[2] == c[2])
+        weight[0] = weight[1] = weight[2] = 32256;
     const int32_t smallest = least(weight[0], weight[1], weight[2]), left = (6 << 12) - glint_shift_right(turn, 14);
     return left > 0 && (uint32_t)(smallest * smallest >> 15) * (uint32_t)left > LEAST_SQUARE;
 }
 
-/* Planes of M. @return 0 for slivers, and where it changes too much from pixel to pixel */
-static int find_planes(const glint_triangle *triangle, const glint_gradients *g, int32_t normal[3][3],
-                       const int32_t cosine[3], glint_quadratic_light *light, int32_t *size) {
-    glint_plane *planes = light->normal;
-    int32_t weight[3];
+/* Planes of M.L and M. @return 0 for slivers, and where M changes too much from pixel to pixel */
+static int find_planes(const glint_triangle *triangle, const glint_gradients *g, const int32_t cosine[3],
+                       glint_quadratic_light *light) {
+    const int16_t *a = triangle->corners[0]->attribute, *b = triangle->corners[1]->attribute,
+                  *c = triangle->corners[2]->attribute;
+    int32_t w[3];
     uint32_t bits = 0;
-    if (!find_weights(triangle, normal, weight) ||
-        2 * g->size - 31 + (int32_t)glint_leading_zeros((uint32_t)triangle->area) > 6)
+    if (2 * g->size - 31 + (int32_t)glint_leading_zeros((uint32_t)triangle->area) > SLENDER ||
+        !find_weights(triangle, w))
         return 0;
-    for (int c = 0; c < 3; c++) {
-        glint_plane_begin(&planes[c], g, normal[0][c] * weight[0], normal[1][c] * weight[1], normal[2][c] * weight[2]);
-        bits |= glint_magnitude_bits(planes[c].dx) | glint_magnitude_bits(planes[c].dy);
+    glint_plane_begin(&light->cosine, g, cosine[0] * w[0], cosine[1] * w[1], cosine[2] * w[2]);
+    for (int i = 0; i < 3; i++) {
+        glint_plane *plane = &light->normal[i];
+        glint_plane_begin(plane, g, a[i] * w[0], b[i] * w[1], c[i] * w[2]);
+        bits |= glint_magnitude_bits(plane->dx) | glint_magnitude_bits(plane->dy);
     }
-    glint_plane_begin(&light->cosine, g, cosine[0] * weight[0], cosine[1] * weight[1], cosine[2] * weight[2]);
-    *size = 18 - (int32_t)glint_leading_zeros(bits);
-    return *size <= 14;
+    const int32_t size = 18 - (int32_t)glint_leading_zeros(bits);
+    light->size = size < 0 ? 0 : size;
+    return size <= 15;
 }
 
-/* What is quadratic or linear in M; the changes of M from pixel to pixel are `size` bits longer than 14 and a sign. */
-static void find_products(const glint_deviation *deviation, glint_quadratic_light *light, int32_t size) {
-    int32_t m[3], mx[3], my[3];
+/* M at the anchor, Q15, and its steps, 14 bits and a sign. */
+typedef struct steps {
+    int32_t m[3], x[3], y[3];
+} steps;
+
+static void find_steps(const glint_quadratic_light *light, steps *s) {
+    const unsigned size = (unsigned)light->size;
+    const int32_t half = glint_shift_right(glint_shift_left(1, size), 1);
     for (int c = 0; c < 3; c++) {
-        m[c] = glint_shift_right(light->normal[c].start + 0x4000, 15);
-        mx[c] = (int32_t)scale(light->normal[c].dx, -size);
-        my[c] = (int32_t)scale(light->normal[c].dy, -size);
-    }
-    const int32_t l[3] = {deviation->light[0], deviation->light[1], deviation->light[2]};
-    light->cosine =
-        (glint_plane){dot(l, m), (int32_t)scale(dot(l, mx), size - 15), (int32_t)scale(dot(l, my), size - 15)};
-    glint_quadratic *s = &light->square;
-    s->start = ((uint32_t)(m[0] * m[0]) + (uint32_t)(m[1] * m[1]) + (uint32_t)(m[2] * m[2]) - (1 << 28)) << 2;
-    s->dxx = scale(dot(mx, mx), 2 * size - 27);
-    s->dxy = scale(dot(mx, my), 2 * size - 27);
-    s->dyy = scale(dot(my, my), 2 * size - 27);
-    s->dx = scale(dot(m, mx), size - 12) + s->dxx / 2;
-    s->dy = scale(dot(m, my), size - 12) + s->dyy / 2;
-    if (deviation->local_viewer || !deviation->quadratic.limit)
-        return;
-    for (int row = 0; row < 2; row++) {
-        const int16_t *across = deviation->quadratic.across[row];
-        const int32_t t[3] = {across[0], across[1], across[2]};
-        glint_quadratic *e = row ? &light->y : &light->x;
-        *e =
-            (glint_quadratic){(uint32_t)dot(t, m), scale(dot(t, mx), size - 15), scale(dot(t, my), size - 15), 0, 0, 0};
+        s->m[c] = glint_shift_right(light->normal[c].start + 0x4000, 15);
+        s->x[c] = glint_shift_right(light->normal[c].dx + half, size);
+        s->y[c] = glint_shift_right(light->normal[c].dy + half, size);
     }
 }
 
-/* Can none of three deviations and what lies between them be in the highlight? Q14, scaled. */
-static int is_outside(const glint_quadratic_limits *limits, int32_t e[3][2], int32_t margin) {
-    const int32_t cut = limits->cut + margin, diagonal = limits->cut_diagonal + margin;
+static void find_square(glint_quadratic *q, const steps *s, int32_t size) {
+    const int32_t *m = s->m, *x = s->x, *y = s->y;
+    const uint32_t square =
+        (uint32_t)m[0] * (uint32_t)m[0] + (uint32_t)m[1] * (uint32_t)m[1] + (uint32_t)m[2] * (uint32_t)m[2];
+    q->start = (square - (1 << 28)) << 2;
+    q->dxx = scale(dot(x, x), 2 * size - 27);
+    q->dxy = scale(dot(x, y), 2 * size - 27);
+    q->dyy = scale(dot(y, y), 2 * size - 27);
+    q->dx = scale(dot(m, x), size - 12) + scale(dot(x, x), 2 * size - 28);
+    q->dy = scale(dot(m, y), size - 12) + scale(dot(y, y), 2 * size - 28);
+}
+
+/* Can none of three deviations and what lies between them be in the highlight? Q14. */
+static int is_outside(int32_t cut, int32_t diagonal, int32_t e[3][2]) {
     const int32_t x0 = e[0][0], x1 = e[1][0], x2 = e[2][0], y0 = e[0][1], y1 = e[1][1], y2 = e[2][1];
     return least(x0, x1, x2) >= cut || most(x0, x1, x2) <= -cut || least(y0, y1, y2) >= cut ||
            most(y0, y1, y2) <= -cut || least(x0 + y0, x1 + y1, x2 + y2) >= diagonal ||
@@ -201,192 +200,193 @@ static int is_outside(const glint_quadratic_limits *limits, int32_t e[3][2], int
 }
 
 /* Does the highlight of the infinite viewer show? */
-static glint_quadratic_kind find_infinite(const glint_deviation *deviation, int32_t normal[3][3]) {
+static glint_quadratic_kind find_infinite(const glint_deviation *deviation, const glint_triangle *triangle) {
     const glint_quadratic_limits *limits = &deviation->quadratic;
-    const int32_t h[3] = {deviation->half_vector[0], deviation->half_vector[1], deviation->half_vector[2]};
     int32_t e[3][2], behind = 0;
     for (int i = 0; i < 3; i++) {
-        for (int row = 0; row < 2; row++) {
-            const int32_t t[3] = {limits->across[row][0], limits->across[row][1], limits->across[row][2]};
-            e[i][row] = glint_shift_right(dot(t, normal[i]), 16);
-        }
-        behind |= dot(h, normal[i]) < limits->behind * (1 << 15);
+        const int16_t *normal = triangle->corners[i]->attribute;
+        e[i][0] = glint_shift_right(glint_dot(limits->across[0], normal), 16);
+        e[i][1] = glint_shift_right(glint_dot(limits->across[1], normal), 16);
+        behind |= glint_dot(deviation->half_vector, normal) < limits->behind * (1 << 15);
     }
-    if (is_outside(limits, e, 8))
+    if (is_outside(limits->cut + 8, limits->cut_diagonal + 8, e))
         return GLINT_QUADRATIC_DIFFUSE;
     return behind ? GLINT_QUADRATIC_UNFIT : GLINT_QUADRATIC_SPECULAR;
+}
+
+static void find_linear(glint_quadratic *q, const steps *s, int32_t size, const int16_t across[3]) {
+    const int32_t t[3] = {across[0], across[1], across[2]};
+    *q = (glint_quadratic){
+        (uint32_t)dot(t, s->m), scale(dot(t, s->x), size - 15), scale(dot(t, s->y), size - 15), 0, 0, 0};
 }
 
 glint_quadratic_kind glint_quadratic_begin(const glint_draw *draw, const glint_triangle *triangle,
                                            const glint_part *part, glint_quadratic_light *light) {
     const glint_deviation *deviation = draw->shading->deviation;
-    const int32_t l[3] = {deviation->light[0], deviation->light[1], deviation->light[2]};
+    const glint_quadratic_limits *limits = &deviation->quadratic;
     glint_quadratic_kind kind = GLINT_QUADRATIC_DIFFUSE;
-    int32_t normal[3][3], size;
-    find_normals(triangle, normal);
-    const int32_t cosine[3] = {glint_shift_right(dot(l, normal[0]) + 0x4000, 15),
-                               glint_shift_right(dot(l, normal[1]) + 0x4000, 15),
-                               glint_shift_right(dot(l, normal[2]) + 0x4000, 15)};
+    int32_t cosine[3];
+    steps s;
+    if (triangle->back)
+        return GLINT_QUADRATIC_UNFIT;
+    for (int i = 0; i < 3; i++)
+        cosine[i] = glint_shift_right(glint_dot(deviation->light, triangle->corners[i]->attribute) + 0x4000, 15);
     if (most(cosine[0], cosine[1], cosine[2]) <= UNLIT)
         return GLINT_QUADRATIC_AMBIENT;
-    light->gated = least(cosine[0], cosine[1], cosine[2]) < LIT;
     if (deviation->specular_end) {
-        kind = deviation->local_viewer ? GLINT_QUADRATIC_SPECULAR : find_infinite(deviation, normal);
-        if (!deviation->quadratic.limit)
+        kind = deviation->local_viewer ? GLINT_QUADRATIC_SPECULAR : find_infinite(deviation, triangle);
+        if (!limits->limit)
             return GLINT_QUADRATIC_UNFIT;
     }
-    if (kind == GLINT_QUADRATIC_UNFIT || !find_planes(triangle, &part->gradients, normal, cosine, light, &size))
+    if (kind == GLINT_QUADRATIC_UNFIT || !find_planes(triangle, &part->gradients, cosine, light))
         return GLINT_QUADRATIC_UNFIT;
-    find_products(deviation, light, size);
+    find_steps(light, &s);
+    find_square(&light->square, &s, light->size);
+    if (kind == GLINT_QUADRATIC_SPECULAR && !deviation->local_viewer) {
+        find_linear(&light->x, &s, light->size, limits->across[0]);
+        find_linear(&light->y, &s, light->size, limits->across[1]);
+    }
     return kind;
 }
 
-/* ---- Square ---- */
+/* ---- Half vectors of the local viewer ---- */
 
-/* A half vector, and 1 / (1 + hz). */
+/* A half vector, what it is made of, and 1 / (1 + hz). */
 typedef struct half_vector {
+    glint_view_vector view;
     int32_t h[3], inverse;
 } half_vector;
 
 /* At a point of the screen, 28.4. @return 0 where there is none */
 static int find_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, half_vector *at) {
     int16_t h[3];
-    if (!glint_deviation_half_vector(deviation, x, y, h))
+    if (!glint_deviation_half_vector(deviation, x, y, h, &at->view))
         return 0;
-    *at = (half_vector){{h[0], h[1], h[2]}, glint_inverse_of_one_and(h[2])};
+    at->h[0] = h[0];
+    at->h[1] = h[1];
+    at->h[2] = h[2];
+    at->inverse = glint_inverse_of_one_and(h[2]);
     return 1;
 }
 
-/* Deviation of m, Q14, below 1.8 long; Q29. */
-static void deviate(const half_vector *at, const int32_t m[3], int32_t e[2]) {
-    int32_t along = dot(at->h, m); /* UNIT is short of 2^15 by a part in 2^13: so are products of h */
+/*
+ * Its change from pixel to pixel, 14 bits and a sign, 2^-pixel_shift: with V's change u k, u = -x + V vx or y - V vy,
+ * that of H is (u - H (H.u)) k / |L + V|.
+ */
+static void find_change(const glint_quadratic_limits *limits, const half_vector *at, int axis, int32_t change[3]) {
+    const int32_t *v = at->view.v, *h = at->h;
+    const uint32_t length = (uint32_t)at->view.root * (uint32_t)at->view.half_root >> 17; /* k / |L + V|, Q15 */
+    const int32_t factor = glint_shift_right(limits->pixel * (int32_t)length, 15);
+    const int32_t along = axis ? -v[1] : v[0];
+    int32_t u[3];
+    for (int c = 0; c < 3; c++)
+        u[c] = glint_shift_right(v[c] * along, 15);
+    u[axis] += axis ? 1 << 15 : -(1 << 15);
+    const int32_t h_u = glint_shift_right(dot(h, u), 15);
+    for (int c = 0; c < 3; c++)
+        change[c] = glint_shift_right((u[c] - glint_shift_right(h[c] * h_u, 15)) * factor, 15);
+}
+
+/* What is left of m along H and z: (m.H + mz) / (1 + hz); UNIT is short of 2^15 by a part in 2^13. */
+static int32_t find_along(const half_vector *at, const int32_t m[3]) {
+    int32_t along = dot(at->h, m);
     along = glint_shift_right(along + glint_shift_right(along, 13) + 0x4000, 15) + m[2];
-    along = glint_shift_right(along * at->inverse, 15);
-    along += glint_shift_right(along + 0x1000, 13);
-    e[0] = m[0] * (1 << 15) - at->h[0] * along;
-    e[1] = m[1] * (1 << 15) - at->h[1] * along;
+    along = glint_shift_right(along * at->inverse + 0x4000, 15);
+    return along + glint_shift_right(along + 0x1000, 13);
 }
 
-int glint_quadratic_square(const glint_triangle *triangle, glint_square *square) {
-    const glint_vertex *const *v = triangle->corners;
-    const int32_t left = least(v[0]->x, v[1]->x, v[2]->x), right = most(v[0]->x, v[1]->x, v[2]->x);
-    const int32_t top = least(v[0]->y, v[1]->y, v[2]->y), bottom = most(v[0]->y, v[1]->y, v[2]->y);
-    const int32_t extent = right - left > bottom - top ? right - left : bottom - top;
-    square->x = glint_shift_right(left + right, 5);
-    square->y = glint_shift_right(top + bottom, 5);
-    square->size = 2;
-    while (extent >> (square->size + 4))
-        square->size++;
-    return square->size <= 5;
+/* Change of m's deviation with H. */
+static void turn(const half_vector *at, const int32_t m[3], int32_t along, const int32_t change[3], int32_t e[2]) {
+    const int32_t rest = glint_shift_right(dot(m, change) - along * change[2], 15);
+    const int32_t back = glint_shift_right(rest * at->inverse, 15);
+    e[0] -= change[0] * along + at->h[0] * back;
+    e[1] -= change[1] * along + at->h[1] * back;
 }
 
-/* The highlight of the local viewer near a triangle in a square: does it show, by its corners and H in the middle? */
-static glint_quadratic_kind find_local(const glint_quadratic_limits *limits, const glint_triangle *triangle,
-                                       const half_vector *middle, uint32_t size) {
-    const int32_t margin = (3 * limits->change << size >> 8) + 32; /* 3/4 of the side, and the third order */
+/* Does the highlight of the local viewer show in a square, by its middle's half vector? */
+static glint_quadratic_kind find_local(const glint_deviation *deviation, const glint_triangle *triangle,
+                                       const half_vector *at, int32_t margin) {
     int32_t e[3][2], behind = 0;
     for (int i = 0; i < 3; i++) {
-        int32_t m[3], found[2];
-        for (int c = 0; c < 3; c++) {
-            m[c] = glint_shift_right(triangle->corners[i]->attribute[c] * limits->scale, 16);
-            m[c] = triangle->back ? -m[c] : m[c];
-        }
-        deviate(middle, m, found);
-        e[i][0] = glint_shift_right(found[0], 15);
-        e[i][1] = glint_shift_right(found[1], 15);
-        behind |= glint_shift_right(dot(middle->h, m), 14) - margin * 2 < limits->behind;
+        const int16_t *normal = triangle->corners[i]->attribute;
+        const int32_t m[3] = {normal[0], normal[1], normal[2]};
+        const int32_t along = find_along(at, m);
+        e[i][0] = glint_shift_right(m[0] * (1 << 15) - at->h[0] * along, 16);
+        e[i][1] = glint_shift_right(m[1] * (1 << 15) - at->h[1] * along, 16);
+        behind |= glint_shift_right(dot(at->h, m), 15) - 2 * margin < deviation->quadratic.behind;
     }
-    if (is_outside(limits, e, margin))
+    if (is_outside(deviation->cut + margin, deviation->cut_diagonal + margin, e))
         return GLINT_QUADRATIC_DIFFUSE;
     return behind ? GLINT_QUADRATIC_UNFIT : GLINT_QUADRATIC_SPECULAR;
 }
 
-/* M at the middle of a square, and its change over half a side; Q30, scaled. @return 0 where it gets too long */
-static int find_middle(const glint_quadratic_light *light, int32_t x, int32_t y, uint32_t size, int32_t factor,
-                       int32_t middle[3][3]) {
-    uint32_t bits = 0, change = 0;
-    for (int c = 0; c < 3; c++) {
-        const glint_plane *plane = &light->normal[c];
-        const int32_t at = glint_plane_at(plane, x, y);
-        bits |= glint_magnitude_bits(at);
-        change |= glint_magnitude_bits(plane->dx) | glint_magnitude_bits(plane->dy);
-        middle[0][c] = glint_shift_right(at, 15) * factor;
-        middle[1][c] = glint_shift_right((int32_t)((uint32_t)plane->dx << (size - 1)), 15) * factor;
-        middle[2][c] = glint_shift_right((int32_t)((uint32_t)plane->dy << (size - 1)), 15) * factor;
-    }
-    return !(bits >> 30) && !(change >> (29 - (size - 1)));
-}
-
-/* The polynomial of a square, from its coefficients over half sides, Q30, seen from the triangle's anchor. */
-static void find_quadratic(glint_quadratic *q, const int32_t k[6], int32_t x, int32_t y, uint32_t size) {
-    const unsigned half = size - 1;
-    q->dxx = scale(k[3], 1 - 2 * (int32_t)half);
-    q->dxy = scale(k[4], -2 * (int32_t)half);
-    q->dyy = scale(k[5], 1 - 2 * (int32_t)half);
-    q->dx = scale(k[1], -(int32_t)half) + (uint32_t)glint_shift_right((int32_t)q->dxx, 1);
-    q->dy = scale(k[2], -(int32_t)half) + (uint32_t)glint_shift_right((int32_t)q->dyy, 1);
+/* The polynomial with its own anchor at (x, y), seen from the triangle's. */
+static void move_anchor(glint_quadratic *q, int32_t x, int32_t y) {
     const uint32_t left = 0u - (uint32_t)x, up = 0u - (uint32_t)y;
-    q->start = (uint32_t)k[0] + q->dx * left + q->dy * up + q->dxy * left * up + q->dxx * (uint32_t)(x * (x + 1) / 2) +
-               q->dyy * (uint32_t)(y * (y + 1) / 2);
+    q->start += q->dx * left + q->dy * up + q->dxy * left * up + q->dxx * (uint32_t)(x * (x + 1) / 2) +
+                q->dyy * (uint32_t)(y * (y + 1) / 2);
     q->dx += q->dxx * left + q->dxy * up;
     q->dy += q->dyy * up + q->dxy * left;
 }
 
-static int32_t magnitude(int32_t x) {
-    return x < 0 ? -x : x;
-}
-
-/* Deviations at the middle of a square, right, left, below, above, at its lower right and its upper left corner. */
-typedef int32_t points[7][2];
-
-static int find_points(const glint_deviation *deviation, const glint_square *square, int32_t middle[3][3],
-                       const half_vector *at_middle, points e) {
-    static const int8_t way[7][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}};
-    for (int i = 0; i < 7; i++) {
-        half_vector at = *at_middle;
-        int32_t m[3];
-        if (i && !find_half_vector(deviation, 16 * (square->x + way[i][0] * (1 << (square->size - 1))) + 8,
-                                   16 * (square->y + way[i][1] * (1 << (square->size - 1))) + 8, &at))
-            return 0;
-        for (int c = 0; c < 3; c++)
-            m[c] = glint_shift_right(middle[0][c] + way[i][0] * middle[1][c] + way[i][1] * middle[2][c] + 0x8000, 16);
-        deviate(&at, m, e[i]);
+/* The triangle's deviation around (x, y) from its anchor, whose half vector is known. */
+static void find_bent(const glint_quadratic_limits *limits, const half_vector *at, int32_t x, int32_t y,
+                      glint_quadratic_light *light) {
+    const int32_t size = light->size, shift = (int32_t)limits->pixel_shift;
+    int32_t m[3], mx[3], my[3], hx[3], hy[3];
+    for (int c = 0; c < 3; c++) {
+        const glint_plane *plane = &light->normal[c];
+        m[c] = glint_shift_right(glint_shift_right(glint_plane_at(plane, x, y), 15) * limits->scale + 0x8000, 16);
+        mx[c] = glint_shift_right(glint_shift_right(plane->dx, (unsigned)size) * limits->scale, 15);
+        my[c] = glint_shift_right(glint_shift_right(plane->dy, (unsigned)size) * limits->scale, 15);
     }
-    return 1;
+    find_change(limits, at, 0, hx);
+    find_change(limits, at, 1, hy);
+    const int32_t along = find_along(at, m), along_x = find_along(at, mx), along_y = find_along(at, my);
+    int32_t ex[2] = {0, 0}, ey[2] = {0, 0}, exx[2] = {0, 0}, exy[2] = {0, 0}, eyy[2] = {0, 0};
+    turn(at, m, along, hx, ex);
+    turn(at, m, along, hy, ey);
+    turn(at, mx, along_x, hx, exx);
+    turn(at, mx, along_x, hy, exy);
+    turn(at, my, along_y, hx, exy);
+    turn(at, my, along_y, hy, eyy);
+    for (int row = 0; row < 2; row++) {
+        glint_quadratic *q = row ? &light->y : &light->x;
+        q->dxx = 2 * scale(exx[row], size - shift);
+        q->dxy = scale(exy[row], size - shift);
+        q->dyy = 2 * scale(eyy[row], size - shift);
+        q->start = (uint32_t)(m[row] * (1 << 15) - at->h[row] * along) << 1;
+        q->dx = scale(mx[row] * (1 << 15) - at->h[row] * along_x, size - 15) + scale(ex[row], 16 - shift) +
+                (uint32_t)glint_shift_right((int32_t)q->dxx, 1);
+        q->dy = scale(my[row] * (1 << 15) - at->h[row] * along_y, size - 15) + scale(ey[row], 16 - shift) +
+                (uint32_t)glint_shift_right((int32_t)q->dyy, 1);
+        move_anchor(q, x, y);
+    }
 }
 
 glint_quadratic_kind glint_quadratic_bend(const glint_deviation *deviation, const glint_triangle *triangle,
                                           const glint_part *part, const glint_square *square,
                                           glint_quadratic_light *light) {
     const glint_quadratic_limits *limits = &deviation->quadratic;
-    const int32_t x = square->x - glint_shift_right(part->window.left, 4) + part->x;
-    const int32_t y = square->y - glint_shift_right(part->window.top, 4) + part->y;
+    /* |dH| is at most that of the ray, in units of the focal length */
+    const int32_t margin =
+        (int32_t)scale(square->extent * limits->pixel, 10 - (int32_t)limits->pixel_shift) + limits->error + 8;
     half_vector at;
-    points e;
-    int32_t middle[3][3], third = 0, far = 0;
     if (!find_half_vector(deviation, 16 * square->x + 8, 16 * square->y + 8, &at))
         return GLINT_QUADRATIC_UNFIT;
-    const glint_quadratic_kind kind = find_local(limits, triangle, &at, square->size);
-    if (kind != GLINT_QUADRATIC_SPECULAR)
-        return kind;
-    if (!find_middle(light, x, y, square->size, limits->scale, middle) ||
-        !find_points(deviation, square, middle, &at, e))
-        return GLINT_QUADRATIC_UNFIT;
-    for (int row = 0; row < 2; row++) {
-        int32_t k[6];
-        k[0] = 2 * e[0][row];
-        k[1] = e[1][row] - e[2][row];
-        k[2] = e[3][row] - e[4][row];
-        k[3] = e[1][row] + e[2][row] - k[0];
-        k[5] = e[3][row] + e[4][row] - k[0];
-        k[4] = e[5][row] + e[6][row] - k[0] - k[3] - k[5];
-        third += magnitude(e[5][row] - e[6][row] - k[1] - k[2]);
-        far |=
-            magnitude(k[0]) - magnitude(k[1]) - magnitude(k[2]) - magnitude(k[3]) - magnitude(k[4]) - magnitude(k[5]) >
-            limits->cut * (1 << 16);
-        find_quadratic(row ? &light->y : &light->x, k, x, y, square->size);
-    }
-    if (third > limits->bend)
-        return GLINT_QUADRATIC_UNFIT;
-    return far ? GLINT_QUADRATIC_DIFFUSE : GLINT_QUADRATIC_SPECULAR;
+    const glint_quadratic_kind kind = find_local(deviation, triangle, &at, margin);
+    if (kind == GLINT_QUADRATIC_SPECULAR)
+        find_bent(limits, &at, square->x - glint_shift_right(part->window.left, 4) + part->x,
+                  square->y - glint_shift_right(part->window.top, 4) + part->y, light);
+    return kind;
+}
+
+int glint_quadratic_square(const glint_deviation *deviation, const glint_triangle *triangle, glint_square *square) {
+    const glint_vertex *const *v = triangle->corners;
+    const int32_t x0 = v[0]->x, x1 = v[1]->x, x2 = v[2]->x, y0 = v[0]->y, y1 = v[1]->y, y2 = v[2]->y;
+    const int32_t width = most(x0, x1, x2) - least(x0, x1, x2), height = most(y0, y1, y2) - least(y0, y1, y2);
+    square->extent = width > height ? width : height;
+    square->x = glint_shift_right((x0 + x1 + x2) * 1365, 16);
+    square->y = glint_shift_right((y0 + y1 + y2) * 1365, 16);
+    return square->extent <= deviation->quadratic.extent;
 }

@@ -32,7 +32,7 @@ typedef struct glint_quadratic_light {
     glint_plane cosine;     /* M.L, Q30 */
     glint_quadratic square; /* M.M, Q32, less 1/4: from 0 to below 3/4 */
     glint_quadratic x, y;   /* deviation over w, scaled, Q30 */
-    uint32_t gated;         /* N.L may be below 0 */
+    int32_t size;           /* the steps of M take this and 14 bits, and a sign */
 } glint_quadratic_light;
 
 /** What a material and the frame's viewer ask for; behind all else of `deviation`. */
@@ -45,14 +45,20 @@ void glint_quadratic_prepare(glint_deviation *deviation, const glint_shading *sh
 glint_quadratic_kind glint_quadratic_begin(const glint_draw *draw, const glint_triangle *triangle,
                                            const glint_part *part, glint_quadratic_light *light);
 
-/** A square of pixels on the screen, of side 2^size: what lies up to half a side from a middle. */
+/** Smaller squares are not worth it: 2^3 pixels. */
+#define GLINT_QUADRATIC_LEAST_CELL 3
+
+/** In a square of 2^c pixels M stays below 2 where c and light.size are no more than this together. */
+#define GLINT_QUADRATIC_MOST_TURN 16
+
+/** Pixels around a middle. */
 typedef struct glint_square {
-    int32_t x, y; /* its middle */
-    uint32_t size;
+    int32_t x, y;   /* the middle, on the screen */
+    int32_t extent; /* none lies further from it, in sixteenths */
 } glint_square;
 
-/** The square around a triangle. @return 0 when it is too large to be bent at once */
-int glint_quadratic_square(const glint_triangle *triangle, glint_square *square);
+/** What is around a triangle. @return 0 when the half vector bends too much for it */
+int glint_quadratic_square(const glint_deviation *deviation, const glint_triangle *triangle, glint_square *square);
 
 /**
  * The deviation of the local viewer in a square.

@@ -5,104 +5,142 @@
 
 #include "quadratic.h"
 
-/* A quadratic at the tile's first column: in this row, its step to the next row, and to the next column. */
+/* A quadratic at a pixel, and its steps to the next column and to the next row. */
 typedef struct glint_stride {
-    uint32_t row, down, across;
-    uint32_t dxx, dxy, dyy;
+    uint32_t value, across, down;
 } glint_stride;
 
 static inline glint_stride glint_stride_begin(const glint_quadratic *q, int32_t x, int32_t y) {
     const uint32_t i = (uint32_t)x, j = (uint32_t)y;
-    const uint32_t across = q->dx + q->dxx * i + q->dxy * j, down = q->dy + q->dxy * i + q->dyy * j;
-    const uint32_t row = q->start + q->dx * i + q->dy * j + q->dxy * i * j + q->dxx * (uint32_t)(x * (x - 1) / 2) +
-                         q->dyy * (uint32_t)(y * (y - 1) / 2);
-    return (glint_stride){row, down, across, q->dxx, q->dxy, q->dyy};
+    const uint32_t value = q->start + q->dx * i + q->dy * j + q->dxy * i * j + q->dxx * (uint32_t)(x * (x - 1) / 2) +
+                           q->dyy * (uint32_t)(y * (y - 1) / 2);
+    return (glint_stride){value, q->dx + q->dxx * i + q->dxy * j, q->dy + q->dxy * i + q->dyy * j};
 }
 
-static inline void glint_stride_down(glint_stride *s) {
-    s->row += s->down;
-    s->down += s->dyy;
-    s->across += s->dxy;
+/* Goes to another column, of either side; all but the step down. */
+static inline void glint_stride_columns(glint_stride *s, const glint_quadratic *q, uint32_t columns) {
+    s->value += s->across * columns + q->dxx * (columns * (columns - 1) >> 1);
+    s->across += q->dxx * columns;
 }
 
-/* Value and step at a column. */
-static inline uint32_t glint_stride_at(const glint_stride *s, uint32_t column, uint32_t *step) {
-    *step = s->across + s->dxx * column;
-    return s->row + s->across * column + s->dxx * (column * (column - 1) / 2);
+static inline void glint_stride_next(glint_stride *s, const glint_quadratic *q) {
+    s->value += s->across;
+    s->across += q->dxx;
+}
+
+/* Goes to the next row, from so many columns right of where the last row was begun. */
+static inline void glint_stride_row(glint_stride *s, const glint_quadratic *q, uint32_t columns) {
+    s->down += q->dxy * columns;
+    s->value += s->down;
+    s->down += q->dyy;
+    s->across += q->dxy;
 }
 
 /* Diffuse light; ambient light alone where N.L <= 0. */
 static inline void glint_draw_quadratic_diffuse(const glint_spans *s, const glint_deviation *deviation,
                                                 const glint_quadratic_light *light, int high_first) {
-    const uint16_t *table = deviation->diffuse_pixel, *root = glint_root_table;
     const glint_part *part = s->part;
-    const int32_t y = part->y + (int32_t)part->top;
-    glint_walk w = glint_walk_begin(&part->depth, part->x, y), a = glint_walk_begin(&light->cosine, part->x, y);
-    glint_stride c = glint_stride_begin(&light->square, part->x, y);
-    w.row += 1u << 15;
-    for (uint32_t row = part->top; row < part->bottom; row++, w.row += w.dy, a.row += a.dy, glint_stride_down(&c)) {
-        const glint_span span = part->spans[row];
-        const uint32_t offset = (row << s->shift) + span.left;
-        uint16_t *depth = s->depth + offset, *end = s->depth + (row << s->shift) + span.right;
-        uint8_t *pixel = s->pixels + 2 * offset;
-        uint32_t z = w.row + w.dx * span.left, along = a.row + a.dx * span.left, step;
-        uint32_t square = glint_stride_at(&c, span.left, &step);
-        for (; depth < end; depth++, pixel += 2, z += w.dx, along += a.dx, square += step, step += c.dxx) {
-            const uint32_t here = z >> 15;
-            if (here <= *depth)
-                continue;
-            *depth = (uint16_t)here;
-            glint_put_565(pixel,
-                          (int32_t)along <= 0 ? deviation->ambient : table[(along >> 15) * root[square >> 22] >> 22],
-                          high_first);
+    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
+    const uint16_t *const table = deviation->diffuse_pixel, *const root = glint_root_table;
+    const uint32_t z_dx = (uint32_t)part->depth.dx, a_dx = (uint32_t)light->cosine.dx;
+    uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS, a = glint_first_row(part, &light->cosine);
+    glint_stride c = glint_stride_begin(&light->square, part->x, part->y + (int32_t)part->top);
+    uint32_t column = 0;
+    uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
+    for (; span != last; span++) {
+        const uint32_t left = span->left, right = span->right, from = column;
+        if (left < right) {
+            depth += 2 * (int32_t)(left - column);
+            z += z_dx * (left - column);
+            a += a_dx * (left - column);
+            glint_stride_columns(&c, &light->square, left - column);
+            uint8_t *const end = depth + 2 * (right - left);
+            do {
+                if (glint_is_nearest(depth, z))
+                    glint_put_565(depth + to_pixels,
+                                  (int32_t)a <= 0 ? deviation->ambient : table[(a >> 15) * root[c.value >> 22] >> 22],
+                                  high_first);
+                depth += 2;
+                GLINT_OPAQUE(depth);
+                z += z_dx;
+                a += a_dx;
+                glint_stride_next(&c, &light->square);
+            } while (depth != end);
+            column = right;
         }
+        depth += stride;
+        z += (uint32_t)part->depth.dy;
+        a += (uint32_t)light->cosine.dy;
+        glint_stride_row(&c, &light->square, column - from);
     }
+}
+
+/* Half a plane's value, 1 = 2^15, squared. */
+static inline uint32_t glint_middle_square(uint32_t value) {
+    const uint32_t middle = (uint32_t)glint_shift_right((int32_t)value, 15);
+    return middle * middle;
+}
+
+/* A lit pixel, diffuse and specular, packed: M.L, 1 / |M| and the squared deviation over w. */
+static inline uint32_t glint_quadratic_word(const glint_deviation *deviation, uint32_t a, uint32_t inverse,
+                                            uint32_t square) {
+    uint32_t word = deviation->diffuse[(a >> 15) * inverse >> 22];
+    if (square < deviation->quadratic.limit) {
+        square = (square >> deviation->quadratic.shift) * (inverse * inverse >> 16);
+        if (square < deviation->quadratic.end)
+            word = glint_spread_clamp(word + deviation->specular[square >> 20]);
+    }
+    return glint_spread_pack(word);
 }
 
 /* Diffuse and specular light. */
 static inline void glint_draw_quadratic_specular(const glint_spans *s, const glint_deviation *deviation,
                                                  const glint_quadratic_light *light, int high_first) {
-    const uint32_t *diffuse = deviation->diffuse, *specular = deviation->specular;
-    const uint16_t *root = glint_root_table;
-    const uint32_t limit = deviation->quadratic.limit, shift = deviation->quadratic.shift,
-                   last = deviation->quadratic.end;
     const glint_part *part = s->part;
+    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
+    const uint32_t z_dx = (uint32_t)part->depth.dx, a_dx = (uint32_t)light->cosine.dx;
+    uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS, a = glint_first_row(part, &light->cosine);
     const int32_t y = part->y + (int32_t)part->top;
-    glint_walk w = glint_walk_begin(&part->depth, part->x, y), a = glint_walk_begin(&light->cosine, part->x, y);
-    glint_stride c = glint_stride_begin(&light->square, part->x, y);
-    glint_stride ex = glint_stride_begin(&light->x, part->x, y), ey = glint_stride_begin(&light->y, part->x, y);
-    w.row += 1u << 15;
-    for (uint32_t row = part->top; row < part->bottom;
-         row++, w.row += w.dy, a.row += a.dy, glint_stride_down(&c), glint_stride_down(&ex), glint_stride_down(&ey)) {
-        const glint_span span = part->spans[row];
-        const uint32_t offset = (row << s->shift) + span.left;
-        uint16_t *depth = s->depth + offset, *end = s->depth + (row << s->shift) + span.right;
-        uint8_t *pixel = s->pixels + 2 * offset;
-        uint32_t z = w.row + w.dx * span.left, along = a.row + a.dx * span.left, step, x_step, y_step;
-        uint32_t square = glint_stride_at(&c, span.left, &step);
-        uint32_t x = glint_stride_at(&ex, span.left, &x_step), yy = glint_stride_at(&ey, span.left, &y_step);
-        for (; depth < end; depth++, pixel += 2, z += w.dx, along += a.dx, square += step, step += c.dxx, x += x_step,
-                            x_step += ex.dxx, yy += y_step, y_step += ey.dxx) {
-            const uint32_t here = z >> 15;
-            if (here <= *depth)
-                continue;
-            *depth = (uint16_t)here;
-            if ((int32_t)along <= 0) {
-                glint_put_565(pixel, deviation->ambient, high_first);
-                continue;
-            }
-            const uint32_t inverse = root[square >> 22];
-            uint32_t word = diffuse[(along >> 15) * inverse >> 22];
-            const uint32_t x_high = (uint32_t)glint_shift_right((int32_t)x, 15);
-            const uint32_t y_high = (uint32_t)glint_shift_right((int32_t)yy, 15);
-            uint32_t deviates = x_high * x_high + y_high * y_high;
-            if (deviates < limit) {
-                deviates = (deviates >> shift) * (inverse * inverse >> 16);
-                if (deviates < last)
-                    word = glint_spread_clamp(word + specular[deviates >> 20]);
-            }
-            glint_put_565(pixel, glint_spread_pack(word), high_first);
+    glint_stride c = glint_stride_begin(&light->square, part->x, y), ex = glint_stride_begin(&light->x, part->x, y);
+    glint_stride ey = glint_stride_begin(&light->y, part->x, y);
+    uint32_t column = 0;
+    uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
+    for (; span != last; span++) {
+        const uint32_t left = span->left, right = span->right, from = column;
+        if (left < right) {
+            depth += 2 * (int32_t)(left - column);
+            z += z_dx * (left - column);
+            a += a_dx * (left - column);
+            glint_stride_columns(&c, &light->square, left - column);
+            glint_stride_columns(&ex, &light->x, left - column);
+            glint_stride_columns(&ey, &light->y, left - column);
+            uint8_t *const end = depth + 2 * (right - left);
+            do {
+                if (glint_is_nearest(depth, z))
+                    glint_put_565(depth + to_pixels,
+                                  (int32_t)a <= 0 ? deviation->ambient
+                                                  : glint_quadratic_word(deviation, a, glint_root_table[c.value >> 22],
+                                                                         glint_middle_square(ex.value) +
+                                                                             glint_middle_square(ey.value)),
+                                  high_first);
+                depth += 2;
+                GLINT_OPAQUE(depth);
+                z += z_dx;
+                a += a_dx;
+                glint_stride_next(&c, &light->square);
+                glint_stride_next(&ex, &light->x);
+                glint_stride_next(&ey, &light->y);
+            } while (depth != end);
+            column = right;
         }
+        depth += stride;
+        z += (uint32_t)part->depth.dy;
+        a += (uint32_t)light->cosine.dy;
+        glint_stride_row(&c, &light->square, column - from);
+        glint_stride_row(&ex, &light->x, column - from);
+        glint_stride_row(&ey, &light->y, column - from);
     }
 }
 
@@ -110,25 +148,25 @@ static inline void glint_draw_quadratic_specular(const glint_spans *s, const gli
 static inline uint32_t glint_quadratic_pixel(const glint_shading *shading, const glint_quadratic_light *light,
                                              int shows, int32_t x, int32_t y) {
     const glint_quadratic_limits *limits = &shading->deviation->quadratic;
-    const uint32_t along = (uint32_t)glint_plane_at(&light->cosine, x, y);
-    const uint32_t inverse = glint_root_table[glint_stride_begin(&light->square, x, y).row >> 22];
-    uint32_t deviates = UINT32_MAX;
-    if ((int32_t)along <= 0)
+    const uint32_t a = (uint32_t)glint_plane_at(&light->cosine, x, y);
+    const uint32_t inverse = glint_root_table[glint_stride_begin(&light->square, x, y).value >> 22];
+    uint32_t square = UINT32_MAX;
+    if ((int32_t)a <= 0)
         return shading->deviation->ambient;
     if (shows) {
-        const uint32_t x_high = (uint32_t)glint_shift_right((int32_t)glint_stride_begin(&light->x, x, y).row, 15);
-        const uint32_t y_high = (uint32_t)glint_shift_right((int32_t)glint_stride_begin(&light->y, x, y).row, 15);
-        deviates = x_high * x_high + y_high * y_high;
-        deviates = deviates < limits->limit ? (deviates >> limits->shift) * (inverse * inverse >> 16) : UINT32_MAX;
+        square = glint_middle_square(glint_stride_begin(&light->x, x, y).value) +
+                 glint_middle_square(glint_stride_begin(&light->y, x, y).value);
+        square = square < limits->limit ? (square >> limits->shift) * (inverse * inverse >> 16) : UINT32_MAX;
     }
-    /* one step is as good as none */
-    return glint_deviation_pixel(shading, (int32_t)((along >> 15) * inverse) | 1,
-                                 deviates < limits->end ? deviates >> 5 : UINT32_MAX);
+    /* one step of N.L is as good as none */
+    return glint_deviation_pixel(shading, (int32_t)((a >> 15) * inverse) | 1,
+                                 square < limits->end ? square >> 5 : UINT32_MAX);
 }
 
 /* Both, without tables. */
-static inline void glint_draw_quadratic_without_tables(const glint_spans *s, const glint_shading *shading,
-                                                       const glint_quadratic_light *light, int shows, int high_first) {
+static GLINT_NOINLINE void glint_draw_quadratic_without_tables(const glint_spans *s, const glint_shading *shading,
+                                                               const glint_quadratic_light *light, int shows,
+                                                               int high_first) {
     const glint_part *part = s->part;
     for (uint32_t row = part->top; row < part->bottom; row++) {
         const glint_span span = part->spans[row];
@@ -160,9 +198,8 @@ static inline void glint_draw_quadratic_kind(const glint_workspace *workspace, c
         glint_draw_quadratic_specular(s, deviation, light, high_first);
 }
 
-/* The part of a triangle that lies in a square, 2^size pixels wide and aligned to the screen. */
-static inline void glint_cut_square(glint_part *out, const glint_part *part, const glint_square *square) {
-    const int32_t half = 1 << (square->size - 1);
+/* The part of a triangle that lies up to half a side from a middle. */
+static inline void glint_cut_square(glint_part *out, const glint_part *part, const glint_square *square, int32_t half) {
     const int32_t x = square->x - half - glint_shift_right(part->window.left, 4);
     const int32_t y = square->y - half - glint_shift_right(part->window.top, 4);
     *out = *part;
@@ -178,18 +215,18 @@ static inline void glint_cut_square(glint_part *out, const glint_part *part, con
 }
 
 /* Draws a triangle square by square, where the half vector bends too much all over it. */
-static inline void glint_draw_squares(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                                      const glint_triangle *triangle, const glint_part *part,
-                                      glint_quadratic_light *light, int high_first) {
+static GLINT_NOINLINE void glint_draw_squares(const glint_frame *frame, glint_workspace *workspace,
+                                              const glint_draw *draw, const glint_triangle *triangle,
+                                              const glint_part *part, glint_quadratic_light *light, int high_first) {
     const glint_deviation *deviation = draw->shading->deviation;
     const int32_t side = 1 << deviation->quadratic.cell, half = side / 2;
     const int32_t left = glint_shift_right(part->window.left, 4), top = glint_shift_right(part->window.top, 4);
-    glint_square square = {0, 0, deviation->quadratic.cell};
+    glint_square square = {0, 0, 12 * side};
     for (square.y = ((top + (int32_t)part->top) & -side) + half; square.y - half < top + (int32_t)part->bottom;
          square.y += side) {
         for (square.x = (left & -side) + half; square.x - half < left + part->window.width; square.x += side) {
             glint_part cut;
-            glint_cut_square(&cut, part, &square);
+            glint_cut_square(&cut, part, &square, half);
             const glint_spans spans = {&cut, workspace->depth, workspace->pixels, frame->tile_shift_x};
             const glint_quadratic_kind kind = glint_quadratic_bend(deviation, triangle, part, &square, light);
             if (kind == GLINT_QUADRATIC_UNFIT)
@@ -211,10 +248,12 @@ static inline int glint_draw_quadratic(const glint_frame *frame, glint_workspace
     if (kind == GLINT_QUADRATIC_UNFIT)
         return 0;
     if (kind == GLINT_QUADRATIC_SPECULAR && deviation->local_viewer) {
-        kind = GLINT_QUADRATIC_UNFIT;
-        if (glint_quadratic_square(triangle, &square))
-            kind = glint_quadratic_bend(deviation, triangle, part, &square, &light);
-        if (kind == GLINT_QUADRATIC_UNFIT) {
+        const int is_small = glint_quadratic_square(deviation, triangle, &square);
+        kind = glint_quadratic_bend(deviation, triangle, part, &square, &light);
+        if (is_small ? kind == GLINT_QUADRATIC_UNFIT : kind != GLINT_QUADRATIC_DIFFUSE) {
+            const uint32_t cell = deviation->quadratic.cell;
+            if (is_small || cell < GLINT_QUADRATIC_LEAST_CELL || (int32_t)cell + light.size > GLINT_QUADRATIC_MOST_TURN)
+                return 0;
             glint_draw_squares(frame, workspace, draw, triangle, part, &light, high_first);
             return 1;
         }
