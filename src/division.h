@@ -50,10 +50,6 @@ static inline int32_t glint_reciprocal16(uint32_t x) {
 #define GLINT_EDGE_DY (GLINT_DIVIDES ? 512 : 256)
 #define GLINT_EDGE_ERROR 64
 
-/** All edges of a triangle are short whose corners lie less than 2^(GLINT_EDGE_SIZE - 1) from the first one, in x and
- * y. */
-#define GLINT_EDGE_SIZE (GLINT_DIVIDES ? 9 : 8)
-
 /** Added to a crossing, this makes its whole part the first column at or right of it. */
 #define GLINT_EDGE_CEILING ((1 << 20) - GLINT_EDGE_ERROR)
 

@@ -88,8 +88,7 @@ static void find_side(glint_part *part, const glint_place *a, const glint_place 
         return;
     s.column += sizeof(glint_span) * (uint32_t)top;
     const int32_t dx = s.b->x - s.a->x, dy = s.b->y - s.a->y;
-    if ((GLINT_SMALL && GLINT_DIVIDES) || (part->gradients.size >= GLINT_EDGE_SIZE &&
-                                           (dy >= GLINT_EDGE_DY || dx >= GLINT_EDGE_DX || dx <= -GLINT_EDGE_DX))) {
+    if ((GLINT_SMALL && GLINT_DIVIDES) || dy >= GLINT_EDGE_DY || dx >= GLINT_EDGE_DX || dx <= -GLINT_EDGE_DX) {
         find_exactly(part, &s);
         return;
     }
@@ -128,6 +127,16 @@ static int find_rows(glint_part *part) {
     return top < bottom;
 }
 
+/* Leaves out rows without pixels above the first that has some. @return 0 when none has */
+static inline int has_pixels(glint_part *part) {
+    uint32_t top = part->top;
+    while (part->spans[top].left >= part->spans[top].right)
+        if (++top == part->bottom)
+            return 0;
+    part->top = top;
+    return 1;
+}
+
 /* Puts the corners of a triangle that runs clockwise on the screen in the other order. */
 static void turn_round(glint_triangle *triangle, int has_extra) {
     const glint_vertex *corner = triangle->corners[1];
@@ -155,11 +164,13 @@ void glint_raster(const glint_frame *frame, glint_workspace *workspace, const gl
     find_place(&places[2], &part->window, v[2]);
     if (!find_rows(part))
         return;
-    part->x = -glint_shift_right(places[0].x + 8, 4);
-    part->y = -glint_shift_right(places[0].y + 8, 4);
-    glint_setup(part, triangle);
     find_side(part, &places[0], &places[1]);
     find_side(part, &places[1], &places[2]);
     find_side(part, &places[2], &places[0]);
+    if (!has_pixels(part))
+        return;
+    part->x = -glint_shift_right(places[0].x + 8, 4);
+    part->y = -glint_shift_right(places[0].y + 8, 4);
+    glint_setup(part, triangle);
     draw->kernel(frame, workspace, draw, triangle, part);
 }
