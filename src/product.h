@@ -66,7 +66,9 @@ static inline int32_t glint_row_times_split(const glint_row_split *row, int32_t 
 
 /** floor(floor(x / 2^8) r / 2^15): |x| below 2^30, r below 2^22, |x| r at most 2^48 + 2^30. */
 static inline int32_t glint_scale_whole(int32_t x, uint32_t r) {
-    return (int32_t)glint_shift_right64((int64_t)(x & ~0xff) * (int32_t)(r << 9), 32);
+    int32_t whole = x & ~0xff;
+    GLINT_OPAQUE(whole); /* one product, not one for each place that x comes from */
+    return (int32_t)glint_shift_right64((int64_t)whole * (int32_t)(r << 9), 32);
 }
 
 static inline int32_t glint_scale_split(int32_t x, uint32_t r) {
