@@ -17,7 +17,7 @@ uint32_t glint_reciprocal(uint32_t x) {
 static int64_t natural_logarithm(int64_t r) {
     int64_t square = glint_shift_right64(r * r, 31);
     int64_t cube = glint_shift_right64(square * r, 31);
-    return r - square / 2 + cube / 3;
+    return r - square / 2 + (int32_t)cube / 3;
 }
 
 int32_t glint_log2(uint32_t x) {
@@ -41,7 +41,7 @@ uint32_t glint_exp2(int32_t y) {
     uint32_t fraction = (uint32_t)y & ((1u << 26) - 1);
     int64_t r = ((int64_t)(fraction & 0x1fffff) * 1488522236) >> 27; /* ln 2 in Q31, to Q30 */
     int64_t square = (r * r) >> 31;                                  /* r^2 / 2 */
-    int64_t series = ((int64_t)1 << 30) + r + square + ((square * r) >> 30) / 3;
+    int64_t series = ((int64_t)1 << 30) + r + square + (int32_t)((square * r) >> 30) / 3;
     uint64_t power = ((uint64_t)series * glint_exp2_table[fraction >> 21]) >> 30;
     return whole ? (uint32_t)((power + (1u << (whole - 1))) >> whole) : (uint32_t)power;
 }
