@@ -344,8 +344,9 @@ size_t glint_row_bytes(const glint_format *format, uint32_t width);
 
 /**
  * Takes finished tiles. `begin` starts to send a rectangle and may return before it is sent; `wait` returns when it
- * is. They are called in pairs, in order, and the pixels stay as they are in between. Either returns 0, or anything
- * else to report a failure, which ends the frame with GLINT_ERROR_FLUSH.
+ * is. They are called in pairs, in order, and the pixels stay as they are in between; tiles that show background alone
+ * may get the same pixels one after another. Either returns 0, or anything else to report a failure, which ends the
+ * frame with GLINT_ERROR_FLUSH.
  */
 typedef struct glint_flush {
     /** @param stride bytes from a row of `pixels` to the next. */
