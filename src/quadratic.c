@@ -20,8 +20,8 @@
 /* M.M stays above 0.3 of its largest. */
 #define LEAST_SQUARE ((6u << 27) / 10 * 3)
 
-/* Error of a highlight that a bent half vector may make, in 1/64 of a level. */
-#define BEND_LIMIT 48
+/* Error of a highlight that a bent half vector may make at the worst place, in 1/64 of a level. */
+#define BEND_LIMIT 24
 
 /* Slenderness of triangles, as bits, up to which sums over a row keep what a plane has. */
 #define SLENDER 7

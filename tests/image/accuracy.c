@@ -10,6 +10,7 @@
 #include "glint.h"
 #include "harness.h"
 #include "judge.h"
+#include "picture.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -88,6 +89,26 @@ static void bench_scenes(void) {
     }
 }
 
+/* The coarse torus, whose normals turn far, is drawn by the kernels made for that, for both viewers. */
+static void curved_triangles_have_kernels(void) {
+    static const int tested[] = {2, 8, 32, 256, 1024};
+    for (unsigned i = 0; i < 2 * TEST_COUNT(tested); i++) {
+        bench_scene scene;
+        glint_stats stats = {0};
+        picture image = picture_open(320, 240, &glint_format_rgb565);
+        bench_build_scene(&scene, &bench_definitions[1], scene_bench_mesh(1), (int)i);
+        scene.material.shininess = tested[i / 2] * GLINT_ONE;
+        scene.scene.viewer = i % 2 ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
+        CHECK_EQUAL(picture_render(&image, &scene.scene, NULL, &stats), GLINT_OK);
+        CHECK(stats.drawn[GLINT_KERNEL_CURVED_SPECULAR].covered > 1000);
+        CHECK(stats.drawn[GLINT_KERNEL_CURVED_DIFFUSE].covered + stats.drawn[GLINT_KERNEL_CURVED_SPECULAR].covered >
+              11000);
+        /* the widest highlights reach to the horizon, behind which their backs are */
+        CHECK_AT_MOST(stats.drawn[GLINT_KERNEL_GENERAL].covered, tested[i / 2] < 32 ? 1500 : 140);
+        picture_close(&image);
+    }
+}
+
 /* ---- Random scenes ---- */
 
 static uint32_t random_state;
@@ -157,6 +178,7 @@ static void random_scenes(void) {
 }
 
 int test_main(test_writer write) {
-    static const test_case cases[] = {TEST_CASE(bench_scenes), TEST_CASE(random_scenes)};
+    static const test_case cases[] = {TEST_CASE(bench_scenes), TEST_CASE(curved_triangles_have_kernels),
+                                      TEST_CASE(random_scenes)};
     return test_run(write, cases, TEST_COUNT(cases));
 }

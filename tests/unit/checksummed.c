@@ -59,6 +59,32 @@ static void exponents_beyond(fixture *f) {
     f->materials[2].shininess = INT32_MAX;
 }
 
+/* Triangles of many pixels whose normals turn far, lit from beside and behind: the terminator crosses the highlight. */
+static void curved(fixture *f) {
+    f->objects[0].pose.m[2][3] = GLINT_Q16(-1.9);
+    f->lights[0].vector = (glint_vector){GLINT_Q16(0.9), GLINT_Q16(0.3), GLINT_Q16(-0.3)};
+    f->materials[0].shininess = 12 * GLINT_ONE;
+    local_viewer(f);
+}
+
+static void curved_infinite(fixture *f) {
+    curved(f);
+    infinite_viewer(f);
+}
+
+static void curved_exponent_8192(fixture *f) {
+    curved(f);
+    f->lights[0].vector = (glint_vector){GLINT_Q16(0.3), GLINT_Q16(0.6), GLINT_ONE};
+    f->materials[0].shininess = 8192 * GLINT_ONE;
+    infinite_viewer(f);
+}
+
+static void curved_exponent_1024(fixture *f) {
+    curved_exponent_8192(f);
+    f->materials[0].shininess = 1024 * GLINT_ONE;
+    local_viewer(f);
+}
+
 static void eight_lights(fixture *f) {
     for (int i = 0; i < GLINT_LIGHTS_MAX; i++) {
         const glint_vector towards = {glint_cos(45 * i * GLINT_ONE), glint_sin(45 * i * GLINT_ONE), (i - 2) * 9000};
@@ -343,6 +369,10 @@ static const entry entries[] = {
     IMAGE(exponent_two),
     IMAGE(exponent_1024),
     IMAGE(exponents_beyond),
+    IMAGE(curved),
+    IMAGE(curved_infinite),
+    IMAGE(curved_exponent_8192),
+    IMAGE(curved_exponent_1024),
     IMAGE(eight_lights),
     IMAGE(eight_lights_infinite),
     IMAGE(saturated),

@@ -10,24 +10,28 @@
 #include <stdint.h>
 
 static const uint32_t expected_checksums[] = {
-    0x7c5e3f0cu, /* local_viewer */
+    0xee6e5031u, /* local_viewer */
     0xeb66e3a0u, /* infinite_viewer */
     0x354c489cu, /* exponent_half */
     0x0e6a5461u, /* exponent_two */
     0xa02f78d9u, /* exponent_1024 */
-    0xfa380024u, /* exponents_beyond */
+    0x75a5aaa5u, /* exponents_beyond */
+    0xb2586c57u, /* curved */
+    0x45f4960du, /* curved_infinite */
+    0x75dfa1d8u, /* curved_exponent_8192 */
+    0x0c80fe76u, /* curved_exponent_1024 */
     0x49a985c3u, /* eight_lights */
     0x15ef6b60u, /* eight_lights_infinite */
     0xfa8add0au, /* saturated */
     0xac0d4728u, /* near_plane */
     0xda8a09c5u, /* floor_to_horizon */
     0x3104de64u, /* guard_band */
-    0x758b253bu, /* mirrored_double_sided */
+    0xc5af1d6bu, /* mirrored_double_sided */
     0x7b8d6d35u, /* squashed */
-    0xa053d44au, /* interlocked */
-    0x5820b4cfu, /* turned_camera */
+    0x7eddfc65u, /* interlocked */
+    0x5b7f54fdu, /* turned_camera */
     0x77051dc5u, /* no_objects */
-    0x21da0322u, /* big_endian */
+    0x42054031u, /* big_endian */
     0xcbc7907bu, /* rgb888_odd_size */
     0x60e7c4fau, /* grey8_odd_size */
     0x392c720cu, /* grey4_odd_size */
