@@ -198,10 +198,11 @@ static inline void glint_draw_quadratic_kind(const glint_workspace *workspace, c
         glint_draw_quadratic_specular(s, deviation, light, high_first);
 }
 
-/* The part of a triangle that lies up to half a side from a middle. */
-static inline void glint_cut_square(glint_part *out, const glint_part *part, const glint_square *square, int32_t half) {
+/* The part of a triangle that lies up to half a side from a middle. @return 0 where that is nothing */
+static inline int glint_cut_square(glint_part *out, const glint_part *part, const glint_square *square, int32_t half) {
     const int32_t x = square->x - half - glint_shift_right(part->window.left, 4);
     const int32_t y = square->y - half - glint_shift_right(part->window.top, 4);
+    int covers = 0;
     *out = *part;
     out->top = (int32_t)part->top > y ? part->top : (uint32_t)y;
     out->bottom = (int32_t)part->bottom < y + 2 * half ? part->bottom : (uint32_t)(y + 2 * half);
@@ -209,9 +210,11 @@ static inline void glint_cut_square(glint_part *out, const glint_part *part, con
         int32_t left = part->spans[row].left, right = part->spans[row].right;
         left = left > x ? left : x;
         right = right < x + 2 * half ? right : x + 2 * half;
+        covers |= left < right;
         out->spans[row].left = (uint8_t)left;
         out->spans[row].right = (uint8_t)(right > left ? right : left);
     }
+    return covers;
 }
 
 /* Draws a triangle square by square, where the half vector bends too much all over it. */
@@ -226,7 +229,8 @@ static GLINT_NOINLINE void glint_draw_squares(const glint_frame *frame, glint_wo
          square.y += side) {
         for (square.x = (left & -side) + half; square.x - half < left + part->window.width; square.x += side) {
             glint_part cut;
-            glint_cut_square(&cut, part, &square, half);
+            if (!glint_cut_square(&cut, part, &square, half))
+                continue;
             const glint_spans spans = {&cut, workspace->depth, workspace->pixels, frame->tile_shift_x};
             const glint_quadratic_kind kind = glint_quadratic_bend(deviation, triangle, part, &square, light);
             if (kind == GLINT_QUADRATIC_UNFIT)

@@ -20,17 +20,6 @@ static inline void glint_put_565(uint8_t *pixel, uint32_t value, int high_first)
     pixel[1] = (uint8_t)value;
 }
 
-/* A plane's value where a span begins: its value at the tile's first column, and what a column adds. */
-typedef struct glint_walk {
-    uint32_t row;
-    uint32_t dx, dy;
-} glint_walk;
-
-static inline glint_walk glint_walk_begin(const glint_plane *plane, int32_t x, int32_t y) {
-    const glint_walk walk = {(uint32_t)glint_plane_at(plane, x, y), (uint32_t)plane->dx, (uint32_t)plane->dy};
-    return walk;
-}
-
 /* What a triangle's loops over pixels share. */
 typedef struct glint_spans {
     const glint_part *part;
