@@ -61,6 +61,7 @@ void turntable_frame(turntable *table, turntable_model model, uint32_t frame) {
 
     scene->camera.near_plane = GLINT_Q16(0.1);
     scene->background = (glint_colour)COLOUR(0, 0, 0);
+    scene->error_budget = 0;
     scene->lights = table->lights;
     scene->objects = &table->object;
     scene->object_count = 1;
