@@ -18,8 +18,10 @@ static uint32_t specular(const glint_power_table *table, const glint_prepared_li
     int32_t along = normal[0] * x + normal[1] * y + normal[2] * z; /* |L + V| is at most 2 UNIT: below 2^31 */
     if (along <= 0)
         return glint_power_of_zero(table);
-    /* |H|^2 = 2 (1 + L.V): compare cos^2 |H|^2 / 4 with its floor, both rounded to the safe side. */
-    int32_t half_square = glint_shift_right(GLINT_UNIT * GLINT_UNIT + glint_dot(light, view), 16);
+    /* |H|^2 = 2 (1 + L.V), unit vectors being off by 2.3: compare cos^2 |H|^2 / 4 with its floor, rounded to the safe
+     * side.
+     */
+    int32_t half_square = glint_shift_right(GLINT_UNIT * GLINT_UNIT + glint_dot(light, view), 16) - 3;
     int32_t bound = glint_shift_right(along, 16) + 1;
     if (bound * bound < table->cosine_square_floor * half_square)
         return 0;

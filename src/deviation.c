@@ -37,6 +37,11 @@
 /* Steps of error that turn and slant may make each: 12/32 and 1/2 (find_limits). */
 #define TURN_LIMIT 12
 
+/* Of an error budget, Q12, kept for what linear lighting errs without one: half a level, with highlights a whole one.
+ */
+#define KEPT 32
+#define KEPT_SPECULAR 64
+
 /* Binary logarithm of the specular table's entries for each node that is computed; it is linear between them. */
 #define NODE_BITS 3
 
@@ -57,12 +62,20 @@ int glint_deviation_serves(const glint_frame *frame, const glint_object *object)
             (material->model->lobe == GLINT_LOBE_HALF_VECTOR && material->shininess >= 2 * GLINT_ONE));
 }
 
+/* A quarter of the error budget, less what is kept for the errors that linear lighting has without one; all Q12. */
+static uint32_t find_share(const glint_shading *shading, uint32_t kept) {
+    return shading->spare > kept ? (shading->spare - kept) / 4 : 0;
+}
+
 /* sin^2 where the highlight ends, Q30; 0 when it never shows. */
 static uint32_t find_cut(const glint_shading *shading) {
     uint32_t weight = largest_weight(shading->weights[0].specular);
     if (!shading->has_specular)
         return 0;
-    int64_t bits = (int64_t)glint_log2(weight << 15) + ((4 + CUT_BITS) << 26); /* Q26; weight is Q12 */
+    /* 2^(12 - CUT_BITS), Q12, and a share of the error budget need not show */
+    const int32_t grant =
+        glint_log2(((1u << (12 - CUT_BITS)) + find_share(shading, KEPT)) << 15) - glint_log2(1u << (27 - CUT_BITS));
+    int64_t bits = (int64_t)glint_log2(weight << 15) + ((4 + CUT_BITS) << 26) - grant; /* Q26; weight is Q12 */
     if (bits <= 0)
         return 0;
     return (1u << 30) - glint_exp2((int32_t) - ((2 * bits << 16) / shading->material->shininess));
@@ -244,19 +257,29 @@ static int32_t at_most(uint64_t value, int32_t most) {
  * Across h = extent / focal length the half vector bends by up to 0.06 h^2 from a straight line, and the highlight's
  * steepest slope is 0.61 sqrt(p): h^2 = 0.6 / (0.037 sqrt(p) weight) costs 0.6 of a level at the worst place.
  */
-static int32_t find_extent(const glint_frame *frame, const glint_shading *shading, uint32_t weight) {
+static int32_t find_extent(const glint_frame *frame, const glint_shading *shading, uint32_t weight, uint64_t grant) {
     uint64_t focal = (uint32_t)at_most((uint64_t)(uint32_t)frame->view->focal >> 9, 1 << 19); /* sixteenths */
     uint64_t root = glint_square_root((uint64_t)(uint32_t)shading->material->shininess);      /* Q8 */
-    return (int32_t)glint_square_root((focal * focal * 16 << 20) / (weight * root + 1));
+    uint64_t extent = glint_square_root((focal * focal * 16 << 20) / (weight * root + 1));
+    return at_most(extent * glint_square_root((4096 + grant * 5 / 3) << 12) >> 12, INT32_MAX);
 }
 
+static uint64_t turn_limit(uint64_t grant) {
+    return (((uint64_t)TURN_LIMIT << 12) + 32 * grant) << 26;
+}
+
+/* An error budget is shared: a quarter each for turn, slant, extent and what is cut off the highlight; without one,
+ * half for the change of N.L. */
 static void find_limits(const glint_frame *frame, glint_deviation *deviation, const glint_shading *shading) {
     const uint32_t diffuse = weight_in_levels(shading->weights[0].diffuse);
     const uint32_t specular = weight_in_levels(shading->weights[0].specular);
-    deviation->turn = at_most(((uint64_t)TURN_LIMIT << (26 + 12)) / diffuse, 1 << 26);
-    deviation->turn_specular = at_most(((uint64_t)TURN_LIMIT << (26 + 12)) / (diffuse + specular / 2), 1 << 26);
-    deviation->extent = deviation->local_viewer ? find_extent(frame, shading, specular) : INT32_MAX;
-    deviation->slant = (uint32_t)at_most(((uint64_t)deviation->side << 12) / specular, 0xffff);
+    const uint64_t grant = find_share(shading, KEPT) * levels[1];
+    const uint64_t highlight = find_share(shading, KEPT_SPECULAR) * levels[1];
+    deviation->turn = at_most(turn_limit(grant) / diffuse, 1 << 26);
+    deviation->turn_specular = at_most(turn_limit(highlight) / (diffuse + specular / 2), 1 << 26);
+    deviation->extent = deviation->local_viewer ? find_extent(frame, shading, specular, highlight) : INT32_MAX;
+    deviation->slant = (uint32_t)at_most((uint32_t)deviation->side * (4096 + 2 * highlight) / specular, 0xffff);
+    deviation->even = shading->lights ? at_most((2 * grant << 14) / diffuse, INT16_MAX) : INT16_MAX;
 }
 
 static void prepare_rays(glint_deviation *deviation, const glint_frame *frame) {
@@ -538,6 +561,20 @@ static void begin_term(glint_plane *p, const term_gradients *t, int32_t a0, int3
     p->start = glint_add_wrap(a0 * t->length, glint_shift_left(glint_shift_right(to_center, t->right), t->left + 1));
 }
 
+/* Is N.L, or near enough, that of the first corner? */
+static int is_even(int32_t even, const int16_t *const terms[3]) {
+    const int32_t a = terms[0][0] + even;
+    return (uint32_t)(a - terms[1][0]) <= (uint32_t)(2 * even) && (uint32_t)(a - terms[2][0]) <= (uint32_t)(2 * even);
+}
+
+uint32_t glint_deviation_even(const glint_shading *shading, const glint_deviation_planes *planes) {
+    const int32_t cosine = planes->cosine.start;
+    if (!shading->lights || cosine <= 0)
+        return shading->deviation->ambient;
+    return shading->deviation->diffuse ? shading->deviation->diffuse_pixel[cosine >> 22]
+                                       : glint_deviation_pixel(shading, cosine, UINT32_MAX);
+}
+
 uint32_t glint_deviation_covered(const glint_part *part) {
     uint32_t covered = 0;
     for (uint32_t row = part->top; row < part->bottom; row++)
@@ -568,6 +605,10 @@ glint_deviation_kind glint_deviation_begin(const glint_draw *draw, const glint_t
         return GLINT_DEVIATION_UNFIT;
     term_gradients t;
     lengthen(&t, &part->gradients, turn);
+    if (!shows && deviation->even && is_even(deviation->even, terms)) {
+        planes->cosine.start = terms[0][0] * t.length;
+        return GLINT_DEVIATION_EVEN;
+    }
     begin_term(&planes->cosine, &t, terms[0][0], terms[1][0], terms[2][0]);
     if (!shows)
         return any & FLAG_DIM ? GLINT_DEVIATION_GATED : GLINT_DEVIATION_DIFFUSE;

@@ -48,6 +48,7 @@ typedef struct glint_deviation {
     int32_t reach;                 /* deviation, Q14, that a plane can hold */
     int32_t turn, turn_specular;   /* limits that keep the error small: fits() in deviation.c */
     uint32_t slant;
+    int32_t even;                 /* change of N.L, Q14, that is too little to show; 0 without an error budget */
     int32_t extent;               /* on the screen, 28.4 */
     int32_t ray_scale, ray_limit; /* from 28.4 to a ray with z = 2^14, Q16 */
     int32_t center_x, center_y;   /* of the screen, 28.4 */
@@ -64,6 +65,7 @@ typedef enum glint_deviation_kind {
     GLINT_DEVIATION_DIFFUSE = GLINT_KERNEL_DIFFUSE,   /* lit all over, without highlight */
     GLINT_DEVIATION_GATED = GLINT_KERNEL_GATED,       /* without highlight, and N.L may be below 0 */
     GLINT_DEVIATION_SPECULAR = GLINT_KERNEL_SPECULAR, /* lit all over */
+    GLINT_DEVIATION_EVEN = GLINT_KERNEL_EVEN,         /* without highlight, of one colour */
 } glint_deviation_kind;
 
 /** Planes of a triangle. */
@@ -118,6 +120,9 @@ int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int
 
 /** Lights the vertices of a triangle, unless they are. */
 glint_light_triangle glint_deviation_light;
+
+/** The colour of a triangle that has but one, packed: that of its plane of N.L at the anchor. */
+uint32_t glint_deviation_even(const glint_shading *shading, const glint_deviation_planes *planes);
 
 /** Pixels of a part's spans. */
 uint32_t glint_deviation_covered(const glint_part *part);

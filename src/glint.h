@@ -383,6 +383,7 @@ typedef enum glint_kernel_name {
     GLINT_KERNEL_SPECULAR,        /**< Lit all over, with specular light. */
     GLINT_KERNEL_CURVED_DIFFUSE,  /**< Its normals turn far; without specular light. */
     GLINT_KERNEL_CURVED_SPECULAR, /**< Its normals turn far; with specular light. */
+    GLINT_KERNEL_EVEN,            /**< One colour: without specular light, its light changes too little to show. */
     GLINT_KERNELS
 } glint_kernel_name;
 

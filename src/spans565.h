@@ -209,6 +209,8 @@ static inline void glint_draw_565(const glint_frame *frame, glint_workspace *wor
         glint_count(workspace, (glint_kernel_name)kind, glint_deviation_covered(part));
     if (kind == GLINT_DEVIATION_AMBIENT)
         glint_draw_constant(&spans, deviation->ambient, high_first);
+    else if (kind == GLINT_DEVIATION_EVEN)
+        glint_draw_constant(&spans, glint_deviation_even(draw->shading, &planes), high_first);
     else if (!deviation->diffuse)
         glint_draw_without_tables(&spans, draw->shading, &planes, kind, high_first);
     else if (kind == GLINT_DEVIATION_DIFFUSE)

@@ -158,6 +158,8 @@ static void budgets_save(void) {
                  (unsigned long long)differ[i]);
         test_write(line);
         CHECK(worst[i] > 0);
+        CHECK(drawn[i + 1][GLINT_KERNEL_EVEN].covered > drawn[i][GLINT_KERNEL_EVEN].covered);
+        CHECK(drawn[i + 1][GLINT_KERNEL_GENERAL].covered < drawn[i][GLINT_KERNEL_GENERAL].covered);
     }
     for (int kernel = 0; kernel < GLINT_KERNELS; kernel++) {
         snprintf(line, sizeof line, "  kernel %d: %u pixels covered; with budgets %u, %u, %u, %u\n", kernel,
