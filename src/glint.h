@@ -389,7 +389,7 @@ typedef enum glint_kernel_name {
 
 /** What a kernel drew. */
 typedef struct glint_drawn {
-    uint32_t parts;   /**< Parts of triangles: a triangle has one in each tile that it may touch. */
+    uint32_t parts;   /**< Parts of triangles: at most one for each tile that a triangle may touch. */
     uint32_t covered; /**< Pixels of their spans, before the depth test. */
 } glint_drawn;
 

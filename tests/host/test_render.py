@@ -128,7 +128,7 @@ def test_stats(host):
     values = stats(host, *TORUS)
     host.equal("--stats names", list(values), STATS)
     host.check("--stats covered", values["covered_general"] > 1000)
-    host.equal("--stats parts", values["parts_general"], values["references"])
+    host.check("--stats parts", 0 < values["parts_general"] <= values["references"])
     host.equal("--stats passes", values["passes"], 1)
     host.equal("--stats triangles", values["triangles"], 576)
     host.equal("--stats bytes of rgb888", values["bytes_sent"], 320 * 240 * 3)
