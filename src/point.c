@@ -29,11 +29,10 @@ void glint_point_place(const glint_light *light, glint_prepared_light *prepared,
     /* position Q32 / nearest Q28 is 2^-4, and 1/w is Q31 */
     prepared->point.shift = bits + 4 - up + 31;
     /* |light vector| / (1/w): Q12 half pixels over Q31, times the nearest w in world units */
-    int64_t unit = (n << 30) / view->focal; /* n / focal, Q30: up to 2^61 */
-    int size = (int)glint_bits64((uint64_t)unit) - 31;
-    prepared->point.distance_mantissa =
-        (int32_t)(size > 0 ? glint_shift_right64(unit, (unsigned)size) : unit * ((int64_t)1 << -size));
-    prepared->point.distance_shift = 30 - size - bits + 28 - 31;
+    int64_t unit = (n << 30) / view->focal; /* n / focal, Q30: from 2^31 to 2^53 */
+    unsigned size = glint_bits64((uint64_t)unit) - 31;
+    prepared->point.distance_mantissa = (int32_t)glint_shift_right64(unit, size);
+    prepared->point.distance_shift = 30 - (int)size - bits + 28 - 31;
 }
 
 /* x 2^shift, as far as it fits; x below 2^47. */
@@ -70,14 +69,14 @@ static int is_at_light(const int64_t towards[3], const int32_t ray[3]) {
 /* From fragment i towards the light, its length in the ray's units times 2^scale. @return scale. */
 static int find_direction(const glint_prepared_light *light, const glint_fragments *fragments, uint32_t i,
                           int64_t towards[3]) {
-    const int shift = light->point.shift; /* below 0 only for lights far beyond all that is drawn */
+    const int shift = light->point.shift; /* -17 to 62; below 0 only for lights far beyond all that is drawn */
     for (int c = 0; c < 3; c++) {
         int64_t position = (int64_t)light->point.mantissa[c] * fragments->inverse_w[i];
         int32_t ray = fragments->ray[i][c];
         if (shift >= 0)
-            towards[c] = glint_shift_right64(position, shift < 63 ? (unsigned)shift : 63u) + ray;
+            towards[c] = glint_shift_right64(position, (unsigned)shift) + ray;
         else
-            towards[c] = position + (shift > -31 ? glint_shift_right(ray, (unsigned)-shift) : 0);
+            towards[c] = position + glint_shift_right(ray, (unsigned)-shift);
     }
     return shift < 0 ? shift : 0;
 }

@@ -101,16 +101,20 @@ int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_
     return (in[0] | in[1] | in[2]) != 0;
 }
 
+/* Twice the focal length in pixels, Q31: below 2^48. */
+static void set_focal_length(glint_view *view, int64_t focal) {
+    view->focal = (int32_t)glint_round_shift64(focal, 31 - 12);
+    int64_t ratio = focal * (1 << 12) / (2 * GLINT_GUARD_BAND); /* focal length / guard band, Q43: 29 bits or more */
+    unsigned down = glint_bits64((uint64_t)ratio) - 24;
+    view->focal_shift = 43 - down;
+    view->focal_mantissa = (int32_t)glint_shift_right64(ratio, down);
+}
+
 /* Focal length from the vertical field of view: half the height over the tangent of half the angle. */
 static void prepare_focal_length(glint_view *view, const glint_config *config, glint_q16 field_of_view) {
     uint32_t phase = glint_phase(field_of_view) >> 1;
     int64_t sine = glint_sine(phase), cosine = glint_sine(phase + 0x40000000u);
-    int64_t focal = (cosine << 31) / sine * config->height; /* twice the focal length, Q31: below 2^48 */
-    view->focal = (int32_t)glint_round_shift64(focal, 31 - 12);
-    int64_t ratio = focal * (1 << 12) / (2 * GLINT_GUARD_BAND); /* focal length / guard band, Q43 */
-    unsigned bits = glint_bits64((uint64_t)ratio);
-    view->focal_shift = bits > 24 ? 43 - (bits - 24) : 43;
-    view->focal_mantissa = (int32_t)(bits > 24 ? glint_shift_right64(ratio, bits - 24) : ratio);
+    set_focal_length(view, (cosine << 31) / sine * config->height);
 }
 
 static glint_status prepare_lights(glint_view *view, const glint_scene *scene) {

@@ -26,19 +26,21 @@ static glint_status prepare(const glint_light *light, glint_prepared_light *prep
     return GLINT_OK;
 }
 
+/* t^2 (3 - 2 t), Q15, for t = past slope / 2^30: past from 0 up, the product at most 2^30. */
+static uint32_t smooth_step(int32_t past, int32_t slope) {
+    uint32_t t = (uint32_t)glint_shift_right(past * slope, 15);
+    return (t * t >> 15) * ((3u << 15) - 2 * t) >> 15;
+}
+
 static void illuminate(const glint_prepared_light *light, glint_fragments *fragments) {
     glint_point_illuminate(light, fragments);
     for (uint32_t i = 0; i < fragments->count; i++) {
         int32_t cosine = glint_dot(fragments->light[i], light->direction);
         if (cosine >= light->spot.cosine_inner)
             continue;
-        uint32_t step = 0;
-        if (cosine > light->spot.cosine_outer) {
-            uint32_t t = (uint32_t)glint_shift_right(
-                glint_shift_right(cosine - light->spot.cosine_outer, 15) * light->spot.slope, 15);
-            t = t > 1u << 15 ? 1u << 15 : t;
-            step = (t * t >> 15) * ((3u << 15) - 2 * t) >> 15; /* t^2 (3 - 2 t) */
-        }
+        /* past is at most inner - outer, of which slope is the inverse */
+        const int32_t past = glint_shift_right(cosine - light->spot.cosine_outer, 15);
+        const uint32_t step = past > 0 ? smooth_step(past, light->spot.slope) : 0;
         fragments->strength[i] = (uint16_t)(fragments->strength[i] * step >> 15);
     }
 }

@@ -54,8 +54,19 @@ static void rotate(const glint_view *view, int32_t in[3][4], int64_t out[3][4]) 
     }
 }
 
-/* Clip rows x, y, w, coordinates up to 2^31 / 3, 2.67 2^28, from rows below 2^38. @return n: they were 2^n times that.
- */
+/* Sets rows below 2^43, none of whose magnitudes sum up to more than `largest`, so that these sums are at most 2^31 /
+ * 3, 2.67 2^28. @return n: they were 2^n times that. */
+static int set_rows(glint_transform *transform, int64_t rows[3][4], uint64_t largest) {
+    int shift = (int)glint_bits64(largest + largest / 2) - 30;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++)
+            glint_row_set(&transform->matrix[i], j, (int32_t)glint_shift_round64(rows[i][j], shift));
+        transform->translation[i] = (int32_t)glint_shift_round64(rows[i][3], shift);
+    }
+    return shift;
+}
+
+/* Clip rows x, y, w from rows below 2^38. @return n: they were 2^n times that. */
 static int to_clip_space(glint_transform *transform, const glint_view *view, int64_t rows[3][4]) {
     uint64_t largest = 0;
     for (int i = 0; i < 3; i++) {
@@ -69,13 +80,7 @@ static int to_clip_space(glint_transform *transform, const glint_view *view, int
         }
         largest = sum > largest ? sum : largest;
     }
-    int shift = (int)glint_bits64(largest + largest / 2) - 30;
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++)
-            glint_row_set(&transform->matrix[i], j, (int32_t)glint_shift_round64(rows[i][j], shift));
-        transform->translation[i] = (int32_t)glint_shift_round64(rows[i][3], shift);
-    }
-    return shift;
+    return set_rows(transform, rows, largest);
 }
 
 /* Smallest value of a x + b w over the box, where x is clip row 0 or 1; |a|, |b| below 2^12. */
@@ -113,9 +118,12 @@ static void classify(glint_transform *transform, const glint_config *config) {
  */
 static void scale_normals(glint_transform *transform, int32_t matrix[3][4]) {
     uint64_t sum = 0; /* below 9 2^60 */
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            sum += (uint64_t)((int64_t)matrix[i][j] * matrix[i][j]);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            const int64_t entry = matrix[i][j];
+            sum += (uint64_t)(entry * entry);
+        }
+    }
     uint32_t square = (uint32_t)(sum >> 32) / 3 * 4; /* less than 2^28 only when rows differ */
     int32_t factor = glint_inverse_root(square < 1u << 28 ? 1u << 28 : square);
     factor -= factor >> 13; /* lengths end up just below UNIT: no component passes int16 */

@@ -4,11 +4,21 @@
 
 #include "../../src/numeric.c"
 #include "../../src/tables.c"
+#include "bits.h"
 #include "contracts.h"
 
 /* n from 0 to 31, any x. */
 PROOF(glint_shift_right) {
     glint_shift_right(ANY_INT, (unsigned)ANY(0, 31));
+}
+
+/* Any x, by its bits. */
+PROOF(glint_bits64) {
+    glint_bits64(0);
+    FOR_PARTS(bits, 1, 64) {
+        const uint64_t least = (uint64_t)1 << (bits - 1), most = 2 * (least - 1) + 1;
+        glint_bits64((uint64_t)Frama_C_unsigned_long_long_interval(least, most));
+    }
 }
 
 /* n from 1 to 62, |x| below 2^62. */

@@ -3,6 +3,7 @@
  * Suite: the library's arithmetic of several arguments against libm in long double, at the largest errors its contracts
  * state; tests/domain has the functions of one.
  */
+#include "frame.h"
 #include "glint.h"
 #include "harness.h"
 #include "product.h"
@@ -215,6 +216,90 @@ static void cameras_look_at(void) {
     report("look at", worst, 4.5L);
 }
 
+/* ---- Transforms: what later stages take for granted of them */
+
+static int64_t magnitude(int64_t x) {
+    return x < 0 ? -x : x;
+}
+
+static void check_rows(const glint_transform *t) {
+    int64_t squares = 0;
+    for (int i = 0; i < 3; i++) {
+        int64_t sum = magnitude(t->translation[i]);
+        for (int j = 0; j < 3; j++) {
+            const int64_t normal = glint_row_get(&t->normal[i], j);
+            sum += magnitude(glint_row_get(&t->matrix[i], j));
+            squares += normal * normal;
+        }
+        CHECK_AT_MOST(sum, 0x7fffffff / 3 + 2); /* and so below 3 2^28 */
+    }
+    CHECK_AT_MOST(squares, (int64_t)3 << 56);
+}
+
+/* A box that is not clipped: all of it lies in front of the eye and within the guard band. */
+static void check_corners(const glint_transform *t) {
+    for (int corner = 0; corner < 8; corner++) {
+        int32_t step[3], clip[3];
+        for (int j = 0; j < 3; j++)
+            step[j] = corner >> j & 1 ? INT16_MAX : INT16_MIN;
+        for (int i = 0; i < 3; i++)
+            clip[i] = glint_row_times(&t->matrix[i], step[0], step[1], step[2], t->translation[i]);
+        CHECK(clip[2] >= 1);
+        CHECK_AT_MOST(magnitude(clip[0]), clip[2]);
+        CHECK_AT_MOST(magnitude(clip[1]), clip[2]);
+    }
+}
+
+static glint_vector random_vector(unsigned bits) {
+    return (glint_vector){random_signed(bits), random_signed(bits), random_signed(bits)};
+}
+
+/* Anything, of which most is out of range, or something in view, near and far, flat and stretched. */
+static void random_object(glint_object *object, glint_mesh *mesh, int anything) {
+    const unsigned bits = anything ? 1 + random_bits() % 32 : 8 + random_bits() % 16;
+    object->pose = random_pose(bits);
+    mesh->extent = random_vector(anything ? 1 + random_bits() % 32 : 3 + random_bits() % 10);
+    mesh->offset = random_vector(anything ? 1 + random_bits() % 32 : 3 + random_bits() % 10);
+    mesh->extent.x &= INT32_MAX, mesh->extent.y &= INT32_MAX, mesh->extent.z &= random_bits() % 8 ? INT32_MAX : 0;
+    if (anything)
+        return;
+    for (int i = 0; i < 3; i++)
+        object->pose.m[i][3] = random_signed(bits) / 8 - (i == 2) * (1 << (bits - 1));
+}
+
+static void transforms_keep_their_ranges(void) {
+    glint_mesh mesh = {0};
+    glint_object object = {.mesh = &mesh};
+    glint_scene scene = {.objects = &object, .object_count = 1};
+    int done = 0, whole = 0;
+    for (int i = 0; i < 1000000; i++) {
+        glint_view view;
+        glint_transform t;
+        const glint_config config = {.width = (uint16_t)(1 + random_bits() % GLINT_SIZE_MAX),
+                                     .height = (uint16_t)(1 + random_bits() % GLINT_SIZE_MAX)};
+        const glint_vector eye = {random_signed(16), random_signed(16), random_signed(16)},
+                           at = {0, 0, -16 * GLINT_ONE}, up = {0, 1, 0};
+        random_object(&object, &mesh, i % 4 == 0);
+        if (glint_camera_look_at(&scene.camera, eye, at, up) != GLINT_OK)
+            continue;
+        scene.camera.field_of_view = GLINT_ONE + (int32_t)(random_bits() % (169 * GLINT_ONE + 1));
+        scene.camera.near_plane = 1 + (int32_t)(random_bits() >> (1 + random_bits() % 31));
+        if (glint_prepare_view(&view, &config, &scene) != GLINT_OK)
+            continue;
+        CHECK_EQUAL(glint_transform_prepare(&t, &view, &config, &object), GLINT_OK);
+        CHECK(view.focal >= 1 << 8 && view.focal <= 1 << 29 && view.nearest <= (int64_t)1 << 57);
+        CHECK(t.exponent >= 1 && t.exponent <= 92 && t.nearest >= 0 && t.near_plane >= 16);
+        check_rows(&t);
+        done++;
+        if (!t.visible || t.clips)
+            continue;
+        check_corners(&t);
+        whole++;
+    }
+    CHECK(done > 500000);
+    CHECK(whole > 30000);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(sine_of_quarter_turns_is_exact),
@@ -227,6 +312,7 @@ int test_main(test_writer write) {
         TEST_CASE(poses_one_after_another),
         TEST_CASE(rotations_turn_right_handed),
         TEST_CASE(cameras_look_at),
+        TEST_CASE(transforms_keep_their_ranges),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

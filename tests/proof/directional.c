@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT */
+/* Directional lights. */
+#include "proof.h"
+
+#include "../../src/directional.c"
+#include "ranges.h"
+
+/* Any direction, any camera. @contract glint_direction_to_camera glint_unit */
+PROOF(directional_prepare) {
+    glint_view view;
+    glint_light light;
+    glint_prepared_light prepared;
+    any_view(&view);
+    light.vector = (glint_vector){ANY_INT, ANY_INT, ANY_INT};
+    prepare(&light, &prepared, &view);
+}

@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT */
+/* Spots. */
+#include "proof.h"
+
+#include "../../src/spot.c"
+#include "ranges.h"
+
+/* GLINT_UNIT^2 */
+#define FULL 1073479696
+
+/*@ requires \valid_read(light) && \valid(fragments);
+    requires fragments->count == 1;
+    assigns fragments->light[0][0 .. 2], fragments->strength[0] \from indirect: *light, indirect: *fragments;
+    ensures \initialized(&fragments->light[0][0 .. 2]) && \initialized(&fragments->strength[0]);
+    ensures \subset(fragments->light[0][0 .. 2], (-32767 .. 32767));
+    ensures fragments->strength[0] <= 0x8000; */
+void glint_point_illuminate(const glint_prepared_light *light, glint_fragments *fragments);
+
+/* Stands on past slope <= 2^30, for past is at most the width that slope is the inverse of; and then on 3 t^2 - 2 t^3,
+ * which rises from 0 to 1. The spots of the image tests, under UBSan too. */
+/*@ requires 0 <= past <= 0xffff;
+    requires 0 <= slope <= 0x40000000;
+    assigns \result \from past, slope;
+    admit ensures \result <= 0x8000; */
+static uint32_t smooth_step(int32_t past, int32_t slope);
+
+/* Any angle. @contract glint_phase glint_sine */
+PROOF(cosine_of) {
+    cosine_of(ANY_INT);
+}
+
+/* Any angles, attenuation, axis and camera. @contract glint_phase glint_sine glint_direction_to_camera */
+PROOF(spot_prepare) {
+    glint_view view;
+    glint_light light;
+    glint_prepared_light prepared;
+    any_view(&view);
+    light.axis = (glint_vector){ANY_INT, ANY_INT, ANY_INT};
+    light.inner = ANY_INT;
+    light.outer = ANY_INT;
+    light.linear = ANY_INT;
+    light.quadratic = ANY_INT;
+    prepare(&light, &prepared, &view);
+}
+
+/* past from 0 to 2^16 - 1, by parts of a quarter of its bits, and slopes of up to 2^30 / past. */
+PROOF(smooth_step_itself) {
+    smooth_step(0, ANY(0, 1 << 30));
+    FOR_PARTS(past, 1, 3) {
+        smooth_step((int32_t)past, ANY(0, (1 << 30) / (int32_t)past));
+    }
+    FOR_PARTS(bits, 0, 13) {
+        FOR_PARTS(quarter, 4, 7) {
+            const int32_t past = (int32_t)quarter << bits;
+            smooth_step(ANY(past, past + (1 << bits) - 1), ANY(0, (1 << 30) / past));
+        }
+    }
+}
+
+/* Any cone and any fragment. @contract glint_point_illuminate glint_dot smooth_step */
+PROOF(spot_illuminate) {
+    glint_prepared_light light;
+    glint_fragments fragments;
+    light.spot.cosine_inner = ANY(-FULL, FULL);
+    light.spot.cosine_outer = ANY(-FULL, FULL);
+    light.spot.slope = ANY(0, 1 << 30);
+    for (int i = 0; i < 3; i++)
+        light.direction[i] = ANY_COMPONENT;
+    fragments.count = 1;
+    illuminate(&light, &fragments);
+    //@ assert fragments.strength[0] <= 0x8000;
+}
