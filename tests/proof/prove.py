@@ -12,9 +12,10 @@ import re
 import subprocess
 import sys
 
-FLAGS = ("-machdep gcc_x86_32 -kernel-warn-key annot:missing-spec=inactive -eva -eva-no-print -eva-slevel 20000 "
-         "-eva-auto-loop-unroll 5000 -eva-split-return auto -eva-no-show-progress -eva-warn-key "
-         "builtins:missing-spec=inactive -warn-signed-overflow").split()
+# Without the plug-ins that EVA does not need, frama-c starts in half the time.
+FLAGS = ("-no-autoload-plugins -load-module eva -machdep gcc_x86_32 -kernel-warn-key annot:missing-spec=inactive -eva "
+         "-eva-no-print -eva-slevel 20000 -eva-auto-loop-unroll 5000 -eva-split-return auto -eva-no-show-progress "
+         "-eva-warn-key builtins:missing-spec=inactive -warn-signed-overflow").split()
 DRIVER = re.compile(r"/\*((?:(?!\*/).)*)\*/\n(PROOF|PLANTED)\((\w+)\)", re.S)
 CONTRACT = re.compile(r"(?:/\* (Stands on [^/]*?) \*/\s*)?/\*@(?:(?!\*/).)*\*/\s*[\w ]*?[ *](\w+)\(", re.S)
 REACHED = re.compile(r"(\d+) statements reached \(out of (\d+)\)")
