@@ -54,8 +54,10 @@ static void rotate(const glint_view *view, int32_t in[3][4], int64_t out[3][4]) 
     }
 }
 
-/* Sets rows below 2^43, none of whose magnitudes sum up to more than `largest`, so that these sums are at most 2^31 /
- * 3, 2.67 2^28. @return n: they were 2^n times that. */
+/*
+ * Sets rows below 2^43, none of whose magnitudes sum up to more than `largest`, so that these sums are at most 2.67
+ * 2^28, a third of 2^31. @return n: they were 2^n times that.
+ */
 static int set_rows(glint_transform *transform, int64_t rows[3][4], uint64_t largest) {
     int shift = (int)glint_bits64(largest + largest / 2) - 30;
     for (int i = 0; i < 3; i++) {

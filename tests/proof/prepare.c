@@ -204,7 +204,7 @@ PROOF(set_focal_length) {
     }
 }
 
-/* Up to 8 lights of any kind. */
+/* Up to 8 lights of any kind. @options -eva-slevel 40 */
 PROOF(prepare_lights) {
     glint_view view;
     any_view(&view);
@@ -226,7 +226,7 @@ PROOF(prepare_nearest) {
     //@ assert 0x1000 <= view.nearest <= 0x200000000000000;
 }
 
-/* Any two colours of up to 16, in Q12 and in Q23. */
+/* Any two colours of up to 16, in Q12 and in Q23. @unreached 1 shift to the left */
 PROOF(weigh_colour) {
     uint32_t weight[3];
     const glint_colour a = any_colour(0, GLINT_COLOUR_MAX), b = any_colour(0, GLINT_COLOUR_MAX);
@@ -234,7 +234,7 @@ PROOF(weigh_colour) {
     weigh_colour(&a, &b, 23, weight);
 }
 
-/* Colours of up to 16, up to 8 lights. */
+/* Colours of up to 16, up to 8 lights. @unreached 1 shift to the left @options -eva-slevel 40 */
 PROOF(glint_prepare_shading) {
     glint_shading shading;
     any_lights(0, GLINT_COLOUR_MAX);
