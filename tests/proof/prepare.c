@@ -13,6 +13,12 @@
     ensures 0x800000 <= view->focal_mantissa <= 0x1000000; */
 static void set_focal_length(glint_view *view, int64_t focal);
 
+/*@ requires \valid_read(a) && \valid_read(b) && \valid(weight + (0 .. 2));
+    requires bits == 12 || bits == 23;
+    assigns \result, weight[0 .. 2] \from *a, *b, bits;
+    ensures -1 <= \result <= 0x8000000; */
+static int32_t weigh_colour(const glint_colour *a, const glint_colour *b, int bits, uint32_t weight[3]);
+
 /*@ requires \valid_read(camera);
     assigns \result \from *camera;
     ensures \result == 0 || \result == 1; */
@@ -123,6 +129,7 @@ PROOF(glint_check_scene) {
     scene->camera.field_of_view = ANY_INT;
     scene->camera.near_plane = ANY_INT;
     scene->viewer = (glint_viewer)ANY(0, 3);
+    scene->error_budget = ANY_INT;
     scene->background = any_colour(INT32_MIN, INT32_MAX);
     scene->ambient = any_colour(INT32_MIN, INT32_MAX);
     any_lights(INT32_MIN, INT32_MAX);
@@ -204,7 +211,7 @@ PROOF(set_focal_length) {
     }
 }
 
-/* Up to 8 lights of any kind. @options -eva-slevel 40 */
+/* Up to 8 lights of any kind. @options -eva-slevel 40 -eva-min-loop-unroll 9 */
 PROOF(prepare_lights) {
     glint_view view;
     any_view(&view);
@@ -234,13 +241,26 @@ PROOF(weigh_colour) {
     weigh_colour(&a, &b, 23, weight);
 }
 
-/* Colours of up to 16, up to 8 lights. @unreached 1 shift to the left @options -eva-slevel 40 */
+/*
+ * Colours of up to 16, up to 8 lights, any error budget, every depth of pixels. @contract weigh_colour
+ * @options -eva-slevel-function glint_prepare_shading:0 -eva-min-loop-unroll 9
+ */
 PROOF(glint_prepare_shading) {
+    static const uint16_t gamma[3][GLINT_GAMMA_ENTRIES];
+    static glint_format format;
+    static glint_frame frame;
     glint_shading shading;
     any_lights(0, GLINT_COLOUR_MAX);
     any_material(0, GLINT_COLOUR_MAX);
     all.scene.ambient = any_colour(0, GLINT_COLOUR_MAX);
+    all.scene.error_budget = ANY(0, GLINT_BUDGET_MAX);
     all.scene.lights = all.lights;
-    all.scene.light_count = ANY_UNSIGNED(0, GLINT_LIGHTS_MAX);
-    glint_prepare_shading(&shading, &all.material, &all.scene);
+    format.bits = ANY_UNSIGNED(1, 24);
+    frame.config.format = &format;
+    frame.config.gamma = ANY(0, 1) ? gamma : 0;
+    frame.scene = &all.scene;
+    FOR_PARTS(count, 0, GLINT_LIGHTS_MAX) {
+        all.scene.light_count = (uint32_t)count;
+        glint_prepare_shading(&frame, &shading, &all.material);
+    }
 }

@@ -8,7 +8,7 @@
 /*
  * Wide gradients of up to 2^30, values of corners up to 2^30 either way or 1/w.
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
- * @unreached 14 narrow ones: differences have 15 bits by the choice of `up`, a relation; suite `setup`, under UBSan too
+ * @unreached 2 narrow ones: differences have 15 bits by the choice of `up`, a relation; suite `setup`, under UBSan too
  */
 PROOF(glint_plane_begin) {
     const int32_t most = 1 << 30;
