@@ -295,12 +295,12 @@ static int32_t find_along(const half_vector *at, const int32_t m[3]) {
     return along + glint_shift_right(along + 0x1000, 13);
 }
 
-/* Adds the change of m's deviation with H. */
-static void add_turn(const half_vector *at, const int32_t m[3], int32_t along, const int32_t change[3], int32_t e[2]) {
+/* The change of m's deviation with H. */
+static void find_turn(const half_vector *at, const int32_t m[3], int32_t along, const int32_t change[3], int32_t e[2]) {
     const int32_t rest = glint_shift_right(dot(m, change) - along * change[2], 15);
     const int32_t back = glint_shift_right(rest * at->inverse, 15);
-    e[0] -= change[0] * along + at->h[0] * back;
-    e[1] -= change[1] * along + at->h[1] * back;
+    e[0] = -(change[0] * along + at->h[0] * back);
+    e[1] = -(change[1] * along + at->h[1] * back);
 }
 
 /* Does the highlight of the local viewer show in a square, by its middle's half vector? */
@@ -343,17 +343,17 @@ static void find_bent(const glint_quadratic_limits *limits, const half_vector *a
     find_change(limits, at, 0, hx);
     find_change(limits, at, 1, hy);
     const int32_t along = find_along(at, m), along_x = find_along(at, mx), along_y = find_along(at, my);
-    int32_t ex[2] = {0, 0}, ey[2] = {0, 0}, exx[2] = {0, 0}, exy[2] = {0, 0}, eyy[2] = {0, 0};
-    add_turn(at, m, along, hx, ex);
-    add_turn(at, m, along, hy, ey);
-    add_turn(at, mx, along_x, hx, exx);
-    add_turn(at, mx, along_x, hy, exy);
-    add_turn(at, my, along_y, hx, exy);
-    add_turn(at, my, along_y, hy, eyy);
+    int32_t ex[2], ey[2], exx[2], exy[2], eyx[2], eyy[2];
+    find_turn(at, m, along, hx, ex);
+    find_turn(at, m, along, hy, ey);
+    find_turn(at, mx, along_x, hx, exx);
+    find_turn(at, mx, along_x, hy, exy);
+    find_turn(at, my, along_y, hx, eyx);
+    find_turn(at, my, along_y, hy, eyy);
     for (int row = 0; row < 2; row++) {
         glint_quadratic *q = row ? &light->y : &light->x;
         q->dxx = 2 * scale(exx[row], size - shift);
-        q->dxy = scale(exy[row], size - shift);
+        q->dxy = scale(exy[row] + eyx[row], size - shift);
         q->dyy = 2 * scale(eyy[row], size - shift);
         q->start = (uint32_t)(m[row] * (1 << 15) - at->h[row] * along) << 1;
         q->dx = scale(mx[row] * (1 << 15) - at->h[row] * along_x, size - 15) + scale(ex[row], 16 - shift) +
