@@ -32,7 +32,9 @@ GROUPS = (
         ("unlit", {"MODEL": "glint_model_unlit"}))),
     ("Evaluation, in place of every fragment", (
         ("per vertex", {"EVALUATION": "glint_per_vertex"}),
-        ("per facet", {"EVALUATION": "glint_per_facet"}))),
+        ("per facet", {"EVALUATION": "glint_per_facet"}),
+        ("per vertex, RGB888", {"EVALUATION": "glint_per_vertex", "FORMAT": "glint_format_rgb888"}),
+        ("per facet, RGB888", {"EVALUATION": "glint_per_facet", "FORMAT": "glint_format_rgb888"}))),
     ("Lights, in place of a directional one", (
         ("point", {"LIGHT": "glint_light_point"}),
         ("spot", {"LIGHT": "glint_light_spot"}),
@@ -182,8 +184,8 @@ def check_page(tally, path, text):
 def check_claims(tally, rows, cores):
     """What the page says in words."""
     for core in cores:
-        base = rows[("", core)]
-        vertex, facet = rows[("per vertex", core)], rows[("per facet", core)]
+        base = rows[("RGB888", core)]
+        vertex, facet = rows[("per vertex, RGB888", core)], rows[("per facet, RGB888", core)]
         for size in (2, 3):
             tally.check(vertex[size] < base[size], "%s: per vertex takes %d instructions, per fragment %d" % (
                 core, vertex[size], base[size]))
