@@ -61,6 +61,7 @@ test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery out
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order
 	$(call run_suites,$^)
 
+test-sanitize: export GLINT_BUDGET_SCENES := 40
 test-sanitize: $(addprefix $(BUILD)/tests/sanitize/,$(TEST_SUITES)) ## the host suites under ASan and UBSan
 	$(call run_suites,$^)
 
