@@ -18,6 +18,12 @@
  */
 #define GLINT_SPREAD_GUARD 0x80100200u
 
+/** A ray's z; its length goes into a table that ends at sqrt(12) times this. */
+#define GLINT_DEVIATION_RAY_Z (1 << 14)
+
+/** Largest x and y of a deviation that a plane can hold. */
+#define GLINT_DEVIATION_REACH 15000
+
 /** Where the highlight of quadratic.c lies, and how far a half vector can be taken for linear. */
 typedef struct glint_quadratic_limits {
     int32_t scale;             /* of the deviation, Q15, above 2^14.5: what makes `end` a whole power of two */

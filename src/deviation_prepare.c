@@ -1,0 +1,315 @@
+/* SPDX-License-Identifier: MIT */
+/* Fast lighting, once a frame: a material's tables of colour, and the limits that keep linear lighting's error small.
+ */
+#include "light.h"
+#include "quadratic.h"
+
+/* A highlight ends where it is 2^-9 of one: below 1/8 of a level of 63 at weight 1. */
+#define CUT_BITS 9
+
+/* Steps of error that turn and slant may make each: 12/32 and 1/2 (find_limits). */
+#define TURN_LIMIT 12
+
+/* Of an error budget, Q12, kept for what linear lighting errs without one: half a level, with highlights a whole one.
+ */
+#define KEPT 32
+#define KEPT_SPECULAR 64
+
+/* Binary logarithm of the specular table's entries for each node that is computed; it is linear between them. */
+#define NODE_BITS 3
+
+/* ---- Tables ---- */
+
+static uint32_t largest_weight(const uint32_t weight[3]) {
+    uint32_t largest = weight[0] > weight[1] ? weight[0] : weight[1];
+    return largest > weight[2] ? largest : weight[2];
+}
+
+int glint_deviation_serves(const glint_frame *frame, const glint_object *object) {
+    const glint_scene *scene = frame->scene;
+    const glint_material *material = object->material;
+    return scene->light_count == 1 && !scene->lights[0].type->illuminate && !frame->config.gamma &&
+           (!object->evaluation || object->evaluation == &glint_per_fragment) && !object->mesh->colours &&
+           !object->mesh->colours565 && material->flags == 0 &&
+           (material->model->lobe == GLINT_LOBE_NONE ||
+            (material->model->lobe == GLINT_LOBE_HALF_VECTOR && material->shininess >= 2 * GLINT_ONE));
+}
+
+/* A quarter of the error budget, less what is kept for the errors that linear lighting has without one; all Q12. */
+static uint32_t find_share(const glint_shading *shading, uint32_t kept) {
+    return shading->spare > kept ? (shading->spare - kept) / 4 : 0;
+}
+
+/* sin^2 where the highlight ends, Q30; 0 when it never shows. */
+static uint32_t find_cut(const glint_shading *shading) {
+    uint32_t weight = largest_weight(shading->weights[0].specular);
+    if (!shading->has_specular)
+        return 0;
+    /* 2^(12 - CUT_BITS), Q12, and a share of the error budget need not show */
+    const int32_t grant =
+        glint_log2(((1u << (12 - CUT_BITS)) + find_share(shading, KEPT)) << 15) - glint_log2(1u << (27 - CUT_BITS));
+    int64_t bits = (int64_t)glint_log2(weight << 15) + ((4 + CUT_BITS) << 26) - grant; /* Q26; weight is Q12 */
+    if (bits <= 0)
+        return 0;
+    return (1u << 30) - glint_exp2((int32_t) - ((2 * bits << 16) / shading->material->shininess));
+}
+
+/* Entries of the specular table: at most about 1/6 of a level apart. */
+static uint32_t specular_entries(const glint_shading *shading) {
+    uint32_t weight = largest_weight(shading->weights[0].specular);
+    if (!find_cut(shading))
+        return 0;
+    return weight <= 1100 ? 256 : weight <= 2200 ? 512 : 1024;
+}
+
+static int serves_some(const glint_frame *frame, const glint_shading *shading) {
+    for (uint32_t i = 0; i < frame->scene->object_count; i++) {
+        const glint_object *object = &frame->scene->objects[i];
+        if (object->material == shading->material && glint_deviation_serves(frame, object))
+            return 1;
+    }
+    return 0;
+}
+
+static size_t tables_size(const glint_shading *shading) {
+    return GLINT_ALIGNED(GLINT_DIFFUSE_ENTRIES * (sizeof(uint32_t) + sizeof(uint16_t)) +
+                         specular_entries(shading) * sizeof(uint32_t));
+}
+
+void glint_deviation_need(const glint_frame *frame, const glint_shading *shading, size_t *least, size_t *tables) {
+    if (!serves_some(frame, shading))
+        return;
+    *least += GLINT_ALIGNED(sizeof(glint_deviation));
+    *tables += tables_size(shading);
+}
+
+/* A colour, Q23 times 31, 63 and 31, as a word. */
+static uint32_t spread(const uint32_t level[3]) {
+    return (level[0] >> 18) << 10 | (level[1] >> 19) << 21 | level[2] >> 19;
+}
+
+/* Half of what `spread` cuts off. */
+static const uint32_t spread_half[3] = {1 << 17, 1 << 18, 1 << 18};
+
+static const uint32_t levels[3] = {31, 63, 31};
+
+/* A colour that changes by `step` from entry to entry, up to `most`. */
+typedef struct ramp {
+    uint32_t level[3], step[3], most[3];
+} ramp;
+
+/* Its next `count` words. */
+static void fill(ramp *r, uint32_t *words, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++) {
+        words[i] = spread(r->level);
+        for (int c = 0; c < 3; c++) {
+            r->level[c] += r->step[c];
+            r->level[c] = r->level[c] > r->most[c] ? r->most[c] : r->level[c];
+        }
+    }
+}
+
+/* Ambient and diffuse light over N.L in 256 steps, the first at its middle. */
+static void diffuse_ramp(const glint_shading *shading, ramp *r) {
+    for (int c = 0; c < 3; c++) {
+        uint32_t ambient = shading->ambient[c] < 1u << 23 ? shading->ambient[c] : 1u << 23;
+        r->step[c] = shading->weights[0].diffuse[c] * levels[c] << 3; /* Q12 to Q23, 256 steps; below 2^26 */
+        r->most[c] = (levels[c] << 23) + (1 << 22) + spread_half[c];
+        r->level[c] = ambient * levels[c] + (1 << 22) + spread_half[c] + r->step[c] / 2;
+        r->level[c] = r->level[c] > r->most[c] ? r->most[c] : r->level[c];
+    }
+}
+
+static uint32_t diffuse_word(const glint_shading *shading, uint32_t index) {
+    ramp r;
+    diffuse_ramp(shading, &r);
+    for (int c = 0; c < 3; c++) {
+        uint64_t level = r.level[c] + (uint64_t)r.step[c] * index;
+        r.level[c] = level > r.most[c] ? r.most[c] : (uint32_t)level;
+    }
+    return spread(r.level);
+}
+
+/* Highlight at node i, clamped at 1 in each channel; Q23 times 31, 63 and 31. */
+static void highlight(const glint_shading *shading, uint32_t i, uint32_t level[3]) {
+    const glint_deviation *deviation = shading->deviation;
+    const uint32_t nodes = deviation->specular_end >> (15 + NODE_BITS);
+    uint32_t power = glint_power_at(&shading->power, (uint32_t)((uint64_t)deviation->sine_square_end * i / nodes));
+    for (int c = 0; c < 3; c++) {
+        uint32_t amount = power * shading->weights[0].specular[c] >> 4;
+        level[c] = (amount < 1u << 23 ? amount : 1u << 23) * levels[c];
+    }
+}
+
+/* From a node of the highlight to the next, the first entry at its middle; downwards modulo 2^32. */
+static void highlight_ramp(const uint32_t here[3], const uint32_t next[3], ramp *r) {
+    for (int c = 0; c < 3; c++) {
+        const int32_t change = (int32_t)(next[c] - here[c]);
+        r->step[c] = (uint32_t)glint_shift_right(change, NODE_BITS);
+        r->level[c] = here[c] + (uint32_t)glint_shift_right(change, NODE_BITS + 1) + spread_half[c];
+        r->most[c] = UINT32_MAX;
+    }
+}
+
+static uint32_t highlight_word(const glint_shading *shading, uint32_t index) {
+    uint32_t here[3], next[3];
+    ramp r;
+    highlight(shading, index >> NODE_BITS, here);
+    highlight(shading, (index >> NODE_BITS) + 1, next);
+    highlight_ramp(here, next, &r);
+    for (int c = 0; c < 3; c++)
+        r.level[c] += r.step[c] * (index & ((1 << NODE_BITS) - 1));
+    return spread(r.level);
+}
+
+uint32_t glint_deviation_pixel(const glint_shading *shading, int32_t cosine, uint32_t square) {
+    if (cosine <= 0)
+        return shading->deviation->ambient;
+    uint32_t word = diffuse_word(shading, (uint32_t)cosine >> 22);
+    if (square < shading->deviation->specular_end)
+        word = glint_spread_clamp(word + highlight_word(shading, square >> 15));
+    return glint_spread_pack(word);
+}
+
+static void fill_specular(const glint_shading *shading, uint32_t *words, uint32_t entries) {
+    uint32_t here[3], next[3];
+    highlight(shading, 0, here);
+    for (uint32_t i = 0; i < entries >> NODE_BITS; i++) {
+        ramp r;
+        highlight(shading, i + 1, next);
+        highlight_ramp(here, next, &r);
+        fill(&r, words + (i << NODE_BITS), 1 << NODE_BITS);
+        for (int c = 0; c < 3; c++)
+            here[c] = next[c];
+    }
+}
+
+/* The tables, if they leave as much room as they take. */
+static void make_tables(glint_memory *memory, glint_deviation *deviation, const glint_shading *shading) {
+    const uint32_t entries = specular_entries(shading);
+    ramp r;
+    if (memory->high - GLINT_ALIGNED(memory->low) < 2 * tables_size(shading))
+        return;
+    uint32_t *words = glint_take(memory, tables_size(shading));
+    deviation->diffuse = words;
+    diffuse_ramp(shading, &r);
+    fill(&r, words, GLINT_DIFFUSE_ENTRIES);
+    words += GLINT_DIFFUSE_ENTRIES;
+    if (entries)
+        fill_specular(shading, words, entries);
+    deviation->specular = words;
+    uint16_t *pixels = (uint16_t *)(void *)(words + entries);
+    deviation->diffuse_pixel = pixels;
+    for (uint32_t i = 0; i < GLINT_DIFFUSE_ENTRIES; i++)
+        pixels[i] = (uint16_t)glint_spread_pack(deviation->diffuse[i]);
+}
+
+/* ---- What fits ---- */
+
+uint32_t glint_square_root(uint64_t x) {
+    uint64_t root = 0;
+    for (uint64_t bit = (uint64_t)1 << 31; bit; bit >>= 1)
+        if ((root | bit) * (root | bit) <= x)
+            root |= bit;
+    return (uint32_t)root;
+}
+
+/* Levels of 63 that a weight, Q12, makes; at least a little. */
+static uint32_t weight_in_levels(const uint32_t weight[3]) {
+    uint32_t largest = 1;
+    for (int c = 0; c < 3; c++)
+        largest = weight[c] * levels[c] > largest ? weight[c] * levels[c] : largest;
+    return largest;
+}
+
+static int32_t at_most(uint64_t value, int32_t most) {
+    return value < (uint64_t)most ? (int32_t)value : most;
+}
+
+/*
+ * Across h = extent / focal length the half vector bends by up to 0.06 h^2 from a straight line, and the highlight's
+ * steepest slope is 0.61 sqrt(p): h^2 = 0.6 / (0.037 sqrt(p) weight) costs 0.6 of a level at the worst place.
+ */
+static int32_t find_extent(const glint_frame *frame, const glint_shading *shading, uint32_t weight, uint64_t grant) {
+    uint64_t focal = (uint32_t)at_most((uint64_t)(uint32_t)frame->view->focal >> 9, 1 << 19); /* sixteenths */
+    uint64_t root = glint_square_root((uint64_t)(uint32_t)shading->material->shininess);      /* Q8 */
+    uint64_t extent = glint_square_root((focal * focal * 16 << 20) / (weight * root + 1));
+    return at_most(extent * glint_square_root((4096 + grant * 5 / 3) << 12) >> 12, INT32_MAX);
+}
+
+static uint64_t turn_limit(uint64_t grant) {
+    return (((uint64_t)TURN_LIMIT << 12) + 32 * grant) << 26;
+}
+
+/* An error budget is shared: a quarter each for turn, slant, extent and what is cut off the highlight; without one,
+ * half for the change of N.L. */
+static void find_limits(const glint_frame *frame, glint_deviation *deviation, const glint_shading *shading) {
+    const uint32_t diffuse = weight_in_levels(shading->weights[0].diffuse);
+    const uint32_t specular = weight_in_levels(shading->weights[0].specular);
+    const uint64_t grant = find_share(shading, KEPT) * levels[1];
+    const uint64_t highlight = find_share(shading, KEPT_SPECULAR) * levels[1];
+    deviation->turn = at_most(turn_limit(grant) / diffuse, 1 << 26);
+    deviation->turn_specular = at_most(turn_limit(highlight) / (diffuse + specular / 2), 1 << 26);
+    deviation->extent = deviation->local_viewer ? find_extent(frame, shading, specular, highlight) : INT32_MAX;
+    deviation->slant = (uint32_t)at_most((uint32_t)deviation->side * (4096 + 2 * highlight) / specular, 0xffff);
+    deviation->even = shading->lights ? at_most((2 * grant << 14) / diffuse, INT16_MAX) : INT16_MAX;
+}
+
+static void prepare_rays(glint_deviation *deviation, const glint_frame *frame) {
+    /* focal is twice the length in pixels, Q12: half of it in sixteenths is focal 2^-9 */
+    uint64_t scale = ((uint64_t)GLINT_DEVIATION_RAY_Z << (16 + 9)) / (uint32_t)frame->view->focal;
+    deviation->ray_scale = at_most(scale, INT32_MAX);
+    deviation->ray_limit = INT32_MAX / deviation->ray_scale;
+    deviation->center_x = frame->config.width * 8;
+    deviation->center_y = frame->config.height * 8;
+    deviation->local_viewer = frame->view->local_viewer;
+    for (int c = 0; c < 3; c++) {
+        deviation->light[c] = frame->view->lights[0].direction[c];
+        deviation->half_vector[c] = frame->view->lights[0].half_vector[c];
+    }
+}
+
+static void prepare_highlight(glint_deviation *deviation, const glint_shading *shading) {
+    const uint32_t entries = specular_entries(shading), cut = find_cut(shading);
+    deviation->sine_square_end = cut;
+    deviation->specular_end = entries << 15;
+    if (!cut)
+        return;
+    /* e is Q14; where its square is the cut, that of the scaled one is the table's end */
+    deviation->scale = (int32_t)glint_square_root(((uint64_t)entries << 49) / cut);
+    deviation->side = (int32_t)glint_square_root(deviation->specular_end) + (deviation->scale >> 14) + 2;
+    deviation->side_diagonal = (deviation->side * 23171 >> 14) + 1;
+    deviation->cut = (int32_t)glint_square_root(cut >> 2) + 4; /* more than rounding takes */
+    deviation->cut_diagonal = (deviation->cut * 23171 >> 14) + 1;
+    deviation->reach = at_most((uint64_t)(GLINT_DEVIATION_REACH << 16) / (uint32_t)deviation->scale, INT16_MAX);
+}
+
+static void prepare_ambient(glint_deviation *deviation, const glint_shading *shading) {
+    uint32_t level[3];
+    for (int c = 0; c < 3; c++)
+        level[c] = (shading->ambient[c] < 1u << 23 ? shading->ambient[c] : 1u << 23) * levels[c] + (1 << 22);
+    deviation->ambient = (uint16_t)glint_spread_pack(spread(level));
+}
+
+glint_status glint_deviation_prepare(glint_frame *frame) {
+    const glint_shading *end =
+        (const glint_shading *)(const void *)(frame->memory.base + GLINT_ALIGNED(frame->memory.low));
+    if (!frame->scene->object_count)
+        return GLINT_OK;
+    for (glint_shading *shading = (glint_shading *)frame->shading; shading < end; shading++) {
+        if (!serves_some(frame, shading))
+            continue;
+        glint_deviation *deviation = glint_take(&frame->memory, sizeof *deviation);
+        if (!deviation)
+            return GLINT_ERROR_ARENA;
+        *deviation = (glint_deviation){0};
+        shading->deviation = deviation;
+        prepare_rays(deviation, frame);
+        prepare_ambient(deviation, shading);
+        prepare_highlight(deviation, shading);
+        find_limits(frame, deviation, shading);
+        glint_quadratic_prepare(deviation, shading);
+        make_tables(&frame->memory, deviation, shading);
+    }
+    return GLINT_OK;
+}
