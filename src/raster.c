@@ -114,17 +114,61 @@ static inline void find_place(glint_place *place, const glint_window *window, co
     place->row = glint_shift_right(place->y + 15, 4);
 }
 
-/* The triangle's rows in the tile. @return 0 when there are none */
-static int find_rows(glint_part *part) {
-    const int32_t a = part->places[0].row, b = part->places[1].row, c = part->places[2].row;
+/* The same of a short side that lies in the tile. */
+static inline void find_inside(glint_part *part, const glint_place *a, const glint_place *b) {
+    uint8_t *column = &part->spans[0].left;
+    int32_t rows = b->row - a->row;
+    if (rows < 0) {
+        const glint_place *upper = b;
+        b = a, a = upper;
+        rows = -rows;
+        column = &part->spans[0].right;
+    }
+    if (!rows)
+        return;
+    const int32_t slope = glint_slope(b->x - a->x, b->y - a->y);
+    int32_t x = a->x * (1 << 16) + GLINT_EDGE_CEILING + glint_edge_start(slope, a->y);
+    column += sizeof(glint_span) * (uint32_t)a->row;
+    do {
+        *column = (uint8_t)(x >> 20);
+        column += sizeof(glint_span);
+        x += slope;
+        rows--;
+        GLINT_OPAQUE(rows);
+    } while (rows);
+}
+
+static inline int is_across(const glint_window *window, const glint_place *place) {
+    return (uint32_t)(place->x + 8) < (uint32_t)window->width << 4;
+}
+
+/* Finds the triangle's spans in the tile. @return 0 when it has no rows there */
+static int find_spans(glint_part *part) {
+    const glint_place *places = part->places;
+    const int32_t a = places[0].row, b = places[1].row, c = places[2].row;
     int32_t top = a < b ? a : b, bottom = a < b ? b : a;
     top = top < c ? top : c;
     bottom = bottom > c ? bottom : c;
+    if (!GLINT_SMALL && top >= 0 && bottom <= part->window.height && bottom - top < GLINT_EDGE_DY / 16 &&
+        is_across(&part->window, &places[0]) && is_across(&part->window, &places[1]) &&
+        is_across(&part->window, &places[2])) {
+        part->top = (uint32_t)top;
+        part->bottom = (uint32_t)bottom;
+        find_inside(part, &places[0], &places[1]);
+        find_inside(part, &places[1], &places[2]);
+        find_inside(part, &places[2], &places[0]);
+        return top < bottom;
+    }
     bottom = bottom < part->window.height ? bottom : part->window.height;
     top = top < 0 ? 0 : top;
     part->top = (uint32_t)top;
     part->bottom = (uint32_t)bottom;
-    return top < bottom;
+    if (top >= bottom)
+        return 0;
+    find_side(part, &places[0], &places[1]);
+    find_side(part, &places[1], &places[2]);
+    find_side(part, &places[2], &places[0]);
+    return 1;
 }
 
 /* Leaves out rows without pixels above the first that has some. @return 0 when none has */
@@ -162,12 +206,7 @@ void glint_raster(const glint_frame *frame, glint_workspace *workspace, const gl
     find_place(&places[0], &part->window, v[0]);
     find_place(&places[1], &part->window, v[1]);
     find_place(&places[2], &part->window, v[2]);
-    if (!find_rows(part))
-        return;
-    find_side(part, &places[0], &places[1]);
-    find_side(part, &places[1], &places[2]);
-    find_side(part, &places[2], &places[0]);
-    if (!has_pixels(part))
+    if (!find_spans(part) || !has_pixels(part))
         return;
     part->x = -glint_shift_right(places[0].x + 8, 4);
     part->y = -glint_shift_right(places[0].y + 8, 4);
