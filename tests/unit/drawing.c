@@ -274,6 +274,22 @@ void longest_normals_are_made_unit(void) {
     CHECK_AT_MOST(worst_difference(f, wanted), 1);
 }
 
+/* A normal and a light of such lengths that both come out longest as unit vectors, 32766. */
+void mirrored_light_is_at_full_strength(void) {
+    static const int16_t normals[4][3] = {{0, 16496, 0}, {0, 16496, 0}, {0, 16496, 0}, {0, 16496, 0}};
+    static const int wanted[3] = {0, 255, 0};
+    fixture *f = begin_square();
+    f->scene.viewer = GLINT_VIEWER_INFINITE;
+    f->lights[0].vector = (glint_vector){0, 0, GLINT_Q16(1.0064)};
+    f->floor.normals = normals;
+    f->objects[0].evaluation = &glint_per_vertex;
+    f->materials[0].model = &glint_model_phong;
+    f->materials[0].ambient = f->materials[0].diffuse = f->materials[0].specular = (glint_colour){0, 0, 0};
+    f->materials[0].specular.g = GLINT_ONE;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_AT_MOST(worst_difference(f, wanted), 1);
+}
+
 /* In either order, and the first of two at the same depth. */
 void nearer_object_hides_the_farther(void) {
     for (int order = 0; order < 4; order++) {

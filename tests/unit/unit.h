@@ -28,6 +28,7 @@
     CASE(light_at_no_distance_adds_nothing)   \
     CASE(light_at_the_only_pixel_is_left_out) \
     CASE(longest_normals_are_made_unit)       \
+    CASE(mirrored_light_is_at_full_strength)  \
     CASE(bad_lamps_are_refused)               \
     CASE(generators_fill_their_room)          \
     CASE(generators_face_outwards)            \
