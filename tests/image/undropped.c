@@ -1,11 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 #include "undropped.h"
 
-#include "deviation.h"
 #include "light.h"
-#include "setup.h"
+#include "spans565.h"
 
 undropped_drops undropped;
+
+/* Firmware counts instructions instead. */
+#if __STDC_HOSTED__
+#define COUNT(drop, happened) (undropped.drop += (happened) != 0)
+#else
+#define COUNT(drop, happened) ((void)(happened))
+#endif
+
+/* A highlight's radius that leaves nothing outside. */
+#define EVERYWHERE (1 << 28)
 
 /* ---- Models -------------------------------------------------------------------------------------------------- */
 
@@ -13,9 +22,9 @@ undropped_drops undropped;
 typedef uint32_t (*lobe)(const glint_power_table *table, const glint_prepared_light *source, const int16_t normal[3],
                          const int16_t light[3], const int16_t view[3], int *is_inside);
 
-static uint32_t half_vector_lobe(const glint_power_table *table, const glint_prepared_light *source,
-                                 const int16_t normal[3], const int16_t light[3], const int16_t view[3],
-                                 int *is_inside) {
+static inline uint32_t half_vector_lobe(const glint_power_table *table, const glint_prepared_light *source,
+                                        const int16_t normal[3], const int16_t light[3], const int16_t view[3],
+                                        int *is_inside) {
     const int32_t sum[3] = {light[0] + view[0], light[1] + view[1], light[2] + view[2]};
     int16_t found[3];
     const int16_t *half_vector = source ? source->half_vector : found;
@@ -28,8 +37,9 @@ static uint32_t half_vector_lobe(const glint_power_table *table, const glint_pre
     return cosine > 0 ? glint_specular_power(table, normal, half_vector, cosine) : glint_power_of_zero(table);
 }
 
-static uint32_t mirrored_lobe(const glint_power_table *table, const glint_prepared_light *source,
-                              const int16_t normal[3], const int16_t light[3], const int16_t view[3], int *is_inside) {
+static inline uint32_t mirrored_lobe(const glint_power_table *table, const glint_prepared_light *source,
+                                     const int16_t normal[3], const int16_t light[3], const int16_t view[3],
+                                     int *is_inside) {
     const int32_t cosine = glint_dot(normal, light);
     const int32_t twice = glint_shift_right(cosine + glint_shift_right(cosine, 12), 14);
     int32_t r[3];
@@ -43,8 +53,8 @@ static uint32_t mirrored_lobe(const glint_power_table *table, const glint_prepar
     return along > 0 ? glint_specular_power(table, mirrored, view, along) : glint_power_of_zero(table);
 }
 
-static void light_fragment(const glint_shading *shading, uint32_t index, const glint_view *view,
-                           glint_fragments *fragments, int has_surface, lobe specular, uint32_t i) {
+static inline void light_fragment(const glint_shading *shading, uint32_t index, const glint_view *view,
+                                  glint_fragments *fragments, int has_surface, lobe specular, uint32_t i) {
     const glint_prepared_light *source = &view->lights[index];
     const int has_position = source->type->illuminate != 0;
     const int16_t *normal = fragments->normal[i], *light = has_position ? fragments->light[i] : source->direction;
@@ -58,19 +68,20 @@ static void light_fragment(const glint_shading *shading, uint32_t index, const g
         glint_add_surface(fragments->colour[i], diffuse, fragments->surface[i], shading->weights[index].diffuse);
     else
         glint_add_light(fragments->colour[i], diffuse, shading->weights[index].diffuse);
-    undropped.facing_away += !is_lit;
+    COUNT(lightings, 1);
+    COUNT(facing_away, !is_lit);
     if (!specular)
         return;
     uint32_t power = specular(&shading->power, has_position || view->local_viewer ? 0 : source, normal, light,
                               fragments->view[i], &is_inside);
     power = is_lit ? power * strength >> 15 : 0;
     glint_add_light(fragments->colour[i], power, shading->weights[index].specular);
-    undropped.out_of_reach += is_lit && !strength;
-    undropped.no_highlight += is_lit && strength && !is_inside;
+    COUNT(out_of_reach, is_lit && !strength);
+    COUNT(no_highlight, is_lit && strength && !is_inside);
 }
 
-static void light_all(const glint_shading *shading, uint32_t index, const glint_view *view, glint_fragments *fragments,
-                      int has_surface, lobe specular) {
+static inline void light_all(const glint_shading *shading, uint32_t index, const glint_view *view,
+                             glint_fragments *fragments, int has_surface, lobe specular) {
     const glint_prepared_light *source = &view->lights[index];
     if (source->type->illuminate)
         source->type->illuminate(source, fragments);
@@ -94,7 +105,7 @@ static void light_blinn_phong(const glint_shading *shading, uint32_t index, cons
 }
 
 static void prepare(glint_shading *shading, uint32_t largest_specular) {
-    undropped.no_specular += !largest_specular;
+    COUNT(no_specular, !largest_specular);
     shading->lights = shading->has_specular = UINT32_MAX;
     glint_prepare_specular(shading, largest_specular ? largest_specular : 1);
 }
@@ -141,47 +152,93 @@ static void begin_plane(glint_plane *plane, const glint_part *part, const int16_
                       terms[2][which] * (1 << 16));
 }
 
-static uint32_t square_of_high_half(const glint_plane *plane, int32_t x, int32_t y) {
-    const int32_t high = glint_shift_right(glint_plane_at(plane, x, y), 16);
-    return (uint32_t)(high * high);
-}
-
-static void draw_pixels(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                        const glint_part *part, const glint_deviation_planes *planes) {
+/* The loop of highlights where N.L may be below 0: such light is found, and thrown away. */
+static void draw_gated(const glint_spans *s, const glint_deviation *deviation, const glint_deviation_planes *planes) {
+    const glint_part *part = s->part;
     for (uint32_t row = part->top; row < part->bottom; row++) {
-        for (uint32_t column = part->spans[row].left; column < part->spans[row].right; column++) {
-            const int32_t x = part->x + (int32_t)column, y = part->y + (int32_t)row;
-            const uint32_t offset = (row << frame->tile_shift_x) + column;
-            const uint32_t here = ((uint32_t)glint_plane_at(&part->depth, x, y) + (1u << 15)) >> 15;
-            if (here <= workspace->depth[offset])
-                continue;
-            workspace->depth[offset] = (uint16_t)here;
-            const uint32_t square = square_of_high_half(&planes->x, x, y) + square_of_high_half(&planes->y, x, y);
-            ((uint16_t *)workspace->pixels)[offset] =
-                (uint16_t)glint_deviation_pixel(draw->shading, glint_plane_at(&planes->cosine, x, y), square);
+        const int32_t x = part->x + part->spans[row].left, y = part->y + (int32_t)row;
+        uint32_t z = (uint32_t)glint_plane_at(&part->depth, x, y) + GLINT_DEPTH_BIAS;
+        uint32_t level = (uint32_t)glint_plane_at(&planes->cosine, x, y);
+        uint32_t e_x = (uint32_t)glint_plane_at(&planes->x, x, y), e_y = (uint32_t)glint_plane_at(&planes->y, x, y);
+        uint32_t offset = (row << s->shift) + part->spans[row].left;
+        const uint32_t end = (row << s->shift) + part->spans[row].right;
+        for (; offset < end; offset++) {
+            if (glint_is_nearest((uint8_t *)(s->depth + offset), z)) {
+                const int is_lit = (int32_t)level > 0;
+                const uint32_t square = glint_high_square(e_x) + glint_high_square(e_y);
+                uint32_t word = deviation->diffuse[is_lit ? level >> 22 : 0];
+                if (square < deviation->specular_end)
+                    word = glint_spread_clamp(word + deviation->specular[square >> 15]);
+                glint_put_565(s->pixels + 2 * offset, is_lit ? glint_spread_pack(word) : deviation->ambient, 0);
+            }
+            z += (uint32_t)part->depth.dx;
+            level += (uint32_t)planes->cosine.dx;
+            e_x += (uint32_t)planes->x.dx;
+            e_y += (uint32_t)planes->y.dx;
         }
     }
 }
 
-/* What the library draws with its highlight is drawn by the library; all else with all that it left out. */
-static void draw_undropped(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                           const glint_triangle *triangle, const glint_part *part) {
-    glint_deviation_planes planes;
-    const glint_deviation_kind kind = glint_deviation_begin(draw, triangle, part, &planes);
-    if (kind == GLINT_DEVIATION_UNFIT || kind == GLINT_DEVIATION_SPECULAR) {
-        glint_format_rgb565.fast->draw(frame, workspace, draw, triangle, part);
-        return;
-    }
+/* Finds what the library leaves out where no highlight shows. */
+static void begin_highlight(const glint_draw *draw, const glint_triangle *triangle, const glint_part *part,
+                            glint_deviation_kind kind, glint_deviation_planes *planes) {
     const int16_t *const terms[3] = {draw->terms[triangle->corners[0] - draw->vertices],
                                      draw->terms[triangle->corners[1] - draw->vertices],
                                      draw->terms[triangle->corners[2] - draw->vertices]};
     if (kind == GLINT_DEVIATION_AMBIENT)
-        begin_plane(&planes.cosine, part, terms, 0);
-    begin_plane(&planes.x, part, terms, 1);
-    begin_plane(&planes.y, part, terms, 2);
-    undropped.parts_ambient += kind == GLINT_DEVIATION_AMBIENT;
-    undropped.parts_matt += kind != GLINT_DEVIATION_AMBIENT && draw->shading->deviation->specular_end;
-    draw_pixels(frame, workspace, draw, part, &planes);
+        begin_plane(&planes->cosine, part, terms, 0);
+    begin_plane(&planes->x, part, terms, 1);
+    begin_plane(&planes->y, part, terms, 2);
+    COUNT(parts_ambient, kind == GLINT_DEVIATION_AMBIENT);
+    COUNT(parts_matt, kind != GLINT_DEVIATION_AMBIENT && draw->shading->deviation->specular_end);
+}
+
+static GLINT_NOINLINE int draw_quadratic(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                                         const glint_triangle *triangle, const glint_part *part) {
+    return glint_draw_quadratic(frame, workspace, draw, triangle, part, 0);
+}
+
+/*
+ * What turns far, with its highlight drawn wherever its triangle lies; but where the library itself cannot, behind the
+ * half vector, and in triangles that it draws square by square. What faces away all over keeps its one colour.
+ */
+static void draw_curved(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                        const glint_triangle *triangle, const glint_part *part) {
+    glint_deviation *deviation = (glint_deviation *)draw->shading->deviation; /* it lies in the arena */
+    const glint_deviation kept = *deviation;
+    glint_square square;
+    int drawn = 0;
+    if (deviation->specular_end && (!deviation->local_viewer || glint_quadratic_square(deviation, triangle, &square))) {
+        deviation->cut = deviation->cut_diagonal = EVERYWHERE;
+        deviation->quadratic.cut = deviation->quadratic.cut_diagonal = EVERYWHERE;
+        drawn = draw_quadratic(frame, workspace, draw, triangle, part);
+        deviation->cut = kept.cut;
+        deviation->cut_diagonal = kept.cut_diagonal;
+        deviation->quadratic.cut = kept.quadratic.cut;
+        deviation->quadratic.cut_diagonal = kept.quadratic.cut_diagonal;
+    }
+    if (!drawn && !draw_quadratic(frame, workspace, draw, triangle, part))
+        glint_draw_any(frame, workspace, draw, triangle, part);
+}
+
+static void draw_undropped(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                           const glint_triangle *triangle, const glint_part *part) {
+    const glint_deviation *deviation = draw->shading->deviation;
+    const glint_spans spans = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
+    glint_deviation_planes planes;
+    const glint_deviation_kind kind = glint_deviation_begin(draw, triangle, part, &planes);
+    if (kind == GLINT_DEVIATION_UNFIT) {
+        draw_curved(frame, workspace, draw, triangle, part);
+        return;
+    }
+    if (kind != GLINT_DEVIATION_SPECULAR)
+        begin_highlight(draw, triangle, part, kind, &planes);
+    if (!deviation->diffuse)
+        glint_draw_without_tables(&spans, draw->shading, &planes, GLINT_DEVIATION_SPECULAR, 0);
+    else if (kind == GLINT_DEVIATION_SPECULAR || kind == GLINT_DEVIATION_DIFFUSE)
+        glint_draw_highlight(&spans, deviation, &planes, 0);
+    else
+        draw_gated(&spans, deviation, &planes);
 }
 
 const glint_format *undropped_format(const glint_format *format) {

@@ -3,7 +3,8 @@
  * @file undropped.h
  * Twins of the library's models and of its kernels for RGB565 that drop nothing: what faces away is lit by nothing,
  * what lies outside a highlight is looked up in its table, and weights of zero are multiplied. The image is the same to
- * the bit, or the library drops what shows.
+ * the bit, or the library drops what shows. Their loops are the library's own, or like them, so that the instructions
+ * they take more are those that dropping saves. Error budgets are not for them.
  */
 #ifndef GLINT_UNDROPPED_H
 #define GLINT_UNDROPPED_H
@@ -13,9 +14,10 @@
 /** Most objects of a scene. */
 #define UNDROPPED_OBJECTS_MAX 32
 
-/** How often the library would have dropped something; counted since the program began. */
+/** How often the library would have dropped something; counted since the program began, but not in firmware. */
 typedef struct undropped_drops {
-    uint32_t facing_away;   /**< Fragments and vertices that face away from a light. */
+    uint32_t lightings;     /**< Fragments and vertices lit by the models, once for each light. */
+    uint32_t facing_away;   /**< Of these, those that face away from the light. */
     uint32_t out_of_reach;  /**< Of the others, those that a light with a position or a cone does not reach. */
     uint32_t no_highlight;  /**< Of the others, those that lie outside a highlight. */
     uint32_t no_specular;   /**< Materials without specular light. */
