@@ -2,13 +2,14 @@
 """Every chart of docs/charts, as a function from the figures to an SVG."""
 import math
 
-from figures import ASKED, CPUS, front, only
+from figures import ASKED, CPUS, budget_of, front, only
 from plot import Axis, Chart, Panel
 
 # Exponents at which methods are compared: those for which their instructions are counted.
 POWER_P, LIGHTING_P = "64", "32"
 
 EVALUATIONS = {"facet": ("per facet", "gold"), "vertex": ("per vertex", "blue"), "fragment": ("per fragment", "red")}
+BUDGETS = ("Blinn-Phong local within an error budget, steps", "violet")
 
 
 def grid(chart, count, columns, left=64, top=86, gap=(66, 84), right=16, bottom=48):
@@ -56,19 +57,29 @@ def merge(panel, points):
 
 
 def joined(first, second):
-    """"Phong local" and "Blinn-Phong local" as "Phong, Blinn-Phong local"."""
+    """"Phong local" and "Blinn-Phong local" as "Phong, Blinn-Phong local", "budget 1" and "budget 2" as "budget 1, 2"."""
     head, _, tail = first.rpartition(" ")
     if head and second.endswith(" " + tail):
         first = head
+    before, _, last = second.rpartition(" ")
+    if last.isdigit() and first.startswith(before + " "):
+        second = last
     return first + ", " + second
+
+
+def mark_of(choice):
+    """@return label and colour of a choice of shading"""
+    evaluation, rest = choice.split(" ", 1)
+    budget = budget_of(choice)
+    return ("budget %d" % budget, BUDGETS[1]) if budget else (rest, EVALUATIONS[evaluation][1])
 
 
 def frames(figures, scene="torus2304", size="320x240"):
     cpus = [cpu for cpu in ("m4", "m3", "m0", "rv32") if cpu in figures.cpus(figures.counts)]
     rows = (len(cpus) + 1) // 2
     chart = Chart("Whole frames of %s at %s: PSNR over instructions" % (scene, size),
-                  [*EVALUATIONS.values(), ("other libraries", "grey"), ("dashed: best for their price", "green")],
-                  1020, 74 + 400 * rows)
+                  [*EVALUATIONS.values(), BUDGETS, ("other libraries", "grey"), ("dashed: best for their price", "green")],
+                  1020, 74 + 440 * rows)
     for cpu, box in zip(cpus, grid(chart, len(cpus), 2)):
         title = CPUS[cpu] + (", where others use the FPU" if cpu == "m4" else "")
         chart.panels.append(frames_panel(figures, title, scene, size, cpu, box))
@@ -79,16 +90,17 @@ def frames_scenes(figures):
     """The other benchmark scenes, on one core."""
     scenes = (("torus576", "320x240"), ("torus9216", "320x240"), ("sphere960", "320x240"), ("torus2304", "128x64"))
     chart = Chart("The other benchmark scenes on Cortex-M3: PSNR over instructions",
-                  [*EVALUATIONS.values(), ("dashed: best for their price", "green")],
-                  1020, 74 + 400 * ((len(scenes) + 1) // 2))
+                  [*EVALUATIONS.values(), BUDGETS, ("dashed: best for their price", "green")],
+                  1020, 74 + 440 * ((len(scenes) + 1) // 2))
     for (scene, size), box in zip(scenes, grid(chart, len(scenes), 2)):
         chart.panels.append(frames_panel(figures, "%s at %s" % (scene, size), scene, size, "m3", box))
     return chart.svg()
 
 
 def frames_panel(figures, title, scene, size, cpu, box):
+    in_order = sorted(figures.choices(), key=lambda choice: not budget_of(choice)) # what is exact lies on top
     points = [(figures.instructions(scene, size, choice, cpu), figures.psnr(scene, size, choice),
-               choice.split(" ", 1)[1], EVALUATIONS[choice.split(" ", 1)[0]][1]) for choice in figures.choices()]
+               *mark_of(choice)) for choice in in_order]
     with_fpu = "m4f" if cpu == "m4" else cpu
     others = [(float(row["million_instructions"]), float(row["psnr_db"]), "%s, %s" % (row["library"], row["mode"]), "grey")
               for row in figures.others
@@ -96,10 +108,10 @@ def frames_panel(figures, title, scene, size, cpu, box):
     ideal = figures.psnr(scene, size, "correctly rounded")
     low = math.floor(min(y for _, y, *_ in points + others)) - 2
     panel = Panel(title, box, Axis("million instructions per frame", *span([p[0] for p in points + others], 0.6), log=True),
-                  Axis("PSNR, dB", low, math.ceil(ideal) + 2))
+                  Axis("PSNR, dB", low, math.ceil(ideal) + 3))
     for x, y, label, colour in merge(panel, points) + others:
         panel.point(x, y, label, colour, filled=colour != "grey")
-    panel.rule(ideal, "RGB565, correctly rounded", right=len(others) > 0)
+    panel.rule(ideal, "RGB565, correctly rounded", right=True)
     panel.line(staircase(front([point[:2] for point in points + others], largest=True), panel.x.high), "green", 1.2, dash=2)
     return panel
 

@@ -15,6 +15,7 @@ typedef struct choice {
     const glint_model *model;
     glint_viewer viewer;
     int shininess_divisor; /**< Of the exponent, for the highlight that looks most like Blinn-Phong's. */
+    int32_t error_budget;  /**< Steps of an output channel. */
 } choice;
 
 /* The highlight of Phong has the size of Blinn-Phong's at a quarter of the exponent; Lambert has none, nor a viewer. */
@@ -26,8 +27,19 @@ typedef struct choice {
         name " Blinn-Phong local", evaluation, &glint_model_blinn_phong, GLINT_VIEWER_LOCAL, 1            \
     }
 
-static const choice choices[] = {CHOICES_OF("facet", &glint_per_facet), CHOICES_OF("vertex", &glint_per_vertex),
-                                 CHOICES_OF("fragment", &glint_per_fragment)};
+/* What scenes ask for, with an error budget: held by that, not by the contract. */
+#define CHOICE_OF_BUDGET(steps)                                                                     \
+    {                                                                                               \
+        "fragment Blinn-Phong local budget " #steps, &glint_per_fragment, &glint_model_blinn_phong, \
+            GLINT_VIEWER_LOCAL, 1, steps                                                            \
+    }
+
+static const choice choices[] = {CHOICES_OF("facet", &glint_per_facet),
+                                 CHOICES_OF("vertex", &glint_per_vertex),
+                                 CHOICES_OF("fragment", &glint_per_fragment),
+                                 CHOICE_OF_BUDGET(1),
+                                 CHOICE_OF_BUDGET(2),
+                                 CHOICE_OF_BUDGET(4)};
 #define CHOICES (sizeof choices / sizeof *choices)
 
 /** Sizes of the screen. */
@@ -40,6 +52,7 @@ static inline void choose(const choice *chosen, glint_scene *scene, glint_object
     material->model = chosen->model;
     material->shininess /= chosen->shininess_divisor;
     scene->viewer = chosen->viewer;
+    scene->error_budget = chosen->error_budget;
 }
 
 #endif

@@ -10,6 +10,12 @@ CPUS = {"m0": "Cortex-M0", "m3": "Cortex-M3", "m4": "Cortex-M4", "rv32": "RV32IM
 ASKED = "fragment Blinn-Phong local"
 
 
+def budget_of(choice):
+    """Of a choice of shading: the error budget, steps of an output channel; 0 for those held to be exact."""
+    before, _, steps = choice.rpartition(" budget ")
+    return int(steps) if before else 0
+
+
 class Missing(Exception):
     """A figure that a chart or a page needs is not there."""
 

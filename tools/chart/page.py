@@ -2,7 +2,8 @@
 """What pages say in figures: each block of text between a page's markers, as a function of the figures."""
 import re
 
-from figures import ASKED, CPUS, front, only
+from figures import ASKED, CPUS, budget_of, front, only
+from table import bullets, listed, table
 
 EXPONENTS = ("1", "2", "8", "32", "64", "256", "1024")
 
@@ -18,11 +19,6 @@ CLAUSES = (
 
 # The frame that figures in words are about, and the likeness that it is to have.
 SCENE, SIZE, LEAST_PSNR = "torus2304", "320x240", 41.5
-
-
-def table(head, rows):
-    lines = [head, ["---"] * len(head)] + rows
-    return "".join("| %s |\n" % " | ".join(cells) for cells in lines)
 
 
 def row_name(row):
@@ -76,7 +72,7 @@ def frames(figures):
     rows = []
     for choice in figures.choices():
         evaluation, rest = choice.split(" ", 1)
-        rows.append(["per " + evaluation, rest, "%.1f" % figures.psnr(SCENE, SIZE, choice)] +
+        rows.append(["per " + evaluation, rest.replace(" budget", ", error budget"), "%.1f" % figures.psnr(SCENE, SIZE, choice)] +
                     ["%.2f" % figures.instructions(SCENE, SIZE, choice, cpu) for cpu in cpus])
     return table(["evaluation", "model and viewer", "PSNR, dB"] + ["million instructions, " + CPUS[cpu] for cpu in cpus],
                  rows)
@@ -224,7 +220,8 @@ def evaluation_matters_less(figures):
 
 def exact_is_ideal(figures):
     ideal = figures.psnr(SCENE, SIZE, "correctly rounded")
-    return all((figures.psnr(SCENE, SIZE, choice) > ideal - 0.5) == (choice == ASKED) for choice in figures.choices())
+    return all((figures.psnr(SCENE, SIZE, choice) > ideal - 0.5) == (choice == ASKED) for choice in figures.choices()
+               if not budget_of(choice))
 
 
 def facet_is_cheapest(figures):
@@ -264,28 +261,82 @@ def facets_are_cheapest(figures):
     return least(rows["facet"], "instructions", most) == min(least(row, "instructions", most) for row in rows.values())
 
 
+def budgets(figures):
+    """@return the choices with an error budget, and the steps that it has"""
+    return {choice: budget_of(choice) for choice in figures.choices() if budget_of(choice)}
+
+
+def saved(figures, scene, size, choice):
+    """Of what the exact picture takes on Cortex-M3, percent."""
+    return 100 * (1 - figures.instructions(scene, size, choice, "m3") / figures.instructions(scene, size, ASKED, "m3"))
+
+
+def lost(figures, scene, size, choice):
+    """Of the exact picture's PSNR, dB."""
+    return figures.psnr(scene, size, ASKED) - figures.psnr(scene, size, choice)
+
+
+def budgets_of_frame(figures):
+    found = budgets(figures)
+    return ("Within error budgets of %s steps the same picture takes %s %% fewer instructions on M3, and loses %s dB." % (
+        listed(map(str, found.values())), listed(["%.1f" % saved(figures, SCENE, SIZE, choice) for choice in found]),
+        listed(["%.1f" % lost(figures, SCENE, SIZE, choice) for choice in found])))
+
+
+def nothing_near_budgets(figures):
+    largest = max(budgets(figures), key=budgets(figures).get)
+    price, psnr = figures.instructions(SCENE, SIZE, largest, "m3"), figures.psnr(SCENE, SIZE, largest)
+    cheaper = [figures.psnr(SCENE, SIZE, choice) for choice in figures.choices()
+               if not budget_of(choice) and figures.instructions(SCENE, SIZE, choice, "m3") < price]
+    return ("No choice of shading that takes fewer instructions on M3 than a budget of %d steps comes within %d dB of it." % (
+        budget_of(largest), psnr - max(cheaper)) if cheaper else
+            "No choice of shading takes fewer instructions on M3 than a budget of %d steps." % budget_of(largest))
+
+
+def budgets_of_scenes(figures):
+    largest = max(budgets(figures), key=budgets(figures).get)
+    found = sorted((saved(figures, scene, size, largest), scene, size, lost(figures, scene, size, largest))
+                   for scene, size in dict.fromkeys((row["scene"], row["size"]) for row in figures.counts))
+    return ("A budget of %d steps saves from %.1f %% (%s at %s) to %.1f %% (%s at %s) of the instructions on M3, for %.1f to "
+            "%.1f dB." % (budget_of(largest), *found[0][:3], *found[-1][:3], min(row[3] for row in found),
+                          max(row[3] for row in found)))
+
+
+def large_triangles_gain(figures):
+    largest = max(budgets(figures), key=budgets(figures).get)
+    gains = [saved(figures, scene, SIZE, largest) for scene in ("torus9216", "torus2304", "torus576")]
+    return gains == sorted(gains)
+
+
+def always(figures):
+    return True
+
+
 def findings(*sentences):
-    """A block of those sentences that the figures bear out."""
+    """A block of those sentences, or functions that make them, that the figures bear out."""
     def block(figures):
-        return "What follows:\n\n" + "".join("- %s\n" % sentence for sentence, holds in sentences if holds(figures))
+        return bullets(sentence(figures) if callable(sentence) else sentence
+                       for sentence, holds in sentences if holds(figures))
     return block
 
 
 frame_findings = findings(
-    ("The viewer is worth more than the evaluation: per vertex with a local viewer is nearer to the picture than per\n"
-     "  fragment with an infinite one.", evaluation_matters_less),
-    ("Per fragment with a local viewer is within half a decibel of what the format allows, and nothing else is.",
-     exact_is_ideal),
+    ("The viewer is worth more than the evaluation: per vertex with a local viewer is nearer to the picture than per "
+     "fragment with an infinite one.", evaluation_matters_less),
+    ("Per fragment with a local viewer is within half a decibel of what the format allows, and no other evaluation or viewer "
+     "is.", exact_is_ideal),
+    (budgets_of_frame, always), (nothing_near_budgets, always),
     ("Per facet takes the fewest instructions on every core here, and shows every triangle.", facet_is_cheapest))
 
 scene_findings = findings(
     ("The larger the triangles, the further lighting per vertex falls behind.", vertices_fall_behind),
-    ("Where triangles are a few pixels small, as in torus2304 at 128x64, lighting per fragment takes fewer instructions\n"
-     "  than lighting per vertex on M3 and M4.", small_triangles_suit_fragments))
+    ("Where triangles are a few pixels small, as in torus2304 at 128x64, lighting per fragment takes fewer instructions "
+     "than lighting per vertex on M3 and M4.", small_triangles_suit_fragments),
+    (budgets_of_scenes, always), ("The larger the triangles of a torus, the more an error budget saves.", large_triangles_gain))
 
 shading_findings = findings(
-    ("For the same error, lighting per fragment needs at most half the triangles that lighting per vertex does, from 576\n"
-     "  on, and for the smallest errors fewer instructions.", fragments_need_less),
+    ("For the same error, lighting per fragment needs at most half the triangles that lighting per vertex does, from 576 "
+     "on, and for the smallest errors fewer instructions.", fragments_need_less),
     ("Where a mesh is coarse and a rough picture will do, lighting per facet is the cheapest.", facets_are_cheapest))
 
 POWERS, LIGHTINGS = ("1", "8", "64", "256", "1024"), ("8", "32", "64", "256", "1024")

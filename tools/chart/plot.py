@@ -156,9 +156,10 @@ class Labels:
         if box[0] < frame[0] or box[1] < frame[1] or box[2] > frame[2] or box[3] > frame[3]:
             return math.inf
         others = [placed for i, placed in self.placed.items() if i != index]
-        cost = distance + 1000 * self.covered(index, box) + 30 * sum(crosses(a, b, box) for a, b in self.segments)
+        cost = distance + 1000 * self.covered(index, box)
+        cost += (30 if distance <= NEAR else 60) * sum(crosses(a, b, box) for a, b in self.segments)
         if distance > NEAR:
-            cost += 200 * sum(crosses(anchor, end, other[0]) for other in others)
+            cost += 200 * sum(crosses(anchor, end, other) for other in [placed[0] for placed in others] + self.fixed)
             cost += 90 * sum(crosses(anchor, end, (x - r, y - r, x + r, y + r)) for x, y, r in self.points
                              if (x, y) != anchor)
         cost += 200 * sum(crosses(self.anchors[i][0], other[1], box) for i, other in self.placed.items()
