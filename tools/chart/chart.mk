@@ -18,6 +18,11 @@ $(eval $(call chart_host,shading,))
 $(eval $(call chart_host,gallery_accuracy,tests/stability/contract.c tests/stability/weights.c tests/image/judge.c \
     $(wildcard examples/scenes/*.c)))
 
+$(eval $(call chart_host,modelled,tests/image/undropped.c examples/bench/bench.c $(wildcard examples/scenes/*.c)))
+
+$(BUILD)/modelled.csv: $(BUILD)/chart/modelled
+	$< > $@
+
 $(BUILD)/%-accuracy.csv: $(BUILD)/chart/%_accuracy
 	$< > $@
 
@@ -25,6 +30,7 @@ $(BUILD)/%-accuracy.csv: $(BUILD)/chart/%_accuracy
 
 PROGRAM_frame_board   := tools/chart/frame_board.c
 PROGRAM_shading_board := tools/chart/shading_board.c
+PROGRAM_modelled_board := tools/chart/modelled_board.c tests/image/undropped.c $(wildcard examples/scenes/*.c)
 
 CHART_BOARDS := m0=mps2-an385-m0 m3=mps2-an385 m4=mps2-an386 rv32=virt
 
@@ -34,16 +40,24 @@ chart_run = $(firstword $(subst =, ,$1))=$(patsubst %-m0,%,$(lastword $(subst =,
 
 $(foreach pair,$(CHART_BOARDS),$(eval $(call firmware_program,$(lastword $(subst =, ,$(pair))),O2,frame_board)))
 $(eval $(call firmware_program,mps2-an385,O2,shading_board))
+$(foreach board,mps2-an385 mps2-an385-m0,$(eval $(call firmware_program,$(board),O2,modelled_board)))
 # They measure; `make boards` lists what is to run on a board.
-FIRMWARE := $(filter-out %/frame_board.elf %/shading_board.elf,$(FIRMWARE))
+FIRMWARE := $(filter-out %/frame_board.elf %/shading_board.elf %/modelled_board.elf,$(FIRMWARE))
 
 $(foreach pair,$(CHART_BOARDS),\
-    $(BUILD)/$(lastword $(subst =, ,$(pair)))/O2/tools/chart/frame_board.o): $(BUILD)/bench/bench_scenes.h
+    $(BUILD)/$(lastword $(subst =, ,$(pair)))/O2/tools/chart/frame_board.o) \
+$(foreach board,mps2-an385 mps2-an385-m0,\
+    $(BUILD)/$(board)/O2/tools/chart/modelled_board.o): $(BUILD)/bench/bench_scenes.h
 
 CHART_FRAMES := $(foreach pair,$(CHART_BOARDS),$(call chart_elf,$(pair),frame_board))
 $(BUILD)/frame-instructions.csv: $(CHART_FRAMES) tools/chart/count.py tools/bench/emulate.py
 	python3 tools/chart/count.py --qemu $(QEMU) --head scene,size,format,choice,cpu,instructions \
 	    $(foreach pair,$(CHART_BOARDS),$(call chart_run,$(pair),frame_board)) > $@
+
+MODELLED_RUNS := $(foreach pair,$(filter m0=% m3=%,$(CHART_BOARDS)),$(call chart_run,$(pair),modelled_board))
+$(BUILD)/modelled-instructions.csv: $(foreach pair,$(filter m0=% m3=%,$(CHART_BOARDS)),$(call chart_elf,$(pair),modelled_board)) \
+        tools/chart/count.py tools/bench/emulate.py
+	python3 tools/chart/count.py --qemu $(QEMU) --head scene,variant,size,way,cpu,instructions $(MODELLED_RUNS) > $@
 
 # Both in one table.
 $(BUILD)/shading.csv: $(BUILD)/chart/shading $(BUILD)/mps2-an385/O2/shading_board.elf tools/chart/count.py
@@ -54,12 +68,15 @@ $(BUILD)/shading.csv: $(BUILD)/chart/shading $(BUILD)/mps2-an385/O2/shading_boar
 
 # ---- Kept, drawn, checked
 
-.PHONY: frame-figures figures chart test-chart
+.PHONY: frame-figures modelled figures chart test-chart
 frame-figures: $(BUILD)/frame-accuracy.csv $(BUILD)/gallery-accuracy.csv $(BUILD)/frame-instructions.csv $(BUILD)/shading.csv ## measure accuracy and instructions of whole frames, and keep them in docs
 	cp $(BUILD)/frame-accuracy.csv $(BUILD)/gallery-accuracy.csv $(BUILD)/frame-instructions.csv docs/
 	cp $(BUILD)/shading.csv docs/charts/
 
-figures: $(BUILD)/bench.csv $(BUILD)/accuracy.csv frame-figures ## measure all that charts and pages show, keep it in docs, and draw it
+modelled: $(BUILD)/modelled.csv $(BUILD)/modelled-instructions.csv ## measure what scenes model, and what dropping and error budgets save, and keep it in docs
+	cp $^ docs/
+
+figures: $(BUILD)/bench.csv $(BUILD)/accuracy.csv frame-figures modelled ## measure all that charts and pages show, keep it in docs, and draw it
 	cp $(BUILD)/bench.csv $(BUILD)/bench-arena.csv $(BUILD)/accuracy.csv docs/
 	@$(MAKE) --no-print-directory chart
 

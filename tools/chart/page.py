@@ -2,6 +2,7 @@
 """What pages say in figures: each block of text between a page's markers, as a function of the figures."""
 import re
 
+import modelled
 from figures import ASKED, CPUS, budget_of, front, only
 from table import bullets, listed, table
 
@@ -344,6 +345,8 @@ POWERS, LIGHTINGS = ("1", "8", "64", "256", "1024"), ("8", "32", "64", "256", "1
 PAGES = {
     "docs/accuracy.md": {
         "contract": contract, "steps": steps, "gallery": gallery, "frames": frames, "frame findings": frame_findings, "scenes": scenes,
+        "modelled kernels": modelled.kernels, "modelled lightings": modelled.lightings,
+        "modelled savings": modelled.savings, "modelled findings": modelled.findings,
         "scene findings": scene_findings, "others": others, "shading": shading, "shading findings": shading_findings,
         "lighting cheapest": cheapest("lighting", "16 pixels", (8, 32, 64, 256, 1024)),
         "power cheapest": cheapest("power", "sin^2", (2, 4, 8, 16, 32, 64, 128, 256, 512, 1024)),
