@@ -12,7 +12,7 @@
  * | clip coordinates x, y, w | clip: guard band at x, y = +-w | int32, same exponent | < 3 2^28 | transform.c |
  * | normal matrix | camera | int32, a turn has rows of length 2^13 UNIT | sum of squares <= 3 2^56 | transform.c |
  * | unit vector | camera | int16, 1 = GLINT_UNIT | length 32764 +-2.3 | glint_unit |
- * | normal of a vertex | camera | int16, 1 = GLINT_UNIT | length 32764 +-6 | geometry.c |
+ * | normal of a vertex | camera | int16, 1 = GLINT_UNIT | length 32752 to 32768 | geometry.c |
  * | screen x, y | screen | int16 28.4 | strictly within +-1023 px of the centre | clip.c |
  * | 1/w | screen | int32 Q31 of the frame's nearest | 0 to 2^31 - 2^16 | geometry.c |
  * | depth | screen | uint16, (1/w >> 15) + 1 | 1 to 65535, 0 is empty | kernel.c |

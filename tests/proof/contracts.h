@@ -6,11 +6,12 @@
 #ifndef GLINT_CONTRACTS_H
 #define GLINT_CONTRACTS_H
 
-#include "../../src/frame.h"
+#include "../../src/colour.h"
 
-/* A component of a unit vector: up to 32764 + 2.3. a . b of two: up to (32764 + 2.3)^2. */
+/* A component of a unit vector: up to 32764 + 2.3. a . b of two, one of which may be a vertex's normal: up to 2^15
+ * (32764 + 2.3). */
 #define ANY_COMPONENT ((int16_t)ANY(-32767, 32767))
-#define COSINE_MOST 1073630461
+#define COSINE_MOST 0x3fff8000
 
 /*@ requires 0x10000000 <= c <= 0xC0000000;
     assigns \result \from c;
@@ -61,10 +62,18 @@ glint_q16 glint_cos(glint_q16 degrees);
     admit ensures -32767 <= out[0] <= 32767 && -32767 <= out[1] <= 32767 && -32767 <= out[2] <= 32767; */
 void glint_unit(int32_t x, int32_t y, int32_t z, int16_t out[3]);
 
-/* Stands on |a . b| <= |a| |b| (Cauchy, 1821) of unit vectors, at most 32764 + 2.3 long. */
+/* Stands on the same: glint_unit is this. */
+/*@ requires \valid(out + (0 .. 2));
+    assigns out[0 .. 2] \from x, y, z;
+    ensures \initialized(out + (0 .. 2));
+    admit ensures -32767 <= out[0] <= 32767 && -32767 <= out[1] <= 32767 && -32767 <= out[2] <= 32767; */
+static inline void glint_unit_inline(int32_t x, int32_t y, int32_t z, int16_t out[3]);
+
+/* Stands on |a . b| <= |a| |b| (Cauchy, 1821) of unit vectors, at most 32764 + 2.3 long, or 2^15 as a vertex's normal.
+ */
 /*@ requires \valid_read(a + (0 .. 2)) && \valid_read(b + (0 .. 2));
-    assigns \result \from a[0 .. 2], b[0 .. 2];
-    admit ensures -1073630461 <= \result <= 1073630461; */
+    assigns \result \from indirect: a[0 .. 2], indirect: b[0 .. 2];
+    admit ensures -0x3fff8000 <= \result <= 0x3fff8000; */
 static inline int32_t glint_dot(const int16_t a[3], const int16_t b[3]);
 
 /* Stands on an error of at most 3.1e-6, 3.3 steps: `make domains` takes every w. */
@@ -82,6 +91,13 @@ static inline uint32_t glint_inverse(uint32_t w);
     admit ensures -0x30000000 <= \result <= 0x30000000; */
 static inline int32_t glint_row_times_whole(const glint_row_whole *row, int32_t x, int32_t y, int32_t z, int32_t t);
 
+/* Stands on a value between two nodes, both of which are at most 2^15: `make domains` takes every sine. */
+/*@ requires \valid_read(table) && \valid_read(a + (0 .. 2)) && \valid_read(b + (0 .. 2));
+    requires cosine > 0;
+    assigns \result \from indirect: *table, indirect: a[0 .. 2], indirect: b[0 .. 2], indirect: cosine;
+    admit ensures \result <= 0x8000; */
+uint32_t glint_specular_power(const glint_power_table *table, const int16_t a[3], const int16_t b[3], int32_t cosine);
+
 /*@ requires \valid_read(in + (0 .. 2)) && \valid(out + (0 .. 2));
     assigns \result, out[0 .. 2] \from in[0 .. 2];
     ensures 0 <= \result <= 34;
@@ -95,6 +111,49 @@ unsigned glint_reduce(const int64_t in[3], int32_t out[3]);
     ensures \initialized(out + (0 .. 2));
     ensures \subset(out[0 .. 2], (-32767 .. 32767)); */
 int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_t out[3]);
+
+#define LIT(i) (fragments->count <= (i) || \initialized(&fragments->colour[i][0..2]))
+
+/*@ requires 1 <= fragments->count <= 8;
+    requires \initialized(&fragments->normal[0 .. fragments->count - 1][0 .. 2]);
+    requires \subset(fragments->normal[0 .. fragments->count - 1][0 .. 2], (-32767 .. 32767));
+    requires has_surface == 0 || \initialized(&fragments->surface[0 .. fragments->count - 1][0 .. 2]);
+    requires has_surface == 0 || \subset(fragments->surface[0 .. fragments->count - 1][0 .. 2], (0 .. 32767));
+    assigns fragments->colour[0 .. 7][0 .. 2] \from indirect: *frame, indirect: *fragments, indirect: *shading;
+    ensures LIT(0) && LIT(1) && LIT(2) && LIT(3) && LIT(4) && LIT(5) && LIT(6) && LIT(7); */
+void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const glint_shading *shading,
+                     int has_surface);
+
+/* Stands on the shift, by as many bits as the largest has above 30: glint_reduce, which shifts so, is proven. */
+/*@ requires 1 <= count <= 3;
+    requires \initialized(sum + (0 .. 2));
+    requires \subset(sum[0 .. 2], (-count * 0x30000000 .. count * 0x30000000));
+    assigns ray[0 .. 2], *inverse_w \from indirect: *transform, indirect: *view, indirect: sum[0 .. 2], indirect: count;
+    ensures \initialized(ray + (0 .. 2)) && \initialized(inverse_w);
+    admit ensures \subset(ray[0 .. 2], (-0x40000000 .. 0x40000000)) && *inverse_w >= 0; */
+void glint_ray(const glint_transform *transform, const glint_view *view, const int64_t sum[3], int32_t count,
+               int32_t ray[3], int32_t *inverse_w);
+
+/*@ assigns \result \from indirect: *view, indirect: *shading;
+    ensures \result == 0 || \result == 1; */
+int glint_needs_rays(const glint_view *view, const glint_shading *shading);
+
+/*@ requires \initialized(&colour[0 .. 2]) && \valid(out + (0 .. 2));
+    assigns out[0 .. 2] \from indirect: colour[0 .. 2];
+    ensures \initialized(out + (0 .. 2));
+    ensures \subset(out[0 .. 2], (0 .. 32767)); */
+void glint_clamp_colour(const uint32_t colour[3], int16_t out[3]);
+
+/*@ requires i < fragments->count <= 8;
+    requires \initialized(&fragments->offset[i]) && \initialized(&fragments->inverse_w[i]);
+    requires fragments->inverse_w[i] >= 0;
+    requires fragments->scale <= 30;
+    requires \valid_read(planes + (0 .. 2)) && \valid(out + (0 .. 2));
+    assigns out[0 .. 2] \from indirect: *frame, indirect: *fragments, i, indirect: planes[0 .. 2];
+    ensures \initialized(out + (0 .. 2));
+    ensures \subset(out[0 .. 2], (0 .. 32767)); */
+void glint_resolve_colour(const glint_frame *frame, const glint_fragments *fragments, uint32_t i,
+                          const glint_plane planes[3], int16_t out[3]);
 
 /*@ requires \valid(transform) && \valid_read(view) && \valid_read(config) && \valid_read(object);
     assigns \result, *transform \from indirect: *view, indirect: *config, indirect: *object;

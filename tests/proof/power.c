@@ -4,7 +4,7 @@
 
 #include "../../src/power.c"
 #include "../../src/specular.c"
-#include "contracts.h"
+#include "lit.h"
 
 /* Stands on the power's error of 20 steps at p = 1 (`make domains`): 2^-18 short of 1 it is below 1. */
 /*@ requires u <= 0x40000000;
@@ -84,21 +84,22 @@ PROOF(glint_in_window) {
     glint_in_window(&table, ANY(-COSINE_MOST, COSINE_MOST));
 }
 
-/* An amount from 0 to 1 and a weight up to 16, to a colour that leaves room for them. @unsigned */
+/* An amount from 0 to 32775, what N.L of 1 is rounded up to, and a weight up to 16, to a colour that leaves room for
+ * them. @unsigned */
 PROOF(glint_add_light) {
-    const uint32_t most = ((1u << 15) * (16u << 12)) >> 4;
+    const uint32_t most = LIGHT_MOST;
     uint32_t colour[3] = {ANY_UNSIGNED(0, UINT_MAX - most), ANY_UNSIGNED(0, UINT_MAX - most),
                           ANY_UNSIGNED(0, UINT_MAX - most)};
     const uint32_t weight[3] = {ANY_UNSIGNED(0, 16u << 12), ANY_UNSIGNED(0, 16u << 12), ANY_UNSIGNED(0, 16u << 12)};
-    glint_add_light(colour, ANY_UNSIGNED(0, 1u << 15), weight);
+    glint_add_light(colour, ANY_UNSIGNED(0, 32775), weight);
 }
 
 /* The same on a surface of any colour. @unsigned */
 PROOF(glint_add_surface) {
-    const uint32_t most = ((1u << 15) * (16u << 12)) >> 4;
+    const uint32_t most = LIGHT_MOST;
     uint32_t colour[3] = {ANY_UNSIGNED(0, UINT_MAX - most), ANY_UNSIGNED(0, UINT_MAX - most),
                           ANY_UNSIGNED(0, UINT_MAX - most)};
     const uint32_t weight[3] = {ANY_UNSIGNED(0, 16u << 12), ANY_UNSIGNED(0, 16u << 12), ANY_UNSIGNED(0, 16u << 12)};
     const int16_t surface[3] = {(int16_t)ANY(0, 32767), (int16_t)ANY(0, 32767), (int16_t)ANY(0, 32767)};
-    glint_add_surface(colour, ANY_UNSIGNED(0, 1u << 15), surface, weight);
+    glint_add_surface(colour, ANY_UNSIGNED(0, 32775), surface, weight);
 }

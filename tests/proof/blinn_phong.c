@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+/* Blinn and Phong's model. */
+#include "proof.h"
+
+#include "../../src/blinn_phong.c"
+#include "lit.h"
+
+/*
+ * Any light on any fragments, whose colours leave room for it. @contract glint_dot glint_unit glint_specular_power
+ * @unsigned
+ * @overflows 4 |N . (L + V)| <= |N| (|L| + |V|), at most 2^15 (2 32766.3): 2147393 units of 1000 below 2^31
+ * @unreached 1 what matt models do
+ * @options -eva-slevel 0 -eva-min-loop-unroll 9
+ */
+PROOF(blinn_phong_light) {
+    PROVE_LIGHT();
+}

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT */
+/* Matt and unlit surfaces. */
+#include "proof.h"
+
+#include "../../src/lambert.c"
+#include "../../src/unlit.c"
+#include "lit.h"
+
+/*
+ * Any light on any fragments, whose colours leave room for it. @contract glint_dot
+ * @unsigned
+ * @unreached 23 specular light
+ * @options -eva-slevel 0 -eva-min-loop-unroll 9
+ */
+PROOF(lambert_light) {
+    PROVE_LIGHT();
+}
+
+/* Any diffuse colour. */
+PROOF(unlit_prepare) {
+    glint_material material;
+    glint_shading shading;
+    material.diffuse = (glint_colour){ANY(0, GLINT_COLOUR_MAX), ANY(0, GLINT_COLOUR_MAX), ANY(0, GLINT_COLOUR_MAX)};
+    shading.material = &material;
+    prepare(&shading, ANY_UNSIGNED(0, 16u << 12));
+}

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/* Lighting of facets. */
+#include "proof.h"
+
+#include "../../src/per_facet.c"
+#include "lit.h"
+
+/*
+ * Three vertices anywhere in clip space, with colours of their own and without.
+ * @contract glint_light_all glint_ray glint_clamp_colour glint_reduce glint_unit
+ */
+PROOF(light_triangle) {
+    static const uint16_t triangles[1][3] = {{0, 1, 2}};
+    glint_position positions[3];
+    int16_t extra[3][3], facets[1][3];
+    glint_frame frame;
+    glint_view view;
+    glint_transform transform;
+    glint_shading shading;
+    glint_draw draw;
+    any_view(&view);
+    any_transform(&transform);
+    for (int i = 0; i < 3; i++) {
+        positions[i].x = ANY(-0x30000000, 0x30000000);
+        positions[i].y = ANY(-0x30000000, 0x30000000);
+        positions[i].w = ANY(-0x30000000, 0x30000000);
+        for (int c = 0; c < 3; c++)
+            extra[i][c] = (int16_t)ANY(0, GLINT_COLOUR_ONE);
+    }
+    frame.view = &view;
+    draw.triangles = triangles;
+    draw.positions = positions;
+    draw.facets = facets;
+    draw.shading = &shading;
+    draw.extra = 0;
+    light_triangle(&frame, &draw, &transform, 0);
+    draw.extra = extra;
+    light_triangle(&frame, &draw, &transform, 0);
+}
+
+/* Up to 8 fragments of any colour. */
+PROOF(per_facet_shade) {
+    const int16_t facet[3] = {(int16_t)ANY(0, GLINT_COLOUR_ONE), (int16_t)ANY(0, GLINT_COLOUR_ONE),
+                              (int16_t)ANY(0, GLINT_COLOUR_ONE)};
+    glint_fragments fragments;
+    fragments.count = ANY_UNSIGNED(0, GLINT_FRAGMENTS_MAX);
+    fragments.facet = facet;
+    shade(0, &fragments, 0);
+}
