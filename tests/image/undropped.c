@@ -46,7 +46,7 @@ static inline uint32_t mirrored_lobe(const glint_power_table *table, const glint
     int16_t mirrored[3];
     (void)source;
     for (int c = 0; c < 3; c++)
-        r[c] = glint_shift_right(twice * normal[c], 15) - light[c];
+        r[c] = glint_shift_right(glint_add_wrap(glint_multiply_wrap(twice, normal[c]), -light[c] * (1 << 15)), 15);
     glint_unit(r[0], r[1], r[2], mirrored);
     const int32_t along = glint_dot(mirrored, view);
     *is_inside = glint_in_window(table, along);
