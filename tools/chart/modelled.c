@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What is modelled of each benchmark scene, ten frames, and each example scene, its middle frame, as CSV, in RGB565:
- * means a frame of the pixels that each kernel covers and of the parts of triangles that it draws, and the largest
- * difference from the exact image. What the general kernel and vertices drop, light by light, the twin tells that drops
- * nothing: its rows have that in place of kernels.
+ * What is modelled of each benchmark scene, ten frames, each example scene, its middle frame, and a plane, as CSV, in
+ * RGB565: means a frame of the pixels that each kernel covers and of the parts of triangles that it draws, and the
+ * largest difference from the exact image. What the general kernel and vertices drop, light by light, the twin tells
+ * that drops nothing: its rows have that in place of kernels.
  */
 #include "bench.h"
 #include "choices.h"
 #include "picture.h"
+#include "plane.h"
 #include "scenes/scenes.h"
 #include "ways.h"
 
@@ -59,6 +60,8 @@ static void add(total *sum, const glint_stats *stats, int steps) {
     sum->dropped.facing_away += undropped.facing_away;
     sum->dropped.out_of_reach += undropped.out_of_reach;
     sum->dropped.no_highlight += undropped.no_highlight;
+    sum->dropped.parts_ambient += undropped.parts_ambient;
+    sum->dropped.parts_matt += undropped.parts_matt;
     sum->largest = steps > sum->largest ? steps : sum->largest;
 }
 
@@ -152,6 +155,23 @@ static void gallery(void) {
     }
 }
 
+/* Nothing of which can be dropped, or they are not what they are for. */
+static void planes(void) {
+    static plane_stage stage;
+    for (size_t i = 0; i < PLANE_LIGHTS; i++) {
+        const heading h = {"plane", plane_lights[i].name, PLANE_WIDTH, PLANE_HEIGHT, 1};
+        total sums[WAYS] = {0};
+        if (plane_build(&stage, &plane_lights[i]) != GLINT_OK)
+            fail("no plane");
+        add_frame(sums, &stage.scene, h.width, h.height);
+        const undropped_drops *dropped = &sums[0].dropped;
+        if (dropped->facing_away + dropped->out_of_reach + dropped->no_highlight + dropped->parts_ambient +
+            dropped->parts_matt)
+            fail("something of a plane can be dropped");
+        print_rows(&h, sums);
+    }
+}
+
 int main(void) {
     printf("scene,variant,size,way,");
     for (int kernel = 0; kernel < GLINT_KERNELS; kernel++)
@@ -159,5 +179,6 @@ int main(void) {
     puts("lightings,facing_away,out_of_reach,no_highlight,largest_steps");
     bench_scenes();
     gallery();
+    planes();
     return ferror(stdout) || fflush(stdout);
 }

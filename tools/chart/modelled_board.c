@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Firmware that counts the instructions of a frame, drawn in every way, of each benchmark scene, the mean of ten, and
- * of each example scene, its middle one; clear and copy to a framebuffer in memory included. It writes lines of
+ * Firmware that counts the instructions of a frame, drawn in every way, of each benchmark scene, the mean of ten, of
+ * each example scene, its middle one, and of a plane. Clear and copy to a framebuffer in memory are included. It
+ * writes lines of
  *     torus2304,,320x240,undropped,INSTRUCTIONS
  */
 #include "../../examples/scenes/scenes.h"
@@ -9,6 +10,7 @@
 #include "../bench/framebuffer.h"
 #include "board.h"
 #include "choices.h"
+#include "plane.h"
 #include "text.h"
 #include "ways.h"
 
@@ -93,18 +95,28 @@ static int bench_scene_in_ways(uint32_t which, const uint16_t size[2]) {
     return 0;
 }
 
+static int one_frame_in_ways(const glint_scene *scene, const heading *h) {
+    for (uint32_t i = 0; i < WAYS; i++) {
+        const uint32_t ticks = draw(&ways[i], scene, h);
+        if (!ticks) {
+            return 1;
+        }
+        report(h, &ways[i], ticks * COUNTER_INSTRUCTIONS_PER_TICK);
+    }
+    return 0;
+}
+
 static int example_in_ways(const example_scene *scene, uint32_t variant) {
     static example_stage stage;
     const heading h = {scene->name, scene->variants[variant].name, scene->width, scene->height};
     scene->build(&stage, variant, frame_in_middle(scene->frames));
-    for (uint32_t i = 0; i < WAYS; i++) {
-        const uint32_t ticks = draw(&ways[i], &stage.scene, &h);
-        if (!ticks) {
-            return 1;
-        }
-        report(&h, &ways[i], ticks * COUNTER_INSTRUCTIONS_PER_TICK);
-    }
-    return 0;
+    return one_frame_in_ways(&stage.scene, &h);
+}
+
+static int plane_in_ways(const plane_light *light) {
+    static plane_stage stage;
+    const heading h = {"plane", light->name, PLANE_WIDTH, PLANE_HEIGHT};
+    return plane_build(&stage, light) != GLINT_OK || one_frame_in_ways(&stage.scene, &h);
 }
 
 int main(void) {
@@ -120,6 +132,9 @@ int main(void) {
         for (uint32_t variant = 0; variant < example_scenes[i]->variant_count && !failed; variant++) {
             failed = example_in_ways(example_scenes[i], variant);
         }
+    }
+    for (uint32_t i = 0; i < PLANE_LIGHTS && !failed; i++) {
+        failed = plane_in_ways(&plane_lights[i]);
     }
     return failed;
 }
