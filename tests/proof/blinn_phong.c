@@ -8,7 +8,7 @@
 /*
  * Any light on any fragments, whose colours leave room for it. @contract glint_dot glint_unit glint_specular_power
  * @unsigned
- * @overflows 4 |N . (L + V)| <= |N| (|L| + |V|), at most 2^15 (2 32766.3): 2147393 units of 1000 below 2^31
+ * @alarms 4 |N . (L + V)| <= |N| (|L| + |V|), at most 2^15 (2 32766.3) < 2^31: the image tests under UBSan
  * @unreached 1 what matt models do
  * @options -eva-slevel 0 -eva-min-loop-unroll 9
  */

@@ -25,7 +25,10 @@ uint32_t glint_reciprocal(uint32_t x);
 
 /*@ requires x <= 0x80000000;
     assigns \result \from x;
-    ensures -0x80000000 <= \result <= 0; */
+    ensures -0x80000000 <= \result <= 0;
+    ensures x < 1 || \result >= -0x7c100000;
+    ensures x < 0x40000 || \result >= -0x34100000;
+    ensures x > 0x40000 || \result <= -0x33c00000; */
 int32_t glint_log2(uint32_t x);
 
 /*@ requires y <= 0;

@@ -42,11 +42,17 @@ PROOF(glint_reciprocal) {
     }
 }
 
-/* x from 0 to 2^31. @unreached 1 leading zeros of 0 */
+/* x from 0 to 2^31, by its bits and the interval of the table. @unreached 1 leading zeros of 0 */
 PROOF(glint_log2) {
-    FOR_PARTS(bits, 0, 32) {
-        glint_log2(bits < 32 ? ANY_OF_BITS(bits) : 0x80000000u);
+    FOR_PARTS(x, 0, 31) {
+        glint_log2((uint32_t)x);
     }
+    FOR_PARTS(bits, 0, 25) {
+        FOR_PARTS(i, 32, 63) {
+            glint_log2(ANY_UNSIGNED((uint32_t)i << bits, (((uint32_t)i + 1) << bits) - 1));
+        }
+    }
+    glint_log2(1u << 31);
 }
 
 /* y from -2^31 to 0. */

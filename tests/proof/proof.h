@@ -8,8 +8,7 @@
  * - `@contract f g`: these callees stand as their contracts below, which drivers of their own prove of their bodies
  *   or docs/proofs.md lists; their preconditions are proven here.
  * - `@narrowing reason`: conversions to narrower signed types are no alarms here.
- * - `@overflows n reason`: so many alarms of signed sums and products are expected, which a relation rules out; the
- *   test that stands in.
+ * - `@alarms n reason`: so many alarms are expected, which a relation rules out; the test that stands in.
  * - `@unreached n reason`: so many statements no input reaches.
  * - `@unsigned`: unsigned sums and products must not wrap either.
  * - `@options`: for Frama-C.

@@ -1,0 +1,195 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Suite: the table reads of fast lighting, which rest on how far a plane's value at a pixel can lie from its corners'.
+ * Triangles of all sizes, slender ones too, that turn and change in depth as far as is ever let through; every pixel.
+ */
+#include "deviation.h"
+#include "harness.h"
+#include "setup.h"
+
+#define TRIANGLES 500000
+
+static uint32_t random_bits(void) {
+    static uint64_t state = 1;
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return (uint32_t)(state >> 32);
+}
+
+/* From -size to size. */
+static int32_t random_within(int32_t size) {
+    return (int32_t)(random_bits() % (2 * (uint32_t)size + 1)) - size;
+}
+
+/* A unit vector up to `spread` away from another, component by component. */
+static void random_unit(const int16_t near[3], int32_t spread, int16_t out[3]) {
+    int32_t v[3];
+    for (int c = 0; c < 3; c++)
+        v[c] = near[c] + random_within(spread);
+    glint_unit(v[0], v[1], v[2], out);
+}
+
+static const int16_t nowhere[3] = {0, 0, 0};
+
+/* What the kernels would read. */
+static struct {
+    int64_t diffuse_most, diffuse_least, gated_most, specular_most;
+    uint32_t triangles[GLINT_KERNELS], pixels;
+} seen = {-1, INT32_MAX, -1, -1, {0}, 0};
+
+static void see_pixel(glint_deviation_kind kind, const glint_deviation *deviation, const glint_deviation_planes *planes,
+                      int32_t x, int32_t y) {
+    const int32_t level = glint_plane_at(&planes->cosine, x, y);
+    const int64_t entry = (uint32_t)level >> 22;
+    seen.pixels++;
+    if (kind == GLINT_DEVIATION_GATED) {
+        if (level > 0 && entry > seen.gated_most)
+            seen.gated_most = entry;
+        return;
+    }
+    seen.diffuse_most = entry > seen.diffuse_most ? entry : seen.diffuse_most;
+    seen.diffuse_least = level < seen.diffuse_least ? level : seen.diffuse_least;
+    if (kind == GLINT_DEVIATION_SPECULAR) {
+        const int32_t across = glint_plane_at(&planes->x, x, y) >> 16, down = glint_plane_at(&planes->y, x, y) >> 16;
+        const uint32_t square = (uint32_t)(across * across) + (uint32_t)(down * down);
+        if (square < deviation->specular_end && square >> 15 > seen.specular_most)
+            seen.specular_most = square >> 15;
+    }
+}
+
+static void see(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                const glint_triangle *triangle, const glint_part *part) {
+    glint_deviation_planes planes;
+    const glint_deviation_kind kind = glint_deviation_begin(draw, triangle, part, &planes);
+    (void)frame;
+    (void)workspace;
+    seen.triangles[kind]++;
+    if (kind == GLINT_DEVIATION_EVEN) {
+        const int64_t entry = (uint32_t)planes.cosine.start >> 22;
+        if (planes.cosine.start > 0 && entry > seen.gated_most)
+            seen.gated_most = entry;
+        return;
+    }
+    if (kind != GLINT_DEVIATION_DIFFUSE && kind != GLINT_DEVIATION_GATED && kind != GLINT_DEVIATION_SPECULAR)
+        return;
+    for (uint32_t row = part->top; row < part->bottom; row++)
+        for (int32_t column = part->spans[row].left; column < part->spans[row].right; column++)
+            see_pixel(kind, draw->shading->deviation, &planes, part->x + column, part->y + (int32_t)row);
+}
+
+/* Limits at the most that any material and error budget sets them to. */
+static void loosen(glint_deviation *deviation) {
+    static const int32_t scales[4] = {11585, 16384, 30000, 200000};
+    const int32_t scale = scales[random_bits() % 4];
+    deviation->turn = deviation->turn_specular = 1 << 26;
+    deviation->extent = INT32_MAX;
+    deviation->slant = 0xffff;
+    deviation->even = random_bits() % 8 ? 0 : INT16_MAX;
+    deviation->specular_end = (256u << random_bits() % 3) << 15;
+    deviation->scale = scale;
+    deviation->reach =
+        (GLINT_DEVIATION_REACH << 16) / scale < INT16_MAX ? (GLINT_DEVIATION_REACH << 16) / scale : INT16_MAX;
+    deviation->side = (int32_t)glint_square_root(deviation->specular_end) + (scale >> 14) + 2;
+    deviation->side_diagonal = (deviation->side * 23171 >> 14) + 1;
+}
+
+/* A light towards the first corner's normal, near the edge of what it lights, or anywhere. */
+static void place_light(glint_deviation *deviation, const int16_t normal[3]) {
+    const int16_t across[3] = {normal[1], (int16_t)-normal[0], 0};
+    switch (random_bits() % 3) {
+    case 0:
+        random_unit(normal, 2000, deviation->light);
+        break;
+    case 1:
+        random_unit(across, 2000, deviation->light);
+        break;
+    default:
+        random_unit(nowhere, 32767, deviation->light);
+    }
+    glint_unit(deviation->light[0], deviation->light[1], deviation->light[2] + GLINT_UNIT, deviation->half_vector);
+}
+
+/* Normals up to `turn` from the first, and 1/w up to a quarter apart, as the longest limits let through. */
+static void set_up_corners(glint_vertex corners[3], int32_t size) {
+    const int32_t turn = 1 + (int32_t)(random_bits() % 30000);
+    const int32_t least = 1 << (16 + random_bits() % 15);
+    const int32_t x = random_within(9000);
+    const int32_t y = random_within(9000);
+    int16_t first[3];
+    random_unit(nowhere, 32767, first);
+    for (int i = 0; i < 3; i++) {
+        corners[i].x = (int16_t)(x + random_within(size));
+        corners[i].y = (int16_t)(y + random_within(random_bits() % 4 ? size : 16));
+        corners[i].inverse_w = least + (int32_t)(random_bits() % (uint32_t)(least / 4));
+        corners[i].flags = GLINT_VERTEX_NORMAL;
+        random_unit(first, turn, corners[i].attribute);
+    }
+}
+
+/* All of a triangle, tile by tile of 64 x 64 pixels. */
+static void draw_tiles(glint_draw *draw, const glint_vertex corners[3]) {
+    int32_t left = INT32_MAX, top = INT32_MAX, right = INT32_MIN, bottom = INT32_MIN;
+    for (int i = 0; i < 3; i++) {
+        left = corners[i].x < left ? corners[i].x : left;
+        right = corners[i].x > right ? corners[i].x : right;
+        top = corners[i].y < top ? corners[i].y : top;
+        bottom = corners[i].y > bottom ? corners[i].y : bottom;
+    }
+    for (int32_t y = (top >> 10) * 1024 + 8; y <= bottom; y += 1024) {
+        for (int32_t x = (left >> 10) * 1024 + 8; x <= right; x += 1024) {
+            static glint_part part;
+            glint_triangle triangle = {{&corners[0], &corners[1], &corners[2]}, {0, 0, 0}, 0, 0, 0};
+            part.window = (glint_window){x, y, 64, 64};
+            glint_raster(0, 0, draw, &triangle, &part);
+        }
+    }
+}
+
+static void every_read_is_in_its_table(void) {
+    static const uint16_t indices[1][3] = {{0, 1, 2}};
+    static glint_deviation deviation;
+    static glint_shading shading;
+    static glint_draw draw;
+    static glint_vertex corners[3];
+    static int16_t terms[3][3];
+    shading.deviation = &deviation;
+    shading.lights = 1;
+    draw.triangles = indices;
+    draw.vertices = corners;
+    draw.terms = terms;
+    draw.shading = &shading;
+    draw.kernel = see;
+    for (int i = 0; i < TRIANGLES; i++) {
+        set_up_corners(corners, 4 << random_bits() % (i % 16 ? 9 : 13));
+        const int32_t area = glint_double_area(&corners[0], &corners[1], &corners[2]);
+        if (area == 0)
+            continue;
+        draw.mirrored = area > 0;
+        loosen(&deviation);
+        place_light(&deviation, corners[0].attribute);
+        glint_deviation_light(0, &draw, 0, 0);
+        draw_tiles(&draw, corners);
+    }
+    CHECK(seen.triangles[GLINT_DEVIATION_DIFFUSE] > TRIANGLES / 100);
+    CHECK(seen.triangles[GLINT_DEVIATION_GATED] > TRIANGLES / 100);
+    CHECK(seen.triangles[GLINT_DEVIATION_SPECULAR] > TRIANGLES / 100);
+    CHECK(seen.triangles[GLINT_DEVIATION_EVEN] > TRIANGLES / 1000);
+    test_write("  entries read: diffuse ");
+    test_write_number(seen.diffuse_most);
+    test_write(", gated ");
+    test_write_number(seen.gated_most);
+    test_write(" of 272, specular ");
+    test_write_number(seen.specular_most);
+    test_write(" of 1024; least N.L ");
+    test_write_number(seen.diffuse_least);
+    test_write("\n");
+    CHECK(seen.diffuse_least > 0);
+    CHECK(seen.diffuse_most >= 256); /* what lengthening makes */
+    CHECK_AT_MOST(seen.diffuse_most, GLINT_DIFFUSE_ENTRIES - 1);
+    CHECK_AT_MOST(seen.gated_most, GLINT_DIFFUSE_ENTRIES - 1);
+    CHECK_AT_MOST(seen.specular_most, 1023);
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {TEST_CASE(every_read_is_in_its_table)};
+    return test_run(write, cases, TEST_COUNT(cases));
+}
