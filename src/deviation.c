@@ -16,14 +16,6 @@
 /* N.L, Q14, at which rounding cannot light what faces away. */
 #define UNLIT (-8)
 
-/* What a vertex's flags say of its terms. */
-#define FLAG_UNFIT 0x8u     /* it cannot be lit this way */
-#define FLAG_DIM 0x10u      /* N.L is below LIT */
-#define FLAG_DARK 0x20u     /* N.L is at most UNLIT */
-#define FLAG_FAR 0x40u      /* beyond GLINT_DEVIATION_REACH */
-#define FLAG_OUTSIDE 0x100u /* beyond side 0 of the highlight's octagon; the other sides follow */
-#define FLAGS_OUTSIDE 0xff00u
-
 /* ---- Vertices ---- */
 
 int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, int16_t half_vector[3],
@@ -84,7 +76,7 @@ static uint32_t scale_deviation(const glint_deviation *deviation, const int32_t 
     for (int c = 0; c < 2; c++) {
         int32_t v = e[c];
         if (v > reach || v < -reach) {
-            flags = FLAG_FAR;
+            flags = GLINT_TERMS_FAR;
             v = v > 0 ? reach : -reach;
         }
         scaled[c] = (int16_t)glint_shift_right(v * deviation->scale + (1 << 15), 16);
@@ -97,21 +89,21 @@ static uint32_t find_sides(const glint_deviation *deviation, int32_t x, int32_t 
     const int32_t cut = deviation->side, diagonal = deviation->side_diagonal;
     uint32_t flags = 0;
     if (x >= cut)
-        flags |= FLAG_OUTSIDE;
+        flags |= GLINT_TERMS_OUTSIDE;
     if (x <= -cut)
-        flags |= FLAG_OUTSIDE << 1;
+        flags |= GLINT_TERMS_OUTSIDE << 1;
     if (y >= cut)
-        flags |= FLAG_OUTSIDE << 2;
+        flags |= GLINT_TERMS_OUTSIDE << 2;
     if (y <= -cut)
-        flags |= FLAG_OUTSIDE << 3;
+        flags |= GLINT_TERMS_OUTSIDE << 3;
     if (x + y >= diagonal)
-        flags |= FLAG_OUTSIDE << 4;
+        flags |= GLINT_TERMS_OUTSIDE << 4;
     if (x + y <= -diagonal)
-        flags |= FLAG_OUTSIDE << 5;
+        flags |= GLINT_TERMS_OUTSIDE << 5;
     if (x - y >= diagonal)
-        flags |= FLAG_OUTSIDE << 6;
+        flags |= GLINT_TERMS_OUTSIDE << 6;
     if (x - y <= -diagonal)
-        flags |= FLAG_OUTSIDE << 7;
+        flags |= GLINT_TERMS_OUTSIDE << 7;
     return flags;
 }
 
@@ -122,16 +114,16 @@ static uint32_t light_vertex(const glint_deviation *deviation, const glint_verte
     int32_t e[2];
     const int16_t *half_vector = deviation->half_vector;
     const int32_t cosine = glint_shift_right(cosine_of(vertex->attribute, deviation->light) + 1, 1);
-    uint32_t flags = cosine >= LIT ? 0 : cosine > UNLIT ? FLAG_DIM : FLAG_DIM | FLAG_DARK;
+    uint32_t flags = cosine >= LIT ? 0 : cosine > UNLIT ? GLINT_TERMS_DIM : GLINT_TERMS_DIM | GLINT_TERMS_DARK;
     terms[0] = (int16_t)(cosine > GLINT_UNIT / 2 ? GLINT_UNIT / 2 : cosine);
     terms[1] = 0;
     terms[2] = 0;
     if (!deviation->specular_end)
-        return flags | FLAGS_OUTSIDE;
+        return flags | GLINT_TERMS_ANY_OUTSIDE;
     if (deviation->local_viewer) {
         half_vector = found;
         if (!glint_deviation_half_vector(deviation, vertex->x, vertex->y, found, &view))
-            return FLAG_UNFIT;
+            return GLINT_TERMS_UNFIT;
     }
     find_deviation(vertex->attribute, half_vector, e);
     flags |= scale_deviation(deviation, e, terms + 1);
@@ -271,18 +263,18 @@ glint_deviation_kind glint_deviation_begin(const glint_draw *draw, const glint_t
     const glint_vertex *const *v = triangle->corners;
     const uint32_t all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
     /* corners made by clipping are not lit */
-    if (!(all & GLINT_VERTEX_LIT) || any & FLAG_UNFIT || triangle->back)
+    if (!(all & GLINT_VERTEX_LIT) || any & GLINT_TERMS_UNFIT || triangle->back)
         return GLINT_DEVIATION_UNFIT;
-    if (all & FLAG_DARK)
+    if (all & GLINT_TERMS_DARK)
         return GLINT_DEVIATION_AMBIENT;
     const int16_t *const terms[3] = {draw->terms[v[0] - draw->vertices], draw->terms[v[1] - draw->vertices],
                                      draw->terms[v[2] - draw->vertices]};
     const int32_t turn = turn_of(v);
-    const int shows = !(all & FLAGS_OUTSIDE);
+    const int shows = !(all & GLINT_TERMS_ANY_OUTSIDE);
     const w_range w = find_w_range(v);
     if (!fits(shows ? deviation->turn_specular : deviation->turn, turn, w))
         return GLINT_DEVIATION_UNFIT;
-    if (shows && (any & (FLAG_DIM | FLAG_FAR) ||
+    if (shows && (any & (GLINT_TERMS_DIM | GLINT_TERMS_FAR) ||
                   (4 << part->gradients.size > deviation->extent && extent_of(v) > deviation->extent) ||
                   !fits_highlight(deviation, terms, w)))
         return GLINT_DEVIATION_UNFIT;
@@ -294,7 +286,7 @@ glint_deviation_kind glint_deviation_begin(const glint_draw *draw, const glint_t
     }
     begin_term(&planes->cosine, &t, terms[0][0], terms[1][0], terms[2][0]);
     if (!shows)
-        return any & FLAG_DIM ? GLINT_DEVIATION_GATED : GLINT_DEVIATION_DIFFUSE;
+        return any & GLINT_TERMS_DIM ? GLINT_DEVIATION_GATED : GLINT_DEVIATION_DIFFUSE;
     begin_term(&planes->x, &t, terms[0][1], terms[1][1], terms[2][1]);
     begin_term(&planes->y, &t, terms[0][2], terms[1][2], terms[2][2]);
     return GLINT_DEVIATION_SPECULAR;

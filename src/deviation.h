@@ -24,6 +24,16 @@
 /** Largest x and y of a deviation that a plane can hold. */
 #define GLINT_DEVIATION_REACH 15000
 
+/** @name What a vertex's flags say of its terms.
+ * @{ */
+#define GLINT_TERMS_UNFIT 0x8u     /**< It cannot be lit this way. */
+#define GLINT_TERMS_DIM 0x10u      /**< N.L is not far above 0. */
+#define GLINT_TERMS_DARK 0x20u     /**< N.L is so far below 0 that rounding cannot light it. */
+#define GLINT_TERMS_FAR 0x40u      /**< Beyond GLINT_DEVIATION_REACH. */
+#define GLINT_TERMS_OUTSIDE 0x100u /**< Beyond side 0 of the highlight's octagon; the other sides follow. */
+#define GLINT_TERMS_ANY_OUTSIDE 0xff00u
+/** @} */
+
 /** Where the highlight of quadratic.c lies, and how far a half vector can be taken for linear. */
 typedef struct glint_quadratic_limits {
     int32_t scale;             /* of the deviation, Q15, above 2^14.5: what makes `end` a whole power of two */
@@ -38,6 +48,9 @@ typedef struct glint_quadratic_limits {
     uint32_t cell;        /* a square of 2^cell pixels has one too; below 3, none has */
     int32_t pixel;        /* a pixel in units of the focal length, 14 bits */
     uint32_t pixel_shift; /* over 2^pixel_shift */
+    /* Interpolation: sums of squares that keep its error small, Q15 */
+    int32_t turn, turn_specular;
+    uint32_t front;       /* squared, as the table's: corners with less face the half vector */
     int16_t across[2][3]; /* infinite viewer: what takes a normal to its deviation, scaled, Q15 */
 } glint_quadratic_limits;
 

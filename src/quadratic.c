@@ -72,6 +72,7 @@ static void find_extent(glint_quadratic_limits *limits, const glint_deviation *d
 void glint_quadratic_prepare(glint_deviation *deviation, const glint_shading *shading) {
     glint_quadratic_limits *limits = &deviation->quadratic;
     const uint32_t entries = deviation->specular_end >> 15, cut = deviation->sine_square_end;
+    glint_interpolate_prepare(deviation, shading);
     if (!cut)
         return;
     const uint64_t density = ((uint64_t)entries << 46) / cut; /* entries over sin^2 from 0 to 1, Q16 */

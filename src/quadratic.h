@@ -68,4 +68,39 @@ glint_quadratic_kind glint_quadratic_bend(const glint_deviation *deviation, cons
                                           const glint_part *part, const glint_square *square,
                                           glint_quadratic_light *light);
 
+/** An edge from corner a to b: where its middle on the screen lies between the normals, and how these turn. */
+typedef struct glint_interpolation_edge {
+    int32_t across;  /* how much more than half a's weight is there, Q15 */
+    int32_t turn;    /* |Na - Nb|^2, Q15 */
+    int32_t shorter; /* 1 / |M| - 1 there, Q15 */
+} glint_interpolation_edge;
+
+/** Gradients of the second and the third corner's barycentric coordinates, in 15 bits and a sign. */
+typedef struct glint_interpolation_gradients {
+    const glint_gradients *g;
+    int32_t x1, y1, x2, y2;
+} glint_interpolation_gradients;
+
+/** Quadratics that interpolate a triangle's lighting, and what they are made of. */
+typedef struct glint_interpolation {
+    glint_quadratic cosine; /* N.L, Q30 */
+    glint_quadratic x, y;   /* scaled deviation in the high half, as that of glint_deviation_planes */
+    const int16_t *terms[3];
+    glint_interpolation_edge edges[3]; /* from corner 0 to 1, from 1 to 2, from 0 to 2 */
+    glint_interpolation_gradients gradients;
+} glint_interpolation;
+
+/** What a material asks for; behind all else of `deviation`. */
+void glint_interpolate_prepare(glint_deviation *deviation, const glint_shading *shading);
+
+/**
+ * A triangle's lighting by interpolation; x and y only where highlights may show.
+ * @return GLINT_QUADRATIC_UNFIT where normals or half vectors turn too far for it
+ */
+glint_quadratic_kind glint_interpolate_begin(const glint_draw *draw, const glint_triangle *triangle,
+                                             const glint_part *part, glint_interpolation *to);
+
+/** Its x and y, once all else is there. @return 0 where it does not fit */
+int glint_interpolate_highlight(const glint_draw *draw, const glint_triangle *triangle, glint_interpolation *to);
+
 #endif

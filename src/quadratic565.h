@@ -144,7 +144,102 @@ static inline void glint_draw_quadratic_specular(const glint_spans *s, const gli
     }
 }
 
+/* Interpolated diffuse light; ambient light alone where N.L <= 0. */
+static inline void glint_draw_interpolated_diffuse(const glint_spans *s, const glint_deviation *deviation,
+                                                   const glint_interpolation *light, int high_first) {
+    const glint_part *part = s->part;
+    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
+    const uint16_t *const table = deviation->diffuse_pixel;
+    const uint32_t z_dx = (uint32_t)part->depth.dx;
+    uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS;
+    glint_stride c = glint_stride_begin(&light->cosine, part->x, part->y + (int32_t)part->top);
+    uint32_t column = 0;
+    uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
+    for (; span != last; span++) {
+        const uint32_t left = span->left, right = span->right, from = column;
+        if (left < right) {
+            depth += 2 * (int32_t)(left - column);
+            z += z_dx * (left - column);
+            glint_stride_columns(&c, &light->cosine, left - column);
+            uint8_t *const end = depth + 2 * (right - left);
+            do {
+                if (glint_is_nearest(depth, z))
+                    glint_put_565(depth + to_pixels, (int32_t)c.value <= 0 ? deviation->ambient : table[c.value >> 22],
+                                  high_first);
+                depth += 2;
+                GLINT_OPAQUE(depth);
+                z += z_dx;
+                glint_stride_next(&c, &light->cosine);
+            } while (depth != end);
+            column = right;
+        }
+        depth += stride;
+        z += (uint32_t)part->depth.dy;
+        glint_stride_row(&c, &light->cosine, column - from);
+    }
+}
+
+/* Interpolated diffuse and specular light. */
+static inline void glint_draw_interpolated_specular(const glint_spans *s, const glint_deviation *deviation,
+                                                    const glint_interpolation *light, int high_first) {
+    const glint_part *part = s->part;
+    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
+    const uint32_t *const diffuse = deviation->diffuse, *const specular = deviation->specular;
+    const uint32_t end_square = deviation->specular_end;
+    const uint32_t z_dx = (uint32_t)part->depth.dx;
+    uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS;
+    const int32_t y = part->y + (int32_t)part->top;
+    glint_stride c = glint_stride_begin(&light->cosine, part->x, y), ex = glint_stride_begin(&light->x, part->x, y);
+    glint_stride ey = glint_stride_begin(&light->y, part->x, y);
+    uint32_t column = 0;
+    uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
+    for (; span != last; span++) {
+        const uint32_t left = span->left, right = span->right, from = column;
+        if (left < right) {
+            depth += 2 * (int32_t)(left - column);
+            z += z_dx * (left - column);
+            glint_stride_columns(&c, &light->cosine, left - column);
+            glint_stride_columns(&ex, &light->x, left - column);
+            glint_stride_columns(&ey, &light->y, left - column);
+            uint8_t *const end = depth + 2 * (right - left);
+            do {
+                if (glint_is_nearest(depth, z)) {
+                    const uint32_t square = glint_high_square(ex.value) + glint_high_square(ey.value);
+                    uint32_t word = diffuse[c.value >> 22];
+                    if (square < end_square)
+                        word = glint_spread_clamp(word + specular[square >> 15]);
+                    glint_put_565(depth + to_pixels, glint_spread_pack(word), high_first);
+                }
+                depth += 2;
+                GLINT_OPAQUE(depth);
+                z += z_dx;
+                glint_stride_next(&c, &light->cosine);
+                glint_stride_next(&ex, &light->x);
+                glint_stride_next(&ey, &light->y);
+            } while (depth != end);
+            column = right;
+        }
+        depth += stride;
+        z += (uint32_t)part->depth.dy;
+        glint_stride_row(&c, &light->cosine, column - from);
+        glint_stride_row(&ex, &light->x, column - from);
+        glint_stride_row(&ey, &light->y, column - from);
+    }
+}
+
 /* The pixel of a fragment, packed, with words that are computed. */
+static inline uint32_t glint_interpolated_pixel(const glint_shading *shading, const glint_interpolation *light,
+                                                int shows, int32_t x, int32_t y) {
+    uint32_t square = UINT32_MAX;
+    if (shows)
+        square = glint_high_square(glint_stride_begin(&light->x, x, y).value) +
+                 glint_high_square(glint_stride_begin(&light->y, x, y).value);
+    return glint_deviation_pixel(shading, (int32_t)glint_stride_begin(&light->cosine, x, y).value, square);
+}
+
+/* The same for exact lighting. */
 static inline uint32_t glint_quadratic_pixel(const glint_shading *shading, const glint_quadratic_light *light,
                                              int shows, int32_t x, int32_t y) {
     const glint_quadratic_limits *limits = &shading->deviation->quadratic;
@@ -163,9 +258,10 @@ static inline uint32_t glint_quadratic_pixel(const glint_shading *shading, const
                                  square < limits->end ? square >> 5 : UINT32_MAX);
 }
 
-/* Both, without tables. */
+/* All of these, without tables; one of `light` and `interpolation` is null. */
 static GLINT_NOINLINE void glint_draw_quadratic_without_tables(const glint_spans *s, const glint_shading *shading,
-                                                               const glint_quadratic_light *light, int shows,
+                                                               const glint_quadratic_light *light,
+                                                               const glint_interpolation *interpolation, int shows,
                                                                int high_first) {
     const glint_part *part = s->part;
     for (uint32_t row = part->top; row < part->bottom; row++) {
@@ -177,7 +273,10 @@ static GLINT_NOINLINE void glint_draw_quadratic_without_tables(const glint_spans
             if (here <= s->depth[offset])
                 continue;
             s->depth[offset] = (uint16_t)here;
-            glint_put_565(s->pixels + 2 * offset, glint_quadratic_pixel(shading, light, shows, x, y), high_first);
+            glint_put_565(s->pixels + 2 * offset,
+                          light ? glint_quadratic_pixel(shading, light, shows, x, y)
+                                : glint_interpolated_pixel(shading, interpolation, shows, x, y),
+                          high_first);
         }
     }
 }
@@ -191,7 +290,7 @@ static inline void glint_draw_quadratic_kind(const glint_workspace *workspace, c
     if (kind == GLINT_QUADRATIC_AMBIENT)
         glint_draw_constant(s, deviation->ambient, high_first);
     else if (!deviation->diffuse)
-        glint_draw_quadratic_without_tables(s, shading, light, kind == GLINT_QUADRATIC_SPECULAR, high_first);
+        glint_draw_quadratic_without_tables(s, shading, light, 0, kind == GLINT_QUADRATIC_SPECULAR, high_first);
     else if (kind == GLINT_QUADRATIC_DIFFUSE)
         glint_draw_quadratic_diffuse(s, deviation, light, high_first);
     else
@@ -242,12 +341,33 @@ static GLINT_NOINLINE void glint_draw_squares(const glint_frame *frame, glint_wo
 }
 
 /* @return 0 where nothing is drawn: the triangle does not fit */
+static inline int glint_draw_interpolated(glint_workspace *workspace, const glint_spans *s, const glint_draw *draw,
+                                          const glint_triangle *triangle, int high_first) {
+    const glint_shading *shading = draw->shading;
+    glint_interpolation light;
+    const glint_quadratic_kind kind = glint_interpolate_begin(draw, triangle, s->part, &light);
+    if (kind == GLINT_QUADRATIC_UNFIT)
+        return 0;
+    if (workspace->drawn)
+        glint_count(workspace, (glint_kernel_name)kind, glint_deviation_covered(s->part));
+    if (!shading->deviation->diffuse)
+        glint_draw_quadratic_without_tables(s, shading, 0, &light, kind == GLINT_QUADRATIC_SPECULAR, high_first);
+    else if (kind == GLINT_QUADRATIC_DIFFUSE)
+        glint_draw_interpolated_diffuse(s, shading->deviation, &light, high_first);
+    else
+        glint_draw_interpolated_specular(s, shading->deviation, &light, high_first);
+    return 1;
+}
+
+/* @return 0 where nothing is drawn: the triangle does not fit */
 static inline int glint_draw_quadratic(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                                        const glint_triangle *triangle, const glint_part *part, int high_first) {
     const glint_deviation *deviation = draw->shading->deviation;
     const glint_spans spans = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
     glint_quadratic_light light;
     glint_square square;
+    if (glint_draw_interpolated(workspace, &spans, draw, triangle, high_first))
+        return 1;
     glint_quadratic_kind kind = glint_quadratic_begin(draw, triangle, part, &light);
     if (kind == GLINT_QUADRATIC_UNFIT)
         return 0;

@@ -116,6 +116,11 @@ static void every_drop_happened(void) {
     snprintf(line, sizeof line, "  materials without specular light: %u; parts: %u ambient, %u without highlight\n",
              (unsigned)undropped.no_specular, (unsigned)undropped.parts_ambient, (unsigned)undropped.parts_matt);
     test_write(line);
+    snprintf(line, sizeof line, "  interpolated parts without highlight: %u; squares: %u\n",
+             (unsigned)undropped.parts_interpolated, (unsigned)undropped.squares_matt);
+    test_write(line);
+    CHECK(undropped.parts_interpolated > 0);
+    CHECK(undropped.squares_matt > 0);
     CHECK(undropped.facing_away > 0);
     CHECK(undropped.out_of_reach > 0);
     CHECK(undropped.no_highlight > 0);

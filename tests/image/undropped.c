@@ -198,24 +198,134 @@ static GLINT_NOINLINE int draw_quadratic(const glint_frame *frame, glint_workspa
     return glint_draw_quadratic(frame, workspace, draw, triangle, part, 0);
 }
 
+/* The loop of interpolated highlights where N.L may be below 0. */
+static void draw_interpolated_gated(const glint_spans *s, const glint_deviation *deviation,
+                                    const glint_interpolation *light) {
+    const glint_part *part = s->part;
+    for (uint32_t row = part->top; row < part->bottom; row++) {
+        const int32_t x = part->x + part->spans[row].left, y = part->y + (int32_t)row;
+        uint32_t z = (uint32_t)glint_plane_at(&part->depth, x, y) + GLINT_DEPTH_BIAS;
+        glint_stride cosine = glint_stride_begin(&light->cosine, x, y);
+        glint_stride e_x = glint_stride_begin(&light->x, x, y), e_y = glint_stride_begin(&light->y, x, y);
+        uint32_t offset = (row << s->shift) + part->spans[row].left;
+        const uint32_t end = (row << s->shift) + part->spans[row].right;
+        for (; offset < end; offset++) {
+            if (glint_is_nearest((uint8_t *)(s->depth + offset), z)) {
+                const int is_lit = (int32_t)cosine.value > 0;
+                const uint32_t square = glint_high_square(e_x.value) + glint_high_square(e_y.value);
+                uint32_t word = deviation->diffuse[is_lit ? cosine.value >> 22 : 0];
+                if (square < deviation->specular_end)
+                    word = glint_spread_clamp(word + deviation->specular[square >> 15]);
+                glint_put_565(s->pixels + 2 * offset, is_lit ? glint_spread_pack(word) : deviation->ambient, 0);
+            }
+            z += (uint32_t)part->depth.dx;
+            glint_stride_next(&cosine, &light->cosine);
+            glint_stride_next(&e_x, &light->x);
+            glint_stride_next(&e_y, &light->y);
+        }
+    }
+}
+
+/* What is interpolated without its highlight, with it. @return 0 for all else, and where the highlight's does not fit
+ */
+static int draw_interpolated(const glint_spans *spans, const glint_draw *draw, const glint_triangle *triangle) {
+    const glint_deviation *deviation = draw->shading->deviation;
+    glint_interpolation light;
+    if (glint_interpolate_begin(draw, triangle, spans->part, &light) != GLINT_QUADRATIC_DIFFUSE ||
+        !deviation->specular_end || !glint_interpolate_highlight(draw, triangle, &light))
+        return 0;
+    COUNT(parts_interpolated, 1);
+    if (!deviation->diffuse)
+        glint_draw_quadratic_without_tables(spans, draw->shading, 0, &light, 1, 0);
+    else
+        draw_interpolated_gated(spans, deviation, &light);
+    return 1;
+}
+
+/* Leaves nothing outside the highlight. */
+static void widen_highlight(glint_deviation *deviation) {
+    deviation->cut = deviation->cut_diagonal = EVERYWHERE;
+    deviation->quadratic.cut = deviation->quadratic.cut_diagonal = EVERYWHERE;
+}
+
+static void restore_highlight(glint_deviation *deviation, const glint_deviation *kept) {
+    deviation->cut = kept->cut;
+    deviation->cut_diagonal = kept->cut_diagonal;
+    deviation->quadratic.cut = kept->quadratic.cut;
+    deviation->quadratic.cut_diagonal = kept->quadratic.cut_diagonal;
+}
+
+/* A square, with its highlight wherever it lies; as the library draws it where that is behind the half vector. */
+static void draw_square(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                        const glint_triangle *triangle, const glint_part *part, const glint_part *cut,
+                        const glint_square *square, glint_quadratic_light *light, glint_quadratic_kind whole) {
+    glint_deviation *deviation = (glint_deviation *)draw->shading->deviation;
+    const glint_deviation kept = *deviation;
+    const glint_spans spans = {cut, workspace->depth, workspace->pixels, frame->tile_shift_x};
+    widen_highlight(deviation);
+    glint_quadratic_kind kind = glint_quadratic_bend(deviation, triangle, part, square, light);
+    restore_highlight(deviation, &kept);
+    if (kind == GLINT_QUADRATIC_SPECULAR) {
+        glint_quadratic_light unused = *light;
+        COUNT(squares_matt, whole == GLINT_QUADRATIC_DIFFUSE ||
+                                glint_quadratic_bend(deviation, triangle, part, square, &unused) != kind);
+    } else {
+        kind =
+            whole == GLINT_QUADRATIC_DIFFUSE ? whole : glint_quadratic_bend(deviation, triangle, part, square, light);
+    }
+    if (kind == GLINT_QUADRATIC_UNFIT)
+        glint_draw_any(frame, workspace, draw, triangle, cut);
+    else
+        glint_draw_quadratic_kind(workspace, &spans, draw->shading, light, kind, 0);
+}
+
+/* What the library draws square by square, or without highlight though too large for one half vector. @return 0 for
+ * all else */
+static int draw_squares(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                        const glint_triangle *triangle, const glint_part *part) {
+    const glint_deviation *deviation = draw->shading->deviation;
+    const int32_t cell = (int32_t)deviation->quadratic.cell, side = 1 << cell, half = side / 2;
+    const int32_t left = glint_shift_right(part->window.left, 4), top = glint_shift_right(part->window.top, 4);
+    glint_quadratic_light light;
+    glint_square square;
+    if (!deviation->local_viewer || glint_quadratic_square(deviation, triangle, &square) ||
+        glint_quadratic_begin(draw, triangle, part, &light) != GLINT_QUADRATIC_SPECULAR ||
+        cell < GLINT_QUADRATIC_LEAST_CELL || cell + light.size > GLINT_QUADRATIC_MOST_TURN)
+        return 0;
+    const glint_quadratic_kind whole = glint_quadratic_bend(deviation, triangle, part, &square, &light);
+    square.extent = 12 * side;
+    for (square.y = (top & -side) + half; square.y - half < top + part->window.height; square.y += side) {
+        for (square.x = (left & -side) + half; square.x - half < left + part->window.width; square.x += side) {
+            glint_part cut;
+            if (glint_cut_square(&cut, part, &square, half))
+                draw_square(frame, workspace, draw, triangle, part, &cut, &square, &light, whole);
+        }
+    }
+    return 1;
+}
+
 /*
- * What turns far, with its highlight drawn wherever its triangle lies; but where the library itself cannot, behind the
- * half vector, and in triangles that it draws square by square. What faces away all over keeps its one colour.
+ * What turns far, with its highlight drawn wherever it lies; but where the library itself cannot, behind the half
+ * vector. What faces away all over keeps its one colour.
  */
 static void draw_curved(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                         const glint_triangle *triangle, const glint_part *part) {
     glint_deviation *deviation = (glint_deviation *)draw->shading->deviation; /* it lies in the arena */
     const glint_deviation kept = *deviation;
+    const glint_spans spans = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
+    glint_interpolation interpolation;
     glint_square square;
     int drawn = 0;
-    if (deviation->specular_end && (!deviation->local_viewer || glint_quadratic_square(deviation, triangle, &square))) {
-        deviation->cut = deviation->cut_diagonal = EVERYWHERE;
-        deviation->quadratic.cut = deviation->quadratic.cut_diagonal = EVERYWHERE;
+    if (draw_interpolated(&spans, draw, triangle))
+        return;
+    const int is_exact = glint_interpolate_begin(draw, triangle, part, &interpolation) == GLINT_QUADRATIC_UNFIT;
+    if (is_exact && draw_squares(frame, workspace, draw, triangle, part))
+        return;
+    if (is_exact && deviation->specular_end &&
+        (!deviation->local_viewer || glint_quadratic_square(deviation, triangle, &square))) {
+        widen_highlight(deviation);
         drawn = draw_quadratic(frame, workspace, draw, triangle, part);
-        deviation->cut = kept.cut;
-        deviation->cut_diagonal = kept.cut_diagonal;
-        deviation->quadratic.cut = kept.quadratic.cut;
-        deviation->quadratic.cut_diagonal = kept.quadratic.cut_diagonal;
+        restore_highlight(deviation, &kept);
     }
     if (!drawn && !draw_quadratic(frame, workspace, draw, triangle, part))
         glint_draw_any(frame, workspace, draw, triangle, part);

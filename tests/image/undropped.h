@@ -16,13 +16,15 @@
 
 /** How often the library would have dropped something; counted since the program began, but not in firmware. */
 typedef struct undropped_drops {
-    uint32_t lightings;     /**< Fragments and vertices lit by the models, once for each light. */
-    uint32_t facing_away;   /**< Of these, those that face away from the light. */
-    uint32_t out_of_reach;  /**< Of the others, those that a light with a position or a cone does not reach. */
-    uint32_t no_highlight;  /**< Of the others, those that lie outside a highlight. */
-    uint32_t no_specular;   /**< Materials without specular light. */
-    uint32_t parts_ambient; /**< Parts of triangles that face away all over, drawn in one colour. */
-    uint32_t parts_matt;    /**< Parts outside the highlight, drawn without it. */
+    uint32_t lightings;          /**< Fragments and vertices lit by the models, once for each light. */
+    uint32_t facing_away;        /**< Of these, those that face away from the light. */
+    uint32_t out_of_reach;       /**< Of the others, those that a light with a position or a cone does not reach. */
+    uint32_t no_highlight;       /**< Of the others, those that lie outside a highlight. */
+    uint32_t no_specular;        /**< Materials without specular light. */
+    uint32_t parts_ambient;      /**< Parts of triangles that face away all over, drawn in one colour. */
+    uint32_t parts_matt;         /**< Parts outside the highlight, drawn without it. */
+    uint32_t parts_interpolated; /**< The same, of those whose lighting is interpolated. */
+    uint32_t squares_matt;       /**< Squares of triangles outside the highlight, drawn without it. */
 } undropped_drops;
 
 extern undropped_drops undropped;

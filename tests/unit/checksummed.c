@@ -85,6 +85,27 @@ static void curved_exponent_1024(fixture *f) {
     local_viewer(f);
 }
 
+/* Flattened: between top and bottom normals turn less far, so that lighting is interpolated. */
+static void curved_gently(fixture *f) {
+    curved(f);
+    scale(&f->objects[0], GLINT_ONE, GLINT_ONE, GLINT_Q16(0.4));
+    f->objects[0].pose.m[2][3] = GLINT_Q16(-1.9);
+    f->lights[0].vector = (glint_vector){GLINT_ONE, GLINT_Q16(0.3), GLINT_Q16(0.3)};
+}
+
+static void curved_gently_infinite(fixture *f) {
+    curved_gently(f);
+    f->objects[0].pose.m[2][3] = GLINT_Q16(-1.7);
+    infinite_viewer(f);
+}
+
+static void curved_gently_exponent_256(fixture *f) {
+    curved_gently(f);
+    f->lights[0].vector = (glint_vector){GLINT_Q16(0.3), GLINT_Q16(0.6), GLINT_ONE};
+    f->materials[0].shininess = 256 * GLINT_ONE;
+    infinite_viewer(f);
+}
+
 static void eight_lights(fixture *f) {
     for (int i = 0; i < GLINT_LIGHTS_MAX; i++) {
         const glint_vector towards = {glint_cos(45 * i * GLINT_ONE), glint_sin(45 * i * GLINT_ONE), (i - 2) * 9000};
@@ -373,6 +394,9 @@ static const entry entries[] = {
     IMAGE(curved_infinite),
     IMAGE(curved_exponent_8192),
     IMAGE(curved_exponent_1024),
+    IMAGE(curved_gently),
+    IMAGE(curved_gently_infinite),
+    IMAGE(curved_gently_exponent_256),
     IMAGE(eight_lights),
     IMAGE(eight_lights_infinite),
     IMAGE(saturated),

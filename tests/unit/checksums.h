@@ -20,6 +20,9 @@ static const uint32_t expected_checksums[] = {
     0x45f4960du, /* curved_infinite */
     0x75dfa1d8u, /* curved_exponent_8192 */
     0x0c80fe76u, /* curved_exponent_1024 */
+    0xbca3e3ccu, /* curved_gently */
+    0x799716a8u, /* curved_gently_infinite */
+    0x59cfca03u, /* curved_gently_exponent_256 */
     0x49a985c3u, /* eight_lights */
     0x15ef6b60u, /* eight_lights_infinite */
     0xfa8add0au, /* saturated */

@@ -19,14 +19,15 @@ import tempfile
 # Stage of a source file, or of one function in it. A file of the library that is not here is an error.
 STAGES = {
     "prepare": ["prepare", "power", "directional", "config", "frame", "arena", "gamma", "light:glint_prepare_specular",
-                "deviation_prepare", "quadratic:glint_quadratic_prepare", "quadratic:find_bend", "quadratic:find_across"],
+                "deviation_prepare", "quadratic:glint_quadratic_prepare", "quadratic:find_bend", "quadratic:find_across",
+                "interpolate:glint_interpolate_prepare", "interpolate:find_turn"],
     "vertices": ["transform", "load", "geometry", "deviation:glint_deviation_light"],
     "cull": ["cull", "bin:glint_find_tiles"],
     "bin": ["bin", "clip"],
     "set-up": ["setup"],
     "raster": ["raster", "kernel", "tile:glint_render_tile"],
     "shade": ["shade", "light", "per_fragment", "specular", "blinn_phong", "spans565", "deviation",
-              "quadratic", "quadratic565"],
+              "quadratic", "quadratic565", "interpolate"],
     "pixel": ["pixel_rgb565"],
     "clear": ["tile", "pixel_rgb565:fill"],
     "arithmetic": ["numeric"],
