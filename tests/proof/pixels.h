@@ -9,6 +9,9 @@
 #include "../../src/frame.h"
 #include "proof.h"
 
+/*@ assigns \result \from indirect: *shading, indirect: cosine, indirect: square; */
+uint32_t glint_deviation_pixel(const glint_shading *shading, int32_t cosine, uint32_t square);
+
 static void any_plane(glint_plane *plane) {
     plane->start = ANY_INT;
     plane->dx = ANY_INT;

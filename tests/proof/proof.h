@@ -12,6 +12,7 @@
  * - `@unreached n reason`: so many statements no input reaches.
  * - `@unsigned`: unsigned sums and products must not wrap either.
  * - `@options`: for Frama-C.
+ * A comment `Not proven: f, g: reason` lists kernels without a driver, what keeps them in bounds, and the test.
  * A domain cut into parts by a loop, FOR_PARTS, is proven part by part: EVA keeps ranges, not relations.
  */
 #ifndef GLINT_PROOF_H

@@ -18,6 +18,7 @@ FLAGS = ("-no-autoload-plugins -load-module eva -machdep gcc_x86_32 -kernel-warn
          "-eva-warn-key builtins:missing-spec=inactive -warn-signed-overflow").split()
 DRIVER = re.compile(r"/\*((?:(?!\*/).)*)\*/\n(PROOF|PLANTED)\((\w+)\)", re.S)
 CONTRACT = re.compile(r"(?:/\* (Stands on [^/]*?) \*/\s*)?/\*@(?:(?!\*/).)*\*/\s*[\w ]*?[ *](\w+)\(", re.S)
+UNPROVEN = re.compile(r"/\*\s*(?:\* )?Not proven: ([\w, \n*]+): ((?:(?!\*/).)*?)\s*\*/", re.S)
 REACHED = re.compile(r"(\d+) statements reached \(out of (\d+)\)")
 
 
@@ -26,8 +27,7 @@ class Driver:
 
     def __init__(self, path, text, kind, kernel):
         self.path, self.planted, self.kernel = path, kind == "PLANTED", kernel
-        words = " ".join(line.strip(" *") for line in text.splitlines()).strip()
-        self.domain, *tags = re.split(r"\s*@", words)
+        self.domain, *tags = re.split(r"\s*@", plain(text))
         tags = dict((tag.split(None, 1) + [""])[:2] for tag in tags)
         self.contracts = tags.pop("contract", "").split()
         self.narrowing = tags.pop("narrowing", "")
@@ -112,7 +112,11 @@ def table(heads, rows):
     return "".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |\n" for line in lines)
 
 
-def page(drivers, contracts):
+def plain(text):
+    return " ".join(line.strip(" *") for line in text.splitlines()).strip()
+
+
+def page(drivers, contracts, unproven):
     proven = [d for d in drivers if not d.planted]
     text = HEAD.format(count=len(proven))
     text += table(["file", "kernel", "domain", "callees by contract", "alarms", "statements not reached"],
@@ -123,6 +127,9 @@ def page(drivers, contracts):
                   [[f"`{name}`", reason.removeprefix("Stands on ")] for name, reason in contracts.items() if reason])
     text += "\nAlarms above: what a relation rules out that EVA does not keep, and the test.\n\n"
     text += table(["kernel", "why"], [[f"`{d.kernel}`", d.alarms.split(None, 1)[1]] for d in proven if d.alarms])
+    text += "\nNot proven: what keeps it in bounds, and the test.\n\n"
+    text += table(["kernels", "why"],
+                  [[", ".join(f"`{name}`" for name in plain(names).split(", ")), plain(why)] for names, why in unproven])
     text += "\nConversions to a narrower signed type that may lose bits:\n\n"
     return text + table(["kernel", "why"], [[f"`{d.kernel}`", d.narrowing] for d in proven if d.narrowing])
 
@@ -139,10 +146,11 @@ def main():
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
     drivers = read_drivers(arguments.folder)
-    contracts = {}
+    contracts, unproven = {}, []
     for path in sorted(arguments.folder.glob("*.[ch]")):
         for reason, name in CONTRACT.findall(path.read_text()):
-            contracts[name] = " ".join(line.strip(" *") for line in reason.splitlines())
+            contracts[name] = plain(reason)
+        unproven += UNPROVEN.findall(path.read_text())
     if arguments.only:
         drivers = [d for d in drivers if arguments.only in d.kernel]
     passed = failed = 0
@@ -166,7 +174,7 @@ def main():
             tally(bool(reason) or name in names, f"contract of {name}: has neither a driver nor what it stands on")
         used = {c for d in drivers for c in d.contracts}
         tally(used <= set(contracts), f"no contract: {used - set(contracts)}")
-        text = page(drivers, contracts)
+        text = page(drivers, contracts, unproven)
         if arguments.check:
             tally(arguments.page.read_text() == text, f"{arguments.page} is not what make prove writes")
         elif not failed:

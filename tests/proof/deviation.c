@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+/* Fast lighting of vertices and triangles. */
+#include "proof.h"
+
+#include "../../src/deviation.c"
+#include "lit.h"
+#include "pixels.h"
+
+/* Stands on ray_limit times ray_scale being below 2^31, and on V and L being unit; the image tests under UBSan. */
+/*@ requires \valid(half_vector + (0 .. 2)) && \valid(view);
+    assigns \result, half_vector[0 .. 2], *view \from indirect: *deviation, x, y;
+    ensures \result == 0 || \result == 1;
+    ensures \initialized(half_vector + (0 .. 2)) && \initialized(&view->root) && \initialized(&view->half_root);
+    admit ensures -32767 <= half_vector[0] <= 32767 && -32767 <= half_vector[1] <= 32767 && 0 <= half_vector[2] <=
+   32767; */
+int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, int16_t half_vector[3],
+                                glint_view_vector *view);
+
+static const uint16_t triangles[1][3] = {{0, 1, 2}};
+static glint_vertex vertices[3];
+static int16_t terms[3][3];
+static glint_deviation deviation;
+static glint_shading shading;
+static glint_draw draw;
+
+static void any_triangle(void) {
+    for (int i = 0; i < 3; i++) {
+        any_unit(vertices[i].attribute);
+        vertices[i].x = (int16_t)ANY(-29000, 29000);
+        vertices[i].y = (int16_t)ANY(-29000, 29000);
+        vertices[i].inverse_w = ANY(0, 0x7fff0000);
+        vertices[i].flags = (uint16_t)ANY(0, 0xffff);
+    }
+    draw.triangles = triangles;
+    draw.vertices = vertices;
+    draw.terms = terms;
+    draw.shading = &shading;
+    shading.deviation = &deviation;
+}
+
+/* Deviations have a scale of so many bits, and a reach that it keeps below GLINT_DEVIATION_REACH. */
+static void any_deviation(int bits) {
+    const int32_t reach = (GLINT_DEVIATION_REACH << 16) >> (bits - 1);
+    any_unit(deviation.light);
+    any_unit(deviation.half_vector);
+    deviation.half_vector[2] = (int16_t)ANY(0, 32767);
+    deviation.scale = ANY(1 << (bits - 1), (1 << bits) - 1);
+    deviation.reach = ANY(0, reach < INT16_MAX ? reach : INT16_MAX);
+    deviation.side = ANY(0, 1 << 17);
+    deviation.side_diagonal = ANY(0, 1 << 18);
+    deviation.specular_end = ANY_UNSIGNED(0, 1024) << 15;
+}
+
+/*
+ * Any vertices, by the bits of what scales deviations.
+ * @contract glint_deviation_half_vector glint_dot
+ * @alarms 2 N.H + nz <= sqrt(2) UNIT where hz is 0, and 1 / (1 + hz) falls from there: the image tests under UBSan
+ * @options -eva-slevel 0
+ */
+PROOF(glint_deviation_light) {
+    any_triangle();
+    FOR_PARTS(bits, 14, 30) {
+        any_deviation((int)bits);
+        deviation.local_viewer = 0;
+        glint_deviation_light(0, &draw, 0, 0);
+        deviation.local_viewer = 1;
+        glint_deviation_light(0, &draw, 0, 0);
+    }
+}
+
+/* N.L, Q30, of up to 1/32 more than 1, with tables and without. @contract glint_deviation_pixel */
+PROOF(glint_deviation_even) {
+    static uint16_t pixels[GLINT_DIFFUSE_ENTRIES];
+    static uint32_t words[GLINT_DIFFUSE_ENTRIES];
+    glint_deviation_planes planes;
+    planes.cosine.start = ANY(-GLINT_UNIT / 2 * 0x10800, GLINT_UNIT / 2 * 0x10800);
+    shading.deviation = &deviation;
+    shading.lights = ANY_UNSIGNED(0, 1);
+    deviation.diffuse_pixel = pixels;
+    deviation.diffuse = ANY(0, 1) ? words : 0;
+    glint_deviation_even(&shading, &planes);
+}
+
+/* Any rows of any spans. @options -eva-slevel 0 */
+PROOF(glint_deviation_covered) {
+    glint_part part;
+    for (int i = 0; i < GLINT_TILE_MAX; i++) {
+        part.spans[i].left = (uint8_t)ANY(0, GLINT_TILE_MAX);
+        part.spans[i].right = (uint8_t)ANY(0, GLINT_TILE_MAX);
+    }
+    part.top = ANY_UNSIGNED(0, GLINT_TILE_MAX);
+    part.bottom = ANY_UNSIGNED(0, GLINT_TILE_MAX);
+    glint_deviation_covered(&part);
+}

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+/* Frames and tiles, and which of them changed. */
+#include "proof.h"
+
+#include "../../src/config.c"
+#include "../../src/frame.c"
+#undef wait
+#include "../../src/changes.c"
+#include "contracts.h"
+
+/*
+ * Not proven: glint_frame_next, glint_arena_need: counts of what a scene has, and of bytes, unsigned. Suites `unit` and
+ * `identity` under ASan and UBSan, and fuzzing.
+ */
+
+static const glint_format format = {24, 0, 0, 0};
+
+static void any_config(glint_config *config) {
+    config->width = (uint16_t)ANY(0, UINT16_MAX);
+    config->height = (uint16_t)ANY(0, UINT16_MAX);
+    config->tile_width = (uint16_t)ANY(0, UINT16_MAX);
+    config->tile_height = (uint16_t)ANY(0, UINT16_MAX);
+    config->format = ANY(0, 1) ? &format : 0;
+}
+
+/* Any configuration. @unsigned */
+PROOF(glint_check_config) {
+    glint_config config;
+    any_config(&config);
+    if (glint_check_config(&config) == GLINT_OK)
+        glint_row_bytes(config.format, config.tile_width);
+}
+
+/* Any configuration. @unreached 1 leading zeros of 0 */
+PROOF(glint_frame_grid) {
+    glint_frame frame;
+    glint_config config = {0};
+    any_config(&config);
+    glint_frame_grid(&frame, &config, 0);
+}
+
+/* Any tile of any screen. */
+PROOF(glint_tile_rectangle) {
+    glint_frame frame;
+    int x, y, width, height;
+    frame.config.width = (uint16_t)ANY(1, GLINT_SIZE_MAX);
+    frame.config.height = (uint16_t)ANY(1, GLINT_SIZE_MAX);
+    FOR_PARTS(shift, 3, 6) {
+        frame.tile_shift_x = frame.tile_shift_y = (uint8_t)shift;
+        frame.config.tile_width = frame.config.tile_height = (uint16_t)(1 << shift);
+        frame.tile_columns = (uint16_t)ANY(1, GLINT_SIZE_MAX >> shift);
+        glint_tile_rectangle(&frame, ANY_UNSIGNED(0, 128 * 128 - 1), &x, &y, &width, &height);
+    }
+}
+
+/* Any pixels of a tile. @options -eva-slevel 0 */
+PROOF(sign) {
+    static uint32_t pixels[GLINT_TILE_MAX * GLINT_TILE_MAX];
+    Frama_C_make_unknown((char *)pixels, sizeof pixels);
+    sign(pixels, ANY_UNSIGNED(0, GLINT_TILE_MAX * GLINT_TILE_MAX));
+}

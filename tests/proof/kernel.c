@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT */
+/* The kernel for everything. */
+#include "proof.h"
+
+#include "../../src/kernel.c"
+#include "lit.h"
+
+/*
+ * Not proven: glint_draw_any: fragments are shaded when there are 8, so that none is the ninth; spans lie in the tile.
+ * The image tests under ASan.
+ */
+
+/*@ requires \valid(plane) && \valid_read(gradients);
+    requires -0x40000000 < a0 < 0x40000000 && -0x40000000 < a1 < 0x40000000 && -0x40000000 < a2 < 0x40000000;
+    assigns *plane \from indirect: *gradients, a0, a1, a2;
+    ensures \initialized(plane); */
+void glint_plane_begin(glint_plane *plane, const glint_gradients *gradients, int32_t a0, int32_t a1, int32_t a2);
+
+/*
+ * Corners of any attributes, 1/w by the bits of the largest, first or last; lit and not, from both sides.
+ * @contract glint_plane_begin
+ * @unreached 1 leading zeros of 0
+ */
+PROOF(begin) {
+    static const glint_evaluation kinds[4] = {{3, 0, 0, 0, 0}, {3, 1, 0, 0, 0}, {0, 1, 0, 0, 0}, {3, 1, 0, 0, 0}};
+    glint_vertex corners[3];
+    int16_t extra[3][3];
+    glint_triangle triangle = {{&corners[0], &corners[1], &corners[2]}, {extra[0], extra[1], extra[2]}, 0, 1, 0};
+    glint_attributes attributes;
+    glint_fragments fragments;
+    glint_part part;
+    glint_draw draw;
+    part.x = ANY(-2047, 2047);
+    part.y = ANY(-2047, 2047);
+    for (int i = 0; i < 3; i++) {
+        any_unit(corners[i].attribute);
+        any_unit(extra[i]);
+    }
+    FOR_PARTS(bits, 0, 31) {
+        FOR_PARTS(kind, 0, 7) {
+            const int32_t most = (int32_t)((1u << bits) - 1), least = (int32_t)((1u << bits) / 2);
+            corners[0].inverse_w = ANY(kind & 1 ? least : 0, most);
+            corners[1].inverse_w = ANY(0, most);
+            corners[2].inverse_w = ANY(kind & 1 ? 0 : least, most);
+            draw.evaluation = &kinds[kind >> 1];
+            draw.extra = kind >> 1 == 1 ? 0 : extra;
+            draw.double_sided = (uint8_t)(kind >> 1 == 3);
+            triangle.back = ANY(0, 1);
+            begin(&attributes, &fragments, &draw, &triangle, &part);
+        }
+    }
+}
+
+/* Any 1/w. */
+PROOF(depth_of) {
+    depth_of(ANY_INT);
+}
