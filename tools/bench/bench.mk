@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Instructions of whole frames, counted in QEMU; included by port/boards.mk.
+# Instructions of whole frames, of methods and of fragments, counted in QEMU; included by port/boards.mk.
 
 $(BUILD)/bench/scenes: tools/bench/scenes.c examples/bench/bench.c examples/bench/bench.h $(BUILD)/host/libglint.a
 	@mkdir -p $(@D)
@@ -13,7 +13,9 @@ $(foreach board,$(MEASURED),$(foreach level,Os O2,\
     $(patsubst %.c,$(BUILD)/$(board)/$(level)/%.o,tools/bench/frames.c))): $(BUILD)/bench/bench_scenes.h
 
 PROGRAM_methods := tools/bench/methods.c $(METHODS)
+PROGRAM_fragments := tools/bench/fragments.c
 $(foreach board,$(MEASURED),$(eval $(call firmware_program,$(board),O2,methods)))
+$(foreach board,$(MEASURED),$(eval $(call firmware_program,$(board),O2,fragments)))
 
 # Name in the table, emulated machine and board of each core. ARMv6-M code runs on the M3's board.
 BENCH_CORES := m3=mps2-an385=mps2-an385 m0=mps2-an385=mps2-an385-m0 m4=mps2-an386=mps2-an386 rv32=virt=virt
@@ -26,12 +28,12 @@ bench_programs = $(foreach core,$(BENCH_CORES),\
     $(word 1,$(subst =, ,$(core)))=$(word 2,$(subst =, ,$(core)))=$(call bench_elf,$(core),$1))
 
 .PHONY: bench bench-diff
-$(BUILD)/bench.csv: $(foreach core,$(BENCH_CORES),$(call bench_elf,$(core),frames) $(call bench_elf,$(core),methods)) \
+$(BUILD)/bench.csv: $(foreach core,$(BENCH_CORES),$(foreach program,frames methods fragments,$(call bench_elf,$(core),$(program)))) \
         $(wildcard tools/bench/*.py) tests/board/qemu.py
 	$(Q)python3 tools/bench/bench.py --qemu $(QEMU) --output $(BUILD) --frames $(call bench_programs,frames) \
-	    --methods $(call bench_programs,methods)
+	    --methods $(call bench_programs,methods) $(call bench_programs,fragments)
 
-bench: $(BUILD)/bench.csv ## count the instructions of whole frames and of methods; writes build/bench.csv
+bench: $(BUILD)/bench.csv ## count the instructions of whole frames, of methods and of fragments; writes build/bench.csv
 	@python3 tools/bench/table.py $<
 
 bench-diff: $(BUILD)/bench.csv ## what changed against docs/bench.csv; fails when anything did

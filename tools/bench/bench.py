@@ -3,7 +3,7 @@
 """Counts instructions: bench.py --qemu QEMU --output DIRECTORY --frames CPU=MACHINE=ELF... --methods CPU=MACHINE=ELF...
 
 Writes DIRECTORY/bench.csv, with instructions a frame and the bytes of the library's tables, then instructions of each
-method and the bytes of its own tables; and DIRECTORY/bench-arena.csv, with the arena that the frames need.
+method, or of what a program of that form counts, and the bytes of its own tables; and DIRECTORY/bench-arena.csv, with the arena that the frames need.
 """
 import argparse
 import concurrent.futures
