@@ -11,9 +11,13 @@
 /* Slenderness of triangles, as bits, up to which sums over a row keep what a plane has (quadratic.c). */
 #define SLENDER 7
 
-/* Errors of N.L and of the highlight that interpolation may make at the worst place, in 1/16 of a level. */
-#define COSINE_LIMIT 6
-#define HIGHLIGHT_LIMIT 10
+/* Errors of N.L and of the highlight that interpolation may make at the worst place, levels in Q12. */
+#define COSINE_LIMIT 1536
+#define HIGHLIGHT_LIMIT 2560
+
+/* Of an error budget, levels in Q12: what exact lighting errs, and from where on fast lighting shares it. */
+#define KEPT 512
+#define SHARED 2048
 
 /* Turns are below this whatever it costs, Q15: the series below, and differences in 15 bits, are made for it. */
 #define MOST_TURN 19661
@@ -54,15 +58,25 @@ static int32_t find_turn(uint64_t limit, uint64_t levels) {
     return turn < MOST_TURN ? (int32_t)turn : MOST_TURN;
 }
 
+/*
+ * What an error budget leaves for triangles that are lit exactly without one: all but what the highlight's edge takes,
+ * a quarter of what is shared. Those that are interpolated anyway stay as they are.
+ */
+static uint64_t find_limit(const glint_shading *shading, uint32_t least_limit) {
+    const uint32_t levels = shading->spare * 63, shared = levels > SHARED ? (levels - SHARED) / 4 : 0;
+    return levels > least_limit + shared + KEPT ? levels - shared - KEPT : least_limit;
+}
+
 void glint_interpolate_prepare(glint_deviation *deviation, const glint_shading *shading) {
     glint_quadratic_limits *limits = &deviation->quadratic;
     const uint32_t diffuse = largest_level(shading->weights[0].diffuse);
     const uint32_t specular = largest_level(shading->weights[0].specular);
     const uint32_t root = glint_square_root((uint64_t)(uint32_t)shading->material->shininess); /* Q8 */
     const uint32_t scale = (uint32_t)deviation->scale >> 4;                                    /* Q12 */
-    limits->turn = find_turn(COSINE_LIMIT << 8, diffuse);
+    limits->turn = find_turn(find_limit(shading, COSINE_LIMIT), diffuse);
     /* a highlight's slope is at most 0.61 sqrt(p) weight */
-    limits->turn_specular = find_turn(HIGHLIGHT_LIMIT << 8, diffuse / 2 + ((uint64_t)specular * root * 156 >> 16));
+    limits->turn_specular =
+        find_turn(find_limit(shading, HIGHLIGHT_LIMIT), diffuse / 2 + ((uint64_t)specular * root * 156 >> 16));
     const uint64_t front = (uint64_t)FRONT * scale * scale >> 26;
     limits->front = front < UINT32_MAX ? (uint32_t)front : UINT32_MAX;
 }
