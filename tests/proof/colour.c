@@ -30,12 +30,15 @@ PROOF(glint_resolve_colour) {
     any_planes(&attributes);
     any_tile(&frame, &fragments, 1);
     fragments.attributes = &attributes;
+    FOR_PARTS(bits, 0, 32) { /* of 1/w 2^scale, which is all that is used of the two */
+        fragments.scale = bits == 32;
+        fragments.inverse_w[0] = (int32_t)ANY_OF_BITS(bits == 32 ? 31 : bits);
+        glint_resolve_colour(&frame, &fragments, 0, attributes.main, out);
+        /*@ assert \subset(out[0 .. 2], (0 .. 32767)); */
+    }
     FOR_PARTS(scale, 0, 30) {
-        FOR_PARTS(bits, 0, scale ? 32 - scale : 31) {
-            fragments.scale = (uint32_t)scale;
-            fragments.inverse_w[0] = (int32_t)ANY_OF_BITS(bits);
-            glint_resolve_colour(&frame, &fragments, 0, attributes.main, out);
-            /*@ assert \subset(out[0 .. 2], (0 .. 32767)); */
-        }
+        fragments.scale = (uint32_t)scale;
+        fragments.inverse_w[0] = 1;
+        glint_resolve_colour(&frame, &fragments, 0, attributes.main, out);
     }
 }

@@ -5,11 +5,6 @@
 #include "../../src/raster.c"
 #include "contracts.h"
 
-/*
- * Not proven: find_side: a short side is up to 1535 columns from the tile and up to 64 wide, both Q20, and 2^20 is
- * added. Suites `setup`, which takes every short edge, and `fill_rule`, under UBSan.
- */
-
 /* Corners in a tile, in sixteenths, of vertices within 1023 pixels of the screen's centre: screen and tile add 512. */
 #define MOST_PLACE (16 * (1023 + 512))
 #define MOST_SIDE (16 * 2 * 1023)
@@ -55,6 +50,44 @@ PROOF(find_inside) {
             find_inside(&part, &upper, &lower);
             find_inside(&part, &lower, &upper);
         }
+    }
+}
+
+/* Stands on begin_exactly and walk, all that it does: walk_exactly. */
+/*@ requires \valid_read(part) && \valid_read(s);
+    requires 1 <= s->rows <= 64;
+    assigns s->column[0 .. 2 * (s->rows - 1)] \from indirect: *part, indirect: *s; */
+static void find_exactly(const glint_part *part, const side *s);
+
+/* Sides from so many rows above a tile, the top from y to y + slack there, `least` to `most` below y + slack. */
+static void find_from(int above, int y, int slack, int least, int most) {
+    glint_part part;
+    glint_place upper = {ANY(-MOST_PLACE, MOST_PLACE), ANY(y, y + slack), -above};
+    glint_place lower = {ANY(-MOST_PLACE, MOST_PLACE), ANY(y + slack + least, y + slack + most), 0};
+    lower.row = ANY((y + slack + least + 15) >> 4, (y + slack + most + 15) >> 4);
+    part.window.width = ANY(1, GLINT_TILE_MAX);
+    part.window.height = ANY(1, GLINT_TILE_MAX);
+    find_side(&part, &upper, &lower);
+    find_side(&part, &lower, &upper);
+}
+
+/*
+ * Sides of up to 511 sixteenths from the first row of any tile or from above it, by how far and by parts of their
+ * heights.
+ * @contract find_exactly
+ * @narrowing crossings beyond the tile are found modulo 2^32
+ * @alarms 2 a crossing was just compared, as unsigned, with 65 2^20, and a slope is below 2^30: `fill_rule` under UBSan
+ * @options -eva-slevel 10 -eva-min-loop-unroll 65
+ */
+PROOF(find_side) {
+    FOR_PARTS(phase, 0, 15) {
+        FOR_PARTS(bits, 0, 4) {
+            find_from(0, (int)phase - 15, 0, 1 << bits, (2 << bits) - 1);
+        }
+    }
+    FOR_PARTS(above, 0, 31) {
+        for (int least = above ? 16 * (int)above + 2 : 17; least < 512; least += least / 2)
+            find_from((int)above, -16 * (int)above - 15, 15, least, least + least / 2 - 1);
     }
 }
 
