@@ -58,6 +58,21 @@ static int32_t find_turn(uint64_t limit, uint64_t levels) {
     return turn < MOST_TURN ? (int32_t)turn : MOST_TURN;
 }
 
+/* N.L, Q14, at which all light together, with all of a highlight, comes to 1 in some channel. */
+static int32_t find_full(const glint_shading *shading) {
+    int32_t full = INT16_MAX;
+    for (int c = 0; c < 3; c++) {
+        const uint32_t diffuse = shading->weights[0].diffuse[c]; /* Q12 */
+        const int64_t left =
+            (1 << 12) - (int64_t)((shading->ambient[c] + 2047) >> 11) - shading->weights[0].specular[c];
+        if (left < 0)
+            return 0;
+        if (diffuse && left * (1 << 14) < (int64_t)full * diffuse)
+            full = (int32_t)(left * (1 << 14) / diffuse);
+    }
+    return full;
+}
+
 /*
  * What an error budget leaves for triangles that are lit exactly without one: all but what the highlight's edge takes,
  * a quarter of what is shared. Those that are interpolated anyway stay as they are.
@@ -73,6 +88,7 @@ void glint_interpolate_prepare(glint_deviation *deviation, const glint_shading *
     const uint32_t specular = largest_level(shading->weights[0].specular);
     const uint32_t root = glint_square_root((uint64_t)(uint32_t)shading->material->shininess); /* Q8 */
     const uint32_t scale = (uint32_t)deviation->scale >> 4;                                    /* Q12 */
+    limits->full = find_full(shading);
     limits->turn = find_turn(find_limit(shading, COSINE_LIMIT), diffuse);
     /* a highlight's slope is at most 0.61 sqrt(p) weight */
     limits->turn_specular =
@@ -319,6 +335,13 @@ static int is_front(const int16_t *const terms[3], uint32_t limit) {
     return 1;
 }
 
+/* No less than a term anywhere in its triangle: the largest of its control points (Bezier triangles, Farin, 1986). */
+static int32_t find_most(const int32_t a[3], const int32_t b[3]) {
+    const int32_t corners = most(a[0], a[1], a[2]);
+    const int32_t middles = most(a[0] + a[1] + b[0], a[1] + a[2] + b[1], a[0] + a[2] + b[2]);
+    return 2 * corners > middles ? corners : (middles + 1) >> 1;
+}
+
 glint_quadratic_kind glint_interpolate_begin(const glint_draw *draw, const glint_triangle *triangle,
                                              const glint_part *part, glint_interpolation *to) {
     const glint_deviation *deviation = draw->shading->deviation;
@@ -349,9 +372,11 @@ glint_quadratic_kind glint_interpolate_begin(const glint_draw *draw, const glint
     const int32_t a[3] = {to->terms[0][0], to->terms[1][0], to->terms[2][0]};
     const int32_t b[3] = {find_bulge(&to->edges[0], a[0], a[1]), find_bulge(&to->edges[1], a[1], a[2]),
                           find_bulge(&to->edges[2], a[0], a[2])};
+    to->gated = (any & GLINT_TERMS_DIM) != 0;
     begin_gradients(&to->gradients, &part->gradients);
     begin_term(&to->cosine, &to->gradients, a, b);
     if (!shows)
         return GLINT_QUADRATIC_DIFFUSE;
+    to->clamped = find_most(a, b) > limits->full;
     return glint_interpolate_highlight(draw, triangle, to) ? GLINT_QUADRATIC_SPECULAR : GLINT_QUADRATIC_UNFIT;
 }

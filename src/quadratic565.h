@@ -5,6 +5,13 @@
 
 #include "quadratic.h"
 
+/* Of loops that are drawn in more than one way, each with its own choices as constants. */
+#if defined(__GNUC__)
+#define GLINT_INLINE inline __attribute__((always_inline))
+#else
+#define GLINT_INLINE inline
+#endif
+
 /* A quadratic at a pixel, and its steps to the next column and to the next row. */
 typedef struct glint_stride {
     uint32_t value, across, down;
@@ -144,9 +151,9 @@ static inline void glint_draw_quadratic_specular(const glint_spans *s, const gli
     }
 }
 
-/* Interpolated diffuse light; ambient light alone where N.L <= 0. */
-static inline void glint_draw_interpolated_diffuse(const glint_spans *s, const glint_deviation *deviation,
-                                                   const glint_interpolation *light, int high_first) {
+/* Interpolated diffuse light; gated, ambient light alone where N.L <= 0. */
+static GLINT_INLINE void glint_draw_interpolated_diffuse(const glint_spans *s, const glint_deviation *deviation,
+                                                         const glint_interpolation *light, int gated, int high_first) {
     const glint_part *part = s->part;
     const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
     const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
@@ -165,7 +172,8 @@ static inline void glint_draw_interpolated_diffuse(const glint_spans *s, const g
             uint8_t *const end = depth + 2 * (right - left);
             do {
                 if (glint_is_nearest(depth, z))
-                    glint_put_565(depth + to_pixels, (int32_t)c.value <= 0 ? deviation->ambient : table[c.value >> 22],
+                    glint_put_565(depth + to_pixels,
+                                  gated && (int32_t)c.value <= 0 ? deviation->ambient : table[c.value >> 22],
                                   high_first);
                 depth += 2;
                 GLINT_OPAQUE(depth);
@@ -180,9 +188,10 @@ static inline void glint_draw_interpolated_diffuse(const glint_spans *s, const g
     }
 }
 
-/* Interpolated diffuse and specular light. */
-static inline void glint_draw_interpolated_specular(const glint_spans *s, const glint_deviation *deviation,
-                                                    const glint_interpolation *light, int high_first) {
+/* Interpolated diffuse and specular light; clamped, their sum may pass 1. */
+static GLINT_INLINE void glint_draw_interpolated_specular(const glint_spans *s, const glint_deviation *deviation,
+                                                          const glint_interpolation *light, int clamped,
+                                                          int high_first) {
     const glint_part *part = s->part;
     const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
     const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
@@ -209,7 +218,8 @@ static inline void glint_draw_interpolated_specular(const glint_spans *s, const 
                     const uint32_t square = glint_high_square(ex.value) + glint_high_square(ey.value);
                     uint32_t word = diffuse[c.value >> 22];
                     if (square < end_square)
-                        word = glint_spread_clamp(word + specular[square >> 15]);
+                        word =
+                            clamped ? glint_spread_clamp(word + specular[square >> 15]) : word + specular[square >> 15];
                     glint_put_565(depth + to_pixels, glint_spread_pack(word), high_first);
                 }
                 depth += 2;
@@ -352,10 +362,14 @@ static inline int glint_draw_interpolated(glint_workspace *workspace, const glin
         glint_count(workspace, (glint_kernel_name)kind, glint_deviation_covered(s->part));
     if (!shading->deviation->diffuse)
         glint_draw_quadratic_without_tables(s, shading, 0, &light, kind == GLINT_QUADRATIC_SPECULAR, high_first);
+    else if (kind == GLINT_QUADRATIC_DIFFUSE && light.gated)
+        glint_draw_interpolated_diffuse(s, shading->deviation, &light, 1, high_first);
     else if (kind == GLINT_QUADRATIC_DIFFUSE)
-        glint_draw_interpolated_diffuse(s, shading->deviation, &light, high_first);
+        glint_draw_interpolated_diffuse(s, shading->deviation, &light, 0, high_first);
+    else if (light.clamped)
+        glint_draw_interpolated_specular(s, shading->deviation, &light, 1, high_first);
     else
-        glint_draw_interpolated_specular(s, shading->deviation, &light, high_first);
+        glint_draw_interpolated_specular(s, shading->deviation, &light, 0, high_first);
     return 1;
 }
 

@@ -34,9 +34,9 @@ typedef struct variant {
 
 static const variant variants[] = {
     {"no highlight", GLINT_VIEWER_INFINITE, GLINT_Q16(0.5), 0},
-    {"infinite viewer", GLINT_VIEWER_INFINITE, GLINT_Q16(0.5), GLINT_Q16(0.4)},
+    {"infinite viewer", GLINT_VIEWER_INFINITE, GLINT_Q16(0.5), GLINT_Q16(0.35)},
     {"infinite viewer clamped", GLINT_VIEWER_INFINITE, GLINT_Q16(0.8), GLINT_Q16(0.8)},
-    {"local viewer", GLINT_VIEWER_LOCAL, GLINT_Q16(0.5), GLINT_Q16(0.4)},
+    {"local viewer", GLINT_VIEWER_LOCAL, GLINT_Q16(0.5), GLINT_Q16(0.35)},
     {"local viewer clamped", GLINT_VIEWER_LOCAL, GLINT_Q16(0.8), GLINT_Q16(0.8)},
 };
 
