@@ -197,10 +197,10 @@ static int fits_highlight(const glint_deviation *deviation, const int16_t *const
     return (uint32_t)change * w.change <= deviation->slant * w.least;
 }
 
-/* Gradients for planes of terms, of a narrow triangle: longer by half of what chords fall short, 1 + turn / 32. */
+/* For planes of terms, longer by half of what chords fall short, 1 + turn / 32. */
 typedef struct term_gradients {
     const glint_gradients *g;
-    int32_t x1, y1, x2, y2;
+    int32_t reciprocal;   /* of a narrow triangle, that much more */
     int32_t length;       /* 2^16 times how much longer */
     unsigned right, left; /* shifts from a term's slope to its plane's */
 } term_gradients;
@@ -209,28 +209,23 @@ static inline void lengthen(term_gradients *t, const glint_gradients *g, int32_t
     const int32_t longer = turn > 0 ? glint_shift_right(turn, 16) : 0; /* of 2^15 */
     const int32_t up = 16 - g->shift;
     t->g = g;
+    t->reciprocal = g->reciprocal + glint_shift_right(g->reciprocal * longer, 15);
     t->length = (1 << 16) + 2 * longer;
     t->left = up > 0 ? (unsigned)up : 0;
     t->right = up < 0 ? (unsigned)-up : 0;
-    if (g->wide)
-        return;
-    t->x1 = g->x1 + glint_shift_right(g->x1 * longer, 15);
-    t->y1 = g->y1 + glint_shift_right(g->y1 * longer, 15);
-    t->x2 = g->x2 + glint_shift_right(g->x2 * longer, 15);
-    t->y2 = g->y2 + glint_shift_right(g->y2 * longer, 15);
 }
 
-/* The plane of a term, its value in the high half. Narrow, differences have 15 bits: none is made less precise. */
+/* The plane of a term, its value in the high half. */
 static void begin_term(glint_plane *p, const term_gradients *t, int32_t a0, int32_t a1, int32_t a2) {
-    if (t->g->wide) {
-        glint_plane_begin(p, t->g, a0 * t->length, a1 * t->length, a2 * t->length);
+    const glint_gradients *g = t->g;
+    if (!g->reciprocal) {
+        glint_plane_begin(p, g, a0 * t->length, a1 * t->length, a2 * t->length);
         return;
     }
     const int32_t d1 = a1 - a0, d2 = a2 - a0;
-    const int32_t dx = glint_add_wrap(glint_multiply_wrap(d1, t->x1), glint_multiply_wrap(d2, t->x2));
-    const int32_t dy = glint_add_wrap(glint_multiply_wrap(d1, t->y1), glint_multiply_wrap(d2, t->y2));
-    const int32_t to_center =
-        glint_shift_right(dx, 5) * t->g->to_center_x + glint_shift_right(dy, 5) * t->g->to_center_y;
+    const int32_t dx = glint_slope_of(d1 * g->x1 + d2 * g->x2, t->reciprocal);
+    const int32_t dy = glint_slope_of(d1 * g->y1 + d2 * g->y2, t->reciprocal);
+    const int32_t to_center = glint_shift_right(dx, 5) * g->to_center_x + glint_shift_right(dy, 5) * g->to_center_y;
     p->dx = glint_shift_left(glint_shift_right(dx, t->right), t->left);
     p->dy = glint_shift_left(glint_shift_right(dy, t->right), t->left);
     p->start = glint_add_wrap(a0 * t->length, glint_shift_left(glint_shift_right(to_center, t->right), t->left + 1));
@@ -275,7 +270,7 @@ glint_deviation_kind glint_deviation_begin(const glint_draw *draw, const glint_t
     if (!fits(shows ? deviation->turn_specular : deviation->turn, turn, w))
         return GLINT_DEVIATION_UNFIT;
     if (shows && (any & (GLINT_TERMS_DIM | GLINT_TERMS_FAR) ||
-                  (4 << part->gradients.size > deviation->extent && extent_of(v) > deviation->extent) ||
+                  (4 * (int32_t)part->gradients.reach + 4 > deviation->extent && extent_of(v) > deviation->extent) ||
                   !fits_highlight(deviation, terms, w)))
         return GLINT_DEVIATION_UNFIT;
     term_gradients t;

@@ -18,7 +18,7 @@
 /** 2^20 / i, i from 16 to 256, to the nearest; 65535 for 16. */
 extern const uint16_t glint_quotient_table[241];
 
-/* ---- 2^31 / x to the nearest, halves up, for x from 2^15 to 2^16 - 1 ---- */
+/* ---- 2^31 / x to the nearest, halves up, for x from 2^15 to 2^16 ---- */
 
 static inline int32_t glint_reciprocal16_by_division(uint32_t x) {
     return (int32_t)((0x80000000u + x / 2) / x);

@@ -195,14 +195,15 @@ typedef struct glint_plane {
 } glint_plane;
 
 /**
- * Change of the second and third corner's barycentric coordinates per pixel, times 2^shift: 15 bits and a sign, where
- * `wide` 31 bits.
+ * How a triangle's planes come from values at its corners. Narrow: the sides across from the second and the third
+ * corner, turned by a right angle, in sixteenths, and 1/area = reciprocal 2^-(16 + shift). Wide: these sides times
+ * 1/area, the change of the corners' barycentric coordinates per pixel, times 2^shift, 31 bits; reciprocal is 0.
  */
 typedef struct glint_gradients {
     int32_t x1, y1, x2, y2;
-    int32_t shift, size; /* 2^size sixteenths are more than the other corners lie from the first, in x and y */
+    int32_t reciprocal, shift;
+    uint32_t reach; /* no less than the other corners lie from the first in x or y, in sixteenths, less 1 */
     int32_t to_center_x, to_center_y; /* from the first corner to the anchor's centre, in sixteenths */
-    int32_t wide;
 } glint_gradients;
 
 /** Pixels of one row of a tile: from column `left` to before `right`, none where they are equal. */

@@ -11,6 +11,9 @@
 /* Slenderness of triangles, as bits, up to which sums over a row keep what a plane has (quadratic.c). */
 #define SLENDER 7
 
+/* Least area, in sixteenths: sides have at most 2 bits more, which keeps the squares of their gradients in 32. */
+#define LEAST_AREA 8
+
 /* Errors of N.L and of the highlight that interpolation may make at the worst place, levels in Q12. */
 #define COSINE_LIMIT 1536
 #define HIGHLIGHT_LIMIT 2560
@@ -163,11 +166,23 @@ static int find_edges(const glint_triangle *triangle, edge e[3], int32_t *turn, 
 
 typedef glint_interpolation_gradients gradients;
 
+/* A side of at most `size` bits, up to 10, times 1/area: 15 bits. */
+static inline int32_t to_15_bits(int32_t side, int32_t reciprocal, int32_t size) {
+    return glint_shift_right(side * reciprocal + (1 << size), (unsigned)size + 1);
+}
+
 static void begin_gradients(gradients *s, const glint_gradients *g) {
-    const unsigned wide = g->wide ? 15 : 0;
     s->g = g;
-    s->x1 = glint_shift_right(g->x1, wide), s->y1 = glint_shift_right(g->y1, wide);
-    s->x2 = glint_shift_right(g->x2, wide), s->y2 = glint_shift_right(g->y2, wide);
+    if (!g->reciprocal) {
+        s->x1 = glint_shift_right(g->x1, 15), s->y1 = glint_shift_right(g->y1, 15);
+        s->x2 = glint_shift_right(g->x2, 15), s->y2 = glint_shift_right(g->y2, 15);
+        s->shift = g->shift;
+        return;
+    }
+    const int32_t size = 32 - (int32_t)glint_leading_zeros(g->reach + 1);
+    s->x1 = to_15_bits(g->x1, g->reciprocal, size), s->y1 = to_15_bits(g->y1, g->reciprocal, size);
+    s->x2 = to_15_bits(g->x2, g->reciprocal, size), s->y2 = to_15_bits(g->y2, g->reciprocal, size);
+    s->shift = 11 + g->shift - size;
 }
 
 /* a b 2^-15 of 30 and 15 bits and signs, all of them used: slender triangles need it. */
@@ -181,21 +196,12 @@ static inline int32_t to_anchor(int32_t x, int32_t y, const glint_gradients *g) 
 }
 
 /* A plane that is 0 at the first corner, d1 and d2 at the others, its value in the high half. */
-static inline void begin_slope(glint_quadratic *q, const gradients *s, int32_t d1, int32_t d2) {
-    const glint_gradients *g = s->g;
-    if (g->wide) {
-        glint_plane plane; /* of a quarter: differences have 17 bits */
-        glint_plane_begin(&plane, g, 0, d1 * (1 << 14), d2 * (1 << 14));
-        q->start = (uint32_t)plane.start << 2;
-        q->dx = (uint32_t)plane.dx << 2;
-        q->dy = (uint32_t)plane.dy << 2;
-    } else {
-        const int32_t h1 = glint_shift_right(d1, 1), h2 = glint_shift_right(d2, 1);
-        const int32_t dx = h1 * s->x1 + h2 * s->x2, dy = h1 * s->y1 + h2 * s->y2;
-        q->start = scale(to_anchor(dx, dy, g), 18 - g->shift);
-        q->dx = scale(dx, 17 - g->shift);
-        q->dy = scale(dy, 17 - g->shift);
-    }
+static inline void begin_slope(glint_quadratic *q, const glint_gradients *g, int32_t d1, int32_t d2) {
+    glint_plane plane; /* of a quarter: differences have 17 bits */
+    glint_plane_begin(&plane, g, 0, d1 * (1 << 14), d2 * (1 << 14));
+    q->start = (uint32_t)plane.start << 2;
+    q->dx = (uint32_t)plane.dx << 2;
+    q->dy = (uint32_t)plane.dy << 2;
 }
 
 /*
@@ -205,7 +211,7 @@ static inline void begin_slope(glint_quadratic *q, const gradients *s, int32_t d
  */
 static void begin_term(glint_quadratic *q, const gradients *s, const int32_t a[3], const int32_t b[3]) {
     const glint_gradients *g = s->g;
-    const int32_t twice = 32 - 2 * g->shift, both = b[1] - b[0] - b[2];
+    const int32_t twice = 32 - 2 * s->shift, both = b[1] - b[0] - b[2];
     const int32_t x1 = s->x1, y1 = s->y1, x2 = s->x2, y2 = s->y2;
     /* half the form's gradients along l1 and l2, each along x and y */
     const int32_t u_x = glint_shift_right(both * x2, 1) - b[0] * x1, v_x = glint_shift_right(both * x1, 1) - b[2] * x2;
@@ -213,7 +219,7 @@ static void begin_term(glint_quadratic *q, const gradients *s, const int32_t a[3
     const int32_t xx = product(u_x, x1) + product(v_x, x2), yy = product(u_y, y1) + product(v_y, y2);
     const int32_t xy = product(u_x, y1) + product(v_x, y2);
     const uint32_t half_xx = scale(xx, twice - 1), half_yy = scale(yy, twice - 1);
-    begin_slope(q, s, a[1] - a[0] + b[0], a[2] - a[0] + b[2]);
+    begin_slope(q, g, a[1] - a[0] + b[0], a[2] - a[0] + b[2]);
     q->dxx = 2 * half_xx;
     q->dxy = scale(xy, twice);
     q->dyy = 2 * half_yy;
@@ -348,10 +354,10 @@ glint_quadratic_kind glint_interpolate_begin(const glint_draw *draw, const glint
     const glint_quadratic_limits *limits = &deviation->quadratic;
     const glint_vertex *const *v = triangle->corners;
     const uint32_t all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
-    const int32_t slender = 2 * part->gradients.size - 31 + (int32_t)glint_leading_zeros((uint32_t)triangle->area);
+    const int32_t slender = glint_slenderness(&part->gradients, triangle->area);
     int32_t turn, change, shows = 0;
     if (!(all & GLINT_VERTEX_LIT) || any & GLINT_TERMS_UNFIT || triangle->back || slender > SLENDER ||
-        part->gradients.shift < 9 || !find_edges(triangle, to->edges, &turn, &change))
+        triangle->area < LEAST_AREA || !find_edges(triangle, to->edges, &turn, &change))
         return GLINT_QUADRATIC_UNFIT;
     for (int i = 0; i < 3; i++)
         to->terms[i] = draw->terms[v[i] - draw->vertices];

@@ -76,18 +76,30 @@ static inline int32_t glint_scale_split(int32_t x, uint32_t r) {
     return glint_shift_right(glint_shift_right(x, 18) * (int32_t)r + (int32_t)low, 5);
 }
 
+/** floor(x r / 2^12): |x| at most 2^26, r from 0 to 2^16 + 2^11. */
+static inline int32_t glint_slope_of_whole(int32_t x, int32_t r) {
+    return (int32_t)glint_shift_right64((int64_t)x * r, 12);
+}
+
+static inline int32_t glint_slope_of_split(int32_t x, int32_t r) {
+    uint32_t low = ((uint32_t)x & 0x7fff) * (uint32_t)r;
+    return glint_shift_right(x, 15) * r * 8 + (int32_t)(low >> 12);
+}
+
 #if GLINT_SPLIT_PRODUCTS
 typedef glint_row_split glint_row;
 #define glint_row_set glint_row_set_split
 #define glint_row_get glint_row_get_split
 #define glint_row_times glint_row_times_split
 #define glint_scale glint_scale_split
+#define glint_slope_of glint_slope_of_split
 #else
 typedef glint_row_whole glint_row;
 #define glint_row_set glint_row_set_whole
 #define glint_row_get glint_row_get_whole
 #define glint_row_times glint_row_times_whole
 #define glint_scale glint_scale_whole
+#define glint_slope_of glint_slope_of_whole
 #endif
 
 /**

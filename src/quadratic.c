@@ -150,8 +150,7 @@ static int find_planes(const glint_triangle *triangle, const glint_gradients *g,
                   *c = triangle->corners[2]->attribute;
     int32_t w[3];
     uint32_t bits = 0;
-    if (2 * g->size - 31 + (int32_t)glint_leading_zeros((uint32_t)triangle->area) > SLENDER ||
-        !find_weights(triangle, w))
+    if (glint_slenderness(g, triangle->area) > SLENDER || !find_weights(triangle, w))
         return 0;
     glint_plane_begin(&light->cosine, g, cosine[0] * w[0], cosine[1] * w[1], cosine[2] * w[2]);
     for (int i = 0; i < 3; i++) {

@@ -75,10 +75,10 @@ typedef struct glint_interpolation_edge {
     int32_t shorter; /* 1 / |M| - 1 there, Q15 */
 } glint_interpolation_edge;
 
-/** Gradients of the second and the third corner's barycentric coordinates, in 15 bits and a sign. */
+/** Changes of the second and the third corner's barycentric coordinates a pixel, times 2^shift, 15 bits and a sign. */
 typedef struct glint_interpolation_gradients {
     const glint_gradients *g;
-    int32_t x1, y1, x2, y2;
+    int32_t x1, y1, x2, y2, shift;
 } glint_interpolation_gradients;
 
 /** Quadratics that interpolate a triangle's lighting, and what they are made of. */

@@ -104,6 +104,7 @@ static void find_side(glint_part *part, const glint_place *a, const glint_place 
     do {
         *column = (uint8_t)(x >> 20);
         column += sizeof(glint_span);
+        GLINT_OPAQUE(column);
         x += slope;
     } while (--rows);
 }
@@ -132,10 +133,9 @@ static inline void find_inside(glint_part *part, const glint_place *a, const gli
     do {
         *column = (uint8_t)(x >> 20);
         column += sizeof(glint_span);
+        GLINT_OPAQUE(column);
         x += slope;
-        rows--;
-        GLINT_OPAQUE(rows);
-    } while (rows);
+    } while (--rows);
 }
 
 static inline int is_across(const glint_window *window, const glint_place *place) {

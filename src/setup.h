@@ -14,6 +14,12 @@ void glint_setup(glint_part *part, const glint_triangle *triangle);
  */
 void glint_plane_begin(glint_plane *plane, const glint_gradients *gradients, int32_t a0, int32_t a1, int32_t a2);
 
+/** How many bits a triangle's longest side has, twice, beyond those of its area: of an equilateral one at most 2. */
+static inline int32_t glint_slenderness(const glint_gradients *gradients, int32_t area) {
+    const int32_t side_bits = 32 - (int32_t)glint_leading_zeros(gradients->reach + 1);
+    return 2 * side_bits - 31 + (int32_t)glint_leading_zeros((uint32_t)area);
+}
+
 /** A plane's value at a pixel, x and y from the anchor. */
 static inline int32_t glint_plane_at(const glint_plane *p, int32_t x, int32_t y) {
     return glint_add_wrap(p->start, glint_add_wrap(glint_multiply_wrap(p->dx, x), glint_multiply_wrap(p->dy, y)));

@@ -71,6 +71,13 @@ PROOF(glint_scale_itself) {
     glint_scale_split(ANY(-most, most), ANY_UNSIGNED(0, (1u << 18) - 1));
 }
 
+/* |x| at most 2^26, r from 0 to 2^16 + 2^11. Both forms. */
+PROOF(glint_slope_of_itself) {
+    const int32_t most = 1 << 26;
+    glint_slope_of_whole(ANY(-most, most), ANY(0, (1 << 16) + (1 << 11)));
+    glint_slope_of_split(ANY(-most, most), ANY(0, (1 << 16) + (1 << 11)));
+}
+
 /*
  * w from 2^28 to 3 2^28, in the 256 intervals of the table.
  * @narrowing the Newton step's error is below 2^31: r falls short by at most 3.6e-4; `make domains` takes every w
@@ -83,7 +90,7 @@ PROOF(glint_inverse) {
 }
 
 /* Stands on `setup`, which takes every x, under UBSan too: how often the remainder is made good is a relation. */
-/*@ requires 0x8000 <= x <= 0xffff;
+/*@ requires 0x8000 <= x <= 0x10000;
     assigns \result \from x;
     admit ensures 0x8000 <= \result <= 0x10000; */
 static inline int32_t glint_reciprocal16_by_table(uint32_t x);
@@ -94,9 +101,9 @@ static inline int32_t glint_reciprocal16_by_table(uint32_t x);
     assigns \result \from dx, dy; */
 static inline int32_t glint_slope_by_table(int32_t dx, int32_t dy);
 
-/* x from 2^15 to 2^16 - 1. */
+/* x from 2^15 to 2^16. */
 PROOF(glint_reciprocal16_by_division) {
-    glint_reciprocal16_by_division(ANY_UNSIGNED(1u << 15, (1u << 16) - 1));
+    glint_reciprocal16_by_division(ANY_UNSIGNED(1u << 15, 1u << 16));
 }
 
 /* |dx| below 1024, dy from 1 to 511. */

@@ -8,14 +8,14 @@
 /*
  * Wide gradients of up to 2^30, values of corners up to 2^30 either way or 1/w.
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
- * @unreached 2 narrow ones: differences have 15 bits by the choice of `up`, a relation; suite `setup`, under UBSan too
+ * @unreached 1 narrow ones: differences have 15 bits by the choice of `up`, a relation; suite `setup`, under UBSan too
  */
 PROOF(glint_plane_begin) {
     const int32_t most = 1 << 30;
     glint_plane plane;
     glint_gradients g;
-    g.size = 0;
-    g.wide = 1;
+    g.reach = 0;
+    g.reciprocal = 0;
     g.to_center_x = ANY(-7, 8);
     g.to_center_y = ANY(-7, 8);
     g.x1 = ANY(-most, most);

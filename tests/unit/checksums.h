@@ -12,31 +12,31 @@
 static const uint32_t expected_checksums[] = {
     0xee6e5031u, /* local_viewer */
     0xeb66e3a0u, /* infinite_viewer */
-    0x354c489cu, /* exponent_half */
-    0x0e6a5461u, /* exponent_two */
+    0xf54adebcu, /* exponent_half */
+    0xbf1c1132u, /* exponent_two */
     0xa02f78d9u, /* exponent_1024 */
-    0x75a5aaa5u, /* exponents_beyond */
-    0xb2586c57u, /* curved */
-    0x45f4960du, /* curved_infinite */
-    0x75dfa1d8u, /* curved_exponent_8192 */
-    0x0c80fe76u, /* curved_exponent_1024 */
+    0x8aa8f385u, /* exponents_beyond */
+    0xcf04da17u, /* curved */
+    0xce6ba11cu, /* curved_infinite */
+    0xd9d37d1fu, /* curved_exponent_8192 */
+    0xcb0af161u, /* curved_exponent_1024 */
     0xbca3e3ccu, /* curved_gently */
-    0x799716a8u, /* curved_gently_infinite */
-    0x59cfca03u, /* curved_gently_exponent_256 */
-    0x49a985c3u, /* eight_lights */
-    0x15ef6b60u, /* eight_lights_infinite */
+    0xdc1a8a37u, /* curved_gently_infinite */
+    0x0ee9d2fbu, /* curved_gently_exponent_256 */
+    0x918b76bbu, /* eight_lights */
+    0x04db6918u, /* eight_lights_infinite */
     0xfa8add0au, /* saturated */
-    0xac0d4728u, /* near_plane */
+    0x8bd854a8u, /* near_plane */
     0xda8a09c5u, /* floor_to_horizon */
     0x3104de64u, /* guard_band */
-    0xc5af1d6bu, /* mirrored_double_sided */
+    0xf3636e33u, /* mirrored_double_sided */
     0x7b8d6d35u, /* squashed */
     0x7eddfc65u, /* interlocked */
     0x5b7f54fdu, /* turned_camera */
     0x77051dc5u, /* no_objects */
     0x42054031u, /* big_endian */
     0xcbc7907bu, /* rgb888_odd_size */
-    0x60e7c4fau, /* grey8_odd_size */
+    0xd4c48de9u, /* grey8_odd_size */
     0x392c720cu, /* grey4_odd_size */
     0xa534a365u, /* rgb444_odd_size */
     0xcfd2fadcu, /* tall_and_thin */
@@ -46,7 +46,7 @@ static const uint32_t expected_checksums[] = {
     0x8dc475ebu, /* lambert_infinite */
     0x6282db6bu, /* phong_ungated_max */
     0xaf07a8c7u, /* per_vertex */
-    0xf7ef4bd9u, /* per_vertex_clipped */
+    0x70a42bc0u, /* per_vertex_clipped */
     0x75eab97bu, /* per_facet */
     0x2b3439b3u, /* per_facet_clipped */
     0x0c8b9f5du, /* mesh_colours */
