@@ -88,6 +88,25 @@ void glint_plane_begin(glint_plane *p, const glint_gradients *g, int32_t a0, int
         begin_wide(p, g, a0, a1 - a0, a2 - a0);
 }
 
+/* The largest depth, and room that a plane's rounding may take. */
+#define TOP 0x7fff0000
+#define ROOM (1 << 21)
+
+/* Lowers a depth plane that rounding takes above the top at a corner, where pixels then would have 32 bits. */
+static GLINT_NOINLINE void keep_below_top(glint_part *part) {
+    const glint_gradients *g = &part->gradients;
+    glint_plane *depth = &part->depth;
+    for (int i = 1; i < 3; i++) {
+        const int32_t x = part->places[i].x - part->places[0].x - g->to_center_x;
+        const int32_t y = part->places[i].y - part->places[0].y - g->to_center_y;
+        const int32_t there = glint_add_wrap(glint_multiply_wrap(glint_shift_right(depth->dx, 4), x),
+                                             glint_multiply_wrap(glint_shift_right(depth->dy, 4), y));
+        const uint32_t above = (uint32_t)depth->start + (uint32_t)there - TOP;
+        if (above < ROOM)
+            depth->start = glint_add_wrap(depth->start, -(int32_t)above);
+    }
+}
+
 void glint_setup(glint_part *part, const glint_triangle *t) {
     const glint_place *a = &part->places[0], *b = &part->places[1], *c = &part->places[2];
     const int32_t w = t->corners[0]->inverse_w, w1 = t->corners[1]->inverse_w, w2 = t->corners[2]->inverse_w;
@@ -103,4 +122,6 @@ void glint_setup(glint_part *part, const glint_triangle *t) {
         begin_narrow(&part->depth, g, w, w1 - w, w2 - w);
     else
         glint_plane_begin(&part->depth, g, w, w1, w2);
+    if (glint_add_wrap(w1 | w2, ROOM) < 0)
+        keep_below_top(part);
 }

@@ -149,11 +149,35 @@ static void planes(void) {
     report("wide triangles", worst_wide, 0x1p-7);
 }
 
+/* Depths at a corner that is the frame's nearest, on a pixel's centre: rounded up they still have 31 bits. */
+static void depth_at_the_nearest_corner(void) {
+    const int32_t top = 0x7fff0000;
+    long judged = 0, above = 0;
+    for (int i = 0; i < 3000000; i++) {
+        const int which = i % 3;
+        drawn d;
+        if (!draw(&d, 4 << random_below(13), top))
+            continue;
+        const glint_place *corner = &d.part.places[which], *first = &d.part.places[0];
+        if (corner->x & 15 || corner->y & 15)
+            continue;
+        for (int k = 0; k < 3; k++)
+            d.corners[k].inverse_w = k == which ? top : d.corners[k].inverse_w >> random_below(8);
+        glint_setup(&d.part, &d.triangle);
+        const int32_t x = corner->x / 16 - ((first->x + 8) >> 4), y = corner->y / 16 - ((first->y + 8) >> 4);
+        above += ((uint32_t)glint_plane_at(&d.part.depth, x, y) + (1 << 15)) >> 31;
+        judged++;
+    }
+    CHECK(judged > 10000);
+    CHECK_EQUAL(above, 0);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(reciprocals_of_16_bits),
         TEST_CASE(crossings_of_all_short_edges),
         TEST_CASE(planes),
+        TEST_CASE(depth_at_the_nearest_corner),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

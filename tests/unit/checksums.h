@@ -49,8 +49,8 @@ static const uint32_t expected_checksums[] = {
     0x70a42bc0u, /* per_vertex_clipped */
     0x75eab97bu, /* per_facet */
     0x2b3439b3u, /* per_facet_clipped */
-    0x0c8b9f5du, /* mesh_colours */
-    0xa97b0fd6u, /* mesh_colours565_per_vertex */
+    0x5638bafdu, /* mesh_colours */
+    0xdea76eabu, /* mesh_colours565_per_vertex */
     0xc000fff1u, /* mesh_colours_unlit_facets */
     0xe6b68816u, /* rgb565_dithered */
     0x7f400056u, /* grey4_dithered_odd_size */
