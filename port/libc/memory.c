@@ -27,6 +27,14 @@ void *memcpy(void *restrict to, const void *restrict from, size_t count) {
     const uint8_t *in = from;
 
     if (aligned(to, from)) {
+        for (; count >= 4 * sizeof(block); count -= 4 * sizeof(block)) {
+            *(block *)(void *)out = *(const block *)(const void *)in;
+            *(block *)(void *)(out + sizeof(block)) = *(const block *)(const void *)(in + sizeof(block));
+            *(block *)(void *)(out + 2 * sizeof(block)) = *(const block *)(const void *)(in + 2 * sizeof(block));
+            *(block *)(void *)(out + 3 * sizeof(block)) = *(const block *)(const void *)(in + 3 * sizeof(block));
+            out += 4 * sizeof(block);
+            in += 4 * sizeof(block);
+        }
         for (; count >= sizeof(block); count -= sizeof(block), out += sizeof(block), in += sizeof(block)) {
             *(block *)(void *)out = *(const block *)(const void *)in;
         }
@@ -64,6 +72,12 @@ void *memset(void *to, int value, size_t count) {
         block words;
         for (int i = 0; i < BLOCK_WORDS; i++) {
             words.words[i] = word;
+        }
+        for (; count >= 4 * sizeof(block); count -= 4 * sizeof(block), out += 4 * sizeof(block)) {
+            *(block *)(void *)out = words;
+            *(block *)(void *)(out + sizeof(block)) = words;
+            *(block *)(void *)(out + 2 * sizeof(block)) = words;
+            *(block *)(void *)(out + 3 * sizeof(block)) = words;
         }
         for (; count >= sizeof(block); count -= sizeof(block), out += sizeof(block)) {
             *(block *)(void *)out = words;
