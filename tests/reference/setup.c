@@ -135,7 +135,7 @@ static void planes(void) {
     static const int32_t ranges[4] = {1 << 16, 1 << 24, 1 << 28, 0x7fff0000};
     double worst_narrow = 0, worst_tiny = 0, worst_wide = 0;
     for (int i = 0; i < 3000000; i++) {
-        drawn d;
+        static drawn d;
         if (!draw(&d, 4 << random_below(13), ranges[i % 4]))
             continue;
         double *worst = d.triangle.area < 16 ? &worst_tiny : &worst_narrow;
@@ -155,7 +155,7 @@ static void depth_at_the_nearest_corner(void) {
     long judged = 0, above = 0;
     for (int i = 0; i < 3000000; i++) {
         const int which = i % 3;
-        drawn d;
+        static drawn d;
         if (!draw(&d, 4 << random_below(13), top))
             continue;
         const glint_place *corner = &d.part.places[which], *first = &d.part.places[0];
