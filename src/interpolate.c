@@ -367,7 +367,8 @@ glint_quadratic_kind glint_interpolate_begin(const glint_draw *draw, const glint
         /* between corners, by the turn of normals and of half vectors, and by 1/w; Q14 */
         const int32_t margin = (turn * 5 >> 5) + (extent * 9 >> 4) + (change * 7 >> 5);
         shows = !(all & GLINT_TERMS_ANY_OUTSIDE) ||
-                !is_outside(deviation, to->terms, margin * (deviation->scale >> 4) >> 12);
+                !is_outside(deviation, to->terms,
+                            (int32_t)glint_shift_right64((int64_t)margin * (deviation->scale >> 4), 12));
     }
     if (shows && (any & (GLINT_TERMS_DIM | GLINT_TERMS_FAR) ||
                   skewed + (extent >> 1) + (extent * extent >> 13) > limits->turn_specular ||

@@ -6,6 +6,7 @@
 #include "deviation.h"
 #include "harness.h"
 #include "setup.h"
+#include "spans565.h"
 
 #define TRIANGLES 500000
 
@@ -34,7 +35,13 @@ static const int16_t nowhere[3] = {0, 0, 0};
 static struct {
     int64_t diffuse_most, diffuse_least, gated_most, specular_most;
     uint32_t triangles[GLINT_KERNELS], pixels;
-} seen = {-1, INT32_MAX, -1, -1, {0}, 0};
+    uint32_t interpolated[2], interpolated_gated, curved[2];
+    int64_t root_most, bent_most;
+} seen = {-1, INT32_MAX, -1, -1, {0}, 0, {0}, 0, {0}, -1, -1};
+
+static int64_t more(int64_t a, int64_t b) {
+    return a > b ? a : b;
+}
 
 static void see_pixel(glint_deviation_kind kind, const glint_deviation *deviation, const glint_deviation_planes *planes,
                       int32_t x, int32_t y) {
@@ -56,6 +63,71 @@ static void see_pixel(glint_deviation_kind kind, const glint_deviation *deviatio
     }
 }
 
+/* As the loops of quadratic565.h read. */
+static void see_interpolated(const glint_deviation *deviation, const glint_interpolation *light, int shows, int32_t x,
+                             int32_t y) {
+    const int32_t level = (int32_t)glint_stride_begin(&light->cosine, x, y).value;
+    const int64_t entry = (uint32_t)level >> 22;
+    if (!shows && light->gated) {
+        seen.gated_most = level > 0 ? more(seen.gated_most, entry) : seen.gated_most;
+        return;
+    }
+    seen.diffuse_most = more(seen.diffuse_most, entry);
+    seen.diffuse_least = level < seen.diffuse_least ? level : seen.diffuse_least;
+    if (shows) {
+        const uint32_t square = glint_high_square(glint_stride_begin(&light->x, x, y).value) +
+                                glint_high_square(glint_stride_begin(&light->y, x, y).value);
+        if (square < deviation->specular_end)
+            seen.specular_most = more(seen.specular_most, square >> 15);
+    }
+}
+
+static void see_curved(const glint_deviation *deviation, const glint_quadratic_light *light, int shows, int32_t x,
+                       int32_t y) {
+    const glint_quadratic_limits *limits = &deviation->quadratic;
+    const int32_t level = glint_plane_at(&light->cosine, x, y);
+    const uint32_t root = glint_stride_begin(&light->square, x, y).value >> 22;
+    seen.root_most = more(seen.root_most, root);
+    if (level <= 0 || root > 767)
+        return;
+    const uint32_t inverse = glint_root_table[root];
+    seen.gated_most = more(seen.gated_most, ((uint32_t)level >> 15) * inverse >> 22);
+    if (shows) {
+        uint32_t square = glint_middle_square(glint_stride_begin(&light->x, x, y).value) +
+                          glint_middle_square(glint_stride_begin(&light->y, x, y).value);
+        if (square >= limits->limit)
+            return;
+        square = (square >> limits->shift) * (inverse * inverse >> 16);
+        if (square < limits->end)
+            seen.bent_most = more(seen.bent_most, square >> 20);
+    }
+}
+
+/* Triangles that turn further. */
+static void see_quadratic(const glint_draw *draw, const glint_triangle *triangle, const glint_part *part) {
+    const glint_deviation *deviation = draw->shading->deviation;
+    glint_interpolation interpolated;
+    glint_quadratic_light curved;
+    glint_quadratic_kind kind = glint_interpolate_begin(draw, triangle, part, &interpolated);
+    const int fits = kind != GLINT_QUADRATIC_UNFIT;
+    if (!fits)
+        kind = glint_quadratic_begin(draw, triangle, part, &curved);
+    if (kind != GLINT_QUADRATIC_DIFFUSE && kind != GLINT_QUADRATIC_SPECULAR)
+        return;
+    const int shows = kind == GLINT_QUADRATIC_SPECULAR;
+    (fits ? seen.interpolated : seen.curved)[shows]++;
+    seen.interpolated_gated += fits && !shows && interpolated.gated;
+    for (uint32_t row = part->top; row < part->bottom; row++) {
+        for (int32_t column = part->spans[row].left; column < part->spans[row].right; column++) {
+            const int32_t x = part->x + column, y = part->y + (int32_t)row;
+            if (fits)
+                see_interpolated(deviation, &interpolated, shows, x, y);
+            else
+                see_curved(deviation, &curved, shows, x, y);
+        }
+    }
+}
+
 static void see(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                 const glint_triangle *triangle, const glint_part *part) {
     glint_deviation_planes planes;
@@ -63,6 +135,8 @@ static void see(const glint_frame *frame, glint_workspace *workspace, const glin
     (void)frame;
     (void)workspace;
     seen.triangles[kind]++;
+    if (kind == GLINT_DEVIATION_UNFIT)
+        see_quadratic(draw, triangle, part);
     if (kind == GLINT_DEVIATION_EVEN) {
         const int64_t entry = (uint32_t)planes.cosine.start >> 22;
         if (planes.cosine.start > 0 && entry > seen.gated_most)
@@ -76,20 +150,30 @@ static void see(const glint_frame *frame, glint_workspace *workspace, const glin
             see_pixel(kind, draw->shading->deviation, &planes, part->x + column, part->y + (int32_t)row);
 }
 
-/* Limits at the most that any material and error budget sets them to. */
+/* Limits at the most that any material and error budget sets them to; a highlight of any width. */
 static void loosen(glint_deviation *deviation) {
-    static const int32_t scales[4] = {11585, 16384, 30000, 200000};
-    const int32_t scale = scales[random_bits() % 4];
+    const uint32_t entries = 256u << random_bits() % 3, cut = (1u << 30) >> random_bits() % 21;
+    const int32_t scale = (int32_t)glint_square_root(((uint64_t)entries << 49) / cut);
     deviation->turn = deviation->turn_specular = 1 << 26;
     deviation->extent = INT32_MAX;
     deviation->slant = 0xffff;
     deviation->even = random_bits() % 8 ? 0 : INT16_MAX;
-    deviation->specular_end = (256u << random_bits() % 3) << 15;
+    deviation->sine_square_end = cut;
+    deviation->specular_end = entries << 15;
     deviation->scale = scale;
     deviation->reach =
         (GLINT_DEVIATION_REACH << 16) / scale < INT16_MAX ? (GLINT_DEVIATION_REACH << 16) / scale : INT16_MAX;
     deviation->side = (int32_t)glint_square_root(deviation->specular_end) + (scale >> 14) + 2;
     deviation->side_diagonal = (deviation->side * 23171 >> 14) + 1;
+    deviation->cut = (int32_t)glint_square_root(cut >> 2) + 4;
+    deviation->cut_diagonal = (deviation->cut * 23171 >> 14) + 1;
+}
+
+/* Of quadratics, by what is prepared for a highlight of this width, but that they turn as far as they ever may. */
+static void loosen_quadratics(glint_deviation *deviation, const glint_shading *shading) {
+    deviation->quadratic = (glint_quadratic_limits){0};
+    glint_quadratic_prepare(deviation, shading);
+    deviation->quadratic.turn = deviation->quadratic.turn_specular = INT16_MAX;
 }
 
 /* A light towards the first corner's normal, near the edge of what it lights, or anywhere. */
@@ -148,11 +232,14 @@ static void every_read_is_in_its_table(void) {
     static const uint16_t indices[1][3] = {{0, 1, 2}};
     static glint_deviation deviation;
     static glint_shading shading;
+    static glint_material material;
     static glint_draw draw;
     static glint_vertex corners[3];
     static int16_t terms[3][3];
     shading.deviation = &deviation;
     shading.lights = 1;
+    shading.material = &material;
+    material.shininess = 2 * GLINT_ONE;
     draw.triangles = indices;
     draw.vertices = corners;
     draw.terms = terms;
@@ -166,6 +253,7 @@ static void every_read_is_in_its_table(void) {
         draw.mirrored = area > 0;
         loosen(&deviation);
         place_light(&deviation, corners[0].attribute);
+        loosen_quadratics(&deviation, &shading);
         glint_deviation_light(0, &draw, 0, 0);
         draw_tiles(&draw, corners);
     }
@@ -173,13 +261,22 @@ static void every_read_is_in_its_table(void) {
     CHECK(seen.triangles[GLINT_DEVIATION_GATED] > TRIANGLES / 100);
     CHECK(seen.triangles[GLINT_DEVIATION_SPECULAR] > TRIANGLES / 100);
     CHECK(seen.triangles[GLINT_DEVIATION_EVEN] > TRIANGLES / 1000);
+    CHECK(seen.interpolated[0] > TRIANGLES / 100);
+    CHECK(seen.interpolated[1] > TRIANGLES / 1000);
+    CHECK(seen.interpolated_gated > TRIANGLES / 100);
+    CHECK(seen.curved[0] > TRIANGLES / 100);
+    CHECK(seen.curved[1] > TRIANGLES / 1000);
     test_write("  entries read: diffuse ");
     test_write_number(seen.diffuse_most);
     test_write(", gated ");
     test_write_number(seen.gated_most);
     test_write(" of 272, specular ");
     test_write_number(seen.specular_most);
-    test_write(" of 1024; least N.L ");
+    test_write(" and ");
+    test_write_number(seen.bent_most);
+    test_write(" of 1024, root ");
+    test_write_number(seen.root_most);
+    test_write(" of 768; least N.L ");
     test_write_number(seen.diffuse_least);
     test_write("\n");
     CHECK(seen.diffuse_least > 0);
@@ -187,6 +284,8 @@ static void every_read_is_in_its_table(void) {
     CHECK_AT_MOST(seen.diffuse_most, GLINT_DIFFUSE_ENTRIES - 1);
     CHECK_AT_MOST(seen.gated_most, GLINT_DIFFUSE_ENTRIES - 1);
     CHECK_AT_MOST(seen.specular_most, 1023);
+    CHECK_AT_MOST(seen.bent_most, 1023);
+    CHECK_AT_MOST(seen.root_most, 767);
 }
 
 int test_main(test_writer write) {
