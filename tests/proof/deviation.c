@@ -5,6 +5,7 @@
 #include "../../src/deviation.c"
 #include "lit.h"
 #include "pixels.h"
+#include "plane.h"
 
 /* Stands on ray_limit times ray_scale being below 2^31, and on V and L being unit; the image tests under UBSan. */
 /*@ requires \valid(half_vector + (0 .. 2)) && \valid(view);
@@ -15,6 +16,13 @@
    32767; */
 int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, int16_t half_vector[3],
                                 glint_view_vector *view);
+
+/* Stands on a square being no less than 0; its size is proven by the normals' components. */
+/*@ requires -32767 <= a <= 32767 && -32767 <= b <= 32767 && -32767 <= c <= 32767;
+    assigns \result \from a, b, c;
+    ensures \result <= 0x24006000;
+    admit ensures \result >= 0; */
+static inline int32_t square_of_sum(int32_t a, int32_t b, int32_t c);
 
 static const uint16_t triangles[1][3] = {{0, 1, 2}};
 static glint_vertex vertices[3];
@@ -91,4 +99,58 @@ PROOF(glint_deviation_covered) {
     part.top = ANY_UNSIGNED(0, GLINT_TILE_MAX);
     part.bottom = ANY_UNSIGNED(0, GLINT_TILE_MAX);
     glint_deviation_covered(&part);
+}
+
+/* Any three components. */
+PROOF(square_of_sum) {
+    square_of_sum(ANY_COMPONENT, ANY_COMPONENT, ANY_COMPONENT);
+}
+
+/* Any limits, any turn, any change of 1/w. */
+PROOF(fits) {
+    w_range w;
+    w.least = ANY_UNSIGNED(0, 0xffff);
+    w.change = ANY_UNSIGNED(1, 0x10000);
+    fits(ANY(0, 1 << 26), ANY(-(5 << 28), 1 << 30), w);
+}
+
+/* A triangle of any flags, limits of any material; a part of any gradients. */
+static void any_part(glint_part *part, int narrow) {
+    if (narrow)
+        any_narrow(&part->gradients);
+    else
+        any_wide(&part->gradients);
+    any_triangle();
+    deviation.turn = ANY(0, 1 << 26);
+    deviation.turn_specular = ANY(0, 1 << 26);
+    deviation.extent = ANY(0, INT32_MAX);
+    deviation.slant = ANY_UNSIGNED(0, 0xffff);
+    deviation.even = ANY(0, INT16_MAX);
+}
+
+/*
+ * Any flags, any limits; N.L by parts of the first corner's, the others' up to 0.82 from it, which is how far normals
+ * differ whose turn is at most 1.
+ * @contract glint_plane_begin square_of_sum
+ * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
+ */
+PROOF(glint_deviation_begin) {
+    static glint_part part;
+    static glint_deviation_planes planes;
+    glint_triangle triangle = {{&vertices[0], &vertices[1], &vertices[2]}, {0, 0, 0}, 0, 1, 0};
+    triangle.back = ANY(0, 1);
+    FOR_PARTS(narrow, 0, 1) {
+        any_part(&part, narrow);
+        FOR_PARTS(i, -8, 7) {
+            const int32_t first = i * 2048, last = first + 2047;
+            terms[0][0] = (int16_t)ANY(first, last);
+            for (int corner = 0; corner < 3; corner++) {
+                if (corner)
+                    terms[corner][0] = (int16_t)ANY(first - 13416, last + 13416);
+                terms[corner][1] = (int16_t)ANY(-GLINT_DEVIATION_REACH, GLINT_DEVIATION_REACH);
+                terms[corner][2] = (int16_t)ANY(-GLINT_DEVIATION_REACH, GLINT_DEVIATION_REACH);
+            }
+            glint_deviation_begin(&draw, &triangle, &part, &planes);
+        }
+    }
 }

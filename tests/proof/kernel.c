@@ -4,17 +4,12 @@
 
 #include "../../src/kernel.c"
 #include "lit.h"
+#include "plane.h"
 
 /*
  * Not proven: glint_draw_any: fragments are shaded when there are 8, so that none is the ninth; spans lie in the tile.
  * The image tests under ASan.
  */
-
-/*@ requires \valid(plane) && \valid_read(gradients);
-    requires -0x40000000 < a0 < 0x40000000 && -0x40000000 < a1 < 0x40000000 && -0x40000000 < a2 < 0x40000000;
-    assigns *plane \from indirect: *gradients, a0, a1, a2;
-    ensures \initialized(plane); */
-void glint_plane_begin(glint_plane *plane, const glint_gradients *gradients, int32_t a0, int32_t a1, int32_t a2);
 
 /*
  * Corners of any attributes, 1/w by the bits of the largest, first or last; lit and not, from both sides.
@@ -30,6 +25,10 @@ PROOF(begin) {
     glint_fragments fragments;
     glint_part part;
     glint_draw draw;
+    if (ANY(0, 1))
+        any_wide(&part.gradients);
+    else
+        any_narrow(&part.gradients);
     part.x = ANY(-2047, 2047);
     part.y = ANY(-2047, 2047);
     for (int i = 0; i < 3; i++) {

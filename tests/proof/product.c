@@ -6,6 +6,7 @@
 #include "../../src/product.h"
 #include "../../src/tables.c"
 #include "contracts.h"
+#include "gradients.h"
 
 /* Entries of a row: magnitudes sum up to 12 of these, 3 2^28. */
 #define UNIT_OF_SUM (1 << 26)
@@ -101,9 +102,11 @@ static inline int32_t glint_reciprocal16_by_table(uint32_t x);
     assigns \result \from dx, dy; */
 static inline int32_t glint_slope_by_table(int32_t dx, int32_t dy);
 
-/* x from 2^15 to 2^16. */
+/* x from 2^15 to 2^16, by parts. */
 PROOF(glint_reciprocal16_by_division) {
-    glint_reciprocal16_by_division(ANY_UNSIGNED(1u << 15, 1u << 16));
+    FOR_PARTS(i, 32, 63) {
+        glint_reciprocal16_by_division(ANY_UNSIGNED(1024u * (uint32_t)i, 1024u * (uint32_t)i + 1024));
+    }
 }
 
 /* |dx| below 1024, dy from 1 to 511. */

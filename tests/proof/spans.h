@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file spans.h
+ * What loops over pixels are given: two rows of a tile, tables, planes.
+ */
+#ifndef GLINT_PROOF_SPANS_H
+#define GLINT_PROOF_SPANS_H
+
+#include "../../src/deviation.h"
+#include "pixels.h"
+
+#define WIDTH 8
+
+/* Depths and pixels of two rows, side by side as a workspace has them; the tables; a part. */
+static uint16_t tile[2 * 2 * WIDTH];
+static uint32_t words[GLINT_DIFFUSE_ENTRIES], highlight[1024];
+static uint16_t packed[GLINT_DIFFUSE_ENTRIES];
+static glint_deviation deviation;
+static glint_part part;
+static glint_deviation_planes planes;
+
+static glint_spans any_part(void) {
+    const glint_spans spans = {&part, tile, (uint8_t *)(tile + 2 * WIDTH), 3};
+    Frama_C_make_unknown((char *)tile, sizeof tile);
+    Frama_C_make_unknown((char *)words, sizeof words);
+    Frama_C_make_unknown((char *)highlight, sizeof highlight);
+    Frama_C_make_unknown((char *)packed, sizeof packed);
+    any_plane(&part.depth);
+    any_plane(&planes.cosine);
+    any_plane(&planes.x);
+    any_plane(&planes.y);
+    part.x = ANY(-2047, 2047);
+    part.y = ANY(-2047, 2047);
+    deviation.diffuse = words;
+    deviation.specular = highlight;
+    deviation.diffuse_pixel = packed;
+    deviation.specular_end = ANY_UNSIGNED(1, 1024) << 15;
+    deviation.ambient = (uint16_t)ANY(0, 0xffff);
+    part.top = 0;
+    part.bottom = 2;
+    return spans;
+}
+
+/*
+ * Every span of a row, and every column at which the row before it may have ended: what a loop carries from one to the
+ * next.
+ */
+#define FOR_SPANS()                                                                            \
+    FOR_PARTS(end, 0, WIDTH)                                                                   \
+    FOR_PARTS(left, 0, WIDTH)                                                                  \
+    FOR_PARTS(right, left, WIDTH)                                                              \
+    if (part.spans[0].left = (uint8_t)(end ? end - 1 : 0), part.spans[0].right = (uint8_t)end, \
+        part.spans[1].left = (uint8_t)left, part.spans[1].right = (uint8_t)right, 1)
+
+#endif
