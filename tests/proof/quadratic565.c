@@ -28,9 +28,9 @@ static void any_lights_of_triangle(void) {
 }
 
 /*
- * Not proven: glint_quadratic_begin, glint_quadratic_bend, find_edges, find_middle: coefficients bounded by limits of
- * turn, extent and depth. Suite `reads`; `compare`, `highlights`, and `budget` and `drops` with random scenes, under
- * ASan and UBSan.
+ * Not proven: glint_draw_quadratic, glint_quadratic_begin, glint_quadratic_bend, glint_interpolate_begin: coefficients
+ * bounded by limits of turn, extent and depth. Suite `reads` with the infinite viewer; `compare`, `highlights`, and
+ * `budget` and `drops` with random scenes, under ASan and UBSan.
  */
 
 /*
