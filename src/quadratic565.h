@@ -350,38 +350,30 @@ static GLINT_NOINLINE void glint_draw_squares(const glint_frame *frame, glint_wo
     }
 }
 
-/* @return 0 where nothing is drawn: the triangle does not fit */
-static inline int glint_draw_interpolated(glint_workspace *workspace, const glint_spans *s, const glint_draw *draw,
-                                          const glint_triangle *triangle, int high_first) {
-    const glint_shading *shading = draw->shading;
-    glint_interpolation light;
-    const glint_quadratic_kind kind = glint_interpolate_begin(draw, triangle, s->part, &light);
-    if (kind == GLINT_QUADRATIC_UNFIT)
-        return 0;
+static inline void glint_draw_interpolated(const glint_workspace *workspace, const glint_spans *s,
+                                           const glint_shading *shading, const glint_interpolation *light,
+                                           glint_quadratic_kind kind, int high_first) {
     if (workspace->drawn)
         glint_count(workspace, (glint_kernel_name)kind, glint_deviation_covered(s->part));
     if (!shading->deviation->diffuse)
-        glint_draw_quadratic_without_tables(s, shading, 0, &light, kind == GLINT_QUADRATIC_SPECULAR, high_first);
-    else if (kind == GLINT_QUADRATIC_DIFFUSE && light.gated)
-        glint_draw_interpolated_diffuse(s, shading->deviation, &light, 1, high_first);
+        glint_draw_quadratic_without_tables(s, shading, 0, light, kind == GLINT_QUADRATIC_SPECULAR, high_first);
+    else if (kind == GLINT_QUADRATIC_DIFFUSE && light->gated)
+        glint_draw_interpolated_diffuse(s, shading->deviation, light, 1, high_first);
     else if (kind == GLINT_QUADRATIC_DIFFUSE)
-        glint_draw_interpolated_diffuse(s, shading->deviation, &light, 0, high_first);
-    else if (light.clamped)
-        glint_draw_interpolated_specular(s, shading->deviation, &light, 1, high_first);
+        glint_draw_interpolated_diffuse(s, shading->deviation, light, 0, high_first);
+    else if (light->clamped)
+        glint_draw_interpolated_specular(s, shading->deviation, light, 1, high_first);
     else
-        glint_draw_interpolated_specular(s, shading->deviation, &light, 0, high_first);
-    return 1;
+        glint_draw_interpolated_specular(s, shading->deviation, light, 0, high_first);
 }
 
 /* @return 0 where nothing is drawn: the triangle does not fit */
-static inline int glint_draw_quadratic(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                                       const glint_triangle *triangle, const glint_part *part, int high_first) {
+static inline int glint_draw_exactly(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                                     const glint_triangle *triangle, const glint_part *part, int high_first) {
     const glint_deviation *deviation = draw->shading->deviation;
     const glint_spans spans = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
     glint_quadratic_light light;
     glint_square square;
-    if (glint_draw_interpolated(workspace, &spans, draw, triangle, high_first))
-        return 1;
     glint_quadratic_kind kind = glint_quadratic_begin(draw, triangle, part, &light);
     if (kind == GLINT_QUADRATIC_UNFIT)
         return 0;
@@ -397,6 +389,18 @@ static inline int glint_draw_quadratic(const glint_frame *frame, glint_workspace
         }
     }
     glint_draw_quadratic_kind(workspace, &spans, draw->shading, &light, kind, high_first);
+    return 1;
+}
+
+/* A triangle that turns: interpolated where that fits, else exactly. @return 0 where nothing is drawn */
+static inline int glint_draw_quadratic(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                                       const glint_triangle *triangle, const glint_part *part, int high_first) {
+    const glint_spans spans = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
+    glint_interpolation light;
+    const glint_quadratic_kind kind = glint_interpolate_begin(draw, triangle, part, &light);
+    if (kind == GLINT_QUADRATIC_UNFIT)
+        return glint_draw_exactly(frame, workspace, draw, triangle, part, high_first);
+    glint_draw_interpolated(workspace, &spans, draw->shading, &light, kind, high_first);
     return 1;
 }
 

@@ -193,9 +193,9 @@ static void begin_highlight(const glint_draw *draw, const glint_triangle *triang
     COUNT(parts_matt, kind != GLINT_DEVIATION_AMBIENT && draw->shading->deviation->specular_end);
 }
 
-static GLINT_NOINLINE int draw_quadratic(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                                         const glint_triangle *triangle, const glint_part *part) {
-    return glint_draw_quadratic(frame, workspace, draw, triangle, part, 0);
+static GLINT_NOINLINE int draw_exactly(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                                       const glint_triangle *triangle, const glint_part *part) {
+    return glint_draw_exactly(frame, workspace, draw, triangle, part, 0);
 }
 
 /* The loop of interpolated highlights where N.L may be below 0. */
@@ -226,14 +226,19 @@ static void draw_interpolated_gated(const glint_spans *s, const glint_deviation 
     }
 }
 
-/* What is interpolated without its highlight, with it. @return 0 for all else, and where the highlight's does not fit
- */
-static int draw_interpolated(const glint_spans *spans, const glint_draw *draw, const glint_triangle *triangle) {
+/* What is interpolated, with its highlight where that fits. @return 0 for all else */
+static int draw_interpolated(glint_workspace *workspace, const glint_spans *spans, const glint_draw *draw,
+                             const glint_triangle *triangle) {
     const glint_deviation *deviation = draw->shading->deviation;
     glint_interpolation light;
-    if (glint_interpolate_begin(draw, triangle, spans->part, &light) != GLINT_QUADRATIC_DIFFUSE ||
-        !deviation->specular_end || !glint_interpolate_highlight(draw, triangle, &light))
+    const glint_quadratic_kind kind = glint_interpolate_begin(draw, triangle, spans->part, &light);
+    if (kind == GLINT_QUADRATIC_UNFIT)
         return 0;
+    if (kind != GLINT_QUADRATIC_DIFFUSE || !deviation->specular_end ||
+        !glint_interpolate_highlight(draw, triangle, &light)) {
+        glint_draw_interpolated(workspace, spans, draw->shading, &light, kind, 0);
+        return 1;
+    }
     COUNT(parts_interpolated, 1);
     if (!deviation->diffuse)
         glint_draw_quadratic_without_tables(spans, draw->shading, 0, &light, 1, 0);
@@ -313,21 +318,16 @@ static void draw_curved(const glint_frame *frame, glint_workspace *workspace, co
     glint_deviation *deviation = (glint_deviation *)draw->shading->deviation; /* it lies in the arena */
     const glint_deviation kept = *deviation;
     const glint_spans spans = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
-    glint_interpolation interpolation;
     glint_square square;
     int drawn = 0;
-    if (draw_interpolated(&spans, draw, triangle))
+    if (draw_interpolated(workspace, &spans, draw, triangle) || draw_squares(frame, workspace, draw, triangle, part))
         return;
-    const int is_exact = glint_interpolate_begin(draw, triangle, part, &interpolation) == GLINT_QUADRATIC_UNFIT;
-    if (is_exact && draw_squares(frame, workspace, draw, triangle, part))
-        return;
-    if (is_exact && deviation->specular_end &&
-        (!deviation->local_viewer || glint_quadratic_square(deviation, triangle, &square))) {
+    if (deviation->specular_end && (!deviation->local_viewer || glint_quadratic_square(deviation, triangle, &square))) {
         widen_highlight(deviation);
-        drawn = draw_quadratic(frame, workspace, draw, triangle, part);
+        drawn = draw_exactly(frame, workspace, draw, triangle, part);
         restore_highlight(deviation, &kept);
     }
-    if (!drawn && !draw_quadratic(frame, workspace, draw, triangle, part))
+    if (!drawn && !draw_exactly(frame, workspace, draw, triangle, part))
         glint_draw_any(frame, workspace, draw, triangle, part);
 }
 
