@@ -11,7 +11,7 @@
 /* Slenderness of triangles, as bits, up to which sums over a row keep what a plane has (quadratic.c). */
 #define SLENDER 7
 
-/* Least area, in sixteenths: sides have at most 2 bits more, which keeps the squares of their gradients in 32. */
+/* Twice the least area, 28.4 squared: sides have at most 2 bits more, which keeps gradients' squares in 32. */
 #define LEAST_AREA 8
 
 /* Errors of N.L and of the highlight that interpolation may make at the worst place, levels in Q12. */

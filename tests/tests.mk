@@ -47,8 +47,12 @@ $(foreach suite,$(TEST_SUITES),$(eval $(call test_suite,sanitize,$(suite),clang,
 MATRIX := $(foreach compiler,gcc clang,$(foreach level,O0 Os O2,$(compiler)-$(level)))
 $(foreach variant,$(MATRIX),$(eval $(call test_suite,$(variant),unit,$(subst -, -,$(variant)))))
 
-# $(call run_suites,programs): runs all, also after a failure
-run_suites = @status=0; for suite in $1; do echo "$$suite"; $$suite || status=1; done; exit $$status
+# $(call run_suites,programs): runs all, also after a failure, as many at once as there are cores; prints them in order
+run_suites = @rm -f $(addsuffix .status,$1); \
+	printf '%s\n' $1 | xargs -P $$(nproc) -I {} sh -c '{} > {}.log 2>&1; echo $$? > {}.status'; \
+	status=0; for suite in $1; do \
+	    echo "$$suite"; cat "$$suite.log"; [ "$$(cat "$$suite.status")" = 0 ] || status=1; \
+	done; exit $$status
 
 .PHONY: test-unit-host test-image test-identity test-sanitize test-matrix fuzz unit-tables
 

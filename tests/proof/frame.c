@@ -13,6 +13,16 @@
  * `identity` under ASan and UBSan, and fuzzing.
  */
 
+/*
+ * Not proven: glint_raster, glint_render_tile, glint_render, glint_changes_flush: they call what is proven, on spans
+ * and pixels inside a tile. The image tests and suites `identity` and `changes` under ASan and UBSan, and fuzzing.
+ */
+
+/*
+ * Not proven: glint_prepare_view, glint_deviation_prepare: once a frame, they call what is proven. Suites `unit`,
+ * `models` and `drops` under ASan and UBSan, and fuzzing.
+ */
+
 static const glint_format format = {24, 0, 0, 0};
 
 static void any_config(glint_config *config) {

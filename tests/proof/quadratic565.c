@@ -28,9 +28,10 @@ static void any_lights_of_triangle(void) {
 }
 
 /*
- * Not proven: glint_draw_quadratic, glint_quadratic_begin, glint_quadratic_bend, glint_interpolate_begin: coefficients
- * bounded by limits of turn, extent and depth. Suite `reads` with the infinite viewer; `compare`, `highlights`, and
- * `budget` and `drops` with random scenes, under ASan and UBSan.
+ * Not proven: glint_draw_quadratic, glint_draw_squares, glint_draw_quadratic_without_tables, glint_quadratic_prepare,
+ * glint_quadratic_begin, glint_quadratic_bend, glint_interpolate_prepare, glint_interpolate_begin,
+ * glint_interpolate_highlight: coefficients bounded by limits of turn, extent and depth. Suite `reads` with the
+ * infinite viewer; `compare`, `highlights`, and `budget` and `drops` with random scenes, under ASan and UBSan.
  */
 
 /*
