@@ -115,7 +115,7 @@ static inline void find_place(glint_place *place, const glint_window *window, co
     place->row = glint_shift_right(place->y + 15, 4);
 }
 
-/* The same of a short side that lies in the tile. */
+/* As find_side, of a short side that lies in the tile. */
 static inline void find_inside(glint_part *part, const glint_place *a, const glint_place *b) {
     uint8_t *column = &part->spans[0].left;
     int32_t rows = b->row - a->row;

@@ -37,8 +37,10 @@ def staircase(points, x_end):
     return line + [(x_end, line[-1][1])]
 
 
-# Points of one colour nearer to each other than this, in pixels, share a label.
+# Points of one colour nearer to each other than this, in pixels, share a label; budgets sooner, whose labels would else
+# stand beside each other's points.
 MERGED = 10
+MERGED_BUDGETS = 25
 
 
 def merge(panel, points):
@@ -46,8 +48,9 @@ def merge(panel, points):
     merged = []
     for x, y, label, colour in points:
         here = panel.place(x, y)
+        least = MERGED_BUDGETS if colour == BUDGETS[1] else MERGED
         near = [i for i, other in enumerate(merged)
-                if other[2] and other[3] == colour and math.dist(here, panel.place(*other[:2])) < MERGED]
+                if other[2] and other[3] == colour and math.dist(here, panel.place(*other[:2])) < least]
         if near:
             other = merged[near[0]]
             merged[near[0]] = (*other[:2], joined(other[2], label), colour)
