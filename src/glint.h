@@ -225,9 +225,9 @@ typedef struct glint_scene {
     glint_colour background;
     glint_colour ambient; /**< Ambient light. */
     const glint_light *lights;
-    uint32_t light_count; /**< 0 to GLINT_LIGHTS_MAX. */
-    const glint_object *objects;
-    uint32_t object_count; /**< 0 or more. Where depths tie, the first drawn wins. */
+    uint32_t light_count;        /**< 0 to GLINT_LIGHTS_MAX. */
+    const glint_object *objects; /**< Nearest first is fastest: what is hidden is not lit. */
+    uint32_t object_count;       /**< 0 or more. Where depths tie, the first drawn wins. */
     /** Steps of an output channel by which any may differ from the exact image, for fewer instructions: 0, exact, to
      * GLINT_BUDGET_MAX. Formats of 1 bit count steps of 8 bits; with output tables, which may steepen errors, it is 0.
      */

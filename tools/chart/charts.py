@@ -210,26 +210,33 @@ def exponent(figures):
     return chart.svg()
 
 
-# Of a sweep: its axis, and what one unit of the axis is.
-SWEEPS = {"triangles": ("triangles, thousands", 1e-3), "pixels": ("pixels of the screen, thousands", 1e-3),
-          "lights": ("lights", 1), "objects": ("objects of 192 triangles", 1)}
+# Of a panel: its axis, what one unit of the axis is, and its sweeps with what tells them apart.
+SWEEPS = (("triangles, thousands", 1e-3, {"triangles": ""}),
+          ("pixels of the screen, thousands", 1e-3, {"pixels": ""}),
+          ("lights", 1, {"lights": ""}),
+          ("objects of 192 triangles, side by side", 1, {"objects": ""}),
+          ("objects that cover each other", 1, {"nearest_first": "nearest first", "farthest_first": "farthest first"}),
+          ("objects that cover each other, general path", 1,
+           {"nearest_first_general": "nearest first", "farthest_first_general": "farthest first"}))
 
 
 def scaling(figures):
     colours = {"m3": "blue", "m0": "red"}
     chart = Chart("How the cost of a frame grows", [("Cortex-M3", "blue"), ("Cortex-M0", "red"),
-                                                    ("lines: straight, fitted to the points", "grey")], 960, 780)
-    for (sweep, (label, unit)), box in zip(SWEEPS.items(), grid(chart, len(SWEEPS), 2)):
-        rows = only(figures.scaling, sweep=sweep)
+                                                    ("lines: straight, fitted to the points", "grey")], 960, 1140)
+    for (label, unit, sweeps), box in zip(SWEEPS, grid(chart, len(SWEEPS), 2)):
+        rows = [row for sweep in sweeps for row in only(figures.scaling, sweep=sweep)]
         most = max(float(row["count"]) for row in rows) * unit
         panel = Panel("", box, Axis(label, 0, most * 1.08),
                       Axis("million instructions per frame", 0, max(int(row["instructions"]) for row in rows) / 1e6 * 1.1))
         for cpu, colour in colours.items():
-            of_core = only(rows, cpu=cpu)
-            start, slope = float(of_core[0]["line_start"]), float(of_core[0]["line_slope"])
-            panel.line([(x, (start + slope * x / unit) / 1e6) for x in (0, most)], colour, 1.2)
-            for row in of_core:
-                panel.point(float(row["count"]) * unit, int(row["instructions"]) / 1e6, "", colour)
+            for sweep, name in sweeps.items():
+                of_sweep = only(rows, cpu=cpu, sweep=sweep)
+                start, slope = float(of_sweep[0]["line_start"]), float(of_sweep[0]["line_slope"])
+                panel.line([(x, (start + slope * x / unit) / 1e6) for x in (0, most)], colour, 1.2)
+                for row in of_sweep:
+                    last = row is of_sweep[-1]
+                    panel.point(float(row["count"]) * unit, int(row["instructions"]) / 1e6, name if last else "", colour)
         chart.panels.append(panel)
     return chart.svg()
 

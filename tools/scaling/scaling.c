@@ -3,6 +3,7 @@
  * Firmware that counts the instructions of frames as they grow, in triangles, pixels, lights and objects: for
  * tools/scaling/scaling.py. It writes a line for each frame,
  *     triangles,2304,INSTRUCTIONS
+ * Objects stand side by side, or one behind another so that each covers the same pixels: what order is worth.
  */
 #include "bench/counter.h"
 #include "bench/framebuffer.h"
@@ -23,6 +24,9 @@ static const glint_mesh_room room = {positions, normals, triangles, VERTICES_MAX
 static uint32_t arena[(3 << 19) / sizeof(uint32_t)];
 static uint16_t framebuffer[HEIGHT_MAX][WIDTH_MAX];
 
+/** Where objects are, and in which order they are drawn. */
+typedef enum arrangement { ALONE, SIDE_BY_SIDE, NEAREST_FIRST, FARTHEST_FIRST } arrangement;
+
 /** What one frame is made of. */
 typedef struct workload {
     const char *sweep;
@@ -30,25 +34,57 @@ typedef struct workload {
     uint16_t around, along;
     uint16_t width, height;
     uint32_t lights, objects;
-    int apart; /**< Small and side by side. */
+    arrangement arrangement;
 } workload;
 
 #define TRIANGLES(around, along) \
-    { "triangles", 2u * (around) * (along), around, along, 320, 240, 1, 1, 0 }
+    { "triangles", 2u * (around) * (along), around, along, 320, 240, 1, 1, ALONE }
 #define PIXELS(width, height) \
-    { "pixels", (width) * (height##u), 48, 24, width, height, 1, 1, 0 }
+    { "pixels", (width) * (height##u), 48, 24, width, height, 1, 1, ALONE }
 #define LIGHTS(count) \
-    { "lights", count, 48, 24, 320, 240, count, 1, 0 }
+    { "lights", count, 48, 24, 320, 240, count, 1, ALONE }
 #define OBJECTS(count) \
-    { "objects", count, 12, 8, 320, 240, 1, count, 1 }
+    { "objects", count, 12, 8, 320, 240, 1, count, SIDE_BY_SIDE }
 
+#define LAYER(sweep, count, lights, order) \
+    { sweep, count, 48, 24, 320, 240, lights, count, order }
+#define LAYERS(sweep, lights, order) \
+    LAYER(sweep, 1, lights, order), LAYER(sweep, 2, lights, order), LAYER(sweep, 4, lights, order)
+
+/* One directional light goes the fast way, two the general one. */
 static const workload workloads[] = {
-    TRIANGLES(10, 5),   TRIANGLES(24, 12),   TRIANGLES(48, 24), TRIANGLES(96, 48), TRIANGLES(144, 72),
-    TRIANGLES(192, 96), TRIANGLES(224, 112), PIXELS(32, 32),    PIXELS(64, 48),    PIXELS(128, 96),
-    PIXELS(160, 120),   PIXELS(240, 180),    PIXELS(320, 240),  PIXELS(480, 360),  PIXELS(640, 480),
-    LIGHTS(1),          LIGHTS(2),           LIGHTS(3),         LIGHTS(4),         LIGHTS(6),
-    LIGHTS(8),          OBJECTS(1),          OBJECTS(5),        OBJECTS(10),       OBJECTS(15),
-    OBJECTS(20),        OBJECTS(25),         OBJECTS(30),
+    TRIANGLES(10, 5),
+    TRIANGLES(24, 12),
+    TRIANGLES(48, 24),
+    TRIANGLES(96, 48),
+    TRIANGLES(144, 72),
+    TRIANGLES(192, 96),
+    TRIANGLES(224, 112),
+    PIXELS(32, 32),
+    PIXELS(64, 48),
+    PIXELS(128, 96),
+    PIXELS(160, 120),
+    PIXELS(240, 180),
+    PIXELS(320, 240),
+    PIXELS(480, 360),
+    PIXELS(640, 480),
+    LIGHTS(1),
+    LIGHTS(2),
+    LIGHTS(3),
+    LIGHTS(4),
+    LIGHTS(6),
+    LIGHTS(8),
+    OBJECTS(1),
+    OBJECTS(5),
+    OBJECTS(10),
+    OBJECTS(15),
+    OBJECTS(20),
+    OBJECTS(25),
+    OBJECTS(30),
+    LAYERS("nearest_first", 1, NEAREST_FIRST),
+    LAYERS("farthest_first", 1, FARTHEST_FIRST),
+    LAYERS("nearest_first_general", 2, NEAREST_FIRST),
+    LAYERS("farthest_first_general", 2, FARTHEST_FIRST),
 };
 
 static int copy_tile(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
@@ -57,16 +93,24 @@ static int copy_tile(void *context, int x, int y, int width, int height, const v
     return 0;
 }
 
-/* One torus as the benchmark has it, or many small ones in rows of six. */
-static void place_objects(glint_object *objects, const glint_mesh *mesh, uint32_t count, int apart) {
+/* One torus as the benchmark has it, many small ones in rows of six, or ever larger ones as far behind. */
+static void place_objects(glint_object *objects, const glint_mesh *mesh, uint32_t count, arrangement where) {
     const glint_pose turn = bench_scenes[0].poses[5];
 
     for (uint32_t i = 0; i < count; i++) {
+        glint_pose *pose = &objects[i].pose;
         objects[i] = (glint_object){.mesh = mesh, .material = &bench_material, .pose = turn};
-        if (apart) {
-            objects[i].pose.m[0][3] = ((int32_t)(i % 6) * 2 - 5) * GLINT_Q16(1.3);
-            objects[i].pose.m[1][3] = ((int32_t)(i / 6) * 2 - 4) * GLINT_Q16(1.3);
-            objects[i].pose.m[2][3] = -12 * GLINT_ONE;
+        if (where == SIDE_BY_SIDE) {
+            pose->m[0][3] = ((int32_t)(i % 6) * 2 - 5) * GLINT_Q16(1.3);
+            pose->m[1][3] = ((int32_t)(i / 6) * 2 - 4) * GLINT_Q16(1.3);
+            pose->m[2][3] = -12 * GLINT_ONE;
+        } else if (where != ALONE) {
+            const uint32_t behind = where == NEAREST_FIRST ? i : count - 1 - i;
+            for (int row = 0; row < 3; row++) {
+                for (int column = 0; column < 4; column++) {
+                    pose->m[row][column] += pose->m[row][column] * (int32_t)behind;
+                }
+            }
         }
     }
 }
@@ -105,7 +149,7 @@ static glint_status draw(const workload *w, const glint_mesh *mesh, uint32_t *in
     scene.camera.field_of_view = BENCH_FIELD_OF_VIEW;
     scene.camera.near_plane = BENCH_NEAR_PLANE;
     config.flush.begin = copy_tile;
-    place_objects(objects, mesh, w->objects, w->apart);
+    place_objects(objects, mesh, w->objects, w->arrangement);
     place_lights(lights, w->lights);
     const uint32_t start = counter_now();
     glint_status status = glint_init(&renderer, &config);
