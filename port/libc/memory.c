@@ -7,16 +7,40 @@
 
 #include <stdint.h>
 
-/* What one assignment moves: on ARM four registers at once; elsewhere compilers might call memcpy for that much. */
-#if defined(__arm__)
-#define BLOCK_WORDS 4
-#else
+/* What one assignment moves without a call of memcpy: on ARM by several registers at once; and how many make a turn. */
+#if !defined(__arm__)
 #define BLOCK_WORDS 1
+#define TURN_BLOCKS 4
+#elif defined(__OPTIMIZE_SIZE__)
+#define BLOCK_WORDS 4
+#define TURN_BLOCKS 1
+#elif defined(__thumb2__)
+#define BLOCK_WORDS 16
+#define TURN_BLOCKS 1
+#else
+#define BLOCK_WORDS 8
+#define TURN_BLOCKS 2
 #endif
 
 typedef struct block {
     uint32_t words[BLOCK_WORDS];
 } block;
+
+#define TURN (TURN_BLOCKS * sizeof(block))
+
+static inline void copy_turn(uint8_t *to, const uint8_t *from) {
+    block *out = (block *)(void *)to;
+    const block *in = (const block *)(const void *)from;
+
+    out[0] = in[0];
+    if (TURN_BLOCKS > 1) {
+        out[1] = in[1];
+    }
+    if (TURN_BLOCKS > 2) {
+        out[2] = in[2];
+        out[3] = in[3];
+    }
+}
 
 static int aligned(const void *first, const void *second) {
     return (((uintptr_t)first | (uintptr_t)second) & 3u) == 0;
@@ -27,16 +51,8 @@ void *memcpy(void *restrict to, const void *restrict from, size_t count) {
     const uint8_t *in = from;
 
     if (aligned(to, from)) {
-        for (; count >= 4 * sizeof(block); count -= 4 * sizeof(block)) {
-            *(block *)(void *)out = *(const block *)(const void *)in;
-            *(block *)(void *)(out + sizeof(block)) = *(const block *)(const void *)(in + sizeof(block));
-            *(block *)(void *)(out + 2 * sizeof(block)) = *(const block *)(const void *)(in + 2 * sizeof(block));
-            *(block *)(void *)(out + 3 * sizeof(block)) = *(const block *)(const void *)(in + 3 * sizeof(block));
-            out += 4 * sizeof(block);
-            in += 4 * sizeof(block);
-        }
-        for (; count >= sizeof(block); count -= sizeof(block), out += sizeof(block), in += sizeof(block)) {
-            *(block *)(void *)out = *(const block *)(const void *)in;
+        for (; count >= TURN; count -= TURN, out += TURN, in += TURN) {
+            copy_turn(out, in);
         }
         for (; count >= 4; count -= 4, out += 4, in += 4) {
             *(uint32_t *)(void *)out = *(const uint32_t *)(const void *)in;
@@ -69,18 +85,13 @@ void *memset(void *to, int value, size_t count) {
     const uint32_t word = (uint8_t)value * 0x01010101u;
 
     if (aligned(to, to)) {
-        block words;
-        for (int i = 0; i < BLOCK_WORDS; i++) {
-            words.words[i] = word;
+        if (count >= TURN) {
+            for (size_t i = 0; i < TURN; i += 4, out += 4, count -= 4) {
+                *(uint32_t *)(void *)out = word;
+            }
         }
-        for (; count >= 4 * sizeof(block); count -= 4 * sizeof(block), out += 4 * sizeof(block)) {
-            *(block *)(void *)out = words;
-            *(block *)(void *)(out + sizeof(block)) = words;
-            *(block *)(void *)(out + 2 * sizeof(block)) = words;
-            *(block *)(void *)(out + 3 * sizeof(block)) = words;
-        }
-        for (; count >= sizeof(block); count -= sizeof(block), out += sizeof(block)) {
-            *(block *)(void *)out = words;
+        for (; count >= TURN; count -= TURN, out += TURN) {
+            copy_turn(out, out - TURN);
         }
         for (; count >= 4; count -= 4, out += 4) {
             *(uint32_t *)(void *)out = word;
