@@ -185,56 +185,74 @@ static int fits(int32_t limit, int32_t turn, w_range w) {
     return (w.change * w.change >> 2) <= (uint32_t)((limit - turn) >> 16) * (w.least * w.least >> 16);
 }
 
-/* Across the screen, as |dx| + |dy|. */
-static int32_t extent_of(const glint_vertex *const v[3]) {
-    return most(v[0]->x, v[1]->x, v[2]->x) - least(v[0]->x, v[1]->x, v[2]->x) + most(v[0]->y, v[1]->y, v[2]->y) -
-           least(v[0]->y, v[1]->y, v[2]->y);
+/* x 2^n modulo 2^32, rounded down; |n| below 32. */
+static inline int32_t scale(int32_t x, int32_t n) {
+    return n < 0 ? glint_shift_right(x, (unsigned)-n) : glint_shift_left(x, (unsigned)n);
 }
 
-static int fits_highlight(const glint_deviation *deviation, const int16_t *const terms[3], w_range w) {
-    const int32_t change = most(terms[0][1], terms[1][1], terms[2][1]) - least(terms[0][1], terms[1][1], terms[2][1]) +
-                           most(terms[0][2], terms[1][2], terms[2][2]) - least(terms[0][2], terms[1][2], terms[2][2]);
-    return (uint32_t)change * w.change <= deviation->slant * w.least;
+/* Half of what chords fall short by, of 2^15: turn / 32. */
+static inline int32_t find_longer(int32_t turn) {
+    return glint_shift_right(turn > 0 ? turn : 0, 16);
 }
 
-/* For planes of terms, longer by half of what chords fall short, 1 + turn / 32. */
-typedef struct term_gradients {
-    const glint_gradients *g;
-    int32_t reciprocal;   /* of a narrow triangle, that much more */
-    int32_t length;       /* 2^16 times how much longer */
-    unsigned right, left; /* shifts from a term's slope to its plane's */
-} term_gradients;
-
-static inline void lengthen(term_gradients *t, const glint_gradients *g, int32_t turn) {
-    const int32_t longer = turn > 0 ? glint_shift_right(turn, 16) : 0; /* of 2^15 */
-    const int32_t up = 16 - g->shift;
-    t->g = g;
-    t->reciprocal = g->reciprocal + glint_shift_right(g->reciprocal * longer, 15);
-    t->length = (1 << 16) + 2 * longer;
-    t->left = up > 0 ? (unsigned)up : 0;
-    t->right = up < 0 ? (unsigned)-up : 0;
-}
-
-/* The plane of a term, its value in the high half. */
-static void begin_term(glint_plane *p, const term_gradients *t, int32_t a0, int32_t a1, int32_t a2) {
-    const glint_gradients *g = t->g;
+/* The plane of a term, its value in the high half; it is made longer. */
+static inline void begin_term(glint_plane *p, const glint_gradients *g, int32_t longer, int32_t a0, int32_t a1,
+                              int32_t a2) {
+    const int32_t length = (1 << 16) + 2 * longer, d1 = a1 - a0, d2 = a2 - a0, up = 16 - g->shift;
     if (!g->reciprocal) {
-        glint_plane_begin(p, g, a0 * t->length, a1 * t->length, a2 * t->length);
+        glint_plane_begin(p, g, a0 * length, a1 * length, a2 * length);
         return;
     }
-    const int32_t d1 = a1 - a0, d2 = a2 - a0;
-    const int32_t dx = glint_slope_of(d1 * g->x1 + d2 * g->x2, t->reciprocal);
-    const int32_t dy = glint_slope_of(d1 * g->y1 + d2 * g->y2, t->reciprocal);
+    int32_t reciprocal = g->reciprocal + glint_shift_right(g->reciprocal * longer, 15);
+    GLINT_OPAQUE(reciprocal); /* of 32 bits to all slopes */
+    const int32_t dx = glint_slope_of(d1 * g->x1 + d2 * g->x2, reciprocal);
+    const int32_t dy = glint_slope_of(d1 * g->y1 + d2 * g->y2, reciprocal);
     const int32_t to_center = glint_shift_right(dx, 5) * g->to_center_x + glint_shift_right(dy, 5) * g->to_center_y;
-    p->dx = glint_shift_left(glint_shift_right(dx, t->right), t->left);
-    p->dy = glint_shift_left(glint_shift_right(dy, t->right), t->left);
-    p->start = glint_add_wrap(a0 * t->length, glint_shift_left(glint_shift_right(to_center, t->right), t->left + 1));
+    p->dx = scale(dx, up);
+    p->dy = scale(dy, up);
+    p->start = glint_add_wrap(a0 * length, scale(to_center, up + 1));
+}
+
+static inline const int16_t *terms_of(const glint_draw *draw, const glint_vertex *v) {
+    return draw->terms[v - draw->vertices];
+}
+
+static inline int32_t magnitude(int32_t x) {
+    return x < 0 ? -x : x;
+}
+
+/* From the least to the most of three numbers: half the sum of their differences. */
+static inline int32_t apart(int32_t a, int32_t b, int32_t c) {
+    return (magnitude(b - a) + magnitude(c - a) + magnitude(c - b)) / 2;
+}
+
+/* Across the screen, as |dx| + |dy|. */
+static int32_t extent_of(const glint_vertex *const v[3]) {
+    return apart(v[0]->x, v[1]->x, v[2]->x) + apart(v[0]->y, v[1]->y, v[2]->y);
+}
+
+/* Planes of a triangle that is lit all over and may show a highlight. */
+static GLINT_NOINLINE glint_deviation_kind begin_highlight(const glint_draw *draw, const glint_vertex *const v[3],
+                                                           const glint_gradients *g, int32_t turn, const w_range *w,
+                                                           glint_deviation_planes *planes) {
+    const glint_deviation *deviation = draw->shading->deviation;
+    const int16_t *a = terms_of(draw, v[0]), *b = terms_of(draw, v[1]), *c = terms_of(draw, v[2]);
+    if (4 * (int32_t)g->reach + 4 > deviation->extent && extent_of(v) > deviation->extent)
+        return GLINT_DEVIATION_UNFIT;
+    const int32_t change = apart(a[1], b[1], c[1]) + apart(a[2], b[2], c[2]);
+    if ((uint32_t)change * w->change > deviation->slant * w->least)
+        return GLINT_DEVIATION_UNFIT;
+    const int32_t longer = find_longer(turn);
+    begin_term(&planes->cosine, g, longer, a[0], b[0], c[0]);
+    begin_term(&planes->x, g, longer, a[1], b[1], c[1]);
+    begin_term(&planes->y, g, longer, a[2], b[2], c[2]);
+    return GLINT_DEVIATION_SPECULAR;
 }
 
 /* Is N.L, or near enough, that of the first corner? */
-static int is_even(int32_t even, const int16_t *const terms[3]) {
-    const int32_t a = terms[0][0] + even;
-    return (uint32_t)(a - terms[1][0]) <= (uint32_t)(2 * even) && (uint32_t)(a - terms[2][0]) <= (uint32_t)(2 * even);
+static int is_even(int32_t even, int32_t a, int32_t b, int32_t c) {
+    const int32_t most = a + even;
+    return (uint32_t)(most - b) <= (uint32_t)(2 * even) && (uint32_t)(most - c) <= (uint32_t)(2 * even);
 }
 
 uint32_t glint_deviation_even(const glint_shading *shading, const glint_deviation_planes *planes) {
@@ -262,27 +280,20 @@ glint_deviation_kind glint_deviation_begin(const glint_draw *draw, const glint_t
         return GLINT_DEVIATION_UNFIT;
     if (all & GLINT_TERMS_DARK)
         return GLINT_DEVIATION_AMBIENT;
-    const int16_t *const terms[3] = {draw->terms[v[0] - draw->vertices], draw->terms[v[1] - draw->vertices],
-                                     draw->terms[v[2] - draw->vertices]};
-    const int32_t turn = turn_of(v);
     const int shows = !(all & GLINT_TERMS_ANY_OUTSIDE);
+    const int32_t turn = turn_of(v);
     const w_range w = find_w_range(v);
     if (!fits(shows ? deviation->turn_specular : deviation->turn, turn, w))
         return GLINT_DEVIATION_UNFIT;
-    if (shows && (any & (GLINT_TERMS_DIM | GLINT_TERMS_FAR) ||
-                  (4 * (int32_t)part->gradients.reach + 4 > deviation->extent && extent_of(v) > deviation->extent) ||
-                  !fits_highlight(deviation, terms, w)))
-        return GLINT_DEVIATION_UNFIT;
-    term_gradients t;
-    lengthen(&t, &part->gradients, turn);
-    if (!shows && deviation->even && is_even(deviation->even, terms)) {
-        planes->cosine.start = terms[0][0] * t.length;
+    if (shows)
+        return any & (GLINT_TERMS_DIM | GLINT_TERMS_FAR) ? GLINT_DEVIATION_UNFIT
+                                                         : begin_highlight(draw, v, &part->gradients, turn, &w, planes);
+    const int32_t longer = find_longer(turn);
+    const int32_t a = *terms_of(draw, v[0]), b = *terms_of(draw, v[1]), c = *terms_of(draw, v[2]);
+    if (deviation->even && is_even(deviation->even, a, b, c)) {
+        planes->cosine.start = a * ((1 << 16) + 2 * longer);
         return GLINT_DEVIATION_EVEN;
     }
-    begin_term(&planes->cosine, &t, terms[0][0], terms[1][0], terms[2][0]);
-    if (!shows)
-        return any & GLINT_TERMS_DIM ? GLINT_DEVIATION_GATED : GLINT_DEVIATION_DIFFUSE;
-    begin_term(&planes->x, &t, terms[0][1], terms[1][1], terms[2][1]);
-    begin_term(&planes->y, &t, terms[0][2], terms[1][2], terms[2][2]);
-    return GLINT_DEVIATION_SPECULAR;
+    begin_term(&planes->cosine, &part->gradients, longer, a, b, c);
+    return any & GLINT_TERMS_DIM ? GLINT_DEVIATION_GATED : GLINT_DEVIATION_DIFFUSE;
 }
