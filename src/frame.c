@@ -128,9 +128,9 @@ int glint_frame_next(glint_frame *frame) {
     if (status != GLINT_OK)
         return status;
     glint_count_arena(frame);
-    frame->stats.references += frame->reference_count;
+    frame->stats.references += frame->reference_count - glint_pass_tiles(frame);
     frame->stats.passes++;
-    frame->stats.tiles += frame->ends ? (uint32_t)(frame->tile_end - frame->tile_first) : 0;
+    frame->stats.tiles += frame->ends ? glint_pass_tiles(frame) : 0;
     return 1;
 }
 

@@ -173,7 +173,7 @@ typedef struct glint_clipped {
 
 /** A triangle in a tile's list, by its number: of a draw from 0 up, of the clipped from GLINT_CLIPPED_TOP down. */
 typedef struct glint_reference {
-    uint16_t next; /* index of the next reference, or GLINT_LIST_END */
+    uint16_t next; /* number of the next reference, or GLINT_LIST_END */
     uint16_t triangle;
 } glint_reference;
 
@@ -183,9 +183,15 @@ typedef struct glint_reference {
 /** Most triangles of draws in a pass: numbers above are left to clipped ones. */
 #define GLINT_TRIANGLES_MAX 0xe000u
 
+/** A tile's list, laid out and numbered as a reference is: the lists first. The tail of an empty one is itself. */
 typedef struct glint_list {
     uint16_t head, tail;
 } glint_list;
+
+/** Tiles of a pass. */
+static inline uint32_t glint_pass_tiles(const glint_frame *frame) {
+    return (uint32_t)(frame->tile_end - frame->tile_first);
+}
 
 /* ---- raster and shade: fragments of one triangle, or vertices to be lit ---- */
 

@@ -440,7 +440,7 @@ typedef struct glint_frame {
     size_t prepared_end, vertices_end;  /* of the arena's use */
     struct glint_draw *draws;           /* what this pass draws */
     struct glint_list *lists;           /* one for each of its tiles */
-    struct glint_reference *references;
+    struct glint_reference *references; /* behind the lists, which are counted with them */
     uint32_t reference_count;
     struct glint_clipped *clipped; /* above the last; they grow downwards */
     glint_stats stats;

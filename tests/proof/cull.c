@@ -54,6 +54,7 @@ PROOF(find_tile) {
     const glint_vertex *const v[3] = {&a, &b, &c};
     glint_frame frame;
     uint32_t tile;
+    frame.tile_end = (uint16_t)ANY(1, 128 * 128);
     frame.config.width = (uint16_t)ANY(1, GLINT_SIZE_MAX);
     frame.config.height = (uint16_t)ANY(1, GLINT_SIZE_MAX);
     frame.tile_columns = (uint16_t)ANY(1, 128);
@@ -61,7 +62,8 @@ PROOF(find_tile) {
     FOR_PARTS(shift, 3, 6) {
         frame.tile_shift_x = (uint8_t)shift;
         frame.tile_shift_y = (uint8_t)shift;
-        find_tile(&frame, v, &tile);
+        const grid g = grid_of(&frame);
+        find_tile(&g, v, &tile);
     }
 }
 
