@@ -12,22 +12,15 @@
 #define GLINT_INLINE inline
 #endif
 
-/* A quadratic at a pixel, and its steps to the next column and to the next row. */
+/* A quadratic at a pixel, and its step to the next column. */
 typedef struct glint_stride {
-    uint32_t value, across, down;
+    uint32_t value, across;
 } glint_stride;
 
 static inline glint_stride glint_stride_begin(const glint_quadratic *q, int32_t x, int32_t y) {
-    const uint32_t i = (uint32_t)x, j = (uint32_t)y;
-    const uint32_t value = q->start + q->dx * i + q->dy * j + q->dxy * i * j + q->dxx * (uint32_t)(x * (x - 1) / 2) +
-                           q->dyy * (uint32_t)(y * (y - 1) / 2);
-    return (glint_stride){value, q->dx + q->dxx * i + q->dxy * j, q->dy + q->dxy * i + q->dyy * j};
-}
-
-/* Goes to another column, of either side; all but the step down. */
-static inline void glint_stride_columns(glint_stride *s, const glint_quadratic *q, uint32_t columns) {
-    s->value += s->across * columns + q->dxx * (columns * (columns - 1) >> 1);
-    s->across += q->dxx * columns;
+    const uint32_t i = (uint32_t)x, j = (uint32_t)y, across = q->dx + q->dxy * j;
+    return (glint_stride){q->start + q->dy * j + q->dyy * (j * (j - 1) >> 1) + across * i + q->dxx * (i * (i - 1) >> 1),
+                          across + q->dxx * i};
 }
 
 static inline void glint_stride_next(glint_stride *s, const glint_quadratic *q) {
@@ -35,51 +28,43 @@ static inline void glint_stride_next(glint_stride *s, const glint_quadratic *q) 
     s->across += q->dxx;
 }
 
-/* Goes to the next row, from so many columns right of where the last row was begun. */
-static inline void glint_stride_row(glint_stride *s, const glint_quadratic *q, uint32_t columns) {
-    s->down += q->dxy * columns;
-    s->value += s->down;
-    s->down += q->dyy;
-    s->across += q->dxy;
+/* A plane at a pixel. */
+static inline uint32_t glint_at(const glint_plane *plane, int32_t x, int32_t y) {
+    return (uint32_t)glint_plane_at(plane, x, y);
 }
+
+/*
+ * These loops find what a span begins with from the coefficients: with second differences, that takes fewer
+ * instructions than carrying it on from the span above.
+ */
 
 /* Diffuse light; ambient light alone where N.L <= 0. */
 static inline void glint_draw_quadratic_diffuse(const glint_spans *s, const glint_deviation *deviation,
                                                 const glint_quadratic_light *light, int high_first) {
     const glint_part *part = s->part;
-    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
-    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth;
     const uint16_t *const table = deviation->diffuse_pixel, *const root = glint_root_table;
     const uint32_t z_dx = (uint32_t)part->depth.dx, a_dx = (uint32_t)light->cosine.dx;
-    uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS, a = glint_first_row(part, &light->cosine);
-    glint_stride c = glint_stride_begin(&light->square, part->x, part->y + (int32_t)part->top);
-    uint32_t column = 0;
-    uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
-    for (; span != last; span++) {
-        const uint32_t left = span->left, right = span->right, from = column;
-        if (left < right) {
-            depth += 2 * (int32_t)(left - column);
-            z += z_dx * (left - column);
-            a += a_dx * (left - column);
-            glint_stride_columns(&c, &light->square, left - column);
-            uint8_t *const end = depth + 2 * (right - left);
-            do {
-                if (glint_is_nearest(depth, z))
-                    glint_put_565(depth + to_pixels,
-                                  (int32_t)a <= 0 ? deviation->ambient : table[(a >> 15) * root[c.value >> 22] >> 22],
-                                  high_first);
-                depth += 2;
-                GLINT_OPAQUE(depth);
-                z += z_dx;
-                a += a_dx;
-                glint_stride_next(&c, &light->square);
-            } while (depth != end);
-            column = right;
-        }
-        depth += stride;
-        z += (uint32_t)part->depth.dy;
-        a += (uint32_t)light->cosine.dy;
-        glint_stride_row(&c, &light->square, column - from);
+    for (uint32_t row = part->top; row != part->bottom; row++) {
+        const uint32_t left = part->spans[row].left, right = part->spans[row].right;
+        if (left >= right)
+            continue;
+        const int32_t x = part->x + (int32_t)left, y = part->y + (int32_t)row;
+        uint32_t z = glint_at(&part->depth, x, y) + GLINT_DEPTH_BIAS, a = glint_at(&light->cosine, x, y);
+        glint_stride c = glint_stride_begin(&light->square, x, y);
+        uint8_t *depth = (uint8_t *)(s->depth + (row << s->shift) + left);
+        const uint8_t *const end = depth + 2 * (right - left);
+        do {
+            if (glint_is_nearest(depth, z))
+                glint_put_565(depth + to_pixels,
+                              (int32_t)a <= 0 ? deviation->ambient : table[(a >> 15) * root[c.value >> 22] >> 22],
+                              high_first);
+            depth += 2;
+            GLINT_OPAQUE(depth);
+            z += z_dx;
+            a += a_dx;
+            glint_stride_next(&c, &light->square);
+        } while (depth != end);
     }
 }
 
@@ -89,65 +74,50 @@ static inline uint32_t glint_middle_square(uint32_t value) {
     return middle * middle;
 }
 
-/* A lit pixel, diffuse and specular, packed: M.L, 1 / |M| and the squared deviation over w. */
-static inline uint32_t glint_quadratic_word(const glint_deviation *deviation, uint32_t a, uint32_t inverse,
-                                            uint32_t square) {
-    uint32_t word = deviation->diffuse[(a >> 15) * inverse >> 22];
+/* The pixel of a lit fragment: M.L, 1 / |M| and the squared deviation over w. */
+static inline uint32_t glint_quadratic_lit(const glint_deviation *deviation, uint32_t a, uint32_t inverse,
+                                           uint32_t square) {
+    const uint32_t level = (a >> 15) * inverse >> 22;
     if (square < deviation->quadratic.limit) {
         square = (square >> deviation->quadratic.shift) * (inverse * inverse >> 16);
         if (square < deviation->quadratic.end)
-            word = glint_spread_clamp(word + deviation->specular[square >> 20]);
+            return glint_spread_pack(glint_spread_clamp(deviation->diffuse[level] + deviation->specular[square >> 20]));
     }
-    return glint_spread_pack(word);
+    return deviation->diffuse_pixel[level];
 }
 
 /* Diffuse and specular light. */
 static inline void glint_draw_quadratic_specular(const glint_spans *s, const glint_deviation *deviation,
                                                  const glint_quadratic_light *light, int high_first) {
     const glint_part *part = s->part;
-    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
-    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth;
     const uint32_t z_dx = (uint32_t)part->depth.dx, a_dx = (uint32_t)light->cosine.dx;
-    uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS, a = glint_first_row(part, &light->cosine);
-    const int32_t y = part->y + (int32_t)part->top;
-    glint_stride c = glint_stride_begin(&light->square, part->x, y), ex = glint_stride_begin(&light->x, part->x, y);
-    glint_stride ey = glint_stride_begin(&light->y, part->x, y);
-    uint32_t column = 0;
-    uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
-    for (; span != last; span++) {
-        const uint32_t left = span->left, right = span->right, from = column;
-        if (left < right) {
-            depth += 2 * (int32_t)(left - column);
-            z += z_dx * (left - column);
-            a += a_dx * (left - column);
-            glint_stride_columns(&c, &light->square, left - column);
-            glint_stride_columns(&ex, &light->x, left - column);
-            glint_stride_columns(&ey, &light->y, left - column);
-            uint8_t *const end = depth + 2 * (right - left);
-            do {
-                if (glint_is_nearest(depth, z))
-                    glint_put_565(depth + to_pixels,
-                                  (int32_t)a <= 0 ? deviation->ambient
-                                                  : glint_quadratic_word(deviation, a, glint_root_table[c.value >> 22],
-                                                                         glint_middle_square(ex.value) +
-                                                                             glint_middle_square(ey.value)),
-                                  high_first);
-                depth += 2;
-                GLINT_OPAQUE(depth);
-                z += z_dx;
-                a += a_dx;
-                glint_stride_next(&c, &light->square);
-                glint_stride_next(&ex, &light->x);
-                glint_stride_next(&ey, &light->y);
-            } while (depth != end);
-            column = right;
-        }
-        depth += stride;
-        z += (uint32_t)part->depth.dy;
-        a += (uint32_t)light->cosine.dy;
-        glint_stride_row(&c, &light->square, column - from);
-        glint_stride_row(&ex, &light->x, column - from);
-        glint_stride_row(&ey, &light->y, column - from);
+    for (uint32_t row = part->top; row != part->bottom; row++) {
+        const uint32_t left = part->spans[row].left, right = part->spans[row].right;
+        if (left >= right)
+            continue;
+        const int32_t x = part->x + (int32_t)left, y = part->y + (int32_t)row;
+        uint32_t z = glint_at(&part->depth, x, y) + GLINT_DEPTH_BIAS, a = glint_at(&light->cosine, x, y);
+        glint_stride c = glint_stride_begin(&light->square, x, y);
+        glint_stride ex = glint_stride_begin(&light->x, x, y), ey = glint_stride_begin(&light->y, x, y);
+        uint8_t *depth = (uint8_t *)(s->depth + (row << s->shift) + left);
+        const uint8_t *const end = depth + 2 * (right - left);
+        do {
+            if (glint_is_nearest(depth, z))
+                glint_put_565(depth + to_pixels,
+                              (int32_t)a <= 0
+                                  ? deviation->ambient
+                                  : glint_quadratic_lit(deviation, a, glint_root_table[c.value >> 22],
+                                                        glint_middle_square(ex.value) + glint_middle_square(ey.value)),
+                              high_first);
+            depth += 2;
+            GLINT_OPAQUE(depth);
+            z += z_dx;
+            a += a_dx;
+            glint_stride_next(&c, &light->square);
+            glint_stride_next(&ex, &light->x);
+            glint_stride_next(&ey, &light->y);
+        } while (depth != end);
     }
 }
 
@@ -155,36 +125,27 @@ static inline void glint_draw_quadratic_specular(const glint_spans *s, const gli
 static GLINT_INLINE void glint_draw_interpolated_diffuse(const glint_spans *s, const glint_deviation *deviation,
                                                          const glint_interpolation *light, int gated, int high_first) {
     const glint_part *part = s->part;
-    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
-    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth;
     const uint16_t *const table = deviation->diffuse_pixel;
     const uint32_t z_dx = (uint32_t)part->depth.dx;
-    uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS;
-    glint_stride c = glint_stride_begin(&light->cosine, part->x, part->y + (int32_t)part->top);
-    uint32_t column = 0;
-    uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
-    for (; span != last; span++) {
-        const uint32_t left = span->left, right = span->right, from = column;
-        if (left < right) {
-            depth += 2 * (int32_t)(left - column);
-            z += z_dx * (left - column);
-            glint_stride_columns(&c, &light->cosine, left - column);
-            uint8_t *const end = depth + 2 * (right - left);
-            do {
-                if (glint_is_nearest(depth, z))
-                    glint_put_565(depth + to_pixels,
-                                  gated && (int32_t)c.value <= 0 ? deviation->ambient : table[c.value >> 22],
-                                  high_first);
-                depth += 2;
-                GLINT_OPAQUE(depth);
-                z += z_dx;
-                glint_stride_next(&c, &light->cosine);
-            } while (depth != end);
-            column = right;
-        }
-        depth += stride;
-        z += (uint32_t)part->depth.dy;
-        glint_stride_row(&c, &light->cosine, column - from);
+    for (uint32_t row = part->top; row != part->bottom; row++) {
+        const uint32_t left = part->spans[row].left, right = part->spans[row].right;
+        if (left >= right)
+            continue;
+        const int32_t x = part->x + (int32_t)left, y = part->y + (int32_t)row;
+        uint32_t z = glint_at(&part->depth, x, y) + GLINT_DEPTH_BIAS;
+        glint_stride c = glint_stride_begin(&light->cosine, x, y);
+        uint8_t *depth = (uint8_t *)(s->depth + (row << s->shift) + left);
+        const uint8_t *const end = depth + 2 * (right - left);
+        do {
+            if (glint_is_nearest(depth, z))
+                glint_put_565(depth + to_pixels,
+                              gated && (int32_t)c.value <= 0 ? deviation->ambient : table[c.value >> 22], high_first);
+            depth += 2;
+            GLINT_OPAQUE(depth);
+            z += z_dx;
+            glint_stride_next(&c, &light->cosine);
+        } while (depth != end);
     }
 }
 
@@ -193,50 +154,60 @@ static GLINT_INLINE void glint_draw_interpolated_specular(const glint_spans *s, 
                                                           const glint_interpolation *light, int clamped,
                                                           int high_first) {
     const glint_part *part = s->part;
-    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
-    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth;
     const uint32_t *const diffuse = deviation->diffuse, *const specular = deviation->specular;
     const uint32_t end_square = deviation->specular_end;
     const uint32_t z_dx = (uint32_t)part->depth.dx;
-    uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS;
-    const int32_t y = part->y + (int32_t)part->top;
-    glint_stride c = glint_stride_begin(&light->cosine, part->x, y), ex = glint_stride_begin(&light->x, part->x, y);
-    glint_stride ey = glint_stride_begin(&light->y, part->x, y);
-    uint32_t column = 0;
-    uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
-    for (; span != last; span++) {
-        const uint32_t left = span->left, right = span->right, from = column;
-        if (left < right) {
-            depth += 2 * (int32_t)(left - column);
-            z += z_dx * (left - column);
-            glint_stride_columns(&c, &light->cosine, left - column);
-            glint_stride_columns(&ex, &light->x, left - column);
-            glint_stride_columns(&ey, &light->y, left - column);
-            uint8_t *const end = depth + 2 * (right - left);
-            do {
-                if (glint_is_nearest(depth, z)) {
-                    const uint32_t square = glint_high_square(ex.value) + glint_high_square(ey.value);
-                    uint32_t word = diffuse[c.value >> 22];
-                    if (square < end_square)
-                        word =
-                            clamped ? glint_spread_clamp(word + specular[square >> 15]) : word + specular[square >> 15];
-                    glint_put_565(depth + to_pixels, glint_spread_pack(word), high_first);
-                }
-                depth += 2;
-                GLINT_OPAQUE(depth);
-                z += z_dx;
-                glint_stride_next(&c, &light->cosine);
-                glint_stride_next(&ex, &light->x);
-                glint_stride_next(&ey, &light->y);
-            } while (depth != end);
-            column = right;
-        }
-        depth += stride;
-        z += (uint32_t)part->depth.dy;
-        glint_stride_row(&c, &light->cosine, column - from);
-        glint_stride_row(&ex, &light->x, column - from);
-        glint_stride_row(&ey, &light->y, column - from);
+    for (uint32_t row = part->top; row != part->bottom; row++) {
+        const uint32_t left = part->spans[row].left, right = part->spans[row].right;
+        if (left >= right)
+            continue;
+        const int32_t x = part->x + (int32_t)left, y = part->y + (int32_t)row;
+        uint32_t z = glint_at(&part->depth, x, y) + GLINT_DEPTH_BIAS;
+        glint_stride c = glint_stride_begin(&light->cosine, x, y);
+        glint_stride ex = glint_stride_begin(&light->x, x, y), ey = glint_stride_begin(&light->y, x, y);
+        uint8_t *depth = (uint8_t *)(s->depth + (row << s->shift) + left);
+        const uint8_t *const end = depth + 2 * (right - left);
+        do {
+            if (glint_is_nearest(depth, z)) {
+                const uint32_t square = glint_high_square(ex.value) + glint_high_square(ey.value);
+                const uint32_t level = c.value >> 22;
+                if (square < end_square) {
+                    const uint32_t word = diffuse[level] + specular[square >> 15];
+                    glint_put_565(depth + to_pixels, glint_spread_pack(clamped ? glint_spread_clamp(word) : word),
+                                  high_first);
+                } else
+                    glint_put_565(depth + to_pixels, deviation->diffuse_pixel[level], high_first);
+            }
+            depth += 2;
+            GLINT_OPAQUE(depth);
+            z += z_dx;
+            glint_stride_next(&c, &light->cosine);
+            glint_stride_next(&ex, &light->x);
+            glint_stride_next(&ey, &light->y);
+        } while (depth != end);
     }
+}
+
+/* Out of line, where each has all registers for itself. */
+static GLINT_NOINLINE void glint_draw_interpolated_gated(const glint_spans *s, const glint_deviation *deviation,
+                                                         const glint_interpolation *light, int high_first) {
+    glint_draw_interpolated_diffuse(s, deviation, light, 1, high_first);
+}
+
+static GLINT_NOINLINE void glint_draw_interpolated_lit(const glint_spans *s, const glint_deviation *deviation,
+                                                       const glint_interpolation *light, int high_first) {
+    glint_draw_interpolated_diffuse(s, deviation, light, 0, high_first);
+}
+
+static GLINT_NOINLINE void glint_draw_interpolated_clamped(const glint_spans *s, const glint_deviation *deviation,
+                                                           const glint_interpolation *light, int high_first) {
+    glint_draw_interpolated_specular(s, deviation, light, 1, high_first);
+}
+
+static GLINT_NOINLINE void glint_draw_interpolated_unclamped(const glint_spans *s, const glint_deviation *deviation,
+                                                             const glint_interpolation *light, int high_first) {
+    glint_draw_interpolated_specular(s, deviation, light, 0, high_first);
 }
 
 /* The pixel of a fragment, packed, with words that are computed. */
@@ -357,14 +328,14 @@ static inline void glint_draw_interpolated(const glint_workspace *workspace, con
         glint_count(workspace, (glint_kernel_name)kind, glint_deviation_covered(s->part));
     if (!shading->deviation->diffuse)
         glint_draw_quadratic_without_tables(s, shading, 0, light, kind == GLINT_QUADRATIC_SPECULAR, high_first);
-    else if (kind == GLINT_QUADRATIC_DIFFUSE && light->gated)
-        glint_draw_interpolated_diffuse(s, shading->deviation, light, 1, high_first);
+    else if (kind == GLINT_QUADRATIC_DIFFUSE && (GLINT_SMALL || light->gated))
+        glint_draw_interpolated_gated(s, shading->deviation, light, high_first);
     else if (kind == GLINT_QUADRATIC_DIFFUSE)
-        glint_draw_interpolated_diffuse(s, shading->deviation, light, 0, high_first);
-    else if (light->clamped)
-        glint_draw_interpolated_specular(s, shading->deviation, light, 1, high_first);
+        glint_draw_interpolated_lit(s, shading->deviation, light, high_first);
+    else if (GLINT_SMALL || light->clamped)
+        glint_draw_interpolated_clamped(s, shading->deviation, light, high_first);
     else
-        glint_draw_interpolated_specular(s, shading->deviation, light, 0, high_first);
+        glint_draw_interpolated_unclamped(s, shading->deviation, light, high_first);
 }
 
 /* @return 0 where nothing is drawn: the triangle does not fit */

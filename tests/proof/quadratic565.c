@@ -51,8 +51,8 @@ PROOF(glint_draw_interpolated_diffuse) {
 
 /*
  * The same, clamped and not.
- * @alarms 1 N.L at a pixel is within its table's 272 entries: suite `reads` looks at every pixel of half a million
- * triangles
+ * @alarms 2 N.L at a pixel is within both its tables' 272 entries: suite `reads` looks at every pixel of half a
+ * million triangles
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
@@ -81,8 +81,8 @@ PROOF(glint_draw_quadratic_diffuse) {
 
 /*
  * The same with highlights.
- * @alarms 2 M.M at a pixel is within its table's 768 entries, and N.L within 272: suite `reads` looks at every
- * pixel of half a million triangles
+ * @alarms 3 M.M at a pixel is within its table's 768 entries, and N.L within 272 of both of its: suite `reads` looks
+ * at every pixel of half a million triangles
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
