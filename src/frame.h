@@ -99,7 +99,7 @@ typedef struct glint_transform {
     glint_row normal[3];
     int32_t exponent;            /* a clip unit is 2^-exponent */
     int32_t near_plane, least_w; /* w of the near plane, and of the nearest corner of the box */
-    int32_t nearest;             /* w of the frame; less than it may be where the object is not visible */
+    int32_t nearest;             /* w of the frame, no more than any of the object's that is seen */
     int32_t center_x, center_y;  /* of the screen, 28.4 and 11 bits for rounding */
     uint8_t visible, clips, mirrored;
 } glint_transform;
@@ -342,7 +342,7 @@ glint_status glint_transform_prepare(glint_transform *transform, const glint_vie
 /** Smallest w of the object's bounding box, Q28, no less than the near plane. */
 int64_t glint_transform_nearest(const glint_transform *transform, const glint_view *view);
 
-/** Transforms vertices of a mesh from `first` on, all but their normals; positions may be null. */
+/** Transforms vertices of a mesh from `first` on, all but their normals; positions may be null if nothing clips. */
 void glint_transform_vertices(const glint_transform *transform, const glint_mesh *mesh, uint32_t first, uint32_t count,
                               glint_vertex *vertex, glint_position *position);
 

@@ -2,16 +2,15 @@
 /* Geometry: vertices to clip space, to the screen, and their normals to camera space. */
 #include "frame.h"
 
-/* Clip coordinates inside the guard band and beyond the near plane, w from 1 up. */
+/* Clip coordinates inside the guard band and beyond the near plane, w from 1 up and no less than the nearest. */
 static inline void project(const glint_transform *transform, int32_t x, int32_t y, int32_t w, glint_vertex *vertex) {
-    int32_t nearest = transform->nearest < w ? transform->nearest : w;
     unsigned up = 0;
     while (w < 1 << 28) { /* twice at most unless the object is near or deep: faster than to count zeros */
         w *= 2;
         up++;
     }
     uint32_t inverse = glint_inverse((uint32_t)w);
-    int32_t depth = glint_scale(glint_shift_left(nearest, up), inverse); /* Q25 */
+    int32_t depth = glint_scale(glint_shift_left(transform->nearest, up), inverse); /* Q25 */
     inverse -= inverse >> 10; /* GUARD_BAND is 1023 pixels, this in 1024: sixteenths are Q14 */
     x = glint_scale(glint_shift_left(x, up), inverse) + transform->center_x;
     y = glint_scale(glint_shift_left(y, up), inverse) + transform->center_y;
@@ -29,24 +28,45 @@ static int is_outside(int32_t x, int32_t y, int32_t w, int32_t near_plane) {
     return w < near_plane || x >= w || x <= -w || y >= w || y <= -w;
 }
 
+/* Clip coordinates of a position of the mesh. */
+static inline glint_position to_clip_space(const glint_transform *transform, const int16_t p[3]) {
+    const int32_t *t = transform->translation;
+    return (glint_position){glint_row_times(&transform->matrix[0], p[0], p[1], p[2], t[0]),
+                            glint_row_times(&transform->matrix[1], p[0], p[1], p[2], t[1]),
+                            glint_row_times(&transform->matrix[2], p[0], p[1], p[2], t[2])};
+}
+
+/* Vertices that are nowhere clipped, and whose positions are not kept. */
+static GLINT_NOINLINE void transform_inside(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
+                                            uint32_t count, glint_vertex *vertex) {
+    for (; count; count--, vertex++, p++, first++) {
+        const glint_position here = to_clip_space(transform, *p);
+        vertex->attribute[0] = (int16_t)(uint16_t)first;
+        vertex->flags = 0;
+        project(transform, here.x, here.y, here.w, vertex);
+    }
+}
+
 void glint_transform_vertices(const glint_transform *transform, const glint_mesh *mesh, uint32_t first, uint32_t count,
                               glint_vertex *vertex, glint_position *position) {
     const int16_t(*p)[3] = mesh->positions + first;
+    if (!position && !GLINT_SMALL) {
+        transform_inside(transform, p, first, count, vertex);
+        return;
+    }
     for (const glint_vertex *end = vertex + count; vertex < end; vertex++, p++, first++) {
-        const int32_t i = (*p)[0], j = (*p)[1], k = (*p)[2];
-        int32_t x = glint_row_times(&transform->matrix[0], i, j, k, transform->translation[0]);
-        int32_t y = glint_row_times(&transform->matrix[1], i, j, k, transform->translation[1]);
-        int32_t w = glint_row_times(&transform->matrix[2], i, j, k, transform->translation[2]);
-        vertex->flags = 0;
+        const glint_position here = to_clip_space(transform, *p);
         vertex->attribute[0] = (int16_t)(uint16_t)first;
+        vertex->flags = 0;
         if (position)
-            *position++ = (glint_position){x, y, w};
-        if (transform->clips && is_outside(x, y, w, transform->near_plane)) {
+            *position++ = here;
+        if (transform->clips && is_outside(here.x, here.y, here.w, transform->near_plane)) {
             vertex->flags = GLINT_VERTEX_CLIP;
-            x = y = 0;
-            w = 1 << 28;
+            vertex->x = vertex->y = 0;
+            vertex->inverse_w = 0;
+        } else {
+            glint_project(transform, &here, vertex);
         }
-        project(transform, x, y, w, vertex);
     }
 }
 

@@ -60,8 +60,8 @@ static inline int32_t glint_row_times_whole(const glint_row_whole *row, int32_t 
 /* The products of the high parts sum up to at most 3 2^29 + 3 2^15, those of the low ones to 3 2^29. */
 static inline int32_t glint_row_times_split(const glint_row_split *row, int32_t x, int32_t y, int32_t z, int32_t t) {
     const int32_t *high = row->high, *low = row->low;
-    int32_t sum = glint_shift_right(low[0] * x + low[1] * y + low[2] * z + (1 << 14), 14);
-    return t + glint_shift_right(high[0] * x + high[1] * y + high[2] * z + sum, 1);
+    int32_t sum = glint_shift_right(low[0] * x + low[1] * y + low[2] * z, 14);
+    return t + glint_shift_right(high[0] * x + high[1] * y + high[2] * z + sum + 1, 1);
 }
 
 /** floor(floor(x / 2^8) r / 2^15): |x| below 2^30, r below 2^22, |x| r at most 2^48 + 2^30. */

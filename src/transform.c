@@ -176,6 +176,13 @@ static void prepare_depth(glint_transform *transform, const glint_view *view, in
     transform->nearest = to_units(view->nearest, 28 - exponent);
 }
 
+/* Rounded to the object's units, the frame's nearest w must not pass any that is seen. */
+static void lower_nearest(glint_transform *transform) {
+    const int32_t least = transform->least_w > transform->near_plane ? transform->least_w : transform->near_plane;
+    if (transform->nearest > least)
+        transform->nearest = least;
+}
+
 int64_t glint_transform_nearest(const glint_transform *transform, const glint_view *view) {
     int32_t w = transform->least_w;
     if (w <= transform->near_plane)
@@ -199,5 +206,6 @@ glint_status glint_transform_prepare(glint_transform *transform, const glint_vie
     transform->center_y = config->height * (8 << 11) + (1 << 10);
     prepare_depth(transform, view, transform->exponent);
     classify(transform, config);
+    lower_nearest(transform);
     return GLINT_OK;
 }

@@ -7,8 +7,14 @@
 
 #define MOST_W 0x30000000
 
-/* Stands on classify where a draw is not clipped: its box lies within the planes. `numbers` tries a million transforms.
- */
+/* Stands on classify: the box of an object that is not clipped lies within the planes. `numbers` tries a million
+ * transforms. */
+/*@ requires \valid_read(transform) && \valid_read(p + (0 .. 2));
+    assigns \result \from *transform, p[0 .. 2];
+    admit ensures 1 <= \result.w <= 0x30000000;
+    admit ensures -0x30000000 <= \result.x <= 0x30000000 && -0x30000000 <= \result.y <= 0x30000000; */
+static inline glint_position to_clip_space(const glint_transform *transform, const int16_t p[3]);
+
 /*@ requires \valid_read(transform) && \valid(vertex);
     requires 1 <= w <= 0x30000000;
     assigns vertex->x, vertex->y, vertex->inverse_w \from *transform, x, y, w;
@@ -17,8 +23,15 @@
     ensures 0 <= vertex->inverse_w <= 0x7fff0000; */
 static inline void project(const glint_transform *transform, int32_t x, int32_t y, int32_t w, glint_vertex *vertex);
 
-/* Any w from least to most; x and y, which do not meet, below 0 or not and up to it. */
-static void project_part(const glint_transform *transform, int32_t least, int32_t most) {
+/*@ requires \valid_read(transform) && count <= 2 && \valid(vertex + (0 .. 1));
+    requires \valid_read(&p[0 .. 1][0 .. 2]);
+    assigns vertex[0 .. 1] \from *transform, p[0 .. 1][0 .. 2], first, count; */
+static void transform_inside(const glint_transform *transform, const int16_t (*p)[3], uint32_t first, uint32_t count,
+                             glint_vertex *vertex);
+
+/* Any w from least to most, none below the nearest; x and y, which do not meet, below 0 or not and up to it. */
+static void project_part(glint_transform *transform, int32_t least, int32_t most) {
+    transform->nearest = ANY(0, least);
     glint_vertex vertex;
     const glint_position right = {ANY(0, most), ANY(0, most), ANY(least, most)};
     const glint_position left = {ANY(-most, -1), ANY(-most, -1), ANY(least, most)};
@@ -41,7 +54,7 @@ static void project_parts(void) {
 }
 
 /*
- * w from 1 to 3 2^28, x and y from -w to w, by parts of w and by signs, for any nearest w. @contract glint_inverse
+ * w from 1 to 3 2^28, x and y from -w to w, by parts of w and by signs. @contract glint_inverse
  * @narrowing a shift to the left, of coordinates up to w as w is; what is stored is within 29000
  */
 PROOF(project) {
@@ -58,7 +71,8 @@ PROOF(project_split) {
 }
 
 /*
- * Any positions from any number on, of an object that may be clipped. @contract glint_row_times_whole project
+ * Any positions from any number on, of an object that may be clipped.
+ * @contract glint_row_times_whole project transform_inside
  * @narrowing a vertex's number in its mesh is read back as uint16_t
  */
 PROOF(glint_transform_vertices) {
@@ -70,10 +84,25 @@ PROOF(glint_transform_vertices) {
     Frama_C_make_unknown((char *)positions, sizeof positions);
     mesh.positions = (const int16_t(*)[3])positions;
     any_transform(&transform);
-    transform.clips = 1;
     const uint32_t first = ANY_UNSIGNED(0, 65534);
+    transform.clips = 0;
     glint_transform_vertices(&transform, &mesh, first, ANY_UNSIGNED(0, 2), vertices, 0);
+    transform.clips = 1;
     glint_transform_vertices(&transform, &mesh, first, ANY_UNSIGNED(0, 2), vertices, kept);
+}
+
+/*
+ * Any positions from any number on. @contract to_clip_space project
+ * @narrowing a vertex's number in its mesh is read back as uint16_t
+ */
+PROOF(transform_inside) {
+    static int16_t positions[65536][3];
+    glint_transform transform;
+    glint_vertex vertices[2];
+    Frama_C_make_unknown((char *)positions, sizeof positions);
+    any_transform(&transform);
+    const uint32_t first = ANY_UNSIGNED(0, 65534);
+    transform_inside(&transform, (const int16_t(*)[3])positions + first, first, ANY_UNSIGNED(0, 2), vertices);
 }
 
 /*

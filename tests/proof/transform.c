@@ -85,7 +85,7 @@ static void prepare_depth(glint_transform *transform, const glint_view *view, in
 /*@ requires \valid(transform) && \valid_read(config);
     requires 16 <= transform->near_plane <= 0x40000000;
     assigns transform->least_w, transform->visible, transform->clips \from *transform, *config;
-    ensures \initialized(&transform->visible); */
+    ensures \initialized(&transform->least_w) && \initialized(&transform->visible); */
 static void classify(glint_transform *transform, const glint_config *config);
 
 static void any_rows(int64_t rows[3][4], int64_t most) {
