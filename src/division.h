@@ -46,25 +46,28 @@ static inline int32_t glint_reciprocal16(uint32_t x) {
  * larger errors of a table and the smaller ones of a division give the same pixels.
  */
 
-#define GLINT_EDGE_DX 1024
-#define GLINT_EDGE_DY (GLINT_DIVIDES ? 512 : 256)
+#define GLINT_EDGE_DX 2048
+#define GLINT_EDGE_DY 512
 #define GLINT_EDGE_ERROR 64
 
 /** Added to a crossing, this makes its whole part the first column at or right of it. */
 #define GLINT_EDGE_CEILING ((1 << 20) - GLINT_EDGE_ERROR)
 
-/** dx / dy, Q20, rounded towards 0. */
+/** dx / dy, Q20, rounded towards 0; of dx the low 16 bits count. */
 static inline int32_t glint_slope_by_division(int32_t dx, int32_t dy) {
-    return dx * (1 << 20) / dy;
+    return glint_shift_left(dx, 20) / dy;
 }
 
-/** dx / dy, Q20, for dy below 256. */
+/** The same, not as near. */
 static inline int32_t glint_slope_by_table(int32_t dx, int32_t dy) {
+    dx = (int16_t)dx;
     if (dy < 16) {
         dx = dx * 16;
         dy = dy * 16;
     }
-    const int32_t inverse = glint_quotient_table[dy - 16], slope = dx * inverse;
+    const uint16_t *const table = glint_quotient_table;
+    const int32_t inverse = dy < 256 ? table[dy - 16] : (table[dy / 2 - 16] + table[(dy + 1) / 2 - 16] + 2) / 4;
+    const int32_t slope = dx * inverse;
     /* What is left of dx 2^20 is far below 2^31, whatever the two parts are. */
     const int32_t rest = (int32_t)(((uint32_t)dx << 20) - (uint32_t)slope * (uint32_t)dy);
     return slope + glint_shift_right(glint_shift_right(rest, 6) * inverse, 14);
@@ -74,9 +77,9 @@ static inline int32_t glint_slope(int32_t dx, int32_t dy) {
     return GLINT_DIVIDES ? glint_slope_by_division(dx, dy) : glint_slope_by_table(dx, dy);
 }
 
-/** From an edge's top, y sixteenths below a row of centres, to where it crosses the first row below or at it. */
-static inline int32_t glint_edge_start(int32_t slope, int32_t y) {
-    return glint_shift_right(slope, 4) * (-y & 15);
+/** From an edge's top to where it crosses the first row of centres, `down` sixteenths below, from 0 to 15. */
+static inline int32_t glint_edge_start(int32_t slope, int32_t down) {
+    return glint_shift_right(slope, 4) * down;
 }
 
 #endif

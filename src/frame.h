@@ -217,26 +217,25 @@ typedef struct glint_span {
     uint8_t left, right;
 } glint_span;
 
-/** A corner in a tile, in sixteenths from the centre of its first pixel, and the first row of centres below or at it.
- */
-typedef struct glint_place {
-    int32_t x, y, row;
-} glint_place;
-
 /** A tile on the screen: its first pixel's centre in sixteenths, and how much of it the screen shows, in pixels. */
 typedef struct glint_window {
     int32_t left, top, width, height;
+    uint32_t origin, beyond; /* raster's own: of places, and the bits that none in the tile has */
 } glint_window;
+
+/** Most rows of a triangle that raster walks as a whole. */
+#define GLINT_SHORT_ROWS 31
 
 /** The part of a triangle that lies in one tile. Its anchor is the pixel of the triangle's first corner. */
 typedef struct glint_part {
     glint_window window;
-    glint_place places[3]; /* of the corners */
-    int32_t x, y;          /* of the tile's first pixel, from the anchor: where planes are evaluated */
-    uint32_t top, bottom;  /* rows of the tile; bottom is exclusive */
-    glint_plane depth;     /* 1/w, Q31 */
+    int32_t x, y;         /* of the tile's first pixel, from the anchor: where planes are evaluated */
+    uint32_t top, bottom; /* rows of the tile; bottom is exclusive */
+    glint_plane depth;    /* 1/w, Q31 */
     glint_gradients gradients;
-    glint_span spans[GLINT_TILE_MAX]; /* of these rows */
+    glint_span above[GLINT_SHORT_ROWS]; /* raster's own, as those below: of rows beyond the tile */
+    glint_span spans[GLINT_TILE_MAX];   /* of these rows */
+    glint_span below[GLINT_SHORT_ROWS];
 } glint_part;
 
 /** Up to two triples: a normal over w or a lit colour, and the surface's own colour. */
@@ -452,21 +451,24 @@ size_t glint_draw_size(const glint_frame *frame, const glint_object *object, con
      GLINT_ALIGNED(3 * sizeof(glint_position)) + GLINT_ALIGNED(18) + 2 * GLINT_ALIGNED(36) + GLINT_ALIGNED(8) + \
      GLINT_ALIGNED(6) + GLINT_BIN_RESERVE)
 
-/** A triangle to draw; raster puts its corners counter-clockwise on the screen. */
+/** A triangle to draw. */
 typedef struct glint_triangle {
-    const glint_vertex *corners[3];
-    const int16_t *extra[3]; /* where the draw has extra attributes */
-    const int16_t *facet;    /* its colour, where the draw is lit by facet */
-    int32_t area;            /* twice its area, 28.4 squared, above 0 */
-    int back;                /* seen from the back */
+    const glint_vertex *corners[3]; /* counter-clockwise on the screen */
+    const int16_t *extra[3];        /* where the draw has extra attributes */
+    const int16_t *facet;           /* its colour, where the draw is lit by facet */
+    int32_t area;                   /* twice its area, 28.4 squared, above 0 */
+    int back;                       /* seen from the back */
 } glint_triangle;
 
+/** A window that shows so many pixels from pixel x, y of the screen on. */
+void glint_window_begin(glint_window *window, int x, int y, int width, int height);
+
 /**
- * Draws a triangle's part of a tile, the part's window. Sets all of the triangle but what it points to, and the rest of
- * the part.
+ * Finds a triangle's rows and spans in a tile, the part's window. Corners run counter-clockwise on the screen, within
+ * 2047 pixels of the tile.
+ * @return 0 when they hold no pixels: then neither does the part hold anything
  */
-void glint_raster(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                  glint_triangle *triangle, glint_part *part);
+int glint_raster(glint_part *part, const glint_vertex *const corners[3]);
 
 /** Is all that a tile shows background, now that this pass is prepared? */
 int glint_tile_is_empty(const glint_frame *frame, uint32_t tile);

@@ -8,6 +8,26 @@
 #include "division.h"
 #include "setup.h"
 
+static int32_t least(int32_t a, int32_t b) {
+    return a < b ? a : b;
+}
+
+static int32_t most(int32_t a, int32_t b) {
+    return a > b ? a : b;
+}
+
+/* Leaves out rows without pixels above the first that has some. @return 0 when none has */
+static inline int has_pixels(glint_part *part) {
+    uint32_t top = part->top;
+    while (part->spans[top].left >= part->spans[top].right)
+        if (++top == part->bottom)
+            return 0;
+    part->top = top;
+    return 1;
+}
+
+/* ---- Any triangle ---- */
+
 /* floor(a / b), b above 0 */
 static int32_t divide_floor(int32_t a, int32_t b, int32_t *remainder) {
     int32_t quotient = a / b;
@@ -45,171 +65,214 @@ static void walk(edge *e, uint8_t *side, int32_t rows, int32_t width) {
     }
 }
 
-/* The rows of a side in the tile. */
-typedef struct side {
-    const glint_place *a, *b; /* its upper and its lower corner */
-    uint8_t *column;          /* of the first row */
-    int32_t rows;
-    int32_t above; /* rows above the tile */
-} side;
-
-/* Any edge; `down` is from its top to the first row's centres. */
-static void find_exactly(const glint_part *part, const side *s) {
-    const int32_t dx = s->b->x - s->a->x, dy = s->b->y - s->a->y;
-    edge e;
-    begin_exactly(&e, s->a->x, dx, dy, 16 * s->above + (-s->a->y & 15));
-    walk(&e, s->column, s->rows, part->window.width);
+/* The first row of centres below a corner or at it, from the tile's first. */
+static int32_t row_of(const glint_window *window, const glint_vertex *v) {
+    return glint_shift_right(v->y - window->top + 15, 4);
 }
 
-/* A short edge, from where it crosses the first row, Q20, by its slope; it leaves the tile. */
-static void find_clamped(const glint_part *part, const side *s, int32_t x, int32_t slope) {
-    const int32_t width = part->window.width;
-    uint8_t *column = s->column;
-    for (int32_t row = 0; row < s->rows; row++) {
-        const int32_t whole = glint_shift_right(x, 20), inside = whole < 0 ? 0 : whole;
-        *column = (uint8_t)(inside > width ? width : inside);
-        column += sizeof(glint_span);
-        x = glint_add_wrap(x, slope);
-    }
-}
-
-/* Finds one side of the spans between two corners that follow each other counter-clockwise. */
-static void find_side(glint_part *part, const glint_place *a, const glint_place *b) {
-    side s = {a, b, &part->spans[0].left, 0, 0};
-    if (a->row > b->row) /* edges that run up are right ones */
-        s = (side){b, a, &part->spans[0].right, 0, 0};
-    int32_t top = s.a->row, bottom = s.b->row < part->window.height ? s.b->row : part->window.height;
-    if (top < 0) {
-        s.above = -top;
-        top = 0;
-    }
-    s.rows = bottom - top;
-    if (s.rows <= 0)
-        return;
-    s.column += sizeof(glint_span) * (uint32_t)top;
-    const int32_t dx = s.b->x - s.a->x, dy = s.b->y - s.a->y;
-    if ((GLINT_SMALL && GLINT_DIVIDES) || dy >= GLINT_EDGE_DY || dx >= GLINT_EDGE_DX || dx <= -GLINT_EDGE_DX) {
-        find_exactly(part, &s);
-        return;
-    }
-    const int32_t slope = glint_slope(dx, dy);
-    int32_t x = s.a->x * (1 << 16) + GLINT_EDGE_CEILING + glint_edge_start(slope, s.a->y) + slope * s.above;
-    const uint32_t limit = (uint32_t)(part->window.width + 1) << 20;
-    if ((uint32_t)x >= limit || (uint32_t)(x + slope * (s.rows - 1)) >= limit) {
-        find_clamped(part, &s, x, slope);
-        return;
-    }
-    uint8_t *column = s.column;
-    int32_t rows = s.rows;
-    do {
-        *column = (uint8_t)(x >> 20);
-        column += sizeof(glint_span);
-        GLINT_OPAQUE(column);
-        x += slope;
-    } while (--rows);
-}
-
-static inline void find_place(glint_place *place, const glint_window *window, const glint_vertex *v) {
-    place->x = v->x - window->left;
-    place->y = v->y - window->top;
-    place->row = glint_shift_right(place->y + 15, 4);
-}
-
-/* As find_side, of a short side that lies in the tile. */
-static inline void find_inside(glint_part *part, const glint_place *a, const glint_place *b) {
+/* Finds one side of the spans in the tile, between two corners that follow each other counter-clockwise. */
+static void find_side(glint_part *part, const glint_vertex *a, const glint_vertex *b) {
+    const glint_window *window = &part->window;
     uint8_t *column = &part->spans[0].left;
-    int32_t rows = b->row - a->row;
-    if (rows < 0) {
-        const glint_place *upper = b;
+    if (a->y > b->y) { /* edges that run up are right ones */
+        const glint_vertex *upper = b;
         b = a, a = upper;
-        rows = -rows;
         column = &part->spans[0].right;
     }
-    if (!rows)
+    const int32_t top = most(row_of(window, a), 0), bottom = least(row_of(window, b), window->height);
+    if (top >= bottom)
         return;
-    const int32_t slope = glint_slope(b->x - a->x, b->y - a->y);
-    int32_t x = a->x * (1 << 16) + GLINT_EDGE_CEILING + glint_edge_start(slope, a->y);
-    column += sizeof(glint_span) * (uint32_t)a->row;
-    do {
-        *column = (uint8_t)(x >> 20);
-        column += sizeof(glint_span);
-        GLINT_OPAQUE(column);
-        x += slope;
-    } while (--rows);
+    part->top = (uint32_t)least((int32_t)part->top, top);
+    part->bottom = (uint32_t)most((int32_t)part->bottom, bottom);
+    edge e;
+    begin_exactly(&e, a->x - window->left, b->x - a->x, b->y - a->y, 16 * top + window->top - a->y);
+    walk(&e, column + sizeof(glint_span) * (uint32_t)top, bottom - top, window->width);
 }
 
-static inline int is_across(const glint_window *window, const glint_place *place) {
-    return (uint32_t)(place->x + 8) < (uint32_t)window->width << 4;
+static GLINT_NOINLINE int find_any(glint_part *part, const glint_vertex *const v[3]) {
+    part->top = GLINT_TILE_MAX;
+    part->bottom = 0;
+    find_side(part, v[0], v[1]);
+    find_side(part, v[1], v[2]);
+    find_side(part, v[2], v[0]);
+    return part->top < part->bottom && has_pixels(part);
 }
 
-/* Finds the triangle's spans in the tile. @return 0 when it has no rows there */
-static int find_spans(glint_part *part) {
-    const glint_place *places = part->places;
-    const int32_t a = places[0].row, b = places[1].row, c = places[2].row;
-    int32_t top = a < b ? a : b, bottom = a < b ? b : a;
-    top = top < c ? top : c;
-    bottom = bottom > c ? bottom : c;
-    if (!GLINT_SMALL && top >= 0 && bottom <= part->window.height && bottom - top < GLINT_EDGE_DY / 16 &&
-        is_across(&part->window, &places[0]) && is_across(&part->window, &places[1]) &&
-        is_across(&part->window, &places[2])) {
-        part->top = (uint32_t)top;
-        part->bottom = (uint32_t)bottom;
-        find_inside(part, &places[0], &places[1]);
-        find_inside(part, &places[1], &places[2]);
-        find_inside(part, &places[2], &places[0]);
-        return top < bottom;
+/* ---- Short triangles ---- */
+/*
+ * Both sides of a short triangle are walked at once, by their slopes, from its top to its bottom wherever the tile
+ * ends: rows above and below it have spans of their own, and columns are kept modulo 256 until what is beyond is cut
+ * off.
+ */
+
+/* Is the library built for size, and for a core that divides? Then all go the way of any triangle. */
+#define ANY_WAY_ONLY (GLINT_SMALL && GLINT_DIVIDES)
+
+/*
+ * A corner as one word, 2^16 y + x in sixteenths of a pixel, 15 more than from the centre of the tile's first pixel:
+ * the whole part of y is then the first row of centres below the corner or at it, and that of x the first column.
+ */
+typedef int32_t place;
+
+#define TO_CENTER 15
+
+static inline place place_of(const glint_window *window, const glint_vertex *v) {
+    const uint32_t word = (uint32_t)(uint16_t)v->x | (uint32_t)(uint16_t)v->y << 16;
+    return (int32_t)((word ^ 0x8000) - window->origin); /* an x from 0 up does not borrow from y */
+}
+
+static inline int32_t first_row(place p) {
+    return glint_shift_right(p, 20);
+}
+
+void glint_window_begin(glint_window *window, int x, int y, int width, int height) {
+    window->left = 16 * x + 8;
+    window->top = 16 * y + 8;
+    window->width = width;
+    window->height = height;
+    if (ANY_WAY_ONLY)
+        return;
+    const uint32_t rows = 0x80000000u >> glint_leading_zeros((uint32_t)height); /* no more, a power of two */
+    const uint32_t columns = 0x80000000u >> glint_leading_zeros((uint32_t)width);
+    window->origin = ((uint32_t)(window->top - TO_CENTER) << 16) + (uint32_t)(window->left - TO_CENTER + 0x8000);
+    window->beyond = ~((16 * rows - 1) << 16 | (16 * columns - 1));
+}
+
+/* A triangle's corners, counter-clockwise. */
+typedef struct corners {
+    place a, b, c;
+    int32_t origin; /* Q20: what x of 0 adds to a crossing, so that its whole part is the column at or right of it */
+} corners;
+
+/* Where a triangle leaves its tile. */
+#define CUT 1
+#define CUT_LEFT 2
+#define CUT_RIGHT 4
+
+/* By how many columns a short triangle may lie left of a tile, and right of the largest: places take 11 bits then. */
+#define AROUND 32
+#define FAR 0xf800
+
+/* Moves the places of a triangle that leaves the tile so that no x is negative. @return 0 where it goes too far */
+static inline int find_cut(corners *p, const glint_window *window) {
+    const int32_t left = 16 * AROUND, right = left + 16 * window->width + TO_CENTER;
+    int cut = CUT;
+    p->a += left, p->b += left, p->c += left;
+    p->origin -= left << 16;
+    if ((p->a | p->b | p->c) & FAR)
+        return 0;
+    const int32_t ax = p->a & 0xffff, bx = p->b & 0xffff, cx = p->c & 0xffff;
+    if (ax < left || bx < left || cx < left)
+        cut |= CUT_LEFT;
+    if (ax > right || bx > right || cx > right)
+        cut |= CUT_RIGHT;
+    return cut;
+}
+
+/* Names the top corner `a`. */
+static inline void turn_to_top(corners *p) {
+    const place a = p->a;
+    if (p->b < a && p->b < p->c)
+        p->a = p->b, p->b = p->c, p->c = a;
+    else if (p->c < a)
+        p->a = p->c, p->c = p->b, p->b = a;
+}
+
+/* A side on its way down: where it crosses a row, Q20, and how that changes. */
+typedef struct side {
+    int32_t x, slope;
+} side;
+
+#if GLINT_DIVIDES
+#define slope_of glint_slope
+#else
+static GLINT_NOINLINE int32_t slope_of(int32_t dx, int32_t dy) {
+    return glint_slope(dx, dy);
+}
+#endif
+
+static inline side begin_side(const corners *p, place upper, place lower) {
+    const int32_t y = glint_shift_right(upper, 16), slope = slope_of(lower - upper, glint_shift_right(lower, 16) - y);
+    return (side){p->origin + glint_shift_left(upper, 16) + glint_edge_start(slope, ~y & 15), slope};
+}
+
+/* Walks both sides down some rows. @return the span of the row below */
+static inline uint8_t *walk_sides(uint8_t *span, int32_t rows, side *left, side *right) {
+    uint8_t *const end = span + (int32_t)sizeof(glint_span) * rows;
+    while (span != end) {
+        span[offsetof(glint_span, right)] = (uint8_t)(right->x >> 20);
+        span[offsetof(glint_span, left)] = (uint8_t)(left->x >> 20);
+        span += sizeof(glint_span);
+        GLINT_OPAQUE(span);
+        left->x = glint_add_wrap(left->x, left->slope);
+        right->x = glint_add_wrap(right->x, right->slope);
     }
-    bottom = bottom < part->window.height ? bottom : part->window.height;
-    top = top < 0 ? 0 : top;
-    part->top = (uint32_t)top;
-    part->bottom = (uint32_t)bottom;
+    return span;
+}
+
+/* Finds all spans of a triangle; `a` is its top corner. */
+static inline void find_spans(glint_part *part, const corners *p) {
+    const int32_t top = first_row(p->a), left_rows = first_row(p->b) - top, right_rows = first_row(p->c) - top;
+    uint8_t *span = (uint8_t *)part + offsetof(glint_part, spans) + (int32_t)sizeof(glint_span) * top;
+    side left = {0, 0}, right = {0, 0};
+    if (left_rows)
+        left = begin_side(p, p->a, p->b);
+    if (right_rows)
+        right = begin_side(p, p->a, p->c);
+    if (left_rows < right_rows) {
+        span = walk_sides(span, left_rows, &left, &right);
+        left = begin_side(p, p->b, p->c);
+        walk_sides(span, right_rows - left_rows, &left, &right);
+    } else {
+        span = walk_sides(span, right_rows, &left, &right);
+        if (left_rows == right_rows)
+            return;
+        right = begin_side(p, p->c, p->b);
+        walk_sides(span, left_rows - right_rows, &left, &right);
+    }
+}
+
+/* Cuts off what of the spans lies beyond the tile's columns. @return 0 when no pixels are left */
+static GLINT_NOINLINE int cut_columns(glint_part *part, int cut) {
+    const uint8_t width = (uint8_t)part->window.width;
+    glint_span *const first = part->spans + part->top, *const end = part->spans + part->bottom;
+    if (cut & CUT_LEFT) {
+        for (glint_span *s = first; s != end; s++) {
+            const int32_t left = (int8_t)s->left, right = (int8_t)s->right;
+            s->left = (uint8_t)(left & ~glint_shift_right(left, 31));
+            s->right = (uint8_t)(right & ~glint_shift_right(right, 31));
+        }
+    }
+    if (cut & CUT_RIGHT) {
+        for (glint_span *s = first; s != end; s++) {
+            s->left = s->left < width ? s->left : width;
+            s->right = s->right < width ? s->right : width;
+        }
+    }
+    return has_pixels(part);
+}
+
+int glint_raster(glint_part *part, const glint_vertex *const v[3]) {
+    const glint_window *window = &part->window;
+    corners p = {place_of(window, v[0]), place_of(window, v[1]), place_of(window, v[2]),
+                 GLINT_EDGE_CEILING - (TO_CENTER << 16)};
+    int cut = 0;
+    if (ANY_WAY_ONLY)
+        return find_any(part, v);
+    if ((uint32_t)(p.a | p.b | p.c) & window->beyond && !(cut = find_cut(&p, window)))
+        return find_any(part, v);
+    turn_to_top(&p);
+    int32_t top = first_row(p.a), bottom = most(first_row(p.b), first_row(p.c));
+    if (bottom - top > GLINT_SHORT_ROWS)
+        return find_any(part, v);
+    if (cut) {
+        top = most(top, 0);
+        bottom = least(bottom, window->height);
+    }
     if (top >= bottom)
         return 0;
-    find_side(part, &places[0], &places[1]);
-    find_side(part, &places[1], &places[2]);
-    find_side(part, &places[2], &places[0]);
-    return 1;
-}
-
-/* Leaves out rows without pixels above the first that has some. @return 0 when none has */
-static inline int has_pixels(glint_part *part) {
-    uint32_t top = part->top;
-    while (part->spans[top].left >= part->spans[top].right)
-        if (++top == part->bottom)
-            return 0;
-    part->top = top;
-    return 1;
-}
-
-/* Puts the corners of a triangle that runs clockwise on the screen in the other order. */
-static void turn_round(glint_triangle *triangle, int has_extra) {
-    const glint_vertex *corner = triangle->corners[1];
-    triangle->corners[1] = triangle->corners[2];
-    triangle->corners[2] = corner;
-    if (has_extra) {
-        const int16_t *extra = triangle->extra[1];
-        triangle->extra[1] = triangle->extra[2];
-        triangle->extra[2] = extra;
-    }
-}
-
-void glint_raster(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                  glint_triangle *triangle, glint_part *part) {
-    const glint_vertex *const *v = triangle->corners;
-    glint_place *places = part->places;
-    triangle->area = -glint_double_area(v[0], v[1], v[2]);
-    triangle->back = (triangle->area < 0) != draw->mirrored;
-    if (triangle->area < 0) {
-        triangle->area = -triangle->area;
-        turn_round(triangle, draw->extra != 0);
-    }
-    find_place(&places[0], &part->window, v[0]);
-    find_place(&places[1], &part->window, v[1]);
-    find_place(&places[2], &part->window, v[2]);
-    if (!find_spans(part) || !has_pixels(part))
-        return;
-    part->x = -glint_shift_right(places[0].x + 8, 4);
-    part->y = -glint_shift_right(places[0].y + 8, 4);
-    glint_setup(part, triangle);
-    draw->kernel(frame, workspace, draw, triangle, part);
+    part->top = (uint32_t)top;
+    part->bottom = (uint32_t)bottom;
+    find_spans(part, &p);
+    return cut > CUT ? cut_columns(part, cut) : has_pixels(part);
 }

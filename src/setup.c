@@ -93,12 +93,12 @@ void glint_plane_begin(glint_plane *p, const glint_gradients *g, int32_t a0, int
 #define ROOM (1 << 21)
 
 /* Lowers a depth plane that rounding takes above the top at a corner, where pixels then would have 32 bits. */
-static GLINT_NOINLINE void keep_below_top(glint_part *part) {
+static GLINT_NOINLINE void keep_below_top(glint_part *part, const glint_triangle *t) {
     const glint_gradients *g = &part->gradients;
     glint_plane *depth = &part->depth;
     for (int i = 1; i < 3; i++) {
-        const int32_t x = part->places[i].x - part->places[0].x - g->to_center_x;
-        const int32_t y = part->places[i].y - part->places[0].y - g->to_center_y;
+        const int32_t x = t->corners[i]->x - t->corners[0]->x - g->to_center_x;
+        const int32_t y = t->corners[i]->y - t->corners[0]->y - g->to_center_y;
         const int32_t there = glint_add_wrap(glint_multiply_wrap(glint_shift_right(depth->dx, 4), x),
                                              glint_multiply_wrap(glint_shift_right(depth->dy, 4), y));
         const uint32_t above = (uint32_t)depth->start + (uint32_t)there - TOP;
@@ -107,21 +107,29 @@ static GLINT_NOINLINE void keep_below_top(glint_part *part) {
     }
 }
 
-void glint_setup(glint_part *part, const glint_triangle *t) {
-    const glint_place *a = &part->places[0], *b = &part->places[1], *c = &part->places[2];
-    const int32_t w = t->corners[0]->inverse_w, w1 = t->corners[1]->inverse_w, w2 = t->corners[2]->inverse_w;
+/* Twice the area, of corners that run counter-clockwise. */
+static inline int32_t find_area(const glint_gradients *g) {
+    return g->y1 * g->x2 - g->y2 * g->x1;
+}
+
+void glint_setup(glint_part *part, glint_triangle *t) {
+    const glint_vertex *a = t->corners[0], *b = t->corners[1], *c = t->corners[2];
+    const int32_t w = a->inverse_w, w1 = b->inverse_w, w2 = c->inverse_w;
     glint_gradients *g = &part->gradients;
     g->x1 = a->y - c->y;
     g->y1 = c->x - a->x;
     g->x2 = b->y - a->y;
     g->y2 = a->x - b->x;
-    g->to_center_x = 8 - ((a->x + 8) & 15);
-    g->to_center_y = 8 - ((a->y + 8) & 15);
+    g->to_center_x = 8 - (a->x & 15);
+    g->to_center_y = 8 - (a->y & 15);
+    part->x = glint_shift_right(part->window.left, 4) - glint_shift_right(a->x, 4);
+    part->y = glint_shift_right(part->window.top, 4) - glint_shift_right(a->y, 4);
+    t->area = find_area(g);
     gradients_begin(g, (uint32_t)t->area);
     if (g->reciprocal)
         begin_narrow(&part->depth, g, w, w1 - w, w2 - w);
     else
         glint_plane_begin(&part->depth, g, w, w1, w2);
     if (glint_add_wrap(w1 | w2, ROOM) < 0)
-        keep_below_top(part);
+        keep_below_top(part, t);
 }

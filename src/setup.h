@@ -5,8 +5,8 @@
 
 #include "frame.h"
 
-/** Gradients and depth plane of a triangle, from its places and area; the rest of the part stays. */
-void glint_setup(glint_part *part, const glint_triangle *triangle);
+/** Gradients, area and depth plane of a triangle, from its corners, counter-clockwise; the rest of the part stays. */
+void glint_setup(glint_part *part, glint_triangle *triangle);
 
 /**
  * The plane of an attribute that is a0, a1, a2 at the corners; below 2^31 apart. Slivers have slopes above 2^31: those

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Tile: draws the triangles that a pass lists for one tile. */
 #include "pixel.h"
+#include "setup.h"
 
 /* Compilers call these two even in freestanding code; here the library does. */
 void *memcpy(void *to, const void *from, size_t size);
@@ -44,6 +45,23 @@ int glint_tile_is_empty(const glint_frame *frame, uint32_t tile) {
     return frame->starts && frame->ends && frame->lists[tile - frame->tile_first].head == GLINT_LIST_END;
 }
 
+/* Puts the corners of a triangle that runs clockwise on the screen in the other order. */
+static GLINT_NOINLINE void turn_round(glint_triangle *triangle, const glint_draw *draw) {
+    const glint_vertex *const *v = triangle->corners;
+    const int clockwise = glint_double_area(v[0], v[1], v[2]) > 0;
+    triangle->back = clockwise != draw->mirrored;
+    if (!clockwise)
+        return;
+    const glint_vertex *corner = triangle->corners[1];
+    triangle->corners[1] = triangle->corners[2];
+    triangle->corners[2] = corner;
+    if (draw->extra) {
+        const int16_t *extra = triangle->extra[1];
+        triangle->extra[1] = triangle->extra[2];
+        triangle->extra[2] = extra;
+    }
+}
+
 /* A triangle by its number, of a draw or made by clipping; a list names draws in order, none before `draw`. */
 static void find_triangle(const glint_frame *frame, const glint_draw **draw, uint32_t number, glint_triangle *t) {
     if (number > GLINT_TRIANGLES_MAX) {
@@ -67,13 +85,16 @@ static void find_triangle(const glint_frame *frame, const glint_draw **draw, uin
             t->extra[i] = (*draw)->extra[indices[i]];
     }
     t->facet = (*draw)->facets ? (*draw)->facets[number] : 0;
+    t->back = 0;
+    if ((*draw)->mirrored || (*draw)->double_sided)
+        turn_round(t, *draw);
 }
 
 /* Where a tile lies, for raster and for shading. */
 static void place_tile(const glint_frame *frame, glint_fragments *fragments, glint_window *window, uint32_t tile) {
     int x, y, width, height;
     glint_tile_rectangle(frame, tile, &x, &y, &width, &height);
-    *window = (glint_window){16 * x + 8, 16 * y + 8, width, height};
+    glint_window_begin(window, x, y, width, height);
     fragments->count = 0;
     fragments->tile_x = x;
     fragments->tile_y = y;
@@ -93,7 +114,10 @@ int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint
         const glint_reference *reference = &frame->references[here];
         glint_triangle triangle;
         find_triangle(frame, &draw, reference->triangle, &triangle);
-        glint_raster(frame, workspace, draw, &triangle, &part);
+        if (glint_raster(&part, triangle.corners)) {
+            glint_setup(&part, &triangle);
+            draw->kernel(frame, workspace, draw, &triangle, &part);
+        }
         here = reference->next;
     }
     return frame->ends;

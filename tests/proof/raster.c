@@ -35,59 +35,67 @@ PROOF(walk_exactly) {
     }
 }
 
+static int32_t any_place(int32_t y, int32_t most_y) {
+    const int32_t first = y * (1 << 16), last = most_y * (1 << 16) + 0x7ff;
+    return ANY(first, last);
+}
+
 /*
- * Short sides in a tile, from its first row on, of every phase and by the bits of their heights, down and up.
- * @options -eva-slevel 10 -eva-min-loop-unroll 65
+ * Short sides of every phase, from anywhere in a tile's columns or 32 beyond, by the bits of their heights.
+ * @narrowing places and slopes take a shift to the left
+ * @options -eva-slevel 10
  */
-PROOF(find_inside) {
-    glint_part part;
+PROOF(begin_side) {
+    corners p;
     FOR_PARTS(phase, 0, 15) {
         FOR_PARTS(bits, 0, 8) {
-            const int32_t least = 1 << bits, most = 2 * least - 1, y = (int32_t)phase - 15;
-            glint_place upper = {ANY(-8, 16 * GLINT_TILE_MAX - 9), y, 0};
-            glint_place lower = {ANY(-8, 16 * GLINT_TILE_MAX - 9), ANY(y + least, y + most), 0};
-            lower.row = ANY((y + least + 15) >> 4, (y + most + 15) >> 4);
-            find_inside(&part, &upper, &lower);
-            find_inside(&part, &lower, &upper);
+            const int32_t y = phase, least = 1 << bits, most = 2 * least - 1;
+            p.origin = ANY(GLINT_EDGE_CEILING - ((16 * AROUND + TO_CENTER) << 16), GLINT_EDGE_CEILING);
+            begin_side(&p, any_place(y, y), any_place(y + least, y + most));
         }
     }
-}
-
-/* Stands on begin_exactly and walk, all that it does: walk_exactly. */
-/*@ requires \valid_read(part) && \valid_read(s);
-    requires 1 <= s->rows <= 64;
-    assigns s->column[0 .. 2 * (s->rows - 1)] \from indirect: *part, indirect: *s; */
-static void find_exactly(const glint_part *part, const side *s);
-
-/* Sides from so many rows above a tile, the top from y to y + slack there, `least` to `most` below y + slack. */
-static void find_from(int above, int y, int slack, int least, int most) {
-    glint_part part;
-    glint_place upper = {ANY(-MOST_PLACE, MOST_PLACE), ANY(y, y + slack), -above};
-    glint_place lower = {ANY(-MOST_PLACE, MOST_PLACE), ANY(y + slack + least, y + slack + most), 0};
-    lower.row = ANY((y + slack + least + 15) >> 4, (y + slack + most + 15) >> 4);
-    part.window.width = ANY(1, GLINT_TILE_MAX);
-    part.window.height = ANY(1, GLINT_TILE_MAX);
-    find_side(&part, &upper, &lower);
-    find_side(&part, &lower, &upper);
 }
 
 /*
- * Sides of up to 511 sixteenths from the first row of any tile or from above it, by how far and by parts of their
- * heights.
- * @contract find_exactly
- * @narrowing crossings beyond the tile are found modulo 2^32
- * @alarms 2 a crossing was just compared, as unsigned, with 65 2^20, and a slope is below 2^30: `fill_rule` under UBSan
- * @options -eva-slevel 10 -eva-min-loop-unroll 65
+ * Any sides, down any number of rows.
+ * @narrowing a crossing may lie anywhere beyond the tile below its last row
+ * @options -eva-slevel 100
  */
-PROOF(find_side) {
-    FOR_PARTS(phase, 0, 15) {
-        FOR_PARTS(bits, 0, 4) {
-            find_from(0, (int)phase - 15, 0, 1 << bits, (2 << bits) - 1);
-        }
+PROOF(walk_sides) {
+    glint_span spans[GLINT_SHORT_ROWS];
+    FOR_PARTS(rows, 0, GLINT_SHORT_ROWS) {
+        side left = {ANY_INT, ANY_INT}, right = {ANY_INT, ANY_INT};
+        walk_sides(&spans[0].left, rows, &left, &right);
     }
-    FOR_PARTS(above, 0, 31) {
-        for (int least = above ? 16 * (int)above + 2 : 17; least < 512; least += least / 2)
-            find_from((int)above, -16 * (int)above - 15, 15, least, least + least / 2 - 1);
+}
+
+/* Any place less than 2047 pixels from its tile's, of any size. */
+PROOF(find_cut) {
+    glint_window window;
+    FOR_PARTS(part, 0, 15) {
+        const int32_t least = -(1 << 29) + part * (1 << 26), most = least + (1 << 26) - 1;
+        corners p = {ANY(least, most), ANY(-(1 << 29), 1 << 29), ANY(-(1 << 29), 1 << 29), GLINT_EDGE_CEILING};
+        window.width = ANY(1, GLINT_TILE_MAX);
+        find_cut(&p, &window);
+    }
+}
+
+/*
+ * Any spans of any rows, cut on any side.
+ * @narrowing columns are kept modulo 256
+ * @options -eva-slevel 70
+ */
+PROOF(cut_columns) {
+    glint_part part;
+    part.top = 0;
+    part.window.width = ANY(1, GLINT_TILE_MAX);
+    FOR_PARTS(bottom, 1, GLINT_TILE_MAX) {
+        part.bottom = (uint32_t)bottom;
+        for (int i = 0; i < GLINT_TILE_MAX; i++) {
+            part.spans[i].left = (uint8_t)ANY(0, 255);
+            part.spans[i].right = (uint8_t)ANY(0, 255);
+        }
+        cut_columns(&part, ANY(0, 7));
     }
 }
 

@@ -211,6 +211,7 @@ static void set_up_corners(glint_vertex corners[3], int32_t size) {
 
 /* All of a triangle, tile by tile of 64 x 64 pixels. */
 static void draw_tiles(glint_draw *draw, const glint_vertex corners[3]) {
+    const int turned = glint_double_area(&corners[0], &corners[1], &corners[2]) > 0; /* to run counter-clockwise */
     int32_t left = INT32_MAX, top = INT32_MAX, right = INT32_MIN, bottom = INT32_MIN;
     for (int i = 0; i < 3; i++) {
         left = corners[i].x < left ? corners[i].x : left;
@@ -218,12 +219,15 @@ static void draw_tiles(glint_draw *draw, const glint_vertex corners[3]) {
         top = corners[i].y < top ? corners[i].y : top;
         bottom = corners[i].y > bottom ? corners[i].y : bottom;
     }
-    for (int32_t y = (top >> 10) * 1024 + 8; y <= bottom; y += 1024) {
-        for (int32_t x = (left >> 10) * 1024 + 8; x <= right; x += 1024) {
+    for (int32_t y = (top >> 10) * 64; 16 * y <= bottom; y += 64) {
+        for (int32_t x = (left >> 10) * 64; 16 * x <= right; x += 64) {
             static glint_part part;
-            glint_triangle triangle = {{&corners[0], &corners[1], &corners[2]}, {0, 0, 0}, 0, 0, 0};
-            part.window = (glint_window){x, y, 64, 64};
-            glint_raster(0, 0, draw, &triangle, &part);
+            glint_triangle triangle = {{&corners[0], &corners[1 + turned], &corners[2 - turned]}, {0, 0, 0}, 0, 0, 0};
+            glint_window_begin(&part.window, x, y, 64, 64);
+            if (!glint_raster(&part, triangle.corners))
+                continue;
+            glint_setup(&part, &triangle);
+            draw->kernel(0, 0, draw, &triangle, &part);
         }
     }
 }

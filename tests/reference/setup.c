@@ -30,11 +30,10 @@ static void reciprocals_of_16_bits(void) {
 /* Largest error of the crossings of an edge, in steps times 16 dy: at its first row and its last, for all positions. */
 static int64_t worst_crossing(int32_t slope, int32_t dx, int32_t dy) {
     int64_t worst = 0;
-    for (int32_t y = 0; y > -16; y--) {
-        const int32_t first = -y & 15;
+    for (int32_t first = 0; first < 16; first++) {
         const int32_t last = first + (dy - 1 - first) / 16 * 16;
         for (int32_t down = first; down<dy; down += last> first ? last - first : 16) {
-            const int64_t found = (int64_t)glint_edge_start(slope, y) + (int64_t)slope * ((down - first) / 16);
+            const int64_t found = (int64_t)glint_edge_start(slope, first) + (int64_t)slope * ((down - first) / 16);
             int64_t error = found * 16 * dy - (int64_t)down * dx * (1 << 20);
             error = error < 0 ? -error : error;
             worst = error > worst ? error : worst;
@@ -60,13 +59,19 @@ static void check_edges(const char *name, int32_t (*slope)(int32_t, int32_t), in
 
 static void crossings_of_all_short_edges(void) {
     check_edges("edges by division", glint_slope_by_division, 512);
-    check_edges("edges by table", glint_slope_by_table, 256);
+    check_edges("edges by table", glint_slope_by_table, 512);
     CHECK(GLINT_EDGE_DY <= 512);
 }
 
 /* ---- Planes */
 
+/* A corner, in sixteenths from a pixel's centre. */
+typedef struct place {
+    int32_t x, y;
+} place;
+
 typedef struct drawn {
+    place places[3];
     glint_vertex corners[3];
     glint_triangle triangle;
     glint_part part;
@@ -82,26 +87,28 @@ static int draw(drawn *d, int32_t size, int32_t range) {
         d->corners[i].inverse_w = base + random_below(range);
         d->triangle.corners[i] = &d->corners[i];
     }
-    d->triangle.area = (x[2] - x[0]) * (y[1] - y[0]) - (x[1] - x[0]) * (y[2] - y[0]);
-    if (d->triangle.area == 0)
+    const int32_t area = (x[2] - x[0]) * (y[1] - y[0]) - (x[1] - x[0]) * (y[2] - y[0]);
+    if (area == 0)
         return 0;
-    if (d->triangle.area < 0) { /* counter-clockwise, as raster turns it */
+    if (area < 0) { /* counter-clockwise, as raster turns it */
         const int32_t swapped[2] = {x[1], y[1]};
         x[1] = x[2];
         y[1] = y[2];
         x[2] = swapped[0];
         y[2] = swapped[1];
-        d->triangle.area = -d->triangle.area;
     }
-    for (int i = 0; i < 3; i++)
-        d->part.places[i] = (glint_place){x[i], y[i], (y[i] + 15) >> 4};
+    for (int i = 0; i < 3; i++) {
+        d->places[i] = (place){x[i], y[i]};
+        d->corners[i].x = (int16_t)(x[i] + 8);
+        d->corners[i].y = (int16_t)(y[i] + 8);
+    }
     glint_setup(&d->part, &d->triangle);
     return 1;
 }
 
 /* Largest error over the pixels of a triangle, as a part of the corners' largest difference, or of `least`. */
 static double worst_plane(const drawn *d, const glint_plane *plane, double least) {
-    const glint_place *p = d->part.places;
+    const place *p = d->places;
     const int32_t anchor_x = (p[0].x + 8) >> 4, anchor_y = (p[0].y + 8) >> 4;
     const double area = -d->triangle.area, a = d->corners[0].inverse_w;
     const double da = d->corners[1].inverse_w - a, db = d->corners[2].inverse_w - a;
@@ -158,7 +165,7 @@ static void depth_at_the_nearest_corner(void) {
         static drawn d;
         if (!draw(&d, 4 << random_below(13), top))
             continue;
-        const glint_place *corner = &d.part.places[which], *first = &d.part.places[0];
+        const place *corner = &d.places[which], *first = &d.places[0];
         if (corner->x & 15 || corner->y & 15)
             continue;
         for (int k = 0; k < 3; k++)
