@@ -80,6 +80,8 @@ void glint_transform_vertices(const glint_transform *transform, const glint_mesh
 void glint_transform_normal(const glint_draw *draw, glint_vertex *vertex) {
     const int16_t *n = draw->normals[(uint16_t)vertex->attribute[0]];
     const glint_row *matrix = draw->transform.normal;
+    GLINT_OPAQUE(matrix); /* its entries lie too far from `draw` for short loads */
+    vertex->flags |= GLINT_VERTEX_NORMAL;
     const int32_t half = 1 << 12;
     int32_t x = glint_row_times(&matrix[0], n[0], n[1], n[2], half);
     int32_t y = glint_row_times(&matrix[1], n[0], n[1], n[2], half);
@@ -87,7 +89,6 @@ void glint_transform_normal(const glint_draw *draw, glint_vertex *vertex) {
     const uint32_t a = (uint32_t)glint_shift_right(x, 14), b = (uint32_t)glint_shift_right(y, 14),
                    c = (uint32_t)glint_shift_right(z, 14);
     uint32_t square = a * a + b * b + c * c; /* at most 9 2^28, which a single component may have */
-    vertex->flags |= GLINT_VERTEX_NORMAL;
     if (square - LEAST_SQUARE > SQUARES) {
         glint_unit(x - half, y - half, z - half, vertex->attribute);
         return;
