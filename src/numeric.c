@@ -1,5 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 #include "numeric.h"
+#include "product.h"
+
+#if GLINT_SPLIT_PRODUCTS
+int64_t glint_product(int32_t a, int32_t b) {
+    return glint_product_split(a, b);
+}
+
+uint64_t glint_product_unsigned(uint32_t a, uint32_t b) {
+    return glint_product_unsigned_split(a, b);
+}
+#endif
 
 void glint_unit(int32_t x, int32_t y, int32_t z, int16_t out[3]) {
     glint_unit_inline(x, y, z, out);
@@ -13,11 +24,16 @@ uint32_t glint_reciprocal(uint32_t x) {
     return result > 0xffffffffLL ? 0xffffffffu : (uint32_t)result;
 }
 
+/* x / 3, x from 0 to 2^16 - 1. */
+static uint32_t third(uint32_t x) {
+    return x * 43691 >> 17;
+}
+
 /* ln(1 + r), r and result Q31, |r| up to 2^-6: three terms of the series, error below 1.5e-8. */
-static int64_t natural_logarithm(int64_t r) {
-    int64_t square = glint_shift_right64(r * r, 31);
-    int64_t cube = glint_shift_right64(square * r, 31);
-    return r - square / 2 + (int32_t)cube / 3;
+static int32_t natural_logarithm(int32_t r) {
+    const int32_t square = (int32_t)glint_shift_right64(glint_product(r, r), 31);
+    const int32_t cube = (int32_t)glint_shift_right64(glint_product(square, r), 31);
+    return r - square / 2 + (cube < 0 ? -(int32_t)third(0u - (uint32_t)cube) : (int32_t)third((uint32_t)cube));
 }
 
 int32_t glint_log2(uint32_t x) {
@@ -26,8 +42,9 @@ int32_t glint_log2(uint32_t x) {
     unsigned zeros = glint_leading_zeros(x);
     uint32_t mantissa = x << zeros; /* Q31, 1 to 2 */
     unsigned i = (mantissa >> 26) & 31;
-    int64_t r = (int64_t)(((uint64_t)mantissa * glint_log2_inverse_table[i]) >> 31) - ((int64_t)1 << 31);
-    int64_t tail = glint_shift_right64(natural_logarithm(r) * 1549082005, 30); /* log2(e), Q30 */
+    const uint64_t ratio = glint_product_unsigned(mantissa, glint_log2_inverse_table[i]) >> 31;
+    const int32_t r = (int32_t)((int64_t)ratio - ((int64_t)1 << 31));
+    int64_t tail = glint_shift_right64(glint_product(natural_logarithm(r), 1549082005), 30); /* log2(e), Q30 */
     int32_t fraction = (int32_t)glint_round_shift64((int64_t)glint_log2_table[i] + tail, 5);
     int32_t logarithm = fraction - (int32_t)zeros * (1 << 26);
     return logarithm < 0 ? logarithm : 0; /* rounding may pass 0, which large exponents would show */
@@ -39,10 +56,10 @@ uint32_t glint_exp2(int32_t y) {
     if (whole > 30)
         return 0;
     uint32_t fraction = (uint32_t)y & ((1u << 26) - 1);
-    int64_t r = ((int64_t)(fraction & 0x1fffff) * 1488522236) >> 27; /* ln 2 in Q31, to Q30 */
-    int64_t square = (r * r) >> 31;                                  /* r^2 / 2 */
-    int64_t series = ((int64_t)1 << 30) + r + square + (int32_t)((square * r) >> 30) / 3;
-    uint64_t power = ((uint64_t)series * glint_exp2_table[fraction >> 21]) >> 30;
+    const uint32_t r = (uint32_t)(glint_product_unsigned(fraction & 0x1fffff, 1488522236) >> 27); /* ln 2, to Q30 */
+    const uint32_t square = (uint32_t)(glint_product_unsigned(r, r) >> 31);                       /* r^2 / 2 */
+    const uint32_t series = (1u << 30) + r + square + third((uint32_t)(glint_product_unsigned(square, r) >> 30));
+    uint64_t power = glint_product_unsigned(series, glint_exp2_table[fraction >> 21]) >> 30;
     return whole ? (uint32_t)((power + (1u << (whole - 1))) >> whole) : (uint32_t)power;
 }
 
@@ -51,7 +68,7 @@ uint32_t glint_power(uint32_t x, int32_t p) {
         return 1u << 30;
     if (x == 0)
         return 0;
-    int64_t y = glint_shift_right64((int64_t)glint_log2(x) * p, 16);
+    int64_t y = glint_shift_right64(glint_product(glint_log2(x), p), 16);
     return y < -31 * (int64_t)(1 << 26) ? 0 : glint_exp2((int32_t)y);
 }
 

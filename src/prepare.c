@@ -48,7 +48,7 @@ static int camera_is_valid(const glint_camera *camera) {
             for (int k = 0; k < 3; k++) {
                 if ((uint32_t)camera->pose.m[k][i] + 2 * GLINT_ONE > 4 * GLINT_ONE)
                     return 0;
-                dot += (int64_t)camera->pose.m[k][i] * camera->pose.m[k][j];
+                dot += glint_product(camera->pose.m[k][i], camera->pose.m[k][j]);
             }
             if (glint_magnitude64(dot - (i == j ? (int64_t)1 << 32 : 0)) > (1u << 23))
                 return 0;
@@ -94,7 +94,7 @@ int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_
     for (int i = 0; i < 3; i++) {
         sum[i] = 0;
         for (int j = 0; j < 3; j++)
-            sum[i] += (int64_t)view->rotation[i][j] * in[j]; /* below 2^50 */
+            sum[i] += glint_product(view->rotation[i][j], in[j]); /* below 2^50 */
     }
     glint_reduce(sum, reduced);
     glint_unit(reduced[0], reduced[1], reduced[2], out);
@@ -181,7 +181,7 @@ static int32_t weigh_colour(const glint_colour *a, const glint_colour *b, int bi
     const glint_q16 left[3] = {a->r, a->g, a->b}, right[3] = {b->r, b->g, b->b};
     int32_t largest = 0;
     for (int c = 0; c < 3; c++) {
-        int64_t product = (int64_t)left[c] * right[c];
+        int64_t product = glint_product(left[c], right[c]);
         if (product > (int64_t)GLINT_COLOUR_MAX << 16)
             return -1;
         const int32_t here = (int32_t)glint_shift_round64(product, 32 - bits);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file product.h
- * Products of more than 32 bits per vertex, on cores that have a product of 64 bits and on those that have not. Both
- * forms give the same bits.
+ * Products of more than 32 bits, on cores that have a product of 64 bits and on those that have not. Both forms give
+ * the same bits.
  */
 #ifndef GLINT_PRODUCT_H
 #define GLINT_PRODUCT_H
@@ -17,6 +17,31 @@
 #define GLINT_SPLIT_PRODUCTS 0
 #endif
 #endif
+
+/** a b of any numbers: by the core, or from products of 16 bits by 16. */
+static inline int64_t glint_product_whole(int32_t a, int32_t b) {
+    return (int64_t)a * b;
+}
+
+static inline int64_t glint_product_split(int32_t a, int32_t b) {
+    const int32_t a0 = a & 0xffff, a1 = glint_shift_right(a, 16), b0 = b & 0xffff, b1 = glint_shift_right(b, 16);
+    const uint32_t low = (uint32_t)a0 * (uint32_t)b0;
+    const int32_t first = a0 * b1 + (int32_t)(low >> 16), second = a1 * b0 + (first & 0xffff);
+    const int32_t high = a1 * b1 + glint_shift_right(first, 16) + glint_shift_right(second, 16);
+    return (int64_t)high * ((int64_t)1 << 32) | ((uint32_t)second << 16 | (low & 0xffff));
+}
+
+/** The same of numbers without a sign. */
+static inline uint64_t glint_product_unsigned_whole(uint32_t a, uint32_t b) {
+    return (uint64_t)a * b;
+}
+
+static inline uint64_t glint_product_unsigned_split(uint32_t a, uint32_t b) {
+    const uint32_t a0 = a & 0xffff, a1 = a >> 16, b0 = b & 0xffff, b1 = b >> 16;
+    const uint32_t low = a0 * b0, first = a0 * b1 + (low >> 16), second = a1 * b0 + (first & 0xffff);
+    const uint32_t high = a1 * b1 + (first >> 16) + (second >> 16);
+    return (uint64_t)high << 32 | second << 16 | (low & 0xffff);
+}
 
 /** Three entries of a matrix, times 2. */
 typedef struct glint_row_whole {
@@ -93,6 +118,8 @@ typedef glint_row_split glint_row;
 #define glint_row_times glint_row_times_split
 #define glint_scale glint_scale_split
 #define glint_slope_of glint_slope_of_split
+int64_t glint_product(int32_t a, int32_t b); /* numeric.c: out of line, as they are long */
+uint64_t glint_product_unsigned(uint32_t a, uint32_t b);
 #else
 typedef glint_row_whole glint_row;
 #define glint_row_set glint_row_set_whole
@@ -100,6 +127,8 @@ typedef glint_row_whole glint_row;
 #define glint_row_times glint_row_times_whole
 #define glint_scale glint_scale_whole
 #define glint_slope_of glint_slope_of_whole
+#define glint_product glint_product_whole
+#define glint_product_unsigned glint_product_unsigned_whole
 #endif
 
 /**

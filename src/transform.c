@@ -20,8 +20,8 @@ static int place_in_world(const glint_view *view, const glint_object *object, in
     for (int i = 0; i < 3; i++) {
         world[i][3] = ((int64_t)object->pose.m[i][3] - view->eye[i]) * (1 << 12);
         for (int j = 0; j < 3; j++) {
-            world[i][j] = glint_shift_round64((int64_t)object->pose.m[i][j] * extent[j], 4);
-            world[i][3] += glint_shift_round64((int64_t)object->pose.m[i][j] * offset[j], 4);
+            world[i][j] = glint_shift_round64(glint_product(object->pose.m[i][j], extent[j]), 4);
+            world[i][3] += glint_shift_round64(glint_product(object->pose.m[i][j], offset[j]), 4);
             bits |= glint_magnitude64(world[i][j]);
         }
         bits |= glint_magnitude64(world[i][3]);
@@ -48,7 +48,7 @@ static void rotate(const glint_view *view, int32_t in[3][4], int64_t out[3][4]) 
         for (int j = 0; j < 4; j++) {
             int64_t sum = 0;
             for (int k = 0; k < 3; k++)
-                sum += (int64_t)view->rotation[i][k] * in[k][j];
+                sum += glint_product(view->rotation[i][k], in[k][j]);
             out[i][j] = glint_shift_round64(sum, 12);
         }
     }
@@ -87,10 +87,10 @@ static int to_clip_space(glint_transform *transform, const glint_view *view, int
 
 /* Smallest value of a x + b w over the box, where x is clip row 0 or 1; |a|, |b| below 2^12. */
 static int64_t smallest(const glint_transform *transform, int row, int32_t a, int32_t b) {
-    int64_t value = (int64_t)transform->translation[row] * a + (int64_t)transform->translation[2] * b;
+    int64_t value = glint_product(transform->translation[row], a) + glint_product(transform->translation[2], b);
     for (int j = 0; j < 3; j++)
-        value -= (int64_t)glint_magnitude64((int64_t)glint_row_get(&transform->matrix[row], j) * a +
-                                            (int64_t)glint_row_get(&transform->matrix[2], j) * b);
+        value -= (int64_t)glint_magnitude64(glint_product(glint_row_get(&transform->matrix[row], j), a) +
+                                            glint_product(glint_row_get(&transform->matrix[2], j), b));
     return value;
 }
 
@@ -132,7 +132,8 @@ static void scale_normals(glint_transform *transform, int32_t matrix[3][4]) {
     factor = transform->mirrored ? -factor : factor;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            glint_row_set(&transform->normal[i], j, (int32_t)glint_shift_round64((int64_t)matrix[i][j] * factor, 17));
+            glint_row_set(&transform->normal[i], j,
+                          (int32_t)glint_shift_round64(glint_product(matrix[i][j], factor), 17));
 }
 
 /* The inverse transpose up to its scale: cofactors, with the determinant's sign. @return 0 when it is singular. */
@@ -148,13 +149,13 @@ static int prepare_normals(glint_transform *transform, const glint_view *view, c
         const int32_t *a = p[next[i]], *b = p[next[next[i]]];
         for (int j = 0; j < 3; j++) {
             int k = next[j], l = next[k];
-            wide[i][j] = (int64_t)a[k] * b[l] - (int64_t)a[l] * b[k];
+            wide[i][j] = glint_product(a[k], b[l]) - glint_product(a[l], b[k]);
         }
     }
     to_30_bits(wide, cofactor);
     int64_t determinant = 0;
     for (int j = 0; j < 3; j++)
-        determinant += (int64_t)p[0][j] * cofactor[0][j];
+        determinant += glint_product(p[0][j], cofactor[0][j]);
     if (glint_magnitude64(determinant) < (uint64_t)1 << 36) /* 2^-24 of what orthogonal axes give */
         return 0;
     transform->mirrored = determinant < 0;

@@ -15,6 +15,14 @@ static int32_t any_entry(int units) {
     return ANY(-units * UNIT_OF_SUM, units * UNIT_OF_SUM);
 }
 
+/* Any numbers, in both forms. */
+PROOF(glint_product_itself) {
+    glint_product_whole(ANY_INT, ANY_INT);
+    glint_product_split(ANY_INT, ANY_INT);
+    glint_product_unsigned_whole(ANY_UNSIGNED(0, UINT_MAX), ANY_UNSIGNED(0, UINT_MAX));
+    glint_product_unsigned_split(ANY_UNSIGNED(0, UINT_MAX), ANY_UNSIGNED(0, UINT_MAX));
+}
+
 /* Entries below 2^30. */
 PROOF(glint_row_set) {
     const int32_t most = (1 << 30) - 1;

@@ -91,6 +91,20 @@ static void unit_vectors_of_extremes(void) {
     report("unit vector of extremes", worst, 2.3L);
 }
 
+/* Both forms of a product, of any numbers and of those at the ends of halves. */
+static void products(void) {
+    static const uint32_t ends[] = {0,       1,          0x7fff,     0x8000,     0xffff,
+                                    0x10000, 0x7fffffff, 0x80000000, 0xffff0000, 0xffffffff};
+    for (int i = 0; i < 3000000; i++) {
+        const uint32_t a = i % 3 ? random_bits() : ends[i / 3 % 10], b = i % 2 ? random_bits() : ends[i / 30 % 10];
+        const int64_t exact = (int64_t)(int32_t)a * (int32_t)b;
+        CHECK_EQUAL(glint_product_whole((int32_t)a, (int32_t)b), exact);
+        CHECK_EQUAL(glint_product_split((int32_t)a, (int32_t)b), exact);
+        CHECK(glint_product_unsigned_whole(a, b) == (uint64_t)a * b);
+        CHECK(glint_product_unsigned_split(a, b) == (uint64_t)a * b);
+    }
+}
+
 /* Both forms of a product, where the magnitudes of a row sum up to 3 2^28 and at the ends of what they may be. */
 static void products_of_rows(void) {
     for (int i = 0; i < 3000000; i++) {
@@ -319,6 +333,7 @@ int test_main(test_writer write) {
         TEST_CASE(powers_of_0_and_1),
         TEST_CASE(unit_vectors),
         TEST_CASE(unit_vectors_of_extremes),
+        TEST_CASE(products),
         TEST_CASE(products_of_rows),
         TEST_CASE(coordinates_over_w),
         TEST_CASE(slopes),
