@@ -34,9 +34,18 @@
 /* Binary logarithm of how much less than |a - b| turn an edge's ends are moved. */
 #define SPREAD 6
 
-/* sin^2 of the angle from the half vector, Q30, up to which corners are taken to face it: those behind it are beyond.
+/*
+ * sin^2 of the angle from the half vector, Q30, up to which corners are taken to face it: those behind it are beyond.
+ * Highlights that reach as far as the lesser one keep to that: there sin^2 is the steepest.
  */
 #define FRONT 869730877
+#define NARROW_FRONT 1052266987
+
+/* More than a quadratic errs by set-up's rounding, of a deviation's range: 2^-12 of narrow triangles, 2^-7 of wide
+ * ones.
+ */
+#define NARROW_MARGIN 16
+#define WIDE_MARGIN 256
 
 /* ---- Frame ---- */
 
@@ -96,7 +105,8 @@ void glint_interpolate_prepare(glint_deviation *deviation, const glint_shading *
     /* a highlight's slope is at most 0.61 sqrt(p) weight */
     limits->turn_specular =
         find_turn(find_limit(shading, HIGHLIGHT_LIMIT), diffuse / 2 + ((uint64_t)specular * root * 156 >> 16));
-    const uint64_t front = (uint64_t)FRONT * scale * scale >> 26;
+    const uint64_t facing = deviation->sine_square_end < FRONT ? NARROW_FRONT : FRONT;
+    const uint64_t front = facing * scale * scale >> 26;
     limits->front = front < UINT32_MAX ? (uint32_t)front : UINT32_MAX;
 }
 
@@ -110,11 +120,6 @@ static int32_t least(int32_t a, int32_t b, int32_t c) {
 static int32_t most(int32_t a, int32_t b, int32_t c) {
     const int32_t m = a > b ? a : b;
     return m > c ? m : c;
-}
-
-/* x 2^n modulo 2^32, rounded down; |n| below 32. */
-static inline uint32_t scale(int32_t x, int32_t n) {
-    return n >= 0 ? (uint32_t)x << n : (uint32_t)glint_shift_right(x, (unsigned)-n);
 }
 
 typedef glint_interpolation_edge edge;
@@ -137,6 +142,12 @@ static inline void shorten_edge(edge *e) {
 static inline int32_t find_bulge(const edge *e, int32_t a, int32_t b) {
     const int32_t skew = glint_shift_right(e->across * (a - b), 13);
     return skew + glint_shift_right((skew + 2 * (a + b)) * e->shorter, 15);
+}
+
+static inline void find_bulges(const edge e[3], const int32_t a[3], int32_t b[3]) {
+    b[0] = find_bulge(&e[0], a[0], a[1]);
+    b[1] = find_bulge(&e[1], a[1], a[2]);
+    b[2] = find_bulge(&e[2], a[0], a[2]);
 }
 
 /* A triangle's edges: from corner 0 to 1, from 1 to 2, from 0 to 2. */
@@ -166,28 +177,35 @@ static int find_edges(const glint_triangle *triangle, edge e[3], int32_t *turn, 
 
 typedef glint_interpolation_gradients gradients;
 
-/* A side of at most `size` bits, up to 10, times 1/area: 15 bits. */
+/* 2^n, |n| below 32. */
+static inline glint_interpolation_scale scale(int32_t n) {
+    return (glint_interpolation_scale){n < 0 ? (uint32_t)-n : 0, n > 0 ? (uint32_t)n : 0};
+}
+
+/* x times a scale modulo 2^32, rounded down. */
+static inline uint32_t shift(int32_t x, glint_interpolation_scale by) {
+    return (uint32_t)glint_shift_right(x, by.right) << by.left;
+}
+
+/* A side of at most `size` bits, up to 11, times 1/area: 15 bits. */
 static inline int32_t to_15_bits(int32_t side, int32_t reciprocal, int32_t size) {
     return glint_shift_right(side * reciprocal + (1 << size), (unsigned)size + 1);
 }
 
-static void begin_gradients(gradients *s, const glint_gradients *g) {
+static inline void begin_gradients(gradients *s, const glint_gradients *g) {
+    int32_t bits = g->shift; /* of the sides times 1/area */
     s->g = g;
     if (!g->reciprocal) {
         s->x1 = glint_shift_right(g->x1, 15), s->y1 = glint_shift_right(g->y1, 15);
         s->x2 = glint_shift_right(g->x2, 15), s->y2 = glint_shift_right(g->y2, 15);
-        s->shift = g->shift;
-        return;
+    } else {
+        const int32_t size = 32 - (int32_t)glint_leading_zeros(g->reach + 1);
+        s->x1 = to_15_bits(g->x1, g->reciprocal, size), s->y1 = to_15_bits(g->y1, g->reciprocal, size);
+        s->x2 = to_15_bits(g->x2, g->reciprocal, size), s->y2 = to_15_bits(g->y2, g->reciprocal, size);
+        bits += 11 - size;
+        s->slope = scale(16 - g->shift);
     }
-    const int32_t size = 32 - (int32_t)glint_leading_zeros(g->reach + 1);
-    s->x1 = to_15_bits(g->x1, g->reciprocal, size), s->y1 = to_15_bits(g->y1, g->reciprocal, size);
-    s->x2 = to_15_bits(g->x2, g->reciprocal, size), s->y2 = to_15_bits(g->y2, g->reciprocal, size);
-    s->shift = 11 + g->shift - size;
-}
-
-/* a b 2^-15 of 30 and 15 bits and signs, all of them used: slender triangles need it. */
-static inline int32_t product(int32_t a, int32_t b) {
-    return glint_shift_right(a, 15) * b + glint_shift_right((a & 0x7fff) * b, 15);
+    s->curve = scale(31 - 2 * bits);
 }
 
 /* What slopes in x and y make from the first corner to the anchor's centre, half of it. */
@@ -196,12 +214,21 @@ static inline int32_t to_anchor(int32_t x, int32_t y, const glint_gradients *g) 
 }
 
 /* A plane that is 0 at the first corner, d1 and d2 at the others, its value in the high half. */
-static inline void begin_slope(glint_quadratic *q, const glint_gradients *g, int32_t d1, int32_t d2) {
-    glint_plane plane; /* of a quarter: differences have 17 bits */
-    glint_plane_begin(&plane, g, 0, d1 * (1 << 14), d2 * (1 << 14));
-    q->start = (uint32_t)plane.start << 2;
-    q->dx = (uint32_t)plane.dx << 2;
-    q->dy = (uint32_t)plane.dy << 2;
+static inline void begin_slope(glint_quadratic *q, const gradients *s, int32_t d1, int32_t d2) {
+    const glint_gradients *g = s->g;
+    if (!g->reciprocal) {
+        glint_plane plane; /* of a quarter: differences have 17 bits */
+        glint_plane_begin(&plane, g, 0, d1 * (1 << 14), d2 * (1 << 14));
+        q->start = (uint32_t)plane.start << 2;
+        q->dx = (uint32_t)plane.dx << 2;
+        q->dy = (uint32_t)plane.dy << 2;
+        return;
+    }
+    const int32_t dx = glint_slope_of(d1 * g->x1 + d2 * g->x2, g->reciprocal);
+    const int32_t dy = glint_slope_of(d1 * g->y1 + d2 * g->y2, g->reciprocal);
+    q->start = shift(to_anchor(dx, dy, g), s->slope) * 2;
+    q->dx = shift(dx, s->slope);
+    q->dy = shift(dy, s->slope);
 }
 
 /*
@@ -211,28 +238,30 @@ static inline void begin_slope(glint_quadratic *q, const glint_gradients *g, int
  */
 static void begin_term(glint_quadratic *q, const gradients *s, const int32_t a[3], const int32_t b[3]) {
     const glint_gradients *g = s->g;
-    const int32_t twice = 32 - 2 * s->shift, both = b[1] - b[0] - b[2];
-    const int32_t x1 = s->x1, y1 = s->y1, x2 = s->x2, y2 = s->y2;
+    const int32_t both = b[1] - b[0] - b[2], x1 = s->x1, y1 = s->y1, x2 = s->x2, y2 = s->y2;
     /* half the form's gradients along l1 and l2, each along x and y */
     const int32_t u_x = glint_shift_right(both * x2, 1) - b[0] * x1, v_x = glint_shift_right(both * x1, 1) - b[2] * x2;
     const int32_t u_y = glint_shift_right(both * y2, 1) - b[0] * y1, v_y = glint_shift_right(both * y1, 1) - b[2] * y2;
-    const int32_t xx = product(u_x, x1) + product(v_x, x2), yy = product(u_y, y1) + product(v_y, y2);
-    const int32_t xy = product(u_x, y1) + product(v_x, y2);
-    const uint32_t half_xx = scale(xx, twice - 1), half_yy = scale(yy, twice - 1);
-    begin_slope(q, g, a[1] - a[0] + b[0], a[2] - a[0] + b[2]);
+    const int32_t xx = glint_sum_of_products(u_x, x1, v_x, x2), yy = glint_sum_of_products(u_y, y1, v_y, y2);
+    const int32_t xy = glint_sum_of_products(u_x, y1, v_x, y2);
+    const uint32_t half_xx = shift(xx, s->curve), half_yy = shift(yy, s->curve);
+    begin_slope(q, s, a[1] - a[0] + b[0], a[2] - a[0] + b[2]);
     q->dxx = 2 * half_xx;
-    q->dxy = scale(xy, twice);
+    q->dxy = 2 * shift(xy, s->curve);
     q->dyy = 2 * half_yy;
     /* the polynomial is the corner's, the anchor's centre lies beside it */
     const int32_t x = to_anchor(xx, xy, g), y = to_anchor(xy, yy, g);
-    q->start += (uint32_t)a[0] * (1 << 16) + scale(to_anchor(x, y, g), twice + 1);
-    q->dx += half_xx + scale(x, twice + 1);
-    q->dy += half_yy + scale(y, twice + 1);
+    q->start += (uint32_t)a[0] * (1 << 16) + 4 * shift(to_anchor(x, y, g), s->curve);
+    q->dx += half_xx + 4 * shift(x, s->curve);
+    q->dy += half_yy + 4 * shift(y, s->curve);
 }
 
-/* The deviation of the local viewer at the middle of an edge, scaled. @return 0 where it cannot be told */
-static int find_middle(const glint_deviation *deviation, const edge *e, const glint_vertex *a, const glint_vertex *b,
-                       int32_t middle[2]) {
+/*
+ * An edge's bulges of the deviation, where that is the local viewer's, added to minus twice the sums of its ends'.
+ * @return 0 where they cannot be told, or are too large
+ */
+static int find_local_bulge(const glint_deviation *deviation, const edge *e, const glint_vertex *a,
+                            const glint_vertex *b, int32_t bulge[2]) {
     int16_t h[3];
     int32_t n[3];
     glint_view_vector view;
@@ -247,24 +276,14 @@ static int find_middle(const glint_deviation *deviation, const edge *e, const gl
     const int32_t along = glint_shift_right(
         (cosine + glint_shift_right(cosine, 13) + n[2]) * glint_inverse_of_one_and(h[2]), 16); /* Q14 */
     for (int c = 0; c < 2; c++) {
-        const int32_t deviated = glint_shift_right(n[c] * (1 << 14) - h[c] * along + 0x2000, 14); /* Q15 */
-        if (deviated > 2 * deviation->reach || deviated < -2 * deviation->reach)
+        const int32_t middle = glint_shift_right(n[c] * (1 << 14) - h[c] * along + 0x2000, 14); /* Q15 */
+        if (middle > 2 * deviation->reach || middle < -2 * deviation->reach)
             return 0;
-        middle[c] = glint_shift_right(deviated * deviation->scale + (1 << 16), 17);
+        bulge[c] += 4 * glint_shift_right(middle * deviation->scale + (1 << 16), 17);
+        if ((uint32_t)(bulge[c] + MOST_BULGE) > 2 * MOST_BULGE)
+            return 0;
     }
     return 1;
-}
-
-/* Those of the deviation, where it is the local viewer's. @return 0 where they cannot be told, or are too large */
-static int find_local_bulges(const glint_deviation *deviation, const edge *e, const glint_vertex *a,
-                             const glint_vertex *b, const int16_t *terms_a, const int16_t *terms_b, int32_t *x,
-                             int32_t *y) {
-    int32_t middle[2];
-    if (!find_middle(deviation, e, a, b, middle))
-        return 0;
-    *x = 4 * middle[0] - 2 * (terms_a[1] + terms_b[1]);
-    *y = 4 * middle[1] - 2 * (terms_a[2] + terms_b[2]);
-    return (uint32_t)(*x + MOST_BULGE) <= 2 * MOST_BULGE && (uint32_t)(*y + MOST_BULGE) <= 2 * MOST_BULGE;
 }
 
 /* How far a term at corner a is moved away from that at b. */
@@ -287,42 +306,86 @@ static inline void spread(const edge e[3], int32_t a[3], int32_t b[3]) {
     b[2] -= 2 * (s0 - s1);
 }
 
-int glint_interpolate_highlight(const glint_draw *draw, const glint_triangle *triangle, glint_interpolation *to) {
-    const glint_deviation *deviation = draw->shading->deviation;
-    const glint_vertex *const *v = triangle->corners;
-    const int16_t *const *terms = to->terms;
-    const edge *e = to->edges;
-    int32_t x[3] = {terms[0][1], terms[1][1], terms[2][1]}, y[3] = {terms[0][2], terms[1][2], terms[2][2]};
-    int32_t bx[3], by[3];
+/* A deviation at the corners, with the bulges of the edges. */
+typedef struct nodes {
+    int32_t x[3], y[3], bulge_x[3], bulge_y[3];
+} nodes;
+
+/* A triangle's terms at a corner. */
+static inline const int16_t *terms_of(const glint_draw *draw, const glint_vertex *corner) {
+    return draw->terms[corner - draw->vertices];
+}
+
+/* All else of the nodes. @return 0 where they do not fit */
+static int find_middles(const glint_deviation *deviation, const glint_triangle *triangle, const edge e[3], nodes *n) {
+    int32_t *x = n->x, *y = n->y;
     if (deviation->local_viewer) {
-        if (!find_local_bulges(deviation, &e[0], v[0], v[1], terms[0], terms[1], &bx[0], &by[0]) ||
-            !find_local_bulges(deviation, &e[1], v[1], v[2], terms[1], terms[2], &bx[1], &by[1]) ||
-            !find_local_bulges(deviation, &e[2], v[0], v[2], terms[0], terms[2], &bx[2], &by[2]))
+        const glint_vertex *const *v = triangle->corners;
+        int32_t b[3][2] = {{-2 * (x[0] + x[1]), -2 * (y[0] + y[1])},
+                           {-2 * (x[1] + x[2]), -2 * (y[1] + y[2])},
+                           {-2 * (x[0] + x[2]), -2 * (y[0] + y[2])}};
+        if (!find_local_bulge(deviation, &e[0], v[0], v[1], b[0]) ||
+            !find_local_bulge(deviation, &e[1], v[1], v[2], b[1]) ||
+            !find_local_bulge(deviation, &e[2], v[0], v[2], b[2]))
             return 0;
+        for (int i = 0; i < 3; i++)
+            n->bulge_x[i] = b[i][0], n->bulge_y[i] = b[i][1];
     } else {
-        bx[0] = find_bulge(&e[0], x[0], x[1]);
-        bx[1] = find_bulge(&e[1], x[1], x[2]);
-        bx[2] = find_bulge(&e[2], x[0], x[2]);
-        by[0] = find_bulge(&e[0], y[0], y[1]);
-        by[1] = find_bulge(&e[1], y[1], y[2]);
-        by[2] = find_bulge(&e[2], y[0], y[2]);
+        find_bulges(e, x, n->bulge_x);
+        find_bulges(e, y, n->bulge_y);
     }
-    spread(e, x, bx);
-    spread(e, y, by);
-    begin_term(&to->x, &to->gradients, x, bx);
-    begin_term(&to->y, &to->gradients, y, by);
+    spread(e, x, n->bulge_x);
+    spread(e, y, n->bulge_y);
     return 1;
 }
 
-/* Are all corners beyond the same side of the highlight's octagon, moved outwards by a margin? */
-static int is_outside(const glint_deviation *deviation, const int16_t *const terms[3], int32_t margin) {
+static void begin_highlight(glint_interpolation *to, const nodes *n) {
+    begin_term(&to->x, &to->gradients, n->x, n->bulge_x);
+    begin_term(&to->y, &to->gradients, n->y, n->bulge_y);
+}
+
+int glint_interpolate_highlight(const glint_draw *draw, const glint_triangle *triangle, glint_interpolation *to) {
+    nodes n;
+    for (int i = 0; i < 3; i++) {
+        const int16_t *terms = terms_of(draw, triangle->corners[i]);
+        n.x[i] = terms[1], n.y[i] = terms[2];
+    }
+    if (!find_middles(draw->shading->deviation, triangle, to->edges, &n))
+        return 0;
+    begin_highlight(to, &n);
+    return 1;
+}
+
+/* Are all corners beyond the same side of the highlight's octagon, moved outwards by a margin? They are beyond `sides`
+ * of it as it is. */
+static int is_outside(const glint_deviation *deviation, uint32_t sides, const nodes *n, int32_t margin) {
     const int32_t cut = deviation->side + margin, diagonal = deviation->side_diagonal + margin + (margin >> 1);
-    const int32_t x0 = terms[0][1], x1 = terms[1][1], x2 = terms[2][1];
-    const int32_t y0 = terms[0][2], y1 = terms[1][2], y2 = terms[2][2];
-    return least(x0, x1, x2) >= cut || most(x0, x1, x2) <= -cut || least(y0, y1, y2) >= cut ||
-           most(y0, y1, y2) <= -cut || least(x0 + y0, x1 + y1, x2 + y2) >= diagonal ||
-           most(x0 + y0, x1 + y1, x2 + y2) <= -diagonal || least(x0 - y0, x1 - y1, x2 - y2) >= diagonal ||
-           most(x0 - y0, x1 - y1, x2 - y2) <= -diagonal;
+    const int32_t x0 = n->x[0], x1 = n->x[1], x2 = n->x[2], y0 = n->y[0], y1 = n->y[1], y2 = n->y[2];
+    return (sides & GLINT_TERMS_OUTSIDE && least(x0, x1, x2) >= cut) ||
+           (sides & GLINT_TERMS_OUTSIDE << 1 && most(x0, x1, x2) <= -cut) ||
+           (sides & GLINT_TERMS_OUTSIDE << 2 && least(y0, y1, y2) >= cut) ||
+           (sides & GLINT_TERMS_OUTSIDE << 3 && most(y0, y1, y2) <= -cut) ||
+           (sides & GLINT_TERMS_OUTSIDE << 4 && least(x0 + y0, x1 + y1, x2 + y2) >= diagonal) ||
+           (sides & GLINT_TERMS_OUTSIDE << 5 && most(x0 + y0, x1 + y1, x2 + y2) <= -diagonal) ||
+           (sides & GLINT_TERMS_OUTSIDE << 6 && least(x0 - y0, x1 - y1, x2 - y2) >= diagonal) ||
+           (sides & GLINT_TERMS_OUTSIDE << 7 && most(x0 - y0, x1 - y1, x2 - y2) <= -diagonal);
+}
+
+/*
+ * Is all between these nodes outside the highlight? A triangle's quadratic lies between its control points (Bezier
+ * triangles, Farin, 1986): here all of these must lie beyond a line across the direction of the corners' sum.
+ */
+static int is_beyond(const glint_deviation *deviation, const nodes *n, int32_t margin) {
+    const int32_t x = glint_shift_right(n->x[0] + n->x[1] + n->x[2], 10);
+    const int32_t y = glint_shift_right(n->y[0] + n->y[1] + n->y[2], 10);
+    const int32_t a = x * n->x[0] + y * n->y[0], b = x * n->x[1] + y * n->y[1], c = x * n->x[2] + y * n->y[2];
+    const int32_t middles =
+        least(a + b + x * n->bulge_x[0] + y * n->bulge_y[0], b + c + x * n->bulge_x[1] + y * n->bulge_y[1],
+              a + c + x * n->bulge_x[2] + y * n->bulge_y[2]);
+    const int32_t corners = 2 * least(a, b, c);
+    const int32_t nearest = glint_shift_right(corners < middles ? corners : middles, 7);
+    const uint32_t radius = (uint32_t)(deviation->side + margin);
+    return nearest > 0 && (uint32_t)(nearest * nearest) > ((radius * radius >> 12) + 1) * (uint32_t)(x * x + y * y);
 }
 
 /* The larger side of what is around a triangle, over the focal length, Q14. */
@@ -333,12 +396,8 @@ static int32_t find_extent(const glint_deviation *deviation, const glint_vertex 
     return extent > deviation->ray_limit ? 1 << 14 : glint_shift_right(extent * deviation->ray_scale, 16);
 }
 
-/* Do all corners face the half vector? */
-static int is_front(const int16_t *const terms[3], uint32_t limit) {
-    for (int i = 0; i < 3; i++)
-        if ((uint32_t)(terms[i][1] * terms[i][1] + terms[i][2] * terms[i][2]) > limit)
-            return 0;
-    return 1;
+static inline int32_t square_of(int32_t x, int32_t y) {
+    return x * x + y * y;
 }
 
 /* No less than a term anywhere in its triangle: the largest of its control points (Bezier triangles, Farin, 1986). */
@@ -348,42 +407,68 @@ static int32_t find_most(const int32_t a[3], const int32_t b[3]) {
     return 2 * corners > middles ? corners : (middles + 1) >> 1;
 }
 
+/*
+ * Does a highlight show, as far as corners tell? Sets whether one of them lies in it.
+ * @return GLINT_QUADRATIC_UNFIT where it would err too much
+ */
+static inline glint_quadratic_kind find_kind(const glint_deviation *deviation, const glint_vertex *const v[3],
+                                             const nodes *n, int32_t turn, int32_t change, int *inside) {
+    const glint_quadratic_limits *limits = &deviation->quadratic;
+    const uint32_t all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
+    const int32_t extent = deviation->local_viewer ? find_extent(deviation, v) : 0;
+    const int32_t s0 = square_of(n->x[0], n->y[0]), s1 = square_of(n->x[1], n->y[1]), s2 = square_of(n->x[2], n->y[2]);
+    const int is_front = (uint32_t)most(s0, s1, s2) <= limits->front;
+    *inside = (uint32_t)least(s0, s1, s2) < deviation->specular_end;
+    if (!*inside && all & GLINT_TERMS_ANY_OUTSIDE) {
+        /*
+         * Between corners, by the half vectors' turn and by 1/w, Q14; the normals' own takes what lies between corners
+         * that face the half vector outwards, but for what spreading takes back.
+         */
+        const int32_t margin = (is_front ? turn >> 6 : turn * 5 >> 5) + (extent * 9 >> 4) + (change * 7 >> 5);
+        const int64_t scaled = glint_shift_right64((int64_t)margin * (deviation->scale >> 4), 12);
+        if (is_outside(deviation, all, n, (int32_t)scaled))
+            return GLINT_QUADRATIC_DIFFUSE;
+    }
+    if (!is_front || any & (GLINT_TERMS_DIM | GLINT_TERMS_FAR) ||
+        turn + (change * change >> 14) + (extent >> 1) + (extent * extent >> 13) > limits->turn_specular)
+        return GLINT_QUADRATIC_UNFIT;
+    return GLINT_QUADRATIC_SPECULAR;
+}
+
 glint_quadratic_kind glint_interpolate_begin(const glint_draw *draw, const glint_triangle *triangle,
                                              const glint_part *part, glint_interpolation *to) {
     const glint_deviation *deviation = draw->shading->deviation;
-    const glint_quadratic_limits *limits = &deviation->quadratic;
     const glint_vertex *const *v = triangle->corners;
     const uint32_t all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
-    const int32_t slender = glint_slenderness(&part->gradients, triangle->area);
-    int32_t turn, change, shows = 0;
-    if (!(all & GLINT_VERTEX_LIT) || any & GLINT_TERMS_UNFIT || triangle->back || slender > SLENDER ||
-        triangle->area < LEAST_AREA || !find_edges(triangle, to->edges, &turn, &change))
+    int32_t turn, change;
+    if (!(all & GLINT_VERTEX_LIT) || any & GLINT_TERMS_UNFIT || triangle->back || triangle->area < LEAST_AREA ||
+        glint_slenderness(&part->gradients, triangle->area) > SLENDER ||
+        !find_edges(triangle, to->edges, &turn, &change) || turn + (change * change >> 14) > deviation->quadratic.turn)
         return GLINT_QUADRATIC_UNFIT;
-    for (int i = 0; i < 3; i++)
-        to->terms[i] = draw->terms[v[i] - draw->vertices];
-    const int32_t extent = deviation->local_viewer ? find_extent(deviation, v) : 0;
-    const int32_t skewed = turn + (change * change >> 14);
+    const int16_t *const t0 = terms_of(draw, v[0]), *const t1 = terms_of(draw, v[1]), *const t2 = terms_of(draw, v[2]);
+    const int32_t a[3] = {t0[0], t1[0], t2[0]};
+    int32_t b[3];
+    nodes n;
+    int inside = 0;
+    glint_quadratic_kind kind = GLINT_QUADRATIC_DIFFUSE;
     if (deviation->specular_end) {
-        /* between corners, by the turn of normals and of half vectors, and by 1/w; Q14 */
-        const int32_t margin = (turn * 5 >> 5) + (extent * 9 >> 4) + (change * 7 >> 5);
-        shows = !(all & GLINT_TERMS_ANY_OUTSIDE) ||
-                !is_outside(deviation, to->terms,
-                            (int32_t)glint_shift_right64((int64_t)margin * (deviation->scale >> 4), 12));
+        n.x[0] = t0[1], n.x[1] = t1[1], n.x[2] = t2[1];
+        n.y[0] = t0[2], n.y[1] = t1[2], n.y[2] = t2[2];
+        kind = find_kind(deviation, v, &n, turn, change, &inside);
     }
-    if (shows && (any & (GLINT_TERMS_DIM | GLINT_TERMS_FAR) ||
-                  skewed + (extent >> 1) + (extent * extent >> 13) > limits->turn_specular ||
-                  !is_front(to->terms, limits->front)))
-        return GLINT_QUADRATIC_UNFIT;
-    if (skewed > limits->turn)
-        return GLINT_QUADRATIC_UNFIT;
-    const int32_t a[3] = {to->terms[0][0], to->terms[1][0], to->terms[2][0]};
-    const int32_t b[3] = {find_bulge(&to->edges[0], a[0], a[1]), find_bulge(&to->edges[1], a[1], a[2]),
-                          find_bulge(&to->edges[2], a[0], a[2])};
+    if (kind == GLINT_QUADRATIC_UNFIT)
+        return kind;
+    find_bulges(to->edges, a, b);
     to->gated = (any & GLINT_TERMS_DIM) != 0;
     begin_gradients(&to->gradients, &part->gradients);
     begin_term(&to->cosine, &to->gradients, a, b);
-    if (!shows)
+    if (kind == GLINT_QUADRATIC_DIFFUSE)
+        return kind;
+    if (!find_middles(deviation, triangle, to->edges, &n))
+        return GLINT_QUADRATIC_UNFIT;
+    if (!inside && is_beyond(deviation, &n, part->gradients.reciprocal ? NARROW_MARGIN : WIDE_MARGIN))
         return GLINT_QUADRATIC_DIFFUSE;
-    to->clamped = find_most(a, b) > limits->full;
-    return glint_interpolate_highlight(draw, triangle, to) ? GLINT_QUADRATIC_SPECULAR : GLINT_QUADRATIC_UNFIT;
+    to->clamped = find_most(a, b) > deviation->quadratic.full;
+    begin_highlight(to, &n);
+    return kind;
 }

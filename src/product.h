@@ -101,7 +101,7 @@ static inline int32_t glint_scale_split(int32_t x, uint32_t r) {
     return glint_shift_right(glint_shift_right(x, 18) * (int32_t)r + (int32_t)low, 5);
 }
 
-/** floor(x r / 2^12): |x| at most 2^26, r from 0 to 2^16 + 2^11. */
+/** floor(x r / 2^12): |x| at most 2^26, r from 0 to 2^16 + 2^11; or |x| at most 3 2^25, r up to 2^16. */
 static inline int32_t glint_slope_of_whole(int32_t x, int32_t r) {
     return (int32_t)glint_shift_right64((int64_t)x * r, 12);
 }
@@ -111,6 +111,17 @@ static inline int32_t glint_slope_of_split(int32_t x, int32_t r) {
     return glint_shift_right(x, 15) * r * 8 + (int32_t)(low >> 12);
 }
 
+/** floor((a b + c d) / 2^15): b and d up to 2^15, and a sum below 2^46. */
+static inline int32_t glint_sum_of_products_whole(int32_t a, int32_t b, int32_t c, int32_t d) {
+    return (int32_t)glint_shift_right64((int64_t)a * b + (int64_t)c * d, 15);
+}
+
+/* The products of the low parts sum up to less than 2^31. */
+static inline int32_t glint_sum_of_products_split(int32_t a, int32_t b, int32_t c, int32_t d) {
+    return glint_shift_right(a, 15) * b + glint_shift_right(c, 15) * d +
+           glint_shift_right((a & 0x7fff) * b + (c & 0x7fff) * d, 15);
+}
+
 #if GLINT_SPLIT_PRODUCTS
 typedef glint_row_split glint_row;
 #define glint_row_set glint_row_set_split
@@ -118,6 +129,7 @@ typedef glint_row_split glint_row;
 #define glint_row_times glint_row_times_split
 #define glint_scale glint_scale_split
 #define glint_slope_of glint_slope_of_split
+#define glint_sum_of_products glint_sum_of_products_split
 int64_t glint_product(int32_t a, int32_t b); /* numeric.c: out of line, as they are long */
 uint64_t glint_product_unsigned(uint32_t a, uint32_t b);
 #else
@@ -127,6 +139,7 @@ typedef glint_row_whole glint_row;
 #define glint_row_times glint_row_times_whole
 #define glint_scale glint_scale_whole
 #define glint_slope_of glint_slope_of_whole
+#define glint_sum_of_products glint_sum_of_products_whole
 #define glint_product glint_product_whole
 #define glint_product_unsigned glint_product_unsigned_whole
 #endif

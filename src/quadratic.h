@@ -75,10 +75,17 @@ typedef struct glint_interpolation_edge {
     int32_t shorter; /* 1 / |M| - 1 there, Q15 */
 } glint_interpolation_edge;
 
-/** Changes of the second and the third corner's barycentric coordinates a pixel, times 2^shift, 15 bits and a sign. */
+/** A power of two: shifts to the right, and then to the left. */
+typedef struct glint_interpolation_scale {
+    uint32_t right, left;
+} glint_interpolation_scale;
+
+/** Changes of the second and the third corner's barycentric coordinates a pixel, 15 bits and a sign. */
 typedef struct glint_interpolation_gradients {
     const glint_gradients *g;
-    int32_t x1, y1, x2, y2, shift;
+    int32_t x1, y1, x2, y2;
+    glint_interpolation_scale slope; /* of narrow triangles, from a slope to a quadratic's */
+    glint_interpolation_scale curve; /* from a product of two of these to half a quadratic's second difference */
 } glint_interpolation_gradients;
 
 /** Quadratics that interpolate a triangle's lighting, and what they are made of. */
@@ -87,7 +94,6 @@ typedef struct glint_interpolation {
     glint_quadratic x, y;   /* scaled deviation in the high half, as that of glint_deviation_planes */
     int gated;              /* N.L may be below 0 */
     int clamped;            /* with its highlight, light may pass 1 */
-    const int16_t *terms[3];
     glint_interpolation_edge edges[3]; /* from corner 0 to 1, from 1 to 2, from 0 to 2 */
     glint_interpolation_gradients gradients;
 } glint_interpolation;

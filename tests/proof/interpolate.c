@@ -34,7 +34,8 @@ static inline int32_t find_bulge(const edge *e, int32_t a, int32_t b);
     ensures \subset(b[0 .. 2], (-SPREAD_BULGE .. SPREAD_BULGE)); */
 static inline void spread(const edge e[3], int32_t a[3], int32_t b[3]);
 
-/*@ requires \valid(q) && \valid_read(s) && 4 <= s->shift <= 27;
+/*@ requires \valid(q) && \valid_read(s) && \valid_read(s->g) && (NARROW(s->g) || WIDE(s->g));
+    requires s->slope.right <= 16 && s->slope.left <= 16 && s->curve.right <= 23 && s->curve.left <= 23;
     requires -0x8000 <= s->x1 <= 0x8000 && -0x8000 <= s->y1 <= 0x8000;
     requires -0x8000 <= s->x2 <= 0x8000 && -0x8000 <= s->y2 <= 0x8000;
     requires \subset(a[0 .. 2], (-SPREAD_TERM .. SPREAD_TERM));
@@ -91,25 +92,48 @@ PROOF(spread) {
     spread(edges, a, b);
 }
 
-/* Any terms, bulges and gradients, by their shift. @contract glint_plane_begin */
+static void any_interpolation_scale(glint_interpolation_scale *scale, uint32_t most) {
+    scale->right = ANY_UNSIGNED(0, most);
+    scale->left = ANY_UNSIGNED(0, most);
+}
+
+/* Any terms, bulges and gradients. @contract glint_plane_begin */
 PROOF(begin_term) {
     glint_gradients g;
     glint_quadratic quadratic;
     int32_t a[3], b[3];
-    any_wide(&g);
     narrow_or_wide.g = &g;
     narrow_or_wide.x1 = ANY(-32768, 32768);
     narrow_or_wide.y1 = ANY(-32768, 32768);
     narrow_or_wide.x2 = ANY(-32768, 32768);
     narrow_or_wide.y2 = ANY(-32768, 32768);
+    any_interpolation_scale(&narrow_or_wide.slope, 16);
+    any_interpolation_scale(&narrow_or_wide.curve, 23);
     for (int i = 0; i < 3; i++) {
         a[i] = ANY(-SPREAD_TERM, SPREAD_TERM);
         b[i] = ANY(-SPREAD_BULGE, SPREAD_BULGE);
     }
-    FOR_PARTS(shift, 4, 27) {
-        narrow_or_wide.shift = shift;
-        begin_term(&quadratic, &narrow_or_wide, a, b);
+    any_narrow(&g);
+    begin_term(&quadratic, &narrow_or_wide, a, b);
+    any_wide(&g);
+    begin_term(&quadratic, &narrow_or_wide, a, b);
+}
+
+/* Any gradients: narrow ones by the bits of the longest side. @unreached 1 leading zeros of 0 */
+PROOF(begin_gradients) {
+    static glint_gradients g;
+    FOR_PARTS(bits, 1, 11) {
+        const int32_t longest = bits < 11 ? (1 << bits) - 1 : 1023;
+        any_narrow(&g);
+        g.reach = ANY_UNSIGNED((1 << (bits - 1)) - 1, longest);
+        g.x1 = ANY(-longest - 1, longest);
+        g.y1 = ANY(-longest - 1, longest);
+        g.x2 = ANY(-longest - 1, longest);
+        g.y2 = ANY(-longest - 1, longest);
+        begin_gradients(&narrow_or_wide, &g);
     }
+    any_wide(&g);
+    begin_gradients(&narrow_or_wide, &g);
 }
 
 /* Any weights. */
@@ -139,28 +163,31 @@ PROOF(find_full) {
     find_full(&shading);
 }
 
-static int16_t terms[3][3];
-static const int16_t *const corners[3] = {terms[0], terms[1], terms[2]};
+static nodes deviations;
 static glint_deviation deviation;
 
-static void any_terms(void) {
-    for (int i = 0; i < 3; i++)
-        for (int c = 0; c < 3; c++)
-            terms[i][c] = (int16_t)ANY(-16384, 16384);
+static void any_nodes(int32_t term, int32_t bulge) {
+    for (int i = 0; i < 3; i++) {
+        deviations.x[i] = ANY(-term, term);
+        deviations.y[i] = ANY(-term, term);
+        deviations.bulge_x[i] = ANY(-bulge, bulge);
+        deviations.bulge_y[i] = ANY(-bulge, bulge);
+    }
 }
 
-/* Any terms, any side of an octagon, any margin. */
+/* Any terms, any side of an octagon, any sides and margin. */
 PROOF(is_outside) {
-    any_terms();
+    any_nodes(16384, 0);
     deviation.side = ANY(0, 1 << 17);
     deviation.side_diagonal = ANY(0, 1 << 18);
-    is_outside(&deviation, corners, ANY(-(1 << 14), 1 << 28));
+    is_outside(&deviation, ANY_UNSIGNED(0, UINT_MAX), &deviations, ANY(-(1 << 14), 1 << 28));
 }
 
-/* Any terms. */
-PROOF(is_front) {
-    any_terms();
-    is_front(corners, ANY_UNSIGNED(0, UINT_MAX));
+/* Any nodes, tables of up to 1024 entries, both margins. */
+PROOF(is_beyond) {
+    any_nodes(SPREAD_TERM, SPREAD_BULGE);
+    deviation.side = ANY(0, 5793 + 1024 + 2);
+    is_beyond(&deviation, &deviations, ANY(16, 256));
 }
 
 /* Any terms and bulges. */

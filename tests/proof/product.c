@@ -80,11 +80,20 @@ PROOF(glint_scale_itself) {
     glint_scale_split(ANY(-most, most), ANY_UNSIGNED(0, (1u << 18) - 1));
 }
 
-/* |x| at most 2^26, r from 0 to 2^16 + 2^11. Both forms. */
+/* |x| at most 2^26, r from 0 to 2^16 + 2^11; |x| at most 3 2^25, r up to 2^16. Both forms. */
 PROOF(glint_slope_of_itself) {
     const int32_t most = 1 << 26;
     glint_slope_of_whole(ANY(-most, most), ANY(0, (1 << 16) + (1 << 11)));
     glint_slope_of_split(ANY(-most, most), ANY(0, (1 << 16) + (1 << 11)));
+    glint_slope_of_whole(ANY(-(3 << 25), 3 << 25), ANY(0, 1 << 16));
+    glint_slope_of_split(ANY(-(3 << 25), 3 << 25), ANY(0, 1 << 16));
+}
+
+/* a and c up to 30240 2^15, b and d up to 2^15. Both forms. */
+PROOF(glint_sum_of_products_itself) {
+    const int32_t most = 30240 << 15, last = 1 << 15;
+    glint_sum_of_products_whole(ANY(-most, most), ANY(-last, last), ANY(-most, most), ANY(-last, last));
+    glint_sum_of_products_split(ANY(-most, most), ANY(-last, last), ANY(-most, most), ANY(-last, last));
 }
 
 /*

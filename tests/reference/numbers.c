@@ -153,6 +153,24 @@ static void slopes(void) {
         CHECK_EQUAL(glint_slope_of_whole(x, r), exact);
         CHECK_EQUAL(glint_slope_of_split(x, r), exact);
     }
+    for (int32_t x = 3 << 25; x >= -(3 << 25); x -= 3 << 26) {
+        CHECK_EQUAL(glint_slope_of_whole(x, 1 << 16), x * 16ll);
+        CHECK_EQUAL(glint_slope_of_split(x, 1 << 16), x * 16ll);
+    }
+}
+
+/* Both forms of sums of two products, at the ends of their ranges and between. */
+static void sums_of_products(void) {
+    const int32_t most = 32767 << 15, last = 1 << 15;
+    for (int i = 0; i < 3000000; i++) {
+        const int32_t a = i % 5 ? random_signed(31) % most : i % 2 ? most : -most;
+        const int32_t c = i % 7 ? random_signed(31) % most : i % 2 ? most : -most;
+        const int32_t b = i % 3 ? random_signed(31) % (last + 1) : i % 2 ? last : -last;
+        const int32_t d = i % 11 ? random_signed(31) % (last + 1) : i % 2 ? last : -last;
+        const int64_t exact = (int64_t)floorl((long double)((int64_t)a * b + (int64_t)c * d) / 32768);
+        CHECK_EQUAL(glint_sum_of_products_whole(a, b, c, d), exact);
+        CHECK_EQUAL(glint_sum_of_products_split(a, b, c, d), exact);
+    }
 }
 
 static glint_pose random_pose(unsigned bits) {
@@ -337,6 +355,7 @@ int test_main(test_writer write) {
         TEST_CASE(products_of_rows),
         TEST_CASE(coordinates_over_w),
         TEST_CASE(slopes),
+        TEST_CASE(sums_of_products),
         TEST_CASE(poses_one_after_another),
         TEST_CASE(rotations_turn_right_handed),
         TEST_CASE(cameras_look_at),
