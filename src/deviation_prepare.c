@@ -55,11 +55,9 @@ static uint32_t find_cut(const glint_shading *shading) {
 }
 
 /* Entries of the specular table: at most about 1/6 of a level apart. */
-static uint32_t specular_entries(const glint_shading *shading) {
-    uint32_t weight = largest_weight(shading->weights[0].specular);
-    if (!find_cut(shading))
-        return 0;
-    return weight <= 1100 ? 256 : weight <= 2200 ? 512 : 1024;
+static uint32_t specular_entries(const glint_shading *shading, uint32_t cut) {
+    const uint32_t weight = largest_weight(shading->weights[0].specular);
+    return cut == 0 ? 0 : weight <= 1100 ? 256 : weight <= 2200 ? 512 : 1024;
 }
 
 static int serves_some(const glint_frame *frame, const glint_shading *shading) {
@@ -71,16 +69,15 @@ static int serves_some(const glint_frame *frame, const glint_shading *shading) {
     return 0;
 }
 
-static size_t tables_size(const glint_shading *shading) {
-    return GLINT_ALIGNED(GLINT_DIFFUSE_ENTRIES * (sizeof(uint32_t) + sizeof(uint16_t)) +
-                         specular_entries(shading) * sizeof(uint32_t));
+static size_t tables_size(uint32_t specular) {
+    return GLINT_ALIGNED(GLINT_DIFFUSE_ENTRIES * (sizeof(uint32_t) + sizeof(uint16_t)) + specular * sizeof(uint32_t));
 }
 
 void glint_deviation_need(const glint_frame *frame, const glint_shading *shading, size_t *least, size_t *tables) {
     if (!serves_some(frame, shading))
         return;
     *least += GLINT_ALIGNED(sizeof(glint_deviation));
-    *tables += tables_size(shading);
+    *tables += tables_size(specular_entries(shading, find_cut(shading)));
 }
 
 /* A colour, Q23 times 31, 63 and 31, as a word. */
@@ -93,30 +90,35 @@ static const uint32_t spread_half[3] = {1 << 17, 1 << 18, 1 << 18};
 
 static const uint32_t levels[3] = {31, 63, 31};
 
+static inline uint32_t least(uint32_t a, uint32_t b) {
+    return a < b ? a : b;
+}
+
 /* A colour that changes by `step` from entry to entry, up to `most`. */
 typedef struct ramp {
     uint32_t level[3], step[3], most[3];
 } ramp;
 
-/* Its next `count` words. */
-static void fill(ramp *r, uint32_t *words, uint32_t count) {
+/* Its first `count` words. */
+static void fill(const ramp *r, uint32_t *words, uint32_t count) {
+    uint32_t red = r->level[0], green = r->level[1], blue = r->level[2];
     for (uint32_t i = 0; i < count; i++) {
-        words[i] = spread(r->level);
-        for (int c = 0; c < 3; c++) {
-            r->level[c] += r->step[c];
-            r->level[c] = r->level[c] > r->most[c] ? r->most[c] : r->level[c];
-        }
+        const uint32_t level[3] = {red, green, blue};
+        words[i] = spread(level);
+        red = least(red + r->step[0], r->most[0]);
+        green = least(green + r->step[1], r->most[1]);
+        blue = least(blue + r->step[2], r->most[2]);
     }
 }
 
 /* Ambient and diffuse light over N.L in 256 steps, the first at its middle. */
 static void diffuse_ramp(const glint_shading *shading, ramp *r) {
     for (int c = 0; c < 3; c++) {
-        uint32_t ambient = shading->ambient[c] < 1u << 23 ? shading->ambient[c] : 1u << 23;
+        const uint32_t ambient = least(shading->ambient[c], 1u << 23);
         r->step[c] = shading->weights[0].diffuse[c] * levels[c] << 3; /* Q12 to Q23, 256 steps; below 2^26 */
         r->most[c] = (levels[c] << 23) + (1 << 22) + spread_half[c];
         r->level[c] = ambient * levels[c] + (1 << 22) + spread_half[c] + r->step[c] / 2;
-        r->level[c] = r->level[c] > r->most[c] ? r->most[c] : r->level[c];
+        r->level[c] = least(r->level[c], r->most[c]);
     }
 }
 
@@ -133,11 +135,11 @@ static uint32_t diffuse_word(const glint_shading *shading, uint32_t index) {
 /* Highlight at node i, clamped at 1 in each channel; Q23 times 31, 63 and 31. */
 static void highlight(const glint_shading *shading, uint32_t i, uint32_t level[3]) {
     const glint_deviation *deviation = shading->deviation;
-    const uint32_t nodes = deviation->specular_end >> (15 + NODE_BITS);
-    uint32_t power = glint_power_at(&shading->power, (uint32_t)((uint64_t)deviation->sine_square_end * i / nodes));
+    const unsigned bits = 31 - glint_leading_zeros(deviation->specular_end >> (15 + NODE_BITS)); /* of their number */
+    uint32_t power = glint_power_at(&shading->power, (uint32_t)((uint64_t)deviation->sine_square_end * i >> bits));
     for (int c = 0; c < 3; c++) {
         uint32_t amount = power * shading->weights[0].specular[c] >> 4;
-        level[c] = (amount < 1u << 23 ? amount : 1u << 23) * levels[c];
+        level[c] = least(amount, 1u << 23) * levels[c];
     }
 }
 
@@ -186,11 +188,12 @@ static void fill_specular(const glint_shading *shading, uint32_t *words, uint32_
 
 /* The tables, if they leave as much room as they take. */
 static void make_tables(glint_memory *memory, glint_deviation *deviation, const glint_shading *shading) {
-    const uint32_t entries = specular_entries(shading);
+    const uint32_t entries = deviation->specular_end >> 15;
+    const size_t size = tables_size(entries);
     ramp r;
-    if (memory->high - GLINT_ALIGNED(memory->low) < 2 * tables_size(shading))
+    if (memory->high - GLINT_ALIGNED(memory->low) < 2 * size)
         return;
-    uint32_t *words = glint_take(memory, tables_size(shading));
+    uint32_t *words = glint_take(memory, size);
     deviation->diffuse = words;
     diffuse_ramp(shading, &r);
     fill(&r, words, GLINT_DIFFUSE_ENTRIES);
@@ -270,7 +273,7 @@ static void prepare_rays(glint_deviation *deviation, const glint_frame *frame) {
 }
 
 static void prepare_highlight(glint_deviation *deviation, const glint_shading *shading) {
-    const uint32_t entries = specular_entries(shading), cut = find_cut(shading);
+    const uint32_t cut = find_cut(shading), entries = specular_entries(shading, cut);
     deviation->sine_square_end = cut;
     deviation->specular_end = entries << 15;
     if (!cut)
@@ -287,7 +290,7 @@ static void prepare_highlight(glint_deviation *deviation, const glint_shading *s
 static void prepare_ambient(glint_deviation *deviation, const glint_shading *shading) {
     uint32_t level[3];
     for (int c = 0; c < 3; c++)
-        level[c] = (shading->ambient[c] < 1u << 23 ? shading->ambient[c] : 1u << 23) * levels[c] + (1 << 22);
+        level[c] = least(shading->ambient[c], 1u << 23) * levels[c] + (1 << 22);
     deviation->ambient = (uint16_t)glint_spread_pack(spread(level));
 }
 

@@ -21,12 +21,6 @@ uint32_t glint_square_root(uint64_t x);
     ensures \result <= 0x40000000; */
 static uint32_t find_cut(const glint_shading *shading);
 
-/* Stands on prepare_highlight, which leaves as many in the deviation. */
-/*@ assigns \result \from indirect: *shading;
-    ensures \result == 0 || \result == 256 || \result == 512 || \result == 1024;
-    admit ensures \result == shading->deviation->specular_end >> 15; */
-static uint32_t specular_entries(const glint_shading *shading);
-
 /*@ requires \valid_read(weight + (0 .. 2));
     assigns \result \from indirect: weight[0 .. 2];
     ensures 1 <= \result <= 63 * 0x10000; */
@@ -61,10 +55,10 @@ PROOF(find_cut) {
     find_cut(&shading);
 }
 
-/* Any highlight. @contract find_cut */
+/* Any highlight, and any place where it ends. */
 PROOF(specular_entries) {
     any_served();
-    specular_entries(&shading);
+    specular_entries(&shading, ANY_UNSIGNED(0, 1u << 30));
 }
 
 /*
@@ -130,6 +124,7 @@ static void any_highlight(int shift, uint32_t entries) {
 
 /*
  * Any N.L that a plane holds, any squared deviation; tables of any window.
+ * @unreached 2 a table without nodes
  * @narrowing levels change modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 12
  */
@@ -145,8 +140,7 @@ PROOF(glint_deviation_pixel) {
 
 /*
  * Any material, in an arena of the bytes that the largest tables take and no more; with too little room too.
- * @contract specular_entries
- * @unreached 6 a refusal of glint_take, which is asked for no more than there is
+ * @unreached 8 a refusal of glint_take, which is asked for no more than there is, and a table without nodes
  * @narrowing levels change modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 4 -eva-auto-loop-unroll 16
  */
