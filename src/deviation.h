@@ -59,7 +59,7 @@ typedef struct glint_deviation {
     /* Tables, null where the arena had no room: then each word is computed when it is needed, the same to the bit. */
     const uint32_t *diffuse;       /* ambient and diffuse light over N.L, spread, half a level included */
     const uint16_t *diffuse_pixel; /* the same, packed */
-    const uint32_t *specular;      /* over the squared deviation, spread */
+    const uint32_t *specular;      /* over the squared deviation, spread; `diffuse` lies behind it */
     uint32_t specular_end;         /* squared deviation where it ends; 0 where no highlight ever shows */
     uint32_t sine_square_end;      /* the same as sin^2, Q30 */
     int32_t scale;                 /* from a deviation, Q14, to a scaled one, whose square is the table's: Q16 */
@@ -96,7 +96,8 @@ typedef struct glint_deviation_planes {
 
 /** A word packed into 16 bits: 5 red, 6 green, 5 blue; what is above them is to be cut off. */
 static inline uint32_t glint_spread_pack(uint32_t word) {
-    return (word >> 4 & ~0x7e0u) | (word >> 25 & 63) << 5;
+    const uint32_t levels = word >> 4 & 0x07e0f81fu; /* red and blue in place, green 16 bits above its own */
+    return levels | levels >> 16;
 }
 
 /** A sum of two words, each channel clamped: a guard bit that is set sets the nine below. */

@@ -194,14 +194,14 @@ static void make_tables(glint_memory *memory, glint_deviation *deviation, const 
     if (memory->high - GLINT_ALIGNED(memory->low) < 2 * size)
         return;
     uint32_t *words = glint_take(memory, size);
+    deviation->specular = words;
+    if (entries)
+        fill_specular(shading, words, entries);
+    words += entries;
     deviation->diffuse = words;
     diffuse_ramp(shading, &r);
     fill(&r, words, GLINT_DIFFUSE_ENTRIES);
-    words += GLINT_DIFFUSE_ENTRIES;
-    if (entries)
-        fill_specular(shading, words, entries);
-    deviation->specular = words;
-    uint16_t *pixels = (uint16_t *)(void *)(words + entries);
+    uint16_t *pixels = (uint16_t *)(void *)(words + GLINT_DIFFUSE_ENTRIES);
     deviation->diffuse_pixel = pixels;
     for (uint32_t i = 0; i < GLINT_DIFFUSE_ENTRIES; i++)
         pixels[i] = (uint16_t)glint_spread_pack(deviation->diffuse[i]);

@@ -58,8 +58,10 @@ static inline void glint_draw_constant(const glint_spans *s, uint32_t colour, in
     const uint32_t z_dx = (uint32_t)part->depth.dx;
     uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS, column = 0;
     uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
-    for (; span != last; span++) {
+    do {
         const uint32_t left = span->left, right = span->right;
+        span++;
+        GLINT_OPAQUE(span);
         if (left < right) {
             depth += 2 * (int32_t)(left - column);
             z += z_dx * (left - column);
@@ -75,7 +77,7 @@ static inline void glint_draw_constant(const glint_spans *s, uint32_t colour, in
         }
         depth += stride;
         z += (uint32_t)part->depth.dy;
-    }
+    } while (span != last);
 }
 
 /* Diffuse light only; gated, ambient light alone where N.L <= 0. */
@@ -89,8 +91,10 @@ static inline void glint_draw_diffuse(const glint_spans *s, const glint_deviatio
     uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS, level = glint_first_row(part, cosine);
     uint32_t column = 0;
     uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
-    for (; span != last; span++) {
+    do {
         const uint32_t left = span->left, right = span->right;
+        span++;
+        GLINT_OPAQUE(span);
         if (left < right) {
             depth += 2 * (int32_t)(left - column);
             z += z_dx * (left - column);
@@ -110,7 +114,7 @@ static inline void glint_draw_diffuse(const glint_spans *s, const glint_deviatio
         depth += stride;
         z += (uint32_t)part->depth.dy;
         level += (uint32_t)cosine->dy;
-    }
+    } while (span != last);
 }
 
 /* A square of the high half of a plane. */
@@ -125,7 +129,8 @@ static inline void glint_draw_highlight(const glint_spans *s, const glint_deviat
     const glint_part *part = s->part;
     const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
     const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
-    const uint32_t *const diffuse = deviation->diffuse, *const specular = deviation->specular;
+    const uint32_t *const diffuse = deviation->diffuse;
+    const uint16_t *const packed = deviation->diffuse_pixel;
     const uint32_t end_square = deviation->specular_end;
     const uint32_t z_dx = (uint32_t)part->depth.dx, level_dx = (uint32_t)planes->cosine.dx;
     const uint32_t x_dx = (uint32_t)planes->x.dx, y_dx = (uint32_t)planes->y.dx;
@@ -134,8 +139,10 @@ static inline void glint_draw_highlight(const glint_spans *s, const glint_deviat
     uint32_t x = glint_first_row(part, &planes->x), y = glint_first_row(part, &planes->y);
     uint32_t column = 0;
     uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
-    for (; span != last; span++) {
+    do {
         const uint32_t left = span->left, right = span->right;
+        span++;
+        GLINT_OPAQUE(span);
         if (left < right) {
             depth += 2 * (int32_t)(left - column);
             z += z_dx * (left - column);
@@ -145,11 +152,16 @@ static inline void glint_draw_highlight(const glint_spans *s, const glint_deviat
             uint8_t *const end = depth + 2 * (right - left);
             do {
                 if (glint_is_nearest(depth, z)) {
-                    const uint32_t square = glint_high_square(x) + glint_high_square(y);
-                    uint32_t word = diffuse[level >> 22];
-                    if (square < end_square)
-                        word = glint_spread_clamp(word + specular[square >> 15]);
-                    glint_put_565(depth + to_pixels, glint_spread_pack(word), high_first);
+                    /* the highlight's table ends where the diffuse one begins */
+                    const uint32_t beyond = glint_high_square(x) + glint_high_square(y) - end_square;
+                    const uint32_t *const word = diffuse + (level >> 22);
+                    if ((int32_t)beyond < 0)
+                        glint_put_565(depth + to_pixels,
+                                      glint_spread_pack(
+                                          glint_spread_clamp(*word + diffuse[glint_shift_right((int32_t)beyond, 15)])),
+                                      high_first);
+                    else
+                        glint_put_565(depth + to_pixels, packed[level >> 22], high_first);
                 }
                 depth += 2;
                 GLINT_OPAQUE(depth);
@@ -165,7 +177,7 @@ static inline void glint_draw_highlight(const glint_spans *s, const glint_deviat
         level += (uint32_t)planes->cosine.dy;
         x += (uint32_t)planes->x.dy;
         y += (uint32_t)planes->y.dy;
-    }
+    } while (span != last);
 }
 
 /* All of these, with words that are computed. */
@@ -197,7 +209,6 @@ static inline void glint_draw_without_tables(const glint_spans *s, const glint_s
 static inline void glint_draw_565(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                                   const glint_triangle *triangle, const glint_part *part, int high_first) {
     const glint_deviation *deviation = draw->shading->deviation;
-    const glint_spans spans = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
     glint_deviation_planes planes;
     const glint_deviation_kind kind = glint_deviation_begin(draw, triangle, part, &planes);
     if (kind == GLINT_DEVIATION_UNFIT) {
@@ -207,15 +218,16 @@ static inline void glint_draw_565(const glint_frame *frame, glint_workspace *wor
     }
     if (workspace->drawn)
         glint_count(workspace, (glint_kernel_name)kind, glint_deviation_covered(part));
-    if (kind == GLINT_DEVIATION_AMBIENT)
-        glint_draw_constant(&spans, deviation->ambient, high_first);
-    else if (kind == GLINT_DEVIATION_EVEN)
-        glint_draw_constant(&spans, glint_deviation_even(draw->shading, &planes), high_first);
+    const glint_spans spans = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
+    if (kind == GLINT_DEVIATION_AMBIENT || kind == GLINT_DEVIATION_EVEN)
+        glint_draw_constant(
+            &spans, kind == GLINT_DEVIATION_AMBIENT ? deviation->ambient : glint_deviation_even(draw->shading, &planes),
+            high_first);
     else if (!deviation->diffuse)
         glint_draw_without_tables(&spans, draw->shading, &planes, kind, high_first);
-    else if (kind == GLINT_DEVIATION_DIFFUSE)
+    else if (!GLINT_SMALL && kind == GLINT_DEVIATION_DIFFUSE)
         glint_draw_diffuse(&spans, deviation, &planes.cosine, 0, high_first);
-    else if (kind == GLINT_DEVIATION_GATED)
+    else if (kind != GLINT_DEVIATION_SPECULAR)
         glint_draw_diffuse(&spans, deviation, &planes.cosine, 1, high_first);
     else
         glint_draw_highlight(&spans, deviation, &planes, high_first);

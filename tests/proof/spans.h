@@ -13,7 +13,7 @@
 
 /* Depths and pixels of two rows, side by side as a workspace has them; the tables; a part. */
 static uint16_t tile[2 * 2 * WIDTH];
-static uint32_t words[GLINT_DIFFUSE_ENTRIES], highlight[1024];
+static uint32_t words[1024 + GLINT_DIFFUSE_ENTRIES];
 static uint16_t packed[GLINT_DIFFUSE_ENTRIES];
 static glint_deviation deviation;
 static glint_part part;
@@ -23,7 +23,6 @@ static glint_spans any_part(void) {
     const glint_spans spans = {&part, tile, (uint8_t *)(tile + 2 * WIDTH), 3};
     Frama_C_make_unknown((char *)tile, sizeof tile);
     Frama_C_make_unknown((char *)words, sizeof words);
-    Frama_C_make_unknown((char *)highlight, sizeof highlight);
     Frama_C_make_unknown((char *)packed, sizeof packed);
     any_plane(&part.depth);
     any_plane(&planes.cosine);
@@ -31,8 +30,8 @@ static glint_spans any_part(void) {
     any_plane(&planes.y);
     part.x = ANY(-2047, 2047);
     part.y = ANY(-2047, 2047);
-    deviation.diffuse = words;
-    deviation.specular = highlight;
+    deviation.specular = words;
+    deviation.diffuse = words + 1024;
     deviation.diffuse_pixel = packed;
     deviation.specular_end = ANY_UNSIGNED(1, 1024) << 15;
     deviation.ambient = (uint16_t)ANY(0, 0xffff);
