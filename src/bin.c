@@ -52,7 +52,7 @@ static inline void append(glint_frame *frame, uint32_t tile, uint32_t triangle) 
 }
 
 /* Appends a triangle to the list of each tile of the pass in range. @return 0 when the arena is full. */
-static inline int list_in_range(glint_frame *frame, const glint_range *range, uint32_t triangle) {
+static inline int list_triangle(glint_frame *frame, const glint_range *range, uint32_t triangle) {
     const uint32_t count = glint_pass_tiles(frame), most = most_references(frame);
     for (int32_t row = range->top; row < range->bottom; row++) {
         uint32_t tile = (uint32_t)(row * frame->tile_columns + range->left - frame->tile_first);
@@ -64,11 +64,6 @@ static inline int list_in_range(glint_frame *frame, const glint_range *range, ui
             }
     }
     return 1;
-}
-
-/* The same, out of the way of loops. */
-static GLINT_NOINLINE int list_triangle(glint_frame *frame, const glint_range *range, uint32_t triangle) {
-    return list_in_range(frame, range, triangle);
 }
 
 /* Is there room for all that clipping a triangle can make, in one tile? A pass of one tile never stops half way. */
@@ -91,12 +86,17 @@ static void gather_corners(const glint_draw *draw, const uint16_t *indices, glin
     }
 }
 
+static inline void turn_normal_once(const glint_draw *draw, glint_vertex *vertex) {
+    if (!(vertex->flags & GLINT_VERTEX_NORMAL))
+        glint_transform_normal(draw, vertex);
+}
+
 /* Brings the normals of a triangle that is going to be seen to camera space, and lights it where that comes now. */
 static GLINT_NOINLINE void light_once(const glint_frame *frame, glint_draw *draw, uint32_t triangle) {
     const uint16_t *indices = draw->triangles[triangle];
-    for (int i = 0; i < 3; i++)
-        if (!(draw->vertices[indices[i]].flags & GLINT_VERTEX_NORMAL))
-            glint_transform_normal(draw, &draw->vertices[indices[i]]);
+    turn_normal_once(draw, &draw->vertices[indices[0]]);
+    turn_normal_once(draw, &draw->vertices[indices[1]]);
+    turn_normal_once(draw, &draw->vertices[indices[2]]);
     if (draw->light)
         draw->light(frame, draw, &draw->transform, triangle);
 }
@@ -150,7 +150,7 @@ static GLINT_NOINLINE int bin_whole(glint_frame *frame, glint_draw *draw, uint32
     }
     if (!(v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_NORMAL) || draw->evaluation->light_triangle)
         light_once(frame, draw, triangle);
-    return list_in_range(frame, &range, draw->first + triangle);
+    return list_triangle(frame, &range, draw->first + triangle);
 }
 
 /* Bins any triangle. @return 0 when the arena is full. */

@@ -40,6 +40,8 @@ static inline glint_position to_clip_space(const glint_transform *transform, con
 static GLINT_NOINLINE void transform_inside(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
                                             uint32_t count, glint_vertex *vertex) {
     for (; count; count--, vertex++, p++, first++) {
+        if (!GLINT_SPLIT_PRODUCTS)
+            GLINT_OPAQUE(transform); /* else the matrix is copied to the stack, which saves no load */
         const glint_position here = to_clip_space(transform, *p);
         vertex->attribute[0] = (int16_t)(uint16_t)first;
         vertex->flags = 0;
