@@ -62,8 +62,14 @@ static GLINT_NOINLINE void turn_round(glint_triangle *triangle, const glint_draw
     }
 }
 
-/* A triangle by its number, of a draw or made by clipping; a list names draws in order, none before `draw`. */
-static void find_triangle(const glint_frame *frame, const glint_draw **draw, uint32_t number, glint_triangle *t) {
+/* The draw whose triangles come now, and whether they are corners alone, of front faces. */
+typedef struct source {
+    const glint_draw *draw, *plain; /* the same then */
+} source;
+
+/* A triangle by its number, of a draw or made by clipping; a list names draws in order, none before this one. */
+static inline void find_triangle(const glint_frame *frame, source *from, uint32_t number, glint_triangle *t) {
+    const glint_draw *draw = from->draw;
     if (number > GLINT_TRIANGLES_MAX) {
         const glint_clipped *top = (const glint_clipped *)(const void *)(frame->memory.base + frame->memory.high);
         const glint_clipped *clipped = top - 1 - (GLINT_CLIPPED_TOP - number);
@@ -71,23 +77,28 @@ static void find_triangle(const glint_frame *frame, const glint_draw **draw, uin
             t->corners[i] = &clipped->corners[i];
             t->extra[i] = clipped->extra[i];
         }
-        *draw = clipped->draw;
+        draw = clipped->draw;
         number = clipped->triangle;
     } else {
-        while (number >= (uint32_t)(*draw)->first + (*draw)->count)
-            *draw = (*draw)->next;
-        number -= (*draw)->first;
-        const uint16_t *indices = (*draw)->triangles[number];
-        t->corners[0] = &(*draw)->vertices[indices[0]];
-        t->corners[1] = &(*draw)->vertices[indices[1]];
-        t->corners[2] = &(*draw)->vertices[indices[2]];
-        for (int i = 0; i < 3 && (*draw)->extra; i++)
-            t->extra[i] = (*draw)->extra[indices[i]];
+        while (number - draw->first >= draw->count)
+            draw = draw->next;
+        number -= draw->first;
+        const uint16_t *indices = draw->triangles[number];
+        t->corners[0] = &draw->vertices[indices[0]];
+        t->corners[1] = &draw->vertices[indices[1]];
+        t->corners[2] = &draw->vertices[indices[2]];
+        if (draw == from->plain)
+            return;
+        for (int i = 0; i < 3 && draw->extra; i++)
+            t->extra[i] = draw->extra[indices[i]];
     }
-    t->facet = (*draw)->facets ? (*draw)->facets[number] : 0;
+    const int one_side = !draw->mirrored && !draw->double_sided;
+    t->facet = draw->facets ? draw->facets[number] : 0;
     t->back = 0;
-    if ((*draw)->mirrored || (*draw)->double_sided)
-        turn_round(t, *draw);
+    if (!one_side)
+        turn_round(t, draw);
+    from->draw = draw;
+    from->plain = one_side && !draw->facets && !draw->extra ? draw : 0;
 }
 
 /* Where a tile lies, for raster and for shading. */
@@ -108,15 +119,15 @@ int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint
         if (!glint_tile_is_empty(frame, tile))
             memset(workspace->depth, 0, tile_pixels(&frame->config) * sizeof *workspace->depth);
     }
-    const glint_draw *draw = frame->draws;
+    source from = {frame->draws, 0};
     uint32_t here = frame->lists[tile - frame->tile_first].head;
+    glint_triangle triangle;
     while (here != GLINT_LIST_END) {
         const glint_reference *reference = &frame->references[here];
-        glint_triangle triangle;
-        find_triangle(frame, &draw, reference->triangle, &triangle);
+        find_triangle(frame, &from, reference->triangle, &triangle);
         if (glint_raster(&part, triangle.corners)) {
             glint_setup(&part, &triangle);
-            draw->kernel(frame, workspace, draw, &triangle, &part);
+            from.draw->kernel(frame, workspace, from.draw, &triangle, &part);
         }
         here = reference->next;
     }
