@@ -38,7 +38,7 @@ static GLINT_NOINLINE void widen(glint_gradients *g, uint32_t area, uint32_t zer
  * where the area is below 1/32 of a pixel, and a step for each pixel from the anchor.
  */
 static inline void gradients_begin(glint_gradients *g, uint32_t area) {
-    const uint32_t zeros = glint_leading_zeros(area);
+    const uint32_t zeros = glint_leading_zeros(area | 1); /* above 0 */
     g->reach = glint_magnitude_bits(g->x1) | glint_magnitude_bits(g->y1) | glint_magnitude_bits(g->x2) |
                glint_magnitude_bits(g->y2);
     g->shift = 31 - (int32_t)zeros;
@@ -49,11 +49,6 @@ static inline void gradients_begin(glint_gradients *g, uint32_t area) {
     g->reciprocal = glint_reciprocal16(((area << zeros >> 15) + 1) >> 1);
 }
 
-/* x 2^n, |n| < 32; up, it may wrap */
-static inline int32_t scale(int32_t x, int32_t n) {
-    return n < 0 ? glint_shift_right(x, (unsigned)-n) : glint_shift_left(x, (unsigned)n);
-}
-
 static inline int32_t high_sum(int32_t d1, int32_t g1, int32_t d2, int32_t g2) {
     return (int32_t)glint_shift_right64((int64_t)d1 * g1 + (int64_t)d2 * g2, 31);
 }
@@ -62,14 +57,20 @@ static inline int32_t high_sum(int32_t d1, int32_t g1, int32_t d2, int32_t g2) {
 static inline void finish_plane(glint_plane *p, const glint_gradients *g, int32_t start, int32_t dx, int32_t dy,
                                 int32_t n) {
     const int32_t to_center = glint_shift_right(dx, 5) * g->to_center_x + glint_shift_right(dy, 5) * g->to_center_y;
-    p->dx = scale(dx, n);
-    p->dy = scale(dy, n);
-    p->start = glint_add_wrap(start, scale(to_center, n + 1));
+    if (n < 0) {
+        p->dx = glint_shift_right(dx, (unsigned)-n);
+        p->dy = glint_shift_right(dy, (unsigned)-n);
+        p->start = glint_add_wrap(start, glint_shift_right(to_center, (unsigned)~n));
+    } else { /* slivers' may wrap */
+        p->dx = glint_shift_left(dx, (unsigned)n);
+        p->dy = glint_shift_left(dy, (unsigned)n);
+        p->start = glint_add_wrap(start, glint_shift_left(to_center, (unsigned)n + 1));
+    }
 }
 
 /* Differences brought to 15 bits and a sign: they were 2^up as much. */
 static inline void begin_narrow(glint_plane *p, const glint_gradients *g, int32_t start, int32_t d1, int32_t d2) {
-    int32_t up = 17 - (int32_t)glint_leading_zeros(glint_magnitude_bits(d1) | glint_magnitude_bits(d2));
+    int32_t up = 17 - (int32_t)glint_leading_zeros(glint_magnitude_bits(d1) | glint_magnitude_bits(d2) | 1);
     up = up > 0 ? up : 0;
     d1 = glint_shift_right(d1, (unsigned)up);
     d2 = glint_shift_right(d2, (unsigned)up);

@@ -73,6 +73,7 @@ PROOF(glint_magnitude_bits) {
  * Any differences, by the bits and signs of the larger, first or last.
  * @contract glint_magnitude_bits
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
+ * @unreached 1 leading zeros of 0
  */
 PROOF(begin_narrow) {
     any_narrow(&g);
