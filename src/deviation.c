@@ -18,13 +18,14 @@
 
 /* ---- Vertices ---- */
 
-int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, int16_t half_vector[3],
-                                glint_view_vector *view) {
+/* glint_deviation_half_vector */
+static inline int find_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, int16_t half_vector[3],
+                                   glint_view_vector *view) {
     int32_t z = GLINT_DEVIATION_RAY_Z;
     x = deviation->center_x - x;
     y -= deviation->center_y;
-    const int32_t limit = deviation->ray_limit;
-    if (x > limit || x < -limit || y > limit || y < -limit)
+    const uint32_t limit = (uint32_t)deviation->ray_limit;
+    if ((uint32_t)x + limit > 2 * limit || (uint32_t)y + limit > 2 * limit)
         return 0;
     x = glint_shift_right(x * deviation->ray_scale, 16);
     y = glint_shift_right(y * deviation->ray_scale, 16);
@@ -50,38 +51,45 @@ int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int
     return 1;
 }
 
+int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, int16_t half_vector[3],
+                                glint_view_vector *view) {
+    return find_half_vector(deviation, x, y, half_vector, view);
+}
+
 /* N.L, N.H of unit vectors in steps of UNIT: products are short of 2^30 by a part in 2^12. */
 static int32_t cosine_of(const int16_t a[3], const int16_t b[3]) {
     int32_t cosine = glint_dot(a, b);
     return glint_shift_right(cosine + glint_shift_right(cosine, 13) + 0x4000, 15);
 }
 
-/* e, Q14. Where N.H < 0, |e| falls again: there it is stretched, so that the back of H stays outside the highlight. */
-static void find_deviation(const int16_t n[3], const int16_t h[3], int32_t e[2]) {
+/* A deviation, Q14. */
+typedef struct offset {
+    int32_t x, y;
+} offset;
+
+/* e. Where N.H < 0, |e| falls again: there it is stretched, so that the back of H stays outside the highlight. */
+static inline offset find_deviation(const int16_t n[3], const int16_t h[3]) {
     const int32_t cosine = cosine_of(n, h);
     const int32_t k = glint_shift_right((cosine + n[2]) * glint_inverse_of_one_and(h[2]), 16); /* Q14 */
-    for (int c = 0; c < 2; c++) {
-        e[c] = glint_shift_right(n[c] * (1 << 14) - h[c] * k + 0x4000, 15);
-        if (cosine < 0)
-            e[c] += glint_shift_right(e[c] * -cosine, 14);
+    offset e = {glint_shift_right(n[0] * (1 << 14) - h[0] * k + 0x4000, 15),
+                glint_shift_right(n[1] * (1 << 14) - h[1] * k + 0x4000, 15)};
+    if (cosine < 0) {
+        e.x += glint_shift_right(e.x * -cosine, 14);
+        e.y += glint_shift_right(e.y * -cosine, 14);
     }
     if (cosine < -GLINT_UNIT / 2)
-        e[0] = INT16_MAX;
+        e.x = INT16_MAX;
+    return e;
 }
 
-/* A deviation on the scale of planes, cut off where it is beyond their reach. @return flags */
-static uint32_t scale_deviation(const glint_deviation *deviation, const int32_t e[2], int16_t scaled[2]) {
+/* A deviation on the scale of planes, cut off where it is beyond their reach, which sets flags. */
+static inline int16_t scale_deviation(const glint_deviation *deviation, int32_t e, uint32_t *flags) {
     const int32_t reach = deviation->reach;
-    uint32_t flags = 0;
-    for (int c = 0; c < 2; c++) {
-        int32_t v = e[c];
-        if (v > reach || v < -reach) {
-            flags = GLINT_TERMS_FAR;
-            v = v > 0 ? reach : -reach;
-        }
-        scaled[c] = (int16_t)glint_shift_right(v * deviation->scale + (1 << 15), 16);
+    if (e > reach || e < -reach) {
+        *flags |= GLINT_TERMS_FAR;
+        e = e > 0 ? reach : -reach;
     }
-    return flags;
+    return (int16_t)glint_shift_right(e * deviation->scale + (1 << 15), 16);
 }
 
 /* The sides of the octagon around the highlight that a deviation lies beyond. */
@@ -111,22 +119,23 @@ static uint32_t find_sides(const glint_deviation *deviation, int32_t x, int32_t 
 static uint32_t light_vertex(const glint_deviation *deviation, const glint_vertex *vertex, int16_t terms[3]) {
     int16_t found[3];
     glint_view_vector view;
-    int32_t e[2];
     const int16_t *half_vector = deviation->half_vector;
     const int32_t cosine = glint_shift_right(cosine_of(vertex->attribute, deviation->light) + 1, 1);
     uint32_t flags = cosine >= LIT ? 0 : cosine > UNLIT ? GLINT_TERMS_DIM : GLINT_TERMS_DIM | GLINT_TERMS_DARK;
     terms[0] = (int16_t)(cosine > GLINT_UNIT / 2 ? GLINT_UNIT / 2 : cosine);
-    terms[1] = 0;
-    terms[2] = 0;
-    if (!deviation->specular_end)
+    if (!deviation->specular_end) {
+        terms[1] = 0;
+        terms[2] = 0;
         return flags | GLINT_TERMS_ANY_OUTSIDE;
+    }
     if (deviation->local_viewer) {
         half_vector = found;
-        if (!glint_deviation_half_vector(deviation, vertex->x, vertex->y, found, &view))
+        if (!find_half_vector(deviation, vertex->x, vertex->y, found, &view))
             return GLINT_TERMS_UNFIT;
     }
-    find_deviation(vertex->attribute, half_vector, e);
-    flags |= scale_deviation(deviation, e, terms + 1);
+    const offset e = find_deviation(vertex->attribute, half_vector);
+    terms[1] = scale_deviation(deviation, e.x, &flags);
+    terms[2] = scale_deviation(deviation, e.y, &flags);
     return flags | find_sides(deviation, terms[1], terms[2]);
 }
 
