@@ -45,15 +45,17 @@ static inline void glint_draw_quadratic_diffuse(const glint_spans *s, const glin
     const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth;
     const uint16_t *const table = deviation->diffuse_pixel, *const root = glint_root_table;
     const uint32_t z_dx = (uint32_t)part->depth.dx, a_dx = (uint32_t)light->cosine.dx;
-    for (uint32_t row = part->top; row != part->bottom; row++) {
-        const uint32_t left = part->spans[row].left, right = part->spans[row].right;
+    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
+    uint8_t *row = (uint8_t *)(s->depth + (part->top << s->shift));
+    for (int32_t y = part->y + (int32_t)part->top; span != last; span++, y++, row += 2 << s->shift) {
+        const uint32_t left = span->left, right = span->right;
         if (left >= right)
             continue;
-        const int32_t x = part->x + (int32_t)left, y = part->y + (int32_t)row;
+        const int32_t x = part->x + (int32_t)left;
         uint32_t z = glint_at(&part->depth, x, y) + GLINT_DEPTH_BIAS, a = glint_at(&light->cosine, x, y);
         glint_stride c = glint_stride_begin(&light->square, x, y);
-        uint8_t *depth = (uint8_t *)(s->depth + (row << s->shift) + left);
-        const uint8_t *const end = depth + 2 * (right - left);
+        uint8_t *depth = row + 2 * left;
+        const uint8_t *const end = row + 2 * right;
         do {
             if (glint_is_nearest(depth, z))
                 glint_put_565(depth + to_pixels,
@@ -92,24 +94,26 @@ static inline void glint_draw_quadratic_specular(const glint_spans *s, const gli
     const glint_part *part = s->part;
     const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth;
     const uint32_t z_dx = (uint32_t)part->depth.dx, a_dx = (uint32_t)light->cosine.dx;
-    for (uint32_t row = part->top; row != part->bottom; row++) {
-        const uint32_t left = part->spans[row].left, right = part->spans[row].right;
+    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
+    uint8_t *row = (uint8_t *)(s->depth + (part->top << s->shift));
+    for (int32_t y = part->y + (int32_t)part->top; span != last; span++, y++, row += 2 << s->shift) {
+        const uint32_t left = span->left, right = span->right;
         if (left >= right)
             continue;
-        const int32_t x = part->x + (int32_t)left, y = part->y + (int32_t)row;
+        const int32_t x = part->x + (int32_t)left;
         uint32_t z = glint_at(&part->depth, x, y) + GLINT_DEPTH_BIAS, a = glint_at(&light->cosine, x, y);
         glint_stride c = glint_stride_begin(&light->square, x, y);
         glint_stride ex = glint_stride_begin(&light->x, x, y), ey = glint_stride_begin(&light->y, x, y);
-        uint8_t *depth = (uint8_t *)(s->depth + (row << s->shift) + left);
-        const uint8_t *const end = depth + 2 * (right - left);
+        uint8_t *depth = row + 2 * left;
+        const uint8_t *const end = row + 2 * right;
         do {
-            if (glint_is_nearest(depth, z))
-                glint_put_565(depth + to_pixels,
-                              (int32_t)a <= 0
-                                  ? deviation->ambient
-                                  : glint_quadratic_lit(deviation, a, glint_root_table[c.value >> 22],
-                                                        glint_middle_square(ex.value) + glint_middle_square(ey.value)),
-                              high_first);
+            if (glint_is_nearest(depth, z)) {
+                uint32_t pixel = deviation->ambient;
+                if ((int32_t)a > 0)
+                    pixel = glint_quadratic_lit(deviation, a, glint_root_table[c.value >> 22],
+                                                glint_middle_square(ex.value) + glint_middle_square(ey.value));
+                glint_put_565(depth + to_pixels, pixel, high_first);
+            }
             depth += 2;
             GLINT_OPAQUE(depth);
             z += z_dx;
@@ -128,15 +132,17 @@ static GLINT_INLINE void glint_draw_interpolated_diffuse(const glint_spans *s, c
     const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth;
     const uint16_t *const table = deviation->diffuse_pixel;
     const uint32_t z_dx = (uint32_t)part->depth.dx;
-    for (uint32_t row = part->top; row != part->bottom; row++) {
-        const uint32_t left = part->spans[row].left, right = part->spans[row].right;
+    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
+    uint8_t *row = (uint8_t *)(s->depth + (part->top << s->shift));
+    for (int32_t y = part->y + (int32_t)part->top; span != last; span++, y++, row += 2 << s->shift) {
+        const uint32_t left = span->left, right = span->right;
         if (left >= right)
             continue;
-        const int32_t x = part->x + (int32_t)left, y = part->y + (int32_t)row;
+        const int32_t x = part->x + (int32_t)left;
         uint32_t z = glint_at(&part->depth, x, y) + GLINT_DEPTH_BIAS;
         glint_stride c = glint_stride_begin(&light->cosine, x, y);
-        uint8_t *depth = (uint8_t *)(s->depth + (row << s->shift) + left);
-        const uint8_t *const end = depth + 2 * (right - left);
+        uint8_t *depth = row + 2 * left;
+        const uint8_t *const end = row + 2 * right;
         do {
             if (glint_is_nearest(depth, z))
                 glint_put_565(depth + to_pixels,
@@ -155,29 +161,35 @@ static GLINT_INLINE void glint_draw_interpolated_specular(const glint_spans *s, 
                                                           int high_first) {
     const glint_part *part = s->part;
     const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth;
-    const uint32_t *const diffuse = deviation->diffuse, *const specular = deviation->specular;
+    const uint32_t *const diffuse = deviation->diffuse;
+    const uint16_t *const packed = deviation->diffuse_pixel;
     const uint32_t end_square = deviation->specular_end;
     const uint32_t z_dx = (uint32_t)part->depth.dx;
-    for (uint32_t row = part->top; row != part->bottom; row++) {
-        const uint32_t left = part->spans[row].left, right = part->spans[row].right;
+    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
+    uint8_t *row = (uint8_t *)(s->depth + (part->top << s->shift));
+    for (int32_t y = part->y + (int32_t)part->top; span != last; span++, y++, row += 2 << s->shift) {
+        const uint32_t left = span->left, right = span->right;
         if (left >= right)
             continue;
-        const int32_t x = part->x + (int32_t)left, y = part->y + (int32_t)row;
+        const int32_t x = part->x + (int32_t)left;
         uint32_t z = glint_at(&part->depth, x, y) + GLINT_DEPTH_BIAS;
         glint_stride c = glint_stride_begin(&light->cosine, x, y);
         glint_stride ex = glint_stride_begin(&light->x, x, y), ey = glint_stride_begin(&light->y, x, y);
-        uint8_t *depth = (uint8_t *)(s->depth + (row << s->shift) + left);
-        const uint8_t *const end = depth + 2 * (right - left);
+        uint8_t *depth = row + 2 * left;
+        const uint8_t *const end = row + 2 * right;
         do {
             if (glint_is_nearest(depth, z)) {
-                const uint32_t square = glint_high_square(ex.value) + glint_high_square(ey.value);
+                /* the highlight's table ends where the diffuse one begins */
+                const int32_t beyond =
+                    (int32_t)(glint_high_square(ex.value) + glint_high_square(ey.value) - end_square);
                 const uint32_t level = c.value >> 22;
-                if (square < end_square) {
-                    const uint32_t word = diffuse[level] + specular[square >> 15];
+                if (beyond < 0) {
+                    const uint32_t word = diffuse[level] + diffuse[glint_shift_right(beyond, 15)];
                     glint_put_565(depth + to_pixels, glint_spread_pack(clamped ? glint_spread_clamp(word) : word),
                                   high_first);
-                } else
-                    glint_put_565(depth + to_pixels, deviation->diffuse_pixel[level], high_first);
+                } else {
+                    glint_put_565(depth + to_pixels, packed[level], high_first);
+                }
             }
             depth += 2;
             GLINT_OPAQUE(depth);

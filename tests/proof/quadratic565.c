@@ -51,8 +51,8 @@ PROOF(glint_draw_interpolated_diffuse) {
 
 /*
  * The same, clamped and not.
- * @alarms 2 N.L at a pixel is within both its tables' 272 entries: suite `reads` looks at every pixel of half a
- * million triangles
+ * @alarms 3 N.L at a pixel is within its tables' 272 entries, and a squared deviation not below 0: suite `reads` looks
+ * at every pixel of half a million triangles
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
