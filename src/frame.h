@@ -233,9 +233,8 @@ typedef struct glint_part {
     uint32_t top, bottom; /* rows of the tile; bottom is exclusive */
     glint_plane depth;    /* 1/w, Q31 */
     glint_gradients gradients;
-    glint_span above[GLINT_SHORT_ROWS]; /* raster's own, as those below: of rows beyond the tile */
+    glint_span above[GLINT_SHORT_ROWS]; /* raster's own, of rows above the tile */
     glint_span spans[GLINT_TILE_MAX];   /* of these rows */
-    glint_span below[GLINT_SHORT_ROWS];
 } glint_part;
 
 /** Up to two triples: a normal over w or a lit colour, and the surface's own colour. */

@@ -100,9 +100,8 @@ static GLINT_NOINLINE int find_any(glint_part *part, const glint_vertex *const v
 
 /* ---- Short triangles ---- */
 /*
- * Both sides of a short triangle are walked at once, by their slopes, from its top to its bottom wherever the tile
- * ends: rows above and below it have spans of their own, and columns are kept modulo 256 until what is beyond is cut
- * off.
+ * Both sides of a short triangle are walked at once, by their slopes, from its top wherever the tile begins: rows above
+ * the tile have spans of their own, and columns are kept modulo 256 until what is beyond is cut off.
  */
 
 /* Is the library built for size, and for a core that divides? Then all go the way of any triangle. */
@@ -210,9 +209,9 @@ static inline uint8_t *walk_sides(uint8_t *span, int32_t rows, side *left, side 
     return span;
 }
 
-/* Finds all spans of a triangle; `a` is its top corner. */
-static inline void find_spans(glint_part *part, const corners *p) {
-    const int32_t top = first_row(p->a), left_rows = first_row(p->b) - top, right_rows = first_row(p->c) - top;
+/* Finds a triangle's spans, down its left and its right side to these rows; `a` is its top corner. */
+static inline void find_spans(glint_part *part, const corners *p, int32_t left_end, int32_t right_end) {
+    const int32_t top = first_row(p->a), left_rows = left_end - top, right_rows = right_end - top;
     uint8_t *span = (uint8_t *)part + offsetof(glint_part, spans) + (int32_t)sizeof(glint_span) * top;
     side left = {0, 0}, right = {0, 0};
     if (left_rows)
@@ -262,17 +261,19 @@ int glint_raster(glint_part *part, const glint_vertex *const v[3]) {
     if ((uint32_t)(p.a | p.b | p.c) & window->beyond && !(cut = find_cut(&p, window)))
         return find_any(part, v);
     turn_to_top(&p);
-    int32_t top = first_row(p.a), bottom = most(first_row(p.b), first_row(p.c));
-    if (bottom - top > GLINT_SHORT_ROWS)
+    int32_t top = first_row(p.a), left_end = first_row(p.b), right_end = first_row(p.c);
+    if (most(left_end, right_end) - top > GLINT_SHORT_ROWS)
         return find_any(part, v);
     if (cut) {
         top = most(top, 0);
-        bottom = least(bottom, window->height);
+        left_end = least(left_end, window->height);
+        right_end = least(right_end, window->height);
     }
+    const int32_t bottom = most(left_end, right_end);
     if (top >= bottom)
         return 0;
     part->top = (uint32_t)top;
     part->bottom = (uint32_t)bottom;
-    find_spans(part, &p);
+    find_spans(part, &p, left_end, right_end);
     return cut > CUT ? cut_columns(part, cut) : has_pixels(part);
 }
