@@ -12,6 +12,21 @@ uint64_t glint_product_unsigned(uint32_t a, uint32_t b) {
 }
 #endif
 
+/* Leading zeros of 8 bits. */
+#define TWO(n) n, n
+#define EIGHT(n) TWO(n), TWO(n), TWO(n), TWO(n)
+#define ALL_32(n) EIGHT(n), EIGHT(n), EIGHT(n), EIGHT(n)
+static const uint8_t zeros_of_8[256] = {
+    8,         7,         TWO(6),    TWO(5),    TWO(5),    EIGHT(4),  EIGHT(3),  EIGHT(3),
+    ALL_32(2), ALL_32(1), ALL_32(1), ALL_32(0), ALL_32(0), ALL_32(0), ALL_32(0),
+};
+
+unsigned glint_leading_zeros_by_table(uint32_t x) {
+    if (x >> 16)
+        return x >> 24 ? zeros_of_8[x >> 24] : 8u + zeros_of_8[x >> 16];
+    return x >> 8 ? 16u + zeros_of_8[x >> 8] : 24u + zeros_of_8[x];
+}
+
 void glint_unit(int32_t x, int32_t y, int32_t z, int16_t out[3]) {
     glint_unit_inline(x, y, z, out);
 }

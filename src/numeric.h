@@ -39,6 +39,13 @@
 #define GLINT_NOINLINE
 #endif
 
+/** A function of its arguments alone: what is in registers may stay there. */
+#if defined(__GNUC__)
+#define GLINT_CONST __attribute__((const))
+#else
+#define GLINT_CONST
+#endif
+
 /** Is the library built for size? Then shortcuts that change no result are left out. */
 #if defined(__OPTIMIZE_SIZE__)
 #define GLINT_SMALL 1
@@ -93,15 +100,22 @@ static inline int32_t glint_multiply_wrap(int32_t x, int32_t y) {
     return (int32_t)((uint32_t)x * (uint32_t)y);
 }
 
+/** Does the core count leading zeros? */
+#if (defined(__arm__) && !defined(__ARM_FEATURE_CLZ)) || (defined(__riscv) && !defined(__riscv_zbb))
+#define GLINT_COUNTS_ZEROS 0
+#else
+#define GLINT_COUNTS_ZEROS 1
+#endif
+
+/** Leading zero bits of x, 32 for 0; where neither core nor compiler count them. */
+GLINT_CONST unsigned glint_leading_zeros_by_table(uint32_t x);
+
 /** Leading zero bits of x, 32 for 0. */
 static inline unsigned glint_leading_zeros(uint32_t x) {
-#if defined(__GNUC__)
+#if defined(__GNUC__) && (GLINT_COUNTS_ZEROS || GLINT_SMALL)
     return x ? (unsigned)__builtin_clz(x) : 32u;
 #else
-    unsigned n = 0;
-    for (; n < 32 && !(x & 0x80000000u); n++)
-        x <<= 1;
-    return n;
+    return glint_leading_zeros_by_table(x);
 #endif
 }
 

@@ -130,8 +130,8 @@ typedef glint_row_split glint_row;
 #define glint_scale glint_scale_split
 #define glint_slope_of glint_slope_of_split
 #define glint_sum_of_products glint_sum_of_products_split
-int64_t glint_product(int32_t a, int32_t b); /* numeric.c: out of line, as they are long */
-uint64_t glint_product_unsigned(uint32_t a, uint32_t b);
+GLINT_CONST int64_t glint_product(int32_t a, int32_t b); /* numeric.c: out of line, as they are long */
+GLINT_CONST uint64_t glint_product_unsigned(uint32_t a, uint32_t b);
 #else
 typedef glint_row_whole glint_row;
 #define glint_row_set glint_row_set_whole

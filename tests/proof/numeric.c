@@ -21,6 +21,14 @@ PROOF(glint_bits64) {
     }
 }
 
+/* Any x, by its bytes. */
+PROOF(glint_leading_zeros_by_table) {
+    glint_leading_zeros_by_table(ANY_UNSIGNED(0, 0xff));
+    glint_leading_zeros_by_table(ANY_UNSIGNED(1u << 8, (1u << 16) - 1));
+    glint_leading_zeros_by_table(ANY_UNSIGNED(1u << 16, (1u << 24) - 1));
+    glint_leading_zeros_by_table(ANY_UNSIGNED(1u << 24, UINT_MAX));
+}
+
 /* n from 1 to 62, |x| below 2^62. */
 PROOF(glint_round_shift64) {
     const int64_t most = ((int64_t)1 << 62) - 1;

@@ -91,6 +91,17 @@ static void unit_vectors_of_extremes(void) {
     report("unit vector of extremes", worst, 2.3L);
 }
 
+static void leading_zeros_by_table(void) {
+    CHECK_EQUAL(glint_leading_zeros_by_table(0), 32);
+    for (unsigned zeros = 0; zeros < 32; zeros++) {
+        const uint32_t least = 0x80000000u >> zeros;
+        CHECK_EQUAL(glint_leading_zeros_by_table(least), zeros);
+        CHECK_EQUAL(glint_leading_zeros_by_table(2 * (least - 1) + 1), zeros);
+        for (int i = 0; i < 1000; i++)
+            CHECK_EQUAL(glint_leading_zeros_by_table(least + random_bits() % least), zeros);
+    }
+}
+
 /* Both forms of a product, of any numbers and of those at the ends of halves. */
 static void products(void) {
     static const uint32_t ends[] = {0,       1,          0x7fff,     0x8000,     0xffff,
@@ -351,6 +362,7 @@ int test_main(test_writer write) {
         TEST_CASE(powers_of_0_and_1),
         TEST_CASE(unit_vectors),
         TEST_CASE(unit_vectors_of_extremes),
+        TEST_CASE(leading_zeros_by_table),
         TEST_CASE(products),
         TEST_CASE(products_of_rows),
         TEST_CASE(coordinates_over_w),
