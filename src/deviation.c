@@ -166,16 +166,6 @@ static inline int32_t turn_of(const glint_vertex *const v[3]) {
            square_of_sum(a[2], b[2], c[2]);
 }
 
-static int32_t least(int32_t a, int32_t b, int32_t c) {
-    int32_t m = a < b ? a : b;
-    return m < c ? m : c;
-}
-
-static int32_t most(int32_t a, int32_t b, int32_t c) {
-    int32_t m = a > b ? a : b;
-    return m > c ? m : c;
-}
-
 /* How 1/w changes across a triangle, Q16. */
 typedef struct w_range {
     uint32_t least, change;
@@ -183,7 +173,7 @@ typedef struct w_range {
 
 static w_range find_w_range(const glint_vertex *const v[3]) {
     const int32_t a = v[0]->inverse_w, b = v[1]->inverse_w, c = v[2]->inverse_w;
-    const uint32_t low = (uint32_t)least(a, b, c) >> 15, high = (uint32_t)most(a, b, c) >> 15;
+    const uint32_t low = (uint32_t)glint_least_of(a, b, c) >> 15, high = (uint32_t)glint_most_of(a, b, c) >> 15;
     return (w_range){low, high - low + 1};
 }
 

@@ -112,16 +112,6 @@ void glint_interpolate_prepare(glint_deviation *deviation, const glint_shading *
 
 /* ---- Triangle ---- */
 
-static int32_t least(int32_t a, int32_t b, int32_t c) {
-    const int32_t m = a < b ? a : b;
-    return m < c ? m : c;
-}
-
-static int32_t most(int32_t a, int32_t b, int32_t c) {
-    const int32_t m = a > b ? a : b;
-    return m > c ? m : c;
-}
-
 typedef glint_interpolation_edge edge;
 
 /* The weights are 1/w, Q15, the largest a little below 1. 1 / (wa + wb) is (1 + u + u^2) / 2, u = 1 - (wa + wb) / 2. */
@@ -157,16 +147,16 @@ static int find_edges(const glint_triangle *triangle, edge e[3], int32_t *turn, 
     uint32_t w0 = (uint32_t)v[0]->inverse_w, w1 = (uint32_t)v[1]->inverse_w, w2 = (uint32_t)v[2]->inverse_w;
     const unsigned zeros = glint_leading_zeros(w0 | w1 | w2 | 1);
     w0 = w0 << zeros >> 16, w1 = w1 << zeros >> 16, w2 = w2 << zeros >> 16;
-    const int32_t largest = most((int32_t)w0, (int32_t)w1, (int32_t)w2);
+    const int32_t largest = glint_most_of((int32_t)w0, (int32_t)w1, (int32_t)w2);
     const uint32_t reciprocal = (uint32_t)glint_reciprocal16((uint32_t)largest) - 1;
     w0 = w0 * reciprocal >> 16, w1 = w1 * reciprocal >> 16, w2 = w2 * reciprocal >> 16;
-    *change = (1 << 15) - least((int32_t)w0, (int32_t)w1, (int32_t)w2);
+    *change = (1 << 15) - glint_least_of((int32_t)w0, (int32_t)w1, (int32_t)w2);
     if (*change > MOST_CHANGE)
         return 0;
     begin_edge(&e[0], a, b, (int32_t)w0, (int32_t)w1);
     begin_edge(&e[1], b, c, (int32_t)w1, (int32_t)w2);
     begin_edge(&e[2], a, c, (int32_t)w0, (int32_t)w2);
-    *turn = most(e[0].turn, e[1].turn, e[2].turn);
+    *turn = glint_most_of(e[0].turn, e[1].turn, e[2].turn);
     if (*turn > MOST_TURN)
         return 0;
     shorten_edge(&e[0]);
@@ -361,14 +351,14 @@ int glint_interpolate_highlight(const glint_draw *draw, const glint_triangle *tr
 static int is_outside(const glint_deviation *deviation, uint32_t sides, const nodes *n, int32_t margin) {
     const int32_t cut = deviation->side + margin, diagonal = deviation->side_diagonal + margin + (margin >> 1);
     const int32_t x0 = n->x[0], x1 = n->x[1], x2 = n->x[2], y0 = n->y[0], y1 = n->y[1], y2 = n->y[2];
-    return (sides & GLINT_TERMS_OUTSIDE && least(x0, x1, x2) >= cut) ||
-           (sides & GLINT_TERMS_OUTSIDE << 1 && most(x0, x1, x2) <= -cut) ||
-           (sides & GLINT_TERMS_OUTSIDE << 2 && least(y0, y1, y2) >= cut) ||
-           (sides & GLINT_TERMS_OUTSIDE << 3 && most(y0, y1, y2) <= -cut) ||
-           (sides & GLINT_TERMS_OUTSIDE << 4 && least(x0 + y0, x1 + y1, x2 + y2) >= diagonal) ||
-           (sides & GLINT_TERMS_OUTSIDE << 5 && most(x0 + y0, x1 + y1, x2 + y2) <= -diagonal) ||
-           (sides & GLINT_TERMS_OUTSIDE << 6 && least(x0 - y0, x1 - y1, x2 - y2) >= diagonal) ||
-           (sides & GLINT_TERMS_OUTSIDE << 7 && most(x0 - y0, x1 - y1, x2 - y2) <= -diagonal);
+    return (sides & GLINT_TERMS_OUTSIDE && glint_least_of(x0, x1, x2) >= cut) ||
+           (sides & GLINT_TERMS_OUTSIDE << 1 && glint_most_of(x0, x1, x2) <= -cut) ||
+           (sides & GLINT_TERMS_OUTSIDE << 2 && glint_least_of(y0, y1, y2) >= cut) ||
+           (sides & GLINT_TERMS_OUTSIDE << 3 && glint_most_of(y0, y1, y2) <= -cut) ||
+           (sides & GLINT_TERMS_OUTSIDE << 4 && glint_least_of(x0 + y0, x1 + y1, x2 + y2) >= diagonal) ||
+           (sides & GLINT_TERMS_OUTSIDE << 5 && glint_most_of(x0 + y0, x1 + y1, x2 + y2) <= -diagonal) ||
+           (sides & GLINT_TERMS_OUTSIDE << 6 && glint_least_of(x0 - y0, x1 - y1, x2 - y2) >= diagonal) ||
+           (sides & GLINT_TERMS_OUTSIDE << 7 && glint_most_of(x0 - y0, x1 - y1, x2 - y2) <= -diagonal);
 }
 
 /*
@@ -380,9 +370,9 @@ static int is_beyond(const glint_deviation *deviation, const nodes *n, int32_t m
     const int32_t y = glint_shift_right(n->y[0] + n->y[1] + n->y[2], 10);
     const int32_t a = x * n->x[0] + y * n->y[0], b = x * n->x[1] + y * n->y[1], c = x * n->x[2] + y * n->y[2];
     const int32_t middles =
-        least(a + b + x * n->bulge_x[0] + y * n->bulge_y[0], b + c + x * n->bulge_x[1] + y * n->bulge_y[1],
-              a + c + x * n->bulge_x[2] + y * n->bulge_y[2]);
-    const int32_t corners = 2 * least(a, b, c);
+        glint_least_of(a + b + x * n->bulge_x[0] + y * n->bulge_y[0], b + c + x * n->bulge_x[1] + y * n->bulge_y[1],
+                       a + c + x * n->bulge_x[2] + y * n->bulge_y[2]);
+    const int32_t corners = 2 * glint_least_of(a, b, c);
     const int32_t nearest = glint_shift_right(corners < middles ? corners : middles, 7);
     const uint32_t radius = (uint32_t)(deviation->side + margin);
     return nearest > 0 && (uint32_t)(nearest * nearest) > ((radius * radius >> 12) + 1) * (uint32_t)(x * x + y * y);
@@ -390,8 +380,8 @@ static int is_beyond(const glint_deviation *deviation, const nodes *n, int32_t m
 
 /* The larger side of what is around a triangle, over the focal length, Q14. */
 static int32_t find_extent(const glint_deviation *deviation, const glint_vertex *const v[3]) {
-    const int32_t width = most(v[0]->x, v[1]->x, v[2]->x) - least(v[0]->x, v[1]->x, v[2]->x);
-    const int32_t height = most(v[0]->y, v[1]->y, v[2]->y) - least(v[0]->y, v[1]->y, v[2]->y);
+    const int32_t width = glint_most_of(v[0]->x, v[1]->x, v[2]->x) - glint_least_of(v[0]->x, v[1]->x, v[2]->x);
+    const int32_t height = glint_most_of(v[0]->y, v[1]->y, v[2]->y) - glint_least_of(v[0]->y, v[1]->y, v[2]->y);
     const int32_t extent = width > height ? width : height;
     return extent > deviation->ray_limit ? 1 << 14 : glint_shift_right(extent * deviation->ray_scale, 16);
 }
@@ -402,8 +392,8 @@ static inline int32_t square_of(int32_t x, int32_t y) {
 
 /* No less than a term anywhere in its triangle: the largest of its control points (Bezier triangles, Farin, 1986). */
 static int32_t find_most(const int32_t a[3], const int32_t b[3]) {
-    const int32_t corners = most(a[0], a[1], a[2]);
-    const int32_t middles = most(a[0] + a[1] + b[0], a[1] + a[2] + b[1], a[0] + a[2] + b[2]);
+    const int32_t corners = glint_most_of(a[0], a[1], a[2]);
+    const int32_t middles = glint_most_of(a[0] + a[1] + b[0], a[1] + a[2] + b[1], a[0] + a[2] + b[2]);
     return 2 * corners > middles ? corners : (middles + 1) >> 1;
 }
 
@@ -417,8 +407,8 @@ static inline glint_quadratic_kind find_kind(const glint_deviation *deviation, c
     const uint32_t all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
     const int32_t extent = deviation->local_viewer ? find_extent(deviation, v) : 0;
     const int32_t s0 = square_of(n->x[0], n->y[0]), s1 = square_of(n->x[1], n->y[1]), s2 = square_of(n->x[2], n->y[2]);
-    const int is_front = (uint32_t)most(s0, s1, s2) <= limits->front;
-    *inside = (uint32_t)least(s0, s1, s2) < deviation->specular_end;
+    const int is_front = (uint32_t)glint_most_of(s0, s1, s2) <= limits->front;
+    *inside = (uint32_t)glint_least_of(s0, s1, s2) < deviation->specular_end;
     if (!*inside && all & GLINT_TERMS_ANY_OUTSIDE) {
         /*
          * Between corners, by the half vectors' turn and by 1/w, Q14; the normals' own takes what lies between corners

@@ -129,6 +129,22 @@ static inline uint64_t glint_magnitude64(int64_t x) {
     return x < 0 ? 0u - (uint64_t)x : (uint64_t)x;
 }
 
+static inline int32_t glint_least(int32_t a, int32_t b) {
+    return a < b ? a : b;
+}
+
+static inline int32_t glint_most(int32_t a, int32_t b) {
+    return a > b ? a : b;
+}
+
+static inline int32_t glint_least_of(int32_t a, int32_t b, int32_t c) {
+    return glint_least(glint_least(a, b), c);
+}
+
+static inline int32_t glint_most_of(int32_t a, int32_t b, int32_t c) {
+    return glint_most(glint_most(a, b), c);
+}
+
 /** |x| or |x| - 1: enough to tell how many bits a component needs. */
 static inline uint32_t glint_magnitude_bits(int32_t x) {
     return (uint32_t)(x ^ glint_shift_right(x, 31));

@@ -95,16 +95,6 @@ void glint_quadratic_prepare(glint_deviation *deviation, const glint_shading *sh
 
 /* ---- Triangle ---- */
 
-static int32_t least(int32_t a, int32_t b, int32_t c) {
-    const int32_t m = a < b ? a : b;
-    return m < c ? m : c;
-}
-
-static int32_t most(int32_t a, int32_t b, int32_t c) {
-    const int32_t m = a > b ? a : b;
-    return m > c ? m : c;
-}
-
 static inline int32_t dot(const int32_t a[3], const int32_t b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -132,14 +122,15 @@ static int find_weights(const glint_triangle *triangle, int32_t weight[3]) {
     uint32_t w0 = (uint32_t)v[0]->inverse_w, w1 = (uint32_t)v[1]->inverse_w, w2 = (uint32_t)v[2]->inverse_w;
     const unsigned zeros = glint_leading_zeros(w0 | w1 | w2 | 1);
     w0 = w0 << zeros >> 16, w1 = w1 << zeros >> 16, w2 = w2 << zeros >> 16;
-    uint32_t reciprocal = (uint32_t)glint_reciprocal16((uint32_t)most((int32_t)w0, (int32_t)w1, (int32_t)w2));
+    uint32_t reciprocal = (uint32_t)glint_reciprocal16((uint32_t)glint_most_of((int32_t)w0, (int32_t)w1, (int32_t)w2));
     reciprocal -= reciprocal >> 6;
     weight[0] = (int32_t)(w0 * reciprocal >> 16);
     weight[1] = (int32_t)(w1 * reciprocal >> 16);
     weight[2] = (int32_t)(w2 * reciprocal >> 16);
     if (turn < 64 && a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[0] == c[0] && a[1] == c[1] && a[2] == c[2])
         weight[0] = weight[1] = weight[2] = 32256;
-    const int32_t smallest = least(weight[0], weight[1], weight[2]), left = (6 << 12) - glint_shift_right(turn, 14);
+    const int32_t smallest = glint_least_of(weight[0], weight[1], weight[2]),
+                  left = (6 << 12) - glint_shift_right(turn, 14);
     return left > 0 && (uint32_t)(smallest * smallest >> 15) * (uint32_t)left > LEAST_SQUARE;
 }
 
@@ -193,10 +184,12 @@ static void find_square(glint_quadratic *q, const steps *s, int32_t size) {
 /* Can none of three deviations and what lies between them be in the highlight? Q14. */
 static int is_outside(int32_t cut, int32_t diagonal, int32_t e[3][2]) {
     const int32_t x0 = e[0][0], x1 = e[1][0], x2 = e[2][0], y0 = e[0][1], y1 = e[1][1], y2 = e[2][1];
-    return least(x0, x1, x2) >= cut || most(x0, x1, x2) <= -cut || least(y0, y1, y2) >= cut ||
-           most(y0, y1, y2) <= -cut || least(x0 + y0, x1 + y1, x2 + y2) >= diagonal ||
-           most(x0 + y0, x1 + y1, x2 + y2) <= -diagonal || least(x0 - y0, x1 - y1, x2 - y2) >= diagonal ||
-           most(x0 - y0, x1 - y1, x2 - y2) <= -diagonal;
+    return glint_least_of(x0, x1, x2) >= cut || glint_most_of(x0, x1, x2) <= -cut ||
+           glint_least_of(y0, y1, y2) >= cut || glint_most_of(y0, y1, y2) <= -cut ||
+           glint_least_of(x0 + y0, x1 + y1, x2 + y2) >= diagonal ||
+           glint_most_of(x0 + y0, x1 + y1, x2 + y2) <= -diagonal ||
+           glint_least_of(x0 - y0, x1 - y1, x2 - y2) >= diagonal ||
+           glint_most_of(x0 - y0, x1 - y1, x2 - y2) <= -diagonal;
 }
 
 /* Does the highlight of the infinite viewer show? */
@@ -231,7 +224,7 @@ glint_quadratic_kind glint_quadratic_begin(const glint_draw *draw, const glint_t
         return GLINT_QUADRATIC_UNFIT;
     for (int i = 0; i < 3; i++)
         cosine[i] = glint_shift_right(glint_dot(deviation->light, triangle->corners[i]->attribute) + 0x4000, 15);
-    if (most(cosine[0], cosine[1], cosine[2]) <= UNLIT)
+    if (glint_most_of(cosine[0], cosine[1], cosine[2]) <= UNLIT)
         return GLINT_QUADRATIC_AMBIENT;
     if (deviation->specular_end) {
         kind = deviation->local_viewer ? GLINT_QUADRATIC_SPECULAR : find_infinite(deviation, triangle);
@@ -384,7 +377,8 @@ glint_quadratic_kind glint_quadratic_bend(const glint_deviation *deviation, cons
 int glint_quadratic_square(const glint_deviation *deviation, const glint_triangle *triangle, glint_square *square) {
     const glint_vertex *const *v = triangle->corners;
     const int32_t x0 = v[0]->x, x1 = v[1]->x, x2 = v[2]->x, y0 = v[0]->y, y1 = v[1]->y, y2 = v[2]->y;
-    const int32_t width = most(x0, x1, x2) - least(x0, x1, x2), height = most(y0, y1, y2) - least(y0, y1, y2);
+    const int32_t width = glint_most_of(x0, x1, x2) - glint_least_of(x0, x1, x2),
+                  height = glint_most_of(y0, y1, y2) - glint_least_of(y0, y1, y2);
     square->extent = width > height ? width : height;
     square->x = glint_shift_right((x0 + x1 + x2) * 1365, 16);
     square->y = glint_shift_right((y0 + y1 + y2) * 1365, 16);

@@ -8,14 +8,6 @@
 #include "division.h"
 #include "setup.h"
 
-static int32_t least(int32_t a, int32_t b) {
-    return a < b ? a : b;
-}
-
-static int32_t most(int32_t a, int32_t b) {
-    return a > b ? a : b;
-}
-
 /* Leaves out rows without pixels above the first that has some. @return 0 when none has */
 static inline int has_pixels(glint_part *part) {
     uint32_t top = part->top;
@@ -79,11 +71,11 @@ static void find_side(glint_part *part, const glint_vertex *a, const glint_verte
         b = a, a = upper;
         column = &part->spans[0].right;
     }
-    const int32_t top = most(row_of(window, a), 0), bottom = least(row_of(window, b), window->height);
+    const int32_t top = glint_most(row_of(window, a), 0), bottom = glint_least(row_of(window, b), window->height);
     if (top >= bottom)
         return;
-    part->top = (uint32_t)least((int32_t)part->top, top);
-    part->bottom = (uint32_t)most((int32_t)part->bottom, bottom);
+    part->top = (uint32_t)glint_least((int32_t)part->top, top);
+    part->bottom = (uint32_t)glint_most((int32_t)part->bottom, bottom);
     edge e;
     begin_exactly(&e, a->x - window->left, b->x - a->x, b->y - a->y, 16 * top + window->top - a->y);
     walk(&e, column + sizeof(glint_span) * (uint32_t)top, bottom - top, window->width);
@@ -262,14 +254,14 @@ int glint_raster(glint_part *part, const glint_vertex *const v[3]) {
         return find_any(part, v);
     turn_to_top(&p);
     int32_t top = first_row(p.a), left_end = first_row(p.b), right_end = first_row(p.c);
-    if (most(left_end, right_end) - top > GLINT_SHORT_ROWS)
+    if (glint_most(left_end, right_end) - top > GLINT_SHORT_ROWS)
         return find_any(part, v);
     if (cut) {
-        top = most(top, 0);
-        left_end = least(left_end, window->height);
-        right_end = least(right_end, window->height);
+        top = glint_most(top, 0);
+        left_end = glint_least(left_end, window->height);
+        right_end = glint_least(right_end, window->height);
     }
-    const int32_t bottom = most(left_end, right_end);
+    const int32_t bottom = glint_most(left_end, right_end);
     if (top >= bottom)
         return 0;
     part->top = (uint32_t)top;
