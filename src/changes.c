@@ -10,11 +10,13 @@ typedef uint32_t __attribute__((may_alias)) word;
  * agree. Multipliers of xxHash (Collet, 2012).
  */
 static glint_signature sign(const word *words, size_t count) {
-    uint32_t a = 0, b = 0;
+    uint32_t a = 0, b = 0, first = 0x9e3779b1u, second = 0x85ebca77u;
+    GLINT_OPAQUE(first); /* for ARMv6-M gcc would make shifts and sums of them, 15 instructions a product */
+    GLINT_OPAQUE(second);
     for (const word *end = words + count; words < end; words++) {
-        a = (a ^ *words) * 0x9e3779b1u;
+        a = (a ^ *words) * first;
         a ^= a >> 16;
-        b = (b + *words) * 0x85ebca77u;
+        b = (b + *words) * second;
         b ^= b >> 15;
     }
     return (glint_signature){a, b | 1}; /* never that of a tile not sent yet */
