@@ -463,11 +463,11 @@ typedef struct glint_triangle {
 void glint_window_begin(glint_window *window, int x, int y, int width, int height);
 
 /**
- * Finds a triangle's rows and spans in a tile, the part's window. Corners run counter-clockwise on the screen, within
+ * Finds a triangle's rows and spans in a tile, the part's window. Corners v run counter-clockwise on the screen, within
  * 2047 pixels of the tile.
  * @return 0 when they hold no pixels: then neither does the part hold anything
  */
-int glint_raster(glint_part *part, const glint_vertex *const corners[3]);
+int glint_raster(glint_part *part, const glint_vertex *const v[3]);
 
 /** Is all that a tile shows background, now that this pass is prepared? */
 int glint_tile_is_empty(const glint_frame *frame, uint32_t tile);

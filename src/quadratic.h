@@ -90,10 +90,10 @@ typedef struct glint_interpolation_gradients {
 
 /** Quadratics that interpolate a triangle's lighting, and what they are made of. */
 typedef struct glint_interpolation {
-    glint_quadratic cosine; /* N.L, Q30 */
-    glint_quadratic x, y;   /* scaled deviation in the high half, as that of glint_deviation_planes */
-    int gated;              /* N.L may be below 0 */
-    int clamped;            /* with its highlight, light may pass 1 */
+    glint_quadratic cosine;            /* N.L, Q30 */
+    glint_quadratic x, y;              /* scaled deviation in the high half, as that of glint_deviation_planes */
+    int gated;                         /* N.L may be below 0 */
+    int clamped;                       /* with its highlight, light may pass 1 */
     glint_interpolation_edge edges[3]; /* from corner 0 to 1, from 1 to 2, from 0 to 2 */
     glint_interpolation_gradients gradients;
 } glint_interpolation;

@@ -229,9 +229,8 @@ static GLINT_NOINLINE int cut_columns(glint_part *part, int cut) {
     glint_span *const first = part->spans + part->top, *const end = part->spans + part->bottom;
     if (cut & CUT_LEFT) {
         for (glint_span *s = first; s != end; s++) {
-            const int32_t left = (int8_t)s->left, right = (int8_t)s->right;
-            s->left = (uint8_t)(left & ~glint_shift_right(left, 31));
-            s->right = (uint8_t)(right & ~glint_shift_right(right, 31));
+            s->left = s->left < 128 ? s->left : 0; /* from 128 on, left of the tile */
+            s->right = s->right < 128 ? s->right : 0;
         }
     }
     if (cut & CUT_RIGHT) {
