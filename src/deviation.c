@@ -212,10 +212,6 @@ static inline void begin_term(glint_plane *p, const glint_gradients *g, int32_t 
     p->start = glint_add_wrap(a0 * length, scale(to_center, up + 1));
 }
 
-static inline const int16_t *terms_of(const glint_draw *draw, const glint_vertex *v) {
-    return draw->terms[v - draw->vertices];
-}
-
 static inline int32_t magnitude(int32_t x) {
     return x < 0 ? -x : x;
 }
@@ -235,7 +231,7 @@ static GLINT_NOINLINE glint_deviation_kind begin_highlight(const glint_draw *dra
                                                            const glint_gradients *g, int32_t turn, const w_range *w,
                                                            glint_deviation_planes *planes) {
     const glint_deviation *deviation = draw->shading->deviation;
-    const int16_t *a = terms_of(draw, v[0]), *b = terms_of(draw, v[1]), *c = terms_of(draw, v[2]);
+    const int16_t *a = glint_terms_of(draw, v[0]), *b = glint_terms_of(draw, v[1]), *c = glint_terms_of(draw, v[2]);
     if (4 * (int32_t)g->reach + 4 > deviation->extent && extent_of(v) > deviation->extent)
         return GLINT_DEVIATION_UNFIT;
     const int32_t change = apart(a[1], b[1], c[1]) + apart(a[2], b[2], c[2]);
@@ -288,7 +284,7 @@ glint_deviation_kind glint_deviation_begin(const glint_draw *draw, const glint_t
         return any & (GLINT_TERMS_DIM | GLINT_TERMS_FAR) ? GLINT_DEVIATION_UNFIT
                                                          : begin_highlight(draw, v, &part->gradients, turn, &w, planes);
     const int32_t longer = find_longer(turn);
-    const int32_t a = *terms_of(draw, v[0]), b = *terms_of(draw, v[1]), c = *terms_of(draw, v[2]);
+    const int32_t a = *glint_terms_of(draw, v[0]), b = *glint_terms_of(draw, v[1]), c = *glint_terms_of(draw, v[2]);
     if (deviation->even && is_even(deviation->even, a, b, c)) {
         planes->cosine.start = a * ((1 << 16) + 2 * longer);
         return GLINT_DEVIATION_EVEN;

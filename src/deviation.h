@@ -139,6 +139,11 @@ typedef struct glint_view_vector {
 int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, int16_t half_vector[3],
                                 glint_view_vector *view);
 
+/** A vertex's terms: N.L, Q14, and its scaled deviation. */
+static inline const int16_t *glint_terms_of(const glint_draw *draw, const glint_vertex *vertex) {
+    return draw->terms[vertex - draw->vertices];
+}
+
 /** Lights the vertices of a triangle, unless they are. */
 glint_light_triangle glint_deviation_light;
 

@@ -301,11 +301,6 @@ typedef struct nodes {
     int32_t x[3], y[3], bulge_x[3], bulge_y[3];
 } nodes;
 
-/* A triangle's terms at a corner. */
-static inline const int16_t *terms_of(const glint_draw *draw, const glint_vertex *corner) {
-    return draw->terms[corner - draw->vertices];
-}
-
 /* All else of the nodes. @return 0 where they do not fit */
 static int find_middles(const glint_deviation *deviation, const glint_triangle *triangle, const edge e[3], nodes *n) {
     int32_t *x = n->x, *y = n->y;
@@ -337,7 +332,7 @@ static void begin_highlight(glint_interpolation *to, const nodes *n) {
 int glint_interpolate_highlight(const glint_draw *draw, const glint_triangle *triangle, glint_interpolation *to) {
     nodes n;
     for (int i = 0; i < 3; i++) {
-        const int16_t *terms = terms_of(draw, triangle->corners[i]);
+        const int16_t *terms = glint_terms_of(draw, triangle->corners[i]);
         n.x[i] = terms[1], n.y[i] = terms[2];
     }
     if (!find_middles(draw->shading->deviation, triangle, to->edges, &n))
@@ -435,7 +430,8 @@ glint_quadratic_kind glint_interpolate_begin(const glint_draw *draw, const glint
         glint_slenderness(&part->gradients, triangle->area) > SLENDER ||
         !find_edges(triangle, to->edges, &turn, &change) || turn + (change * change >> 14) > deviation->quadratic.turn)
         return GLINT_QUADRATIC_UNFIT;
-    const int16_t *const t0 = terms_of(draw, v[0]), *const t1 = terms_of(draw, v[1]), *const t2 = terms_of(draw, v[2]);
+    const int16_t *const t0 = glint_terms_of(draw, v[0]), *const t1 = glint_terms_of(draw, v[1]),
+                         *const t2 = glint_terms_of(draw, v[2]);
     const int32_t a[3] = {t0[0], t1[0], t2[0]};
     int32_t b[3];
     nodes n;
