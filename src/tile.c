@@ -62,13 +62,24 @@ static GLINT_NOINLINE void turn_round(glint_triangle *triangle, const glint_draw
     }
 }
 
-/* The draw whose triangles come now, and whether they are corners alone, of front faces. */
+/* The draw whose triangles come now, and their numbers in the pass; none unless they are corners alone, of front faces.
+ */
 typedef struct source {
-    const glint_draw *draw, *plain; /* the same then */
+    const glint_draw *draw;
+    uint32_t first, count;
 } source;
 
-/* A triangle by its number, of a draw or made by clipping; a list names draws in order, none before this one. */
-static inline void find_triangle(const glint_frame *frame, source *from, uint32_t number, glint_triangle *t) {
+static inline const uint16_t *find_corners(const glint_draw *draw, uint32_t i, glint_triangle *t) {
+    const uint16_t *indices = draw->triangles[i];
+    t->corners[0] = &draw->vertices[indices[0]];
+    t->corners[1] = &draw->vertices[indices[1]];
+    t->corners[2] = &draw->vertices[indices[2]];
+    return indices;
+}
+
+/* Any triangle, of this draw, of one that follows, or made by clipping. */
+static GLINT_NOINLINE void find_any_triangle(const glint_frame *frame, source *from, uint32_t number,
+                                             glint_triangle *t) {
     const glint_draw *draw = from->draw;
     if (number > GLINT_TRIANGLES_MAX) {
         const glint_clipped *top = (const glint_clipped *)(const void *)(frame->memory.base + frame->memory.high);
@@ -83,12 +94,7 @@ static inline void find_triangle(const glint_frame *frame, source *from, uint32_
         while (number - draw->first >= draw->count)
             draw = draw->next;
         number -= draw->first;
-        const uint16_t *indices = draw->triangles[number];
-        t->corners[0] = &draw->vertices[indices[0]];
-        t->corners[1] = &draw->vertices[indices[1]];
-        t->corners[2] = &draw->vertices[indices[2]];
-        if (draw == from->plain)
-            return;
+        const uint16_t *indices = find_corners(draw, number, t);
         for (int i = 0; i < 3 && draw->extra; i++)
             t->extra[i] = draw->extra[indices[i]];
     }
@@ -98,7 +104,17 @@ static inline void find_triangle(const glint_frame *frame, source *from, uint32_
     if (!one_side)
         turn_round(t, draw);
     from->draw = draw;
-    from->plain = one_side && !draw->facets && !draw->extra ? draw : 0;
+    from->first = draw->first;
+    from->count = one_side && !draw->facets && !draw->extra ? draw->count : 0;
+}
+
+/* A triangle by its number; a list names draws in order, none before the one that triangles come from. */
+static inline void find_triangle(const glint_frame *frame, source *from, uint32_t number, glint_triangle *t) {
+    const uint32_t i = number - from->first;
+    if (i < from->count)
+        find_corners(from->draw, i, t);
+    else
+        find_any_triangle(frame, from, number, t);
 }
 
 /* Where a tile lies, for raster and for shading. */
@@ -119,17 +135,17 @@ int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint
         if (!glint_tile_is_empty(frame, tile))
             memset(workspace->depth, 0, tile_pixels(&frame->config) * sizeof *workspace->depth);
     }
-    source from = {frame->draws, 0};
-    uint32_t here = frame->lists[tile - frame->tile_first].head;
+    source from = {frame->draws, 0, 0};
+    const glint_reference *const references = frame->references;
     glint_triangle triangle;
-    while (here != GLINT_LIST_END) {
-        const glint_reference *reference = &frame->references[here];
+    for (uint32_t here = frame->lists[tile - frame->tile_first].head; here != GLINT_LIST_END;) {
+        const glint_reference *const reference = &references[here];
         find_triangle(frame, &from, reference->triangle, &triangle);
-        if (glint_raster(&part, triangle.corners)) {
-            glint_setup(&part, &triangle);
-            from.draw->kernel(frame, workspace, from.draw, &triangle, &part);
-        }
         here = reference->next;
+        if (!glint_raster(&part, triangle.corners))
+            continue;
+        glint_setup(&part, &triangle);
+        from.draw->kernel(frame, workspace, from.draw, &triangle, &part);
     }
     return frame->ends;
 }
