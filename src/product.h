@@ -107,8 +107,8 @@ static inline int32_t glint_slope_of_whole(int32_t x, int32_t r) {
 }
 
 static inline int32_t glint_slope_of_split(int32_t x, int32_t r) {
-    uint32_t low = ((uint32_t)x & 0x7fff) * (uint32_t)r;
-    return glint_shift_right(x, 15) * r * 8 + (int32_t)(low >> 12);
+    const uint32_t low = ((uint32_t)x & 0xfff) * (uint32_t)r;
+    return glint_shift_right(x, 12) * r + (int32_t)(low >> 12);
 }
 
 /** floor((a b + c d) / 2^15): b and d up to 2^15, and a sum below 2^46. */

@@ -36,17 +36,20 @@ static GLINT_NOINLINE void widen(glint_gradients *g, uint32_t area, uint32_t zer
  * Narrow triangles keep whole sides and a 1/area of 16 bits: slopes are sums of products without rounding, times
  * 1/area. A plane's value at a pixel of the triangle is then off by at most 2^-12 of the corners' difference, 2^-10
  * where the area is below 1/32 of a pixel, and a step for each pixel from the anchor.
+ * @return whether the triangle is narrow
  */
-static inline void gradients_begin(glint_gradients *g, uint32_t area) {
-    const uint32_t zeros = glint_leading_zeros(area | 1); /* above 0 */
-    g->reach = glint_magnitude_bits(g->x1) | glint_magnitude_bits(g->y1) | glint_magnitude_bits(g->x2) |
-               glint_magnitude_bits(g->y2);
-    g->shift = 31 - (int32_t)zeros;
-    if (g->reach >> NARROW_SIZE || g->reach >> NARROW_SLIVER > area) {
+static inline int gradients_begin(glint_gradients *g, uint32_t area) {
+    const uint32_t reach = glint_magnitude_bits(g->x2) | glint_magnitude_bits(g->y2) | glint_magnitude_bits(g->x1) |
+                           glint_magnitude_bits(g->y1);
+    g->reach = reach;
+    const uint32_t zeros = glint_leading_zeros(area);
+    if (reach >> NARROW_SIZE || reach >> NARROW_SLIVER > area) {
         widen(g, area, zeros);
-        return;
+        return 0;
     }
     g->reciprocal = glint_reciprocal16(((area << zeros >> 15) + 1) >> 1);
+    g->shift = 31 - (int32_t)zeros;
+    return 1;
 }
 
 static inline int32_t high_sum(int32_t d1, int32_t g1, int32_t d2, int32_t g2) {
@@ -70,7 +73,7 @@ static inline void finish_plane(glint_plane *p, const glint_gradients *g, int32_
 
 /* Differences brought to 15 bits and a sign: they were 2^up as much. */
 static inline void begin_narrow(glint_plane *p, const glint_gradients *g, int32_t start, int32_t d1, int32_t d2) {
-    int32_t up = 17 - (int32_t)glint_leading_zeros(glint_magnitude_bits(d1) | glint_magnitude_bits(d2) | 1);
+    int32_t up = 17 - (int32_t)glint_leading_zeros(glint_magnitude_bits(d1) | glint_magnitude_bits(d2));
     up = up > 0 ? up : 0;
     d1 = glint_shift_right(d1, (unsigned)up);
     d2 = glint_shift_right(d2, (unsigned)up);
@@ -108,29 +111,49 @@ static GLINT_NOINLINE void keep_below_top(glint_part *part, const glint_triangle
     }
 }
 
+/* May a plane of two such depths, ORed, pass the top? */
+static inline int comes_near(int32_t either) {
+    return glint_add_wrap(either, ROOM) < 0;
+}
+
 /* Twice the area, of corners that run counter-clockwise. */
 static inline int32_t find_area(const glint_gradients *g) {
     return g->y1 * g->x2 - g->y2 * g->x1;
 }
 
-void glint_setup(glint_part *part, glint_triangle *t) {
+/* The first corner's place, the sides and the area. */
+static inline void begin_sides(glint_part *part, glint_triangle *t) {
     const glint_vertex *a = t->corners[0], *b = t->corners[1], *c = t->corners[2];
-    const int32_t w = a->inverse_w, w1 = b->inverse_w, w2 = c->inverse_w;
+    const int32_t x = a->x, y = a->y;
     glint_gradients *g = &part->gradients;
-    g->x1 = a->y - c->y;
-    g->y1 = c->x - a->x;
-    g->x2 = b->y - a->y;
-    g->y2 = a->x - b->x;
-    g->to_center_x = 8 - (a->x & 15);
-    g->to_center_y = 8 - (a->y & 15);
-    part->x = glint_shift_right(part->window.left, 4) - glint_shift_right(a->x, 4);
-    part->y = glint_shift_right(part->window.top, 4) - glint_shift_right(a->y, 4);
+    g->to_center_x = 8 - (x & 15);
+    g->to_center_y = 8 - (y & 15);
+    part->x = glint_shift_right(part->window.left, 4) - glint_shift_right(x, 4);
+    part->y = glint_shift_right(part->window.top, 4) - glint_shift_right(y, 4);
+    g->x2 = b->y - y;
+    g->y2 = x - b->x;
+    g->x1 = y - c->y;
+    g->y1 = c->x - x;
     t->area = find_area(g);
-    gradients_begin(g, (uint32_t)t->area);
-    if (g->reciprocal)
-        begin_narrow(&part->depth, g, w, w1 - w, w2 - w);
-    else
-        glint_plane_begin(&part->depth, g, w, w1, w2);
-    if (glint_add_wrap(w1 | w2, ROOM) < 0)
+}
+
+/* A wide triangle's depth. */
+static GLINT_NOINLINE void begin_wide_depth(glint_part *part, const glint_triangle *t) {
+    const int32_t w = t->corners[0]->inverse_w, w1 = t->corners[1]->inverse_w, w2 = t->corners[2]->inverse_w;
+    glint_plane_begin(&part->depth, &part->gradients, w, w1, w2);
+    if (comes_near(w1 | w2))
+        keep_below_top(part, t);
+}
+
+void glint_setup(glint_part *part, glint_triangle *t) {
+    begin_sides(part, t);
+    if (!gradients_begin(&part->gradients, (uint32_t)t->area)) {
+        begin_wide_depth(part, t);
+        return;
+    }
+    const int32_t w = t->corners[0]->inverse_w, w1 = t->corners[1]->inverse_w, w2 = t->corners[2]->inverse_w;
+    const int32_t either = w1 | w2;
+    begin_narrow(&part->depth, &part->gradients, w, w1 - w, w2 - w);
+    if (comes_near(either))
         keep_below_top(part, t);
 }

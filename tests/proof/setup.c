@@ -33,10 +33,10 @@ static inline void begin_wide(glint_plane *p, const glint_gradients *g, int32_t 
 /*@ requires \valid(g) && 1 <= area <= 0x40000000;
     requires -0x8000 <= g->x1 < 0x8000 && -0x8000 <= g->y1 < 0x8000;
     requires -0x8000 <= g->x2 < 0x8000 && -0x8000 <= g->y2 < 0x8000;
-    assigns g->x1, g->y1, g->x2, g->y2, g->reciprocal, g->shift, g->reach \from *g, area;
+    assigns \result, g->x1, g->y1, g->x2, g->y2, g->reciprocal, g->shift, g->reach \from *g, area;
     ensures g->reach < 0x8000;
-    ensures NARROW(g) || WIDE(g); */
-static inline void gradients_begin(glint_gradients *g, uint32_t area);
+    ensures (\result == 1 && NARROW(g)) || (\result == 0 && WIDE(g)); */
+static inline int gradients_begin(glint_gradients *g, uint32_t area);
 
 /*@ requires 1 <= size <= 16 && 0 <= reciprocal;
     requires -(1 << size) <= side <= 1 << size;
@@ -73,7 +73,6 @@ PROOF(glint_magnitude_bits) {
  * Any differences, by the bits and signs of the larger, first or last.
  * @contract glint_magnitude_bits
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
- * @unreached 1 leading zeros of 0
  */
 PROOF(begin_narrow) {
     any_narrow(&g);
