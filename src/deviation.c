@@ -18,42 +18,9 @@
 
 /* ---- Vertices ---- */
 
-/* glint_deviation_half_vector */
-static inline int find_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, int16_t half_vector[3],
-                                   glint_view_vector *view) {
-    int32_t z = GLINT_DEVIATION_RAY_Z;
-    x = deviation->center_x - x;
-    y -= deviation->center_y;
-    const uint32_t limit = (uint32_t)deviation->ray_limit;
-    if ((uint32_t)x + limit > 2 * limit || (uint32_t)y + limit > 2 * limit)
-        return 0;
-    x = glint_shift_right(x * deviation->ray_scale, 16);
-    y = glint_shift_right(y * deviation->ray_scale, 16);
-    int32_t root = glint_inverse_root((uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z));
-    view->root = root;
-    view->v[0] = glint_shift_right(x * root + 0x4000, 15);
-    view->v[1] = glint_shift_right(y * root + 0x4000, 15);
-    view->v[2] = glint_shift_right(z * root + 0x4000, 15);
-    x = view->v[0] + deviation->light[0];
-    y = view->v[1] + deviation->light[1];
-    z = view->v[2] + deviation->light[2];
-    if (z < 0)
-        return 0;
-    x = glint_shift_right(x, 1), y = glint_shift_right(y, 1), z = glint_shift_right(z, 1);
-    uint32_t c = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
-    if (c < 1u << 28)
-        return 0;
-    root = glint_inverse_root(c);
-    view->half_root = root;
-    half_vector[0] = (int16_t)glint_shift_right(x * root + 0x4000, 15);
-    half_vector[1] = (int16_t)glint_shift_right(y * root + 0x4000, 15);
-    half_vector[2] = (int16_t)glint_shift_right(z * root + 0x4000, 15);
-    return 1;
-}
-
 int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, int16_t half_vector[3],
                                 glint_view_vector *view) {
-    return find_half_vector(deviation, x, y, half_vector, view);
+    return glint_half_vector_inline(deviation, x, y, half_vector, view);
 }
 
 /* N.L, N.H of unit vectors in steps of UNIT: products are short of 2^30 by a part in 2^12. */
@@ -130,7 +97,7 @@ static uint32_t light_vertex(const glint_deviation *deviation, const glint_verte
     }
     if (deviation->local_viewer) {
         half_vector = found;
-        if (!find_half_vector(deviation, vertex->x, vertex->y, found, &view))
+        if (!glint_half_vector_inline(deviation, vertex->x, vertex->y, found, &view))
             return GLINT_TERMS_UNFIT;
     }
     const offset e = find_deviation(vertex->attribute, half_vector);

@@ -5,6 +5,7 @@
  * planes are off by its square.
  */
 #include "division.h"
+#include "product.h"
 #include "quadratic.h"
 #include "setup.h"
 
@@ -246,36 +247,6 @@ static void begin_term(glint_quadratic *q, const gradients *s, const int32_t a[3
     q->dy += half_yy + 4 * shift(y, s->curve);
 }
 
-/*
- * An edge's bulges of the deviation, where that is the local viewer's, added to minus twice the sums of its ends'.
- * @return 0 where they cannot be told, or are too large
- */
-static int find_local_bulge(const glint_deviation *deviation, const edge *e, const glint_vertex *a,
-                            const glint_vertex *b, int32_t bulge[2]) {
-    int16_t h[3];
-    int32_t n[3];
-    glint_view_vector view;
-    if (!glint_deviation_half_vector(deviation, (a->x + b->x) >> 1, (a->y + b->y) >> 1, h, &view))
-        return 0;
-    for (int c = 0; c < 3; c++) {
-        const int32_t mean = glint_shift_right(a->attribute[c] + b->attribute[c], 1) +
-                             glint_shift_right(e->across * (a->attribute[c] - b->attribute[c]), 15);
-        n[c] = mean + glint_shift_right(mean * e->shorter, 15);
-    }
-    const int32_t cosine = glint_shift_right(n[0] * h[0] + n[1] * h[1] + n[2] * h[2], 15);
-    const int32_t along = glint_shift_right(
-        (cosine + glint_shift_right(cosine, 13) + n[2]) * glint_inverse_of_one_and(h[2]), 16); /* Q14 */
-    for (int c = 0; c < 2; c++) {
-        const int32_t middle = glint_shift_right(n[c] * (1 << 14) - h[c] * along + 0x2000, 14); /* Q15 */
-        if (middle > 2 * deviation->reach || middle < -2 * deviation->reach)
-            return 0;
-        bulge[c] += 4 * glint_shift_right(middle * deviation->scale + (1 << 16), 17);
-        if ((uint32_t)(bulge[c] + MOST_BULGE) > 2 * MOST_BULGE)
-            return 0;
-    }
-    return 1;
-}
-
 /* How far a term at corner a is moved away from that at b. */
 static inline int32_t find_spread(const edge *e, int32_t a, int32_t b) {
     return glint_shift_right((a - b) * e->turn, 15 + SPREAD);
@@ -301,26 +272,59 @@ typedef struct nodes {
     int32_t x[3], y[3], bulge_x[3], bulge_y[3];
 } nodes;
 
+/* A component of the normal at the middle of an edge. */
+static inline int32_t find_normal(const edge *e, int32_t a, int32_t b) {
+    const int32_t mean = glint_shift_right(a + b, 1) + glint_shift_right(e->across * (a - b), 15);
+    return mean + glint_shift_right(mean * e->shorter, 15);
+}
+
+/*
+ * Four times a deviation, given that of a normal n from a half vector h, Q15 and Q29, less the sum of the ends of its
+ * edge, twice. @return above MOST_BULGE where a plane cannot hold it
+ */
+static inline int32_t find_local_bulge(const glint_deviation *deviation, int32_t n, int32_t along, int32_t ends) {
+    const int32_t middle = glint_shift_right(n * (1 << 14) - along + 0x2000, 14), most = 2 * deviation->reach;
+    if (middle > most || middle < -most)
+        return MOST_BULGE + 1;
+    return 4 * glint_shift_right(middle * deviation->scale + (1 << 16), 17) - 2 * ends;
+}
+
+static inline int is_bulge(int32_t bulge) {
+    return (uint32_t)(bulge + MOST_BULGE) <= 2 * MOST_BULGE;
+}
+
+/* The bulges of edge i by the local viewer's half vector. @return 0 where they cannot be told, or are too large */
+static inline int find_local_bulges(const glint_deviation *deviation, const glint_triangle *triangle, const edge *e,
+                                    int i, nodes *n) {
+    const int from = i == 1, to = i ? 2 : 1;
+    const glint_vertex *const a = triangle->corners[from], *const b = triangle->corners[to];
+    int16_t h[3];
+    glint_view_vector view;
+    if (!glint_half_vector_inline(deviation, (a->x + b->x) >> 1, (a->y + b->y) >> 1, h, &view))
+        return 0;
+    const int32_t nx = find_normal(e, a->attribute[0], b->attribute[0]);
+    const int32_t ny = find_normal(e, a->attribute[1], b->attribute[1]);
+    const int32_t nz = find_normal(e, a->attribute[2], b->attribute[2]);
+    const int32_t cosine = glint_shift_right(nx * h[0] + ny * h[1] + nz * h[2], 15);
+    const int32_t along =
+        glint_shift_right((cosine + glint_shift_right(cosine, 13) + nz) * glint_inverse_of_one_and(h[2]), 16); /* Q14 */
+    n->bulge_x[i] = find_local_bulge(deviation, nx, h[0] * along, n->x[from] + n->x[to]);
+    n->bulge_y[i] = find_local_bulge(deviation, ny, h[1] * along, n->y[from] + n->y[to]);
+    return is_bulge(n->bulge_x[i]) && is_bulge(n->bulge_y[i]);
+}
+
 /* All else of the nodes. @return 0 where they do not fit */
 static int find_middles(const glint_deviation *deviation, const glint_triangle *triangle, const edge e[3], nodes *n) {
-    int32_t *x = n->x, *y = n->y;
     if (deviation->local_viewer) {
-        const glint_vertex *const *v = triangle->corners;
-        int32_t b[3][2] = {{-2 * (x[0] + x[1]), -2 * (y[0] + y[1])},
-                           {-2 * (x[1] + x[2]), -2 * (y[1] + y[2])},
-                           {-2 * (x[0] + x[2]), -2 * (y[0] + y[2])}};
-        if (!find_local_bulge(deviation, &e[0], v[0], v[1], b[0]) ||
-            !find_local_bulge(deviation, &e[1], v[1], v[2], b[1]) ||
-            !find_local_bulge(deviation, &e[2], v[0], v[2], b[2]))
-            return 0;
         for (int i = 0; i < 3; i++)
-            n->bulge_x[i] = b[i][0], n->bulge_y[i] = b[i][1];
+            if (!find_local_bulges(deviation, triangle, &e[i], i, n))
+                return 0;
     } else {
-        find_bulges(e, x, n->bulge_x);
-        find_bulges(e, y, n->bulge_y);
+        find_bulges(e, n->x, n->bulge_x);
+        find_bulges(e, n->y, n->bulge_y);
     }
-    spread(e, x, n->bulge_x);
-    spread(e, y, n->bulge_y);
+    spread(e, n->x, n->bulge_x);
+    spread(e, n->y, n->bulge_y);
     return 1;
 }
 
@@ -381,6 +385,11 @@ static int32_t find_extent(const glint_deviation *deviation, const glint_vertex 
     return extent > deviation->ray_limit ? 1 << 14 : glint_shift_right(extent * deviation->ray_scale, 16);
 }
 
+/* A deviation, Q14, as planes hold it. */
+static inline int32_t scale_margin(const glint_deviation *deviation, int32_t margin) {
+    return (int32_t)glint_shift_right64(glint_product(margin, deviation->scale >> 4), 12);
+}
+
 static inline int32_t square_of(int32_t x, int32_t y) {
     return x * x + y * y;
 }
@@ -393,11 +402,13 @@ static int32_t find_most(const int32_t a[3], const int32_t b[3]) {
 }
 
 /*
- * Does a highlight show, as far as corners tell? Sets whether one of them lies in it.
- * @return GLINT_QUADRATIC_UNFIT where it would err too much
+ * Does a highlight show, as far as corners tell? Sets whether one of them lies in it; and where it would err too much,
+ * or may pass the horizon, by how much it may reach further than it is drawn: there it must not show.
+ * @return GLINT_QUADRATIC_UNFIT where it cannot be interpolated
  */
 static inline glint_quadratic_kind find_kind(const glint_deviation *deviation, const glint_vertex *const v[3],
-                                             const nodes *n, int32_t turn, int32_t change, int *inside) {
+                                             const nodes *n, int32_t turn, int32_t change, int *inside,
+                                             int32_t *error) {
     const glint_quadratic_limits *limits = &deviation->quadratic;
     const uint32_t all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
     const int32_t extent = deviation->local_viewer ? find_extent(deviation, v) : 0;
@@ -410,14 +421,17 @@ static inline glint_quadratic_kind find_kind(const glint_deviation *deviation, c
          * that face the half vector outwards, but for what spreading takes back.
          */
         const int32_t margin = (is_front ? turn >> 6 : turn * 5 >> 5) + (extent * 9 >> 4) + (change * 7 >> 5);
-        const int64_t scaled = glint_shift_right64((int64_t)margin * (deviation->scale >> 4), 12);
-        if (is_outside(deviation, all, n, (int32_t)scaled))
+        if (is_outside(deviation, all, n, scale_margin(deviation, margin)))
             return GLINT_QUADRATIC_DIFFUSE;
     }
-    if (!is_front || any & (GLINT_TERMS_DIM | GLINT_TERMS_FAR) ||
-        turn + (change * change >> 14) + (extent >> 1) + (extent * extent >> 13) > limits->turn_specular)
+    if (!is_front || any & GLINT_TERMS_FAR)
         return GLINT_QUADRATIC_UNFIT;
-    return GLINT_QUADRATIC_SPECULAR;
+    const int32_t whole = turn + (change * change >> 14) + (extent >> 1) + (extent * extent >> 13);
+    if (whole <= limits->turn_specular && !(any & GLINT_TERMS_DIM))
+        return GLINT_QUADRATIC_SPECULAR;
+    /* 0.0245 d^3 given d^2, which is below 0.0190 d^2 up to MOST_TURN */
+    *error = scale_margin(deviation, whole * 5 >> 9) + 1;
+    return *inside || whole > MOST_TURN || *error > MOST_BULGE ? GLINT_QUADRATIC_UNFIT : GLINT_QUADRATIC_SPECULAR;
 }
 
 glint_quadratic_kind glint_interpolate_begin(const glint_draw *draw, const glint_triangle *triangle,
@@ -435,26 +449,32 @@ glint_quadratic_kind glint_interpolate_begin(const glint_draw *draw, const glint
     const int32_t a[3] = {t0[0], t1[0], t2[0]};
     int32_t b[3];
     nodes n;
-    int inside = 0;
     glint_quadratic_kind kind = GLINT_QUADRATIC_DIFFUSE;
     if (deviation->specular_end) {
+        int inside;
+        int32_t error = 0;
         n.x[0] = t0[1], n.x[1] = t1[1], n.x[2] = t2[1];
         n.y[0] = t0[2], n.y[1] = t1[2], n.y[2] = t2[2];
-        kind = find_kind(deviation, v, &n, turn, change, &inside);
+        kind = find_kind(deviation, v, &n, turn, change, &inside, &error);
+        if (kind == GLINT_QUADRATIC_UNFIT)
+            return kind;
+        if (kind == GLINT_QUADRATIC_SPECULAR) {
+            const int32_t margin = part->gradients.reciprocal ? NARROW_MARGIN : WIDE_MARGIN;
+            if (!find_middles(deviation, triangle, to->edges, &n))
+                return GLINT_QUADRATIC_UNFIT;
+            if (!inside && is_beyond(deviation, &n, margin + error))
+                kind = GLINT_QUADRATIC_DIFFUSE;
+            else if (error)
+                return GLINT_QUADRATIC_UNFIT;
+        }
     }
-    if (kind == GLINT_QUADRATIC_UNFIT)
-        return kind;
     find_bulges(to->edges, a, b);
     to->gated = (any & GLINT_TERMS_DIM) != 0;
     begin_gradients(&to->gradients, &part->gradients);
     begin_term(&to->cosine, &to->gradients, a, b);
-    if (kind == GLINT_QUADRATIC_DIFFUSE)
-        return kind;
-    if (!find_middles(deviation, triangle, to->edges, &n))
-        return GLINT_QUADRATIC_UNFIT;
-    if (!inside && is_beyond(deviation, &n, part->gradients.reciprocal ? NARROW_MARGIN : WIDE_MARGIN))
-        return GLINT_QUADRATIC_DIFFUSE;
-    to->clamped = find_most(a, b) > deviation->quadratic.full;
-    begin_highlight(to, &n);
+    if (kind == GLINT_QUADRATIC_SPECULAR) {
+        to->clamped = find_most(a, b) > deviation->quadratic.full;
+        begin_highlight(to, &n);
+    }
     return kind;
 }

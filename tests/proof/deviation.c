@@ -14,8 +14,8 @@
     ensures \initialized(half_vector + (0 .. 2)) && \initialized(&view->root) && \initialized(&view->half_root);
     admit ensures -32767 <= half_vector[0] <= 32767 && -32767 <= half_vector[1] <= 32767 && 0 <= half_vector[2] <=
    32767; */
-static inline int find_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, int16_t half_vector[3],
-                                   glint_view_vector *view);
+static inline int glint_half_vector_inline(const glint_deviation *deviation, int32_t x, int32_t y,
+                                           int16_t half_vector[3], glint_view_vector *view);
 
 /* Stands on a square being no less than 0; its size is proven by the normals' components. */
 /*@ requires -32767 <= a <= 32767 && -32767 <= b <= 32767 && -32767 <= c <= 32767;
@@ -61,7 +61,7 @@ static void any_deviation(int bits) {
 
 /*
  * Any vertices, by the bits of what scales deviations.
- * @contract find_half_vector glint_dot
+ * @contract glint_half_vector_inline glint_dot
  * @alarms 2 N.H + nz <= sqrt(2) UNIT where hz is 0, and 1 / (1 + hz) falls from there: the image tests under UBSan
  * @options -eva-slevel 0
  */
