@@ -235,16 +235,15 @@ static void begin_term(glint_quadratic *q, const gradients *s, const int32_t a[3
     const int32_t u_y = glint_shift_right(both * y2, 1) - b[0] * y1, v_y = glint_shift_right(both * y1, 1) - b[2] * y2;
     const int32_t xx = glint_sum_of_products(u_x, x1, v_x, x2), yy = glint_sum_of_products(u_y, y1, v_y, y2);
     const int32_t xy = glint_sum_of_products(u_x, y1, v_x, y2);
-    const uint32_t half_xx = shift(xx, s->curve), half_yy = shift(yy, s->curve);
     begin_slope(q, s, a[1] - a[0] + b[0], a[2] - a[0] + b[2]);
-    q->dxx = 2 * half_xx;
+    q->dxx = shift(xx, s->curve);
     q->dxy = 2 * shift(xy, s->curve);
-    q->dyy = 2 * half_yy;
+    q->dyy = shift(yy, s->curve);
     /* the polynomial is the corner's, the anchor's centre lies beside it */
     const int32_t x = to_anchor(xx, xy, g), y = to_anchor(xy, yy, g);
     q->start += (uint32_t)a[0] * (1 << 16) + 4 * shift(to_anchor(x, y, g), s->curve);
-    q->dx += half_xx + 4 * shift(x, s->curve);
-    q->dy += half_yy + 4 * shift(y, s->curve);
+    q->dx += 4 * shift(x, s->curve);
+    q->dy += 4 * shift(y, s->curve);
 }
 
 /* How far a term at corner a is moved away from that at b. */
@@ -429,8 +428,8 @@ static inline glint_quadratic_kind find_kind(const glint_deviation *deviation, c
     const int32_t whole = turn + (change * change >> 14) + (extent >> 1) + (extent * extent >> 13);
     if (whole <= limits->turn_specular && !(any & GLINT_TERMS_DIM))
         return GLINT_QUADRATIC_SPECULAR;
-    /* 0.0245 d^3 given d^2, which is below 0.0190 d^2 up to MOST_TURN */
-    *error = scale_margin(deviation, whole * 5 >> 9) + 1;
+    /* of random triangles no more than 0.031 d^3, which is below d^2 / 32 up to MOST_TURN */
+    *error = scale_margin(deviation, whole >> 6) + 1;
     return *inside || whole > MOST_TURN || *error > MOST_BULGE ? GLINT_QUADRATIC_UNFIT : GLINT_QUADRATIC_SPECULAR;
 }
 

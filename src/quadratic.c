@@ -174,11 +174,11 @@ static void find_square(glint_quadratic *q, const steps *s, int32_t size) {
     const uint32_t square =
         (uint32_t)m[0] * (uint32_t)m[0] + (uint32_t)m[1] * (uint32_t)m[1] + (uint32_t)m[2] * (uint32_t)m[2];
     q->start = (square - (1 << 28)) << 2;
-    q->dxx = scale(dot(x, x), 2 * size - 27);
+    q->dx = scale(dot(m, x), size - 12);
+    q->dy = scale(dot(m, y), size - 12);
+    q->dxx = scale(dot(x, x), 2 * size - 28);
     q->dxy = scale(dot(x, y), 2 * size - 27);
-    q->dyy = scale(dot(y, y), 2 * size - 27);
-    q->dx = scale(dot(m, x), size - 12) + scale(dot(x, x), 2 * size - 28);
-    q->dy = scale(dot(m, y), size - 12) + scale(dot(y, y), 2 * size - 28);
+    q->dyy = scale(dot(y, y), 2 * size - 28);
 }
 
 /* Can none of three deviations and what lies between them be in the highlight? Q14. */
@@ -316,10 +316,9 @@ static glint_quadratic_kind find_local(const glint_deviation *deviation, const g
 /* The polynomial with its own anchor at (x, y), seen from the triangle's. */
 static void move_anchor(glint_quadratic *q, int32_t x, int32_t y) {
     const uint32_t left = 0u - (uint32_t)x, up = 0u - (uint32_t)y;
-    q->start += q->dx * left + q->dy * up + q->dxy * left * up + q->dxx * (uint32_t)(x * (x + 1) / 2) +
-                q->dyy * (uint32_t)(y * (y + 1) / 2);
-    q->dx += q->dxx * left + q->dxy * up;
-    q->dy += q->dyy * up + q->dxy * left;
+    q->start += (q->dx + q->dxx * left) * left + (q->dy + q->dyy * up) * up + q->dxy * left * up;
+    q->dx += 2 * q->dxx * left + q->dxy * up;
+    q->dy += 2 * q->dyy * up + q->dxy * left;
 }
 
 /* The triangle's deviation around (x, y) from its anchor, whose half vector is known. */
@@ -345,14 +344,12 @@ static void find_bent(const glint_quadratic_limits *limits, const half_vector *a
     find_turn(at, my, along_y, hy, eyy);
     for (int row = 0; row < 2; row++) {
         glint_quadratic *q = row ? &light->y : &light->x;
-        q->dxx = 2 * scale(exx[row], size - shift);
+        q->dxx = scale(exx[row], size - shift);
         q->dxy = scale(exy[row] + eyx[row], size - shift);
-        q->dyy = 2 * scale(eyy[row], size - shift);
+        q->dyy = scale(eyy[row], size - shift);
         q->start = (uint32_t)(m[row] * (1 << 15) - at->h[row] * along) << 1;
-        q->dx = scale(mx[row] * (1 << 15) - at->h[row] * along_x, size - 15) + scale(ex[row], 16 - shift) +
-                (uint32_t)glint_shift_right((int32_t)q->dxx, 1);
-        q->dy = scale(my[row] * (1 << 15) - at->h[row] * along_y, size - 15) + scale(ey[row], 16 - shift) +
-                (uint32_t)glint_shift_right((int32_t)q->dyy, 1);
+        q->dx = scale(mx[row] * (1 << 15) - at->h[row] * along_x, size - 15) + scale(ex[row], 16 - shift);
+        q->dy = scale(my[row] * (1 << 15) - at->h[row] * along_y, size - 15) + scale(ey[row], 16 - shift);
         move_anchor(q, x, y);
     }
 }

@@ -12,7 +12,7 @@
 
 /**
  * A quadratic function of the pixel, x and y from the anchor, modulo 2^32:
- * start + dx x + dy y + dxx x (x - 1) / 2 + dxy x y + dyy y (y - 1) / 2.
+ * start + dx x + dy y + dxx x x + dxy x y + dyy y y.
  */
 typedef struct glint_quadratic {
     uint32_t start, dx, dy, dxx, dxy, dyy;
@@ -85,7 +85,7 @@ typedef struct glint_interpolation_gradients {
     const glint_gradients *g;
     int32_t x1, y1, x2, y2;
     glint_interpolation_scale slope; /* of narrow triangles, from a slope to a quadratic's */
-    glint_interpolation_scale curve; /* from a product of two of these to half a quadratic's second difference */
+    glint_interpolation_scale curve; /* from a product of two of these to a quadratic's second degree */
 } glint_interpolation_gradients;
 
 /** Quadratics that interpolate a triangle's lighting, and what they are made of. */

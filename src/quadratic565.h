@@ -18,14 +18,25 @@ typedef struct glint_stride {
 } glint_stride;
 
 static inline glint_stride glint_stride_begin(const glint_quadratic *q, int32_t x, int32_t y) {
-    const uint32_t i = (uint32_t)x, j = (uint32_t)y, across = q->dx + q->dxy * j;
-    return (glint_stride){q->start + q->dy * j + q->dyy * (j * (j - 1) >> 1) + across * i + q->dxx * (i * (i - 1) >> 1),
-                          across + q->dxx * i};
+    const uint32_t i = (uint32_t)x, j = (uint32_t)y, slope = q->dx + q->dxy * j + q->dxx * i;
+    return (glint_stride){q->start + (q->dy + q->dyy * j) * j + slope * i, slope + q->dxx * (i + 1)};
 }
 
 static inline void glint_stride_next(glint_stride *s, const glint_quadratic *q) {
     s->value += s->across;
-    s->across += q->dxx;
+    s->across += 2 * q->dxx;
+}
+
+/* To another column. */
+static inline void glint_stride_move(glint_stride *s, const glint_quadratic *q, uint32_t by) {
+    s->value += s->across * by + 2 * q->dxx * (by * (by - 1) >> 1);
+    s->across += 2 * q->dxx * by;
+}
+
+/* To the next row, from (x, y). */
+static inline void glint_stride_down(glint_stride *s, const glint_quadratic *q, uint32_t x, uint32_t y) {
+    s->value += q->dy + q->dyy * (2 * y + 1) + q->dxy * x;
+    s->across += q->dxy;
 }
 
 /* A plane at a pixel. */
@@ -34,8 +45,8 @@ static inline uint32_t glint_at(const glint_plane *plane, int32_t x, int32_t y) 
 }
 
 /*
- * These loops find what a span begins with from the coefficients: with second differences, that takes fewer
- * instructions than carrying it on from the span above.
+ * Loops of several quadratics find what a span begins with from the coefficients: with second differences, that takes
+ * fewer instructions than carrying it on from the span above.
  */
 
 /* Diffuse light; ambient light alone where N.L <= 0. */
@@ -129,30 +140,41 @@ static inline void glint_draw_quadratic_specular(const glint_spans *s, const gli
 static GLINT_INLINE void glint_draw_interpolated_diffuse(const glint_spans *s, const glint_deviation *deviation,
                                                          const glint_interpolation *light, int gated, int high_first) {
     const glint_part *part = s->part;
-    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
     const uint16_t *const table = deviation->diffuse_pixel;
     const uint32_t z_dx = (uint32_t)part->depth.dx;
     const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
-    uint8_t *row = (uint8_t *)(s->depth + (part->top << s->shift));
-    for (int32_t y = part->y + (int32_t)part->top; span != last; span++, y++, row += 2 << s->shift) {
+    const uint32_t x = (uint32_t)part->x;
+    uint32_t y = (uint32_t)part->y + part->top, column = 0;
+    uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS;
+    glint_stride c = glint_stride_begin(&light->cosine, part->x, (int32_t)y);
+    uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
+    do {
         const uint32_t left = span->left, right = span->right;
-        if (left >= right)
-            continue;
-        const int32_t x = part->x + (int32_t)left;
-        uint32_t z = glint_at(&part->depth, x, y) + GLINT_DEPTH_BIAS;
-        glint_stride c = glint_stride_begin(&light->cosine, x, y);
-        uint8_t *depth = row + 2 * left;
-        const uint8_t *const end = row + 2 * right;
-        do {
-            if (glint_is_nearest(depth, z))
-                glint_put_565(depth + to_pixels,
-                              gated && (int32_t)c.value <= 0 ? deviation->ambient : table[c.value >> 22], high_first);
-            depth += 2;
-            GLINT_OPAQUE(depth);
-            z += z_dx;
-            glint_stride_next(&c, &light->cosine);
-        } while (depth != end);
-    }
+        span++;
+        GLINT_OPAQUE(span);
+        if (left < right) {
+            depth += 2 * (int32_t)(left - column);
+            z += z_dx * (left - column);
+            glint_stride_move(&c, &light->cosine, left - column);
+            uint8_t *const end = depth + 2 * (right - left);
+            do {
+                if (glint_is_nearest(depth, z))
+                    glint_put_565(depth + to_pixels,
+                                  gated && (int32_t)c.value <= 0 ? deviation->ambient : table[c.value >> 22],
+                                  high_first);
+                depth += 2;
+                GLINT_OPAQUE(depth);
+                z += z_dx;
+                glint_stride_next(&c, &light->cosine);
+            } while (depth != end);
+            column = right;
+        }
+        depth += stride;
+        z += (uint32_t)part->depth.dy;
+        glint_stride_down(&c, &light->cosine, x + column, y);
+        y++;
+    } while (span != last);
 }
 
 /* Interpolated diffuse and specular light; clamped, their sum may pass 1. */
