@@ -186,23 +186,25 @@ static void fill_specular(const glint_shading *shading, uint32_t *words, uint32_
     }
 }
 
-/* The tables, if they leave as much room as they take. */
-static void make_tables(glint_memory *memory, glint_deviation *deviation, const glint_shading *shading) {
+/* The tables, if they leave as much room as they take; nothing is to be done where the last frame left them, `kept`. */
+static void make_tables(glint_memory *memory, glint_deviation *deviation, const glint_shading *shading,
+                        const uint32_t *kept) {
     const uint32_t entries = deviation->specular_end >> 15;
     const size_t size = tables_size(entries);
     ramp r;
     if (memory->high - GLINT_ALIGNED(memory->low) < 2 * size)
         return;
-    uint32_t *words = glint_take(memory, size);
-    deviation->specular = words;
-    if (entries)
-        fill_specular(shading, words, entries);
-    words += entries;
-    deviation->diffuse = words;
-    diffuse_ramp(shading, &r);
-    fill(&r, words, GLINT_DIFFUSE_ENTRIES);
-    uint16_t *pixels = (uint16_t *)(void *)(words + GLINT_DIFFUSE_ENTRIES);
+    uint32_t *const specular = glint_take(memory, size), *const diffuse = specular + entries;
+    uint16_t *pixels = (uint16_t *)(void *)(diffuse + GLINT_DIFFUSE_ENTRIES);
+    deviation->specular = specular;
+    deviation->diffuse = diffuse;
     deviation->diffuse_pixel = pixels;
+    if (diffuse == kept)
+        return;
+    if (entries)
+        fill_specular(shading, specular, entries);
+    diffuse_ramp(shading, &r);
+    fill(&r, diffuse, GLINT_DIFFUSE_ENTRIES);
     for (uint32_t i = 0; i < GLINT_DIFFUSE_ENTRIES; i++)
         pixels[i] = (uint16_t)glint_spread_pack(deviation->diffuse[i]);
 }
@@ -295,16 +297,16 @@ static void prepare_ambient(glint_deviation *deviation, const glint_shading *sha
 }
 
 glint_status glint_deviation_prepare(glint_frame *frame) {
-    const glint_shading *end =
-        (const glint_shading *)(const void *)(frame->memory.base + GLINT_ALIGNED(frame->memory.low));
-    if (!frame->scene->object_count)
-        return GLINT_OK;
-    for (glint_shading *shading = (glint_shading *)frame->shading; shading < end; shading++) {
+    for (uint32_t i = 0; i < frame->shading_count; i++) {
+        glint_shading *shading = (glint_shading *)frame->shading + i;
+        const glint_deviation *last = shading->changed ? 0 : shading->deviation;
+        shading->deviation = 0;
         if (!serves_some(frame, shading))
             continue;
         glint_deviation *deviation = glint_take(&frame->memory, sizeof *deviation);
         if (!deviation)
             return GLINT_ERROR_ARENA;
+        const uint32_t *kept = last == deviation ? last->diffuse : 0;
         *deviation = (glint_deviation){0};
         shading->deviation = deviation;
         prepare_rays(deviation, frame);
@@ -312,7 +314,7 @@ glint_status glint_deviation_prepare(glint_frame *frame) {
         prepare_highlight(deviation, shading);
         find_limits(frame, deviation, shading);
         glint_quadratic_prepare(deviation, shading);
-        make_tables(&frame->memory, deviation, shading);
+        make_tables(&frame->memory, deviation, shading, kept);
     }
     return GLINT_OK;
 }

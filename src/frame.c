@@ -6,8 +6,8 @@ static unsigned tile_shift(uint16_t size) {
     return 31u - glint_leading_zeros(size);
 }
 
-/* One shading for each distinct material. */
-static glint_status prepare_materials(glint_frame *frame) {
+/* One shading for each distinct material, the one of the last frame where that left one here. */
+static glint_status prepare_materials(glint_frame *frame, const glint_kept *kept) {
     const glint_object *objects = frame->scene->objects;
     for (uint32_t i = 0; i < frame->scene->object_count; i++) {
         uint32_t earlier = 0;
@@ -20,6 +20,9 @@ static glint_status prepare_materials(glint_frame *frame) {
             return GLINT_ERROR_ARENA;
         if (!frame->shading)
             frame->shading = shading;
+        if (frame->shading != kept->shadings || frame->shading_count >= kept->count)
+            *shading = (glint_shading){0};
+        frame->shading_count++;
         glint_status status = glint_prepare_shading(frame, shading, objects[i].material);
         if (status != GLINT_OK)
             return status;
@@ -27,7 +30,7 @@ static glint_status prepare_materials(glint_frame *frame) {
     return GLINT_OK;
 }
 
-static glint_status prepare(glint_frame *frame) {
+static glint_status prepare(glint_frame *frame, const glint_kept *kept) {
     glint_status status = glint_check_scene(frame->scene);
     if (status != GLINT_OK)
         return status;
@@ -37,7 +40,7 @@ static glint_status prepare(glint_frame *frame) {
     frame->view = view;
     status = glint_prepare_view(view, &frame->config, frame->scene);
     if (status == GLINT_OK)
-        status = prepare_materials(frame);
+        status = prepare_materials(frame, kept);
     return status == GLINT_OK && frame->config.format->fast ? frame->config.format->fast->prepare(frame) : status;
 }
 
@@ -58,7 +61,8 @@ glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, co
     return GLINT_OK;
 }
 
-glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
+glint_status glint_frame_begin_with(glint_frame *frame, const glint_config *config, const glint_scene *scene,
+                                    const glint_kept *kept) {
     if (!frame || !config || !scene || !config->arena)
         return GLINT_ERROR_NULL;
     glint_status status = glint_frame_grid(frame, config, scene);
@@ -68,11 +72,16 @@ glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, c
         return GLINT_ERROR_ARENA;
     frame->memory.base = glint_align(config->arena);
     frame->memory.high = (config->arena_size - (GLINT_ALIGNMENT - 1)) & ~(GLINT_ALIGNMENT - 1);
-    status = prepare(frame);
+    status = prepare(frame, kept);
     frame->prepared_end = frame->memory.low;
     if (status == GLINT_OK && frame->memory.high - frame->memory.low < GLINT_LEAST_ROOM)
         status = GLINT_ERROR_ARENA;
     return status;
+}
+
+glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
+    const glint_kept nothing = {0, 0};
+    return glint_frame_begin_with(frame, config, scene, &nothing);
 }
 
 /* Goes on where the last pass stopped. @return 0 when the frame is done. */

@@ -79,6 +79,7 @@ typedef struct glint_power_table {
 /** A material under the scene's lights. */
 typedef struct glint_shading {
     const glint_material *material;
+    int32_t shininess;
     uint32_t ambient[3]; /* Q23 */
     struct {
         uint32_t diffuse[3], specular[3]; /* Q12 */
@@ -86,6 +87,7 @@ typedef struct glint_shading {
     uint32_t lights;                         /* bit i: light i shows */
     uint32_t has_specular;                   /* bit i: its specular light does */
     uint32_t spare;                          /* of the error budget, Q12: what each light's specular light may lack */
+    uint32_t changed;                        /* 0: all above is what the last frame left here, and so are its tables */
     const struct glint_deviation *deviation; /* tables of fast lighting, or null */
     glint_power_table power;
 } glint_shading;
@@ -315,8 +317,15 @@ glint_status glint_check_scene(const glint_scene *scene);
 /** Camera, lights and depth scale. */
 glint_status glint_prepare_view(glint_view *view, const glint_config *config, const glint_scene *scene);
 
-/** A material's weights and power table. */
+/**
+ * A material's weights and power table.
+ * @param shading all 0, or what the same place held in the last frame: tables are then kept if they would be the same
+ */
 glint_status glint_prepare_shading(const glint_frame *frame, glint_shading *shading, const glint_material *material);
+
+/** glint_frame_begin, with what the last frame left in the arena. */
+glint_status glint_frame_begin_with(glint_frame *frame, const glint_config *config, const glint_scene *scene,
+                                    const glint_kept *kept);
 
 /**
  * A power table for exponent p; weight, Q12, is the largest that its values are multiplied by. What falls below

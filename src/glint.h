@@ -371,6 +371,9 @@ typedef struct glint_config {
     size_t arena_size; /**< Bytes; see `glint_arena_need`. */
     /** Output tables for red, green and blue, or null: what a panel needs to show 0, 1/256 .. 1; Q16, 65535 is 1. */
     const uint16_t (*gamma)[GLINT_GAMMA_ENTRIES];
+    /** Not 0: nobody else writes to the arena between frames. Tables of a material that the last frame prepared are
+     * then kept for as long as nothing that they come from changes. */
+    uint8_t keeps_arena;
     uint8_t counts_drawn; /**< Not 0: glint_stats.drawn is counted too, for about 3 % more instructions. */
 } glint_config;
 
@@ -428,6 +431,7 @@ typedef struct glint_frame {
     const glint_scene *scene;
     const struct glint_view *view;       /* camera and lights, prepared */
     const struct glint_shading *shading; /* materials, prepared */
+    uint32_t shading_count;
     glint_memory memory;
     uint16_t tile_first, tile_end; /* tiles of this pass */
     uint16_t tile_columns, tile_count;
@@ -455,9 +459,16 @@ typedef struct glint_workspace {
     glint_drawn *drawn; /**< Null, or GLINT_KERNELS counters of the caller's, added to. */
 } glint_workspace;
 
+/** What the last frame left in the arena: prepared materials. */
+typedef struct glint_kept {
+    const struct glint_shading *shadings;
+    uint32_t count;
+} glint_kept;
+
 typedef struct glint_renderer {
     glint_config config;
     glint_stats stats; /**< Of the last frame. */
+    glint_kept kept;   /* nothing unless the arena is kept */
 } glint_renderer;
 
 /**

@@ -83,8 +83,8 @@ static inline void glint_light_fragments(const glint_shading *shading, uint32_t 
 
 /** The power table of a model with highlights. */
 static inline void glint_prepare_specular(glint_shading *shading, uint32_t largest_specular) {
-    if (largest_specular)
-        glint_power_prepare(&shading->power, shading->material->shininess, largest_specular, shading->spare);
+    if (largest_specular && shading->changed)
+        glint_power_prepare(&shading->power, shading->shininess, largest_specular, shading->spare);
 }
 
 #endif

@@ -66,6 +66,7 @@ static glint_status count_materials(const glint_frame *frame, tally *sum) {
             earlier++;
         if (earlier < i)
             continue;
+        shading = (glint_shading){0};
         status = glint_prepare_shading(frame, &shading, scene->objects[i].material);
         sum->materials += GLINT_ALIGNED(sizeof shading);
         if (fast && status == GLINT_OK)

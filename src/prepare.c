@@ -198,21 +198,36 @@ static int32_t find_spare(const glint_frame *frame) {
     return budget && !frame->config.gamma ? (4096 * budget - 1024) / levels : 0;
 }
 
-glint_status glint_prepare_shading(const glint_frame *frame, glint_shading *shading, const glint_material *material) {
-    const glint_scene *scene = frame->scene;
-    const glint_light *light = scene->lights;
-    int32_t spare = find_spare(frame), largest = 0;
-    *shading = (glint_shading){.material = material};
-    if (weigh_colour(&material->ambient, &scene->ambient, 23, shading->ambient) < 0)
-        return GLINT_ERROR_COLOUR;
-    for (uint32_t i = 0; i < scene->light_count; i++, light++) {
-        const int32_t diffuse = weigh_colour(&material->diffuse, &light->diffuse, 12, shading->weights[i].diffuse);
-        const int32_t specular = weigh_colour(&material->specular, &light->specular, 12, shading->weights[i].specular);
+/* Sets a number that tables are made from. */
+static inline void renew(glint_shading *shading, uint32_t *number, uint32_t value) {
+    shading->changed |= *number ^ value;
+    *number = value;
+}
+
+static void renew_colour(glint_shading *shading, uint32_t number[3], const uint32_t value[3]) {
+    for (int c = 0; c < 3; c++)
+        renew(shading, &number[c], value[c]);
+}
+
+/*
+ * Weights of the lights that show, and what of the error budget they leave. @return the largest of specular light,
+ * below 0 when one passes GLINT_COLOUR_MAX.
+ */
+static int32_t weigh_lights(const glint_scene *scene, glint_shading *shading, int32_t spare) {
+    const glint_material *material = shading->material;
+    uint32_t lights = 0, has_specular = 0, weight[2][3] = {{0}};
+    int32_t largest = 0;
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        const glint_light *light = &scene->lights[i];
+        const int32_t diffuse = weigh_colour(&material->diffuse, &light->diffuse, 12, weight[0]);
+        const int32_t specular = weigh_colour(&material->specular, &light->specular, 12, weight[1]);
         if ((diffuse | specular) < 0)
-            return GLINT_ERROR_COLOUR;
+            return -1;
+        renew_colour(shading, shading->weights[i].diffuse, weight[0]);
+        renew_colour(shading, shading->weights[i].specular, weight[1]);
         if (specular > spare) {
-            shading->has_specular |= 1u << i;
-            largest = specular > largest ? specular : largest;
+            has_specular |= 1u << i;
+            largest = glint_most(specular, largest);
         } else {
             spare -= specular;
             if (diffuse <= spare) {
@@ -220,13 +235,26 @@ glint_status glint_prepare_shading(const glint_frame *frame, glint_shading *shad
                 continue;
             }
         }
-        shading->lights |= 1u << i;
+        lights |= 1u << i;
     }
-    if (scene->light_count)
-        shading->spare = (uint32_t)spare / scene->light_count;
+    renew(shading, &shading->lights, lights);
+    renew(shading, &shading->has_specular, material->model->prepare ? has_specular : 0);
+    renew(shading, &shading->spare, scene->light_count ? (uint32_t)spare / scene->light_count : 0);
+    return largest;
+}
+
+glint_status glint_prepare_shading(const glint_frame *frame, glint_shading *shading, const glint_material *material) {
+    uint32_t ambient[3] = {0};
+    shading->changed = shading->material != material || shading->shininess != material->shininess;
+    shading->material = material;
+    shading->shininess = material->shininess;
+    if (weigh_colour(&material->ambient, &frame->scene->ambient, 23, ambient) < 0)
+        return GLINT_ERROR_COLOUR;
+    renew_colour(shading, shading->ambient, ambient);
+    const int32_t largest = weigh_lights(frame->scene, shading, find_spare(frame));
+    if (largest < 0)
+        return GLINT_ERROR_COLOUR;
     if (material->model->prepare)
         material->model->prepare(shading, (uint32_t)largest);
-    else
-        shading->has_specular = 0;
     return GLINT_OK;
 }

@@ -14,7 +14,8 @@ static uint32_t arena[3072];
 
 int main(void) {
     const glint_panel panel = {&glint_panel_ssd0323, board_panel_bus()};
-    const glint_config config = {128, 64, 0, 0, panel.type->format, glint_panel_flush(&panel), arena, sizeof arena};
+    const glint_flush flush = glint_panel_flush(&panel);
+    const glint_config config = {128, 64, 0, 0, panel.type->format, flush, arena, sizeof arena, .keeps_arena = 1};
     glint_object object = {&pyramid, &clay, glint_pose_identity()};
     glint_scene scene = {.lights = &sun, .light_count = 1, .objects = &object, .object_count = 1, .ambient = GREY(1)};
     glint_renderer renderer;

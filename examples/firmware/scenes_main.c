@@ -49,7 +49,8 @@ int main(void) {
                                  .format = &glint_format_grey4_dithered,
                                  .flush = glint_panel_flush(&panel),
                                  .arena = arena,
-                                 .arena_size = sizeof arena};
+                                 .arena_size = sizeof arena,
+                                 .keeps_arena = 1};
     glint_renderer renderer;
     shown_frame shown;
 

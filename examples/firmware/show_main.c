@@ -52,7 +52,8 @@ int main(void) {
                                  .format = display.format,
                                  .flush = display.flush,
                                  .arena = arena,
-                                 .arena_size = sizeof arena};
+                                 .arena_size = sizeof arena,
+                                 .keeps_arena = 1};
     glint_status status = glint_init(&renderer, &config);
     for (uint32_t i = 0; i < TURNTABLE_MODELS * FRAMES && status == GLINT_OK; i++) {
         status = draw(&renderer, (turntable_model)(i / FRAMES), i % FRAMES);

@@ -56,6 +56,7 @@ int main(void) {
     config.flush = glint_panel_flush(&panel);
     config.arena = arena;
     config.arena_size = sizeof arena;
+    config.keeps_arena = 1;
     status = glint_init(&renderer, &config);
     for (uint32_t i = 0; i < TURNTABLE_MODELS * TURNTABLE_FRAMES && status == GLINT_OK; i++) {
         status = draw(&renderer, (turntable_model)(i / TURNTABLE_FRAMES), i % TURNTABLE_FRAMES);

@@ -366,6 +366,32 @@ static void draw_with_arena(const glint_config *config, const glint_scene *scene
     close_screen(&got);
 }
 
+/* By a renderer that keeps its arena, after a frame without the first object and after the same frame. */
+static void draw_kept(const glint_config *wanted_config, const glint_scene *scene, size_t size, const screen *wanted) {
+    glint_config config = *wanted_config;
+    glint_scene fewer = *scene;
+    glint_renderer renderer;
+    screen got[3];
+    config.arena = allocate(size);
+    config.arena_size = size;
+    config.keeps_arena = 1;
+    if (scene->object_count) {
+        fewer.objects++;
+        fewer.object_count--;
+    }
+    require(glint_init(&renderer, &config) == GLINT_OK);
+    for (int frame = 0; frame < 3; frame++) {
+        open_screen(&got[frame], wanted_config);
+        renderer.config.flush.context = &got[frame];
+        const glint_status status = glint_render(&renderer, frame ? scene : &fewer);
+        require(status == GLINT_OK || (!frame && status == GLINT_ERROR_ARENA));
+        if (frame)
+            require_same(wanted, &got[frame]);
+        close_screen(&got[frame]);
+    }
+    free(config.arena);
+}
+
 /* In tiles of another size, with the arena that takes one pass. */
 static void draw_with_other_tiles(const glint_config *config, const glint_scene *scene, const screen *wanted) {
     glint_config other = *config;
@@ -397,6 +423,7 @@ static void draw_every_way(source *s, const glint_config *config, const glint_sc
         draw_with_arena(config, scene, size, below(s, 8), &wanted);
     }
     draw_with_arena(config, scene, need->smallest, below(s, 8), &wanted);
+    draw_kept(config, scene, need->best, &wanted);
     draw_with_other_tiles(config, scene, &wanted);
     draw_until_failure(config, scene, need->best, below(s, 256) % wanted.calls);
     close_screen(&wanted);

@@ -329,13 +329,13 @@ RUN(flat)
 /* ---- The library ---- */
 
 static glint_material material;
-static glint_shading shading = {.material = &material, .has_specular = 1};
+static glint_shading shading = {.material = &material, .has_specular = 1, .changed = 1};
 static glint_view view;
 static glint_fragments fragments;
 
 static void prepare_library(int32_t p) {
     glint_prepared_light *source = &view.lights[0];
-    material.shininess = p;
+    shading.shininess = p;
     glint_model_blinn_phong.prepare(&shading, specular_weight[0]);
     view.light_count = 1;
     source->type = &glint_light_directional;

@@ -153,9 +153,11 @@ PROOF(make_tables) {
         memory.base = (uint8_t *)room;
         memory.low = 0;
         memory.high = 2 * (sizeof room - (1024 - ENTRIES(level)) * sizeof *room);
-        make_tables(&memory, &deviation, &shading);
+        make_tables(&memory, &deviation, &shading, 0);
+        memory.low = 0;
+        make_tables(&memory, &deviation, &shading, deviation.diffuse);
         memory.low = 0;
         memory.high -= 8;
-        make_tables(&memory, &deviation, &shading);
+        make_tables(&memory, &deviation, &shading, 0);
     }
 }

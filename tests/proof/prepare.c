@@ -243,13 +243,13 @@ PROOF(weigh_colour) {
 
 /*
  * Colours of up to 16, up to 8 lights, any error budget, every depth of pixels. @contract weigh_colour
- * @options -eva-slevel-function glint_prepare_shading:0 -eva-min-loop-unroll 9
+ * @options -eva-slevel-function glint_prepare_shading:0,weigh_lights:0 -eva-min-loop-unroll 9
  */
 PROOF(glint_prepare_shading) {
     static const uint16_t gamma[3][GLINT_GAMMA_ENTRIES];
     static glint_format format;
     static glint_frame frame;
-    glint_shading shading;
+    static glint_shading shading; /* at first all 0, then what the last frame left */
     any_lights(0, GLINT_COLOUR_MAX);
     any_material(0, GLINT_COLOUR_MAX);
     all.scene.ambient = any_colour(0, GLINT_COLOUR_MAX);

@@ -1,0 +1,292 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Suite: a renderer that keeps its arena draws what a new one draws, whatever changed since its last frame.
+ */
+#include "glint.h"
+#include "harness.h"
+#include "picture.h"
+#include "scenes.h"
+
+#include <stdlib.h>
+
+#define WIDTH 96
+#define HEIGHT 64
+
+/* A renderer with an arena of its own, and what it draws into. */
+typedef struct keeper {
+    picture image;
+    glint_renderer renderer;
+    void *arena;
+} keeper;
+
+static void keeper_open(keeper *k, const glint_format *format, size_t arena_size) {
+    k->image = picture_open(WIDTH, HEIGHT, format);
+    glint_config config = picture_config(&k->image, NULL);
+    k->arena = malloc(arena_size);
+    CHECK(k->arena != NULL);
+    config.arena = k->arena;
+    config.arena_size = arena_size;
+    config.keeps_arena = 1;
+    CHECK_EQUAL(glint_init(&k->renderer, &config), GLINT_OK);
+}
+
+static void keeper_close(keeper *k) {
+    free(k->arena);
+    picture_close(&k->image);
+}
+
+/* Two tori of two materials, the nearer one shiny. */
+static void build(test_scene *scene) {
+    scene_build_named(scene, "mirrored");
+    scene->objects[1] = scene->objects[0];
+    scene->objects[1].material = &scene->materials[1];
+    scene->objects[1].pose.m[0][3] += GLINT_ONE / 2;
+    scene->objects[1].pose.m[2][3] -= GLINT_ONE;
+    scene->scene.object_count = 2;
+    scene->lights[1] = scene->lights[0];
+    scene->lights[1].vector.x = -scene->lights[0].vector.x;
+}
+
+/* ---- What may change from frame to frame ---- */
+
+static void nothing(test_scene *s) {
+    (void)s;
+}
+
+static void pose(test_scene *s) {
+    s->objects[0].pose.m[0][3] += GLINT_ONE / 4;
+}
+
+static void camera(test_scene *s) {
+    s->scene.camera.field_of_view += 5 * GLINT_ONE;
+}
+
+static void shininess(test_scene *s) {
+    s->materials[0].shininess *= 3;
+}
+
+static void low_shininess(test_scene *s) {
+    s->materials[1].shininess = GLINT_ONE;
+}
+
+static void specular(test_scene *s) {
+    s->materials[0].specular.g /= 2;
+}
+
+static void brighter_specular(test_scene *s) {
+    s->materials[0].specular.r = 4 * GLINT_ONE;
+}
+
+static void no_specular(test_scene *s) {
+    s->materials[1].specular = (glint_colour){0, 0, 0};
+}
+
+static void diffuse(test_scene *s) {
+    s->materials[1].diffuse.b = GLINT_ONE;
+}
+
+static void ambient(test_scene *s) {
+    s->materials[0].ambient.r += GLINT_ONE / 4;
+}
+
+static void ambient_light(test_scene *s) {
+    s->scene.ambient.b /= 2;
+}
+
+static void light_colour(test_scene *s) {
+    s->lights[0].diffuse.r /= 2;
+}
+
+static void light_specular(test_scene *s) {
+    s->lights[0].specular.b /= 4;
+}
+
+static void light_direction(test_scene *s) {
+    s->lights[0].vector.y = -s->lights[0].vector.y;
+}
+
+static void two_lights(test_scene *s) {
+    s->scene.light_count = 2;
+}
+
+static void one_light(test_scene *s) {
+    s->scene.light_count = 1;
+}
+
+static void no_light(test_scene *s) {
+    s->scene.light_count = 0;
+}
+
+static void model(test_scene *s) {
+    s->materials[0].model = &glint_model_phong;
+}
+
+static void lambert(test_scene *s) {
+    s->materials[0].model = &glint_model_lambert;
+}
+
+static void blinn_phong(test_scene *s) {
+    s->materials[0].model = &glint_model_blinn_phong;
+}
+
+/* Its colour happens to be what the ambient light of the next change gives. */
+static void unlit(test_scene *s) {
+    s->materials[0].model = &glint_model_unlit;
+    s->materials[0].diffuse = s->scene.ambient;
+}
+
+static void unlit_ambient(test_scene *s) {
+    s->materials[0].ambient = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
+}
+
+static void unlit_colour(test_scene *s) {
+    s->materials[0].diffuse.g = GLINT_ONE / 8;
+}
+
+static void flags(test_scene *s) {
+    s->materials[1].flags = GLINT_MATERIAL_UNGATED;
+}
+
+static void no_flags(test_scene *s) {
+    s->materials[1].flags = 0;
+}
+
+static void other_order(test_scene *s) {
+    const glint_object first = s->objects[0];
+    s->objects[0] = s->objects[1];
+    s->objects[1] = first;
+}
+
+static void same_material(test_scene *s) {
+    s->objects[1].material = s->objects[0].material;
+}
+
+static void third_material(test_scene *s) {
+    s->materials[2] = s->materials[1];
+    s->materials[2].specular.r += GLINT_ONE / 8;
+    s->objects[1].material = &s->materials[2];
+}
+
+static void fewer_objects(test_scene *s) {
+    s->scene.object_count = 1;
+}
+
+static void no_objects(test_scene *s) {
+    s->scene.object_count = 0;
+}
+
+static void more_objects(test_scene *s) {
+    s->scene.object_count = 2;
+}
+
+static void evaluation(test_scene *s) {
+    s->objects[0].evaluation = &glint_per_vertex;
+}
+
+static void per_fragment(test_scene *s) {
+    s->objects[0].evaluation = &glint_per_fragment;
+}
+
+static void budget(test_scene *s) {
+    s->scene.error_budget = 4;
+}
+
+static void infinite_viewer(test_scene *s) {
+    s->scene.viewer = GLINT_VIEWER_INFINITE;
+}
+
+typedef void (*change)(test_scene *scene);
+
+static const change changes[] = {
+    nothing,       pose,           camera,          shininess,     low_shininess, specular,       brighter_specular,
+    no_specular,   diffuse,        ambient,         ambient_light, light_colour,  light_specular, light_direction,
+    two_lights,    one_light,      no_light,        one_light,     model,         lambert,        blinn_phong,
+    unlit,         unlit_ambient,  unlit_colour,    blinn_phong,   flags,         no_flags,       other_order,
+    same_material, third_material, fewer_objects,   more_objects,  no_objects,    more_objects,   evaluation,
+    per_fragment,  budget,         infinite_viewer,
+};
+
+#define CHANGES (sizeof changes / sizeof changes[0])
+
+/* Draws a frame with the keeper and with a new renderer. @return are they the same? */
+static int draws_the_same(keeper *k, const glint_scene *scene) {
+    picture wanted = picture_open(WIDTH, HEIGHT, k->image.format);
+    CHECK_EQUAL(picture_render(&wanted, scene, NULL, NULL), GLINT_OK);
+    CHECK_EQUAL(glint_render(&k->renderer, scene), GLINT_OK);
+    const int same = picture_equal(&wanted, &k->image);
+    picture_close(&wanted);
+    return same;
+}
+
+static const glint_format *const formats[] = {&glint_format_rgb565, &glint_format_rgb565_be, &glint_format_rgb888};
+
+/* One change after the other, in their order and in others, with arenas with room for tables and without. */
+static void every_change_shows(void) {
+    uint32_t random = 1;
+    for (uint32_t run = 0; run < 36; run++) {
+        test_scene scene;
+        keeper k;
+        build(&scene);
+        keeper_open(&k, formats[run % 3], run % 4 == 3 ? 20000 : 200000);
+        for (uint32_t i = 0; i < CHANGES; i++) {
+            random = random * 1664525u + 1013904223u; /* Numerical Recipes */
+            const uint32_t which = run < 3 ? i : (random >> 8) % CHANGES;
+            changes[which](&scene);
+            if (scene.materials[0].shininess > 1000 * GLINT_ONE)
+                scene.materials[0].shininess = 2 * GLINT_ONE;
+            if (scene.scene.camera.field_of_view > 120 * GLINT_ONE)
+                scene.scene.camera.field_of_view = 40 * GLINT_ONE;
+            if (!CHECK(draws_the_same(&k, &scene.scene)))
+                break;
+        }
+        keeper_close(&k);
+    }
+}
+
+/* After a frame that failed, in the scene or in the flush, the next one is whole. */
+static void failures_leave_nothing(void) {
+    for (unsigned i = 0; i < 3; i++) {
+        test_scene scene;
+        keeper k;
+        build(&scene);
+        keeper_open(&k, formats[i], 200000);
+        CHECK(draws_the_same(&k, &scene.scene));
+        const glint_q16 shininess_before = scene.materials[1].shininess;
+        scene.materials[1].shininess = -1;
+        scene.materials[0].specular.r /= 2;
+        CHECK_EQUAL(glint_render(&k.renderer, &scene.scene), GLINT_ERROR_SHININESS);
+        scene.materials[1].shininess = shininess_before;
+        CHECK(draws_the_same(&k, &scene.scene));
+        scene.materials[0].diffuse.r = 16 * GLINT_ONE; /* times the light's too much, which is found while preparing */
+        scene.lights[0].diffuse.r = 2 * GLINT_ONE;
+        CHECK_EQUAL(glint_render(&k.renderer, &scene.scene), GLINT_ERROR_COLOUR);
+        scene.lights[0].diffuse.r = GLINT_ONE;
+        CHECK(draws_the_same(&k, &scene.scene));
+        keeper_close(&k);
+    }
+}
+
+/* An arena that is not kept may hold anything when a frame begins. */
+static void arena_not_kept(void) {
+    test_scene scene;
+    keeper k;
+    build(&scene);
+    keeper_open(&k, &glint_format_rgb565, 200000);
+    k.renderer.config.keeps_arena = 0;
+    for (int frame = 0; frame < 3; frame++) {
+        CHECK(draws_the_same(&k, &scene.scene));
+        CHECK_EQUAL(k.renderer.kept.count, 0);
+        for (size_t i = 0; i < k.renderer.config.arena_size; i++)
+            ((uint8_t *)k.arena)[i] = (uint8_t)(i * 37 + (size_t)frame);
+    }
+    keeper_close(&k);
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {
+        TEST_CASE(every_change_shows),
+        TEST_CASE(failures_leave_nothing),
+        TEST_CASE(arena_not_kept),
+    };
+    return test_run(write, cases, TEST_COUNT(cases));
+}
