@@ -66,7 +66,7 @@ typedef struct glint_deviation {
     int32_t side, side_diagonal;   /* scaled: outside an octagon of this radius no highlight shows */
     int32_t cut, cut_diagonal;     /* its radius as a deviation, Q14 */
     int32_t reach;                 /* deviation, Q14, that a plane can hold */
-    int32_t turn, turn_specular;   /* limits that keep the error small: fits() in deviation.c */
+    int32_t turn, turn_specular;   /* limits that keep the error small: glint_deviation_fits */
     uint32_t slant;
     int32_t even;                 /* change of N.L, Q14, that is too little to show; 0 without an error budget */
     int32_t extent;               /* on the screen, 28.4 */
@@ -185,9 +185,5 @@ uint32_t glint_deviation_even(const glint_shading *shading, const glint_deviatio
 
 /** Pixels of a part's spans. */
 uint32_t glint_deviation_covered(const glint_part *part);
-
-/** How to draw a triangle, and the planes that it takes. */
-glint_deviation_kind glint_deviation_begin(const glint_draw *draw, const glint_triangle *triangle,
-                                           const glint_part *part, glint_deviation_planes *planes);
 
 #endif

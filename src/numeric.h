@@ -39,6 +39,13 @@
 #define GLINT_NOINLINE
 #endif
 
+/** Puts a function into its one caller, however long it is. */
+#if defined(__GNUC__)
+#define GLINT_INLINE inline __attribute__((always_inline))
+#else
+#define GLINT_INLINE inline
+#endif
+
 /** A function of its arguments alone: what is in registers may stay there. */
 #if defined(__GNUC__)
 #define GLINT_CONST __attribute__((const))
@@ -58,6 +65,13 @@
 #define GLINT_OPAQUE(x) __asm__("" : "+r"(x))
 #else
 #define GLINT_OPAQUE(x) ((void)0)
+#endif
+
+/** Keeps the compiler from beginning early with what follows, which takes registers. */
+#if defined(__GNUC__)
+#define GLINT_BARRIER() __asm__ volatile("")
+#else
+#define GLINT_BARRIER() ((void)0)
 #endif
 
 /* Right shifts of negative numbers are arithmetic on every compiler glint knows; this fails to compile elsewhere. */

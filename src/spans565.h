@@ -7,8 +7,7 @@
 #ifndef GLINT_SPANS565_H
 #define GLINT_SPANS565_H
 
-#include "deviation.h"
-#include "setup.h"
+#include "deviation_begin.h"
 
 /** Stores 16 bits at `pixel`, in the core's byte order or the high byte first. */
 static inline void glint_put_565(uint8_t *pixel, uint32_t value, int high_first) {
@@ -46,6 +45,33 @@ static inline int glint_is_nearest(uint8_t *place, uint32_t z) {
 }
 
 /*
+ * Most cores read and step on in one instruction: there the loops below step as they test depth, and are so many bytes
+ * ahead when they store. ARMv6-M, whose stores reach nothing that lies behind, steps when it has stored.
+ */
+#define GLINT_AHEAD (GLINT_SPLIT_PRODUCTS ? 0 : 2)
+
+/* glint_is_nearest, and the step of those that are ahead. */
+static inline int glint_next_is_nearest(uint8_t **place, uint32_t z) {
+    if (!GLINT_AHEAD)
+        return glint_is_nearest(*place, z);
+    const uint32_t there = *(const uint16_t *)(const void *)*place;
+    *place += GLINT_AHEAD;
+    GLINT_OPAQUE(*place);
+    if (z >> 15 <= there)
+        return 0;
+    *(uint16_t *)(void *)(*place - GLINT_AHEAD) = (uint16_t)(z >> 15);
+    return 1;
+}
+
+/* The step of those that are not. */
+static inline void glint_step(uint8_t **place) {
+    if (GLINT_AHEAD)
+        return;
+    *place += 2;
+    GLINT_OPAQUE(*place);
+}
+
+/*
  * The loops carry the planes' values from the end of a span to the start of the next: that takes fewer registers than
  * keeping what they are where rows begin.
  */
@@ -54,7 +80,7 @@ static inline int glint_is_nearest(uint8_t *place, uint32_t z) {
 static inline void glint_draw_constant(const glint_spans *s, uint32_t colour, int high_first) {
     const glint_part *part = s->part;
     const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
-    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth - GLINT_AHEAD, stride = 2 << s->shift;
     const uint32_t z_dx = (uint32_t)part->depth.dx;
     uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS, column = 0;
     uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
@@ -67,10 +93,10 @@ static inline void glint_draw_constant(const glint_spans *s, uint32_t colour, in
             z += z_dx * (left - column);
             uint8_t *const end = depth + 2 * (right - left);
             do {
-                if (glint_is_nearest(depth, z))
+                if (glint_next_is_nearest(&depth, z)) {
                     glint_put_565(depth + to_pixels, colour, high_first);
-                depth += 2;
-                GLINT_OPAQUE(depth);
+                }
+                glint_step(&depth);
                 z += z_dx;
             } while (depth != end);
             column = right;
@@ -85,7 +111,7 @@ static inline void glint_draw_diffuse(const glint_spans *s, const glint_deviatio
                                       int gated, int high_first) {
     const glint_part *part = s->part;
     const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
-    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth - GLINT_AHEAD, stride = 2 << s->shift;
     const uint16_t *const table = deviation->diffuse_pixel;
     const uint32_t z_dx = (uint32_t)part->depth.dx, level_dx = (uint32_t)cosine->dx;
     uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS, level = glint_first_row(part, cosine);
@@ -101,11 +127,11 @@ static inline void glint_draw_diffuse(const glint_spans *s, const glint_deviatio
             level += level_dx * (left - column);
             uint8_t *const end = depth + 2 * (right - left);
             do {
-                if (glint_is_nearest(depth, z))
+                if (glint_next_is_nearest(&depth, z)) {
                     glint_put_565(depth + to_pixels,
                                   gated && (int32_t)level <= 0 ? deviation->ambient : table[level >> 22], high_first);
-                depth += 2;
-                GLINT_OPAQUE(depth);
+                }
+                glint_step(&depth);
                 z += z_dx;
                 level += level_dx;
             } while (depth != end);
@@ -123,15 +149,25 @@ static inline uint32_t glint_high_square(uint32_t value) {
     return (uint32_t)(high * high);
 }
 
+/* The sum of the squares of the high halves of x and y, added to `sum`: products and sums in one where a core can. */
+static inline int32_t glint_squares_from(uint32_t sum, uint32_t x, uint32_t y) {
+    sum += glint_high_square(x);
+    if (!GLINT_SPLIT_PRODUCTS)
+        GLINT_OPAQUE(sum);
+    return (int32_t)(sum + glint_high_square(y));
+}
+
 /* Diffuse and specular light. */
 static inline void glint_draw_highlight(const glint_spans *s, const glint_deviation *deviation,
                                         const glint_deviation_planes *planes, int high_first) {
     const glint_part *part = s->part;
     const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
-    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth - GLINT_AHEAD, stride = 2 << s->shift;
     const uint32_t *const diffuse = deviation->diffuse;
     const uint16_t *const packed = deviation->diffuse_pixel;
-    const uint32_t end_square = deviation->specular_end;
+    const unsigned early = GLINT_SPLIT_PRODUCTS ? 0 : 15; /* a shift tests the sign too; not so ARMv6-M's compiler */
+    uint32_t less_end = 0u - deviation->specular_end;
+    GLINT_OPAQUE(less_end);
     const uint32_t z_dx = (uint32_t)part->depth.dx, level_dx = (uint32_t)planes->cosine.dx;
     const uint32_t x_dx = (uint32_t)planes->x.dx, y_dx = (uint32_t)planes->y.dx;
     uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS;
@@ -151,20 +187,20 @@ static inline void glint_draw_highlight(const glint_spans *s, const glint_deviat
             y += y_dx * (left - column);
             uint8_t *const end = depth + 2 * (right - left);
             do {
-                if (glint_is_nearest(depth, z)) {
+                if (glint_next_is_nearest(&depth, z)) {
+                    GLINT_BARRIER();
                     /* the highlight's table ends where the diffuse one begins */
-                    const uint32_t beyond = glint_high_square(x) + glint_high_square(y) - end_square;
+                    const int32_t beyond = glint_shift_right(glint_squares_from(less_end, x, y), early);
                     const uint32_t *const word = diffuse + (level >> 22);
-                    if ((int32_t)beyond < 0)
+                    if (beyond < 0)
                         glint_put_565(depth + to_pixels,
                                       glint_spread_pack(
-                                          glint_spread_clamp(*word + diffuse[glint_shift_right((int32_t)beyond, 15)])),
+                                          glint_spread_clamp(*word + diffuse[glint_shift_right(beyond, 15 - early)])),
                                       high_first);
                     else
                         glint_put_565(depth + to_pixels, packed[level >> 22], high_first);
                 }
-                depth += 2;
-                GLINT_OPAQUE(depth);
+                glint_step(&depth);
                 z += z_dx;
                 level += level_dx;
                 x += x_dx;
@@ -206,8 +242,8 @@ static inline void glint_draw_without_tables(const glint_spans *s, const glint_s
 #include "quadratic565.h"
 
 /** The kernel of a format; `high_first` is a constant where this is inlined. */
-static inline void glint_draw_565(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                                  const glint_triangle *triangle, const glint_part *part, int high_first) {
+static GLINT_INLINE void glint_draw_565(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                                        const glint_triangle *triangle, const glint_part *part, int high_first) {
     const glint_deviation *deviation = draw->shading->deviation;
     glint_deviation_planes planes;
     const glint_deviation_kind kind = glint_deviation_begin(draw, triangle, part, &planes);

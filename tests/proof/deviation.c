@@ -3,6 +3,7 @@
 #include "proof.h"
 
 #include "../../src/deviation.c"
+#include "../../src/deviation_begin.h"
 #include "lit.h"
 #include "pixels.h"
 #include "plane.h"
@@ -22,7 +23,7 @@ static inline int glint_half_vector_inline(const glint_deviation *deviation, int
     assigns \result \from a, b, c;
     ensures \result <= 0x24006000;
     admit ensures \result >= 0; */
-static inline int32_t square_of_sum(int32_t a, int32_t b, int32_t c);
+static inline int32_t glint_square_of_sum(int32_t a, int32_t b, int32_t c);
 
 static const uint16_t triangles[1][3] = {{0, 1, 2}};
 static glint_vertex vertices[3];
@@ -102,16 +103,16 @@ PROOF(glint_deviation_covered) {
 }
 
 /* Any three components. */
-PROOF(square_of_sum) {
-    square_of_sum(ANY_COMPONENT, ANY_COMPONENT, ANY_COMPONENT);
+PROOF(glint_square_of_sum) {
+    glint_square_of_sum(ANY_COMPONENT, ANY_COMPONENT, ANY_COMPONENT);
 }
 
 /* Any limits, any turn, any change of 1/w. */
-PROOF(fits) {
-    w_range w;
+PROOF(glint_deviation_fits) {
+    glint_w_range w;
     w.least = ANY_UNSIGNED(0, 0xffff);
     w.change = ANY_UNSIGNED(1, 0x10000);
-    fits(ANY(0, 1 << 26), ANY(-(5 << 28), 1 << 30), w);
+    glint_deviation_fits(ANY(0, 1 << 26), ANY(-(5 << 28), 1 << 30), w);
 }
 
 /* A triangle of any flags, limits of any material; a part of any gradients. */
@@ -131,7 +132,7 @@ static void any_part(glint_part *part, int narrow) {
 /*
  * Any flags, any limits; N.L by parts of the first corner's, the others' up to 0.82 from it, which is how far normals
  * differ whose turn is at most 1.
- * @contract glint_plane_begin square_of_sum
+ * @contract glint_plane_begin glint_square_of_sum
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  */
 PROOF(glint_deviation_begin) {

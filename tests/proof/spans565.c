@@ -8,6 +8,7 @@
 
 /*
  * Every span in two rows of a tile 8 pixels wide, any planes.
+ * @unreached 5 what ARMv6-M does
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
@@ -20,6 +21,7 @@ PROOF(glint_draw_constant) {
 
 /*
  * The same, gated and not.
+ * @unreached 5 what ARMv6-M does
  * @alarms 2 N.L at a pixel is within its table's 272 entries: suite `reads` looks at every pixel of half a million
  * triangles
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
@@ -34,6 +36,7 @@ PROOF(glint_draw_diffuse) {
 
 /*
  * The same; every squared deviation.
+ * @unreached 5 what ARMv6-M does
  * @alarms 3 N.L at a pixel is within its tables' 272 entries, and a squared deviation not below 0: suite `reads` looks
  * at every pixel of half a million triangles
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits

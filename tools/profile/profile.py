@@ -26,7 +26,7 @@ STAGES = {
     "bin": ["bin", "clip"],
     "set-up": ["setup"],
     "raster": ["raster", "kernel", "tile:glint_render_tile"],
-    "shade": ["shade", "light", "per_fragment", "specular", "blinn_phong", "deviation",
+    "shade": ["shade", "light", "per_fragment", "specular", "blinn_phong", "deviation", "deviation_begin",
               "quadratic", "quadratic565", "interpolate"],
     "pixel": ["pixel_rgb565", "spans565"],
     "clear": ["tile", "pixel_rgb565:fill"],

@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file deviation_begin.h
+ * Fast lighting of fragments under one directional light: which triangles it fits, and the planes that they take. In
+ * line in each format's kernel, where the planes stay in registers.
+ */
+#ifndef GLINT_DEVIATION_BEGIN_H
+#define GLINT_DEVIATION_BEGIN_H
+
+#include "deviation.h"
+#include "setup.h"
+
+static inline int32_t glint_square_of_sum(int32_t a, int32_t b, int32_t c) {
+    const int32_t sum = glint_shift_right(a + b + c, 2);
+    return sum * sum;
+}
+
+/* Sum of the squares of the normals' differences, Q26: 9 less the square of their sum. */
+static inline int32_t glint_turn_of(const glint_vertex *const v[3]) {
+    const int16_t *a = v[0]->attribute, *b = v[1]->attribute, *c = v[2]->attribute;
+    return 9 * (GLINT_UNIT / 4 * (GLINT_UNIT / 4)) - glint_square_of_sum(a[0], b[0], c[0]) -
+           glint_square_of_sum(a[1], b[1], c[1]) - glint_square_of_sum(a[2], b[2], c[2]);
+}
+
+/* How 1/w changes across a triangle, Q16. */
+typedef struct glint_w_range {
+    uint32_t least, change;
+} glint_w_range;
+
+static inline glint_w_range glint_find_w_range(const glint_vertex *const v[3]) {
+    const int32_t a = v[0]->inverse_w, b = v[1]->inverse_w, c = v[2]->inverse_w;
+    const uint32_t low = (uint32_t)glint_least_of(a, b, c) >> 15, high = (uint32_t)glint_most_of(a, b, c) >> 15;
+    return (glint_w_range){low, high - low + 1};
+}
+
+/* Is the error of linear lighting small: `turn`, of the normal, Q26, and the change of 1/w across the triangle? */
+static inline int glint_deviation_fits(int32_t limit, int32_t turn, glint_w_range w) {
+    if (turn > limit || w.change > w.least >> 2)
+        return 0;
+    return (w.change * w.change >> 2) <= (uint32_t)((limit - turn) >> 16) * (w.least * w.least >> 16);
+}
+
+/* x 2^n modulo 2^32, rounded down; |n| below 32. */
+static inline int32_t glint_shift_either(int32_t x, int32_t n) {
+    return n < 0 ? glint_shift_right(x, (unsigned)-n) : glint_shift_left(x, (unsigned)n);
+}
+
+/* Half of what chords fall short by, of 2^15: turn / 32. */
+static inline int32_t glint_find_longer(int32_t turn) {
+    return glint_shift_right(turn > 0 ? turn : 0, 16);
+}
+
+/* The plane of a term, its value in the high half; it is made longer. */
+static inline void glint_begin_term(glint_plane *p, const glint_gradients *g, int32_t longer, int32_t a0, int32_t a1,
+                                    int32_t a2) {
+    const int32_t length = (1 << 16) + 2 * longer, d1 = a1 - a0, d2 = a2 - a0, up = 16 - g->shift;
+    if (!g->reciprocal) {
+        glint_plane_begin(p, g, a0 * length, a1 * length, a2 * length);
+        return;
+    }
+    int32_t reciprocal = g->reciprocal + glint_shift_right(g->reciprocal * longer, 15);
+    GLINT_OPAQUE(reciprocal); /* of 32 bits to all slopes */
+    const int32_t dx = glint_slope_of(d1 * g->x1 + d2 * g->x2, reciprocal);
+    const int32_t dy = glint_slope_of(d1 * g->y1 + d2 * g->y2, reciprocal);
+    const int32_t to_center = glint_shift_right(dx, 5) * g->to_center_x + glint_shift_right(dy, 5) * g->to_center_y;
+    p->dx = glint_shift_either(dx, up);
+    p->dy = glint_shift_either(dy, up);
+    p->start = glint_add_wrap(a0 * length, glint_shift_either(to_center, up + 1));
+}
+
+static inline int32_t glint_magnitude(int32_t x) {
+    return x < 0 ? -x : x;
+}
+
+/* From the least to the most of three numbers: half the sum of their differences. */
+static inline int32_t glint_apart(int32_t a, int32_t b, int32_t c) {
+    return (glint_magnitude(b - a) + glint_magnitude(c - a) + glint_magnitude(c - b)) / 2;
+}
+
+/* Across the screen, as |dx| + |dy|. */
+static inline int32_t glint_extent_of(const glint_vertex *const v[3]) {
+    return glint_apart(v[0]->x, v[1]->x, v[2]->x) + glint_apart(v[0]->y, v[1]->y, v[2]->y);
+}
+
+/* Planes of a triangle that is lit all over and may show a highlight. */
+static inline glint_deviation_kind glint_begin_highlight(const glint_draw *draw, const glint_vertex *const v[3],
+                                                         const glint_gradients *g, int32_t turn, const glint_w_range *w,
+                                                         glint_deviation_planes *planes) {
+    const glint_deviation *deviation = draw->shading->deviation;
+    const int16_t *a = glint_terms_of(draw, v[0]), *b = glint_terms_of(draw, v[1]), *c = glint_terms_of(draw, v[2]);
+    if (4 * (int32_t)g->reach + 4 > deviation->extent && glint_extent_of(v) > deviation->extent)
+        return GLINT_DEVIATION_UNFIT;
+    const int32_t change = glint_apart(a[1], b[1], c[1]) + glint_apart(a[2], b[2], c[2]);
+    if ((uint32_t)change * w->change > deviation->slant * w->least)
+        return GLINT_DEVIATION_UNFIT;
+    const int32_t longer = glint_find_longer(turn);
+    glint_begin_term(&planes->cosine, g, longer, a[0], b[0], c[0]);
+    glint_begin_term(&planes->x, g, longer, a[1], b[1], c[1]);
+    glint_begin_term(&planes->y, g, longer, a[2], b[2], c[2]);
+    return GLINT_DEVIATION_SPECULAR;
+}
+
+/* Is N.L, or near enough, that of the first corner? */
+static inline int glint_is_even(int32_t even, int32_t a, int32_t b, int32_t c) {
+    const int32_t most = a + even;
+    return (uint32_t)(most - b) <= (uint32_t)(2 * even) && (uint32_t)(most - c) <= (uint32_t)(2 * even);
+}
+
+/** How to draw a triangle, and the planes that it takes. */
+static inline glint_deviation_kind glint_deviation_begin(const glint_draw *draw, const glint_triangle *triangle,
+                                                         const glint_part *part, glint_deviation_planes *planes) {
+    const glint_deviation *deviation = draw->shading->deviation;
+    const glint_vertex *const *v = triangle->corners;
+    const uint32_t all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
+    /* corners made by clipping are not lit */
+    if (!(all & GLINT_VERTEX_LIT) || any & GLINT_TERMS_UNFIT || triangle->back)
+        return GLINT_DEVIATION_UNFIT;
+    if (all & GLINT_TERMS_DARK)
+        return GLINT_DEVIATION_AMBIENT;
+    const int shows = !(all & GLINT_TERMS_ANY_OUTSIDE);
+    const int32_t turn = glint_turn_of(v);
+    const glint_w_range w = glint_find_w_range(v);
+    if (!glint_deviation_fits(shows ? deviation->turn_specular : deviation->turn, turn, w))
+        return GLINT_DEVIATION_UNFIT;
+    if (shows)
+        return any & (GLINT_TERMS_DIM | GLINT_TERMS_FAR)
+                   ? GLINT_DEVIATION_UNFIT
+                   : glint_begin_highlight(draw, v, &part->gradients, turn, &w, planes);
+    const int32_t longer = glint_find_longer(turn);
+    const int32_t a = *glint_terms_of(draw, v[0]), b = *glint_terms_of(draw, v[1]), c = *glint_terms_of(draw, v[2]);
+    if (deviation->even && glint_is_even(deviation->even, a, b, c)) {
+        planes->cosine.start = a * ((1 << 16) + 2 * longer);
+        return GLINT_DEVIATION_EVEN;
+    }
+    glint_begin_term(&planes->cosine, &part->gradients, longer, a, b, c);
+    return any & GLINT_TERMS_DIM ? GLINT_DEVIATION_GATED : GLINT_DEVIATION_DIFFUSE;
+}
+
+#endif
