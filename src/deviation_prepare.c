@@ -211,11 +211,19 @@ static void make_tables(glint_memory *memory, glint_deviation *deviation, const 
 
 /* ---- What fits ---- */
 
+/* Digit by digit: `root` is twice what is found, times the digit at `bit`, and x what is left. */
 uint32_t glint_square_root(uint64_t x) {
-    uint64_t root = 0;
-    for (uint64_t bit = (uint64_t)1 << 31; bit; bit >>= 1)
-        if ((root | bit) * (root | bit) <= x)
-            root |= bit;
+    uint64_t root = 0, bit = (uint64_t)1 << (x >> 32 ? 62 : 30);
+    while (bit > x)
+        bit >>= 2;
+    for (; bit; bit >>= 2) {
+        const uint64_t more = root + bit;
+        root >>= 1;
+        if (x >= more) {
+            x -= more;
+            root += bit;
+        }
+    }
     return (uint32_t)root;
 }
 
