@@ -18,6 +18,11 @@
 /** 2^20 / i, i from 16 to 256, to the nearest; 65535 for 16. */
 extern const uint16_t glint_quotient_table[241];
 
+/** Its entry of i. Bytes are counted, so that compilers take the 16 off the table's address. */
+static inline int32_t glint_quotient(int32_t i) {
+    return *(const uint16_t *)(const void *)((const uint8_t *)glint_quotient_table + (2 * i - 32));
+}
+
 /* ---- 2^31 / x to the nearest, halves up, for x from 2^15 to 2^16 ---- */
 
 static inline int32_t glint_reciprocal16_by_division(uint32_t x) {
@@ -26,7 +31,7 @@ static inline int32_t glint_reciprocal16_by_division(uint32_t x) {
 
 /** One Newton step from a table; what it falls short by is made good. */
 static inline int32_t glint_reciprocal16_by_table(uint32_t x) {
-    const int32_t start = glint_quotient_table[((x + 128) >> 8) - 16]; /* 2^28 / x */
+    const int32_t start = glint_quotient((int32_t)((x + 128) >> 8)); /* 2^28 / x */
     const int32_t error = (int32_t)(0x80000000u - (uint32_t)start * 8 * x);
     uint32_t result = (uint32_t)(start * 8 + glint_shift_right(glint_shift_right(error, 10) * start, 18));
     for (uint32_t rest = 0x80000000u + x / 2 - result * x; rest >= x; rest -= x)
@@ -65,8 +70,8 @@ static inline int32_t glint_slope_by_table(int32_t dx, int32_t dy) {
         dx = dx * 16;
         dy = dy * 16;
     }
-    const uint16_t *const table = glint_quotient_table;
-    const int32_t inverse = dy < 256 ? table[dy - 16] : (table[dy / 2 - 16] + table[(dy + 1) / 2 - 16] + 2) / 4;
+    const int32_t inverse =
+        dy < 256 ? glint_quotient(dy) : (glint_quotient(dy / 2) + glint_quotient((dy + 1) / 2) + 2) / 4;
     const int32_t slope = dx * inverse;
     /* What is left of dx 2^20 is far below 2^31, whatever the two parts are. */
     const int32_t rest = (int32_t)(((uint32_t)dx << 20) - (uint32_t)slope * (uint32_t)dy);
