@@ -473,7 +473,7 @@ void glint_window_begin(glint_window *window, int x, int y, int width, int heigh
 
 /**
  * Finds a triangle's rows and spans in a tile, the part's window. Corners v run counter-clockwise on the screen, within
- * 2047 pixels of the tile.
+ * 1535 pixels of the tile's first.
  * @return 0 when they hold no pixels: then neither does the part hold anything
  */
 int glint_raster(glint_part *part, const glint_vertex *const v[3]);

@@ -10,11 +10,9 @@
 
 /* Leaves out rows without pixels above the first that has some. @return 0 when none has */
 static inline int has_pixels(glint_part *part) {
-    uint32_t top = part->top;
-    while (part->spans[top].left >= part->spans[top].right)
-        if (++top == part->bottom)
+    for (const glint_span *s = part->spans + part->top; s->left >= s->right; s++)
+        if (++part->top == part->bottom)
             return 0;
-    part->top = top;
     return 1;
 }
 
@@ -100,16 +98,18 @@ static GLINT_NOINLINE int find_any(glint_part *part, const glint_vertex *const v
 #define ANY_WAY_ONLY (GLINT_SMALL && GLINT_DIVIDES)
 
 /*
- * A corner as one word, 2^16 y + x in sixteenths of a pixel, 15 more than from the centre of the tile's first pixel:
- * the whole part of y is then the first row of centres below the corner or at it, and that of x the first column.
+ * A corner as one word, 2^16 y + 2^15 + x in sixteenths of a pixel, 15 more than from the centre of the tile's first
+ * pixel: the whole part of y is then the first row of centres below the corner or at it, and that of x the first
+ * column. The 2^15 keeps an x left of the tile from borrowing from y.
  */
 typedef int32_t place;
 
 #define TO_CENTER 15
+#define X_BIAS 0x8000
 
 static inline place place_of(const glint_window *window, const glint_vertex *v) {
     const uint32_t word = (uint32_t)(uint16_t)v->x | (uint32_t)(uint16_t)v->y << 16;
-    return (int32_t)((word ^ 0x8000) - window->origin); /* an x from 0 up does not borrow from y */
+    return (int32_t)((word ^ X_BIAS) - window->origin);
 }
 
 static inline int32_t first_row(place p) {
@@ -125,37 +125,33 @@ void glint_window_begin(glint_window *window, int x, int y, int width, int heigh
         return;
     const uint32_t rows = 0x80000000u >> glint_leading_zeros((uint32_t)height); /* no more, a power of two */
     const uint32_t columns = 0x80000000u >> glint_leading_zeros((uint32_t)width);
-    window->origin = ((uint32_t)(window->top - TO_CENTER) << 16) + (uint32_t)(window->left - TO_CENTER + 0x8000);
-    window->beyond = ~((16 * rows - 1) << 16 | (16 * columns - 1));
+    window->origin = ((uint32_t)(window->top - TO_CENTER) << 16) + (uint32_t)(window->left - TO_CENTER);
+    window->beyond = ~((16 * rows - 1) << 16 | X_BIAS | (16 * columns - 1));
 }
 
 /* A triangle's corners, counter-clockwise. */
 typedef struct corners {
     place a, b, c;
-    int32_t origin; /* Q20: what x of 0 adds to a crossing, so that its whole part is the column at or right of it */
 } corners;
 
-/* Where a triangle leaves its tile. */
+/* Where a triangle leaves its tile; where it keeps to the tile's columns, any bits but the last three. */
 #define CUT 1
 #define CUT_LEFT 2
 #define CUT_RIGHT 4
 
-/* By how many columns a short triangle may lie left of a tile, and right of the largest: places take 11 bits then. */
+/* By how many columns a short triangle may lie left of a tile, and right of the largest: x takes 11 bits from there. */
 #define AROUND 32
-#define FAR 0xf800
+#define FAR 0x7800
 
-/* Moves the places of a triangle that leaves the tile so that no x is negative. @return 0 where it goes too far */
-static inline int find_cut(corners *p, const glint_window *window) {
-    const int32_t left = 16 * AROUND, right = left + 16 * window->width + TO_CENTER;
-    int cut = CUT;
-    p->a += left, p->b += left, p->c += left;
-    p->origin -= left << 16;
-    if ((p->a | p->b | p->c) & FAR)
+/* Finds what cuts a triangle that leaves its tile's columns. @return 0 where it goes too far */
+static inline uint32_t find_cut(const corners *p, const glint_window *window) {
+    const int32_t around = 16 * AROUND, right = X_BIAS + 16 * window->width + TO_CENTER;
+    uint32_t cut = CUT;
+    if (((p->a + around) | (p->b + around) | (p->c + around)) & FAR)
         return 0;
-    const int32_t ax = p->a & 0xffff, bx = p->b & 0xffff, cx = p->c & 0xffff;
-    if (ax < left || bx < left || cx < left)
+    if (!(p->a & p->b & p->c & X_BIAS))
         cut |= CUT_LEFT;
-    if (ax > right || bx > right || cx > right)
+    if (((right - p->a) | (right - p->b) | (right - p->c)) & X_BIAS)
         cut |= CUT_RIGHT;
     return cut;
 }
@@ -182,9 +178,13 @@ static GLINT_NOINLINE int32_t slope_of(int32_t dx, int32_t dy) {
 }
 #endif
 
-static inline side begin_side(const corners *p, place upper, place lower) {
+/* Q20: added to a place's x, this makes its whole part the column at or right of it. */
+#define ORIGIN (INT32_MIN + GLINT_EDGE_CEILING - (TO_CENTER << 16))
+
+static inline side begin_side(place upper, place lower) {
     const int32_t y = glint_shift_right(upper, 16), slope = slope_of(lower - upper, glint_shift_right(lower, 16) - y);
-    return (side){p->origin + glint_shift_left(upper, 16) + glint_edge_start(slope, ~y & 15), slope};
+    const int32_t x = glint_add_wrap(glint_shift_left(upper, 16), glint_edge_start(slope, ~y & 15));
+    return (side){glint_add_wrap(x, ORIGIN), slope};
 }
 
 /* Walks both sides down some rows. @return the span of the row below */
@@ -207,64 +207,79 @@ static inline void find_spans(glint_part *part, const corners *p, int32_t left_e
     uint8_t *span = (uint8_t *)part + offsetof(glint_part, spans) + (int32_t)sizeof(glint_span) * top;
     side left = {0, 0}, right = {0, 0};
     if (left_rows)
-        left = begin_side(p, p->a, p->b);
+        left = begin_side(p->a, p->b);
     if (right_rows)
-        right = begin_side(p, p->a, p->c);
+        right = begin_side(p->a, p->c);
     if (left_rows < right_rows) {
         span = walk_sides(span, left_rows, &left, &right);
-        left = begin_side(p, p->b, p->c);
+        left = begin_side(p->b, p->c);
         walk_sides(span, right_rows - left_rows, &left, &right);
     } else {
         span = walk_sides(span, right_rows, &left, &right);
         if (left_rows == right_rows)
             return;
-        right = begin_side(p, p->c, p->b);
+        right = begin_side(p->c, p->b);
         walk_sides(span, left_rows - right_rows, &left, &right);
     }
 }
 
 /* Cuts off what of the spans lies beyond the tile's columns. @return 0 when no pixels are left */
-static GLINT_NOINLINE int cut_columns(glint_part *part, int cut) {
+static GLINT_NOINLINE int cut_columns(glint_part *part, uint32_t cut) {
     const uint8_t width = (uint8_t)part->window.width;
     glint_span *const first = part->spans + part->top, *const end = part->spans + part->bottom;
     if (cut & CUT_LEFT) {
-        for (glint_span *s = first; s != end; s++) {
-            s->left = s->left < 128 ? s->left : 0; /* from 128 on, left of the tile */
-            s->right = s->right < 128 ? s->right : 0;
-        }
+        glint_span *s = first;
+        do {
+            if (s->left >= 128) { /* left of the tile */
+                s->left = 0;
+                if (s->right >= 128)
+                    s->right = 0;
+            }
+            s++;
+            GLINT_OPAQUE(s);
+        } while (s != end);
     }
     if (cut & CUT_RIGHT) {
-        for (glint_span *s = first; s != end; s++) {
-            s->left = s->left < width ? s->left : width;
-            s->right = s->right < width ? s->right : width;
-        }
+        glint_span *s = first;
+        do {
+            if (s->right > width) {
+                s->right = width;
+                if (s->left > width)
+                    s->left = width;
+            }
+            s++;
+            GLINT_OPAQUE(s);
+        } while (s != end);
     }
     return has_pixels(part);
 }
 
 int glint_raster(glint_part *part, const glint_vertex *const v[3]) {
     const glint_window *window = &part->window;
-    corners p = {place_of(window, v[0]), place_of(window, v[1]), place_of(window, v[2]),
-                 GLINT_EDGE_CEILING - (TO_CENTER << 16)};
-    int cut = 0;
+    corners p = {place_of(window, v[0]), place_of(window, v[1]), place_of(window, v[2])};
     if (ANY_WAY_ONLY)
         return find_any(part, v);
-    if ((uint32_t)(p.a | p.b | p.c) & window->beyond && !(cut = find_cut(&p, window)))
-        return find_any(part, v);
+    uint32_t cut = (uint32_t)(p.a | p.b | p.c) & window->beyond;
+    if (cut << 16) {
+        cut = find_cut(&p, window);
+        if (!cut)
+            return find_any(part, v);
+    }
     turn_to_top(&p);
     int32_t top = first_row(p.a), left_end = first_row(p.b), right_end = first_row(p.c);
-    if (glint_most(left_end, right_end) - top > GLINT_SHORT_ROWS)
+    int32_t bottom = glint_most(left_end, right_end);
+    if ((uint32_t)(bottom - top - 1) >= GLINT_SHORT_ROWS)
         return find_any(part, v);
     if (cut) {
         top = glint_most(top, 0);
         left_end = glint_least(left_end, window->height);
         right_end = glint_least(right_end, window->height);
+        bottom = glint_least(bottom, window->height);
+        if (top >= bottom)
+            return 0;
     }
-    const int32_t bottom = glint_most(left_end, right_end);
-    if (top >= bottom)
-        return 0;
     part->top = (uint32_t)top;
     part->bottom = (uint32_t)bottom;
     find_spans(part, &p, left_end, right_end);
-    return cut > CUT ? cut_columns(part, cut) : has_pixels(part);
+    return cut & (CUT_LEFT | CUT_RIGHT) ? cut_columns(part, cut) : has_pixels(part);
 }

@@ -16,6 +16,11 @@
     admit ensures a / b - 1 <= \result <= a / b && 0 <= *remainder < b; */
 static int32_t divide_floor(int32_t a, int32_t b, int32_t *remainder);
 
+/*@ requires \valid(part) && part->top < part->bottom <= GLINT_TILE_MAX;
+    assigns \result, part->top \from *part;
+    ensures part->top <= part->bottom; */
+static inline int has_pixels(glint_part *part);
+
 /*
  * Sides of any length, by parts of a quarter of its rows' bits, in tiles of up to 64 rows and columns.
  * @contract divide_floor
@@ -36,7 +41,8 @@ PROOF(walk_exactly) {
 }
 
 static int32_t any_place(int32_t y, int32_t most_y) {
-    const int32_t first = y * (1 << 16), last = most_y * (1 << 16) + 0x7ff;
+    const int32_t x = X_BIAS - 16 * AROUND;
+    const int32_t first = y * (1 << 16) + x, last = most_y * (1 << 16) + x + 0x7ff;
     return ANY(first, last);
 }
 
@@ -46,12 +52,10 @@ static int32_t any_place(int32_t y, int32_t most_y) {
  * @options -eva-slevel 10
  */
 PROOF(begin_side) {
-    corners p;
     FOR_PARTS(phase, 0, 15) {
         FOR_PARTS(bits, 0, 8) {
             const int32_t y = phase, least = 1 << bits, most = 2 * least - 1;
-            p.origin = ANY(GLINT_EDGE_CEILING - ((16 * AROUND + TO_CENTER) << 16), GLINT_EDGE_CEILING);
-            begin_side(&p, any_place(y, y), any_place(y + least, y + most));
+            begin_side(any_place(y, y), any_place(y + least, y + most));
         }
     }
 }
@@ -74,7 +78,7 @@ PROOF(find_cut) {
     glint_window window;
     FOR_PARTS(part, 0, 15) {
         const int32_t least = -(1 << 29) + part * (1 << 26), most = least + (1 << 26) - 1;
-        corners p = {ANY(least, most), ANY(-(1 << 29), 1 << 29), ANY(-(1 << 29), 1 << 29), GLINT_EDGE_CEILING};
+        corners p = {ANY(least, most), ANY(-(1 << 29), 1 << 29), ANY(-(1 << 29), 1 << 29)};
         window.width = ANY(1, GLINT_TILE_MAX);
         find_cut(&p, &window);
     }
@@ -82,6 +86,7 @@ PROOF(find_cut) {
 
 /*
  * Any spans of any rows, cut on any side.
+ * @contract has_pixels
  * @narrowing columns are kept modulo 256
  * @options -eva-slevel 70
  */
@@ -95,11 +100,11 @@ PROOF(cut_columns) {
             part.spans[i].left = (uint8_t)ANY(0, 255);
             part.spans[i].right = (uint8_t)ANY(0, 255);
         }
-        cut_columns(&part, ANY(0, 7));
+        cut_columns(&part, ANY_UNSIGNED(0, 7));
     }
 }
 
-/* Any spans of any rows. @options -eva-slevel 0 */
+/* Any spans of any rows. @options -eva-slevel 0 -eva-min-loop-unroll 65 */
 PROOF(has_pixels) {
     glint_part part;
     for (int i = 0; i < GLINT_TILE_MAX; i++) {
@@ -107,8 +112,10 @@ PROOF(has_pixels) {
         part.spans[i].right = (uint8_t)ANY(0, GLINT_TILE_MAX);
     }
     FOR_PARTS(bottom, 1, GLINT_TILE_MAX) {
-        part.bottom = (uint32_t)bottom;
-        part.top = ANY_UNSIGNED(0, part.bottom - 1);
-        has_pixels(&part);
+        FOR_PARTS(rows, 1, bottom) {
+            part.bottom = (uint32_t)bottom;
+            part.top = (uint32_t)(bottom - rows);
+            has_pixels(&part);
+        }
     }
 }
