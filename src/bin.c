@@ -86,19 +86,9 @@ static void gather_corners(const glint_draw *draw, const uint16_t *indices, glin
     }
 }
 
-static inline void turn_normal_once(const glint_draw *draw, glint_vertex *vertex) {
-    if (!(vertex->flags & GLINT_VERTEX_NORMAL))
-        glint_transform_normal(draw, vertex);
-}
-
-/* Brings the normals of a triangle that is going to be seen to camera space, and lights it where that comes now. */
-static GLINT_NOINLINE void light_once(const glint_frame *frame, glint_draw *draw, uint32_t triangle) {
-    const uint16_t *indices = draw->triangles[triangle];
-    turn_normal_once(draw, &draw->vertices[indices[0]]);
-    turn_normal_once(draw, &draw->vertices[indices[1]]);
-    turn_normal_once(draw, &draw->vertices[indices[2]]);
-    if (draw->light)
-        draw->light(frame, draw, &draw->transform, triangle);
+/* Lights a triangle that is going to be seen, as far as that comes before it is drawn. */
+static inline void light(const glint_frame *frame, glint_draw *draw, uint32_t triangle) {
+    draw->light(frame, draw, &draw->transform, triangle);
 }
 
 static void finish_corner(const glint_transform *transform, const glint_corner *corner, glint_vertex *vertex,
@@ -116,7 +106,7 @@ static int list_clipped(glint_frame *frame, glint_draw *draw, uint32_t triangle)
     const glint_clipped *top = (const glint_clipped *)(const void *)(frame->memory.base + frame->memory.high);
     glint_corner corners[GLINT_CLIP_CORNERS];
     glint_range range;
-    light_once(frame, draw, triangle);
+    light(frame, draw, triangle);
     gather_corners(draw, draw->triangles[triangle], corners);
     int count = glint_clip(&draw->transform, corners);
     frame->stats.clipped++;
@@ -149,7 +139,7 @@ static GLINT_NOINLINE int bin_whole(glint_frame *frame, glint_draw *draw, uint32
         return 1;
     }
     if (!(v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_NORMAL) || draw->evaluation->light_triangle)
-        light_once(frame, draw, triangle);
+        light(frame, draw, triangle);
     return list_triangle(frame, &range, draw->first + triangle);
 }
 
@@ -231,7 +221,7 @@ static GLINT_NOINLINE int bin_seen(glint_frame *frame, glint_draw *draw, const u
             if (frame->reference_count >= most)
                 return (int)(next - seen) - 1;
             if (!(flags & ready))
-                light_once(frame, draw, triangle);
+                light(frame, draw, triangle);
             append(frame, tile, draw->first + triangle);
         }
     }

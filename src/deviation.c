@@ -110,7 +110,11 @@ void glint_deviation_light(const glint_frame *frame, glint_draw *draw, const gli
     for (int corner = 0; corner < 3; corner++) {
         const uint32_t index = draw->triangles[i][corner];
         glint_vertex *vertex = &draw->vertices[index];
-        if (vertex->flags & (GLINT_VERTEX_CLIP | GLINT_VERTEX_LIT))
+        if (vertex->flags & GLINT_VERTEX_LIT)
+            continue;
+        if (!(vertex->flags & GLINT_VERTEX_NORMAL))
+            glint_transform_normal(draw, vertex);
+        if (vertex->flags & GLINT_VERTEX_CLIP)
             continue;
         const uint32_t flags = light_vertex(draw->shading->deviation, vertex, draw->terms[index]);
         vertex->flags = (uint16_t)(vertex->flags | GLINT_VERTEX_LIT | flags);

@@ -154,7 +154,7 @@ typedef struct glint_draw {
     const int16_t (*normals)[3]; /* of the mesh */
     const glint_shading *shading;
     const glint_evaluation *evaluation;
-    glint_light_triangle *light; /* null, or lights a triangle that is kept */
+    glint_light_triangle *light; /* what comes before a triangle is drawn, at least its normals */
     glint_kernel *kernel;
     glint_transform transform;
     uint32_t vertex_count;
@@ -355,6 +355,9 @@ void glint_transform_vertices(const glint_transform *transform, const glint_mesh
 
 /** Brings a vertex's normal to camera space. */
 void glint_transform_normal(const glint_draw *draw, glint_vertex *vertex);
+
+/** Brings the normals of a triangle's corners to camera space, unless they are. */
+glint_light_triangle glint_transform_normals;
 
 /** Screen position and 1/w of clip coordinates inside the guard band and beyond the near plane. */
 void glint_project(const glint_transform *transform, const glint_position *position, glint_vertex *vertex);

@@ -100,6 +100,16 @@ void glint_transform_normal(const glint_draw *draw, glint_vertex *vertex) {
     vertex->attribute[2] = (int16_t)glint_shift_right(z, 13);
 }
 
+void glint_transform_normals(const glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t i) {
+    (void)frame;
+    (void)transform;
+    for (int corner = 0; corner < 3; corner++) {
+        glint_vertex *vertex = &draw->vertices[draw->triangles[i][corner]];
+        if (!(vertex->flags & GLINT_VERTEX_NORMAL))
+            glint_transform_normal(draw, vertex);
+    }
+}
+
 void glint_ray(const glint_transform *transform, const glint_view *view, const int64_t sum[3], int32_t count,
                int32_t ray[3], int32_t *inverse_w) {
     /* Half pixels, Q12, as rays of fragments are: x and y in guard bands, w in focal lengths; below 2^60. */

@@ -63,7 +63,7 @@ static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_tr
     if (evaluation->light_triangle)
         draw->facets = glint_take(&frame->memory, triangles * sizeof *draw->facets);
     draw->evaluation = evaluation;
-    draw->light = draw->evaluation->light_triangle;
+    draw->light = evaluation->light_triangle ? evaluation->light_triangle : glint_transform_normals;
     draw->kernel = glint_draw_any;
     if (is_fast(frame, object)) {
         draw->terms = glint_take(&frame->memory, vertices * sizeof *draw->terms);
