@@ -137,8 +137,8 @@ static inline void begin_sides(glint_part *part, glint_triangle *t) {
     t->area = find_area(g);
 }
 
-/* A wide triangle's depth. */
-static GLINT_NOINLINE void begin_wide_depth(glint_part *part, const glint_triangle *t) {
+/* Any triangle's depth; built for size, every one's. */
+static GLINT_NOINLINE void begin_depth(glint_part *part, const glint_triangle *t) {
     const int32_t w = t->corners[0]->inverse_w, w1 = t->corners[1]->inverse_w, w2 = t->corners[2]->inverse_w;
     glint_plane_begin(&part->depth, &part->gradients, w, w1, w2);
     if (comes_near(w1 | w2))
@@ -147,8 +147,8 @@ static GLINT_NOINLINE void begin_wide_depth(glint_part *part, const glint_triang
 
 void glint_setup(glint_part *part, glint_triangle *t) {
     begin_sides(part, t);
-    if (!gradients_begin(&part->gradients, (uint32_t)t->area)) {
-        begin_wide_depth(part, t);
+    if (!gradients_begin(&part->gradients, (uint32_t)t->area) || GLINT_SMALL) {
+        begin_depth(part, t);
         return;
     }
     const int32_t w = t->corners[0]->inverse_w, w1 = t->corners[1]->inverse_w, w2 = t->corners[2]->inverse_w;
