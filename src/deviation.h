@@ -50,6 +50,7 @@ typedef struct glint_quadratic_limits {
     uint32_t pixel_shift; /* over 2^pixel_shift */
     /* Interpolation: sums of squares that keep its error small, Q15 */
     int32_t turn, turn_specular;
+    int32_t bend;         /* of what a ray turns by, as much the half vector turns by at most: Q15 */
     int32_t full;         /* N.L, Q14, up to which all light together, with a highlight, stays below 1 */
     uint32_t front;       /* squared, as the table's: corners with less face the half vector */
     int16_t across[2][3]; /* infinite viewer: what takes a normal to its deviation, scaled, Q15 */

@@ -32,6 +32,9 @@
 /* Bulges of a deviation are below this. */
 #define MOST_BULGE 8192
 
+/* Triangles whose rays are no further apart, over the focal length, Q14, lie so near to the screen where they show. */
+#define NEAR_EXTENT 4096
+
 /* Binary logarithm of how much less than |a - b| turn an edge's ends are moved. */
 #define SPREAD 6
 
@@ -95,12 +98,28 @@ static uint64_t find_limit(const glint_shading *shading, uint32_t least_limit) {
     return levels > least_limit + shared + KEPT ? levels - shared - KEPT : least_limit;
 }
 
+/*
+ * Where a ray turns by d, V turns by at most that, and H = (L + V) / |L + V| by at most d / |L + V|, with |L + V|^2 =
+ * 2 + 2 L.V. @return 1 / |L + V| at most, Q15, on the screen and NEAR_EXTENT around it
+ */
+static int32_t find_bend(const glint_deviation *deviation) {
+    const int16_t *l = deviation->light;
+    if (glint_most(deviation->center_x, deviation->center_y) > deviation->ray_limit)
+        return 1 << 15;
+    const int32_t x = (deviation->center_x * deviation->ray_scale >> 16) + NEAR_EXTENT;
+    const int32_t y = (deviation->center_y * deviation->ray_scale >> 16) + NEAR_EXTENT;
+    const int32_t cosine = l[2] - (glint_most(l[0], -l[0]) * x >> 14) - (glint_most(l[1], -l[1]) * y >> 14) - 2;
+    const int32_t square = (1 << 16) + 2 * glint_least(cosine, 0);
+    return square < 1 << 15 ? 1 << 15 : (glint_inverse_root((uint32_t)square << 13) >> 1) + 4;
+}
+
 void glint_interpolate_prepare(glint_deviation *deviation, const glint_shading *shading) {
     glint_quadratic_limits *limits = &deviation->quadratic;
     const uint32_t diffuse = largest_level(shading->weights[0].diffuse);
     const uint32_t specular = largest_level(shading->weights[0].specular);
     const uint32_t root = glint_square_root((uint64_t)(uint32_t)shading->material->shininess); /* Q8 */
     const uint32_t scale = (uint32_t)deviation->scale >> 4;                                    /* Q12 */
+    limits->bend = find_bend(deviation);
     limits->full = find_full(shading);
     limits->turn = find_turn(find_limit(shading, COSINE_LIMIT), diffuse);
     /* a highlight's slope is at most 0.61 sqrt(p) weight */
@@ -411,6 +430,7 @@ static inline glint_quadratic_kind find_kind(const glint_deviation *deviation, c
     const glint_quadratic_limits *limits = &deviation->quadratic;
     const uint32_t all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
     const int32_t extent = deviation->local_viewer ? find_extent(deviation, v) : 0;
+    const int32_t bend = extent > NEAR_EXTENT ? extent : extent * limits->bend >> 15; /* of the half vector, Q14 */
     const int32_t s0 = square_of(n->x[0], n->y[0]), s1 = square_of(n->x[1], n->y[1]), s2 = square_of(n->x[2], n->y[2]);
     const int is_front = (uint32_t)glint_most_of(s0, s1, s2) <= limits->front;
     *inside = (uint32_t)glint_least_of(s0, s1, s2) < deviation->specular_end;
@@ -419,13 +439,13 @@ static inline glint_quadratic_kind find_kind(const glint_deviation *deviation, c
          * Between corners, by the half vectors' turn and by 1/w, Q14; the normals' own takes what lies between corners
          * that face the half vector outwards, but for what spreading takes back.
          */
-        const int32_t margin = (is_front ? turn >> 6 : turn * 5 >> 5) + (extent * 9 >> 4) + (change * 7 >> 5);
+        const int32_t margin = (is_front ? turn >> 6 : turn * 5 >> 5) + (bend * 9 >> 4) + (change * 7 >> 5);
         if (is_outside(deviation, all, n, scale_margin(deviation, margin)))
             return GLINT_QUADRATIC_DIFFUSE;
     }
     if (!is_front || any & GLINT_TERMS_FAR)
         return GLINT_QUADRATIC_UNFIT;
-    const int32_t whole = turn + (change * change >> 14) + (extent >> 1) + (extent * extent >> 13);
+    const int32_t whole = turn + (change * change >> 14) + (bend >> 1) + (bend * bend >> 13);
     if (whole <= limits->turn_specular && !(any & GLINT_TERMS_DIM))
         return GLINT_QUADRATIC_SPECULAR;
     /* of random triangles no more than 0.031 d^3, which is below d^2 / 32 up to MOST_TURN */
