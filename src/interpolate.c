@@ -302,7 +302,7 @@ static inline int32_t find_normal(const edge *e, int32_t a, int32_t b) {
  */
 static inline int32_t find_local_bulge(const glint_deviation *deviation, int32_t n, int32_t along, int32_t ends) {
     const int32_t middle = glint_shift_right(n * (1 << 14) - along + 0x2000, 14), most = 2 * deviation->reach;
-    if (middle > most || middle < -most)
+    if ((uint32_t)(middle + most) > 2 * (uint32_t)most)
         return MOST_BULGE + 1;
     return 4 * glint_shift_right(middle * deviation->scale + (1 << 16), 17) - 2 * ends;
 }
@@ -378,23 +378,6 @@ static int is_outside(const glint_deviation *deviation, uint32_t sides, const no
            (sides & GLINT_TERMS_OUTSIDE << 7 && glint_most_of(x0 - y0, x1 - y1, x2 - y2) <= -diagonal);
 }
 
-/*
- * Is all between these nodes outside the highlight? A triangle's quadratic lies between its control points (Bezier
- * triangles, Farin, 1986): here all of these must lie beyond a line across the direction of the corners' sum.
- */
-static int is_beyond(const glint_deviation *deviation, const nodes *n, int32_t margin) {
-    const int32_t x = glint_shift_right(n->x[0] + n->x[1] + n->x[2], 10);
-    const int32_t y = glint_shift_right(n->y[0] + n->y[1] + n->y[2], 10);
-    const int32_t a = x * n->x[0] + y * n->y[0], b = x * n->x[1] + y * n->y[1], c = x * n->x[2] + y * n->y[2];
-    const int32_t middles =
-        glint_least_of(a + b + x * n->bulge_x[0] + y * n->bulge_y[0], b + c + x * n->bulge_x[1] + y * n->bulge_y[1],
-                       a + c + x * n->bulge_x[2] + y * n->bulge_y[2]);
-    const int32_t corners = 2 * glint_least_of(a, b, c);
-    const int32_t nearest = glint_shift_right(corners < middles ? corners : middles, 7);
-    const uint32_t radius = (uint32_t)(deviation->side + margin);
-    return nearest > 0 && (uint32_t)(nearest * nearest) > ((radius * radius >> 12) + 1) * (uint32_t)(x * x + y * y);
-}
-
 /* The larger side of what is around a triangle, over the focal length, Q14. */
 static int32_t find_extent(const glint_deviation *deviation, const glint_vertex *const v[3]) {
     const int32_t width = glint_most_of(v[0]->x, v[1]->x, v[2]->x) - glint_least_of(v[0]->x, v[1]->x, v[2]->x);
@@ -410,6 +393,32 @@ static inline int32_t scale_margin(const glint_deviation *deviation, int32_t mar
 
 static inline int32_t square_of(int32_t x, int32_t y) {
     return x * x + y * y;
+}
+
+/* Do a triangle's control points lie beyond a line across the direction (x, y), a radius away? */
+static int is_beyond_line(const nodes *n, int32_t x, int32_t y, uint32_t radius) {
+    const int32_t a = x * n->x[0] + y * n->y[0], b = x * n->x[1] + y * n->y[1], c = x * n->x[2] + y * n->y[2];
+    const int32_t middles =
+        glint_least_of(a + b + x * n->bulge_x[0] + y * n->bulge_y[0], b + c + x * n->bulge_x[1] + y * n->bulge_y[1],
+                       a + c + x * n->bulge_x[2] + y * n->bulge_y[2]);
+    const int32_t corners = 2 * glint_least_of(a, b, c);
+    const int32_t nearest = glint_shift_right(corners < middles ? corners : middles, 7);
+    return nearest > 0 && (uint32_t)(nearest * nearest) > ((radius * radius >> 12) + 1) * (uint32_t)(x * x + y * y);
+}
+
+/*
+ * Is all between these nodes outside the highlight? A triangle's quadratic lies between its control points (Bezier
+ * triangles, Farin, 1986): here all of these must lie beyond a line across the direction of the corners' sum, or of the
+ * nearest corner.
+ */
+static int is_beyond(const glint_deviation *deviation, const nodes *n, int32_t margin) {
+    const int32_t *x = n->x, *y = n->y;
+    const uint32_t radius = (uint32_t)(deviation->side + margin);
+    if (is_beyond_line(n, glint_shift_right(x[0] + x[1] + x[2], 10), glint_shift_right(y[0] + y[1] + y[2], 10), radius))
+        return 1;
+    const int32_t s0 = square_of(x[0], y[0]), s1 = square_of(x[1], y[1]), s2 = square_of(x[2], y[2]);
+    const int i = s0 <= s1 && s0 <= s2 ? 0 : s1 <= s2 ? 1 : 2;
+    return is_beyond_line(n, glint_shift_right(x[i], 8), glint_shift_right(y[i], 8), radius);
 }
 
 /* No less than a term anywhere in its triangle: the largest of its control points (Bezier triangles, Farin, 1986). */
