@@ -53,7 +53,7 @@ static inline uint32_t glint_at(const glint_plane *plane, int32_t x, int32_t y) 
 static inline void glint_draw_quadratic_diffuse(const glint_spans *s, const glint_deviation *deviation,
                                                 const glint_quadratic_light *light, int high_first) {
     const glint_part *part = s->part;
-    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth - GLINT_AHEAD;
     const uint16_t *const table = deviation->diffuse_pixel, *const root = glint_root_table;
     const uint32_t z_dx = (uint32_t)part->depth.dx, a_dx = (uint32_t)light->cosine.dx;
     const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
@@ -68,12 +68,11 @@ static inline void glint_draw_quadratic_diffuse(const glint_spans *s, const glin
         uint8_t *depth = row + 2 * left;
         const uint8_t *const end = row + 2 * right;
         do {
-            if (glint_is_nearest(depth, z))
+            if (glint_next_is_nearest(&depth, z))
                 glint_put_565(depth + to_pixels,
                               (int32_t)a <= 0 ? deviation->ambient : table[(a >> 15) * root[c.value >> 22] >> 22],
                               high_first);
-            depth += 2;
-            GLINT_OPAQUE(depth);
+            glint_step(&depth);
             z += z_dx;
             a += a_dx;
             glint_stride_next(&c, &light->square);
@@ -103,7 +102,7 @@ static inline uint32_t glint_quadratic_lit(const glint_deviation *deviation, uin
 static inline void glint_draw_quadratic_specular(const glint_spans *s, const glint_deviation *deviation,
                                                  const glint_quadratic_light *light, int high_first) {
     const glint_part *part = s->part;
-    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth - GLINT_AHEAD;
     const uint32_t z_dx = (uint32_t)part->depth.dx, a_dx = (uint32_t)light->cosine.dx;
     const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
     uint8_t *row = (uint8_t *)(s->depth + (part->top << s->shift));
@@ -118,15 +117,14 @@ static inline void glint_draw_quadratic_specular(const glint_spans *s, const gli
         uint8_t *depth = row + 2 * left;
         const uint8_t *const end = row + 2 * right;
         do {
-            if (glint_is_nearest(depth, z)) {
+            if (glint_next_is_nearest(&depth, z)) {
                 uint32_t pixel = deviation->ambient;
                 if ((int32_t)a > 0)
                     pixel = glint_quadratic_lit(deviation, a, glint_root_table[c.value >> 22],
                                                 glint_middle_square(ex.value) + glint_middle_square(ey.value));
                 glint_put_565(depth + to_pixels, pixel, high_first);
             }
-            depth += 2;
-            GLINT_OPAQUE(depth);
+            glint_step(&depth);
             z += z_dx;
             a += a_dx;
             glint_stride_next(&c, &light->square);
@@ -140,7 +138,7 @@ static inline void glint_draw_quadratic_specular(const glint_spans *s, const gli
 static GLINT_INLINE void glint_draw_interpolated_diffuse(const glint_spans *s, const glint_deviation *deviation,
                                                          const glint_interpolation *light, int gated, int high_first) {
     const glint_part *part = s->part;
-    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth, stride = 2 << s->shift;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth - GLINT_AHEAD, stride = 2 << s->shift;
     const uint16_t *const table = deviation->diffuse_pixel;
     const uint32_t z_dx = (uint32_t)part->depth.dx;
     const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
@@ -159,12 +157,11 @@ static GLINT_INLINE void glint_draw_interpolated_diffuse(const glint_spans *s, c
             glint_stride_move(&c, &light->cosine, left - column);
             uint8_t *const end = depth + 2 * (right - left);
             do {
-                if (glint_is_nearest(depth, z))
+                if (glint_next_is_nearest(&depth, z))
                     glint_put_565(depth + to_pixels,
                                   gated && (int32_t)c.value <= 0 ? deviation->ambient : table[c.value >> 22],
                                   high_first);
-                depth += 2;
-                GLINT_OPAQUE(depth);
+                glint_step(&depth);
                 z += z_dx;
                 glint_stride_next(&c, &light->cosine);
             } while (depth != end);
@@ -182,10 +179,12 @@ static GLINT_INLINE void glint_draw_interpolated_specular(const glint_spans *s, 
                                                           const glint_interpolation *light, int clamped,
                                                           int high_first) {
     const glint_part *part = s->part;
-    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth - GLINT_AHEAD;
     const uint32_t *const diffuse = deviation->diffuse;
     const uint16_t *const packed = deviation->diffuse_pixel;
-    const uint32_t end_square = deviation->specular_end;
+    const unsigned early = GLINT_SPLIT_PRODUCTS ? 0 : 15; /* as in glint_draw_highlight */
+    uint32_t less_end = 0u - deviation->specular_end;
+    GLINT_OPAQUE(less_end);
     const uint32_t z_dx = (uint32_t)part->depth.dx;
     const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
     uint8_t *row = (uint8_t *)(s->depth + (part->top << s->shift));
@@ -200,21 +199,20 @@ static GLINT_INLINE void glint_draw_interpolated_specular(const glint_spans *s, 
         uint8_t *depth = row + 2 * left;
         const uint8_t *const end = row + 2 * right;
         do {
-            if (glint_is_nearest(depth, z)) {
+            if (glint_next_is_nearest(&depth, z)) {
+                GLINT_BARRIER();
                 /* the highlight's table ends where the diffuse one begins */
-                const int32_t beyond =
-                    (int32_t)(glint_high_square(ex.value) + glint_high_square(ey.value) - end_square);
+                const int32_t beyond = glint_shift_right(glint_squares_from(less_end, ex.value, ey.value), early);
                 const uint32_t level = c.value >> 22;
                 if (beyond < 0) {
-                    const uint32_t word = diffuse[level] + diffuse[glint_shift_right(beyond, 15)];
+                    const uint32_t word = diffuse[level] + diffuse[glint_shift_right(beyond, 15 - early)];
                     glint_put_565(depth + to_pixels, glint_spread_pack(clamped ? glint_spread_clamp(word) : word),
                                   high_first);
                 } else {
                     glint_put_565(depth + to_pixels, packed[level], high_first);
                 }
             }
-            depth += 2;
-            GLINT_OPAQUE(depth);
+            glint_step(&depth);
             z += z_dx;
             glint_stride_next(&c, &light->cosine);
             glint_stride_next(&ex, &light->x);
