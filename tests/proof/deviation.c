@@ -18,6 +18,13 @@
 static inline int glint_half_vector_inline(const glint_deviation *deviation, int32_t x, int32_t y,
                                            int16_t half_vector[3], glint_view_vector *view);
 
+/* A vertex's normal, as suite `normals` proves it. */
+/*@ requires \valid(vertex);
+    assigns vertex->attribute[0 .. 2], vertex->flags \from indirect: *draw, *vertex;
+    ensures \initialized(vertex->attribute + (0 .. 2)) && \initialized(&vertex->flags);
+    admit ensures \forall integer i; 0 <= i <= 2 ==> -32767 <= vertex->attribute[i] <= 32767; */
+void glint_transform_normal(const glint_draw *draw, glint_vertex *vertex);
+
 /* Stands on a square being no less than 0; its size is proven by the normals' components. */
 /*@ requires -32767 <= a <= 32767 && -32767 <= b <= 32767 && -32767 <= c <= 32767;
     assigns \result \from a, b, c;
@@ -62,7 +69,7 @@ static void any_deviation(int bits) {
 
 /*
  * Any vertices, by the bits of what scales deviations.
- * @contract glint_half_vector_inline glint_dot
+ * @contract glint_half_vector_inline glint_transform_normal glint_dot
  * @alarms 2 N.H + nz <= sqrt(2) UNIT where hz is 0, and 1 / (1 + hz) falls from there: the image tests under UBSan
  * @options -eva-slevel 0
  */
