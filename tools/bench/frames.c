@@ -32,7 +32,7 @@ static const variant variants[] = {
     {128, 64, GLINT_VIEWER_LOCAL, 32, 32, 0},     {320, 240, GLINT_VIEWER_LOCAL, 16, 16, 0},
     {320, 240, GLINT_VIEWER_LOCAL, 32, 16, 0},    {320, 240, GLINT_VIEWER_LOCAL, 64, 32, 0},
     {320, 240, GLINT_VIEWER_LOCAL, 64, 64, 0},    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 1},
-    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 0, 1},
+    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 0, 1}, {128, 64, GLINT_VIEWER_LOCAL, 64, 64, 0},
 };
 
 static uint32_t arena[(1 << 20) / sizeof(uint32_t)];
