@@ -12,8 +12,10 @@ static inline int find(const glint_draw *draw, uint32_t first, uint32_t end, int
         const uint32_t a = indices[0], b = indices[left], c = indices[right];
         if (a >= vertex_count || b >= vertex_count || c >= vertex_count)
             return GLINT_ERROR_INDEX;
-        if (glint_double_area(&vertices[a], &vertices[b], &vertices[c]) > limit)
+        if (glint_double_area(&vertices[a], &vertices[b], &vertices[c]) > limit) {
             *out++ = (uint16_t)i;
+            GLINT_OPAQUE(out);
+        }
     }
     return (int)(out - seen);
 }
