@@ -79,7 +79,9 @@ static inline int32_t glint_row_times_whole(const glint_row_whole *row, int32_t 
     sum += (int64_t)row->entry[0] * (x * 65536);
     sum += (int64_t)row->entry[1] * (y * 65536);
     sum += (int64_t)row->entry[2] * (z * 65536);
-    return (int32_t)glint_shift_right64(sum, 32);
+    int32_t high = (int32_t)glint_shift_right64(sum, 32);
+    GLINT_OPAQUE(high); /* before the next row begins: three at once take more registers than there are */
+    return high;
 }
 
 /* The products of the high parts sum up to at most 3 2^29 + 3 2^15, those of the low ones to 3 2^29. */
