@@ -20,7 +20,7 @@ static glint_status prepare_materials(glint_frame *frame, const glint_kept *kept
             return GLINT_ERROR_ARENA;
         if (!frame->shading)
             frame->shading = shading;
-        if (frame->shading != kept->shadings || frame->shading_count >= kept->count)
+        if (GLINT_SMALL || frame->shading != kept->shadings || frame->shading_count >= kept->count)
             *shading = (glint_shading){0};
         frame->shading_count++;
         glint_status status = glint_prepare_shading(frame, shading, objects[i].material);

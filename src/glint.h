@@ -372,7 +372,7 @@ typedef struct glint_config {
     /** Output tables for red, green and blue, or null: what a panel needs to show 0, 1/256 .. 1; Q16, 65535 is 1. */
     const uint16_t (*gamma)[GLINT_GAMMA_ENTRIES];
     /** Not 0: nobody else writes to the arena between frames. Tables of a material that the last frame prepared are
-     * then kept for as long as nothing that they come from changes. */
+     * then kept for as long as nothing that they come from changes; not by a library built for size. */
     uint8_t keeps_arena;
     uint8_t counts_drawn; /**< Not 0: glint_stats.drawn is counted too, for about 3 % more instructions. */
 } glint_config;

@@ -200,7 +200,7 @@ static int32_t find_spare(const glint_frame *frame) {
 
 /* Sets a number that tables are made from. */
 static inline void renew(glint_shading *shading, uint32_t *number, uint32_t value) {
-    shading->changed |= *number ^ value;
+    shading->changed |= GLINT_SMALL ? 0 : *number ^ value;
     *number = value;
 }
 
@@ -245,7 +245,7 @@ static int32_t weigh_lights(const glint_scene *scene, glint_shading *shading, in
 
 glint_status glint_prepare_shading(const glint_frame *frame, glint_shading *shading, const glint_material *material) {
     uint32_t ambient[3] = {0};
-    shading->changed = shading->material != material || shading->shininess != material->shininess;
+    shading->changed = GLINT_SMALL || shading->material != material || shading->shininess != material->shininess;
     shading->material = material;
     shading->shininess = material->shininess;
     if (weigh_colour(&material->ambient, &frame->scene->ambient, 23, ambient) < 0)
