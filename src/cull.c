@@ -14,7 +14,7 @@ static inline int find(const glint_draw *draw, uint32_t first, uint32_t end, int
             return GLINT_ERROR_INDEX;
         if (glint_double_area(&vertices[a], &vertices[b], &vertices[c]) > limit) {
             *out++ = (uint16_t)i;
-            GLINT_OPAQUE(out);
+            GLINT_OPAQUE(out); /* else gcc moves it twice for Cortex-M4 */
         }
     }
     return (int)(out - seen);

@@ -20,7 +20,7 @@ static glint_status prepare_materials(glint_frame *frame, const glint_kept *kept
             return GLINT_ERROR_ARENA;
         if (!frame->shading)
             frame->shading = shading;
-        if (GLINT_SMALL || frame->shading != kept->shadings || frame->shading_count >= kept->count)
+        if (frame->shading != kept->shadings || frame->shading_count >= kept->count)
             *shading = (glint_shading){0};
         frame->shading_count++;
         glint_status status = glint_prepare_shading(frame, shading, objects[i].material);
@@ -61,10 +61,12 @@ glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, co
     return GLINT_OK;
 }
 
-glint_status glint_frame_begin_with(glint_frame *frame, const glint_config *config, const glint_scene *scene,
-                                    const glint_kept *kept) {
+glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
+    glint_kept kept = {0, 0};
     if (!frame || !config || !scene || !config->arena)
         return GLINT_ERROR_NULL;
+    if (!GLINT_SMALL && config->keeps_arena)
+        kept = (glint_kept){frame->shading, frame->shading_count};
     glint_status status = glint_frame_grid(frame, config, scene);
     if (status != GLINT_OK)
         return status;
@@ -72,16 +74,13 @@ glint_status glint_frame_begin_with(glint_frame *frame, const glint_config *conf
         return GLINT_ERROR_ARENA;
     frame->memory.base = glint_align(config->arena);
     frame->memory.high = (config->arena_size - (GLINT_ALIGNMENT - 1)) & ~(GLINT_ALIGNMENT - 1);
-    status = prepare(frame, kept);
+    status = prepare(frame, &kept);
     frame->prepared_end = frame->memory.low;
     if (status == GLINT_OK && frame->memory.high - frame->memory.low < GLINT_LEAST_ROOM)
         status = GLINT_ERROR_ARENA;
+    if (status != GLINT_OK)
+        frame->shading_count = 0; /* what failed is not to be kept */
     return status;
-}
-
-glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
-    const glint_kept nothing = {0, 0};
-    return glint_frame_begin_with(frame, config, scene, &nothing);
 }
 
 /* Goes on where the last pass stopped. @return 0 when the frame is done. */

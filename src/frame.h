@@ -323,10 +323,6 @@ glint_status glint_prepare_view(glint_view *view, const glint_config *config, co
  */
 glint_status glint_prepare_shading(const glint_frame *frame, glint_shading *shading, const glint_material *material);
 
-/** glint_frame_begin, with what the last frame left in the arena. */
-glint_status glint_frame_begin_with(glint_frame *frame, const glint_config *config, const glint_scene *scene,
-                                    const glint_kept *kept);
-
 /**
  * A power table for exponent p; weight, Q12, is the largest that its values are multiplied by. What falls below
  * `spare`, Q12, need not show: where that is 0, below 1/16 of an 8-bit step.

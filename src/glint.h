@@ -468,7 +468,7 @@ typedef struct glint_kept {
 typedef struct glint_renderer {
     glint_config config;
     glint_stats stats; /**< Of the last frame. */
-    glint_kept kept;   /* nothing unless the arena is kept */
+    glint_kept kept;   /* of use only where the arena is kept */
 } glint_renderer;
 
 /**
@@ -549,7 +549,10 @@ size_t glint_workspace_size(const glint_config *config);
 /** Lays a workspace out in `memory`, of glint_workspace_size bytes, aligned as a pointer is. */
 void glint_workspace_init(glint_workspace *workspace, const glint_config *config, void *memory);
 
-/** Begins a frame: checks the scene and prepares camera, lights and materials in the arena, all of which it may use. */
+/**
+ * Begins a frame: checks the scene and prepares camera, lights and materials in the arena, all of which it may use.
+ * @param frame where config->keeps_arena is set, the last one drawn with this configuration, or all 0; else anything
+ */
 glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene);
 
 /** Prepares the next pass. @return 1 when there is one, 0 when the frame is done, or an error. */

@@ -78,14 +78,14 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
     glint_workspace_init(&workspace, &config, memory);
     config.arena = memory + buffers;
     config.arena_size -= buffers; /* what aligning took is given up in glint_frame_begin */
-    const glint_kept kept = renderer->kept;
+    frame.shading = renderer->kept.shadings;
+    frame.shading_count = renderer->kept.count;
     renderer->stats = (glint_stats){0};
     renderer->kept = (glint_kept){0, 0};
-    glint_status status = glint_frame_begin_with(&frame, &config, scene, &kept);
+    glint_status status = glint_frame_begin(&frame, &config, scene);
     if (status != GLINT_OK)
         return status;
-    if (config.keeps_arena)
-        renderer->kept = (glint_kept){frame.shading, frame.shading_count};
+    renderer->kept = (glint_kept){frame.shading, frame.shading_count};
     uint8_t *first = workspace.pixels;
     uint8_t *second = config.flush.wait ? first + workspace.stride * config.tile_height : first;
     workspace.drawn = config.counts_drawn ? frame.stats.drawn : 0;
