@@ -39,7 +39,7 @@
 #define GLINT_NOINLINE
 #endif
 
-/** Puts a function into its one caller, however long it is. */
+/** Puts a function into its callers, however long it is: one, or each with its own choices as constants. */
 #if defined(__GNUC__)
 #define GLINT_INLINE inline __attribute__((always_inline))
 #else

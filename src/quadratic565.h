@@ -5,13 +5,6 @@
 
 #include "quadratic.h"
 
-/* Of loops that are drawn in more than one way, each with its own choices as constants. */
-#if defined(__GNUC__)
-#define GLINT_INLINE inline __attribute__((always_inline))
-#else
-#define GLINT_INLINE inline
-#endif
-
 /* A quadratic at a pixel, and its step to the next column. */
 typedef struct glint_stride {
     uint32_t value, across;
