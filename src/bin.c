@@ -2,6 +2,13 @@
 /* Bin: culls triangles, clips those that need it, and lists the rest with the tiles that they may touch. */
 #include "frame.h"
 
+/* Keeps what a variable holds out of the registers. */
+#if defined(__GNUC__)
+#define IN_MEMORY(x) __asm__("" : "+m"(x))
+#else
+#define IN_MEMORY(x) ((void)0)
+#endif
+
 /*
  * Tiles between corners in one direction, of a screen of so many pixels: from the first pixel centre at or after the
  * least coordinate to the last before the greatest; *end is exclusive. @return 0 when there is no centre between.
@@ -40,15 +47,22 @@ static uint32_t most_references(const glint_frame *frame) {
     return most < GLINT_LIST_END ? (uint32_t)most : GLINT_LIST_END;
 }
 
-/* Appends a triangle to a tile's list, counted in the pass; there is room. */
-static inline void append(glint_frame *frame, uint32_t tile, uint32_t triangle) {
-    const uint32_t here = frame->reference_count;
-    uint16_t *const next = &frame->references->next; /* every other of these, a list's head among them */
-    next[2 * here] = GLINT_LIST_END;
-    next[2 * here + 1] = (uint16_t)triangle;
-    next[2 * next[2 * tile + 1]] = (uint16_t)here;
-    next[2 * tile + 1] = (uint16_t)here;
+/* A triangle's reference at the end of a list, as one word. */
+static inline uint32_t reference_to(uint32_t triangle) {
+    return triangle << 16 | GLINT_LIST_END;
+}
+
+/* Appends a reference to a tile's list, counted in the pass; there is room. */
+static inline void append(glint_frame *frame, uint32_t tile, uint32_t reference) {
+    uint32_t here = frame->reference_count;
+    glint_reference *const references = frame->references; /* the lists first: a head is a next, a tail a triangle */
     frame->reference_count = here + 1;
+    GLINT_OPAQUE(reference); /* else its halves are stored one by one */
+    references[here].next = (uint16_t)reference;
+    references[here].triangle = (uint16_t)(reference >> 16);
+    references[references[tile].triangle].next = (uint16_t)here;
+    GLINT_OPAQUE(here); /* else it is cut to a half first */
+    references[tile].triangle = (uint16_t)here;
 }
 
 /* Appends a triangle to the list of each tile of the pass in range. @return 0 when the arena is full. */
@@ -60,7 +74,7 @@ static inline int list_triangle(glint_frame *frame, const glint_range *range, ui
             if (tile < count) {
                 if (frame->reference_count >= most)
                     return 0;
-                append(frame, tile, triangle);
+                append(frame, tile, reference_to(triangle));
             }
     }
     return 1;
@@ -138,57 +152,103 @@ static GLINT_NOINLINE int bin_whole(glint_frame *frame, glint_draw *draw, uint32
         frame->stats.outside++;
         return 1;
     }
-    if (!(v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_NORMAL) || draw->evaluation->light_triangle)
+    if (!(v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_NORMAL))
         light(frame, draw, triangle);
     return list_triangle(frame, &range, draw->first + triangle);
 }
 
-/* Bins any triangle. @return 0 when the arena is full. */
+/* Bins any triangle. @return 1, 0 when the arena is full, or GLINT_ERROR_INDEX. */
 static int bin_any(glint_frame *frame, glint_draw *draw, uint32_t triangle) {
     const uint16_t *indices = draw->triangles[triangle];
-    const glint_vertex *const v[3] = {&draw->vertices[indices[0]], &draw->vertices[indices[1]],
-                                      &draw->vertices[indices[2]]};
+    const uint32_t a = indices[0], b = indices[1], c = indices[2];
+    if (a >= draw->vertex_count || b >= draw->vertex_count || c >= draw->vertex_count)
+        return GLINT_ERROR_INDEX;
+    const glint_vertex *const v[3] = {&draw->vertices[a], &draw->vertices[b], &draw->vertices[c]};
     if ((v[0]->flags | v[1]->flags | v[2]->flags) & GLINT_VERTEX_CLIP)
         return has_room_for_clipped(frame) && list_clipped(frame, draw, triangle);
-    if (glint_takes_all(draw) && !glint_faces(draw->mirrored, draw->double_sided, v)) {
+    if (!glint_faces(draw->mirrored, draw->double_sided, v)) {
         frame->stats.facing_away++;
         return 1;
     }
     return bin_whole(frame, draw, triangle);
 }
 
-/* Where a pass's tiles lie, to find the one of most triangles: words of two halves, for x and y, as place_of gives. */
+/* The same, of all from number `next` on. @return the first that the arena had no room for, or GLINT_ERROR_INDEX. */
+static int bin_each(glint_frame *frame, glint_draw *draw, uint32_t next) {
+    for (; next < draw->count; next++) {
+        const int binned = bin_any(frame, draw, next);
+        if (binned <= 0)
+            return binned < 0 ? binned : (int)next;
+    }
+    return (int)next;
+}
+
+/* ---- Plain draws: seen from one side, not mirrored, and nowhere clipped ---- */
+
+static int is_plain(const glint_draw *draw) {
+    return !draw->transform.clips && !draw->double_sided && !draw->mirrored;
+}
+
+/*
+ * What a triangle that faces the eye needs: kept in memory, so that the loop over all has the registers. Places are
+ * words of two halves, for x and y, as place_of gives.
+ */
 typedef struct grid {
+    glint_frame *frame;
+    glint_draw *draw;
     uint32_t shift_x, shift_y; /* from a half to a tile's column and row */
     uint32_t above;            /* the bits of these */
     uint32_t last;             /* the last place on the screen */
     uint32_t columns, first, count;
+    uint32_t most;           /* references there may be */
+    uint32_t end, reference; /* behind the draw's last triangle: its number and what would refer to it */
 } grid;
 
-static grid grid_of(const glint_frame *frame) {
+static grid grid_of(glint_frame *frame, glint_draw *draw) {
     const uint32_t shift_x = frame->tile_shift_x + 4u, shift_y = frame->tile_shift_y + 4u;
-    return (grid){shift_x,
+    return (grid){frame,
+                  draw,
+                  shift_x,
                   shift_y + 16,
                   (0xffffu << shift_x & 0xffffu) | 0xffff0000u << shift_y,
                   (16u * frame->config.width - 1) | (16u * frame->config.height - 1) << 16,
                   frame->tile_columns,
                   frame->tile_first,
-                  glint_pass_tiles(frame)};
+                  glint_pass_tiles(frame),
+                  most_references(frame),
+                  draw->count,
+                  reference_to((uint32_t)draw->first + draw->count)};
 }
 
-/* x and y of a vertex as two halves of a word, from the last pixel centre before it. */
-static inline uint32_t place_of(const glint_vertex *v) {
-    return ((uint32_t)(uint16_t)v->x | (uint32_t)(uint16_t)v->y << 16) + 0x00070007;
+/* x and y of a vertex as two halves of a word. */
+static inline uint32_t word_of(const glint_vertex *v) {
+    return (uint32_t)(uint16_t)v->x | (uint32_t)(uint16_t)v->y << 16;
 }
 
-/*
- * Most triangles lie in one tile: then their corners' places agree in all bits above it. A carry from x to y comes from
- * x < 0, which is on no tile.
- */
+static inline int32_t difference_of_x(uint32_t a, uint32_t b) {
+    uint32_t difference = a - b;
+    GLINT_OPAQUE(difference); /* else both halves are taken out first */
+    return (int16_t)difference;
+}
+
+/* Does a triangle face the eye, by its corners' words? The guard band keeps differences in 16 bits. */
+static inline int is_seen(const uint32_t w[3]) {
+    const int32_t y = glint_shift_right((int32_t)w[0], 16);
+    const int32_t x1 = difference_of_x(w[1], w[0]), y1 = glint_shift_right((int32_t)w[1], 16) - y;
+    const int32_t x2 = difference_of_x(w[2], w[0]), y2 = glint_shift_right((int32_t)w[2], 16) - y;
+    return x1 * y2 < x2 * y1;
+}
+
+/* From the last pixel centre before a corner. A carry from x to y comes from x < 0, which is on no tile. */
+static inline uint32_t place_of(uint32_t word) {
+    return word + 0x00070007;
+}
+
+/* Most triangles lie in one tile: then their corners' places agree in all bits above it. */
 typedef enum where { NOWHERE, ONE_TILE, SOMEWHERE } where;
 
-static inline where find_tile(const grid *g, const glint_vertex *const v[3], uint32_t *tile) {
-    const uint32_t a = place_of(v[0]), differ = (a ^ place_of(v[1])) | (a ^ place_of(v[2]));
+static inline where find_tile(const grid *g, const uint32_t w[3], uint32_t *tile) {
+    const uint32_t a = place_of(w[0]), differ = (a ^ place_of(w[1])) | (a ^ place_of(w[2]));
     if (!(differ & 0xfff0) || !(differ >> 20))
         return NOWHERE;
     /* Off the screen, a half or its difference from the last one is below 0. */
@@ -198,63 +258,59 @@ static inline where find_tile(const grid *g, const glint_vertex *const v[3], uin
     return ONE_TILE;
 }
 
-/* Bins triangles that cull saw. @return how many, before the arena is full. */
-static GLINT_NOINLINE int bin_seen(glint_frame *frame, glint_draw *draw, const uint16_t *seen, int count) {
-    const uint32_t ready = draw->evaluation->light_triangle ? 0 : GLINT_VERTEX_NORMAL;
-    const uint32_t most = most_references(frame);
-    const grid g = grid_of(frame);
-    const uint16_t *next = seen;
-    for (const uint16_t *end = seen + count; next < end;) {
-        const uint32_t triangle = *next++;
-        const uint16_t *indices = draw->triangles[triangle];
-        const glint_vertex *const v[3] = {&draw->vertices[indices[0]], &draw->vertices[indices[1]],
-                                          &draw->vertices[indices[2]]};
-        const uint32_t flags = v[0]->flags & v[1]->flags & v[2]->flags;
-        uint32_t tile;
-        const where place = find_tile(&g, v, &tile);
-        if (place == SOMEWHERE) {
-            if (!bin_whole(frame, draw, triangle))
-                return (int)(next - seen) - 1;
-        } else if (place == NOWHERE) {
-            frame->stats.outside++;
-        } else if (tile < g.count) {
-            if (frame->reference_count >= most)
-                return (int)(next - seen) - 1;
-            if (!(flags & ready))
-                light(frame, draw, triangle);
-            append(frame, tile, draw->first + triangle);
-        }
+/* Bins a triangle that faces the eye, with so many left in the draw, itself too. @return 0 when the arena is full. */
+static inline int bin_seen(const grid *g, const glint_vertex *const v[3], const uint32_t w[3], uint32_t left) {
+    uint32_t tile;
+    const where place = find_tile(g, w, &tile);
+    if (place == SOMEWHERE)
+        return bin_whole(g->frame, g->draw, g->end - left);
+    if (place == NOWHERE) {
+        g->frame->stats.outside++;
+    } else if (tile < g->count) {
+        if (g->frame->reference_count >= g->most)
+            return 0;
+        if (!(v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_NORMAL))
+            light(g->frame, g->draw, g->end - left);
+        append(g->frame, tile, g->reference - (left << 16));
     }
-    return count;
+    return 1;
 }
 
-/* The same, of draws that cull takes all of, or in a small library. */
-static int bin_each(glint_frame *frame, glint_draw *draw, const uint16_t *seen, int count) {
-    int i = 0;
-    while (i < count && bin_any(frame, draw, seen[i]))
-        i++;
-    return i;
+/* bin_each of a plain draw. */
+static GLINT_NOINLINE int bin_plain(glint_frame *frame, glint_draw *draw, uint32_t next) {
+    grid g = grid_of(frame, draw);
+    const glint_vertex *const vertices = draw->vertices;
+    const uint32_t vertex_count = draw->vertex_count;
+    const uint16_t *indices = draw->triangles[next];
+    uint32_t left = draw->count - next, away = 0;
+    for (; left; left--) {
+        const uint32_t a = indices[0], b = indices[1], c = indices[2];
+        indices += 3;
+        if ((a | b | c) >= vertex_count && (a >= vertex_count || b >= vertex_count || c >= vertex_count))
+            return GLINT_ERROR_INDEX;
+        const glint_vertex *const v[3] = {&vertices[a], &vertices[b], &vertices[c]};
+        const uint32_t w[3] = {word_of(v[0]), word_of(v[1]), word_of(v[2])};
+        if (!is_seen(w)) {
+            away++;
+            continue;
+        }
+        IN_MEMORY(g);
+        if (!bin_seen(&g, v, w, left))
+            break;
+    }
+    frame->stats.facing_away += away;
+    return (int)(draw->count - left);
 }
 
 /* Bins the triangles of a draw from frame->triangle on. @return 1, 0 when the arena is full, or an error. */
 static int bin_draw(glint_frame *frame, glint_draw *draw) {
-    uint16_t seen[GLINT_SEEN_MAX];
-    uint32_t next = frame->triangle - draw->first_triangle;
-    const int closely = GLINT_SMALL || glint_takes_all(draw);
-    while (next < draw->count) {
-        uint32_t from = next;
-        int count = glint_cull(draw, &next, seen);
-        if (count < 0)
-            return count;
-        int binned = closely ? bin_each(frame, draw, seen, count) : bin_seen(frame, draw, seen, count);
-        uint32_t end = binned < count ? seen[binned] : next;
-        frame->stats.triangles += end - from;
-        frame->stats.facing_away += end - from - (uint32_t)binned;
-        frame->triangle = draw->first_triangle + end;
-        if (binned < count)
-            return 0;
-    }
-    return 1;
+    const uint32_t from = frame->triangle - draw->first_triangle;
+    const int end = GLINT_SMALL || !is_plain(draw) ? bin_each(frame, draw, from) : bin_plain(frame, draw, from);
+    if (end < 0)
+        return end;
+    frame->stats.triangles += (uint32_t)end - from;
+    frame->triangle = draw->first_triangle + (uint32_t)end;
+    return end == draw->count;
 }
 
 /* @return 0 when the arena cannot hold the lists. */

@@ -173,8 +173,15 @@ typedef struct glint_clipped {
     const glint_draw *draw;
 } glint_clipped;
 
+/** Two halves that are stored and loaded as one word. */
+#if defined(__GNUC__)
+#define GLINT_WORD __attribute__((aligned(4)))
+#else
+#define GLINT_WORD
+#endif
+
 /** A triangle in a tile's list, by its number: of a draw from 0 up, of the clipped from GLINT_CLIPPED_TOP down. */
-typedef struct glint_reference {
+typedef struct GLINT_WORD glint_reference {
     uint16_t next; /* number of the next reference, or GLINT_LIST_END */
     uint16_t triangle;
 } glint_reference;
@@ -294,7 +301,7 @@ struct glint_evaluation {
     /** Lights vertices after they are loaded; null where that comes later. */
     void (*light_vertices)(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
                            const glint_mesh *mesh);
-    /** Lights one triangle; null where there is no need. */
+    /** Lights one triangle without its vertices' normals, which call for it; null where there is no need. */
     glint_light_triangle *light_triangle;
     /** Finds the colours of the fragments. */
     void (*shade)(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw);
@@ -396,20 +403,6 @@ glint_status glint_check_config(glint_config *config);
 
 /** Bytes of arena that glint_render keeps for tiles. */
 size_t glint_tile_buffers_size(const glint_config *config);
-
-/** Triangles that are culled at once. */
-#define GLINT_SEEN_MAX 64
-
-/** Is culling left to a closer look: at draws that may be clipped, or are seen from both sides? */
-static inline int glint_takes_all(const glint_draw *draw) {
-    return draw->transform.clips || draw->double_sided;
-}
-
-/**
- * Finds those that face the eye among GLINT_SEEN_MAX triangles from number *next on.
- * @return how many, or GLINT_ERROR_INDEX
- */
-int glint_cull(const glint_draw *draw, uint32_t *next, uint16_t seen[GLINT_SEEN_MAX]);
 
 /** Puts triangles from (frame->object, frame->triangle) on into the lists of the pass's tiles. */
 glint_status glint_bin(glint_frame *frame, int *complete);

@@ -22,7 +22,6 @@ STAGES = {
                 "deviation_prepare", "quadratic:glint_quadratic_prepare", "quadratic:find_bend", "quadratic:find_across",
                 "interpolate:glint_interpolate_prepare", "interpolate:find_turn"],
     "vertices": ["transform", "load", "geometry", "deviation:glint_deviation_light"],
-    "cull": ["cull", "bin:glint_find_tiles"],
     "bin": ["bin", "clip"],
     "set-up": ["setup"],
     "raster": ["raster", "kernel", "tile:glint_render_tile"],
