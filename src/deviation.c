@@ -47,77 +47,83 @@ static inline offset find_deviation(const int16_t n[3], const int16_t h[3]) {
     return e;
 }
 
-/* A deviation on the scale of planes, cut off where it is beyond their reach, which sets flags. */
-static inline int16_t scale_deviation(const glint_deviation *deviation, int32_t e, uint32_t *flags) {
-    const int32_t reach = deviation->reach;
-    if (e > reach || e < -reach) {
-        *flags |= GLINT_TERMS_FAR;
-        e = e > 0 ? reach : -reach;
-    }
-    return (int16_t)glint_shift_right(e * deviation->scale + (1 << 15), 16);
+/* Cuts off a deviation's parts that are beyond the reach of planes. */
+static inline int32_t cut_off(int32_t e, int32_t reach) {
+    return e > reach ? reach : e < -reach ? -reach : e;
 }
 
-/* The sides of the octagon around the highlight that a deviation lies beyond. */
-static uint32_t find_sides(const glint_deviation *deviation, int32_t x, int32_t y) {
-    const int32_t cut = deviation->side, diagonal = deviation->side_diagonal;
+/* A deviation on the scale of planes. */
+static inline int32_t scale_deviation(const glint_deviation *deviation, int32_t e) {
+    return glint_shift_right(e * deviation->scale + (1 << 15), 16);
+}
+
+/* Which of two numbers are no less than a cut, given 2^15 less that: bits 31 and 15; and their negatives: 30 and 14. */
+static inline uint32_t find_beyond(uint32_t cut, int32_t high, int32_t low) {
+    const uint32_t both = ((uint32_t)high << 16) + (uint32_t)low;
+    return ((cut + both) & 0x80008000) | (((cut - both) & 0x80008000) >> 1);
+}
+
+/* The sides of the octagon around the highlight that a deviation lies beyond; of the diagonal ones, by a little. */
+static inline uint32_t find_sides(const glint_deviation *deviation, int32_t x, int32_t y) {
+    const uint32_t straight = find_beyond(deviation->sides[0], y, x);
+    const uint32_t diagonal =
+        find_beyond(deviation->sides[1], glint_shift_right(x - y, 1), glint_shift_right(x + y, 1));
+    const uint32_t all = straight | diagonal >> 2;
+    return (all | all >> 20) & GLINT_TERMS_ANY_OUTSIDE;
+}
+
+/* Finds a vertex's scaled deviation. @return flags */
+static GLINT_INLINE uint32_t find_terms(const glint_deviation *deviation, const int16_t normal[3],
+                                        const int16_t half_vector[3], int16_t terms[3]) {
+    offset e = find_deviation(normal, half_vector);
+    const int32_t reach = deviation->reach;
     uint32_t flags = 0;
-    if (x >= cut)
-        flags |= GLINT_TERMS_OUTSIDE;
-    if (x <= -cut)
-        flags |= GLINT_TERMS_OUTSIDE << 1;
-    if (y >= cut)
-        flags |= GLINT_TERMS_OUTSIDE << 2;
-    if (y <= -cut)
-        flags |= GLINT_TERMS_OUTSIDE << 3;
-    if (x + y >= diagonal)
-        flags |= GLINT_TERMS_OUTSIDE << 4;
-    if (x + y <= -diagonal)
-        flags |= GLINT_TERMS_OUTSIDE << 5;
-    if (x - y >= diagonal)
-        flags |= GLINT_TERMS_OUTSIDE << 6;
-    if (x - y <= -diagonal)
-        flags |= GLINT_TERMS_OUTSIDE << 7;
-    return flags;
+    if (e.x > reach || e.x < -reach || e.y > reach || e.y < -reach) {
+        flags = GLINT_TERMS_FAR;
+        e.x = cut_off(e.x, reach);
+        e.y = cut_off(e.y, reach);
+    }
+    const int32_t x = scale_deviation(deviation, e.x), y = scale_deviation(deviation, e.y);
+    terms[1] = (int16_t)x;
+    terms[2] = (int16_t)y;
+    return flags | find_sides(deviation, x, y);
 }
 
 /* Finds a vertex's terms: N.L, Q14, and its scaled deviation. @return flags */
-static uint32_t light_vertex(const glint_deviation *deviation, const glint_vertex *vertex, int16_t terms[3]) {
-    int16_t found[3];
-    glint_view_vector view;
-    const int16_t *half_vector = deviation->half_vector;
-    const int32_t cosine = glint_shift_right(cosine_of(vertex->attribute, deviation->light) + 1, 1);
-    uint32_t flags = cosine >= LIT ? 0 : cosine > UNLIT ? GLINT_TERMS_DIM : GLINT_TERMS_DIM | GLINT_TERMS_DARK;
+static inline uint32_t light_vertex(const glint_deviation *deviation, const glint_vertex *vertex, int16_t terms[3]) {
+    const int32_t dot = glint_dot(vertex->attribute, deviation->light);
+    const int32_t cosine = glint_shift_right(dot + glint_shift_right(dot, 13) + 0xc000, 16);
+    const uint32_t flags = cosine >= LIT ? 0 : cosine > UNLIT ? GLINT_TERMS_DIM : GLINT_TERMS_DIM | GLINT_TERMS_DARK;
     terms[0] = (int16_t)(cosine > GLINT_UNIT / 2 ? GLINT_UNIT / 2 : cosine);
-    if (!deviation->specular_end) {
-        terms[1] = 0;
-        terms[2] = 0;
-        return flags | GLINT_TERMS_ANY_OUTSIDE;
-    }
     if (deviation->local_viewer) {
-        half_vector = found;
-        if (!glint_half_vector_inline(deviation, vertex->x, vertex->y, found, &view))
-            return GLINT_TERMS_UNFIT;
+        int16_t half_vector[3];
+        glint_view_vector view;
+        return glint_half_vector_inline(deviation, vertex->x, vertex->y, half_vector, &view)
+                   ? flags | find_terms(deviation, vertex->attribute, half_vector, terms)
+                   : GLINT_TERMS_UNFIT;
     }
-    const offset e = find_deviation(vertex->attribute, half_vector);
-    terms[1] = scale_deviation(deviation, e.x, &flags);
-    terms[2] = scale_deviation(deviation, e.y, &flags);
-    return flags | find_sides(deviation, terms[1], terms[2]);
+    if (deviation->specular_end)
+        return flags | find_terms(deviation, vertex->attribute, deviation->half_vector, terms);
+    terms[1] = 0;
+    terms[2] = 0;
+    return flags | GLINT_TERMS_ANY_OUTSIDE;
 }
 
 void glint_deviation_light(const glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t i) {
+    const glint_deviation *deviation = draw->shading->deviation;
+    const uint16_t *index = draw->triangles[i];
     (void)frame;
     (void)transform;
-    for (int corner = 0; corner < 3; corner++) {
-        const uint32_t index = draw->triangles[i][corner];
-        glint_vertex *vertex = &draw->vertices[index];
+    for (const uint16_t *end = index + 3; index < end; index++) {
+        glint_vertex *vertex = &draw->vertices[*index];
         if (vertex->flags & GLINT_VERTEX_LIT)
             continue;
         if (!(vertex->flags & GLINT_VERTEX_NORMAL))
             glint_transform_normal(draw, vertex);
         if (vertex->flags & GLINT_VERTEX_CLIP)
             continue;
-        const uint32_t flags = light_vertex(draw->shading->deviation, vertex, draw->terms[index]);
-        vertex->flags = (uint16_t)(vertex->flags | GLINT_VERTEX_LIT | flags);
+        const uint32_t flags = light_vertex(deviation, vertex, draw->terms[*index]);
+        vertex->flags = (uint16_t)(GLINT_VERTEX_NORMAL | GLINT_VERTEX_LIT | flags);
     }
 }
 

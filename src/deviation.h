@@ -65,6 +65,7 @@ typedef struct glint_deviation {
     uint32_t sine_square_end;      /* the same as sin^2, Q30 */
     int32_t scale;                 /* from a deviation, Q14, to a scaled one, whose square is the table's: Q16 */
     int32_t side, side_diagonal;   /* scaled: outside an octagon of this radius no highlight shows */
+    uint32_t sides[2];             /* 2^15 less the former, and less half of the latter, in both halves of a word */
     int32_t cut, cut_diagonal;     /* its radius as a deviation, Q14 */
     int32_t reach;                 /* deviation, Q14, that a plane can hold */
     int32_t turn, turn_specular;   /* limits that keep the error small: glint_deviation_fits */
@@ -73,6 +74,7 @@ typedef struct glint_deviation {
     int32_t extent;               /* on the screen, 28.4 */
     int32_t ray_scale, ray_limit; /* from 28.4 to a ray with z = 2^14, Q16 */
     int32_t center_x, center_y;   /* of the screen, 28.4 */
+    int32_t wide_light[3];        /* Q30, half a step of Q15 included */
     int16_t light[3], half_vector[3];
     uint16_t ambient; /* packed */
     uint8_t local_viewer;
@@ -156,12 +158,13 @@ static inline int glint_half_vector_inline(const glint_deviation *deviation, int
     view->v[0] = glint_shift_right(x * root + 0x4000, 15);
     view->v[1] = glint_shift_right(y * root + 0x4000, 15);
     view->v[2] = glint_shift_right(z * root + 0x4000, 15);
-    x = view->v[0] + deviation->light[0];
-    y = view->v[1] + deviation->light[1];
-    z = view->v[2] + deviation->light[2];
+    z = z * root + deviation->wide_light[2];
     if (z < 0)
         return 0;
-    x = glint_shift_right(x, 1), y = glint_shift_right(y, 1), z = glint_shift_right(z, 1);
+    /* half of L + V */
+    x = glint_shift_right(x * root + deviation->wide_light[0], 16);
+    y = glint_shift_right(y * root + deviation->wide_light[1], 16);
+    z = glint_shift_right(z, 16);
     uint32_t c = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
     if (c < 1u << 28)
         return 0;

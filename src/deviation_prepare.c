@@ -278,6 +278,7 @@ static void prepare_rays(glint_deviation *deviation, const glint_frame *frame) {
     deviation->local_viewer = frame->view->local_viewer;
     for (int c = 0; c < 3; c++) {
         deviation->light[c] = frame->view->lights[0].direction[c];
+        deviation->wide_light[c] = deviation->light[c] * (1 << 15) + (1 << 14);
         deviation->half_vector[c] = frame->view->lights[0].half_vector[c];
     }
 }
@@ -286,12 +287,16 @@ static void prepare_highlight(glint_deviation *deviation, const glint_shading *s
     const uint32_t cut = find_cut(shading), entries = specular_entries(shading, cut);
     deviation->sine_square_end = cut;
     deviation->specular_end = entries << 15;
-    if (!cut)
+    if (!cut) {
+        deviation->local_viewer = 0;
         return;
+    }
     /* e is Q14; where its square is the cut, that of the scaled one is the table's end */
     deviation->scale = (int32_t)glint_square_root(((uint64_t)entries << 49) / cut);
     deviation->side = (int32_t)glint_square_root(deviation->specular_end) + (deviation->scale >> 14) + 2;
     deviation->side_diagonal = (deviation->side * 23171 >> 14) + 1;
+    deviation->sides[0] = ((1 << 15) - (uint32_t)deviation->side) * 0x10001;
+    deviation->sides[1] = ((1 << 15) - (uint32_t)deviation->side_diagonal / 2 - 1) * 0x10001;
     deviation->cut = (int32_t)glint_square_root(cut >> 2) + 4; /* more than rounding takes */
     deviation->cut_diagonal = (deviation->cut * 23171 >> 14) + 1;
     deviation->reach = at_most((uint64_t)(GLINT_DEVIATION_REACH << 16) / (uint32_t)deviation->scale, INT16_MAX);

@@ -368,14 +368,14 @@ int glint_interpolate_highlight(const glint_draw *draw, const glint_triangle *tr
 static int is_outside(const glint_deviation *deviation, uint32_t sides, const nodes *n, int32_t margin) {
     const int32_t cut = deviation->side + margin, diagonal = deviation->side_diagonal + margin + (margin >> 1);
     const int32_t x0 = n->x[0], x1 = n->x[1], x2 = n->x[2], y0 = n->y[0], y1 = n->y[1], y2 = n->y[2];
-    return (sides & GLINT_TERMS_OUTSIDE && glint_least_of(x0, x1, x2) >= cut) ||
-           (sides & GLINT_TERMS_OUTSIDE << 1 && glint_most_of(x0, x1, x2) <= -cut) ||
-           (sides & GLINT_TERMS_OUTSIDE << 2 && glint_least_of(y0, y1, y2) >= cut) ||
-           (sides & GLINT_TERMS_OUTSIDE << 3 && glint_most_of(y0, y1, y2) <= -cut) ||
-           (sides & GLINT_TERMS_OUTSIDE << 4 && glint_least_of(x0 + y0, x1 + y1, x2 + y2) >= diagonal) ||
-           (sides & GLINT_TERMS_OUTSIDE << 5 && glint_most_of(x0 + y0, x1 + y1, x2 + y2) <= -diagonal) ||
-           (sides & GLINT_TERMS_OUTSIDE << 6 && glint_least_of(x0 - y0, x1 - y1, x2 - y2) >= diagonal) ||
-           (sides & GLINT_TERMS_OUTSIDE << 7 && glint_most_of(x0 - y0, x1 - y1, x2 - y2) <= -diagonal);
+    return (sides & GLINT_TERMS_OUTSIDE << 7 && glint_least_of(x0, x1, x2) >= cut) ||
+           (sides & GLINT_TERMS_OUTSIDE << 6 && glint_most_of(x0, x1, x2) <= -cut) ||
+           (sides & GLINT_TERMS_OUTSIDE << 5 && glint_least_of(x0 + y0, x1 + y1, x2 + y2) >= diagonal) ||
+           (sides & GLINT_TERMS_OUTSIDE << 4 && glint_most_of(x0 + y0, x1 + y1, x2 + y2) <= -diagonal) ||
+           (sides & GLINT_TERMS_OUTSIDE << 3 && glint_least_of(y0, y1, y2) >= cut) ||
+           (sides & GLINT_TERMS_OUTSIDE << 2 && glint_most_of(y0, y1, y2) <= -cut) ||
+           (sides & GLINT_TERMS_OUTSIDE << 1 && glint_least_of(x0 - y0, x1 - y1, x2 - y2) >= diagonal) ||
+           (sides & GLINT_TERMS_OUTSIDE && glint_most_of(x0 - y0, x1 - y1, x2 - y2) <= -diagonal);
 }
 
 /* The larger side of what is around a triangle, over the focal length, Q14. */

@@ -62,8 +62,8 @@ static void any_deviation(int bits) {
     deviation.half_vector[2] = (int16_t)ANY(0, 32767);
     deviation.scale = ANY(1 << (bits - 1), (1 << bits) - 1);
     deviation.reach = ANY(0, reach < INT16_MAX ? reach : INT16_MAX);
-    deviation.side = ANY(0, 1 << 17);
-    deviation.side_diagonal = ANY(0, 1 << 18);
+    deviation.sides[0] = ANY_UNSIGNED(0, UINT_MAX);
+    deviation.sides[1] = ANY_UNSIGNED(0, UINT_MAX);
     deviation.specular_end = ANY_UNSIGNED(0, 1024) << 15;
 }
 
@@ -71,7 +71,7 @@ static void any_deviation(int bits) {
  * Any vertices, by the bits of what scales deviations.
  * @contract glint_half_vector_inline glint_transform_normal glint_dot
  * @alarms 2 N.H + nz <= sqrt(2) UNIT where hz is 0, and 1 / (1 + hz) falls from there: the image tests under UBSan
- * @options -eva-slevel 0
+ * @options -eva-slevel 0 -eva-min-loop-unroll 3
  */
 PROOF(glint_deviation_light) {
     any_triangle();

@@ -165,6 +165,8 @@ static void loosen(glint_deviation *deviation) {
         (GLINT_DEVIATION_REACH << 16) / scale < INT16_MAX ? (GLINT_DEVIATION_REACH << 16) / scale : INT16_MAX;
     deviation->side = (int32_t)glint_square_root(deviation->specular_end) + (scale >> 14) + 2;
     deviation->side_diagonal = (deviation->side * 23171 >> 14) + 1;
+    deviation->sides[0] = ((1 << 15) - (uint32_t)deviation->side) * 0x10001;
+    deviation->sides[1] = ((1 << 15) - (uint32_t)deviation->side_diagonal / 2 - 1) * 0x10001;
     deviation->cut = (int32_t)glint_square_root(cut >> 2) + 4;
     deviation->cut_diagonal = (deviation->cut * 23171 >> 14) + 1;
 }
