@@ -52,17 +52,21 @@ static inline uint32_t reference_to(uint32_t triangle) {
     return triangle << 16 | GLINT_LIST_END;
 }
 
-/* Appends a reference to a tile's list, counted in the pass; there is room. */
-static inline void append(glint_frame *frame, uint32_t tile, uint32_t reference) {
-    uint32_t here = frame->reference_count;
-    glint_reference *const references = frame->references; /* the lists first: a head is a next, a tail a triangle */
-    frame->reference_count = here + 1;
+/* Puts a reference, number `here`, behind a tile's list. Lists come first: a head is a next, a tail a triangle. */
+static inline void put(glint_reference *references, uint32_t here, uint32_t tile, uint32_t reference) {
     GLINT_OPAQUE(reference); /* else its halves are stored one by one */
     references[here].next = (uint16_t)reference;
     references[here].triangle = (uint16_t)(reference >> 16);
     references[references[tile].triangle].next = (uint16_t)here;
     GLINT_OPAQUE(here); /* else it is cut to a half first */
     references[tile].triangle = (uint16_t)here;
+}
+
+/* Appends a reference to a tile's list, counted in the pass; there is room. */
+static inline void append(glint_frame *frame, uint32_t tile, uint32_t reference) {
+    const uint32_t here = frame->reference_count;
+    frame->reference_count = here + 1;
+    put(frame->references, here, tile, reference);
 }
 
 /* Appends a triangle to the list of each tile of the pass in range. @return 0 when the arena is full. */
@@ -258,12 +262,68 @@ static inline where find_tile(const grid *g, const uint32_t w[3], uint32_t *tile
     return ONE_TILE;
 }
 
+/* Pixels between three coordinates, which are the high halves of words: *high is exclusive. */
+static inline void find_pixels(int32_t a, int32_t b, int32_t c, int32_t size, int32_t *low, int32_t *high) {
+    const int32_t least = glint_least_of(a, b, c), most = glint_most_of(a, b, c);
+    *low = glint_most(glint_shift_right(least + 0x70000, 20), 0);
+    *high = glint_least(glint_shift_right(most + 0x70000, 20), size);
+}
+
+/* Appends a reference to the lists of a rectangle of tiles, all in the pass, from `tile` to `last`; there is room. */
+static inline void append_all(const grid *g, uint32_t tile, uint32_t row_end, uint32_t last, uint32_t reference) {
+    const uint32_t to_next_row = g->columns - (row_end - tile);
+    glint_reference *references = g->frame->references;
+    uint32_t here = g->frame->reference_count;
+    for (;;) {
+        put(references, here++, tile, reference);
+        if (tile == last)
+            break;
+        if (tile++ == row_end) {
+            tile = row_end + to_next_row;
+            row_end += g->columns;
+        }
+        GLINT_OPAQUE(tile); /* else gcc counts in more ways than one */
+        GLINT_OPAQUE(here);
+        GLINT_OPAQUE(references);
+    }
+    g->frame->reference_count = here;
+}
+
+/* Bins a triangle, with so many left in the draw, itself too: most times in a few tiles, all in the pass. */
+static GLINT_NOINLINE int bin_several(const grid *g, uint32_t left) {
+    glint_frame *frame = g->frame;
+    glint_draw *draw = g->draw;
+    const uint32_t triangle = g->end - left;
+    const uint16_t *indices = draw->triangles[triangle];
+    const glint_vertex *const v[3] = {&draw->vertices[indices[0]], &draw->vertices[indices[1]],
+                                      &draw->vertices[indices[2]]};
+    const uint32_t a = word_of(v[0]), b = word_of(v[1]), c = word_of(v[2]);
+    int32_t x, y, right, bottom;
+    find_pixels((int32_t)(a << 16), (int32_t)(b << 16), (int32_t)(c << 16), frame->config.width, &x, &right);
+    find_pixels((int32_t)a, (int32_t)b, (int32_t)c, frame->config.height, &y, &bottom);
+    if (x >= right || y >= bottom) {
+        frame->stats.outside++;
+        return 1;
+    }
+    const uint32_t column = (uint32_t)x >> frame->tile_shift_x, row = (uint32_t)y >> frame->tile_shift_y;
+    const uint32_t more_columns = ((uint32_t)(right - 1) >> frame->tile_shift_x) - column;
+    const uint32_t more_rows = ((uint32_t)(bottom - 1) >> frame->tile_shift_y) - row;
+    const uint32_t tile = row * g->columns + column - g->first, row_end = tile + more_columns;
+    const uint32_t last = row_end + more_rows * g->columns;
+    if (tile >= g->count || last >= g->count || frame->reference_count + (more_rows + 1) * (more_columns + 1) > g->most)
+        return bin_whole(frame, draw, triangle);
+    if (!(v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_NORMAL))
+        light(frame, draw, triangle);
+    append_all(g, tile, row_end, last, g->reference - (left << 16));
+    return 1;
+}
+
 /* Bins a triangle that faces the eye, with so many left in the draw, itself too. @return 0 when the arena is full. */
 static inline int bin_seen(const grid *g, const glint_vertex *const v[3], const uint32_t w[3], uint32_t left) {
     uint32_t tile;
     const where place = find_tile(g, w, &tile);
     if (place == SOMEWHERE)
-        return bin_whole(g->frame, g->draw, g->end - left);
+        return bin_several(g, left);
     if (place == NOWHERE) {
         g->frame->stats.outside++;
     } else if (tile < g->count) {

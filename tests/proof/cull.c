@@ -6,8 +6,8 @@
 #include "ranges.h"
 
 /*
- * Not proven: glint_bin, bin_plain, append, list_clipped: addresses in the arena, which room() keeps apart. Suite
- * `identity`, every size of arena, and fuzzing, under ASan.
+ * Not proven: glint_bin, bin_plain, bin_several, put, list_clipped: addresses in the arena, which room() keeps apart.
+ * Suite `identity`, every size of arena, and fuzzing, under ASan.
  */
 
 /* Strictly within the guard band, 1023 pixels, from the centre of the screen, which lies up to 512 pixels in. */
@@ -52,6 +52,17 @@ PROOF(is_seen) {
     const glint_vertex a = any_corner(0), b = any_corner(0), c = any_corner(0);
     const uint32_t w[3] = {word_of(&a), word_of(&b), word_of(&c)};
     is_seen(w);
+}
+
+/* Any three corners, any screen: the pixels are on it. */
+PROOF(find_pixels) {
+    const int32_t a = ANY(-GUARD, 8192 + GUARD), b = ANY(-GUARD, 8192 + GUARD), c = ANY(-GUARD, 8192 + GUARD);
+    int32_t low, high;
+    find_pixels(a * 65536 + ANY(0, 65535), b * 65536 + ANY(0, 65535), c * 65536 + ANY(0, 65535), ANY(1, GLINT_SIZE_MAX),
+                &low, &high);
+    if (low < high) {
+        /*@ assert 0 <= low && high <= 1024; */
+    }
 }
 
 /* Any three corners, any screen, a pass of any tiles: the one tile is on the screen. */
