@@ -235,6 +235,10 @@ static inline int32_t difference_of_x(uint32_t a, uint32_t b) {
     return (int16_t)difference;
 }
 
+static inline int32_t y_of(uint32_t word) {
+    return glint_shift_right((int32_t)word, 16);
+}
+
 /* Does a triangle face the eye, by its corners' words? The guard band keeps differences in 16 bits. */
 static inline int is_seen(const uint32_t w[3]) {
     const int32_t y = glint_shift_right((int32_t)w[0], 16);
@@ -289,6 +293,33 @@ static inline void append_all(const grid *g, uint32_t tile, uint32_t row_end, ui
     g->frame->reference_count = here;
 }
 
+/*
+ * Which of the four quadrants around a point lies beyond one of a triangle's sides, as a bit; 0 when none does. The
+ * quadrant's first pixel centre, half a pixel from the point both ways, is the one that lies least beyond.
+ * @param dx, dy the side @param x, y of the point, from where the side begins
+ */
+static inline uint32_t quadrant_beyond(int32_t dx, int32_t dy, int32_t x, int32_t y) {
+    const int32_t to_center = 8 * ((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy));
+    return dy * x - dx * y < to_center ? 1u << ((dx > 0 ? 2 : 0) + (dy < 0 ? 1 : 0)) : 0;
+}
+
+static inline uint32_t quadrant_beyond_side(uint32_t a, uint32_t b, uint32_t point) {
+    return quadrant_beyond(difference_of_x(b, a), y_of(b) - y_of(a), difference_of_x(point, a), y_of(point) - y_of(a));
+}
+
+/* Lists a triangle with those of four tiles that it may reach; the first ends at a point. There is room. */
+static GLINT_NOINLINE void list_four(const grid *g, uint32_t left, uint32_t tile, uint32_t point) {
+    const uint16_t *indices = g->draw->triangles[g->end - left];
+    const glint_vertex *vertices = g->draw->vertices;
+    const uint32_t a = word_of(&vertices[indices[0]]), b = word_of(&vertices[indices[1]]),
+                   c = word_of(&vertices[indices[2]]);
+    const uint32_t beyond =
+        quadrant_beyond_side(a, b, point) | quadrant_beyond_side(b, c, point) | quadrant_beyond_side(c, a, point);
+    for (uint32_t i = 0; i < 4; i++)
+        if (!(beyond >> i & 1))
+            append(g->frame, tile + (i & 1) + (i >> 1) * g->columns, g->reference - (left << 16));
+}
+
 /* Bins a triangle, with so many left in the draw, itself too: most times in a few tiles, all in the pass. */
 static GLINT_NOINLINE int bin_several(const grid *g, uint32_t left) {
     glint_frame *frame = g->frame;
@@ -298,7 +329,9 @@ static GLINT_NOINLINE int bin_several(const grid *g, uint32_t left) {
     const glint_vertex *const v[3] = {&draw->vertices[indices[0]], &draw->vertices[indices[1]],
                                       &draw->vertices[indices[2]]};
     const uint32_t a = word_of(v[0]), b = word_of(v[1]), c = word_of(v[2]);
+    uint32_t flags = v[0]->flags & v[1]->flags & v[2]->flags;
     int32_t x, y, right, bottom;
+    GLINT_OPAQUE(flags); /* else three pointers are kept for it */
     find_pixels((int32_t)(a << 16), (int32_t)(b << 16), (int32_t)(c << 16), frame->config.width, &x, &right);
     find_pixels((int32_t)a, (int32_t)b, (int32_t)c, frame->config.height, &y, &bottom);
     if (x >= right || y >= bottom) {
@@ -312,9 +345,12 @@ static GLINT_NOINLINE int bin_several(const grid *g, uint32_t left) {
     const uint32_t last = row_end + more_rows * g->columns;
     if (tile >= g->count || last >= g->count || frame->reference_count + (more_rows + 1) * (more_columns + 1) > g->most)
         return bin_whole(frame, draw, triangle);
-    if (!(v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_NORMAL))
+    if (!(flags & GLINT_VERTEX_NORMAL))
         light(frame, draw, triangle);
-    append_all(g, tile, row_end, last, g->reference - (left << 16));
+    if (more_columns == 1 && more_rows == 1)
+        list_four(g, left, tile, (column + 1) << g->shift_x | (row + 1) << g->shift_y);
+    else
+        append_all(g, tile, row_end, last, g->reference - (left << 16));
     return 1;
 }
 

@@ -6,8 +6,8 @@
 #include "ranges.h"
 
 /*
- * Not proven: glint_bin, bin_plain, bin_several, put, list_clipped: addresses in the arena, which room() keeps apart.
- * Suite `identity`, every size of arena, and fuzzing, under ASan.
+ * Not proven: glint_bin, bin_plain, bin_several, list_four, put, list_clipped: addresses in the arena, which room()
+ * keeps apart. Suite `identity`, every size of arena, and fuzzing, under ASan.
  */
 
 /* Strictly within the guard band, 1023 pixels, from the centre of the screen, which lies up to 512 pixels in. */
@@ -52,6 +52,12 @@ PROOF(is_seen) {
     const glint_vertex a = any_corner(0), b = any_corner(0), c = any_corner(0);
     const uint32_t w[3] = {word_of(&a), word_of(&b), word_of(&c)};
     is_seen(w);
+}
+
+/* Any side, from any corner to any point of any screen. */
+PROOF(quadrant_beyond) {
+    quadrant_beyond(ANY(-2 * GUARD, 2 * GUARD), ANY(-2 * GUARD, 2 * GUARD), ANY(-8192 - GUARD, 8192 + GUARD),
+                    ANY(-8192 - GUARD, 8192 + GUARD));
 }
 
 /* Any three corners, any screen: the pixels are on it. */
