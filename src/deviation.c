@@ -21,23 +21,16 @@ int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int
     return glint_half_vector_inline(deviation, x, y, half_vector, view);
 }
 
-/* N.L, N.H of unit vectors in steps of UNIT: products are short of 2^30 by a part in 2^12. */
-static int32_t cosine_of(const int16_t a[3], const int16_t b[3]) {
-    int32_t cosine = glint_dot(a, b);
-    return glint_shift_right(cosine + glint_shift_right(cosine, 13) + 0x4000, 15);
-}
-
-/* A deviation, Q14. */
+/* A deviation, Q14, rounded down. */
 typedef struct offset {
     int32_t x, y;
 } offset;
 
 /* e. Where N.H < 0, |e| falls again: there it is stretched, so that the back of H stays outside the highlight. */
 static inline offset find_deviation(const int16_t n[3], const int16_t h[3]) {
-    const int32_t cosine = cosine_of(n, h);
+    const int32_t cosine = glint_shift_right(glint_dot(n, h), 15);
     const int32_t k = glint_shift_right((cosine + n[2]) * glint_inverse_of_one_and(h[2]), 16); /* Q14 */
-    offset e = {glint_shift_right(n[0] * (1 << 14) - h[0] * k + 0x4000, 15),
-                glint_shift_right(n[1] * (1 << 14) - h[1] * k + 0x4000, 15)};
+    offset e = {glint_shift_right(n[0] * (1 << 14) - h[0] * k, 15), glint_shift_right(n[1] * (1 << 14) - h[1] * k, 15)};
     if (cosine < 0) {
         e.x += glint_shift_right(e.x * -cosine, 14);
         e.y += glint_shift_right(e.y * -cosine, 14);
@@ -47,14 +40,18 @@ static inline offset find_deviation(const int16_t n[3], const int16_t h[3]) {
     return e;
 }
 
-/* Cuts off a deviation's parts that are beyond the reach of planes. */
-static inline int32_t cut_off(int32_t e, int32_t reach) {
-    return e > reach ? reach : e < -reach ? -reach : e;
+/* Cuts a deviation off where it is beyond the reach of planes. @return flags */
+static inline uint32_t cut_off(int32_t reach, offset *e) {
+    const int32_t x = glint_most(glint_least(e->x, reach), -reach), y = glint_most(glint_least(e->y, reach), -reach);
+    const uint32_t flags = x != e->x || y != e->y ? GLINT_TERMS_FAR : 0;
+    e->x = x;
+    e->y = y;
+    return flags;
 }
 
 /* A deviation on the scale of planes. */
 static inline int32_t scale_deviation(const glint_deviation *deviation, int32_t e) {
-    return glint_shift_right(e * deviation->scale + (1 << 15), 16);
+    return glint_shift_right(glint_add_wrap(glint_multiply_wrap(e, deviation->scale), deviation->scaled_half), 16);
 }
 
 /* Which of two numbers are no less than a cut, given 2^15 less that: bits 31 and 15; and their negatives: 30 and 14. */
@@ -63,36 +60,37 @@ static inline uint32_t find_beyond(uint32_t cut, int32_t high, int32_t low) {
     return ((cut + both) & 0x80008000) | (((cut - both) & 0x80008000) >> 1);
 }
 
-/* The sides of the octagon around the highlight that a deviation lies beyond; of the diagonal ones, by a little. */
+/* The sides of the octagon around the highlight that a deviation lies beyond; of the diagonal ones, by a little. Bits
+ * above those of flags mean nothing. */
 static inline uint32_t find_sides(const glint_deviation *deviation, int32_t x, int32_t y) {
     const uint32_t straight = find_beyond(deviation->sides[0], y, x);
     const uint32_t diagonal =
         find_beyond(deviation->sides[1], glint_shift_right(x - y, 1), glint_shift_right(x + y, 1));
     const uint32_t all = straight | diagonal >> 2;
-    return (all | all >> 20) & GLINT_TERMS_ANY_OUTSIDE;
+    return all | all >> 20;
 }
 
 /* Finds a vertex's scaled deviation. @return flags */
 static GLINT_INLINE uint32_t find_terms(const glint_deviation *deviation, const int16_t normal[3],
                                         const int16_t half_vector[3], int16_t terms[3]) {
     offset e = find_deviation(normal, half_vector);
-    const int32_t reach = deviation->reach;
     uint32_t flags = 0;
-    if (e.x > reach || e.x < -reach || e.y > reach || e.y < -reach) {
-        flags = GLINT_TERMS_FAR;
-        e.x = cut_off(e.x, reach);
-        e.y = cut_off(e.y, reach);
-    }
+    if ((glint_magnitude_bits(e.x) | glint_magnitude_bits(e.y)) > deviation->within)
+        flags = cut_off(deviation->reach, &e);
     const int32_t x = scale_deviation(deviation, e.x), y = scale_deviation(deviation, e.y);
     terms[1] = (int16_t)x;
     terms[2] = (int16_t)y;
     return flags | find_sides(deviation, x, y);
 }
 
+/* N.L, Q30. */
+static inline int32_t find_cosine(const int32_t light[3], const int16_t normal[3]) {
+    return light[0] * normal[0] + light[1] * normal[1] + light[2] * normal[2];
+}
+
 /* Finds a vertex's terms: N.L, Q14, and its scaled deviation. @return flags */
 static inline uint32_t light_vertex(const glint_deviation *deviation, const glint_vertex *vertex, int16_t terms[3]) {
-    const int32_t dot = glint_dot(vertex->attribute, deviation->light);
-    const int32_t cosine = glint_shift_right(dot + glint_shift_right(dot, 13) + 0xc000, 16);
+    const int32_t cosine = glint_shift_right(find_cosine(deviation->long_light, vertex->attribute), 16);
     const uint32_t flags = cosine >= LIT ? 0 : cosine > UNLIT ? GLINT_TERMS_DIM : GLINT_TERMS_DIM | GLINT_TERMS_DARK;
     terms[0] = (int16_t)(cosine > GLINT_UNIT / 2 ? GLINT_UNIT / 2 : cosine);
     if (deviation->local_viewer) {

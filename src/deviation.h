@@ -62,22 +62,30 @@ typedef struct glint_deviation {
     const uint16_t *diffuse_pixel; /* the same, packed */
     const uint32_t *specular;      /* over the squared deviation, spread; `diffuse` lies behind it */
     uint32_t specular_end;         /* squared deviation where it ends; 0 where no highlight ever shows */
-    uint32_t sine_square_end;      /* the same as sin^2, Q30 */
-    int32_t scale;                 /* from a deviation, Q14, to a scaled one, whose square is the table's: Q16 */
-    int32_t side, side_diagonal;   /* scaled: outside an octagon of this radius no highlight shows */
-    uint32_t sides[2];             /* 2^15 less the former, and less half of the latter, in both halves of a word */
-    int32_t cut, cut_diagonal;     /* its radius as a deviation, Q14 */
-    int32_t reach;                 /* deviation, Q14, that a plane can hold */
-    int32_t turn, turn_specular;   /* limits that keep the error small: glint_deviation_fits */
-    uint32_t slant;
-    int32_t even;                 /* change of N.L, Q14, that is too little to show; 0 without an error budget */
-    int32_t extent;               /* on the screen, 28.4 */
-    int32_t ray_scale, ray_limit; /* from 28.4 to a ray with z = 2^14, Q16 */
-    int32_t center_x, center_y;   /* of the screen, 28.4 */
-    int32_t wide_light[3];        /* Q30, half a step of Q15 included */
+    uint16_t ambient;              /* packed */
+    uint8_t local_viewer;          /* not without highlight */
+    /* For each vertex: in the first 124 bytes, which Cortex-M0 loads by one instruction */
+    int32_t long_light[3]; /* longer by a part in 2^13: UNIT^2 is short of 2^30 by 2^-12 */
+    int32_t ray_scale;     /* from 28.4 to a ray with z = 2^14, Q16 */
+    /* Places are counted from one ray_limit to the other, so far; and the ray at the first. */
+    uint32_t ray_right, ray_bottom, ray_span, ray_start;
+    int32_t wide_light[3]; /* Q30, half a step of Q15 included */
+    int32_t reach;         /* deviation, Q14, that a plane can hold */
+    uint32_t within;       /* the largest 2^n - 1 that is no more */
+    int32_t scale;         /* from a deviation, Q14, to a scaled one, whose square is the table's: Q16 */
+    int32_t scaled_half;   /* half a step of both, Q16 */
+    uint32_t sides[2];     /* 2^15 less `side`, and less half of `side_diagonal`, in both halves of a word */
     int16_t light[3], half_vector[3];
-    uint16_t ambient; /* packed */
-    uint8_t local_viewer;
+    /* For each triangle */
+    int32_t turn, turn_specular; /* limits that keep the error small: glint_deviation_fits */
+    uint32_t slant;
+    int32_t even;                /* change of N.L, Q14, that is too little to show; 0 without an error budget */
+    int32_t extent;              /* on the screen, 28.4 */
+    int32_t side, side_diagonal; /* scaled: outside an octagon of this radius no highlight shows */
+    int32_t cut, cut_diagonal;   /* its radius as a deviation, Q14 */
+    uint32_t sine_square_end;    /* specular_end as sin^2, Q30 */
+    int32_t ray_limit;           /* 28.4, from the centre */
+    int32_t center_x, center_y;  /* of the screen, 28.4 */
     glint_quadratic_limits quadratic;
 } glint_deviation;
 
@@ -146,14 +154,12 @@ int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int
 static inline int glint_half_vector_inline(const glint_deviation *deviation, int32_t x, int32_t y,
                                            int16_t half_vector[3], glint_view_vector *view) {
     int32_t z = GLINT_DEVIATION_RAY_Z;
-    x = deviation->center_x - x;
-    y -= deviation->center_y;
-    const uint32_t limit = (uint32_t)deviation->ray_limit;
-    if ((uint32_t)x + limit > 2 * limit || (uint32_t)y + limit > 2 * limit)
+    const uint32_t right = deviation->ray_right - (uint32_t)x, down = deviation->ray_bottom + (uint32_t)y;
+    if (right > deviation->ray_span || down > deviation->ray_span)
         return 0;
-    x = glint_shift_right(x * deviation->ray_scale, 16);
-    y = glint_shift_right(y * deviation->ray_scale, 16);
-    int32_t root = glint_inverse_root((uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z));
+    x = glint_shift_right((int32_t)(right * (uint32_t)deviation->ray_scale + deviation->ray_start), 16);
+    y = glint_shift_right((int32_t)(down * (uint32_t)deviation->ray_scale + deviation->ray_start), 16);
+    int32_t root = glint_inverse_root_above((uint32_t)(x * x) + (uint32_t)(y * y)); /* z^2 is 2^28 */
     view->root = root;
     view->v[0] = glint_shift_right(x * root + 0x4000, 15);
     view->v[1] = glint_shift_right(y * root + 0x4000, 15);
@@ -165,14 +171,14 @@ static inline int glint_half_vector_inline(const glint_deviation *deviation, int
     x = glint_shift_right(x * root + deviation->wide_light[0], 16);
     y = glint_shift_right(y * root + deviation->wide_light[1], 16);
     z = glint_shift_right(z, 16);
-    uint32_t c = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
-    if (c < 1u << 28)
+    const int32_t c = x * x + y * y + z * z - (1 << 28);
+    if (c < 0)
         return 0;
-    root = glint_inverse_root(c);
+    root = glint_inverse_root_above((uint32_t)c);
     view->half_root = root;
-    half_vector[0] = (int16_t)glint_shift_right(x * root + 0x4000, 15);
-    half_vector[1] = (int16_t)glint_shift_right(y * root + 0x4000, 15);
-    half_vector[2] = (int16_t)glint_shift_right(z * root + 0x4000, 15);
+    half_vector[0] = (int16_t)glint_shift_right(x * root, 15);
+    half_vector[1] = (int16_t)glint_shift_right(y * root, 15);
+    half_vector[2] = (int16_t)glint_shift_right(z * root, 15);
     return 1;
 }
 

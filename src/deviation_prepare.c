@@ -275,9 +275,14 @@ static void prepare_rays(glint_deviation *deviation, const glint_frame *frame) {
     deviation->ray_limit = INT32_MAX / deviation->ray_scale;
     deviation->center_x = frame->config.width * 8;
     deviation->center_y = frame->config.height * 8;
+    deviation->ray_right = (uint32_t)deviation->center_x + (uint32_t)deviation->ray_limit;
+    deviation->ray_bottom = (uint32_t)deviation->ray_limit - (uint32_t)deviation->center_y;
+    deviation->ray_span = 2 * (uint32_t)deviation->ray_limit;
+    deviation->ray_start = 0u - (uint32_t)deviation->ray_limit * (uint32_t)deviation->ray_scale;
     deviation->local_viewer = frame->view->local_viewer;
     for (int c = 0; c < 3; c++) {
         deviation->light[c] = frame->view->lights[0].direction[c];
+        deviation->long_light[c] = deviation->light[c] + glint_shift_right(deviation->light[c] + (1 << 12), 13);
         deviation->wide_light[c] = deviation->light[c] * (1 << 15) + (1 << 14);
         deviation->half_vector[c] = frame->view->lights[0].half_vector[c];
     }
@@ -293,13 +298,15 @@ static void prepare_highlight(glint_deviation *deviation, const glint_shading *s
     }
     /* e is Q14; where its square is the cut, that of the scaled one is the table's end */
     deviation->scale = (int32_t)glint_square_root(((uint64_t)entries << 49) / cut);
+    deviation->scaled_half = (deviation->scale >> 1) + (1 << 15);
     deviation->side = (int32_t)glint_square_root(deviation->specular_end) + (deviation->scale >> 14) + 2;
     deviation->side_diagonal = (deviation->side * 23171 >> 14) + 1;
     deviation->sides[0] = ((1 << 15) - (uint32_t)deviation->side) * 0x10001;
     deviation->sides[1] = ((1 << 15) - (uint32_t)deviation->side_diagonal / 2 - 1) * 0x10001;
     deviation->cut = (int32_t)glint_square_root(cut >> 2) + 4; /* more than rounding takes */
     deviation->cut_diagonal = (deviation->cut * 23171 >> 14) + 1;
-    deviation->reach = at_most((uint64_t)(GLINT_DEVIATION_REACH << 16) / (uint32_t)deviation->scale, INT16_MAX);
+    deviation->reach = at_most((uint64_t)(GLINT_DEVIATION_REACH << 16) / (uint32_t)deviation->scale - 1, INT16_MAX);
+    deviation->within = UINT32_MAX >> 1 >> glint_leading_zeros((uint32_t)deviation->reach + 1);
 }
 
 static void prepare_ambient(glint_deviation *deviation, const glint_shading *shading) {

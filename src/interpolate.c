@@ -324,8 +324,7 @@ static inline int find_local_bulges(const glint_deviation *deviation, const glin
     const int32_t ny = find_normal(e, a->attribute[1], b->attribute[1]);
     const int32_t nz = find_normal(e, a->attribute[2], b->attribute[2]);
     const int32_t cosine = glint_shift_right(nx * h[0] + ny * h[1] + nz * h[2], 15);
-    const int32_t along =
-        glint_shift_right((cosine + glint_shift_right(cosine, 13) + nz) * glint_inverse_of_one_and(h[2]), 16); /* Q14 */
+    const int32_t along = glint_shift_right((cosine + nz) * glint_inverse_of_one_and(h[2]), 16); /* Q14 */
     n->bulge_x[i] = find_local_bulge(deviation, nx, h[0] * along, n->x[from] + n->x[to]);
     n->bulge_y[i] = find_local_bulge(deviation, ny, h[1] * along, n->y[from] + n->y[to]);
     return is_bulge(n->bulge_x[i]) && is_bulge(n->bulge_y[i]);

@@ -174,6 +174,13 @@ static inline int32_t glint_inverse_root(uint32_t c) {
     return node[0] - glint_shift_right((node[0] - node[1]) * fraction + 0x8000, 16);
 }
 
+/** The same of c + 2^28. */
+static inline int32_t glint_inverse_root_above(uint32_t c) {
+    const uint16_t *node = &glint_inverse_root_table[c >> 23];
+    int32_t fraction = (int32_t)((c >> 7) & 0xffff);
+    return node[0] - glint_shift_right((node[0] - node[1]) * fraction + 0x8000, 16);
+}
+
 /** glint_unit, for the loops over fragments. */
 static inline void glint_unit_inline(int32_t x, int32_t y, int32_t z, int16_t out[3]) {
     unsigned zeros = glint_leading_zeros(glint_magnitude_bits(x) | glint_magnitude_bits(y) | glint_magnitude_bits(z));

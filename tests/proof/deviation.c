@@ -18,6 +18,12 @@
 static inline int glint_half_vector_inline(const glint_deviation *deviation, int32_t x, int32_t y,
                                            int16_t half_vector[3], glint_view_vector *view);
 
+/* Stands on |L . N| <= |L| |N| (Cauchy, 1821), 2^15 and rounding each. */
+/*@ requires \valid_read(light + (0 .. 2)) && \valid_read(normal + (0 .. 2));
+    assigns \result \from indirect: light[0 .. 2], indirect: normal[0 .. 2];
+    admit ensures -0x40040000 <= \result <= 0x40040000; */
+static inline int32_t find_cosine(const int32_t light[3], const int16_t normal[3]);
+
 /* A vertex's normal, as suite `normals` proves it. */
 /*@ requires \valid(vertex);
     assigns vertex->attribute[0 .. 2], vertex->flags \from indirect: *draw, *vertex;
@@ -57,11 +63,14 @@ static void any_triangle(void) {
 /* Deviations have a scale of so many bits, and a reach that it keeps below GLINT_DEVIATION_REACH. */
 static void any_deviation(int bits) {
     const int32_t reach = (GLINT_DEVIATION_REACH << 16) >> (bits - 1);
-    any_unit(deviation.light);
     any_unit(deviation.half_vector);
+    for (int c = 0; c < 3; c++)
+        deviation.long_light[c] = ANY(-32770, 32770);
     deviation.half_vector[2] = (int16_t)ANY(0, 32767);
     deviation.scale = ANY(1 << (bits - 1), (1 << bits) - 1);
     deviation.reach = ANY(0, reach < INT16_MAX ? reach : INT16_MAX);
+    deviation.within = ANY_UNSIGNED(0, INT16_MAX);
+    deviation.scaled_half = (deviation.scale >> 1) + (1 << 15);
     deviation.sides[0] = ANY_UNSIGNED(0, UINT_MAX);
     deviation.sides[1] = ANY_UNSIGNED(0, UINT_MAX);
     deviation.specular_end = ANY_UNSIGNED(0, 1024) << 15;
@@ -69,8 +78,9 @@ static void any_deviation(int bits) {
 
 /*
  * Any vertices, by the bits of what scales deviations.
- * @contract glint_half_vector_inline glint_transform_normal glint_dot
+ * @contract glint_half_vector_inline glint_transform_normal glint_dot find_cosine
  * @alarms 2 N.H + nz <= sqrt(2) UNIT where hz is 0, and 1 / (1 + hz) falls from there: the image tests under UBSan
+ * @narrowing deviations are scaled modulo 2^32: right where they are within reach, as cut_off leaves them
  * @options -eva-slevel 0 -eva-min-loop-unroll 3
  */
 PROOF(glint_deviation_light) {

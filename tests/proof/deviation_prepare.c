@@ -64,6 +64,7 @@ PROOF(specular_entries) {
 /*
  * Any highlight, and none. @contract find_cut glint_square_root
  * @alarms 1 a highlight that is cut somewhere has entries: both come from find_cut; the image tests under UBSan
+ * @unreached 1 leading zeros of 0
  */
 PROOF(prepare_highlight) {
     any_served();

@@ -161,8 +161,9 @@ static void loosen(glint_deviation *deviation) {
     deviation->sine_square_end = cut;
     deviation->specular_end = entries << 15;
     deviation->scale = scale;
-    deviation->reach =
-        (GLINT_DEVIATION_REACH << 16) / scale < INT16_MAX ? (GLINT_DEVIATION_REACH << 16) / scale : INT16_MAX;
+    deviation->scaled_half = (scale >> 1) + (1 << 15);
+    deviation->reach = glint_least((GLINT_DEVIATION_REACH << 16) / scale - 1, INT16_MAX);
+    deviation->within = UINT32_MAX >> 1 >> glint_leading_zeros((uint32_t)deviation->reach + 1);
     deviation->side = (int32_t)glint_square_root(deviation->specular_end) + (scale >> 14) + 2;
     deviation->side_diagonal = (deviation->side * 23171 >> 14) + 1;
     deviation->sides[0] = ((1 << 15) - (uint32_t)deviation->side) * 0x10001;
@@ -192,6 +193,8 @@ static void place_light(glint_deviation *deviation, const int16_t normal[3]) {
         random_unit(nowhere, 32767, deviation->light);
     }
     glint_unit(deviation->light[0], deviation->light[1], deviation->light[2] + GLINT_UNIT, deviation->half_vector);
+    for (int c = 0; c < 3; c++)
+        deviation->long_light[c] = deviation->light[c] + glint_shift_right(deviation->light[c] + (1 << 12), 13);
 }
 
 /* Normals up to `turn` from the first, and 1/w up to a quarter apart, as the longest limits let through. */
