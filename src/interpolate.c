@@ -296,15 +296,9 @@ static inline int32_t find_normal(const edge *e, int32_t a, int32_t b) {
     return mean + glint_shift_right(mean * e->shorter, 15);
 }
 
-/*
- * Four times a deviation, given that of a normal n from a half vector h, Q15 and Q29, less the sum of the ends of its
- * edge, twice. @return above MOST_BULGE where a plane cannot hold it
- */
-static inline int32_t find_local_bulge(const glint_deviation *deviation, int32_t n, int32_t along, int32_t ends) {
-    const int32_t middle = glint_shift_right(n * (1 << 14) - along + 0x2000, 14), most = 2 * deviation->reach;
-    if ((uint32_t)(middle + most) > 2 * (uint32_t)most)
-        return MOST_BULGE + 1;
-    return 4 * glint_shift_right(middle * deviation->scale + (1 << 16), 17) - 2 * ends;
+/* Four times a deviation, Q15 and rounded down, on the scale of planes, less the sum of its edge's ends, twice. */
+static inline int32_t find_local_bulge(const glint_deviation *deviation, int32_t middle, int32_t ends) {
+    return glint_shift_right(middle * deviation->scale + deviation->scaled_half, 15) - 2 * ends;
 }
 
 static inline int is_bulge(int32_t bulge) {
@@ -325,9 +319,15 @@ static inline int find_local_bulges(const glint_deviation *deviation, const glin
     const int32_t nz = find_normal(e, a->attribute[2], b->attribute[2]);
     const int32_t cosine = glint_shift_right(nx * h[0] + ny * h[1] + nz * h[2], 15);
     const int32_t along = glint_shift_right((cosine + nz) * glint_inverse_of_one_and(h[2]), 16); /* Q14 */
-    n->bulge_x[i] = find_local_bulge(deviation, nx, h[0] * along, n->x[from] + n->x[to]);
-    n->bulge_y[i] = find_local_bulge(deviation, ny, h[1] * along, n->y[from] + n->y[to]);
-    return is_bulge(n->bulge_x[i]) && is_bulge(n->bulge_y[i]);
+    const int32_t x = glint_shift_right(nx * (1 << 14) - h[0] * along, 14);
+    const int32_t y = glint_shift_right(ny * (1 << 14) - h[1] * along, 14), most = 2 * deviation->reach;
+    if (x > most || x < -most || y > most || y < -most)
+        return 0;
+    const int32_t bulge_x = find_local_bulge(deviation, x, n->x[from] + n->x[to]);
+    const int32_t bulge_y = find_local_bulge(deviation, y, n->y[from] + n->y[to]);
+    n->bulge_x[i] = bulge_x;
+    n->bulge_y[i] = bulge_y;
+    return is_bulge(bulge_x) && is_bulge(bulge_y);
 }
 
 /* All else of the nodes. @return 0 where they do not fit */
