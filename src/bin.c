@@ -252,17 +252,21 @@ static inline uint32_t place_of(uint32_t word) {
     return word + 0x00070007;
 }
 
-/* Most triangles lie in one tile: then their corners' places agree in all bits above it. */
+/*
+ * Most triangles lie in one tile: then their corners' places agree in all bits above it. Where the pass is of all
+ * tiles, each on the screen is one of its.
+ */
 typedef enum where { NOWHERE, ONE_TILE, SOMEWHERE } where;
 
-static inline where find_tile(const grid *g, const uint32_t w[3], uint32_t *tile) {
+static GLINT_INLINE where find_tile(const grid *g, const uint32_t w[3], int all_tiles, uint32_t *tile) {
     const uint32_t a = place_of(w[0]), differ = (a ^ place_of(w[1])) | (a ^ place_of(w[2]));
     if (!(differ & 0xfff0) || !(differ >> 20))
         return NOWHERE;
     /* Off the screen, a half or its difference from the last one is below 0. */
     if ((differ & g->above) | ((a | (g->last - a)) & 0x80008000))
         return SOMEWHERE;
-    *tile = (a >> g->shift_y) * g->columns + ((a & 0xffff) >> g->shift_x) - g->first;
+    *tile = (a >> g->shift_y) * g->columns + ((a & 0xffff) >> g->shift_x) - (all_tiles ? 0 : g->first);
+    GLINT_OPAQUE(*tile); /* found now, before a call that all it comes from would have to outlast */
     return ONE_TILE;
 }
 
@@ -355,14 +359,15 @@ static GLINT_NOINLINE int bin_several(const grid *g, uint32_t left) {
 }
 
 /* Bins a triangle that faces the eye, with so many left in the draw, itself too. @return 0 when the arena is full. */
-static inline int bin_seen(const grid *g, const glint_vertex *const v[3], const uint32_t w[3], uint32_t left) {
+static GLINT_INLINE int bin_seen(const grid *g, const glint_vertex *const v[3], const uint32_t w[3], uint32_t left,
+                                 int all_tiles) {
     uint32_t tile;
-    const where place = find_tile(g, w, &tile);
+    const where place = find_tile(g, w, all_tiles, &tile);
     if (place == SOMEWHERE)
         return bin_several(g, left);
     if (place == NOWHERE) {
         g->frame->stats.outside++;
-    } else if (tile < g->count) {
+    } else if (all_tiles || tile < g->count) {
         if (g->frame->reference_count >= g->most)
             return 0;
         if (!(v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_NORMAL))
@@ -372,8 +377,8 @@ static inline int bin_seen(const grid *g, const glint_vertex *const v[3], const 
     return 1;
 }
 
-/* bin_each of a plain draw. */
-static GLINT_NOINLINE int bin_plain(glint_frame *frame, glint_draw *draw, uint32_t next) {
+/* bin_each of a plain draw, in a pass of all tiles or of some. */
+static GLINT_INLINE int bin_loop(glint_frame *frame, glint_draw *draw, uint32_t next, int all_tiles) {
     grid g = grid_of(frame, draw);
     const glint_vertex *const vertices = draw->vertices;
     const uint32_t vertex_count = draw->vertex_count;
@@ -391,11 +396,24 @@ static GLINT_NOINLINE int bin_plain(glint_frame *frame, glint_draw *draw, uint32
             continue;
         }
         IN_MEMORY(g);
-        if (!bin_seen(&g, v, w, left))
+        if (!bin_seen(&g, v, w, left, all_tiles))
             break;
     }
     frame->stats.facing_away += away;
     return (int)(draw->count - left);
+}
+
+static GLINT_NOINLINE int bin_for_all_tiles(glint_frame *frame, glint_draw *draw, uint32_t next) {
+    return bin_loop(frame, draw, next, 1);
+}
+
+static GLINT_NOINLINE int bin_for_some_tiles(glint_frame *frame, glint_draw *draw, uint32_t next) {
+    return bin_loop(frame, draw, next, 0);
+}
+
+static int bin_plain(glint_frame *frame, glint_draw *draw, uint32_t next) {
+    return glint_pass_tiles(frame) == frame->tile_count ? bin_for_all_tiles(frame, draw, next)
+                                                        : bin_for_some_tiles(frame, draw, next);
 }
 
 /* Bins the triangles of a draw from frame->triangle on. @return 1, 0 when the arena is full, or an error. */
