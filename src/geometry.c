@@ -4,16 +4,20 @@
 
 /* Clip coordinates inside the guard band and beyond the near plane, w from 1 up and no less than the nearest. */
 static inline void project(const glint_transform *transform, int32_t x, int32_t y, int32_t w, glint_vertex *vertex) {
-    unsigned up = 0;
-    while (w < 1 << 28) { /* twice at most unless the object is near or deep: faster than to count zeros */
-        w *= 2;
-        up++;
+    int32_t nearest = transform->nearest;
+    if (w < 1 << 28) {
+        unsigned up = 1;
+        for (w *= 2; w < 1 << 28; w *= 2) /* once at most unless it is near or deep: faster than to count zeros */
+            up++;
+        x = glint_shift_left(x, up);
+        y = glint_shift_left(y, up);
+        nearest = glint_shift_left(nearest, up);
     }
     uint32_t inverse = glint_inverse((uint32_t)w);
-    int32_t depth = glint_scale(glint_shift_left(transform->nearest, up), inverse); /* Q25 */
-    inverse -= inverse >> 10; /* GUARD_BAND is 1023 pixels, this in 1024: sixteenths are Q14 */
-    x = glint_scale(glint_shift_left(x, up), inverse) + transform->center_x;
-    y = glint_scale(glint_shift_left(y, up), inverse) + transform->center_y;
+    int32_t depth = glint_scale(nearest, inverse); /* Q25 */
+    inverse -= inverse >> 10;                      /* GUARD_BAND is 1023 pixels, this in 1024: sixteenths are Q14 */
+    x = glint_scale(x, inverse) + transform->center_x;
+    y = glint_scale(y, inverse) + transform->center_y;
     vertex->x = (int16_t)glint_shift_right(x, 11);
     vertex->y = (int16_t)glint_shift_right(y, 11);
     /* The nearest surface ends up just below the top, so that a plane's rounding cannot pass it. */
@@ -39,9 +43,11 @@ static inline glint_position to_clip_space(const glint_transform *transform, con
 /* Vertices that are nowhere clipped, and whose positions are not kept. */
 static GLINT_NOINLINE void transform_inside(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
                                             uint32_t count, glint_vertex *vertex) {
-    for (; count; count--, vertex++, p++, first++) {
+    for (const glint_vertex *end = vertex + count; vertex < end; vertex++, p++, first++) {
         if (!GLINT_SPLIT_PRODUCTS)
             GLINT_OPAQUE(transform); /* else the matrix is copied to the stack, which saves no load */
+        GLINT_OPAQUE(vertex);        /* else gcc counts in another way */
+        GLINT_OPAQUE(p);
         const glint_position here = to_clip_space(transform, *p);
         vertex->attribute[0] = (int16_t)(uint16_t)first;
         vertex->flags = 0;
