@@ -38,7 +38,9 @@ static glint_status prepare(glint_frame *frame, const glint_kept *kept) {
     if (!view)
         return GLINT_ERROR_ARENA;
     frame->view = view;
-    status = glint_prepare_view(view, &frame->config, frame->scene);
+    if (frame->memory.high - GLINT_ALIGNED(frame->memory.low) < sizeof(glint_transform))
+        return GLINT_ERROR_ARENA;
+    status = glint_prepare_view(view, &frame->config, frame->scene, glint_last_transform(frame));
     if (status == GLINT_OK)
         status = prepare_materials(frame, kept);
     return status == GLINT_OK && frame->config.format->fast ? frame->config.format->fast->prepare(frame) : status;

@@ -321,8 +321,9 @@ struct glint_format {
 /** Checks a scene, all but its meshes' indices. */
 glint_status glint_check_scene(const glint_scene *scene);
 
-/** Camera, lights and depth scale. */
-glint_status glint_prepare_view(glint_view *view, const glint_config *config, const glint_scene *scene);
+/** Camera, lights and depth scale; and the last object's transform, but for what needs view->nearest. */
+glint_status glint_prepare_view(glint_view *view, const glint_config *config, const glint_scene *scene,
+                                glint_transform *last);
 
 /**
  * A material's weights and power table.
@@ -348,6 +349,9 @@ unsigned glint_reduce(const int64_t in[3], int32_t out[3]);
 /** An object's transform. Takes view->nearest as it stands. */
 glint_status glint_transform_prepare(glint_transform *transform, const glint_view *view, const glint_config *config,
                                      const glint_object *object);
+
+/** The part of it that needs view->nearest, anew. */
+void glint_transform_place(glint_transform *transform, const glint_view *view);
 
 /** Smallest w of the object's bounding box, Q28, no less than the near plane. */
 int64_t glint_transform_nearest(const glint_transform *transform, const glint_view *view);
@@ -409,6 +413,14 @@ glint_status glint_bin(glint_frame *frame, int *complete);
 
 /** Brings stats.arena_used up to date after binning. */
 void glint_count_arena(glint_frame *frame);
+
+/**
+ * Where the last object's transform waits from when the view is prepared until vertices are loaded: at the arena's high
+ * end, which none of that takes.
+ */
+static inline glint_transform *glint_last_transform(const glint_frame *frame) {
+    return (glint_transform *)(void *)(frame->memory.base + frame->memory.high) - 1;
+}
 
 /** Loads vertices of objects from (frame->object, frame->triangle) on, as many as fit. */
 glint_status glint_load(glint_frame *frame);

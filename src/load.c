@@ -223,6 +223,20 @@ static glint_status load_run(glint_frame *frame, const glint_transform *transfor
     return status;
 }
 
+/* Loading leaves room for that much, and binning has not begun. */
+typedef char glint_last_transform_stays[sizeof(glint_transform) <= GLINT_BIN_RESERVE ? 1 : -1];
+
+/* The present object's transform. */
+static void find_transform(const glint_frame *frame, glint_transform *transform) {
+    const int is_first_load = !frame->vertices_end;
+    if (is_first_load && frame->object + 1 == frame->scene->object_count) {
+        *transform = *glint_last_transform(frame);
+        glint_transform_place(transform, frame->view);
+    } else {
+        glint_transform_prepare(transform, frame->view, &frame->config, &frame->scene->objects[frame->object]);
+    }
+}
+
 glint_status glint_load(glint_frame *frame) {
     uint32_t object = frame->object, triangle = frame->triangle;
     glint_draw *last = 0;
@@ -231,7 +245,7 @@ glint_status glint_load(glint_frame *frame) {
     frame->memory.low = frame->prepared_end;
     for (; frame->object < frame->scene->object_count; frame->object++, frame->triangle = 0) {
         glint_transform transform;
-        glint_transform_prepare(&transform, frame->view, &frame->config, &frame->scene->objects[frame->object]);
+        find_transform(frame, &transform);
         if (!transform.visible) {
             frame->stats.hidden++;
             continue;

@@ -80,12 +80,13 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
         return GLINT_ERROR_NULL;
     glint_frame frame;
     glint_view view;
+    glint_transform transform;
     tally sum = {0};
     glint_status status = glint_frame_grid(&frame, config, scene);
     if (status == GLINT_OK)
         status = glint_check_scene(scene);
     if (status == GLINT_OK)
-        status = glint_prepare_view(&view, &frame.config, scene);
+        status = glint_prepare_view(&view, &frame.config, scene, &transform);
     if (status == GLINT_OK)
         status = count_materials(&frame, &sum);
     frame.view = &view;

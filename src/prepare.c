@@ -140,15 +140,15 @@ static void place_lights(glint_view *view, const glint_scene *scene) {
 }
 
 /* Depth is scaled to the nearest corner of any visible object's bounding box. */
-static glint_status prepare_nearest(glint_view *view, const glint_config *config, const glint_scene *scene) {
+static glint_status prepare_nearest(glint_view *view, const glint_config *config, const glint_scene *scene,
+                                    glint_transform *transform) {
     int64_t nearest = INT64_MAX;
     view->nearest = view->near_plane;
     for (uint32_t i = 0; i < scene->object_count; i++) {
-        glint_transform transform;
-        glint_status status = glint_transform_prepare(&transform, view, config, &scene->objects[i]);
+        glint_status status = glint_transform_prepare(transform, view, config, &scene->objects[i]);
         if (status != GLINT_OK)
             return status;
-        int64_t w = transform.visible ? glint_transform_nearest(&transform, view) : INT64_MAX;
+        int64_t w = transform->visible ? glint_transform_nearest(transform, view) : INT64_MAX;
         if (w < nearest)
             nearest = w;
     }
@@ -157,7 +157,8 @@ static glint_status prepare_nearest(glint_view *view, const glint_config *config
     return GLINT_OK;
 }
 
-glint_status glint_prepare_view(glint_view *view, const glint_config *config, const glint_scene *scene) {
+glint_status glint_prepare_view(glint_view *view, const glint_config *config, const glint_scene *scene,
+                                glint_transform *last) {
     const glint_camera *camera = &scene->camera;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++)
@@ -169,7 +170,7 @@ glint_status glint_prepare_view(glint_view *view, const glint_config *config, co
     prepare_focal_length(view, config, camera->field_of_view);
     glint_status status = prepare_lights(view, scene);
     if (status == GLINT_OK)
-        status = prepare_nearest(view, config, scene);
+        status = prepare_nearest(view, config, scene, last);
     if (status == GLINT_OK)
         place_lights(view, scene);
     return status;

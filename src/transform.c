@@ -192,6 +192,11 @@ int64_t glint_transform_nearest(const glint_transform *transform, const glint_vi
     return nearest > view->near_plane ? nearest : view->near_plane;
 }
 
+void glint_transform_place(glint_transform *transform, const glint_view *view) {
+    prepare_depth(transform, view, transform->exponent);
+    lower_nearest(transform);
+}
+
 glint_status glint_transform_prepare(glint_transform *transform, const glint_view *view, const glint_config *config,
                                      const glint_object *object) {
     int64_t wide[3][4];
