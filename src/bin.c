@@ -241,9 +241,8 @@ static inline int32_t y_of(uint32_t word) {
 
 /* Does a triangle face the eye, by its corners' words? The guard band keeps differences in 16 bits. */
 static inline int is_seen(const uint32_t w[3]) {
-    const int32_t y = glint_shift_right((int32_t)w[0], 16);
-    const int32_t x1 = difference_of_x(w[1], w[0]), y1 = glint_shift_right((int32_t)w[1], 16) - y;
-    const int32_t x2 = difference_of_x(w[2], w[0]), y2 = glint_shift_right((int32_t)w[2], 16) - y;
+    const int32_t x1 = difference_of_x(w[1], w[0]), y1 = y_of(w[1]) - y_of(w[0]);
+    const int32_t x2 = difference_of_x(w[2], w[0]), y2 = y_of(w[2]) - y_of(w[0]);
     return x1 * y2 < x2 * y1;
 }
 
