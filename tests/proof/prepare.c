@@ -226,10 +226,11 @@ PROOF(prepare_lights) {
 PROOF(prepare_nearest) {
     glint_view view;
     glint_config config;
+    glint_transform last;
     any_view(&view);
     all.scene.objects = all.objects;
     all.scene.object_count = ANY_UNSIGNED(0, 2);
-    prepare_nearest(&view, &config, &all.scene);
+    prepare_nearest(&view, &config, &all.scene, &last);
     //@ assert 0x1000 <= view.nearest <= 0x200000000000000;
 }
 
