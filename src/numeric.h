@@ -164,21 +164,23 @@ static inline uint32_t glint_magnitude_bits(int32_t x) {
     return (uint32_t)(x ^ glint_shift_right(x, 31));
 }
 
+/* Between two nodes of the table of roots. */
+static inline int32_t glint_inverse_root_between(const uint16_t node[2], uint32_t c) {
+    const int32_t fraction = (int32_t)((c >> 7) & 0xffff);
+    return node[0] - glint_shift_right((node[0] - node[1]) * fraction + 0x8000, 16);
+}
+
 /**
  * UNIT / sqrt(c): c from 2^28 to 3 2^30 as an integer, result scaled by 2^15; linear interpolation.
  * Relative error at most 5.44e-5.
  */
 static inline int32_t glint_inverse_root(uint32_t c) {
-    const uint16_t *node = &glint_inverse_root_table[(c >> 23) - 32];
-    int32_t fraction = (int32_t)((c >> 7) & 0xffff);
-    return node[0] - glint_shift_right((node[0] - node[1]) * fraction + 0x8000, 16);
+    return glint_inverse_root_between(&glint_inverse_root_table[(c >> 23) - 32], c);
 }
 
 /** The same of c + 2^28. */
 static inline int32_t glint_inverse_root_above(uint32_t c) {
-    const uint16_t *node = &glint_inverse_root_table[c >> 23];
-    int32_t fraction = (int32_t)((c >> 7) & 0xffff);
-    return node[0] - glint_shift_right((node[0] - node[1]) * fraction + 0x8000, 16);
+    return glint_inverse_root_between(&glint_inverse_root_table[c >> 23], c);
 }
 
 /** glint_unit, for the loops over fragments. */
