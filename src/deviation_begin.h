@@ -50,22 +50,41 @@ static inline int32_t glint_find_longer(int32_t turn) {
     return glint_shift_right(turn > 0 ? turn : 0, 16);
 }
 
+/*
+ * A slope, floor((d1 s1 + d2 s2) r / 2^13): |d| at most 30,000, |s| at most 2^10, r from 0 to 2^16 + 2^11. As in
+ * product.h both forms give the same bits.
+ */
+static inline int32_t glint_term_slope_whole(int32_t d1, int32_t s1, int32_t d2, int32_t s2, int32_t r) {
+    return (int32_t)glint_shift_right64((int64_t)(d1 * (s1 * 32) + d2 * (s2 * 32)) * (r * (1 << 14)), 32);
+}
+
+static inline int32_t glint_term_slope_split(int32_t d1, int32_t s1, int32_t d2, int32_t s2, int32_t r) {
+    const int32_t x = d1 * s1 + d2 * s2;
+    return glint_shift_right(x, 13) * r + (int32_t)(((uint32_t)x & 0x1fff) * (uint32_t)r >> 13);
+}
+
+#if GLINT_SPLIT_PRODUCTS
+#define glint_term_slope glint_term_slope_split
+#else
+#define glint_term_slope glint_term_slope_whole
+#endif
+
 /* The plane of a term, its value in the high half; it is made longer. */
 static inline void glint_begin_term(glint_plane *p, const glint_gradients *g, int32_t longer, int32_t a0, int32_t a1,
                                     int32_t a2) {
-    const int32_t length = (1 << 16) + 2 * longer, d1 = a1 - a0, d2 = a2 - a0, up = 16 - g->shift;
+    const int32_t length = (1 << 16) + 2 * longer, d1 = a1 - a0, d2 = a2 - a0, up = 17 - g->shift;
     if (!g->reciprocal) {
         glint_plane_begin(p, g, a0 * length, a1 * length, a2 * length);
         return;
     }
     int32_t reciprocal = g->reciprocal + glint_shift_right(g->reciprocal * longer, 15);
     GLINT_OPAQUE(reciprocal); /* of 32 bits to all slopes */
-    const int32_t dx = glint_slope_of(d1 * g->x1 + d2 * g->x2, reciprocal);
-    const int32_t dy = glint_slope_of(d1 * g->y1 + d2 * g->y2, reciprocal);
-    const int32_t to_center = glint_shift_right(dx, 5) * g->to_center_x + glint_shift_right(dy, 5) * g->to_center_y;
+    const int32_t dx = glint_term_slope(d1, g->x1, d2, g->x2, reciprocal);
+    const int32_t dy = glint_term_slope(d1, g->y1, d2, g->y2, reciprocal);
+    const int32_t to_center = glint_shift_right(dx, 4) * g->to_center_x + glint_shift_right(dy, 4) * g->to_center_y;
     p->dx = glint_shift_either(dx, up);
     p->dy = glint_shift_either(dy, up);
-    p->start = glint_add_wrap(a0 * length, glint_shift_either(to_center, up + 1));
+    p->start = glint_add_wrap(a0 * length, glint_shift_either(to_center, up));
 }
 
 static inline int32_t glint_magnitude(int32_t x) {
@@ -87,9 +106,12 @@ static inline glint_deviation_kind glint_begin_highlight(const glint_draw *draw,
                                                          const glint_gradients *g, int32_t turn, const glint_w_range *w,
                                                          glint_deviation_planes *planes) {
     const glint_deviation *deviation = draw->shading->deviation;
-    const int16_t *a = glint_terms_of(draw, v[0]), *b = glint_terms_of(draw, v[1]), *c = glint_terms_of(draw, v[2]);
     if (4 * (int32_t)g->reach + 4 > deviation->extent && glint_extent_of(v) > deviation->extent)
         return GLINT_DEVIATION_UNFIT;
+    const int16_t *a = glint_terms_of(draw, v[0]), *b = glint_terms_of(draw, v[1]), *c = glint_terms_of(draw, v[2]);
+    GLINT_OPAQUE(a); /* one address each, not one for each term */
+    GLINT_OPAQUE(b);
+    GLINT_OPAQUE(c);
     const int32_t change = glint_apart(a[1], b[1], c[1]) + glint_apart(a[2], b[2], c[2]);
     if ((uint32_t)change * w->change > deviation->slant * w->least)
         return GLINT_DEVIATION_UNFIT;

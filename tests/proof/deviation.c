@@ -132,6 +132,13 @@ PROOF(glint_deviation_fits) {
     glint_deviation_fits(ANY(0, 1 << 26), ANY(-(5 << 28), 1 << 30), w);
 }
 
+/* Corners up to 30,000 apart, sides of up to 64 pixels, 1/area of up to 1/32 more than 2^16. Both forms. */
+PROOF(glint_term_slope_itself) {
+    const int32_t d = 30000, s = 1 << 10, r = (1 << 16) + (1 << 11);
+    glint_term_slope_whole(ANY(-d, d), ANY(-s, s), ANY(-d, d), ANY(-s, s), ANY(0, r));
+    glint_term_slope_split(ANY(-d, d), ANY(-s, s), ANY(-d, d), ANY(-s, s), ANY(0, r));
+}
+
 /* A triangle of any flags, limits of any material; a part of any gradients. */
 static void any_part(glint_part *part, int narrow) {
     if (narrow)

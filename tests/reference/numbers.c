@@ -3,6 +3,7 @@
  * Suite: the library's arithmetic of several arguments against libm in long double, at the largest errors its contracts
  * state; tests/domain has the functions of one.
  */
+#include "deviation_begin.h"
 #include "frame.h"
 #include "glint.h"
 #include "harness.h"
@@ -167,6 +168,21 @@ static void slopes(void) {
     for (int32_t x = 3 << 25; x >= -(3 << 25); x -= 3 << 26) {
         CHECK_EQUAL(glint_slope_of_whole(x, 1 << 16), x * 16ll);
         CHECK_EQUAL(glint_slope_of_split(x, 1 << 16), x * 16ll);
+    }
+}
+
+/* Both forms of slopes of terms, at the ends of their ranges and between. */
+static void slopes_of_terms(void) {
+    const int32_t d = 30000, s = 1 << 10, last = (1 << 16) + (1 << 11);
+    for (int i = 0; i < 3000000; i++) {
+        const int32_t sign = i % 2 ? 1 : -1;
+        const int32_t d1 = i % 5 ? random_signed(31) % (d + 1) : sign * d,
+                      d2 = i % 5 ? random_signed(31) % (d + 1) : d1;
+        const int32_t s1 = i % 5 ? random_signed(11) : s, s2 = i % 5 ? random_signed(11) : s;
+        const int32_t r = i % 3 ? (int32_t)(random_bits() % ((uint32_t)last + 1)) : last;
+        const int64_t exact = (int64_t)floorl(((long double)d1 * s1 + (long double)d2 * s2) * r / 8192);
+        CHECK_EQUAL(glint_term_slope_whole(d1, s1, d2, s2, r), exact);
+        CHECK_EQUAL(glint_term_slope_split(d1, s1, d2, s2, r), exact);
     }
 }
 
@@ -367,6 +383,7 @@ int test_main(test_writer write) {
         TEST_CASE(products_of_rows),
         TEST_CASE(coordinates_over_w),
         TEST_CASE(slopes),
+        TEST_CASE(slopes_of_terms),
         TEST_CASE(sums_of_products),
         TEST_CASE(poses_one_after_another),
         TEST_CASE(rotations_turn_right_handed),
