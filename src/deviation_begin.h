@@ -7,7 +7,7 @@
 #ifndef GLINT_DEVIATION_BEGIN_H
 #define GLINT_DEVIATION_BEGIN_H
 
-#include "deviation.h"
+#include "quadratic.h"
 #include "setup.h"
 
 static inline int32_t glint_square_of_sum(int32_t a, int32_t b, int32_t c) {
@@ -99,6 +99,50 @@ static inline int32_t glint_apart(int32_t a, int32_t b, int32_t c) {
 /* Across the screen, as |dx| + |dy|. */
 static inline int32_t glint_extent_of(const glint_vertex *const v[3]) {
     return glint_apart(v[0]->x, v[1]->x, v[2]->x) + glint_apart(v[0]->y, v[1]->y, v[2]->y);
+}
+
+/*
+ * Twice the area, 28.4 squared, from which on a triangle with a highlight is large: its squared deviation is stepped.
+ * Below, set-up takes more than that spares.
+ */
+#define GLINT_LARGE_AREA (512 * 64)
+
+/* Bits that a stepped square has below 1. */
+#define GLINT_SQUARE_BITS 2
+
+/* Magnitudes of a deviation's slopes, ORed. */
+static inline uint32_t glint_slope_bits(const glint_plane *x, const glint_plane *y) {
+    return glint_magnitude_bits(x->dx) | glint_magnitude_bits(x->dy) | glint_magnitude_bits(y->dx) |
+           glint_magnitude_bits(y->dy);
+}
+
+/*
+ * Can a large triangle's squared deviation be stepped? Narrow ones have no side of 64 pixels, and no slope of 2^15,
+ * which would wrap: corners that are 31,000 apart make 2 31000 64 / (2 64). Of these, slopes are below 2^11.
+ */
+static inline int glint_square_fits(const glint_gradients *g, const glint_deviation_planes *planes) {
+    return g->reciprocal && !(glint_slope_bits(&planes->x, &planes->y) >> (11 + 16));
+}
+
+/*
+ * The sum of (E + dx x + dy y)^2 over both coordinates of a deviation: E whole, the slopes 14 bits and a sign, so that
+ * a deviation is off by at most 1/2 and 2^-7 of its largest slope. x and y are at most 64: rounding down takes at most
+ * 2 64 + 3 64^2 from the sum, 1/10 of a table's entry. This is added, and no sum is below 0. None that is drawn reaches
+ * 2^31, as no corner's deviation reaches 16384 in x or y.
+ */
+static inline glint_quadratic glint_square_begin(const glint_plane *x, const glint_plane *y) {
+    const unsigned zeros = glint_leading_zeros(glint_slope_bits(x, y)), size = zeros < 18 ? 18 - zeros : 0;
+    const int32_t half = (1 << size) >> 1;
+    const int32_t e = glint_shift_right(glint_add_wrap(x->start, 1 << 15), 16);
+    const int32_t f = glint_shift_right(glint_add_wrap(y->start, 1 << 15), 16);
+    const int32_t e_x = glint_shift_right(x->dx + half, size), e_y = glint_shift_right(x->dy + half, size);
+    const int32_t f_x = glint_shift_right(y->dx + half, size), f_y = glint_shift_right(y->dy + half, size);
+    return (glint_quadratic){((uint32_t)(e * e) + (uint32_t)(f * f)) * 4 + (2 * 64 + 3 * 64 * 64),
+                             (uint32_t)glint_shift_right(e * e_x + f * f_x, 13 - size),
+                             (uint32_t)glint_shift_right(e * e_y + f * f_y, 13 - size),
+                             (uint32_t)glint_shift_right(e_x * e_x + f_x * f_x, 30 - 2 * size),
+                             (uint32_t)glint_shift_right(e_x * e_y + f_x * f_y, 29 - 2 * size),
+                             (uint32_t)glint_shift_right(e_y * e_y + f_y * f_y, 30 - 2 * size)};
 }
 
 /* Planes of a triangle that is lit all over and may show a highlight. */

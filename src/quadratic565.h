@@ -5,33 +5,6 @@
 
 #include "quadratic.h"
 
-/* A quadratic at a pixel, and its step to the next column. */
-typedef struct glint_stride {
-    uint32_t value, across;
-} glint_stride;
-
-static inline glint_stride glint_stride_begin(const glint_quadratic *q, int32_t x, int32_t y) {
-    const uint32_t i = (uint32_t)x, j = (uint32_t)y, slope = q->dx + q->dxy * j + q->dxx * i;
-    return (glint_stride){q->start + (q->dy + q->dyy * j) * j + slope * i, slope + q->dxx * (i + 1)};
-}
-
-static inline void glint_stride_next(glint_stride *s, const glint_quadratic *q) {
-    s->value += s->across;
-    s->across += 2 * q->dxx;
-}
-
-/* To another column. */
-static inline void glint_stride_move(glint_stride *s, const glint_quadratic *q, uint32_t by) {
-    s->value += s->across * by + 2 * q->dxx * (by * (by - 1) >> 1);
-    s->across += 2 * q->dxx * by;
-}
-
-/* To the next row, from (x, y). */
-static inline void glint_stride_down(glint_stride *s, const glint_quadratic *q, uint32_t x, uint32_t y) {
-    s->value += q->dy + q->dyy * (2 * y + 1) + q->dxy * x;
-    s->across += q->dxy;
-}
-
 /* A plane at a pixel. */
 static inline uint32_t glint_at(const glint_plane *plane, int32_t x, int32_t y) {
     return (uint32_t)glint_plane_at(plane, x, y);

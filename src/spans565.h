@@ -71,6 +71,13 @@ static inline void glint_step(uint8_t **place) {
     GLINT_OPAQUE(*place);
 }
 
+/* A plane's step, for one loop over a span: ARMv6-M's compiler keeps it in a register there, if not from row to row. */
+static inline uint32_t glint_hold(uint32_t step) {
+    if (GLINT_SPLIT_PRODUCTS)
+        GLINT_OPAQUE(step);
+    return step;
+}
+
 /*
  * The loops carry the planes' values from the end of a span to the start of the next: that takes fewer registers than
  * keeping what they are where rows begin.
@@ -158,8 +165,8 @@ static inline int32_t glint_squares_from(uint32_t sum, uint32_t x, uint32_t y) {
 }
 
 /* Diffuse and specular light. */
-static inline void glint_draw_highlight(const glint_spans *s, const glint_deviation *deviation,
-                                        const glint_deviation_planes *planes, int high_first) {
+static GLINT_INLINE void glint_draw_highlight(const glint_spans *s, const glint_deviation *deviation,
+                                              const glint_deviation_planes *planes, int high_first) {
     const glint_part *part = s->part;
     const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
     const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth - GLINT_AHEAD, stride = 2 << s->shift;
@@ -186,6 +193,8 @@ static inline void glint_draw_highlight(const glint_spans *s, const glint_deviat
             x += x_dx * (left - column);
             y += y_dx * (left - column);
             uint8_t *const end = depth + 2 * (right - left);
+            const uint32_t z_step = glint_hold(z_dx), level_step = glint_hold(level_dx), x_step = glint_hold(x_dx),
+                           y_step = glint_hold(y_dx);
             do {
                 if (glint_next_is_nearest(&depth, z)) {
                     GLINT_BARRIER();
@@ -201,10 +210,10 @@ static inline void glint_draw_highlight(const glint_spans *s, const glint_deviat
                         glint_put_565(depth + to_pixels, packed[level >> 22], high_first);
                 }
                 glint_step(&depth);
-                z += z_dx;
-                level += level_dx;
-                x += x_dx;
-                y += y_dx;
+                z += z_step;
+                level += level_step;
+                x += x_step;
+                y += y_step;
             } while (depth != end);
             column = right;
         }
@@ -216,25 +225,98 @@ static inline void glint_draw_highlight(const glint_spans *s, const glint_deviat
     } while (span != last);
 }
 
-/* All of these, with words that are computed. */
-static inline void glint_draw_without_tables(const glint_spans *s, const glint_shading *shading,
-                                             const glint_deviation_planes *planes, glint_deviation_kind kind,
-                                             int high_first) {
+/* The same, its squared deviation stepped. */
+static inline void glint_draw_stepped(const glint_spans *s, const glint_deviation *deviation,
+                                      const glint_deviation_planes *planes, int high_first) {
     const glint_part *part = s->part;
+    const glint_quadratic square = glint_square_begin(&planes->x, &planes->y);
+    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
+    const ptrdiff_t to_pixels = s->pixels - (uint8_t *)s->depth - GLINT_AHEAD, stride = 2 << s->shift;
+    const uint32_t *const diffuse = deviation->diffuse;
+    const uint16_t *const packed = deviation->diffuse_pixel;
+    const uint32_t z_dx = (uint32_t)part->depth.dx, level_dx = (uint32_t)planes->cosine.dx, x = (uint32_t)part->x;
+    uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS;
+    uint32_t level = glint_first_row(part, &planes->cosine), y = (uint32_t)part->y + part->top, column = 0;
+    glint_stride beyond = glint_stride_begin(&square, part->x, (int32_t)y);
+    beyond.value -= deviation->specular_end << GLINT_SQUARE_BITS;
+    uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
+    do {
+        const uint32_t left = span->left, right = span->right;
+        span++;
+        GLINT_OPAQUE(span);
+        if (left < right) {
+            depth += 2 * (int32_t)(left - column);
+            z += z_dx * (left - column);
+            level += level_dx * (left - column);
+            glint_stride_move(&beyond, &square, left - column);
+            uint8_t *const end = depth + 2 * (right - left);
+            const uint32_t z_step = glint_hold(z_dx), level_step = glint_hold(level_dx);
+            do {
+                if (glint_next_is_nearest(&depth, z)) {
+                    GLINT_BARRIER();
+                    /* the highlight's table ends where the diffuse one begins */
+                    const int32_t entry = glint_shift_right((int32_t)beyond.value, 15 + GLINT_SQUARE_BITS);
+                    const uint32_t *const word = diffuse + (level >> 22);
+                    if (entry < 0)
+                        glint_put_565(depth + to_pixels, glint_spread_pack(glint_spread_clamp(*word + diffuse[entry])),
+                                      high_first);
+                    else
+                        glint_put_565(depth + to_pixels, packed[level >> 22], high_first);
+                }
+                glint_step(&depth);
+                z += z_step;
+                level += level_step;
+                glint_stride_next(&beyond, &square);
+            } while (depth != end);
+            column = right;
+        }
+        depth += stride;
+        z += (uint32_t)part->depth.dy;
+        level += (uint32_t)planes->cosine.dy;
+        glint_stride_down(&beyond, &square, x + column, y);
+        y++;
+    } while (span != last);
+}
+
+/* A large triangle with a highlight. Out of line, where it has all registers for itself. */
+static GLINT_NOINLINE void glint_draw_large(const glint_frame *frame, const glint_workspace *workspace,
+                                            const glint_draw *draw, const glint_part *part,
+                                            const glint_deviation_planes *planes, int high_first) {
+    const glint_spans spans = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
+    if (glint_square_fits(&part->gradients, planes))
+        glint_draw_stepped(&spans, draw->shading->deviation, planes, high_first);
+    else
+        glint_draw_highlight(&spans, draw->shading->deviation, planes, high_first);
+}
+
+/* All of these, with words that are computed. */
+static GLINT_NOINLINE void glint_draw_without_tables(const glint_frame *frame, const glint_workspace *workspace,
+                                                     const glint_draw *draw, const glint_triangle *triangle,
+                                                     const glint_part *part, const glint_deviation_planes *planes,
+                                                     glint_deviation_kind kind, int high_first) {
+    const glint_shading *shading = draw->shading;
+    const glint_spans s = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
+    const int is_stepped = kind == GLINT_DEVIATION_SPECULAR && triangle->area >= GLINT_LARGE_AREA &&
+                           glint_square_fits(&part->gradients, planes);
+    glint_quadratic sum = {0, 0, 0, 0, 0, 0};
+    if (is_stepped)
+        sum = glint_square_begin(&planes->x, &planes->y);
     for (uint32_t row = part->top; row < part->bottom; row++) {
         const glint_span span = part->spans[row];
         for (uint32_t column = span.left; column < span.right; column++) {
             const int32_t x = part->x + (int32_t)column, y = part->y + (int32_t)row;
-            const uint32_t offset = (row << s->shift) + column;
-            if (!glint_is_nearest((uint8_t *)(s->depth + offset),
+            const uint32_t offset = (row << s.shift) + column;
+            if (!glint_is_nearest((uint8_t *)(s.depth + offset),
                                   (uint32_t)glint_plane_at(&part->depth, x, y) + GLINT_DEPTH_BIAS))
                 continue;
             const int32_t level = glint_plane_at(&planes->cosine, x, y);
             uint32_t square = UINT32_MAX;
-            if (kind == GLINT_DEVIATION_SPECULAR)
+            if (is_stepped)
+                square = glint_stride_begin(&sum, x, y).value >> GLINT_SQUARE_BITS;
+            else if (kind == GLINT_DEVIATION_SPECULAR)
                 square = glint_high_square((uint32_t)glint_plane_at(&planes->x, x, y)) +
                          glint_high_square((uint32_t)glint_plane_at(&planes->y, x, y));
-            glint_put_565(s->pixels + 2 * offset, glint_deviation_pixel(shading, level, square), high_first);
+            glint_put_565(s.pixels + 2 * offset, glint_deviation_pixel(shading, level, square), high_first);
         }
     }
 }
@@ -259,14 +341,17 @@ static GLINT_INLINE void glint_draw_565(const glint_frame *frame, glint_workspac
         glint_draw_constant(
             &spans, kind == GLINT_DEVIATION_AMBIENT ? deviation->ambient : glint_deviation_even(draw->shading, &planes),
             high_first);
-    else if (!deviation->diffuse)
-        glint_draw_without_tables(&spans, draw->shading, &planes, kind, high_first);
+    else if (kind == GLINT_DEVIATION_SPECULAR && deviation->diffuse) {
+        if (triangle->area >= GLINT_LARGE_AREA)
+            glint_draw_large(frame, workspace, draw, part, &planes, high_first);
+        else
+            glint_draw_highlight(&spans, deviation, &planes, high_first);
+    } else if (!deviation->diffuse)
+        glint_draw_without_tables(frame, workspace, draw, triangle, part, &planes, kind, high_first);
     else if (!GLINT_SMALL && kind == GLINT_DEVIATION_DIFFUSE)
         glint_draw_diffuse(&spans, deviation, &planes.cosine, 0, high_first);
-    else if (kind != GLINT_DEVIATION_SPECULAR)
-        glint_draw_diffuse(&spans, deviation, &planes.cosine, 1, high_first);
     else
-        glint_draw_highlight(&spans, deviation, &planes, high_first);
+        glint_draw_diffuse(&spans, deviation, &planes.cosine, 1, high_first);
 }
 
 /** Fast lighting of a format of that byte order. */

@@ -106,6 +106,24 @@ static void check_arenas(const picture *wanted, const glint_scene *scene) {
     }
 }
 
+/* Two triangles of a thousand pixels, lit by stepped squares: in tiles of every size, with tables and without. */
+static void every_tile_size_and_arena_of_large_highlights(void) {
+    test_scene scene;
+    picture wanted = picture_open(WIDTH, HEIGHT, &glint_format_rgb565);
+    const glint_pose small = glint_pose_scale(GLINT_ONE / 60, GLINT_ONE / 60, GLINT_ONE / 60);
+    const glint_pose up = glint_pose_rotate_x(75 * GLINT_ONE), stand = glint_pose_then(&small, &up);
+    scene_build_named(&scene, "floor to the horizon");
+    scene.objects[0].pose = stand;
+    scene.objects[0].pose.m[2][3] = -12 * GLINT_ONE;
+    scene.scene.camera.field_of_view = 12 * GLINT_ONE;
+    scene.scene.viewer = GLINT_VIEWER_LOCAL;
+    scene.lights[0].vector = (glint_vector){GLINT_Q16(0.1), GLINT_Q16(0.5), GLINT_ONE};
+    CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
+    check_tile_sizes(&wanted, &scene.scene);
+    check_arenas(&wanted, &scene.scene);
+    picture_close(&wanted);
+}
+
 static void every_arena(void) {
     for_each_scene(check_arenas);
 }
@@ -247,6 +265,7 @@ int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(every_tile_size),
         TEST_CASE(every_tile_size_where_depths_nearly_tie),
+        TEST_CASE(every_tile_size_and_arena_of_large_highlights),
         TEST_CASE(every_arena),
         TEST_CASE(best_arena_takes_one_pass),
         TEST_CASE(two_workspaces_in_another_tile_order),

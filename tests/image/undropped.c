@@ -341,10 +341,15 @@ static void draw_undropped(const glint_frame *frame, glint_workspace *workspace,
         draw_curved(frame, workspace, draw, triangle, part);
         return;
     }
-    if (kind != GLINT_DEVIATION_SPECULAR)
+    glint_triangle as_small = *triangle; /* where the library draws no highlight it is not stepped */
+    if (kind != GLINT_DEVIATION_SPECULAR) {
         begin_highlight(draw, triangle, part, kind, &planes);
+        as_small.area = 0;
+    }
     if (!deviation->diffuse)
-        glint_draw_without_tables(&spans, draw->shading, &planes, GLINT_DEVIATION_SPECULAR, 0);
+        glint_draw_without_tables(frame, workspace, draw, &as_small, part, &planes, GLINT_DEVIATION_SPECULAR, 0);
+    else if (as_small.area >= GLINT_LARGE_AREA)
+        glint_draw_large(frame, workspace, draw, part, &planes, 0);
     else if (kind == GLINT_DEVIATION_SPECULAR || kind == GLINT_DEVIATION_DIFFUSE)
         glint_draw_highlight(&spans, deviation, &planes, 0);
     else

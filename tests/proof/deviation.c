@@ -139,6 +139,32 @@ PROOF(glint_term_slope_itself) {
     glint_term_slope_split(ANY(-d, d), ANY(-s, s), ANY(-d, d), ANY(-s, s), ANY(0, r));
 }
 
+/* A slope whose magnitude has so many bits, or up to so many. */
+static int32_t any_slope(int bits, int exactly, int negative) {
+    const int32_t magnitude = (int32_t)(exactly ? ANY_OF_BITS(bits) : ANY_UNSIGNED(0, (1u << bits) - 1));
+    return negative ? -1 - magnitude : magnitude;
+}
+
+/*
+ * Any slopes that fit, by their signs and by the bits of the first, the largest: an OR tells no places apart. Any
+ * place.
+ * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
+ */
+PROOF(glint_square_begin) {
+    FOR_PARTS(bits, 0, 27) {
+        FOR_PARTS(signs, 0, 15) {
+            glint_plane x, y;
+            x.start = ANY_INT;
+            y.start = ANY_INT;
+            x.dx = any_slope(bits, 1, signs & 1);
+            x.dy = any_slope(bits, 0, signs >> 1 & 1);
+            y.dx = any_slope(bits, 0, signs >> 2 & 1);
+            y.dy = any_slope(bits, 0, signs >> 3);
+            glint_square_begin(&x, &y);
+        }
+    }
+}
+
 /* A triangle of any flags, limits of any material; a part of any gradients. */
 static void any_part(glint_part *part, int narrow) {
     if (narrow)

@@ -33,18 +33,30 @@ static const int16_t nowhere[3] = {0, 0, 0};
 
 /* What the kernels would read. */
 static struct {
-    int64_t diffuse_most, diffuse_least, gated_most, specular_most;
-    uint32_t triangles[GLINT_KERNELS], pixels;
+    int64_t diffuse_most, diffuse_least, gated_most, specular_most, stepped_most;
+    uint32_t triangles[GLINT_KERNELS], stepped, pixels;
     uint32_t interpolated[2], interpolated_gated, curved[2];
     int64_t root_most, bent_most;
-} seen = {-1, INT32_MAX, -1, -1, {0}, 0, {0}, 0, {0}, -1, -1};
+} seen = {-1, INT32_MAX, -1, -1, -1, {0}, 0, 0, {0}, 0, {0}, -1, -1};
 
 static int64_t more(int64_t a, int64_t b) {
     return a > b ? a : b;
 }
 
+/* `stepped` is null where squares are found pixel by pixel. */
+static uint32_t find_square(const glint_deviation_planes *planes, const glint_quadratic *stepped, int32_t x,
+                            int32_t y) {
+    if (stepped) {
+        const uint32_t sum = glint_stride_begin(stepped, x, y).value;
+        seen.stepped_most = more(seen.stepped_most, sum);
+        return sum >> GLINT_SQUARE_BITS;
+    }
+    return glint_high_square((uint32_t)glint_plane_at(&planes->x, x, y)) +
+           glint_high_square((uint32_t)glint_plane_at(&planes->y, x, y));
+}
+
 static void see_pixel(glint_deviation_kind kind, const glint_deviation *deviation, const glint_deviation_planes *planes,
-                      int32_t x, int32_t y) {
+                      const glint_quadratic *stepped, int32_t x, int32_t y) {
     const int32_t level = glint_plane_at(&planes->cosine, x, y);
     const int64_t entry = (uint32_t)level >> 22;
     seen.pixels++;
@@ -56,8 +68,7 @@ static void see_pixel(glint_deviation_kind kind, const glint_deviation *deviatio
     seen.diffuse_most = entry > seen.diffuse_most ? entry : seen.diffuse_most;
     seen.diffuse_least = level < seen.diffuse_least ? level : seen.diffuse_least;
     if (kind == GLINT_DEVIATION_SPECULAR) {
-        const int32_t across = glint_plane_at(&planes->x, x, y) >> 16, down = glint_plane_at(&planes->y, x, y) >> 16;
-        const uint32_t square = (uint32_t)(across * across) + (uint32_t)(down * down);
+        const uint32_t square = find_square(planes, stepped, x, y);
         if (square < deviation->specular_end && square >> 15 > seen.specular_most)
             seen.specular_most = square >> 15;
     }
@@ -145,9 +156,16 @@ static void see(const glint_frame *frame, glint_workspace *workspace, const glin
     }
     if (kind != GLINT_DEVIATION_DIFFUSE && kind != GLINT_DEVIATION_GATED && kind != GLINT_DEVIATION_SPECULAR)
         return;
+    const int is_stepped = kind == GLINT_DEVIATION_SPECULAR && triangle->area >= GLINT_LARGE_AREA &&
+                           glint_square_fits(&part->gradients, &planes);
+    glint_quadratic square;
+    if (is_stepped)
+        square = glint_square_begin(&planes.x, &planes.y);
+    seen.stepped += (uint32_t)is_stepped;
     for (uint32_t row = part->top; row < part->bottom; row++)
         for (int32_t column = part->spans[row].left; column < part->spans[row].right; column++)
-            see_pixel(kind, draw->shading->deviation, &planes, part->x + column, part->y + (int32_t)row);
+            see_pixel(kind, draw->shading->deviation, &planes, is_stepped ? &square : 0, part->x + column,
+                      part->y + (int32_t)row);
 }
 
 /* Limits at the most that any material and error budget sets them to; a highlight of any width. */
@@ -270,6 +288,7 @@ static void every_read_is_in_its_table(void) {
     CHECK(seen.triangles[GLINT_DEVIATION_GATED] > TRIANGLES / 100);
     CHECK(seen.triangles[GLINT_DEVIATION_SPECULAR] > TRIANGLES / 100);
     CHECK(seen.triangles[GLINT_DEVIATION_EVEN] > TRIANGLES / 1000);
+    CHECK(seen.stepped > TRIANGLES / 1000);
     CHECK(seen.interpolated[0] > TRIANGLES / 100);
     CHECK(seen.interpolated[1] > TRIANGLES / 1000);
     CHECK(seen.interpolated_gated > TRIANGLES / 100);
@@ -293,6 +312,7 @@ static void every_read_is_in_its_table(void) {
     CHECK_AT_MOST(seen.diffuse_most, GLINT_DIFFUSE_ENTRIES - 1);
     CHECK_AT_MOST(seen.gated_most, GLINT_DIFFUSE_ENTRIES - 1);
     CHECK_AT_MOST(seen.specular_most, 1023);
+    CHECK_AT_MOST(seen.stepped_most, INT32_MAX);
     CHECK_AT_MOST(seen.bent_most, 1023);
     CHECK_AT_MOST(seen.root_most, 767);
 }

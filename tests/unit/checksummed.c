@@ -138,6 +138,22 @@ static void floor_to_horizon(fixture *f) {
     f->objects[0].pose = glint_pose_translate(3 * GLINT_ONE, -GLINT_ONE, -5 * GLINT_ONE);
 }
 
+/* Two triangles of hundreds of pixels, each in many tiles, with a highlight of their own. */
+static void large_highlight(fixture *f) {
+    const glint_pose up = glint_pose_rotate_x(75 * GLINT_ONE), turn = glint_pose_rotate_y(10 * GLINT_ONE);
+    const glint_pose small = glint_pose_scale(GLINT_ONE / 60, GLINT_ONE / 60, GLINT_ONE / 60);
+    const glint_pose stand = glint_pose_then(&small, &up);
+    f->objects[0].mesh = &f->floor;
+    f->objects[0].pose = glint_pose_then(&stand, &turn);
+    f->objects[0].pose.m[2][3] = -12 * GLINT_ONE;
+    f->scene.camera.field_of_view = 12 * GLINT_ONE;
+    f->lights[0].vector = (glint_vector){GLINT_Q16(0.3), GLINT_Q16(0.5), GLINT_ONE};
+    f->materials[0].shininess = 32 * GLINT_ONE;
+    f->materials[0].specular = colour(GLINT_ONE / 4, GLINT_ONE / 4, GLINT_ONE / 4);
+    f->config.tile_width = f->config.tile_height = 8;
+    local_viewer(f);
+}
+
 static void guard_band(fixture *f) {
     scale(&f->objects[0], 30 * GLINT_ONE, 30 * GLINT_ONE, 30 * GLINT_ONE);
     place(&f->objects[0], -30 * GLINT_ONE, 20 * GLINT_ONE, -20 * GLINT_ONE);
@@ -402,6 +418,7 @@ static const entry entries[] = {
     IMAGE(saturated),
     IMAGE(near_plane),
     IMAGE(floor_to_horizon),
+    IMAGE(large_highlight),
     IMAGE(guard_band),
     IMAGE(mirrored_double_sided),
     IMAGE(squashed),
