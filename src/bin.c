@@ -177,9 +177,10 @@ static int bin_any(glint_frame *frame, glint_draw *draw, uint32_t triangle) {
     return bin_whole(frame, draw, triangle);
 }
 
-/* The same, of all from number `next` on. @return the first that the arena had no room for, or GLINT_ERROR_INDEX. */
-static int bin_each(glint_frame *frame, glint_draw *draw, uint32_t next) {
-    for (; next < draw->count; next++) {
+/* The same, of those from number `next` on, up to `end`. @return the first that the arena had no room for, `end`, or
+ * GLINT_ERROR_INDEX. */
+static int bin_each(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end) {
+    for (; next < end; next++) {
         const int binned = bin_any(frame, draw, next);
         if (binned <= 0)
             return binned < 0 ? binned : (int)next;
@@ -205,10 +206,10 @@ typedef struct grid {
     uint32_t last;             /* the last place on the screen */
     uint32_t columns, first, count;
     uint32_t most;           /* references there may be */
-    uint32_t end, reference; /* behind the draw's last triangle: its number and what would refer to it */
+    uint32_t end, reference; /* behind the last triangle: its number and what would refer to it */
 } grid;
 
-static grid grid_of(glint_frame *frame, glint_draw *draw) {
+static grid grid_of(glint_frame *frame, glint_draw *draw, uint32_t end) {
     const uint32_t shift_x = frame->tile_shift_x + 4u, shift_y = frame->tile_shift_y + 4u;
     return (grid){frame,
                   draw,
@@ -220,8 +221,8 @@ static grid grid_of(glint_frame *frame, glint_draw *draw) {
                   frame->tile_first,
                   glint_pass_tiles(frame),
                   most_references(frame),
-                  draw->count,
-                  reference_to((uint32_t)draw->first + draw->count)};
+                  end,
+                  reference_to((uint32_t)draw->first + end)};
 }
 
 /* x and y of a vertex as two halves of a word. */
@@ -376,13 +377,13 @@ static GLINT_INLINE int bin_seen(const grid *g, const glint_vertex *const v[3], 
     return 1;
 }
 
-/* bin_each of a plain draw, in a pass of all tiles or of some. */
-static GLINT_INLINE int bin_loop(glint_frame *frame, glint_draw *draw, uint32_t next, int all_tiles) {
-    grid g = grid_of(frame, draw);
+/* bin_each of a plain draw, up to a triangle, in a pass of all tiles or of some. */
+static GLINT_INLINE int bin_loop(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end, int all_tiles) {
+    grid g = grid_of(frame, draw, end);
     const glint_vertex *const vertices = draw->vertices;
     const uint32_t vertex_count = draw->vertex_count;
     const uint16_t *indices = draw->triangles[next];
-    uint32_t left = draw->count - next, away = 0;
+    uint32_t left = end - next, away = 0;
     for (; left; left--) {
         const uint32_t a = indices[0], b = indices[1], c = indices[2];
         indices += 3;
@@ -399,26 +400,32 @@ static GLINT_INLINE int bin_loop(glint_frame *frame, glint_draw *draw, uint32_t 
             break;
     }
     frame->stats.facing_away += away;
-    return (int)(draw->count - left);
+    return (int)(end - left);
 }
 
-static GLINT_NOINLINE int bin_for_all_tiles(glint_frame *frame, glint_draw *draw, uint32_t next) {
-    return bin_loop(frame, draw, next, 1);
+static GLINT_NOINLINE int bin_for_all_tiles(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end) {
+    return bin_loop(frame, draw, next, end, 1);
 }
 
-static GLINT_NOINLINE int bin_for_some_tiles(glint_frame *frame, glint_draw *draw, uint32_t next) {
-    return bin_loop(frame, draw, next, 0);
+static GLINT_NOINLINE int bin_for_some_tiles(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end) {
+    return bin_loop(frame, draw, next, end, 0);
 }
 
-static int bin_plain(glint_frame *frame, glint_draw *draw, uint32_t next) {
-    return glint_pass_tiles(frame) == frame->tile_count ? bin_for_all_tiles(frame, draw, next)
-                                                        : bin_for_some_tiles(frame, draw, next);
+static int bin_plain(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end) {
+    return glint_pass_tiles(frame) == frame->tile_count ? bin_for_all_tiles(frame, draw, next, end)
+                                                        : bin_for_some_tiles(frame, draw, next, end);
+}
+
+/* ---- Draws ---- */
+
+int glint_bin_some(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end) {
+    return GLINT_SMALL || !is_plain(draw) ? bin_each(frame, draw, next, end) : bin_plain(frame, draw, next, end);
 }
 
 /* Bins the triangles of a draw from frame->triangle on. @return 1, 0 when the arena is full, or an error. */
 static int bin_draw(glint_frame *frame, glint_draw *draw) {
     const uint32_t from = frame->triangle - draw->first_triangle;
-    const int end = GLINT_SMALL || !is_plain(draw) ? bin_each(frame, draw, from) : bin_plain(frame, draw, from);
+    const int end = draw->away ? draw->cull->bin(frame, draw, from) : glint_bin_some(frame, draw, from, draw->count);
     if (end < 0)
         return end;
     frame->stats.triangles += (uint32_t)end - from;

@@ -13,7 +13,7 @@ const char *glint_strerror(int status) {
         "a light's direction has length 0",
         "a colour, or a light's times a material's, is not from 0 to 16",
         "a shininess exponent is below 0",
-        "a mesh has no vertices, no triangles, more than 65536 vertices or a negative extent",
+        "a mesh's numbers of vertices or triangles, its extent or its clusters are not valid",
         "a triangle refers to a vertex that its mesh does not have",
         "an object's pose is singular",
         "an object is too far from the camera or too large",

@@ -106,6 +106,16 @@ typedef struct glint_transform {
     uint8_t visible, clips, mirrored;
 } glint_transform;
 
+/** The eye among a mesh's steps, homogeneous. */
+typedef struct glint_eye {
+    int32_t x, y, z;  /* times weight 2^-8: 20 bits and a sign */
+    int32_t distance; /* from step 0, or a little more; times the same */
+    int32_t weight;   /* 13 bits */
+} glint_eye;
+
+/** Finds the eye from an object's transform. */
+void glint_transform_eye(const glint_transform *transform, glint_eye *eye);
+
 /* ---- geometry: vertices ---- */
 
 #define GLINT_VERTEX_CLIP 1u   /* in front of the near plane or outside the guard band: x, y and 1/w are not valid */
@@ -152,6 +162,8 @@ typedef struct glint_draw {
     int16_t (*terms)[3];         /* null, or per vertex: the terms of fast lighting */
     int16_t (*facets)[3];        /* null, or colours of the triangles */
     const int16_t (*normals)[3]; /* of the mesh */
+    const glint_cull *cull;      /* null, or what drops the mesh's clusters */
+    uint8_t *away; /* null, or which of them face away, 1 or 0; not of runs, which leave their triangles out */
     const glint_shading *shading;
     const glint_evaluation *evaluation;
     glint_light_triangle *light; /* what comes before a triangle is drawn, at least its normals */
@@ -164,6 +176,30 @@ typedef struct glint_draw {
     uint16_t count;
     uint8_t mirrored, double_sided;
 } glint_draw;
+
+/* ---- cull: clusters of triangles that face away ---- */
+
+/** A mesh's clusters, one after the other. */
+typedef struct glint_walk {
+    glint_eye eye;
+    const glint_cluster *cluster; /* the next */
+    uint32_t end;                 /* its first triangle */
+    uint8_t away;                 /* does the last one face away? */
+} glint_walk;
+
+/** What is linked where meshes have clusters. */
+struct glint_cull {
+    /** @return GLINT_ERROR_NULL where there is no list, GLINT_ERROR_MESH where clusters do not add up to the mesh */
+    glint_status (*check)(const glint_mesh *mesh);
+    /** Loads the vertices of a draw of all that is left of a mesh. */
+    void (*load)(glint_frame *frame, glint_draw *draw, const glint_mesh *mesh);
+    /** glint_bin_some of all from `next` on, but for clusters that face away. */
+    int (*bin)(glint_frame *frame, glint_draw *draw, uint32_t next);
+    /** Begins a run of triangles. */
+    void (*begin)(glint_walk *walk, const glint_mesh *mesh, const glint_transform *transform);
+    /** Corners of a run's triangles, in order: all the same where a cluster faces away. */
+    const uint16_t *(*corners)(glint_walk *walk, const glint_mesh *mesh, uint32_t triangle);
+};
 
 /** A triangle made by clipping. */
 typedef struct glint_clipped {
@@ -421,6 +457,15 @@ void glint_count_arena(glint_frame *frame);
 static inline glint_transform *glint_last_transform(const glint_frame *frame) {
     return (glint_transform *)(void *)(frame->memory.base + frame->memory.high) - 1;
 }
+
+/** Loads `count` vertices of the mesh from `index` on into those of a draw from `slot` on. */
+void glint_load_vertices(glint_frame *frame, glint_draw *draw, uint32_t index, uint32_t slot, uint32_t count);
+
+/**
+ * Bins the triangles of a draw from number `next` to before `end`.
+ * @return the first that the arena had no room for, `end`, or GLINT_ERROR_INDEX
+ */
+int glint_bin_some(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end);
 
 /** Loads vertices of objects from (frame->object, frame->triangle) on, as many as fit. */
 glint_status glint_load(glint_frame *frame);

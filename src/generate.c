@@ -80,6 +80,7 @@ static glint_status finish(const builder *b, glint_mesh *mesh, glint_q16 x, glin
     mesh->flags = 0;
     mesh->colours = 0;
     mesh->colours565 = 0;
+    mesh->clusters = 0;
     int fits = b->vertices <= room->vertex_room && b->triangles <= room->triangle_room && b->vertices <= 65536;
     return fits ? GLINT_OK : GLINT_ERROR_GENERATOR;
 }

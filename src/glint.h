@@ -76,8 +76,8 @@ typedef enum glint_status {
     GLINT_ERROR_DIRECTION = -7,    /**< A light's direction has length 0. */
     GLINT_ERROR_COLOUR = -8,       /**< A colour channel, or a light's times a material's, is not from 0 to 16. */
     GLINT_ERROR_SHININESS = -9,    /**< A shininess exponent is below 0. */
-    GLINT_ERROR_MESH = -10,        /**< A mesh has no vertices, no triangles, more vertices than uint16 can index, or an
-                                        extent below 0. */
+    GLINT_ERROR_MESH = -10,        /**< A mesh has no vertices, no triangles, more vertices than uint16 can index, an
+                                        extent below 0, or clusters that do not add up to it. */
     GLINT_ERROR_INDEX = -11,       /**< A triangle refers to a vertex that its mesh does not have. */
     GLINT_ERROR_POSE = -12,        /**< A pose is singular: it squashes the object flat. */
     GLINT_ERROR_RANGE = -13,       /**< An object is too far from the camera or too large for 32-bit coordinates. */
@@ -100,6 +100,41 @@ const char *glint_strerror(int status);
 /** Triangles are drawn from both sides; seen from the back they are lit with the normal flipped. */
 #define GLINT_MESH_DOUBLE_SIDED 1u
 
+/** Drops triangles that face away, many at once; a descriptor, one of those below. */
+typedef struct glint_cull glint_cull;
+
+/** Clusters whose triangles all face away, by their normals' cones. */
+extern const glint_cull glint_cull_cones;
+
+/**
+ * Triangles that lie together and face much the same way, and vertices: those of a mesh follow each other as its
+ * clusters do. `glint convert` makes clusters.
+ *
+ * With the eye at e, in steps, a triangle in the plane n.p = h faces away where n.e <= h. For each triangle of a
+ * cluster n may be that long that |n - axis| <= spread and h >= 256 height: where axis.e + spread |e| <= 256 height all
+ * of them face away.
+ */
+typedef struct glint_cluster {
+    int8_t axis[3];
+    uint8_t spread;
+    int16_t height;
+    uint16_t triangles; /**< How many. */
+    uint16_t vertices;  /**< How many; of them, none stands in a triangle of a cluster before. */
+    uint16_t borrowers; /**< How many other clusters have triangles at these vertices. */
+} glint_cluster;
+
+/**
+ * Clusters of all triangles and vertices of a mesh. A triangle that faces away so little that rounding its corners to
+ * 1/16 of a pixel turns it round is dropped with its cluster too.
+ */
+typedef struct glint_clusters {
+    const glint_cull *cull;    /**< &glint_cull_cones; null for no clusters. */
+    const glint_cluster *list; /**< The clusters. */
+    const uint16_t *borrowers; /**< The numbers of each cluster's borrowers, one cluster's behind the other's; one that
+                                    no cluster has stands for one that is seen. Null for such alone. */
+    uint32_t count;            /**< 1 to 65536 clusters. */
+} glint_clusters;
+
 /**
  * Triangles in flash. Positions are stored as int16 steps: object space is offset + extent * step / 32768, per axis.
  * Owned by the caller; read while a frame is drawn, never written.
@@ -116,6 +151,7 @@ typedef struct glint_mesh {
     const uint8_t (*colours)[3];    /**< vertex_count red, green, blue times 255, or null: the material's ambient and
                                          diffuse colours are multiplied by them. */
     const uint16_t *colours565;     /**< The same in 16 bits, or null. */
+    const glint_clusters *clusters; /**< Or null; not used on double-sided meshes. */
 } glint_mesh;
 
 /** How a surface reflects; a descriptor, one of those below. */

@@ -45,7 +45,10 @@ size_t glint_draw_size(const glint_frame *frame, const glint_object *object, con
         size += GLINT_ALIGNED(vertices * 3 * sizeof(int16_t));
     if (evaluation_of(object)->light_triangle)
         size += GLINT_ALIGNED(triangles * 3 * sizeof(int16_t));
-    return has_list ? size + GLINT_ALIGNED(triangles * 3 * sizeof(uint16_t)) : size;
+    size_t more = triangles * 3 * sizeof(uint16_t);
+    if (!has_list)
+        more = object->mesh->clusters ? object->mesh->clusters->count : 0;
+    return size + GLINT_ALIGNED(more);
 }
 
 /* A draw at the end of the list, with room for so many vertices and triangles; the arena has it. */
@@ -75,6 +78,7 @@ static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_tr
     draw->first_triangle = frame->triangle;
     draw->first = last ? (uint16_t)(last->first + last->count) : 0;
     draw->transform = *transform;
+    draw->cull = object->mesh->clusters ? object->mesh->clusters->cull : 0;
     draw->normals = object->mesh->normals;
     draw->mirrored = transform->mirrored;
     draw->double_sided = (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
@@ -97,8 +101,7 @@ static void load_colour(const glint_mesh *mesh, uint32_t index, int16_t out[3]) 
             out[c] = (int16_t)(c == 1 ? (packed >> 5 & 63) * 133152u >> 8 : (packed >> (c ? 0 : 11) & 31) * 1057u);
 }
 
-/* `count` vertices of the mesh from `index` on. */
-static void transform_vertices(glint_frame *frame, glint_draw *draw, uint32_t index, uint32_t slot, uint32_t count) {
+void glint_load_vertices(glint_frame *frame, glint_draw *draw, uint32_t index, uint32_t slot, uint32_t count) {
     const glint_mesh *mesh = frame->scene->objects[draw->object].mesh;
     glint_transform_vertices(&draw->transform, mesh, index, count, &draw->vertices[slot],
                              draw->positions ? &draw->positions[slot] : 0);
@@ -129,7 +132,10 @@ static int load_whole(glint_frame *frame, glint_draw *last, const glint_transfor
     glint_draw *draw = add_draw(frame, last, transform, mesh->vertex_count, count);
     draw->vertex_count = mesh->vertex_count;
     draw->count = (uint16_t)count;
-    transform_vertices(frame, draw, 0, 0, mesh->vertex_count);
+    if (draw->cull)
+        draw->cull->load(frame, draw, mesh);
+    else
+        glint_load_vertices(frame, draw, 0, 0, mesh->vertex_count);
     light_vertices(frame, draw);
     return 1;
 }
@@ -183,17 +189,22 @@ static uint32_t run_capacity(const glint_frame *frame, const glint_transform *tr
 /* Adds triangles to a run until its vertices or its list are full. */
 static glint_status fill_run(glint_frame *frame, glint_draw *draw, slots *s, uint16_t (*list)[3]) {
     const glint_mesh *mesh = frame->scene->objects[draw->object].mesh;
-    while (draw->count < 2 * s->limit && draw->first_triangle + draw->count < mesh->triangle_count) {
-        const uint16_t *triangle = mesh->triangles[draw->first_triangle + draw->count];
-        if (s->limit - s->count < 3)
+    const glint_cull *cull = draw->cull;
+    glint_walk walk;
+    if (cull)
+        cull->begin(&walk, mesh, &draw->transform);
+    while (draw->count < 2 * s->limit && s->limit - s->count >= 3) {
+        const uint32_t number = draw->first_triangle + draw->count;
+        if (number >= mesh->triangle_count)
             break;
+        const uint16_t *triangle = cull ? cull->corners(&walk, mesh, number) : mesh->triangles[number];
         for (int i = 0; i < 3; i++) {
             int is_new = 0;
             if (triangle[i] >= mesh->vertex_count)
                 return GLINT_ERROR_INDEX;
             uint32_t slot = find_slot(s, triangle[i], &is_new);
             if (is_new)
-                transform_vertices(frame, draw, triangle[i], slot, 1);
+                glint_load_vertices(frame, draw, triangle[i], slot, 1);
             list[draw->count][i] = (uint16_t)slot;
         }
         draw->count++;

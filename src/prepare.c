@@ -14,7 +14,7 @@ static glint_status check_mesh(const glint_mesh *mesh) {
     if (mesh->vertex_count - 1 >= 65536 || mesh->triangle_count < 1 ||
         (mesh->extent.x | mesh->extent.y | mesh->extent.z) < 0)
         return GLINT_ERROR_MESH;
-    return GLINT_OK;
+    return mesh->clusters && mesh->clusters->cull ? mesh->clusters->cull->check(mesh) : GLINT_OK;
 }
 
 static glint_status check_material(const glint_material *material) {

@@ -136,26 +136,36 @@ static void scale_normals(glint_transform *transform, int32_t matrix[3][4]) {
                           (int32_t)glint_shift_round64(glint_product(matrix[i][j], factor), 17));
 }
 
-/* The inverse transpose up to its scale: cofactors, with the determinant's sign. @return 0 when it is singular. */
-static int prepare_normals(glint_transform *transform, const glint_view *view, const glint_pose *pose) {
+/*
+ * Cofactors of the first three columns, brought to 30 bits; the fourth column is 0. @return the determinant on their
+ * scale
+ */
+static GLINT_INLINE int64_t find_cofactors(int32_t p[3][4], int32_t cofactor[3][4]) {
     static const uint8_t next[3] = {1, 2, 0};
-    int64_t wide[3][4];
-    int32_t p[3][4], cofactor[3][4];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 4; j++)
-            wide[i][j] = j < 3 ? pose->m[i][j] : 0;
-    to_30_bits(wide, p);
+    int64_t wide[3][4], determinant = 0;
     for (int i = 0; i < 3; i++) {
         const int32_t *a = p[next[i]], *b = p[next[next[i]]];
         for (int j = 0; j < 3; j++) {
             int k = next[j], l = next[k];
             wide[i][j] = glint_product(a[k], b[l]) - glint_product(a[l], b[k]);
         }
+        wide[i][3] = 0;
     }
     to_30_bits(wide, cofactor);
-    int64_t determinant = 0;
     for (int j = 0; j < 3; j++)
         determinant += glint_product(p[0][j], cofactor[0][j]);
+    return determinant;
+}
+
+/* The inverse transpose up to its scale: cofactors, with the determinant's sign. @return 0 when it is singular. */
+static int prepare_normals(glint_transform *transform, const glint_view *view, const glint_pose *pose) {
+    int64_t wide[3][4];
+    int32_t p[3][4], cofactor[3][4];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 4; j++)
+            wide[i][j] = j < 3 ? pose->m[i][j] : 0;
+    to_30_bits(wide, p);
+    const int64_t determinant = find_cofactors(p, cofactor);
     if (glint_magnitude64(determinant) < (uint64_t)1 << 36) /* 2^-24 of what orthogonal axes give */
         return 0;
     transform->mirrored = determinant < 0;
@@ -214,4 +224,55 @@ glint_status glint_transform_prepare(glint_transform *transform, const glint_vie
     classify(transform, config);
     lower_nearest(transform);
     return GLINT_OK;
+}
+
+/* ---- The eye ---- */
+
+/* Numbers of so many bits, once the largest is brought to 20, are off by at most 1 from how cofactors are rounded. */
+#define LEAST_BITS 51
+
+/* |(x, y, z)| of 20 bits, or up to 2^-9 of it and 128 more: from the product with its unit vector. */
+static int32_t find_length(int32_t x, int32_t y, int32_t z) {
+    int16_t unit[3];
+    glint_unit(x, y, z, unit);
+    const int32_t length =
+        glint_shift_right(x, 6) * unit[0] + glint_shift_right(y, 6) * unit[1] + glint_shift_right(z, 6) * unit[2];
+    return glint_shift_right(length, 9) + glint_shift_right(length, 19) + 128;
+}
+
+/* Brings a place and its weight to as many bits as there are in an eye; where rounding leaves too few of it, to one
+ * that no triangle faces away from. */
+static void set_eye(const int64_t place[3], int64_t weight, glint_eye *to) {
+    uint64_t bits = glint_magnitude64(weight);
+    for (int i = 0; i < 3; i++)
+        bits |= glint_magnitude64(place[i]);
+    const unsigned size = glint_bits64(bits);
+    *to = (glint_eye){0};
+    if (size < LEAST_BITS)
+        return;
+    to->x = (int32_t)glint_shift_right64(place[0], size - 20);
+    to->y = (int32_t)glint_shift_right64(place[1], size - 20);
+    to->z = (int32_t)glint_shift_right64(place[2], size - 20);
+    to->distance = find_length(to->x, to->y, to->z);
+    to->weight = weight > 0 ? (int32_t)(weight >> (size - 13)) : 0; /* rounding alone takes it below */
+}
+
+/*
+ * With the matrix of steps A and the translation t, the eye is where A e + 2^15 t = 0: at e = 2^15 E / W, where
+ * E = -C^T t and W = det A, C its cofactors. A mirrored object's W is below 0.
+ */
+void glint_transform_eye(const glint_transform *transform, glint_eye *to) {
+    int32_t rows[3][4], cofactor[3][4];
+    int64_t place[3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 4; j++)
+            rows[i][j] = j < 3 ? glint_row_get(&transform->matrix[i], j) : 0;
+    const int64_t weight = find_cofactors(rows, cofactor);
+    const int32_t sign = transform->mirrored ? 1 : -1;
+    for (int j = 0; j < 3; j++) {
+        place[j] = 0;
+        for (int i = 0; i < 3; i++)
+            place[j] += glint_product(cofactor[i][j], sign * transform->translation[i]);
+    }
+    set_eye(place, -sign * weight, to);
 }

@@ -69,6 +69,7 @@ static void *allocate(size_t size) {
 
 typedef struct drawing {
     glint_mesh meshes[MESHES];
+    glint_clusters clusters[MESHES];
     glint_material materials[OBJECTS];
     glint_light lights[GLINT_LIGHTS_MAX + 1];
     glint_object objects[OBJECTS];
@@ -139,6 +140,39 @@ static void take_mesh(source *s, glint_mesh *mesh) {
         mesh->offset = any_vector(s);
     mesh->flags = below(s, 2);
     take_mesh_colours(s, mesh);
+}
+
+/* A part of what is left, the last time all of it; now and then something else. */
+static uint16_t take_part(source *s, uint32_t *left, int last) {
+    const uint32_t part = last ? *left : below(s, *left + 1);
+    *left -= part;
+    return (uint16_t)(below(s, 64) == 1 ? take(s, 2) : part);
+}
+
+/* Clusters of nothing that belongs together, borrowed from at random: any of them may be dropped. */
+static void take_clusters(source *s, glint_mesh *mesh, glint_clusters *clusters) {
+    if (below(s, 2) == 0)
+        return;
+    uint32_t triangles = mesh->triangle_count, vertices = mesh->vertex_count, borrower_count = 0;
+    clusters->cull = &glint_cull_cones;
+    clusters->count = 1 + below(s, 5);
+    glint_cluster *list = allocate(clusters->count * sizeof *list);
+    for (uint32_t i = 0; i < clusters->count; i++) {
+        for (int j = 0; j < 3; j++)
+            list[i].axis[j] = (int8_t)take(s, 1);
+        list[i].spread = (uint8_t)(take(s, 1) >> below(s, 8));
+        list[i].height = (int16_t)take(s, 2);
+        list[i].triangles = take_part(s, &triangles, i + 1 == clusters->count);
+        list[i].vertices = take_part(s, &vertices, i + 1 == clusters->count);
+        list[i].borrowers = (uint16_t)below(s, 4);
+        borrower_count += list[i].borrowers;
+    }
+    uint16_t *borrowers = allocate(borrower_count * sizeof *borrowers);
+    for (uint32_t i = 0; i < borrower_count; i++)
+        borrowers[i] = (uint16_t)(below(s, 64) == 1 ? take(s, 2) : below(s, clusters->count));
+    clusters->list = list;
+    clusters->borrowers = borrowers;
+    mesh->clusters = clusters;
 }
 
 static glint_pose take_pose(source *s) {
@@ -236,6 +270,8 @@ static void take_drawing(source *s, drawing *d) {
         take_mesh(s, &d->meshes[i]);
     take_objects(s, d);
     take_lights(s, d);
+    for (int i = 0; i < MESHES; i++) /* last, so that inputs from before stay what they were */
+        take_clusters(s, &d->meshes[i], &d->clusters[i]);
 }
 
 static void free_drawing(drawing *d) {
@@ -245,6 +281,8 @@ static void free_drawing(drawing *d) {
         free((void *)(uintptr_t)d->meshes[i].triangles);
         free((void *)(uintptr_t)d->meshes[i].colours);
         free((void *)(uintptr_t)d->meshes[i].colours565);
+        free((void *)(uintptr_t)d->clusters[i].list);
+        free((void *)(uintptr_t)d->clusters[i].borrowers);
     }
 }
 

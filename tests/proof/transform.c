@@ -63,6 +63,19 @@ static int to_clip_space(glint_transform *transform, const glint_view *view, int
         matrix[2][0 .. 3]; */
 static void scale_normals(glint_transform *transform, int32_t matrix[3][4]);
 
+/*@ requires \subset(p[0][0 .. 3], (-0x40000000 .. 0x40000000));
+    requires \subset(p[1][0 .. 3], (-0x40000000 .. 0x40000000));
+    requires \subset(p[2][0 .. 3], (-0x40000000 .. 0x40000000));
+    assigns \result, cofactor[0][0 .. 3], cofactor[1][0 .. 3], cofactor[2][0 .. 3]
+        \from p[0][0 .. 3], p[1][0 .. 3], p[2][0 .. 3];
+    ensures -0x3000000000000000 <= \result <= 0x3000000000000000;
+    ensures \initialized(&cofactor[0][0 .. 3]) && \initialized(&cofactor[1][0 .. 3]);
+    ensures \initialized(&cofactor[2][0 .. 3]);
+    ensures \subset(cofactor[0][0 .. 3], (-0x40000000 .. 0x40000000));
+    ensures \subset(cofactor[1][0 .. 3], (-0x40000000 .. 0x40000000));
+    ensures \subset(cofactor[2][0 .. 3], (-0x40000000 .. 0x40000000)); */
+static int64_t find_cofactors(int32_t p[3][4], int32_t cofactor[3][4]);
+
 /*@ requires \valid(transform) && \valid_read(view) && \valid_read(pose);
     assigns \result, transform->mirrored, transform->normal[0 .. 2] \from *view, *pose;
     ensures \result == 0 || \result == 1; */
@@ -87,6 +100,19 @@ static void prepare_depth(glint_transform *transform, const glint_view *view, in
     assigns transform->least_w, transform->visible, transform->clips \from *transform, *config;
     ensures \initialized(&transform->least_w) && \initialized(&transform->visible); */
 static void classify(glint_transform *transform, const glint_config *config);
+
+/*@ requires -0x100000 <= x <= 0x100000 && -0x100000 <= y <= 0x100000 && -0x100000 <= z <= 0x100000;
+    assigns \result \from x, y, z;
+    ensures -0x400000 <= \result <= 0x400000; */
+static int32_t find_length(int32_t x, int32_t y, int32_t z);
+
+/*@ requires \subset(place[0 .. 2], (-0x3fffffffffffffff .. 0x3fffffffffffffff));
+    requires -0x3fffffffffffffff <= weight <= 0x3fffffffffffffff;
+    requires \valid(to);
+    assigns *to \from place[0 .. 2], weight;
+    ensures \initialized(to) && -0x100000 <= to->x <= 0x100000 && -0x100000 <= to->y <= 0x100000 &&
+        -0x100000 <= to->z <= 0x100000 && -0x400000 <= to->distance <= 0x400000 && 0 <= to->weight <= 0x2000; */
+static void set_eye(const int64_t place[3], int64_t weight, glint_eye *to);
 
 static void any_rows(int64_t rows[3][4], int64_t most) {
     for (int i = 0; i < 3; i++)
@@ -188,7 +214,14 @@ PROOF(scale_normals) {
     scale_normals(&transform, matrix);
 }
 
-/* Any pose. @contract to_30_bits rotate scale_normals */
+/* Any three columns of up to 2^30. @contract to_30_bits */
+PROOF(find_cofactors) {
+    int32_t rows[3][4], cofactor[3][4];
+    any_short_rows(rows);
+    find_cofactors(rows, cofactor);
+}
+
+/* Any pose. @contract find_cofactors to_30_bits rotate scale_normals */
 PROOF(prepare_normals) {
     glint_transform transform;
     glint_view view;
@@ -267,4 +300,44 @@ PROOF(glint_transform_prepare) {
     config.width = (uint16_t)ANY(1, GLINT_SIZE_MAX);
     config.height = (uint16_t)ANY(1, GLINT_SIZE_MAX);
     glint_transform_prepare(&transform, &view, &config, &object);
+}
+
+/* Any place of 20 bits. @contract glint_unit */
+PROOF(find_length) {
+    find_length(ANY(-(1 << 20), 1 << 20), ANY(-(1 << 20), 1 << 20), ANY(-(1 << 20), 1 << 20));
+}
+
+static void any_place(int64_t place[3], int64_t most) {
+    for (int i = 0; i < 3; i++)
+        place[i] = ANY_LONG(-most, most);
+}
+
+/*
+ * Any numbers of up to 62 bits, by bits and sign of the largest, the first or the weight: an OR tells no places apart.
+ * @contract find_length
+ * @options -eva-slevel-function glint_magnitude64:0
+ */
+PROOF(set_eye) {
+    int64_t place[3];
+    glint_eye to;
+    any_place(place, 0);
+    set_eye(place, 0, &to);
+    FOR_PARTS(bits, 1, 62) {
+        const int64_t least = (int64_t)1 << (bits - 1), most = 2 * (least - 1) + 1;
+        any_place(place, most);
+        set_eye(place, ANY_LONG(least, most), &to);
+        set_eye(place, ANY_LONG(-most, -least), &to);
+        place[0] = ANY_LONG(least, most);
+        set_eye(place, ANY_LONG(-most, most), &to);
+        place[0] = ANY_LONG(-most, -least);
+        set_eye(place, ANY_LONG(-most, most), &to);
+    }
+}
+
+/* Any transform. @contract find_cofactors set_eye */
+PROOF(glint_transform_eye) {
+    glint_transform transform;
+    glint_eye to;
+    any_transform(&transform);
+    glint_transform_eye(&transform, &to);
 }

@@ -213,6 +213,40 @@ static void expect_last_index(void) {
     fixture_expect_error(f, GLINT_ERROR_INDEX);
 }
 
+/* Two clusters that look at each other's vertices; the first is given. */
+static void expect_clusters(glint_cluster first, const glint_cull *cull, int has_list, glint_status expected) {
+    static const uint16_t borrowers[2] = {1, 2};                       /* there is no cluster 2 */
+    glint_cluster list[2] = {first, {{0, 0, 0}, 0, 32767, 44, 22, 1}}; /* the second faces away from every eye */
+    const glint_clusters clusters = {cull, has_list ? list : 0, borrowers, 2};
+    for (int small = 0; small < 2; small++) {
+        fixture *f = fixture_begin();
+        f->config.arena_size = small ? fixture_need(f).smallest : f->config.arena_size;
+        f->torus.clusters = &clusters;
+        if (expected == GLINT_OK)
+            CHECK_EQUAL(fixture_render(f), GLINT_OK);
+        else
+            fixture_expect_error(f, expected);
+    }
+}
+
+void bad_clusters_are_refused(void) {
+    const glint_cluster away = {{0, 0, 0}, 0, 32767, 100, 50, 1}, seen = {{0, 0, 0}, 255, -1, 100, 50, 1};
+    glint_cluster wrong = away;
+    expect_clusters(away, &glint_cull_cones, 1, GLINT_OK);
+    expect_clusters(seen, &glint_cull_cones, 1, GLINT_OK);
+    wrong.triangles = 99;
+    expect_clusters(wrong, &glint_cull_cones, 1, GLINT_ERROR_MESH);
+    wrong.triangles = 101;
+    expect_clusters(wrong, &glint_cull_cones, 1, GLINT_ERROR_MESH);
+    wrong = away;
+    wrong.vertices = 51;
+    expect_clusters(wrong, &glint_cull_cones, 1, GLINT_ERROR_MESH);
+    wrong.vertices = 65535;
+    expect_clusters(wrong, &glint_cull_cones, 1, GLINT_ERROR_MESH);
+    expect_clusters(away, &glint_cull_cones, 0, GLINT_ERROR_NULL);
+    expect_clusters(away, 0, 0, GLINT_OK);
+}
+
 void bad_meshes_are_refused(void) {
     for (int which = 0; which < 6; which++) {
         fixture *f = fixture_begin();

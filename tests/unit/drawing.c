@@ -114,6 +114,44 @@ static void half_step(half *h) {
 }
 
 /* Two frames drawn a tile at a time in turn come out as each drawn alone. */
+/* A torus without its first triangles, or without its last. */
+static uint32_t checksum_of_part(uint32_t first, uint32_t count) {
+    fixture *f = fixture_begin();
+    f->torus.triangles += first;
+    f->torus.triangle_count = count;
+    f->scene.object_count = count ? 1 : 0;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    return fixture_checksum(f);
+}
+
+/* The torus in two clusters, of 60 triangles and of 84, each of which faces away from every eye or from none. */
+static void expect_dropped(int first_away, int second_away) {
+    static const uint16_t borrowers[2] = {1, 0};
+    const int16_t height[2] = {first_away ? 32767 : -32767, second_away ? 32767 : -32767};
+    const glint_cluster list[2] = {{{0, 0, 0}, 0, height[0], 60, 30, 1}, {{0, 0, 0}, 0, height[1], 84, 42, 1}};
+    const glint_clusters clusters = {&glint_cull_cones, list, borrowers, 2};
+    const uint32_t first = first_away ? 60 : 0, count = 144 - first - (second_away ? 84 : 0);
+    const uint32_t expected = checksum_of_part(first, count);
+    fixture *f = fixture_begin();
+    f->torus.clusters = &clusters;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_EQUAL(fixture_checksum(f), expected);
+    CHECK_EQUAL(f->renderer.stats.triangles, 144);
+    CHECK(f->renderer.stats.facing_away >= 144 - count);
+    CHECK_EQUAL(f->renderer.stats.vertices > 0, count > 0);
+    f->config.arena_size = fixture_need(f).smallest; /* in runs */
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_EQUAL(fixture_checksum(f), expected);
+    f->torus.flags = GLINT_MESH_DOUBLE_SIDED; /* then all is seen */
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_EQUAL(f->renderer.stats.facing_away < 60, 1);
+}
+
+void clusters_that_face_away_are_dropped(void) {
+    for (int which = 0; which < 4; which++)
+        expect_dropped(which & 1, which >> 1);
+}
+
 void two_renderers_side_by_side(void) {
     uint32_t alone[2];
     half halves[2];

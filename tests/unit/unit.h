@@ -13,6 +13,8 @@
     CASE(bad_lights_are_refused)              \
     CASE(bad_colours_are_refused)             \
     CASE(bad_meshes_are_refused)              \
+    CASE(bad_clusters_are_refused)            \
+    CASE(clusters_that_face_away_are_dropped) \
     CASE(bad_poses_are_refused)               \
     CASE(limits_are_accepted)                 \
     CASE(arena_one_byte_short_is_refused)     \

@@ -21,7 +21,7 @@ STAGES = {
     "prepare": ["prepare", "power", "directional", "config", "frame", "arena", "gamma", "light:glint_prepare_specular",
                 "deviation_prepare", "quadratic:glint_quadratic_prepare", "quadratic:find_bend", "quadratic:find_across",
                 "interpolate:glint_interpolate_prepare", "interpolate:find_turn"],
-    "vertices": ["transform", "load", "geometry", "deviation:glint_deviation_light"],
+    "vertices": ["transform", "cull", "load", "geometry", "deviation:glint_deviation_light"],
     "bin": ["bin", "clip"],
     "set-up": ["setup"],
     "raster": ["raster", "kernel", "tile:glint_render_tile"],
