@@ -43,7 +43,7 @@ tidy() {
         'port/virt/*.c' || status=1
     tidy_files "-Isrc -Iport -Iport/libc -Itests -Itools -I$bench $(arm)" 'tools/profile/*.c' 'tools/scaling/*.c' 'tools/bench/frames.c' 'tools/bench/methods.c' 'tools/features/*.c' \
         'tools/chart/*_board.c' || status=1
-    tidy_files "-Isrc -Iexamples -Iexamples/bench" 'tools/bench/scenes.c' || status=1
+    tidy_files "-Isrc -Iport/host -Iexamples -Iexamples/bench" 'tools/bench/scenes.c' || status=1
     tidy_files "-Isrc -Iport -Iport/host -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit" \
         'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' 'examples/scenes/*.c' 'tools/chart/*.c' ':!tests/proof' \
         ':!tests/stack' ':!tests/board/faults.c' ':!tools/chart/*_board.c' ':!tests/board/*_board.c' ':!tests/board/pattern.c' ':!tests/board/unit.c' || status=1

@@ -43,6 +43,7 @@ static const glint_mesh bat_wing_mesh = {
     GLINT_MESH_DOUBLE_SIDED,
     0,
     0, /* no colours */
+    0, /* no clusters */
 };
 
 #endif

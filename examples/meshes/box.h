@@ -45,6 +45,7 @@ static const glint_mesh box_mesh = {
     0,
     0,
     0, /* no colours */
+    0, /* no clusters */
 };
 
 #endif

@@ -69,6 +69,7 @@ static const glint_mesh cone24x1_mesh = {
     0,
     0,
     0, /* no colours */
+    0, /* no clusters */
 };
 
 #endif

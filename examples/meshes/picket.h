@@ -48,6 +48,7 @@ static const glint_mesh picket_mesh = {
     0,
     0,
     0, /* no colours */
+    0, /* no clusters */
 };
 
 #endif

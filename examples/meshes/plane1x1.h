@@ -38,6 +38,7 @@ static const glint_mesh plane1x1_mesh = {
     0,
     0,
     0, /* no colours */
+    0, /* no clusters */
 };
 
 #endif

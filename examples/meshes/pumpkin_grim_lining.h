@@ -954,6 +954,7 @@ static const glint_mesh pumpkin_grim_lining_mesh = {
     GLINT_MESH_DOUBLE_SIDED,
     0,
     0, /* no colours */
+    0, /* no clusters */
 };
 
 #endif

@@ -962,6 +962,7 @@ static const glint_mesh pumpkin_merry_lining_mesh = {
     GLINT_MESH_DOUBLE_SIDED,
     0,
     0, /* no colours */
+    0, /* no clusters */
 };
 
 #endif

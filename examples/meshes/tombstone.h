@@ -75,6 +75,7 @@ static const glint_mesh tombstone_mesh = {
     0,
     0,
     0, /* no colours */
+    0, /* no clusters */
 };
 
 #endif

@@ -25,6 +25,9 @@ bool command_load(const host_settings *settings, bool scaled, host_model *model,
         mesh_free(&model->mesh);
         return false;
     }
+    if (!settings->load.plain) {
+        quantised_cluster(mesh);
+    }
     return true;
 }
 

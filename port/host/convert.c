@@ -51,8 +51,8 @@ static void print_load_options(host_bytes *out, const load_options *load) {
     if (load->crease >= 0) {
         bytes_print(out, " --crease %.9g", load->crease);
     }
-    bytes_print(out, "%s%s%s", load->weights == MESH_BY_ANGLE ? " --weights angle" : "",
-                load->facets ? " --facets" : "", load->repair ? " --repair" : "");
+    bytes_print(out, "%s%s%s%s", load->weights == MESH_BY_ANGLE ? " --weights angle" : "",
+                load->facets ? " --facets" : "", load->repair ? " --repair" : "", load->plain ? " --no-clusters" : "");
 }
 
 /** The options that shape the mesh, in one order. The output's name is not among them: it must not change the bytes. */
@@ -76,6 +76,14 @@ static void print_command_line(const header_writer *writer) {
     }
 }
 
+static bool have_clusters(const quantised_mesh *mesh) {
+    bool have = false;
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        have = have || mesh->pieces[i].clusters != NULL;
+    }
+    return have;
+}
+
 static void print_head(const header_writer *writer, const host_model *model, const quantised_mesh *mesh) {
     host_bytes *out = writer->out;
     if (writer->settings->licence != NULL) {
@@ -93,8 +101,11 @@ static void print_head(const header_writer *writer, const host_model *model, con
                 " * normals    int16, Q15, unit length: 32767 is 1\n"
                 " * triangles  uint16 indices, counter-clockwise seen from outside\n"
                 " * offset     Q16.16, where step 0 lies\n"
-                " * extent     Q16.16, the length of 32768 steps\n%s */\n",
-                mesh->pieces[0].colours != NULL ? " * colours    uint8 red, green, blue: 255 is 1\n" : "");
+                " * extent     Q16.16, the length of 32768 steps\n%s%s */\n",
+                mesh->pieces[0].colours != NULL ? " * colours    uint8 red, green, blue: 255 is 1\n" : "",
+                have_clusters(mesh) ? " * clusters   triangles that face much the same way, and vertices; see glint.h\n"
+                                      " * borrowers  uint16 numbers of clusters that look at a cluster's vertices\n"
+                                    : "");
 }
 
 static void print_guard(const header_writer *writer, const char *directive) {
@@ -130,6 +141,31 @@ static void print_colours(const header_writer *writer, const glint_mesh *mesh, c
     bytes_print(writer->out, "\n};\n");
 }
 
+static void print_clusters(const header_writer *writer, const glint_clusters *clusters, const char *suffix) {
+    const char *name = writer->name;
+    const uint32_t borrowers = quantised_borrowers(clusters);
+    bytes_print(writer->out, "\nstatic const glint_cluster %s_cluster_list%s[%lu] = {", name, suffix,
+                (unsigned long)clusters->count);
+    for (uint32_t i = 0; i < clusters->count; i++) {
+        const glint_cluster *cluster = &clusters->list[i];
+        bytes_print(writer->out, i % 4 == 0 ? "\n    " : " ");
+        bytes_print(writer->out, "{{%d, %d, %d}, %u, %d, %u, %u, %u},", cluster->axis[0], cluster->axis[1],
+                    cluster->axis[2], cluster->spread, cluster->height, cluster->triangles, cluster->vertices,
+                    cluster->borrowers);
+    }
+    bytes_print(writer->out, "\n};\n\nstatic const uint16_t %s_borrowers%s[%lu] = {", name, suffix,
+                (unsigned long)(borrowers > 0 ? borrowers : 1));
+    for (uint32_t i = 0; i < borrowers; i++) {
+        bytes_print(writer->out, i % 20 == 0 ? "\n    " : " ");
+        bytes_print(writer->out, "%u,", clusters->borrowers[i]);
+    }
+    bytes_print(writer->out, borrowers > 0 ? "\n};\n" : "\n    0, /* none */\n};\n");
+    bytes_print(
+        writer->out,
+        "\nstatic const glint_clusters %s_clusters%s = {&glint_cull_cones, %s_cluster_list%s, %s_borrowers%s, %luu};\n",
+        name, suffix, name, suffix, name, suffix, (unsigned long)clusters->count);
+}
+
 static void print_arrays(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {
     print_int16(writer, "positions", suffix, mesh->positions, mesh->vertex_count);
     print_int16(writer, "normals", suffix, mesh->normals, mesh->vertex_count);
@@ -143,6 +179,9 @@ static void print_arrays(const header_writer *writer, const glint_mesh *mesh, co
         bytes_print(writer->out, "{%u, %u, %u},", mesh->triangles[i][0], mesh->triangles[i][1], mesh->triangles[i][2]);
     }
     bytes_print(writer->out, "\n};\n");
+    if (mesh->clusters != NULL) {
+        print_clusters(writer, mesh->clusters, suffix);
+    }
 }
 
 static void print_mesh(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {
@@ -160,6 +199,11 @@ static void print_mesh(const header_writer *writer, const glint_mesh *mesh, cons
         bytes_print(writer->out, "    %s_colours%s,\n    0, /* no 16-bit colours */\n", name, suffix);
     } else {
         bytes_print(writer->out, "    0,\n    0, /* no colours */\n");
+    }
+    if (mesh->clusters != NULL) {
+        bytes_print(writer->out, "    &%s_clusters%s,\n", name, suffix);
+    } else {
+        bytes_print(writer->out, "    0, /* no clusters */\n");
     }
 }
 

@@ -24,6 +24,10 @@ static void print_winding(const host_model *model) {
 
 static void print_counts(const host_model *model, const quantised_mesh *mesh) {
     const mesh_topology topology = mesh_check_topology(&model->mesh);
+    size_t clusters = 0;
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        clusters += mesh->pieces[i].clusters != NULL ? mesh->pieces[i].clusters->count : 0;
+    }
     const bool all = model->given_normals == model->corner_count;
     printf("positions %zu\n", model->mesh.position_count);
     printf("positions_used %zu\n", topology.point_count);
@@ -33,6 +37,7 @@ static void print_counts(const host_model *model, const quantised_mesh *mesh) {
     printf("triangles_dropped %zu\n", mesh->dropped_count);
     printf("groups %zu\n", model->mesh.group_count);
     printf("pieces %zu\n", mesh->piece_count);
+    printf("clusters %zu\n", clusters);
     printf("normals %s\n", all ? "given" : model->given_normals == 0 ? "computed" : "partly given");
     printf("boundary_edges %zu\n", topology.boundary_edges);
     printf("inconsistent_edges %zu\n", topology.inconsistent_edges);

@@ -15,6 +15,7 @@ typedef struct load_options {
     mesh_weights weights;
     bool facets; /**< Facet normals in place of averages. */
     bool repair; /**< Turn triangles that are wound the wrong way. */
+    bool plain;  /**< Without clusters, in the order of the model. */
 } load_options;
 
 /** A model with normals at every corner. */

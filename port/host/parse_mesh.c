@@ -35,3 +35,10 @@ bool parse_repair(host_settings *settings, const char *text, host_problem *probl
     settings->load.repair = true;
     return true;
 }
+
+bool parse_no_clusters(host_settings *settings, const char *text, host_problem *problem) {
+    (void)text;
+    (void)problem;
+    settings->load.plain = true;
+    return true;
+}

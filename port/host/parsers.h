@@ -22,6 +22,7 @@ bool parse_crease(host_settings *settings, const char *text, host_problem *probl
 bool parse_weights(host_settings *settings, const char *text, host_problem *problem);
 bool parse_facets(host_settings *settings, const char *text, host_problem *problem);
 bool parse_repair(host_settings *settings, const char *text, host_problem *problem);
+bool parse_no_clusters(host_settings *settings, const char *text, host_problem *problem);
 
 bool parse_list(host_settings *settings, const char *text, host_problem *problem);
 bool parse_frame(host_settings *settings, const char *text, host_problem *problem);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "quantise.h"
 
+#include "cluster.h"
 #include "memory.h"
 #include "number.h"
 
@@ -239,9 +240,31 @@ bool quantise(const host_mesh *mesh, uint32_t flags, quantised_mesh *out, host_p
     return out->piece_count > 0 || problem_set(problem, 0, "all %zu triangles are without area", mesh->triangle_count);
 }
 
+void quantised_cluster(quantised_mesh *mesh) {
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        cluster_mesh(&mesh->pieces[i]);
+    }
+}
+
+uint32_t quantised_borrowers(const glint_clusters *clusters) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < clusters->count; i++) {
+        count += clusters->list[i].borrowers;
+    }
+    return count;
+}
+
 size_t quantised_size(const quantised_mesh *mesh) {
     const size_t vertex = 2 * 3 * sizeof(int16_t) + (mesh->pieces[0].colours != NULL ? 3 : 0);
-    return vertex * mesh->vertex_count + 3 * sizeof(uint16_t) * mesh->triangle_count;
+    size_t size = vertex * mesh->vertex_count + 3 * sizeof(uint16_t) * mesh->triangle_count;
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        const glint_clusters *clusters = mesh->pieces[i].clusters;
+        if (clusters != NULL) {
+            size += clusters->count * sizeof *clusters->list;
+            size += quantised_borrowers(clusters) * sizeof *clusters->borrowers;
+        }
+    }
+    return size;
 }
 
 void quantised_free(quantised_mesh *mesh) {
@@ -251,6 +274,7 @@ void quantised_free(quantised_mesh *mesh) {
         free((void *)(uintptr_t)mesh->pieces[i].normals);
         free((void *)(uintptr_t)mesh->pieces[i].triangles);
         free((void *)(uintptr_t)mesh->pieces[i].colours);
+        cluster_free(&mesh->pieces[i]);
     }
     free(mesh->pieces);
     memset(mesh, 0, sizeof *mesh);

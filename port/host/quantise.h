@@ -36,10 +36,16 @@ typedef struct quantised_mesh {
  */
 bool quantise(const host_mesh *mesh, uint32_t flags, quantised_mesh *out, host_problem *problem);
 
+/** Gives each piece clusters, where they pay: its vertices and triangles are then in their order (cluster.h). */
+void quantised_cluster(quantised_mesh *mesh);
+
 /** Bytes of flash that its arrays take. */
 size_t quantised_size(const quantised_mesh *mesh);
 
-/** Frees what quantise made. */
+/** How many numbers a list of borrowers holds. */
+uint32_t quantised_borrowers(const glint_clusters *clusters);
+
+/** Frees what quantise and quantised_cluster made. */
 void quantised_free(quantised_mesh *mesh);
 
 /** Object-space position of a vertex, as the library sees it. */

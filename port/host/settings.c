@@ -263,6 +263,8 @@ static const host_option options[] = {
     {"--facets", NULL, "make all normals anew, the triangles' own", COMMANDS_WITH_MESH, parse_facets},
     {"--repair", NULL, "turn triangles so that connected parts are wound consistently and face outwards",
      COMMANDS_WITH_MESH, parse_repair},
+    {"--no-clusters", NULL, "keep vertices and triangles in the order of the model", COMMANDS_WITH_MESH,
+     parse_no_clusters},
     {"--list", NULL, "print the scenes and their variants", COMMAND_SCENE, parse_list},
     {"--frame", "N", "which frame, counted from 0; 0", COMMAND_SCENE, parse_frame},
     {"--animate", "N", "an APNG of N frames, 1 to 1000, spread over the time in which the scene repeats", COMMAND_SCENE,

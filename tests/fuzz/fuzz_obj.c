@@ -2,7 +2,7 @@
 /**
  * @file fuzz_obj.c
  * The OBJ reader on any bytes (libFuzzer): it either reports one problem, or gives a mesh that normals can be made for
- * and that quantises into meshes as the library documents them.
+ * and that quantises into meshes, with clusters, as the library documents them.
  */
 #include "obj.h"
 #include "quantise.h"
@@ -48,6 +48,20 @@ static void check_piece(const glint_mesh *piece) {
     }
 }
 
+static void check_clusters(const glint_mesh *piece) {
+    const glint_clusters *clusters = piece->clusters;
+    uint32_t triangles = 0;
+    uint32_t vertices = 0;
+    for (uint32_t i = 0; i < clusters->count; i++) {
+        triangles += clusters->list[i].triangles;
+        vertices += clusters->list[i].vertices;
+    }
+    for (uint32_t i = 0, count = quantised_borrowers(clusters); i < count; i++) {
+        require(clusters->borrowers[i] < clusters->count);
+    }
+    require(triangles == piece->triangle_count && vertices == piece->vertex_count);
+}
+
 static void check_quantised(const host_mesh *mesh) {
     host_problem problem = {0, ""};
     quantised_mesh quantised;
@@ -56,8 +70,12 @@ static void check_quantised(const host_mesh *mesh) {
         return;
     }
     require(quantised.triangle_count + quantised.dropped_count == mesh->triangle_count);
+    quantised_cluster(&quantised);
     for (size_t i = 0; i < quantised.piece_count; i++) {
         check_piece(&quantised.pieces[i]);
+        if (quantised.pieces[i].clusters != NULL) {
+            check_clusters(&quantised.pieces[i]);
+        }
     }
     quantised_free(&quantised);
 }

@@ -3,6 +3,7 @@
 import sys
 import traceback
 
+import test_clusters
 import test_convert
 import test_errors
 import test_gallery
@@ -17,8 +18,8 @@ from harness import Host
 
 def main():
     host = Host(sys.argv[1])
-    for module in (test_render, test_shading, test_obj, test_winding, test_shapes, test_errors, test_convert, test_scene,
-                   test_gallery):
+    for module in (test_render, test_shading, test_obj, test_winding, test_shapes, test_errors, test_convert, test_clusters,
+                   test_scene, test_gallery):
         for name in (name for name in vars(module) if name.startswith("test_")):
             try:
                 vars(module)[name](host)

@@ -83,11 +83,11 @@ def test_head(host):
     host.check("command line", '\n *     glint convert my model.2.obj --licence "CC0-1.0" --crease 30 --scale 2,2,2 '
                "--double-sided\n" in text)
     host.check("licence", text.startswith("/* SPDX-License-Identifier: CC0-1.0 */\n"))
-    host.check("flag", "    GLINT_MESH_DOUBLE_SIDED,\n    0,\n    0, /* no colours */\n};" in text)
+    host.check("flag", "    GLINT_MESH_DOUBLE_SIDED,\n    0,\n    0, /* no colours */\n    0, /* no clusters */\n};" in text)
     host.check("Q formats", "Q16.16" in text and "Q15" in text and "offset + extent * step / 32768" in text)
     host.check("hash of a shape is its name's", fnv1a(b"torus:24x12") in convert(host, "torus:24x12"))
     host.write("*_ \\.obj", SQUARE)
-    host.check("a name that would end the comment", convert(host, "*_ \\.obj").count("*/") == 6)
+    host.check("a name that would end the comment", convert(host, "*_ \\.obj").count("*/") == 7)
     host.write("9.obj", SQUARE)
     host.check("a name that begins with a digit", "static const glint_mesh m9_mesh = {" in convert(host, "9.obj"))
 
@@ -111,7 +111,7 @@ def obj_triangles(path):
 def test_numbers_against_the_model(host):
     for name in ("teapot", "featuretype"):
         path = os.path.join(MODELS, name + ".obj")
-        positions, normals, triangles, _, extent = mesh(convert(host, path), name)
+        positions, normals, triangles, _, extent = mesh(convert(host, path, "--no-clusters"), name)
         source = obj_triangles(path)
         host.equal(f"{name}: triangles", len(triangles), len(source))
         moved = turned = 0.0
@@ -150,7 +150,7 @@ def test_scale(host):
 
 
 def test_torus_is_the_documented_one(host):
-    positions, normals, triangles, _, _ = mesh(convert(host, "torus:24x12", "--name", "t"), "t")
+    positions, normals, triangles, _, _ = mesh(convert(host, "torus:24x12", "--name", "t", "--no-clusters"), "t")
     host.equal("torus counts", (len(positions), len(triangles)), (288, 576))
     host.equal("torus triangles", triangles[:2] + triangles[-2:],
                [(0, 12, 13), (0, 13, 1), (287, 11, 0), (287, 0, 276)])
@@ -209,7 +209,7 @@ def test_colours(host):
     text = convert(host, "painted.obj")
     colours = re.search(r"static const uint8_t painted_colours\[4\]\[3\] = \{(.*?)\n\};", text, re.DOTALL).group(1)
     host.equal("colours, 255 is 1", colours.split(), "{255, 0, 128}, {0, 255, 0}, {51, 102, 153}, {255, 255, 255},".split())
-    host.check("the mesh has them", "    painted_colours,\n    0, /* no 16-bit colours */\n};" in text)
+    host.check("the mesh has them", "    painted_colours,\n    0, /* no 16-bit colours */\n    0, /* no clusters */\n};" in text)
     host.check("the head says so", "\n * colours    uint8 red, green, blue: 255 is 1\n" in text and
                f"{4 * 15 + 2 * 6} bytes of flash" in text)
     host.write("partly.obj", "v 0 0 0 1 0 0.5\nv 1 0 0\nv 1 1 0 0.2 0.4 0.6\nv 0 1 0 1 1 1\n" + body)

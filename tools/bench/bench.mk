@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 # Instructions of whole frames, of methods and of fragments, counted in QEMU; included by port/boards.mk.
 
-$(BUILD)/bench/scenes: tools/bench/scenes.c examples/bench/bench.c examples/bench/bench.h $(BUILD)/host/libglint.a
+$(BUILD)/bench/scenes: tools/bench/scenes.c examples/bench/bench.c examples/bench/bench.h \
+        $(addprefix port/host/,cluster.c cluster.h patch.c patch.h memory.c memory.h) $(BUILD)/host/libglint.a
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -Iexamples/bench $(filter %.c %.a,$^) -lm -o $@
+	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -Iexamples/bench -Iport/host $(filter %.c %.a,$^) -lm -o $@
 
 $(BUILD)/bench/bench_scenes.h: $(BUILD)/bench/scenes
 	$(Q)$< > $@

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Writes the benchmark scenes as constant data, bench_scenes.h: what firmware without floating point includes. */
 #include "bench/bench.h"
+#include "cluster.h"
 
 #include <stdio.h>
 
@@ -22,6 +23,23 @@ static void write_triangles(const char *name, const bench_mesh *m) {
     printf("};\n");
 }
 
+static void write_clusters(const char *name, const glint_clusters *clusters) {
+    uint32_t borrowers = 0;
+    printf("static const glint_cluster %s_cluster_list[%u] = {\n", name, (unsigned)clusters->count);
+    for (uint32_t i = 0; i < clusters->count; i++) {
+        const glint_cluster *c = &clusters->list[i];
+        printf("    {{%d, %d, %d}, %u, %d, %u, %u, %u},\n", c->axis[0], c->axis[1], c->axis[2], c->spread, c->height,
+               c->triangles, c->vertices, c->borrowers);
+        borrowers += c->borrowers;
+    }
+    printf("};\nstatic const uint16_t %s_borrowers[%u] = {\n", name, (unsigned)borrowers);
+    for (uint32_t i = 0; i < borrowers; i++) {
+        printf("    %u,\n", clusters->borrowers[i]);
+    }
+    printf("};\nstatic const glint_clusters %s_clusters = {&glint_cull_cones, %s_cluster_list, %s_borrowers, %u};\n",
+           name, name, name, (unsigned)clusters->count);
+}
+
 static void write_vector(const char *field, int32_t x, int32_t y, int32_t z) {
     printf("    .%s = {%ld, %ld, %ld},\n", field, (long)x, (long)y, (long)z);
 }
@@ -30,12 +48,13 @@ static void write_mesh(const char *name, const bench_mesh *m) {
     write_rows(name, "positions", m->positions, m->mesh.vertex_count);
     write_rows(name, "normals", m->normals, m->mesh.vertex_count);
     write_triangles(name, m);
+    write_clusters(name, m->mesh.clusters);
     printf("static const glint_mesh %s_mesh = {\n    .positions = %s_positions,\n    .normals = %s_normals,\n"
            "    .triangles = %s_triangles,\n    .vertex_count = %u,\n    .triangle_count = %u,\n",
            name, name, name, name, (unsigned)m->mesh.vertex_count, (unsigned)m->mesh.triangle_count);
     write_vector("offset", m->mesh.offset.x, m->mesh.offset.y, m->mesh.offset.z);
     write_vector("extent", m->mesh.extent.x, m->mesh.extent.y, m->mesh.extent.z);
-    printf("};\n");
+    printf("    .clusters = &%s_clusters,\n};\n", name);
 }
 
 static void write_poses(const bench_definition *definition) {
@@ -80,8 +99,10 @@ int main(void) {
     for (int i = 0; i < BENCH_SCENES; i++) {
         const bench_definition *definition = &bench_definitions[i];
         bench_build_mesh(&mesh, definition->shape, definition->around, definition->along);
+        cluster_mesh(&mesh.mesh);
         write_mesh(definition->name, &mesh);
         write_poses(definition);
+        cluster_free(&mesh.mesh);
     }
     write_light_and_material();
     printf("static const struct {\n    const char *name;\n    const glint_mesh *mesh;\n    const glint_pose *poses;\n} "
