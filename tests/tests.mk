@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
 # The library's suites on the host. Each is a program that closes with `N passed, N failed` and exits 1 on a failure.
 
-TEST_INCLUDES := -Isrc -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit
+TEST_INCLUDES := -Isrc -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit \
+    -Iport/host
 TEST_CFLAGS   := -std=c99 $(WARNINGS) -g $(TEST_INCLUDES)
 
 TEST_HARNESS := tests/harness.c tests/main.c
 TEST_UNIT    := $(wildcard tests/unit/*.c)
-TEST_SCENES  := tests/image/picture.c tests/image/scenes.c examples/bench/bench.c
+TEST_SCENES  := tests/image/picture.c tests/image/scenes.c examples/bench/bench.c \
+    port/host/cluster.c port/host/patch.c port/host/memory.c
 TEST_JUDGE   := tests/image/library_geometry.c tests/image/judge.c tests/reference/reference.c \
     tests/reference/lighting.c
 TEST_HEADERS := $(wildcard src/*.h tests/*.h tests/*/*.h examples/bench/*.h examples/scenes/*.h examples/meshes/*.h)

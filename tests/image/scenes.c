@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "scenes.h"
 
+#include "cluster.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -43,10 +45,20 @@ const bench_mesh *scene_bench_mesh(int which) {
     return &bench_meshes[which];
 }
 
+const bench_mesh *scene_clustered_mesh(int which) {
+    static bench_mesh meshes[BENCH_SCENES];
+    const bench_definition *definition = &bench_definitions[which];
+    if (meshes[which].mesh.vertex_count == 0) {
+        bench_build_mesh(&meshes[which], definition->shape, definition->around, definition->along);
+        cluster_mesh(&meshes[which].mesh);
+    }
+    return &meshes[which];
+}
+
 /* A benchmark's frame 3 as the first object; others follow by copying it. */
 static void begin(test_scene *scene, int which) {
     bench_scene bench;
-    bench_build_scene(&bench, &bench_definitions[which], scene_bench_mesh(which), 3);
+    bench_build_scene(&bench, &bench_definitions[which], scene_clustered_mesh(which), 3);
     memset(scene, 0, sizeof *scene);
     scene->scene = bench.scene;
     scene->scene.objects = scene->objects;
@@ -85,7 +97,7 @@ static void build_near_plane(test_scene *scene) {
 
 static void build_near_double_sided(test_scene *scene) {
     build_near_plane(scene);
-    open_torus = scene_bench_mesh(1)->mesh;
+    open_torus = scene_clustered_mesh(1)->mesh;
     open_torus.flags = GLINT_MESH_DOUBLE_SIDED;
     scene->objects[0].mesh = &open_torus;
     place(&scene->objects[0], 0.3, -0.1, -1.2);
@@ -114,7 +126,7 @@ static void build_mirrored(test_scene *scene) {
 
 static void build_mirrored_double_sided(test_scene *scene) {
     begin(scene, 1);
-    open_torus = scene_bench_mesh(1)->mesh;
+    open_torus = scene_clustered_mesh(1)->mesh;
     open_torus.flags = GLINT_MESH_DOUBLE_SIDED;
     scene->objects[0].mesh = &open_torus;
     scale_columns(&scene->objects[0].pose, 1, -1.25, 0.75);
@@ -267,7 +279,7 @@ void scene_build_random(test_scene *scene, uint32_t seed) {
     scene->scene.object_count = 1 + (uint32_t)between(0, 3);
     scene->scene.light_count = (uint32_t)between(0, 9);
     for (uint32_t i = 0; i < scene->scene.object_count; i++) {
-        scene->objects[i].mesh = &scene_bench_mesh(between(0, 1) < 0.5 ? 1 : 3)->mesh;
+        scene->objects[i].mesh = &scene_clustered_mesh(between(0, 1) < 0.5 ? 1 : 3)->mesh;
         place_at_random(&scene->objects[i], &centre);
         scene->materials[i].ambient = random_colour(0.3);
         scene->materials[i].diffuse = random_colour(0.8);

@@ -41,4 +41,7 @@ void scene_build_named(test_scene *scene, const char *name);
 /** The mesh of a benchmark scene, built on first use. */
 const bench_mesh *scene_bench_mesh(int which);
 
+/** The same in clusters, as all scenes of this file have it. */
+const bench_mesh *scene_clustered_mesh(int which);
+
 #endif
