@@ -25,14 +25,16 @@ typedef struct variant {
     uint16_t tile_width, tile_height;
     int changes; /* only tiles that changed since the last frame are copied */
     int anew;    /* nothing is kept from frame to frame */
+    int plain;   /* meshes without clusters */
 } variant;
 
 static const variant variants[] = {
-    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 0},    {320, 240, GLINT_VIEWER_INFINITE, 32, 32, 0},
-    {128, 64, GLINT_VIEWER_LOCAL, 32, 32, 0},     {320, 240, GLINT_VIEWER_LOCAL, 16, 16, 0},
-    {320, 240, GLINT_VIEWER_LOCAL, 32, 16, 0},    {320, 240, GLINT_VIEWER_LOCAL, 64, 32, 0},
-    {320, 240, GLINT_VIEWER_LOCAL, 64, 64, 0},    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 1},
-    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 0, 1}, {128, 64, GLINT_VIEWER_LOCAL, 64, 64, 0},
+    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 0},       {320, 240, GLINT_VIEWER_INFINITE, 32, 32, 0},
+    {128, 64, GLINT_VIEWER_LOCAL, 32, 32, 0},        {320, 240, GLINT_VIEWER_LOCAL, 16, 16, 0},
+    {320, 240, GLINT_VIEWER_LOCAL, 32, 16, 0},       {320, 240, GLINT_VIEWER_LOCAL, 64, 32, 0},
+    {320, 240, GLINT_VIEWER_LOCAL, 64, 64, 0},       {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 1},
+    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 0, 1},    {128, 64, GLINT_VIEWER_LOCAL, 64, 64, 0},
+    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 0, 0, 1}, {128, 64, GLINT_VIEWER_LOCAL, 32, 32, 0, 0, 1},
 };
 
 static uint32_t arena[(1 << 20) / sizeof(uint32_t)];
@@ -95,7 +97,8 @@ static glint_status measure(const glint_config *config, const glint_scene *scene
 }
 
 static glint_status measure_variant(uint32_t which, const variant *v, measured *result) {
-    glint_object object = {.mesh = bench_scenes[which].mesh, .material = &bench_material};
+    glint_mesh mesh = *bench_scenes[which].mesh;
+    glint_object object = {.mesh = &mesh, .material = &bench_material};
     glint_scene scene = {.viewer = v->viewer,
                          .ambient = {BENCH_AMBIENT, BENCH_AMBIENT, BENCH_AMBIENT},
                          .lights = &bench_light,
@@ -111,6 +114,9 @@ static glint_status measure_variant(uint32_t which, const variant *v, measured *
                            .arena = arena,
                            .arena_size = sizeof arena};
 
+    if (v->plain) {
+        mesh.clusters = 0;
+    }
     scene.camera.pose = glint_pose_identity();
     scene.camera.field_of_view = BENCH_FIELD_OF_VIEW;
     scene.camera.near_plane = BENCH_NEAR_PLANE;
@@ -135,7 +141,7 @@ static void report(const char *name, const variant *v, const measured *result) {
     write_number(v->width, "x");
     write_number(v->height, v->viewer == GLINT_VIEWER_LOCAL ? " local " : " infinite ");
     write_number(v->tile_width, "x");
-    write_number(v->tile_height, v->changes ? " changes," : v->anew ? " anew," : ",");
+    write_number(v->tile_height, v->changes ? " changes," : v->anew ? " anew," : v->plain ? " plain," : ",");
     write_number(result->instructions, ",");
     write_number((uint32_t)result->smallest, ",");
     write_number((uint32_t)result->best, "\n");
