@@ -8,7 +8,8 @@ static int colour_is_valid(const glint_colour *colour) {
     return (uint32_t)colour->r <= most && (uint32_t)colour->g <= most && (uint32_t)colour->b <= most;
 }
 
-static glint_status check_mesh(const glint_mesh *mesh) {
+/* Out of line, which is less code than branches across the loop over objects. */
+static GLINT_NOINLINE glint_status check_mesh(const glint_mesh *mesh) {
     if (!mesh || !mesh->positions || !mesh->normals || !mesh->triangles)
         return GLINT_ERROR_NULL;
     if (mesh->vertex_count - 1 >= 65536 || mesh->triangle_count < 1 ||

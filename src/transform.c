@@ -137,8 +137,8 @@ static void scale_normals(glint_transform *transform, int32_t matrix[3][4]) {
 }
 
 /*
- * Cofactors of the first three columns, brought to 30 bits; the fourth column is 0. @return the determinant on their
- * scale
+ * Cofactors of the first three columns, brought to 30 bits; the fourth column is 0 in both. @return the determinant on
+ * their scale
  */
 static GLINT_INLINE int64_t find_cofactors(int32_t p[3][4], int32_t cofactor[3][4]) {
     static const uint8_t next[3] = {1, 2, 0};
@@ -149,7 +149,7 @@ static GLINT_INLINE int64_t find_cofactors(int32_t p[3][4], int32_t cofactor[3][
             int k = next[j], l = next[k];
             wide[i][j] = glint_product(a[k], b[l]) - glint_product(a[l], b[k]);
         }
-        wide[i][3] = 0;
+        wide[i][3] = p[i][3];
     }
     to_30_bits(wide, cofactor);
     for (int j = 0; j < 3; j++)
