@@ -82,7 +82,6 @@ PROOF(find_tile) {
     frame.references = (glint_reference *)(void *)arena;
     frame.clipped = (glint_clipped *)(void *)(arena + ANY(0, 1 << 19));
     draw.first = (uint16_t)ANY(0, UINT16_MAX);
-    draw.count = (uint16_t)ANY(0, UINT16_MAX);
     frame.tile_end = (uint16_t)ANY(1, 128 * 128);
     frame.config.width = (uint16_t)ANY(1, GLINT_SIZE_MAX);
     frame.config.height = (uint16_t)ANY(1, GLINT_SIZE_MAX);
@@ -91,7 +90,7 @@ PROOF(find_tile) {
     FOR_PARTS(shift, 3, 6) {
         frame.tile_shift_x = (uint8_t)shift;
         frame.tile_shift_y = (uint8_t)shift;
-        const grid g = grid_of(&frame, &draw);
+        const grid g = grid_of(&frame, &draw, ANY_UNSIGNED(0, UINT16_MAX));
         find_tile(&g, w, 0, &tile);
         find_tile(&g, w, 1, &tile);
     }

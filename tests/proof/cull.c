@@ -6,8 +6,8 @@
 #include "ranges.h"
 
 /*
- * Not proven: load_clusters, load, bin, corners: numbers that find_eye adds up, and addresses in the arena. `make fuzz`
- * draws meshes whose clusters err under sanitizers.
+ * Not proven: load_clusters, load, bin, corners: numbers that check adds up, and addresses in the arena. Suite
+ * `identity`, and fuzzing of meshes whose clusters err, under ASan.
  */
 
 /* Any clusters, seen from any eye. */
@@ -23,4 +23,19 @@ PROOF(face) {
         clusters[i].height = ANY_SHORT;
     }
     face(&eye, clusters, 3, away);
+}
+
+/* Any counts of up to 3 clusters. */
+PROOF(check) {
+    glint_cluster list[3];
+    glint_clusters clusters = {0, ANY(0, 1) ? list : 0, 0, ANY_UNSIGNED(0, 3)};
+    glint_mesh mesh;
+    for (int i = 0; i < 3; i++) {
+        list[i].triangles = (uint16_t)ANY(0, UINT16_MAX);
+        list[i].vertices = (uint16_t)ANY(0, UINT16_MAX);
+    }
+    mesh.clusters = &clusters;
+    mesh.triangle_count = ANY_UNSIGNED(0, UINT_MAX);
+    mesh.vertex_count = ANY_UNSIGNED(0, UINT_MAX);
+    check(&mesh);
 }

@@ -48,6 +48,13 @@ static void any_model_prepare(glint_shading *shading, uint32_t largest_specular)
     (void)largest_specular;
 }
 
+static glint_status any_check(const glint_mesh *mesh) {
+    (void)mesh;
+    return ANY(0, 1) ? GLINT_OK : GLINT_ERROR_MESH;
+}
+
+static const glint_cull any_cull = {any_check, 0, 0, 0, 0};
+static const glint_clusters some_clusters[2] = {{&any_cull, 0, 0, 0}, {0, 0, 0, 0}};
 static const glint_light_type far_light = {any_light_prepare, 0, 0},
                               near_light = {any_light_prepare, any_illuminate, any_place};
 static const glint_model plain = {0, 0, 0}, shiny = {any_model_prepare, 0, 0};
@@ -93,6 +100,7 @@ static void any_mesh(void) {
     mesh->vertex_count = ANY_UNSIGNED(0, UINT_MAX);
     mesh->triangle_count = ANY_UNSIGNED(0, UINT_MAX);
     mesh->extent = (glint_vector){ANY_INT, ANY_INT, ANY_INT};
+    mesh->clusters = ANY(0, 1) ? &some_clusters[ANY(0, 1)] : 0;
 }
 
 static void any_camera(glint_camera *camera, int most) {
