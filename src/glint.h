@@ -112,7 +112,7 @@ extern const glint_cull glint_cull_cones;
  *
  * With the eye at e, in steps, a triangle in the plane n.p = h faces away where n.e <= h. For each triangle of a
  * cluster n may be that long that |n - axis| <= spread and h >= 256 height: where axis.e + spread |e| <= 256 height all
- * of them face away.
+ * of them face away. Triangles without area bind neither.
  */
 typedef struct glint_cluster {
     int8_t axis[3];

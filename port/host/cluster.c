@@ -89,7 +89,7 @@ static glint_cluster bound_patch(const mesh_patches *patches, uint32_t patch) {
     glint_cluster cluster = {{0, 0, 0}, 0, 0, 0, 0, 0};
     double spread = 0;
     if (!choose_axis(patches, patch, cluster.axis)) {
-        return cluster; /* always dropped */
+        return cluster; /* there is nothing to drop */
     }
     for (uint32_t i = patch; i != PATCH_NONE; i = patches->next[i]) {
         const plane_view plane = view_plane(patches->mesh, i, cluster.axis);
