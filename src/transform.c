@@ -261,7 +261,7 @@ static void set_eye(const int64_t place[3], int64_t weight, glint_eye *to) {
  * With the matrix of steps A and the translation t, the eye is where A e + 2^15 t = 0: at e = 2^15 E / W, where
  * E = -C^T t and W = det A, C its cofactors. A mirrored object's W is below 0.
  */
-void glint_transform_eye(const glint_transform *transform, glint_eye *to) {
+void glint_transform_eye(const glint_transform *transform, glint_eye *eye) {
     int32_t rows[3][4], cofactor[3][4];
     int64_t place[3];
     for (int i = 0; i < 3; i++)
@@ -274,5 +274,5 @@ void glint_transform_eye(const glint_transform *transform, glint_eye *to) {
         for (int i = 0; i < 3; i++)
             place[j] += glint_product(cofactor[i][j], sign * transform->translation[i]);
     }
-    set_eye(place, -sign * weight, to);
+    set_eye(place, -sign * weight, eye);
 }
