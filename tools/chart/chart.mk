@@ -12,7 +12,7 @@ $(BUILD)/chart/$1: tools/chart/$1.c $2 $(CHART_IMAGE) $(LIBRARY) $(TEST_HEADERS)
 	@mkdir -p $$(@D)
 	$$(Q)$$(CC) $$(TEST_CFLAGS) $$(CFLAGS) tools/chart/$1.c $2 $(CHART_IMAGE) $(LIBRARY) -lm -o $$@
 endef
-$(eval $(call chart_host,frame_accuracy,examples/bench/bench.c))
+$(eval $(call chart_host,frame_accuracy,examples/bench/bench.c $(addprefix port/host/,cluster.c patch.c memory.c)))
 $(eval $(call chart_host,shading,))
 
 $(eval $(call chart_host,gallery_accuracy,tests/stability/contract.c tests/stability/weights.c tests/image/judge.c \

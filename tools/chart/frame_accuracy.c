@@ -6,6 +6,7 @@
  */
 #include "bench.h"
 #include "choices.h"
+#include "cluster.h"
 #include "library_geometry.h"
 #include "picture.h"
 #include "reference.h"
@@ -194,6 +195,7 @@ int main(void) {
     for (int which = 0; which < BENCH_SCENES; which++) {
         bench_build_mesh(&mesh, bench_definitions[which].shape, bench_definitions[which].around,
                          bench_definitions[which].along);
+        cluster_mesh(&mesh.mesh); /* as instructions are counted */
         for (size_t i = 0; i < CHOICE_SIZES; i++) {
             judge_choices(which, choice_sizes[i], &right);
             judge_contract(which, choice_sizes[i], &right);
