@@ -44,13 +44,19 @@ static glint_status count_triangle(const glint_frame *frame, const glint_transfo
 
 static glint_status count_object(const glint_frame *frame, const glint_object *object, tally *sum) {
     const glint_mesh *mesh = object->mesh;
+    const glint_cull *cull = mesh->clusters ? mesh->clusters->cull : 0;
     glint_transform transform;
+    glint_walk walk;
     glint_status status = glint_transform_prepare(&transform, frame->view, &frame->config, object);
     if (status != GLINT_OK || !transform.visible)
         return status;
     sum->vertices += glint_draw_size(frame, object, &transform, mesh->vertex_count, mesh->triangle_count, 0);
-    for (uint32_t i = 0; i < mesh->triangle_count && status == GLINT_OK; i++)
-        status = count_triangle(frame, &transform, mesh, mesh->triangles[i], sum);
+    if (cull)
+        cull->begin(&walk, mesh, &transform);
+    for (uint32_t i = 0; i < mesh->triangle_count && status == GLINT_OK; i++) {
+        const uint16_t *corners = cull ? cull->corners(&walk, mesh, i) : mesh->triangles[i];
+        status = count_triangle(frame, &transform, mesh, corners, sum);
+    }
     return status;
 }
 

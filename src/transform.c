@@ -137,12 +137,12 @@ static void scale_normals(glint_transform *transform, int32_t matrix[3][4]) {
 }
 
 /*
- * Cofactors of the first three columns, brought to 30 bits; the fourth column is 0 in both. @return the determinant on
- * their scale
+ * Cofactors of the first three columns, brought to 30 bits by way of `wide`; the fourth column is 0 in both. @return
+ * the determinant on their scale
  */
-static GLINT_INLINE int64_t find_cofactors(int32_t p[3][4], int32_t cofactor[3][4]) {
+static GLINT_INLINE int64_t find_cofactors(int32_t p[3][4], int64_t wide[3][4], int32_t cofactor[3][4]) {
     static const uint8_t next[3] = {1, 2, 0};
-    int64_t wide[3][4], determinant = 0;
+    int64_t determinant = 0;
     for (int i = 0; i < 3; i++) {
         const int32_t *a = p[next[i]], *b = p[next[next[i]]];
         for (int j = 0; j < 3; j++) {
@@ -165,7 +165,7 @@ static int prepare_normals(glint_transform *transform, const glint_view *view, c
         for (int j = 0; j < 4; j++)
             wide[i][j] = j < 3 ? pose->m[i][j] : 0;
     to_30_bits(wide, p);
-    const int64_t determinant = find_cofactors(p, cofactor);
+    const int64_t determinant = find_cofactors(p, wide, cofactor);
     if (glint_magnitude64(determinant) < (uint64_t)1 << 36) /* 2^-24 of what orthogonal axes give */
         return 0;
     transform->mirrored = determinant < 0;
@@ -263,11 +263,11 @@ static void set_eye(const int64_t place[3], int64_t weight, glint_eye *to) {
  */
 void glint_transform_eye(const glint_transform *transform, glint_eye *eye) {
     int32_t rows[3][4], cofactor[3][4];
-    int64_t place[3];
+    int64_t wide[3][4], place[3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 4; j++)
             rows[i][j] = j < 3 ? glint_row_get(&transform->matrix[i], j) : 0;
-    const int64_t weight = find_cofactors(rows, cofactor);
+    const int64_t weight = find_cofactors(rows, wide, cofactor);
     const int32_t sign = transform->mirrored ? 1 : -1;
     for (int j = 0; j < 3; j++) {
         place[j] = 0;

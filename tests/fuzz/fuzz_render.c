@@ -70,6 +70,7 @@ static void *allocate(size_t size) {
 typedef struct drawing {
     glint_mesh meshes[MESHES];
     glint_clusters clusters[MESHES];
+    int is_loose; /* how it looks may depend on the arena */
     glint_material materials[OBJECTS];
     glint_light lights[GLINT_LIGHTS_MAX + 1];
     glint_object objects[OBJECTS];
@@ -149,10 +150,15 @@ static uint16_t take_part(source *s, uint32_t *left, int last) {
     return (uint16_t)(below(s, 64) == 1 ? take(s, 2) : part);
 }
 
-/* Clusters of nothing that belongs together, borrowed from at random: any of them may be dropped. */
-static void take_clusters(source *s, glint_mesh *mesh, glint_clusters *clusters) {
-    if (below(s, 2) == 0)
-        return;
+/*
+ * Clusters of nothing that belongs together: any of them may be dropped. @return 1 where some may look at vertices of
+ * others unsaid: which are then drawn, and where, is not told
+ */
+static int take_clusters(source *s, glint_mesh *mesh, glint_clusters *clusters) {
+    const uint32_t choice = below(s, 4);
+    const int is_loose = choice == 1;
+    if (choice == 0)
+        return 0;
     uint32_t triangles = mesh->triangle_count, vertices = mesh->vertex_count, borrower_count = 0;
     clusters->cull = &glint_cull_cones;
     clusters->count = 1 + below(s, 5);
@@ -164,15 +170,18 @@ static void take_clusters(source *s, glint_mesh *mesh, glint_clusters *clusters)
         list[i].height = (int16_t)take(s, 2);
         list[i].triangles = take_part(s, &triangles, i + 1 == clusters->count);
         list[i].vertices = take_part(s, &vertices, i + 1 == clusters->count);
-        list[i].borrowers = (uint16_t)below(s, 4);
+        list[i].borrowers = (uint16_t)(is_loose ? below(s, 4) : clusters->count);
         borrower_count += list[i].borrowers;
     }
     uint16_t *borrowers = allocate(borrower_count * sizeof *borrowers);
     for (uint32_t i = 0; i < borrower_count; i++)
-        borrowers[i] = (uint16_t)(below(s, 64) == 1 ? take(s, 2) : below(s, clusters->count));
+        borrowers[i] = (uint16_t)(!is_loose          ? i % clusters->count
+                                  : below(s, 8) == 1 ? take(s, 2)
+                                                     : below(s, clusters->count));
     clusters->list = list;
     clusters->borrowers = borrowers;
     mesh->clusters = clusters;
+    return is_loose;
 }
 
 static glint_pose take_pose(source *s) {
@@ -271,7 +280,7 @@ static void take_drawing(source *s, drawing *d) {
     take_objects(s, d);
     take_lights(s, d);
     for (int i = 0; i < MESHES; i++) /* last, so that inputs from before stay what they were */
-        take_clusters(s, &d->meshes[i], &d->clusters[i]);
+        d->is_loose |= take_clusters(s, &d->meshes[i], &d->clusters[i]);
 }
 
 static void free_drawing(drawing *d) {
@@ -468,6 +477,16 @@ static void draw_every_way(source *s, const glint_config *config, const glint_sc
     close_screen(&refused);
 }
 
+/* In one pass, and with the smallest arena: nothing but bounds is held. */
+static void draw_anyhow(const glint_config *config, const glint_scene *scene, const glint_need *need) {
+    for (int i = 0; i < 2; i++) {
+        screen any;
+        open_screen(&any, config);
+        (void)draw(config, scene, i ? need->smallest : need->best, 0, &any);
+        close_screen(&any);
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -479,7 +498,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     source choices = s; /* read again for how to draw: needs no bytes of its own */
     take_drawing(&s, &d);
     if (glint_arena_need(&config, &d.scene, &need) == GLINT_OK) {
-        draw_every_way(&choices, &config, &d.scene, &need);
+        if (d.is_loose)
+            draw_anyhow(&config, &d.scene, &need);
+        else
+            draw_every_way(&choices, &config, &d.scene, &need);
     } else {
         screen refused;
         open_screen(&refused, &config);

@@ -66,15 +66,15 @@ static void scale_normals(glint_transform *transform, int32_t matrix[3][4]);
 /*@ requires \subset(p[0][0 .. 3], (-0x40000000 .. 0x40000000));
     requires \subset(p[1][0 .. 3], (-0x40000000 .. 0x40000000));
     requires \subset(p[2][0 .. 3], (-0x40000000 .. 0x40000000));
-    assigns \result, cofactor[0][0 .. 3], cofactor[1][0 .. 3], cofactor[2][0 .. 3]
-        \from p[0][0 .. 3], p[1][0 .. 3], p[2][0 .. 3];
+    assigns \result, wide[0][0 .. 3], wide[1][0 .. 3], wide[2][0 .. 3], cofactor[0][0 .. 3], cofactor[1][0 .. 3],
+        cofactor[2][0 .. 3] \from p[0][0 .. 3], p[1][0 .. 3], p[2][0 .. 3];
     ensures -0x3000000000000000 <= \result <= 0x3000000000000000;
     ensures \initialized(&cofactor[0][0 .. 3]) && \initialized(&cofactor[1][0 .. 3]);
     ensures \initialized(&cofactor[2][0 .. 3]);
     ensures \subset(cofactor[0][0 .. 3], (-0x40000000 .. 0x40000000));
     ensures \subset(cofactor[1][0 .. 3], (-0x40000000 .. 0x40000000));
     ensures \subset(cofactor[2][0 .. 3], (-0x40000000 .. 0x40000000)); */
-static int64_t find_cofactors(int32_t p[3][4], int32_t cofactor[3][4]);
+static int64_t find_cofactors(int32_t p[3][4], int64_t wide[3][4], int32_t cofactor[3][4]);
 
 /*@ requires \valid(transform) && \valid_read(view) && \valid_read(pose);
     assigns \result, transform->mirrored, transform->normal[0 .. 2] \from *view, *pose;
@@ -217,8 +217,9 @@ PROOF(scale_normals) {
 /* Any three columns of up to 2^30. @contract to_30_bits */
 PROOF(find_cofactors) {
     int32_t rows[3][4], cofactor[3][4];
+    int64_t wide[3][4];
     any_short_rows(rows);
-    find_cofactors(rows, cofactor);
+    find_cofactors(rows, wide, cofactor);
 }
 
 /* Any pose. @contract find_cofactors to_30_bits rotate scale_normals */

@@ -213,15 +213,32 @@ static void expect_last_index(void) {
     fixture_expect_error(f, GLINT_ERROR_INDEX);
 }
 
-/* Two clusters that look at each other's vertices; the first is given. */
-static void expect_clusters(glint_cluster first, const glint_cull *cull, int has_list, glint_status expected) {
-    static const uint16_t borrowers[2] = {1, 2};                       /* there is no cluster 2 */
-    glint_cluster list[2] = {first, {{0, 0, 0}, 0, 32767, 44, 22, 1}}; /* the second faces away from every eye */
-    const glint_clusters clusters = {cull, has_list ? list : 0, borrowers, 2};
+/* Two clusters; the second faces away from every eye. */
+#define CLUSTERS(spread, height, triangles, vertices)          \
+    {                                                          \
+        {{0, 0, 0}, spread, height, triangles, vertices, 1}, { \
+            {0, 0, 0}, 0, 32767, 44, 22, 1                     \
+        }                                                      \
+    }
+
+static const glint_cluster lists[6][2] = {CLUSTERS(0, 32767, 100, 50), CLUSTERS(255, -1, 100, 50),
+                                          CLUSTERS(0, 32767, 99, 50),  CLUSTERS(0, 32767, 101, 50),
+                                          CLUSTERS(0, 32767, 100, 51), CLUSTERS(0, 32767, 100, 65535)};
+static const uint16_t borrowers[2] = {1, 2}; /* there is no cluster 2 */
+static const glint_clusters clusters[8] = {{&glint_cull_cones, lists[0], borrowers, 2},
+                                           {&glint_cull_cones, lists[1], borrowers, 2},
+                                           {0, 0, 0, 0},
+                                           {&glint_cull_cones, lists[2], borrowers, 2},
+                                           {&glint_cull_cones, lists[3], borrowers, 2},
+                                           {&glint_cull_cones, lists[4], borrowers, 2},
+                                           {&glint_cull_cones, lists[5], borrowers, 2},
+                                           {&glint_cull_cones, 0, borrowers, 2}};
+
+static void expect_clusters(int which, glint_status expected) {
     for (int small = 0; small < 2; small++) {
         fixture *f = fixture_begin();
         f->config.arena_size = small ? fixture_need(f).smallest : f->config.arena_size;
-        f->torus.clusters = &clusters;
+        f->torus.clusters = &clusters[which];
         if (expected == GLINT_OK)
             CHECK_EQUAL(fixture_render(f), GLINT_OK);
         else
@@ -230,21 +247,9 @@ static void expect_clusters(glint_cluster first, const glint_cull *cull, int has
 }
 
 void bad_clusters_are_refused(void) {
-    const glint_cluster away = {{0, 0, 0}, 0, 32767, 100, 50, 1}, seen = {{0, 0, 0}, 255, -1, 100, 50, 1};
-    glint_cluster wrong = away;
-    expect_clusters(away, &glint_cull_cones, 1, GLINT_OK);
-    expect_clusters(seen, &glint_cull_cones, 1, GLINT_OK);
-    wrong.triangles = 99;
-    expect_clusters(wrong, &glint_cull_cones, 1, GLINT_ERROR_MESH);
-    wrong.triangles = 101;
-    expect_clusters(wrong, &glint_cull_cones, 1, GLINT_ERROR_MESH);
-    wrong = away;
-    wrong.vertices = 51;
-    expect_clusters(wrong, &glint_cull_cones, 1, GLINT_ERROR_MESH);
-    wrong.vertices = 65535;
-    expect_clusters(wrong, &glint_cull_cones, 1, GLINT_ERROR_MESH);
-    expect_clusters(away, &glint_cull_cones, 0, GLINT_ERROR_NULL);
-    expect_clusters(away, 0, 0, GLINT_OK);
+    for (int which = 0; which < 7; which++)
+        expect_clusters(which, which < 3 ? GLINT_OK : GLINT_ERROR_MESH);
+    expect_clusters(7, GLINT_ERROR_NULL);
 }
 
 void bad_meshes_are_refused(void) {
