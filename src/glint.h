@@ -108,7 +108,8 @@ extern const glint_cull glint_cull_cones;
 
 /**
  * Triangles that lie together and face much the same way, and vertices: those of a mesh follow each other as its
- * clusters do. `glint convert` makes clusters.
+ * clusters do. `glint convert` makes clusters, and leaves them out with `--no-clusters`: where flash is short, or most
+ * of a frame is lighting on the general path, which they do not save.
  *
  * With the eye at e, in steps, a triangle in the plane n.p = h faces away where n.e <= h. For each triangle of a
  * cluster n may be that long that |n - axis| <= spread and h >= 256 height: where axis.e + spread |e| <= 256 height all
@@ -265,8 +266,9 @@ typedef struct glint_scene {
     const glint_object *objects; /**< Nearest first is fastest: what is hidden is not lit. */
     uint32_t object_count;       /**< 0 or more. Where depths tie, the first drawn wins. */
     /** Steps of an output channel by which any may differ from the exact image, for fewer instructions: 0, exact, to
-     * GLINT_BUDGET_MAX. Formats of 1 bit count steps of 8 bits; with output tables, which may steepen errors, it is 0.
-     */
+     * GLINT_BUDGET_MAX. From 4 on slow motion shows it: where a triangle is lit in another way than in the frame
+     * before, all its pixels jump at once by some of these steps. Formats of 1 bit count steps of 8 bits; with output
+     * tables, which may steepen errors, it is 0. */
     int32_t error_budget;
 } glint_scene;
 

@@ -5,7 +5,7 @@ import os
 import random
 import re
 
-from harness import MODELS, torus_text
+from harness import MODELS, ROOT, torus_text
 from test_convert import array, convert
 
 Cluster = collections.namedtuple("Cluster", "axis spread height triangles vertices borrowers")
@@ -135,6 +135,20 @@ def test_clusters_hold_the_mesh(host):
 
 def flash(text):
     return int(re.search(r"(\d+) bytes of flash", text).group(1))
+
+
+def test_what_clusters_take(host):
+    """Flash of the example models, with clusters against without: what pages say of it."""
+    more = []
+    for model in sorted(name for name in os.listdir(MODELS) if name.endswith(".obj")):
+        text = convert(host, os.path.join(MODELS, model), "--name", "m")
+        if clusters_of(text, "m"):
+            plain = convert(host, os.path.join(MODELS, model), "--name", "m", "--no-clusters")
+            more.append(100 * (flash(text) / flash(plain) - 1))
+    says = f"the example models take {min(more):.0f} to {max(more):.0f} % more flash"
+    for page in ("README.md", os.path.join("docs", "design.md")):
+        with open(os.path.join(ROOT, page), encoding="utf-8") as file:
+            host.check(f"{page} says that {says}", says in " ".join(file.read().split()))
 
 
 def corners_of(text):
