@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Firmware that draws the torus of 576 triangles with one feature, chosen by the macros below when it is compiled, and
- * says how many instructions a frame takes. What they are without a definition is the base that features are held
- * against.
+ * says how many instructions a frame of 320x240 and one of 128x64 take. What they are without a definition is the base
+ * that features are held against.
  */
 #include "../bench/counter.h"
 #include "../bench/framebuffer.h"
@@ -11,12 +11,6 @@
 
 #include <bench_scenes.h>
 
-#ifndef FEATURE_WIDTH
-#define FEATURE_WIDTH 320
-#endif
-#ifndef FEATURE_HEIGHT
-#define FEATURE_HEIGHT 240
-#endif
 #ifndef FEATURE_MODEL
 #define FEATURE_MODEL glint_model_blinn_phong
 #endif
@@ -34,6 +28,9 @@
 #endif
 #ifndef FEATURE_MATERIAL_FLAGS
 #define FEATURE_MATERIAL_FLAGS 0
+#endif
+#ifndef FEATURE_MESH
+#define FEATURE_MESH torus576_mesh
 #endif
 #ifndef FEATURE_MESH_FLAGS
 #define FEATURE_MESH_FLAGS 0
@@ -55,18 +52,32 @@
 #define FEATURE_FUNCTION 0
 #endif
 
-enum { WIDTH = FEATURE_WIDTH, HEIGHT = FEATURE_HEIGHT, PIXEL_MAX = 3 };
+enum { WIDTH_MAX = 320, HEIGHT_MAX = 240, PIXEL_MAX = 3 };
+
+static const uint16_t sizes[][2] = {{WIDTH_MAX, HEIGHT_MAX}, {128, 64}};
+enum { SIZES = sizeof sizes / sizeof sizes[0] };
 
 static uint32_t arena[(1 << 18) / sizeof(uint32_t)];
-static uint8_t framebuffer[WIDTH * HEIGHT * PIXEL_MAX];
+static uint8_t framebuffer[WIDTH_MAX * HEIGHT_MAX * PIXEL_MAX];
 
-/* As many as the mesh has vertices; of which content is no matter. */
+/* As many as the mesh has vertices. */
 enum { VERTICES = 288 };
-extern const uint8_t feature_colours[VERTICES][3];
-extern const uint16_t feature_colours565[VERTICES];
+extern uint8_t feature_colours[VERTICES][3];
+extern uint16_t feature_colours565[VERTICES];
+uint8_t feature_colours[VERTICES][3];
+uint16_t feature_colours565[VERTICES];
+
+/* The base's mesh, and nothing that its clusters need. */
+extern const glint_mesh feature_plain_mesh;
+const glint_mesh feature_plain_mesh = {.positions = torus576_positions,
+                                       .normals = torus576_normals,
+                                       .triangles = torus576_triangles,
+                                       .vertex_count = sizeof torus576_positions / sizeof torus576_positions[0],
+                                       .triangle_count = sizeof torus576_triangles / sizeof torus576_triangles[0],
+                                       .extent = {GLINT_Q16(1.5), GLINT_Q16(1.5), GLINT_Q16(0.5)}};
+
+/* Every output goes through a table; what it holds is no matter. */
 extern const uint16_t feature_gamma[3][GLINT_GAMMA_ENTRIES];
-const uint8_t feature_colours[VERTICES][3] = {{255, 128, 1}, {1, 255, 128}};
-const uint16_t feature_colours565[VERTICES] = {0xffff, 0x1234};
 const uint16_t feature_gamma[3][GLINT_GAMMA_ENTRIES] = {{0, 65535}, {0, 65535}, {0, 65535}};
 
 /* What the base names, so that firmware can have both. */
@@ -80,34 +91,48 @@ typedef void feature_function(void);
 static feature_function *volatile feature_named;
 
 static int copy_tile(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
-    const glint_format *format = context;
-    const size_t pitch = glint_row_bytes(format, WIDTH), left = glint_row_bytes(format, (uint32_t)x);
+    const glint_config *config = context;
+    const size_t pitch = glint_row_bytes(&FEATURE_FORMAT, config->width),
+                 left = glint_row_bytes(&FEATURE_FORMAT, (uint32_t)x);
 
     framebuffer_copy(framebuffer + (size_t)y * pitch + left, pitch, pixels, stride,
-                     glint_row_bytes(format, (uint32_t)width), height);
+                     glint_row_bytes(&FEATURE_FORMAT, (uint32_t)width), height);
     return 0;
 }
 
+/* Every vertex has a colour of its own, none of them black: black would take fewer instructions. */
+static void set_colours(void) {
+    for (unsigned i = 0; i < VERTICES; i++) {
+        uint8_t *colour = feature_colours[i];
+        for (unsigned channel = 0; channel < 3; channel++) {
+            colour[channel] = (uint8_t)(128 + (37 * i + 41 * channel) % 128);
+        }
+        feature_colours565[i] = (uint16_t)(colour[0] >> 3 << 11 | colour[1] >> 2 << 5 | colour[2] >> 3);
+    }
+}
+
+/* The second shines from the other side, so that triangles are lit by both, by either and by none. */
 static void set_lights(glint_light lights[FEATURE_LIGHTS]) {
     for (int i = 0; i < FEATURE_LIGHTS; i++) {
         lights[i] = bench_light;
         lights[i].type = &FEATURE_LIGHT;
+        lights[i].vector.x = i == 0 ? bench_light.vector.x : -bench_light.vector.x;
         lights[i].linear = GLINT_Q16(0.25);
-        lights[i].axis = (glint_vector){-bench_light.vector.x, -bench_light.vector.y, -GLINT_Q16(3)};
+        lights[i].axis = (glint_vector){-lights[i].vector.x, -lights[i].vector.y, -GLINT_Q16(3)};
         lights[i].inner = GLINT_Q16(20);
         lights[i].outer = GLINT_Q16(40);
     }
 }
 
-static void set_config(glint_config *config) {
-    config->width = WIDTH;
-    config->height = HEIGHT;
+static void set_config(glint_config *config, const uint16_t size[2]) {
+    config->width = size[0];
+    config->height = size[1];
     config->format = &FEATURE_FORMAT;
     config->arena = arena;
     config->arena_size = sizeof arena;
     config->keeps_arena = 1;
     config->flush.begin = copy_tile;
-    config->flush.context = (void *)(uintptr_t)&FEATURE_FORMAT;
+    config->flush.context = config;
     config->gamma = FEATURE_GAMMA;
 }
 
@@ -133,8 +158,20 @@ static uint32_t draw_frames(const glint_config *config, const glint_scene *scene
     return ticks;
 }
 
+/* Writes what a frame takes. @return not 0 after an error */
+static int report(const glint_scene *scene, glint_object *object, const uint16_t size[2]) {
+    char digits[TEXT_NUMBER_SIZE];
+    glint_config config = {0};
+
+    set_config(&config, size);
+    const uint32_t ticks = draw_frames(&config, scene, object);
+    board_write(text_number(digits, ticks * (COUNTER_INSTRUCTIONS_PER_TICK / BENCH_FRAMES)));
+    board_write("\n");
+    return ticks == 0;
+}
+
 int main(void) {
-    glint_mesh mesh = torus576_mesh;
+    glint_mesh mesh = FEATURE_MESH;
     glint_material material = bench_material;
     glint_light lights[FEATURE_LIGHTS];
     glint_object object = {.mesh = &mesh, .material = &material, .evaluation = &FEATURE_EVALUATION};
@@ -144,22 +181,21 @@ int main(void) {
                          .light_count = FEATURE_LIGHTS,
                          .objects = &object,
                          .object_count = 1};
-    glint_config config = {0};
-    char digits[TEXT_NUMBER_SIZE];
+    int failed = 0;
 
     mesh.flags = FEATURE_MESH_FLAGS;
-    mesh.colours = FEATURE_COLOURS;
+    mesh.colours = (const uint8_t(*)[3])FEATURE_COLOURS;
     mesh.colours565 = FEATURE_COLOURS565;
     material.model = &FEATURE_MODEL;
     material.flags = FEATURE_MATERIAL_FLAGS;
     feature_named = (feature_function *)FEATURE_FUNCTION;
     (void)feature_base[0];
+    set_colours();
     set_lights(lights);
     set_camera(&scene.camera);
-    set_config(&config);
     counter_start();
-    const uint32_t ticks = draw_frames(&config, &scene, &object);
-    board_write(text_number(digits, ticks * (COUNTER_INSTRUCTIONS_PER_TICK / BENCH_FRAMES)));
-    board_write("\n");
-    return ticks == 0;
+    for (int i = 0; i < SIZES && !failed; i++) {
+        failed = report(&scene, &object, sizes[i]);
+    }
+    return failed;
 }

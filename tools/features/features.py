@@ -4,10 +4,11 @@
 CORE=COMMAND...
 
 COMMAND compiles and links firmware of tools/features/feature.c for a core, with {level} where -Os or -O2's name goes;
-macros and the output's name are added. Writes DIRECTORY/features.csv, and the table of PAGE anew, or with --check holds
-the figures there against those measured.
+macros and the output's name are added. Writes DIRECTORY/features.csv, and the tables of PAGE anew, or with --check holds
+the figures there against those measured. Flash and frames in a row are those of one and the same firmware.
 """
 import argparse
+import collections
 import concurrent.futures
 import csv
 import os
@@ -19,8 +20,9 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "bench"))
 from emulate import Tally, library_bytes, lines_of
 
-SIZES = ((320, 240), (128, 64))
-BEGIN, END = "<!-- begin of the table -->\n", "<!-- end of the table -->\n"
+LEVELS = {"Os": "Built for size, `-Os`", "O2": "Built for speed, `-O2`"}
+CORES = {"m3": "Cortex-M3", "m0": "ARMv6-M"}
+BEGIN, END = "<!-- begin of the tables -->\n", "<!-- end of the tables -->\n"
 
 # A page's figures may be this far from what another release of the compiler gives.
 TOLERANCE, TOLERANCE_BYTES = 0.03, 48
@@ -39,6 +41,8 @@ GROUPS = (
         ("point", {"LIGHT": "glint_light_point"}),
         ("spot", {"LIGHT": "glint_light_spot"}),
         ("two directional", {"LIGHTS": "2"}))),
+    ("Meshes, in place of one in clusters", (
+        ("no clusters", {"MESH": "feature_plain_mesh"}),)),
     ("Formats, in place of RGB565", (
         ("RGB565, dithered", {"FORMAT": "glint_format_rgb565_dithered"}),
         ("RGB565, high byte first", {"FORMAT": "glint_format_rgb565_be"}),
@@ -72,7 +76,13 @@ GROUPS = (
 
 OPTIONS, FUNCTIONS = GROUPS[-2][1], GROUPS[-1][1]
 
-COLUMNS = ("feature", "core", "flash_added", "flash_in_place", "instructions_320x240", "instructions_128x64")
+COLUMNS = ("feature", "core", "level", "flash", "flash_beside_base", "instructions_320x240", "instructions_128x64")
+
+# What stands in place of something that the base names; firmware that has both takes more flash.
+IN_PLACE = ("MODEL", "EVALUATION", "LIGHT", "FORMAT")
+
+
+Row = collections.namedtuple("Row", "flash beside large small")
 
 
 class Builder:
@@ -82,74 +92,66 @@ class Builder:
         self.qemu, self.core, self.command = qemu, core, command
         self.directory = os.path.join(output, "features")
         os.makedirs(self.directory, exist_ok=True)
-        self.count = 0
 
-    def build(self, name, level, macros, size=SIZES[0], with_base=False):
+    def build(self, name, level, macros, with_base=False):
         """@return the path of the firmware, without its ending."""
-        words = [name, self.core, level, "%dx%d" % size] + (["base"] if with_base else [])
+        words = [name, self.core, level] + (["base"] if with_base else [])
         path = os.path.join(self.directory, re.sub(r"[^\w]+", "-", "-".join(words)))
         defines = ["-DFEATURE_%s=%s" % pair for pair in macros.items()]
-        defines += ["-DFEATURE_WIDTH=%d" % size[0], "-DFEATURE_HEIGHT=%d" % size[1]]
         defines += ["-DFEATURE_WITH_BASE"] if with_base else []
         command = shlex.split(self.command.replace("{level}", level))
         subprocess.run(command + defines + ["-Wl,-Map=" + path + ".map", "-o", path + ".elf"], check=True)
         return path
 
-    def flash(self, name, macros, with_base):
-        return library_bytes(self.build(name, "Os", macros, with_base=with_base) + ".map")
-
-    def instructions(self, name, macros, size):
-        return int(lines_of(self.qemu, "mps2-an385", self.build(name, "O2", macros, size) + ".elf")[-1])
-
-    def measure(self, name, macros):
-        counted = [self.instructions(name, macros, size) for size in SIZES]
-        return [self.flash(name, macros, with_base) for with_base in (True, False)] + counted
+    def measure(self, name, level, macros):
+        """@return flash of the firmware, with the base beside what stands in its place, and the instructions it counts."""
+        path = self.build(name, level, macros)
+        flash, beside = library_bytes(path + ".map"), ""
+        if any(macro in IN_PLACE for macro in macros):
+            beside = library_bytes(self.build(name, level, macros, with_base=True) + ".map")
+        counted = (0, 0) if "FUNCTION" in macros else map(int, lines_of(self.qemu, "mps2-an385", path + ".elf")[-2:])
+        return Row(flash, beside, *counted)
 
 
 def measure_all(builders):
-    """@return {(feature, core): (flash with base, flash, instructions of each size)}; the base itself is ''."""
+    """@return {(feature, core, level): row}; the base itself is ''."""
     features = [("", {})] + [feature for _, group in GROUPS for feature in group]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as workers:
-        running = {(name, builder.core): workers.submit(builder.measure, name or "nothing", macros)
-                   for name, macros in features for builder in builders}
+        running = {(name, builder.core, level): workers.submit(builder.measure, name or "nothing", level, macros)
+                   for level in LEVELS for name, macros in features for builder in builders}
         return {key: result.result() for key, result in running.items()}
 
 
-def rows_of(measured):
-    """@return {(feature, core): figures as the table has them}: flash beyond the base's, and instructions."""
-    rows = {}
-    for (name, core), (both, alone, *counted) in measured.items():
-        base = measured[("", core)]
-        rows[(name, core)] = [both - base[0], alone - base[1]] + counted if name else [base[0], base[1]] + counted
-    return rows
+def cells_of(row, base):
+    """Of a feature: flash, flash beside the base, and frames, each against the base's."""
+    if row is base:
+        return ["%d" % row.flash, ""] + ["%.2f M" % (count / 1e6) for count in row[2:]]
+    frames = ["%.2f M (%+.0f %%)" % (count / 1e6, 100 * (count / reference - 1)) if count else ""
+              for count, reference in zip(row[2:], base[2:])]
+    beside = "%+d" % (row.beside - base.flash) if row.beside else ""
+    return ["%d (%+d)" % (row.flash, row.flash - base.flash), beside] + frames
 
 
-def line_of(name, rows, cores, is_function):
+def line_of(name, level, rows, cores):
     cells = [name or "the base"]
     for core in cores:
-        added, in_place, large, small = rows[(name, core)]
-        base = rows[("", core)]
-        cells.append("%d" % added if not name else "%+d" % added)
-        for count, reference in ((large, base[2]), (small, base[3])):
-            if is_function:
-                cells.append("")
-            else:
-                cells.append("%.2f M%s" % (count / 1e6, " (%+.0f %%)" % (100 * (count / reference - 1)) if name else ""))
-        if name and in_place < added and not is_function:
-            cells[-3] += " (%+d)" % in_place
+        cells += cells_of(rows[(name, core, level)], rows[("", core, level)])
     return "| " + " | ".join(cells) + " |\n"
 
 
-def table(rows, cores):
-    titles = {"m3": "Cortex-M3", "m0": "ARMv6-M"}
-    head = ["feature"] + ["%s: %s" % (titles[core], what) for core in cores
-                          for what in ("flash", "frame of 320x240", "of 128x64")]
-    text = "| " + " | ".join(head) + " |\n|" + " --- |" * len(head) + "\n" + line_of("", rows, cores, False)
+def table(level, rows, cores):
+    head = ["feature"] + ["%s: %s" % (CORES[core], what) for core in cores
+                          for what in ("flash", "flash beside the base", "frame of 320x240", "of 128x64")]
+    text = "| " + " | ".join(head) + " |\n|" + " --- |" * len(head) + "\n" + line_of("", level, rows, cores)
     for title, group in GROUPS:
-        text += "| **%s** |%s\n" % (title, " |" * 3 * len(cores))
-        for name, macros in group:
-            text += line_of(name, rows, cores, "FUNCTION" in macros)
+        text += "| **%s** |%s\n" % (title, " |" * 4 * len(cores))
+        for name, _ in group:
+            text += line_of(name, level, rows, cores)
     return text
+
+
+def tables(rows, cores):
+    return "".join("\n## %s\n\n%s" % (title, table(level, rows, cores)) for level, title in LEVELS.items()) + "\n"
 
 
 def split_page(path):
@@ -169,32 +171,37 @@ def figures(line):
     return [float(number) for number in re.findall(r"[-+]?\d+(?:\.\d+)?(?= M| \(|\)| \|)", line.split("|", 2)[2])]
 
 
+def is_near(kept, now):
+    return abs(kept - now) <= max(TOLERANCE * abs(now), TOLERANCE_BYTES if abs(now) >= 16 else 0.02)
+
+
 def check_page(tally, path, text):
-    kept = split_page(path)[1].splitlines()
-    for line, now in zip(kept, text.splitlines()):
-        name = line.split("|")[1].strip()
-        tally.check(name == now.split("|")[1].strip(), "%s: the page says '%s'" % (now, name))
-        pairs = list(zip(figures(line), figures(now)))
-        near = [abs(a - b) <= max(TOLERANCE * abs(b), TOLERANCE_BYTES if abs(b) >= 16 else 0.02) for a, b in pairs]
-        tally.check(all(near) and len(figures(line)) == len(figures(now)),
+    kept, measured = split_page(path)[1].splitlines(), text.splitlines()
+    tally.check(len(kept) == len(measured), "the page has %d lines of tables, not %d" % (len(kept), len(measured)))
+    for line, now in zip(kept, measured):
+        if not now.startswith("|"):
+            tally.check(line == now, "the page says '%s' in place of '%s'" % (line, now))
+            continue
+        name, says = now.split("|")[1].strip(), line.split("|")[1].strip() if "|" in line else line
+        tally.check(name == says, "%s: the page says '%s'" % (now, says))
+        tally.check(len(figures(line)) == len(figures(now)) and all(map(is_near, figures(line), figures(now))),
                     "the page is out of date, run `make features`:\n  %s\n  %s" % (line, now))
-    tally.check(len(kept) == len(text.splitlines()), "the page has %d lines of table" % len(kept))
 
 
 def check_claims(tally, rows, cores):
     """What the page says in words."""
     for core in cores:
-        base = rows[("RGB888", core)]
-        vertex, facet = rows[("per vertex, RGB888", core)], rows[("per facet, RGB888", core)]
-        for size in (2, 3):
-            tally.check(vertex[size] < base[size], "%s: per vertex takes %d instructions, per fragment %d" % (
-                core, vertex[size], base[size]))
-            tally.check(facet[size] < base[size], "%s: per facet takes %d instructions, per fragment %d" % (
-                core, facet[size], base[size]))
-        for name, _ in OPTIONS:
-            tally.check(rows[(name, core)][0] == 0, "%s: %s takes flash where no scene has it" % (core, name))
-        for name, _ in FUNCTIONS:
-            tally.check(rows[(name, core)][0] > 0, "%s: %s takes no flash: was it linked?" % (core, name))
+        for level in LEVELS:
+            of = {name: row for (name, *which), row in rows.items() if which == [core, level]}
+            where = "%s, -%s: " % (core, level)
+            for name in ("per vertex, RGB888", "per facet, RGB888"):
+                for count, fragment in zip(of[name][2:], of["RGB888"][2:]):
+                    tally.check(count < fragment, where + "%s takes %d instructions, per fragment %d" % (name, count, fragment))
+            tally.check(of[""].large < of["per vertex"].large, where + "per vertex takes fewer instructions than the base")
+            for name, _ in OPTIONS:
+                tally.check(of[name].flash == of[""].flash, where + name + " takes flash where no scene has it")
+            for name, _ in FUNCTIONS:
+                tally.check(of[name].flash > of[""].flash, where + name + " takes no flash: was it linked?")
 
 
 def main():
@@ -206,17 +213,17 @@ def main():
     arguments = parser.parse_args()
     builders = [Builder(arguments.qemu, arguments.output, *core.split("=", 1)) for core in arguments.cores]
     cores = [builder.core for builder in builders]
-    rows = rows_of(measure_all(builders))
+    rows = measure_all(builders)
     with open(os.path.join(arguments.output, "features.csv"), "w", newline="") as file:
         lines = csv.writer(file, lineterminator="\n")
         lines.writerow(COLUMNS)
-        lines.writerows([(name or "base", core) + tuple(row) for (name, core), row in rows.items()])
+        lines.writerows([(name or "base", core, level) + row for (name, core, level), row in rows.items()])
     tally = Tally()
     check_claims(tally, rows, cores)
     if arguments.check:
-        check_page(tally, arguments.page, table(rows, cores))
+        check_page(tally, arguments.page, tables(rows, cores))
     else:
-        write_page(arguments.page, table(rows, cores))
+        write_page(arguments.page, tables(rows, cores))
     return tally.close()
 
 
