@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Runs firmware of the Raspberry Pi Pico: node run.js FIRMWARE.bin [STREAM [BUS]]. Writes its text to stdout and ends
 // with its exit status; what goes over SPI0 goes to STREAM, as tests/panel/panel_stream.c reads it, with a picture asked
-// for at each checkpoint: P name-number.ppm. Its last line is a comment, "# nanoseconds TOTAL on the bus BUS". Where BUS
-// is "free" bytes take no time: the difference is what the core waited for the bus. Firmware that writes "bus: stopped",
-// "slow", "broken", "reset" or "mended" gets it so a while later (tests/board/faults.c); after a reset it runs as far as
-// its first checkpoint, whose picture is reset-name-number.ppm.
+// for at each checkpoint: P name-number.ppm. Before it stands a comment with the instructions that the core has taken,
+// "# instructions COUNT". The last line is a comment, "# nanoseconds TOTAL on the bus BUS". Where BUS is "free" bytes take
+// no time: the difference is what the core waited for the bus. Firmware that writes "bus: stopped", "slow", "broken",
+// "reset" or "mended" gets it so a while later (tests/board/faults.c); after a reset it runs as far as its first
+// checkpoint, whose picture is reset-name-number.ppm.
 import fs from "node:fs";
 import path from "node:path";
 import { createRequire } from "node:module";
@@ -127,6 +128,7 @@ mcu.gpio[PIN_RESET].addListener((state) => {
 
 let text = "";
 let status = null;
+let instructions = 0;
 const operations = {
   0x04: (argument) => {
     for (let at = argument, byte; (byte = mcu.readUint8(at)) !== 0; at++) {
@@ -147,6 +149,7 @@ const operations = {
       const shown = line.match(/^(\S+) (\d+) done$/);
       if (shown) {
         passTime();
+        note(`# instructions ${instructions}`);
         note(`P ${wasReset ? "reset-" : ""}${shown[1]}-${shown[2]}.ppm`);
         status = wasReset ? 0 : status;
       }
@@ -200,7 +203,12 @@ start();
 
 const cycle = 1e9 / 125e6;
 while (status === null) {
-  clock.tick(core.waiting ? clock.nanosToNextAlarm : core.executeInstruction() * cycle);
+  if (core.waiting) {
+    clock.tick(clock.nanosToNextAlarm);
+  } else {
+    clock.tick(core.executeInstruction() * cycle);
+    instructions++;
+  }
   if (hasToReset) {
     reset();
   }

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the tables and pictures of docs/boards.md, or checks that they are true.
+"""Writes the tables and pictures of docs/boards.md and the README's table of one board, or checks that they are true.
 
-boards.py --build BUILD --host SHOW_HOST [--shown DIRECTORY] PAGE PICTURES
+boards.py --build BUILD --host SHOW_HOST --stream STREAM [--shown DIRECTORY] PAGE PICTURES README
 
-With --shown (what tests/board/show.py left there) the page and its pictures are written; without, they are checked:
+STREAM is what tests/pico/run.js wrote of that one board. With --shown (what tests/board/show.py left there) the page and its pictures are written; without, they are checked:
 figures against the firmware that was built, within 2 %; pictures against what the host draws, which is what the panels show.
 """
 import argparse
@@ -27,6 +27,10 @@ PICTURE = "teapot-0"
 # A figure may be off by so much of itself before the page has to be written anew.
 MOST = 0.02
 
+# The board of the README, and what of its program is counted: the second frame of each model, before which nothing starts.
+README_BOARD = "pico"
+README_FRAMES = (("torus of 576 triangles, one light", "torus576"), ("teapot of 2256 triangles, two lights", "teapot"))
+
 # Firmware of the benchmark, which has all that the library draws.
 ENTRY_CORES = (("Cortex-M0", "mps2-an385-m0"), ("Cortex-M3", "mps2-an385"), ("RV32IMC", "virt"))
 ENTRIES = ("glint_init", "glint_arena_need", "glint_render", "glint_frame_begin", "glint_frame_next", "glint_render_tile")
@@ -42,17 +46,41 @@ def read_size(path):
         return map(int, re.search(r"flash (\d+) \(library (\d+)\), RAM (\d+) \(stack (\d+)\)", file.read()).groups())
 
 
+def measure_board(build, table, board):
+    """@return flash, of it the library, RAM, the deepest stack and what is reserved for it, in bytes"""
+    elf = "%s/%s/release/show.elf" % (build, board)
+    flash, library, ram, reserved = read_size(elf[:-len(".elf")] + ".size")
+    return flash, library, ram, stack.check(elf, stack.read(elf, table))[0], reserved
+
+
 def table_of_boards(build, table):
     lines = ["| board | core | emulator | panel | bus | pixels go | flash | of it glint | RAM | stack, at most | shows | command |",
              "| --- | --- | --- | --- | --- | --- | ---: | ---: | ---: | ---: | --- | --- |"]
     for row in read_boards():
-        elf = "%s/%s/release/show.elf" % (build, row["board"])
-        flash, library, ram, reserved = read_size(elf[:-len(".elf")] + ".size")
-        worst = stack.check(elf, stack.read(elf, table))[0]
         lines.append("| %s | %s | %s | %s | %s | %s | %d | %d | %d | %d of %d | ![%s](boards/%s.png) | `make run BOARD=%s` |" % (
-            row["name"], row["core"], row["emulator"], row["panel"], row["bus"], row["sent"], flash, library, ram, worst,
-            reserved, row["board"], row["board"], row["board"]))
+            row["name"], row["core"], row["emulator"], row["panel"], row["bus"], row["sent"],
+            *measure_board(build, table, row["board"]), row["board"], row["board"], row["board"]))
     return lines
+
+
+def instructions_until(stream):
+    """@return {picture: instructions that the core had taken when it was done}"""
+    with open(stream) as file:
+        return {picture: int(count) for count, picture in
+                re.findall(r"^# instructions (\d+)\nP (\S+)\.ppm$", file.read(), re.M)}
+
+
+def table_of_readme(build, table, stream):
+    """Flash, RAM, stack and instructions of one and the same firmware."""
+    board = next(row for row in read_boards() if row["board"] == README_BOARD)
+    flash, library, ram, worst, reserved = measure_board(build, table, README_BOARD)
+    until = instructions_until(stream)
+    return ["| %s: %s, %s | |" % (board["name"], board["core"], board["panel"]), "| --- | ---: |",
+            "| flash, bytes | %d, of it glint %d |" % (flash, library),
+            "| RAM, bytes, stack and arena included | %d |" % ram,
+            "| stack, bytes, at most | %d of %d |" % (worst, reserved)] + [
+                "| instructions a frame: %s | %d |" % (title, until[name + "-1"] - until[name + "-0"])
+                for title, name in README_FRAMES]
 
 
 def table_of_entries(build, table):
@@ -100,31 +128,44 @@ def is_true(says, built):
         all(abs(x - y) <= MOST * y for x, y in zip(a, b))
 
 
+def text_of(path):
+    with open(path) as file:
+        return file.read()
+
+
+def check_page(tally, path, old, new):
+    tally.check(len(old.splitlines()) == len(new.splitlines()), "%s: rows are missing; see make boards-page" % path)
+    for says, built in zip(old.splitlines(), new.splitlines()):
+        if built.startswith("|") and not built.startswith("| ---"):
+            tally.check(is_true(says, built), "%s says\n  %s\ninstead of\n  %s" % (path, says, built))
+
+
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("--build", required=True)
-    parser.add_argument("--host", required=True)
+    for name in ("build", "host", "stream"):
+        parser.add_argument("--" + name, required=True)
     parser.add_argument("--shown")
-    parser.add_argument("page")
-    parser.add_argument("pictures")
+    for name in ("page", "pictures", "readme"):
+        parser.add_argument(name)
     arguments = parser.parse_args()
-    with open(arguments.page) as file:
-        old = file.read()
     table = stack.read_table(os.path.join(HERE, "..", "stack", "targets.csv"))
-    new = fill(old, "boards", table_of_boards(arguments.build, table))
-    new = fill(new, "entries", table_of_entries(arguments.build, table))
+    old = {path: text_of(path) for path in (arguments.page, arguments.readme)}
+    new = dict(old)
+    for path, name, lines in ((arguments.page, "boards", table_of_boards(arguments.build, table)),
+                              (arguments.page, "entries", table_of_entries(arguments.build, table)),
+                              (arguments.readme, "one board", table_of_readme(arguments.build, table, arguments.stream))):
+        new[path] = fill(new[path], name, lines)
     names = [row["board"] for row in read_boards()]
     if arguments.shown:
-        with open(arguments.page, "w") as file:
-            file.write(new)
+        for path, text in new.items():
+            with open(path, "w") as file:
+                file.write(text)
         for name in names:
             shutil.copyfile(os.path.join(arguments.shown, name, PICTURE + ".png"), os.path.join(arguments.pictures, name + ".png"))
         return 0
     tally = show.Tally()
-    tally.check(len(old.splitlines()) == len(new.splitlines()), "%s: rows are missing; see make boards-page" % arguments.page)
-    for says, built in zip(old.splitlines(), new.splitlines()):
-        if built.startswith("|") and not built.startswith("| ---"):
-            tally.check(is_true(says, built), "%s says\n  %s\ninstead of\n  %s" % (arguments.page, says, built))
+    for path in old:
+        check_page(tally, path, old[path], new[path])
     for name in names:
         png = os.path.join(arguments.pictures, name + ".png")
         tally.check(picture_is_true(os.path.abspath(arguments.host), name, png), png + " is not what the panel shows")
