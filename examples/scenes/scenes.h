@@ -47,10 +47,10 @@ typedef struct example_scene {
 } example_scene;
 
 /** All of them, in the order of the texts. */
-#define EXAMPLE_SCENES 5
+#define EXAMPLE_SCENES 6
 extern const example_scene *const example_scenes[EXAMPLE_SCENES];
 
 extern const example_scene example_shaders, example_three_spheres, example_halloween, example_teapot,
-    example_phong_lighting;
+    example_phong_lighting, example_surfaces;
 
 #endif
