@@ -59,14 +59,15 @@ static glint_pose place(uint32_t shape, glint_q16 x, glint_q16 y) {
 
 static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
     const glint_vector eye = XYZ(0, 0, 40), at = XYZ(0, 0, 0);
-    const glint_colour paint = RGB(0.2, 0.45, 0.85);
+    const glint_colour paint = RGB(0.2, 0.45, 0.85), light = GREY(0.8);
     const glint_q16 shininess = variant % 2 == 0 ? GLINT_Q16(50) : GLINT_Q16(100);
     const uint32_t shape = variant / 2;
 
     (void)frame;
     stage_clear(stage, (glint_colour)GREY(0));
     stage_look(stage, eye, at, GLINT_Q16(7.9));
-    stage_light(stage, &glint_light_directional, views[shape].light, (glint_colour)GREY(0.85));
+    stage->scene.ambient = light;
+    stage_light(stage, &glint_light_directional, views[shape].light, light);
     for (uint32_t row = 0; row < 2; row++) {
         for (uint32_t i = 0; i < COUNT_OF(shaders); i++) {
             const glint_material material = glint_material_paint(shaders[i].model, paint, GLINT_Q16(0.2), shininess);
