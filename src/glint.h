@@ -225,7 +225,10 @@ typedef struct glint_light {
 /** Where lighting is evaluated; a descriptor, one of those below. */
 typedef struct glint_evaluation glint_evaluation;
 
-/** At every fragment, with the normal interpolated and made unit (Phong, 1975). What a null pointer means. */
+/**
+ * At every fragment, with the normal interpolated and made unit (Phong, 1975). What a null pointer means. This was long
+ * called Phong shading; it goes with any model, and is not the Phong model, which is one kind of highlight.
+ */
 extern const glint_evaluation glint_per_fragment;
 
 /** At every vertex; colours, clamped at 1, are interpolated (Gouraud, 1971). */
