@@ -44,7 +44,10 @@ static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
     stage_light(stage, &glint_light_directional, rear_left, (glint_colour)RGB(0.3, 0.4, 0.6));
     stage_light(stage, &glint_light_directional, front_upper_right, (glint_colour)GREY(1));
     for (int i = 0; i < 3; i++) {
-        const glint_pose pose = glint_pose_translate((i - 1) * GLINT_Q16(2.2), 0, 0);
+        /* turned, so that no vertex lies right where a light begins */
+        const glint_pose turn = glint_pose_rotate_z(variant == VERTEX ? GLINT_Q16(7) : 0);
+        const glint_pose move = glint_pose_translate((i - 1) * GLINT_Q16(2.2), 0, 0);
+        const glint_pose pose = glint_pose_then(&turn, &move);
 
         stage_add(stage, mesh_of(variant), &material, &pose)->evaluation =
             variant == VERTEX || variant == VERTEX_DENSE ? &glint_per_vertex : &glint_per_fragment;
