@@ -19,10 +19,19 @@ typedef struct example_stage {
     glint_material materials[EXAMPLE_OBJECTS_MAX];
 } example_stage;
 
+/** A word beside a picture's subject, for people; the scene itself does not hold it. Pixels as the scene is composed. */
+typedef struct example_label {
+    const char *text;    /**< ASCII. */
+    uint16_t x, y;       /**< Its middle. */
+    uint16_t to_x, to_y; /**< A line leads from it to this point; both 0 for none. */
+} example_label;
+
 /** A named way to draw a scene. */
 typedef struct example_variant {
     const char *name;
-    const char *look_for; /**< One sentence: what to look for. */
+    const char *look_for;        /**< One sentence: what to look for. */
+    const example_label *labels; /**< Or null. */
+    uint32_t label_count;
 } example_variant;
 
 typedef struct example_scene {
