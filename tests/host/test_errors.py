@@ -122,7 +122,7 @@ BAD_OPTIONS = [
     (["--gamma", "-2.2"], r"--gamma -2\.2: takes .*"),
     (["--gamma", "11"], r"--gamma 11: takes .*"),
     (["--dither=1"], r"--dither takes no value"),
-    (["--weights", "size"], r"--weights size: takes area or angle"),
+    (["--weights", "size"], r"--weights size: takes equal, area or angle"),
     (["--facets=1"], r"--facets takes no value"),
     (["--frame", "1"], r"unknown option --frame"),
     (["--light", "dir:1,2"], r"--light dir:1,2: takes .*"),
