@@ -10,6 +10,7 @@
 #include "settings.h"
 
 bool parse_light(host_settings *settings, const char *text, host_problem *problem);
+bool parse_camera_lights(host_settings *settings, const char *text, host_problem *problem);
 
 bool parse_model(host_settings *settings, const char *text, host_problem *problem);
 bool parse_shading(host_settings *settings, const char *text, host_problem *problem);

@@ -237,6 +237,8 @@ static const host_option options[] = {
     {"--rotate-y", "DEG", "turn about the y axis, after --scale", COMMAND_RENDER, parse_rotate_y},
     {"--scale", "sx,sy,sz", "factors per axis, or one for all", COMMAND_RENDER | COMMAND_CONVERT, parse_scale},
     {"--light", "LIGHT", "see below; up to 8 times; one from the upper left", COMMAND_RENDER, parse_light},
+    {"--camera-lights", NULL, "all --light are in camera space: x right, y up, z backwards; else in world space",
+     COMMAND_RENDER, parse_camera_lights},
     {"--model", "NAME", "lambert, phong, blinn-phong or unlit; blinn-phong", COMMAND_RENDER, parse_model},
     {"--shading", "NAME", "where light is evaluated: flat, vertex or fragment; fragment", COMMAND_RENDER,
      parse_shading},

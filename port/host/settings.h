@@ -49,6 +49,7 @@ typedef struct host_settings {
     uint32_t material_flags;
     glint_light lights[GLINT_LIGHTS_MAX];
     uint32_t light_count; /**< 0 for the default light. */
+    bool camera_lights;   /**< Whether the lights are in camera space, else in world space. */
 
     uint32_t frame;   /**< Of a scene. */
     uint32_t animate; /**< Frames of an animation; 0 for a still picture. */
