@@ -102,7 +102,7 @@ static frame_axes framing_axes(glint_vector up) {
 }
 
 static vector3 posed(const glint_pose *pose, const glint_mesh *mesh, uint32_t vertex) {
-    vector3 position;
+    vector3 position = {{0, 0, 0}};
     quantised_position(mesh, vertex, position.v);
     return transform(pose, position, 1.0);
 }
