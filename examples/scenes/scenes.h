@@ -19,7 +19,8 @@ typedef struct example_stage {
     glint_material materials[EXAMPLE_OBJECTS_MAX];
 } example_stage;
 
-/** A word beside a picture's subject, for people; the scene itself does not hold it. Pixels as the scene is composed. */
+/** A word beside a picture's subject, for people; the scene itself does not hold it. Pixels as the scene is composed.
+ */
 typedef struct example_label {
     const char *text;    /**< ASCII. */
     uint16_t x, y;       /**< Its middle. */

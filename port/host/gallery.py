@@ -43,7 +43,7 @@ def draw_scene(program, folder, name, summary, variants):
         page += f"\n![{name}, animated]({file})\n\nAll of it, as a 16-bit panel shows it: `glint scene {name} {' '.join(MOVING_OPTIONS)}`.\n"
     for variant, sentence in variants:
         file = f"{name}-{variant}.png"
-        run(program, "scene", f"{name}:{variant}", "-o", os.path.join(folder, file))
+        run(program, "scene", f"{name}:{variant}", "--labels", "-o", os.path.join(folder, file))
         page += f"\n### {name}:{variant}\n\n![{name}:{variant}]({file})\n\n{sentence}\n"
     return page
 

@@ -27,6 +27,7 @@ bool parse_no_clusters(host_settings *settings, const char *text, host_problem *
 
 bool parse_list(host_settings *settings, const char *text, host_problem *problem);
 bool parse_frame(host_settings *settings, const char *text, host_problem *problem);
+bool parse_labels(host_settings *settings, const char *text, host_problem *problem);
 bool parse_animate(host_settings *settings, const char *text, host_problem *problem);
 
 #endif

@@ -271,6 +271,7 @@ static const host_option options[] = {
     {"--frame", "N", "which frame, counted from 0; 0", COMMAND_SCENE, parse_frame},
     {"--animate", "N", "an APNG of N frames, 1 to 1000, spread over the time in which the scene repeats", COMMAND_SCENE,
      parse_animate},
+    {"--labels", NULL, "words beside the subject, where the variant has some", COMMAND_SCENE, parse_labels},
     {"--double-sided", NULL, "draw triangles from both sides", COMMAND_RENDER | COMMAND_CONVERT, parse_double_sided},
     {"--name", "NAME", "C identifier that the arrays' names begin with", COMMAND_CONVERT, parse_name},
     {"--licence", "SPDX", "licence that the header states", COMMAND_CONVERT, parse_licence},

@@ -53,6 +53,7 @@ typedef struct host_settings {
 
     uint32_t frame;   /**< Of a scene. */
     uint32_t animate; /**< Frames of an animation; 0 for a still picture. */
+    bool labels;      /**< Whether to draw a scene's labels over it. */
 
     load_options load;
     const char *name;    /**< Of converted arrays, or null. */

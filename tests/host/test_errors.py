@@ -249,6 +249,8 @@ def test_bad_commands(host):
             (["scene", "teapot", "-o", "x.png", "--animate", "2", "--stats"],
              r"scene: --stats and --animate exclude each other"),
             (["scene", "teapot", "-o", "x.png", "--size", "0x1"], r"--size 0x1: takes .*"),
+            (["scene", "teapot", "-o", "x.png", "--labels=1"], r"--labels takes no value"),
+            (["render", "good.obj", "-o", "x.png", "--labels"], r"unknown option --labels"),
             (["scene", "teapot", "-o", "x.png", "--model", "phong"], r"unknown option --model"),
             (["scene", "teapot", "-o", "x.png", "--arena", "100"], r"--arena 100: this scene takes \d+ bytes, .*"),
             (["scene", "teapot", "-o", "x.png", "--animate", "2", "--arena", "100"], r"--arena 100: this scene takes .*"),
