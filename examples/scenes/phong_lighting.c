@@ -32,11 +32,11 @@ enum {
 #define SHININESS 4
 #define SMALL 0.3
 
-static const example_label scaled_labels[] = {{"inverse transpose", 108, 140, 0, 0},
-                                              {"the matrix itself", 222, 140, 0, 0}};
-static const example_label near_labels[] = {{"N.L = 0", 0, 0, 0, 0}};
-static const example_label ring_labels[] = {{"R.V = 0", 0, 0, 0, 0}};
-static const example_label half_labels[] = {{"N.L = 0", 0, 0, 0, 0}};
+static const example_label scaled_labels[] = {{"inverse\ntranspose", 86, 142, 0, 0},
+                                              {"the matrix\nitself", 202, 142, 0, 0}};
+static const example_label near_labels[] = {{"N.L = 0", 96, 90, 151, 116}};
+static const example_label ring_labels[] = {{"R.V = 0", 40, 100, 64, 138}};
+static const example_label half_labels[] = {{"N.L = 0", 50, 60, 131, 92}};
 
 #define LABELS(array) array, COUNT_OF(array)
 
@@ -46,9 +46,9 @@ static const example_variant variants[] = {
     {"scaled", "Squashed in one axis only, the cylinder is lit as its new shape demands: its normals stay right.", 0,
      0},
     {"scaled-normals",
-     "Two squashed cylinders: normals by the inverse transpose on the left, by the matrix itself on the right, which "
-     "lights "
-     "its broad side as if it were narrow.",
+     "Two squashed cylinders: normals by the inverse transpose on the left, by the matrix itself on the right, where "
+     "the "
+     "broad side is lit as if it were narrow.",
      LABELS(scaled_labels)},
     {"vertex-colours", "The vertices' colours take the place of the diffuse colour; the highlight stays white.", 0, 0},
     {"scaled-vertex-colours", "Squashed and coloured.", 0, 0},

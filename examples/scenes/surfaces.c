@@ -8,21 +8,21 @@ enum { METAL, TERMS, UNGATED, EXPONENTS, TWICE_NEAR, TWICE_FAR };
 
 static const example_label metal_labels[] = {
     {"blue plastic", 56, 138, 0, 0}, {"gold", 160, 138, 0, 0}, {"gold paint", 264, 138, 0, 0}};
-static const example_label terms_labels[] = {{"ambient", 44, 138, 0, 0},
-                                             {"diffuse", 122, 138, 0, 0},
-                                             {"specular", 199, 138, 0, 0},
-                                             {"sum, clamped", 276, 138, 0, 0},
+static const example_label terms_labels[] = {{"ambient", 40, 138, 0, 0},
+                                             {"diffuse", 120, 138, 0, 0},
+                                             {"specular", 200, 138, 0, 0},
+                                             {"sum, clamped", 280, 138, 0, 0},
                                              {"above 1", 268, 20, 270, 62}};
-static const example_label ungated_labels[] = {{"gated", 108, 138, 0, 0}, {"ungated", 212, 138, 0, 0}};
+static const example_label ungated_labels[] = {{"gated", 80, 138, 0, 0}, {"ungated", 240, 138, 0, 0}};
 static const example_label exponents_labels[] = {{"1", 36, 138, 0, 0},
                                                  {"4", 98, 138, 0, 0},
                                                  {"16", 160, 138, 0, 0},
                                                  {"64", 222, 138, 0, 0},
                                                  {"256", 284, 138, 0, 0}};
-static const example_label twice_labels[] = {{"Phong 12", 44, 138, 0, 0},
-                                             {"Blinn-P. 12", 122, 138, 0, 0},
-                                             {"Blinn-P. 24", 199, 138, 0, 0},
-                                             {"Blinn-P. 48", 276, 138, 0, 0}};
+static const example_label twice_labels[] = {{"Phong 12", 40, 138, 0, 0},
+                                             {"Blinn-P. 12", 120, 138, 0, 0},
+                                             {"Blinn-P. 24", 200, 138, 0, 0},
+                                             {"Blinn-P. 48", 280, 138, 0, 0}};
 
 #define LABELS(array) array, COUNT_OF(array)
 
