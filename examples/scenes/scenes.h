@@ -22,7 +22,7 @@ typedef struct example_stage {
 /** A word beside a picture's subject, for people; the scene itself does not hold it. Pixels as the scene is composed.
  */
 typedef struct example_label {
-    const char *text;    /**< ASCII. */
+    const char *text;    /**< ASCII; '\n' begins a new line. */
     uint16_t x, y;       /**< Its middle. */
     uint16_t to_x, to_y; /**< A line leads from it to this point; both 0 for none. */
 } example_label;

@@ -38,7 +38,7 @@ TEXTS = (
         ("Lit per fragment, far fewer triangles make a good highlight than lit per vertex.",
          ("shaders:torus-50", "shaders:cylinder-50", "shaders:sphere-50"), "See [accuracy](../accuracy.md#triangles): errors and costs over triangles."),
         ("A vertex's normal can be made of those of the triangles around it.", (),
-         "`glint render --weights equal` adds unit normals of triangles; by default each counts by its area or angle."))),
+         "`glint render --weights equal` adds the unit normals of triangles; `angle` and, by default, `area` weigh them."))),
     ("Class on several lights", (
         ("A dim light from the rear left, a bright one from the front: no highlight, exponent 4, exponent 16.",
          ("three-spheres:phong",), "Pixels lit by at least half of the highlight's brightest: {spheres_1} and {spheres_2}; "
