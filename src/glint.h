@@ -187,7 +187,9 @@ typedef struct glint_material {
 } glint_material;
 
 /**
- * A surface of one paint: ambient paint * ambient_fraction, diffuse paint * (1 - ambient_fraction), a white highlight.
+ * A surface of one paint: ambient paint * ambient_fraction, each channel rounded to nearest, diffuse paint, a white
+ * highlight. Under ambient light of the lights' colour this takes a paint, a fraction and an exponent where the full
+ * model takes six colours; where all three terms meet, channels may pass 1 and are clamped.
  * @param ambient_fraction 0 to 1
  */
 glint_material glint_material_paint(const glint_model *model, glint_colour paint, glint_q16 ambient_fraction,
@@ -224,7 +226,10 @@ typedef struct glint_light {
 /** Where lighting is evaluated; a descriptor, one of those below. */
 typedef struct glint_evaluation glint_evaluation;
 
-/** At every fragment, with the normal interpolated and made unit (Phong, 1975). What a null pointer means. */
+/**
+ * At every fragment, with the normal interpolated and made unit (Phong, 1975). What a null pointer means. This was long
+ * called Phong shading; it goes with any model, and is not the Phong model, which is one kind of highlight.
+ */
 extern const glint_evaluation glint_per_fragment;
 
 /** At every vertex; colours, clamped at 1, are interpolated (Gouraud, 1971). */

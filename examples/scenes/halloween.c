@@ -23,9 +23,16 @@
 
 #define FRAMES 48
 
+enum { NIGHT, VERTEX, FLOODLIT };
+
 static const example_variant variants[] = {
-    {"night", "Warm light flickers inside the pumpkins and on the ground; hat, fence and stones cut into each other."},
-    {"floodlit", "The same under white light: what the dark hides, and how thick the pumpkins' walls are."},
+    {"night",
+     "Warm light flickers inside the pumpkins and on the ground, and skins and stones shine under the moon. Nothing "
+     "casts a "
+     "shadow: lamps are placed so that no wall would have to stop their light.",
+     0, 0},
+    {"vertex", "The same lit per vertex: the ground, of two triangles, gets no light of the candles.", 0, 0},
+    {"floodlit", "The same under white light: what the dark hides, and how thick the pumpkins' walls are.", 0, 0},
 };
 
 /* The sky, from the moon outwards: its middle, and rings of 24 vertices. Formatted by hand, a ring a line. */
@@ -81,7 +88,7 @@ static glint_material matt(glint_colour paint) {
 static glint_material shiny(glint_colour paint, glint_q16 specular, glint_q16 shininess) {
     glint_material material = matt(paint);
 
-    material.model = &glint_model_blinn_phong;
+    material.model = &glint_model_phong;
     material.specular = (glint_colour){specular, specular, specular};
     material.shininess = shininess;
     return material;
@@ -120,6 +127,7 @@ static void add_sky(example_stage *stage) {
 }
 
 static void add_land(example_stage *stage) {
+    const glint_material wet = shiny((glint_colour)RGB(0.3, 0.27, 0.2), GLINT_Q16(0.25), GLINT_Q16(10));
     const glint_material grass = matt((glint_colour)RGB(0.3, 0.27, 0.2));
     const glint_material bark = matt((glint_colour)RGB(0.16, 0.13, 0.12));
     const glint_pose lie = glint_pose_rotate_x(GLINT_Q16(-90));
@@ -130,8 +138,8 @@ static void add_land(example_stage *stage) {
     const glint_pose root =
         stage_place((glint_vector)XYZ(1.25, 1.25, 1.25), GLINT_Q16(20), (glint_vector)XYZ(3, 0, -3.2));
 
-    stage_add(stage, &plane1x1_mesh, &grass, &ground);
-    stage_again(stage, &sphere32x16_mesh, &left);
+    stage_add(stage, &plane1x1_mesh, &wet, &ground);
+    stage_add(stage, &sphere32x16_mesh, &grass, &left);
     stage_again(stage, &sphere32x16_mesh, &right);
     stage_add(stage, &tree_mesh, &bark, &root);
 }
@@ -162,7 +170,7 @@ static void add_fence(example_stage *stage) {
 }
 
 static void add_tombstones(example_stage *stage) {
-    const glint_material stone = shiny((glint_colour)RGB(0.42, 0.43, 0.46), GLINT_Q16(0.15), GLINT_Q16(8));
+    const glint_material stone = shiny((glint_colour)RGB(0.42, 0.43, 0.46), GLINT_Q16(0.3), GLINT_Q16(5));
     const glint_pose lean = glint_pose_rotate_z(GLINT_Q16(-7));
     const glint_pose turn =
         stage_place((glint_vector)XYZ(0.95, 1.05, 1), GLINT_Q16(28), (glint_vector)XYZ(-2.3, 0, -0.9));
@@ -187,16 +195,23 @@ static const lantern lanterns[] = {
     {&pumpkin_grim_mesh, &pumpkin_grim_lining_mesh, XYZ(1.0, 0.47, 1.7), GLINT_Q16(0.65), GLINT_Q16(-16), 140},
 };
 
+/*
+ * A candle. Nothing casts shadows, so what a pumpkin's wall would stop must not be sent there: one lamp looks at the
+ * inside of its back, upwards, and falls off fast; the other looks out of its face, and leaves the neighbours alone.
+ */
 static void add_candle_light(example_stage *stage, const lantern *jack, glint_q16 bright) {
-    const glint_colour warm = times((glint_colour)RGB(2.4, 1.3, 0.42), stage_multiply(bright, jack->size));
-    const glint_colour beam = times((glint_colour)RGB(1.5, 0.75, 0.2), stage_multiply(bright, jack->size));
-    glint_light *inside = stage_light(stage, &glint_light_point, jack->middle, warm);
+    const glint_colour warm = times((glint_colour)RGB(5.5, 3, 0.9), stage_multiply(bright, jack->size));
+    const glint_colour beam = times((glint_colour)RGB(1.7, 0.85, 0.22), stage_multiply(bright, jack->size));
+    glint_light *inside = stage_light(stage, &glint_light_spot, jack->middle, warm);
     glint_light *out = stage_light(stage, &glint_light_spot, jack->middle, beam);
 
-    inside->specular = (glint_colour)GREY(0);
-    inside->quadratic = GLINT_Q16(1.3);
+    inside->axis.x = -glint_sin(jack->turn);
+    inside->axis.y = GLINT_Q16(0.7);
+    inside->axis.z = -glint_cos(jack->turn);
+    inside->inner = GLINT_Q16(30);
+    inside->outer = GLINT_Q16(62);
+    inside->quadratic = GLINT_Q16(4);
     /* What falls through the face. */
-    out->specular = (glint_colour)GREY(0);
     out->axis.x = glint_sin(jack->turn);
     out->axis.y = GLINT_Q16(-0.45);
     out->axis.z = glint_cos(jack->turn);
@@ -215,14 +230,14 @@ static void add_lantern(example_stage *stage, const lantern *jack, uint32_t fram
     const glint_pose wick = glint_pose_translate(stage_multiply(wave(frame, 5, jack->start), GLINT_Q16(0.03)),
                                                  GLINT_Q16(-0.5), GLINT_Q16(0.1));
     glint_pose flame = glint_pose_then(&dance, &wick);
-    glint_material skin = shiny((glint_colour)RGB(0.85, 0.34, 0.05), GLINT_Q16(0.3), GLINT_Q16(18));
+    glint_material skin = shiny((glint_colour)RGB(0.85, 0.34, 0.05), GLINT_Q16(0.45), GLINT_Q16(10));
     glint_material flesh = matt((glint_colour)RGB(0.8, 0.52, 0.2));
     const glint_material stalk = matt((glint_colour)RGB(0.3, 0.36, 0.14));
     const glint_material fire = unlit((glint_colour)RGB(1, 0.92, 0.55));
 
     /* A lit pumpkin's skin glows through. */
-    skin.ambient = times((glint_colour)RGB(0.24, 0.08, 0.014), bright);
-    flesh.ambient = times((glint_colour)RGB(0.72, 0.34, 0.06), bright);
+    skin.ambient = times((glint_colour)RGB(0.3, 0.1, 0.016), bright);
+    flesh.ambient = times((glint_colour)RGB(0.95, 0.52, 0.1), bright);
     flame = glint_pose_then(&flame, &pose);
     stage_add(stage, jack->skin, &skin, &pose);
     stage_add(stage, jack->lining, &flesh, &pose);
@@ -233,8 +248,8 @@ static void add_lantern(example_stage *stage, const lantern *jack, uint32_t fram
 
 /* Brim and cone are stuck into the pumpkin below. */
 static void add_hat(example_stage *stage) {
-    const glint_material skin = shiny((glint_colour)RGB(0.8, 0.38, 0.07), GLINT_Q16(0.3), GLINT_Q16(18));
-    const glint_material felt = shiny((glint_colour)RGB(0.22, 0.12, 0.3), GLINT_Q16(0.2), GLINT_Q16(10));
+    const glint_material skin = shiny((glint_colour)RGB(0.8, 0.38, 0.07), GLINT_Q16(0.45), GLINT_Q16(10));
+    const glint_material felt = shiny((glint_colour)RGB(0.22, 0.12, 0.3), GLINT_Q16(0.3), GLINT_Q16(6));
     const glint_vector middle = XYZ(2.35, 0.44, 0.2);
     const glint_pose body = stage_place((glint_vector)XYZ(0.65, 0.6, 0.65), GLINT_Q16(9), middle);
     const glint_pose stand = glint_pose_rotate_x(GLINT_Q16(-90)), lean = glint_pose_rotate_z(GLINT_Q16(-14));
@@ -277,8 +292,8 @@ static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
     stage_clear(stage, (glint_colour)RGB(0.01, 0.01, 0.04));
     stage_look(stage, eye, (glint_vector)XYZ(0.15, 1.3, 0), GLINT_Q16(33));
     stage->scene.camera.near_plane = GLINT_ONE;
-    if (variant == 0)
-        stage_light(stage, &glint_light_directional, moon, (glint_colour)RGB(0.32, 0.42, 0.66))->specular =
+    if (variant != FLOODLIT)
+        stage_light(stage, &glint_light_directional, moon, (glint_colour)RGB(0.42, 0.53, 0.8))->specular =
             (glint_colour)RGB(0.6, 0.75, 1.1);
     else
         stage_light(stage, &glint_light_directional, sun, (glint_colour)GREY(0.9));
@@ -291,6 +306,8 @@ static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
     add_hat(stage);
     add_bat(stage, frame, 0, GLINT_Q16(0.42));
     add_bat(stage, frame, 150, GLINT_Q16(0.32));
+    for (uint32_t i = 0; variant == VERTEX && i < stage->scene.object_count; i++)
+        stage->objects[i].evaluation = &glint_per_vertex;
 }
 
 const example_scene example_halloween = {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the models of the halloween scene that no generator of the converter makes.
+"""Writes the models of the scenes that no generator of the converter makes.
 
 usage: make_models.py FOLDER
 
@@ -434,6 +434,27 @@ def stars():
     return model
 
 
+def skewed_cylinder():
+    """Round the z axis, for a scale of 0.3 along y: normals that this scale takes to where it takes points."""
+    model = Model()
+    sides, half_height, squash = 30, 0.85, 0.3
+    corners = [(math.cos(2 * math.pi * i / sides), math.sin(2 * math.pi * i / sides)) for i in range(sides)]
+    rings = [[model.add((x, y, z), unit((x, y * squash * squash, 0))) for x, y in corners]
+             for z in (-half_height, 0, half_height)]
+    for low, high in zip(rings, rings[1:]):
+        for i in range(sides):
+            j = (i + 1) % sides
+            model.quad(low[i], low[j], high[j], high[i])
+    for z in (-half_height, half_height):
+        outward = (0, 0, 1 if z > 0 else -1)
+        rim = [model.add((x, y, z), outward) for x, y in corners]
+        middle = model.add((0, 0, z), outward)
+        for i in range(sides):
+            a, b = rim[i], rim[(i + 1) % sides]
+            model.triangle(middle, *((a, b) if z > 0 else (b, a)))
+    return model
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
@@ -451,6 +472,7 @@ def main():
     wing().write(folder, "bat-wing.obj", "The right half of a bat, to be drawn from both sides.")
     flame().write(folder, "flame.obj", "A flame.")
     glow().write(folder, "glow.obj", "Rings of 24 vertices.")
+    skewed_cylinder().write(folder, "cylinder-skewed.obj", "A cylinder with the normals of a wrong transform.")
     stars().write(folder, "stars.obj", "Ninety stars.")
 
 

@@ -10,6 +10,9 @@ SCENE_MESH_sphere12x8 := sphere:12x8 --name sphere12x8 --licence MIT
 SCENE_MESHES += examples/meshes/cylinder30x2.h
 SCENE_MESH_cylinder30x2 := cylinder-capped:30x2:1,0.85 --name cylinder30x2 --licence MIT --no-clusters
 
+SCENE_MESHES += examples/meshes/cylinder_skewed.h
+SCENE_MESH_cylinder_skewed := examples/models/cylinder-skewed.obj --name cylinder_skewed --licence MIT --no-clusters
+
 SCENE_MESHES += examples/meshes/plane1x1.h
 SCENE_MESH_plane1x1 := plane:1x1 --name plane1x1 --licence MIT
 

@@ -3,51 +3,77 @@
 #include "stage.h"
 
 #include "meshes/cylinder30x2.h"
+#include "meshes/cylinder_skewed.h"
 #include "meshes/plane1x1.h"
 #include "meshes/sphere12x8.h"
 
-/** The light goes round in steps of 10 degrees. */
+/** The light, the cylinder or the eye goes round in steps of 10 degrees. */
 #define FRAMES 36
 
 enum {
     SCALED = 1,   /* the cylinder squashed */
     COLOURED = 2, /* with its vertices' colours */
-    DARK = 4,     /* diffuse colour 0.2 */
+    DARK = 4,     /* diffuse colour 0.2, which ambient light meets too */
     NO_DIFFUSE = 8,
     NO_SPECULAR = 16,
     DIM_SPECULAR = 32, /* specular colour 0.25 */
     DRAW_LIGHT = 64,
-    LOW_LIGHT = 128,
-    BLINN_PHONG = 256
+    CLOSE_UP = 128, /* the lamp close to the cylinder's far side, the eye close to both */
+    BLINN_PHONG = 256,
+    SKEWED = 512, /* beside it the same one, its normals scaled as its points are */
+    INVERSE_SQUARE = 1024,
+    TURNING = 2048, /* the cylinder turns, the lamp stays */
+    ORBIT = 4096    /* the eye goes round, the lamp stays */
 };
 
 #define AMBIENT GLINT_Q16(0.2)
 
-/* Shininess, and the steps of a key that makes it more or less. */
+/* Shininess, and small enough for a lobe that is still bright where Phong cuts it. */
 #define SHININESS 4
-#define COARSE 2
-#define FINE 0.5
-/* Small enough for a lobe that is still bright where Phong cuts it. */
 #define SMALL 0.3
 
+static const example_label scaled_labels[] = {{"inverse\ntranspose", 86, 142, 0, 0},
+                                              {"the matrix\nitself", 202, 142, 0, 0}};
+static const example_label near_labels[] = {{"N.L = 0", 96, 90, 151, 116}};
+static const example_label ring_labels[] = {{"R.V = 0", 40, 100, 64, 138}};
+static const example_label half_labels[] = {{"N.L = 0", 50, 60, 131, 92}};
+
+#define LABELS(array) array, COUNT_OF(array)
+
 static const example_variant variants[] = {
-    {"plain", "Diffuse and specular light of a near lamp, weaker with the distance, and ambient light everywhere."},
-    {"scaled", "Squashed in one axis only, the cylinder is lit as its new shape demands: its normals stay right."},
-    {"vertex-colours", "The vertices' colours take the place of the diffuse colour; the highlight stays white."},
-    {"scaled-vertex-colours", "Squashed and coloured."},
-    {"dark", "A diffuse colour of 0.2: on dark surfaces the highlight is seen best."},
-    {"specular-only", "Without diffuse light the highlight is left, and ambient light."},
-    {"diffuse-only", "Without specular light all is matt."},
-    {"specular-quarter", "A specular colour of 0.25: as wide a highlight, but fainter."},
-    {"shininess-coarse-up", "Exponent 6 in place of 4: the highlight shrinks."},
-    {"shininess-coarse-down", "Exponent 2: the highlight grows."},
-    {"shininess-fine-up", "Exponent 4.5: a little smaller than plain."},
-    {"shininess-fine-down", "Exponent 3.5: a little larger than plain."},
-    {"light", "The lamp itself is drawn, unlit, and circles."},
-    {"near",
-     "Lamp near ground and cylinder: where their surfaces turn from it, Phong's highlight ends at a sharp edge."},
-    {"ring", "Exponent 0.3, Phong: where the reflection turns away from the eye, the light stops along a ring."},
-    {"ring-blinn-phong", "The same by Blinn-Phong: the half vector never turns away, and there is no ring."},
+    {"plain", "Diffuse and specular light of a near lamp, weaker with the distance, and ambient light everywhere.", 0,
+     0},
+    {"scaled", "Squashed in one axis only, the cylinder is lit as its new shape demands: its normals stay right.", 0,
+     0},
+    {"scaled-normals",
+     "Two squashed cylinders: normals by the inverse transpose on the left, by the matrix itself on the right, where "
+     "the "
+     "broad side is lit as if it were narrow.",
+     LABELS(scaled_labels)},
+    {"vertex-colours", "The vertices' colours take the place of the diffuse colour; the highlight stays white.", 0, 0},
+    {"scaled-vertex-colours", "Squashed and coloured.", 0, 0},
+    {"dark", "A diffuse colour of 0.2, for ambient light too: what is left is mostly the highlight.", 0, 0},
+    {"dark-specular-quarter", "With a specular colour of 0.25 it is black plastic: the highlight gives it its shape.",
+     0, 0},
+    {"dark-diffuse-only", "Without the specular term very little is seen of it.", 0, 0},
+    {"specular-only", "Without diffuse light the highlight is left, and ambient light of the full colour.", 0, 0},
+    {"diffuse-only", "Without specular light all is matt.", 0, 0},
+    {"specular-quarter", "A specular colour of 0.25: as wide a highlight, but fainter.", 0, 0},
+    {"shininess-up", "Exponent 6 in place of 4: the highlight shrinks.", 0, 0},
+    {"shininess-down", "Exponent 2: the highlight grows.", 0, 0},
+    {"inverse-square",
+     "The lamp's light falls as 1 / (1 + k d^2) in place of 1 / (1 + k d): what is far from it gets darker.", 0, 0},
+    {"light", "The lamp itself is drawn, unlit, and circles.", 0, 0},
+    {"turning", "The cylinder turns, and its colours with it; the highlight stays where lamp and eye put it.", 0, 0},
+    {"orbit", "The eye goes round, and the highlight wanders over cylinder and ground.", 0, 0},
+    {"near", "A lamp close to the surface: the highlight is cut off where the surface turns from the lamp, at N.L = 0.",
+     LABELS(near_labels)},
+    {"ring", "Exponent 0.3, Phong: where the reflection turns from the eye, at R.V = 0, the light stops along a ring.",
+     LABELS(ring_labels)},
+    {"ring-blinn-phong",
+     "The same by Blinn-Phong: the half vector never turns away, and there is no ring. What edge is left is that of "
+     "N.L = 0.",
+     LABELS(half_labels)},
 };
 
 static const struct option {
@@ -56,18 +82,22 @@ static const struct option {
 } options[COUNT_OF(variants)] = {
     {0, GLINT_Q16(SHININESS)},
     {SCALED, GLINT_Q16(SHININESS)},
+    {SCALED | SKEWED, GLINT_Q16(SHININESS)},
     {COLOURED, GLINT_Q16(SHININESS)},
     {SCALED | COLOURED, GLINT_Q16(SHININESS)},
     {DARK, GLINT_Q16(SHININESS)},
+    {DARK | DIM_SPECULAR, GLINT_Q16(SHININESS)},
+    {DARK | NO_SPECULAR, GLINT_Q16(SHININESS)},
     {NO_DIFFUSE, GLINT_Q16(SHININESS)},
     {NO_SPECULAR, GLINT_Q16(SHININESS)},
     {DIM_SPECULAR, GLINT_Q16(SHININESS)},
-    {0, GLINT_Q16(SHININESS + COARSE)},
-    {0, GLINT_Q16(SHININESS - COARSE)},
-    {0, GLINT_Q16(SHININESS + FINE)},
-    {0, GLINT_Q16(SHININESS - FINE)},
+    {0, GLINT_Q16(SHININESS + 2)},
+    {0, GLINT_Q16(SHININESS - 2)},
+    {INVERSE_SQUARE, GLINT_Q16(SHININESS)},
     {DRAW_LIGHT, GLINT_Q16(SHININESS)},
-    {DRAW_LIGHT | LOW_LIGHT | DARK, GLINT_ONE},
+    {COLOURED | TURNING, GLINT_Q16(SHININESS)},
+    {DRAW_LIGHT | ORBIT, GLINT_Q16(4 * SHININESS)},
+    {DRAW_LIGHT | CLOSE_UP | DARK, GLINT_ONE},
     {DRAW_LIGHT | DARK, GLINT_Q16(SMALL)},
     {DRAW_LIGHT | DARK | BLINN_PHONG, GLINT_Q16(SMALL)},
 };
@@ -82,8 +112,8 @@ static const struct option {
     X(0, 0, 255) X(51, 0, 255) X(102, 0, 255) X(153, 0, 255) X(204, 0, 255) \
     X(255, 0, 255) X(255, 0, 204) X(255, 0, 153) X(255, 0, 102) X(255, 0, 51)
 
-/* A column: its hue below, white in the middle, and another hue above. */
-#define COLUMN(r, g, b) {r, g, b}, {255, 255, 255}, {b, r, g},
+/* A column: its hue below, a shade of two in the middle, and another hue above. */
+#define COLUMN(r, g, b) {r, g, b}, {(r + b) / 3, (g + r) / 3, (b + g) / 3}, {b, r, g},
 #define BOTTOM(r, g, b) {r, g, b},
 #define TOP(r, g, b) {b, r, g},
 #define WHITE {255, 255, 255}
@@ -113,14 +143,14 @@ static glint_colour weigh(glint_colour colour, glint_q16 weight) {
     return product;
 }
 
-/* A paint as the options have it; its ambient light stays. */
+/* A paint as the options have it. Ambient light meets the diffuse colour, unless that one is only left out. */
 static glint_material paint(const struct option *option, glint_colour colour) {
     const uint32_t flags = option->flags;
-    const glint_q16 diffuse = flags & NO_DIFFUSE ? 0 : flags & DARK ? GLINT_Q16(0.2) : GLINT_ONE;
     const glint_q16 specular = flags & NO_SPECULAR ? 0 : flags & DIM_SPECULAR ? GLINT_Q16(0.25) : GLINT_ONE;
+    const glint_colour diffuse = weigh(colour, flags & DARK ? GLINT_Q16(0.2) : GLINT_ONE);
     const glint_material material = {flags & BLINN_PHONG ? &glint_model_blinn_phong : &glint_model_phong,
-                                     weigh(colour, AMBIENT),
-                                     weigh(colour, diffuse),
+                                     weigh(diffuse, AMBIENT),
+                                     flags & NO_DIFFUSE ? (glint_colour)GREY(0) : diffuse,
                                      {specular, specular, specular},
                                      option->shininess,
                                      0};
@@ -128,56 +158,86 @@ static glint_material paint(const struct option *option, glint_colour colour) {
     return material;
 }
 
-static glint_vector light_position(uint32_t flags, uint32_t frame) {
-    const glint_q16 angle =
-        (flags & LOW_LIGHT ? GLINT_Q16(98) : GLINT_Q16(55)) + (glint_q16)(frame % FRAMES) * (360 / FRAMES) * GLINT_ONE;
-    const glint_q16 radius = flags & LOW_LIGHT ? GLINT_Q16(1.5) : GLINT_Q16(2.1);
-    const glint_vector position = {stage_multiply(radius, glint_sin(angle)),
-                                   flags & LOW_LIGHT ? GLINT_Q16(0.5) : GLINT_Q16(1.5),
+/* On a circle round the axis, begun at `start` degrees from the viewer. */
+static glint_vector on_circle(glint_q16 radius, glint_q16 height, glint_q16 start, uint32_t frame) {
+    const glint_q16 angle = start + (glint_q16)(frame % FRAMES) * (360 / FRAMES) * GLINT_ONE;
+    const glint_vector position = {stage_multiply(radius, glint_sin(angle)), height,
                                    stage_multiply(radius, glint_cos(angle))};
 
     return position;
 }
 
-static void add_cylinder(example_stage *stage, const struct option *option) {
+static glint_vector light_position(uint32_t flags, uint32_t frame) {
+    const uint32_t moved = flags & (TURNING | ORBIT) ? 0 : frame;
+
+    if (flags & CLOSE_UP)
+        return on_circle(GLINT_Q16(1.35), GLINT_Q16(0.9), GLINT_Q16(112), moved);
+    return on_circle(GLINT_Q16(2.1), GLINT_Q16(1.5), GLINT_Q16(55), moved);
+}
+
+static void add_cylinder(example_stage *stage, const struct option *option, const glint_mesh *mesh, glint_q16 x,
+                         uint32_t frame) {
+    const uint32_t moved = option->flags & TURNING ? frame : 0;
     glint_material material = paint(option, (glint_colour)RGB(0.75, 0.6, 0.3));
     const glint_pose stand = glint_pose_rotate_x(GLINT_Q16(-90));
     const glint_vector scale = {GLINT_ONE, GLINT_ONE, option->flags & SCALED ? GLINT_Q16(0.3) : GLINT_ONE};
-    const glint_pose place = stage_place(scale, GLINT_Q16(-25), (glint_vector)XYZ(0, 0.85, 0));
+    const glint_q16 turn = GLINT_Q16(-25) + (glint_q16)moved * (360 / FRAMES) * GLINT_ONE;
+    const glint_pose place = stage_place(scale, turn, (glint_vector){x, GLINT_Q16(0.85), 0});
     const glint_pose pose = glint_pose_then(&stand, &place);
 
     if (option->flags & COLOURED) {
-        material.ambient = weigh((glint_colour)GREY(0.8), AMBIENT);
-        material.diffuse = (glint_colour)GREY(0.8);
+        material.diffuse = (glint_colour)GREY(0.55);
+        material.ambient = weigh(material.diffuse, AMBIENT);
     }
-    stage_add(stage, option->flags & COLOURED ? &coloured_cylinder : &cylinder30x2_mesh, &material, &pose);
+    stage_add(stage, mesh, &material, &pose);
 }
 
-static void add_light(example_stage *stage, glint_vector position, int drawn) {
+static void add_light(example_stage *stage, glint_vector position, uint32_t flags) {
     const glint_material glow = {&glint_model_unlit, GREY(0), RGB(1, 1, 0.8), GREY(0), 0, 0};
     glint_light *light = stage_light(stage, &glint_light_point, position, (glint_colour)GREY(1));
 
-    light->linear = GLINT_Q16(0.25);
-    if (drawn) {
+    if (flags & INVERSE_SQUARE)
+        light->quadratic = GLINT_Q16(0.25);
+    else
+        light->linear = GLINT_Q16(0.25);
+    if (flags & DRAW_LIGHT) {
         const glint_pose pose = stage_place((glint_vector)XYZ(0.09, 0.09, 0.09), 0, position);
 
         stage_add(stage, &sphere12x8_mesh, &glow, &pose);
     }
 }
 
+static void look(example_stage *stage, uint32_t flags, uint32_t frame) {
+    glint_vector eye = XYZ(0.4, 5.2, 7.4), at = XYZ(0.4, 0.25, 0.7);
+    glint_q16 field_of_view = GLINT_Q16(32);
+
+    if (flags & ORBIT) {
+        eye = on_circle(GLINT_Q16(7.4), GLINT_Q16(5.2), GLINT_Q16(10), frame);
+        at = (glint_vector)XYZ(0, 0.3, 0);
+    } else if (flags & CLOSE_UP) {
+        eye = (glint_vector)XYZ(4.2, 2.2, 3.4);
+        at = (glint_vector)XYZ(0.7, 0.8, 0);
+        field_of_view = GLINT_Q16(32);
+    }
+    stage_look(stage, eye, at, field_of_view);
+}
+
 static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
     const struct option *option = &options[variant];
-    const glint_vector eye = XYZ(0.4, 5.2, 7.4), at = XYZ(0.4, 0.25, 0.7);
+    const uint32_t flags = option->flags;
     const glint_material ground = paint(option, (glint_colour)RGB(0.45, 0.55, 0.6));
     const glint_pose lie = glint_pose_rotate_x(GLINT_Q16(-90));
     const glint_pose widen = glint_pose_scale(GLINT_Q16(14), GLINT_ONE, GLINT_Q16(14));
     const glint_pose floor = glint_pose_then(&lie, &widen);
+    const glint_q16 apart = flags & SKEWED ? GLINT_Q16(1.15) : 0;
 
     stage_clear(stage, (glint_colour)RGB(0, 0, 0));
-    stage_look(stage, eye, at, GLINT_Q16(32));
+    look(stage, flags, frame);
     stage_add(stage, &plane1x1_mesh, &ground, &floor);
-    add_cylinder(stage, option);
-    add_light(stage, light_position(option->flags, frame), (option->flags & DRAW_LIGHT) != 0);
+    add_cylinder(stage, option, flags & COLOURED ? &coloured_cylinder : &cylinder30x2_mesh, -apart, frame);
+    if (flags & SKEWED)
+        add_cylinder(stage, option, &cylinder_skewed_mesh, apart, frame);
+    add_light(stage, light_position(flags, frame), flags);
 }
 
 const example_scene example_phong_lighting = {

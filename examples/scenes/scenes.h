@@ -19,10 +19,20 @@ typedef struct example_stage {
     glint_material materials[EXAMPLE_OBJECTS_MAX];
 } example_stage;
 
+/** A word beside a picture's subject, for people; the scene itself does not hold it. Pixels as the scene is composed.
+ */
+typedef struct example_label {
+    const char *text;    /**< ASCII; '\n' begins a new line. */
+    uint16_t x, y;       /**< Its middle. */
+    uint16_t to_x, to_y; /**< A line leads from it to this point; both 0 for none. */
+} example_label;
+
 /** A named way to draw a scene. */
 typedef struct example_variant {
     const char *name;
-    const char *look_for; /**< One sentence: what to look for. */
+    const char *look_for;        /**< One sentence: what to look for. */
+    const example_label *labels; /**< Or null. */
+    uint32_t label_count;
 } example_variant;
 
 typedef struct example_scene {
@@ -37,10 +47,10 @@ typedef struct example_scene {
 } example_scene;
 
 /** All of them, in the order of the texts. */
-#define EXAMPLE_SCENES 5
+#define EXAMPLE_SCENES 6
 extern const example_scene *const example_scenes[EXAMPLE_SCENES];
 
 extern const example_scene example_shaders, example_three_spheres, example_halloween, example_teapot,
-    example_phong_lighting;
+    example_phong_lighting, example_surfaces;
 
 #endif

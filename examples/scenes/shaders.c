@@ -11,13 +11,35 @@
 
 #define LOOK "From the left Phong and Blinn-Phong per vertex, Blinn-Phong and Lambert per fragment: "
 
+/* What the columns are, between the rows; what the rows are, above and below. */
+/* clang-format off */
+#define COLUMNS \
+    {"Phong\nper vertex", 38, 90, 0, 0}, \
+    {"Blinn-Phong\nper vertex", 119, 90, 0, 0}, \
+    {"Blinn-Phong\nper fragment", 201, 90, 0, 0}, \
+    {"Lambert\nper fragment", 282, 90, 0, 0}
+/* clang-format on */
+
+static const example_label torus_labels[] = {
+    COLUMNS, {"192 triangles each", 160, 5, 0, 0}, {"2304 triangles each", 160, 175, 0, 0}};
+static const example_label cylinder_labels[] = {
+    COLUMNS, {"60 triangles each", 160, 5, 0, 0}, {"1632 triangles each", 160, 175, 0, 0}};
+static const example_label sphere_labels[] = {
+    COLUMNS, {"100 triangles each", 160, 5, 0, 0}, {"2976 triangles each", 160, 175, 0, 0}};
+
 static const example_variant variants[] = {
-    {"torus-50", LOOK "above, of 192 triangles, only the third has its highlight; below, 2304 do for all."},
-    {"torus-100", LOOK "the smaller the highlight, the more of it is lost between vertices."},
-    {"cylinder-50", LOOK "above, the vertices smear the highlight into a broad band; the third is as narrow as below."},
-    {"cylinder-100", LOOK "above, the bands per vertex stay as broad as at 50, only paler."},
-    {"sphere-50", LOOK "above, of 100 triangles, the third is as round as below, but for its outline."},
-    {"sphere-100", LOOK "the third highlight is as good above, of 100 triangles, as below, of 2976."},
+    {"torus-50", LOOK "above, of 192 triangles, only the third has its highlight; below, 2304 do for all.",
+     torus_labels, COUNT_OF(torus_labels)},
+    {"torus-100", LOOK "the smaller the highlight, the more of it is lost between vertices.", torus_labels,
+     COUNT_OF(torus_labels)},
+    {"cylinder-50", LOOK "above, the vertices smear the highlight into a broad band; the third is as narrow as below.",
+     cylinder_labels, COUNT_OF(cylinder_labels)},
+    {"cylinder-100", LOOK "above, the bands per vertex stay as broad as at 50, only paler.", cylinder_labels,
+     COUNT_OF(cylinder_labels)},
+    {"sphere-50", LOOK "above, of 100 triangles, the third is as round as below, but for its outline.", sphere_labels,
+     COUNT_OF(sphere_labels)},
+    {"sphere-100", LOOK "the third highlight is as good above, of 100 triangles, as below, of 2976.", sphere_labels,
+     COUNT_OF(sphere_labels)},
 };
 
 /* Three shapes, coarse and fine. */
@@ -59,14 +81,15 @@ static glint_pose place(uint32_t shape, glint_q16 x, glint_q16 y) {
 
 static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
     const glint_vector eye = XYZ(0, 0, 40), at = XYZ(0, 0, 0);
-    const glint_colour paint = RGB(0.2, 0.45, 0.85);
+    const glint_colour paint = RGB(0.2, 0.45, 0.85), light = GREY(0.8);
     const glint_q16 shininess = variant % 2 == 0 ? GLINT_Q16(50) : GLINT_Q16(100);
     const uint32_t shape = variant / 2;
 
     (void)frame;
     stage_clear(stage, (glint_colour)GREY(0));
     stage_look(stage, eye, at, GLINT_Q16(7.9));
-    stage_light(stage, &glint_light_directional, views[shape].light, (glint_colour)GREY(0.85));
+    stage->scene.ambient = light;
+    stage_light(stage, &glint_light_directional, views[shape].light, light);
     for (uint32_t row = 0; row < 2; row++) {
         for (uint32_t i = 0; i < COUNT_OF(shaders); i++) {
             const glint_material material = glint_material_paint(shaders[i].model, paint, GLINT_Q16(0.2), shininess);

@@ -31,12 +31,10 @@ bool command_load(const host_settings *settings, bool scaled, host_model *model,
     return true;
 }
 
-bool command_write_png(const framebuffer *source, const char *path, host_problem *problem) {
-    uint8_t *picture = framebuffer_expand(source);
+bool command_write_png(const uint8_t *picture, const host_settings *settings, host_problem *problem) {
     host_bytes file = {NULL, 0, 0};
-    png_encode(&file, picture, source->width, source->height, source->format->channels);
-    const bool ok = bytes_write_file(&file, path, problem);
+    png_encode(&file, picture, settings->width, settings->height, settings->format->channels);
+    const bool ok = bytes_write_file(&file, settings->output, problem);
     free(file.data);
-    free(picture);
     return ok;
 }

@@ -41,7 +41,7 @@ bool command_load(const host_settings *settings, bool scaled, host_model *model,
 /** Prints what a frame took, a name and a value a line. */
 void command_print_stats(const glint_stats *stats, const framebuffer *target, const host_settings *settings);
 
-/** Expands a framebuffer into a PNG file. @return false with a problem */
-bool command_write_png(const framebuffer *source, const char *path, host_problem *problem);
+/** Writes a picture, expanded from the settings' size and format, to their output. @return false with a problem */
+bool command_write_png(const uint8_t *picture, const host_settings *settings, host_problem *problem);
 
 #endif

@@ -51,8 +51,11 @@ static void print_load_options(host_bytes *out, const load_options *load) {
     if (load->crease >= 0) {
         bytes_print(out, " --crease %.9g", load->crease);
     }
-    bytes_print(out, "%s%s%s%s", load->weights == MESH_BY_ANGLE ? " --weights angle" : "",
-                load->facets ? " --facets" : "", load->repair ? " --repair" : "", load->plain ? " --no-clusters" : "");
+    if (load->weights != MESH_BY_AREA) {
+        bytes_print(out, " --weights %s", mesh_weight_names[load->weights]);
+    }
+    bytes_print(out, "%s%s%s", load->facets ? " --facets" : "", load->repair ? " --repair" : "",
+                load->plain ? " --no-clusters" : "");
 }
 
 /** The options that shape the mesh, in one order. The output's name is not among them: it must not change the bytes. */

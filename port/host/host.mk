@@ -16,7 +16,7 @@ BARE_OBJECTS    := $(filter-out %/main.o %/scene.o,$(HOST_OBJECTS)) $(BUILD)/hos
 HOST_READER_SOURCES := $(addprefix port/host/,obj.c mesh.c polygon.c normals.c topology.c quantise.c cluster.c patch.c \
     number.c memory.c problem.c)
 
-.PHONY: host demo meshes gallery test-host-cli
+.PHONY: host demo meshes test-host-cli
 
 host: $(HOST_PROGRAM) ## the glint program for this machine
 
@@ -46,9 +46,6 @@ meshes: $(HOST_CONVERTER) ## write examples/meshes anew
 	$(HOST_CONVERTER) convert torus:24x12 --name torus576 --licence MIT --no-clusters -o examples/meshes/torus576.h
 	$(HOST_CONVERTER) convert examples/models/teapot.obj --licence MIT --no-clusters -o examples/meshes/teapot.h
 	$(foreach mesh,$(SCENE_MESHES),$(HOST_CONVERTER) convert $(SCENE_MESH_$(basename $(notdir $(mesh)))) -o $(mesh) &&) true
-
-gallery: $(HOST_PROGRAM) ## draw the example scenes into docs/gallery
-	python3 port/host/gallery.py $(HOST_PROGRAM) docs/gallery
 
 test-host-cli: $(HOST_PROGRAM) ## the command line from outside: every option, every error
 	python3 tests/host/run.py $(HOST_PROGRAM)

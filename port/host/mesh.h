@@ -62,9 +62,13 @@ typedef struct mesh_winding {
 
 /** What triangles weigh in the normal of a corner that they share. */
 typedef enum mesh_weights {
-    MESH_BY_AREA, /**< Their areas. */
-    MESH_BY_ANGLE /**< Their angles there (Thuermer and Wuethrich, 1998): cutting a face up changes nothing. */
+    MESH_BY_AREA,  /**< Their areas. */
+    MESH_BY_ANGLE, /**< Their angles there (Thuermer and Wuethrich, 1998): cutting a face up changes nothing. */
+    MESH_EQUAL     /**< All the same (Gouraud, 1971); those without area nothing. */
 } mesh_weights;
+
+/** Their names on the command line, ended by a null pointer. */
+extern const char *const mesh_weight_names[];
 
 /** Frees what a mesh owns and makes it empty. */
 void mesh_free(host_mesh *mesh);

@@ -12,6 +12,9 @@
 
 static const double pi = 3.14159265358979323846;
 
+const char *const mesh_weight_names[] = {
+    [MESH_BY_AREA] = "area", [MESH_BY_ANGLE] = "angle", [MESH_EQUAL] = "equal", NULL};
+
 /** Corners that share a normal, as a forest: a corner's parent is another of its set, or itself. */
 static size_t set_root(size_t *parents, size_t corner) {
     while (parents[corner] != corner) {
@@ -109,12 +112,21 @@ static double angle_weight(const host_mesh *mesh, size_t i, const double normal[
     return twice_area > 0 ? atan2(twice_area, dot) / twice_area : 0.0;
 }
 
+/** What a triangle's normal, twice its area long, is multiplied by at corner `i`. */
+static double weight_of(const host_mesh *mesh, size_t i, const double normal[3], mesh_weights weights) {
+    if (weights == MESH_BY_ANGLE) {
+        return angle_weight(mesh, i, normal);
+    }
+    const double twice_area = length(normal);
+    return weights == MESH_EQUAL && twice_area > 0 ? 1.0 / twice_area : 1.0;
+}
+
 static double (*sum_over_sets(const host_mesh *mesh, const size_t *sets, mesh_weights weights))[3] {
     double(*sums)[3] = memory_new(3 * mesh->triangle_count, sizeof *sums);
     for (size_t i = 0; i < 3 * mesh->triangle_count; i++) {
         double normal[3];
         mesh_triangle_normal(mesh, i / 3, normal);
-        const double weight = weights == MESH_BY_ANGLE ? angle_weight(mesh, i, normal) : 1.0;
+        const double weight = weight_of(mesh, i, normal, weights);
         for (int axis = 0; axis < 3; axis++) {
             sums[sets[i]][axis] += weight * normal[axis];
         }

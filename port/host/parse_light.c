@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file parse_light.c
- * The option --light: a kind and its fields, with colons between them.
+ * The option --light: a kind and its fields, with colons between them; and the space that lights are in.
  */
 #include "parsers.h"
 
@@ -116,4 +116,11 @@ bool parse_light(host_settings *settings, const char *text, host_problem *proble
         return true;
     }
     return value_expected(problem, "takes dir:, point: or spot: and what the help says");
+}
+
+bool parse_camera_lights(host_settings *settings, const char *text, host_problem *problem) {
+    (void)text;
+    (void)problem;
+    settings->camera_lights = true;
+    return true;
 }

@@ -14,12 +14,13 @@ bool parse_crease(host_settings *settings, const char *text, host_problem *probl
 }
 
 bool parse_weights(host_settings *settings, const char *text, host_problem *problem) {
-    const bool by_angle = strcmp(text, "angle") == 0;
-    if (!by_angle && strcmp(text, "area") != 0) {
-        return value_expected(problem, "takes area or angle");
+    for (int i = 0; mesh_weight_names[i] != NULL; i++) {
+        if (strcmp(text, mesh_weight_names[i]) == 0) {
+            settings->load.weights = (mesh_weights)i;
+            return true;
+        }
     }
-    settings->load.weights = by_angle ? MESH_BY_ANGLE : MESH_BY_AREA;
-    return true;
+    return value_expected(problem, "takes equal, area or angle");
 }
 
 bool parse_facets(host_settings *settings, const char *text, host_problem *problem) {

@@ -23,6 +23,13 @@ bool parse_list(host_settings *settings, const char *text, host_problem *problem
     return true;
 }
 
+bool parse_labels(host_settings *settings, const char *text, host_problem *problem) {
+    (void)text;
+    (void)problem;
+    settings->labels = true;
+    return true;
+}
+
 bool parse_frame(host_settings *settings, const char *text, host_problem *problem) {
     int64_t value;
     if (!number_integer(text, strlen(text), &value) || value < 0 || value > FRAME_MAX) {

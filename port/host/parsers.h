@@ -10,6 +10,7 @@
 #include "settings.h"
 
 bool parse_light(host_settings *settings, const char *text, host_problem *problem);
+bool parse_camera_lights(host_settings *settings, const char *text, host_problem *problem);
 
 bool parse_model(host_settings *settings, const char *text, host_problem *problem);
 bool parse_shading(host_settings *settings, const char *text, host_problem *problem);
@@ -26,6 +27,7 @@ bool parse_no_clusters(host_settings *settings, const char *text, host_problem *
 
 bool parse_list(host_settings *settings, const char *text, host_problem *problem);
 bool parse_frame(host_settings *settings, const char *text, host_problem *problem);
+bool parse_labels(host_settings *settings, const char *text, host_problem *problem);
 bool parse_animate(host_settings *settings, const char *text, host_problem *problem);
 
 #endif

@@ -4,6 +4,7 @@
 #include "view.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 /* Milliseconds of sending, of drawing, and of both: one after the other, and at the same time, as well as that can go.
  */
@@ -61,7 +62,9 @@ static int render(const host_settings *settings, const quantised_mesh *mesh) {
     if (!drawn) {
         return command_fail(NULL, &problem);
     }
-    const bool written = command_write_png(&target, settings->output, &problem);
+    uint8_t *picture = framebuffer_expand(&target);
+    const bool written = command_write_png(picture, settings, &problem);
+    free(picture);
     if (written && settings->stats) {
         command_print_stats(&stats, &target, settings);
     }

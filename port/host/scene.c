@@ -5,6 +5,7 @@
  */
 #include "command.h"
 
+#include "label.h"
 #include "memory.h"
 #include "output.h"
 #include "png.h"
@@ -98,6 +99,17 @@ static bool draw_frame(const chosen_scene *chosen, uint32_t frame, const host_se
     return ok;
 }
 
+/** The picture of a frame, with its labels when they are asked for. The caller frees it. */
+static uint8_t *expand(const chosen_scene *chosen, const host_settings *settings, const framebuffer *target) {
+    const example_scene *scene = chosen->scene;
+    const example_variant *variant = &scene->variants[chosen->variant];
+    const label_picture picture = {framebuffer_expand(target), target->width, target->height, target->format->channels};
+    if (settings->labels) {
+        label_draw(&picture, variant->labels, variant->label_count, scene->width, scene->height);
+    }
+    return picture.pixels;
+}
+
 static int draw_still(const chosen_scene *chosen, const host_settings *settings) {
     framebuffer target;
     glint_stats stats;
@@ -105,7 +117,9 @@ static int draw_still(const chosen_scene *chosen, const host_settings *settings)
     if (!draw_frame(chosen, settings->frame, settings, &target, &stats, &problem)) {
         return command_fail(NULL, &problem);
     }
-    const bool written = command_write_png(&target, settings->output, &problem);
+    uint8_t *picture = expand(chosen, settings, &target);
+    const bool written = command_write_png(picture, settings, &problem);
+    free(picture);
     if (written && settings->stats) {
         command_print_stats(&stats, &target, settings);
     }
@@ -123,7 +137,7 @@ static uint32_t draw_frames(const chosen_scene *chosen, const host_settings *set
         if (!draw_frame(chosen, (uint32_t)frame, settings, &target, &stats, problem)) {
             return i;
         }
-        pictures[i] = framebuffer_expand(&target);
+        pictures[i] = expand(chosen, settings, &target);
         framebuffer_free(&target);
     }
     return settings->animate;

@@ -49,9 +49,11 @@ typedef struct host_settings {
     uint32_t material_flags;
     glint_light lights[GLINT_LIGHTS_MAX];
     uint32_t light_count; /**< 0 for the default light. */
+    bool camera_lights;   /**< Whether the lights are in camera space, else in world space. */
 
     uint32_t frame;   /**< Of a scene. */
     uint32_t animate; /**< Frames of an animation; 0 for a still picture. */
+    bool labels;      /**< Whether to draw a scene's labels over it. */
 
     load_options load;
     const char *name;    /**< Of converted arrays, or null. */

@@ -67,6 +67,23 @@ static glint_vector to_q16(vector3 a) {
     return vector;
 }
 
+/** A vector turned and scaled by a pose and, times `moved`, moved by it: 1 for points, 0 for directions. */
+static vector3 transform(const glint_pose *pose, vector3 vector, double moved) {
+    vector3 result;
+    for (int row = 0; row < 3; row++) {
+        result.v[row] = moved * number_from_q16(pose->m[row][3]);
+        for (int column = 0; column < 3; column++) {
+            result.v[row] += number_from_q16(pose->m[row][column]) * vector.v[column];
+        }
+    }
+    return result;
+}
+
+/** The largest component's magnitude. */
+static double reach_of(vector3 a) {
+    return fmax(fabs(a.v[0]), fmax(fabs(a.v[1]), fabs(a.v[2])));
+}
+
 /* ---- Framing ---------------------------------------------------------------------------------------------------- */
 
 /** A camera before the model, a little above: before is +z, or -y when up is near the z axis. */
@@ -85,16 +102,9 @@ static frame_axes framing_axes(glint_vector up) {
 }
 
 static vector3 posed(const glint_pose *pose, const glint_mesh *mesh, uint32_t vertex) {
-    double position[3];
-    vector3 world;
-    quantised_position(mesh, vertex, position);
-    for (int row = 0; row < 3; row++) {
-        world.v[row] = number_from_q16(pose->m[row][3]);
-        for (int column = 0; column < 3; column++) {
-            world.v[row] += number_from_q16(pose->m[row][column]) * position[column];
-        }
-    }
-    return world;
+    vector3 position = {{0, 0, 0}};
+    quantised_position(mesh, vertex, position.v);
+    return transform(pose, position, 1.0);
 }
 
 static frame_reach measure(const quantised_mesh *mesh, const glint_pose *pose, const frame_axes *axes, double slope_x,
@@ -139,7 +149,7 @@ static bool frame_model(host_view *view, const host_settings *settings, const qu
         view->scene.camera.near_plane = number_q16(gap / 2);
     }
     const vector3 eye = combine(1.0, combine(x, axes.right, y, axes.up), z, axes.back);
-    if (fmax(fabs(eye.v[0]), fmax(fabs(eye.v[1]), fabs(eye.v[2]))) > FRAME_EYE_MAX) {
+    if (reach_of(eye) > FRAME_EYE_MAX) {
         return problem_set(problem, 0, "the model is too large to be framed: give --eye");
     }
     const glint_status status = glint_camera_look_at(&view->scene.camera, to_q16(eye),
@@ -151,16 +161,47 @@ static bool frame_model(host_view *view, const host_settings *settings, const qu
 
 /** From the upper left of the camera and half behind it, white. */
 static glint_light default_light(const glint_camera *camera) {
-    static const double direction[3] = {-0.5, 0.7, 0.7};
+    static const vector3 direction = {{-0.5, 0.7, 0.7}};
     glint_light light = {.type = &glint_light_directional, .diffuse = settings_grey(1), .specular = settings_grey(1)};
-    vector3 world = {{0, 0, 0}};
-    for (int row = 0; row < 3; row++) {
-        for (int column = 0; column < 3; column++) {
-            world.v[row] += number_from_q16(camera->pose.m[row][column]) * direction[column];
+    light.vector = to_q16(transform(&camera->pose, direction, 0.0));
+    return light;
+}
+
+/** A direction from camera space to world space. One too long for Q16.16 is halved: its length means nothing. */
+static glint_vector turn_direction(const glint_pose *pose, glint_vector direction) {
+    const vector3 world = transform(pose, from_q16(direction), 0.0);
+    return to_q16(combine(reach_of(world) > NUMBER_Q16_MAX ? 0.5 : 1.0, world, 0.0, world));
+}
+
+/** Takes a light from camera space to world space. @return false with a problem when it then lies too far out */
+static bool place_light(const glint_camera *camera, glint_light *light, host_problem *problem) {
+    light->axis = turn_direction(&camera->pose, light->axis);
+    if (light->type == &glint_light_directional) {
+        light->vector = turn_direction(&camera->pose, light->vector);
+        return true;
+    }
+    const vector3 place = transform(&camera->pose, from_q16(light->vector), 1.0);
+    if (reach_of(place) > NUMBER_Q16_MAX) {
+        return problem_set(problem, 0, "--camera-lights: a light lies beyond +-32767 in world space");
+    }
+    light->vector = to_q16(place);
+    return true;
+}
+
+static bool place_lights(host_view *view, const host_settings *settings, host_problem *problem) {
+    memcpy(view->lights, settings->lights, sizeof view->lights);
+    view->scene.lights = view->lights;
+    view->scene.light_count = settings->light_count;
+    for (uint32_t i = 0; settings->camera_lights && i < settings->light_count; i++) {
+        if (!place_light(&view->scene.camera, &view->lights[i], problem)) {
+            return false;
         }
     }
-    light.vector = to_q16(world);
-    return light;
+    if (settings->light_count == 0) {
+        view->lights[0] = default_light(&view->scene.camera);
+        view->scene.light_count = 1;
+    }
+    return true;
 }
 
 static void place_objects(host_view *view, const host_settings *settings, const quantised_mesh *mesh) {
@@ -193,7 +234,7 @@ static bool place_camera(host_view *view, const host_settings *settings, const q
 bool view_make(host_view *view, const host_settings *settings, const quantised_mesh *mesh, host_problem *problem) {
     memset(view, 0, sizeof *view);
     place_objects(view, settings, mesh);
-    if (!place_camera(view, settings, mesh, problem)) {
+    if (!place_camera(view, settings, mesh, problem) || !place_lights(view, settings, problem)) {
         view_free(view);
         return false;
     }
@@ -203,12 +244,6 @@ bool view_make(host_view *view, const host_settings *settings, const quantised_m
     view->material.specular = settings->specular;
     view->material.shininess = settings->shininess;
     view->material.flags = settings->material_flags;
-    memcpy(view->lights, settings->lights, sizeof view->lights);
-    if (settings->light_count == 0) {
-        view->lights[0] = default_light(&view->scene.camera);
-    }
-    view->scene.lights = view->lights;
-    view->scene.light_count = settings->light_count > 0 ? settings->light_count : 1;
     view->scene.viewer = settings->viewer;
     view->scene.background = settings->background;
     view->scene.ambient = settings_grey(1);

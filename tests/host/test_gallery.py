@@ -13,7 +13,9 @@ GALLERY = os.path.join(ROOT, "docs", "gallery")
 
 def test_gallery(host):
     made = host.path("gallery")
-    run = subprocess.run([sys.executable, os.path.join(ROOT, "port", "host", "gallery.py"), host.program, made],
+    figures = os.path.join(os.path.dirname(host.program), "gallery-figures")
+    costs = os.path.join(ROOT, "docs", "modelled-instructions.csv")
+    run = subprocess.run([sys.executable, os.path.join(ROOT, "tools", "gallery", "gallery.py"), host.program, figures, costs, made],
                          capture_output=True, text=True, check=False)
     host.equal("gallery.py", (run.returncode, run.stdout, run.stderr), (0, "", ""))
     files = sorted(os.listdir(made))
@@ -23,10 +25,41 @@ def test_gallery(host):
             host.check(f"docs/gallery/{name} is up to date (make gallery)", new.read() == old.read())
     with open(os.path.join(made, "README.md"), encoding="utf-8") as file:
         shown = re.findall(r"!\[.*?\]\((.+?)\)", file.read())
-    host.equal("the page shows every picture once", sorted(shown), [name for name in files if name != "README.md"])
-    size = os.path.getsize(os.path.join(made, "halloween.apng"))
-    host.check("the animation is small", size <= 600000, f"{size} bytes")
+    host.equal("the page shows every picture once", sorted(shown), [name for name in files if name.endswith("png")])
+    size = sum(os.path.getsize(os.path.join(made, name)) for name in files if name.endswith(".apng"))
+    host.check("the animations are small", size <= 1200000, f"{size} bytes")
     shutil.rmtree(made)
+
+
+# What the page's sentences say, of the figures beside them.
+TRUE_OF_FIGURES = (
+    "exponents_0 > 2 * exponents_1 > 4 * exponents_2 > 8 * exponents_3 > 16 * exponents_4 / 2",
+    "near_4 < near_2 / 4 and far_4 < far_2 < far_1",
+    "spheres_1 > 2 * spheres_2 and blinn_spheres_1 > 2 * spheres_1",
+    "spheres_vertex > 2 * spheres_vertex_dense and teapot_vertex_coarse > teapot_vertex > teapot_vertex_dense",
+    "flooded_fragment < 10 and flooded_flood > 50 and flooded_flood_wide > flooded_flood",
+    "shines_ungated > 50 * shines_gated",
+    "clamped_some > clamped_all > 0",
+    "jump_near > 50 and jump_ring > 20 and jump_ring_blinn_phong < 4 and jump_half_blinn_phong > 50",
+    "lit_wrong > 2 * lit_right",
+    "halloween_vertex > 4",
+)
+
+
+def test_figures(host):
+    """The sentences of the gallery's page are true of what is measured."""
+    program = os.path.join(os.path.dirname(host.program), "gallery-figures")
+    text = subprocess.run([program], capture_output=True, text=True, check=True).stdout
+    figures = {name.replace("-", "_"): float(value) for name, value in
+               (line.split(",", 1) for line in text.splitlines()[1:]) if not value.startswith("(")}
+    for sentence in TRUE_OF_FIGURES:
+        host.check(sentence, eval(sentence, {}, figures), str(figures))  # pylint: disable=eval-used # of these sentences
+    levels = {name: [int(level) for level in value.strip("()").split()] for name, value in
+              (line.split(",", 1) for line in text.splitlines()[1:]) if value.startswith("(")}
+    host.check("gold's highlight is golden", levels["metal_gold"][2] < 128 < levels["metal_gold"][0], str(levels))
+    host.check("plastic's is white", min(levels["metal_plastic"]) > 200 and min(levels["metal_paint"]) > 200, str(levels))
+    host.equal("tinted ambient light", levels["ambient_green"], [26, 77, 26])
+    host.check("without specular light little is seen", max(levels["spot_dark-diffuse-only"]) < 40, str(levels))
 
 
 def test_readme_picture(host):

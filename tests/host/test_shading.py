@@ -85,6 +85,71 @@ def test_spot_light(host):
     host.equal("a sharp cone has one edge", sharp.at(54, 45), (0, 0, 0))
 
 
+TORUS = ["torus:24x12", "--size", "120x90"]
+
+# Lights of every kind, with their vectors, and what stands before and after each in --light.
+LIGHTS = [("dir:", [(-1, 2, 3)], ":1,.5,.25"), ("point:", [(1, 2, -2)], ":1,1,1:0.25:0.125"),
+          ("spot:", [(0.5, -1, 1), (-0.25, 1, -4)], ":20,40")]
+
+
+def world_of(axes, eye, kind, vectors):
+    """A light's vectors in world space: those of a camera's right, up and back, and but for directions from its eye."""
+    turned = [[sum(v * axis[i] for v, axis in zip(vector, axes)) for i in range(3)] for vector in vectors]
+    if kind != "dir:":
+        turned[0] = [v + e for v, e in zip(turned[0], eye)]
+    return turned
+
+
+def light_options(lights):
+    return [word for kind, vectors, rest in lights
+            for word in ("--light", kind + ":".join("%.9f,%.9f,%.9f" % tuple(v) for v in vectors) + rest)]
+
+
+def unit(vector):
+    return [v / sum(w * w for w in vector) ** 0.5 for v in vector]
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def camera_axes(eye, up):
+    """Right, up and back of a camera at `eye` that looks at the origin."""
+    back = unit(eye)
+    right = unit(cross(up, back))
+    return [right, cross(back, right), back]
+
+
+def test_camera_lights(host):
+    for eye, up, exact in (((4, 0, 0), (0, 1, 0), True), ((0, 4, 0), (1, 0, 0), True), ((0, 0, -4), (0, -1, 0), True),
+                           ((1, 2, 3), (0.25, 1, 0), False)):
+        view = [*TORUS, "--eye", "%r,%r,%r" % eye, "--up", "%r,%r,%r" % up]
+        for lights in ([LIGHTS[0]], [LIGHTS[1]], [LIGHTS[2]], LIGHTS):
+            title = f"from {eye}, {', '.join(kind for kind, _, _ in lights)}"
+            by_hand = [(kind, world_of(camera_axes(eye, up), eye, kind, v), rest) for kind, v, rest in lights]
+            there = host.render(*view, *light_options(lights), "--camera-lights")
+            here = host.render(*view, *light_options(by_hand))
+            steps = max(abs(p - q) for a, b in zip(there.rows, here.rows) for c, d in zip(a, b) for p, q in zip(c, d))
+            host.check(f"{title}: as computed by hand", steps <= (0 if exact else 1), f"{steps} steps")
+            host.check(f"{title}: not the light in world space", host.render(*view, *light_options(lights)).rows != there.rows)
+    for kind, vectors, rest in LIGHTS:
+        light = light_options([(kind, vectors, rest)])
+        still = ["--scale", ".5,.5,20", "--eye", "0,0,0", "--at", "0,0,-1"]  # the identity, inside the torus
+        plain = host.render(*TORUS, *still, *light)
+        host.equal(f"{kind} camera space is world space", host.render(*TORUS, *still, *light, "--camera-lights").rows, plain.rows)
+        host.check(f"{kind} shows", len(plain.levels()) > 2)
+    framed = [*TORUS, "--light", "dir:0,0,1", "--diffuse", "1", "--specular", "0", "--ambient", "0"]
+    host.check("a framing camera", host.render(*framed, "--camera-lights").rows != host.render(*framed).rows)
+    host.equal("the default light is in camera space already", host.render(*TORUS, "--camera-lights").rows,
+               host.render(*TORUS).rows)
+    host.equal("the last word holds for all", host.render(*TORUS, "--camera-lights", *light_options(LIGHTS)).rows,
+               host.render(*TORUS, *light_options(LIGHTS), "--camera-lights").rows)
+    far = [*TORUS, "--eye", "3,0,3", "--camera-lights", "--light"]
+    steps = max(abs(p[0] - q[0]) for a, b in zip(host.render(*far, "dir:32767,0,32767").rows,
+                                                 host.render(*far, "dir:1,0,1").rows) for p, q in zip(a, b))
+    host.check("a direction as long as can be", steps <= 1, f"{steps} steps")
+
+
 def test_shading(host):
     torus = ["torus:24x12", "--eye", "1,1.5,3.2", "--size", "120x90"]
     pictures = {name: host.render(*torus, "--shading", name) for name in ("flat", "vertex", "fragment")}

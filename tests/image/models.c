@@ -135,7 +135,7 @@ static void judge_row(const char *name, test_scene *scene, const model_kind *mod
         set_model(scene, model, exponents[i]);
         for (int viewer = 0; viewer < (model->exponents ? 2 : 1); viewer++) {
             scene->scene.viewer = (glint_viewer)viewer;
-            row_judge(&scene->scene, WIDTH, HEIGHT, &total);
+            row_judge(&scene->scene, WIDTH, HEIGHT, &glint_format_rgb565, &total);
         }
     }
     row_print(name, &total);
@@ -182,7 +182,7 @@ static void judge_surface(const scene_definition *definition, const evaluation_k
         if (scene.materials[0].model != &glint_model_unlit)
             scene.materials[0].model = kinds[i / 2];
         scene.scene.viewer = (glint_viewer)(i % 2);
-        row_judge(&scene.scene, 2 * WIDTH, 2 * HEIGHT, &total);
+        row_judge(&scene.scene, 2 * WIDTH, 2 * HEIGHT, &glint_format_rgb565, &total);
     }
     snprintf(name, sizeof name, "%s, per %s", definition->name, evaluation->name);
     row_print(name, &total);
@@ -204,7 +204,7 @@ static void random_scenes(void) {
     for (uint32_t seed = 1; seed <= 300; seed++) {
         test_scene scene;
         surface_build_random(&scene, seed);
-        row_judge(&scene.scene, WIDTH, HEIGHT, &total);
+        row_judge(&scene.scene, WIDTH, HEIGHT, &glint_format_rgb565, &total);
     }
     row_print_heading();
     row_print("300 random scenes", &total);

@@ -39,13 +39,9 @@ static int is_within(const judgement *found, int per_fragment) {
            found->over_one <= allowed;
 }
 
-void row_judge(const glint_scene *scene, int width, int height, judgement *total) {
-    const judge_task task = {.scene = scene,
-                             .width = width,
-                             .height = height,
-                             .format = &glint_format_rgb565,
-                             .leave_out_gates = 1,
-                             .fine = 1};
+void row_judge(const glint_scene *scene, int width, int height, const glint_format *format, judgement *total) {
+    const judge_task task = {
+        .scene = scene, .width = width, .height = height, .format = format, .leave_out_gates = 1, .fine = 1};
     judgement found = {0};
     char line[200];
     judge(&task, &found);

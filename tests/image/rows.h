@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file rows.h
- * Tables of judgements in RGB565, and the contract that every row is held to.
+ * Tables of judgements, and the contract that every row is held to.
  */
 #ifndef GLINT_ROWS_H
 #define GLINT_ROWS_H
@@ -15,7 +15,7 @@ void row_print(const char *name, const judgement *found);
 int row_is_per_fragment(const glint_scene *scene);
 
 /** Judges an image and adds to `total`; where it misses the contract, prints viewer, exponent and worst pixel. */
-void row_judge(const glint_scene *scene, int width, int height, judgement *total);
+void row_judge(const glint_scene *scene, int width, int height, const glint_format *format, judgement *total);
 
 /**
  * The contract, as checks: coverage is identical; every channel is within one step, and per fragment within two for one

@@ -100,7 +100,7 @@ static void measure_whole_range(region_figures *figures) {
     }
 }
 
-/* ---- Phong's ring --------------------------------------------------------------------------------------------- */
+/* ---- Where Phong's highlight ends in a jump -------------------------------------------------------------------- */
 
 /* Largest difference of a pixel from its right neighbour, both on the square. */
 static double largest_jump(const random_scene *s, const glint_format *format) {
@@ -118,7 +118,7 @@ static double largest_jump(const random_scene *s, const glint_format *format) {
 }
 
 /* Lit from behind its side, p = 1: in Phong's model the highlight ends in a jump where N.L does. */
-static void measure_ring(region_figures *figures) {
+static void measure_terminator(region_figures *figures) {
     static const double bent[4][3] = {{-1, 0, 1}, {1, 0, 1}, {1, 0, 1}, {-1, 0, 1}};
     random_scene s;
     region_square(&s);
@@ -138,6 +138,23 @@ static void measure_ring(region_figures *figures) {
     figures->bound[0] = figures->bound[1] = 12;
 }
 
+/* Lit from the side: R turns from the eye well before N turns from the light, and below p = 1 the lobe is steepest
+ * there. */
+static void measure_ring(region_figures *figures) {
+    static const double bent[4][3] = {{-0.42, 0, 0.9}, {0.42, 0, 0.9}, {0.42, 0, 0.9}, {-0.42, 0, 0.9}};
+    static const double exponents[3] = {0.25, 0.5, 0.75};
+    for (int i = 0; i < 3; i++) {
+        random_scene s;
+        region_square(&s);
+        region_normals(&s, bent);
+        region_light(&s, 0.87, 0, 0.5);
+        s.materials[0].model = &glint_model_phong;
+        s.materials[0].shininess = region_q16(exponents[i]);
+        region_raise(&figures->plain, cosine_table(exponents[i]));
+        region_judge_viewers(&s, figures);
+    }
+}
+
 const region power_regions[] = {
     {"p = 0, and 0^0", "2^(p log2 x)", REGION_STEPS, "says that x^0 is 1, also for 0", 200, measure_zero},
     {"p = 0.5", "128 linear entries over sin^2", REGION_STEPS,
@@ -149,8 +166,11 @@ const region power_regions[] = {
      "the table is made for the p given", 20, measure_odd},
     {"p of 64, 256, 1024 in a table", "256 linear entries over cos from 0 to 1", REGION_STEPS,
      "128 entries over the part of sin^2 that matters", 15, measure_whole_range},
-    {"Phong's ring: the highlight cut off at the horizon", "Phong's own gate",
+    {"Phong's highlight cut off where the surface turns from the light, N.L = 0", "Phong's own gate",
      "largest step between neighbours, of 255", "draws it on request only: ungated, there is no jump", 40,
+     measure_terminator},
+    {"Phong's ring, R.V = 0, p of 0.25, 0.5, 0.75", "256 linear entries over cos from 0 to 1", REGION_STEPS,
+     "computes cos^p from a logarithm and an exponential: the ring is the model's own, and drawn as it is", 10,
      measure_ring},
 };
 const unsigned power_region_count = sizeof power_regions / sizeof power_regions[0];

@@ -14,6 +14,7 @@ $(BUILD)/chart/$1: tools/chart/$1.c $2 $(CHART_IMAGE) $(LIBRARY) $(TEST_HEADERS)
 endef
 $(eval $(call chart_host,frame_accuracy,examples/bench/bench.c $(addprefix port/host/,cluster.c patch.c memory.c)))
 $(eval $(call chart_host,shading,))
+$(eval $(call chart_host,lobes,))
 
 $(eval $(call chart_host,gallery_accuracy,tests/stability/contract.c tests/stability/weights.c tests/image/judge.c \
     $(wildcard examples/scenes/*.c)))
@@ -21,6 +22,9 @@ $(eval $(call chart_host,gallery_accuracy,tests/stability/contract.c tests/stabi
 $(eval $(call chart_host,modelled,tests/image/undropped.c examples/bench/bench.c $(wildcard examples/scenes/*.c)))
 
 $(BUILD)/modelled.csv: $(BUILD)/chart/modelled
+	$< > $@
+
+$(BUILD)/lobes.csv: $(BUILD)/chart/lobes
 	$< > $@
 
 $(BUILD)/%-accuracy.csv: $(BUILD)/chart/%_accuracy
@@ -62,16 +66,16 @@ $(BUILD)/modelled-instructions.csv: $(foreach pair,$(filter m0=% m3=%,$(CHART_BO
 # Both in one table.
 $(BUILD)/shading.csv: $(BUILD)/chart/shading $(BUILD)/mps2-an385/O2/shading_board.elf tools/chart/count.py
 	$(BUILD)/chart/shading > $(BUILD)/chart/errors.csv
-	python3 tools/chart/count.py --qemu $(QEMU) --head evaluation,triangles,cpu,instructions \
+	python3 tools/chart/count.py --qemu $(QEMU) --head format,evaluation,triangles,cpu,instructions \
 	    m3=mps2-an385=$(BUILD)/mps2-an385/O2/shading_board.elf > $(BUILD)/chart/instructions.csv
-	paste -d, $(BUILD)/chart/errors.csv $(BUILD)/chart/instructions.csv | cut -d, -f1-4,7-8 > $@
+	paste -d, $(BUILD)/chart/errors.csv $(BUILD)/chart/instructions.csv | cut -d, -f1-5,9-10 > $@
 
 # ---- Kept, drawn, checked
 
 .PHONY: frame-figures modelled figures chart test-chart
-frame-figures: $(BUILD)/frame-accuracy.csv $(BUILD)/gallery-accuracy.csv $(BUILD)/frame-instructions.csv $(BUILD)/shading.csv ## measure accuracy and instructions of whole frames, and keep them in docs
+frame-figures: $(BUILD)/frame-accuracy.csv $(BUILD)/gallery-accuracy.csv $(BUILD)/frame-instructions.csv $(BUILD)/shading.csv $(BUILD)/lobes.csv ## measure accuracy and instructions of whole frames, and keep them in docs
 	cp $(BUILD)/frame-accuracy.csv $(BUILD)/gallery-accuracy.csv $(BUILD)/frame-instructions.csv docs/
-	cp $(BUILD)/shading.csv docs/charts/
+	cp $(BUILD)/shading.csv $(BUILD)/lobes.csv docs/charts/
 
 modelled: $(BUILD)/modelled.csv $(BUILD)/modelled-instructions.csv ## measure what scenes model, and what dropping and error budgets save, and keep it in docs
 	cp $^ docs/

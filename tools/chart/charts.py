@@ -119,17 +119,21 @@ def frames_panel(figures, title, scene, size, cpu, box):
     return panel
 
 
+# Of the chart of triangles: column, label, unit.
+SHADING_COLUMNS = (("triangles", "triangles", 1), ("instructions", "million instructions per frame on Cortex-M3", 1e-6))
+
+
 def shading(figures):
     chart = Chart("A torus with a highlight (p = 50), 320x240: error against the true smooth surface",
-                  list(EVALUATIONS.values()), 960, 430)
-    columns = (("triangles", "triangles", 1), ("instructions", "million instructions per frame on Cortex-M3", 1e-6))
+                  list(EVALUATIONS.values()), 960, 790)
+    panels = [(format, *column) for format in dict.fromkeys(row["format"] for row in figures.shading) for column in SHADING_COLUMNS]
     errors = [float(row["rms"]) for row in figures.shading]
-    for (key, label, scale), box in zip(columns, grid(chart, 2, 2)):
+    for (format, key, label, scale), box in zip(panels, grid(chart, 4, 2)):
         values = [float(row[key]) * scale for row in figures.shading]
-        panel = Panel("", box, Axis(label, *span(values), log=True),
+        panel = Panel(format.upper(), box, Axis(label, *span(values), log=True),
                       Axis("root mean square error, steps of 8 bits", *span(errors, 0.6), log=True))
         for name, (words, colour) in EVALUATIONS.items():
-            rows = [row for row in figures.shading if row["evaluation"] == name]
+            rows = only(figures.shading, format=format, evaluation=name)
             panel.line([(float(row[key]) * scale, float(row["rms"])) for row in rows], colour, 2, marks=True)
             panel.point(float(rows[-1][key]) * scale, float(rows[-1]["rms"]), words, colour)
         chart.panels.append(panel)
@@ -210,6 +214,25 @@ def exponent(figures):
     return chart.svg()
 
 
+# Every so many points of a lobe are drawn for the library, which lie on the true curve or beside it.
+LOBE_MARKS = 12
+
+
+def lobes(figures):
+    """The curve that a highlight follows from its centre to where it ends."""
+    chart = Chart("cos^s over the angle", [("marks: the library's", "blue"), ("lines: cos^s", "ink")], 820, 500)
+    panel = Panel("", grid(chart, 1, 1)[0], Axis("degrees from the highlight's centre", 0, 90), Axis("share of the light", 0, 1))
+    for p in dict.fromkeys(row["p"] for row in figures.lobes):
+        rows = only(figures.lobes, p=p)
+        panel.line([(float(row["degrees"]), float(row["true"])) for row in rows], "ink", 1)
+        marked = rows[::LOBE_MARKS]
+        middle = min(marked, key=lambda row: abs(float(row["true"]) - 0.55))
+        for row in marked:
+            panel.point(float(row["degrees"]), float(row["library"]), "s = " + p if row is middle else "", "blue")
+    chart.panels.append(panel)
+    return chart.svg()
+
+
 # Of a panel: its axis, what one unit of the axis is, and its sweeps with what tells them apart.
 SWEEPS = (("triangles, thousands", 1e-3, {"triangles": ""}),
           ("pixels of the screen, thousands", 1e-3, {"pixels": ""}),
@@ -263,4 +286,4 @@ def bus(figures):
 
 
 CHARTS = {"power": power, "normalise": normalise, "fragment": fragment, "frames": frames, "frames-scenes": frames_scenes,
-          "exponent": exponent, "shading": shading, "scaling": scaling, "bus": bus}
+          "exponent": exponent, "lobes": lobes, "shading": shading, "scaling": scaling, "bus": bus}

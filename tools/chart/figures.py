@@ -62,6 +62,7 @@ class Figures:
         self.bench = read(directory, "bench.csv")
         self.accuracy = read(directory, "accuracy.csv")
         self.shading = read(os.path.join(directory, "charts"), "shading.csv")
+        self.lobes = read(os.path.join(directory, "charts"), "lobes.csv")
         self.modelled = read(directory, "modelled.csv")
         self.modelled_counts = read(directory, "modelled-instructions.csv")
         self.scaling = read(os.path.join(directory, "charts"), "scaling.csv")

@@ -3,7 +3,7 @@
 import re
 
 import modelled
-from figures import ASKED, CPUS, budget_of, front, only
+from figures import ASKED, CPUS, budget_of, front, one, only
 from table import bullets, listed, table
 
 EXPONENTS = ("1", "2", "8", "32", "64", "256", "1024")
@@ -254,14 +254,24 @@ def ranges(errors):
     return ", ".join("%g" % errors[a][0] if a == b else "%g to %g" % (errors[a][0], errors[b][0]) for a, b in runs)
 
 
+def lobes(figures):
+    """How far the library's cos^s is from the true one."""
+    exponents = list(dict.fromkeys(row["p"] for row in figures.lobes))
+    worst = [max(255 * abs(float(row["library"]) - float(row["true"])) for row in only(figures.lobes, p=p)) for p in exponents]
+    return table(["s"] + exponents, [["largest error, steps of 8 bits"] + ["%.3f" % error for error in worst]])
+
+
 def shading(figures):
-    """Triangles and instructions that each evaluation takes for the same error."""
+    """Errors and instructions of each evaluation over triangles, both formats side by side."""
+    formats = list(dict.fromkeys(row["format"] for row in figures.shading))
     rows = []
-    for row in figures.shading:
-        rows.append(["per " + row["evaluation"], row["triangles"], "%.1f" % float(row["rms"]), "%.0f" % float(row["largest"]),
-                     "%.1f" % (float(row["instructions"]) / 1e6)])
-    return table(["evaluation", "triangles", "root mean square error", "largest error", "million instructions, Cortex-M3"],
-                 rows)
+    for row in only(figures.shading, format=formats[0]):
+        both = [one(figures.shading, format=format, evaluation=row["evaluation"], triangles=row["triangles"]) for format in formats]
+        rows.append(["per " + row["evaluation"], row["triangles"]] + ["%.1f" % float(of["rms"]) for of in both] +
+                    ["%.0f" % float(of["largest"]) for of in both] + ["%.1f" % (float(of["instructions"]) / 1e6) for of in both])
+    names = [format.upper() for format in formats]
+    return table(["evaluation", "triangles"] + ["root mean square error, " + name for name in names] +
+                 ["largest, " + name for name in names] + ["million instructions on Cortex-M3, " + name for name in names], rows)
 
 
 def evaluation_matters_less(figures):
@@ -281,17 +291,22 @@ def facet_is_cheapest(figures):
                    for evaluation in ("facet", "vertex", "fragment")) for cpu in figures.cpus(figures.counts))
 
 
-def least(rows, key, most):
-    """The least of `key` with which an evaluation stays within an error."""
-    return min(float(row[key]) for row in rows if float(row["rms"]) <= most)
+# Triangles per vertex that lighting per fragment is held against.
+MANY = "2304"
 
 
-def fragments_need_less(figures):
-    """Of the error that per vertex reaches with the most triangles."""
-    vertex, fragment = (only(figures.shading, evaluation=name) for name in ("vertex", "fragment"))
-    reached = min(float(row["rms"]) for row in vertex)
-    return (all(2 * least(fragment, "triangles", float(row["rms"])) <= float(row["triangles"]) for row in vertex[2:]) and
-            least(fragment, "instructions", reached) < least(vertex, "instructions", reached))
+def fragments_need_fewer(figures):
+    """With how many triangles lighting per fragment reaches what lighting per vertex does with MANY, and at what cost."""
+    words = []
+    for format in dict.fromkeys(row["format"] for row in figures.shading):
+        vertex = one(figures.shading, format=format, evaluation="vertex", triangles=MANY)
+        fragment = min((row for row in only(figures.shading, format=format, evaluation="fragment")
+                        if float(row["rms"]) <= float(vertex["rms"])), key=lambda row: int(row["triangles"]))
+        words.append("%s: %s triangles per fragment reach what %s per vertex do (%.1f and %.1f steps), for %.1f in place of "
+                     "%.1f million instructions." % (format.upper(), fragment["triangles"], MANY, float(fragment["rms"]),
+                                                     float(vertex["rms"]), float(fragment["instructions"]) / 1e6,
+                                                     float(vertex["instructions"]) / 1e6))
+    return " ".join(words)
 
 
 def vertices_fall_behind(figures):
@@ -303,13 +318,6 @@ def vertices_fall_behind(figures):
 def small_triangles_suit_fragments(figures):
     return all(figures.instructions("torus2304", "128x64", ASKED, cpu) <
                figures.instructions("torus2304", "128x64", "vertex Blinn-Phong local", cpu) for cpu in ("m3", "m4"))
-
-
-def facets_are_cheapest(figures):
-    """For the error that per vertex has with the fewest triangles."""
-    rows = {name: only(figures.shading, evaluation=name) for name in ("facet", "vertex", "fragment")}
-    most = float(rows["vertex"][0]["rms"])
-    return least(rows["facet"], "instructions", most) == min(least(row, "instructions", most) for row in rows.values())
 
 
 def budgets(figures):
@@ -387,10 +395,7 @@ scene_findings = findings(
 
 float_findings = findings((benchmark_beside_float, always), (examples_behind_float, always))
 
-shading_findings = findings(
-    ("For the same error, lighting per fragment needs at most half the triangles that lighting per vertex does, from 576 "
-     "on, and for the smallest errors fewer instructions.", fragments_need_less),
-    ("Where a mesh is coarse and a rough picture will do, lighting per facet is the cheapest.", facets_are_cheapest))
+shading_findings = findings((fragments_need_fewer, always))
 
 POWERS, LIGHTINGS = ("1", "8", "64", "256", "1024"), ("8", "32", "64", "256", "1024")
 
@@ -406,7 +411,7 @@ PAGES = {
         "normalise cheapest": cheapest("normalise", "vector", ()),
         "half vector cheapest": cheapest("half_vector", "", (8, 32, 64, 256, 1024)),
         "lighting": methods("lighting", "32", LIGHTINGS, "in runs of"), "power": methods("power", "64", POWERS),
-        "breaks": breaks, "normalise": methods("normalise", "", ()), "divide": methods("divide", "", ()),
+        "lobes": lobes, "breaks": breaks, "normalise": methods("normalise", "", ()), "divide": methods("divide", "", ()),
         "half vector": methods("half_vector", "32", LIGHTINGS), "colour": methods("colour", "", ()),
         "rounding": methods("rounding", "", ())},
     "README.md": {"frames": best},

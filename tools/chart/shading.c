@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Errors against the true smooth surface, over pixels that both cover: a torus of many triangles in double precision
- * stands in for it. Prints evaluation, triangles, root mean square and largest error in steps of 8 bits.
+ * stands in for it. Prints format, evaluation, triangles, root mean square and largest error in steps of 8 bits.
  */
 #include "picture.h"
 #include "reference.h"
@@ -21,27 +21,33 @@ static int build_torus(glint_mesh *mesh, uint32_t around, uint32_t along) {
     return glint_generate_torus(mesh, &room, around, along, GLINT_ONE, GLINT_Q16(0.4)) == GLINT_OK;
 }
 
+/*
+ * Outlines, where a coarse mesh shows background or another part of the surface: shading is not to blame.
+ */
+static int is_outline(const reference_pixel *true_pixel, const reference_pixel *of_mesh) {
+    return !true_pixel->covered || !of_mesh->covered || fabs(of_mesh->nearest / true_pixel->nearest - 1) > 0.03;
+}
+
 /* Compares a picture with the truth where the mesh, in `covered`, and the truth both are. */
-static void print_error(const picture *image, const reference_pixel *covered, const char *name, uint32_t count) {
+static void print_error(const picture *image, const reference_pixel *covered, const char *format,
+                        const char *evaluation, uint32_t count) {
     double sum = 0, worst = 0;
     size_t samples = 0;
-    for (size_t i = 0; i < SHADING_WIDTH * SHADING_HEIGHT; i++) {
-        const uint8_t *level = &image->bytes[3 * i];
-        /* Outlines: background, or where a coarse mesh shows another part of the surface. Shading is not to blame. */
-        if (!truth[i].covered || !covered[i].covered || fabs(covered[i].nearest / truth[i].nearest - 1) > 0.03 ||
-            level[0] + level[1] + level[2] == 0)
+    for (int i = 0; i < SHADING_WIDTH * SHADING_HEIGHT; i++) {
+        if (is_outline(&truth[i], &covered[i]))
             continue;
         for (int c = 0; c < 3; c++) {
-            double error = fabs(level[c] - 255 * truth[i].colour[c]);
+            const int level = picture_level(image, i % SHADING_WIDTH, i / SHADING_WIDTH, c);
+            const double error = 255 * fabs((double)level / picture_level_max(image->format, c) - truth[i].colour[c]);
             sum += error * error;
             worst = fmax(worst, error);
             samples++;
         }
     }
-    printf("%s,%u,%.3f,%.3f\n", name, (unsigned)count, sqrt(sum / (double)samples), worst);
+    printf("%s,%s,%u,%.3f,%.3f\n", format, evaluation, (unsigned)count, sqrt(sum / (double)samples), worst);
 }
 
-static int measure(uint32_t around, uint32_t along) {
+static int measure(size_t format, uint32_t around, uint32_t along) {
     static reference_pixel covered[SHADING_WIDTH * SHADING_HEIGHT];
     const reference_image image = {SHADING_WIDTH, SHADING_HEIGHT, covered};
     const picture_options options = {0};
@@ -52,11 +58,11 @@ static int measure(uint32_t around, uint32_t along) {
     shading_build(&s, &mesh, &glint_per_fragment);
     reference_render(&image, &s.scene, NULL);
     for (size_t i = 0; i < SHADING_EVALUATIONS; i++) {
-        picture drawn = picture_open(SHADING_WIDTH, SHADING_HEIGHT, &glint_format_rgb888);
+        picture drawn = picture_open(SHADING_WIDTH, SHADING_HEIGHT, shading_formats[format].format);
         shading_build(&s, &mesh, shading_evaluations[i].evaluation);
         if (picture_render(&drawn, &s.scene, &options, NULL) != GLINT_OK)
             return 1;
-        print_error(&drawn, covered, shading_evaluations[i].name, mesh.triangle_count);
+        print_error(&drawn, covered, shading_formats[format].name, shading_evaluations[i].name, mesh.triangle_count);
         picture_close(&drawn);
     }
     return 0;
@@ -68,11 +74,12 @@ int main(void) {
     glint_mesh mesh;
     if (!build_torus(&mesh, SHADING_TRUE_AROUND, SHADING_TRUE_ALONG))
         return 1;
-    puts("evaluation,triangles,rms,largest");
+    puts("format,evaluation,triangles,rms,largest");
     shading_build(&s, &mesh, &glint_per_fragment);
     reference_render(&image, &s.scene, NULL);
-    for (size_t i = 0; i < SHADING_SIZES; i++)
-        if (measure(shading_sizes[i][0], shading_sizes[i][1]))
-            return 1;
+    for (size_t format = 0; format < SHADING_FORMATS; format++)
+        for (size_t i = 0; i < SHADING_SIZES; i++)
+            if (measure(format, shading_sizes[i][0], shading_sizes[i][1]))
+                return 1;
     return 0;
 }

@@ -17,10 +17,10 @@ static int discard_tile(void *context, int x, int y, int width, int height, cons
     return 0;
 }
 
-static int measure(const glint_mesh *mesh, size_t which) {
+static int measure(size_t format, const glint_mesh *mesh, size_t which) {
     const glint_config config = {.width = SHADING_WIDTH,
                                  .height = SHADING_HEIGHT,
-                                 .format = &glint_format_rgb888,
+                                 .format = shading_formats[format].format,
                                  .flush = {discard_tile, 0, 0},
                                  .arena = arena,
                                  .arena_size = sizeof arena};
@@ -32,6 +32,8 @@ static int measure(const glint_mesh *mesh, size_t which) {
     if (glint_init(&renderer, &config) != GLINT_OK || glint_render(&renderer, &s.scene) != GLINT_OK)
         return 1;
     const uint32_t ticks = counter_ticks_since(start);
+    board_write(shading_formats[format].name);
+    board_write(",");
     board_write(shading_evaluations[which].name);
     board_write(",");
     board_write(text_number(number, mesh->triangle_count));
@@ -41,16 +43,23 @@ static int measure(const glint_mesh *mesh, size_t which) {
     return 0;
 }
 
-int main(void) {
-    counter_start();
+static int measure_sizes(size_t format) {
     for (size_t i = 0; i < SHADING_SIZES; i++) {
         glint_mesh mesh;
         if (glint_generate_torus(&mesh, &room, shading_sizes[i][0], shading_sizes[i][1], GLINT_ONE, GLINT_Q16(0.4)) !=
             GLINT_OK)
             return 1;
         for (size_t j = 0; j < SHADING_EVALUATIONS; j++)
-            if (measure(&mesh, j))
+            if (measure(format, &mesh, j))
                 return 1;
     }
     return 0;
+}
+
+int main(void) {
+    int failed = 0;
+    counter_start();
+    for (size_t format = 0; format < SHADING_FORMATS && !failed; format++)
+        failed = measure_sizes(format);
+    return failed;
 }

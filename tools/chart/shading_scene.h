@@ -27,6 +27,13 @@ static const struct {
     {"facet", &glint_per_facet}, {"vertex", &glint_per_vertex}, {"fragment", &glint_per_fragment}};
 #define SHADING_EVALUATIONS (sizeof shading_evaluations / sizeof *shading_evaluations)
 
+/** With and without fast lighting. */
+static const struct {
+    const char *name;
+    const glint_format *format;
+} shading_formats[] = {{"rgb565", &glint_format_rgb565}, {"rgb888", &glint_format_rgb888}};
+#define SHADING_FORMATS (sizeof shading_formats / sizeof *shading_formats)
+
 typedef struct shading_scene {
     glint_material material;
     glint_light light;
