@@ -243,8 +243,29 @@ glint_need fixture_need(const fixture *f) {
     return need;
 }
 
+/* A flip of 1 takes the bytes of each pair in reverse. */
+static uint32_t checksum_of_screen(const fixture *f, size_t flip) {
+    uint32_t checksum = FIXTURE_CHECKSUM_START;
+    for (size_t i = 0; i < screen_bytes(f); i++)
+        checksum = fixture_checksum_add(checksum, &memory.screen[i ^ flip], 1);
+    return checksum;
+}
+
+static int in_the_cores_order(const glint_format *format) {
+    return format == &glint_format_rgb565 || format == &glint_format_rgb565_dithered;
+}
+
+static int core_stores_high_bytes_first(void) {
+    const uint16_t number = 1;
+    return *(const uint8_t *)&number == 0;
+}
+
 uint32_t fixture_checksum(const fixture *f) {
-    return fixture_checksum_add(FIXTURE_CHECKSUM_START, memory.screen, screen_bytes(f));
+    return checksum_of_screen(f, in_the_cores_order(f->config.format) && core_stores_high_bytes_first());
+}
+
+uint32_t fixture_checksum_of_pairs(const fixture *f) {
+    return checksum_of_screen(f, 1);
 }
 
 const uint8_t *fixture_row(const fixture *f, int y) {
