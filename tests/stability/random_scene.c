@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "random_scene.h"
 
+#include "byte_order.h"
 #include "weights.h"
 
 #include <math.h>
@@ -630,26 +631,28 @@ void random_scene_make(random_scene *s, uint64_t seed) {
     to_world(s);
 }
 
-static uint64_t add(uint64_t sum, const void *bytes, size_t size) {
+/* Adds numbers of `each` bytes. */
+static uint64_t add(uint64_t sum, const void *bytes, size_t size, size_t each) {
+    const size_t flip = byte_order_flip(each);
     for (size_t i = 0; i < size; i++)
-        sum = (sum ^ ((const uint8_t *)bytes)[i]) * 1099511628211u;
+        sum = (sum ^ ((const uint8_t *)bytes)[i ^ flip]) * 1099511628211u;
     return sum;
 }
 
 uint64_t random_scene_checksum(const random_scene *s) {
     uint64_t sum = 14695981039346656037u;
-    sum = add(sum, &s->scene.camera, sizeof s->scene.camera);
+    sum = add(sum, &s->scene.camera, sizeof s->scene.camera, 4);
     for (uint32_t i = 0; i < s->scene.object_count; i++) {
         const random_mesh *mesh = &s->meshes[i];
-        sum = add(sum, mesh->positions, sizeof mesh->positions);
-        sum = add(sum, mesh->normals, sizeof mesh->normals);
-        sum = add(sum, mesh->triangles, sizeof mesh->triangles);
-        sum = add(sum, mesh->colours, sizeof mesh->colours);
-        sum = add(sum, &s->objects[i].pose, sizeof s->objects[i].pose);
-        sum = add(sum, &s->materials[i].ambient, 3 * sizeof(glint_colour));
-        sum = add(sum, &s->materials[i].shininess, sizeof s->materials[i].shininess);
+        sum = add(sum, mesh->positions, sizeof mesh->positions, 2);
+        sum = add(sum, mesh->normals, sizeof mesh->normals, 2);
+        sum = add(sum, mesh->triangles, sizeof mesh->triangles, 2);
+        sum = add(sum, mesh->colours, sizeof mesh->colours, 1);
+        sum = add(sum, &s->objects[i].pose, sizeof s->objects[i].pose, 4);
+        sum = add(sum, &s->materials[i].ambient, 3 * sizeof(glint_colour), 4);
+        sum = add(sum, &s->materials[i].shininess, sizeof s->materials[i].shininess, 4);
     }
     for (uint32_t i = 0; i < s->scene.light_count; i++)
-        sum = add(sum, &s->lights[i].vector, sizeof s->lights[i].vector);
+        sum = add(sum, &s->lights[i].vector, sizeof s->lights[i].vector, 4);
     return sum;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixture.h"
 
+#include "byte_order.h"
 #include "harness.h"
 #include "torus.h"
 
@@ -251,17 +252,8 @@ static uint32_t checksum_of_screen(const fixture *f, size_t flip) {
     return checksum;
 }
 
-static int in_the_cores_order(const glint_format *format) {
-    return format == &glint_format_rgb565 || format == &glint_format_rgb565_dithered;
-}
-
-static int core_stores_high_bytes_first(void) {
-    const uint16_t number = 1;
-    return *(const uint8_t *)&number == 0;
-}
-
 uint32_t fixture_checksum(const fixture *f) {
-    return checksum_of_screen(f, in_the_cores_order(f->config.format) && core_stores_high_bytes_first());
+    return checksum_of_screen(f, byte_order_flip_of(f->config.format));
 }
 
 uint32_t fixture_checksum_of_pairs(const fixture *f) {
