@@ -128,16 +128,17 @@ static bool draw_cell(const demo_cell *cell, const host_settings *demo, uint8_t 
     host_model model;
     quantised_mesh mesh;
     bool ok = command_load(&settings, false, &model, &mesh);
+    if (ok) {
+        mesh_free(&model.mesh);
+        ok = draw_view(&settings, &mesh, cell, sheet, &problem);
+        quantised_free(&mesh);
+        if (ok) {
+            problem_print_warnings(path, &model.warnings);
+        } else {
+            problem_print(NULL, &problem);
+        }
+    }
     free(path);
-    if (!ok) {
-        return false;
-    }
-    mesh_free(&model.mesh);
-    ok = draw_view(&settings, &mesh, cell, sheet, &problem);
-    quantised_free(&mesh);
-    if (!ok) {
-        problem_print(NULL, &problem);
-    }
     return ok;
 }
 
