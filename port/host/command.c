@@ -3,6 +3,7 @@
 
 #include "output.h"
 #include "png.h"
+#include "shapes.h"
 
 #include <stdlib.h>
 
@@ -11,8 +12,19 @@ int command_fail(const char *file, const host_problem *problem) {
     return COMMAND_FAILED;
 }
 
+/** Whether the file to write is the model's own, by whatever name. */
+static bool is_overwritten(const host_settings *settings) {
+    return settings->output != NULL && shape_find(settings->model) == NULL &&
+           path_is_same_file(settings->model, settings->output);
+}
+
 bool command_load(const host_settings *settings, bool scaled, host_model *model, quantised_mesh *mesh) {
     host_problem problem;
+    if (is_overwritten(settings)) {
+        problem_set(&problem, 0, "cannot be written: it is the model");
+        problem_print(settings->output, &problem);
+        return false;
+    }
     if (!load_model(settings->model, &settings->load, model, &problem)) {
         problem_print(settings->model, &problem);
         return false;

@@ -33,7 +33,8 @@ int command_demo(const host_settings *settings);
 int command_fail(const char *file, const host_problem *problem);
 
 /**
- * Loads the settings' model, scales it when `scaled`, quantises it and gives it clusters; prints what is wrong.
+ * Loads the settings' model, scales it when `scaled`, quantises it and gives it clusters; prints what is wrong. Refuses
+ * a model that is the file to write.
  * @return false after a problem; nothing is then to be freed, else model->mesh and `mesh`
  */
 bool command_load(const host_settings *settings, bool scaled, host_model *model, quantised_mesh *mesh);

@@ -270,6 +270,7 @@ int command_convert(const host_settings *settings) {
     const bool ok = bytes_write_file(&file, settings->output, &problem);
     free(file.data);
     if (ok) {
+        problem_print_warnings(settings->model, &model.warnings);
         warn_of_winding(settings->model, &model.mesh);
     }
     mesh_free(&model.mesh);

@@ -112,7 +112,7 @@ static bool draw_view(const host_settings *settings, const quantised_mesh *mesh,
 }
 
 /** Draws a cell, or prints what is wrong. */
-static bool draw_cell(const demo_cell *cell, const char *folder, uint8_t *sheet) {
+static bool draw_cell(const demo_cell *cell, const host_settings *demo, uint8_t *sheet) {
     demo_words words;
     host_settings settings;
     host_problem problem;
@@ -122,21 +122,23 @@ static bool draw_cell(const demo_cell *cell, const char *folder, uint8_t *sheet)
         problem_print(NULL, &problem);
         return false;
     }
-    char *path = model_path(folder, settings.model);
+    char *path = model_path(demo->models, settings.model);
     settings.model = path;
+    settings.output = demo->output;
     host_model model;
     quantised_mesh mesh;
     bool ok = command_load(&settings, false, &model, &mesh);
+    if (ok) {
+        mesh_free(&model.mesh);
+        ok = draw_view(&settings, &mesh, cell, sheet, &problem);
+        quantised_free(&mesh);
+        if (ok) {
+            problem_print_warnings(path, &model.warnings);
+        } else {
+            problem_print(NULL, &problem);
+        }
+    }
     free(path);
-    if (!ok) {
-        return false;
-    }
-    mesh_free(&model.mesh);
-    ok = draw_view(&settings, &mesh, cell, sheet, &problem);
-    quantised_free(&mesh);
-    if (!ok) {
-        problem_print(NULL, &problem);
-    }
     return ok;
 }
 
@@ -157,7 +159,7 @@ int command_demo(const host_settings *settings) {
     uint8_t *sheet = memory_new((size_t)SHEET_WIDTH * SHEET_HEIGHT, 3);
     bool ok = true;
     for (size_t i = 0; ok && i < sizeof cells / sizeof cells[0]; i++) {
-        ok = draw_cell(&cells[i], settings->models, sheet);
+        ok = draw_cell(&cells[i], settings, sheet);
     }
     const int status = ok ? write_sheet(sheet, settings->output) : COMMAND_FAILED;
     free(sheet);

@@ -98,5 +98,8 @@ int command_info(const host_settings *settings) {
         ok = print_panel(&panels[i], settings, &mesh, &problem);
     }
     quantised_free(&mesh);
+    if (ok) {
+        problem_print_warnings(settings->model, &model.warnings);
+    }
     return ok ? 0 : command_fail(NULL, &problem);
 }

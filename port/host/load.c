@@ -19,6 +19,7 @@ static uint64_t fnv1a(const void *data, size_t count) {
 
 static bool load_mesh(const char *name, host_model *model, host_problem *problem) {
     const host_shape *shape = shape_find(name);
+    model->warnings.count = 0;
     if (shape != NULL) {
         model->hash = fnv1a(name, strlen(name));
         return shape_make(shape, name, &model->mesh, problem);
@@ -28,7 +29,7 @@ static bool load_mesh(const char *name, host_model *model, host_problem *problem
         return false;
     }
     model->hash = fnv1a(file.data, file.count);
-    const bool ok = obj_read((const char *)file.data, file.count, &model->mesh, problem);
+    const bool ok = obj_read((const char *)file.data, file.count, &model->mesh, &model->warnings, problem);
     free(file.data);
     return ok;
 }

@@ -25,6 +25,7 @@ typedef struct host_model {
     size_t corner_count;  /**< Corners of all triangles... */
     size_t given_normals; /**< ...and those of them whose normal came with the model. */
     size_t turned_count;  /**< Triangles turned by the repair. */
+    host_warnings warnings;
 } host_model;
 
 /**

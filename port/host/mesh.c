@@ -49,12 +49,6 @@ void mesh_add_colour(host_mesh *mesh, uint8_t r, uint8_t g, uint8_t b) {
     colour[2] = b;
 }
 
-void mesh_drop_colours(host_mesh *mesh) {
-    free(mesh->colours);
-    mesh->colours = NULL;
-    mesh->colour_count = mesh->colour_capacity = 0;
-}
-
 void mesh_add_triangle(host_mesh *mesh, mesh_corner a, mesh_corner b, mesh_corner c) {
     mesh->triangles =
         memory_grow(mesh->triangles, &mesh->triangle_capacity, mesh->triangle_count, sizeof *mesh->triangles);

@@ -82,9 +82,6 @@ uint32_t mesh_add_normal(host_mesh *mesh, double x, double y, double z);
 /** Appends the colour of the next position that has none, each channel 0 to 255. */
 void mesh_add_colour(host_mesh *mesh, uint8_t r, uint8_t g, uint8_t b);
 
-/** Frees the colours. */
-void mesh_drop_colours(host_mesh *mesh);
-
 /** Appends a triangle. */
 void mesh_add_triangle(host_mesh *mesh, mesh_corner a, mesh_corner b, mesh_corner c);
 

@@ -5,24 +5,53 @@
 #include "number.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+/** Different words for each of which there is a warning. With one of each other kind PROBLEM_WARNINGS_MAX holds all. */
+#define WORDS_MAX 4
+
+typedef struct obj_token {
+    const char *start;
+    size_t length;
+} obj_token;
+
+/** What is not followed, or nothing. */
+typedef enum obj_kind {
+    KIND_NONE,
+    KIND_MATERIAL,
+    KIND_ELEMENT,
+    KIND_WORD,
+    KIND_MORE_WORDS,
+    KIND_EMPTY_INDEX,
+    KIND_BYTE_COLOURS,
+    KIND_NO_COLOUR
+} obj_kind;
+
+/** Where a kind, or a word of KIND_WORD, was first seen. */
+typedef struct obj_notice {
+    obj_kind kind;
+    obj_token word;
+    size_t line;
+    size_t more; /* times after the first */
+} obj_notice;
 
 typedef struct obj_reader {
     const char *at, *end;
     size_t line; /* that `at` is on */
     host_mesh *mesh;
     size_t texture_count;
-    double farthest; /* largest coordinate so far */
+    double farthest;      /* largest coordinate so far */
+    double (*colours)[3]; /* as read */
+    size_t colour_count, colour_capacity;
+    size_t bare_line, bare_count; /* the first position without a colour; how many */
     mesh_corner *face;
     size_t face_count, face_capacity;
+    obj_notice notices[PROBLEM_WARNINGS_MAX];
+    size_t notice_count, word_count;
     host_problem *problem;
 } obj_reader;
-
-typedef struct obj_token {
-    const char *start;
-    size_t length;
-} obj_token;
 
 /* ---- Lines and tokens ------------------------------------------------------------------------------------------ */
 
@@ -90,6 +119,60 @@ static bool token_is(obj_token token, const char *word) {
     return strlen(word) == token.length && memcmp(token.start, word, token.length) == 0;
 }
 
+/* ---- Warnings --------------------------------------------------------------------------------------------------- */
+
+static const obj_token position_word = {"v", 1};
+
+static obj_notice *find_notice(obj_reader *reader, obj_kind kind, obj_token word) {
+    for (size_t i = 0; i < reader->notice_count; i++) {
+        obj_notice *notice = &reader->notices[i];
+        const bool same =
+            notice->word.length == word.length && memcmp(notice->word.start, word.start, word.length) == 0;
+        if (notice->kind == kind && (kind != KIND_WORD || same)) {
+            return notice;
+        }
+    }
+    return NULL;
+}
+
+/** Counts what is not followed; words beyond the first few are counted together. */
+static void note(obj_reader *reader, obj_kind kind, obj_token word) {
+    obj_notice *known = find_notice(reader, kind, word);
+    if (known == NULL && kind == KIND_WORD && reader->word_count == WORDS_MAX) {
+        kind = KIND_MORE_WORDS;
+        known = find_notice(reader, kind, word);
+    }
+    if (known != NULL) {
+        known->more++;
+        return;
+    }
+    reader->word_count += kind == KIND_WORD;
+    reader->notices[reader->notice_count++] = (obj_notice){kind, word, reader->line, 0};
+}
+
+static void write_warnings(const obj_reader *reader, host_warnings *warnings) {
+    static const char *const texts[] = {
+        [KIND_MATERIAL] = "is skipped: materials are not read",
+        [KIND_ELEMENT] = "is skipped: only faces are drawn",
+        [KIND_WORD] = "is skipped: it is not an OBJ keyword",
+        [KIND_MORE_WORDS] = "is skipped, as are more words that are not OBJ keywords",
+        [KIND_EMPTY_INDEX] = "has an empty index: taken as not given",
+        [KIND_BYTE_COLOURS] = "has a colour above 1: all colours are taken as 0 to 255",
+        [KIND_NO_COLOUR] = "has no colour, as others have: no colour is kept",
+    };
+    for (size_t i = 0; i < reader->notice_count; i++) {
+        const obj_notice *notice = &reader->notices[i];
+        char quote[PROBLEM_QUOTE_SIZE];
+        char more[40] = "";
+        if (notice->more > 0) {
+            snprintf(more, sizeof more, " (and %zu more)", notice->more);
+        }
+        problem_set(&warnings->list[i], notice->line, "warning: '%s' %s%s",
+                    problem_quote(quote, notice->word.start, notice->word.length), texts[notice->kind], more);
+    }
+    warnings->count = reader->notice_count;
+}
+
 /* ---- Vertices -------------------------------------------------------------------------------------------------- */
 
 /** Reads the numbers that are left of a statement, up to 8. @return how many, or -1 with a problem. */
@@ -118,15 +201,37 @@ static bool has_room(obj_reader *reader, size_t count) {
 
 /** Keeps a position's colour. @return false with a problem when it is none */
 static bool read_colour(obj_reader *reader, const double *channels) {
-    uint8_t levels[3];
+    reader->colours =
+        memory_grow(reader->colours, &reader->colour_capacity, reader->colour_count, sizeof *reader->colours);
+    double *colour = reader->colours[reader->colour_count++];
+    bool is_byte = false;
     for (int i = 0; i < 3; i++) {
-        if (!(channels[i] >= 0 && channels[i] <= 1)) {
-            return problem_set(reader->problem, reader->line, "colour %.6g is not from 0 to 1", channels[i]);
+        if (!(channels[i] >= 0 && channels[i] <= 255)) {
+            return problem_set(reader->problem, reader->line, "colour %.6g is not from 0 to 1, nor to 255",
+                               channels[i]);
         }
-        levels[i] = (uint8_t)lround(channels[i] * 255.0);
+        colour[i] = channels[i];
+        is_byte = is_byte || channels[i] > 1;
     }
-    mesh_add_colour(reader->mesh, levels[0], levels[1], levels[2]);
+    if (is_byte) {
+        note(reader, KIND_BYTE_COLOURS, position_word);
+    }
     return true;
+}
+
+/** Gives the mesh its colours, when all positions have one. */
+static void keep_colours(obj_reader *reader) {
+    const double scale = find_notice(reader, KIND_BYTE_COLOURS, position_word) != NULL ? 1.0 : 255.0;
+    if (reader->colour_count > 0 && reader->bare_count > 0) {
+        reader->notices[reader->notice_count++] =
+            (obj_notice){KIND_NO_COLOUR, position_word, reader->bare_line, reader->bare_count - 1};
+        return;
+    }
+    for (size_t i = 0; i < reader->colour_count; i++) {
+        const double *colour = reader->colours[i];
+        mesh_add_colour(reader->mesh, (uint8_t)lround(colour[0] * scale), (uint8_t)lround(colour[1] * scale),
+                        (uint8_t)lround(colour[2] * scale));
+    }
 }
 
 static bool read_position(obj_reader *reader) {
@@ -148,6 +253,9 @@ static bool read_position(obj_reader *reader) {
     }
     if (!has_room(reader, reader->mesh->position_count) || (count >= 6 && !read_colour(reader, values + count - 3))) {
         return false;
+    }
+    if (count < 6 && reader->bare_count++ == 0) {
+        reader->bare_line = reader->line;
     }
     mesh_add_position(reader->mesh, values[0], values[1], values[2]);
     return true;
@@ -225,23 +333,22 @@ static bool read_corner(obj_reader *reader, obj_token token, mesh_corner *corner
     const int count = split_corner(token, parts);
     uint32_t texture;
     corner->normal = MESH_NO_NORMAL;
-    /* Only the texture's place in v//n may be empty; an empty part elsewhere fails as an index. */
     if (count > 3) {
         char quote[PROBLEM_QUOTE_SIZE];
         problem_quote(quote, token.start, token.length);
         return problem_set(reader->problem, reader->line, "corner '%s' is not v, v/t, v//n or v/t/n", quote);
     }
-    if (!read_index(reader, parts[0], "position", reader->mesh->position_count, &corner->position)) {
+    const bool has_texture = count >= 2 && parts[1].length > 0;
+    const bool has_normal = count == 3 && parts[2].length > 0;
+    if (!read_index(reader, parts[0], "position", reader->mesh->position_count, &corner->position) ||
+        (has_texture && !read_index(reader, parts[1], "texture", reader->texture_count, &texture)) ||
+        (has_normal && !read_index(reader, parts[2], "normal", reader->mesh->normal_count, &corner->normal))) {
         return false;
     }
-    if ((count == 2 || (count == 3 && parts[1].length > 0)) &&
-        !read_index(reader, parts[1], "texture", reader->texture_count, &texture)) {
-        return false;
+    if (parts[count - 1].length == 0) { /* v//n leaves out the texture as it should */
+        note(reader, KIND_EMPTY_INDEX, token);
     }
-    if (count == 3 && !read_index(reader, parts[2], "normal", reader->mesh->normal_count, &corner->normal)) {
-        return false;
-    }
-    if (count == 3 && is_zero_normal(reader->mesh->normals[corner->normal])) {
+    if (has_normal && is_zero_normal(reader->mesh->normals[corner->normal])) {
         corner->normal = MESH_NO_NORMAL;
     }
     return true;
@@ -282,12 +389,31 @@ static const struct obj_statement {
 };
 
 /** The format's other keywords (Wavefront, Advanced Visualizer manual, appendix B1), old ones included. */
-static const char *const skipped[] = {
-    "vp",     "deg",      "bmat",   "step",   "cstype", "p",     "l",     "curv",       "curv2",     "surf",
-    "parm",   "trim",     "hole",   "scrv",   "sp",     "end",   "con",   "s",          "mg",        "bevel",
-    "usemtl", "mtllib",   "usemap", "maplib", "lod",    "ctech", "stech", "shadow_obj", "trace_obj", "c_interp",
-    "call",   "d_interp", "csh",    "bsp",    "bzp",    "cdc",   "cdp",   "res",
+static const struct obj_skipped {
+    const char *keyword;
+    obj_kind kind;
+} skipped[] = {
+    {"usemtl", KIND_MATERIAL}, {"mtllib", KIND_MATERIAL}, {"usemap", KIND_MATERIAL}, {"maplib", KIND_MATERIAL},
+    {"p", KIND_ELEMENT},       {"l", KIND_ELEMENT},       {"curv", KIND_ELEMENT},    {"curv2", KIND_ELEMENT},
+    {"surf", KIND_ELEMENT},    {"bsp", KIND_ELEMENT},     {"bzp", KIND_ELEMENT},     {"cdc", KIND_ELEMENT},
+    {"cdp", KIND_ELEMENT},     {"call", KIND_ELEMENT},    {"csh", KIND_ELEMENT},     {"vp", KIND_NONE},
+    {"deg", KIND_NONE},        {"bmat", KIND_NONE},       {"step", KIND_NONE},       {"cstype", KIND_NONE},
+    {"parm", KIND_NONE},       {"trim", KIND_NONE},       {"hole", KIND_NONE},       {"scrv", KIND_NONE},
+    {"sp", KIND_NONE},         {"end", KIND_NONE},        {"con", KIND_NONE},        {"s", KIND_NONE},
+    {"mg", KIND_NONE},         {"bevel", KIND_NONE},      {"lod", KIND_NONE},        {"ctech", KIND_NONE},
+    {"stech", KIND_NONE},      {"shadow_obj", KIND_NONE}, {"trace_obj", KIND_NONE},  {"c_interp", KIND_NONE},
+    {"d_interp", KIND_NONE},   {"res", KIND_NONE},
 };
+
+/** What a keyword that is not read comes to. */
+static obj_kind kind_of(obj_token keyword) {
+    for (size_t i = 0; i < sizeof skipped / sizeof skipped[0]; i++) {
+        if (token_is(keyword, skipped[i].keyword)) {
+            return skipped[i].kind;
+        }
+    }
+    return KIND_WORD;
+}
 
 static bool read_statement(obj_reader *reader) {
     obj_token keyword;
@@ -299,17 +425,27 @@ static bool read_statement(obj_reader *reader) {
             return statements[i].read(reader);
         }
     }
-    for (size_t i = 0; i < sizeof skipped / sizeof skipped[0]; i++) {
-        if (token_is(keyword, skipped[i])) {
-            return true;
-        }
+    const obj_kind kind = kind_of(keyword);
+    if (kind != KIND_NONE) {
+        note(reader, kind, keyword);
     }
-    char quote[PROBLEM_QUOTE_SIZE];
-    problem_quote(quote, keyword.start, keyword.length);
-    return problem_set(reader->problem, reader->line, "'%s' is not an OBJ keyword", quote);
+    return true;
 }
 
-bool obj_read(const char *text, size_t length, host_mesh *mesh, host_problem *problem) {
+/** Says that there are no faces; by the first word that is no keyword, when there is one. @return false */
+static bool refuse_without_faces(const obj_reader *reader) {
+    for (size_t i = 0; i < reader->notice_count; i++) {
+        const obj_notice *notice = &reader->notices[i];
+        if (notice->kind == KIND_WORD) {
+            char quote[PROBLEM_QUOTE_SIZE];
+            return problem_set(reader->problem, notice->line, "'%s' is not an OBJ keyword",
+                               problem_quote(quote, notice->word.start, notice->word.length));
+        }
+    }
+    return problem_set(reader->problem, reader->line, "no faces");
+}
+
+bool obj_read(const char *text, size_t length, host_mesh *mesh, host_warnings *warnings, host_problem *problem) {
     memset(mesh, 0, sizeof *mesh);
     obj_reader reader = {.at = text, .end = text + length, .line = 1, .mesh = mesh, .problem = problem};
     reader.at += length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
@@ -320,12 +456,12 @@ bool obj_read(const char *text, size_t length, host_mesh *mesh, host_problem *pr
             skip_statement(&reader);
         }
     }
-    if (ok && mesh->triangle_count == 0) {
-        ok = problem_set(problem, reader.line, "no faces");
+    ok = ok && (mesh->triangle_count > 0 || refuse_without_faces(&reader));
+    if (ok) {
+        keep_colours(&reader);
+        write_warnings(&reader, warnings);
     }
-    if (mesh->colour_count != mesh->position_count) {
-        mesh_drop_colours(mesh); /* some have none */
-    }
+    free(reader.colours);
     free(reader.face);
     if (!ok) {
         mesh_free(mesh);

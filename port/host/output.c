@@ -1,16 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-#define _POSIX_C_SOURCE 200809L /* lstat */
+#define _XOPEN_SOURCE 700 /* POSIX of 2008: open, rename, signals, realpath */
 
 #include "output.h"
 
 #include "memory.h"
 
 #include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
+
+/* ---- Bytes ------------------------------------------------------------------------------------------------------ */
 
 void bytes_add(host_bytes *bytes, uint8_t value) {
     bytes->data = memory_grow(bytes->data, &bytes->capacity, bytes->count, 1);
@@ -49,44 +54,152 @@ bool bytes_read_file(host_bytes *bytes, const char *path, host_problem *problem)
     return true;
 }
 
-static bool write_directly(const host_bytes *bytes, const char *path, host_problem *problem) {
-    FILE *file = fopen(path, "wb");
-    if (file == NULL) {
-        return problem_set(problem, 0, "cannot be written: %s", strerror(errno));
-    }
-    const bool written = fwrite(bytes->data, 1, bytes->count, file) == bytes->count;
-    const int error = errno;
-    if (fclose(file) != 0 || !written) {
-        return problem_set(problem, 0, "cannot be written: %s", strerror(written ? errno : error));
-    }
-    return true;
+/* ---- Files that are written ------------------------------------------------------------------------------------- */
+
+static bool cannot_be_written(host_problem *problem) {
+    return problem_set(problem, 0, "cannot be written: %s", strerror(errno));
 }
 
-static bool write_beside(const host_bytes *bytes, const char *beside, const char *path, host_problem *problem) {
-    if (!write_directly(bytes, beside, problem)) {
-        remove(beside);
-        return false;
+/** Writes to an open file and closes it. @return false, with errno, when not all was taken */
+static bool write_and_close(int file, const host_bytes *bytes) {
+    size_t written = 0;
+    while (written < bytes->count) {
+        const ssize_t taken = write(file, bytes->data + written, bytes->count - written);
+        if (taken < 0 && errno != EINTR) {
+            const int error = errno;
+            close(file);
+            errno = error;
+            return false;
+        }
+        written += taken > 0 ? (size_t)taken : 0;
     }
-    if (rename(beside, path) != 0) {
-        problem_set(problem, 0, "cannot be written: %s", strerror(errno));
-        remove(beside);
-        return false;
+    return close(file) == 0;
+}
+
+static bool write_directly(const host_bytes *bytes, const char *path, host_problem *problem) {
+    const int file = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    return (file >= 0 && write_and_close(file, bytes)) || cannot_be_written(problem);
+}
+
+/* ---- Files that are replaced ------------------------------------------------------------------------------------ */
+
+/** What ends the program while it writes. */
+static const int ends[] = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU, SIGXFSZ};
+
+#define END_COUNT (sizeof ends / sizeof ends[0])
+
+/** The file that is written beside its place; it exists while remove_unfinished may be called. */
+static char *unfinished;
+
+/** Handles a signal once: raised again, it ends the program as it would have without this. */
+static void remove_unfinished(int number) {
+    unlink(unfinished);
+    raise(number);
+}
+
+static sigset_t hold_signals(void) {
+    sigset_t held;
+    sigset_t before;
+    sigemptyset(&held);
+    for (size_t i = 0; i < END_COUNT; i++) {
+        sigaddset(&held, ends[i]);
     }
-    return true;
+    sigprocmask(SIG_BLOCK, &held, &before);
+    return before;
+}
+
+/** Has signals remove the unfinished file, but for those that the program was started to ignore. */
+static void handle_signals(struct sigaction before[END_COUNT]) {
+    struct sigaction action = {.sa_handler = remove_unfinished};
+    sigfillset(&action.sa_mask);
+    action.sa_flags = (int)SA_RESETHAND;
+    for (size_t i = 0; i < END_COUNT; i++) {
+        sigaction(ends[i], NULL, &before[i]);
+        if (before[i].sa_handler != SIG_IGN) {
+            sigaction(ends[i], &action, NULL);
+        }
+    }
+}
+
+static void restore_signals(const struct sigaction before[END_COUNT]) {
+    for (size_t i = 0; i < END_COUNT; i++) {
+        sigaction(ends[i], &before[i], NULL);
+    }
+}
+
+/** Makes a file that was not there, in the folder of `path`. @return its descriptor, or -1; the caller frees the name
+ */
+static int create_beside(const char *path, char **name) {
+    const size_t folder = (size_t)(path_base_name(path) - path);
+    const size_t size = folder + 64;
+    int file = -1;
+    *name = memory_new(size, 1);
+    memcpy(*name, path, folder);
+    errno = EEXIST;
+    for (unsigned i = 0; file < 0 && errno == EEXIST && i < 1000; i++) {
+        snprintf(*name + folder, size - folder, "glint-%ld-%u.part", (long)getpid(), i);
+        file = open(*name, O_WRONLY | O_CREAT | O_EXCL, 0666);
+    }
+    return file;
+}
+
+/** Replaces the file at `path`, or makes it. `older` tells its permissions, null when there is none. */
+static bool replace(const host_bytes *bytes, const char *path, const struct stat *older, host_problem *problem) {
+    struct sigaction actions[END_COUNT];
+    char *beside;
+    sigset_t mask = hold_signals(); /* none comes while the file is there and not known, or known and not there */
+    const int file = create_beside(path, &beside);
+    bool ok = file >= 0 || cannot_be_written(problem);
+    if (ok) {
+        unfinished = beside;
+        handle_signals(actions);
+        sigprocmask(SIG_SETMASK, &mask, NULL);
+        ok = older == NULL || fchmod(file, older->st_mode & 0777) == 0;
+        ok = write_and_close(file, bytes) && ok;
+        mask = hold_signals();
+        ok = (ok && rename(beside, path) == 0) || cannot_be_written(problem);
+        if (!ok) {
+            unlink(beside);
+        }
+        restore_signals(actions);
+    }
+    sigprocmask(SIG_SETMASK, &mask, NULL);
+    free(beside);
+    return ok;
+}
+
+/** Whether a link is the system's name for a file that is open: such as /dev/stdout, /dev/fd/1 and /proc/self/fd/1. */
+static bool is_open_file(const char *link) {
+    return strncmp(link, "/dev/", 5) == 0 || strncmp(link, "/proc/", 6) == 0;
 }
 
 bool bytes_write_file(const host_bytes *bytes, const char *path, host_problem *problem) {
     struct stat status;
-    /* A device or a link is kept: moving a file over /dev/null would replace it. */
-    if (lstat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
+    struct stat own;
+    const bool exists = stat(path, &status) == 0;
+    const bool is_link = lstat(path, &own) == 0 && S_ISLNK(own.st_mode);
+    if (exists && (!S_ISREG(status.st_mode) || (is_link && is_open_file(path)))) {
         return write_directly(bytes, path, problem);
     }
-    const size_t size = strlen(path) + sizeof ".part";
-    char *beside = memory_new(size, 1);
-    snprintf(beside, size, "%s.part", path);
-    const bool ok = write_beside(bytes, beside, path, problem);
-    free(beside);
+    if (!is_link) {
+        return replace(bytes, path, exists ? &status : NULL, problem);
+    }
+    char *place = realpath(path, NULL);
+    if (place == NULL) {
+        return problem_set(problem, 0, "cannot be written: it is a link to nothing");
+    }
+    const bool ok = replace(bytes, place, &status, problem);
+    free(place);
     return ok;
+}
+
+/* ---- Paths ------------------------------------------------------------------------------------------------------ */
+
+bool path_is_same_file(const char *a, const char *b) {
+    struct stat of_a;
+    struct stat of_b;
+    return stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && S_ISREG(of_a.st_mode) && of_a.st_dev == of_b.st_dev &&
+           of_a.st_ino == of_b.st_ino;
 }
 
 const char *path_base_name(const char *path) {

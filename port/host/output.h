@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file output.h
- * Files written whole or not at all, and files read whole.
+ * Files written whole or not at all, and files read whole. Takes POSIX.
  */
 #ifndef GLINT_HOST_OUTPUT_H
 #define GLINT_HOST_OUTPUT_H
@@ -27,11 +27,16 @@ void bytes_print(host_bytes *bytes, const char *format, ...) PROBLEM_PRINTF(2, 3
 bool bytes_read_file(host_bytes *bytes, const char *path, host_problem *problem);
 
 /**
- * Writes a file beside its place and moves it there, so that a failure leaves neither a part of it nor harms an older
- * one; what is no regular file, such as a device, is written directly.
+ * Writes a new file in the same folder and moves it into place, so that neither a failure nor a signal leaves a part of
+ * it or harms an older one, and of several programs that write the same file one wins. The new file has the older one's
+ * permissions. A link stays, and the file that it leads to is replaced; one that leads to nothing is refused. What is
+ * no regular file, such as a device or a pipe, and /dev/stdout, are written directly.
  * @return false with a problem of line 0 when that fails
  */
 bool bytes_write_file(const host_bytes *bytes, const char *path, host_problem *problem);
+
+/** Whether two paths lead to one regular file, by links or not. */
+bool path_is_same_file(const char *a, const char *b);
 
 /** The part of a path after its last slash. */
 const char *path_base_name(const char *path);

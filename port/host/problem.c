@@ -39,3 +39,9 @@ void problem_print(const char *file, const host_problem *problem) {
     }
     fprintf(stderr, ":%zu: %s\n", problem->line, problem->text);
 }
+
+void problem_print_warnings(const char *file, const host_warnings *warnings) {
+    for (size_t i = 0; i < warnings->count; i++) {
+        problem_print(file, &warnings->list[i]);
+    }
+}

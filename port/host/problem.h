@@ -23,6 +23,15 @@ typedef struct host_problem {
     char text[200]; /**< What is wrong, without a line end. */
 } host_problem;
 
+/** Most warnings of an input. */
+#define PROBLEM_WARNINGS_MAX 12
+
+/** What an input says and is not followed, though all else of it is. */
+typedef struct host_warnings {
+    host_problem list[PROBLEM_WARNINGS_MAX];
+    size_t count;
+} host_warnings;
+
 /** Notes a problem. @return false, so that a check can end with it. */
 bool problem_set(host_problem *problem, size_t line, const char *format, ...) PROBLEM_PRINTF(3, 4);
 
@@ -31,5 +40,8 @@ const char *problem_quote(char out[PROBLEM_QUOTE_SIZE], const char *start, size_
 
 /** Prints `file:line: text` as one line on stderr; `glint: text` when `file` is null. */
 void problem_print(const char *file, const host_problem *problem);
+
+/** Prints a file's warnings, a line each. */
+void problem_print_warnings(const char *file, const host_warnings *warnings);
 
 #endif

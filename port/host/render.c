@@ -81,5 +81,8 @@ int command_render(const host_settings *settings) {
     mesh_free(&model.mesh);
     const int status = render(settings, &mesh);
     quantised_free(&mesh);
+    if (status == 0) {
+        problem_print_warnings(settings->model, &model.warnings);
+    }
     return status;
 }

@@ -15,7 +15,7 @@ PANEL_HOST := $(BUILD)/host/panel
 $(PANEL_HOST): tests/board/panel_host.c tests/board/frames.c tests/board/frames.h examples/firmware/shown.c \
         examples/firmware/shown.h $(EXAMPLE_SCENES) $(EXAMPLE_DATA) $(BUILD)/host/libglint.a
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples $(filter %.c,$^) $(BUILD)/host/libglint.a -o $@
+	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -Itests $(filter %.c,$^) $(BUILD)/host/libglint.a -o $@
 
 PANEL_PROGRAMS := pattern minimal turntable scenes
 test-board-panel: $(PANEL_HOST) $(PANEL_PROGRAMS:%=$(BUILD)/lm3s6965evb/release/%.elf) ## the OLED against the host
@@ -38,9 +38,9 @@ IDENTITY_ELF    := $(foreach core,$(IDENTITY_CORES),$(foreach level,$(IDENTITY_L
 IDENTITY_HOST   := $(foreach compiler,gcc clang,$(foreach level,$(IDENTITY_LEVELS),$(BUILD)/identity/$(compiler)-$(level)))
 IDENTITY_SOURCES := tests/board/identity_host.c tests/board/identity.c tests/board/frames.c \
     examples/turntable/turntable.c $(EXAMPLE_SCENES)
-$(BUILD)/identity/%: $(IDENTITY_SOURCES) tests/board/frames.h $(EXAMPLE_DATA) $(wildcard src/*)
+$(BUILD)/identity/%: $(IDENTITY_SOURCES) tests/board/frames.h tests/byte_order.h $(EXAMPLE_DATA) $(wildcard src/*)
 	@mkdir -p $(@D)
-	$(Q)$(firstword $(subst -, ,$*)) -std=c99 $(WARNINGS) -$(lastword $(subst -, ,$*)) -Isrc -Iport -Iexamples \
+	$(Q)$(firstword $(subst -, ,$*)) -std=c99 $(WARNINGS) -$(lastword $(subst -, ,$*)) -Isrc -Iport -Iexamples -Itests \
 	    $(IDENTITY_SOURCES) $(LIBRARY) -o $@
 
 test-board-identity: $(IDENTITY_ELF) $(IDENTITY_HOST) ## the same bits from every core and compiler

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "frames.h"
 
+#include "byte_order.h"
+
 /* The teapot at once in the largest format and tiles. */
 static uint32_t arena[96 * 1024 / sizeof(uint32_t)];
 
@@ -65,12 +67,13 @@ glint_status frame_draw(frame_image *image, turntable_model model, uint32_t fram
     return frame_draw_scene(image, &table.scene, options);
 }
 
-uint32_t frame_checksum(const frame_image *image) {
+uint32_t frame_checksum(const frame_image *image, const glint_format *format) {
     const uint32_t offset_basis = 2166136261u, prime = 16777619u;
+    const size_t flip = byte_order_flip_of(format);
     uint32_t sum = offset_basis;
 
     for (size_t i = 0; i < image->row_bytes * TURNTABLE_HEIGHT; i++) {
-        sum = (sum ^ image->pixels[i]) * prime;
+        sum = (sum ^ image->pixels[i ^ flip]) * prime;
     }
     return sum;
 }

@@ -31,7 +31,7 @@ glint_status frame_draw_scene(frame_image *image, const glint_scene *scene, cons
 /** Draws a frame of the turntable. @return the library's error */
 glint_status frame_draw(frame_image *image, turntable_model model, uint32_t frame, const frame_options *options);
 
-/** FNV-1a (Fowler, Noll, Vo) of all pixels, row by row. */
-uint32_t frame_checksum(const frame_image *image);
+/** FNV-1a (Fowler, Noll, Vo) of all pixels, row by row, the same whichever byte of a number the core stores first. */
+uint32_t frame_checksum(const frame_image *image, const glint_format *format);
 
 #endif

@@ -75,7 +75,7 @@ static int write_drawn(void (*write)(const char *text), const frame_options *opt
     if (status != GLINT_OK) {
         write(glint_strerror(status));
     } else {
-        write_hex(write, frame_checksum(&image));
+        write_hex(write, frame_checksum(&image, options->format));
     }
     write("\n");
     return status != GLINT_OK;

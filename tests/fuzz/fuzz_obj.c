@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file fuzz_obj.c
- * The OBJ reader on any bytes (libFuzzer): it either reports one problem, or gives a mesh that normals can be made for
- * and that quantises into meshes, with clusters, as the library documents them.
+ * The OBJ reader on any bytes (libFuzzer): it either reports one problem, or gives warnings and a mesh that normals can
+ * be made for and that quantises into meshes, with clusters, as the library documents them.
  */
 #include "obj.h"
 #include "quantise.h"
@@ -24,6 +24,14 @@ static void check_problem(const host_problem *problem) {
     require(problem->text[0] != '\0' && strlen(problem->text) < sizeof problem->text);
     for (const char *c = problem->text; *c != '\0'; c++) {
         require(*c >= ' ' && *c <= '~');
+    }
+}
+
+static void check_warnings(const host_warnings *warnings) {
+    require(warnings->count <= PROBLEM_WARNINGS_MAX);
+    for (size_t i = 0; i < warnings->count; i++) {
+        check_problem(&warnings->list[i]);
+        require(warnings->list[i].line >= 1 && strncmp(warnings->list[i].text, "warning: '", 10) == 0);
     }
 }
 
@@ -82,12 +90,15 @@ static void check_quantised(const host_mesh *mesh) {
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     host_mesh mesh;
+    host_warnings warnings;
     host_problem problem = {0, ""};
-    if (!obj_read((const char *)data, size, &mesh, &problem)) {
+    if (!obj_read((const char *)data, size, &mesh, &warnings, &problem)) {
         check_problem(&problem);
         require(problem.line >= 1);
         return 0;
     }
+    check_warnings(&warnings);
+    require(mesh.colour_count == 0 || mesh.colour_count == mesh.position_count);
     mesh_make_normals(&mesh, MESH_NO_CREASE);
     check_corners(&mesh);
     mesh_check_topology(&mesh);

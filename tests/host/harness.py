@@ -69,13 +69,13 @@ class Host:
         return subprocess.run([self.program, *arguments], cwd=self.folder.name, capture_output=True, text=True,
                               timeout=60, check=False, env={**os.environ, **(env or {})}, preexec_fn=before)
 
-    def render_bytes(self, *arguments):
+    def render_bytes(self, *arguments, to="out.png"):
         """The PNG file that `render` writes; it must."""
-        run = self.run("render", *arguments, "-o", "out.png")
+        run = self.run("render", *arguments, "-o", to)
         if run.returncode != 0 or run.stderr:
             raise AssertionError(f"render {' '.join(arguments)}: status {run.returncode}, {run.stderr.strip()}")
-        data = self.read("out.png")
-        os.remove(self.path("out.png"))
+        data = self.read(to)
+        os.remove(self.path(to))
         return data
 
     def render(self, *arguments):

@@ -213,7 +213,11 @@ def test_colours(host):
     host.check("the head says so", "\n * colours    uint8 red, green, blue: 255 is 1\n" in text and
                f"{4 * 15 + 2 * 6} bytes of flash" in text)
     host.write("partly.obj", "v 0 0 0 1 0 0.5\nv 1 0 0\nv 1 1 0 0.2 0.4 0.6\nv 0 1 0 1 1 1\n" + body)
-    host.check("colours of some only are left out", "colours" not in convert(host, "partly.obj").replace("no colours", ""))
+    run = host.run("convert", "partly.obj", "-o", "partly.h")
+    host.equal("colours of some only: a warning", (run.returncode, run.stderr),
+               (0, "partly.obj:2: warning: 'v' has no colour, as others have: no colour is kept\n"))
+    host.check("colours of some only are left out", "colours" not in host.read("partly.h").decode().replace("no colours", ""))
+    os.remove(host.path("partly.h"))
     same = "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 0 0\nv 0 0 0 0 0 1\nv 1 1 0 0 0 1\nv 0 1 0 0 0 1\n"
     host.write("edge.obj", same + "f 1 2 3\nf 4 5 6\n")
     host.check("equal places of two colours stay two vertices", "edge_colours[6]" in convert(host, "edge.obj"))

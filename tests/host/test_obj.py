@@ -32,17 +32,93 @@ def test_same_model_written_differently(host):
         "blanks": "\n".join("\t " + line.replace(" ", " \t ") + "  " for line in lines),
         "continued lines": "\n".join(line.replace(" ", " \\\n", 2).replace("\n1 ", "\n1\\\r\n ") for line in lines),
         "negative indices": "\n".join(negative), "triangles": "\n".join(triangles), "v/t": "\n".join(textured),
-        "groups": "mtllib a b.mtl\no box\ng a b\ns 1\nusemtl x\n" + "\n".join(lines) + "\ng\nl 1 2\np 1\nvp 1 2\nend\n",
+        "groups": "o box\ng a b\ns 1\n" + "\n".join(lines) + "\ng\nvp 1 2\nend\n",
         "weights": "\n".join(line + " 1" if line[0] == "v" else line for line in lines),
         "white": "\n".join(line + " 1 1 1" if line[0] == "v" else line for line in lines),
         "weights and white": "\n".join(line + " 2 1 1.0 1" if line[0] == "v" else line for line in lines),
-        "a colour missing": "\n".join(line + " 1 0.5 0" if line[0] == "v" and i else line for i, line in enumerate(lines)),
         "other spellings": "\n".join(lines).replace(" 1", " +1.0e0", 1).replace(" -1", " -.1E+1", 1),
         "unused positions": "\n".join(lines) + "\nv 100 200 300\n",
     }
     for name, text in others.items():
         host.write("other.obj", text)
         host.equal(f"OBJ: {name}", host.render_bytes("other.obj", *CUBE_VIEW), plain)
+
+
+# What is warned of at which line, for each of these before or in place of lines of CUBE_V + CUBE_F.
+MATERIALS = "is skipped: materials are not read"
+ELEMENTS = "is skipped: only faces are drawn"
+WORDS = "is skipped: it is not an OBJ keyword"
+EMPTY = "has an empty index: taken as not given"
+BYTES = "has a colour above 1: all colours are taken as 0 to 255"
+BARE = "has no colour, as others have: no colour is kept"
+
+
+def warned(host, name, text, wanted, plain):
+    """The picture is that of a file without what is warned of; warnings are the same of every command, each on a line."""
+    lines = "".join(f"warned.obj:{line}: warning: {warning}\n" for line, warning in wanted)
+    host.write("warned.obj", text)
+    for command, *rest in (("render", *CUBE_VIEW, "-o", "warned.out"), ("convert", "-o", "warned.out"), ("info",)):
+        run = host.run(command, "warned.obj", *rest)
+        host.equal(f"{command} with {name}", (run.returncode, run.stderr), (0, lines))
+        if command == "render":
+            host.equal(f"picture with {name}", host.read("warned.out"), plain)
+    os.remove(host.path("warned.out"))
+    host.refuses(f"{name} and a scene that cannot be drawn",
+                 ["render", "warned.obj", "--arena", "100", "-o", "out.png"], r"glint: --arena 100: .*")
+
+
+def test_what_is_not_followed(host):
+    """What can be drawn is drawn, with status 0: what is not followed is told once, with its first line."""
+    host.write("plain.obj", CUBE_V + CUBE_F)
+    plain = host.render_bytes("plain.obj", *CUBE_VIEW)
+    cube = CUBE_V + CUBE_F
+    corners = [line[2:].split() for line in CUBE_F.splitlines()]
+
+    def faces(*endings):
+        return "vt 0 0\n" + "".join("f " + " ".join(i + endings[k % len(endings)] for k, i in enumerate(face)) + "\n"
+                                    for face in corners)
+
+    for name, text, wanted in [
+            ("nothing", cube, []),
+            ("a library", "mtllib a b.mtl\n" + cube, [(1, f"'mtllib' {MATERIALS}")]),
+            ("a material", CUBE_V + "usemtl a\n" + CUBE_F, [(9, f"'usemtl' {MATERIALS}")]),
+            ("materials", "# a\nmtllib a.mtl\n" + CUBE_V + "".join(f"usemtl {line}\n{line}\n" for line in CUBE_F.splitlines()),
+             [(2, f"'mtllib' {MATERIALS} (and 6 more)")]),
+            ("texture maps", "maplib a\n" + cube + "usemap b\n", [(1, f"'maplib' {MATERIALS} (and 1 more)")]),
+            ("lines and points", cube + "l 1 2\np 1\ncurv 0 1 1 2\nsurf 0 1 0 1 1 2 3\n",
+             [(15, f"'l' {ELEMENTS} (and 3 more)")]),
+            ("a word", cube.replace("f", "foo 1 2\nf", 1), [(9, f"'foo' {WORDS}")]),
+            ("a word, often", cube.replace("f", "foo bar\nf"), [(9, f"'foo' {WORDS} (and 5 more)")]),
+            ("a word in capitals", "V 1 2 3\n" + cube, [(1, f"'V' {WORDS}")]),
+            ("a word over lines", "foo \\\n1\n" + cube + "bar", [(1, f"'foo' {WORDS}"), (17, f"'bar' {WORDS}")]),
+            ("a long word", "x" * 5000 + "\n" + cube, [(1, f"'{'x' * 28}...' {WORDS}")]),
+            ("bytes", b"\x00\xff\n" + cube.encode(), [(1, f"'??' {WORDS}")]),
+            ("many words", "".join(f"w{i % 9}\n" for i in range(40)) + cube,
+             [(1, f"'w0' {WORDS} (and 4 more)"), (2, f"'w1' {WORDS} (and 4 more)"), (3, f"'w2' {WORDS} (and 4 more)"),
+              (4, f"'w3' {WORDS} (and 4 more)"),
+              (5, "'w4' is skipped, as are more words that are not OBJ keywords (and 19 more)")]),
+            ("v/t/", CUBE_V + faces("/1/"), [(10, f"'5/1/' {EMPTY} (and 23 more)")]),
+            ("v/", CUBE_V + faces("/"), [(10, f"'5/' {EMPTY} (and 23 more)")]),
+            ("v//", CUBE_V + faces("//", "", "/1", ""), [(10, f"'5//' {EMPTY} (and 5 more)")]),
+            ("white of 255", cube.replace("1\n", "1 255 255 255\n", 8), [(1, f"'v' {BYTES} (and 7 more)")]),
+            ("a position without colour", cube.replace("1\n", "1 1 0.5 0\n", 8).replace(" 1 0.5 0", "", 2),
+             [(1, f"'v' {BARE} (and 1 more)")]),
+            ("all at once", "mtllib a\nfoo\n" + CUBE_V + "usemtl x\n" + faces("/1/") + "l 1 2\nbar\nfoo\n",
+             [(1, f"'mtllib' {MATERIALS} (and 1 more)"), (2, f"'foo' {WORDS} (and 1 more)"),
+              (13, f"'5/1/' {EMPTY} (and 23 more)"), (19, f"'l' {ELEMENTS}"), (20, f"'bar' {WORDS}")])]:
+        warned(host, name, text, wanted, plain)
+    run = host.run("demo", "--models", MODELS, "-o", "warned.out")
+    host.equal("models of the demo need no warning", (run.returncode, run.stderr), (0, ""))
+    os.remove(host.path("warned.out"))
+
+
+def test_colours_of_255(host):
+    """One colour above 1 makes all of them 0 to 255, those before it too."""
+    host.write("bytes.obj", "v 0 0 0 1 0 0\nv 1 0 0 0 127.5 0\nv 1 1 0 51 102 255\nv 0 1 0 1 255 0.4\nf 1 2 3 4\n")
+    run = host.run("convert", "bytes.obj", "-o", "bytes.h")
+    host.equal("colours of 255", (run.returncode, run.stderr), (0, f"bytes.obj:2: warning: 'v' {BYTES} (and 2 more)\n"))
+    host.check("are kept as they are", "{1, 0, 0}, {0, 128, 0}, {51, 102, 255}, {1, 255, 0}," in host.read("bytes.h").decode())
+    os.remove(host.path("bytes.h"))
 
 
 def test_numbers(host):

@@ -200,6 +200,10 @@ static void random_scenes(void) {
     check_gates(&of_565);
 }
 
+static void every_compiler_draws_the_same_scenes(void) {
+    CHECK_EQUAL(scene_checksum_of_seeds(scene_build_random), 0x5fbdb2bfu);
+}
+
 /* ---- Formats ------------------------------------------------------------------------------------------------- */
 
 /* A torus and one too bright, in every format, on a screen that no tile divides; one step of each format is allowed. */
@@ -244,6 +248,7 @@ int test_main(test_writer write) {
         TEST_CASE(other_scenes),
         TEST_CASE(other_scenes_on_the_largest_screen),
         TEST_CASE(random_scenes),
+        TEST_CASE(every_compiler_draws_the_same_scenes),
         TEST_CASE(formats),
     };
     return test_run(write, cases, TEST_COUNT(cases));

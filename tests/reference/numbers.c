@@ -22,6 +22,14 @@ static int32_t random_signed(unsigned bits) {
     return (int32_t)random_bits() >> (32 - bits);
 }
 
+static glint_vector random_vector(unsigned bits) {
+    glint_vector vector;
+    vector.x = random_signed(bits);
+    vector.y = random_signed(bits);
+    vector.z = random_signed(bits);
+    return vector;
+}
+
 /* Says how much of what a contract allows was found; fails above 1. */
 static void report(const char *name, long double worst, long double allowed) {
     test_write("  ");
@@ -64,7 +72,10 @@ static void unit_vectors(void) {
     long double worst_length = 0;
     for (int i = 0; i < 3000000; i++) {
         unsigned bits = 1 + random_bits() % 32;
-        int32_t v[3] = {random_signed(bits), random_signed(1 + random_bits() % bits), random_signed(bits)};
+        int32_t v[3];
+        v[0] = random_signed(bits);
+        v[1] = random_signed(1 + random_bits() % bits);
+        v[2] = random_signed(bits);
         int16_t unit[3];
         long double length = sqrtl((long double)v[0] * v[0] + (long double)v[1] * v[1] + (long double)v[2] * v[2]);
         glint_unit(v[0], v[1], v[2], unit);
@@ -269,7 +280,7 @@ static void cameras_look_at(void) {
         glint_vector v[3];
         long double axes[3][3];
         for (int k = 0; k < 3; k++)
-            v[k] = (glint_vector){random_signed(24), random_signed(24), random_signed(24)};
+            v[k] = random_vector(24);
         look_at_exact(v, axes);
         long double up_length =
             sqrtl((long double)v[2].x * v[2].x + (long double)v[2].y * v[2].y + (long double)v[2].z * v[2].z);
@@ -321,10 +332,6 @@ static void check_corners(const glint_transform *t) {
     }
 }
 
-static glint_vector random_vector(unsigned bits) {
-    return (glint_vector){random_signed(bits), random_signed(bits), random_signed(bits)};
-}
-
 /* Anything, of which most is out of range, or something in view, near and far, flat and stretched. */
 static void random_object(glint_object *object, glint_mesh *mesh, int anything) {
     const unsigned bits = anything ? 1 + random_bits() % 32 : 8 + random_bits() % 16;
@@ -346,15 +353,15 @@ static void transforms_keep_their_ranges(void) {
     for (int i = 0; i < 1000000; i++) {
         glint_view view;
         glint_transform t;
-        const glint_config config = {.width = (uint16_t)(1 + random_bits() % GLINT_SIZE_MAX),
-                                     .height = (uint16_t)(1 + random_bits() % GLINT_SIZE_MAX)};
-        const glint_vector eye = {random_signed(16), random_signed(16), random_signed(16)},
-                           at = {0, 0, -16 * GLINT_ONE}, up = {0, 1, 0};
+        glint_config config = {.width = (uint16_t)(1 + random_bits() % GLINT_SIZE_MAX)};
+        config.height = (uint16_t)(1 + random_bits() % GLINT_SIZE_MAX);
+        const glint_vector eye = random_vector(16), at = {0, 0, -16 * GLINT_ONE}, up = {0, 1, 0};
         random_object(&object, &mesh, i % 4 == 0);
         if (glint_camera_look_at(&scene.camera, eye, at, up) != GLINT_OK)
             continue;
         scene.camera.field_of_view = GLINT_ONE + (int32_t)(random_bits() % (169 * GLINT_ONE + 1));
-        scene.camera.near_plane = 1 + (int32_t)(random_bits() >> (1 + random_bits() % 31));
+        const uint32_t nearest = random_bits();
+        scene.camera.near_plane = 1 + (int32_t)(nearest >> (1 + random_bits() % 31));
         if (glint_prepare_view(&view, &config, &scene, &t) != GLINT_OK)
             continue;
         CHECK_EQUAL(glint_transform_prepare(&t, &view, &config, &object), GLINT_OK);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "random_scene.h"
 
+#include "byte_order.h"
 #include "weights.h"
 
 #include <math.h>
@@ -11,6 +12,9 @@
 typedef struct source {
     uint64_t state;
 } source;
+
+/* C leaves open in which order the arguments of a call, the items of a list and the operands of an operator are
+ * computed: no expression draws twice. */
 
 /* SplitMix64 (Steele, Lea and Flood, 2014). */
 static uint64_t next(source *random) {
@@ -74,18 +78,23 @@ static glint_mesh_room room_of(random_mesh *mesh) {
 static void make_solid(random_mesh *mesh, source *random) {
     const glint_mesh_room room = room_of(mesh);
     glint_q16 size = q16(between(random, 0.5, 1));
+    uint32_t along;
     switch (below(random, 5)) {
     case 0:
-        glint_generate_sphere(&mesh->mesh, &room, 3 + below(random, 7), 2 + below(random, 5), size);
+        along = 2 + below(random, 5);
+        glint_generate_sphere(&mesh->mesh, &room, 3 + below(random, 7), along, size);
         break;
     case 1:
-        glint_generate_torus(&mesh->mesh, &room, 3 + below(random, 7), 3 + below(random, 5), size, size / 3);
+        along = 3 + below(random, 5);
+        glint_generate_torus(&mesh->mesh, &room, 3 + below(random, 7), along, size, size / 3);
         break;
     case 2:
-        glint_generate_cylinder(&mesh->mesh, &room, 3 + below(random, 8), 1 + below(random, 2), size / 2, size, 1);
+        along = 1 + below(random, 2);
+        glint_generate_cylinder(&mesh->mesh, &room, 3 + below(random, 8), along, size / 2, size, 1);
         break;
     case 3:
-        glint_generate_cone(&mesh->mesh, &room, 3 + below(random, 10), 1 + below(random, 2), size / 2, size, 1);
+        along = 1 + below(random, 2);
+        glint_generate_cone(&mesh->mesh, &room, 3 + below(random, 10), along, size / 2, size, 1);
         break;
     default:
         glint_generate_box(&mesh->mesh, &room, size, size / 2, q16(between(random, 0.2, 1)));
@@ -266,9 +275,9 @@ static void make_spot(random_scene *s, glint_light *light, source *random) {
     const glint_pose *near = &s->objects[0].pose;
     make_point(s, light, random, 1, 6);
     light->type = &glint_light_spot;
-    light->axis = (glint_vector){near->m[0][3] - light->vector.x + q16(between(random, -0.3, 0.3)),
-                                 near->m[1][3] - light->vector.y + q16(between(random, -0.3, 0.3)),
-                                 near->m[2][3] - light->vector.z + q16(between(random, -0.3, 0.3))};
+    light->axis.x = near->m[0][3] - light->vector.x + q16(between(random, -0.3, 0.3));
+    light->axis.y = near->m[1][3] - light->vector.y + q16(between(random, -0.3, 0.3));
+    light->axis.z = near->m[2][3] - light->vector.z + q16(between(random, -0.3, 0.3));
     light->inner = q16(between(random, 0, 40));
     light->outer = light->inner + (one_in(random, 4) ? 0 : q16(across(random, 0.25, 40)));
 }
@@ -379,8 +388,10 @@ static void make_crossing(random_scene *s, source *random) {
 static void make_extreme_poses(random_scene *s, source *random) {
     for (uint32_t i = 0; i < s->scene.object_count; i++) {
         double scale[3];
-        for (int axis = 0; axis < 3; axis++)
-            scale[axis] = across(random, 0.01, 1) * (one_in(random, 2) ? -1 : 1);
+        for (int axis = 0; axis < 3; axis++) {
+            scale[axis] = across(random, 0.01, 1);
+            scale[axis] *= one_in(random, 2) ? -1 : 1;
+        }
         scale[below(random, 3)] = 1;
         scale_columns(&s->objects[i].pose, scale[0], scale[1], scale[2]);
     }
@@ -620,26 +631,28 @@ void random_scene_make(random_scene *s, uint64_t seed) {
     to_world(s);
 }
 
-static uint64_t add(uint64_t sum, const void *bytes, size_t size) {
+/* Adds numbers of `each` bytes. */
+static uint64_t add(uint64_t sum, const void *bytes, size_t size, size_t each) {
+    const size_t flip = byte_order_flip(each);
     for (size_t i = 0; i < size; i++)
-        sum = (sum ^ ((const uint8_t *)bytes)[i]) * 1099511628211u;
+        sum = (sum ^ ((const uint8_t *)bytes)[i ^ flip]) * 1099511628211u;
     return sum;
 }
 
 uint64_t random_scene_checksum(const random_scene *s) {
     uint64_t sum = 14695981039346656037u;
-    sum = add(sum, &s->scene.camera, sizeof s->scene.camera);
+    sum = add(sum, &s->scene.camera, sizeof s->scene.camera, 4);
     for (uint32_t i = 0; i < s->scene.object_count; i++) {
         const random_mesh *mesh = &s->meshes[i];
-        sum = add(sum, mesh->positions, sizeof mesh->positions);
-        sum = add(sum, mesh->normals, sizeof mesh->normals);
-        sum = add(sum, mesh->triangles, sizeof mesh->triangles);
-        sum = add(sum, mesh->colours, sizeof mesh->colours);
-        sum = add(sum, &s->objects[i].pose, sizeof s->objects[i].pose);
-        sum = add(sum, &s->materials[i].ambient, 3 * sizeof(glint_colour));
-        sum = add(sum, &s->materials[i].shininess, sizeof s->materials[i].shininess);
+        sum = add(sum, mesh->positions, sizeof mesh->positions, 2);
+        sum = add(sum, mesh->normals, sizeof mesh->normals, 2);
+        sum = add(sum, mesh->triangles, sizeof mesh->triangles, 2);
+        sum = add(sum, mesh->colours, sizeof mesh->colours, 1);
+        sum = add(sum, &s->objects[i].pose, sizeof s->objects[i].pose, 4);
+        sum = add(sum, &s->materials[i].ambient, 3 * sizeof(glint_colour), 4);
+        sum = add(sum, &s->materials[i].shininess, sizeof s->materials[i].shininess, 4);
     }
     for (uint32_t i = 0; i < s->scene.light_count; i++)
-        sum = add(sum, &s->lights[i].vector, sizeof s->lights[i].vector);
+        sum = add(sum, &s->lights[i].vector, sizeof s->lights[i].vector, 4);
     return sum;
 }

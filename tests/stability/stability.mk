@@ -14,6 +14,9 @@ SUITE_stability_table   := tests/harness.c $(STABILITY_DIR)/table.c $(STABILITY_
 $(foreach suite,regions kept search table,$(eval $(call test_suite,host,stability_$(suite),$(CC),$(CFLAGS))))
 $(eval $(call test_suite,sanitize,stability_search,clang,$(SANITIZE)))
 
+# A seed makes the same scene whoever compiles it.
+$(eval $(call test_suite,clang,stability_kept,clang,$(CFLAGS)))
+
 # Scenes and the first one's seed; those of the figures in docs/stability.md.
 SCENES ?= 100000
 SEED   ?= 1
@@ -35,10 +38,11 @@ stability: $(BUILD)/stability/regions.md $(BUILD)/tests/host/stability_search ##
 
 SUITES += test-stability
 test-stability: $(BUILD)/stability/regions.md $(addprefix $(BUILD)/tests/host/stability_,regions kept search) \
-        $(BUILD)/tests/sanitize/stability_search ## where methods fail: the library does not; 2,000 random scenes
+        $(BUILD)/tests/clang/stability_kept $(BUILD)/tests/sanitize/stability_search ## where methods fail: the library does not; 2,000 random scenes
 	@status=0; \
 	$(BUILD)/tests/host/stability_regions || status=1; \
 	$(BUILD)/tests/host/stability_kept || status=1; \
+	$(BUILD)/tests/clang/stability_kept || status=1; \
 	$(STABILITY_SEARCH) $(BUILD)/tests/host/stability_search --scenes 2000 --seed $(STABILITY_TEST_SEED) --test || status=1; \
 	$(STABILITY_SEARCH) $(BUILD)/tests/sanitize/stability_search --scenes 500 --seed $(STABILITY_TEST_SEED) --test || status=1; \
 	python3 $(STABILITY_DIR)/page.py docs/stability.md $< docs/stability.csv --check \

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixture.h"
 
+#include "byte_order.h"
 #include "harness.h"
 #include "torus.h"
 
@@ -243,8 +244,20 @@ glint_need fixture_need(const fixture *f) {
     return need;
 }
 
+/* A flip of 1 takes the bytes of each pair in reverse. */
+static uint32_t checksum_of_screen(const fixture *f, size_t flip) {
+    uint32_t checksum = FIXTURE_CHECKSUM_START;
+    for (size_t i = 0; i < screen_bytes(f); i++)
+        checksum = fixture_checksum_add(checksum, &memory.screen[i ^ flip], 1);
+    return checksum;
+}
+
 uint32_t fixture_checksum(const fixture *f) {
-    return fixture_checksum_add(FIXTURE_CHECKSUM_START, memory.screen, screen_bytes(f));
+    return checksum_of_screen(f, byte_order_flip_of(f->config.format));
+}
+
+uint32_t fixture_checksum_of_pairs(const fixture *f) {
+    return checksum_of_screen(f, 1);
 }
 
 const uint8_t *fixture_row(const fixture *f, int y) {

@@ -53,8 +53,11 @@ void fixture_expect_error(fixture *f, glint_status expected);
 /** Bytes that the scene needs, for the configuration as it stands. */
 glint_need fixture_need(const fixture *f);
 
-/** Checksum of the screen (FNV-1a; Fowler, Noll and Vo). */
+/** Checksum of the screen (FNV-1a; Fowler, Noll and Vo), the same whichever byte of a number the core stores first. */
 uint32_t fixture_checksum(const fixture *f);
+
+/** The same of a screen of 16-bit pixels whose high bytes come first, whichever the core stores first. */
+uint32_t fixture_checksum_of_pairs(const fixture *f);
 
 /** Continues a checksum; begin with FIXTURE_CHECKSUM_START. */
 #define FIXTURE_CHECKSUM_START 2166136261u

@@ -17,6 +17,17 @@ void same_bits_on_every_core(void) {
     }
 }
 
+/* What a core that stores high bytes first makes of RGB565 is what every core makes of RGB565 with high bytes first. */
+void checksums_do_not_tell_byte_orders(void) {
+    fixture *f = fixture_begin();
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    const uint32_t expected = fixture_checksum(f);
+    f->config.format = &glint_format_rgb565_be;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_EQUAL(fixture_checksum_of_pairs(f), expected);
+    CHECK(fixture_checksum(f) != expected);
+}
+
 /* @return 1 when the arena sufficed. */
 static int draw_with(unsigned index, uint16_t tile_width, uint16_t tile_height, int smallest_arena) {
     fixture *f = fixture_begin();

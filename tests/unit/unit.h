@@ -6,6 +6,7 @@
 #define UNIT_CASES(CASE)                      \
     CASE(same_bits_on_every_core)             \
     CASE(same_bits_for_every_tile_and_arena)  \
+    CASE(checksums_do_not_tell_byte_orders)   \
     CASE(init_refuses_bad_configurations)     \
     CASE(null_pointers_are_refused)           \
     CASE(null_pointers_in_scenes_are_refused) \

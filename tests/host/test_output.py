@@ -1,0 +1,248 @@
+# SPDX-License-Identifier: MIT
+"""The file that is written: whole or not at all, and nothing beside it, whoever else writes and whatever ends the program."""
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import threading
+
+from harness import MODELS, SQUARE
+
+SMALL = ["--size", "64x48"]
+
+# Between the halves of the file that the program writes, it is sent a signal.
+INTERRUPTED = """
+#define _GNU_SOURCE
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+ssize_t write(int file, const void *bytes, size_t count) {
+    static int begun;
+    if (file <= 2 || begun)
+        return syscall(SYS_write, file, bytes, count);
+    begun = 1;
+    ssize_t written = syscall(SYS_write, file, bytes, count / 2);
+    raise(atoi(getenv("INTERRUPTED_BY")));
+    return written;
+}
+"""
+
+
+class Interrupted:
+    """Programs in the middle of writing, without waiting for the moment: a library in their place of write()."""
+
+    def __init__(self, host):
+        host.write("interrupted.c", INTERRUPTED)
+        self.library = os.path.join(host.folder.name + "-interrupted.so")
+        subprocess.run(["cc", "-shared", "-fPIC", "-o", self.library, host.path("interrupted.c")], check=True)
+        os.remove(host.path("interrupted.c"))
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        os.remove(self.library)
+
+    def by(self, number):
+        return {"LD_PRELOAD": self.library, "INTERRUPTED_BY": str(int(number))}
+
+
+def no_core():
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+def test_other_files_stay(host):
+    """No file is taken for the program's own, and no link there is followed."""
+    wanted = host.render_bytes("torus:8x8", *SMALL)
+    host.write("other", "kept")
+    for number in range(2):
+        host.write(f"part-{number}", "kept")
+
+    def plant():
+        """In the program's process: its number is in the names that it chooses."""
+        os.symlink("other", f"glint-{os.getpid()}-0.part")
+        os.rename("part-0", f"glint-{os.getpid()}-1.part")
+
+    os.rename(host.path("part-1"), host.path("out.png.part"))
+    files = len(host.files())
+    run = host.run("render", "torus:8x8", *SMALL, "-o", "out.png", before=plant)
+    host.equal("names that are taken: status", (run.returncode, run.stderr), (0, ""))
+    host.equal("names that are taken: picture", host.read("out.png"), wanted)
+    os.remove(host.path("out.png"))
+    host.equal("what is there stays", len(host.files()), files + 1)
+    for name in host.files():
+        if name == "other" or name.endswith(".part"):
+            host.equal(f"{name} stays", host.read(name), b"kept")
+            os.remove(host.path(name))
+
+    def take_all():
+        for i in range(1000):
+            os.symlink("nothing", f"glint-{os.getpid()}-{i}.part")
+
+    run = host.run("render", "torus:8x8", *SMALL, "-o", "out.png", before=take_all)
+    host.equal("all names are taken", (run.returncode, run.stderr),
+               (2, "out.png:0: cannot be written: File exists\n"))
+    left = [name for name in host.files() if name.endswith(".part")]
+    host.check("links to nothing stay", len(left) == 1000 and all(os.path.islink(host.path(name)) for name in left))
+    for name in left:
+        os.remove(host.path(name))
+
+    host.write("other", "kept")
+    os.symlink("other", host.path("out.png.part"))
+    host.equal("beside a link", host.run("render", "torus:8x8", *SMALL, "-o", "out.png").returncode, 0)
+    host.equal("a link named so", (os.readlink(host.path("out.png.part")), host.read("other")), ("other", b"kept"))
+    for name in ("out.png", "out.png.part", "other"):
+        os.remove(host.path(name))
+
+
+def test_signals(host):
+    """In the middle of writing: the older file stays, nothing is left, the status is the signal's."""
+    files = host.files()
+    with Interrupted(host) as interrupted:
+        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGQUIT, signal.SIGPIPE, signal.SIGXCPU):
+            for older in (None, "older"):
+                if older:
+                    host.write("out.png", older)
+                run = host.run("render", "torus:8x8", *SMALL, "-o", "out.png", env=interrupted.by(number), before=no_core)
+                host.equal(f"{number.name}: status", run.returncode, -number)
+                host.equal(f"{number.name}: files", host.files(), sorted([*files, "out.png"]) if older else files)
+                if older:
+                    host.equal(f"{number.name}: older file", host.read("out.png"), b"older")
+                    os.remove(host.path("out.png"))
+        run = host.run("render", "torus:8x8", *SMALL, "-o", "out.png", env=interrupted.by(signal.SIGHUP),
+                       before=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        host.equal("an ignored signal is ignored", run.returncode, 0)
+        host.equal("its picture", host.read("out.png"), host.render_bytes("torus:8x8", *SMALL, to="other.png"))
+        os.remove(host.path("out.png"))
+
+    def small_files_only():
+        no_core()
+        resource.setrlimit(resource.RLIMIT_FSIZE, (1024, 1024))
+
+    host.write("out.png", "older")
+    run = host.run("render", "torus:24x12", "-o", "out.png", before=small_files_only)
+    host.equal("a file beyond the limit", (run.returncode, host.files(), host.read("out.png")),
+               (-signal.SIGXFSZ, sorted([*files, "out.png"]), b"older"))
+    os.remove(host.path("out.png"))
+
+
+def test_writers_of_one_file(host):
+    pictures = [host.render_bytes(f"torus:{4 + i}x8", *SMALL) for i in range(6)]
+    files = sorted([*host.files(), "out.png"])
+    with Interrupted(host) as interrupted:
+        host.write("out.png", "older")
+        with subprocess.Popen([host.program, "render", "torus:4x8", *SMALL, "-o", "out.png"], cwd=host.folder.name,
+                              env={**os.environ, **interrupted.by(signal.SIGSTOP)}) as slow:
+            os.waitpid(slow.pid, os.WUNTRACED)
+            host.equal("in the middle of writing", host.read("out.png"), b"older")
+            host.equal("a second writer", host.run("render", "torus:5x8", *SMALL, "-o", "out.png").returncode, 0)
+            host.equal("its picture", host.read("out.png"), pictures[1])
+            slow.send_signal(signal.SIGCONT)
+            host.equal("the first writer goes on", slow.wait(timeout=60), 0)
+        host.equal("its picture", host.read("out.png"), pictures[0])
+        host.equal("nothing beside it", host.files(), files)
+    for _ in range(10):
+        writers = [subprocess.Popen([host.program, "render", f"torus:{4 + i}x8", *SMALL, "-o", "out.png"],
+                                    cwd=host.folder.name) for i in range(6)]
+        host.equal("writers at once", [writer.wait(timeout=60) for writer in writers], [0] * 6)
+        host.check("the picture of one of them", host.read("out.png") in pictures)
+    host.equal("nothing beside it", host.files(), files)
+    os.remove(host.path("out.png"))
+
+
+def mode_of(host, name):
+    return os.stat(host.path(name)).st_mode & 0o777
+
+
+def test_permissions(host):
+    for mask, mode in ((0o022, 0o644), (0o077, 0o600), (0o002, 0o664)):
+        host.run("render", "torus:8x8", *SMALL, "-o", "out.png", before=lambda mask=mask: os.umask(mask))
+        host.equal(f"umask {mask:03o}", mode_of(host, "out.png"), mode)
+        os.remove(host.path("out.png"))
+    for mode in (0o600, 0o666, 0o640):
+        host.write("out.png", "older")
+        os.chmod(host.path("out.png"), mode)
+        host.run("render", "torus:8x8", *SMALL, "-o", "out.png")
+        host.equal(f"the older file's {mode:03o}", (mode_of(host, "out.png"), host.read("out.png")[1:4]), (mode, b"PNG"))
+        os.remove(host.path("out.png"))
+
+
+def test_links(host):
+    """A link stays and its file is replaced, as whole as any; links to nothing are refused."""
+    wanted = host.render_bytes("torus:8x8", *SMALL)
+    os.mkdir(host.path("folder"))
+    host.write("folder/real.png", "older")
+    os.link(host.path("folder/real.png"), host.path("same.png"))
+    os.symlink("folder/real.png", host.path("near.png"))
+    os.symlink(host.path("near.png"), host.path("far.png"))
+    host.equal("through two links", host.run("render", "torus:8x8", *SMALL, "-o", "far.png").returncode, 0)
+    host.equal("the links stay", (os.readlink(host.path("far.png")), os.readlink(host.path("near.png"))),
+               (host.path("near.png"), "folder/real.png"))
+    host.equal("their file is replaced", host.read("folder/real.png"), wanted)
+    host.equal("another name of the older file keeps it", host.read("same.png"), b"older")
+    host.equal("nothing beside it", os.listdir(host.path("folder")), ["real.png"])
+    os.symlink("folder/none.png", host.path("nothing.png"))
+    os.symlink("round.png", host.path("round.png"))
+    for name in ("nothing.png", "round.png"):
+        host.refuses(f"{name} as output", ["render", "torus:8x8", *SMALL, "-o", name],
+                     rf"{name}:0: cannot be written: it is a link to nothing")
+    host.refuses("a folder as output", ["render", "torus:8x8", *SMALL, "-o", "folder"],
+                 r"folder:0: cannot be written: Is a directory")
+    for name in ("nothing.png", "round.png", "near.png", "far.png", "same.png"):
+        os.remove(host.path(name))
+    shutil.rmtree(host.path("folder"))
+
+
+def test_what_is_no_regular_file(host):
+    """Devices, pipes and the standard output take what is written."""
+    wanted = host.render_bytes("torus:8x8", *SMALL)
+    arguments = [host.program, "render", "torus:8x8", *SMALL, "-o"]
+    run = subprocess.run([*arguments, "/dev/stdout"], capture_output=True, check=False)
+    host.equal("/dev/stdout, a pipe", (run.returncode, run.stdout), (0, wanted))
+    with open(host.path("to.png"), "w+b") as file:
+        host.equal("/dev/stdout, a file", subprocess.run([*arguments, "/dev/stdout"], stdout=file, check=False).returncode, 0)
+        file.seek(0)
+        host.equal("what the file holds", file.read(), wanted)
+    os.remove(host.path("to.png"))
+    os.mkfifo(host.path("pipe"))
+    got = []
+
+    def read():
+        with open(host.path("pipe"), "rb") as file:
+            got.append(file.read())
+
+    reader = threading.Thread(target=read)
+    reader.start()
+    host.equal("a named pipe", subprocess.run([*arguments, host.path("pipe")], check=False, timeout=60).returncode, 0)
+    reader.join(60)
+    host.equal("what it passed", got, [wanted])
+    os.remove(host.path("pipe"))
+
+
+def test_output_is_not_the_model(host):
+    host.write("model.obj", SQUARE)
+    os.link(host.path("model.obj"), host.path("hard.obj"))
+    os.symlink("model.obj", host.path("soft.obj"))
+    names = ["model.obj", "./model.obj", host.path("model.obj"), "hard.obj", "soft.obj"]
+    for command in ("render", "convert"):
+        for model in ("model.obj", "soft.obj"):
+            for name in names:
+                host.refuses(f"{command} {model} -o {name}", [command, model, "-o", name],
+                             rf".*\.obj:0: cannot be written: it is the model")
+                host.equal("the model stays", (host.read("model.obj"), os.path.islink(host.path("soft.obj"))),
+                           (SQUARE.encode(), True))
+    for name in ("model.obj", "hard.obj", "soft.obj"):
+        os.remove(host.path(name))
+    shutil.copytree(MODELS, host.path("models"))
+    before = host.read("models/spot.obj")
+    host.refuses("demo -o one of its models", ["demo", "--models", "models", "-o", "models/spot.obj"],
+                 r"models/spot\.obj:0: cannot be written: it is the model")
+    host.equal("the model stays", host.read("models/spot.obj"), before)
+    shutil.rmtree(host.path("models"))
+    for _ in range(2):
+        host.equal("a file named as a shape is not the shape",
+                   host.run("render", "torus:8x8", *SMALL, "-o", "torus:8x8").returncode, 0)
+    os.remove(host.path("torus:8x8"))
