@@ -27,6 +27,7 @@
     CASE(unlit_white_square_fills_the_screen) \
     CASE(nearer_object_hides_the_farther)     \
     CASE(light_on_a_facing_square)            \
+    CASE(light_from_behind_has_no_highlight)  \
     CASE(light_at_no_distance_adds_nothing)   \
     CASE(light_at_the_only_pixel_is_left_out) \
     CASE(longest_normals_are_made_unit)       \
