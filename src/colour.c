@@ -11,7 +11,7 @@ void glint_resolve_colour(const glint_frame *frame, const glint_fragments *fragm
      * The planes hold colour times w 2^-16; both are brought to 16 bits, which spares 64-bit products. What is cut off
      * is rounded up, so that white stays white; 0 stays 0.
      */
-    const uint32_t w = ((uint32_t)fragments->inverse_w[i] | 1) << fragments->scale;
+    const uint32_t w = (uint32_t)glint_most(fragments->inverse_w[i], 1) << fragments->scale;
     const unsigned zeros = glint_leading_zeros(w);
     const uint32_t reciprocal = 0x80000000u / ((w << zeros) >> 16) + 1; /* 2^15 + 1 to 2^16 + 1 */
     for (int c = 0; c < 3; c++) {

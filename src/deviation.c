@@ -14,6 +14,9 @@
 /* N.L, Q14, at which rounding cannot light what faces away. */
 #define UNLIT (-8)
 
+/* 1/w from which on no rounding takes its plane below 0, whatever it is at the other corners. */
+#define NOT_DEEP (1 << 21)
+
 /* ---- Vertices ---- */
 
 int glint_deviation_half_vector(const glint_deviation *deviation, int32_t x, int32_t y, int16_t half_vector[3],
@@ -91,7 +94,8 @@ static inline int32_t find_cosine(const int32_t light[3], const int16_t normal[3
 /* Finds a vertex's terms: N.L, Q14, and its scaled deviation. @return flags */
 static inline uint32_t light_vertex(const glint_deviation *deviation, const glint_vertex *vertex, int16_t terms[3]) {
     const int32_t cosine = glint_shift_right(find_cosine(deviation->long_light, vertex->attribute), 16);
-    const uint32_t flags = cosine >= LIT ? 0 : cosine > UNLIT ? GLINT_TERMS_DIM : GLINT_TERMS_DIM | GLINT_TERMS_DARK;
+    const uint32_t dark = cosine <= UNLIT && vertex->inverse_w >= NOT_DEEP ? GLINT_TERMS_DARK : 0;
+    const uint32_t flags = cosine >= LIT ? 0 : GLINT_TERMS_DIM | dark;
     terms[0] = (int16_t)(cosine > GLINT_UNIT / 2 ? GLINT_UNIT / 2 : cosine);
     if (deviation->local_viewer) {
         int16_t half_vector[3];

@@ -289,7 +289,9 @@ static void prepare_rays(glint_deviation *deviation, const glint_frame *frame) {
 }
 
 static void prepare_highlight(glint_deviation *deviation, const glint_shading *shading) {
-    const uint32_t cut = find_cut(shading), entries = specular_entries(shading, cut);
+    const int16_t *h = deviation->half_vector;
+    const int has_half_vector = deviation->local_viewer || (h[0] | h[1] | h[2]);
+    const uint32_t cut = has_half_vector ? find_cut(shading) : 0, entries = specular_entries(shading, cut);
     deviation->sine_square_end = cut;
     deviation->specular_end = entries << 15;
     if (!cut) {

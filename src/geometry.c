@@ -20,8 +20,10 @@ static inline void project(const glint_transform *transform, int32_t x, int32_t 
     y = glint_scale(y, inverse) + transform->center_y;
     vertex->x = (int16_t)glint_shift_right(x, 11);
     vertex->y = (int16_t)glint_shift_right(y, 11);
-    /* The nearest surface ends up just below the top, so that a plane's rounding cannot pass it. */
-    vertex->inverse_w = depth < 0x7fff0000 >> 6 ? depth * 64 : 0x7fff0000;
+    /* The nearest surface ends up just below the top, so that a plane's rounding cannot pass it; the farthest one step
+     * above 0, so that 1/w can be divided by. */
+    depth = glint_least(depth, 0x7fff0000 >> 6);
+    vertex->inverse_w = glint_most(depth, 1) * 64;
 }
 
 void glint_project(const glint_transform *transform, const glint_position *position, glint_vertex *vertex) {

@@ -29,6 +29,9 @@
 /* The change of 1/w is below this, Q15. */
 #define MOST_CHANGE 4096
 
+/* Leading zeros that the largest 1/w has at most: planes of less may fall below 0, by a step for each pixel. */
+#define DEEP_ZEROS 14
+
 /* Bulges of a deviation are below this. */
 #define MOST_BULGE 8192
 
@@ -165,7 +168,9 @@ static int find_edges(const glint_triangle *triangle, edge e[3], int32_t *turn, 
     const glint_vertex *const *v = triangle->corners;
     const int16_t *a = v[0]->attribute, *b = v[1]->attribute, *c = v[2]->attribute;
     uint32_t w0 = (uint32_t)v[0]->inverse_w, w1 = (uint32_t)v[1]->inverse_w, w2 = (uint32_t)v[2]->inverse_w;
-    const unsigned zeros = glint_leading_zeros(w0 | w1 | w2 | 1);
+    const unsigned zeros = glint_leading_zeros(w0 | w1 | w2);
+    if (zeros > DEEP_ZEROS)
+        return 0;
     w0 = w0 << zeros >> 16, w1 = w1 << zeros >> 16, w2 = w2 << zeros >> 16;
     const int32_t largest = glint_most_of((int32_t)w0, (int32_t)w1, (int32_t)w2);
     const uint32_t reciprocal = (uint32_t)glint_reciprocal16((uint32_t)largest) - 1;

@@ -2,10 +2,10 @@
 /* Kernel: from the spans of a triangle to pixels: the one for everything. */
 #include "setup.h"
 
-/* 1/w of the corners, the largest in 2^30 .. 2^31; @return the shift that took. */
+/* 1/w of the corners, none 0, the largest in 2^30 .. 2^31; @return the shift that took. */
 static unsigned scale_inverse_w(const glint_vertex *const v[3], uint32_t w[3]) {
     unsigned up =
-        glint_leading_zeros((uint32_t)v[0]->inverse_w | (uint32_t)v[1]->inverse_w | (uint32_t)v[2]->inverse_w | 1) - 1;
+        glint_leading_zeros((uint32_t)v[0]->inverse_w | (uint32_t)v[1]->inverse_w | (uint32_t)v[2]->inverse_w) - 1;
     for (int i = 0; i < 3; i++)
         w[i] = (uint32_t)v[i]->inverse_w << up;
     return up;
@@ -56,12 +56,13 @@ static void gather(const glint_frame *frame, glint_workspace *workspace, const g
                    uint32_t end, int32_t inverse_w, int32_t slope) {
     glint_fragments *fragments = workspace->fragments;
     for (; offset < end; offset++) {
-        int32_t depth = depth_of(inverse_w);
+        const int32_t here = glint_most(inverse_w, 0); /* rounding may take the plane of a deep triangle below */
+        int32_t depth = depth_of(here);
         if (depth > workspace->depth[offset]) {
             workspace->depth[offset] = (uint16_t)depth;
             uint32_t i = fragments->count++;
             fragments->offset[i] = (uint16_t)offset;
-            fragments->inverse_w[i] = inverse_w;
+            fragments->inverse_w[i] = here;
             if (i == GLINT_FRAGMENTS_MAX - 1)
                 glint_shade(frame, workspace, draw);
         }

@@ -14,7 +14,8 @@
  * | unit vector | camera | int16, 1 = GLINT_UNIT | length 32764 +-2.3 | glint_unit |
  * | normal of a vertex | camera | int16, 1 = GLINT_UNIT | length 32752 to 32768 | geometry.c |
  * | screen x, y | screen | int16 28.4 | strictly within +-1023 px of the centre | clip.c |
- * | 1/w | screen | int32 Q31 of the frame's nearest | 0 to 2^31 - 2^16 | geometry.c |
+ * | 1/w of a vertex | screen | int32 Q31 of the frame's nearest | 2^6 to 2^31 - 2^16 | geometry.c |
+ * | 1/w of a fragment | screen | int32 Q31 of the frame's nearest | 0 to 2^31 - 1 | kernel.c |
  * | depth | screen | uint16, (1/w >> 15) + 1 | 1 to 65535, 0 is empty | kernel.c |
  * | normal or colour over w | screen | int32, scaled per triangle | +-2^30 | kernel.c |
  * | colour of a vertex or facet | | int16, 1 = 32767 | 0 to 32767 | glint_clamp_colour |

@@ -37,6 +37,7 @@ static void any_served(void) {
     shading.spare = ANY_UNSIGNED(0, 16u << 12);
     shading.deviation = &deviation;
     deviation.local_viewer = (uint8_t)ANY(0, 1);
+    any_unit(deviation.half_vector);
     deviation.specular_end = ANY_UNSIGNED(0, 1024) << 15;
 }
 

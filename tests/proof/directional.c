@@ -5,12 +5,14 @@
 #include "../../src/directional.c"
 #include "ranges.h"
 
-/* Any direction, any camera. @contract glint_direction_to_camera glint_unit */
+/* Any direction, any camera; H never points away from the eye. @contract glint_direction_to_camera glint_unit */
 PROOF(directional_prepare) {
     glint_view view;
     glint_light light;
     glint_prepared_light prepared;
     any_view(&view);
     light.vector = (glint_vector){ANY_INT, ANY_INT, ANY_INT};
-    prepare(&light, &prepared, &view);
+    if (prepare(&light, &prepared, &view) == GLINT_OK) {
+        /*@ assert prepared.half_vector[2] >= 0; */
+    }
 }

@@ -20,7 +20,7 @@ static inline glint_position to_clip_space(const glint_transform *transform, con
     assigns vertex->x, vertex->y, vertex->inverse_w \from *transform, x, y, w;
     ensures \initialized(&vertex->x) && \initialized(&vertex->y) && \initialized(&vertex->inverse_w);
     ensures -29000 <= vertex->x <= 29000 && -29000 <= vertex->y <= 29000;
-    ensures 0 <= vertex->inverse_w <= 0x7fff0000; */
+    ensures 64 <= vertex->inverse_w <= 0x7fff0000; */
 static inline void project(const glint_transform *transform, int32_t x, int32_t y, int32_t w, glint_vertex *vertex);
 
 /*@ requires \valid_read(transform) && count <= 2 && \valid(vertex + (0 .. 1));

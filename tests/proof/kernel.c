@@ -14,7 +14,7 @@
 /*
  * Corners of any attributes, 1/w by the bits of the largest, first or last; lit and not, from both sides.
  * @contract glint_plane_begin
- * @unreached 1 leading zeros of 0
+ * @unreached 2 leading zeros of 0 and 1
  */
 PROOF(begin) {
     static const glint_evaluation kinds[4] = {{3, 0, 0, 0, 0}, {3, 1, 0, 0, 0}, {0, 1, 0, 0, 0}, {3, 1, 0, 0, 0}};
@@ -35,12 +35,12 @@ PROOF(begin) {
         any_unit(corners[i].attribute);
         any_unit(extra[i]);
     }
-    FOR_PARTS(bits, 0, 31) {
+    FOR_PARTS(bits, 7, 31) {
         FOR_PARTS(kind, 0, 7) {
             const int32_t most = (int32_t)((1u << bits) - 1), least = (int32_t)((1u << bits) / 2);
-            corners[0].inverse_w = ANY(kind & 1 ? least : 0, most);
-            corners[1].inverse_w = ANY(0, most);
-            corners[2].inverse_w = ANY(kind & 1 ? 0 : least, most);
+            corners[0].inverse_w = ANY(kind & 1 ? least : 64, most);
+            corners[1].inverse_w = ANY(64, most);
+            corners[2].inverse_w = ANY(kind & 1 ? 64 : least, most);
             draw.evaluation = &kinds[kind >> 1];
             draw.extra = kind >> 1 == 1 ? 0 : extra;
             draw.double_sided = (uint8_t)(kind >> 1 == 3);

@@ -210,7 +210,8 @@ static void place_light(glint_deviation *deviation, const int16_t normal[3]) {
     default:
         random_unit(nowhere, 32767, deviation->light);
     }
-    glint_unit(deviation->light[0], deviation->light[1], deviation->light[2] + GLINT_UNIT, deviation->half_vector);
+    glint_unit(deviation->light[0], deviation->light[1], glint_most(deviation->light[2] + GLINT_UNIT, 0),
+               deviation->half_vector);
     for (int c = 0; c < 3; c++)
         deviation->long_light[c] = deviation->light[c] + glint_shift_right(deviation->light[c] + (1 << 12), 13);
 }

@@ -168,6 +168,11 @@ static int is_rounded(const views *all, int x, int y) {
     return largest.light * 1.5 / 16 > 0.25 || here->nearest - here->second < largest.inverse_w * 1.5 / 16;
 }
 
+/* Does 1/w have too few bits there? */
+static int is_far(const views *all, const reference_pixel *wanted) {
+    return wanted->nearest * all->geometry.depth_scale * CONTRACT_FAR < 65536;
+}
+
 static void judge_distance(const views *all, int x, int y, double bound, int is_excused, contract_result *result) {
     const reference_pixel *wanted = &all->light.pixels[(size_t)y * (size_t)all->width + (size_t)x];
     double worst = 0;
@@ -206,7 +211,7 @@ static void judge_pixel(const views *all, int x, int y, contract_result *result)
     double place[3];
     find_place(all, x, y, wanted->nearest, place);
     judge_distance(all, x, y, bound,
-                   (is_per_fragment(object) && normal_length(all, at) < CONTRACT_SHORT) ||
+                   is_far(all, wanted) || (is_per_fragment(object) && normal_length(all, at) < CONTRACT_SHORT) ||
                        is_ill_lit(all, object, place) || (all->clips && is_rounded(all, x, y)),
                    result);
 }

@@ -16,6 +16,7 @@
  * - narrow: within the soft edge of a spot whose inner and outer cosines are less than 1/64 apart. The cosine of two
  * unit vectors of 15 bits is known to about 2^-14, which there is more than 1.5 steps of 256. Surfaces lit per vertex
  * or facet count as within wherever they are seen.
+ * - far: more than 2^12 times as far as the frame's nearest geometry. 1/w has 13 bits there, and fewer beyond.
  * - rounded: in a scene with a clipped object, where 1.5/16 of a pixel changes the light by over a quarter of a step,
  * or 1/w by more than two surfaces are apart. Library and reference cut on their own and round the cut corners, so that
  * their snapped vertices are not the same.
@@ -32,9 +33,12 @@
 /** Difference of cosines below which a spot's edge counts as narrow. */
 #define CONTRACT_NARROW (1.0 / 64)
 
+/** Depth over that of the frame's nearest geometry from which on a surface counts as far. */
+#define CONTRACT_FAR 4096
+
 typedef struct contract_result {
     judgement found;    /**< Its worst and its counts over bounds are those of the pixels that count. */
-    long excused;       /**< Pixels over a bound that were left out as short, narrow or rounded. */
+    long excused;       /**< Pixels over a bound that were left out as short, narrow, far or rounded. */
     double worst_share; /**< Largest distance from the unrounded reference over the pixel's bound. */
     double bound;       /**< That pixel's. */
     int worst_x, worst_y;

@@ -492,6 +492,52 @@ static void make_odd_screen(random_scene *s, source *random) {
         s->height = 1 + (int)below(random, 9);
 }
 
+/* Depths that 16 fractional bits and a range of 2^17 leave: from 2^-16 to near 2^17. */
+#define LEAST_DEPTH (1.0 / 65536)
+#define MOST_DEPTH 125000.0
+
+/* Makes a mesh `size` times as large and moves it aside and straight ahead, in object space: poses move by 2^15 only.
+ */
+static void resize(glint_mesh *mesh, double size, double aside, double ahead) {
+    mesh->extent.x = q16(mesh->extent.x / 65536.0 * size) + 1;
+    mesh->extent.y = q16(mesh->extent.y / 65536.0 * size) + 1;
+    mesh->extent.z = q16(mesh->extent.z / 65536.0 * size) + 1;
+    mesh->offset = vector(aside, 0, -ahead);
+}
+
+/* Puts an object before the eye, as large on the screen at any distance. */
+static void place_far(random_scene *s, uint32_t object, double distance, source *random) {
+    const double size = distance / (1.5 + between(random, 0.6, 2) / half_view(s));
+    const double aside = between(random, 0.2, 0.8) * distance * half_view(s);
+    const double up = distance > 20000 ? 8 : 1; /* an offset goes to 2^15, a place to 2^17 */
+    glint_pose *pose = &s->objects[object].pose;
+    *pose = glint_pose_rotate_z(q16(between(random, 0, 360)));
+    scale_columns(pose, up, up, up);
+    resize(&s->meshes[object].mesh, size / up, aside / up, distance / up);
+}
+
+/*
+ * The first object near the near plane, and the others up to 2^33 times as far as that plane. Or a single one around
+ * the eye, up to 2^20 times as far: beyond, what is cut at the near plane leaves the reference's range.
+ */
+static void make_far(random_scene *s, source *random) {
+    const double ratio = across(random, 256, MOST_DEPTH / LEAST_DEPTH);
+    const double near_plane = across(random, LEAST_DEPTH, MOST_DEPTH / ratio);
+    const double far = ratio * near_plane;
+    s->scene.camera.near_plane = q16(near_plane);
+    if (one_in(random, 2) && ratio < 1 << 20 && far < 20000) {
+        s->scene.object_count = 1;
+        s->meshes[0].mesh.flags = GLINT_MESH_DOUBLE_SIDED;
+        s->objects[0].pose = random_turn(random);
+        resize(&s->meshes[0].mesh, far, 0, 0);
+        return;
+    }
+    s->scene.object_count = 2 + below(random, 2);
+    place_far(s, 0, (10 + 2 / half_view(s)) * near_plane, random);
+    for (uint32_t i = 1; i < s->scene.object_count; i++)
+        place_far(s, i, far * across(random, 0.1, 1), random);
+}
+
 typedef struct region_maker {
     void (*make)(random_scene *s, source *random);
     int weights_left; /* not limited afterwards */
@@ -516,6 +562,7 @@ const random_region random_regions[] = {
     {"lights from behind", 1},
     {"crossing objects", 1},
     {"odd screens", 1},
+    {"depth ratios to 2^33", 1},
 };
 const unsigned random_region_count = sizeof random_regions / sizeof random_regions[0];
 
@@ -538,6 +585,7 @@ static const region_maker makers[] = {
     {make_opposed_lights, 0},
     {make_crowd, 0},
     {make_odd_screen, 0},
+    {make_far, 0},
 };
 
 /* ---- Scene --------------------------------------------------------------------------------------------------- */
@@ -603,11 +651,11 @@ static void to_world(random_scene *s) {
     }
 }
 
-void random_scene_make(random_scene *s, uint64_t seed) {
+void random_scene_make_in(random_scene *s, unsigned region, uint64_t seed) {
     source random = {seed};
     memset(s, 0, sizeof *s);
     s->seed = seed;
-    s->region = (unsigned)(seed % random_region_count);
+    s->region = region;
     make_camera(s, &random);
     make_screen(s, &random);
     s->scene.objects = s->objects;
@@ -629,6 +677,10 @@ void random_scene_make(random_scene *s, uint64_t seed) {
             random_colours(&s->meshes[i], &random);
     }
     to_world(s);
+}
+
+void random_scene_make(random_scene *s, uint64_t seed) {
+    random_scene_make_in(s, (unsigned)(seed % random_region_count), seed);
 }
 
 /* Adds numbers of `each` bytes. */

@@ -258,6 +258,31 @@ void light_on_a_facing_square(void) {
     CHECK_AT_MOST(worst_difference(f, unlit), 1);
 }
 
+/*
+ * Normals away from the eye, towards a light that is straight behind: there is no half vector, and so no highlight,
+ * whatever rounding makes of L + V. By fast lighting, and by the general path.
+ */
+void light_from_behind_has_no_highlight(void) {
+    static const int16_t normals[4][3] = {{0, -32767, 0}, {0, -32767, 0}, {0, -32767, 0}, {0, -32767, 0}};
+    static const glint_format *const formats[2] = {&glint_format_rgb565, &glint_format_rgb888};
+    for (int which = 0; which < 2; which++) {
+        for (int32_t z = 1 << 14; z < 1 << 15; z += 777) {
+            fixture *f = begin_square();
+            f->config.format = formats[which];
+            f->floor.normals = normals;
+            f->floor.flags = 0;
+            f->scene.viewer = GLINT_VIEWER_INFINITE;
+            f->lights[0].vector.x = f->lights[0].vector.y = 0;
+            f->lights[0].vector.z = -z;
+            CHECK_EQUAL(fixture_render(f), GLINT_OK);
+            const uint32_t with = fixture_checksum(f);
+            f->lights[0].specular.r = f->lights[0].specular.g = f->lights[0].specular.b = 0;
+            CHECK_EQUAL(fixture_render(f), GLINT_OK);
+            CHECK_EQUAL(with, fixture_checksum(f));
+        }
+    }
+}
+
 /* A triangle around (0, 0, -depth), lit at its centroid, without gate and with p = 0: any light would be seen. */
 static int red_of_facet(int depth, int light_above) {
     static const int16_t positions[3][3] = {{-30000, 0, 15000}, {30000, 0, 15000}, {0, 0, -30000}};

@@ -28,7 +28,11 @@
     CASE(unlit_white_square_fills_the_screen) \
     CASE(nearer_object_hides_the_farther)     \
     CASE(light_on_a_facing_square)            \
+    CASE(light_from_behind_has_no_highlight)  \
     CASE(light_at_no_distance_adds_nothing)   \
+    CASE(torus_far_around_the_eye_is_drawn)   \
+    CASE(farthest_surfaces_are_lit)           \
+    CASE(farthest_row_is_drawn)               \
     CASE(light_at_the_only_pixel_is_left_out) \
     CASE(longest_normals_are_made_unit)       \
     CASE(mirrored_light_is_at_full_strength)  \
