@@ -69,8 +69,11 @@ static int serves_some(const glint_frame *frame, const glint_shading *shading) {
     return 0;
 }
 
+/* Bytes of the diffuse tables. */
+#define DIFFUSE_BYTES (GLINT_DIFFUSE_ENTRIES * (sizeof(uint32_t) + sizeof(uint16_t)))
+
 static size_t tables_size(uint32_t specular) {
-    return GLINT_ALIGNED(GLINT_DIFFUSE_ENTRIES * (sizeof(uint32_t) + sizeof(uint16_t)) + specular * sizeof(uint32_t));
+    return GLINT_ALIGNED(DIFFUSE_BYTES + specular * sizeof(uint32_t));
 }
 
 void glint_deviation_need(const glint_frame *frame, const glint_shading *shading, size_t *least, size_t *tables) {
@@ -186,12 +189,15 @@ static void fill_specular(const glint_shading *shading, uint32_t *words, uint32_
     }
 }
 
-/* The tables, if they leave as much room as they take; nothing is to be done where the last frame left them, `kept`. */
-static void make_tables(glint_memory *memory, glint_deviation *deviation, const glint_shading *shading,
-                        const uint32_t *kept) {
-    const uint32_t entries = deviation->specular_end >> 15;
+/* What tables leave is enough to draw any scene. */
+typedef char tables_leave_room[DIFFUSE_BYTES >= GLINT_LEAST_ROOM ? 1 : -1];
+
+/* The tables, if they leave as much room as they take; nothing is to be done where the last frame left them. */
+static void make_tables(glint_memory *memory, glint_deviation *deviation, const glint_shading *shading) {
+    const uint32_t entries = deviation->specular_end >> 15, *const kept = deviation->diffuse;
     const size_t size = tables_size(entries);
     ramp r;
+    deviation->diffuse = 0;
     if (memory->high - GLINT_ALIGNED(memory->low) < 2 * size)
         return;
     uint32_t *const specular = glint_take(memory, size), *const diffuse = specular + entries;
@@ -316,25 +322,33 @@ static void prepare_ambient(glint_deviation *deviation, const glint_shading *sha
     deviation->ambient = (uint16_t)glint_spread_pack(spread(level));
 }
 
-glint_status glint_deviation_prepare(glint_frame *frame) {
-    for (uint32_t i = 0; i < frame->shading_count; i++) {
-        glint_shading *shading = (glint_shading *)frame->shading + i;
-        const glint_deviation *last = shading->changed ? 0 : shading->deviation;
-        shading->deviation = 0;
-        if (!serves_some(frame, shading))
-            continue;
-        glint_deviation *deviation = glint_take(&frame->memory, sizeof *deviation);
-        if (!deviation)
-            return GLINT_ERROR_ARENA;
-        const uint32_t *kept = last == deviation ? last->diffuse : 0;
-        *deviation = (glint_deviation){0};
-        shading->deviation = deviation;
-        prepare_rays(deviation, frame);
-        prepare_ambient(deviation, shading);
-        prepare_highlight(deviation, shading);
-        find_limits(frame, deviation, shading);
-        glint_quadratic_prepare(deviation, shading);
-        make_tables(&frame->memory, deviation, shading, kept);
-    }
+/* All but the tables; `diffuse` tells where the last frame left those. */
+static glint_status prepare(glint_frame *frame, glint_shading *shading) {
+    const glint_deviation *last = shading->changed ? 0 : shading->deviation;
+    shading->deviation = 0;
+    if (!serves_some(frame, shading))
+        return GLINT_OK;
+    glint_deviation *deviation = glint_take(&frame->memory, sizeof *deviation);
+    if (!deviation)
+        return GLINT_ERROR_ARENA;
+    *deviation = (glint_deviation){.diffuse = last == deviation ? last->diffuse : 0};
+    shading->deviation = deviation;
+    prepare_rays(deviation, frame);
+    prepare_ambient(deviation, shading);
+    prepare_highlight(deviation, shading);
+    find_limits(frame, deviation, shading);
+    glint_quadratic_prepare(deviation, shading);
     return GLINT_OK;
+}
+
+glint_status glint_deviation_prepare(glint_frame *frame) {
+    glint_shading *const shadings = (glint_shading *)frame->shading;
+    glint_status status = GLINT_OK;
+    for (uint32_t i = 0; i < frame->shading_count && status == GLINT_OK; i++)
+        status = prepare(frame, &shadings[i]);
+    /* tables may take what is left once every material has what it must have */
+    for (uint32_t i = 0; i < frame->shading_count && status == GLINT_OK; i++)
+        if (shadings[i].deviation)
+            make_tables(&frame->memory, (glint_deviation *)shadings[i].deviation, &shadings[i]);
+    return status;
 }

@@ -154,11 +154,12 @@ PROOF(make_tables) {
         memory.base = (uint8_t *)room;
         memory.low = 0;
         memory.high = 2 * (sizeof room - (1024 - ENTRIES(level)) * sizeof *room);
-        make_tables(&memory, &deviation, &shading, 0);
+        deviation.diffuse = 0;
+        make_tables(&memory, &deviation, &shading);
         memory.low = 0;
-        make_tables(&memory, &deviation, &shading, deviation.diffuse);
+        make_tables(&memory, &deviation, &shading); /* where they are */
         memory.low = 0;
         memory.high -= 8;
-        make_tables(&memory, &deviation, &shading, 0);
+        make_tables(&memory, &deviation, &shading);
     }
 }
