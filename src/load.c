@@ -5,13 +5,6 @@
  */
 #include "frame.h"
 
-static const glint_shading *find_shading(const glint_frame *frame, const glint_material *material) {
-    const glint_shading *shading = frame->shading;
-    while (shading->material != material)
-        shading++;
-    return shading;
-}
-
 static const glint_evaluation *evaluation_of(const glint_object *object) {
     return object->evaluation ? object->evaluation : &glint_per_fragment;
 }
@@ -73,7 +66,7 @@ static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_tr
         draw->light = frame->config.format->fast->light;
         draw->kernel = frame->config.format->fast->draw;
     }
-    draw->shading = find_shading(frame, object->material);
+    draw->shading = glint_shading_of(frame, object->material);
     draw->object = frame->object;
     draw->first_triangle = frame->triangle;
     draw->first = last ? (uint16_t)(last->first + last->count) : 0;

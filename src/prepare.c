@@ -217,7 +217,7 @@ static void renew_colour(glint_shading *shading, uint32_t number[3], const uint3
  */
 static int32_t weigh_lights(const glint_scene *scene, glint_shading *shading, int32_t spare) {
     const glint_material *material = shading->material;
-    uint32_t lights = 0, has_specular = 0, weight[2][3] = {{0}};
+    uint32_t lights = 0, has_specular = 0, shown = 0, weight[2][3] = {{0}};
     int32_t largest = 0;
     for (uint32_t i = 0; i < scene->light_count; i++) {
         const glint_light *light = &scene->lights[i];
@@ -238,10 +238,11 @@ static int32_t weigh_lights(const glint_scene *scene, glint_shading *shading, in
             }
         }
         lights |= 1u << i;
+        shown++;
     }
     renew(shading, &shading->lights, lights);
     renew(shading, &shading->has_specular, material->model->prepare ? has_specular : 0);
-    renew(shading, &shading->spare, scene->light_count ? (uint32_t)spare / scene->light_count : 0);
+    renew(shading, &shading->spare, shown ? (uint32_t)spare / shown : 0);
     return largest;
 }
 

@@ -27,7 +27,7 @@ static const glint_mesh pyramid = {
 /* Pyramids side by side, each of a material of its own. */
 typedef struct row {
     glint_scene scene;
-    glint_light light;
+    glint_light lights[2]; /* the second shows nowhere */
     glint_material materials[MATERIALS_MAX];
     glint_object objects[MATERIALS_MAX];
 } row;
@@ -60,10 +60,11 @@ static void per_vertex(row *r, uint32_t i) {
 static void build(row *r, uint32_t count, variant change) {
     const glint_colour white = {GLINT_ONE, GLINT_ONE, GLINT_ONE};
     *r = (row){.scene = {.camera = {glint_pose_identity(), 40 * GLINT_ONE, GLINT_ONE / 8}}};
-    r->light = (glint_light){&glint_light_directional, {GLINT_ONE, GLINT_ONE, GLINT_ONE}, white, white};
+    r->lights[0] = (glint_light){&glint_light_directional, {GLINT_ONE, GLINT_ONE, GLINT_ONE}, white, white};
+    r->lights[1] = (glint_light){.type = &glint_light_point};
     r->scene.ambient = white;
-    r->scene.lights = &r->light;
-    r->scene.light_count = 1;
+    r->scene.lights = r->lights;
+    r->scene.light_count = 2;
     r->scene.objects = r->objects;
     r->scene.object_count = count;
     for (uint32_t i = 0; i < count; i++) {
