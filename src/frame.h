@@ -212,6 +212,11 @@ struct glint_cull {
     const uint16_t *(*corners)(glint_walk *walk, const glint_mesh *mesh, uint32_t triangle);
 };
 
+/** What drops a mesh's clusters; null where it has none. */
+static inline const glint_cull *glint_cull_of(const glint_mesh *mesh) {
+    return mesh->clusters ? mesh->clusters->cull : 0;
+}
+
 /** A triangle made by clipping. */
 typedef struct glint_clipped {
     glint_vertex corners[3];

@@ -77,7 +77,7 @@ typedef enum glint_status {
     GLINT_ERROR_COLOUR = -8,       /**< A colour channel, or a light's times a material's, is not from 0 to 16. */
     GLINT_ERROR_SHININESS = -9,    /**< A shininess exponent is below 0. */
     GLINT_ERROR_MESH = -10,        /**< A mesh has no vertices, no triangles, more vertices than uint16 can index, an
-                                        extent below 0, or clusters that do not add up to it. */
+                                        extent below 0, or clusters that do not add up to it or are too many. */
     GLINT_ERROR_INDEX = -11,       /**< A triangle refers to a vertex that its mesh does not have. */
     GLINT_ERROR_POSE = -12,        /**< A pose is singular: it squashes the object flat. */
     GLINT_ERROR_RANGE = -13,       /**< An object is too far from the camera or too large for 32-bit coordinates. */
@@ -86,7 +86,8 @@ typedef enum glint_status {
     GLINT_ERROR_ATTENUATION = -16, /**< An attenuation coefficient is below 0. */
     GLINT_ERROR_CONE = -17,        /**< A spot's cone is wider inside than outside, below 0 or above 180 degrees. */
     GLINT_ERROR_GENERATOR = -18,   /**< A generator has too few divisions, a size not above 0, or too little room. */
-    GLINT_ERROR_BUDGET = -19       /**< An error budget is not from 0 to GLINT_BUDGET_MAX. */
+    GLINT_ERROR_BUDGET = -19,      /**< An error budget is not from 0 to GLINT_BUDGET_MAX. */
+    GLINT_ERROR_FLAGS = -20        /**< A mesh's or a material's flags have a bit that is not defined. */
 } glint_status;
 
 /** A sentence in English for a status; for a number that is no status, "unknown status". Never null. */

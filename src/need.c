@@ -44,7 +44,7 @@ static glint_status count_triangle(const glint_frame *frame, const glint_transfo
 
 static glint_status count_object(const glint_frame *frame, const glint_object *object, tally *sum) {
     const glint_mesh *mesh = object->mesh;
-    const glint_cull *cull = mesh->clusters ? mesh->clusters->cull : 0;
+    const glint_cull *cull = glint_cull_of(mesh);
     glint_transform transform;
     glint_walk walk;
     glint_status status = glint_transform_prepare(&transform, frame->view, &frame->config, object);

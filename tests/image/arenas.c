@@ -64,7 +64,7 @@ static void build(row *r, uint32_t count, variant change) {
     r->lights[1] = (glint_light){.type = &glint_light_point};
     r->scene.ambient = white;
     r->scene.lights = r->lights;
-    r->scene.light_count = 2;
+    r->scene.light_count = 1 + count % 2;
     r->scene.objects = r->objects;
     r->scene.object_count = count;
     for (uint32_t i = 0; i < count; i++) {
@@ -190,6 +190,27 @@ static void frames_begun_by_the_caller(void) {
     }
 }
 
+/* Clusters are numbered in 16 bits: one more is refused, though they add up to the mesh. */
+static void more_clusters_than_numbers(void) {
+    enum { MOST = 65536 };
+    static glint_cluster list[MOST + 1];
+    glint_clusters clusters = {&glint_cull_cones, list, NULL, MOST};
+    glint_mesh mesh = pyramid;
+    screen none;
+    row r;
+    glint_need need;
+    const glint_config config = config_of(&none);
+    build(&r, 1, lambert);
+    list[0] = (glint_cluster){.spread = 255, .height = -1, .triangles = 4, .vertices = 4};
+    mesh.clusters = &clusters;
+    r.objects[0].mesh = &mesh;
+    CHECK_EQUAL(glint_arena_need(&config, &r.scene, &need), GLINT_OK);
+    CHECK_EQUAL(draw(&r, need.best, 0, &none), GLINT_OK);
+    clusters.count = MOST + 1;
+    CHECK_EQUAL(glint_arena_need(&config, &r.scene, &need), GLINT_ERROR_MESH);
+    CHECK_EQUAL(draw(&r, need.best, 0, &none), GLINT_ERROR_MESH);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(matt_materials),
@@ -197,6 +218,7 @@ int test_main(test_writer write) {
         TEST_CASE(materials_of_all_models),
         TEST_CASE(objects_of_all_evaluations),
         TEST_CASE(frames_begun_by_the_caller),
+        TEST_CASE(more_clusters_than_numbers),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

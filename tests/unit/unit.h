@@ -12,6 +12,7 @@
     CASE(bad_cameras_are_refused)             \
     CASE(bad_lights_are_refused)              \
     CASE(bad_colours_are_refused)             \
+    CASE(unknown_flags_are_refused)           \
     CASE(bad_meshes_are_refused)              \
     CASE(bad_clusters_are_refused)            \
     CASE(clusters_that_face_away_are_dropped) \
