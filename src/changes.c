@@ -3,7 +3,11 @@
 #include "frame.h"
 
 /* Pixels of any format, four bytes at a time. */
+#if defined(__GNUC__)
 typedef uint32_t __attribute__((may_alias)) word;
+#else
+typedef uint32_t word;
+#endif
 
 /*
  * Two independent sums of 32 bits, each step of which is one to one, so that tiles that differ in a single word never
@@ -64,7 +68,10 @@ uint32_t glint_changes_count(const glint_config *config) {
 }
 
 glint_status glint_changes_init(glint_changes *changes, glint_signature *signatures, const glint_config *config) {
-    if (!changes || !signatures || !config || !config->flush.begin)
+    if (!changes)
+        return GLINT_ERROR_NULL;
+    *changes = (glint_changes){0};
+    if (!signatures || !config || !config->flush.begin)
         return GLINT_ERROR_NULL;
     glint_config full = *config;
     glint_status status = glint_check_config(&full);
@@ -86,5 +93,7 @@ void glint_changes_forget(glint_changes *changes) {
 }
 
 glint_flush glint_changes_flush(glint_changes *changes) {
+    if (!changes->flush.begin)
+        return (glint_flush){0, 0, 0};
     return (glint_flush){begin, changes->flush.wait ? wait : 0, changes};
 }

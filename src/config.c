@@ -2,8 +2,11 @@
 /* Config: checks how and where to draw, and tells what a tile takes. */
 #include "frame.h"
 
-static int is_tile_size(uint16_t size) {
-    return size >= 8 && size <= GLINT_TILE_MAX && (size & (size - 1)) == 0;
+/* Puts the default in place of 0. @return is it a tile's width or height? */
+static GLINT_NOINLINE int complete_tile_size(uint16_t *size) {
+    if (!*size)
+        *size = GLINT_TILE_DEFAULT;
+    return *size >= 8 && *size <= GLINT_TILE_MAX && (*size & (*size - 1)) == 0;
 }
 
 glint_status glint_check_config(glint_config *config) {
@@ -11,9 +14,8 @@ glint_status glint_check_config(glint_config *config) {
         return GLINT_ERROR_NULL;
     if (config->width < 1 || config->width > GLINT_SIZE_MAX || config->height < 1 || config->height > GLINT_SIZE_MAX)
         return GLINT_ERROR_SIZE;
-    config->tile_width = config->tile_width ? config->tile_width : GLINT_TILE_DEFAULT;
-    config->tile_height = config->tile_height ? config->tile_height : GLINT_TILE_DEFAULT;
-    return is_tile_size(config->tile_width) && is_tile_size(config->tile_height) ? GLINT_OK : GLINT_ERROR_TILE;
+    return complete_tile_size(&config->tile_width) && complete_tile_size(&config->tile_height) ? GLINT_OK
+                                                                                               : GLINT_ERROR_TILE;
 }
 
 size_t glint_row_bytes(const glint_format *format, uint32_t width) {

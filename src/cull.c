@@ -13,6 +13,8 @@ static glint_status check(const glint_mesh *mesh) {
     uint32_t triangles = 0, vertices = 0;
     if (!clusters->list)
         return GLINT_ERROR_NULL;
+    if (clusters->count > 65536)
+        return GLINT_ERROR_MESH;
     for (uint32_t i = 0; i < clusters->count; i++) {
         triangles += clusters->list[i].triangles;
         vertices += clusters->list[i].vertices;

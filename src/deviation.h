@@ -116,7 +116,10 @@ static inline uint32_t glint_spread_clamp(uint32_t word) {
     return word | (over - (over >> 9));
 }
 
-/** Can an object be lit this way? */
+/** The weights of the one light that a material of fast lighting shows; 0 where it shows none. */
+const glint_weights *glint_weights_shown(const glint_shading *shading);
+
+/** Can an object be lit this way? Its material is prepared. */
 int glint_deviation_serves(const glint_frame *frame, const glint_object *object);
 
 /** Bytes that a material takes, and its tables. */

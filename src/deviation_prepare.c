@@ -25,14 +25,33 @@ static uint32_t largest_weight(const uint32_t weight[3]) {
     return largest > weight[2] ? largest : weight[2];
 }
 
-int glint_deviation_serves(const glint_frame *frame, const glint_object *object) {
-    const glint_scene *scene = frame->scene;
+/* The number of the one light that shows, if one does. */
+static uint32_t shown_light(const glint_shading *shading) {
+    return 31 - glint_leading_zeros(shading->lights);
+}
+
+const glint_weights *glint_weights_shown(const glint_shading *shading) {
+    static const glint_weights none = {{0}, {0}};
+    return shading->lights ? &shading->weights[shown_light(shading)] : &none;
+}
+
+/* Do all lights that show come to one that has no position? */
+static int has_simple_light(const glint_scene *scene, const glint_shading *shading) {
+    return !shading->lights ||
+           (!(shading->lights & (shading->lights - 1)) && !scene->lights[shown_light(shading)].type->illuminate);
+}
+
+static int serves(const glint_frame *frame, const glint_shading *shading, const glint_object *object) {
     const glint_material *material = object->material;
-    return scene->light_count == 1 && !scene->lights[0].type->illuminate && !frame->config.gamma &&
+    return has_simple_light(frame->scene, shading) && !frame->config.gamma &&
            (!object->evaluation || object->evaluation == &glint_per_fragment) && !object->mesh->colours &&
            !object->mesh->colours565 && material->flags == 0 &&
            (material->model->lobe == GLINT_LOBE_NONE ||
             (material->model->lobe == GLINT_LOBE_HALF_VECTOR && material->shininess >= 2 * GLINT_ONE));
+}
+
+int glint_deviation_serves(const glint_frame *frame, const glint_object *object) {
+    return serves(frame, glint_shading_of(frame, object->material), object);
 }
 
 /* A quarter of the error budget, less what is kept for the errors that linear lighting has without one; all Q12. */
@@ -42,7 +61,7 @@ static uint32_t find_share(const glint_shading *shading, uint32_t kept) {
 
 /* sin^2 where the highlight ends, Q30; 0 when it never shows. */
 static uint32_t find_cut(const glint_shading *shading) {
-    uint32_t weight = largest_weight(shading->weights[0].specular);
+    uint32_t weight = largest_weight(glint_weights_shown(shading)->specular);
     if (!shading->has_specular)
         return 0;
     /* 2^(12 - CUT_BITS), Q12, and a share of the error budget need not show */
@@ -56,21 +75,24 @@ static uint32_t find_cut(const glint_shading *shading) {
 
 /* Entries of the specular table: at most about 1/6 of a level apart. */
 static uint32_t specular_entries(const glint_shading *shading, uint32_t cut) {
-    const uint32_t weight = largest_weight(shading->weights[0].specular);
+    const uint32_t weight = largest_weight(glint_weights_shown(shading)->specular);
     return cut == 0 ? 0 : weight <= 1100 ? 256 : weight <= 2200 ? 512 : 1024;
 }
 
 static int serves_some(const glint_frame *frame, const glint_shading *shading) {
     for (uint32_t i = 0; i < frame->scene->object_count; i++) {
         const glint_object *object = &frame->scene->objects[i];
-        if (object->material == shading->material && glint_deviation_serves(frame, object))
+        if (object->material == shading->material && serves(frame, shading, object))
             return 1;
     }
     return 0;
 }
 
+/* Bytes of the diffuse tables. */
+#define DIFFUSE_BYTES (GLINT_DIFFUSE_ENTRIES * (sizeof(uint32_t) + sizeof(uint16_t)))
+
 static size_t tables_size(uint32_t specular) {
-    return GLINT_ALIGNED(GLINT_DIFFUSE_ENTRIES * (sizeof(uint32_t) + sizeof(uint16_t)) + specular * sizeof(uint32_t));
+    return GLINT_ALIGNED(DIFFUSE_BYTES + specular * sizeof(uint32_t));
 }
 
 void glint_deviation_need(const glint_frame *frame, const glint_shading *shading, size_t *least, size_t *tables) {
@@ -111,13 +133,14 @@ static void fill(const ramp *r, uint32_t *words, uint32_t count) {
     }
 }
 
-/* Ambient and diffuse light over N.L in 256 steps, the first at its middle. */
+/* Ambient and diffuse light over N.L in 256 steps, the first at its middle; where no light shows, `ambient`. */
 static void diffuse_ramp(const glint_shading *shading, ramp *r) {
+    const uint32_t *const weight = glint_weights_shown(shading)->diffuse;
     for (int c = 0; c < 3; c++) {
         const uint32_t ambient = least(shading->ambient[c], 1u << 23);
-        r->step[c] = shading->weights[0].diffuse[c] * levels[c] << 3; /* Q12 to Q23, 256 steps; below 2^26 */
+        r->step[c] = weight[c] * levels[c] << 3; /* Q12 to Q23, 256 steps; below 2^26 */
         r->most[c] = (levels[c] << 23) + (1 << 22) + spread_half[c];
-        r->level[c] = ambient * levels[c] + (1 << 22) + spread_half[c] + r->step[c] / 2;
+        r->level[c] = ambient * levels[c] + (1 << 22) + (shading->lights ? spread_half[c] : 0) + r->step[c] / 2;
         r->level[c] = least(r->level[c], r->most[c]);
     }
 }
@@ -135,10 +158,11 @@ static uint32_t diffuse_word(const glint_shading *shading, uint32_t index) {
 /* Highlight at node i, clamped at 1 in each channel; Q23 times 31, 63 and 31. */
 static void highlight(const glint_shading *shading, uint32_t i, uint32_t level[3]) {
     const glint_deviation *deviation = shading->deviation;
+    const uint32_t *const weight = glint_weights_shown(shading)->specular;
     const unsigned bits = 31 - glint_leading_zeros(deviation->specular_end >> (15 + NODE_BITS)); /* of their number */
     uint32_t power = glint_power_at(&shading->power, (uint32_t)((uint64_t)deviation->sine_square_end * i >> bits));
     for (int c = 0; c < 3; c++) {
-        uint32_t amount = power * shading->weights[0].specular[c] >> 4;
+        uint32_t amount = power * weight[c] >> 4;
         level[c] = least(amount, 1u << 23) * levels[c];
     }
 }
@@ -186,12 +210,15 @@ static void fill_specular(const glint_shading *shading, uint32_t *words, uint32_
     }
 }
 
-/* The tables, if they leave as much room as they take; nothing is to be done where the last frame left them, `kept`. */
-static void make_tables(glint_memory *memory, glint_deviation *deviation, const glint_shading *shading,
-                        const uint32_t *kept) {
-    const uint32_t entries = deviation->specular_end >> 15;
+/* What tables leave is enough to draw any scene. */
+typedef char tables_leave_room[DIFFUSE_BYTES >= GLINT_LEAST_ROOM ? 1 : -1];
+
+/* The tables, if they leave as much room as they take; nothing is to be done where the last frame left them. */
+static void make_tables(glint_memory *memory, glint_deviation *deviation, const glint_shading *shading) {
+    const uint32_t entries = deviation->specular_end >> 15, *const kept = deviation->diffuse;
     const size_t size = tables_size(entries);
     ramp r;
+    deviation->diffuse = 0;
     if (memory->high - GLINT_ALIGNED(memory->low) < 2 * size)
         return;
     uint32_t *const specular = glint_take(memory, size), *const diffuse = specular + entries;
@@ -257,8 +284,8 @@ static uint64_t turn_limit(uint64_t grant) {
 /* An error budget is shared: a quarter each for turn, slant, extent and what is cut off the highlight; without one,
  * half for the change of N.L. */
 static void find_limits(const glint_frame *frame, glint_deviation *deviation, const glint_shading *shading) {
-    const uint32_t diffuse = weight_in_levels(shading->weights[0].diffuse);
-    const uint32_t specular = weight_in_levels(shading->weights[0].specular);
+    const uint32_t diffuse = weight_in_levels(glint_weights_shown(shading)->diffuse);
+    const uint32_t specular = weight_in_levels(glint_weights_shown(shading)->specular);
     const uint64_t grant = find_share(shading, KEPT) * levels[1];
     const uint64_t highlight = find_share(shading, KEPT_SPECULAR) * levels[1];
     deviation->turn = at_most(turn_limit(grant) / diffuse, 1 << 26);
@@ -280,11 +307,17 @@ static void prepare_rays(glint_deviation *deviation, const glint_frame *frame) {
     deviation->ray_span = 2 * (uint32_t)deviation->ray_limit;
     deviation->ray_start = 0u - (uint32_t)deviation->ray_limit * (uint32_t)deviation->ray_scale;
     deviation->local_viewer = frame->view->local_viewer;
+}
+
+/* Where no light shows, one from straight behind leaves what is seen dark. */
+static void prepare_light(glint_deviation *deviation, const glint_view *view, const glint_shading *shading) {
+    static const glint_prepared_light behind = {.direction = {0, 0, -GLINT_UNIT}};
+    const glint_prepared_light *light = shading->lights ? &view->lights[shown_light(shading)] : &behind;
     for (int c = 0; c < 3; c++) {
-        deviation->light[c] = frame->view->lights[0].direction[c];
+        deviation->light[c] = light->direction[c];
         deviation->long_light[c] = deviation->light[c] + glint_shift_right(deviation->light[c] + (1 << 12), 13);
         deviation->wide_light[c] = deviation->light[c] * (1 << 15) + (1 << 14);
-        deviation->half_vector[c] = frame->view->lights[0].half_vector[c];
+        deviation->half_vector[c] = light->half_vector[c];
     }
 }
 
@@ -318,25 +351,34 @@ static void prepare_ambient(glint_deviation *deviation, const glint_shading *sha
     deviation->ambient = (uint16_t)glint_spread_pack(spread(level));
 }
 
-glint_status glint_deviation_prepare(glint_frame *frame) {
-    for (uint32_t i = 0; i < frame->shading_count; i++) {
-        glint_shading *shading = (glint_shading *)frame->shading + i;
-        const glint_deviation *last = shading->changed ? 0 : shading->deviation;
-        shading->deviation = 0;
-        if (!serves_some(frame, shading))
-            continue;
-        glint_deviation *deviation = glint_take(&frame->memory, sizeof *deviation);
-        if (!deviation)
-            return GLINT_ERROR_ARENA;
-        const uint32_t *kept = last == deviation ? last->diffuse : 0;
-        *deviation = (glint_deviation){0};
-        shading->deviation = deviation;
-        prepare_rays(deviation, frame);
-        prepare_ambient(deviation, shading);
-        prepare_highlight(deviation, shading);
-        find_limits(frame, deviation, shading);
-        glint_quadratic_prepare(deviation, shading);
-        make_tables(&frame->memory, deviation, shading, kept);
-    }
+/* All but the tables; `diffuse` tells where the last frame left those. */
+static glint_status prepare(glint_frame *frame, glint_shading *shading) {
+    const glint_deviation *last = shading->changed ? 0 : shading->deviation;
+    shading->deviation = 0;
+    if (!serves_some(frame, shading))
+        return GLINT_OK;
+    glint_deviation *deviation = glint_take(&frame->memory, sizeof *deviation);
+    if (!deviation)
+        return GLINT_ERROR_ARENA;
+    *deviation = (glint_deviation){.diffuse = last == deviation ? last->diffuse : 0};
+    shading->deviation = deviation;
+    prepare_rays(deviation, frame);
+    prepare_light(deviation, frame->view, shading);
+    prepare_ambient(deviation, shading);
+    prepare_highlight(deviation, shading);
+    find_limits(frame, deviation, shading);
+    glint_quadratic_prepare(deviation, shading);
     return GLINT_OK;
+}
+
+glint_status glint_deviation_prepare(glint_frame *frame) {
+    glint_shading *const shadings = (glint_shading *)frame->shading;
+    glint_status status = GLINT_OK;
+    for (uint32_t i = 0; i < frame->shading_count && status == GLINT_OK; i++)
+        status = prepare(frame, &shadings[i]);
+    /* tables may take what is left once every material has what it must have */
+    for (uint32_t i = 0; i < frame->shading_count && status == GLINT_OK; i++)
+        if (shadings[i].deviation)
+            make_tables(&frame->memory, (glint_deviation *)shadings[i].deviation, &shadings[i]);
+    return status;
 }

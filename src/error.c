@@ -23,6 +23,7 @@ const char *glint_strerror(int status) {
         "a spot's cone is wider inside than outside, or not from 0 to 180 degrees",
         "a generator has too few divisions, a size not above 0, or too little room",
         "the error budget is not from 0 to 8",
+        "a mesh's or a material's flags have an unknown bit",
     };
     const int count = (int)(sizeof sentences / sizeof *sentences);
     return status > 0 || status <= -count ? "unknown status" : sentences[-status];

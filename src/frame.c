@@ -30,6 +30,10 @@ static glint_status prepare_materials(glint_frame *frame, const glint_kept *kept
     return GLINT_OK;
 }
 
+static int has_least_room(const glint_frame *frame) {
+    return frame->memory.high - frame->memory.low >= GLINT_LEAST_ROOM;
+}
+
 static glint_status prepare(glint_frame *frame, const glint_kept *kept) {
     glint_status status = glint_check_scene(frame->scene);
     if (status != GLINT_OK)
@@ -38,12 +42,17 @@ static glint_status prepare(glint_frame *frame, const glint_kept *kept) {
     if (!view)
         return GLINT_ERROR_ARENA;
     frame->view = view;
-    if (frame->memory.high - GLINT_ALIGNED(frame->memory.low) < sizeof(glint_transform))
+    if (!has_least_room(frame)) /* the last transform waits there */
         return GLINT_ERROR_ARENA;
     status = glint_prepare_view(view, &frame->config, frame->scene, glint_last_transform(frame));
     if (status == GLINT_OK)
         status = prepare_materials(frame, kept);
-    return status == GLINT_OK && frame->config.format->fast ? frame->config.format->fast->prepare(frame) : status;
+    if (status == GLINT_OK && frame->config.format->fast)
+        status = frame->config.format->fast->prepare(frame);
+    if (status != GLINT_OK)
+        return status;
+    frame->prepared_end = frame->memory.low;
+    return has_least_room(frame) ? GLINT_OK : GLINT_ERROR_ARENA;
 }
 
 glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
@@ -53,35 +62,39 @@ glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, co
     glint_status status = glint_check_config(&frame->config);
     if (status != GLINT_OK)
         return status;
-    frame->tile_shift_x = (uint8_t)tile_shift(frame->config.tile_width);
-    frame->tile_shift_y = (uint8_t)tile_shift(frame->config.tile_height);
-    uint32_t columns = (uint32_t)(config->width + frame->config.tile_width - 1) >> frame->tile_shift_x;
-    uint32_t rows = (uint32_t)(config->height + frame->config.tile_height - 1) >> frame->tile_shift_y;
+    const unsigned shift_x = tile_shift(frame->config.tile_width), shift_y = tile_shift(frame->config.tile_height);
+    uint32_t columns = (uint32_t)(config->width + frame->config.tile_width - 1) >> shift_x;
+    uint32_t rows = (uint32_t)(config->height + frame->config.tile_height - 1) >> shift_y;
+    frame->tile_shift_x = (uint8_t)shift_x;
+    frame->tile_shift_y = (uint8_t)shift_y;
     frame->tile_columns = (uint16_t)columns;
     frame->tile_count = (uint16_t)(columns * rows);
     frame->pass_tiles = frame->tile_count;
     return GLINT_OK;
 }
 
-glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
+static glint_status begin(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
     glint_kept kept = {0, 0};
-    if (!frame || !config || !scene || !config->arena)
+    if (!config || !scene || !config->arena)
         return GLINT_ERROR_NULL;
     if (!GLINT_SMALL && config->keeps_arena)
         kept = (glint_kept){frame->shading, frame->shading_count};
-    glint_status status = glint_frame_grid(frame, config, scene);
+    const glint_status status = glint_frame_grid(frame, config, scene);
     if (status != GLINT_OK)
         return status;
     if (config->arena_size < GLINT_ALIGNMENT)
         return GLINT_ERROR_ARENA;
     frame->memory.base = glint_align(config->arena);
     frame->memory.high = (config->arena_size - (GLINT_ALIGNMENT - 1)) & ~(GLINT_ALIGNMENT - 1);
-    status = prepare(frame, &kept);
-    frame->prepared_end = frame->memory.low;
-    if (status == GLINT_OK && frame->memory.high - frame->memory.low < GLINT_LEAST_ROOM)
-        status = GLINT_ERROR_ARENA;
+    return prepare(frame, &kept);
+}
+
+glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
+    if (!frame)
+        return GLINT_ERROR_NULL;
+    const glint_status status = begin(frame, config, scene);
     if (status != GLINT_OK)
-        frame->shading_count = 0; /* what failed is not to be kept */
+        *frame = (glint_frame){0}; /* what failed is not to be drawn, nor kept */
     return status;
 }
 
@@ -124,7 +137,7 @@ static glint_status bin_tiles(glint_frame *frame) {
 }
 
 int glint_frame_next(glint_frame *frame) {
-    if (!frame)
+    if (!frame || !frame->scene)
         return GLINT_ERROR_NULL;
     if (!advance(frame))
         return 0;

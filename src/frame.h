@@ -76,14 +76,17 @@ typedef struct glint_power_table {
     uint16_t value[GLINT_POWER_INTERVALS + 1]; /* Q15 */
 } glint_power_table;
 
+/** What a material makes of a light, Q12. */
+typedef struct glint_weights {
+    uint32_t diffuse[3], specular[3];
+} glint_weights;
+
 /** A material under the scene's lights. */
 typedef struct glint_shading {
     const glint_material *material;
     int32_t shininess;
     uint32_t ambient[3]; /* Q23 */
-    struct {
-        uint32_t diffuse[3], specular[3]; /* Q12 */
-    } weights[GLINT_LIGHTS_MAX];
+    glint_weights weights[GLINT_LIGHTS_MAX];
     uint32_t lights;                         /* bit i: light i shows */
     uint32_t has_specular;                   /* bit i: its specular light does */
     uint32_t spare;                          /* of the error budget, Q12: what each light's specular light may lack */
@@ -91,6 +94,14 @@ typedef struct glint_shading {
     const struct glint_deviation *deviation; /* tables of fast lighting, or null */
     glint_power_table power;
 } glint_shading;
+
+/** A material of the frame as it was prepared. */
+static inline const glint_shading *glint_shading_of(const glint_frame *frame, const glint_material *material) {
+    const glint_shading *shading = frame->shading;
+    while (shading->material != material)
+        shading++;
+    return shading;
+}
 
 /* ---- transform: an object, once a pass ---- */
 
@@ -200,6 +211,11 @@ struct glint_cull {
     /** Corners of a run's triangles, in order: all the same where a cluster faces away. */
     const uint16_t *(*corners)(glint_walk *walk, const glint_mesh *mesh, uint32_t triangle);
 };
+
+/** What drops a mesh's clusters; null where it has none. */
+static inline const glint_cull *glint_cull_of(const glint_mesh *mesh) {
+    return mesh->clusters ? mesh->clusters->cull : 0;
+}
 
 /** A triangle made by clipping. */
 typedef struct glint_clipped {

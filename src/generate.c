@@ -63,26 +63,28 @@ static void add_on_axis(builder *b, int32_t z, int32_t normal_z) {
     add_vertex(b, position, normal);
 }
 
-/* Sets up the mesh. Extents: what 32768 steps are where 32767 are the size. */
+/* Sets up the mesh, or only its counts where the room is too small. Extents: what 32768 steps are where 32767 are the
+ * size. */
 static glint_status finish(const builder *b, glint_mesh *mesh, glint_q16 x, glint_q16 y, glint_q16 z) {
     const glint_mesh_room *room = b->room;
     const int64_t size[3] = {x, y, z};
     glint_q16 extent[3];
     for (int i = 0; i < 3; i++)
         extent[i] = (glint_q16)((size[i] * 65536 + 32767) / 65534);
+    mesh->vertex_count = b->vertices;
+    mesh->triangle_count = b->triangles;
+    if (b->vertices > room->vertex_room || b->triangles > room->triangle_room || b->vertices > 65536)
+        return GLINT_ERROR_GENERATOR;
     mesh->positions = (const int16_t(*)[3])room->positions;
     mesh->normals = (const int16_t(*)[3])room->normals;
     mesh->triangles = (const uint16_t(*)[3])room->triangles;
-    mesh->vertex_count = b->vertices;
-    mesh->triangle_count = b->triangles;
     mesh->offset.x = 0, mesh->offset.y = 0, mesh->offset.z = 0;
     mesh->extent.x = extent[0], mesh->extent.y = extent[1], mesh->extent.z = extent[2];
     mesh->flags = 0;
     mesh->colours = 0;
     mesh->colours565 = 0;
     mesh->clusters = 0;
-    int fits = b->vertices <= room->vertex_room && b->triangles <= room->triangle_room && b->vertices <= 65536;
-    return fits ? GLINT_OK : GLINT_ERROR_GENERATOR;
+    return GLINT_OK;
 }
 
 static int is_size(glint_q16 size) {

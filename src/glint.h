@@ -11,8 +11,9 @@
  * - Screen x runs right and y runs down; pixel (x, y) has its centre at (x + 1/2, y + 1/2). A pixel belongs to a
  *   triangle when its centre lies inside, or on a top or left edge.
  * - Colours are linear, 0 is black and 1 is full; sums above 1 are clamped when a pixel is stored.
- * - Functions that can fail return GLINT_OK or a negative `glint_status`; on failure nothing they were to fill in is
- *   to be used.
+ * - Functions that can fail return GLINT_OK or a negative `glint_status`. On failure what they set up, a renderer, a
+ *   frame or a filter, is all 0, and drawing with it gives GLINT_ERROR_NULL; what else they were to fill in is as it
+ *   was.
  *
  * Nothing is allocated and no global is written: everything lives in the caller's structures and arena, so that any
  * number of renderers work side by side.
@@ -77,7 +78,7 @@ typedef enum glint_status {
     GLINT_ERROR_COLOUR = -8,       /**< A colour channel, or a light's times a material's, is not from 0 to 16. */
     GLINT_ERROR_SHININESS = -9,    /**< A shininess exponent is below 0. */
     GLINT_ERROR_MESH = -10,        /**< A mesh has no vertices, no triangles, more vertices than uint16 can index, an
-                                        extent below 0, or clusters that do not add up to it. */
+                                        extent below 0, or clusters that do not add up to it or are too many. */
     GLINT_ERROR_INDEX = -11,       /**< A triangle refers to a vertex that its mesh does not have. */
     GLINT_ERROR_POSE = -12,        /**< A pose is singular: it squashes the object flat. */
     GLINT_ERROR_RANGE = -13,       /**< An object is too far from the camera or too large for 32-bit coordinates. */
@@ -86,7 +87,8 @@ typedef enum glint_status {
     GLINT_ERROR_ATTENUATION = -16, /**< An attenuation coefficient is below 0. */
     GLINT_ERROR_CONE = -17,        /**< A spot's cone is wider inside than outside, below 0 or above 180 degrees. */
     GLINT_ERROR_GENERATOR = -18,   /**< A generator has too few divisions, a size not above 0, or too little room. */
-    GLINT_ERROR_BUDGET = -19       /**< An error budget is not from 0 to GLINT_BUDGET_MAX. */
+    GLINT_ERROR_BUDGET = -19,      /**< An error budget is not from 0 to GLINT_BUDGET_MAX. */
+    GLINT_ERROR_FLAGS = -20        /**< A mesh's or a material's flags have a bit that is not defined. */
 } glint_status;
 
 /** A sentence in English for a status; for a number that is no status, "unknown status". Never null. */
@@ -315,7 +317,7 @@ glint_pose glint_pose_then(const glint_pose *first, const glint_pose *second);
 
 /**
  * Sets camera->pose so that the camera stands at `eye`, looks at `at`, and sees `up` upwards.
- * @return GLINT_ERROR_CAMERA when the three lie on one line.
+ * @return GLINT_ERROR_CAMERA when the three lie on one line: then the camera is as it was.
  */
 glint_status glint_camera_look_at(glint_camera *camera, glint_vector eye, glint_vector at, glint_vector up);
 
@@ -333,7 +335,7 @@ typedef struct glint_mesh_room {
  * Each generator fills `room` with a surface and its normals, both from the formula, and sets `mesh` up to point there.
  * Returns GLINT_ERROR_GENERATOR when a size is not above 0, when there are fewer divisions than a solid needs or more
  * vertices than uint16 can index, or when the room is too small: then mesh->vertex_count and mesh->triangle_count tell
- * how much it takes. Sizes are Q16.16, up to 8192.
+ * how much it takes, and the rest of the mesh is as it was. Sizes are Q16.16, up to 8192.
  */
 
 /** Around the z axis: `radius` to the tube's centre, `tube` its own; `around` and `along` quads, 3 or more. */
@@ -517,12 +519,12 @@ typedef struct glint_kept {
 
 typedef struct glint_renderer {
     glint_config config;
-    glint_stats stats; /**< Of the last frame. */
+    glint_stats stats; /**< Of the last frame; 0 where it could not begin. */
     glint_kept kept;   /* of use only where the arena is kept */
 } glint_renderer;
 
 /**
- * Sets up a renderer; draws nothing.
+ * Sets up a renderer; draws nothing. On failure the renderer, if there is one, is all 0.
  * @return GLINT_ERROR_NULL, _SIZE, _TILE, or _ARENA when the arena cannot hold even the tile buffers.
  */
 glint_status glint_init(glint_renderer *renderer, const glint_config *config);
@@ -535,7 +537,7 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene);
 
 /**
  * How much arena a scene needs when drawn by glint_render with this configuration (its arena is not looked at).
- * @return the error that drawing the scene would give.
+ * @return the error that drawing the scene would give: then `need` is as it was
  */
 glint_status glint_arena_need(const glint_config *config, const glint_scene *scene, glint_need *need);
 
@@ -571,7 +573,8 @@ typedef struct glint_changes {
 uint32_t glint_changes_count(const glint_config *config);
 
 /**
- * Sets a filter up before config->flush; everything is yet to be sent.
+ * Sets a filter up before config->flush; everything is yet to be sent. On failure the filter, if there is one, is all
+ * 0, and so is its flush, which glint_init refuses.
  * @return GLINT_ERROR_NULL, _SIZE or _TILE.
  */
 glint_status glint_changes_init(glint_changes *changes, glint_signature *signatures, const glint_config *config);
@@ -593,14 +596,15 @@ glint_flush glint_changes_flush(glint_changes *changes);
  *                 send it, glint_tile_rectangle says where;
  */
 
-/** Bytes of a workspace. */
+/** Bytes of a workspace; 0 when the configuration is not valid. */
 size_t glint_workspace_size(const glint_config *config);
 
-/** Lays a workspace out in `memory`, of glint_workspace_size bytes, aligned as a pointer is. */
+/** Lays a workspace out in `memory`, of glint_workspace_size bytes, which are not 0, aligned as a pointer is. */
 void glint_workspace_init(glint_workspace *workspace, const glint_config *config, void *memory);
 
 /**
- * Begins a frame: checks the scene and prepares camera, lights and materials in the arena, all of which it may use.
+ * Begins a frame: checks the scene and prepares camera, lights and materials in the arena, all of which it may use. On
+ * failure the frame, if there is one, is all 0.
  * @param frame where config->keeps_arena is set, the last one drawn with this configuration, or all 0; else anything
  */
 glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene);

@@ -79,11 +79,11 @@ static int32_t find_turn(uint64_t limit, uint64_t levels) {
 
 /* N.L, Q14, at which all light together, with all of a highlight, comes to 1 in some channel. */
 static int32_t find_full(const glint_shading *shading) {
+    const glint_weights *const weights = glint_weights_shown(shading);
     int32_t full = INT16_MAX;
     for (int c = 0; c < 3; c++) {
-        const uint32_t diffuse = shading->weights[0].diffuse[c]; /* Q12 */
-        const int64_t left =
-            (1 << 12) - (int64_t)((shading->ambient[c] + 2047) >> 11) - shading->weights[0].specular[c];
+        const uint32_t diffuse = weights->diffuse[c]; /* Q12 */
+        const int64_t left = (1 << 12) - (int64_t)((shading->ambient[c] + 2047) >> 11) - weights->specular[c];
         if (left < 0)
             return 0;
         if (diffuse && left * (1 << 14) < (int64_t)full * diffuse)
@@ -118,8 +118,8 @@ static int32_t find_bend(const glint_deviation *deviation) {
 
 void glint_interpolate_prepare(glint_deviation *deviation, const glint_shading *shading) {
     glint_quadratic_limits *limits = &deviation->quadratic;
-    const uint32_t diffuse = largest_level(shading->weights[0].diffuse);
-    const uint32_t specular = largest_level(shading->weights[0].specular);
+    const uint32_t diffuse = largest_level(glint_weights_shown(shading)->diffuse);
+    const uint32_t specular = largest_level(glint_weights_shown(shading)->specular);
     const uint32_t root = glint_square_root((uint64_t)(uint32_t)shading->material->shininess); /* Q8 */
     const uint32_t scale = (uint32_t)deviation->scale >> 4;                                    /* Q12 */
     limits->bend = find_bend(deviation);

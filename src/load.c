@@ -5,13 +5,6 @@
  */
 #include "frame.h"
 
-static const glint_shading *find_shading(const glint_frame *frame, const glint_material *material) {
-    const glint_shading *shading = frame->shading;
-    while (shading->material != material)
-        shading++;
-    return shading;
-}
-
 static const glint_evaluation *evaluation_of(const glint_object *object) {
     return object->evaluation ? object->evaluation : &glint_per_fragment;
 }
@@ -47,7 +40,7 @@ size_t glint_draw_size(const glint_frame *frame, const glint_object *object, con
         size += GLINT_ALIGNED(triangles * 3 * sizeof(int16_t));
     size_t more = triangles * 3 * sizeof(uint16_t);
     if (!has_list)
-        more = object->mesh->clusters ? object->mesh->clusters->count : 0;
+        more = glint_cull_of(object->mesh) ? object->mesh->clusters->count : 0;
     return size + GLINT_ALIGNED(more);
 }
 
@@ -73,12 +66,12 @@ static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_tr
         draw->light = frame->config.format->fast->light;
         draw->kernel = frame->config.format->fast->draw;
     }
-    draw->shading = find_shading(frame, object->material);
+    draw->shading = glint_shading_of(frame, object->material);
     draw->object = frame->object;
     draw->first_triangle = frame->triangle;
     draw->first = last ? (uint16_t)(last->first + last->count) : 0;
     draw->transform = *transform;
-    draw->cull = object->mesh->clusters ? object->mesh->clusters->cull : 0;
+    draw->cull = glint_cull_of(object->mesh);
     draw->normals = object->mesh->normals;
     draw->mirrored = transform->mirrored;
     draw->double_sided = (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;

@@ -44,7 +44,7 @@ static glint_status count_triangle(const glint_frame *frame, const glint_transfo
 
 static glint_status count_object(const glint_frame *frame, const glint_object *object, tally *sum) {
     const glint_mesh *mesh = object->mesh;
-    const glint_cull *cull = mesh->clusters ? mesh->clusters->cull : 0;
+    const glint_cull *cull = glint_cull_of(mesh);
     glint_transform transform;
     glint_walk walk;
     glint_status status = glint_transform_prepare(&transform, frame->view, &frame->config, object);
@@ -61,10 +61,9 @@ static glint_status count_object(const glint_frame *frame, const glint_object *o
 }
 
 /* Bytes of distinct materials, each checked. */
-static glint_status count_materials(const glint_frame *frame, tally *sum) {
+static glint_status count_materials(const glint_frame *frame, glint_shading *shading, tally *sum) {
     const glint_scene *scene = frame->scene;
     const glint_fast *fast = frame->config.format->fast;
-    glint_shading shading;
     glint_status status = GLINT_OK;
     for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++) {
         uint32_t earlier = 0;
@@ -72,11 +71,10 @@ static glint_status count_materials(const glint_frame *frame, tally *sum) {
             earlier++;
         if (earlier < i)
             continue;
-        shading = (glint_shading){0};
-        status = glint_prepare_shading(frame, &shading, scene->objects[i].material);
-        sum->materials += GLINT_ALIGNED(sizeof shading);
+        status = glint_prepare_shading(frame, shading, scene->objects[i].material);
+        sum->materials += GLINT_ALIGNED(sizeof *shading);
         if (fast && status == GLINT_OK)
-            fast->need(frame, &shading, &sum->materials, &sum->tables);
+            fast->need(frame, shading, &sum->materials, &sum->tables);
     }
     return status;
 }
@@ -87,6 +85,7 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
     glint_frame frame;
     glint_view view;
     glint_transform transform;
+    glint_shading shading = {0};
     tally sum = {0};
     glint_status status = glint_frame_grid(&frame, config, scene);
     if (status == GLINT_OK)
@@ -94,10 +93,13 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
     if (status == GLINT_OK)
         status = glint_prepare_view(&view, &frame.config, scene, &transform);
     if (status == GLINT_OK)
-        status = count_materials(&frame, &sum);
+        status = count_materials(&frame, &shading, &sum);
     frame.view = &view;
-    for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++)
+    frame.shading = &shading; /* the object's */
+    for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++) {
+        glint_prepare_shading(&frame, &shading, scene->objects[i].material);
         status = count_object(&frame, &scene->objects[i], &sum);
+    }
     if (status != GLINT_OK)
         return status;
     size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame.config) +

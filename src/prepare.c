@@ -15,7 +15,10 @@ static GLINT_NOINLINE glint_status check_mesh(const glint_mesh *mesh) {
     if (mesh->vertex_count - 1 >= 65536 || mesh->triangle_count < 1 ||
         (mesh->extent.x | mesh->extent.y | mesh->extent.z) < 0)
         return GLINT_ERROR_MESH;
-    return mesh->clusters && mesh->clusters->cull ? mesh->clusters->cull->check(mesh) : GLINT_OK;
+    if (mesh->flags > GLINT_MESH_DOUBLE_SIDED)
+        return GLINT_ERROR_FLAGS;
+    const glint_cull *cull = glint_cull_of(mesh);
+    return cull ? cull->check(mesh) : GLINT_OK;
 }
 
 static glint_status check_material(const glint_material *material) {
@@ -24,6 +27,8 @@ static glint_status check_material(const glint_material *material) {
     if (!colour_is_valid(&material->ambient) || !colour_is_valid(&material->diffuse) ||
         !colour_is_valid(&material->specular))
         return GLINT_ERROR_COLOUR;
+    if (material->flags > (GLINT_MATERIAL_UNGATED | GLINT_MATERIAL_MAX))
+        return GLINT_ERROR_FLAGS;
     return material->shininess < 0 ? GLINT_ERROR_SHININESS : GLINT_OK;
 }
 
@@ -58,6 +63,17 @@ static int camera_is_valid(const glint_camera *camera) {
     return camera->field_of_view >= GLINT_ONE && camera->field_of_view <= 170 * GLINT_ONE && camera->near_plane > 0;
 }
 
+static glint_status check_objects(const glint_scene *scene) {
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        glint_status status = check_mesh(scene->objects[i].mesh);
+        if (status == GLINT_OK)
+            status = check_material(scene->objects[i].material);
+        if (status != GLINT_OK)
+            return status;
+    }
+    return GLINT_OK;
+}
+
 glint_status glint_check_scene(const glint_scene *scene) {
     if (!scene || (scene->object_count && !scene->objects))
         return GLINT_ERROR_NULL;
@@ -69,13 +85,8 @@ glint_status glint_check_scene(const glint_scene *scene) {
         return GLINT_ERROR_BUDGET;
     if (!colour_is_valid(&scene->background) || !colour_is_valid(&scene->ambient))
         return GLINT_ERROR_COLOUR;
-    glint_status status = check_lights(scene);
-    for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++) {
-        status = check_mesh(scene->objects[i].mesh);
-        if (status == GLINT_OK)
-            status = check_material(scene->objects[i].material);
-    }
-    return status;
+    const glint_status status = check_lights(scene);
+    return status == GLINT_OK ? check_objects(scene) : status;
 }
 
 unsigned glint_reduce(const int64_t in[3], int32_t out[3]) {
@@ -217,7 +228,7 @@ static void renew_colour(glint_shading *shading, uint32_t number[3], const uint3
  */
 static int32_t weigh_lights(const glint_scene *scene, glint_shading *shading, int32_t spare) {
     const glint_material *material = shading->material;
-    uint32_t lights = 0, has_specular = 0, weight[2][3] = {{0}};
+    uint32_t lights = 0, has_specular = 0, shown = 0, weight[2][3] = {{0}};
     int32_t largest = 0;
     for (uint32_t i = 0; i < scene->light_count; i++) {
         const glint_light *light = &scene->lights[i];
@@ -238,10 +249,11 @@ static int32_t weigh_lights(const glint_scene *scene, glint_shading *shading, in
             }
         }
         lights |= 1u << i;
+        shown++;
     }
     renew(shading, &shading->lights, lights);
     renew(shading, &shading->has_specular, material->model->prepare ? has_specular : 0);
-    renew(shading, &shading->spare, scene->light_count ? (uint32_t)spare / scene->light_count : 0);
+    renew(shading, &shading->spare, shown ? (uint32_t)spare / shown : 0);
     return largest;
 }
 

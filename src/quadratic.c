@@ -54,7 +54,7 @@ static void find_across(glint_quadratic_limits *limits, const int16_t h[3]) {
 static void find_extent(glint_quadratic_limits *limits, const glint_deviation *deviation,
                         const glint_shading *shading) {
     const uint32_t root = glint_square_root((uint64_t)(uint32_t)shading->material->shininess); /* Q8 */
-    const uint32_t weight = largest_level(shading->weights[0].specular) + 1;                   /* Q12 */
+    const uint32_t weight = largest_level(glint_weights_shown(shading)->specular) + 1;         /* Q12 */
     /* 1 / (64 0.61) is 0.0256 */
     const uint64_t error = ((uint64_t)BEND_LIMIT << (30 + 20)) / 39 / ((uint64_t)weight * root); /* Q30 */
     const uint32_t d = glint_square_root(error * 20 / 3);                                        /* Q15 */

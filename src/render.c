@@ -3,9 +3,11 @@
 #include "frame.h"
 
 glint_status glint_init(glint_renderer *renderer, const glint_config *config) {
-    if (!renderer || !config || !config->flush.begin || !config->arena)
+    if (!renderer)
         return GLINT_ERROR_NULL;
     *renderer = (glint_renderer){0};
+    if (!config || !config->flush.begin || !config->arena)
+        return GLINT_ERROR_NULL;
     renderer->config = *config;
     glint_status status = glint_check_config(&renderer->config);
     if (status == GLINT_OK && config->arena_size < glint_tile_buffers_size(&renderer->config) + GLINT_ALIGNMENT)

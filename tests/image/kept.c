@@ -114,6 +114,19 @@ static void one_light(test_scene *s) {
     s->scene.light_count = 1;
 }
 
+/* Of two lights of the same colours one shows. */
+static void only_second_light(test_scene *s) {
+    s->scene.light_count = 2;
+    s->lights[1].diffuse = s->lights[1].specular = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
+    s->lights[0].diffuse = s->lights[0].specular = (glint_colour){0, 0, 0};
+}
+
+static void only_first_light(test_scene *s) {
+    s->scene.light_count = 2;
+    s->lights[0].diffuse = s->lights[0].specular = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
+    s->lights[1].diffuse = s->lights[1].specular = (glint_colour){0, 0, 0};
+}
+
 static void no_light(test_scene *s) {
     s->scene.light_count = 0;
 }
@@ -199,12 +212,47 @@ static void infinite_viewer(test_scene *s) {
 typedef void (*change)(test_scene *scene);
 
 static const change changes[] = {
-    nothing,       pose,           camera,          shininess,     low_shininess, specular,       brighter_specular,
-    no_specular,   diffuse,        ambient,         ambient_light, light_colour,  light_specular, light_direction,
-    two_lights,    one_light,      no_light,        one_light,     model,         lambert,        blinn_phong,
-    unlit,         unlit_ambient,  unlit_colour,    blinn_phong,   flags,         no_flags,       other_order,
-    same_material, third_material, fewer_objects,   more_objects,  no_objects,    more_objects,   evaluation,
-    per_fragment,  budget,         infinite_viewer,
+    nothing,
+    pose,
+    camera,
+    shininess,
+    low_shininess,
+    specular,
+    brighter_specular,
+    no_specular,
+    diffuse,
+    ambient,
+    ambient_light,
+    light_colour,
+    light_specular,
+    light_direction,
+    two_lights,
+    one_light,
+    no_light,
+    one_light,
+    model,
+    lambert,
+    blinn_phong,
+    unlit,
+    unlit_ambient,
+    unlit_colour,
+    blinn_phong,
+    flags,
+    no_flags,
+    other_order,
+    same_material,
+    third_material,
+    fewer_objects,
+    more_objects,
+    no_objects,
+    more_objects,
+    evaluation,
+    per_fragment,
+    only_second_light,
+    only_first_light,
+    budget,
+    infinite_viewer,
+    only_second_light,
 };
 
 #define CHANGES (sizeof changes / sizeof changes[0])

@@ -104,15 +104,22 @@ static void light_blinn_phong(const glint_shading *shading, uint32_t index, cons
     light_all(shading, index, view, fragments, has_surface, half_vector_lobe);
 }
 
+/* Where no more than one light shows, fast lighting asks which. */
+static void show_all_lights(glint_shading *shading) {
+    if (shading->lights & (shading->lights - 1))
+        shading->lights = UINT32_MAX;
+}
+
 static void prepare(glint_shading *shading, uint32_t largest_specular) {
     COUNT(no_specular, !largest_specular);
-    shading->lights = shading->has_specular = UINT32_MAX;
+    show_all_lights(shading);
+    shading->has_specular = UINT32_MAX;
     glint_prepare_specular(shading, largest_specular ? largest_specular : 1);
 }
 
 static void prepare_lambert(glint_shading *shading, uint32_t largest_specular) {
     (void)largest_specular;
-    shading->lights = UINT32_MAX;
+    show_all_lights(shading);
     shading->has_specular = 0;
 }
 
@@ -185,7 +192,7 @@ static void begin_highlight(const glint_draw *draw, const glint_triangle *triang
     const int16_t *const terms[3] = {draw->terms[triangle->corners[0] - draw->vertices],
                                      draw->terms[triangle->corners[1] - draw->vertices],
                                      draw->terms[triangle->corners[2] - draw->vertices]};
-    if (kind == GLINT_DEVIATION_AMBIENT)
+    if (kind == GLINT_DEVIATION_AMBIENT || kind == GLINT_DEVIATION_EVEN)
         begin_plane(&planes->cosine, part, terms, 0);
     begin_plane(&planes->x, part, terms, 1);
     begin_plane(&planes->y, part, terms, 2);

@@ -2,9 +2,9 @@
 /**
  * @file undropped.h
  * Twins of the library's models and of its kernels for RGB565 that drop nothing: what faces away is lit by nothing,
- * what lies outside a highlight is looked up in its table, and weights of zero are multiplied. The image is the same to
- * the bit, or the library drops what shows. Their loops are the library's own, or like them, so that the instructions
- * they take more are those that dropping saves. Error budgets are not for them.
+ * what lies outside a highlight is looked up in its table, and where more than one light shows, so do those of weight
+ * 0. The image is the same to the bit, or the library drops what shows. Their loops are the library's own, or like
+ * them, so that the instructions they take more are those that dropping saves. Error budgets are not for them.
  */
 #ifndef GLINT_UNDROPPED_H
 #define GLINT_UNDROPPED_H

@@ -50,13 +50,16 @@ PROOF(glint_square_root) {
     glint_square_root(Frama_C_unsigned_long_long_interval(1ull << 63, UINT64_MAX));
 }
 
-/* Any weights, shininess from 2 up, any error budget. @contract glint_log2 glint_exp2 */
+/*
+ * Any weights, shininess from 2 up, any error budget. @contract glint_log2 glint_exp2
+ * @unreached 1 leading zeros of 0
+ */
 PROOF(find_cut) {
     any_served();
     find_cut(&shading);
 }
 
-/* Any highlight, and any place where it ends. */
+/* Any highlight, and any place where it ends. @unreached 1 leading zeros of 0 */
 PROOF(specular_entries) {
     any_served();
     specular_entries(&shading, ANY_UNSIGNED(0, 1u << 30));
@@ -82,11 +85,19 @@ PROOF(prepare_ambient) {
 PROOF(prepare_rays) {
     glint_frame frame;
     glint_view view;
-    any_lights(&view, &far_light);
+    any_view(&view);
     frame.view = &view;
     frame.config.width = (uint16_t)ANY(1, GLINT_SIZE_MAX);
     frame.config.height = (uint16_t)ANY(1, GLINT_SIZE_MAX);
     prepare_rays(&deviation, &frame);
+}
+
+/* Any light, or none that shows. @unreached 1 leading zeros of 0 */
+PROOF(prepare_light) {
+    glint_view view;
+    any_lights(&view, &far_light);
+    any_served();
+    prepare_light(&deviation, &view, &shading);
 }
 
 /* Any weight, by which are 0. */
@@ -99,7 +110,10 @@ PROOF(weight_in_levels) {
     }
 }
 
-/* Any weights, shininess, error budget and focal length. @contract glint_square_root weight_in_levels */
+/*
+ * Any weights, shininess, error budget and focal length. @contract glint_square_root weight_in_levels
+ * @unreached 1 leading zeros of 0
+ */
 PROOF(find_limits) {
     glint_frame frame;
     glint_view view;
@@ -126,7 +140,7 @@ static void any_highlight(int shift, uint32_t entries) {
 
 /*
  * Any N.L that a plane holds, any squared deviation; tables of any window.
- * @unreached 2 a table without nodes
+ * @unreached 1 a table without nodes
  * @narrowing levels change modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 12
  */
@@ -142,7 +156,7 @@ PROOF(glint_deviation_pixel) {
 
 /*
  * Any material, in an arena of the bytes that the largest tables take and no more; with too little room too.
- * @unreached 8 a refusal of glint_take, which is asked for no more than there is, and a table without nodes
+ * @unreached 7 a refusal of glint_take, which is asked for no more than there is, and a table without nodes
  * @narrowing levels change modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 4 -eva-auto-loop-unroll 16
  */
@@ -155,11 +169,12 @@ PROOF(make_tables) {
         memory.base = (uint8_t *)room;
         memory.low = 0;
         memory.high = 2 * (sizeof room - (1024 - ENTRIES(level)) * sizeof *room);
-        make_tables(&memory, &deviation, &shading, 0);
+        deviation.diffuse = 0;
+        make_tables(&memory, &deviation, &shading);
         memory.low = 0;
-        make_tables(&memory, &deviation, &shading, deviation.diffuse);
+        make_tables(&memory, &deviation, &shading); /* where they are */
         memory.low = 0;
         memory.high -= 8;
-        make_tables(&memory, &deviation, &shading, 0);
+        make_tables(&memory, &deviation, &shading);
     }
 }

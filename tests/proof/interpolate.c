@@ -6,6 +6,11 @@
 #include "lit.h"
 #include "plane.h"
 
+/* Any light's weights stand for those of the one that shows. */
+const glint_weights *glint_weights_shown(const glint_shading *shading) {
+    return &shading->weights[0];
+}
+
 /* Bulges of an edge, and what spreading leaves of terms and bulges. */
 #define BULGE_MOST 10848
 #define SPREAD_TERM 17000

@@ -70,6 +70,100 @@ void null_pointers_are_refused(void) {
     CHECK_EQUAL(glint_init(&f->renderer, &f->config), GLINT_ERROR_NULL);
 }
 
+/* ---- What a failure leaves ----------------------------------------------------------------------------------- */
+
+/* Breaks a configuration, or for 0 nothing but what glint_init is given. @return the error; GLINT_OK when there is no
+ * such way */
+static glint_status break_config(glint_config *config, int how) {
+    switch (how) {
+    case 0:
+        return GLINT_ERROR_NULL;
+    case 1:
+        config->arena = 0;
+        return GLINT_ERROR_NULL;
+    case 2:
+        config->format = 0;
+        return GLINT_ERROR_NULL;
+    case 3:
+        config->width = 0;
+        return GLINT_ERROR_SIZE;
+    case 4:
+        config->tile_height = 7;
+        return GLINT_ERROR_TILE;
+    case 5:
+        config->arena_size = 9;
+        return GLINT_ERROR_ARENA;
+    default:
+        return GLINT_OK;
+    }
+}
+
+static int is_zero(const glint_config *config) {
+    return !(config->width | config->height | config->tile_width | config->tile_height) && !config->format &&
+           !config->flush.begin && !config->flush.wait && !config->flush.context && !config->arena &&
+           !config->arena_size && !config->gamma && !config->keeps_arena && !config->counts_drawn;
+}
+
+/* A renderer that held something is all 0, and cannot draw. */
+void failed_init_leaves_zeros(void) {
+    for (int how = 0;; how++) {
+        fixture *f = fixture_begin();
+        CHECK_EQUAL(fixture_render(f), GLINT_OK);
+        glint_config config = f->config;
+        const glint_status expected = break_config(&config, how);
+        if (expected == GLINT_OK)
+            break;
+        CHECK(!is_zero(&f->renderer.config) && f->renderer.stats.tiles && f->renderer.kept.count);
+        CHECK_EQUAL(glint_init(&f->renderer, how ? &config : 0), expected);
+        CHECK(is_zero(&f->renderer.config));
+        CHECK(!f->renderer.stats.tiles && !f->renderer.kept.shadings && !f->renderer.kept.count);
+        CHECK_EQUAL(glint_render(&f->renderer, &f->scene), GLINT_ERROR_NULL);
+    }
+}
+
+/* A frame that was begun is all 0, and has no pass; for an error of its configuration or of its scene. */
+void failed_begin_leaves_zeros(void) {
+    for (int how = 0; how < 8; how++) {
+        fixture *f = fixture_begin();
+        glint_frame frame;
+        glint_config config = f->config;
+        CHECK_EQUAL(glint_frame_begin(&frame, &config, &f->scene), GLINT_OK);
+        glint_status expected = break_config(&config, how);
+        if (how == 6)
+            expected = GLINT_ERROR_NULL;
+        if (how == 7) {
+            f->materials[0].specular.r = f->lights[0].specular.r = GLINT_COLOUR_MAX;
+            expected = GLINT_ERROR_COLOUR;
+        }
+        CHECK_EQUAL(glint_frame_begin(&frame, how ? &config : 0, how == 6 ? 0 : &f->scene), expected);
+        CHECK(is_zero(&frame.config));
+        CHECK(!frame.scene && !frame.view && !frame.shading && !frame.shading_count && !frame.tile_count);
+        CHECK_EQUAL(glint_frame_next(&frame), GLINT_ERROR_NULL);
+    }
+}
+
+/* What is only filled in stays as it was. */
+void failed_questions_leave_answers(void) {
+    fixture *f = fixture_begin();
+    const glint_vector zero = {0, 0, 0}, up = {0, GLINT_ONE, 0};
+    glint_need need = {1, 2};
+    glint_camera camera = {glint_pose_scale(1, 2, 3), 4, 5};
+    CHECK_EQUAL(glint_camera_look_at(&camera, zero, up, up), GLINT_ERROR_CAMERA);
+    for (int i = 0; i < 12; i++)
+        CHECK_EQUAL(camera.pose.m[i / 4][i % 4], i % 5 ? 0 : i / 5 + 1);
+    CHECK(camera.field_of_view == 4 && camera.near_plane == 5);
+    f->objects[0].pose = glint_pose_scale(0, 0, 0);
+    CHECK_EQUAL(glint_arena_need(&f->config, &f->scene, &need), GLINT_ERROR_POSE);
+    f = fixture_begin();
+    f->torus.triangle_count = 0;
+    CHECK_EQUAL(glint_arena_need(&f->config, &f->scene, &need), GLINT_ERROR_MESH);
+    f = fixture_begin();
+    f->config.format = 0;
+    CHECK_EQUAL(glint_arena_need(&f->config, &f->scene, &need), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_workspace_size(&f->config), 0);
+    CHECK(need.smallest == 1 && need.best == 2);
+}
+
 /* ---- Arena --------------------------------------------------------------------------------------------------- */
 
 /* The smallest arena at every alignment draws the frame, one byte less is refused. */

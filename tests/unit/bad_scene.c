@@ -188,6 +188,24 @@ void bad_colours_are_refused(void) {
     fixture_expect_error(f, GLINT_ERROR_COLOUR);
 }
 
+/* Bits that are defined are accepted, all others are refused. */
+void unknown_flags_are_refused(void) {
+    for (int bit = 0; bit < 32; bit++) {
+        fixture *f = fixture_begin();
+        f->torus.flags = 1u << bit;
+        if (f->torus.flags & GLINT_MESH_DOUBLE_SIDED)
+            CHECK_EQUAL(fixture_render(f), GLINT_OK);
+        else
+            fixture_expect_error(f, GLINT_ERROR_FLAGS);
+        f = fixture_begin();
+        f->materials[0].flags = 1u << bit;
+        if (f->materials[0].flags & (GLINT_MATERIAL_UNGATED | GLINT_MATERIAL_MAX))
+            CHECK_EQUAL(fixture_render(f), GLINT_OK);
+        else
+            fixture_expect_error(f, GLINT_ERROR_FLAGS);
+    }
+}
+
 /* ---- Meshes and poses ---------------------------------------------------------------------------------------- */
 
 static void expect_index(uint16_t index, int corner) {
@@ -246,10 +264,30 @@ static void expect_clusters(int which, glint_status expected) {
     }
 }
 
+/* With no way to drop them, clusters are as if they were not there, whatever the rest says. */
+static void expect_clusters_unused(void) {
+    static const uint32_t counts[] = {1, 65537, 4294954080u, UINT32_MAX};
+    fixture *f = fixture_begin();
+    const glint_need plain = fixture_need(f);
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    const uint32_t wanted = fixture_checksum(f);
+    for (unsigned i = 0; i < TEST_COUNT(counts); i++) {
+        const glint_clusters unused = {0, lists[0], borrowers, counts[i]};
+        f = fixture_begin();
+        f->torus.clusters = &unused;
+        const glint_need need = fixture_need(f);
+        CHECK_EQUAL(need.smallest, plain.smallest);
+        CHECK_EQUAL(need.best, plain.best);
+        CHECK_EQUAL(fixture_render(f), GLINT_OK);
+        CHECK_EQUAL(fixture_checksum(f), wanted);
+    }
+}
+
 void bad_clusters_are_refused(void) {
     for (int which = 0; which < 7; which++)
         expect_clusters(which, which < 3 ? GLINT_OK : GLINT_ERROR_MESH);
     expect_clusters(7, GLINT_ERROR_NULL);
+    expect_clusters_unused();
 }
 
 void bad_meshes_are_refused(void) {

@@ -103,9 +103,15 @@ void generators_fill_their_room(void) {
         check_room(s, s->vertices, s->triangles, GLINT_OK);
         check_room(s, s->vertices - 1, s->triangles, GLINT_ERROR_GENERATOR);
         check_room(s, s->vertices, s->triangles - 1, GLINT_ERROR_GENERATOR);
+        mesh.positions = 0; /* with pointers of null it cannot be drawn */
+        mesh.extent.x = -1;
         CHECK_EQUAL(generate(s, &mesh, &none), GLINT_ERROR_GENERATOR);
         CHECK_EQUAL(mesh.vertex_count, s->vertices);
         CHECK_EQUAL(mesh.triangle_count, s->triangles);
+        CHECK_EQUAL(mesh.extent.x, -1);
+        const glint_mesh_room small = make_room(s->vertices - 1, s->triangles);
+        CHECK_EQUAL(generate(s, &mesh, &small), GLINT_ERROR_GENERATOR);
+        CHECK(mesh.positions == 0 && mesh.extent.x == -1);
     }
 }
 

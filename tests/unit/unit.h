@@ -10,9 +10,13 @@
     CASE(init_refuses_bad_configurations)     \
     CASE(null_pointers_are_refused)           \
     CASE(null_pointers_in_scenes_are_refused) \
+    CASE(failed_init_leaves_zeros)            \
+    CASE(failed_begin_leaves_zeros)           \
+    CASE(failed_questions_leave_answers)      \
     CASE(bad_cameras_are_refused)             \
     CASE(bad_lights_are_refused)              \
     CASE(bad_colours_are_refused)             \
+    CASE(unknown_flags_are_refused)           \
     CASE(bad_meshes_are_refused)              \
     CASE(bad_clusters_are_refused)            \
     CASE(clusters_that_face_away_are_dropped) \

@@ -1,0 +1,224 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Suite: every size of arena, from none to one byte more than the best. Below the smallest it is refused, from there
+ * on the picture is the same.
+ */
+#include "glint.h"
+#include "harness.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define WIDTH 24
+#define HEIGHT 12
+#define MATERIALS_MAX 8
+
+static const int16_t points[4][3] = {{0, 32767, 0}, {-32767, -16384, 0}, {32767, -16384, 0}, {0, 0, 32767}};
+static const uint16_t sides[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
+static const glint_mesh pyramid = {
+    .positions = points,
+    .normals = points,
+    .triangles = sides,
+    .vertex_count = 4,
+    .triangle_count = 4,
+    .extent = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
+};
+
+/* Pyramids side by side, each of a material of its own. */
+typedef struct row {
+    glint_scene scene;
+    glint_light lights[2]; /* the second shows nowhere */
+    glint_material materials[MATERIALS_MAX];
+    glint_object objects[MATERIALS_MAX];
+} row;
+
+/* What is the matter with pyramid i. */
+typedef void (*variant)(row *r, uint32_t i);
+
+static void lambert(row *r, uint32_t i) {
+    r->materials[i].model = &glint_model_lambert;
+}
+
+static void blinn_phong(row *r, uint32_t i) {
+    r->materials[i].specular = (glint_colour){GLINT_ONE / 2, GLINT_ONE / 4, (glint_q16)i * GLINT_ONE / 8};
+}
+
+/* Fast lighting takes one in two. */
+static void mixed(row *r, uint32_t i) {
+    if (i % 2)
+        lambert(r, i);
+    else if (i % 4)
+        r->materials[i].model = &glint_model_phong;
+    else
+        r->materials[i].model = &glint_model_unlit;
+}
+
+static void per_vertex(row *r, uint32_t i) {
+    r->objects[i].evaluation = i % 3 == 0 ? &glint_per_vertex : i % 3 == 1 ? &glint_per_facet : &glint_per_fragment;
+}
+
+static void build(row *r, uint32_t count, variant change) {
+    const glint_colour white = {GLINT_ONE, GLINT_ONE, GLINT_ONE};
+    *r = (row){.scene = {.camera = {glint_pose_identity(), 40 * GLINT_ONE, GLINT_ONE / 8}}};
+    r->lights[0] = (glint_light){&glint_light_directional, {GLINT_ONE, GLINT_ONE, GLINT_ONE}, white, white};
+    r->lights[1] = (glint_light){.type = &glint_light_point};
+    r->scene.ambient = white;
+    r->scene.lights = r->lights;
+    r->scene.light_count = 1 + count % 2;
+    r->scene.objects = r->objects;
+    r->scene.object_count = count;
+    for (uint32_t i = 0; i < count; i++) {
+        const glint_q16 level = (glint_q16)(i + 1) * (GLINT_ONE / 10);
+        r->materials[i] = (glint_material){.model = &glint_model_blinn_phong, .shininess = 20 * GLINT_ONE};
+        r->materials[i].diffuse = (glint_colour){level, GLINT_ONE - level, level / 2};
+        r->materials[i].ambient.g = GLINT_ONE / 16;
+        r->objects[i] = (glint_object){.mesh = &pyramid, .material = &r->materials[i]};
+        r->objects[i].pose = glint_pose_translate(((glint_q16)i - 4) * GLINT_ONE, 0, -5 * GLINT_ONE);
+        change(r, i);
+    }
+}
+
+typedef uint16_t screen[HEIGHT][WIDTH];
+
+static int put(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    screen *s = context;
+    for (int line = 0; line < height; line++)
+        memcpy(&(*s)[y + line][x], (const uint8_t *)pixels + (size_t)line * stride, (size_t)width * sizeof(uint16_t));
+    return 0;
+}
+
+static glint_config config_of(screen *to) {
+    return (glint_config){.width = WIDTH,
+                          .height = HEIGHT,
+                          .tile_width = 16,
+                          .tile_height = 8,
+                          .format = &glint_format_rgb565,
+                          .flush = {put, 0, to}};
+}
+
+/* Draws frames with an arena of just so many bytes. @return the status of the last, or the first error */
+static glint_status draw(const row *r, size_t size, uint8_t keeps_arena, screen *to) {
+    glint_config config = config_of(to);
+    glint_renderer renderer;
+    void *arena = malloc(size ? size : 1);
+    CHECK(arena != NULL);
+    config.arena = arena;
+    config.arena_size = size;
+    config.keeps_arena = keeps_arena;
+    glint_status status = glint_init(&renderer, &config);
+    for (int frame = 0; frame <= keeps_arena && status == GLINT_OK; frame++) {
+        memset(to, 0, sizeof *to);
+        status = glint_render(&renderer, &r->scene);
+    }
+    free(arena);
+    return status;
+}
+
+/* @return does each size draw the picture, or is refused, as it should? */
+static int every_size_is_right(const row *r, uint8_t keeps_arena) {
+    static const screen blank;
+    screen wanted, got;
+    const glint_config config = config_of(&wanted);
+    glint_need need = {0};
+    CHECK_EQUAL(glint_arena_need(&config, &r->scene, &need), GLINT_OK);
+    CHECK_EQUAL(draw(r, need.best, keeps_arena, &wanted), GLINT_OK);
+    CHECK(memcmp(&wanted, &blank, sizeof blank) != 0);
+    for (size_t size = 0; size <= need.best + 1; size++) {
+        const glint_status expected = size < need.smallest ? GLINT_ERROR_ARENA : GLINT_OK;
+        if (!CHECK_EQUAL(draw(r, size, keeps_arena, &got), expected))
+            return 0;
+        if (expected == GLINT_OK && !CHECK(memcmp(&wanted, &got, sizeof got) == 0))
+            return 0;
+    }
+    return 1;
+}
+
+/* One material to so many, the last ones also in an arena that is kept from frame to frame. */
+static void check_variant(uint32_t most, variant change) {
+    row r;
+    int right = 1;
+    for (uint32_t count = 1; count <= most && right; count++) {
+        build(&r, count, change);
+        right = every_size_is_right(&r, 0);
+    }
+    if (right)
+        every_size_is_right(&r, 1);
+}
+
+static void matt_materials(void) {
+    check_variant(MATERIALS_MAX, lambert);
+}
+
+static void shining_materials(void) {
+    check_variant(3, blinn_phong);
+}
+
+static void materials_of_all_models(void) {
+    check_variant(MATERIALS_MAX, mixed);
+}
+
+static void objects_of_all_evaluations(void) {
+    check_variant(4, per_vertex);
+}
+
+/* A caller's own arena, without tile buffers: what has become enough stays so. */
+static void frames_begun_by_the_caller(void) {
+    screen none;
+    row r;
+    glint_config config = config_of(&none);
+    build(&r, MATERIALS_MAX, lambert);
+    glint_need need = {0};
+    CHECK_EQUAL(glint_arena_need(&config, &r.scene, &need), GLINT_OK);
+    glint_status last = GLINT_ERROR_ARENA;
+    for (size_t size = 0; size <= need.best; size++) {
+        glint_frame frame;
+        void *arena = malloc(size ? size : 1);
+        CHECK(arena != NULL);
+        config.arena = arena;
+        config.arena_size = size;
+        glint_status status = glint_frame_begin(&frame, &config, &r.scene);
+        if (last == GLINT_OK || size >= need.smallest)
+            CHECK_EQUAL(status, GLINT_OK);
+        else
+            CHECK(status == GLINT_OK || status == GLINT_ERROR_ARENA);
+        last = status;
+        int more = status == GLINT_OK;
+        while (more > 0)
+            more = glint_frame_next(&frame);
+        CHECK_EQUAL(more, 0);
+        free(arena);
+    }
+}
+
+/* Clusters are numbered in 16 bits: one more is refused, though they add up to the mesh. */
+static void more_clusters_than_numbers(void) {
+    enum { MOST = 65536 };
+    static glint_cluster list[MOST + 1];
+    glint_clusters clusters = {&glint_cull_cones, list, NULL, MOST};
+    glint_mesh mesh = pyramid;
+    screen none;
+    row r;
+    glint_need need;
+    const glint_config config = config_of(&none);
+    build(&r, 1, lambert);
+    list[0] = (glint_cluster){.spread = 255, .height = -1, .triangles = 4, .vertices = 4};
+    mesh.clusters = &clusters;
+    r.objects[0].mesh = &mesh;
+    CHECK_EQUAL(glint_arena_need(&config, &r.scene, &need), GLINT_OK);
+    CHECK_EQUAL(draw(&r, need.best, 0, &none), GLINT_OK);
+    clusters.count = MOST + 1;
+    CHECK_EQUAL(glint_arena_need(&config, &r.scene, &need), GLINT_ERROR_MESH);
+    CHECK_EQUAL(draw(&r, need.best, 0, &none), GLINT_ERROR_MESH);
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {
+        TEST_CASE(matt_materials),
+        TEST_CASE(shining_materials),
+        TEST_CASE(materials_of_all_models),
+        TEST_CASE(objects_of_all_evaluations),
+        TEST_CASE(frames_begun_by_the_caller),
+        TEST_CASE(more_clusters_than_numbers),
+    };
+    return test_run(write, cases, TEST_COUNT(cases));
+}
