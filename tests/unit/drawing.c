@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What a frame looks like where it can be told without a reference, and what the rest of the interface says. */
 #include "fixture.h"
+#include "frame.h"
 #include "harness.h"
 #include "unit.h"
 
@@ -63,6 +64,46 @@ void statistics(void) {
     CHECK(f->renderer.stats.hidden > 0);
 }
 
+/* Bytes of the arena before the longest run of those that a frame left as they were, and behind it. */
+static void find_written(const fixture *f, uint32_t *before, uint32_t *behind) {
+    const uint8_t *arena = fixture_arena();
+    const uint8_t untouched = arena[FIXTURE_ARENA_BYTES];
+    uint32_t run = 0, longest = 0;
+    for (uint32_t i = 0; i < f->config.arena_size; i++) {
+        run = arena[i] == untouched ? run + 1 : 0;
+        if (run > longest) {
+            longest = run;
+            *before = i + 1 - run;
+        }
+    }
+    *behind = (uint32_t)f->config.arena_size - *before - longest;
+}
+
+/* What lies between both ends of the arena is free; up to sizeof(void *) - 1 bytes are lost to aligning at each. */
+static void expect_used(fixture *f, int clips) {
+    const uint32_t lost = 2 * sizeof(void *) - 2;
+    uint32_t before = 0, behind = 0;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_EQUAL(f->renderer.stats.passes, 1);
+    CHECK_EQUAL(f->renderer.stats.clipped > 0, clips);
+    find_written(f, &before, &behind);
+    const uint32_t written = before + (clips ? behind : 0); /* else nothing stays at the high end */
+    /* the last part of a triangle, which nobody sees, and what the arena ends with */
+    const uint32_t more = clips ? sizeof(glint_clipped) + sizeof(void *) - 1 : 0;
+    CHECK_AT_MOST(written, f->renderer.stats.arena_used + more);
+    CHECK_AT_MOST(f->renderer.stats.arena_used, written + lost);
+}
+
+void arena_used_is_what_was_written(void) {
+    fixture *f = fixture_begin();
+    f->config.tile_width = f->config.tile_height = 8;
+    expect_used(f, 0);
+    f->objects[0].pose.m[2][3] = GLINT_Q16(-0.2);
+    f->scene.camera.near_plane = GLINT_Q16(0.3);
+    f->torus.triangle_count = 48;
+    expect_used(f, 1);
+}
+
 /* ---- Two renderers ------------------------------------------------------------------------------------------- */
 
 typedef struct half {
@@ -113,7 +154,6 @@ static void half_step(half *h) {
     h->tile++;
 }
 
-/* Two frames drawn a tile at a time in turn come out as each drawn alone. */
 /* A torus without its first triangles, or without its last. */
 static uint32_t checksum_of_part(uint32_t first, uint32_t count) {
     fixture *f = fixture_begin();
@@ -158,10 +198,35 @@ static void expect_dropped(int which) {
     CHECK(f->renderer.stats.facing_away < 60);
 }
 
+/* Borrowers without numbers, or with such as no cluster has, count as seen: then so do the vertices that they borrow.
+ */
+static void expect_seen_borrowers(int which, uint16_t count, const uint16_t *numbers) {
+    const uint32_t first = which & 1 ? 60 : 0, triangles = 144 - first - (which & 2 ? 84 : 0);
+    const uint32_t expected = checksum_of_part(first, triangles);
+    glint_cluster list[2] = {lists[which][0], lists[which][1]};
+    const glint_clusters seen = {&glint_cull_cones, list, numbers, 2};
+    for (int small = 0; small < 2; small++) {
+        fixture *f = fixture_begin();
+        list[0].borrowers = list[1].borrowers = count;
+        f->torus.clusters = &seen;
+        f->config.arena_size = small ? fixture_need(f).smallest : f->config.arena_size;
+        CHECK_EQUAL(fixture_render(f), GLINT_OK);
+        CHECK_EQUAL(fixture_checksum(f), expected);
+        if (!small)
+            CHECK_EQUAL(f->renderer.stats.vertices, count ? 72 : (which & 1 ? 0 : 30) + (which & 2 ? 0 : 42));
+    }
+}
+
 void clusters_that_face_away_are_dropped(void) {
     for (int which = 0; which < 4; which++)
         expect_dropped(which);
-    fixture *f = fixture_begin(); /* what is dropped takes no arena; tables would hide it */
+    static const uint16_t nobody[2] = {2, 2};
+    for (int which = 0; which < 4; which++) {
+        expect_seen_borrowers(which, 1, 0);
+        expect_seen_borrowers(which, 1, nobody);
+    }
+    expect_seen_borrowers(3, 0, 0); /* others' triangles name vertices of both clusters */
+    fixture *f = fixture_begin();   /* what is dropped takes no arena; tables would hide it */
     f->config.format = &glint_format_rgb888;
     f->torus.clusters = &clusters[0];
     const size_t with_all = fixture_need(f).best;
@@ -169,6 +234,7 @@ void clusters_that_face_away_are_dropped(void) {
     CHECK(fixture_need(f).best < with_all);
 }
 
+/* Two frames drawn a tile at a time in turn come out as each drawn alone. */
 void two_renderers_side_by_side(void) {
     uint32_t alone[2];
     half halves[2];
@@ -191,6 +257,29 @@ void two_renderers_side_by_side(void) {
     }
     CHECK_EQUAL(halves[0].checksum, alone[0]);
     CHECK_EQUAL(halves[1].checksum, alone[1]);
+}
+
+/* ---- Materials -------------------------------------------------------------------------------------------------- */
+
+void paint_is_shared_by_ambient_and_diffuse(void) {
+    static const glint_colour paint = {GLINT_Q16(0.8), 3, GLINT_COLOUR_MAX};
+    static const struct {
+        glint_q16 fraction;
+        glint_colour ambient; /* rounded to nearest */
+    } parts[] = {{0, {0, 0, 0}},
+                 {GLINT_ONE / 4, {GLINT_Q16(0.2), 1, 4 * GLINT_ONE}},
+                 {GLINT_ONE / 2, {GLINT_Q16(0.4) + 1, 2, 8 * GLINT_ONE}},
+                 {GLINT_ONE, {GLINT_Q16(0.8), 3, GLINT_COLOUR_MAX}}};
+    for (unsigned i = 0; i < TEST_COUNT(parts); i++) {
+        const glint_colour *ambient = &parts[i].ambient;
+        const glint_material m = glint_material_paint(&glint_model_phong, paint, parts[i].fraction, 77);
+        CHECK(m.model == &glint_model_phong);
+        CHECK(m.ambient.r == ambient->r && m.ambient.g == ambient->g && m.ambient.b == ambient->b);
+        CHECK(m.diffuse.r == paint.r - ambient->r && m.diffuse.g == paint.g - ambient->g);
+        CHECK_EQUAL(m.diffuse.b, paint.b - ambient->b);
+        CHECK(m.specular.r == GLINT_ONE && m.specular.g == GLINT_ONE && m.specular.b == GLINT_ONE);
+        CHECK(m.shininess == 77 && m.flags == 0);
+    }
 }
 
 /* ---- Pixels -------------------------------------------------------------------------------------------------- */
@@ -364,4 +453,25 @@ void nearer_object_hides_the_farther(void) {
         CHECK_EQUAL(fixture_render(f), GLINT_OK);
         CHECK_EQUAL(worst_difference(f, red), 0);
     }
+}
+
+/* A square so far away, beside what is near, that 1/w is 0: lit at its corners it is drawn, black. */
+void colours_without_depth_are_black(void) {
+    static const int black[3] = {0, 0, 0};
+    fixture *f = begin_square();
+    f->scene.light_count = 0;
+    f->scene.object_count = 2;
+    f->scene.camera.field_of_view = GLINT_ONE;
+    f->scene.camera.near_plane = 1;
+    f->objects[1] = f->objects[0]; /* upright through the eye, which sees its edge alone */
+    f->objects[1].pose = glint_pose_identity();
+    f->objects[0].evaluation = &glint_per_vertex;
+    f->materials[0].ambient = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
+    for (int row = 0; row < 3; row++)
+        for (int column = 0; column < 3; column++)
+            f->objects[0].pose.m[row][column] *= 10;
+    f->objects[0].pose.m[2][3] = -32767 * GLINT_ONE;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_EQUAL(f->renderer.stats.hidden, 0);
+    CHECK_EQUAL(worst_difference(f, black), 0);
 }

@@ -3,38 +3,42 @@
 #ifndef GLINT_UNIT_H
 #define GLINT_UNIT_H
 
-#define UNIT_CASES(CASE)                      \
-    CASE(same_bits_on_every_core)             \
-    CASE(same_bits_for_every_tile_and_arena)  \
-    CASE(init_refuses_bad_configurations)     \
-    CASE(null_pointers_are_refused)           \
-    CASE(null_pointers_in_scenes_are_refused) \
-    CASE(bad_cameras_are_refused)             \
-    CASE(bad_lights_are_refused)              \
-    CASE(bad_colours_are_refused)             \
-    CASE(bad_meshes_are_refused)              \
-    CASE(bad_clusters_are_refused)            \
-    CASE(clusters_that_face_away_are_dropped) \
-    CASE(bad_poses_are_refused)               \
-    CASE(limits_are_accepted)                 \
-    CASE(arena_one_byte_short_is_refused)     \
-    CASE(failing_flush_ends_the_frame)        \
-    CASE(flush_without_wait)                  \
-    CASE(status_sentences)                    \
-    CASE(statistics)                          \
-    CASE(row_bytes)                           \
-    CASE(two_renderers_side_by_side)          \
-    CASE(unlit_white_square_fills_the_screen) \
-    CASE(nearer_object_hides_the_farther)     \
-    CASE(light_on_a_facing_square)            \
-    CASE(light_at_no_distance_adds_nothing)   \
-    CASE(light_at_the_only_pixel_is_left_out) \
-    CASE(longest_normals_are_made_unit)       \
-    CASE(mirrored_light_is_at_full_strength)  \
-    CASE(bad_lamps_are_refused)               \
-    CASE(generators_fill_their_room)          \
-    CASE(generators_face_outwards)            \
-    CASE(generators_follow_their_formulas)    \
+#define UNIT_CASES(CASE)                         \
+    CASE(same_bits_on_every_core)                \
+    CASE(same_bits_for_every_tile_and_arena)     \
+    CASE(init_refuses_bad_configurations)        \
+    CASE(null_pointers_are_refused)              \
+    CASE(null_pointers_in_scenes_are_refused)    \
+    CASE(bad_cameras_are_refused)                \
+    CASE(bad_lights_are_refused)                 \
+    CASE(bad_colours_are_refused)                \
+    CASE(bad_meshes_are_refused)                 \
+    CASE(bad_clusters_are_refused)               \
+    CASE(clusters_that_face_away_are_dropped)    \
+    CASE(bad_poses_are_refused)                  \
+    CASE(limits_are_accepted)                    \
+    CASE(arena_one_byte_short_is_refused)        \
+    CASE(frames_refuse_bad_configurations)       \
+    CASE(failing_flush_ends_the_frame)           \
+    CASE(flush_without_wait)                     \
+    CASE(status_sentences)                       \
+    CASE(statistics)                             \
+    CASE(arena_used_is_what_was_written)         \
+    CASE(row_bytes)                              \
+    CASE(paint_is_shared_by_ambient_and_diffuse) \
+    CASE(two_renderers_side_by_side)             \
+    CASE(unlit_white_square_fills_the_screen)    \
+    CASE(nearer_object_hides_the_farther)        \
+    CASE(light_on_a_facing_square)               \
+    CASE(light_at_no_distance_adds_nothing)      \
+    CASE(light_at_the_only_pixel_is_left_out)    \
+    CASE(colours_without_depth_are_black)        \
+    CASE(longest_normals_are_made_unit)          \
+    CASE(mirrored_light_is_at_full_strength)     \
+    CASE(bad_lamps_are_refused)                  \
+    CASE(generators_fill_their_room)             \
+    CASE(generators_face_outwards)               \
+    CASE(generators_follow_their_formulas)       \
     CASE(generators_refuse_bad_input)
 
 #define UNIT_DECLARE(name) void name(void);
