@@ -119,7 +119,7 @@ static void expect_arenas(fixture *f) {
     const size_t most = FIXTURE_ARENA_BYTES - 2 * BESIDE;
     int accepted = 0;
     f->config.arena = fixture_arena() + BESIDE;
-    for (size_t size = 0; size <= most; size++) {
+    for (size_t size = 0; size <= most; size += accepted > 64 ? 61 : 1) { /* a board takes its time */
         beside(f->config.arena, size, 0);
         f->config.arena_size = size;
         const glint_status status = begin_frame(f);
