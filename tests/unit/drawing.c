@@ -456,8 +456,8 @@ void nearer_object_hides_the_farther(void) {
 }
 
 /* A square so far away, beside what is near, that 1/w is 0: lit at its corners it is drawn, black. */
-void colours_without_depth_are_black(void) {
-    static const int black[3] = {0, 0, 0};
+void far_squares_without_depth(void) {
+    static const int black[3] = {0, 0, 0}, white[3] = {255, 255, 255};
     fixture *f = begin_square();
     f->scene.light_count = 0;
     f->scene.object_count = 2;
@@ -474,4 +474,12 @@ void colours_without_depth_are_black(void) {
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
     CHECK_EQUAL(f->renderer.stats.hidden, 0);
     CHECK_EQUAL(worst_difference(f, black), 0);
+    f->objects[0].evaluation = &glint_per_facet; /* a light at the eye, which nothing weakens, reaches it */
+    f->scene.light_count = 1;
+    f->lights[0].type = &glint_light_point;
+    f->lights[0].vector = (glint_vector){0, 0, 0};
+    f->materials[0].ambient = f->materials[0].specular = (glint_colour){0, 0, 0};
+    f->materials[0].diffuse = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_AT_MOST(worst_difference(f, white), 1);
 }

@@ -32,7 +32,7 @@
     CASE(light_on_a_facing_square)               \
     CASE(light_at_no_distance_adds_nothing)      \
     CASE(light_at_the_only_pixel_is_left_out)    \
-    CASE(colours_without_depth_are_black)        \
+    CASE(far_squares_without_depth)              \
     CASE(longest_normals_are_made_unit)          \
     CASE(mirrored_light_is_at_full_strength)     \
     CASE(bad_lamps_are_refused)                  \
