@@ -40,9 +40,21 @@ void row_bytes(void) {
     CHECK_EQUAL(glint_row_bytes(&glint_format_mono_pages, 32), 4);
 }
 
+static uint32_t parts_drawn(const fixture *f) {
+    uint32_t parts = 0;
+    for (int i = 0; i < GLINT_KERNELS; i++)
+        parts += f->renderer.stats.drawn[i].parts;
+    return parts;
+}
+
 void statistics(void) {
     fixture *f = fixture_begin();
+    f->config.counts_drawn = 1;
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK(parts_drawn(f) > 0);
+    f->config.counts_drawn = 0;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_EQUAL(parts_drawn(f), 0);
     const glint_stats *stats = &f->renderer.stats;
     CHECK_EQUAL(stats->tiles, f->begins);
     CHECK(stats->passes >= 1);
@@ -257,6 +269,43 @@ void two_renderers_side_by_side(void) {
     }
     CHECK_EQUAL(halves[0].checksum, alone[0]);
     CHECK_EQUAL(halves[1].checksum, alone[1]);
+}
+
+/* ---- Pages ------------------------------------------------------------------------------------------------------ */
+
+static uint32_t pages_compared, pages_wrong;
+
+/* Holds a tile of pages against what the fixture drew in rows. */
+static int compare_pages(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    const uint8_t *bytes = pixels;
+    for (int row = 0; row < height; row++) {
+        const uint8_t *wanted = fixture_row(context, y + row);
+        for (int column = 0; column < width; column++) {
+            const unsigned is = bytes[(size_t)column + (size_t)(row / 8 * 8) * stride] >> (row % 8) & 1u;
+            pages_wrong += is != (wanted[(x + column) / 8] >> ((x + column) % 8) & 1u);
+            pages_compared++;
+        }
+    }
+    return 0;
+}
+
+static void expect_pages(const glint_format *rows, const glint_format *pages) {
+    fixture *f = fixture_begin();
+    f->config.format = rows;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    glint_config config = f->config;
+    config.format = pages;
+    config.flush = (glint_flush){compare_pages, 0, f};
+    pages_compared = pages_wrong = 0;
+    CHECK_EQUAL(glint_init(&f->renderer, &config), GLINT_OK);
+    CHECK_EQUAL(glint_render(&f->renderer, &f->scene), GLINT_OK);
+    CHECK_EQUAL(pages_compared, FIXTURE_WIDTH * FIXTURE_HEIGHT);
+    CHECK_EQUAL(pages_wrong, 0);
+}
+
+void pages_show_what_rows_do(void) {
+    expect_pages(&glint_format_mono, &glint_format_mono_pages);
+    expect_pages(&glint_format_mono_dithered, &glint_format_mono_pages_dithered);
 }
 
 /* ---- Materials -------------------------------------------------------------------------------------------------- */

@@ -25,6 +25,7 @@
     CASE(statistics)                             \
     CASE(arena_used_is_what_was_written)         \
     CASE(row_bytes)                              \
+    CASE(pages_show_what_rows_do)                \
     CASE(paint_is_shared_by_ambient_and_diffuse) \
     CASE(two_renderers_side_by_side)             \
     CASE(unlit_white_square_fills_the_screen)    \
