@@ -127,10 +127,11 @@ static void least_exponents(void) {
         test_scene scene;
         char name[80];
         build(&scene);
-        scene.materials[0].shininess = exponents[i / 4];
+        const glint_q16 exponent = exponents[i / 4];
+        scene.materials[0].shininess = exponent;
         scene.materials[0].model = models[i % 2];
         scene.objects[0].evaluation = i & 2 ? &glint_per_vertex : 0;
-        snprintf(name, sizeof name, "p = %.6f, %s, per %s", exponents[i / 4] / 65536.0, i % 2 ? "phong" : "blinn-phong",
+        snprintf(name, sizeof name, "p = %.6f, %s, per %s", exponent / 65536.0, i % 2 ? "phong" : "blinn-phong",
                  i & 2 ? "vertex" : "fragment");
         judge_viewers(name, &scene);
     }
