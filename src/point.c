@@ -35,20 +35,31 @@ void glint_point_place(const glint_light *light, glint_prepared_light *prepared,
     prepared->point.distance_shift = 30 - (int)size - bits + 28 - 31;
 }
 
-/* x 2^shift, as far as it fits; x below 2^47. */
+/* x 2^shift; shift below 32, but where x is 0. */
 static uint64_t shifted(uint64_t x, int shift) {
-    return shift >= 0 ? (shift < 16 ? x << shift : x << 16) : shift > -64 ? x >> -shift : 0;
+    return shift >= 0 ? (shift < 32 ? x << shift : x << 32) : shift > -64 ? x >> -shift : 0;
 }
 
-/* 1 / (1 + linear d + quadratic d^2), Q15, for d = distance 2^exponent / inverse_w; distance below 2^16. */
+static inline int bits_of(uint32_t x) {
+    return 32 - (int)glint_leading_zeros(x);
+}
+
+/*
+ * 1 / (1 + linear d + quadratic d^2), Q15, for d = distance 2^exponent / inverse_w; distance below 2^16. With d = b / a
+ * all three terms, times a^2, are brought below 2^61: where none of them is 2^16 times the first, which makes the
+ * result 0, that leaves a 12 bits or more.
+ */
 static uint32_t attenuate(const glint_prepared_light *light, uint32_t inverse_w, uint32_t distance, int exponent) {
+    const uint32_t linear = (uint32_t)light->point.linear, quadratic = (uint32_t)light->point.quadratic;
     uint64_t product = (uint64_t)distance * (uint32_t)light->point.distance_mantissa; /* below 2^47 */
     exponent -= light->point.distance_shift;
-    int size_a = (int)glint_bits64(inverse_w), size_b = (int)glint_bits64(product) + exponent;
-    int top = (size_a > size_b ? size_a : size_b) - 15; /* bring the larger to 15 bits: d = b / a */
-    uint64_t a = shifted(inverse_w, -top) | (size_a - top < 1), b = shifted(product, exponent - top);
+    int size_a = bits_of(inverse_w), size_b = (int)glint_bits64(product) + exponent;
+    int top = glint_most_of(size_a - 22, glint_shift_right(size_a + size_b + bits_of(linear) - 60, 1),
+                            size_b + glint_shift_right(bits_of(quadratic) - 60, 1));
+    uint64_t a = shifted(inverse_w, -top), b = shifted(product, exponent - top);
+    a |= a == 0;
     uint64_t one = a * a << 16;
-    uint64_t sum = one + a * b * (uint32_t)light->point.linear + b * b * (uint32_t)light->point.quadratic;
+    uint64_t sum = one + a * b * linear + b * b * quadratic;
     int down = (int)glint_bits64(sum) - 31;
     sum = shifted(sum, -down);
     one = shifted(one, -down);

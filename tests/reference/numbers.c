@@ -332,6 +332,55 @@ static void check_corners(const glint_transform *t) {
     }
 }
 
+/* The eye, times a weight and 2^-15, and the weight, from the same matrix. */
+static void exact_eye(const glint_transform *t, long double eye[3], long double *weight) {
+    long double determinant = 0;
+    for (int j = 0; j < 3; j++) {
+        eye[j] = 0;
+        for (int i = 0; i < 3; i++) {
+            const glint_row *a = &t->matrix[(i + 1) % 3], *b = &t->matrix[(i + 2) % 3];
+            const int k = (j + 1) % 3, l = (j + 2) % 3;
+            const long double cofactor = (long double)glint_row_get(a, k) * glint_row_get(b, l) -
+                                         (long double)glint_row_get(a, l) * glint_row_get(b, k);
+            eye[j] -= cofactor * t->translation[i];
+            determinant += i == 0 ? cofactor * glint_row_get(&t->matrix[0], j) : 0;
+        }
+    }
+    *weight = t->mirrored ? -determinant : determinant;
+    for (int j = 0; j < 3; j++)
+        eye[j] = t->mirrored ? -eye[j] : eye[j];
+}
+
+/*
+ * A cluster whose height lies near where it begins to face away is not told so before.
+ * @return whether it is told to face away, -1 where nothing can tell
+ */
+static int check_cluster(const glint_transform *t) {
+    static const uint16_t triangle[1][3] = {{1, 2, 3}};
+    const unsigned down = 24 + random_bits() % 8;
+    glint_cluster cluster = {{0, 0, 0}, (uint8_t)(random_bits() >> down), 0, 1, 4, 0};
+    const glint_clusters clusters = {&glint_cull_cones, &cluster, 0, 1};
+    const glint_mesh mesh = {.triangles = triangle, .vertex_count = 4, .triangle_count = 1, .clusters = &clusters};
+    glint_walk walk;
+    long double eye[3], weight;
+    exact_eye(t, eye, &weight);
+    if (weight < 0) /* so flat that rounding turned it inside out */
+        return -1;
+    long double reach = cluster.spread * sqrtl(eye[0] * eye[0] + eye[1] * eye[1] + eye[2] * eye[2]);
+    for (int j = 0; j < 3; j++) {
+        cluster.axis[j] = (int8_t)(random_bits() >> 24);
+        reach += cluster.axis[j] * eye[j];
+    }
+    const long double limit = weight > 0 ? 128 * reach / weight : 0;
+    const int near_limit = (int)(random_bits() % 8) - 4;
+    const long double height = floorl(limit) + near_limit + (random_bits() % 2 ? 0 : limit / 16);
+    cluster.height = (int16_t)fmaxl(fminl(height, INT16_MAX), INT16_MIN);
+    clusters.cull->begin(&walk, &mesh, t);
+    const int away = clusters.cull->corners(&walk, &mesh, 0) != triangle[0];
+    CHECK(!away || cluster.height * weight >= 128 * reach);
+    return away;
+}
+
 /* Anything, of which most is out of range, or something in view, near and far, flat and stretched. */
 static void random_object(glint_object *object, glint_mesh *mesh, int anything) {
     const unsigned bits = anything ? 1 + random_bits() % 32 : 8 + random_bits() % 16;
@@ -349,7 +398,7 @@ static void transforms_keep_their_ranges(void) {
     glint_mesh mesh = {0};
     glint_object object = {.mesh = &mesh};
     glint_scene scene = {.objects = &object, .object_count = 1};
-    int done = 0, whole = 0;
+    int done = 0, whole = 0, away = 0, seen = 0;
     for (int i = 0; i < 1000000; i++) {
         glint_view view;
         glint_transform t;
@@ -368,6 +417,9 @@ static void transforms_keep_their_ranges(void) {
         CHECK(view.focal >= 1 << 8 && view.focal <= 1 << 29 && view.nearest <= (int64_t)1 << 57);
         CHECK(t.exponent >= 1 && t.exponent <= 92 && t.nearest >= 0 && t.near_plane >= 16);
         check_rows(&t);
+        const int faces_away = check_cluster(&t);
+        away += faces_away == 1;
+        seen += faces_away == 0;
         done++;
         if (!t.visible || t.clips)
             continue;
@@ -375,6 +427,7 @@ static void transforms_keep_their_ranges(void) {
         whole++;
     }
     CHECK(done > 500000);
+    CHECK(away > 50000 && seen > 500000);
     CHECK(whole > 30000);
 }
 

@@ -186,6 +186,67 @@ void arena_one_byte_short_is_refused(void) {
     }
 }
 
+/* What glint_frame_begin says to the fixture's arena, workspace aside. */
+static glint_status begin_frame(const fixture *f) {
+    glint_frame frame;
+    frame.shading_count = 0xffffffffu; /* anything, where the arena is not kept */
+    return glint_frame_begin(&frame, &f->config, &f->scene);
+}
+
+#define BESIDE 64
+
+/* Changes or checks the bytes on both sides of an arena. @return how many are not what they were */
+static unsigned beside(uint8_t *arena, size_t size, int checks) {
+    unsigned changed = 0;
+    for (unsigned i = 0; i < BESIDE; i++) {
+        uint8_t *const bytes[2] = {arena - BESIDE + i, arena + size + i};
+        for (unsigned side = 0; side < 2; side++) {
+            changed += checks && *bytes[side] != 0x5a + i;
+            *bytes[side] = (uint8_t)(0x5a + i);
+        }
+    }
+    return changed;
+}
+
+/* Arenas of every size: none writes beside itself, and from one on they are accepted. */
+static void expect_arenas(fixture *f) {
+    const size_t most = FIXTURE_ARENA_BYTES - 2 * BESIDE;
+    int accepted = 0;
+    f->config.arena = fixture_arena() + BESIDE;
+    for (size_t size = 0; size <= most; size += accepted > 64 ? 61 : 1) { /* a board takes its time */
+        beside(f->config.arena, size, 0);
+        f->config.arena_size = size;
+        const glint_status status = begin_frame(f);
+        CHECK(status == GLINT_OK || (status == GLINT_ERROR_ARENA && !accepted));
+        CHECK_EQUAL(beside(f->config.arena, size, 1), 0);
+        accepted += status == GLINT_OK;
+    }
+    CHECK(accepted > 0 && accepted < (int)most);
+}
+
+void frames_refuse_bad_configurations(void) {
+    fixture *f = fixture_begin();
+    CHECK_EQUAL(begin_frame(f), GLINT_OK);
+    f->config.arena = 0;
+    CHECK_EQUAL(begin_frame(f), GLINT_ERROR_NULL);
+    f = fixture_begin();
+    f->config.format = 0;
+    CHECK_EQUAL(begin_frame(f), GLINT_ERROR_NULL);
+    f = fixture_begin();
+    f->config.width = GLINT_SIZE_MAX + 1;
+    CHECK_EQUAL(begin_frame(f), GLINT_ERROR_SIZE);
+    f = fixture_begin();
+    f->config.tile_height = 24;
+    CHECK_EQUAL(begin_frame(f), GLINT_ERROR_TILE);
+    f = fixture_begin();
+    f->objects[0].mesh = 0;
+    CHECK_EQUAL(begin_frame(f), GLINT_ERROR_NULL);
+    expect_arenas(fixture_begin());
+    f = fixture_begin();
+    f->scene.light_count = 0; /* a view takes less than an object's transform */
+    expect_arenas(f);
+}
+
 /* ---- Flush --------------------------------------------------------------------------------------------------- */
 
 /* After the failure no tile is begun, and the next frame is right. */

@@ -217,17 +217,34 @@ static void expect_index(uint16_t index, int corner) {
     fixture_expect_error(f, GLINT_ERROR_INDEX);
 }
 
-/* The last index of a mesh, with an arena that takes many passes: found before the first tile all the same. */
-static void expect_last_index(void) {
+/* The torus as most draws have it, clipped, mirrored, double-sided, and all of these at once. */
+static void set_up_draw(fixture *f, int kind) {
+    const glint_pose mirror = glint_pose_scale(-GLINT_ONE, GLINT_ONE, GLINT_ONE);
+    if (kind & 1) {
+        f->objects[0].pose.m[2][3] = GLINT_Q16(-0.2);
+        f->scene.camera.near_plane = GLINT_Q16(0.3);
+    }
+    if (kind & 2)
+        f->objects[0].pose = glint_pose_then(&mirror, &f->objects[0].pose);
+    if (kind & 4)
+        f->torus.flags = GLINT_MESH_DOUBLE_SIDED;
+}
+
+/* The last index of a mesh, with an arena that takes one pass or many: found before the first tile all the same. */
+static void expect_last_index(int kind, int corner, int small) {
     static uint16_t triangles[48][3];
     fixture *f = fixture_begin();
     const uint32_t count = TEST_COUNT(triangles);
+    set_up_draw(f, kind);
     f->torus.triangle_count = count;
-    f->config.arena_size = fixture_need(f).smallest;
+    f->config.arena_size = small ? fixture_need(f).smallest : f->config.arena_size;
     for (uint32_t i = 0; i < 3 * count; i++)
         triangles[i / 3][i % 3] = f->torus.triangles[i / 3][i % 3];
-    triangles[count - 1][2] = 72;
     f->torus.triangles = (const uint16_t(*)[3])triangles;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK(f->renderer.stats.clipped > 0 || !(kind & 1));
+    CHECK_EQUAL(f->renderer.stats.passes > 1, small);
+    triangles[count - 1][corner] = 72;
     fixture_expect_error(f, GLINT_ERROR_INDEX);
 }
 
@@ -303,7 +320,10 @@ void bad_meshes_are_refused(void) {
         expect_index(72, corner);
         expect_index(65535, corner);
     }
-    expect_last_index();
+    for (int kind = 0; kind < 8; kind++)
+        for (int corner = 0; corner < 3; corner++)
+            for (int small = 0; small < 2; small++)
+                expect_last_index(kind, corner, small);
 }
 
 static void expect_pose(glint_q16 x, glint_q16 y, glint_q16 z) {

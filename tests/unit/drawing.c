@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What a frame looks like where it can be told without a reference, and what the rest of the interface says. */
 #include "fixture.h"
+#include "frame.h"
 #include "harness.h"
 #include "unit.h"
 
@@ -39,9 +40,21 @@ void row_bytes(void) {
     CHECK_EQUAL(glint_row_bytes(&glint_format_mono_pages, 32), 4);
 }
 
+static uint32_t parts_drawn(const fixture *f) {
+    uint32_t parts = 0;
+    for (int i = 0; i < GLINT_KERNELS; i++)
+        parts += f->renderer.stats.drawn[i].parts;
+    return parts;
+}
+
 void statistics(void) {
     fixture *f = fixture_begin();
+    f->config.counts_drawn = 1;
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK(parts_drawn(f) > 0);
+    f->config.counts_drawn = 0;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_EQUAL(parts_drawn(f), 0);
     const glint_stats *stats = &f->renderer.stats;
     CHECK_EQUAL(stats->tiles, f->begins);
     CHECK(stats->passes >= 1);
@@ -61,6 +74,46 @@ void statistics(void) {
     f->objects[0].pose.m[0][3] = GLINT_Q16(-100);
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
     CHECK(f->renderer.stats.hidden > 0);
+}
+
+/* Bytes of the arena before the longest run of those that a frame left as they were, and behind it. */
+static void find_written(const fixture *f, uint32_t *before, uint32_t *behind) {
+    const uint8_t *arena = fixture_arena();
+    const uint8_t untouched = arena[FIXTURE_ARENA_BYTES];
+    uint32_t run = 0, longest = 0;
+    for (uint32_t i = 0; i < f->config.arena_size; i++) {
+        run = arena[i] == untouched ? run + 1 : 0;
+        if (run > longest) {
+            longest = run;
+            *before = i + 1 - run;
+        }
+    }
+    *behind = (uint32_t)f->config.arena_size - *before - longest;
+}
+
+/* What lies between both ends of the arena is free; up to sizeof(void *) - 1 bytes are lost to aligning at each. */
+static void expect_used(fixture *f, int clips) {
+    const uint32_t lost = 2 * sizeof(void *) - 2;
+    uint32_t before = 0, behind = 0;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_EQUAL(f->renderer.stats.passes, 1);
+    CHECK_EQUAL(f->renderer.stats.clipped > 0, clips);
+    find_written(f, &before, &behind);
+    const uint32_t written = before + (clips ? behind : 0); /* else nothing stays at the high end */
+    /* the last part of a triangle, which nobody sees, and what the arena ends with */
+    const uint32_t more = clips ? sizeof(glint_clipped) + sizeof(void *) - 1 : 0;
+    CHECK_AT_MOST(written, f->renderer.stats.arena_used + more);
+    CHECK_AT_MOST(f->renderer.stats.arena_used, written + lost);
+}
+
+void arena_used_is_what_was_written(void) {
+    fixture *f = fixture_begin();
+    f->config.tile_width = f->config.tile_height = 8;
+    expect_used(f, 0);
+    f->objects[0].pose.m[2][3] = GLINT_Q16(-0.2);
+    f->scene.camera.near_plane = GLINT_Q16(0.3);
+    f->torus.triangle_count = 48;
+    expect_used(f, 1);
 }
 
 /* ---- Two renderers ------------------------------------------------------------------------------------------- */
@@ -113,7 +166,6 @@ static void half_step(half *h) {
     h->tile++;
 }
 
-/* Two frames drawn a tile at a time in turn come out as each drawn alone. */
 /* A torus without its first triangles, or without its last. */
 static uint32_t checksum_of_part(uint32_t first, uint32_t count) {
     fixture *f = fixture_begin();
@@ -158,10 +210,35 @@ static void expect_dropped(int which) {
     CHECK(f->renderer.stats.facing_away < 60);
 }
 
+/* Borrowers without numbers, or with such as no cluster has, count as seen: then so do the vertices that they borrow.
+ */
+static void expect_seen_borrowers(int which, uint16_t count, const uint16_t *numbers) {
+    const uint32_t first = which & 1 ? 60 : 0, triangles = 144 - first - (which & 2 ? 84 : 0);
+    const uint32_t expected = checksum_of_part(first, triangles);
+    glint_cluster list[2] = {lists[which][0], lists[which][1]};
+    const glint_clusters seen = {&glint_cull_cones, list, numbers, 2};
+    for (int small = 0; small < 2; small++) {
+        fixture *f = fixture_begin();
+        list[0].borrowers = list[1].borrowers = count;
+        f->torus.clusters = &seen;
+        f->config.arena_size = small ? fixture_need(f).smallest : f->config.arena_size;
+        CHECK_EQUAL(fixture_render(f), GLINT_OK);
+        CHECK_EQUAL(fixture_checksum(f), expected);
+        if (!small)
+            CHECK_EQUAL(f->renderer.stats.vertices, count ? 72 : (which & 1 ? 0 : 30) + (which & 2 ? 0 : 42));
+    }
+}
+
 void clusters_that_face_away_are_dropped(void) {
     for (int which = 0; which < 4; which++)
         expect_dropped(which);
-    fixture *f = fixture_begin(); /* what is dropped takes no arena; tables would hide it */
+    static const uint16_t nobody[2] = {2, 2};
+    for (int which = 0; which < 4; which++) {
+        expect_seen_borrowers(which, 1, 0);
+        expect_seen_borrowers(which, 1, nobody);
+    }
+    expect_seen_borrowers(3, 0, 0); /* others' triangles name vertices of both clusters */
+    fixture *f = fixture_begin();   /* what is dropped takes no arena; tables would hide it */
     f->config.format = &glint_format_rgb888;
     f->torus.clusters = &clusters[0];
     const size_t with_all = fixture_need(f).best;
@@ -169,6 +246,7 @@ void clusters_that_face_away_are_dropped(void) {
     CHECK(fixture_need(f).best < with_all);
 }
 
+/* Two frames drawn a tile at a time in turn come out as each drawn alone. */
 void two_renderers_side_by_side(void) {
     uint32_t alone[2];
     half halves[2];
@@ -191,6 +269,66 @@ void two_renderers_side_by_side(void) {
     }
     CHECK_EQUAL(halves[0].checksum, alone[0]);
     CHECK_EQUAL(halves[1].checksum, alone[1]);
+}
+
+/* ---- Pages ------------------------------------------------------------------------------------------------------ */
+
+static uint32_t pages_compared, pages_wrong;
+
+/* Holds a tile of pages against what the fixture drew in rows. */
+static int compare_pages(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    const uint8_t *bytes = pixels;
+    for (int row = 0; row < height; row++) {
+        const uint8_t *wanted = fixture_row(context, y + row);
+        for (int column = 0; column < width; column++) {
+            const unsigned is = bytes[(size_t)column + (size_t)(row / 8 * 8) * stride] >> (row % 8) & 1u;
+            pages_wrong += is != (wanted[(x + column) / 8] >> ((x + column) % 8) & 1u);
+            pages_compared++;
+        }
+    }
+    return 0;
+}
+
+static void expect_pages(const glint_format *rows, const glint_format *pages) {
+    fixture *f = fixture_begin();
+    f->config.format = rows;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    glint_config config = f->config;
+    config.format = pages;
+    config.flush = (glint_flush){compare_pages, 0, f};
+    pages_compared = pages_wrong = 0;
+    CHECK_EQUAL(glint_init(&f->renderer, &config), GLINT_OK);
+    CHECK_EQUAL(glint_render(&f->renderer, &f->scene), GLINT_OK);
+    CHECK_EQUAL(pages_compared, FIXTURE_WIDTH * FIXTURE_HEIGHT);
+    CHECK_EQUAL(pages_wrong, 0);
+}
+
+void pages_show_what_rows_do(void) {
+    expect_pages(&glint_format_mono, &glint_format_mono_pages);
+    expect_pages(&glint_format_mono_dithered, &glint_format_mono_pages_dithered);
+}
+
+/* ---- Materials -------------------------------------------------------------------------------------------------- */
+
+void paint_is_shared_by_ambient_and_diffuse(void) {
+    static const glint_colour paint = {GLINT_Q16(0.8), 3, GLINT_COLOUR_MAX};
+    static const struct {
+        glint_q16 fraction;
+        glint_colour ambient; /* rounded to nearest */
+    } parts[] = {{0, {0, 0, 0}},
+                 {GLINT_ONE / 4, {GLINT_Q16(0.2), 1, 4 * GLINT_ONE}},
+                 {GLINT_ONE / 2, {GLINT_Q16(0.4) + 1, 2, 8 * GLINT_ONE}},
+                 {GLINT_ONE, {GLINT_Q16(0.8), 3, GLINT_COLOUR_MAX}}};
+    for (unsigned i = 0; i < TEST_COUNT(parts); i++) {
+        const glint_colour *ambient = &parts[i].ambient;
+        const glint_material m = glint_material_paint(&glint_model_phong, paint, parts[i].fraction, 77);
+        CHECK(m.model == &glint_model_phong);
+        CHECK(m.ambient.r == ambient->r && m.ambient.g == ambient->g && m.ambient.b == ambient->b);
+        CHECK(m.diffuse.r == paint.r - ambient->r && m.diffuse.g == paint.g - ambient->g);
+        CHECK_EQUAL(m.diffuse.b, paint.b - ambient->b);
+        CHECK(m.specular.r == GLINT_ONE && m.specular.g == GLINT_ONE && m.specular.b == GLINT_ONE);
+        CHECK(m.shininess == 77 && m.flags == 0);
+    }
 }
 
 /* ---- Pixels -------------------------------------------------------------------------------------------------- */
@@ -389,4 +527,33 @@ void nearer_object_hides_the_farther(void) {
         CHECK_EQUAL(fixture_render(f), GLINT_OK);
         CHECK_EQUAL(worst_difference(f, red), 0);
     }
+}
+
+/* A square so far away, beside what is near, that 1/w is 0: lit at its corners it is drawn, black. */
+void far_squares_without_depth(void) {
+    static const int black[3] = {0, 0, 0}, white[3] = {255, 255, 255};
+    fixture *f = begin_square();
+    f->scene.light_count = 0;
+    f->scene.object_count = 2;
+    f->scene.camera.field_of_view = GLINT_ONE;
+    f->scene.camera.near_plane = 1;
+    f->objects[1] = f->objects[0]; /* upright through the eye, which sees its edge alone */
+    f->objects[1].pose = glint_pose_identity();
+    f->objects[0].evaluation = &glint_per_vertex;
+    f->materials[0].ambient = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
+    for (int row = 0; row < 3; row++)
+        for (int column = 0; column < 3; column++)
+            f->objects[0].pose.m[row][column] *= 10;
+    f->objects[0].pose.m[2][3] = -32767 * GLINT_ONE;
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_EQUAL(f->renderer.stats.hidden, 0);
+    CHECK_EQUAL(worst_difference(f, black), 0);
+    f->objects[0].evaluation = &glint_per_facet; /* a light at the eye, which nothing weakens, reaches it */
+    f->scene.light_count = 1;
+    f->lights[0].type = &glint_light_point;
+    f->lights[0].vector = (glint_vector){0, 0, 0};
+    f->materials[0].ambient = f->materials[0].specular = (glint_colour){0, 0, 0};
+    f->materials[0].diffuse = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_AT_MOST(worst_difference(f, white), 1);
 }

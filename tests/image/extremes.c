@@ -1,0 +1,219 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Suite: the ends of what a scene may say. Lights as far off as numbers reach, the least and the largest field of view,
+ * exponents from 0 to 32768, and more triangles than a pass holds.
+ */
+#include "bench.h"
+#include "glint.h"
+#include "harness.h"
+#include "judge.h"
+#include "picture.h"
+#include "rows.h"
+#include "scenes.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define WIDTH 160
+#define HEIGHT 120
+
+static glint_colour grey(double value) {
+    return (glint_colour){bench_q16(value), bench_q16(value), bench_q16(value)};
+}
+
+/* A torus that fills most of the screen, in white light. */
+static void build(test_scene *scene) {
+    scene_build_named(scene, "mirrored");
+    scene->objects[0].mesh = &scene_bench_mesh(1)->mesh;
+    scene->objects[0].pose = bench_turn(-0.8, 0.6);
+    scene->objects[0].pose.m[2][3] = bench_q16(-3.7);
+    scene->materials[0].ambient = grey(0.1);
+    scene->materials[0].diffuse = grey(0.5);
+    scene->materials[0].specular = grey(0.4);
+    scene->materials[0].shininess = 32 * GLINT_ONE;
+    scene->scene.ambient = grey(1);
+    scene->scene.light_count = 1;
+    scene->lights[0] = (glint_light){.type = &glint_light_directional,
+                                     .vector = {bench_q16(0.4), bench_q16(0.6), bench_q16(0.7)},
+                                     .diffuse = grey(1),
+                                     .specular = grey(1)};
+}
+
+static void judge_viewers(const char *name, test_scene *scene) {
+    judgement total = {0};
+    for (int viewer = 0; viewer < 2; viewer++) {
+        scene->scene.viewer = (glint_viewer)viewer;
+        row_judge(&scene->scene, WIDTH, HEIGHT, &total);
+    }
+    row_print(name, &total);
+    row_check(&total, row_is_per_fragment(&scene->scene));
+}
+
+/* ---- Lights -------------------------------------------------------------------------------------------------- */
+
+/* Points and spots at the ends of the range, each in every evaluation. */
+static void lights_far_off(void) {
+    static const glint_vector places[] = {{INT32_MAX, INT32_MAX, INT32_MAX},
+                                          {INT32_MIN, INT32_MAX, INT32_MAX},
+                                          {0, INT32_MIN, INT32_MAX},
+                                          {INT32_MAX, 0, 0},
+                                          {GLINT_ONE, 2 * GLINT_ONE, INT32_MAX}};
+    const glint_evaluation *const evaluations[3] = {&glint_per_fragment, &glint_per_vertex, &glint_per_facet};
+    row_print_heading();
+    for (unsigned i = 0; i < 6 * TEST_COUNT(places); i++) {
+        const glint_vector *place = &places[i / 6];
+        test_scene scene;
+        char name[80];
+        build(&scene);
+        scene.objects[0].evaluation = evaluations[i % 3];
+        scene.lights[0].type = i / 3 % 2 ? &glint_light_spot : &glint_light_point;
+        scene.lights[0].vector = *place;
+        scene.lights[0].axis = (glint_vector){-(place->x / 2), -(place->y / 2), -(place->z / 2)};
+        scene.lights[0].inner = 10 * GLINT_ONE;
+        scene.lights[0].outer = 20 * GLINT_ONE;
+        snprintf(name, sizeof name, "%s far off, place %u, evaluation %u", i / 3 % 2 ? "spot" : "point", i / 6, i % 3);
+        judge_viewers(name, &scene);
+    }
+}
+
+/* With attenuation so small that it shows over such a distance alone. */
+static void light_far_off_fades(void) {
+    test_scene scene;
+    row_print_heading();
+    build(&scene);
+    scene.lights[0].type = &glint_light_point;
+    scene.lights[0].vector = (glint_vector){0, 0, INT32_MAX};
+    scene.lights[0].linear = 1; /* 1 / (1 + 1/2) */
+    judge_viewers("point far off, a third less", &scene);
+    scene.lights[0].quadratic = 1; /* 1 / (1 + 1/2 + 2^14) */
+    judge_viewers("point far off, gone", &scene);
+    scene.lights[0].linear = scene.lights[0].quadratic = INT32_MAX;
+    judge_viewers("point far off, attenuated as far as can be", &scene);
+}
+
+/* ---- Camera -------------------------------------------------------------------------------------------------- */
+
+static void fields_of_view(void) {
+    static const struct {
+        glint_q16 degrees;
+        double distance;
+    } views[] = {{GLINT_ONE, 200}, {GLINT_ONE, 170}, {170 * GLINT_ONE, 1.5}, {170 * GLINT_ONE, 3}};
+    const glint_light_type *const types[2] = {&glint_light_directional, &glint_light_point};
+    row_print_heading();
+    for (unsigned i = 0; i < 2 * TEST_COUNT(views); i++) {
+        test_scene scene;
+        char name[80];
+        build(&scene);
+        scene.scene.camera.field_of_view = views[i / 2].degrees;
+        scene.objects[0].pose.m[2][3] = bench_q16(-views[i / 2].distance);
+        scene.lights[0].type = types[i % 2];
+        scene.lights[0].vector = (glint_vector){2 * GLINT_ONE, 3 * GLINT_ONE, bench_q16(4 - views[i / 2].distance)};
+        if (i % 2 == 0)
+            scene.lights[0].vector.z = 4 * GLINT_ONE;
+        snprintf(name, sizeof name, "%d degrees, at %g, %s", views[i / 2].degrees / GLINT_ONE, views[i / 2].distance,
+                 i % 2 ? "point" : "directional");
+        judge_viewers(name, &scene);
+    }
+}
+
+/* ---- Exponents ----------------------------------------------------------------------------------------------- */
+
+static void least_exponents(void) {
+    static const glint_q16 exponents[] = {0, 1, 2, 655};
+    const glint_model *const models[2] = {&glint_model_blinn_phong, &glint_model_phong};
+    row_print_heading();
+    for (unsigned i = 0; i < 4 * TEST_COUNT(exponents); i++) {
+        test_scene scene;
+        char name[80];
+        build(&scene);
+        const glint_q16 exponent = exponents[i / 4];
+        scene.materials[0].shininess = exponent;
+        scene.materials[0].model = models[i % 2];
+        scene.objects[0].evaluation = i & 2 ? &glint_per_vertex : 0;
+        snprintf(name, sizeof name, "p = %.6f, %s, per %s", exponent / 65536.0, i % 2 ? "phong" : "blinn-phong",
+                 i & 2 ? "vertex" : "fragment");
+        judge_viewers(name, &scene);
+    }
+}
+
+/* A highlight that narrow fills a part of the screen where the field of view is narrow too. */
+static void largest_exponents(void) {
+    const glint_model *const models[2] = {&glint_model_blinn_phong, &glint_model_phong};
+    row_print_heading();
+    for (int i = 0; i < 4; i++) {
+        test_scene scene;
+        char name[80];
+        build(&scene);
+        scene.objects[0].mesh = &scene_bench_mesh(3)->mesh;
+        scene.scene.camera.field_of_view = 2 * GLINT_ONE;
+        scene.lights[0].vector = (glint_vector){GLINT_ONE / 100, 0, GLINT_ONE};
+        scene.materials[0].model = models[i % 2];
+        scene.materials[0].shininess = i / 2 ? INT32_MAX : 16384 * GLINT_ONE;
+        snprintf(name, sizeof name, "p = %.2f, %s", scene.materials[0].shininess / 65536.0,
+                 i % 2 ? "phong" : "blinn-phong");
+        judge_viewers(name, &scene);
+    }
+}
+
+/* ---- More triangles than a pass holds ------------------------------------------------------------------------ */
+
+#define COLUMNS 250
+#define ROWS 240
+#define VERTICES ((COLUMNS + 1) * (ROWS + 1))
+#define TRIANGLES (2 * COLUMNS * ROWS)
+#define SIDE 96
+
+/* A plane of 120,000 triangles, all of which are seen, one under the other at most by a pixel. */
+static void build_plane(test_scene *scene, glint_mesh *mesh) {
+    static int16_t positions[VERTICES][3], normals[VERTICES][3];
+    static uint16_t triangles[TRIANGLES][3];
+    const glint_mesh_room room = {positions, normals, triangles, VERTICES, TRIANGLES};
+    CHECK_EQUAL(glint_generate_plane(mesh, &room, COLUMNS, ROWS, GLINT_ONE, GLINT_ONE), GLINT_OK);
+    for (int i = 0; i < VERTICES; i++) { /* bent, so that colours tell places apart */
+        normals[i][0] = (int16_t)(positions[i][0] / 2);
+        normals[i][1] = (int16_t)(positions[i][1] / 3);
+    }
+    build(scene);
+    scene->objects[0].mesh = mesh;
+    scene->objects[0].pose = glint_pose_rotate_z(10 * GLINT_ONE);
+    scene->objects[0].pose.m[2][3] = -3 * GLINT_ONE;
+    scene->scene.background = (glint_colour){GLINT_ONE, 0, GLINT_ONE};
+}
+
+/* No pixel is of two triangles, so that the whole is what its parts, which a pass has room for, show together. */
+static void many_triangles(void) {
+    const picture_options large = {.tile_width = 64, .tile_height = 64};
+    const picture_options small = {.tile_width = 64, .tile_height = 64, .arena_size = 100000};
+    picture whole = picture_open(SIDE, SIDE, &glint_format_rgb888);
+    picture other = picture_open(SIDE, SIDE, &glint_format_rgb888);
+    test_scene scene;
+    glint_mesh mesh;
+    glint_stats stats;
+    build_plane(&scene, &mesh);
+    CHECK_EQUAL(picture_render(&whole, &scene.scene, &large, &stats), GLINT_OK);
+    CHECK(stats.passes > 1);
+    CHECK_EQUAL(stats.hidden, 0);
+    CHECK_EQUAL(picture_render(&other, &scene.scene, &small, &stats), GLINT_OK);
+    CHECK(picture_equal(&whole, &other));
+    static uint8_t sum[SIDE * SIDE][3];
+    for (uint32_t part = 0; part < 3; part++) {
+        mesh.triangle_count = TRIANGLES / 3;
+        CHECK_EQUAL(picture_render(&other, &scene.scene, &large, &stats), GLINT_OK);
+        CHECK_EQUAL(stats.passes, 1);
+        mesh.triangles += TRIANGLES / 3;
+        for (int i = 0; i < SIDE * SIDE; i++)
+            if (part == 0 || other.bytes[3 * i] != 255 || other.bytes[3 * i + 1] != 0)
+                memcpy(sum[i], other.bytes + (size_t)3 * (size_t)i, 3);
+    }
+    CHECK(memcmp(sum, whole.bytes, sizeof sum) == 0);
+    picture_close(&whole);
+    picture_close(&other);
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {TEST_CASE(lights_far_off),    TEST_CASE(light_far_off_fades),
+                                      TEST_CASE(fields_of_view),    TEST_CASE(least_exponents),
+                                      TEST_CASE(largest_exponents), TEST_CASE(many_triangles)};
+    return test_run(write, cases, TEST_COUNT(cases));
+}
