@@ -44,7 +44,7 @@ static void judge_viewers(const char *name, test_scene *scene) {
     judgement total = {0};
     for (int viewer = 0; viewer < 2; viewer++) {
         scene->scene.viewer = (glint_viewer)viewer;
-        row_judge(&scene->scene, WIDTH, HEIGHT, &total);
+        row_judge(&scene->scene, WIDTH, HEIGHT, &glint_format_rgb565, &total);
     }
     row_print(name, &total);
     row_check(&total, row_is_per_fragment(&scene->scene));

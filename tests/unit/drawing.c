@@ -528,9 +528,9 @@ void nearer_object_hides_the_farther(void) {
     }
 }
 
-/* A square so far away, beside what is near, that 1/w is 0: lit at its corners it is drawn, black. */
+/* A square so far away, beside what is near, that 1/w rounds to 0: lit at its corners, or its triangles, it is white. */
 void far_squares_without_depth(void) {
-    static const int black[3] = {0, 0, 0}, white[3] = {255, 255, 255};
+    static const int white[3] = {255, 255, 255};
     fixture *f = begin_square();
     f->scene.light_count = 0;
     f->scene.object_count = 2;
@@ -546,7 +546,7 @@ void far_squares_without_depth(void) {
     f->objects[0].pose.m[2][3] = -32767 * GLINT_ONE;
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
     CHECK_EQUAL(f->renderer.stats.hidden, 0);
-    CHECK_EQUAL(worst_difference(f, black), 0);
+    CHECK_AT_MOST(worst_difference(f, white), 1);
     f->objects[0].evaluation = &glint_per_facet; /* a light at the eye, which nothing weakens, reaches it */
     f->scene.light_count = 1;
     f->lights[0].type = &glint_light_point;
