@@ -143,7 +143,18 @@ static int find_weights(const glint_triangle *triangle, int32_t weight[3]) {
     return left > 0 && (uint32_t)(smallest * smallest >> 15) * (uint32_t)left > LEAST_SQUARE;
 }
 
-/* Planes of M.L and M. @return 0 for slivers, and where M changes too much from pixel to pixel */
+/* Does a narrow triangle's plane, Q30, of corners that are d1 and d2 apart, have slopes that 32 bits cannot hold? */
+static inline int wraps(const glint_gradients *g, int32_t area, int32_t d1, int32_t d2) {
+    d1 = glint_shift_right(d1, 16), d2 = glint_shift_right(d2, 16);
+    const uint32_t slopes =
+        glint_magnitude_bits(d1 * g->x1 + d2 * g->x2) | glint_magnitude_bits(d1 * g->y1 + d2 * g->y2);
+    return slopes >> 11 >= (uint32_t)area; /* areas are 28.4 squared, and sides 28.4 */
+}
+
+/*
+ * Planes of M.L and M. @return 0 for slivers, and where M changes too much from pixel to pixel. Of the slivers that are
+ * left, only narrow triangles may have slopes of 2^32.
+ */
 static int find_planes(const glint_triangle *triangle, const glint_gradients *g, const int32_t cosine[3],
                        glint_quadratic_light *light) {
     const int16_t *a = triangle->corners[0]->attribute, *b = triangle->corners[1]->attribute,
@@ -155,7 +166,10 @@ static int find_planes(const glint_triangle *triangle, const glint_gradients *g,
     glint_plane_begin(&light->cosine, g, cosine[0] * w[0], cosine[1] * w[1], cosine[2] * w[2]);
     for (int i = 0; i < 3; i++) {
         glint_plane *plane = &light->normal[i];
-        glint_plane_begin(plane, g, a[i] * w[0], b[i] * w[1], c[i] * w[2]);
+        const int32_t m0 = a[i] * w[0], m1 = b[i] * w[1], m2 = c[i] * w[2];
+        if (g->reciprocal && wraps(g, triangle->area, m1 - m0, m2 - m0))
+            return 0;
+        glint_plane_begin(plane, g, m0, m1, m2);
         bits |= glint_magnitude_bits(plane->dx) | glint_magnitude_bits(plane->dy);
     }
     const int32_t size = 18 - (int32_t)glint_leading_zeros(bits);

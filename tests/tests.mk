@@ -60,7 +60,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 	    echo "$$suite"; cat "$$suite.log"; [ "$$(cat "$$suite.status")" = 0 ] || status=1; \
 	done; exit $$status
 
-.PHONY: test-unit-host test-image test-identity test-sanitize test-matrix fuzz unit-tables
+.PHONY: test-unit-host test-image test-identity test-sanitize test-matrix unit-tables
 
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers setup) ## unit tests on the host, arithmetic against libm
 	$(call run_suites,$^)
@@ -97,26 +97,49 @@ unit-tables: $(BUILD)/tests/print_torus $(BUILD)/tests/print_checksums ## write 
 
 FUZZ_SECONDS ?= 60
 FUZZ_CC      := clang
-FUZZ_CFLAGS  := -std=c99 $(WARNINGS) -g -O1 -Isrc -Iport/host -fsanitize=fuzzer,address,undefined \
-    -fno-sanitize-recover=all -fno-omit-frame-pointer
+FUZZ_CFLAGS  := -std=c99 $(WARNINGS) -g -O1 -Isrc -Iport/host -Itests -Itests/reference -Itests/image \
+    -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer \
+    -fprofile-instr-generate -fcoverage-mapping
+FUZZ_CORPUS  := tests/fuzz/corpus
 FUZZ_TARGETS := $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
+FUZZ_LIBRARY := $(LIBRARY:%.c=$(BUILD)/fuzz/%.o)
 
 # What a target links beside the library.
-FUZZ_SOURCES_fuzz_obj := $(HOST_READER_SOURCES)
+FUZZ_SCENES := tests/fuzz/usual_scene.c tests/fuzz/drawing.c $(addprefix port/host/,cluster.c patch.c memory.c)
+FUZZ_SOURCES_fuzz_obj          := $(HOST_READER_SOURCES)
+FUZZ_SOURCES_fuzz_render       := tests/fuzz/any_scene.c $(FUZZ_SCENES)
+FUZZ_SOURCES_fuzz_differential := $(FUZZ_SCENES) tests/stability/contract.c tests/stability/weights.c \
+    tests/image/picture.c $(TEST_JUDGE)
 
 define fuzz_target
-$(BUILD)/fuzz/$1: tests/fuzz/$1.c $(FUZZ_SOURCES_$1) $(LIBRARY) $(wildcard src/*.h port/host/*.h)
-	@mkdir -p $$(@D)
-	$$(Q)$(FUZZ_CC) $(FUZZ_CFLAGS) $$(filter %.c,$$^) -lm -o $$@
+$(BUILD)/fuzz/$1: $(addprefix $(BUILD)/fuzz/,$(patsubst %.c,%.o,tests/fuzz/$1.c $(FUZZ_SOURCES_$1))) $(FUZZ_LIBRARY)
+	$$(Q)$(FUZZ_CC) $(FUZZ_CFLAGS) $$^ -lm -o $$@
 endef
 $(foreach target,$(FUZZ_TARGETS),$(eval $(call fuzz_target,$(target))))
 
-fuzz: $(FUZZ_TARGETS:%=$(BUILD)/fuzz/%) ## random scenes and models for FUZZ_SECONDS each, under ASan and UBSan
-	@for target in $^; do \
-	    mkdir -p $$target-corpus; \
-	    if ! $$target -max_total_time=$(FUZZ_SECONDS) -timeout=10 -max_len=4096 -len_control=10 -print_final_stats=1 \
-	            -artifact_prefix=$$target- $$target-corpus > $$target.log 2>&1; then \
-	        grep -v '^#' $$target.log; echo "$$target: a report; the input is beside it"; exit 1; \
-	    fi; \
-	    echo "$$target: no report in $(FUZZ_SECONDS) s," `sed -n 's/^stat::number_of_executed_units: *//p' $$target.log` runs; \
-	done
+# Inputs hold no words to be guessed of: following comparisons would take most of the time.
+$(FUZZ_LIBRARY): FUZZ_CFLAGS += -fno-sanitize-coverage=trace-cmp
+
+$(BUILD)/fuzz/%.o: %.c $(wildcard src/*.h port/host/*.h tests/*/*.h)
+	@mkdir -p $(@D)
+	$(Q)$(FUZZ_CC) $(FUZZ_CFLAGS) -c $< -o $@
+
+.PHONY: fuzz fuzz-coverage $(FUZZ_TARGETS:fuzz_%=fuzz-%)
+
+fuzz: $(FUZZ_TARGETS:fuzz_%=fuzz-%) ## random scenes and models for FUZZ_SECONDS each, under ASan and UBSan
+fuzz-differential: ## random scenes against the double-precision reference for FUZZ_SECONDS, the worst kept
+
+# Goes on from the kept corpus, and from what was found before. An input that was reported goes into the kept corpus, by
+# the name of its SHA-1, with the mend; `fuzz_x -merge=1 -use_counters=0 NEW CORPUS...` makes a small corpus of large ones.
+$(FUZZ_TARGETS:fuzz_%=fuzz-%): fuzz-%: $(BUILD)/fuzz/fuzz_%
+	@mkdir -p $<-corpus
+	@if ! LLVM_PROFILE_FILE=/dev/null $< -max_total_time=$(FUZZ_SECONDS) -timeout=10 -max_len=4096 -len_control=10 \
+	        -print_final_stats=1 -artifact_prefix=$<- $<-corpus $(FUZZ_CORPUS)/fuzz_$* > $<.log 2>&1; then \
+	    grep -v '^#' $<.log; echo "$<: a report; the input is beside it"; exit 1; \
+	fi; \
+	grep '^worst' $<.log | tail -n 3; \
+	echo "$<: no report in $(FUZZ_SECONDS) s," `sed -n 's/^stat::number_of_executed_units: *//p' $<.log` runs
+
+SUITES += fuzz-coverage
+fuzz-coverage: $(FUZZ_TARGETS:%=$(BUILD)/fuzz/%) ## the kept corpora: no report, and at least 90 % of the lines of each file
+	@python3 tests/fuzz/coverage.py --programs $(BUILD)/fuzz --corpora $(FUZZ_CORPUS)

@@ -20,6 +20,7 @@ look() {
     need git git
     need python3 python3
     need clang clang
+    need llvm llvm-cov llvm-profdata
     need clang-format clang-format
     need clang-tidy clang-tidy
     need cppcheck cppcheck

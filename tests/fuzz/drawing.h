@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+/** @file drawing.h Scenes made of an input's bytes, with all that they point to. */
+#ifndef GLINT_FUZZ_DRAWING_H
+#define GLINT_FUZZ_DRAWING_H
+
+#include "glint.h"
+#include "source.h"
+
+#define DRAWING_MESHES 2
+#define DRAWING_OBJECTS 4
+
+/** A scene; not to be moved once made. Arrays of meshes are of the size that these state, for reads beyond to be seen.
+ */
+typedef struct drawing {
+    glint_mesh meshes[DRAWING_MESHES];
+    int is_loose; /**< How it looks may depend on the arena. */
+    glint_material materials[DRAWING_OBJECTS];
+    glint_light lights[GLINT_LIGHTS_MAX + 1];
+    glint_object objects[DRAWING_OBJECTS];
+    glint_scene scene;
+} drawing;
+
+/** Any values, out of range and without sense ones included. */
+void take_any_scene(source *s, drawing *d);
+
+/**
+ * What users draw: generated meshes with smooth normals, seen from around them, lit by lights of which some stand where
+ * they are awkward. Every value is one that the library takes; only an object may be out of range.
+ */
+void take_usual_scene(source *s, drawing *d);
+
+/** Mesh colours, or none: 24 bits, 16 bits, or both. */
+void take_mesh_colours(source *s, glint_mesh *mesh);
+
+void free_drawing(drawing *d);
+
+#endif
