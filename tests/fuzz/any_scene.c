@@ -40,8 +40,11 @@ static uint16_t (*take_triangles(source *s, uint32_t count, uint32_t vertices))[
     uint32_t state = take(s, 3);
     for (uint32_t i = 0; i < count * 3; i++)
         triangles[i / 3][i % 3] = (uint16_t)(next_random(&state) % vertices);
-    if (below(s, 16) == 1)
-        triangles[below(s, count)][below(s, 3)] = (uint16_t)take(s, 2);
+    if (below(s, 16) == 1) {
+        uint16_t index = (uint16_t)take(s, 2);
+        uint32_t triangle = below(s, count);
+        triangles[triangle][below(s, 3)] = index;
+    }
     return triangles;
 }
 
@@ -85,7 +88,8 @@ static int take_clusters(source *s, glint_mesh *mesh) {
     for (uint32_t i = 0; i < clusters->count; i++) {
         for (int j = 0; j < 3; j++)
             list[i].axis[j] = (int8_t)take(s, 1);
-        list[i].spread = (uint8_t)(take(s, 1) >> below(s, 8));
+        list[i].spread = (uint8_t)take(s, 1);
+        list[i].spread = (uint8_t)(list[i].spread >> below(s, 8));
         list[i].height = (int16_t)take(s, 2);
         list[i].triangles = take_part(s, &triangles, i + 1 == clusters->count);
         list[i].vertices = take_part(s, &vertices, i + 1 == clusters->count);
@@ -110,7 +114,8 @@ static glint_pose take_pose(source *s) {
             pose.m[i / 4][i % 4] = any(s);
         return pose;
     }
-    glint_pose scaling = glint_pose_scale(likely(s, 4, 2 * GLINT_ONE), likely(s, 4, 2 * GLINT_ONE), GLINT_ONE);
+    glint_q16 width = likely(s, 4, 2 * GLINT_ONE);
+    glint_pose scaling = glint_pose_scale(width, likely(s, 4, 2 * GLINT_ONE), GLINT_ONE);
     glint_pose x = glint_pose_rotate_x(any(s));
     glint_pose y = glint_pose_rotate_y(any(s));
     glint_pose z = glint_pose_rotate_z(any(s));
@@ -134,8 +139,11 @@ static glint_colour take_colour(source *s) {
 
 static void take_camera(source *s, glint_camera *camera) {
     camera->pose = glint_pose_identity();
-    if (below(s, 4) == 1)
-        glint_camera_look_at(camera, any_vector(s), any_vector(s), any_vector(s));
+    if (below(s, 4) == 1) {
+        glint_vector eye = any_vector(s);
+        glint_vector at = any_vector(s);
+        glint_camera_look_at(camera, eye, at, any_vector(s));
+    }
     if (below(s, 32) == 1)
         camera->pose = take_pose(s);
     camera->field_of_view = likely(s, 16, 169 * GLINT_ONE) | GLINT_ONE;
