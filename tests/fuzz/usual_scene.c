@@ -43,6 +43,12 @@ static glint_vector take_direction(source *s) {
     return (glint_vector){times(radius, glint_sin(turn)), glint_sin(rise), times(radius, glint_cos(turn))};
 }
 
+/* From 2^least to 2^(most + 1) times as long as `size`, in any direction. */
+static glint_vector take_offset(source *s, glint_q16 size, int least, int most) {
+    const glint_vector direction = take_direction(s);
+    return scaled(direction, times(size, across(s, least, most)));
+}
+
 /* Grey, or of three channels; now and then black, or up to 4. */
 static glint_colour take_colour(source *s) {
     const uint32_t kind = below(s, 16);
@@ -177,7 +183,7 @@ static void take_objects(source *s, drawing *d, glint_q16 size, glint_vector cen
         object->mesh = &d->meshes[below(s, DRAWING_MESHES)];
         object->material = &d->materials[below(s, i + 1)];
         object->evaluation = evaluations[below(s, 8)];
-        const glint_vector at = i ? sum(centre, scaled(take_direction(s), times(size, across(s, -2, 1)))) : centre;
+        const glint_vector at = i ? sum(centre, take_offset(s, size, -2, 1)) : centre;
         object->pose = take_pose(s, size, at);
     }
     d->scene.objects = d->objects;
@@ -240,7 +246,7 @@ static glint_vector take_place(source *s, const drawing *d, glint_q16 size, glin
     case 4:
         return take_vertex(s, &d->objects[0]);
     default:
-        return sum(centre, scaled(take_direction(s), times(size, across(s, 0, 5))));
+        return sum(centre, take_offset(s, size, 0, 5));
     }
 }
 
@@ -256,7 +262,7 @@ static glint_vector take_towards(source *s, const glint_camera *camera, glint_ve
     case 4:
         return (glint_vector){camera->pose.m[0][axis], camera->pose.m[1][axis], camera->pose.m[2][axis]};
     case 5: /* a little beside the eye */
-        return sum(back, scaled(take_direction(s), across(s, -12, -1)));
+        return sum(back, take_offset(s, GLINT_ONE, -12, -1));
     default:
         return take_direction(s);
     }
@@ -304,7 +310,7 @@ void take_usual_scene(source *s, drawing *d) {
         take_mesh(s, &d->meshes[i]);
     const glint_q16 size = one_in(s, 4) ? across(s, -6, 6) : GLINT_ONE;
     if (one_in(s, 8))
-        centre = scaled(take_direction(s), across(s, 0, 11));
+        centre = take_offset(s, GLINT_ONE, 0, 11);
     const glint_vector back = take_camera(s, &d->scene.camera, size, centre);
     take_objects(s, d, size, centre);
     take_lights(s, d, size, back);
