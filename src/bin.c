@@ -52,7 +52,7 @@ static inline uint32_t reference_to(uint32_t triangle) {
     return triangle << 16 | GLINT_LIST_END;
 }
 
-/* Puts a reference, number `here`, behind a tile's list. Lists come first: a head is a next, a tail a triangle. */
+/* Puts a reference, number `here`, behind a tile's list. */
 static inline void put(glint_reference *references, uint32_t here, uint32_t tile, uint32_t reference) {
     GLINT_OPAQUE(reference); /* else its halves are stored one by one */
     references[here].next = (uint16_t)reference;
@@ -437,14 +437,13 @@ static int bin_draw(glint_frame *frame, glint_draw *draw) {
 static int begin_lists(glint_frame *frame) {
     const uint32_t tiles = glint_pass_tiles(frame);
     frame->memory.low = frame->vertices_end;
-    frame->lists = glint_take(&frame->memory, tiles * sizeof *frame->lists);
+    frame->references = glint_take(&frame->memory, tiles * sizeof *frame->references);
     frame->clipped = (glint_clipped *)(void *)(frame->memory.base + frame->memory.high);
     frame->reference_count = tiles;
-    if (!frame->lists)
+    if (!frame->references)
         return 0;
-    frame->references = (glint_reference *)(void *)frame->lists;
     for (uint32_t i = 0; i < tiles; i++)
-        frame->lists[i] = (glint_list){GLINT_LIST_END, (uint16_t)i};
+        frame->references[i] = (glint_reference){GLINT_LIST_END, (uint16_t)i};
     return 1;
 }
 

@@ -232,7 +232,11 @@ typedef struct glint_clipped {
 #define GLINT_WORD
 #endif
 
-/** A triangle in a tile's list, by its number: of a draw from 0 up, of the clipped from GLINT_CLIPPED_TOP down. */
+/**
+ * A triangle in a tile's list, by its number: of a draw from 0 up, of the clipped from GLINT_CLIPPED_TOP down. The
+ * first reference of a list is its tile's: it has no triangle, but the number of the last reference there, its own
+ * where the list is empty.
+ */
 typedef struct GLINT_WORD glint_reference {
     uint16_t next; /* number of the next reference, or GLINT_LIST_END */
     uint16_t triangle;
@@ -243,11 +247,6 @@ typedef struct GLINT_WORD glint_reference {
 
 /** Most triangles of draws in a pass: numbers above are left to clipped ones. */
 #define GLINT_TRIANGLES_MAX 0xe000u
-
-/** A tile's list, laid out and numbered as a reference is: the lists first. The tail of an empty one is itself. */
-typedef struct glint_list {
-    uint16_t head, tail;
-} glint_list;
 
 /** Tiles of a pass. */
 static inline uint32_t glint_pass_tiles(const glint_frame *frame) {
@@ -511,8 +510,9 @@ static inline uint8_t *glint_align(void *memory) {
 }
 
 /** Free bytes with which any triangle can be binned into one tile. */
-#define GLINT_BIN_RESERVE \
-    GLINT_ALIGNED(sizeof(glint_list) + (GLINT_CLIP_CORNERS - 2) * (sizeof(glint_reference) + sizeof(glint_clipped)))
+#define GLINT_BIN_RESERVE                   \
+    GLINT_ALIGNED(sizeof(glint_reference) + \
+                  (GLINT_CLIP_CORNERS - 2) * (sizeof(glint_reference) + sizeof(glint_clipped)))
 
 /** Bytes of arena that a draw of so many vertices and triangles takes, its own index list included if it has one. */
 size_t glint_draw_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,

@@ -495,8 +495,7 @@ typedef struct glint_frame {
     uint32_t object, triangle;          /* where the next pass goes on */
     size_t prepared_end, vertices_end;  /* of the arena's use */
     struct glint_draw *draws;           /* what this pass draws */
-    struct glint_list *lists;           /* one for each of its tiles */
-    struct glint_reference *references; /* behind the lists, which are counted with them */
+    struct glint_reference *references; /* first one for each of its tiles, with which the tile's list begins */
     uint32_t reference_count;
     struct glint_clipped *clipped; /* above the last; they grow downwards */
     glint_stats stats;

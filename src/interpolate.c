@@ -336,7 +336,7 @@ static inline int find_local_bulges(const glint_deviation *deviation, const glin
 }
 
 /* All else of the nodes. @return 0 where they do not fit */
-static int find_middles(const glint_deviation *deviation, const glint_triangle *triangle, const edge e[3], nodes *n) {
+static int find_middles(const glint_deviation *deviation, const glint_triangle *triangle, const edge *e, nodes *n) {
     if (deviation->local_viewer) {
         for (int i = 0; i < 3; i++)
             if (!find_local_bulges(deviation, triangle, &e[i], i, n))

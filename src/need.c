@@ -104,7 +104,7 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
         return status;
     size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame.config) +
                       GLINT_ALIGNED(GLINT_VIEW_SIZE(scene->light_count)) + sum.materials;
-    size_t lists = GLINT_ALIGNED(frame.tile_count * sizeof(glint_list)) +
+    size_t lists = GLINT_ALIGNED(frame.tile_count * sizeof(glint_reference)) +
                    GLINT_ALIGNED(sum.references * sizeof(glint_reference)) +
                    GLINT_ALIGNED(sum.clipped * sizeof(glint_clipped)) + GLINT_BIN_RESERVE;
     need->smallest = prepared + GLINT_LEAST_ROOM;

@@ -28,6 +28,7 @@
 #ifndef GLINT_NUMERIC_H
 #define GLINT_NUMERIC_H
 
+#include <limits.h>
 #include <stdint.h>
 
 /** Length of a unit vector: a little below 2^15, so that its rounded components always fit int16. */
@@ -77,6 +78,9 @@
 
 /* Right shifts of negative numbers are arithmetic on every compiler glint knows; this fails to compile elsewhere. */
 typedef char glint_arithmetic_shift[(-1 >> 1) == -1 ? 1 : -1];
+
+/* Products and sums are of 32 bits: with a narrower or a wider int they would not come out the same. */
+typedef char glint_int_of_32_bits[INT_MAX == 0x7fffffff ? 1 : -1];
 
 extern const uint16_t glint_inverse_root_table[354];
 extern const uint16_t glint_inverse_table[65];

@@ -28,4 +28,4 @@ static void light(const glint_shading *shading, uint32_t index, const glint_view
     glint_light_fragments(shading, index, view, fragments, has_surface, specular);
 }
 
-const glint_model glint_model_phong = {glint_prepare_specular, light};
+const glint_model glint_model_phong = {glint_prepare_specular, light, GLINT_LOBE_OTHER};

@@ -43,5 +43,5 @@ static void fill_dithered(void *pixels, uint32_t width, uint32_t height, const u
     fill_pages(pixels, width, height, colour, 1);
 }
 
-const glint_format glint_format_mono_pages = {1, store, fill};
-const glint_format glint_format_mono_pages_dithered = {1, store_dithered, fill_dithered};
+const glint_format glint_format_mono_pages = {1, store, fill, 0};
+const glint_format glint_format_mono_pages_dithered = {1, store_dithered, fill_dithered, 0};

@@ -42,7 +42,7 @@ static void clear(const glint_frame *frame, glint_workspace *workspace) {
 }
 
 int glint_tile_is_empty(const glint_frame *frame, uint32_t tile) {
-    return frame->starts && frame->ends && frame->lists[tile - frame->tile_first].head == GLINT_LIST_END;
+    return frame->starts && frame->ends && frame->references[tile - frame->tile_first].next == GLINT_LIST_END;
 }
 
 /* Puts the corners of a triangle that runs clockwise on the screen in the other order. */
@@ -138,7 +138,7 @@ int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint
     source from = {frame->draws, 0, 0};
     const glint_reference *const references = frame->references;
     glint_triangle triangle;
-    for (uint32_t here = frame->lists[tile - frame->tile_first].head; here != GLINT_LIST_END;) {
+    for (uint32_t here = frame->references[tile - frame->tile_first].next; here != GLINT_LIST_END;) {
         const glint_reference *const reference = &references[here];
         find_triangle(frame, &from, reference->triangle, &triangle);
         here = reference->next;

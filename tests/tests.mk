@@ -49,9 +49,18 @@ $(foreach suite,$(TEST_SUITES),$(eval $(call test_suite,host,$(suite),$(CC),$(CF
 SANITIZE := -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 $(foreach suite,$(TEST_SUITES),$(eval $(call test_suite,sanitize,$(suite),clang,$(SANITIZE))))
 
-# Both compilers at every level of optimisation.
-MATRIX := $(foreach compiler,gcc clang,$(foreach level,O0 Os O2,$(compiler)-$(level)))
+# Both compilers at every level of optimisation; and gcc with all that this machine has, which brings vectors and warnings
+# of their own.
+MATRIX := $(foreach compiler,gcc clang,$(foreach level,O0 Os O2 O3,$(compiler)-$(level)))
 $(foreach variant,$(MATRIX),$(eval $(call test_suite,$(variant),unit,$(subst -, -,$(variant)))))
+$(eval $(call test_suite,gcc-native,unit,gcc -O3 -march=native))
+MATRIX += gcc-native
+
+# The library as others may compile it: gcc does for libglint.a.
+$(BUILD)/tests/clang-warnings: $(LIBRARY) $(wildcard src/*.h)
+	@mkdir -p $(@D)
+	$(Q)clang -std=c99 $(LIBRARY_WARNINGS) -Isrc -fsyntax-only $(LIBRARY)
+	@touch $@
 
 # $(call run_suites,programs): runs all, also after a failure, as many at once as there are cores; prints them in order
 run_suites = @rm -f $(addsuffix .status,$1); \
@@ -75,7 +84,7 @@ test-sanitize: export GLINT_BUDGET_SCENES := 40
 test-sanitize: $(addprefix $(BUILD)/tests/sanitize/,$(TEST_SUITES)) ## the host suites under ASan and UBSan
 	$(call run_suites,$^)
 
-test-matrix: $(MATRIX:%=$(BUILD)/tests/%/unit) ## unit tests by gcc and clang at -O0, -Os and -O2
+test-matrix: $(MATRIX:%=$(BUILD)/tests/%/unit) | $(BUILD)/tests/clang-warnings ## unit tests by gcc and clang at -O0, -Os, -O2 and -O3
 	$(call run_suites,$^)
 
 # ---- Tables of the unit tests, made anew when a pixel changes on purpose

@@ -15,13 +15,13 @@ static uint32_t arena[3072];
 int main(void) {
     const glint_panel panel = {&glint_panel_ssd0323, board_panel_bus()};
     const glint_flush flush = glint_panel_flush(&panel);
-    const glint_config config = {128, 64, 0, 0, panel.type->format, flush, arena, sizeof arena, .keeps_arena = 1};
+    const glint_config config = {128, 64, 0, 0, panel.type->format, flush, arena, sizeof arena, 0, 1 /* keeps_arena */};
+    const glint_camera camera = {glint_pose_translate(0, 0, GLINT_Q16(4)), GLINT_Q16(40), GLINT_Q16(0.1)};
     glint_object object = {&pyramid, &clay, glint_pose_identity()};
-    glint_scene scene = {.lights = &sun, .light_count = 1, .objects = &object, .object_count = 1, .ambient = GREY(1)};
+    const glint_scene scene = {
+        .camera = camera, .ambient = GREY(1), .lights = &sun, .light_count = 1, .objects = &object, .object_count = 1};
     glint_renderer renderer;
     int failed = glint_panel_start(&panel) || glint_init(&renderer, &config);
-
-    scene.camera = (glint_camera){glint_pose_translate(0, 0, GLINT_Q16(4)), GLINT_Q16(40), GLINT_Q16(0.1)};
     for (int turn = 0; turn < 360 && !failed; turn += 5) { /* one turn, 5 degrees a frame */
         object.pose = glint_pose_rotate_y(turn * GLINT_ONE);
         failed = glint_render(&renderer, &scene);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks what firmware takes, that every program was linked, and that the README's example is short."""
+"""Checks what firmware takes, that every program was linked, and that the README's example is short and C++20 too."""
 import argparse
 import os
 import subprocess
@@ -29,6 +29,11 @@ def main():
     with open(arguments.example) as file:
         lines = len(file.readlines())
     tally.check(lines <= 30, "%s has %d lines, more than 30" % (arguments.example, lines))
+    # -Wextra asks for every field, which C++20's designated initialisers need not name
+    compiled = subprocess.run(["clang++", "-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Werror",
+                               "-Wno-missing-field-initializers", "-Isrc", "-Iport", "-fsyntax-only", "-x", "c++",
+                               arguments.example], capture_output=True, text=True)
+    tally.check(compiled.returncode == 0, "%s as C++20: %s" % (arguments.example, compiled.stderr))
     return tally.close()
 
 

@@ -6,7 +6,9 @@
 - no floating point: no helper function, and on a core with an FPU no instruction of it;
 - no writable data;
 - no recursion through direct calls;
-- no function that nothing refers to: a compiler leaves one when it wrongly drops its calls (gcc 12's -Os has done so).
+- no function that nothing refers to: a compiler leaves one when it wrongly drops its calls (gcc 12's -Os has done so);
+- where int has 16 bits numeric.h does not compile, and says why;
+- what compilers other than gcc and clang do not know stands behind __GNUC__.
 
 Each check is also shown to find what tests/freestanding/planted.c plants. tools/stack bounds the stack.
 """
@@ -142,12 +144,32 @@ def check_library(tally, cross, directory):
     print("  %s: needs %s" % (directory, " ".join(outside) or "nothing"))
 
 
+def check_int(tally):
+    """What numeric.h says where int has 16 bits, and that it compiles where int has 32."""
+    for target, fits in (("msp430-elf", False), ("arm-none-eabi", True)):
+        compiled = subprocess.run(["clang", "--target=" + target, "-std=c99", "-ffreestanding", "-fsyntax-only", "-Isrc",
+                                   "-include", "numeric.h", "-x", "c", os.devnull], capture_output=True, text=True)
+        said = "glint_int_of_32_bits" in compiled.stderr
+        tally.check((compiled.returncode == 0) == fits and said != fits, "numeric.h for %s: %s" % (target, compiled.stderr))
+
+
+def check_plain_c(tally):
+    """The library without what only GNU's compilers know: each such word is an error here."""
+    foreign = ["-D%s=outside_of_c99" % word for word in ("__attribute__(x)", "__asm__", "__builtin_clz")]
+    compiled = subprocess.run(["gcc", "-U__GNUC__", *foreign, "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror",
+                               "-ffreestanding", "-fsyntax-only", "-Isrc", *sorted(glob.glob("src/*.c"))],
+                              capture_output=True, text=True)
+    tally.check(compiled.returncode == 0, "without GNU's extensions: " + compiled.stderr)
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--cross", required=True)
     parser.add_argument("directories", nargs="+")
     arguments = parser.parse_args()
     tally = Tally()
+    check_int(tally)
+    check_plain_c(tally)
     for directory in arguments.directories:
         check_planted(tally, arguments.cross, directory)
         check_library(tally, arguments.cross, directory)
