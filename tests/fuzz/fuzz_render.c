@@ -290,7 +290,10 @@ static void draw_anyhow(const glint_config *config, const glint_scene *scene, co
 
 /* What cannot be drawn is refused before anything is sent, and for a reason. */
 static void draw_refused(const glint_config *config, const glint_scene *scene, glint_status status) {
+    glint_changes changes;
+    glint_signature signature;
     screen refused;
+    require(glint_changes_count(config) > 0 || glint_changes_init(&changes, &signature, config) != GLINT_OK);
     open_screen(&refused, config);
     require(draw(config, scene, 65536, 0, &refused) != GLINT_OK && refused.calls == 0);
     require(strcmp(glint_strerror(status), "unknown status") != 0);
