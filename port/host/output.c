@@ -127,8 +127,7 @@ static void restore_signals(const struct sigaction before[END_COUNT]) {
     }
 }
 
-/** Makes a file that was not there, in the folder of `path`. @return its descriptor, or -1; the caller frees the name
- */
+/** Makes a new file in the folder of `path`. @return its descriptor, or -1; the caller frees the name */
 static int create_beside(const char *path, char **name) {
     const size_t folder = (size_t)(path_base_name(path) - path);
     const size_t size = folder + 64;
@@ -155,9 +154,9 @@ static bool replace(const host_bytes *bytes, const char *path, const struct stat
         handle_signals(actions);
         sigprocmask(SIG_SETMASK, &mask, NULL);
         ok = older == NULL || fchmod(file, older->st_mode & 0777) == 0;
-        ok = write_and_close(file, bytes) && ok;
+        ok = (write_and_close(file, bytes) && ok) || cannot_be_written(problem);
         mask = hold_signals();
-        ok = (ok && rename(beside, path) == 0) || cannot_be_written(problem);
+        ok = ok && (rename(beside, path) == 0 || cannot_be_written(problem));
         if (!ok) {
             unlink(beside);
         }
