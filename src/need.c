@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Need: goes through a scene as a pass would, with no arena at all, and counts what it would take. */
+/*
+ * Need: goes through a scene as a pass would, with no arena at all, and counts what it would take. What is large on the
+ * stack is out of line, so that it is not there at the same time.
+ */
 #include "frame.h"
 
 typedef struct tally {
@@ -17,8 +20,8 @@ static void count_part(const glint_frame *frame, const glint_transform *transfor
     sum->clipped += (size_t)clipped;
 }
 
-static glint_status count_triangle(const glint_frame *frame, const glint_transform *transform, const glint_mesh *mesh,
-                                   const uint16_t *indices, tally *sum) {
+static GLINT_NOINLINE glint_status count_triangle(const glint_frame *frame, const glint_transform *transform,
+                                                  const glint_mesh *mesh, const uint16_t *indices, tally *sum) {
     glint_vertex vertices[GLINT_CLIP_CORNERS];
     glint_corner corners[GLINT_CLIP_CORNERS] = {0};
     uint32_t flags = 0;
@@ -42,7 +45,19 @@ static glint_status count_triangle(const glint_frame *frame, const glint_transfo
     return GLINT_OK;
 }
 
-static glint_status count_object(const glint_frame *frame, const glint_object *object, tally *sum) {
+/* Bytes of a draw of all of an object, whose material is prepared for it. */
+static GLINT_NOINLINE size_t size_object(glint_frame *frame, const glint_object *object,
+                                         const glint_transform *transform) {
+    const glint_mesh *mesh = object->mesh;
+    glint_shading shading = {0};
+    glint_prepare_shading(frame, &shading, object->material);
+    frame->shading = &shading;
+    const size_t size = glint_draw_size(frame, object, transform, mesh->vertex_count, mesh->triangle_count, 0);
+    frame->shading = 0;
+    return size;
+}
+
+static glint_status count_object(glint_frame *frame, const glint_object *object, tally *sum) {
     const glint_mesh *mesh = object->mesh;
     const glint_cull *cull = glint_cull_of(mesh);
     glint_transform transform;
@@ -50,7 +65,7 @@ static glint_status count_object(const glint_frame *frame, const glint_object *o
     glint_status status = glint_transform_prepare(&transform, frame->view, &frame->config, object);
     if (status != GLINT_OK || !transform.visible)
         return status;
-    sum->vertices += glint_draw_size(frame, object, &transform, mesh->vertex_count, mesh->triangle_count, 0);
+    sum->vertices += size_object(frame, object, &transform);
     if (cull)
         cull->begin(&walk, mesh, &transform);
     for (uint32_t i = 0; i < mesh->triangle_count && status == GLINT_OK; i++) {
@@ -61,9 +76,10 @@ static glint_status count_object(const glint_frame *frame, const glint_object *o
 }
 
 /* Bytes of distinct materials, each checked. */
-static glint_status count_materials(const glint_frame *frame, glint_shading *shading, tally *sum) {
+static GLINT_NOINLINE glint_status count_materials(const glint_frame *frame, tally *sum) {
     const glint_scene *scene = frame->scene;
     const glint_fast *fast = frame->config.format->fast;
+    glint_shading shading;
     glint_status status = GLINT_OK;
     for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++) {
         uint32_t earlier = 0;
@@ -71,10 +87,11 @@ static glint_status count_materials(const glint_frame *frame, glint_shading *sha
             earlier++;
         if (earlier < i)
             continue;
-        status = glint_prepare_shading(frame, shading, scene->objects[i].material);
-        sum->materials += GLINT_ALIGNED(sizeof *shading);
+        shading = (glint_shading){0};
+        status = glint_prepare_shading(frame, &shading, scene->objects[i].material);
+        sum->materials += GLINT_ALIGNED(sizeof shading);
         if (fast && status == GLINT_OK)
-            fast->need(frame, shading, &sum->materials, &sum->tables);
+            fast->need(frame, &shading, &sum->materials, &sum->tables);
     }
     return status;
 }
@@ -85,7 +102,6 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
     glint_frame frame;
     glint_view view;
     glint_transform transform;
-    glint_shading shading = {0};
     tally sum = {0};
     glint_status status = glint_frame_grid(&frame, config, scene);
     if (status == GLINT_OK)
@@ -93,13 +109,10 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
     if (status == GLINT_OK)
         status = glint_prepare_view(&view, &frame.config, scene, &transform);
     if (status == GLINT_OK)
-        status = count_materials(&frame, &shading, &sum);
+        status = count_materials(&frame, &sum);
     frame.view = &view;
-    frame.shading = &shading; /* the object's */
-    for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++) {
-        glint_prepare_shading(&frame, &shading, scene->objects[i].material);
+    for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++)
         status = count_object(&frame, &scene->objects[i], &sum);
-    }
     if (status != GLINT_OK)
         return status;
     size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame.config) +
