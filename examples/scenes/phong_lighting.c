@@ -113,7 +113,7 @@ static const struct option {
     X(255, 0, 255) X(255, 0, 204) X(255, 0, 153) X(255, 0, 102) X(255, 0, 51)
 
 /* A column: its hue below, a shade of two in the middle, and another hue above. */
-#define COLUMN(r, g, b) {r, g, b}, {(r + b) / 3, (g + r) / 3, (b + g) / 3}, {b, r, g},
+#define COLUMN(r, g, b) {r, g, b}, {((r) + (b)) / 3, ((g) + (r)) / 3, ((b) + (g)) / 3}, {b, r, g},
 #define BOTTOM(r, g, b) {r, g, b},
 #define TOP(r, g, b) {b, r, g},
 #define WHITE {255, 255, 255}

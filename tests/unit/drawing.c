@@ -528,7 +528,8 @@ void nearer_object_hides_the_farther(void) {
     }
 }
 
-/* A square so far away, beside what is near, that 1/w rounds to 0: lit at its corners, or its triangles, it is white. */
+/* A square so far away, beside what is near, that 1/w rounds to 0: lit at its corners, or its triangles, it is white.
+ */
 void far_squares_without_depth(void) {
     static const int white[3] = {255, 255, 255};
     fixture *f = begin_square();
