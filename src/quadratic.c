@@ -133,24 +133,31 @@ static int find_weights(const glint_triangle *triangle, int32_t weight[3]) {
     return left > 0 && (uint32_t)(smallest * smallest >> 15) * (uint32_t)left > LEAST_SQUARE;
 }
 
+static inline int32_t magnitude(int32_t x) {
+    return x < 0 ? -x : x;
+}
+
 /* Planes of M.L and M. @return 0 for slivers, and where M changes too much from pixel to pixel */
 static int find_planes(const glint_triangle *triangle, const glint_gradients *g, const int32_t cosine[3],
                        glint_quadratic_light *light) {
     const int16_t *a = triangle->corners[0]->attribute, *b = triangle->corners[1]->attribute,
                   *c = triangle->corners[2]->attribute;
-    int32_t w[3];
+    int32_t w[3], most = 0;
     uint32_t bits = 0;
     if (glint_slenderness(g, triangle->area) > SLENDER || !find_weights(triangle, w))
         return 0;
     glint_plane_begin(&light->cosine, g, cosine[0] * w[0], cosine[1] * w[1], cosine[2] * w[2]);
     for (int i = 0; i < 3; i++) {
         glint_plane *plane = &light->normal[i];
-        glint_plane_begin(plane, g, a[i] * w[0], b[i] * w[1], c[i] * w[2]);
+        const int32_t m0 = a[i] * w[0], m1 = b[i] * w[1], m2 = c[i] * w[2]; /* below 2^30 */
+        most = glint_most(most, (magnitude(m1 - m0) >> 15) + (magnitude(m2 - m0) >> 15));
+        glint_plane_begin(plane, g, m0, m1, m2);
         bits |= glint_magnitude_bits(plane->dx) | glint_magnitude_bits(plane->dy);
     }
     const int32_t size = 18 - (int32_t)glint_leading_zeros(bits);
     light->size = size < 0 ? 0 : size;
-    return size <= 15;
+    /* slopes of 2 and more wrap: what is left of them tells nothing */
+    return size <= 15 && (uint64_t)(uint32_t)most * (g->reach + 1) < (uint64_t)(uint32_t)triangle->area << 12;
 }
 
 /* M at the anchor, Q15, and its steps, 14 bits and a sign. */
