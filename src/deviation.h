@@ -50,6 +50,7 @@ typedef struct glint_quadratic_limits {
     uint32_t pixel_shift; /* over 2^pixel_shift */
     /* Interpolation: sums of squares that keep its error small, Q15 */
     int32_t turn, turn_specular;
+    int32_t large;        /* twice the area, 28.4 squared, above which these are halved */
     int32_t bend;         /* of what a ray turns by, as much the half vector turns by at most: Q15 */
     int32_t full;         /* N.L, Q14, up to which all light together, with a highlight, stays below 1 */
     uint32_t front;       /* squared, as the table's: corners with less face the half vector */
@@ -139,6 +140,18 @@ static inline int32_t glint_inverse_of_one_and(int32_t z) {
 
 /** Square root, rounded down. */
 uint32_t glint_square_root(uint64_t x);
+
+/**
+ * No less than what (1 - s^2)^(p/2) changes over s, Q8: 0.61 sqrt(p) where p is large, 2 where it is 2. p >= 2; with
+ * less, a larger number.
+ */
+uint32_t glint_highlight_slope(glint_q16 p);
+
+/**
+ * sqrt(p / 32), at most 1, Q10. The contract counts a frame's pixels: wider highlights have their slopes in more of
+ * them, and smaller errors.
+ */
+uint32_t glint_highlight_share(glint_q16 p);
 
 /** V, unit; the focal length over that of its ray, and 1 / |L + V|: Q16, at most 1. */
 typedef struct glint_view_vector {

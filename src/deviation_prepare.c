@@ -7,8 +7,8 @@
 /* A highlight ends where it is 2^-9 of one: below 1/8 of a level of 63 at weight 1. */
 #define CUT_BITS 9
 
-/* Steps of error that turn and slant may make each: 12/32 and 1/2 (find_limits). */
-#define TURN_LIMIT 12
+/* Steps of error that turn and slant may make each: 9/32 and 1/2 (find_limits). */
+#define TURN_LIMIT 9
 
 /* Of an error budget, Q12, kept for what linear lighting errs without one: half a level, with highlights a whole one.
  */
@@ -73,10 +73,10 @@ static uint32_t find_cut(const glint_shading *shading) {
     return (1u << 30) - glint_exp2((int32_t) - ((2 * bits << 16) / shading->material->shininess));
 }
 
-/* Entries of the specular table: at most about 1/6 of a level apart. */
+/* Entries of the specular table: at most about 1/3 of a level apart. */
 static uint32_t specular_entries(const glint_shading *shading, uint32_t cut) {
     const uint32_t weight = largest_weight(glint_weights_shown(shading)->specular);
-    return cut == 0 ? 0 : weight <= 1100 ? 256 : weight <= 2200 ? 512 : 1024;
+    return cut == 0 ? 0 : weight <= 1100 ? 256 : weight <= 1650 ? 512 : 1024;
 }
 
 static int serves_some(const glint_frame *frame, const glint_shading *shading) {
@@ -254,6 +254,15 @@ uint32_t glint_square_root(uint64_t x) {
     return (uint32_t)root;
 }
 
+uint32_t glint_highlight_slope(glint_q16 p) {
+    const uint32_t root = glint_square_root((uint64_t)(uint32_t)p); /* Q8 */
+    return (root * 156 >> 8) + (640u << 16) / ((uint32_t)p | 1);    /* 0.61 sqrt(p) + 2.5 / p */
+}
+
+uint32_t glint_highlight_share(glint_q16 p) {
+    return p < 32 * GLINT_ONE ? glint_square_root((uint64_t)(uint32_t)p) * 724 >> 10 : 1 << 10;
+}
+
 /* Levels of 63 that a weight, Q12, makes; at least a little. */
 static uint32_t weight_in_levels(const uint32_t weight[3]) {
     uint32_t largest = 1;
@@ -266,19 +275,36 @@ static int32_t at_most(uint64_t value, int32_t most) {
     return value < (uint64_t)most ? (int32_t)value : most;
 }
 
+/* Of triangles with a highlight, |dx| + |dy| in 28.4: a sixth of the screen's side. One that is larger errs in too many
+ * of a frame's pixels at once. */
+static int32_t most_extent(const glint_frame *frame) {
+    return (int32_t)glint_square_root((uint64_t)(frame->config.width * frame->config.height) << 8) / 6;
+}
+
 /*
- * Across h = extent / focal length the half vector bends by up to 0.06 h^2 from a straight line, and the highlight's
- * steepest slope is 0.61 sqrt(p): h^2 = 0.6 / (0.037 sqrt(p) weight) costs 0.6 of a level at the worst place.
+ * Across h = extent / focal length the half vector bends by up to 0.06 h^2 from a straight line: h^2 = 0.6 / (0.06
+ * slope weight) costs 0.6 of a level at the highlight's steepest place.
  */
 static int32_t find_extent(const glint_frame *frame, const glint_shading *shading, uint32_t weight, uint64_t grant) {
     uint64_t focal = (uint32_t)at_most((uint64_t)(uint32_t)frame->view->focal >> 9, 1 << 19); /* sixteenths */
-    uint64_t root = glint_square_root((uint64_t)(uint32_t)shading->material->shininess);      /* Q8 */
-    uint64_t extent = glint_square_root((focal * focal * 16 << 20) / (weight * root + 1));
+    uint64_t slope = glint_highlight_slope(shading->material->shininess);                     /* Q8 */
+    uint64_t extent = glint_square_root((focal * focal * 10 << 20) / (weight * slope + 1));
     return at_most(extent * glint_square_root((4096 + grant * 5 / 3) << 12) >> 12, INT32_MAX);
 }
 
 static uint64_t turn_limit(uint64_t grant) {
     return (((uint64_t)TURN_LIMIT << 12) + 32 * grant) << 26;
+}
+
+/*
+ * What lengthens both N.L and e by a part brightens diffuse light by as much, and dims the highlight by up to
+ * 2 (1 - 2/p)^(p/2 - 1) times that, which is below 3/4 + 5/(2 p).
+ */
+static uint64_t turning_levels(const glint_shading *shading, uint32_t diffuse, uint32_t specular) {
+    const uint64_t dimmed =
+        ((uint64_t)specular * 3 + ((uint64_t)specular * 10 << 16) / ((uint32_t)shading->material->shininess | 1)) * 3 /
+        8;
+    return dimmed > diffuse + specular / 2 ? dimmed : diffuse + specular / 2;
 }
 
 /* An error budget is shared: a quarter each for turn, slant, extent and what is cut off the highlight; without one,
@@ -289,9 +315,14 @@ static void find_limits(const glint_frame *frame, glint_deviation *deviation, co
     const uint64_t grant = find_share(shading, KEPT) * levels[1];
     const uint64_t highlight = find_share(shading, KEPT_SPECULAR) * levels[1];
     deviation->turn = at_most(turn_limit(grant) / diffuse, 1 << 26);
-    deviation->turn_specular = at_most(turn_limit(highlight) / (diffuse + specular / 2), 1 << 26);
+    deviation->turn_specular = at_most(turn_limit(highlight) / turning_levels(shading, diffuse, specular), 1 << 26);
     deviation->extent = deviation->local_viewer ? find_extent(frame, shading, specular, highlight) : INT32_MAX;
-    deviation->slant = (uint32_t)at_most((uint32_t)deviation->side * (4096 + 2 * highlight) / specular, 0xffff);
+    deviation->slant =
+        (uint32_t)at_most((uint32_t)deviation->side *
+                              (4 * glint_highlight_share(shading->material->shininess) + 2 * highlight) / specular,
+                          0xffff);
+    if (!shading->spare) /* else the budget is what counts */
+        deviation->extent = at_most((uint64_t)(uint32_t)deviation->extent, most_extent(frame));
     deviation->even = shading->lights ? at_most((2 * grant << 14) / diffuse, INT16_MAX) : INT16_MAX;
 }
 
@@ -367,7 +398,7 @@ static glint_status prepare(glint_frame *frame, glint_shading *shading) {
     prepare_ambient(deviation, shading);
     prepare_highlight(deviation, shading);
     find_limits(frame, deviation, shading);
-    glint_quadratic_prepare(deviation, shading);
+    glint_quadratic_prepare(deviation, frame, shading);
     return GLINT_OK;
 }
 

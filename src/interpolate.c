@@ -16,8 +16,12 @@
 #define LEAST_AREA 8
 
 /* Errors of N.L and of the highlight that interpolation may make at the worst place, levels in Q12. */
-#define COSINE_LIMIT 1536
-#define HIGHLIGHT_LIMIT 2560
+#define COSINE_LIMIT 900
+#define HIGHLIGHT_LIMIT 2350
+
+/* Triangles that cover more than this part of the screen err in so many of a frame's pixels at once that they have half
+ * the limits. */
+#define LARGE_PART 256
 
 /* Of an error budget, levels in Q12: what exact lighting errs, and from where on fast lighting shares it. */
 #define KEPT 512
@@ -116,18 +120,19 @@ static int32_t find_bend(const glint_deviation *deviation) {
     return square < 1 << 15 ? 1 << 15 : (glint_inverse_root((uint32_t)square << 13) >> 1) + 4;
 }
 
-void glint_interpolate_prepare(glint_deviation *deviation, const glint_shading *shading) {
+void glint_interpolate_prepare(glint_deviation *deviation, const glint_frame *frame, const glint_shading *shading) {
     glint_quadratic_limits *limits = &deviation->quadratic;
     const uint32_t diffuse = largest_level(glint_weights_shown(shading)->diffuse);
     const uint32_t specular = largest_level(glint_weights_shown(shading)->specular);
-    const uint32_t root = glint_square_root((uint64_t)(uint32_t)shading->material->shininess); /* Q8 */
-    const uint32_t scale = (uint32_t)deviation->scale >> 4;                                    /* Q12 */
+    const uint32_t slope = glint_highlight_slope(shading->material->shininess); /* Q8 */
+    const uint32_t highlight = HIGHLIGHT_LIMIT * glint_highlight_share(shading->material->shininess) >> 10;
+    const uint32_t scale = (uint32_t)deviation->scale >> 4; /* Q12 */
     limits->bend = find_bend(deviation);
     limits->full = find_full(shading);
+    /* with an error budget, that is what counts */
+    limits->large = shading->spare ? INT32_MAX : frame->config.width * frame->config.height / LARGE_PART * 512;
     limits->turn = find_turn(find_limit(shading, COSINE_LIMIT), diffuse);
-    /* a highlight's slope is at most 0.61 sqrt(p) weight */
-    limits->turn_specular =
-        find_turn(find_limit(shading, HIGHLIGHT_LIMIT), diffuse / 2 + ((uint64_t)specular * root * 156 >> 16));
+    limits->turn_specular = find_turn(find_limit(shading, highlight), ((uint64_t)specular * slope >> 8) + 1);
     const uint64_t facing = deviation->sine_square_end < FRONT ? NARROW_FRONT : FRONT;
     const uint64_t front = facing * scale * scale >> 26;
     limits->front = front < UINT32_MAX ? (uint32_t)front : UINT32_MAX;
@@ -437,9 +442,10 @@ static int32_t find_most(const int32_t a[3], const int32_t b[3]) {
  * or may pass the horizon, by how much it may reach further than it is drawn: there it must not show.
  * @return GLINT_QUADRATIC_UNFIT where it cannot be interpolated
  */
-static inline glint_quadratic_kind find_kind(const glint_deviation *deviation, const glint_vertex *const v[3],
+static inline glint_quadratic_kind find_kind(const glint_deviation *deviation, const glint_triangle *triangle,
                                              const nodes *n, int32_t turn, int32_t change, int *inside,
                                              int32_t *error) {
+    const glint_vertex *const *v = triangle->corners;
     const glint_quadratic_limits *limits = &deviation->quadratic;
     const uint32_t all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
     const int32_t extent = deviation->local_viewer ? find_extent(deviation, v) : 0;
@@ -458,8 +464,8 @@ static inline glint_quadratic_kind find_kind(const glint_deviation *deviation, c
     }
     if (!is_front || any & GLINT_TERMS_FAR)
         return GLINT_QUADRATIC_UNFIT;
-    const int32_t whole = turn + (change * change >> 14) + (bend >> 1) + (bend * bend >> 13);
-    if (whole <= limits->turn_specular && !(any & GLINT_TERMS_DIM))
+    const int32_t whole = turn + (change * change >> 14) + bend + (bend * bend >> 13);
+    if (whole <= limits->turn_specular >> (triangle->area > limits->large) && !(any & GLINT_TERMS_DIM))
         return GLINT_QUADRATIC_SPECULAR;
     /* of random triangles no more than 0.031 d^3, which is below d^2 / 32 up to MOST_TURN */
     *error = scale_margin(deviation, whole >> 6) + 1;
@@ -474,7 +480,8 @@ glint_quadratic_kind glint_interpolate_begin(const glint_draw *draw, const glint
     int32_t turn, change;
     if (!(all & GLINT_VERTEX_LIT) || any & GLINT_TERMS_UNFIT || triangle->back || triangle->area < LEAST_AREA ||
         glint_slenderness(&part->gradients, triangle->area) > SLENDER ||
-        !find_edges(triangle, to->edges, &turn, &change) || turn + (change * change >> 14) > deviation->quadratic.turn)
+        !find_edges(triangle, to->edges, &turn, &change) ||
+        turn + (change * change >> 14) > deviation->quadratic.turn >> (triangle->area > deviation->quadratic.large))
         return GLINT_QUADRATIC_UNFIT;
     const int16_t *const t0 = glint_terms_of(draw, v[0]), *const t1 = glint_terms_of(draw, v[1]),
                          *const t2 = glint_terms_of(draw, v[2]);
@@ -487,7 +494,7 @@ glint_quadratic_kind glint_interpolate_begin(const glint_draw *draw, const glint
         int32_t error = 0;
         n.x[0] = t0[1], n.x[1] = t1[1], n.x[2] = t2[1];
         n.y[0] = t0[2], n.y[1] = t1[2], n.y[2] = t2[2];
-        kind = find_kind(deviation, v, &n, turn, change, &inside, &error);
+        kind = find_kind(deviation, triangle, &n, turn, change, &inside, &error);
         if (kind == GLINT_QUADRATIC_UNFIT)
             return kind;
         if (kind == GLINT_QUADRATIC_SPECULAR) {

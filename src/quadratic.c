@@ -48,31 +48,30 @@ static void find_across(glint_quadratic_limits *limits, const int16_t h[3]) {
 }
 
 /*
- * The slope of a highlight is at most 0.61 sqrt(p) weight. At d from where H is known with its slope, in units of the
- * focal length, H is off by about 0.15 d^2 where L and V are less than 120 degrees apart.
+ * At d from where H is known with its slope, in units of the focal length, H is off by at most 0.15 (2 d / |L + V|)^2
+ * where L and V are less than 120 degrees apart: by 0.15 d^2 straight before the light.
  */
 static void find_extent(glint_quadratic_limits *limits, const glint_deviation *deviation,
                         const glint_shading *shading) {
-    const uint32_t root = glint_square_root((uint64_t)(uint32_t)shading->material->shininess); /* Q8 */
-    const uint32_t weight = largest_level(glint_weights_shown(shading)->specular) + 1;         /* Q12 */
-    /* 1 / (64 0.61) is 0.0256 */
-    const uint64_t error = ((uint64_t)BEND_LIMIT << (30 + 20)) / 39 / ((uint64_t)weight * root); /* Q30 */
+    const uint32_t slope = glint_highlight_slope(shading->material->shininess);                  /* Q8 */
+    const uint32_t weight = largest_level(glint_weights_shown(shading)->specular) + 1;           /* Q12 */
+    const uint64_t error = ((uint64_t)BEND_LIMIT << (30 + 20 - 6)) / ((uint64_t)weight * slope); /* Q30 */
     const uint32_t d = glint_square_root(error * 20 / 3);                                        /* Q15 */
     const unsigned zeros = glint_leading_zeros((uint32_t)deviation->ray_scale);
     /* a pixel in units of the focal length is ray_scale 2^-26 */
     const uint64_t extent = ((uint64_t)d << 26 >> 11) / (uint32_t)deviation->ray_scale; /* sixteenths */
     limits->error = error < 1 << 28 ? (int32_t)(error >> 16) : 1 << 12;
     limits->extent = extent < 1 << 10 ? (int32_t)extent : 1 << 10;
-    while (limits->cell < 5 && (24 << limits->cell) <= limits->extent)
+    while (limits->cell < 5 && (24 << limits->cell) * limits->bend >> 14 <= limits->extent)
         limits->cell++;
     limits->pixel_shift = 26 - 18 + zeros;
     limits->pixel = (int32_t)((uint32_t)deviation->ray_scale << zeros >> 18);
 }
 
-void glint_quadratic_prepare(glint_deviation *deviation, const glint_shading *shading) {
+void glint_quadratic_prepare(glint_deviation *deviation, const glint_frame *frame, const glint_shading *shading) {
     glint_quadratic_limits *limits = &deviation->quadratic;
     const uint32_t entries = deviation->specular_end >> 15, cut = deviation->sine_square_end;
-    glint_interpolate_prepare(deviation, shading);
+    glint_interpolate_prepare(deviation, frame, shading);
     if (!cut)
         return;
     const uint64_t density = ((uint64_t)entries << 46) / cut; /* entries over sin^2 from 0 to 1, Q16 */
@@ -378,8 +377,7 @@ static void find_bent(const glint_quadratic_limits *limits, const half_vector *a
 }
 
 glint_quadratic_kind glint_quadratic_bend(const glint_deviation *deviation, const glint_triangle *triangle,
-                                          const glint_part *part, const glint_square *square,
-                                          glint_quadratic_light *light) {
+                                          const glint_part *part, glint_square *square, glint_quadratic_light *light) {
     const glint_quadratic_limits *limits = &deviation->quadratic;
     /* |dH| is at most that of the ray, in units of the focal length */
     const int32_t margin =
@@ -387,6 +385,8 @@ glint_quadratic_kind glint_quadratic_bend(const glint_deviation *deviation, cons
     half_vector at;
     if (!find_half_vector(deviation, 16 * square->x + 8, 16 * square->y + 8, &at))
         return GLINT_QUADRATIC_UNFIT;
+    /* 2 / |L + V| is Q15, and 1 straight before the light */
+    square->is_small = (uint32_t)square->extent * (uint32_t)at.view.half_root >> 15 <= (uint32_t)limits->extent;
     const glint_quadratic_kind kind = find_local(deviation, triangle, &at, margin);
     if (kind == GLINT_QUADRATIC_SPECULAR)
         find_bent(limits, &at, square->x - glint_shift_right(part->window.left, 4) + part->x,
@@ -394,7 +394,7 @@ glint_quadratic_kind glint_quadratic_bend(const glint_deviation *deviation, cons
     return kind;
 }
 
-int glint_quadratic_square(const glint_deviation *deviation, const glint_triangle *triangle, glint_square *square) {
+void glint_quadratic_square(const glint_deviation *deviation, const glint_triangle *triangle, glint_square *square) {
     const glint_vertex *const *v = triangle->corners;
     const int32_t x0 = v[0]->x, x1 = v[1]->x, x2 = v[2]->x, y0 = v[0]->y, y1 = v[1]->y, y2 = v[2]->y;
     const int32_t width = glint_most_of(x0, x1, x2) - glint_least_of(x0, x1, x2),
@@ -402,5 +402,5 @@ int glint_quadratic_square(const glint_deviation *deviation, const glint_triangl
     square->extent = width > height ? width : height;
     square->x = glint_shift_right((x0 + x1 + x2) * 1365, 16);
     square->y = glint_shift_right((y0 + y1 + y2) * 1365, 16);
-    return square->extent <= deviation->quadratic.extent;
+    square->is_small = square->extent <= deviation->quadratic.extent;
 }

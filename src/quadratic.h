@@ -63,7 +63,7 @@ typedef struct glint_quadratic_light {
 } glint_quadratic_light;
 
 /** What a material and the frame's viewer ask for; behind all else of `deviation`. */
-void glint_quadratic_prepare(glint_deviation *deviation, const glint_shading *shading);
+void glint_quadratic_prepare(glint_deviation *deviation, const glint_frame *frame, const glint_shading *shading);
 
 /**
  * A triangle's lighting, but for the deviation of the local viewer.
@@ -82,18 +82,19 @@ glint_quadratic_kind glint_quadratic_begin(const glint_draw *draw, const glint_t
 typedef struct glint_square {
     int32_t x, y;   /* the middle, on the screen */
     int32_t extent; /* none lies further from it, in sixteenths */
+    int is_small;   /* the half vector is linear all over it */
 } glint_square;
 
-/** What is around a triangle. @return 0 when the half vector bends too much for it */
-int glint_quadratic_square(const glint_deviation *deviation, const glint_triangle *triangle, glint_square *square);
+/** What is around a triangle. */
+void glint_quadratic_square(const glint_deviation *deviation, const glint_triangle *triangle, glint_square *square);
 
 /**
- * The deviation of the local viewer in a square.
+ * The deviation of the local viewer in a square; a half vector that bends there more than straight before the light
+ * makes it not small.
  * @return whether highlights show in it
  */
 glint_quadratic_kind glint_quadratic_bend(const glint_deviation *deviation, const glint_triangle *triangle,
-                                          const glint_part *part, const glint_square *square,
-                                          glint_quadratic_light *light);
+                                          const glint_part *part, glint_square *square, glint_quadratic_light *light);
 
 /** An edge from corner a to b: where its middle on the screen lies between the normals, and how these turn. */
 typedef struct glint_interpolation_edge {
@@ -126,7 +127,7 @@ typedef struct glint_interpolation {
 } glint_interpolation;
 
 /** What a material asks for; behind all else of `deviation`. */
-void glint_interpolate_prepare(glint_deviation *deviation, const glint_shading *shading);
+void glint_interpolate_prepare(glint_deviation *deviation, const glint_frame *frame, const glint_shading *shading);
 
 /**
  * A triangle's lighting by interpolation; x and y only where highlights may show.

@@ -302,7 +302,7 @@ static GLINT_NOINLINE void glint_draw_squares(const glint_frame *frame, glint_wo
     const glint_deviation *deviation = draw->shading->deviation;
     const int32_t side = 1 << deviation->quadratic.cell, half = side / 2;
     const int32_t left = glint_shift_right(part->window.left, 4), top = glint_shift_right(part->window.top, 4);
-    glint_square square = {0, 0, 12 * side};
+    glint_square square = {0, 0, 12 * side, 1};
     for (square.y = ((top + (int32_t)part->top) & -side) + half; square.y - half < top + (int32_t)part->bottom;
          square.y += side) {
         for (square.x = (left & -side) + half; square.x - half < left + part->window.width; square.x += side) {
@@ -347,11 +347,12 @@ static inline int glint_draw_exactly(const glint_frame *frame, glint_workspace *
     if (kind == GLINT_QUADRATIC_UNFIT)
         return 0;
     if (kind == GLINT_QUADRATIC_SPECULAR && deviation->local_viewer) {
-        const int is_small = glint_quadratic_square(deviation, triangle, &square);
+        glint_quadratic_square(deviation, triangle, &square);
         kind = glint_quadratic_bend(deviation, triangle, part, &square, &light);
-        if (is_small ? kind == GLINT_QUADRATIC_UNFIT : kind != GLINT_QUADRATIC_DIFFUSE) {
+        if (square.is_small ? kind == GLINT_QUADRATIC_UNFIT : kind != GLINT_QUADRATIC_DIFFUSE) {
             const uint32_t cell = deviation->quadratic.cell;
-            if (is_small || cell < GLINT_QUADRATIC_LEAST_CELL || (int32_t)cell + light.size > GLINT_QUADRATIC_MOST_TURN)
+            if (square.is_small || cell < GLINT_QUADRATIC_LEAST_CELL ||
+                (int32_t)cell + light.size > GLINT_QUADRATIC_MOST_TURN)
                 return 0;
             glint_draw_squares(frame, workspace, draw, triangle, part, &light, high_first);
             return 1;

@@ -2,9 +2,10 @@
 /*
  * Suite: the accuracy contract of RGB565 under one directional light, which fast lighting has to keep as well.
  *
- * For p from 1 to 1024 and either viewer, of the covered pixels 99.9% are within 0.75 step of the unrounded reference
- * in every channel where the light weights (diffuse + specular, times the light's colour) sum to at most 1, and within
- * 0.5 + 0.25 times that sum above it; 99.99% are within one step of the rounded reference, and all within two.
+ * For p from 1 to 1024 and either viewer, in every frame: of its covered pixels 99.9%, or all but one where that is
+ * more, are within 0.75 step of the unrounded reference in every channel where the light weights (diffuse + specular,
+ * times the light's colour) sum to at most 1, and within 0.5 + 0.25 times that sum above it; 99.99%, or all but one,
+ * are within one step of the rounded reference, and all within two. Pixels where N.L is 0 within rounding are left out.
  */
 #include "bench.h"
 #include "glint.h"
@@ -26,9 +27,10 @@ static double product(glint_q16 a, glint_q16 b) {
 /* What is fine by the contract, for a material under a light. */
 static void set_contract(judge_task *task, const glint_material *material, const glint_light *light) {
     const glint_colour *d = &material->diffuse, *s = &material->specular;
-    const double sums[3] = {product(d->r, light->diffuse.r) + product(s->r, light->specular.r),
-                            product(d->g, light->diffuse.g) + product(s->g, light->specular.g),
-                            product(d->b, light->diffuse.b) + product(s->b, light->specular.b)};
+    const int shines = material->model != &glint_model_lambert;
+    const double sums[3] = {product(d->r, light->diffuse.r) + shines * product(s->r, light->specular.r),
+                            product(d->g, light->diffuse.g) + shines * product(s->g, light->specular.g),
+                            product(d->b, light->diffuse.b) + shines * product(s->b, light->specular.b)};
     for (int c = 0; c < 3; c++)
         task->fine_of[c] = 0.5 + 0.25 * fmax(1, sums[c]);
 }
@@ -46,34 +48,35 @@ static void print_row(const char *name, const judgement *found) {
     test_write(line);
 }
 
-static void check(const judgement *found) {
-    CHECK_EQUAL(found->status, GLINT_OK);
-    CHECK(found->judged > 0);
-    CHECK_EQUAL(found->missed, 0);
-    CHECK_EQUAL(found->spilled, 0);
-    CHECK_EQUAL(found->over_two, 0);
-    CHECK_AT_MOST(found->over_one * 10000, found->judged);
-    CHECK_AT_MOST(found->not_fine * 1000, found->judged);
+/* Judges a frame by itself, prints it where it misses the contract, and adds it to others. */
+static void judge_frame(const judge_task *task, const char *name, judgement *total) {
+    judgement frame = {0};
+    judge(task, &frame);
+    if (!CHECK(judgement_keeps_contract(&frame)))
+        print_row(name, &frame);
+    judgement_add(total, &frame);
 }
 
-/* Frames 0, 3 and 7 of a benchmark. */
 static void bench_scene_keeps(int which, int exponent, glint_viewer viewer, int width, int height) {
     judgement found = {0};
-    char name[80];
-    for (int frame = 0; frame < 10; frame += 3 + (frame > 0)) {
+    char name[80], frame_name[100];
+    snprintf(name, sizeof name, "%s %dx%d p = %d %s", bench_definitions[which].name, width, height, exponent,
+             viewer == GLINT_VIEWER_LOCAL ? "local" : "infinite");
+    for (int frame = 0; frame < 10; frame++) {
         bench_scene scene;
-        judge_task task = {.width = width, .height = height, .format = &glint_format_rgb565};
+        judge_task task = {.width = width, .height = height, .format = &glint_format_rgb565, .leave_out_gates = 1};
         bench_build_scene(&scene, &bench_definitions[which], scene_bench_mesh(which), frame);
         scene.material.shininess = exponent * GLINT_ONE;
         scene.scene.viewer = viewer;
         set_contract(&task, &scene.material, &scene.light);
         task.scene = &scene.scene;
-        judge(&task, &found);
+        snprintf(frame_name, sizeof frame_name, "  frame %d of %s", frame, name);
+        judge_frame(&task, frame_name, &found);
     }
-    snprintf(name, sizeof name, "%s %dx%d p = %d %s", bench_definitions[which].name, width, height, exponent,
-             viewer == GLINT_VIEWER_LOCAL ? "local" : "infinite");
     print_row(name, &found);
-    check(&found);
+    CHECK(found.judged > 0);
+    CHECK_EQUAL(found.over_one, 0); /* as README.md says */
+    CHECK(found.gated * 4096 < found.covered);
     if (which == 0 && width == 320 && exponent == 32 && viewer == GLINT_VIEWER_LOCAL)
         CHECK(judgement_psnr(&found) >= 41.5);
 }
@@ -82,10 +85,11 @@ static void bench_scenes(void) {
     print_heading();
     for (int which = 0; which < BENCH_SCENES; which++) {
         for (unsigned i = 0; i < TEST_COUNT(exponents); i++) {
-            bench_scene_keeps(which, exponents[i], GLINT_VIEWER_INFINITE, 320, 240);
-            bench_scene_keeps(which, exponents[i], GLINT_VIEWER_LOCAL, 320, 240);
+            for (int viewer = 0; viewer < 2; viewer++) {
+                bench_scene_keeps(which, exponents[i], viewer ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE, 320, 240);
+                bench_scene_keeps(which, exponents[i], viewer ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE, 128, 64);
+            }
         }
-        bench_scene_keeps(which, 32, GLINT_VIEWER_LOCAL, 128, 64);
     }
 }
 
@@ -119,71 +123,124 @@ static double between(double a, double b) {
     return a + (b - a) * (random_state >> 8) / 16777216.0;
 }
 
+/* As between, every factor as likely as another. */
+static double between_logs(double a, double b) {
+    return exp(between(log(a), log(b)));
+}
+
+/* A colour, half of the time a grey. */
 static glint_colour random_colour(double most) {
-    double r = between(0, most);
-    double g = between(0, most);
-    return (glint_colour){bench_q16(r), bench_q16(g), bench_q16(between(0, most))};
+    const double r = between(0, most), g = between(0, most), b = between(0, most);
+    if (between(0, 1) < 0.5)
+        return (glint_colour){bench_q16(r), bench_q16(r), bench_q16(r)};
+    return (glint_colour){bench_q16(r), bench_q16(g), bench_q16(b)};
+}
+
+/* From 1 to 1024, the widest that fast lighting draws half of the time; some are whole numbers. */
+static double random_exponent(void) {
+    const double exponent = between(0, 1) < 0.5 ? between_logs(1, 1024) : between_logs(2, 8);
+    return between(0, 1) < 0.25 ? floor(exponent) : exponent;
 }
 
 /* Objects of one material at random places, under one light that is white or coloured. */
 static void build_random(test_scene *scene, uint32_t seed) {
+    glint_material *const material = &scene->materials[0];
+    glint_light *const light = &scene->lights[0];
+    const glint_colour white = {GLINT_ONE, GLINT_ONE, GLINT_ONE};
     scene_build_random(scene, seed);
     random_state = seed * 2246822519u;
     scene->scene.light_count = 1;
-    scene->lights[0].type = &glint_light_directional;
-    scene->lights[0].vector.x = bench_q16(between(-1, 1));
-    scene->lights[0].vector.y = bench_q16(between(-1, 1));
-    scene->lights[0].vector.z = bench_q16(between(-1, 1));
-    scene->lights[0].diffuse = random_colour(1);
-    scene->lights[0].specular = random_colour(1);
-    scene->materials[0].ambient = random_colour(0.3);
-    scene->materials[0].diffuse = random_colour(seed % 4 == 0 ? 2 : 1);
-    scene->materials[0].specular = random_colour(seed % 4 == 1 ? 3 : 1);
-    if (seed % 4 >= 2) {
-        scene->lights[0].diffuse = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
-        scene->lights[0].specular = scene->lights[0].diffuse;
-    }
-    scene->materials[0].shininess = bench_q16(exp(between(0, log(1024))));
+    light->type = &glint_light_directional;
+    light->vector.x = bench_q16(between(-1, 1));
+    light->vector.y = bench_q16(between(-1, 1));
+    light->vector.z = bench_q16(between(-1, 1));
+    light->diffuse = seed % 4 < 2 ? random_colour(1) : white;
+    light->specular = seed % 4 < 2 ? random_colour(1) : white;
+    material->model = seed % 8 == 3 ? &glint_model_lambert : &glint_model_blinn_phong;
+    material->ambient = random_colour(0.3);
+    material->diffuse = random_colour(between_logs(0.1, seed % 4 == 0 ? 2 : 1));
+    material->specular = random_colour(between_logs(0.1, seed % 4 == 1 ? 3 : 1));
+    material->shininess = bench_q16(random_exponent());
     for (uint32_t i = 0; i < scene->scene.object_count; i++) {
-        scene->objects[i].material = &scene->materials[0];
+        scene->objects[i].material = material;
         scene->objects[i].mesh = &scene_bench_mesh((int)between(0, BENCH_SCENES))->mesh;
     }
 }
 
-/* The bounds hold over all of them together; GLINT_ACCURACY_SCENES sets how many. */
+static const int screens[][2] = {{160, 120}, {128, 64}, {240, 135}};
+
+static void judge_random(uint32_t seed, judgement *found) {
+    test_scene scene;
+    judge_task task = {.width = screens[seed % 3][0],
+                       .height = screens[seed % 3][1],
+                       .format = &glint_format_rgb565,
+                       .leave_out_gates = 1};
+    char name[80];
+    build_random(&scene, seed);
+    set_contract(&task, &scene.materials[0], &scene.lights[0]);
+    task.scene = &scene.scene;
+    snprintf(name, sizeof name, "  scene %u, p = %.1f", seed, scene.materials[0].shininess / 65536.0);
+    judge_frame(&task, name, found);
+}
+
+/* GLINT_ACCURACY_SCENES sets how many, GLINT_ACCURACY_SEED the first. */
 static void random_scenes(void) {
-    const char *wanted = getenv("GLINT_ACCURACY_SCENES");
-    const uint32_t scenes = wanted ? (uint32_t)atoi(wanted) : 300;
+    const char *wanted = getenv("GLINT_ACCURACY_SCENES"), *first = getenv("GLINT_ACCURACY_SEED");
+    const uint32_t scenes = wanted ? (uint32_t)atoi(wanted) : 300, seed = first ? (uint32_t)atoi(first) : 1;
     judgement found = {0};
     char name[80];
-    for (uint32_t seed = 1; seed <= scenes; seed++) {
-        test_scene scene;
-        judge_task task = {.width = 160, .height = 120, .format = &glint_format_rgb565, .leave_out_gates = 1};
-        judgement one = {0};
-        build_random(&scene, seed);
-        set_contract(&task, &scene.materials[0], &scene.lights[0]);
-        task.scene = &scene.scene;
-        judge(&task, &one);
-        if (one.over_two || one.over_one * 1000 > one.judged || one.not_fine * 50 > one.judged) {
-            snprintf(name, sizeof name, "  scene %u, p = %.1f, worst at (%d, %d)", seed,
-                     scene.materials[0].shininess / 65536.0, one.worst_x, one.worst_y);
-            print_row(name, &one);
-        }
-        judgement_add(&found, &one);
-    }
+    for (uint32_t i = 0; i < scenes; i++)
+        judge_random(seed + i, &found);
     print_heading();
     snprintf(name, sizeof name, "%u random scenes", scenes);
     print_row(name, &found);
-    check(&found);
+    CHECK(found.judged > 0);
     CHECK(found.gated * 2048 < found.covered);
 }
 
 static void every_compiler_draws_the_same_scenes(void) {
-    CHECK_EQUAL(scene_checksum_of_seeds(build_random), 0xce9dd129u);
+    CHECK_EQUAL(scene_checksum_of_seeds(build_random), 0x7155d08au);
+}
+
+/*
+ * Of tens of thousands, those that missed the contract by most with wider limits: for planes and for quadratics, by
+ * the turn of normals, by 1/w and by the half vector, at low and at high p; and slivers whose normals turn so far that
+ * slopes wrapped.
+ */
+static const uint32_t hard_seeds[] = {24,   197,  364,   569,   1409,  1495,  2349,  3098,  3465,  3839,
+                                      3961, 5149, 10377, 11737, 22733, 29271, 30505, 32498, 22662, 26119};
+
+static void hard_scenes(void) {
+    judgement found = {0};
+    for (unsigned i = 0; i < TEST_COUNT(hard_seeds); i++)
+        judge_random(hard_seeds[i], &found);
+    print_row("the hardest scenes", &found);
+    CHECK(found.judged > 0);
+}
+
+/* Random scenes reach what is hardest: wide and faint highlights on triangles that turn far. */
+static void random_scenes_reach_curved_triangles(void) {
+    uint32_t curved = 0;
+    for (uint32_t seed = 1; seed <= 300; seed++) {
+        test_scene scene;
+        glint_stats stats = {0};
+        picture image = picture_open(screens[seed % 3][0], screens[seed % 3][1], &glint_format_rgb565);
+        build_random(&scene, seed);
+        const double weight = product(scene.materials[0].specular.g, scene.lights[0].specular.g);
+        CHECK_EQUAL(picture_render(&image, &scene.scene, NULL, &stats), GLINT_OK);
+        curved += scene.materials[0].shininess >= 2 * GLINT_ONE && scene.materials[0].shininess <= 6 * GLINT_ONE &&
+                  weight >= 0.15 && weight <= 0.45 && stats.drawn[GLINT_KERNEL_CURVED_SPECULAR].covered > 500;
+        picture_close(&image);
+    }
+    CHECK(curved >= 5);
 }
 
 int test_main(test_writer write) {
-    static const test_case cases[] = {TEST_CASE(bench_scenes), TEST_CASE(curved_triangles_have_kernels),
-                                      TEST_CASE(random_scenes), TEST_CASE(every_compiler_draws_the_same_scenes)};
+    static const test_case cases[] = {TEST_CASE(bench_scenes),
+                                      TEST_CASE(curved_triangles_have_kernels),
+                                      TEST_CASE(random_scenes_reach_curved_triangles),
+                                      TEST_CASE(random_scenes),
+                                      TEST_CASE(hard_scenes),
+                                      TEST_CASE(every_compiler_draws_the_same_scenes)};
     return test_run(write, cases, TEST_COUNT(cases));
 }

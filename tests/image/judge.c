@@ -9,12 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Surfaces nearer to each other than this many depth steps may come out in either order. */
-#define CLOSE_STEPS 2
-
-/* Two steps of a unit vector in Q15: N and L are each rounded to one. */
-#define GATE (2.0 / 32768)
-
 typedef struct images {
     reference_image reference;
     picture shaded;   /* in the task's format */
@@ -112,12 +106,12 @@ static void judge_pixel(const judge_task *task, const images *all, int x, int y,
     }
     total->squares += error.squares;
     total->samples += picture_channels(task->format);
-    if ((reference->nearest - reference->second) * all->depth_scale < CLOSE_STEPS) {
+    if ((reference->nearest - reference->second) * all->depth_scale < JUDGE_CLOSE_STEPS) {
         total->close++;
         return;
     }
-    total->gated += reference->grazing < GATE;
-    if (task->leave_out_gates && reference->grazing < GATE)
+    total->gated += reference->grazing < JUDGE_GATE;
+    if (task->leave_out_gates && reference->grazing < JUDGE_GATE)
         return;
     total->judged++;
     total->over_one += error.rounded > 1;
@@ -181,6 +175,16 @@ void judgement_add(judgement *total, const judgement *part) {
     sum.squares = total->squares + part->squares;
     sum.samples = total->samples + part->samples;
     *total = sum;
+}
+
+/* At most 1 in `share` pixels of a frame, or one of them. */
+static int is_rare(long pixels, long judged, long share) {
+    return pixels <= 1 || pixels * share <= judged;
+}
+
+int judgement_keeps_contract(const judgement *frame) {
+    return frame->status == GLINT_OK && frame->missed == 0 && frame->spilled == 0 && frame->over_two == 0 &&
+           is_rare(frame->over_one, frame->judged, 10000) && is_rare(frame->not_fine, frame->judged, 1000);
 }
 
 double judgement_psnr(const judgement *total) {

@@ -8,6 +8,12 @@
 
 #include "glint.h"
 
+/** Surfaces nearer to each other than this many depth steps may come out in either order. */
+#define JUDGE_CLOSE_STEPS 2
+
+/** Cosines of 0 to within this are told by rounding: N and L are unit vectors, each off by up to 2.3 / 2^15. */
+#define JUDGE_GATE (4.6 / 32768)
+
 /** What to draw, and how much the stored value may differ from the unrounded one to count as fine. */
 typedef struct judge_task {
     const glint_scene *scene;
@@ -27,7 +33,7 @@ typedef struct judgement {
     long spilled;        /**< Not covered by the reference and not the background's colour. */
     long close;          /**< The two nearest surfaces are less than 2 depth steps apart: left out of the bounds. */
     long gated;    /**< The colour jumps where a light's |N.L| is 0, or at the edge of a cone, and a cosine is within
-                        2^-14 of that, or a light touches the surface: rounding decides. */
+                        JUDGE_GATE of that, or a light touches the surface: rounding decides. */
     long judged;   /**< Covered by both and not close. */
     long over_one; /**< Judged and more than 1 step from the rounded reference. */
     long over_two; /**< Judged and more than 2. */
@@ -44,6 +50,12 @@ void judge(const judge_task *task, judgement *total);
 
 /** Adds what was found of one task to what was found of others. */
 void judgement_add(judgement *total, const judgement *part);
+
+/**
+ * Does a single frame keep the contract? Coverage is right; at most 0.1 % of its judged pixels are not fine and 0.01 %
+ * over one step, or one pixel where that is more; none is over two.
+ */
+int judgement_keeps_contract(const judgement *frame);
 
 /** Peak signal to noise ratio of what was judged, decibels. */
 double judgement_psnr(const judgement *total);
