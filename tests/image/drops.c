@@ -211,7 +211,7 @@ static void each_material_has_a_light_of_its_own(void) {
         s.materials[i].diffuse = s.materials[i].specular = s.lights[i].diffuse = s.lights[i].specular = only;
     }
     add_words(&s.scene, got, &stats);
-    CHECK_AT_MOST(50 * stats.drawn[GLINT_KERNEL_GENERAL].parts, stats.drawn[GLINT_KERNEL_CURVED_SPECULAR].parts);
+    CHECK_AT_MOST(30 * stats.drawn[GLINT_KERNEL_GENERAL].parts, stats.drawn[GLINT_KERNEL_CURVED_SPECULAR].parts);
     for (int i = 0; i < 2; i++) {
         const glint_colour only = s.lights[i].diffuse;
         s.lights[i].diffuse = s.lights[i].specular = black;

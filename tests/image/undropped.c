@@ -270,25 +270,36 @@ static void restore_highlight(glint_deviation *deviation, const glint_deviation 
 /* A square, with its highlight wherever it lies; as the library draws it where that is behind the half vector. */
 static void draw_square(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                         const glint_triangle *triangle, const glint_part *part, const glint_part *cut,
-                        const glint_square *square, glint_quadratic_light *light, glint_quadratic_kind whole) {
+                        glint_square square, glint_quadratic_light *light, glint_quadratic_kind whole) {
     glint_deviation *deviation = (glint_deviation *)draw->shading->deviation;
     const glint_deviation kept = *deviation;
     const glint_spans spans = {cut, workspace->depth, workspace->pixels, frame->tile_shift_x};
     widen_highlight(deviation);
-    glint_quadratic_kind kind = glint_quadratic_bend(deviation, triangle, part, square, light);
+    glint_quadratic_kind kind = glint_quadratic_bend(deviation, triangle, part, &square, light);
     restore_highlight(deviation, &kept);
     if (kind == GLINT_QUADRATIC_SPECULAR) {
         glint_quadratic_light unused = *light;
         COUNT(squares_matt, whole == GLINT_QUADRATIC_DIFFUSE ||
-                                glint_quadratic_bend(deviation, triangle, part, square, &unused) != kind);
+                                glint_quadratic_bend(deviation, triangle, part, &square, &unused) != kind);
     } else {
         kind =
-            whole == GLINT_QUADRATIC_DIFFUSE ? whole : glint_quadratic_bend(deviation, triangle, part, square, light);
+            whole == GLINT_QUADRATIC_DIFFUSE ? whole : glint_quadratic_bend(deviation, triangle, part, &square, light);
     }
     if (kind == GLINT_QUADRATIC_UNFIT)
         glint_draw_any(frame, workspace, draw, triangle, cut);
     else
         glint_draw_quadratic_kind(workspace, &spans, draw->shading, light, kind, 0);
+}
+
+/* Is one half vector, known with its slope, enough for all of a triangle that is lit exactly? */
+static int is_small(const glint_draw *draw, const glint_triangle *triangle, const glint_part *part) {
+    const glint_deviation *deviation = draw->shading->deviation;
+    glint_quadratic_light light;
+    glint_square square;
+    glint_quadratic_square(deviation, triangle, &square);
+    if (glint_quadratic_begin(draw, triangle, part, &light) == GLINT_QUADRATIC_SPECULAR)
+        glint_quadratic_bend(deviation, triangle, part, &square, &light);
+    return square.is_small;
 }
 
 /* What the library draws square by square, or without highlight though too large for one half vector. @return 0 for
@@ -300,17 +311,18 @@ static int draw_squares(const glint_frame *frame, glint_workspace *workspace, co
     const int32_t left = glint_shift_right(part->window.left, 4), top = glint_shift_right(part->window.top, 4);
     glint_quadratic_light light;
     glint_square square;
-    if (!deviation->local_viewer || glint_quadratic_square(deviation, triangle, &square) ||
+    if (!deviation->local_viewer || is_small(draw, triangle, part) ||
         glint_quadratic_begin(draw, triangle, part, &light) != GLINT_QUADRATIC_SPECULAR ||
         cell < GLINT_QUADRATIC_LEAST_CELL || cell + light.size > GLINT_QUADRATIC_MOST_TURN)
         return 0;
+    glint_quadratic_square(deviation, triangle, &square);
     const glint_quadratic_kind whole = glint_quadratic_bend(deviation, triangle, part, &square, &light);
     square.extent = 12 * side;
     for (square.y = (top & -side) + half; square.y - half < top + part->window.height; square.y += side) {
         for (square.x = (left & -side) + half; square.x - half < left + part->window.width; square.x += side) {
             glint_part cut;
             if (glint_cut_square(&cut, part, &square, half))
-                draw_square(frame, workspace, draw, triangle, part, &cut, &square, &light, whole);
+                draw_square(frame, workspace, draw, triangle, part, &cut, square, &light, whole);
         }
     }
     return 1;
@@ -325,11 +337,10 @@ static void draw_curved(const glint_frame *frame, glint_workspace *workspace, co
     glint_deviation *deviation = (glint_deviation *)draw->shading->deviation; /* it lies in the arena */
     const glint_deviation kept = *deviation;
     const glint_spans spans = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
-    glint_square square;
     int drawn = 0;
     if (draw_interpolated(workspace, &spans, draw, triangle) || draw_squares(frame, workspace, draw, triangle, part))
         return;
-    if (deviation->specular_end && (!deviation->local_viewer || glint_quadratic_square(deviation, triangle, &square))) {
+    if (deviation->specular_end && (!deviation->local_viewer || is_small(draw, triangle, part))) {
         widen_highlight(deviation);
         drawn = draw_exactly(frame, workspace, draw, triangle, part);
         restore_highlight(deviation, &kept);
