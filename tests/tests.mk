@@ -105,6 +105,8 @@ unit-tables: $(BUILD)/tests/print_torus $(BUILD)/tests/print_checksums ## write 
 # ---- Fuzzing
 
 FUZZ_SECONDS ?= 60
+# Another one tries other inputs; 0 is one of its own at each run.
+FUZZ_SEED    ?= 1
 FUZZ_CC      := clang
 FUZZ_CFLAGS  := -std=c99 $(WARNINGS) -g -O1 -Isrc -Iport/host -Itests -Itests/reference -Itests/image \
     -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer \
@@ -143,7 +145,7 @@ fuzz-differential: ## random scenes against the double-precision reference for F
 $(FUZZ_TARGETS:fuzz_%=fuzz-%): fuzz-%: $(BUILD)/fuzz/fuzz_%
 	@mkdir -p $<-corpus
 	@if ! LLVM_PROFILE_FILE=/dev/null $< -max_total_time=$(FUZZ_SECONDS) -timeout=10 -max_len=4096 -len_control=10 \
-	        -print_final_stats=1 -artifact_prefix=$<- $<-corpus $(FUZZ_CORPUS)/fuzz_$* > $<.log 2>&1; then \
+	        -seed=$(FUZZ_SEED) -print_final_stats=1 -artifact_prefix=$<- $<-corpus $(FUZZ_CORPUS)/fuzz_$* > $<.log 2>&1; then \
 	    grep -v '^#' $<.log; echo "$<: a report; the input is beside it"; exit 1; \
 	fi; \
 	grep '^worst' $<.log | tail -n 3; \

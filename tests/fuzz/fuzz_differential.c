@@ -23,10 +23,6 @@
 /* From a cone's full light to none, degrees. */
 #define SOFT_EDGE (10 * GLINT_ONE)
 
-/* Does a frame with more pixels beyond the bound than the contract's share end the program? Not while curved highlights
- * in RGB565 have some. */
-#define SHARE_IS_HELD 0
-
 /* What libFuzzer takes for coverage, and sets to 0 before each input. */
 static uint8_t seen[FORMATS][SHARES] __attribute__((section("__libfuzzer_extra_counters")));
 
@@ -132,7 +128,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (result.found.status == GLINT_OK) {
         keep(format, &result);
         require(contract_holds(&result));
-        require(!SHARE_IS_HELD || result.found.not_fine <= most_beyond(&result.found));
+        require(result.found.not_fine <= most_beyond(&result.found));
     } else {
         require(result.found.status == GLINT_ERROR_RANGE);
     }
