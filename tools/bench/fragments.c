@@ -22,7 +22,7 @@ typedef struct lighting {
 
 static const lighting lightings[] = {
     {"plane", 20, GLINT_KERNEL_DIFFUSE, GLINT_KERNEL_SPECULAR},
-    {"interpolated", 160, GLINT_KERNEL_CURVED_DIFFUSE, GLINT_KERNEL_CURVED_SPECULAR},
+    {"interpolated", 200, GLINT_KERNEL_CURVED_DIFFUSE, GLINT_KERNEL_CURVED_SPECULAR},
     {"exact", 600, GLINT_KERNEL_CURVED_DIFFUSE, GLINT_KERNEL_CURVED_SPECULAR},
 };
 
@@ -35,9 +35,9 @@ typedef struct variant {
 static const variant variants[] = {
     {"no highlight", GLINT_VIEWER_INFINITE, GLINT_Q16(0.5), 0},
     {"infinite viewer", GLINT_VIEWER_INFINITE, GLINT_Q16(0.5), GLINT_Q16(0.35)},
-    {"infinite viewer clamped", GLINT_VIEWER_INFINITE, GLINT_Q16(0.8), GLINT_Q16(0.8)},
+    {"infinite viewer clamped", GLINT_VIEWER_INFINITE, GLINT_Q16(0.8), GLINT_Q16(0.4)},
     {"local viewer", GLINT_VIEWER_LOCAL, GLINT_Q16(0.5), GLINT_Q16(0.35)},
-    {"local viewer clamped", GLINT_VIEWER_LOCAL, GLINT_Q16(0.8), GLINT_Q16(0.8)},
+    {"local viewer clamped", GLINT_VIEWER_LOCAL, GLINT_Q16(0.8), GLINT_Q16(0.4)},
 };
 
 static const int16_t positions[3][3] = {{-32767, -32767, 0}, {32767, -32767, 0}, {-32767, 32767, 0}};
