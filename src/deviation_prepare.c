@@ -7,8 +7,8 @@
 /* A highlight ends where it is 2^-9 of one: below 1/8 of a level of 63 at weight 1. */
 #define CUT_BITS 9
 
-/* Steps of error that turn and slant may make each: 9/32 and 1/2 (find_limits). */
-#define TURN_LIMIT 9
+/* Steps of error that turn may make, with what an entry of the diffuse table is too coarse for: 1/3 (find_limits). */
+#define TURN_LIMIT ((32 << 12) / 3)
 
 /* Of an error budget, Q12, kept for what linear lighting errs without one: half a level, with highlights a whole one.
  */
@@ -265,8 +265,11 @@ static int32_t find_extent(const glint_frame *frame, const glint_shading *shadin
     return at_most(extent * glint_square_root((4096 + grant * 5 / 3) << 12) >> 12, INT32_MAX);
 }
 
-static uint64_t turn_limit(uint64_t grant) {
-    return (((uint64_t)TURN_LIMIT << 12) + 32 * grant) << 26;
+/* Q38 levels, in 1/32. An entry of the diffuse table is the level to within 1/512 of the weight, up to a weight of 1.
+ */
+static uint64_t turn_limit(uint64_t grant, uint32_t diffuse) {
+    const uint32_t most = levels[1] << 12, coarse = (diffuse < most ? diffuse : most) / 16;
+    return (TURN_LIMIT - coarse + 32 * grant) << 26;
 }
 
 /*
@@ -287,8 +290,9 @@ static void find_limits(const glint_frame *frame, glint_deviation *deviation, co
     const uint32_t specular = weight_in_levels(shading->weights[0].specular);
     const uint64_t grant = find_share(shading, KEPT) * levels[1];
     const uint64_t highlight = find_share(shading, KEPT_SPECULAR) * levels[1];
-    deviation->turn = at_most(turn_limit(grant) / diffuse, 1 << 26);
-    deviation->turn_specular = at_most(turn_limit(highlight) / turning_levels(shading, diffuse, specular), 1 << 26);
+    deviation->turn = at_most(turn_limit(grant, diffuse) / diffuse, 1 << 26);
+    deviation->turn_specular =
+        at_most(turn_limit(highlight, diffuse) / turning_levels(shading, diffuse, specular), 1 << 26);
     deviation->extent = deviation->local_viewer ? find_extent(frame, shading, specular, highlight) : INT32_MAX;
     deviation->slant =
         (uint32_t)at_most((uint32_t)deviation->side *

@@ -16,8 +16,8 @@
 #define LEAST_AREA 8
 
 /* Errors of N.L and of the highlight that interpolation may make at the worst place, levels in Q12. */
-#define COSINE_LIMIT 900
-#define HIGHLIGHT_LIMIT 2350
+#define COSINE_LIMIT 600
+#define HIGHLIGHT_LIMIT 2225
 
 /* Triangles that cover more than this part of the screen err in so many of a frame's pixels at once that they have half
  * the limits. */
@@ -459,7 +459,7 @@ static inline glint_quadratic_kind find_kind(const glint_deviation *deviation, c
     }
     if (!is_front || any & GLINT_TERMS_FAR)
         return GLINT_QUADRATIC_UNFIT;
-    const int32_t whole = turn + (change * change >> 14) + bend + (bend * bend >> 13);
+    const int32_t whole = turn + (change * change >> 14) + (bend * 3 >> 2) + (bend * bend >> 13);
     if (whole <= limits->turn_specular >> (triangle->area > limits->large) && !(any & GLINT_TERMS_DIM))
         return GLINT_QUADRATIC_SPECULAR;
     /* of random triangles no more than 0.031 d^3, which is below d^2 / 32 up to MOST_TURN */

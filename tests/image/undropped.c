@@ -263,7 +263,7 @@ static void restore_highlight(glint_deviation *deviation, const glint_deviation 
 /* A square, with its highlight wherever it lies; as the library draws it where that is behind the half vector. */
 static void draw_square(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                         const glint_triangle *triangle, const glint_part *part, const glint_part *cut,
-                        const glint_square *square, glint_quadratic_light *light, glint_quadratic_kind whole) {
+                        glint_square *square, glint_quadratic_light *light, glint_quadratic_kind whole) {
     glint_deviation *deviation = (glint_deviation *)draw->shading->deviation;
     const glint_deviation kept = *deviation;
     const glint_spans spans = {cut, workspace->depth, workspace->pixels, frame->tile_shift_x};
@@ -284,6 +284,17 @@ static void draw_square(const glint_frame *frame, glint_workspace *workspace, co
         glint_draw_quadratic_kind(workspace, &spans, draw->shading, light, kind, 0);
 }
 
+/* Is the half vector of the local viewer linear all over a triangle? */
+static int is_small(const glint_draw *draw, const glint_triangle *triangle, const glint_part *part) {
+    const glint_deviation *deviation = draw->shading->deviation;
+    glint_quadratic_light light;
+    glint_square square;
+    glint_quadratic_square(deviation, triangle, &square);
+    if (glint_quadratic_begin(draw, triangle, part, &light) == GLINT_QUADRATIC_SPECULAR)
+        glint_quadratic_bend(deviation, triangle, part, &square, &light);
+    return square.is_small;
+}
+
 /* What the library draws square by square, or without highlight though too large for one half vector. @return 0 for
  * all else */
 static int draw_squares(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
@@ -293,10 +304,11 @@ static int draw_squares(const glint_frame *frame, glint_workspace *workspace, co
     const int32_t left = glint_shift_right(part->window.left, 4), top = glint_shift_right(part->window.top, 4);
     glint_quadratic_light light;
     glint_square square;
-    if (!deviation->local_viewer || glint_quadratic_square(deviation, triangle, &square) ||
+    if (!deviation->local_viewer || is_small(draw, triangle, part) ||
         glint_quadratic_begin(draw, triangle, part, &light) != GLINT_QUADRATIC_SPECULAR ||
         cell < GLINT_QUADRATIC_LEAST_CELL || cell + light.size > GLINT_QUADRATIC_MOST_TURN)
         return 0;
+    glint_quadratic_square(deviation, triangle, &square);
     const glint_quadratic_kind whole = glint_quadratic_bend(deviation, triangle, part, &square, &light);
     square.extent = 12 * side;
     for (square.y = (top & -side) + half; square.y - half < top + part->window.height; square.y += side) {
@@ -318,11 +330,10 @@ static void draw_curved(const glint_frame *frame, glint_workspace *workspace, co
     glint_deviation *deviation = (glint_deviation *)draw->shading->deviation; /* it lies in the arena */
     const glint_deviation kept = *deviation;
     const glint_spans spans = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
-    glint_square square;
     int drawn = 0;
     if (draw_interpolated(workspace, &spans, draw, triangle) || draw_squares(frame, workspace, draw, triangle, part))
         return;
-    if (deviation->specular_end && (!deviation->local_viewer || glint_quadratic_square(deviation, triangle, &square))) {
+    if (deviation->specular_end && (!deviation->local_viewer || is_small(draw, triangle, part))) {
         widen_highlight(deviation);
         drawn = draw_exactly(frame, workspace, draw, triangle, part);
         restore_highlight(deviation, &kept);
