@@ -7,6 +7,7 @@
 #include "bench.h"
 #include "choices.h"
 #include "cluster.h"
+#include "judge.h"
 #include "library_geometry.h"
 #include "picture.h"
 #include "reference.h"
@@ -17,9 +18,6 @@
 
 #define PIXELS_MAX (320 * 240)
 #define CHANNELS 3
-
-/* Surfaces nearer to each other than this many depth steps may come out in either order: not judged by bounds. */
-#define CLOSE_STEPS 2
 
 static const int exponents[] = {1, 2, 8, 32, 64, 256, 1024};
 #define EXPONENTS (sizeof exponents / sizeof *exponents)
@@ -37,8 +35,9 @@ static const output outputs[] = {{"rgb565", &glint_format_rgb565, 0.75, 0.25},
 
 /** A row of the table: pixels by how far off they are, and the sum of squared errors. */
 typedef struct row {
-    long judged, within_fine, within_bound, within_one, within_two;
-    double worst; /* steps from the unrounded reference */
+    long judged, gated, within_fine, within_bound, within_one, within_two;
+    int frames, frames_bound, frames_one, frames_two; /* all, and those that keep each part of the contract */
+    double worst;                                     /* steps from the unrounded reference */
     double squares;
     long samples;
 } row;
@@ -76,6 +75,10 @@ static void add_pixel(row *total, const output *kind, const bench_scene *scene, 
     total->samples += CHANNELS;
     if (close)
         return;
+    if (wanted->grazing < JUDGE_GATE) {
+        total->gated++;
+        return;
+    }
     total->judged++;
     total->within_fine += worst <= kind->fine;
     total->within_bound += bounded;
@@ -84,17 +87,40 @@ static void add_pixel(row *total, const output *kind, const bench_scene *scene, 
     total->worst = fmax(total->worst, worst);
 }
 
+/* Are at most 1 in `share` pixels beyond, or one of them? */
+static int keeps(long within, long judged, long share) {
+    return judged - within <= 1 || (judged - within) * share <= judged;
+}
+
+static void add_frame(row *total, const row *frame) {
+    total->judged += frame->judged;
+    total->gated += frame->gated;
+    total->within_fine += frame->within_fine;
+    total->within_bound += frame->within_bound;
+    total->within_one += frame->within_one;
+    total->within_two += frame->within_two;
+    total->worst = fmax(total->worst, frame->worst);
+    total->squares += frame->squares;
+    total->samples += frame->samples;
+    total->frames++;
+    total->frames_bound += keeps(frame->within_bound, frame->judged, 1000);
+    total->frames_one += keeps(frame->within_one, frame->judged, 10000);
+    total->frames_two += frame->within_two == frame->judged;
+}
+
 /* Adds a picture, or without one the reference itself correctly rounded. */
 static void add_picture(row *total, const output *kind, const bench_scene *scene, const picture *drawn,
                         const truth *right, const uint16_t size[2]) {
+    row frame = {0};
     for (int y = 0; y < size[1]; y++) {
         for (int x = 0; x < size[0]; x++) {
             const reference_pixel *wanted = &right->pixels[y * size[0] + x];
-            const int close = (wanted->nearest - wanted->second) * right->depth_scale < CLOSE_STEPS;
+            const int close = (wanted->nearest - wanted->second) * right->depth_scale < JUDGE_CLOSE_STEPS;
             if (wanted->covered)
-                add_pixel(total, kind, scene, drawn, wanted, x, y, close);
+                add_pixel(&frame, kind, scene, drawn, wanted, x, y, close);
         }
     }
+    add_frame(total, &frame);
 }
 
 static void fail(const char *what) {
@@ -139,10 +165,12 @@ static void print_row(const row *total, int which, const uint16_t size[2], const
                       int exponent, const char *against) {
     if (total->judged == 0)
         fail("nothing was drawn");
-    printf("%s,%dx%d,%s,%s,%d,%s,%.2f,%.4f,%.4f,%.4f,%.4f,%.3f\n", bench_definitions[which].name, size[0], size[1],
-           kind->name, name, exponent, against, -10 * log10(total->squares / (double)total->samples),
+    printf("%s,%dx%d,%s,%s,%d,%s,%.2f,%.4f,%.4f,%.4f,%.4f,%.3f,%ld,%ld,%d,%d,%d,%d\n", bench_definitions[which].name,
+           size[0], size[1], kind->name, name, exponent, against, -10 * log10(total->squares / (double)total->samples),
            percent(total->within_fine, total->judged), percent(total->within_bound, total->judged),
-           percent(total->within_one, total->judged), percent(total->within_two, total->judged), total->worst);
+           percent(total->within_one, total->judged), percent(total->within_two, total->judged), total->worst,
+           total->judged + total->gated, total->gated, total->frames, total->frames_bound, total->frames_one,
+           total->frames_two);
 }
 
 /* Every choice against the scene as it is. */
@@ -191,7 +219,8 @@ static void judge_contract(int which, const uint16_t size[2], truth *right) {
 int main(void) {
     static truth right;
     puts("scene,size,format,choice,p,against,psnr_db,within_fine_percent,within_bound_percent,within_one_percent,"
-         "within_two_percent,worst_steps");
+         "within_two_percent,worst_steps,pixels,left_out,frames,frames_within_bound,frames_within_one,frames_within_"
+         "two");
     for (int which = 0; which < BENCH_SCENES; which++) {
         bench_build_mesh(&mesh, bench_definitions[which].shape, bench_definitions[which].around,
                          bench_definitions[which].along);
