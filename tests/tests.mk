@@ -20,7 +20,7 @@ SUITE_compare   := $(TEST_HARNESS) tests/image/compare.c $(TEST_SCENES) $(TEST_J
 SUITE_accuracy  := $(TEST_HARNESS) tests/image/accuracy.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_models    := $(TEST_HARNESS) tests/image/models.c tests/image/surfaces.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_gallery   := $(TEST_HARNESS) tests/image/gallery.c tests/image/rows.c tests/image/picture.c $(TEST_JUDGE) \
-    $(wildcard examples/scenes/*.c)
+    tests/stability/contract.c tests/stability/weights.c $(wildcard examples/scenes/*.c)
 SUITE_output    := $(TEST_HARNESS) tests/image/output.c $(TEST_SCENES)
 SUITE_extremes  := $(TEST_HARNESS) tests/image/extremes.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_highlights := $(TEST_HARNESS) tests/image/highlights.c $(TEST_SCENES)

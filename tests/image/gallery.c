@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Suite: every variant of every example scene, as composed, against the double-precision reference. */
+/*
+ * Suite: every variant of every example scene, as composed, against the double-precision reference: each frame keeps
+ * the contract, by the pixels that count (contract.h).
+ */
 #include "glint.h"
 #include "harness.h"
 #include "rows.h"
 #include "scenes/scenes.h"
+#include "stability/contract.h"
 
 #include <stdio.h>
 
@@ -13,8 +17,11 @@ static void judge_variant(const example_scene *scene, uint32_t variant, const gl
     judgement total = {0};
     char name[80];
     for (uint32_t frame = 0; frame < scene->frames; frame += scene->frames / 2 + 1) {
+        contract_result result;
         scene->build(&stage, variant, frame);
-        row_judge(&stage.scene, scene->width, scene->height, format, &total);
+        contract_judge(&stage.scene, scene->width, scene->height, format, &result);
+        CHECK(contract_holds(&result));
+        judgement_add(&total, &result.found);
     }
     snprintf(name, sizeof name, "%s %s, %s", scene->name, scene->variants[variant].name,
              format == &glint_format_rgb565 ? "RGB565" : "RGB888");

@@ -11,8 +11,9 @@
 /** Surfaces nearer to each other than this many depth steps may come out in either order. */
 #define JUDGE_CLOSE_STEPS 2
 
-/** Cosines of 0 to within this are told by rounding: N and L are unit vectors, each off by up to 2.3 / 2^15. */
-#define JUDGE_GATE (4.6 / 32768)
+/** Cosines of 0 to within this are told by rounding: two steps of a unit vector in Q15, N and L being rounded to one.
+ */
+#define JUDGE_GATE (2.0 / 32768)
 
 /** What to draw, and how much the stored value may differ from the unrounded one to count as fine. */
 typedef struct judge_task {

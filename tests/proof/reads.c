@@ -192,9 +192,11 @@ static void loosen(glint_deviation *deviation) {
 
 /* Of quadratics, by what is prepared for a highlight of this width, but that they turn as far as they ever may. */
 static void loosen_quadratics(glint_deviation *deviation, const glint_shading *shading) {
+    const glint_frame frame = {.config = {.width = GLINT_SIZE_MAX, .height = GLINT_SIZE_MAX}};
     deviation->quadratic = (glint_quadratic_limits){0};
-    glint_quadratic_prepare(deviation, shading);
+    glint_quadratic_prepare(deviation, &frame, shading);
     deviation->quadratic.turn = deviation->quadratic.turn_specular = INT16_MAX;
+    deviation->quadratic.large = INT32_MAX;
 }
 
 /* A light towards the first corner's normal, near the edge of what it lights, or anywhere. */

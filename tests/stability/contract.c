@@ -11,6 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define GATE (4.6 / 32768)
+
 /* The scene as the library drew it, and as the reference sees it: its light, its objects and its normals. */
 typedef struct views {
     int width, height;
@@ -103,7 +105,7 @@ static int is_narrow(const views *all, uint32_t light, const double *towards) {
     if (spot->type != &glint_light_spot || inner - outer >= CONTRACT_NARROW)
         return 0;
     double cosine = towards ? -reference_dot(all->lights.axis[light], towards) : inner;
-    return cosine <= inner + JUDGE_GATE && cosine >= outer - JUDGE_GATE;
+    return cosine <= inner + GATE && cosine >= outer - GATE;
 }
 
 /* Is L + V too short to tell its direction? */
@@ -198,7 +200,7 @@ static void judge_distance(const views *all, int x, int y, double bound, int is_
 static void judge_pixel(const views *all, int x, int y, contract_result *result) {
     const size_t at = (size_t)y * (size_t)all->width + (size_t)x;
     const reference_pixel *wanted = &all->light.pixels[at];
-    if (!wanted->covered || wanted->uncertain || wanted->grazing < JUDGE_GATE ||
+    if (!wanted->covered || wanted->uncertain || wanted->grazing < GATE ||
         (wanted->nearest - wanted->second) * all->geometry.depth_scale < JUDGE_CLOSE_STEPS)
         return;
     const glint_object *object = &all->scene->objects[lrint(255 * all->object.pixels[at].colour[0])];
@@ -278,6 +280,5 @@ void contract_judge(const glint_scene *scene, int width, int height, const glint
 }
 
 int contract_holds(const contract_result *result) {
-    const judgement *found = &result->found;
-    return found->status == GLINT_OK && found->missed == 0 && found->spilled == 0 && found->over_two == 0;
+    return judgement_keeps_contract(&result->found);
 }

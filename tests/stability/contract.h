@@ -2,8 +2,8 @@
 /**
  * @file contract.h
  * The accuracy contract, pixel by pixel. Given the snapped vertices, coverage is that of the reference. A stored value
- * is within weights_bound of the unrounded reference for 99.9 % of the pixels, within one step of the rounded one
- * for 99.99 %, and within two for all.
+ * is within weights_bound of the unrounded reference for 99.9 % of a frame's pixels, within one step of the rounded one
+ * for 99.99 %, or for all but one where that is more, and within two for all.
  *
  * Left out are pixels where the last bit of an input decides, by rules that do not look at the outcome:
  * - close: two surfaces less than 2 depth steps apart (judge.h);
@@ -48,7 +48,7 @@ typedef struct contract_result {
 void contract_judge(const glint_scene *scene, int width, int height, const glint_format *format,
                     contract_result *result);
 
-/** Whether coverage is right and no pixel is over two steps, as every scene must have it. */
+/** Whether the frame keeps the contract, by the pixels that count. */
 int contract_holds(const contract_result *result);
 
 #endif

@@ -29,7 +29,9 @@ static void judge_kept(void) {
     CHECK_EQUAL(random_scene_checksum(&scene), kept->checksum);
     CHECK_EQUAL(result.found.status, GLINT_OK);
     CHECK_AT_MOST(result.found.missed + result.found.spilled, kept->missed);
-    if (random_regions[scene.region].in_contract)
+    if (random_regions[scene.region].in_contract && kept->missed + kept->over_two == 0)
+        CHECK(contract_holds(&result));
+    else if (random_regions[scene.region].in_contract)
         CHECK_AT_MOST(result.found.over_two, kept->over_two);
     if (kept->worst > 0)
         CHECK_AT_MOST(lrint(100 * result.found.worst), lrint(100 * kept->worst));

@@ -15,7 +15,7 @@
 /* What a region's scenes sum up to, and its worst one. */
 typedef struct tally {
     judgement sum;
-    long scenes, excused, moved, refused;
+    long scenes, excused, moved, refused, broken;
     double worst_share, worst, bound;
     uint64_t worst_seed, worst_checksum;
 } tally;
@@ -61,6 +61,7 @@ static void judge_seed(uint64_t seed, tally *tallies) {
     t->excused += result.excused;
     t->moved += moved;
     t->refused += result.found.status != GLINT_OK;
+    t->broken += !contract_holds(&result);
     if (result.worst_share > t->worst_share) {
         t->worst_share = result.worst_share;
         t->worst = result.found.worst;
@@ -75,10 +76,10 @@ static void judge_seed(uint64_t seed, tally *tallies) {
 /* The columns of search.py, after the word "region". */
 static void print_tally(const random_region *region, const tally *t) {
     const judgement *sum = &t->sum;
-    printf("region,%s,%d,%ld,%ld,%ld,%ld,%ld,%ld,%ld,%ld,%ld,%ld,%ld,%ld,%ld,%.4f,%.4f,%.4f,%llu,0x%016llx\n",
+    printf("region,%s,%d,%ld,%ld,%ld,%ld,%ld,%ld,%ld,%ld,%ld,%ld,%ld,%ld,%ld,%ld,%.4f,%.4f,%.4f,%llu,0x%016llx\n",
            region->name, region->in_contract, t->scenes, sum->covered, sum->judged, sum->uncertain, sum->close,
            sum->gated, t->excused, sum->not_fine, sum->over_one, sum->over_two, sum->missed + t->refused, sum->spilled,
-           t->moved, t->worst_share, t->worst, t->bound, (unsigned long long)t->worst_seed,
+           t->moved, t->broken, t->worst_share, t->worst, t->bound, (unsigned long long)t->worst_seed,
            (unsigned long long)t->worst_checksum);
 }
 

@@ -13,7 +13,7 @@ import subprocess
 import sys
 
 COUNTS = ("scenes", "covered", "judged", "uncertain", "close", "gated", "left_out", "over_fine", "over_one", "over_two",
-          "missed", "spilled", "moved")
+          "missed", "spilled", "moved", "broken")
 WORST = ("worst_share", "worst", "bound", "worst_seed", "worst_checksum")
 COLUMNS = ("region", "in_contract") + COUNTS + WORST
 
@@ -55,7 +55,7 @@ def faults(row):
     """What of the contract a region's scenes break; beyond it, where p is below 1 or above 1024, coverage counts."""
     found = [name for name in ("missed", "spilled", "moved") if row[name]]
     if row["in_contract"] == "1":
-        found += ["over_two"] * (row["over_two"] > 0)
+        found += ["broken"] * (row["broken"] > 0)
         found += ["over_one"] * (row["over_one"] * 10000 > row["judged"])
         found += ["over_fine"] * (row["over_fine"] * 1000 > row["judged"])
     return found if row["scenes"] else ["no scenes"]

@@ -44,7 +44,7 @@ def contract(figures):
                  "%d of 1" % (psnr >= LEAST_PSNR), "%.2f dB" % psnr])
     shown = [row for row in own if row["format"] == "rgb565"]
     return table(["contract", "met in", "missed in"], rows) + (
-        "\nLeft out because N.L is within 4.6 / 2^15 of 0, where a highlight begins at once: %d of %d pixels.\n" % (
+        "\nLeft out because N.L is within 2 / 2^15 of 0, where a highlight begins at once: %d of %d pixels.\n" % (
             sum(int(row["left_out"]) for row in shown), sum(int(row["pixels"]) for row in shown)))
 
 
