@@ -73,7 +73,7 @@ glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, co
     return GLINT_OK;
 }
 
-static glint_status begin(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
+static glint_status begin_frame(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
     glint_kept kept = {0, 0};
     if (!config || !scene || !config->arena)
         return GLINT_ERROR_NULL;
@@ -92,7 +92,7 @@ static glint_status begin(glint_frame *frame, const glint_config *config, const 
 glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
     if (!frame)
         return GLINT_ERROR_NULL;
-    const glint_status status = begin(frame, config, scene);
+    const glint_status status = begin_frame(frame, config, scene);
     if (status != GLINT_OK)
         *frame = (glint_frame){0}; /* what failed is not to be drawn, nor kept */
     return status;

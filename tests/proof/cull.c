@@ -25,7 +25,7 @@ PROOF(face) {
     face(&eye, clusters, 3, away);
 }
 
-/* Any counts of up to 3 clusters. */
+/* Any counts of up to 3 clusters, and more than there may be. */
 PROOF(check) {
     glint_cluster list[3];
     glint_clusters clusters = {0, ANY(0, 1) ? list : 0, 0, ANY_UNSIGNED(0, 3)};
@@ -37,5 +37,7 @@ PROOF(check) {
     mesh.clusters = &clusters;
     mesh.triangle_count = ANY_UNSIGNED(0, UINT_MAX);
     mesh.vertex_count = ANY_UNSIGNED(0, UINT_MAX);
+    check(&mesh);
+    clusters.count = ANY_UNSIGNED(65537, UINT_MAX);
     check(&mesh);
 }

@@ -119,6 +119,8 @@ PROOF(find_limits) {
     glint_view view;
     any_view(&view);
     frame.view = &view;
+    frame.config.width = (uint16_t)ANY(1, GLINT_SIZE_MAX);
+    frame.config.height = (uint16_t)ANY(1, GLINT_SIZE_MAX);
     any_served();
     deviation.side = ANY(0, 1 << 17);
     find_limits(&frame, &deviation, &shading);

@@ -147,6 +147,8 @@ PROOF(glint_check_scene) {
     scene->light_count = ANY_UNSIGNED(0, GLINT_LIGHTS_MAX + 1);
     any_mesh();
     any_material(INT32_MIN, INT32_MAX);
+    all.mesh.flags = ANY_UNSIGNED(0, UINT_MAX);
+    all.material.flags = ANY_UNSIGNED(0, UINT_MAX);
     if (ANY(0, 1))
         all.material.model = 0;
     for (int i = 0; i < 2; i++) {
