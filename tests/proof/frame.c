@@ -41,7 +41,7 @@ PROOF(glint_check_config) {
         glint_row_bytes(config.format, config.tile_width);
 }
 
-/* Any configuration. @unreached 1 leading zeros of 0 */
+/* Any configuration. @unreached 2 leading zeros of 0 */
 PROOF(glint_frame_grid) {
     glint_frame frame;
     glint_config config = {0};
