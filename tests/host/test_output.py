@@ -50,8 +50,15 @@ class Interrupted:
         return {"LD_PRELOAD": self.library, "INTERRUPTED_BY": str(int(number))}
 
 
-def no_core():
+# What a signal may end the program with.
+ENDING = (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGQUIT, signal.SIGPIPE, signal.SIGXCPU)
+
+
+def as_in_a_terminal():
+    """Signals do what they do by default, whatever the suite was started with; and no core is written."""
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    for number in ENDING:
+        signal.signal(number, signal.SIG_DFL)
 
 
 def test_other_files_stay(host):
@@ -102,11 +109,11 @@ def test_signals(host):
     """In the middle of writing: the older file stays, nothing is left, the status is the signal's."""
     files = host.files()
     with Interrupted(host) as interrupted:
-        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGQUIT, signal.SIGPIPE, signal.SIGXCPU):
+        for number in ENDING:
             for older in (None, "older"):
                 if older:
                     host.write("out.png", older)
-                run = host.run("render", "torus:8x8", *SMALL, "-o", "out.png", env=interrupted.by(number), before=no_core)
+                run = host.run("render", "torus:8x8", *SMALL, "-o", "out.png", env=interrupted.by(number), before=as_in_a_terminal)
                 host.equal(f"{number.name}: status", run.returncode, -number)
                 host.equal(f"{number.name}: files", host.files(), sorted([*files, "out.png"]) if older else files)
                 if older:
@@ -119,7 +126,7 @@ def test_signals(host):
         os.remove(host.path("out.png"))
 
     def small_files_only():
-        no_core()
+        as_in_a_terminal()
         resource.setrlimit(resource.RLIMIT_FSIZE, (1024, 1024))
 
     host.write("out.png", "older")

@@ -38,7 +38,8 @@ def draw(host, name, *options):
 
 
 def test_names(host):
-    host.equal("the scenes", list(scenes(host)), ["shaders", "three-spheres", "halloween", "teapot", "phong-lighting"])
+    host.equal("the scenes", list(scenes(host)), ["shaders", "three-spheres", "halloween", "teapot", "phong-lighting",
+                                                  "surfaces"])
 
 
 def test_every_variant(host):
