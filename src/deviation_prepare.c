@@ -7,8 +7,10 @@
 /* A highlight ends where it is 2^-9 of one: below 1/8 of a level of 63 at weight 1. */
 #define CUT_BITS 9
 
-/* Steps of error that turn may make, with what an entry of the diffuse table is too coarse for: 1/3 (find_limits). */
-#define TURN_LIMIT ((32 << 12) / 3)
+/* Steps of error that turn may make, in 1/32, Q12: 9/32, and 1/3 with what an entry of the diffuse table is too coarse
+ * for (find_limits). */
+#define TURN_LIMIT (9u << 12)
+#define TURN_AND_TABLE ((32u << 12) / 3)
 
 /* Of an error budget, Q12, kept for what linear lighting errs without one: half a level, with highlights a whole one.
  */
@@ -295,8 +297,8 @@ static int32_t find_extent(const glint_frame *frame, const glint_shading *shadin
 /* Q38 levels, in 1/32. An entry of the diffuse table is the level to within 1/512 of the weight, up to a weight of 1.
  */
 static uint64_t turn_limit(uint64_t grant, uint32_t diffuse) {
-    const uint32_t most = levels[1] << 12, coarse = (diffuse < most ? diffuse : most) / 16;
-    return (TURN_LIMIT - coarse + 32 * grant) << 26;
+    const uint32_t coarse = least(diffuse, levels[1] << 12) / 16;
+    return (least(TURN_LIMIT, TURN_AND_TABLE - coarse) + 32 * grant) << 26;
 }
 
 /*
