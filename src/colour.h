@@ -6,7 +6,6 @@
 #include "frame.h"
 
 /** Fragment i's colour, 1 = GLINT_COLOUR_ONE, from its planes; off by at most 4 steps. */
-void glint_resolve_colour(const glint_frame *frame, const glint_fragments *fragments, uint32_t i,
-                          const glint_plane planes[3], int16_t out[3]);
+void glint_resolve_colour(const glint_fragments *fragments, uint32_t i, const glint_plane planes[3], int16_t out[3]);
 
 #endif

@@ -22,17 +22,6 @@ static inline int32_t glint_turn_of(const glint_vertex *const v[3]) {
            glint_square_of_sum(a[1], b[1], c[1]) - glint_square_of_sum(a[2], b[2], c[2]);
 }
 
-/* How 1/w changes across a triangle, Q16. */
-typedef struct glint_w_range {
-    uint32_t least, change;
-} glint_w_range;
-
-static inline glint_w_range glint_find_w_range(const glint_vertex *const v[3]) {
-    const int32_t a = v[0]->inverse_w, b = v[1]->inverse_w, c = v[2]->inverse_w;
-    const uint32_t low = (uint32_t)glint_least_of(a, b, c) >> 15, high = (uint32_t)glint_most_of(a, b, c) >> 15;
-    return (glint_w_range){low, high - low + 1};
-}
-
 /* Is the error of linear lighting small: `turn`, of the normal, Q26, and the change of 1/w across the triangle? */
 static inline int glint_deviation_fits(int32_t limit, int32_t turn, glint_w_range w) {
     if (turn > limit || w.change > w.least >> 2)

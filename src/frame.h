@@ -177,7 +177,7 @@ typedef struct glint_draw {
     uint8_t *away; /* null, or which of them face away, 1 or 0; not of runs, which leave their triangles out */
     const glint_shading *shading;
     const glint_evaluation *evaluation;
-    glint_light_triangle *light; /* what comes before a triangle is drawn, at least its normals */
+    glint_light_triangle *light; /* what comes before a triangle is drawn, or null */
     glint_kernel *kernel;
     glint_transform transform;
     uint32_t vertex_count;
@@ -300,17 +300,15 @@ typedef struct glint_part {
 /** Up to two triples: a normal over w or a lit colour, and the surface's own colour. */
 typedef struct glint_attributes {
     glint_plane main[3], extra[3];
-    int32_t x, y; /* of the tile's first pixel, from the anchor */
 } glint_attributes;
 
+/** Fragments that follow each other in a row; or vertices or a triangle's middle, which have no place. */
 typedef struct glint_fragments {
     uint32_t count;
-    int32_t tile_x, tile_y;          /* of the tile's first pixel on the screen */
-    int32_t tile_width, tile_height; /* of what the screen shows of it */
-    uint32_t scale;                  /* attributes are interpolated over w 2^scale */
-    const int16_t *facet;            /* the triangle's colour */
+    int32_t x, y;       /* the first one's pixel on the screen */
+    int32_t at_x, at_y; /* the same, from the triangle's anchor */
+    uint32_t scale;     /* attributes are interpolated over w 2^scale */
     const glint_attributes *attributes;
-    uint16_t offset[GLINT_FRAGMENTS_MAX]; /* pixel in the tile */
     int32_t inverse_w[GLINT_FRAGMENTS_MAX];
     int32_t ray[GLINT_FRAGMENTS_MAX][3];     /* towards the eye: minus the position times 1/w, Q12 */
     int16_t normal[GLINT_FRAGMENTS_MAX][3];  /* unit */
@@ -320,6 +318,22 @@ typedef struct glint_fragments {
     int16_t surface[GLINT_FRAGMENTS_MAX][3]; /* colours of their own */
     uint32_t colour[GLINT_FRAGMENTS_MAX][3];
 } glint_fragments;
+
+/* ---- pixel: channels of a colour ---- */
+
+/** Fractional bits of a channel on its way into a pixel: sums below 16 fit. */
+#define GLINT_CHANNEL_BITS 27
+#define GLINT_CHANNEL_ONE (1 << GLINT_CHANNEL_BITS)
+
+/** A channel from one of 15 bits, 1 = GLINT_COLOUR_ONE. */
+static inline int32_t glint_channel_of(int16_t colour) {
+    return (colour << (GLINT_CHANNEL_BITS - 15)) + (colour >> (30 - GLINT_CHANNEL_BITS));
+}
+
+/** A channel as levels of so many bits, half a level included: cut off, it is rounded. 0 bits: as it is. */
+static inline int32_t glint_to_levels(int32_t channel, unsigned bits) {
+    return bits ? channel - glint_shift_right(channel, bits) + (1 << (GLINT_CHANNEL_BITS - 1 - bits)) : channel;
+}
 
 /* ---- descriptors ---- */
 
@@ -346,24 +360,29 @@ struct glint_light_type {
     void (*place)(const glint_light *light, glint_prepared_light *prepared, const glint_view *view);
 };
 
+/** Where colours are found. */
+typedef enum glint_lit_at { GLINT_LIT_AT_FRAGMENTS, GLINT_LIT_AT_VERTICES, GLINT_LIT_AT_FACETS } glint_lit_at;
+
 struct glint_evaluation {
-    uint8_t planes; /* attributes that are interpolated: 0 or 3 */
-    uint8_t lit;    /* they are colours: lit before they are drawn */
-    /** Lights vertices after they are loaded; null where that comes later. */
-    void (*light_vertices)(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
-                           const glint_mesh *mesh);
-    /** Lights one triangle without its vertices' normals, which call for it; null where there is no need. */
-    glint_light_triangle *light_triangle;
-    /** Finds the colours of the fragments. */
-    void (*shade)(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw);
+    glint_lit_at lit_at;
+    glint_light_triangle *light; /* what comes before a triangle is drawn */
+    glint_kernel *kernel;
 };
 
+struct glint_spans;
+
 struct glint_format {
-    uint32_t bits; /* per pixel */
-    /** Stores the fragments' colours in a tile. */
-    void (*store)(void *pixels, const glint_fragments *fragments, unsigned tile_shift_x);
+    uint8_t bits;       /* per pixel */
+    uint8_t channel[3]; /* bits of each channel's levels; 0 where it goes into luma */
+    /** Stores a run of a row, from pixel `offset` of a tile on; colours are in levels. */
+    void (*store)(void *pixels, unsigned tile_shift_x, uint32_t offset, uint32_t count, const int32_t (*colour)[3]);
     /** Gives all of a tile one colour. */
-    void (*fill)(void *pixels, uint32_t width, uint32_t height, const uint32_t colour[3]);
+    void (*fill)(void *pixels, unsigned tile_shift_x, uint32_t height, const int32_t colour[3]);
+    /* What the others do as well, in one loop; null in a library built for size. */
+    /** Draws spans of one colour. */
+    void (*draw_even)(const struct glint_spans *spans, const int32_t colour[3]);
+    /** Draws spans of linear channels. */
+    void (*draw_channels)(const struct glint_spans *spans, const glint_plane channel[3]);
     const struct glint_fast *fast; /* or null */
 };
 
@@ -554,8 +573,11 @@ static inline void glint_count(const glint_workspace *workspace, glint_kernel_na
     workspace->drawn[kernel].covered += covered;
 }
 
-/** The kernel for everything: gathers the fragments that pass the depth test, and shades a few at once. */
+/** The kernel for everything: fragments that pass the depth test are lit. */
 glint_kernel glint_draw_any;
+
+/** Kernels of triangles of one colour, and of those with colours at their corners. */
+glint_kernel glint_draw_facet, glint_draw_unlit, glint_draw_lit;
 
 /** Fast lighting: what a format that has it links. deviation.h. */
 typedef struct glint_fast {
@@ -567,8 +589,8 @@ typedef struct glint_fast {
     glint_kernel *draw;
 } glint_fast;
 
-/** Finds the colours of the fragments gathered so far and stores them. */
-void glint_shade(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw);
+/** Finds the colours of fragments that lie in a triangle of a draw, Q23. */
+void glint_shade(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw);
 
 /** Ambient and every light: colours of fragments with normals, rays, and colours of their own if has_surface. */
 void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const glint_shading *shading,
@@ -577,8 +599,11 @@ void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const
 /** A lit colour, clamped at 1, 1 = GLINT_COLOUR_ONE. */
 void glint_clamp_colour(const uint32_t colour[3], int16_t out[3]);
 
-/** Puts colours through an output table. */
-void glint_apply_gamma(const uint16_t (*gamma)[GLINT_GAMMA_ENTRIES], uint32_t (*colour)[3], uint32_t count);
+/** A colour, Q23, as channels that are neither in levels nor clamped, but below 16. */
+void glint_channels_of(const uint32_t colour[3], int32_t channel[3]);
+
+/** Puts colours through the output tables, if there are any, and brings them to the format's levels. */
+void glint_finish_colours(const glint_config *config, int32_t (*colour)[3], uint32_t count);
 
 /** Are rays towards the eye needed under these lights? */
 int glint_needs_rays(const glint_view *view, const glint_shading *shading);

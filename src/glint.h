@@ -439,6 +439,7 @@ typedef enum glint_kernel_name {
     GLINT_KERNEL_CURVED_DIFFUSE,  /**< Its normals turn far; without specular light. */
     GLINT_KERNEL_CURVED_SPECULAR, /**< Its normals turn far; with specular light. */
     GLINT_KERNEL_EVEN,            /**< One colour: without specular light, its light changes too little to show. */
+    GLINT_KERNEL_CHANNELS,        /**< Lit at its corners. */
     GLINT_KERNELS
 } glint_kernel_name;
 
@@ -506,7 +507,7 @@ typedef struct glint_workspace {
     void *pixels;  /**< The finished tile. */
     size_t stride; /**< Bytes from row to row. */
     uint16_t *depth;
-    struct glint_fragments *fragments;
+    int32_t (*row)[3];  /* a tile's row of colours */
     glint_drawn *drawn; /**< Null, or GLINT_KERNELS counters of the caller's, added to. */
 } glint_workspace;
 

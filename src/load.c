@@ -16,7 +16,7 @@ static int is_fast(const glint_frame *frame, const glint_object *object) {
 
 /* What a draw keeps beyond its vertices. */
 static int keeps_positions(const glint_object *object, const glint_transform *transform) {
-    return transform->clips || evaluation_of(object)->lit;
+    return transform->clips || evaluation_of(object)->lit_at != GLINT_LIT_AT_FRAGMENTS;
 }
 
 static int has_colours(const glint_mesh *mesh) {
@@ -26,7 +26,7 @@ static int has_colours(const glint_mesh *mesh) {
 static int keeps_extra(const glint_object *object) {
     const glint_evaluation *evaluation = evaluation_of(object);
     return has_colours(object->mesh) ||
-           (evaluation->light_vertices && (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0);
+           (evaluation->lit_at == GLINT_LIT_AT_VERTICES && (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0);
 }
 
 size_t glint_draw_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,
@@ -36,12 +36,17 @@ size_t glint_draw_size(const glint_frame *frame, const glint_object *object, con
         size += GLINT_ALIGNED(vertices * sizeof(glint_position));
     if (keeps_extra(object) || is_fast(frame, object))
         size += GLINT_ALIGNED(vertices * 3 * sizeof(int16_t));
-    if (evaluation_of(object)->light_triangle)
+    if (evaluation_of(object)->lit_at == GLINT_LIT_AT_FACETS)
         size += GLINT_ALIGNED(triangles * 3 * sizeof(int16_t));
     size_t more = triangles * 3 * sizeof(uint16_t);
     if (!has_list)
         more = glint_cull_of(object->mesh) ? object->mesh->clusters->count : 0;
     return size + GLINT_ALIGNED(more);
+}
+
+/* Does nothing light an object, nor give it colours? */
+static int is_of_one_colour(const glint_object *object, const glint_shading *shading) {
+    return !has_colours(object->mesh) && (!object->material->model->light || !shading->lights);
 }
 
 /* A draw at the end of the list, with room for so many vertices and triangles; the arena has it. */
@@ -56,17 +61,21 @@ static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_tr
         draw->positions = glint_take(&frame->memory, vertices * sizeof *draw->positions);
     if (keeps_extra(object))
         draw->extra = glint_take(&frame->memory, vertices * sizeof *draw->extra);
-    if (evaluation->light_triangle)
+    if (evaluation->lit_at == GLINT_LIT_AT_FACETS)
         draw->facets = glint_take(&frame->memory, triangles * sizeof *draw->facets);
     draw->evaluation = evaluation;
-    draw->light = evaluation->light_triangle ? evaluation->light_triangle : glint_transform_normals;
-    draw->kernel = glint_draw_any;
+    draw->light = evaluation->light;
+    draw->kernel = evaluation->kernel;
     if (is_fast(frame, object)) {
         draw->terms = glint_take(&frame->memory, vertices * sizeof *draw->terms);
         draw->light = frame->config.format->fast->light;
         draw->kernel = frame->config.format->fast->draw;
     }
     draw->shading = glint_shading_of(frame, object->material);
+    if (is_of_one_colour(object, draw->shading)) {
+        draw->light = 0;
+        draw->kernel = glint_draw_unlit;
+    }
     draw->object = frame->object;
     draw->first_triangle = frame->triangle;
     draw->first = last ? (uint16_t)(last->first + last->count) : 0;
@@ -105,14 +114,6 @@ void glint_load_vertices(glint_frame *frame, glint_draw *draw, uint32_t index, u
         load_colour(mesh, index + i, draw->extra[slot + i]);
 }
 
-static void light_vertices(const glint_frame *frame, glint_draw *draw) {
-    if (!draw->evaluation->light_vertices)
-        return;
-    for (uint32_t i = 0; i < draw->vertex_count; i++)
-        glint_transform_normal(draw, &draw->vertices[i]);
-    draw->evaluation->light_vertices(frame, draw, &draw->transform, frame->scene->objects[draw->object].mesh);
-}
-
 /* All of an object from the present triangle on. @return 0 when the arena is too full. */
 static int load_whole(glint_frame *frame, glint_draw *last, const glint_transform *transform) {
     const glint_object *object = &frame->scene->objects[frame->object];
@@ -129,7 +130,6 @@ static int load_whole(glint_frame *frame, glint_draw *last, const glint_transfor
         draw->cull->load(frame, draw, mesh);
     else
         glint_load_vertices(frame, draw, 0, 0, mesh->vertex_count);
-    light_vertices(frame, draw);
     return 1;
 }
 
@@ -222,8 +222,6 @@ static glint_status load_run(glint_frame *frame, const glint_transform *transfor
     glint_status status = fill_run(frame, draw, &s, list);
     draw->triangles = (const uint16_t(*)[3])list;
     memory->low = end;
-    if (status == GLINT_OK)
-        light_vertices(frame, draw);
     return status;
 }
 

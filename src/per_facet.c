@@ -45,12 +45,4 @@ static void light_triangle(const glint_frame *frame, glint_draw *draw, const gli
     glint_clamp_colour(one.colour[0], draw->facets[i]);
 }
 
-static void shade(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw) {
-    (void)frame;
-    (void)draw;
-    for (uint32_t i = 0; i < fragments->count; i++)
-        for (int c = 0; c < 3; c++) /* 32767 stands for 1 */
-            fragments->colour[i][c] = ((uint32_t)fragments->facet[c] << 8) + ((uint32_t)fragments->facet[c] >> 7);
-}
-
-const glint_evaluation glint_per_facet = {0, 1, 0, light_triangle, shade};
+const glint_evaluation glint_per_facet = {GLINT_LIT_AT_FACETS, light_triangle, glint_draw_facet};

@@ -2,10 +2,13 @@
 /* Pixels of 4 bits: luma, the left one of two in the high half. */
 #include "pixel.h"
 
-static void put(void *pixels, uint32_t offset, const uint32_t colour[3], uint32_t threshold) {
-    uint8_t *pair = (uint8_t *)pixels + (offset >> 1);
-    uint32_t level = glint_level(glint_luma(colour), 15, threshold);
-    *pair = (uint8_t)(offset & 1 ? (*pair & 0xf0u) | level : (*pair & 0x0fu) | level << 4);
+static inline uint32_t pack(const int32_t colour[3], uint32_t threshold) {
+    return glint_luma_level(colour, 15, threshold);
 }
 
-GLINT_DEFINE_FORMAT(glint_format_grey4, 4, put);
+static inline void put(const glint_target *target, uint32_t offset, uint32_t packed) {
+    uint8_t *pair = (uint8_t *)target->pixels + (offset >> 1);
+    *pair = (uint8_t)(offset & 1 ? (*pair & 0xf0u) | packed : (*pair & 0x0fu) | packed << 4);
+}
+
+GLINT_DEFINE_FORMAT(glint_format_grey4, 4, 0, 0, 0, pack, put, glint_fill_tile, 0);

@@ -2,8 +2,12 @@
 /* Pixels of 8 bits: luma. */
 #include "pixel.h"
 
-static void put(void *pixels, uint32_t offset, const uint32_t colour[3], uint32_t threshold) {
-    ((uint8_t *)pixels)[offset] = (uint8_t)glint_level(glint_luma(colour), 255, threshold);
+static inline uint32_t pack(const int32_t colour[3], uint32_t threshold) {
+    return glint_luma_level(colour, 255, threshold);
 }
 
-GLINT_DEFINE_FORMAT(glint_format_grey8, 8, put);
+static inline void put(const glint_target *target, uint32_t offset, uint32_t packed) {
+    ((uint8_t *)target->pixels)[offset] = (uint8_t)packed;
+}
+
+GLINT_DEFINE_FORMAT(glint_format_grey8, 8, 0, 0, 0, pack, put, glint_fill_tile, 0);

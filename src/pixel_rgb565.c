@@ -3,11 +3,14 @@
 #include "pixel.h"
 #include "spans565.h"
 
-static void put(void *pixels, uint32_t offset, const uint32_t colour[3], uint32_t threshold) {
-    uint16_t *out = pixels;
-    out[offset] = (uint16_t)(glint_level(colour[0], 31, threshold) << 11 | glint_level(colour[1], 63, threshold) << 5 |
-                             glint_level(colour[2], 31, threshold));
+static inline uint32_t pack(const int32_t colour[3], uint32_t threshold) {
+    return glint_level(colour[0], 5, threshold) << 11 | glint_level(colour[1], 6, threshold) << 5 |
+           glint_level(colour[2], 5, threshold);
+}
+
+static inline void put(const glint_target *target, uint32_t offset, uint32_t packed) {
+    ((uint16_t *)target->pixels)[offset] = (uint16_t)packed;
 }
 
 GLINT_DEFINE_FAST(fast, 0);
-GLINT_DEFINE_FAST_FORMAT(glint_format_rgb565, 16, put, &fast);
+GLINT_DEFINE_FORMAT(glint_format_rgb565, 16, 5, 6, 5, pack, put, glint_fill_tile, &fast);

@@ -3,12 +3,16 @@
 #include "pixel.h"
 #include "spans565.h"
 
-static void put(void *pixels, uint32_t offset, const uint32_t colour[3], uint32_t threshold) {
-    uint8_t *out = (uint8_t *)pixels + 2 * offset;
-    uint32_t green = glint_level(colour[1], 63, threshold);
-    out[0] = (uint8_t)(glint_level(colour[0], 31, threshold) << 3 | green >> 3);
-    out[1] = (uint8_t)((green & 7) << 5 | glint_level(colour[2], 31, threshold));
+static inline uint32_t pack(const int32_t colour[3], uint32_t threshold) {
+    return glint_level(colour[0], 5, threshold) << 11 | glint_level(colour[1], 6, threshold) << 5 |
+           glint_level(colour[2], 5, threshold);
+}
+
+static inline void put(const glint_target *target, uint32_t offset, uint32_t packed) {
+    uint8_t *out = (uint8_t *)target->pixels + 2 * offset;
+    out[0] = (uint8_t)(packed >> 8);
+    out[1] = (uint8_t)packed;
 }
 
 GLINT_DEFINE_FAST(fast, 1);
-GLINT_DEFINE_FAST_FORMAT(glint_format_rgb565_be, 16, put, &fast);
+GLINT_DEFINE_FORMAT(glint_format_rgb565_be, 16, 5, 6, 5, pack, put, glint_fill_tile, &fast);

@@ -103,15 +103,6 @@ static inline uint32_t scale(int32_t x, int32_t n) {
     return n >= 0 ? (uint32_t)x << n : (uint32_t)glint_shift_right(x, (unsigned)(n < -31 ? 31 : -n));
 }
 
-/* May rounding take the plane of 1/w below 0: by 2^-7 of the corners' difference, at most 2^19, and some pixels' steps?
- */
-static int is_deep(const glint_triangle *triangle) {
-    const int32_t a = triangle->corners[0]->inverse_w, b = triangle->corners[1]->inverse_w,
-                  c = triangle->corners[2]->inverse_w;
-    const int32_t least = glint_least_of(a, b, c), most = glint_most_of(a, b, c);
-    return least < 1 << 21 && least < glint_most(glint_shift_right(most, 6), 1 << 17);
-}
-
 static inline int32_t square_of_sum(int32_t a, int32_t b, int32_t c) {
     const int32_t sum = glint_shift_right(a + b + c, 2);
     return sum * sum;
@@ -242,7 +233,7 @@ glint_quadratic_kind glint_quadratic_begin(const glint_draw *draw, const glint_t
     glint_quadratic_kind kind = GLINT_QUADRATIC_DIFFUSE;
     int32_t cosine[3];
     steps s;
-    if (triangle->back || is_deep(triangle))
+    if (triangle->back || glint_is_deep(triangle))
         return GLINT_QUADRATIC_UNFIT;
     for (int i = 0; i < 3; i++)
         cosine[i] = glint_shift_right(glint_dot(deviation->light, triangle->corners[i]->attribute) + 0x4000, 15);

@@ -25,12 +25,25 @@ static inline int32_t glint_plane_at(const glint_plane *p, int32_t x, int32_t y)
     return glint_add_wrap(p->start, glint_add_wrap(glint_multiply_wrap(p->dx, x), glint_multiply_wrap(p->dy, y)));
 }
 
-/** Pixel of fragment i, from the anchor. */
-static inline void glint_fragment_place(const glint_frame *frame, const glint_fragments *fragments, uint32_t i,
-                                        int32_t *x, int32_t *y) {
-    const uint32_t offset = fragments->offset[i], mask = (uint32_t)frame->config.tile_width - 1;
-    *x = fragments->attributes->x + (int32_t)(offset & mask);
-    *y = fragments->attributes->y + (int32_t)(offset >> frame->tile_shift_x);
+/** How 1/w changes across a triangle, Q16. */
+typedef struct glint_w_range {
+    uint32_t least, change;
+} glint_w_range;
+
+static inline glint_w_range glint_find_w_range(const glint_vertex *const v[3]) {
+    const int32_t a = v[0]->inverse_w, b = v[1]->inverse_w, c = v[2]->inverse_w;
+    const uint32_t low = (uint32_t)glint_least_of(a, b, c) >> 15, high = (uint32_t)glint_most_of(a, b, c) >> 15;
+    return (glint_w_range){low, high - low + 1};
+}
+
+/**
+ * May rounding take the plane of 1/w below 0: by 2^-7 of the corners' difference, at most 2^19, and some pixels' steps?
+ */
+static inline int glint_is_deep(const glint_triangle *triangle) {
+    const int32_t a = triangle->corners[0]->inverse_w, b = triangle->corners[1]->inverse_w,
+                  c = triangle->corners[2]->inverse_w;
+    const int32_t least = glint_least_of(a, b, c), most = glint_most_of(a, b, c);
+    return least < 1 << 21 && least < glint_most(glint_shift_right(most, 6), 1 << 17);
 }
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Shade: colours of a few fragments of one triangle into the tile's pixels. */
+/* Shade: colours of a few fragments of one triangle, of vertices or of a triangle's middle. */
 #include "frame.h"
 
 int glint_needs_rays(const glint_view *view, const glint_shading *shading) {
@@ -61,11 +61,8 @@ void glint_clamp_colour(const uint32_t colour[3], int16_t out[3]) {
         out[c] = (int16_t)(colour[c] < (1u << 23) - 256 ? (colour[c] + 128) >> 8 : GLINT_COLOUR_ONE);
 }
 
-void glint_shade(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw) {
-    glint_fragments *fragments = workspace->fragments;
-    draw->evaluation->shade(frame, fragments, draw);
-    if (frame->config.gamma)
-        glint_apply_gamma(frame->config.gamma, fragments->colour, fragments->count);
-    frame->config.format->store(workspace->pixels, fragments, frame->tile_shift_x);
-    fragments->count = 0;
+void glint_channels_of(const uint32_t colour[3], int32_t channel[3]) {
+    const unsigned up = GLINT_CHANNEL_BITS - 23;
+    for (int c = 0; c < 3; c++)
+        channel[c] = (int32_t)(colour[c] < (15u << 23) ? colour[c] << up : 15u << GLINT_CHANNEL_BITS);
 }

@@ -8,6 +8,7 @@
 #define GLINT_SPANS565_H
 
 #include "deviation_begin.h"
+#include "spans.h"
 
 /** Stores 16 bits at `pixel`, in the core's byte order or the high byte first. */
 static inline void glint_put_565(uint8_t *pixel, uint32_t value, int high_first) {
@@ -17,65 +18,6 @@ static inline void glint_put_565(uint8_t *pixel, uint32_t value, int high_first)
     }
     pixel[0] = (uint8_t)(value >> 8);
     pixel[1] = (uint8_t)value;
-}
-
-/* What a triangle's loops over pixels share. */
-typedef struct glint_spans {
-    const glint_part *part;
-    uint16_t *depth;
-    uint8_t *pixels;
-    unsigned shift;
-} glint_spans;
-
-/* A plane's value at the first column of the triangle's first row. */
-static inline uint32_t glint_first_row(const glint_part *part, const glint_plane *plane) {
-    return (uint32_t)glint_plane_at(plane, part->x, part->y + (int32_t)part->top);
-}
-
-/* From 1/w to depth, in their own steps: the farthest surfaces still count as nearer than nothing. */
-#define GLINT_DEPTH_BIAS (1u << 15)
-
-/* Tests depth at `place`, and stores it. @return 0 for what is hidden */
-static inline int glint_is_nearest(uint8_t *place, uint32_t z) {
-    uint16_t *depth = (uint16_t *)(void *)place;
-    if (z >> 15 <= *depth)
-        return 0;
-    *depth = (uint16_t)(z >> 15);
-    return 1;
-}
-
-/*
- * Most cores read and step on in one instruction: there the loops below step as they test depth, and are so many bytes
- * ahead when they store. ARMv6-M, whose stores reach nothing that lies behind, steps when it has stored.
- */
-#define GLINT_AHEAD (GLINT_SPLIT_PRODUCTS ? 0 : 2)
-
-/* glint_is_nearest, and the step of those that are ahead. */
-static inline int glint_next_is_nearest(uint8_t **place, uint32_t z) {
-    if (!GLINT_AHEAD)
-        return glint_is_nearest(*place, z);
-    const uint32_t there = *(const uint16_t *)(const void *)*place;
-    *place += GLINT_AHEAD;
-    GLINT_OPAQUE(*place);
-    if (z >> 15 <= there)
-        return 0;
-    *(uint16_t *)(void *)(*place - GLINT_AHEAD) = (uint16_t)(z >> 15);
-    return 1;
-}
-
-/* The step of those that are not. */
-static inline void glint_step(uint8_t **place) {
-    if (GLINT_AHEAD)
-        return;
-    *place += 2;
-    GLINT_OPAQUE(*place);
-}
-
-/* A plane's step, for one loop over a span: ARMv6-M's compiler keeps it in a register there, if not from row to row. */
-static inline uint32_t glint_hold(uint32_t step) {
-    if (GLINT_SPLIT_PRODUCTS)
-        GLINT_OPAQUE(step);
-    return step;
 }
 
 /*

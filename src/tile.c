@@ -23,9 +23,8 @@ static uint32_t or_default(uint32_t size) {
 
 void glint_workspace_init(glint_workspace *workspace, const glint_config *config, void *memory) {
     const uint32_t width = or_default(config->tile_width), height = or_default(config->tile_height);
-    uint8_t *bytes = memory;
-    workspace->fragments = memory;
-    workspace->depth = (uint16_t *)(void *)(bytes + sizeof(glint_fragments));
+    workspace->row = memory;
+    workspace->depth = (uint16_t *)(void *)(workspace->row + width);
     workspace->pixels = workspace->depth + width * height;
     workspace->stride = glint_row_bytes(config->format, width);
     workspace->drawn = 0;
@@ -34,11 +33,12 @@ void glint_workspace_init(glint_workspace *workspace, const glint_config *config
 static void clear(const glint_frame *frame, glint_workspace *workspace) {
     const glint_config *config = &frame->config;
     const glint_colour *background = &frame->scene->background;
-    uint32_t colour[1][3] = {
-        {(uint32_t)background->r << 7, (uint32_t)background->g << 7, (uint32_t)background->b << 7}};
-    if (config->gamma)
-        glint_apply_gamma(config->gamma, colour, 1);
-    config->format->fill(workspace->pixels, config->tile_width, config->tile_height, colour[0]);
+    const uint32_t shown[3] = {(uint32_t)background->r << 7, (uint32_t)background->g << 7,
+                               (uint32_t)background->b << 7};
+    int32_t colour[1][3];
+    glint_channels_of(shown, colour[0]);
+    glint_finish_colours(config, colour, 1);
+    config->format->fill(workspace->pixels, frame->tile_shift_x, config->tile_height, colour[0]);
 }
 
 int glint_tile_is_empty(const glint_frame *frame, uint32_t tile) {
@@ -117,19 +117,16 @@ static inline void find_triangle(const glint_frame *frame, source *from, uint32_
         find_any_triangle(frame, from, number, t);
 }
 
-/* Where a tile lies, for raster and for shading. */
-static void place_tile(const glint_frame *frame, glint_fragments *fragments, glint_window *window, uint32_t tile) {
+/* Where a tile lies. */
+static void place_tile(const glint_frame *frame, glint_window *window, uint32_t tile) {
     int x, y, width, height;
     glint_tile_rectangle(frame, tile, &x, &y, &width, &height);
     glint_window_begin(window, x, y, width, height);
-    fragments->count = 0;
-    fragments->tile_x = x;
-    fragments->tile_y = y;
 }
 
 int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
     glint_part part;
-    place_tile(frame, workspace->fragments, &part.window, tile);
+    place_tile(frame, &part.window, tile);
     if (frame->starts) {
         clear(frame, workspace);
         if (!glint_tile_is_empty(frame, tile))

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file spans.h
+ * Loops over the pixels of a triangle's spans in a tile: depth test, colour and store in one. A format makes them its
+ * own by its `pack` and `put`, which are constants where they are inlined.
+ */
+#ifndef GLINT_SPANS_H
+#define GLINT_SPANS_H
+
+#include "setup.h"
+
+/** What a triangle's loops over pixels share. */
+typedef struct glint_spans {
+    const glint_part *part;
+    uint16_t *depth;
+    uint8_t *pixels;
+    unsigned shift; /* binary logarithm of the tile's width */
+} glint_spans;
+
+static inline glint_spans glint_spans_of(const glint_frame *frame, const glint_workspace *workspace,
+                                         const glint_part *part) {
+    return (glint_spans){part, workspace->depth, workspace->pixels, frame->tile_shift_x};
+}
+
+/** A plane's value at the first column of the triangle's first row. */
+static inline uint32_t glint_first_row(const glint_part *part, const glint_plane *plane) {
+    return (uint32_t)glint_plane_at(plane, part->x, part->y + (int32_t)part->top);
+}
+
+/** From 1/w to depth, in their own steps: the farthest surfaces still count as nearer than nothing. */
+#define GLINT_DEPTH_BIAS (1u << 15)
+
+/** Tests depth at `place`, and stores it. @return 0 for what is hidden */
+static inline int glint_is_nearest(uint8_t *place, uint32_t z) {
+    uint16_t *depth = (uint16_t *)(void *)place;
+    if (z >> 15 <= *depth)
+        return 0;
+    *depth = (uint16_t)(z >> 15);
+    return 1;
+}
+
+/**
+ * Most cores read and step on in one instruction: there the loops below step as they test depth, and are so many bytes
+ * ahead when they store. ARMv6-M, whose stores reach nothing that lies behind, steps when it has stored.
+ */
+#define GLINT_AHEAD (GLINT_SPLIT_PRODUCTS ? 0 : 2)
+
+/** glint_is_nearest, and the step of those that are ahead. */
+static inline int glint_next_is_nearest(uint8_t **place, uint32_t z) {
+    if (!GLINT_AHEAD)
+        return glint_is_nearest(*place, z);
+    const uint32_t there = *(const uint16_t *)(const void *)*place;
+    *place += GLINT_AHEAD;
+    GLINT_OPAQUE(*place);
+    if (z >> 15 <= there)
+        return 0;
+    *(uint16_t *)(void *)(*place - GLINT_AHEAD) = (uint16_t)(z >> 15);
+    return 1;
+}
+
+/** The step of those that are not. */
+static inline void glint_step(uint8_t **place) {
+    if (GLINT_AHEAD)
+        return;
+    *place += 2;
+    GLINT_OPAQUE(*place);
+}
+
+/** A plane's step, for one loop over a span: ARMv6-M's compiler keeps it in a register there, if not from row to row.
+ */
+static inline uint32_t glint_hold(uint32_t step) {
+    if (GLINT_SPLIT_PRODUCTS)
+        GLINT_OPAQUE(step);
+    return step;
+}
+
+#endif
