@@ -46,6 +46,7 @@ typedef struct glint_prepared_light {
         int32_t cosine_outer, cosine_inner; /* times GLINT_UNIT^2 */
         int32_t slope;                      /* Q15: 2^30 / (difference >> 15) */
     } spot;
+    uint32_t has_cone;
 } glint_prepared_light;
 
 /** Camera and lights. */
@@ -53,6 +54,7 @@ typedef struct glint_view {
     int32_t rotation[3][3]; /* world to camera, Q16.16 */
     int32_t eye[3];         /* world, Q16.16 */
     int32_t focal;          /* twice the focal length in pixels, Q12 */
+    int32_t pixel;          /* 1/16 of one over the focal length, Q30 */
     int32_t focal_mantissa; /* focal length / guard band = mantissa 2^-shift, 2^23 to 2^24 */
     uint32_t focal_shift;
     int64_t near_plane; /* Q28 */
@@ -81,6 +83,26 @@ typedef struct glint_weights {
     uint32_t diffuse[3], specular[3];
 } glint_weights;
 
+/** What a material makes of the frame's lights, for nodes and rows. Weights are Q12, in the format's levels. */
+typedef struct glint_light_terms {
+    int32_t ambient[3], half[3];               /* channels: of ambient light, and of half a level */
+    int32_t diffuse[GLINT_LIGHTS_MAX][3];      /* weights of diffuse light */
+    int32_t specular[GLINT_LIGHTS_MAX][3];     /* weights of specular light */
+    int32_t share[GLINT_LIGHTS_MAX];           /* where all are of one chroma: a light's part of it, Q15 */
+    int32_t chroma[3];                         /* its weight */
+    uint32_t diffuse_levels[GLINT_LIGHTS_MAX]; /* what 1 makes at most, levels in Q8 */
+    uint32_t specular_levels[GLINT_LIGHTS_MAX];
+    uint32_t channels;               /* of a node's sum: 1 where all diffuse light is of one chroma, else 3 */
+    unsigned sum_bits;               /* sums are below this power of two */
+    uint32_t lobes;                  /* bit i: light i has a highlight that is a term of its own */
+    uint32_t stride;                 /* numbers that a vertex keeps */
+    uint32_t lobe_shift;             /* a deviation, Q14, is kept times 2^this */
+    int32_t lobe_cut, lobe_diagonal; /* outside an octagon of this radius no highlight shows; as kept */
+    uint32_t lobe_end;               /* squared deviation, as kept, where the power table ends */
+    uint32_t slope;                  /* of a highlight over its deviation, at most, Q8 */
+    uint32_t limit;                  /* of the error of polynomials, levels in Q8 */
+} glint_light_terms;
+
 /** A material under the scene's lights. */
 typedef struct glint_shading {
     const glint_material *material;
@@ -92,6 +114,8 @@ typedef struct glint_shading {
     uint32_t spare;                          /* of the error budget, Q12: what each light's specular light may lack */
     uint32_t changed;                        /* 0: all above is what the last frame left here, and so are its tables */
     const struct glint_deviation *deviation; /* tables of fast lighting, or null */
+    uint32_t has_terms;                      /* 0 where fragments are lit one by one */
+    glint_light_terms terms;
     glint_power_table power;
 } glint_shading;
 
@@ -144,6 +168,9 @@ typedef struct glint_vertex {
 /** Full brightness of a colour in int16. */
 #define GLINT_COLOUR_ONE 32767
 
+/** Most numbers that a vertex keeps of light. */
+#define GLINT_NODE_NUMBERS_MAX (5 + 4 * GLINT_LIGHTS_MAX)
+
 /** Clip coordinates; kept only where an object may have to be clipped. */
 typedef struct glint_position {
     int32_t x, y, w;
@@ -171,6 +198,7 @@ typedef struct glint_draw {
     glint_position *positions;   /* null unless the object may be clipped or is lit before it is drawn */
     int16_t (*extra)[3];         /* null, or per vertex: the surface's colour, or the back's colour when lit */
     int16_t (*terms)[3];         /* null, or per vertex: the terms of fast lighting */
+    int16_t *nodes;              /* null, or per vertex: what it keeps of light */
     int16_t (*facets)[3];        /* null, or colours of the triangles */
     const int16_t (*normals)[3]; /* of the mesh */
     const glint_cull *cull;      /* null, or what drops the mesh's clusters */
@@ -315,6 +343,7 @@ typedef struct glint_fragments {
     int16_t view[GLINT_FRAGMENTS_MAX][3];    /* unit, towards the eye */
     int16_t light[GLINT_FRAGMENTS_MAX][3];   /* unit, towards a light that has a position */
     uint16_t strength[GLINT_FRAGMENTS_MAX];  /* of that light, Q15 */
+    uint16_t closeness[GLINT_FRAGMENTS_MAX]; /* depth over the distance to it, Q8, at most 2^16 - 1 */
     int16_t surface[GLINT_FRAGMENTS_MAX][3]; /* colours of their own */
     uint32_t colour[GLINT_FRAGMENTS_MAX][3];
 } glint_fragments;
@@ -350,6 +379,7 @@ struct glint_model {
 #define GLINT_LOBE_OTHER 0       /* what fast lighting does not know */
 #define GLINT_LOBE_NONE 1        /* there is none */
 #define GLINT_LOBE_HALF_VECTOR 2 /* Blinn's */
+#define GLINT_LOBE_MIRROR 3      /* Phong's */
 
 struct glint_light_type {
     /** Brings a light to camera space. @return GLINT_ERROR_DIRECTION, _ATTENUATION or _CONE when it is not valid. */
@@ -538,10 +568,10 @@ size_t glint_draw_size(const glint_frame *frame, const glint_object *object, con
                        size_t vertices, size_t triangles, int has_list);
 
 /** Bytes beyond what is prepared with which any scene can be drawn: a run of one triangle, and its bin. */
-#define GLINT_LEAST_ROOM                                                                                        \
-    (GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(3 * sizeof(glint_vertex)) +                              \
-     GLINT_ALIGNED(3 * sizeof(glint_position)) + GLINT_ALIGNED(18) + 2 * GLINT_ALIGNED(36) + GLINT_ALIGNED(8) + \
-     GLINT_ALIGNED(6) + GLINT_BIN_RESERVE)
+#define GLINT_LEAST_ROOM                                                                         \
+    (GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(3 * sizeof(glint_vertex)) +               \
+     GLINT_ALIGNED(3 * sizeof(glint_position)) + GLINT_ALIGNED(3 * GLINT_NODE_NUMBERS_MAX * 2) + \
+     2 * GLINT_ALIGNED(36) + GLINT_ALIGNED(8) + GLINT_ALIGNED(6) + GLINT_BIN_RESERVE)
 
 /** A triangle to draw. */
 typedef struct glint_triangle {
@@ -576,6 +606,9 @@ static inline void glint_count(const glint_workspace *workspace, glint_kernel_na
 /** The kernel for everything: fragments that pass the depth test are lit. */
 glint_kernel glint_draw_any;
 
+/** The kernel of polynomials through a triangle's nodes, or else of fragments. */
+glint_kernel glint_draw_terms;
+
 /** Kernels of triangles of one colour, and of those with colours at their corners. */
 glint_kernel glint_draw_facet, glint_draw_unlit, glint_draw_lit;
 
@@ -604,6 +637,9 @@ void glint_channels_of(const uint32_t colour[3], int32_t channel[3]);
 
 /** Puts colours through the output tables, if there are any, and brings them to the format's levels. */
 void glint_finish_colours(const glint_config *config, int32_t (*colour)[3], uint32_t count);
+
+/** V at fragments: towards the eye for the local viewer, straight back for the infinite one. */
+void glint_find_view_vectors(const glint_view *view, glint_fragments *fragments);
 
 /** Are rays towards the eye needed under these lights? */
 int glint_needs_rays(const glint_view *view, const glint_shading *shading);

@@ -2,6 +2,7 @@
 /* Kernel: from the spans of a triangle to pixels, by runs of pixels that pass the depth test and a row of colours. */
 #include "colour.h"
 #include "spans.h"
+#include "terms.h"
 
 /* ---- Triangles ---- */
 
@@ -9,6 +10,7 @@
 typedef struct source {
     const int32_t *even;                /* the one colour of all, which the row holds */
     const glint_plane *channels;        /* three planes */
+    const glint_terms *terms;           /* light */
     const glint_attributes *attributes; /* what fragments are lit by */
     const glint_draw *draw;
     uint32_t scale;        /* of the attributes: over w 2^scale */
@@ -119,6 +121,8 @@ static void draw_run(const glint_frame *frame, glint_workspace *workspace, const
     const int32_t x = part->x + at.first, down = part->y + (int32_t)y;
     if (from->channels)
         find_linear(from->channels, x, down, count, workspace->row);
+    else if (from->terms)
+        glint_terms_row(from->terms, x, down, count, workspace->row);
     else if (from->attributes)
         find_lit(frame, from, part, x, down, count, workspace->row);
     if (from->finishes)
@@ -214,6 +218,17 @@ void glint_draw_any(const glint_frame *frame, glint_workspace *workspace, const 
     const glint_vertex *const *v = triangle->corners;
     const int16_t *const normals[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
     draw_fragments(frame, workspace, draw, triangle, part, normals, triangle->back);
+}
+
+void glint_draw_terms(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                      const glint_triangle *triangle, const glint_part *part) {
+    glint_terms terms;
+    if (!glint_terms_begin(frame, draw, triangle, part, &terms)) {
+        glint_draw_any(frame, workspace, draw, triangle, part);
+        return;
+    }
+    const source from = {.terms = &terms, .finishes = frame->config.gamma != 0};
+    glint_count(workspace, GLINT_KERNEL_CHANNELS, draw_runs(frame, workspace, &from, part));
 }
 
 /* How far a plane may be from a colour that is linear over w: 1/10 of a level; Q15, times 4. */

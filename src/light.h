@@ -45,6 +45,19 @@ static inline void glint_add_surface(uint32_t colour[3], uint32_t amount, const 
         colour[c] += (amount * ((uint32_t)surface[c] + 1) >> 15) * weight[c] >> 4;
 }
 
+/* A component of R. 2 (N.L) N may pass 2^31, as rounding makes unit vectors longer; R itself is below. */
+static inline int32_t glint_mirror_one(int32_t twice, int32_t normal, int32_t light) {
+    return glint_shift_right(glint_add_wrap(glint_multiply_wrap(twice, normal), -light * (1 << 15)), 15);
+}
+
+/** R = 2 (N.L) N - L, unit. */
+static inline void glint_mirror(const int16_t normal[3], const int16_t light[3], int16_t mirrored[3]) {
+    const int32_t cosine = glint_dot(normal, light);
+    const int32_t twice = glint_shift_right(cosine + glint_shift_right(cosine, 12), 14); /* 2 N.L, Q15 */
+    glint_unit(glint_mirror_one(twice, normal[0], light[0]), glint_mirror_one(twice, normal[1], light[1]),
+               glint_mirror_one(twice, normal[2], light[2]), mirrored);
+}
+
 /** Adds one light to all fragments; `specular` is a constant where this is inlined, null for matt models. */
 static inline void glint_light_fragments(const glint_shading *shading, uint32_t index, const glint_view *view,
                                          glint_fragments *fragments, int has_surface, glint_specular specular) {

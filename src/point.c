@@ -105,6 +105,12 @@ static uint32_t find_length(const int32_t in[3], int *exponent) {
     return (uint32_t)(((uint64_t)square * (uint32_t)glint_inverse_root(square)) >> 30);
 }
 
+/* Depth over a distance, Q8: both in the ray's units. */
+static uint16_t find_closeness(uint32_t depth, uint32_t length, int exponent) {
+    const uint64_t ratio = (shifted(depth, 8 - exponent) + length) / length;
+    return ratio > UINT16_MAX ? UINT16_MAX : (uint16_t)ratio;
+}
+
 void glint_point_illuminate(const glint_prepared_light *light, glint_fragments *fragments) {
     for (uint32_t i = 0; i < fragments->count; i++) {
         int64_t towards[3];
@@ -114,9 +120,11 @@ void glint_point_illuminate(const glint_prepared_light *light, glint_fragments *
         glint_unit(v[0], v[1], v[2], fragments->light[i]);
         if (is_at_light(towards, fragments->ray[i])) {
             fragments->strength[i] = 0;
+            fragments->closeness[i] = UINT16_MAX;
             continue;
         }
         uint32_t length = find_length(v, &exponent);
+        fragments->closeness[i] = find_closeness((uint32_t)fragments->ray[i][2], length, exponent);
         fragments->strength[i] = (uint16_t)attenuate(light, (uint32_t)fragments->inverse_w[i], length, exponent);
     }
 }

@@ -6,8 +6,7 @@ int glint_needs_rays(const glint_view *view, const glint_shading *shading) {
     return view->has_positions || (view->local_viewer && shading->has_specular);
 }
 
-/* V points to the eye: along the ray for the local viewer, straight back for the infinite one. */
-static void find_view_vectors(const glint_view *view, glint_fragments *fragments) {
+void glint_find_view_vectors(const glint_view *view, glint_fragments *fragments) {
     if (view->local_viewer) {
         for (uint32_t i = 0; i < fragments->count; i++)
             glint_unit_each(fragments->ray[i][0], fragments->ray[i][1], fragments->ray[i][2], fragments->view[i]);
@@ -48,7 +47,7 @@ void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const
     if (!model->light)
         return;
     if (shading->has_specular)
-        find_view_vectors(frame->view, fragments);
+        glint_find_view_vectors(frame->view, fragments);
     for (uint32_t light = 0; light < frame->view->light_count; light++)
         if (shading->lights >> light & 1)
             model->light(shading, light, frame->view, fragments, has_surface);

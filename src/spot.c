@@ -13,6 +13,7 @@ static glint_status prepare(const glint_light *light, glint_prepared_light *prep
         return GLINT_ERROR_CONE;
     if (light->linear < 0 || light->quadratic < 0)
         return GLINT_ERROR_ATTENUATION;
+    prepared->has_cone = 1;
     prepared->point.linear = light->linear;
     prepared->point.quadratic = light->quadratic;
     prepared->spot.cosine_inner = cosine_of(light->inner);

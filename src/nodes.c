@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: MIT */
+/* Nodes: light at a point, summed over lights; and what of it no sum can hold. */
+#include "deviation.h"
+#include "light.h"
+#include "terms.h"
+
+/* N.L, Q15, from which on a point clearly faces a light, or does not: of lights without and with a position. */
+#define CLEARLY 16
+#define CLEARLY_NEAR 512
+
+/* The same of a cone's cosine, as products of unit vectors: UNIT^2 / 64. */
+#define CLEARLY_INSIDE (1 << 24)
+
+/* |L + V|^2 / 2 = 1 + L.V, Q15, below which a half vector turns too fast. */
+#define LEAST_HALF_SQUARE 4096
+
+/* What a lobe lies around, and what turns about it: H and N, or V and R. @return 0 where there is none */
+static int find_axis(const glint_model *model, const glint_prepared_light *source, int is_fixed,
+                     const int16_t normal[3], const int16_t light[3], const int16_t view[3], int16_t turning[3],
+                     int16_t axis[3]) {
+    for (int c = 0; c < 3; c++) {
+        turning[c] = normal[c];
+        axis[c] = view[c];
+    }
+    if (model->lobe == GLINT_LOBE_MIRROR) {
+        glint_mirror(normal, light, turning);
+        return 1;
+    }
+    if (is_fixed) {
+        for (int c = 0; c < 3; c++)
+            axis[c] = source->half_vector[c];
+        return axis[2] > 0;
+    }
+    if (glint_shift_right(GLINT_UNIT * GLINT_UNIT + glint_dot(light, view), 15) < LEAST_HALF_SQUARE)
+        return 0;
+    glint_unit(light[0] + view[0], light[1] + view[1], light[2] + view[2], axis);
+    return axis[2] >= 0;
+}
+
+/* Largest x and y of a deviation: differences have 15 bits and a sign. */
+#define REACH ((1 << 14) - 1)
+
+/* Cuts a deviation off. @return was it beyond? */
+static inline int cut_off(int32_t *e) {
+    const int32_t inside = glint_most(glint_least(*e, REACH), -REACH);
+    const int is_far = inside != *e;
+    *e = inside;
+    return is_far;
+}
+
+/*
+ * With unit N and H, k = (N.H + nz) / (1 + hz), e = (nx - hx k, ny - hy k) are the coordinates of N in the plane across
+ * H, turned so that H points along z: |e|^2 = sin^2 of the angle between them. Where N.H < 0, |e| falls again: there it
+ * is stretched, so that the back of H stays outside the highlight. @return was it cut off?
+ */
+static int find_deviation(const int16_t n[3], const int16_t h[3], unsigned shift, int16_t e[2]) {
+    const int32_t cosine = glint_shift_right(glint_dot(n, h), 15);
+    const int32_t k = glint_shift_right((cosine + n[2]) * glint_inverse_of_one_and(h[2]), 16); /* Q14 */
+    int32_t x = n[0] * (1 << 14) - h[0] * k, y = n[1] * (1 << 14) - h[1] * k;                  /* Q29 */
+    if (cosine < 0) {
+        x += glint_shift_right(x, 14) * -cosine;
+        y += glint_shift_right(y, 14) * -cosine;
+    }
+    x = glint_shift_right(x, 15 - shift);
+    y = glint_shift_right(y, 15 - shift);
+    if (cosine < -GLINT_UNIT / 2)
+        x = INT32_MAX;
+    const int is_far = cut_off(&x) | cut_off(&y);
+    e[0] = (int16_t)x;
+    e[1] = (int16_t)y;
+    return is_far;
+}
+
+/* N.L, Q15. */
+static inline int32_t find_cosine(const int16_t normal[3], const int16_t light[3]) {
+    const int32_t cosine = glint_dot(normal, light); /* UNIT^2 is 2^30 less a part in 2^12 */
+    return glint_least(glint_shift_right(cosine + glint_shift_right(cosine, 12), 15), INT16_MAX);
+}
+
+/* Adds a light to a sum: channels, or Q15 of one chroma. */
+static inline void add_light(const glint_light_terms *terms, uint32_t light, int32_t amount, const int32_t weight[3],
+                             int32_t sum[3]) {
+    if (terms->channels == 1)
+        sum[0] += glint_shift_right(amount * terms->share[light], 15);
+    else
+        for (int c = 0; c < 3; c++)
+            sum[c] += amount * weight[c];
+}
+
+static void add_lobe(const glint_shading *shading, uint32_t i, const glint_prepared_light *source, int is_fixed,
+                     const glint_fragments *at, uint32_t n, const int16_t *light, glint_node *node) {
+    const glint_light_terms *terms = &shading->terms;
+    int16_t turning[3], axis[3];
+    if (!find_axis(shading->material->model, source, is_fixed, at->normal[n], light, at->view[n], turning, axis))
+        node->unfit |= (uint8_t)(1u << i);
+    else if (find_deviation(turning, axis, terms->lobe_shift, node->lobe[i]))
+        node->far |= (uint8_t)(1u << i);
+}
+
+/* One light at all points. */
+static void light_nodes(const glint_frame *frame, const glint_shading *shading, uint32_t i, glint_fragments *at,
+                        uint32_t held, glint_node *nodes) {
+    const glint_light_terms *terms = &shading->terms;
+    const glint_prepared_light *source = &frame->view->lights[i];
+    const int has_position = source->type->illuminate != 0;
+    const int32_t clearly = has_position ? CLEARLY_NEAR : CLEARLY;
+    const uint8_t bit = (uint8_t)(1u << i);
+    if (has_position)
+        source->type->illuminate(source, at);
+    for (uint32_t n = 0; n < at->count; n++) {
+        glint_node *node = &nodes[n];
+        const int16_t *light = has_position ? at->light[n] : source->direction;
+        const int32_t strength = has_position ? at->strength[n] : 1 << 15;
+        const int32_t cosine = find_cosine(at->normal[n], light);
+        const int32_t amount = glint_shift_right(cosine * strength, 15);
+        int is_lit = cosine > clearly, is_dark = cosine < -clearly;
+        if (source->has_cone) {
+            const int32_t inside = glint_dot(light, source->direction);
+            is_lit = is_lit && inside > source->spot.cosine_inner + CLEARLY_INSIDE;
+            is_dark = is_dark || inside < source->spot.cosine_outer - CLEARLY_INSIDE;
+        }
+        node->lit |= is_lit ? bit : 0;
+        node->dark |= is_dark ? bit : 0;
+        node->side[i] = (int16_t)amount;
+        if (held == GLINT_ALL_LIT ? is_lit : (held & bit) != 0)
+            add_light(terms, i, amount, terms->diffuse[i], node->sum);
+        node->lobe[i][2] = (int16_t)glint_least(strength, INT16_MAX);
+        if (terms->lobes & bit)
+            add_lobe(shading, i, source, !has_position && !frame->view->local_viewer, at, n, light, node);
+        if (has_position)
+            node->closeness[i] = at->closeness[n];
+    }
+}
+
+void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at, uint32_t held,
+                       glint_node *nodes) {
+    const glint_light_terms *terms = &shading->terms;
+    if (terms->lobes)
+        glint_find_view_vectors(frame->view, at);
+    for (uint32_t n = 0; n < at->count; n++) {
+        glint_node *node = &nodes[n];
+        node->sum[0] = node->sum[1] = node->sum[2] = 0;
+        node->lit = node->dark = node->far = node->unfit = 0;
+    }
+    for (uint32_t i = 0; i < frame->view->light_count; i++)
+        if (shading->lights >> i & 1)
+            light_nodes(frame, shading, i, at, held, nodes);
+    const unsigned down = terms->channels == 1 ? terms->sum_bits : 12 + terms->sum_bits;
+    for (uint32_t n = 0; n < at->count; n++)
+        for (uint32_t c = 0; c < terms->channels; c++)
+            nodes[n].sum[c] = glint_shift_right(nodes[n].sum[c] + (int32_t)(1u << down >> 1), down);
+}

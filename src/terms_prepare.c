@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: MIT */
+/* Terms, once a frame: what a material makes of the frame's lights. */
+#include "deviation.h"
+#include "light.h"
+#include "terms.h"
+
+/* Exponents below this have lobes so wide that they go into sums of light. */
+#define WIDE (8 * GLINT_ONE)
+
+/* Error of polynomials in levels, Q8, for each 1 that the weights of a channel add up to, but at least 1. */
+#define LIMIT 56
+
+/* Bits that a squared deviation has where narrow lobes end: deviations reach four times as far. */
+#define LOBE_BITS 24
+
+static int32_t largest_of(const int32_t v[3]) {
+    return glint_most_of(v[0], v[1], v[2]);
+}
+
+/* Bits of a format's levels. */
+static unsigned level_bits(const glint_format *format, int c) {
+    return format->channel[c] ? format->channel[c] : 8;
+}
+
+/* A weight, Q12, in levels, as glint_to_levels does it; and what it makes, levels in Q8. */
+static int32_t in_levels(const glint_config *config, uint32_t weight, int c) {
+    const unsigned bits = config->gamma ? 0 : config->format->channel[c];
+    return (int32_t)(bits ? weight - ((weight + (1u << bits >> 1)) >> bits) : weight);
+}
+
+static uint32_t levels_of(const glint_format *format, const uint32_t weight[3]) {
+    uint32_t most = 0;
+    for (int c = 0; c < 3; c++) {
+        const uint32_t levels = weight[c] << level_bits(format, c) >> 4;
+        most = levels > most ? levels : most;
+    }
+    return most;
+}
+
+static void set_weights(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
+    const glint_config *config = &frame->config;
+    for (int c = 0; c < 3; c++) {
+        const unsigned bits = config->gamma ? 0 : config->format->channel[c];
+        const int32_t ambient = (int32_t)(shading->ambient[c] << (GLINT_CHANNEL_BITS - 23));
+        terms->half[c] = bits ? 1 << (GLINT_CHANNEL_BITS - 1 - bits) : 0;
+        terms->ambient[c] = glint_to_levels(ambient, bits) - terms->half[c];
+    }
+    for (uint32_t i = 0; i < frame->scene->light_count; i++) {
+        const glint_weights *weights = &shading->weights[i];
+        for (int c = 0; c < 3; c++) {
+            terms->diffuse[i][c] = in_levels(config, weights->diffuse[c], c);
+            terms->specular[i][c] = in_levels(config, weights->specular[c], c);
+        }
+        terms->diffuse_levels[i] = levels_of(config->format, weights->diffuse);
+        terms->specular_levels[i] = levels_of(config->format, weights->specular);
+    }
+}
+
+/* Is all diffuse light of one chroma, that of the light that weighs most? Then finds each light's share. */
+static int find_chroma(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
+    uint32_t most = 0;
+    for (uint32_t i = 0; i < frame->scene->light_count; i++)
+        if (shading->lights >> i & 1 && largest_of(terms->diffuse[i]) > largest_of(terms->diffuse[most]))
+            most = i;
+    const int32_t whole = largest_of(terms->diffuse[most]);
+    for (int c = 0; c < 3; c++)
+        terms->chroma[c] = terms->diffuse[most][c];
+    for (uint32_t i = 0; i < frame->scene->light_count && whole; i++) {
+        const int32_t share = (int32_t)(((uint32_t)largest_of(terms->diffuse[i]) << 15) / (uint32_t)whole);
+        terms->share[i] = share;
+        for (int c = 0; c < 3 && shading->lights >> i & 1; c++) {
+            const int32_t apart = terms->diffuse[i][c] - (int32_t)((uint32_t)terms->chroma[c] * (uint32_t)share >> 15);
+            if (apart > 1 || apart < -1)
+                return 0;
+        }
+    }
+    return 1;
+}
+
+/* The sum of all light that shows, Q12, in its largest channel. */
+static uint32_t find_total(const glint_frame *frame, const glint_shading *shading, int with_specular) {
+    uint32_t total = 0;
+    for (int c = 0; c < 3; c++) {
+        uint32_t sum = with_specular ? shading->ambient[c] >> 11 : 0;
+        for (uint32_t i = 0; i < frame->scene->light_count; i++)
+            if (shading->lights >> i & 1)
+                sum += shading->weights[i].diffuse[c] + (with_specular ? shading->weights[i].specular[c] : 0);
+        total = sum > total ? sum : total;
+    }
+    return total;
+}
+
+/* Bits of the largest sum at a node. */
+static unsigned find_sum_bits(const glint_frame *frame, const glint_shading *shading, const glint_light_terms *terms) {
+    uint32_t total = terms->channels == 1 ? 0 : find_total(frame, shading, 0) << 3;
+    for (uint32_t i = 0; i < frame->scene->light_count && terms->channels == 1; i++)
+        if (shading->lights >> i & 1)
+            total += (uint32_t)terms->share[i];
+    return 32 - glint_leading_zeros(total >> 15);
+}
+
+static void set_lobes(const glint_shading *shading, glint_light_terms *terms) {
+    const glint_power_table *power = &shading->power;
+    const unsigned window_bits = 31 - glint_leading_zeros(power->window);
+    terms->lobes = shading->has_specular;
+    if (!terms->lobes)
+        return;
+    terms->lobe_shift = window_bits < LOBE_BITS + 2 ? (LOBE_BITS + 2 - window_bits) / 2 : 0;
+    terms->lobe_end = power->window >> 2 << 2 * terms->lobe_shift;
+    terms->lobe_cut = (int32_t)glint_square_root(terms->lobe_end) + 2;
+    terms->lobe_diagonal = (terms->lobe_cut * 23171 >> 14) + 1;
+    terms->slope = glint_highlight_slope(shading->shininess);
+}
+
+/* What a vertex keeps: terms.c. */
+static uint32_t find_stride(const glint_frame *frame, const glint_light_terms *terms) {
+    uint32_t stride = terms->channels + 2;
+    for (uint32_t i = 0; i < frame->scene->light_count; i++)
+        stride += (terms->lobes >> i & 1 ? 2u : 0u) + (frame->scene->lights[i].type->illuminate ? 2u : 0u);
+    return stride;
+}
+
+/* Can the material's light be held in sums, below 15, and in lobes that are narrow enough? */
+static int serves(const glint_shading *shading, uint32_t total) {
+    const glint_model *model = shading->material->model;
+    return model->lobe != GLINT_LOBE_OTHER && shading->lights && total < 15 << 12 &&
+           (!shading->has_specular || shading->shininess >= WIDE);
+}
+
+void glint_terms_prepare(const glint_frame *frame, glint_shading *shading) {
+    glint_light_terms *terms = &shading->terms;
+    const uint32_t total = find_total(frame, shading, 1);
+    shading->has_terms = (uint32_t)serves(shading, total);
+    if (!shading->has_terms)
+        return;
+    set_weights(frame, shading, terms);
+    terms->channels = find_chroma(frame, shading, terms) ? 1 : 3;
+    terms->sum_bits = find_sum_bits(frame, shading, terms);
+    set_lobes(shading, terms);
+    terms->limit = LIMIT * (total > 1 << 12 ? total : 1 << 12) >> 12;
+    terms->stride = find_stride(frame, terms);
+}
