@@ -39,7 +39,7 @@ $(BUILD)/bench.csv: $(foreach core,$(BENCH_CORES),$(foreach program,frames workl
 	$(Q)python3 tools/bench/bench.py --qemu $(QEMU) --output $(BUILD) --frames $(call bench_programs,frames) $(call bench_programs,workloads) \
 	    --methods $(call bench_programs,methods) $(call bench_programs,fragments)
 
-bench: $(BUILD)/bench.csv ## count the instructions of whole frames, of all kinds of scenes too, of methods and of fragments; writes build/bench.csv
+bench: $(BUILD)/bench.csv ## count the instructions of whole frames of every kind of scene, of methods and of fragments; writes build/bench.csv
 	@python3 tools/bench/table.py $<
 
 bench-diff: $(BUILD)/bench.csv ## what changed against docs/bench.csv; fails when anything did
