@@ -1,8 +1,12 @@
+#ifndef REJECT
+#define REJECT(n) 0
+#endif
 /* SPDX-License-Identifier: MIT */
 /* Terms of a triangle: which lights shine on it, whether polynomials fit, and the polynomials. */
 #include "terms.h"
 
 #include "deviation.h"
+#include "division.h"
 #include "setup.h"
 
 /* ---- Vertices ---- */
@@ -109,6 +113,15 @@ static int32_t root_of(uint32_t x) {
     return (int32_t)(((wide >> 16) * root >> 15) >> (up / 2)) + 1;
 }
 
+/* sqrt(x), Q15, x from 2^13 to 2^15. */
+static int32_t root_of15(uint32_t x) {
+    const unsigned up = (glint_leading_zeros(x) - 3) | 1;
+    const uint32_t wide = x << up; /* 2^28 .. 2^30 */
+    const uint32_t inverse = (uint32_t)glint_inverse_root(wide);
+    const uint32_t root = (wide >> 14) * (inverse + (inverse >> 13)) >> 16;
+    return (int32_t)(root << 1 >> (up - 13) / 2);
+}
+
 static int32_t square_of_difference(const int16_t a[3], const int16_t b[3]) {
     const int32_t x = glint_shift_right(a[0] - b[0], 2), y = glint_shift_right(a[1] - b[1], 2),
                   z = glint_shift_right(a[2] - b[2], 2);
@@ -138,8 +151,8 @@ static inline uint32_t times(uint32_t a, uint32_t b) {
  * What polynomials through a triangle's nodes err at most, levels in Q8: quadratics of a light's diffuse part by 0.0275
  * theta (theta + e)^2, theta the turn of N and of L and the logarithm of the distance, e 1.85 times that of 1/w.
  */
-static uint32_t diffuse_error(uint32_t levels, const measures *m, uint32_t closeness) {
-    const uint32_t theta = (uint32_t)m->turn + (2 * (uint32_t)m->reach * closeness >> 8);
+static uint32_t diffuse_error(uint32_t levels, const measures *m, int32_t turn, uint32_t closeness) {
+    const uint32_t theta = (uint32_t)turn + (2 * (uint32_t)m->reach * closeness >> 8);
     const uint32_t with = theta + ((uint32_t)m->slant * 474 >> 8);
     return (uint32_t)((uint64_t)times(times(theta, with), with) * levels * 1802 >> 28); /* 0.0275 is 1802 2^-16 */
 }
@@ -148,10 +161,10 @@ static uint32_t diffuse_error(uint32_t levels, const measures *m, uint32_t close
  * The same of a highlight: by 0.041 s h (h + e)^2, h the turn of N and of H, s the highlight's slope over the
  * deviation; and of its strength.
  */
-static uint32_t lobe_error(const glint_light_terms *light, uint32_t levels, const measures *m, uint32_t closeness,
-                           int is_mirror, int is_local) {
+static uint32_t lobe_error(const glint_light_terms *light, uint32_t levels, const measures *m, int32_t turning,
+                           uint32_t closeness, int is_mirror, int is_local) {
     const uint32_t near = (uint32_t)m->reach * closeness >> 8, view = is_local ? (uint32_t)m->reach : 0;
-    const uint32_t turn = is_mirror ? 2 * (uint32_t)m->turn + near + view : (uint32_t)m->turn + near + view;
+    const uint32_t turn = is_mirror ? 2 * (uint32_t)turning + near + view : (uint32_t)turning + (near + view) / 2;
     const uint32_t e = (uint32_t)m->slant * 474 >> 8, h = turn + near / 2;
     const uint32_t of_place = (uint32_t)((uint64_t)times(times(h, h + e), h + e) * light->slope >> 8);
     const uint32_t of_strength = times(times(near, near + e), near + e);
@@ -169,6 +182,33 @@ static int is_outside(const glint_light_terms *light, const glint_node nodes[3],
            glint_most_of(x0 + y0, x1 + y1, x2 + y2) <= -diagonal ||
            glint_least_of(x0 - y0, x1 - y1, x2 - y2) >= diagonal ||
            glint_most_of(x0 - y0, x1 - y1, x2 - y2) <= -diagonal;
+}
+
+/* M at a node, N/w with the largest corner's 1/w as 1: its square and its length, Q15. */
+typedef struct lengths {
+    int32_t square[6], length[6];
+} lengths;
+
+/* Lengths at the corners, whose 1/w is w, Q15, and at the middles of the edges, where M.M = wa wb (N.N - 1) / 2 + ((wa
+ * + wb) / 2)^2. */
+static void find_lengths(const glint_triangle *triangle, lengths *of) {
+    const glint_vertex *const *v = triangle->corners;
+    uint32_t w[3];
+    const uint32_t largest = (uint32_t)glint_most_of(v[0]->inverse_w, v[1]->inverse_w, v[2]->inverse_w);
+    const unsigned zeros = glint_leading_zeros(largest);
+    const uint32_t reciprocal = (uint32_t)glint_reciprocal16(largest << zeros >> 16) - 1; /* 2^31 / 16 bits */
+    for (int i = 0; i < 3; i++) {
+        w[i] = ((uint32_t)v[i]->inverse_w << zeros >> 16) * reciprocal >> 16; /* Q15 */
+        of->length[i] = (int32_t)w[i];
+        of->square[i] = (int32_t)(w[i] * w[i] >> 15);
+    }
+    for (int i = 0; i < 3; i++) {
+        const int a = i == 1 ? 1 : 0, b = i == 0 ? 1 : 2;
+        const int32_t turn = square_of_difference(v[a]->attribute, v[b]->attribute); /* Q26 */
+        const int32_t mean = (int32_t)(w[a] + w[b]) >> 1, both = (int32_t)(w[a] * w[b] >> 15);
+        of->square[3 + i] = (mean * mean >> 15) - (int32_t)((int64_t)both * turn >> 28);
+        of->length[3 + i] = root_of15((uint32_t)of->square[3 + i]);
+    }
 }
 
 /* The middle of an edge, as a fragment. */
@@ -208,27 +248,38 @@ static void scale_channel(glint_quadratic *q, unsigned sum_bits) {
                            scale_down(q->dxx, by),   scale_down(q->dxy, by), scale_down(q->dyy, by)};
 }
 
+/* A number times its node's length, where there is one. */
+static inline int32_t scale_by(const lengths *by, int i, int32_t number) {
+    return by ? glint_shift_right(number * by->length[i] + (1 << 14), 15) : number;
+}
+
 static void begin_terms(const glint_frame *frame, const glint_draw *draw, const glint_part *part,
-                        const glint_node nodes[6], const lights *of, glint_terms *terms) {
+                        const glint_node nodes[6], const lights *of, const lengths *by, glint_terms *terms) {
     const glint_light_terms *light = &draw->shading->terms;
     glint_barycentric s;
     int32_t n[6];
     glint_barycentric_begin(&s, &part->gradients);
     for (uint32_t c = 0; c < light->channels; c++) {
         for (int i = 0; i < 6; i++)
-            n[i] = nodes[i].sum[c];
+            n[i] = scale_by(by, i, nodes[i].sum[c]);
         begin_polynomial(&terms->sum[c], &s, n);
         if (light->channels == 3)
             scale_channel(&terms->sum[c], light->sum_bits);
         else
             terms->sum[c].start += 1 << 15;
     }
+    terms->is_over_length = by != 0;
+    if (by) {
+        for (int i = 0; i < 6; i++)
+            n[i] = by->square[i] >> 1;
+        begin_polynomial(&terms->square, &s, n);
+    }
     terms->side_count = terms->lobe_count = 0;
     for (uint32_t l = 0; l < GLINT_LIGHTS_MAX; l++) {
         if (of->sides >> l & 1) {
             glint_side *side = &terms->sides[terms->side_count++];
             for (int i = 0; i < 6; i++)
-                n[i] = nodes[i].side[l] >> 1;
+                n[i] = scale_by(by, i, nodes[i].side[l] >> 1);
             begin_polynomial(&side->cosine, &s, n);
             side->weight = light->diffuse[l];
         }
@@ -236,7 +287,7 @@ static void begin_terms(const glint_frame *frame, const glint_draw *draw, const 
             glint_lobe *lobe = &terms->lobes[terms->lobe_count++];
             for (int k = 0; k < 3; k++) {
                 for (int i = 0; i < 6; i++)
-                    n[i] = nodes[i].lobe[l][k] >> (k == 2);
+                    n[i] = k == 2 ? nodes[i].lobe[l][k] >> 1 : scale_by(by, i, nodes[i].lobe[l][k]);
                 begin_polynomial(k == 0 ? &lobe->x : k == 1 ? &lobe->y : &lobe->strength, &s, n);
             }
             lobe->weight = light->specular[l];
@@ -270,6 +321,9 @@ static int cone_cuts(const glint_prepared_light *source, measures *m, uint32_t c
 #define SLENDER 7
 #define LEAST_AREA 8
 
+/* M.M between the nodes is no less than 1/4 where they have this, Q15. */
+#define LEAST_SQUARE 12000
+
 int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
                       const glint_part *part, glint_terms *terms) {
     const glint_shading *shading = draw->shading;
@@ -283,16 +337,17 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     measures m;
     if (!(v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_LIT) || triangle->back || glint_is_deep(triangle) ||
         triangle->area < LEAST_AREA || glint_slenderness(&part->gradients, triangle->area) > SLENDER)
-        return 0;
+        return REJECT(1);
     for (int i = 0; i < 3; i++)
-        recall(frame, light, draw->nodes + (v[i] - draw->vertices) * light->stride, &nodes[i]);
+        recall(frame, light, draw->nodes + (size_t)(v[i] - draw->vertices) * light->stride, &nodes[i]);
     measure(frame->view, triangle, &m);
     lights of = {nodes[0].lit & nodes[1].lit & nodes[2].lit, 0, 0};
     const uint32_t dark = nodes[0].dark & nodes[1].dark & nodes[2].dark;
     of.sides = shading->lights & ~of.held & ~dark;
     const uint32_t unfit = nodes[0].unfit | nodes[1].unfit | nodes[2].unfit,
                    far = nodes[0].far | nodes[1].far | nodes[2].far;
-    uint32_t error = 0;
+    uint32_t error = 0, error_over = 0;
+    lengths by;
     for (uint32_t l = 0; l < count; l++) {
         if (!(shading->lights >> l & 1))
             continue;
@@ -302,27 +357,37 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
             for (int i = 1; i < 3; i++)
                 closeness = closeness > nodes[i].closeness[l] ? closeness : nodes[i].closeness[l];
             if ((uint64_t)m.reach * closeness > 1 << 18) /* a quarter of the distance */
-                return 0;
+                return REJECT(2);
             if (cone_cuts(&frame->view->lights[l], &m, closeness, of.sides >> l & 1, light->diffuse_levels[l], &error))
-                return 0;
+                return REJECT(3);
             /* between the corners N.L is off by no more than half the product of what N and L turn by */
             if ((uint64_t)m.reach * closeness * (uint32_t)m.turn >> 20 > 64)
                 of.held &= ~(1u << l), of.sides |= 1u << l;
         }
         if ((of.held | of.sides) >> l & 1)
-            error += diffuse_error(light->diffuse_levels[l], &m, closeness);
+            error += diffuse_error(light->diffuse_levels[l], &m, m.turn, closeness),
+                error_over += diffuse_error(light->diffuse_levels[l], &m, 0, closeness);
         if (!(light->lobes >> l & 1) || (gated && dark >> l & 1))
             continue;
         const uint32_t bit = 1u << l;
         if (!(unfit & bit) && is_outside(light, nodes, l, light->lobe_cut >> 4))
             continue;
         if ((unfit | far) & bit || (gated && of.sides & bit))
-            return 0;
+            return REJECT(4);
         of.lobes |= bit;
-        error += lobe_error(light, light->specular_levels[l], &m, closeness, is_mirror, is_local);
+        error += lobe_error(light, light->specular_levels[l], &m, m.turn, closeness, is_mirror, is_local),
+            error_over +=
+            lobe_error(light, light->specular_levels[l], &m, is_mirror ? m.turn : 0, closeness, is_mirror, is_local);
     }
-    if (error > light->limit)
-        return 0;
+    const int is_over_length = error > light->limit;
+    if (is_over_length && error_over > light->limit)
+        return REJECT(5);
+    if (is_over_length) {
+        find_lengths(triangle, &by);
+        for (int i = 0; i < 6; i++)
+            if (by.square[i] < LEAST_SQUARE)
+                return REJECT(6);
+    }
     at.count = 0;
     const int fresh = of.sides || nodes[0].lit != of.held || nodes[1].lit != of.held || nodes[2].lit != of.held;
     if (fresh)
@@ -334,11 +399,11 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     glint_nodes_light(frame, shading, &at, of.held, fresh ? nodes : nodes + 3);
     for (int i = 3; i < 6; i++)
         if ((nodes[i].unfit | nodes[i].far) & of.lobes)
-            return 0;
+            return REJECT(7);
     terms->light = light;
     terms->power = &shading->power;
     terms->has_surface = 0;
     terms->takes_largest = (shading->material->flags & GLINT_MATERIAL_MAX) != 0;
-    begin_terms(frame, draw, part, nodes, &of, terms);
+    begin_terms(frame, draw, part, nodes, &of, is_over_length ? &by : 0, terms);
     return 1;
 }

@@ -44,8 +44,9 @@ typedef struct glint_terms {
     uint32_t side_count, lobe_count;
     glint_side sides[GLINT_LIGHTS_MAX];
     glint_lobe lobes[GLINT_LIGHTS_MAX];
+    glint_quadratic square; /* M.M, where all else is times |M|, M the normal over w; in the high half, Q15 */
     glint_plane surface[3]; /* colours of its own, Q30 */
-    uint8_t has_surface, takes_largest;
+    uint8_t has_surface, takes_largest, is_over_length;
 } glint_terms;
 
 /** Prepares a material. */
