@@ -302,12 +302,13 @@ typedef struct glint_attributes {
     glint_plane main[3], extra[3];
 } glint_attributes;
 
-/** Fragments that follow each other in a row; or vertices or a triangle's middle, which have no place. */
+/** Fragments of one triangle in a tile; or vertices or a triangle's middle, which have no place. */
 typedef struct glint_fragments {
     uint32_t count;
-    int32_t x, y;       /* the first one's pixel on the screen */
-    int32_t at_x, at_y; /* the same, from the triangle's anchor */
-    uint32_t scale;     /* attributes are interpolated over w 2^scale */
+    int32_t x, y;                                                  /* of the tile's first pixel on the screen */
+    int32_t from_x, from_y;                                        /* the same, from the triangle's anchor */
+    uint8_t column[GLINT_FRAGMENTS_MAX], row[GLINT_FRAGMENTS_MAX]; /* in the tile */
+    uint32_t scale;                                                /* attributes are interpolated over w 2^scale */
     const glint_attributes *attributes;
     int32_t inverse_w[GLINT_FRAGMENTS_MAX];
     int32_t ray[GLINT_FRAGMENTS_MAX][3];     /* towards the eye: minus the position times 1/w, Q12 */
@@ -328,6 +329,13 @@ typedef struct glint_fragments {
 /** A channel from one of 15 bits, 1 = GLINT_COLOUR_ONE. */
 static inline int32_t glint_channel_of(int16_t colour) {
     return (colour << (GLINT_CHANNEL_BITS - 15)) + (colour >> (30 - GLINT_CHANNEL_BITS));
+}
+
+/** A colour, Q23, as channels that are neither in levels nor clamped, but below 16. */
+static inline void glint_channels_of(const uint32_t colour[3], int32_t channel[3]) {
+    const unsigned up = GLINT_CHANNEL_BITS - 23;
+    for (int c = 0; c < 3; c++)
+        channel[c] = (int32_t)(colour[c] < (15u << 23) ? colour[c] << up : 15u << GLINT_CHANNEL_BITS);
 }
 
 /** A channel as levels of so many bits, half a level included: cut off, it is rounded. 0 bits: as it is. */
@@ -370,6 +378,7 @@ struct glint_evaluation {
 };
 
 struct glint_spans;
+struct glint_quadratic;
 
 struct glint_format {
     uint8_t bits;       /* per pixel */
@@ -381,8 +390,8 @@ struct glint_format {
     /* What the others do as well, in one loop; null in a library built for size. */
     /** Draws spans of one colour. */
     void (*draw_even)(const struct glint_spans *spans, const int32_t colour[3]);
-    /** Draws spans of linear channels. */
-    void (*draw_channels)(const struct glint_spans *spans, const glint_plane channel[3]);
+    /** Draws spans of three polynomials; those that are not curved have no second degree. */
+    void (*draw_channels)(const struct glint_spans *spans, const struct glint_quadratic *channels, int is_curved);
     const struct glint_fast *fast; /* or null */
 };
 
@@ -598,9 +607,6 @@ void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const
 
 /** A lit colour, clamped at 1, 1 = GLINT_COLOUR_ONE. */
 void glint_clamp_colour(const uint32_t colour[3], int16_t out[3]);
-
-/** A colour, Q23, as channels that are neither in levels nor clamped, but below 16. */
-void glint_channels_of(const uint32_t colour[3], int32_t channel[3]);
 
 /** Puts colours through the output tables, if there are any, and brings them to the format's levels. */
 void glint_finish_colours(const glint_config *config, int32_t (*colour)[3], uint32_t count);

@@ -5,15 +5,10 @@
  * planes are off by its square.
  */
 #include "division.h"
+#include "polynomial.h"
 #include "product.h"
 #include "quadratic.h"
 #include "setup.h"
-
-/* Slenderness of triangles, as bits, up to which sums over a row keep what a plane has (quadratic.c). */
-#define SLENDER 7
-
-/* Twice the least area, 28.4 squared: sides have at most 2 bits more, which keeps gradients' squares in 32. */
-#define LEAST_AREA 8
 
 /* Errors of N.L and of the highlight that interpolation may make at the worst place, levels in Q12. */
 #define COSINE_LIMIT 600
@@ -195,86 +190,6 @@ static int find_edges(const glint_triangle *triangle, edge e[3], int32_t *turn, 
     return 1;
 }
 
-typedef glint_interpolation_gradients gradients;
-
-/* 2^n, |n| below 32. */
-static inline glint_interpolation_scale scale(int32_t n) {
-    return (glint_interpolation_scale){n < 0 ? (uint32_t)-n : 0, n > 0 ? (uint32_t)n : 0};
-}
-
-/* x times a scale modulo 2^32, rounded down. */
-static inline uint32_t shift(int32_t x, glint_interpolation_scale by) {
-    return (uint32_t)glint_shift_right(x, by.right) << by.left;
-}
-
-/* A side of at most `size` bits, up to 11, times 1/area: 15 bits. */
-static inline int32_t to_15_bits(int32_t side, int32_t reciprocal, int32_t size) {
-    return glint_shift_right(side * reciprocal + (1 << size), (unsigned)size + 1);
-}
-
-static inline void begin_gradients(gradients *s, const glint_gradients *g) {
-    int32_t bits = g->shift; /* of the sides times 1/area */
-    s->g = g;
-    if (!g->reciprocal) {
-        s->x1 = glint_shift_right(g->x1, 15), s->y1 = glint_shift_right(g->y1, 15);
-        s->x2 = glint_shift_right(g->x2, 15), s->y2 = glint_shift_right(g->y2, 15);
-    } else {
-        const int32_t size = 32 - (int32_t)glint_leading_zeros(g->reach + 1);
-        s->x1 = to_15_bits(g->x1, g->reciprocal, size), s->y1 = to_15_bits(g->y1, g->reciprocal, size);
-        s->x2 = to_15_bits(g->x2, g->reciprocal, size), s->y2 = to_15_bits(g->y2, g->reciprocal, size);
-        bits += 11 - size;
-        s->slope = scale(16 - g->shift);
-    }
-    s->curve = scale(31 - 2 * bits);
-}
-
-/* What slopes in x and y make from the first corner to the anchor's centre, half of it. */
-static inline int32_t to_anchor(int32_t x, int32_t y, const glint_gradients *g) {
-    return glint_shift_right(x, 5) * g->to_center_x + glint_shift_right(y, 5) * g->to_center_y;
-}
-
-/* A plane that is 0 at the first corner, d1 and d2 at the others, its value in the high half. */
-static inline void begin_slope(glint_quadratic *q, const gradients *s, int32_t d1, int32_t d2) {
-    const glint_gradients *g = s->g;
-    if (!g->reciprocal) {
-        glint_plane plane; /* of a quarter: differences have 17 bits */
-        glint_plane_begin(&plane, g, 0, d1 * (1 << 14), d2 * (1 << 14));
-        q->start = (uint32_t)plane.start << 2;
-        q->dx = (uint32_t)plane.dx << 2;
-        q->dy = (uint32_t)plane.dy << 2;
-        return;
-    }
-    const int32_t dx = glint_slope_of(d1 * g->x1 + d2 * g->x2, g->reciprocal);
-    const int32_t dy = glint_slope_of(d1 * g->y1 + d2 * g->y2, g->reciprocal);
-    q->start = shift(to_anchor(dx, dy, g), s->slope) * 2;
-    q->dx = shift(dx, s->slope);
-    q->dy = shift(dy, s->slope);
-}
-
-/*
- * The quadratic of a term that is a at the corners, with the bulges b of edges; its value in the high half. With the
- * barycentric coordinates l1 and l2,
- * a0 + (a1 - a0 + b0) l1 + (a2 - a0 + b2) l2 - b0 l1^2 - b2 l2^2 + (b1 - b0 - b2) l1 l2.
- */
-static void begin_term(glint_quadratic *q, const gradients *s, const int32_t a[3], const int32_t b[3]) {
-    const glint_gradients *g = s->g;
-    const int32_t both = b[1] - b[0] - b[2], x1 = s->x1, y1 = s->y1, x2 = s->x2, y2 = s->y2;
-    /* half the form's gradients along l1 and l2, each along x and y */
-    const int32_t u_x = glint_shift_right(both * x2, 1) - b[0] * x1, v_x = glint_shift_right(both * x1, 1) - b[2] * x2;
-    const int32_t u_y = glint_shift_right(both * y2, 1) - b[0] * y1, v_y = glint_shift_right(both * y1, 1) - b[2] * y2;
-    const int32_t xx = glint_sum_of_products(u_x, x1, v_x, x2), yy = glint_sum_of_products(u_y, y1, v_y, y2);
-    const int32_t xy = glint_sum_of_products(u_x, y1, v_x, y2);
-    begin_slope(q, s, a[1] - a[0] + b[0], a[2] - a[0] + b[2]);
-    q->dxx = shift(xx, s->curve);
-    q->dxy = 2 * shift(xy, s->curve);
-    q->dyy = shift(yy, s->curve);
-    /* the polynomial is the corner's, the anchor's centre lies beside it */
-    const int32_t x = to_anchor(xx, xy, g), y = to_anchor(xy, yy, g);
-    q->start += (uint32_t)a[0] * (1 << 16) + 4 * shift(to_anchor(x, y, g), s->curve);
-    q->dx += 4 * shift(x, s->curve);
-    q->dy += 4 * shift(y, s->curve);
-}
-
 /* How far a term at corner a is moved away from that at b. */
 static inline int32_t find_spread(const edge *e, int32_t a, int32_t b) {
     return glint_shift_right((a - b) * e->turn, 15 + SPREAD);
@@ -356,8 +271,8 @@ static int find_middles(const glint_deviation *deviation, const glint_triangle *
 }
 
 static void begin_highlight(glint_interpolation *to, const nodes *n) {
-    begin_term(&to->x, &to->gradients, n->x, n->bulge_x);
-    begin_term(&to->y, &to->gradients, n->y, n->bulge_y);
+    glint_polynomial_begin(&to->x, &to->gradients, n->x, n->bulge_x);
+    glint_polynomial_begin(&to->y, &to->gradients, n->y, n->bulge_y);
 }
 
 int glint_interpolate_highlight(const glint_draw *draw, const glint_triangle *triangle, glint_interpolation *to) {
@@ -478,8 +393,9 @@ glint_quadratic_kind glint_interpolate_begin(const glint_draw *draw, const glint
     const glint_vertex *const *v = triangle->corners;
     const uint32_t all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
     int32_t turn, change;
-    if (!(all & GLINT_VERTEX_LIT) || any & GLINT_TERMS_UNFIT || triangle->back || triangle->area < LEAST_AREA ||
-        glint_slenderness(&part->gradients, triangle->area) > SLENDER ||
+    if (!(all & GLINT_VERTEX_LIT) || any & GLINT_TERMS_UNFIT || triangle->back ||
+        triangle->area < GLINT_POLYNOMIAL_LEAST_AREA ||
+        glint_slenderness(&part->gradients, triangle->area) > GLINT_POLYNOMIAL_SLENDER ||
         !find_edges(triangle, to->edges, &turn, &change) ||
         turn + (change * change >> 14) > deviation->quadratic.turn >> (triangle->area > deviation->quadratic.large))
         return GLINT_QUADRATIC_UNFIT;
@@ -509,8 +425,8 @@ glint_quadratic_kind glint_interpolate_begin(const glint_draw *draw, const glint
     }
     find_bulges(to->edges, a, b);
     to->gated = (any & GLINT_TERMS_DIM) != 0;
-    begin_gradients(&to->gradients, &part->gradients);
-    begin_term(&to->cosine, &to->gradients, a, b);
+    glint_barycentric_begin(&to->gradients, &part->gradients);
+    glint_polynomial_begin(&to->cosine, &to->gradients, a, b);
     if (kind == GLINT_QUADRATIC_SPECULAR) {
         to->clamped = find_most(a, b) > deviation->quadratic.full;
         begin_highlight(to, &n);

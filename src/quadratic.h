@@ -9,41 +9,7 @@
 #define GLINT_QUADRATIC_H
 
 #include "deviation.h"
-
-/**
- * A quadratic function of the pixel, x and y from the anchor, modulo 2^32:
- * start + dx x + dy y + dxx x x + dxy x y + dyy y y.
- */
-typedef struct glint_quadratic {
-    uint32_t start, dx, dy, dxx, dxy, dyy;
-} glint_quadratic;
-
-/** A quadratic at a pixel, and its step to the next column. */
-typedef struct glint_stride {
-    uint32_t value, across;
-} glint_stride;
-
-static inline glint_stride glint_stride_begin(const glint_quadratic *q, int32_t x, int32_t y) {
-    const uint32_t i = (uint32_t)x, j = (uint32_t)y, slope = q->dx + q->dxy * j + q->dxx * i;
-    return (glint_stride){q->start + (q->dy + q->dyy * j) * j + slope * i, slope + q->dxx * (i + 1)};
-}
-
-static inline void glint_stride_next(glint_stride *s, const glint_quadratic *q) {
-    s->value += s->across;
-    s->across += 2 * q->dxx;
-}
-
-/** To another column. */
-static inline void glint_stride_move(glint_stride *s, const glint_quadratic *q, uint32_t by) {
-    s->value += s->across * by + 2 * q->dxx * (by * (by - 1) >> 1);
-    s->across += 2 * q->dxx * by;
-}
-
-/** To the next row, from (x, y). */
-static inline void glint_stride_down(glint_stride *s, const glint_quadratic *q, uint32_t x, uint32_t y) {
-    s->value += q->dy + q->dyy * (2 * y + 1) + q->dxy * x;
-    s->across += q->dxy;
-}
+#include "polynomial.h"
 
 /** How a triangle, or a square of it, is drawn. */
 typedef enum glint_quadratic_kind {
@@ -103,19 +69,6 @@ typedef struct glint_interpolation_edge {
     int32_t shorter; /* 1 / |M| - 1 there, Q15 */
 } glint_interpolation_edge;
 
-/** A power of two: shifts to the right, and then to the left. */
-typedef struct glint_interpolation_scale {
-    uint32_t right, left;
-} glint_interpolation_scale;
-
-/** Changes of the second and the third corner's barycentric coordinates a pixel, 15 bits and a sign. */
-typedef struct glint_interpolation_gradients {
-    const glint_gradients *g;
-    int32_t x1, y1, x2, y2;
-    glint_interpolation_scale slope; /* of narrow triangles, from a slope to a quadratic's */
-    glint_interpolation_scale curve; /* from a product of two of these to a quadratic's second degree */
-} glint_interpolation_gradients;
-
 /** Quadratics that interpolate a triangle's lighting, and what they are made of. */
 typedef struct glint_interpolation {
     glint_quadratic cosine;            /* N.L, Q30 */
@@ -123,7 +76,7 @@ typedef struct glint_interpolation {
     int gated;                         /* N.L may be below 0 */
     int clamped;                       /* with its highlight, light may pass 1 */
     glint_interpolation_edge edges[3]; /* from corner 0 to 1, from 1 to 2, from 0 to 2 */
-    glint_interpolation_gradients gradients;
+    glint_barycentric gradients;
 } glint_interpolation;
 
 /** What a material asks for; behind all else of `deviation`. */

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file polynomial.h
+ * Quadratics over the screen, of whole numbers, stepped from pixel to pixel by forward differences.
+ */
+#ifndef GLINT_POLYNOMIAL_H
+#define GLINT_POLYNOMIAL_H
+
+#include "frame.h"
+
+/**
+ * A quadratic function of the pixel, x and y from the anchor, modulo 2^32:
+ * start + dx x + dy y + dxx x x + dxy x y + dyy y y.
+ */
+typedef struct glint_quadratic {
+    uint32_t start, dx, dy, dxx, dxy, dyy;
+} glint_quadratic;
+
+/** A quadratic at a pixel, and its step to the next column. */
+typedef struct glint_stride {
+    uint32_t value, across;
+} glint_stride;
+
+static inline glint_stride glint_stride_begin(const glint_quadratic *q, int32_t x, int32_t y) {
+    const uint32_t i = (uint32_t)x, j = (uint32_t)y, slope = q->dx + q->dxy * j + q->dxx * i;
+    return (glint_stride){q->start + (q->dy + q->dyy * j) * j + slope * i, slope + q->dxx * (i + 1)};
+}
+
+static inline void glint_stride_next(glint_stride *s, const glint_quadratic *q) {
+    s->value += s->across;
+    s->across += 2 * q->dxx;
+}
+
+/** To another column. */
+static inline void glint_stride_move(glint_stride *s, const glint_quadratic *q, uint32_t by) {
+    s->value += s->across * by + 2 * q->dxx * (by * (by - 1) >> 1);
+    s->across += 2 * q->dxx * by;
+}
+
+/** To the next row, from (x, y). */
+static inline void glint_stride_down(glint_stride *s, const glint_quadratic *q, uint32_t x, uint32_t y) {
+    s->value += q->dy + q->dyy * (2 * y + 1) + q->dxy * x;
+    s->across += q->dxy;
+}
+
+/** A power of two: shifts to the right, and then to the left. */
+typedef struct glint_scale_by {
+    uint32_t right, left;
+} glint_scale_by;
+
+/** Changes of the second and the third corner's barycentric coordinates a pixel, 15 bits and a sign. */
+typedef struct glint_barycentric {
+    const glint_gradients *g;
+    int32_t x1, y1, x2, y2;
+    glint_scale_by slope; /* of narrow triangles, from a slope to a quadratic's */
+    glint_scale_by curve; /* from a product of two of these to a quadratic's second degree */
+} glint_barycentric;
+
+/** Slenderness, glint_slenderness, up to which triangles have polynomials whose sums over a row keep their digits. */
+#define GLINT_POLYNOMIAL_SLENDER 7
+
+/** Twice their least area, 28.4 squared: sides have at most 2 bits more, which keeps gradients' squares in 32. */
+#define GLINT_POLYNOMIAL_LEAST_AREA 8
+
+void glint_barycentric_begin(glint_barycentric *barycentric, const glint_gradients *gradients);
+
+/**
+ * The quadratic of what is a[i] at corner i, 15 bits and a sign, and at the middles of the edges from corner 0 to 1,
+ * from 1 to 2 and from 0 to 2 the mean of their ends and b[i] / 4, 14 bits and a sign. Its value is in the high half.
+ */
+void glint_polynomial_begin(glint_quadratic *q, const glint_barycentric *barycentric, const int32_t a[3],
+                            const int32_t b[3]);
+
+#endif
