@@ -425,7 +425,7 @@ glint_quadratic_kind glint_interpolate_begin(const glint_draw *draw, const glint
     }
     find_bulges(to->edges, a, b);
     to->gated = (any & GLINT_TERMS_DIM) != 0;
-    glint_barycentric_begin(&to->gradients, &part->gradients);
+    glint_barycentric_begin(&to->gradients, &part->gradients, 16);
     glint_polynomial_begin(&to->cosine, &to->gradients, a, b);
     if (kind == GLINT_QUADRATIC_SPECULAR) {
         to->clamped = find_most(a, b) > deviation->quadratic.full;

@@ -300,23 +300,16 @@ static void begin_planes(glint_quadratic channel[3], const glint_gradients *g, i
     }
 }
 
-static uint32_t to_channel(uint32_t coefficient) {
-    return (uint32_t)glint_shift_right((int32_t)coefficient, 31 - GLINT_CHANNEL_BITS);
-}
-
 static void begin_quadratics(glint_quadratic channel[3], const glint_gradients *g, const glint_vertex *const v[3],
                              int32_t a[3][3]) {
     const int32_t skew[3] = {find_skew(v[0], v[1]), find_skew(v[1], v[2]), find_skew(v[0], v[2])};
     glint_barycentric s;
-    glint_barycentric_begin(&s, g);
+    glint_barycentric_begin(&s, g, GLINT_CHANNEL_BITS - 15);
     for (int c = 0; c < 3; c++) {
         const int32_t bulge[3] = {glint_shift_right((a[c][0] - a[c][1]) * skew[0], 14),
                                   glint_shift_right((a[c][1] - a[c][2]) * skew[1], 14),
                                   glint_shift_right((a[c][0] - a[c][2]) * skew[2], 14)};
-        glint_quadratic q;
-        glint_polynomial_begin(&q, &s, a[c], bulge);
-        channel[c] = (glint_quadratic){to_channel(q.start), to_channel(q.dx),  to_channel(q.dy),
-                                       to_channel(q.dxx),   to_channel(q.dxy), to_channel(q.dyy)};
+        glint_polynomial_begin(&channel[c], &s, a[c], bulge);
     }
 }
 
