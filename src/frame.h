@@ -92,15 +92,16 @@ typedef struct glint_light_terms {
     int32_t chroma[3];                         /* its weight */
     uint32_t diffuse_levels[GLINT_LIGHTS_MAX]; /* what 1 makes at most, levels in Q8 */
     uint32_t specular_levels[GLINT_LIGHTS_MAX];
-    uint32_t channels;               /* of a node's sum: 1 where all diffuse light is of one chroma, else 3 */
-    unsigned sum_bits;               /* sums are below this power of two */
-    uint32_t lobes;                  /* bit i: light i has a highlight that is a term of its own */
-    uint32_t stride;                 /* numbers that a vertex keeps */
-    uint32_t lobe_shift;             /* a deviation, Q14, is kept times 2^this */
-    int32_t lobe_cut, lobe_diagonal; /* outside an octagon of this radius no highlight shows; as kept */
-    uint32_t lobe_end;               /* squared deviation, as kept, where the power table ends */
-    uint32_t slope;                  /* of a highlight over its deviation, at most, Q8 */
-    uint32_t limit;                  /* of the error of polynomials, levels in Q8 */
+    uint32_t channels;                 /* of a node's sum: 1 where all diffuse light is of one chroma, else 3 */
+    unsigned sum_bits;                 /* sums are below this power of two */
+    uint32_t lobes;                    /* bit i: light i has a highlight that is a term of its own */
+    uint8_t lobe_at[GLINT_LIGHTS_MAX]; /* of these, where a light's deviation is kept */
+    uint32_t stride;                   /* numbers that a vertex keeps */
+    uint32_t lobe_shift;               /* a deviation, Q14, is kept times 2^this */
+    int32_t lobe_cut, lobe_diagonal;   /* outside an octagon of this radius no highlight shows; as kept */
+    uint32_t lobe_end;                 /* squared deviation, as kept, where the power table ends */
+    uint32_t slope;                    /* of a highlight over its deviation, at most, Q8 */
+    uint32_t limit;                    /* of the error of polynomials, levels in Q8 */
 } glint_light_terms;
 
 /** A material under the scene's lights. */
@@ -169,7 +170,7 @@ typedef struct glint_vertex {
 #define GLINT_COLOUR_ONE 32767
 
 /** Most numbers that a vertex keeps of light. */
-#define GLINT_NODE_NUMBERS_MAX (5 + 4 * GLINT_LIGHTS_MAX)
+#define GLINT_NODE_NUMBERS_MAX (7 + 3 * GLINT_LIGHTS_MAX)
 
 /** Clip coordinates; kept only where an object may have to be clipped. */
 typedef struct glint_position {
@@ -330,12 +331,13 @@ typedef struct glint_attributes {
     glint_plane main[3], extra[3];
 } glint_attributes;
 
-/** Fragments that follow each other in a row; or vertices or a triangle's middle, which have no place. */
+/** Fragments of one triangle in a tile; or vertices or a triangle's middle, which have no place. */
 typedef struct glint_fragments {
     uint32_t count;
-    int32_t x, y;       /* the first one's pixel on the screen */
-    int32_t at_x, at_y; /* the same, from the triangle's anchor */
-    uint32_t scale;     /* attributes are interpolated over w 2^scale */
+    int32_t x, y;                                                  /* of the tile's first pixel on the screen */
+    int32_t from_x, from_y;                                        /* the same, from the triangle's anchor */
+    uint8_t column[GLINT_FRAGMENTS_MAX], row[GLINT_FRAGMENTS_MAX]; /* in the tile */
+    uint32_t scale;                                                /* attributes are interpolated over w 2^scale */
     const glint_attributes *attributes;
     int32_t inverse_w[GLINT_FRAGMENTS_MAX];
     int32_t ray[GLINT_FRAGMENTS_MAX][3];     /* towards the eye: minus the position times 1/w, Q12 */
@@ -357,6 +359,13 @@ typedef struct glint_fragments {
 /** A channel from one of 15 bits, 1 = GLINT_COLOUR_ONE. */
 static inline int32_t glint_channel_of(int16_t colour) {
     return (colour << (GLINT_CHANNEL_BITS - 15)) + (colour >> (30 - GLINT_CHANNEL_BITS));
+}
+
+/** A colour, Q23, as channels that are neither in levels nor clamped, but below 16. */
+static inline void glint_channels_of(const uint32_t colour[3], int32_t channel[3]) {
+    const unsigned up = GLINT_CHANNEL_BITS - 23;
+    for (int c = 0; c < 3; c++)
+        channel[c] = (int32_t)(colour[c] < (15u << 23) ? colour[c] << up : 15u << GLINT_CHANNEL_BITS);
 }
 
 /** A channel as levels of so many bits, half a level included: cut off, it is rounded. 0 bits: as it is. */
@@ -400,6 +409,7 @@ struct glint_evaluation {
 };
 
 struct glint_spans;
+struct glint_quadratic;
 
 struct glint_format {
     uint8_t bits;       /* per pixel */
@@ -411,8 +421,8 @@ struct glint_format {
     /* What the others do as well, in one loop; null in a library built for size. */
     /** Draws spans of one colour. */
     void (*draw_even)(const struct glint_spans *spans, const int32_t colour[3]);
-    /** Draws spans of linear channels. */
-    void (*draw_channels)(const struct glint_spans *spans, const glint_plane channel[3]);
+    /** Draws spans of three polynomials; those that are not curved have no second degree. */
+    void (*draw_channels)(const struct glint_spans *spans, const struct glint_quadratic *channels, int is_curved);
     const struct glint_fast *fast; /* or null */
 };
 
@@ -631,9 +641,6 @@ void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const
 
 /** A lit colour, clamped at 1, 1 = GLINT_COLOUR_ONE. */
 void glint_clamp_colour(const uint32_t colour[3], int16_t out[3]);
-
-/** A colour, Q23, as channels that are neither in levels nor clamped, but below 16. */
-void glint_channels_of(const uint32_t colour[3], int32_t channel[3]);
 
 /** Puts colours through the output tables, if there are any, and brings them to the format's levels. */
 void glint_finish_colours(const glint_config *config, int32_t (*colour)[3], uint32_t count);

@@ -10,12 +10,6 @@
 #include "quadratic.h"
 #include "setup.h"
 
-/* Slenderness of triangles, as bits, up to which sums over a row keep what a plane has (quadratic.c). */
-#define SLENDER 7
-
-/* Twice the least area, 28.4 squared: sides have at most 2 bits more, which keeps gradients' squares in 32. */
-#define LEAST_AREA 8
-
 /* Errors of N.L and of the highlight that interpolation may make at the worst place, levels in Q12. */
 #define COSINE_LIMIT 600
 #define HIGHLIGHT_LIMIT 2225
@@ -399,8 +393,9 @@ glint_quadratic_kind glint_interpolate_begin(const glint_draw *draw, const glint
     const glint_vertex *const *v = triangle->corners;
     const uint32_t all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
     int32_t turn, change;
-    if (!(all & GLINT_VERTEX_LIT) || any & GLINT_TERMS_UNFIT || triangle->back || triangle->area < LEAST_AREA ||
-        glint_slenderness(&part->gradients, triangle->area) > SLENDER ||
+    if (!(all & GLINT_VERTEX_LIT) || any & GLINT_TERMS_UNFIT || triangle->back ||
+        triangle->area < GLINT_POLYNOMIAL_LEAST_AREA ||
+        glint_slenderness(&part->gradients, triangle->area) > GLINT_POLYNOMIAL_SLENDER ||
         !find_edges(triangle, to->edges, &turn, &change) ||
         turn + (change * change >> 14) > deviation->quadratic.turn >> (triangle->area > deviation->quadratic.large))
         return GLINT_QUADRATIC_UNFIT;
@@ -430,7 +425,7 @@ glint_quadratic_kind glint_interpolate_begin(const glint_draw *draw, const glint
     }
     find_bulges(to->edges, a, b);
     to->gated = (any & GLINT_TERMS_DIM) != 0;
-    glint_barycentric_begin(&to->gradients, &part->gradients);
+    glint_barycentric_begin(&to->gradients, &part->gradients, 16);
     glint_polynomial_begin(&to->cosine, &to->gradients, a, b);
     if (kind == GLINT_QUADRATIC_SPECULAR) {
         to->clamped = find_most(a, b) > deviation->quadratic.full;

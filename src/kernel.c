@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Kernel: from the spans of a triangle to pixels, by runs of pixels that pass the depth test and a row of colours. */
 #include "colour.h"
+#include "division.h"
+#include "polynomial.h"
 #include "spans.h"
 #include "terms.h"
 
@@ -8,12 +10,11 @@
 
 /* What the colours of a triangle's pixels come from: one of these. */
 typedef struct source {
-    const int32_t *even;                /* the one colour of all, which the row holds */
-    const glint_plane *channels;        /* three planes */
-    const glint_terms *terms;           /* light */
-    const glint_attributes *attributes; /* what fragments are lit by */
+    const int32_t *even;             /* the one colour of all, which the row holds */
+    const glint_quadratic *channels; /* three polynomials */
+    const glint_terms *terms;        /* light */
+    glint_fragments *fragments;      /* lit one by one */
     const glint_draw *draw;
-    uint32_t scale;        /* of the attributes: over w 2^scale */
     int is_deep, finishes; /* are colours found that are to be finished? */
 } source;
 
@@ -78,53 +79,78 @@ static GLINT_NOINLINE uint32_t find_deep_runs(uint16_t *depth, glint_span span, 
     return find_runs(depth, span, z, z_dx, 1, runs);
 }
 
-static void find_linear(const glint_plane channels[3], int32_t x, int32_t y, uint32_t count, int32_t (*row)[3]) {
-    int32_t red = glint_plane_at(&channels[0], x, y), green = glint_plane_at(&channels[1], x, y),
-            blue = glint_plane_at(&channels[2], x, y);
-    for (; count; count--, row++) {
-        (*row)[0] = red;
-        (*row)[1] = green;
-        (*row)[2] = blue;
-        red = glint_add_wrap(red, channels[0].dx);
-        green = glint_add_wrap(green, channels[1].dx);
-        blue = glint_add_wrap(blue, channels[2].dx);
+static void find_channels(const glint_quadratic channels[3], int32_t x, int32_t y, uint32_t count, int32_t (*row)[3]) {
+    for (int c = 0; c < 3; c++) {
+        glint_stride s = glint_stride_begin(&channels[c], x, y);
+        for (uint32_t i = 0; i < count; i++) {
+            row[i][c] = (int32_t)s.value;
+            glint_stride_next(&s, &channels[c]);
+        }
     }
 }
 
-/* Lights fragments one by one. */
-static void find_lit(const glint_frame *frame, const source *from, const glint_part *part, int32_t x, int32_t y,
-                     uint32_t count, int32_t (*row)[3]) {
-    glint_fragments fragments;
-    fragments.scale = from->scale;
-    fragments.attributes = from->attributes;
-    for (uint32_t done = 0; done < count; done += fragments.count) {
-        const int32_t column = x + (int32_t)done;
-        int32_t inverse_w = glint_plane_at(&part->depth, column, y);
-        fragments.count = count - done < GLINT_FRAGMENTS_MAX ? count - done : GLINT_FRAGMENTS_MAX;
-        fragments.at_x = column;
-        fragments.at_y = y;
-        fragments.x = column - part->x + glint_shift_right(part->window.left, 4);
-        fragments.y = y - part->y + glint_shift_right(part->window.top, 4);
-        for (uint32_t i = 0; i < fragments.count; i++) {
-            fragments.inverse_w[i] = glint_most(inverse_w, 0); /* rounding may take a deep triangle's plane below */
-            inverse_w = glint_add_wrap(inverse_w, part->depth.dx);
-        }
-        glint_shade(frame, &fragments, from->draw);
-        for (uint32_t i = 0; i < fragments.count; i++)
-            glint_channels_of(fragments.colour[i], row[done + i]);
+/* Colours of fragments in levels. */
+static void finish_fragments(const glint_frame *frame, const glint_fragments *fragments, int32_t (*row)[3]) {
+    const uint8_t *const bits = frame->config.format->channel;
+    const unsigned red = bits[0], green = bits[1], blue = bits[2];
+    for (uint32_t i = 0; i < fragments->count; i++)
+        glint_channels_of(fragments->colour[i], row[i]);
+    if (frame->config.gamma) {
+        glint_finish_colours(&frame->config, row, fragments->count);
+        return;
+    }
+    for (uint32_t i = 0; i < fragments->count; i++, row++) {
+        (*row)[0] = glint_to_levels((*row)[0], red);
+        (*row)[1] = glint_to_levels((*row)[1], green);
+        (*row)[2] = glint_to_levels((*row)[2], blue);
+    }
+}
+
+/* Lights the fragments gathered so far, and stores them by runs. */
+static void store_fragments(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                            glint_fragments *fragments) {
+    const glint_format *format = frame->config.format;
+    glint_shade(frame, fragments, draw);
+    finish_fragments(frame, fragments, workspace->row);
+    for (uint32_t i = 0, end; i < fragments->count; i = end) {
+        const uint32_t offset = ((uint32_t)fragments->row[i] << frame->tile_shift_x) + fragments->column[i];
+        end = i + 1;
+        while (end < fragments->count && fragments->row[end] == fragments->row[i] &&
+               fragments->column[end] == fragments->column[end - 1] + 1)
+            end++;
+        format->store(workspace->pixels, frame->tile_shift_x, offset, end - i,
+                      (const int32_t(*)[3])(workspace->row + i));
+    }
+    fragments->count = 0;
+}
+
+/* Gathers the fragments of a run, and lights them whenever there are enough. */
+static void gather_run(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
+                       run at, uint32_t y) {
+    glint_fragments *fragments = from->fragments;
+    int32_t inverse_w = glint_plane_at(&part->depth, part->x + at.first, part->y + (int32_t)y);
+    for (uint32_t column = at.first; column < at.end; column++) {
+        const uint32_t i = fragments->count++;
+        fragments->column[i] = (uint8_t)column;
+        fragments->row[i] = (uint8_t)y;
+        fragments->inverse_w[i] = glint_most(inverse_w, 0); /* rounding may take a deep triangle's plane below */
+        inverse_w = glint_add_wrap(inverse_w, part->depth.dx);
+        if (i == GLINT_FRAGMENTS_MAX - 1)
+            store_fragments(frame, workspace, from->draw, fragments);
     }
 }
 
 static void draw_run(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
                      run at, uint32_t y) {
     const uint32_t count = (uint32_t)at.end - at.first;
-    const int32_t x = part->x + at.first, down = part->y + (int32_t)y;
+    if (from->fragments) {
+        gather_run(frame, workspace, from, part, at, y);
+        return;
+    }
     if (from->channels)
-        find_linear(from->channels, x, down, count, workspace->row);
+        find_channels(from->channels, part->x + at.first, part->y + (int32_t)y, count, workspace->row);
     else if (from->terms)
-        glint_terms_row(from->terms, x, down, count, workspace->row);
-    else if (from->attributes)
-        find_lit(frame, from, part, x, down, count, workspace->row);
+        glint_terms_row(from->terms, part->x + at.first, part->y + (int32_t)y, count, workspace->row);
     if (from->finishes)
         glint_finish_colours(&frame->config, workspace->row, count);
     frame->config.format->store(workspace->pixels, frame->tile_shift_x, (y << frame->tile_shift_x) + at.first, count,
@@ -201,16 +227,23 @@ static void draw_fragments(const glint_frame *frame, glint_workspace *workspace,
                            const glint_triangle *triangle, const glint_part *part, const int16_t *const main[3],
                            int is_negated) {
     glint_attributes attributes;
+    glint_fragments fragments;
     uint32_t w[3];
-    const source from = {.attributes = &attributes,
-                         .draw = draw,
-                         .scale = scale_inverse_w(triangle->corners, w),
-                         .is_deep = glint_is_deep(triangle),
-                         .finishes = 1};
+    const source from = {.fragments = &fragments, .draw = draw, .is_deep = glint_is_deep(triangle)};
+    fragments.count = 0;
+    fragments.x = glint_shift_right(part->window.left, 4);
+    fragments.y = glint_shift_right(part->window.top, 4);
+    fragments.from_x = part->x;
+    fragments.from_y = part->y;
+    fragments.attributes = &attributes;
+    fragments.scale = scale_inverse_w(triangle->corners, w);
     triple(attributes.main, &part->gradients, main, w, is_negated);
     if (draw->extra && draw->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS)
         triple(attributes.extra, &part->gradients, triangle->extra, w, 0);
-    glint_count(workspace, GLINT_KERNEL_GENERAL, draw_runs(frame, workspace, &from, part));
+    const uint32_t covered = draw_runs(frame, workspace, &from, part);
+    if (fragments.count)
+        store_fragments(frame, workspace, draw, &fragments);
+    glint_count(workspace, GLINT_KERNEL_GENERAL, covered);
 }
 
 void glint_draw_any(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
@@ -231,24 +264,68 @@ void glint_draw_terms(const glint_frame *frame, glint_workspace *workspace, cons
     glint_count(workspace, GLINT_KERNEL_CHANNELS, draw_runs(frame, workspace, &from, part));
 }
 
-/* How far a plane may be from a colour that is linear over w: 1/10 of a level; Q15, times 4. */
-#define PLANE_LIMIT ((1u << 15) * 4 / 10)
+/* ---- Colours at corners ---- */
+
+/* How far a polynomial may be from a colour that is linear over w: 1/10 of a level, Q15. */
+#define CLOSE ((1u << 15) / 10)
+
+/* Of all channels, what the corners' colours are apart at most. */
+static uint32_t find_difference(const int16_t *const colour[3]) {
+    uint32_t most = 0;
+    for (int c = 0; c < 3; c++) {
+        const uint32_t apart = (uint32_t)(glint_most_of(colour[0][c], colour[1][c], colour[2][c]) -
+                                          glint_least_of(colour[0][c], colour[1][c], colour[2][c]));
+        most = apart > most ? apart : most;
+    }
+    return most;
+}
+
+/* How a triangle's colours are drawn. */
+typedef enum fit { FITS_PLANES, FITS_QUADRATICS, FITS_NOTHING } fit;
 
 /*
- * Is the plane of a colour near enough? Where 1/w changes by a factor 1 + r, it lies at most r / 4 of its corners'
- * difference from what is linear over w.
+ * Where 1/w changes by a factor 1 + r, what is linear over w is at most r / 4 of its corners' difference from a plane,
+ * and 0.0485 r^2 from a quadratic through the middles of the edges too; slivers have none.
  */
-static int fits_plane(const glint_triangle *triangle, const glint_format *format, const int16_t *const colour[3]) {
+static fit find_fit(const glint_triangle *triangle, const glint_gradients *g, const glint_format *format,
+                    const int16_t *const colour[3]) {
     const glint_w_range w = glint_find_w_range(triangle->corners);
-    const unsigned bits = format->channel[1] ? format->channel[1] : 8;
-    const uint32_t limit = PLANE_LIMIT >> bits;
-    uint32_t apart = 0;
+    const uint32_t close = CLOSE >> (format->channel[1] ? format->channel[1] : 8), apart = find_difference(colour);
+    if (apart * w.change <= 4 * close * w.least)
+        return FITS_PLANES;
+    if (w.change > w.least / 2 || glint_slenderness(g, triangle->area) > GLINT_POLYNOMIAL_SLENDER ||
+        triangle->area < GLINT_POLYNOMIAL_LEAST_AREA)
+        return FITS_NOTHING;
+    const uint32_t ratio = (w.change << 12) / w.least; /* w.change is at most 2^15 */
+    return apart * (ratio * ratio >> 12) <= (close * 20 << 12) ? FITS_QUADRATICS : FITS_NOTHING;
+}
+
+/* Four times what a colour at the middle of an edge is more than the mean of its ends, over their difference: Q14. */
+static int32_t find_skew(const glint_vertex *a, const glint_vertex *b) {
+    const int32_t wa = a->inverse_w >> 16, wb = b->inverse_w >> 16;
+    return wa == wb ? 0 : (wa - wb) * (1 << 15) / (wa + wb);
+}
+
+static void begin_planes(glint_quadratic channel[3], const glint_gradients *g, int32_t a[3][3]) {
     for (int c = 0; c < 3; c++) {
-        const int32_t least = glint_least_of(colour[0][c], colour[1][c], colour[2][c]),
-                      most = glint_most_of(colour[0][c], colour[1][c], colour[2][c]);
-        apart = apart > (uint32_t)(most - least) ? apart : (uint32_t)(most - least);
+        glint_plane plane;
+        const int32_t up = 1 << (GLINT_CHANNEL_BITS - 15);
+        glint_plane_begin(&plane, g, a[c][0] * up, a[c][1] * up, a[c][2] * up);
+        channel[c] = (glint_quadratic){(uint32_t)plane.start, (uint32_t)plane.dx, (uint32_t)plane.dy, 0, 0, 0};
     }
-    return apart * w.change <= limit * w.least;
+}
+
+static void begin_quadratics(glint_quadratic channel[3], const glint_gradients *g, const glint_vertex *const v[3],
+                             int32_t a[3][3]) {
+    const int32_t skew[3] = {find_skew(v[0], v[1]), find_skew(v[1], v[2]), find_skew(v[0], v[2])};
+    glint_barycentric s;
+    glint_barycentric_begin(&s, g, GLINT_CHANNEL_BITS - 15);
+    for (int c = 0; c < 3; c++) {
+        const int32_t bulge[3] = {glint_shift_right((a[c][0] - a[c][1]) * skew[0], 14),
+                                  glint_shift_right((a[c][1] - a[c][2]) * skew[1], 14),
+                                  glint_shift_right((a[c][0] - a[c][2]) * skew[2], 14)};
+        glint_polynomial_begin(&channel[c], &s, a[c], bulge);
+    }
 }
 
 void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
@@ -257,22 +334,27 @@ void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const 
     const int16_t *const front[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
     const int16_t *const *const colour = triangle->back && draw->double_sided ? triangle->extra : front;
     const glint_format *const format = frame->config.format;
-    glint_plane channels[3];
-    if (glint_is_deep(triangle) || !fits_plane(triangle, format, colour)) {
+    const int finishes = frame->config.gamma != 0;
+    const fit how = glint_is_deep(triangle) ? FITS_NOTHING : find_fit(triangle, &part->gradients, format, colour);
+    glint_quadratic channels[3];
+    int32_t a[3][3];
+    if (how == FITS_NOTHING) {
         draw_fragments(frame, workspace, draw, triangle, part, colour, 0);
         return;
     }
-    const int finishes = frame->config.gamma != 0;
-    for (int c = 0; c < 3; c++) {
-        int32_t a[3];
+    for (int c = 0; c < 3; c++)
         for (int i = 0; i < 3; i++)
-            a[i] = finishes ? glint_channel_of(colour[i][c])
-                            : glint_to_levels(glint_channel_of(colour[i][c]), format->channel[c]);
-        glint_plane_begin(&channels[c], &part->gradients, a[0], a[1], a[2]);
-    }
+            a[c][i] =
+                finishes || !format->channel[c] ? colour[i][c] : colour[i][c] - (colour[i][c] >> format->channel[c]);
+    if (how == FITS_PLANES)
+        begin_planes(channels, &part->gradients, a);
+    else
+        begin_quadratics(channels, &part->gradients, v, a);
+    for (int c = 0; c < 3 && !finishes; c++)
+        channels[c].start += (uint32_t)glint_to_levels(0, format->channel[c]);
     if (format->draw_channels && !finishes) {
         const glint_spans spans = glint_spans_of(frame, workspace, part);
-        format->draw_channels(&spans, channels);
+        format->draw_channels(&spans, channels, how == FITS_QUADRATICS);
     } else {
         const source from = {.channels = channels, .finishes = finishes};
         draw_runs(frame, workspace, &from, part);

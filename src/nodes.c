@@ -6,13 +6,13 @@
 
 /* N.L, Q15, from which on a point clearly faces a light, or does not: of lights without and with a position. */
 #define CLEARLY 16
-#define CLEARLY_NEAR 512
+#define CLEARLY_NEAR 4096
 
 /* The same of a cone's cosine, as products of unit vectors: UNIT^2 / 64. */
 #define CLEARLY_INSIDE (1 << 24)
 
 /* |L + V|^2 / 2 = 1 + L.V, Q15, below which a half vector turns too fast. */
-#define LEAST_HALF_SQUARE 4096
+#define LEAST_HALF_SQUARE (1 << 14)
 
 /* What a lobe lies around, and what turns about it: H and N, or V and R. @return 0 where there is none */
 static int find_axis(const glint_model *model, const glint_prepared_light *source, int is_fixed,
@@ -99,7 +99,7 @@ static void add_lobe(const glint_shading *shading, uint32_t i, const glint_prepa
 
 /* One light at all points. */
 static void light_nodes(const glint_frame *frame, const glint_shading *shading, uint32_t i, glint_fragments *at,
-                        uint32_t held, glint_node *nodes) {
+                        uint32_t held, uint32_t lobes, glint_node *nodes) {
     const glint_light_terms *terms = &shading->terms;
     const glint_prepared_light *source = &frame->view->lights[i];
     const int has_position = source->type->illuminate != 0;
@@ -125,26 +125,30 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
         if (held == GLINT_ALL_LIT ? is_lit : (held & bit) != 0)
             add_light(terms, i, amount, terms->diffuse[i], node->sum);
         node->lobe[i][2] = (int16_t)glint_least(strength, INT16_MAX);
-        if (terms->lobes & bit)
+        if (lobes & bit)
             add_lobe(shading, i, source, !has_position && !frame->view->local_viewer, at, n, light, node);
-        if (has_position)
-            node->closeness[i] = at->closeness[n];
+        if (!is_dark) {
+            node->levels += terms->diffuse_levels[i] * (uint32_t)strength >> 19;
+            if (has_position && at->closeness[n] > node->closeness)
+                node->closeness = at->closeness[n];
+        }
     }
 }
 
 void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at, uint32_t held,
-                       glint_node *nodes) {
+                       uint32_t lights, uint32_t lobes, glint_node *nodes) {
     const glint_light_terms *terms = &shading->terms;
-    if (terms->lobes)
+    if (lobes)
         glint_find_view_vectors(frame->view, at);
     for (uint32_t n = 0; n < at->count; n++) {
         glint_node *node = &nodes[n];
         node->sum[0] = node->sum[1] = node->sum[2] = 0;
+        node->levels = node->closeness = 0;
         node->lit = node->dark = node->far = node->unfit = 0;
     }
-    for (uint32_t i = 0; i < frame->view->light_count; i++)
-        if (shading->lights >> i & 1)
-            light_nodes(frame, shading, i, at, held, nodes);
+    for (uint32_t i = 0; lights >> i; i++)
+        if (lights >> i & 1)
+            light_nodes(frame, shading, i, at, held, lobes, nodes);
     const unsigned down = terms->channels == 1 ? terms->sum_bits : 12 + terms->sum_bits;
     for (uint32_t n = 0; n < at->count; n++)
         for (uint32_t c = 0; c < terms->channels; c++)

@@ -6,8 +6,8 @@
 /* Against the ray through the pixel's centre, in half pixels, Q12. */
 static void find_rays(const glint_frame *frame, glint_fragments *fragments) {
     for (uint32_t i = 0; i < fragments->count; i++) {
-        fragments->ray[i][0] = (frame->config.width - 1 - 2 * (fragments->x + (int32_t)i)) * 4096;
-        fragments->ray[i][1] = (2 * fragments->y + 1 - frame->config.height) * 4096;
+        fragments->ray[i][0] = (frame->config.width - 1 - 2 * (fragments->x + fragments->column[i])) * 4096;
+        fragments->ray[i][1] = (2 * (fragments->y + fragments->row[i]) + 1 - frame->config.height) * 4096;
         fragments->ray[i][2] = frame->view->focal;
     }
 }
@@ -16,7 +16,7 @@ static void find_rays(const glint_frame *frame, glint_fragments *fragments) {
 static void find_surface(glint_fragments *fragments, const glint_draw *draw) {
     const glint_attributes *a = fragments->attributes;
     for (uint32_t i = 0; i < fragments->count; i++) {
-        const int32_t x = fragments->at_x + (int32_t)i, y = fragments->at_y;
+        const int32_t x = fragments->from_x + fragments->column[i], y = fragments->from_y + fragments->row[i];
         glint_unit_each(glint_plane_at(&a->main[0], x, y), glint_plane_at(&a->main[1], x, y),
                         glint_plane_at(&a->main[2], x, y), fragments->normal[i]);
         if (draw->extra)

@@ -7,6 +7,7 @@
 #ifndef GLINT_PIXEL_H
 #define GLINT_PIXEL_H
 
+#include "polynomial.h"
 #include "spans.h"
 
 /** Thresholds of ordered dithering over 8 x 8 pixels in 1/128 level: 1, 3 .. 127, row by row (Bayer, 1973). */
@@ -28,18 +29,33 @@ typedef uint32_t glint_pack(const int32_t colour[3], uint32_t threshold);
 /** Puts a packed pixel at `offset` of the tile. */
 typedef void glint_put(const glint_target *target, uint32_t offset, uint32_t packed);
 
-/** The level of a scaled channel, half a level included, of so many bits; clamped. */
-static inline uint32_t glint_level(int32_t channel, unsigned bits, uint32_t threshold) {
-    const int32_t most = (1 << bits) - 1;
-    const int32_t rest =
-        (int32_t)threshold * (1 << (GLINT_CHANNEL_BITS - 7 - bits)) - (1 << (GLINT_CHANNEL_BITS - 1 - bits));
-    const int32_t level = glint_shift_right(channel + rest, GLINT_CHANNEL_BITS - bits);
-    return (uint32_t)glint_least(glint_most(level, 0), most);
+/** Can the core shift and clamp a number in one instruction? Both ways give the same bits. */
+#if defined(__ARM_FEATURE_SAT) && defined(__OPTIMIZE__)
+#define GLINT_SATURATES 1
+#else
+#define GLINT_SATURATES 0
+#endif
+
+/** floor(x / 2^shift), clamped to 0 and 2^bits - 1; both are constants. */
+static GLINT_INLINE uint32_t glint_saturate(int32_t x, unsigned bits, unsigned shift) {
+#if GLINT_SATURATES
+    uint32_t level;
+    __asm__("usat %0, %1, %2, asr %3" : "=r"(level) : "I"(bits), "r"(x), "I"(shift));
+    return level;
+#else
+    return (uint32_t)glint_least(glint_most(glint_shift_right(x, shift), 0), (1 << bits) - 1);
+#endif
 }
 
-/** A channel clamped to 0 and 1, Q15. */
-static inline uint32_t glint_clamped(int32_t channel) {
-    return (uint32_t)glint_shift_right(glint_least(glint_most(channel, 0), GLINT_CHANNEL_ONE), GLINT_CHANNEL_BITS - 15);
+/** The level of a channel in levels of so many bits, half a level included. */
+static GLINT_INLINE uint32_t glint_level(int32_t channel, unsigned bits, uint32_t threshold) {
+    const int32_t rest = ((int32_t)threshold - GLINT_NEAREST) * (1 << (GLINT_CHANNEL_BITS - 7 - bits));
+    return glint_saturate(channel + rest, bits, GLINT_CHANNEL_BITS - bits);
+}
+
+/** A channel clamped to 0 and 1, Q15; 1 is 2^15 - 1. */
+static GLINT_INLINE uint32_t glint_clamped(int32_t channel) {
+    return glint_saturate(channel, 15, GLINT_CHANNEL_BITS - 15);
 }
 
 /** 0.299 R + 0.587 G + 0.114 B (ITU-R BT.601) of clamped channels that are not scaled, as one of 0 to `top` levels. */
@@ -107,48 +123,61 @@ static GLINT_INLINE void glint_draw_even_spans(const glint_spans *s, const glint
     } while (span != last);
 }
 
-/** A format's `draw_channels`: the pixels of a part, of three linear channels. */
+/* A channel on its way along a row. */
+typedef struct glint_channel_walk {
+    uint32_t value, step;
+} glint_channel_walk;
+
+static inline void glint_walk_begin(glint_channel_walk *w, const glint_quadratic *q, int32_t x, int32_t y,
+                                    int is_curved) {
+    if (is_curved) {
+        const glint_stride s = glint_stride_begin(q, x, y);
+        w->value = s.value;
+        w->step = s.across;
+    } else {
+        w->value = q->start + q->dx * (uint32_t)x + q->dy * (uint32_t)y;
+        w->step = q->dx;
+    }
+}
+
+static inline void glint_walk_next(glint_channel_walk *w, uint32_t turn, int is_curved) {
+    w->value += w->step;
+    if (is_curved)
+        w->step += turn;
+}
+
+/** A format's `draw_channels`: the pixels of a part, of three polynomials. */
 static GLINT_INLINE void glint_draw_channel_spans(const glint_spans *s, const glint_target *t,
-                                                  const glint_plane channel[3], glint_pack pack, glint_put put) {
+                                                  const glint_quadratic channel[3], int is_curved, glint_pack pack,
+                                                  glint_put put) {
     const glint_part *part = s->part;
-    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
     const uint32_t z_dx = (uint32_t)part->depth.dx;
-    const uint32_t r_dx = (uint32_t)channel[0].dx, g_dx = (uint32_t)channel[1].dx, b_dx = (uint32_t)channel[2].dx;
-    uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS, column = 0;
-    uint32_t r = glint_first_row(part, &channel[0]), g = glint_first_row(part, &channel[1]),
-             b = glint_first_row(part, &channel[2]);
-    uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
-    do {
-        const uint32_t left = span->left, right = span->right;
-        span++;
-        GLINT_OPAQUE(span);
-        if (left < right) {
-            depth += 2 * (int32_t)(left - column);
-            z += z_dx * (left - column);
-            r += r_dx * (left - column);
-            g += g_dx * (left - column);
-            b += b_dx * (left - column);
-            uint8_t *const end = depth + 2 * (right - left);
-            do {
-                if (glint_next_is_nearest(&depth, z)) {
-                    const uint32_t offset = (uint32_t)(depth - GLINT_AHEAD - (uint8_t *)s->depth) / 2;
-                    const int32_t colour[3] = {(int32_t)r, (int32_t)g, (int32_t)b};
-                    put(t, offset, pack(colour, glint_threshold(t, offset)));
-                }
-                glint_step(&depth);
-                z += z_dx;
-                r += r_dx;
-                g += g_dx;
-                b += b_dx;
-            } while (depth != end);
-            column = right;
-        }
-        depth += 2 << s->shift;
-        z += (uint32_t)part->depth.dy;
-        r += (uint32_t)channel[0].dy;
-        g += (uint32_t)channel[1].dy;
-        b += (uint32_t)channel[2].dy;
-    } while (span != last);
+    const uint32_t red_turn = 2 * channel[0].dxx, green_turn = 2 * channel[1].dxx, blue_turn = 2 * channel[2].dxx;
+    for (uint32_t row = part->top; row < part->bottom; row++) {
+        const glint_span span = part->spans[row];
+        const int32_t x = part->x + span.left, y = part->y + (int32_t)row;
+        if (span.left >= span.right)
+            continue;
+        uint32_t z = (uint32_t)glint_plane_at(&part->depth, x, y) + GLINT_DEPTH_BIAS;
+        glint_channel_walk red, green, blue;
+        glint_walk_begin(&red, &channel[0], x, y, is_curved);
+        glint_walk_begin(&green, &channel[1], x, y, is_curved);
+        glint_walk_begin(&blue, &channel[2], x, y, is_curved);
+        uint8_t *depth = (uint8_t *)(s->depth + (row << s->shift) + span.left);
+        uint8_t *const end = depth + 2 * ((uint32_t)span.right - span.left);
+        do {
+            if (glint_next_is_nearest(&depth, z)) {
+                const uint32_t offset = (uint32_t)(depth - GLINT_AHEAD - (uint8_t *)s->depth) / 2;
+                const int32_t colour[3] = {(int32_t)red.value, (int32_t)green.value, (int32_t)blue.value};
+                put(t, offset, pack(colour, glint_threshold(t, offset)));
+            }
+            glint_step(&depth);
+            z += z_dx;
+            glint_walk_next(&red, red_turn, is_curved);
+            glint_walk_next(&green, green_turn, is_curved);
+            glint_walk_next(&blue, blue_turn, is_curved);
+        } while (depth != end);
+    }
 }
 
 #if GLINT_SMALL
@@ -158,23 +187,26 @@ static GLINT_INLINE void glint_draw_channel_spans(const glint_spans *s, const gl
 #endif
 
 /** The functions of a format, whose names end in `suffix`; `fill_tile` is glint_fill_tile, or its own. */
-#define GLINT_DEFINE_LOOPS(suffix, bits, pack, put, fill_tile, is_dithered)                            \
-    static void store##suffix(void *pixels, unsigned shift, uint32_t offset, uint32_t count,           \
-                              const int32_t(*colour)[3]) {                                             \
-        const glint_target target = {pixels, shift, is_dithered};                                      \
-        glint_store_run(&target, offset, count, colour, pack, put);                                    \
-    }                                                                                                  \
-    static void fill##suffix(void *pixels, unsigned shift, uint32_t height, const int32_t colour[3]) { \
-        const glint_target target = {pixels, shift, is_dithered};                                      \
-        fill_tile(&target, height, colour, bits, pack, put);                                           \
-    }                                                                                                  \
-    static inline void draw_even##suffix(const glint_spans *s, const int32_t colour[3]) {              \
-        const glint_target target = {s->pixels, s->shift, is_dithered};                                \
-        glint_draw_even_spans(s, &target, colour, pack, put);                                          \
-    }                                                                                                  \
-    static inline void draw_channels##suffix(const glint_spans *s, const glint_plane channel[3]) {     \
-        const glint_target target = {s->pixels, s->shift, is_dithered};                                \
-        glint_draw_channel_spans(s, &target, channel, pack, put);                                      \
+#define GLINT_DEFINE_LOOPS(suffix, bits, pack, put, fill_tile, is_dithered)                                           \
+    static void store##suffix(void *pixels, unsigned shift, uint32_t offset, uint32_t count,                          \
+                              const int32_t(*colour)[3]) {                                                            \
+        const glint_target target = {pixels, shift, is_dithered};                                                     \
+        glint_store_run(&target, offset, count, colour, pack, put);                                                   \
+    }                                                                                                                 \
+    static void fill##suffix(void *pixels, unsigned shift, uint32_t height, const int32_t colour[3]) {                \
+        const glint_target target = {pixels, shift, is_dithered};                                                     \
+        fill_tile(&target, height, colour, bits, pack, put);                                                          \
+    }                                                                                                                 \
+    static inline void draw_even##suffix(const glint_spans *s, const int32_t colour[3]) {                             \
+        const glint_target target = {s->pixels, s->shift, is_dithered};                                               \
+        glint_draw_even_spans(s, &target, colour, pack, put);                                                         \
+    }                                                                                                                 \
+    static inline void draw_channels##suffix(const glint_spans *s, const glint_quadratic channel[3], int is_curved) { \
+        const glint_target target = {s->pixels, s->shift, is_dithered};                                               \
+        if (is_curved)                                                                                                \
+            glint_draw_channel_spans(s, &target, channel, 1, pack, put);                                              \
+        else                                                                                                          \
+            glint_draw_channel_spans(s, &target, channel, 0, pack, put);                                              \
     }
 
 /** A format of so many bits a pixel, and of its channels, or 0 for luma. */

@@ -20,9 +20,10 @@ static inline int32_t to_15_bits(int32_t side, int32_t reciprocal, int32_t size)
     return glint_shift_right(side * reciprocal + (1 << size), (unsigned)size + 1);
 }
 
-void glint_barycentric_begin(glint_barycentric *s, const glint_gradients *g) {
+void glint_barycentric_begin(glint_barycentric *s, const glint_gradients *g, int32_t unit) {
     int32_t bits = g->shift; /* of the sides times 1/area */
     s->g = g;
+    s->unit = (uint32_t)unit;
     if (!g->reciprocal) {
         s->x1 = glint_shift_right(g->x1, 15), s->y1 = glint_shift_right(g->y1, 15);
         s->x2 = glint_shift_right(g->x2, 15), s->y2 = glint_shift_right(g->y2, 15);
@@ -31,9 +32,9 @@ void glint_barycentric_begin(glint_barycentric *s, const glint_gradients *g) {
         s->x1 = to_15_bits(g->x1, g->reciprocal, size), s->y1 = to_15_bits(g->y1, g->reciprocal, size);
         s->x2 = to_15_bits(g->x2, g->reciprocal, size), s->y2 = to_15_bits(g->y2, g->reciprocal, size);
         bits += 11 - size;
-        s->slope = scale(16 - g->shift);
+        s->slope = scale(unit - g->shift);
     }
-    s->curve = scale(31 - 2 * bits);
+    s->curve = scale(unit + 15 - 2 * bits);
 }
 
 /* What slopes in x and y make from the first corner to the anchor's centre, half of it. */
@@ -41,12 +42,12 @@ static inline int32_t to_anchor(int32_t x, int32_t y, const glint_gradients *g) 
     return glint_shift_right(x, 5) * g->to_center_x + glint_shift_right(y, 5) * g->to_center_y;
 }
 
-/* A plane that is 0 at the first corner, d1 and d2 at the others, its value in the high half. */
+/* A plane that is 0 at the first corner, d1 and d2 at the others, times 2^unit. */
 static inline void begin_slope(glint_quadratic *q, const glint_barycentric *s, int32_t d1, int32_t d2) {
     const glint_gradients *g = s->g;
     if (!g->reciprocal) {
         glint_plane plane; /* of a quarter: differences have 17 bits */
-        glint_plane_begin(&plane, g, 0, d1 * (1 << 14), d2 * (1 << 14));
+        glint_plane_begin(&plane, g, 0, d1 * (1 << (s->unit - 2)), d2 * (1 << (s->unit - 2)));
         q->start = (uint32_t)plane.start << 2;
         q->dx = (uint32_t)plane.dx << 2;
         q->dy = (uint32_t)plane.dy << 2;
@@ -78,7 +79,7 @@ void glint_polynomial_begin(glint_quadratic *q, const glint_barycentric *s, cons
     q->dyy = shift(yy, s->curve);
     /* the polynomial is the corner's, the anchor's centre lies beside it */
     const int32_t x = to_anchor(xx, xy, g), y = to_anchor(xy, yy, g);
-    q->start += (uint32_t)a[0] * (1 << 16) + 4 * shift(to_anchor(x, y, g), s->curve);
+    q->start += ((uint32_t)a[0] << s->unit) + 4 * shift(to_anchor(x, y, g), s->curve);
     q->dx += 4 * shift(x, s->curve);
     q->dy += 4 * shift(y, s->curve);
 }

@@ -51,16 +51,24 @@ typedef struct glint_scale_by {
 /** Changes of the second and the third corner's barycentric coordinates a pixel, 15 bits and a sign. */
 typedef struct glint_barycentric {
     const glint_gradients *g;
+    uint32_t unit; /* binary logarithm of what 1 is */
     int32_t x1, y1, x2, y2;
     glint_scale_by slope; /* of narrow triangles, from a slope to a quadratic's */
     glint_scale_by curve; /* from a product of two of these to a quadratic's second degree */
 } glint_barycentric;
 
-void glint_barycentric_begin(glint_barycentric *barycentric, const glint_gradients *gradients);
+/** Slenderness, glint_slenderness, up to which triangles have polynomials whose sums over a row keep their digits. */
+#define GLINT_POLYNOMIAL_SLENDER 7
+
+/** Twice their least area, 28.4 squared: sides have at most 2 bits more, which keeps gradients' squares in 32. */
+#define GLINT_POLYNOMIAL_LEAST_AREA 8
+
+/** @param unit from 2 to 16: polynomials are times 2^unit. */
+void glint_barycentric_begin(glint_barycentric *barycentric, const glint_gradients *gradients, int32_t unit);
 
 /**
  * The quadratic of what is a[i] at corner i, 15 bits and a sign, and at the middles of the edges from corner 0 to 1,
- * from 1 to 2 and from 0 to 2 the mean of their ends and b[i] / 4, 14 bits and a sign. Its value is in the high half.
+ * from 1 to 2 and from 0 to 2 the mean of their ends and b[i] / 4, 14 bits and a sign; times 2^unit.
  */
 void glint_polynomial_begin(glint_quadratic *q, const glint_barycentric *barycentric, const int32_t a[3],
                             const int32_t b[3]);

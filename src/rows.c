@@ -96,9 +96,14 @@ static void add_lobe(const glint_terms *terms, const glint_lobe *lobe, inverses 
     glint_stride ex = glint_stride_begin(&lobe->x, x, y), ey = glint_stride_begin(&lobe->y, x, y);
     const uint32_t x_turn = 2 * lobe->x.dxx, y_turn = 2 * lobe->y.dxx, end_of_table = terms->light->lobe_end;
     const unsigned shift = 2 * terms->light->lobe_shift;
+    const int is_twice = terms->is_over_length > 1;
     for (uint32_t i = 0; i < count; i++) {
-        const int32_t dx = over(glint_shift_right((int32_t)ex.value, 16), inverse, i);
-        const int32_t dy = over(glint_shift_right((int32_t)ey.value, 16), inverse, i);
+        int32_t dx = over(glint_shift_right((int32_t)ex.value, 16), inverse, i);
+        int32_t dy = over(glint_shift_right((int32_t)ey.value, 16), inverse, i);
+        if (is_twice) {
+            dx = over(dx, inverse, i);
+            dy = over(dy, inverse, i);
+        }
         const uint32_t square = (uint32_t)(dx * dx) + (uint32_t)(dy * dy);
         if (square < end_of_table) {
             int32_t power = (int32_t)glint_power_at(terms->power, square << 2 >> shift);

@@ -59,9 +59,3 @@ void glint_clamp_colour(const uint32_t colour[3], int16_t out[3]) {
     for (int c = 0; c < 3; c++)
         out[c] = (int16_t)(colour[c] < (1u << 23) - 256 ? (colour[c] + 128) >> 8 : GLINT_COLOUR_ONE);
 }
-
-void glint_channels_of(const uint32_t colour[3], int32_t channel[3]) {
-    const unsigned up = GLINT_CHANNEL_BITS - 23;
-    for (int c = 0; c < 3; c++)
-        channel[c] = (int32_t)(colour[c] < (15u << 23) ? colour[c] << up : 15u << GLINT_CHANNEL_BITS);
-}

@@ -1,6 +1,3 @@
-#ifndef REJECT
-#define REJECT(n) 0
-#endif
 /* SPDX-License-Identifier: MIT */
 /* Terms of a triangle: which lights shine on it, whether polynomials fit, and the polynomials. */
 #include "terms.h"
@@ -9,47 +6,34 @@
 #include "division.h"
 #include "setup.h"
 
+#ifndef REJECT
+#define REJECT(n) 0
+#endif
+
 /* ---- Vertices ---- */
 
 /*
- * What a vertex keeps: its sum, the lights it faces and does not, its flags; of each light with a lobe a deviation, and
- * of each with a position its strength and how close it is.
+ * What a vertex keeps: its sum; the lights it faces and does not; those whose deviation is cut off or unknown; what
+ * light there is, and how close; and of each light with a lobe a deviation, and its strength where that varies.
  */
-static void keep(const glint_frame *frame, const glint_light_terms *light, const glint_node *node, int16_t *to) {
-    for (uint32_t c = 0; c < light->channels; c++)
-        *to++ = (int16_t)node->sum[c];
-    *to++ = (int16_t)(uint16_t)(node->lit | node->dark << 8);
-    *to++ = (int16_t)(uint16_t)(node->far | node->unfit << 8);
-    for (uint32_t i = 0; i < frame->view->light_count; i++) {
-        if (light->lobes >> i & 1) {
-            *to++ = node->lobe[i][0];
-            *to++ = node->lobe[i][1];
-        }
-        if (frame->view->lights[i].type->illuminate) {
-            *to++ = node->lobe[i][2];
-            *to++ = (int16_t)node->closeness[i];
-        }
-    }
-}
+enum { FACING, FLAGS, LEVELS, CLOSENESS };
 
-static void recall(const glint_frame *frame, const glint_light_terms *light, const int16_t *from, glint_node *node) {
+static void keep(const glint_frame *frame, const glint_light_terms *light, const glint_node *node, int16_t *to) {
+    int16_t *const rest = to + light->channels;
     for (uint32_t c = 0; c < light->channels; c++)
-        node->sum[c] = *from++;
-    const uint16_t facing = (uint16_t)*from++, flags = (uint16_t)*from++;
-    node->lit = (uint8_t)facing;
-    node->dark = (uint8_t)(facing >> 8);
-    node->far = (uint8_t)flags;
-    node->unfit = (uint8_t)(flags >> 8);
-    for (uint32_t i = 0; i < frame->view->light_count; i++) {
+        to[c] = (int16_t)node->sum[c];
+    rest[FACING] = (int16_t)(uint16_t)(node->lit | node->dark << 8);
+    rest[FLAGS] = (int16_t)(uint16_t)(node->far | node->unfit << 8);
+    rest[LEVELS] = (int16_t)glint_least((int32_t)node->levels, INT16_MAX);
+    rest[CLOSENESS] = (int16_t)glint_least((int32_t)node->closeness, INT16_MAX);
+    for (uint32_t i = 0; light->lobes >> i; i++)
         if (light->lobes >> i & 1) {
-            node->lobe[i][0] = *from++;
-            node->lobe[i][1] = *from++;
+            int16_t *const lobe = to + light->lobe_at[i];
+            lobe[0] = node->lobe[i][0];
+            lobe[1] = node->lobe[i][1];
+            if (frame->view->lights[i].type->illuminate)
+                lobe[2] = node->lobe[i][2];
         }
-        if (frame->view->lights[i].type->illuminate) {
-            node->lobe[i][2] = *from++;
-            node->closeness[i] = (uint16_t)*from++;
-        }
-    }
 }
 
 /* Ray towards the eye from a point of the screen, 28.4. */
@@ -59,12 +43,12 @@ static void find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray
     ray[2] = frame->view->focal;
 }
 
-static void gather_corner(const glint_frame *frame, const glint_vertex *v, int is_back, glint_fragments *to) {
+static void gather_corner(const glint_frame *frame, const glint_vertex *v, glint_fragments *to) {
     const uint32_t i = to->count++;
     find_ray(frame, v->x, v->y, to->ray[i]);
     to->inverse_w[i] = v->inverse_w;
     for (int c = 0; c < 3; c++)
-        to->normal[i][c] = (int16_t)(is_back ? -v->attribute[c] : v->attribute[c]);
+        to->normal[i][c] = v->attribute[c];
 }
 
 void glint_terms_light(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
@@ -85,47 +69,44 @@ void glint_terms_light(const glint_frame *frame, glint_draw *draw, const glint_t
             continue;
         vertex->flags |= GLINT_VERTEX_LIT;
         index[vertices.count] = here;
-        gather_corner(frame, vertex, 0, &vertices);
+        gather_corner(frame, vertex, &vertices);
     }
     if (!vertices.count)
         return;
-    glint_nodes_light(frame, draw->shading, &vertices, GLINT_ALL_LIT, nodes);
+    glint_nodes_light(frame, draw->shading, &vertices, GLINT_ALL_LIT, draw->shading->lights, light->lobes, nodes);
     for (uint32_t i = 0; i < vertices.count; i++)
         keep(frame, light, &nodes[i], draw->nodes + index[i] * light->stride);
 }
 
-/* ---- Triangles ---- */
+/* ---- How far polynomials are off ---- */
 
-/* What a triangle's light is decided by; angles Q12. */
+/* A triangle; angles Q12. */
 typedef struct measures {
-    int32_t turn;  /* of the normals */
-    int32_t reach; /* how far its corners lie apart, over their depth */
-    int32_t slant; /* natural logarithm of the change of 1/w, or more */
+    uint32_t turn;   /* of the normals, from corner to corner at most */
+    uint32_t reach;  /* how far the corners lie apart, over their depth */
+    uint32_t slant;  /* the change of 1/w, times 1.85 */
+    uint32_t near;   /* how far they lie apart, over the distance to a light */
+    uint32_t levels; /* what light makes, Q4 */
 } measures;
 
 /* sqrt(x), Q24 to Q12. */
-static int32_t root_of(uint32_t x) {
+static uint32_t root_of(uint32_t x) {
     if (!x)
         return 0;
-    const unsigned up = (glint_leading_zeros(x) & ~1u);
-    const uint32_t wide = x << up;                                 /* 2^30 .. 2^32 */
-    const uint32_t root = (uint32_t)glint_inverse_root(wide >> 1); /* 2^15 2^15 / sqrt */
-    return (int32_t)(((wide >> 16) * root >> 15) >> (up / 2)) + 1;
-}
-
-/* sqrt(x), Q15, x from 2^13 to 2^15. */
-static int32_t root_of15(uint32_t x) {
-    const unsigned up = (glint_leading_zeros(x) - 3) | 1;
-    const uint32_t wide = x << up; /* 2^28 .. 2^30 */
-    const uint32_t inverse = (uint32_t)glint_inverse_root(wide);
-    const uint32_t root = (wide >> 14) * (inverse + (inverse >> 13)) >> 16;
-    return (int32_t)(root << 1 >> (up - 13) / 2);
+    const unsigned up = glint_leading_zeros(x) & ~1u; /* to 2^30 .. 2^32 */
+    const uint32_t root = (uint32_t)glint_inverse_root(x << up >> 1) * 46341 >> 16;
+    return ((x << up >> 16) * root >> 14 >> up / 2) + 1;
 }
 
 static int32_t square_of_difference(const int16_t a[3], const int16_t b[3]) {
     const int32_t x = glint_shift_right(a[0] - b[0], 2), y = glint_shift_right(a[1] - b[1], 2),
                   z = glint_shift_right(a[2] - b[2], 2);
     return x * x + y * y + z * z; /* Q26, below 2^29 */
+}
+
+/* Longer than the hypotenuse of two sides, by at most 12 %. */
+static uint32_t hypotenuse(uint32_t a, uint32_t b) {
+    return a > b ? a + b / 2 : b + a / 2;
 }
 
 static void measure(const glint_view *view, const glint_triangle *triangle, measures *m) {
@@ -136,46 +117,36 @@ static void measure(const glint_view *view, const glint_triangle *triangle, meas
     const int32_t width = glint_most_of(v[0]->x, v[1]->x, v[2]->x) - glint_least_of(v[0]->x, v[1]->x, v[2]->x);
     const int32_t height = glint_most_of(v[0]->y, v[1]->y, v[2]->y) - glint_least_of(v[0]->y, v[1]->y, v[2]->y);
     const glint_w_range w = glint_find_w_range(v);
+    const uint32_t across =
+        (uint32_t)((uint64_t)hypotenuse((uint32_t)width, (uint32_t)height) * (uint32_t)view->pixel >> 18);
+    const uint32_t slant = w.least > w.change >> 2 ? (w.change << 12) / w.least : 1 << 14;
     m->turn = root_of((uint32_t)turn >> 2);
-    m->slant = w.least ? (int32_t)glint_least((int32_t)((w.change << 12) / w.least), 1 << 14) : 1 << 14;
-    m->reach = (int32_t)((int64_t)(width + height) * view->pixel >> 18) + m->slant;
+    m->slant = slant * 474 >> 8;
+    m->reach = hypotenuse(across, slant);
 }
 
 /* Products of angles, Q12; saturated. */
 static inline uint32_t times(uint32_t a, uint32_t b) {
     const uint64_t product = (uint64_t)a * b >> 12;
-    return product > 1 << 24 ? 1 << 24 : (uint32_t)product;
+    return product > 1 << 20 ? 1 << 20 : (uint32_t)product;
 }
 
-/*
- * What polynomials through a triangle's nodes err at most, levels in Q8: quadratics of a light's diffuse part by 0.0275
- * theta (theta + e)^2, theta the turn of N and of L and the logarithm of the distance, e 1.85 times that of 1/w.
- */
-static uint32_t diffuse_error(uint32_t levels, const measures *m, int32_t turn, uint32_t closeness) {
-    const uint32_t theta = (uint32_t)turn + (2 * (uint32_t)m->reach * closeness >> 8);
-    const uint32_t with = theta + ((uint32_t)m->slant * 474 >> 8);
-    return (uint32_t)((uint64_t)times(times(theta, with), with) * levels * 1802 >> 28); /* 0.0275 is 1802 2^-16 */
+/* Quadratics err by 0.0275 a (a + b)^2 where the light turns by a, and 1/w changes by b: levels Q4 to Q8. */
+static uint32_t sum_error(uint32_t levels, uint32_t a, uint32_t b) {
+    return (uint32_t)((uint64_t)times(times(a, a + b), a + b) * levels * 1802 >> 24); /* 0.0275 is 1802 2^-16 */
 }
 
-/*
- * The same of a highlight: by 0.041 s h (h + e)^2, h the turn of N and of H, s the highlight's slope over the
- * deviation; and of its strength.
- */
-static uint32_t lobe_error(const glint_light_terms *light, uint32_t levels, const measures *m, int32_t turning,
-                           uint32_t closeness, int is_mirror, int is_local) {
-    const uint32_t near = (uint32_t)m->reach * closeness >> 8, view = is_local ? (uint32_t)m->reach : 0;
-    const uint32_t turn = is_mirror ? 2 * (uint32_t)turning + near + view : (uint32_t)turning + (near + view) / 2;
-    const uint32_t e = (uint32_t)m->slant * 474 >> 8, h = turn + near / 2;
-    const uint32_t of_place = (uint32_t)((uint64_t)times(times(h, h + e), h + e) * light->slope >> 8);
-    const uint32_t of_strength = times(times(near, near + e), near + e);
-    return (uint32_t)(((uint64_t)of_place * 2687 + (uint64_t)of_strength * 1802) * levels >> 28);
+/* A highlight's by 0.041 s h (h + b)^2, s the highlight's slope over its deviation, and as a sum for its strength. */
+static uint32_t lobe_error(const glint_light_terms *light, uint32_t levels, uint32_t h, uint32_t f, uint32_t b) {
+    const uint64_t of_place = (uint64_t)times(times(h, h + b), h + b) * light->slope >> 8;
+    return (uint32_t)((of_place * 2687 + (uint64_t)times(times(f, f + b), f + b) * 1802) * levels >> 28);
 }
 
 /* Are all three corners beyond one side of the octagon around a highlight? */
-static int is_outside(const glint_light_terms *light, const glint_node nodes[3], uint32_t i, int32_t margin) {
-    const int32_t cut = light->lobe_cut + margin, diagonal = light->lobe_diagonal + margin + (margin >> 1);
-    const int32_t x0 = nodes[0].lobe[i][0], x1 = nodes[1].lobe[i][0], x2 = nodes[2].lobe[i][0];
-    const int32_t y0 = nodes[0].lobe[i][1], y1 = nodes[1].lobe[i][1], y2 = nodes[2].lobe[i][1];
+static int is_outside(const glint_light_terms *light, const int16_t *const lobe[3]) {
+    const int32_t cut = light->lobe_cut + (light->lobe_cut >> 4),
+                  diagonal = light->lobe_diagonal + (light->lobe_diagonal >> 4);
+    const int32_t x0 = lobe[0][0], x1 = lobe[1][0], x2 = lobe[2][0], y0 = lobe[0][1], y1 = lobe[1][1], y2 = lobe[2][1];
     return glint_least_of(x0, x1, x2) >= cut || glint_most_of(x0, x1, x2) <= -cut ||
            glint_least_of(y0, y1, y2) >= cut || glint_most_of(y0, y1, y2) <= -cut ||
            glint_least_of(x0 + y0, x1 + y1, x2 + y2) >= diagonal ||
@@ -184,21 +155,49 @@ static int is_outside(const glint_light_terms *light, const glint_node nodes[3],
            glint_most_of(x0 - y0, x1 - y1, x2 - y2) <= -diagonal;
 }
 
+/* ---- Nodes ---- */
+
+/* The middle of an edge, as a fragment. */
+static void gather_middle(const glint_frame *frame, const glint_vertex *a, const glint_vertex *b, glint_fragments *to) {
+    const uint32_t i = to->count++;
+    const unsigned zeros = glint_leading_zeros((uint32_t)a->inverse_w | (uint32_t)b->inverse_w);
+    const int32_t wa = (int32_t)((uint32_t)a->inverse_w << zeros >> 17),
+                  wb = (int32_t)((uint32_t)b->inverse_w << zeros >> 17);
+    find_ray(frame, (a->x + b->x) >> 1, (a->y + b->y) >> 1, to->ray[i]);
+    to->inverse_w[i] = (a->inverse_w >> 1) + (b->inverse_w >> 1);
+    glint_unit_each(a->attribute[0] * wa + b->attribute[0] * wb, a->attribute[1] * wa + b->attribute[1] * wb,
+                    a->attribute[2] * wa + b->attribute[2] * wb, to->normal[i]);
+}
+
 /* M at a node, N/w with the largest corner's 1/w as 1: its square and its length, Q15. */
 typedef struct lengths {
     int32_t square[6], length[6];
 } lengths;
 
-/* Lengths at the corners, whose 1/w is w, Q15, and at the middles of the edges, where M.M = wa wb (N.N - 1) / 2 + ((wa
- * + wb) / 2)^2. */
-static void find_lengths(const glint_triangle *triangle, lengths *of) {
+/* sqrt(x), Q15, x from 2^13 to 2^15. */
+static int32_t root_of15(uint32_t x) {
+    const unsigned up = (glint_leading_zeros(x) - 3) | 1;
+    const uint32_t wide = x << up; /* 2^28 .. 2^30 */
+    const uint32_t inverse = (uint32_t)glint_inverse_root(wide);
+    const uint32_t root = (wide >> 14) * (inverse + (inverse >> 13)) >> 16;
+    return (int32_t)(root << 1 >> (up - 13) / 2);
+}
+
+/* M.M between the nodes is no less than 1/4 where they have this, Q15. */
+#define LEAST_SQUARE 12000
+
+/*
+ * Lengths at the corners, whose 1/w is w, Q15, and at the middles of the edges, where
+ * M.M = ((wa + wb) / 2)^2 - wa wb |Na - Nb|^2 / 4. @return 0 where one is too small
+ */
+static int find_lengths(const glint_triangle *triangle, lengths *of) {
     const glint_vertex *const *v = triangle->corners;
     uint32_t w[3];
     const uint32_t largest = (uint32_t)glint_most_of(v[0]->inverse_w, v[1]->inverse_w, v[2]->inverse_w);
     const unsigned zeros = glint_leading_zeros(largest);
-    const uint32_t reciprocal = (uint32_t)glint_reciprocal16(largest << zeros >> 16) - 1; /* 2^31 / 16 bits */
+    const uint32_t reciprocal = (uint32_t)glint_reciprocal16(largest << zeros >> 16) - 1; /* 2^31 over 16 bits */
     for (int i = 0; i < 3; i++) {
-        w[i] = ((uint32_t)v[i]->inverse_w << zeros >> 16) * reciprocal >> 16; /* Q15 */
+        w[i] = ((uint32_t)v[i]->inverse_w << zeros >> 16) * reciprocal >> 16;
         of->length[i] = (int32_t)w[i];
         of->square[i] = (int32_t)(w[i] * w[i] >> 15);
     }
@@ -206,204 +205,233 @@ static void find_lengths(const glint_triangle *triangle, lengths *of) {
         const int a = i == 1 ? 1 : 0, b = i == 0 ? 1 : 2;
         const int32_t turn = square_of_difference(v[a]->attribute, v[b]->attribute); /* Q26 */
         const int32_t mean = (int32_t)(w[a] + w[b]) >> 1, both = (int32_t)(w[a] * w[b] >> 15);
-        of->square[3 + i] = (mean * mean >> 15) - (int32_t)((int64_t)both * turn >> 28);
-        of->length[3 + i] = root_of15((uint32_t)of->square[3 + i]);
+        const int32_t square = (mean * mean >> 15) - (both * glint_shift_right(turn, 12) >> 16);
+        if (square < LEAST_SQUARE || of->square[i] < LEAST_SQUARE)
+            return 0;
+        of->square[3 + i] = square;
+        of->length[3 + i] = root_of15((uint32_t)square);
     }
+    return 1;
 }
 
-/* The middle of an edge, as a fragment. */
-static void gather_middle(const glint_frame *frame, const glint_vertex *a, const glint_vertex *b, int is_back,
-                          glint_fragments *to) {
-    const uint32_t i = to->count++;
-    const unsigned zeros = glint_leading_zeros((uint32_t)a->inverse_w | (uint32_t)b->inverse_w);
-    int32_t wa = (int32_t)((uint32_t)a->inverse_w << zeros >> 17),
-            wb = (int32_t)((uint32_t)b->inverse_w << zeros >> 17);
-    if (is_back)
-        wa = -wa, wb = -wb;
-    find_ray(frame, (a->x + b->x) >> 1, (a->y + b->y) >> 1, to->ray[i]);
-    to->inverse_w[i] = (a->inverse_w >> 1) + (b->inverse_w >> 1);
-    glint_unit_each(a->attribute[0] * wa + b->attribute[0] * wb, a->attribute[1] * wa + b->attribute[1] * wb,
-                    a->attribute[2] * wa + b->attribute[2] * wb, to->normal[i]);
-}
+/* ---- Polynomials ---- */
 
 /* Lights of a triangle by what is to be done with them; bit i: light i. */
 typedef struct lights {
     uint32_t held, sides, lobes;
 } lights;
 
-/* The polynomial of a number of the nodes: at the corners, and at the middles of the edges. */
+/* Through a number of the nodes: at the corners, and at the middles of the edges. */
 static void begin_polynomial(glint_quadratic *q, const glint_barycentric *s, const int32_t n[6]) {
     const int32_t bulge[3] = {4 * n[3] - 2 * (n[0] + n[1]), 4 * n[4] - 2 * (n[1] + n[2]), 4 * n[5] - 2 * (n[0] + n[2])};
     glint_polynomial_begin(q, s, n, bulge);
 }
 
-static uint32_t scale_down(uint32_t x, unsigned by) {
-    return (uint32_t)glint_shift_right((int32_t)x, by);
+/* A number times its node's length, or its square, where there is one. */
+static inline int32_t scale_by(const int32_t by[6], int i, int32_t number) {
+    return by ? glint_shift_right(number * by[i] + (1 << 14), 15) : number;
 }
 
-/* A channel's polynomial in Q27. */
-static void scale_channel(glint_quadratic *q, unsigned sum_bits) {
-    const unsigned by = 4 - sum_bits;
-    *q = (glint_quadratic){scale_down(q->start, by), scale_down(q->dx, by),  scale_down(q->dy, by),
-                           scale_down(q->dxx, by),   scale_down(q->dxy, by), scale_down(q->dyy, by)};
+static void begin_sum(const glint_light_terms *light, const glint_part *part, const glint_barycentric *s,
+                      const int32_t sum[3][6], glint_terms *terms) {
+    glint_barycentric channel;
+    if (light->channels == 1) {
+        begin_polynomial(&terms->sum[0], s, sum[0]);
+        terms->sum[0].start += 1 << 15;
+        return;
+    }
+    glint_barycentric_begin(&channel, &part->gradients, 12 + (int32_t)light->sum_bits);
+    for (int c = 0; c < 3; c++)
+        begin_polynomial(&terms->sum[c], &channel, sum[c]);
 }
 
-/* A number times its node's length, where there is one. */
-static inline int32_t scale_by(const lengths *by, int i, int32_t number) {
-    return by ? glint_shift_right(number * by->length[i] + (1 << 14), 15) : number;
+/* What triangles have in common on their way to terms. */
+typedef struct triangle_nodes {
+    const int16_t *kept[3];
+    glint_node fresh[6]; /* corners, where they are found anew, and middles */
+    int is_fresh;
+} triangle_nodes;
+
+static inline int32_t lobe_number(const glint_light_terms *light, const triangle_nodes *t, uint32_t l, int i, int k) {
+    return i < 3 && !t->is_fresh ? t->kept[i][light->lobe_at[l] + k] : t->fresh[i].lobe[l][k];
 }
 
 static void begin_terms(const glint_frame *frame, const glint_draw *draw, const glint_part *part,
-                        const glint_node nodes[6], const lights *of, const lengths *by, glint_terms *terms) {
+                        const triangle_nodes *t, const lights *of, const lengths *by, glint_terms *terms) {
     const glint_light_terms *light = &draw->shading->terms;
+    const int32_t *const length = by ? by->length : 0;
+    const int is_mirror = draw->shading->material->model->lobe == GLINT_LOBE_MIRROR;
+    const int32_t *const of_lobe = by ? is_mirror ? by->square : by->length : 0;
     glint_barycentric s;
-    int32_t n[6];
-    glint_barycentric_begin(&s, &part->gradients);
-    for (uint32_t c = 0; c < light->channels; c++) {
+    int32_t n[3][6];
+    glint_barycentric_begin(&s, &part->gradients, 16);
+    for (uint32_t c = 0; c < light->channels; c++)
         for (int i = 0; i < 6; i++)
-            n[i] = scale_by(by, i, nodes[i].sum[c]);
-        begin_polynomial(&terms->sum[c], &s, n);
-        if (light->channels == 3)
-            scale_channel(&terms->sum[c], light->sum_bits);
-        else
-            terms->sum[c].start += 1 << 15;
-    }
-    terms->is_over_length = by != 0;
+            n[c][i] = scale_by(length, i, i < 3 && !t->is_fresh ? t->kept[i][c] : t->fresh[i].sum[c]);
+    begin_sum(light, part, &s, (const int32_t(*)[6])n, terms);
+    terms->is_over_length = (uint8_t)(by ? 1 + is_mirror : 0);
     if (by) {
         for (int i = 0; i < 6; i++)
-            n[i] = by->square[i] >> 1;
-        begin_polynomial(&terms->square, &s, n);
+            n[0][i] = by->square[i] >> 1;
+        begin_polynomial(&terms->square, &s, n[0]);
     }
     terms->side_count = terms->lobe_count = 0;
-    for (uint32_t l = 0; l < GLINT_LIGHTS_MAX; l++) {
+    for (uint32_t l = 0; of->sides >> l; l++)
         if (of->sides >> l & 1) {
             glint_side *side = &terms->sides[terms->side_count++];
             for (int i = 0; i < 6; i++)
-                n[i] = scale_by(by, i, nodes[i].side[l] >> 1);
-            begin_polynomial(&side->cosine, &s, n);
+                n[0][i] = scale_by(length, i, t->fresh[i].side[l] >> 1);
+            begin_polynomial(&side->cosine, &s, n[0]);
             side->weight = light->diffuse[l];
         }
+    for (uint32_t l = 0; of->lobes >> l; l++)
         if (of->lobes >> l & 1) {
             glint_lobe *lobe = &terms->lobes[terms->lobe_count++];
-            for (int k = 0; k < 3; k++) {
-                for (int i = 0; i < 6; i++)
-                    n[i] = k == 2 ? nodes[i].lobe[l][k] >> 1 : scale_by(by, i, nodes[i].lobe[l][k]);
-                begin_polynomial(k == 0 ? &lobe->x : k == 1 ? &lobe->y : &lobe->strength, &s, n);
-            }
-            lobe->weight = light->specular[l];
             lobe->is_attenuated = frame->view->lights[l].type->illuminate != 0;
+            for (int i = 0; i < 6; i++) {
+                n[0][i] = scale_by(of_lobe, i, lobe_number(light, t, l, i, 0));
+                n[1][i] = scale_by(of_lobe, i, lobe_number(light, t, l, i, 1));
+                n[2][i] = lobe->is_attenuated ? lobe_number(light, t, l, i, 2) >> 1 : 0;
+            }
+            begin_polynomial(&lobe->x, &s, n[0]);
+            begin_polynomial(&lobe->y, &s, n[1]);
+            if (lobe->is_attenuated)
+                begin_polynomial(&lobe->strength, &s, n[2]);
+            lobe->weight = light->specular[l];
         }
-    }
 }
 
-/*
- * A spot's cone on a triangle: where the cosine within the cone changes by `range` of what lies between its edges, its
- * strength errs as light that turns by that; and by 0.25 range^2 where an edge lies inside. @return does it change too
- * much?
- */
-static int cone_cuts(const glint_prepared_light *source, measures *m, uint32_t closeness, int is_side, uint32_t levels,
-                     uint32_t *error) {
-    const uint32_t near = (uint32_t)m->reach * closeness >> 8;
-    if (!source->has_cone)
-        return 0;
-    if (!is_side)
-        return near > 64; /* of what tells clear from not */
-    if (!source->spot.slope)
-        return 1;
-    const uint32_t range = (uint32_t)((uint64_t)near * (uint32_t)source->spot.slope >> 15);
-    if (range > 2048)
-        return 1;
-    *error += (uint32_t)((uint64_t)(times(range, range) / 4 + times(times(range, range), range) / 36) * levels >> 12);
+/* ---- Triangles ---- */
+
+/* What a corner's cosine differs by at most from what tells clear from not, Q12. */
+#define CLEARLY_NEAR 512
+#define CLEARLY_INSIDE 64
+
+/* Do polynomials fit the triangle's shape? */
+static int is_shapely(const glint_triangle *triangle, const glint_part *part) {
+    const glint_vertex *const *v = triangle->corners;
+    return v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_LIT && !triangle->back &&
+           triangle->area >= GLINT_POLYNOMIAL_LEAST_AREA &&
+           glint_slenderness(&part->gradients, triangle->area) <= GLINT_POLYNOMIAL_SLENDER && !glint_is_deep(triangle);
+}
+
+/* Which lights shine on a triangle, all over or in part. */
+static void find_lights(const glint_shading *shading, const triangle_nodes *t, measures *m, lights *of,
+                        uint32_t *dark) {
+    const uint32_t at = shading->terms.channels;
+    const int16_t *a = t->kept[0] + at, *b = t->kept[1] + at, *c = t->kept[2] + at;
+    const uint32_t facing = (uint16_t)(a[FACING] & b[FACING] & c[FACING]);
+    m->levels = (uint32_t)glint_most_of(a[LEVELS], b[LEVELS], c[LEVELS]);
+    m->near = m->reach * (uint32_t)glint_most_of(a[CLOSENESS], b[CLOSENESS], c[CLOSENESS]) >> 8;
+    of->held = facing & 0xff;
+    *dark = facing >> 8;
+    /* between the corners N.L is off by no more than half the product of what N and L turn by */
+    of->sides = shading->lights & ~of->held & ~*dark;
+}
+
+/* Does a spot's cone change too much over a triangle? An edge of it that lies inside errs by 0.25 range^2. */
+static int cone_cuts(const glint_frame *frame, lights *of, const measures *m, uint32_t shown, uint32_t *error) {
+    for (uint32_t l = 0; shown >> l; l++) {
+        const glint_prepared_light *source = &frame->view->lights[l];
+        if (!(shown >> l & 1) || !source->has_cone)
+            continue;
+        if (!(of->sides >> l & 1)) {
+            if (m->near <= CLEARLY_INSIDE)
+                continue;
+            of->sides |= 1u << l;
+            of->held &= ~(1u << l);
+        }
+        const uint32_t range = (uint32_t)((uint64_t)m->near * (uint32_t)source->spot.slope >> 15);
+        if (!source->spot.slope || range > 2048)
+            return 1;
+        *error += (times(range, range) / 4 + times(times(range, range), range) / 36) * m->levels >> 8;
+    }
     return 0;
 }
 
-/* Slivers' polynomials wrap or lose their digits: 2 bits more than a triangle of even sides has. */
-#define SLENDER 7
-#define LEAST_AREA 8
-
-/* M.M between the nodes is no less than 1/4 where they have this, Q15. */
-#define LEAST_SQUARE 12000
+/* Does a light shine all over a triangle, by the control points of its quadratic (Bezier triangles, Farin, 1986)? */
+static int shines_all_over(const glint_node nodes[6], uint32_t l) {
+    const int32_t a = nodes[0].side[l], b = nodes[1].side[l], c = nodes[2].side[l];
+    return glint_least_of(a, b, c) > 0 &&
+           glint_least_of(4 * nodes[3].side[l] - a - b, 4 * nodes[4].side[l] - b - c, 4 * nodes[5].side[l] - a - c) > 0;
+}
 
 int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
                       const glint_part *part, glint_terms *terms) {
     const glint_shading *shading = draw->shading;
     const glint_light_terms *light = &shading->terms;
     const glint_vertex *const *v = triangle->corners;
-    const uint32_t count = frame->view->light_count;
-    const int is_mirror = shading->material->model->lobe == GLINT_LOBE_MIRROR, is_local = frame->view->local_viewer;
+    const int is_mirror = shading->material->model->lobe == GLINT_LOBE_MIRROR;
     const int gated = !(shading->material->flags & GLINT_MATERIAL_UNGATED);
-    glint_node nodes[6];
+    triangle_nodes t;
     glint_fragments at;
     measures m;
-    if (!(v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_LIT) || triangle->back || glint_is_deep(triangle) ||
-        triangle->area < LEAST_AREA || glint_slenderness(&part->gradients, triangle->area) > SLENDER)
+    lights of = {0, 0, 0};
+    uint32_t dark;
+    lengths by;
+    if (!is_shapely(triangle, part))
         return REJECT(1);
     for (int i = 0; i < 3; i++)
-        recall(frame, light, draw->nodes + (size_t)(v[i] - draw->vertices) * light->stride, &nodes[i]);
+        t.kept[i] = draw->nodes + (size_t)(v[i] - draw->vertices) * light->stride;
     measure(frame->view, triangle, &m);
-    lights of = {nodes[0].lit & nodes[1].lit & nodes[2].lit, 0, 0};
-    const uint32_t dark = nodes[0].dark & nodes[1].dark & nodes[2].dark;
-    of.sides = shading->lights & ~of.held & ~dark;
-    const uint32_t unfit = nodes[0].unfit | nodes[1].unfit | nodes[2].unfit,
-                   far = nodes[0].far | nodes[1].far | nodes[2].far;
-    uint32_t error = 0, error_over = 0;
-    lengths by;
-    for (uint32_t l = 0; l < count; l++) {
-        if (!(shading->lights >> l & 1))
-            continue;
-        uint32_t closeness = 0;
-        if (frame->view->lights[l].type->illuminate) {
-            closeness = nodes[0].closeness[l];
-            for (int i = 1; i < 3; i++)
-                closeness = closeness > nodes[i].closeness[l] ? closeness : nodes[i].closeness[l];
-            if ((uint64_t)m.reach * closeness > 1 << 18) /* a quarter of the distance */
-                return REJECT(2);
-            if (cone_cuts(&frame->view->lights[l], &m, closeness, of.sides >> l & 1, light->diffuse_levels[l], &error))
-                return REJECT(3);
-            /* between the corners N.L is off by no more than half the product of what N and L turn by */
-            if ((uint64_t)m.reach * closeness * (uint32_t)m.turn >> 20 > 64)
-                of.held &= ~(1u << l), of.sides |= 1u << l;
-        }
-        if ((of.held | of.sides) >> l & 1)
-            error += diffuse_error(light->diffuse_levels[l], &m, m.turn, closeness),
-                error_over += diffuse_error(light->diffuse_levels[l], &m, 0, closeness);
-        if (!(light->lobes >> l & 1) || (gated && dark >> l & 1))
-            continue;
+    find_lights(shading, &t, &m, &of, &dark);
+    if (m.near > 3 << 10)
+        return REJECT(2);
+    if (m.near && times(m.near, m.turn) > 2 * CLEARLY_NEAR) { /* what is clear at corners may not be between them */
+        of.sides = shading->lights;
+        of.held = dark = 0;
+    }
+    uint32_t more = 0;
+    if (cone_cuts(frame, &of, &m, of.held | of.sides, &more))
+        return REJECT(3);
+    const uint32_t place = m.near * 362 >> 8, view = frame->view->local_viewer ? m.reach : 0;
+    uint32_t error = more + sum_error(m.levels, m.turn + place, m.slant),
+             error_over = more + sum_error(m.levels, place, m.slant);
+    const uint32_t flags = (uint16_t)(t.kept[0][light->channels + FLAGS] | t.kept[1][light->channels + FLAGS] |
+                                      t.kept[2][light->channels + FLAGS]);
+    const uint32_t unfit = flags >> 8, far = flags & 0xff;
+    for (uint32_t l = 0, lobes = gated ? light->lobes & (of.held | of.sides) : light->lobes; lobes >> l; l++) {
         const uint32_t bit = 1u << l;
-        if (!(unfit & bit) && is_outside(light, nodes, l, light->lobe_cut >> 4))
+        if (!(lobes & bit))
             continue;
-        if ((unfit | far) & bit || (gated && of.sides & bit))
+        const int16_t *const lobe[3] = {t.kept[0] + light->lobe_at[l], t.kept[1] + light->lobe_at[l],
+                                        t.kept[2] + light->lobe_at[l]};
+        if (!(unfit & bit) && is_outside(light, lobe))
+            continue;
+        if ((unfit | far) & bit)
             return REJECT(4);
         of.lobes |= bit;
-        error += lobe_error(light, light->specular_levels[l], &m, m.turn, closeness, is_mirror, is_local),
-            error_over +=
-            lobe_error(light, light->specular_levels[l], &m, is_mirror ? m.turn : 0, closeness, is_mirror, is_local);
+        const uint32_t axis = m.near + view;
+        error +=
+            lobe_error(light, light->specular_levels[l], (is_mirror ? 2 * m.turn : m.turn) + axis, m.near, m.slant);
+        error_over += lobe_error(light, light->specular_levels[l], axis, m.near, m.slant);
     }
-    const int is_over_length = error > light->limit;
+    const int is_over_length = error > 2 * light->limit;
     if (is_over_length && error_over > light->limit)
-        return REJECT(5);
-    if (is_over_length) {
-        find_lengths(triangle, &by);
-        for (int i = 0; i < 6; i++)
-            if (by.square[i] < LEAST_SQUARE)
-                return REJECT(6);
-    }
+        return REJECT(6);
+    if (is_over_length && !find_lengths(triangle, &by))
+        return REJECT(7);
     at.count = 0;
-    const int fresh = of.sides || nodes[0].lit != of.held || nodes[1].lit != of.held || nodes[2].lit != of.held;
-    if (fresh)
+    t.is_fresh = of.sides || ((t.kept[0][light->channels] | t.kept[1][light->channels] | t.kept[2][light->channels]) &
+                              0xff) != (int)of.held;
+    if (t.is_fresh)
         for (int i = 0; i < 3; i++)
-            gather_corner(frame, v[i], 0, &at);
-    gather_middle(frame, v[0], v[1], 0, &at);
-    gather_middle(frame, v[1], v[2], 0, &at);
-    gather_middle(frame, v[0], v[2], 0, &at);
-    glint_nodes_light(frame, shading, &at, of.held, fresh ? nodes : nodes + 3);
+            gather_corner(frame, v[i], &at);
+    gather_middle(frame, v[0], v[1], &at);
+    gather_middle(frame, v[1], v[2], &at);
+    gather_middle(frame, v[0], v[2], &at);
+    glint_nodes_light(frame, shading, &at, of.held, of.held | of.sides | of.lobes, of.lobes,
+                      t.is_fresh ? t.fresh : t.fresh + 3);
     for (int i = 3; i < 6; i++)
-        if ((nodes[i].unfit | nodes[i].far) & of.lobes)
-            return REJECT(7);
+        if ((t.fresh[i].unfit | t.fresh[i].far) & of.lobes)
+            return REJECT(8);
+    for (uint32_t l = 0, both = gated ? of.sides & of.lobes : 0; both >> l; l++)
+        if (both >> l & 1 && !shines_all_over(t.fresh, l))
+            return REJECT(5);
     terms->light = light;
     terms->power = &shading->power;
     terms->has_surface = 0;
     terms->takes_largest = (shading->material->flags & GLINT_MATERIAL_MAX) != 0;
-    begin_terms(frame, draw, part, nodes, &of, is_over_length ? &by : 0, terms);
+    begin_terms(frame, draw, part, &t, &of, is_over_length ? &by : 0, terms);
     return 1;
 }

@@ -14,13 +14,14 @@
 
 /** Light at a point. */
 typedef struct glint_node {
-    int32_t sum[3];                       /* of lights: 15 bits less sum_bits for 1 */
-    int16_t side[GLINT_LIGHTS_MAX];       /* N.L times strength, Q15 */
-    int16_t lobe[GLINT_LIGHTS_MAX][3];    /* deviation, and the light's strength, Q15 */
-    uint16_t closeness[GLINT_LIGHTS_MAX]; /* depth over the distance to a light with a position, Q8 */
-    uint8_t lit, dark;                    /* lights that clearly shine on it, and that clearly do not */
-    uint8_t far;                          /* lights whose deviation was cut off */
-    uint8_t unfit;                        /* lights without a half vector here */
+    int32_t sum[3];                    /* of lights: 15 bits less sum_bits for 1 */
+    int16_t side[GLINT_LIGHTS_MAX];    /* N.L times strength, Q15 */
+    int16_t lobe[GLINT_LIGHTS_MAX][3]; /* deviation, and the light's strength, Q15 */
+    uint32_t levels;                   /* what all lights that it does not clearly face away from make: in Q4 */
+    uint32_t closeness;                /* most of these lights': depth over the distance, Q8 */
+    uint8_t lit, dark;                 /* lights that clearly shine on it, and that clearly do not */
+    uint8_t far;                       /* lights whose deviation was cut off */
+    uint8_t unfit;                     /* lights without a half vector here */
 } glint_node;
 
 /** A highlight of a triangle. */
@@ -44,7 +45,7 @@ typedef struct glint_terms {
     uint32_t side_count, lobe_count;
     glint_side sides[GLINT_LIGHTS_MAX];
     glint_lobe lobes[GLINT_LIGHTS_MAX];
-    glint_quadratic square; /* M.M, where all else is times |M|, M the normal over w; in the high half, Q15 */
+    glint_quadratic square; /* M.M, where all else is times |M|, M the normal over w; in the high half, Q14 */
     glint_plane surface[3]; /* colours of its own, Q30 */
     uint8_t has_surface, takes_largest, is_over_length;
 } glint_terms;
@@ -57,10 +58,13 @@ glint_light_triangle glint_terms_light;
 
 /**
  * Finds light at some points.
- * @param at normals, rays and 1/w @param held lights that go into sums, or all bits: those that the point faces
+ * @param at normals, rays and 1/w
+ * @param held lights that go into sums, or GLINT_ALL_LIT
+ * @param lights those of which anything is asked
+ * @param lobes those whose deviation is asked
  */
 void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at, uint32_t held,
-                       glint_node *nodes);
+                       uint32_t lights, uint32_t lobes, glint_node *nodes);
 
 /** A triangle's light, from its corners on. @return 0 where polynomials do not fit */
 int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,

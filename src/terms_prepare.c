@@ -5,10 +5,10 @@
 #include "terms.h"
 
 /* Exponents below this have lobes so wide that they go into sums of light. */
-#define WIDE (8 * GLINT_ONE)
+#define WIDE (2 * GLINT_ONE)
 
 /* Error of polynomials in levels, Q8, for each 1 that the weights of a channel add up to, but at least 1. */
-#define LIMIT 56
+#define LIMIT 51
 
 /* Bits that a squared deviation has where narrow lobes end: deviations reach four times as far. */
 #define LOBE_BITS 24
@@ -112,12 +112,15 @@ static void set_lobes(const glint_shading *shading, glint_light_terms *terms) {
     terms->slope = glint_highlight_slope(shading->shininess);
 }
 
-/* What a vertex keeps: terms.c. */
-static uint32_t find_stride(const glint_frame *frame, const glint_light_terms *terms) {
-    uint32_t stride = terms->channels + 2;
-    for (uint32_t i = 0; i < frame->scene->light_count; i++)
-        stride += (terms->lobes >> i & 1 ? 2u : 0u) + (frame->scene->lights[i].type->illuminate ? 2u : 0u);
-    return stride;
+/* Where a vertex keeps what: terms.c. */
+static void place_numbers(const glint_frame *frame, glint_light_terms *terms) {
+    uint32_t at = terms->channels + 4;
+    for (uint32_t i = 0; i < frame->scene->light_count; i++) {
+        terms->lobe_at[i] = (uint8_t)at;
+        if (terms->lobes >> i & 1)
+            at += frame->scene->lights[i].type->illuminate ? 3 : 2;
+    }
+    terms->stride = at;
 }
 
 /* Can the material's light be held in sums, below 15, and in lobes that are narrow enough? */
@@ -138,5 +141,5 @@ void glint_terms_prepare(const glint_frame *frame, glint_shading *shading) {
     terms->sum_bits = find_sum_bits(frame, shading, terms);
     set_lobes(shading, terms);
     terms->limit = LIMIT * (total > 1 << 12 ? total : 1 << 12) >> 12;
-    terms->stride = find_stride(frame, terms);
+    place_numbers(frame, terms);
 }

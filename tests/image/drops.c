@@ -133,8 +133,8 @@ static void fill_dark(glint_light lights[GLINT_LIGHTS_MAX], const glint_light *l
     lights[GLINT_LIGHTS_MAX / 2].type = &glint_light_point;
 }
 
-/* Draws two scenes: the same bits, by the same kernels. */
-static void check_alike(const glint_scene *one, const glint_scene *other, const glint_format *format) {
+/* Draws two scenes: the same bits, by the same kernels, the general one among them or not. */
+static void check_alike(const glint_scene *one, const glint_scene *other, const glint_format *format, int is_general) {
     glint_stats stats[2] = {{0}};
     picture a = picture_open(128, 96, format), b = picture_open(128, 96, format);
     CHECK_EQUAL(picture_render(&a, one, NULL, &stats[0]), GLINT_OK);
@@ -144,7 +144,7 @@ static void check_alike(const glint_scene *one, const glint_scene *other, const 
         CHECK_EQUAL(stats[1].drawn[kernel].parts, stats[0].drawn[kernel].parts);
         CHECK_EQUAL(stats[1].drawn[kernel].covered, stats[0].drawn[kernel].covered);
     }
-    CHECK_EQUAL(stats[0].drawn[GLINT_KERNEL_GENERAL].covered, 0);
+    CHECK_EQUAL(stats[0].drawn[GLINT_KERNEL_GENERAL].covered != 0, is_general);
     picture_close(&a);
     picture_close(&b);
 }
@@ -162,7 +162,7 @@ static void lights_that_do_not_show_cost_nothing(void) {
             for (uint32_t place = 0; place < more.light_count; place++) {
                 fill_dark(lights, &sun);
                 lights[place] = sun;
-                check_alike(&scene.scene, &more, format);
+                check_alike(&scene.scene, &more, format, format == &glint_format_rgb888);
             }
         }
     }
@@ -178,7 +178,7 @@ static void no_light_is_as_good_as_dark_ones(void) {
         dark.lights = lights;
         scene.scene.light_count = 0;
         for (dark.light_count = 1; dark.light_count <= GLINT_LIGHTS_MAX; dark.light_count++)
-            check_alike(&scene.scene, &dark, formats[i / 4]);
+            check_alike(&scene.scene, &dark, formats[i / 4], 0);
     }
 }
 
