@@ -261,6 +261,13 @@ void glint_draw_terms(const glint_frame *frame, glint_workspace *workspace, cons
         return;
     }
     const source from = {.terms = &terms, .finishes = frame->config.gamma != 0};
+    if (terms.is_channels && !from.finishes && frame->config.format->draw_channels) {
+        const glint_spans spans = glint_spans_of(frame, workspace, part);
+        frame->config.format->draw_channels(&spans, terms.sum, terms.is_curved);
+        if (workspace->drawn)
+            glint_count(workspace, GLINT_KERNEL_CHANNELS, covered_by(part));
+        return;
+    }
     glint_count(workspace, GLINT_KERNEL_CHANNELS, draw_runs(frame, workspace, &from, part));
 }
 

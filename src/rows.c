@@ -143,6 +143,11 @@ void glint_terms_row(const glint_terms *terms, int32_t x, int32_t y, uint32_t co
     int32_t base[3];
     if (inverse)
         find_inverses(&terms->square, x, y, count, inverse_of);
+    if (terms->is_channels) {
+        static const int32_t none[3] = {0, 0, 0};
+        begin_with_channels(terms->sum, none, x, y, count, row);
+        return;
+    }
     for (int c = 0; c < 3; c++)
         base[c] = (terms->takes_largest ? 0 : light->ambient[c]) + (terms->has_surface ? 0 : light->half[c]);
     if (light->channels == 1)

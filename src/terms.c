@@ -136,6 +136,23 @@ static uint32_t sum_error(uint32_t levels, uint32_t a, uint32_t b) {
     return (uint32_t)((uint64_t)times(times(a, a + b), a + b) * levels * 1802 >> 24); /* 0.0275 is 1802 2^-16 */
 }
 
+/*
+ * Planes err by a^2 / 8 + a b / 4 where light turns by a; chords between unit vectors made longer by half of what they
+ * fall short by do so by half of that: levels Q4 to Q8.
+ */
+static uint32_t plane_sum_error(uint32_t levels, uint32_t turn, uint32_t place, uint32_t b) {
+    const uint32_t a = turn + place;
+    return (uint32_t)((uint64_t)(2 * times(a, a) - times(turn, turn) + 4 * times(a, b)) * levels >> 12);
+}
+
+/* A highlight's: |e| falls short as N does, and H turns. */
+static uint32_t plane_lobe_error(const glint_light_terms *light, uint32_t levels, uint32_t turn, uint32_t axis,
+                                 uint32_t b) {
+    const uint64_t of_axis =
+        (uint64_t)(2 * times(axis, axis) + 4 * times(turn, axis) + 4 * times(turn + axis, b)) * light->slope >> 8;
+    return (uint32_t)((of_axis + times(turn, turn)) * levels >> 16);
+}
+
 /* A highlight's by 0.041 s h (h + b)^2, s the highlight's slope over its deviation, and as a sum for its strength. */
 static uint32_t lobe_error(const glint_light_terms *light, uint32_t levels, uint32_t h, uint32_t f, uint32_t b) {
     const uint64_t of_place = (uint64_t)times(times(h, h + b), h + b) * light->slope >> 8;
@@ -227,6 +244,11 @@ static void begin_polynomial(glint_quadratic *q, const glint_barycentric *s, con
     glint_polynomial_begin(q, s, n, bulge);
 }
 
+/* Are all the terms of a triangle three channels? */
+static int is_plain(const glint_shading *shading, const lights *of) {
+    return !of->sides && !of->lobes && !(shading->material->flags & GLINT_MATERIAL_MAX);
+}
+
 /* A number times its node's length, or its square, where there is one. */
 static inline int32_t scale_by(const int32_t by[6], int i, int32_t number) {
     return by ? glint_shift_right(number * by[i] + (1 << 14), 15) : number;
@@ -235,14 +257,22 @@ static inline int32_t scale_by(const int32_t by[6], int i, int32_t number) {
 static void begin_sum(const glint_light_terms *light, const glint_part *part, const glint_barycentric *s,
                       const int32_t sum[3][6], glint_terms *terms) {
     glint_barycentric channel;
-    if (light->channels == 1) {
+    if (light->channels == 1 && !terms->is_channels) {
         begin_polynomial(&terms->sum[0], s, sum[0]);
         terms->sum[0].start += 1 << 15;
         return;
     }
     glint_barycentric_begin(&channel, &part->gradients, 12 + (int32_t)light->sum_bits);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         begin_polynomial(&terms->sum[c], &channel, sum[c]);
+        if (terms->is_channels)
+            terms->sum[c].start += (uint32_t)(light->ambient[c] + light->half[c]);
+    }
+}
+
+/* A channel of a sum as a term of its own, 15 bits less sum_bits: all light together, in levels. */
+static inline int32_t channel_of(const glint_light_terms *light, const int16_t *kept, int c) {
+    return light->channels == 1 ? glint_shift_right(kept[0] * light->chroma[c] + (1 << 11), 12) : kept[c];
 }
 
 /* What triangles have in common on their way to terms. */
@@ -265,11 +295,19 @@ static void begin_terms(const glint_frame *frame, const glint_draw *draw, const 
     glint_barycentric s;
     int32_t n[3][6];
     glint_barycentric_begin(&s, &part->gradients, 16);
+    terms->is_channels = (uint8_t)(!by && is_plain(draw->shading, of));
     for (uint32_t c = 0; c < light->channels; c++)
         for (int i = 0; i < 6; i++)
             n[c][i] = scale_by(length, i, i < 3 && !t->is_fresh ? t->kept[i][c] : t->fresh[i].sum[c]);
+    if (terms->is_channels && light->channels == 1)
+        for (int i = 0; i < 6; i++) {
+            const int32_t sum = n[0][i];
+            for (int c = 0; c < 3; c++)
+                n[c][i] = glint_shift_right(sum * light->chroma[c] + (1 << 11), 12);
+        }
     begin_sum(light, part, &s, (const int32_t(*)[6])n, terms);
     terms->is_over_length = (uint8_t)(by ? 1 + is_mirror : 0);
+    terms->is_curved = 1;
     if (by) {
         for (int i = 0; i < 6; i++)
             n[0][i] = by->square[i] >> 1;
@@ -297,6 +335,51 @@ static void begin_terms(const glint_frame *frame, const glint_draw *draw, const 
             begin_polynomial(&lobe->y, &s, n[1]);
             if (lobe->is_attenuated)
                 begin_polynomial(&lobe->strength, &s, n[2]);
+            lobe->weight = light->specular[l];
+        }
+}
+
+/* A plane as a polynomial, times 2^unit. */
+static void begin_plane(glint_quadratic *q, const glint_gradients *g, int32_t a, int32_t b, int32_t c, unsigned unit) {
+    glint_plane plane;
+    glint_plane_begin(&plane, g, glint_shift_left(a, unit), glint_shift_left(b, unit), glint_shift_left(c, unit));
+    *q = (glint_quadratic){(uint32_t)plane.start, (uint32_t)plane.dx, (uint32_t)plane.dy, 0, 0, 0};
+}
+
+/* Planes of what the corners keep. @param longer chords are made longer by this, Q15 */
+static void begin_planes(const glint_frame *frame, const glint_draw *draw, const glint_part *part,
+                         const triangle_nodes *t, const lights *of, int32_t longer, glint_terms *terms) {
+    const glint_light_terms *light = &draw->shading->terms;
+    const glint_gradients *g = &part->gradients;
+    const int32_t length = (1 << 15) + longer;
+    terms->is_over_length = terms->is_curved = 0;
+    terms->side_count = terms->lobe_count = 0;
+    terms->is_channels = (uint8_t)is_plain(draw->shading, of);
+    if (terms->is_channels || light->channels == 3) {
+        const unsigned up = 12 + light->sum_bits;
+        for (int c = 0; c < 3; c++) {
+            int32_t n[3];
+            for (int i = 0; i < 3; i++)
+                n[i] = channel_of(light, t->kept[i], c) * length >> 15;
+            begin_plane(&terms->sum[c], g, n[0], n[1], n[2], up);
+            if (terms->is_channels)
+                terms->sum[c].start += (uint32_t)(light->ambient[c] + light->half[c]);
+        }
+    } else {
+        begin_plane(&terms->sum[0], g, t->kept[0][0] * length >> 15, t->kept[1][0] * length >> 15,
+                    t->kept[2][0] * length >> 15, 16);
+        terms->sum[0].start += 1 << 15;
+    }
+    for (uint32_t l = 0; of->lobes >> l; l++)
+        if (of->lobes >> l & 1) {
+            glint_lobe *lobe = &terms->lobes[terms->lobe_count++];
+            const int16_t *const a = t->kept[0] + light->lobe_at[l], *const b = t->kept[1] + light->lobe_at[l],
+                                 *const c = t->kept[2] + light->lobe_at[l];
+            lobe->is_attenuated = frame->view->lights[l].type->illuminate != 0;
+            begin_plane(&lobe->x, g, a[0] * length >> 15, b[0] * length >> 15, c[0] * length >> 15, 16);
+            begin_plane(&lobe->y, g, a[1] * length >> 15, b[1] * length >> 15, c[1] * length >> 15, 16);
+            if (lobe->is_attenuated)
+                begin_plane(&lobe->strength, g, a[2] >> 1, b[2] >> 1, c[2] >> 1, 16);
             lobe->weight = light->specular[l];
         }
 }
@@ -385,6 +468,7 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     if (cone_cuts(frame, &of, &m, of.held | of.sides, &more))
         return REJECT(3);
     const uint32_t place = m.near * 362 >> 8, view = frame->view->local_viewer ? m.reach : 0;
+    uint32_t plane_error = of.sides ? UINT32_MAX / 2 : plane_sum_error(m.levels, m.turn, place, m.slant);
     uint32_t error = more + sum_error(m.levels, m.turn + place, m.slant),
              error_over = more + sum_error(m.levels, place, m.slant);
     const uint32_t flags = (uint16_t)(t.kept[0][light->channels + FLAGS] | t.kept[1][light->channels + FLAGS] |
@@ -402,9 +486,21 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
             return REJECT(4);
         of.lobes |= bit;
         const uint32_t axis = m.near + view;
+        plane_error +=
+            plane_lobe_error(light, light->specular_levels[l], is_mirror ? 2 * m.turn : m.turn, axis, m.slant);
         error +=
             lobe_error(light, light->specular_levels[l], (is_mirror ? 2 * m.turn : m.turn) + axis, m.near, m.slant);
         error_over += lobe_error(light, light->specular_levels[l], axis, m.near, m.slant);
+    }
+    const uint32_t facing =
+        (uint16_t)(t.kept[0][light->channels] | t.kept[1][light->channels] | t.kept[2][light->channels]);
+    terms->light = light;
+    terms->power = &shading->power;
+    terms->has_surface = 0;
+    terms->takes_largest = (shading->material->flags & GLINT_MATERIAL_MAX) != 0;
+    if (plane_error <= light->limit && (facing & 0xff) == of.held) {
+        begin_planes(frame, draw, part, &t, &of, (int32_t)(times(m.turn, m.turn) >> 1), terms);
+        return 1;
     }
     const int is_over_length = error > 2 * light->limit;
     if (is_over_length && error_over > light->limit)
@@ -412,8 +508,7 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     if (is_over_length && !find_lengths(triangle, &by))
         return REJECT(7);
     at.count = 0;
-    t.is_fresh = of.sides || ((t.kept[0][light->channels] | t.kept[1][light->channels] | t.kept[2][light->channels]) &
-                              0xff) != (int)of.held;
+    t.is_fresh = of.sides || (facing & 0xff) != of.held;
     if (t.is_fresh)
         for (int i = 0; i < 3; i++)
             gather_corner(frame, v[i], &at);
@@ -428,10 +523,6 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     for (uint32_t l = 0, both = gated ? of.sides & of.lobes : 0; both >> l; l++)
         if (both >> l & 1 && !shines_all_over(t.fresh, l))
             return REJECT(5);
-    terms->light = light;
-    terms->power = &shading->power;
-    terms->has_surface = 0;
-    terms->takes_largest = (shading->material->flags & GLINT_MATERIAL_MAX) != 0;
     begin_terms(frame, draw, part, &t, &of, is_over_length ? &by : 0, terms);
     return 1;
 }

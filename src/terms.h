@@ -47,7 +47,10 @@ typedef struct glint_terms {
     glint_lobe lobes[GLINT_LIGHTS_MAX];
     glint_quadratic square; /* M.M, where all else is times |M|, M the normal over w; in the high half, Q14 */
     glint_plane surface[3]; /* colours of its own, Q30 */
-    uint8_t has_surface, takes_largest, is_over_length;
+    uint8_t has_surface, takes_largest;
+    uint8_t is_over_length; /* 2: lobes' twice */
+    uint8_t is_channels;    /* the sum is all there is: three channels, half a level and ambient light included */
+    uint8_t is_curved;
 } glint_terms;
 
 /** Prepares a material. */
