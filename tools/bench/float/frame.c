@@ -10,7 +10,7 @@ static void fill(void *to, uint32_t word, uint32_t bytes) {
 
 #if defined __ARM_FP && __ARM_FP & 4
     float value;
-    memcpy(&value, &word, sizeof value);
+    __builtin_memcpy(&value, &word, sizeof value);
     register float s0 __asm__("s0") = value, s1 __asm__("s1") = value, s2 __asm__("s2") = value,
                       s3 __asm__("s3") = value, s4 __asm__("s4") = value, s5 __asm__("s5") = value,
                       s6 __asm__("s6") = value, s7 __asm__("s7") = value, s8 __asm__("s8") = value,

@@ -11,7 +11,6 @@
 
 #include "renderer.h"
 
-#include <string.h>
 
 #define FLOAT_INLINE static inline __attribute__((always_inline))
 
@@ -37,7 +36,7 @@ FLOAT_INLINE float float_root(float square) {
 FLOAT_INLINE int32_t float_bits(float value) {
     int32_t bits;
 
-    memcpy(&bits, &value, sizeof bits);
+    __builtin_memcpy(&bits, &value, sizeof bits);
     return bits;
 }
 
@@ -48,7 +47,7 @@ FLOAT_INLINE uint32_t float_whole(float value) {
     uint32_t result;
 
     __asm__("vcvt.u32.f32 %0, %1" : "=t"(word) : "t"(value));
-    memcpy(&result, &word, sizeof result);
+    __builtin_memcpy(&result, &word, sizeof result);
     return result;
 #else
     return !(value > 0) ? 0 : value >= 4294967296.0f ? UINT32_MAX : (uint32_t)value;

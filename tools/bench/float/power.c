@@ -47,7 +47,7 @@ static float low_node(uint32_t i) {
     float node;
     const uint32_t bits = FLOAT_LOW_FIRST + (i << FLOAT_LOW_SHIFT);
 
-    memcpy(&node, &bits, sizeof node);
+    __builtin_memcpy(&node, &bits, sizeof node);
     return node;
 }
 

@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Suite: pictures of the float renderer that frames are compared with, against the double-precision reference, for
+ * each workload of the benchmark in RGB565. Its coverage is judged for the vertices as it snapped them, its colours by
+ * PSNR over covered pixels: what is lit per vertex or per facet is held against a reference that is lit so too.
+ */
+#include "draw.h"
+#include "harness.h"
+#include "reference.h"
+#include "renderer.h"
+#include "workloads.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define PIXELS (320 * 240)
+
+/* Decibels. RGB565 itself allows about 42. */
+#define PSNR_LEAST 41.0
+
+/* Of covered pixels, those whose centre an edge passes so near that a sum of floats decides. */
+#define MISSED_SHARE 1000
+
+typedef struct found {
+    long covered, missed, samples;
+    double squares; /* of errors, levels as 0..1 */
+} found;
+
+static uint16_t colour[PIXELS];
+static int32_t depth[PIXELS];
+static float_memory memory;
+static reference_pixel exact[PIXELS];
+
+/* ---- Vertices as they are drawn ---- */
+
+static reference_position position_of(const float_vertex *vertex) {
+    const double column = 0.5 - 1.0 / 4096; /* what a vertex's x is shifted by */
+
+    return (reference_position){(int32_t)lrint(16 * (vertex->x - column)), (int32_t)lrint(16 * (double)vertex->y),
+                                vertex->inverse_w > 0};
+}
+
+/* @return an array of the object's positions, the caller's to free; null when none of it can be seen */
+static reference_position *snap(const float_frame *frame, const glint_object *object) {
+    static float_draw draw;
+    const uint32_t count = object->mesh->vertex_count;
+    reference_position *positions = malloc(count * sizeof *positions);
+
+    draw = (float_draw){.frame = frame, .object = object, .side = 1};
+    float_prepare_object(&draw);
+    const float_whereabouts where = float_locate(&draw);
+    if (where == FLOAT_OUTSIDE || !positions) {
+        free(positions);
+        return NULL;
+    }
+    float_transform(&draw, where);
+    for (uint32_t i = 0; i < count; i++)
+        positions[i] = position_of(&memory.vertices[i]);
+    return positions;
+}
+
+static void draw_reference(const float_screen *screen, const glint_scene *scene) {
+    const reference_image image = {(int)screen->width, (int)screen->height, exact};
+    reference_position *positions[EXAMPLE_OBJECTS_MAX] = {NULL};
+    float_frame frame = {.screen = screen, .memory = &memory, .scene = scene};
+
+    float_prepare_frame(&frame);
+    for (uint32_t i = 0; i < scene->object_count; i++)
+        positions[i] = snap(&frame, &scene->objects[i]);
+    reference_render(&image, scene, (const reference_position *const *)positions);
+    for (uint32_t i = 0; i < scene->object_count; i++)
+        free(positions[i]);
+}
+
+/* ---- Pixels ---- */
+
+static double squares_of(uint16_t pixel, const double wanted[3]) {
+    const double levels[3] = {(pixel >> 11) / 31.0, (pixel >> 5 & 63) / 63.0, (pixel & 31) / 31.0};
+    double squares = 0;
+
+    for (int channel = 0; channel < 3; channel++)
+        squares += (levels[channel] - wanted[channel]) * (levels[channel] - wanted[channel]);
+    return squares;
+}
+
+static void compare(const float_screen *screen, found *total) {
+    for (uint32_t i = 0; i < screen->width * screen->height; i++) {
+        const reference_pixel *pixel = &exact[i];
+        const int drawn = depth[i] > 0;
+
+        if (pixel->uncertain)
+            continue;
+        total->covered += pixel->covered;
+        total->missed += drawn != pixel->covered;
+        if (drawn && pixel->covered) {
+            total->squares += squares_of(colour[i], pixel->colour);
+            total->samples += 3;
+        }
+    }
+}
+
+static void judge_workload(const workload *drawn) {
+    static workload_stage stage;
+    const float_screen screen = {drawn->width, drawn->height, colour, depth};
+    const uint32_t frames = drawn->example ? 1 : drawn->frames; /* example scenes stand still */
+    found total = {0};
+    char line[200];
+
+    if (!CHECK_EQUAL(workload_build(&stage, drawn), 0))
+        return;
+    for (uint32_t frame = 0; frame < frames; frame++) {
+        workload_set_frame(&stage, frame);
+        draw_reference(&screen, &stage.example.scene);
+        float_render(&screen, &memory, &stage.example.scene);
+        compare(&screen, &total);
+    }
+    const double psnr = -10 * log10(total.squares / (double)total.samples);
+    snprintf(line, sizeof line, "%-16s %-24s %3ux%-3u %8ld covered %5ld missed %6.2f dB\n", drawn->scene, drawn->look,
+             (unsigned)drawn->width, (unsigned)drawn->height, total.covered, total.missed, psnr);
+    test_write(line);
+    CHECK(total.samples > 0);
+    CHECK(psnr >= PSNR_LEAST);
+    CHECK_AT_MOST(total.missed * MISSED_SHARE, total.covered);
+}
+
+/* ---- Cases ---- */
+
+/* Workloads in RGB565: of the benchmark scenes as they are, of one of them changed, of the example scenes. */
+static void judge_all(uint32_t first, uint32_t end, int examples) {
+    uint32_t judged = 0;
+
+    for (uint32_t i = first; i < end; i++) {
+        const workload drawn = workload_get(i);
+        if (*drawn.output->name == '\0' && (drawn.example != NULL) == examples) {
+            judge_workload(&drawn);
+            judged++;
+        }
+    }
+    CHECK(judged > 0);
+}
+
+static void benchmark_scenes(void) {
+    judge_all(0, WORKLOADS_PLAIN, 0);
+}
+
+static void changed_scenes(void) {
+    judge_all(WORKLOADS_PLAIN, workload_count(), 0);
+}
+
+static void example_scenes_drawn(void) {
+    judge_all(WORKLOADS_PLAIN, workload_count(), 1);
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {
+        TEST_CASE(benchmark_scenes),
+        TEST_CASE(changed_scenes),
+        TEST_CASE(example_scenes_drawn),
+    };
+
+    return test_run(write, cases, TEST_COUNT(cases));
+}
