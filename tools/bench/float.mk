@@ -14,3 +14,4 @@ $(eval $(call firmware_program,mps2-an386-m4f,O2,float))
 $(BUILD)/mps2-an386-m4f/O2/tools/bench/workloads.o: $(BUILD)/bench/bench_scenes.h
 # It measures; `make boards` lists what is to run on a board.
 FIRMWARE := $(filter-out %/float.elf,$(FIRMWARE))
+-include $(wildcard $(foreach folders,* */* */*/*,$(BUILD)/mps2-an386-m4f/O2/$(folders)/*.d))

@@ -49,7 +49,7 @@ static inline __attribute__((always_inline)) void transform_all(const float_draw
         vertex->y = (float)y * (1.0f / 16);
         vertex->inverse_w = inverse_w;
         put_row(vertex, y, height);
-        *packed++ = (uint32_t)(y << 16) | (uint16_t)(x - ABOVE);
+        *packed++ = (uint32_t)y << 16 | (uint16_t)(x - ABOVE);
     }
 }
 

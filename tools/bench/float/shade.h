@@ -67,11 +67,38 @@ FLOAT_INLINE void float_add_highlight(const float_surface *surface, float_kind k
 
 /* ---- Lights ---- */
 
-/* A spot's part, where the light's cone is lit: a smooth step. */
-FLOAT_INLINE float float_cone(const float_light *light, float cosine) {
-    const float t = (cosine - light->outer) * light->soft;
+/* How a light with a position lies to a point: its distance over that of the eye, and what of it arrives. */
+typedef struct float_arrival {
+    float square, length;
+    float strength; /* 0 where nothing arrives */
+} float_arrival;
 
-    return t <= 0 ? 0 : t >= 1 ? 1 : t * t * (3 - 2 * t);
+/* A spot's part: a smooth step between its cones. Most points lie outside: they are told before anything is divided. */
+FLOAT_INLINE float float_cone(const float_light *light, const float_point *point, float length) {
+    const float inside = -(light->axis_position * point->nearness + dot(light->axis, point->way)) - light->outer * length;
+
+    if (inside <= 0) {
+        return 0;
+    }
+    const float t = inside / length * light->soft;
+    return t >= 1 ? 1 : t * t * (3 - 2 * t);
+}
+
+FLOAT_INLINE float_arrival float_arrive(const float_light *light, const float_point *point, int spot, float near_way) {
+    const float inverse_square = point->nearness * point->nearness;
+    float_arrival result = {.square = inverse_square * light->square + 2 * near_way + 1};
+
+    if (result.square <= 0) {
+        return result;
+    }
+    result.length = float_root(result.square);
+    result.strength = spot ? float_cone(light, point, result.length) : 1;
+    if (spot && result.strength <= 0) {
+        return result;
+    }
+    result.strength *= inverse_square / (inverse_square + light->linear * (point->nearness * result.length) +
+                                         light->quadratic * result.square);
+    return result;
 }
 
 /** Adds a light; `positional` and `spot` are constants. */
@@ -79,7 +106,8 @@ FLOAT_INLINE void float_add_lamp(const float_surface *surface, float_kind kind, 
                                  const float_point *point, int positional, int spot, float_light_sum *result) {
     const float_light *light = &lamp->light;
     const int gated = kind.model == FLOAT_DIFFUSE || !float_has(surface, kind, FLOAT_UNGATED);
-    float toward = dot(light->vector, point->normal), strength = 1, square = 1, length = 1;
+    float_arrival arrival = {1, 1, 1};
+    float toward = dot(light->vector, point->normal);
 
     if (positional) {
         toward = toward * point->nearness + point->facing_way;
@@ -87,31 +115,27 @@ FLOAT_INLINE void float_add_lamp(const float_surface *surface, float_kind kind, 
     if (gated && toward <= 0) {
         return;
     }
-    const float way = dot(light->vector, point->way);
-    float along = kind.local ? way : dot(light->vector, point->view); /* the light's direction times the view */
+    float along = dot(light->vector, point->view); /* the light's direction times the view */
     if (positional) {
-        const float near_way = point->nearness * way, inverse_square = point->nearness * point->nearness;
-        square = inverse_square * light->square + 2 * near_way + 1;
-        if (square <= 0) {
+        const float near_way = point->nearness * (kind.local ? along : dot(light->vector, point->way));
+        arrival = float_arrive(light, point, spot, near_way);
+        if (spot ? arrival.strength <= 0 : arrival.square <= 0) {
             return;
         }
-        length = float_root(square);
-        along = kind.local ? near_way + 1 : point->nearness * along + dot(point->way, point->view);
-        strength = inverse_square /
-                   (inverse_square + light->linear * (point->nearness * length) + light->quadratic * square);
-        if (spot) {
-            strength *= float_cone(light, -(point->nearness * light->axis_position + dot(light->axis, point->way)) / length);
-        }
+        along = kind.local ? near_way + 1 : point->nearness * along + point->way.z;
     }
     if (gated || toward > 0) {
-        result->diffuse = sum_scaled(result->diffuse, lamp->diffuse, positional ? toward / length * strength : toward);
+        result->diffuse =
+            sum_scaled(result->diffuse, lamp->diffuse, positional ? toward / arrival.length * arrival.strength : toward);
     }
     if (kind.model == FLOAT_BLINN_PHONG) {
-        const float half = toward + length * point->facing;
-        float_add_highlight(surface, kind, half * __builtin_fabsf(half), square + length * along, lamp, strength, result);
+        const float half = toward + arrival.length * point->facing;
+        float_add_highlight(surface, kind, half * __builtin_fabsf(half), arrival.square + arrival.length * along, lamp,
+                            arrival.strength, result);
     } else if (kind.model == FLOAT_PHONG) {
         const float mirrored = 2 * toward * point->facing - along;
-        float_add_highlight(surface, kind, mirrored * __builtin_fabsf(mirrored), square, lamp, strength, result);
+        float_add_highlight(surface, kind, mirrored * __builtin_fabsf(mirrored), arrival.square, lamp, arrival.strength,
+                            result);
     }
 }
 
