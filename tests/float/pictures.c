@@ -3,6 +3,9 @@
  * Suite: pictures of the float renderer that frames are compared with, against the double-precision reference, for
  * each workload of the benchmark in RGB565. Its coverage is judged for the vertices as it snapped them, its colours by
  * PSNR over covered pixels: what is lit per vertex or per facet is held against a reference that is lit so too.
+ *
+ * All frames are drawn here; with GLINT_FLOAT_PICTURES the first ones are read from that file, in which
+ * pictures_board.c's are kept.
  */
 #include "draw.h"
 #include "harness.h"
@@ -13,6 +16,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define PIXELS (320 * 240)
 
@@ -73,6 +77,25 @@ static void draw_reference(const float_screen *screen, const glint_scene *scene)
         free(positions[i]);
 }
 
+/* ---- Pictures of a board ---- */
+
+static FILE *kept;
+
+/* @return whether the next picture of the file is whole */
+static int read_picture(const float_screen *screen) {
+    for (uint32_t i = 0; i < screen->width * screen->height; i++) {
+        char digits[5], *end;
+
+        if (fscanf(kept, "%4s", digits) != 1)
+            return 0;
+        screen->colour[i] = (uint16_t)strtoul(digits, &end, 16);
+        screen->depth[i] = end != digits;
+        if (end != digits + 4 && strcmp(digits, "----") != 0)
+            return 0;
+    }
+    return 1;
+}
+
 /* ---- Pixels ---- */
 
 static double squares_of(uint16_t pixel, const double wanted[3]) {
@@ -103,7 +126,7 @@ static void compare(const float_screen *screen, found *total) {
 static void judge_workload(const workload *drawn) {
     static workload_stage stage;
     const float_screen screen = {drawn->width, drawn->height, colour, depth};
-    const uint32_t frames = drawn->example ? 1 : drawn->frames; /* example scenes stand still */
+    const uint32_t frames = drawn->example || kept ? 1 : drawn->frames; /* example scenes stand still */
     found total = {0};
     char line[200];
 
@@ -112,7 +135,10 @@ static void judge_workload(const workload *drawn) {
     for (uint32_t frame = 0; frame < frames; frame++) {
         workload_set_frame(&stage, frame);
         draw_reference(&screen, &stage.example.scene);
-        float_render(&screen, &memory, &stage.example.scene);
+        if (!kept)
+            float_render(&screen, &memory, &stage.example.scene);
+        else if (!CHECK(read_picture(&screen)))
+            return;
         compare(&screen, &total);
     }
     const double psnr = -10 * log10(total.squares / (double)total.samples);
@@ -126,13 +152,13 @@ static void judge_workload(const workload *drawn) {
 
 /* ---- Cases ---- */
 
-/* Workloads in RGB565: of the benchmark scenes as they are, of one of them changed, of the example scenes. */
-static void judge_all(uint32_t first, uint32_t end, int examples) {
+/* Workloads in RGB565 of a part of the list. */
+static void judge_all(uint32_t first, uint32_t end) {
     uint32_t judged = 0;
 
     for (uint32_t i = first; i < end; i++) {
         const workload drawn = workload_get(i);
-        if (*drawn.output->name == '\0' && (drawn.example != NULL) == examples) {
+        if (*drawn.output->name == '\0') {
             judge_workload(&drawn);
             judged++;
         }
@@ -141,23 +167,28 @@ static void judge_all(uint32_t first, uint32_t end, int examples) {
 }
 
 static void benchmark_scenes(void) {
-    judge_all(0, WORKLOADS_PLAIN, 0);
+    judge_all(0, WORKLOADS_PLAIN);
 }
 
-static void changed_scenes(void) {
-    judge_all(WORKLOADS_PLAIN, workload_count(), 0);
-}
-
-static void example_scenes_drawn(void) {
-    judge_all(WORKLOADS_PLAIN, workload_count(), 1);
+static void other_workloads(void) {
+    judge_all(WORKLOADS_PLAIN, workload_count());
 }
 
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(benchmark_scenes),
-        TEST_CASE(changed_scenes),
-        TEST_CASE(example_scenes_drawn),
+        TEST_CASE(other_workloads),
     };
 
-    return test_run(write, cases, TEST_COUNT(cases));
+    const char *path = getenv("GLINT_FLOAT_PICTURES");
+
+    kept = path ? fopen(path, "r") : NULL;
+    if (path && !kept) {
+        write("the file of pictures cannot be read\n");
+        return 1;
+    }
+    const int failed = test_run(write, cases, TEST_COUNT(cases));
+    if (kept)
+        fclose(kept);
+    return failed;
 }

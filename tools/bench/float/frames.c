@@ -7,6 +7,7 @@
 #include "../counter.h"
 #include "../workloads.h"
 #include "board.h"
+#include "fpu.h"
 #include "renderer.h"
 #include "text.h"
 
@@ -18,12 +19,6 @@ static uint32_t colour[PIXELS / 2];
 static int32_t depth[PIXELS];
 static float_memory memory;
 static workload_stage stage;
-
-/* Access to coprocessors 10 and 11, which are the FPU. */
-static void start_fpu(void) {
-    *cortex_m_register(0xe000ed88u) |= 0xfu << 20;
-    __asm__ volatile("dsb\n\tisb" ::: "memory");
-}
 
 static void write_number(uint32_t number, const char *end) {
     char digits[TEXT_NUMBER_SIZE];
@@ -61,7 +56,7 @@ static int count(const workload *drawn) {
 int main(void) {
     int failed = 0;
 
-    start_fpu();
+    fpu_start();
     counter_start();
     for (uint32_t i = 0; i < workload_count() && !failed; i++) {
         const workload drawn = workload_get(i);
