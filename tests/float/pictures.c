@@ -123,12 +123,26 @@ static void compare(const float_screen *screen, found *total) {
     }
 }
 
+static void report(const char *name, const char *look, const float_screen *screen, const found *total) {
+    const double psnr = -10 * log10(total->squares / (double)total->samples);
+    char line[200];
+
+    snprintf(line, sizeof line, "%-16s %-40s %3ux%-3u %8ld covered %5ld missed %6.2f dB\n", name, look,
+             (unsigned)screen->width, (unsigned)screen->height, total->covered, total->missed, psnr);
+    test_write(line);
+    CHECK(total->samples > 0);
+    CHECK(psnr >= PSNR_LEAST);
+    CHECK_AT_MOST(total->missed * MISSED_SHARE, total->covered);
+}
+
+/* ---- Workloads ---- */
+
+static workload_stage stage;
+
 static void judge_workload(const workload *drawn) {
-    static workload_stage stage;
     const float_screen screen = {drawn->width, drawn->height, colour, depth};
     const uint32_t frames = drawn->example || kept ? 1 : drawn->frames; /* example scenes stand still */
     found total = {0};
-    char line[200];
 
     if (!CHECK_EQUAL(workload_build(&stage, drawn), 0))
         return;
@@ -141,13 +155,83 @@ static void judge_workload(const workload *drawn) {
             return;
         compare(&screen, &total);
     }
-    const double psnr = -10 * log10(total.squares / (double)total.samples);
-    snprintf(line, sizeof line, "%-16s %-24s %3ux%-3u %8ld covered %5ld missed %6.2f dB\n", drawn->scene, drawn->look,
-             (unsigned)drawn->width, (unsigned)drawn->height, total.covered, total.missed, psnr);
-    test_write(line);
-    CHECK(total.samples > 0);
-    CHECK(psnr >= PSNR_LEAST);
-    CHECK_AT_MOST(total.missed * MISSED_SHARE, total.covered);
+    report(drawn->scene, drawn->look, &screen, &total);
+}
+
+/* ---- Kernels ---- */
+
+/* A way to change the material and the mesh. */
+typedef struct option {
+    const char *name;
+    uint32_t flags;
+    int coloured;
+    glint_q16 shininess;
+} option;
+
+static const option options[] = {
+    {"", 0, 0, GLINT_Q16(32)},
+    {"colours", 0, 1, GLINT_Q16(32)},
+    {"max", GLINT_MATERIAL_MAX, 0, GLINT_Q16(32)},
+    {"ungated", GLINT_MATERIAL_UNGATED, 0, GLINT_Q16(12)},
+    {"p 0.5", 0, 0, GLINT_Q16(0.5)},
+    {"p 0", 0, 0, 0},
+    {"all", GLINT_MATERIAL_UNGATED | GLINT_MATERIAL_MAX, 1, GLINT_Q16(1.5)},
+};
+
+static const struct {
+    const char *name;
+    const glint_model *model;
+} models[] = {
+    {"lambert", &glint_model_lambert},
+    {"phong", &glint_model_phong},
+    {"blinn-phong", &glint_model_blinn_phong},
+};
+
+static void change(const option *to, const glint_model *model) {
+    static uint8_t colours[FLOAT_VERTICES_MAX][3];
+    glint_material *material = &stage.example.materials[0];
+
+    material->model = model;
+    material->flags = to->flags;
+    material->shininess = to->shininess;
+    for (uint32_t i = 0; i < stage.mesh.vertex_count; i++)
+        for (uint32_t channel = 0; channel < 3; channel++)
+            colours[i][channel] = (uint8_t)(255 - (i * (channel + 3) & 127));
+    stage.mesh.colours = to->coloured ? (const uint8_t(*)[3])colours : NULL;
+}
+
+/* Draws a workload changed: by an option and a model, for either viewer; cut open, it is double-sided. */
+static void judge_changed(const workload *drawn, const option *to, int model, glint_viewer viewer, int cut) {
+    const float_screen screen = {drawn->width, drawn->height, colour, depth};
+    char look[100];
+    found total = {0};
+
+    if (!CHECK_EQUAL(workload_build(&stage, drawn), 0))
+        return;
+    change(to, models[model].model);
+    stage.example.scene.viewer = viewer;
+    if (cut) {
+        stage.example.scene.camera.near_plane = GLINT_Q16(3.2);
+        stage.mesh.flags = GLINT_MESH_DOUBLE_SIDED;
+    }
+    draw_reference(&screen, &stage.example.scene);
+    float_render(&screen, &memory, &stage.example.scene);
+    compare(&screen, &total);
+    snprintf(look, sizeof look, "%s %s %s %s %s", drawn->look, models[model].name, to->name,
+             viewer == GLINT_VIEWER_LOCAL ? "local" : "infinite", cut ? "cut" : "");
+    report(drawn->scene, look, &screen, &total);
+}
+
+/* Every model and option for either viewer. */
+static void judge_kernels(const workload *drawn) {
+    for (int model = 0; model < 3; model++) {
+        for (unsigned i = 0; i < TEST_COUNT(options); i++) {
+            judge_changed(drawn, &options[i], model, GLINT_VIEWER_LOCAL, 0);
+            judge_changed(drawn, &options[i], model, GLINT_VIEWER_INFINITE, 0);
+        }
+    }
+    judge_changed(drawn, &options[0], 2, GLINT_VIEWER_LOCAL, 1);
+    judge_changed(drawn, &options[1], 1, GLINT_VIEWER_LOCAL, 1);
 }
 
 /* ---- Cases ---- */
@@ -174,10 +258,34 @@ static void other_workloads(void) {
     judge_all(WORKLOADS_PLAIN, workload_count());
 }
 
+static int is_one_of(const char *name, const char *const names[], unsigned count) {
+    for (unsigned i = 0; i < count; i++)
+        if (strcmp(name, names[i]) == 0)
+            return 1;
+    return 0;
+}
+
+/* Not only what workloads ask for: every kernel, on a small screen. */
+static void every_kernel(void) {
+    static const char *const looks[] = {"p 8",      "2 directional", "1 point",  "1 spot",
+                                        "4 points", "per vertex",    "per facet"};
+    unsigned judged = 0;
+
+    for (uint32_t i = 0; i < workload_count(); i++) {
+        const workload drawn = workload_get(i);
+        if (drawn.width == 128 && !drawn.example && is_one_of(drawn.look, looks, TEST_COUNT(looks))) {
+            judge_kernels(&drawn);
+            judged++;
+        }
+    }
+    CHECK_EQUAL(judged, TEST_COUNT(looks));
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(benchmark_scenes),
         TEST_CASE(other_workloads),
+        TEST_CASE(every_kernel),
     };
 
     const char *path = getenv("GLINT_FLOAT_PICTURES");
@@ -187,7 +295,7 @@ int test_main(test_writer write) {
         write("the file of pictures cannot be read\n");
         return 1;
     }
-    const int failed = test_run(write, cases, TEST_COUNT(cases));
+    const int failed = test_run(write, cases, TEST_COUNT(cases) - (kept ? 1 : 0)); /* the board draws workloads */
     if (kept)
         fclose(kept);
     return failed;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Firmware that draws the first frame of each workload in RGB565 with the float renderer, and writes the pictures: a row
- * of pixels a line, four hexadecimal digits each, or "----" where no surface is seen.
+ * Firmware that draws the first frame of each workload in RGB565 with the float renderer, and writes the pictures: a
+ * row of pixels a line, four hexadecimal digits each, or "----" where no surface is seen.
  */
 #include "board.h"
 #include "fpu.h"

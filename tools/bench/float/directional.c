@@ -2,16 +2,16 @@
 /* Kernels of one directional light. */
 #include "kernel.h"
 
-#define KERNEL(name, model, local, options)                                                       \
-    static void name(const float_draw *draw) {                                                    \
+#define KERNEL(name, model, local, options)                                                        \
+    static void name(const float_draw *draw) {                                                     \
         draw_list(draw, (float_loop){FLOAT_ONE_DIRECTIONAL, FLOAT_MANY, {model, local, options}}); \
     }
 
 /* A model and a viewer under each set of options. */
-#define KERNELS(name, model, local)                    \
-    KERNEL(name##_plain, model, local, 0)              \
+#define KERNELS(name, model, local)                     \
+    KERNEL(name##_plain, model, local, 0)               \
     KERNEL(name##_colours, model, local, FLOAT_COLOURS) \
-    KERNEL(name##_max, model, local, FLOAT_MAX)        \
+    KERNEL(name##_max, model, local, FLOAT_MAX)         \
     KERNEL(name##_ungated, model, local, FLOAT_UNGATED) \
     KERNEL(name##_any, model, local, FLOAT_ANY)
 

@@ -69,10 +69,10 @@ typedef struct float_frame {
     const float_screen *screen;
     float_memory *memory;
     const glint_scene *scene;
-    int local;        /**< The viewer. */
-    float focal;      /**< Pixels of x/w = 1. */
-    float near_plane; /**< Its distance. */
-    float pixel;      /**< Distance of two pixels where w = 1. */
+    int local;                /**< The viewer. */
+    float focal;              /**< Pixels of x/w = 1. */
+    float near_plane;         /**< Its distance. */
+    float pixel;              /**< Distance of two pixels where w = 1. */
     float middle_x, middle_y; /**< The screen's middle from the first column's centres, and minus that of rows. */
     float_light lights[GLINT_LIGHTS_MAX];
     float_powers powers; /**< The last that were asked for. */

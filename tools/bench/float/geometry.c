@@ -3,8 +3,8 @@
 #include "draw.h"
 #include "number.h"
 
-/* A vertex of an object in the guard band lies no further from the screen's centre than so many sixteenths: sides fit 15
- * bits then, and their products 31. */
+/* A vertex of an object in the guard band lies no further from the screen's centre than so many sixteenths: sides fit
+ * 15 bits then, and their products 31. */
 #define GUARD 16000
 
 /* Moves what is rounded above 0, where the whole part is the floor: more than the guard band, and a half. */
@@ -32,8 +32,7 @@ static inline __attribute__((always_inline)) void transform_all(const float_draw
     const int16_t(*position)[3] = draw->object->mesh->positions;
     const float_triple sx = draw->screen_x, sy = draw->screen_y, sz = draw->place.row[2];
     const float tx = draw->screen_tx, ty = draw->screen_ty, tz = draw->place.translation.z;
-    const float middle_x = 8 * (float)screen->width + ABOVE + 0.5f,
-                middle_y = 8 * (float)screen->height + ABOVE + 0.5f;
+    const float middle_x = 8 * (float)screen->width + ABOVE + 0.5f, middle_y = 8 * (float)screen->height + ABOVE + 0.5f;
     const float column = FLOAT_COLUMN - ABOVE / 16;
     float_vertex *vertex = draw->frame->memory->vertices;
     const float_vertex *const end = vertex + draw->object->mesh->vertex_count;
@@ -61,7 +60,9 @@ void float_project(const float_frame *frame, const float_triple *place, float_ve
     const float x = place->x * pixels + 8 * (float)frame->screen->width + 0.5f,
                 y = place->y * -pixels + 8 * (float)frame->screen->height + 0.5f;
     /* The floor, by way of numbers above 0. */
-    const int32_t left = x > -most && x < most ? (int32_t)(x + 4096) - 4096 - (x < -4096) : x < 0 ? -(1 << 27) : 1 << 27;
+    const int32_t left = x > -most && x < most ? (int32_t)(x + 4096) - 4096 - (x < -4096)
+                         : x < 0               ? -(1 << 27)
+                                               : 1 << 27;
     const int32_t top = y > -most && y < most ? (int32_t)(y + 4096) - 4096 - (y < -4096) : y < 0 ? -(1 << 27) : 1 << 27;
 
     vertex->x = (float)left * (1.0f / 16) + FLOAT_COLUMN;
@@ -98,8 +99,8 @@ void float_transform(const float_draw *draw, float_whereabouts where) {
 
 /* ---- Where an object is ---- */
 
-/* Sides of the view that a point lies beyond, a bit each: near, left, right, top, bottom; and whether it leaves the guard
- * band. */
+/* Sides of the view that a point lies beyond, a bit each: near, left, right, top, bottom; and whether it leaves the
+ * guard band. */
 static uint32_t sides(const float_draw *draw, float_triple corner) {
     const float_screen *screen = draw->frame->screen;
     const float w = -(dot(draw->place.row[2], corner) + draw->place.translation.z);
@@ -122,8 +123,5 @@ float_whereabouts float_locate(const float_draw *draw) {
         any |= beyond;
         all &= beyond;
     }
-    return all        ? FLOAT_OUTSIDE
-           : any & 33 ? FLOAT_ANYWHERE
-           : any      ? FLOAT_IN_GUARD_BAND
-                      : FLOAT_ON_SCREEN;
+    return all ? FLOAT_OUTSIDE : any & 33 ? FLOAT_ANYWHERE : any ? FLOAT_IN_GUARD_BAND : FLOAT_ON_SCREEN;
 }

@@ -113,8 +113,8 @@ FLOAT_INLINE uint16_t shade_directional(const float_surface *surface, float_kind
             if (kind.model == FLOAT_BLINN_PHONG) {
                 const float length = kind.local ? float_root(way) : 1;
                 const float half = toward * length + facing;
-                float_add_highlight(surface, kind, half * __builtin_fabsf(half), square * (way + length * along), lamp, 1,
-                                    &light);
+                float_add_highlight(surface, kind, half * __builtin_fabsf(half), square * (way + length * along), lamp,
+                                    1, &light);
             } else {
                 const float mirrored = 2 * toward * facing - along * square;
                 float_add_highlight(surface, kind, mirrored * __builtin_fabsf(mirrored), square * square * way, lamp, 1,
@@ -149,11 +149,10 @@ FLOAT_INLINE uint16_t shade_lights(const float_surface *surface, float_kind kind
 
 FLOAT_INLINE uint16_t shade(const float_surface *surface, float_loop loop, uint16_t flat, const float_fragment *at,
                             const float_row *row) {
-    return loop.paint == FLOAT_FLAT           ? flat
-           : loop.paint == FLOAT_INTERPOLATED ? float_pixel(scaled(at->attribute, 1 / at->inverse_w))
-           : loop.paint == FLOAT_ONE_DIRECTIONAL
-               ? shade_directional(surface, loop.kind, at, row)
-               : shade_lights(surface, loop.kind, loop.lights, at, row);
+    return loop.paint == FLOAT_FLAT              ? flat
+           : loop.paint == FLOAT_INTERPOLATED    ? float_pixel(scaled(at->attribute, 1 / at->inverse_w))
+           : loop.paint == FLOAT_ONE_DIRECTIONAL ? shade_directional(surface, loop.kind, at, row)
+                                                 : shade_lights(surface, loop.kind, loop.lights, at, row);
 }
 
 /* ---- Spans */
@@ -285,7 +284,8 @@ FLOAT_INLINE void put_planes(const float_draw *draw, float_loop loop, float_walk
     }
 }
 
-FLOAT_INLINE void draw_triangle(const float_draw *draw, float_loop loop, const float_triangle *triangle, uint16_t flat) {
+FLOAT_INLINE void draw_triangle(const float_draw *draw, float_loop loop, const float_triangle *triangle,
+                                uint16_t flat) {
     const float_screen *screen = draw->frame->screen;
     const float_vertex *const vertices = draw->frame->memory->vertices;
     const float_vertex *a = &vertices[triangle->corner[0]], *b = &vertices[triangle->corner[1]],
@@ -296,8 +296,8 @@ FLOAT_INLINE void draw_triangle(const float_draw *draw, float_loop loop, const f
     order(&a, &b);
     const float ab_x = b->x - a->x, ab_y = b->y - a->y, ac_x = c->x - a->x, ac_y = c->y - a->y;
     const float area = ab_x * ac_y - ac_x * ab_y, inverse = 1 / area;
-    const float_sides sides = {ac_y * inverse, ab_y * inverse, ac_x * inverse,
-                               ab_x * inverse, FLOAT_COLUMN + 0.5f - a->x, a->step};
+    const float_sides sides = {
+        ac_y * inverse, ab_y * inverse, ac_x * inverse, ab_x * inverse, FLOAT_COLUMN + 0.5f - a->x, a->step};
     const int bends_right = area > 0;
     float_walk walk = {.row = a->row, .flat = flat};
     if (a->row >= c->row) {

@@ -9,9 +9,8 @@
 /* All models and options, which are looked at here. */
 static float_triple shade_any(const float_surface *surface, int local, const float_point *point,
                               const float_triple *colour) {
-    const float_kind kinds[3] = {{FLOAT_DIFFUSE, local, FLOAT_ANY},
-                                 {FLOAT_BLINN_PHONG, local, FLOAT_ANY},
-                                 {FLOAT_PHONG, local, FLOAT_ANY}};
+    const float_kind kinds[3] = {
+        {FLOAT_DIFFUSE, local, FLOAT_ANY}, {FLOAT_BLINN_PHONG, local, FLOAT_ANY}, {FLOAT_PHONG, local, FLOAT_ANY}};
     float_light_sum light = float_begin_sum(surface, kinds[0]);
 
     if (surface->model == FLOAT_DIFFUSE) {

@@ -5,8 +5,8 @@
  */
 #include "kernel.h"
 
-#define KERNEL(name, model, local, options)                                            \
-    static void name(const float_draw *draw) {                                         \
+#define KERNEL(name, model, local, options)                                           \
+    static void name(const float_draw *draw) {                                        \
         draw_list(draw, (float_loop){FLOAT_LIGHTS, LIGHTS, {model, local, options}}); \
     }
 
@@ -34,6 +34,7 @@ static float_kernel *const kernels[3][2][3] = {
 float_kernel *CHOOSE(const float_draw *draw) {
     const uint32_t options = draw->surface.options;
 
-    return kernels[draw->surface.model - FLOAT_DIFFUSE][draw->frame->local]
-                  [options == 0 ? 0 : options == FLOAT_COLOURS ? 1 : 2];
+    return kernels[draw->surface.model - FLOAT_DIFFUSE][draw->frame->local][options == 0               ? 0
+                                                                            : options == FLOAT_COLOURS ? 1
+                                                                                                       : 2];
 }

@@ -11,7 +11,6 @@
 
 #include "renderer.h"
 
-
 #define FLOAT_INLINE static inline __attribute__((always_inline))
 
 /** 1 of a channel in levels, and half a level. */

@@ -11,8 +11,7 @@
 static float small_sine(float angle) {
     const float square = angle * angle;
 
-    return angle *
-           (1 - square / 6 * (1 - square / 20 * (1 - square / 42 * (1 - square / 72))));
+    return angle * (1 - square / 6 * (1 - square / 20 * (1 - square / 42 * (1 - square / 72))));
 }
 
 /* Cosine of 0 to 180 degrees. */
@@ -117,8 +116,7 @@ void float_prepare_object(float_draw *draw) {
     const float pixels = 16 * frame->focal;
     float_matrix *place = &draw->place;
 
-    place->translation =
-        sum_scaled(sum_scaled(sum_scaled(middle, x, offset.x), y, offset.y), z, offset.z);
+    place->translation = sum_scaled(sum_scaled(sum_scaled(middle, x, offset.x), y, offset.y), z, offset.z);
     draw->front = dot(x, nx) < 0 ? 1 : -1;
     for (int i = 0; i < 3; i++) {
         place->row[i] = product(row_of(x, y, z, i), extent);

@@ -45,7 +45,8 @@ FLOAT_INLINE float float_low_power(const float_surface *surface, float square) {
         return powers->at_zero;
     }
     const uint32_t bits = (uint32_t)float_bits(square / surface->square);
-    const float_power *entry = &powers->table[bits < FLOAT_LOW_FIRST ? 0 : 1 + ((bits - FLOAT_LOW_FIRST) >> FLOAT_LOW_SHIFT)];
+    const float_power *entry =
+        &powers->table[bits < FLOAT_LOW_FIRST ? 0 : 1 + ((bits - FLOAT_LOW_FIRST) >> FLOAT_LOW_SHIFT)];
     return entry->value + entry->slope * (square / surface->square);
 }
 
@@ -75,7 +76,8 @@ typedef struct float_arrival {
 
 /* A spot's part: a smooth step between its cones. Most points lie outside: they are told before anything is divided. */
 FLOAT_INLINE float float_cone(const float_light *light, const float_point *point, float length) {
-    const float inside = -(light->axis_position * point->nearness + dot(light->axis, point->way)) - light->outer * length;
+    const float inside =
+        -(light->axis_position * point->nearness + dot(light->axis, point->way)) - light->outer * length;
 
     if (inside <= 0) {
         return 0;
@@ -125,8 +127,8 @@ FLOAT_INLINE void float_add_lamp(const float_surface *surface, float_kind kind, 
         along = kind.local ? near_way + 1 : point->nearness * along + point->way.z;
     }
     if (gated || toward > 0) {
-        result->diffuse =
-            sum_scaled(result->diffuse, lamp->diffuse, positional ? toward / arrival.length * arrival.strength : toward);
+        result->diffuse = sum_scaled(result->diffuse, lamp->diffuse,
+                                     positional ? toward / arrival.length * arrival.strength : toward);
     }
     if (kind.model == FLOAT_BLINN_PHONG) {
         const float half = toward + arrival.length * point->facing;
