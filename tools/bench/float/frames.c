@@ -32,8 +32,8 @@ static int count(const workload *drawn) {
     const float_screen screen = {drawn->width, drawn->height, (uint16_t *)(void *)colour, depth};
     uint64_t ticks = 0;
 
-    if (workload_build(&stage, drawn)) {
-        board_write("no such variant\n");
+    if (!drawn->frames || workload_build(&stage, drawn)) {
+        board_write("no such variant, or no frames\n");
         return 1;
     }
     for (uint32_t frame = 0; frame < drawn->frames; frame++) {

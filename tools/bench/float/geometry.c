@@ -33,7 +33,7 @@ static inline __attribute__((always_inline)) void transform_all(const float_draw
     const float_triple sx = draw->screen_x, sy = draw->screen_y, sz = draw->place.row[2];
     const float tx = draw->screen_tx, ty = draw->screen_ty, tz = draw->place.translation.z;
     const float middle_x = 8 * (float)screen->width + ABOVE + 0.5f, middle_y = 8 * (float)screen->height + ABOVE + 0.5f;
-    const float column = FLOAT_COLUMN - ABOVE / 16;
+    const float column = FLOAT_COLUMN - ABOVE * (1.0f / 16);
     float_vertex *vertex = draw->frame->memory->vertices;
     const float_vertex *const end = vertex + draw->object->mesh->vertex_count;
     uint32_t *packed = draw->frame->memory->packed;
