@@ -67,17 +67,13 @@ static inline int holds_no_centre(uint32_t a, uint32_t b, uint32_t c) {
     return differ < 0x10000u || (differ & 0xffffu) == 0;
 }
 
-static inline void list(float_draw *draw, uint32_t count, const uint16_t corner[3], uint32_t source) {
-    float_memory *memory = draw->frame->memory;
-    float_triangle *triangle = &memory->triangles[count];
-
-    triangle->corner[0] = corner[0];
-    triangle->corner[1] = corner[1];
-    triangle->corner[2] = corner[2];
+/* Adds a triangle. Its corners are read before: what is written here may be anything to the compiler. */
+static inline void list(float_triangle *triangle, uint8_t *used, uint32_t a, uint32_t b, uint32_t c, uint32_t source) {
+    triangle->corner[0] = (uint16_t)a;
+    triangle->corner[1] = (uint16_t)b;
+    triangle->corner[2] = (uint16_t)c;
     triangle->source = (uint16_t)source;
-    memory->used[corner[0]] = 1;
-    memory->used[corner[1]] = 1;
-    memory->used[corner[2]] = 1;
+    used[a] = used[b] = used[c] = 1;
 }
 
 static void forget_uses(float_draw *draw) {
@@ -91,22 +87,24 @@ static void forget_uses(float_draw *draw) {
 }
 
 static void cull_packed(float_draw *draw) {
-    const glint_mesh *mesh = draw->object->mesh;
-    const uint16_t(*corner)[3] = mesh->triangles;
-    const uint16_t(*const end)[3] = corner + mesh->triangle_count;
-    const uint32_t *packed = draw->frame->memory->packed;
+    float_memory *memory = draw->frame->memory;
+    const uint16_t(*corner)[3] = draw->object->mesh->triangles;
+    const uint32_t count = draw->object->mesh->triangle_count;
+    const uint32_t *packed = memory->packed;
+    uint8_t *used = memory->used;
+    float_triangle *triangle = memory->triangles;
     const int32_t front = draw->front;
-    uint32_t count = 0;
 
     forget_uses(draw);
-    for (; corner < end; corner++) {
-        const uint32_t a = packed[(*corner)[0]], b = packed[(*corner)[1]], c = packed[(*corner)[2]];
+    for (uint32_t i = 0; i < count; i++, corner++) {
+        const uint32_t first = (*corner)[0], second = (*corner)[1], third = (*corner)[2];
+        const uint32_t a = packed[first], b = packed[second], c = packed[third];
 
         if (pair_area(pair_difference(b, a), pair_difference(c, a)) * front > 0 && !holds_no_centre(a, b, c)) {
-            list(draw, count++, *corner, (uint32_t)(corner - mesh->triangles));
+            list(triangle++, used, first, second, third, i);
         }
     }
-    draw->count = count;
+    draw->count = (uint32_t)(triangle - memory->triangles);
 }
 
 /* ---- Anywhere ---- */
@@ -128,7 +126,8 @@ static void cull_anywhere(float_draw *draw) {
         if (a->inverse_w == 0 || b->inverse_w == 0 || c->inverse_w == 0) {
             float_clip(draw, i);
         } else if (area_of(a, b, c) * (float)draw->front > 0) {
-            list(draw, draw->count++, corner, i);
+            list(&draw->frame->memory->triangles[draw->count++], draw->frame->memory->used, corner[0], corner[1],
+                 corner[2], i);
         }
     }
 }
@@ -200,7 +199,8 @@ static void add_vertex(float_draw *draw, const corner *from) {
 void float_clip(float_draw *draw, uint32_t triangle) {
     const uint16_t *indices = draw->object->mesh->triangles[triangle];
     const uint32_t first = draw->vertex_end;
-    const float_vertex *vertices = &draw->frame->memory->vertices[first];
+    float_memory *memory = draw->frame->memory;
+    const float_vertex *vertices = &memory->vertices[first];
     corner corners[3], kept[4];
 
     if (first + 4 > FLOAT_VERTICES_MAX) {
@@ -214,9 +214,8 @@ void float_clip(float_draw *draw, uint32_t triangle) {
         add_vertex(draw, &kept[i]);
     }
     for (uint32_t i = 2; i < count; i++) {
-        const uint16_t part[3] = {(uint16_t)first, (uint16_t)(first + i - 1), (uint16_t)(first + i)};
         if (area_of(&vertices[0], &vertices[i - 1], &vertices[i]) * (float)draw->front > 0) {
-            list(draw, draw->count++, part, triangle);
+            list(&memory->triangles[draw->count++], memory->used, first, first + i - 1, first + i, triangle);
         }
     }
 }
