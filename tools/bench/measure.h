@@ -59,7 +59,9 @@ static inline void measure_write_number(uint32_t number, const char *end) {
 
 /** The end of a line: instructions, the mean of so many frames, smallest and best arena. */
 static inline void measure_write(const measured *result, uint32_t frames) {
-    measure_write_number((uint32_t)(result->ticks * COUNTER_INSTRUCTIONS_PER_TICK / frames), ",");
+    const uint64_t instructions = result->ticks * COUNTER_INSTRUCTIONS_PER_TICK;
+
+    measure_write_number(frames ? (uint32_t)(instructions / frames) : 0, ",");
     measure_write_number((uint32_t)result->smallest, ",");
     measure_write_number((uint32_t)result->best, "\n");
 }
