@@ -5,7 +5,8 @@ FLOAT_RENDERER := $(filter-out tools/bench/float/frames.c,$(wildcard tools/bench
     $(wildcard examples/scenes/*.c)
 FLOAT_INCLUDES := -Itools/bench -Itools/bench/float
 
-# ---- Firmware for the MPS2's Cortex-M4 with its FPU in use. Of the library it links scenes and poses, no renderer.
+# ---- Firmware for the MPS2's Cortex-M4 with its FPU in use. It links the library for scenes, poses and descriptors; it draws
+# ---- with nothing of it.
 
 mps2-an386-m4f_CPU     := -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -ffast-math -ffp-contract=fast
 mps2-an386-m4f_SOURCES := $(mps2-an386_SOURCES)

@@ -125,7 +125,7 @@ static void cull_anywhere(float_draw *draw) {
 
         if (a->inverse_w == 0 || b->inverse_w == 0 || c->inverse_w == 0) {
             float_clip(draw, i);
-        } else if (area_of(a, b, c) * (float)draw->front > 0) {
+        } else if (area_of(a, b, c) * (float)draw->front > 0 && draw->count < FLOAT_TRIANGLES_MAX) {
             list(&draw->frame->memory->triangles[draw->count++], draw->frame->memory->used, corner[0], corner[1],
                  corner[2], i);
         }
@@ -203,7 +203,7 @@ void float_clip(float_draw *draw, uint32_t triangle) {
     const float_vertex *vertices = &memory->vertices[first];
     corner corners[3], kept[4];
 
-    if (first + 4 > FLOAT_VERTICES_MAX) {
+    if (first + 4 > FLOAT_VERTICES_MAX || draw->count + 2 > FLOAT_TRIANGLES_MAX) {
         return;
     }
     for (int i = 0; i < 3; i++) {

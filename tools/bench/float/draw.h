@@ -8,8 +8,9 @@
 
 #include "renderer.h"
 
-/** Intervals of a table of powers. */
+/** Intervals of a table of powers, and room for its entries: a power of two, so that no number reads beyond. */
 #define FLOAT_POWERS 128
+#define FLOAT_POWERS_ROOM 256
 
 /** A table for exponents below 2: bits of the first node, and how many bits a step of the table has. */
 #define FLOAT_LOW_FIRST 0x37800000u
@@ -26,7 +27,7 @@ typedef struct float_powers {
     float cut;           /**< Powers below it are left out. */
     float scale, offset; /**< From the square to the position; not above 0 where the power is left out. */
     float at_zero;       /**< Power of 0. */
-    float_power table[FLOAT_POWERS + 2];
+    float_power table[FLOAT_POWERS_ROOM];
 } float_powers;
 
 /** A light in camera space. */

@@ -74,6 +74,9 @@ static void draw_side(float_draw *draw, float_whereabouts where) {
 static void draw_object(float_frame *frame, const glint_object *object) {
     float_draw draw = {.frame = frame, .object = object, .side = 1};
 
+    if (object->mesh->vertex_count > FLOAT_VERTICES_MAX || object->mesh->triangle_count > FLOAT_TRIANGLES_MAX) {
+        return;
+    }
     float_prepare_object(&draw);
     const float_whereabouts where = float_locate(&draw);
     if (where == FLOAT_OUTSIDE) {

@@ -9,7 +9,8 @@
 
 #include "glint.h"
 
-/** Most of a mesh. A triangle that crosses the near plane takes up to 4 vertices and 2 triangles more. */
+/** Most of a mesh. A triangle that crosses the near plane takes up to 4 vertices more, and may make 2; what finds no
+ * room is not drawn. */
 #define FLOAT_VERTICES_MAX 8192
 #define FLOAT_TRIANGLES_MAX 16384
 
@@ -51,7 +52,7 @@ typedef struct float_screen {
     int32_t *depth;   /**< Bits of 1/w as a float, which order as the floats do. */
 } float_screen;
 
-/** Draws a scene that the library would draw, with meshes that fit FLOAT_VERTICES_MAX and FLOAT_TRIANGLES_MAX. */
+/** Draws a scene that the library would draw, but for meshes above FLOAT_VERTICES_MAX or FLOAT_TRIANGLES_MAX. */
 void float_render(const float_screen *screen, float_memory *memory, const glint_scene *scene);
 
 #endif

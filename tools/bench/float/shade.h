@@ -45,8 +45,8 @@ FLOAT_INLINE float float_low_power(const float_surface *surface, float square) {
         return powers->at_zero;
     }
     const uint32_t bits = (uint32_t)float_bits(square / surface->square);
-    const float_power *entry =
-        &powers->table[bits < FLOAT_LOW_FIRST ? 0 : 1 + ((bits - FLOAT_LOW_FIRST) >> FLOAT_LOW_SHIFT)];
+    const uint32_t number = bits < FLOAT_LOW_FIRST ? 0 : 1 + ((bits - FLOAT_LOW_FIRST) >> FLOAT_LOW_SHIFT);
+    const float_power *entry = &powers->table[number % FLOAT_POWERS_ROOM];
     return entry->value + entry->slope * (square / surface->square);
 }
 
@@ -61,7 +61,7 @@ FLOAT_INLINE void float_add_highlight(const float_surface *surface, float_kind k
     }
     const float at = over / under * surface->scale + surface->offset;
     if (at > 0) {
-        const float_power *entry = &surface->powers->table[float_whole(at)];
+        const float_power *entry = &surface->powers->table[float_whole(at) % FLOAT_POWERS_ROOM];
         *to = sum_scaled(*to, lamp->specular, strength * (entry->value + entry->slope * at));
     }
 }
