@@ -46,8 +46,8 @@ static const uint32_t expected_checksums[] = {
     0xc89cdb20u, /* spot_phong */
     0x8dc475ebu, /* lambert_infinite */
     0x6282db6bu, /* phong_ungated_max */
-    0x538223afu, /* per_vertex */
-    0x70a42bc0u, /* per_vertex_clipped */
+    0xa121b85fu, /* per_vertex */
+    0xee56db74u, /* per_vertex_clipped */
     0x75eab97bu, /* per_facet */
     0x2b3439b3u, /* per_facet_clipped */
     0x5638bafdu, /* mesh_colours */
