@@ -12,10 +12,9 @@ static int32_t look_up(const uint16_t *table, int32_t channel) {
 }
 
 void glint_finish_colours(const glint_config *config, int32_t (*colour)[3], uint32_t count) {
-    for (int c = 0; c < 3; c++) {
-        const uint16_t *const table = config->gamma ? config->gamma[c] : 0;
-        const unsigned bits = config->format->channel[c];
-        for (uint32_t i = 0; i < count; i++)
-            colour[i][c] = glint_to_levels(table ? look_up(table, colour[i][c]) : colour[i][c], bits);
-    }
+    for (uint32_t i = 0; i < count; i++)
+        for (int c = 0; c < 3; c++) {
+            const int32_t shown = config->gamma ? look_up(config->gamma[c], colour[i][c]) : colour[i][c];
+            colour[i][c] = glint_to_levels(shown, config->format->channel[c]);
+        }
 }

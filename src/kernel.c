@@ -79,7 +79,7 @@ static inline uint32_t find_runs(uint16_t *depth, glint_span span, uint32_t z, u
 }
 
 /* The same where 1/w may be below 0, as of a deep triangle's planes; and shorter. */
-static GLINT_NOINLINE uint32_t find_deep_runs(uint16_t *depth, glint_span span, uint32_t z, uint32_t z_dx, run *runs) {
+static uint32_t find_deep_runs(uint16_t *depth, glint_span span, uint32_t z, uint32_t z_dx, run *runs) {
     run *next = runs;
     uint32_t end = GLINT_TILE_MAX;
     for (uint32_t column = span.left; column < span.right; column++, z += z_dx) {
@@ -125,7 +125,7 @@ static void finish_fragments(const glint_frame *frame, const glint_fragments *fr
     const unsigned red = bits[0], green = bits[1], blue = bits[2];
     for (uint32_t i = 0; i < fragments->count; i++)
         glint_channels_of(fragments->colour[i], row[i]);
-    if (frame->config.gamma) {
+    if (GLINT_SMALL || frame->config.gamma) {
         glint_finish_colours(&frame->config, row, fragments->count);
         return;
     }
@@ -145,7 +145,7 @@ static void store_fragments(const glint_frame *frame, glint_workspace *workspace
     for (uint32_t i = 0, end; i < fragments->count; i = end) {
         const uint32_t offset = ((uint32_t)fragments->row[i] << frame->tile_shift_x) + fragments->column[i];
         end = i + 1;
-        while (end < fragments->count && fragments->row[end] == fragments->row[i] &&
+        while (!GLINT_SMALL && end < fragments->count && fragments->row[end] == fragments->row[i] &&
                fragments->column[end] == fragments->column[end - 1] + 1)
             end++;
         format->store(workspace->pixels, frame->tile_shift_x, offset, end - i,
@@ -192,11 +192,6 @@ static uint32_t draw_runs(const glint_frame *frame, glint_workspace *workspace, 
 
 /* ---- Kernels ---- */
 
-/* Is a triangle deep? Built for size, all are drawn as if they were. */
-static int is_deep(const glint_triangle *triangle) {
-    return GLINT_SMALL || glint_is_deep(triangle);
-}
-
 /* Pixels of a part's spans. */
 static uint32_t covered_by(const glint_part *part) {
     uint32_t covered = 0;
@@ -208,13 +203,13 @@ static uint32_t covered_by(const glint_part *part) {
 /* Draws a part in one colour, which is not finished. */
 static void draw_even(const glint_frame *frame, glint_workspace *workspace, const glint_triangle *triangle,
                       const glint_part *part, int32_t colour[1][3]) {
-    const int deep = is_deep(triangle);
+    const int is_deep = glint_is_deep(triangle);
     glint_finish_colours(&frame->config, colour, 1);
-    if (frame->config.format->draw_even && !deep) {
+    if (frame->config.format->draw_even && !is_deep) {
         const glint_spans spans = glint_spans_of(frame, workspace, part);
         frame->config.format->draw_even(&spans, colour[0]);
     } else {
-        const source from = {.draw_run = store_run, .is_deep = deep};
+        const source from = {.draw_run = store_run, .is_deep = is_deep};
         for (uint32_t i = 0; i < frame->config.tile_width; i++)
             for (int c = 0; c < 3; c++)
                 workspace->row[i][c] = colour[0][c];
@@ -247,17 +242,18 @@ static void draw_fragments(const glint_frame *frame, glint_workspace *workspace,
     glint_attributes attributes;
     glint_fragments fragments;
     uint32_t w[3];
-    const source from = {
-        .draw_run = gather_run, .fragments = &fragments, .shade = shade, .draw = draw, .is_deep = is_deep(triangle)};
+    source from;
+    from.draw_run = gather_run;
+    from.fragments = &fragments;
+    from.shade = shade;
+    from.draw = draw;
+    from.is_deep = GLINT_SMALL || glint_is_deep(triangle);
     fragments.count = 0;
-    fragments.x = glint_shift_right(part->window.left, 4);
-    fragments.y = glint_shift_right(part->window.top, 4);
-    fragments.from_x = part->x;
-    fragments.from_y = part->y;
+    fragments.part = part;
     fragments.attributes = &attributes;
     fragments.scale = scale_inverse_w(triangle->corners, w);
     triple(attributes.main, &part->gradients, main, w, is_negated);
-    if (draw->extra && draw->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS)
+    if (draw->extra)
         triple(attributes.extra, &part->gradients, triangle->extra, w, 0);
     const uint32_t covered = draw_runs(frame, workspace, &from, part);
     if (fragments.count)
