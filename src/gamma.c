@@ -6,7 +6,7 @@
 static int32_t look_up(const uint16_t *table, int32_t channel) {
     const uint32_t x = (uint32_t)glint_least(glint_most(channel, 0), GLINT_CHANNEL_ONE) >> 4; /* Q23 */
     const uint32_t entry = x >> 15, fraction = x & 0x7fff;
-    const int32_t low = table[entry], high = table[entry < 256 ? entry + 1 : 256];
+    const int32_t low = table[entry], high = table[entry + (entry < 256)];
     const int32_t value = low + glint_shift_right((high - low) / 2 * (int32_t)fraction, 14); /* 65535 is 1 */
     return (value + glint_shift_right(value, 15)) * (1 << (GLINT_CHANNEL_BITS - 16));
 }

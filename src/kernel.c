@@ -5,15 +5,25 @@
 
 /* ---- Triangles ---- */
 
-/* What the colours of a triangle's pixels come from: one of these. */
-typedef struct source {
-    const int32_t *even;                /* the one colour of all, which the row holds */
-    const glint_plane *channels;        /* three planes */
-    const glint_attributes *attributes; /* what fragments are lit by */
+typedef struct source source;
+
+/* Finds the colours of a run of a row, which begins so far from the triangle's anchor, and finishes them. */
+typedef void finder(const glint_frame *frame, const source *from, const glint_part *part, int32_t x, int32_t y,
+                    uint32_t count, int32_t (*row)[3]);
+
+/* Finds colours of fragments. */
+typedef void shader(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw);
+
+/* What the colours of a triangle's pixels come from. */
+struct source {
+    finder *find;                       /* null where the row holds the one colour of all */
+    const glint_plane *channels;        /* of find_linear */
+    shader *shade;                      /* of find_shaded */
+    const glint_attributes *attributes; /* of fragments */
     const glint_draw *draw;
-    uint32_t scale;        /* of the attributes: over w 2^scale */
-    int is_deep, finishes; /* are colours found that are to be finished? */
-} source;
+    uint32_t scale; /* of the attributes: over w 2^scale */
+    int is_deep;
+};
 
 /* 1/w of the corners, none 0, the largest in 2^30 .. 2^31; @return the shift that took. */
 static unsigned scale_inverse_w(const glint_vertex *const v[3], uint32_t w[3]) {
@@ -47,51 +57,76 @@ typedef struct run {
     uint8_t first, end;
 } run;
 
-/* Depth of 1/w, given with GLINT_DEPTH_BIAS; that of a deep triangle's planes may be below 0. */
-static inline uint32_t depth_of(uint32_t z, int is_deep) {
-    return (is_deep ? (uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS) : z) >> 15;
-}
-
-/* Finds the runs of a span, and stores their depth. @return how many */
-static inline uint32_t find_runs(uint16_t *depth, glint_span span, uint32_t z, uint32_t z_dx, int is_deep, run *runs) {
+/* Finds the runs of a span, and stores their depth; 1/w is given with GLINT_DEPTH_BIAS. @return how many */
+static inline uint32_t find_runs(uint16_t *depth, glint_span span, uint32_t z, uint32_t z_dx, run *runs) {
     uint32_t count = 0, column = span.left;
     while (column < span.right) {
-        while (depth_of(z, is_deep) <= depth[column]) {
+        while (z >> 15 <= depth[column]) {
             z += z_dx;
             if (++column == span.right)
                 return count;
         }
         runs[count].first = (uint8_t)column;
         do {
-            depth[column] = (uint16_t)depth_of(z, is_deep);
+            depth[column] = (uint16_t)(z >> 15);
             z += z_dx;
             column++;
-        } while (column < span.right && depth_of(z, is_deep) > depth[column]);
+        } while (column < span.right && z >> 15 > depth[column]);
         runs[count++].end = (uint8_t)column;
     }
     return count;
 }
 
+/* The same where 1/w may be below 0, as of a deep triangle's planes; and shorter. */
 static GLINT_NOINLINE uint32_t find_deep_runs(uint16_t *depth, glint_span span, uint32_t z, uint32_t z_dx, run *runs) {
-    return find_runs(depth, span, z, z_dx, 1, runs);
+    run *next = runs;
+    uint32_t end = GLINT_TILE_MAX;
+    for (uint32_t column = span.left; column < span.right; column++, z += z_dx) {
+        const uint32_t here = (uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS) >> 15;
+        if (here <= depth[column])
+            continue;
+        depth[column] = (uint16_t)here;
+        if (column != end)
+            (next++)->first = (uint8_t)column;
+        end = column + 1;
+        next[-1].end = (uint8_t)end;
+    }
+    return (uint32_t)(next - runs);
 }
 
-static void find_linear(const glint_plane channels[3], int32_t x, int32_t y, uint32_t count, int32_t (*row)[3]) {
+static void find_linear(const glint_frame *frame, const source *from, const glint_part *part, int32_t x, int32_t y,
+                        uint32_t count, int32_t (*row)[3]) {
+    const glint_plane *const channels = from->channels;
+    (void)part;
     int32_t red = glint_plane_at(&channels[0], x, y), green = glint_plane_at(&channels[1], x, y),
             blue = glint_plane_at(&channels[2], x, y);
-    for (; count; count--, row++) {
-        (*row)[0] = red;
-        (*row)[1] = green;
-        (*row)[2] = blue;
+    for (uint32_t i = 0; i < count; i++) {
+        row[i][0] = red;
+        row[i][1] = green;
+        row[i][2] = blue;
         red = glint_add_wrap(red, channels[0].dx);
         green = glint_add_wrap(green, channels[1].dx);
         blue = glint_add_wrap(blue, channels[2].dx);
     }
+    if (frame->config.gamma)
+        glint_finish_colours(&frame->config, row, count);
 }
 
-/* Lights fragments one by one. */
-static void find_lit(const glint_frame *frame, const source *from, const glint_part *part, int32_t x, int32_t y,
-                     uint32_t count, int32_t (*row)[3]) {
+/* Finds colours of fragments from those of vertices. */
+static void resolve(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw) {
+    (void)frame;
+    (void)draw;
+    for (uint32_t i = 0; i < fragments->count; i++) {
+        int16_t colour[3];
+        glint_resolve_colour(fragments, i, fragments->attributes->main, colour);
+        for (int c = 0; c < 3; c++) /* 32767 stands for 1 */
+            fragments->colour[i][c] = ((uint32_t)colour[c] << 8) + ((uint32_t)colour[c] >> 7);
+    }
+}
+
+/* Fragments, a few at a time. */
+static void find_shaded(const glint_frame *frame, const source *from, const glint_part *part, int32_t x, int32_t y,
+                        uint32_t count, int32_t (*row)[3]) {
     glint_fragments fragments;
     fragments.scale = from->scale;
     fragments.attributes = from->attributes;
@@ -107,22 +142,19 @@ static void find_lit(const glint_frame *frame, const source *from, const glint_p
             fragments.inverse_w[i] = glint_most(inverse_w, 0); /* rounding may take a deep triangle's plane below */
             inverse_w = glint_add_wrap(inverse_w, part->depth.dx);
         }
-        glint_shade(frame, &fragments, from->draw);
+        from->shade(frame, &fragments, from->draw);
         for (uint32_t i = 0; i < fragments.count; i++)
             glint_channels_of(fragments.colour[i], row[done + i]);
     }
+    glint_finish_colours(&frame->config, row, count);
 }
 
 static void draw_run(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
                      run at, uint32_t y) {
     const uint32_t count = (uint32_t)at.end - at.first;
     const int32_t x = part->x + at.first, down = part->y + (int32_t)y;
-    if (from->channels)
-        find_linear(from->channels, x, down, count, workspace->row);
-    else if (from->attributes)
-        find_lit(frame, from, part, x, down, count, workspace->row);
-    if (from->finishes)
-        glint_finish_colours(&frame->config, workspace->row, count);
+    if (from->find)
+        from->find(frame, from, part, x, down, count, workspace->row);
     frame->config.format->store(workspace->pixels, frame->tile_shift_x, (y << frame->tile_shift_x) + at.first, count,
                                 (const int32_t(*)[3])workspace->row);
 }
@@ -138,8 +170,8 @@ static uint32_t draw_runs(const glint_frame *frame, glint_workspace *workspace, 
         const uint32_t z =
             (uint32_t)glint_plane_at(&part->depth, part->x + span.left, part->y + (int32_t)y) + GLINT_DEPTH_BIAS;
         uint16_t *const depth = workspace->depth + (y << frame->tile_shift_x);
-        const uint32_t count = from->is_deep || GLINT_SMALL ? find_deep_runs(depth, span, z, z_dx, runs)
-                                                            : find_runs(depth, span, z, z_dx, 0, runs);
+        const uint32_t count = GLINT_SMALL || from->is_deep ? find_deep_runs(depth, span, z, z_dx, runs)
+                                                            : find_runs(depth, span, z, z_dx, runs);
         covered += (uint32_t)span.right - span.left;
         for (uint32_t i = 0; i < count; i++)
             draw_run(frame, workspace, from, part, runs[i], y);
@@ -148,6 +180,11 @@ static uint32_t draw_runs(const glint_frame *frame, glint_workspace *workspace, 
 }
 
 /* ---- Kernels ---- */
+
+/* Is a triangle deep? Built for size, all are drawn as if they were. */
+static int is_deep(const glint_triangle *triangle) {
+    return GLINT_SMALL || glint_is_deep(triangle);
+}
 
 /* Pixels of a part's spans. */
 static uint32_t covered_by(const glint_part *part) {
@@ -160,13 +197,13 @@ static uint32_t covered_by(const glint_part *part) {
 /* Draws a part in one colour, which is not finished. */
 static void draw_even(const glint_frame *frame, glint_workspace *workspace, const glint_triangle *triangle,
                       const glint_part *part, int32_t colour[1][3]) {
-    const int is_deep = glint_is_deep(triangle);
+    const int deep = is_deep(triangle);
     glint_finish_colours(&frame->config, colour, 1);
-    if (frame->config.format->draw_even && !is_deep) {
+    if (frame->config.format->draw_even && !deep) {
         const glint_spans spans = glint_spans_of(frame, workspace, part);
         frame->config.format->draw_even(&spans, colour[0]);
     } else {
-        const source from = {.even = colour[0], .is_deep = is_deep};
+        const source from = {.is_deep = deep};
         for (uint32_t i = 0; i < frame->config.tile_width; i++)
             for (int c = 0; c < 3; c++)
                 workspace->row[i][c] = colour[0][c];
@@ -192,17 +229,18 @@ void glint_draw_facet(const glint_frame *frame, glint_workspace *workspace, cons
     draw_even(frame, workspace, triangle, part, colour);
 }
 
-/* Draws fragments that are lit one by one, by attributes that are interpolated over w. */
+/* Draws fragments whose colours come from attributes that are interpolated over w. */
 static void draw_fragments(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                            const glint_triangle *triangle, const glint_part *part, const int16_t *const main[3],
-                           int is_negated) {
+                           int is_negated, shader *shade) {
     glint_attributes attributes;
     uint32_t w[3];
-    const source from = {.attributes = &attributes,
+    const source from = {.find = find_shaded,
+                         .shade = shade,
+                         .attributes = &attributes,
                          .draw = draw,
                          .scale = scale_inverse_w(triangle->corners, w),
-                         .is_deep = glint_is_deep(triangle),
-                         .finishes = 1};
+                         .is_deep = is_deep(triangle)};
     triple(attributes.main, &part->gradients, main, w, is_negated);
     if (draw->extra && draw->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS)
         triple(attributes.extra, &part->gradients, triangle->extra, w, 0);
@@ -213,7 +251,7 @@ void glint_draw_any(const glint_frame *frame, glint_workspace *workspace, const 
                     const glint_triangle *triangle, const glint_part *part) {
     const glint_vertex *const *v = triangle->corners;
     const int16_t *const normals[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
-    draw_fragments(frame, workspace, draw, triangle, part, normals, triangle->back);
+    draw_fragments(frame, workspace, draw, triangle, part, normals, triangle->back, glint_shade);
 }
 
 /* How far a plane may be from a colour that is linear over w: 1/10 of a level; Q15, times 4. */
@@ -244,22 +282,21 @@ void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const 
     const glint_format *const format = frame->config.format;
     glint_plane channels[3];
     if (glint_is_deep(triangle) || !fits_plane(triangle, format, colour)) {
-        draw_fragments(frame, workspace, draw, triangle, part, colour, 0);
+        draw_fragments(frame, workspace, draw, triangle, part, colour, 0, resolve);
         return;
     }
-    const int finishes = frame->config.gamma != 0;
+    const int is_shown = !frame->config.gamma; /* as it is: what goes through tables is finished later */
     for (int c = 0; c < 3; c++) {
         int32_t a[3];
         for (int i = 0; i < 3; i++)
-            a[i] = finishes ? glint_channel_of(colour[i][c])
-                            : glint_to_levels(glint_channel_of(colour[i][c]), format->channel[c]);
+            a[i] = glint_to_levels(glint_channel_of(colour[i][c]), is_shown ? format->channel[c] : 0);
         glint_plane_begin(&channels[c], &part->gradients, a[0], a[1], a[2]);
     }
-    if (format->draw_channels && !finishes) {
+    if (format->draw_channels && is_shown) {
         const glint_spans spans = glint_spans_of(frame, workspace, part);
         format->draw_channels(&spans, channels);
     } else {
-        const source from = {.channels = channels, .finishes = finishes};
+        const source from = {.find = find_linear, .channels = channels};
         draw_runs(frame, workspace, &from, part);
     }
     if (workspace->drawn)

@@ -72,7 +72,7 @@ static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_tr
         draw->kernel = frame->config.format->fast->draw;
     }
     draw->shading = glint_shading_of(frame, object->material);
-    if (is_of_one_colour(object, draw->shading)) {
+    if (!GLINT_SMALL && is_of_one_colour(object, draw->shading)) {
         draw->light = 0;
         draw->kernel = glint_draw_unlit;
     }

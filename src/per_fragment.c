@@ -24,21 +24,7 @@ static void find_surface(glint_fragments *fragments, const glint_draw *draw) {
     }
 }
 
-/* Colours that were found at vertices. */
-static void find_colours(glint_fragments *fragments) {
-    for (uint32_t i = 0; i < fragments->count; i++) {
-        int16_t colour[3];
-        glint_resolve_colour(fragments, i, fragments->attributes->main, colour);
-        for (int c = 0; c < 3; c++) /* 32767 stands for 1 */
-            fragments->colour[i][c] = ((uint32_t)colour[c] << 8) + ((uint32_t)colour[c] >> 7);
-    }
-}
-
 void glint_shade(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw) {
-    if (draw->evaluation->lit_at == GLINT_LIT_AT_VERTICES) {
-        find_colours(fragments);
-        return;
-    }
     if (glint_needs_rays(frame->view, draw->shading))
         find_rays(frame, fragments);
     find_surface(fragments, draw);
