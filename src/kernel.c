@@ -309,17 +309,21 @@ static fit find_fit(const glint_triangle *triangle, const glint_gradients *g, co
     const uint32_t close = CLOSE >> (format->channel[1] ? format->channel[1] : 8), apart = find_difference(colour);
     if (apart * w.change <= 4 * close * w.least)
         return FITS_PLANES;
-    if (w.change > w.least / 2 || glint_slenderness(g, triangle->area) > GLINT_POLYNOMIAL_SLENDER ||
+    if (16 * w.change > 7 * w.least || glint_slenderness(g, triangle->area) > GLINT_POLYNOMIAL_SLENDER ||
         triangle->area < GLINT_POLYNOMIAL_LEAST_AREA)
         return FITS_NOTHING;
     const uint32_t ratio = (w.change << 12) / w.least; /* w.change is at most 2^15 */
     return apart * (ratio * ratio >> 12) <= (close * 20 << 12) ? FITS_QUADRATICS : FITS_NOTHING;
 }
 
+/* Of find_skew, where 1/w changes by at most 7/16. */
+#define MOST_SKEW 5898
+
 /* Four times what a colour at the middle of an edge is more than the mean of its ends, over their difference: Q14. */
 static int32_t find_skew(const glint_vertex *a, const glint_vertex *b) {
     const int32_t wa = a->inverse_w >> 16, wb = b->inverse_w >> 16;
-    return wa == wb ? 0 : (wa - wb) * (1 << 15) / (wa + wb);
+    const int32_t skew = wa == wb ? 0 : (wa - wb) * (1 << 15) / (wa + wb);
+    return glint_least(glint_most(skew, -MOST_SKEW), MOST_SKEW);
 }
 
 static void begin_planes(glint_quadratic channel[3], const glint_gradients *g, int32_t a[3][3]) {
