@@ -130,11 +130,13 @@ METHOD_LOOP(colour_newton, 4, 3)
 
 /* glint_resolve_colour of a fragment at its triangle's first corner, whose planes are level. */
 static glint_attributes attributes;
+static glint_part part;
 static glint_fragments fragments;
 
 static void prepare_library(int32_t p) {
     (void)p;
     fragments.attributes = &attributes;
+    fragments.part = &part;
 }
 
 static inline void colour_library_one(const int32_t *in, int32_t *out) {
