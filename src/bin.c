@@ -106,7 +106,7 @@ static void gather_corners(const glint_draw *draw, const uint16_t *indices, glin
 
 /* Lights a triangle that is going to be seen, as far as that comes before it is drawn. */
 static inline void light(const glint_frame *frame, glint_draw *draw, uint32_t triangle) {
-    if (draw->light)
+    if (GLINT_SMALL || draw->light)
         draw->light(frame, draw, &draw->transform, triangle);
 }
 

@@ -4,7 +4,7 @@
 #include "setup.h"
 
 void glint_resolve_colour(const glint_fragments *fragments, uint32_t i, const glint_plane planes[3], int16_t out[3]) {
-    const int32_t x = fragments->from_x + fragments->column[i], y = fragments->from_y + fragments->row[i];
+    const int32_t x = fragments->part->x + fragments->column[i], y = fragments->part->y + fragments->row[i];
     /*
      * The planes hold colour times w 2^-16; both are brought to 16 bits, which spares 64-bit products. What is cut off
      * is rounded up, so that white stays white; 0 stays 0.

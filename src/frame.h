@@ -334,8 +334,7 @@ typedef struct glint_attributes {
 /** Fragments of one triangle in a tile; or vertices or a triangle's middle, which have no place. */
 typedef struct glint_fragments {
     uint32_t count;
-    int32_t x, y;                                                  /* of the tile's first pixel on the screen */
-    int32_t from_x, from_y;                                        /* the same, from the triangle's anchor */
+    const glint_part *part;
     uint8_t column[GLINT_FRAGMENTS_MAX], row[GLINT_FRAGMENTS_MAX]; /* in the tile */
     uint32_t scale;                                                /* attributes are interpolated over w 2^scale */
     const glint_attributes *attributes;
@@ -361,11 +360,10 @@ static inline int32_t glint_channel_of(int16_t colour) {
     return (colour << (GLINT_CHANNEL_BITS - 15)) + (colour >> (30 - GLINT_CHANNEL_BITS));
 }
 
-/** A colour, Q23, as channels that are neither in levels nor clamped, but below 16. */
+/** A colour, Q23, as channels that are not in levels; those from 16 on become 15. */
 static inline void glint_channels_of(const uint32_t colour[3], int32_t channel[3]) {
-    const unsigned up = GLINT_CHANNEL_BITS - 23;
-    for (int c = 0; c < 3; c++)
-        channel[c] = (int32_t)(colour[c] < (15u << 23) ? colour[c] << up : 15u << GLINT_CHANNEL_BITS);
+    for (int c = 0; c < 3; c++) /* Q23 to Q27 */
+        channel[c] = (int32_t)(colour[c] >> GLINT_CHANNEL_BITS ? 15u << GLINT_CHANNEL_BITS : colour[c] << 4);
 }
 
 /** A channel as levels of so many bits, half a level included: cut off, it is rounded. 0 bits: as it is. */

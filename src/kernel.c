@@ -8,15 +8,30 @@
 
 /* ---- Triangles ---- */
 
-/* What the colours of a triangle's pixels come from: one of these. */
-typedef struct source {
-    const int32_t *even;             /* the one colour of all, which the row holds */
-    const glint_quadratic *channels; /* three polynomials */
-    const glint_terms *terms;        /* light */
-    glint_fragments *fragments;      /* lit one by one */
+/* Pixels of a row that are nearer than what was there, from one to before another. */
+typedef struct run {
+    uint8_t first, end;
+} run;
+
+typedef struct source source;
+
+/* Draws a run of row y. */
+typedef void drawer(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
+                    run at, uint32_t y);
+
+/* Finds colours of fragments, Q23. */
+typedef void shader(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw);
+
+/* What the colours of a triangle's pixels come from. */
+struct source {
+    drawer *draw_run;
+    const glint_quadratic *channels; /* of draw_channel_run */
+    const glint_terms *terms;        /* of draw_terms_run */
+    glint_fragments *fragments;      /* of gather_run */
+    shader *shade;
     const glint_draw *draw;
-    int is_deep, finishes; /* are colours found that are to be finished? */
-} source;
+    int is_deep;
+};
 
 /* 1/w of the corners, none 0, the largest in 2^30 .. 2^31; @return the shift that took. */
 static unsigned scale_inverse_w(const glint_vertex *const v[3], uint32_t w[3]) {
@@ -45,48 +60,74 @@ static void triple(glint_plane planes[3], const glint_gradients *g, const int16_
 
 /* ---- Rows ---- */
 
-/* Pixels of a row that are nearer than what was there, from one to before another. */
-typedef struct run {
-    uint8_t first, end;
-} run;
-
-/* Depth of 1/w, given with GLINT_DEPTH_BIAS; that of a deep triangle's planes may be below 0. */
-static inline uint32_t depth_of(uint32_t z, int is_deep) {
-    return (is_deep ? (uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS) : z) >> 15;
-}
-
-/* Finds the runs of a span, and stores their depth. @return how many */
-static inline uint32_t find_runs(uint16_t *depth, glint_span span, uint32_t z, uint32_t z_dx, int is_deep, run *runs) {
+/* Finds the runs of a span, and stores their depth; 1/w is given with GLINT_DEPTH_BIAS. @return how many */
+static inline uint32_t find_runs(uint16_t *depth, glint_span span, uint32_t z, uint32_t z_dx, run *runs) {
     uint32_t count = 0, column = span.left;
     while (column < span.right) {
-        while (depth_of(z, is_deep) <= depth[column]) {
+        while (z >> 15 <= depth[column]) {
             z += z_dx;
             if (++column == span.right)
                 return count;
         }
         runs[count].first = (uint8_t)column;
         do {
-            depth[column] = (uint16_t)depth_of(z, is_deep);
+            depth[column] = (uint16_t)(z >> 15);
             z += z_dx;
             column++;
-        } while (column < span.right && depth_of(z, is_deep) > depth[column]);
+        } while (column < span.right && z >> 15 > depth[column]);
         runs[count++].end = (uint8_t)column;
     }
     return count;
 }
 
-static GLINT_NOINLINE uint32_t find_deep_runs(uint16_t *depth, glint_span span, uint32_t z, uint32_t z_dx, run *runs) {
-    return find_runs(depth, span, z, z_dx, 1, runs);
+/* The same where 1/w may be below 0, as of a deep triangle's planes; and shorter. */
+static uint32_t find_deep_runs(uint16_t *depth, glint_span span, uint32_t z, uint32_t z_dx, run *runs) {
+    run *next = runs;
+    uint32_t end = GLINT_TILE_MAX;
+    for (uint32_t column = span.left; column < span.right; column++, z += z_dx) {
+        const uint32_t here = (uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS) >> 15;
+        if (here <= depth[column])
+            continue;
+        depth[column] = (uint16_t)here;
+        if (column != end)
+            (next++)->first = (uint8_t)column;
+        end = column + 1;
+        next[-1].end = (uint8_t)end;
+    }
+    return (uint32_t)(next - runs);
 }
 
-static void find_channels(const glint_quadratic channels[3], int32_t x, int32_t y, uint32_t count, int32_t (*row)[3]) {
+static void store_run(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
+                      run at, uint32_t y) {
+    (void)from;
+    (void)part;
+    frame->config.format->store(workspace->pixels, frame->tile_shift_x, (y << frame->tile_shift_x) + at.first,
+                                (uint32_t)at.end - at.first, (const int32_t(*)[3])workspace->row);
+}
+
+static void draw_channel_run(const glint_frame *frame, glint_workspace *workspace, const source *from,
+                             const glint_part *part, run at, uint32_t y) {
+    const uint32_t count = (uint32_t)at.end - at.first;
     for (int c = 0; c < 3; c++) {
-        glint_stride s = glint_stride_begin(&channels[c], x, y);
+        const glint_quadratic *q = &from->channels[c];
+        glint_stride s = glint_stride_begin(q, part->x + at.first, part->y + (int32_t)y);
         for (uint32_t i = 0; i < count; i++) {
-            row[i][c] = (int32_t)s.value;
-            glint_stride_next(&s, &channels[c]);
+            workspace->row[i][c] = (int32_t)s.value;
+            glint_stride_next(&s, q);
         }
     }
+    if (frame->config.gamma)
+        glint_finish_colours(&frame->config, workspace->row, count);
+    store_run(frame, workspace, from, part, at, y);
+}
+
+static void draw_terms_run(const glint_frame *frame, glint_workspace *workspace, const source *from,
+                           const glint_part *part, run at, uint32_t y) {
+    const uint32_t count = (uint32_t)at.end - at.first;
+    glint_terms_row(from->terms, part->x + at.first, part->y + (int32_t)y, count, workspace->row);
+    if (frame->config.gamma)
+        glint_finish_colours(&frame->config, workspace->row, count);
+    store_run(frame, workspace, from, part, at, y);
 }
 
 /* Colours of fragments in levels. */
@@ -95,7 +136,7 @@ static void finish_fragments(const glint_frame *frame, const glint_fragments *fr
     const unsigned red = bits[0], green = bits[1], blue = bits[2];
     for (uint32_t i = 0; i < fragments->count; i++)
         glint_channels_of(fragments->colour[i], row[i]);
-    if (frame->config.gamma) {
+    if (GLINT_SMALL || frame->config.gamma) {
         glint_finish_colours(&frame->config, row, fragments->count);
         return;
     }
@@ -107,15 +148,15 @@ static void finish_fragments(const glint_frame *frame, const glint_fragments *fr
 }
 
 /* Lights the fragments gathered so far, and stores them by runs. */
-static void store_fragments(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                            glint_fragments *fragments) {
+static void store_fragments(const glint_frame *frame, glint_workspace *workspace, const source *from) {
     const glint_format *format = frame->config.format;
-    glint_shade(frame, fragments, draw);
+    glint_fragments *fragments = from->fragments;
+    from->shade(frame, fragments, from->draw);
     finish_fragments(frame, fragments, workspace->row);
     for (uint32_t i = 0, end; i < fragments->count; i = end) {
         const uint32_t offset = ((uint32_t)fragments->row[i] << frame->tile_shift_x) + fragments->column[i];
         end = i + 1;
-        while (end < fragments->count && fragments->row[end] == fragments->row[i] &&
+        while (!GLINT_SMALL && end < fragments->count && fragments->row[end] == fragments->row[i] &&
                fragments->column[end] == fragments->column[end - 1] + 1)
             end++;
         format->store(workspace->pixels, frame->tile_shift_x, offset, end - i,
@@ -136,25 +177,8 @@ static void gather_run(const glint_frame *frame, glint_workspace *workspace, con
         fragments->inverse_w[i] = glint_most(inverse_w, 0); /* rounding may take a deep triangle's plane below */
         inverse_w = glint_add_wrap(inverse_w, part->depth.dx);
         if (i == GLINT_FRAGMENTS_MAX - 1)
-            store_fragments(frame, workspace, from->draw, fragments);
+            store_fragments(frame, workspace, from);
     }
-}
-
-static void draw_run(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
-                     run at, uint32_t y) {
-    const uint32_t count = (uint32_t)at.end - at.first;
-    if (from->fragments) {
-        gather_run(frame, workspace, from, part, at, y);
-        return;
-    }
-    if (from->channels)
-        find_channels(from->channels, part->x + at.first, part->y + (int32_t)y, count, workspace->row);
-    else if (from->terms)
-        glint_terms_row(from->terms, part->x + at.first, part->y + (int32_t)y, count, workspace->row);
-    if (from->finishes)
-        glint_finish_colours(&frame->config, workspace->row, count);
-    frame->config.format->store(workspace->pixels, frame->tile_shift_x, (y << frame->tile_shift_x) + at.first, count,
-                                (const int32_t(*)[3])workspace->row);
 }
 
 /* Draws a part by runs. @return pixels of its spans */
@@ -168,11 +192,11 @@ static uint32_t draw_runs(const glint_frame *frame, glint_workspace *workspace, 
         const uint32_t z =
             (uint32_t)glint_plane_at(&part->depth, part->x + span.left, part->y + (int32_t)y) + GLINT_DEPTH_BIAS;
         uint16_t *const depth = workspace->depth + (y << frame->tile_shift_x);
-        const uint32_t count = from->is_deep || GLINT_SMALL ? find_deep_runs(depth, span, z, z_dx, runs)
-                                                            : find_runs(depth, span, z, z_dx, 0, runs);
+        const uint32_t count = GLINT_SMALL || from->is_deep ? find_deep_runs(depth, span, z, z_dx, runs)
+                                                            : find_runs(depth, span, z, z_dx, runs);
         covered += (uint32_t)span.right - span.left;
         for (uint32_t i = 0; i < count; i++)
-            draw_run(frame, workspace, from, part, runs[i], y);
+            from->draw_run(frame, workspace, from, part, runs[i], y);
     }
     return covered;
 }
@@ -196,7 +220,7 @@ static void draw_even(const glint_frame *frame, glint_workspace *workspace, cons
         const glint_spans spans = glint_spans_of(frame, workspace, part);
         frame->config.format->draw_even(&spans, colour[0]);
     } else {
-        const source from = {.even = colour[0], .is_deep = is_deep};
+        const source from = {.draw_run = store_run, .is_deep = is_deep};
         for (uint32_t i = 0; i < frame->config.tile_width; i++)
             for (int c = 0; c < 3; c++)
                 workspace->row[i][c] = colour[0][c];
@@ -225,24 +249,26 @@ void glint_draw_facet(const glint_frame *frame, glint_workspace *workspace, cons
 /* Draws fragments that are lit one by one, by attributes that are interpolated over w. */
 static void draw_fragments(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                            const glint_triangle *triangle, const glint_part *part, const int16_t *const main[3],
-                           int is_negated) {
+                           int is_negated, shader *shade) {
     glint_attributes attributes;
     glint_fragments fragments;
     uint32_t w[3];
-    const source from = {.fragments = &fragments, .draw = draw, .is_deep = glint_is_deep(triangle)};
+    source from;
+    from.draw_run = gather_run;
+    from.fragments = &fragments;
+    from.shade = shade;
+    from.draw = draw;
+    from.is_deep = GLINT_SMALL || glint_is_deep(triangle);
     fragments.count = 0;
-    fragments.x = glint_shift_right(part->window.left, 4);
-    fragments.y = glint_shift_right(part->window.top, 4);
-    fragments.from_x = part->x;
-    fragments.from_y = part->y;
+    fragments.part = part;
     fragments.attributes = &attributes;
     fragments.scale = scale_inverse_w(triangle->corners, w);
     triple(attributes.main, &part->gradients, main, w, is_negated);
-    if (draw->extra && draw->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS)
+    if (draw->extra)
         triple(attributes.extra, &part->gradients, triangle->extra, w, 0);
     const uint32_t covered = draw_runs(frame, workspace, &from, part);
     if (fragments.count)
-        store_fragments(frame, workspace, draw, &fragments);
+        store_fragments(frame, workspace, &from);
     glint_count(workspace, GLINT_KERNEL_GENERAL, covered);
 }
 
@@ -250,7 +276,7 @@ void glint_draw_any(const glint_frame *frame, glint_workspace *workspace, const 
                     const glint_triangle *triangle, const glint_part *part) {
     const glint_vertex *const *v = triangle->corners;
     const int16_t *const normals[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
-    draw_fragments(frame, workspace, draw, triangle, part, normals, triangle->back);
+    draw_fragments(frame, workspace, draw, triangle, part, normals, triangle->back, glint_shade);
 }
 
 void glint_draw_terms(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
@@ -260,8 +286,8 @@ void glint_draw_terms(const glint_frame *frame, glint_workspace *workspace, cons
         glint_draw_any(frame, workspace, draw, triangle, part);
         return;
     }
-    const source from = {.terms = &terms, .finishes = frame->config.gamma != 0};
-    if (terms.is_channels && !from.finishes && frame->config.format->draw_channels) {
+    const source from = {.draw_run = draw_terms_run, .terms = &terms};
+    if (terms.is_channels && !frame->config.gamma && frame->config.format->draw_channels) {
         const glint_spans spans = glint_spans_of(frame, workspace, part);
         frame->config.format->draw_channels(&spans, terms.sum, terms.is_curved);
         if (workspace->drawn)
@@ -272,6 +298,18 @@ void glint_draw_terms(const glint_frame *frame, glint_workspace *workspace, cons
 }
 
 /* ---- Colours at corners ---- */
+
+/* Finds colours of fragments from those of vertices. */
+static void resolve(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw) {
+    (void)frame;
+    (void)draw;
+    for (uint32_t i = 0; i < fragments->count; i++) {
+        int16_t colour[3];
+        glint_resolve_colour(fragments, i, fragments->attributes->main, colour);
+        for (int c = 0; c < 3; c++) /* 32767 stands for 1 */
+            fragments->colour[i][c] = ((uint32_t)colour[c] << 8) + ((uint32_t)colour[c] >> 7);
+    }
+}
 
 /* How far a polynomial may be from a colour that is linear over w: 1/10 of a level, Q15. */
 #define CLOSE ((1u << 15) / 10)
@@ -300,17 +338,21 @@ static fit find_fit(const glint_triangle *triangle, const glint_gradients *g, co
     const uint32_t close = CLOSE >> (format->channel[1] ? format->channel[1] : 8), apart = find_difference(colour);
     if (apart * w.change <= 4 * close * w.least)
         return FITS_PLANES;
-    if (w.change > w.least / 2 || glint_slenderness(g, triangle->area) > GLINT_POLYNOMIAL_SLENDER ||
+    if (16 * w.change > 7 * w.least || glint_slenderness(g, triangle->area) > GLINT_POLYNOMIAL_SLENDER ||
         triangle->area < GLINT_POLYNOMIAL_LEAST_AREA)
         return FITS_NOTHING;
     const uint32_t ratio = (w.change << 12) / w.least; /* w.change is at most 2^15 */
     return apart * (ratio * ratio >> 12) <= (close * 20 << 12) ? FITS_QUADRATICS : FITS_NOTHING;
 }
 
+/* Of find_skew, where 1/w changes by at most 7/16. */
+#define MOST_SKEW 5898
+
 /* Four times what a colour at the middle of an edge is more than the mean of its ends, over their difference: Q14. */
 static int32_t find_skew(const glint_vertex *a, const glint_vertex *b) {
     const int32_t wa = a->inverse_w >> 16, wb = b->inverse_w >> 16;
-    return wa == wb ? 0 : (wa - wb) * (1 << 15) / (wa + wb);
+    const int32_t skew = wa == wb ? 0 : (wa - wb) * (1 << 15) / (wa + wb);
+    return glint_least(glint_most(skew, -MOST_SKEW), MOST_SKEW);
 }
 
 static void begin_planes(glint_quadratic channel[3], const glint_gradients *g, int32_t a[3][3]) {
@@ -346,7 +388,7 @@ void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const 
     glint_quadratic channels[3];
     int32_t a[3][3];
     if (how == FITS_NOTHING) {
-        draw_fragments(frame, workspace, draw, triangle, part, colour, 0);
+        draw_fragments(frame, workspace, draw, triangle, part, colour, 0, resolve);
         return;
     }
     for (int c = 0; c < 3; c++)
@@ -363,7 +405,7 @@ void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const 
         const glint_spans spans = glint_spans_of(frame, workspace, part);
         format->draw_channels(&spans, channels, how == FITS_QUADRATICS);
     } else {
-        const source from = {.channels = channels, .finishes = finishes};
+        const source from = {.draw_run = draw_channel_run, .channels = channels};
         draw_runs(frame, workspace, &from, part);
     }
     if (workspace->drawn)

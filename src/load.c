@@ -85,7 +85,7 @@ static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_tr
         draw->light = glint_terms_light;
         draw->kernel = glint_draw_terms;
     }
-    if (is_of_one_colour(object, draw->shading)) {
+    if (!GLINT_SMALL && is_of_one_colour(object, draw->shading)) {
         draw->light = 0;
         draw->kernel = glint_draw_unlit;
     }

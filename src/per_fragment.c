@@ -3,11 +3,14 @@
 #include "colour.h"
 #include "setup.h"
 
-/* Against the ray through the pixel's centre, in half pixels, Q12. */
+/* Against the ray through the pixel's centre, in half pixels, Q12; the window is in sixteenths. */
 static void find_rays(const glint_frame *frame, glint_fragments *fragments) {
+    const glint_window *window = &fragments->part->window;
+    const int32_t x = frame->config.width * 4096 - window->left * 512;
+    const int32_t y = window->top * 512 - frame->config.height * 4096;
     for (uint32_t i = 0; i < fragments->count; i++) {
-        fragments->ray[i][0] = (frame->config.width - 1 - 2 * (fragments->x + fragments->column[i])) * 4096;
-        fragments->ray[i][1] = (2 * (fragments->y + fragments->row[i]) + 1 - frame->config.height) * 4096;
+        fragments->ray[i][0] = x - fragments->column[i] * 8192;
+        fragments->ray[i][1] = y + fragments->row[i] * 8192;
         fragments->ray[i][2] = frame->view->focal;
     }
 }
@@ -16,7 +19,7 @@ static void find_rays(const glint_frame *frame, glint_fragments *fragments) {
 static void find_surface(glint_fragments *fragments, const glint_draw *draw) {
     const glint_attributes *a = fragments->attributes;
     for (uint32_t i = 0; i < fragments->count; i++) {
-        const int32_t x = fragments->from_x + fragments->column[i], y = fragments->from_y + fragments->row[i];
+        const int32_t x = fragments->part->x + fragments->column[i], y = fragments->part->y + fragments->row[i];
         glint_unit_each(glint_plane_at(&a->main[0], x, y), glint_plane_at(&a->main[1], x, y),
                         glint_plane_at(&a->main[2], x, y), fragments->normal[i]);
         if (draw->extra)
@@ -24,21 +27,7 @@ static void find_surface(glint_fragments *fragments, const glint_draw *draw) {
     }
 }
 
-/* Colours that were found at vertices. */
-static void find_colours(glint_fragments *fragments) {
-    for (uint32_t i = 0; i < fragments->count; i++) {
-        int16_t colour[3];
-        glint_resolve_colour(fragments, i, fragments->attributes->main, colour);
-        for (int c = 0; c < 3; c++) /* 32767 stands for 1 */
-            fragments->colour[i][c] = ((uint32_t)colour[c] << 8) + ((uint32_t)colour[c] >> 7);
-    }
-}
-
 void glint_shade(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw) {
-    if (draw->evaluation->lit_at == GLINT_LIT_AT_VERTICES) {
-        find_colours(fragments);
-        return;
-    }
     if (glint_needs_rays(frame->view, draw->shading))
         find_rays(frame, fragments);
     find_surface(fragments, draw);

@@ -38,6 +38,8 @@ static void light_triangle(const glint_frame *frame, glint_draw *draw, const gli
         index[vertices.count] = here;
         gather(frame, draw, here, &vertices);
     }
+    if (!vertices.count)
+        return;
     glint_light_all(frame, &vertices, draw->shading, has_surface);
     for (uint32_t i = 0; i < vertices.count; i++)
         glint_clamp_colour(vertices.colour[i], draw->vertices[index[i]].attribute);

@@ -110,6 +110,10 @@ static double clamped(int64_t x) {
     return x < 1 << 23 ? (double)x : 0x1p23;
 }
 
+static double exact_level_1(int64_t x) {
+    return clamped(x) / 0x1p23;
+}
+
 static double exact_level_15(int64_t x) {
     return clamped(x) * 15 / 0x1p23;
 }
@@ -126,6 +130,10 @@ static double exact_level_255(int64_t x) {
     return clamped(x) * 255 / 0x1p23;
 }
 
+static double exact_channel(int64_t x) {
+    return (double)x * 0x1p27 / 32767;
+}
+
 static double exact_clamped_colour(int64_t x) {
     return clamped(x) * 32767 / 0x1p23;
 }
@@ -134,16 +142,16 @@ static double exact_clamped_colour(int64_t x) {
 static double exact_gamma_of_squares(int64_t x) {
     const double at = clamped(x) / 0x1p15, entry = floor(at);
     const double low = entry * entry - (entry == 256), high = (entry + 1) * (entry + 1) - (entry + 1 >= 256);
-    return (low + (entry == 256 ? 0 : high - low) * (at - entry)) / 65535 * 0x1p23;
+    return (low + (entry == 256 ? 0 : high - low) * (at - entry)) / 65535 * 0x1p27;
 }
 
-/* Bayer's matrix by its definition: M(2n) is 4 M(n) + {0, 2; 3, 1} in the quarters; (2 M + 1) / 128. */
+/* Bayer's matrix by its definition: M(2n) is 4 M(n) + {0, 2; 3, 1} in the quarters; 2 M + 1 of 128. */
 static double exact_dither_threshold(int64_t i) {
     static const int quarter[2][2] = {{0, 2}, {3, 1}};
     int level = 0;
     for (int bit = 0; bit < 3; bit++)
         level = 4 * level + quarter[i >> (3 + bit) & 1][i >> bit & 1];
-    return (2 * level + 1) / 128.0 * 0x1p23;
+    return 2 * level + 1;
 }
 
 /* Colours are clamped here. */
@@ -179,13 +187,16 @@ static const reference references[] = {
     {"phase", exact_phase, 0.556, 0, 0x1p32, 0},
     {"sin", exact_sin, 0.504, 0, 0, 0},
     {"cos", exact_cos, 0.504, 0, 0, 0},
-    {"level_15", exact_level_15, 0.5, 0, 0, FULL},
-    {"level_31", exact_level_31, 0.5, 0, 0, FULL},
-    {"level_63", exact_level_63, 0.5, 0, 0, FULL},
-    {"level_255", exact_level_255, 0.5, 0, 0, FULL},
-    {"luma_of_grey", clamped, 277, 0, 0, FULL},
+    {"level_15", exact_level_15, 0.500002, 0, 0, FULL},
+    {"level_31", exact_level_31, 0.500002, 0, 0, FULL},
+    {"level_63", exact_level_63, 0.500002, 0, 0, FULL},
+    {"level_255", exact_level_255, 0.500002, 0, 0, FULL},
+    {"luma_1", exact_level_1, 0.5, 0, 0, FULL},
+    {"luma_15", exact_level_15, 0.5005, 0, 0, FULL},
+    {"luma_255", exact_level_255, 0.5084, 0, 0, FULL},
+    {"channel", exact_channel, 1, 0, 0, 0},
     {"clamped_colour", exact_clamped_colour, 1.5, 0, 0, FULL},
-    {"gamma_of_squares", exact_gamma_of_squares, 320, 0, 0, FULL},
+    {"gamma_of_squares", exact_gamma_of_squares, 5120, 0, 0, FULL},
     {"dither_threshold", exact_dither_threshold, 0, 0, 0, 0},
 };
 

@@ -153,31 +153,31 @@ METHOD_LOOP(add_and_clamp, 2, 1)
 
 /* ---- The library ---- */
 
-static glint_fragments fragments;
+static const glint_config config = {.format = &glint_format_rgb565};
 
-static void add_library_lights(const int32_t *in, uint32_t count) {
-    for (uint32_t i = 0; i < count; i++) {
-        for (int c = 0; c < 3; c++) {
-            fragments.colour[i][c] = weights[0][c] << 11;
-        }
-        glint_add_light(fragments.colour[i], (uint32_t)in[2 * i], weights[1]);
-        glint_add_light(fragments.colour[i], (uint32_t)in[2 * i + 1], weights[2]);
-        fragments.offset[i] = (uint16_t)i;
+static void add_library_lights(const int32_t *in, int32_t channel[3]) {
+    uint32_t colour[3];
+    for (int c = 0; c < 3; c++) {
+        colour[c] = weights[0][c] << 11;
     }
+    glint_add_light(colour, (uint32_t)in[0], weights[1]);
+    glint_add_light(colour, (uint32_t)in[1], weights[2]);
+    glint_channels_of(colour, channel);
 }
 
 static void library(const int32_t *in, int32_t *out, uint32_t count) {
+    int32_t row[GLINT_FRAGMENTS_MAX][3];
     uint16_t pixels[GLINT_FRAGMENTS_MAX];
-    while (count > 0) {
-        fragments.count = count < GLINT_FRAGMENTS_MAX ? count : GLINT_FRAGMENTS_MAX;
-        add_library_lights(in, fragments.count);
-        glint_format_rgb565.store(pixels, &fragments, 5);
-        for (uint32_t i = 0; i < fragments.count; i++) {
+    for (uint32_t some; count > 0; in += 2 * some, out += some, count -= some) {
+        some = count < GLINT_FRAGMENTS_MAX ? count : GLINT_FRAGMENTS_MAX;
+        for (uint32_t i = 0; i < some; i++) {
+            add_library_lights(in + 2 * i, row[i]);
+        }
+        glint_finish_colours(&config, row, some);
+        config.format->store(pixels, 5, 0, some, (const int32_t(*)[3])row);
+        for (uint32_t i = 0; i < some; i++) {
             out[i] = pixels[i];
         }
-        in += 2 * fragments.count;
-        out += fragments.count;
-        count -= fragments.count;
     }
 }
 

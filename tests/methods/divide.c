@@ -129,15 +129,14 @@ static inline void colour_newton_one(const int32_t *in, int32_t *out) {
 METHOD_LOOP(colour_newton, 4, 3)
 
 /* glint_resolve_colour of a fragment at its triangle's first corner, whose planes are level. */
-static glint_frame frame;
 static glint_attributes attributes;
+static glint_part part;
 static glint_fragments fragments;
 
 static void prepare_library(int32_t p) {
     (void)p;
-    frame.config.tile_width = 32;
-    frame.tile_shift_x = 5;
     fragments.attributes = &attributes;
+    fragments.part = &part;
 }
 
 static inline void colour_library_one(const int32_t *in, int32_t *out) {
@@ -147,7 +146,7 @@ static inline void colour_library_one(const int32_t *in, int32_t *out) {
         planes[i].start = in[i];
     }
     fragments.inverse_w[0] = in[3];
-    glint_resolve_colour(&frame, &fragments, 0, planes, colour);
+    glint_resolve_colour(&fragments, 0, planes, colour);
     for (int i = 0; i < 3; i++) {
         out[i] = colour[i];
     }

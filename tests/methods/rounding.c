@@ -6,7 +6,7 @@
 #include "methods.h"
 #include "pixel.h"
 
-enum { PIXELS = 64, TOP = 63 };
+enum { PIXELS = 64, BITS = 6, TOP = (1 << BITS) - 1 };
 
 static const int32_t no_points[1] = {0};
 
@@ -83,26 +83,32 @@ static inline uint32_t byte_nearest_level(int32_t value, uint32_t i) {
 }
 ROUNDING(byte_nearest)
 
+/* By the library: scaled, half a level included, and cut off. */
+static inline uint32_t level_of(int32_t value, uint32_t threshold) {
+    return glint_level(glint_to_levels(value * (1 << (GLINT_CHANNEL_BITS - 23)), BITS), BITS, threshold);
+}
+
 static inline uint32_t down_level(int32_t value, uint32_t i) {
     (void)i;
-    return glint_level((uint32_t)value, TOP, 0);
+    return level_of(value, 0);
 }
 ROUNDING(down)
 
 static inline uint32_t nearest_level(int32_t value, uint32_t i) {
     (void)i;
-    return glint_level((uint32_t)value, TOP, GLINT_HALF_LEVEL);
+    return level_of(value, GLINT_NEAREST);
 }
 ROUNDING(nearest)
 
 static inline uint32_t dithered_level(int32_t value, uint32_t i) {
-    return glint_level((uint32_t)value, TOP, glint_dither_threshold(i & 7, i >> 3));
+    static const glint_target target = {0, 3, 1};
+    return level_of(value, glint_threshold(&target, i));
 }
 ROUNDING(dithered)
 
 /* A threshold for each pixel without a pattern. */
 static inline uint32_t random_level(int32_t value, uint32_t i) {
-    return glint_level((uint32_t)value, TOP, method_hash(i) >> 9);
+    return level_of(value, method_hash(i) >> 25);
 }
 ROUNDING(random)
 

@@ -39,18 +39,7 @@ static inline int32_t find_bulge(const edge *e, int32_t a, int32_t b);
     ensures \subset(b[0 .. 2], (-SPREAD_BULGE .. SPREAD_BULGE)); */
 static inline void spread(const edge e[3], int32_t a[3], int32_t b[3]);
 
-/*@ requires \valid(q) && \valid_read(s) && \valid_read(s->g) && (NARROW(s->g) || WIDE(s->g));
-    requires s->slope.right <= 16 && s->slope.left <= 16 && s->curve.right <= 23 && s->curve.left <= 23;
-    requires -0x8000 <= s->x1 <= 0x8000 && -0x8000 <= s->y1 <= 0x8000;
-    requires -0x8000 <= s->x2 <= 0x8000 && -0x8000 <= s->y2 <= 0x8000;
-    requires \subset(a[0 .. 2], (-SPREAD_TERM .. SPREAD_TERM));
-    requires \subset(b[0 .. 2], (-SPREAD_BULGE .. SPREAD_BULGE));
-    assigns *q \from *s, a[0 .. 2], b[0 .. 2];
-    ensures \initialized(q); */
-static void begin_term(glint_quadratic *q, const gradients *s, const int32_t a[3], const int32_t b[3]);
-
 static edge edges[3];
-static gradients narrow_or_wide;
 
 /* What find_edges leaves: turns up to 0.6, 1/w up to an eighth apart. */
 #define ANY_ACROSS ANY(-1168, 1168)
@@ -95,50 +84,6 @@ PROOF(spread) {
         b[i] = ANY(-BULGE_MOST, BULGE_MOST);
     }
     spread(edges, a, b);
-}
-
-static void any_interpolation_scale(glint_interpolation_scale *scale, uint32_t most) {
-    scale->right = ANY_UNSIGNED(0, most);
-    scale->left = ANY_UNSIGNED(0, most);
-}
-
-/* Any terms, bulges and gradients. @contract glint_plane_begin */
-PROOF(begin_term) {
-    glint_gradients g;
-    glint_quadratic quadratic;
-    int32_t a[3], b[3];
-    narrow_or_wide.g = &g;
-    narrow_or_wide.x1 = ANY(-32768, 32768);
-    narrow_or_wide.y1 = ANY(-32768, 32768);
-    narrow_or_wide.x2 = ANY(-32768, 32768);
-    narrow_or_wide.y2 = ANY(-32768, 32768);
-    any_interpolation_scale(&narrow_or_wide.slope, 16);
-    any_interpolation_scale(&narrow_or_wide.curve, 23);
-    for (int i = 0; i < 3; i++) {
-        a[i] = ANY(-SPREAD_TERM, SPREAD_TERM);
-        b[i] = ANY(-SPREAD_BULGE, SPREAD_BULGE);
-    }
-    any_narrow(&g);
-    begin_term(&quadratic, &narrow_or_wide, a, b);
-    any_wide(&g);
-    begin_term(&quadratic, &narrow_or_wide, a, b);
-}
-
-/* Any gradients: narrow ones by the bits of the longest side. @unreached 1 leading zeros of 0 */
-PROOF(begin_gradients) {
-    static glint_gradients g;
-    FOR_PARTS(bits, 1, 11) {
-        const int32_t longest = bits < 11 ? (1 << bits) - 1 : 1023;
-        any_narrow(&g);
-        g.reach = ANY_UNSIGNED((1 << (bits - 1)) - 1, longest);
-        g.x1 = ANY(-longest - 1, longest);
-        g.y1 = ANY(-longest - 1, longest);
-        g.x2 = ANY(-longest - 1, longest);
-        g.y2 = ANY(-longest - 1, longest);
-        begin_gradients(&narrow_or_wide, &g);
-    }
-    any_wide(&g);
-    begin_gradients(&narrow_or_wide, &g);
 }
 
 /* Any weights. */

@@ -7,12 +7,12 @@
 #include "pixels.h"
 
 /*
- * Fragments anywhere in any tile of any screen, planes of any slopes, rays where they are needed.
+ * Fragments anywhere on any screen, planes of any slopes, rays where they are needed.
  * @contract glint_unit_inline glint_resolve_colour glint_light_all glint_needs_rays
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 9
  */
-PROOF(per_fragment_shade) {
+PROOF(glint_shade) {
     static int16_t extra[1][3];
     glint_frame frame;
     glint_view view;
@@ -20,18 +20,19 @@ PROOF(per_fragment_shade) {
     glint_shading shading;
     glint_attributes attributes;
     glint_draw draw;
+    glint_part part;
     any_lights(&view, &near_light);
     any_shading(&shading, &material);
     frame.view = &view;
     draw.shading = &shading;
     any_planes(&attributes);
     FOR_PARTS(count, 1, GLINT_FRAGMENTS_MAX) {
-        FOR_PARTS(has_surface, 0, 1) {
+        FOR_PARTS(has_extra, 0, 1) {
             glint_fragments fragments;
-            any_tile(&frame, &fragments, (uint32_t)count);
+            any_run(&frame, &fragments, &part, (uint32_t)count);
             fragments.attributes = &attributes;
-            draw.extra = has_surface ? extra : 0;
-            shade(&frame, &fragments, &draw);
+            draw.extra = has_extra ? extra : 0;
+            glint_shade(&frame, &fragments, &draw);
         }
     }
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file pixels.h
- * Fragments in a tile, and the planes they take their attributes from.
+ * Fragments of a row, and the planes they take their attributes from.
  */
 #ifndef GLINT_PIXELS_H
 #define GLINT_PIXELS_H
@@ -18,28 +18,27 @@ static void any_plane(glint_plane *plane) {
     plane->dy = ANY_INT;
 }
 
-/* From an anchor that the guard band holds, with the screen. */
 static void any_planes(glint_attributes *attributes) {
     for (int c = 0; c < 3; c++) {
         any_plane(&attributes->main[c]);
         any_plane(&attributes->extra[c]);
     }
-    attributes->x = ANY(-2047, 2047);
-    attributes->y = ANY(-2047, 2047);
 }
 
-/* So many fragments of a tile of up to 64 pixels a side. */
-static void any_tile(glint_frame *frame, glint_fragments *fragments, uint32_t count) {
+/* So many fragments of a triangle whose anchor the guard band holds, anywhere in a tile of the screen. */
+static void any_run(glint_frame *frame, glint_fragments *fragments, glint_part *part, uint32_t count) {
     frame->config.width = (uint16_t)ANY(1, GLINT_SIZE_MAX);
     frame->config.height = (uint16_t)ANY(1, GLINT_SIZE_MAX);
-    frame->config.tile_width = (uint16_t)ANY(8, 64);
-    frame->tile_shift_x = (uint8_t)ANY(3, 6);
+    part->window.left = ANY(8, 16 * GLINT_SIZE_MAX);
+    part->window.top = ANY(8, 16 * GLINT_SIZE_MAX);
+    part->x = ANY(-2047, 2047);
+    part->y = ANY(-2047, 2047);
+    fragments->part = part;
     fragments->count = count;
-    fragments->tile_x = ANY(0, GLINT_SIZE_MAX - 1);
-    fragments->tile_y = ANY(0, GLINT_SIZE_MAX - 1);
     fragments->scale = ANY_UNSIGNED(0, 30);
     for (int i = 0; i < GLINT_FRAGMENTS_MAX; i++) {
-        fragments->offset[i] = (uint16_t)ANY(0, GLINT_TILE_MAX * GLINT_TILE_MAX - 1);
+        fragments->column[i] = (uint8_t)ANY(0, GLINT_TILE_MAX - 1);
+        fragments->row[i] = (uint8_t)ANY(0, GLINT_TILE_MAX - 1);
         fragments->inverse_w[i] = ANY(0, INT32_MAX);
     }
 }

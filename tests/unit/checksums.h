@@ -46,8 +46,8 @@ static const uint32_t expected_checksums[] = {
     0xc89cdb20u, /* spot_phong */
     0x8dc475ebu, /* lambert_infinite */
     0x6282db6bu, /* phong_ungated_max */
-    0xaf07a8c7u, /* per_vertex */
-    0x70a42bc0u, /* per_vertex_clipped */
+    0xa121b85fu, /* per_vertex */
+    0xee56db74u, /* per_vertex_clipped */
     0x75eab97bu, /* per_facet */
     0x2b3439b3u, /* per_facet_clipped */
     0x5638bafdu, /* mesh_colours */
@@ -84,10 +84,13 @@ static const uint32_t expected_checksums[] = {
     0xb35368aau, /* level_31 */
     0x72e7369au, /* level_63 */
     0x1dc75f1au, /* level_255 */
-    0x49e59785u, /* luma_of_grey */
+    0xa3b687e5u, /* luma_1 */
+    0x36118962u, /* luma_15 */
+    0x1dc75f1au, /* luma_255 */
+    0x602a8e25u, /* channel */
     0x3cbd01d5u, /* clamped_colour */
-    0x16346f31u, /* gamma_of_squares */
-    0x76dc5fc5u, /* dither_threshold */
+    0x50f5c11fu, /* gamma_of_squares */
+    0xe7241fc5u, /* dither_threshold */
 };
 
 #endif

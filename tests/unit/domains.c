@@ -64,18 +64,35 @@ POWER(power_100_3, GLINT_Q16(100.3))
 POWER(power_1024, 1024 * GLINT_ONE)
 POWER(power_largest, INT32_MAX)
 
-#define LEVEL(name, top)                                        \
-    static int64_t name(int64_t x) {                            \
-        return glint_level((uint32_t)x, top, GLINT_HALF_LEVEL); \
-    }
-LEVEL(level_15, 15)
-LEVEL(level_31, 31)
-LEVEL(level_63, 63)
-LEVEL(level_255, 255)
-
-static int64_t luma_of_grey(int64_t x) {
+/* The channels of a grey. */
+static void channels_of_grey(int64_t x, int32_t channel[3]) {
     const uint32_t colour[3] = {(uint32_t)x, (uint32_t)x, (uint32_t)x};
-    return glint_luma(colour);
+    glint_channels_of(colour, channel);
+}
+
+#define LEVEL(name, bits)                                                           \
+    static int64_t name(int64_t x) {                                                \
+        int32_t channel[3];                                                         \
+        channels_of_grey(x, channel);                                               \
+        return glint_level(glint_to_levels(channel[1], bits), bits, GLINT_NEAREST); \
+    }
+LEVEL(level_15, 4)
+LEVEL(level_31, 5)
+LEVEL(level_63, 6)
+LEVEL(level_255, 8)
+
+#define LUMA(name, top)                                       \
+    static int64_t name(int64_t x) {                          \
+        int32_t channel[3];                                   \
+        channels_of_grey(x, channel);                         \
+        return glint_luma_level(channel, top, GLINT_NEAREST); \
+    }
+LUMA(luma_1, 1)
+LUMA(luma_15, 15)
+LUMA(luma_255, 255)
+
+static int64_t channel(int64_t x) {
+    return glint_channel_of((int16_t)x);
 }
 
 static int64_t clamped_colour(int64_t x) {
@@ -94,13 +111,16 @@ static int64_t clamped_colour(int64_t x) {
 
 static int64_t gamma_of_squares(int64_t x) {
     static const uint16_t squares[3][GLINT_GAMMA_ENTRIES] = {{SQUARES}, {SQUARES}, {SQUARES}};
-    uint32_t colour[1][3] = {{(uint32_t)x, (uint32_t)x, (uint32_t)x}};
-    glint_apply_gamma(squares, colour, 1);
+    const glint_config config = {.format = &glint_format_grey8, .gamma = squares}; /* no levels of its channels */
+    int32_t colour[1][3];
+    channels_of_grey(x, colour[0]);
+    glint_finish_colours(&config, colour, 1);
     return colour[0][1];
 }
 
 static int64_t dither_threshold(int64_t x) {
-    return glint_dither_threshold((uint32_t)x & 7, (uint32_t)x >> 3);
+    const glint_target target = {0, 3, 1};
+    return glint_threshold(&target, (uint32_t)x);
 }
 
 #define FULL_RANGE INT32_MIN, INT32_MAX
@@ -131,7 +151,10 @@ const domain domains[DOMAIN_COUNT] = {
     {"level_31", COLOUR_RANGE, level_31},
     {"level_63", COLOUR_RANGE, level_63},
     {"level_255", COLOUR_RANGE, level_255},
-    {"luma_of_grey", COLOUR_RANGE, luma_of_grey},
+    {"luma_1", COLOUR_RANGE, luma_1},
+    {"luma_15", COLOUR_RANGE, luma_15},
+    {"luma_255", COLOUR_RANGE, luma_255},
+    {"channel", 0, GLINT_COLOUR_ONE, channel},
     {"clamped_colour", COLOUR_RANGE, clamped_colour},
     {"gamma_of_squares", COLOUR_RANGE, gamma_of_squares},
     {"dither_threshold", 0, 63, dither_threshold},

@@ -33,10 +33,14 @@ bench_elf = $(BUILD)/$(lastword $(subst =, ,$1))/O2/$2.elf
 bench_programs = $(foreach core,$(BENCH_CORES),\
     $(word 1,$(subst =, ,$(core)))=$(word 2,$(subst =, ,$(core)))=$(call bench_elf,$(core),$1))
 
+# The float renderer that they are compared with (float.mk).
+BENCH_FLOAT := $(BUILD)/mps2-an386-m4f/O2/float.elf
+
 .PHONY: bench bench-diff
 $(BUILD)/bench.csv: $(foreach core,$(BENCH_CORES),$(foreach program,frames workloads methods fragments,$(call bench_elf,$(core),$(program)))) \
-        $(wildcard tools/bench/*.py) tests/board/qemu.py
+        $(BENCH_FLOAT) $(wildcard tools/bench/*.py) tests/board/qemu.py
 	$(Q)python3 tools/bench/bench.py --qemu $(QEMU) --output $(BUILD) --frames $(call bench_programs,frames) $(call bench_programs,workloads) \
+	    --float m4f=mps2-an386=$(BENCH_FLOAT) \
 	    --methods $(call bench_programs,methods) $(call bench_programs,fragments)
 
 bench: $(BUILD)/bench.csv ## count the instructions of whole frames of every kind of scene, of methods and of fragments; writes build/bench.csv
