@@ -99,14 +99,27 @@ static unsigned find_sum_bits(const glint_frame *frame, const glint_shading *sha
     return 32 - glint_leading_zeros(total >> 15);
 }
 
-static void set_lobes(const glint_shading *shading, glint_light_terms *terms) {
-    const glint_power_table *power = &shading->power;
-    const unsigned window_bits = 31 - glint_leading_zeros(power->window);
-    terms->lobes = shading->has_specular;
-    if (!terms->lobes)
-        return;
-    terms->lobe_shift = window_bits < LOBE_BITS + 2 ? (LOBE_BITS + 2 - window_bits) / 2 : 0;
-    terms->lobe_end = power->window >> 2 << 2 * terms->lobe_shift;
+/* What need not show of a highlight: 1/8 of a level, Q8. */
+#define FAINT 32
+
+/* sin^2 where the brightest highlight falls below what need not show, Q30; 0 where none shows. */
+static uint32_t find_cut(const glint_frame *frame, const glint_shading *shading, const glint_light_terms *terms) {
+    uint32_t levels = 0;
+    for (uint32_t i = 0; i < frame->scene->light_count; i++)
+        if (shading->has_specular >> i & 1 && terms->specular_levels[i] > levels)
+            levels = terms->specular_levels[i];
+    if (levels <= FAINT)
+        return 0;
+    const int64_t faint = glint_log2(FAINT << 11) - (int64_t)glint_log2(levels << 11); /* Q26 */
+    return (1u << 30) - glint_exp2((int32_t)((2 * faint * (1 << 16)) / shading->shininess));
+}
+
+static void set_lobes(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
+    const uint32_t cut = find_cut(frame, shading, terms);
+    const unsigned bits = 32 - glint_leading_zeros(cut);
+    terms->lobes = cut ? shading->has_specular : 0;
+    terms->lobe_shift = bits < LOBE_BITS + 2 ? (LOBE_BITS + 2 - bits) / 2 : 0;
+    terms->lobe_end = cut >> 2 << 2 * terms->lobe_shift;
     terms->lobe_cut = (int32_t)glint_square_root(terms->lobe_end) + 2;
     terms->lobe_diagonal = (terms->lobe_cut * 23171 >> 14) + 1;
     terms->slope = glint_highlight_slope(shading->shininess);
@@ -139,7 +152,7 @@ void glint_terms_prepare(const glint_frame *frame, glint_shading *shading) {
     set_weights(frame, shading, terms);
     terms->channels = find_chroma(frame, shading, terms) ? 1 : 3;
     terms->sum_bits = find_sum_bits(frame, shading, terms);
-    set_lobes(shading, terms);
+    set_lobes(frame, shading, terms);
     terms->limit = LIMIT * (total > 1 << 12 ? total : 1 << 12) >> 12;
     place_numbers(frame, terms);
 }
