@@ -150,15 +150,48 @@ int glint_needs_rays(const glint_view *view, const glint_shading *shading);
 void glint_clamp_colour(const uint32_t colour[3], int16_t out[3]);
 
 /*@ requires i < fragments->count <= 8;
-    requires \initialized(&fragments->offset[i]) && \initialized(&fragments->inverse_w[i]);
+    requires \initialized(&fragments->at_x) && \initialized(&fragments->at_y);
+    requires -4096 <= fragments->at_x <= 4096;
+    requires \initialized(&fragments->inverse_w[i]);
     requires fragments->inverse_w[i] >= 0;
     requires fragments->scale <= 30;
     requires \valid_read(planes + (0 .. 2)) && \valid(out + (0 .. 2));
-    assigns out[0 .. 2] \from indirect: *frame, indirect: *fragments, i, indirect: planes[0 .. 2];
+    assigns out[0 .. 2] \from indirect: *fragments, i, indirect: planes[0 .. 2];
     ensures \initialized(out + (0 .. 2));
     ensures \subset(out[0 .. 2], (0 .. 32767)); */
-void glint_resolve_colour(const glint_frame *frame, const glint_fragments *fragments, uint32_t i,
-                          const glint_plane planes[3], int16_t out[3]);
+void glint_resolve_colour(const glint_fragments *fragments, uint32_t i, const glint_plane planes[3], int16_t out[3]);
+
+/* A channel before it is clamped, in levels or not; a plane's value at a pixel may lie beyond its corners'. */
+#define CHANNEL_LEAST (-(1 << 27))
+#define CHANNEL_MOST (15 << 27)
+#define ANY_CHANNEL ANY(CHANNEL_LEAST, CHANNEL_MOST)
+
+/*@ requires \initialized(&colour[0 .. 2]) && \valid(channel + (0 .. 2));
+    assigns channel[0 .. 2] \from colour[0 .. 2];
+    ensures \initialized(channel + (0 .. 2));
+    ensures \subset(channel[0 .. 2], (0 .. 0x78000000)); */
+void glint_channels_of(const uint32_t colour[3], int32_t channel[3]);
+
+/*@ requires 1 <= count <= 64;
+    requires \valid_read(config);
+    requires \initialized(&colour[0 .. count - 1][0 .. 2]);
+    requires config->gamma != \null || \subset(colour[0 .. count - 1][0 .. 2], (-0x8000000 .. 0x78000000));
+    assigns colour[0 .. count - 1][0 .. 2] \from *config, colour[0 .. count - 1][0 .. 2];
+    ensures \initialized(&colour[0 .. count - 1][0 .. 2]);
+    ensures \subset(colour[0 .. count - 1][0 .. 2], (-0x8000000 .. 0x78000000)); */
+void glint_finish_colours(const glint_config *config, int32_t (*colour)[3], uint32_t count);
+
+/*@ requires 1 <= fragments->count <= 8;
+    requires \initialized(&fragments->inverse_w[0 .. fragments->count - 1]);
+    requires \subset(fragments->inverse_w[0 .. fragments->count - 1], (0 .. 0x7fffffff));
+    requires \initialized(&fragments->x) && \initialized(&fragments->y);
+    requires -8192 <= fragments->x <= 8192 && -8192 <= fragments->y <= 8192;
+    requires -4096 <= fragments->at_x <= 4096 && -4096 <= fragments->at_y <= 4096;
+    requires \initialized(&fragments->scale) && fragments->scale <= 30;
+    requires \valid_read(fragments->attributes);
+    assigns fragments->colour[0 .. 7][0 .. 2] \from indirect: *frame, indirect: *fragments, indirect: *draw;
+    ensures LIT(0) && LIT(1) && LIT(2) && LIT(3) && LIT(4) && LIT(5) && LIT(6) && LIT(7); */
+void glint_shade(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw);
 
 /*@ requires \valid(transform) && \valid_read(view) && \valid_read(config) && \valid_read(object);
     assigns \result, *transform \from indirect: *view, indirect: *config, indirect: *object;

@@ -37,13 +37,3 @@ PROOF(light_triangle) {
     draw.extra = extra;
     light_triangle(&frame, &draw, &transform, 0);
 }
-
-/* Up to 8 fragments of any colour. */
-PROOF(per_facet_shade) {
-    const int16_t facet[3] = {(int16_t)ANY(0, GLINT_COLOUR_ONE), (int16_t)ANY(0, GLINT_COLOUR_ONE),
-                              (int16_t)ANY(0, GLINT_COLOUR_ONE)};
-    glint_fragments fragments;
-    fragments.count = ANY_UNSIGNED(0, GLINT_FRAGMENTS_MAX);
-    fragments.facet = facet;
-    shade(0, &fragments, 0);
-}

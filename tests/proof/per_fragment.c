@@ -7,12 +7,13 @@
 #include "pixels.h"
 
 /*
- * Fragments anywhere in any tile of any screen, planes of any slopes, rays where they are needed.
+ * Fragments anywhere on any screen, planes of any slopes, rays where they are needed; and what is known of vertices.
  * @contract glint_unit_inline glint_resolve_colour glint_light_all glint_needs_rays
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 9
  */
-PROOF(per_fragment_shade) {
+PROOF(glint_shade) {
+    static const glint_evaluation at_vertices = {.lit_at = GLINT_LIT_AT_VERTICES};
     static int16_t extra[1][3];
     glint_frame frame;
     glint_view view;
@@ -26,12 +27,13 @@ PROOF(per_fragment_shade) {
     draw.shading = &shading;
     any_planes(&attributes);
     FOR_PARTS(count, 1, GLINT_FRAGMENTS_MAX) {
-        FOR_PARTS(has_surface, 0, 1) {
+        FOR_PARTS(kind, 0, 2) {
             glint_fragments fragments;
-            any_tile(&frame, &fragments, (uint32_t)count);
+            any_run(&frame, &fragments, (uint32_t)count);
             fragments.attributes = &attributes;
-            draw.extra = has_surface ? extra : 0;
-            shade(&frame, &fragments, &draw);
+            draw.evaluation = kind == 2 ? &at_vertices : &glint_per_fragment;
+            draw.extra = kind == 1 ? extra : 0;
+            glint_shade(&frame, &fragments, &draw);
         }
     }
 }

@@ -7,158 +7,173 @@
 #include "proof.h"
 
 #include "../../src/pixel.h"
+#include "contracts.h"
 
 #define SIDE 64
 
-static glint_fragments any_fragments(void) {
-    glint_fragments fragments;
-    fragments.count = ANY_UNSIGNED(0, GLINT_FRAGMENTS_MAX);
-    for (int i = 0; i < GLINT_FRAGMENTS_MAX; i++) {
-        fragments.offset[i] = (uint16_t)ANY_UNSIGNED(0, SIDE * SIDE - 1);
+static void any_colours(int32_t (*colour)[3], uint32_t count) {
+    for (uint32_t i = 0; i < count; i++)
         for (int c = 0; c < 3; c++)
-            fragments.colour[i][c] = ANY_UNSIGNED(0, UINT_MAX);
-    }
-    return fragments;
+            colour[i][c] = ANY_CHANNEL;
 }
 
-static void store(const glint_format *format, void *tile) {
-    const glint_fragments fragments = any_fragments();
+/* From every column to the end of the first row and of the last: into the tile's first byte and its last, no further.
+ */
+static void store(const glint_format *format, uint8_t *tile) {
     FOR_PARTS(shift, 3, 6) {
-        format->store(tile, &fragments, (unsigned)shift);
-    }
-}
-
-static void fill(const glint_format *format, void *tile) {
-    const uint32_t colour[3] = {ANY_UNSIGNED(0, UINT_MAX), ANY_UNSIGNED(0, UINT_MAX), ANY_UNSIGNED(0, UINT_MAX)};
-    FOR_PARTS(width, 3, 6) {
-        FOR_PARTS(height, 3, 6) {
-            format->fill(tile, 1u << width, 1u << height, colour);
+        const uint32_t width = 1u << shift, size = width * SIDE * format->bits / 8, last = width * (SIDE - 1);
+        FOR_PARTS(column, 0, (1 << shift) - 1) {
+            const uint32_t first = (uint32_t)column, count = width - first;
+            int32_t colour[SIDE][3];
+            any_colours(colour, count);
+            format->store(tile, (unsigned)shift, first, count, (const int32_t(*)[3])colour);
+            format->store(tile + (SIDE * SIDE * format->bits / 8 - size), (unsigned)shift, last + first, count,
+                          (const int32_t(*)[3])colour);
         }
     }
 }
 
-/* Any colour, any threshold from 0 to 2^23 - 1, up to 255 levels. @unsigned */
+static void fill(const glint_format *format, uint8_t *tile) {
+    int32_t colour[1][3];
+    any_colours(colour, 1);
+    FOR_PARTS(shift, 3, 6) {
+        FOR_PARTS(height, 3, 6) {
+            const uint32_t size = (1u << shift << height) * format->bits / 8;
+            format->fill(tile + (SIDE * SIDE * format->bits / 8 - size), (unsigned)shift, 1u << height, colour[0]);
+        }
+    }
+}
+
+/* Any channel, in levels of each number of bits, and any threshold. */
 PROOF(glint_level) {
-    glint_level(ANY_UNSIGNED(0, UINT_MAX), ANY_UNSIGNED(0, 255), ANY_UNSIGNED(0, (1u << 23) - 1));
+    FOR_PARTS(bits, 4, 8) {
+        const uint32_t level = glint_level(ANY_CHANNEL, (unsigned)bits, ANY_UNSIGNED(0, 128));
+        /*@ assert level < 1 << bits; */
+    }
 }
 
-/* Any colour. @unsigned */
-PROOF(glint_luma) {
-    const uint32_t colour[3] = {ANY_UNSIGNED(0, UINT_MAX), ANY_UNSIGNED(0, UINT_MAX), ANY_UNSIGNED(0, UINT_MAX)};
-    glint_luma(colour);
+/* Any channels, whatever their range, as one of any number of levels, any threshold. @unsigned */
+PROOF(glint_luma_level) {
+    FOR_PARTS(bits, 1, 8) {
+        const int32_t colour[3] = {ANY_INT, ANY_INT, ANY_INT};
+        glint_luma_level(colour, (1u << bits) - 1, ANY_UNSIGNED(0, 127));
+    }
 }
 
-/* Any offset and row. */
-PROOF(glint_dither_threshold) {
-    glint_dither_threshold(ANY_UNSIGNED(0, UINT_MAX), ANY_UNSIGNED(0, UINT_MAX));
+/* Any offset in a tile of any width, dithered and not. */
+PROOF(glint_threshold) {
+    FOR_PARTS(shift, 3, 6) {
+        const glint_target target = {0, (unsigned)shift, ANY(0, 1)};
+        glint_threshold(&target, ANY_UNSIGNED(0, UINT_MAX));
+    }
 }
 
-/* Up to 8 fragments of any colour anywhere in a tile, plain and dithered. */
+/* Runs of any channels at both ends of tiles of 8 to 64 columns, plain and dithered. */
 PROOF(rgb565_store) {
-    static uint16_t tile[SIDE * SIDE * 16 / 16];
-    store(&glint_format_rgb565, tile);
-    store(&glint_format_rgb565_dithered, tile);
+    static uint16_t tile[SIDE * SIDE];
+    store(&glint_format_rgb565, (uint8_t *)tile);
+    store(&glint_format_rgb565_dithered, (uint8_t *)tile);
 }
 
-/* Any colour, tiles of 8 to 64 pixels a side, plain and dithered. */
+/* Any channels, tiles of 8 to 64 pixels a side, plain and dithered. */
 PROOF(rgb565_fill) {
-    static uint16_t tile[SIDE * SIDE * 16 / 16];
-    fill(&glint_format_rgb565, tile);
-    fill(&glint_format_rgb565_dithered, tile);
+    static uint16_t tile[SIDE * SIDE];
+    fill(&glint_format_rgb565, (uint8_t *)tile);
+    fill(&glint_format_rgb565_dithered, (uint8_t *)tile);
 }
 
-/* Up to 8 fragments of any colour anywhere in a tile, plain and dithered. */
+/* Runs of any channels at both ends of tiles of 8 to 64 columns, plain and dithered. */
 PROOF(rgb565_be_store) {
     static uint8_t tile[SIDE * SIDE * 16 / 8];
     store(&glint_format_rgb565_be, tile);
     store(&glint_format_rgb565_be_dithered, tile);
 }
 
-/* Any colour, tiles of 8 to 64 pixels a side, plain and dithered. */
+/* Any channels, tiles of 8 to 64 pixels a side, plain and dithered. */
 PROOF(rgb565_be_fill) {
     static uint8_t tile[SIDE * SIDE * 16 / 8];
     fill(&glint_format_rgb565_be, tile);
     fill(&glint_format_rgb565_be_dithered, tile);
 }
 
-/* Up to 8 fragments of any colour anywhere in a tile, plain and dithered. */
+/* Runs of any channels at both ends of tiles of 8 to 64 columns, plain and dithered. */
 PROOF(rgb888_store) {
     static uint8_t tile[SIDE * SIDE * 24 / 8];
     store(&glint_format_rgb888, tile);
     store(&glint_format_rgb888_dithered, tile);
 }
 
-/* Any colour, tiles of 8 to 64 pixels a side, plain and dithered. */
+/* Any channels, tiles of 8 to 64 pixels a side, plain and dithered. */
 PROOF(rgb888_fill) {
     static uint8_t tile[SIDE * SIDE * 24 / 8];
     fill(&glint_format_rgb888, tile);
     fill(&glint_format_rgb888_dithered, tile);
 }
 
-/* Up to 8 fragments of any colour anywhere in a tile, plain and dithered. */
+/* Runs of any channels at both ends of tiles of 8 to 64 columns, plain and dithered. */
 PROOF(grey8_store) {
     static uint8_t tile[SIDE * SIDE * 8 / 8];
     store(&glint_format_grey8, tile);
     store(&glint_format_grey8_dithered, tile);
 }
 
-/* Any colour, tiles of 8 to 64 pixels a side, plain and dithered. */
+/* Any channels, tiles of 8 to 64 pixels a side, plain and dithered. */
 PROOF(grey8_fill) {
     static uint8_t tile[SIDE * SIDE * 8 / 8];
     fill(&glint_format_grey8, tile);
     fill(&glint_format_grey8_dithered, tile);
 }
 
-/* Up to 8 fragments of any colour anywhere in a tile, plain and dithered. */
+/* Runs of any channels at both ends of tiles of 8 to 64 columns, plain and dithered. */
 PROOF(grey4_store) {
     static uint8_t tile[SIDE * SIDE * 4 / 8];
     store(&glint_format_grey4, tile);
     store(&glint_format_grey4_dithered, tile);
 }
 
-/* Any colour, tiles of 8 to 64 pixels a side, plain and dithered. */
+/* Any channels, tiles of 8 to 64 pixels a side, plain and dithered. */
 PROOF(grey4_fill) {
     static uint8_t tile[SIDE * SIDE * 4 / 8];
     fill(&glint_format_grey4, tile);
     fill(&glint_format_grey4_dithered, tile);
 }
 
-/* Up to 8 fragments of any colour anywhere in a tile, plain and dithered. */
+/* Runs of any channels at both ends of tiles of 8 to 64 columns, plain and dithered. */
 PROOF(rgb444_store) {
     static uint8_t tile[SIDE * SIDE * 12 / 8];
     store(&glint_format_rgb444, tile);
     store(&glint_format_rgb444_dithered, tile);
 }
 
-/* Any colour, tiles of 8 to 64 pixels a side, plain and dithered. */
+/* Any channels, tiles of 8 to 64 pixels a side, plain and dithered. */
 PROOF(rgb444_fill) {
     static uint8_t tile[SIDE * SIDE * 12 / 8];
     fill(&glint_format_rgb444, tile);
     fill(&glint_format_rgb444_dithered, tile);
 }
 
-/* Up to 8 fragments of any colour anywhere in a tile, plain and dithered. */
+/* Runs of any channels at both ends of tiles of 8 to 64 columns, plain and dithered. */
 PROOF(mono_store) {
     static uint8_t tile[SIDE * SIDE * 1 / 8];
     store(&glint_format_mono, tile);
     store(&glint_format_mono_dithered, tile);
 }
 
-/* Any colour, tiles of 8 to 64 pixels a side, plain and dithered. */
+/* Any channels, tiles of 8 to 64 pixels a side, plain and dithered. */
 PROOF(mono_fill) {
     static uint8_t tile[SIDE * SIDE * 1 / 8];
     fill(&glint_format_mono, tile);
     fill(&glint_format_mono_dithered, tile);
 }
 
-/* Up to 8 fragments of any colour anywhere in a tile, plain and dithered. */
+/* Runs of any channels at both ends of tiles of 8 to 64 columns, plain and dithered. */
 PROOF(mono_pages_store) {
     static uint8_t tile[SIDE * SIDE * 1 / 8];
     store(&glint_format_mono_pages, tile);
     store(&glint_format_mono_pages_dithered, tile);
 }
 
-/* Any colour, tiles of 8 to 64 pixels a side, plain and dithered. */
+/* Any channels, tiles of 8 to 64 pixels a side, plain and dithered. */
 PROOF(mono_pages_fill) {
     static uint8_t tile[SIDE * SIDE * 1 / 8];
     fill(&glint_format_mono_pages, tile);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file pixels.h
- * Fragments in a tile, and the planes they take their attributes from.
+ * Fragments of a row, and the planes they take their attributes from.
  */
 #ifndef GLINT_PIXELS_H
 #define GLINT_PIXELS_H
@@ -18,30 +18,25 @@ static void any_plane(glint_plane *plane) {
     plane->dy = ANY_INT;
 }
 
-/* From an anchor that the guard band holds, with the screen. */
 static void any_planes(glint_attributes *attributes) {
     for (int c = 0; c < 3; c++) {
         any_plane(&attributes->main[c]);
         any_plane(&attributes->extra[c]);
     }
-    attributes->x = ANY(-2047, 2047);
-    attributes->y = ANY(-2047, 2047);
 }
 
-/* So many fragments of a tile of up to 64 pixels a side. */
-static void any_tile(glint_frame *frame, glint_fragments *fragments, uint32_t count) {
+/* So many fragments that follow each other, in a triangle whose anchor the guard band holds, with the screen. */
+static void any_run(glint_frame *frame, glint_fragments *fragments, uint32_t count) {
     frame->config.width = (uint16_t)ANY(1, GLINT_SIZE_MAX);
     frame->config.height = (uint16_t)ANY(1, GLINT_SIZE_MAX);
-    frame->config.tile_width = (uint16_t)ANY(8, 64);
-    frame->tile_shift_x = (uint8_t)ANY(3, 6);
     fragments->count = count;
-    fragments->tile_x = ANY(0, GLINT_SIZE_MAX - 1);
-    fragments->tile_y = ANY(0, GLINT_SIZE_MAX - 1);
+    fragments->x = ANY(-8192, 8192);
+    fragments->y = ANY(-8192, 8192);
+    fragments->at_x = ANY(-4096, 4096);
+    fragments->at_y = ANY(-4096, 4096);
     fragments->scale = ANY_UNSIGNED(0, 30);
-    for (int i = 0; i < GLINT_FRAGMENTS_MAX; i++) {
-        fragments->offset[i] = (uint16_t)ANY(0, GLINT_TILE_MAX * GLINT_TILE_MAX - 1);
+    for (int i = 0; i < GLINT_FRAGMENTS_MAX; i++)
         fragments->inverse_w[i] = ANY(0, INT32_MAX);
-    }
 }
 
 #endif

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Suite: the table reads of fast lighting, which rest on how far a plane's value at a pixel can lie from its corners'.
- * Triangles of all sizes, slender ones too, that turn and change in depth as far as is ever let through; every pixel.
+ * Suite: the table reads of fast lighting, and channels of colours at corners, which rest on how far a plane's value at
+ * a pixel can lie from its corners'. Triangles of all sizes, slender ones too, that turn and change in depth as far as
+ * is ever let through; every pixel.
  */
 #include "deviation.h"
 #include "harness.h"
@@ -36,8 +37,8 @@ static struct {
     int64_t diffuse_most, diffuse_least, gated_most, specular_most, stepped_most;
     uint32_t triangles[GLINT_KERNELS], stepped, pixels;
     uint32_t interpolated[2], interpolated_gated, curved[2];
-    int64_t root_most, bent_most;
-} seen = {-1, INT32_MAX, -1, -1, -1, {0}, 0, 0, {0}, 0, {0}, -1, -1};
+    int64_t root_most, bent_most, channel_most, channel_least;
+} seen = {-1, INT32_MAX, -1, -1, -1, {0}, 0, 0, {0}, 0, {0}, -1, -1, 0, 0};
 
 static int64_t more(int64_t a, int64_t b) {
     return a > b ? a : b;
@@ -139,6 +140,24 @@ static void see_quadratic(const glint_draw *draw, const glint_triangle *triangle
     }
 }
 
+/* A channel, black, white or between at each corner: what a pixel's is at most and at least. */
+static void see_channel(const glint_part *part) {
+    glint_plane channel;
+    int32_t at[3];
+    for (int i = 0; i < 3; i++) {
+        const int16_t colour[3] = {0, GLINT_COLOUR_ONE, (int16_t)(random_bits() % (GLINT_COLOUR_ONE + 1))};
+        at[i] = glint_channel_of(colour[random_bits() % 3]);
+    }
+    glint_plane_begin(&channel, &part->gradients, at[0], at[1], at[2]);
+    for (uint32_t row = part->top; row < part->bottom; row++) {
+        for (int32_t column = part->spans[row].left; column < part->spans[row].right; column++) {
+            const int64_t value = glint_plane_at(&channel, part->x + column, part->y + (int32_t)row);
+            seen.channel_most = more(seen.channel_most, value);
+            seen.channel_least = -more(-seen.channel_least, -value);
+        }
+    }
+}
+
 static void see(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                 const glint_triangle *triangle, const glint_part *part) {
     glint_deviation_planes planes;
@@ -146,6 +165,7 @@ static void see(const glint_frame *frame, glint_workspace *workspace, const glin
     (void)frame;
     (void)workspace;
     seen.triangles[kind]++;
+    see_channel(part);
     if (kind == GLINT_DEVIATION_UNFIT)
         see_quadratic(draw, triangle, part);
     if (kind == GLINT_DEVIATION_EVEN) {
@@ -309,7 +329,11 @@ static void every_read_is_in_its_table(void) {
     test_write_number(seen.root_most);
     test_write(" of 768; least N.L ");
     test_write_number(seen.diffuse_least);
-    test_write("\n");
+    test_write(";\n  channels ");
+    test_write_number(seen.channel_least);
+    test_write(" to ");
+    test_write_number(seen.channel_most);
+    test_write(" of 2^27\n");
     CHECK(seen.diffuse_least > 0);
     CHECK(seen.diffuse_most >= 256); /* what lengthening makes */
     CHECK_AT_MOST(seen.diffuse_most, GLINT_DIFFUSE_ENTRIES - 1);
@@ -318,6 +342,8 @@ static void every_read_is_in_its_table(void) {
     CHECK_AT_MOST(seen.stepped_most, INT32_MAX);
     CHECK_AT_MOST(seen.bent_most, 1023);
     CHECK_AT_MOST(seen.root_most, 767);
+    CHECK_AT_MOST(-seen.channel_least, GLINT_CHANNEL_ONE / 4096);
+    CHECK_AT_MOST(seen.channel_most, GLINT_CHANNEL_ONE + GLINT_CHANNEL_ONE / 4096);
 }
 
 int test_main(test_writer write) {

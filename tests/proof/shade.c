@@ -5,7 +5,7 @@
 #include "../../src/shade.c"
 #include "lit.h"
 
-/* What any model adds for a light, and what any format does. */
+/* What any model adds for a light. */
 static void any_model_light(const glint_shading *shading, uint32_t light, const glint_view *view,
                             glint_fragments *fragments, int has_surface) {
     (void)shading;
@@ -16,23 +16,6 @@ static void any_model_light(const glint_shading *shading, uint32_t light, const 
         for (int c = 0; c < 3; c++)
             fragments->colour[i][c] += ANY_UNSIGNED(0, 2 * LIGHT_MOST);
 }
-
-static void any_store(void *pixels, const glint_fragments *fragments, unsigned tile_shift_x) {
-    (void)pixels;
-    (void)fragments;
-    (void)tile_shift_x;
-}
-
-static void any_shade(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw) {
-    (void)frame;
-    (void)draw;
-    any_fragments(fragments, UINT_MAX);
-}
-
-/*@ requires count <= 8;
-    requires \initialized(&colour[0 .. count - 1][0 .. 2]);
-    assigns colour[0 .. count - 1][0 .. 2] \from gamma, count, colour[0 .. count - 1][0 .. 2]; */
-void glint_apply_gamma(const uint16_t (*gamma)[GLINT_GAMMA_ENTRIES], uint32_t (*colour)[3], uint32_t count);
 
 /*
  * Any fragments, lit by 8 lights or not at all, with colours of their own and without: colours stay below 2^32.
@@ -79,20 +62,10 @@ PROOF(glint_clamp_colour) {
     /*@ assert \subset(out[0 .. 2], (0 .. 32767)); */
 }
 
-/* Any fragments, with output tables and without. @contract glint_apply_gamma */
-PROOF(glint_shade) {
-    static const uint16_t gamma[3][GLINT_GAMMA_ENTRIES];
-    static const glint_evaluation evaluation = {0, 0, 0, 0, any_shade};
-    static const glint_format format = {16, any_store, 0, 0};
-    glint_fragments fragments;
-    glint_workspace workspace;
-    glint_frame frame;
-    glint_draw draw;
-    draw.evaluation = &evaluation;
-    frame.config.format = &format;
-    frame.config.gamma = ANY(0, 1) ? gamma : 0;
-    frame.tile_shift_x = (uint8_t)ANY(3, 6);
-    workspace.fragments = &fragments;
-    workspace.pixels = 0;
-    glint_shade(&frame, &workspace, &draw);
+/* Any colour. @unsigned */
+PROOF(glint_channels_of) {
+    const uint32_t colour[3] = {ANY_UNSIGNED(0, UINT_MAX), ANY_UNSIGNED(0, UINT_MAX), ANY_UNSIGNED(0, UINT_MAX)};
+    int32_t channel[3];
+    glint_channels_of(colour, channel);
+    /*@ assert \subset(channel[0 .. 2], (0 .. CHANNEL_MOST)); */
 }

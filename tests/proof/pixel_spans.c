@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+/* Loops over a part's pixels that every format makes its own. */
+#include "proof.h"
+
+#include "../../src/pixel.h"
+#include "contracts.h"
+#include "spans.h"
+
+/* What a format does: stores are proven of each. */
+static uint32_t any_pack(const int32_t colour[3], uint32_t threshold) {
+    /*@ assert threshold < 128; */
+    return glint_level(colour[0], 6, threshold);
+}
+
+static void any_put(const glint_target *target, uint32_t offset, uint32_t packed) {
+    (void)packed;
+    /*@ assert offset < 2 << target->shift; */
+}
+
+const uint8_t glint_dither_matrix[64] = {1, 127};
+
+/*
+ * Every span in two rows of a tile 8 pixels wide, any plane, any channels, plain and dithered: puts stay in the tile.
+ * @unreached 6 what ARMv6-M does, and the threshold of plain formats, which is known before
+ * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
+ * @options -eva-slevel 0 -eva-min-loop-unroll 46
+ */
+PROOF(glint_draw_even_spans) {
+    const glint_spans spans = any_part();
+    const int32_t colour[3] = {ANY_CHANNEL, ANY_CHANNEL, ANY_CHANNEL};
+    const glint_target plain = {spans.pixels, spans.shift, 0}, dithered = {spans.pixels, spans.shift, 1};
+    FOR_SPANS() {
+        glint_draw_even_spans(&spans, &plain, colour, any_pack, any_put);
+        glint_draw_even_spans(&spans, &dithered, colour, any_pack, any_put);
+    }
+}
+
+/*
+ * The same, of any planes.
+ * @unreached 5 what ARMv6-M does
+ * @alarms 2 channels at a pixel lie no further than 1/4096 beyond those of the corners: suite `reads` looks at every
+ * pixel of half a million triangles
+ * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
+ * @options -eva-slevel 0 -eva-min-loop-unroll 46
+ */
+PROOF(glint_draw_channel_spans) {
+    static glint_plane channels[3];
+    const glint_spans spans = any_part();
+    const glint_target plain = {spans.pixels, spans.shift, 0}, dithered = {spans.pixels, spans.shift, 1};
+    for (int c = 0; c < 3; c++)
+        any_plane(&channels[c]);
+    FOR_SPANS() {
+        glint_draw_channel_spans(&spans, &plain, channels, any_pack, any_put);
+        glint_draw_channel_spans(&spans, &dithered, channels, any_pack, any_put);
+    }
+}
