@@ -17,13 +17,16 @@ static void any_colours(int32_t (*colour)[3], uint32_t count) {
             colour[i][c] = ANY_CHANNEL;
 }
 
-/* From every column to the end of the first row and of the last: into the tile's first byte and its last, no further.
+/*
+ * From the first columns and the last to the end of the first row and of the last: into the tile's first byte and its
+ * last, no further.
  */
 static void store(const glint_format *format, uint8_t *tile) {
     FOR_PARTS(shift, 3, 6) {
         const uint32_t width = 1u << shift, size = width * SIDE * format->bits / 8, last = width * (SIDE - 1);
-        FOR_PARTS(column, 0, (1 << shift) - 1) {
-            const uint32_t first = (uint32_t)column, count = width - first;
+        const uint32_t columns[3] = {0, 1, width - 1};
+        FOR_PARTS(i, 0, 2) {
+            const uint32_t first = columns[i], count = width - first;
             int32_t colour[SIDE][3];
             any_colours(colour, count);
             format->store(tile, (unsigned)shift, first, count, (const int32_t(*)[3])colour);
