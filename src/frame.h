@@ -40,7 +40,8 @@ typedef struct glint_prepared_light {
         int32_t shift;
         int32_t distance_mantissa; /* |light vector| / (1/w) in world units: mantissa 2^-shift, 2^30 to 2^31 */
         int32_t distance_shift;
-        int32_t linear, quadratic; /* Q16 */
+        uint32_t linear, quadratic; /* Q16, times 2 to the power of these bits: 2^31 or more, or 0 */
+        uint32_t linear_bits, quadratic_bits;
     } point;
     struct {
         int32_t cosine_outer, cosine_inner; /* times GLINT_UNIT^2 */

@@ -23,7 +23,7 @@
  * | twice a triangle's area | screen | int32, 28.4 squared | < 2^31 | guard band |
  * | light weight (light times material) | | uint32 Q12 | 0 to 16 | prepare.c |
  * | power table | | uint16 Q15 | 0 to 2^15 | power.c |
- * | channel of a pixel | | int32 Q27, as it is or in levels | 0 to 15; a plane's, up to 2^-12 beyond its corners' | kernel.c |
+ * | channel of a pixel | | int32 Q27 | 0 to 15; a plane's up to 2^-12 beyond its corners' | kernel.c |
  * | fragment colour | | uint32 Q23 | below 2^32: 8 lights of 2 x 16, ambient 16 | prepare.c |
  */
 #ifndef GLINT_NUMERIC_H

@@ -2,11 +2,10 @@
 /* Lighting at every vertex (Gouraud, 1971): colours, clamped at 1, are interpolated. */
 #include "frame.h"
 
-/* Makes a vertex a fragment, seen from the front. */
-static void gather(const glint_frame *frame, const glint_draw *draw, uint32_t index, glint_fragments *to) {
+/* Makes a vertex fragment i, seen from the front. */
+static void gather(const glint_frame *frame, const glint_draw *draw, uint32_t index, glint_fragments *to, uint32_t i) {
     const glint_position *p = &draw->positions[index];
     const int64_t point[3] = {p->x, p->y, p->w};
-    const uint32_t i = to->count++;
     if (glint_needs_rays(frame->view, draw->shading))
         glint_ray(&draw->transform, frame->view, point, 1, to->ray[i], &to->inverse_w[i]);
     for (int c = 0; c < 3; c++) {
@@ -26,28 +25,28 @@ static void light_triangle(const glint_frame *frame, glint_draw *draw, const gli
                            uint32_t triangle) {
     const glint_mesh *mesh = frame->scene->objects[draw->object].mesh;
     const int has_surface = mesh->colours || mesh->colours565;
-    uint32_t index[3];
+    uint32_t index[3], count = 0;
     glint_fragments vertices;
     (void)transform;
-    vertices.count = 0;
     for (int corner = 0; corner < 3; corner++) {
         const uint32_t here = draw->triangles[triangle][corner];
         if (draw->vertices[here].flags & GLINT_VERTEX_NORMAL)
             continue;
         glint_transform_normal(draw, &draw->vertices[here]);
-        index[vertices.count] = here;
-        gather(frame, draw, here, &vertices);
+        index[count] = here;
+        gather(frame, draw, here, &vertices, count++);
     }
-    if (!vertices.count)
+    if (!count)
         return;
+    vertices.count = count;
     glint_light_all(frame, &vertices, draw->shading, has_surface);
-    for (uint32_t i = 0; i < vertices.count; i++)
+    for (uint32_t i = 0; i < count; i++)
         glint_clamp_colour(vertices.colour[i], draw->vertices[index[i]].attribute);
     if (!draw->double_sided)
         return;
     negate_normals(&vertices);
     glint_light_all(frame, &vertices, draw->shading, has_surface);
-    for (uint32_t i = 0; i < vertices.count; i++)
+    for (uint32_t i = 0; i < count; i++)
         glint_clamp_colour(vertices.colour[i], draw->extra[index[i]]);
 }
 

@@ -5,11 +5,22 @@
  */
 #include "point.h"
 
+#include "division.h"
+#include "product.h"
+
+glint_status glint_point_attenuation(const glint_light *light, glint_prepared_light *prepared) {
+    if (light->linear < 0 || light->quadratic < 0)
+        return GLINT_ERROR_ATTENUATION;
+    prepared->point.linear_bits = glint_leading_zeros((uint32_t)light->linear) & 31;
+    prepared->point.quadratic_bits = glint_leading_zeros((uint32_t)light->quadratic) & 31;
+    prepared->point.linear = (uint32_t)light->linear << prepared->point.linear_bits;
+    prepared->point.quadratic = (uint32_t)light->quadratic << prepared->point.quadratic_bits;
+    return GLINT_OK;
+}
+
 static glint_status prepare(const glint_light *light, glint_prepared_light *prepared, const glint_view *view) {
     (void)view;
-    prepared->point.linear = light->linear;
-    prepared->point.quadratic = light->quadratic;
-    return light->linear < 0 || light->quadratic < 0 ? GLINT_ERROR_ATTENUATION : GLINT_OK;
+    return glint_point_attenuation(light, prepared);
 }
 
 void glint_point_place(const glint_light *light, glint_prepared_light *prepared, const glint_view *view) {
@@ -24,10 +35,18 @@ void glint_point_place(const glint_light *light, glint_prepared_light *prepared,
     int up = (int)glint_reduce(relative, reduced);
     int bits = (int)glint_bits64((uint64_t)view->nearest) - 31; /* nearest = n 2^bits, Q28 */
     int64_t n = bits > 0 ? glint_shift_right64(view->nearest, (unsigned)bits) : view->nearest * ((int64_t)1 << -bits);
+    int64_t scaled[3];
+    uint64_t size_of = 1;
+    for (int i = 0; i < 3; i++) {
+        scaled[i] = (int64_t)reduced[i] * view->focal;
+        size_of |= glint_magnitude64(scaled[i]);
+    }
+    const unsigned size_of_all = glint_bits64(size_of),
+                   wide = size_of_all < 61 ? 61 - size_of_all : 0; /* quotients are to have 30 bits */
     for (int i = 0; i < 3; i++)
-        prepared->point.mantissa[i] = (int32_t)((int64_t)reduced[i] * view->focal / n);
+        prepared->point.mantissa[i] = (int32_t)(scaled[i] * ((int64_t)1 << wide) / n);
     /* position Q32 / nearest Q28 is 2^-4, and 1/w is Q31 */
-    prepared->point.shift = bits + 4 - up + 31;
+    prepared->point.shift = bits + 4 - up + 31 + (int32_t)wide;
     /* |light vector| / (1/w): Q12 half pixels over Q31, times the nearest w in world units */
     int64_t unit = (n << 30) / view->focal; /* n / focal, Q30: from 2^31 to 2^53 */
     unsigned size = glint_bits64((uint64_t)unit) - 31;
@@ -35,98 +54,104 @@ void glint_point_place(const glint_light *light, glint_prepared_light *prepared,
     prepared->point.distance_shift = 30 - (int)size - bits + 28 - 31;
 }
 
-/* x 2^shift; shift below 32, but where x is 0. */
-static uint64_t shifted(uint64_t x, int shift) {
-    return shift >= 0 ? (shift < 32 ? x << shift : x << 32) : shift > -64 ? x >> -shift : 0;
+/* The high half of a product. */
+static inline uint32_t high_product(uint32_t a, uint32_t b) {
+    return (uint32_t)(glint_product_unsigned(a, b) >> 32);
 }
 
-static inline int bits_of(uint32_t x) {
-    return 32 - (int)glint_leading_zeros(x);
+/* x 2^n, below 2^30: what is more counts as that. */
+static uint32_t shift_below(uint32_t x, int n) {
+    if (n < 0)
+        return n > -32 ? x >> -n : 0;
+    return x == 0 || (int)glint_leading_zeros(x) > n + 1 ? x << n : 1u << 30;
 }
 
 /*
- * 1 / (1 + linear d + quadratic d^2), Q15, for d = distance 2^exponent / inverse_w; distance below 2^16. With d = b / a
- * all three terms, times a^2, are brought below 2^61: where none of them is 2^16 times the first, which makes the
- * result 0, that leaves a 12 bits or more.
+ * 1 / (1 + linear d + quadratic d^2), Q15, for d = distance 2^exponent / inverse_w, distance from 2^14 to 2^16; numbers
+ * of 32 bits with a power of two each.
  */
 static uint32_t attenuate(const glint_prepared_light *light, uint32_t inverse_w, uint32_t distance, int exponent) {
-    const uint32_t linear = (uint32_t)light->point.linear, quadratic = (uint32_t)light->point.quadratic;
-    uint64_t product = (uint64_t)distance * (uint32_t)light->point.distance_mantissa; /* below 2^47 */
-    exponent -= light->point.distance_shift;
-    int size_a = bits_of(inverse_w), size_b = (int)glint_bits64(product) + exponent;
-    int top = glint_most_of(size_a - 22, glint_shift_right(size_a + size_b + bits_of(linear) - 60, 1),
-                            size_b + glint_shift_right(bits_of(quadratic) - 60, 1));
-    uint64_t a = shifted(inverse_w, -top), b = shifted(product, exponent - top);
-    a |= a == 0;
-    uint64_t one = a * a << 16;
-    uint64_t sum = one + a * b * linear + b * b * quadratic;
-    int down = (int)glint_bits64(sum) - 31;
-    sum = shifted(sum, -down);
-    one = shifted(one, -down);
-    uint32_t divisor = (uint32_t)(sum >> 15);
-    uint32_t result = divisor ? (uint32_t)one / divisor : 0;
-    return result > 1u << 15 ? 1u << 15 : result;
+    if (!(light->point.linear | light->point.quadratic))
+        return 1u << 15;
+    if (!inverse_w)
+        return 0;
+    const unsigned zeros = glint_leading_zeros(inverse_w);
+    const uint32_t ratio = distance * (uint32_t)glint_reciprocal16(inverse_w << zeros >> 16);
+    const uint32_t d = high_product(ratio, (uint32_t)light->point.distance_mantissa);
+    const int bits = exponent + (int)zeros - 15 - light->point.distance_shift; /* d 2^bits */
+    const uint32_t linear =
+        shift_below(high_product(d, light->point.linear), 32 + bits - (int)light->point.linear_bits);
+    const uint32_t quadratic = shift_below(high_product(high_product(d, d), light->point.quadratic),
+                                           64 + 2 * bits - (int)light->point.quadratic_bits);
+    const uint32_t sum = (1u << 16) + linear + quadratic; /* Q16, from 2^16 to below 2^32 */
+    const unsigned up = glint_leading_zeros(sum);
+    const uint32_t inverse = (uint32_t)glint_reciprocal16(sum << up >> 16);
+    return (inverse + (1u << (15 - up))) >> (16 - up);
 }
 
-/* Is the light here, or so near, next to the eye, that rounding alone tells where? */
-static int is_at_light(const int64_t towards[3], const int32_t ray[3]) {
-    unsigned distance =
-        glint_bits64(glint_magnitude64(towards[0]) | glint_magnitude64(towards[1]) | glint_magnitude64(towards[2]));
-    unsigned to_eye = 32 - glint_leading_zeros(glint_magnitude_bits(ray[0]) | glint_magnitude_bits(ray[1]) |
-                                               glint_magnitude_bits(ray[2]));
-    return distance == 0 || distance + 15 <= to_eye; /* short rays are those of small screens */
+/* Is the light here, or so near, next to the eye, that rounding alone tells where? `bits` of a vector to it. */
+static int is_at_light(unsigned bits, const int32_t ray[3]) {
+    const unsigned to_eye = 32 - glint_leading_zeros(glint_magnitude_bits(ray[0]) | glint_magnitude_bits(ray[1]) |
+                                                     glint_magnitude_bits(ray[2]));
+    return bits == 0 || bits + 15 <= to_eye; /* short rays are those of small screens */
 }
 
-/* From fragment i towards the light, its length in the ray's units times 2^scale. @return scale. */
+/*
+ * From fragment i towards the light, as 30 bits in the ray's units times 2^-n; Q (1/w) is a product of 61 bits, of
+ * which all but lights far beyond what is drawn leave its high half. @return n
+ */
 static int find_direction(const glint_prepared_light *light, const glint_fragments *fragments, uint32_t i,
-                          int64_t towards[3]) {
-    const int shift = light->point.shift; /* -17 to 62; below 0 only for lights far beyond all that is drawn */
+                          int32_t towards[3]) {
+    const int shift = light->point.shift; /* below 0 only for lights far beyond all that is drawn */
+    int64_t far[3];
     for (int c = 0; c < 3; c++) {
-        int64_t position = (int64_t)light->point.mantissa[c] * fragments->inverse_w[i];
-        int32_t ray = fragments->ray[i][c];
-        if (shift >= 0)
-            towards[c] = glint_shift_right64(position, (unsigned)shift) + ray;
+        const int64_t position = glint_product(light->point.mantissa[c], fragments->inverse_w[i]);
+        const int32_t ray = fragments->ray[i][c];
+        if (shift >= 32)
+            towards[c] =
+                glint_shift_right((int32_t)glint_shift_right64(position, 32), (unsigned)glint_least(shift - 32, 31)) +
+                ray;
         else
-            towards[c] = position + glint_shift_right(ray, (unsigned)-shift);
+            far[c] = shift < 0 ? position + glint_shift_right(ray, (unsigned)-shift)
+                               : glint_shift_right64(position, (unsigned)shift) + ray;
     }
-    return shift < 0 ? shift : 0;
+    return shift >= 32 ? 0 : (int)glint_reduce(far, towards) - (shift < 0 ? shift : 0);
 }
 
-/* Length of a vector of 30 bits, as a number of 16 bits times 2^exponent. */
-static uint32_t find_length(const int32_t in[3], int *exponent) {
+/* Depth over a distance of 2^30 / inverse times 2^exponent, Q8, or more: both in the ray's units. */
+static uint16_t find_closeness(uint32_t depth, uint32_t inverse, int exponent) {
+    const uint32_t ratio = shift_below(high_product(depth, inverse << 15), -5 - exponent);
+    return (uint16_t)(glint_least((int32_t)ratio, UINT16_MAX - 1) + 1);
+}
+
+/* Direction to a light, unit, strength there, and how close it is. */
+static void illuminate_one(const glint_prepared_light *light, glint_fragments *fragments, uint32_t i) {
     int32_t v[3];
-    unsigned zeros =
-        glint_leading_zeros(glint_magnitude_bits(in[0]) | glint_magnitude_bits(in[1]) | glint_magnitude_bits(in[2]));
-    int down = 17 - (int)zeros;
+    int exponent = find_direction(light, fragments, i, v);
+    const unsigned zeros =
+        glint_leading_zeros(glint_magnitude_bits(v[0]) | glint_magnitude_bits(v[1]) | glint_magnitude_bits(v[2]));
+    const int down = 17 - (int)zeros;
+    fragments->strength[i] = 0;
+    fragments->closeness[i] = UINT16_MAX;
+    if (is_at_light(32 - zeros, fragments->ray[i])) {
+        glint_unit(v[0], v[1], v[2], fragments->light[i]);
+        return;
+    }
     for (int c = 0; c < 3; c++)
-        v[c] = down > 0 ? glint_shift_right(in[c], (unsigned)down) : glint_shift_left(in[c], (unsigned)-down);
-    uint32_t square = (uint32_t)(v[0] * v[0]) + (uint32_t)(v[1] * v[1]) + (uint32_t)(v[2] * v[2]);
-    *exponent += down;
-    return (uint32_t)(((uint64_t)square * (uint32_t)glint_inverse_root(square)) >> 30);
-}
-
-/* Depth over a distance, Q8: both in the ray's units. */
-static uint16_t find_closeness(uint32_t depth, uint32_t length, int exponent) {
-    const uint64_t ratio = (shifted(depth, 8 - exponent) + length) / length;
-    return ratio > UINT16_MAX ? UINT16_MAX : (uint16_t)ratio;
+        v[c] = down > 0 ? glint_shift_right(glint_shift_right(v[c], (unsigned)down - 1) + 1, 1)
+                        : glint_shift_left(v[c], (unsigned)-down);
+    const uint32_t square = (uint32_t)(v[0] * v[0]) + (uint32_t)(v[1] * v[1]) + (uint32_t)(v[2] * v[2]);
+    const int32_t root = glint_inverse_root(square);
+    for (int c = 0; c < 3; c++)
+        fragments->light[i][c] = (int16_t)glint_shift_right(v[c] * root + 0x4000, 15);
+    const uint32_t length = ((square + (1u << 13)) >> 14) * (uint32_t)root >> 16;
+    fragments->strength[i] = (uint16_t)attenuate(light, (uint32_t)fragments->inverse_w[i], length, exponent + down);
+    fragments->closeness[i] = find_closeness((uint32_t)fragments->ray[i][2], (uint32_t)root, exponent + down);
 }
 
 void glint_point_illuminate(const glint_prepared_light *light, glint_fragments *fragments) {
-    for (uint32_t i = 0; i < fragments->count; i++) {
-        int64_t towards[3];
-        int32_t v[3];
-        int scale = find_direction(light, fragments, i, towards);
-        int exponent = (int)glint_reduce(towards, v) - scale;
-        glint_unit(v[0], v[1], v[2], fragments->light[i]);
-        if (is_at_light(towards, fragments->ray[i])) {
-            fragments->strength[i] = 0;
-            fragments->closeness[i] = UINT16_MAX;
-            continue;
-        }
-        uint32_t length = find_length(v, &exponent);
-        fragments->closeness[i] = find_closeness((uint32_t)fragments->ray[i][2], length, exponent);
-        fragments->strength[i] = (uint16_t)attenuate(light, (uint32_t)fragments->inverse_w[i], length, exponent);
-    }
+    for (uint32_t i = 0; i < fragments->count; i++)
+        illuminate_one(light, fragments, i);
 }
 
 const glint_light_type glint_light_point = {prepare, glint_point_illuminate, glint_point_place};

@@ -14,4 +14,7 @@ void glint_point_place(const glint_light *light, glint_prepared_light *prepared,
  */
 void glint_point_illuminate(const glint_prepared_light *light, glint_fragments *fragments);
 
+/** Takes over how a light weakens with distance. @return GLINT_ERROR_ATTENUATION where it would grow */
+glint_status glint_point_attenuation(const glint_light *light, glint_prepared_light *prepared);
+
 #endif

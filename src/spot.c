@@ -11,11 +11,9 @@ static int32_t cosine_of(glint_q16 degrees) {
 static glint_status prepare(const glint_light *light, glint_prepared_light *prepared, const glint_view *view) {
     if (light->inner < 0 || light->inner > light->outer || light->outer > 180 * GLINT_ONE)
         return GLINT_ERROR_CONE;
-    if (light->linear < 0 || light->quadratic < 0)
+    if (glint_point_attenuation(light, prepared) != GLINT_OK)
         return GLINT_ERROR_ATTENUATION;
     prepared->has_cone = 1;
-    prepared->point.linear = light->linear;
-    prepared->point.quadratic = light->quadratic;
     prepared->spot.cosine_inner = cosine_of(light->inner);
     prepared->spot.cosine_outer = cosine_of(light->outer);
     int32_t width = glint_shift_right(prepared->spot.cosine_inner - prepared->spot.cosine_outer, 15);

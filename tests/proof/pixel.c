@@ -18,19 +18,17 @@ static void any_colours(int32_t (*colour)[3], uint32_t count) {
 }
 
 /*
- * Runs of up to 8 pixels from each of the first and the last 8 columns, in the first row and in the last: into the
- * tile's first byte and its last, no further.
+ * From the first columns and the last to the end of the first row and of the last: into the tile's first byte and its
+ * last, no further.
  */
 static void store(const glint_format *format, uint8_t *tile) {
-    int32_t colour[8][3];
-    any_colours(colour, 8);
     FOR_PARTS(shift, 3, 6) {
         const uint32_t width = 1u << shift, size = width * SIDE * format->bits / 8, last = width * (SIDE - 1);
-        FOR_PARTS(i, 0, 15) {
-            const uint32_t first = i < 8 ? (uint32_t)i : width - 16 + (uint32_t)i, left = width - first;
-            const uint32_t count = left < 8 ? left : 8;
-            if (i >= 8 && shift == 3)
-                continue; /* these are the first */
+        const uint32_t columns[3] = {0, 1, width - 1};
+        FOR_PARTS(i, 0, 2) {
+            const uint32_t first = columns[i], count = width - first;
+            int32_t colour[SIDE][3];
+            any_colours(colour, count);
             format->store(tile, (unsigned)shift, first, count, (const int32_t(*)[3])colour);
             format->store(tile + (SIDE * SIDE * format->bits / 8 - size), (unsigned)shift, last + first, count,
                           (const int32_t(*)[3])colour);
@@ -42,7 +40,7 @@ static void fill(const glint_format *format, uint8_t *tile) {
     int32_t colour[1][3];
     any_colours(colour, 1);
     FOR_PARTS(shift, 3, 6) {
-        for (int height = 3; height <= 6; height += 3) {
+        FOR_PARTS(height, 3, 6) {
             const uint32_t size = (1u << shift << height) * format->bits / 8;
             format->fill(tile + (SIDE * SIDE * format->bits / 8 - size), (unsigned)shift, 1u << height, colour[0]);
         }
@@ -73,112 +71,112 @@ PROOF(glint_threshold) {
     }
 }
 
-/* Runs of any channels at both ends of rows of 8 to 64 columns, plain and dithered. */
+/* Runs of any channels at both ends of tiles of 8 to 64 columns, plain and dithered. */
 PROOF(rgb565_store) {
     static uint16_t tile[SIDE * SIDE];
     store(&glint_format_rgb565, (uint8_t *)tile);
     store(&glint_format_rgb565_dithered, (uint8_t *)tile);
 }
 
-/* Any channels, tiles of 8 to 64 columns and 8 or 64 rows, plain and dithered. */
+/* Any channels, tiles of 8 to 64 pixels a side, plain and dithered. */
 PROOF(rgb565_fill) {
     static uint16_t tile[SIDE * SIDE];
     fill(&glint_format_rgb565, (uint8_t *)tile);
     fill(&glint_format_rgb565_dithered, (uint8_t *)tile);
 }
 
-/* Runs of any channels at both ends of rows of 8 to 64 columns, plain and dithered. */
+/* Runs of any channels at both ends of tiles of 8 to 64 columns, plain and dithered. */
 PROOF(rgb565_be_store) {
     static uint8_t tile[SIDE * SIDE * 16 / 8];
     store(&glint_format_rgb565_be, tile);
     store(&glint_format_rgb565_be_dithered, tile);
 }
 
-/* Any channels, tiles of 8 to 64 columns and 8 or 64 rows, plain and dithered. */
+/* Any channels, tiles of 8 to 64 pixels a side, plain and dithered. */
 PROOF(rgb565_be_fill) {
     static uint8_t tile[SIDE * SIDE * 16 / 8];
     fill(&glint_format_rgb565_be, tile);
     fill(&glint_format_rgb565_be_dithered, tile);
 }
 
-/* Runs of any channels at both ends of rows of 8 to 64 columns, plain and dithered. */
+/* Runs of any channels at both ends of tiles of 8 to 64 columns, plain and dithered. */
 PROOF(rgb888_store) {
     static uint8_t tile[SIDE * SIDE * 24 / 8];
     store(&glint_format_rgb888, tile);
     store(&glint_format_rgb888_dithered, tile);
 }
 
-/* Any channels, tiles of 8 to 64 columns and 8 or 64 rows, plain and dithered. */
+/* Any channels, tiles of 8 to 64 pixels a side, plain and dithered. */
 PROOF(rgb888_fill) {
     static uint8_t tile[SIDE * SIDE * 24 / 8];
     fill(&glint_format_rgb888, tile);
     fill(&glint_format_rgb888_dithered, tile);
 }
 
-/* Runs of any channels at both ends of rows of 8 to 64 columns, plain and dithered. */
+/* Runs of any channels at both ends of tiles of 8 to 64 columns, plain and dithered. */
 PROOF(grey8_store) {
     static uint8_t tile[SIDE * SIDE * 8 / 8];
     store(&glint_format_grey8, tile);
     store(&glint_format_grey8_dithered, tile);
 }
 
-/* Any channels, tiles of 8 to 64 columns and 8 or 64 rows, plain and dithered. */
+/* Any channels, tiles of 8 to 64 pixels a side, plain and dithered. */
 PROOF(grey8_fill) {
     static uint8_t tile[SIDE * SIDE * 8 / 8];
     fill(&glint_format_grey8, tile);
     fill(&glint_format_grey8_dithered, tile);
 }
 
-/* Runs of any channels at both ends of rows of 8 to 64 columns, plain and dithered. */
+/* Runs of any channels at both ends of tiles of 8 to 64 columns, plain and dithered. */
 PROOF(grey4_store) {
     static uint8_t tile[SIDE * SIDE * 4 / 8];
     store(&glint_format_grey4, tile);
     store(&glint_format_grey4_dithered, tile);
 }
 
-/* Any channels, tiles of 8 to 64 columns and 8 or 64 rows, plain and dithered. */
+/* Any channels, tiles of 8 to 64 pixels a side, plain and dithered. */
 PROOF(grey4_fill) {
     static uint8_t tile[SIDE * SIDE * 4 / 8];
     fill(&glint_format_grey4, tile);
     fill(&glint_format_grey4_dithered, tile);
 }
 
-/* Runs of any channels at both ends of rows of 8 to 64 columns, plain and dithered. */
+/* Runs of any channels at both ends of tiles of 8 to 64 columns, plain and dithered. */
 PROOF(rgb444_store) {
     static uint8_t tile[SIDE * SIDE * 12 / 8];
     store(&glint_format_rgb444, tile);
     store(&glint_format_rgb444_dithered, tile);
 }
 
-/* Any channels, tiles of 8 to 64 columns and 8 or 64 rows, plain and dithered. */
+/* Any channels, tiles of 8 to 64 pixels a side, plain and dithered. */
 PROOF(rgb444_fill) {
     static uint8_t tile[SIDE * SIDE * 12 / 8];
     fill(&glint_format_rgb444, tile);
     fill(&glint_format_rgb444_dithered, tile);
 }
 
-/* Runs of any channels at both ends of rows of 8 to 64 columns, plain and dithered. */
+/* Runs of any channels at both ends of tiles of 8 to 64 columns, plain and dithered. */
 PROOF(mono_store) {
     static uint8_t tile[SIDE * SIDE * 1 / 8];
     store(&glint_format_mono, tile);
     store(&glint_format_mono_dithered, tile);
 }
 
-/* Any channels, tiles of 8 to 64 columns and 8 or 64 rows, plain and dithered. */
+/* Any channels, tiles of 8 to 64 pixels a side, plain and dithered. */
 PROOF(mono_fill) {
     static uint8_t tile[SIDE * SIDE * 1 / 8];
     fill(&glint_format_mono, tile);
     fill(&glint_format_mono_dithered, tile);
 }
 
-/* Runs of any channels at both ends of rows of 8 to 64 columns, plain and dithered. */
+/* Runs of any channels at both ends of tiles of 8 to 64 columns, plain and dithered. */
 PROOF(mono_pages_store) {
     static uint8_t tile[SIDE * SIDE * 1 / 8];
     store(&glint_format_mono_pages, tile);
     store(&glint_format_mono_pages_dithered, tile);
 }
 
-/* Any channels, tiles of 8 to 64 columns and 8 or 64 rows, plain and dithered. */
+/* Any channels, tiles of 8 to 64 pixels a side, plain and dithered. */
 PROOF(mono_pages_fill) {
     static uint8_t tile[SIDE * SIDE * 1 / 8];
     fill(&glint_format_mono_pages, tile);
