@@ -20,12 +20,13 @@
 #define GLINT_TILE_MAX 64
 
 /** Fragments shaded together. */
-#define GLINT_FRAGMENTS_MAX 8
+#define GLINT_FRAGMENTS_MAX 9
 
 /** Intervals of a power table, and bits of the position within one that are used. */
 #define GLINT_POWER_TABLE_BITS 7
 #define GLINT_POWER_INTERVALS (1 << GLINT_POWER_TABLE_BITS)
 #define GLINT_POWER_FRACTION_BITS 12
+#define GLINT_POWER_HALF 32 /* intervals from 1/2 to 1 where p < 2 */
 
 /* ---- prepare: the scene, once a frame ---- */
 
@@ -72,7 +73,7 @@ typedef struct glint_view {
 /** x^p for x = 1 - u, or for x itself where p < 2. */
 typedef struct glint_power_table {
     int32_t exponent;            /* p, Q16.16 */
-    uint32_t direct;             /* p < 2: no table, the power is computed */
+    uint32_t direct;             /* p < 2: the table is that of glint_power_of_cosine */
     uint32_t window;             /* Q30: the table spans sin^2 from 0 to this power of two; beyond, the power is 0 */
     uint32_t index_shift;        /* sin^2 in Q30 >> this is the interval */
     int32_t cosine_square_floor; /* Q15: below this cos^2 lies outside the window */
@@ -102,6 +103,8 @@ typedef struct glint_light_terms {
     int32_t lobe_cut, lobe_diagonal;   /* outside an octagon of this radius no highlight shows; as kept */
     uint32_t lobe_end;                 /* squared deviation, as kept, where the power table ends */
     uint32_t slope;                    /* of a highlight over its deviation, at most, Q8 */
+    uint8_t lobe_is_wide;              /* p < 2: of a deviation there is the cosine alone, Q14 */
+    uint8_t lobe_has_strip;            /* p < 1: near the horizon polynomials do not fit */
     uint32_t limit;                    /* of the error of polynomials, levels in Q8 */
 } glint_light_terms;
 
@@ -336,8 +339,8 @@ typedef struct glint_attributes {
 typedef struct glint_fragments {
     uint32_t count;
     const glint_part *part;
-    uint8_t column[GLINT_FRAGMENTS_MAX], row[GLINT_FRAGMENTS_MAX]; /* in the tile */
-    uint32_t scale;                                                /* attributes are interpolated over w 2^scale */
+    int8_t column[GLINT_FRAGMENTS_MAX], row[GLINT_FRAGMENTS_MAX]; /* from the tile's first pixel */
+    uint32_t scale;                                               /* attributes are interpolated over w 2^scale */
     const glint_attributes *attributes;
     int32_t inverse_w[GLINT_FRAGMENTS_MAX];
     int32_t ray[GLINT_FRAGMENTS_MAX][3];     /* towards the eye: minus the position times 1/w, Q12 */
@@ -632,7 +635,22 @@ typedef struct glint_fast {
 } glint_fast;
 
 /** Finds the colours of fragments that lie in a triangle of a draw, Q23. */
-void glint_shade(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw);
+typedef void glint_shader(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw);
+glint_shader glint_shade;
+
+/** Draws a part by fragments, of attributes that are interpolated over w. */
+void glint_draw_fragments(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                          const glint_triangle *triangle, const glint_part *part, const int16_t *const main[3],
+                          int is_negated, glint_shader *shade);
+
+/** Rays of fragments against the one through their pixel's centre. */
+void glint_find_rays(const glint_frame *frame, glint_fragments *fragments);
+
+/** Finds a colour of a fragment from planes of colours over w. */
+typedef void glint_resolver(const glint_fragments *fragments, uint32_t i, const glint_plane planes[3], int16_t out[3]);
+
+/** Unit normals of fragments, and the surface's own colours. */
+void glint_find_surface(glint_fragments *fragments, const glint_draw *draw, glint_resolver *resolve);
 
 /** Ambient and every light: colours of fragments with normals, rays, and colours of their own if has_surface. */
 void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const glint_shading *shading,

@@ -19,44 +19,14 @@ typedef struct source source;
 typedef void drawer(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
                     run at, uint32_t y);
 
-/* Finds colours of fragments, Q23. */
-typedef void shader(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw);
-
 /* What the colours of a triangle's pixels come from. */
 struct source {
     drawer *draw_run;
     const glint_quadratic *channels; /* of draw_channel_run */
-    const glint_terms *terms;        /* of draw_terms_run */
-    glint_fragments *fragments;      /* of gather_run */
-    shader *shade;
-    const glint_draw *draw;
+    const glint_terms *terms;        /* of draw_terms_run, and its polynomials */
+    const glint_quadratic *polynomials;
     int is_deep;
 };
-
-/* 1/w of the corners, none 0, the largest in 2^30 .. 2^31; @return the shift that took. */
-static unsigned scale_inverse_w(const glint_vertex *const v[3], uint32_t w[3]) {
-    unsigned up =
-        glint_leading_zeros((uint32_t)v[0]->inverse_w | (uint32_t)v[1]->inverse_w | (uint32_t)v[2]->inverse_w) - 1;
-    for (int i = 0; i < 3; i++)
-        w[i] = (uint32_t)v[i]->inverse_w << up;
-    return up;
-}
-
-/* An attribute of 16 bits over w: below 2^30. */
-static int32_t over_w(int32_t attribute, uint32_t w) {
-    return attribute * (int32_t)(w >> 16) + glint_shift_right(attribute * (int32_t)(w & 0xffff), 16);
-}
-
-/* Planes of three attributes of 16 bits over w; negated, normals are those of the back. */
-static void triple(glint_plane planes[3], const glint_gradients *g, const int16_t *const attribute[3],
-                   const uint32_t w[3], int negated) {
-    for (int c = 0; c < 3; c++) {
-        int32_t scaled[3];
-        for (int i = 0; i < 3; i++)
-            scaled[i] = over_w(negated ? -attribute[i][c] : attribute[i][c], w[i]);
-        glint_plane_begin(&planes[c], g, scaled[0], scaled[1], scaled[2]);
-    }
-}
 
 /* ---- Rows ---- */
 
@@ -124,61 +94,16 @@ static void draw_channel_run(const glint_frame *frame, glint_workspace *workspac
 static void draw_terms_run(const glint_frame *frame, glint_workspace *workspace, const source *from,
                            const glint_part *part, run at, uint32_t y) {
     const uint32_t count = (uint32_t)at.end - at.first;
-    glint_terms_row(from->terms, part->x + at.first, part->y + (int32_t)y, count, workspace->row);
+    glint_progress polynomials[GLINT_POLYNOMIALS_MAX];
+    for (uint32_t i = 0; i < from->terms->end; i++) {
+        const glint_quadratic *q = &from->polynomials[i];
+        const glint_stride s = glint_stride_begin(q, part->x + at.first, part->y + (int32_t)y);
+        polynomials[i] = (glint_progress){s.value, s.across, 2 * q->dxx};
+    }
+    glint_terms_row(from->terms, polynomials, count, workspace->row);
     if (frame->config.gamma)
         glint_finish_colours(&frame->config, workspace->row, count);
     store_run(frame, workspace, from, part, at, y);
-}
-
-/* Colours of fragments in levels. */
-static void finish_fragments(const glint_frame *frame, const glint_fragments *fragments, int32_t (*row)[3]) {
-    const uint8_t *const bits = frame->config.format->channel;
-    const unsigned red = bits[0], green = bits[1], blue = bits[2];
-    for (uint32_t i = 0; i < fragments->count; i++)
-        glint_channels_of(fragments->colour[i], row[i]);
-    if (GLINT_SMALL || frame->config.gamma) {
-        glint_finish_colours(&frame->config, row, fragments->count);
-        return;
-    }
-    for (uint32_t i = 0; i < fragments->count; i++, row++) {
-        (*row)[0] = glint_to_levels((*row)[0], red);
-        (*row)[1] = glint_to_levels((*row)[1], green);
-        (*row)[2] = glint_to_levels((*row)[2], blue);
-    }
-}
-
-/* Lights the fragments gathered so far, and stores them by runs. */
-static void store_fragments(const glint_frame *frame, glint_workspace *workspace, const source *from) {
-    const glint_format *format = frame->config.format;
-    glint_fragments *fragments = from->fragments;
-    from->shade(frame, fragments, from->draw);
-    finish_fragments(frame, fragments, workspace->row);
-    for (uint32_t i = 0, end; i < fragments->count; i = end) {
-        const uint32_t offset = ((uint32_t)fragments->row[i] << frame->tile_shift_x) + fragments->column[i];
-        end = i + 1;
-        while (!GLINT_SMALL && end < fragments->count && fragments->row[end] == fragments->row[i] &&
-               fragments->column[end] == fragments->column[end - 1] + 1)
-            end++;
-        format->store(workspace->pixels, frame->tile_shift_x, offset, end - i,
-                      (const int32_t(*)[3])(workspace->row + i));
-    }
-    fragments->count = 0;
-}
-
-/* Gathers the fragments of a run, and lights them whenever there are enough. */
-static void gather_run(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
-                       run at, uint32_t y) {
-    glint_fragments *fragments = from->fragments;
-    int32_t inverse_w = glint_plane_at(&part->depth, part->x + at.first, part->y + (int32_t)y);
-    for (uint32_t column = at.first; column < at.end; column++) {
-        const uint32_t i = fragments->count++;
-        fragments->column[i] = (uint8_t)column;
-        fragments->row[i] = (uint8_t)y;
-        fragments->inverse_w[i] = glint_most(inverse_w, 0); /* rounding may take a deep triangle's plane below */
-        inverse_w = glint_add_wrap(inverse_w, part->depth.dx);
-        if (i == GLINT_FRAGMENTS_MAX - 1)
-            store_fragments(frame, workspace, from);
-    }
 }
 
 /* Draws a part by runs. @return pixels of its spans */
@@ -246,50 +171,24 @@ void glint_draw_facet(const glint_frame *frame, glint_workspace *workspace, cons
     draw_even(frame, workspace, triangle, part, colour);
 }
 
-/* Draws fragments that are lit one by one, by attributes that are interpolated over w. */
-static void draw_fragments(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                           const glint_triangle *triangle, const glint_part *part, const int16_t *const main[3],
-                           int is_negated, shader *shade) {
-    glint_attributes attributes;
-    glint_fragments fragments;
-    uint32_t w[3];
-    source from;
-    from.draw_run = gather_run;
-    from.fragments = &fragments;
-    from.shade = shade;
-    from.draw = draw;
-    from.is_deep = GLINT_SMALL || glint_is_deep(triangle);
-    fragments.count = 0;
-    fragments.part = part;
-    fragments.attributes = &attributes;
-    fragments.scale = scale_inverse_w(triangle->corners, w);
-    triple(attributes.main, &part->gradients, main, w, is_negated);
-    if (draw->extra)
-        triple(attributes.extra, &part->gradients, triangle->extra, w, 0);
-    const uint32_t covered = draw_runs(frame, workspace, &from, part);
-    if (fragments.count)
-        store_fragments(frame, workspace, &from);
-    glint_count(workspace, GLINT_KERNEL_GENERAL, covered);
-}
-
-void glint_draw_any(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                    const glint_triangle *triangle, const glint_part *part) {
-    const glint_vertex *const *v = triangle->corners;
-    const int16_t *const normals[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
-    draw_fragments(frame, workspace, draw, triangle, part, normals, triangle->back, glint_shade);
-}
-
 void glint_draw_terms(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                       const glint_triangle *triangle, const glint_part *part) {
-    glint_terms terms;
-    if (!glint_terms_begin(frame, draw, triangle, part, &terms)) {
+#ifdef DBG
+    if (dbg_no_terms) {
         glint_draw_any(frame, workspace, draw, triangle, part);
         return;
     }
-    const source from = {.draw_run = draw_terms_run, .terms = &terms};
-    if (terms.is_channels && !frame->config.gamma && frame->config.format->draw_channels) {
+#endif
+    glint_terms terms;
+    glint_quadratic polynomials[GLINT_POLYNOMIALS_MAX];
+    if (!glint_terms_begin(frame, draw, triangle, part, &terms, polynomials)) {
+        glint_draw_any(frame, workspace, draw, triangle, part);
+        return;
+    }
+    const source from = {.draw_run = draw_terms_run, .terms = &terms, .polynomials = polynomials};
+    if (terms.is_plain && !frame->config.gamma && frame->config.format->draw_channels) {
         const glint_spans spans = glint_spans_of(frame, workspace, part);
-        frame->config.format->draw_channels(&spans, terms.sum, terms.is_curved);
+        frame->config.format->draw_channels(&spans, polynomials, terms.is_curved);
         if (workspace->drawn)
             glint_count(workspace, GLINT_KERNEL_CHANNELS, covered_by(part));
         return;
@@ -388,7 +287,7 @@ void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const 
     glint_quadratic channels[3];
     int32_t a[3][3];
     if (how == FITS_NOTHING) {
-        draw_fragments(frame, workspace, draw, triangle, part, colour, 0, resolve);
+        glint_draw_fragments(frame, workspace, draw, triangle, part, colour, 0, resolve);
         return;
     }
     for (int c = 0; c < 3; c++)

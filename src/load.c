@@ -31,7 +31,7 @@ static int keeps_extra(const glint_object *object) {
 
 /* Are an object's vertices nodes? Its material is prepared. */
 static int has_nodes(const glint_object *object, const glint_shading *shading) {
-    return shading->has_terms && evaluation_of(object) == &glint_per_fragment && !has_colours(object->mesh);
+    return shading->has_terms && evaluation_of(object) == &glint_per_fragment;
 }
 
 size_t glint_draw_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,

@@ -2,6 +2,7 @@
 /* Nodes: light at a point, summed over lights; and what of it no sum can hold. */
 #include "deviation.h"
 #include "light.h"
+#include "point.h"
 #include "terms.h"
 
 /* N.L, Q15, from which on a point clearly faces a light, or does not: of lights without and with a position. */
@@ -13,6 +14,12 @@
 
 /* |L + V|^2 / 2 = 1 + L.V, Q15, below which a half vector turns too fast. */
 #define LEAST_HALF_SQUARE (1 << 14)
+
+void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[3]) {
+    ray[0] = frame->config.width * 4096 - x * 512;
+    ray[1] = y * 512 - frame->config.height * 4096;
+    ray[2] = frame->view->focal;
+}
 
 /* What a lobe lies around, and what turns about it: H and N, or V and R. @return 0 where there is none */
 static int find_axis(const glint_model *model, const glint_prepared_light *source, int is_fixed,
@@ -53,7 +60,7 @@ static inline int cut_off(int32_t *e) {
  * H, turned so that H points along z: |e|^2 = sin^2 of the angle between them. Where N.H < 0, |e| falls again: there it
  * is stretched, so that the back of H stays outside the highlight. @return was it cut off?
  */
-static int find_deviation(const int16_t n[3], const int16_t h[3], unsigned shift, int16_t e[2]) {
+static int find_deviation(const int16_t n[3], const int16_t h[3], unsigned shift, int16_t number[GLINT_NUMBERS]) {
     const int32_t cosine = glint_shift_right(glint_dot(n, h), 15);
     const int32_t k = glint_shift_right((cosine + n[2]) * glint_inverse_of_one_and(h[2]), 16); /* Q14 */
     int32_t x = n[0] * (1 << 14) - h[0] * k, y = n[1] * (1 << 14) - h[1] * k;                  /* Q29 */
@@ -66,8 +73,8 @@ static int find_deviation(const int16_t n[3], const int16_t h[3], unsigned shift
     if (cosine < -GLINT_UNIT / 2)
         x = INT32_MAX;
     const int is_far = cut_off(&x) | cut_off(&y);
-    e[0] = (int16_t)x;
-    e[1] = (int16_t)y;
+    number[GLINT_LOBE_X] = (int16_t)x;
+    number[GLINT_LOBE_Y] = (int16_t)y;
     return is_far;
 }
 
@@ -77,54 +84,56 @@ static inline int32_t find_cosine(const int16_t normal[3], const int16_t light[3
     return glint_least(glint_shift_right(cosine + glint_shift_right(cosine, 12), 15), INT16_MAX);
 }
 
-/* Adds a light to a sum: channels, or Q15 of one chroma. */
-static inline void add_light(const glint_light_terms *terms, uint32_t light, int32_t amount, const int32_t weight[3],
-                             int32_t sum[3]) {
-    if (terms->channels == 1)
-        sum[0] += glint_shift_right(amount * terms->share[light], 15);
-    else
-        for (int c = 0; c < 3; c++)
-            sum[c] += amount * weight[c];
-}
-
 static void add_lobe(const glint_shading *shading, uint32_t i, const glint_prepared_light *source, int is_fixed,
                      const glint_fragments *at, uint32_t n, const int16_t *light, glint_node *node) {
-    const glint_light_terms *terms = &shading->terms;
     int16_t turning[3], axis[3];
     if (!find_axis(shading->material->model, source, is_fixed, at->normal[n], light, at->view[n], turning, axis))
         node->unfit |= (uint8_t)(1u << i);
-    else if (find_deviation(turning, axis, terms->lobe_shift, node->lobe[i]))
+    else if (shading->terms.lobe_is_wide)
+        node->number[i][GLINT_LOBE_X] = (int16_t)(find_cosine(turning, axis) >> 1);
+    else if (find_deviation(turning, axis, shading->terms.lobe_shift, node->number[i]))
         node->far |= (uint8_t)(1u << i);
+}
+
+/* Most that a cone's number tells, Q12. */
+#define STEEP (7 << 12)
+
+/* How far within a cone L is: 1 at its inner edge, 0 at its outer. */
+static void find_cone(const glint_prepared_light *source, uint32_t i, const int16_t *light, glint_node *node,
+                      int *is_lit, int *is_dark) {
+    const int32_t cosine = glint_dot(light, source->direction);
+    const int32_t past = glint_shift_right(cosine - source->spot.cosine_outer, 15); /* 16 bits and a sign */
+    const int64_t ramp = glint_shift_right64((int64_t)past * source->spot.slope, 18);
+    const int32_t inside = (int32_t)(ramp > STEEP ? STEEP : ramp < -STEEP ? -STEEP : ramp);
+    *is_lit = *is_lit && cosine > source->spot.cosine_inner + CLEARLY_INSIDE;
+    *is_dark = *is_dark || cosine < source->spot.cosine_outer - CLEARLY_INSIDE;
+    node->number[i][GLINT_CONE] = (int16_t)inside;
+    if (inside != ramp || !source->spot.slope)
+        node->steep |= (uint8_t)(1u << i);
 }
 
 /* One light at all points. */
 static void light_nodes(const glint_frame *frame, const glint_shading *shading, uint32_t i, glint_fragments *at,
-                        uint32_t held, uint32_t lobes, glint_node *nodes) {
+                        uint32_t lobes, glint_node *nodes) {
     const glint_light_terms *terms = &shading->terms;
     const glint_prepared_light *source = &frame->view->lights[i];
     const int has_position = source->type->illuminate != 0;
     const int32_t clearly = has_position ? CLEARLY_NEAR : CLEARLY;
     const uint8_t bit = (uint8_t)(1u << i);
     if (has_position)
-        source->type->illuminate(source, at);
+        glint_point_illuminate(source, at);
     for (uint32_t n = 0; n < at->count; n++) {
         glint_node *node = &nodes[n];
         const int16_t *light = has_position ? at->light[n] : source->direction;
         const int32_t strength = has_position ? at->strength[n] : 1 << 15;
         const int32_t cosine = find_cosine(at->normal[n], light);
-        const int32_t amount = glint_shift_right(cosine * strength, 15);
         int is_lit = cosine > clearly, is_dark = cosine < -clearly;
-        if (source->has_cone) {
-            const int32_t inside = glint_dot(light, source->direction);
-            is_lit = is_lit && inside > source->spot.cosine_inner + CLEARLY_INSIDE;
-            is_dark = is_dark || inside < source->spot.cosine_outer - CLEARLY_INSIDE;
-        }
+        if (source->has_cone)
+            find_cone(source, i, light, node, &is_lit, &is_dark);
         node->lit |= is_lit ? bit : 0;
         node->dark |= is_dark ? bit : 0;
-        node->side[i] = (int16_t)amount;
-        if (held == GLINT_ALL_LIT ? is_lit : (held & bit) != 0)
-            add_light(terms, i, amount, terms->diffuse[i], node->sum);
-        node->lobe[i][2] = (int16_t)glint_least(strength, INT16_MAX);
+        node->number[i][GLINT_SIDE] = (int16_t)glint_shift_right(cosine * strength, 16);
+        node->number[i][GLINT_STRENGTH] = (int16_t)glint_shift_right(strength, 1);
         if (lobes & bit)
             add_lobe(shading, i, source, !has_position && !frame->view->local_viewer, at, n, light, node);
         if (!is_dark) {
@@ -135,22 +144,43 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
     }
 }
 
-void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at, uint32_t held,
-                       uint32_t lights, uint32_t lobes, glint_node *nodes) {
-    const glint_light_terms *terms = &shading->terms;
+void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at, uint32_t lights,
+                       uint32_t lobes, glint_node *nodes) {
     if (lobes)
         glint_find_view_vectors(frame->view, at);
     for (uint32_t n = 0; n < at->count; n++) {
         glint_node *node = &nodes[n];
-        node->sum[0] = node->sum[1] = node->sum[2] = 0;
         node->levels = node->closeness = 0;
-        node->lit = node->dark = node->far = node->unfit = 0;
+        node->lit = node->dark = node->far = node->unfit = node->steep = 0;
     }
     for (uint32_t i = 0; lights >> i; i++)
         if (lights >> i & 1)
-            light_nodes(frame, shading, i, at, held, lobes, nodes);
-    const unsigned down = terms->channels == 1 ? terms->sum_bits : 12 + terms->sum_bits;
-    for (uint32_t n = 0; n < at->count; n++)
-        for (uint32_t c = 0; c < terms->channels; c++)
-            nodes[n].sum[c] = glint_shift_right(nodes[n].sum[c] + (int32_t)(1u << down >> 1), down);
+            light_nodes(frame, shading, i, at, lobes, nodes);
+}
+
+/* Light of one node: channels, or Q15 of one chroma. */
+static void sum_node(const glint_light_terms *light, uint32_t held, unsigned down, glint_node *node) {
+    const int32_t half = (int32_t)(1u << down >> 1);
+    int32_t red = half, green = half, blue = half;
+    for (uint32_t i = 0; held >> i; i++) {
+        const int32_t amount = node->number[i][GLINT_SIDE];
+        if (!(held >> i & 1))
+            continue;
+        if (light->channels == 1) {
+            red += glint_shift_right(amount * light->share[i], 14);
+            continue;
+        }
+        red += amount * light->diffuse[i][0];
+        green += amount * light->diffuse[i][1];
+        blue += amount * light->diffuse[i][2];
+    }
+    node->sum[0] = glint_shift_right(red, down);
+    node->sum[1] = glint_shift_right(green, down);
+    node->sum[2] = glint_shift_right(blue, down);
+}
+
+void glint_nodes_sum(const glint_light_terms *light, uint32_t held, uint32_t count, glint_node *nodes) {
+    const unsigned down = light->channels == 1 ? light->sum_bits : 11 + light->sum_bits;
+    for (uint32_t n = 0; n < count; n++)
+        sum_node(light, held == GLINT_ALL_LIT ? nodes[n].lit : held, down, &nodes[n]);
 }

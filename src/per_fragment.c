@@ -3,8 +3,8 @@
 #include "colour.h"
 #include "setup.h"
 
-/* Against the ray through the pixel's centre, in half pixels, Q12; the window is in sixteenths. */
-static void find_rays(const glint_frame *frame, glint_fragments *fragments) {
+/* In half pixels, Q12; the window is in sixteenths. */
+void glint_find_rays(const glint_frame *frame, glint_fragments *fragments) {
     const glint_window *window = &fragments->part->window;
     const int32_t x = frame->config.width * 4096 - window->left * 512;
     const int32_t y = window->top * 512 - frame->config.height * 4096;
@@ -15,22 +15,21 @@ static void find_rays(const glint_frame *frame, glint_fragments *fragments) {
     }
 }
 
-/* Unit normals, and the surface's own colours. */
-static void find_surface(glint_fragments *fragments, const glint_draw *draw) {
+void glint_find_surface(glint_fragments *fragments, const glint_draw *draw, glint_resolver *resolve) {
     const glint_attributes *a = fragments->attributes;
     for (uint32_t i = 0; i < fragments->count; i++) {
         const int32_t x = fragments->part->x + fragments->column[i], y = fragments->part->y + fragments->row[i];
         glint_unit_each(glint_plane_at(&a->main[0], x, y), glint_plane_at(&a->main[1], x, y),
                         glint_plane_at(&a->main[2], x, y), fragments->normal[i]);
         if (draw->extra)
-            glint_resolve_colour(fragments, i, a->extra, fragments->surface[i]);
+            resolve(fragments, i, a->extra, fragments->surface[i]);
     }
 }
 
 void glint_shade(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw) {
     if (glint_needs_rays(frame->view, draw->shading))
-        find_rays(frame, fragments);
-    find_surface(fragments, draw);
+        glint_find_rays(frame, fragments);
+    glint_find_surface(fragments, draw, glint_resolve_colour);
     glint_light_all(frame, fragments, draw->shading, draw->extra != 0);
 }
 

@@ -30,6 +30,16 @@ static uint32_t find_window(uint32_t cut) {
     return window;
 }
 
+/* Values for p < 2: of x from 1/2 to 1, and of 2^-i. */
+static void fill_direct(glint_power_table *table) {
+    for (uint32_t i = 0; i <= GLINT_POWER_HALF; i++)
+        table->value[i] =
+            (uint16_t)((glint_power((1u << 30) + (i << 30) / GLINT_POWER_HALF, table->exponent) + (1u << 14)) >> 15);
+    for (uint32_t i = 0; i < 32; i++)
+        table->value[GLINT_POWER_HALF + 1 + i] =
+            (uint16_t)((glint_power(1u << 31 >> i, table->exponent) + (1u << 14)) >> 15);
+}
+
 void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t weight, uint32_t spare) {
     table->exponent = exponent;
     table->direct = exponent < 2 * GLINT_ONE;
@@ -37,8 +47,10 @@ void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t we
     table->window = find_window(cut);
     uint32_t inside = (1u << 30) - (spare ? cut : table->window);
     table->cosine_square_floor = (int32_t)((inside - (inside >> 11)) >> 15);
-    if (table->direct)
+    if (table->direct) {
+        fill_direct(table);
         return;
+    }
     table->index_shift = 31u - glint_leading_zeros(table->window) - GLINT_POWER_TABLE_BITS;
     int32_t f[3]; /* at three nodes in a row, around node i where it has two neighbours */
     for (uint32_t i = 0; i < 3; i++)

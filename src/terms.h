@@ -1,79 +1,187 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file terms.h
- * Light as terms. A node is exact light at a point of a triangle; terms are polynomials through a triangle's nodes; a
- * row of colours is what terms make of pixels that follow each other.
+ * Light as terms. A node is exact light at a point of a triangle; terms are polynomials through the nodes of a region,
+ * a triangle or a cell of one; a row of colours is what terms make of pixels that follow each other.
  */
 #ifndef GLINT_TERMS_H
 #define GLINT_TERMS_H
 
 #include "polynomial.h"
+#include "setup.h"
 
-/** Where glint_nodes_light is to sum all lights that a point clearly faces. */
+/* ---- Nodes ---- */
+
+/** Where glint_nodes_sum is to sum all lights that a point clearly faces. */
 #define GLINT_ALL_LIT 0x100u
+
+/** A light's numbers at a node, 15 bits and a sign. */
+enum {
+    GLINT_SIDE,     /* N.L times strength, Q14, but for the cone */
+    GLINT_CONE,     /* how far within the cone, Q12: 0 at its outer edge, 1 at the inner */
+    GLINT_STRENGTH, /* Q14, but for the cone */
+    GLINT_LOBE_X,   /* deviation, Q14 times 2^lobe_shift */
+    GLINT_LOBE_Y,
+    GLINT_NUMBERS
+};
 
 /** Light at a point. */
 typedef struct glint_node {
-    int32_t sum[3];                    /* of lights: 15 bits less sum_bits for 1 */
-    int16_t side[GLINT_LIGHTS_MAX];    /* N.L times strength, Q15 */
-    int16_t lobe[GLINT_LIGHTS_MAX][3]; /* deviation, and the light's strength, Q15 */
-    uint32_t levels;                   /* what all lights that it does not clearly face away from make: in Q4 */
-    uint32_t closeness;                /* most of these lights': depth over the distance, Q8 */
-    uint8_t lit, dark;                 /* lights that clearly shine on it, and that clearly do not */
-    uint8_t far;                       /* lights whose deviation was cut off */
-    uint8_t unfit;                     /* lights without a half vector here */
+    int32_t sum[3]; /* of lights: 15 bits less sum_bits for 1 */
+    int16_t number[GLINT_LIGHTS_MAX][GLINT_NUMBERS];
+    uint32_t levels;    /* what all lights that it does not clearly face away from make: in Q4 */
+    uint32_t closeness; /* most of these lights': depth over the distance, Q8 */
+    uint8_t lit, dark;  /* lights that clearly shine on it, and that clearly do not */
+    uint8_t far;        /* lights whose deviation was cut off */
+    uint8_t unfit;      /* lights without a half vector here */
+    uint8_t steep;      /* lights whose cone was cut off */
 } glint_node;
 
-/** A highlight of a triangle. */
-typedef struct glint_lobe {
-    glint_quadratic x, y, strength; /* in the high half */
-    const int32_t *weight;
-    int is_attenuated;
-} glint_lobe;
+/** Finds light at some points, but for its sum. Deviations are found of `lobes` among `lights`. */
+void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at, uint32_t lights,
+                       uint32_t lobes, glint_node *nodes);
 
-/** A light that shines on a part of a triangle. */
-typedef struct glint_side {
-    glint_quadratic cosine; /* N.L times strength, in the high half */
-    const int32_t *weight;
-} glint_side;
+/** Sums light at nodes, of lights that are `held`. */
+void glint_nodes_sum(const glint_light_terms *light, uint32_t held, uint32_t count, glint_node *nodes);
 
-/** A triangle's light. */
+/** Ray towards the eye from a point of the screen, 28.4. */
+void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[3]);
+
+/* ---- Bound: which polynomials are close enough ---- */
+
+/** What is known of the light on a region; angles Q12, lights by bits. */
+typedef struct glint_region {
+    uint32_t turn;                         /* of the normals, from corner to corner at most */
+    uint32_t reach;                        /* how far the corners lie apart, over their depth */
+    uint32_t slant;                        /* the change of 1/w, times 1.85 */
+    uint32_t near;                         /* how far they lie apart, over the distance to a light */
+    uint32_t colour;                       /* by how much the surface's colours differ, of 1 */
+    uint32_t levels;                       /* what light makes, Q4 */
+    uint32_t lit, dark, far, unfit, steep; /* at all nodes; at some */
+    /* what is found */
+    int folds;                          /* may sums be multiplied by the surface's colours at nodes? */
+    uint32_t held, sides, cones, lobes; /* lights in sums, with terms of their own, of these with cones; highlights */
+    uint32_t plane_error, error,
+        error_over_length; /* of planes, of quadratics, and of those over the normal's length */
+} glint_region;
+
+/** sqrt(x), Q24 to Q12. */
+uint32_t glint_angle_of(uint32_t square);
+
+/** |a - b|^2 of unit vectors, Q26, below 2^29. */
+static inline int32_t glint_square_apart(const int16_t a[3], const int16_t b[3]) {
+    const int32_t x = glint_shift_right(a[0] - b[0], 2), y = glint_shift_right(a[1] - b[1], 2),
+                  z = glint_shift_right(a[2] - b[2], 2);
+    return x * x + y * y + z * z;
+}
+
+/** Sets `reach` and `slant` of a region so wide and high, 28.4, with this range of 1/w. */
+void glint_region_measure(const glint_view *view, uint32_t width, uint32_t height, glint_w_range w,
+                          glint_region *region);
+
+/** Sets what becomes of lights, from `lit` and `dark` on. @return those whose highlights may show */
+uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness,
+                           glint_region *region);
+
+/** Sets how far polynomials may be off. @return 0 where none fit */
+int glint_region_bound(const glint_frame *frame, const glint_shading *shading, int has_surface, glint_region *region);
+
+/** Between nodes whose deviations are x, y, x + y and x - y from least to most, a highlight shows, or not, or unclear.
+ */
+enum { GLINT_LOBE_OUTSIDE, GLINT_LOBE_SHOWS, GLINT_LOBE_UNFIT };
+int glint_place_lobe(const glint_shading *shading, const int32_t least[4], const int32_t most[4]);
+
+/** What becomes of those lobes among some that lie so. */
+static inline void glint_region_add_lobe(glint_region *region, uint32_t light, int place) {
+    region->lobes |= (uint32_t)(place != GLINT_LOBE_OUTSIDE) << light;
+    region->unfit |= (uint32_t)(place == GLINT_LOBE_UNFIT) << light;
+}
+
+/* ---- Terms ---- */
+
+/** Polynomials of a region: of sums, of |M|^2, of the surface's colours, and of lights. */
+enum { GLINT_SUM, GLINT_SQUARE = 3, GLINT_SURFACE = 4, GLINT_APART = 7 };
+#define GLINT_POLYNOMIALS_MAX (GLINT_APART + GLINT_NUMBERS * GLINT_LIGHTS_MAX)
+
+/** A light with terms of its own: polynomials from number `first` on, of the numbers in `kinds`, bit by bit. */
+typedef struct glint_apart {
+    uint8_t light, kinds, first;
+} glint_apart;
+
+/** What a region's polynomials mean. */
 typedef struct glint_terms {
     const glint_light_terms *light;
     const glint_power_table *power;
-    glint_quadratic sum[3]; /* channels, or one scalar in the high half */
-    uint32_t side_count, lobe_count;
-    glint_side sides[GLINT_LIGHTS_MAX];
-    glint_lobe lobes[GLINT_LIGHTS_MAX];
-    glint_quadratic square; /* M.M, where all else is times |M|, M the normal over w; in the high half, Q14 */
-    glint_plane surface[3]; /* colours of its own, Q30 */
-    uint8_t has_surface, takes_largest;
-    uint8_t is_over_length; /* 2: lobes' twice */
-    uint8_t is_channels;    /* the sum is all there is: three channels, half a level and ambient light included */
+    uint8_t has_surface; /* what sums and sides make is to be multiplied by the surface's colours */
+    uint8_t takes_largest, is_ungated;
+    uint8_t is_over_length; /* 1: numbers are times |M|, M the normal over w; 2: lobes' twice */
+    uint8_t is_channels;    /* sums are three channels that hold ambient light, and the surface's colours */
+    uint8_t is_plain;       /* they are all there is, half a level included */
     uint8_t is_curved;
+    uint8_t apart_count;
+    uint8_t end; /* of the polynomials in use */
+    glint_apart apart[GLINT_LIGHTS_MAX];
 } glint_terms;
+
+/** Tells what a region's polynomials are to mean. */
+void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const glint_region *region, glint_terms *terms);
+
+/** Are there so many channels of sums? */
+static inline uint32_t glint_terms_sums(const glint_terms *terms) {
+    return terms->is_channels ? 3 : terms->light->channels;
+}
+
+/**
+ * Of a node's sum channel c, 15 bits less sum_bits: in levels, with ambient light and the surface's colours where the
+ * terms' sums hold them. Surfaces are Q14.
+ * @param sum what the node has, one or three channels
+ */
+static inline int32_t glint_sum_at(const glint_terms *terms, int32_t one, int32_t own, int c, const int16_t *surface) {
+    const glint_light_terms *light = terms->light;
+    if (!terms->is_channels)
+        return own;
+    int32_t sum = light->channels == 1 ? glint_shift_right(one * light->chroma[c] + (1 << 11), 12) : own;
+    if (!surface)
+        return sum;
+    sum += glint_shift_right(light->ambient[c], 12 + light->sum_bits);
+    return glint_shift_right(sum * surface[c] + (1 << 13), 14);
+}
 
 /** Prepares a material. */
 void glint_terms_prepare(const glint_frame *frame, glint_shading *shading);
 
+/** A number along a row: at a pixel, its step to the next, and the step's change. */
+typedef struct glint_progress {
+    uint32_t value, step, turn;
+} glint_progress;
+
+/** Colours of `count` pixels of a row that begins with these numbers. */
+void glint_terms_row(const glint_terms *terms, const glint_progress *polynomials, uint32_t count, int32_t (*row)[3]);
+
+/* ---- Triangles ---- */
+
 /** Lights the vertices of a triangle, unless they are. */
 glint_light_triangle glint_terms_light;
 
-/**
- * Finds light at some points.
- * @param at normals, rays and 1/w
- * @param held lights that go into sums, or GLINT_ALL_LIT
- * @param lights those of which anything is asked
- * @param lobes those whose deviation is asked
- */
-void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at, uint32_t held,
-                       uint32_t lights, uint32_t lobes, glint_node *nodes);
-
 /** A triangle's light, from its corners on. @return 0 where polynomials do not fit */
 int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
-                      const glint_part *part, glint_terms *terms);
+                      const glint_part *part, glint_terms *terms, glint_quadratic polynomials[GLINT_POLYNOMIALS_MAX]);
 
-/** Colours of `count` pixels of a row from (x, y) of the anchor on. */
-void glint_terms_row(const glint_terms *terms, int32_t x, int32_t y, uint32_t count, int32_t (*row)[3]);
+/* ---- Cells ---- */
+
+/** A polynomial of a cell: a row's, how its numbers change from row to row, and how that does. */
+typedef struct glint_cell_polynomial {
+    glint_progress row, down;
+    uint32_t value_turn, step_turn;
+} glint_cell_polynomial;
+
+/** Nodes of a cell: three rows of three. */
+#define GLINT_CELL_NODES 9
+
+/**
+ * A cell's light, from its nodes on, a power of two of pixels apart. @return 0 where polynomials do not fit
+ */
+int glint_cell_begin(const glint_frame *frame, const glint_draw *draw, glint_fragments *at, unsigned shift,
+                     glint_terms *terms, glint_cell_polynomial polynomials[GLINT_POLYNOMIALS_MAX]);
 
 #endif

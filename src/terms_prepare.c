@@ -4,7 +4,7 @@
 #include "light.h"
 #include "terms.h"
 
-/* Exponents below this have lobes so wide that they go into sums of light. */
+/* Exponents below this have lobes of the cosine. */
 #define WIDE (2 * GLINT_ONE)
 
 /* Error of polynomials in levels, Q8, for each 1 that the weights of a channel add up to, but at least 1. */
@@ -115,6 +115,14 @@ static uint32_t find_cut(const glint_frame *frame, const glint_shading *shading,
 }
 
 static void set_lobes(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
+    terms->lobe_is_wide = shading->shininess < WIDE;
+    terms->lobe_has_strip = shading->shininess < GLINT_ONE && shading->shininess;
+    if (terms->lobe_is_wide) {
+        terms->lobes = shading->has_specular;
+        terms->lobe_shift = 0;
+        terms->slope = 2 << 8;
+        return;
+    }
     const uint32_t cut = find_cut(frame, shading, terms);
     const unsigned bits = 32 - glint_leading_zeros(cut);
     terms->lobes = cut ? shading->has_specular : 0;
@@ -139,8 +147,7 @@ static void place_numbers(const glint_frame *frame, glint_light_terms *terms) {
 /* Can the material's light be held in sums, below 15, and in lobes that are narrow enough? */
 static int serves(const glint_shading *shading, uint32_t total) {
     const glint_model *model = shading->material->model;
-    return model->lobe != GLINT_LOBE_OTHER && shading->lights && total < 15 << 12 &&
-           (!shading->has_specular || shading->shininess >= WIDE);
+    return model->lobe != GLINT_LOBE_OTHER && shading->lights && total < 15 << 12;
 }
 
 void glint_terms_prepare(const glint_frame *frame, glint_shading *shading) {

@@ -1,0 +1,191 @@
+/* SPDX-License-Identifier: MIT */
+/* Bound: how far polynomials through the nodes of a region may be from its light. */
+#include "deviation.h"
+#include "terms.h"
+
+/* What a node's cosine differs by at least from what tells clear from not, Q12: lights with a position, and cones. */
+#define CLEARLY_NEAR 512
+#define CLEARLY_INSIDE 64
+
+/* A light nearer than a third of the region's width has no polynomial, Q12. */
+#define TOO_NEAR (3 << 10)
+
+/* A cone's ramp is to be no longer over a region, Q12. */
+#define LONGEST_RAMP (4 << 12)
+
+/* sqrt(x), Q24 to Q12. */
+uint32_t glint_angle_of(uint32_t x) {
+    if (!x)
+        return 0;
+    const unsigned up = glint_leading_zeros(x) & ~1u; /* to 2^30 .. 2^32 */
+    const uint32_t root = (uint32_t)glint_inverse_root(x << up >> 1) * 46341 >> 16;
+    return ((x << up >> 16) * root >> 14 >> up / 2) + 1;
+}
+
+/* Longer than the hypotenuse of two sides, by at most 12 %. */
+static uint32_t hypotenuse(uint32_t a, uint32_t b) {
+    return a > b ? a + b / 2 : b + a / 2;
+}
+
+void glint_region_measure(const glint_view *view, uint32_t width, uint32_t height, glint_w_range w,
+                          glint_region *region) {
+    const uint32_t across = (uint32_t)((uint64_t)hypotenuse(width, height) * (uint32_t)view->pixel >> 18);
+    const uint32_t slant = w.least > w.change >> 2 ? (w.change << 12) / w.least : 1 << 14;
+    region->slant = slant * 474 >> 8;
+    region->reach = hypotenuse(across, slant);
+}
+
+/* Products of angles, Q12; saturated. */
+static inline uint32_t times(uint32_t a, uint32_t b) {
+    const uint64_t product = (uint64_t)a * b >> 12;
+    return product > 1 << 20 ? 1 << 20 : (uint32_t)product;
+}
+
+/* Quadratics err by 0.0275 a (a + b)^2 where the light turns by a, and 1/w changes by b: levels Q4 to Q8. */
+static uint32_t sum_error(uint32_t levels, uint32_t a, uint32_t b) {
+    return (uint32_t)((uint64_t)times(times(a, a + b), a + b) * levels * 1802 >> 24); /* 0.0275 is 1802 2^-16 */
+}
+
+/*
+ * Planes err by a^2 / 8 + a b / 4 where light turns by a; chords between unit vectors made longer by half of what they
+ * fall short by do so by half of that: levels Q4 to Q8.
+ */
+static uint32_t plane_sum_error(uint32_t levels, uint32_t turn, uint32_t place, uint32_t b) {
+    const uint32_t a = turn + place;
+    return (uint32_t)((uint64_t)(2 * times(a, a) - times(turn, turn) + 4 * times(a, b)) * levels >> 12);
+}
+
+/* A highlight's: |e| falls short as N does, and H turns. */
+static uint32_t plane_lobe_error(const glint_light_terms *light, uint32_t levels, uint32_t turn, uint32_t axis,
+                                 uint32_t b) {
+    const uint64_t of_axis =
+        (uint64_t)(2 * times(axis, axis) + 4 * times(turn, axis) + 4 * times(turn + axis, b)) * light->slope >> 8;
+    return (uint32_t)((of_axis + times(turn, turn)) * levels >> 16);
+}
+
+/* A highlight's by 0.041 s h (h + b)^2, s the highlight's slope over its deviation, and as a sum for its strength. */
+static uint32_t lobe_error(const glint_light_terms *light, uint32_t levels, uint32_t h, uint32_t f, uint32_t b) {
+    const uint64_t of_place = (uint64_t)times(times(h, h + b), h + b) * light->slope >> 8;
+    return (uint32_t)((of_place * 2687 + (uint64_t)times(times(f, f + b), f + b) * 1802) * levels >> 28);
+}
+
+/* The cone's edge may cross a region: by how much its ramp changes from node to node, Q12. */
+static uint32_t ramp_of(const glint_prepared_light *source, const glint_region *region) {
+    const uint64_t range = (uint64_t)region->near * (uint32_t)source->spot.slope >> 15;
+    return range > 1 << 20 ? 1 << 20 : (uint32_t)range;
+}
+
+void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const glint_region *region,
+                      glint_terms *terms) {
+    const glint_shading *shading = draw->shading;
+    uint32_t next = GLINT_APART;
+    terms->light = &shading->terms;
+    terms->power = &shading->power;
+    terms->has_surface = draw->extra != 0 && !region->folds;
+    terms->takes_largest = (shading->material->flags & GLINT_MATERIAL_MAX) != 0;
+    terms->is_ungated = (shading->material->flags & GLINT_MATERIAL_UNGATED) != 0;
+    terms->is_over_length = terms->is_curved = 0;
+    terms->apart_count = 0;
+    for (uint32_t l = 0, apart = region->sides | region->lobes; apart >> l; l++) {
+        if (!(apart >> l & 1))
+            continue;
+        glint_apart *to = &terms->apart[terms->apart_count++];
+        const uint32_t side = region->sides >> l & 1, cone = region->cones >> l & 1, lobe = region->lobes >> l & 1,
+                       strength = lobe && frame->view->lights[l].type->illuminate,
+                       narrow = lobe && !shading->terms.lobe_is_wide;
+        to->light = (uint8_t)l;
+        to->first = (uint8_t)next;
+        to->kinds = (uint8_t)(side << GLINT_SIDE | cone << GLINT_CONE | strength << GLINT_STRENGTH |
+                              lobe << GLINT_LOBE_X | narrow << GLINT_LOBE_Y);
+        next += side + cone + strength + lobe + narrow;
+    }
+    terms->end = (uint8_t)next;
+    terms->is_plain = !terms->apart_count && !terms->has_surface && !terms->takes_largest;
+    terms->is_channels = (uint8_t)(terms->is_plain || region->folds);
+}
+
+uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness,
+                           glint_region *region) {
+    region->near = (uint32_t)((uint64_t)region->reach * closeness >> 8);
+    region->held = region->lit;
+    region->sides = shading->lights & ~region->lit & ~region->dark;
+    region->cones = 0;
+    const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED;
+    if (region->near && times(region->near, region->turn) > 2 * CLEARLY_NEAR) { /* clear at nodes, not between them */
+        region->sides = shading->lights;
+        region->held = 0;
+    }
+    const uint32_t lobes = shading->terms.lobes & (ungated ? ~0u : region->held | region->sides);
+    for (uint32_t l = 0, shown = region->held | region->sides | lobes; shown >> l; l++)
+        if (shown >> l & 1 && frame->view->lights[l].has_cone) {
+            if (times(region->near, region->near) > 8 * CLEARLY_INSIDE) { /* a cosine's chord, from arcs */
+                region->sides |= 1u << l;
+                region->held &= ~(1u << l);
+            }
+            region->cones |= ~region->held & 1u << l;
+        }
+    return lobes;
+}
+
+int glint_region_bound(const glint_frame *frame, const glint_shading *shading, int has_surface, glint_region *region) {
+    const glint_light_terms *light = &shading->terms;
+    const int is_mirror = shading->material->model->lobe == GLINT_LOBE_MIRROR;
+    const uint32_t slant = region->slant;
+    uint32_t place = region->near * 362 >> 8;
+    const uint32_t axis = region->near + (frame->view->local_viewer ? region->reach : 0);
+    const uint32_t turn = is_mirror ? 2 * region->turn : region->turn;
+    if (region->near > TOO_NEAR || region->lobes & (region->far | region->unfit) || region->cones & region->steep)
+        return 0;
+    region->folds = has_surface && !region->sides && !(shading->material->flags & GLINT_MATERIAL_MAX) &&
+                    sum_error(region->levels, region->turn + place + region->colour, slant) <= light->limit;
+    if (region->folds)
+        place += region->colour;
+    region->plane_error = region->sides || (has_surface && !region->folds)
+                              ? UINT32_MAX / 2
+                              : plane_sum_error(region->levels, region->turn, place, slant);
+    region->error = sum_error(region->levels, region->turn + place, slant);
+    region->error_over_length = sum_error(region->levels, place, slant);
+    for (uint32_t l = 0, apart = region->lobes | region->cones; apart >> l; l++) {
+        const uint32_t levels = light->specular_levels[l];
+        if (region->lobes >> l & 1) {
+            region->plane_error += plane_lobe_error(light, levels, turn, axis, slant);
+            region->error += lobe_error(light, levels, turn + axis, region->near, slant);
+            region->error_over_length += lobe_error(light, levels, axis, region->near, slant);
+            if (light->lobe_is_wide)
+                region->plane_error = UINT32_MAX / 2;
+        }
+        if (region->cones >> l & 1) {
+            const uint32_t ramp = ramp_of(&frame->view->lights[l], region);
+            if (ramp > LONGEST_RAMP)
+                return 0;
+            const uint32_t error = (uint32_t)((uint64_t)times(times(ramp, region->near + slant), region->near + slant) *
+                                                  (light->diffuse_levels[l] >> 4) * 2703 >>
+                                              24); /* the smooth step's slope is 1.5 */
+            region->error += error;
+            region->error_over_length += error;
+        }
+    }
+    return 1;
+}
+
+/* Cosines below which wide highlights are faint, or steep, Q14: as much as they may turn between nodes. */
+#define HORIZON (1 << 11)
+
+/* The same where lobes are of the cosine. */
+static int place_wide(const glint_shading *shading, int32_t least, int32_t most) {
+    if (shading->shininess && most < -HORIZON)
+        return GLINT_LOBE_OUTSIDE;
+    return shading->terms.lobe_has_strip && least < HORIZON ? GLINT_LOBE_UNFIT : GLINT_LOBE_SHOWS;
+}
+
+int glint_place_lobe(const glint_shading *shading, const int32_t least[4], const int32_t most[4]) {
+    const glint_light_terms *light = &shading->terms;
+    if (light->lobe_is_wide)
+        return place_wide(shading, least[0], most[0]);
+    const int32_t cut = light->lobe_cut + (light->lobe_cut >> 4),
+                  diagonal = light->lobe_diagonal + (light->lobe_diagonal >> 4);
+    return least[0] >= cut || most[0] <= -cut || least[1] >= cut || most[1] <= -cut || least[2] >= diagonal ||
+                   most[2] <= -diagonal || least[3] >= diagonal || most[3] <= -diagonal
+               ? GLINT_LOBE_OUTSIDE
+               : GLINT_LOBE_SHOWS;
+}

@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Cells: a triangle's light on squares of the screen's lattice, by polynomials of the second degree in x and in y
+ * through three rows of three nodes.
+ */
+#include "terms.h"
+
+/* ---- What is known from the nodes ---- */
+
+static uint32_t find_turn(const glint_fragments *at) {
+    static const uint8_t pairs[6][2] = {{0, 2}, {0, 6}, {0, 8}, {2, 6}, {2, 8}, {6, 8}};
+    int32_t turn = 0;
+    for (int i = 0; i < 6; i++)
+        turn = glint_most(turn, glint_square_apart(at->normal[pairs[i][0]], at->normal[pairs[i][1]]));
+    return glint_angle_of((uint32_t)turn >> 2);
+}
+
+/* @return 0 where a node lies behind the eye, or beyond what 1/w tells */
+static int find_w_range(const glint_fragments *at, glint_w_range *w) {
+    const int32_t a = at->inverse_w[0], b = at->inverse_w[2], c = at->inverse_w[6], d = at->inverse_w[8];
+    const int32_t least = glint_least(glint_least_of(a, b, c), d), most = glint_most(glint_most_of(a, b, c), d);
+    if (least < 1 << 16)
+        return 0;
+    w->least = (uint32_t)least >> 15;
+    w->change = ((uint32_t)most >> 15) - w->least + 1;
+    return 1;
+}
+
+/* By how much colours, Q14, differ: Q12. */
+static uint32_t find_colour(const glint_fragments *at) {
+    int32_t apart = 0;
+    for (int c = 0; c < 3; c++) {
+        const int32_t a = at->surface[0][c], b = at->surface[2][c], d = at->surface[6][c], e = at->surface[8][c];
+        apart = glint_most(apart, glint_most(glint_most_of(a, b, d), e) - glint_least(glint_least_of(a, b, d), e));
+    }
+    return (uint32_t)apart >> 2;
+}
+
+static int place_lobe(const glint_shading *shading, const glint_node *nodes, uint32_t l) {
+    int32_t least[4] = {INT32_MAX, INT32_MAX, INT32_MAX, INT32_MAX};
+    int32_t most[4] = {INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN};
+    for (int i = 0; i < GLINT_CELL_NODES; i++) {
+        const int32_t x = nodes[i].number[l][GLINT_LOBE_X], y = nodes[i].number[l][GLINT_LOBE_Y];
+        const int32_t along[4] = {x, y, x + y, x - y};
+        for (int k = 0; k < 4; k++) {
+            least[k] = glint_least(least[k], along[k]);
+            most[k] = glint_most(most[k], along[k]);
+        }
+    }
+    return glint_place_lobe(shading, least, most);
+}
+
+static int find_region(const glint_frame *frame, const glint_draw *draw, const glint_fragments *at, unsigned shift,
+                       glint_node *nodes, glint_region *region) {
+    const glint_shading *shading = draw->shading;
+    const uint32_t size = 32u << shift; /* twice the nodes' distance, 28.4 */
+    glint_w_range w;
+    uint32_t closeness = 0;
+    if (!find_w_range(at, &w))
+        return 0;
+    region->turn = find_turn(at);
+    glint_region_measure(frame->view, size, size, w, region);
+    region->levels = 0;
+    region->lit = region->dark = 0xff;
+    region->far = region->unfit = region->steep = 0;
+    for (int i = 0; i < GLINT_CELL_NODES; i++) {
+        region->lit &= nodes[i].lit;
+        region->dark &= nodes[i].dark;
+        region->far |= nodes[i].far;
+        region->unfit |= nodes[i].unfit;
+        region->steep |= nodes[i].steep;
+        region->levels = nodes[i].levels > region->levels ? nodes[i].levels : region->levels;
+        closeness = nodes[i].closeness > closeness ? nodes[i].closeness : closeness;
+    }
+    region->colour = draw->extra ? find_colour(at) : 0;
+    const uint32_t lobes = glint_region_sort(frame, shading, closeness, region);
+    region->lobes = 0;
+    for (uint32_t l = 0; lobes >> l; l++)
+        if (lobes >> l & 1)
+            glint_region_add_lobe(region, l, region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, nodes, l));
+    glint_nodes_sum(&shading->terms, region->held, GLINT_CELL_NODES, nodes);
+    return glint_region_bound(frame, shading, draw->extra != 0, region) && region->error <= 2 * shading->terms.limit;
+}
+
+/* ---- Polynomials ---- */
+
+/* With h the distance of nodes: a quadratic's value, its first step, and the step's change, the latter times 2 h^2. */
+typedef struct differences {
+    int32_t value, step, turn;
+} differences;
+
+static inline differences difference(int32_t a, int32_t b, int32_t c, unsigned shift) {
+    const int32_t turn = a - 2 * b + c, slope = 4 * b - 3 * a - c;
+    return (differences){a, slope * (1 << shift) + turn, 2 * turn};
+}
+
+/* x 2^n modulo 2^32, rounded down. */
+static inline uint32_t scale(int32_t x, int n) {
+    return n < 0 ? (uint32_t)glint_shift_right(x, (unsigned)-n) : (uint32_t)x << n;
+}
+
+/* The polynomial through nodes, times 2^unit. */
+static void begin(glint_cell_polynomial *to, const int32_t n[GLINT_CELL_NODES], unsigned shift, int unit) {
+    const int once = unit - 1 - 2 * (int)shift, twice = once - 1 - 2 * (int)shift;
+    const differences top = difference(n[0], n[1], n[2], shift), middle = difference(n[3], n[4], n[5], shift),
+                      bottom = difference(n[6], n[7], n[8], shift);
+    const differences value = difference(top.value, middle.value, bottom.value, shift);
+    const differences step = difference(top.step, middle.step, bottom.step, shift);
+    const differences turn = difference(top.turn, middle.turn, bottom.turn, shift);
+    to->row.value = scale(value.value, unit);
+    to->row.step = scale(step.value, once);
+    to->row.turn = scale(turn.value, once);
+    to->down.value = scale(value.step, once);
+    to->down.step = scale(step.step, twice);
+    to->down.turn = scale(turn.step, twice);
+    to->value_turn = scale(value.turn, once);
+    to->step_turn = scale(step.turn, twice);
+}
+
+static void begin_sums(const glint_terms *terms, const glint_node *nodes, int16_t (*surface)[3], unsigned shift,
+                       glint_cell_polynomial polynomials[GLINT_POLYNOMIALS_MAX]) {
+    const glint_light_terms *light = terms->light;
+    const uint32_t sums = glint_terms_sums(terms);
+    int32_t n[GLINT_CELL_NODES];
+    for (uint32_t c = 0; c < sums; c++) {
+        for (int i = 0; i < GLINT_CELL_NODES; i++)
+            n[i] = glint_sum_at(terms, nodes[i].sum[0], nodes[i].sum[c], (int)c, surface ? surface[i] : 0);
+        begin(&polynomials[c], n, shift, sums == 1 ? 16 : 12 + (int)light->sum_bits);
+        if (terms->is_channels)
+            polynomials[c].row.value += (uint32_t)(light->half[c] + (surface ? 0 : light->ambient[c]));
+    }
+    if (sums == 1)
+        polynomials[0].row.value += 1 << 15;
+}
+
+int glint_cell_begin(const glint_frame *frame, const glint_draw *draw, glint_fragments *at, unsigned shift,
+                     glint_terms *terms, glint_cell_polynomial polynomials[GLINT_POLYNOMIALS_MAX]) {
+    const glint_shading *shading = draw->shading;
+    glint_node nodes[GLINT_CELL_NODES];
+    glint_region region;
+    int32_t n[GLINT_CELL_NODES];
+    glint_nodes_light(frame, shading, at, shading->lights, shading->terms.lobes, nodes);
+    if (!find_region(frame, draw, at, shift, nodes, &region))
+        return 0;
+    glint_terms_name(frame, draw, &region, terms);
+    begin_sums(terms, nodes, draw->extra ? at->surface : 0, shift, polynomials);
+    for (int c = 0; c < 3 && terms->has_surface; c++) {
+        for (int i = 0; i < GLINT_CELL_NODES; i++)
+            n[i] = at->surface[i][c];
+        begin(&polynomials[GLINT_SURFACE + c], n, shift, 16);
+    }
+    for (uint32_t a = 0; a < terms->apart_count; a++) {
+        const glint_apart *apart = &terms->apart[a];
+        glint_cell_polynomial *to = &polynomials[apart->first];
+        for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
+            if (apart->kinds >> kind & 1) {
+                for (int i = 0; i < GLINT_CELL_NODES; i++)
+                    n[i] = nodes[i].number[apart->light][kind];
+                begin(to++, n, shift, 16);
+            }
+    }
+    return 1;
+}

@@ -1,0 +1,290 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Fragments of triangles whose light is not found from their corners: by cells of the screen's lattice where their
+ * polynomials are close enough, or else one by one.
+ */
+#include "colour.h"
+#include "light.h"
+#include "setup.h"
+#include "spans.h"
+#include "terms.h"
+
+#ifndef REJECT
+#define REJECT(n) 0
+#endif
+
+/* Pixels of a cell across, and their power of two; cells are halved once. */
+#define CELL 16
+#define CELL_SHIFT 4
+
+/* Twice the area, 28.4 squared, from which on triangles have cells: of 24 pixels. */
+#define CELL_AREA (24 * 512)
+
+/* A triangle on its way to pixels. */
+typedef struct walk {
+    const glint_frame *frame;
+    glint_workspace *workspace;
+    const glint_draw *draw;
+    const glint_part *part;
+    glint_shader *shade;
+    glint_fragments *fragments;
+    int is_deep, largest;   /* cells have at most so many pixels across, or none */
+    int32_t x, y;           /* of a cell's first pixel, in the tile */
+    uint16_t visible[CELL]; /* its pixels that are nearer than what was there, by rows and bits */
+} walk;
+
+/* ---- One by one ---- */
+
+/* Colours of fragments in levels. */
+static void finish_fragments(const glint_frame *frame, const glint_fragments *fragments, int32_t (*row)[3]) {
+    const uint8_t *const bits = frame->config.format->channel;
+    const unsigned red = bits[0], green = bits[1], blue = bits[2];
+    for (uint32_t i = 0; i < fragments->count; i++)
+        glint_channels_of(fragments->colour[i], row[i]);
+    if (GLINT_SMALL || frame->config.gamma) {
+        glint_finish_colours(&frame->config, row, fragments->count);
+        return;
+    }
+    for (uint32_t i = 0; i < fragments->count; i++, row++) {
+        (*row)[0] = glint_to_levels((*row)[0], red);
+        (*row)[1] = glint_to_levels((*row)[1], green);
+        (*row)[2] = glint_to_levels((*row)[2], blue);
+    }
+}
+
+/* Lights the fragments gathered so far, and stores them by runs. */
+static void store_fragments(const walk *w) {
+    const glint_format *format = w->frame->config.format;
+    const unsigned shift = w->frame->tile_shift_x;
+    glint_fragments *fragments = w->fragments;
+    int32_t(*const row)[3] = w->workspace->row;
+    w->shade(w->frame, fragments, w->draw);
+    finish_fragments(w->frame, fragments, row);
+    for (uint32_t i = 0, end; i < fragments->count; i = end) {
+        const uint32_t offset = ((uint32_t)fragments->row[i] << shift) + (uint32_t)fragments->column[i];
+        end = i + 1;
+        while (!GLINT_SMALL && end < fragments->count && fragments->row[end] == fragments->row[i] &&
+               fragments->column[end] == fragments->column[end - 1] + 1)
+            end++;
+        format->store(w->workspace->pixels, shift, offset, end - i, (const int32_t(*)[3])(row + i));
+    }
+    fragments->count = 0;
+}
+
+/* Gathers a fragment of the part's planes. */
+static inline void gather(const glint_part *part, glint_fragments *fragments, int32_t x, int32_t y) {
+    const uint32_t i = fragments->count++;
+    const int32_t inverse_w = glint_plane_at(&part->depth, part->x + x, part->y + y);
+    fragments->column[i] = (int8_t)x;
+    fragments->row[i] = (int8_t)y;
+    fragments->inverse_w[i] = glint_most(inverse_w, 0); /* rounding may take a deep triangle's plane below */
+}
+
+/* Pixels of a row of a square of a cell. */
+static inline uint32_t row_of(const walk *w, int32_t x, int32_t y, int32_t size) {
+    return (uint32_t)w->visible[y] >> x & ((1u << size) - 1);
+}
+
+/* Draws fragments of a square of a cell one by one. */
+static void draw_fragments(const walk *w, int32_t x, int32_t y, int32_t size) {
+    for (int32_t j = y; j < y + size; j++)
+        for (uint32_t row = row_of(w, x, j, size), i = 0; row >> i; i++)
+            if (row >> i & 1) {
+                gather(w->part, w->fragments, w->x + x + (int32_t)i, w->y + j);
+                if (w->fragments->count == GLINT_FRAGMENTS_MAX - 1)
+                    store_fragments(w);
+            }
+    if (w->fragments->count)
+        store_fragments(w);
+}
+
+/* ---- Cells ---- */
+
+static inline void go_down(glint_cell_polynomial *p) {
+    p->row.value += p->down.value;
+    p->row.step += p->down.step;
+    p->row.turn += p->down.turn;
+    p->down.value += p->value_turn;
+    p->down.step += p->step_turn;
+}
+
+/* Draws the runs of a row of a cell, pixel x, y of the tile. */
+static void draw_row(const walk *w, const glint_terms *terms, const glint_cell_polynomial *polynomials,
+                     uint32_t visible, int32_t x, int32_t y) {
+    glint_progress at[GLINT_POLYNOMIALS_MAX];
+    int32_t(*const row)[3] = w->workspace->row;
+    while (visible) {
+        uint32_t first = 0, count = 0;
+        while (!(visible >> first & 1))
+            first++;
+        while (visible >> (first + count) & 1)
+            count++;
+        visible &= ~0u << (first + count);
+        for (uint32_t k = 0; k < terms->end; k++) {
+            const glint_progress *p = &polynomials[k].row;
+            at[k].value = p->value + p->step * first + p->turn * (first * (first - 1) / 2);
+            at[k].step = p->step + p->turn * first;
+            at[k].turn = p->turn;
+        }
+        glint_terms_row(terms, at, count, row);
+        if (w->frame->config.gamma)
+            glint_finish_colours(&w->frame->config, row, count);
+        w->frame->config.format->store(w->workspace->pixels, w->frame->tile_shift_x,
+                                       ((uint32_t)y << w->frame->tile_shift_x) + (uint32_t)x + first, count,
+                                       (const int32_t(*)[3])row);
+    }
+}
+
+/* Draws a square of a cell by polynomials. @return 0 where they are not close enough */
+static int draw_cell(const walk *w, int32_t x, int32_t y, int32_t size, unsigned shift) {
+    glint_cell_polynomial polynomials[GLINT_POLYNOMIALS_MAX];
+    glint_terms terms;
+    glint_fragments *at = w->fragments;
+    if (size > w->largest)
+        return 0;
+    for (int32_t j = 0; j < 3; j++)
+        for (int32_t i = 0; i < 3; i++)
+            gather(w->part, at, w->x + x + i * (1 << shift), w->y + y + j * (1 << shift));
+    glint_find_rays(w->frame, at);
+    glint_find_surface(at, w->draw, glint_extend_colour);
+    const int fits = glint_cell_begin(w->frame, w->draw, at, shift, &terms, polynomials);
+    at->count = 0;
+    (void)REJECT((fits ? 20 : 30) + (int)shift);
+    for (int32_t j = 0; j < size && fits; j++) {
+        draw_row(w, &terms, polynomials, row_of(w, x, y + j, size), w->x + x, w->y + y + j);
+        for (uint32_t k = 0; k < terms.end; k++)
+            go_down(&polynomials[k]);
+    }
+    return fits;
+}
+
+/* Does a square of a cell show? */
+static int is_visible(const walk *w, int32_t x, int32_t y, int32_t size) {
+    uint32_t any = 0;
+    for (int32_t j = y; j < y + size; j++)
+        any |= row_of(w, x, j, size);
+    return any != 0;
+}
+
+/* Draws a cell: as one, or as four squares. */
+static void draw_visible(const walk *w) {
+    if (draw_cell(w, 0, 0, CELL, CELL_SHIFT - 1))
+        return;
+    for (int32_t i = 0; i < 4; i++) {
+        const int32_t x = i % 2 * (CELL / 2), y = i / 2 * (CELL / 2);
+        if (is_visible(w, x, y, CELL / 2) && !draw_cell(w, x, y, CELL / 2, CELL_SHIFT - 2))
+            draw_fragments(w, x, y, CELL / 2);
+    }
+}
+
+/* Tests the depth of a row of a cell, and stores what is nearer. @return pixels that are, by bits */
+static uint32_t test_row(const walk *w, int32_t y, uint32_t *covered) {
+    const glint_part *part = w->part;
+    const glint_span span = part->spans[y];
+    const int32_t left = glint_most(span.left, w->x), right = glint_least(span.right, w->x + CELL);
+    uint16_t *const depth = w->workspace->depth + ((uint32_t)y << w->frame->tile_shift_x);
+    uint32_t z = (uint32_t)glint_plane_at(&part->depth, part->x + left, part->y + y) + GLINT_DEPTH_BIAS;
+    uint32_t visible = 0;
+    for (int32_t x = left; x < right; x++, z += (uint32_t)part->depth.dx) {
+        const uint32_t here = (w->is_deep ? (uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS) : z) >> 15;
+        if (here <= depth[x])
+            continue;
+        depth[x] = (uint16_t)here;
+        visible |= 1u << (x - w->x);
+    }
+    *covered += (uint32_t)glint_most(right - left, 0);
+    return visible;
+}
+
+/* Tests the depth of a cell. @return does any of it show? */
+static int test_cell(walk *w, uint32_t *covered) {
+    uint32_t any = 0;
+    for (int32_t j = 0; j < CELL; j++) {
+        const int32_t y = w->y + j;
+        w->visible[j] =
+            (uint16_t)(y >= (int32_t)w->part->top && y < (int32_t)w->part->bottom ? test_row(w, y, covered) : 0);
+        any |= w->visible[j];
+    }
+    return any != 0;
+}
+
+/* The largest cells of a triangle whose planes keep their sign and size across one. */
+static int find_largest(const glint_triangle *triangle, const glint_part *part, const glint_attributes *attributes,
+                        int has_surface) {
+    int size = CELL;
+    for (int i = has_surface ? 0 : 3; i < 7; i++) {
+        const glint_plane *p = i < 3 ? &attributes->extra[i] : i < 6 ? &attributes->main[i - 3] : &part->depth;
+        const uint32_t across = glint_magnitude_bits(p->dx), down = glint_magnitude_bits(p->dy);
+        while (size && (across >= (1u << 29) / (uint32_t)size || down >= (1u << 29) / (uint32_t)size))
+            size /= 2;
+    }
+    return triangle->area < CELL_AREA ? 0 : size;
+}
+
+/* 1/w of the corners, none 0, the largest in 2^30 .. 2^31; @return the shift that took. */
+static unsigned scale_inverse_w(const glint_vertex *const v[3], uint32_t w[3]) {
+    unsigned up =
+        glint_leading_zeros((uint32_t)v[0]->inverse_w | (uint32_t)v[1]->inverse_w | (uint32_t)v[2]->inverse_w) - 1;
+    for (int i = 0; i < 3; i++)
+        w[i] = (uint32_t)v[i]->inverse_w << up;
+    return up;
+}
+
+/* An attribute of 16 bits over w: below 2^30. */
+static int32_t over_w(int32_t attribute, uint32_t w) {
+    return attribute * (int32_t)(w >> 16) + glint_shift_right(attribute * (int32_t)(w & 0xffff), 16);
+}
+
+/* Planes of three attributes of 16 bits over w; negated, normals are those of the back. */
+static void triple(glint_plane planes[3], const glint_gradients *g, const int16_t *const attribute[3],
+                   const uint32_t w[3], int negated) {
+    for (int c = 0; c < 3; c++) {
+        int32_t scaled[3];
+        for (int i = 0; i < 3; i++)
+            scaled[i] = over_w(negated ? -attribute[i][c] : attribute[i][c], w[i]);
+        glint_plane_begin(&planes[c], g, scaled[0], scaled[1], scaled[2]);
+    }
+}
+
+void glint_draw_fragments(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                          const glint_triangle *triangle, const glint_part *part, const int16_t *const main[3],
+                          int is_negated, glint_shader *shade) {
+    glint_attributes attributes;
+    glint_fragments fragments;
+    uint32_t inverse_w[3], covered = 0;
+    walk w;
+    w.frame = frame, w.workspace = workspace, w.draw = draw, w.part = part, w.shade = shade;
+    w.fragments = &fragments;
+    w.is_deep = glint_is_deep(triangle);
+    fragments.count = 0;
+    fragments.part = part;
+    fragments.attributes = &attributes;
+    fragments.scale = scale_inverse_w(triangle->corners, inverse_w);
+    triple(attributes.main, &part->gradients, main, inverse_w, is_negated);
+    if (draw->extra)
+        triple(attributes.extra, &part->gradients, triangle->extra, inverse_w, 0);
+    w.largest = shade == glint_shade && draw->shading->has_terms
+                    ? find_largest(triangle, part, &attributes, draw->extra != 0)
+                    : 0;
+#ifdef DBG
+    if (dbg_no_terms)
+        w.largest = 0;
+#endif
+    const int32_t column = part->window.left >> 4 & (CELL - 1), row = part->window.top >> 4 & (CELL - 1);
+    for (w.y = -row; w.y < (int32_t)part->bottom; w.y += CELL)
+        for (w.x = -column; w.x < (int32_t)frame->config.tile_width; w.x += CELL)
+            if (test_cell(&w, &covered)) {
+                if (w.largest)
+                    draw_visible(&w);
+                else
+                    draw_fragments(&w, 0, 0, CELL);
+            }
+    glint_count(workspace, GLINT_KERNEL_GENERAL, covered);
+}
+
+void glint_draw_any(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                    const glint_triangle *triangle, const glint_part *part) {
+    const glint_vertex *const *v = triangle->corners;
+    const int16_t *const normals[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
+    glint_draw_fragments(frame, workspace, draw, triangle, part, normals, triangle->back, glint_shade);
+}
