@@ -3,6 +3,10 @@
 #include "deviation.h"
 #include "terms.h"
 
+#ifndef WHY
+#define WHY(n) 0
+#endif
+
 /* What a node's cosine differs by at least from what tells clear from not, Q12: lights with a position, and cones. */
 #define CLEARLY_NEAR 512
 #define CLEARLY_INSIDE 64
@@ -134,17 +138,25 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, i
     uint32_t place = region->near * 362 >> 8;
     const uint32_t axis = region->near + (frame->view->local_viewer ? region->reach : 0);
     const uint32_t turn = is_mirror ? 2 * region->turn : region->turn;
-    if (region->near > TOO_NEAR || region->lobes & (region->far | region->unfit) || region->cones & region->steep)
-        return 0;
+    if (region->near > TOO_NEAR)
+        return WHY(2);
+    if (region->lobes & region->far)
+        return WHY(3);
+    if (region->lobes & region->unfit)
+        return WHY(4);
+    if (region->cones & region->steep)
+        return WHY(5);
     region->folds = has_surface && !region->sides && !(shading->material->flags & GLINT_MATERIAL_MAX) &&
                     sum_error(region->levels, region->turn + place + region->colour, slant) <= light->limit;
     if (region->folds)
         place += region->colour;
-    region->plane_error = region->sides || (has_surface && !region->folds)
-                              ? UINT32_MAX / 2
-                              : plane_sum_error(region->levels, region->turn, place, slant);
-    region->error = sum_error(region->levels, region->turn + place, slant);
-    region->error_over_length = sum_error(region->levels, place, slant);
+    const uint32_t of_colour = times(region->colour, slant) * (light->ambient_levels + (region->levels << 4)) >> 12;
+    region->plane_error = region->sides || (has_surface && !region->folds) ? UINT32_MAX / 2
+                          : region->folds ? plane_sum_error(region->levels, 0, region->turn + place, slant)
+                                          : plane_sum_error(region->levels, region->turn, place, slant);
+    region->error = sum_error(region->levels, region->turn + place, slant) + (times(of_colour, slant) >> 5);
+    region->error_over_length = sum_error(region->levels, place, slant) + (times(of_colour, slant) >> 5);
+    region->plane_error += of_colour >> 2;
     for (uint32_t l = 0, apart = region->lobes | region->cones; apart >> l; l++) {
         const uint32_t levels = light->specular_levels[l];
         if (region->lobes >> l & 1) {
@@ -157,7 +169,7 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, i
         if (region->cones >> l & 1) {
             const uint32_t ramp = ramp_of(&frame->view->lights[l], region);
             if (ramp > LONGEST_RAMP)
-                return 0;
+                return WHY(6);
             const uint32_t error = (uint32_t)((uint64_t)times(times(ramp, region->near + slant), region->near + slant) *
                                                   (light->diffuse_levels[l] >> 4) * 2703 >>
                                               24); /* the smooth step's slope is 1.5 */

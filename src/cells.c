@@ -5,6 +5,10 @@
  */
 #include "terms.h"
 
+#ifndef WHY
+#define WHY(n) 0
+#endif
+
 /* ---- What is known from the nodes ---- */
 
 static uint32_t find_turn(const glint_fragments *at) {
@@ -57,7 +61,7 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, const g
     glint_w_range w;
     uint32_t closeness = 0;
     if (!find_w_range(at, &w))
-        return 0;
+        return WHY(1);
     region->turn = find_turn(at);
     glint_region_measure(frame->view, size, size, w, region);
     region->levels = 0;
@@ -79,7 +83,9 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, const g
         if (lobes >> l & 1)
             glint_region_add_lobe(region, l, region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, nodes, l));
     glint_nodes_sum(&shading->terms, region->held, GLINT_CELL_NODES, nodes);
-    return glint_region_bound(frame, shading, draw->extra != 0, region) && region->error <= 2 * shading->terms.limit;
+    if (!glint_region_bound(frame, shading, draw->extra != 0, region))
+        return 0;
+    return region->error <= 2 * shading->terms.limit || WHY(9);
 }
 
 /* ---- Polynomials ---- */

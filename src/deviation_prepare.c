@@ -49,7 +49,7 @@ static int serves(const glint_frame *frame, const glint_shading *shading, const 
            (!object->evaluation || object->evaluation == &glint_per_fragment) && !object->mesh->colours &&
            !object->mesh->colours565 && material->flags == 0 &&
            (material->model->lobe == GLINT_LOBE_NONE ||
-            (material->model->lobe == GLINT_LOBE_HALF_VECTOR && material->shininess >= 2 * GLINT_ONE));
+            (material->model->lobe == GLINT_LOBE_HALF_VECTOR && material->shininess >= GLINT_POWER_OF_SINE));
 }
 
 int glint_deviation_serves(const glint_frame *frame, const glint_object *object) {

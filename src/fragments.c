@@ -87,6 +87,13 @@ static inline uint32_t row_of(const walk *w, int32_t x, int32_t y, int32_t size)
 
 /* Draws fragments of a square of a cell one by one. */
 static void draw_fragments(const walk *w, int32_t x, int32_t y, int32_t size) {
+#ifdef DBG
+    for (int32_t j = y; j < y + size; j++)
+        rejects[w->largest                     ? 40 + dbg_kind
+                : !w->draw->shading->has_terms ? 50
+                : dbg_small                    ? 51
+                                               : 52] += (unsigned)__builtin_popcount(row_of(w, x, j, size));
+#endif
     for (int32_t j = y; j < y + size; j++)
         for (uint32_t row = row_of(w, x, j, size), i = 0; row >> i; i++)
             if (row >> i & 1) {
@@ -263,6 +270,9 @@ void glint_draw_fragments(const glint_frame *frame, glint_workspace *workspace, 
     triple(attributes.main, &part->gradients, main, inverse_w, is_negated);
     if (draw->extra)
         triple(attributes.extra, &part->gradients, triangle->extra, inverse_w, 0);
+#ifdef DBG
+    dbg_small = triangle->area < CELL_AREA;
+#endif
     w.largest = shade == glint_shade && draw->shading->has_terms
                     ? find_largest(triangle, part, &attributes, draw->extra != 0)
                     : 0;

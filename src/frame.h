@@ -26,7 +26,8 @@
 #define GLINT_POWER_TABLE_BITS 7
 #define GLINT_POWER_INTERVALS (1 << GLINT_POWER_TABLE_BITS)
 #define GLINT_POWER_FRACTION_BITS 12
-#define GLINT_POWER_HALF 32 /* intervals from 1/2 to 1 where p < 2 */
+#define GLINT_POWER_HALF 64                 /* intervals from 1/2 to 1 of a power of the cosine */
+#define GLINT_POWER_OF_SINE (7 * GLINT_ONE) /* the least exponent whose power is one of the sine instead */
 
 /* ---- prepare: the scene, once a frame ---- */
 
@@ -73,7 +74,7 @@ typedef struct glint_view {
 /** x^p for x = 1 - u, or for x itself where p < 2. */
 typedef struct glint_power_table {
     int32_t exponent;            /* p, Q16.16 */
-    uint32_t direct;             /* p < 2: the table is that of glint_power_of_cosine */
+    uint32_t direct;             /* small p: the table is that of glint_power_of_cosine */
     uint32_t window;             /* Q30: the table spans sin^2 from 0 to this power of two; beyond, the power is 0 */
     uint32_t index_shift;        /* sin^2 in Q30 >> this is the interval */
     int32_t cosine_square_floor; /* Q15: below this cos^2 lies outside the window */
@@ -94,6 +95,7 @@ typedef struct glint_light_terms {
     int32_t chroma[3];                         /* its weight */
     uint32_t diffuse_levels[GLINT_LIGHTS_MAX]; /* what 1 makes at most, levels in Q8 */
     uint32_t specular_levels[GLINT_LIGHTS_MAX];
+    uint32_t ambient_levels;           /* of ambient light */
     uint32_t channels;                 /* of a node's sum: 1 where all diffuse light is of one chroma, else 3 */
     unsigned sum_bits;                 /* sums are below this power of two */
     uint32_t lobes;                    /* bit i: light i has a highlight that is a term of its own */
@@ -103,7 +105,7 @@ typedef struct glint_light_terms {
     int32_t lobe_cut, lobe_diagonal;   /* outside an octagon of this radius no highlight shows; as kept */
     uint32_t lobe_end;                 /* squared deviation, as kept, where the power table ends */
     uint32_t slope;                    /* of a highlight over its deviation, at most, Q8 */
-    uint8_t lobe_is_wide;              /* p < 2: of a deviation there is the cosine alone, Q14 */
+    uint8_t lobe_is_wide;              /* small p: of a deviation there is the cosine alone, Q14 */
     uint8_t lobe_has_strip;            /* p < 1: near the horizon polynomials do not fit */
     uint32_t limit;                    /* of the error of polynomials, levels in Q8 */
 } glint_light_terms;

@@ -106,12 +106,10 @@ static light_parts parts_of(const glint_apart *apart, const glint_progress *poly
     return parts;
 }
 
-/* What a light leaves of its highlight at a pixel. */
-static int32_t weaken(int32_t power, const light_parts *of, int is_ungated, uint32_t i) {
+/* What a terminator and a cone leave of a highlight at a pixel. */
+static int32_t cut(int32_t power, const light_parts *of, int is_ungated, uint32_t i) {
     if (of->side && !is_ungated && at(of->side, i) <= 0)
         return 0;
-    if (of->strength)
-        power = glint_shift_right(power * glint_most(glint_shift_right(at(of->strength, i), 15), 0), 15);
     return of->cone ? glint_shift_right(power * smooth_step((uint32_t)at(of->cone, i)), 15) : power;
 }
 
@@ -121,11 +119,11 @@ static void add_lobe(const glint_terms *terms, const light_parts *of, const int3
     glint_progress x = of->lobe[0], y = of->lobe[1];
     const uint32_t end = terms->light->lobe_end;
     const unsigned shift = 2 * terms->light->lobe_shift;
-    const int is_twice = terms->is_over_length > 1, is_weakened = of->side || of->strength || of->cone;
+    const int is_cut = of->cone || (of->side && !terms->is_ungated);
     for (uint32_t i = 0; i < count; i++, go_on(&x), go_on(&y)) {
         int32_t dx = over(glint_shift_right((int32_t)x.value, 16), inverse, i);
         int32_t dy = over(glint_shift_right((int32_t)y.value, 16), inverse, i);
-        if (is_twice) {
+        if (terms->is_over_length > 1) {
             dx = over(dx, inverse, i);
             dy = over(dy, inverse, i);
         }
@@ -133,22 +131,34 @@ static void add_lobe(const glint_terms *terms, const light_parts *of, const int3
         if (square >= end)
             continue;
         int32_t power = (int32_t)glint_power_at(terms->power, square << 2 >> shift);
-        add(row[i], is_weakened ? weaken(power, of, terms->is_ungated, i) : power, weight);
+        if (of->strength)
+            power = glint_shift_right(power * glint_most(glint_shift_right(at(of->strength, i), 15), 0), 15);
+        add(row[i], is_cut ? cut(power, of, terms->is_ungated, i) : power, weight);
     }
 }
 
 /* Adds a highlight of the cosine. */
 static void add_wide_lobe(const glint_terms *terms, const light_parts *of, const int32_t weight[3], inverses inverse,
                           uint32_t count, int32_t (*row)[3]) {
-    glint_progress cosine = of->lobe[0];
-    const int32_t at_zero = (int32_t)glint_power_of_zero(terms->power);
-    for (uint32_t i = 0; i < count; i++, go_on(&cosine)) {
+    static const glint_progress whole = {1u << 30, 0, 0};
+    glint_progress cosine = of->lobe[0], strength = of->strength ? *of->strength : whole;
+    const int32_t at_zero = (int32_t)glint_power_of_zero(terms->power), red = weight[0], green = weight[1],
+                  blue = weight[2];
+    const int is_cut = of->cone || (of->side && !terms->is_ungated);
+    for (uint32_t i = 0; i < count; i++, row++, go_on(&cosine), go_on(&strength)) {
         int32_t x = over(glint_shift_right((int32_t)cosine.value, 15), inverse, i);
         if (terms->is_over_length > 1)
             x = over(x, inverse, i);
-        const int32_t power =
+        if (x <= 0 && !at_zero)
+            continue;
+        int32_t power =
             x > 0 ? (int32_t)glint_power_of_cosine(terms->power, (uint32_t)glint_least(x, INT16_MAX) << 16) : at_zero;
-        add(row[i], weaken(power, of, terms->is_ungated, i), weight);
+        power = glint_shift_right(power * glint_most(glint_shift_right((int32_t)strength.value, 15), 0), 15);
+        if (is_cut)
+            power = cut(power, of, terms->is_ungated, i);
+        (*row)[0] += power * red;
+        (*row)[1] += power * green;
+        (*row)[2] += power * blue;
     }
 }
 

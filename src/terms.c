@@ -378,7 +378,7 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
         return REJECT(4);
     glint_terms_name(frame, draw, region, terms);
     if (region->plane_error <= limit && !t.is_fresh) {
-        begin_planes(part, &t, (int32_t)(region->turn * region->turn >> 13), terms, polynomials);
+        begin_planes(part, &t, region->folds ? 0 : (int32_t)(region->turn * region->turn >> 13), terms, polynomials);
         return 1;
     }
     const int is_over_length = region->error > 2 * limit;

@@ -5,7 +5,7 @@
 #include "terms.h"
 
 /* Exponents below this have lobes of the cosine. */
-#define WIDE (2 * GLINT_ONE)
+#define WIDE GLINT_POWER_OF_SINE
 
 /* Error of polynomials in levels, Q8, for each 1 that the weights of a channel add up to, but at least 1. */
 #define LIMIT 51
@@ -45,6 +45,8 @@ static void set_weights(const glint_frame *frame, const glint_shading *shading, 
         terms->half[c] = bits ? 1 << (GLINT_CHANNEL_BITS - 1 - bits) : 0;
         terms->ambient[c] = glint_to_levels(ambient, bits) - terms->half[c];
     }
+    const uint32_t ambient[3] = {shading->ambient[0] >> 11, shading->ambient[1] >> 11, shading->ambient[2] >> 11};
+    terms->ambient_levels = levels_of(config->format, ambient);
     for (uint32_t i = 0; i < frame->scene->light_count; i++) {
         const glint_weights *weights = &shading->weights[i];
         for (int c = 0; c < 3; c++) {
@@ -120,7 +122,8 @@ static void set_lobes(const glint_frame *frame, const glint_shading *shading, gl
     if (terms->lobe_is_wide) {
         terms->lobes = shading->has_specular;
         terms->lobe_shift = 0;
-        terms->slope = 2 << 8;
+        terms->slope =
+            (uint32_t)glint_most(shading->shininess, 2 * GLINT_ONE) / 384; /* 2/3 of p: of 0.041 it makes 0.0275 */
         return;
     }
     const uint32_t cut = find_cut(frame, shading, terms);
@@ -147,7 +150,7 @@ static void place_numbers(const glint_frame *frame, glint_light_terms *terms) {
 /* Can the material's light be held in sums, below 15, and in lobes that are narrow enough? */
 static int serves(const glint_shading *shading, uint32_t total) {
     const glint_model *model = shading->material->model;
-    return model->lobe != GLINT_LOBE_OTHER && shading->lights && total < 15 << 12;
+    return (model->lobe != GLINT_LOBE_OTHER || !model->light) && total < 15 << 12;
 }
 
 void glint_terms_prepare(const glint_frame *frame, glint_shading *shading) {
