@@ -253,7 +253,7 @@ static int32_t weigh_lights(const glint_scene *scene, glint_shading *shading, in
         lights |= 1u << i;
         shown++;
     }
-    renew(shading, &shading->lights, lights);
+    renew(shading, &shading->lights, material->model->light ? lights : 0);
     renew(shading, &shading->has_specular, material->model->prepare ? has_specular : 0);
     renew(shading, &shading->spare, shown ? (uint32_t)spare / shown : 0);
     return largest;
