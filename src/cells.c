@@ -11,17 +11,17 @@
 
 /* ---- What is known from the nodes ---- */
 
-static uint32_t find_turn(const glint_fragments *at) {
+static uint32_t find_turn(glint_node *const nodes[]) {
     static const uint8_t pairs[6][2] = {{0, 2}, {0, 6}, {0, 8}, {2, 6}, {2, 8}, {6, 8}};
     int32_t turn = 0;
     for (int i = 0; i < 6; i++)
-        turn = glint_most(turn, glint_square_apart(at->normal[pairs[i][0]], at->normal[pairs[i][1]]));
+        turn = glint_most(turn, glint_square_apart(nodes[pairs[i][0]]->normal, nodes[pairs[i][1]]->normal));
     return glint_angle_of((uint32_t)turn >> 2);
 }
 
 /* @return 0 where a node lies behind the eye, or beyond what 1/w tells */
-static int find_w_range(const glint_fragments *at, glint_w_range *w) {
-    const int32_t a = at->inverse_w[0], b = at->inverse_w[2], c = at->inverse_w[6], d = at->inverse_w[8];
+static int find_w_range(glint_node *const nodes[], glint_w_range *w) {
+    const int32_t a = nodes[0]->inverse_w, b = nodes[2]->inverse_w, c = nodes[6]->inverse_w, d = nodes[8]->inverse_w;
     const int32_t least = glint_least(glint_least_of(a, b, c), d), most = glint_most(glint_most_of(a, b, c), d);
     if (least < 1 << 16)
         return 0;
@@ -30,21 +30,22 @@ static int find_w_range(const glint_fragments *at, glint_w_range *w) {
     return 1;
 }
 
-/* By how much colours, Q14, differ: Q12. */
-static uint32_t find_colour(const glint_fragments *at) {
+/* By how much the surface's colours differ, Q12. */
+static uint32_t find_colour(glint_node *const nodes[]) {
     int32_t apart = 0;
     for (int c = 0; c < 3; c++) {
-        const int32_t a = at->surface[0][c], b = at->surface[2][c], d = at->surface[6][c], e = at->surface[8][c];
-        apart = glint_most(apart, glint_most(glint_most_of(a, b, d), e) - glint_least(glint_least_of(a, b, d), e));
+        const int32_t p = nodes[0]->surface[c], q = nodes[2]->surface[c], r = nodes[6]->surface[c],
+                      s = nodes[8]->surface[c];
+        apart = glint_most(apart, glint_most(glint_most_of(p, q, r), s) - glint_least(glint_least_of(p, q, r), s));
     }
     return (uint32_t)apart >> 2;
 }
 
-static int place_lobe(const glint_shading *shading, const glint_node *nodes, uint32_t l) {
+static int place_lobe(const glint_shading *shading, glint_node *const nodes[], uint32_t l) {
     int32_t least[4] = {INT32_MAX, INT32_MAX, INT32_MAX, INT32_MAX};
     int32_t most[4] = {INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN};
     for (int i = 0; i < GLINT_CELL_NODES; i++) {
-        const int32_t x = nodes[i].number[l][GLINT_LOBE_X], y = nodes[i].number[l][GLINT_LOBE_Y];
+        const int32_t x = nodes[i]->number[l][GLINT_LOBE_X], y = nodes[i]->number[l][GLINT_LOBE_Y];
         const int32_t along[4] = {x, y, x + y, x - y};
         for (int k = 0; k < 4; k++) {
             least[k] = glint_least(least[k], along[k]);
@@ -54,35 +55,35 @@ static int place_lobe(const glint_shading *shading, const glint_node *nodes, uin
     return glint_place_lobe(shading, least, most);
 }
 
-static int find_region(const glint_frame *frame, const glint_draw *draw, const glint_fragments *at, unsigned shift,
-                       glint_node *nodes, glint_region *region) {
+static int find_region(const glint_frame *frame, const glint_draw *draw, glint_node *const nodes[], unsigned shift,
+                       glint_region *region) {
     const glint_shading *shading = draw->shading;
     const uint32_t size = 32u << shift; /* twice the nodes' distance, 28.4 */
     glint_w_range w;
     uint32_t closeness = 0;
-    if (!find_w_range(at, &w))
+    if (!find_w_range(nodes, &w))
         return WHY(1);
-    region->turn = find_turn(at);
+    region->turn = find_turn(nodes);
     glint_region_measure(frame->view, size, size, w, region);
     region->levels = 0;
     region->lit = region->dark = 0xff;
     region->far = region->unfit = region->steep = 0;
     for (int i = 0; i < GLINT_CELL_NODES; i++) {
-        region->lit &= nodes[i].lit;
-        region->dark &= nodes[i].dark;
-        region->far |= nodes[i].far;
-        region->unfit |= nodes[i].unfit;
-        region->steep |= nodes[i].steep;
-        region->levels = nodes[i].levels > region->levels ? nodes[i].levels : region->levels;
-        closeness = nodes[i].closeness > closeness ? nodes[i].closeness : closeness;
+        const glint_node *node = nodes[i];
+        region->lit &= node->lit;
+        region->dark &= node->dark;
+        region->far |= node->far;
+        region->unfit |= node->unfit;
+        region->steep |= node->steep;
+        region->levels = node->levels > region->levels ? node->levels : region->levels;
+        closeness = node->closeness > closeness ? node->closeness : closeness;
     }
-    region->colour = draw->extra ? find_colour(at) : 0;
+    region->colour = draw->extra ? find_colour(nodes) : 0;
     const uint32_t lobes = glint_region_sort(frame, shading, closeness, region);
     region->lobes = 0;
     for (uint32_t l = 0; lobes >> l; l++)
         if (lobes >> l & 1)
             glint_region_add_lobe(region, l, region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, nodes, l));
-    glint_nodes_sum(&shading->terms, region->held, GLINT_CELL_NODES, nodes);
     if (!glint_region_bound(frame, shading, draw->extra != 0, region))
         return 0;
     return region->error <= 2 * shading->terms.limit || WHY(9);
@@ -123,36 +124,35 @@ static void begin(glint_cell_polynomial *to, const int32_t n[GLINT_CELL_NODES], 
     to->step_turn = scale(step.turn, twice);
 }
 
-static void begin_sums(const glint_terms *terms, const glint_node *nodes, int16_t (*surface)[3], unsigned shift,
+static void begin_sums(const glint_terms *terms, glint_node *const nodes[], int has_surface, unsigned shift,
                        glint_cell_polynomial polynomials[GLINT_POLYNOMIALS_MAX]) {
     const glint_light_terms *light = terms->light;
     const uint32_t sums = glint_terms_sums(terms);
     int32_t n[GLINT_CELL_NODES];
     for (uint32_t c = 0; c < sums; c++) {
         for (int i = 0; i < GLINT_CELL_NODES; i++)
-            n[i] = glint_sum_at(terms, nodes[i].sum[0], nodes[i].sum[c], (int)c, surface ? surface[i] : 0);
+            n[i] = glint_sum_at(terms, nodes[i]->sum[0], nodes[i]->sum[c], (int)c, has_surface ? nodes[i]->surface : 0);
         begin(&polynomials[c], n, shift, sums == 1 ? 16 : 12 + (int)light->sum_bits);
         if (terms->is_channels)
-            polynomials[c].row.value += (uint32_t)(light->half[c] + (surface ? 0 : light->ambient[c]));
+            polynomials[c].row.value += (uint32_t)(light->half[c] + (has_surface ? 0 : light->ambient[c]));
     }
     if (sums == 1)
         polynomials[0].row.value += 1 << 15;
 }
 
-int glint_cell_begin(const glint_frame *frame, const glint_draw *draw, glint_fragments *at, unsigned shift,
-                     glint_terms *terms, glint_cell_polynomial polynomials[GLINT_POLYNOMIALS_MAX]) {
-    const glint_shading *shading = draw->shading;
-    glint_node nodes[GLINT_CELL_NODES];
+int glint_cell_begin(const glint_frame *frame, const glint_draw *draw, glint_node *const nodes[GLINT_CELL_NODES],
+                     unsigned shift, glint_terms *terms, glint_cell_polynomial polynomials[GLINT_POLYNOMIALS_MAX]) {
     glint_region region;
     int32_t n[GLINT_CELL_NODES];
-    glint_nodes_light(frame, shading, at, shading->lights, shading->terms.lobes, nodes);
-    if (!find_region(frame, draw, at, shift, nodes, &region))
+    if (!find_region(frame, draw, nodes, shift, &region))
         return 0;
     glint_terms_name(frame, draw, &region, terms);
-    begin_sums(terms, nodes, draw->extra ? at->surface : 0, shift, polynomials);
+    for (int i = 0; i < GLINT_CELL_NODES; i++)
+        glint_node_sum(terms->light, region.held, nodes[i]);
+    begin_sums(terms, nodes, draw->extra != 0, shift, polynomials);
     for (int c = 0; c < 3 && terms->has_surface; c++) {
         for (int i = 0; i < GLINT_CELL_NODES; i++)
-            n[i] = at->surface[i][c];
+            n[i] = nodes[i]->surface[c];
         begin(&polynomials[GLINT_SURFACE + c], n, shift, 16);
     }
     for (uint32_t a = 0; a < terms->apart_count; a++) {
@@ -161,7 +161,7 @@ int glint_cell_begin(const glint_frame *frame, const glint_draw *draw, glint_fra
         for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
             if (apart->kinds >> kind & 1) {
                 for (int i = 0; i < GLINT_CELL_NODES; i++)
-                    n[i] = nodes[i].number[apart->light][kind];
+                    n[i] = nodes[i]->number[apart->light][kind];
                 begin(to++, n, shift, 16);
             }
     }

@@ -15,7 +15,6 @@
 
 /* Pixels of a cell across, and their power of two; cells are halved once. */
 #define CELL 16
-#define CELL_SHIFT 4
 
 /* Twice the area, 28.4 squared, from which on triangles have cells: of 24 pixels. */
 #define CELL_AREA (24 * 512)
@@ -142,20 +141,15 @@ static void draw_row(const walk *w, const glint_terms *terms, const glint_cell_p
     }
 }
 
-/* Draws a square of a cell by polynomials. @return 0 where they are not close enough */
-static int draw_cell(const walk *w, int32_t x, int32_t y, int32_t size, unsigned shift) {
+/* Draws a square of a cell by polynomials through nodes 2^shift pixels apart. @return 0 where they are not close enough
+ */
+static int draw_square(const walk *w, int32_t x, int32_t y, unsigned shift, glint_node *const nodes[]) {
     glint_cell_polynomial polynomials[GLINT_POLYNOMIALS_MAX];
     glint_terms terms;
-    glint_fragments *at = w->fragments;
+    const int32_t size = 2 << shift;
     if (size > w->largest)
         return 0;
-    for (int32_t j = 0; j < 3; j++)
-        for (int32_t i = 0; i < 3; i++)
-            gather(w->part, at, w->x + x + i * (1 << shift), w->y + y + j * (1 << shift));
-    glint_find_rays(w->frame, at);
-    glint_find_surface(at, w->draw, glint_extend_colour);
-    const int fits = glint_cell_begin(w->frame, w->draw, at, shift, &terms, polynomials);
-    at->count = 0;
+    const int fits = glint_cell_begin(w->frame, w->draw, nodes, shift, &terms, polynomials);
     (void)REJECT((fits ? 20 : 30) + (int)shift);
     for (int32_t j = 0; j < size && fits; j++) {
         draw_row(w, &terms, polynomials, row_of(w, x, y + j, size), w->x + x, w->y + y + j);
@@ -163,6 +157,52 @@ static int draw_cell(const walk *w, int32_t x, int32_t y, int32_t size, unsigned
             go_down(&polynomials[k]);
     }
     return fits;
+}
+
+/* ---- Nodes ---- */
+
+/* Nodes of a square on their way: where they are, from the cell's first pixel. */
+typedef struct batch {
+    const walk *w;
+    int32_t x, y;
+    glint_node *to[GLINT_FRAGMENTS_MAX];
+} batch;
+
+static void light_batch(batch *b) {
+    const walk *w = b->w;
+    glint_fragments *at = w->fragments;
+    if (!at->count)
+        return;
+    glint_find_rays(w->frame, at);
+    glint_find_surface(at, w->draw, glint_extend_colour);
+    glint_nodes_light(w->frame, w->draw->shading, at, w->draw->shading->lights, w->draw->shading->terms.lobes, b->to);
+    for (uint32_t i = 0; i < at->count; i++) {
+        b->to[i]->inverse_w = at->inverse_w[i];
+        for (int c = 0; c < 3; c++) {
+            b->to[i]->normal[c] = at->normal[i][c];
+            b->to[i]->surface[c] = w->draw->extra ? at->surface[i][c] : 0;
+        }
+    }
+    at->count = 0;
+}
+
+static void add_node(batch *b, int32_t x, int32_t y, glint_node *node) {
+    b->to[b->w->fragments->count] = node;
+    gather(b->w->part, b->w->fragments, b->w->x + b->x + x, b->w->y + b->y + y);
+    if (b->w->fragments->count == GLINT_FRAGMENTS_MAX)
+        light_batch(b);
+}
+
+/* Nodes of a square of eight pixels: five by five, two pixels apart. */
+typedef struct fine_nodes {
+    glint_node node[5][5];
+} fine_nodes;
+
+/* The nodes of a square of them, `step` apart. */
+static void take_nodes(fine_nodes *of, int column, int row, int step, glint_node *nodes[GLINT_CELL_NODES]) {
+    for (int j = 0; j < 3; j++)
+        for (int i = 0; i < 3; i++)
+            nodes[3 * j + i] = &of->node[row + j * step][column + i * step];
 }
 
 /* Does a square of a cell show? */
@@ -173,14 +213,51 @@ static int is_visible(const walk *w, int32_t x, int32_t y, int32_t size) {
     return any != 0;
 }
 
+/* Draws a square of eight pixels whose corners' nodes are known: as one, as four, or by fragments. */
+static void draw_eight(const walk *w, int32_t x, int32_t y, fine_nodes *of) {
+    batch b = {w, x, y, {0}};
+    glint_node *nodes[GLINT_CELL_NODES];
+    for (int i = 1; i < 8; i++)
+        if (i != 2 && i != 6)
+            add_node(&b, i % 3 * 4, i / 3 * 4, &of->node[i / 3 * 2][i % 3 * 2]);
+    light_batch(&b);
+    take_nodes(of, 0, 0, 2, nodes);
+    if (draw_square(w, x, y, 2, nodes))
+        return;
+    for (int j = 0; j < 5; j++)
+        for (int i = 0; i < 5; i++)
+            if ((i | j) & 1)
+                add_node(&b, i * 2, j * 2, &of->node[j][i]);
+    light_batch(&b);
+    for (int i = 0; i < 4; i++) {
+        const int column = i % 2 * 2, row = i / 2 * 2;
+        take_nodes(of, column, row, 1, nodes);
+        if (is_visible(w, x + 2 * column, y + 2 * row, 4) && !draw_square(w, x + 2 * column, y + 2 * row, 1, nodes))
+            draw_fragments(w, x + 2 * column, y + 2 * row, 4);
+    }
+}
+
 /* Draws a cell: as one, or as four squares. */
 static void draw_visible(const walk *w) {
-    if (draw_cell(w, 0, 0, CELL, CELL_SHIFT - 1))
+    glint_node node[GLINT_CELL_NODES], *nodes[GLINT_CELL_NODES];
+    fine_nodes fine;
+    batch b = {w, 0, 0, {0}};
+    for (int i = 0; i < GLINT_CELL_NODES; i++) {
+        nodes[i] = &node[i];
+        add_node(&b, i % 3 * 8, i / 3 * 8, nodes[i]);
+    }
+    light_batch(&b);
+    if (draw_square(w, 0, 0, 3, nodes))
         return;
-    for (int32_t i = 0; i < 4; i++) {
-        const int32_t x = i % 2 * (CELL / 2), y = i / 2 * (CELL / 2);
-        if (is_visible(w, x, y, CELL / 2) && !draw_cell(w, x, y, CELL / 2, CELL_SHIFT - 2))
-            draw_fragments(w, x, y, CELL / 2);
+    for (int i = 0; i < 4; i++) {
+        const int column = i % 2, row = i / 2;
+        if (!is_visible(w, column * 8, row * 8, 8))
+            continue;
+        fine.node[0][0] = *nodes[3 * row + column];
+        fine.node[0][4] = *nodes[3 * row + column + 1];
+        fine.node[4][0] = *nodes[3 * row + column + 3];
+        fine.node[4][4] = *nodes[3 * row + column + 4];
+        draw_eight(w, column * 8, row * 8, &fine);
     }
 }
 

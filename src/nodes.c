@@ -114,7 +114,7 @@ static void find_cone(const glint_prepared_light *source, uint32_t i, const int1
 
 /* One light at all points. */
 static void light_nodes(const glint_frame *frame, const glint_shading *shading, uint32_t i, glint_fragments *at,
-                        uint32_t lobes, glint_node *nodes) {
+                        uint32_t lobes, glint_node *const nodes[]) {
     const glint_light_terms *terms = &shading->terms;
     const glint_prepared_light *source = &frame->view->lights[i];
     const int has_position = source->type->illuminate != 0;
@@ -123,7 +123,7 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
     if (has_position)
         glint_point_illuminate(source, at);
     for (uint32_t n = 0; n < at->count; n++) {
-        glint_node *node = &nodes[n];
+        glint_node *node = nodes[n];
         const int16_t *light = has_position ? at->light[n] : source->direction;
         const int32_t strength = has_position ? at->strength[n] : 1 << 15;
         const int32_t cosine = find_cosine(at->normal[n], light);
@@ -145,11 +145,11 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
 }
 
 void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at, uint32_t lights,
-                       uint32_t lobes, glint_node *nodes) {
+                       uint32_t lobes, glint_node *const nodes[]) {
     if (lobes)
         glint_find_view_vectors(frame->view, at);
     for (uint32_t n = 0; n < at->count; n++) {
-        glint_node *node = &nodes[n];
+        glint_node *node = nodes[n];
         node->levels = node->closeness = 0;
         node->lit = node->dark = node->far = node->unfit = node->steep = 0;
     }
@@ -159,7 +159,8 @@ void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, g
 }
 
 /* Light of one node: channels, or Q15 of one chroma. */
-static void sum_node(const glint_light_terms *light, uint32_t held, unsigned down, glint_node *node) {
+void glint_node_sum(const glint_light_terms *light, uint32_t held, glint_node *node) {
+    const unsigned down = light->channels == 1 ? light->sum_bits : 11 + light->sum_bits;
     const int32_t half = (int32_t)(1u << down >> 1);
     int32_t red = half, green = half, blue = half;
     for (uint32_t i = 0; held >> i; i++) {
@@ -177,10 +178,4 @@ static void sum_node(const glint_light_terms *light, uint32_t held, unsigned dow
     node->sum[0] = glint_shift_right(red, down);
     node->sum[1] = glint_shift_right(green, down);
     node->sum[2] = glint_shift_right(blue, down);
-}
-
-void glint_nodes_sum(const glint_light_terms *light, uint32_t held, uint32_t count, glint_node *nodes) {
-    const unsigned down = light->channels == 1 ? light->sum_bits : 11 + light->sum_bits;
-    for (uint32_t n = 0; n < count; n++)
-        sum_node(light, held == GLINT_ALL_LIT ? nodes[n].lit : held, down, &nodes[n]);
 }

@@ -47,7 +47,7 @@ void glint_terms_light(const glint_frame *frame, glint_draw *draw, const glint_t
     const glint_light_terms *light = &draw->shading->terms;
     uint32_t index[3];
     glint_fragments vertices;
-    glint_node nodes[3];
+    glint_node nodes[3], *const to[3] = {&nodes[0], &nodes[1], &nodes[2]};
     (void)transform;
     vertices.count = 0;
     for (int corner = 0; corner < 3; corner++) {
@@ -64,10 +64,11 @@ void glint_terms_light(const glint_frame *frame, glint_draw *draw, const glint_t
     }
     if (!vertices.count)
         return;
-    glint_nodes_light(frame, draw->shading, &vertices, draw->shading->lights, light->lobes, nodes);
-    glint_nodes_sum(light, GLINT_ALL_LIT, vertices.count, nodes);
-    for (uint32_t i = 0; i < vertices.count; i++)
+    glint_nodes_light(frame, draw->shading, &vertices, draw->shading->lights, light->lobes, to);
+    for (uint32_t i = 0; i < vertices.count; i++) {
+        glint_node_sum(light, nodes[i].lit, &nodes[i]);
         keep(frame, light, &nodes[i], draw->nodes + index[i] * light->stride);
+    }
 }
 
 /* ---- What is known from the corners ---- */
@@ -184,6 +185,7 @@ static int find_nodes(const glint_frame *frame, const glint_draw *draw, const gl
     const glint_vertex *const *v = triangle->corners;
     const glint_region *region = &t->region;
     const int first = t->is_fresh ? 0 : 3;
+    glint_node *const to[6] = {&t->node[0], &t->node[1], &t->node[2], &t->node[3], &t->node[4], &t->node[5]};
     glint_fragments at;
     uint32_t unfit = 0;
     at.count = 0;
@@ -193,8 +195,9 @@ static int find_nodes(const glint_frame *frame, const glint_draw *draw, const gl
     gather_middle(frame, v[1], v[2], &at);
     gather_middle(frame, v[0], v[2], &at);
     glint_nodes_light(frame, draw->shading, &at, region->held | region->sides | region->lobes, region->lobes,
-                      t->node + first);
-    glint_nodes_sum(&draw->shading->terms, region->held, at.count, t->node + first);
+                      to + first);
+    for (int i = first; i < 6; i++)
+        glint_node_sum(&draw->shading->terms, region->held, &t->node[i]);
     for (int i = first; i < 6; i++)
         unfit |= ((t->node[i].unfit | t->node[i].far) & region->lobes) | (t->node[i].steep & region->cones);
     return !unfit;

@@ -12,7 +12,7 @@
 
 /* ---- Nodes ---- */
 
-/** Where glint_nodes_sum is to sum all lights that a point clearly faces. */
+/** Where glint_node_sum is to sum all lights that a point clearly faces. */
 #define GLINT_ALL_LIT 0x100u
 
 /** A light's numbers at a node, 15 bits and a sign. */
@@ -29,20 +29,23 @@ enum {
 typedef struct glint_node {
     int32_t sum[3]; /* of lights: 15 bits less sum_bits for 1 */
     int16_t number[GLINT_LIGHTS_MAX][GLINT_NUMBERS];
-    uint32_t levels;    /* what all lights that it does not clearly face away from make: in Q4 */
-    uint32_t closeness; /* most of these lights': depth over the distance, Q8 */
-    uint8_t lit, dark;  /* lights that clearly shine on it, and that clearly do not */
-    uint8_t far;        /* lights whose deviation was cut off */
-    uint8_t unfit;      /* lights without a half vector here */
-    uint8_t steep;      /* lights whose cone was cut off */
+    int32_t inverse_w;
+    int16_t normal[3], surface[3]; /* the surface's colours, Q14 */
+    uint32_t levels;               /* what all lights that it does not clearly face away from make: in Q4 */
+    uint32_t closeness;            /* most of these lights': depth over the distance, Q8 */
+    uint8_t lit, dark;             /* lights that clearly shine on it, and that clearly do not */
+    uint8_t far;                   /* lights whose deviation was cut off */
+    uint8_t unfit;                 /* lights without a half vector here */
+    uint8_t steep;                 /* lights whose cone was cut off */
 } glint_node;
 
-/** Finds light at some points, but for its sum. Deviations are found of `lobes` among `lights`. */
+/** Finds light at some points, but for its sum, each point for a node. Deviations are found of `lobes` among `lights`.
+ */
 void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at, uint32_t lights,
-                       uint32_t lobes, glint_node *nodes);
+                       uint32_t lobes, glint_node *const nodes[]);
 
-/** Sums light at nodes, of lights that are `held`. */
-void glint_nodes_sum(const glint_light_terms *light, uint32_t held, uint32_t count, glint_node *nodes);
+/** Sums light at a node, of lights that are `held`. */
+void glint_node_sum(const glint_light_terms *light, uint32_t held, glint_node *node);
 
 /** Ray towards the eye from a point of the screen, 28.4. */
 void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[3]);
@@ -181,7 +184,7 @@ typedef struct glint_cell_polynomial {
 /**
  * A cell's light, from its nodes on, a power of two of pixels apart. @return 0 where polynomials do not fit
  */
-int glint_cell_begin(const glint_frame *frame, const glint_draw *draw, glint_fragments *at, unsigned shift,
-                     glint_terms *terms, glint_cell_polynomial polynomials[GLINT_POLYNOMIALS_MAX]);
+int glint_cell_begin(const glint_frame *frame, const glint_draw *draw, glint_node *const nodes[GLINT_CELL_NODES],
+                     unsigned shift, glint_terms *terms, glint_cell_polynomial polynomials[GLINT_POLYNOMIALS_MAX]);
 
 #endif
