@@ -79,17 +79,24 @@ static uint32_t ramp_of(const glint_prepared_light *source, const glint_region *
     return range > 1 << 20 ? 1 << 20 : (uint32_t)range;
 }
 
-void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const glint_region *region,
+void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const glint_region *region, int over_length,
                       glint_terms *terms) {
     const glint_shading *shading = draw->shading;
-    uint32_t next = GLINT_APART;
+    const int has_surface = draw->extra != 0, has_apart = (region->sides | region->lobes) != 0;
     terms->light = &shading->terms;
     terms->power = &shading->power;
-    terms->has_surface = draw->extra != 0 && !region->folds;
+    terms->has_surface = (uint8_t)(has_surface && !region->folds);
     terms->takes_largest = (shading->material->flags & GLINT_MATERIAL_MAX) != 0;
     terms->is_ungated = (shading->material->flags & GLINT_MATERIAL_UNGATED) != 0;
-    terms->is_over_length = terms->is_curved = 0;
+    terms->is_over_length = (uint8_t)over_length;
+    terms->is_curved = 1;
+    terms->is_plain = (uint8_t)(!has_apart && !terms->has_surface && !terms->takes_largest && !over_length);
+    terms->is_channels = (uint8_t)(terms->is_plain || region->folds);
+    terms->sums = (uint8_t)(terms->is_channels ? 3 : shading->terms.channels);
+    terms->square = terms->sums;
+    terms->surface = (uint8_t)(terms->square + (over_length != 0));
     terms->apart_count = 0;
+    uint32_t next = terms->surface + 3u * terms->has_surface;
     for (uint32_t l = 0, apart = region->sides | region->lobes; apart >> l; l++) {
         if (!(apart >> l & 1))
             continue;
@@ -104,8 +111,6 @@ void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const gl
         next += side + cone + strength + lobe + narrow;
     }
     terms->end = (uint8_t)next;
-    terms->is_plain = !terms->apart_count && !terms->has_surface && !terms->takes_largest;
-    terms->is_channels = (uint8_t)(terms->is_plain || region->folds);
 }
 
 uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness,

@@ -107,7 +107,7 @@ static inline uint32_t scale(int32_t x, int n) {
 }
 
 /* The polynomial through nodes, times 2^unit. */
-static void begin(glint_cell_polynomial *to, const int32_t n[GLINT_CELL_NODES], unsigned shift, int unit) {
+static void begin(glint_descent *to, const int32_t n[GLINT_CELL_NODES], unsigned shift, int unit) {
     const int once = unit - 1 - 2 * (int)shift, twice = once - 1 - 2 * (int)shift;
     const differences top = difference(n[0], n[1], n[2], shift), middle = difference(n[3], n[4], n[5], shift),
                       bottom = difference(n[6], n[7], n[8], shift);
@@ -125,39 +125,38 @@ static void begin(glint_cell_polynomial *to, const int32_t n[GLINT_CELL_NODES], 
 }
 
 static void begin_sums(const glint_terms *terms, glint_node *const nodes[], int has_surface, unsigned shift,
-                       glint_cell_polynomial polynomials[GLINT_POLYNOMIALS_MAX]) {
+                       glint_descent polynomials[GLINT_POLYNOMIALS_MAX]) {
     const glint_light_terms *light = terms->light;
-    const uint32_t sums = glint_terms_sums(terms);
     int32_t n[GLINT_CELL_NODES];
-    for (uint32_t c = 0; c < sums; c++) {
+    for (uint32_t c = 0; c < terms->sums; c++) {
         for (int i = 0; i < GLINT_CELL_NODES; i++)
             n[i] = glint_sum_at(terms, nodes[i]->sum[0], nodes[i]->sum[c], (int)c, has_surface ? nodes[i]->surface : 0);
-        begin(&polynomials[c], n, shift, sums == 1 ? 16 : 12 + (int)light->sum_bits);
+        begin(&polynomials[c], n, shift, terms->sums == 1 ? 16 : 12 + (int)light->sum_bits);
         if (terms->is_channels)
             polynomials[c].row.value += (uint32_t)(light->half[c] + (has_surface ? 0 : light->ambient[c]));
     }
-    if (sums == 1)
+    if (terms->sums == 1)
         polynomials[0].row.value += 1 << 15;
 }
 
 int glint_cell_begin(const glint_frame *frame, const glint_draw *draw, glint_node *const nodes[GLINT_CELL_NODES],
-                     unsigned shift, glint_terms *terms, glint_cell_polynomial polynomials[GLINT_POLYNOMIALS_MAX]) {
+                     unsigned shift, glint_terms *terms, glint_descent polynomials[GLINT_POLYNOMIALS_MAX]) {
     glint_region region;
     int32_t n[GLINT_CELL_NODES];
     if (!find_region(frame, draw, nodes, shift, &region))
         return 0;
-    glint_terms_name(frame, draw, &region, terms);
+    glint_terms_name(frame, draw, &region, 0, terms);
     for (int i = 0; i < GLINT_CELL_NODES; i++)
         glint_node_sum(terms->light, region.held, nodes[i]);
     begin_sums(terms, nodes, draw->extra != 0, shift, polynomials);
     for (int c = 0; c < 3 && terms->has_surface; c++) {
         for (int i = 0; i < GLINT_CELL_NODES; i++)
             n[i] = nodes[i]->surface[c];
-        begin(&polynomials[GLINT_SURFACE + c], n, shift, 16);
+        begin(&polynomials[terms->surface + c], n, shift, 16);
     }
     for (uint32_t a = 0; a < terms->apart_count; a++) {
         const glint_apart *apart = &terms->apart[a];
-        glint_cell_polynomial *to = &polynomials[apart->first];
+        glint_descent *to = &polynomials[apart->first];
         for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
             if (apart->kinds >> kind & 1) {
                 for (int i = 0; i < GLINT_CELL_NODES; i++)

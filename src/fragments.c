@@ -16,8 +16,8 @@
 /* Pixels of a cell across, and their power of two; cells are halved once. */
 #define CELL 16
 
-/* Twice the area, 28.4 squared, from which on triangles have cells: of 24 pixels. */
-#define CELL_AREA (24 * 512)
+/* Twice the area, 28.4 squared, from which on triangles have cells: of 256 pixels. */
+#define CELL_AREA (256 * 512)
 
 /* A triangle on its way to pixels. */
 typedef struct walk {
@@ -106,19 +106,10 @@ static void draw_fragments(const walk *w, int32_t x, int32_t y, int32_t size) {
 
 /* ---- Cells ---- */
 
-static inline void go_down(glint_cell_polynomial *p) {
-    p->row.value += p->down.value;
-    p->row.step += p->down.step;
-    p->row.turn += p->down.turn;
-    p->down.value += p->value_turn;
-    p->down.step += p->step_turn;
-}
-
 /* Draws the runs of a row of a cell, pixel x, y of the tile. */
-static void draw_row(const walk *w, const glint_terms *terms, const glint_cell_polynomial *polynomials,
-                     uint32_t visible, int32_t x, int32_t y) {
-    glint_progress at[GLINT_POLYNOMIALS_MAX];
-    int32_t(*const row)[3] = w->workspace->row;
+static void draw_row(const walk *w, const glint_terms *terms, const glint_descent *polynomials, uint32_t visible,
+                     int32_t x, int32_t y) {
+    const uint32_t offset = ((uint32_t)y << w->frame->tile_shift_x) + (uint32_t)x;
     while (visible) {
         uint32_t first = 0, count = 0;
         while (!(visible >> first & 1))
@@ -126,25 +117,14 @@ static void draw_row(const walk *w, const glint_terms *terms, const glint_cell_p
         while (visible >> (first + count) & 1)
             count++;
         visible &= ~0u << (first + count);
-        for (uint32_t k = 0; k < terms->end; k++) {
-            const glint_progress *p = &polynomials[k].row;
-            at[k].value = p->value + p->step * first + p->turn * (first * (first - 1) / 2);
-            at[k].step = p->step + p->turn * first;
-            at[k].turn = p->turn;
-        }
-        glint_terms_row(terms, at, count, row);
-        if (w->frame->config.gamma)
-            glint_finish_colours(&w->frame->config, row, count);
-        w->frame->config.format->store(w->workspace->pixels, w->frame->tile_shift_x,
-                                       ((uint32_t)y << w->frame->tile_shift_x) + (uint32_t)x + first, count,
-                                       (const int32_t(*)[3])row);
+        glint_terms_draw_run(w->frame, w->workspace, terms, polynomials, first, count, offset + first);
     }
 }
 
 /* Draws a square of a cell by polynomials through nodes 2^shift pixels apart. @return 0 where they are not close enough
  */
 static int draw_square(const walk *w, int32_t x, int32_t y, unsigned shift, glint_node *const nodes[]) {
-    glint_cell_polynomial polynomials[GLINT_POLYNOMIALS_MAX];
+    glint_descent polynomials[GLINT_POLYNOMIALS_MAX];
     glint_terms terms;
     const int32_t size = 2 << shift;
     if (size > w->largest)
@@ -154,7 +134,7 @@ static int draw_square(const walk *w, int32_t x, int32_t y, unsigned shift, glin
     for (int32_t j = 0; j < size && fits; j++) {
         draw_row(w, &terms, polynomials, row_of(w, x, y + j, size), w->x + x, w->y + y + j);
         for (uint32_t k = 0; k < terms.end; k++)
-            go_down(&polynomials[k]);
+            glint_descent_next(&polynomials[k]);
     }
     return fits;
 }

@@ -24,7 +24,8 @@ struct source {
     drawer *draw_run;
     const glint_quadratic *channels; /* of draw_channel_run */
     const glint_terms *terms;        /* of draw_terms_run, and its polynomials */
-    const glint_quadratic *polynomials;
+    glint_descent *polynomials;
+    uint32_t polynomial_count;
     int is_deep;
 };
 
@@ -93,17 +94,9 @@ static void draw_channel_run(const glint_frame *frame, glint_workspace *workspac
 
 static void draw_terms_run(const glint_frame *frame, glint_workspace *workspace, const source *from,
                            const glint_part *part, run at, uint32_t y) {
-    const uint32_t count = (uint32_t)at.end - at.first;
-    glint_progress polynomials[GLINT_POLYNOMIALS_MAX];
-    for (uint32_t i = 0; i < from->terms->end; i++) {
-        const glint_quadratic *q = &from->polynomials[i];
-        const glint_stride s = glint_stride_begin(q, part->x + at.first, part->y + (int32_t)y);
-        polynomials[i] = (glint_progress){s.value, s.across, 2 * q->dxx};
-    }
-    glint_terms_row(from->terms, polynomials, count, workspace->row);
-    if (frame->config.gamma)
-        glint_finish_colours(&frame->config, workspace->row, count);
-    store_run(frame, workspace, from, part, at, y);
+    (void)part;
+    glint_terms_draw_run(frame, workspace, from->terms, from->polynomials, at.first, (uint32_t)at.end - at.first,
+                         (y << frame->tile_shift_x) + at.first);
 }
 
 /* Draws a part by runs. @return pixels of its spans */
@@ -122,6 +115,8 @@ static uint32_t draw_runs(const glint_frame *frame, glint_workspace *workspace, 
         covered += (uint32_t)span.right - span.left;
         for (uint32_t i = 0; i < count; i++)
             from->draw_run(frame, workspace, from, part, runs[i], y);
+        for (uint32_t i = 0; i < from->polynomial_count; i++)
+            glint_descent_next(&from->polynomials[i]);
     }
     return covered;
 }
@@ -185,7 +180,6 @@ void glint_draw_terms(const glint_frame *frame, glint_workspace *workspace, cons
         glint_draw_any(frame, workspace, draw, triangle, part);
         return;
     }
-    const source from = {.draw_run = draw_terms_run, .terms = &terms, .polynomials = polynomials};
     if (terms.is_plain && !frame->config.gamma && frame->config.format->draw_channels) {
         const glint_spans spans = glint_spans_of(frame, workspace, part);
         frame->config.format->draw_channels(&spans, polynomials, terms.is_curved);
@@ -193,6 +187,11 @@ void glint_draw_terms(const glint_frame *frame, glint_workspace *workspace, cons
             glint_count(workspace, GLINT_KERNEL_CHANNELS, covered_by(part));
         return;
     }
+    glint_descent descents[GLINT_POLYNOMIALS_MAX];
+    const source from = {
+        .draw_run = draw_terms_run, .terms = &terms, .polynomials = descents, .polynomial_count = terms.end};
+    for (uint32_t i = 0; i < terms.end; i++)
+        glint_descent_begin(&descents[i], &polynomials[i], part->x, part->y + (int32_t)part->top);
     glint_count(workspace, GLINT_KERNEL_CHANNELS, draw_runs(frame, workspace, &from, part));
 }
 

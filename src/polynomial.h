@@ -31,6 +31,41 @@ static inline void glint_stride_next(glint_stride *s, const glint_quadratic *q) 
     s->across += 2 * q->dxx;
 }
 
+/** A number along a row: at a pixel, its step to the next, and the step's change. */
+typedef struct glint_progress {
+    uint32_t value, step, turn;
+} glint_progress;
+
+/** A row's progress from a column on, how it changes from row to row, and how that does. */
+typedef struct glint_descent {
+    glint_progress row, down;
+    uint32_t value_turn, step_turn;
+} glint_descent;
+
+/** A quadratic's, from a pixel on. */
+static inline void glint_descent_begin(glint_descent *d, const glint_quadratic *q, int32_t x, int32_t y) {
+    const glint_stride s = glint_stride_begin(q, x, y);
+    d->row = (glint_progress){s.value, s.across, 2 * q->dxx};
+    d->down = (glint_progress){q->dy + q->dyy * (2 * (uint32_t)y + 1) + q->dxy * (uint32_t)x, q->dxy, 0};
+    d->value_turn = 2 * q->dyy;
+    d->step_turn = 0;
+}
+
+/** To the next row. */
+static inline void glint_descent_next(glint_descent *d) {
+    d->row.value += d->down.value;
+    d->row.step += d->down.step;
+    d->row.turn += d->down.turn;
+    d->down.value += d->value_turn;
+    d->down.step += d->step_turn;
+}
+
+/** A row's progress from a later column on. */
+static inline glint_progress glint_progress_from(const glint_progress *p, uint32_t column) {
+    return (glint_progress){p->value + p->step * column + p->turn * (column * (column - 1) >> 1),
+                            p->step + p->turn * column, p->turn};
+}
+
 /** To another column. */
 static inline void glint_stride_move(glint_stride *s, const glint_quadratic *q, uint32_t by) {
     s->value += s->across * by + 2 * q->dxx * (by * (by - 1) >> 1);

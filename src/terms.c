@@ -293,7 +293,7 @@ static void finish_sums(const glint_terms *terms, const candidate *t,
 
 /* Binary logarithm of what 1 is in polynomials of sums, over what it is at nodes. */
 static unsigned unit_of_sums(const glint_terms *terms) {
-    return glint_terms_sums(terms) == 1 ? 16 : 12 + terms->light->sum_bits;
+    return terms->sums == 1 ? 16 : 12 + terms->light->sum_bits;
 }
 
 static void begin_quadratics(const glint_part *part, const candidate *t, const lengths *by, const glint_terms *terms,
@@ -303,7 +303,7 @@ static void begin_quadratics(const glint_part *part, const candidate *t, const l
     glint_barycentric s;
     int32_t n[6];
     glint_barycentric_begin(&s, &part->gradients, (int32_t)unit_of_sums(terms));
-    for (uint32_t c = 0; c < glint_terms_sums(terms); c++) {
+    for (uint32_t c = 0; c < terms->sums; c++) {
         for (int i = 0; i < 6; i++)
             n[i] = scale_by(length, i, sum_at(terms, t, i, (int)c));
         begin_polynomial(&polynomials[c], &s, n);
@@ -315,12 +315,12 @@ static void begin_quadratics(const glint_part *part, const candidate *t, const l
     if (by) {
         for (int i = 0; i < 6; i++)
             n[i] = by->square[i] >> 1;
-        begin_polynomial(&polynomials[GLINT_SQUARE], &s, n);
+        begin_polynomial(&polynomials[terms->square], &s, n);
     }
     for (int c = 0; c < 3 && terms->has_surface; c++) {
         for (int i = 0; i < 6; i++)
             n[i] = t->surface[i][c];
-        begin_polynomial(&polynomials[GLINT_SURFACE + c], &s, n);
+        begin_polynomial(&polynomials[terms->surface + c], &s, n);
     }
     for (uint32_t a = 0; a < terms->apart_count; a++) {
         const glint_apart *apart = &terms->apart[a];
@@ -340,7 +340,7 @@ static void begin_planes(const glint_part *part, const candidate *t, int32_t lon
                          glint_quadratic polynomials[GLINT_POLYNOMIALS_MAX]) {
     const glint_gradients *g = &part->gradients;
     const int32_t length = (1 << 15) + longer;
-    for (uint32_t c = 0; c < glint_terms_sums(terms); c++)
+    for (uint32_t c = 0; c < terms->sums; c++)
         begin_plane(&polynomials[c], g, sum_at(terms, t, 0, (int)c) * length >> 15,
                     sum_at(terms, t, 1, (int)c) * length >> 15, sum_at(terms, t, 2, (int)c) * length >> 15,
                     unit_of_sums(terms));
@@ -379,8 +379,9 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
         return REJECT(1);
     if (!find_region(frame, draw, triangle, &t))
         return REJECT(4);
-    glint_terms_name(frame, draw, region, terms);
     if (region->plane_error <= limit && !t.is_fresh) {
+        glint_terms_name(frame, draw, region, 0, terms);
+        terms->is_curved = 0;
         begin_planes(part, &t, region->folds ? 0 : (int32_t)(region->turn * region->turn >> 13), terms, polynomials);
         return 1;
     }
@@ -389,13 +390,8 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
         return REJECT(6);
     if (!find_nodes(frame, draw, triangle, &t))
         return REJECT(8);
-    terms->is_curved = 1;
-    if (is_over_length) {
-        const int is_mirror = draw->shading->material->model->lobe == GLINT_LOBE_MIRROR;
-        terms->is_over_length = (uint8_t)(1 + is_mirror);
-        terms->is_channels = (uint8_t)region->folds;
-        terms->is_plain = 0;
-    }
+    const int twice = draw->shading->material->model->lobe == GLINT_LOBE_MIRROR;
+    glint_terms_name(frame, draw, region, is_over_length ? 1 + twice : 0, terms);
     begin_quadratics(part, &t, is_over_length ? &by : 0, terms, polynomials);
     return 1;
 }

@@ -102,9 +102,8 @@ static inline void glint_region_add_lobe(glint_region *region, uint32_t light, i
 
 /* ---- Terms ---- */
 
-/** Polynomials of a region: of sums, of |M|^2, of the surface's colours, and of lights. */
-enum { GLINT_SUM, GLINT_SQUARE = 3, GLINT_SURFACE = 4, GLINT_APART = 7 };
-#define GLINT_POLYNOMIALS_MAX (GLINT_APART + GLINT_NUMBERS * GLINT_LIGHTS_MAX)
+/** Most polynomials of a region: of sums, of |M|^2, of the surface's colours, and of lights. */
+#define GLINT_POLYNOMIALS_MAX (7 + GLINT_NUMBERS * GLINT_LIGHTS_MAX)
 
 /** A light with terms of its own: polynomials from number `first` on, of the numbers in `kinds`, bit by bit. */
 typedef struct glint_apart {
@@ -122,17 +121,14 @@ typedef struct glint_terms {
     uint8_t is_plain;       /* they are all there is, half a level included */
     uint8_t is_curved;
     uint8_t apart_count;
-    uint8_t end; /* of the polynomials in use */
+    uint8_t sums, square, surface; /* how many sums there are, the first polynomials; and which others these are */
+    uint8_t end;                   /* of the polynomials in use */
     glint_apart apart[GLINT_LIGHTS_MAX];
 } glint_terms;
 
 /** Tells what a region's polynomials are to mean. */
-void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const glint_region *region, glint_terms *terms);
-
-/** Are there so many channels of sums? */
-static inline uint32_t glint_terms_sums(const glint_terms *terms) {
-    return terms->is_channels ? 3 : terms->light->channels;
-}
+void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const glint_region *region, int over_length,
+                      glint_terms *terms);
 
 /**
  * Of a node's sum channel c, 15 bits less sum_bits: in levels, with ambient light and the surface's colours where the
@@ -153,13 +149,13 @@ static inline int32_t glint_sum_at(const glint_terms *terms, int32_t one, int32_
 /** Prepares a material. */
 void glint_terms_prepare(const glint_frame *frame, glint_shading *shading);
 
-/** A number along a row: at a pixel, its step to the next, and the step's change. */
-typedef struct glint_progress {
-    uint32_t value, step, turn;
-} glint_progress;
+/** Colours of `count` pixels of a row, from a column of its progress on. */
+void glint_terms_row(const glint_terms *terms, const glint_descent *polynomials, uint32_t first, uint32_t count,
+                     int32_t (*row)[3]);
 
-/** Colours of `count` pixels of a row that begins with these numbers. */
-void glint_terms_row(const glint_terms *terms, const glint_progress *polynomials, uint32_t count, int32_t (*row)[3]);
+/** Draws the runs of a row: bits of `visible` are its pixels from x on, y of the tile. */
+void glint_terms_draw_run(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
+                          const glint_descent *polynomials, uint32_t first, uint32_t count, uint32_t offset);
 
 /* ---- Triangles ---- */
 
@@ -172,12 +168,6 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
 
 /* ---- Cells ---- */
 
-/** A polynomial of a cell: a row's, how its numbers change from row to row, and how that does. */
-typedef struct glint_cell_polynomial {
-    glint_progress row, down;
-    uint32_t value_turn, step_turn;
-} glint_cell_polynomial;
-
 /** Nodes of a cell: three rows of three. */
 #define GLINT_CELL_NODES 9
 
@@ -185,6 +175,6 @@ typedef struct glint_cell_polynomial {
  * A cell's light, from its nodes on, a power of two of pixels apart. @return 0 where polynomials do not fit
  */
 int glint_cell_begin(const glint_frame *frame, const glint_draw *draw, glint_node *const nodes[GLINT_CELL_NODES],
-                     unsigned shift, glint_terms *terms, glint_cell_polynomial polynomials[GLINT_POLYNOMIALS_MAX]);
+                     unsigned shift, glint_terms *terms, glint_descent polynomials[GLINT_POLYNOMIALS_MAX]);
 
 #endif
