@@ -67,6 +67,16 @@ static uint32_t plane_lobe_error(const glint_light_terms *light, uint32_t levels
     return (uint32_t)((of_axis + times(turn, turn)) * levels >> 16);
 }
 
+/* A deviation at the middle of an edge is found from its ends: what both N and H make of it falls with it. */
+static uint32_t between_error(const glint_light_terms *light, uint32_t levels, uint32_t turn, uint32_t axis,
+                              uint32_t b) {
+    const uint32_t widest = light->lobe_is_wide ? 1 << 12 : (uint32_t)light->lobe_cut >> light->lobe_shift >> 2;
+    const uint64_t of_axis =
+        (uint64_t)(2 * times(axis, axis) + 4 * times(times(turn, axis), widest) + 4 * times(axis, b)) * light->slope >>
+        8;
+    return (uint32_t)(of_axis * levels >> 16);
+}
+
 /* A highlight's by 0.041 s h (h + b)^2, s the highlight's slope over its deviation, and as a sum for its strength. */
 static uint32_t lobe_error(const glint_light_terms *light, uint32_t levels, uint32_t h, uint32_t f, uint32_t b) {
     const uint64_t of_place = (uint64_t)times(times(h, h + b), h + b) * light->slope >> 8;
@@ -116,10 +126,12 @@ void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const gl
 uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness,
                            glint_region *region) {
     region->near = (uint32_t)((uint64_t)region->reach * closeness >> 8);
-    region->held = region->lit;
-    region->sides = shading->lights & ~region->lit & ~region->dark;
-    region->cones = 0;
     const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED;
+    const int is_wide = times(region->near, region->near) > 8 * CLEARLY_INSIDE; /* a cosine's chord, from arcs */
+    const uint32_t dark = region->dark | (is_wide ? 0 : region->outside);
+    region->held = region->lit;
+    region->sides = shading->lights & ~region->lit & ~dark;
+    region->cones = 0;
     if (region->near && times(region->near, region->turn) > 2 * CLEARLY_NEAR) { /* clear at nodes, not between them */
         region->sides = shading->lights;
         region->held = 0;
@@ -127,7 +139,7 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
     const uint32_t lobes = shading->terms.lobes & (ungated ? ~0u : region->held | region->sides);
     for (uint32_t l = 0, shown = region->held | region->sides | lobes; shown >> l; l++)
         if (shown >> l & 1 && frame->view->lights[l].has_cone) {
-            if (times(region->near, region->near) > 8 * CLEARLY_INSIDE) { /* a cosine's chord, from arcs */
+            if (is_wide) {
                 region->sides |= 1u << l;
                 region->held &= ~(1u << l);
             }
@@ -156,18 +168,20 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, i
     if (region->folds)
         place += region->colour;
     const uint32_t of_colour = times(region->colour, slant) * (light->ambient_levels + (region->levels << 4)) >> 12;
-    region->plane_error = region->sides || (has_surface && !region->folds) ? UINT32_MAX / 2
+    region->plane_error = region->cones || (has_surface && !region->folds) ? UINT32_MAX / 2
                           : region->folds ? plane_sum_error(region->levels, 0, region->turn + place, slant)
                                           : plane_sum_error(region->levels, region->turn, place, slant);
     region->error = sum_error(region->levels, region->turn + place, slant) + (times(of_colour, slant) >> 5);
     region->error_over_length = sum_error(region->levels, place, slant) + (times(of_colour, slant) >> 5);
     region->plane_error += of_colour >> 2;
+    region->error_between = 0;
     for (uint32_t l = 0, apart = region->lobes | region->cones; apart >> l; l++) {
         const uint32_t levels = light->specular_levels[l];
         if (region->lobes >> l & 1) {
             region->plane_error += plane_lobe_error(light, levels, turn, axis, slant);
             region->error += lobe_error(light, levels, turn + axis, region->near, slant);
             region->error_over_length += lobe_error(light, levels, axis, region->near, slant);
+            region->error_between += between_error(light, levels, turn, axis, slant);
             if (light->lobe_is_wide)
                 region->plane_error = UINT32_MAX / 2;
         }

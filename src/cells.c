@@ -66,12 +66,13 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, glint_n
     region->turn = find_turn(nodes);
     glint_region_measure(frame->view, size, size, w, region);
     region->levels = 0;
-    region->lit = region->dark = 0xff;
+    region->lit = region->dark = region->outside = 0xff;
     region->far = region->unfit = region->steep = 0;
     for (int i = 0; i < GLINT_CELL_NODES; i++) {
         const glint_node *node = nodes[i];
         region->lit &= node->lit;
         region->dark &= node->dark;
+        region->outside &= node->outside;
         region->far |= node->far;
         region->unfit |= node->unfit;
         region->steep |= node->steep;

@@ -86,6 +86,9 @@ typedef struct glint_weights {
     uint32_t diffuse[3], specular[3];
 } glint_weights;
 
+/** Numbers of a light at a node: terms.h. */
+#define GLINT_NUMBERS 5
+
 /** What a material makes of the frame's lights, for nodes and rows. Weights are Q12, in the format's levels. */
 typedef struct glint_light_terms {
     int32_t ambient[3], half[3];               /* channels: of ambient light, and of half a level */
@@ -95,19 +98,20 @@ typedef struct glint_light_terms {
     int32_t chroma[3];                         /* its weight */
     uint32_t diffuse_levels[GLINT_LIGHTS_MAX]; /* what 1 makes at most, levels in Q8 */
     uint32_t specular_levels[GLINT_LIGHTS_MAX];
-    uint32_t ambient_levels;           /* of ambient light */
-    uint32_t channels;                 /* of a node's sum: 1 where all diffuse light is of one chroma, else 3 */
-    unsigned sum_bits;                 /* sums are below this power of two */
-    uint32_t lobes;                    /* bit i: light i has a highlight that is a term of its own */
-    uint8_t lobe_at[GLINT_LIGHTS_MAX]; /* of these, where a light's deviation is kept */
-    uint32_t stride;                   /* numbers that a vertex keeps */
-    uint32_t lobe_shift;               /* a deviation, Q14, is kept times 2^this */
-    int32_t lobe_cut, lobe_diagonal;   /* outside an octagon of this radius no highlight shows; as kept */
-    uint32_t lobe_end;                 /* squared deviation, as kept, where the power table ends */
-    uint32_t slope;                    /* of a highlight over its deviation, at most, Q8 */
-    uint8_t lobe_is_wide;              /* small p: of a deviation there is the cosine alone, Q14 */
-    uint8_t lobe_has_strip;            /* p < 1: near the horizon polynomials do not fit */
-    uint32_t limit;                    /* of the error of polynomials, levels in Q8 */
+    uint32_t ambient_levels; /* of ambient light */
+    uint32_t channels;       /* of a node's sum: 1 where all diffuse light is of one chroma, else 3 */
+    unsigned sum_bits;       /* sums are below this power of two */
+    uint32_t lobes;          /* bit i: light i has a highlight that is a term of its own */
+    uint8_t at[GLINT_LIGHTS_MAX][GLINT_NUMBERS]; /* where a vertex keeps a light's numbers */
+    uint32_t light_count;
+    uint32_t stride;                 /* numbers that a vertex keeps */
+    uint32_t lobe_shift;             /* a deviation, Q14, is kept times 2^this */
+    int32_t lobe_cut, lobe_diagonal; /* outside an octagon of this radius no highlight shows; as kept */
+    uint32_t lobe_end;               /* squared deviation, as kept, where the power table ends */
+    uint32_t slope;                  /* of a highlight over its deviation, at most, Q8 */
+    uint8_t lobe_is_wide;            /* small p: of a deviation there is the cosine alone, Q14 */
+    uint8_t lobe_has_strip;          /* p < 1: near the horizon polynomials do not fit */
+    uint32_t limit;                  /* of the error of polynomials, levels in Q8 */
 } glint_light_terms;
 
 /** A material under the scene's lights. */
@@ -176,7 +180,7 @@ typedef struct glint_vertex {
 #define GLINT_COLOUR_ONE 32767
 
 /** Most numbers that a vertex keeps of light. */
-#define GLINT_NODE_NUMBERS_MAX (7 + 3 * GLINT_LIGHTS_MAX)
+#define GLINT_NODE_NUMBERS_MAX (8 + GLINT_NUMBERS * GLINT_LIGHTS_MAX)
 
 /** Clip coordinates; kept only where an object may have to be clipped. */
 typedef struct glint_position {

@@ -100,13 +100,14 @@ static void add_lobe(const glint_shading *shading, uint32_t i, const glint_prepa
 
 /* How far within a cone L is: 1 at its inner edge, 0 at its outer. */
 static void find_cone(const glint_prepared_light *source, uint32_t i, const int16_t *light, glint_node *node,
-                      int *is_lit, int *is_dark) {
+                      int *is_lit) {
     const int32_t cosine = glint_dot(light, source->direction);
     const int32_t past = glint_shift_right(cosine - source->spot.cosine_outer, 15); /* 16 bits and a sign */
     const int64_t ramp = glint_shift_right64((int64_t)past * source->spot.slope, 18);
     const int32_t inside = (int32_t)(ramp > STEEP ? STEEP : ramp < -STEEP ? -STEEP : ramp);
     *is_lit = *is_lit && cosine > source->spot.cosine_inner + CLEARLY_INSIDE;
-    *is_dark = *is_dark || cosine < source->spot.cosine_outer - CLEARLY_INSIDE;
+    if (cosine < source->spot.cosine_outer - CLEARLY_INSIDE)
+        node->outside |= (uint8_t)(1u << i);
     node->number[i][GLINT_CONE] = (int16_t)inside;
     if (inside != ramp || !source->spot.slope)
         node->steep |= (uint8_t)(1u << i);
@@ -127,16 +128,17 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
         const int16_t *light = has_position ? at->light[n] : source->direction;
         const int32_t strength = has_position ? at->strength[n] : 1 << 15;
         const int32_t cosine = find_cosine(at->normal[n], light);
-        int is_lit = cosine > clearly, is_dark = cosine < -clearly;
+        int is_lit = cosine > clearly;
+        const int is_dark = cosine < -clearly;
         if (source->has_cone)
-            find_cone(source, i, light, node, &is_lit, &is_dark);
+            find_cone(source, i, light, node, &is_lit);
         node->lit |= is_lit ? bit : 0;
         node->dark |= is_dark ? bit : 0;
         node->number[i][GLINT_SIDE] = (int16_t)glint_shift_right(cosine * strength, 16);
         node->number[i][GLINT_STRENGTH] = (int16_t)glint_shift_right(strength, 1);
         if (lobes & bit)
             add_lobe(shading, i, source, !has_position && !frame->view->local_viewer, at, n, light, node);
-        if (!is_dark) {
+        if (!is_dark && !(node->outside & bit)) {
             node->levels += terms->diffuse_levels[i] * (uint32_t)strength >> 19;
             if (has_position && at->closeness[n] > node->closeness)
                 node->closeness = at->closeness[n];
@@ -151,7 +153,7 @@ void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, g
     for (uint32_t n = 0; n < at->count; n++) {
         glint_node *node = nodes[n];
         node->levels = node->closeness = 0;
-        node->lit = node->dark = node->far = node->unfit = node->steep = 0;
+        node->lit = node->dark = node->outside = node->far = node->unfit = node->steep = 0;
     }
     for (uint32_t i = 0; lights >> i; i++)
         if (lights >> i & 1)

@@ -11,27 +11,24 @@
 /* ---- Vertices ---- */
 
 /*
- * What a vertex keeps: its sum; the lights it faces and does not; those whose deviation is cut off or unknown; what
- * light there is, and how close; and of each light with a lobe a deviation, and its strength where that varies.
+ * What a vertex keeps: its sum; the lights it faces and does not; those whose deviation is cut off or unknown; those
+ * whose cones are; what light there is, and how close; and lights' numbers.
  */
-enum { FACING, FLAGS, LEVELS, CLOSENESS };
+enum { FACING, FLAGS, CONES, LEVELS, CLOSENESS };
 
-static void keep(const glint_frame *frame, const glint_light_terms *light, const glint_node *node, int16_t *to) {
+static void keep(const glint_light_terms *light, const glint_node *node, int16_t *to) {
     int16_t *const rest = to + light->channels;
     for (uint32_t c = 0; c < light->channels; c++)
         to[c] = (int16_t)node->sum[c];
     rest[FACING] = (int16_t)(uint16_t)(node->lit | node->dark << 8);
     rest[FLAGS] = (int16_t)(uint16_t)(node->far | node->unfit << 8);
+    rest[CONES] = (int16_t)(uint16_t)(node->steep | node->outside << 8);
     rest[LEVELS] = (int16_t)glint_least((int32_t)node->levels, INT16_MAX);
     rest[CLOSENESS] = (int16_t)glint_least((int32_t)node->closeness, INT16_MAX);
-    for (uint32_t i = 0; light->lobes >> i; i++)
-        if (light->lobes >> i & 1) {
-            int16_t *const lobe = to + light->lobe_at[i];
-            lobe[0] = node->number[i][GLINT_LOBE_X];
-            lobe[1] = node->number[i][GLINT_LOBE_Y];
-            if (frame->view->lights[i].type->illuminate)
-                lobe[2] = node->number[i][GLINT_STRENGTH];
-        }
+    for (uint32_t i = 0; i < light->light_count; i++)
+        for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
+            if (light->at[i][kind])
+                to[light->at[i][kind]] = node->number[i][kind];
 }
 
 static void gather_corner(const glint_frame *frame, const glint_vertex *v, glint_fragments *to) {
@@ -67,26 +64,35 @@ void glint_terms_light(const glint_frame *frame, glint_draw *draw, const glint_t
     glint_nodes_light(frame, draw->shading, &vertices, draw->shading->lights, light->lobes, to);
     for (uint32_t i = 0; i < vertices.count; i++) {
         glint_node_sum(light, nodes[i].lit, &nodes[i]);
-        keep(frame, light, &nodes[i], draw->nodes + index[i] * light->stride);
+        keep(light, &nodes[i], draw->nodes + index[i] * light->stride);
     }
 }
 
 /* ---- What is known from the corners ---- */
 
+/* Corners at the ends of edges, and the node between them. */
+static const uint8_t ends[3][2] = {{0, 1}, {1, 2}, {0, 2}};
+
 /* A triangle on its way to terms. */
 typedef struct candidate {
-    const int16_t *kept[3]; /* of its corners */
-    glint_node node[6];     /* corners, where they are found anew, and middles */
-    int is_fresh;           /* are they? */
-    int has_surface;
-    int16_t surface[6][3]; /* its colours there, Q14 */
+    const int16_t *kept[3];          /* of its corners */
+    int32_t sum[6][3];               /* at its corners, and the middles of its edges */
+    glint_node middle[3];            /* unless they are found from the corners */
+    int32_t apart[3];                /* |Na - Nb|^2 of an edge, Q26 */
+    int32_t share[3][2];             /* of an edge's ends in what lies between them, Q15 */
+    uint8_t has_surface, is_between; /* are middles found from the corners? */
+    int16_t surface[6][3];           /* the surface's colours, Q14 */
     glint_region region;
 } candidate;
 
-static void measure(const glint_view *view, const glint_triangle *triangle, glint_region *region) {
+static void measure(const glint_view *view, const glint_triangle *triangle, candidate *t) {
+    glint_region *region = &t->region;
     const glint_vertex *const *v = triangle->corners;
     const int16_t *a = v[0]->attribute, *b = v[1]->attribute, *c = v[2]->attribute;
-    const int32_t turn = glint_most_of(glint_square_apart(a, b), glint_square_apart(b, c), glint_square_apart(c, a));
+    t->apart[0] = glint_square_apart(a, b);
+    t->apart[1] = glint_square_apart(b, c);
+    t->apart[2] = glint_square_apart(a, c);
+    const int32_t turn = glint_most_of(t->apart[0], t->apart[1], t->apart[2]);
     const int32_t width = glint_most_of(v[0]->x, v[1]->x, v[2]->x) - glint_least_of(v[0]->x, v[1]->x, v[2]->x);
     const int32_t height = glint_most_of(v[0]->y, v[1]->y, v[2]->y) - glint_least_of(v[0]->y, v[1]->y, v[2]->y);
     region->turn = glint_angle_of((uint32_t)turn >> 2);
@@ -95,17 +101,19 @@ static void measure(const glint_view *view, const glint_triangle *triangle, glin
 
 /* Does a highlight show on a triangle? */
 static int place_lobe(const glint_shading *shading, const candidate *t, uint32_t l) {
-    const glint_light_terms *light = &shading->terms;
-    const int16_t *a = t->kept[0] + light->lobe_at[l], *b = t->kept[1] + light->lobe_at[l],
-                  *c = t->kept[2] + light->lobe_at[l];
-    const int32_t sum[3] = {a[0] + a[1], b[0] + b[1], c[0] + c[1]},
-                  difference[3] = {a[0] - a[1], b[0] - b[1], c[0] - c[1]};
-    const int32_t least[4] = {glint_least_of(a[0], b[0], c[0]), glint_least_of(a[1], b[1], c[1]),
-                              glint_least_of(sum[0], sum[1], sum[2]),
-                              glint_least_of(difference[0], difference[1], difference[2])};
-    const int32_t most[4] = {glint_most_of(a[0], b[0], c[0]), glint_most_of(a[1], b[1], c[1]),
-                             glint_most_of(sum[0], sum[1], sum[2]),
-                             glint_most_of(difference[0], difference[1], difference[2])};
+    const uint8_t *const at = shading->terms.at[l];
+    int32_t least[4], most[4];
+    int32_t along[3][4];
+    for (int i = 0; i < 3; i++) {
+        along[i][0] = t->kept[i][at[GLINT_LOBE_X]];
+        along[i][1] = t->kept[i][at[GLINT_LOBE_Y]];
+        along[i][2] = along[i][0] + along[i][1];
+        along[i][3] = along[i][0] - along[i][1];
+    }
+    for (int k = 0; k < 4; k++) {
+        least[k] = glint_least_of(along[0][k], along[1][k], along[2][k]);
+        most[k] = glint_most_of(along[0][k], along[1][k], along[2][k]);
+    }
     return glint_place_lobe(shading, least, most);
 }
 
@@ -116,7 +124,6 @@ static int16_t between(int32_t a, int32_t b, int32_t wa, int32_t wb) {
 
 /* Sets the surface's colours at the nodes. @return by how much they differ, Q12 */
 static uint32_t find_surface(const glint_triangle *triangle, candidate *t) {
-    static const uint8_t ends[3][2] = {{0, 1}, {1, 2}, {0, 2}};
     int32_t apart = 0, w[3];
     const glint_vertex *const *v = triangle->corners;
     const unsigned zeros =
@@ -146,13 +153,14 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, const g
                   *c = t->kept[2] + light->channels;
     const uint32_t facing = (uint16_t)(a[FACING] & b[FACING] & c[FACING]);
     const uint32_t flags = (uint16_t)(a[FLAGS] | b[FLAGS] | c[FLAGS]);
-    measure(frame->view, triangle, region);
+    measure(frame->view, triangle, t);
     region->levels = (uint32_t)glint_most_of(a[LEVELS], b[LEVELS], c[LEVELS]);
     region->lit = facing & 0xff;
     region->dark = facing >> 8;
     region->far = flags & 0xff;
     region->unfit = flags >> 8;
-    region->steep = 0;
+    region->steep = (uint32_t)(a[CONES] | b[CONES] | c[CONES]) & 0xff;
+    region->outside = (uint32_t)(a[CONES] & b[CONES] & c[CONES]) >> 8 & 0xff;
     t->has_surface = draw->extra != 0;
     region->colour = t->has_surface ? find_surface(triangle, t) : 0;
     uint32_t lobes =
@@ -161,12 +169,53 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, const g
     for (uint32_t l = 0; lobes >> l; l++)
         if (lobes >> l & 1)
             glint_region_add_lobe(region, l, region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, t, l));
-    /* corners' sums hold all lights that each faces */
-    t->is_fresh = region->sides || ((a[FACING] | b[FACING] | c[FACING]) & 0xff) != (int32_t)region->held;
     return glint_region_bound(frame, shading, t->has_surface, region);
 }
 
 /* ---- Nodes ---- */
+
+/* Sets the corners' sums of the lights that all of them face. */
+static void sum_corners(const glint_light_terms *light, candidate *t) {
+    glint_node node;
+    for (int i = 0; i < 3; i++) {
+        const int16_t *const kept = t->kept[i];
+        const uint32_t held = t->region.held;
+        if (((uint32_t)kept[light->channels + FACING] & 0xff) == held) {
+            for (uint32_t c = 0; c < light->channels; c++)
+                t->sum[i][c] = kept[c];
+            continue;
+        }
+        for (uint32_t l = 0; held >> l; l++)
+            if (held >> l & 1)
+                node.number[l][GLINT_SIDE] = kept[light->at[l][GLINT_SIDE]];
+        glint_node_sum(light, held, &node);
+        for (uint32_t c = 0; c < light->channels; c++)
+            t->sum[i][c] = node.sum[c];
+    }
+}
+
+/*
+ * Under lights without a position, numbers between corners are those of the corners over |M|, M the normal over w. With
+ * r = wa wb |Na - Nb|^2 / (wa + wb)^2, |M| = (wa + wb) sqrt(1 - r) / 2; the root's inverse by its series.
+ */
+static void find_shares(const glint_triangle *triangle, candidate *t) {
+    const glint_vertex *const *v = triangle->corners;
+    for (int e = 0; e < 3; e++) {
+        const uint32_t a = (uint32_t)v[ends[e][0]]->inverse_w, b = (uint32_t)v[ends[e][1]]->inverse_w;
+        const unsigned zeros = glint_leading_zeros((a >> 1) + (b >> 1));
+        const uint32_t wa = (a >> 1) << zeros >> 16, wb = (b >> 1) << zeros >> 16; /* the sum has 16 bits */
+        const uint32_t reciprocal = (uint32_t)glint_reciprocal16(wa + wb < 1u << 15 ? 1u << 15 : wa + wb);
+        const uint32_t of_a = wa * reciprocal >> 16, of_b = wb * reciprocal >> 16;                   /* Q15 */
+        const uint32_t r = (of_a * of_b >> 15) * (uint32_t)glint_shift_right(t->apart[e], 11) >> 15; /* Q15 */
+        const uint32_t longer = (1u << 15) + (r >> 1) + (3 * (r * r >> 15) >> 3);
+        t->share[e][0] = (int32_t)(of_a * longer >> 15);
+        t->share[e][1] = (int32_t)(of_b * longer >> 15);
+    }
+}
+
+static inline int32_t mix(const candidate *t, int e, int32_t a, int32_t b) {
+    return glint_shift_right(t->share[e][0] * a + t->share[e][1] * b + (1 << 14), 15);
+}
 
 /* The middle of an edge, as a fragment. */
 static void gather_middle(const glint_frame *frame, const glint_vertex *a, const glint_vertex *b, glint_fragments *to) {
@@ -180,26 +229,31 @@ static void gather_middle(const glint_frame *frame, const glint_vertex *a, const
                     a->attribute[2] * wa + b->attribute[2] * wb, to->normal[i]);
 }
 
-/* Finds a triangle's nodes. @return 0 where polynomials through them do not fit */
-static int find_nodes(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle, candidate *t) {
-    const glint_vertex *const *v = triangle->corners;
+/* Finds the nodes between corners. @return 0 where polynomials through them do not fit */
+static int find_middles(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
+                        candidate *t) {
+    const glint_light_terms *light = &draw->shading->terms;
     const glint_region *region = &t->region;
-    const int first = t->is_fresh ? 0 : 3;
-    glint_node *const to[6] = {&t->node[0], &t->node[1], &t->node[2], &t->node[3], &t->node[4], &t->node[5]};
+    glint_node *const to[3] = {&t->middle[0], &t->middle[1], &t->middle[2]};
     glint_fragments at;
     uint32_t unfit = 0;
+    if (t->is_between) {
+        find_shares(triangle, t);
+        for (int e = 0; e < 3; e++)
+            for (uint32_t c = 0; c < light->channels; c++)
+                t->sum[3 + e][c] = mix(t, e, t->sum[ends[e][0]][c], t->sum[ends[e][1]][c]);
+        return 1;
+    }
     at.count = 0;
-    for (int i = first; i < 3; i++)
-        gather_corner(frame, v[i], &at);
-    gather_middle(frame, v[0], v[1], &at);
-    gather_middle(frame, v[1], v[2], &at);
-    gather_middle(frame, v[0], v[2], &at);
-    glint_nodes_light(frame, draw->shading, &at, region->held | region->sides | region->lobes, region->lobes,
-                      to + first);
-    for (int i = first; i < 6; i++)
-        glint_node_sum(&draw->shading->terms, region->held, &t->node[i]);
-    for (int i = first; i < 6; i++)
-        unfit |= ((t->node[i].unfit | t->node[i].far) & region->lobes) | (t->node[i].steep & region->cones);
+    for (int e = 0; e < 3; e++)
+        gather_middle(frame, triangle->corners[ends[e][0]], triangle->corners[ends[e][1]], &at);
+    glint_nodes_light(frame, draw->shading, &at, region->held | region->sides | region->lobes, region->lobes, to);
+    for (int e = 0; e < 3; e++) {
+        glint_node_sum(light, region->held, to[e]);
+        for (uint32_t c = 0; c < light->channels; c++)
+            t->sum[3 + e][c] = to[e]->sum[c];
+        unfit |= ((to[e]->unfit | to[e]->far) & region->lobes) | (to[e]->steep & region->cones);
+    }
     return !unfit;
 }
 
@@ -256,11 +310,6 @@ static void begin_polynomial(glint_quadratic *q, const glint_barycentric *s, con
     glint_polynomial_begin(q, s, n, bulge);
 }
 
-/* A number times its node's length, or its square, where there is one. */
-static inline int32_t scale_by(const int32_t by[6], int i, int32_t number) {
-    return by ? glint_shift_right(number * by[i] + (1 << 14), 15) : number;
-}
-
 /* A plane as a polynomial, times 2^unit. */
 static void begin_plane(glint_quadratic *q, const glint_gradients *g, int32_t a, int32_t b, int32_t c, unsigned unit) {
     glint_plane plane;
@@ -268,18 +317,24 @@ static void begin_plane(glint_quadratic *q, const glint_gradients *g, int32_t a,
     *q = (glint_quadratic){(uint32_t)plane.start, (uint32_t)plane.dx, (uint32_t)plane.dy, 0, 0, 0};
 }
 
-/* Sums at a triangle's node. */
-static inline int32_t sum_at(const glint_terms *terms, const candidate *t, int i, int c) {
-    const int16_t *const surface = t->has_surface ? t->surface[i] : 0;
-    if (i >= 3 || t->is_fresh)
-        return glint_sum_at(terms, t->node[i].sum[0], t->node[i].sum[c], c, surface);
-    return glint_sum_at(terms, t->kept[i][0], terms->light->channels == 1 ? t->kept[i][0] : t->kept[i][c], c, surface);
+/* A light's numbers at the nodes, the first so many. */
+static void take_numbers(const glint_light_terms *light, const candidate *t, uint32_t l, uint32_t kind, int count,
+                         int32_t n[6]) {
+    for (int i = 0; i < 3; i++)
+        n[i] = t->kept[i][light->at[l][kind]];
+    for (int e = 0; 3 + e < count; e++)
+        n[3 + e] = t->is_between ? mix(t, e, n[ends[e][0]], n[ends[e][1]]) : t->middle[e].number[l][kind];
 }
 
-/* Its numbers of a light. */
-static inline int32_t number_at(const glint_light_terms *light, const candidate *t, int i, uint32_t l, uint32_t kind) {
-    return i < 3 && !t->is_fresh ? t->kept[i][light->lobe_at[l] + (kind == GLINT_STRENGTH ? 2 : kind - GLINT_LOBE_X)]
-                                 : t->node[i].number[l][kind];
+static void take_sums(const glint_terms *terms, const candidate *t, int c, int count, int32_t n[6]) {
+    for (int i = 0; i < count; i++)
+        n[i] = glint_sum_at(terms, t->sum[i][0], t->sum[i][c], c, t->has_surface ? t->surface[i] : 0);
+}
+
+/* Numbers times their nodes' lengths, or their squares. */
+static void scale(int32_t n[6], const int32_t by[6]) {
+    for (int i = 0; i < 6 && by; i++)
+        n[i] = glint_shift_right(n[i] * by[i] + (1 << 14), 15);
 }
 
 /* Adds half a level to sums that are all channels, and ambient light where they do not hold it. */
@@ -304,14 +359,15 @@ static void begin_quadratics(const glint_part *part, const candidate *t, const l
     int32_t n[6];
     glint_barycentric_begin(&s, &part->gradients, (int32_t)unit_of_sums(terms));
     for (uint32_t c = 0; c < terms->sums; c++) {
-        for (int i = 0; i < 6; i++)
-            n[i] = scale_by(length, i, sum_at(terms, t, i, (int)c));
+        take_sums(terms, t, (int)c, 6, n);
+        scale(n, length);
         begin_polynomial(&polynomials[c], &s, n);
     }
     finish_sums(terms, t, polynomials);
-    if (!by && !terms->apart_count && !terms->has_surface)
+    if (terms->end == terms->sums)
         return;
-    glint_barycentric_begin(&s, &part->gradients, 16);
+    if (terms->sums > 1)
+        glint_barycentric_begin(&s, &part->gradients, 16);
     if (by) {
         for (int i = 0; i < 6; i++)
             n[i] = by->square[i] >> 1;
@@ -327,9 +383,8 @@ static void begin_quadratics(const glint_part *part, const candidate *t, const l
         glint_quadratic *to = &polynomials[apart->first];
         for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
             if (apart->kinds >> kind & 1) {
-                const int32_t *const scale = kind == GLINT_SIDE ? length : kind >= GLINT_LOBE_X ? of_lobe : 0;
-                for (int i = 0; i < 6; i++)
-                    n[i] = scale_by(scale, i, number_at(terms->light, t, i, apart->light, kind));
+                take_numbers(terms->light, t, apart->light, kind, 6, n);
+                scale(n, kind == GLINT_SIDE ? length : kind >= GLINT_LOBE_X ? of_lobe : 0);
                 begin_polynomial(to++, &s, n);
             }
     }
@@ -340,10 +395,12 @@ static void begin_planes(const glint_part *part, const candidate *t, int32_t lon
                          glint_quadratic polynomials[GLINT_POLYNOMIALS_MAX]) {
     const glint_gradients *g = &part->gradients;
     const int32_t length = (1 << 15) + longer;
-    for (uint32_t c = 0; c < terms->sums; c++)
-        begin_plane(&polynomials[c], g, sum_at(terms, t, 0, (int)c) * length >> 15,
-                    sum_at(terms, t, 1, (int)c) * length >> 15, sum_at(terms, t, 2, (int)c) * length >> 15,
+    int32_t n[6];
+    for (uint32_t c = 0; c < terms->sums; c++) {
+        take_sums(terms, t, (int)c, 3, n);
+        begin_plane(&polynomials[c], g, n[0] * length >> 15, n[1] * length >> 15, n[2] * length >> 15,
                     unit_of_sums(terms));
+    }
     finish_sums(terms, t, polynomials);
     for (uint32_t a = 0; a < terms->apart_count; a++) {
         const glint_apart *apart = &terms->apart[a];
@@ -351,9 +408,8 @@ static void begin_planes(const glint_part *part, const candidate *t, int32_t lon
         for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
             if (apart->kinds >> kind & 1) {
                 const int32_t by = kind == GLINT_STRENGTH ? 1 << 15 : length;
-                begin_plane(to++, g, number_at(terms->light, t, 0, apart->light, kind) * by >> 15,
-                            number_at(terms->light, t, 1, apart->light, kind) * by >> 15,
-                            number_at(terms->light, t, 2, apart->light, kind) * by >> 15, 16);
+                take_numbers(terms->light, t, apart->light, kind, 3, n);
+                begin_plane(to++, g, n[0] * by >> 15, n[1] * by >> 15, n[2] * by >> 15, 16);
             }
     }
 }
@@ -368,29 +424,42 @@ static int is_shapely(const glint_triangle *triangle, const glint_part *part) {
            glint_slenderness(&part->gradients, triangle->area) <= GLINT_POLYNOMIAL_SLENDER && !glint_is_deep(triangle);
 }
 
+/* May middles be found from the corners? */
+static int is_between(const glint_frame *frame, const glint_shading *shading, const glint_region *region) {
+    uint32_t positions = 0;
+    for (uint32_t l = 0, shown = region->held | region->sides | region->lobes; shown >> l; l++)
+        positions |= shown >> l & 1 && frame->view->lights[l].type->illuminate;
+    return !positions && !(region->lobes && shading->material->model->lobe == GLINT_LOBE_MIRROR) && region->turn < 2048;
+}
+
 int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
                       const glint_part *part, glint_terms *terms, glint_quadratic polynomials[GLINT_POLYNOMIALS_MAX]) {
-    const glint_region *region;
-    const uint32_t limit = draw->shading->terms.limit;
+    const glint_shading *shading = draw->shading;
+    const uint32_t limit = shading->terms.limit;
     candidate t;
+    const glint_region *region = &t.region;
     lengths by;
-    region = &t.region;
     if (!is_shapely(triangle, part))
         return REJECT(1);
     if (!find_region(frame, draw, triangle, &t))
         return REJECT(4);
-    if (region->plane_error <= limit && !t.is_fresh) {
+    sum_corners(&shading->terms, &t);
+    if (region->plane_error <= limit) {
+        (void)REJECT(10);
         glint_terms_name(frame, draw, region, 0, terms);
         terms->is_curved = 0;
         begin_planes(part, &t, region->folds ? 0 : (int32_t)(region->turn * region->turn >> 13), terms, polynomials);
         return 1;
     }
-    const int is_over_length = region->error > 2 * limit;
-    if (is_over_length && (region->error_over_length > limit || !find_lengths(triangle, &by)))
+    t.is_between = (uint8_t)is_between(frame, shading, region);
+    const uint32_t more = t.is_between ? region->error_between : 0;
+    const int is_over_length = region->error + more > 2 * limit;
+    if (is_over_length && (region->error_over_length + more > limit || !find_lengths(triangle, &by)))
         return REJECT(6);
-    if (!find_nodes(frame, draw, triangle, &t))
+    if (!find_middles(frame, draw, triangle, &t))
         return REJECT(8);
-    const int twice = draw->shading->material->model->lobe == GLINT_LOBE_MIRROR;
+    (void)REJECT(is_over_length ? 11 : 12);
+    const int twice = shading->material->model->lobe == GLINT_LOBE_MIRROR;
     glint_terms_name(frame, draw, region, is_over_length ? 1 + twice : 0, terms);
     begin_quadratics(part, &t, is_over_length ? &by : 0, terms, polynomials);
     return 1;

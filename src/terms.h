@@ -21,8 +21,7 @@ enum {
     GLINT_CONE,     /* how far within the cone, Q12: 0 at its outer edge, 1 at the inner */
     GLINT_STRENGTH, /* Q14, but for the cone */
     GLINT_LOBE_X,   /* deviation, Q14 times 2^lobe_shift */
-    GLINT_LOBE_Y,
-    GLINT_NUMBERS
+    GLINT_LOBE_Y
 };
 
 /** Light at a point. */
@@ -33,7 +32,8 @@ typedef struct glint_node {
     int16_t normal[3], surface[3]; /* the surface's colours, Q14 */
     uint32_t levels;               /* what all lights that it does not clearly face away from make: in Q4 */
     uint32_t closeness;            /* most of these lights': depth over the distance, Q8 */
-    uint8_t lit, dark;             /* lights that clearly shine on it, and that clearly do not */
+    uint8_t lit, dark;             /* lights that it clearly faces, within their cones, and that it clearly does not */
+    uint8_t outside;               /* lights whose cones it is clearly outside of */
     uint8_t far;                   /* lights whose deviation was cut off */
     uint8_t unfit;                 /* lights without a half vector here */
     uint8_t steep;                 /* lights whose cone was cut off */
@@ -54,18 +54,20 @@ void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[
 
 /** What is known of the light on a region; angles Q12, lights by bits. */
 typedef struct glint_region {
-    uint32_t turn;                         /* of the normals, from corner to corner at most */
-    uint32_t reach;                        /* how far the corners lie apart, over their depth */
-    uint32_t slant;                        /* the change of 1/w, times 1.85 */
-    uint32_t near;                         /* how far they lie apart, over the distance to a light */
-    uint32_t colour;                       /* by how much the surface's colours differ, of 1 */
-    uint32_t levels;                       /* what light makes, Q4 */
-    uint32_t lit, dark, far, unfit, steep; /* at all nodes; at some */
+    uint32_t turn;               /* of the normals, from corner to corner at most */
+    uint32_t reach;              /* how far the corners lie apart, over their depth */
+    uint32_t slant;              /* the change of 1/w, times 1.85 */
+    uint32_t near;               /* how far they lie apart, over the distance to a light */
+    uint32_t colour;             /* by how much the surface's colours differ, of 1 */
+    uint32_t levels;             /* what light makes, Q4 */
+    uint32_t lit, dark, outside; /* as nodes have it, at all of them */
+    uint32_t far, unfit, steep;  /* at some */
     /* what is found */
     int folds;                          /* may sums be multiplied by the surface's colours at nodes? */
     uint32_t held, sides, cones, lobes; /* lights in sums, with terms of their own, of these with cones; highlights */
-    uint32_t plane_error, error,
-        error_over_length; /* of planes, of quadratics, and of those over the normal's length */
+    uint32_t plane_error, error;        /* of planes, and of quadratics */
+    uint32_t error_over_length;         /* of those where numbers are times the normal's length */
+    uint32_t error_between;             /* what is more where nodes between corners are found from these */
 } glint_region;
 
 /** sqrt(x), Q24 to Q12. */
@@ -145,6 +147,9 @@ static inline int32_t glint_sum_at(const glint_terms *terms, int32_t one, int32_
     sum += glint_shift_right(light->ambient[c], 12 + light->sum_bits);
     return glint_shift_right(sum * surface[c] + (1 << 13), 14);
 }
+
+/** What a vertex keeps between its sums and its lights' numbers. */
+#define GLINT_KEPT 5
 
 /** Prepares a material. */
 void glint_terms_prepare(const glint_frame *frame, glint_shading *shading);

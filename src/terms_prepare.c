@@ -137,14 +137,20 @@ static void set_lobes(const glint_frame *frame, const glint_shading *shading, gl
 }
 
 /* Where a vertex keeps what: terms.c. */
-static void place_numbers(const glint_frame *frame, glint_light_terms *terms) {
-    uint32_t at = terms->channels + 4;
+static void place_numbers(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
+    uint32_t at = terms->channels + GLINT_KEPT;
     for (uint32_t i = 0; i < frame->scene->light_count; i++) {
-        terms->lobe_at[i] = (uint8_t)at;
-        if (terms->lobes >> i & 1)
-            at += frame->scene->lights[i].type->illuminate ? 3 : 2;
+        const glint_light_type *type = frame->scene->lights[i].type;
+        const uint32_t side = shading->lights >> i & 1, lobe = terms->lobes >> i & 1;
+        const uint32_t is_kept[GLINT_NUMBERS] = {side, side && frame->view->lights[i].has_cone,
+                                                 lobe && type->illuminate, lobe, lobe && !terms->lobe_is_wide};
+        for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++) {
+            terms->at[i][kind] = (uint8_t)(is_kept[kind] ? at : 0);
+            at += is_kept[kind] != 0;
+        }
     }
     terms->stride = at;
+    terms->light_count = frame->scene->light_count;
 }
 
 /* Can the material's light be held in sums, below 15, and in lobes that are narrow enough? */
@@ -164,5 +170,5 @@ void glint_terms_prepare(const glint_frame *frame, glint_shading *shading) {
     terms->sum_bits = find_sum_bits(frame, shading, terms);
     set_lobes(frame, shading, terms);
     terms->limit = LIMIT * (total > 1 << 12 ? total : 1 << 12) >> 12;
-    place_numbers(frame, terms);
+    place_numbers(frame, shading, terms);
 }
