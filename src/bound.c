@@ -14,6 +14,10 @@
 /* A light nearer than a third of the region's width has no polynomial, Q12. */
 #define TOO_NEAR (3 << 10)
 
+/* Of what 1/w changes by, times 1.85, and of angles: beyond, nothing fits. Q12 */
+#define STEEPEST (1 << 12)
+#define WIDEST (2 << 12)
+
 /* A cone's ramp is to be no longer over a region, Q12. */
 #define LONGEST_RAMP (4 << 12)
 
@@ -36,18 +40,22 @@ void glint_region_measure(const glint_view *view, uint32_t width, uint32_t heigh
     const uint32_t across = (uint32_t)((uint64_t)hypotenuse(width, height) * (uint32_t)view->pixel >> 18);
     const uint32_t slant = w.least > w.change >> 2 ? (w.change << 12) / w.least : 1 << 14;
     region->slant = slant * 474 >> 8;
-    region->reach = hypotenuse(across, slant);
+    region->reach = (uint32_t)glint_least((int32_t)hypotenuse(across, slant), 1 << 14);
 }
 
-/* Products of angles, Q12; saturated. */
+/* Products of angles up to 2, Q12. */
 static inline uint32_t times(uint32_t a, uint32_t b) {
-    const uint64_t product = (uint64_t)a * b >> 12;
-    return product > 1 << 20 ? 1 << 20 : (uint32_t)product;
+    return a * b >> 12;
 }
 
-/* Quadratics err by 0.0275 a (a + b)^2 where the light turns by a, and 1/w changes by b: levels Q4 to Q8. */
-static uint32_t sum_error(uint32_t levels, uint32_t a, uint32_t b) {
-    return (uint32_t)((uint64_t)times(times(a, a + b), a + b) * levels * 1802 >> 24); /* 0.0275 is 1802 2^-16 */
+/* a (a + b)^2, what quadratics err by where something turns by a, and 1/w changes by b. */
+static inline uint32_t cube(uint32_t a, uint32_t b) {
+    return times(times(a, a + b), a + b);
+}
+
+/* 0.0275 of a cube times levels, Q4: Q8. */
+static inline uint32_t of_levels(uint32_t of_cube, uint32_t levels) {
+    return (of_cube * 1802 >> 14) * levels >> 10; /* 0.0275 is 1802 2^-16 */
 }
 
 /*
@@ -56,31 +64,33 @@ static uint32_t sum_error(uint32_t levels, uint32_t a, uint32_t b) {
  */
 static uint32_t plane_sum_error(uint32_t levels, uint32_t turn, uint32_t place, uint32_t b) {
     const uint32_t a = turn + place;
-    return (uint32_t)((uint64_t)(2 * times(a, a) - times(turn, turn) + 4 * times(a, b)) * levels >> 12);
+    return (2 * times(a, a) - times(turn, turn) + 4 * times(a, b)) * levels >> 12;
+}
+
+/* x, Q12, times a highlight's slope, Q8: at most 2^16. */
+static uint32_t with_slope(const glint_light_terms *light, uint32_t x) {
+    const uint32_t product = x * (light->slope >> 2) >> 6;
+    return x > 1 << 14 || product > 1 << 16 ? 1 << 16 : product;
 }
 
 /* A highlight's: |e| falls short as N does, and H turns. */
 static uint32_t plane_lobe_error(const glint_light_terms *light, uint32_t levels, uint32_t turn, uint32_t axis,
                                  uint32_t b) {
-    const uint64_t of_axis =
-        (uint64_t)(2 * times(axis, axis) + 4 * times(turn, axis) + 4 * times(turn + axis, b)) * light->slope >> 8;
-    return (uint32_t)((of_axis + times(turn, turn)) * levels >> 16);
+    const uint32_t of_axis = 2 * times(axis, axis) + 4 * times(turn, axis) + 4 * times(turn + axis, b);
+    return (with_slope(light, of_axis) + times(turn, turn)) * (levels >> 4) >> 12;
 }
 
 /* A deviation at the middle of an edge is found from its ends: what both N and H make of it falls with it. */
 static uint32_t between_error(const glint_light_terms *light, uint32_t levels, uint32_t turn, uint32_t axis,
                               uint32_t b) {
     const uint32_t widest = light->lobe_is_wide ? 1 << 12 : (uint32_t)light->lobe_cut >> light->lobe_shift >> 2;
-    const uint64_t of_axis =
-        (uint64_t)(2 * times(axis, axis) + 4 * times(times(turn, axis), widest) + 4 * times(axis, b)) * light->slope >>
-        8;
-    return (uint32_t)(of_axis * levels >> 16);
+    const uint32_t of_axis = 2 * times(axis, axis) + 4 * times(times(turn, axis), widest) + 4 * times(axis, b);
+    return with_slope(light, of_axis) * (levels >> 4) >> 12;
 }
 
 /* A highlight's by 0.041 s h (h + b)^2, s the highlight's slope over its deviation, and as a sum for its strength. */
 static uint32_t lobe_error(const glint_light_terms *light, uint32_t levels, uint32_t h, uint32_t f, uint32_t b) {
-    const uint64_t of_place = (uint64_t)times(times(h, h + b), h + b) * light->slope >> 8;
-    return (uint32_t)((of_place * 2687 + (uint64_t)times(times(f, f + b), f + b) * 1802) * levels >> 28);
+    return (with_slope(light, cube(h, b) * 2687 >> 14) * (levels >> 4) >> 10) + of_levels(cube(f, b), levels >> 4);
 }
 
 /* The cone's edge may cross a region: by how much its ramp changes from node to node, Q12. */
@@ -125,7 +135,9 @@ void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const gl
 
 uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness,
                            glint_region *region) {
-    region->near = (uint32_t)((uint64_t)region->reach * closeness >> 8);
+    region->near = region->reach * closeness >> 8; /* 14 and 16 bits */
+    region->turn = (uint32_t)glint_least((int32_t)region->turn, 1 << 13);
+    region->near = (uint32_t)glint_least((int32_t)region->near, 1 << 13);
     const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED;
     const int is_wide = times(region->near, region->near) > 8 * CLEARLY_INSIDE; /* a cosine's chord, from arcs */
     const uint32_t dark = region->dark | (is_wide ? 0 : region->outside);
@@ -148,14 +160,28 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
     return lobes;
 }
 
-int glint_region_bound(const glint_frame *frame, const glint_shading *shading, int has_surface, glint_region *region) {
+/* What all highlights of a region make at most, levels in Q8. */
+static uint32_t lobe_levels(const glint_light_terms *light, uint32_t lobes) {
+    uint32_t levels = 0;
+    for (uint32_t l = 0; lobes >> l; l++)
+        if (lobes >> l & 1)
+            levels += light->specular_levels[l];
+    return levels;
+}
+
+/* How far a region's highlights turn about their axes, and these about them. */
+static inline uint32_t lobe_turn(const glint_shading *shading, const glint_region *region) {
+    return shading->material->model->lobe == GLINT_LOBE_MIRROR ? 2 * region->turn : region->turn;
+}
+
+static inline uint32_t lobe_axis(const glint_frame *frame, const glint_region *region) {
+    return region->near + (frame->view->local_viewer ? region->reach : 0);
+}
+
+int glint_region_fits(const glint_frame *frame, const glint_shading *shading, int has_surface, glint_region *region) {
     const glint_light_terms *light = &shading->terms;
-    const int is_mirror = shading->material->model->lobe == GLINT_LOBE_MIRROR;
-    const uint32_t slant = region->slant;
-    uint32_t place = region->near * 362 >> 8;
-    const uint32_t axis = region->near + (frame->view->local_viewer ? region->reach : 0);
-    const uint32_t turn = is_mirror ? 2 * region->turn : region->turn;
-    if (region->near > TOO_NEAR)
+    region->folds = 0;
+    if (region->near > TOO_NEAR || region->slant > STEEPEST)
         return WHY(2);
     if (region->lobes & region->far)
         return WHY(3);
@@ -163,39 +189,53 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, i
         return WHY(4);
     if (region->cones & region->steep)
         return WHY(5);
+    const uint32_t place = region->near * 362 >> 8, turn = region->turn + place + region->colour;
+    if (lobe_turn(shading, region) + lobe_axis(frame, region) > WIDEST || turn > WIDEST)
+        return WHY(7);
     region->folds = has_surface && !region->sides && !(shading->material->flags & GLINT_MATERIAL_MAX) &&
-                    sum_error(region->levels, region->turn + place + region->colour, slant) <= light->limit;
-    if (region->folds)
-        place += region->colour;
-    const uint32_t of_colour = times(region->colour, slant) * (light->ambient_levels + (region->levels << 4)) >> 12;
-    region->plane_error = region->cones || (has_surface && !region->folds) ? UINT32_MAX / 2
-                          : region->folds ? plane_sum_error(region->levels, 0, region->turn + place, slant)
-                                          : plane_sum_error(region->levels, region->turn, place, slant);
-    region->error = sum_error(region->levels, region->turn + place, slant) + (times(of_colour, slant) >> 5);
-    region->error_over_length = sum_error(region->levels, place, slant) + (times(of_colour, slant) >> 5);
-    region->plane_error += of_colour >> 2;
+                    of_levels(cube(turn, region->slant), region->levels) <= light->limit;
+    region->place = place + (region->folds ? region->colour : 0);
+    region->of_colour = times(region->colour, region->slant) * ((light->ambient_levels >> 4) + region->levels) >> 8;
+    return 1;
+}
+
+uint32_t glint_plane_error(const glint_frame *frame, const glint_shading *shading, int has_surface,
+                           const glint_region *region) {
+    const glint_light_terms *light = &shading->terms;
+    const uint32_t longer = region->folds ? 0 : region->turn;
+    if (region->cones || (has_surface && !region->folds) || (region->lobes && light->lobe_is_wide))
+        return UINT32_MAX;
+    uint32_t error = plane_sum_error(region->levels, longer, region->turn - longer + region->place, region->slant) +
+                     (region->of_colour >> 2);
+    if (region->lobes)
+        error += plane_lobe_error(light, lobe_levels(light, region->lobes), lobe_turn(shading, region),
+                                  lobe_axis(frame, region), region->slant);
+    return error;
+}
+
+int glint_region_bound(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
+    const glint_light_terms *light = &shading->terms;
+    const uint32_t slant = region->slant, levels = lobe_levels(light, region->lobes), axis = lobe_axis(frame, region),
+                   turn = lobe_turn(shading, region);
+    const uint32_t of_colour = times(region->of_colour, slant) >> 5;
+    region->error = of_levels(cube(region->turn + region->place, slant), region->levels) + of_colour;
+    region->error_over_length = of_levels(cube(region->place, slant), region->levels) + of_colour;
     region->error_between = 0;
-    for (uint32_t l = 0, apart = region->lobes | region->cones; apart >> l; l++) {
-        const uint32_t levels = light->specular_levels[l];
-        if (region->lobes >> l & 1) {
-            region->plane_error += plane_lobe_error(light, levels, turn, axis, slant);
-            region->error += lobe_error(light, levels, turn + axis, region->near, slant);
-            region->error_over_length += lobe_error(light, levels, axis, region->near, slant);
-            region->error_between += between_error(light, levels, turn, axis, slant);
-            if (light->lobe_is_wide)
-                region->plane_error = UINT32_MAX / 2;
-        }
+    if (levels) {
+        region->error += lobe_error(light, levels, turn + axis, region->near, slant);
+        region->error_over_length += lobe_error(light, levels, axis, region->near, slant);
+        region->error_between = between_error(light, levels, turn, axis, slant);
+    }
+    for (uint32_t l = 0; region->cones >> l; l++)
         if (region->cones >> l & 1) {
-            const uint32_t ramp = ramp_of(&frame->view->lights[l], region);
+            const uint32_t ramp = ramp_of(&frame->view->lights[l], region), place = region->near + slant;
             if (ramp > LONGEST_RAMP)
                 return WHY(6);
-            const uint32_t error = (uint32_t)((uint64_t)times(times(ramp, region->near + slant), region->near + slant) *
-                                                  (light->diffuse_levels[l] >> 4) * 2703 >>
-                                              24); /* the smooth step's slope is 1.5 */
+            const uint32_t error = 3 * of_levels(times(times(ramp, place), place), light->diffuse_levels[l] >> 4) /
+                                   2; /* the step's slope */
             region->error += error;
             region->error_over_length += error;
         }
-    }
     return 1;
 }
 

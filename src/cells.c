@@ -85,7 +85,7 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, glint_n
     for (uint32_t l = 0; lobes >> l; l++)
         if (lobes >> l & 1)
             glint_region_add_lobe(region, l, region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, nodes, l));
-    if (!glint_region_bound(frame, shading, draw->extra != 0, region))
+    if (!glint_region_fits(frame, shading, draw->extra != 0, region) || !glint_region_bound(frame, shading, region))
         return 0;
     return region->error <= 2 * shading->terms.limit || WHY(9);
 }

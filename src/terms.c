@@ -85,7 +85,7 @@ typedef struct candidate {
     glint_region region;
 } candidate;
 
-static void measure(const glint_view *view, const glint_triangle *triangle, candidate *t) {
+static inline void measure(const glint_view *view, const glint_triangle *triangle, candidate *t) {
     glint_region *region = &t->region;
     const glint_vertex *const *v = triangle->corners;
     const int16_t *a = v[0]->attribute, *b = v[1]->attribute, *c = v[2]->attribute;
@@ -143,7 +143,8 @@ static uint32_t find_surface(const glint_triangle *triangle, candidate *t) {
 }
 
 /* Sets a triangle's region from what its corners keep. @return 0 where no polynomials fit */
-static int find_region(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle, candidate *t) {
+static inline int find_region(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
+                              candidate *t) {
     const glint_shading *shading = draw->shading;
     const glint_light_terms *light = &shading->terms;
     glint_region *region = &t->region;
@@ -169,7 +170,7 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, const g
     for (uint32_t l = 0; lobes >> l; l++)
         if (lobes >> l & 1)
             glint_region_add_lobe(region, l, region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, t, l));
-    return glint_region_bound(frame, shading, t->has_surface, region);
+    return glint_region_fits(frame, shading, t->has_surface, region);
 }
 
 /* ---- Nodes ---- */
@@ -207,7 +208,7 @@ static void find_shares(const glint_triangle *triangle, candidate *t) {
         const uint32_t reciprocal = (uint32_t)glint_reciprocal16(wa + wb < 1u << 15 ? 1u << 15 : wa + wb);
         const uint32_t of_a = wa * reciprocal >> 16, of_b = wb * reciprocal >> 16;                   /* Q15 */
         const uint32_t r = (of_a * of_b >> 15) * (uint32_t)glint_shift_right(t->apart[e], 11) >> 15; /* Q15 */
-        const uint32_t longer = (1u << 15) + (r >> 1) + (3 * (r * r >> 15) >> 3);
+        const uint32_t longer = (1u << 15) + (r * ((1u << 14) + (r * ((3u << 12) + (r * 5 >> 4)) >> 15)) >> 15);
         t->share[e][0] = (int32_t)(of_a * longer >> 15);
         t->share[e][1] = (int32_t)(of_b * longer >> 15);
     }
@@ -318,15 +319,20 @@ static void begin_plane(glint_quadratic *q, const glint_gradients *g, int32_t a,
 }
 
 /* A light's numbers at the nodes, the first so many. */
-static void take_numbers(const glint_light_terms *light, const candidate *t, uint32_t l, uint32_t kind, int count,
-                         int32_t n[6]) {
+static inline void take_numbers(const glint_light_terms *light, const candidate *t, uint32_t l, uint32_t kind,
+                                int count, int32_t n[6]) {
     for (int i = 0; i < 3; i++)
         n[i] = t->kept[i][light->at[l][kind]];
     for (int e = 0; 3 + e < count; e++)
         n[3 + e] = t->is_between ? mix(t, e, n[ends[e][0]], n[ends[e][1]]) : t->middle[e].number[l][kind];
 }
 
-static void take_sums(const glint_terms *terms, const candidate *t, int c, int count, int32_t n[6]) {
+static inline void take_sums(const glint_terms *terms, const candidate *t, int c, int count, int32_t n[6]) {
+    if (!terms->is_channels) {
+        for (int i = 0; i < count; i++)
+            n[i] = t->sum[i][c];
+        return;
+    }
     for (int i = 0; i < count; i++)
         n[i] = glint_sum_at(terms, t->sum[i][0], t->sum[i][c], c, t->has_surface ? t->surface[i] : 0);
 }
@@ -429,7 +435,7 @@ static int is_between(const glint_frame *frame, const glint_shading *shading, co
     uint32_t positions = 0;
     for (uint32_t l = 0, shown = region->held | region->sides | region->lobes; shown >> l; l++)
         positions |= shown >> l & 1 && frame->view->lights[l].type->illuminate;
-    return !positions && !(region->lobes && shading->material->model->lobe == GLINT_LOBE_MIRROR) && region->turn < 2048;
+    return !positions && !(region->lobes && shading->material->model->lobe == GLINT_LOBE_MIRROR) && region->turn < 3072;
 }
 
 int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
@@ -444,18 +450,21 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     if (!find_region(frame, draw, triangle, &t))
         return REJECT(4);
     sum_corners(&shading->terms, &t);
-    if (region->plane_error <= limit) {
+    if (glint_plane_error(frame, shading, t.has_surface, region) <= limit) {
         (void)REJECT(10);
         glint_terms_name(frame, draw, region, 0, terms);
         terms->is_curved = 0;
         begin_planes(part, &t, region->folds ? 0 : (int32_t)(region->turn * region->turn >> 13), terms, polynomials);
         return 1;
     }
-    t.is_between = (uint8_t)is_between(frame, shading, region);
-    const uint32_t more = t.is_between ? region->error_between : 0;
-    const int is_over_length = region->error + more > 2 * limit;
-    if (is_over_length && (region->error_over_length + more > limit || !find_lengths(triangle, &by)))
+    if (!glint_region_bound(frame, shading, &t.region))
+        return REJECT(5);
+    const int is_over_length = region->error > 2 * limit;
+    const uint32_t error = is_over_length ? region->error_over_length : region->error,
+                   most = is_over_length ? limit : 2 * limit;
+    if (error > most || (is_over_length && !find_lengths(triangle, &by)))
         return REJECT(6);
+    t.is_between = error + region->error_between <= most && is_between(frame, shading, region);
     if (!find_middles(frame, draw, triangle, &t))
         return REJECT(8);
     (void)REJECT(is_over_length ? 11 : 12);

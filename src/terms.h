@@ -65,7 +65,8 @@ typedef struct glint_region {
     /* what is found */
     int folds;                          /* may sums be multiplied by the surface's colours at nodes? */
     uint32_t held, sides, cones, lobes; /* lights in sums, with terms of their own, of these with cones; highlights */
-    uint32_t plane_error, error;        /* of planes, and of quadratics */
+    uint32_t place, of_colour;          /* what sums turn by but for the normals, and what colours make over w */
+    uint32_t error;                     /* of quadratics, levels in Q8 */
     uint32_t error_over_length;         /* of those where numbers are times the normal's length */
     uint32_t error_between;             /* what is more where nodes between corners are found from these */
 } glint_region;
@@ -88,8 +89,15 @@ void glint_region_measure(const glint_view *view, uint32_t width, uint32_t heigh
 uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness,
                            glint_region *region);
 
-/** Sets how far polynomials may be off. @return 0 where none fit */
-int glint_region_bound(const glint_frame *frame, const glint_shading *shading, int has_surface, glint_region *region);
+/** May polynomials fit at all? Then sets what error is found from. */
+int glint_region_fits(const glint_frame *frame, const glint_shading *shading, int has_surface, glint_region *region);
+
+/** How far planes may be off, levels in Q8. */
+uint32_t glint_plane_error(const glint_frame *frame, const glint_shading *shading, int has_surface,
+                           const glint_region *region);
+
+/** Sets how far quadratics may be off. @return 0 where none fit */
+int glint_region_bound(const glint_frame *frame, const glint_shading *shading, glint_region *region);
 
 /** Between nodes whose deviations are x, y, x + y and x - y from least to most, a highlight shows, or not, or unclear.
  */
