@@ -106,19 +106,19 @@ static void draw_fragments(const walk *w, int32_t x, int32_t y, int32_t size) {
 
 /* ---- Cells ---- */
 
-/* Draws the runs of a row of a cell, pixel x, y of the tile. */
-static void draw_row(const walk *w, const glint_terms *terms, const glint_descent *polynomials, uint32_t visible,
-                     int32_t x, int32_t y) {
-    const uint32_t offset = ((uint32_t)y << w->frame->tile_shift_x) + (uint32_t)x;
-    while (visible) {
-        uint32_t first = 0, count = 0;
-        while (!(visible >> first & 1))
-            first++;
-        while (visible >> (first + count) & 1)
+/* Finds the runs of a square's row. @return where the next goes */
+static glint_run *find_runs(uint32_t visible, uint32_t y, uint32_t *pixels, glint_run *run) {
+    for (uint32_t x = 0; visible >> x;) {
+        uint32_t count = 0;
+        while (!(visible >> x & 1))
+            x++;
+        while (visible >> (x + count) & 1)
             count++;
-        visible &= ~0u << (first + count);
-        glint_terms_draw_run(w->frame, w->workspace, terms, polynomials, first, count, offset + first);
+        *run++ = (glint_run){(uint8_t)x, (uint8_t)y, (uint8_t)count};
+        x += count;
+        *pixels += count;
     }
+    return run;
 }
 
 /* Draws a square of a cell by polynomials through nodes 2^shift pixels apart. @return 0 where they are not close enough
@@ -131,10 +131,16 @@ static int draw_square(const walk *w, int32_t x, int32_t y, unsigned shift, glin
         return 0;
     const int fits = glint_cell_begin(w->frame, w->draw, nodes, shift, &terms, polynomials);
     (void)REJECT((fits ? 20 : 30) + (int)shift);
+    glint_run runs[CELL], *next = runs;
+    const uint32_t offset = ((uint32_t)(w->y + y) << w->frame->tile_shift_x) + (uint32_t)(w->x + x);
+    uint32_t pixels = 0;
     for (int32_t j = 0; j < size && fits; j++) {
-        draw_row(w, &terms, polynomials, row_of(w, x, y + j, size), w->x + x, w->y + y + j);
-        for (uint32_t k = 0; k < terms.end; k++)
-            glint_descent_next(&polynomials[k]);
+        next = find_runs(row_of(w, x, y + j, size), (uint32_t)j, &pixels, next);
+        if (next > runs + CELL / 2 || pixels > w->frame->config.tile_width || j == size - 1) {
+            glint_terms_draw(w->frame, w->workspace, &terms, polynomials, runs, (uint32_t)(next - runs), offset);
+            next = runs;
+            pixels = 0;
+        }
     }
     return fits;
 }

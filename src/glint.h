@@ -507,7 +507,7 @@ typedef struct glint_workspace {
     void *pixels;  /**< The finished tile. */
     size_t stride; /**< Bytes from row to row. */
     uint16_t *depth;
-    int32_t (*row)[3];  /* a tile's row of colours */
+    int32_t (*row)[3];  /* colours of as many pixels as two rows of a tile have */
     glint_drawn *drawn; /**< Null, or GLINT_KERNELS counters of the caller's, added to. */
 } glint_workspace;
 

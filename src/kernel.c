@@ -8,52 +8,47 @@
 
 /* ---- Triangles ---- */
 
-/* Pixels of a row that are nearer than what was there, from one to before another. */
-typedef struct run {
-    uint8_t first, end;
-} run;
-
 typedef struct source source;
 
-/* Draws a run of row y. */
+/* Draws runs of a part. */
 typedef void drawer(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
-                    run at, uint32_t y);
+                    const glint_run *runs, uint32_t count);
 
 /* What the colours of a triangle's pixels come from. */
 struct source {
-    drawer *draw_run;
-    const glint_quadratic *channels; /* of draw_channel_run */
-    const glint_terms *terms;        /* of draw_terms_run, and its polynomials */
-    glint_descent *polynomials;
-    uint32_t polynomial_count;
+    drawer *draw;
+    const glint_quadratic *channels; /* of draw_channels */
+    const glint_terms *terms;        /* of draw_terms, and its polynomials */
+    const glint_descent *polynomials;
     int is_deep;
 };
 
 /* ---- Rows ---- */
 
-/* Finds the runs of a span, and stores their depth; 1/w is given with GLINT_DEPTH_BIAS. @return how many */
-static inline uint32_t find_runs(uint16_t *depth, glint_span span, uint32_t z, uint32_t z_dx, run *runs) {
-    uint32_t count = 0, column = span.left;
+/* Finds the runs of a span, and stores their depth; 1/w is given with GLINT_DEPTH_BIAS. @return where the next goes */
+static inline glint_run *find_runs(uint16_t *depth, glint_span span, uint32_t z, uint32_t z_dx, uint32_t y,
+                                   glint_run *run) {
+    uint32_t column = span.left;
     while (column < span.right) {
         while (z >> 15 <= depth[column]) {
             z += z_dx;
             if (++column == span.right)
-                return count;
+                return run;
         }
-        runs[count].first = (uint8_t)column;
+        const uint32_t first = column;
         do {
             depth[column] = (uint16_t)(z >> 15);
             z += z_dx;
             column++;
         } while (column < span.right && z >> 15 > depth[column]);
-        runs[count++].end = (uint8_t)column;
+        *run++ = (glint_run){(uint8_t)first, (uint8_t)y, (uint8_t)(column - first)};
     }
-    return count;
+    return run;
 }
 
 /* The same where 1/w may be below 0, as of a deep triangle's planes; and shorter. */
-static uint32_t find_deep_runs(uint16_t *depth, glint_span span, uint32_t z, uint32_t z_dx, run *runs) {
-    run *next = runs;
+static glint_run *find_deep_runs(uint16_t *depth, glint_span span, uint32_t z, uint32_t z_dx, uint32_t y,
+                                 glint_run *run) {
     uint32_t end = GLINT_TILE_MAX;
     for (uint32_t column = span.left; column < span.right; column++, z += z_dx) {
         const uint32_t here = (uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS) >> 15;
@@ -61,63 +56,73 @@ static uint32_t find_deep_runs(uint16_t *depth, glint_span span, uint32_t z, uin
             continue;
         depth[column] = (uint16_t)here;
         if (column != end)
-            (next++)->first = (uint8_t)column;
+            *run++ = (glint_run){(uint8_t)column, (uint8_t)y, 0};
         end = column + 1;
-        next[-1].end = (uint8_t)end;
+        run[-1].count++;
     }
-    return (uint32_t)(next - runs);
+    return run;
 }
 
-static void store_run(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
-                      run at, uint32_t y) {
+/* Stores colours of one after the other. */
+static void store_runs(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
+                       const glint_run *runs, uint32_t count) {
     (void)from;
     (void)part;
-    frame->config.format->store(workspace->pixels, frame->tile_shift_x, (y << frame->tile_shift_x) + at.first,
-                                (uint32_t)at.end - at.first, (const int32_t(*)[3])workspace->row);
+    for (const glint_run *const end = runs + count; runs != end; runs++)
+        frame->config.format->store(workspace->pixels, frame->tile_shift_x,
+                                    ((uint32_t)runs->y << frame->tile_shift_x) + runs->x, runs->count,
+                                    (const int32_t(*)[3])workspace->row);
 }
 
-static void draw_channel_run(const glint_frame *frame, glint_workspace *workspace, const source *from,
-                             const glint_part *part, run at, uint32_t y) {
-    const uint32_t count = (uint32_t)at.end - at.first;
-    for (int c = 0; c < 3; c++) {
-        const glint_quadratic *q = &from->channels[c];
-        glint_stride s = glint_stride_begin(q, part->x + at.first, part->y + (int32_t)y);
-        for (uint32_t i = 0; i < count; i++) {
-            workspace->row[i][c] = (int32_t)s.value;
-            glint_stride_next(&s, q);
+static void draw_channels(const glint_frame *frame, glint_workspace *workspace, const source *from,
+                          const glint_part *part, const glint_run *runs, uint32_t count) {
+    for (const glint_run *const end = runs + count; runs != end; runs++) {
+        for (int c = 0; c < 3; c++) {
+            const glint_quadratic *q = &from->channels[c];
+            glint_stride s = glint_stride_begin(q, part->x + runs->x, part->y + runs->y);
+            for (uint32_t i = 0; i < runs->count; i++) {
+                workspace->row[i][c] = (int32_t)s.value;
+                glint_stride_next(&s, q);
+            }
         }
+        if (frame->config.gamma)
+            glint_finish_colours(&frame->config, workspace->row, runs->count);
+        store_runs(frame, workspace, from, part, runs, 1);
     }
-    if (frame->config.gamma)
-        glint_finish_colours(&frame->config, workspace->row, count);
-    store_run(frame, workspace, from, part, at, y);
 }
 
-static void draw_terms_run(const glint_frame *frame, glint_workspace *workspace, const source *from,
-                           const glint_part *part, run at, uint32_t y) {
+static void draw_terms(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
+                       const glint_run *runs, uint32_t count) {
     (void)part;
-    glint_terms_draw_run(frame, workspace, from->terms, from->polynomials, at.first, (uint32_t)at.end - at.first,
-                         (y << frame->tile_shift_x) + at.first);
+    glint_terms_draw(frame, workspace, from->terms, from->polynomials, runs, count, 0);
 }
 
-/* Draws a part by runs. @return pixels of its spans */
+/* Most runs of a row, and of two. */
+#define ROW_RUNS ((GLINT_TILE_MAX + 1) / 2)
+
+/* Draws a part by runs, of as many rows at once as two rows of a tile have pixels. @return pixels of its spans */
 static uint32_t draw_runs(const glint_frame *frame, glint_workspace *workspace, const source *from,
                           const glint_part *part) {
-    run runs[(GLINT_TILE_MAX + 1) / 2];
-    uint32_t covered = 0;
+    glint_run runs[2 * ROW_RUNS], *next = runs;
+    uint32_t covered = 0, pixels = 0;
     for (uint32_t y = part->top; y < part->bottom; y++) {
         const glint_span span = part->spans[y];
-        const uint32_t z_dx = (uint32_t)part->depth.dx;
+        const uint32_t z_dx = (uint32_t)part->depth.dx, width = (uint32_t)span.right - span.left;
         const uint32_t z =
             (uint32_t)glint_plane_at(&part->depth, part->x + span.left, part->y + (int32_t)y) + GLINT_DEPTH_BIAS;
         uint16_t *const depth = workspace->depth + (y << frame->tile_shift_x);
-        const uint32_t count = GLINT_SMALL || from->is_deep ? find_deep_runs(depth, span, z, z_dx, runs)
-                                                            : find_runs(depth, span, z, z_dx, runs);
-        covered += (uint32_t)span.right - span.left;
-        for (uint32_t i = 0; i < count; i++)
-            from->draw_run(frame, workspace, from, part, runs[i], y);
-        for (uint32_t i = 0; i < from->polynomial_count; i++)
-            glint_descent_next(&from->polynomials[i]);
+        covered += width;
+        pixels += width;
+        if (pixels > 2 * frame->config.tile_width || next > runs + ROW_RUNS) {
+            from->draw(frame, workspace, from, part, runs, (uint32_t)(next - runs));
+            next = runs;
+            pixels = width;
+        }
+        next = GLINT_SMALL || from->is_deep ? find_deep_runs(depth, span, z, z_dx, y, next)
+                                            : find_runs(depth, span, z, z_dx, y, next);
     }
+    if (next != runs)
+        from->draw(frame, workspace, from, part, runs, (uint32_t)(next - runs));
     return covered;
 }
 
@@ -140,7 +145,7 @@ static void draw_even(const glint_frame *frame, glint_workspace *workspace, cons
         const glint_spans spans = glint_spans_of(frame, workspace, part);
         frame->config.format->draw_even(&spans, colour[0]);
     } else {
-        const source from = {.draw_run = store_run, .is_deep = is_deep};
+        const source from = {.draw = store_runs, .is_deep = is_deep};
         for (uint32_t i = 0; i < frame->config.tile_width; i++)
             for (int c = 0; c < 3; c++)
                 workspace->row[i][c] = colour[0][c];
@@ -188,10 +193,9 @@ void glint_draw_terms(const glint_frame *frame, glint_workspace *workspace, cons
         return;
     }
     glint_descent descents[GLINT_POLYNOMIALS_MAX];
-    const source from = {
-        .draw_run = draw_terms_run, .terms = &terms, .polynomials = descents, .polynomial_count = terms.end};
+    const source from = {.draw = draw_terms, .terms = &terms, .polynomials = descents};
     for (uint32_t i = 0; i < terms.end; i++)
-        glint_descent_begin(&descents[i], &polynomials[i], part->x, part->y + (int32_t)part->top);
+        glint_descent_begin(&descents[i], &polynomials[i], part->x, part->y);
     glint_count(workspace, GLINT_KERNEL_CHANNELS, draw_runs(frame, workspace, &from, part));
 }
 
@@ -303,7 +307,7 @@ void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const 
         const glint_spans spans = glint_spans_of(frame, workspace, part);
         format->draw_channels(&spans, channels, how == FITS_QUADRATICS);
     } else {
-        const source from = {.draw_run = draw_channel_run, .channels = channels};
+        const source from = {.draw = draw_channels, .channels = channels};
         draw_runs(frame, workspace, &from, part);
     }
     if (workspace->drawn)

@@ -51,19 +51,13 @@ static inline void glint_descent_begin(glint_descent *d, const glint_quadratic *
     d->step_turn = 0;
 }
 
-/** To the next row. */
-static inline void glint_descent_next(glint_descent *d) {
-    d->row.value += d->down.value;
-    d->row.step += d->down.step;
-    d->row.turn += d->down.turn;
-    d->down.value += d->value_turn;
-    d->down.step += d->step_turn;
-}
-
-/** A row's progress from a later column on. */
-static inline glint_progress glint_progress_from(const glint_progress *p, uint32_t column) {
-    return (glint_progress){p->value + p->step * column + p->turn * (column * (column - 1) >> 1),
-                            p->step + p->turn * column, p->turn};
+/** Its progress along row y from column x on. */
+static inline glint_progress glint_progress_at(const glint_descent *d, uint32_t x, uint32_t y) {
+    const uint32_t down = y * (y - 1) >> 1, turn = d->row.turn + d->down.turn * y,
+                   step = d->row.step + d->down.step * y + d->step_turn * down;
+    return (glint_progress){d->row.value + d->down.value * y + d->value_turn * down + step * x +
+                                turn * (x * (x - 1) >> 1),
+                            step + turn * x, turn};
 }
 
 /** To another column. */

@@ -1,106 +1,110 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows: what a region's terms make of pixels that follow each other. */
+/* Runs: what a region's terms make of pixels, run by run and term by term. */
 #include "light.h"
 #include "terms.h"
 
 /* 1 / |M|, Q15, of pixels; or null: then it is 1. */
 typedef const uint16_t *inverses;
 
-static inline int32_t over(int32_t number, inverses inverse, uint32_t i) {
-    return inverse ? glint_shift_right(number * inverse[i], 15) : number;
-}
-
 static inline void go_on(glint_progress *p) {
     p->value += p->step;
     p->step += p->turn;
 }
 
-/* Pixels of a row on their way. */
-typedef struct pixels {
-    uint32_t first, count; /* from this column of the polynomials on */
+/* Pixels on their way, run after run. */
+typedef struct pixel_runs {
+    const glint_run *runs, *end;
     inverses inverse;
     int32_t (*row)[3];
-} pixels;
+} pixel_runs;
 
-static inline glint_progress start(const glint_descent *polynomial, const pixels *to) {
-    return glint_progress_from(&polynomial->row, to->first);
+static inline glint_progress start(const glint_descent *polynomial, const glint_run *run) {
+    return glint_progress_at(polynomial, run->x, run->y);
 }
 
-/* A number at pixel i. */
-static inline int32_t at(const glint_descent *polynomial, const pixels *to, uint32_t i) {
-    return (int32_t)glint_progress_from(&polynomial->row, to->first + i).value;
+/* A number at pixel i of a run. */
+static inline int32_t at(const glint_descent *polynomial, const glint_run *run, uint32_t i) {
+    return (int32_t)glint_progress_at(polynomial, run->x + i, run->y).value;
 }
 
-static void find_inverses(glint_progress square, uint32_t count, uint16_t *inverse) {
-    for (uint32_t i = 0; i < count; i++, go_on(&square)) {
-        const int32_t entry = glint_shift_right((int32_t)square.value, 20) - 256; /* M.M is Q30 */
-        inverse[i] = glint_root_table[glint_least(glint_most(entry, 0), 767)];
+static void find_inverses(const glint_descent *square, const pixel_runs *to, uint16_t *inverse) {
+    for (const glint_run *run = to->runs; run != to->end; run++) {
+        glint_progress p = start(square, run);
+        for (uint32_t n = run->count; n; n--, go_on(&p)) {
+            const int32_t entry = glint_shift_right((int32_t)p.value, 20) - 256; /* M.M is Q30 */
+            *inverse++ = glint_root_table[glint_least(glint_most(entry, 0), 767)];
+        }
     }
 }
 
 /* ---- Sums ---- */
 
-/* Sets colours to a base and a sum of one chroma. */
-static void begin_with_chroma(const glint_terms *terms, const glint_descent *sum, const int32_t base[3],
-                              const pixels *to) {
+/* Sets colours to a base and a sum of one chroma; `is_over` is a constant where this is inlined. */
+static inline void begin_with_chroma(const glint_terms *terms, const glint_descent *sum, const int32_t base[3],
+                                     const pixel_runs *to, int is_over) {
     const unsigned up = terms->light->sum_bits;
     const int32_t *const chroma = terms->light->chroma;
     const int32_t by_red = chroma[0] << up, by_green = chroma[1] << up, by_blue = chroma[2] << up;
     const int32_t red = base[0], green = base[1], blue = base[2];
-    glint_progress p = start(sum, to);
-    int32_t(*row)[3] = to->row, (*const end)[3] = row + to->count;
+    int32_t(*row)[3] = to->row;
     inverses inverse = to->inverse;
-    if (inverse)
-        for (; row != end; row++, go_on(&p)) {
-            const int32_t amount = glint_shift_right(glint_shift_right((int32_t)p.value, 16) * *inverse++, 15);
+    for (const glint_run *run = to->runs; run != to->end; run++) {
+        glint_progress p = start(sum, run);
+        for (int32_t(*const end)[3] = row + run->count; row != end; row++, go_on(&p)) {
+            int32_t amount = glint_shift_right((int32_t)p.value, 16);
+            if (is_over)
+                amount = glint_shift_right(amount * *inverse++, 15);
             (*row)[0] = red + amount * by_red;
             (*row)[1] = green + amount * by_green;
             (*row)[2] = blue + amount * by_blue;
         }
-    else
-        for (; row != end; row++, go_on(&p)) {
-            const int32_t amount = glint_shift_right((int32_t)p.value, 16);
-            (*row)[0] = red + amount * by_red;
-            (*row)[1] = green + amount * by_green;
-            (*row)[2] = blue + amount * by_blue;
-        }
+    }
 }
 
 /* Sets colours to a base and three channels. */
-static void begin_with_channels(const glint_descent sum[3], const int32_t base[3], const pixels *to) {
-    glint_progress red = start(&sum[0], to), green = start(&sum[1], to), blue = start(&sum[2], to);
-    red.value += (uint32_t)base[0];
-    green.value += (uint32_t)base[1];
-    blue.value += (uint32_t)base[2];
-    for (int32_t(*row)[3] = to->row, (*const end)[3] = row + to->count; row != end; row++) {
-        (*row)[0] = (int32_t)red.value;
-        (*row)[1] = (int32_t)green.value;
-        (*row)[2] = (int32_t)blue.value;
-        go_on(&red);
-        go_on(&green);
-        go_on(&blue);
+static void begin_with_channels(const glint_descent sum[3], const int32_t base[3], const pixel_runs *to) {
+    int32_t(*row)[3] = to->row;
+    for (const glint_run *run = to->runs; run != to->end; run++) {
+        glint_progress red = start(&sum[0], run), green = start(&sum[1], run), blue = start(&sum[2], run);
+        red.value += (uint32_t)base[0];
+        green.value += (uint32_t)base[1];
+        blue.value += (uint32_t)base[2];
+        for (int32_t(*const end)[3] = row + run->count; row != end; row++) {
+            (*row)[0] = (int32_t)red.value;
+            (*row)[1] = (int32_t)green.value;
+            (*row)[2] = (int32_t)blue.value;
+            go_on(&red);
+            go_on(&green);
+            go_on(&blue);
+        }
     }
 }
 
 /* The same over |M|. */
-static void begin_with_channels_over(const glint_descent sum[3], const int32_t base[3], const pixels *to) {
+static void begin_with_channels_over(const glint_descent sum[3], const int32_t base[3], const pixel_runs *to) {
     for (int c = 0; c < 3; c++) {
-        glint_progress channel = start(&sum[c], to);
-        for (uint32_t i = 0; i < to->count; i++, go_on(&channel))
-            to->row[i][c] = base[c] + glint_shift_right((int32_t)channel.value, 13) * (to->inverse[i] >> 1) / 2;
+        int32_t(*row)[3] = to->row;
+        inverses inverse = to->inverse;
+        for (const glint_run *run = to->runs; run != to->end; run++) {
+            glint_progress channel = start(&sum[c], run);
+            for (uint32_t n = run->count; n; n--, row++, go_on(&channel))
+                (*row)[c] = base[c] + glint_shift_right((int32_t)channel.value, 13) * (*inverse++ >> 1) / 2;
+        }
     }
 }
 
 /* Sets colours to sums of light, and what is added to all. */
-static void begin(const glint_terms *terms, const glint_descent *sum, const pixels *to) {
+static void begin(const glint_terms *terms, const glint_descent *sum, const pixel_runs *to) {
     const glint_light_terms *light = terms->light;
     int32_t base[3];
     for (int c = 0; c < 3; c++) {
         base[c] = terms->has_surface || (terms->is_channels && !to->inverse) ? 0 : light->half[c];
         base[c] += terms->is_channels || terms->takes_largest ? 0 : light->ambient[c];
     }
-    if (terms->sums == 1)
-        begin_with_chroma(terms, sum, base, to);
+    if (terms->sums == 1 && to->inverse)
+        begin_with_chroma(terms, sum, base, to, 1);
+    else if (terms->sums == 1)
+        begin_with_chroma(terms, sum, base, to, 0);
     else if (to->inverse)
         begin_with_channels_over(sum, base, to);
     else
@@ -137,49 +141,60 @@ static inline int32_t smooth_step(int32_t value) {
 }
 
 /* Adds a light where it shines. */
-static void add_side(const light_parts *of, const int32_t weight[3], const pixels *to) {
-    glint_progress cosine = start(of->side, to);
-    for (uint32_t i = 0; i < to->count; i++, go_on(&cosine)) {
-        if ((int32_t)cosine.value <= 0)
-            continue;
-        int32_t amount = over((int32_t)(cosine.value >> 15), to->inverse, i);
-        if (of->cone)
-            amount = glint_shift_right(amount * smooth_step(at(of->cone, to, i)), 15);
-        add(to->row[i], amount, weight);
+static void add_side(const light_parts *of, const int32_t weight[3], const pixel_runs *to) {
+    int32_t(*row)[3] = to->row;
+    inverses inverse = to->inverse;
+    for (const glint_run *run = to->runs; run != to->end; run++) {
+        glint_progress cosine = start(of->side, run);
+        for (uint32_t i = 0; i < run->count; i++, row++, go_on(&cosine)) {
+            const uint32_t over = inverse ? *inverse++ : 1u << 15;
+            if ((int32_t)cosine.value <= 0)
+                continue;
+            int32_t amount = glint_shift_right((int32_t)((cosine.value >> 15) * over), 15);
+            if (of->cone)
+                amount = glint_shift_right(amount * smooth_step(at(of->cone, run, i)), 15);
+            add(*row, amount, weight);
+        }
     }
 }
 
 /* What distance, terminator and cone leave of a highlight at a pixel. */
-static int32_t weaken(int32_t power, const light_parts *of, int is_ungated, const pixels *to, uint32_t i) {
-    if (of->side && !is_ungated && at(of->side, to, i) <= 0)
+static int32_t weaken(int32_t power, const light_parts *of, int is_ungated, const glint_run *run, uint32_t i) {
+    if (of->side && !is_ungated && at(of->side, run, i) <= 0)
         return 0;
     if (of->strength)
-        power = glint_shift_right(power * glint_most(glint_shift_right(at(of->strength, to, i), 15), 0), 15);
-    return of->cone ? glint_shift_right(power * smooth_step(at(of->cone, to, i)), 15) : power;
+        power = glint_shift_right(power * glint_most(glint_shift_right(at(of->strength, run, i), 15), 0), 15);
+    return of->cone ? glint_shift_right(power * smooth_step(at(of->cone, run, i)), 15) : power;
 }
 
 /* Adds a highlight; `general` is a constant where this is inlined. */
 static inline void add_lobe_inline(const glint_terms *terms, const light_parts *of, const int32_t weight[3],
-                                   const pixels *to, int general) {
-    glint_progress x = start(&of->lobe[0], to), y = start(&of->lobe[1], to);
+                                   const pixel_runs *to, int general) {
     const uint32_t end = terms->light->lobe_end;
     const unsigned shift = 2 * terms->light->lobe_shift;
     int32_t(*row)[3] = to->row;
-    for (uint32_t i = 0; i < to->count; i++, row++, go_on(&x), go_on(&y)) {
-        int32_t dx = glint_shift_right((int32_t)x.value, 16), dy = glint_shift_right((int32_t)y.value, 16);
-        for (uint32_t n = general ? terms->is_over_length : 0; n; n--) {
-            dx = over(dx, to->inverse, i);
-            dy = over(dy, to->inverse, i);
+    inverses inverse = to->inverse;
+    for (const glint_run *run = to->runs; run != to->end; run++) {
+        glint_progress x = start(&of->lobe[0], run), y = start(&of->lobe[1], run);
+        for (uint32_t i = 0; i < run->count; i++, row++, go_on(&x), go_on(&y)) {
+            int32_t dx = glint_shift_right((int32_t)x.value, 16), dy = glint_shift_right((int32_t)y.value, 16);
+            if (general && inverse) {
+                for (uint32_t n = terms->is_over_length; n; n--) {
+                    dx = glint_shift_right(dx * *inverse, 15);
+                    dy = glint_shift_right(dy * *inverse, 15);
+                }
+                inverse++;
+            }
+            const uint32_t square = (uint32_t)(dx * dx) + (uint32_t)(dy * dy);
+            if (square >= end)
+                continue;
+            const int32_t power = (int32_t)glint_power_at(terms->power, square << 2 >> shift);
+            add(*row, general ? weaken(power, of, terms->is_ungated, run, i) : power, weight);
         }
-        const uint32_t square = (uint32_t)(dx * dx) + (uint32_t)(dy * dy);
-        if (square >= end)
-            continue;
-        const int32_t power = (int32_t)glint_power_at(terms->power, square << 2 >> shift);
-        add(*row, general ? weaken(power, of, terms->is_ungated, to, i) : power, weight);
     }
 }
 
-static void add_lobe(const glint_terms *terms, const light_parts *of, const int32_t weight[3], const pixels *to) {
+static void add_lobe(const glint_terms *terms, const light_parts *of, const int32_t weight[3], const pixel_runs *to) {
     if (terms->is_over_length || of->side || of->strength || of->cone)
         add_lobe_inline(terms, of, weight, to, 1);
     else
@@ -187,85 +202,114 @@ static void add_lobe(const glint_terms *terms, const light_parts *of, const int3
 }
 
 /* Adds a highlight of the cosine. */
-static void add_wide_lobe(const glint_terms *terms, const light_parts *of, const int32_t weight[3], const pixels *to) {
+static void add_wide_lobe(const glint_terms *terms, const light_parts *of, const int32_t weight[3],
+                          const pixel_runs *to) {
     static const glint_progress whole = {1u << 30, 0, 0};
-    glint_progress cosine = start(of->lobe, to), strength = of->strength ? start(of->strength, to) : whole;
     const light_parts cut = {of->side, of->cone, 0, 0};
     const int is_cut = of->cone || (of->side && !terms->is_ungated);
-    const int32_t at_zero = (int32_t)glint_power_of_zero(terms->power);
-    for (uint32_t i = 0; i < to->count; i++, go_on(&cosine), go_on(&strength)) {
-        int32_t x = glint_shift_right((int32_t)cosine.value, 15);
-        for (uint32_t n = terms->is_over_length; n; n--)
-            x = over(x, to->inverse, i);
-        if (x <= 0 && !at_zero)
-            continue;
-        int32_t power =
-            x > 0 ? (int32_t)glint_power_of_cosine(terms->power, (uint32_t)glint_least(x, INT16_MAX) << 16) : at_zero;
-        power = glint_shift_right(power * glint_most(glint_shift_right((int32_t)strength.value, 15), 0), 15);
-        add(to->row[i], is_cut ? weaken(power, &cut, terms->is_ungated, to, i) : power, weight);
+    const int32_t at_zero = (int32_t)glint_power_of_zero(terms->power), red = weight[0], green = weight[1],
+                  blue = weight[2];
+    const glint_power_table *const table = terms->power;
+    int32_t(*row)[3] = to->row;
+    inverses inverse = to->inverse;
+    for (const glint_run *run = to->runs; run != to->end; run++) {
+        glint_progress cosine = start(of->lobe, run), strength = of->strength ? start(of->strength, run) : whole;
+        for (uint32_t i = 0; i < run->count; i++, row++, go_on(&cosine), go_on(&strength)) {
+            int32_t x = glint_shift_right((int32_t)cosine.value, 15);
+            if (inverse) {
+                for (uint32_t n = terms->is_over_length; n; n--)
+                    x = glint_shift_right(x * *inverse, 15);
+                inverse++;
+            }
+            if (x <= 0 && !at_zero)
+                continue;
+            int32_t power =
+                x > 0 ? (int32_t)glint_power_of_cosine(table, (uint32_t)glint_least(x, INT16_MAX) << 16) : at_zero;
+            power = glint_shift_right(power * glint_most(glint_shift_right((int32_t)strength.value, 15), 0), 15);
+            if (is_cut)
+                power = weaken(power, &cut, terms->is_ungated, run, i);
+            (*row)[0] += power * red;
+            (*row)[1] += power * green;
+            (*row)[2] += power * blue;
+        }
     }
 }
 
 /* ---- Surfaces ---- */
 
 /* Multiplies what there is by the surface's colours, and adds half a level. */
-static void multiply_by_surface(const glint_terms *terms, const glint_descent surface[3], const pixels *to) {
+static void multiply_by_surface(const glint_terms *terms, const glint_descent surface[3], const pixel_runs *to) {
     for (int c = 0; c < 3; c++) {
-        glint_progress colour = start(&surface[c], to);
         const int32_t half = terms->light->half[c];
-        for (uint32_t i = 0; i < to->count; i++, go_on(&colour))
-            to->row[i][c] = glint_shift_right(to->row[i][c], 12) * glint_shift_right((int32_t)colour.value, 18) + half;
+        int32_t(*row)[3] = to->row;
+        for (const glint_run *run = to->runs; run != to->end; run++) {
+            glint_progress colour = start(&surface[c], run);
+            for (uint32_t n = run->count; n; n--, row++, go_on(&colour))
+                (*row)[c] = glint_shift_right((*row)[c], 12) * glint_shift_right((int32_t)colour.value, 18) + half;
+        }
     }
 }
 
 /* Makes colours no less than ambient light, and the surface's colour of it. */
-static void raise_to_ambient(const glint_terms *terms, const glint_descent surface[3], const pixels *to) {
+static void raise_to_ambient(const glint_terms *terms, const glint_descent surface[3], const pixel_runs *to) {
     for (int c = 0; c < 3; c++) {
         const int32_t ambient = terms->light->ambient[c], half = terms->light->half[c];
-        for (uint32_t i = 0; i < to->count; i++) {
-            const int32_t least = terms->has_surface
-                                      ? glint_shift_right(ambient, 12) * glint_shift_right(at(&surface[c], to, i), 18)
-                                      : ambient;
-            to->row[i][c] = glint_most(to->row[i][c], least + half);
+        int32_t(*row)[3] = to->row;
+        for (const glint_run *run = to->runs; run != to->end; run++) {
+            for (uint32_t i = 0; i < run->count; i++, row++) {
+                const int32_t least =
+                    terms->has_surface ? glint_shift_right(ambient, 12) * glint_shift_right(at(&surface[c], run, i), 18)
+                                       : ambient;
+                (*row)[c] = glint_most((*row)[c], least + half);
+            }
         }
     }
 }
 
-void glint_terms_row(const glint_terms *terms, const glint_descent *polynomials, uint32_t first, uint32_t count,
-                     int32_t (*row)[3]) {
+/* Sets colours of runs. @return pixels */
+static uint32_t find_colours(const glint_terms *terms, const glint_descent *polynomials, pixel_runs *to) {
     const glint_light_terms *light = terms->light;
     const glint_apart *const end = terms->apart + terms->apart_count;
-    uint16_t inverse[GLINT_TILE_MAX];
-    pixels to = {first, count, 0, row};
+    uint16_t inverse[2 * GLINT_TILE_MAX];
+    uint32_t pixels = 0;
+    for (const glint_run *run = to->runs; run != to->end; run++)
+        pixels += run->count;
+    to->inverse = 0;
     if (terms->is_over_length) {
-        find_inverses(start(&polynomials[terms->square], &to), count, inverse);
-        to.inverse = inverse;
+        find_inverses(&polynomials[terms->square], to, inverse);
+        to->inverse = inverse;
     }
-    begin(terms, polynomials, &to);
+    begin(terms, polynomials, to);
     for (const glint_apart *a = terms->apart; a != end; a++)
         if (a->kinds >> GLINT_SIDE & 1) {
             const light_parts parts = parts_of(a, polynomials);
-            add_side(&parts, light->diffuse[a->light], &to);
+            add_side(&parts, light->diffuse[a->light], to);
         }
     if (terms->has_surface)
-        multiply_by_surface(terms, polynomials + terms->surface, &to);
+        multiply_by_surface(terms, polynomials + terms->surface, to);
     for (const glint_apart *a = terms->apart; a != end; a++)
         if (a->kinds >> GLINT_LOBE_X & 1) {
             const light_parts parts = parts_of(a, polynomials);
             if (light->lobe_is_wide)
-                add_wide_lobe(terms, &parts, light->specular[a->light], &to);
+                add_wide_lobe(terms, &parts, light->specular[a->light], to);
             else
-                add_lobe(terms, &parts, light->specular[a->light], &to);
+                add_lobe(terms, &parts, light->specular[a->light], to);
         }
     if (terms->takes_largest)
-        raise_to_ambient(terms, polynomials + terms->surface, &to);
+        raise_to_ambient(terms, polynomials + terms->surface, to);
+    return pixels;
 }
 
-void glint_terms_draw_run(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
-                          const glint_descent *polynomials, uint32_t first, uint32_t count, uint32_t offset) {
-    glint_terms_row(terms, polynomials, first, count, workspace->row);
+void glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
+                      const glint_descent *polynomials, const glint_run *runs, uint32_t count, uint32_t offset) {
+    const glint_format *format = frame->config.format;
+    const unsigned shift = frame->tile_shift_x;
+    int32_t(*row)[3] = workspace->row;
+    pixel_runs to = {runs, runs + count, 0, row};
+    const uint32_t pixels = find_colours(terms, polynomials, &to);
     if (frame->config.gamma)
-        glint_finish_colours(&frame->config, workspace->row, count);
-    frame->config.format->store(workspace->pixels, frame->tile_shift_x, offset, count,
-                                (const int32_t(*)[3])workspace->row);
+        glint_finish_colours(&frame->config, row, pixels);
+    for (const glint_run *run = runs; run != to.end; row += run->count, run++)
+        format->store(workspace->pixels, shift, offset + ((uint32_t)run->y << shift) + run->x, run->count,
+                      (const int32_t(*)[3])row);
 }

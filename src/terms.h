@@ -162,13 +162,14 @@ static inline int32_t glint_sum_at(const glint_terms *terms, int32_t one, int32_
 /** Prepares a material. */
 void glint_terms_prepare(const glint_frame *frame, glint_shading *shading);
 
-/** Colours of `count` pixels of a row, from a column of its progress on. */
-void glint_terms_row(const glint_terms *terms, const glint_descent *polynomials, uint32_t first, uint32_t count,
-                     int32_t (*row)[3]);
+/** Pixels of a row that follow each other, from column x on. */
+typedef struct glint_run {
+    uint8_t x, y, count;
+} glint_run;
 
-/** Draws the runs of a row: bits of `visible` are its pixels from x on, y of the tile. */
-void glint_terms_draw_run(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
-                          const glint_descent *polynomials, uint32_t first, uint32_t count, uint32_t offset);
+/** Draws runs that have no more pixels than workspace->row; x and y are from pixel `offset` of the tile on. */
+void glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
+                      const glint_descent *polynomials, const glint_run *runs, uint32_t count, uint32_t offset);
 
 /* ---- Triangles ---- */
 
