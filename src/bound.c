@@ -150,7 +150,7 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
     }
     const uint32_t lobes = shading->terms.lobes & (ungated ? ~0u : region->held | region->sides);
     for (uint32_t l = 0, shown = region->held | region->sides | lobes; shown >> l; l++)
-        if (shown >> l & 1 && frame->view->lights[l].has_cone) {
+        if (shown >> l & 1 && frame->view->lights[l].type->has_cone) {
             if (is_wide) {
                 region->sides |= 1u << l;
                 region->held &= ~(1u << l);

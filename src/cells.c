@@ -55,6 +55,25 @@ static int place_lobe(const glint_shading *shading, glint_node *const nodes[], u
     return glint_place_lobe(shading, least, most);
 }
 
+/* Does a light keep its side all over a cell? */
+static int keeps_side(glint_node *const nodes[], uint32_t l) {
+    int32_t least = INT32_MAX, most = INT32_MIN;
+    for (int i = 0; i < GLINT_CELL_NODES; i++) {
+        least = glint_least(least, nodes[i]->number[l][GLINT_SIDE]);
+        most = glint_most(most, nodes[i]->number[l][GLINT_SIDE]);
+    }
+    return 8 * least > most - least || 8 * most < least - most;
+}
+
+/* Where a highlight ends at a terminator, it may do so at once: polynomials do not tell where. */
+static int has_edge(const glint_shading *shading, const glint_region *region, glint_node *const nodes[]) {
+    const uint32_t gated = shading->material->flags & GLINT_MATERIAL_UNGATED ? 0 : region->sides & region->lobes;
+    for (uint32_t l = 0; gated >> l; l++)
+        if (gated >> l & 1 && !keeps_side(nodes, l))
+            return 1;
+    return 0;
+}
+
 static int find_region(const glint_frame *frame, const glint_draw *draw, glint_node *const nodes[], unsigned shift,
                        glint_region *region) {
     const glint_shading *shading = draw->shading;
@@ -87,7 +106,7 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, glint_n
             glint_region_add_lobe(region, l, region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, nodes, l));
     if (!glint_region_fits(frame, shading, draw->extra != 0, region) || !glint_region_bound(frame, shading, region))
         return 0;
-    return region->error <= 2 * shading->terms.limit || WHY(9);
+    return (region->error <= 2 * shading->terms.limit && !has_edge(shading, region, nodes)) || WHY(9);
 }
 
 /* ---- Polynomials ---- */

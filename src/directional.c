@@ -11,4 +11,4 @@ static glint_status prepare(const glint_light *light, glint_prepared_light *prep
     return GLINT_OK;
 }
 
-const glint_light_type glint_light_directional = {prepare, 0, 0};
+const glint_light_type glint_light_directional = {prepare, 0, 0, 0};

@@ -49,7 +49,6 @@ typedef struct glint_prepared_light {
         int32_t cosine_outer, cosine_inner; /* times GLINT_UNIT^2 */
         int32_t slope;                      /* Q15: 2^30 / (difference >> 15) */
     } spot;
-    uint32_t has_cone;
 } glint_prepared_light;
 
 /** Camera and lights. */
@@ -405,6 +404,7 @@ struct glint_light_type {
     void (*illuminate)(const glint_prepared_light *light, glint_fragments *fragments);
     /** The part of `prepare` that needs the frame's nearest w; may be null. */
     void (*place)(const glint_light *light, glint_prepared_light *prepared, const glint_view *view);
+    uint8_t has_cone; /* prepared->spot holds one */
 };
 
 /** Where colours are found. */

@@ -130,7 +130,7 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
         const int32_t cosine = find_cosine(at->normal[n], light);
         int is_lit = cosine > clearly;
         const int is_dark = cosine < -clearly;
-        if (source->has_cone)
+        if (source->type->has_cone)
             find_cone(source, i, light, node, &is_lit);
         node->lit |= is_lit ? bit : 0;
         node->dark |= is_dark ? bit : 0;

@@ -136,7 +136,6 @@ static glint_status prepare_lights(glint_view *view, const glint_scene *scene) {
     for (uint32_t i = 0; i < scene->light_count; i++) {
         const glint_light *light = &scene->lights[i];
         view->lights[i].type = light->type;
-        view->lights[i].has_cone = 0;
         if (light->type->illuminate)
             view->has_positions = 1;
         glint_status status = light->type->prepare(light, &view->lights[i], view);

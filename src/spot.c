@@ -13,7 +13,6 @@ static glint_status prepare(const glint_light *light, glint_prepared_light *prep
         return GLINT_ERROR_CONE;
     if (glint_point_attenuation(light, prepared) != GLINT_OK)
         return GLINT_ERROR_ATTENUATION;
-    prepared->has_cone = 1;
     prepared->spot.cosine_inner = cosine_of(light->inner);
     prepared->spot.cosine_outer = cosine_of(light->outer);
     int32_t width = glint_shift_right(prepared->spot.cosine_inner - prepared->spot.cosine_outer, 15);
@@ -44,4 +43,4 @@ static void illuminate(const glint_prepared_light *light, glint_fragments *fragm
     }
 }
 
-const glint_light_type glint_light_spot = {prepare, illuminate, glint_point_place};
+const glint_light_type glint_light_spot = {prepare, illuminate, glint_point_place, 1};

@@ -303,6 +303,19 @@ static int find_lengths(const glint_triangle *triangle, lengths *of) {
     return 1;
 }
 
+/* ---- Terminators ---- */
+
+/*
+ * Does a light keep its side all over a triangle, by the control points of its quadratic (Bezier triangles, Farin,
+ * 1986)?
+ */
+static int keeps_side(const int32_t n[6]) {
+    const int32_t bulge[3] = {4 * n[3] - n[0] - n[1], 4 * n[4] - n[1] - n[2], 4 * n[5] - n[0] - n[2]};
+    const int32_t least = glint_least(glint_least_of(n[0], n[1], n[2]), glint_least_of(bulge[0], bulge[1], bulge[2]));
+    const int32_t most = glint_most(glint_most_of(n[0], n[1], n[2]), glint_most_of(bulge[0], bulge[1], bulge[2]));
+    return least > 0 || most <= 0;
+}
+
 /* ---- Polynomials ---- */
 
 /* Through a number of the nodes: at the corners, and at the middles of the edges. */
@@ -396,6 +409,19 @@ static void begin_quadratics(const glint_part *part, const candidate *t, const l
     }
 }
 
+/* Where a highlight ends at a terminator, it may do so at once: polynomials do not tell where. */
+static int has_edge(const glint_shading *shading, const candidate *t) {
+    const uint32_t gated = shading->material->flags & GLINT_MATERIAL_UNGATED ? 0 : t->region.sides & t->region.lobes;
+    int32_t n[6];
+    for (uint32_t l = 0; gated >> l; l++)
+        if (gated >> l & 1) {
+            take_numbers(&shading->terms, t, l, GLINT_SIDE, 6, n);
+            if (!keeps_side(n))
+                return 1;
+        }
+    return 0;
+}
+
 /* Planes of what the corners keep. @param longer chords are made longer by this, Q15 */
 static void begin_planes(const glint_part *part, const candidate *t, int32_t longer, const glint_terms *terms,
                          glint_quadratic polynomials[GLINT_POLYNOMIALS_MAX]) {
@@ -450,7 +476,7 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     if (!find_region(frame, draw, triangle, &t))
         return REJECT(4);
     sum_corners(&shading->terms, &t);
-    if (glint_plane_error(frame, shading, t.has_surface, region) <= limit) {
+    if (!(region->sides & region->lobes) && glint_plane_error(frame, shading, t.has_surface, region) <= limit) {
         (void)REJECT(10);
         glint_terms_name(frame, draw, region, 0, terms);
         terms->is_curved = 0;
@@ -467,6 +493,8 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     t.is_between = error + region->error_between <= most && is_between(frame, shading, region);
     if (!find_middles(frame, draw, triangle, &t))
         return REJECT(8);
+    if (has_edge(shading, &t))
+        return REJECT(9);
     (void)REJECT(is_over_length ? 11 : 12);
     const int twice = shading->material->model->lobe == GLINT_LOBE_MIRROR;
     glint_terms_name(frame, draw, region, is_over_length ? 1 + twice : 0, terms);
