@@ -129,7 +129,8 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
         const int32_t strength = has_position ? at->strength[n] : 1 << 15;
         const int32_t cosine = find_cosine(at->normal[n], light);
         int is_lit = cosine > clearly;
-        const int is_dark = cosine < -clearly;
+        /* right at a light its direction tells nothing */
+        const int is_dark = cosine < -clearly && !(has_position && at->closeness[n] == UINT16_MAX);
         if (source->type->has_cone)
             find_cone(source, i, light, node, &is_lit);
         node->lit |= is_lit ? bit : 0;
