@@ -174,8 +174,10 @@ static inline uint32_t lobe_turn(const glint_shading *shading, const glint_regio
     return shading->material->model->lobe == GLINT_LOBE_MIRROR ? 2 * region->turn : region->turn;
 }
 
-static inline uint32_t lobe_axis(const glint_frame *frame, const glint_region *region) {
-    return region->near + (frame->view->local_viewer ? region->reach : 0);
+/* H turns by what L and V turn, over |L + V|. */
+static inline uint32_t find_axis(const glint_frame *frame, const glint_region *region) {
+    const uint32_t turn = region->near + (frame->view->local_viewer ? region->reach : 0);
+    return (turn << 12) / glint_angle_of(region->half << 10);
 }
 
 int glint_region_fits(const glint_frame *frame, const glint_shading *shading, int has_surface, glint_region *region) {
@@ -190,7 +192,8 @@ int glint_region_fits(const glint_frame *frame, const glint_shading *shading, in
     if (region->cones & region->steep)
         return WHY(5);
     const uint32_t place = region->near * 362 >> 8, turn = region->turn + place + region->colour;
-    if (lobe_turn(shading, region) + lobe_axis(frame, region) > WIDEST || turn > WIDEST)
+    region->axis = region->lobes ? find_axis(frame, region) : 0;
+    if (lobe_turn(shading, region) + region->axis > WIDEST || turn > WIDEST)
         return WHY(7);
     region->folds = has_surface && !region->sides && !(shading->material->flags & GLINT_MATERIAL_MAX) &&
                     of_levels(cube(turn, region->slant), region->levels) <= light->limit;
@@ -199,8 +202,7 @@ int glint_region_fits(const glint_frame *frame, const glint_shading *shading, in
     return 1;
 }
 
-uint32_t glint_plane_error(const glint_frame *frame, const glint_shading *shading, int has_surface,
-                           const glint_region *region) {
+uint32_t glint_plane_error(const glint_shading *shading, int has_surface, const glint_region *region) {
     const glint_light_terms *light = &shading->terms;
     const uint32_t longer = region->folds ? 0 : region->turn;
     if (region->cones || (has_surface && !region->folds) || (region->lobes && light->lobe_is_wide))
@@ -208,14 +210,14 @@ uint32_t glint_plane_error(const glint_frame *frame, const glint_shading *shadin
     uint32_t error = plane_sum_error(region->levels, longer, region->turn - longer + region->place, region->slant) +
                      (region->of_colour >> 2);
     if (region->lobes)
-        error += plane_lobe_error(light, lobe_levels(light, region->lobes), lobe_turn(shading, region),
-                                  lobe_axis(frame, region), region->slant);
+        error += plane_lobe_error(light, lobe_levels(light, region->lobes), lobe_turn(shading, region), region->axis,
+                                  region->slant);
     return error;
 }
 
 int glint_region_bound(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
     const glint_light_terms *light = &shading->terms;
-    const uint32_t slant = region->slant, levels = lobe_levels(light, region->lobes), axis = lobe_axis(frame, region),
+    const uint32_t slant = region->slant, levels = lobe_levels(light, region->lobes), axis = region->axis,
                    turn = lobe_turn(shading, region);
     const uint32_t of_colour = times(region->of_colour, slant) >> 5;
     region->error = of_levels(cube(region->turn + region->place, slant), region->levels) + of_colour;

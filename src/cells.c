@@ -85,6 +85,7 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, glint_n
     region->turn = find_turn(nodes);
     glint_region_measure(frame->view, size, size, w, region);
     region->levels = 0;
+    region->half = INT16_MAX;
     region->lit = region->dark = region->outside = 0xff;
     region->far = region->unfit = region->steep = 0;
     for (int i = 0; i < GLINT_CELL_NODES; i++) {
@@ -96,6 +97,7 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, glint_n
         region->unfit |= node->unfit;
         region->steep |= node->steep;
         region->levels = node->levels > region->levels ? node->levels : region->levels;
+        region->half = node->half < region->half ? node->half : region->half;
         closeness = node->closeness > closeness ? node->closeness : closeness;
     }
     region->colour = draw->extra ? find_colour(nodes) : 0;

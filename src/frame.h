@@ -179,7 +179,7 @@ typedef struct glint_vertex {
 #define GLINT_COLOUR_ONE 32767
 
 /** Most numbers that a vertex keeps of light. */
-#define GLINT_NODE_NUMBERS_MAX (8 + GLINT_NUMBERS * GLINT_LIGHTS_MAX)
+#define GLINT_NODE_NUMBERS_MAX (9 + GLINT_NUMBERS * GLINT_LIGHTS_MAX)
 
 /** Clip coordinates; kept only where an object may have to be clipped. */
 typedef struct glint_position {

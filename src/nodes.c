@@ -13,7 +13,7 @@
 #define CLEARLY_INSIDE (1 << 24)
 
 /* |L + V|^2 / 2 = 1 + L.V, Q15, below which a half vector turns too fast. */
-#define LEAST_HALF_SQUARE (1 << 14)
+#define LEAST_HALF_SQUARE (1 << 11)
 
 void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[3]) {
     ray[0] = frame->config.width * 4096 - x * 512;
@@ -24,7 +24,7 @@ void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[
 /* What a lobe lies around, and what turns about it: H and N, or V and R. @return 0 where there is none */
 static int find_axis(const glint_model *model, const glint_prepared_light *source, int is_fixed,
                      const int16_t normal[3], const int16_t light[3], const int16_t view[3], int16_t turning[3],
-                     int16_t axis[3]) {
+                     int16_t axis[3], uint32_t *half) {
     for (int c = 0; c < 3; c++) {
         turning[c] = normal[c];
         axis[c] = view[c];
@@ -38,8 +38,10 @@ static int find_axis(const glint_model *model, const glint_prepared_light *sourc
             axis[c] = source->half_vector[c];
         return axis[2] > 0;
     }
-    if (glint_shift_right(GLINT_UNIT * GLINT_UNIT + glint_dot(light, view), 15) < LEAST_HALF_SQUARE)
+    const int32_t square = glint_shift_right(GLINT_UNIT * GLINT_UNIT + glint_dot(light, view), 15);
+    if (square < LEAST_HALF_SQUARE)
         return 0;
+    *half = (uint32_t)glint_least((int32_t)*half, square);
     glint_unit(light[0] + view[0], light[1] + view[1], light[2] + view[2], axis);
     return axis[2] >= 0;
 }
@@ -87,7 +89,8 @@ static inline int32_t find_cosine(const int16_t normal[3], const int16_t light[3
 static void add_lobe(const glint_shading *shading, uint32_t i, const glint_prepared_light *source, int is_fixed,
                      const glint_fragments *at, uint32_t n, const int16_t *light, glint_node *node) {
     int16_t turning[3], axis[3];
-    if (!find_axis(shading->material->model, source, is_fixed, at->normal[n], light, at->view[n], turning, axis))
+    uint32_t unused = 1 << 14, *const half = node->dark >> i & 1 ? &unused : &node->half;
+    if (!find_axis(shading->material->model, source, is_fixed, at->normal[n], light, at->view[n], turning, axis, half))
         node->unfit |= (uint8_t)(1u << i);
     else if (shading->terms.lobe_is_wide)
         node->number[i][GLINT_LOBE_X] = (int16_t)(find_cosine(turning, axis) >> 1);
@@ -154,6 +157,7 @@ void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, g
     for (uint32_t n = 0; n < at->count; n++) {
         glint_node *node = nodes[n];
         node->levels = node->closeness = 0;
+        node->half = shading->material->model->lobe == GLINT_LOBE_MIRROR ? 1 << 14 : INT16_MAX;
         node->lit = node->dark = node->outside = node->far = node->unfit = node->steep = 0;
     }
     for (uint32_t i = 0; lights >> i; i++)

@@ -12,9 +12,9 @@
 
 /*
  * What a vertex keeps: its sum; the lights it faces and does not; those whose deviation is cut off or unknown; those
- * whose cones are; what light there is, and how close; and lights' numbers.
+ * whose cones are; what light there is, how close, and how far from opposite the eye; and lights' numbers.
  */
-enum { FACING, FLAGS, CONES, LEVELS, CLOSENESS };
+enum { FACING, FLAGS, CONES, LEVELS, CLOSENESS, HALF };
 
 static void keep(const glint_light_terms *light, const glint_node *node, int16_t *to) {
     int16_t *const rest = to + light->channels;
@@ -24,6 +24,7 @@ static void keep(const glint_light_terms *light, const glint_node *node, int16_t
     rest[FLAGS] = (int16_t)(uint16_t)(node->far | node->unfit << 8);
     rest[CONES] = (int16_t)(uint16_t)(node->steep | node->outside << 8);
     rest[LEVELS] = (int16_t)glint_least((int32_t)node->levels, INT16_MAX);
+    rest[HALF] = (int16_t)node->half;
     rest[CLOSENESS] = (int16_t)glint_least((int32_t)node->closeness, INT16_MAX);
     for (uint32_t i = 0; i < light->light_count; i++)
         for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
@@ -156,6 +157,7 @@ static inline int find_region(const glint_frame *frame, const glint_draw *draw, 
     const uint32_t flags = (uint16_t)(a[FLAGS] | b[FLAGS] | c[FLAGS]);
     measure(frame->view, triangle, t);
     region->levels = (uint32_t)glint_most_of(a[LEVELS], b[LEVELS], c[LEVELS]);
+    region->half = (uint32_t)glint_least_of(a[HALF], b[HALF], c[HALF]);
     region->lit = facing & 0xff;
     region->dark = facing >> 8;
     region->far = flags & 0xff;
@@ -476,7 +478,7 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     if (!find_region(frame, draw, triangle, &t))
         return REJECT(4);
     sum_corners(&shading->terms, &t);
-    if (!(region->sides & region->lobes) && glint_plane_error(frame, shading, t.has_surface, region) <= limit) {
+    if (!(region->sides & region->lobes) && glint_plane_error(shading, t.has_surface, region) <= limit) {
         (void)REJECT(10);
         glint_terms_name(frame, draw, region, 0, terms);
         terms->is_curved = 0;

@@ -31,6 +31,7 @@ typedef struct glint_node {
     int32_t inverse_w;
     int16_t normal[3], surface[3]; /* the surface's colours, Q14 */
     uint32_t levels;               /* what all lights that it does not clearly face away from make: in Q4 */
+    uint32_t half;                 /* the least |L + V|^2 / 2 of lights with highlights, Q15, at most 1 */
     uint32_t closeness;            /* most of these lights': depth over the distance, Q8 */
     uint8_t lit, dark;             /* lights that it clearly faces, within their cones, and that it clearly does not */
     uint8_t outside;               /* lights whose cones it is clearly outside of */
@@ -60,11 +61,13 @@ typedef struct glint_region {
     uint32_t near;               /* how far they lie apart, over the distance to a light */
     uint32_t colour;             /* by how much the surface's colours differ, of 1 */
     uint32_t levels;             /* what light makes, Q4 */
+    uint32_t half;               /* the least |L + V|^2 / 2, Q15; of mirrored light 1/2 */
     uint32_t lit, dark, outside; /* as nodes have it, at all of them */
     uint32_t far, unfit, steep;  /* at some */
     /* what is found */
     int folds;                          /* may sums be multiplied by the surface's colours at nodes? */
     uint32_t held, sides, cones, lobes; /* lights in sums, with terms of their own, of these with cones; highlights */
+    uint32_t axis;                      /* what highlights' axes turn by */
     uint32_t place, of_colour;          /* what sums turn by but for the normals, and what colours make over w */
     uint32_t error;                     /* of quadratics, levels in Q8 */
     uint32_t error_over_length;         /* of those where numbers are times the normal's length */
@@ -93,8 +96,7 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
 int glint_region_fits(const glint_frame *frame, const glint_shading *shading, int has_surface, glint_region *region);
 
 /** How far planes may be off, levels in Q8. */
-uint32_t glint_plane_error(const glint_frame *frame, const glint_shading *shading, int has_surface,
-                           const glint_region *region);
+uint32_t glint_plane_error(const glint_shading *shading, int has_surface, const glint_region *region);
 
 /** Sets how far quadratics may be off. @return 0 where none fit */
 int glint_region_bound(const glint_frame *frame, const glint_shading *shading, glint_region *region);
@@ -157,7 +159,7 @@ static inline int32_t glint_sum_at(const glint_terms *terms, int32_t one, int32_
 }
 
 /** What a vertex keeps between its sums and its lights' numbers. */
-#define GLINT_KEPT 5
+#define GLINT_KEPT 6
 
 /** Prepares a material. */
 void glint_terms_prepare(const glint_frame *frame, glint_shading *shading);
