@@ -16,10 +16,13 @@ typedef struct pixel_runs {
     const glint_run *runs, *end;
     inverses inverse;
     int32_t (*row)[3];
+    int is_curved;
 } pixel_runs;
 
-static inline glint_progress start(const glint_descent *polynomial, const glint_run *run) {
-    return glint_progress_at(polynomial, run->x, run->y);
+static inline glint_progress start(const glint_descent *p, const glint_run *run, const pixel_runs *to) {
+    if (to->is_curved)
+        return glint_progress_at(p, run->x, run->y);
+    return (glint_progress){p->row.value + p->row.step * run->x + p->down.value * run->y, p->row.step, 0};
 }
 
 /* A number at pixel i of a run. */
@@ -29,7 +32,7 @@ static inline int32_t at(const glint_descent *polynomial, const glint_run *run, 
 
 static void find_inverses(const glint_descent *square, const pixel_runs *to, uint16_t *inverse) {
     for (const glint_run *run = to->runs; run != to->end; run++) {
-        glint_progress p = start(square, run);
+        glint_progress p = start(square, run, to);
         for (uint32_t n = run->count; n; n--, go_on(&p)) {
             const int32_t entry = glint_shift_right((int32_t)p.value, 20) - 256; /* M.M is Q30 */
             *inverse++ = glint_root_table[glint_least(glint_most(entry, 0), 767)];
@@ -49,7 +52,7 @@ static inline void begin_with_chroma(const glint_terms *terms, const glint_desce
     int32_t(*row)[3] = to->row;
     inverses inverse = to->inverse;
     for (const glint_run *run = to->runs; run != to->end; run++) {
-        glint_progress p = start(sum, run);
+        glint_progress p = start(sum, run, to);
         for (int32_t(*const end)[3] = row + run->count; row != end; row++, go_on(&p)) {
             int32_t amount = glint_shift_right((int32_t)p.value, 16);
             if (is_over)
@@ -65,7 +68,7 @@ static inline void begin_with_chroma(const glint_terms *terms, const glint_desce
 static void begin_with_channels(const glint_descent sum[3], const int32_t base[3], const pixel_runs *to) {
     int32_t(*row)[3] = to->row;
     for (const glint_run *run = to->runs; run != to->end; run++) {
-        glint_progress red = start(&sum[0], run), green = start(&sum[1], run), blue = start(&sum[2], run);
+        glint_progress red = start(&sum[0], run, to), green = start(&sum[1], run, to), blue = start(&sum[2], run, to);
         red.value += (uint32_t)base[0];
         green.value += (uint32_t)base[1];
         blue.value += (uint32_t)base[2];
@@ -86,7 +89,7 @@ static void begin_with_channels_over(const glint_descent sum[3], const int32_t b
         int32_t(*row)[3] = to->row;
         inverses inverse = to->inverse;
         for (const glint_run *run = to->runs; run != to->end; run++) {
-            glint_progress channel = start(&sum[c], run);
+            glint_progress channel = start(&sum[c], run, to);
             for (uint32_t n = run->count; n; n--, row++, go_on(&channel))
                 (*row)[c] = base[c] + glint_shift_right((int32_t)channel.value, 13) * (*inverse++ >> 1) / 2;
         }
@@ -145,7 +148,7 @@ static void add_side(const light_parts *of, const int32_t weight[3], const pixel
     int32_t(*row)[3] = to->row;
     inverses inverse = to->inverse;
     for (const glint_run *run = to->runs; run != to->end; run++) {
-        glint_progress cosine = start(of->side, run);
+        glint_progress cosine = start(of->side, run, to);
         for (uint32_t i = 0; i < run->count; i++, row++, go_on(&cosine)) {
             const uint32_t over = inverse ? *inverse++ : 1u << 15;
             if ((int32_t)cosine.value <= 0)
@@ -175,7 +178,7 @@ static inline void add_lobe_inline(const glint_terms *terms, const light_parts *
     int32_t(*row)[3] = to->row;
     inverses inverse = to->inverse;
     for (const glint_run *run = to->runs; run != to->end; run++) {
-        glint_progress x = start(&of->lobe[0], run), y = start(&of->lobe[1], run);
+        glint_progress x = start(&of->lobe[0], run, to), y = start(&of->lobe[1], run, to);
         for (uint32_t i = 0; i < run->count; i++, row++, go_on(&x), go_on(&y)) {
             int32_t dx = glint_shift_right((int32_t)x.value, 16), dy = glint_shift_right((int32_t)y.value, 16);
             if (general && inverse) {
@@ -213,7 +216,7 @@ static void add_wide_lobe(const glint_terms *terms, const light_parts *of, const
     int32_t(*row)[3] = to->row;
     inverses inverse = to->inverse;
     for (const glint_run *run = to->runs; run != to->end; run++) {
-        glint_progress cosine = start(of->lobe, run), strength = of->strength ? start(of->strength, run) : whole;
+        glint_progress cosine = start(of->lobe, run, to), strength = of->strength ? start(of->strength, run, to) : whole;
         for (uint32_t i = 0; i < run->count; i++, row++, go_on(&cosine), go_on(&strength)) {
             int32_t x = glint_shift_right((int32_t)cosine.value, 15);
             if (inverse) {
@@ -243,7 +246,7 @@ static void multiply_by_surface(const glint_terms *terms, const glint_descent su
         const int32_t half = terms->light->half[c];
         int32_t(*row)[3] = to->row;
         for (const glint_run *run = to->runs; run != to->end; run++) {
-            glint_progress colour = start(&surface[c], run);
+            glint_progress colour = start(&surface[c], run, to);
             for (uint32_t n = run->count; n; n--, row++, go_on(&colour))
                 (*row)[c] = glint_shift_right((*row)[c], 12) * glint_shift_right((int32_t)colour.value, 18) + half;
         }
@@ -305,7 +308,7 @@ void glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, cons
     const glint_format *format = frame->config.format;
     const unsigned shift = frame->tile_shift_x;
     int32_t(*row)[3] = workspace->row;
-    pixel_runs to = {runs, runs + count, 0, row};
+    pixel_runs to = {runs, runs + count, 0, row, terms->is_curved};
     const uint32_t pixels = find_colours(terms, polynomials, &to);
     if (frame->config.gamma)
         glint_finish_colours(&frame->config, row, pixels);
