@@ -110,6 +110,7 @@ void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const gl
     terms->is_ungated = (shading->material->flags & GLINT_MATERIAL_UNGATED) != 0;
     terms->is_over_length = (uint8_t)over_length;
     terms->is_curved = 1;
+    terms->margin = region->has_edge ? region->margin : 0;
     terms->is_plain = (uint8_t)(!has_apart && !terms->has_surface && !terms->takes_largest && !over_length);
     terms->is_channels = (uint8_t)(terms->is_plain || region->folds);
     terms->sums = (uint8_t)(terms->is_channels ? 3 : shading->terms.channels);
@@ -222,6 +223,7 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
     const uint32_t of_colour = times(region->of_colour, slant) >> 5;
     region->error = of_levels(cube(region->turn + region->place, slant), region->levels) + of_colour;
     region->error_over_length = of_levels(cube(region->place, slant), region->levels) + of_colour;
+    region->margin = 8 + (int32_t)(cube(region->turn + region->place, slant) * 1802 >> 14);
     region->error_between = 0;
     if (levels) {
         region->error += lobe_error(light, levels, turn + axis, region->near, slant);
@@ -241,14 +243,11 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
     return 1;
 }
 
-/* Cosines below which wide highlights are faint, or steep, Q14: as much as they may turn between nodes. */
-#define HORIZON (1 << 11)
-
 /* The same where lobes are of the cosine. */
 static int place_wide(const glint_shading *shading, int32_t least, int32_t most) {
-    if (shading->shininess && most < -HORIZON)
+    if (shading->shininess && most < -GLINT_HORIZON)
         return GLINT_LOBE_OUTSIDE;
-    return shading->terms.lobe_has_strip && least < HORIZON ? GLINT_LOBE_UNFIT : GLINT_LOBE_SHOWS;
+    return shading->terms.lobe_has_strip && least < 2 * GLINT_HORIZON ? GLINT_LOBE_EDGE : GLINT_LOBE_SHOWS;
 }
 
 int glint_place_lobe(const glint_shading *shading, const int32_t least[4], const int32_t most[4]) {

@@ -65,7 +65,7 @@ static int keeps_side(glint_node *const nodes[], uint32_t l) {
     return 8 * least > most - least || 8 * most < least - most;
 }
 
-/* Where a highlight ends at a terminator, it may do so at once: polynomials do not tell where. */
+/* A highlight may end at once at a terminator: polynomials do not tell just where. */
 static int has_edge(const glint_shading *shading, const glint_region *region, glint_node *const nodes[]) {
     const uint32_t gated = shading->material->flags & GLINT_MATERIAL_UNGATED ? 0 : region->sides & region->lobes;
     for (uint32_t l = 0; gated >> l; l++)
@@ -103,12 +103,14 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, glint_n
     region->colour = draw->extra ? find_colour(nodes) : 0;
     const uint32_t lobes = glint_region_sort(frame, shading, closeness, region);
     region->lobes = 0;
+    region->has_edge = 0;
     for (uint32_t l = 0; lobes >> l; l++)
         if (lobes >> l & 1)
             glint_region_add_lobe(region, l, region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, nodes, l));
     if (!glint_region_fits(frame, shading, draw->extra != 0, region) || !glint_region_bound(frame, shading, region))
         return 0;
-    return (region->error <= 2 * shading->terms.limit && !has_edge(shading, region, nodes)) || WHY(9);
+    region->has_edge |= has_edge(shading, region, nodes);
+    return region->error <= 2 * shading->terms.limit || WHY(9);
 }
 
 /* ---- Polynomials ---- */

@@ -121,6 +121,22 @@ static glint_run *find_runs(uint32_t visible, uint32_t y, uint32_t *pixels, glin
     return run;
 }
 
+/* Draws pixels that terms do not tell of runs from x, y of the tile on. */
+static void draw_edges(const walk *w, const glint_terms *terms, const glint_descent *polynomials, const glint_run *runs,
+                       uint32_t count, int32_t x, int32_t y) {
+    uint8_t columns[GLINT_TILE_MAX];
+    for (const glint_run *run = runs; run != runs + count; run++) {
+        const uint32_t found = glint_terms_find_edge(terms, polynomials, run, columns);
+        for (uint32_t i = 0; i < found; i++) {
+            gather(w->part, w->fragments, x + columns[i], y + run->y);
+            if (w->fragments->count == GLINT_FRAGMENTS_MAX - 1)
+                store_fragments(w);
+        }
+    }
+    if (w->fragments->count)
+        store_fragments(w);
+}
+
 /* Draws a square of a cell by polynomials through nodes 2^shift pixels apart. @return 0 where they are not close enough
  */
 static int draw_square(const walk *w, int32_t x, int32_t y, unsigned shift, glint_node *const nodes[]) {
@@ -138,6 +154,8 @@ static int draw_square(const walk *w, int32_t x, int32_t y, unsigned shift, glin
         next = find_runs(row_of(w, x, y + j, size), (uint32_t)j, &pixels, next);
         if (next > runs + CELL / 2 || pixels > w->frame->config.tile_width || j == size - 1) {
             glint_terms_draw(w->frame, w->workspace, &terms, polynomials, runs, (uint32_t)(next - runs), offset);
+            if (terms.margin)
+                draw_edges(w, &terms, polynomials, runs, (uint32_t)(next - runs), w->x + x, w->y + y);
             next = runs;
             pixels = 0;
         }
@@ -316,30 +334,35 @@ static void triple(glint_plane planes[3], const glint_gradients *g, const int16_
     }
 }
 
+/* Fragments of a part, none so far, and the planes of what they are made of. */
+static void begin_walk(walk *w, const glint_triangle *triangle, const int16_t *const main[3], int is_negated,
+                       glint_fragments *fragments, glint_attributes *attributes) {
+    const glint_gradients *g = &w->part->gradients;
+    uint32_t inverse_w[3];
+    w->fragments = fragments;
+    w->is_deep = glint_is_deep(triangle);
+    fragments->count = 0;
+    fragments->part = w->part;
+    fragments->attributes = attributes;
+    fragments->scale = scale_inverse_w(triangle->corners, inverse_w);
+    triple(attributes->main, g, main, inverse_w, is_negated);
+    if (w->draw->extra)
+        triple(attributes->extra, g, triangle->extra, inverse_w, 0);
+}
+
 void glint_draw_fragments(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                           const glint_triangle *triangle, const glint_part *part, const int16_t *const main[3],
                           int is_negated, glint_shader *shade) {
     glint_attributes attributes;
     glint_fragments fragments;
-    uint32_t inverse_w[3], covered = 0;
-    walk w;
-    w.frame = frame, w.workspace = workspace, w.draw = draw, w.part = part, w.shade = shade;
-    w.fragments = &fragments;
-    w.is_deep = glint_is_deep(triangle);
-    fragments.count = 0;
-    fragments.part = part;
-    fragments.attributes = &attributes;
-    fragments.scale = scale_inverse_w(triangle->corners, inverse_w);
-    triple(attributes.main, &part->gradients, main, inverse_w, is_negated);
-    if (draw->extra)
-        triple(attributes.extra, &part->gradients, triangle->extra, inverse_w, 0);
-#ifdef DBG
-    dbg_small = triangle->area < CELL_AREA;
-#endif
+    uint32_t covered = 0;
+    walk w = {.frame = frame, .workspace = workspace, .draw = draw, .part = part, .shade = shade};
+    begin_walk(&w, triangle, main, is_negated, &fragments, &attributes);
     w.largest = shade == glint_shade && draw->shading->has_terms
                     ? find_largest(triangle, part, &attributes, draw->extra != 0)
                     : 0;
 #ifdef DBG
+    dbg_small = triangle->area < CELL_AREA;
     if (dbg_no_terms)
         w.largest = 0;
 #endif
@@ -353,6 +376,18 @@ void glint_draw_fragments(const glint_frame *frame, glint_workspace *workspace, 
                     draw_fragments(&w, 0, 0, CELL);
             }
     glint_count(workspace, GLINT_KERNEL_GENERAL, covered);
+}
+
+void glint_draw_edges(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                      const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
+                      const glint_descent *polynomials, const glint_run *runs, uint32_t count) {
+    const glint_vertex *const *v = triangle->corners;
+    const int16_t *const normals[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
+    glint_attributes attributes;
+    glint_fragments fragments;
+    walk w = {.frame = frame, .workspace = workspace, .draw = draw, .part = part, .shade = glint_shade};
+    begin_walk(&w, triangle, normals, triangle->back, &fragments, &attributes);
+    draw_edges(&w, terms, polynomials, runs, count, 0, 0);
 }
 
 void glint_draw_any(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,

@@ -20,6 +20,8 @@ struct source {
     const glint_quadratic *channels; /* of draw_channels */
     const glint_terms *terms;        /* of draw_terms, and its polynomials */
     const glint_descent *polynomials;
+    const glint_draw *draws;
+    const glint_triangle *triangle;
     int is_deep;
 };
 
@@ -93,8 +95,10 @@ static void draw_channels(const glint_frame *frame, glint_workspace *workspace, 
 
 static void draw_terms(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
                        const glint_run *runs, uint32_t count) {
-    (void)part;
     glint_terms_draw(frame, workspace, from->terms, from->polynomials, runs, count, 0);
+    if (from->terms->margin)
+        glint_draw_edges(frame, workspace, from->draws, from->triangle, part, from->terms, from->polynomials, runs,
+                         count);
 }
 
 /* Most runs of a row, and of two. */
@@ -193,7 +197,8 @@ void glint_draw_terms(const glint_frame *frame, glint_workspace *workspace, cons
         return;
     }
     glint_descent descents[GLINT_POLYNOMIALS_MAX];
-    const source from = {.draw = draw_terms, .terms = &terms, .polynomials = descents};
+    const source from = {
+        .draw = draw_terms, .terms = &terms, .polynomials = descents, .draws = draw, .triangle = triangle};
     for (uint32_t i = 0; i < terms.end; i++)
         glint_descent_begin(&descents[i], &polynomials[i], part->x, part->y);
     glint_count(workspace, GLINT_KERNEL_CHANNELS, draw_runs(frame, workspace, &from, part));

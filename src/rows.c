@@ -216,7 +216,8 @@ static void add_wide_lobe(const glint_terms *terms, const light_parts *of, const
     int32_t(*row)[3] = to->row;
     inverses inverse = to->inverse;
     for (const glint_run *run = to->runs; run != to->end; run++) {
-        glint_progress cosine = start(of->lobe, run, to), strength = of->strength ? start(of->strength, run, to) : whole;
+        glint_progress cosine = start(of->lobe, run, to),
+                       strength = of->strength ? start(of->strength, run, to) : whole;
         for (uint32_t i = 0; i < run->count; i++, row++, go_on(&cosine), go_on(&strength)) {
             int32_t x = glint_shift_right((int32_t)cosine.value, 15);
             if (inverse) {
@@ -301,6 +302,29 @@ static uint32_t find_colours(const glint_terms *terms, const glint_descent *poly
     if (terms->takes_largest)
         raise_to_ambient(terms, polynomials + terms->surface, to);
     return pixels;
+}
+
+static inline int is_within(int32_t value, int32_t margin) {
+    const int32_t high = glint_shift_right(value, 16);
+    return high < margin && high > -margin;
+}
+
+uint32_t glint_terms_find_edge(const glint_terms *terms, const glint_descent *polynomials, const glint_run *run,
+                               uint8_t columns[GLINT_TILE_MAX]) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < run->count; i++) {
+        int is_edge = 0;
+        for (const glint_apart *a = terms->apart; a != terms->apart + terms->apart_count; a++) {
+            const light_parts parts = parts_of(a, polynomials);
+            if (!parts.lobe)
+                continue;
+            is_edge |= parts.side && !terms->is_ungated && is_within(at(parts.side, run, i), terms->margin);
+            is_edge |= terms->light->lobe_has_strip && is_within(at(parts.lobe, run, i), GLINT_HORIZON);
+        }
+        if (is_edge)
+            columns[count++] = (uint8_t)(run->x + i);
+    }
+    return count;
 }
 
 void glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,

@@ -169,6 +169,7 @@ static inline int find_region(const glint_frame *frame, const glint_draw *draw, 
     uint32_t lobes =
         glint_region_sort(frame, shading, (uint32_t)glint_most_of(a[CLOSENESS], b[CLOSENESS], c[CLOSENESS]), region);
     region->lobes = 0;
+    region->has_edge = 0;
     for (uint32_t l = 0; lobes >> l; l++)
         if (lobes >> l & 1)
             glint_region_add_lobe(region, l, region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, t, l));
@@ -411,7 +412,7 @@ static void begin_quadratics(const glint_part *part, const candidate *t, const l
     }
 }
 
-/* Where a highlight ends at a terminator, it may do so at once: polynomials do not tell where. */
+/* A highlight may end at once at a terminator: polynomials do not tell just where. */
 static int has_edge(const glint_shading *shading, const candidate *t) {
     const uint32_t gated = shading->material->flags & GLINT_MATERIAL_UNGATED ? 0 : t->region.sides & t->region.lobes;
     int32_t n[6];
@@ -478,7 +479,8 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     if (!find_region(frame, draw, triangle, &t))
         return REJECT(4);
     sum_corners(&shading->terms, &t);
-    if (!(region->sides & region->lobes) && glint_plane_error(shading, t.has_surface, region) <= limit) {
+    if (!(region->sides & region->lobes) && !region->has_edge &&
+        glint_plane_error(shading, t.has_surface, region) <= limit) {
         (void)REJECT(10);
         glint_terms_name(frame, draw, region, 0, terms);
         terms->is_curved = 0;
@@ -495,8 +497,9 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     t.is_between = error + region->error_between <= most && is_between(frame, shading, region);
     if (!find_middles(frame, draw, triangle, &t))
         return REJECT(8);
-    if (has_edge(shading, &t))
-        return REJECT(9);
+    t.region.has_edge |= has_edge(shading, &t);
+    if (region->has_edge)
+        (void)REJECT(9);
     (void)REJECT(is_over_length ? 11 : 12);
     const int twice = shading->material->model->lobe == GLINT_LOBE_MIRROR;
     glint_terms_name(frame, draw, region, is_over_length ? 1 + twice : 0, terms);

@@ -65,11 +65,13 @@ typedef struct glint_region {
     uint32_t lit, dark, outside; /* as nodes have it, at all of them */
     uint32_t far, unfit, steep;  /* at some */
     /* what is found */
+    int has_edge;                       /* may a highlight end at once within the region? */
     int folds;                          /* may sums be multiplied by the surface's colours at nodes? */
     uint32_t held, sides, cones, lobes; /* lights in sums, with terms of their own, of these with cones; highlights */
     uint32_t axis;                      /* what highlights' axes turn by */
     uint32_t place, of_colour;          /* what sums turn by but for the normals, and what colours make over w */
     uint32_t error;                     /* of quadratics, levels in Q8 */
+    int32_t margin;                     /* of a light's N.L, Q14 */
     uint32_t error_over_length;         /* of those where numbers are times the normal's length */
     uint32_t error_between;             /* what is more where nodes between corners are found from these */
 } glint_region;
@@ -103,13 +105,14 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
 
 /** Between nodes whose deviations are x, y, x + y and x - y from least to most, a highlight shows, or not, or unclear.
  */
-enum { GLINT_LOBE_OUTSIDE, GLINT_LOBE_SHOWS, GLINT_LOBE_UNFIT };
+enum { GLINT_LOBE_OUTSIDE, GLINT_LOBE_SHOWS, GLINT_LOBE_EDGE, GLINT_LOBE_UNFIT };
 int glint_place_lobe(const glint_shading *shading, const int32_t least[4], const int32_t most[4]);
 
 /** What becomes of those lobes among some that lie so. */
 static inline void glint_region_add_lobe(glint_region *region, uint32_t light, int place) {
     region->lobes |= (uint32_t)(place != GLINT_LOBE_OUTSIDE) << light;
     region->unfit |= (uint32_t)(place == GLINT_LOBE_UNFIT) << light;
+    region->has_edge |= place == GLINT_LOBE_EDGE;
 }
 
 /* ---- Terms ---- */
@@ -135,6 +138,7 @@ typedef struct glint_terms {
     uint8_t apart_count;
     uint8_t sums, square, surface; /* how many sums there are, the first polynomials; and which others these are */
     uint8_t end;                   /* of the polynomials in use */
+    int32_t margin; /* above 0: pixels are not drawn by these whose N.L, Q14, is this near 0 and that may be gated */
     glint_apart apart[GLINT_LIGHTS_MAX];
 } glint_terms;
 
@@ -172,6 +176,18 @@ typedef struct glint_run {
 /** Draws runs that have no more pixels than workspace->row; x and y are from pixel `offset` of the tile on. */
 void glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
                       const glint_descent *polynomials, const glint_run *runs, uint32_t count, uint32_t offset);
+
+/** Cosines below which wide highlights are steep where p < 1, Q14. */
+#define GLINT_HORIZON (1 << 11)
+
+/** Finds pixels of a run that are not to be drawn by terms. @return how many */
+uint32_t glint_terms_find_edge(const glint_terms *terms, const glint_descent *polynomials, const glint_run *run,
+                               uint8_t columns[GLINT_TILE_MAX]);
+
+/** Draws such pixels of a triangle's runs one by one. */
+void glint_draw_edges(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                      const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
+                      const glint_descent *polynomials, const glint_run *runs, uint32_t count);
 
 /* ---- Triangles ---- */
 
