@@ -38,7 +38,7 @@ typedef struct glint_prepared_light {
         int32_t mantissa[3]; /* position times 2 focal lengths over the frame's nearest w: mantissa 2^-shift, Q12, over
                                 Q31 */
         int32_t shift;
-        int32_t distance_mantissa; /* |light vector| / (1/w) in world units: mantissa 2^-shift, 2^30 to 2^31 */
+        int32_t distance_mantissa; /* |light vector| UNIT / 2^15 over 1/w to world units: mantissa 2^-shift, 31 bits */
         int32_t distance_shift;
         uint32_t linear, quadratic; /* Q16, times 2 to the power of these bits: 2^31 or more, or 0 */
         uint32_t linear_bits, quadratic_bits;

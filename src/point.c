@@ -49,6 +49,7 @@ void glint_point_place(const glint_light *light, glint_prepared_light *prepared,
     prepared->point.shift = bits + 4 - up + 31 + (int32_t)wide;
     /* |light vector| / (1/w): Q12 half pixels over Q31, times the nearest w in world units */
     int64_t unit = (n << 30) / view->focal; /* n / focal, Q30: from 2^31 to 2^53 */
+    unit += glint_shift_right64(unit, 13);  /* over GLINT_UNIT / 2^15, which lengths of illuminate_one are times */
     unsigned size = glint_bits64((uint64_t)unit) - 31;
     prepared->point.distance_mantissa = (int32_t)glint_shift_right64(unit, size);
     prepared->point.distance_shift = 30 - (int)size - bits + 28 - 31;
@@ -63,7 +64,9 @@ static inline uint32_t high_product(uint32_t a, uint32_t b) {
 static uint32_t shift_below(uint32_t x, int n) {
     if (n < 0)
         return n > -32 ? x >> -n : 0;
-    return x == 0 || (int)glint_leading_zeros(x) > n + 1 ? x << n : 1u << 30;
+    if ((int)glint_leading_zeros(x) > n + 1)
+        return x << n;
+    return x ? 1u << 30 : 0;
 }
 
 /*

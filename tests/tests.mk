@@ -16,6 +16,7 @@ TEST_HEADERS := $(wildcard src/*.h tests/*.h tests/*/*.h examples/bench/*.h exam
 SUITE_unit      := $(TEST_HARNESS) $(TEST_UNIT)
 SUITE_numbers   := $(TEST_HARNESS) tests/reference/numbers.c
 SUITE_setup     := $(TEST_HARNESS) tests/reference/setup.c
+SUITE_point     := $(TEST_HARNESS) tests/reference/point.c
 SUITE_compare   := $(TEST_HARNESS) tests/image/compare.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_accuracy  := $(TEST_HARNESS) tests/image/accuracy.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_models    := $(TEST_HARNESS) tests/image/models.c tests/image/surfaces.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
@@ -34,7 +35,7 @@ SUITE_drops     := $(TEST_HARNESS) tests/image/drops.c tests/image/undropped.c t
 SUITE_budget    := $(TEST_HARNESS) tests/image/budget.c tests/stability/random_scene.c tests/stability/weights.c \
     $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit numbers setup compare accuracy models gallery output extremes highlights fill_rule identity changes kept arenas drops budget opposed
+TEST_SUITES     := unit numbers setup point compare accuracy models gallery output extremes highlights fill_rule identity changes kept arenas drops budget opposed
 
 # $(call test_suite,variant,suite,compiler,flags): build/tests/<variant>/<suite>
 define test_suite
@@ -71,7 +72,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 
 .PHONY: test-unit-host test-image test-identity test-sanitize test-matrix unit-tables
 
-test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers setup) ## unit tests on the host, arithmetic against libm
+test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers setup point) ## unit tests on the host, arithmetic against libm
 	$(call run_suites,$^)
 
 test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery output extremes highlights fill_rule changes kept arenas drops budget opposed) ## images against the double-precision reference
