@@ -331,10 +331,11 @@ static inline int32_t glint_channel_of(int16_t colour) {
     return (colour << (GLINT_CHANNEL_BITS - 15)) + (colour >> (30 - GLINT_CHANNEL_BITS));
 }
 
-/** A colour, Q23, as channels that are not in levels; those from 16 on become 15. */
+/** A colour, Q23, as channels that are not in levels; those beyond 15 become 15. */
 static inline void glint_channels_of(const uint32_t colour[3], int32_t channel[3]) {
+    const uint32_t most = 15u << 23;
     for (int c = 0; c < 3; c++) /* Q23 to Q27 */
-        channel[c] = (int32_t)(colour[c] >> GLINT_CHANNEL_BITS ? 15u << GLINT_CHANNEL_BITS : colour[c] << 4);
+        channel[c] = (int32_t)((colour[c] < most ? colour[c] : most) << (GLINT_CHANNEL_BITS - 23));
 }
 
 /** A channel as levels of so many bits, half a level included: cut off, it is rounded. 0 bits: as it is. */
