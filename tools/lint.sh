@@ -41,17 +41,22 @@ tidy() {
         'tests/board/pattern.c' 'tests/board/unit.c' 'tests/board/faults.c' ':!port/host' ':!port/virt' || status=1
     tidy_files "-Isrc -Iport -Iport/libc --target=riscv32-unknown-elf -march=rv32imc -ffreestanding" \
         'port/virt/*.c' || status=1
-    tidy_files "-Isrc -Iport -Iport/libc -Itests -Itools -I$bench $(arm)" 'tools/profile/*.c' 'tools/scaling/*.c' 'tools/bench/frames.c' 'tools/bench/methods.c' 'tools/features/*.c' \
+    tidy_files "-Isrc -Iport -Iport/libc -Itests -Itools -I$bench $(arm)" 'tools/profile/*.c' 'tools/scaling/*.c' 'tools/bench/*.c' ':!tools/bench/scenes.c' ':!tools/bench/float' 'tools/features/*.c' \
         'tools/chart/*_board.c' || status=1
     tidy_files "-Isrc -Iport/host -Iexamples -Iexamples/bench" 'tools/bench/scenes.c' || status=1
-    tidy_files "-Isrc -Iport -Iport/host -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit" \
+    tidy_files "-Isrc -Iport -Iport/libc -Itools/bench -Itools/bench/float -I$bench $(arm_fpu)" 'tools/bench/float/*.c' 'tests/float/*_board.c' || status=1
+    tidy_files "-Isrc -Iport -Iport/host -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit -Itools/bench -Itools/bench/float" \
         'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' 'examples/scenes/*.c' 'tools/chart/*.c' ':!tests/proof' \
-        ':!tests/stack' ':!tests/board/faults.c' ':!tools/chart/*_board.c' ':!tests/board/*_board.c' ':!tests/board/pattern.c' ':!tests/board/unit.c' || status=1
+        ':!tests/stack' ':!tests/board/faults.c' ':!tools/chart/*_board.c' ':!tests/*/*_board.c' ':!tests/board/pattern.c' ':!tests/board/unit.c' || status=1
     return $status
 }
 
 arm() {
     echo "--target=arm-none-eabi -mcpu=cortex-m0 -mthumb -ffreestanding"
+}
+
+arm_fpu() {
+    echo "--target=arm-none-eabi -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -ffreestanding"
 }
 
 tidy_files() { # tidy_files FLAGS PATTERN...

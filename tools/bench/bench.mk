@@ -11,7 +11,12 @@ $(BUILD)/bench/bench_scenes.h: $(BUILD)/bench/scenes
 
 # Firmware that draws them includes them.
 $(foreach board,$(MEASURED),$(foreach level,Os O2,\
-    $(patsubst %.c,$(BUILD)/$(board)/$(level)/%.o,tools/bench/frames.c))): $(BUILD)/bench/bench_scenes.h
+    $(patsubst %.c,$(BUILD)/$(board)/$(level)/%.o,tools/bench/frames.c tools/bench/workloads.c))): $(BUILD)/bench/bench_scenes.h
+
+PROGRAM_workloads := tools/bench/workload_frames.c tools/bench/workloads.c $(wildcard examples/scenes/*.c)
+$(foreach board,$(MEASURED),$(eval $(call firmware_program,$(board),O2,workloads)))
+# It measures; `make boards` lists what is to run on a board.
+FIRMWARE := $(filter-out %/workloads.elf,$(FIRMWARE))
 
 PROGRAM_methods := tools/bench/methods.c $(METHODS)
 PROGRAM_fragments := tools/bench/fragments.c
@@ -28,13 +33,17 @@ bench_elf = $(BUILD)/$(lastword $(subst =, ,$1))/O2/$2.elf
 bench_programs = $(foreach core,$(BENCH_CORES),\
     $(word 1,$(subst =, ,$(core)))=$(word 2,$(subst =, ,$(core)))=$(call bench_elf,$(core),$1))
 
+# The float renderer that they are compared with (float.mk).
+BENCH_FLOAT := $(BUILD)/mps2-an386-m4f/O2/float.elf
+
 .PHONY: bench bench-diff
-$(BUILD)/bench.csv: $(foreach core,$(BENCH_CORES),$(foreach program,frames methods fragments,$(call bench_elf,$(core),$(program)))) \
-        $(wildcard tools/bench/*.py) tests/board/qemu.py
-	$(Q)python3 tools/bench/bench.py --qemu $(QEMU) --output $(BUILD) --frames $(call bench_programs,frames) \
+$(BUILD)/bench.csv: $(foreach core,$(BENCH_CORES),$(foreach program,frames workloads methods fragments,$(call bench_elf,$(core),$(program)))) \
+        $(BENCH_FLOAT) $(wildcard tools/bench/*.py) tests/board/qemu.py
+	$(Q)python3 tools/bench/bench.py --qemu $(QEMU) --output $(BUILD) --frames $(call bench_programs,frames) $(call bench_programs,workloads) \
+	    --float m4f=mps2-an386=$(BENCH_FLOAT) \
 	    --methods $(call bench_programs,methods) $(call bench_programs,fragments)
 
-bench: $(BUILD)/bench.csv ## count the instructions of whole frames, of methods and of fragments; writes build/bench.csv
+bench: $(BUILD)/bench.csv ## count the instructions of whole frames of every kind of scene, of methods and of fragments; writes build/bench.csv
 	@python3 tools/bench/table.py $<
 
 bench-diff: $(BUILD)/bench.csv ## what changed against docs/bench.csv; fails when anything did

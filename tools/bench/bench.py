@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Counts instructions: bench.py --qemu QEMU --output DIRECTORY --frames CPU=MACHINE=ELF... --methods CPU=MACHINE=ELF...
+"""Counts instructions: bench.py --qemu QEMU --output DIRECTORY --frames CPU=MACHINE=ELF... --float CPU=MACHINE=ELF
+--methods CPU=MACHINE=ELF...
 
-Writes DIRECTORY/bench.csv, with instructions a frame and the bytes of the library's tables, then instructions of each
-method, or of what a program of that form counts, and the bytes of its own tables; and DIRECTORY/bench-arena.csv, with the arena that the frames need.
+Writes DIRECTORY/bench.csv, with instructions a frame and the bytes of the library's tables, those of the float renderer
+that it is compared with, which has none, then instructions of each method, or of what a program of that form counts, and the bytes of its own tables; and DIRECTORY/bench-arena.csv, with the arena that the frames need.
 """
 import argparse
 import concurrent.futures
@@ -34,6 +35,13 @@ def frame_rows(firmware, running, arenas):
             arenas[name, variant] = max(most[0], int(smallest)), max(most[1], int(best))
 
 
+def float_rows(firmware, running):
+    for (cpu, _, _), result in zip(firmware, running):
+        for line in result.result():
+            name, variant, instructions = line.split(",")
+            yield "frame", name, variant, cpu, int(instructions), "frame", 0
+
+
 def method_rows(firmware, running):
     for (cpu, _, _), result in zip(firmware, running):
         for line in result.result():
@@ -46,15 +54,18 @@ def main():
     parser.add_argument("--qemu", required=True)
     parser.add_argument("--output", required=True)
     parser.add_argument("--frames", nargs="+", required=True)
+    parser.add_argument("--float", nargs="+", required=True, dest="floats")
     parser.add_argument("--methods", nargs="+", required=True)
     arguments = parser.parse_args()
     frames = [program.split("=") for program in arguments.frames]
+    floats = [program.split("=") for program in arguments.floats]
     methods = [program.split("=") for program in arguments.methods]
     workers = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
-    running = [workers.submit(lines_of, arguments.qemu, machine, elf) for _, machine, elf in frames + methods]
+    running = [workers.submit(lines_of, arguments.qemu, machine, elf) for _, machine, elf in frames + floats + methods]
     arenas = {}
     rows = list(frame_rows(frames, running, arenas))
-    rows += method_rows(methods, running[len(frames):])
+    rows += float_rows(floats, running[len(frames):])
+    rows += method_rows(methods, running[len(frames) + len(floats):])
     write(os.path.join(arguments.output, "bench-arena.csv"), ("name", "variant", "smallest", "best"),
           [key + value for key, value in arenas.items()])
     write(os.path.join(arguments.output, "bench.csv"), COLUMNS, rows)

@@ -6,10 +6,8 @@
  * the last two being the bytes of arena that the ten frames need on a panel that is sent one tile while the next is
  * drawn.
  */
-#include "board.h"
-#include "counter.h"
 #include "framebuffer.h"
-#include "text.h"
+#include "measure.h"
 
 #include <bench_scenes.h>
 
@@ -42,58 +40,22 @@ static uint16_t framebuffer[HEIGHT][WIDTH];
 static glint_signature signatures[80];
 static glint_changes changes;
 
-typedef struct measured {
-    uint32_t instructions; /* mean of the ten frames */
-    size_t smallest, best; /* largest of the ten frames */
-} measured;
-
 static int copy_tile(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
     (void)context;
     framebuffer_copy(&framebuffer[y][x], sizeof framebuffer[0], pixels, stride, 2 * (size_t)width, height);
     return 0;
 }
 
-static int wait_tile(void *context) {
-    (void)context;
-    return 0;
-}
-
-static glint_status need(const glint_config *config, const glint_scene *scene, measured *result) {
-    glint_config panel = *config;
-    glint_need bytes;
-
-    panel.flush.wait = wait_tile;
-    const glint_status status = glint_arena_need(&panel, scene, &bytes);
-    if (status == GLINT_OK) {
-        result->smallest = bytes.smallest > result->smallest ? bytes.smallest : result->smallest;
-        result->best = bytes.best > result->best ? bytes.best : result->best;
-    }
-    return status;
-}
-
-/* Draws the scene's frames, as an animation does: the first from glint_init on. */
 static glint_status measure(const glint_config *config, const glint_scene *scene, glint_object *object,
                             const glint_pose *poses, measured *result) {
-    uint32_t ticks = 0;
+    glint_status status = GLINT_OK;
     glint_renderer renderer;
 
-    for (int frame = 0; frame < BENCH_FRAMES; frame++) {
+    for (int frame = 0; frame < BENCH_FRAMES && status == GLINT_OK; frame++) {
         object->pose = poses[frame];
-        glint_status status = need(config, scene, result);
-        const uint32_t start = counter_now();
-        if (status == GLINT_OK && frame == 0) {
-            status = glint_init(&renderer, config);
-        }
-        if (status == GLINT_OK) {
-            status = glint_render(&renderer, scene);
-        }
-        if (status != GLINT_OK) {
-            return status;
-        }
-        ticks += counter_ticks_since(start);
+        status = measure_frame(config, scene, frame == 0, &renderer, result);
     }
-    result->instructions = ticks * COUNTER_INSTRUCTIONS_PER_TICK / BENCH_FRAMES;
-    return GLINT_OK;
+    return status;
 }
 
 static glint_status measure_variant(uint32_t which, const variant *v, measured *result) {
@@ -128,30 +90,21 @@ static glint_status measure_variant(uint32_t which, const variant *v, measured *
     return measure(&config, &scene, &object, bench_scenes[which].poses, result);
 }
 
-static void write_number(uint32_t number, const char *end) {
-    char digits[TEXT_NUMBER_SIZE];
-
-    board_write(text_number(digits, number));
-    board_write(end);
-}
-
 static void report(const char *name, const variant *v, const measured *result) {
     board_write(name);
     board_write(",");
-    write_number(v->width, "x");
-    write_number(v->height, v->viewer == GLINT_VIEWER_LOCAL ? " local " : " infinite ");
-    write_number(v->tile_width, "x");
-    write_number(v->tile_height, v->changes ? " changes," : v->anew ? " anew," : v->plain ? " plain," : ",");
-    write_number(result->instructions, ",");
-    write_number((uint32_t)result->smallest, ",");
-    write_number((uint32_t)result->best, "\n");
+    measure_write_number(v->width, "x");
+    measure_write_number(v->height, v->viewer == GLINT_VIEWER_LOCAL ? " local " : " infinite ");
+    measure_write_number(v->tile_width, "x");
+    measure_write_number(v->tile_height, v->changes ? " changes," : v->anew ? " anew," : v->plain ? " plain," : ",");
+    measure_write(result, BENCH_FRAMES);
 }
 
 int main(void) {
     counter_start();
     for (uint32_t scene = 0; scene < SCENES; scene++) {
         for (uint32_t i = 0; i < sizeof variants / sizeof variants[0]; i++) {
-            measured result = {0, 0, 0};
+            measured result = {0};
             const glint_status status = measure_variant(scene, &variants[i], &result);
             if (status != GLINT_OK) {
                 board_write(glint_strerror(status));

@@ -1,0 +1,374 @@
+/* SPDX-License-Identifier: MIT */
+#include "workloads.h"
+
+#include "../../examples/scenes/stage.h"
+#include "../../port/text.h"
+
+#include <bench_scenes.h>
+
+/** The benchmark scene that is changed. */
+enum { TORUS576 = 1 };
+
+static const uint16_t sizes[][2] = {{320, 240}, {128, 64}};
+
+/* ---- Lights, materials and meshes ---- */
+
+/* Around the torus, which is 3.7 in front of the eye, from 2.1 to 2.6 away from its centre. */
+static const struct {
+    glint_vector position;
+    glint_colour colour;
+} points[GLINT_LIGHTS_MAX] = {
+    {XYZ(1.0, 1.5, -1.95), RGB(1, 1, 1)},     {XYZ(-1.7, 0.5, -2.5), RGB(0.5, 0.7, 1)},
+    {XYZ(0.3, -1.8, -2.2), RGB(1, 0.6, 0.4)}, {XYZ(1.9, -0.6, -4.9), RGB(0.4, 1, 0.6)},
+    {XYZ(-1.2, 1.6, -5.0), RGB(1, 1, 0.5)},   {XYZ(-1.4, -1.5, -4.9), RGB(1, 0.4, 0.8)},
+    {XYZ(2.0, 0.4, -2.2), RGB(0.4, 0.9, 1)},  {XYZ(-0.6, 0.8, -1.4), RGB(0.8, 0.8, 0.8)},
+};
+
+static glint_material *material_of(workload_stage *stage) {
+    return &stage->example.materials[0];
+}
+
+static void light_with_points(workload_stage *stage, uint32_t count, glint_q16 brightness) {
+    stage->example.scene.light_count = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        const glint_colour full = points[i].colour;
+        const glint_colour colour = {stage_multiply(full.r, brightness), stage_multiply(full.g, brightness),
+                                     stage_multiply(full.b, brightness)};
+        glint_light *light = stage_light(&stage->example, &glint_light_point, points[i].position, colour);
+
+        light->linear = GLINT_Q16(0.1);
+        light->quadratic = GLINT_Q16(0.05);
+    }
+}
+
+static void two_directional(workload_stage *stage) {
+    const glint_vector left = XYZ(-0.7, 0.2, 0.5);
+
+    stage_light(&stage->example, &glint_light_directional, left, (glint_colour)GREY(0.7));
+}
+
+static void second_black(workload_stage *stage) {
+    const glint_vector left = XYZ(-0.7, 0.2, 0.5);
+
+    stage_light(&stage->example, &glint_light_directional, left, (glint_colour)GREY(0));
+}
+
+static void one_point(workload_stage *stage) {
+    light_with_points(stage, 1, GLINT_Q16(1.4));
+}
+
+/* From where the first point is to the torus's centre; its cone does not hold all of it. */
+static void one_spot(workload_stage *stage) {
+    light_with_points(stage, 1, GLINT_Q16(1.4));
+    glint_light *light = &stage->example.lights[0];
+    light->type = &glint_light_spot;
+    light->axis = (glint_vector)XYZ(-1.0, -1.5, -1.75);
+    light->inner = GLINT_Q16(18);
+    light->outer = GLINT_Q16(28);
+}
+
+static void four_points(workload_stage *stage) {
+    light_with_points(stage, 4, GLINT_Q16(0.9));
+}
+
+static void eight_points(workload_stage *stage) {
+    light_with_points(stage, 8, GLINT_Q16(0.6));
+}
+
+static void phong(workload_stage *stage) {
+    material_of(stage)->model = &glint_model_phong;
+}
+
+/* Red, green and blue rise along the mesh's axes. */
+static void mesh_colours(workload_stage *stage) {
+    for (uint32_t i = 0; i < stage->mesh.vertex_count && i < COUNT_OF(stage->colours); i++) {
+        for (int axis = 0; axis < 3; axis++) {
+            stage->colours[i][axis] = (uint8_t)(160 + stage->mesh.positions[i][axis] / 345);
+        }
+    }
+    stage->mesh.colours = (const uint8_t(*)[3])stage->colours;
+}
+
+static void flag_max(workload_stage *stage) {
+    material_of(stage)->flags = GLINT_MATERIAL_MAX;
+}
+
+static void flag_ungated(workload_stage *stage) {
+    material_of(stage)->flags = GLINT_MATERIAL_UNGATED;
+}
+
+static void double_sided(workload_stage *stage) {
+    stage->mesh.flags = GLINT_MESH_DOUBLE_SIDED;
+}
+
+static void per_vertex(workload_stage *stage) {
+    stage->example.objects[0].evaluation = &glint_per_vertex;
+}
+
+static void per_vertex_eight_points(workload_stage *stage) {
+    eight_points(stage);
+    per_vertex(stage);
+}
+
+static void per_facet(workload_stage *stage) {
+    stage->example.objects[0].evaluation = &glint_per_facet;
+}
+
+static void unlit(workload_stage *stage) {
+    material_of(stage)->model = &glint_model_unlit;
+}
+
+static void exponent_8(workload_stage *stage) {
+    material_of(stage)->shininess = GLINT_Q16(8);
+}
+
+static void exponent_256(workload_stage *stage) {
+    material_of(stage)->shininess = GLINT_Q16(256);
+}
+
+static void no_highlight(workload_stage *stage) {
+    material_of(stage)->specular = (glint_colour)GREY(0);
+}
+
+static const struct {
+    const char *name;
+    workload_change change;
+} looks[] = {
+    {"2 directional", two_directional},
+    {"1 point", one_point},
+    {"1 spot", one_spot},
+    {"4 points", four_points},
+    {"8 points", eight_points},
+    {"phong", phong},
+    {"mesh colours", mesh_colours},
+    {"max", flag_max},
+    {"ungated", flag_ungated},
+    {"double-sided", double_sided},
+    {"per vertex", per_vertex},
+    {"per vertex 8 points", per_vertex_eight_points},
+    {"per facet", per_facet},
+    {"unlit", unlit},
+    {"p 8", exponent_8},
+    {"p 256", exponent_256},
+    {"second light black", second_black},
+    {"no highlight", no_highlight},
+};
+
+/* ---- Formats ---- */
+
+static const workload_output rgb565 = {"", &glint_format_rgb565, 0, 0};
+
+static const workload_output outputs[] = {
+    {"rgb565 tables", &glint_format_rgb565, 0, 1},
+    {"rgb565 dithered", &glint_format_rgb565_dithered, 0, 0},
+    {"rgb565_be", &glint_format_rgb565_be, 0, 0},
+    {"rgb565_be dithered", &glint_format_rgb565_be_dithered, 0, 0},
+    {"rgb888", &glint_format_rgb888, 0, 0},
+    {"rgb888 dithered", &glint_format_rgb888_dithered, 0, 0},
+    {"grey8", &glint_format_grey8, 0, 0},
+    {"grey8 dithered", &glint_format_grey8_dithered, 0, 0},
+    {"grey4", &glint_format_grey4, 0, 0},
+    {"grey4 dithered", &glint_format_grey4_dithered, 0, 0},
+    {"rgb444", &glint_format_rgb444, 0, 0},
+    {"rgb444 dithered", &glint_format_rgb444_dithered, 0, 0},
+    {"mono", &glint_format_mono, 0, 0},
+    {"mono dithered", &glint_format_mono_dithered, 0, 0},
+    {"mono_pages", &glint_format_mono_pages, 1, 0},
+    {"mono_pages dithered", &glint_format_mono_pages_dithered, 1, 0},
+};
+
+/* The integer part of the square root, bit by bit. */
+static uint32_t square_root(uint32_t square) {
+    uint32_t root = 0;
+    for (uint32_t bit = 1u << 15; bit; bit >>= 1) {
+        if ((root + bit) * (root + bit) <= square) {
+            root += bit;
+        }
+    }
+    return root;
+}
+
+void workload_gamma(uint16_t tables[3][GLINT_GAMMA_ENTRIES]) {
+    for (uint32_t i = 0; i < GLINT_GAMMA_ENTRIES; i++) {
+        const uint32_t full = GLINT_GAMMA_ENTRIES - 1;
+        const uint16_t level = i < full ? (uint16_t)square_root(i << 24) : 65535;
+
+        tables[0][i] = tables[1][i] = tables[2][i] = level;
+    }
+}
+
+/* ---- Example scenes ---- */
+
+static const struct {
+    const example_scene *scene;
+    const char *variant;
+} examples[] = {
+    {&example_three_spheres, "phong"},
+    {&example_three_spheres, "blinn-phong"},
+    {&example_three_spheres, "vertex-dense"},
+    {&example_teapot, "fragment"},
+    {&example_teapot, "vertex"},
+    {&example_teapot, "flood-wide"},
+    {&example_shaders, "torus-50"},
+    {&example_shaders, "cylinder-50"},
+    {&example_shaders, "sphere-50"},
+    {&example_phong_lighting, "plain"},
+    {&example_phong_lighting, "near"},
+    {&example_phong_lighting, "ring"},
+    {&example_phong_lighting, "turning"},
+    {&example_phong_lighting, "scaled-vertex-colours"},
+    {&example_phong_lighting, "light"},
+    {&example_halloween, "night"},
+    {&example_halloween, "vertex"},
+    {&example_halloween, "floodlit"},
+    {&example_surfaces, "metal"},
+    {&example_surfaces, "terms"},
+    {&example_surfaces, "ungated"},
+    {&example_surfaces, "exponents"},
+    {&example_surfaces, "twice-near"},
+    {&example_surfaces, "twice-far"},
+};
+
+static int same_text(const char *a, const char *b) {
+    while (*a && *a == *b) {
+        a++, b++;
+    }
+    return *a == *b;
+}
+
+static int build_example(workload_stage *stage, const workload *built) {
+    const example_scene *scene = built->example;
+    for (uint32_t variant = 0; variant < scene->variant_count; variant++) {
+        if (same_text(scene->variants[variant].name, built->look)) {
+            scene->build(&stage->example, variant, scene->frames / 2);
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* ---- The list ---- */
+
+enum {
+    SIZES = COUNT_OF(sizes),
+    LOOKS = SIZES * COUNT_OF(looks),
+    OUTPUTS = 2 * COUNT_OF(outputs), /* lit and unlit */
+    EXAMPLES = COUNT_OF(examples)
+};
+
+uint32_t workload_count(void) {
+    return WORKLOADS_PLAIN + LOOKS + OUTPUTS + EXAMPLES;
+}
+
+static workload bench_workload(uint32_t bench, const uint16_t size[2]) {
+    const workload plain = {.scene = bench_scenes[bench].name,
+                            .look = "",
+                            .width = size[0],
+                            .height = size[1],
+                            .frames = BENCH_FRAMES,
+                            .output = &rgb565,
+                            .bench = bench};
+
+    return plain;
+}
+
+static workload look_workload(uint32_t number) {
+    workload changed = bench_workload(TORUS576, sizes[number % SIZES]);
+
+    changed.look = looks[number / SIZES].name;
+    changed.change = looks[number / SIZES].change;
+    return changed;
+}
+
+static workload output_workload(uint32_t number) {
+    workload changed = bench_workload(TORUS576, sizes[0]);
+
+    changed.output = &outputs[number / 2];
+    if (number % 2) {
+        changed.look = "unlit";
+        changed.change = unlit;
+    }
+    return changed;
+}
+
+static workload example_workload(uint32_t number) {
+    const example_scene *scene = examples[number].scene;
+    const workload drawn = {.scene = scene->name,
+                            .look = examples[number].variant,
+                            .width = scene->width,
+                            .height = scene->height,
+                            .frames = BENCH_FRAMES,
+                            .output = &rgb565,
+                            .example = scene};
+
+    return drawn;
+}
+
+workload workload_get(uint32_t number) {
+    if (number < WORKLOADS_PLAIN) {
+        return bench_workload(number / SIZES, sizes[number % SIZES]);
+    }
+    number -= WORKLOADS_PLAIN;
+    if (number < LOOKS) {
+        return look_workload(number);
+    }
+    number -= LOOKS;
+    if (number < OUTPUTS) {
+        return output_workload(number);
+    }
+    return example_workload(number - OUTPUTS);
+}
+
+static void build_bench(workload_stage *stage, const workload *built) {
+    example_stage *example = &stage->example;
+
+    stage_clear(example, (glint_colour)GREY(0));
+    example->scene.camera.field_of_view = BENCH_FIELD_OF_VIEW;
+    example->scene.camera.near_plane = BENCH_NEAR_PLANE;
+    example->scene.ambient = (glint_colour){BENCH_AMBIENT, BENCH_AMBIENT, BENCH_AMBIENT};
+    example->lights[example->scene.light_count++] = bench_light;
+    stage->mesh = *bench_scenes[built->bench].mesh;
+    stage->poses = bench_scenes[built->bench].poses;
+    stage_add(example, &stage->mesh, &bench_material, &stage->poses[0]);
+    if (built->change) {
+        built->change(stage);
+    }
+}
+
+int workload_build(workload_stage *stage, const workload *built) {
+    stage->poses = 0;
+    if (built->example) {
+        return build_example(stage, built);
+    }
+    build_bench(stage, built);
+    return 0;
+}
+
+void workload_set_frame(workload_stage *stage, uint32_t frame) {
+    if (stage->poses) {
+        stage->example.objects[0].pose = stage->poses[frame];
+    }
+}
+
+/* Puts what fits of `more` at `*length`, and the end of the text behind it. */
+static void append(char text[WORKLOAD_TEXT], uint32_t *length, const char *more) {
+    while (*more && *length + 1 < WORKLOAD_TEXT) {
+        text[(*length)++] = *more++;
+    }
+    text[*length] = '\0';
+}
+
+const char *workload_variant(const workload *named, char text[WORKLOAD_TEXT]) {
+    char digits[TEXT_NUMBER_SIZE];
+    uint32_t length = 0;
+
+    append(text, &length, text_number(digits, named->width));
+    append(text, &length, "x");
+    append(text, &length, text_number(digits, named->height));
+    append(text, &length, " local 32x32");
+    append(text, &length, *named->look ? " " : "");
+    append(text, &length, named->look);
+    append(text, &length, *named->output->name ? " " : "");
+    append(text, &length, named->output->name);
+    return text;
+}
