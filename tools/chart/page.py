@@ -94,6 +94,8 @@ def scenes(figures):
     for scene, size in dict.fromkeys((row["scene"], row["size"]) for row in figures.counts):
         floats = {row["library"]: row["million_instructions"] for row in figures.others
                   if (row["scene"], row["size"], row["cpu"]) == (scene, size, "m4f")}
+        floats.update((GOOD_FLOAT, "%.2f" % million) for name, look, shown, million in with_fpu(figures)
+                      if (name, look, shown) == (scene, "", size))
         rows.append([scene, size, "%.1f" % figures.psnr(scene, size, ASKED),
                      "%.1f" % figures.psnr(scene, size, "correctly rounded")] +
                     ["%.2f" % figures.instructions(scene, size, ASKED, cpu) for cpu in cpus] +
@@ -119,25 +121,33 @@ def others(figures):
         rows.append([library, mode, of[0]["psnr_db"]] +
                     ["%s (%s)" % (counts[cpu], times(float(counts[cpu]) / own[cpu])) if cpu in counts else ""
                      for cpu in cpus])
+    for name, look, size, million in with_fpu(figures):
+        if (name, look, size) == (SCENE, "", SIZE):
+            rows.append([GOOD_FLOAT, "per fragment", ""] +
+                        ["%.2f (%s)" % (million, times(million / own[cpu])) if cpu == "m4" else "" for cpu in cpus])
     return table(["library", "mode", "PSNR, dB"] + ["million instructions, " + CPUS[cpu] +
                                                     (" with FPU" if cpu == "m4" else "") for cpu in cpus], rows)
 
 
 def with_fpu(figures):
-    """@return (scene, size, million instructions of good float on Cortex-M4 with FPU), as they were measured"""
-    return [(row["scene"], row["size"], float(row["million_instructions"]))
-            for row in only(figures.others, library=GOOD_FLOAT, cpu="m4f")]
+    """@return (scene, look, size, million instructions of good float on Cortex-M4 with FPU) of frames of `make bench`"""
+    found = []
+    for row in only(figures.bench, kind="frame", cpu="m4f"):
+        size, _, look = row["variant"].partition(" local float")
+        found.append((row["name"], look.strip(), size, int(row["instructions"]) / 1e6))
+    return found
 
 
 def examples_beside_float(figures):
-    """@return (scene and variant, size, {core: million instructions}, those of good float with an FPU) of example scenes"""
+    """@return (scene and look, size, {core: million instructions}, those of good float with an FPU) of example scenes"""
+    own = {row["scene"] for row in figures.counts}
     found = []
-    for name, size, million in with_fpu(figures):
-        scene, _, variant = name.partition(", ")
+    for scene, look, size, million in with_fpu(figures):
+        if scene in own:
+            continue
         counts = {row["cpu"]: int(row["instructions"]) / 1e6
-                  for row in only(figures.modelled_counts, scene=scene, variant=variant, size=size, way="exact")}
-        if variant:
-            found.append((name, size, counts, million))
+                  for row in only(figures.bench, kind="frame", name=scene, variant="%s local 32x32 %s" % (size, look))}
+        found.append(("%s, %s" % (scene, look), size, counts, million))
     return found
 
 
@@ -152,8 +162,8 @@ def benchmark_beside_float(figures):
     """Where float takes less than the library's exact image, and where more."""
     own = {(row["scene"], row["size"]) for row in figures.counts}
     fewer, more = [], []
-    for scene, size, million in with_fpu(figures):
-        if (scene, size) in own:
+    for scene, look, size, million in with_fpu(figures):
+        if (scene, size) in own and not look:
             count = figures.instructions(scene, size, ASKED, "m4")
             (fewer if million < count else more).append("%s at %s (%.2f million, glint %.2f)" % (scene, size, million, count))
     sentences = ["With an FPU, good float takes fewer instructions than glint in %s." % listed(fewer)] if fewer else []
