@@ -37,6 +37,11 @@ static int32_t over_w(int32_t attribute, uint32_t w) {
     return attribute * (int32_t)(w >> 16) + glint_shift_right(attribute * (int32_t)(w & 0xffff), 16);
 }
 
+/* The shift that brings the largest 1/w of the corners, none 0, to 2^30 .. 2^31. */
+static GLINT_INLINE unsigned find_room(const glint_vertex *const v[3]) {
+    return glint_leading_zeros((uint32_t)(v[0]->inverse_w | v[1]->inverse_w | v[2]->inverse_w)) - 1;
+}
+
 /* Planes of three attributes of 16 bits over w; negated, normals are those of the back. */
 static void triple(glint_plane planes[3], const glint_part *part, const int16_t *const attribute[3],
                    const uint32_t w[3], int negated) {
@@ -233,15 +238,14 @@ void glint_draw_facet(const glint_frame *frame, glint_workspace *workspace, cons
 }
 
 /*
- * What a triangle's fragments have in common, and 1/w of its corners: none 0, the largest brought to 2^30 .. 2^31.
+ * What a triangle's fragments have in common, and 1/w of its corners with all the bits there are.
  * @return its attributes, to be filled in
  */
 static glint_attributes *begin_fragments(glint_workspace *workspace, const glint_triangle *triangle,
                                          const glint_part *part, uint32_t w[3]) {
     glint_gathered *to = workspace->gathered;
     const glint_vertex *const *v = triangle->corners;
-    const uint32_t all = (uint32_t)v[0]->inverse_w | (uint32_t)v[1]->inverse_w | (uint32_t)v[2]->inverse_w;
-    const unsigned up = glint_leading_zeros(all) - 1;
+    const unsigned up = find_room(v);
     for (int i = 0; i < 3; i++)
         w[i] = (uint32_t)v[i]->inverse_w << up;
     to->fragments.count = 0;
@@ -334,9 +338,12 @@ static fit find_fit(const glint_triangle *triangle, const glint_gradients *g, co
 /* Of find_skew, where 1/w changes by at most 7/16. */
 #define MOST_SKEW 5898
 
-/* Four times what a colour at the middle of an edge is more than the mean of its ends, over their difference: Q14. */
-static int32_t find_skew(const glint_vertex *a, const glint_vertex *b) {
-    const int32_t wa = a->inverse_w >> 16, wb = b->inverse_w >> 16;
+/*
+ * Four times what a colour at the middle of an edge is more than the mean of its ends, over their difference: Q14. With
+ * 1/w times 2^up, below 2^31.
+ */
+static int32_t find_skew(const glint_vertex *a, const glint_vertex *b, unsigned up) {
+    const int32_t wa = a->inverse_w << up >> 16, wb = b->inverse_w << up >> 16;
     const int32_t skew = wa == wb ? 0 : (wa - wb) * (1 << 15) / (wa + wb);
     return glint_least(glint_most(skew, -MOST_SKEW), MOST_SKEW);
 }
@@ -352,7 +359,8 @@ static void begin_planes(glint_quadratic channel[3], const glint_gradients *g, i
 
 static void begin_quadratics(glint_quadratic channel[3], const glint_gradients *g, const glint_vertex *const v[3],
                              int32_t a[3][3]) {
-    const int32_t skew[3] = {find_skew(v[0], v[1]), find_skew(v[1], v[2]), find_skew(v[0], v[2])};
+    const unsigned up = find_room(v);
+    const int32_t skew[3] = {find_skew(v[0], v[1], up), find_skew(v[1], v[2], up), find_skew(v[0], v[2], up)};
     glint_barycentric s;
     glint_barycentric_begin(&s, g, GLINT_CHANNEL_BITS - 15);
     for (int c = 0; c < 3; c++) {

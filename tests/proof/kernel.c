@@ -348,20 +348,26 @@ PROOF(find_fit) {
     }
 }
 
-/* Corners that are not deep. */
+/* Corners whose 1/w are less than a factor 4 apart, with the room that the largest leaves. */
 PROOF(find_skew) {
-    corners[0].inverse_w = ANY(1 << 17, INT32_MAX);
-    corners[1].inverse_w = ANY(1 << 17, INT32_MAX);
-    find_skew(&corners[0], &corners[1]);
+    FOR_PARTS(bits, 17, 31) {
+        for (int i = 0; i < 2; i++)
+            corners[i].inverse_w = ANY(1 << (bits - 2), (int32_t)((1u << bits) - 1));
+        find_skew(&corners[0], &corners[1], 31u - (unsigned)bits);
+    }
 }
 
 /* Stands on PROOF(find_skew), and on triangles that are not deep. */
 /*@ requires \valid_read(a) && \valid_read(b);
-    assigns \result \from *a, *b;
+    assigns \result \from *a, *b, up;
     admit ensures -MOST_SKEW <= \result <= MOST_SKEW; */
-static int32_t find_skew(const glint_vertex *a, const glint_vertex *b);
+static int32_t find_skew(const glint_vertex *a, const glint_vertex *b, unsigned up);
 
-/* Any colours. @contract find_skew glint_barycentric_begin glint_polynomial_begin */
+/*
+ * Any colours.
+ * @contract find_skew glint_barycentric_begin glint_polynomial_begin
+ * @unreached 2 leading zeros of 0
+ */
 PROOF(begin_quadratics) {
     glint_quadratic channel[3];
     int32_t a[3][3];
