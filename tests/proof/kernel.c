@@ -19,6 +19,7 @@
     assigns \result \from indirect: *from; */
 static uint32_t draw_runs(const source *from);
 
+/* Stands on glint_draw_any, which begins fragments in the same way, and on resolve. The image tests under ASan. */
 /*@ requires \valid_read(frame) && \valid_read(workspace) && \valid_read(draw) && \valid_read(triangle);
     requires \valid_read(part) && \valid_read(colour + (0 .. 2));
     assigns \nothing; */
