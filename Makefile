@@ -20,14 +20,19 @@ export PYTHONDONTWRITEBYTECODE := 1
 help: ## list what can be made
 	@sed -n 's/^\([a-z][a-z-]*\):.*## \(.*\)/\1\t\2/p' $(MAKEFILE_LIST) | sort | awk -F '\t' '{ printf "make %-19s %s\n", $$1, $$2 }'
 
-# The library for the host: build/host/libglint.a
+# $(call library,folder,compiler and flags): <folder>/libglint.a, for programs of this machine
+define library
+$1/src/%.o: src/%.c Makefile
+	@mkdir -p $$(@D)
+	$$(Q)$2 -std=c99 $(LIBRARY_WARNINGS) -g -Isrc -MMD -MP -c $$< -o $$@
+$1/libglint.a: $(LIBRARY:%.c=$1/%.o)
+	@rm -f $$@
+	$$(Q)$(AR) rcs $$@ $$^
+-include $$(wildcard $1/src/*.d)
+endef
+
 HOST_CFLAGS := -std=c99 $(WARNINGS) -g $(CFLAGS) -Isrc
-$(BUILD)/host/src/%.o: src/%.c $(wildcard src/*.h)
-	@mkdir -p $(@D)
-	$(Q)$(CC) -std=c99 $(LIBRARY_WARNINGS) -g $(CFLAGS) -Isrc -ffreestanding -c $< -o $@
-$(BUILD)/host/libglint.a: $(LIBRARY:src/%.c=$(BUILD)/host/src/%.o)
-	@rm -f $@
-	$(Q)$(AR) rcs $@ $^
+$(eval $(call library,$(BUILD)/host,$(CC) $(CFLAGS) -ffreestanding))
 
 # Every suite that `make test` runs, each a phony target that closes with `N passed, N failed`.
 SUITES := test-unit-host test-image test-identity test-sanitize test-matrix test-host-cli \

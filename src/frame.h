@@ -40,7 +40,7 @@ typedef struct glint_prepared_light {
         int32_t mantissa[3]; /* position times 2 focal lengths over the frame's nearest w: mantissa 2^-shift, Q12, over
                                 Q31 */
         int32_t shift;
-        int32_t distance_mantissa; /* |light vector| / (1/w) in world units: mantissa 2^-shift, 2^30 to 2^31 */
+        int32_t distance_mantissa; /* |light vector| UNIT / 2^15 over 1/w to world units: mantissa 2^-shift, 31 bits */
         int32_t distance_shift;
         uint32_t linear, quadratic; /* Q16, times 2 to the power of these bits: 2^31 or more, or 0 */
         uint32_t linear_bits, quadratic_bits;
@@ -369,10 +369,11 @@ static inline int32_t glint_channel_of(int16_t colour) {
     return (colour << (GLINT_CHANNEL_BITS - 15)) + (colour >> (30 - GLINT_CHANNEL_BITS));
 }
 
-/** A colour, Q23, as channels that are not in levels; those from 16 on become 15. */
-static inline void glint_channels_of(const uint32_t colour[3], int32_t channel[3]) {
+/** A colour, Q23, as channels that are not in levels; those beyond 15 become 15. */
+static GLINT_INLINE void glint_channels_of(const uint32_t colour[3], int32_t channel[3]) {
+    const uint32_t most = 15u << 23;
     for (int c = 0; c < 3; c++) /* Q23 to Q27 */
-        channel[c] = (int32_t)(colour[c] >> GLINT_CHANNEL_BITS ? 15u << GLINT_CHANNEL_BITS : colour[c] << 4);
+        channel[c] = (int32_t)((colour[c] < most ? colour[c] : most) << (GLINT_CHANNEL_BITS - 23));
 }
 
 /** A channel as levels of so many bits, half a level included: cut off, it is rounded. 0 bits: as it is. */

@@ -255,9 +255,17 @@ static fit find_fit(const glint_triangle *triangle, const glint_gradients *g, co
 /* Of find_skew, where 1/w changes by at most 7/16. */
 #define MOST_SKEW 5898
 
-/* Four times what a colour at the middle of an edge is more than the mean of its ends, over their difference: Q14. */
-static int32_t find_skew(const glint_vertex *a, const glint_vertex *b) {
-    const int32_t wa = a->inverse_w >> 16, wb = b->inverse_w >> 16;
+/* The shift that brings the largest 1/w of the corners, none 0, to 2^30 .. 2^31. */
+static inline unsigned find_room(const glint_vertex *const v[3]) {
+    return glint_leading_zeros((uint32_t)(v[0]->inverse_w | v[1]->inverse_w | v[2]->inverse_w)) - 1;
+}
+
+/*
+ * Four times what a colour at the middle of an edge is more than the mean of its ends, over their difference: Q14. With
+ * 1/w times 2^up, below 2^31.
+ */
+static int32_t find_skew(const glint_vertex *a, const glint_vertex *b, unsigned up) {
+    const int32_t wa = a->inverse_w << up >> 16, wb = b->inverse_w << up >> 16;
     const int32_t skew = wa == wb ? 0 : (wa - wb) * (1 << 15) / (wa + wb);
     return glint_least(glint_most(skew, -MOST_SKEW), MOST_SKEW);
 }
@@ -273,7 +281,8 @@ static void begin_planes(glint_quadratic channel[3], const glint_gradients *g, i
 
 static void begin_quadratics(glint_quadratic channel[3], const glint_gradients *g, const glint_vertex *const v[3],
                              int32_t a[3][3]) {
-    const int32_t skew[3] = {find_skew(v[0], v[1]), find_skew(v[1], v[2]), find_skew(v[0], v[2])};
+    const unsigned up = find_room(v);
+    const int32_t skew[3] = {find_skew(v[0], v[1], up), find_skew(v[1], v[2], up), find_skew(v[0], v[2], up)};
     glint_barycentric s;
     glint_barycentric_begin(&s, g, GLINT_CHANNEL_BITS - 15);
     for (int c = 0; c < 3; c++) {

@@ -2,15 +2,16 @@
 /* Lighting at every vertex (Gouraud, 1971): colours, clamped at 1, are interpolated. */
 #include "frame.h"
 
-/* Makes a vertex fragment i, seen from the front. */
-static void gather(const glint_frame *frame, const glint_draw *draw, uint32_t index, glint_fragments *to, uint32_t i) {
+/* Makes a vertex fragment i, seen from the front. Without colours, extra attributes are the back's, not yet lit. */
+static void gather(const glint_frame *frame, const glint_draw *draw, uint32_t index, glint_fragments *to, uint32_t i,
+                   int has_surface) {
     const glint_position *p = &draw->positions[index];
     const int64_t point[3] = {p->x, p->y, p->w};
     if (glint_needs_rays(frame->view, draw->shading))
         glint_ray(&draw->transform, frame->view, point, 1, to->ray[i], &to->inverse_w[i]);
     for (int c = 0; c < 3; c++) {
         to->normal[i][c] = draw->vertices[index].attribute[c];
-        to->surface[i][c] = (int16_t)(draw->extra ? draw->extra[index][c] : 0);
+        to->surface[i][c] = (int16_t)(has_surface ? draw->extra[index][c] : 0);
     }
 }
 
@@ -34,7 +35,7 @@ static void light_triangle(const glint_frame *frame, glint_draw *draw, const gli
             continue;
         glint_transform_normal(draw, &draw->vertices[here]);
         index[count] = here;
-        gather(frame, draw, here, &vertices, count++);
+        gather(frame, draw, here, &vertices, count++, has_surface);
     }
     if (!count)
         return;

@@ -39,16 +39,26 @@ static inline int glint_is_nearest(uint8_t *place, uint32_t z) {
     return 1;
 }
 
-/**
+/*
  * Most cores read and step on in one instruction: there the loops below step as they test depth, and are so many bytes
  * ahead when they store. ARMv6-M, whose stores reach nothing that lies behind, steps when it has stored.
+ * glint_next_is_nearest is glint_is_nearest and the step of those ahead, glint_step that of the others.
  */
-#define GLINT_AHEAD (GLINT_SPLIT_PRODUCTS ? 0 : 2)
+#if GLINT_SPLIT_PRODUCTS
+#define GLINT_AHEAD 0
 
-/** glint_is_nearest, and the step of those that are ahead. */
 static inline int glint_next_is_nearest(uint8_t **place, uint32_t z) {
-    if (!GLINT_AHEAD)
-        return glint_is_nearest(*place, z);
+    return glint_is_nearest(*place, z);
+}
+
+static inline void glint_step(uint8_t **place) {
+    *place += 2;
+    GLINT_OPAQUE(*place);
+}
+#else
+#define GLINT_AHEAD 2
+
+static inline int glint_next_is_nearest(uint8_t **place, uint32_t z) {
     const uint32_t there = *(const uint16_t *)(const void *)*place;
     *place += GLINT_AHEAD;
     GLINT_OPAQUE(*place);
@@ -58,19 +68,17 @@ static inline int glint_next_is_nearest(uint8_t **place, uint32_t z) {
     return 1;
 }
 
-/** The step of those that are not. */
 static inline void glint_step(uint8_t **place) {
-    if (GLINT_AHEAD)
-        return;
-    *place += 2;
-    GLINT_OPAQUE(*place);
+    (void)place;
 }
+#endif
 
 /** A plane's step, for one loop over a span: ARMv6-M's compiler keeps it in a register there, if not from row to row.
  */
 static inline uint32_t glint_hold(uint32_t step) {
-    if (GLINT_SPLIT_PRODUCTS)
-        GLINT_OPAQUE(step);
+#if GLINT_SPLIT_PRODUCTS
+    GLINT_OPAQUE(step);
+#endif
     return step;
 }
 

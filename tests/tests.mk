@@ -2,8 +2,8 @@
 # The library's suites on the host. Each is a program that closes with `N passed, N failed` and exits 1 on a failure.
 
 TEST_INCLUDES := -Isrc -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit \
-    -Iport/host
-TEST_CFLAGS   := -std=c99 $(WARNINGS) -g $(TEST_INCLUDES)
+    -Iport -Iport/host
+TEST_CFLAGS    = -std=c99 $(WARNINGS) -g $(TEST_INCLUDES)
 
 TEST_HARNESS := tests/harness.c tests/main.c
 TEST_UNIT    := $(wildcard tests/unit/*.c)
@@ -11,11 +11,11 @@ TEST_SCENES  := tests/image/picture.c tests/image/scenes.c examples/bench/bench.
     port/host/cluster.c port/host/patch.c port/host/memory.c
 TEST_JUDGE   := tests/image/library_geometry.c tests/image/judge.c tests/reference/reference.c \
     tests/reference/lighting.c
-TEST_HEADERS := $(wildcard src/*.h tests/*.h tests/*/*.h examples/bench/*.h examples/scenes/*.h examples/meshes/*.h)
 
 SUITE_unit      := $(TEST_HARNESS) $(TEST_UNIT)
 SUITE_numbers   := $(TEST_HARNESS) tests/reference/numbers.c
 SUITE_setup     := $(TEST_HARNESS) tests/reference/setup.c
+SUITE_point     := $(TEST_HARNESS) tests/reference/point.c
 SUITE_compare   := $(TEST_HARNESS) tests/image/compare.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_accuracy  := $(TEST_HARNESS) tests/image/accuracy.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_models    := $(TEST_HARNESS) tests/image/models.c tests/image/surfaces.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
@@ -34,33 +34,48 @@ SUITE_drops     := $(TEST_HARNESS) tests/image/drops.c tests/image/undropped.c t
 SUITE_budget    := $(TEST_HARNESS) tests/image/budget.c tests/stability/random_scene.c tests/stability/weights.c \
     $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit numbers setup compare accuracy models gallery output extremes highlights fill_rule identity changes kept arenas drops budget opposed
+TEST_SUITES     := unit numbers setup point compare accuracy models gallery output extremes highlights fill_rule identity changes kept arenas drops budget opposed
 
-# $(call test_suite,variant,suite,compiler,flags): build/tests/<variant>/<suite>
-define test_suite
-$(BUILD)/tests/$1/$2: $(SUITE_$2) $(LIBRARY) $(TEST_HEADERS)
+# $(call test_objects,variant,compiler and flags): build/<variant>/<source>.o
+define test_objects
+VARIANT_$1 := $2
+$(BUILD)/$1/%.o: %.c
 	@mkdir -p $$(@D)
-	$$(Q)$3 $(TEST_CFLAGS) $4 $(SUITE_$2) $(LIBRARY) -lm -o $$@
+	$$(Q)$2 $$(TEST_CFLAGS) -MMD -MP -c $$< -o $$@
+-include $$(wildcard $$(foreach folder,tests */* */*/*,$(BUILD)/$1/$$(folder)/*.d))
 endef
 
-$(foreach suite,$(TEST_SUITES),$(eval $(call test_suite,host,$(suite),$(CC),$(CFLAGS))))
+# $(call test_variant,variant,compiler and flags): tests, and a library of their own, both compiled with these
+define test_variant
+$(call library,$(BUILD)/$1,$2)
+$(call test_objects,$1,$2)
+endef
+
+# $(call test_program,program,variant,sources): objects of the variant, and its library
+define test_program
+$1: $(patsubst %.c,$(BUILD)/$2/%.o,$3) $(BUILD)/$2/libglint.a
+	@mkdir -p $$(@D)
+	$$(Q)$(VARIANT_$2) $$^ -lm -o $$@
+endef
+
+# $(call test_suite,variant,suite): build/tests/<variant>/<suite>
+test_suite = $(call test_program,$(BUILD)/tests/$1/$2,$1,$(SUITE_$2))
+
+# The host's suites link the library that its programs do.
+$(eval $(call test_objects,host,$(CC) $(CFLAGS)))
+$(foreach suite,$(TEST_SUITES),$(eval $(call test_suite,host,$(suite))))
 
 # Address and undefined-behaviour sanitisers; a report ends the program.
 SANITIZE := -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
-$(foreach suite,$(TEST_SUITES),$(eval $(call test_suite,sanitize,$(suite),clang,$(SANITIZE))))
+$(eval $(call test_variant,sanitize,clang $(SANITIZE)))
+$(foreach suite,$(TEST_SUITES),$(eval $(call test_suite,sanitize,$(suite))))
 
 # Both compilers at every level of optimisation; and gcc with all that this machine has, which brings vectors and warnings
 # of their own.
-MATRIX := $(foreach compiler,gcc clang,$(foreach level,O0 Os O2 O3,$(compiler)-$(level)))
-$(foreach variant,$(MATRIX),$(eval $(call test_suite,$(variant),unit,$(subst -, -,$(variant)))))
-$(eval $(call test_suite,gcc-native,unit,gcc -O3 -march=native))
-MATRIX += gcc-native
-
-# The library as others may compile it: gcc does for libglint.a.
-$(BUILD)/tests/clang-warnings: $(LIBRARY) $(wildcard src/*.h)
-	@mkdir -p $(@D)
-	$(Q)clang -std=c99 $(LIBRARY_WARNINGS) -Isrc -fsyntax-only $(LIBRARY)
-	@touch $@
+MATRIX := $(foreach compiler,gcc clang,$(foreach level,O0 Os O2 O3,$(compiler)-$(level))) gcc-native
+$(foreach variant,$(filter-out gcc-native,$(MATRIX)),$(eval $(call test_variant,$(variant),$(subst -, -,$(variant)))))
+$(eval $(call test_variant,gcc-native,gcc -O3 -march=native))
+$(foreach variant,$(MATRIX),$(eval $(call test_suite,$(variant),unit)))
 
 # $(call run_suites,programs): runs all, also after a failure, as many at once as there are cores; prints them in order
 run_suites = @rm -f $(addsuffix .status,$1); \
@@ -71,7 +86,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 
 .PHONY: test-unit-host test-image test-identity test-sanitize test-matrix unit-tables
 
-test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers setup) ## unit tests on the host, arithmetic against libm
+test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers setup point) ## unit tests on the host, arithmetic against libm
 	$(call run_suites,$^)
 
 test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery output extremes highlights fill_rule changes kept arenas drops budget opposed) ## images against the double-precision reference
@@ -84,19 +99,14 @@ test-sanitize: export GLINT_BUDGET_SCENES := 40
 test-sanitize: $(addprefix $(BUILD)/tests/sanitize/,$(TEST_SUITES)) ## the host suites under ASan and UBSan
 	$(call run_suites,$^)
 
-test-matrix: $(MATRIX:%=$(BUILD)/tests/%/unit) | $(BUILD)/tests/clang-warnings ## unit tests by gcc and clang at -O0, -Os, -O2 and -O3
+test-matrix: $(MATRIX:%=$(BUILD)/tests/%/unit) ## unit tests by gcc and clang at -O0, -Os, -O2 and -O3
 	$(call run_suites,$^)
 
 # ---- Tables of the unit tests, made anew when a pixel changes on purpose
 
-$(BUILD)/tests/print_torus: tests/image/print_torus.c examples/bench/bench.c $(BUILD)/host/libglint.a
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(TEST_CFLAGS) $^ -lm -o $@
-
-$(BUILD)/tests/print_checksums: tests/image/print_checksums.c tests/harness.c tests/unit/checksummed.c \
-        tests/unit/domains.c tests/unit/fixture.c $(BUILD)/host/libglint.a $(TEST_HEADERS)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(TEST_CFLAGS) $(filter-out %.h,$^) -lm -o $@
+$(eval $(call test_program,$(BUILD)/tests/print_torus,host,tests/image/print_torus.c examples/bench/bench.c))
+$(eval $(call test_program,$(BUILD)/tests/print_checksums,host,tests/image/print_checksums.c tests/harness.c \
+    $(addprefix tests/unit/,checksummed.c domains.c fixture.c)))
 
 unit-tables: $(BUILD)/tests/print_torus $(BUILD)/tests/print_checksums ## write the unit tests' mesh and checksums anew
 	$(BUILD)/tests/print_torus > $(BUILD)/tests/torus.h && cp $(BUILD)/tests/torus.h tests/unit/
@@ -131,9 +141,10 @@ $(foreach target,$(FUZZ_TARGETS),$(eval $(call fuzz_target,$(target))))
 # Inputs hold no words to be guessed of: following comparisons would take most of the time.
 $(FUZZ_LIBRARY): FUZZ_CFLAGS += -fno-sanitize-coverage=trace-cmp
 
-$(BUILD)/fuzz/%.o: %.c $(wildcard src/*.h port/host/*.h tests/*/*.h)
+$(BUILD)/fuzz/%.o: %.c
 	@mkdir -p $(@D)
-	$(Q)$(FUZZ_CC) $(FUZZ_CFLAGS) -c $< -o $@
+	$(Q)$(FUZZ_CC) $(FUZZ_CFLAGS) -MMD -MP -c $< -o $@
+-include $(wildcard $(BUILD)/fuzz/*/*.d $(BUILD)/fuzz/*/*/*.d)
 
 .PHONY: fuzz fuzz-coverage $(FUZZ_TARGETS:fuzz_%=fuzz-%)
 

@@ -35,13 +35,12 @@ test-board-unit: $(BUILD)/pico/emulator/installed \
 IDENTITY_LEVELS := O0 Os O2
 IDENTITY_CORES  := mps2-an385 mps2-an385-m0 virt
 IDENTITY_ELF    := $(foreach core,$(IDENTITY_CORES),$(foreach level,$(IDENTITY_LEVELS),$(BUILD)/$(core)/$(level)/identity.elf))
-IDENTITY_HOST   := $(foreach compiler,gcc clang,$(foreach level,$(IDENTITY_LEVELS),$(BUILD)/identity/$(compiler)-$(level)))
+IDENTITY_VARIANTS := $(foreach compiler,gcc clang,$(foreach level,$(IDENTITY_LEVELS),$(compiler)-$(level)))
+IDENTITY_HOST   := $(IDENTITY_VARIANTS:%=$(BUILD)/identity/%)
 IDENTITY_SOURCES := tests/board/identity_host.c tests/board/identity.c tests/board/frames.c \
     examples/turntable/turntable.c $(EXAMPLE_SCENES)
-$(BUILD)/identity/%: $(IDENTITY_SOURCES) tests/board/frames.h tests/byte_order.h $(EXAMPLE_DATA) $(wildcard src/*)
-	@mkdir -p $(@D)
-	$(Q)$(firstword $(subst -, ,$*)) -std=c99 $(WARNINGS) -$(lastword $(subst -, ,$*)) -Isrc -Iport -Iexamples -Itests \
-	    $(IDENTITY_SOURCES) $(LIBRARY) -o $@
+$(foreach variant,$(IDENTITY_VARIANTS),\
+    $(eval $(call test_program,$(BUILD)/identity/$(variant),$(variant),$(IDENTITY_SOURCES))))
 
 test-board-identity: $(IDENTITY_ELF) $(IDENTITY_HOST) ## the same bits from every core and compiler
 	@python3 tests/board/identity.py --qemu $(QEMU) --host $(IDENTITY_HOST) \

@@ -4,9 +4,7 @@
 DOMAINS         := $(BUILD)/tests/domain/domains
 DOMAINS_SOURCES := tests/domain/domains.c tests/unit/domains.c tests/unit/fixture.c tests/harness.c
 
-$(DOMAINS): $(DOMAINS_SOURCES) $(LIBRARY) $(TEST_HEADERS)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(TEST_CFLAGS) -O2 $(DOMAINS_SOURCES) $(LIBRARY) -lm -o $@
+$(eval $(call test_program,$(DOMAINS),host,$(DOMAINS_SOURCES)))
 
 SUITES += test-domains
 .PHONY: domains test-domains

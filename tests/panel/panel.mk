@@ -14,9 +14,9 @@ $(PANEL_STREAM): tests/panel/panel_stream.c $(PANEL_MODEL) $(PANEL_HEADERS)
 # The suites; under the sanitisers, for models and drivers count in bytes.
 PANEL_SUITES := pictures complaints faults
 PANEL_SHARED := tests/panel/wire.c tests/panel/panels.c $(PANEL_MODEL) $(PANEL_DRIVERS) $(TEST_HARNESS) $(TEST_SCENES)
-$(BUILD)/tests/panel/%: tests/panel/%.c $(PANEL_SHARED) $(LIBRARY) $(PANEL_HEADERS)
-	@mkdir -p $(@D)
-	$(Q)clang $(TEST_CFLAGS) -Iport -Itests/panel $(SANITIZE) $(filter %.c,$^) -lm -o $@
+$(BUILD)/sanitize/tests/panel/%.o: TEST_INCLUDES += -Itests/panel
+$(foreach suite,$(PANEL_SUITES),\
+    $(eval $(call test_program,$(BUILD)/tests/panel/$(suite),sanitize,tests/panel/$(suite).c $(PANEL_SHARED))))
 
 .PHONY: panel-stream test-panel
 panel-stream: $(PANEL_STREAM) ## the program that shows what a recorded bus stream puts on a panel

@@ -22,7 +22,6 @@ PROOF(per_vertex_light_triangle) {
     static const uint16_t triangles[1][3] = {{0, 1, 2}};
     glint_vertex vertices[3];
     glint_position positions[3];
-    int16_t extra[3][3];
     glint_mesh mesh;
     const glint_object object = {.mesh = &mesh};
     const glint_scene scene = {.objects = &object};
@@ -43,12 +42,13 @@ PROOF(per_vertex_light_triangle) {
     draw.shading = &shading;
     FOR_PARTS(lit, 0, 7) {
         FOR_PARTS(kind, 0, 5) {
+            int16_t extra[3][3]; /* without colours, what nothing has written */
             for (int i = 0; i < 3; i++) {
                 vertices[i].flags = lit >> i & 1 ? GLINT_VERTEX_NORMAL : 0;
                 positions[i].x = ANY(-0x30000000, 0x30000000);
                 positions[i].y = ANY(-0x30000000, 0x30000000);
                 positions[i].w = ANY(-0x30000000, 0x30000000);
-                for (int c = 0; c < 3; c++)
+                for (int c = 0; c < 3 && kind >> 1; c++)
                     extra[i][c] = (int16_t)ANY(0, GLINT_COLOUR_ONE);
             }
             mesh.colours = kind >> 1 == 1 ? colours : 0;

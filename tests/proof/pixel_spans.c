@@ -21,7 +21,7 @@ const uint8_t glint_dither_matrix[64] = {1, 127};
 
 /*
  * Every span in two rows of a tile 8 pixels wide, any plane, any channels, plain and dithered: puts stay in the tile.
- * @unreached 6 what ARMv6-M does, and the threshold of plain formats, which is known before
+ * @unreached 1 the threshold of plain formats, which is known before
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
@@ -39,7 +39,6 @@ PROOF(glint_draw_even_spans) {
 
 /*
  * The same, of any polynomials, of the second degree and without.
- * @unreached 5 what ARMv6-M does
  * @alarms 2 channels at a pixel lie no further than 1/4096 beyond those of the corners: suite `reads` looks at every
  * pixel of half a million triangles
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits

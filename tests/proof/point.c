@@ -11,12 +11,14 @@
 /* What glint_point_place hands on. */
 static void any_placed(glint_prepared_light *light) {
     for (int c = 0; c < 3; c++)
-        light->point.mantissa[c] = ANY(-(1 << 29), 1 << 29);
-    light->point.shift = ANY(-17, 62);
+        light->point.mantissa[c] = ANY_INT;
+    light->point.shift = ANY(-16, 122);
     light->point.distance_mantissa = ANY(1 << 30, INT32_MAX);
     light->point.distance_shift = ANY(-46, 44);
-    light->point.linear = ANY(0, INT32_MAX);
-    light->point.quadratic = ANY(0, INT32_MAX);
+    light->point.linear = ANY_UNSIGNED(0, UINT_MAX);
+    light->point.quadratic = ANY_UNSIGNED(0, UINT_MAX);
+    light->point.linear_bits = ANY_UNSIGNED(0, 31);
+    light->point.quadratic_bits = ANY_UNSIGNED(0, 31);
 }
 
 static void any_fragment(glint_fragments *fragments) {
@@ -26,19 +28,54 @@ static void any_fragment(glint_fragments *fragments) {
         fragments->ray[0][c] = ANY(-MOST, MOST);
 }
 
-/* Stands on the length of a vector of three components of 15 bits: at most sqrt(3) 2^15; UBSan in the image tests. */
-/*@ requires \valid_read(in + (0 .. 2)) && \valid(exponent);
-    requires \subset(in[0 .. 2], (-0x40000000 .. 0x3fffffff));
-    requires 0 <= *exponent <= 64;
-    assigns \result \from in[0 .. 2];
-    assigns *exponent \from *exponent, in[0 .. 2];
-    ensures -15 <= *exponent <= 81;
-    admit ensures \result < 0x10000; */
-static uint32_t find_length(const int32_t in[3], int *exponent);
+/*@ requires \valid_read(scaled + (0 .. 2)) && \valid(mantissa + (0 .. 2));
+    requires \subset(scaled[0 .. 2], (-0x800000000000000 .. 0x800000000000000));
+    requires 0x40000000 <= n <= 0x7fffffff;
+    assigns \result, mantissa[0 .. 2] \from scaled[0 .. 2], n;
+    ensures 1 <= \result <= 60;
+    ensures \initialized(mantissa + (0 .. 2)); */
+static int find_mantissas(const int64_t scaled[3], int64_t n, int32_t mantissa[3]);
+
+/*@ requires \valid_read(light) && \valid_read(fragments) && \valid(towards + (0 .. 2));
+    requires i == 0;
+    assigns \result, towards[0 .. 2] \from indirect: *light, indirect: *fragments, indirect: i;
+    ensures 0 <= \result <= 51;
+    ensures \initialized(towards + (0 .. 2)); */
+static int find_direction(const glint_prepared_light *light, const glint_fragments *fragments, uint32_t i,
+                          int32_t towards[3]);
+
+/* Stands on what glint_unit does: the same steps. */
+/*@ requires \valid(v + (0 .. 2)) && \valid(exponent) && \valid(direction + (0 .. 2));
+    requires 0 <= *exponent <= 51;
+    assigns \result, v[0 .. 2], direction[0 .. 2] \from v[0 .. 2];
+    assigns *exponent \from *exponent, v[0 .. 2];
+    ensures -15 <= *exponent <= 67;
+    ensures \result <= 0xffff;
+    ensures \initialized(direction + (0 .. 2));
+    admit ensures \subset(direction[0 .. 2], (-32767 .. 32767)); */
+static uint32_t find_length(int32_t v[3], int *exponent, int16_t direction[3]);
+
+/*@ requires x < 0x80000000;
+    requires -115 <= n <= 322;
+    assigns \result \from x, n;
+    ensures \result <= 0x40000000; */
+static uint32_t shift_below(uint32_t x, int n);
+
+#define ONE_OF_4(x, n) ((x) == (n) || (x) == (n) + 1 || (x) == (n) + 2 || (x) == (n) + 3)
+#define ONE_OF_16(x, n) (ONE_OF_4(x, n) || ONE_OF_4(x, (n) + 4) || ONE_OF_4(x, (n) + 8) || ONE_OF_4(x, (n) + 12))
+
+/*@ requires x > 0;
+    requires \valid(zeros);
+    assigns \result, *zeros \from x;
+    ensures 0x8000 <= \result <= 0x10000;
+    ensures \initialized(zeros);
+    ensures x < 0x10000 || *zeros <= 15;
+    ensures ONE_OF_16(*zeros, 0) || ONE_OF_16(*zeros, 16); */
+static inline uint32_t invert(uint32_t x, unsigned *zeros);
 
 /*@ requires \valid_read(light);
     requires distance < 0x10000;
-    requires -15 <= exponent <= 81;
+    requires -15 <= exponent <= 67;
     assigns \result \from *light, inverse_w, distance, exponent;
     ensures \result <= 0x8000; */
 static uint32_t attenuate(const glint_prepared_light *light, uint32_t inverse_w, uint32_t distance, int exponent);
@@ -54,7 +91,7 @@ PROOF(point_prepare) {
 }
 
 /*
- * Any position, any camera, the nearest w by its bits. @contract glint_bits64 glint_reduce
+ * Any position, any camera, the nearest w by its bits. @contract glint_bits64 glint_reduce find_mantissas
  * @narrowing a mantissa is shifted by as many bits as it has above 31
  */
 PROOF(glint_point_place) {
@@ -68,27 +105,66 @@ PROOF(glint_point_place) {
         view.nearest = ANY_LONG(least, bits < 58 ? 2 * least - 1 : least);
         glint_point_place(&light, &prepared, &view);
     }
-    /*@ assert \subset(prepared.point.mantissa[0 .. 2], (-0x20000000 .. 0x20000000)); */
-    /*@ assert -17 <= prepared.point.shift <= 62; */
+    /*@ assert -16 <= prepared.point.shift <= 122; */
     /*@ assert -46 <= prepared.point.distance_shift <= 44; */
 }
 
-/* Any light and 1/w, distances of 16 bits. @contract glint_bits64 */
+/* Any x below 2^31, by its bits, and any shift. */
+PROOF(shift_below) {
+    FOR_PARTS(bits, 0, 31) {
+        shift_below(ANY_OF_BITS(bits), ANY(-115, -1));
+        FOR_PARTS(n, 0, 31) {
+            shift_below(ANY_OF_BITS(bits), n);
+        }
+        shift_below(ANY_OF_BITS(bits), ANY(32, 322));
+    }
+}
+
+/* Any x but 0, by its bits. @unreached 2 leading zeros of 0, and division by a table, which `setup` tests whole */
+PROOF(invert) {
+    unsigned zeros;
+    FOR_PARTS(bits, 1, 32) {
+        invert(ANY_OF_BITS(bits), &zeros);
+    }
+}
+
+static int64_t any_long_of(int bits, int exactly, int negative) {
+    const int64_t least = exactly ? (int64_t)1 << bits >> 1 : 0;
+    const int64_t magnitude = ANY_LONG(least, ((int64_t)1 << bits) - 1);
+    return negative ? -1 - magnitude : magnitude;
+}
+
+/*
+ * Any numbers of up to 59 bits, by the bits of the first, the largest, and by signs, over any of 31 bits.
+ * @contract glint_bits64
+ */
+PROOF(find_mantissas) {
+    FOR_PARTS(bits, 0, 59) {
+        FOR_PARTS(signs, 0, 7) {
+            int64_t scaled[3];
+            int32_t mantissa[3];
+            for (int c = 0; c < 3; c++)
+                scaled[c] = any_long_of((int)bits, c == 0, signs >> c & 1);
+            find_mantissas(scaled, ANY(1 << 30, INT32_MAX), mantissa);
+        }
+    }
+}
+
+/* Any light and 1/w, distances of 16 bits. @contract invert shift_below */
 PROOF(attenuate) {
     glint_prepared_light light;
     any_placed(&light);
-    attenuate(&light, ANY_UNSIGNED(0, INT32_MAX), ANY_UNSIGNED(0, 0xffff), ANY(-15, 81));
+    attenuate(&light, ANY_UNSIGNED(0, INT32_MAX), ANY_UNSIGNED(0, 0xffff), ANY(-15, 67));
 }
 
-/* Any light, any ray of up to 2^30 and any 1/w. @contract glint_bits64 */
+/* Any light, any ray of up to 2^30 and any 1/w. @contract glint_reduce */
 PROOF(find_direction) {
     glint_prepared_light light;
     glint_fragments fragments;
-    int64_t towards[3];
+    int32_t towards[3];
     any_placed(&light);
     any_fragment(&fragments);
     find_direction(&light, &fragments, 0, towards);
-    is_at_light(towards, fragments.ray[0]);
 }
 
 /* A component of exactly so many bits, as glint_magnitude_bits counts, or fewer. */
@@ -98,30 +174,33 @@ static int32_t any_component(int bits, int exactly, int negative) {
 }
 
 /*
- * Any vector of 30 bits but 0, by the bits of the first, the largest, and by signs: an OR and a sum tell no places
- * apart.
+ * Any vector but 0, by the bits of the first, the largest, and by signs: an OR and a
+ * sum tell no places apart.
  * @contract glint_inverse_root
- * @narrowing a shift to the left, of components that have the room by their leading zeros
+ * @narrowing a shift to the left, of components that have the room by their leading zeros; and directions, as in
+ * glint_unit
  * @options -eva-subdivide-non-linear 20
  */
 PROOF(find_length_itself) {
-    FOR_PARTS(bits, 0, 30) {
+    FOR_PARTS(bits, 0, 31) {
         FOR_PARTS(signs, 0, 7) {
-            int exponent = ANY(0, 64);
+            int exponent = ANY(0, 51);
+            int16_t direction[3];
             int32_t v[3];
             for (int c = 0; c < 3; c++)
                 v[c] = any_component((int)bits, c == 0, signs >> c & 1);
             if (bits || signs)
-                find_length(v, &exponent);
+                find_length(v, &exponent, direction);
         }
     }
 }
 
-/* Any light and fragment. @contract glint_bits64 glint_reduce glint_unit find_length attenuate */
+/* Any light and fragment. @contract find_direction glint_unit find_length attenuate */
 PROOF(glint_point_illuminate) {
     glint_prepared_light light;
     glint_fragments fragments;
     any_placed(&light);
     any_fragment(&fragments);
     glint_point_illuminate(&light, &fragments);
+    /*@ assert fragments.strength[0] <= 0x8000; */
 }

@@ -38,7 +38,6 @@ static void any_lights_of_triangle(void) {
  * Every span in two rows of a tile 8 pixels wide; any quadratics, gated and not.
  * @alarms 2 N.L at a pixel is within its table's 272 entries: suite `reads` looks at every pixel of half a million
  * triangles
- * @unreached 5 what ARMv6-M does
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
@@ -54,7 +53,6 @@ PROOF(glint_draw_interpolated_diffuse) {
  * The same, clamped and not.
  * @alarms 3 N.L at a pixel is within its tables' 272 entries, and a squared deviation not below 0: suite `reads` looks
  * at every pixel of half a million triangles
- * @unreached 5 what ARMv6-M does
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
@@ -70,7 +68,6 @@ PROOF(glint_draw_interpolated_specular) {
  * The same of exact lighting.
  * @alarms 2 M.M at a pixel is within its table's 768 entries, and N.L within 272: suite `reads` looks at every
  * pixel of half a million triangles
- * @unreached 5 what ARMv6-M does
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
@@ -86,7 +83,6 @@ PROOF(glint_draw_quadratic_diffuse) {
  * The same with highlights.
  * @alarms 3 M.M at a pixel is within its table's 768 entries, and N.L within 272 of both of its: suite `reads` looks
  * at every pixel of half a million triangles
- * @unreached 5 what ARMv6-M does
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */

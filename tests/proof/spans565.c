@@ -18,7 +18,6 @@ static inline glint_quadratic glint_square_begin(const glint_plane *x, const gli
 
 /*
  * Every span in two rows of a tile 8 pixels wide, any planes.
- * @unreached 5 what ARMv6-M does
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
@@ -31,7 +30,6 @@ PROOF(glint_draw_constant) {
 
 /*
  * The same, gated and not.
- * @unreached 5 what ARMv6-M does
  * @alarms 2 N.L at a pixel is within its table's 272 entries: suite `reads` looks at every pixel of half a million
  * triangles
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
@@ -46,7 +44,6 @@ PROOF(glint_draw_diffuse) {
 
 /*
  * The same; every squared deviation.
- * @unreached 5 what ARMv6-M does
  * @alarms 3 N.L at a pixel is within its tables' 272 entries, and a squared deviation not below 0: suite `reads` looks
  * at every pixel of half a million triangles
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
@@ -71,7 +68,6 @@ PROOF(glint_square_fits) {
 /*
  * The same, stepped.
  * @contract glint_square_begin
- * @unreached 5 what ARMv6-M does
  * @alarms 3 N.L at a pixel is within its tables' 272 entries, and a squared deviation not below 0: suite `reads` looks
  * at every pixel of half a million triangles
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits

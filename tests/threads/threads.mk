@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: MIT
 # One prepared frame drawn by two threads at once, under ThreadSanitizer.
 
-THREADS_SOURCES := tests/threads/threads.c $(TEST_HARNESS) $(TEST_SCENES)
-THREAD_FLAGS    := -O1 -fsanitize=thread -pthread
+THREADS_SHARED := $(TEST_HARNESS) $(TEST_SCENES)
 
 SUITES += test-threads
 .PHONY: test-threads
 
-$(BUILD)/tests/threads/threads $(BUILD)/tests/threads/planted: $(THREADS_SOURCES) $(LIBRARY) $(TEST_HEADERS)
+$(eval $(call test_variant,threads,clang -O1 -fsanitize=thread -pthread))
+$(foreach program,threads planted,\
+    $(eval $(call test_program,$(BUILD)/tests/threads/$(program),threads,tests/threads/$(program).c $(THREADS_SHARED))))
+$(BUILD)/threads/tests/threads/planted.o: tests/threads/threads.c
 	@mkdir -p $(@D)
-	$(Q)clang $(TEST_CFLAGS) $(THREAD_FLAGS) $(if $(filter %/planted,$@),-DSHARED_WORKSPACE) $(THREADS_SOURCES) $(LIBRARY) -lm -o $@
+	$(Q)$(VARIANT_threads) $(TEST_CFLAGS) -DSHARED_WORKSPACE -MMD -MP -c $< -o $@
 
 # The sanitizer must see it when two threads share what they must not.
 test-threads: $(BUILD)/tests/threads/threads $(BUILD)/tests/threads/planted ## two callers draw the tiles of one frame, under ThreadSanitizer

@@ -29,10 +29,9 @@ $(BUILD)/mps2-an386-m4f/O2/tools/bench/workloads.o: $(BUILD)/bench/bench_scenes.
 
 FLOAT_PICTURES := $(TEST_HARNESS) tests/float/pictures.c tests/reference/reference.c tests/reference/lighting.c $(FLOAT_RENDERER)
 
-$(BUILD)/tests/host/float: $(FLOAT_PICTURES) $(wildcard tools/bench/*.h tools/bench/float/*.h) $(TEST_HEADERS) \
-        $(BUILD)/host/libglint.a $(BUILD)/bench/bench_scenes.h
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(TEST_CFLAGS) $(CFLAGS) -Iport $(FLOAT_INCLUDES) -I$(BUILD)/bench $(filter %.c %.a,$^) -lm -o $@
+$(eval $(call test_program,$(BUILD)/tests/host/float,host,$(FLOAT_PICTURES)))
+$(BUILD)/host/tools/bench/%.o $(BUILD)/host/tests/float/%.o: TEST_INCLUDES += $(FLOAT_INCLUDES) -I$(BUILD)/bench
+$(BUILD)/host/tools/bench/workloads.o: $(BUILD)/bench/bench_scenes.h
 
 $(BUILD)/tests/float-pictures.txt: $(BUILD)/mps2-an386-m4f/O2/float-pictures.elf tests/float/pictures.py tests/board/qemu.py
 	@mkdir -p $(@D)

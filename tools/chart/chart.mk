@@ -7,11 +7,7 @@ CHART_IMAGE := tests/image/picture.c tests/image/library_geometry.c tests/refere
 # ---- Errors, on the host
 
 # $(call chart_host,program,sources)
-define chart_host
-$(BUILD)/chart/$1: tools/chart/$1.c $2 $(CHART_IMAGE) $(LIBRARY) $(TEST_HEADERS) $(wildcard tools/chart/*.h)
-	@mkdir -p $$(@D)
-	$$(Q)$$(CC) $$(TEST_CFLAGS) $$(CFLAGS) tools/chart/$1.c $2 $(CHART_IMAGE) $(LIBRARY) -lm -o $$@
-endef
+chart_host = $(call test_program,$(BUILD)/chart/$1,host,tools/chart/$1.c $2 $(CHART_IMAGE))
 $(eval $(call chart_host,frame_accuracy,examples/bench/bench.c $(addprefix port/host/,cluster.c patch.c memory.c)))
 $(eval $(call chart_host,shading,))
 $(eval $(call chart_host,lobes,))

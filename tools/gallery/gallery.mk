@@ -3,9 +3,7 @@
 
 GALLERY_FIGURES := $(BUILD)/host/gallery-figures
 
-$(GALLERY_FIGURES): tools/gallery/figures.c tests/image/picture.c $(SCENE_SOURCES) $(LIBRARY) $(TEST_HEADERS)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(TEST_CFLAGS) $(CFLAGS) $(filter %.c,$^) -lm -o $@
+$(eval $(call test_program,$(GALLERY_FIGURES),host,tools/gallery/figures.c tests/image/picture.c $(SCENE_SOURCES)))
 
 .PHONY: gallery
 gallery: $(HOST_PROGRAM) $(GALLERY_FIGURES) ## draw the example scenes into docs/gallery

@@ -8,7 +8,7 @@ MUTANTS_FILES ?=
 MUTANTS_JOBS  ?= $(shell nproc)
 
 # In this order, up to the first that fails: those that notice much in little time first.
-MUTANTS_SUITES := unit stability_kept changes output extremes highlights fill_rule kept drops stability_regions numbers setup budget \
+MUTANTS_SUITES := unit stability_kept changes output extremes highlights fill_rule kept drops stability_regions numbers setup point budget \
     accuracy models compare identity
 
 .PHONY: mutants

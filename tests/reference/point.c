@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: MIT */
+/* Suite: directions and strengths of point lights against long double, at the errors point.h states. */
+#include "point.h"
+#include "glint.h"
+#include "harness.h"
+
+#include <math.h>
+
+#define LIGHTS 100000
+
+/* A linear congruential generator (Knuth, MMIX); its high half. */
+static uint32_t random_bits(void) {
+    static uint64_t state = 1;
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return (uint32_t)(state >> 32);
+}
+
+static int32_t random_from(int32_t least, int32_t most) {
+    return least + (int32_t)(random_bits() % (uint32_t)(most - least + 1));
+}
+
+/* Up to 2^bits in either direction, for a number of bits from `least` to `most`. */
+static int32_t random_signed(int32_t least, int32_t most) {
+    return (int32_t)random_bits() >> (31 - random_from(least, most));
+}
+
+/* Anywhere; attenuation from what shows at no distance to what leaves nothing; sometimes of one kind,
+ * or none. */
+static void make_light(glint_prepared_light *prepared) {
+    glint_light light = {.type = &glint_light_point};
+    if (random_bits() & 3)
+        light.linear = (int32_t)(random_bits() >> random_from(1, 31));
+    if (random_bits() & 3)
+        light.quadratic = (int32_t)(random_bits() >> random_from(1, 31));
+    CHECK_EQUAL(glint_point_attenuation(&light, prepared), GLINT_OK);
+    for (int c = 0; c < 3; c++)
+        prepared->point.mantissa[c] = random_signed(20, 29);
+    prepared->point.shift = random_from(-17, 62);
+}
+
+static void make_fragments(glint_fragments *fragments) {
+    fragments->count = GLINT_FRAGMENTS_MAX;
+    for (uint32_t i = 0; i < fragments->count; i++) {
+        const int32_t bits = random_from(20, 30);
+        fragments->inverse_w[i] = (int32_t)(random_bits() >> random_from(1, 25)) + 1;
+        for (int c = 0; c < 3; c++)
+            fragments->ray[i][c] = random_signed(bits, bits);
+    }
+}
+
+static long double find_vector(const glint_prepared_light *light, const glint_fragments *fragments, uint32_t i,
+                               long double v[3]) {
+    for (int c = 0; c < 3; c++)
+        v[c] = ldexpl((long double)light->point.mantissa[c] * fragments->inverse_w[i], -light->point.shift) +
+               fragments->ray[i][c];
+    return sqrtl(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/* Distances in world units about 1 at the first fragment, or up to 2^16 times more or less. */
+static void attenuate_about(glint_prepared_light *light, const glint_fragments *fragments) {
+    long double v[3];
+    const long double ratio = find_vector(light, fragments, 0, v) / fragments->inverse_w[0];
+    light->point.distance_mantissa = (int32_t)(0x40000000u | random_bits() >> 2);
+    light->point.distance_shift = (int)ceill(log2l(ratio)) + 30 + random_from(-16, 16);
+}
+
+/* The share of light left at such a distance. */
+static long double find_strength(const glint_prepared_light *light, const glint_fragments *fragments, uint32_t i,
+                                 long double length) {
+    const long double linear = ldexpl(light->point.linear, -16 - (int)light->point.linear_bits);
+    const long double quadratic = ldexpl(light->point.quadratic, -16 - (int)light->point.quadratic_bits);
+    if (linear + quadratic == 0)
+        return 1;
+    const long double distance = length * GLINT_UNIT / 32768 / fragments->inverse_w[i];
+    const long double d = ldexpl(distance * light->point.distance_mantissa, -light->point.distance_shift);
+    return 1 / (1 + linear * d + quadratic * d * d);
+}
+
+/* Largest errors found: of a direction's component, of strength, in steps. */
+typedef struct worst_errors {
+    long double direction, strength;
+} worst_errors;
+
+/* Is the vector to the light short in the ray's steps, or against the ray? Then rounding to steps is what counts. */
+static int is_short(long double length, const int32_t ray[3]) {
+    const long double to_eye = sqrtl(powl(ray[0], 2) + powl(ray[1], 2) + powl(ray[2], 2));
+    return length < 1 << 18 || length < to_eye / (1 << 13);
+}
+
+/* @return 0 for what is short */
+static int measure(const glint_prepared_light *light, const glint_fragments *f, uint32_t i, worst_errors *worst) {
+    long double v[3];
+    const long double length = find_vector(light, f, i, v);
+    if (is_short(length, f->ray[i]))
+        return 0;
+    for (int c = 0; c < 3; c++)
+        worst->direction = fmaxl(worst->direction, fabsl(f->light[i][c] - GLINT_UNIT * v[c] / length));
+    const long double exact = 32768 * find_strength(light, f, i, length);
+    worst->strength = fmaxl(worst->strength, fabsl(f->strength[i] - exact));
+    return 1;
+}
+
+/* Says how much of what is allowed was found; fails above 1, and below 1/2, where less could be stated. */
+static void report(const char *name, long double worst, long double allowed) {
+    test_write("  ");
+    test_write(name);
+    test_write(": ");
+    test_write_number((int64_t)(worst / allowed * 1000));
+    test_write(" thousandths of the error allowed\n");
+    CHECK(worst <= allowed);
+    CHECK(worst >= allowed / 2);
+}
+
+static void lights_of_every_size_and_place(void) {
+    worst_errors worst = {0};
+    int measured = 0;
+    for (int n = 0; n < LIGHTS; n++) {
+        glint_prepared_light light;
+        glint_fragments fragments;
+        make_light(&light);
+        make_fragments(&fragments);
+        attenuate_about(&light, &fragments);
+        glint_point_illuminate(&light, &fragments);
+        for (uint32_t i = 0; i < fragments.count; i++)
+            measured += measure(&light, &fragments, i, &worst);
+    }
+    CHECK(measured > LIGHTS * 4);
+    report("direction", worst.direction, 2.4L);
+    report("strength", worst.strength, 2.8L);
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {
+        TEST_CASE(lights_of_every_size_and_place),
+    };
+    return test_run(write, cases, TEST_COUNT(cases));
+}
