@@ -3,10 +3,6 @@
 #include "deviation.h"
 #include "terms.h"
 
-#ifndef WHY
-#define WHY(n) 0
-#endif
-
 /* What a node's cosine differs by at least from what tells clear from not, Q12: lights with a position, and cones. */
 #define CLEARLY_NEAR 512
 #define CLEARLY_INSIDE 64
@@ -185,17 +181,17 @@ int glint_region_fits(const glint_frame *frame, const glint_shading *shading, in
     const glint_light_terms *light = &shading->terms;
     region->folds = 0;
     if (region->near > TOO_NEAR || region->slant > STEEPEST)
-        return WHY(2);
+        return 0;
     if (region->lobes & region->far)
-        return WHY(3);
+        return 0;
     if (region->lobes & region->unfit)
-        return WHY(4);
+        return 0;
     if (region->cones & region->steep)
-        return WHY(5);
+        return 0;
     const uint32_t place = region->near * 362 >> 8, turn = region->turn + place + region->colour;
     region->axis = region->lobes ? find_axis(frame, region) : 0;
     if (lobe_turn(shading, region) + region->axis > WIDEST || turn > WIDEST)
-        return WHY(7);
+        return 0;
     region->folds = has_surface && !region->sides && !(shading->material->flags & GLINT_MATERIAL_MAX) &&
                     of_levels(cube(turn, region->slant), region->levels) <= light->limit;
     region->place = place + (region->folds ? region->colour : 0);
@@ -234,7 +230,7 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
         if (region->cones >> l & 1) {
             const uint32_t ramp = ramp_of(&frame->view->lights[l], region), place = region->near + slant;
             if (ramp > LONGEST_RAMP)
-                return WHY(6);
+                return 0;
             const uint32_t error = 3 * of_levels(times(times(ramp, place), place), light->diffuse_levels[l] >> 4) /
                                    2; /* the step's slope */
             region->error += error;

@@ -5,10 +5,6 @@
  */
 #include "terms.h"
 
-#ifndef WHY
-#define WHY(n) 0
-#endif
-
 /* ---- What is known from the nodes ---- */
 
 static uint32_t find_turn(glint_node *const nodes[]) {
@@ -81,7 +77,7 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, glint_n
     glint_w_range w;
     uint32_t closeness = 0;
     if (!find_w_range(nodes, &w))
-        return WHY(1);
+        return 0;
     region->turn = find_turn(nodes);
     glint_region_measure(frame->view, size, size, w, region);
     region->levels = 0;
@@ -110,7 +106,7 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, glint_n
     if (!glint_region_fits(frame, shading, draw->extra != 0, region) || !glint_region_bound(frame, shading, region))
         return 0;
     region->has_edge |= has_edge(shading, region, nodes);
-    return region->error <= 2 * shading->terms.limit || WHY(9);
+    return region->error <= 2 * shading->terms.limit;
 }
 
 /* ---- Polynomials ---- */

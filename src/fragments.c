@@ -9,10 +9,6 @@
 #include "spans.h"
 #include "terms.h"
 
-#ifndef REJECT
-#define REJECT(n) 0
-#endif
-
 /* Pixels of a cell across, and their power of two; cells are halved once. */
 #define CELL 16
 
@@ -86,13 +82,6 @@ static inline uint32_t row_of(const walk *w, int32_t x, int32_t y, int32_t size)
 
 /* Draws fragments of a square of a cell one by one. */
 static void draw_fragments(const walk *w, int32_t x, int32_t y, int32_t size) {
-#ifdef DBG
-    for (int32_t j = y; j < y + size; j++)
-        rejects[w->largest                     ? 40 + dbg_kind
-                : !w->draw->shading->has_terms ? 50
-                : dbg_small                    ? 51
-                                               : 52] += (unsigned)__builtin_popcount(row_of(w, x, j, size));
-#endif
     for (int32_t j = y; j < y + size; j++)
         for (uint32_t row = row_of(w, x, j, size), i = 0; row >> i; i++)
             if (row >> i & 1) {
@@ -146,7 +135,6 @@ static int draw_square(const walk *w, int32_t x, int32_t y, unsigned shift, glin
     if (size > w->largest)
         return 0;
     const int fits = glint_cell_begin(w->frame, w->draw, nodes, shift, &terms, polynomials);
-    (void)REJECT((fits ? 20 : 30) + (int)shift);
     glint_run runs[CELL], *next = runs;
     const uint32_t offset = ((uint32_t)(w->y + y) << w->frame->tile_shift_x) + (uint32_t)(w->x + x);
     uint32_t pixels = 0;
@@ -361,11 +349,6 @@ void glint_draw_fragments(const glint_frame *frame, glint_workspace *workspace, 
     w.largest = shade == glint_shade && draw->shading->has_terms
                     ? find_largest(triangle, part, &attributes, draw->extra != 0)
                     : 0;
-#ifdef DBG
-    dbg_small = triangle->area < CELL_AREA;
-    if (dbg_no_terms)
-        w.largest = 0;
-#endif
     const int32_t column = part->window.left >> 4 & (CELL - 1), row = part->window.top >> 4 & (CELL - 1);
     for (w.y = -row; w.y < (int32_t)part->bottom; w.y += CELL)
         for (w.x = -column; w.x < (int32_t)frame->config.tile_width; w.x += CELL)

@@ -177,12 +177,6 @@ void glint_draw_facet(const glint_frame *frame, glint_workspace *workspace, cons
 
 void glint_draw_terms(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                       const glint_triangle *triangle, const glint_part *part) {
-#ifdef DBG
-    if (dbg_no_terms) {
-        glint_draw_any(frame, workspace, draw, triangle, part);
-        return;
-    }
-#endif
     glint_terms terms;
     glint_quadratic polynomials[GLINT_POLYNOMIALS_MAX];
     if (!glint_terms_begin(frame, draw, triangle, part, &terms, polynomials)) {

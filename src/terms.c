@@ -4,10 +4,6 @@
 
 #include "division.h"
 
-#ifndef REJECT
-#define REJECT(n) 0
-#endif
-
 /* ---- Vertices ---- */
 
 /*
@@ -475,32 +471,28 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     const glint_region *region = &t.region;
     lengths by;
     if (!is_shapely(triangle, part))
-        return REJECT(1);
+        return 0;
     if (!find_region(frame, draw, triangle, &t))
-        return REJECT(4);
+        return 0;
     sum_corners(&shading->terms, &t);
     if (!(region->sides & region->lobes) && !region->has_edge &&
         glint_plane_error(shading, t.has_surface, region) <= limit) {
-        (void)REJECT(10);
         glint_terms_name(frame, draw, region, 0, terms);
         terms->is_curved = 0;
         begin_planes(part, &t, region->folds ? 0 : (int32_t)(region->turn * region->turn >> 13), terms, polynomials);
         return 1;
     }
     if (!glint_region_bound(frame, shading, &t.region))
-        return REJECT(5);
+        return 0;
     const int is_over_length = region->error > 2 * limit;
     const uint32_t error = is_over_length ? region->error_over_length : region->error,
                    most = is_over_length ? limit : 2 * limit;
     if (error > most || (is_over_length && !find_lengths(triangle, &by)))
-        return REJECT(6);
+        return 0;
     t.is_between = error + region->error_between <= most && is_between(frame, shading, region);
     if (!find_middles(frame, draw, triangle, &t))
-        return REJECT(8);
+        return 0;
     t.region.has_edge |= has_edge(shading, &t);
-    if (region->has_edge)
-        (void)REJECT(9);
-    (void)REJECT(is_over_length ? 11 : 12);
     const int twice = shading->material->model->lobe == GLINT_LOBE_MIRROR;
     glint_terms_name(frame, draw, region, is_over_length ? 1 + twice : 0, terms);
     begin_quadratics(part, &t, is_over_length ? &by : 0, terms, polynomials);
