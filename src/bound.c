@@ -31,9 +31,9 @@ static uint32_t hypotenuse(uint32_t a, uint32_t b) {
     return a > b ? a + b / 2 : b + a / 2;
 }
 
-void glint_region_measure(const glint_view *view, uint32_t width, uint32_t height, glint_w_range w,
+void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, glint_w_range w,
                           glint_region *region) {
-    const uint32_t across = (uint32_t)((uint64_t)hypotenuse(width, height) * (uint32_t)view->pixel >> 18);
+    const uint32_t across = (uint32_t)((uint64_t)hypotenuse(width, height) * pixel >> 18);
     const uint32_t slant = w.least > w.change >> 2 ? (w.change << 12) / w.least : 1 << 14;
     region->slant = slant * 474 >> 8;
     region->reach = (uint32_t)glint_least((int32_t)hypotenuse(across, slant), 1 << 14);
@@ -99,7 +99,7 @@ void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const gl
                       glint_terms *terms) {
     const glint_shading *shading = draw->shading;
     const int has_surface = draw->extra != 0, has_apart = (region->sides | region->lobes) != 0;
-    terms->light = &shading->terms;
+    terms->light = shading->terms;
     terms->power = &shading->power;
     terms->has_surface = (uint8_t)(has_surface && !region->folds);
     terms->takes_largest = (shading->material->flags & GLINT_MATERIAL_MAX) != 0;
@@ -109,7 +109,7 @@ void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const gl
     terms->margin = region->has_edge ? region->margin : 0;
     terms->is_plain = (uint8_t)(!has_apart && !terms->has_surface && !terms->takes_largest && !over_length);
     terms->is_channels = (uint8_t)(terms->is_plain || region->folds);
-    terms->sums = (uint8_t)(terms->is_channels ? 3 : shading->terms.channels);
+    terms->sums = (uint8_t)(terms->is_channels ? 3 : shading->terms->channels);
     terms->square = terms->sums;
     terms->surface = (uint8_t)(terms->square + (over_length != 0));
     terms->apart_count = 0;
@@ -120,7 +120,7 @@ void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const gl
         glint_apart *to = &terms->apart[terms->apart_count++];
         const uint32_t side = region->sides >> l & 1, cone = region->cones >> l & 1, lobe = region->lobes >> l & 1,
                        strength = lobe && frame->view->lights[l].type->illuminate,
-                       narrow = lobe && !shading->terms.lobe_is_wide;
+                       narrow = lobe && !shading->terms->lobe_is_wide;
         to->light = (uint8_t)l;
         to->first = (uint8_t)next;
         to->kinds = (uint8_t)(side << GLINT_SIDE | cone << GLINT_CONE | strength << GLINT_STRENGTH |
@@ -145,7 +145,7 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
         region->sides = shading->lights;
         region->held = 0;
     }
-    const uint32_t lobes = shading->terms.lobes & (ungated ? ~0u : region->held | region->sides);
+    const uint32_t lobes = shading->terms->lobes & (ungated ? ~0u : region->held | region->sides);
     for (uint32_t l = 0, shown = region->held | region->sides | lobes; shown >> l; l++)
         if (shown >> l & 1 && frame->view->lights[l].type->has_cone) {
             if (is_wide) {
@@ -178,7 +178,7 @@ static inline uint32_t find_axis(const glint_frame *frame, const glint_region *r
 }
 
 int glint_region_fits(const glint_frame *frame, const glint_shading *shading, int has_surface, glint_region *region) {
-    const glint_light_terms *light = &shading->terms;
+    const glint_light_terms *light = shading->terms;
     region->folds = 0;
     if (region->near > TOO_NEAR || region->slant > STEEPEST)
         return 0;
@@ -200,7 +200,7 @@ int glint_region_fits(const glint_frame *frame, const glint_shading *shading, in
 }
 
 uint32_t glint_plane_error(const glint_shading *shading, int has_surface, const glint_region *region) {
-    const glint_light_terms *light = &shading->terms;
+    const glint_light_terms *light = shading->terms;
     const uint32_t longer = region->folds ? 0 : region->turn;
     if (region->cones || (has_surface && !region->folds) || (region->lobes && light->lobe_is_wide))
         return UINT32_MAX;
@@ -213,7 +213,7 @@ uint32_t glint_plane_error(const glint_shading *shading, int has_surface, const 
 }
 
 int glint_region_bound(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
-    const glint_light_terms *light = &shading->terms;
+    const glint_light_terms *light = shading->terms;
     const uint32_t slant = region->slant, levels = lobe_levels(light, region->lobes), axis = region->axis,
                    turn = lobe_turn(shading, region);
     const uint32_t of_colour = times(region->of_colour, slant) >> 5;
@@ -243,11 +243,11 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
 static int place_wide(const glint_shading *shading, int32_t least, int32_t most) {
     if (shading->shininess && most < -GLINT_HORIZON)
         return GLINT_LOBE_OUTSIDE;
-    return shading->terms.lobe_has_strip && least < 2 * GLINT_HORIZON ? GLINT_LOBE_EDGE : GLINT_LOBE_SHOWS;
+    return shading->terms->lobe_has_strip && least < 2 * GLINT_HORIZON ? GLINT_LOBE_EDGE : GLINT_LOBE_SHOWS;
 }
 
 int glint_place_lobe(const glint_shading *shading, const int32_t least[4], const int32_t most[4]) {
-    const glint_light_terms *light = &shading->terms;
+    const glint_light_terms *light = shading->terms;
     if (light->lobe_is_wide)
         return place_wide(shading, least[0], most[0]);
     const int32_t cut = light->lobe_cut + (light->lobe_cut >> 4),

@@ -79,7 +79,7 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, glint_n
     if (!find_w_range(nodes, &w))
         return 0;
     region->turn = find_turn(nodes);
-    glint_region_measure(frame->view, size, size, w, region);
+    glint_region_measure(shading->terms->pixel, size, size, w, region);
     region->levels = 0;
     region->half = INT16_MAX;
     region->lit = region->dark = region->outside = 0xff;
@@ -106,7 +106,7 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, glint_n
     if (!glint_region_fits(frame, shading, draw->extra != 0, region) || !glint_region_bound(frame, shading, region))
         return 0;
     region->has_edge |= has_edge(shading, region, nodes);
-    return region->error <= 2 * shading->terms.limit;
+    return region->error <= 2 * shading->terms->limit;
 }
 
 /* ---- Polynomials ---- */

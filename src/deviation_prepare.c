@@ -46,10 +46,10 @@ static int has_simple_light(const glint_scene *scene, const glint_shading *shadi
 static int serves(const glint_frame *frame, const glint_shading *shading, const glint_object *object) {
     const glint_material *material = object->material;
     return has_simple_light(frame->scene, shading) && !frame->config.gamma &&
-           (!object->evaluation || object->evaluation == &glint_per_fragment) && !object->mesh->colours &&
+           (!object->evaluation || object->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS) && !object->mesh->colours &&
            !object->mesh->colours565 && material->flags == 0 &&
            (material->model->lobe == GLINT_LOBE_NONE ||
-            (material->model->lobe == GLINT_LOBE_HALF_VECTOR && material->shininess >= GLINT_POWER_OF_SINE));
+            (material->model->lobe == GLINT_LOBE_HALF_VECTOR && material->shininess >= 2 * GLINT_ONE));
 }
 
 int glint_deviation_serves(const glint_frame *frame, const glint_object *object) {

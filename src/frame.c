@@ -6,11 +6,13 @@ static unsigned tile_shift(uint16_t size) {
     return 31u - glint_leading_zeros(size);
 }
 
-/* One shading for each distinct material, the one of the last frame where that left one here. */
+/* One shading for each distinct material, the one of the last frame where that left one here; and what lights nodes. */
 static glint_status prepare_materials(glint_frame *frame, const glint_kept *kept) {
     const glint_object *objects = frame->scene->objects;
     for (uint32_t i = 0; i < frame->scene->object_count; i++) {
         uint32_t earlier = 0;
+        if (objects[i].evaluation && objects[i].evaluation->nodes)
+            frame->nodes = objects[i].evaluation->nodes;
         while (objects[earlier].material != objects[i].material)
             earlier++;
         if (earlier < i)
@@ -31,7 +33,7 @@ static glint_status prepare_materials(glint_frame *frame, const glint_kept *kept
 }
 
 static int has_least_room(const glint_frame *frame) {
-    return frame->memory.high - frame->memory.low >= GLINT_LEAST_ROOM;
+    return frame->memory.high - frame->memory.low >= frame->least_room;
 }
 
 static glint_status prepare(glint_frame *frame, const glint_kept *kept) {
@@ -42,11 +44,14 @@ static glint_status prepare(glint_frame *frame, const glint_kept *kept) {
     if (!view)
         return GLINT_ERROR_ARENA;
     frame->view = view;
+    frame->least_room = GLINT_LEAST_ROOM;
     if (!has_least_room(frame)) /* the last transform waits there */
         return GLINT_ERROR_ARENA;
     status = glint_prepare_view(view, &frame->config, frame->scene, glint_last_transform(frame));
     if (status == GLINT_OK)
         status = prepare_materials(frame, kept);
+    if (status == GLINT_OK && frame->nodes)
+        status = frame->nodes->prepare(frame);
     if (status == GLINT_OK && frame->config.format->fast)
         status = frame->config.format->fast->prepare(frame);
     if (status != GLINT_OK)

@@ -26,8 +26,6 @@
 #define GLINT_POWER_TABLE_BITS 7
 #define GLINT_POWER_INTERVALS (1 << GLINT_POWER_TABLE_BITS)
 #define GLINT_POWER_FRACTION_BITS 12
-#define GLINT_POWER_HALF 64                 /* intervals from 1/2 to 1 of a power of the cosine */
-#define GLINT_POWER_OF_SINE (7 * GLINT_ONE) /* the least exponent whose power is one of the sine instead */
 
 /* ---- prepare: the scene, once a frame ---- */
 
@@ -56,7 +54,6 @@ typedef struct glint_view {
     int32_t rotation[3][3]; /* world to camera, Q16.16 */
     int32_t eye[3];         /* world, Q16.16 */
     int32_t focal;          /* twice the focal length in pixels, Q12 */
-    int32_t pixel;          /* 1/16 of one over the focal length, Q30 */
     int32_t focal_mantissa; /* focal length / guard band = mantissa 2^-shift, 2^23 to 2^24 */
     uint32_t focal_shift;
     int64_t near_plane; /* Q28 */
@@ -73,7 +70,7 @@ typedef struct glint_view {
 /** x^p for x = 1 - u, or for x itself where p < 2. */
 typedef struct glint_power_table {
     int32_t exponent;            /* p, Q16.16 */
-    uint32_t direct;             /* small p: the table is that of glint_power_of_cosine */
+    uint32_t direct;             /* p < 2: no table, the power is computed */
     uint32_t window;             /* Q30: the table spans sin^2 from 0 to this power of two; beyond, the power is 0 */
     uint32_t index_shift;        /* sin^2 in Q30 >> this is the interval */
     int32_t cosine_square_floor; /* Q15: below this cos^2 lies outside the window */
@@ -87,6 +84,10 @@ typedef struct glint_weights {
 
 /** Numbers of a light at a node: terms.h. */
 #define GLINT_NUMBERS 5
+
+/** Intervals of a power of the cosine from 1/2 to 1, and values of that: these, and the powers of 2^-i. */
+#define GLINT_COSINE_HALF 64
+#define GLINT_COSINE_VALUES (GLINT_COSINE_HALF + 1 + 31)
 
 /** What a material makes of the frame's lights, for nodes and rows. Weights are Q12, in the format's levels. */
 typedef struct glint_light_terms {
@@ -111,6 +112,8 @@ typedef struct glint_light_terms {
     uint8_t lobe_is_wide;            /* small p: of a deviation there is the cosine alone, Q14 */
     uint8_t lobe_has_strip;          /* p < 1: near the horizon polynomials do not fit */
     uint32_t limit;                  /* of the error of polynomials, levels in Q8 */
+    uint32_t pixel;                  /* 1/16 of one over the focal length, Q30 */
+    uint16_t cosine[GLINT_COSINE_VALUES]; /* powers of the cosine, Q15, where lobes are wide */
 } glint_light_terms;
 
 /** A material under the scene's lights. */
@@ -124,8 +127,7 @@ typedef struct glint_shading {
     uint32_t spare;                          /* of the error budget, Q12: what each light's specular light may lack */
     uint32_t changed;                        /* 0: all above is what the last frame left here, and so are its tables */
     const struct glint_deviation *deviation; /* tables of fast lighting, or null */
-    uint32_t has_terms;                      /* 0 where fragments are lit one by one */
-    glint_light_terms terms;
+    const glint_light_terms *terms;          /* null where fragments are lit one by one */
     glint_power_table power;
 } glint_shading;
 
@@ -358,6 +360,12 @@ typedef struct glint_fragments {
     uint32_t colour[GLINT_FRAGMENTS_MAX][3];
 } glint_fragments;
 
+/** Fragments of a triangle as they are gathered, and its attributes. */
+typedef struct glint_gathered {
+    glint_fragments fragments;
+    glint_attributes attributes;
+} glint_gathered;
+
 /* ---- pixel: channels of a colour ---- */
 
 /** Fractional bits of a channel on its way into a pixel: sums below 16 fit. */
@@ -411,10 +419,21 @@ struct glint_light_type {
 /** Where colours are found. */
 typedef enum glint_lit_at { GLINT_LIT_AT_FRAGMENTS, GLINT_LIT_AT_VERTICES, GLINT_LIT_AT_FACETS } glint_lit_at;
 
+/** What evaluations that light nodes link. */
+typedef struct glint_node_stage {
+    /** Behind all shadings: what each material makes of the frame's lights; adds to frame->least_room. */
+    glint_status (*prepare)(glint_frame *frame);
+    /** Bytes of arena that an object's vertices keep of light. */
+    size_t (*size)(const glint_frame *frame, const glint_object *object, size_t vertices);
+    /** Finds what one material makes of the lights. @return 0 where nodes do not fit it, or none are lit of it */
+    int (*find)(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms);
+} glint_node_stage;
+
 struct glint_evaluation {
     glint_lit_at lit_at;
     glint_light_triangle *light; /* what comes before a triangle is drawn */
     glint_kernel *kernel;
+    const glint_node_stage *nodes; /* or null */
 };
 
 struct glint_spans;
@@ -587,10 +606,10 @@ size_t glint_draw_size(const glint_frame *frame, const glint_object *object, con
                        size_t vertices, size_t triangles, int has_list);
 
 /** Bytes beyond what is prepared with which any scene can be drawn: a run of one triangle, and its bin. */
-#define GLINT_LEAST_ROOM                                                                         \
-    (GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(3 * sizeof(glint_vertex)) +               \
-     GLINT_ALIGNED(3 * sizeof(glint_position)) + GLINT_ALIGNED(3 * GLINT_NODE_NUMBERS_MAX * 2) + \
-     2 * GLINT_ALIGNED(36) + GLINT_ALIGNED(8) + GLINT_ALIGNED(6) + GLINT_BIN_RESERVE)
+#define GLINT_LEAST_ROOM                                                                                        \
+    (GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(3 * sizeof(glint_vertex)) +                              \
+     GLINT_ALIGNED(3 * sizeof(glint_position)) + GLINT_ALIGNED(18) + 2 * GLINT_ALIGNED(36) + GLINT_ALIGNED(8) + \
+     GLINT_ALIGNED(6) + GLINT_BIN_RESERVE)
 
 /** A triangle to draw. */
 typedef struct glint_triangle {
@@ -625,9 +644,6 @@ static inline void glint_count(const glint_workspace *workspace, glint_kernel_na
 /** The kernel for everything: fragments that pass the depth test are lit. */
 glint_kernel glint_draw_any;
 
-/** The kernel of polynomials through a triangle's nodes, or else of fragments. */
-glint_kernel glint_draw_terms;
-
 /** Kernels of triangles of one colour, and of those with colours at their corners. */
 glint_kernel glint_draw_facet, glint_draw_unlit, glint_draw_lit;
 
@@ -642,22 +658,7 @@ typedef struct glint_fast {
 } glint_fast;
 
 /** Finds the colours of fragments that lie in a triangle of a draw, Q23. */
-typedef void glint_shader(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw);
-glint_shader glint_shade;
-
-/** Draws a part by fragments, of attributes that are interpolated over w. */
-void glint_draw_fragments(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                          const glint_triangle *triangle, const glint_part *part, const int16_t *const main[3],
-                          int is_negated, glint_shader *shade);
-
-/** Rays of fragments against the one through their pixel's centre. */
-void glint_find_rays(const glint_frame *frame, glint_fragments *fragments);
-
-/** Finds a colour of a fragment from planes of colours over w. */
-typedef void glint_resolver(const glint_fragments *fragments, uint32_t i, const glint_plane planes[3], int16_t out[3]);
-
-/** Unit normals of fragments, and the surface's own colours. */
-void glint_find_surface(glint_fragments *fragments, const glint_draw *draw, glint_resolver *resolve);
+void glint_shade(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw);
 
 /** Ambient and every light: colours of fragments with normals, rays, and colours of their own if has_surface. */
 void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const glint_shading *shading,

@@ -2,161 +2,100 @@
 /* Kernel: from the spans of a triangle to pixels, by runs of pixels that pass the depth test and a row of colours. */
 #include "colour.h"
 #include "division.h"
+#include "fragments.h"
 #include "polynomial.h"
-#include "spans.h"
-#include "terms.h"
+#include "runs.h"
 
 /* ---- Triangles ---- */
 
 typedef struct source source;
 
-/* Draws runs of a part. */
-typedef void drawer(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
-                    const glint_run *runs, uint32_t count);
+/* Draws a run. */
+typedef void drawer(const source *from, const glint_run *run);
 
 /* What the colours of a triangle's pixels come from. */
 struct source {
-    drawer *draw;
-    const glint_quadratic *channels; /* of draw_channels */
-    const glint_terms *terms;        /* of draw_terms, and its polynomials */
-    const glint_descent *polynomials;
-    const glint_draw *draws;
-    const glint_triangle *triangle;
+    glint_gathering to; /* of runs that are gathered; of others it has no shader */
+    drawer *draw_run;
+    const glint_quadratic *channels; /* of draw_channel_run */
     int is_deep;
 };
 
 /* ---- Rows ---- */
 
-/* Finds the runs of a span, and stores their depth; 1/w is given with GLINT_DEPTH_BIAS. @return where the next goes */
-static inline glint_run *find_runs(uint16_t *depth, glint_span span, uint32_t z, uint32_t z_dx, uint32_t y,
-                                   glint_run *run) {
-    uint32_t column = span.left;
-    while (column < span.right) {
-        while (z >> 15 <= depth[column]) {
-            z += z_dx;
-            if (++column == span.right)
-                return run;
+static void store_run(const source *from, const glint_run *run) {
+    const glint_frame *frame = from->to.frame;
+    const glint_workspace *workspace = from->to.workspace;
+    frame->config.format->store(workspace->pixels, frame->tile_shift_x,
+                                ((uint32_t)run->y << frame->tile_shift_x) + run->x, run->count,
+                                (const int32_t(*)[3])workspace->row);
+}
+
+static void draw_channel_run(const source *from, const glint_run *run) {
+    const glint_config *config = &from->to.frame->config;
+    const glint_part *part = from->to.part;
+    int32_t(*const row)[3] = from->to.workspace->row;
+    for (int c = 0; c < 3; c++) {
+        const glint_quadratic *q = &from->channels[c];
+        glint_stride s = glint_stride_begin(q, part->x + run->x, part->y + run->y);
+        for (uint32_t i = 0; i < run->count; i++) {
+            row[i][c] = (int32_t)s.value;
+            glint_stride_next(&s, q);
         }
-        const uint32_t first = column;
-        do {
-            depth[column] = (uint16_t)(z >> 15);
-            z += z_dx;
-            column++;
-        } while (column < span.right && z >> 15 > depth[column]);
-        *run++ = (glint_run){(uint8_t)first, (uint8_t)y, (uint8_t)(column - first)};
     }
-    return run;
+    if (config->gamma)
+        glint_finish_colours(config, row, run->count);
+    store_run(from, run);
 }
 
-/* The same where 1/w may be below 0, as of a deep triangle's planes; and shorter. */
-static glint_run *find_deep_runs(uint16_t *depth, glint_span span, uint32_t z, uint32_t z_dx, uint32_t y,
-                                 glint_run *run) {
-    uint32_t end = GLINT_TILE_MAX;
-    for (uint32_t column = span.left; column < span.right; column++, z += z_dx) {
-        const uint32_t here = (uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS) >> 15;
-        if (here <= depth[column])
-            continue;
-        depth[column] = (uint16_t)here;
-        if (column != end)
-            *run++ = (glint_run){(uint8_t)column, (uint8_t)y, 0};
-        end = column + 1;
-        run[-1].count++;
-    }
-    return run;
-}
-
-/* Stores colours of one after the other. */
-static void store_runs(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
-                       const glint_run *runs, uint32_t count) {
-    (void)from;
-    (void)part;
-    for (const glint_run *const end = runs + count; runs != end; runs++)
-        frame->config.format->store(workspace->pixels, frame->tile_shift_x,
-                                    ((uint32_t)runs->y << frame->tile_shift_x) + runs->x, runs->count,
-                                    (const int32_t(*)[3])workspace->row);
-}
-
-static void draw_channels(const glint_frame *frame, glint_workspace *workspace, const source *from,
-                          const glint_part *part, const glint_run *runs, uint32_t count) {
-    for (const glint_run *const end = runs + count; runs != end; runs++) {
-        for (int c = 0; c < 3; c++) {
-            const glint_quadratic *q = &from->channels[c];
-            glint_stride s = glint_stride_begin(q, part->x + runs->x, part->y + runs->y);
-            for (uint32_t i = 0; i < runs->count; i++) {
-                workspace->row[i][c] = (int32_t)s.value;
-                glint_stride_next(&s, q);
-            }
-        }
-        if (frame->config.gamma)
-            glint_finish_colours(&frame->config, workspace->row, runs->count);
-        store_runs(frame, workspace, from, part, runs, 1);
+/* Gathers the fragments of a run, and lights them whenever there are enough. */
+static void gather_run(const source *from, const glint_run *run) {
+    const glint_part *part = from->to.part;
+    const uint32_t end = (uint32_t)run->x + run->count;
+    int32_t inverse_w = glint_plane_at(&part->depth, part->x + run->x, part->y + run->y);
+    for (uint32_t column = run->x; column < end && GLINT_SMALL; column++)
+        glint_gather_lit(&from->to, (int32_t)column, run->y);
+    for (uint32_t column = run->x; column < end && !GLINT_SMALL; column++) {
+        glint_gather(&from->to, (int32_t)column, run->y, inverse_w);
+        inverse_w = glint_add_wrap(inverse_w, part->depth.dx);
+        if (from->to.fragments->count == GLINT_FRAGMENTS_MAX)
+            glint_gathering_store(&from->to);
     }
 }
 
-static void draw_terms(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
-                       const glint_run *runs, uint32_t count) {
-    glint_terms_draw(frame, workspace, from->terms, from->polynomials, runs, count, 0);
-    if (from->terms->margin)
-        glint_draw_edges(frame, workspace, from->draws, from->triangle, part, from->terms, from->polynomials, runs,
-                         count);
-}
-
-/* Most runs of a row, and of two. */
-#define ROW_RUNS ((GLINT_TILE_MAX + 1) / 2)
-
-/* Draws a part by runs, of as many rows at once as two rows of a tile have pixels. @return pixels of its spans */
-static uint32_t draw_runs(const glint_frame *frame, glint_workspace *workspace, const source *from,
-                          const glint_part *part) {
-    glint_run runs[2 * ROW_RUNS], *next = runs;
-    uint32_t covered = 0, pixels = 0;
+/* Draws a part by runs. @return pixels of its spans */
+static uint32_t draw_runs(const source *from) {
+    const glint_part *part = from->to.part;
+    glint_run runs[GLINT_ROW_RUNS];
+    uint32_t covered = 0;
     for (uint32_t y = part->top; y < part->bottom; y++) {
-        const glint_span span = part->spans[y];
-        const uint32_t z_dx = (uint32_t)part->depth.dx, width = (uint32_t)span.right - span.left;
-        const uint32_t z =
-            (uint32_t)glint_plane_at(&part->depth, part->x + span.left, part->y + (int32_t)y) + GLINT_DEPTH_BIAS;
-        uint16_t *const depth = workspace->depth + (y << frame->tile_shift_x);
-        covered += width;
-        pixels += width;
-        if (pixels > 2 * frame->config.tile_width || next > runs + ROW_RUNS) {
-            from->draw(frame, workspace, from, part, runs, (uint32_t)(next - runs));
-            next = runs;
-            pixels = width;
-        }
-        next = GLINT_SMALL || from->is_deep ? find_deep_runs(depth, span, z, z_dx, y, next)
-                                            : find_runs(depth, span, z, z_dx, y, next);
+        const glint_run *const end = glint_find_runs(from->to.frame, from->to.workspace, part, from->is_deep, y, runs);
+        covered += (uint32_t)part->spans[y].right - part->spans[y].left;
+        for (const glint_run *run = runs; run != end; run++)
+            from->draw_run(from, run);
     }
-    if (next != runs)
-        from->draw(frame, workspace, from, part, runs, (uint32_t)(next - runs));
     return covered;
 }
 
 /* ---- Kernels ---- */
-
-/* Pixels of a part's spans. */
-static uint32_t covered_by(const glint_part *part) {
-    uint32_t covered = 0;
-    for (uint32_t y = part->top; y < part->bottom; y++)
-        covered += (uint32_t)part->spans[y].right - part->spans[y].left;
-    return covered;
-}
 
 /* Draws a part in one colour, which is not finished. */
 static void draw_even(const glint_frame *frame, glint_workspace *workspace, const glint_triangle *triangle,
                       const glint_part *part, int32_t colour[1][3]) {
     const int is_deep = glint_is_deep(triangle);
     glint_finish_colours(&frame->config, colour, 1);
-    if (frame->config.format->draw_even && !is_deep) {
+    if (!GLINT_SMALL && frame->config.format->draw_even && !is_deep) {
         const glint_spans spans = glint_spans_of(frame, workspace, part);
         frame->config.format->draw_even(&spans, colour[0]);
     } else {
-        const source from = {.draw = store_runs, .is_deep = is_deep};
+        const source from = {.to = {frame, workspace, part, 0, 0, 0}, .draw_run = store_run, .is_deep = is_deep};
         for (uint32_t i = 0; i < frame->config.tile_width; i++)
             for (int c = 0; c < 3; c++)
                 workspace->row[i][c] = colour[0][c];
-        draw_runs(frame, workspace, &from, part);
+        draw_runs(&from);
     }
     if (workspace->drawn)
-        glint_count(workspace, GLINT_KERNEL_EVEN, covered_by(part));
+        glint_count(workspace, GLINT_KERNEL_EVEN, glint_covered_by(part));
 }
 
 void glint_draw_unlit(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
@@ -175,27 +114,24 @@ void glint_draw_facet(const glint_frame *frame, glint_workspace *workspace, cons
     draw_even(frame, workspace, triangle, part, colour);
 }
 
-void glint_draw_terms(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                      const glint_triangle *triangle, const glint_part *part) {
-    glint_terms terms;
-    glint_quadratic polynomials[GLINT_POLYNOMIALS_MAX];
-    if (!glint_terms_begin(frame, draw, triangle, part, &terms, polynomials)) {
-        glint_draw_any(frame, workspace, draw, triangle, part);
-        return;
-    }
-    if (terms.is_plain && !frame->config.gamma && frame->config.format->draw_channels) {
-        const glint_spans spans = glint_spans_of(frame, workspace, part);
-        frame->config.format->draw_channels(&spans, polynomials, terms.is_curved);
-        if (workspace->drawn)
-            glint_count(workspace, GLINT_KERNEL_CHANNELS, covered_by(part));
-        return;
-    }
-    glint_descent descents[GLINT_POLYNOMIALS_MAX];
+/* Draws fragments that are coloured one by one. */
+static void draw_fragments(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                           const glint_triangle *triangle, const glint_part *part, const int16_t *const main[3],
+                           int is_negated, glint_shader *shade) {
+    const int is_deep = GLINT_SMALL || glint_is_deep(triangle);
     const source from = {
-        .draw = draw_terms, .terms = &terms, .polynomials = descents, .draws = draw, .triangle = triangle};
-    for (uint32_t i = 0; i < terms.end; i++)
-        glint_descent_begin(&descents[i], &polynomials[i], part->x, part->y);
-    glint_count(workspace, GLINT_KERNEL_CHANNELS, draw_runs(frame, workspace, &from, part));
+        {frame, workspace, part, draw, shade, &workspace->gathered->fragments}, gather_run, 0, is_deep};
+    glint_gathering_begin(&from.to, triangle, main, is_negated, &workspace->gathered->attributes);
+    const uint32_t covered = draw_runs(&from);
+    glint_gathering_store(&from.to);
+    glint_count(workspace, GLINT_KERNEL_GENERAL, covered);
+}
+
+void glint_draw_any(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                    const glint_triangle *triangle, const glint_part *part) {
+    const glint_vertex *const *v = triangle->corners;
+    const int16_t *const normals[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
+    draw_fragments(frame, workspace, draw, triangle, part, normals, triangle->back, glint_shade);
 }
 
 /* ---- Colours at corners ---- */
@@ -249,11 +185,6 @@ static fit find_fit(const glint_triangle *triangle, const glint_gradients *g, co
 /* Of find_skew, where 1/w changes by at most 7/16. */
 #define MOST_SKEW 5898
 
-/* The shift that brings the largest 1/w of the corners, none 0, to 2^30 .. 2^31. */
-static inline unsigned find_room(const glint_vertex *const v[3]) {
-    return glint_leading_zeros((uint32_t)(v[0]->inverse_w | v[1]->inverse_w | v[2]->inverse_w)) - 1;
-}
-
 /*
  * Four times what a colour at the middle of an edge is more than the mean of its ends, over their difference: Q14. With
  * 1/w times 2^up, below 2^31.
@@ -275,7 +206,7 @@ static void begin_planes(glint_quadratic channel[3], const glint_gradients *g, i
 
 static void begin_quadratics(glint_quadratic channel[3], const glint_gradients *g, const glint_vertex *const v[3],
                              int32_t a[3][3]) {
-    const unsigned up = find_room(v);
+    const unsigned up = glint_find_room(v);
     const int32_t skew[3] = {find_skew(v[0], v[1], up), find_skew(v[1], v[2], up), find_skew(v[0], v[2], up)};
     glint_barycentric s;
     glint_barycentric_begin(&s, g, GLINT_CHANNEL_BITS - 15);
@@ -298,7 +229,7 @@ void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const 
     glint_quadratic channels[3];
     int32_t a[3][3];
     if (how == FITS_NOTHING) {
-        glint_draw_fragments(frame, workspace, draw, triangle, part, colour, 0, resolve);
+        draw_fragments(frame, workspace, draw, triangle, part, colour, 0, resolve);
         return;
     }
     for (int c = 0; c < 3; c++)
@@ -311,13 +242,13 @@ void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const 
         begin_quadratics(channels, &part->gradients, v, a);
     for (int c = 0; c < 3 && !finishes; c++)
         channels[c].start += (uint32_t)glint_to_levels(0, format->channel[c]);
-    if (format->draw_channels && !finishes) {
+    if (!GLINT_SMALL && format->draw_channels && !finishes) {
         const glint_spans spans = glint_spans_of(frame, workspace, part);
         format->draw_channels(&spans, channels, how == FITS_QUADRATICS);
     } else {
-        const source from = {.draw = draw_channels, .channels = channels};
-        draw_runs(frame, workspace, &from, part);
+        const source from = {.to = {frame, workspace, part, 0, 0, 0}, .draw_run = draw_channel_run, .channels = channels};
+        draw_runs(&from);
     }
     if (workspace->drawn)
-        glint_count(workspace, GLINT_KERNEL_CHANNELS, covered_by(part));
+        glint_count(workspace, GLINT_KERNEL_CHANNELS, glint_covered_by(part));
 }

@@ -30,15 +30,6 @@ static inline uint32_t glint_power_at(const glint_power_table *table, uint32_t u
     return (uint32_t)(node[0] + glint_shift_right((node[1] - node[0]) * fraction, GLINT_POWER_FRACTION_BITS));
 }
 
-/** x^p, Q15, for x Q31 from 1 to 2^31 - 1, for small p: the power of x's mantissa times that of a power of two. */
-static inline uint32_t glint_power_of_cosine(const glint_power_table *table, uint32_t x) {
-    const unsigned zeros = glint_leading_zeros(x);
-    const uint32_t m = (x << zeros >> 16) - (1u << 15); /* 15 bits */
-    const uint16_t *node = &table->value[m >> 9];
-    const int32_t mantissa = node[0] + glint_shift_right((node[1] - node[0]) * (int32_t)(m & 0x1ff), 9);
-    return (uint32_t)mantissa * table->value[GLINT_POWER_HALF + zeros] >> 15;
-}
-
 /** cos^p in Q15 between the unit vectors a and b, from their cross product; cosine is a . b, above 0. */
 uint32_t glint_specular_power(const glint_power_table *table, const int16_t a[3], const int16_t b[3], int32_t cosine);
 

@@ -3,7 +3,7 @@
  * Load: the vertices of a pass. Whole objects as long as the arena holds them; an object too large for the arena
  * goes in runs of triangles, each with an index list of its own.
  */
-#include "terms.h"
+#include "frame.h"
 
 static const glint_evaluation *evaluation_of(const glint_object *object) {
     return object->evaluation ? object->evaluation : &glint_per_fragment;
@@ -29,11 +29,6 @@ static int keeps_extra(const glint_object *object) {
            (evaluation->lit_at == GLINT_LIT_AT_VERTICES && (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0);
 }
 
-/* Are an object's vertices nodes? Its material is prepared. */
-static int has_nodes(const glint_object *object, const glint_shading *shading) {
-    return shading->has_terms && evaluation_of(object) == &glint_per_fragment;
-}
-
 size_t glint_draw_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,
                        size_t vertices, size_t triangles, int has_list) {
     size_t size = GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(vertices * sizeof(glint_vertex));
@@ -43,9 +38,8 @@ size_t glint_draw_size(const glint_frame *frame, const glint_object *object, con
         size += GLINT_ALIGNED(vertices * 3 * sizeof(int16_t));
     if (evaluation_of(object)->lit_at == GLINT_LIT_AT_FACETS)
         size += GLINT_ALIGNED(triangles * 3 * sizeof(int16_t));
-    const glint_shading *shading = glint_shading_of(frame, object->material);
-    if (!is_fast(frame, object) && has_nodes(object, shading))
-        size += GLINT_ALIGNED(vertices * shading->terms.stride * sizeof(int16_t));
+    if (evaluation_of(object)->nodes)
+        size += evaluation_of(object)->nodes->size(frame, object, vertices);
     size_t more = triangles * 3 * sizeof(uint16_t);
     if (!has_list)
         more = glint_cull_of(object->mesh) ? object->mesh->clusters->count : 0;
@@ -80,11 +74,8 @@ static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_tr
         draw->kernel = frame->config.format->fast->draw;
     }
     draw->shading = glint_shading_of(frame, object->material);
-    if (!is_fast(frame, object) && has_nodes(object, draw->shading)) {
-        draw->nodes = glint_take(&frame->memory, vertices * draw->shading->terms.stride * sizeof *draw->nodes);
-        draw->light = glint_terms_light;
-        draw->kernel = glint_draw_terms;
-    }
+    if (evaluation->nodes)
+        draw->nodes = glint_take(&frame->memory, evaluation->nodes->size(frame, object, vertices));
     if (!GLINT_SMALL && is_of_one_colour(object, draw->shading)) {
         draw->light = 0;
         draw->kernel = glint_draw_unlit;

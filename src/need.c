@@ -8,6 +8,7 @@
 typedef struct tally {
     size_t vertices, references, clipped; /* bytes, counts */
     size_t materials, tables;             /* bytes */
+    size_t nodes;                         /* bytes of a triangle's */
 } tally;
 
 static void count_part(const glint_frame *frame, const glint_transform *transform, const glint_mesh *mesh,
@@ -45,12 +46,23 @@ static GLINT_NOINLINE glint_status count_triangle(const glint_frame *frame, cons
     return GLINT_OK;
 }
 
+/* What lights nodes; null where no object of the scene has them. */
+static const glint_node_stage *stage_of(const glint_scene *scene) {
+    for (uint32_t i = 0; i < scene->object_count; i++)
+        if (scene->objects[i].evaluation && scene->objects[i].evaluation->nodes)
+            return scene->objects[i].evaluation->nodes;
+    return 0;
+}
+
 /* Bytes of a draw of all of an object, whose material is prepared for it. */
 static GLINT_NOINLINE size_t size_object(glint_frame *frame, const glint_object *object,
                                          const glint_transform *transform) {
     const glint_mesh *mesh = object->mesh;
+    const glint_node_stage *nodes = stage_of(frame->scene);
     glint_shading shading = {0};
+    glint_light_terms terms;
     glint_prepare_shading(frame, &shading, object->material);
+    shading.terms = nodes && nodes->find(frame, &shading, &terms) ? &terms : 0;
     frame->shading = &shading;
     const size_t size = glint_draw_size(frame, object, transform, mesh->vertex_count, mesh->triangle_count, 0);
     frame->shading = 0;
@@ -75,6 +87,17 @@ static glint_status count_object(glint_frame *frame, const glint_object *object,
     return status;
 }
 
+/* Adds what a material takes where nodes are lit. */
+static GLINT_NOINLINE void count_terms(const glint_frame *frame, const glint_shading *shading, tally *sum) {
+    const glint_node_stage *stage = stage_of(frame->scene);
+    glint_light_terms terms;
+    if (!stage || !stage->find(frame, shading, &terms))
+        return;
+    const size_t nodes = GLINT_ALIGNED(3 * terms.stride * sizeof(int16_t));
+    sum->materials += GLINT_ALIGNED(sizeof terms);
+    sum->nodes = nodes > sum->nodes ? nodes : sum->nodes;
+}
+
 /* Bytes of distinct materials, each checked. */
 static GLINT_NOINLINE glint_status count_materials(const glint_frame *frame, tally *sum) {
     const glint_scene *scene = frame->scene;
@@ -90,6 +113,8 @@ static GLINT_NOINLINE glint_status count_materials(const glint_frame *frame, tal
         shading = (glint_shading){0};
         status = glint_prepare_shading(frame, &shading, scene->objects[i].material);
         sum->materials += GLINT_ALIGNED(sizeof shading);
+        if (status == GLINT_OK)
+            count_terms(frame, &shading, sum);
         if (fast && status == GLINT_OK)
             fast->need(frame, &shading, &sum->materials, &sum->tables);
     }
@@ -108,9 +133,9 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
         status = glint_check_scene(scene);
     if (status == GLINT_OK)
         status = glint_prepare_view(&view, &frame.config, scene, &transform);
+    frame.view = &view;
     if (status == GLINT_OK)
         status = count_materials(&frame, &sum);
-    frame.view = &view;
     for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++)
         status = count_object(&frame, &scene->objects[i], &sum);
     if (status != GLINT_OK)
@@ -120,7 +145,7 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
     size_t lists = GLINT_ALIGNED(frame.tile_count * sizeof(glint_reference)) +
                    GLINT_ALIGNED(sum.references * sizeof(glint_reference)) +
                    GLINT_ALIGNED(sum.clipped * sizeof(glint_clipped)) + GLINT_BIN_RESERVE;
-    need->smallest = prepared + GLINT_LEAST_ROOM;
+    need->smallest = prepared + GLINT_LEAST_ROOM + sum.nodes;
     const size_t pass = sum.vertices + lists;
     need->best = prepared + sum.tables + (pass > sum.tables ? pass : sum.tables);
     if (need->best < need->smallest)

@@ -92,9 +92,9 @@ static void add_lobe(const glint_shading *shading, uint32_t i, const glint_prepa
     uint32_t unused = 1 << 14, *const half = node->dark >> i & 1 ? &unused : &node->half;
     if (!find_axis(shading->material->model, source, is_fixed, at->normal[n], light, at->view[n], turning, axis, half))
         node->unfit |= (uint8_t)(1u << i);
-    else if (shading->terms.lobe_is_wide)
+    else if (shading->terms->lobe_is_wide)
         node->number[i][GLINT_LOBE_X] = (int16_t)(find_cosine(turning, axis) >> 1);
-    else if (find_deviation(turning, axis, shading->terms.lobe_shift, node->number[i]))
+    else if (find_deviation(turning, axis, shading->terms->lobe_shift, node->number[i]))
         node->far |= (uint8_t)(1u << i);
 }
 
@@ -119,7 +119,7 @@ static void find_cone(const glint_prepared_light *source, uint32_t i, const int1
 /* One light at all points. */
 static void light_nodes(const glint_frame *frame, const glint_shading *shading, uint32_t i, glint_fragments *at,
                         uint32_t lobes, glint_node *const nodes[]) {
-    const glint_light_terms *terms = &shading->terms;
+    const glint_light_terms *terms = shading->terms;
     const glint_prepared_light *source = &frame->view->lights[i];
     const int has_position = source->type->illuminate != 0;
     const int32_t clearly = has_position ? CLEARLY_NEAR : CLEARLY;

@@ -45,4 +45,4 @@ static void light_triangle(const glint_frame *frame, glint_draw *draw, const gli
     glint_clamp_colour(one.colour[0], draw->facets[i]);
 }
 
-const glint_evaluation glint_per_facet = {GLINT_LIT_AT_FACETS, light_triangle, glint_draw_facet};
+const glint_evaluation glint_per_facet = {GLINT_LIT_AT_FACETS, light_triangle, glint_draw_facet, 0};

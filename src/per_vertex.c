@@ -51,4 +51,4 @@ static void light_triangle(const glint_frame *frame, glint_draw *draw, const gli
         glint_clamp_colour(vertices.colour[i], draw->extra[index[i]]);
 }
 
-const glint_evaluation glint_per_vertex = {GLINT_LIT_AT_VERTICES, light_triangle, glint_draw_lit};
+const glint_evaluation glint_per_vertex = {GLINT_LIT_AT_VERTICES, light_triangle, glint_draw_lit, 0};

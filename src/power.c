@@ -30,34 +30,15 @@ static uint32_t find_window(uint32_t cut) {
     return window;
 }
 
-/* Values for small p: of x from 1/2 to 1, and of 2^-i. A chord lies above or below a curve by an eighth of its bend. */
-static void fill_direct(glint_power_table *table) {
-    uint16_t *of_two = table->value + GLINT_POWER_HALF + 1;
-    int32_t before = 0, here = 0, next;
-    for (uint32_t i = 0; i <= GLINT_POWER_HALF + 1; i++) {
-        next = (int32_t)glint_power((1u << 30) +
-                                        (i > GLINT_POWER_HALF ? GLINT_POWER_HALF : i) * ((1u << 30) / GLINT_POWER_HALF),
-                                    table->exponent);
-        const int32_t bend = i > 1 && i <= GLINT_POWER_HALF ? before - 2 * here + next : 0;
-        if (i)
-            table->value[i - 1] = (uint16_t)((here - bend / 16 + (1 << 14)) >> 15);
-        before = here, here = next;
-    }
-    for (uint32_t i = 0; i < 31; i++)
-        of_two[i] = (uint16_t)((glint_power(1u << 31 >> i, table->exponent) + (1u << 14)) >> 15);
-}
-
 void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t weight, uint32_t spare) {
     table->exponent = exponent;
-    table->direct = exponent < GLINT_POWER_OF_SINE;
+    table->direct = exponent < 2 * GLINT_ONE;
     const uint32_t cut = table->direct ? 1u << 30 : find_cut(exponent, weight, spare);
     table->window = find_window(cut);
     uint32_t inside = (1u << 30) - (spare ? cut : table->window);
     table->cosine_square_floor = (int32_t)((inside - (inside >> 11)) >> 15);
-    if (table->direct) {
-        fill_direct(table);
+    if (table->direct)
         return;
-    }
     table->index_shift = 31u - glint_leading_zeros(table->window) - GLINT_POWER_TABLE_BITS;
     int32_t f[3]; /* at three nodes in a row, around node i where it has two neighbours */
     for (uint32_t i = 0; i < 3; i++)

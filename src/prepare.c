@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Prepare: checks a scene and brings camera, lights and materials into the form that a frame reads. */
-#include "terms.h"
+#include "frame.h"
 
 /* Below 0 is far above the largest when unsigned. */
 static int colour_is_valid(const glint_colour *colour) {
@@ -116,7 +116,6 @@ int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_
 /* Twice the focal length in pixels, Q31: below 2^48. */
 static void set_focal_length(glint_view *view, int64_t focal) {
     view->focal = (int32_t)glint_round_shift64(focal, 31 - 12);
-    view->pixel = (int32_t)(((uint64_t)1 << 39) / (uint32_t)view->focal);
     int64_t ratio = focal * (1 << 12) / (2 * GLINT_GUARD_BAND); /* focal length / guard band, Q43: 29 bits or more */
     unsigned down = glint_bits64((uint64_t)ratio) - 24;
     view->focal_shift = 43 - down;
@@ -271,6 +270,5 @@ glint_status glint_prepare_shading(const glint_frame *frame, glint_shading *shad
         return GLINT_ERROR_COLOUR;
     if (material->model->prepare)
         material->model->prepare(shading, (uint32_t)largest);
-    glint_terms_prepare(frame, shading);
     return GLINT_OK;
 }

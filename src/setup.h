@@ -36,6 +36,11 @@ static inline glint_w_range glint_find_w_range(const glint_vertex *const v[3]) {
     return (glint_w_range){low, high - low + 1};
 }
 
+/** The shift that brings the largest 1/w of the corners, none 0, to 2^30 .. 2^31. */
+static inline unsigned glint_find_room(const glint_vertex *const v[3]) {
+    return glint_leading_zeros((uint32_t)(v[0]->inverse_w | v[1]->inverse_w | v[2]->inverse_w)) - 1;
+}
+
 /**
  * May rounding take the plane of 1/w below 0: by 2^-7 of the corners' difference, at most 2^19, and some pixels' steps?
  */

@@ -13,7 +13,7 @@ static uint32_t sine_square(const int16_t a[3], const int16_t b[3]) {
 uint32_t glint_specular_power(const glint_power_table *table, const int16_t a[3], const int16_t b[3], int32_t cosine) {
     if (table->direct) {
         uint32_t x = ((uint32_t)cosine << 1) + ((uint32_t)cosine >> 11); /* Q31; UNIT^2 is 2^30 less a part in 2^12 */
-        return glint_power_of_cosine(table, x > INT32_MAX ? INT32_MAX : x);
+        return (glint_power(x > 1u << 31 ? 1u << 31 : x, table->exponent) + (1u << 14)) >> 15;
     }
     return glint_power_at(table, sine_square(a, b));
 }

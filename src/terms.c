@@ -38,11 +38,14 @@ static void gather_corner(const glint_frame *frame, const glint_vertex *v, glint
 
 void glint_terms_light(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
                        uint32_t triangle) {
-    const glint_light_terms *light = &draw->shading->terms;
+    const glint_light_terms *light = draw->shading->terms;
     uint32_t index[3];
     glint_fragments vertices;
     glint_node nodes[3], *const to[3] = {&nodes[0], &nodes[1], &nodes[2]};
-    (void)transform;
+    if (!light) {
+        glint_transform_normals(frame, draw, transform, triangle);
+        return;
+    }
     vertices.count = 0;
     for (int corner = 0; corner < 3; corner++) {
         const uint32_t here = draw->triangles[triangle][corner];
@@ -82,7 +85,7 @@ typedef struct candidate {
     glint_region region;
 } candidate;
 
-static inline void measure(const glint_view *view, const glint_triangle *triangle, candidate *t) {
+static inline void measure(uint32_t pixel, const glint_triangle *triangle, candidate *t) {
     glint_region *region = &t->region;
     const glint_vertex *const *v = triangle->corners;
     const int16_t *a = v[0]->attribute, *b = v[1]->attribute, *c = v[2]->attribute;
@@ -93,12 +96,12 @@ static inline void measure(const glint_view *view, const glint_triangle *triangl
     const int32_t width = glint_most_of(v[0]->x, v[1]->x, v[2]->x) - glint_least_of(v[0]->x, v[1]->x, v[2]->x);
     const int32_t height = glint_most_of(v[0]->y, v[1]->y, v[2]->y) - glint_least_of(v[0]->y, v[1]->y, v[2]->y);
     region->turn = glint_angle_of((uint32_t)turn >> 2);
-    glint_region_measure(view, (uint32_t)width, (uint32_t)height, glint_find_w_range(v), region);
+    glint_region_measure(pixel, (uint32_t)width, (uint32_t)height, glint_find_w_range(v), region);
 }
 
 /* Does a highlight show on a triangle? */
 static int place_lobe(const glint_shading *shading, const candidate *t, uint32_t l) {
-    const uint8_t *const at = shading->terms.at[l];
+    const uint8_t *const at = shading->terms->at[l];
     int32_t least[4], most[4];
     int32_t along[3][4];
     for (int i = 0; i < 3; i++) {
@@ -143,7 +146,7 @@ static uint32_t find_surface(const glint_triangle *triangle, candidate *t) {
 static inline int find_region(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
                               candidate *t) {
     const glint_shading *shading = draw->shading;
-    const glint_light_terms *light = &shading->terms;
+    const glint_light_terms *light = shading->terms;
     glint_region *region = &t->region;
     for (int i = 0; i < 3; i++)
         t->kept[i] = draw->nodes + (size_t)(triangle->corners[i] - draw->vertices) * light->stride;
@@ -151,7 +154,7 @@ static inline int find_region(const glint_frame *frame, const glint_draw *draw, 
                   *c = t->kept[2] + light->channels;
     const uint32_t facing = (uint16_t)(a[FACING] & b[FACING] & c[FACING]);
     const uint32_t flags = (uint16_t)(a[FLAGS] | b[FLAGS] | c[FLAGS]);
-    measure(frame->view, triangle, t);
+    measure(light->pixel, triangle, t);
     region->levels = (uint32_t)glint_most_of(a[LEVELS], b[LEVELS], c[LEVELS]);
     region->half = (uint32_t)glint_least_of(a[HALF], b[HALF], c[HALF]);
     region->lit = facing & 0xff;
@@ -232,7 +235,7 @@ static void gather_middle(const glint_frame *frame, const glint_vertex *a, const
 /* Finds the nodes between corners. @return 0 where polynomials through them do not fit */
 static int find_middles(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
                         candidate *t) {
-    const glint_light_terms *light = &draw->shading->terms;
+    const glint_light_terms *light = draw->shading->terms;
     const glint_region *region = &t->region;
     glint_node *const to[3] = {&t->middle[0], &t->middle[1], &t->middle[2]};
     glint_fragments at;
@@ -414,7 +417,7 @@ static int has_edge(const glint_shading *shading, const candidate *t) {
     int32_t n[6];
     for (uint32_t l = 0; gated >> l; l++)
         if (gated >> l & 1) {
-            take_numbers(&shading->terms, t, l, GLINT_SIDE, 6, n);
+            take_numbers(shading->terms, t, l, GLINT_SIDE, 6, n);
             if (!keeps_side(n))
                 return 1;
         }
@@ -466,7 +469,7 @@ static int is_between(const glint_frame *frame, const glint_shading *shading, co
 int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
                       const glint_part *part, glint_terms *terms, glint_quadratic polynomials[GLINT_POLYNOMIALS_MAX]) {
     const glint_shading *shading = draw->shading;
-    const uint32_t limit = shading->terms.limit;
+    const uint32_t limit = shading->terms->limit;
     candidate t;
     const glint_region *region = &t.region;
     lengths by;
@@ -474,7 +477,7 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
         return 0;
     if (!find_region(frame, draw, triangle, &t))
         return 0;
-    sum_corners(&shading->terms, &t);
+    sum_corners(shading->terms, &t);
     if (!(region->sides & region->lobes) && !region->has_edge &&
         glint_plane_error(shading, t.has_surface, region) <= limit) {
         glint_terms_name(frame, draw, region, 0, terms);

@@ -8,7 +8,7 @@
 #define GLINT_TERMS_H
 
 #include "polynomial.h"
-#include "setup.h"
+#include "runs.h"
 
 /* ---- Nodes ---- */
 
@@ -86,8 +86,8 @@ static inline int32_t glint_square_apart(const int16_t a[3], const int16_t b[3])
     return x * x + y * y + z * z;
 }
 
-/** Sets `reach` and `slant` of a region so wide and high, 28.4, with this range of 1/w. */
-void glint_region_measure(const glint_view *view, uint32_t width, uint32_t height, glint_w_range w,
+/** Sets `reach` and `slant` of a region so wide and high, 28.4, with this range of 1/w. @param pixel of the terms */
+void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, glint_w_range w,
                           glint_region *region);
 
 /** Sets what becomes of lights, from `lit` and `dark` on. @return those whose highlights may show */
@@ -165,13 +165,14 @@ static inline int32_t glint_sum_at(const glint_terms *terms, int32_t one, int32_
 /** What a vertex keeps between its sums and its lights' numbers. */
 #define GLINT_KEPT 6
 
-/** Prepares a material. */
-void glint_terms_prepare(const glint_frame *frame, glint_shading *shading);
+/** Finds what a material makes of the frame's lights. @return 0 where that does not fit terms, or none are wanted */
+int glint_terms_find(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms);
 
-/** Pixels of a row that follow each other, from column x on. */
-typedef struct glint_run {
-    uint8_t x, y, count;
-} glint_run;
+/** Bytes of arena that an object's vertices keep of light. */
+size_t glint_terms_size(const glint_frame *frame, const glint_object *object, size_t vertices);
+
+/** Finds what all materials make of the lights, behind their shadings. */
+glint_status glint_terms_prepare(glint_frame *frame);
 
 /** Draws runs that have no more pixels than workspace->row; x and y are from pixel `offset` of the tile on. */
 void glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
@@ -191,7 +192,7 @@ void glint_draw_edges(const glint_frame *frame, glint_workspace *workspace, cons
 
 /* ---- Triangles ---- */
 
-/** Lights the vertices of a triangle, unless they are. */
+/** Lights the vertices of a triangle, unless they are; finds their normals alone where the material has no terms. */
 glint_light_triangle glint_terms_light;
 
 /** A triangle's light, from its corners on. @return 0 where polynomials do not fit */
@@ -208,5 +209,9 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
  */
 int glint_cell_begin(const glint_frame *frame, const glint_draw *draw, glint_node *const nodes[GLINT_CELL_NODES],
                      unsigned shift, glint_terms *terms, glint_descent polynomials[GLINT_POLYNOMIALS_MAX]);
+
+/** Draws a triangle by the cells of the lattice. @return 0 where it is too small or too deep for them */
+int glint_draw_lattice(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                       const glint_triangle *triangle, const glint_part *part);
 
 #endif

@@ -5,7 +5,7 @@
 #include "terms.h"
 
 /* Exponents below this have lobes of the cosine. */
-#define WIDE GLINT_POWER_OF_SINE
+#define WIDE (7 * GLINT_ONE)
 
 /* Error of polynomials in levels, Q8, for each 1 that the weights of a channel add up to, but at least 1. */
 #define LIMIT 51
@@ -116,12 +116,33 @@ static uint32_t find_cut(const glint_frame *frame, const glint_shading *shading,
     return (1u << 30) - glint_exp2((int32_t)((2 * faint * (1 << 16)) / shading->shininess));
 }
 
+/* x^p, Q30, of x from 1/2 to 1 at interval i's start, or at the last's end beyond that. */
+static int32_t power_at(uint32_t i, int32_t exponent) {
+    const uint32_t last = i < GLINT_COSINE_HALF ? i : GLINT_COSINE_HALF;
+    return (int32_t)glint_power((1u << 30) + last * ((1u << 30) / GLINT_COSINE_HALF), exponent);
+}
+
+/* Powers of the cosine. A chord lies above or below a curve by an eighth of its bend: nodes share half of it. */
+static void fill_cosine(uint16_t cosine[GLINT_COSINE_VALUES], int32_t exponent) {
+    int32_t before = 0, here = power_at(0, exponent);
+    for (uint32_t i = 0; i <= GLINT_COSINE_HALF; i++) {
+        const int32_t next = power_at(i + 1, exponent);
+        const int32_t bend = i > 0 && i < GLINT_COSINE_HALF ? before - 2 * here + next : 0;
+        cosine[i] = (uint16_t)((here - bend / 16 + (1 << 14)) >> 15);
+        before = here;
+        here = next;
+    }
+    for (uint32_t i = 0; i < 31; i++)
+        cosine[GLINT_COSINE_HALF + 1 + i] = (uint16_t)((glint_power(1u << 31 >> i, exponent) + (1u << 14)) >> 15);
+}
+
 static void set_lobes(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
     terms->lobe_is_wide = shading->shininess < WIDE;
     terms->lobe_has_strip = shading->shininess < GLINT_ONE && shading->shininess;
     if (terms->lobe_is_wide) {
         terms->lobes = shading->has_specular;
         terms->lobe_shift = 0;
+        fill_cosine(terms->cosine, shading->shininess);
         terms->slope =
             (uint32_t)glint_most(shading->shininess, 2 * GLINT_ONE) / 384; /* 2/3 of p: of 0.041 it makes 0.0275 */
         return;
@@ -153,22 +174,60 @@ static void place_numbers(const glint_frame *frame, const glint_shading *shading
     terms->light_count = frame->scene->light_count;
 }
 
-/* Can the material's light be held in sums, below 15, and in lobes that are narrow enough? */
-static int serves(const glint_shading *shading, uint32_t total) {
+/* Is an object of the material lit at nodes, but for those that fast lighting serves? */
+static int is_wanted(const glint_frame *frame, const glint_material *material) {
+    const glint_fast *fast = frame->config.format->fast;
+    for (uint32_t i = 0; i < frame->scene->object_count; i++) {
+        const glint_object *object = &frame->scene->objects[i];
+        if (object->material == material && object->evaluation && object->evaluation->nodes &&
+            !(fast && fast->serves(frame, object)))
+            return 1;
+    }
+    return 0;
+}
+
+/* Can the material's light be held in sums, below 15? */
+static int fits(const glint_shading *shading, uint32_t total) {
     const glint_model *model = shading->material->model;
     return (model->lobe != GLINT_LOBE_OTHER || !model->light) && total < 15 << 12;
 }
 
-void glint_terms_prepare(const glint_frame *frame, glint_shading *shading) {
-    glint_light_terms *terms = &shading->terms;
+int glint_terms_find(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
     const uint32_t total = find_total(frame, shading, 1);
-    shading->has_terms = (uint32_t)serves(shading, total);
-    if (!shading->has_terms)
-        return;
+    if (!is_wanted(frame, shading->material) || !fits(shading, total))
+        return 0;
+    terms->pixel = (uint32_t)(((uint64_t)1 << 39) / (uint32_t)frame->view->focal);
     set_weights(frame, shading, terms);
     terms->channels = find_chroma(frame, shading, terms) ? 1 : 3;
     terms->sum_bits = find_sum_bits(frame, shading, terms);
     set_lobes(frame, shading, terms);
     terms->limit = LIMIT * (total > 1 << 12 ? total : 1 << 12) >> 12;
     place_numbers(frame, shading, terms);
+    return 1;
+}
+
+size_t glint_terms_size(const glint_frame *frame, const glint_object *object, size_t vertices) {
+    const glint_light_terms *terms = glint_shading_of(frame, object->material)->terms;
+    return terms ? GLINT_ALIGNED(vertices * terms->stride * sizeof(int16_t)) : 0;
+}
+
+glint_status glint_terms_prepare(glint_frame *frame) {
+    glint_shading *const shadings = (glint_shading *)frame->shading;
+    uint32_t stride = 0;
+    for (uint32_t i = 0; i < frame->shading_count; i++) {
+        glint_shading *shading = &shadings[i];
+        shading->terms = 0;
+        const size_t before = frame->memory.low;
+        glint_light_terms *terms = glint_take(&frame->memory, sizeof *terms);
+        if (!terms)
+            return GLINT_ERROR_ARENA;
+        if (!glint_terms_find(frame, shading, terms)) {
+            frame->memory.low = before;
+            continue;
+        }
+        shading->terms = terms;
+        stride = terms->stride > stride ? terms->stride : stride;
+    }
+    frame->least_room += GLINT_ALIGNED(3 * stride * sizeof(int16_t));
+    return GLINT_OK;
 }

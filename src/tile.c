@@ -26,7 +26,9 @@ void glint_workspace_init(glint_workspace *workspace, const glint_config *config
     workspace->depth = memory;
     workspace->pixels = workspace->depth + width * height;
     workspace->stride = glint_row_bytes(config->format, width);
-    workspace->row = (int32_t(*)[3])(void *)((uint8_t *)workspace->pixels + workspace->stride * height);
+    void *const last = (uint8_t *)workspace->pixels + workspace->stride * height;
+    workspace->row = last;
+    workspace->gathered = last;
     workspace->drawn = 0;
 }
 

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT */
+/* Lighting at nodes: a triangle by polynomials through its own, by those of the lattice's cells, or by fragments. */
+#include "runs.h"
+#include "terms.h"
+
+/* What runs of a triangle are drawn by. */
+typedef struct painter {
+    const glint_draw *draw;
+    const glint_triangle *triangle;
+    const glint_terms *terms;
+    const glint_descent *polynomials;
+} painter;
+
+static void draw_batch(const glint_frame *frame, glint_workspace *workspace, const painter *by, const glint_part *part,
+                       const glint_run *runs, uint32_t count) {
+    glint_terms_draw(frame, workspace, by->terms, by->polynomials, runs, count, 0);
+    if (by->terms->margin)
+        glint_draw_edges(frame, workspace, by->draw, by->triangle, part, by->terms, by->polynomials, runs, count);
+}
+
+/* Draws a part by runs, of as many rows at once as two rows of a tile have pixels. @return pixels of its spans */
+static uint32_t draw_runs(const glint_frame *frame, glint_workspace *workspace, const painter *by,
+                          const glint_part *part) {
+    glint_run runs[2 * GLINT_ROW_RUNS], *next = runs;
+    uint32_t covered = 0, pixels = 0;
+    for (uint32_t y = part->top; y < part->bottom; y++) {
+        const uint32_t width = (uint32_t)part->spans[y].right - part->spans[y].left;
+        covered += width;
+        pixels += width;
+        if (pixels > 2 * frame->config.tile_width || next > runs + GLINT_ROW_RUNS) {
+            draw_batch(frame, workspace, by, part, runs, (uint32_t)(next - runs));
+            next = runs;
+            pixels = width;
+        }
+        next = glint_find_runs(frame, workspace, part, 0, y, next);
+    }
+    if (next != runs)
+        draw_batch(frame, workspace, by, part, runs, (uint32_t)(next - runs));
+    return covered;
+}
+
+/* Draws what polynomials through a triangle's own nodes are not close enough for. */
+static void draw_otherwise(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                           const glint_triangle *triangle, const glint_part *part) {
+    if (!draw->shading->terms || !glint_draw_lattice(frame, workspace, draw, triangle, part))
+        glint_draw_any(frame, workspace, draw, triangle, part);
+}
+
+static void draw(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                 const glint_triangle *triangle, const glint_part *part) {
+    glint_terms terms;
+    glint_quadratic polynomials[GLINT_POLYNOMIALS_MAX];
+    glint_descent descents[GLINT_POLYNOMIALS_MAX];
+    if (!draw->shading->terms || !glint_terms_begin(frame, draw, triangle, part, &terms, polynomials)) {
+        draw_otherwise(frame, workspace, draw, triangle, part);
+        return;
+    }
+    if (terms.is_plain && !frame->config.gamma && frame->config.format->draw_channels) {
+        const glint_spans spans = glint_spans_of(frame, workspace, part);
+        frame->config.format->draw_channels(&spans, polynomials, terms.is_curved);
+        if (workspace->drawn)
+            glint_count(workspace, GLINT_KERNEL_CHANNELS, glint_covered_by(part));
+        return;
+    }
+    for (uint32_t i = 0; i < terms.end; i++)
+        glint_descent_begin(&descents[i], &polynomials[i], part->x, part->y);
+    const painter by = {draw, triangle, &terms, descents};
+    glint_count(workspace, GLINT_KERNEL_CHANNELS, draw_runs(frame, workspace, &by, part));
+}
+
+static const glint_node_stage stage = {glint_terms_prepare, glint_terms_size, glint_terms_find};
+
+const glint_evaluation glint_per_node = {GLINT_LIT_AT_FRAGMENTS, glint_terms_light, draw, &stage};
