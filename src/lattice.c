@@ -5,7 +5,6 @@
  */
 #include "colour.h"
 #include "fragments.h"
-#include "light.h"
 #include "terms.h"
 
 /* Pixels of a cell across, and their power of two; cells are halved once. */
@@ -92,52 +91,63 @@ static int draw_square(const walk *w, int32_t x, int32_t y, unsigned shift, glin
 
 /* ---- Nodes ---- */
 
-/* Nodes of a square on their way: where they are, from the cell's first pixel. */
+/* Nodes on their way: where they go. */
 typedef struct batch {
-    const walk *w;
-    int32_t x, y;
+    const glint_gathering *from;
     glint_node *to[GLINT_FRAGMENTS_MAX];
 } batch;
 
-static void light_batch(batch *b) {
-    const walk *w = b->w;
-    glint_fragments *at = w->gathering.fragments;
-    if (!at->count)
-        return;
-    glint_find_rays(w->gathering.frame, at);
-    glint_find_surface(at, w->gathering.draw, glint_extend_colour);
-    glint_nodes_light(w->gathering.frame, w->gathering.draw->shading, at, w->gathering.draw->shading->lights, w->gathering.draw->shading->terms->lobes, b->to);
+static void light_batch(const batch *b) {
+    const glint_draw *draw = b->from->draw;
+    glint_fragments *at = b->from->fragments;
+    glint_find_rays(b->from->frame, at);
+    glint_find_surface(at, draw, glint_extend_colour);
+    glint_nodes_light(b->from->frame, draw->shading, at, draw->shading->lights, draw->shading->terms->lobes, b->to);
     for (uint32_t i = 0; i < at->count; i++) {
         b->to[i]->inverse_w = at->inverse_w[i];
         for (int c = 0; c < 3; c++) {
             b->to[i]->normal[c] = at->normal[i][c];
-            b->to[i]->surface[c] = w->gathering.draw->extra ? at->surface[i][c] : 0;
+            b->to[i]->surface[c] = draw->extra ? at->surface[i][c] : 0;
         }
     }
     at->count = 0;
 }
 
+/* Adds the node at a pixel of the tile. */
 static void add_node(batch *b, int32_t x, int32_t y, glint_node *node) {
-    const glint_gathering *gathering = &b->w->gathering;
-    const glint_part *part = gathering->part;
-    const int32_t column = b->w->x + b->x + x, row = b->w->y + b->y + y;
-    b->to[gathering->fragments->count] = node;
-    glint_gather(gathering, column, row, glint_plane_at(&part->depth, part->x + column, part->y + row));
-    if (gathering->fragments->count == GLINT_FRAGMENTS_MAX)
-        light_batch(b);
+    const glint_part *part = b->from->part;
+    b->to[b->from->fragments->count] = node;
+    glint_gather(b->from, x, y, glint_plane_at(&part->depth, part->x + x, part->y + y));
 }
 
-/* Nodes of a square of eight pixels: five by five, two pixels apart. */
-typedef struct fine_nodes {
-    glint_node node[5][5];
-} fine_nodes;
+/* A quarter of a square: its nodes, of which those at the corners are the square's. */
+typedef struct quarter {
+    glint_node own[5];
+    glint_node *nodes[GLINT_CELL_NODES];
+    int32_t x, y; /* of its first pixel, in the cell */
+} quarter;
 
-/* The nodes of a square of them, `step` apart. */
-static void take_nodes(fine_nodes *of, int column, int row, int step, glint_node *nodes[GLINT_CELL_NODES]) {
-    for (int j = 0; j < 3; j++)
-        for (int i = 0; i < 3; i++)
-            nodes[3 * j + i] = &of->node[row + j * step][column + i * step];
+/* Finds the nodes of quarter i of a square whose first pixel is x, y of the cell; they are 2^shift pixels apart. */
+static void begin_quarter(const walk *w, glint_node *const nodes[GLINT_CELL_NODES], int32_t x, int32_t y, int i,
+                          unsigned shift, quarter *to) {
+    const int first = i % 2 + 3 * (i / 2);
+    batch b = {&w->gathering, {0}};
+    int own = 0;
+    to->x = x + (i % 2 << (shift + 1));
+    to->y = y + (i / 2 << (shift + 1));
+    for (int k = 0; k < GLINT_CELL_NODES; k++) {
+        const int column = k % 3, row = k / 3;
+        if ((column | row) & 1) {
+            to->nodes[k] = &to->own[own++];
+            add_node(&b, w->x + to->x + column * (1 << shift), w->y + to->y + row * (1 << shift), to->nodes[k]);
+        } else {
+            to->nodes[k] = nodes[first + column / 2 + 3 * (row / 2)];
+        }
+    }
+    light_batch(&b);
 }
+
+/* ---- Squares ---- */
 
 /* Does a square of a cell show? */
 static int is_visible(const walk *w, int32_t x, int32_t y, int32_t size) {
@@ -147,51 +157,37 @@ static int is_visible(const walk *w, int32_t x, int32_t y, int32_t size) {
     return any != 0;
 }
 
-/* Draws a square of eight pixels whose corners' nodes are known: as one, as four, or by fragments. */
-static void draw_eight(const walk *w, int32_t x, int32_t y, fine_nodes *of) {
-    batch b = {w, x, y, {0}};
-    glint_node *nodes[GLINT_CELL_NODES];
-    for (int i = 1; i < 8; i++)
-        if (i != 2 && i != 6)
-            add_node(&b, i % 3 * 4, i / 3 * 4, &of->node[i / 3 * 2][i % 3 * 2]);
-    light_batch(&b);
-    take_nodes(of, 0, 0, 2, nodes);
-    if (draw_square(w, x, y, 2, nodes))
+/* Draws a square of eight pixels: as one, as four, or one by one. */
+static void draw_eight(const walk *w, const quarter *eight) {
+    quarter four;
+    if (draw_square(w, eight->x, eight->y, 2, eight->nodes))
         return;
-    for (int j = 0; j < 5; j++)
-        for (int i = 0; i < 5; i++)
-            if ((i | j) & 1)
-                add_node(&b, i * 2, j * 2, &of->node[j][i]);
-    light_batch(&b);
     for (int i = 0; i < 4; i++) {
-        const int column = i % 2 * 2, row = i / 2 * 2;
-        take_nodes(of, column, row, 1, nodes);
-        if (is_visible(w, x + 2 * column, y + 2 * row, 4) && !draw_square(w, x + 2 * column, y + 2 * row, 1, nodes))
-            draw_one_by_one(w, x + 2 * column, y + 2 * row, 4);
+        if (!is_visible(w, eight->x + i % 2 * 4, eight->y + i / 2 * 4, 4))
+            continue;
+        begin_quarter(w, eight->nodes, eight->x, eight->y, i, 1, &four);
+        if (!draw_square(w, four.x, four.y, 1, four.nodes))
+            draw_one_by_one(w, four.x, four.y, 4);
     }
 }
 
 /* Draws a cell: as one, or as four squares. */
-static void draw_visible(const walk *w) {
+static void draw_cell(const walk *w) {
     glint_node node[GLINT_CELL_NODES], *nodes[GLINT_CELL_NODES];
-    fine_nodes fine;
-    batch b = {w, 0, 0, {0}};
+    quarter eight;
+    batch b = {&w->gathering, {0}};
     for (int i = 0; i < GLINT_CELL_NODES; i++) {
         nodes[i] = &node[i];
-        add_node(&b, i % 3 * 8, i / 3 * 8, nodes[i]);
+        add_node(&b, w->x + i % 3 * 8, w->y + i / 3 * 8, nodes[i]);
     }
     light_batch(&b);
     if (draw_square(w, 0, 0, 3, nodes))
         return;
     for (int i = 0; i < 4; i++) {
-        const int column = i % 2, row = i / 2;
-        if (!is_visible(w, column * 8, row * 8, 8))
+        if (!is_visible(w, i % 2 * 8, i / 2 * 8, 8))
             continue;
-        fine.node[0][0] = *nodes[3 * row + column];
-        fine.node[0][4] = *nodes[3 * row + column + 1];
-        fine.node[4][0] = *nodes[3 * row + column + 3];
-        fine.node[4][4] = *nodes[3 * row + column + 4];
-        draw_eight(w, column * 8, row * 8, &fine);
+        begin_quarter(w, nodes, 0, 0, i, 2, &eight);
+        draw_eight(w, &eight);
     }
 }
 
@@ -261,7 +257,7 @@ int glint_draw_lattice(const glint_frame *frame, glint_workspace *workspace, con
     for (w.y = -row; w.y < (int32_t)part->bottom; w.y += CELL)
         for (w.x = -column; w.x < (int32_t)frame->config.tile_width; w.x += CELL)
             if (test_cell(&w, &covered))
-                draw_visible(&w);
+                draw_cell(&w);
     glint_count(workspace, GLINT_KERNEL_GENERAL, covered);
     return 1;
 }

@@ -62,8 +62,8 @@ static GLINT_NOINLINE size_t size_object(glint_frame *frame, const glint_object 
     glint_shading shading = {0};
     glint_light_terms terms;
     glint_prepare_shading(frame, &shading, object->material);
-    shading.terms = nodes && nodes->find(frame, &shading, &terms) ? &terms : 0;
     frame->shading = &shading;
+    shading.terms = nodes && nodes->find(frame, &shading, &terms) ? &terms : 0;
     const size_t size = glint_draw_size(frame, object, transform, mesh->vertex_count, mesh->triangle_count, 0);
     frame->shading = 0;
     return size;
@@ -88,10 +88,13 @@ static glint_status count_object(glint_frame *frame, const glint_object *object,
 }
 
 /* Adds what a material takes where nodes are lit. */
-static GLINT_NOINLINE void count_terms(const glint_frame *frame, const glint_shading *shading, tally *sum) {
+static GLINT_NOINLINE void count_terms(glint_frame *frame, const glint_shading *shading, tally *sum) {
     const glint_node_stage *stage = stage_of(frame->scene);
     glint_light_terms terms;
-    if (!stage || !stage->find(frame, shading, &terms))
+    frame->shading = shading;
+    const int has_terms = stage && stage->find(frame, shading, &terms);
+    frame->shading = 0;
+    if (!has_terms)
         return;
     const size_t nodes = GLINT_ALIGNED(3 * terms.stride * sizeof(int16_t));
     sum->materials += GLINT_ALIGNED(sizeof terms);
@@ -99,7 +102,7 @@ static GLINT_NOINLINE void count_terms(const glint_frame *frame, const glint_sha
 }
 
 /* Bytes of distinct materials, each checked. */
-static GLINT_NOINLINE glint_status count_materials(const glint_frame *frame, tally *sum) {
+static GLINT_NOINLINE glint_status count_materials(glint_frame *frame, tally *sum) {
     const glint_scene *scene = frame->scene;
     const glint_fast *fast = frame->config.format->fast;
     glint_shading shading;

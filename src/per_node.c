@@ -39,35 +39,37 @@ static uint32_t draw_runs(const glint_frame *frame, glint_workspace *workspace, 
     return covered;
 }
 
-/* Draws what polynomials through a triangle's own nodes are not close enough for. */
-static void draw_otherwise(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                           const glint_triangle *triangle, const glint_part *part) {
-    if (!draw->shading->terms || !glint_draw_lattice(frame, workspace, draw, triangle, part))
-        glint_draw_any(frame, workspace, draw, triangle, part);
+/*
+ * Draws a triangle by polynomials through its own nodes; what that takes of stack is not there while it is drawn in
+ * other ways. @return 0 where they are not close enough
+ */
+static GLINT_NOINLINE int draw_terms(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                                     const glint_triangle *triangle, const glint_part *part) {
+    glint_terms terms;
+    glint_quadratic channels[3], *const plain = frame->config.format->draw_channels && !frame->config.gamma ? channels : 0;
+    glint_descent descents[GLINT_POLYNOMIALS_MAX];
+    uint32_t covered;
+    if (!glint_terms_begin(frame, draw, triangle, part, &terms, plain, descents))
+        return 0;
+    if (terms.is_plain && plain) {
+        const glint_spans spans = glint_spans_of(frame, workspace, part);
+        frame->config.format->draw_channels(&spans, plain, terms.is_curved);
+        covered = workspace->drawn ? glint_covered_by(part) : 0;
+    } else {
+        const painter by = {draw, triangle, &terms, descents};
+        covered = draw_runs(frame, workspace, &by, part);
+    }
+    glint_count(workspace, GLINT_KERNEL_CHANNELS, covered);
+    return 1;
 }
 
-static void draw(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                 const glint_triangle *triangle, const glint_part *part) {
-    glint_terms terms;
-    glint_quadratic polynomials[GLINT_POLYNOMIALS_MAX];
-    glint_descent descents[GLINT_POLYNOMIALS_MAX];
-    if (!draw->shading->terms || !glint_terms_begin(frame, draw, triangle, part, &terms, polynomials)) {
-        draw_otherwise(frame, workspace, draw, triangle, part);
-        return;
-    }
-    if (terms.is_plain && !frame->config.gamma && frame->config.format->draw_channels) {
-        const glint_spans spans = glint_spans_of(frame, workspace, part);
-        frame->config.format->draw_channels(&spans, polynomials, terms.is_curved);
-        if (workspace->drawn)
-            glint_count(workspace, GLINT_KERNEL_CHANNELS, glint_covered_by(part));
-        return;
-    }
-    for (uint32_t i = 0; i < terms.end; i++)
-        glint_descent_begin(&descents[i], &polynomials[i], part->x, part->y);
-    const painter by = {draw, triangle, &terms, descents};
-    glint_count(workspace, GLINT_KERNEL_CHANNELS, draw_runs(frame, workspace, &by, part));
+static void draw_nodes(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                       const glint_triangle *triangle, const glint_part *part) {
+    if (!draw->shading->terms || (!draw_terms(frame, workspace, draw, triangle, part) &&
+                                  !glint_draw_lattice(frame, workspace, draw, triangle, part)))
+        glint_draw_any(frame, workspace, draw, triangle, part);
 }
 
 static const glint_node_stage stage = {glint_terms_prepare, glint_terms_size, glint_terms_find};
 
-const glint_evaluation glint_per_node = {GLINT_LIT_AT_FRAGMENTS, glint_terms_light, draw, &stage};
+const glint_evaluation glint_per_node = {GLINT_LIT_AT_FRAGMENTS, glint_terms_light, draw_nodes, &stage};

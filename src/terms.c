@@ -320,17 +320,35 @@ static int keeps_side(const int32_t n[6]) {
 
 /* ---- Polynomials ---- */
 
+/* Where polynomials go: what is all there is as it is, else from the part's first pixel on. */
+typedef struct target {
+    const glint_part *part;
+    glint_quadratic *plain; /* or null */
+    glint_descent *descents;
+} target;
+
+/* Adds to the polynomial number i, which is begun with it. */
+static inline void set(const target *to, uint32_t i, glint_quadratic q, uint32_t more) {
+    q.start += more;
+    if (to->plain)
+        to->plain[i] = q;
+    else
+        glint_descent_begin(&to->descents[i], &q, to->part->x, to->part->y);
+}
+
 /* Through a number of the nodes: at the corners, and at the middles of the edges. */
-static void begin_polynomial(glint_quadratic *q, const glint_barycentric *s, const int32_t n[6]) {
+static inline glint_quadratic polynomial_of(const glint_barycentric *s, const int32_t n[6]) {
     const int32_t bulge[3] = {4 * n[3] - 2 * (n[0] + n[1]), 4 * n[4] - 2 * (n[1] + n[2]), 4 * n[5] - 2 * (n[0] + n[2])};
-    glint_polynomial_begin(q, s, n, bulge);
+    glint_quadratic q;
+    glint_polynomial_begin(&q, s, n, bulge);
+    return q;
 }
 
 /* A plane as a polynomial, times 2^unit. */
-static void begin_plane(glint_quadratic *q, const glint_gradients *g, int32_t a, int32_t b, int32_t c, unsigned unit) {
+static inline glint_quadratic plane_of(const glint_gradients *g, int32_t a, int32_t b, int32_t c, unsigned unit) {
     glint_plane plane;
     glint_plane_begin(&plane, g, glint_shift_left(a, unit), glint_shift_left(b, unit), glint_shift_left(c, unit));
-    *q = (glint_quadratic){(uint32_t)plane.start, (uint32_t)plane.dx, (uint32_t)plane.dy, 0, 0, 0};
+    return (glint_quadratic){(uint32_t)plane.start, (uint32_t)plane.dx, (uint32_t)plane.dy, 0, 0, 0};
 }
 
 /* A light's numbers at the nodes, the first so many. */
@@ -358,13 +376,13 @@ static void scale(int32_t n[6], const int32_t by[6]) {
         n[i] = glint_shift_right(n[i] * by[i] + (1 << 14), 15);
 }
 
-/* Adds half a level to sums that are all channels, and ambient light where they do not hold it. */
-static void finish_sums(const glint_terms *terms, const candidate *t,
-                        glint_quadratic polynomials[GLINT_POLYNOMIALS_MAX]) {
-    if (!terms->is_channels && terms->light->channels == 1)
-        polynomials[0].start += 1 << 15;
-    for (int c = 0; c < 3 && terms->is_channels && !terms->is_over_length; c++)
-        polynomials[c].start += (uint32_t)(terms->light->half[c] + (t->has_surface ? 0 : terms->light->ambient[c]));
+/* What is added to sum c: half a level where sums are all channels, and ambient light where they do not hold it. */
+static uint32_t finish_of(const glint_terms *terms, const candidate *t, uint32_t c) {
+    if (!terms->is_channels)
+        return terms->sums == 1 ? 1 << 15 : 0;
+    if (terms->is_over_length)
+        return 0;
+    return (uint32_t)(terms->light->half[c] + (t->has_surface ? 0 : terms->light->ambient[c]));
 }
 
 /* Binary logarithm of what 1 is in polynomials of sums, over what it is at nodes. */
@@ -372,41 +390,40 @@ static unsigned unit_of_sums(const glint_terms *terms) {
     return terms->sums == 1 ? 16 : 12 + terms->light->sum_bits;
 }
 
-static void begin_quadratics(const glint_part *part, const candidate *t, const lengths *by, const glint_terms *terms,
-                             glint_quadratic polynomials[GLINT_POLYNOMIALS_MAX]) {
+static void begin_quadratics(const candidate *t, const lengths *by, const glint_terms *terms, const target *to) {
+    const glint_gradients *const g = &to->part->gradients;
     const int32_t *const length = by ? by->length : 0;
     const int32_t *const of_lobe = terms->is_over_length > 1 ? by->square : length;
     glint_barycentric s;
     int32_t n[6];
-    glint_barycentric_begin(&s, &part->gradients, (int32_t)unit_of_sums(terms));
+    glint_barycentric_begin(&s, g, (int32_t)unit_of_sums(terms));
     for (uint32_t c = 0; c < terms->sums; c++) {
         take_sums(terms, t, (int)c, 6, n);
         scale(n, length);
-        begin_polynomial(&polynomials[c], &s, n);
+        set(to, c, polynomial_of(&s, n), finish_of(terms, t, c));
     }
-    finish_sums(terms, t, polynomials);
     if (terms->end == terms->sums)
         return;
     if (terms->sums > 1)
-        glint_barycentric_begin(&s, &part->gradients, 16);
+        glint_barycentric_begin(&s, g, 16);
     if (by) {
         for (int i = 0; i < 6; i++)
             n[i] = by->square[i] >> 1;
-        begin_polynomial(&polynomials[terms->square], &s, n);
+        set(to, terms->square, polynomial_of(&s, n), 0);
     }
-    for (int c = 0; c < 3 && terms->has_surface; c++) {
+    for (uint32_t c = 0; c < 3 && terms->has_surface; c++) {
         for (int i = 0; i < 6; i++)
             n[i] = t->surface[i][c];
-        begin_polynomial(&polynomials[terms->surface + c], &s, n);
+        set(to, terms->surface + c, polynomial_of(&s, n), 0);
     }
     for (uint32_t a = 0; a < terms->apart_count; a++) {
         const glint_apart *apart = &terms->apart[a];
-        glint_quadratic *to = &polynomials[apart->first];
+        uint32_t next = apart->first;
         for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
             if (apart->kinds >> kind & 1) {
                 take_numbers(terms->light, t, apart->light, kind, 6, n);
                 scale(n, kind == GLINT_SIDE ? length : kind >= GLINT_LOBE_X ? of_lobe : 0);
-                begin_polynomial(to++, &s, n);
+                set(to, next++, polynomial_of(&s, n), 0);
             }
     }
 }
@@ -425,25 +442,23 @@ static int has_edge(const glint_shading *shading, const candidate *t) {
 }
 
 /* Planes of what the corners keep. @param longer chords are made longer by this, Q15 */
-static void begin_planes(const glint_part *part, const candidate *t, int32_t longer, const glint_terms *terms,
-                         glint_quadratic polynomials[GLINT_POLYNOMIALS_MAX]) {
-    const glint_gradients *g = &part->gradients;
+static void begin_planes(const candidate *t, int32_t longer, const glint_terms *terms, const target *to) {
+    const glint_gradients *g = &to->part->gradients;
     const int32_t length = (1 << 15) + longer;
     int32_t n[6];
     for (uint32_t c = 0; c < terms->sums; c++) {
         take_sums(terms, t, (int)c, 3, n);
-        begin_plane(&polynomials[c], g, n[0] * length >> 15, n[1] * length >> 15, n[2] * length >> 15,
-                    unit_of_sums(terms));
+        set(to, c, plane_of(g, n[0] * length >> 15, n[1] * length >> 15, n[2] * length >> 15, unit_of_sums(terms)),
+            finish_of(terms, t, c));
     }
-    finish_sums(terms, t, polynomials);
     for (uint32_t a = 0; a < terms->apart_count; a++) {
         const glint_apart *apart = &terms->apart[a];
-        glint_quadratic *to = &polynomials[apart->first];
+        uint32_t next = apart->first;
         for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
             if (apart->kinds >> kind & 1) {
                 const int32_t by = kind == GLINT_STRENGTH ? 1 << 15 : length;
                 take_numbers(terms->light, t, apart->light, kind, 3, n);
-                begin_plane(to++, g, n[0] * by >> 15, n[1] * by >> 15, n[2] * by >> 15, 16);
+                set(to, next++, plane_of(g, n[0] * by >> 15, n[1] * by >> 15, n[2] * by >> 15, 16), 0);
             }
     }
 }
@@ -467,7 +482,8 @@ static int is_between(const glint_frame *frame, const glint_shading *shading, co
 }
 
 int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
-                      const glint_part *part, glint_terms *terms, glint_quadratic polynomials[GLINT_POLYNOMIALS_MAX]) {
+                      const glint_part *part, glint_terms *terms, glint_quadratic plain[3],
+                      glint_descent descents[GLINT_POLYNOMIALS_MAX]) {
     const glint_shading *shading = draw->shading;
     const uint32_t limit = shading->terms->limit;
     candidate t;
@@ -482,7 +498,8 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
         glint_plane_error(shading, t.has_surface, region) <= limit) {
         glint_terms_name(frame, draw, region, 0, terms);
         terms->is_curved = 0;
-        begin_planes(part, &t, region->folds ? 0 : (int32_t)(region->turn * region->turn >> 13), terms, polynomials);
+        const target to = {part, terms->is_plain ? plain : 0, descents};
+        begin_planes(&t, region->folds ? 0 : (int32_t)(region->turn * region->turn >> 13), terms, &to);
         return 1;
     }
     if (!glint_region_bound(frame, shading, &t.region))
@@ -498,6 +515,7 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     t.region.has_edge |= has_edge(shading, &t);
     const int twice = shading->material->model->lobe == GLINT_LOBE_MIRROR;
     glint_terms_name(frame, draw, region, is_over_length ? 1 + twice : 0, terms);
-    begin_quadratics(part, &t, is_over_length ? &by : 0, terms, polynomials);
+    const target to = {part, terms->is_plain ? plain : 0, descents};
+    begin_quadratics(&t, is_over_length ? &by : 0, terms, &to);
     return 1;
 }
