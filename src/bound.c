@@ -31,8 +31,7 @@ static uint32_t hypotenuse(uint32_t a, uint32_t b) {
     return a > b ? a + b / 2 : b + a / 2;
 }
 
-void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, glint_w_range w,
-                          glint_region *region) {
+void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, glint_w_range w, glint_region *region) {
     const uint32_t across = (uint32_t)((uint64_t)hypotenuse(width, height) * pixel >> 18);
     const uint32_t slant = w.least > w.change >> 2 ? (w.change << 12) / w.least : 1 << 14;
     region->slant = slant * 474 >> 8;

@@ -15,8 +15,8 @@ static void triple(glint_plane planes[3], const glint_gradients *g, const glint_
     for (int c = 0; c < 3; c++) {
         int32_t scaled[3];
         for (int i = 0; i < 3; i++)
-            scaled[i] = over_w(negated ? -attribute[i][c] : attribute[i][c],
-                               (uint32_t)triangle->corners[i]->inverse_w << up);
+            scaled[i] =
+                over_w(negated ? -attribute[i][c] : attribute[i][c], (uint32_t)triangle->corners[i]->inverse_w << up);
         glint_plane_begin(&planes[c], g, scaled[0], scaled[1], scaled[2]);
     }
 }

@@ -495,17 +495,17 @@ typedef struct glint_frame {
     glint_memory memory;
     uint16_t tile_first, tile_end; /* tiles of this pass */
     uint16_t tile_columns, tile_count;
-    uint16_t pass_tiles;                /* tiles that a pass may hold */
-    uint8_t tile_shift_x, tile_shift_y; /* binary logarithms of the tile's size */
-    uint8_t starts, ends;               /* the pass holds the scene's first triangle, its last */
-    uint8_t covers_end;                 /* what is loaded reaches the scene's end */
-    uint8_t resident;                   /* what is loaded is all of the scene */
-    uint32_t object, triangle;          /* where the next pass goes on */
-    size_t prepared_end, vertices_end;  /* of the arena's use */
-    size_t least_room;                  /* of the arena, behind what is prepared */
+    uint16_t pass_tiles;                  /* tiles that a pass may hold */
+    uint8_t tile_shift_x, tile_shift_y;   /* binary logarithms of the tile's size */
+    uint8_t starts, ends;                 /* the pass holds the scene's first triangle, its last */
+    uint8_t covers_end;                   /* what is loaded reaches the scene's end */
+    uint8_t resident;                     /* what is loaded is all of the scene */
+    uint32_t object, triangle;            /* where the next pass goes on */
+    size_t prepared_end, vertices_end;    /* of the arena's use */
+    size_t least_room;                    /* of the arena, behind what is prepared */
     const struct glint_node_stage *nodes; /* null where none are lit */
-    struct glint_draw *draws;           /* what this pass draws */
-    struct glint_reference *references; /* first one for each of its tiles, with which the tile's list begins */
+    struct glint_draw *draws;             /* what this pass draws */
+    struct glint_reference *references;   /* first one for each of its tiles, with which the tile's list begins */
     uint32_t reference_count;
     struct glint_clipped *clipped; /* above the last; they grow downwards */
     glint_stats stats;

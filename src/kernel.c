@@ -246,7 +246,8 @@ void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const 
         const glint_spans spans = glint_spans_of(frame, workspace, part);
         format->draw_channels(&spans, channels, how == FITS_QUADRATICS);
     } else {
-        const source from = {.to = {frame, workspace, part, 0, 0, 0}, .draw_run = draw_channel_run, .channels = channels};
+        const source from = {
+            .to = {frame, workspace, part, 0, 0, 0}, .draw_run = draw_channel_run, .channels = channels};
         draw_runs(&from);
     }
     if (workspace->drawn)

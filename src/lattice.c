@@ -79,7 +79,8 @@ static int draw_square(const walk *w, int32_t x, int32_t y, unsigned shift, glin
     for (int32_t j = 0; j < size && fits; j++) {
         next = find_runs(row_of(w, x, y + j, size), (uint32_t)j, &pixels, next);
         if (next > runs + CELL / 2 || pixels > w->gathering.frame->config.tile_width || j == size - 1) {
-            glint_terms_draw(w->gathering.frame, w->gathering.workspace, &terms, polynomials, runs, (uint32_t)(next - runs), offset);
+            glint_terms_draw(w->gathering.frame, w->gathering.workspace, &terms, polynomials, runs,
+                             (uint32_t)(next - runs), offset);
             if (terms.margin)
                 draw_edges(&w->gathering, &terms, polynomials, runs, (uint32_t)(next - runs), w->x + x, w->y + y);
             next = runs;
@@ -215,16 +216,16 @@ static int test_cell(walk *w, uint32_t *covered) {
     uint32_t any = 0;
     for (int32_t j = 0; j < CELL; j++) {
         const int32_t y = w->y + j;
-        w->visible[j] =
-            (uint16_t)(y >= (int32_t)w->gathering.part->top && y < (int32_t)w->gathering.part->bottom ? test_row(w, y, covered) : 0);
+        w->visible[j] = (uint16_t)(y >= (int32_t)w->gathering.part->top && y < (int32_t)w->gathering.part->bottom
+                                       ? test_row(w, y, covered)
+                                       : 0);
         any |= w->visible[j];
     }
     return any != 0;
 }
 
 /* The largest cells of a triangle whose planes keep their sign and size across one. */
-static int find_largest(const glint_part *part, const glint_attributes *attributes,
-                        int has_surface) {
+static int find_largest(const glint_part *part, const glint_attributes *attributes, int has_surface) {
     int size = CELL;
     for (int i = has_surface ? 0 : 3; i < 7; i++) {
         const glint_plane *p = i < 3 ? &attributes->extra[i] : i < 6 ? &attributes->main[i - 3] : &part->depth;

@@ -46,7 +46,8 @@ static uint32_t draw_runs(const glint_frame *frame, glint_workspace *workspace, 
 static GLINT_NOINLINE int draw_terms(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                                      const glint_triangle *triangle, const glint_part *part) {
     glint_terms terms;
-    glint_quadratic channels[3], *const plain = frame->config.format->draw_channels && !frame->config.gamma ? channels : 0;
+    glint_quadratic channels[3], *const plain =
+                                     frame->config.format->draw_channels && !frame->config.gamma ? channels : 0;
     glint_descent descents[GLINT_POLYNOMIALS_MAX];
     uint32_t covered;
     if (!glint_terms_begin(frame, draw, triangle, part, &terms, plain, descents))
@@ -65,8 +66,9 @@ static GLINT_NOINLINE int draw_terms(const glint_frame *frame, glint_workspace *
 
 static void draw_nodes(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                        const glint_triangle *triangle, const glint_part *part) {
-    if (!draw->shading->terms || (!draw_terms(frame, workspace, draw, triangle, part) &&
-                                  !glint_draw_lattice(frame, workspace, draw, triangle, part)))
+    if (!draw->shading->terms || triangle->area < GLINT_NODES_LEAST_AREA ||
+        (!draw_terms(frame, workspace, draw, triangle, part) &&
+         !glint_draw_lattice(frame, workspace, draw, triangle, part)))
         glint_draw_any(frame, workspace, draw, triangle, part);
 }
 

@@ -36,13 +36,23 @@ static void gather_corner(const glint_frame *frame, const glint_vertex *v, glint
         to->normal[i][c] = v->attribute[c];
 }
 
+/* Is a triangle large enough for polynomials, and whole? */
+static int is_large(const glint_draw *draw, const uint16_t corners[3]) {
+    const glint_vertex *const a = &draw->vertices[corners[0]], *const b = &draw->vertices[corners[1]],
+                              *const c = &draw->vertices[corners[2]];
+    if ((a->flags | b->flags | c->flags) & GLINT_VERTEX_CLIP)
+        return 0;
+    const int32_t area = glint_double_area(a, b, c);
+    return area >= GLINT_NODES_LEAST_AREA || area <= -GLINT_NODES_LEAST_AREA;
+}
+
 void glint_terms_light(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
                        uint32_t triangle) {
     const glint_light_terms *light = draw->shading->terms;
     uint32_t index[3];
     glint_fragments vertices;
     glint_node nodes[3], *const to[3] = {&nodes[0], &nodes[1], &nodes[2]};
-    if (!light) {
+    if (!light || !is_large(draw, draw->triangles[triangle])) {
         glint_transform_normals(frame, draw, transform, triangle);
         return;
     }
@@ -50,10 +60,9 @@ void glint_terms_light(const glint_frame *frame, glint_draw *draw, const glint_t
     for (int corner = 0; corner < 3; corner++) {
         const uint32_t here = draw->triangles[triangle][corner];
         glint_vertex *vertex = &draw->vertices[here];
-        if (vertex->flags & GLINT_VERTEX_NORMAL)
-            continue;
-        glint_transform_normal(draw, vertex);
-        if (vertex->flags & GLINT_VERTEX_CLIP)
+        if (!(vertex->flags & GLINT_VERTEX_NORMAL))
+            glint_transform_normal(draw, vertex);
+        if (vertex->flags & GLINT_VERTEX_LIT)
             continue;
         vertex->flags |= GLINT_VERTEX_LIT;
         index[vertices.count] = here;
@@ -469,7 +478,6 @@ static void begin_planes(const candidate *t, int32_t longer, const glint_terms *
 static int is_shapely(const glint_triangle *triangle, const glint_part *part) {
     const glint_vertex *const *v = triangle->corners;
     return v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_LIT && !triangle->back &&
-           triangle->area >= GLINT_POLYNOMIAL_LEAST_AREA &&
            glint_slenderness(&part->gradients, triangle->area) <= GLINT_POLYNOMIAL_SLENDER && !glint_is_deep(triangle);
 }
 

@@ -87,8 +87,7 @@ static inline int32_t glint_square_apart(const int16_t a[3], const int16_t b[3])
 }
 
 /** Sets `reach` and `slant` of a region so wide and high, 28.4, with this range of 1/w. @param pixel of the terms */
-void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, glint_w_range w,
-                          glint_region *region);
+void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, glint_w_range w, glint_region *region);
 
 /** Sets what becomes of lights, from `lit` and `dark` on. @return those whose highlights may show */
 uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness,
@@ -191,6 +190,9 @@ void glint_draw_edges(const glint_frame *frame, glint_workspace *workspace, cons
                       const glint_descent *polynomials, const glint_run *runs, uint32_t count);
 
 /* ---- Triangles ---- */
+
+/** Twice the area, 28.4 squared, below which polynomials take more than fragments: of 6 pixels, measured. */
+#define GLINT_NODES_LEAST_AREA (6 * 512)
 
 /** Lights the vertices of a triangle, unless they are; finds their normals alone where the material has no terms. */
 glint_light_triangle glint_terms_light;
