@@ -26,7 +26,9 @@ size_t glint_workspace_size(const glint_config *config) {
     glint_config full = *config;
     if (glint_check_config(&full) != GLINT_OK)
         return 0;
-    return full.tile_width * sizeof(int32_t[3]) + (size_t)full.tile_width * full.tile_height * sizeof(uint16_t) +
+    const size_t row = full.tile_width * sizeof(int32_t[3]);
+    return (row < sizeof(glint_gathered) ? sizeof(glint_gathered) : row) +
+           (size_t)full.tile_width * full.tile_height * sizeof(uint16_t) +
            glint_row_bytes(full.format, full.tile_width) * full.tile_height;
 }
 

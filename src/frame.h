@@ -320,6 +320,12 @@ typedef struct glint_fragments {
     uint32_t colour[GLINT_FRAGMENTS_MAX][3];
 } glint_fragments;
 
+/** Fragments of a triangle as they are gathered, and its attributes. */
+typedef struct glint_gathered {
+    glint_fragments fragments;
+    glint_attributes attributes;
+} glint_gathered;
+
 /* ---- pixel: channels of a colour ---- */
 
 /** Fractional bits of a channel on its way into a pixel: sums below 16 fit. */
@@ -332,7 +338,7 @@ static inline int32_t glint_channel_of(int16_t colour) {
 }
 
 /** A colour, Q23, as channels that are not in levels; those beyond 15 become 15. */
-static inline void glint_channels_of(const uint32_t colour[3], int32_t channel[3]) {
+static GLINT_INLINE void glint_channels_of(const uint32_t colour[3], int32_t channel[3]) {
     const uint32_t most = 15u << 23;
     for (int c = 0; c < 3; c++) /* Q23 to Q27 */
         channel[c] = (int32_t)((colour[c] < most ? colour[c] : most) << (GLINT_CHANNEL_BITS - 23));

@@ -507,8 +507,9 @@ typedef struct glint_workspace {
     void *pixels;  /**< The finished tile. */
     size_t stride; /**< Bytes from row to row. */
     uint16_t *depth;
-    int32_t (*row)[3];  /* a tile's row of colours */
-    glint_drawn *drawn; /**< Null, or GLINT_KERNELS counters of the caller's, added to. */
+    int32_t (*row)[3];               /* a tile's row of colours; of use as long as nothing is gathered */
+    struct glint_gathered *gathered; /* in the same place: a triangle's fragments */
+    glint_drawn *drawn;              /**< Null, or GLINT_KERNELS counters of the caller's, added to. */
 } glint_workspace;
 
 /** What the last frame left in the arena: prepared materials. */

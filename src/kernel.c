@@ -15,44 +15,41 @@ typedef struct run {
 typedef struct source source;
 
 /* Draws a run of row y. */
-typedef void drawer(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
-                    run at, uint32_t y);
+typedef void drawer(const source *from, run at, uint32_t y);
 
 /* Finds colours of fragments, Q23. */
 typedef void shader(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw);
 
 /* What the colours of a triangle's pixels come from. */
 struct source {
+    const glint_frame *frame;
+    glint_workspace *workspace;
+    const glint_part *part;
     drawer *draw_run;
     const glint_quadratic *channels; /* of draw_channel_run */
-    glint_fragments *fragments;      /* of gather_run */
-    shader *shade;
+    shader *shade;                   /* of gather_run */
     const glint_draw *draw;
     int is_deep;
 };
-
-/* 1/w of the corners, none 0, the largest in 2^30 .. 2^31; @return the shift that took. */
-static unsigned scale_inverse_w(const glint_vertex *const v[3], uint32_t w[3]) {
-    unsigned up =
-        glint_leading_zeros((uint32_t)v[0]->inverse_w | (uint32_t)v[1]->inverse_w | (uint32_t)v[2]->inverse_w) - 1;
-    for (int i = 0; i < 3; i++)
-        w[i] = (uint32_t)v[i]->inverse_w << up;
-    return up;
-}
 
 /* An attribute of 16 bits over w: below 2^30. */
 static int32_t over_w(int32_t attribute, uint32_t w) {
     return attribute * (int32_t)(w >> 16) + glint_shift_right(attribute * (int32_t)(w & 0xffff), 16);
 }
 
+/* The shift that brings the largest 1/w of the corners, none 0, to 2^30 .. 2^31. */
+static GLINT_INLINE unsigned find_room(const glint_vertex *const v[3]) {
+    return glint_leading_zeros((uint32_t)(v[0]->inverse_w | v[1]->inverse_w | v[2]->inverse_w)) - 1;
+}
+
 /* Planes of three attributes of 16 bits over w; negated, normals are those of the back. */
-static void triple(glint_plane planes[3], const glint_gradients *g, const int16_t *const attribute[3],
+static void triple(glint_plane planes[3], const glint_part *part, const int16_t *const attribute[3],
                    const uint32_t w[3], int negated) {
     for (int c = 0; c < 3; c++) {
         int32_t scaled[3];
         for (int i = 0; i < 3; i++)
             scaled[i] = over_w(negated ? -attribute[i][c] : attribute[i][c], w[i]);
-        glint_plane_begin(&planes[c], g, scaled[0], scaled[1], scaled[2]);
+        glint_plane_begin(&planes[c], &part->gradients, scaled[0], scaled[1], scaled[2]);
     }
 }
 
@@ -95,34 +92,36 @@ static uint32_t find_deep_runs(uint16_t *depth, glint_span span, uint32_t z, uin
     return (uint32_t)(next - runs);
 }
 
-static void store_run(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
-                      run at, uint32_t y) {
-    (void)from;
-    (void)part;
+static void store_run(const source *from, run at, uint32_t y) {
+    const glint_frame *frame = from->frame;
+    const glint_workspace *workspace = from->workspace;
     frame->config.format->store(workspace->pixels, frame->tile_shift_x, (y << frame->tile_shift_x) + at.first,
                                 (uint32_t)at.end - at.first, (const int32_t(*)[3])workspace->row);
 }
 
-static void draw_channel_run(const glint_frame *frame, glint_workspace *workspace, const source *from,
-                             const glint_part *part, run at, uint32_t y) {
+static void draw_channel_run(const source *from, run at, uint32_t y) {
+    const glint_config *config = &from->frame->config;
+    const glint_part *part = from->part;
+    int32_t(*const row)[3] = from->workspace->row;
     const uint32_t count = (uint32_t)at.end - at.first;
     for (int c = 0; c < 3; c++) {
         const glint_quadratic *q = &from->channels[c];
         glint_stride s = glint_stride_begin(q, part->x + at.first, part->y + (int32_t)y);
         for (uint32_t i = 0; i < count; i++) {
-            workspace->row[i][c] = (int32_t)s.value;
+            row[i][c] = (int32_t)s.value;
             glint_stride_next(&s, q);
         }
     }
-    if (frame->config.gamma)
-        glint_finish_colours(&frame->config, workspace->row, count);
-    store_run(frame, workspace, from, part, at, y);
+    if (config->gamma)
+        glint_finish_colours(config, row, count);
+    store_run(from, at, y);
 }
 
-/* Colours of fragments in levels. */
-static void finish_fragments(const glint_frame *frame, const glint_fragments *fragments, int32_t (*row)[3]) {
+/* Colours of fragments in levels: each takes the place of its colour. */
+static void finish_fragments(const glint_frame *frame, glint_fragments *fragments) {
     const uint8_t *const bits = frame->config.format->channel;
     const unsigned red = bits[0], green = bits[1], blue = bits[2];
+    int32_t(*row)[3] = (int32_t(*)[3])fragments->colour;
     for (uint32_t i = 0; i < fragments->count; i++)
         glint_channels_of(fragments->colour[i], row[i]);
     if (GLINT_SMALL || frame->config.gamma) {
@@ -137,11 +136,13 @@ static void finish_fragments(const glint_frame *frame, const glint_fragments *fr
 }
 
 /* Lights the fragments gathered so far, and stores them by runs. */
-static void store_fragments(const glint_frame *frame, glint_workspace *workspace, const source *from) {
+static void store_fragments(const source *from) {
+    const glint_frame *frame = from->frame;
+    glint_workspace *workspace = from->workspace;
     const glint_format *format = frame->config.format;
-    glint_fragments *fragments = from->fragments;
+    glint_fragments *fragments = &workspace->gathered->fragments;
     from->shade(frame, fragments, from->draw);
-    finish_fragments(frame, fragments, workspace->row);
+    finish_fragments(frame, fragments);
     for (uint32_t i = 0, end; i < fragments->count; i = end) {
         const uint32_t offset = ((uint32_t)fragments->row[i] << frame->tile_shift_x) + fragments->column[i];
         end = i + 1;
@@ -149,30 +150,31 @@ static void store_fragments(const glint_frame *frame, glint_workspace *workspace
                fragments->column[end] == fragments->column[end - 1] + 1)
             end++;
         format->store(workspace->pixels, frame->tile_shift_x, offset, end - i,
-                      (const int32_t(*)[3])(workspace->row + i));
+                      (const int32_t(*)[3])(fragments->colour + i));
     }
     fragments->count = 0;
 }
 
 /* Gathers the fragments of a run, and lights them whenever there are enough. */
-static void gather_run(const glint_frame *frame, glint_workspace *workspace, const source *from, const glint_part *part,
-                       run at, uint32_t y) {
-    glint_fragments *fragments = from->fragments;
+static void gather_run(const source *from, run at, uint32_t y) {
+    const glint_part *part = from->part;
+    glint_fragments *fragments = &from->workspace->gathered->fragments;
+    const uint32_t end = at.end;
     int32_t inverse_w = glint_plane_at(&part->depth, part->x + at.first, part->y + (int32_t)y);
-    for (uint32_t column = at.first; column < at.end; column++) {
+    for (uint32_t column = at.first; column < end; column++) {
         const uint32_t i = fragments->count++;
         fragments->column[i] = (uint8_t)column;
         fragments->row[i] = (uint8_t)y;
         fragments->inverse_w[i] = glint_most(inverse_w, 0); /* rounding may take a deep triangle's plane below */
         inverse_w = glint_add_wrap(inverse_w, part->depth.dx);
         if (i == GLINT_FRAGMENTS_MAX - 1)
-            store_fragments(frame, workspace, from);
+            store_fragments(from);
     }
 }
 
 /* Draws a part by runs. @return pixels of its spans */
-static uint32_t draw_runs(const glint_frame *frame, glint_workspace *workspace, const source *from,
-                          const glint_part *part) {
+static uint32_t draw_runs(const source *from) {
+    const glint_part *part = from->part;
     run runs[(GLINT_TILE_MAX + 1) / 2];
     uint32_t covered = 0;
     for (uint32_t y = part->top; y < part->bottom; y++) {
@@ -180,12 +182,12 @@ static uint32_t draw_runs(const glint_frame *frame, glint_workspace *workspace, 
         const uint32_t z_dx = (uint32_t)part->depth.dx;
         const uint32_t z =
             (uint32_t)glint_plane_at(&part->depth, part->x + span.left, part->y + (int32_t)y) + GLINT_DEPTH_BIAS;
-        uint16_t *const depth = workspace->depth + (y << frame->tile_shift_x);
+        uint16_t *const depth = from->workspace->depth + (y << from->frame->tile_shift_x);
         const uint32_t count = GLINT_SMALL || from->is_deep ? find_deep_runs(depth, span, z, z_dx, runs)
                                                             : find_runs(depth, span, z, z_dx, runs);
         covered += (uint32_t)span.right - span.left;
         for (uint32_t i = 0; i < count; i++)
-            from->draw_run(frame, workspace, from, part, runs[i], y);
+            from->draw_run(from, runs[i], y);
     }
     return covered;
 }
@@ -209,11 +211,11 @@ static void draw_even(const glint_frame *frame, glint_workspace *workspace, cons
         const glint_spans spans = glint_spans_of(frame, workspace, part);
         frame->config.format->draw_even(&spans, colour[0]);
     } else {
-        const source from = {.draw_run = store_run, .is_deep = is_deep};
+        const source from = {frame, workspace, part, .draw_run = store_run, .is_deep = is_deep};
         for (uint32_t i = 0; i < frame->config.tile_width; i++)
             for (int c = 0; c < 3; c++)
                 workspace->row[i][c] = colour[0][c];
-        draw_runs(frame, workspace, &from, part);
+        draw_runs(&from);
     }
     if (workspace->drawn)
         glint_count(workspace, GLINT_KERNEL_EVEN, covered_by(part));
@@ -235,29 +237,32 @@ void glint_draw_facet(const glint_frame *frame, glint_workspace *workspace, cons
     draw_even(frame, workspace, triangle, part, colour);
 }
 
-/* Draws fragments that are lit one by one, by attributes that are interpolated over w. */
+/*
+ * What a triangle's fragments have in common, and 1/w of its corners with all the bits there are.
+ * @return its attributes, to be filled in
+ */
+static glint_attributes *begin_fragments(glint_workspace *workspace, const glint_triangle *triangle,
+                                         const glint_part *part, uint32_t w[3]) {
+    glint_gathered *to = workspace->gathered;
+    const glint_vertex *const *v = triangle->corners;
+    const unsigned up = find_room(v);
+    for (int i = 0; i < 3; i++)
+        w[i] = (uint32_t)v[i]->inverse_w << up;
+    to->fragments.count = 0;
+    to->fragments.part = part;
+    to->fragments.attributes = &to->attributes;
+    to->fragments.scale = up;
+    return &to->attributes;
+}
+
+/* Draws fragments that are coloured one by one. */
 static void draw_fragments(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                           const glint_triangle *triangle, const glint_part *part, const int16_t *const main[3],
-                           int is_negated, shader *shade) {
-    glint_attributes attributes;
-    glint_fragments fragments;
-    uint32_t w[3];
-    source from;
-    from.draw_run = gather_run;
-    from.fragments = &fragments;
-    from.shade = shade;
-    from.draw = draw;
-    from.is_deep = GLINT_SMALL || glint_is_deep(triangle);
-    fragments.count = 0;
-    fragments.part = part;
-    fragments.attributes = &attributes;
-    fragments.scale = scale_inverse_w(triangle->corners, w);
-    triple(attributes.main, &part->gradients, main, w, is_negated);
-    if (draw->extra)
-        triple(attributes.extra, &part->gradients, triangle->extra, w, 0);
-    const uint32_t covered = draw_runs(frame, workspace, &from, part);
-    if (fragments.count)
-        store_fragments(frame, workspace, &from);
+                           const glint_triangle *triangle, const glint_part *part, shader *shade) {
+    const int is_deep = GLINT_SMALL || glint_is_deep(triangle);
+    const source from = {frame, workspace, part, gather_run, .shade = shade, .draw = draw, .is_deep = is_deep};
+    const uint32_t covered = draw_runs(&from);
+    if (workspace->gathered->fragments.count)
+        store_fragments(&from);
     glint_count(workspace, GLINT_KERNEL_GENERAL, covered);
 }
 
@@ -265,7 +270,12 @@ void glint_draw_any(const glint_frame *frame, glint_workspace *workspace, const 
                     const glint_triangle *triangle, const glint_part *part) {
     const glint_vertex *const *v = triangle->corners;
     const int16_t *const normals[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
-    draw_fragments(frame, workspace, draw, triangle, part, normals, triangle->back, glint_shade);
+    uint32_t w[3];
+    glint_attributes *attributes = begin_fragments(workspace, triangle, part, w);
+    triple(attributes->main, part, normals, w, triangle->back);
+    if (draw->extra)
+        triple(attributes->extra, part, triangle->extra, w, 0);
+    draw_fragments(frame, workspace, draw, triangle, part, glint_shade);
 }
 
 /* ---- Colours at corners ---- */
@@ -280,6 +290,15 @@ static void resolve(const glint_frame *frame, glint_fragments *fragments, const 
         for (int c = 0; c < 3; c++) /* 32767 stands for 1 */
             fragments->colour[i][c] = ((uint32_t)colour[c] << 8) + ((uint32_t)colour[c] >> 7);
     }
+}
+
+/* Draws fragments of which each has the colour of its own place, from those of the corners. */
+static void draw_resolved(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                          const glint_triangle *triangle, const glint_part *part, const int16_t *const colour[3]) {
+    uint32_t w[3];
+    glint_attributes *attributes = begin_fragments(workspace, triangle, part, w);
+    triple(attributes->main, part, colour, w, 0);
+    draw_fragments(frame, workspace, draw, triangle, part, resolve);
 }
 
 /* How far a polynomial may be from a colour that is linear over w: 1/10 of a level, Q15. */
@@ -319,9 +338,12 @@ static fit find_fit(const glint_triangle *triangle, const glint_gradients *g, co
 /* Of find_skew, where 1/w changes by at most 7/16. */
 #define MOST_SKEW 5898
 
-/* Four times what a colour at the middle of an edge is more than the mean of its ends, over their difference: Q14. */
-static int32_t find_skew(const glint_vertex *a, const glint_vertex *b) {
-    const int32_t wa = a->inverse_w >> 16, wb = b->inverse_w >> 16;
+/*
+ * Four times what a colour at the middle of an edge is more than the mean of its ends, over their difference: Q14. With
+ * 1/w times 2^up, below 2^31.
+ */
+static int32_t find_skew(const glint_vertex *a, const glint_vertex *b, unsigned up) {
+    const int32_t wa = a->inverse_w << up >> 16, wb = b->inverse_w << up >> 16;
     const int32_t skew = wa == wb ? 0 : (wa - wb) * (1 << 15) / (wa + wb);
     return glint_least(glint_most(skew, -MOST_SKEW), MOST_SKEW);
 }
@@ -337,7 +359,8 @@ static void begin_planes(glint_quadratic channel[3], const glint_gradients *g, i
 
 static void begin_quadratics(glint_quadratic channel[3], const glint_gradients *g, const glint_vertex *const v[3],
                              int32_t a[3][3]) {
-    const int32_t skew[3] = {find_skew(v[0], v[1]), find_skew(v[1], v[2]), find_skew(v[0], v[2])};
+    const unsigned up = find_room(v);
+    const int32_t skew[3] = {find_skew(v[0], v[1], up), find_skew(v[1], v[2], up), find_skew(v[0], v[2], up)};
     glint_barycentric s;
     glint_barycentric_begin(&s, g, GLINT_CHANNEL_BITS - 15);
     for (int c = 0; c < 3; c++) {
@@ -359,7 +382,7 @@ void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const 
     glint_quadratic channels[3];
     int32_t a[3][3];
     if (how == FITS_NOTHING) {
-        draw_fragments(frame, workspace, draw, triangle, part, colour, 0, resolve);
+        draw_resolved(frame, workspace, draw, triangle, part, colour);
         return;
     }
     for (int c = 0; c < 3; c++)
@@ -376,8 +399,8 @@ void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const 
         const glint_spans spans = glint_spans_of(frame, workspace, part);
         format->draw_channels(&spans, channels, how == FITS_QUADRATICS);
     } else {
-        const source from = {.draw_run = draw_channel_run, .channels = channels};
-        draw_runs(frame, workspace, &from, part);
+        const source from = {frame, workspace, part, .draw_run = draw_channel_run, .channels = channels};
+        draw_runs(&from);
     }
     if (workspace->drawn)
         glint_count(workspace, GLINT_KERNEL_CHANNELS, covered_by(part));

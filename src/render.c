@@ -89,7 +89,7 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
         return status;
     renderer->kept = (glint_kept){frame.shading, frame.shading_count};
     uint8_t *first = workspace.pixels;
-    uint8_t *second = config.flush.wait ? first + workspace.stride * config.tile_height : first;
+    uint8_t *second = config.flush.wait ? (uint8_t *)config.arena - workspace.stride * config.tile_height : first;
     workspace.drawn = config.counts_drawn ? frame.stats.drawn : 0;
     sender s = {&config.flush, {first, second}, 0, 0};
     status = render_passes(&frame, &workspace, &s);

@@ -23,10 +23,12 @@ static uint32_t or_default(uint32_t size) {
 
 void glint_workspace_init(glint_workspace *workspace, const glint_config *config, void *memory) {
     const uint32_t width = or_default(config->tile_width), height = or_default(config->tile_height);
-    workspace->row = memory;
-    workspace->depth = (uint16_t *)(void *)(workspace->row + width);
+    workspace->depth = memory;
     workspace->pixels = workspace->depth + width * height;
     workspace->stride = glint_row_bytes(config->format, width);
+    void *const last = (uint8_t *)workspace->pixels + workspace->stride * height;
+    workspace->row = last;
+    workspace->gathered = last;
     workspace->drawn = 0;
 }
 

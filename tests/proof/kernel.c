@@ -8,24 +8,23 @@
 #include "plane.h"
 
 /*
- * Not proven: glint_draw_any, glint_draw_facet: they hand on what draw_fragments and draw_even are proven for. The
- * image tests under ASan.
+ * Not proven: glint_draw_facet, draw_resolved: they hand on what draw_even and glint_draw_any are proven for. The image
+ * tests under ASan.
  */
 
 /* Stands on find_runs, whose runs lie in their span, and on what draws a run, which fills no more. The image tests
  * under ASan. */
-/*@ requires \valid_read(frame) && \valid_read(workspace) && \valid_read(from) && \valid_read(part);
+/*@ requires \valid_read(from) && \valid_read(from->frame) && \valid_read(from->workspace) && \valid_read(from->part);
     requires \initialized(&from->draw_run) && \initialized(&from->is_deep);
-    assigns \result \from indirect: *frame, indirect: *workspace, indirect: *from, indirect: *part; */
-static uint32_t draw_runs(const glint_frame *frame, glint_workspace *workspace, const source *from,
-                          const glint_part *part);
+    assigns \result \from indirect: *from; */
+static uint32_t draw_runs(const source *from);
 
+/* Stands on glint_draw_any, which begins fragments in the same way, and on resolve. The image tests under ASan. */
 /*@ requires \valid_read(frame) && \valid_read(workspace) && \valid_read(draw) && \valid_read(triangle);
-    requires \valid_read(part) && \valid_read(main + (0 .. 2));
+    requires \valid_read(part) && \valid_read(colour + (0 .. 2));
     assigns \nothing; */
-static void draw_fragments(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                           const glint_triangle *triangle, const glint_part *part, const int16_t *const main[3],
-                           int is_negated, shader *shade);
+static void draw_resolved(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                          const glint_triangle *triangle, const glint_part *part, const int16_t *const colour[3]);
 
 #define WIDTH 8
 
@@ -124,12 +123,12 @@ static void any_small_tile(glint_frame *frame, glint_part *part) {
 PROOF(store_run) {
     glint_frame frame;
     glint_part part;
-    const source from = {0};
     int32_t row[WIDTH][3] = {{0}};
     glint_workspace workspace = {.row = row};
+    const source from = {&frame, &workspace, &part, .draw_run = store_run};
     any_small_tile(&frame, &part);
     FOR_RUNS(y, at) {
-        store_run(&frame, &workspace, &from, &part, *at, (uint32_t)y);
+        store_run(&from, *at, (uint32_t)y);
     }
 }
 
@@ -140,7 +139,6 @@ PROOF(store_run) {
  */
 PROOF(draw_channel_run) {
     glint_quadratic channels[3];
-    const source from = {.channels = channels};
     glint_frame frame;
     glint_part part;
     any_small_tile(&frame, &part);
@@ -149,8 +147,9 @@ PROOF(draw_channel_run) {
     FOR_RUNS(y, at) {
         int32_t row[WIDTH][3];
         glint_workspace workspace = {.row = row};
+        const source from = {&frame, &workspace, &part, .channels = channels};
         frame.config.gamma = y & 1 ? tables : 0;
-        draw_channel_run(&frame, &workspace, &from, &part, *at, (uint32_t)y);
+        draw_channel_run(&from, *at, (uint32_t)y);
     }
 }
 
@@ -160,37 +159,36 @@ PROOF(draw_channel_run) {
  * @unreached 3 what is done built for size
  */
 PROOF(store_fragments) {
-    glint_fragments fragments;
-    glint_attributes attributes;
+    glint_gathered gathered;
+    glint_fragments *const fragments = &gathered.fragments;
     glint_draw draw;
     glint_frame frame;
     glint_part part;
-    const source from = {.fragments = &fragments, .shade = glint_shade, .draw = &draw};
+    glint_workspace workspace = {.gathered = &gathered};
+    const source from = {&frame, &workspace, &part, .shade = glint_shade, .draw = &draw};
     any_small_tile(&frame, &part);
     FOR_PARTS(count, 1, GLINT_FRAGMENTS_MAX) {
         FOR_PARTS(kind, 0, 3) {
             const int is_row = kind & 1;
-            int32_t row[GLINT_FRAGMENTS_MAX][3];
-            glint_workspace workspace = {.row = row};
-            fragments.count = (uint32_t)count;
-            fragments.part = &part;
+            fragments->count = (uint32_t)count;
+            fragments->part = &part;
             frame.config.gamma = kind & 2 ? tables : 0;
-            fragments.scale = ANY_UNSIGNED(0, 30);
-            fragments.attributes = &attributes;
+            fragments->scale = ANY_UNSIGNED(0, 30);
+            fragments->attributes = &gathered.attributes;
             for (int i = 0; i < count; i++) {
-                fragments.column[i] = (uint8_t)(is_row ? i : 3);
-                fragments.row[i] = (uint8_t)(is_row ? 3 : i);
-                fragments.inverse_w[i] = ANY(0, INT32_MAX);
+                fragments->column[i] = (uint8_t)(is_row ? i : 3);
+                fragments->row[i] = (uint8_t)(is_row ? 3 : i);
+                fragments->inverse_w[i] = ANY(0, INT32_MAX);
             }
-            store_fragments(&frame, &workspace, &from);
+            store_fragments(&from);
         }
     }
 }
 
-/*@ requires \valid_read(frame) && \valid_read(workspace) && \valid_read(from) && 1 <= from->fragments->count <= 8;
-    assigns from->fragments->count \from \nothing;
-    ensures from->fragments->count == 0; */
-static void store_fragments(const glint_frame *frame, glint_workspace *workspace, const source *from);
+/*@ requires \valid_read(from) && 1 <= from->workspace->gathered->fragments.count <= 8;
+    assigns from->workspace->gathered->fragments.count \from \nothing;
+    ensures from->workspace->gathered->fragments.count == 0; */
+static void store_fragments(const source *from);
 
 /*
  * Any runs after any number of fragments.
@@ -198,20 +196,20 @@ static void store_fragments(const glint_frame *frame, glint_workspace *workspace
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  */
 PROOF(gather_run) {
-    glint_fragments fragments;
+    glint_gathered gathered;
     glint_draw draw;
     glint_frame frame;
     glint_part part;
-    glint_workspace workspace;
-    const source from = {.fragments = &fragments, .shade = glint_shade, .draw = &draw};
+    glint_workspace workspace = {.gathered = &gathered};
+    const source from = {&frame, &workspace, &part, .shade = glint_shade, .draw = &draw};
     any_small_tile(&frame, &part);
     FOR_PARTS(before, 0, GLINT_FRAGMENTS_MAX - 1) {
         FOR_PARTS(first, 0, WIDTH - 1) {
             FOR_PARTS(end, first + 1, WIDTH) {
                 const run at = {(uint8_t)first, (uint8_t)end};
-                fragments.count = (uint32_t)before;
-                gather_run(&frame, &workspace, &from, &part, at, 5);
-                /*@ assert fragments.count < 8; */
+                gathered.fragments.count = (uint32_t)before;
+                gather_run(&from, at, 5);
+                /*@ assert gathered.fragments.count < 8; */
             }
         }
     }
@@ -293,23 +291,22 @@ static void any_triangle(int16_t least) {
         corners[2].inverse_w = ANY(is_last ? (int32_t)((1u << bits) / 2) : 64, (int32_t)((1u << bits) - 1)), 1)
 
 /*
- * Corners of any attributes, 1/w by the bits of the largest, first or last; of normals, turned round or not, with
- * colours of their own and without, and of colours.
+ * Corners of any normals, 1/w by the bits of the largest, first or last; seen from both sides, with colours of their
+ * own and without.
  * @contract glint_plane_begin draw_runs
  * @unreached 3 leading zeros of 0 and 1
  */
-PROOF(draw_fragments) {
-    static const glint_evaluation places[2] = {{.lit_at = GLINT_LIT_AT_FRAGMENTS}, {.lit_at = GLINT_LIT_AT_VERTICES}};
-    const int16_t *const main[3] = {corners[0].attribute, corners[1].attribute, corners[2].attribute};
+PROOF(glint_draw_any) {
     static glint_draw draw;
     static glint_frame frame;
+    static glint_gathered gathered;
     any_triangle(-32767);
     ANY_GRADIENTS(&part_of_all.gradients);
+    workspace_of_all.gathered = &gathered;
     FOR_CORNERS(bits) {
-        FOR_PARTS(kind, 0, 3) {
-            draw.evaluation = &places[kind & 1];
-            draw.extra = kind & 2 ? extra : 0;
-            draw_fragments(&frame, &workspace_of_all, &draw, &triangle, &part_of_all, main, ANY(0, 1), glint_shade);
+        FOR_PARTS(has_colours, 0, 1) {
+            draw.extra = has_colours ? extra : 0;
+            glint_draw_any(&frame, &workspace_of_all, &draw, &triangle, &part_of_all);
         }
     }
 }
@@ -352,20 +349,26 @@ PROOF(find_fit) {
     }
 }
 
-/* Corners that are not deep. */
+/* Corners whose 1/w are less than a factor 4 apart, with the room that the largest leaves. */
 PROOF(find_skew) {
-    corners[0].inverse_w = ANY(1 << 17, INT32_MAX);
-    corners[1].inverse_w = ANY(1 << 17, INT32_MAX);
-    find_skew(&corners[0], &corners[1]);
+    FOR_PARTS(bits, 17, 31) {
+        for (int i = 0; i < 2; i++)
+            corners[i].inverse_w = ANY(1 << (bits - 2), (int32_t)((1u << bits) - 1));
+        find_skew(&corners[0], &corners[1], 31u - (unsigned)bits);
+    }
 }
 
 /* Stands on PROOF(find_skew), and on triangles that are not deep. */
 /*@ requires \valid_read(a) && \valid_read(b);
-    assigns \result \from *a, *b;
+    assigns \result \from *a, *b, up;
     admit ensures -MOST_SKEW <= \result <= MOST_SKEW; */
-static int32_t find_skew(const glint_vertex *a, const glint_vertex *b);
+static int32_t find_skew(const glint_vertex *a, const glint_vertex *b, unsigned up);
 
-/* Any colours. @contract find_skew glint_barycentric_begin glint_polynomial_begin */
+/*
+ * Any colours.
+ * @contract find_skew glint_barycentric_begin glint_polynomial_begin
+ * @unreached 2 leading zeros of 0
+ */
 PROOF(begin_quadratics) {
     glint_quadratic channel[3];
     int32_t a[3][3];
@@ -420,7 +423,7 @@ static void begin_quadratics(glint_quadratic channel[3], const glint_gradients *
 /*
  * Colours at any corners, seen from both sides; in formats with loops of their own and without, with output tables and
  * without.
- * @contract find_fit begin_planes begin_quadratics draw_runs draw_fragments
+ * @contract find_fit begin_planes begin_quadratics draw_runs draw_resolved
  * @unreached 2 glint_count where nothing is counted: it is not called
  */
 PROOF(glint_draw_lit) {

@@ -5,7 +5,7 @@
 PROVE = python3 tests/proof/prove.py --folder tests/proof --output $(BUILD)/proof --page docs/proofs.md
 
 SUITE_reads := $(TEST_HARNESS) tests/proof/reads.c
-$(eval $(call test_suite,sanitize,reads,clang,$(SANITIZE)))
+$(eval $(call test_suite,sanitize,reads))
 
 SUITES += test-prove
 .PHONY: prove test-prove

@@ -46,6 +46,7 @@ static const kept_scene kept_scenes[] = {
     {18, 1196u, 0xcd6327072757b100u, 0, 0, 0},     /* depth ratios to 2^33: corners whose 1/w rounds to 0 */
     {18, 4122u, 0x9ff1698cd444aee9u, 0, 0, 0},     /* depth ratios to 2^33: corners whose 1/w rounds to 0 */
     {18, 91636u, 0xf2e2161ebfe99f56u, 0, 0, 0},    /* depth ratios to 2^33 */
+    {18, 45884u, 0xda732f785dd108adu, 0, 0, 0},    /* depth ratios to 2^33: corners whose 1/w have few bits */
     {10, 95536u, 0x9a92084edd60d095u, 0, 1, 2.62}, /* sums above 1: weights of 14 */
 };
 
