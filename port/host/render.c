@@ -25,8 +25,8 @@ static void print_times(const host_settings *settings, uint64_t bytes) {
 }
 
 static void print_drawn(const glint_drawn *drawn) {
-    static const char *const names[GLINT_KERNELS] = {"general",  "ambient",        "diffuse",         "gated",
-                                                     "specular", "curved-diffuse", "curved-specular", "even"};
+    static const char *const names[GLINT_KERNELS] = {
+        "general", "ambient", "diffuse", "gated", "specular", "curved-diffuse", "curved-specular", "even", "channels"};
     for (int kernel = 0; kernel < GLINT_KERNELS; kernel++) {
         printf("parts_%s %lu\n", names[kernel], (unsigned long)drawn[kernel].parts);
         printf("covered_%s %lu\n", names[kernel], (unsigned long)drawn[kernel].covered);

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The gallery that is checked in is what the program draws."""
+import csv
 import os
 import re
 import shutil
@@ -11,10 +12,22 @@ from harness import ROOT
 GALLERY = os.path.join(ROOT, "docs", "gallery")
 
 
+def costs_shown(page):
+    """(title, millions on Cortex-M3, millions on Cortex-M0) of each picture of the page"""
+    return re.findall(r"^### (\S+)$(?:(?!^#).)*?^A frame takes ([\d.]+) million instructions on Cortex-M3 and ([\d.]+) on Cortex-M0\.$",
+                      page, flags=re.M | re.S)
+
+
+def costs_counted(path):
+    with open(path, encoding="utf-8", newline="") as file:
+        counts = {(row["scene"] + ":" + row["variant"], row["cpu"]): int(row["instructions"]) for row in csv.DictReader(file)}
+    return [(title, *("%.1f" % (counts[title, core] / 1e6) for core in ("m3", "m0"))) for title, cpu in counts if cpu == "m3"]
+
+
 def test_gallery(host):
     made = host.path("gallery")
     figures = os.path.join(os.path.dirname(host.program), "gallery-figures")
-    costs = os.path.join(ROOT, "docs", "modelled-instructions.csv")
+    costs = os.path.join(ROOT, "docs", "gallery-instructions.csv")
     run = subprocess.run([sys.executable, os.path.join(ROOT, "tools", "gallery", "gallery.py"), host.program, figures, costs, made],
                          capture_output=True, text=True, check=False)
     host.equal("gallery.py", (run.returncode, run.stdout, run.stderr), (0, "", ""))
@@ -24,8 +37,10 @@ def test_gallery(host):
         with open(os.path.join(made, name), "rb") as new, open(os.path.join(GALLERY, name), "rb") as old:
             host.check(f"docs/gallery/{name} is up to date (make gallery)", new.read() == old.read())
     with open(os.path.join(made, "README.md"), encoding="utf-8") as file:
-        shown = re.findall(r"!\[.*?\]\((.+?)\)", file.read())
+        page = file.read()
+    shown = re.findall(r"!\[.*?\]\((.+?)\)", page)
     host.equal("the page shows every picture once", sorted(shown), [name for name in files if name.endswith("png")])
+    host.equal("under each picture stands what its frame takes", costs_shown(page), costs_counted(costs))
     size = sum(os.path.getsize(os.path.join(made, name)) for name in files if name.endswith(".apng"))
     host.check("the animations are small", size <= 1200000, f"{size} bytes")
     shutil.rmtree(made)

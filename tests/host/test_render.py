@@ -119,7 +119,8 @@ def stats(host, *arguments):
             for name, value in (line.split(" ") for line in run.stdout.splitlines())}
 
 
-KERNELS = ("general", "ambient", "diffuse", "gated", "specular", "curved-diffuse", "curved-specular", "even")
+KERNELS = ("general", "ambient", "diffuse", "gated", "specular", "curved-diffuse", "curved-specular", "even",
+           "channels")
 STATS = ["passes", "tiles", "vertices", "triangles", "facing_away", "outside", "clipped", "hidden", "references",
          "arena_used"] + [what + kernel for kernel in KERNELS for what in ("parts_", "covered_")] + ["bytes_sent"]
 

@@ -13,7 +13,10 @@ static const uint16_t sizes[][2] = {{320, 240}, {128, 64}};
 
 /* ---- Lights, materials and meshes ---- */
 
-/* Around the torus, which is 3.7 in front of the eye, from 2.1 to 2.6 away from its centre. */
+/** Of the torus. */
+static const glint_vector centre = XYZ(0, 0, -3.7);
+
+/* Around the torus, from 2.1 to 2.6 away from its centre. */
 static const struct {
     glint_vector position;
     glint_colour colour;
@@ -28,16 +31,31 @@ static glint_material *material_of(workload_stage *stage) {
     return &stage->example.materials[0];
 }
 
+static glint_vector between(glint_vector from, glint_vector to) {
+    return (glint_vector){to.x - from.x, to.y - from.y, to.z - from.z};
+}
+
+static glint_colour dimmed(glint_colour full, glint_q16 brightness) {
+    return (glint_colour){stage_multiply(full.r, brightness), stage_multiply(full.g, brightness),
+                          stage_multiply(full.b, brightness)};
+}
+
 static void light_with_points(workload_stage *stage, uint32_t count, glint_q16 brightness) {
     stage->example.scene.light_count = 0;
     for (uint32_t i = 0; i < count; i++) {
-        const glint_colour full = points[i].colour;
-        const glint_colour colour = {stage_multiply(full.r, brightness), stage_multiply(full.g, brightness),
-                                     stage_multiply(full.b, brightness)};
-        glint_light *light = stage_light(&stage->example, &glint_light_point, points[i].position, colour);
+        glint_light *light =
+            stage_light(&stage->example, &glint_light_point, points[i].position, dimmed(points[i].colour, brightness));
 
         light->linear = GLINT_Q16(0.1);
         light->quadratic = GLINT_Q16(0.05);
+    }
+}
+
+/* Each where a point is, seen from the torus's centre; the scene's own and the second are near the first two. */
+static void add_directional(workload_stage *stage, uint32_t count, glint_q16 brightness) {
+    for (uint32_t i = stage->example.scene.light_count; i < count; i++) {
+        stage_light(&stage->example, &glint_light_directional, between(centre, points[i].position),
+                    dimmed(points[i].colour, brightness));
     }
 }
 
@@ -45,6 +63,16 @@ static void two_directional(workload_stage *stage) {
     const glint_vector left = XYZ(-0.7, 0.2, 0.5);
 
     stage_light(&stage->example, &glint_light_directional, left, (glint_colour)GREY(0.7));
+}
+
+static void four_directional(workload_stage *stage) {
+    two_directional(stage);
+    add_directional(stage, 4, GLINT_Q16(0.6));
+}
+
+static void eight_directional(workload_stage *stage) {
+    two_directional(stage);
+    add_directional(stage, 8, GLINT_Q16(0.4));
 }
 
 static void second_black(workload_stage *stage) {
@@ -57,14 +85,8 @@ static void one_point(workload_stage *stage) {
     light_with_points(stage, 1, GLINT_Q16(1.4));
 }
 
-/* From where the first point is to the torus's centre; its cone does not hold all of it. */
-static void one_spot(workload_stage *stage) {
-    light_with_points(stage, 1, GLINT_Q16(1.4));
-    glint_light *light = &stage->example.lights[0];
-    light->type = &glint_light_spot;
-    light->axis = (glint_vector)XYZ(-1.0, -1.5, -1.75);
-    light->inner = GLINT_Q16(18);
-    light->outer = GLINT_Q16(28);
+static void two_points(workload_stage *stage) {
+    light_with_points(stage, 2, GLINT_Q16(1.2));
 }
 
 static void four_points(workload_stage *stage) {
@@ -73,6 +95,38 @@ static void four_points(workload_stage *stage) {
 
 static void eight_points(workload_stage *stage) {
     light_with_points(stage, 8, GLINT_Q16(0.6));
+}
+
+/* Points made spots that look at the torus's centre; no cone holds all of it. */
+static void make_spots(workload_stage *stage) {
+    for (uint32_t i = 0; i < stage->example.scene.light_count; i++) {
+        glint_light *light = &stage->example.lights[i];
+
+        light->type = &glint_light_spot;
+        light->axis = between(light->vector, centre);
+        light->inner = GLINT_Q16(18);
+        light->outer = GLINT_Q16(28);
+    }
+}
+
+static void one_spot(workload_stage *stage) {
+    one_point(stage);
+    make_spots(stage);
+}
+
+static void two_spots(workload_stage *stage) {
+    two_points(stage);
+    make_spots(stage);
+}
+
+static void four_spots(workload_stage *stage) {
+    four_points(stage);
+    make_spots(stage);
+}
+
+static void eight_spots(workload_stage *stage) {
+    eight_points(stage);
+    make_spots(stage);
 }
 
 static void phong(workload_stage *stage) {
@@ -135,10 +189,16 @@ static const struct {
     workload_change change;
 } looks[] = {
     {"2 directional", two_directional},
+    {"4 directional", four_directional},
+    {"8 directional", eight_directional},
     {"1 point", one_point},
-    {"1 spot", one_spot},
+    {"2 points", two_points},
     {"4 points", four_points},
     {"8 points", eight_points},
+    {"1 spot", one_spot},
+    {"2 spots", two_spots},
+    {"4 spots", four_spots},
+    {"8 spots", eight_spots},
     {"phong", phong},
     {"mesh colours", mesh_colours},
     {"max", flag_max},

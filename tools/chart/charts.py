@@ -2,7 +2,7 @@
 """Every chart of docs/charts, as a function from the figures to an SVG."""
 import math
 
-from figures import ASKED, CPUS, budget_of, front, only
+from figures import ASKED, CPUS, LIGHT_COUNTS, LIGHTS, LIT, LIT_SIZE, budget_of, front, only
 from plot import Axis, Chart, Panel
 
 # Exponents at which methods are compared: those for which their instructions are counted.
@@ -264,6 +264,25 @@ def scaling(figures):
     return chart.svg()
 
 
+# Of the lines over the number of lights: colours of the kinds, and the cores with their names and dashes.
+LIGHT_COLOURS = dict(zip(LIGHTS, ("blue", "red", "gold")))
+LIGHT_CORES = {"m3": ("glint, %s", 1), "m4f": ("good float, %s", 2)}
+
+
+def lights(figures):
+    chart = Chart("%s at %s: instructions over the number of lights" % (LIT, LIT_SIZE),
+                  [("solid: glint on Cortex-M3", "ink"), ("dashed: good float on Cortex-M4 with FPU", "ink")], 820, 520,
+                  right_labels=170)
+    lines = {(kind, cpu): figures.over_lights(kind, cpu) for cpu in LIGHT_CORES for kind in LIGHTS}
+    panel = Panel("", grid(chart, 1, 1)[0], Axis("lights", 0, max(LIGHT_COUNTS)),
+                  Axis("million instructions per frame", 0, max(y for line in lines.values() for _, y in line) * 1.08))
+    for (kind, cpu), line in lines.items():
+        name, dash = LIGHT_CORES[cpu]
+        panel.line(line, LIGHT_COLOURS[kind], 2, name % LIGHTS[kind][1], dash, marks=True)
+    chart.panels.append(panel)
+    return chart.svg()
+
+
 # Of the bus: pixels of a frame at 16 bits.
 BUS_FRAMES = (("torus2304", "320x240"), ("torus2304", "128x64"))
 
@@ -286,4 +305,5 @@ def bus(figures):
 
 
 CHARTS = {"power": power, "normalise": normalise, "fragment": fragment, "frames": frames, "frames-scenes": frames_scenes,
-          "exponent": exponent, "lobes": lobes, "shading": shading, "scaling": scaling, "bus": bus}
+          "exponent": exponent, "lobes": lobes, "shading": shading, "scaling": scaling, "bus": bus,
+          "lights": lights}

@@ -16,6 +16,17 @@ def budget_of(choice):
     return int(steps) if before else 0
 
 
+# Kinds of light and numbers of them that frames of LIT are counted with, and what one and several of them are called.
+LIT, LIT_SIZE = "torus576", "320x240"
+LIGHTS = {"directional": ("directional", "directional"), "point": ("point", "points"), "spot": ("spot", "spots")}
+LIGHT_COUNTS = (1, 2, 4, 8)
+
+
+def look_of(kind, count):
+    """What `make bench` calls so many lights of a kind; the scene as it is has one directional light."""
+    return "" if (kind, count) == ("directional", 1) else " %d %s" % (count, LIGHTS[kind][count > 1])
+
+
 class Missing(Exception):
     """A figure that a chart or a page needs is not there."""
 
@@ -96,6 +107,13 @@ class Figures:
         """Of a frame, in millions."""
         row = one(self.counts, scene=scene, size=size, choice=choice, cpu=cpu)
         return int(row["instructions"]) / 1e6
+
+    def over_lights(self, kind, cpu):
+        """@return (number of lights of that kind, millions of instructions of a frame) by rising number"""
+        way = "float" if cpu == "m4f" else "32x32"
+        rows = [(count, one(self.bench, kind="frame", name=LIT, cpu=cpu,
+                            variant="%s local %s%s" % (LIT_SIZE, way, look_of(kind, count)))) for count in LIGHT_COUNTS]
+        return [(count, int(row["instructions"]) / 1e6) for count, row in rows]
 
     def choices(self):
         return list(dict.fromkeys(row["choice"] for row in self.counts))

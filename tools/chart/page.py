@@ -3,7 +3,7 @@
 import re
 
 import modelled
-from figures import ASKED, CPUS, budget_of, front, one, only
+from figures import ASKED, CPUS, LIGHTS, budget_of, front, one, only
 from table import bullets, listed, table
 
 EXPONENTS = ("1", "2", "8", "32", "64", "256", "1024")
@@ -176,6 +176,23 @@ def examples_behind_float(figures):
     return ("In %d of the %d example scenes good float with an FPU takes fewer instructions; there glint takes %.1f to %s as "
             "many." % (len(behind), len(ratios), min(behind), times(max(behind))) if behind else
             "In the example scenes glint takes fewer instructions than good float with an FPU.")
+
+
+def each_light_takes(figures):
+    """On average from the third light on; the first brings what the frame takes besides."""
+    cores = []
+    for cpu in ("m3", "m4f"):
+        millions = {alone: dict(figures.over_lights(kind, cpu)) for kind, (alone, _) in LIGHTS.items()}
+        cores.append(listed(["%.2f (%s)" % ((many[8] - many[2]) / 6, alone) for alone, many in millions.items()]))
+    return ("From two lights to eight each one more takes, in million instructions, on average %s on Cortex-M3, and %s in good "
+            "float on Cortex-M4 with FPU." % tuple(cores))
+
+
+def few_and_many_lights(figures):
+    alone = dict(figures.over_lights("directional", "m3"))
+    ratios = [figures.over_lights(kind, "m3")[-1][1] / figures.over_lights(kind, "m4f")[-1][1] for kind in LIGHTS]
+    return ("One directional light takes %.2f million on Cortex-M3, two take %.2f. With eight lights glint takes %.1f to %s as "
+            "many as good float with an FPU." % (alone[1], alone[2], min(ratios), times(max(ratios))))
 
 
 def best(figures):
@@ -410,6 +427,8 @@ scene_findings = findings(
 
 float_findings = findings((benchmark_beside_float, always), (examples_behind_float, always))
 
+light_findings = findings((each_light_takes, always), (few_and_many_lights, always))
+
 shading_findings = findings((fragments_need_fewer, always))
 
 POWERS, LIGHTINGS = ("1", "8", "64", "256", "1024"), ("8", "32", "64", "256", "1024")
@@ -420,7 +439,7 @@ PAGES = {
         "modelled kernels": modelled.kernels, "modelled lightings": modelled.lightings,
         "modelled savings": modelled.savings, "modelled findings": modelled.findings,
         "scene findings": scene_findings, "others": others, "float findings": float_findings,
-        "examples in float": examples_in_float, "shading": shading, "shading findings": shading_findings,
+        "examples in float": examples_in_float, "light findings": light_findings, "shading": shading, "shading findings": shading_findings,
         "lighting cheapest": cheapest("lighting", "16 pixels", (8, 32, 64, 256, 1024)),
         "power cheapest": cheapest("power", "sin^2", (2, 4, 8, 16, 32, 64, 128, 256, 512, 1024)),
         "normalise cheapest": cheapest("normalise", "vector", ()),

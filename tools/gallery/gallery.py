@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Draws every example scene and variant: gallery.py PROGRAM FIGURES COSTS FOLDER writes pictures, animations, what is
-measured in them and a page. FIGURES is the program that measures, COSTS docs/modelled-instructions.csv.
+measured in them and a page. FIGURES is the program that measures, COSTS docs/gallery-instructions.csv.
 """
 import csv
 import os
@@ -18,7 +18,9 @@ HEAD = """<!-- SPDX-License-Identifier: MIT -->
 The example scenes (`examples/scenes/`) as glint draws them. They come from four teaching texts: notes on the models of Phong and
 Blinn-Phong, a class on several lights, a tutorial on directional light, and a chapter on the Phong model. The table holds what
 each text says against what is measured in the pictures (`figures.csv`, levels of 255); below it is every picture. Its title
-draws it: `build/host/glint scene TITLE --labels -o out.png`.
+draws it: `build/host/glint scene TITLE --labels -o out.png`. What a frame takes is counted in an emulator for that picture, drawn
+by itself in RGB565, without labels, clear and copy to a framebuffer included (`../gallery-instructions.csv`); the tables of
+[accuracy](../accuracy.md#whole-frames) have means of ten frames that follow each other.
 
 *Phong shading* is lighting per fragment, with the normal interpolated, whatever the model; the *Phong model* is a highlight around
 the reflected light, wherever it is evaluated. Nothing in these scenes casts a shadow.
@@ -46,9 +48,9 @@ TEXTS = (
         ("A greenish body has a tinted ambient colour, (0.1, 0.3, 0.1).", ("three-spheres:greenish",),
          "Where neither light falls: {ambient_green}."),
         ("Each light adds its own diffuse and specular light, in its own colour.", ("halloween:night",),
-         "A moon and four lamps. A frame takes {cost:halloween:night} million instructions on Cortex-M3."),
+         "A moon and four lamps. A frame takes {cost:halloween:night:m3} million instructions on Cortex-M3."),
         ("Lit per vertex, a scene is fast enough to be animated.", ("halloween:vertex",),
-         "{cost:halloween:vertex} million, {halloween_vertex} levels (root mean square) from the same per fragment."),
+         "{cost:halloween:vertex:m3} million, {halloween_vertex} levels (root mean square) from the same per fragment."),
         ("Lit per vertex, a mesh shows in its highlights, unless it is dense.", ("three-spheres:vertex", "three-spheres:vertex-dense"),
          "Right sphere against the one per fragment, root mean square: {spheres_vertex} levels with 168 triangles, "
          "{spheres_vertex-dense} with 2976."))),
@@ -105,12 +107,11 @@ def read_list(text):
 
 
 def read_figures(text, costs):
-    """@return values by name; of costs the instructions of an exact frame on Cortex-M3, in millions"""
+    """@return values by name; of costs the instructions of a picture's frame, in millions, as `cost:TITLE:CORE`"""
     figures = dict(line.split(",", 1) for line in text.splitlines()[1:])
     with open(costs, encoding="utf-8") as file:
         for row in csv.DictReader(file):
-            if row["way"] == "exact" and row["cpu"] == "m3" and row["variant"]:
-                figures["cost:%s:%s" % (row["scene"], row["variant"])] = "%.1f" % (int(row["instructions"]) / 1e6)
+            figures["cost:%(scene)s:%(variant)s:%(cpu)s" % row] = "%.1f" % (int(row["instructions"]) / 1e6)
     return figures
 
 
@@ -132,13 +133,17 @@ def draw_statements(figures):
     return page
 
 
-def draw_scene(program, folder, name, summary, variants):
+def cost_of(title, figures):
+    return fill("A frame takes {cost:%s:m3} million instructions on Cortex-M3 and {cost:%s:m0} on Cortex-M0." % (title, title), figures)
+
+
+def draw_scene(program, folder, name, summary, variants, figures):
     """Draws a scene's pictures. @return its part of the page"""
     page = f"\n## {name}\n\n{summary}\n"
     for variant, sentence in variants:
         title = f"{name}:{variant}"
         run(program, "scene", title, "--labels", "-o", os.path.join(folder, file_of(title)))
-        page += f"\n### {title}\n\n![{title}]({file_of(title)})\n\n{sentence}\n"
+        page += f"\n### {title}\n\n![{title}]({file_of(title)})\n\n{sentence}\n\n{cost_of(title, figures)}\n"
         if title in MOVING:
             moving, options = f"{name}-{variant}.apng", ["--animate", str(MOVING[title]), "--format", "rgb565"]
             run(program, "scene", title, *options, "-o", os.path.join(folder, moving))
@@ -153,9 +158,10 @@ def main():
         if old.endswith((".png", ".apng")):
             os.remove(os.path.join(folder, old))
     measured = run(measure)
-    page = HEAD + draw_statements(read_figures(measured, costs))
+    figures = read_figures(measured, costs)
+    page = HEAD + draw_statements(figures)
     for name, summary, variants in read_list(run(program, "scene", "--list")):
-        page += draw_scene(program, folder, name, summary, variants)
+        page += draw_scene(program, folder, name, summary, variants, figures)
     for file_name, text in (("figures.csv", measured), ("README.md", page)):
         with open(os.path.join(folder, file_name), "w", encoding="utf-8") as file:
             file.write(text)
