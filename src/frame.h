@@ -217,8 +217,7 @@ typedef struct glint_draw {
     uint8_t *away; /* null, or which of them face away, 1 or 0; not of runs, which leave their triangles out */
     const glint_shading *shading;
     const glint_evaluation *evaluation;
-    glint_light_triangle *light; /* what comes before a triangle is drawn, or null: */
-    uint16_t ready;              /* unless its vertices have this flag */
+    glint_light_triangle *light; /* what comes before a triangle is drawn, or null */
     glint_kernel *kernel;
     glint_transform transform;
     uint32_t vertex_count;
