@@ -237,7 +237,7 @@ extern const glint_evaluation glint_per_fragment;
 /**
  * At nodes, which are some points of a triangle or of squares of the screen: as many as it takes to be within 1/5 of a
  * level of what each fragment would be, and all fragments where no fewer do. The fastest where triangles cover more
- * than a few pixels. Takes 5 KB of stack and up to 100 bytes of arena a vertex.
+ * than a few pixels. Takes 7 KB of stack, and of arena up to 100 bytes a vertex.
  */
 extern const glint_evaluation glint_per_node;
 
