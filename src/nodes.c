@@ -133,7 +133,7 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
         const int32_t cosine = find_cosine(at->normal[n], light);
         int is_lit = cosine > clearly;
         /* right at a light its direction tells nothing */
-        const int is_dark = cosine < -clearly && !(has_position && at->closeness[n] == UINT16_MAX);
+        const int is_dark = cosine < -clearly && !(has_position && !at->length[n]);
         if (source->type->has_cone)
             find_cone(source, i, light, node, &is_lit);
         node->lit |= is_lit ? bit : 0;
@@ -144,8 +144,8 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
             add_lobe(shading, i, source, !has_position && !frame->view->local_viewer, at, n, light, node);
         if (!is_dark && !(node->outside & bit)) {
             node->levels += terms->diffuse_levels[i] * (uint32_t)strength >> 19;
-            if (has_position && at->closeness[n] > node->closeness)
-                node->closeness = at->closeness[n];
+            if (has_position)
+                node->closeness = (uint32_t)glint_most((int32_t)node->closeness, (int32_t)glint_point_closeness(at, n));
         }
     }
 }
