@@ -129,29 +129,49 @@ void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const gl
     terms->end = (uint8_t)next;
 }
 
-int glint_is_wide(uint32_t near) {
-    return times(near, near) > 8 * CLEARLY_INSIDE; /* a cosine's chord, from arcs */
+/* May a cone so near end between nodes that are outside of it by so much? A cosine's chord, from arcs. */
+static inline int is_wide(uint32_t near, uint32_t clearly) {
+    return times(near, near) > 8 * clearly;
 }
 
-uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness,
+uint32_t glint_find_away(uint32_t outside, uint32_t near) {
+    return (is_wide(near, CLEARLY_INSIDE) ? 0 : outside & 0xff) |
+           (is_wide(near, 8 * CLEARLY_INSIDE) ? 0 : outside >> 8);
+}
+
+/* How far a region's corners lie apart, over the distance to lights so close. */
+static inline uint32_t find_near(const glint_region *region, uint32_t closeness) {
+    return (uint32_t)glint_least((int32_t)(region->reach * closeness >> 8), 1 << 13); /* 14 and 16 bits */
+}
+
+/* The same over the distance from any of the region, where a light reaches some of its nodes only. */
+static inline uint32_t from_anywhere(uint32_t near) {
+    return near < 1 << 11 ? (near << 12) / ((1 << 12) - near) : 1 << 13;
+}
+
+uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness, uint32_t around,
                            glint_region *region) {
-    region->near = region->reach * closeness >> 8; /* 14 and 16 bits */
+    const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED, near = find_near(region, around);
+    const uint32_t away = glint_find_away(region->outside, near), dark = region->dark | away;
+    const int may_end = is_wide(near, CLEARLY_INSIDE);
     region->turn = (uint32_t)glint_least((int32_t)region->turn, 1 << 13);
-    region->near = (uint32_t)glint_least((int32_t)region->near, 1 << 13);
-    const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED;
-    const int is_wide = glint_is_wide(region->near);
-    const uint32_t dark = region->dark | (is_wide ? 0 : region->outside);
     region->held = region->lit;
     region->sides = shading->lights & ~region->lit & ~dark;
     region->cones = 0;
-    if (region->near && times(region->near, region->turn) > 2 * CLEARLY_NEAR) { /* clear at nodes, not between them */
+    region->near = find_near(region, closeness);
+    if (region->sides)
+        region->near = (uint32_t)glint_least((int32_t)from_anywhere(region->near), (int32_t)near);
+    if (ungated || region->outside & 0xff & ~dark)
+        region->near = near;
+    if (times(near, region->turn) > 2 * CLEARLY_NEAR) { /* clear at nodes, not between them */
         region->sides = shading->lights;
         region->held = 0;
+        region->near = near;
     }
     const uint32_t lobes = shading->terms->lobes & (ungated ? ~0u : region->held | region->sides);
     for (uint32_t l = 0, shown = region->held | region->sides | lobes; shown >> l; l++)
         if (shown >> l & 1 && frame->view->lights[l].type->has_cone) {
-            if (is_wide) {
+            if (may_end) {
                 region->sides |= 1u << l;
                 region->held &= ~(1u << l);
             }

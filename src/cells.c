@@ -79,32 +79,33 @@ static int has_edge(const glint_shading *shading, const glint_region *region, co
 }
 
 uint32_t glint_shape_away(const glint_draw *draw, const glint_shape *shape, glint_node *const nodes[]) {
-    uint32_t outside = 0xff, closeness = 0;
+    uint32_t outside = 0xffff, around = 0;
     glint_region region;
     glint_w_range w;
     for (int i = 0; i < 4; i++) {
         const glint_node *node = nodes[shape->corners[i]];
         outside &= node->outside;
-        closeness = node->closeness > closeness ? node->closeness : closeness;
+        around = node->around > around ? node->around : around;
     }
     if (!outside || !find_w_range(shape, nodes, &w))
         return 0;
     glint_region_measure(draw->shading->terms->pixel, shape->width, shape->height, w, &region);
-    return glint_is_wide(region.reach * closeness >> 8) ? 0 : outside;
+    return glint_find_away(outside, (uint32_t)glint_least((int32_t)(region.reach * around >> 8), 1 << 13));
 }
 
 static int find_region(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
                        glint_node *const nodes[], glint_region *region) {
     const glint_shading *shading = draw->shading;
     glint_w_range w;
-    uint32_t closeness = 0;
+    uint32_t closeness = 0, around = 0;
     if (!find_w_range(shape, nodes, &w))
         return 0;
     region->turn = find_turn(shape, nodes);
     glint_region_measure(shading->terms->pixel, shape->width, shape->height, w, region);
     region->levels = 0;
     region->half = INT16_MAX;
-    region->lit = region->dark = region->outside = 0xff;
+    region->lit = region->dark = 0xff;
+    region->outside = 0xffff;
     region->far = region->unfit = region->steep = 0;
     for (uint32_t i = 0; i < shape->count; i++) {
         const glint_node *node = nodes[i];
@@ -117,9 +118,10 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, const g
         region->levels = node->levels > region->levels ? node->levels : region->levels;
         region->half = node->half < region->half ? node->half : region->half;
         closeness = node->closeness > closeness ? node->closeness : closeness;
+        around = node->around > around ? node->around : around;
     }
     region->colour = draw->extra ? find_colour(shape, nodes) : 0;
-    const uint32_t lobes = glint_region_sort(frame, shading, closeness, region);
+    const uint32_t lobes = glint_region_sort(frame, shading, closeness, around, region);
     region->lobes = 0;
     region->has_edge = 0;
     for (uint32_t l = 0; lobes >> l; l++)

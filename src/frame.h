@@ -180,9 +180,6 @@ typedef struct glint_vertex {
 /** Full brightness of a colour in int16. */
 #define GLINT_COLOUR_ONE 32767
 
-/** Most numbers that a vertex keeps of light. */
-#define GLINT_NODE_NUMBERS_MAX (9 + GLINT_NUMBERS * GLINT_LIGHTS_MAX)
-
 /** Clip coordinates; kept only where an object may have to be clipped. */
 typedef struct glint_position {
     int32_t x, y, w;

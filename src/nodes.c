@@ -111,7 +111,9 @@ static void find_cone(const glint_prepared_light *source, uint32_t i, const int1
     const int32_t inside = (int32_t)(ramp > STEEP ? STEEP : ramp < -STEEP ? -STEEP : ramp);
     *is_lit = *is_lit && cosine > source->spot.cosine_inner + CLEARLY_INSIDE;
     if (cosine < source->spot.cosine_outer - CLEARLY_INSIDE)
-        node->outside |= (uint8_t)(1u << i);
+        node->outside |= (uint16_t)(1u << i);
+    if (cosine < source->spot.cosine_outer - 8 * CLEARLY_INSIDE)
+        node->outside |= (uint16_t)(0x100u << i);
     node->number[i][GLINT_CONE] = (int16_t)inside;
     if (inside != ramp || !source->spot.slope)
         node->steep |= (uint8_t)(1u << i);
@@ -143,10 +145,14 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
         node->number[i][GLINT_STRENGTH] = (int16_t)glint_shift_right(strength, 1);
         if (lobes & bit)
             add_lobe(shading, i, source, !has_position && !frame->view->local_viewer, at, n, light, node);
-        if (has_position) /* it may shine between nodes that it does not reach */
-            node->closeness = (uint32_t)glint_most((int32_t)node->closeness, (int32_t)glint_point_closeness(at, n));
-        if (!is_dark && !(node->outside & bit))
-            node->levels += (terms->diffuse_levels[i] >> 3) * (uint32_t)strength >> 16;
+        const uint32_t closeness = has_position ? glint_point_closeness(at, n) : 0;
+        if (closeness > node->around) /* it may shine between nodes that it does not reach */
+            node->around = closeness;
+        if (is_dark || node->outside & bit)
+            continue;
+        node->levels += (terms->diffuse_levels[i] >> 3) * (uint32_t)strength >> 16;
+        if (closeness > node->closeness)
+            node->closeness = closeness;
     }
 }
 
@@ -156,9 +162,10 @@ void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, g
         glint_find_view_vectors(frame->view, at);
     for (uint32_t n = 0; n < at->count; n++) {
         glint_node *node = nodes[n];
-        node->levels = node->closeness = 0;
+        node->levels = node->closeness = node->around = 0;
         node->half = shading->material->model->lobe == GLINT_LOBE_MIRROR ? 1 << 14 : INT16_MAX;
-        node->lit = node->dark = node->outside = node->far = node->unfit = node->steep = 0;
+        node->outside = 0;
+        node->lit = node->dark = node->far = node->unfit = node->steep = 0;
     }
     for (uint32_t i = 0; lights >> i; i++)
         if (lights >> i & 1)

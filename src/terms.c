@@ -10,7 +10,7 @@
  * What a vertex keeps: its sum; the lights it faces and does not; those whose deviation is cut off or unknown; those
  * whose cones are; what light there is, how close, and how far from opposite the eye; and lights' numbers.
  */
-enum { FACING, FLAGS, CONES, LEVELS, CLOSENESS, HALF };
+enum { FACING, FLAGS, STEEP, OUTSIDE, LEVELS, CLOSENESS, AROUND, HALF };
 
 static void keep(const glint_light_terms *light, const glint_node *node, int16_t *to) {
     int16_t *const rest = to + light->channels;
@@ -18,10 +18,12 @@ static void keep(const glint_light_terms *light, const glint_node *node, int16_t
         to[c] = (int16_t)node->sum[c];
     rest[FACING] = (int16_t)(uint16_t)(node->lit | node->dark << 8);
     rest[FLAGS] = (int16_t)(uint16_t)(node->far | node->unfit << 8);
-    rest[CONES] = (int16_t)(uint16_t)(node->steep | node->outside << 8);
+    rest[STEEP] = (int16_t)node->steep;
+    rest[OUTSIDE] = (int16_t)node->outside;
     rest[LEVELS] = (int16_t)glint_least((int32_t)node->levels, INT16_MAX);
     rest[HALF] = (int16_t)node->half;
     rest[CLOSENESS] = (int16_t)glint_least((int32_t)node->closeness, INT16_MAX);
+    rest[AROUND] = (int16_t)glint_least((int32_t)node->around, INT16_MAX);
     for (uint32_t i = 0; i < light->light_count; i++)
         for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
             if (light->at[i][kind])
@@ -183,12 +185,13 @@ static inline int find_region(const glint_frame *frame, const glint_draw *draw, 
     region->dark = facing >> 8;
     region->far = flags & 0xff;
     region->unfit = flags >> 8;
-    region->steep = (uint32_t)(a[CONES] | b[CONES] | c[CONES]) & 0xff;
-    region->outside = (uint32_t)(a[CONES] & b[CONES] & c[CONES]) >> 8 & 0xff;
+    region->steep = (uint32_t)(a[STEEP] | b[STEEP] | c[STEEP]);
+    region->outside = (uint16_t)(a[OUTSIDE] & b[OUTSIDE] & c[OUTSIDE]);
     t->has_surface = draw->extra != 0;
     region->colour = t->has_surface ? find_surface(triangle, t) : 0;
     uint32_t lobes =
-        glint_region_sort(frame, shading, (uint32_t)glint_most_of(a[CLOSENESS], b[CLOSENESS], c[CLOSENESS]), region);
+        glint_region_sort(frame, shading, (uint32_t)glint_most_of(a[CLOSENESS], b[CLOSENESS], c[CLOSENESS]),
+                          (uint32_t)glint_most_of(a[AROUND], b[AROUND], c[AROUND]), region);
     region->lobes = 0;
     region->has_edge = 0;
     for (uint32_t l = 0; lobes >> l; l++)

@@ -32,9 +32,9 @@ typedef struct glint_node {
     int16_t normal[3], surface[3]; /* the surface's colours, Q14 */
     uint32_t levels;               /* what all lights that it does not clearly face away from make: in Q4 */
     uint32_t half;                 /* the least |L + V|^2 / 2 of lights with highlights, Q15, at most 1 */
-    uint32_t closeness;            /* most of these lights': depth over the distance, Q8 */
+    uint32_t closeness, around;    /* most of these lights', and of all: depth over the distance, Q8 */
     uint8_t lit, dark;             /* lights that it clearly faces, within their cones, and that it clearly does not */
-    uint8_t outside;               /* lights whose cones it is clearly outside of */
+    uint16_t outside;              /* lights whose cones it is clearly outside of, and from bit 8 on: by far */
     uint8_t far;                   /* lights whose deviation was cut off */
     uint8_t unfit;                 /* lights without a half vector here */
     uint8_t steep;                 /* lights whose cone was cut off */
@@ -50,7 +50,7 @@ void glint_node_sum(const glint_light_terms *light, uint32_t held, glint_node *n
 
 /** Tells a node of lights that are away from it, for which it has not been lit. */
 static inline void glint_node_leave(glint_node *node, uint32_t away) {
-    node->outside |= (uint8_t)away;
+    node->outside |= (uint16_t)(away | away << 8);
     for (uint32_t l = 0; away >> l; l++)
         for (int kind = 0; away >> l & 1 && kind < GLINT_NUMBERS; kind++)
             node->number[l][kind] = 0;
@@ -97,11 +97,11 @@ static inline int32_t glint_square_apart(const int16_t a[3], const int16_t b[3])
 /** Sets `reach` and `slant` of a region so wide and high, 28.4, with this range of 1/w. @param pixel of the terms */
 void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, glint_w_range w, glint_region *region);
 
-/** May the cone of a light so near, as regions have it, end between nodes that are clearly outside of it? */
-int glint_is_wide(uint32_t near);
+/** Of lights whose cones all nodes are outside of, `outside` of nodes, those that are so near and yet out of reach. */
+uint32_t glint_find_away(uint32_t outside, uint32_t near);
 
 /** Sets what becomes of lights, from `lit` and `dark` on. @return those whose highlights may show */
-uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness,
+uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness, uint32_t around,
                            glint_region *region);
 
 /** May polynomials fit at all? Then sets what error is found from. */
@@ -173,7 +173,7 @@ static inline int32_t glint_sum_at(const glint_terms *terms, int32_t one, int32_
 }
 
 /** What a vertex keeps between its sums and its lights' numbers. */
-#define GLINT_KEPT 6
+#define GLINT_KEPT 8
 
 /** Finds what a material makes of the frame's lights. @return 0 where that does not fit terms, or none are wanted */
 int glint_terms_find(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms);

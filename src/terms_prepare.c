@@ -104,8 +104,8 @@ static int has_surface(const glint_frame *frame, const glint_material *material)
 }
 
 /*
- * Bits of the largest sum at a node, of shares or of channels. Where these are multiplied by the surface's colours, they
- * hold ambient light.
+ * Bits of the largest sum at a node, of shares or of channels. Where these are multiplied by the surface's colours,
+ * they hold ambient light.
  */
 static unsigned find_sum_bits(const glint_frame *frame, const glint_shading *shading, const glint_light_terms *terms) {
     const uint32_t channels = find_total(frame, shading, has_surface(frame, shading->material), 0) << 3;
