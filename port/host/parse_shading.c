@@ -35,6 +35,7 @@ bool parse_shading(host_settings *settings, const char *text, host_problem *prob
     } places[] = {
         {"flat", &glint_per_facet},
         {"vertex", &glint_per_vertex},
+        {"node", &glint_per_node},
         {"fragment", &glint_per_fragment},
     };
     for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
@@ -43,7 +44,7 @@ bool parse_shading(host_settings *settings, const char *text, host_problem *prob
             return true;
         }
     }
-    return value_expected(problem, "takes flat, vertex or fragment");
+    return value_expected(problem, "takes flat, vertex, node or fragment");
 }
 
 bool parse_combine(host_settings *settings, const char *text, host_problem *problem) {

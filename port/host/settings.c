@@ -240,7 +240,7 @@ static const host_option options[] = {
     {"--camera-lights", NULL, "all --light are in camera space: x right, y up, z backwards; else in world space",
      COMMAND_RENDER, parse_camera_lights},
     {"--model", "NAME", "lambert, phong, blinn-phong or unlit; blinn-phong", COMMAND_RENDER, parse_model},
-    {"--shading", "NAME", "where light is evaluated: flat, vertex or fragment; fragment", COMMAND_RENDER,
+    {"--shading", "NAME", "where light is evaluated: flat, vertex, node or fragment; fragment", COMMAND_RENDER,
      parse_shading},
     {"--combine", "sum|max", "ambient with diffuse + specular: their sum or the larger; sum", COMMAND_RENDER,
      parse_combine},

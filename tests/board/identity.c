@@ -31,6 +31,7 @@ static const struct {
     {"fragment", &glint_per_fragment},
     {"vertex", &glint_per_vertex},
     {"facet", &glint_per_facet},
+    {"node", &glint_per_node},
 };
 
 static const struct {
@@ -157,8 +158,7 @@ static int draw_lit(void (*write)(const char *text), int light, int evaluation, 
     return draw_stage(write, format, options);
 }
 
-/* Each type of light lit in each place, and tile sizes and dithered formats lit per facet, per vertex and per fragment.
- */
+/* Each type of light lit in each place, and tile sizes and dithered formats lit in each. */
 static int draw_lights(void (*write)(const char *text)) {
     const frame_options usual = {NULL, 0, 0, 0};
     int failed = 0;

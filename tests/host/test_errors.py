@@ -126,7 +126,7 @@ BAD_OPTIONS = [
      r"--camera-lights: a light lies beyond \+-32767 in world space"),
     (["--model", "gouraud"], r"--model gouraud: takes lambert, phong, blinn-phong or unlit"),
     (["--model", "Phong"], r"--model Phong: takes lambert, .*"),
-    (["--shading", "smooth"], r"--shading smooth: takes flat, vertex or fragment"),
+    (["--shading", "smooth"], r"--shading smooth: takes flat, vertex, node or fragment"),
     (["--combine", "min"], r"--combine min: takes sum or max"),
     (["--gamma", "0"], r"--gamma 0: takes a number from 0\.1 to 10"),
     (["--gamma", "-2.2"], r"--gamma -2\.2: takes .*"),

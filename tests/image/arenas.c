@@ -57,6 +57,12 @@ static void per_vertex(row *r, uint32_t i) {
     r->objects[i].evaluation = i % 3 == 0 ? &glint_per_vertex : i % 3 == 1 ? &glint_per_facet : &glint_per_fragment;
 }
 
+/* Vertices keep light of as many bytes as the material takes; a third of the pyramids keep none. */
+static void per_node(row *r, uint32_t i) {
+    mixed(r, i);
+    r->objects[i].evaluation = i % 3 == 2 ? &glint_per_fragment : &glint_per_node;
+}
+
 static void build(row *r, uint32_t count, variant change) {
     const glint_colour white = {GLINT_ONE, GLINT_ONE, GLINT_ONE};
     *r = (row){.scene = {.camera = {glint_pose_identity(), 40 * GLINT_ONE, GLINT_ONE / 8}}};
@@ -161,6 +167,10 @@ static void objects_of_all_evaluations(void) {
     check_variant(4, per_vertex);
 }
 
+static void objects_lit_at_nodes(void) {
+    check_variant(4, per_node);
+}
+
 /* A caller's own arena, without tile buffers: what has become enough stays so. */
 static void frames_begun_by_the_caller(void) {
     screen none;
@@ -217,6 +227,7 @@ int test_main(test_writer write) {
         TEST_CASE(shining_materials),
         TEST_CASE(materials_of_all_models),
         TEST_CASE(objects_of_all_evaluations),
+        TEST_CASE(objects_lit_at_nodes),
         TEST_CASE(frames_begun_by_the_caller),
         TEST_CASE(more_clusters_than_numbers),
     };

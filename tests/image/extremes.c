@@ -50,6 +50,17 @@ static void judge_viewers(const char *name, test_scene *scene) {
     row_check(&total, row_is_per_fragment(&scene->scene));
 }
 
+/* The same lit per fragment and at nodes. */
+static void judge_both(const char *name, test_scene *scene) {
+    char at_nodes[80];
+    judge_viewers(name, scene);
+    snprintf(at_nodes, sizeof at_nodes, "%s, at nodes", name);
+    scene_light_at_nodes(scene);
+    judge_viewers(at_nodes, scene);
+    for (uint32_t i = 0; i < scene->scene.object_count; i++)
+        scene->objects[i].evaluation = NULL;
+}
+
 /* ---- Lights -------------------------------------------------------------------------------------------------- */
 
 /* Points and spots at the ends of the range, each in every evaluation. */
@@ -59,20 +70,21 @@ static void lights_far_off(void) {
                                           {0, INT32_MIN, INT32_MAX},
                                           {INT32_MAX, 0, 0},
                                           {GLINT_ONE, 2 * GLINT_ONE, INT32_MAX}};
-    const glint_evaluation *const evaluations[3] = {&glint_per_fragment, &glint_per_vertex, &glint_per_facet};
+    const glint_evaluation *const evaluations[4] = {&glint_per_fragment, &glint_per_vertex, &glint_per_facet,
+                                                    &glint_per_node};
     row_print_heading();
-    for (unsigned i = 0; i < 6 * TEST_COUNT(places); i++) {
-        const glint_vector *place = &places[i / 6];
+    for (unsigned i = 0; i < 8 * TEST_COUNT(places); i++) {
+        const glint_vector *place = &places[i / 8];
         test_scene scene;
         char name[80];
         build(&scene);
-        scene.objects[0].evaluation = evaluations[i % 3];
-        scene.lights[0].type = i / 3 % 2 ? &glint_light_spot : &glint_light_point;
+        scene.objects[0].evaluation = evaluations[i % 4];
+        scene.lights[0].type = i / 4 % 2 ? &glint_light_spot : &glint_light_point;
         scene.lights[0].vector = *place;
         scene.lights[0].axis = (glint_vector){-(place->x / 2), -(place->y / 2), -(place->z / 2)};
         scene.lights[0].inner = 10 * GLINT_ONE;
         scene.lights[0].outer = 20 * GLINT_ONE;
-        snprintf(name, sizeof name, "%s far off, place %u, evaluation %u", i / 3 % 2 ? "spot" : "point", i / 6, i % 3);
+        snprintf(name, sizeof name, "%s far off, place %u, evaluation %u", i / 4 % 2 ? "spot" : "point", i / 8, i % 4);
         judge_viewers(name, &scene);
     }
 }
@@ -85,11 +97,11 @@ static void light_far_off_fades(void) {
     scene.lights[0].type = &glint_light_point;
     scene.lights[0].vector = (glint_vector){0, 0, INT32_MAX};
     scene.lights[0].linear = 1; /* 1 / (1 + 1/2) */
-    judge_viewers("point far off, a third less", &scene);
+    judge_both("point far off, a third less", &scene);
     scene.lights[0].quadratic = 1; /* 1 / (1 + 1/2 + 2^14) */
-    judge_viewers("point far off, gone", &scene);
+    judge_both("point far off, gone", &scene);
     scene.lights[0].linear = scene.lights[0].quadratic = INT32_MAX;
-    judge_viewers("point far off, attenuated as far as can be", &scene);
+    judge_both("point far off, attenuated as far as can be", &scene);
 }
 
 /* ---- Camera -------------------------------------------------------------------------------------------------- */
@@ -113,7 +125,7 @@ static void fields_of_view(void) {
             scene.lights[0].vector.z = 4 * GLINT_ONE;
         snprintf(name, sizeof name, "%d degrees, at %g, %s", views[i / 2].degrees / GLINT_ONE, views[i / 2].distance,
                  i % 2 ? "point" : "directional");
-        judge_viewers(name, &scene);
+        judge_both(name, &scene);
     }
 }
 
@@ -122,17 +134,19 @@ static void fields_of_view(void) {
 static void least_exponents(void) {
     static const glint_q16 exponents[] = {0, 1, 2, 655};
     const glint_model *const models[2] = {&glint_model_blinn_phong, &glint_model_phong};
+    const glint_evaluation *const evaluations[3] = {NULL, &glint_per_vertex, &glint_per_node};
+    static const char *const names[3] = {"fragment", "vertex", "node"};
     row_print_heading();
-    for (unsigned i = 0; i < 4 * TEST_COUNT(exponents); i++) {
+    for (unsigned i = 0; i < 6 * TEST_COUNT(exponents); i++) {
         test_scene scene;
         char name[80];
         build(&scene);
-        const glint_q16 exponent = exponents[i / 4];
+        const glint_q16 exponent = exponents[i / 6];
         scene.materials[0].shininess = exponent;
         scene.materials[0].model = models[i % 2];
-        scene.objects[0].evaluation = i & 2 ? &glint_per_vertex : 0;
+        scene.objects[0].evaluation = evaluations[i / 2 % 3];
         snprintf(name, sizeof name, "p = %.6f, %s, per %s", exponent / 65536.0, i % 2 ? "phong" : "blinn-phong",
-                 i & 2 ? "vertex" : "fragment");
+                 names[i / 2 % 3]);
         judge_viewers(name, &scene);
     }
 }
@@ -152,7 +166,7 @@ static void largest_exponents(void) {
         scene.materials[0].shininess = i / 2 ? INT32_MAX : 16384 * GLINT_ONE;
         snprintf(name, sizeof name, "p = %.2f, %s", scene.materials[0].shininess / 65536.0,
                  i % 2 ? "phong" : "blinn-phong");
-        judge_viewers(name, &scene);
+        judge_both(name, &scene);
     }
 }
 

@@ -201,6 +201,18 @@ static void per_fragment(test_scene *s) {
     s->objects[0].evaluation = &glint_per_fragment;
 }
 
+static void per_node(test_scene *s) {
+    s->objects[0].evaluation = &glint_per_node;
+}
+
+static void both_per_node(test_scene *s) {
+    s->objects[1].evaluation = &glint_per_node;
+}
+
+static void second_per_fragment(test_scene *s) {
+    s->objects[1].evaluation = NULL;
+}
+
 static void budget(test_scene *s) {
     s->scene.error_budget = 4;
 }
@@ -247,6 +259,18 @@ static const change changes[] = {
     no_objects,
     more_objects,
     evaluation,
+    per_fragment,
+    per_node,
+    two_lights,
+    specular,
+    blinn_phong,
+    both_per_node,
+    third_material,
+    per_fragment,
+    fewer_objects,
+    per_node,
+    more_objects,
+    second_per_fragment,
     per_fragment,
     only_second_light,
     only_first_light,

@@ -27,7 +27,7 @@ void row_print(const char *name, const judgement *found) {
 int row_is_per_fragment(const glint_scene *scene) {
     for (uint32_t i = 0; i < scene->object_count; i++) {
         const glint_evaluation *evaluation = scene->objects[i].evaluation;
-        if (evaluation == NULL || evaluation == &glint_per_fragment)
+        if (evaluation == NULL || evaluation == &glint_per_fragment || evaluation == &glint_per_node)
             return 1;
     }
     return 0;

@@ -44,6 +44,9 @@ void scene_build(test_scene *scene, const scene_definition *definition);
 /** Builds the scene of that name; ends the program when there is none. */
 void scene_build_named(test_scene *scene, const char *name);
 
+/** Lights at nodes what a scene lights per fragment. */
+void scene_light_at_nodes(test_scene *scene);
+
 /** The mesh of a benchmark scene, built on first use. */
 const bench_mesh *scene_bench_mesh(int which);
 

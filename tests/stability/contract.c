@@ -84,7 +84,8 @@ static double wanted_level(const double colour[3], const glint_format *format, i
 }
 
 static int is_per_fragment(const glint_object *object) {
-    return object->evaluation == NULL || object->evaluation == &glint_per_fragment;
+    return object->evaluation == NULL || object->evaluation == &glint_per_fragment ||
+           object->evaluation == &glint_per_node;
 }
 
 /* The place seen in a pixel, in camera space. */

@@ -538,6 +538,68 @@ static void make_far(random_scene *s, source *random) {
         place_far(s, i, far * across(random, 0.1, 1), random);
 }
 
+/* ---- At nodes ------------------------------------------------------------------------------------------------ */
+
+static void light_at_nodes(random_scene *s) {
+    for (uint32_t i = 0; i < s->scene.object_count; i++) {
+        const glint_evaluation **evaluation = &s->objects[i].evaluation;
+        if (*evaluation == NULL || *evaluation == &glint_per_fragment)
+            *evaluation = &glint_per_node;
+    }
+}
+
+/* A lamp a little above an object, or inside it, or with the edge of its cone across it. */
+static void make_lamp_by_object(random_scene *s, glint_light *light, source *random) {
+    const double half = across(random, 1, 40);
+    if (one_in(random, 2)) {
+        make_point(s, light, random, 0.02, 4);
+        return;
+    }
+    make_spot(s, light, random);
+    light->inner = one_in(random, 3) ? q16(half) : q16(half * between(random, 0, 1));
+    light->outer = q16(half) + (one_in(random, 4) ? 0 : q16(1));
+}
+
+/* As large as the screen, so that most triangles have nodes, and up to all lights that a scene may have. */
+static void make_large(random_scene *s, source *random) {
+    static const int most[3] = {2, 4, GLINT_LIGHTS_MAX};
+    const uint32_t kind = below(random, 4);
+    glint_pose *pose = &s->objects[0].pose;
+    s->scene.object_count = 1 + below(random, 2);
+    if (kind == 0)
+        make_square(&s->meshes[0], random, between(random, 0, 0.5));
+    else if (kind == 1)
+        make_loose_triangles(s, random);
+    else if (kind == 2 && one_in(random, 2))
+        make_slivers(&s->meshes[0], random);
+    *pose = random_turn(random);
+    move_to(pose, 0, 0, -between(random, 1.2, 3) / half_view(s) - 0.5);
+    if (one_in(random, 3))
+        s->meshes[0].mesh.flags = GLINT_MESH_DOUBLE_SIDED;
+    if (one_in(random, 3))
+        random_colours(&s->meshes[0], random);
+    s->scene.light_count = 1 + below(random, (uint32_t)most[below(random, 3)]);
+    for (uint32_t i = 0; i < s->scene.light_count; i++) {
+        make_light(s, &s->lights[i], random);
+        if (one_in(random, 2))
+            make_lamp_by_object(s, &s->lights[i], random);
+    }
+    for (uint32_t i = 0; i < s->scene.object_count; i++)
+        s->materials[i].flags = below(random, 2) ? below(random, 4) : 0;
+    s->width += 64;
+    s->height += 64;
+    light_at_nodes(s);
+}
+
+/* The same with every exponent that there is. */
+static void make_large_of_any_exponent(random_scene *s, source *random) {
+    make_large(s, random);
+    for (uint32_t i = 0; i < s->scene.object_count; i++)
+        s->materials[i].shininess = one_in(random, 2) ? q16(between(random, 0, 1)) : q16(across(random, 1, 32767));
+}
+
+/* ---- All regions --------------------------------------------------------------------------------------------- */
+
 typedef struct region_maker {
     void (*make)(random_scene *s, source *random);
     int weights_left; /* not limited afterwards */
@@ -563,6 +625,8 @@ const random_region random_regions[] = {
     {"crossing objects", 1},
     {"odd screens", 1},
     {"depth ratios to 2^33", 1},
+    {"large triangles at nodes", 1},
+    {"large triangles of any p at nodes", 0},
 };
 const unsigned random_region_count = sizeof random_regions / sizeof random_regions[0];
 
@@ -586,6 +650,8 @@ static const region_maker makers[] = {
     {make_crowd, 0},
     {make_odd_screen, 0},
     {make_far, 0},
+    {make_large, 0},
+    {make_large_of_any_exponent, 0},
 };
 
 /* ---- Scene --------------------------------------------------------------------------------------------------- */
@@ -681,6 +747,8 @@ void random_scene_make_in(random_scene *s, unsigned region, uint64_t seed) {
 
 void random_scene_make(random_scene *s, uint64_t seed) {
     random_scene_make_in(s, (unsigned)(seed % random_region_count), seed);
+    if (seed / random_region_count % 2)
+        light_at_nodes(s);
 }
 
 /* Adds numbers of `each` bytes. */

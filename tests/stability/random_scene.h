@@ -31,7 +31,7 @@ typedef struct random_scene {
     uint16_t tile_width, tile_height; /**< Of the configuration. */
     random_mesh meshes[RANDOM_OBJECTS_MAX];
     glint_material materials[RANDOM_OBJECTS_MAX];
-    glint_light lights[RANDOM_LIGHTS_MAX];
+    glint_light lights[GLINT_LIGHTS_MAX]; /**< Most regions have RANDOM_LIGHTS_MAX at most. */
     glint_object objects[RANDOM_OBJECTS_MAX];
     glint_scene scene;
 } random_scene;
@@ -47,7 +47,10 @@ extern const unsigned random_region_count;
 /** Makes the scene of a seed in a region: the same whatever other regions there are. */
 void random_scene_make_in(random_scene *scene, unsigned region, uint64_t seed);
 
-/** The same in the region seed modulo random_region_count. */
+/**
+ * The same in the region seed modulo random_region_count; lit at nodes where it says per fragment, if the quotient is
+ * odd.
+ */
 void random_scene_make(random_scene *scene, uint64_t seed);
 
 /** FNV-1a (Fowler, Noll and Vo) over all that a scene says: tells whether a seed still makes the scene it made. */
