@@ -157,7 +157,7 @@ static GLINT_NOINLINE int bin_whole(glint_frame *frame, glint_draw *draw, uint32
         frame->stats.outside++;
         return 1;
     }
-    if (!(v[0]->flags & v[1]->flags & v[2]->flags & draw->ready))
+    if (!(v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_NORMAL))
         light(frame, draw, triangle);
     return list_triangle(frame, &range, draw->first + triangle);
 }
@@ -350,7 +350,7 @@ static GLINT_NOINLINE int bin_several(const grid *g, uint32_t left) {
     const uint32_t last = row_end + more_rows * g->columns;
     if (tile >= g->count || last >= g->count || frame->reference_count + (more_rows + 1) * (more_columns + 1) > g->most)
         return bin_whole(frame, draw, triangle);
-    if (!(flags & draw->ready))
+    if (!(flags & GLINT_VERTEX_NORMAL))
         light(frame, draw, triangle);
     if (more_columns == 1 && more_rows == 1)
         list_four(g, left, tile, (column + 1) << g->shift_x | (row + 1) << g->shift_y);
@@ -371,7 +371,7 @@ static GLINT_INLINE int bin_seen(const grid *g, const glint_vertex *const v[3], 
     } else if (all_tiles || tile < g->count) {
         if (g->frame->reference_count >= g->most)
             return 0;
-        if (!(v[0]->flags & v[1]->flags & v[2]->flags & g->draw->ready))
+        if (!(v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_NORMAL))
             light(g->frame, g->draw, g->end - left);
         append(g->frame, tile, g->reference - (left << 16));
     }

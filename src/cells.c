@@ -7,18 +7,22 @@
 
 /* ---- What is known from the nodes ---- */
 
-static uint32_t find_turn(glint_node *const nodes[]) {
-    static const uint8_t pairs[6][2] = {{0, 2}, {0, 6}, {0, 8}, {2, 6}, {2, 8}, {6, 8}};
+static uint32_t find_turn(const glint_shape *shape, glint_node *const nodes[]) {
     int32_t turn = 0;
-    for (int i = 0; i < 6; i++)
-        turn = glint_most(turn, glint_square_apart(nodes[pairs[i][0]]->normal, nodes[pairs[i][1]]->normal));
+    for (int i = 0; i < 3; i++)
+        for (int j = i + 1; j < 4; j++)
+            turn = glint_most(turn,
+                              glint_square_apart(nodes[shape->corners[i]]->normal, nodes[shape->corners[j]]->normal));
     return glint_angle_of((uint32_t)turn >> 2);
 }
 
 /* @return 0 where a node lies behind the eye, or beyond what 1/w tells */
-static int find_w_range(glint_node *const nodes[], glint_w_range *w) {
-    const int32_t a = nodes[0]->inverse_w, b = nodes[2]->inverse_w, c = nodes[6]->inverse_w, d = nodes[8]->inverse_w;
-    const int32_t least = glint_least(glint_least_of(a, b, c), d), most = glint_most(glint_most_of(a, b, c), d);
+static int find_w_range(const glint_shape *shape, glint_node *const nodes[], glint_w_range *w) {
+    int32_t least = INT32_MAX, most = 0;
+    for (int i = 0; i < 4; i++) {
+        least = glint_least(least, nodes[shape->corners[i]]->inverse_w);
+        most = glint_most(most, nodes[shape->corners[i]]->inverse_w);
+    }
     if (least < 1 << 16)
         return 0;
     w->least = (uint32_t)least >> 15;
@@ -27,20 +31,23 @@ static int find_w_range(glint_node *const nodes[], glint_w_range *w) {
 }
 
 /* By how much the surface's colours differ, Q12. */
-static uint32_t find_colour(glint_node *const nodes[]) {
+static uint32_t find_colour(const glint_shape *shape, glint_node *const nodes[]) {
     int32_t apart = 0;
     for (int c = 0; c < 3; c++) {
-        const int32_t p = nodes[0]->surface[c], q = nodes[2]->surface[c], r = nodes[6]->surface[c],
-                      s = nodes[8]->surface[c];
-        apart = glint_most(apart, glint_most(glint_most_of(p, q, r), s) - glint_least(glint_least_of(p, q, r), s));
+        int32_t least = INT32_MAX, most = INT32_MIN;
+        for (int i = 0; i < 4; i++) {
+            least = glint_least(least, nodes[shape->corners[i]]->surface[c]);
+            most = glint_most(most, nodes[shape->corners[i]]->surface[c]);
+        }
+        apart = glint_most(apart, most - least);
     }
     return (uint32_t)apart >> 2;
 }
 
-static int place_lobe(const glint_shading *shading, glint_node *const nodes[], uint32_t l) {
+static int place_lobe(const glint_shading *shading, const glint_shape *shape, glint_node *const nodes[], uint32_t l) {
     int32_t least[4] = {INT32_MAX, INT32_MAX, INT32_MAX, INT32_MAX};
     int32_t most[4] = {INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN};
-    for (int i = 0; i < GLINT_CELL_NODES; i++) {
+    for (uint32_t i = 0; i < shape->count; i++) {
         const int32_t x = nodes[i]->number[l][GLINT_LOBE_X], y = nodes[i]->number[l][GLINT_LOBE_Y];
         const int32_t along[4] = {x, y, x + y, x - y};
         for (int k = 0; k < 4; k++) {
@@ -51,10 +58,10 @@ static int place_lobe(const glint_shading *shading, glint_node *const nodes[], u
     return glint_place_lobe(shading, least, most);
 }
 
-/* Does a light keep its side all over a cell? */
-static int keeps_side(glint_node *const nodes[], uint32_t l) {
+/* Does a light keep its side all over a region? */
+static int keeps_side(const glint_shape *shape, glint_node *const nodes[], uint32_t l) {
     int32_t least = INT32_MAX, most = INT32_MIN;
-    for (int i = 0; i < GLINT_CELL_NODES; i++) {
+    for (uint32_t i = 0; i < shape->count; i++) {
         least = glint_least(least, nodes[i]->number[l][GLINT_SIDE]);
         most = glint_most(most, nodes[i]->number[l][GLINT_SIDE]);
     }
@@ -62,29 +69,29 @@ static int keeps_side(glint_node *const nodes[], uint32_t l) {
 }
 
 /* A highlight may end at once at a terminator: polynomials do not tell just where. */
-static int has_edge(const glint_shading *shading, const glint_region *region, glint_node *const nodes[]) {
+static int has_edge(const glint_shading *shading, const glint_region *region, const glint_shape *shape,
+                    glint_node *const nodes[]) {
     const uint32_t gated = shading->material->flags & GLINT_MATERIAL_UNGATED ? 0 : region->sides & region->lobes;
     for (uint32_t l = 0; gated >> l; l++)
-        if (gated >> l & 1 && !keeps_side(nodes, l))
+        if (gated >> l & 1 && !keeps_side(shape, nodes, l))
             return 1;
     return 0;
 }
 
-static int find_region(const glint_frame *frame, const glint_draw *draw, glint_node *const nodes[], unsigned shift,
-                       glint_region *region) {
+static int find_region(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
+                       glint_node *const nodes[], glint_region *region) {
     const glint_shading *shading = draw->shading;
-    const uint32_t size = 32u << shift; /* twice the nodes' distance, 28.4 */
     glint_w_range w;
     uint32_t closeness = 0;
-    if (!find_w_range(nodes, &w))
+    if (!find_w_range(shape, nodes, &w))
         return 0;
-    region->turn = find_turn(nodes);
-    glint_region_measure(shading->terms->pixel, size, size, w, region);
+    region->turn = find_turn(shape, nodes);
+    glint_region_measure(shading->terms->pixel, shape->width, shape->height, w, region);
     region->levels = 0;
     region->half = INT16_MAX;
     region->lit = region->dark = region->outside = 0xff;
     region->far = region->unfit = region->steep = 0;
-    for (int i = 0; i < GLINT_CELL_NODES; i++) {
+    for (uint32_t i = 0; i < shape->count; i++) {
         const glint_node *node = nodes[i];
         region->lit &= node->lit;
         region->dark &= node->dark;
@@ -96,16 +103,17 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, glint_n
         region->half = node->half < region->half ? node->half : region->half;
         closeness = node->closeness > closeness ? node->closeness : closeness;
     }
-    region->colour = draw->extra ? find_colour(nodes) : 0;
+    region->colour = draw->extra ? find_colour(shape, nodes) : 0;
     const uint32_t lobes = glint_region_sort(frame, shading, closeness, region);
     region->lobes = 0;
     region->has_edge = 0;
     for (uint32_t l = 0; lobes >> l; l++)
         if (lobes >> l & 1)
-            glint_region_add_lobe(region, l, region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, nodes, l));
+            glint_region_add_lobe(region, l,
+                                  region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, shape, nodes, l));
     if (!glint_region_fits(frame, shading, draw->extra != 0, region) || !glint_region_bound(frame, shading, region))
         return 0;
-    region->has_edge |= has_edge(shading, region, nodes);
+    region->has_edge |= has_edge(shading, region, shape, nodes);
     return region->error <= 2 * shading->terms->limit;
 }
 
@@ -127,7 +135,8 @@ static inline uint32_t scale(int32_t x, int n) {
 }
 
 /* The polynomial through nodes, times 2^unit. */
-static void begin(glint_descent *to, const int32_t n[GLINT_CELL_NODES], unsigned shift, int unit) {
+static int fit_cell(const glint_shape *shape, const int32_t n[], int unit, glint_descent *to) {
+    const unsigned shift = shape->shift;
     const int once = unit - 1 - 2 * (int)shift, twice = once - 1 - 2 * (int)shift;
     const differences top = difference(n[0], n[1], n[2], shift), middle = difference(n[3], n[4], n[5], shift),
                       bottom = difference(n[6], n[7], n[8], shift);
@@ -142,47 +151,73 @@ static void begin(glint_descent *to, const int32_t n[GLINT_CELL_NODES], unsigned
     to->down.turn = scale(turn.step, twice);
     to->value_turn = scale(value.turn, once);
     to->step_turn = scale(step.turn, twice);
+    return 1;
 }
 
-static void begin_sums(const glint_terms *terms, glint_node *const nodes[], int has_surface, unsigned shift,
-                       glint_descent polynomials[GLINT_POLYNOMIALS_MAX]) {
+void glint_shape_cell(unsigned shift, glint_shape *shape) {
+    const uint32_t size = 32u << shift; /* twice the nodes' distance, 28.4 */
+    *shape = (glint_shape){.count = GLINT_CELL_NODES,
+                           .corners = {0, 2, 6, 8},
+                           .width = size,
+                           .height = size,
+                           .fit = fit_cell,
+                           .shift = shift};
+}
+
+/* ---- Shapes ---- */
+
+static int begin_sums(const glint_terms *terms, glint_node *const nodes[], int has_surface, const glint_shape *shape,
+                      glint_descent polynomials[GLINT_POLYNOMIALS_MAX]) {
     const glint_light_terms *light = terms->light;
+    const int unit = terms->sums == 1 ? 16 : 12 + (int)light->sum_bits;
     int32_t n[GLINT_CELL_NODES];
     for (uint32_t c = 0; c < terms->sums; c++) {
-        for (int i = 0; i < GLINT_CELL_NODES; i++)
+        for (uint32_t i = 0; i < shape->count; i++)
             n[i] = glint_sum_at(terms, nodes[i]->sum[0], nodes[i]->sum[c], (int)c, has_surface ? nodes[i]->surface : 0);
-        begin(&polynomials[c], n, shift, terms->sums == 1 ? 16 : 12 + (int)light->sum_bits);
+        if (!shape->fit(shape, n, unit, &polynomials[c]))
+            return 0;
         if (terms->is_channels)
             polynomials[c].row.value += (uint32_t)(light->half[c] + (has_surface ? 0 : light->ambient[c]));
     }
     if (terms->sums == 1)
         polynomials[0].row.value += 1 << 15;
+    return 1;
 }
 
-int glint_cell_begin(const glint_frame *frame, const glint_draw *draw, glint_node *const nodes[GLINT_CELL_NODES],
-                     unsigned shift, glint_terms *terms, glint_descent polynomials[GLINT_POLYNOMIALS_MAX]) {
+/* The polynomials of a light with terms of its own. */
+static int begin_apart(const glint_apart *apart, glint_node *const nodes[], const glint_shape *shape,
+                       glint_descent *to) {
+    int32_t n[GLINT_CELL_NODES];
+    for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++) {
+        if (!(apart->kinds >> kind & 1))
+            continue;
+        for (uint32_t i = 0; i < shape->count; i++)
+            n[i] = nodes[i]->number[apart->light][kind];
+        if (!shape->fit(shape, n, 16, to++))
+            return 0;
+    }
+    return 1;
+}
+
+int glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
+                      glint_node *const nodes[], glint_terms *terms, glint_descent polynomials[GLINT_POLYNOMIALS_MAX]) {
     glint_region region;
     int32_t n[GLINT_CELL_NODES];
-    if (!find_region(frame, draw, nodes, shift, &region))
+    if (!find_region(frame, draw, shape, nodes, &region))
         return 0;
     glint_terms_name(frame, draw, &region, 0, terms);
-    for (int i = 0; i < GLINT_CELL_NODES; i++)
+    for (uint32_t i = 0; i < shape->count; i++)
         glint_node_sum(terms->light, region.held, nodes[i]);
-    begin_sums(terms, nodes, draw->extra != 0, shift, polynomials);
-    for (int c = 0; c < 3 && terms->has_surface; c++) {
-        for (int i = 0; i < GLINT_CELL_NODES; i++)
+    if (!begin_sums(terms, nodes, draw->extra != 0, shape, polynomials))
+        return 0;
+    for (uint32_t c = 0; c < 3 && terms->has_surface; c++) {
+        for (uint32_t i = 0; i < shape->count; i++)
             n[i] = nodes[i]->surface[c];
-        begin(&polynomials[terms->surface + c], n, shift, 16);
+        if (!shape->fit(shape, n, 16, &polynomials[terms->surface + c]))
+            return 0;
     }
-    for (uint32_t a = 0; a < terms->apart_count; a++) {
-        const glint_apart *apart = &terms->apart[a];
-        glint_descent *to = &polynomials[apart->first];
-        for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
-            if (apart->kinds >> kind & 1) {
-                for (int i = 0; i < GLINT_CELL_NODES; i++)
-                    n[i] = nodes[i]->number[apart->light][kind];
-                begin(to++, n, shift, 16);
-            }
-    }
+    for (uint32_t a = 0; a < terms->apart_count; a++)
+        if (!begin_apart(&terms->apart[a], nodes, shape, polynomials + terms->apart[a].first))
+            return 0;
     return 1;
 }

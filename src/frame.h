@@ -103,17 +103,17 @@ typedef struct glint_light_terms {
     unsigned sum_bits;       /* sums are below this power of two */
     uint32_t lobes;          /* bit i: light i has a highlight that is a term of its own */
     uint8_t at[GLINT_LIGHTS_MAX][GLINT_NUMBERS]; /* where a vertex keeps a light's numbers */
-    uint32_t light_count;
-    uint32_t stride;                      /* numbers that a vertex keeps */
-    uint32_t lobe_shift;                  /* a deviation, Q14, is kept times 2^this */
-    int32_t lobe_cut, lobe_diagonal;      /* outside an octagon of this radius no highlight shows; as kept */
-    uint32_t lobe_end;                    /* squared deviation, as kept, where the power table ends */
-    uint32_t slope;                       /* of a highlight over its deviation, at most, Q8 */
-    uint8_t lobe_is_wide;                 /* small p: of a deviation there is the cosine alone, Q14 */
-    uint8_t lobe_has_strip;               /* p < 1: near the horizon polynomials do not fit */
-    uint32_t limit;                       /* of the error of polynomials, levels in Q8 */
-    uint32_t pixel;                       /* 1/16 of one over the focal length, Q30 */
-    uint16_t cosine[GLINT_COSINE_VALUES]; /* powers of the cosine, Q15, where lobes are wide */
+    uint32_t light_count, shown;                 /* of the scene, and those of them that show */
+    uint32_t stride;                             /* numbers that a vertex keeps */
+    uint32_t lobe_shift;                         /* a deviation, Q14, is kept times 2^this */
+    int32_t lobe_cut, lobe_diagonal;             /* outside an octagon of this radius no highlight shows; as kept */
+    uint32_t lobe_end;                           /* squared deviation, as kept, where the power table ends */
+    uint32_t slope;                              /* of a highlight over its deviation, at most, Q8 */
+    uint8_t lobe_is_wide;                        /* small p: of a deviation there is the cosine alone, Q14 */
+    uint8_t lobe_has_strip;                      /* p < 1: near the horizon polynomials do not fit */
+    uint32_t limit;                              /* of the error of polynomials, levels in Q8 */
+    uint32_t pixel;                              /* 1/16 of one over the focal length, Q30 */
+    uint16_t cosine[GLINT_COSINE_VALUES];        /* powers of the cosine, Q15, where lobes are wide */
 } glint_light_terms;
 
 /** A material under the scene's lights. */
@@ -217,8 +217,7 @@ typedef struct glint_draw {
     uint8_t *away; /* null, or which of them face away, 1 or 0; not of runs, which leave their triangles out */
     const glint_shading *shading;
     const glint_evaluation *evaluation;
-    glint_light_triangle *light; /* what comes before a triangle is drawn, or null: */
-    uint16_t ready;              /* unless its vertices have this flag */
+    glint_light_triangle *light; /* what comes before a triangle is drawn, or null */
     glint_kernel *kernel;
     glint_transform transform;
     uint32_t vertex_count;
@@ -422,7 +421,7 @@ typedef enum glint_lit_at { GLINT_LIT_AT_FRAGMENTS, GLINT_LIT_AT_VERTICES, GLINT
 
 /** What evaluations that light nodes link. */
 typedef struct glint_node_stage {
-    /** Behind all shadings: what each material makes of the frame's lights; adds to frame->least_room. */
+    /** Behind all shadings: what each material makes of the frame's lights. @return GLINT_ERROR_ARENA without room */
     glint_status (*prepare)(glint_frame *frame);
     /** Bytes of arena that an object's vertices keep of light. */
     size_t (*size)(const glint_frame *frame, const glint_object *object, size_t vertices);

@@ -237,7 +237,7 @@ extern const glint_evaluation glint_per_fragment;
 /**
  * At nodes, which are some points of a triangle or of squares of the screen: as many as it takes to be within 1/5 of a
  * level of what each fragment would be, and all fragments where no fewer do. The fastest where triangles cover more
- * than a few pixels. Takes 5 KB of stack and up to 100 bytes of arena a vertex.
+ * than a few pixels. Takes 7 KB of stack, and of arena up to 100 bytes a vertex.
  */
 extern const glint_evaluation glint_per_node;
 
@@ -502,7 +502,6 @@ typedef struct glint_frame {
     uint8_t resident;                     /* what is loaded is all of the scene */
     uint32_t object, triangle;            /* where the next pass goes on */
     size_t prepared_end, vertices_end;    /* of the arena's use */
-    size_t least_room;                    /* of the arena, behind what is prepared */
     const struct glint_node_stage *nodes; /* null where none are lit */
     struct glint_draw *draws;             /* what this pass draws */
     struct glint_reference *references;   /* first one for each of its tiles, with which the tile's list begins */

@@ -69,10 +69,12 @@ static void draw_edges(const glint_gathering *gathering, const glint_terms *term
 static int draw_square(const walk *w, int32_t x, int32_t y, unsigned shift, glint_node *const nodes[]) {
     glint_descent polynomials[GLINT_POLYNOMIALS_MAX];
     glint_terms terms;
+    glint_shape shape;
     const int32_t size = 2 << shift;
     if (size > w->largest)
         return 0;
-    const int fits = glint_cell_begin(w->gathering.frame, w->gathering.draw, nodes, shift, &terms, polynomials);
+    glint_shape_cell(shift, &shape);
+    const int fits = glint_shape_begin(w->gathering.frame, w->gathering.draw, &shape, nodes, &terms, polynomials);
     glint_run runs[CELL], *next = runs;
     const uint32_t offset = ((uint32_t)(w->y + y) << w->gathering.frame->tile_shift_x) + (uint32_t)(w->x + x);
     uint32_t pixels = 0;

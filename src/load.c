@@ -67,7 +67,6 @@ static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_tr
         draw->facets = glint_take(&frame->memory, triangles * sizeof *draw->facets);
     draw->evaluation = evaluation;
     draw->light = evaluation->light;
-    draw->ready = evaluation->nodes ? GLINT_VERTEX_LIT : GLINT_VERTEX_NORMAL;
     draw->kernel = evaluation->kernel;
     if (is_fast(frame, object)) {
         draw->terms = glint_take(&frame->memory, vertices * sizeof *draw->terms);

@@ -18,9 +18,10 @@ static void draw_batch(const glint_frame *frame, glint_workspace *workspace, con
         glint_draw_edges(frame, workspace, by->draw, by->triangle, part, by->terms, by->polynomials, runs, count);
 }
 
-/* Draws a part by runs, of as many rows at once as two rows of a tile have pixels. @return pixels of its spans */
-static uint32_t draw_runs(const glint_frame *frame, glint_workspace *workspace, const painter *by,
-                          const glint_part *part) {
+uint32_t glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                               const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
+                               const glint_descent *polynomials) {
+    const painter by = {draw, triangle, terms, polynomials};
     glint_run runs[2 * GLINT_ROW_RUNS], *next = runs;
     uint32_t covered = 0, pixels = 0;
     for (uint32_t y = part->top; y < part->bottom; y++) {
@@ -28,14 +29,14 @@ static uint32_t draw_runs(const glint_frame *frame, glint_workspace *workspace, 
         covered += width;
         pixels += width;
         if (pixels > 2 * frame->config.tile_width || next > runs + GLINT_ROW_RUNS) {
-            draw_batch(frame, workspace, by, part, runs, (uint32_t)(next - runs));
+            draw_batch(frame, workspace, &by, part, runs, (uint32_t)(next - runs));
             next = runs;
             pixels = width;
         }
         next = glint_find_runs(frame, workspace, part, 0, y, next);
     }
     if (next != runs)
-        draw_batch(frame, workspace, by, part, runs, (uint32_t)(next - runs));
+        draw_batch(frame, workspace, &by, part, runs, (uint32_t)(next - runs));
     return covered;
 }
 
@@ -57,8 +58,7 @@ static GLINT_NOINLINE int draw_terms(const glint_frame *frame, glint_workspace *
         frame->config.format->draw_channels(&spans, plain, terms.is_curved);
         covered = workspace->drawn ? glint_covered_by(part) : 0;
     } else {
-        const painter by = {draw, triangle, &terms, descents};
-        covered = draw_runs(frame, workspace, &by, part);
+        covered = glint_terms_draw_part(frame, workspace, draw, triangle, part, &terms, descents);
     }
     glint_count(workspace, GLINT_KERNEL_CHANNELS, covered);
     return 1;
@@ -68,7 +68,8 @@ static void draw_nodes(const glint_frame *frame, glint_workspace *workspace, con
                        const glint_triangle *triangle, const glint_part *part) {
     if (!draw->shading->terms || triangle->area < GLINT_NODES_LEAST_AREA ||
         (!draw_terms(frame, workspace, draw, triangle, part) &&
-         !glint_draw_lattice(frame, workspace, draw, triangle, part)))
+         !glint_draw_lattice(frame, workspace, draw, triangle, part) &&
+         !glint_draw_pieces(frame, workspace, draw, triangle, part)))
         glint_draw_any(frame, workspace, draw, triangle, part);
 }
 

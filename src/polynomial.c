@@ -62,28 +62,30 @@ static inline void begin_slope(glint_quadratic *q, const glint_barycentric *bary
     q->dy = shift(dy, barycentric->slope);
 }
 
-/*
- * The quadratic of a term that is a at the corners, with the bulges b of edges; its value in the high half. With the
- * barycentric coordinates l1 and l2,
- * a0 + (a1 - a0 + b0) l1 + (a2 - a0 + b2) l2 - b0 l1^2 - b2 l2^2 + (b1 - b0 - b2) l1 l2.
- */
-void glint_polynomial_begin(glint_quadratic *q, const glint_barycentric *barycentric, const int32_t a[3],
-                            const int32_t b[3]) {
+void glint_form_begin(glint_quadratic *q, const glint_barycentric *barycentric, const glint_form *f) {
     const glint_gradients *g = barycentric->g;
-    const int32_t both = b[1] - b[0] - b[2], x1 = barycentric->x1, y1 = barycentric->y1, x2 = barycentric->x2,
-                  y2 = barycentric->y2;
+    const int32_t x1 = barycentric->x1, y1 = barycentric->y1, x2 = barycentric->x2, y2 = barycentric->y2;
     /* half the form's gradients along l1 and l2, each along x and y */
-    const int32_t u_x = glint_shift_right(both * x2, 1) - b[0] * x1, v_x = glint_shift_right(both * x1, 1) - b[2] * x2;
-    const int32_t u_y = glint_shift_right(both * y2, 1) - b[0] * y1, v_y = glint_shift_right(both * y1, 1) - b[2] * y2;
+    const int32_t u_x = glint_shift_right(f->both * x2, 1) - f->b1 * x1,
+                  v_x = glint_shift_right(f->both * x1, 1) - f->b2 * x2;
+    const int32_t u_y = glint_shift_right(f->both * y2, 1) - f->b1 * y1,
+                  v_y = glint_shift_right(f->both * y1, 1) - f->b2 * y2;
     const int32_t xx = glint_sum_of_products(u_x, x1, v_x, x2), yy = glint_sum_of_products(u_y, y1, v_y, y2);
     const int32_t xy = glint_sum_of_products(u_x, y1, v_x, y2);
-    begin_slope(q, barycentric, a[1] - a[0] + b[0], a[2] - a[0] + b[2]);
+    begin_slope(q, barycentric, f->d1, f->d2);
     q->dxx = shift(xx, barycentric->curve);
     q->dxy = 2 * shift(xy, barycentric->curve);
     q->dyy = shift(yy, barycentric->curve);
     /* the polynomial is the corner's, the anchor's centre lies beside it */
     const int32_t x = to_anchor(xx, xy, g), y = to_anchor(xy, yy, g);
-    q->start += ((uint32_t)a[0] << barycentric->unit) + 4 * shift(to_anchor(x, y, g), barycentric->curve);
+    q->start += ((uint32_t)f->a << barycentric->unit) + 4 * shift(to_anchor(x, y, g), barycentric->curve);
     q->dx += 4 * shift(x, barycentric->curve);
     q->dy += 4 * shift(y, barycentric->curve);
+}
+
+/* The quadratic of a term that is a at the corners, with the bulges b of edges; its value in the high half. */
+void glint_polynomial_begin(glint_quadratic *q, const glint_barycentric *barycentric, const int32_t a[3],
+                            const int32_t b[3]) {
+    const glint_form f = {a[0], a[1] - a[0] + b[0], a[2] - a[0] + b[2], b[0], b[2], b[1] - b[0] - b[2]};
+    glint_form_begin(q, barycentric, &f);
 }

@@ -96,6 +96,17 @@ typedef struct glint_barycentric {
 void glint_barycentric_begin(glint_barycentric *barycentric, const glint_gradients *gradients, int32_t unit);
 
 /**
+ * A quadratic of the second and the third corner's barycentric coordinates l1 and l2,
+ * a + d1 l1 + d2 l2 - b1 l1^2 - b2 l2^2 + both l1 l2: a 15 bits and a sign, d1 and d2 17, b1 and b2 14, both 15.
+ */
+typedef struct glint_form {
+    int32_t a, d1, d2, b1, b2, both;
+} glint_form;
+
+/** The quadratic that a form is, times 2^unit. */
+void glint_form_begin(glint_quadratic *q, const glint_barycentric *barycentric, const glint_form *form);
+
+/**
  * The quadratic of what is a[i] at corner i, 15 bits and a sign, and at the middles of the edges from corner 0 to 1,
  * from 1 to 2 and from 0 to 2 the mean of their ends and b[i] / 4, 14 bits and a sign; times 2^unit.
  */

@@ -36,6 +36,9 @@ static void gather_corner(const glint_frame *frame, const glint_vertex *v, glint
         to->normal[i][c] = v->attribute[c];
 }
 
+/* A flag of vertices: their normal is known, but they are not lit. */
+#define NORMAL_ALONE 8u
+
 /* Is a triangle large enough for polynomials, and whole? */
 static int is_large(const glint_draw *draw, const uint16_t corners[3]) {
     const glint_vertex *const a = &draw->vertices[corners[0]], *const b = &draw->vertices[corners[1]],
@@ -46,30 +49,40 @@ static int is_large(const glint_draw *draw, const uint16_t corners[3]) {
     return area >= GLINT_NODES_LEAST_AREA || area <= -GLINT_NODES_LEAST_AREA;
 }
 
+/* Finds normals. Vertices are not done with that: a larger triangle of theirs has them lit. */
+static void find_normals(glint_draw *draw, const uint16_t corners[3]) {
+    for (int i = 0; i < 3; i++) {
+        glint_vertex *vertex = &draw->vertices[corners[i]];
+        if (vertex->flags & (GLINT_VERTEX_NORMAL | NORMAL_ALONE))
+            continue;
+        glint_transform_normal(draw, vertex);
+        vertex->flags ^= GLINT_VERTEX_NORMAL | NORMAL_ALONE;
+    }
+}
+
 void glint_terms_light(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
                        uint32_t triangle) {
     const glint_light_terms *light = draw->shading->terms;
-    uint32_t index[3];
+    const uint16_t *const corners = draw->triangles[triangle];
+    uint16_t index[3];
     glint_fragments vertices;
     glint_node nodes[3], *const to[3] = {&nodes[0], &nodes[1], &nodes[2]};
-    if (!light || !is_large(draw, draw->triangles[triangle])) {
+    if (!light) {
         glint_transform_normals(frame, draw, transform, triangle);
         return;
     }
+    find_normals(draw, corners);
+    if (!is_large(draw, corners))
+        return;
     vertices.count = 0;
-    for (int corner = 0; corner < 3; corner++) {
-        const uint32_t here = draw->triangles[triangle][corner];
-        glint_vertex *vertex = &draw->vertices[here];
-        if (!(vertex->flags & GLINT_VERTEX_NORMAL))
-            glint_transform_normal(draw, vertex);
+    for (int i = 0; i < 3; i++) {
+        glint_vertex *vertex = &draw->vertices[corners[i]];
         if (vertex->flags & GLINT_VERTEX_LIT)
             continue;
-        vertex->flags |= GLINT_VERTEX_LIT;
-        index[vertices.count] = here;
+        vertex->flags |= GLINT_VERTEX_LIT | GLINT_VERTEX_NORMAL;
+        index[vertices.count] = corners[i];
         gather_corner(frame, vertex, &vertices);
     }
-    if (!vertices.count)
-        return;
     glint_nodes_light(frame, draw->shading, &vertices, draw->shading->lights, light->lobes, to);
     for (uint32_t i = 0; i < vertices.count; i++) {
         glint_node_sum(light, nodes[i].lit, &nodes[i]);

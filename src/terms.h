@@ -206,16 +206,38 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
                       const glint_part *part, glint_terms *terms, glint_quadratic plain[3],
                       glint_descent descents[GLINT_POLYNOMIALS_MAX]);
 
-/* ---- Cells ---- */
+/* ---- Shapes: regions whose nodes are all there ---- */
 
 /** Nodes of a cell: three rows of three. */
 #define GLINT_CELL_NODES 9
 
-/**
- * A cell's light, from its nodes on, a power of two of pixels apart. @return 0 where polynomials do not fit
- */
-int glint_cell_begin(const glint_frame *frame, const glint_draw *draw, glint_node *const nodes[GLINT_CELL_NODES],
-                     unsigned shift, glint_terms *terms, glint_descent polynomials[GLINT_POLYNOMIALS_MAX]);
+/** Nodes of a region, and how polynomials go through them. */
+typedef struct glint_shape {
+    uint8_t count, corners[4]; /* how many, and which lie at the corners: a triangle's last is there twice */
+    uint32_t width, height;    /* 28.4 */
+    /** The polynomial through numbers of the nodes, times 2^unit. @return 0 where its own do not fit */
+    int (*fit)(const struct glint_shape *shape, const int32_t n[], int unit, glint_descent *to);
+    unsigned shift;                 /* of a cell: nodes are 2^shift pixels apart */
+    const glint_part *part;         /* of a piece of a triangle: the whole triangle's, */
+    glint_barycentric *barycentric; /* its coordinates, */
+    int32_t turned, first[2];       /* and how the piece's follow from these: pieces.c */
+} glint_shape;
+
+/** The shape of cells with nodes so far apart. */
+void glint_shape_cell(unsigned shift, glint_shape *shape);
+
+/** A region's light, from its nodes on. @return 0 where polynomials do not fit */
+int glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
+                      glint_node *const nodes[], glint_terms *terms, glint_descent polynomials[GLINT_POLYNOMIALS_MAX]);
+
+/** Draws a triangle by four pieces of its own. @return 0 where it is too small or too slender for them */
+int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                      const glint_triangle *triangle, const glint_part *part);
+
+/** Draws runs of a part, of as many rows at once as two rows of a tile have pixels. @return pixels of its spans */
+uint32_t glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                               const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
+                               const glint_descent *polynomials);
 
 /** Draws a triangle by the cells of the lattice. @return 0 where it is too small or too deep for them */
 int glint_draw_lattice(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,

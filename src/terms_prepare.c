@@ -160,11 +160,13 @@ static void set_lobes(const glint_frame *frame, const glint_shading *shading, gl
 /* Where a vertex keeps what: terms.c. */
 static void place_numbers(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
     uint32_t at = terms->channels + GLINT_KEPT;
+    terms->shown = 0;
     for (uint32_t i = 0; i < frame->scene->light_count; i++) {
         const glint_light_type *type = frame->scene->lights[i].type;
         const uint32_t side = shading->lights >> i & 1, lobe = terms->lobes >> i & 1;
         const uint32_t is_kept[GLINT_NUMBERS] = {side, side && type->has_cone, lobe && type->illuminate, lobe,
                                                  lobe && !terms->lobe_is_wide};
+        terms->shown += side;
         for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++) {
             terms->at[i][kind] = (uint8_t)(is_kept[kind] ? at : 0);
             at += is_kept[kind] != 0;
@@ -228,6 +230,6 @@ glint_status glint_terms_prepare(glint_frame *frame) {
         shading->terms = terms;
         stride = terms->stride > stride ? terms->stride : stride;
     }
-    frame->least_room += GLINT_ALIGNED(3 * stride * sizeof(int16_t));
-    return GLINT_OK;
+    const size_t nodes = GLINT_ALIGNED(3 * stride * sizeof(int16_t)); /* of a triangle; tables leave more */
+    return frame->memory.high - frame->memory.low >= GLINT_LEAST_ROOM + nodes ? GLINT_OK : GLINT_ERROR_ARENA;
 }
