@@ -18,6 +18,7 @@ static const struct {
     {"planes", "#c3e88d"},
     {"quadratics", "#4fb06d"},
     {"quadratics over length", "#14713a"},
+    {"pieces: triangles in four", "#12b5a5"},
     {"squares of 16", "#bcd9f7"},
     {"squares of 8", "#5f9de0"},
     {"squares of 4", "#1d50a2"},
@@ -296,9 +297,12 @@ static void print_crop(const crop *of, int i) {
     watch_close(&seen);
 }
 
-/* What marks mean: three lines of three. */
+/* What marks mean. */
 static void print_key(int top) {
-    for (int how = WAY_PLANES, i = 0; how < WAYS; how++, i++) {
+    static const way keys[] = {WAY_PLANES,    WAY_QUADRATICS, WAY_OVER_LENGTH, WAY_SQUARES_16,
+                               WAY_SQUARES_8, WAY_SQUARES_4,  WAY_ONE_BY_ONE};
+    for (int i = 0; i < (int)(sizeof keys / sizeof keys[0]); i++) {
+        const way how = keys[i];
         const int x = GAP + i / 3 * 260, y = top + i % 3 * LINE;
         swatch(x, y - 11, looks[how].colour);
         text(x + 22, y, "start", looks[how].name);

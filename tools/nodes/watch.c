@@ -21,18 +21,16 @@ int __real_glint_terms_begin(const glint_frame *frame, const glint_draw *draw, c
 int __wrap_glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
                              const glint_part *part, glint_terms *terms, glint_quadratic plain[3],
                              glint_descent descents[GLINT_POLYNOMIALS_MAX]);
-int __real_glint_draw_lattice(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                              const glint_triangle *triangle, const glint_part *part);
-int __wrap_glint_draw_lattice(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                              const glint_triangle *triangle, const glint_part *part);
 void __real_glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at,
                               uint32_t lights, uint32_t lobes, glint_node *const nodes[]);
 void __wrap_glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at,
                               uint32_t lights, uint32_t lobes, glint_node *const nodes[]);
-int __real_glint_cell_begin(const glint_frame *frame, const glint_draw *draw, glint_node *const nodes[GLINT_CELL_NODES],
-                            unsigned shift, glint_terms *terms, glint_descent polynomials[GLINT_POLYNOMIALS_MAX]);
-int __wrap_glint_cell_begin(const glint_frame *frame, const glint_draw *draw, glint_node *const nodes[GLINT_CELL_NODES],
-                            unsigned shift, glint_terms *terms, glint_descent polynomials[GLINT_POLYNOMIALS_MAX]);
+int __real_glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
+                             glint_node *const nodes[], glint_terms *terms,
+                             glint_descent polynomials[GLINT_POLYNOMIALS_MAX]);
+int __wrap_glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
+                             glint_node *const nodes[], glint_terms *terms,
+                             glint_descent polynomials[GLINT_POLYNOMIALS_MAX]);
 void __real_glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
                              const glint_descent *polynomials, const glint_run *runs, uint32_t count, uint32_t offset);
 void __wrap_glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
@@ -53,12 +51,12 @@ typedef struct placed {
 static struct {
     watched *seen;
     const glint_workspace *workspace;
-    unsigned shift;                                    /* binary logarithm of the tile's width */
-    int left, top, width, height;                      /* of the tile */
-    uint16_t depth[GLINT_TILE_MAX * GLINT_TILE_MAX];   /* as it was before the triangle */
-    uint8_t is_told[GLINT_TILE_MAX * GLINT_TILE_MAX];  /* pixels of the triangle whose way was seen one by one */
-    int has_triangle, triangle, square, is_in_lattice; /* numbers of areas; no square is -1 */
-    way usual, of_square;                              /* of the triangle's other pixels, and of the square's */
+    unsigned shift;                                   /* binary logarithm of the tile's width */
+    int left, top, width, height;                     /* of the tile */
+    uint16_t depth[GLINT_TILE_MAX * GLINT_TILE_MAX];  /* as it was before the triangle */
+    uint8_t is_told[GLINT_TILE_MAX * GLINT_TILE_MAX]; /* pixels of the triangle whose way was seen one by one */
+    int has_triangle, triangle, region;               /* numbers of areas; no region is -1 */
+    way usual, of_region; /* of the triangle's other pixels, and of the piece's or square's */
     placed places[PLACES];
     unsigned place_count;
 } now;
@@ -115,9 +113,8 @@ void __wrap_glint_setup(glint_part *part, glint_triangle *triangle) {
         of.corners[i] = (node_place){triangle->corners[i]->x, triangle->corners[i]->y};
     now.triangle = add_area(&of);
     now.has_triangle = 1;
-    now.square = -1;
+    now.region = -1;
     now.usual = WAY_FAST; /* of which nothing else is seen */
-    now.is_in_lattice = 0;
     memcpy(now.depth, now.workspace->depth, sizeof now.depth[0] * (size_t)now.height << now.shift);
     memset(now.is_told, 0, sizeof now.is_told);
     __real_glint_setup(part, triangle);
@@ -148,21 +145,15 @@ int __wrap_glint_terms_begin(const glint_frame *frame, const glint_draw *draw, c
     return 1;
 }
 
-/* ---- Squares ---- */
+/* ---- Pieces and squares ---- */
 
-int __wrap_glint_draw_lattice(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                              const glint_triangle *triangle, const glint_part *part) {
-    now.is_in_lattice = 1;
-    const int is_drawn = __real_glint_draw_lattice(frame, workspace, draw, triangle, part);
-    now.is_in_lattice = 0;
-    return is_drawn;
-}
-
+/* A point's ray tells where on the screen it lies: glint_find_ray. */
 void __wrap_glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at,
                               uint32_t lights, uint32_t lobes, glint_node *const nodes[]) {
-    for (uint32_t i = 0; i < at->count && now.is_in_lattice; i++)
+    for (uint32_t i = 0; i < at->count; i++)
         now.places[now.place_count++ % PLACES] = (placed){
-            nodes[i], {16 * (now.left + at->column[i]) + 8, 16 * (now.top + at->row[i]) + 8}}; /* a pixel's middle */
+            nodes[i],
+            {(frame->config.width * 4096 - at->ray[i][0]) / 512, (frame->config.height * 4096 + at->ray[i][1]) / 512}};
     __real_glint_nodes_light(frame, shading, at, lights, lobes, nodes);
 }
 
@@ -177,27 +168,34 @@ static node_place place_of(const glint_node *node) {
     exit(1);
 }
 
-int __wrap_glint_cell_begin(const glint_frame *frame, const glint_draw *draw, glint_node *const nodes[GLINT_CELL_NODES],
-                            unsigned shift, glint_terms *terms, glint_descent polynomials[GLINT_POLYNOMIALS_MAX]) {
+int __wrap_glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
+                             glint_node *const nodes[], glint_terms *terms,
+                             glint_descent polynomials[GLINT_POLYNOMIALS_MAX]) {
+    const int is_piece = shape->count != GLINT_CELL_NODES;
     lit_area of = now.seen->areas[now.triangle];
-    now.square = -1;
-    if (!__real_glint_cell_begin(frame, draw, nodes, shift, terms, polynomials))
+    now.region = -1;
+    if (!__real_glint_shape_begin(frame, draw, shape, nodes, terms, polynomials))
         return 0;
-    of.size = 2 << shift;
-    of.node_count = GLINT_CELL_NODES;
-    for (int i = 0; i < GLINT_CELL_NODES; i++)
+    of.size = is_piece ? 0 : 2 << shape->shift;
+    of.node_count = shape->count;
+    for (int i = 0; i < of.node_count; i++)
         of.nodes[i] = place_of(nodes[i]);
-    now.square = add_area(&of);
-    now.of_square = of.size == 16 ? WAY_SQUARES_16 : of.size == 8 ? WAY_SQUARES_8 : WAY_SQUARES_4;
+    for (int i = 0; i < 3 && is_piece; i++)
+        of.corners[i] = of.nodes[i];
+    now.region = add_area(&of);
+    now.of_region = is_piece        ? WAY_PIECES
+                    : of.size == 16 ? WAY_SQUARES_16
+                    : of.size == 8  ? WAY_SQUARES_8
+                                    : WAY_SQUARES_4;
     return 1;
 }
 
 void __wrap_glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
                              const glint_descent *polynomials, const glint_run *runs, uint32_t count, uint32_t offset) {
     const int column = (int)(offset & ((1u << now.shift) - 1)), row = (int)(offset >> now.shift);
-    for (uint32_t i = 0; i < count && now.square >= 0; i++)
+    for (uint32_t i = 0; i < count && now.region >= 0; i++)
         for (int x = runs[i].x; x < runs[i].x + runs[i].count; x++)
-            tell_one(column + x, row + runs[i].y, now.of_square, now.square);
+            tell_one(column + x, row + runs[i].y, now.of_region, now.region);
     __real_glint_terms_draw(frame, workspace, terms, polynomials, runs, count, offset);
 }
 

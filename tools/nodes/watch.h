@@ -17,6 +17,7 @@ typedef enum way {
     WAY_PLANES,
     WAY_QUADRATICS,
     WAY_OVER_LENGTH,
+    WAY_PIECES,
     WAY_SQUARES_16,
     WAY_SQUARES_8,
     WAY_SQUARES_4,
@@ -35,11 +36,11 @@ typedef struct node_place {
 /** Most areas of a picture. */
 #define WATCH_AREAS_MAX (1 << 17)
 
-/** A triangle's part in a tile, or a square of the lattice on it; and nodes that polynomials go through. */
+/** A triangle's part in a tile, a piece of a triangle or a square of the lattice; and what polynomials go through. */
 typedef struct lit_area {
-    node_place corners[3]; /* of the triangle */
+    node_place corners[3]; /* of the piece, else of the triangle */
     node_place nodes[WATCH_NODES];
-    int node_count, size; /* pixels of a square across; 0 for a triangle */
+    int node_count, size; /* pixels of a square across; 0 for a triangle or a piece */
 } lit_area;
 
 /** What was seen of a picture. */
