@@ -129,13 +129,17 @@ void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const gl
     terms->end = (uint8_t)next;
 }
 
+int glint_is_wide(uint32_t near) {
+    return times(near, near) > 8 * CLEARLY_INSIDE; /* a cosine's chord, from arcs */
+}
+
 uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness,
                            glint_region *region) {
     region->near = region->reach * closeness >> 8; /* 14 and 16 bits */
     region->turn = (uint32_t)glint_least((int32_t)region->turn, 1 << 13);
     region->near = (uint32_t)glint_least((int32_t)region->near, 1 << 13);
     const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED;
-    const int is_wide = times(region->near, region->near) > 8 * CLEARLY_INSIDE; /* a cosine's chord, from arcs */
+    const int is_wide = glint_is_wide(region->near);
     const uint32_t dark = region->dark | (is_wide ? 0 : region->outside);
     region->held = region->lit;
     region->sides = shading->lights & ~region->lit & ~dark;

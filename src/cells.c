@@ -78,6 +78,21 @@ static int has_edge(const glint_shading *shading, const glint_region *region, co
     return 0;
 }
 
+uint32_t glint_shape_away(const glint_draw *draw, const glint_shape *shape, glint_node *const nodes[]) {
+    uint32_t outside = 0xff, closeness = 0;
+    glint_region region;
+    glint_w_range w;
+    for (int i = 0; i < 4; i++) {
+        const glint_node *node = nodes[shape->corners[i]];
+        outside &= node->outside;
+        closeness = node->closeness > closeness ? node->closeness : closeness;
+    }
+    if (!outside || !find_w_range(shape, nodes, &w))
+        return 0;
+    glint_region_measure(draw->shading->terms->pixel, shape->width, shape->height, w, &region);
+    return glint_is_wide(region.reach * closeness >> 8) ? 0 : outside;
+}
+
 static int find_region(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
                        glint_node *const nodes[], glint_region *region) {
     const glint_shading *shading = draw->shading;

@@ -9,14 +9,16 @@ static int32_t over_w(int32_t attribute, uint32_t w) {
     return attribute * (int32_t)(w >> 16) + glint_shift_right(attribute * (int32_t)(w & 0xffff), 16);
 }
 
-/* The plane of an attribute of 16 bits over w 2^-up, number c of its corners' triples. */
-static inline void begin_plane(glint_plane *plane, const glint_gradients *g, const glint_triangle *triangle,
-                               unsigned up, const int16_t *const attribute[3], int c, int is_negated) {
-    int32_t scaled[3];
-    for (int i = 0; i < 3; i++)
-        scaled[i] =
-            over_w(is_negated ? -attribute[i][c] : attribute[i][c], (uint32_t)triangle->corners[i]->inverse_w << up);
-    glint_plane_begin(plane, g, scaled[0], scaled[1], scaled[2]);
+/* Planes of three attributes of 16 bits over w 2^-up; negated, normals are those of the back. */
+static void triple(glint_plane planes[3], const glint_gradients *g, const glint_triangle *triangle, unsigned up,
+                   const int16_t *const attribute[3], int is_negated) {
+    for (int c = 0; c < 3; c++) {
+        int32_t scaled[3];
+        for (int i = 0; i < 3; i++)
+            scaled[i] = over_w(is_negated ? -attribute[i][c] : attribute[i][c],
+                               (uint32_t)triangle->corners[i]->inverse_w << up);
+        glint_plane_begin(&planes[c], g, scaled[0], scaled[1], scaled[2]);
+    }
 }
 
 void glint_gathering_begin(const glint_gathering *gathering, const glint_triangle *triangle,
@@ -24,14 +26,13 @@ void glint_gathering_begin(const glint_gathering *gathering, const glint_triangl
     const glint_gradients *g = &gathering->part->gradients;
     glint_fragments *fragments = gathering->fragments;
     const unsigned up = glint_find_room(triangle->corners);
-    const int planes = gathering->draw->extra ? 6 : 3;
     fragments->count = 0;
     fragments->part = gathering->part;
     fragments->attributes = attributes;
     fragments->scale = up;
-    for (int c = 0; c < planes; c++)
-        begin_plane(c < 3 ? &attributes->main[c] : &attributes->extra[c - 3], g, triangle, up,
-                    c < 3 ? main : triangle->extra, c < 3 ? c : c - 3, c < 3 && is_negated);
+    triple(attributes->main, g, triangle, up, main, is_negated);
+    if (gathering->draw->extra)
+        triple(attributes->extra, g, triangle, up, triangle->extra, 0);
 }
 
 /* Colours of fragments in levels: each takes the place of its colour. */

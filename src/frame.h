@@ -355,7 +355,8 @@ typedef struct glint_fragments {
     int16_t view[GLINT_FRAGMENTS_MAX][3];    /* unit, towards the eye */
     int16_t light[GLINT_FRAGMENTS_MAX][3];   /* unit, towards a light that has a position */
     uint16_t strength[GLINT_FRAGMENTS_MAX];  /* of that light, Q15 */
-    uint16_t closeness[GLINT_FRAGMENTS_MAX]; /* depth over the distance to it, Q8, at most 2^16 - 1 */
+    uint32_t length[GLINT_FRAGMENTS_MAX];    /* distance to it in the ray's units, times UNIT / 2^15: this times */
+    int8_t exponent[GLINT_FRAGMENTS_MAX];    /* 2^exponent; 0 where it is right there */
     int16_t surface[GLINT_FRAGMENTS_MAX][3]; /* colours of their own */
     uint32_t colour[GLINT_FRAGMENTS_MAX][3];
 } glint_fragments;

@@ -100,18 +100,22 @@ typedef struct batch {
     glint_node *to[GLINT_FRAGMENTS_MAX];
 } batch;
 
-static void light_batch(const batch *b) {
+/* Lights nodes, but for lights that are `away` from them. */
+static void light_batch(const batch *b, uint32_t away) {
     const glint_draw *draw = b->from->draw;
+    const glint_shading *shading = draw->shading;
     glint_fragments *at = b->from->fragments;
     glint_find_rays(b->from->frame, at);
     glint_find_surface(at, draw, glint_extend_colour);
-    glint_nodes_light(b->from->frame, draw->shading, at, draw->shading->lights, draw->shading->terms->lobes, b->to);
+    glint_nodes_light(b->from->frame, shading, at, shading->lights & ~away, shading->terms->lobes & ~away, b->to);
     for (uint32_t i = 0; i < at->count; i++) {
-        b->to[i]->inverse_w = at->inverse_w[i];
+        glint_node *node = b->to[i];
+        node->inverse_w = at->inverse_w[i];
         for (int c = 0; c < 3; c++) {
-            b->to[i]->normal[c] = at->normal[i][c];
-            b->to[i]->surface[c] = draw->extra ? at->surface[i][c] : 0;
+            node->normal[c] = at->normal[i][c];
+            node->surface[c] = draw->extra ? at->surface[i][c] : 0;
         }
+        glint_node_leave(node, away);
     }
     at->count = 0;
 }
@@ -123,31 +127,43 @@ static void add_node(batch *b, int32_t x, int32_t y, glint_node *node) {
     glint_gather(b->from, x, y, glint_plane_at(&part->depth, part->x + x, part->y + y));
 }
 
-/* A quarter of a square: its nodes, of which those at the corners are the square's. */
-typedef struct quarter {
+/* A square of a cell, whose first pixel is x, y there; those of its nodes that are not another's. */
+typedef struct square {
     glint_node own[5];
     glint_node *nodes[GLINT_CELL_NODES];
-    int32_t x, y; /* of its first pixel, in the cell */
-} quarter;
+    int32_t x, y;
+} square;
 
-/* Finds the nodes of quarter i of a square whose first pixel is x, y of the cell; they are 2^shift pixels apart. */
-static void begin_quarter(const walk *w, glint_node *const nodes[GLINT_CELL_NODES], int32_t x, int32_t y, int i,
-                          unsigned shift, quarter *to) {
-    const int first = i % 2 + 3 * (i / 2);
+/* Is a node a corner of its square? */
+static inline int is_corner(int i) {
+    return i == 0 || i == 2 || i == 6 || i == 8;
+}
+
+/* Lights the nodes of a square but for its corners, which are; they are 2^shift pixels apart. */
+static void light_square(const walk *w, unsigned shift, square *to) {
     batch b = {&w->gathering, {0}};
+    glint_shape shape;
     int own = 0;
-    to->x = x + (i % 2 << (shift + 1));
-    to->y = y + (i / 2 << (shift + 1));
-    for (int k = 0; k < GLINT_CELL_NODES; k++) {
-        const int column = k % 3, row = k / 3;
-        if ((column | row) & 1) {
-            to->nodes[k] = &to->own[own++];
-            add_node(&b, w->x + to->x + column * (1 << shift), w->y + to->y + row * (1 << shift), to->nodes[k]);
-        } else {
-            to->nodes[k] = nodes[first + column / 2 + 3 * (row / 2)];
-        }
+    for (int i = 0; i < GLINT_CELL_NODES; i++) {
+        if (is_corner(i))
+            continue;
+        to->nodes[i] = &to->own[own++];
+        add_node(&b, w->x + to->x + i % 3 * (1 << shift), w->y + to->y + i / 3 * (1 << shift), to->nodes[i]);
     }
-    light_batch(&b);
+    glint_shape_cell(shift, &shape);
+    light_batch(&b, glint_shape_away(w->gathering.draw, &shape, to->nodes));
+}
+
+/* Finds the nodes of quarter i of a square; they are 2^shift pixels apart. */
+static void begin_quarter(const walk *w, const square *of, int i, unsigned shift, square *to) {
+    const int first = i % 2 + 3 * (i / 2);
+    to->x = of->x + (i % 2 << (shift + 1));
+    to->y = of->y + (i / 2 << (shift + 1));
+    to->nodes[0] = of->nodes[first];
+    to->nodes[2] = of->nodes[first + 1];
+    to->nodes[6] = of->nodes[first + 3];
+    to->nodes[8] = of->nodes[first + 4];
+    light_square(w, shift, to);
 }
 
 /* ---- Squares ---- */
@@ -161,14 +177,14 @@ static int is_visible(const walk *w, int32_t x, int32_t y, int32_t size) {
 }
 
 /* Draws a square of eight pixels: as one, as four, or one by one. */
-static void draw_eight(const walk *w, const quarter *eight) {
-    quarter four;
+static void draw_eight(const walk *w, const square *eight) {
+    square four;
     if (draw_square(w, eight->x, eight->y, 2, eight->nodes))
         return;
     for (int i = 0; i < 4; i++) {
         if (!is_visible(w, eight->x + i % 2 * 4, eight->y + i / 2 * 4, 4))
             continue;
-        begin_quarter(w, eight->nodes, eight->x, eight->y, i, 1, &four);
+        begin_quarter(w, eight, i, 1, &four);
         if (!draw_square(w, four.x, four.y, 1, four.nodes))
             draw_one_by_one(w, four.x, four.y, 4);
     }
@@ -176,20 +192,21 @@ static void draw_eight(const walk *w, const quarter *eight) {
 
 /* Draws a cell: as one, or as four squares. */
 static void draw_cell(const walk *w) {
-    glint_node node[GLINT_CELL_NODES], *nodes[GLINT_CELL_NODES];
-    quarter eight;
+    glint_node corners[4];
+    square whole = {.x = 0, .y = 0}, eight;
     batch b = {&w->gathering, {0}};
-    for (int i = 0; i < GLINT_CELL_NODES; i++) {
-        nodes[i] = &node[i];
-        add_node(&b, w->x + i % 3 * 8, w->y + i / 3 * 8, nodes[i]);
+    for (int i = 0; i < 4; i++) {
+        whole.nodes[i % 2 * 2 + i / 2 * 6] = &corners[i];
+        add_node(&b, w->x + i % 2 * CELL, w->y + i / 2 * CELL, &corners[i]);
     }
-    light_batch(&b);
-    if (draw_square(w, 0, 0, 3, nodes))
+    light_batch(&b, 0);
+    light_square(w, 3, &whole);
+    if (draw_square(w, 0, 0, 3, whole.nodes))
         return;
     for (int i = 0; i < 4; i++) {
         if (!is_visible(w, i % 2 * 8, i / 2 * 8, 8))
             continue;
-        begin_quarter(w, nodes, 0, 0, i, 2, &eight);
+        begin_quarter(w, &whole, i, 2, &eight);
         draw_eight(w, &eight);
     }
 }

@@ -89,7 +89,8 @@ static inline int32_t find_cosine(const int16_t normal[3], const int16_t light[3
 static void add_lobe(const glint_shading *shading, uint32_t i, const glint_prepared_light *source, int is_fixed,
                      const glint_fragments *at, uint32_t n, const int16_t *light, glint_node *node) {
     int16_t turning[3], axis[3];
-    uint32_t unused = 1 << 14, *const half = node->dark >> i & 1 ? &unused : &node->half;
+    const uint32_t is_gated = !(shading->material->flags & GLINT_MATERIAL_UNGATED);
+    uint32_t unused = 1 << 14, *const half = node->dark >> i & is_gated ? &unused : &node->half;
     if (!find_axis(shading->material->model, source, is_fixed, at->normal[n], light, at->view[n], turning, axis, half))
         node->unfit |= (uint8_t)(1u << i);
     else if (shading->terms->lobe_is_wide)
@@ -133,7 +134,7 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
         const int32_t cosine = find_cosine(at->normal[n], light);
         int is_lit = cosine > clearly;
         /* right at a light its direction tells nothing */
-        const int is_dark = cosine < -clearly && !(has_position && at->closeness[n] == UINT16_MAX);
+        const int is_dark = cosine < -clearly && !(has_position && !at->length[n]);
         if (source->type->has_cone)
             find_cone(source, i, light, node, &is_lit);
         node->lit |= is_lit ? bit : 0;
@@ -142,11 +143,10 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
         node->number[i][GLINT_STRENGTH] = (int16_t)glint_shift_right(strength, 1);
         if (lobes & bit)
             add_lobe(shading, i, source, !has_position && !frame->view->local_viewer, at, n, light, node);
-        if (!is_dark && !(node->outside & bit)) {
-            node->levels += terms->diffuse_levels[i] * (uint32_t)strength >> 19;
-            if (has_position && at->closeness[n] > node->closeness)
-                node->closeness = at->closeness[n];
-        }
+        if (has_position) /* it may shine between nodes that it does not reach */
+            node->closeness = (uint32_t)glint_most((int32_t)node->closeness, (int32_t)glint_point_closeness(at, n));
+        if (!is_dark && !(node->outside & bit))
+            node->levels += (terms->diffuse_levels[i] >> 3) * (uint32_t)strength >> 16;
     }
 }
 

@@ -66,10 +66,13 @@ static GLINT_NOINLINE int draw_terms(const glint_frame *frame, glint_workspace *
 
 static void draw_nodes(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                        const glint_triangle *triangle, const glint_part *part) {
-    if (!draw->shading->terms || triangle->area < GLINT_NODES_LEAST_AREA ||
-        (!draw_terms(frame, workspace, draw, triangle, part) &&
-         !glint_draw_lattice(frame, workspace, draw, triangle, part) &&
-         !glint_draw_pieces(frame, workspace, draw, triangle, part)))
+    if (!draw->shading->terms || triangle->area < GLINT_NODES_LEAST_AREA || glint_is_deep(triangle))
+        glint_draw_any(frame, workspace, draw, triangle, part);
+    else if (!glint_is_visible(frame, workspace, part)) /* then no node is lit */
+        glint_count(workspace, GLINT_KERNEL_CHANNELS, workspace->drawn ? glint_covered_by(part) : 0);
+    else if (!draw_terms(frame, workspace, draw, triangle, part) &&
+             !glint_draw_lattice(frame, workspace, draw, triangle, part) &&
+             !glint_draw_pieces(frame, workspace, draw, triangle, part))
         glint_draw_any(frame, workspace, draw, triangle, part);
 }
 

@@ -145,27 +145,29 @@ static uint32_t find_length(int32_t v[3], int *exponent, int16_t direction[3]) {
     return ((square + (1u << 13)) >> 14) * (uint32_t)root >> 16;
 }
 
-/* Depth over a length times 2^exponent, Q8, or more; the length has 15 or 16 bits. */
-static uint16_t find_closeness(uint32_t depth, uint32_t length, int exponent) {
-    unsigned zeros;
-    const uint32_t inverse = invert(length, &zeros);
-    const uint32_t ratio = shift_below(high_product(depth, inverse << 15), (int)zeros - 22 - exponent);
-    return (uint16_t)(glint_least((int32_t)ratio, UINT16_MAX - 1) + 1);
-}
-
-/* Direction to a light, unit, strength there, and how close it is. */
+/* Direction to a light, unit, strength there, and how far it is. */
 static void illuminate_one(const glint_prepared_light *light, glint_fragments *fragments, uint32_t i) {
     int32_t v[3];
     int exponent = find_direction(light, fragments, i, v);
     fragments->strength[i] = 0;
-    fragments->closeness[i] = UINT16_MAX;
+    fragments->length[i] = 0;
     if (is_at_light(v, fragments->ray[i])) {
         glint_unit(v[0], v[1], v[2], fragments->light[i]);
         return;
     }
     const uint32_t length = find_length(v, &exponent, fragments->light[i]);
     fragments->strength[i] = (uint16_t)attenuate(light, (uint32_t)fragments->inverse_w[i], length, exponent);
-    fragments->closeness[i] = find_closeness((uint32_t)fragments->ray[i][2], length, exponent);
+    fragments->length[i] = length;
+    fragments->exponent[i] = (int8_t)exponent;
+}
+
+uint32_t glint_point_closeness(const glint_fragments *fragments, uint32_t i) {
+    unsigned zeros;
+    if (!fragments->length[i])
+        return UINT16_MAX;
+    const uint32_t depth = (uint32_t)fragments->ray[i][2], inverse = invert(fragments->length[i], &zeros);
+    const uint32_t ratio = shift_below(high_product(depth, inverse << 15), (int)zeros - 22 - fragments->exponent[i]);
+    return (uint32_t)glint_least((int32_t)ratio, UINT16_MAX - 1) + 1;
 }
 
 void glint_point_illuminate(const glint_prepared_light *light, glint_fragments *fragments) {

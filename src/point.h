@@ -15,6 +15,9 @@ void glint_point_place(const glint_light *light, glint_prepared_light *prepared,
  */
 void glint_point_illuminate(const glint_prepared_light *light, glint_fragments *fragments);
 
+/** Depth over the distance to a light that has just illuminated fragment i, Q8, or more; at most 2^16 - 1. */
+uint32_t glint_point_closeness(const glint_fragments *fragments, uint32_t i);
+
 /** Takes over how a light weakens with distance. @return GLINT_ERROR_ATTENUATION where it would grow */
 glint_status glint_point_attenuation(const glint_light *light, glint_prepared_light *prepared);
 

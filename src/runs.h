@@ -63,6 +63,21 @@ static inline glint_run *glint_find_runs(const glint_frame *frame, const glint_w
                                   : glint_find_near_runs(depth, span, z, z_dx, y, run);
 }
 
+/** Is a pixel of a part nearer than what was there? Of one that is not deep; stores nothing. */
+static inline int glint_is_visible(const glint_frame *frame, const glint_workspace *workspace, const glint_part *part) {
+    const uint32_t z_dx = (uint32_t)part->depth.dx;
+    for (uint32_t y = part->top; y < part->bottom; y++) {
+        const glint_span span = part->spans[y];
+        const uint16_t *const depth = workspace->depth + (y << frame->tile_shift_x);
+        uint32_t z =
+            (uint32_t)glint_plane_at(&part->depth, part->x + span.left, part->y + (int32_t)y) + GLINT_DEPTH_BIAS;
+        for (uint32_t column = span.left; column < span.right; column++, z += z_dx)
+            if (z >> 15 > depth[column])
+                return 1;
+    }
+    return 0;
+}
+
 /** Pixels of a part's spans. */
 static inline uint32_t glint_covered_by(const glint_part *part) {
     uint32_t covered = 0;

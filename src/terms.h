@@ -48,6 +48,14 @@ void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, g
 /** Sums light at a node, of lights that are `held`. */
 void glint_node_sum(const glint_light_terms *light, uint32_t held, glint_node *node);
 
+/** Tells a node of lights that are away from it, for which it has not been lit. */
+static inline void glint_node_leave(glint_node *node, uint32_t away) {
+    node->outside |= (uint8_t)away;
+    for (uint32_t l = 0; away >> l; l++)
+        for (int kind = 0; away >> l & 1 && kind < GLINT_NUMBERS; kind++)
+            node->number[l][kind] = 0;
+}
+
 /** Ray towards the eye from a point of the screen, 28.4. */
 void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[3]);
 
@@ -88,6 +96,9 @@ static inline int32_t glint_square_apart(const int16_t a[3], const int16_t b[3])
 
 /** Sets `reach` and `slant` of a region so wide and high, 28.4, with this range of 1/w. @param pixel of the terms */
 void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, glint_w_range w, glint_region *region);
+
+/** May the cone of a light so near, as regions have it, end between nodes that are clearly outside of it? */
+int glint_is_wide(uint32_t near);
 
 /** Sets what becomes of lights, from `lit` and `dark` on. @return those whose highlights may show */
 uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness,
@@ -225,6 +236,9 @@ typedef struct glint_shape {
 
 /** The shape of cells with nodes so far apart. */
 void glint_shape_cell(unsigned shift, glint_shape *shape);
+
+/** Lights that are outside of their cones all over a region, from its corners' nodes. */
+uint32_t glint_shape_away(const glint_draw *draw, const glint_shape *shape, glint_node *const nodes[]);
 
 /** A region's light, from its nodes on. @return 0 where polynomials do not fit */
 int glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,

@@ -79,11 +79,12 @@ static int find_chroma(const glint_frame *frame, const glint_shading *shading, g
     return 1;
 }
 
-/* The sum of all light that shows, Q12, in its largest channel. */
-static uint32_t find_total(const glint_frame *frame, const glint_shading *shading, int with_specular) {
+/* The sum of all diffuse light that shows, Q12, in its largest channel; with ambient light, and with highlights. */
+static uint32_t find_total(const glint_frame *frame, const glint_shading *shading, int with_ambient,
+                           int with_specular) {
     uint32_t total = 0;
     for (int c = 0; c < 3; c++) {
-        uint32_t sum = with_specular ? shading->ambient[c] >> 11 : 0;
+        uint32_t sum = with_ambient ? shading->ambient[c] >> 11 : 0;
         for (uint32_t i = 0; i < frame->scene->light_count; i++)
             if (shading->lights >> i & 1)
                 sum += shading->weights[i].diffuse[c] + (with_specular ? shading->weights[i].specular[c] : 0);
@@ -92,13 +93,27 @@ static uint32_t find_total(const glint_frame *frame, const glint_shading *shadin
     return total;
 }
 
-/* Bits of the largest sum at a node. */
+/* Has an object of the material a surface of its own colours? */
+static int has_surface(const glint_frame *frame, const glint_material *material) {
+    for (uint32_t i = 0; i < frame->scene->object_count; i++) {
+        const glint_object *object = &frame->scene->objects[i];
+        if (object->material == material && (object->mesh->colours || object->mesh->colours565))
+            return 1;
+    }
+    return 0;
+}
+
+/*
+ * Bits of the largest sum at a node, of shares or of channels. Where these are multiplied by the surface's colours, they
+ * hold ambient light.
+ */
 static unsigned find_sum_bits(const glint_frame *frame, const glint_shading *shading, const glint_light_terms *terms) {
-    uint32_t total = terms->channels == 1 ? 0 : find_total(frame, shading, 0) << 3;
+    const uint32_t channels = find_total(frame, shading, has_surface(frame, shading->material), 0) << 3;
+    uint32_t shares = 0;
     for (uint32_t i = 0; i < frame->scene->light_count && terms->channels == 1; i++)
         if (shading->lights >> i & 1)
-            total += (uint32_t)terms->share[i];
-    return 32 - glint_leading_zeros(total >> 15);
+            shares += (uint32_t)terms->share[i];
+    return 32 - glint_leading_zeros((shares > channels ? shares : channels) >> 15);
 }
 
 /* What need not show of a highlight: 1/8 of a level, Q8. */
@@ -195,7 +210,7 @@ static int fits(const glint_shading *shading, uint32_t total) {
 }
 
 int glint_terms_find(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
-    const uint32_t total = find_total(frame, shading, 1);
+    const uint32_t total = find_total(frame, shading, 1, 1);
     if (!is_wanted(frame, shading->material) || !fits(shading, total))
         return 0;
     terms->pixel = (uint32_t)(((uint64_t)1 << 39) / (uint32_t)frame->view->focal);
