@@ -8,7 +8,8 @@ from plot import Axis, Chart, Panel
 # Exponents at which methods are compared: those for which their instructions are counted.
 POWER_P, LIGHTING_P = "64", "32"
 
-EVALUATIONS = {"facet": ("per facet", "gold"), "vertex": ("per vertex", "blue"), "fragment": ("per fragment", "red")}
+EVALUATIONS = {"facet": ("per facet", "gold"), "vertex": ("per vertex", "blue"),
+               "node": ("per node", "teal"), "fragment": ("per fragment", "red")}
 BUDGETS = ("Blinn-Phong local within an error budget, steps", "violet")
 
 
@@ -124,15 +125,16 @@ SHADING_COLUMNS = (("triangles", "triangles", 1), ("instructions", "million inst
 
 
 def shading(figures):
+    shaded = {name: EVALUATIONS[name] for name in dict.fromkeys(row["evaluation"] for row in figures.shading)}
     chart = Chart("A torus with a highlight (p = 50), 320x240: error against the true smooth surface",
-                  list(EVALUATIONS.values()), 960, 790)
+                  list(shaded.values()), 960, 790)
     panels = [(format, *column) for format in dict.fromkeys(row["format"] for row in figures.shading) for column in SHADING_COLUMNS]
     errors = [float(row["rms"]) for row in figures.shading]
     for (format, key, label, scale), box in zip(panels, grid(chart, 4, 2)):
         values = [float(row[key]) * scale for row in figures.shading]
         panel = Panel(format.upper(), box, Axis(label, *span(values), log=True),
                       Axis("root mean square error, steps of 8 bits", *span(errors, 0.6), log=True))
-        for name, (words, colour) in EVALUATIONS.items():
+        for name, (words, colour) in shaded.items():
             rows = only(figures.shading, format=format, evaluation=name)
             panel.line([(float(row[key]) * scale, float(row["rms"])) for row in rows], colour, 2, marks=True)
             panel.point(float(rows[-1][key]) * scale, float(rows[-1]["rms"]), words, colour)

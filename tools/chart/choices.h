@@ -27,6 +27,12 @@ typedef struct choice {
         name " Blinn-Phong local", evaluation, &glint_model_blinn_phong, GLINT_VIEWER_LOCAL, 1            \
     }
 
+/* Per node differs from per fragment where fast lighting does not serve: by the Phong model. */
+#define CHOICES_OF_NODES                                                                      \
+    {"node Phong infinite", &glint_per_node, &glint_model_phong, GLINT_VIEWER_INFINITE, 4}, { \
+        "node Phong local", &glint_per_node, &glint_model_phong, GLINT_VIEWER_LOCAL, 4        \
+    }
+
 /* What scenes ask for, with an error budget: held by that, not by the contract. */
 #define CHOICE_OF_BUDGET(steps)                                                                     \
     {                                                                                               \
@@ -36,6 +42,7 @@ typedef struct choice {
 
 static const choice choices[] = {CHOICES_OF("facet", &glint_per_facet),
                                  CHOICES_OF("vertex", &glint_per_vertex),
+                                 CHOICES_OF_NODES,
                                  CHOICES_OF("fragment", &glint_per_fragment),
                                  CHOICE_OF_BUDGET(1),
                                  CHOICE_OF_BUDGET(2),

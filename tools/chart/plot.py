@@ -19,6 +19,7 @@ COLOURS = {
     "red": ("#b3261f", "#ff7b72"),
     "green": ("#1a7a36", "#46c05c"),
     "violet": ("#7a45c4", "#c29bff"),
+    "teal": ("#0b7285", "#4fd1d9"),
 }
 
 # Of a point and of the circle around a special one, pixels.

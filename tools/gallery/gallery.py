@@ -23,7 +23,8 @@ by itself in RGB565, without labels, clear and copy to a framebuffer included (`
 [accuracy](../accuracy.md#whole-frames) have means of ten frames that follow each other.
 
 *Phong shading* is lighting per fragment, with the normal interpolated, whatever the model; the *Phong model* is a highlight around
-the reflected light, wherever it is evaluated. Nothing in these scenes casts a shadow.
+the reflected light, wherever it is evaluated. The scenes are lit [per node](../design.md#light-at-nodes), which is lighting per
+fragment within a fraction of a level, but for objects that are lit per vertex. Nothing in these scenes casts a shadow.
 """
 
 # Of each text: what it says, where that is shown, and what is measured there, with figures by name.

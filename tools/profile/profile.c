@@ -20,12 +20,18 @@ typedef struct variant {
     const char *name;
     uint16_t width, height;
     glint_viewer viewer;
+    uint32_t light_count;
+    const glint_evaluation *evaluation;
 } variant;
 
 static const variant variants[] = {
-    {"320x240 local", 320, 240, GLINT_VIEWER_LOCAL},
-    {"320x240 infinite", 320, 240, GLINT_VIEWER_INFINITE},
-    {"128x64 local", 128, 64, GLINT_VIEWER_LOCAL},
+    {"320x240 local", 320, 240, GLINT_VIEWER_LOCAL, 1, &glint_per_fragment},
+    {"320x240 infinite", 320, 240, GLINT_VIEWER_INFINITE, 1, &glint_per_fragment},
+    {"128x64 local", 128, 64, GLINT_VIEWER_LOCAL, 1, &glint_per_fragment},
+    {"320x240 local 2 lights", 320, 240, GLINT_VIEWER_LOCAL, 2, &glint_per_fragment},
+    {"320x240 local 2 lights per node", 320, 240, GLINT_VIEWER_LOCAL, 2, &glint_per_node},
+    {"128x64 local 2 lights", 128, 64, GLINT_VIEWER_LOCAL, 2, &glint_per_fragment},
+    {"128x64 local 2 lights per node", 128, 64, GLINT_VIEWER_LOCAL, 2, &glint_per_node},
 };
 
 static uint32_t arena[(1 << 20) / sizeof(uint32_t)];
@@ -73,12 +79,15 @@ static void report(const char *scene, const variant *v, const glint_stats *stats
 }
 
 static glint_status draw(uint32_t which, const variant *v) {
-    glint_object object = {
-        .mesh = bench_scenes[which].mesh, .material = &bench_material, .pose = bench_scenes[which].poses[FRAME - 1]};
+    glint_light lights[2] = {bench_light, bench_light};
+    glint_object object = {.mesh = bench_scenes[which].mesh,
+                           .material = &bench_material,
+                           .pose = bench_scenes[which].poses[FRAME - 1],
+                           .evaluation = v->evaluation};
     glint_scene scene = {.viewer = v->viewer,
                          .ambient = {BENCH_AMBIENT, BENCH_AMBIENT, BENCH_AMBIENT},
-                         .lights = &bench_light,
-                         .light_count = 1,
+                         .lights = lights,
+                         .light_count = v->light_count,
                          .objects = &object,
                          .object_count = 1};
     glint_config config = {.width = v->width,
@@ -89,6 +98,7 @@ static glint_status draw(uint32_t which, const variant *v) {
                            .keeps_arena = 1};
     glint_renderer renderer;
 
+    lights[1].vector.x = -bench_light.vector.x;
     scene.camera.pose = glint_pose_identity();
     scene.camera.field_of_view = BENCH_FIELD_OF_VIEW;
     scene.camera.near_plane = BENCH_NEAR_PLANE;

@@ -1,0 +1,257 @@
+/* SPDX-License-Identifier: MIT */
+#include "watch.h"
+
+#include "fragments.h"
+#include "scenes/scenes.h"
+#include "terms.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The library's functions, and what is called in their place. */
+int __real_glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile);
+int __wrap_glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile);
+void __real_glint_setup(glint_part *part, glint_triangle *triangle);
+void __wrap_glint_setup(glint_part *part, glint_triangle *triangle);
+glint_kernel __real_glint_draw_unlit, __wrap_glint_draw_unlit;
+int __real_glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
+                             const glint_part *part, glint_terms *terms, glint_quadratic plain[3],
+                             glint_descent descents[GLINT_POLYNOMIALS_MAX]);
+int __wrap_glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
+                             const glint_part *part, glint_terms *terms, glint_quadratic plain[3],
+                             glint_descent descents[GLINT_POLYNOMIALS_MAX]);
+void __real_glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at,
+                              uint32_t lights, uint32_t lobes, glint_node *const nodes[]);
+void __wrap_glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at,
+                              uint32_t lights, uint32_t lobes, glint_node *const nodes[]);
+int __real_glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
+                             glint_node *const nodes[], glint_terms *terms,
+                             glint_descent polynomials[GLINT_POLYNOMIALS_MAX]);
+int __wrap_glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
+                             glint_node *const nodes[], glint_terms *terms,
+                             glint_descent polynomials[GLINT_POLYNOMIALS_MAX]);
+void __real_glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
+                             const glint_descent *polynomials, const glint_run *runs, uint32_t count, uint32_t offset);
+void __wrap_glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
+                             const glint_descent *polynomials, const glint_run *runs, uint32_t count, uint32_t offset);
+void __real_glint_gathering_store(const glint_gathering *gathering);
+void __wrap_glint_gathering_store(const glint_gathering *gathering);
+
+/* At least as many as a cell and all its squares have nodes. */
+enum { PLACES = 128 };
+
+/* A node, and where it lies. */
+typedef struct placed {
+    const glint_node *node;
+    node_place at;
+} placed;
+
+/* What is seen, and of what. */
+static struct {
+    watched *seen;
+    const glint_workspace *workspace;
+    unsigned shift;                                   /* binary logarithm of the tile's width */
+    int left, top, width, height;                     /* of the tile */
+    uint16_t depth[GLINT_TILE_MAX * GLINT_TILE_MAX];  /* as it was before the triangle */
+    uint8_t is_told[GLINT_TILE_MAX * GLINT_TILE_MAX]; /* pixels of the triangle whose way was seen one by one */
+    int has_triangle, triangle, region;               /* numbers of areas; no region is -1 */
+    way usual, of_region; /* of the triangle's other pixels, and of the piece's or square's */
+    placed places[PLACES];
+    unsigned place_count;
+} now;
+
+/* ---- Pixels ---- */
+
+static void tell(int column, int row, way how, int owner) {
+    const int at = (now.top + row) * now.seen->image.width + now.left + column;
+    now.seen->ways[at] = (uint8_t)how;
+    now.seen->owners[at] = owner;
+}
+
+static void tell_one(int column, int row, way how, int owner) {
+    now.is_told[(row << now.shift) + column] = 1;
+    tell(column, row, how, owner);
+}
+
+/* Tells of the pixels that the last triangle drew: those that came nearer. */
+static void finish_triangle(void) {
+    for (int row = 0; row < now.height && now.has_triangle; row++)
+        for (int column = 0; column < now.width; column++) {
+            const int at = (row << now.shift) + column;
+            if (now.workspace->depth[at] != now.depth[at] && !now.is_told[at])
+                tell(column, row, now.usual, now.triangle);
+        }
+    now.has_triangle = 0;
+}
+
+static int add_area(const lit_area *of) {
+    if (now.seen->area_count == WATCH_AREAS_MAX) {
+        fputs("too many areas\n", stderr);
+        exit(1);
+    }
+    now.seen->areas[now.seen->area_count] = *of;
+    return now.seen->area_count++;
+}
+
+/* ---- Tiles and triangles ---- */
+
+int __wrap_glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
+    now.workspace = workspace;
+    now.shift = frame->tile_shift_x;
+    now.has_triangle = 0;
+    glint_tile_rectangle(frame, tile, &now.left, &now.top, &now.width, &now.height);
+    const int is_finished = __real_glint_render_tile(frame, workspace, tile);
+    finish_triangle();
+    return is_finished;
+}
+
+void __wrap_glint_setup(glint_part *part, glint_triangle *triangle) {
+    lit_area of = {.node_count = 0};
+    finish_triangle();
+    for (int i = 0; i < 3; i++)
+        of.corners[i] = (node_place){triangle->corners[i]->x, triangle->corners[i]->y};
+    now.triangle = add_area(&of);
+    now.has_triangle = 1;
+    now.region = -1;
+    now.usual = WAY_FAST; /* of which nothing else is seen */
+    memcpy(now.depth, now.workspace->depth, sizeof now.depth[0] * (size_t)now.height << now.shift);
+    memset(now.is_told, 0, sizeof now.is_told);
+    __real_glint_setup(part, triangle);
+}
+
+void __wrap_glint_draw_unlit(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                             const glint_triangle *triangle, const glint_part *part) {
+    now.usual = WAY_EVEN;
+    __real_glint_draw_unlit(frame, workspace, draw, triangle, part);
+}
+
+static node_place middle_of(node_place a, node_place b) {
+    return (node_place){(a.x + b.x) / 2, (a.y + b.y) / 2};
+}
+
+int __wrap_glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
+                             const glint_part *part, glint_terms *terms, glint_quadratic plain[3],
+                             glint_descent descents[GLINT_POLYNOMIALS_MAX]) {
+    lit_area *of = &now.seen->areas[now.triangle];
+    if (!__real_glint_terms_begin(frame, draw, triangle, part, terms, plain, descents))
+        return 0;
+    now.usual = terms->is_over_length ? WAY_OVER_LENGTH : terms->is_curved ? WAY_QUADRATICS : WAY_PLANES;
+    of->node_count = terms->is_curved ? 6 : 3;
+    for (int i = 0; i < 3; i++) {
+        of->nodes[i] = of->corners[i];
+        of->nodes[3 + i] = middle_of(of->corners[i], of->corners[(i + 1) % 3]);
+    }
+    return 1;
+}
+
+/* ---- Pieces and squares ---- */
+
+/* A point's ray tells where on the screen it lies: glint_find_ray. */
+void __wrap_glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at,
+                              uint32_t lights, uint32_t lobes, glint_node *const nodes[]) {
+    for (uint32_t i = 0; i < at->count; i++)
+        now.places[now.place_count++ % PLACES] = (placed){
+            nodes[i],
+            {(frame->config.width * 4096 - at->ray[i][0]) / 512, (frame->config.height * 4096 + at->ray[i][1]) / 512}};
+    __real_glint_nodes_light(frame, shading, at, lights, lobes, nodes);
+}
+
+/* Where a node was lit last. */
+static node_place place_of(const glint_node *node) {
+    for (unsigned i = 1; i <= PLACES; i++) {
+        const placed *found = &now.places[(now.place_count - i) % PLACES];
+        if (found->node == node)
+            return found->at;
+    }
+    fputs("a node that was never lit\n", stderr);
+    exit(1);
+}
+
+int __wrap_glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
+                             glint_node *const nodes[], glint_terms *terms,
+                             glint_descent polynomials[GLINT_POLYNOMIALS_MAX]) {
+    const int is_piece = shape->count != GLINT_CELL_NODES;
+    lit_area of = now.seen->areas[now.triangle];
+    now.region = -1;
+    if (!__real_glint_shape_begin(frame, draw, shape, nodes, terms, polynomials))
+        return 0;
+    of.size = is_piece ? 0 : 2 << shape->shift;
+    of.node_count = shape->count;
+    for (int i = 0; i < of.node_count; i++)
+        of.nodes[i] = place_of(nodes[i]);
+    for (int i = 0; i < 3 && is_piece; i++)
+        of.corners[i] = of.nodes[i];
+    now.region = add_area(&of);
+    now.of_region = is_piece        ? WAY_PIECES
+                    : of.size == 16 ? WAY_SQUARES_16
+                    : of.size == 8  ? WAY_SQUARES_8
+                                    : WAY_SQUARES_4;
+    return 1;
+}
+
+void __wrap_glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
+                             const glint_descent *polynomials, const glint_run *runs, uint32_t count, uint32_t offset) {
+    const int column = (int)(offset & ((1u << now.shift) - 1)), row = (int)(offset >> now.shift);
+    for (uint32_t i = 0; i < count && now.region >= 0; i++)
+        for (int x = runs[i].x; x < runs[i].x + runs[i].count; x++)
+            tell_one(column + x, row + runs[i].y, now.of_region, now.region);
+    __real_glint_terms_draw(frame, workspace, terms, polynomials, runs, count, offset);
+}
+
+/* ---- Fragments ---- */
+
+void __wrap_glint_gathering_store(const glint_gathering *gathering) {
+    const glint_fragments *fragments = gathering->fragments;
+    for (uint32_t i = 0; i < fragments->count; i++)
+        tell_one(fragments->column[i], fragments->row[i], WAY_ONE_BY_ONE, now.triangle);
+    __real_glint_gathering_store(gathering);
+}
+
+/* ---- Pictures ---- */
+
+static const example_scene *find(const char *scene, const char *variant, uint32_t *number) {
+    for (int i = 0; i < EXAMPLE_SCENES; i++)
+        for (uint32_t j = 0; j < example_scenes[i]->variant_count; j++)
+            if (strcmp(example_scenes[i]->name, scene) == 0 &&
+                strcmp(example_scenes[i]->variants[j].name, variant) == 0) {
+                *number = j;
+                return example_scenes[i];
+            }
+    fprintf(stderr, "no %s:%s\n", scene, variant);
+    exit(1);
+}
+
+static void *allocate(size_t count, size_t size) {
+    void *memory = calloc(count, size);
+    if (memory == NULL) {
+        fputs("out of memory\n", stderr);
+        exit(1);
+    }
+    return memory;
+}
+
+watched watch(const char *scene, const char *variant, const glint_format *format) {
+    static example_stage stage;
+    uint32_t number;
+    const example_scene *found = find(scene, variant, &number);
+    const size_t pixels = (size_t)found->width * found->height;
+    watched seen = {picture_open(found->width, found->height, format), allocate(pixels, 1),
+                    allocate(pixels, sizeof *seen.owners), allocate(WATCH_AREAS_MAX, sizeof *seen.areas), 0};
+    for (size_t i = 0; i < pixels; i++)
+        seen.owners[i] = -1;
+    found->build(&stage, number, 0);
+    now.seen = &seen;
+    if (picture_render(&seen.image, &stage.scene, NULL, NULL) != GLINT_OK) {
+        fprintf(stderr, "%s:%s is refused\n", scene, variant);
+        exit(1);
+    }
+    return seen;
+}
+
+void watch_close(watched *seen) {
+    picture_close(&seen->image);
+    free(seen->ways);
+    free(seen->owners);
+    free(seen->areas);
+}
