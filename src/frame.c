@@ -33,7 +33,7 @@ static glint_status prepare_materials(glint_frame *frame, const glint_kept *kept
 }
 
 static int has_least_room(const glint_frame *frame) {
-    return frame->memory.high - frame->memory.low >= GLINT_LEAST_ROOM;
+    return frame->memory.high - frame->memory.low >= frame->least_room;
 }
 
 static glint_status prepare(glint_frame *frame, const glint_kept *kept) {
@@ -44,6 +44,7 @@ static glint_status prepare(glint_frame *frame, const glint_kept *kept) {
     if (!view)
         return GLINT_ERROR_ARENA;
     frame->view = view;
+    frame->least_room = GLINT_LEAST_ROOM;
     if (!has_least_room(frame)) /* the last transform waits there */
         return GLINT_ERROR_ARENA;
     status = glint_prepare_view(view, &frame->config, frame->scene, glint_last_transform(frame));

@@ -419,7 +419,7 @@ typedef enum glint_lit_at { GLINT_LIT_AT_FRAGMENTS, GLINT_LIT_AT_VERTICES, GLINT
 
 /** What evaluations that light nodes link. */
 typedef struct glint_node_stage {
-    /** Behind all shadings: what each material makes of the frame's lights. @return GLINT_ERROR_ARENA without room */
+    /** Behind all shadings: what each material makes of the frame's lights. Adds to frame->least_room. */
     glint_status (*prepare)(glint_frame *frame);
     /** Bytes of arena that an object's vertices keep of light. */
     size_t (*size)(const glint_frame *frame, const glint_object *object, size_t vertices);

@@ -502,6 +502,7 @@ typedef struct glint_frame {
     uint8_t resident;                     /* what is loaded is all of the scene */
     uint32_t object, triangle;            /* where the next pass goes on */
     size_t prepared_end, vertices_end;    /* of the arena's use */
+    size_t least_room;                    /* of the arena, behind what is prepared */
     const struct glint_node_stage *nodes; /* null where none are lit */
     struct glint_draw *draws;             /* what this pass draws */
     struct glint_reference *references;   /* first one for each of its tiles, with which the tile's list begins */

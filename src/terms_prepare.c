@@ -245,6 +245,6 @@ glint_status glint_terms_prepare(glint_frame *frame) {
         shading->terms = terms;
         stride = terms->stride > stride ? terms->stride : stride;
     }
-    const size_t nodes = GLINT_ALIGNED(3 * stride * sizeof(int16_t)); /* of a triangle; tables leave more */
-    return frame->memory.high - frame->memory.low >= GLINT_LEAST_ROOM + nodes ? GLINT_OK : GLINT_ERROR_ARENA;
+    frame->least_room += GLINT_ALIGNED(3 * stride * sizeof(int16_t));
+    return GLINT_OK;
 }
