@@ -104,8 +104,8 @@ static int has_surface(const glint_frame *frame, const glint_material *material)
 }
 
 /*
- * Bits of the largest sum at a node, of shares or of channels. Where these are multiplied by the surface's colours, they
- * hold ambient light.
+ * Bits of the largest sum at a node, of shares or of channels. Where these are multiplied by the surface's colours,
+ * they hold ambient light.
  */
 static unsigned find_sum_bits(const glint_frame *frame, const glint_shading *shading, const glint_light_terms *terms) {
     const uint32_t channels = find_total(frame, shading, has_surface(frame, shading->material), 0) << 3;
@@ -142,7 +142,7 @@ static void fill_cosine(uint16_t cosine[GLINT_COSINE_VALUES], int32_t exponent) 
     int32_t before = 0, here = power_at(0, exponent);
     for (uint32_t i = 0; i <= GLINT_COSINE_HALF; i++) {
         const int32_t next = power_at(i + 1, exponent);
-        const int32_t bend = i > 0 && i < GLINT_COSINE_HALF ? before - 2 * here + next : 0;
+        const int32_t bend = i > 0 && i < GLINT_COSINE_HALF ? (before - here) + (next - here) : 0;
         cosine[i] = (uint16_t)((here - bend / 16 + (1 << 14)) >> 15);
         before = here;
         here = next;
