@@ -142,7 +142,7 @@ static void fill_cosine(uint16_t cosine[GLINT_COSINE_VALUES], int32_t exponent) 
     int32_t before = 0, here = power_at(0, exponent);
     for (uint32_t i = 0; i <= GLINT_COSINE_HALF; i++) {
         const int32_t next = power_at(i + 1, exponent);
-        const int32_t bend = i > 0 && i < GLINT_COSINE_HALF ? before - 2 * here + next : 0;
+        const int32_t bend = i > 0 && i < GLINT_COSINE_HALF ? (before - here) + (next - here) : 0;
         cosine[i] = (uint16_t)((here - bend / 16 + (1 << 14)) >> 15);
         before = here;
         here = next;
