@@ -217,7 +217,8 @@ static inline uint32_t power_of_cosine(const uint16_t cosine[GLINT_COSINE_VALUES
 static void add_wide_lobe(const glint_terms *terms, const light_parts *of, const int32_t weight[3],
                           const pixel_runs *to) {
     static const glint_progress whole = {1u << 30, 0, 0};
-    const light_parts cut = {of->side, of->cone, 0, 0};
+    light_parts cut = *of; /* for what the strength does not do */
+    cut.strength = 0;
     const int is_cut = of->cone || (of->side && !terms->is_ungated);
     const int32_t at_zero = (int32_t)glint_power_of_zero(terms->power), red = weight[0], green = weight[1],
                   blue = weight[2];
