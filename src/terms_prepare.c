@@ -10,6 +10,9 @@
 /* Error of polynomials in levels, Q8, for each 1 that the weights of a channel add up to, but at least 1. */
 #define LIMIT 51
 
+/* Where weights add up to more than this, errors do not grow with them: pixels are to stay within a step. */
+#define MOST_WEIGHT 2
+
 /* Bits that a squared deviation has where narrow lobes end: deviations reach four times as far. */
 #define LOBE_BITS 24
 
@@ -67,8 +70,8 @@ static int find_chroma(const glint_frame *frame, const glint_shading *shading, g
     const int32_t whole = largest_of(terms->diffuse[most]);
     for (int c = 0; c < 3; c++)
         terms->chroma[c] = terms->diffuse[most][c];
-    for (uint32_t i = 0; i < frame->scene->light_count && whole; i++) {
-        const int32_t share = (int32_t)(((uint32_t)largest_of(terms->diffuse[i]) << 15) / (uint32_t)whole);
+    for (uint32_t i = 0; i < frame->scene->light_count; i++) {
+        const int32_t share = whole ? (int32_t)(((uint32_t)largest_of(terms->diffuse[i]) << 15) / (uint32_t)whole) : 0;
         terms->share[i] = share;
         for (int c = 0; c < 3 && shading->lights >> i & 1; c++) {
             const int32_t apart = terms->diffuse[i][c] - (int32_t)((uint32_t)terms->chroma[c] * (uint32_t)share >> 15);
@@ -87,7 +90,8 @@ static uint32_t find_total(const glint_frame *frame, const glint_shading *shadin
         uint32_t sum = with_ambient ? shading->ambient[c] >> 11 : 0;
         for (uint32_t i = 0; i < frame->scene->light_count; i++)
             if (shading->lights >> i & 1)
-                sum += shading->weights[i].diffuse[c] + (with_specular ? shading->weights[i].specular[c] : 0);
+                sum += shading->weights[i].diffuse[c] +
+                       (with_specular && shading->has_specular >> i & 1 ? shading->weights[i].specular[c] : 0);
         total = sum > total ? sum : total;
     }
     return total;
@@ -103,17 +107,26 @@ static int has_surface(const glint_frame *frame, const glint_material *material)
     return 0;
 }
 
-/*
- * Bits of the largest sum at a node, of shares or of channels. Where these are multiplied by the surface's colours,
- * they hold ambient light.
- */
-static unsigned find_sum_bits(const glint_frame *frame, const glint_shading *shading, const glint_light_terms *terms) {
-    const uint32_t channels = find_total(frame, shading, has_surface(frame, shading->material), 0) << 3;
-    uint32_t shares = 0;
-    for (uint32_t i = 0; i < frame->scene->light_count && terms->channels == 1; i++)
-        if (shading->lights >> i & 1)
-            shares += (uint32_t)terms->share[i];
-    return 32 - glint_leading_zeros((shares > channels ? shares : channels) >> 15);
+/* Bits of a sum, Q15. */
+static unsigned bits_of(uint32_t total) {
+    return 32 - glint_leading_zeros(total >> 15);
+}
+
+/* Bits of the largest sum of channels. Where surfaces have colours, these hold ambient light. */
+static unsigned find_sum_bits(const glint_frame *frame, const glint_shading *shading) {
+    return bits_of(find_total(frame, shading, has_surface(frame, shading->material), 0) << 3);
+}
+
+/* Of many weak lights shares add up to more than channels do: a chroma of some of them keeps sums within these bits. */
+static void gather_shares(const glint_shading *shading, glint_light_terms *terms) {
+    uint32_t total = 0;
+    for (uint32_t i = 0; shading->lights >> i; i++)
+        total += shading->lights >> i & 1 ? (uint32_t)terms->share[i] : 0;
+    const unsigned bits = bits_of(total), up = bits > terms->sum_bits ? bits - terms->sum_bits : 0;
+    for (uint32_t i = 0; shading->lights >> i && up; i++)
+        terms->share[i] >>= up;
+    for (int c = 0; c < 3; c++)
+        terms->chroma[c] *= 1 << up;
 }
 
 /* What need not show of a highlight: 1/8 of a level, Q8. */
@@ -210,15 +223,17 @@ static int fits(const glint_shading *shading, uint32_t total) {
 }
 
 int glint_terms_find(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
-    const uint32_t total = find_total(frame, shading, 1, 1);
-    if (!is_wanted(frame, shading->material) || !fits(shading, total))
+    const uint32_t total = find_total(frame, shading, 0, 1); /* ambient light has no error */
+    if (!is_wanted(frame, shading->material) || !fits(shading, find_total(frame, shading, 1, 1)))
         return 0;
     terms->pixel = (uint32_t)(((uint64_t)1 << 39) / (uint32_t)frame->view->focal);
     set_weights(frame, shading, terms);
     terms->channels = find_chroma(frame, shading, terms) ? 1 : 3;
-    terms->sum_bits = find_sum_bits(frame, shading, terms);
+    terms->sum_bits = find_sum_bits(frame, shading);
+    if (terms->channels == 1)
+        gather_shares(shading, terms);
     set_lobes(frame, shading, terms);
-    terms->limit = LIMIT * (total > 1 << 12 ? total : 1 << 12) >> 12;
+    terms->limit = LIMIT * (uint32_t)glint_least(glint_most((int32_t)total, 1 << 12), MOST_WEIGHT << 12) >> 12;
     place_numbers(frame, shading, terms);
     return 1;
 }

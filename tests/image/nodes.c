@@ -1,0 +1,310 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Suite: light at nodes is as near to that of fragments as its bound allows, for triangles and light of many kinds, and
+ * steps no more than that where an object moves slowly.
+ */
+#include "bench.h"
+#include "fine.h"
+#include "glint.h"
+#include "harness.h"
+#include "picture.h"
+#include "scenes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define WIDTH 128
+#define HEIGHT 96
+
+/* What polynomials may be off, in levels for each 1 that weights add up to: LIMIT of terms_prepare.c, doubled once. */
+#define ALLOWED (2 * 51 / 256.0)
+
+/* What fragments may be off themselves by the contract, half a level of rounding aside. */
+#define OF_FRAGMENTS 0.3
+
+/* ---- Random triangles ---------------------------------------------------------------------------------------- */
+
+static uint32_t random_state;
+
+/* From a to b, by a linear congruential generator (Numerical Recipes). */
+static double between(double a, double b) {
+    random_state = random_state * 1664525u + 1013904223u;
+    return a + (b - a) * (random_state >> 8) / 16777216.0;
+}
+
+/* The same, each factor of two as likely as the others. */
+static double across(double a, double b) {
+    return a * pow(b / a, between(0, 1));
+}
+
+/* What lights and materials are made of. */
+typedef struct kind {
+    const char *name;
+    const glint_light_type *type;
+    const glint_model *model;
+    double least, most; /* exponents */
+    uint32_t flags;
+    int lights, has_colours;
+} kind;
+
+static const kind kinds[] = {
+    {"directional, Lambert", &glint_light_directional, &glint_model_lambert, 1, 1, 0, 1, 0},
+    {"directional, Lambert, mesh colours", &glint_light_directional, &glint_model_lambert, 1, 1, 0, 1, 1},
+    {"directional, Blinn-Phong to 7", &glint_light_directional, &glint_model_blinn_phong, 1, 7, 0, 1, 0},
+    {"directional, Blinn-Phong from 7", &glint_light_directional, &glint_model_blinn_phong, 7, 1024, 0, 1, 0},
+    {"directional, Phong to 7", &glint_light_directional, &glint_model_phong, 1, 7, 0, 1, 0},
+    {"directional, Phong from 7", &glint_light_directional, &glint_model_phong, 7, 1024, 0, 1, 0},
+    {"directional, ungated", &glint_light_directional, &glint_model_blinn_phong, 1, 1024, GLINT_MATERIAL_UNGATED, 1, 0},
+    {"lamp, Lambert", &glint_light_point, &glint_model_lambert, 1, 1, 0, 1, 0},
+    {"lamp, Blinn-Phong to 7", &glint_light_point, &glint_model_blinn_phong, 1, 7, 0, 1, 0},
+    {"lamp, Blinn-Phong from 7", &glint_light_point, &glint_model_blinn_phong, 7, 1024, 0, 1, 0},
+    {"lamp, Phong", &glint_light_point, &glint_model_phong, 1, 1024, 0, 1, 0},
+    {"lamp, max, mesh colours", &glint_light_point, &glint_model_blinn_phong, 1, 256, GLINT_MATERIAL_MAX, 1, 1},
+    {"spot, Lambert", &glint_light_spot, &glint_model_lambert, 1, 1, 0, 1, 0},
+    {"spot, Blinn-Phong", &glint_light_spot, &glint_model_blinn_phong, 1, 1024, 0, 1, 0},
+    {"spot, Phong, mesh colours", &glint_light_spot, &glint_model_phong, 1, 1024, 0, 1, 1},
+    {"8 directional, Blinn-Phong", &glint_light_directional, &glint_model_blinn_phong, 1, 256, 0, 8, 0},
+    {"8 lamps, Phong, mesh colours", &glint_light_point, &glint_model_phong, 1, 256, 0, 8, 1},
+    {"8 spots, Blinn-Phong", &glint_light_spot, &glint_model_blinn_phong, 1, 256, 0, 8, 0},
+};
+
+/* A triangle of its own mesh. */
+typedef struct single {
+    test_scene scene;
+    glint_mesh mesh;
+    int16_t positions[3][3], normals[3][3];
+    uint8_t colours[3][3];
+} single;
+
+static int16_t whole(double value) {
+    return (int16_t)lrint(fmax(-32767, fmin(32767, value)));
+}
+
+/* A corner anywhere on the screen, from 2 to 8 away; positions are of an extent of 16. */
+static void place_corner(single *s, int i, double size, double depth) {
+    const double z = -4 + between(-depth, depth);
+    s->positions[i][0] = whole(between(-size, size) * -z * 0.55 * 2048);
+    s->positions[i][1] = whole(between(-size, size) * -z * 0.41 * 2048);
+    s->positions[i][2] = whole(z * 2048);
+}
+
+/* The plane's normal, towards the eye, and leaning. */
+static void lean(single *s, double by) {
+    double a[3], b[3], n[3];
+    for (int c = 0; c < 3; c++) {
+        a[c] = s->positions[1][c] - s->positions[0][c];
+        b[c] = s->positions[2][c] - s->positions[0][c];
+    }
+    for (int c = 0; c < 3; c++)
+        n[c] = a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
+    const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) + 1e-9;
+    for (int i = 0; i < 3; i++) {
+        double leaning[3], square = 0;
+        for (int c = 0; c < 3; c++) {
+            leaning[c] = n[c] / length + between(-by, by);
+            square += leaning[c] * leaning[c];
+        }
+        for (int c = 0; c < 3; c++)
+            s->normals[i][c] = whole(leaning[c] / sqrt(square) * 32767);
+    }
+}
+
+static void build_mesh(single *s, int has_colours) {
+    static const uint16_t triangle[1][3] = {{0, 1, 2}};
+    const double size = across(0.1, 1), depth = across(0.01, 2);
+    for (int i = 0; i < 3; i++)
+        place_corner(s, i, size, depth);
+    lean(s, between(0, 1) < 0.5 ? across(0.01, 0.2) : between(0, 0.6));
+    for (int i = 0; i < 9; i++)
+        s->colours[i / 3][i % 3] = (uint8_t)between(0, 256);
+    s->mesh = (glint_mesh){.positions = (const int16_t(*)[3])s->positions,
+                           .normals = (const int16_t(*)[3])s->normals,
+                           .triangles = triangle,
+                           .vertex_count = 3,
+                           .triangle_count = 1,
+                           .flags = GLINT_MESH_DOUBLE_SIDED,
+                           .extent = {16 * GLINT_ONE, 16 * GLINT_ONE, 16 * GLINT_ONE}};
+    if (has_colours)
+        s->mesh.colours = (const uint8_t(*)[3])s->colours;
+}
+
+static glint_colour grey(double level) {
+    return (glint_colour){bench_q16(level), bench_q16(level), bench_q16(level)};
+}
+
+/* Beside the triangle: more often before it than behind. */
+static void build_light(glint_light *light, const kind *of) {
+    const double x = between(-2, 2), y = between(-2, 2), z = across(0.1, 3) * (between(0, 1) < 0.8 ? 1 : -1);
+    const double inner = across(2, 60);
+    const int is_directional = of->type == &glint_light_directional;
+    *light = (glint_light){.type = of->type,
+                           .vector = {bench_q16(x), bench_q16(y), bench_q16(is_directional ? z : z - 4)},
+                           .diffuse = grey(1.0 / of->lights),
+                           .specular = grey(1.0 / of->lights),
+                           .linear = bench_q16(between(0, 0.3)),
+                           .quadratic = bench_q16(between(0, 0.3)),
+                           .inner = bench_q16(inner),
+                           .outer = bench_q16(inner + across(6, 40))};
+    light->axis = (glint_vector){bench_q16(between(-1, 1) - x), bench_q16(between(-1, 1) - y), bench_q16(-z)};
+}
+
+/* Weights sum to 1. */
+static void build(single *s, const kind *of, uint32_t seed) {
+    random_state = seed * 2654435761u;
+    scene_build_named(&s->scene, "mirrored");
+    build_mesh(s, of->has_colours);
+    glint_material *material = &s->scene.materials[0];
+    s->scene.objects[0] = (glint_object){.mesh = &s->mesh, .material = material, .pose = glint_pose_identity()};
+    *material = (glint_material){.model = of->model,
+                                 .ambient = grey(0.1),
+                                 .diffuse = grey(of->model == &glint_model_lambert ? 1 : 0.6),
+                                 .specular = grey(0.4),
+                                 .shininess = bench_q16(across(of->least, of->most)),
+                                 .flags = of->flags};
+    s->scene.scene.camera = (glint_camera){glint_pose_identity(), 45 * GLINT_ONE, GLINT_ONE / 8};
+    s->scene.scene.viewer = between(0, 1) < 0.5 ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
+    s->scene.scene.ambient = grey(1);
+    s->scene.scene.light_count = (uint32_t)of->lights;
+    s->scene.scene.object_count = 1;
+    for (int i = 0; i < of->lights; i++)
+        build_light(&s->scene.lights[i], of);
+}
+
+/* ---- The bound ----------------------------------------------------------------------------------------------- */
+
+/* By triangles that were drawn whole, and all others. */
+typedef struct found {
+    double largest[2];
+    long triangles[2], pixels[2];
+    uint32_t seed[2];
+} found;
+
+static void compare(const kind *of, uint32_t seed, found *to) {
+    static single s;
+    picture nodes = picture_open(WIDTH, HEIGHT, &fine_format), fragments = picture_open(WIDTH, HEIGHT, &fine_format);
+    glint_stats stats = {0};
+    build(&s, of, seed);
+    CHECK_EQUAL(picture_render(&fragments, &s.scene.scene, NULL, NULL), GLINT_OK);
+    scene_light_at_nodes(&s.scene);
+    CHECK_EQUAL(picture_render(&nodes, &s.scene.scene, NULL, &stats), GLINT_OK);
+    const int others = !stats.drawn[GLINT_KERNEL_CHANNELS].covered;
+    double largest = 0;
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        const double apart = fabs(fine_level(&nodes, i) - fine_level(&fragments, i));
+        to->pixels[others] += apart != 0;
+        largest = fmax(largest, apart);
+    }
+    to->triangles[others]++;
+    if (largest > to->largest[others]) {
+        to->largest[others] = largest;
+        to->seed[others] = seed;
+    }
+    picture_close(&nodes);
+    picture_close(&fragments);
+}
+
+static void within_the_bound(void) {
+    char line[160];
+    test_write(
+        "                                     whole: triangles  largest  seed | squares and fragments, the same\n");
+    for (unsigned k = 0; k < TEST_COUNT(kinds); k++) {
+        found all = {{0}, {0}, {0}, {0}};
+        for (uint32_t seed = 1; seed <= 400; seed++)
+            compare(&kinds[k], seed, &all);
+        snprintf(line, sizeof line, "%-40s %9ld %10.3f %5u | %9ld %8.3f %5u\n", kinds[k].name, all.triangles[0],
+                 all.largest[0], (unsigned)all.seed[0], all.triangles[1], all.largest[1], (unsigned)all.seed[1]);
+        test_write(line);
+        CHECK(all.pixels[0] + all.pixels[1] > 0);
+        CHECK(all.largest[0] <= ALLOWED + OF_FRAGMENTS);
+        CHECK(all.largest[1] <= ALLOWED + OF_FRAGMENTS);
+    }
+}
+
+/* ---- Slow motion --------------------------------------------------------------------------------------------- */
+
+#define FRAMES 40
+
+/* Most steps by which a pixel changes that stands still in the other pictures. */
+static int largest_jump(const picture nodes[2], const picture fragments[2], long *still) {
+    int largest = 0;
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        for (int c = 0; c < 3; c++) {
+            const int x = i % WIDTH, y = i / WIDTH;
+            const int moved = picture_level(&fragments[0], x, y, c) != picture_level(&fragments[1], x, y, c);
+            const int jump = abs(picture_level(&nodes[0], x, y, c) - picture_level(&nodes[1], x, y, c));
+            *still += !moved;
+            if (!moved && jump > largest)
+                largest = jump;
+        }
+    return largest;
+}
+
+/* Moves as `step` says from frame to frame. @return the largest jump of any */
+static int find_jumps(test_scene *scene, const glint_pose *step, const glint_format *format, long *still) {
+    picture nodes[2], fragments[2];
+    glint_pose *const pose = &scene->objects[0].pose;
+    int largest = 0;
+    for (int i = 0; i < 2; i++) {
+        nodes[i] = picture_open(WIDTH, HEIGHT, format);
+        fragments[i] = picture_open(WIDTH, HEIGHT, format);
+    }
+    for (int frame = 0; frame < FRAMES; frame++) {
+        scene->objects[0].evaluation = NULL;
+        CHECK_EQUAL(picture_render(&fragments[frame % 2], &scene->scene, NULL, NULL), GLINT_OK);
+        scene_light_at_nodes(scene);
+        CHECK_EQUAL(picture_render(&nodes[frame % 2], &scene->scene, NULL, NULL), GLINT_OK);
+        if (frame) {
+            const int jump = largest_jump(nodes, fragments, still);
+            largest = jump > largest ? jump : largest;
+        }
+        const glint_pose place = glint_pose_translate(pose->m[0][3], pose->m[1][3], pose->m[2][3]);
+        pose->m[0][3] = pose->m[1][3] = pose->m[2][3] = 0;
+        *pose = glint_pose_then(pose, step);
+        *pose = glint_pose_then(pose, &place);
+    }
+    for (int i = 0; i < 2; i++) {
+        picture_close(&nodes[i]);
+        picture_close(&fragments[i]);
+    }
+    return largest;
+}
+
+/* A coarse torus under one light or eight, near or far. */
+static void build_moving(test_scene *scene, const kind *of, uint32_t seed) {
+    single whole_of;
+    build(&whole_of, of, seed);
+    *scene = whole_of.scene;
+    scene->scene.objects = scene->objects;
+    scene->scene.lights = scene->lights;
+    scene->objects[0] = (glint_object){.mesh = &scene_bench_mesh(seed % 2 ? 1 : 3)->mesh,
+                                       .material = &scene->materials[0],
+                                       .pose = bench_turn(-0.8, 0.6)};
+    scene->objects[0].pose.m[2][3] = -4 * GLINT_ONE;
+}
+
+static void slow_motion(void) {
+    static const glint_format *const formats[2] = {&glint_format_rgb888, &glint_format_rgb565};
+    static const int allowed[2] = {2, 1};
+    const glint_pose turn = glint_pose_rotate_y(GLINT_Q16(0.01));            /* degrees */
+    const glint_pose shift = glint_pose_translate(GLINT_Q16(0.00069), 0, 0); /* 0.02 of 96 pixels at a distance of 4 */
+    char line[120];
+    for (unsigned k = 0; k < TEST_COUNT(kinds); k++)
+        for (int way = 0; way < 4; way++) {
+            test_scene scene;
+            long still = 0;
+            build_moving(&scene, &kinds[k], k + 1);
+            const int jump = find_jumps(&scene, way / 2 ? &shift : &turn, formats[way % 2], &still);
+            CHECK(still > 0);
+            if (!CHECK(jump <= allowed[way % 2])) {
+                snprintf(line, sizeof line, "  %s, %s, %s: %d steps\n", kinds[k].name, way / 2 ? "moved" : "turned",
+                         way % 2 ? "RGB565" : "RGB888", jump);
+                test_write(line);
+            }
+        }
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {TEST_CASE(within_the_bound), TEST_CASE(slow_motion)};
+    return test_run(write, cases, TEST_COUNT(cases));
+}
