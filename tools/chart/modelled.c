@@ -15,8 +15,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const char *const kernels[GLINT_KERNELS] = {"general",  "ambient",        "diffuse",         "gated",
-                                                   "specular", "curved_diffuse", "curved_specular", "even"};
+static const char *const kernels[GLINT_KERNELS] = {
+    "general", "ambient", "diffuse", "gated", "specular", "curved_diffuse", "curved_specular", "even", "channels"};
 
 /** Of the frames of a scene, drawn in one way. */
 typedef struct total {
@@ -149,6 +149,7 @@ static void gallery(void) {
             const heading h = {scene->name, scene->variants[variant].name, scene->width, scene->height, 1};
             total sums[WAYS] = {0};
             scene->build(&stage, variant, frame_in_middle(scene->frames));
+            light_at_fragments(stage.objects, stage.scene.object_count);
             add_frame(sums, &stage.scene, h.width, h.height);
             print_rows(&h, sums);
         }

@@ -3,7 +3,7 @@
 from figures import CPUS, only
 from table import bullets, listed, table
 
-KERNELS = ("general", "ambient", "diffuse", "gated", "specular", "curved_diffuse", "curved_specular", "even")
+KERNELS = ("general", "ambient", "diffuse", "gated", "specular", "curved_diffuse", "curved_specular", "even", "channels")
 
 # Of pairs of a triangle and a tile: those whose kernel looks at no specular light, and at no light at all. The general
 # kernel looks fragment by fragment.

@@ -110,6 +110,7 @@ static int example_in_ways(const example_scene *scene, uint32_t variant) {
     static example_stage stage;
     const heading h = {scene->name, scene->variants[variant].name, scene->width, scene->height};
     scene->build(&stage, variant, frame_in_middle(scene->frames));
+    light_at_fragments(stage.objects, stage.scene.object_count);
     return one_frame_in_ways(&stage.scene, &h);
 }
 

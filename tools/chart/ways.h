@@ -38,4 +38,12 @@ static inline uint32_t frame_in_middle(uint32_t frames) {
     return frames / 2;
 }
 
+/** Lights objects per fragment that are lit per node, as twins that drop nothing do: nodes look at the lights' terms.
+ */
+static inline void light_at_fragments(glint_object objects[], uint32_t count) {
+    for (uint32_t i = 0; i < count; i++)
+        if (objects[i].evaluation == &glint_per_node)
+            objects[i].evaluation = &glint_per_fragment;
+}
+
 #endif
