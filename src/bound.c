@@ -54,12 +54,12 @@ static inline uint32_t of_levels(uint32_t of_cube, uint32_t levels) {
 }
 
 /*
- * Planes err by a^2 / 8 + a b / 4 where light turns by a; chords between unit vectors made longer by half of what they
- * fall short by do so by half of that: levels Q4 to Q8.
+ * In the middle of a triangle whose edges all turn by a planes fall short by a^2 / 6, and err by a b / 3; chords
+ * between unit vectors made longer by half of what they fall short by do so by half of that. Levels Q4 to Q8.
  */
 static uint32_t plane_sum_error(uint32_t levels, uint32_t turn, uint32_t place, uint32_t b) {
     const uint32_t a = turn + place;
-    return (2 * times(a, a) - times(turn, turn) + 4 * times(a, b)) * levels >> 12;
+    return (2 * times(a, a) - times(turn, turn) + 4 * times(a, b)) * 4 / 3 * levels >> 12;
 }
 
 /* x, Q12, times a highlight's slope, Q8: at most 2^16. */
@@ -72,7 +72,7 @@ static uint32_t with_slope(const glint_light_terms *light, uint32_t x) {
 static uint32_t plane_lobe_error(const glint_light_terms *light, uint32_t levels, uint32_t turn, uint32_t axis,
                                  uint32_t b) {
     const uint32_t of_axis = 2 * times(axis, axis) + 4 * times(turn, axis) + 4 * times(turn + axis, b);
-    return (with_slope(light, of_axis) + times(turn, turn)) * (levels >> 4) >> 12;
+    return (with_slope(light, of_axis) + times(turn, turn)) * 4 / 3 * (levels >> 4) >> 12;
 }
 
 /* A deviation at the middle of an edge is found from its ends: what both N and H make of it falls with it. */

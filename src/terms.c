@@ -523,7 +523,7 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
         glint_terms_name(frame, draw, region, 0, terms);
         terms->is_curved = 0;
         const target to = {part, terms->is_plain ? plain : 0, descents};
-        begin_planes(&t, region->folds ? 0 : (int32_t)(region->turn * region->turn >> 13), terms, &to);
+        begin_planes(&t, region->folds ? 0 : (int32_t)(region->turn * region->turn / 12 >> 9), terms, &to);
         return 1;
     }
     if (!glint_region_bound(frame, shading, &t.region))
