@@ -12,7 +12,7 @@
 #define LIMIT 51
 
 /* Where weights add up to more than this, errors do not grow with them: pixels are to stay within a step. */
-#define MOST_WEIGHT 2
+#define MOST_WEIGHT 4
 
 /* Bits that a squared deviation has where narrow lobes end: deviations reach four times as far. */
 #define LOBE_BITS 24
