@@ -60,7 +60,8 @@ static inline int cut_off(int32_t *e) {
 /*
  * With unit N and H, k = (N.H + nz) / (1 + hz), e = (nx - hx k, ny - hy k) are the coordinates of N in the plane across
  * H, turned so that H points along z: |e|^2 = sin^2 of the angle between them. Where N.H < 0, |e| falls again: there it
- * is stretched, so that the back of H stays outside the highlight. @return was it cut off?
+ * is stretched, so that the back of H stays outside the highlight. @return is it stretched or cut off, so that no
+ * polynomial fits?
  */
 static int find_deviation(const int16_t n[3], const int16_t h[3], unsigned shift, int16_t number[GLINT_NUMBERS]) {
     const int32_t cosine = glint_shift_right(glint_dot(n, h), 15);
@@ -74,7 +75,7 @@ static int find_deviation(const int16_t n[3], const int16_t h[3], unsigned shift
     y = glint_shift_right(y, 15 - shift);
     if (cosine < -GLINT_UNIT / 2)
         x = INT32_MAX;
-    const int is_far = cut_off(&x) | cut_off(&y);
+    const int is_far = (cosine < 0) | cut_off(&x) | cut_off(&y);
     number[GLINT_LOBE_X] = (int16_t)x;
     number[GLINT_LOBE_Y] = (int16_t)y;
     return is_far;

@@ -178,7 +178,14 @@ static void take_lights(source *s, drawing *d) {
 static void take_objects(source *s, drawing *d) {
     static const glint_model *const models[4] = {&glint_model_blinn_phong, &glint_model_phong, &glint_model_lambert,
                                                  &glint_model_unlit};
-    const glint_evaluation *const evaluations[4] = {NULL, &glint_per_fragment, &glint_per_vertex, &glint_per_facet};
+    const glint_evaluation *const evaluations[8] = {NULL,
+                                                    &glint_per_fragment,
+                                                    &glint_per_vertex,
+                                                    &glint_per_facet,
+                                                    &glint_per_node,
+                                                    &glint_per_node,
+                                                    &glint_per_node,
+                                                    &glint_per_node};
     d->scene.object_count = below(s, DRAWING_OBJECTS + 1);
     for (uint32_t i = 0; i < d->scene.object_count; i++) {
         d->materials[i].model = models[below(s, 4)];
@@ -189,7 +196,7 @@ static void take_objects(source *s, drawing *d) {
         d->materials[i].shininess = likely(s, 4, 64 * GLINT_ONE);
         d->objects[i].mesh = &d->meshes[below(s, DRAWING_MESHES)];
         d->objects[i].material = &d->materials[below(s, i + 1)];
-        d->objects[i].evaluation = evaluations[below(s, 4)];
+        d->objects[i].evaluation = evaluations[below(s, 8)];
         d->objects[i].pose = take_pose(s);
     }
     d->scene.objects = d->objects;
