@@ -6,7 +6,6 @@
 
 /* Exponents below this have lobes of the cosine. */
 #define WIDE (7 * GLINT_ONE)
-#define WIDE_MIRROR (16 * GLINT_ONE) /* mirrored light turns twice as far, to where the sine falls again */
 
 /* Error of polynomials in levels, Q8, for each 1 that the weights of a channel add up to, but at least 1. */
 #define LIMIT 51
@@ -166,8 +165,7 @@ static void fill_cosine(uint16_t cosine[GLINT_COSINE_VALUES], int32_t exponent) 
 }
 
 static void set_lobes(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
-    terms->lobe_is_wide =
-        shading->shininess < (shading->material->model->lobe == GLINT_LOBE_MIRROR ? WIDE_MIRROR : WIDE);
+    terms->lobe_is_wide = shading->shininess < WIDE;
     terms->lobe_has_strip = shading->shininess < GLINT_ONE && shading->shininess;
     if (terms->lobe_is_wide) {
         terms->lobes = shading->has_specular;
