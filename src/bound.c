@@ -242,6 +242,9 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
     const uint32_t of_colour = times(region->of_colour, slant) >> 5;
     region->error = of_levels(cube(region->turn + region->place, slant), region->levels) + of_colour;
     region->error_over_length = of_levels(cube(region->place, slant), region->levels) + of_colour;
+    if (region->folds) /* colours times |M| are of a degree more, and ambient light with them */
+        region->error_over_length +=
+            of_levels(cube(region->turn + region->place, slant), region->levels + (light->ambient_levels >> 4));
     region->margin = 8 + (int32_t)(cube(region->turn + region->place, slant) * 1802 >> 14);
     region->error_between = 0;
     if (levels) {
