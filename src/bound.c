@@ -72,7 +72,7 @@ static uint32_t with_slope(const glint_light_terms *light, uint32_t x) {
 static uint32_t plane_lobe_error(const glint_light_terms *light, uint32_t levels, uint32_t turn, uint32_t axis,
                                  uint32_t b) {
     const uint32_t of_axis = 2 * times(axis, axis) + 4 * times(turn, axis) + 4 * times(turn + axis, b);
-    return (with_slope(light, of_axis) + times(turn, turn)) * 4 / 3 * (levels >> 4) >> 12;
+    return ((with_slope(light, of_axis) + times(turn, turn)) / 12) * (levels >> 4) >> 8;
 }
 
 /* A deviation at the middle of an edge is found from its ends: what both N and H make of it falls with it. */

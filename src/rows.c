@@ -91,7 +91,7 @@ static void begin_with_channels_over(const glint_descent sum[3], const int32_t b
         for (const glint_run *run = to->runs; run != to->end; run++) {
             glint_progress channel = start(&sum[c], run, to);
             for (uint32_t n = run->count; n; n--, row++, go_on(&channel))
-                (*row)[c] = base[c] + glint_shift_right((int32_t)channel.value, 13) * (*inverse++ >> 1) / 2;
+                (*row)[c] = base[c] + glint_shift_right((int32_t)channel.value, 14) * (*inverse++ >> 1);
         }
     }
 }

@@ -20,7 +20,7 @@ static void keep(const glint_light_terms *light, const glint_node *node, int16_t
     rest[FLAGS] = (int16_t)(uint16_t)(node->far | node->unfit << 8);
     rest[STEEP] = (int16_t)node->steep;
     rest[OUTSIDE] = (int16_t)node->outside;
-    rest[LEVELS] = (int16_t)glint_least((int32_t)node->levels, INT16_MAX);
+    rest[LEVELS] = (int16_t)glint_least((int32_t)((node->levels + 3) >> 2), INT16_MAX); /* Q2 */
     rest[HALF] = (int16_t)node->half;
     rest[CLOSENESS] = (int16_t)glint_least((int32_t)node->closeness, INT16_MAX);
     rest[AROUND] = (int16_t)glint_least((int32_t)node->around, INT16_MAX);
@@ -179,7 +179,7 @@ static inline int find_region(const glint_frame *frame, const glint_draw *draw, 
     const uint32_t facing = (uint16_t)(a[FACING] & b[FACING] & c[FACING]);
     const uint32_t flags = (uint16_t)(a[FLAGS] | b[FLAGS] | c[FLAGS]);
     measure(light->pixel, triangle, t);
-    region->levels = (uint32_t)glint_most_of(a[LEVELS], b[LEVELS], c[LEVELS]);
+    region->levels = (uint32_t)glint_most_of(a[LEVELS], b[LEVELS], c[LEVELS]) << 2;
     region->half = (uint32_t)glint_least_of(a[HALF], b[HALF], c[HALF]);
     region->lit = facing & 0xff;
     region->dark = facing >> 8;
