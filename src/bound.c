@@ -7,7 +7,7 @@
 #define CLEARLY_NEAR 512
 #define CLEARLY_INSIDE 64
 
-/* A light nearer than a third of the region's width has no polynomial, Q12. */
+/* A region wider than three quarters of a light's distance has no polynomial, Q12. */
 #define TOO_NEAR (3 << 10)
 
 /* Of what 1/w changes by, times 1.85, and of angles: beyond, nothing fits. Q12 */
