@@ -60,8 +60,8 @@ static int place_lobe(const glint_shading *shading, const glint_shape *shape, gl
 
 /* Does a light keep its side all over a region? */
 static int keeps_side(const glint_shape *shape, glint_node *const nodes[], uint32_t l) {
-    int32_t least = INT32_MAX, most = INT32_MIN;
-    for (uint32_t i = 0; i < shape->count; i++) {
+    int32_t least = nodes[0]->number[l][GLINT_SIDE], most = least;
+    for (uint32_t i = 1; i < shape->count; i++) {
         least = glint_least(least, nodes[i]->number[l][GLINT_SIDE]);
         most = glint_most(most, nodes[i]->number[l][GLINT_SIDE]);
     }

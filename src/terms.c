@@ -418,7 +418,7 @@ static unsigned unit_of_sums(const glint_terms *terms) {
 static void begin_quadratics(const candidate *t, const lengths *by, const glint_terms *terms, const target *to) {
     const glint_gradients *const g = &to->part->gradients;
     const int32_t *const length = by ? by->length : 0;
-    const int32_t *const of_lobe = terms->is_over_length > 1 ? by->square : length;
+    const int32_t *const of_lobe = by && terms->is_over_length > 1 ? by->square : length;
     glint_barycentric s;
     int32_t n[6];
     glint_barycentric_begin(&s, g, (int32_t)unit_of_sums(terms));

@@ -139,6 +139,9 @@ static void build_lit(int light, int evaluation) {
 
     example_teapot.build(&stage, 0, 5);
     lamp->type = lights[light].type;
+    if (lamp->type == &glint_light_spot) { /* nearer, nodes are no fewer than fragments */
+        lamp->vector = (glint_vector){GLINT_Q16(-0.9), GLINT_Q16(2.4), GLINT_Q16(2.2)};
+    }
     lamp->linear = GLINT_Q16(0.1);
     lamp->quadratic = GLINT_Q16(0.05);
     lamp->inner = GLINT_Q16(20);
