@@ -17,13 +17,13 @@
 /* A cone's ramp is to be no longer over a region, Q12. */
 #define LONGEST_RAMP (4 << 12)
 
-/* sqrt(x), Q24 to Q12. */
-uint32_t glint_angle_of(uint32_t x) {
-    if (!x)
+/* sqrt(square), Q24 to Q12. */
+uint32_t glint_angle_of(uint32_t square) {
+    if (!square)
         return 0;
-    const unsigned up = glint_leading_zeros(x) & ~1u; /* to 2^30 .. 2^32 */
-    const uint32_t root = (uint32_t)glint_inverse_root(x << up >> 1) * 46341 >> 16;
-    return ((x << up >> 16) * root >> 14 >> up / 2) + 1;
+    const unsigned up = glint_leading_zeros(square) & ~1u; /* to 2^30 .. 2^32 */
+    const uint32_t root = (uint32_t)glint_inverse_root(square << up >> 1) * 46341 >> 16;
+    return ((square << up >> 16) * root >> 14 >> up / 2) + 1;
 }
 
 /* Longer than the hypotenuse of two sides, by at most 12 %. */
@@ -197,7 +197,7 @@ static inline uint32_t lobe_turn(const glint_shading *shading, const glint_regio
 /* H turns by what L and V turn, over |L + V|. */
 static inline uint32_t find_axis(const glint_frame *frame, const glint_region *region) {
     const uint32_t turn = region->near + (frame->view->local_viewer ? region->reach : 0);
-    return (turn << 12) / glint_angle_of(region->half << 10);
+    return (turn << 12) / (glint_angle_of(region->half << 10) | 1);
 }
 
 int glint_region_fits(const glint_frame *frame, const glint_shading *shading, int has_surface, glint_region *region) {

@@ -192,7 +192,7 @@ static void begin(pieces *p, glint_shape *shape) {
 
 int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                       const glint_triangle *triangle, const glint_part *part) {
-    static const int8_t kinds[4][3] = {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {-1, 1, 1}};
+    static const int32_t kinds[4][3] = {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {-1, 1, 1}};
     pieces p = {.frame = frame, .draw = draw, .triangle = triangle};
     glint_barycentric barycentric = {.unit = 0};
     glint_shape shape = {.count = 6, .corners = {0, 1, 2, 2}, .fit = fit, .part = part, .barycentric = &barycentric};

@@ -311,6 +311,7 @@ static uint32_t find_colours(const glint_terms *terms, const glint_descent *poly
         }
     if (terms->takes_largest)
         raise_to_ambient(terms, polynomials + terms->surface, to);
+    to->inverse = 0;
     return pixels;
 }
 

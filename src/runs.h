@@ -37,16 +37,18 @@ static inline glint_run *glint_find_near_runs(uint16_t *depth, glint_span span, 
 /** The same where 1/w may be below 0, as of a deep triangle's planes; and shorter. */
 static inline glint_run *glint_find_deep_runs(uint16_t *depth, glint_span span, uint32_t z, uint32_t z_dx, uint32_t y,
                                               glint_run *run) {
-    uint32_t end = GLINT_TILE_MAX;
+    uint32_t first = 0, end = GLINT_TILE_MAX;
     for (uint32_t column = span.left; column < span.right; column++, z += z_dx) {
         const uint32_t here = (uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS) >> 15;
         if (here <= depth[column])
             continue;
         depth[column] = (uint16_t)here;
-        if (column != end)
-            *run++ = (glint_run){(uint8_t)column, (uint8_t)y, 0};
+        if (column != end) {
+            first = column;
+            *run++ = (glint_run){(uint8_t)first, (uint8_t)y, 0};
+        }
         end = column + 1;
-        run[-1].count++;
+        run[-1].count = (uint8_t)(end - first);
     }
     return run;
 }

@@ -84,7 +84,7 @@ typedef struct glint_region {
     uint32_t error_between;             /* what is more where nodes between corners are found from these */
 } glint_region;
 
-/** sqrt(x), Q24 to Q12. */
+/** sqrt(square), Q24 to Q12. */
 uint32_t glint_angle_of(uint32_t square);
 
 /** |a - b|^2 of unit vectors, Q26, below 2^29. */
