@@ -31,9 +31,10 @@ static uint32_t hypotenuse(uint32_t a, uint32_t b) {
     return a > b ? a + b / 2 : b + a / 2;
 }
 
-void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, glint_w_range w, glint_region *region) {
-    const uint32_t across = (uint32_t)((uint64_t)hypotenuse(width, height) * pixel >> 18);
-    const uint32_t slant = w.least > w.change >> 2 ? (w.change << 12) / w.least : 1 << 14;
+void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, const glint_w_range *w,
+                          glint_region *region) {
+    const uint32_t across = (uint32_t)(glint_product_unsigned(hypotenuse(width, height), pixel) >> 18);
+    const uint32_t slant = w->least > w->change >> 2 ? (w->change << 12) / w->least : 1 << 14;
     region->slant = slant * 474 >> 8;
     region->reach = (uint32_t)glint_least((int32_t)hypotenuse(across, slant), 1 << 14);
 }

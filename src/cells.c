@@ -89,7 +89,7 @@ uint32_t glint_shape_away(const glint_draw *draw, const glint_shape *shape, glin
     }
     if (!outside || !find_w_range(shape, nodes, &w))
         return 0;
-    glint_region_measure(draw->shading->terms->pixel, shape->width, shape->height, w, &region);
+    glint_region_measure(draw->shading->terms->pixel, shape->width, shape->height, &w, &region);
     return glint_find_away(outside, (uint32_t)glint_least((int32_t)(region.reach * around >> 8), 1 << 13));
 }
 
@@ -101,7 +101,7 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, const g
     if (!find_w_range(shape, nodes, &w))
         return 0;
     region->turn = find_turn(shape, nodes);
-    glint_region_measure(shading->terms->pixel, shape->width, shape->height, w, region);
+    glint_region_measure(shading->terms->pixel, shape->width, shape->height, &w, region);
     region->levels = 0;
     region->half = INT16_MAX;
     region->lit = region->dark = 0xff;

@@ -120,7 +120,8 @@ static inline void measure(uint32_t pixel, const glint_triangle *triangle, candi
     const int32_t width = glint_most_of(v[0]->x, v[1]->x, v[2]->x) - glint_least_of(v[0]->x, v[1]->x, v[2]->x);
     const int32_t height = glint_most_of(v[0]->y, v[1]->y, v[2]->y) - glint_least_of(v[0]->y, v[1]->y, v[2]->y);
     region->turn = glint_angle_of((uint32_t)turn >> 2);
-    glint_region_measure(pixel, (uint32_t)width, (uint32_t)height, glint_find_w_range(v), region);
+    const glint_w_range w = glint_find_w_range(v);
+    glint_region_measure(pixel, (uint32_t)width, (uint32_t)height, &w, region);
 }
 
 /* Does a highlight show on a triangle? */

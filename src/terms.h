@@ -95,7 +95,8 @@ static inline int32_t glint_square_apart(const int16_t a[3], const int16_t b[3])
 }
 
 /** Sets `reach` and `slant` of a region so wide and high, 28.4, with this range of 1/w. @param pixel of the terms */
-void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, glint_w_range w, glint_region *region);
+void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, const glint_w_range *w,
+                          glint_region *region);
 
 /** Of lights whose cones all nodes are outside of, `outside` of nodes, those that are so near and yet out of reach. */
 uint32_t glint_find_away(uint32_t outside, uint32_t near);
