@@ -119,13 +119,13 @@ int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_
 
 #define LIT(i) (fragments->count <= (i) || \initialized(&fragments->colour[i][0..2]))
 
-/*@ requires 1 <= fragments->count <= 8;
+/*@ requires 1 <= fragments->count <= GLINT_FRAGMENTS_MAX;
     requires \initialized(&fragments->normal[0 .. fragments->count - 1][0 .. 2]);
     requires \subset(fragments->normal[0 .. fragments->count - 1][0 .. 2], (-32767 .. 32767));
     requires has_surface == 0 || \initialized(&fragments->surface[0 .. fragments->count - 1][0 .. 2]);
     requires has_surface == 0 || \subset(fragments->surface[0 .. fragments->count - 1][0 .. 2], (0 .. 32767));
-    assigns fragments->colour[0 .. 7][0 .. 2] \from indirect: *frame, indirect: *fragments, indirect: *shading;
-    ensures LIT(0) && LIT(1) && LIT(2) && LIT(3) && LIT(4) && LIT(5) && LIT(6) && LIT(7); */
+    assigns fragments->colour[0 .. 8][0 .. 2] \from indirect: *frame, indirect: *fragments, indirect: *shading;
+    ensures LIT(0) && LIT(1) && LIT(2) && LIT(3) && LIT(4) && LIT(5) && LIT(6) && LIT(7) && LIT(8); */
 void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const glint_shading *shading,
                      int has_surface);
 
@@ -156,7 +156,7 @@ void glint_clamp_colour(const uint32_t colour[3], int16_t out[3]);
         -4096 <= (fragments)->part->y <= 4096 && \initialized(&(fragments)->column[0..(i)]) &&            \
      \initialized(&(fragments)->row[0..(i)]))
 
-/*@ requires i < fragments->count <= 8;
+/*@ requires i < fragments->count <= GLINT_FRAGMENTS_MAX;
     requires PLACED(fragments, i);
     requires \initialized(&fragments->inverse_w[i]);
     requires fragments->inverse_w[i] >= 0;
@@ -187,14 +187,14 @@ static inline void glint_channels_of(const uint32_t colour[3], int32_t channel[3
     ensures \subset(colour[0 .. count - 1][0 .. 2], (-0x8000000 .. 0x78000000)); */
 void glint_finish_colours(const glint_config *config, int32_t (*colour)[3], uint32_t count);
 
-/*@ requires 1 <= fragments->count <= 8;
+/*@ requires 1 <= fragments->count <= GLINT_FRAGMENTS_MAX;
     requires \initialized(&fragments->inverse_w[0 .. fragments->count - 1]);
     requires \subset(fragments->inverse_w[0 .. fragments->count - 1], (0 .. 0x7fffffff));
     requires PLACED(fragments, fragments->count - 1);
     requires \initialized(&fragments->scale) && fragments->scale <= 30;
     requires \valid_read(fragments->attributes);
-    assigns fragments->colour[0 .. 7][0 .. 2] \from indirect: *frame, indirect: *fragments, indirect: *draw;
-    ensures LIT(0) && LIT(1) && LIT(2) && LIT(3) && LIT(4) && LIT(5) && LIT(6) && LIT(7); */
+    assigns fragments->colour[0 .. 8][0 .. 2] \from indirect: *frame, indirect: *fragments, indirect: *draw;
+    ensures LIT(0) && LIT(1) && LIT(2) && LIT(3) && LIT(4) && LIT(5) && LIT(6) && LIT(7) && LIT(8); */
 void glint_shade(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw);
 
 /*@ requires \valid(transform) && \valid_read(view) && \valid_read(config) && \valid_read(object);

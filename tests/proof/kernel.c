@@ -3,73 +3,24 @@
 #include "proof.h"
 
 #include "../../src/kernel.c"
+#include "gathering.h"
 #include "lit.h"
 #include "pixels.h"
 #include "plane.h"
 
 /*
- * Not proven: glint_draw_facet, draw_resolved: they hand on what draw_even and glint_draw_any are proven for. The image
- * tests under ASan.
+ * Not proven: glint_draw_facet: it hands on what draw_even is proven for. The image tests under ASan.
  */
 
-/* Stands on find_runs, whose runs lie in their span, and on what draws a run, which fills no more. The image tests
- * under ASan. */
-/*@ requires \valid_read(from) && \valid_read(from->frame) && \valid_read(from->workspace) && \valid_read(from->part);
+/* Stands on glint_find_runs, whose runs lie in their span, and on what draws a run, which fills no more. The image
+ * tests under ASan. */
+/*@ requires \valid_read(from);
+    requires \valid_read(from->to.frame) && \valid_read(from->to.workspace) && \valid_read(from->to.part);
     requires \initialized(&from->draw_run) && \initialized(&from->is_deep);
     assigns \result \from indirect: *from; */
 static uint32_t draw_runs(const source *from);
 
-/* Stands on glint_draw_any, which begins fragments in the same way, and on resolve. The image tests under ASan. */
-/*@ requires \valid_read(frame) && \valid_read(workspace) && \valid_read(draw) && \valid_read(triangle);
-    requires \valid_read(part) && \valid_read(colour + (0 .. 2));
-    assigns \nothing; */
-static void draw_resolved(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                          const glint_triangle *triangle, const glint_part *part, const int16_t *const colour[3]);
-
 #define WIDTH 8
-
-/* ---- Runs ---- */
-
-static uint16_t depths[WIDTH];
-static run runs[(WIDTH + 1) / 2];
-
-/* Runs follow each other in a span, with a pixel at least between two. */
-static void check_runs(const run *found, uint32_t count, glint_span span) {
-    uint32_t from = span.left;
-    for (uint32_t i = 0; i < count; i++) {
-        /*@ assert from <= found[i].first < found[i].end <= span.right; */
-        from = found[i].end + 1u;
-    }
-}
-
-/* Every span of a row of 8 pixels, of which any are hidden; 1/w of a triangle that lies in between. */
-#define FOR_ROWS(span)                              \
-    FOR_PARTS(left, 0, WIDTH)                       \
-    FOR_PARTS(right, left, WIDTH)                   \
-    FOR_PARTS(hidden, 0, (1 << (right - left)) - 1) \
-    for (const glint_span *span = any_row(left, right, hidden); span; span = 0)
-
-static const glint_span *any_row(int left, int right, int hidden) {
-    static glint_span span;
-    span = (glint_span){(uint8_t)left, (uint8_t)right};
-    for (int i = left; i < right; i++)
-        depths[i] = (uint16_t)(hidden >> (i - left) & 1 ? UINT16_MAX : 0);
-    return &span;
-}
-
-/* Every span of a row of 8 pixels, any of them hidden: no more runs than half of its pixels. */
-PROOF(find_runs) {
-    FOR_ROWS(span) {
-        check_runs(runs, find_runs(depths, *span, ANY_UNSIGNED(1u << 15, 0x7fff7fff), 0, runs), *span);
-    }
-}
-
-/* The same, and 1/w below 0. @narrowing 1/w is a number with a sign */
-PROOF(find_deep_runs) {
-    FOR_ROWS(span) {
-        check_runs(runs, find_deep_runs(depths, *span, (uint32_t)ANY(INT32_MIN, 0x7fff7fff), 0, runs), *span);
-    }
-}
 
 /* ---- Rows ---- */
 
@@ -103,11 +54,11 @@ static void any_quadratic(glint_quadratic *q) {
     FOR_PARTS(y, 0, WIDTH - 1)       \
     FOR_PARTS(first, 0, WIDTH - 1)   \
     FOR_PARTS(end, first + 1, WIDTH) \
-    for (const run *at = any_run_of(first, end); at; at = 0)
+    for (const glint_run *at = any_run_of(first, end, y); at; at = 0)
 
-static const run *any_run_of(int first, int end) {
-    static run at;
-    at = (run){(uint8_t)first, (uint8_t)end};
+static const glint_run *any_run_of(int first, int end, int y) {
+    static glint_run at;
+    at = (glint_run){(uint8_t)first, (uint8_t)y, (uint8_t)(end - first)};
     return &at;
 }
 
@@ -125,10 +76,10 @@ PROOF(store_run) {
     glint_part part;
     int32_t row[WIDTH][3] = {{0}};
     glint_workspace workspace = {.row = row};
-    const source from = {&frame, &workspace, &part, .draw_run = store_run};
+    const source from = {.to = {&frame, &workspace, &part, 0, 0, 0}, .draw_run = store_run};
     any_small_tile(&frame, &part);
     FOR_RUNS(y, at) {
-        store_run(&from, *at, (uint32_t)y);
+        store_run(&from, at);
     }
 }
 
@@ -147,69 +98,31 @@ PROOF(draw_channel_run) {
     FOR_RUNS(y, at) {
         int32_t row[WIDTH][3];
         glint_workspace workspace = {.row = row};
-        const source from = {&frame, &workspace, &part, .channels = channels};
+        const source from = {.to = {&frame, &workspace, &part, 0, 0, 0}, .channels = channels};
         frame.config.gamma = y & 1 ? tables : 0;
-        draw_channel_run(&from, *at, (uint32_t)y);
+        draw_channel_run(&from, at);
     }
 }
-
-/*
- * 1 to 8 fragments, one below the other or side by side, with output tables and without.
- * @contract glint_shade glint_channels_of glint_finish_colours
- * @unreached 3 what is done built for size
- */
-PROOF(store_fragments) {
-    glint_gathered gathered;
-    glint_fragments *const fragments = &gathered.fragments;
-    glint_draw draw;
-    glint_frame frame;
-    glint_part part;
-    glint_workspace workspace = {.gathered = &gathered};
-    const source from = {&frame, &workspace, &part, .shade = glint_shade, .draw = &draw};
-    any_small_tile(&frame, &part);
-    FOR_PARTS(count, 1, GLINT_FRAGMENTS_MAX) {
-        FOR_PARTS(kind, 0, 3) {
-            const int is_row = kind & 1;
-            fragments->count = (uint32_t)count;
-            fragments->part = &part;
-            frame.config.gamma = kind & 2 ? tables : 0;
-            fragments->scale = ANY_UNSIGNED(0, 30);
-            fragments->attributes = &gathered.attributes;
-            for (int i = 0; i < count; i++) {
-                fragments->column[i] = (uint8_t)(is_row ? i : 3);
-                fragments->row[i] = (uint8_t)(is_row ? 3 : i);
-                fragments->inverse_w[i] = ANY(0, INT32_MAX);
-            }
-            store_fragments(&from);
-        }
-    }
-}
-
-/*@ requires \valid_read(from) && 1 <= from->workspace->gathered->fragments.count <= 8;
-    assigns from->workspace->gathered->fragments.count \from \nothing;
-    ensures from->workspace->gathered->fragments.count == 0; */
-static void store_fragments(const source *from);
 
 /*
  * Any runs after any number of fragments.
- * @contract store_fragments
+ * @contract glint_gathering_store
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
+ * @unreached 4 what is done built for size
  */
 PROOF(gather_run) {
-    glint_gathered gathered;
+    glint_fragments fragments;
     glint_draw draw;
     glint_frame frame;
     glint_part part;
-    glint_workspace workspace = {.gathered = &gathered};
-    const source from = {&frame, &workspace, &part, .shade = glint_shade, .draw = &draw};
+    const source from = {{&frame, 0, &part, &draw, glint_shade, &fragments}};
     any_small_tile(&frame, &part);
     FOR_PARTS(before, 0, GLINT_FRAGMENTS_MAX - 1) {
         FOR_PARTS(first, 0, WIDTH - 1) {
             FOR_PARTS(end, first + 1, WIDTH) {
-                const run at = {(uint8_t)first, (uint8_t)end};
-                gathered.fragments.count = (uint32_t)before;
-                gather_run(&from, at, 5);
-                /*@ assert gathered.fragments.count < 8; */
+                fragments.count = (uint32_t)before;
+                gather_run(&from, any_run_of(first, end, 5));
+                /*@ assert fragments.count < GLINT_FRAGMENTS_MAX; */
             }
         }
     }
@@ -228,20 +141,6 @@ PROOF(resolve) {
         any_run(&frame, &fragments, &part, (uint32_t)count);
         fragments.attributes = &attributes;
         resolve(&frame, &fragments, &draw);
-    }
-}
-
-/* Any rows of any spans. */
-PROOF(covered_by) {
-    glint_part part;
-    FOR_PARTS(bottom, 0, GLINT_TILE_MAX) {
-        part.top = ANY_UNSIGNED(0, (uint32_t)bottom);
-        part.bottom = (uint32_t)bottom;
-        for (int row = 0; row < GLINT_TILE_MAX; row++) {
-            part.spans[row].left = (uint8_t)ANY(0, GLINT_TILE_MAX);
-            part.spans[row].right = (uint8_t)ANY(part.spans[row].left, GLINT_TILE_MAX);
-        }
-        covered_by(&part);
     }
 }
 
@@ -282,19 +181,7 @@ static void any_triangle(int16_t least) {
     triangle.back = ANY(0, 1);
 }
 
-/* 1/w of the corners, by the bits of the largest, first or last. */
-#define FOR_CORNERS(bits)                                                                                    \
-    FOR_PARTS(bits, 7, 31)                                                                                   \
-    FOR_PARTS(is_last, 0, 1)                                                                                 \
-    if (corners[0].inverse_w = ANY(is_last ? 64 : (int32_t)((1u << bits) / 2), (int32_t)((1u << bits) - 1)), \
-        corners[1].inverse_w = ANY(64, (int32_t)((1u << bits) - 1)),                                         \
-        corners[2].inverse_w = ANY(is_last ? (int32_t)((1u << bits) / 2) : 64, (int32_t)((1u << bits) - 1)), 1)
-
-/*
- * Corners of any normals, 1/w by the bits of the largest, first or last; seen from both sides, with colours of their
- * own and without.
- * @contract glint_plane_begin draw_runs
- * @unreached 3 leading zeros of 0 and 1
+/* Corners of any normals and 1/w, seen from both sides. @contract glint_gathering_begin glint_gathering_store draw_runs
  */
 PROOF(glint_draw_any) {
     static glint_draw draw;
@@ -303,12 +190,7 @@ PROOF(glint_draw_any) {
     any_triangle(-32767);
     ANY_GRADIENTS(&part_of_all.gradients);
     workspace_of_all.gathered = &gathered;
-    FOR_CORNERS(bits) {
-        FOR_PARTS(has_colours, 0, 1) {
-            draw.extra = has_colours ? extra : 0;
-            glint_draw_any(&frame, &workspace_of_all, &draw, &triangle, &part_of_all);
-        }
-    }
+    glint_draw_any(&frame, &workspace_of_all, &draw, &triangle, &part_of_all);
 }
 
 /* Stands on the most of three, which is no less than the least. */
@@ -423,12 +305,13 @@ static void begin_quadratics(glint_quadratic channel[3], const glint_gradients *
 /*
  * Colours at any corners, seen from both sides; in formats with loops of their own and without, with output tables and
  * without.
- * @contract find_fit begin_planes begin_quadratics draw_runs draw_resolved
- * @unreached 2 glint_count where nothing is counted: it is not called
+ * @contract find_fit begin_planes begin_quadratics draw_runs glint_gathering_begin glint_gathering_store
  */
 PROOF(glint_draw_lit) {
     static glint_draw draw;
+    static glint_gathered gathered;
     glint_frame frame;
+    workspace_of_all.gathered = &gathered;
     frame.tile_shift_x = (uint8_t)ANY(3, 6);
     any_triangle(0);
     ANY_GRADIENTS(&part_of_all.gradients);

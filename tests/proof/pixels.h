@@ -25,7 +25,8 @@ static void any_planes(glint_attributes *attributes) {
     }
 }
 
-/* So many fragments of a triangle whose anchor the guard band holds, anywhere in a tile of the screen. */
+/* So many fragments of a triangle whose anchor the guard band holds, anywhere in a tile of the screen, or by a
+ * cell of the lattice beyond it. */
 static void any_run(glint_frame *frame, glint_fragments *fragments, glint_part *part, uint32_t count) {
     frame->config.width = (uint16_t)ANY(1, GLINT_SIZE_MAX);
     frame->config.height = (uint16_t)ANY(1, GLINT_SIZE_MAX);
@@ -37,8 +38,8 @@ static void any_run(glint_frame *frame, glint_fragments *fragments, glint_part *
     fragments->count = count;
     fragments->scale = ANY_UNSIGNED(0, 30);
     for (int i = 0; i < GLINT_FRAGMENTS_MAX; i++) {
-        fragments->column[i] = (uint8_t)ANY(0, GLINT_TILE_MAX - 1);
-        fragments->row[i] = (uint8_t)ANY(0, GLINT_TILE_MAX - 1);
+        fragments->column[i] = (int8_t)ANY(-16, GLINT_TILE_MAX + 16);
+        fragments->row[i] = (int8_t)ANY(-16, GLINT_TILE_MAX + 16);
         fragments->inverse_w[i] = ANY(0, INT32_MAX);
     }
 }

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: MIT */
+/* Runs of a row. */
+#include "proof.h"
+
+#include "../../src/runs.h"
+
+/*
+ * Not proven: glint_find_runs: it hands a row of the tile on to one of the two that are. Suite `reads`, and the image
+ * tests under ASan.
+ */
+
+#define WIDTH 8
+
+static uint16_t depths[WIDTH];
+static glint_run runs[(WIDTH + 1) / 2];
+
+/* Runs follow each other in a span, with a pixel at least between two. */
+static void check_runs(const glint_run *end, glint_span span) {
+    uint32_t from = span.left;
+    for (const glint_run *run = runs; run != end; run++) {
+        /*@ assert from <= run->x && 0 < run->count && run->x + run->count <= span.right; */
+        from = (uint32_t)run->x + run->count + 1u;
+    }
+}
+
+/* Every span of a row of 8 pixels, of which any are hidden; 1/w of a triangle that lies in between. */
+#define FOR_ROWS(span)                              \
+    FOR_PARTS(left, 0, WIDTH)                       \
+    FOR_PARTS(right, left, WIDTH)                   \
+    FOR_PARTS(hidden, 0, (1 << (right - left)) - 1) \
+    for (const glint_span *span = any_row(left, right, hidden); span; span = 0)
+
+static const glint_span *any_row(int left, int right, int hidden) {
+    static glint_span span;
+    span = (glint_span){(uint8_t)left, (uint8_t)right};
+    for (int i = left; i < right; i++)
+        depths[i] = (uint16_t)(hidden >> (i - left) & 1 ? UINT16_MAX : 0);
+    return &span;
+}
+
+/* Every span of a row of 8 pixels, any of them hidden: no more runs than half of its pixels. */
+PROOF(glint_find_near_runs) {
+    FOR_ROWS(span) {
+        check_runs(glint_find_near_runs(depths, *span, ANY_UNSIGNED(1u << 15, 0x7fff7fff), 0, 5, runs), *span);
+    }
+}
+
+/* The same, and 1/w below 0. @narrowing 1/w is a number with a sign */
+PROOF(glint_find_deep_runs) {
+    FOR_ROWS(span) {
+        check_runs(glint_find_deep_runs(depths, *span, (uint32_t)ANY(INT32_MIN, 0x7fff7fff), 0, 5, runs), *span);
+    }
+}
+
+/* Any rows of any spans. */
+PROOF(glint_covered_by) {
+    glint_part part;
+    FOR_PARTS(bottom, 0, GLINT_TILE_MAX) {
+        part.top = ANY_UNSIGNED(0, (uint32_t)bottom);
+        part.bottom = (uint32_t)bottom;
+        for (int row = 0; row < GLINT_TILE_MAX; row++) {
+            part.spans[row].left = (uint8_t)ANY(0, GLINT_TILE_MAX);
+            part.spans[row].right = (uint8_t)ANY(part.spans[row].left, GLINT_TILE_MAX);
+        }
+        glint_covered_by(&part);
+    }
+}
