@@ -90,6 +90,7 @@ static inline int32_t find_cosine(const int16_t normal[3], const int16_t light[3
 static void add_lobe(const glint_shading *shading, uint32_t i, const glint_prepared_light *source, int is_fixed,
                      const glint_fragments *at, uint32_t n, const int16_t *light, glint_node *node) {
     int16_t turning[3], axis[3];
+    node->number[i][GLINT_LOBE_X] = node->number[i][GLINT_LOBE_Y] = 0;
     const uint32_t is_gated = !(shading->material->flags & GLINT_MATERIAL_UNGATED);
     uint32_t unused = 1 << 14, *const half = node->dark >> i & is_gated ? &unused : &node->half;
     if (!find_axis(shading->material->model, source, is_fixed, at->normal[n], light, at->view[n], turning, axis, half))

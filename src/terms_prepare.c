@@ -64,6 +64,10 @@ static void set_weights(const glint_frame *frame, const glint_shading *shading, 
 /* Is all diffuse light of one chroma, that of the light that weighs most? Then finds each light's share. */
 static int find_chroma(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
     uint32_t most = 0;
+    if (!frame->scene->light_count) {
+        terms->chroma[0] = terms->chroma[1] = terms->chroma[2] = 0;
+        return 1;
+    }
     for (uint32_t i = 0; i < frame->scene->light_count; i++)
         if (shading->lights >> i & 1 && largest_of(terms->diffuse[i]) > largest_of(terms->diffuse[most]))
             most = i;
