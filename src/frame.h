@@ -92,8 +92,8 @@ typedef struct glint_weights {
 /** What a material makes of the frame's lights, for nodes and rows. Weights are Q12, in the format's levels. */
 typedef struct glint_light_terms {
     int32_t ambient[3], half[3];               /* channels: of ambient light, and of half a level */
-    int32_t diffuse[GLINT_LIGHTS_MAX][3];      /* weights of diffuse light */
-    int32_t specular[GLINT_LIGHTS_MAX][3];     /* weights of specular light */
+    uint16_t diffuse[GLINT_LIGHTS_MAX][3];     /* weights of diffuse light */
+    uint16_t specular[GLINT_LIGHTS_MAX][3];    /* weights of specular light */
     int32_t share[GLINT_LIGHTS_MAX];           /* where all are of one chroma: a light's part of it, Q15 */
     int32_t chroma[3];                         /* its weight */
     uint32_t diffuse_levels[GLINT_LIGHTS_MAX]; /* what 1 makes at most, levels in Q8 */
@@ -128,6 +128,7 @@ typedef struct glint_shading {
     uint32_t changed;                        /* 0: all above is what the last frame left here, and so are its tables */
     const struct glint_deviation *deviation; /* tables of fast lighting, or null */
     const glint_light_terms *terms;          /* null where fragments are lit one by one */
+    size_t node_size;                        /* bytes that a vertex keeps of light; 0 where it keeps none */
     glint_power_table power;
 } glint_shading;
 
@@ -421,10 +422,10 @@ typedef enum glint_lit_at { GLINT_LIT_AT_FRAGMENTS, GLINT_LIT_AT_VERTICES, GLINT
 typedef struct glint_node_stage {
     /** Behind all shadings: what each material makes of the frame's lights. Adds to frame->least_room. */
     glint_status (*prepare)(glint_frame *frame);
-    /** Bytes of arena that an object's vertices keep of light. */
-    size_t (*size)(const glint_frame *frame, const glint_object *object, size_t vertices);
-    /** Finds what one material makes of the lights. @return 0 where nodes do not fit it, or none are lit of it */
-    int (*find)(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms);
+    /** Bytes that a vertex keeps of light in one material. @return 0 where nodes do not fit it, or none are lit of it
+     */
+    size_t (*measure)(const glint_frame *frame, const glint_shading *shading);
+    size_t size; /* bytes that what a material makes of the lights takes */
 } glint_node_stage;
 
 struct glint_evaluation {

@@ -39,7 +39,7 @@ size_t glint_draw_size(const glint_frame *frame, const glint_object *object, con
     if (evaluation_of(object)->lit_at == GLINT_LIT_AT_FACETS)
         size += GLINT_ALIGNED(triangles * 3 * sizeof(int16_t));
     if (evaluation_of(object)->nodes)
-        size += evaluation_of(object)->nodes->size(frame, object, vertices);
+        size += GLINT_ALIGNED(vertices * glint_shading_of(frame, object->material)->node_size);
     size_t more = triangles * 3 * sizeof(uint16_t);
     if (!has_list)
         more = glint_cull_of(object->mesh) ? object->mesh->clusters->count : 0;
@@ -75,7 +75,7 @@ static glint_draw *add_draw(glint_frame *frame, glint_draw *last, const glint_tr
     }
     draw->shading = glint_shading_of(frame, object->material);
     if (evaluation->nodes)
-        draw->nodes = glint_take(&frame->memory, evaluation->nodes->size(frame, object, vertices));
+        draw->nodes = glint_take(&frame->memory, vertices * draw->shading->node_size);
     if (!GLINT_SMALL && is_of_one_colour(object, draw->shading)) {
         draw->light = 0;
         draw->kernel = glint_draw_unlit;

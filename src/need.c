@@ -60,10 +60,9 @@ static GLINT_NOINLINE size_t size_object(glint_frame *frame, const glint_object 
     const glint_mesh *mesh = object->mesh;
     const glint_node_stage *nodes = stage_of(frame->scene);
     glint_shading shading = {0};
-    glint_light_terms terms;
     glint_prepare_shading(frame, &shading, object->material);
     frame->shading = &shading;
-    shading.terms = nodes && nodes->find(frame, &shading, &terms) ? &terms : 0;
+    shading.node_size = nodes ? nodes->measure(frame, &shading) : 0;
     const size_t size = glint_draw_size(frame, object, transform, mesh->vertex_count, mesh->triangle_count, 0);
     frame->shading = 0;
     return size;
@@ -88,17 +87,15 @@ static glint_status count_object(glint_frame *frame, const glint_object *object,
 }
 
 /* Adds what a material takes where nodes are lit. */
-static GLINT_NOINLINE void count_terms(glint_frame *frame, const glint_shading *shading, tally *sum) {
+static void count_terms(glint_frame *frame, const glint_shading *shading, tally *sum) {
     const glint_node_stage *stage = stage_of(frame->scene);
-    glint_light_terms terms;
     frame->shading = shading;
-    const int has_terms = stage && stage->find(frame, shading, &terms);
+    const size_t size = stage ? stage->measure(frame, shading) : 0;
     frame->shading = 0;
-    if (!has_terms)
+    if (!size)
         return;
-    const size_t nodes = GLINT_ALIGNED(3 * terms.stride * sizeof(int16_t));
-    sum->materials += GLINT_ALIGNED(sizeof terms);
-    sum->nodes = nodes > sum->nodes ? nodes : sum->nodes;
+    sum->materials += GLINT_ALIGNED(stage->size);
+    sum->nodes = GLINT_ALIGNED(3 * size) > sum->nodes ? GLINT_ALIGNED(3 * size) : sum->nodes;
 }
 
 /* Bytes of distinct materials, each checked. */

@@ -76,6 +76,6 @@ static void draw_nodes(const glint_frame *frame, glint_workspace *workspace, con
         glint_draw_any(frame, workspace, draw, triangle, part);
 }
 
-static const glint_node_stage stage = {glint_terms_prepare, glint_terms_size, glint_terms_find};
+static const glint_node_stage stage = {glint_terms_prepare, glint_terms_measure, sizeof(glint_light_terms)};
 
 const glint_evaluation glint_per_node = {GLINT_LIT_AT_FRAGMENTS, glint_terms_light, draw_nodes, &stage};

@@ -131,7 +131,7 @@ static inline light_parts parts_of(const glint_apart *apart, const glint_descent
     return parts;
 }
 
-static inline void add(int32_t colour[3], int32_t amount, const int32_t weight[3]) {
+static inline void add(int32_t colour[3], int32_t amount, const uint16_t weight[3]) {
     colour[0] += amount * weight[0];
     colour[1] += amount * weight[1];
     colour[2] += amount * weight[2];
@@ -144,7 +144,7 @@ static inline int32_t smooth_step(int32_t value) {
 }
 
 /* Adds a light where it shines. */
-static void add_side(const light_parts *of, const int32_t weight[3], const pixel_runs *to) {
+static void add_side(const light_parts *of, const uint16_t weight[3], const pixel_runs *to) {
     int32_t(*row)[3] = to->row;
     inverses inverse = to->inverse;
     for (const glint_run *run = to->runs; run != to->end; run++) {
@@ -171,7 +171,7 @@ static int32_t weaken(int32_t power, const light_parts *of, int is_ungated, cons
 }
 
 /* Adds a highlight; `general` is a constant where this is inlined. */
-static inline void add_lobe_inline(const glint_terms *terms, const light_parts *of, const int32_t weight[3],
+static inline void add_lobe_inline(const glint_terms *terms, const light_parts *of, const uint16_t weight[3],
                                    const pixel_runs *to, int general) {
     const uint32_t end = terms->light->lobe_end;
     const unsigned shift = 2 * terms->light->lobe_shift;
@@ -197,7 +197,7 @@ static inline void add_lobe_inline(const glint_terms *terms, const light_parts *
     }
 }
 
-static void add_lobe(const glint_terms *terms, const light_parts *of, const int32_t weight[3], const pixel_runs *to) {
+static void add_lobe(const glint_terms *terms, const light_parts *of, const uint16_t weight[3], const pixel_runs *to) {
     if (terms->is_over_length || of->side || of->strength || of->cone)
         add_lobe_inline(terms, of, weight, to, 1);
     else
@@ -214,7 +214,7 @@ static inline uint32_t power_of_cosine(const uint16_t cosine[GLINT_COSINE_VALUES
 }
 
 /* Adds a highlight of the cosine. */
-static void add_wide_lobe(const glint_terms *terms, const light_parts *of, const int32_t weight[3],
+static void add_wide_lobe(const glint_terms *terms, const light_parts *of, const uint16_t weight[3],
                           const pixel_runs *to) {
     static const glint_progress whole = {1u << 30, 0, 0};
     light_parts cut = *of; /* for what the strength does not do */

@@ -176,11 +176,8 @@ static inline int32_t glint_sum_at(const glint_terms *terms, int32_t one, int32_
 /** What a vertex keeps between its sums and its lights' numbers. */
 #define GLINT_KEPT 8
 
-/** Finds what a material makes of the frame's lights. @return 0 where that does not fit terms, or none are wanted */
-int glint_terms_find(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms);
-
-/** Bytes of arena that an object's vertices keep of light. */
-size_t glint_terms_size(const glint_frame *frame, const glint_object *object, size_t vertices);
+/** Bytes that a vertex keeps of light in a material. @return 0 where terms do not fit it, or none are wanted */
+size_t glint_terms_measure(const glint_frame *frame, const glint_shading *shading);
 
 /** Finds what all materials make of the lights, behind their shadings. */
 glint_status glint_terms_prepare(glint_frame *frame);

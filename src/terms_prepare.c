@@ -16,7 +16,7 @@
 /* Bits that a squared deviation has where narrow lobes end: deviations reach four times as far. */
 #define LOBE_BITS 24
 
-static int32_t largest_of(const int32_t v[3]) {
+static int32_t largest_of(const uint16_t v[3]) {
     return glint_most_of(v[0], v[1], v[2]);
 }
 
@@ -26,9 +26,9 @@ static unsigned level_bits(const glint_format *format, int c) {
 }
 
 /* A weight, Q12, in levels, as glint_to_levels does it; and what it makes, levels in Q8. */
-static int32_t in_levels(const glint_config *config, uint32_t weight, int c) {
+static uint16_t in_levels(const glint_config *config, uint32_t weight, int c) {
     const unsigned bits = config->gamma ? 0 : config->format->channel[c];
-    return (int32_t)(bits ? weight - ((weight + (1u << bits >> 1)) >> bits) : weight);
+    return (uint16_t)(bits ? weight - ((weight + (1u << bits >> 1)) >> bits) : weight);
 }
 
 static uint32_t levels_of(const glint_format *format, const uint32_t weight[3]) {
@@ -227,7 +227,7 @@ static int fits(const glint_shading *shading, uint32_t total) {
     return (model->lobe != GLINT_LOBE_OTHER || !model->light) && total < 15 << 12;
 }
 
-int glint_terms_find(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
+static int find_terms(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
     const uint32_t total = find_total(frame, shading, 0, 1); /* ambient light has no error */
     if (!is_wanted(frame, shading->material) || !fits(shading, find_total(frame, shading, 1, 1)))
         return 0;
@@ -243,28 +243,30 @@ int glint_terms_find(const glint_frame *frame, const glint_shading *shading, gli
     return 1;
 }
 
-size_t glint_terms_size(const glint_frame *frame, const glint_object *object, size_t vertices) {
-    const glint_light_terms *terms = glint_shading_of(frame, object->material)->terms;
-    return terms ? GLINT_ALIGNED(vertices * terms->stride * sizeof(int16_t)) : 0;
+size_t glint_terms_measure(const glint_frame *frame, const glint_shading *shading) {
+    glint_light_terms terms;
+    return find_terms(frame, shading, &terms) ? terms.stride * sizeof(int16_t) : 0;
 }
 
 glint_status glint_terms_prepare(glint_frame *frame) {
     glint_shading *const shadings = (glint_shading *)frame->shading;
-    uint32_t stride = 0;
+    size_t most = 0;
     for (uint32_t i = 0; i < frame->shading_count; i++) {
         glint_shading *shading = &shadings[i];
         shading->terms = 0;
+        shading->node_size = 0;
         const size_t before = frame->memory.low;
         glint_light_terms *terms = glint_take(&frame->memory, sizeof *terms);
         if (!terms)
             return GLINT_ERROR_ARENA;
-        if (!glint_terms_find(frame, shading, terms)) {
+        if (!find_terms(frame, shading, terms)) {
             frame->memory.low = before;
             continue;
         }
         shading->terms = terms;
-        stride = terms->stride > stride ? terms->stride : stride;
+        shading->node_size = terms->stride * sizeof(int16_t);
+        most = shading->node_size > most ? shading->node_size : most;
     }
-    frame->least_room += GLINT_ALIGNED(3 * stride * sizeof(int16_t));
+    frame->least_room += GLINT_ALIGNED(3 * most);
     return GLINT_OK;
 }
