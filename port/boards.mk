@@ -171,7 +171,7 @@ $(foreach board,$(MEASURED),$(eval $(call firmware_program,$(board),O2,frames)))
 
 $(foreach board,$(BOARDS),$(eval $(call firmware_program,$(board),release,show)))
 $(foreach board,$(FAULT_BOARDS),$(eval $(call firmware_program,$(board),release,faults-$(board))))
-$(eval $(call firmware_program,pico,release,unit-pico,-Wl$(comma)--defsym=stack_size=3584))
+$(eval $(call firmware_program,pico,release,unit-pico,-Wl$(comma)--defsym=stack_size=3712))
 $(eval $(call firmware_program,stm32vldiscovery,release,unit-8k))
 
 # What programmers and boot loaders take.
