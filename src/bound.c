@@ -153,11 +153,12 @@ static inline uint32_t from_anywhere(uint32_t near) {
 uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness, uint32_t around,
                            glint_region *region) {
     const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED, near = find_near(region, around);
-    const uint32_t away = glint_find_away(region->outside, near), dark = region->dark | away;
+    const uint32_t away = glint_find_away(region->outside, near) | region->left, dark = region->dark | away,
+                   lights = shading->lights & ~away;
     const int may_end = is_wide(near, CLEARLY_INSIDE);
     region->turn = (uint32_t)glint_least((int32_t)region->turn, 1 << 13);
     region->held = region->lit;
-    region->sides = shading->lights & ~region->lit & ~dark;
+    region->sides = lights & ~region->lit & ~dark;
     region->cones = 0;
     region->near = find_near(region, closeness);
     if (region->sides)
@@ -165,11 +166,11 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
     if (ungated || region->outside & 0xff & ~dark)
         region->near = near;
     if (times(near, region->turn) > 2 * CLEARLY_NEAR) { /* clear at nodes, not between them */
-        region->sides = shading->lights;
+        region->sides = lights;
         region->held = 0;
         region->near = near;
     }
-    const uint32_t lobes = shading->terms->lobes & (ungated ? ~0u : region->held | region->sides);
+    const uint32_t lobes = shading->terms->lobes & ~away & (ungated ? ~0u : region->held | region->sides);
     for (uint32_t l = 0, shown = region->held | region->sides | lobes; shown >> l; l++)
         if (shown >> l & 1 && frame->view->lights[l].type->has_cone) {
             if (may_end) {

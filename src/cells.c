@@ -7,12 +7,19 @@
 
 /* ---- What is known from the nodes ---- */
 
+/*
+ * From corner to corner; of a cell that is no less than twice what it is from the centre to one: where normals between
+ * corners nearly cancel, most of their turn is on one side.
+ */
 static uint32_t find_turn(const glint_shape *shape, glint_node *const nodes[]) {
     int32_t turn = 0;
     for (int i = 0; i < 3; i++)
         for (int j = i + 1; j < 4; j++)
             turn = glint_most(turn,
                               glint_square_apart(nodes[shape->corners[i]]->normal, nodes[shape->corners[j]]->normal));
+    for (int i = 0; i < 4 && shape->shift; i++)
+        turn = glint_most(
+            turn, 4 * glint_square_apart(nodes[shape->corners[i]]->normal, nodes[GLINT_CELL_NODES / 2]->normal));
     return glint_angle_of((uint32_t)turn >> 2);
 }
 
@@ -106,7 +113,7 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, const g
     region->half = INT16_MAX;
     region->lit = region->dark = 0xff;
     region->outside = 0xffff;
-    region->far = region->unfit = region->steep = 0;
+    region->far = region->unfit = region->steep = region->left = 0;
     for (uint32_t i = 0; i < shape->count; i++) {
         const glint_node *node = nodes[i];
         region->lit &= node->lit;
@@ -115,6 +122,7 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, const g
         region->far |= node->far;
         region->unfit |= node->unfit;
         region->steep |= node->steep;
+        region->left |= node->left;
         region->levels = node->levels > region->levels ? node->levels : region->levels;
         region->half = node->half < region->half ? node->half : region->half;
         closeness = node->closeness > closeness ? node->closeness : closeness;

@@ -167,7 +167,7 @@ void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, g
         node->levels = node->closeness = node->around = 0;
         node->half = shading->material->model->lobe == GLINT_LOBE_MIRROR ? 1 << 14 : INT16_MAX;
         node->outside = 0;
-        node->lit = node->dark = node->far = node->unfit = node->steep = 0;
+        node->lit = node->dark = node->far = node->unfit = node->steep = node->left = 0;
     }
     for (uint32_t i = 0; lights >> i; i++)
         if (lights >> i & 1)

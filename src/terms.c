@@ -187,6 +187,7 @@ static inline int find_region(const glint_frame *frame, const glint_draw *draw, 
     region->far = flags & 0xff;
     region->unfit = flags >> 8;
     region->steep = (uint32_t)(a[STEEP] | b[STEEP] | c[STEEP]);
+    region->left = 0;
     region->outside = (uint16_t)(a[OUTSIDE] & b[OUTSIDE] & c[OUTSIDE]);
     t->has_surface = draw->extra != 0;
     region->colour = t->has_surface ? find_surface(triangle, t) : 0;

@@ -38,6 +38,7 @@ typedef struct glint_node {
     uint8_t far;                   /* lights whose deviation was cut off */
     uint8_t unfit;                 /* lights without a half vector here */
     uint8_t steep;                 /* lights whose cone was cut off */
+    uint8_t left;                  /* lights without numbers here */
 } glint_node;
 
 /** Finds light at some points, but for its sum, each point for a node. Deviations are found of `lobes` among `lights`.
@@ -48,12 +49,10 @@ void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, g
 /** Sums light at a node, of lights that are `held`. */
 void glint_node_sum(const glint_light_terms *light, uint32_t held, glint_node *node);
 
-/** Tells a node of lights that are away from it, for which it has not been lit. */
+/** Tells a node of lights that are away from all of its region, for which it has not been lit. */
 static inline void glint_node_leave(glint_node *node, uint32_t away) {
+    node->left = (uint8_t)away;
     node->outside |= (uint16_t)(away | away << 8);
-    for (uint32_t l = 0; away >> l; l++)
-        for (int kind = 0; away >> l & 1 && kind < GLINT_NUMBERS; kind++)
-            node->number[l][kind] = 0;
 }
 
 /** Ray towards the eye from a point of the screen, 28.4. */
@@ -63,15 +62,15 @@ void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[
 
 /** What is known of the light on a region; angles Q12, lights by bits. */
 typedef struct glint_region {
-    uint32_t turn;               /* of the normals, from corner to corner at most */
-    uint32_t reach;              /* how far the corners lie apart, over their depth */
-    uint32_t slant;              /* the change of 1/w, times 1.85 */
-    uint32_t near;               /* how far they lie apart, over the distance to a light */
-    uint32_t colour;             /* by how much the surface's colours differ, of 1 */
-    uint32_t levels;             /* what light makes, Q4 */
-    uint32_t half;               /* the least |L + V|^2 / 2, Q15; of mirrored light 1/2 */
-    uint32_t lit, dark, outside; /* as nodes have it, at all of them */
-    uint32_t far, unfit, steep;  /* at some */
+    uint32_t turn;                    /* of the normals, from corner to corner at most */
+    uint32_t reach;                   /* how far the corners lie apart, over their depth */
+    uint32_t slant;                   /* the change of 1/w, times 1.85 */
+    uint32_t near;                    /* how far they lie apart, over the distance to a light */
+    uint32_t colour;                  /* by how much the surface's colours differ, of 1 */
+    uint32_t levels;                  /* what light makes, Q4 */
+    uint32_t half;                    /* the least |L + V|^2 / 2, Q15; of mirrored light 1/2 */
+    uint32_t lit, dark, outside;      /* as nodes have it, at all of them */
+    uint32_t far, unfit, steep, left; /* at some */
     /* what is found */
     int has_edge;                       /* may a highlight end at once within the region? */
     int folds;                          /* may sums be multiplied by the surface's colours at nodes? */

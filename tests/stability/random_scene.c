@@ -717,7 +717,7 @@ static void to_world(random_scene *s) {
     }
 }
 
-void random_scene_make_in(random_scene *s, unsigned region, uint64_t seed) {
+void random_scene_make_in(random_scene *s, unsigned region, int at_nodes, uint64_t seed) {
     source random = {seed};
     memset(s, 0, sizeof *s);
     s->seed = seed;
@@ -743,12 +743,12 @@ void random_scene_make_in(random_scene *s, unsigned region, uint64_t seed) {
             random_colours(&s->meshes[i], &random);
     }
     to_world(s);
+    if (at_nodes)
+        light_at_nodes(s);
 }
 
 void random_scene_make(random_scene *s, uint64_t seed) {
-    random_scene_make_in(s, (unsigned)(seed % random_region_count), seed);
-    if (seed / random_region_count % 2)
-        light_at_nodes(s);
+    random_scene_make_in(s, (unsigned)(seed % random_region_count), (int)(seed / random_region_count % 2), seed);
 }
 
 /* Adds numbers of `each` bytes. */

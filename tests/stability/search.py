@@ -90,8 +90,8 @@ def main():
             writer.writerows(dict(row, first_seed=arguments.seed) for row in rows)
     if arguments.kept:
         for region, row in enumerate(rows):
-            print("    {%d, %su, %su, 0, 0, 0}, /* %s: %s of %s */" % (
-                region, row["worst_seed"], row["worst_checksum"], row["region"], row["worst"], row["bound"]))
+            print("    {%d, %d, %su, %su, 0, 0, 0}, /* %s: %s of %s */" % (
+                region, int(row["worst_seed"]) // len(rows) % 2, row["worst_seed"], row["worst_checksum"], row["region"], row["worst"], row["bound"]))
     if arguments.test:
         failed = sum(bool(faults(row)) for row in rows)
         print("%d passed, %d failed" % (len(rows) - failed, failed))
