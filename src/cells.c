@@ -65,14 +65,14 @@ static int place_lobe(const glint_shading *shading, const glint_shape *shape, gl
     return glint_place_lobe(shading, least, most);
 }
 
-/* Does a light keep its side all over a region? */
-static int keeps_side(const glint_shape *shape, glint_node *const nodes[], uint32_t l) {
+/* Does a light keep its side all over a region, whatever its polynomial is off by? */
+static int keeps_side(const glint_shape *shape, glint_node *const nodes[], uint32_t l, int32_t margin) {
     int32_t least = nodes[0]->number[l][GLINT_SIDE], most = least;
     for (uint32_t i = 1; i < shape->count; i++) {
         least = glint_least(least, nodes[i]->number[l][GLINT_SIDE]);
         most = glint_most(most, nodes[i]->number[l][GLINT_SIDE]);
     }
-    return 8 * least > most - least || 8 * most < least - most;
+    return 8 * (least - margin) > most - least || 8 * (most + margin) < least - most;
 }
 
 /* A highlight may end at once at a terminator: polynomials do not tell just where. */
@@ -80,7 +80,7 @@ static int has_edge(const glint_shading *shading, const glint_region *region, co
                     glint_node *const nodes[]) {
     const uint32_t gated = shading->material->flags & GLINT_MATERIAL_UNGATED ? 0 : region->sides & region->lobes;
     for (uint32_t l = 0; gated >> l; l++)
-        if (gated >> l & 1 && !keeps_side(shape, nodes, l))
+        if (gated >> l & 1 && !keeps_side(shape, nodes, l, region->margin))
             return 1;
     return 0;
 }

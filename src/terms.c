@@ -335,14 +335,15 @@ static int find_lengths(const glint_triangle *triangle, lengths *of) {
 /* ---- Terminators ---- */
 
 /*
- * Does a light keep its side all over a triangle, by the control points of its quadratic (Bezier triangles, Farin,
- * 1986)?
+ * Does a light keep its side all over a triangle, whatever its polynomial is off by? By the control points of the
+ * quadratic (Bezier triangles, Farin, 1986).
  */
-static int keeps_side(const int32_t n[6]) {
+static int keeps_side(const int32_t n[6], int32_t margin) {
     const int32_t bulge[3] = {4 * n[3] - n[0] - n[1], 4 * n[4] - n[1] - n[2], 4 * n[5] - n[0] - n[2]};
-    const int32_t least = glint_least(glint_least_of(n[0], n[1], n[2]), glint_least_of(bulge[0], bulge[1], bulge[2]));
-    const int32_t most = glint_most(glint_most_of(n[0], n[1], n[2]), glint_most_of(bulge[0], bulge[1], bulge[2]));
-    return least > 0 || most <= 0;
+    const int32_t least =
+        glint_least(2 * glint_least_of(n[0], n[1], n[2]), glint_least_of(bulge[0], bulge[1], bulge[2]));
+    const int32_t most = glint_most(2 * glint_most_of(n[0], n[1], n[2]), glint_most_of(bulge[0], bulge[1], bulge[2]));
+    return least > 2 * margin || most < -2 * margin;
 }
 
 /* ---- Polynomials ---- */
@@ -462,7 +463,7 @@ static int has_edge(const glint_shading *shading, const candidate *t) {
     for (uint32_t l = 0; gated >> l; l++)
         if (gated >> l & 1) {
             take_numbers(shading->terms, t, l, GLINT_SIDE, 6, n);
-            if (!keeps_side(n))
+            if (!keeps_side(n, t->region.margin))
                 return 1;
         }
     return 0;
