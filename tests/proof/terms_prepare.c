@@ -123,9 +123,9 @@ PROOF(terms_find_cut) {
     shading.shininess = ANY(WIDE, INT32_MAX);
     terms.specular_levels[0] = ANY_UNSIGNED(0, FAINT);
     FOR_PARTS(up, 0, 14) {
-        FOR_PARTS(i, 32, 63) {
+        FOR_PARTS(i, up ? 32 : 33, 63) {
             const uint32_t least = (uint32_t)i << up;
-            terms.specular_levels[1] = ANY_UNSIGNED(least > FAINT ? least : FAINT + 1, (((uint32_t)i + 1) << up) - 1);
+            terms.specular_levels[1] = ANY_UNSIGNED(least, (((uint32_t)i + 1) << up) - 1);
             find_cut(&frame, &shading, &terms);
         }
     }
