@@ -24,9 +24,8 @@ static glint_model model;
 static glint_light_terms terms;
 static glint_region region;
 
-/* Most levels, Q8, that a weight of 16 makes; and Q4. */
-#define LEVELS_Q8 (16u << 16)
-#define LEVELS (15u << 12)
+/* Most levels, Q8, that a weight of 15 makes. Of lights of three colours there may be three times as many. */
+#define LEVELS_Q8 (15u << 16)
 
 static const glint_light_type types[3] = {{0, 0, 0, 0}, {0, any_illuminate, 0, 0}, {0, any_illuminate, 0, 1}};
 
@@ -46,7 +45,7 @@ static void any_material(void) {
     terms.lobe_diagonal = ANY(0, 5800);
     terms.lobe_shift = ANY_UNSIGNED(0, 12);
     terms.ambient_levels = ANY_UNSIGNED(0, LEVELS_Q8);
-    terms.slope = ANY_UNSIGNED(0, 1u << 17);
+    terms.slope = ANY_UNSIGNED(0, 1u << 15);
     terms.limit = ANY_UNSIGNED(0, 204);
     for (int i = 0; i < GLINT_LIGHTS_MAX; i++) {
         terms.diffuse_levels[i] = ANY_UNSIGNED(0, LEVELS_Q8);
@@ -63,7 +62,7 @@ static void any_region(void) {
     region.slant = ANY_UNSIGNED(0, 30336);
     region.near = ANY_UNSIGNED(0, 1 << 13);
     region.colour = ANY_UNSIGNED(0, 1 << 14);
-    region.levels = ANY_UNSIGNED(0, 1 << 17);
+    region.levels = ANY_UNSIGNED(0, 3 * LEVELS_Q8 >> 4);
     region.half = ANY_UNSIGNED(0, INT16_MAX);
     region.lit = ANY_UNSIGNED(0, 0xff);
     region.dark = ANY_UNSIGNED(0, 0xff);
@@ -94,7 +93,8 @@ PROOF(glint_square_apart) {
     glint_square_apart(a, b);
 }
 
-/* Any focal length, regions of up to 2046 pixels; any 1/w and what it changes by, by their bits. @unsigned */
+/* Any focal length, regions of up to 2046 pixels; any 1/w and what it changes by, by their bits. @unsigned
+ * @unreached 1 a number of no bits */
 PROOF(glint_region_measure) {
     glint_w_range w;
     FOR_PARTS(least, 0, 16) {
@@ -126,28 +126,40 @@ PROOF(glint_region_fits) {
     glint_region_fits(&frame, &shading, ANY(0, 1), &region);
 }
 
-/* A region that polynomials may fit. */
-static void any_fitting(void) {
+/* A region that polynomials may fit: its turn and its place are at most 2 together, by eighths; mirrored lobes turn
+ * twice as far. */
+static void any_fitting(int eighth) {
+    const uint32_t turn = (uint32_t)eighth * WIDEST / 8, rest = WIDEST - turn;
     any_material();
     any_region();
-    region.turn = ANY_UNSIGNED(0, WIDEST);
+    region.turn = ANY_UNSIGNED(turn, turn + WIDEST / 8);
     region.near = ANY_UNSIGNED(0, TOO_NEAR);
     region.slant = ANY_UNSIGNED(0, STEEPEST);
-    region.axis = ANY_UNSIGNED(0, WIDEST);
-    region.place = ANY_UNSIGNED(0, WIDEST);
-    region.of_colour = ANY_UNSIGNED(0, 1 << 16);
+    region.axis = ANY_UNSIGNED(0, rest);
+    region.place = ANY_UNSIGNED(0, rest);
+    region.of_colour = ANY_UNSIGNED(0, 1 << 23);
+    model.lobe = (uint8_t)ANY(GLINT_LOBE_OTHER, eighth < 4 ? GLINT_LOBE_MIRROR : GLINT_LOBE_HALF_VECTOR);
 }
 
-/* Any region that polynomials may fit. @unsigned @options -eva-slevel 300 */
+/*
+ * Any region that polynomials may fit, by eighths of its turn.
+ * @unsigned
+ * @alarms 2 a larger number has the larger square, and what is left of a turn is not below 0; suite `nodes`
+ * @options -eva-slevel 300
+ */
 PROOF(glint_plane_error) {
-    any_fitting();
-    glint_plane_error(&shading, ANY(0, 1), &region);
+    FOR_PARTS(eighth, 0, 7) {
+        any_fitting((int)eighth);
+        glint_plane_error(&shading, ANY(0, 1), &region);
+    }
 }
 
-/* Any region that polynomials may fit. @unsigned @options -eva-slevel 300 */
+/* Any region that polynomials may fit, by eighths of its turn. @unsigned @options -eva-slevel 300 */
 PROOF(glint_region_bound) {
-    any_fitting();
-    glint_region_bound(&frame, &shading, &region);
+    FOR_PARTS(eighth, 0, 7) {
+        any_fitting((int)eighth);
+        glint_region_bound(&frame, &shading, &region);
+    }
 }
 
 /* Deviations of any size. */
