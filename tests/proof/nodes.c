@@ -90,7 +90,8 @@ static void any_half_vector(int16_t h[3]) {
 /*
  * Any normal, any half vector that is not behind, any shift.
  * @contract glint_dot glint_inverse_of_one_and
- * @alarms 10 a deviation is a part of a unit vector, at most 1, and N.H + nz <= sqrt(2 + 2 hz): the image tests under UBSan, and suite `nodes`
+ * @alarms 10 a deviation is a part of a unit vector, at most 1, and N.H + nz <= sqrt(2 + 2 hz): the image tests under
+ * UBSan, and suite `nodes`
  */
 PROOF(find_deviation) {
     int16_t n[3], h[3];
