@@ -11,10 +11,6 @@
  * Not proven: glint_draw_pieces, draw_piece, light_piece: they walk a triangle's pieces and their nodes, whose numbers
  * number_of is proven to keep, and call what is proven. Suite `nodes` under ASan and UBSan, and fuzzing.
  */
-/*
- * Not proven: glint_form_begin: that steps from 3 2^14 on, which a piece may hand to it, fit the products that those
- * below are proven for: corners would differ by more than their numbers do. Suite `nodes` under UBSan.
- */
 
 static glint_vertex vertices[3];
 static int16_t colours[3][3];
@@ -91,7 +87,7 @@ PROOF(pieces_begin) {
 }
 
 /*@ requires \valid_read(barycentric) && \valid_read(form) && \valid(q);
-    requires -0x20000 < form->d1 < 0x20000 && -0x20000 < form->d2 < 0x20000;
+    requires -0x18000 < form->d1 + form->d2 < 0x18000 && -0x18000 < form->d1 - form->d2 < 0x18000;
     requires -0x4000 < form->b1 < 0x4000 && -0x4000 < form->b2 < 0x4000 && -0x8000 < form->both < 0x8000;
     assigns *q \from *barycentric, *form;
     ensures \initialized(q); */

@@ -9,7 +9,7 @@
 #define TERM 17000
 #define COLOUR 32767
 #define BULGE 12096
-#define STEP (3 << 14)
+#define STEPS (3 << 15)
 
 static glint_barycentric narrow_or_wide;
 
@@ -62,7 +62,7 @@ PROOF(glint_barycentric_begin) {
 }
 
 /*
- * Any form, of steps of up to 3 2^14, bulges of 14 bits and both of 15; any gradients.
+ * Any form, of steps of up to 3 2^15 together, by 16ths of that; bulges of 14 bits and both of 15; any gradients.
  * @contract glint_plane_begin
  */
 PROOF(glint_form_begin) {
@@ -78,13 +78,19 @@ PROOF(glint_form_begin) {
     any_scale(&narrow_or_wide.curve, 31);
     narrow_or_wide.unit = ANY_UNSIGNED(2, 16);
     form.a = ANY_INT;
-    form.d1 = ANY(-STEP, STEP);
-    form.d2 = ANY(-STEP, STEP);
     form.b1 = ANY(-16383, 16383);
     form.b2 = ANY(-16383, 16383);
     form.both = ANY(-32767, 32767);
-    any_narrow(&g);
-    glint_form_begin(&quadratic, &narrow_or_wide, &form);
-    any_wide(&g);
-    glint_form_begin(&quadratic, &narrow_or_wide, &form);
+    FOR_PARTS(part, 0, 15) {
+        const int32_t most = STEPS / 16 * ((int)part + 1), rest = STEPS - STEPS / 16 * (int)part;
+        FOR_PARTS(is_wide, 0, 1) {
+            form.d1 = ANY(-most, most);
+            form.d2 = ANY(-rest, rest);
+            if (is_wide)
+                any_wide(&g);
+            else
+                any_narrow(&g);
+            glint_form_begin(&quadratic, &narrow_or_wide, &form);
+        }
+    }
 }
