@@ -59,7 +59,7 @@ static void any_nodes(void) {
 }
 
 /* Any nodes. @contract glint_angle_of */
-PROOF(find_turn) {
+PROOF(cell_find_turn) {
     any_nodes();
     find_turn(&shape, nodes);
 }
