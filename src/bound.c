@@ -54,13 +54,18 @@ static inline uint32_t of_levels(uint32_t of_cube, uint32_t levels) {
     return (of_cube * 1802 >> 14) * levels >> 10; /* 0.0275 is 1802 2^-16 */
 }
 
+/* a b / 2^n, below 2^32: of bright lights a b is not. */
+static inline uint32_t scaled(uint32_t a, uint32_t b, unsigned n) {
+    return (uint32_t)(glint_product_unsigned(a, b) >> n);
+}
+
 /*
  * In the middle of a triangle whose edges all turn by a planes fall short by a^2 / 6, and err by a b / 3; chords
  * between unit vectors made longer by half of what they fall short by do so by half of that. Levels Q4 to Q8.
  */
 static uint32_t plane_sum_error(uint32_t levels, uint32_t turn, uint32_t place, uint32_t b) {
     const uint32_t a = turn + place;
-    return (2 * times(a, a) - times(turn, turn) + 4 * times(a, b)) * 4 / 3 * levels >> 12;
+    return scaled((2 * times(a, a) - times(turn, turn) + 4 * times(a, b)) * 4 / 3, levels, 12);
 }
 
 /* x, Q12, times a highlight's slope, Q8: at most 2^16. */
@@ -81,12 +86,12 @@ static uint32_t between_error(const glint_light_terms *light, uint32_t levels, u
                               uint32_t b) {
     const uint32_t widest = light->lobe_is_wide ? 1 << 12 : (uint32_t)light->lobe_cut >> light->lobe_shift >> 2;
     const uint32_t of_axis = 2 * times(axis, axis) + 4 * times(times(turn, axis), widest) + 4 * times(axis, b);
-    return with_slope(light, of_axis) * (levels >> 4) >> 12;
+    return scaled(with_slope(light, of_axis), levels >> 4, 12);
 }
 
 /* A highlight's by 0.041 s h (h + b)^2, s the highlight's slope over its deviation, and as a sum for its strength. */
 static uint32_t lobe_error(const glint_light_terms *light, uint32_t levels, uint32_t h, uint32_t f, uint32_t b) {
-    return (with_slope(light, cube(h, b) * 2687 >> 14) * (levels >> 4) >> 10) + of_levels(cube(f, b), levels >> 4);
+    return scaled(with_slope(light, cube(h, b) * 2687 >> 14), levels >> 4, 10) + of_levels(cube(f, b), levels >> 4);
 }
 
 /* The cone's edge may cross a region: by how much its ramp changes from node to node, Q12. */
@@ -241,7 +246,7 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
     const glint_light_terms *light = shading->terms;
     const uint32_t slant = region->slant, levels = lobe_levels(light, region->lobes), axis = region->axis,
                    turn = lobe_turn(shading, region);
-    const uint32_t of_colour = times(region->of_colour, slant) >> 5;
+    const uint32_t of_colour = scaled(region->of_colour, slant, 12 + 5);
     region->error = of_levels(cube(region->turn + region->place, slant), region->levels) + of_colour;
     region->error_over_length = of_levels(cube(region->place, slant), region->levels) + of_colour;
     if (region->folds) /* colours times |M| are of a degree more, and ambient light with them */

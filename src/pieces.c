@@ -105,7 +105,7 @@ static void light_piece(pieces *p, const glint_shape *shape, glint_node *nodes[6
 
 /* What a piece's second differences, and its steps, may be: those of the whole triangle's form have their bits then. */
 #define MOST_BULGE (1 << 12)
-#define MOST_STEP (1 << 17)
+#define MOST_STEP (3 << 15) /* of both together */
 
 static inline int is_beyond(int32_t x, int32_t most) {
     return x >= most || x <= -most;
@@ -128,7 +128,7 @@ static int fit(const glint_shape *shape, const int32_t n[], int unit, glint_desc
                           4 * both};
     glint_quadratic q;
     if (is_beyond(b1, MOST_BULGE) || is_beyond(b2, MOST_BULGE) || is_beyond(both, 2 * MOST_BULGE) ||
-        is_beyond(f.d1, MOST_STEP) || is_beyond(f.d2, MOST_STEP))
+        is_beyond(f.d1 + f.d2, MOST_STEP) || is_beyond(f.d1 - f.d2, MOST_STEP))
         return 0;
     if (shape->barycentric->unit != (uint32_t)unit)
         glint_barycentric_begin(shape->barycentric, &shape->part->gradients, unit);

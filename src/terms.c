@@ -372,10 +372,12 @@ static inline glint_quadratic polynomial_of(const glint_barycentric *s, const in
     return q;
 }
 
-/* A plane as a polynomial, times 2^unit. */
+/* A plane as a polynomial, times 2^unit; what is longer than 31 bits hold is cut off. */
 static inline glint_quadratic plane_of(const glint_gradients *g, int32_t a, int32_t b, int32_t c, unsigned unit) {
+    const int32_t most = INT32_MAX >> unit;
     glint_plane plane;
-    glint_plane_begin(&plane, g, glint_shift_left(a, unit), glint_shift_left(b, unit), glint_shift_left(c, unit));
+    glint_plane_begin(&plane, g, glint_shift_left(glint_least(a, most), unit),
+                      glint_shift_left(glint_least(b, most), unit), glint_shift_left(glint_least(c, most), unit));
     return (glint_quadratic){(uint32_t)plane.start, (uint32_t)plane.dx, (uint32_t)plane.dy, 0, 0, 0};
 }
 

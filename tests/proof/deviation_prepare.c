@@ -41,6 +41,11 @@ static void any_served(void) {
     deviation.specular_end = ANY_UNSIGNED(0, 1024) << 15;
 }
 
+/* Any exponent. @contract glint_square_root */
+PROOF(glint_highlight_slope) {
+    glint_highlight_slope(ANY(0, INT32_MAX));
+}
+
 /* Any number, by its bits. @options -eva-slevel 0 -eva-min-loop-unroll 64 */
 PROOF(glint_square_root) {
     glint_square_root(0);

@@ -82,13 +82,6 @@ static inline uint32_t invert(uint32_t x, unsigned *zeros);
     ensures \result <= 0x8000; */
 static uint32_t attenuate(const glint_prepared_light *light, uint32_t inverse_w, uint32_t distance, int exponent);
 
-/*@ requires depth < 0x80000000;
-    requires 1 <= length <= 0xffff;
-    requires -15 <= exponent <= 67;
-    assigns \result \from depth, length, exponent;
-    ensures 1 <= \result <= 0xffff; */
-static uint16_t find_closeness(uint32_t depth, uint32_t length, int exponent);
-
 /* Any attenuation. */
 PROOF(point_prepare) {
     glint_view view;
@@ -166,9 +159,14 @@ PROOF(attenuate) {
     attenuate(&light, ANY_UNSIGNED(0, INT32_MAX), ANY_UNSIGNED(0, 0xffff), ANY(-15, 67));
 }
 
-/* Any depth, lengths of 16 bits. @contract invert shift_below */
-PROOF(find_closeness) {
-    find_closeness(ANY_UNSIGNED(0, INT32_MAX), ANY_UNSIGNED(1, 0xffff), ANY(-15, 67));
+/* Any depth, lengths of 16 bits or none. @contract invert shift_below */
+PROOF(glint_point_closeness) {
+    glint_fragments fragments;
+    fragments.ray[0][2] = ANY(0, INT32_MAX);
+    fragments.length[0] = ANY_UNSIGNED(0, 0xffff);
+    fragments.exponent[0] = (int8_t)ANY(-15, 67);
+    const uint32_t closeness = glint_point_closeness(&fragments, 0);
+    /*@ assert 1 <= closeness <= 0xffff; */
 }
 
 /* Any light, any ray of up to 2^30 and any 1/w. @contract glint_reduce */
@@ -209,7 +207,7 @@ PROOF(find_length_itself) {
     }
 }
 
-/* Any light and fragment. @contract find_direction glint_unit find_length attenuate find_closeness */
+/* Any light and fragment. @contract find_direction glint_unit find_length attenuate */
 PROOF(glint_point_illuminate) {
     glint_prepared_light light;
     glint_fragments fragments;

@@ -9,6 +9,7 @@
 #define TERM 17000
 #define COLOUR 32767
 #define BULGE 12096
+#define STEPS (3 << 15)
 
 static glint_barycentric narrow_or_wide;
 
@@ -58,4 +59,38 @@ PROOF(glint_barycentric_begin) {
     }
     any_wide(&g);
     glint_barycentric_begin(&narrow_or_wide, &g, unit);
+}
+
+/*
+ * Any form, of steps of up to 3 2^15 together, by 16ths of that; bulges of 14 bits and both of 15; any gradients.
+ * @contract glint_plane_begin
+ */
+PROOF(glint_form_begin) {
+    glint_gradients g;
+    glint_quadratic quadratic;
+    glint_form form;
+    narrow_or_wide.g = &g;
+    narrow_or_wide.x1 = ANY(-32768, 32768);
+    narrow_or_wide.y1 = ANY(-32768, 32768);
+    narrow_or_wide.x2 = ANY(-32768, 32768);
+    narrow_or_wide.y2 = ANY(-32768, 32768);
+    any_scale(&narrow_or_wide.slope, 23);
+    any_scale(&narrow_or_wide.curve, 31);
+    narrow_or_wide.unit = ANY_UNSIGNED(2, 16);
+    form.a = ANY_INT;
+    form.b1 = ANY(-16383, 16383);
+    form.b2 = ANY(-16383, 16383);
+    form.both = ANY(-32767, 32767);
+    FOR_PARTS(part, 0, 15) {
+        const int32_t most = STEPS / 16 * ((int)part + 1), rest = STEPS - STEPS / 16 * (int)part;
+        FOR_PARTS(is_wide, 0, 1) {
+            form.d1 = ANY(-most, most);
+            form.d2 = ANY(-rest, rest);
+            if (is_wide)
+                any_wide(&g);
+            else
+                any_narrow(&g);
+            glint_form_begin(&quadratic, &narrow_or_wide, &form);
+        }
+    }
 }

@@ -74,6 +74,8 @@ def find_problems(out, status, kernel, allowed):
         problems += [f"{len(alarms)} alarms; {allowed} are said to be"] + alarms
     if f"Frama_C_show_each_end_{kernel}" not in out:
         problems.append("EVA does not reach the driver's end")
+    if f"using specification for function {kernel}\n" in out:
+        problems.append("the kernel has no body")
     counted = sum(int(n) for n in re.findall(r"^  (\d+) alarms? generated", out, re.M))
     unknown, invalid = (sum(int(pair[i]) for pair in re.findall(r"(\d+) unknown +(\d+) invalid", out)) for i in (0, 1))
     if "alarms generated" not in out and "alarm generated" not in out or counted + unknown != allowed or invalid:

@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: MIT */
+/* How far polynomials may be off. */
+#include "proof.h"
+
+#include "../../src/bound.c"
+#include "../../src/product.h"
+#include "../../src/tables.c"
+#include "lit.h"
+
+/*@ requires 0x10000000 <= c <= 0xC0000000;
+    assigns \result \from c;
+    ensures 18892 <= \result <= 65525; */
+static inline int32_t glint_inverse_root(uint32_t c);
+
+/*@ assigns \result \from square;
+    ensures \result <= 0x40000; */
+uint32_t glint_angle_of(uint32_t square);
+
+static glint_frame frame;
+static glint_view view;
+static glint_shading shading;
+static glint_material material;
+static glint_model model;
+static glint_light_terms terms;
+static glint_region region;
+
+/* Most levels, Q8, that a weight of 15 makes. Of lights of three colours there may be three times as many. */
+#define LEVELS_Q8 (15u << 16)
+
+static const glint_light_type types[3] = {{0, 0, 0, 0}, {0, any_illuminate, 0, 0}, {0, any_illuminate, 0, 1}};
+
+/* Any material and lights. */
+static void any_material(void) {
+    any_shading(&shading, &material);
+    any_view(&view);
+    frame.view = &view;
+    material.model = &model;
+    shading.shininess = ANY(0, INT32_MAX);
+    shading.terms = &terms;
+    model.lobe = (uint8_t)ANY(GLINT_LOBE_OTHER, GLINT_LOBE_MIRROR);
+    terms.lobe_is_wide = (uint8_t)ANY(0, 1);
+    terms.lobe_has_strip = (uint8_t)ANY(0, 1);
+    terms.lobes = ANY_UNSIGNED(0, 0xff);
+    terms.lobe_cut = ANY(0, 4098);
+    terms.lobe_diagonal = ANY(0, 5800);
+    terms.lobe_shift = ANY_UNSIGNED(0, 12);
+    terms.ambient_levels = ANY_UNSIGNED(0, LEVELS_Q8);
+    terms.slope = ANY_UNSIGNED(0, 1u << 15);
+    terms.limit = ANY_UNSIGNED(0, 204);
+    for (int i = 0; i < GLINT_LIGHTS_MAX; i++) {
+        terms.diffuse_levels[i] = ANY_UNSIGNED(0, LEVELS_Q8);
+        terms.specular_levels[i] = ANY_UNSIGNED(0, LEVELS_Q8);
+        view.lights[i].type = &types[ANY(0, 2)];
+        view.lights[i].spot.slope = ANY(0, 1 << 30);
+    }
+}
+
+/* What nodes leave of a region. */
+static void any_region(void) {
+    region.turn = ANY_UNSIGNED(0, 1 << 16);
+    region.reach = ANY_UNSIGNED(0, 1 << 14);
+    region.slant = ANY_UNSIGNED(0, 30336);
+    region.near = ANY_UNSIGNED(0, 1 << 13);
+    region.colour = ANY_UNSIGNED(0, 1 << 14);
+    region.levels = ANY_UNSIGNED(0, 3 * LEVELS_Q8 >> 4);
+    region.half = ANY_UNSIGNED(0, INT16_MAX);
+    region.lit = ANY_UNSIGNED(0, 0xff);
+    region.dark = ANY_UNSIGNED(0, 0xff);
+    region.outside = ANY_UNSIGNED(0, 0xffff);
+    region.far = ANY_UNSIGNED(0, 0xff);
+    region.unfit = ANY_UNSIGNED(0, 0xff);
+    region.steep = ANY_UNSIGNED(0, 0xff);
+    region.has_edge = ANY(0, 1);
+    region.folds = ANY(0, 1);
+    region.held = ANY_UNSIGNED(0, 0xff);
+    region.sides = ANY_UNSIGNED(0, 0xff);
+    region.cones = ANY_UNSIGNED(0, 0xff);
+    region.lobes = ANY_UNSIGNED(0, 0xff);
+}
+
+/* Any square, by its bits. @contract glint_inverse_root @unsigned @unreached 1 leading zeros of 0 */
+PROOF(glint_angle_of) {
+    FOR_PARTS(bits, 0, 32) {
+        glint_angle_of(ANY_OF_BITS(bits));
+    }
+}
+
+/* Unit vectors of any components. */
+PROOF(glint_square_apart) {
+    int16_t a[3], b[3];
+    any_unit(a);
+    any_unit(b);
+    glint_square_apart(a, b);
+}
+
+/* Any focal length, regions of up to 2046 pixels; any 1/w and what it changes by, by their bits. @unsigned
+ * @unreached 1 a number of no bits */
+PROOF(glint_region_measure) {
+    glint_w_range w;
+    FOR_PARTS(least, 0, 16) {
+        FOR_PARTS(change, 1, 17) {
+            w.least = ANY_OF_BITS(least);
+            w.change = change < 17 ? ANY_OF_BITS(change) : 0x10000;
+            glint_region_measure(ANY_UNSIGNED(1 << 10, 1u << 31), ANY_UNSIGNED(0, 32736), ANY_UNSIGNED(0, 32736), &w,
+                                 &region);
+        }
+    }
+}
+
+/* Any lights, any closeness. @unsigned @options -eva-slevel 300 */
+PROOF(glint_region_sort) {
+    any_material();
+    any_region();
+    glint_region_sort(&frame, &shading, ANY_UNSIGNED(0, 0xffff), ANY_UNSIGNED(0, 0xffff), &region);
+}
+
+/* Any nodes' lights. */
+PROOF(glint_find_away) {
+    glint_find_away(ANY_UNSIGNED(0, 0xffff), ANY_UNSIGNED(0, 1 << 13));
+}
+
+/* Any region. @contract glint_angle_of @unsigned @options -eva-slevel 300 */
+PROOF(glint_region_fits) {
+    any_material();
+    any_region();
+    glint_region_fits(&frame, &shading, ANY(0, 1), &region);
+}
+
+/* A region that polynomials may fit: its turn and its place are at most 2 together, by eighths; mirrored lobes turn
+ * twice as far. */
+static void any_fitting(int eighth) {
+    const uint32_t turn = (uint32_t)eighth * WIDEST / 8, rest = WIDEST - turn;
+    any_material();
+    any_region();
+    region.turn = ANY_UNSIGNED(turn, turn + WIDEST / 8);
+    region.near = ANY_UNSIGNED(0, TOO_NEAR);
+    region.slant = ANY_UNSIGNED(0, STEEPEST);
+    region.axis = ANY_UNSIGNED(0, rest);
+    region.place = ANY_UNSIGNED(0, rest);
+    region.of_colour = ANY_UNSIGNED(0, 1 << 23);
+    model.lobe = (uint8_t)ANY(GLINT_LOBE_OTHER, eighth < 4 ? GLINT_LOBE_MIRROR : GLINT_LOBE_HALF_VECTOR);
+}
+
+/*
+ * Any region that polynomials may fit, by eighths of its turn.
+ * @unsigned
+ * @alarms 2 a larger number has the larger square, and what is left of a turn is not below 0; suite `nodes`
+ * @options -eva-slevel 300
+ */
+PROOF(glint_plane_error) {
+    FOR_PARTS(eighth, 0, 7) {
+        any_fitting((int)eighth);
+        glint_plane_error(&shading, ANY(0, 1), &region);
+    }
+}
+
+/* Any region that polynomials may fit, by eighths of its turn. @unsigned @options -eva-slevel 300 */
+PROOF(glint_region_bound) {
+    FOR_PARTS(eighth, 0, 7) {
+        any_fitting((int)eighth);
+        glint_region_bound(&frame, &shading, &region);
+    }
+}
+
+/* Deviations of any size. */
+PROOF(glint_place_lobe) {
+    int32_t least[4], most[4];
+    any_material();
+    for (int i = 0; i < 4; i++) {
+        least[i] = ANY(-65536, 65536);
+        most[i] = ANY(-65536, 65536);
+    }
+    glint_place_lobe(&shading, least, most);
+}
+
+/* Any light, any place. */
+PROOF(glint_region_add_lobe) {
+    FOR_PARTS(place, GLINT_LOBE_OUTSIDE, GLINT_LOBE_UNFIT) {
+        glint_region_add_lobe(&region, ANY_UNSIGNED(0, GLINT_LIGHTS_MAX - 1), (int)place);
+    }
+}
+
+/* Any region, of any lights. @options -eva-slevel 300 */
+PROOF(glint_terms_name) {
+    glint_draw draw;
+    glint_terms to;
+    static const int16_t colours[1][3];
+    any_material();
+    any_region();
+    draw.shading = &shading;
+    draw.extra = ANY(0, 1) ? colours : 0;
+    terms.channels = ANY(0, 1) ? 1 : 3;
+    glint_terms_name(&frame, &draw, &region, ANY(0, 2), &to);
+}

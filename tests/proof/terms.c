@@ -1,0 +1,259 @@
+/* SPDX-License-Identifier: MIT */
+/* Terms of a triangle. */
+#include "proof.h"
+
+#include "../../src/tables.c"
+#include "../../src/terms.c"
+#include "lit.h"
+#include "plane.h"
+
+/*
+ * Not proven: glint_terms_light, glint_terms_begin, find_region, find_middles, sum_corners,
+ * begin_quadratics, take_numbers, take_sums, find_normals, has_edge: they walk corners and lights, whose numbers are
+ * where place_numbers puts them, and call what is proven. Suites `nodes` and `identity` under ASan and UBSan, and
+ * fuzzing.
+ */
+
+/*
+ * Not proven: begin_planes: corners' numbers either side of 0, which plane_of is not proven for, may differ by more
+ * than 31 bits hold where light is so dim that planes fit a triangle that turns by 2, or where a highlight's deviations
+ * are at their limits on both sides. Suite `nodes` under UBSan meets none.
+ */
+
+/* Numbers of lights, and sums. */
+#define NUMBER 16388
+
+/* A triangle that is not deep: its corners' 1/w with the largest at 15 bits. */
+#define LEAST_W 32
+
+static glint_vertex vertices[3];
+static glint_triangle triangle;
+static glint_frame frame;
+static glint_view view;
+static glint_light_terms light;
+static int16_t colours[3][3];
+static candidate t;
+
+/* 1/w of corners by the bits of the largest, the first or the last, and of the others no less than 2^-10 of that. */
+#define FOR_CORNERS(bits) FOR_PARTS(bits, 17, 31) FOR_PARTS(is_last, 0, 1) if (any_corners((int)bits, (int)is_last), 1)
+
+static void any_corners(int bits, int is_last) {
+    for (int i = 0; i < 3; i++) {
+        glint_vertex *v = &vertices[i];
+        any_unit(v->attribute);
+        for (int c = 0; c < 3; c++)
+            colours[i][c] = (int16_t)ANY(0, INT16_MAX);
+        v->x = (int16_t)ANY(-16367, 32735);
+        v->y = (int16_t)ANY(-16367, 32735);
+        v->inverse_w = (int32_t)(i == 2 * is_last ? ANY_OF_BITS(bits) : ANY_UNSIGNED(64, 0xffffffffu >> (32 - bits)));
+        triangle.corners[i] = v;
+        triangle.extra[i] = colours[i];
+    }
+}
+
+/* Any node, of one channel or three. @narrowing bits are kept as they are @options -eva-slevel 0 */
+PROOF(keep) {
+    static int16_t to[51];
+    glint_node node;
+    for (int i = 0; i < GLINT_LIGHTS_MAX; i++)
+        for (int kind = 0; kind < GLINT_NUMBERS; kind++) {
+            node.number[i][kind] = ANY_SHORT;
+            light.at[i][kind] = (uint8_t)ANY(0, 50);
+        }
+    for (int c = 0; c < 3; c++)
+        node.sum[c] = ANY(-32768, 32767);
+    node.levels = ANY_UNSIGNED(0, 3u << 16);
+    node.half = ANY_UNSIGNED(0, INT16_MAX);
+    node.closeness = ANY_UNSIGNED(0, UINT16_MAX);
+    node.around = ANY_UNSIGNED(0, UINT16_MAX);
+    node.lit = (uint8_t)ANY(0, UINT8_MAX);
+    node.dark = (uint8_t)ANY(0, UINT8_MAX);
+    node.outside = (uint16_t)ANY(0, UINT16_MAX);
+    node.far = (uint8_t)ANY(0, UINT8_MAX);
+    node.unfit = (uint8_t)ANY(0, UINT8_MAX);
+    node.steep = (uint8_t)ANY(0, UINT8_MAX);
+    light.light_count = GLINT_LIGHTS_MAX;
+    FOR_PARTS(channels, 1, 3) {
+        light.channels = (uint32_t)channels;
+        keep(&light, &node, to);
+    }
+}
+
+/* Any corner. @unreached 1 a number of no bits */
+PROOF(gather_corner) {
+    glint_fragments fragments;
+    any_view(&view);
+    frame.view = &view;
+    any_corners(31, 0);
+    fragments.count = ANY_UNSIGNED(0, 2);
+    gather_corner(&frame, &vertices[0], &fragments);
+}
+
+/*
+ * Colours from 0 to 1, 1/w of 15 bits.
+ * @alarms 1 a weighted mean is no more than the larger; suite `nodes` under UBSan
+ */
+PROOF(between) {
+    between(ANY(1, 32768), ANY(1, 32768), ANY(LEAST_W, INT16_MAX), ANY(LEAST_W, INT16_MAX));
+}
+
+/*
+ * Any corners, turned by up to 3/4, by the bits of the largest 1/w.
+ * @contract glint_reciprocal16_by_division
+ * @alarms 1 a sum whose leading zeros have gone has 16 bits; suite `nodes` under UBSan
+ * @unreached 3 leading zeros of 0, and a number of no bits
+ */
+PROOF(find_shares) {
+    for (int e = 0; e < 3; e++)
+        t.apart[e] = ANY(0, 0x2400000);
+    FOR_CORNERS(bits) {
+        find_shares(&triangle, &t);
+    }
+}
+
+/* Shares of up to 1, numbers of 15 bits and a sign. */
+PROOF(mix) {
+    for (int e = 0; e < 2; e++)
+        t.share[0][e] = ANY(0, 1 << 15);
+    mix(&t, 0, ANY(-NUMBER, NUMBER), ANY(-NUMBER, NUMBER));
+}
+
+/*
+ * Any edge, by the bits of the larger 1/w. @contract glint_unit_inline
+ * @unreached 3 leading zeros of 0, and a number of no bits
+ */
+PROOF(gather_middle) {
+    glint_fragments fragments;
+    any_view(&view);
+    frame.view = &view;
+    FOR_CORNERS(bits) {
+        fragments.count = 0;
+        gather_middle(&frame, &vertices[0], &vertices[2], &fragments);
+    }
+}
+
+/* x from 2^13 to 2^15, by its bits. @contract glint_inverse_root @unreached 3 leading zeros of 0, and a number of no
+ * bits */
+PROOF(root_of15) {
+    FOR_PARTS(bits, 14, 15) {
+        root_of15(ANY_OF_BITS(bits));
+    }
+    root_of15(1u << 15);
+}
+
+/*@ requires 0x2000 <= x <= 0x8000;
+    assigns \result \from x;
+    ensures 0 <= \result <= 0x10000; */
+static int32_t root_of15(uint32_t x);
+
+/*
+ * Any corners, by the bits of the largest 1/w. @contract root_of15 glint_reciprocal16_by_division
+ * @alarms 4 1/w over the largest is at most 1; suite `nodes` under UBSan
+ * @unreached 3 leading zeros of 0, and a number of no bits
+ */
+PROOF(find_lengths) {
+    lengths of;
+    FOR_CORNERS(bits) {
+        find_lengths(&triangle, &of);
+    }
+}
+
+/* Numbers of 15 bits and a sign. */
+PROOF(keeps_side) {
+    int32_t n[6];
+    for (int i = 0; i < 6; i++)
+        n[i] = ANY(INT16_MIN, INT16_MAX);
+    keeps_side(n);
+}
+
+/* Numbers of 15 bits and a sign times lengths of up to 1, or none. */
+PROOF(scale_numbers) {
+    int32_t n[6], by[6];
+    for (int i = 0; i < 6; i++) {
+        n[i] = ANY(INT16_MIN, INT16_MAX);
+        by[i] = ANY(0, (1 << 15) + 64);
+    }
+    scale(n, 0);
+    scale(n, by);
+}
+
+/*
+ * Any sum of one channel or three, ambient light that these have bits for, a surface's colours of up to 2, or none.
+ * @alarms 3 a chroma of a sum is below 2^15, as a channel is; suite `nodes` under UBSan
+ */
+PROOF(glint_sum_at) {
+    glint_terms terms;
+    int16_t surface[3];
+    terms.light = &light;
+    for (int c = 0; c < 3; c++) {
+        surface[c] = ANY_SHORT;
+        light.chroma[c] = ANY(0, UINT16_MAX);
+    }
+    FOR_PARTS(kind, 0, 3) {
+        terms.is_channels = (uint8_t)(kind & 1);
+        light.channels = kind & 2 ? 1 : 3;
+        FOR_PARTS(c, 0, 2) {
+            FOR_PARTS(bits, 0, 4) {
+                light.sum_bits = (unsigned)bits;
+                light.ambient[c] = ANY(-(1 << 25), bits < 4 ? (1 << (27 + bits)) - 1 : 15 << 27);
+                glint_sum_at(&terms, ANY(0, INT16_MAX), ANY(0, INT16_MAX), (int)c, surface);
+                glint_sum_at(&terms, ANY(0, INT16_MAX), ANY(0, INT16_MAX), (int)c, 0);
+            }
+        }
+    }
+}
+
+/*
+ * Any corners, by the bits of the largest 1/w. @contract glint_angle_of glint_region_measure
+ * @unreached 1 a number of no bits
+ */
+PROOF(terms_measure) {
+    FOR_CORNERS(bits) {
+        measure(ANY_UNSIGNED(1 << 10, 1u << 31), &triangle, &t);
+    }
+}
+
+/*@ requires \valid_read(w) && \valid(region);
+    assigns region->slant, region->reach \from pixel, width, height, *w;
+    ensures \initialized(&region->reach) && region->reach <= 0x4000; */
+void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, const glint_w_range *w,
+                          glint_region *region);
+
+/*@ assigns \result \from square;
+    ensures \result <= 0x40000; */
+uint32_t glint_angle_of(uint32_t square);
+
+/*
+ * Any corners, by the bits of the largest 1/w. @contract between
+ * @unreached 3 leading zeros of 0, and a number of no bits
+ */
+PROOF(find_surface) {
+    FOR_CORNERS(bits) {
+        find_surface(&triangle, &t);
+    }
+}
+
+/*@ requires 0 <= a <= 32768 && 0 <= b <= 32768;
+    assigns \result \from a, b, wa, wb; */
+static int16_t between(int32_t a, int32_t b, int32_t wa, int32_t wb);
+
+/*
+ * Sums of 15 bits, lights' numbers, and what a triangle that turns by up to 2 makes of these: 4/3 of them; any unit,
+ * any gradients.
+ * @contract glint_plane_begin
+ * @narrowing numbers below 0 are shifted as they are
+ */
+PROOF(plane_of) {
+    const int32_t number = NUMBER * 4 / 3, sum = INT16_MAX * 4 / 3;
+    glint_gradients g;
+    FOR_PARTS(is_wide, 0, 1) {
+        if (is_wide)
+            any_wide(&g);
+        else
+            any_narrow(&g);
+        plane_of(&g, ANY(0, number), ANY(0, number), ANY(0, number), 16);
+        FOR_PARTS(unit, 12, 16) {
+            plane_of(&g, ANY(0, sum), ANY(0, sum), ANY(0, sum), (unsigned)unit);
+        }
+    }
+}
