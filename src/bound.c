@@ -155,6 +155,17 @@ static inline uint32_t from_anywhere(uint32_t near) {
     return near < 1 << 11 ? (near << 12) / ((1 << 12) - near) : 1 << 13;
 }
 
+/* How far a region's highlights turn about their axes, and these about them. */
+static inline uint32_t lobe_turn(const glint_shading *shading, const glint_region *region) {
+    return shading->material->model->lobe == GLINT_LOBE_MIRROR ? 2 * region->turn : region->turn;
+}
+
+/* H turns by what L and V turn, over |L + V|. */
+static inline uint32_t find_axis(const glint_frame *frame, const glint_region *region) {
+    const uint32_t turn = region->near + (frame->view->local_viewer ? region->reach : 0);
+    return (turn << 12) / (glint_angle_of(region->half << 10) | 1);
+}
+
 uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness, uint32_t around,
                            glint_region *region) {
     const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED, near = find_near(region, around);
@@ -184,6 +195,7 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
             }
             region->cones |= ~region->held & 1u << l;
         }
+    region->axis = lobes ? find_axis(frame, region) : 0;
     return lobes;
 }
 
@@ -196,18 +208,7 @@ static uint32_t lobe_levels(const glint_light_terms *light, uint32_t lobes) {
     return levels;
 }
 
-/* How far a region's highlights turn about their axes, and these about them. */
-static inline uint32_t lobe_turn(const glint_shading *shading, const glint_region *region) {
-    return shading->material->model->lobe == GLINT_LOBE_MIRROR ? 2 * region->turn : region->turn;
-}
-
-/* H turns by what L and V turn, over |L + V|. */
-static inline uint32_t find_axis(const glint_frame *frame, const glint_region *region) {
-    const uint32_t turn = region->near + (frame->view->local_viewer ? region->reach : 0);
-    return (turn << 12) / (glint_angle_of(region->half << 10) | 1);
-}
-
-int glint_region_fits(const glint_frame *frame, const glint_shading *shading, int has_surface, glint_region *region) {
+int glint_region_fits(const glint_shading *shading, int has_surface, glint_region *region) {
     const glint_light_terms *light = shading->terms;
     region->folds = 0;
     if (region->near > TOO_NEAR || region->slant > STEEPEST)
@@ -219,7 +220,8 @@ int glint_region_fits(const glint_frame *frame, const glint_shading *shading, in
     if (region->cones & region->steep)
         return 0;
     const uint32_t place = region->near * 362 >> 8, turn = region->turn + place + region->colour;
-    region->axis = region->lobes ? find_axis(frame, region) : 0;
+    if (!region->lobes)
+        region->axis = 0;
     if (lobe_turn(shading, region) + region->axis > WIDEST || turn > WIDEST)
         return 0;
     region->folds = has_surface && !region->sides && !(shading->material->flags & GLINT_MATERIAL_MAX) &&
@@ -279,12 +281,23 @@ static int place_wide(const glint_shading *shading, int32_t least, int32_t most)
     return shading->terms->lobe_has_strip && least < 2 * GLINT_HORIZON ? GLINT_LOBE_EDGE : GLINT_LOBE_SHOWS;
 }
 
-int glint_place_lobe(const glint_shading *shading, const int32_t least[4], const int32_t most[4]) {
+/*
+ * A deviation is linear in N, and N over |M| where it is interpolated: with H fixed it lies no nearer to 0 than chords
+ * between corners do. H turns by g while N turns by t: that adds g^2 / 6 + g t / 3, as planes are off by. R is a
+ * quadratic form of N, which adds t^2 / 12, t being R's turn. And unit vectors are rounded.
+ */
+int32_t glint_lobe_bulge(const glint_shading *shading, const glint_region *region) {
+    const uint32_t turn = (uint32_t)glint_least((int32_t)lobe_turn(shading, region), WIDEST),
+                   axis = (uint32_t)glint_least((int32_t)region->axis, WIDEST);
+    const uint32_t mirrored = shading->material->model->lobe == GLINT_LOBE_MIRROR ? times(turn, turn) / 2 : 0;
+    return (int32_t)((times(axis, axis + 2 * turn) + mirrored) * 4 / 6 + 3) << shading->terms->lobe_shift;
+}
+
+int glint_place_lobe(const glint_shading *shading, int32_t bulge, const int32_t least[4], const int32_t most[4]) {
     const glint_light_terms *light = shading->terms;
     if (light->lobe_is_wide)
         return place_wide(shading, least[0], most[0]);
-    const int32_t cut = light->lobe_cut + (light->lobe_cut >> 4),
-                  diagonal = light->lobe_diagonal + (light->lobe_diagonal >> 4);
+    const int32_t cut = light->lobe_cut + bulge, diagonal = light->lobe_diagonal + bulge + (bulge >> 1);
     return least[0] >= cut || most[0] <= -cut || least[1] >= cut || most[1] <= -cut || least[2] >= diagonal ||
                    most[2] <= -diagonal || least[3] >= diagonal || most[3] <= -diagonal
                ? GLINT_LOBE_OUTSIDE

@@ -51,7 +51,8 @@ static uint32_t find_colour(const glint_shape *shape, glint_node *const nodes[])
     return (uint32_t)apart >> 2;
 }
 
-static int place_lobe(const glint_shading *shading, const glint_shape *shape, glint_node *const nodes[], uint32_t l) {
+static int place_lobe(const glint_shading *shading, const glint_shape *shape, glint_node *const nodes[], int32_t bulge,
+                      uint32_t l) {
     int32_t least[4] = {INT32_MAX, INT32_MAX, INT32_MAX, INT32_MAX};
     int32_t most[4] = {INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN};
     for (uint32_t i = 0; i < shape->count; i++) {
@@ -62,7 +63,7 @@ static int place_lobe(const glint_shading *shading, const glint_shape *shape, gl
             most[k] = glint_most(most[k], along[k]);
         }
     }
-    return glint_place_lobe(shading, least, most);
+    return glint_place_lobe(shading, bulge, least, most);
 }
 
 /* Does a light keep its side all over a region, whatever its polynomial is off by? */
@@ -132,11 +133,12 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, const g
     const uint32_t lobes = glint_region_sort(frame, shading, closeness, around, region);
     region->lobes = 0;
     region->has_edge = 0;
+    const int32_t bulge = glint_lobe_bulge(shading, region) / 4; /* nodes lie half as far apart as corners */
     for (uint32_t l = 0; lobes >> l; l++)
         if (lobes >> l & 1)
-            glint_region_add_lobe(region, l,
-                                  region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, shape, nodes, l));
-    if (!glint_region_fits(frame, shading, draw->extra != 0, region) || !glint_region_bound(frame, shading, region))
+            glint_region_add_lobe(
+                region, l, region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, shape, nodes, bulge, l));
+    if (!glint_region_fits(shading, draw->extra != 0, region) || !glint_region_bound(frame, shading, region))
         return 0;
     region->has_edge |= has_edge(shading, region, shape, nodes);
     return region->error <= 2 * shading->terms->limit;

@@ -125,7 +125,7 @@ static inline void measure(uint32_t pixel, const glint_triangle *triangle, candi
 }
 
 /* Does a highlight show on a triangle? */
-static int place_lobe(const glint_shading *shading, const candidate *t, uint32_t l) {
+static int place_lobe(const glint_shading *shading, const candidate *t, int32_t bulge, uint32_t l) {
     const uint8_t *const at = shading->terms->at[l];
     int32_t least[4], most[4];
     int32_t along[3][4];
@@ -139,7 +139,7 @@ static int place_lobe(const glint_shading *shading, const candidate *t, uint32_t
         least[k] = glint_least_of(along[0][k], along[1][k], along[2][k]);
         most[k] = glint_most_of(along[0][k], along[1][k], along[2][k]);
     }
-    return glint_place_lobe(shading, least, most);
+    return glint_place_lobe(shading, bulge, least, most);
 }
 
 /* A colour at the middle of an edge, which is linear over w. */
@@ -196,10 +196,12 @@ static inline int find_region(const glint_frame *frame, const glint_draw *draw, 
                           (uint32_t)glint_most_of(a[AROUND], b[AROUND], c[AROUND]), region);
     region->lobes = 0;
     region->has_edge = 0;
+    const int32_t bulge = glint_lobe_bulge(shading, region);
     for (uint32_t l = 0; lobes >> l; l++)
         if (lobes >> l & 1)
-            glint_region_add_lobe(region, l, region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, t, l));
-    return glint_region_fits(frame, shading, t->has_surface, region);
+            glint_region_add_lobe(region, l,
+                                  region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, t, bulge, l));
+    return glint_region_fits(shading, t->has_surface, region);
 }
 
 /* ---- Nodes ---- */

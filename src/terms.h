@@ -105,7 +105,7 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
                            glint_region *region);
 
 /** May polynomials fit at all? Then sets what error is found from. */
-int glint_region_fits(const glint_frame *frame, const glint_shading *shading, int has_surface, glint_region *region);
+int glint_region_fits(const glint_shading *shading, int has_surface, glint_region *region);
 
 /** How far planes may be off, levels in Q8. */
 uint32_t glint_plane_error(const glint_shading *shading, int has_surface, const glint_region *region);
@@ -113,10 +113,14 @@ uint32_t glint_plane_error(const glint_shading *shading, int has_surface, const 
 /** Sets how far quadratics may be off. @return 0 where none fit */
 int glint_region_bound(const glint_frame *frame, const glint_shading *shading, glint_region *region);
 
+/** How far deviations between a triangle's corners may lie beyond these, as kept: planes' error of highlights. */
+int32_t glint_lobe_bulge(const glint_shading *shading, const glint_region *region);
+
 /** Between nodes whose deviations are x, y, x + y and x - y from least to most, a highlight shows, or not, or unclear.
+ * @param bulge how far those between may lie beyond these
  */
 enum { GLINT_LOBE_OUTSIDE, GLINT_LOBE_SHOWS, GLINT_LOBE_EDGE, GLINT_LOBE_UNFIT };
-int glint_place_lobe(const glint_shading *shading, const int32_t least[4], const int32_t most[4]);
+int glint_place_lobe(const glint_shading *shading, int32_t bulge, const int32_t least[4], const int32_t most[4]);
 
 /** What becomes of those lobes among some that lie so. */
 static inline void glint_region_add_lobe(glint_region *region, uint32_t light, int place) {

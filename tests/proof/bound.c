@@ -123,7 +123,7 @@ PROOF(glint_find_away) {
 PROOF(glint_region_fits) {
     any_material();
     any_region();
-    glint_region_fits(&frame, &shading, ANY(0, 1), &region);
+    glint_region_fits(&shading, ANY(0, 1), &region);
 }
 
 /* A region that polynomials may fit: its turn and its place are at most 2 together, by eighths; mirrored lobes turn
