@@ -275,10 +275,10 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
 }
 
 /* The same where lobes are of the cosine. */
-static int place_wide(const glint_shading *shading, int32_t least, int32_t most) {
-    if (shading->shininess && most < -GLINT_HORIZON)
+static int place_wide(const glint_shading *shading, int32_t bulge, int32_t least, int32_t most) {
+    if (shading->shininess && most < -bulge)
         return GLINT_LOBE_OUTSIDE;
-    return shading->terms->lobe_has_strip && least < 2 * GLINT_HORIZON ? GLINT_LOBE_EDGE : GLINT_LOBE_SHOWS;
+    return shading->terms->lobe_has_strip && least - bulge < 2 * GLINT_HORIZON ? GLINT_LOBE_EDGE : GLINT_LOBE_SHOWS;
 }
 
 /*
@@ -296,7 +296,7 @@ int32_t glint_lobe_bulge(const glint_shading *shading, const glint_region *regio
 int glint_place_lobe(const glint_shading *shading, int32_t bulge, const int32_t least[4], const int32_t most[4]) {
     const glint_light_terms *light = shading->terms;
     if (light->lobe_is_wide)
-        return place_wide(shading, least[0], most[0]);
+        return place_wide(shading, bulge, least[0], most[0]);
     const int32_t cut = light->lobe_cut + bulge, diagonal = light->lobe_diagonal + bulge + (bulge >> 1);
     return least[0] >= cut || most[0] <= -cut || least[1] >= cut || most[1] <= -cut || least[2] >= diagonal ||
                    most[2] <= -diagonal || least[3] >= diagonal || most[3] <= -diagonal
