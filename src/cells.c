@@ -12,15 +12,15 @@
  * corners nearly cancel, most of their turn is on one side.
  */
 static uint32_t find_turn(const glint_shape *shape, glint_node *const nodes[]) {
-    int32_t turn = 0;
+    int32_t turn = 0, half = 0;
     for (int i = 0; i < 3; i++)
         for (int j = i + 1; j < 4; j++)
             turn = glint_most(turn,
                               glint_square_apart(nodes[shape->corners[i]]->normal, nodes[shape->corners[j]]->normal));
     for (int i = 0; i < 4 && shape->shift; i++)
-        turn = glint_most(
-            turn, 4 * glint_square_apart(nodes[shape->corners[i]]->normal, nodes[GLINT_CELL_NODES / 2]->normal));
-    return glint_angle_of((uint32_t)turn >> 2);
+        half =
+            glint_most(half, glint_square_apart(nodes[shape->corners[i]]->normal, nodes[GLINT_CELL_NODES / 2]->normal));
+    return glint_angle_of((uint32_t)glint_most(turn >> 2, half));
 }
 
 /* @return 0 where a node lies behind the eye, or beyond what 1/w tells */

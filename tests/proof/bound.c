@@ -70,6 +70,8 @@ static void any_region(void) {
     region.far = ANY_UNSIGNED(0, 0xff);
     region.unfit = ANY_UNSIGNED(0, 0xff);
     region.steep = ANY_UNSIGNED(0, 0xff);
+    region.left = ANY_UNSIGNED(0, 0xff);
+    region.axis = ANY_UNSIGNED(0, UINT32_MAX >> 1);
     region.has_edge = ANY(0, 1);
     region.folds = ANY(0, 1);
     region.held = ANY_UNSIGNED(0, 0xff);
@@ -107,7 +109,7 @@ PROOF(glint_region_measure) {
     }
 }
 
-/* Any lights, any closeness. @unsigned @options -eva-slevel 300 */
+/* Any lights, any closeness. @contract glint_angle_of @unsigned @options -eva-slevel 300 */
 PROOF(glint_region_sort) {
     any_material();
     any_region();
@@ -162,6 +164,14 @@ PROOF(glint_region_bound) {
     }
 }
 
+/* Any turn of a region and its axes. @unsigned */
+PROOF(glint_lobe_bulge) {
+    any_material();
+    any_region();
+    const int32_t bulge = glint_lobe_bulge(&shading, &region);
+    /*@ assert 0 <= bulge <= 0x20000000; */
+}
+
 /* Deviations of any size. */
 PROOF(glint_place_lobe) {
     int32_t least[4], most[4];
@@ -170,7 +180,7 @@ PROOF(glint_place_lobe) {
         least[i] = ANY(-65536, 65536);
         most[i] = ANY(-65536, 65536);
     }
-    glint_place_lobe(&shading, least, most);
+    glint_place_lobe(&shading, ANY(0, 0x20000000), least, most);
 }
 
 /* Any light, any place. */

@@ -14,9 +14,9 @@
     ensures \result <= 0x40000; */
 uint32_t glint_angle_of(uint32_t square);
 
-/*@ assigns \result \from indirect: *shading, indirect: least[0 .. 3], indirect: most[0 .. 3];
+/*@ assigns \result \from indirect: *shading, bulge, indirect: least[0 .. 3], indirect: most[0 .. 3];
     ensures 0 <= \result <= 3; */
-int glint_place_lobe(const glint_shading *shading, const int32_t least[4], const int32_t most[4]);
+int glint_place_lobe(const glint_shading *shading, int32_t bulge, const int32_t least[4], const int32_t most[4]);
 
 /*@ assigns \result \from outside, near;
     ensures \result <= 0xff; */
@@ -58,9 +58,10 @@ static void any_nodes(void) {
     glint_shape_cell(3, &shape);
 }
 
-/* Any nodes. @contract glint_angle_of */
+/* Any nodes, of cells and of pieces. @contract glint_angle_of */
 PROOF(cell_find_turn) {
     any_nodes();
+    shape.shift = ANY_UNSIGNED(0, 3);
     find_turn(&shape, nodes);
 }
 
@@ -83,7 +84,7 @@ PROOF(find_colour) {
 PROOF(cell_place_lobe) {
     any_nodes();
     FOR_PARTS(l, 0, GLINT_LIGHTS_MAX - 1) {
-        place_lobe(&shading, &shape, nodes, (uint32_t)l);
+        place_lobe(&shading, &shape, nodes, ANY(0, 0x20000000), (uint32_t)l);
     }
 }
 
@@ -91,7 +92,7 @@ PROOF(cell_place_lobe) {
 PROOF(cell_keeps_side) {
     any_nodes();
     FOR_PARTS(l, 0, GLINT_LIGHTS_MAX - 1) {
-        keeps_side(&shape, nodes, (uint32_t)l);
+        keeps_side(&shape, nodes, (uint32_t)l, ANY(0, 1 << 16));
     }
 }
 

@@ -163,7 +163,7 @@ PROOF(keeps_side) {
     int32_t n[6];
     for (int i = 0; i < 6; i++)
         n[i] = ANY(INT16_MIN, INT16_MAX);
-    keeps_side(n);
+    keeps_side(n, ANY(0, 1 << 16));
 }
 
 /* Numbers of 15 bits and a sign times lengths of up to 1, or none. */
