@@ -8,18 +8,20 @@
 /* ---- What is known from the nodes ---- */
 
 /*
- * From corner to corner; of a cell that is no less than twice what it is from the centre to one: where normals between
- * corners nearly cancel, most of their turn is on one side.
+ * From corner to corner; of a cell that is no less than twice what it is from the centre to a corner, or between nodes
+ * along an edge: where normals between corners nearly cancel, most of their turn is on one side.
  */
 static uint32_t find_turn(const glint_shape *shape, glint_node *const nodes[]) {
+    static const uint8_t around[9] = {0, 1, 2, 5, 8, 7, 6, 3, 0};
     int32_t turn = 0, half = 0;
     for (int i = 0; i < 3; i++)
         for (int j = i + 1; j < 4; j++)
             turn = glint_most(turn,
                               glint_square_apart(nodes[shape->corners[i]]->normal, nodes[shape->corners[j]]->normal));
     for (int i = 0; i < 4 && shape->shift; i++)
-        half =
-            glint_most(half, glint_square_apart(nodes[shape->corners[i]]->normal, nodes[GLINT_CELL_NODES / 2]->normal));
+        half = glint_most(half, glint_square_apart(nodes[shape->corners[i]]->normal, nodes[4]->normal));
+    for (int i = 0; i < 8 && shape->shift; i++)
+        half = glint_most(half, glint_square_apart(nodes[around[i]]->normal, nodes[around[i + 1]]->normal));
     return glint_angle_of((uint32_t)glint_most(turn >> 2, half));
 }
 

@@ -55,6 +55,10 @@ static const kept_scene kept_scenes[] = {
     {19, 0, 10435u, 0x4b662bb765500907u, 0, 0, 0}, /* large triangles at nodes: normals that nearly cancel in a cell */
     {20, 1, 5174693u, 0x22af849b9864b249u, 0, 0,
      0.51}, /* large triangles of any p at nodes: N.L within its rounding of 0 */
+    {3, 1, 7038384u, 0xe92aedf7dfcca748u, 0, 0, 0}, /* opposed normals: all their turn is at one edge of a cell */
+    {15, 1, 7065780u, 0xe1459287984ff5f0u, 0, 0,
+     0}, /* lights from behind: a highlight between corners that have none */
+    {16, 1, 7151293u, 0x6794558132f64180u, 0, 0, 0}, /* crossing objects: the same */
 };
 
 #endif
