@@ -374,12 +374,18 @@ static inline glint_quadratic polynomial_of(const glint_barycentric *s, const in
     return q;
 }
 
-/* A plane as a polynomial, times 2^unit; what is longer than 31 bits hold is cut off. */
-static inline glint_quadratic plane_of(const glint_gradients *g, int32_t a, int32_t b, int32_t c, unsigned unit) {
-    const int32_t most = INT32_MAX >> unit;
+/*
+ * A plane of numbers times `by`, Q15, as a polynomial times 2^unit. Cut off is what is above 31 bits, and what is so
+ * far below 0 that it is further from the largest than glint_plane_begin has room for.
+ */
+static inline glint_quadratic plane_of(const glint_gradients *g, const int32_t n[3], int32_t by, unsigned unit) {
+    const int32_t range = INT32_MAX >> unit;
+    const int32_t a = glint_least(n[0] * by >> 15, range), b = glint_least(n[1] * by >> 15, range),
+                  c = glint_least(n[2] * by >> 15, range);
+    const int32_t least = glint_least(glint_most_of(a, b, c) - range + (range >> 5), 0);
     glint_plane plane;
-    glint_plane_begin(&plane, g, glint_shift_left(glint_least(a, most), unit),
-                      glint_shift_left(glint_least(b, most), unit), glint_shift_left(glint_least(c, most), unit));
+    glint_plane_begin(&plane, g, glint_shift_left(glint_most(a, least), unit),
+                      glint_shift_left(glint_most(b, least), unit), glint_shift_left(glint_most(c, least), unit));
     return (glint_quadratic){(uint32_t)plane.start, (uint32_t)plane.dx, (uint32_t)plane.dy, 0, 0, 0};
 }
 
@@ -480,8 +486,7 @@ static void begin_planes(const candidate *t, int32_t longer, const glint_terms *
     int32_t n[6];
     for (uint32_t c = 0; c < terms->sums; c++) {
         take_sums(terms, t, (int)c, 3, n);
-        set(to, c, plane_of(g, n[0] * length >> 15, n[1] * length >> 15, n[2] * length >> 15, unit_of_sums(terms)),
-            finish_of(terms, t, c));
+        set(to, c, plane_of(g, n, length, unit_of_sums(terms)), finish_of(terms, t, c));
     }
     for (uint32_t a = 0; a < terms->apart_count; a++) {
         const glint_apart *apart = &terms->apart[a];
@@ -490,7 +495,7 @@ static void begin_planes(const candidate *t, int32_t longer, const glint_terms *
             if (apart->kinds >> kind & 1) {
                 const int32_t by = kind == GLINT_STRENGTH ? 1 << 15 : length;
                 take_numbers(terms->light, t, apart->light, kind, 3, n);
-                set(to, next++, plane_of(g, n[0] * by >> 15, n[1] * by >> 15, n[2] * by >> 15, 16), 0);
+                set(to, next++, plane_of(g, n, by, 16), 0);
             }
     }
 }

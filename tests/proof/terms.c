@@ -9,15 +9,9 @@
 
 /*
  * Not proven: glint_terms_light, glint_terms_begin, find_region, find_middles, sum_corners,
- * begin_quadratics, take_numbers, take_sums, find_normals, has_edge: they walk corners and lights, whose numbers are
- * where place_numbers puts them, and call what is proven. Suites `nodes` and `identity` under ASan and UBSan, and
- * fuzzing.
- */
-
-/*
- * Not proven: begin_planes: corners' numbers either side of 0, which plane_of is not proven for, may differ by more
- * than 31 bits hold where light is so dim that planes fit a triangle that turns by 2, or where a highlight's deviations
- * are at their limits on both sides. Suite `nodes` under UBSan meets none.
+ * begin_planes, begin_quadratics, take_numbers, take_sums, find_normals, has_edge: they walk corners and lights, whose
+ * numbers are where place_numbers puts them, and call what is proven. Suites `nodes` and `identity` under ASan and
+ * UBSan, and fuzzing.
  */
 
 /* Numbers of lights, and sums. */
@@ -238,22 +232,24 @@ PROOF(find_surface) {
 static int16_t between(int32_t a, int32_t b, int32_t wa, int32_t wb);
 
 /*
- * Sums of 15 bits, lights' numbers, and what a triangle that turns by up to 2 makes of these: 4/3 of them; any unit,
- * any gradients.
+ * Sums of 15 bits and lights' numbers, either side of 0, and what a triangle that turns by up to 2 makes of these: 4/3
+ * of them; any unit, any gradients.
  * @contract glint_plane_begin
  * @narrowing numbers below 0 are shifted as they are
+ * @alarms 1 what is below 0 has just been brought near the largest. Suite `nodes` under UBSan
  */
 PROOF(plane_of) {
-    const int32_t number = NUMBER * 4 / 3, sum = INT16_MAX * 4 / 3;
     glint_gradients g;
     FOR_PARTS(is_wide, 0, 1) {
         if (is_wide)
             any_wide(&g);
         else
             any_narrow(&g);
-        plane_of(&g, ANY(0, number), ANY(0, number), ANY(0, number), 16);
         FOR_PARTS(unit, 12, 16) {
-            plane_of(&g, ANY(0, sum), ANY(0, sum), ANY(0, sum), (unsigned)unit);
+            int32_t n[3];
+            for (int i = 0; i < 3; i++)
+                n[i] = ANY(unit == 16 ? -NUMBER : 0, INT16_MAX);
+            plane_of(&g, n, ANY(1 << 15, (1 << 15) * 4 / 3), (unsigned)unit);
         }
     }
 }
