@@ -6,8 +6,8 @@
 #include "lit.h"
 
 /*
- * Not proven: glint_shape_begin, begin_sums, begin_apart, find_region: they walk nodes, and call what is proven. Suite
- * `nodes` under ASan and UBSan, and fuzzing.
+ * Not proven: glint_shape_begin, begin_sums, begin_apart, find_region, has_edge: they walk nodes, and call what is
+ * proven. Suite `nodes` under ASan and UBSan, and fuzzing.
  */
 
 /*@ assigns \result \from square;

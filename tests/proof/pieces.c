@@ -8,8 +8,8 @@
 #include "ranges.h"
 
 /*
- * Not proven: glint_draw_pieces, draw_piece, light_piece: they walk a triangle's pieces and their nodes, whose numbers
- * number_of is proven to keep, and call what is proven. Suite `nodes` under ASan and UBSan, and fuzzing.
+ * Not proven: glint_draw_pieces, draw_piece, light_piece, cut_spans: they walk a triangle's pieces, rows and nodes,
+ * whose numbers number_of is proven to keep, and call what is proven. Suite `nodes` under ASan and UBSan, and fuzzing.
  */
 
 static glint_vertex vertices[3];
