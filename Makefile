@@ -7,7 +7,7 @@ BUILD    := build
 LIBRARY_WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
 WARNINGS := $(LIBRARY_WARNINGS) -Wno-missing-field-initializers
 CFLAGS   ?= -O2
-LIBRARY  := $(wildcard src/*.c)
+LIBRARY  := $(wildcard src/*/*.c)
 
 # Commands are printed with V=1.
 Q := $(if $(V),,@)
@@ -28,7 +28,7 @@ $1/src/%.o: src/%.c Makefile
 $1/libglint.a: $(LIBRARY:%.c=$1/%.o)
 	@rm -f $$@
 	$$(Q)$(AR) rcs $$@ $$^
--include $$(wildcard $1/src/*.d)
+-include $$(wildcard $1/src/*/*.d)
 endef
 
 HOST_CFLAGS := -std=c99 $(WARNINGS) -g $(CFLAGS) -Isrc

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes src/tables.c: python3 tools/make_tables.py > src/tables.c
+"""Writes src/math/tables.c: python3 tools/make_tables.py > src/math/tables.c
 
 Every entry is computed here from its formula; tests/unit checks the functions that read them.
 """

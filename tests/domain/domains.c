@@ -7,9 +7,8 @@
  */
 #include "domains.h"
 
-#include "frame.h"
 #include "harness.h"
-#include "pixel.h"
+#include "pixel/pixel.h"
 
 #include <math.h>
 #include <stdio.h>

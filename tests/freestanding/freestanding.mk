@@ -7,7 +7,7 @@ freestanding_m4f := -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard
 
 # $(call freestanding_core,core,optimisation)
 define freestanding_core
-$(BUILD)/freestanding/$1-$2/%.o: %.c $(wildcard src/*.h) tests/freestanding/freestanding.mk
+$(BUILD)/freestanding/$1-$2/%.o: %.c $(wildcard src/*.h src/*/*.h) tests/freestanding/freestanding.mk
 	@mkdir -p $$(@D)
 	$$(Q)$(CROSS)gcc $$(freestanding_$1) -std=c99 $(LIBRARY_WARNINGS) -$2 -ffreestanding -ffunction-sections -fdata-sections \
 	    -fcallgraph-info=su -Isrc -c $$< -o $$@

@@ -126,10 +126,10 @@ def check_planted(tally, cross, directory):
 
 
 def check_library(tally, cross, directory):
-    objects = sorted(glob.glob(directory + "/src/*.o"))
+    objects = sorted(glob.glob(directory + "/src/*/*.o"))
     outside = undefined(cross, objects, directory + "/glint.out")
-    graph = call_graph(directory, sorted("src/" + os.path.basename(path)
-                                         for path in glob.glob(directory + "/src/*.ci")))
+    graph = call_graph(directory, sorted(os.path.relpath(path, directory)
+                                         for path in glob.glob(directory + "/src/*/*.ci")))
     floats = [name for name in outside if FLOAT_HELPER.match(name)] + float_instructions(cross, objects)
     strangers = [name for name in outside if not ALLOWED.match(name)]
     tally.check(not strangers, "%s: undefined: %s" % (directory, " ".join(strangers)))
@@ -148,7 +148,7 @@ def check_int(tally):
     """What numeric.h says where int has 16 bits, and that it compiles where int has 32."""
     for target, fits in (("msp430-elf", False), ("arm-none-eabi", True)):
         compiled = subprocess.run(["clang", "--target=" + target, "-std=c99", "-ffreestanding", "-fsyntax-only", "-Isrc",
-                                   "-include", "numeric.h", "-x", "c", os.devnull], capture_output=True, text=True)
+                                   "-include", "math/numeric.h", "-x", "c", os.devnull], capture_output=True, text=True)
         said = "glint_int_of_32_bits" in compiled.stderr
         tally.check((compiled.returncode == 0) == fits and said != fits, "numeric.h for %s: %s" % (target, compiled.stderr))
 
@@ -157,7 +157,7 @@ def check_plain_c(tally):
     """The library without what only GNU's compilers know: each such word is an error here."""
     foreign = ["-D%s=outside_of_c99" % word for word in ("__attribute__(x)", "__asm__", "__builtin_clz")]
     compiled = subprocess.run(["gcc", "-U__GNUC__", *foreign, "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror",
-                               "-ffreestanding", "-fsyntax-only", "-Isrc", *sorted(glob.glob("src/*.c"))],
+                               "-ffreestanding", "-fsyntax-only", "-Isrc", *sorted(glob.glob("src/*/*.c"))],
                               capture_output=True, text=True)
     tally.check(compiled.returncode == 0, "without GNU's extensions: " + compiled.stderr)
 

@@ -21,7 +21,7 @@ REACHES = {
 
 
 # What other cores than the host run in its place: the host's forms alone are run here.
-OTHER_CORES = ("src/division.h", "src/product.h")
+OTHER_CORES = ("src/math/division.h", "src/math/product.h")
 
 
 def run(*command, **options):

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "fine.h"
 
-#include "pixel.h"
+#include "pixel/pixel.h"
 
 static inline uint32_t pack(const int32_t colour[3], uint32_t threshold) {
     (void)threshold;

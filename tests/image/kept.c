@@ -2,8 +2,8 @@
 /*
  * Suite: a renderer that keeps its arena draws what a new one draws, whatever changed since its last frame.
  */
-#include "frame.h"
 #include "harness.h"
+#include "light/shading.h"
 #include "picture.h"
 #include "scenes.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "undropped.h"
 
-#include "light.h"
-#include "spans565.h"
+#include "fast/fast_spans565.h"
+#include "light/model.h"
 
 undropped_drops undropped;
 
@@ -160,7 +160,7 @@ static void begin_plane(glint_plane *plane, const glint_part *part, const int16_
 }
 
 /* The loop of highlights where N.L may be below 0: such light is found, and thrown away. */
-static void draw_gated(const glint_spans *s, const glint_deviation *deviation, const glint_deviation_planes *planes) {
+static void draw_gated(const glint_spans *s, const glint_fast_terms *fast, const glint_fast_planes *planes) {
     const glint_part *part = s->part;
     for (uint32_t row = part->top; row < part->bottom; row++) {
         const int32_t x = part->x + part->spans[row].left, y = part->y + (int32_t)row;
@@ -173,10 +173,10 @@ static void draw_gated(const glint_spans *s, const glint_deviation *deviation, c
             if (glint_is_nearest((uint8_t *)(s->depth + offset), z)) {
                 const int is_lit = (int32_t)level > 0;
                 const uint32_t square = glint_high_square(e_x) + glint_high_square(e_y);
-                uint32_t word = deviation->diffuse[is_lit ? level >> 22 : 0];
-                if (square < deviation->specular_end)
-                    word = glint_spread_clamp(word + deviation->specular[square >> 15]);
-                glint_put_565(s->pixels + 2 * offset, is_lit ? glint_spread_pack(word) : deviation->ambient, 0);
+                uint32_t word = fast->diffuse[is_lit ? level >> 22 : 0];
+                if (square < fast->specular_end)
+                    word = glint_spread_clamp(word + fast->specular[square >> 15]);
+                glint_put_565(s->pixels + 2 * offset, is_lit ? glint_spread_pack(word) : fast->ambient, 0);
             }
             z += (uint32_t)part->depth.dx;
             level += (uint32_t)planes->cosine.dx;
@@ -188,16 +188,16 @@ static void draw_gated(const glint_spans *s, const glint_deviation *deviation, c
 
 /* Finds what the library leaves out where no highlight shows. */
 static void begin_highlight(const glint_draw *draw, const glint_triangle *triangle, const glint_part *part,
-                            glint_deviation_kind kind, glint_deviation_planes *planes) {
+                            glint_fast_kind kind, glint_fast_planes *planes) {
     const int16_t *const terms[3] = {draw->terms[triangle->corners[0] - draw->vertices],
                                      draw->terms[triangle->corners[1] - draw->vertices],
                                      draw->terms[triangle->corners[2] - draw->vertices]};
-    if (kind == GLINT_DEVIATION_AMBIENT || kind == GLINT_DEVIATION_EVEN)
+    if (kind == GLINT_FAST_AMBIENT || kind == GLINT_FAST_EVEN)
         begin_plane(&planes->cosine, part, terms, 0);
     begin_plane(&planes->x, part, terms, 1);
     begin_plane(&planes->y, part, terms, 2);
-    COUNT(parts_ambient, kind == GLINT_DEVIATION_AMBIENT);
-    COUNT(parts_matt, kind != GLINT_DEVIATION_AMBIENT && draw->shading->deviation->specular_end);
+    COUNT(parts_ambient, kind == GLINT_FAST_AMBIENT);
+    COUNT(parts_matt, kind != GLINT_FAST_AMBIENT && draw->shading->fast->specular_end);
 }
 
 static GLINT_NOINLINE int draw_exactly(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
@@ -206,7 +206,7 @@ static GLINT_NOINLINE int draw_exactly(const glint_frame *frame, glint_workspace
 }
 
 /* The loop of interpolated highlights where N.L may be below 0. */
-static void draw_interpolated_gated(const glint_spans *s, const glint_deviation *deviation,
+static void draw_interpolated_gated(const glint_spans *s, const glint_fast_terms *fast,
                                     const glint_interpolation *light) {
     const glint_part *part = s->part;
     for (uint32_t row = part->top; row < part->bottom; row++) {
@@ -220,10 +220,10 @@ static void draw_interpolated_gated(const glint_spans *s, const glint_deviation 
             if (glint_is_nearest((uint8_t *)(s->depth + offset), z)) {
                 const int is_lit = (int32_t)cosine.value > 0;
                 const uint32_t square = glint_high_square(e_x.value) + glint_high_square(e_y.value);
-                uint32_t word = deviation->diffuse[is_lit ? cosine.value >> 22 : 0];
-                if (square < deviation->specular_end)
-                    word = glint_spread_clamp(word + deviation->specular[square >> 15]);
-                glint_put_565(s->pixels + 2 * offset, is_lit ? glint_spread_pack(word) : deviation->ambient, 0);
+                uint32_t word = fast->diffuse[is_lit ? cosine.value >> 22 : 0];
+                if (square < fast->specular_end)
+                    word = glint_spread_clamp(word + fast->specular[square >> 15]);
+                glint_put_565(s->pixels + 2 * offset, is_lit ? glint_spread_pack(word) : fast->ambient, 0);
             }
             z += (uint32_t)part->depth.dx;
             glint_stride_next(&cosine, &light->cosine);
@@ -236,69 +236,67 @@ static void draw_interpolated_gated(const glint_spans *s, const glint_deviation 
 /* What is interpolated, with its highlight where that fits. @return 0 for all else */
 static int draw_interpolated(glint_workspace *workspace, const glint_spans *spans, const glint_draw *draw,
                              const glint_triangle *triangle) {
-    const glint_deviation *deviation = draw->shading->deviation;
+    const glint_fast_terms *fast = draw->shading->fast;
     glint_interpolation light;
-    const glint_quadratic_kind kind = glint_interpolate_begin(draw, triangle, spans->part, &light);
-    if (kind == GLINT_QUADRATIC_UNFIT)
+    const glint_exact_kind kind = glint_interpolate_begin(draw, triangle, spans->part, &light);
+    if (kind == GLINT_EXACT_UNFIT)
         return 0;
-    if (kind != GLINT_QUADRATIC_DIFFUSE || !deviation->specular_end ||
-        !glint_interpolate_highlight(draw, triangle, &light)) {
+    if (kind != GLINT_EXACT_DIFFUSE || !fast->specular_end || !glint_interpolate_highlight(draw, triangle, &light)) {
         glint_draw_interpolated(workspace, spans, draw->shading, &light, kind, 0);
         return 1;
     }
     COUNT(parts_interpolated, 1);
-    if (!deviation->diffuse)
-        glint_draw_quadratic_without_tables(spans, draw->shading, 0, &light, 1, 0);
+    if (!fast->diffuse)
+        glint_draw_curved_without_tables(spans, draw->shading, 0, &light, 1, 0);
     else
-        draw_interpolated_gated(spans, deviation, &light);
+        draw_interpolated_gated(spans, fast, &light);
     return 1;
 }
 
 /* Leaves nothing outside the highlight. */
-static void widen_highlight(glint_deviation *deviation) {
-    deviation->cut = deviation->cut_diagonal = EVERYWHERE;
-    deviation->quadratic.cut = deviation->quadratic.cut_diagonal = EVERYWHERE;
+static void widen_highlight(glint_fast_terms *fast) {
+    fast->cut = fast->cut_diagonal = EVERYWHERE;
+    fast->exact.cut = fast->exact.cut_diagonal = EVERYWHERE;
 }
 
-static void restore_highlight(glint_deviation *deviation, const glint_deviation *kept) {
-    deviation->cut = kept->cut;
-    deviation->cut_diagonal = kept->cut_diagonal;
-    deviation->quadratic.cut = kept->quadratic.cut;
-    deviation->quadratic.cut_diagonal = kept->quadratic.cut_diagonal;
+static void restore_highlight(glint_fast_terms *fast, const glint_fast_terms *kept) {
+    fast->cut = kept->cut;
+    fast->cut_diagonal = kept->cut_diagonal;
+    fast->exact.cut = kept->quadratic.cut;
+    fast->exact.cut_diagonal = kept->quadratic.cut_diagonal;
 }
 
 /* A square, with its highlight wherever it lies; as the library draws it where that is behind the half vector. */
 static void draw_square(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                         const glint_triangle *triangle, const glint_part *part, const glint_part *cut,
-                        glint_square square, glint_quadratic_light *light, glint_quadratic_kind whole) {
-    glint_deviation *deviation = (glint_deviation *)draw->shading->deviation;
-    const glint_deviation kept = *deviation;
+                        glint_square square, glint_exact_light *light, glint_exact_kind whole) {
+    glint_fast_terms *fast = (glint_fast_terms *)draw->shading->fast;
+    const glint_fast_terms kept = *fast;
     const glint_spans spans = {cut, workspace->depth, workspace->pixels, frame->tile_shift_x};
-    widen_highlight(deviation);
-    glint_quadratic_kind kind = glint_quadratic_bend(deviation, triangle, part, &square, light);
-    restore_highlight(deviation, &kept);
-    if (kind == GLINT_QUADRATIC_SPECULAR) {
-        glint_quadratic_light unused = *light;
-        COUNT(squares_matt, whole == GLINT_QUADRATIC_DIFFUSE ||
-                                glint_quadratic_bend(deviation, triangle, part, &square, &unused) != kind);
+    widen_highlight(fast);
+    glint_exact_kind kind = glint_exact_bend(fast, triangle, part, &square, light);
+    restore_highlight(fast, &kept);
+    if (kind == GLINT_EXACT_SPECULAR) {
+        glint_exact_light unused = *light;
+        COUNT(squares_matt,
+              whole == GLINT_EXACT_DIFFUSE || glint_exact_bend(fast, triangle, part, &square, &unused) != kind);
     } else {
-        kind =
-            whole == GLINT_QUADRATIC_DIFFUSE ? whole : glint_quadratic_bend(deviation, triangle, part, &square, light);
+        kind = whole == GLINT_EXACT_DIFFUSE ? whole : glint_exact_bend(fast, triangle, part, &square, light);
     }
-    if (kind == GLINT_QUADRATIC_UNFIT)
+    if (kind == GLINT_EXACT_UNFIT)
         glint_draw_any(frame, workspace, draw, triangle, cut);
     else
-        glint_draw_quadratic_kind(workspace, &spans, draw->shading, light, kind, 0);
+        glint_draw_curved_kind(workspace, &spans, draw->shading, light, kind, 0);
 }
 
 /* Is one half vector, known with its slope, enough for all of a triangle that is lit exactly? */
 static int is_small(const glint_draw *draw, const glint_triangle *triangle, const glint_part *part) {
-    const glint_deviation *deviation = draw->shading->deviation;
-    glint_quadratic_light light;
+    const glint_fast_terms *fast = draw->shading->fast;
+    glint_exact_light light;
     glint_square square;
-    glint_quadratic_square(deviation, triangle, &square);
-    if (glint_quadratic_begin(draw, triangle, part, &light) == GLINT_QUADRATIC_SPECULAR)
-        glint_quadratic_bend(deviation, triangle, part, &square, &light);
+    glint_exact_square(fast, triangle, &square);
+    if (glint_exact_begin(draw, triangle, part, &light) == GLINT_EXACT_SPECULAR)
+        glint_exact_bend(fast, triangle, part, &square, &light);
     return square.is_small;
 }
 
@@ -306,17 +304,17 @@ static int is_small(const glint_draw *draw, const glint_triangle *triangle, cons
  * all else */
 static int draw_squares(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                         const glint_triangle *triangle, const glint_part *part) {
-    const glint_deviation *deviation = draw->shading->deviation;
-    const int32_t cell = (int32_t)deviation->quadratic.cell, side = 1 << cell, half = side / 2;
+    const glint_fast_terms *fast = draw->shading->fast;
+    const int32_t cell = (int32_t)fast->exact.cell, side = 1 << cell, half = side / 2;
     const int32_t left = glint_shift_right(part->window.left, 4), top = glint_shift_right(part->window.top, 4);
-    glint_quadratic_light light;
+    glint_exact_light light;
     glint_square square;
-    if (!deviation->local_viewer || is_small(draw, triangle, part) ||
-        glint_quadratic_begin(draw, triangle, part, &light) != GLINT_QUADRATIC_SPECULAR ||
-        cell < GLINT_QUADRATIC_LEAST_CELL || cell + light.size > GLINT_QUADRATIC_MOST_TURN)
+    if (!fast->local_viewer || is_small(draw, triangle, part) ||
+        glint_exact_begin(draw, triangle, part, &light) != GLINT_EXACT_SPECULAR || cell < GLINT_EXACT_LEAST_CELL ||
+        cell + light.size > GLINT_EXACT_MOST_TURN)
         return 0;
-    glint_quadratic_square(deviation, triangle, &square);
-    const glint_quadratic_kind whole = glint_quadratic_bend(deviation, triangle, part, &square, &light);
+    glint_exact_square(fast, triangle, &square);
+    const glint_exact_kind whole = glint_exact_bend(fast, triangle, part, &square, &light);
     square.extent = 12 * side;
     for (square.y = (top & -side) + half; square.y - half < top + part->window.height; square.y += side) {
         for (square.x = (left & -side) + half; square.x - half < left + part->window.width; square.x += side) {
@@ -334,16 +332,16 @@ static int draw_squares(const glint_frame *frame, glint_workspace *workspace, co
  */
 static void draw_curved(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                         const glint_triangle *triangle, const glint_part *part) {
-    glint_deviation *deviation = (glint_deviation *)draw->shading->deviation; /* it lies in the arena */
-    const glint_deviation kept = *deviation;
+    glint_fast_terms *fast = (glint_fast_terms *)draw->shading->fast; /* it lies in the arena */
+    const glint_fast_terms kept = *fast;
     const glint_spans spans = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
     int drawn = 0;
     if (draw_interpolated(workspace, &spans, draw, triangle) || draw_squares(frame, workspace, draw, triangle, part))
         return;
-    if (deviation->specular_end && (!deviation->local_viewer || is_small(draw, triangle, part))) {
-        widen_highlight(deviation);
+    if (fast->specular_end && (!fast->local_viewer || is_small(draw, triangle, part))) {
+        widen_highlight(fast);
         drawn = draw_exactly(frame, workspace, draw, triangle, part);
-        restore_highlight(deviation, &kept);
+        restore_highlight(fast, &kept);
     }
     if (!drawn && !draw_exactly(frame, workspace, draw, triangle, part))
         glint_draw_any(frame, workspace, draw, triangle, part);
@@ -351,27 +349,27 @@ static void draw_curved(const glint_frame *frame, glint_workspace *workspace, co
 
 static void draw_undropped(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                            const glint_triangle *triangle, const glint_part *part) {
-    const glint_deviation *deviation = draw->shading->deviation;
+    const glint_fast_terms *fast = draw->shading->fast;
     const glint_spans spans = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
-    glint_deviation_planes planes;
-    const glint_deviation_kind kind = glint_deviation_begin(draw, triangle, part, &planes);
-    if (kind == GLINT_DEVIATION_UNFIT) {
+    glint_fast_planes planes;
+    const glint_fast_kind kind = glint_fast_begin(draw, triangle, part, &planes);
+    if (kind == GLINT_FAST_UNFIT) {
         draw_curved(frame, workspace, draw, triangle, part);
         return;
     }
     glint_triangle as_small = *triangle; /* where the library draws no highlight it is not stepped */
-    if (kind != GLINT_DEVIATION_SPECULAR) {
+    if (kind != GLINT_FAST_SPECULAR) {
         begin_highlight(draw, triangle, part, kind, &planes);
         as_small.area = 0;
     }
-    if (!deviation->diffuse)
-        glint_draw_without_tables(frame, workspace, draw, &as_small, part, &planes, GLINT_DEVIATION_SPECULAR, 0);
+    if (!fast->diffuse)
+        glint_draw_without_tables(frame, workspace, draw, &as_small, part, &planes, GLINT_FAST_SPECULAR, 0);
     else if (as_small.area >= GLINT_LARGE_AREA)
         glint_draw_large(frame, workspace, draw, part, &planes, 0);
-    else if (kind == GLINT_DEVIATION_SPECULAR || kind == GLINT_DEVIATION_DIFFUSE)
-        glint_draw_highlight(&spans, deviation, &planes, 0);
+    else if (kind == GLINT_FAST_SPECULAR || kind == GLINT_FAST_DIFFUSE)
+        glint_draw_highlight(&spans, fast, &planes, 0);
     else
-        draw_gated(&spans, deviation, &planes);
+        draw_gated(&spans, fast, &planes);
 }
 
 const glint_format *undropped_format(const glint_format *format) {

@@ -4,9 +4,9 @@
  * diffuse and specular parts sum to 1 (variant `sum 1`), and one that exceeds 1 in its highlights and clamps (variant
  * `clamping`).
  */
-#include "light.h"
+#include "light/model.h"
 #include "methods.h"
-#include "pixel.h"
+#include "pixel/pixel.h"
 
 static const int32_t no_points[1] = {0};
 

@@ -4,8 +4,7 @@
  * colour w 2^-16 over w, w Q31, to Q15. Variant `position`: a vertex's clip coordinates x, y over w, to sixteenths of a
  * pixel, w being 1023 pixels.
  */
-#include "colour.h"
-#include "frame.h"
+#include "light/colour.h"
 #include "methods.h"
 
 static const int32_t no_points[1] = {0};

@@ -3,7 +3,7 @@
  * The half vector of the local viewer and a directional light, over the pixels of a 16 x 16 tile of a 320 x 240 screen,
  * 60 degrees high: three components, Q15. Planes are not made unit between their corners.
  */
-#include "frame.h"
+#include "math/numeric.h"
 #include "methods.h"
 
 enum { WIDTH = METHOD_SCREEN_WIDTH, HEIGHT = METHOD_SCREEN_HEIGHT, TILE = METHOD_TILE, LIGHTS = 8 };

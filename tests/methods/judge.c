@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "judge.h"
 
-#include "frame.h"
-
 #include <math.h>
 
 /** Words of input or output that are dealt with together. */

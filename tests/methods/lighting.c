@@ -6,7 +6,7 @@
  * run turns by up to 10 degrees, as a row of a triangle of a torus does. Which of the lengths, 8, 16 and 32 pixels, is
  * the variant.
  */
-#include "frame.h"
+#include "light/shade.h"
 #include "lookup.h"
 #include "methods.h"
 

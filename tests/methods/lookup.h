@@ -3,7 +3,8 @@
 #ifndef GLINT_METHODS_LOOKUP_H
 #define GLINT_METHODS_LOOKUP_H
 
-#include "frame.h"
+#include "light/shading.h"
+#include "math/numeric.h"
 
 /** Between a node and the next, at a fraction of so many bits. */
 static inline int32_t lookup_between(const uint16_t *node, int32_t fraction, unsigned bits) {

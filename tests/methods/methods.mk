@@ -3,7 +3,7 @@
 
 METHODS := tests/methods/methods.c $(patsubst %,tests/methods/%.c,power normalise divide lighting half_vector colour rounding)
 METHODS_JUDGED := $(METHODS) tests/methods/judge.c
-METHODS_HEADERS := $(wildcard tests/methods/*.h src/*.h)
+METHODS_HEADERS := $(wildcard tests/methods/*.h src/*.h src/*/*.h)
 
 # The judge's doubles are the same from every compiler.
 METHODS_CFLAGS := $(HOST_CFLAGS) -Itests -ffp-contract=off

@@ -3,8 +3,8 @@
  * Normalisation. Variant `root`: 1/sqrt(c) in Q15 for c from 1/4 to 1 in Q30, the range that a shift by an even number
  * of bits brings any c to. Variant `vector`: a vector of three int32 made unit, in all.
  */
+#include "math/numeric.h"
 #include "methods.h"
-#include "numeric.h"
 
 static const int32_t no_points[1] = {0};
 

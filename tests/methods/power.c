@@ -4,8 +4,7 @@
  * Q16, as products of rounded unit vectors give it; sin^2 or 1 - cos in Q30, which keep their digits at the centre of a
  * highlight; or the two unit vectors. Tables are built by the library's own power function.
  */
-#include "frame.h"
-#include "light.h"
+#include "light/model.h"
 #include "lookup.h"
 #include "methods.h"
 

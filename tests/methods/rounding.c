@@ -4,7 +4,7 @@
  * by; variant `8 x 8`: what their mean is off by, which is what the eye sees of dithering.
  */
 #include "methods.h"
-#include "pixel.h"
+#include "pixel/pixel.h"
 
 enum { PIXELS = 64, BITS = 6, TOP = (1 << BITS) - 1 };
 

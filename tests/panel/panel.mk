@@ -3,7 +3,7 @@
 
 PANEL_MODEL   := $(wildcard tests/panel/*model*.c)
 PANEL_DRIVERS := $(wildcard port/panel/*.c)
-PANEL_HEADERS := $(wildcard tests/panel/*.h tests/*.h tests/image/*.h port/panel/*.h src/*.h)
+PANEL_HEADERS := $(wildcard tests/panel/*.h tests/*.h tests/image/*.h port/panel/*.h src/*.h src/*/*.h)
 
 # What a recorded bus stream puts on the glass.
 PANEL_STREAM := $(BUILD)/host/panel_stream

@@ -2,7 +2,7 @@
 /* Culling, and the tiles of a triangle. */
 #include "proof.h"
 
-#include "../../src/bin.c"
+#include "../../src/frame/bin.c"
 #include "ranges.h"
 
 /*

@@ -6,7 +6,7 @@
 #ifndef GLINT_BITS_H
 #define GLINT_BITS_H
 
-#include "../../src/numeric.h"
+#include "../../src/math/numeric.h"
 
 /* x takes at most n bits if it is below 2^n, and at least n from 2^(n - 1) on. */
 #define TAKES(n) ((x >= (1 << (n)) || \result <= (n)) && (x < (1 << ((n)-1)) || \result >= (n)))

@@ -2,7 +2,7 @@
 /* Blinn and Phong's model. */
 #include "proof.h"
 
-#include "../../src/blinn_phong.c"
+#include "../../src/light/blinn_phong.c"
 #include "lit.h"
 
 /*

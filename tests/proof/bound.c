@@ -2,9 +2,8 @@
 /* How far polynomials may be off. */
 #include "proof.h"
 
-#include "../../src/bound.c"
-#include "../../src/product.h"
-#include "../../src/tables.c"
+#include "../../src/math/tables.c"
+#include "../../src/nodes/bound.c"
 #include "lit.h"
 
 /*@ requires 0x10000000 <= c <= 0xC0000000;

@@ -2,7 +2,7 @@
 /* Cells of the lattice. */
 #include "proof.h"
 
-#include "../../src/cells.c"
+#include "../../src/nodes/cells.c"
 #include "lit.h"
 
 /*

@@ -2,7 +2,7 @@
 /* Clipping. */
 #include "proof.h"
 
-#include "../../src/clip.c"
+#include "../../src/geometry/clip.c"
 #include "contracts.h"
 
 #define MOST (1 << 30)

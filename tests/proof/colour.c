@@ -2,8 +2,8 @@
 /* Colours: gamma, clamping, and the perspective divide. */
 #include "proof.h"
 
-#include "../../src/colour.c"
-#include "../../src/gamma.c"
+#include "../../src/light/colour.c"
+#include "../../src/pixel/gamma.c"
 #include "contracts.h"
 #include "pixels.h"
 

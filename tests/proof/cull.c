@@ -2,7 +2,7 @@
 /* Clusters that face away. */
 #include "proof.h"
 
-#include "../../src/cull.c"
+#include "../../src/frame/cull.c"
 #include "ranges.h"
 
 /*

@@ -2,7 +2,7 @@
 /* Directional lights. */
 #include "proof.h"
 
-#include "../../src/directional.c"
+#include "../../src/light/directional.c"
 #include "ranges.h"
 
 /* Any direction, any camera; H never points away from the eye. @contract glint_direction_to_camera glint_unit */

@@ -2,7 +2,7 @@
 /* Fragments on their way to pixels. */
 #include "proof.h"
 
-#include "../../src/fragments.c"
+#include "../../src/light/fragments.c"
 #include "gathering.h"
 #include "lit.h"
 #include "pixels.h"

@@ -2,10 +2,10 @@
 /* Frames and tiles, and which of them changed. */
 #include "proof.h"
 
-#include "../../src/config.c"
-#include "../../src/frame.c"
+#include "../../src/frame/frame.c"
+#include "../../src/scene/config.c"
 #undef wait
-#include "../../src/changes.c"
+#include "../../src/frame/changes.c"
 #include "contracts.h"
 
 /*
@@ -19,7 +19,7 @@
  */
 
 /*
- * Not proven: glint_prepare_view, glint_deviation_prepare: once a frame, they call what is proven. Suites `unit`,
+ * Not proven: glint_prepare_view, glint_fast_prepare: once a frame, they call what is proven. Suites `unit`,
  * `models` and `drops` under ASan and UBSan, and fuzzing.
  */
 

@@ -6,7 +6,7 @@
 #ifndef GLINT_PROOF_GATHERING_H
 #define GLINT_PROOF_GATHERING_H
 
-#include "../../src/fragments.h"
+#include "../../src/light/fragments.h"
 #include "proof.h"
 
 /*@ requires \valid_read(gathering) && \valid(gathering->fragments) && \valid_read(gathering->part);

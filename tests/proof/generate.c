@@ -2,8 +2,8 @@
 /* Generators, and what is loaded of a mesh. */
 #include "proof.h"
 
-#include "../../src/generate.c"
-#include "../../src/load.c"
+#include "../../src/frame/load.c"
+#include "../../src/scene/generate.c"
 #include "contracts.h"
 
 /*

@@ -2,7 +2,7 @@
 /* Vertices to clip space and to the screen. */
 #include "proof.h"
 
-#include "../../src/geometry.c"
+#include "../../src/geometry/geometry.c"
 #include "ranges.h"
 
 #define MOST_W 0x30000000

@@ -6,8 +6,8 @@
 #ifndef GLINT_PROOF_GRADIENTS_H
 #define GLINT_PROOF_GRADIENTS_H
 
-#include "../../src/division.h"
-#include "../../src/frame.h"
+#include "../../src/math/division.h"
+#include "../../src/raster/raster.h"
 #include "proof.h"
 
 /*@ requires 0x8000 <= x <= 0x10000;

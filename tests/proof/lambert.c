@@ -2,8 +2,8 @@
 /* Matt and unlit surfaces. */
 #include "proof.h"
 
-#include "../../src/lambert.c"
-#include "../../src/unlit.c"
+#include "../../src/light/lambert.c"
+#include "../../src/light/unlit.c"
 #include "lit.h"
 
 /*

@@ -2,7 +2,7 @@
 /* The lattice, and what draws by nodes. */
 #include "proof.h"
 
-#include "../../src/lattice.c"
+#include "../../src/nodes/lattice.c"
 
 /*
  * Not proven: glint_draw_lattice, draw_cell, draw_eight, begin_quarter, light_square, add_node, light_batch,

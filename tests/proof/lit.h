@@ -6,7 +6,7 @@
 #ifndef GLINT_LIT_H
 #define GLINT_LIT_H
 
-#include "../../src/light.h"
+#include "../../src/light/model.h"
 #include "ranges.h"
 
 /* N.L is rounded up to 32775; times a weight of 16: what one light's diffuse or specular part adds to a colour. */

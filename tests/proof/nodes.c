@@ -2,8 +2,8 @@
 /* Light at nodes. */
 #include "proof.h"
 
-#include "../../src/nodes.c"
-#include "../../src/tables.c"
+#include "../../src/math/tables.c"
+#include "../../src/nodes/nodes.c"
 #include "lit.h"
 
 /* GLINT_UNIT^2 */

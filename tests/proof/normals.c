@@ -2,8 +2,6 @@
 /* Normals to camera space. */
 #include "proof.h"
 
-#include "../../src/frame.h"
-
 /* A row of the normals' matrix, whose magnitudes sum up to 3 2^28 as well, and half a step on top. */
 /* Stands on scale_normals, by which the squares of all entries sum up to at most 3 2^56: `numbers` tries a million
  * transforms. */
@@ -16,7 +14,7 @@ static int32_t turned_normal(const glint_row *row, int32_t x, int32_t y, int32_t
 
 #undef glint_row_times
 #define glint_row_times turned_normal
-#include "../../src/geometry.c"
+#include "../../src/geometry/geometry.c"
 #include "contracts.h"
 
 /*

@@ -2,8 +2,8 @@
 /* The scalars of numeric.h. */
 #include "proof.h"
 
-#include "../../src/numeric.c"
-#include "../../src/tables.c"
+#include "../../src/math/numeric.c"
+#include "../../src/math/tables.c"
 #include "bits.h"
 #include "contracts.h"
 

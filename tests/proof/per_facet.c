@@ -2,7 +2,7 @@
 /* Lighting of facets. */
 #include "proof.h"
 
-#include "../../src/per_facet.c"
+#include "../../src/light/per_facet.c"
 #include "lit.h"
 
 /*

@@ -2,7 +2,7 @@
 /* Lighting of fragments. */
 #include "proof.h"
 
-#include "../../src/per_fragment.c"
+#include "../../src/light/per_fragment.c"
 #include "lit.h"
 #include "pixels.h"
 

@@ -2,7 +2,7 @@
 /* Lighting of vertices. */
 #include "proof.h"
 
-#include "../../src/per_vertex.c"
+#include "../../src/light/per_vertex.c"
 #include "lit.h"
 
 /*@ requires \valid_read(draw) && \valid(vertex);

@@ -2,7 +2,7 @@
 /* Phong's model. */
 #include "proof.h"
 
-#include "../../src/phong.c"
+#include "../../src/light/phong.c"
 #include "lit.h"
 
 /*

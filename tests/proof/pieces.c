@@ -2,8 +2,8 @@
 /* Pieces of a triangle. */
 #include "proof.h"
 
-#include "../../src/pieces.c"
-#include "../../src/tables.c"
+#include "../../src/math/tables.c"
+#include "../../src/nodes/pieces.c"
 #include "plane.h"
 #include "ranges.h"
 

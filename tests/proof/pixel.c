@@ -6,7 +6,7 @@
  */
 #include "proof.h"
 
-#include "../../src/pixel.h"
+#include "../../src/pixel/pixel.h"
 #include "contracts.h"
 
 #define SIDE 64

@@ -2,7 +2,7 @@
 /* Loops over a part's pixels that every format makes its own. */
 #include "proof.h"
 
-#include "../../src/pixel.h"
+#include "../../src/pixel/pixel.h"
 #include "contracts.h"
 #include "spans.h"
 

@@ -6,11 +6,12 @@
 #ifndef GLINT_PIXELS_H
 #define GLINT_PIXELS_H
 
-#include "../../src/frame.h"
+#include "../../src/fast/fast.h"
+#include "../../src/light/shade.h"
 #include "proof.h"
 
 /*@ assigns \result \from indirect: *shading, indirect: cosine, indirect: square; */
-uint32_t glint_deviation_pixel(const glint_shading *shading, int32_t cosine, uint32_t square);
+uint32_t glint_fast_pixel(const glint_shading *shading, int32_t cosine, uint32_t square);
 
 static void any_plane(glint_plane *plane) {
     plane->start = ANY_INT;

@@ -2,8 +2,8 @@
 /* Errors planted, one bound broken in each: EVA must find them, or the check checks nothing. */
 #include "proof.h"
 
-#include "../../src/numeric.c"
-#include "../../src/tables.c"
+#include "../../src/math/numeric.c"
+#include "../../src/math/tables.c"
 #include "contracts.h"
 
 /* Signed overflow: |x| up to 2^63 - 1 where 2^62 is the bound. */

@@ -2,7 +2,7 @@
 /* Point lights. */
 #include "proof.h"
 
-#include "../../src/point.c"
+#include "../../src/light/point.c"
 #include "bits.h"
 #include "ranges.h"
 

@@ -2,7 +2,7 @@
 /* Quadratics through six nodes. */
 #include "proof.h"
 
-#include "../../src/polynomial.c"
+#include "../../src/raster/polynomial.c"
 #include "plane.h"
 
 /* Terms, of light either way and of colours from 0 up; bulges. */

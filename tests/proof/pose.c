@@ -2,8 +2,8 @@
 /* Poses, cameras and paints. */
 #include "proof.h"
 
-#include "../../src/material.c"
-#include "../../src/pose.c"
+#include "../../src/scene/material.c"
+#include "../../src/scene/pose.c"
 #include "contracts.h"
 
 /* Stands on the root being that of a square of 2^58 to 3 2^60, found bit by bit: `numbers` tries 200,000 cameras, and

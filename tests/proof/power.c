@@ -2,8 +2,8 @@
 /* The specular power: its table, and a fragment's look-up. */
 #include "proof.h"
 
-#include "../../src/power.c"
-#include "../../src/specular.c"
+#include "../../src/light/power.c"
+#include "../../src/light/specular.c"
 #include "lit.h"
 
 /* Stands on the power's error of 20 steps at p = 1 (`make domains`): 2^-18 short of 1 it is below 1. */

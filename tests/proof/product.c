@@ -2,9 +2,8 @@
 /* Products of more than 32 bits, in both forms, and small divisions, in both forms. */
 #include "proof.h"
 
-#include "../../src/division.h"
-#include "../../src/product.h"
-#include "../../src/tables.c"
+#include "../../src/math/product.h"
+#include "../../src/math/tables.c"
 #include "contracts.h"
 #include "gradients.h"
 

@@ -59,7 +59,7 @@ static int leading_zeros_model(unsigned x) {
 #define __builtin_clz leading_zeros_model
 
 /* An asm that does nothing: EVA would take it to change x. */
-#include "../../src/numeric.h"
+#include "../../src/math/numeric.h"
 #undef GLINT_OPAQUE
 #define GLINT_OPAQUE(x) ((void)0)
 

@@ -2,7 +2,7 @@
 /* Coverage. */
 #include "proof.h"
 
-#include "../../src/raster.c"
+#include "../../src/raster/raster.c"
 #include "contracts.h"
 
 /* Corners in a tile, in sixteenths, of vertices within 1023 pixels of the screen's centre: screen and tile add 512. */

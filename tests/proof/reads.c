@@ -4,10 +4,8 @@
  * a pixel can lie from its corners'. Triangles of all sizes, slender ones too, that turn and change in depth as far as
  * is ever let through; every pixel.
  */
-#include "deviation.h"
+#include "fast/fast_spans565.h"
 #include "harness.h"
-#include "setup.h"
-#include "spans565.h"
 
 #define TRIANGLES 500000
 
@@ -45,8 +43,7 @@ static int64_t more(int64_t a, int64_t b) {
 }
 
 /* `stepped` is null where squares are found pixel by pixel. */
-static uint32_t find_square(const glint_deviation_planes *planes, const glint_quadratic *stepped, int32_t x,
-                            int32_t y) {
+static uint32_t find_square(const glint_fast_planes *planes, const glint_quadratic *stepped, int32_t x, int32_t y) {
     if (stepped) {
         const uint32_t sum = glint_stride_begin(stepped, x, y).value;
         seen.stepped_most = more(seen.stepped_most, sum);
@@ -56,27 +53,27 @@ static uint32_t find_square(const glint_deviation_planes *planes, const glint_qu
            glint_high_square((uint32_t)glint_plane_at(&planes->y, x, y));
 }
 
-static void see_pixel(glint_deviation_kind kind, const glint_deviation *deviation, const glint_deviation_planes *planes,
+static void see_pixel(glint_fast_kind kind, const glint_fast_terms *fast, const glint_fast_planes *planes,
                       const glint_quadratic *stepped, int32_t x, int32_t y) {
     const int32_t level = glint_plane_at(&planes->cosine, x, y);
     const int64_t entry = (uint32_t)level >> 22;
     seen.pixels++;
-    if (kind == GLINT_DEVIATION_GATED) {
+    if (kind == GLINT_FAST_GATED) {
         if (level > 0 && entry > seen.gated_most)
             seen.gated_most = entry;
         return;
     }
     seen.diffuse_most = entry > seen.diffuse_most ? entry : seen.diffuse_most;
     seen.diffuse_least = level < seen.diffuse_least ? level : seen.diffuse_least;
-    if (kind == GLINT_DEVIATION_SPECULAR) {
+    if (kind == GLINT_FAST_SPECULAR) {
         const uint32_t square = find_square(planes, stepped, x, y);
-        if (square < deviation->specular_end && square >> 15 > seen.specular_most)
+        if (square < fast->specular_end && square >> 15 > seen.specular_most)
             seen.specular_most = square >> 15;
     }
 }
 
-/* As the loops of quadratic565.h read. */
-static void see_interpolated(const glint_deviation *deviation, const glint_interpolation *light, int shows, int32_t x,
+/* As the loops of fast_exact565.h read. */
+static void see_interpolated(const glint_fast_terms *fast, const glint_interpolation *light, int shows, int32_t x,
                              int32_t y) {
     const int32_t level = (int32_t)glint_stride_begin(&light->cosine, x, y).value;
     const int64_t entry = (uint32_t)level >> 22;
@@ -89,14 +86,13 @@ static void see_interpolated(const glint_deviation *deviation, const glint_inter
     if (shows) {
         const uint32_t square = glint_high_square(glint_stride_begin(&light->x, x, y).value) +
                                 glint_high_square(glint_stride_begin(&light->y, x, y).value);
-        if (square < deviation->specular_end)
+        if (square < fast->specular_end)
             seen.specular_most = more(seen.specular_most, square >> 15);
     }
 }
 
-static void see_curved(const glint_deviation *deviation, const glint_quadratic_light *light, int shows, int32_t x,
-                       int32_t y) {
-    const glint_quadratic_limits *limits = &deviation->quadratic;
+static void see_curved(const glint_fast_terms *fast, const glint_exact_light *light, int shows, int32_t x, int32_t y) {
+    const glint_exact_limits *limits = &fast->exact;
     const int32_t level = glint_plane_at(&light->cosine, x, y);
     const uint32_t root = glint_stride_begin(&light->square, x, y).value >> 22;
     seen.root_most = more(seen.root_most, root);
@@ -117,25 +113,25 @@ static void see_curved(const glint_deviation *deviation, const glint_quadratic_l
 
 /* Triangles that turn further. */
 static void see_quadratic(const glint_draw *draw, const glint_triangle *triangle, const glint_part *part) {
-    const glint_deviation *deviation = draw->shading->deviation;
+    const glint_fast_terms *fast = draw->shading->fast;
     glint_interpolation interpolated;
-    glint_quadratic_light curved;
-    glint_quadratic_kind kind = glint_interpolate_begin(draw, triangle, part, &interpolated);
-    const int fits = kind != GLINT_QUADRATIC_UNFIT;
+    glint_exact_light curved;
+    glint_exact_kind kind = glint_interpolate_begin(draw, triangle, part, &interpolated);
+    const int fits = kind != GLINT_EXACT_UNFIT;
     if (!fits)
-        kind = glint_quadratic_begin(draw, triangle, part, &curved);
-    if (kind != GLINT_QUADRATIC_DIFFUSE && kind != GLINT_QUADRATIC_SPECULAR)
+        kind = glint_exact_begin(draw, triangle, part, &curved);
+    if (kind != GLINT_EXACT_DIFFUSE && kind != GLINT_EXACT_SPECULAR)
         return;
-    const int shows = kind == GLINT_QUADRATIC_SPECULAR;
+    const int shows = kind == GLINT_EXACT_SPECULAR;
     (fits ? seen.interpolated : seen.curved)[shows]++;
     seen.interpolated_gated += fits && !shows && interpolated.gated;
     for (uint32_t row = part->top; row < part->bottom; row++) {
         for (int32_t column = part->spans[row].left; column < part->spans[row].right; column++) {
             const int32_t x = part->x + column, y = part->y + (int32_t)row;
             if (fits)
-                see_interpolated(deviation, &interpolated, shows, x, y);
+                see_interpolated(fast, &interpolated, shows, x, y);
             else
-                see_curved(deviation, &curved, shows, x, y);
+                see_curved(fast, &curved, shows, x, y);
         }
     }
 }
@@ -160,23 +156,23 @@ static void see_channel(const glint_part *part) {
 
 static void see(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                 const glint_triangle *triangle, const glint_part *part) {
-    glint_deviation_planes planes;
-    const glint_deviation_kind kind = glint_deviation_begin(draw, triangle, part, &planes);
+    glint_fast_planes planes;
+    const glint_fast_kind kind = glint_fast_begin(draw, triangle, part, &planes);
     (void)frame;
     (void)workspace;
     seen.triangles[kind]++;
     see_channel(part);
-    if (kind == GLINT_DEVIATION_UNFIT)
+    if (kind == GLINT_FAST_UNFIT)
         see_quadratic(draw, triangle, part);
-    if (kind == GLINT_DEVIATION_EVEN) {
+    if (kind == GLINT_FAST_EVEN) {
         const int64_t entry = (uint32_t)planes.cosine.start >> 22;
         if (planes.cosine.start > 0 && entry > seen.gated_most)
             seen.gated_most = entry;
         return;
     }
-    if (kind != GLINT_DEVIATION_DIFFUSE && kind != GLINT_DEVIATION_GATED && kind != GLINT_DEVIATION_SPECULAR)
+    if (kind != GLINT_FAST_DIFFUSE && kind != GLINT_FAST_GATED && kind != GLINT_FAST_SPECULAR)
         return;
-    const int is_stepped = kind == GLINT_DEVIATION_SPECULAR && triangle->area >= GLINT_LARGE_AREA &&
+    const int is_stepped = kind == GLINT_FAST_SPECULAR && triangle->area >= GLINT_LARGE_AREA &&
                            glint_square_fits(&part->gradients, &planes);
     glint_quadratic square;
     if (is_stepped)
@@ -184,58 +180,57 @@ static void see(const glint_frame *frame, glint_workspace *workspace, const glin
     seen.stepped += (uint32_t)is_stepped;
     for (uint32_t row = part->top; row < part->bottom; row++)
         for (int32_t column = part->spans[row].left; column < part->spans[row].right; column++)
-            see_pixel(kind, draw->shading->deviation, &planes, is_stepped ? &square : 0, part->x + column,
+            see_pixel(kind, draw->shading->fast, &planes, is_stepped ? &square : 0, part->x + column,
                       part->y + (int32_t)row);
 }
 
 /* Limits at the most that any material and error budget sets them to; a highlight of any width. */
-static void loosen(glint_deviation *deviation) {
+static void loosen(glint_fast_terms *fast) {
     const uint32_t entries = 256u << random_bits() % 3, cut = (1u << 30) >> random_bits() % 21;
     const int32_t scale = (int32_t)glint_square_root(((uint64_t)entries << 49) / cut);
-    deviation->turn = deviation->turn_specular = 1 << 26;
-    deviation->extent = INT32_MAX;
-    deviation->slant = 0xffff;
-    deviation->even = random_bits() % 8 ? 0 : INT16_MAX;
-    deviation->sine_square_end = cut;
-    deviation->specular_end = entries << 15;
-    deviation->scale = scale;
-    deviation->scaled_half = (scale >> 1) + (1 << 15);
-    deviation->reach = glint_least((GLINT_DEVIATION_REACH << 16) / scale - 1, INT16_MAX);
-    deviation->within = UINT32_MAX >> 1 >> glint_leading_zeros((uint32_t)deviation->reach + 1);
-    deviation->side = (int32_t)glint_square_root(deviation->specular_end) + (scale >> 14) + 2;
-    deviation->side_diagonal = (deviation->side * 23171 >> 14) + 1;
-    deviation->sides[0] = ((1 << 15) - (uint32_t)deviation->side) * 0x10001;
-    deviation->sides[1] = ((1 << 15) - (uint32_t)deviation->side_diagonal / 2 - 1) * 0x10001;
-    deviation->cut = (int32_t)glint_square_root(cut >> 2) + 4;
-    deviation->cut_diagonal = (deviation->cut * 23171 >> 14) + 1;
+    fast->turn = fast->turn_specular = 1 << 26;
+    fast->extent = INT32_MAX;
+    fast->slant = 0xffff;
+    fast->even = random_bits() % 8 ? 0 : INT16_MAX;
+    fast->sine_square_end = cut;
+    fast->specular_end = entries << 15;
+    fast->scale = scale;
+    fast->scaled_half = (scale >> 1) + (1 << 15);
+    fast->reach = glint_least((GLINT_FAST_REACH << 16) / scale - 1, INT16_MAX);
+    fast->within = UINT32_MAX >> 1 >> glint_leading_zeros((uint32_t)fast->reach + 1);
+    fast->side = (int32_t)glint_square_root(fast->specular_end) + (scale >> 14) + 2;
+    fast->side_diagonal = (fast->side * 23171 >> 14) + 1;
+    fast->sides[0] = ((1 << 15) - (uint32_t)fast->side) * 0x10001;
+    fast->sides[1] = ((1 << 15) - (uint32_t)fast->side_diagonal / 2 - 1) * 0x10001;
+    fast->cut = (int32_t)glint_square_root(cut >> 2) + 4;
+    fast->cut_diagonal = (fast->cut * 23171 >> 14) + 1;
 }
 
 /* Of quadratics, by what is prepared for a highlight of this width, but that they turn as far as they ever may. */
-static void loosen_quadratics(glint_deviation *deviation, const glint_shading *shading) {
+static void loosen_quadratics(glint_fast_terms *fast, const glint_shading *shading) {
     const glint_frame frame = {.config = {.width = GLINT_SIZE_MAX, .height = GLINT_SIZE_MAX}};
-    deviation->quadratic = (glint_quadratic_limits){0};
-    glint_quadratic_prepare(deviation, &frame, shading);
-    deviation->quadratic.turn = deviation->quadratic.turn_specular = INT16_MAX;
-    deviation->quadratic.large = INT32_MAX;
+    fast->exact = (glint_exact_limits){0};
+    glint_exact_prepare(fast, &frame, shading);
+    fast->exact.turn = fast->exact.turn_specular = INT16_MAX;
+    fast->exact.large = INT32_MAX;
 }
 
 /* A light towards the first corner's normal, near the edge of what it lights, or anywhere. */
-static void place_light(glint_deviation *deviation, const int16_t normal[3]) {
+static void place_light(glint_fast_terms *fast, const int16_t normal[3]) {
     const int16_t across[3] = {normal[1], (int16_t)-normal[0], 0};
     switch (random_bits() % 3) {
     case 0:
-        random_unit(normal, 2000, deviation->light);
+        random_unit(normal, 2000, fast->light);
         break;
     case 1:
-        random_unit(across, 2000, deviation->light);
+        random_unit(across, 2000, fast->light);
         break;
     default:
-        random_unit(nowhere, 32767, deviation->light);
+        random_unit(nowhere, 32767, fast->light);
     }
-    glint_unit(deviation->light[0], deviation->light[1], glint_most(deviation->light[2] + GLINT_UNIT, 0),
-               deviation->half_vector);
+    glint_unit(fast->light[0], fast->light[1], glint_most(fast->light[2] + GLINT_UNIT, 0), fast->half_vector);
     for (int c = 0; c < 3; c++)
-        deviation->long_light[c] = deviation->light[c] + glint_shift_right(deviation->light[c] + (1 << 12), 13);
+        fast->long_light[c] = fast->light[c] + glint_shift_right(fast->light[c] + (1 << 12), 13);
 }
 
 /* Normals up to `turn` from the first, and 1/w up to a quarter apart, as the longest limits let through. */
@@ -280,13 +275,13 @@ static void draw_tiles(glint_draw *draw, const glint_vertex corners[3]) {
 
 static void every_read_is_in_its_table(void) {
     static const uint16_t indices[1][3] = {{0, 1, 2}};
-    static glint_deviation deviation;
+    static glint_fast_terms fast;
     static glint_shading shading;
     static glint_material material;
     static glint_draw draw;
     static glint_vertex corners[3];
     static int16_t terms[3][3];
-    shading.deviation = &deviation;
+    shading.fast = &fast;
     shading.lights = 1;
     shading.material = &material;
     material.shininess = 2 * GLINT_ONE;
@@ -301,16 +296,16 @@ static void every_read_is_in_its_table(void) {
         if (area == 0)
             continue;
         draw.mirrored = area > 0;
-        loosen(&deviation);
-        place_light(&deviation, corners[0].attribute);
-        loosen_quadratics(&deviation, &shading);
-        glint_deviation_light(0, &draw, 0, 0);
+        loosen(&fast);
+        place_light(&fast, corners[0].attribute);
+        loosen_quadratics(&fast, &shading);
+        glint_fast_light(0, &draw, 0, 0);
         draw_tiles(&draw, corners);
     }
-    CHECK(seen.triangles[GLINT_DEVIATION_DIFFUSE] > TRIANGLES / 100);
-    CHECK(seen.triangles[GLINT_DEVIATION_GATED] > TRIANGLES / 100);
-    CHECK(seen.triangles[GLINT_DEVIATION_SPECULAR] > TRIANGLES / 100);
-    CHECK(seen.triangles[GLINT_DEVIATION_EVEN] > TRIANGLES / 1000);
+    CHECK(seen.triangles[GLINT_FAST_DIFFUSE] > TRIANGLES / 100);
+    CHECK(seen.triangles[GLINT_FAST_GATED] > TRIANGLES / 100);
+    CHECK(seen.triangles[GLINT_FAST_SPECULAR] > TRIANGLES / 100);
+    CHECK(seen.triangles[GLINT_FAST_EVEN] > TRIANGLES / 1000);
     CHECK(seen.stepped > TRIANGLES / 1000);
     CHECK(seen.interpolated[0] > TRIANGLES / 100);
     CHECK(seen.interpolated[1] > TRIANGLES / 1000);

@@ -2,9 +2,9 @@
 /* Runs: what terms make of pixels. */
 #include "proof.h"
 
-#include "../../src/rows.c"
+#include "../../src/nodes/rows.c"
 
-#include "../../src/tables.c"
+#include "../../src/math/tables.c"
 
 /*
  * Not proven: glint_terms_draw, find_colours, begin: they hand a row of two tiles' pixels, which counts of runs keep

@@ -2,7 +2,7 @@
 /* Runs of a row. */
 #include "proof.h"
 
-#include "../../src/runs.h"
+#include "../../src/raster/runs.h"
 
 /*
  * Not proven: glint_find_runs: it hands a row of the tile on to one of the two that are. Suite `reads`, and the image

@@ -2,7 +2,7 @@
 /* Set-up of a triangle's planes. */
 #include "proof.h"
 
-#include "../../src/setup.c"
+#include "../../src/raster/setup.c"
 #include "contracts.h"
 #include "gradients.h"
 

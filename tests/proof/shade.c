@@ -2,7 +2,7 @@
 /* What all models and evaluations share. */
 #include "proof.h"
 
-#include "../../src/shade.c"
+#include "../../src/light/shade.c"
 #include "lit.h"
 
 /* What any model adds for a light. */

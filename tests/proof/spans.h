@@ -6,7 +6,7 @@
 #ifndef GLINT_PROOF_SPANS_H
 #define GLINT_PROOF_SPANS_H
 
-#include "../../src/deviation.h"
+#include "../../src/fast/fast.h"
 #include "pixels.h"
 
 #define WIDTH 8
@@ -15,9 +15,9 @@
 static uint16_t tile[2 * 2 * WIDTH];
 static uint32_t words[1024 + GLINT_DIFFUSE_ENTRIES];
 static uint16_t packed[GLINT_DIFFUSE_ENTRIES];
-static glint_deviation deviation;
+static glint_fast_terms fast;
 static glint_part part;
-static glint_deviation_planes planes;
+static glint_fast_planes planes;
 
 static glint_spans any_part(void) {
     const glint_spans spans = {&part, tile, (uint8_t *)(tile + 2 * WIDTH), 3};
@@ -30,11 +30,11 @@ static glint_spans any_part(void) {
     any_plane(&planes.y);
     part.x = ANY(-2047, 2047);
     part.y = ANY(-2047, 2047);
-    deviation.specular = words;
-    deviation.diffuse = words + 1024;
-    deviation.diffuse_pixel = packed;
-    deviation.specular_end = ANY_UNSIGNED(1, 1024) << 15;
-    deviation.ambient = (uint16_t)ANY(0, 0xffff);
+    fast.specular = words;
+    fast.diffuse = words + 1024;
+    fast.diffuse_pixel = packed;
+    fast.specular_end = ANY_UNSIGNED(1, 1024) << 15;
+    fast.ambient = (uint16_t)ANY(0, 0xffff);
     part.top = 0;
     part.bottom = 2;
     return spans;

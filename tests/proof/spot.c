@@ -2,7 +2,7 @@
 /* Spots. */
 #include "proof.h"
 
-#include "../../src/spot.c"
+#include "../../src/light/spot.c"
 #include "ranges.h"
 
 /* GLINT_UNIT^2 */

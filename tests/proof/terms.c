@@ -2,8 +2,8 @@
 /* Terms of a triangle. */
 #include "proof.h"
 
-#include "../../src/tables.c"
-#include "../../src/terms.c"
+#include "../../src/math/tables.c"
+#include "../../src/nodes/terms.c"
 #include "lit.h"
 #include "plane.h"
 

@@ -2,9 +2,9 @@
 /* What a material makes of a frame's lights. */
 #include "proof.h"
 
-#include "../../src/numeric.c"
-#include "../../src/tables.c"
-#include "../../src/terms_prepare.c"
+#include "../../src/math/numeric.c"
+#include "../../src/math/tables.c"
+#include "../../src/nodes/terms_prepare.c"
 #include "lit.h"
 
 /*
@@ -13,7 +13,7 @@
  * and fuzzing.
  */
 
-/* As deviation_prepare.c has it. */
+/* As fast_prepare.c has it. */
 /*@ assigns \result \from x;
     ensures x >= 0x100000000 || \result < 0x10000; */
 uint32_t glint_square_root(uint64_t x);

@@ -2,7 +2,7 @@
 /* An object's transform. */
 #include "proof.h"
 
-#include "../../src/transform.c"
+#include "../../src/geometry/transform.c"
 #include "ranges.h"
 
 #define MOST (1 << 30)

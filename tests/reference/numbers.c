@@ -3,11 +3,10 @@
  * Suite: the library's arithmetic of several arguments against libm in long double, at the largest errors its contracts
  * state; tests/domain has the functions of one.
  */
-#include "deviation_begin.h"
-#include "frame.h"
+#include "fast/fast_begin.h"
+#include "frame/cull.h"
 #include "glint.h"
 #include "harness.h"
-#include "product.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Suite: directions and strengths of point lights against long double, at the errors point.h states. */
-#include "point.h"
+#include "light/point.h"
 #include "glint.h"
 #include "harness.h"
 

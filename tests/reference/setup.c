@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Suite: the arithmetic of edges and planes, against exact quotients and long double, at the errors it states. */
-#include "setup.h"
-#include "division.h"
+#include "raster/setup.h"
 #include "harness.h"
+#include "math/division.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 
 #include "domains.h"
 #include "harness.h"
-#include "numeric.h"
+#include "math/numeric.h"
 
 typedef struct entry {
     const char *name;

@@ -2,10 +2,8 @@
 #include "domains.h"
 
 #include "fixture.h"
-#include "frame.h"
-#include "numeric.h"
-#include "pixel.h"
-#include "product.h"
+#include "light/shade.h"
+#include "pixel/pixel.h"
 
 static int64_t leading_zeros(int64_t x) {
     return glint_leading_zeros((uint32_t)x);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What a frame looks like where it can be told without a reference, and what the rest of the interface says. */
 #include "fixture.h"
-#include "frame.h"
+#include "frame/frame.h"
 #include "harness.h"
 #include "unit.h"
 

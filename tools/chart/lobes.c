@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* cos^p over the angle, as the library computes it and as it is: prints exponent, degrees, both from 0 to 1. */
-#include "light.h"
+#include "light/model.h"
 
 #include <math.h>
 #include <stdio.h>

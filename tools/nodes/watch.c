@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "watch.h"
 
-#include "fragments.h"
+#include "light/fragments.h"
+#include "nodes/terms.h"
 #include "scenes/scenes.h"
-#include "terms.h"
 
 #include <stdio.h>
 #include <stdlib.h>

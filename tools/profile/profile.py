@@ -20,9 +20,9 @@ import tempfile
 STAGES = {
     "prepare": ["prepare", "power", "directional", "config", "frame", "arena", "gamma", "light:glint_prepare_specular",
                 "terms_prepare",
-                "deviation_prepare", "quadratic:glint_quadratic_prepare", "quadratic:find_bend", "quadratic:find_across",
+                "deviation_prepare", "quadratic:glint_exact_prepare", "quadratic:find_bend", "quadratic:find_across",
                 "interpolate:glint_interpolate_prepare", "interpolate:find_turn"],
-    "vertices": ["transform", "cull", "load", "geometry", "deviation:glint_deviation_light",
+    "vertices": ["transform", "cull", "load", "geometry", "deviation:glint_fast_light",
                  "terms:glint_terms_light", "terms:find_normals", "terms:keep", "terms:gather_corner"],
     "bin": ["bin", "clip"],
     "set-up": ["setup"],

@@ -1,0 +1,5 @@
+/* SPDX-License-Identifier: MIT */
+/* Fast lighting of pixels of 16 bits, high byte first. */
+#include "fast_draw565.h"
+
+GLINT_DEFINE_FAST(glint_fast_rgb565_be, 1);

@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: MIT */
+/* Fast lighting's tables of colour: what a material makes of N.L, and of the deviation. */
+#include "../frame/frame.h"
+#include "../light/model.h"
+#include "fast.h"
+
+/* Binary logarithm of the specular table's entries for each node that is computed; it is linear between them. */
+#define NODE_BITS 3
+
+/* Bytes of the diffuse tables. */
+#define DIFFUSE_BYTES (GLINT_DIFFUSE_ENTRIES * (sizeof(uint32_t) + sizeof(uint16_t)))
+
+size_t glint_fast_tables_size(uint32_t specular) {
+    return GLINT_ALIGNED(DIFFUSE_BYTES + specular * sizeof(uint32_t));
+}
+
+/* A colour, Q23 times 31, 63 and 31, as a word. */
+static uint32_t spread(const uint32_t level[3]) {
+    return (level[0] >> 18) << 10 | (level[1] >> 19) << 21 | level[2] >> 19;
+}
+
+/* Half of what `spread` cuts off. */
+static const uint32_t spread_half[3] = {1 << 17, 1 << 18, 1 << 18};
+
+static inline uint32_t least(uint32_t a, uint32_t b) {
+    return a < b ? a : b;
+}
+
+/* A colour that changes by `step` from entry to entry, up to `most`. */
+typedef struct ramp {
+    uint32_t level[3], step[3], most[3];
+} ramp;
+
+/* Its first `count` words. */
+static void fill(const ramp *r, uint32_t *words, uint32_t count) {
+    uint32_t red = r->level[0], green = r->level[1], blue = r->level[2];
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t level[3] = {red, green, blue};
+        words[i] = spread(level);
+        red = least(red + r->step[0], r->most[0]);
+        green = least(green + r->step[1], r->most[1]);
+        blue = least(blue + r->step[2], r->most[2]);
+    }
+}
+
+/* Ambient and diffuse light over N.L in 256 steps, the first at its middle; where no light shows, `ambient`. */
+static void diffuse_ramp(const glint_shading *shading, ramp *r) {
+    const uint32_t *const weight = glint_weights_shown(shading)->diffuse;
+    for (int c = 0; c < 3; c++) {
+        const uint32_t ambient = least(shading->ambient[c], 1u << 23);
+        r->step[c] = weight[c] * glint_fast_levels[c] << 3; /* Q12 to Q23, 256 steps; below 2^26 */
+        r->most[c] = (glint_fast_levels[c] << 23) + (1 << 22) + spread_half[c];
+        r->level[c] =
+            ambient * glint_fast_levels[c] + (1 << 22) + (shading->lights ? spread_half[c] : 0) + r->step[c] / 2;
+        r->level[c] = least(r->level[c], r->most[c]);
+    }
+}
+
+static uint32_t diffuse_word(const glint_shading *shading, uint32_t index) {
+    ramp r;
+    diffuse_ramp(shading, &r);
+    for (int c = 0; c < 3; c++) {
+        uint64_t level = r.level[c] + (uint64_t)r.step[c] * index;
+        r.level[c] = level > r.most[c] ? r.most[c] : (uint32_t)level;
+    }
+    return spread(r.level);
+}
+
+/* Highlight at node i, clamped at 1 in each channel; Q23 times 31, 63 and 31. */
+static void highlight(const glint_shading *shading, uint32_t i, uint32_t level[3]) {
+    const glint_fast_terms *fast = shading->fast;
+    const uint32_t *const weight = glint_weights_shown(shading)->specular;
+    const unsigned bits = 31 - glint_leading_zeros(fast->specular_end >> (15 + NODE_BITS)); /* of their number */
+    uint32_t power = glint_power_at(&shading->power, (uint32_t)((uint64_t)fast->sine_square_end * i >> bits));
+    for (int c = 0; c < 3; c++) {
+        uint32_t amount = power * weight[c] >> 4;
+        level[c] = least(amount, 1u << 23) * glint_fast_levels[c];
+    }
+}
+
+/* From a node of the highlight to the next, the first entry at its middle; downwards modulo 2^32. */
+static void highlight_ramp(const uint32_t here[3], const uint32_t next[3], ramp *r) {
+    for (int c = 0; c < 3; c++) {
+        const int32_t change = (int32_t)(next[c] - here[c]);
+        r->step[c] = (uint32_t)glint_shift_right(change, NODE_BITS);
+        r->level[c] = here[c] + (uint32_t)glint_shift_right(change, NODE_BITS + 1) + spread_half[c];
+        r->most[c] = UINT32_MAX;
+    }
+}
+
+static uint32_t highlight_word(const glint_shading *shading, uint32_t index) {
+    uint32_t here[3], next[3];
+    ramp r;
+    highlight(shading, index >> NODE_BITS, here);
+    highlight(shading, (index >> NODE_BITS) + 1, next);
+    highlight_ramp(here, next, &r);
+    for (int c = 0; c < 3; c++)
+        r.level[c] += r.step[c] * (index & ((1 << NODE_BITS) - 1));
+    return spread(r.level);
+}
+
+uint32_t glint_fast_pixel(const glint_shading *shading, int32_t cosine, uint32_t square) {
+    if (cosine <= 0)
+        return shading->fast->ambient;
+    uint32_t word = diffuse_word(shading, (uint32_t)cosine >> 22);
+    if (square < shading->fast->specular_end)
+        word = glint_spread_clamp(word + highlight_word(shading, square >> 15));
+    return glint_spread_pack(word);
+}
+
+static void fill_specular(const glint_shading *shading, uint32_t *words, uint32_t entries) {
+    uint32_t here[3], next[3];
+    highlight(shading, 0, here);
+    for (uint32_t i = 0; i < entries >> NODE_BITS; i++) {
+        ramp r;
+        highlight(shading, i + 1, next);
+        highlight_ramp(here, next, &r);
+        fill(&r, words + (i << NODE_BITS), 1 << NODE_BITS);
+        for (int c = 0; c < 3; c++)
+            here[c] = next[c];
+    }
+}
+
+/* What tables leave is enough to draw any scene. */
+typedef char tables_leave_room[DIFFUSE_BYTES >= GLINT_LEAST_ROOM ? 1 : -1];
+
+/* The tables, if they leave as much room as they take; nothing is to be done where the last frame left them. */
+void glint_fast_make_tables(glint_memory *memory, glint_fast_terms *fast, const glint_shading *shading) {
+    const uint32_t entries = fast->specular_end >> 15, *const kept = fast->diffuse;
+    const size_t size = glint_fast_tables_size(entries);
+    ramp r;
+    fast->diffuse = 0;
+    if (memory->high - GLINT_ALIGNED(memory->low) < 2 * size)
+        return;
+    uint32_t *const specular = glint_take(memory, size), *const diffuse = specular + entries;
+    uint16_t *pixels = (uint16_t *)(void *)(diffuse + GLINT_DIFFUSE_ENTRIES);
+    fast->specular = specular;
+    fast->diffuse = diffuse;
+    fast->diffuse_pixel = pixels;
+    if (diffuse == kept)
+        return;
+    if (entries)
+        fill_specular(shading, specular, entries);
+    diffuse_ramp(shading, &r);
+    fill(&r, diffuse, GLINT_DIFFUSE_ENTRIES);
+    for (uint32_t i = 0; i < GLINT_DIFFUSE_ENTRIES; i++)
+        pixels[i] = (uint16_t)glint_spread_pack(fast->diffuse[i]);
+}
+
+void glint_fast_prepare_ambient(glint_fast_terms *fast, const glint_shading *shading) {
+    uint32_t level[3];
+    for (int c = 0; c < 3; c++)
+        level[c] = least(shading->ambient[c], 1u << 23) * glint_fast_levels[c] + (1 << 22);
+    fast->ambient = (uint16_t)glint_spread_pack(spread(level));
+}

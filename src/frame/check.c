@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: MIT */
+/* Check: a scene, all but its meshes' indices, before a frame begins. */
+#include "../light/shading.h"
+#include "cull.h"
+#include "frame.h"
+
+/* Below 0 is far above the largest when unsigned. */
+static int colour_is_valid(const glint_colour *colour) {
+    const uint32_t most = GLINT_COLOUR_MAX;
+    return (uint32_t)colour->r <= most && (uint32_t)colour->g <= most && (uint32_t)colour->b <= most;
+}
+
+/* Out of line, which is less code than branches across the loop over objects. */
+static GLINT_NOINLINE glint_status check_mesh(const glint_mesh *mesh) {
+    if (!mesh || !mesh->positions || !mesh->normals || !mesh->triangles)
+        return GLINT_ERROR_NULL;
+    if (mesh->vertex_count - 1 >= 65536 || mesh->triangle_count < 1 ||
+        (mesh->extent.x | mesh->extent.y | mesh->extent.z) < 0)
+        return GLINT_ERROR_MESH;
+    if (mesh->flags > GLINT_MESH_DOUBLE_SIDED)
+        return GLINT_ERROR_FLAGS;
+    const glint_cull *cull = glint_cull_of(mesh);
+    return cull ? cull->check(mesh) : GLINT_OK;
+}
+
+static glint_status check_material(const glint_material *material) {
+    if (!material || !material->model)
+        return GLINT_ERROR_NULL;
+    if (!colour_is_valid(&material->ambient) || !colour_is_valid(&material->diffuse) ||
+        !colour_is_valid(&material->specular))
+        return GLINT_ERROR_COLOUR;
+    if (material->flags > (GLINT_MATERIAL_UNGATED | GLINT_MATERIAL_MAX))
+        return GLINT_ERROR_FLAGS;
+    return material->shininess < 0 ? GLINT_ERROR_SHININESS : GLINT_OK;
+}
+
+static glint_status check_lights(const glint_scene *scene) {
+    if (scene->light_count > GLINT_LIGHTS_MAX)
+        return GLINT_ERROR_LIGHTS;
+    if (scene->light_count && !scene->lights)
+        return GLINT_ERROR_NULL;
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        if (!scene->lights[i].type)
+            return GLINT_ERROR_NULL;
+        if (!colour_is_valid(&scene->lights[i].diffuse) || !colour_is_valid(&scene->lights[i].specular))
+            return GLINT_ERROR_COLOUR;
+    }
+    return GLINT_OK;
+}
+
+/* Unit and perpendicular to within 2^-9, far more than rounding to Q16.16 takes away. */
+static int camera_is_valid(const glint_camera *camera) {
+    for (int i = 0; i < 3; i++) {
+        for (int j = i; j < 3; j++) {
+            int64_t dot = 0;
+            for (int k = 0; k < 3; k++) {
+                if ((uint32_t)camera->pose.m[k][i] + 2 * GLINT_ONE > 4 * GLINT_ONE)
+                    return 0;
+                dot += glint_product(camera->pose.m[k][i], camera->pose.m[k][j]);
+            }
+            if (glint_magnitude64(dot - (i == j ? (int64_t)1 << 32 : 0)) > (1u << 23))
+                return 0;
+        }
+    }
+    return camera->field_of_view >= GLINT_ONE && camera->field_of_view <= 170 * GLINT_ONE && camera->near_plane > 0;
+}
+
+static glint_status check_objects(const glint_scene *scene) {
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        glint_status status = check_mesh(scene->objects[i].mesh);
+        if (status == GLINT_OK)
+            status = check_material(scene->objects[i].material);
+        if (status != GLINT_OK)
+            return status;
+    }
+    return GLINT_OK;
+}
+
+glint_status glint_check_scene(const glint_scene *scene) {
+    if (!scene || (scene->object_count && !scene->objects))
+        return GLINT_ERROR_NULL;
+    if (!camera_is_valid(&scene->camera))
+        return GLINT_ERROR_CAMERA;
+    if (scene->viewer != GLINT_VIEWER_INFINITE && scene->viewer != GLINT_VIEWER_LOCAL)
+        return GLINT_ERROR_VIEWER;
+    if ((uint32_t)scene->error_budget > GLINT_BUDGET_MAX)
+        return GLINT_ERROR_BUDGET;
+    if (!colour_is_valid(&scene->background) || !colour_is_valid(&scene->ambient))
+        return GLINT_ERROR_COLOUR;
+    const glint_status status = check_lights(scene);
+    return status == GLINT_OK ? check_objects(scene) : status;
+}

@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: MIT */
+/* Frame: from a scene to passes, each of which holds some tiles' triangles, or some triangles of one tile. */
+#include "frame.h"
+
+#include "../light/evaluation.h"
+#include "../pixel/format.h"
+#include "../scene/config.h"
+
+static unsigned tile_shift(uint16_t size) {
+    return 31u - glint_leading_zeros(size);
+}
+
+/* One shading for each distinct material, the one of the last frame where that left one here; and what lights nodes. */
+static glint_status prepare_materials(glint_frame *frame, const glint_kept *kept) {
+    const glint_object *objects = frame->scene->objects;
+    for (uint32_t i = 0; i < frame->scene->object_count; i++) {
+        uint32_t earlier = 0;
+        if (objects[i].evaluation && objects[i].evaluation->nodes)
+            frame->nodes = objects[i].evaluation->nodes;
+        while (objects[earlier].material != objects[i].material)
+            earlier++;
+        if (earlier < i)
+            continue;
+        glint_shading *shading = glint_take(&frame->memory, sizeof *shading);
+        if (!shading)
+            return GLINT_ERROR_ARENA;
+        if (!frame->shading)
+            frame->shading = shading;
+        if (frame->shading != kept->shadings || frame->shading_count >= kept->count)
+            *shading = (glint_shading){0};
+        frame->shading_count++;
+        glint_status status = glint_prepare_shading(frame, shading, objects[i].material);
+        if (status != GLINT_OK)
+            return status;
+    }
+    return GLINT_OK;
+}
+
+static int has_least_room(const glint_frame *frame) {
+    return frame->memory.high - frame->memory.low >= frame->least_room;
+}
+
+static glint_status prepare(glint_frame *frame, const glint_kept *kept) {
+    glint_status status = glint_check_scene(frame->scene);
+    if (status != GLINT_OK)
+        return status;
+    glint_view *view = glint_take(&frame->memory, GLINT_VIEW_SIZE(frame->scene->light_count));
+    if (!view)
+        return GLINT_ERROR_ARENA;
+    frame->view = view;
+    frame->least_room = GLINT_LEAST_ROOM;
+    if (!has_least_room(frame)) /* the last transform waits there */
+        return GLINT_ERROR_ARENA;
+    status = glint_prepare_view(view, &frame->config, frame->scene, glint_last_transform(frame));
+    if (status == GLINT_OK)
+        status = prepare_materials(frame, kept);
+    if (status == GLINT_OK && frame->nodes)
+        status = frame->nodes->prepare(frame);
+    if (status == GLINT_OK && frame->config.format->fast)
+        status = frame->config.format->fast->prepare(frame);
+    if (status != GLINT_OK)
+        return status;
+    frame->prepared_end = frame->memory.low;
+    return has_least_room(frame) ? GLINT_OK : GLINT_ERROR_ARENA;
+}
+
+glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
+    *frame = (glint_frame){0};
+    frame->config = *config;
+    frame->scene = scene;
+    glint_status status = glint_check_config(&frame->config);
+    if (status != GLINT_OK)
+        return status;
+    const unsigned shift_x = tile_shift(frame->config.tile_width), shift_y = tile_shift(frame->config.tile_height);
+    uint32_t columns = (uint32_t)(config->width + frame->config.tile_width - 1) >> shift_x;
+    uint32_t rows = (uint32_t)(config->height + frame->config.tile_height - 1) >> shift_y;
+    frame->tile_shift_x = (uint8_t)shift_x;
+    frame->tile_shift_y = (uint8_t)shift_y;
+    frame->tile_columns = (uint16_t)columns;
+    frame->tile_count = (uint16_t)(columns * rows);
+    frame->pass_tiles = frame->tile_count;
+    return GLINT_OK;
+}
+
+static glint_status begin_frame(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
+    glint_kept kept = {0, 0};
+    if (!config || !scene || !config->arena)
+        return GLINT_ERROR_NULL;
+    if (!GLINT_SMALL && config->keeps_arena)
+        kept = (glint_kept){frame->shading, frame->shading_count};
+    const glint_status status = glint_frame_grid(frame, config, scene);
+    if (status != GLINT_OK)
+        return status;
+    if (config->arena_size < GLINT_ALIGNMENT)
+        return GLINT_ERROR_ARENA;
+    frame->memory.base = glint_align(config->arena);
+    frame->memory.high = (config->arena_size - (GLINT_ALIGNMENT - 1)) & ~(GLINT_ALIGNMENT - 1);
+    return prepare(frame, &kept);
+}
+
+glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
+    if (!frame)
+        return GLINT_ERROR_NULL;
+    const glint_status status = begin_frame(frame, config, scene);
+    if (status != GLINT_OK)
+        *frame = (glint_frame){0}; /* what failed is not to be drawn, nor kept */
+    return status;
+}
+
+/* Goes on where the last pass stopped. @return 0 when the frame is done. */
+static int advance(glint_frame *frame) {
+    if (frame->stats.passes == 0)
+        return 1;
+    if (frame->ends) {
+        frame->tile_first = frame->tile_end;
+        frame->object = 0;
+        frame->triangle = 0;
+    }
+    return frame->tile_first < frame->tile_count;
+}
+
+/* Bins for as many tiles as the arena allows; a single tile may get a part of the triangles. */
+static glint_status bin_tiles(glint_frame *frame) {
+    const uint32_t object = frame->object, triangle = frame->triangle;
+    const glint_stats stats = frame->stats;
+    int complete = 0;
+    if (!frame->covers_end)
+        frame->pass_tiles = 1;
+    for (;;) {
+        uint32_t end = (uint32_t)frame->tile_first + frame->pass_tiles;
+        frame->tile_end = (uint16_t)(end < frame->tile_count ? end : frame->tile_count);
+        glint_status status = glint_bin(frame, &complete);
+        if (status != GLINT_OK)
+            return status;
+        if (complete || frame->pass_tiles == 1)
+            break;
+        frame->pass_tiles = (uint16_t)((frame->pass_tiles + 1) / 2);
+        frame->object = object;
+        frame->triangle = triangle;
+        frame->stats = stats;
+    }
+    frame->ends = complete && frame->covers_end;
+    if (!complete && frame->object == object && frame->triangle == triangle)
+        return GLINT_ERROR_ARENA;
+    return GLINT_OK;
+}
+
+int glint_frame_next(glint_frame *frame) {
+    if (!frame || !frame->scene)
+        return GLINT_ERROR_NULL;
+    if (!advance(frame))
+        return 0;
+    frame->starts = frame->object == 0 && frame->triangle == 0;
+    if (!frame->resident) {
+        glint_status status = glint_load(frame);
+        if (status != GLINT_OK)
+            return status;
+    }
+    glint_status status = bin_tiles(frame);
+    if (status != GLINT_OK)
+        return status;
+    glint_count_arena(frame);
+    frame->stats.references += frame->reference_count - glint_pass_tiles(frame);
+    frame->stats.passes++;
+    frame->stats.tiles += frame->ends ? glint_pass_tiles(frame) : 0;
+    return 1;
+}
+
+void glint_tile_rectangle(const glint_frame *frame, uint32_t tile, int *x, int *y, int *width, int *height) {
+    *x = (int)(tile % frame->tile_columns) << frame->tile_shift_x;
+    *y = (int)(tile / frame->tile_columns) << frame->tile_shift_y;
+    *width = frame->config.width - *x < frame->config.tile_width ? frame->config.width - *x : frame->config.tile_width;
+    *height =
+        frame->config.height - *y < frame->config.tile_height ? frame->config.height - *y : frame->config.tile_height;
+}

@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: MIT */
+/** @file frame.h Stages of a frame: load, bin, tile. */
+#ifndef GLINT_FRAME_H
+#define GLINT_FRAME_H
+
+#include "arena.h"
+#include "draw.h"
+
+/** A triangle made by clipping. */
+typedef struct glint_clipped {
+    glint_vertex corners[3];
+    int16_t extra[3][3];
+    uint16_t triangle; /* of the draw */
+    const glint_draw *draw;
+} glint_clipped;
+
+/** Two halves that are stored and loaded as one word. */
+#if defined(__GNUC__)
+#define GLINT_WORD __attribute__((aligned(4)))
+#else
+#define GLINT_WORD
+#endif
+
+/**
+ * A triangle in a tile's list, by its number: of a draw from 0 up, of the clipped from GLINT_CLIPPED_TOP down. The
+ * first reference of a list is its tile's: it has no triangle, but the number of the last reference there, its own
+ * where the list is empty.
+ */
+typedef struct GLINT_WORD glint_reference {
+    uint16_t next; /* number of the next reference, or GLINT_LIST_END */
+    uint16_t triangle;
+} glint_reference;
+
+#define GLINT_LIST_END 0xffffu
+#define GLINT_CLIPPED_TOP 0xfffeu
+
+/** Most triangles of draws in a pass: numbers above are left to clipped ones. */
+#define GLINT_TRIANGLES_MAX 0xe000u
+
+/** Tiles of a pass. */
+static inline uint32_t glint_pass_tiles(const glint_frame *frame) {
+    return (uint32_t)(frame->tile_end - frame->tile_first);
+}
+
+/** A rectangle of pixels or tiles; right and bottom are exclusive. */
+typedef struct glint_range {
+    int32_t left, top, right, bottom;
+} glint_range;
+
+/** Checks a scene, all but its meshes' indices. */
+glint_status glint_check_scene(const glint_scene *scene);
+
+/** Puts triangles from (frame->object, frame->triangle) on into the lists of the pass's tiles. */
+glint_status glint_bin(glint_frame *frame, int *complete);
+
+/** Brings stats.arena_used up to date after binning. */
+void glint_count_arena(glint_frame *frame);
+
+/**
+ * Where the last object's transform waits from when the view is prepared until vertices are loaded: at the arena's high
+ * end, which none of that takes.
+ */
+static inline glint_transform *glint_last_transform(const glint_frame *frame) {
+    return (glint_transform *)(void *)(frame->memory.base + frame->memory.high) - 1;
+}
+
+/** Loads `count` vertices of the mesh from `index` on into those of a draw from `slot` on. */
+void glint_load_vertices(glint_frame *frame, glint_draw *draw, uint32_t index, uint32_t slot, uint32_t count);
+
+/**
+ * Bins the triangles of a draw from number `next` to before `end`.
+ * @return the first that the arena had no room for, `end`, or GLINT_ERROR_INDEX
+ */
+int glint_bin_some(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end);
+
+/** Loads vertices of objects from (frame->object, frame->triangle) on, as many as fit. */
+glint_status glint_load(glint_frame *frame);
+
+/** Sets up all of a frame but its arena. */
+glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, const glint_scene *scene);
+
+/** Tiles that a triangle may touch. @return 0 when it covers no pixel centre of the screen. */
+int glint_find_tiles(const glint_frame *frame, const glint_vertex *const v[3], glint_range *range);
+
+/** Bytes of arena that glint_render keeps for tiles. */
+size_t glint_tile_buffers_size(const glint_config *config);
+
+/** Free bytes with which any triangle can be binned into one tile. */
+#define GLINT_BIN_RESERVE                   \
+    GLINT_ALIGNED(sizeof(glint_reference) + \
+                  (GLINT_CLIP_CORNERS - 2) * (sizeof(glint_reference) + sizeof(glint_clipped)))
+
+/** Bytes of arena that a draw of so many vertices and triangles takes, its own index list included if it has one. */
+size_t glint_draw_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,
+                       size_t vertices, size_t triangles, int has_list);
+
+/** Bytes beyond what is prepared with which any scene can be drawn: a run of one triangle, and its bin. */
+#define GLINT_LEAST_ROOM                                                                                        \
+    (GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(3 * sizeof(glint_vertex)) +                              \
+     GLINT_ALIGNED(3 * sizeof(glint_position)) + GLINT_ALIGNED(18) + 2 * GLINT_ALIGNED(36) + GLINT_ALIGNED(8) + \
+     GLINT_ALIGNED(6) + GLINT_BIN_RESERVE)
+
+/** Is all that a tile shows background, now that this pass is prepared? */
+int glint_tile_is_empty(const glint_frame *frame, uint32_t tile);
+
+#endif

@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Need: goes through a scene as a pass would, with no arena at all, and counts what it would take. What is large on the
+ * stack is out of line, so that it is not there at the same time.
+ */
+#include "../light/evaluation.h"
+#include "../pixel/format.h"
+#include "cull.h"
+#include "frame.h"
+
+typedef struct tally {
+    size_t vertices, references, clipped; /* bytes, counts */
+    size_t materials, tables;             /* bytes */
+    size_t nodes;                         /* bytes of a triangle's */
+} tally;
+
+static void count_part(const glint_frame *frame, const glint_transform *transform, const glint_mesh *mesh,
+                       const glint_vertex *const v[3], int clipped, tally *sum) {
+    glint_range range;
+    int double_sided = (mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
+    if (!glint_faces(transform->mirrored, double_sided, v) || !glint_find_tiles(frame, v, &range))
+        return;
+    sum->references += (size_t)((range.right - range.left) * (range.bottom - range.top));
+    sum->clipped += (size_t)clipped;
+}
+
+static GLINT_NOINLINE glint_status count_triangle(const glint_frame *frame, const glint_transform *transform,
+                                                  const glint_mesh *mesh, const uint16_t *indices, tally *sum) {
+    glint_vertex vertices[GLINT_CLIP_CORNERS];
+    glint_corner corners[GLINT_CLIP_CORNERS] = {0};
+    uint32_t flags = 0;
+    int count = 3, clips = transform->clips;
+    for (int i = 0; i < 3; i++) {
+        if (indices[i] >= mesh->vertex_count)
+            return GLINT_ERROR_INDEX;
+        glint_transform_vertices(transform, mesh, indices[i], 1, &vertices[i], clips ? &corners[i].position : 0);
+        flags |= vertices[i].flags;
+    }
+    clips = (flags & GLINT_VERTEX_CLIP) != 0;
+    if (clips) {
+        count = glint_clip(transform, corners);
+        for (int i = 0; i < count; i++)
+            glint_project(transform, &corners[i].position, &vertices[i]);
+    }
+    for (int i = 2; i < count; i++) {
+        const glint_vertex *const part[3] = {&vertices[0], &vertices[i - 1], &vertices[i]};
+        count_part(frame, transform, mesh, part, clips, sum);
+    }
+    return GLINT_OK;
+}
+
+/* What lights nodes; null where no object of the scene has them. */
+static const glint_node_stage *stage_of(const glint_scene *scene) {
+    for (uint32_t i = 0; i < scene->object_count; i++)
+        if (scene->objects[i].evaluation && scene->objects[i].evaluation->nodes)
+            return scene->objects[i].evaluation->nodes;
+    return 0;
+}
+
+/* Bytes of a draw of all of an object, whose material is prepared for it. */
+static GLINT_NOINLINE size_t size_object(glint_frame *frame, const glint_object *object,
+                                         const glint_transform *transform) {
+    const glint_mesh *mesh = object->mesh;
+    const glint_node_stage *nodes = stage_of(frame->scene);
+    glint_shading shading = {0};
+    glint_prepare_shading(frame, &shading, object->material);
+    frame->shading = &shading;
+    shading.node_size = nodes ? nodes->measure(frame, &shading) : 0;
+    const size_t size = glint_draw_size(frame, object, transform, mesh->vertex_count, mesh->triangle_count, 0);
+    frame->shading = 0;
+    return size;
+}
+
+static glint_status count_object(glint_frame *frame, const glint_object *object, tally *sum) {
+    const glint_mesh *mesh = object->mesh;
+    const glint_cull *cull = glint_cull_of(mesh);
+    glint_transform transform;
+    glint_walk walk;
+    glint_status status = glint_transform_prepare(&transform, frame->view, &frame->config, object);
+    if (status != GLINT_OK || !transform.visible)
+        return status;
+    sum->vertices += size_object(frame, object, &transform);
+    if (cull)
+        cull->begin(&walk, mesh, &transform);
+    for (uint32_t i = 0; i < mesh->triangle_count && status == GLINT_OK; i++) {
+        const uint16_t *corners = cull ? cull->corners(&walk, mesh, i) : mesh->triangles[i];
+        status = count_triangle(frame, &transform, mesh, corners, sum);
+    }
+    return status;
+}
+
+/* Adds what a material takes where nodes are lit. */
+static void count_terms(glint_frame *frame, const glint_shading *shading, tally *sum) {
+    const glint_node_stage *stage = stage_of(frame->scene);
+    frame->shading = shading;
+    const size_t size = stage ? stage->measure(frame, shading) : 0;
+    frame->shading = 0;
+    if (!size)
+        return;
+    sum->materials += GLINT_ALIGNED(stage->size);
+    sum->nodes = GLINT_ALIGNED(3 * size) > sum->nodes ? GLINT_ALIGNED(3 * size) : sum->nodes;
+}
+
+/* Bytes of distinct materials, each checked. */
+static GLINT_NOINLINE glint_status count_materials(glint_frame *frame, tally *sum) {
+    const glint_scene *scene = frame->scene;
+    const glint_fast *fast = frame->config.format->fast;
+    glint_shading shading;
+    glint_status status = GLINT_OK;
+    for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++) {
+        uint32_t earlier = 0;
+        while (scene->objects[earlier].material != scene->objects[i].material)
+            earlier++;
+        if (earlier < i)
+            continue;
+        shading = (glint_shading){0};
+        status = glint_prepare_shading(frame, &shading, scene->objects[i].material);
+        sum->materials += GLINT_ALIGNED(sizeof shading);
+        if (status == GLINT_OK)
+            count_terms(frame, &shading, sum);
+        if (fast && status == GLINT_OK)
+            fast->need(frame, &shading, &sum->materials, &sum->tables);
+    }
+    return status;
+}
+
+glint_status glint_arena_need(const glint_config *config, const glint_scene *scene, glint_need *need) {
+    if (!config || !scene || !need)
+        return GLINT_ERROR_NULL;
+    glint_frame frame;
+    glint_view view;
+    glint_transform transform;
+    tally sum = {0};
+    glint_status status = glint_frame_grid(&frame, config, scene);
+    if (status == GLINT_OK)
+        status = glint_check_scene(scene);
+    if (status == GLINT_OK)
+        status = glint_prepare_view(&view, &frame.config, scene, &transform);
+    frame.view = &view;
+    if (status == GLINT_OK)
+        status = count_materials(&frame, &sum);
+    for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++)
+        status = count_object(&frame, &scene->objects[i], &sum);
+    if (status != GLINT_OK)
+        return status;
+    size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame.config) +
+                      GLINT_ALIGNED(GLINT_VIEW_SIZE(scene->light_count)) + sum.materials;
+    size_t lists = GLINT_ALIGNED(frame.tile_count * sizeof(glint_reference)) +
+                   GLINT_ALIGNED(sum.references * sizeof(glint_reference)) +
+                   GLINT_ALIGNED(sum.clipped * sizeof(glint_clipped)) + GLINT_BIN_RESERVE;
+    need->smallest = prepared + GLINT_LEAST_ROOM + sum.nodes;
+    const size_t pass = sum.vertices + lists;
+    need->best = prepared + sum.tables + (pass > sum.tables ? pass : sum.tables);
+    if (need->best < need->smallest)
+        need->best = need->smallest;
+    return GLINT_OK;
+}

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT */
+/* Render: every tile of a frame through the flush callback, one sent while the next is drawn. */
+#include "../scene/config.h"
+#include "frame.h"
+
+glint_status glint_init(glint_renderer *renderer, const glint_config *config) {
+    if (!renderer)
+        return GLINT_ERROR_NULL;
+    *renderer = (glint_renderer){0};
+    if (!config || !config->flush.begin || !config->arena)
+        return GLINT_ERROR_NULL;
+    renderer->config = *config;
+    glint_status status = glint_check_config(&renderer->config);
+    if (status == GLINT_OK && config->arena_size < glint_tile_buffers_size(&renderer->config) + GLINT_ALIGNMENT)
+        status = GLINT_ERROR_ARENA;
+    if (status != GLINT_OK)
+        *renderer = (glint_renderer){0};
+    return status;
+}
+
+/* The tile being sent, if any, and the buffers to take turns with. */
+typedef struct sender {
+    const glint_flush *flush;
+    void *buffers[2];
+    void *background; /* the one that holds nothing else, or null */
+    int busy;
+} sender;
+
+static int wait(sender *s) {
+    int failed = s->busy && s->flush->wait && s->flush->wait(s->flush->context) != 0;
+    s->busy = 0;
+    return failed;
+}
+
+static glint_status send(sender *s, const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
+    int x, y, width, height;
+    glint_tile_rectangle(frame, tile, &x, &y, &width, &height);
+    if (wait(s) || s->flush->begin(s->flush->context, x, y, width, height, workspace->pixels, workspace->stride) != 0)
+        return GLINT_ERROR_FLUSH;
+    s->busy = 1;
+    workspace->pixels = s->buffers[workspace->pixels == s->buffers[0]];
+    return GLINT_OK;
+}
+
+/* Draws a tile, unless a buffer holds what it shows. @return 1 when it is finished. */
+static int finish_tile(sender *s, const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
+    const int empty = glint_tile_is_empty(frame, tile);
+    if (empty && s->background) {
+        workspace->pixels = s->background;
+        return 1;
+    }
+    if (empty)
+        s->background = workspace->pixels;
+    else if (workspace->pixels == s->background)
+        s->background = 0;
+    return glint_render_tile(frame, workspace, tile);
+}
+
+static glint_status render_passes(glint_frame *frame, glint_workspace *workspace, sender *s) {
+    int pass;
+    while ((pass = glint_frame_next(frame)) > 0) {
+        for (uint32_t tile = frame->tile_first; tile < frame->tile_end; tile++) {
+            if (!finish_tile(s, frame, workspace, tile))
+                continue;
+            glint_status status = send(s, frame, workspace, tile);
+            if (status != GLINT_OK)
+                return status;
+        }
+    }
+    return (glint_status)pass;
+}
+
+glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
+    if (!renderer || !scene || !renderer->config.flush.begin)
+        return GLINT_ERROR_NULL;
+    glint_config config = renderer->config;
+    glint_frame frame;
+    glint_workspace workspace;
+    uint8_t *memory = glint_align(config.arena);
+    size_t buffers = glint_tile_buffers_size(&config);
+    glint_workspace_init(&workspace, &config, memory);
+    config.arena = memory + buffers;
+    config.arena_size -= buffers; /* what aligning took is given up in glint_frame_begin */
+    frame.shading = renderer->kept.shadings;
+    frame.shading_count = renderer->kept.count;
+    renderer->stats = (glint_stats){0};
+    renderer->kept = (glint_kept){0, 0};
+    glint_status status = glint_frame_begin(&frame, &config, scene);
+    if (status != GLINT_OK)
+        return status;
+    renderer->kept = (glint_kept){frame.shading, frame.shading_count};
+    uint8_t *first = workspace.pixels;
+    uint8_t *second = config.flush.wait ? (uint8_t *)config.arena - workspace.stride * config.tile_height : first;
+    workspace.drawn = config.counts_drawn ? frame.stats.drawn : 0;
+    sender s = {&config.flush, {first, second}, 0, 0};
+    status = render_passes(&frame, &workspace, &s);
+    if (wait(&s) && status == GLINT_OK)
+        status = GLINT_ERROR_FLUSH;
+    frame.stats.arena_used += (uint32_t)(buffers + GLINT_ALIGNMENT - 1);
+    renderer->stats = frame.stats;
+    return status;
+}

@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: MIT */
+/* Tile: draws the triangles that a pass lists for one tile. */
+#include "../light/evaluation.h"
+#include "../pixel/pixel.h"
+#include "frame.h"
+
+/* Compilers call these two even in freestanding code; here the library does. */
+void *memcpy(void *to, const void *from, size_t size);
+void *memset(void *bytes, int value, size_t size);
+
+void glint_repeat(void *bytes, size_t period, size_t size) {
+    uint8_t *first = bytes;
+    for (size_t done = period; done < size; done *= 2)
+        memcpy(first + done, first, done);
+}
+
+static uint32_t tile_pixels(const glint_config *config) {
+    return (uint32_t)config->tile_width * config->tile_height;
+}
+
+static uint32_t or_default(uint32_t size) {
+    return size ? size : GLINT_TILE_DEFAULT;
+}
+
+void glint_workspace_init(glint_workspace *workspace, const glint_config *config, void *memory) {
+    const uint32_t width = or_default(config->tile_width), height = or_default(config->tile_height);
+    workspace->depth = memory;
+    workspace->pixels = workspace->depth + width * height;
+    workspace->stride = glint_row_bytes(config->format, width);
+    void *const last = (uint8_t *)workspace->pixels + workspace->stride * height;
+    workspace->row = last;
+    workspace->gathered = last;
+    workspace->drawn = 0;
+}
+
+static void clear(const glint_frame *frame, glint_workspace *workspace) {
+    const glint_config *config = &frame->config;
+    const glint_colour *background = &frame->scene->background;
+    const uint32_t shown[3] = {(uint32_t)background->r << 7, (uint32_t)background->g << 7,
+                               (uint32_t)background->b << 7};
+    int32_t colour[1][3];
+    glint_channels_of(shown, colour[0]);
+    glint_finish_colours(config, colour, 1);
+    config->format->fill(workspace->pixels, frame->tile_shift_x, config->tile_height, colour[0]);
+}
+
+int glint_tile_is_empty(const glint_frame *frame, uint32_t tile) {
+    return frame->starts && frame->ends && frame->references[tile - frame->tile_first].next == GLINT_LIST_END;
+}
+
+/* Puts the corners of a triangle that runs clockwise on the screen in the other order. */
+static GLINT_NOINLINE void turn_round(glint_triangle *triangle, const glint_draw *draw) {
+    const glint_vertex *const *v = triangle->corners;
+    const int clockwise = glint_double_area(v[0], v[1], v[2]) > 0;
+    triangle->back = clockwise != draw->mirrored;
+    if (!clockwise)
+        return;
+    const glint_vertex *corner = triangle->corners[1];
+    triangle->corners[1] = triangle->corners[2];
+    triangle->corners[2] = corner;
+    if (draw->extra) {
+        const int16_t *extra = triangle->extra[1];
+        triangle->extra[1] = triangle->extra[2];
+        triangle->extra[2] = extra;
+    }
+}
+
+/* The draw whose triangles come now, and their numbers in the pass; none unless they are corners alone, of front faces.
+ */
+typedef struct source {
+    const glint_draw *draw;
+    uint32_t first, count;
+} source;
+
+static inline const uint16_t *find_corners(const glint_draw *draw, uint32_t i, glint_triangle *t) {
+    const uint16_t *indices = draw->triangles[i];
+    t->corners[0] = &draw->vertices[indices[0]];
+    t->corners[1] = &draw->vertices[indices[1]];
+    t->corners[2] = &draw->vertices[indices[2]];
+    return indices;
+}
+
+/* Any triangle, of this draw, of one that follows, or made by clipping. */
+static GLINT_NOINLINE void find_any_triangle(const glint_frame *frame, source *from, uint32_t number,
+                                             glint_triangle *t) {
+    const glint_draw *draw = from->draw;
+    if (number > GLINT_TRIANGLES_MAX) {
+        const glint_clipped *top = (const glint_clipped *)(const void *)(frame->memory.base + frame->memory.high);
+        const glint_clipped *clipped = top - 1 - (GLINT_CLIPPED_TOP - number);
+        for (int i = 0; i < 3; i++) {
+            t->corners[i] = &clipped->corners[i];
+            t->extra[i] = clipped->extra[i];
+        }
+        draw = clipped->draw;
+        number = clipped->triangle;
+    } else {
+        while (number - draw->first >= draw->count)
+            draw = draw->next;
+        number -= draw->first;
+        const uint16_t *indices = find_corners(draw, number, t);
+        for (int i = 0; i < 3 && draw->extra; i++)
+            t->extra[i] = draw->extra[indices[i]];
+    }
+    const int one_side = !draw->mirrored && !draw->double_sided;
+    t->facet = draw->facets ? draw->facets[number] : 0;
+    t->back = 0;
+    if (!one_side)
+        turn_round(t, draw);
+    from->draw = draw;
+    from->first = draw->first;
+    from->count = one_side && !draw->facets && !draw->extra ? draw->count : 0;
+}
+
+/* A triangle by its number; a list names draws in order, none before the one that triangles come from. */
+static inline void find_triangle(const glint_frame *frame, source *from, uint32_t number, glint_triangle *t) {
+    const uint32_t i = number - from->first;
+    if (i < from->count)
+        find_corners(from->draw, i, t);
+    else
+        find_any_triangle(frame, from, number, t);
+}
+
+/* Where a tile lies. */
+static void place_tile(const glint_frame *frame, glint_window *window, uint32_t tile) {
+    int x, y, width, height;
+    glint_tile_rectangle(frame, tile, &x, &y, &width, &height);
+    glint_window_begin(window, x, y, width, height);
+}
+
+int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
+    glint_part part;
+    place_tile(frame, &part.window, tile);
+    if (frame->starts) {
+        clear(frame, workspace);
+        if (!glint_tile_is_empty(frame, tile))
+            memset(workspace->depth, 0, tile_pixels(&frame->config) * sizeof *workspace->depth);
+    }
+    source from = {frame->draws, 0, 0};
+    const glint_reference *const references = frame->references;
+    glint_triangle triangle;
+    for (uint32_t here = frame->references[tile - frame->tile_first].next; here != GLINT_LIST_END;) {
+        const glint_reference *const reference = &references[here];
+        find_triangle(frame, &from, reference->triangle, &triangle);
+        here = reference->next;
+        if (!glint_raster(&part, triangle.corners))
+            continue;
+        glint_setup(&part, &triangle);
+        from.draw->kernel(frame, workspace, from.draw, &triangle, &part);
+    }
+    return frame->ends;
+}

@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Clip: triangles that cross the near plane or leave the guard band (Sutherland and Hodgman, 1974). An edge is cut
+ * from its inner towards its outer end, so that the triangles on both its sides get the same corner.
+ */
+#include "geometry.h"
+
+#define PLANES 5
+
+/* How far inside a plane a position lies: 0 the near plane, 1 to 4 the sides. */
+static int64_t distance(const glint_position *p, int plane, int32_t near_plane) {
+    switch (plane) {
+    case 0:
+        return (int64_t)p->w - near_plane;
+    case 1:
+        return (int64_t)p->w + p->x;
+    case 2:
+        return (int64_t)p->w - p->x;
+    case 3:
+        return (int64_t)p->w + p->y;
+    default:
+        return (int64_t)p->w - p->y;
+    }
+}
+
+/* a + (b - a) t, t Q31. */
+static int32_t mix(int32_t a, int32_t b, int64_t t) {
+    return (int32_t)(a + glint_round_shift64(((int64_t)b - a) * t, 31));
+}
+
+/* Where an edge crosses a plane, Q31 from 0 to 1: distances inside >= 0 > outside, both at most 2^31 away from 0. */
+static int64_t crossing(int64_t inside, int64_t outside) {
+    return inside * ((int64_t)1 << 31) / (inside - outside);
+}
+
+static void cut(const glint_corner *from, const glint_corner *to, int64_t inside, int64_t outside, glint_corner *out) {
+    const int64_t t = crossing(inside, outside);
+    out->position.x = mix(from->position.x, to->position.x, t);
+    out->position.y = mix(from->position.y, to->position.y, t);
+    out->position.w = mix(from->position.w, to->position.w, t);
+    for (int i = 0; i < 6; i++)
+        out->attribute[i] = mix(from->attribute[i], to->attribute[i], t);
+}
+
+static int clip_at(int plane, int32_t near_plane, const glint_corner *in, int count, glint_corner *out) {
+    int kept = 0;
+    for (int i = 0; i < count; i++) {
+        const glint_corner *here = &in[i], *next = &in[i + 1 < count ? i + 1 : 0];
+        int64_t d0 = distance(&here->position, plane, near_plane);
+        int64_t d1 = distance(&next->position, plane, near_plane);
+        if (kept > GLINT_CLIP_CORNERS - 2) /* a plane adds one corner; rounding may tell of more: those are points */
+            break;
+        if (d0 >= 0)
+            out[kept++] = *here;
+        if (d0 >= 0 && d1 < 0)
+            cut(here, next, d0, d1, &out[kept++]);
+        else if (d0 < 0 && d1 >= 0)
+            cut(next, here, d1, d0, &out[kept++]);
+    }
+    return kept;
+}
+
+/* A cut corner may lie a step outside: bring it onto the guard band, where projection is safe. */
+static void keep_inside(glint_position *p, int32_t near_plane) {
+    p->w = p->w < near_plane ? near_plane : p->w;
+    p->x = p->x > p->w ? p->w : p->x < -p->w ? -p->w : p->x;
+    p->y = p->y > p->w ? p->w : p->y < -p->w ? -p->w : p->y;
+}
+
+int glint_clip(const glint_transform *transform, glint_corner corners[GLINT_CLIP_CORNERS]) {
+    glint_corner other[GLINT_CLIP_CORNERS], *in = corners, *out = other;
+    int count = 3;
+    for (int plane = 0; plane < PLANES && count; plane++) {
+        count = clip_at(plane, transform->near_plane, in, count, out);
+        glint_corner *last = in;
+        in = out;
+        out = last;
+    }
+    for (int i = 0; i < count; i++) {
+        corners[i] = in[i];
+        keep_inside(&corners[i].position, transform->near_plane);
+    }
+    return count;
+}

@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: MIT */
+/* Geometry: vertices to clip space, to the screen, and their normals to camera space. */
+#include "geometry.h"
+
+#include "../frame/draw.h"
+
+/* Clip coordinates inside the guard band and beyond the near plane, w from 1 up and no less than the nearest. */
+static inline void project(const glint_transform *transform, int32_t x, int32_t y, int32_t w, glint_vertex *vertex) {
+    int32_t nearest = transform->nearest;
+    if (w < 1 << 28) {
+        unsigned up = 1;
+        for (w *= 2; w < 1 << 28; w *= 2) /* once at most unless it is near or deep: faster than to count zeros */
+            up++;
+        x = glint_shift_left(x, up);
+        y = glint_shift_left(y, up);
+        nearest = glint_shift_left(nearest, up);
+    }
+    uint32_t inverse = glint_inverse((uint32_t)w);
+    int32_t depth = glint_scale(nearest, inverse); /* Q25 */
+    inverse -= inverse >> 10;                      /* GUARD_BAND is 1023 pixels, this in 1024: sixteenths are Q14 */
+    x = glint_scale(x, inverse) + transform->center_x;
+    y = glint_scale(y, inverse) + transform->center_y;
+    vertex->x = (int16_t)glint_shift_right(x, 11);
+    vertex->y = (int16_t)glint_shift_right(y, 11);
+    /* The nearest surface ends up just below the top, so that a plane's rounding cannot pass it; the farthest one step
+     * above 0, so that 1/w can be divided by. */
+    depth = glint_least(depth, 0x7fff0000 >> 6);
+    vertex->inverse_w = glint_most(depth, 1) * 64;
+}
+
+void glint_project(const glint_transform *transform, const glint_position *position, glint_vertex *vertex) {
+    project(transform, position->x, position->y, position->w, vertex);
+}
+
+static int is_outside(int32_t x, int32_t y, int32_t w, int32_t near_plane) {
+    return w < near_plane || x >= w || x <= -w || y >= w || y <= -w;
+}
+
+/* Clip coordinates of a position of the mesh. */
+static inline glint_position to_clip_space(const glint_transform *transform, const int16_t p[3]) {
+    const int32_t *t = transform->translation;
+    return (glint_position){glint_row_times(&transform->matrix[0], p[0], p[1], p[2], t[0]),
+                            glint_row_times(&transform->matrix[1], p[0], p[1], p[2], t[1]),
+                            glint_row_times(&transform->matrix[2], p[0], p[1], p[2], t[2])};
+}
+
+/* Vertices that are nowhere clipped, and whose positions are not kept. */
+static GLINT_NOINLINE void transform_inside(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
+                                            uint32_t count, glint_vertex *vertex) {
+    for (const glint_vertex *end = vertex + count; vertex < end; vertex++, p++, first++) {
+        if (!GLINT_SPLIT_PRODUCTS)
+            GLINT_OPAQUE(transform); /* else the matrix is copied to the stack, which saves no load */
+        GLINT_OPAQUE(vertex);        /* else gcc counts in another way */
+        GLINT_OPAQUE(p);
+        const glint_position here = to_clip_space(transform, *p);
+        vertex->attribute[0] = (int16_t)(uint16_t)first;
+        vertex->flags = 0;
+        project(transform, here.x, here.y, here.w, vertex);
+    }
+}
+
+void glint_transform_vertices(const glint_transform *transform, const glint_mesh *mesh, uint32_t first, uint32_t count,
+                              glint_vertex *vertex, glint_position *position) {
+    const int16_t(*p)[3] = mesh->positions + first;
+    if (!position && !GLINT_SMALL) {
+        transform_inside(transform, p, first, count, vertex);
+        return;
+    }
+    for (const glint_vertex *end = vertex + count; vertex < end; vertex++, p++, first++) {
+        const glint_position here = to_clip_space(transform, *p);
+        vertex->attribute[0] = (int16_t)(uint16_t)first;
+        vertex->flags = 0;
+        if (position)
+            *position++ = here;
+        if (transform->clips && is_outside(here.x, here.y, here.w, transform->near_plane)) {
+            vertex->flags = GLINT_VERTEX_CLIP;
+            vertex->x = vertex->y = 0;
+            vertex->inverse_w = 0;
+        } else {
+            glint_project(transform, &here, vertex);
+        }
+    }
+}
+
+/* Half the length that a normal of 32767 has when it was turned; how far it may be from that; and that as squares. */
+#define HALF_LENGTH 16380
+#define HALF_TOLERANCE 3
+#define LEAST_SQUARE ((uint32_t)(HALF_LENGTH - HALF_TOLERANCE) * (HALF_LENGTH - HALF_TOLERANCE))
+#define SQUARES ((uint32_t)HALF_LENGTH * 4 * HALF_TOLERANCE)
+
+/* A normal that was unit stays so when the object is turned and scaled evenly: its length then need not be made so. */
+void glint_transform_normal(const glint_draw *draw, glint_vertex *vertex) {
+    const int16_t *n = draw->normals[(uint16_t)vertex->attribute[0]];
+    const glint_row *matrix = draw->transform.normal;
+    GLINT_OPAQUE(matrix); /* its entries lie too far from `draw` for short loads */
+    vertex->flags |= GLINT_VERTEX_NORMAL;
+    const int32_t half = 1 << 12;
+    int32_t x = glint_row_times(&matrix[0], n[0], n[1], n[2], half);
+    int32_t y = glint_row_times(&matrix[1], n[0], n[1], n[2], half);
+    int32_t z = glint_row_times(&matrix[2], n[0], n[1], n[2], half);
+    const uint32_t a = (uint32_t)glint_shift_right(x, 14), b = (uint32_t)glint_shift_right(y, 14),
+                   c = (uint32_t)glint_shift_right(z, 14);
+    uint32_t square = a * a + b * b + c * c; /* at most 9 2^28, which a single component may have */
+    if (square - LEAST_SQUARE > SQUARES) {
+        glint_unit(x - half, y - half, z - half, vertex->attribute);
+        return;
+    }
+    vertex->attribute[0] = (int16_t)glint_shift_right(x, 13);
+    vertex->attribute[1] = (int16_t)glint_shift_right(y, 13);
+    vertex->attribute[2] = (int16_t)glint_shift_right(z, 13);
+}
+
+void glint_transform_normals(const glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t i) {
+    (void)frame;
+    (void)transform;
+    for (int corner = 0; corner < 3; corner++) {
+        glint_vertex *vertex = &draw->vertices[draw->triangles[i][corner]];
+        if (!(vertex->flags & GLINT_VERTEX_NORMAL))
+            glint_transform_normal(draw, vertex);
+    }
+}
+
+void glint_ray(const glint_transform *transform, const glint_view *view, const int64_t sum[3], int32_t count,
+               int32_t ray[3], int32_t *inverse_w) {
+    /* Half pixels, Q12, as rays of fragments are: x and y in guard bands, w in focal lengths; below 2^60. */
+    const int64_t long_ray[3] = {-sum[0] * (2 * GLINT_GUARD_BAND * 4096), sum[1] * (2 * GLINT_GUARD_BAND * 4096),
+                                 sum[2] * view->focal};
+    /* 1/w is relative to the nearest w; only its ratio to the ray matters */
+    int64_t nearest = (int64_t)transform->nearest * count * ((int64_t)1 << 31);
+    uint64_t bits = (uint64_t)nearest;
+    for (int i = 0; i < 3; i++)
+        bits |= glint_magnitude64(long_ray[i]);
+    unsigned size = glint_bits64(bits), shift = size > 30 ? size - 30 : 0;
+    for (int i = 0; i < 3; i++)
+        ray[i] = (int32_t)glint_shift_right64(long_ray[i], shift);
+    *inverse_w = (int32_t)glint_shift_right64(nearest, shift);
+}

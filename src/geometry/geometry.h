@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT */
+/** @file geometry.h From a mesh's steps to the screen: transforms, vertices, clipping. */
+#ifndef GLINT_GEOMETRY_H
+#define GLINT_GEOMETRY_H
+
+#include "../math/product.h"
+#include "../scene/view.h"
+
+/** Mesh steps to clip space, and object normals to camera space. */
+typedef struct glint_transform {
+    glint_row matrix[3]; /* rows x, y, w: clip coordinate of 2^15 steps */
+    int32_t translation[3];
+    glint_row normal[3];
+    int32_t exponent;            /* a clip unit is 2^-exponent */
+    int32_t near_plane, least_w; /* w of the near plane, and of the nearest corner of the box */
+    int32_t nearest;             /* w of the frame, no more than any of the object's that is seen */
+    int32_t center_x, center_y;  /* of the screen, 28.4 and 11 bits for rounding */
+    uint8_t visible, clips, mirrored;
+} glint_transform;
+
+/** The eye among a mesh's steps, homogeneous. */
+typedef struct glint_eye {
+    int32_t x, y, z;  /* times weight 2^-8: 20 bits and a sign */
+    int32_t distance; /* from step 0, or a little more; times the same */
+    int32_t weight;   /* 13 bits */
+} glint_eye;
+
+/** Finds the eye from an object's transform. */
+void glint_transform_eye(const glint_transform *transform, glint_eye *eye);
+
+#define GLINT_VERTEX_CLIP 1u   /* in front of the near plane or outside the guard band: x, y and 1/w are not valid */
+#define GLINT_VERTEX_LIT 2u    /* its terms of fast lighting are known */
+#define GLINT_VERTEX_NORMAL 4u /* its normal is known; until then its number in the mesh stands in attribute[0] */
+/* The other flags tell of these terms: fast_vertices.c. */
+
+typedef struct glint_vertex {
+    int32_t inverse_w;    /* Q31 */
+    int16_t x, y;         /* 28.4 */
+    int16_t attribute[3]; /* unit normal in camera space; once lit, colour, 1 = GLINT_COLOUR_ONE */
+    uint16_t flags;
+} glint_vertex;
+
+/** Full brightness of a colour in int16. */
+#define GLINT_COLOUR_ONE 32767
+
+/** Clip coordinates; kept only where an object may have to be clipped. */
+typedef struct glint_position {
+    int32_t x, y, w;
+} glint_position;
+
+/** An object's transform. Takes view->nearest as it stands. */
+glint_status glint_transform_prepare(glint_transform *transform, const glint_view *view, const glint_config *config,
+                                     const glint_object *object);
+
+/** The part of it that needs view->nearest, anew. */
+void glint_transform_place(glint_transform *transform, const glint_view *view);
+
+/** Smallest w of the object's bounding box, Q28, no less than the near plane. */
+int64_t glint_transform_nearest(const glint_transform *transform, const glint_view *view);
+
+/** Transforms vertices of a mesh from `first` on, all but their normals; positions may be null if nothing clips. */
+void glint_transform_vertices(const glint_transform *transform, const glint_mesh *mesh, uint32_t first, uint32_t count,
+                              glint_vertex *vertex, glint_position *position);
+
+/** Screen position and 1/w of clip coordinates inside the guard band and beyond the near plane. */
+void glint_project(const glint_transform *transform, const glint_position *position, glint_vertex *vertex);
+
+/** Ray towards the eye and 1/w, as fragments have them, of the mean of some positions anywhere, given their sum. */
+void glint_ray(const glint_transform *transform, const glint_view *view, const int64_t sum[3], int32_t count,
+               int32_t ray[3], int32_t *inverse_w);
+
+/** Most corners of a clipped triangle: each of 5 planes adds one. */
+#define GLINT_CLIP_CORNERS 8
+
+/** A corner on its way through clipping. */
+typedef struct glint_corner {
+    glint_position position;
+    int32_t attribute[6]; /* a vertex's attribute and its extra one; normals get shorter where interpolated */
+} glint_corner;
+
+/**
+ * Clips a triangle at the near plane and the guard band.
+ * @param corners the triangle in, the polygon out
+ * @return corners of the polygon: 0, or 3 to 8
+ */
+int glint_clip(const glint_transform *transform, glint_corner corners[GLINT_CLIP_CORNERS]);
+
+/**
+ * Twice a triangle's area in 28.4 squared; above 0 when its corners run clockwise on the screen, y down.
+ * The guard band keeps it in 32 bits.
+ */
+static inline int32_t glint_double_area(const glint_vertex *a, const glint_vertex *b, const glint_vertex *c) {
+    return (b->x - a->x) * (c->y - a->y) - (c->x - a->x) * (b->y - a->y);
+}
+
+/** Does a triangle face the eye? Not when it has no area. */
+static inline int glint_faces(int mirrored, int double_sided, const glint_vertex *const v[3]) {
+    int32_t area = glint_double_area(v[0], v[1], v[2]);
+    return area != 0 && (double_sided || (area > 0) == mirrored);
+}
+
+#endif

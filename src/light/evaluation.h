@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+/** @file evaluation.h Where light is found, and what draws pixels. */
+#ifndef GLINT_EVALUATION_H
+#define GLINT_EVALUATION_H
+
+#include "../frame/draw.h"
+#include "shading.h"
+
+/** Where colours are found. */
+typedef enum glint_lit_at { GLINT_LIT_AT_FRAGMENTS, GLINT_LIT_AT_VERTICES, GLINT_LIT_AT_FACETS } glint_lit_at;
+
+/** What evaluations that light nodes link. */
+typedef struct glint_node_stage {
+    /** Behind all shadings: what each material makes of the frame's lights. Adds to frame->least_room. */
+    glint_status (*prepare)(glint_frame *frame);
+    /** Bytes that a vertex keeps of light in one material. @return 0 where nodes do not fit it, or none are lit of it
+     */
+    size_t (*measure)(const glint_frame *frame, const glint_shading *shading);
+    size_t size; /* bytes that what a material makes of the lights takes */
+} glint_node_stage;
+
+struct glint_evaluation {
+    glint_lit_at lit_at;
+    glint_light_triangle *light; /* what comes before a triangle is drawn */
+    glint_kernel *kernel;
+    const glint_node_stage *nodes; /* or null */
+};
+
+/** The kernel for everything: fragments that pass the depth test are lit. */
+glint_kernel glint_draw_any;
+
+/** Kernels of triangles of one colour, and of those with colours at their corners. */
+glint_kernel glint_draw_facet, glint_draw_unlit, glint_draw_lit;
+
+/** Fast lighting: what a format that has it links. fast.h. */
+typedef struct glint_fast {
+    int (*serves)(const glint_frame *frame, const glint_object *object);
+    glint_status (*prepare)(glint_frame *frame); /* behind all shadings */
+    /** Adds the bytes that a material takes at least, and its tables, which want as much room left behind them. */
+    void (*need)(const glint_frame *frame, const glint_shading *shading, size_t *least, size_t *tables);
+    glint_light_triangle *light;
+    glint_kernel *draw;
+} glint_fast;
+
+extern const glint_fast glint_fast_rgb565, glint_fast_rgb565_be;
+
+#endif

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/* Fragments of a triangle that are lit one by one, gathered until there are enough. */
+#include "fragments.h"
+
+#include "../pixel/format.h"
+
+/* An attribute of 16 bits over w: below 2^30. */
+static int32_t over_w(int32_t attribute, uint32_t w) {
+    return attribute * (int32_t)(w >> 16) + glint_shift_right(attribute * (int32_t)(w & 0xffff), 16);
+}
+
+/* Planes of three attributes of 16 bits over w 2^-up; negated, normals are those of the back. */
+static void triple(glint_plane planes[3], const glint_gradients *g, const glint_triangle *triangle, unsigned up,
+                   const int16_t *const attribute[3], int is_negated) {
+    for (int c = 0; c < 3; c++) {
+        int32_t scaled[3];
+        for (int i = 0; i < 3; i++)
+            scaled[i] = over_w(is_negated ? -attribute[i][c] : attribute[i][c],
+                               (uint32_t)triangle->corners[i]->inverse_w << up);
+        glint_plane_begin(&planes[c], g, scaled[0], scaled[1], scaled[2]);
+    }
+}
+
+void glint_gathering_begin(const glint_gathering *gathering, const glint_triangle *triangle,
+                           const int16_t *const main[3], int is_negated, glint_attributes *attributes) {
+    const glint_gradients *g = &gathering->part->gradients;
+    glint_fragments *fragments = gathering->fragments;
+    const unsigned up = glint_find_room(triangle->corners);
+    fragments->count = 0;
+    fragments->part = gathering->part;
+    fragments->attributes = attributes;
+    fragments->scale = up;
+    triple(attributes->main, g, triangle, up, main, is_negated);
+    if (gathering->draw->extra)
+        triple(attributes->extra, g, triangle, up, triangle->extra, 0);
+}
+
+/* Colours of fragments in levels: each takes the place of its colour. */
+static void finish_fragments(const glint_frame *frame, glint_fragments *fragments) {
+    const uint8_t *const bits = frame->config.format->channel;
+    const unsigned red = bits[0], green = bits[1], blue = bits[2];
+    int32_t(*row)[3] = (int32_t(*)[3])fragments->colour;
+    for (uint32_t i = 0; i < fragments->count; i++)
+        glint_channels_of(fragments->colour[i], row[i]);
+    if (GLINT_SMALL || frame->config.gamma) {
+        glint_finish_colours(&frame->config, row, fragments->count);
+        return;
+    }
+    for (uint32_t i = 0; i < fragments->count; i++, row++) {
+        (*row)[0] = glint_to_levels((*row)[0], red);
+        (*row)[1] = glint_to_levels((*row)[1], green);
+        (*row)[2] = glint_to_levels((*row)[2], blue);
+    }
+}
+
+void glint_gathering_store(const glint_gathering *gathering) {
+    const glint_frame *frame = gathering->frame;
+    const glint_format *format = frame->config.format;
+    glint_fragments *fragments = gathering->fragments;
+    if (!fragments->count)
+        return;
+    gathering->shade(frame, fragments, gathering->draw);
+    finish_fragments(frame, fragments);
+    for (uint32_t i = 0, end; i < fragments->count; i = end) {
+        const uint32_t offset = ((uint32_t)fragments->row[i] << frame->tile_shift_x) + (uint32_t)fragments->column[i];
+        end = i + 1;
+        while (!GLINT_SMALL && end < fragments->count && fragments->row[end] == fragments->row[i] &&
+               fragments->column[end] == fragments->column[end - 1] + 1)
+            end++;
+        format->store(gathering->workspace->pixels, frame->tile_shift_x, offset, end - i,
+                      (const int32_t(*)[3])(fragments->colour + i));
+    }
+    fragments->count = 0;
+}

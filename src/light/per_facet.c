@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/* Lighting once a triangle, at its centroid, with the normal of its plane turned towards the eye. */
+#include "evaluation.h"
+#include "shade.h"
+
+/*
+ * Normal of a triangle in camera space, from clip coordinates: x and y there are focal length / guard band times too
+ * large, so that z, the product of two of them, is scaled by the inverse of that.
+ */
+static void facet_normal(const glint_view *view, const glint_position *const p[3], int16_t normal[3]) {
+    const int64_t ax = (int64_t)p[1]->x - p[0]->x, ay = (int64_t)p[0]->y - p[1]->y, az = (int64_t)p[0]->w - p[1]->w;
+    const int64_t bx = (int64_t)p[2]->x - p[0]->x, by = (int64_t)p[0]->y - p[2]->y, bz = (int64_t)p[0]->w - p[2]->w;
+    const int64_t cross[3] = {ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx};
+    int32_t reduced[3];
+    glint_reduce(cross, reduced);
+    /* times focal length (twice, Q12) and guard band (the same) */
+    const int64_t scaled[3] = {(int64_t)reduced[0] * view->focal, (int64_t)reduced[1] * view->focal,
+                               (int64_t)reduced[2] * (2 * GLINT_GUARD_BAND * 4096)};
+    glint_reduce(scaled, reduced);
+    glint_unit(reduced[0], reduced[1], reduced[2], normal);
+}
+
+static int32_t average(const glint_draw *draw, const uint16_t *indices, int c) {
+    return (draw->extra[indices[0]][c] + draw->extra[indices[1]][c] + draw->extra[indices[2]][c]) / 3;
+}
+
+static void light_triangle(const glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t i) {
+    const uint16_t *indices = draw->triangles[i];
+    const glint_position *const p[3] = {&draw->positions[indices[0]], &draw->positions[indices[1]],
+                                        &draw->positions[indices[2]]};
+    const int64_t sum[3] = {(int64_t)p[0]->x + p[1]->x + p[2]->x, (int64_t)p[0]->y + p[1]->y + p[2]->y,
+                            (int64_t)p[0]->w + p[1]->w + p[2]->w};
+    glint_fragments one;
+    one.count = 1;
+    glint_ray(transform, frame->view, sum, 3, one.ray[0], &one.inverse_w[0]);
+    facet_normal(frame->view, p, one.normal[0]);
+    int64_t facing = 0;
+    for (int c = 0; c < 3; c++) {
+        facing += (int64_t)one.normal[0][c] * one.ray[0][c];
+        if (draw->extra)
+            one.surface[0][c] = (int16_t)average(draw, indices, c);
+    }
+    for (int c = 0; c < 3 && facing < 0; c++)
+        one.normal[0][c] = (int16_t)-one.normal[0][c];
+    glint_light_all(frame, &one, draw->shading, draw->extra != 0);
+    glint_clamp_colour(one.colour[0], draw->facets[i]);
+}
+
+const glint_evaluation glint_per_facet = {GLINT_LIT_AT_FACETS, light_triangle, glint_draw_facet, 0};

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The specular power cos^p as a table over sin^2: (1 - u)^(p/2), linear between nodes, only as wide as it matters.
+ * sin^2 keeps its precision at the centre of a highlight, where the cosine has none left.
+ */
+#include "../math/numeric.h"
+#include "shading.h"
+
+/* (1 - u)^(p/2), Q30, for u Q30 as products of unit vectors give it: GLINT_UNIT^4 short of 2^60 by a part in 2^11. */
+static int32_t power_of_sine(uint32_t u, int32_t exponent) {
+    uint32_t square = u + (u >> 11);
+    if (square >= 1u << 30)
+        return 0;
+    return (int32_t)glint_power((1u << 31) - 2 * square, exponent >> 1);
+}
+
+/* Where (1 - u)^(p/2) times the weight falls below what need not show; Q30. */
+static uint32_t find_cut(int32_t exponent, uint32_t weight, uint32_t spare) {
+    unsigned bits = spare ? 0 : 12; /* 2^-12 is 1/16 of 1/255 */
+    while (bits < 16 && weight > (spare ? spare : 1) << bits)
+        bits++;
+    int64_t y = ((int64_t)(2 * bits) << 42) / exponent; /* 2 bits / p, Q26 */
+    return (1u << 30) - glint_exp2((int32_t)-y);
+}
+
+/* The next power of two. */
+static uint32_t find_window(uint32_t cut) {
+    uint32_t window = 1u << (GLINT_POWER_TABLE_BITS + GLINT_POWER_FRACTION_BITS);
+    while (window < cut)
+        window <<= 1;
+    return window;
+}
+
+void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t weight, uint32_t spare) {
+    table->exponent = exponent;
+    table->direct = exponent < 2 * GLINT_ONE;
+    const uint32_t cut = table->direct ? 1u << 30 : find_cut(exponent, weight, spare);
+    table->window = find_window(cut);
+    uint32_t inside = (1u << 30) - (spare ? cut : table->window);
+    table->cosine_square_floor = (int32_t)((inside - (inside >> 11)) >> 15);
+    if (table->direct)
+        return;
+    table->index_shift = 31u - glint_leading_zeros(table->window) - GLINT_POWER_TABLE_BITS;
+    int32_t f[3]; /* at three nodes in a row, around node i where it has two neighbours */
+    for (uint32_t i = 0; i < 3; i++)
+        f[i] = power_of_sine(i << table->index_shift, exponent);
+    for (uint32_t i = 0; i <= GLINT_POWER_INTERVALS; i++) {
+        if (i > 1 && i < GLINT_POWER_INTERVALS) {
+            f[0] = f[1], f[1] = f[2];
+            f[2] = power_of_sine((i + 1) << table->index_shift, exponent);
+        }
+        /* A chord lies above a convex curve: a sixteenth of the second difference less halves its error. */
+        int32_t node = i == 0 ? f[0] : i == GLINT_POWER_INTERVALS ? f[2] : f[1];
+        int32_t value = glint_shift_right(node - (f[0] - 2 * f[1] + f[2]) / 16 + (1 << 14), 15);
+        table->value[i] = (uint16_t)(value < 0 ? 0 : value);
+    }
+}

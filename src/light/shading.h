@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: MIT */
+/** @file shading.h Materials under the scene's lights, once a frame. */
+#ifndef GLINT_SHADING_H
+#define GLINT_SHADING_H
+
+#include "../scene/view.h"
+
+struct glint_fragments;
+struct glint_light_terms;
+struct glint_fast_terms;
+
+/** Intervals of a power table, and bits of the position within one that are used. */
+#define GLINT_POWER_TABLE_BITS 7
+#define GLINT_POWER_INTERVALS (1 << GLINT_POWER_TABLE_BITS)
+#define GLINT_POWER_FRACTION_BITS 12
+
+/** x^p for x = 1 - u, or for x itself where p < 2. */
+typedef struct glint_power_table {
+    int32_t exponent;            /* p, Q16.16 */
+    uint32_t direct;             /* p < 2: no table, the power is computed */
+    uint32_t window;             /* Q30: the table spans sin^2 from 0 to this power of two; beyond, the power is 0 */
+    uint32_t index_shift;        /* sin^2 in Q30 >> this is the interval */
+    int32_t cosine_square_floor; /* Q15: below this cos^2 lies outside the window */
+    uint16_t value[GLINT_POWER_INTERVALS + 1]; /* Q15 */
+} glint_power_table;
+
+/** What a material makes of a light, Q12. */
+typedef struct glint_weights {
+    uint32_t diffuse[3], specular[3];
+} glint_weights;
+
+/** A material under the scene's lights. */
+typedef struct glint_shading {
+    const glint_material *material;
+    int32_t shininess;
+    uint32_t ambient[3]; /* Q23 */
+    glint_weights weights[GLINT_LIGHTS_MAX];
+    uint32_t lights;                       /* bit i: light i shows */
+    uint32_t has_specular;                 /* bit i: its specular light does */
+    uint32_t spare;                        /* of the error budget, Q12: what each light's specular light may lack */
+    uint32_t changed;                      /* 0: all above is what the last frame left here, and so are its tables */
+    const struct glint_fast_terms *fast;   /* tables of fast lighting, or null */
+    const struct glint_light_terms *terms; /* null where fragments are lit one by one */
+    size_t node_size;                      /* bytes that a vertex keeps of light; 0 where it keeps none */
+    glint_power_table power;
+} glint_shading;
+
+/** A material of the frame as it was prepared. */
+static inline const glint_shading *glint_shading_of(const glint_frame *frame, const glint_material *material) {
+    const glint_shading *shading = frame->shading;
+    while (shading->material != material)
+        shading++;
+    return shading;
+}
+
+struct glint_model {
+    /** Beyond the weights: what `light` needs. May be null. */
+    void (*prepare)(glint_shading *shading, uint32_t largest_specular);
+    /** Adds what one light gives to the fragments' colours; null for surfaces that are not lit. */
+    void (*light)(const glint_shading *shading, uint32_t light, const glint_view *view,
+                  struct glint_fragments *fragments, int has_surface);
+    uint8_t lobe; /* what fast lighting takes it for */
+};
+
+/* What a model's specular light lies around. */
+#define GLINT_LOBE_OTHER 0       /* what fast lighting does not know */
+#define GLINT_LOBE_NONE 1        /* there is none */
+#define GLINT_LOBE_HALF_VECTOR 2 /* Blinn's */
+#define GLINT_LOBE_MIRROR 3      /* Phong's */
+
+/**
+ * A material's weights and power table.
+ * @param shading all 0, or what the same place held in the last frame: tables are then kept if they would be the same
+ */
+glint_status glint_prepare_shading(const glint_frame *frame, glint_shading *shading, const glint_material *material);
+
+/**
+ * A power table for exponent p; weight, Q12, is the largest that its values are multiplied by. What falls below
+ * `spare`, Q12, need not show: where that is 0, below 1/16 of an 8-bit step.
+ */
+void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t weight, uint32_t spare);
+
+#endif

@@ -1,0 +1,304 @@
+/* SPDX-License-Identifier: MIT */
+/* Bound: how far polynomials through the nodes of a region may be from its light. */
+#include "terms.h"
+
+/* What a node's cosine differs by at least from what tells clear from not, Q12: lights with a position, and cones. */
+#define CLEARLY_NEAR 512
+#define CLEARLY_INSIDE 64
+
+/* A region wider than three quarters of a light's distance has no polynomial, Q12. */
+#define TOO_NEAR (3 << 10)
+
+/* Of what 1/w changes by, times 1.85, and of angles: beyond, nothing fits. Q12 */
+#define STEEPEST (1 << 12)
+#define WIDEST (2 << 12)
+
+/* A cone's ramp is to be no longer over a region, Q12. */
+#define LONGEST_RAMP (4 << 12)
+
+/* sqrt(square), Q24 to Q12. */
+uint32_t glint_angle_of(uint32_t square) {
+    if (!square)
+        return 0;
+    const unsigned up = glint_leading_zeros(square) & ~1u; /* to 2^30 .. 2^32 */
+    const uint32_t root = (uint32_t)glint_inverse_root(square << up >> 1) * 46341 >> 16;
+    return ((square << up >> 16) * root >> 14 >> up / 2) + 1;
+}
+
+/* Longer than the hypotenuse of two sides, by at most 12 %. */
+static uint32_t hypotenuse(uint32_t a, uint32_t b) {
+    return a > b ? a + b / 2 : b + a / 2;
+}
+
+void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, const glint_w_range *w,
+                          glint_region *region) {
+    const uint32_t across = (uint32_t)(glint_product_unsigned(hypotenuse(width, height), pixel) >> 18);
+    const uint32_t slant = w->least > w->change >> 2 ? (w->change << 12) / w->least : 1 << 14;
+    region->slant = slant * 474 >> 8;
+    region->reach = (uint32_t)glint_least((int32_t)hypotenuse(across, slant), 1 << 14);
+}
+
+/* Products of angles up to 2, Q12. */
+static inline uint32_t times(uint32_t a, uint32_t b) {
+    return a * b >> 12;
+}
+
+/* a (a + b)^2, what quadratics err by where something turns by a, and 1/w changes by b. */
+static inline uint32_t cube(uint32_t a, uint32_t b) {
+    return times(times(a, a + b), a + b);
+}
+
+/* 0.0275 of a cube times levels, Q4: Q8. */
+static inline uint32_t of_levels(uint32_t of_cube, uint32_t levels) {
+    return (of_cube * 1802 >> 14) * levels >> 10; /* 0.0275 is 1802 2^-16 */
+}
+
+/* a b / 2^n, below 2^32: of bright lights a b is not. */
+static inline uint32_t scaled(uint32_t a, uint32_t b, unsigned n) {
+    return (uint32_t)(glint_product_unsigned(a, b) >> n);
+}
+
+/*
+ * In the middle of a triangle whose edges all turn by a planes fall short by a^2 / 6, and err by a b / 3; chords
+ * between unit vectors made longer by half of what they fall short by do so by half of that. Levels Q4 to Q8.
+ */
+static uint32_t plane_sum_error(uint32_t levels, uint32_t turn, uint32_t place, uint32_t b) {
+    const uint32_t a = turn + place;
+    return scaled((2 * times(a, a) - times(turn, turn) + 4 * times(a, b)) * 4 / 3, levels, 12);
+}
+
+/* x, Q12, times a highlight's slope, Q8: at most 2^16. */
+static uint32_t with_slope(const glint_light_terms *light, uint32_t x) {
+    const uint32_t product = x * (light->slope >> 2) >> 6;
+    return x > 1 << 14 || product > 1 << 16 ? 1 << 16 : product;
+}
+
+/* A highlight's: |e| falls short as N does, and H turns. */
+static uint32_t plane_lobe_error(const glint_light_terms *light, uint32_t levels, uint32_t turn, uint32_t axis,
+                                 uint32_t b) {
+    const uint32_t of_axis = 2 * times(axis, axis) + 4 * times(turn, axis) + 4 * times(turn + axis, b);
+    return ((with_slope(light, of_axis) + times(turn, turn)) / 12) * (levels >> 4) >> 8;
+}
+
+/* A deviation at the middle of an edge is found from its ends: what both N and H make of it falls with it. */
+static uint32_t between_error(const glint_light_terms *light, uint32_t levels, uint32_t turn, uint32_t axis,
+                              uint32_t b) {
+    const uint32_t widest = light->lobe_is_wide ? 1 << 12 : (uint32_t)light->lobe_cut >> light->lobe_shift >> 2;
+    const uint32_t of_axis = 2 * times(axis, axis) + 4 * times(times(turn, axis), widest) + 4 * times(axis, b);
+    return scaled(with_slope(light, of_axis), levels >> 4, 12);
+}
+
+/* A highlight's by 0.041 s h (h + b)^2, s the highlight's slope over its deviation, and as a sum for its strength. */
+static uint32_t lobe_error(const glint_light_terms *light, uint32_t levels, uint32_t h, uint32_t f, uint32_t b) {
+    return scaled(with_slope(light, cube(h, b) * 2687 >> 14), levels >> 4, 10) + of_levels(cube(f, b), levels >> 4);
+}
+
+/* The cone's edge may cross a region: by how much its ramp changes from node to node, Q12. */
+static uint32_t ramp_of(const glint_prepared_light *source, const glint_region *region) {
+    const uint64_t range = (uint64_t)region->near * (uint32_t)source->spot.slope >> 15;
+    return range > 1 << 20 ? 1 << 20 : (uint32_t)range;
+}
+
+void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const glint_region *region, int over_length,
+                      glint_terms *terms) {
+    const glint_shading *shading = draw->shading;
+    const int has_surface = draw->extra != 0, has_apart = (region->sides | region->lobes) != 0;
+    terms->light = shading->terms;
+    terms->power = &shading->power;
+    terms->has_surface = (uint8_t)(has_surface && !region->folds);
+    terms->takes_largest = (shading->material->flags & GLINT_MATERIAL_MAX) != 0;
+    terms->is_ungated = (shading->material->flags & GLINT_MATERIAL_UNGATED) != 0;
+    terms->is_over_length = (uint8_t)over_length;
+    terms->is_curved = 1;
+    terms->margin = region->has_edge ? region->margin : 0;
+    terms->is_plain = (uint8_t)(!has_apart && !terms->has_surface && !terms->takes_largest && !over_length);
+    terms->is_channels = (uint8_t)(terms->is_plain || region->folds);
+    terms->sums = (uint8_t)(terms->is_channels ? 3 : shading->terms->channels);
+    terms->square = terms->sums;
+    terms->surface = (uint8_t)(terms->square + (over_length != 0));
+    terms->apart_count = 0;
+    uint32_t next = terms->surface + 3u * terms->has_surface;
+    for (uint32_t l = 0, apart = region->sides | region->lobes; apart >> l; l++) {
+        if (!(apart >> l & 1))
+            continue;
+        glint_apart *to = &terms->apart[terms->apart_count++];
+        const uint32_t side = region->sides >> l & 1, cone = region->cones >> l & 1, lobe = region->lobes >> l & 1,
+                       strength = lobe && frame->view->lights[l].type->illuminate,
+                       narrow = lobe && !shading->terms->lobe_is_wide;
+        to->light = (uint8_t)l;
+        to->first = (uint8_t)next;
+        to->kinds = (uint8_t)(side << GLINT_SIDE | cone << GLINT_CONE | strength << GLINT_STRENGTH |
+                              lobe << GLINT_LOBE_X | narrow << GLINT_LOBE_Y);
+        next += side + cone + strength + lobe + narrow;
+    }
+    terms->end = (uint8_t)next;
+}
+
+/* May a cone so near end between nodes that are outside of it by so much? A cosine's chord, from arcs. */
+static inline int is_wide(uint32_t near, uint32_t clearly) {
+    return times(near, near) > 8 * clearly;
+}
+
+uint32_t glint_find_away(uint32_t outside, uint32_t near) {
+    return (is_wide(near, CLEARLY_INSIDE) ? 0 : outside & 0xff) |
+           (is_wide(near, 8 * CLEARLY_INSIDE) ? 0 : outside >> 8);
+}
+
+/* How far a region's corners lie apart, over the distance to lights so close. */
+static inline uint32_t find_near(const glint_region *region, uint32_t closeness) {
+    return (uint32_t)glint_least((int32_t)(region->reach * closeness >> 8), 1 << 13); /* 14 and 16 bits */
+}
+
+/* The same over the distance from any of the region, where a light reaches some of its nodes only. */
+static inline uint32_t from_anywhere(uint32_t near) {
+    return near < 1 << 11 ? (near << 12) / ((1 << 12) - near) : 1 << 13;
+}
+
+/* How far a region's highlights turn about their axes, and these about them. */
+static inline uint32_t lobe_turn(const glint_shading *shading, const glint_region *region) {
+    return shading->material->model->lobe == GLINT_LOBE_MIRROR ? 2 * region->turn : region->turn;
+}
+
+/* H turns by what L and V turn, over |L + V|. */
+static inline uint32_t find_axis(const glint_frame *frame, const glint_region *region) {
+    const uint32_t turn = region->near + (frame->view->local_viewer ? region->reach : 0);
+    return (turn << 12) / (glint_angle_of(region->half << 10) | 1);
+}
+
+uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness, uint32_t around,
+                           glint_region *region) {
+    const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED, near = find_near(region, around);
+    const uint32_t away = glint_find_away(region->outside, near) | region->left, dark = region->dark | away,
+                   lights = shading->lights & ~away;
+    const int may_end = is_wide(near, CLEARLY_INSIDE);
+    region->turn = (uint32_t)glint_least((int32_t)region->turn, 1 << 13);
+    region->held = region->lit;
+    region->sides = lights & ~region->lit & ~dark;
+    region->cones = 0;
+    region->near = find_near(region, closeness);
+    if (region->sides)
+        region->near = (uint32_t)glint_least((int32_t)from_anywhere(region->near), (int32_t)near);
+    if (ungated || region->outside & 0xff & ~dark)
+        region->near = near;
+    if (times(near, region->turn) > 2 * CLEARLY_NEAR) { /* clear at nodes, not between them */
+        region->sides = lights;
+        region->held = 0;
+        region->near = near;
+    }
+    const uint32_t lobes = shading->terms->lobes & ~away & (ungated ? ~0u : region->held | region->sides);
+    for (uint32_t l = 0, shown = region->held | region->sides | lobes; shown >> l; l++)
+        if (shown >> l & 1 && frame->view->lights[l].type->has_cone) {
+            if (may_end) {
+                region->sides |= 1u << l;
+                region->held &= ~(1u << l);
+            }
+            region->cones |= ~region->held & 1u << l;
+        }
+    region->axis = lobes ? find_axis(frame, region) : 0;
+    return lobes;
+}
+
+/* What all highlights of a region make at most, levels in Q8. */
+static uint32_t lobe_levels(const glint_light_terms *light, uint32_t lobes) {
+    uint32_t levels = 0;
+    for (uint32_t l = 0; lobes >> l; l++)
+        if (lobes >> l & 1)
+            levels += light->specular_levels[l];
+    return levels;
+}
+
+int glint_region_fits(const glint_shading *shading, int has_surface, glint_region *region) {
+    const glint_light_terms *light = shading->terms;
+    region->folds = 0;
+    if (region->near > TOO_NEAR || region->slant > STEEPEST)
+        return 0;
+    if (region->lobes & region->far)
+        return 0;
+    if (region->lobes & region->unfit)
+        return 0;
+    if (region->cones & region->steep)
+        return 0;
+    const uint32_t place = region->near * 362 >> 8, turn = region->turn + place + region->colour;
+    if (!region->lobes)
+        region->axis = 0;
+    if (lobe_turn(shading, region) + region->axis > WIDEST || turn > WIDEST)
+        return 0;
+    region->folds = has_surface && !region->sides && !(shading->material->flags & GLINT_MATERIAL_MAX) &&
+                    of_levels(cube(turn, region->slant), region->levels) <= light->limit;
+    region->place = place + (region->folds ? region->colour : 0);
+    region->of_colour = times(region->colour, region->slant) * ((light->ambient_levels >> 4) + region->levels) >> 8;
+    return 1;
+}
+
+uint32_t glint_plane_error(const glint_shading *shading, int has_surface, const glint_region *region) {
+    const glint_light_terms *light = shading->terms;
+    const uint32_t longer = region->folds ? 0 : region->turn;
+    if (region->cones || (has_surface && !region->folds) || (region->lobes && light->lobe_is_wide))
+        return UINT32_MAX;
+    uint32_t error = plane_sum_error(region->levels, longer, region->turn - longer + region->place, region->slant) +
+                     (region->of_colour >> 2);
+    if (region->lobes)
+        error += plane_lobe_error(light, lobe_levels(light, region->lobes), lobe_turn(shading, region), region->axis,
+                                  region->slant);
+    return error;
+}
+
+int glint_region_bound(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
+    const glint_light_terms *light = shading->terms;
+    const uint32_t slant = region->slant, levels = lobe_levels(light, region->lobes), axis = region->axis,
+                   turn = lobe_turn(shading, region);
+    const uint32_t of_colour = scaled(region->of_colour, slant, 12 + 5);
+    region->error = of_levels(cube(region->turn + region->place, slant), region->levels) + of_colour;
+    region->error_over_length = of_levels(cube(region->place, slant), region->levels) + of_colour;
+    if (region->folds) /* colours times |M| are of a degree more, and ambient light with them */
+        region->error_over_length +=
+            of_levels(cube(region->turn + region->place, slant), region->levels + (light->ambient_levels >> 4));
+    region->margin = 8 + (int32_t)(cube(region->turn + region->place, slant) * 1802 >> 14);
+    region->error_between = 0;
+    if (levels) {
+        region->error += lobe_error(light, levels, turn + axis, region->near, slant);
+        region->error_over_length += lobe_error(light, levels, axis, region->near, slant);
+        region->error_between = between_error(light, levels, turn, axis, slant);
+    }
+    for (uint32_t l = 0; region->cones >> l; l++)
+        if (region->cones >> l & 1) {
+            const uint32_t ramp = ramp_of(&frame->view->lights[l], region), place = region->near + slant;
+            if (ramp > LONGEST_RAMP)
+                return 0;
+            const uint32_t error = 3 * of_levels(times(times(ramp, place), place), light->diffuse_levels[l] >> 4) /
+                                   2; /* the step's slope */
+            region->error += error;
+            region->error_over_length += error;
+        }
+    return 1;
+}
+
+/* The same where lobes are of the cosine. */
+static int place_wide(const glint_shading *shading, int32_t bulge, int32_t least, int32_t most) {
+    if (shading->shininess && most < -bulge)
+        return GLINT_LOBE_OUTSIDE;
+    return shading->terms->lobe_has_strip && least - bulge < 2 * GLINT_HORIZON ? GLINT_LOBE_EDGE : GLINT_LOBE_SHOWS;
+}
+
+/*
+ * A deviation is linear in N, and N over |M| where it is interpolated: with H fixed it lies no nearer to 0 than chords
+ * between corners do. H turns by g while N turns by t: that adds g^2 / 6 + g t / 3, as planes are off by. R is a
+ * quadratic form of N, which adds t^2 / 12, t being R's turn. And unit vectors are rounded.
+ */
+int32_t glint_lobe_bulge(const glint_shading *shading, const glint_region *region) {
+    const uint32_t turn = (uint32_t)glint_least((int32_t)lobe_turn(shading, region), WIDEST),
+                   axis = (uint32_t)glint_least((int32_t)region->axis, WIDEST);
+    const uint32_t mirrored = shading->material->model->lobe == GLINT_LOBE_MIRROR ? times(turn, turn) / 2 : 0;
+    return (int32_t)((times(axis, axis + 2 * turn) + mirrored) * 4 / 6 + 3) << shading->terms->lobe_shift;
+}
+
+int glint_place_lobe(const glint_shading *shading, int32_t bulge, const int32_t least[4], const int32_t most[4]) {
+    const glint_light_terms *light = shading->terms;
+    if (light->lobe_is_wide)
+        return place_wide(shading, bulge, least[0], most[0]);
+    const int32_t cut = light->lobe_cut + bulge, diagonal = light->lobe_diagonal + bulge + (bulge >> 1);
+    return least[0] >= cut || most[0] <= -cut || least[1] >= cut || most[1] <= -cut || least[2] >= diagonal ||
+                   most[2] <= -diagonal || least[3] >= diagonal || most[3] <= -diagonal
+               ? GLINT_LOBE_OUTSIDE
+               : GLINT_LOBE_SHOWS;
+}

@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT */
+/* Lighting at nodes: a triangle by polynomials through its own, by those of the lattice's cells, or by fragments. */
+#include "../light/evaluation.h"
+#include "../pixel/format.h"
+#include "terms.h"
+
+/* What runs of a triangle are drawn by. */
+typedef struct painter {
+    const glint_draw *draw;
+    const glint_triangle *triangle;
+    const glint_terms *terms;
+    const glint_descent *polynomials;
+} painter;
+
+static void draw_batch(const glint_frame *frame, glint_workspace *workspace, const painter *by, const glint_part *part,
+                       const glint_run *runs, uint32_t count) {
+    glint_terms_draw(frame, workspace, by->terms, by->polynomials, runs, count, 0);
+    if (by->terms->margin)
+        glint_draw_edges(frame, workspace, by->draw, by->triangle, part, by->terms, by->polynomials, runs, count);
+}
+
+uint32_t glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                               const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
+                               const glint_descent *polynomials) {
+    const painter by = {draw, triangle, terms, polynomials};
+    glint_run runs[2 * GLINT_ROW_RUNS], *next = runs;
+    uint32_t covered = 0, pixels = 0;
+    for (uint32_t y = part->top; y < part->bottom; y++) {
+        const uint32_t width = (uint32_t)part->spans[y].right - part->spans[y].left;
+        covered += width;
+        pixels += width;
+        if (pixels > 2 * frame->config.tile_width || next > runs + GLINT_ROW_RUNS) {
+            draw_batch(frame, workspace, &by, part, runs, (uint32_t)(next - runs));
+            next = runs;
+            pixels = width;
+        }
+        next = glint_find_runs(frame, workspace, part, 0, y, next);
+    }
+    if (next != runs)
+        draw_batch(frame, workspace, &by, part, runs, (uint32_t)(next - runs));
+    return covered;
+}
+
+/*
+ * Draws a triangle by polynomials through its own nodes; what that takes of stack is not there while it is drawn in
+ * other ways. @return 0 where they are not close enough
+ */
+static GLINT_NOINLINE int draw_terms(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                                     const glint_triangle *triangle, const glint_part *part) {
+    glint_terms terms;
+    glint_quadratic channels[3], *const plain =
+                                     frame->config.format->draw_channels && !frame->config.gamma ? channels : 0;
+    glint_descent descents[GLINT_POLYNOMIALS_MAX];
+    uint32_t covered;
+    if (!glint_terms_begin(frame, draw, triangle, part, &terms, plain, descents))
+        return 0;
+    if (terms.is_plain && plain) {
+        const glint_spans spans = glint_spans_of(frame, workspace, part);
+        frame->config.format->draw_channels(&spans, plain, terms.is_curved);
+        covered = workspace->drawn ? glint_covered_by(part) : 0;
+    } else {
+        covered = glint_terms_draw_part(frame, workspace, draw, triangle, part, &terms, descents);
+    }
+    glint_count(workspace, GLINT_KERNEL_CHANNELS, covered);
+    return 1;
+}
+
+static void draw_nodes(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                       const glint_triangle *triangle, const glint_part *part) {
+    if (!draw->shading->terms || triangle->area < GLINT_NODES_LEAST_AREA || glint_is_deep(triangle))
+        glint_draw_any(frame, workspace, draw, triangle, part);
+    else if (!glint_is_visible(frame, workspace, part)) /* then no node is lit */
+        glint_count(workspace, GLINT_KERNEL_CHANNELS, workspace->drawn ? glint_covered_by(part) : 0);
+    else if (!draw_terms(frame, workspace, draw, triangle, part) &&
+             !glint_draw_lattice(frame, workspace, draw, triangle, part) &&
+             !glint_draw_pieces(frame, workspace, draw, triangle, part))
+        glint_draw_any(frame, workspace, draw, triangle, part);
+}
+
+static const glint_node_stage stage = {glint_terms_prepare, glint_terms_measure, sizeof(glint_light_terms)};
+
+const glint_evaluation glint_per_node = {GLINT_LIT_AT_FRAGMENTS, glint_terms_light, draw_nodes, &stage};

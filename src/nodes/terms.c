@@ -1,0 +1,389 @@
+/* SPDX-License-Identifier: MIT */
+/* Terms of a triangle: its nodes, which lights shine on it, and the polynomials if they are close enough. */
+#include "terms.h"
+
+#include "fit.h"
+#include "lengths.h"
+
+/* ---- What is known from the corners ---- */
+
+/* Corners at the ends of edges, and the node between them. */
+static const uint8_t ends[3][2] = {{0, 1}, {1, 2}, {0, 2}};
+
+/* A triangle on its way to terms. */
+typedef struct candidate {
+    const int16_t *kept[3];          /* of its corners */
+    int32_t sum[6][3];               /* at its corners, and the middles of its edges */
+    glint_node middle[3];            /* unless they are found from the corners */
+    int32_t apart[3];                /* |Na - Nb|^2 of an edge, Q26 */
+    int32_t share[3][2];             /* of an edge's ends in what lies between them, Q15 */
+    uint8_t has_surface, is_between; /* are middles found from the corners? */
+    int16_t surface[6][3];           /* the surface's colours, Q14 */
+    glint_region region;
+} candidate;
+
+static inline void measure(uint32_t pixel, const glint_triangle *triangle, candidate *t) {
+    glint_region *region = &t->region;
+    const glint_vertex *const *v = triangle->corners;
+    const int16_t *a = v[0]->attribute, *b = v[1]->attribute, *c = v[2]->attribute;
+    t->apart[0] = glint_square_apart(a, b);
+    t->apart[1] = glint_square_apart(b, c);
+    t->apart[2] = glint_square_apart(a, c);
+    const int32_t turn = glint_most_of(t->apart[0], t->apart[1], t->apart[2]);
+    const int32_t width = glint_most_of(v[0]->x, v[1]->x, v[2]->x) - glint_least_of(v[0]->x, v[1]->x, v[2]->x);
+    const int32_t height = glint_most_of(v[0]->y, v[1]->y, v[2]->y) - glint_least_of(v[0]->y, v[1]->y, v[2]->y);
+    region->turn = glint_angle_of((uint32_t)turn >> 2);
+    const glint_w_range w = glint_find_w_range(v);
+    glint_region_measure(pixel, (uint32_t)width, (uint32_t)height, &w, region);
+}
+
+/* Does a highlight show on a triangle? */
+static int place_lobe(const glint_shading *shading, const candidate *t, int32_t bulge, uint32_t l) {
+    const uint8_t *const at = shading->terms->at[l];
+    int32_t least[4], most[4];
+    int32_t along[3][4];
+    for (int i = 0; i < 3; i++) {
+        along[i][0] = t->kept[i][at[GLINT_LOBE_X]];
+        along[i][1] = t->kept[i][at[GLINT_LOBE_Y]];
+        along[i][2] = along[i][0] + along[i][1];
+        along[i][3] = along[i][0] - along[i][1];
+    }
+    for (int k = 0; k < 4; k++) {
+        least[k] = glint_least_of(along[0][k], along[1][k], along[2][k]);
+        most[k] = glint_most_of(along[0][k], along[1][k], along[2][k]);
+    }
+    return glint_place_lobe(shading, bulge, least, most);
+}
+
+/* A colour at the middle of an edge, which is linear over w. */
+static int16_t between(int32_t a, int32_t b, int32_t wa, int32_t wb) {
+    return (int16_t)(a == b ? a >> 1 : (a * (wa >> 1) + b * (wb >> 1)) / (wa + wb));
+}
+
+/* Sets the surface's colours at the nodes. @return by how much they differ, Q12 */
+static uint32_t find_surface(const glint_triangle *triangle, candidate *t) {
+    int32_t apart = 0, w[3];
+    const glint_vertex *const *v = triangle->corners;
+    const unsigned zeros =
+        glint_leading_zeros((uint32_t)v[0]->inverse_w | (uint32_t)v[1]->inverse_w | (uint32_t)v[2]->inverse_w);
+    for (int i = 0; i < 3; i++)
+        w[i] = (int32_t)((uint32_t)v[i]->inverse_w << zeros >> 17);
+    for (int c = 0; c < 3; c++) {
+        const int32_t a[3] = {triangle->extra[0][c], triangle->extra[1][c], triangle->extra[2][c]};
+        for (int i = 0; i < 3; i++) {
+            const int from = ends[i][0], to = ends[i][1];
+            t->surface[i][c] = (int16_t)((a[i] + 1) >> 1);
+            t->surface[3 + i][c] = between(a[from] + 1, a[to] + 1, w[from], w[to]);
+        }
+        apart = glint_most(apart, glint_most_of(a[0], a[1], a[2]) - glint_least_of(a[0], a[1], a[2]));
+    }
+    return (uint32_t)apart >> 3;
+}
+
+/* Sets a triangle's region from what its corners keep. @return 0 where no polynomials fit */
+static inline int find_region(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
+                              candidate *t) {
+    const glint_shading *shading = draw->shading;
+    const glint_light_terms *light = shading->terms;
+    glint_region *region = &t->region;
+    for (int i = 0; i < 3; i++)
+        t->kept[i] = draw->nodes + (size_t)(triangle->corners[i] - draw->vertices) * light->stride;
+    const int16_t *a = t->kept[0] + light->channels, *b = t->kept[1] + light->channels,
+                  *c = t->kept[2] + light->channels;
+    const uint32_t facing = (uint16_t)(a[GLINT_KEPT_FACING] & b[GLINT_KEPT_FACING] & c[GLINT_KEPT_FACING]);
+    const uint32_t flags = (uint16_t)(a[GLINT_KEPT_FLAGS] | b[GLINT_KEPT_FLAGS] | c[GLINT_KEPT_FLAGS]);
+    measure(light->pixel, triangle, t);
+    region->levels = (uint32_t)glint_most_of(a[GLINT_KEPT_LEVELS], b[GLINT_KEPT_LEVELS], c[GLINT_KEPT_LEVELS]) << 2;
+    region->half = (uint32_t)glint_least_of(a[GLINT_KEPT_HALF], b[GLINT_KEPT_HALF], c[GLINT_KEPT_HALF]);
+    region->lit = facing & 0xff;
+    region->dark = facing >> 8;
+    region->far = flags & 0xff;
+    region->unfit = flags >> 8;
+    region->steep = (uint32_t)(a[GLINT_KEPT_STEEP] | b[GLINT_KEPT_STEEP] | c[GLINT_KEPT_STEEP]);
+    region->left = 0;
+    region->outside = (uint16_t)(a[GLINT_KEPT_OUTSIDE] & b[GLINT_KEPT_OUTSIDE] & c[GLINT_KEPT_OUTSIDE]);
+    t->has_surface = draw->extra != 0;
+    region->colour = t->has_surface ? find_surface(triangle, t) : 0;
+    uint32_t lobes = glint_region_sort(
+        frame, shading,
+        (uint32_t)glint_most_of(a[GLINT_KEPT_CLOSENESS], b[GLINT_KEPT_CLOSENESS], c[GLINT_KEPT_CLOSENESS]),
+        (uint32_t)glint_most_of(a[GLINT_KEPT_AROUND], b[GLINT_KEPT_AROUND], c[GLINT_KEPT_AROUND]), region);
+    region->lobes = 0;
+    region->has_edge = 0;
+    const int32_t bulge = glint_lobe_bulge(shading, region);
+    for (uint32_t l = 0; lobes >> l; l++)
+        if (lobes >> l & 1)
+            glint_region_add_lobe(region, l,
+                                  region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, t, bulge, l));
+    return glint_region_fits(shading, t->has_surface, region);
+}
+
+/* ---- Nodes ---- */
+
+/* Sets the corners' sums of the lights that all of them face. */
+static void sum_corners(const glint_light_terms *light, candidate *t) {
+    glint_node node;
+    for (int i = 0; i < 3; i++) {
+        const int16_t *const kept = t->kept[i];
+        const uint32_t held = t->region.held;
+        if (((uint32_t)kept[light->channels + GLINT_KEPT_FACING] & 0xff) == held) {
+            for (uint32_t c = 0; c < light->channels; c++)
+                t->sum[i][c] = kept[c];
+            continue;
+        }
+        for (uint32_t l = 0; held >> l; l++)
+            if (held >> l & 1)
+                node.number[l][GLINT_SIDE] = kept[light->at[l][GLINT_SIDE]];
+        glint_node_sum(light, held, &node);
+        for (uint32_t c = 0; c < light->channels; c++)
+            t->sum[i][c] = node.sum[c];
+    }
+}
+
+/*
+ * Under lights without a position, numbers between corners are those of the corners over |M|, M the normal over w. With
+ * r = wa wb |Na - Nb|^2 / (wa + wb)^2, |M| = (wa + wb) sqrt(1 - r) / 2; the root's inverse by its series.
+ */
+static void find_shares(const glint_triangle *triangle, candidate *t) {
+    const glint_vertex *const *v = triangle->corners;
+    for (int e = 0; e < 3; e++) {
+        const uint32_t a = (uint32_t)v[ends[e][0]]->inverse_w, b = (uint32_t)v[ends[e][1]]->inverse_w;
+        const unsigned zeros = glint_leading_zeros((a >> 1) + (b >> 1));
+        const uint32_t wa = (a >> 1) << zeros >> 16, wb = (b >> 1) << zeros >> 16; /* the sum has 16 bits */
+        const uint32_t reciprocal = (uint32_t)glint_reciprocal16(wa + wb < 1u << 15 ? 1u << 15 : wa + wb);
+        const uint32_t of_a = wa * reciprocal >> 16, of_b = wb * reciprocal >> 16;                   /* Q15 */
+        const uint32_t r = (of_a * of_b >> 15) * (uint32_t)glint_shift_right(t->apart[e], 11) >> 15; /* Q15 */
+        const uint32_t longer = (1u << 15) + (r * ((1u << 14) + (r * ((3u << 12) + (r * 5 >> 4)) >> 15)) >> 15);
+        t->share[e][0] = (int32_t)(of_a * longer >> 15);
+        t->share[e][1] = (int32_t)(of_b * longer >> 15);
+    }
+}
+
+static inline int32_t mix(const candidate *t, int e, int32_t a, int32_t b) {
+    return glint_shift_right(t->share[e][0] * a + t->share[e][1] * b + (1 << 14), 15);
+}
+
+/* The middle of an edge, as a fragment. */
+static void gather_middle(const glint_frame *frame, const glint_vertex *a, const glint_vertex *b, glint_fragments *to) {
+    const uint32_t i = to->count++;
+    const unsigned zeros = glint_leading_zeros((uint32_t)a->inverse_w | (uint32_t)b->inverse_w);
+    const int32_t wa = (int32_t)((uint32_t)a->inverse_w << zeros >> 17),
+                  wb = (int32_t)((uint32_t)b->inverse_w << zeros >> 17);
+    glint_find_ray(frame, (a->x + b->x) >> 1, (a->y + b->y) >> 1, to->ray[i]);
+    to->inverse_w[i] = (a->inverse_w >> 1) + (b->inverse_w >> 1);
+    glint_unit_each(a->attribute[0] * wa + b->attribute[0] * wb, a->attribute[1] * wa + b->attribute[1] * wb,
+                    a->attribute[2] * wa + b->attribute[2] * wb, to->normal[i]);
+}
+
+/* Finds the nodes between corners. @return 0 where polynomials through them do not fit */
+static int find_middles(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
+                        candidate *t) {
+    const glint_light_terms *light = draw->shading->terms;
+    const glint_region *region = &t->region;
+    glint_node *const to[3] = {&t->middle[0], &t->middle[1], &t->middle[2]};
+    glint_fragments at;
+    uint32_t unfit = 0;
+    if (t->is_between) {
+        find_shares(triangle, t);
+        for (int e = 0; e < 3; e++)
+            for (uint32_t c = 0; c < light->channels; c++)
+                t->sum[3 + e][c] = mix(t, e, t->sum[ends[e][0]][c], t->sum[ends[e][1]][c]);
+        return 1;
+    }
+    at.count = 0;
+    for (int e = 0; e < 3; e++)
+        gather_middle(frame, triangle->corners[ends[e][0]], triangle->corners[ends[e][1]], &at);
+    glint_nodes_light(frame, draw->shading, &at, region->held | region->sides | region->lobes, region->lobes, to);
+    for (int e = 0; e < 3; e++) {
+        glint_node_sum(light, region->held, to[e]);
+        for (uint32_t c = 0; c < light->channels; c++)
+            t->sum[3 + e][c] = to[e]->sum[c];
+        unfit |= ((to[e]->unfit | to[e]->far) & region->lobes) | (to[e]->steep & region->cones);
+    }
+    return !unfit;
+}
+
+/* ---- Polynomials ---- */
+
+/* Where polynomials go: what is all there is as it is, else from the part's first pixel on. */
+typedef struct target {
+    const glint_part *part;
+    glint_quadratic *plain; /* or null */
+    glint_descent *descents;
+} target;
+
+/* Adds to the polynomial number i, which is begun with it. */
+static inline void set(const target *to, uint32_t i, glint_quadratic q, uint32_t more) {
+    q.start += more;
+    if (to->plain)
+        to->plain[i] = q;
+    else
+        glint_descent_begin(&to->descents[i], &q, to->part->x, to->part->y);
+}
+
+/* A light's numbers at the nodes, the first so many. */
+static inline void take_numbers(const glint_light_terms *light, const candidate *t, uint32_t l, uint32_t kind,
+                                int count, int32_t n[6]) {
+    for (int i = 0; i < 3; i++)
+        n[i] = t->kept[i][light->at[l][kind]];
+    for (int e = 0; 3 + e < count; e++)
+        n[3 + e] = t->is_between ? mix(t, e, n[ends[e][0]], n[ends[e][1]]) : t->middle[e].number[l][kind];
+}
+
+static inline void take_sums(const glint_terms *terms, const candidate *t, int c, int count, int32_t n[6]) {
+    if (!terms->is_channels) {
+        for (int i = 0; i < count; i++)
+            n[i] = t->sum[i][c];
+        return;
+    }
+    for (int i = 0; i < count; i++)
+        n[i] = glint_sum_at(terms, t->sum[i][0], t->sum[i][c], c, t->has_surface ? t->surface[i] : 0);
+}
+
+/* Numbers times their nodes' lengths, or their squares. */
+static void scale(int32_t n[6], const int32_t by[6]) {
+    for (int i = 0; i < 6 && by; i++)
+        n[i] = glint_shift_right(n[i] * by[i] + (1 << 14), 15);
+}
+
+/* What is added to sum c: half a level where sums are all channels, and ambient light where they do not hold it. */
+static uint32_t finish_of(const glint_terms *terms, const candidate *t, uint32_t c) {
+    if (!terms->is_channels)
+        return terms->sums == 1 ? 1 << 15 : 0;
+    if (terms->is_over_length)
+        return 0;
+    return (uint32_t)(terms->light->half[c] + (t->has_surface ? 0 : terms->light->ambient[c]));
+}
+
+/* Binary logarithm of what 1 is in polynomials of sums, over what it is at nodes. */
+static unsigned unit_of_sums(const glint_terms *terms) {
+    return terms->sums == 1 ? 16 : 12 + terms->light->sum_bits;
+}
+
+static void begin_quadratics(const candidate *t, const glint_lengths *by, const glint_terms *terms, const target *to) {
+    const glint_gradients *const g = &to->part->gradients;
+    const int32_t *const length = by ? by->length : 0;
+    const int32_t *const of_lobe = by && terms->is_over_length > 1 ? by->square : length;
+    glint_barycentric s;
+    int32_t n[6];
+    glint_barycentric_begin(&s, g, (int32_t)unit_of_sums(terms));
+    for (uint32_t c = 0; c < terms->sums; c++) {
+        take_sums(terms, t, (int)c, 6, n);
+        scale(n, length);
+        set(to, c, glint_fit_quadratic(&s, n), finish_of(terms, t, c));
+    }
+    if (terms->end == terms->sums)
+        return;
+    if (terms->sums > 1)
+        glint_barycentric_begin(&s, g, 16);
+    if (by) {
+        for (int i = 0; i < 6; i++)
+            n[i] = by->square[i] >> 1;
+        set(to, terms->square, glint_fit_quadratic(&s, n), 0);
+    }
+    for (uint32_t c = 0; c < 3 && terms->has_surface; c++) {
+        for (int i = 0; i < 6; i++)
+            n[i] = t->surface[i][c];
+        set(to, terms->surface + c, glint_fit_quadratic(&s, n), 0);
+    }
+    for (uint32_t a = 0; a < terms->apart_count; a++) {
+        const glint_apart *apart = &terms->apart[a];
+        uint32_t next = apart->first;
+        for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
+            if (apart->kinds >> kind & 1) {
+                take_numbers(terms->light, t, apart->light, kind, 6, n);
+                scale(n, kind == GLINT_SIDE ? length : kind >= GLINT_LOBE_X ? of_lobe : 0);
+                set(to, next++, glint_fit_quadratic(&s, n), 0);
+            }
+    }
+}
+
+/* A highlight may end at once at a terminator: polynomials do not tell just where. */
+static int has_edge(const glint_shading *shading, const candidate *t) {
+    const uint32_t gated = shading->material->flags & GLINT_MATERIAL_UNGATED ? 0 : t->region.sides & t->region.lobes;
+    int32_t n[6];
+    for (uint32_t l = 0; gated >> l; l++)
+        if (gated >> l & 1) {
+            take_numbers(shading->terms, t, l, GLINT_SIDE, 6, n);
+            if (!glint_triangle_keeps_side(n, t->region.margin))
+                return 1;
+        }
+    return 0;
+}
+
+/* Planes of what the corners keep. @param longer chords are made longer by this, Q15 */
+static void begin_planes(const candidate *t, int32_t longer, const glint_terms *terms, const target *to) {
+    const glint_gradients *g = &to->part->gradients;
+    const int32_t length = (1 << 15) + longer;
+    int32_t n[6];
+    for (uint32_t c = 0; c < terms->sums; c++) {
+        take_sums(terms, t, (int)c, 3, n);
+        set(to, c, glint_fit_plane(g, n, length, unit_of_sums(terms)), finish_of(terms, t, c));
+    }
+    for (uint32_t a = 0; a < terms->apart_count; a++) {
+        const glint_apart *apart = &terms->apart[a];
+        uint32_t next = apart->first;
+        for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
+            if (apart->kinds >> kind & 1) {
+                const int32_t by = kind == GLINT_STRENGTH ? 1 << 15 : length;
+                take_numbers(terms->light, t, apart->light, kind, 3, n);
+                set(to, next++, glint_fit_plane(g, n, by, 16), 0);
+            }
+    }
+}
+
+/* ---- Triangles ---- */
+
+/* Do polynomials fit the triangle's shape? */
+static int is_shapely(const glint_triangle *triangle, const glint_part *part) {
+    const glint_vertex *const *v = triangle->corners;
+    return v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_LIT && !triangle->back &&
+           glint_slenderness(&part->gradients, triangle->area) <= GLINT_POLYNOMIAL_SLENDER && !glint_is_deep(triangle);
+}
+
+/* May middles be found from the corners? */
+static int is_between(const glint_frame *frame, const glint_shading *shading, const glint_region *region) {
+    uint32_t positions = 0;
+    for (uint32_t l = 0, shown = region->held | region->sides | region->lobes; shown >> l; l++)
+        positions |= shown >> l & 1 && frame->view->lights[l].type->illuminate;
+    return !positions && !(region->lobes && shading->material->model->lobe == GLINT_LOBE_MIRROR) && region->turn < 3072;
+}
+
+int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
+                      const glint_part *part, glint_terms *terms, glint_quadratic plain[3],
+                      glint_descent descents[GLINT_POLYNOMIALS_MAX]) {
+    const glint_shading *shading = draw->shading;
+    const uint32_t limit = shading->terms->limit;
+    candidate t;
+    const glint_region *region = &t.region;
+    glint_lengths by;
+    if (!is_shapely(triangle, part))
+        return 0;
+    if (!find_region(frame, draw, triangle, &t))
+        return 0;
+    sum_corners(shading->terms, &t);
+    if (!(region->sides & region->lobes) && !region->has_edge &&
+        glint_plane_error(shading, t.has_surface, region) <= limit) {
+        glint_terms_name(frame, draw, region, 0, terms);
+        terms->is_curved = 0;
+        const target to = {part, terms->is_plain ? plain : 0, descents};
+        begin_planes(&t, region->folds ? 0 : (int32_t)(region->turn * region->turn / 12 >> 9), terms, &to);
+        return 1;
+    }
+    if (!glint_region_bound(frame, shading, &t.region))
+        return 0;
+    const int is_over_length = region->error > 2 * limit;
+    const uint32_t error = is_over_length ? region->error_over_length : region->error,
+                   most = is_over_length ? limit : 2 * limit;
+    if (error > most || (is_over_length && !glint_find_lengths(triangle, &by)))
+        return 0;
+    t.is_between = error + region->error_between <= most && is_between(frame, shading, region);
+    if (!find_middles(frame, draw, triangle, &t))
+        return 0;
+    t.region.has_edge |= has_edge(shading, &t);
+    const int twice = shading->material->model->lobe == GLINT_LOBE_MIRROR;
+    glint_terms_name(frame, draw, region, is_over_length ? 1 + twice : 0, terms);
+    const target to = {part, terms->is_plain ? plain : 0, descents};
+    begin_quadratics(&t, is_over_length ? &by : 0, terms, &to);
+    return 1;
+}

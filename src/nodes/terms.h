@@ -1,0 +1,312 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file terms.h
+ * Light as terms. A node is exact light at a point of a triangle; terms are polynomials through the nodes of a region,
+ * a triangle or a cell of one; a row of colours is what terms make of pixels that follow each other.
+ */
+#ifndef GLINT_TERMS_H
+#define GLINT_TERMS_H
+
+#include "../frame/draw.h"
+#include "../light/shade.h"
+#include "../raster/polynomial.h"
+#include "../raster/runs.h"
+
+/* ---- Materials ---- */
+
+/** Numbers of a light at a node: terms.h. */
+#define GLINT_NUMBERS 5
+
+/** Intervals of a power of the cosine from 1/2 to 1, and values of that: these, and the powers of 2^-i. */
+#define GLINT_COSINE_HALF 64
+#define GLINT_COSINE_VALUES (GLINT_COSINE_HALF + 1 + 31)
+
+/** What a material makes of the frame's lights, for nodes and rows. Weights are Q12, in the format's levels. */
+typedef struct glint_light_terms {
+    int32_t ambient[3], half[3];               /* channels: of ambient light, and of half a level */
+    uint16_t diffuse[GLINT_LIGHTS_MAX][3];     /* weights of diffuse light */
+    uint16_t specular[GLINT_LIGHTS_MAX][3];    /* weights of specular light */
+    int32_t share[GLINT_LIGHTS_MAX];           /* where all are of one chroma: a light's part of it, Q15 */
+    int32_t chroma[3];                         /* its weight */
+    uint32_t diffuse_levels[GLINT_LIGHTS_MAX]; /* what 1 makes at most, levels in Q8 */
+    uint32_t specular_levels[GLINT_LIGHTS_MAX];
+    uint32_t ambient_levels; /* of ambient light */
+    uint32_t channels;       /* of a node's sum: 1 where all diffuse light is of one chroma, else 3 */
+    unsigned sum_bits;       /* sums are below this power of two */
+    uint32_t lobes;          /* bit i: light i has a highlight that is a term of its own */
+    uint8_t at[GLINT_LIGHTS_MAX][GLINT_NUMBERS]; /* where a vertex keeps a light's numbers */
+    uint32_t light_count, shown;                 /* of the scene, and those of them that show */
+    uint32_t stride;                             /* numbers that a vertex keeps */
+    uint32_t lobe_shift;                         /* a deviation, Q14, is kept times 2^this */
+    int32_t lobe_cut, lobe_diagonal;             /* outside an octagon of this radius no highlight shows; as kept */
+    uint32_t lobe_end;                           /* squared deviation, as kept, where the power table ends */
+    uint32_t slope;                              /* of a highlight over its deviation, at most, Q8 */
+    uint8_t lobe_is_wide;                        /* small p: of a deviation there is the cosine alone, Q14 */
+    uint8_t lobe_has_strip;                      /* p < 1: near the horizon polynomials do not fit */
+    uint32_t limit;                              /* of the error of polynomials, levels in Q8 */
+    uint32_t pixel;                              /* 1/16 of one over the focal length, Q30 */
+    uint16_t cosine[GLINT_COSINE_VALUES];        /* powers of the cosine, Q15, where lobes are wide */
+} glint_light_terms;
+
+/* ---- Nodes ---- */
+
+/** Where glint_node_sum is to sum all lights that a point clearly faces. */
+#define GLINT_ALL_LIT 0x100u
+
+/** A light's numbers at a node, 15 bits and a sign. */
+enum {
+    GLINT_SIDE,     /* N.L times strength, Q14, but for the cone */
+    GLINT_CONE,     /* how far within the cone, Q12: 0 at its outer edge, 1 at the inner */
+    GLINT_STRENGTH, /* Q14, but for the cone */
+    GLINT_LOBE_X,   /* deviation, Q14 times 2^lobe_shift */
+    GLINT_LOBE_Y
+};
+
+/** Light at a point. */
+typedef struct glint_node {
+    int32_t sum[3]; /* of lights: 15 bits less sum_bits for 1 */
+    int16_t number[GLINT_LIGHTS_MAX][GLINT_NUMBERS];
+    int32_t inverse_w;
+    int16_t normal[3], surface[3]; /* the surface's colours, Q14 */
+    uint32_t levels;               /* what all lights that it does not clearly face away from make: in Q4 */
+    uint32_t half;                 /* the least |L + V|^2 / 2 of lights with highlights, Q15, at most 1 */
+    uint32_t closeness, around;    /* most of these lights', and of all: depth over the distance, Q8 */
+    uint8_t lit, dark;             /* lights that it clearly faces, within their cones, and that it clearly does not */
+    uint16_t outside;              /* lights whose cones it is clearly outside of, and from bit 8 on: by far */
+    uint8_t far;                   /* lights whose deviation was cut off */
+    uint8_t unfit;                 /* lights without a half vector here */
+    uint8_t steep;                 /* lights whose cone was cut off */
+    uint8_t left;                  /* lights without numbers here */
+} glint_node;
+
+/** Finds light at some points, but for its sum, each point for a node. Deviations are found of `lobes` among `lights`.
+ */
+void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at, uint32_t lights,
+                       uint32_t lobes, glint_node *const nodes[]);
+
+/** Sums light at a node, of lights that are `held`. */
+void glint_node_sum(const glint_light_terms *light, uint32_t held, glint_node *node);
+
+/** Tells a node of lights that are away from all of its region, for which it has not been lit. */
+static inline void glint_node_leave(glint_node *node, uint32_t away) {
+    node->left = (uint8_t)away;
+    node->outside |= (uint16_t)(away | away << 8);
+}
+
+/** Ray towards the eye from a point of the screen, 28.4. */
+void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[3]);
+
+/* ---- Bound: which polynomials are close enough ---- */
+
+/** What is known of the light on a region; angles Q12, lights by bits. */
+typedef struct glint_region {
+    uint32_t turn;                    /* of the normals, from corner to corner at most */
+    uint32_t reach;                   /* how far the corners lie apart, over their depth */
+    uint32_t slant;                   /* the change of 1/w, times 1.85 */
+    uint32_t near;                    /* how far they lie apart, over the distance to a light */
+    uint32_t colour;                  /* by how much the surface's colours differ, of 1 */
+    uint32_t levels;                  /* what light makes, Q4 */
+    uint32_t half;                    /* the least |L + V|^2 / 2, Q15; of mirrored light 1/2 */
+    uint32_t lit, dark, outside;      /* as nodes have it, at all of them */
+    uint32_t far, unfit, steep, left; /* at some */
+    /* what is found */
+    int has_edge;                       /* may a highlight end at once within the region? */
+    int folds;                          /* may sums be multiplied by the surface's colours at nodes? */
+    uint32_t held, sides, cones, lobes; /* lights in sums, with terms of their own, of these with cones; highlights */
+    uint32_t axis;                      /* what highlights' axes turn by */
+    uint32_t place, of_colour;          /* what sums turn by but for the normals, and what colours make over w */
+    uint32_t error;                     /* of quadratics, levels in Q8 */
+    int32_t margin;                     /* of a light's N.L, Q14 */
+    uint32_t error_over_length;         /* of those where numbers are times the normal's length */
+    uint32_t error_between;             /* what is more where nodes between corners are found from these */
+} glint_region;
+
+/** sqrt(square), Q24 to Q12. */
+uint32_t glint_angle_of(uint32_t square);
+
+/** |a - b|^2 of unit vectors, Q26, below 2^29. */
+static inline int32_t glint_square_apart(const int16_t a[3], const int16_t b[3]) {
+    const int32_t x = glint_shift_right(a[0] - b[0], 2), y = glint_shift_right(a[1] - b[1], 2),
+                  z = glint_shift_right(a[2] - b[2], 2);
+    return x * x + y * y + z * z;
+}
+
+/** Sets `reach` and `slant` of a region so wide and high, 28.4, with this range of 1/w. @param pixel of the terms */
+void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, const glint_w_range *w,
+                          glint_region *region);
+
+/** Of lights whose cones all nodes are outside of, `outside` of nodes, those that are so near and yet out of reach. */
+uint32_t glint_find_away(uint32_t outside, uint32_t near);
+
+/** Sets what becomes of lights, from `lit` and `dark` on. @return those whose highlights may show */
+uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness, uint32_t around,
+                           glint_region *region);
+
+/** May polynomials fit at all? Then sets what error is found from. */
+int glint_region_fits(const glint_shading *shading, int has_surface, glint_region *region);
+
+/** How far planes may be off, levels in Q8. */
+uint32_t glint_plane_error(const glint_shading *shading, int has_surface, const glint_region *region);
+
+/** Sets how far quadratics may be off. @return 0 where none fit */
+int glint_region_bound(const glint_frame *frame, const glint_shading *shading, glint_region *region);
+
+/** How far deviations between a triangle's corners may lie beyond these, as kept: planes' error of highlights. */
+int32_t glint_lobe_bulge(const glint_shading *shading, const glint_region *region);
+
+/** Between nodes whose deviations are x, y, x + y and x - y from least to most, a highlight shows, or not, or unclear.
+ * @param bulge how far those between may lie beyond these
+ */
+enum { GLINT_LOBE_OUTSIDE, GLINT_LOBE_SHOWS, GLINT_LOBE_EDGE, GLINT_LOBE_UNFIT };
+int glint_place_lobe(const glint_shading *shading, int32_t bulge, const int32_t least[4], const int32_t most[4]);
+
+/** What becomes of those lobes among some that lie so. */
+static inline void glint_region_add_lobe(glint_region *region, uint32_t light, int place) {
+    region->lobes |= (uint32_t)(place != GLINT_LOBE_OUTSIDE) << light;
+    region->unfit |= (uint32_t)(place == GLINT_LOBE_UNFIT) << light;
+    region->has_edge |= place == GLINT_LOBE_EDGE;
+}
+
+/* ---- Terms ---- */
+
+/** Most polynomials of a region: of sums, of |M|^2, of the surface's colours, and of lights. */
+#define GLINT_POLYNOMIALS_MAX (7 + GLINT_NUMBERS * GLINT_LIGHTS_MAX)
+
+/** A light with terms of its own: polynomials from number `first` on, of the numbers in `kinds`, bit by bit. */
+typedef struct glint_apart {
+    uint8_t light, kinds, first;
+} glint_apart;
+
+/** What a region's polynomials mean. */
+typedef struct glint_terms {
+    const glint_light_terms *light;
+    const glint_power_table *power;
+    uint8_t has_surface; /* what sums and sides make is to be multiplied by the surface's colours */
+    uint8_t takes_largest, is_ungated;
+    uint8_t is_over_length; /* 1: numbers are times |M|, M the normal over w; 2: lobes' twice */
+    uint8_t is_channels;    /* sums are three channels that hold ambient light, and the surface's colours */
+    uint8_t is_plain;       /* they are all there is, half a level included */
+    uint8_t is_curved;
+    uint8_t apart_count;
+    uint8_t sums, square, surface; /* how many sums there are, the first polynomials; and which others these are */
+    uint8_t end;                   /* of the polynomials in use */
+    int32_t margin; /* above 0: pixels are not drawn by these whose N.L, Q14, is this near 0 and that may be gated */
+    glint_apart apart[GLINT_LIGHTS_MAX];
+} glint_terms;
+
+/** Tells what a region's polynomials are to mean. */
+void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const glint_region *region, int over_length,
+                      glint_terms *terms);
+
+/**
+ * Of a node's sum channel c, 15 bits less sum_bits: in levels, with ambient light and the surface's colours where the
+ * terms' sums hold them. Surfaces are Q14.
+ * @param sum what the node has, one or three channels
+ */
+static inline int32_t glint_sum_at(const glint_terms *terms, int32_t one, int32_t own, int c, const int16_t *surface) {
+    const glint_light_terms *light = terms->light;
+    if (!terms->is_channels)
+        return own;
+    int32_t sum = light->channels == 1 ? glint_shift_right(one * light->chroma[c] + (1 << 11), 12) : own;
+    if (!surface)
+        return sum;
+    sum += glint_shift_right(light->ambient[c], 12 + light->sum_bits);
+    return glint_shift_right(sum * surface[c] + (1 << 13), 14);
+}
+
+/**
+ * What a vertex keeps: its sum; the lights it faces and does not; those whose deviation is cut off or unknown; those
+ * whose cones are; what light there is, how close, and how far from opposite the eye; and lights' numbers.
+ */
+enum {
+    GLINT_KEPT_FACING,
+    GLINT_KEPT_FLAGS,
+    GLINT_KEPT_STEEP,
+    GLINT_KEPT_OUTSIDE,
+    GLINT_KEPT_LEVELS,
+    GLINT_KEPT_CLOSENESS,
+    GLINT_KEPT_AROUND,
+    GLINT_KEPT_HALF,
+    GLINT_KEPT
+};
+
+/** Bytes that a vertex keeps of light in a material. @return 0 where terms do not fit it, or none are wanted */
+size_t glint_terms_measure(const glint_frame *frame, const glint_shading *shading);
+
+/** Finds what all materials make of the lights, behind their shadings. */
+glint_status glint_terms_prepare(glint_frame *frame);
+
+/** Draws runs that have no more pixels than workspace->row; x and y are from pixel `offset` of the tile on. */
+void glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
+                      const glint_descent *polynomials, const glint_run *runs, uint32_t count, uint32_t offset);
+
+/** Cosines below which wide highlights are steep where p < 1, Q14. */
+#define GLINT_HORIZON (1 << 11)
+
+/** Finds pixels of a run that are not to be drawn by terms. @return how many */
+uint32_t glint_terms_find_edge(const glint_terms *terms, const glint_descent *polynomials, const glint_run *run,
+                               uint8_t columns[GLINT_TILE_MAX]);
+
+/** Draws such pixels of a triangle's runs one by one. */
+void glint_draw_edges(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                      const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
+                      const glint_descent *polynomials, const glint_run *runs, uint32_t count);
+
+/* ---- Triangles ---- */
+
+/** Twice the area, 28.4 squared, below which polynomials take more than fragments: of 6 pixels, measured. */
+#define GLINT_NODES_LEAST_AREA (6 * 512)
+
+/** Lights the vertices of a triangle, unless they are; finds their normals alone where the material has no terms. */
+glint_light_triangle glint_terms_light;
+
+/**
+ * A triangle's light, from its corners on: polynomials in `plain`, unless it is null, where terms->is_plain, else in
+ * `descents`.
+ * @return 0 where polynomials do not fit
+ */
+int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
+                      const glint_part *part, glint_terms *terms, glint_quadratic plain[3],
+                      glint_descent descents[GLINT_POLYNOMIALS_MAX]);
+
+/* ---- Shapes: regions whose nodes are all there ---- */
+
+/** Nodes of a cell: three rows of three. */
+#define GLINT_CELL_NODES 9
+
+/** Nodes of a region, and how polynomials go through them. */
+typedef struct glint_shape {
+    uint8_t count, corners[4]; /* how many, and which lie at the corners: a triangle's last is there twice */
+    uint32_t width, height;    /* 28.4 */
+    /** The polynomial through numbers of the nodes, times 2^unit. @return 0 where its own do not fit */
+    int (*fit)(const struct glint_shape *shape, const int32_t n[], int unit, glint_descent *to);
+    unsigned shift;                 /* of a cell: nodes are 2^shift pixels apart */
+    const glint_part *part;         /* of a piece of a triangle: the whole triangle's, */
+    glint_barycentric *barycentric; /* its coordinates, */
+    int32_t turned, first[2];       /* and how the piece's follow from these: pieces.c */
+} glint_shape;
+
+/** The shape of cells with nodes so far apart. */
+void glint_shape_cell(unsigned shift, glint_shape *shape);
+
+/** Lights that are outside of their cones all over a region, from its corners' nodes. */
+uint32_t glint_shape_away(const glint_draw *draw, const glint_shape *shape, glint_node *const nodes[]);
+
+/** A region's light, from its nodes on. @return 0 where polynomials do not fit */
+int glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
+                      glint_node *const nodes[], glint_terms *terms, glint_descent polynomials[GLINT_POLYNOMIALS_MAX]);
+
+/** Draws a triangle by four pieces of its own. @return 0 where it is too small or too slender for them */
+int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                      const glint_triangle *triangle, const glint_part *part);
+
+/** Draws runs of a part, of as many rows at once as two rows of a tile have pixels. @return pixels of its spans */
+uint32_t glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                               const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
+                               const glint_descent *polynomials);
+
+/** Draws a triangle by the cells of the lattice. @return 0 where it is too small or too deep for them */
+int glint_draw_lattice(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                       const glint_triangle *triangle, const glint_part *part);
+
+#endif

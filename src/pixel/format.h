@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+/** @file format.h Channels of colours, and formats of pixels. */
+#ifndef GLINT_FORMAT_H
+#define GLINT_FORMAT_H
+
+#include "../glint.h"
+#include "../math/numeric.h"
+
+/** Fractional bits of a channel on its way into a pixel: sums below 16 fit. */
+#define GLINT_CHANNEL_BITS 27
+#define GLINT_CHANNEL_ONE (1 << GLINT_CHANNEL_BITS)
+
+/** A channel from one of 15 bits, 1 = GLINT_COLOUR_ONE. */
+static inline int32_t glint_channel_of(int16_t colour) {
+    return (colour << (GLINT_CHANNEL_BITS - 15)) + (colour >> (30 - GLINT_CHANNEL_BITS));
+}
+
+/** A colour, Q23, as channels that are not in levels; those beyond 15 become 15. */
+static GLINT_INLINE void glint_channels_of(const uint32_t colour[3], int32_t channel[3]) {
+    const uint32_t most = 15u << 23;
+    for (int c = 0; c < 3; c++) /* Q23 to Q27 */
+        channel[c] = (int32_t)((colour[c] < most ? colour[c] : most) << (GLINT_CHANNEL_BITS - 23));
+}
+
+/** A channel as levels of so many bits, half a level included: cut off, it is rounded. 0 bits: as it is. */
+static inline int32_t glint_to_levels(int32_t channel, unsigned bits) {
+    return bits ? channel - glint_shift_right(channel, bits) + (1 << (GLINT_CHANNEL_BITS - 1 - bits)) : channel;
+}
+
+struct glint_spans;
+struct glint_quadratic;
+
+struct glint_format {
+    uint8_t bits;       /* per pixel */
+    uint8_t channel[3]; /* bits of each channel's levels; 0 where it goes into luma */
+    /** Stores a run of a row, from pixel `offset` of a tile on; colours are in levels. */
+    void (*store)(void *pixels, unsigned tile_shift_x, uint32_t offset, uint32_t count, const int32_t (*colour)[3]);
+    /** Gives all of a tile one colour. */
+    void (*fill)(void *pixels, unsigned tile_shift_x, uint32_t height, const int32_t colour[3]);
+    /* What the others do as well, in one loop; null in a library built for size. */
+    /** Draws spans of one colour. */
+    void (*draw_even)(const struct glint_spans *spans, const int32_t colour[3]);
+    /** Draws spans of three polynomials; those that are not curved have no second degree. */
+    void (*draw_channels)(const struct glint_spans *spans, const struct glint_quadratic *channels, int is_curved);
+    const struct glint_fast *fast; /* or null */
+};
+
+/** Puts colours through the output tables, if there are any, and brings them to the format's levels. */
+void glint_finish_colours(const glint_config *config, int32_t (*colour)[3], uint32_t count);
+
+#endif

@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file pixel.h
+ * What the pixel formats share. A format says how it packs three channels into a number and where it puts that; its
+ * loops over pixels are made of the two.
+ */
+#ifndef GLINT_PIXEL_H
+#define GLINT_PIXEL_H
+
+#include "../raster/polynomial.h"
+#include "../raster/spans.h"
+#include "format.h"
+
+/** Thresholds of ordered dithering over 8 x 8 pixels in 1/128 level: 1, 3 .. 127, row by row (Bayer, 1973). */
+extern const uint8_t glint_dither_matrix[64];
+
+/** The threshold that rounds to nearest. */
+#define GLINT_NEAREST 64
+
+/** A tile's pixels. */
+typedef struct glint_target {
+    void *pixels;
+    unsigned shift; /* binary logarithm of the tile's width */
+    int dithered;
+} glint_target;
+
+/** What a format packs channels into; the threshold is in 1/128 level. */
+typedef uint32_t glint_pack(const int32_t colour[3], uint32_t threshold);
+
+/** Puts a packed pixel at `offset` of the tile. */
+typedef void glint_put(const glint_target *target, uint32_t offset, uint32_t packed);
+
+/** Can the core shift and clamp a number in one instruction? Both ways give the same bits. */
+#if defined(__ARM_FEATURE_SAT) && defined(__OPTIMIZE__)
+#define GLINT_SATURATES 1
+#else
+#define GLINT_SATURATES 0
+#endif
+
+/** floor(x / 2^shift), clamped to 0 and 2^bits - 1; both are constants. */
+static GLINT_INLINE uint32_t glint_saturate(int32_t x, unsigned bits, unsigned shift) {
+#if GLINT_SATURATES
+    uint32_t level;
+    __asm__("usat %0, %1, %2, asr %3" : "=r"(level) : "I"(bits), "r"(x), "I"(shift));
+    return level;
+#else
+    return (uint32_t)glint_least(glint_most(glint_shift_right(x, shift), 0), (1 << bits) - 1);
+#endif
+}
+
+/** The level of a channel in levels of so many bits, half a level included. */
+static GLINT_INLINE uint32_t glint_level(int32_t channel, unsigned bits, uint32_t threshold) {
+    const int32_t rest = ((int32_t)threshold - GLINT_NEAREST) * (1 << (GLINT_CHANNEL_BITS - 7 - bits));
+    return glint_saturate(channel + rest, bits, GLINT_CHANNEL_BITS - bits);
+}
+
+/** A channel clamped to 0 and 1, Q15; 1 is 2^15 - 1. */
+static GLINT_INLINE uint32_t glint_clamped(int32_t channel) {
+    return glint_saturate(channel, 15, GLINT_CHANNEL_BITS - 15);
+}
+
+/** 0.299 R + 0.587 G + 0.114 B (ITU-R BT.601) of clamped channels that are not scaled, as one of 0 to `top` levels. */
+static inline uint32_t glint_luma_level(const int32_t colour[3], uint32_t top, uint32_t threshold) {
+    const uint32_t luma =
+        (glint_clamped(colour[0]) * 9798 + glint_clamped(colour[1]) * 19235 + glint_clamped(colour[2]) * 3735) >> 12;
+    return (luma * top + (threshold << 11)) >> 18; /* luma is Q18: off by at most 3.3e-5 */
+}
+
+/** Threshold of a pixel; tiles start at multiples of 8. */
+static inline uint32_t glint_threshold(const glint_target *t, uint32_t offset) {
+    return t->dithered ? glint_dither_matrix[(offset >> t->shift & 7) * 8 + (offset & 7)] : GLINT_NEAREST;
+}
+
+/** A format's `store`. */
+static GLINT_INLINE void glint_store_run(const glint_target *t, uint32_t offset, uint32_t count,
+                                         const int32_t (*colour)[3], glint_pack pack, glint_put put) {
+    for (const uint32_t end = offset + count; offset < end; offset++, colour++)
+        put(t, offset, pack(*colour, glint_threshold(t, offset)));
+}
+
+/** Copies the first `period` bytes all over the first `size`, which is a power of two times as many. */
+void glint_repeat(void *bytes, size_t period, size_t size);
+
+/** A format's `fill`: 8 pixels, repeated along their row, and this row, or 8 where they are dithered, down the tile. */
+static GLINT_INLINE void glint_fill_tile(const glint_target *t, uint32_t height, const int32_t colour[3], uint32_t bits,
+                                         glint_pack pack, glint_put put) {
+    const uint32_t rows = t->dithered ? 8 : 1, row_bytes = bits << t->shift >> 3;
+    for (uint32_t y = 0; y < rows; y++) {
+        for (uint32_t x = 0; x < 8; x++)
+            put(t, (y << t->shift) + x, pack(colour, glint_threshold(t, (y << t->shift) + x)));
+        glint_repeat((uint8_t *)t->pixels + y * row_bytes, bits, row_bytes);
+    }
+    glint_repeat(t->pixels, rows * row_bytes, height * row_bytes);
+}
+
+/** A format's `draw_even`: the pixels of a part, all of one colour. */
+static GLINT_INLINE void glint_draw_even_spans(const glint_spans *s, const glint_target *t, const int32_t colour[3],
+                                               glint_pack pack, glint_put put) {
+    const glint_part *part = s->part;
+    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
+    const uint32_t z_dx = (uint32_t)part->depth.dx, packed = t->dithered ? 0 : pack(colour, GLINT_NEAREST);
+    uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS, column = 0;
+    uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
+    do {
+        const uint32_t left = span->left, right = span->right;
+        span++;
+        GLINT_OPAQUE(span);
+        if (left < right) {
+            depth += 2 * (int32_t)(left - column);
+            z += z_dx * (left - column);
+            uint8_t *const end = depth + 2 * (right - left);
+            do {
+                if (glint_next_is_nearest(&depth, z)) {
+                    const uint32_t offset = (uint32_t)(depth - GLINT_AHEAD - (uint8_t *)s->depth) / 2;
+                    put(t, offset, t->dithered ? pack(colour, glint_threshold(t, offset)) : packed);
+                }
+                glint_step(&depth);
+                z += z_dx;
+            } while (depth != end);
+            column = right;
+        }
+        depth += 2 << s->shift;
+        z += (uint32_t)part->depth.dy;
+    } while (span != last);
+}
+
+/* A channel on its way along a row. */
+typedef struct glint_channel_walk {
+    uint32_t value, step;
+} glint_channel_walk;
+
+static inline void glint_walk_begin(glint_channel_walk *w, const glint_quadratic *q, int32_t x, int32_t y,
+                                    int is_curved) {
+    if (is_curved) {
+        const glint_stride s = glint_stride_begin(q, x, y);
+        w->value = s.value;
+        w->step = s.across;
+    } else {
+        w->value = q->start + q->dx * (uint32_t)x + q->dy * (uint32_t)y;
+        w->step = q->dx;
+    }
+}
+
+static inline void glint_walk_next(glint_channel_walk *w, uint32_t turn, int is_curved) {
+    w->value += w->step;
+    if (is_curved)
+        w->step += turn;
+}
+
+/** A format's `draw_channels`: the pixels of a part, of three polynomials. */
+static GLINT_INLINE void glint_draw_channel_spans(const glint_spans *s, const glint_target *t,
+                                                  const glint_quadratic channel[3], int is_curved, glint_pack pack,
+                                                  glint_put put) {
+    const glint_part *part = s->part;
+    const uint32_t z_dx = (uint32_t)part->depth.dx;
+    const uint32_t red_turn = 2 * channel[0].dxx, green_turn = 2 * channel[1].dxx, blue_turn = 2 * channel[2].dxx;
+    for (uint32_t row = part->top; row < part->bottom; row++) {
+        const glint_span span = part->spans[row];
+        const int32_t x = part->x + span.left, y = part->y + (int32_t)row;
+        if (span.left >= span.right)
+            continue;
+        uint32_t z = (uint32_t)glint_plane_at(&part->depth, x, y) + GLINT_DEPTH_BIAS;
+        glint_channel_walk red, green, blue;
+        glint_walk_begin(&red, &channel[0], x, y, is_curved);
+        glint_walk_begin(&green, &channel[1], x, y, is_curved);
+        glint_walk_begin(&blue, &channel[2], x, y, is_curved);
+        uint8_t *depth = (uint8_t *)(s->depth + (row << s->shift) + span.left);
+        uint8_t *const end = depth + 2 * ((uint32_t)span.right - span.left);
+        do {
+            if (glint_next_is_nearest(&depth, z)) {
+                const uint32_t offset = (uint32_t)(depth - GLINT_AHEAD - (uint8_t *)s->depth) / 2;
+                const int32_t colour[3] = {(int32_t)red.value, (int32_t)green.value, (int32_t)blue.value};
+                put(t, offset, pack(colour, glint_threshold(t, offset)));
+            }
+            glint_step(&depth);
+            z += z_dx;
+            glint_walk_next(&red, red_turn, is_curved);
+            glint_walk_next(&green, green_turn, is_curved);
+            glint_walk_next(&blue, blue_turn, is_curved);
+        } while (depth != end);
+    }
+}
+
+/** The functions of a format, whose names end in `suffix`; `fill_tile` is glint_fill_tile, or its own. */
+#define GLINT_DEFINE_STORES(suffix, bits, pack, put, fill_tile, is_dithered)                           \
+    static void store##suffix(void *pixels, unsigned shift, uint32_t offset, uint32_t count,           \
+                              const int32_t(*colour)[3]) {                                             \
+        const glint_target target = {pixels, shift, is_dithered};                                      \
+        glint_store_run(&target, offset, count, colour, pack, put);                                    \
+    }                                                                                                  \
+    static void fill##suffix(void *pixels, unsigned shift, uint32_t height, const int32_t colour[3]) { \
+        const glint_target target = {pixels, shift, is_dithered};                                      \
+        fill_tile(&target, height, colour, bits, pack, put);                                           \
+    }
+
+/** Those which a library built for size does without. */
+#if GLINT_SMALL
+#define GLINT_FUSED(loop) 0
+#define GLINT_DEFINE_FUSED(suffix, pack, put, is_dithered)
+#else
+#define GLINT_FUSED(loop) loop
+#define GLINT_DEFINE_FUSED(suffix, pack, put, is_dithered)                                                     \
+    static void draw_even##suffix(const glint_spans *s, const int32_t colour[3]) {                             \
+        const glint_target target = {s->pixels, s->shift, is_dithered};                                        \
+        glint_draw_even_spans(s, &target, colour, pack, put);                                                  \
+    }                                                                                                          \
+    static void draw_channels##suffix(const glint_spans *s, const glint_quadratic channel[3], int is_curved) { \
+        const glint_target target = {s->pixels, s->shift, is_dithered};                                        \
+        if (is_curved)                                                                                         \
+            glint_draw_channel_spans(s, &target, channel, 1, pack, put);                                       \
+        else                                                                                                   \
+            glint_draw_channel_spans(s, &target, channel, 0, pack, put);                                       \
+    }
+#endif
+
+/** A format of so many bits a pixel, and of its channels, or 0 for luma. */
+#define GLINT_FORMAT(suffix, bits, red, green, blue, fast)                                     \
+    {                                                                                          \
+        bits, {red, green, blue}, store##suffix, fill##suffix, GLINT_FUSED(draw_even##suffix), \
+            GLINT_FUSED(draw_channels##suffix), fast                                           \
+    }
+
+/** Defines a format and its dithered twin, which the linker keeps only where they are named. */
+#define GLINT_DEFINE_FORMAT(name, bits, red, green, blue, pack, put, fill_tile, fast) \
+    GLINT_DEFINE_STORES(, bits, pack, put, fill_tile, 0)                              \
+    GLINT_DEFINE_STORES(_dithered, bits, pack, put, fill_tile, 1)                     \
+    GLINT_DEFINE_FUSED(, pack, put, 0)                                                \
+    GLINT_DEFINE_FUSED(_dithered, pack, put, 1)                                       \
+    const glint_format name = GLINT_FORMAT(, bits, red, green, blue, fast);           \
+    const glint_format name##_dithered = GLINT_FORMAT(_dithered, bits, red, green, blue, 0)
+
+#endif

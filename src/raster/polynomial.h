@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file polynomial.h
+ * Quadratics over the screen, of whole numbers, stepped from pixel to pixel by forward differences.
+ */
+#ifndef GLINT_POLYNOMIAL_H
+#define GLINT_POLYNOMIAL_H
+
+#include "raster.h"
+
+/**
+ * A quadratic function of the pixel, x and y from the anchor, modulo 2^32:
+ * start + dx x + dy y + dxx x x + dxy x y + dyy y y.
+ */
+typedef struct glint_quadratic {
+    uint32_t start, dx, dy, dxx, dxy, dyy;
+} glint_quadratic;
+
+/** A quadratic at a pixel, and its step to the next column. */
+typedef struct glint_stride {
+    uint32_t value, across;
+} glint_stride;
+
+static inline glint_stride glint_stride_begin(const glint_quadratic *q, int32_t x, int32_t y) {
+    const uint32_t i = (uint32_t)x, j = (uint32_t)y, slope = q->dx + q->dxy * j + q->dxx * i;
+    return (glint_stride){q->start + (q->dy + q->dyy * j) * j + slope * i, slope + q->dxx * (i + 1)};
+}
+
+static inline void glint_stride_next(glint_stride *s, const glint_quadratic *q) {
+    s->value += s->across;
+    s->across += 2 * q->dxx;
+}
+
+/** A number along a row: at a pixel, its step to the next, and the step's change. */
+typedef struct glint_progress {
+    uint32_t value, step, turn;
+} glint_progress;
+
+/** A row's progress from a column on, how it changes from row to row, and how that does. */
+typedef struct glint_descent {
+    glint_progress row, down;
+    uint32_t value_turn, step_turn;
+} glint_descent;
+
+/** A quadratic's, from a pixel on. */
+static inline void glint_descent_begin(glint_descent *d, const glint_quadratic *q, int32_t x, int32_t y) {
+    const glint_stride s = glint_stride_begin(q, x, y);
+    d->row = (glint_progress){s.value, s.across, 2 * q->dxx};
+    d->down = (glint_progress){q->dy + q->dyy * (2 * (uint32_t)y + 1) + q->dxy * (uint32_t)x, q->dxy, 0};
+    d->value_turn = 2 * q->dyy;
+    d->step_turn = 0;
+}
+
+/** Its progress along row y from column x on. */
+static inline glint_progress glint_progress_at(const glint_descent *d, uint32_t x, uint32_t y) {
+    const uint32_t down = y * (y - 1) >> 1, turn = d->row.turn + d->down.turn * y,
+                   step = d->row.step + d->down.step * y + d->step_turn * down;
+    return (glint_progress){d->row.value + d->down.value * y + d->value_turn * down + step * x +
+                                turn * (x * (x - 1) >> 1),
+                            step + turn * x, turn};
+}
+
+/** To another column. */
+static inline void glint_stride_move(glint_stride *s, const glint_quadratic *q, uint32_t by) {
+    s->value += s->across * by + 2 * q->dxx * (by * (by - 1) >> 1);
+    s->across += 2 * q->dxx * by;
+}
+
+/** To the next row, from (x, y). */
+static inline void glint_stride_down(glint_stride *s, const glint_quadratic *q, uint32_t x, uint32_t y) {
+    s->value += q->dy + q->dyy * (2 * y + 1) + q->dxy * x;
+    s->across += q->dxy;
+}
+
+/** A power of two: shifts to the right, and then to the left. */
+typedef struct glint_scale_by {
+    uint32_t right, left;
+} glint_scale_by;
+
+/** Changes of the second and the third corner's barycentric coordinates a pixel, 15 bits and a sign. */
+typedef struct glint_barycentric {
+    const glint_gradients *g;
+    uint32_t unit; /* binary logarithm of what 1 is */
+    int32_t x1, y1, x2, y2;
+    glint_scale_by slope; /* of narrow triangles, from a slope to a quadratic's */
+    glint_scale_by curve; /* from a product of two of these to a quadratic's second degree */
+} glint_barycentric;
+
+/** Slenderness, glint_slenderness, up to which triangles have polynomials whose sums over a row keep their digits. */
+#define GLINT_POLYNOMIAL_SLENDER 7
+
+/** Twice their least area, 28.4 squared: sides have at most 2 bits more, which keeps gradients' squares in 32. */
+#define GLINT_POLYNOMIAL_LEAST_AREA 8
+
+/** @param unit from 2 to 16: polynomials are times 2^unit. */
+void glint_barycentric_begin(glint_barycentric *barycentric, const glint_gradients *gradients, int32_t unit);
+
+/**
+ * A quadratic of the second and the third corner's barycentric coordinates l1 and l2,
+ * a + d1 l1 + d2 l2 - b1 l1^2 - b2 l2^2 + both l1 l2: a 15 bits and a sign, d1 and d2 17, b1 and b2 14, both 15.
+ */
+typedef struct glint_form {
+    int32_t a, d1, d2, b1, b2, both;
+} glint_form;
+
+/** The quadratic that a form is, times 2^unit. */
+void glint_form_begin(glint_quadratic *q, const glint_barycentric *barycentric, const glint_form *form);
+
+/**
+ * The quadratic of what is a[i] at corner i, 15 bits and a sign, and at the middles of the edges from corner 0 to 1,
+ * from 1 to 2 and from 0 to 2 the mean of their ends and b[i] / 4, 14 bits and a sign; times 2^unit.
+ */
+void glint_polynomial_begin(glint_quadratic *q, const glint_barycentric *barycentric, const int32_t a[3],
+                            const int32_t b[3]);
+
+#endif

@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Setup: attributes of a triangle as planes. A plane is one integer polynomial per triangle, anchored at its first
+ * corner and evaluated modulo 2^32, so that a pixel gets the same value whatever tile it is drawn in.
+ */
+#include "setup.h"
+
+#include "../math/division.h"
+
+/* Narrow triangles: most bits of a side, and by how many it may pass the area. */
+#define NARROW_SIZE 10
+#define NARROW_SLIVER 4
+
+/* A side of at most `size` bits, up to 16, times 1/area. */
+static GLINT_NOINLINE int32_t to_30_bits(int32_t side, int32_t reciprocal, int32_t size) {
+    return (int32_t)glint_shift_right64((int64_t)glint_shift_left(side, 16 - (unsigned)size) * reciprocal, 17);
+}
+
+/* Sides times 1/area. Slopes are then off by at most 2^-7 of the corners' difference, or of 2^26 where that is less: a
+ * needle 2000 pixels long. */
+static GLINT_NOINLINE void widen(glint_gradients *g, uint32_t area, uint32_t zeros) {
+    /* 1 / area is this times 2^(zeros - 62) */
+    const int32_t reciprocal = (int32_t)(glint_reciprocal(area << zeros) >> 1);
+    int32_t size = (32 - (int32_t)zeros) / 2; /* of the longest side: at least half as many bits as the area */
+    while ((g->reach + 1) >> size)
+        size++;
+    g->x1 = to_30_bits(g->x1, reciprocal, size);
+    g->y1 = to_30_bits(g->y1, reciprocal, size);
+    g->x2 = to_30_bits(g->x2, reciprocal, size);
+    g->y2 = to_30_bits(g->y2, reciprocal, size);
+    g->shift = 42 - (int32_t)zeros - size;
+    g->reciprocal = 0;
+}
+
+/*
+ * Narrow triangles keep whole sides and a 1/area of 16 bits: slopes are sums of products without rounding, times
+ * 1/area. A plane's value at a pixel of the triangle is then off by at most 2^-12 of the corners' difference, 2^-10
+ * where the area is below 1/32 of a pixel, and a step for each pixel from the anchor.
+ * @return whether the triangle is narrow
+ */
+static inline int gradients_begin(glint_gradients *g, uint32_t area) {
+    const uint32_t reach = glint_magnitude_bits(g->x2) | glint_magnitude_bits(g->y2) | glint_magnitude_bits(g->x1) |
+                           glint_magnitude_bits(g->y1);
+    g->reach = reach;
+    const uint32_t zeros = glint_leading_zeros(area);
+    if (reach >> NARROW_SIZE || reach >> NARROW_SLIVER > area) {
+        widen(g, area, zeros);
+        return 0;
+    }
+    g->reciprocal = glint_reciprocal16(((area << zeros >> 15) + 1) >> 1);
+    g->shift = 31 - (int32_t)zeros;
+    return 1;
+}
+
+static inline int32_t high_sum(int32_t d1, int32_t g1, int32_t d2, int32_t g2) {
+    return (int32_t)glint_shift_right64((int64_t)d1 * g1 + (int64_t)d2 * g2, 31);
+}
+
+/* A plane from slopes that are 2^-n of its own. */
+static inline void finish_plane(glint_plane *p, const glint_gradients *g, int32_t start, int32_t dx, int32_t dy,
+                                int32_t n) {
+    const int32_t to_center = glint_shift_right(dx, 5) * g->to_center_x + glint_shift_right(dy, 5) * g->to_center_y;
+    if (n < 0) {
+        p->dx = glint_shift_right(dx, (unsigned)-n);
+        p->dy = glint_shift_right(dy, (unsigned)-n);
+        p->start = glint_add_wrap(start, glint_shift_right(to_center, (unsigned)~n));
+    } else { /* slivers' may wrap */
+        p->dx = glint_shift_left(dx, (unsigned)n);
+        p->dy = glint_shift_left(dy, (unsigned)n);
+        p->start = glint_add_wrap(start, glint_shift_left(to_center, (unsigned)n + 1));
+    }
+}
+
+/* Differences brought to 15 bits and a sign: they were 2^up as much. */
+static inline void begin_narrow(glint_plane *p, const glint_gradients *g, int32_t start, int32_t d1, int32_t d2) {
+    int32_t up = 17 - (int32_t)glint_leading_zeros(glint_magnitude_bits(d1) | glint_magnitude_bits(d2));
+    up = up > 0 ? up : 0;
+    d1 = glint_shift_right(d1, (unsigned)up);
+    d2 = glint_shift_right(d2, (unsigned)up);
+    finish_plane(p, g, start, glint_slope_of(d1 * g->x1 + d2 * g->x2, g->reciprocal),
+                 glint_slope_of(d1 * g->y1 + d2 * g->y2, g->reciprocal), up - g->shift);
+}
+
+static inline void begin_wide(glint_plane *p, const glint_gradients *g, int32_t start, int32_t d1, int32_t d2) {
+    finish_plane(p, g, start, high_sum(d1, g->x1, d2, g->x2), high_sum(d1, g->y1, d2, g->y2), 16 - g->shift);
+}
+
+void glint_plane_begin(glint_plane *p, const glint_gradients *g, int32_t a0, int32_t a1, int32_t a2) {
+    if (g->reciprocal)
+        begin_narrow(p, g, a0, a1 - a0, a2 - a0);
+    else
+        begin_wide(p, g, a0, a1 - a0, a2 - a0);
+}
+
+/* The largest depth, and room that a plane's rounding may take. */
+#define TOP 0x7fff0000
+#define ROOM (1 << 21)
+
+/* Lowers a depth plane that rounding takes above the top at a corner, where pixels then would have 32 bits. */
+static GLINT_NOINLINE void keep_below_top(glint_part *part, const glint_triangle *t) {
+    const glint_gradients *g = &part->gradients;
+    glint_plane *depth = &part->depth;
+    for (int i = 1; i < 3; i++) {
+        const int32_t x = t->corners[i]->x - t->corners[0]->x - g->to_center_x;
+        const int32_t y = t->corners[i]->y - t->corners[0]->y - g->to_center_y;
+        const int32_t there = glint_add_wrap(glint_multiply_wrap(glint_shift_right(depth->dx, 4), x),
+                                             glint_multiply_wrap(glint_shift_right(depth->dy, 4), y));
+        const uint32_t above = (uint32_t)depth->start + (uint32_t)there - TOP;
+        if (above < ROOM)
+            depth->start = glint_add_wrap(depth->start, -(int32_t)above);
+    }
+}
+
+/* May a plane of two such depths, ORed, pass the top? */
+static inline int comes_near(int32_t either) {
+    return glint_add_wrap(either, ROOM) < 0;
+}
+
+/* Twice the area, of corners that run counter-clockwise. */
+static inline int32_t find_area(const glint_gradients *g) {
+    return g->y1 * g->x2 - g->y2 * g->x1;
+}
+
+/* The first corner's place, the sides and the area. */
+static inline void begin_sides(glint_part *part, glint_triangle *t) {
+    const glint_vertex *a = t->corners[0], *b = t->corners[1], *c = t->corners[2];
+    const int32_t x = a->x, y = a->y;
+    glint_gradients *g = &part->gradients;
+    g->to_center_x = 8 - (x & 15);
+    g->to_center_y = 8 - (y & 15);
+    part->x = glint_shift_right(part->window.left, 4) - glint_shift_right(x, 4);
+    part->y = glint_shift_right(part->window.top, 4) - glint_shift_right(y, 4);
+    g->x2 = b->y - y;
+    g->y2 = x - b->x;
+    g->x1 = y - c->y;
+    g->y1 = c->x - x;
+    t->area = find_area(g);
+}
+
+/* Any triangle's depth; built for size, every one's. */
+static GLINT_NOINLINE void begin_depth(glint_part *part, const glint_triangle *t) {
+    const int32_t w = t->corners[0]->inverse_w, w1 = t->corners[1]->inverse_w, w2 = t->corners[2]->inverse_w;
+    glint_plane_begin(&part->depth, &part->gradients, w, w1, w2);
+    if (comes_near(w1 | w2))
+        keep_below_top(part, t);
+}
+
+void glint_setup(glint_part *part, glint_triangle *t) {
+    begin_sides(part, t);
+    if (!gradients_begin(&part->gradients, (uint32_t)t->area) || GLINT_SMALL) {
+        begin_depth(part, t);
+        return;
+    }
+    const int32_t w = t->corners[0]->inverse_w, w1 = t->corners[1]->inverse_w, w2 = t->corners[2]->inverse_w;
+    const int32_t either = w1 | w2;
+    begin_narrow(&part->depth, &part->gradients, w, w1 - w, w2 - w);
+    if (comes_near(either))
+        keep_below_top(part, t);
+}

@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: MIT */
+/* Poses and cameras: the helpers that build a scene's matrices. */
+#include "../glint.h"
+#include "../math/numeric.h"
+
+glint_q16 glint_sin(glint_q16 degrees) {
+    return glint_shift_right(glint_sine(glint_phase(degrees)) + (1 << 13), 14);
+}
+
+glint_q16 glint_cos(glint_q16 degrees) {
+    return glint_shift_right(glint_sine(glint_phase(degrees) + 0x40000000u) + (1 << 13), 14);
+}
+
+glint_pose glint_pose_scale(glint_q16 x, glint_q16 y, glint_q16 z) {
+    glint_pose pose = {{{x, 0, 0, 0}, {0, y, 0, 0}, {0, 0, z, 0}}};
+    return pose;
+}
+
+glint_pose glint_pose_identity(void) {
+    return glint_pose_scale(GLINT_ONE, GLINT_ONE, GLINT_ONE);
+}
+
+glint_pose glint_pose_translate(glint_q16 x, glint_q16 y, glint_q16 z) {
+    glint_pose pose = glint_pose_identity();
+    pose.m[0][3] = x;
+    pose.m[1][3] = y;
+    pose.m[2][3] = z;
+    return pose;
+}
+
+/* A turn in the plane of two axes, from the first towards the second. */
+static glint_pose rotate(int from, int to, glint_q16 degrees) {
+    glint_pose pose = glint_pose_identity();
+    pose.m[from][from] = pose.m[to][to] = glint_cos(degrees);
+    pose.m[to][from] = glint_sin(degrees);
+    pose.m[from][to] = -pose.m[to][from];
+    return pose;
+}
+
+glint_pose glint_pose_rotate_x(glint_q16 degrees) {
+    return rotate(1, 2, degrees);
+}
+
+glint_pose glint_pose_rotate_y(glint_q16 degrees) {
+    return rotate(2, 0, degrees);
+}
+
+glint_pose glint_pose_rotate_z(glint_q16 degrees) {
+    return rotate(0, 1, degrees);
+}
+
+static glint_q16 saturate(int64_t x) {
+    return x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : (glint_q16)x;
+}
+
+glint_pose glint_pose_then(const glint_pose *first, const glint_pose *second) {
+    glint_pose pose;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 4; j++) {
+            /* Each product is halved twice, so that three and a translation fit 64 bits. */
+            int64_t sum = j == 3 ? (int64_t)second->m[i][3] * (1 << 14) : 0;
+            for (int k = 0; k < 3; k++)
+                sum += glint_round_shift64((int64_t)second->m[i][k] * first->m[k][j], 2);
+            pose.m[i][j] = saturate(glint_round_shift64(sum, 14));
+        }
+    }
+    return pose;
+}
+
+/* (x, y, z) at length 1 in Q16.16, from any int64 of up to 62 bits; 0 when it is 0. */
+static int normalise(const int64_t in[3], glint_q16 out[3]) {
+    uint64_t bits = glint_magnitude64(in[0]) | glint_magnitude64(in[1]) | glint_magnitude64(in[2]);
+    if (bits == 0)
+        return 0;
+    int shift = (int)glint_bits64(bits) - 30;
+    int64_t v[3];
+    uint64_t square = 0;
+    for (int i = 0; i < 3; i++) {
+        v[i] = shift > 0 ? glint_shift_right64(in[i], (unsigned)shift) : in[i] * ((int64_t)1 << -shift);
+        square += (uint64_t)(v[i] * v[i]);
+    }
+    uint64_t root = 0; /* floor of the square root, a bit at a time */
+    for (uint64_t bit = (uint64_t)1 << 31; bit; bit >>= 1)
+        if ((root + bit) * (root + bit) <= square)
+            root += bit;
+    for (int i = 0; i < 3; i++) {
+        int64_t scaled = v[i] * (1 << 17) / (int64_t)root;
+        out[i] = (glint_q16)glint_shift_right64(scaled + 1, 1);
+    }
+    return 1;
+}
+
+/* a x b, for |a|, |b| below 2^31. */
+static void cross(const glint_q16 a[3], const int64_t b[3], int64_t out[3]) {
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        out[i] = (int64_t)a[j] * b[k] - (int64_t)a[k] * b[j];
+    }
+}
+
+glint_status glint_camera_look_at(glint_camera *camera, glint_vector eye, glint_vector at, glint_vector up) {
+    if (!camera)
+        return GLINT_ERROR_NULL;
+    const int64_t back[3] = {(int64_t)eye.x - at.x, (int64_t)eye.y - at.y, (int64_t)eye.z - at.z};
+    const int64_t upward[3] = {up.x, up.y, up.z};
+    glint_q16 x[3], y[3] = {0}, z[3], u[3]; /* y is always found: x and z stand upright on each other */
+    int64_t product[3];
+    if (!normalise(back, z) || !normalise(upward, u))
+        return GLINT_ERROR_CAMERA;
+    const int64_t back_unit[3] = {z[0], z[1], z[2]};
+    cross(u, back_unit, product); /* x = up x back, Q32 */
+    uint64_t size = glint_magnitude64(product[0]) | glint_magnitude64(product[1]) | glint_magnitude64(product[2]);
+    if (size < (1u << 20) || !normalise(product, x)) /* sine of the angle between them below 2^-12 */
+        return GLINT_ERROR_CAMERA;
+    const int64_t right[3] = {x[0], x[1], x[2]};
+    cross(z, right, product);
+    normalise(product, y);
+    for (int i = 0; i < 3; i++) {
+        camera->pose.m[i][0] = x[i];
+        camera->pose.m[i][1] = y[i];
+        camera->pose.m[i][2] = z[i];
+    }
+    camera->pose.m[0][3] = eye.x;
+    camera->pose.m[1][3] = eye.y;
+    camera->pose.m[2][3] = eye.z;
+    return GLINT_OK;
+}

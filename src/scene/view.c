@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: MIT */
+/* View: brings camera and lights into the form that a frame reads. */
+#include "view.h"
+
+#include "../geometry/geometry.h"
+
+unsigned glint_reduce(const int64_t in[3], int32_t out[3]) {
+    uint64_t bits = 0;
+    for (int i = 0; i < 3; i++)
+        bits |= glint_magnitude64(in[i]);
+    unsigned size = glint_bits64(bits), down = size > 30 ? size - 30 : 0;
+    for (int i = 0; i < 3; i++)
+        out[i] = (int32_t)glint_shift_right64(in[i], down);
+    return down;
+}
+
+int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_t out[3]) {
+    const int32_t in[3] = {world.x, world.y, world.z};
+    int64_t sum[3];
+    int32_t reduced[3];
+    for (int i = 0; i < 3; i++) {
+        sum[i] = 0;
+        for (int j = 0; j < 3; j++)
+            sum[i] += glint_product(view->rotation[i][j], in[j]); /* below 2^50 */
+    }
+    glint_reduce(sum, reduced);
+    glint_unit(reduced[0], reduced[1], reduced[2], out);
+    return (in[0] | in[1] | in[2]) != 0;
+}
+
+/* Twice the focal length in pixels, Q31: below 2^48. */
+static void set_focal_length(glint_view *view, int64_t focal) {
+    view->focal = (int32_t)glint_round_shift64(focal, 31 - 12);
+    int64_t ratio = focal * (1 << 12) / (2 * GLINT_GUARD_BAND); /* focal length / guard band, Q43: 29 bits or more */
+    unsigned down = glint_bits64((uint64_t)ratio) - 24;
+    view->focal_shift = 43 - down;
+    view->focal_mantissa = (int32_t)glint_shift_right64(ratio, down);
+}
+
+/* Focal length from the vertical field of view: half the height over the tangent of half the angle. */
+static void prepare_focal_length(glint_view *view, const glint_config *config, glint_q16 field_of_view) {
+    uint32_t phase = glint_phase(field_of_view) >> 1;
+    int64_t sine = glint_sine(phase), cosine = glint_sine(phase + 0x40000000u);
+    set_focal_length(view, (cosine << 31) / sine * config->height);
+}
+
+static glint_status prepare_lights(glint_view *view, const glint_scene *scene) {
+    view->light_count = scene->light_count;
+    view->has_positions = 0;
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        const glint_light *light = &scene->lights[i];
+        view->lights[i].type = light->type;
+        if (light->type->illuminate)
+            view->has_positions = 1;
+        glint_status status = light->type->prepare(light, &view->lights[i], view);
+        if (status != GLINT_OK)
+            return status;
+    }
+    return GLINT_OK;
+}
+
+/* Lights with positions are kept in the units of the depth's scale. */
+static void place_lights(glint_view *view, const glint_scene *scene) {
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        if (scene->lights[i].type->place)
+            scene->lights[i].type->place(&scene->lights[i], &view->lights[i], view);
+}
+
+/* Depth is scaled to the nearest corner of any visible object's bounding box. */
+static glint_status prepare_nearest(glint_view *view, const glint_config *config, const glint_scene *scene,
+                                    glint_transform *transform) {
+    int64_t nearest = INT64_MAX;
+    view->nearest = view->near_plane;
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        glint_status status = glint_transform_prepare(transform, view, config, &scene->objects[i]);
+        if (status != GLINT_OK)
+            return status;
+        int64_t w = transform->visible ? glint_transform_nearest(transform, view) : INT64_MAX;
+        if (w < nearest)
+            nearest = w;
+    }
+    if (nearest < INT64_MAX)
+        view->nearest = nearest;
+    return GLINT_OK;
+}
+
+glint_status glint_prepare_view(glint_view *view, const glint_config *config, const glint_scene *scene,
+                                struct glint_transform *last) {
+    const glint_camera *camera = &scene->camera;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++)
+            view->rotation[i][j] = camera->pose.m[j][i];
+        view->eye[i] = camera->pose.m[i][3];
+    }
+    view->near_plane = (int64_t)camera->near_plane << 12;
+    view->local_viewer = scene->viewer == GLINT_VIEWER_LOCAL;
+    prepare_focal_length(view, config, camera->field_of_view);
+    glint_status status = prepare_lights(view, scene);
+    if (status == GLINT_OK)
+        status = prepare_nearest(view, config, scene, last);
+    if (status == GLINT_OK)
+        place_lights(view, scene);
+    return status;
+}
