@@ -37,11 +37,12 @@ static GLINT_INLINE void glint_draw_565(const glint_frame *frame, glint_workspac
 }
 
 /** Fast lighting of a format of that byte order. */
-#define GLINT_DEFINE_FAST(name, high_first)                                                        \
-    static void draw(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw, \
-                     const glint_triangle *triangle, const glint_part *part) {                     \
-        glint_draw_565(frame, workspace, draw, triangle, part, high_first);                        \
-    }                                                                                              \
-    const glint_fast name = {glint_fast_serves, glint_fast_prepare, glint_fast_need, glint_fast_light, draw}
+#define GLINT_DEFINE_FAST(name, high_first)                                                                         \
+    static void draw_##name(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,           \
+                            const glint_triangle *triangle, const glint_part *part) {                               \
+        glint_draw_565(frame, workspace, draw, triangle, part, high_first);                                         \
+    }                                                                                                               \
+    const glint_fast glint_fast_##name = {glint_fast_serves, glint_fast_prepare, glint_fast_need, glint_fast_light, \
+                                          draw_##name}
 
 #endif

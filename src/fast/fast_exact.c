@@ -11,14 +11,14 @@
 #include "../math/division.h"
 #include "../raster/setup.h"
 
-/* N.L, Q15, that is above 0 at every pixel (LIT in fast_vertices.c). */
-#define LIT 300
+/* N.L, Q15, that is above 0 at every pixel (SURELY_LIT in fast_vertices.c). */
+#define SURELY_LIT 300
 
 /* N.L at which rounding cannot light what faces away (fast_vertices.c). */
-#define UNLIT (-16)
+#define SURELY_UNLIT (-16)
 
 /* M.M stays above 0.3 of its largest. */
-#define LEAST_SQUARE ((6u << 27) / 10 * 3)
+#define LEAST_EXACT_SQUARE ((6u << 27) / 10 * 3)
 
 /* Error of a highlight that a bent half vector may make at the worst place, in 1/64 of a level. */
 #define BEND_LIMIT 24
@@ -28,7 +28,7 @@
 
 /* ---- Frame ---- */
 
-static uint32_t largest_level(const uint32_t weight[3]) {
+static uint32_t most_levels(const uint32_t weight[3]) {
     uint32_t largest = weight[0] > weight[2] ? weight[0] : weight[2];
     largest *= 31;
     return largest > weight[1] * 63 ? largest : weight[1] * 63;
@@ -51,9 +51,9 @@ static void find_across(glint_exact_limits *limits, const int16_t h[3]) {
  * At d from where H is known with its slope, in units of the focal length, H is off by at most 0.15 (2 d / |L + V|)^2
  * where L and V are less than 120 degrees apart: by 0.15 d^2 straight before the light.
  */
-static void find_extent(glint_exact_limits *limits, const glint_fast_terms *fast, const glint_shading *shading) {
+static void find_bent_extent(glint_exact_limits *limits, const glint_fast_terms *fast, const glint_shading *shading) {
     const uint32_t slope = glint_highlight_slope(shading->material->shininess);                  /* Q8 */
-    const uint32_t weight = largest_level(glint_weights_shown(shading)->specular) + 1;           /* Q12 */
+    const uint32_t weight = most_levels(glint_weights_shown(shading)->specular) + 1;             /* Q12 */
     const uint64_t error = ((uint64_t)BEND_LIMIT << (30 + 20 - 6)) / ((uint64_t)weight * slope); /* Q30 */
     const uint32_t d = glint_square_root(error * 20 / 3);                                        /* Q15 */
     const unsigned zeros = glint_leading_zeros((uint32_t)fast->ray_scale);
@@ -86,7 +86,7 @@ void glint_exact_prepare(glint_fast_terms *fast, const glint_frame *frame, const
     limits->cut_diagonal = glint_shift_right((fast->cut_diagonal + 1) * limits->scale, 15) + 1;
     limits->behind = -(int32_t)(glint_square_root((uint64_t)((1u << 30) - cut)) / 2);
     if (fast->local_viewer)
-        find_extent(limits, fast, shading);
+        find_bent_extent(limits, fast, shading);
     else
         find_across(limits, fast->half_vector);
 }
@@ -98,7 +98,7 @@ static inline int32_t dot(const int32_t a[3], const int32_t b[3]) {
 }
 
 /* x 2^n modulo 2^32, rounded down; n below 32. */
-static inline uint32_t scale(int32_t x, int32_t n) {
+static inline uint32_t scale_to_bits(int32_t x, int32_t n) {
     return n >= 0 ? (uint32_t)x << n : (uint32_t)glint_shift_right(x, (unsigned)(n < -31 ? 31 : -n));
 }
 
@@ -129,7 +129,7 @@ static int find_weights(const glint_triangle *triangle, int32_t weight[3]) {
         weight[0] = weight[1] = weight[2] = 32256;
     const int32_t smallest = glint_least_of(weight[0], weight[1], weight[2]),
                   left = (6 << 12) - glint_shift_right(turn, 14);
-    return left > 0 && (uint32_t)(smallest * smallest >> 15) * (uint32_t)left > LEAST_SQUARE;
+    return left > 0 && (uint32_t)(smallest * smallest >> 15) * (uint32_t)left > LEAST_EXACT_SQUARE;
 }
 
 /* Does a narrow triangle's plane, Q30, of corners that are d1 and d2 apart, have slopes that 32 bits cannot hold? */
@@ -167,11 +167,11 @@ static int find_planes(const glint_triangle *triangle, const glint_gradients *g,
 }
 
 /* M at the anchor, Q15, and its steps, 14 bits and a sign. */
-typedef struct steps {
+typedef struct exact_steps {
     int32_t m[3], x[3], y[3];
-} steps;
+} exact_steps;
 
-static void find_steps(const glint_exact_light *light, steps *s) {
+static void find_steps(const glint_exact_light *light, exact_steps *s) {
     const unsigned size = (unsigned)light->size;
     const int32_t half = glint_shift_right(glint_shift_left(1, size), 1);
     for (int c = 0; c < 3; c++) {
@@ -181,20 +181,20 @@ static void find_steps(const glint_exact_light *light, steps *s) {
     }
 }
 
-static void find_square(glint_quadratic *q, const steps *s, int32_t size) {
+static void find_square(glint_quadratic *q, const exact_steps *s, int32_t size) {
     const int32_t *m = s->m, *x = s->x, *y = s->y;
     const uint32_t square =
         (uint32_t)m[0] * (uint32_t)m[0] + (uint32_t)m[1] * (uint32_t)m[1] + (uint32_t)m[2] * (uint32_t)m[2];
     q->start = (square - (1 << 28)) << 2;
-    q->dx = scale(dot(m, x), size - 12);
-    q->dy = scale(dot(m, y), size - 12);
-    q->dxx = scale(dot(x, x), 2 * size - 28);
-    q->dxy = scale(dot(x, y), 2 * size - 27);
-    q->dyy = scale(dot(y, y), 2 * size - 28);
+    q->dx = scale_to_bits(dot(m, x), size - 12);
+    q->dy = scale_to_bits(dot(m, y), size - 12);
+    q->dxx = scale_to_bits(dot(x, x), 2 * size - 28);
+    q->dxy = scale_to_bits(dot(x, y), 2 * size - 27);
+    q->dyy = scale_to_bits(dot(y, y), 2 * size - 28);
 }
 
 /* Can none of three deviations and what lies between them be in the highlight? Q14. */
-static int is_outside(int32_t cut, int32_t diagonal, int32_t e[3][2]) {
+static int is_outside_exactly(int32_t cut, int32_t diagonal, int32_t e[3][2]) {
     const int32_t x0 = e[0][0], x1 = e[1][0], x2 = e[2][0], y0 = e[0][1], y1 = e[1][1], y2 = e[2][1];
     return glint_least_of(x0, x1, x2) >= cut || glint_most_of(x0, x1, x2) <= -cut ||
            glint_least_of(y0, y1, y2) >= cut || glint_most_of(y0, y1, y2) <= -cut ||
@@ -214,15 +214,19 @@ static glint_exact_kind find_infinite(const glint_fast_terms *fast, const glint_
         e[i][1] = glint_shift_right(glint_dot(limits->across[1], normal), 16);
         behind |= glint_dot(fast->half_vector, normal) < limits->behind * (1 << 15);
     }
-    if (is_outside(limits->cut + 8, limits->cut_diagonal + 8, e))
+    if (is_outside_exactly(limits->cut + 8, limits->cut_diagonal + 8, e))
         return GLINT_EXACT_DIFFUSE;
     return behind ? GLINT_EXACT_UNFIT : GLINT_EXACT_SPECULAR;
 }
 
-static void find_linear(glint_quadratic *q, const steps *s, int32_t size, const int16_t across[3]) {
+static void find_linear(glint_quadratic *q, const exact_steps *s, int32_t size, const int16_t across[3]) {
     const int32_t t[3] = {across[0], across[1], across[2]};
-    *q = (glint_quadratic){
-        (uint32_t)dot(t, s->m), scale(dot(t, s->x), size - 15), scale(dot(t, s->y), size - 15), 0, 0, 0};
+    *q = (glint_quadratic){(uint32_t)dot(t, s->m),
+                           scale_to_bits(dot(t, s->x), size - 15),
+                           scale_to_bits(dot(t, s->y), size - 15),
+                           0,
+                           0,
+                           0};
 }
 
 glint_exact_kind glint_exact_begin(const glint_draw *draw, const glint_triangle *triangle, const glint_part *part,
@@ -231,12 +235,12 @@ glint_exact_kind glint_exact_begin(const glint_draw *draw, const glint_triangle 
     const glint_exact_limits *limits = &fast->exact;
     glint_exact_kind kind = GLINT_EXACT_DIFFUSE;
     int32_t cosine[3];
-    steps s;
+    exact_steps s;
     if (triangle->back || glint_is_deep(triangle))
         return GLINT_EXACT_UNFIT;
     for (int i = 0; i < 3; i++)
         cosine[i] = glint_shift_right(glint_dot(fast->light, triangle->corners[i]->attribute) + 0x4000, 15);
-    if (glint_most_of(cosine[0], cosine[1], cosine[2]) <= UNLIT)
+    if (glint_most_of(cosine[0], cosine[1], cosine[2]) <= SURELY_UNLIT)
         return GLINT_EXACT_AMBIENT;
     if (fast->specular_end) {
         kind = fast->local_viewer ? GLINT_EXACT_SPECULAR : find_infinite(fast, triangle);
@@ -301,7 +305,8 @@ static int32_t find_along(const half_vector *at, const int32_t m[3]) {
 }
 
 /* The change of m's deviation with H. */
-static void find_turn(const half_vector *at, const int32_t m[3], int32_t along, const int32_t change[3], int32_t e[2]) {
+static void find_exact_turn(const half_vector *at, const int32_t m[3], int32_t along, const int32_t change[3],
+                            int32_t e[2]) {
     const int32_t rest = glint_shift_right(dot(m, change) - along * change[2], 15);
     const int32_t back = glint_shift_right(rest * at->inverse, 15);
     e[0] = -(change[0] * along + at->h[0] * back);
@@ -320,7 +325,7 @@ static glint_exact_kind find_local(const glint_fast_terms *fast, const glint_tri
         e[i][1] = glint_shift_right(m[1] * (1 << 15) - at->h[1] * along, 16);
         behind |= glint_shift_right(dot(at->h, m), 15) - 2 * margin < fast->exact.behind;
     }
-    if (is_outside(fast->cut + margin, fast->cut_diagonal + margin, e))
+    if (is_outside_exactly(fast->cut + margin, fast->cut_diagonal + margin, e))
         return GLINT_EXACT_DIFFUSE;
     return behind ? GLINT_EXACT_UNFIT : GLINT_EXACT_SPECULAR;
 }
@@ -348,20 +353,22 @@ static void find_bent(const glint_exact_limits *limits, const half_vector *at, i
     find_change(limits, at, 1, hy);
     const int32_t along = find_along(at, m), along_x = find_along(at, mx), along_y = find_along(at, my);
     int32_t ex[2], ey[2], exx[2], exy[2], eyx[2], eyy[2];
-    find_turn(at, m, along, hx, ex);
-    find_turn(at, m, along, hy, ey);
-    find_turn(at, mx, along_x, hx, exx);
-    find_turn(at, mx, along_x, hy, exy);
-    find_turn(at, my, along_y, hx, eyx);
-    find_turn(at, my, along_y, hy, eyy);
+    find_exact_turn(at, m, along, hx, ex);
+    find_exact_turn(at, m, along, hy, ey);
+    find_exact_turn(at, mx, along_x, hx, exx);
+    find_exact_turn(at, mx, along_x, hy, exy);
+    find_exact_turn(at, my, along_y, hx, eyx);
+    find_exact_turn(at, my, along_y, hy, eyy);
     for (int row = 0; row < 2; row++) {
         glint_quadratic *q = row ? &light->y : &light->x;
-        q->dxx = scale(exx[row], size - shift);
-        q->dxy = scale(exy[row] + eyx[row], size - shift);
-        q->dyy = scale(eyy[row], size - shift);
+        q->dxx = scale_to_bits(exx[row], size - shift);
+        q->dxy = scale_to_bits(exy[row] + eyx[row], size - shift);
+        q->dyy = scale_to_bits(eyy[row], size - shift);
         q->start = (uint32_t)(m[row] * (1 << 15) - at->h[row] * along) << 1;
-        q->dx = scale(mx[row] * (1 << 15) - at->h[row] * along_x, size - 15) + scale(ex[row], 16 - shift);
-        q->dy = scale(my[row] * (1 << 15) - at->h[row] * along_y, size - 15) + scale(ey[row], 16 - shift);
+        q->dx =
+            scale_to_bits(mx[row] * (1 << 15) - at->h[row] * along_x, size - 15) + scale_to_bits(ex[row], 16 - shift);
+        q->dy =
+            scale_to_bits(my[row] * (1 << 15) - at->h[row] * along_y, size - 15) + scale_to_bits(ey[row], 16 - shift);
         move_anchor(q, x, y);
     }
 }
@@ -371,7 +378,7 @@ glint_exact_kind glint_exact_bend(const glint_fast_terms *fast, const glint_tria
     const glint_exact_limits *limits = &fast->exact;
     /* |dH| is at most that of the ray, in units of the focal length */
     const int32_t margin =
-        (int32_t)scale(square->extent * limits->pixel, 10 - (int32_t)limits->pixel_shift) + limits->error + 8;
+        (int32_t)scale_to_bits(square->extent * limits->pixel, 10 - (int32_t)limits->pixel_shift) + limits->error + 8;
     half_vector at;
     if (!find_half_vector(fast, 16 * square->x + 8, 16 * square->y + 8, &at))
         return GLINT_EXACT_UNFIT;

@@ -26,36 +26,36 @@
 #define NARROW_MARGIN 16
 #define WIDE_MARGIN 256
 
-typedef glint_interpolation_edge edge;
+typedef glint_interpolation_edge interpolated_edge;
 
 /* The weights are 1/w, Q15, the largest a little below 1. 1 / (wa + wb) is (1 + u + u^2) / 2, u = 1 - (wa + wb) / 2. */
-static inline void begin_edge(edge *e, const int16_t a[3], const int16_t b[3], int32_t wa, int32_t wb) {
+static inline void begin_edge(interpolated_edge *e, const int16_t a[3], const int16_t b[3], int32_t wa, int32_t wb) {
     const int32_t u = (1 << 15) - ((wa + wb) >> 1);
     e->across = glint_shift_right((wa - wb) * ((1 << 15) + u + (u * u >> 15)), 17);
     e->turn = glint_shift_right(GLINT_UNIT * GLINT_UNIT - glint_dot(a, b), 14);
 }
 
 /* |M|^2 = 1 - r, and 1 / sqrt(1 - r) is 1 + r / 2 + 3 r^2 / 8 + 5 r^3 / 16. */
-static inline void shorten_edge(edge *e) {
+static inline void shorten_edge(interpolated_edge *e) {
     const int32_t r = glint_shift_right((8192 - (e->across * e->across >> 15)) * e->turn, 15);
     const int32_t tail = glint_shift_right(r * (12288 + glint_shift_right(r * 10240, 15)), 15);
     e->shorter = glint_shift_right(r * (16384 + tail), 15);
 }
 
 /* Four times what a term at the middle of an edge is more than the mean of its corners. */
-static inline int32_t find_bulge(const edge *e, int32_t a, int32_t b) {
+static inline int32_t find_bulge(const interpolated_edge *e, int32_t a, int32_t b) {
     const int32_t skew = glint_shift_right(e->across * (a - b), 13);
     return skew + glint_shift_right((skew + 2 * (a + b)) * e->shorter, 15);
 }
 
-static inline void find_bulges(const edge e[3], const int32_t a[3], int32_t b[3]) {
+static inline void find_bulges(const interpolated_edge e[3], const int32_t a[3], int32_t b[3]) {
     b[0] = find_bulge(&e[0], a[0], a[1]);
     b[1] = find_bulge(&e[1], a[1], a[2]);
     b[2] = find_bulge(&e[2], a[0], a[2]);
 }
 
 /* A triangle's edges: from corner 0 to 1, from 1 to 2, from 0 to 2. */
-static int find_edges(const glint_triangle *triangle, edge e[3], int32_t *turn, int32_t *change) {
+static int find_edges(const glint_triangle *triangle, interpolated_edge e[3], int32_t *turn, int32_t *change) {
     const glint_vertex *const *v = triangle->corners;
     const int16_t *a = v[0]->attribute, *b = v[1]->attribute, *c = v[2]->attribute;
     uint32_t w0 = (uint32_t)v[0]->inverse_w, w1 = (uint32_t)v[1]->inverse_w, w2 = (uint32_t)v[2]->inverse_w;
@@ -82,7 +82,7 @@ static int find_edges(const glint_triangle *triangle, edge e[3], int32_t *turn, 
 }
 
 /* How far a term at corner a is moved away from that at b. */
-static inline int32_t find_spread(const edge *e, int32_t a, int32_t b) {
+static inline int32_t find_spread(const interpolated_edge *e, int32_t a, int32_t b) {
     return glint_shift_right((a - b) * e->turn, 15 + SPREAD);
 }
 
@@ -90,7 +90,7 @@ static inline int32_t find_spread(const edge *e, int32_t a, int32_t b) {
  * Between its three nodes an edge's error is a cubic, x - x^3 for x from -1 to 1. Moving both ends outwards by a
  * quarter of that one's factor, which is |a - b| turn / 64, makes the largest error least.
  */
-static inline void spread(const edge e[3], int32_t a[3], int32_t b[3]) {
+static inline void spread(const interpolated_edge e[3], int32_t a[3], int32_t b[3]) {
     const int32_t s0 = find_spread(&e[0], a[0], a[1]), s1 = find_spread(&e[1], a[1], a[2]),
                   s2 = find_spread(&e[2], a[0], a[2]);
     a[0] += s0 + s2;
@@ -107,7 +107,7 @@ typedef struct nodes {
 } nodes;
 
 /* A component of the normal at the middle of an edge. */
-static inline int32_t find_normal(const edge *e, int32_t a, int32_t b) {
+static inline int32_t find_normal(const interpolated_edge *e, int32_t a, int32_t b) {
     const int32_t mean = glint_shift_right(a + b, 1) + glint_shift_right(e->across * (a - b), 15);
     return mean + glint_shift_right(mean * e->shorter, 15);
 }
@@ -122,8 +122,8 @@ static inline int is_bulge(int32_t bulge) {
 }
 
 /* The bulges of edge i by the local viewer's half vector. @return 0 where they cannot be told, or are too large */
-static inline int find_local_bulges(const glint_fast_terms *fast, const glint_triangle *triangle, const edge *e, int i,
-                                    nodes *n) {
+static inline int find_local_bulges(const glint_fast_terms *fast, const glint_triangle *triangle,
+                                    const interpolated_edge *e, int i, nodes *n) {
     const int from = i == 1, to = i ? 2 : 1;
     const glint_vertex *const a = triangle->corners[from], *const b = triangle->corners[to];
     int16_t h[3];
@@ -147,7 +147,8 @@ static inline int find_local_bulges(const glint_fast_terms *fast, const glint_tr
 }
 
 /* All else of the nodes. @return 0 where they do not fit */
-static int find_middles(const glint_fast_terms *fast, const glint_triangle *triangle, const edge *e, nodes *n) {
+static int find_edge_middles(const glint_fast_terms *fast, const glint_triangle *triangle, const interpolated_edge *e,
+                             nodes *n) {
     if (fast->local_viewer) {
         for (int i = 0; i < 3; i++)
             if (!find_local_bulges(fast, triangle, &e[i], i, n))
@@ -172,7 +173,7 @@ int glint_interpolate_highlight(const glint_draw *draw, const glint_triangle *tr
         const int16_t *terms = glint_fast_terms_of(draw, triangle->corners[i]);
         n.x[i] = terms[1], n.y[i] = terms[2];
     }
-    if (!find_middles(draw->shading->fast, triangle, to->edges, &n))
+    if (!find_edge_middles(draw->shading->fast, triangle, to->edges, &n))
         return 0;
     begin_highlight(to, &n);
     return 1;
@@ -180,7 +181,7 @@ int glint_interpolate_highlight(const glint_draw *draw, const glint_triangle *tr
 
 /* Are all corners beyond the same side of the highlight's octagon, moved outwards by a margin? They are beyond `sides`
  * of it as it is. */
-static int is_outside(const glint_fast_terms *fast, uint32_t sides, const nodes *n, int32_t margin) {
+static int is_outside_octagon(const glint_fast_terms *fast, uint32_t sides, const nodes *n, int32_t margin) {
     const int32_t cut = fast->side + margin, diagonal = fast->side_diagonal + margin + (margin >> 1);
     const int32_t x0 = n->x[0], x1 = n->x[1], x2 = n->x[2], y0 = n->y[0], y1 = n->y[1], y2 = n->y[2];
     return (sides & GLINT_VERTEX_OUTSIDE << 7 && glint_least_of(x0, x1, x2) >= cut) ||
@@ -265,7 +266,7 @@ static inline glint_exact_kind find_kind(const glint_fast_terms *fast, const gli
          * that face the half vector outwards, but for what spreading takes back.
          */
         const int32_t margin = (is_front ? turn >> 6 : turn * 5 >> 5) + (bend * 9 >> 4) + (change * 7 >> 5);
-        if (is_outside(fast, all, n, scale_margin(fast, margin)))
+        if (is_outside_octagon(fast, all, n, scale_margin(fast, margin)))
             return GLINT_EXACT_DIFFUSE;
     }
     if (!is_front || any & GLINT_VERTEX_FAR)
@@ -306,7 +307,7 @@ glint_exact_kind glint_interpolate_begin(const glint_draw *draw, const glint_tri
             return kind;
         if (kind == GLINT_EXACT_SPECULAR) {
             const int32_t margin = part->gradients.reciprocal ? NARROW_MARGIN : WIDE_MARGIN;
-            if (!find_middles(fast, triangle, to->edges, &n))
+            if (!find_edge_middles(fast, triangle, to->edges, &n))
                 return GLINT_EXACT_UNFIT;
             if (!inside && is_beyond(fast, &n, margin + error))
                 kind = GLINT_EXACT_DIFFUSE;

@@ -14,8 +14,8 @@
 
 /* Of an error budget, Q12, kept for what linear lighting errs without one: half a level, with highlights a whole one.
  */
-#define KEPT 32
-#define KEPT_SPECULAR 64
+#define SPARED 32
+#define SPARED_SPECULAR 64
 
 /* ---- Tables ---- */
 
@@ -59,13 +59,13 @@ static uint32_t find_share(const glint_shading *shading, uint32_t kept) {
 }
 
 /* sin^2 where the highlight ends, Q30; 0 when it never shows. */
-static uint32_t find_cut(const glint_shading *shading) {
+static uint32_t find_highlight_end(const glint_shading *shading) {
     uint32_t weight = largest_weight(glint_weights_shown(shading)->specular);
     if (!shading->has_specular)
         return 0;
     /* 2^(12 - CUT_BITS), Q12, and a share of the error budget need not show */
     const int32_t grant =
-        glint_log2(((1u << (12 - CUT_BITS)) + find_share(shading, KEPT)) << 15) - glint_log2(1u << (27 - CUT_BITS));
+        glint_log2(((1u << (12 - CUT_BITS)) + find_share(shading, SPARED)) << 15) - glint_log2(1u << (27 - CUT_BITS));
     int64_t bits = (int64_t)glint_log2(weight << 15) + ((4 + CUT_BITS) << 26) - grant; /* Q26; weight is Q12 */
     if (bits <= 0)
         return 0;
@@ -91,7 +91,7 @@ void glint_fast_need(const glint_frame *frame, const glint_shading *shading, siz
     if (!serves_some(frame, shading))
         return;
     *least += GLINT_ALIGNED(sizeof(glint_fast_terms));
-    *tables += glint_fast_tables_size(specular_entries(shading, find_cut(shading)));
+    *tables += glint_fast_tables_size(specular_entries(shading, find_highlight_end(shading)));
 }
 
 /* ---- What fits ---- */
@@ -143,7 +143,8 @@ static int32_t most_extent(const glint_frame *frame) {
  * Across h = extent / focal length the half vector bends by up to 0.06 h^2 from a straight line: h^2 = 0.6 / (0.06
  * slope weight) costs 0.6 of a level at the highlight's steepest place.
  */
-static int32_t find_extent(const glint_frame *frame, const glint_shading *shading, uint32_t weight, uint64_t grant) {
+static int32_t find_linear_extent(const glint_frame *frame, const glint_shading *shading, uint32_t weight,
+                                  uint64_t grant) {
     uint64_t focal = (uint32_t)at_most((uint64_t)(uint32_t)frame->view->focal >> 9, 1 << 19); /* sixteenths */
     uint64_t slope = glint_highlight_slope(shading->material->shininess);                     /* Q8 */
     uint64_t extent = glint_square_root((focal * focal * 10 << 20) / (weight * slope + 1));
@@ -173,11 +174,11 @@ static uint64_t turning_levels(const glint_shading *shading, uint32_t diffuse, u
 static void find_limits(const glint_frame *frame, glint_fast_terms *fast, const glint_shading *shading) {
     const uint32_t diffuse = weight_in_levels(glint_weights_shown(shading)->diffuse);
     const uint32_t specular = weight_in_levels(glint_weights_shown(shading)->specular);
-    const uint64_t grant = find_share(shading, KEPT) * glint_fast_levels[1];
-    const uint64_t highlight = find_share(shading, KEPT_SPECULAR) * glint_fast_levels[1];
+    const uint64_t grant = find_share(shading, SPARED) * glint_fast_levels[1];
+    const uint64_t highlight = find_share(shading, SPARED_SPECULAR) * glint_fast_levels[1];
     fast->turn = at_most(turn_limit(grant, diffuse) / diffuse, 1 << 26);
     fast->turn_specular = at_most(turn_limit(highlight, diffuse) / turning_levels(shading, diffuse, specular), 1 << 26);
-    fast->extent = fast->local_viewer ? find_extent(frame, shading, specular, highlight) : INT32_MAX;
+    fast->extent = fast->local_viewer ? find_linear_extent(frame, shading, specular, highlight) : INT32_MAX;
     fast->slant = (uint32_t)at_most(
         (uint32_t)fast->side * (4 * glint_highlight_share(shading->material->shininess) + 2 * highlight) / specular,
         0xffff);
@@ -215,7 +216,7 @@ static void prepare_light(glint_fast_terms *fast, const glint_view *view, const 
 static void prepare_highlight(glint_fast_terms *fast, const glint_shading *shading) {
     const int16_t *h = fast->half_vector;
     const int has_half_vector = fast->local_viewer || (h[0] | h[1] | h[2]);
-    const uint32_t cut = has_half_vector ? find_cut(shading) : 0, entries = specular_entries(shading, cut);
+    const uint32_t cut = has_half_vector ? find_highlight_end(shading) : 0, entries = specular_entries(shading, cut);
     fast->sine_square_end = cut;
     fast->specular_end = entries << 15;
     if (!cut) {
@@ -236,7 +237,7 @@ static void prepare_highlight(glint_fast_terms *fast, const glint_shading *shadi
 }
 
 /* All but the tables; `diffuse` tells where the last frame left those. */
-static glint_status prepare(glint_frame *frame, glint_shading *shading) {
+static glint_status prepare_material(glint_frame *frame, glint_shading *shading) {
     const glint_fast_terms *last = shading->changed ? 0 : shading->fast;
     shading->fast = 0;
     if (!serves_some(frame, shading))
@@ -259,7 +260,7 @@ glint_status glint_fast_prepare(glint_frame *frame) {
     glint_shading *const shadings = (glint_shading *)frame->shading;
     glint_status status = GLINT_OK;
     for (uint32_t i = 0; i < frame->shading_count && status == GLINT_OK; i++)
-        status = prepare(frame, &shadings[i]);
+        status = prepare_material(frame, &shadings[i]);
     /* tables may take what is left once every material has what it must have */
     for (uint32_t i = 0; i < frame->shading_count && status == GLINT_OK; i++)
         if (shadings[i].fast)

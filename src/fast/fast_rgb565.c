@@ -2,4 +2,4 @@
 /* Fast lighting of pixels of 16 bits: 5 red, 6 green, 5 blue. */
 #include "fast_draw565.h"
 
-GLINT_DEFINE_FAST(glint_fast_rgb565, 0);
+GLINT_DEFINE_FAST(rgb565, 0);

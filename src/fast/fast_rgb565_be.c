@@ -2,4 +2,4 @@
 /* Fast lighting of pixels of 16 bits, high byte first. */
 #include "fast_draw565.h"
 
-GLINT_DEFINE_FAST(glint_fast_rgb565_be, 1);
+GLINT_DEFINE_FAST(rgb565_be, 1);

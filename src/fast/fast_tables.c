@@ -15,7 +15,7 @@ size_t glint_fast_tables_size(uint32_t specular) {
 }
 
 /* A colour, Q23 times 31, 63 and 31, as a word. */
-static uint32_t spread(const uint32_t level[3]) {
+static uint32_t spread_levels(const uint32_t level[3]) {
     return (level[0] >> 18) << 10 | (level[1] >> 19) << 21 | level[2] >> 19;
 }
 
@@ -36,7 +36,7 @@ static void fill(const ramp *r, uint32_t *words, uint32_t count) {
     uint32_t red = r->level[0], green = r->level[1], blue = r->level[2];
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t level[3] = {red, green, blue};
-        words[i] = spread(level);
+        words[i] = spread_levels(level);
         red = least(red + r->step[0], r->most[0]);
         green = least(green + r->step[1], r->most[1]);
         blue = least(blue + r->step[2], r->most[2]);
@@ -63,7 +63,7 @@ static uint32_t diffuse_word(const glint_shading *shading, uint32_t index) {
         uint64_t level = r.level[c] + (uint64_t)r.step[c] * index;
         r.level[c] = level > r.most[c] ? r.most[c] : (uint32_t)level;
     }
-    return spread(r.level);
+    return spread_levels(r.level);
 }
 
 /* Highlight at node i, clamped at 1 in each channel; Q23 times 31, 63 and 31. */
@@ -96,7 +96,7 @@ static uint32_t highlight_word(const glint_shading *shading, uint32_t index) {
     highlight_ramp(here, next, &r);
     for (int c = 0; c < 3; c++)
         r.level[c] += r.step[c] * (index & ((1 << NODE_BITS) - 1));
-    return spread(r.level);
+    return spread_levels(r.level);
 }
 
 uint32_t glint_fast_pixel(const glint_shading *shading, int32_t cosine, uint32_t square) {
@@ -151,5 +151,5 @@ void glint_fast_prepare_ambient(glint_fast_terms *fast, const glint_shading *sha
     uint32_t level[3];
     for (int c = 0; c < 3; c++)
         level[c] = least(shading->ambient[c], 1u << 23) * glint_fast_levels[c] + (1 << 22);
-    fast->ambient = (uint16_t)glint_spread_pack(spread(level));
+    fast->ambient = (uint16_t)glint_spread_pack(spread_levels(level));
 }

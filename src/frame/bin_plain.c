@@ -11,7 +11,7 @@
 
 /*
  * What a triangle that faces the eye needs: kept in memory, so that the loop over all has the registers. Places are
- * words of two halves, for x and y, as place_of gives.
+ * words of two halves, for x and y, as place_of_word gives.
  */
 typedef struct grid {
     glint_frame *frame;
@@ -63,7 +63,7 @@ static inline int is_seen(const uint32_t w[3]) {
 }
 
 /* From the last pixel centre before a corner. A carry from x to y comes from x < 0, which is on no tile. */
-static inline uint32_t place_of(uint32_t word) {
+static inline uint32_t place_of_word(uint32_t word) {
     return word + 0x00070007;
 }
 
@@ -74,7 +74,7 @@ static inline uint32_t place_of(uint32_t word) {
 typedef enum where { NOWHERE, ONE_TILE, SOMEWHERE } where;
 
 static GLINT_INLINE where find_tile(const grid *g, const uint32_t w[3], int all_tiles, uint32_t *tile) {
-    const uint32_t a = place_of(w[0]), differ = (a ^ place_of(w[1])) | (a ^ place_of(w[2]));
+    const uint32_t a = place_of_word(w[0]), differ = (a ^ place_of_word(w[1])) | (a ^ place_of_word(w[2]));
     if (!(differ & 0xfff0) || !(differ >> 20))
         return NOWHERE;
     /* Off the screen, a half or its difference from the last one is below 0. */

@@ -27,7 +27,7 @@ static glint_signature sign(const word *words, size_t count) {
     return (glint_signature){a, b | 1}; /* never that of a tile not sent yet */
 }
 
-static int begin(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+static int begin_changes(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
     glint_changes *changes = context;
     const uint32_t tile = (uint32_t)y / changes->tile_height * changes->columns + (uint32_t)x / changes->tile_width;
     glint_signature *last = &changes->signatures[tile];
@@ -49,7 +49,7 @@ static int begin(void *context, int x, int y, int width, int height, const void 
     return failed;
 }
 
-static int wait(void *context) {
+static int wait_for_changes(void *context) {
     glint_changes *changes = context;
     if (!changes->sending)
         return 0;
@@ -96,5 +96,5 @@ void glint_changes_forget(glint_changes *changes) {
 glint_flush glint_changes_flush(glint_changes *changes) {
     if (!changes->flush.begin)
         return (glint_flush){0, 0, 0};
-    return (glint_flush){begin, changes->flush.wait ? wait : 0, changes};
+    return (glint_flush){begin_changes, changes->flush.wait ? wait_for_changes : 0, changes};
 }

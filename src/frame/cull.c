@@ -114,13 +114,13 @@ static int bin(glint_frame *frame, glint_draw *draw, uint32_t next) {
 
 /* ---- Runs ---- */
 
-static void begin(glint_walk *walk, const glint_mesh *mesh, const glint_transform *transform) {
+static void begin_walk(glint_walk *walk, const glint_mesh *mesh, const glint_transform *transform) {
     walk->cluster = mesh->clusters->list;
     walk->end = 0;
     find_eye(transform, mesh, &walk->eye);
 }
 
-static const uint16_t *corners(glint_walk *walk, const glint_mesh *mesh, uint32_t triangle) {
+static const uint16_t *corners_of_walk(glint_walk *walk, const glint_mesh *mesh, uint32_t triangle) {
     static const uint16_t nowhere[3] = {0, 0, 0};
     while (triangle >= walk->end) {
         face(&walk->eye, walk->cluster, 1, &walk->away);
@@ -129,4 +129,4 @@ static const uint16_t *corners(glint_walk *walk, const glint_mesh *mesh, uint32_
     return walk->away ? nowhere : mesh->triangles[triangle];
 }
 
-const glint_cull glint_cull_cones = {check, load, bin, begin, corners};
+const glint_cull glint_cull_cones = {check, load, bin, begin_walk, corners_of_walk};

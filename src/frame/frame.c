@@ -40,7 +40,7 @@ static int has_least_room(const glint_frame *frame) {
     return frame->memory.high - frame->memory.low >= frame->least_room;
 }
 
-static glint_status prepare(glint_frame *frame, const glint_kept *kept) {
+static glint_status prepare_scene(glint_frame *frame, const glint_kept *kept) {
     glint_status status = glint_check_scene(frame->scene);
     if (status != GLINT_OK)
         return status;
@@ -95,7 +95,7 @@ static glint_status begin_frame(glint_frame *frame, const glint_config *config, 
         return GLINT_ERROR_ARENA;
     frame->memory.base = glint_align(config->arena);
     frame->memory.high = (config->arena_size - (GLINT_ALIGNMENT - 1)) & ~(GLINT_ALIGNMENT - 1);
-    return prepare(frame, &kept);
+    return prepare_scene(frame, &kept);
 }
 
 glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene) {

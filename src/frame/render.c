@@ -26,7 +26,7 @@ typedef struct sender {
     int busy;
 } sender;
 
-static int wait(sender *s) {
+static int wait_for_flush(sender *s) {
     int failed = s->busy && s->flush->wait && s->flush->wait(s->flush->context) != 0;
     s->busy = 0;
     return failed;
@@ -35,7 +35,8 @@ static int wait(sender *s) {
 static glint_status send(sender *s, const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
     int x, y, width, height;
     glint_tile_rectangle(frame, tile, &x, &y, &width, &height);
-    if (wait(s) || s->flush->begin(s->flush->context, x, y, width, height, workspace->pixels, workspace->stride) != 0)
+    if (wait_for_flush(s) ||
+        s->flush->begin(s->flush->context, x, y, width, height, workspace->pixels, workspace->stride) != 0)
         return GLINT_ERROR_FLUSH;
     s->busy = 1;
     workspace->pixels = s->buffers[workspace->pixels == s->buffers[0]];
@@ -94,7 +95,7 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
     workspace.drawn = config.counts_drawn ? frame.stats.drawn : 0;
     sender s = {&config.flush, {first, second}, 0, 0};
     status = render_passes(&frame, &workspace, &s);
-    if (wait(&s) && status == GLINT_OK)
+    if (wait_for_flush(&s) && status == GLINT_OK)
         status = GLINT_ERROR_FLUSH;
     frame.stats.arena_used += (uint32_t)(buffers + GLINT_ALIGNMENT - 1);
     renderer->stats = frame.stats;

@@ -67,10 +67,10 @@ static GLINT_NOINLINE void turn_round(glint_triangle *triangle, const glint_draw
 
 /* The draw whose triangles come now, and their numbers in the pass; none unless they are corners alone, of front faces.
  */
-typedef struct source {
+typedef struct draw_source {
     const glint_draw *draw;
     uint32_t first, count;
-} source;
+} draw_source;
 
 static inline const uint16_t *find_corners(const glint_draw *draw, uint32_t i, glint_triangle *t) {
     const uint16_t *indices = draw->triangles[i];
@@ -81,7 +81,7 @@ static inline const uint16_t *find_corners(const glint_draw *draw, uint32_t i, g
 }
 
 /* Any triangle, of this draw, of one that follows, or made by clipping. */
-static GLINT_NOINLINE void find_any_triangle(const glint_frame *frame, source *from, uint32_t number,
+static GLINT_NOINLINE void find_any_triangle(const glint_frame *frame, draw_source *from, uint32_t number,
                                              glint_triangle *t) {
     const glint_draw *draw = from->draw;
     if (number > GLINT_TRIANGLES_MAX) {
@@ -112,7 +112,7 @@ static GLINT_NOINLINE void find_any_triangle(const glint_frame *frame, source *f
 }
 
 /* A triangle by its number; a list names draws in order, none before the one that triangles come from. */
-static inline void find_triangle(const glint_frame *frame, source *from, uint32_t number, glint_triangle *t) {
+static inline void find_triangle(const glint_frame *frame, draw_source *from, uint32_t number, glint_triangle *t) {
     const uint32_t i = number - from->first;
     if (i < from->count)
         find_corners(from->draw, i, t);
@@ -135,7 +135,7 @@ int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint
         if (!glint_tile_is_empty(frame, tile))
             memset(workspace->depth, 0, tile_pixels(&frame->config) * sizeof *workspace->depth);
     }
-    source from = {frame->draws, 0, 0};
+    draw_source from = {frame->draws, 0, 0};
     const glint_reference *const references = frame->references;
     glint_triangle triangle;
     for (uint32_t here = frame->references[tile - frame->tile_first].next; here != GLINT_LIST_END;) {

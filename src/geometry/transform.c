@@ -30,7 +30,7 @@ static int place_in_world(const glint_view *view, const glint_object *object, in
 }
 
 /* Three rows of four, the largest number brought to 30 bits. @return n: they were 2^n times as large. */
-static int to_30_bits(int64_t x[3][4], int32_t out[3][4]) {
+static int rows_to_30_bits(int64_t x[3][4], int32_t out[3][4]) {
     uint64_t bits = 0;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 4; j++)
@@ -69,7 +69,7 @@ static int set_rows(glint_transform *transform, int64_t rows[3][4], uint64_t lar
 }
 
 /* Clip rows x, y, w from rows below 2^38. @return n: they were 2^n times that. */
-static int to_clip_space(glint_transform *transform, const glint_view *view, int64_t rows[3][4]) {
+static int bring_to_clip_space(glint_transform *transform, const glint_view *view, int64_t rows[3][4]) {
     uint64_t largest = 0;
     for (int i = 0; i < 3; i++) {
         uint64_t sum = 0; /* the largest magnitude that the bounding box takes */
@@ -151,7 +151,7 @@ static GLINT_INLINE int64_t find_cofactors(int32_t p[3][4], int64_t wide[3][4], 
         }
         wide[i][3] = p[i][3];
     }
-    to_30_bits(wide, cofactor);
+    rows_to_30_bits(wide, cofactor);
     for (int j = 0; j < 3; j++)
         determinant += glint_product(p[0][j], cofactor[0][j]);
     return determinant;
@@ -164,13 +164,13 @@ static int prepare_normals(glint_transform *transform, const glint_view *view, c
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 4; j++)
             wide[i][j] = j < 3 ? pose->m[i][j] : 0;
-    to_30_bits(wide, p);
+    rows_to_30_bits(wide, p);
     const int64_t determinant = find_cofactors(p, wide, cofactor);
     if (glint_magnitude64(determinant) < (uint64_t)1 << 36) /* 2^-24 of what orthogonal axes give */
         return 0;
     transform->mirrored = determinant < 0;
     rotate(view, cofactor, wide);
-    to_30_bits(wide, cofactor);
+    rows_to_30_bits(wide, cofactor);
     scale_normals(transform, cofactor);
     return 1;
 }
@@ -215,9 +215,9 @@ glint_status glint_transform_prepare(glint_transform *transform, const glint_vie
         return GLINT_ERROR_POSE;
     if (!place_in_world(view, object, wide))
         return GLINT_ERROR_RANGE;
-    int up = to_30_bits(wide, world);
+    int up = rows_to_30_bits(wide, world);
     rotate(view, world, wide);
-    transform->exponent = 28 + 4 - up - to_clip_space(transform, view, wide);
+    transform->exponent = 28 + 4 - up - bring_to_clip_space(transform, view, wide);
     transform->center_x = config->width * (8 << 11) + (1 << 10);
     transform->center_y = config->height * (8 << 11) + (1 << 10);
     prepare_depth(transform, view, transform->exponent);

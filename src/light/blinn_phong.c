@@ -2,8 +2,8 @@
 /* Blinn-Phong lighting (Blinn, 1977): highlights by the half vector H = L + V. */
 #include "model.h"
 
-static uint32_t specular(const glint_power_table *table, const glint_prepared_light *source, const int16_t normal[3],
-                         const int16_t light[3], const int16_t view[3]) {
+static uint32_t specular_of_half_vector(const glint_power_table *table, const glint_prepared_light *source,
+                                        const int16_t normal[3], const int16_t light[3], const int16_t view[3]) {
     if (source) { /* the infinite viewer has one half vector */
         int32_t cosine = glint_dot(normal, source->half_vector);
         if (cosine <= 0)
@@ -31,9 +31,9 @@ static uint32_t specular(const glint_power_table *table, const glint_prepared_li
     return cosine > 0 ? glint_specular_power(table, normal, half_vector, cosine) : glint_power_of_zero(table);
 }
 
-static void light(const glint_shading *shading, uint32_t index, const glint_view *view, glint_fragments *fragments,
-                  int has_surface) {
-    glint_light_fragments(shading, index, view, fragments, has_surface, specular);
+static void light_blinn_phong(const glint_shading *shading, uint32_t index, const glint_view *view,
+                              glint_fragments *fragments, int has_surface) {
+    glint_light_fragments(shading, index, view, fragments, has_surface, specular_of_half_vector);
 }
 
-const glint_model glint_model_blinn_phong = {glint_prepare_specular, light, GLINT_LOBE_HALF_VECTOR};
+const glint_model glint_model_blinn_phong = {glint_prepare_specular, light_blinn_phong, GLINT_LOBE_HALF_VECTOR};

@@ -3,7 +3,8 @@
 #include "../math/numeric.h"
 #include "../scene/view.h"
 
-static glint_status prepare(const glint_light *light, glint_prepared_light *prepared, const glint_view *view) {
+static glint_status prepare_directional(const glint_light *light, glint_prepared_light *prepared,
+                                        const glint_view *view) {
     if (!glint_direction_to_camera(view, light->vector, prepared->direction))
         return GLINT_ERROR_DIRECTION;
     /* H = L + V, V = (0, 0, 1). L is up to 2.3 steps too long or too short: a z of 2 or less may be all rounding. */
@@ -12,4 +13,4 @@ static glint_status prepare(const glint_light *light, glint_prepared_light *prep
     return GLINT_OK;
 }
 
-const glint_light_type glint_light_directional = {prepare, 0, 0, 0};
+const glint_light_type glint_light_directional = {prepare_directional, 0, 0, 0};

@@ -9,13 +9,13 @@
 
 /* ---- Triangles ---- */
 
-typedef struct source source;
+typedef struct colour_source colour_source;
 
 /* Draws a run. */
-typedef void drawer(const source *from, const glint_run *run);
+typedef void drawer(const colour_source *from, const glint_run *run);
 
 /* What the colours of a triangle's pixels come from. */
-struct source {
+struct colour_source {
     glint_gathering to; /* of runs that are gathered; of others it has no shader */
     drawer *draw_run;
     const glint_quadratic *channels; /* of draw_channel_run */
@@ -24,7 +24,7 @@ struct source {
 
 /* ---- Rows ---- */
 
-static void store_run(const source *from, const glint_run *run) {
+static void store_run(const colour_source *from, const glint_run *run) {
     const glint_frame *frame = from->to.frame;
     const glint_workspace *workspace = from->to.workspace;
     frame->config.format->store(workspace->pixels, frame->tile_shift_x,
@@ -32,7 +32,7 @@ static void store_run(const source *from, const glint_run *run) {
                                 (const int32_t(*)[3])workspace->row);
 }
 
-static void draw_channel_run(const source *from, const glint_run *run) {
+static void draw_channel_run(const colour_source *from, const glint_run *run) {
     const glint_config *config = &from->to.frame->config;
     const glint_part *part = from->to.part;
     int32_t(*const row)[3] = from->to.workspace->row;
@@ -50,7 +50,7 @@ static void draw_channel_run(const source *from, const glint_run *run) {
 }
 
 /* Gathers the fragments of a run, and lights them whenever there are enough. */
-static void gather_run(const source *from, const glint_run *run) {
+static void gather_run(const colour_source *from, const glint_run *run) {
     const glint_part *part = from->to.part;
     const uint32_t end = (uint32_t)run->x + run->count;
     int32_t inverse_w = glint_plane_at(&part->depth, part->x + run->x, part->y + run->y);
@@ -65,7 +65,7 @@ static void gather_run(const source *from, const glint_run *run) {
 }
 
 /* Draws a part by runs. @return pixels of its spans */
-static uint32_t draw_runs(const source *from) {
+static uint32_t draw_runs(const colour_source *from) {
     const glint_part *part = from->to.part;
     glint_run runs[GLINT_ROW_RUNS];
     uint32_t covered = 0;
@@ -89,7 +89,7 @@ static void draw_even(const glint_frame *frame, glint_workspace *workspace, cons
         const glint_spans spans = glint_spans_of(frame, workspace, part);
         frame->config.format->draw_even(&spans, colour[0]);
     } else {
-        const source from = {.to = {frame, workspace, part, 0, 0, 0}, .draw_run = store_run, .is_deep = is_deep};
+        const colour_source from = {.to = {frame, workspace, part, 0, 0, 0}, .draw_run = store_run, .is_deep = is_deep};
         for (uint32_t i = 0; i < frame->config.tile_width; i++)
             for (int c = 0; c < 3; c++)
                 workspace->row[i][c] = colour[0][c];
@@ -120,7 +120,7 @@ static void draw_fragments(const glint_frame *frame, glint_workspace *workspace,
                            const glint_triangle *triangle, const glint_part *part, const int16_t *const main[3],
                            int is_negated, glint_shader *shade) {
     const int is_deep = GLINT_SMALL || glint_is_deep(triangle);
-    const source from = {
+    const colour_source from = {
         {frame, workspace, part, draw, shade, &workspace->gathered->fragments}, gather_run, 0, is_deep};
     glint_gathering_begin(&from.to, triangle, main, is_negated, &workspace->gathered->attributes);
     const uint32_t covered = draw_runs(&from);
@@ -196,7 +196,7 @@ static int32_t find_skew(const glint_vertex *a, const glint_vertex *b, unsigned 
     return glint_least(glint_most(skew, -MOST_SKEW), MOST_SKEW);
 }
 
-static void begin_planes(glint_quadratic channel[3], const glint_gradients *g, int32_t a[3][3]) {
+static void begin_channel_planes(glint_quadratic channel[3], const glint_gradients *g, int32_t a[3][3]) {
     for (int c = 0; c < 3; c++) {
         glint_plane plane;
         const int32_t up = 1 << (GLINT_CHANNEL_BITS - 15);
@@ -205,8 +205,8 @@ static void begin_planes(glint_quadratic channel[3], const glint_gradients *g, i
     }
 }
 
-static void begin_quadratics(glint_quadratic channel[3], const glint_gradients *g, const glint_vertex *const v[3],
-                             int32_t a[3][3]) {
+static void begin_channel_quadratics(glint_quadratic channel[3], const glint_gradients *g,
+                                     const glint_vertex *const v[3], int32_t a[3][3]) {
     const unsigned up = glint_find_room(v);
     const int32_t skew[3] = {find_skew(v[0], v[1], up), find_skew(v[1], v[2], up), find_skew(v[0], v[2], up)};
     glint_barycentric s;
@@ -238,16 +238,16 @@ void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const 
             a[c][i] =
                 finishes || !format->channel[c] ? colour[i][c] : colour[i][c] - (colour[i][c] >> format->channel[c]);
     if (how == FITS_PLANES)
-        begin_planes(channels, &part->gradients, a);
+        begin_channel_planes(channels, &part->gradients, a);
     else
-        begin_quadratics(channels, &part->gradients, v, a);
+        begin_channel_quadratics(channels, &part->gradients, v, a);
     for (int c = 0; c < 3 && !finishes; c++)
         channels[c].start += (uint32_t)glint_to_levels(0, format->channel[c]);
     if (!GLINT_SMALL && format->draw_channels && !finishes) {
         const glint_spans spans = glint_spans_of(frame, workspace, part);
         format->draw_channels(&spans, channels, how == FITS_QUADRATICS);
     } else {
-        const source from = {
+        const colour_source from = {
             .to = {frame, workspace, part, 0, 0, 0}, .draw_run = draw_channel_run, .channels = channels};
         draw_runs(&from);
     }

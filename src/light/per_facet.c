@@ -24,7 +24,7 @@ static int32_t average(const glint_draw *draw, const uint16_t *indices, int c) {
     return (draw->extra[indices[0]][c] + draw->extra[indices[1]][c] + draw->extra[indices[2]][c]) / 3;
 }
 
-static void light_triangle(const glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t i) {
+static void light_facet(const glint_frame *frame, glint_draw *draw, const glint_transform *transform, uint32_t i) {
     const uint16_t *indices = draw->triangles[i];
     const glint_position *const p[3] = {&draw->positions[indices[0]], &draw->positions[indices[1]],
                                         &draw->positions[indices[2]]};
@@ -46,4 +46,4 @@ static void light_triangle(const glint_frame *frame, glint_draw *draw, const gli
     glint_clamp_colour(one.colour[0], draw->facets[i]);
 }
 
-const glint_evaluation glint_per_facet = {GLINT_LIT_AT_FACETS, light_triangle, glint_draw_facet, 0};
+const glint_evaluation glint_per_facet = {GLINT_LIT_AT_FACETS, light_facet, glint_draw_facet, 0};

@@ -4,8 +4,8 @@
 #include "shade.h"
 
 /* Makes a vertex fragment i, seen from the front. Without colours, extra attributes are the back's, not yet lit. */
-static void gather(const glint_frame *frame, const glint_draw *draw, uint32_t index, glint_fragments *to, uint32_t i,
-                   int has_surface) {
+static void gather_vertices(const glint_frame *frame, const glint_draw *draw, uint32_t index, glint_fragments *to,
+                            uint32_t i, int has_surface) {
     const glint_position *p = &draw->positions[index];
     const int64_t point[3] = {p->x, p->y, p->w};
     if (glint_needs_rays(frame->view, draw->shading))
@@ -23,8 +23,8 @@ static void negate_normals(glint_fragments *fragments) {
             fragments->normal[i][c] = (int16_t)-fragments->normal[i][c];
 }
 
-static void light_triangle(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
-                           uint32_t triangle) {
+static void light_corners(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
+                          uint32_t triangle) {
     const glint_mesh *mesh = frame->scene->objects[draw->object].mesh;
     const int has_surface = mesh->colours || mesh->colours565;
     uint32_t index[3], count = 0;
@@ -36,7 +36,7 @@ static void light_triangle(const glint_frame *frame, glint_draw *draw, const gli
             continue;
         glint_transform_normal(draw, &draw->vertices[here]);
         index[count] = here;
-        gather(frame, draw, here, &vertices, count++, has_surface);
+        gather_vertices(frame, draw, here, &vertices, count++, has_surface);
     }
     if (!count)
         return;
@@ -52,4 +52,4 @@ static void light_triangle(const glint_frame *frame, glint_draw *draw, const gli
         glint_clamp_colour(vertices.colour[i], draw->extra[index[i]]);
 }
 
-const glint_evaluation glint_per_vertex = {GLINT_LIT_AT_VERTICES, light_triangle, glint_draw_lit, 0};
+const glint_evaluation glint_per_vertex = {GLINT_LIT_AT_VERTICES, light_corners, glint_draw_lit, 0};

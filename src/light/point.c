@@ -17,7 +17,7 @@ glint_status glint_point_attenuation(const glint_light *light, glint_prepared_li
     return GLINT_OK;
 }
 
-static glint_status prepare(const glint_light *light, glint_prepared_light *prepared, const glint_view *view) {
+static glint_status prepare_point(const glint_light *light, glint_prepared_light *prepared, const glint_view *view) {
     (void)view;
     return glint_point_attenuation(light, prepared);
 }
@@ -50,7 +50,7 @@ void glint_point_place(const glint_light *light, glint_prepared_light *prepared,
     prepared->point.shift = bits + 4 - up + 31 + find_mantissas(scaled, n, prepared->point.mantissa);
     /* |light vector| / (1/w): Q12 half pixels over Q31, times the nearest w in world units */
     int64_t unit = (n << 30) / view->focal; /* n / focal, Q30: from 2^31 to 2^53 */
-    unit += glint_shift_right64(unit, 13);  /* over GLINT_UNIT / 2^15, which find_length's lengths are times */
+    unit += glint_shift_right64(unit, 13);  /* over GLINT_UNIT / 2^15, which find_distance's lengths are times */
     unsigned size = glint_bits64((uint64_t)unit) - 31;
     prepared->point.distance_mantissa = (int32_t)glint_shift_right64(unit, size);
     prepared->point.distance_shift = 30 - (int)size - bits + 28 - 31;
@@ -131,7 +131,7 @@ static int find_direction(const glint_prepared_light *light, const glint_fragmen
 }
 
 /* A vector's direction, unit, and length times GLINT_UNIT / 2^15, of 16 bits times a power of two; v is not 0. */
-static uint32_t find_length(int32_t v[3], int *exponent, int16_t direction[3]) {
+static uint32_t find_distance(int32_t v[3], int *exponent, int16_t direction[3]) {
     const int down = 17 - (int)zeros_of(v); /* to components of 15 bits */
     for (int c = 0; c < 3; c++)
         v[c] = down > 0 ? glint_shift_right(glint_shift_right(v[c], (unsigned)down - 1) + 1, 1)
@@ -154,7 +154,7 @@ static void illuminate_one(const glint_prepared_light *light, glint_fragments *f
         glint_unit(v[0], v[1], v[2], fragments->light[i]);
         return;
     }
-    const uint32_t length = find_length(v, &exponent, fragments->light[i]);
+    const uint32_t length = find_distance(v, &exponent, fragments->light[i]);
     fragments->strength[i] = (uint16_t)attenuate(light, (uint32_t)fragments->inverse_w[i], length, exponent);
     fragments->length[i] = length;
     fragments->exponent[i] = (int8_t)exponent;
@@ -174,4 +174,4 @@ void glint_point_illuminate(const glint_prepared_light *light, glint_fragments *
         illuminate_one(light, fragments, i);
 }
 
-const glint_light_type glint_light_point = {prepare, glint_point_illuminate, glint_point_place, 0};
+const glint_light_type glint_light_point = {prepare_point, glint_point_illuminate, glint_point_place, 0};

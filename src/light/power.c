@@ -15,7 +15,7 @@ static int32_t power_of_sine(uint32_t u, int32_t exponent) {
 }
 
 /* Where (1 - u)^(p/2) times the weight falls below what need not show; Q30. */
-static uint32_t find_cut(int32_t exponent, uint32_t weight, uint32_t spare) {
+static uint32_t find_window_end(int32_t exponent, uint32_t weight, uint32_t spare) {
     unsigned bits = spare ? 0 : 12; /* 2^-12 is 1/16 of 1/255 */
     while (bits < 16 && weight > (spare ? spare : 1) << bits)
         bits++;
@@ -34,7 +34,7 @@ static uint32_t find_window(uint32_t cut) {
 void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t weight, uint32_t spare) {
     table->exponent = exponent;
     table->direct = exponent < 2 * GLINT_ONE;
-    const uint32_t cut = table->direct ? 1u << 30 : find_cut(exponent, weight, spare);
+    const uint32_t cut = table->direct ? 1u << 30 : find_window_end(exponent, weight, spare);
     table->window = find_window(cut);
     uint32_t inside = (1u << 30) - (spare ? cut : table->window);
     table->cosine_square_floor = (int32_t)((inside - (inside >> 11)) >> 15);

@@ -8,7 +8,7 @@ static int32_t cosine_of(glint_q16 degrees) {
     return (int32_t)glint_round_shift64(cosine * (GLINT_UNIT * GLINT_UNIT), 30);
 }
 
-static glint_status prepare(const glint_light *light, glint_prepared_light *prepared, const glint_view *view) {
+static glint_status prepare_spot(const glint_light *light, glint_prepared_light *prepared, const glint_view *view) {
     if (light->inner < 0 || light->inner > light->outer || light->outer > 180 * GLINT_ONE)
         return GLINT_ERROR_CONE;
     if (glint_point_attenuation(light, prepared) != GLINT_OK)
@@ -30,7 +30,7 @@ static uint32_t smooth_step(int32_t past, int32_t slope) {
     return (t * t >> 15) * ((3u << 15) - 2 * t) >> 15;
 }
 
-static void illuminate(const glint_prepared_light *light, glint_fragments *fragments) {
+static void illuminate_spot(const glint_prepared_light *light, glint_fragments *fragments) {
     glint_point_illuminate(light, fragments);
     for (uint32_t i = 0; i < fragments->count; i++) {
         int32_t cosine = glint_dot(fragments->light[i], light->direction);
@@ -43,4 +43,4 @@ static void illuminate(const glint_prepared_light *light, glint_fragments *fragm
     }
 }
 
-const glint_light_type glint_light_spot = {prepare, illuminate, glint_point_place, 1};
+const glint_light_type glint_light_spot = {prepare_spot, illuminate_spot, glint_point_place, 1};

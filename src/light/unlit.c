@@ -2,7 +2,7 @@
 /* Plain colour, for things such as a drawn light: the diffuse colour takes the place of ambient light. */
 #include "shading.h"
 
-static void prepare(glint_shading *shading, uint32_t largest_specular) {
+static void prepare_unlit(glint_shading *shading, uint32_t largest_specular) {
     const glint_colour *colour = &shading->material->diffuse;
     (void)largest_specular;
     shading->has_specular = 0;
@@ -11,4 +11,4 @@ static void prepare(glint_shading *shading, uint32_t largest_specular) {
     shading->ambient[2] = (uint32_t)colour->b << 7;
 }
 
-const glint_model glint_model_unlit = {prepare, 0, GLINT_LOBE_OTHER};
+const glint_model glint_model_unlit = {prepare_unlit, 0, GLINT_LOBE_OTHER};

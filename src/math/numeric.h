@@ -15,16 +15,16 @@
  * | normal of a vertex | camera | int16, 1 = GLINT_UNIT | length 32752 to 32768 | geometry.c |
  * | screen x, y | screen | int16 28.4 | strictly within +-1023 px of the centre | clip.c |
  * | 1/w of a vertex | screen | int32 Q31 of the frame's nearest | 2^6 to 2^31 - 2^16 | geometry.c |
- * | 1/w of a fragment | screen | int32 Q31 of the frame's nearest | 0 to 2^31 - 1 | kernel.c |
- * | depth | screen | uint16, (1/w >> 15) + 1 | 1 to 65535, 0 is empty | kernel.c |
- * | normal or colour over w | screen | int32, scaled per triangle | +-2^30 | kernel.c |
+ * | 1/w of a fragment | screen | int32 Q31 of the frame's nearest | 0 to 2^31 - 1 | draw.c |
+ * | depth | screen | uint16, (1/w >> 15) + 1 | 1 to 65535, 0 is empty | draw.c |
+ * | normal or colour over w | screen | int32, scaled per triangle | +-2^30 | draw.c |
  * | colour of a vertex or facet | | int16, 1 = 32767 | 0 to 32767 | glint_clamp_colour |
  * | strength of a light with a position | | uint16 Q15 | 0 to 2^15 | point.c |
  * | twice a triangle's area | screen | int32, 28.4 squared | < 2^31 | guard band |
- * | light weight (light times material) | | uint32 Q12 | 0 to 16 | prepare.c |
+ * | light weight (light times material) | | uint32 Q12 | 0 to 16 | shading.c |
  * | power table | | uint16 Q15 | 0 to 2^15 | power.c |
- * | channel of a pixel | | int32 Q27 | 0 to 15; a plane's up to 2^-12 beyond its corners' | kernel.c |
- * | fragment colour | | uint32 Q23 | below 2^32: 8 lights of 2 x 16, ambient 16 | prepare.c |
+ * | channel of a pixel | | int32 Q27 | 0 to 15; a plane's up to 2^-12 beyond its corners' | draw.c |
+ * | fragment colour | | uint32 Q23 | below 2^32: 8 lights of 2 x 16, ambient 16 | shading.c |
  */
 #ifndef GLINT_NUMERIC_H
 #define GLINT_NUMERIC_H

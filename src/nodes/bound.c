@@ -3,8 +3,8 @@
 #include "terms.h"
 
 /* What a node's cosine differs by at least from what tells clear from not, Q12: lights with a position, and cones. */
-#define CLEARLY_NEAR 512
-#define CLEARLY_INSIDE 64
+#define CLEAR_OF_EDGE 512
+#define INSIDE_CONE 64
 
 /* A region wider than three quarters of a light's distance has no polynomial, Q12. */
 #define TOO_NEAR (3 << 10)
@@ -140,8 +140,7 @@ static inline int is_wide(uint32_t near, uint32_t clearly) {
 }
 
 uint32_t glint_find_away(uint32_t outside, uint32_t near) {
-    return (is_wide(near, CLEARLY_INSIDE) ? 0 : outside & 0xff) |
-           (is_wide(near, 8 * CLEARLY_INSIDE) ? 0 : outside >> 8);
+    return (is_wide(near, INSIDE_CONE) ? 0 : outside & 0xff) | (is_wide(near, 8 * INSIDE_CONE) ? 0 : outside >> 8);
 }
 
 /* How far a region's corners lie apart, over the distance to lights so close. */
@@ -160,7 +159,7 @@ static inline uint32_t lobe_turn(const glint_shading *shading, const glint_regio
 }
 
 /* H turns by what L and V turn, over |L + V|. */
-static inline uint32_t find_axis(const glint_frame *frame, const glint_region *region) {
+static inline uint32_t turn_of_axis(const glint_frame *frame, const glint_region *region) {
     const uint32_t turn = region->near + (frame->view->local_viewer ? region->reach : 0);
     return (turn << 12) / (glint_angle_of(region->half << 10) | 1);
 }
@@ -170,7 +169,7 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
     const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED, near = find_near(region, around);
     const uint32_t away = glint_find_away(region->outside, near) | region->left, dark = region->dark | away,
                    lights = shading->lights & ~away;
-    const int may_end = is_wide(near, CLEARLY_INSIDE);
+    const int may_end = is_wide(near, INSIDE_CONE);
     region->turn = (uint32_t)glint_least((int32_t)region->turn, 1 << 13);
     region->held = region->lit;
     region->sides = lights & ~region->lit & ~dark;
@@ -180,7 +179,7 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
         region->near = (uint32_t)glint_least((int32_t)from_anywhere(region->near), (int32_t)near);
     if (ungated || region->outside & 0xff & ~dark)
         region->near = near;
-    if (times(near, region->turn) > 2 * CLEARLY_NEAR) { /* clear at nodes, not between them */
+    if (times(near, region->turn) > 2 * CLEAR_OF_EDGE) { /* clear at nodes, not between them */
         region->sides = lights;
         region->held = 0;
         region->near = near;
@@ -194,7 +193,7 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
             }
             region->cones |= ~region->held & 1u << l;
         }
-    region->axis = lobes ? find_axis(frame, region) : 0;
+    region->axis = lobes ? turn_of_axis(frame, region) : 0;
     return lobes;
 }
 

@@ -11,7 +11,7 @@
  * From corner to corner; of a cell that is no less than twice what it is from the centre to a corner, or between nodes
  * along an edge: where normals between corners nearly cancel, most of their turn is on one side.
  */
-static uint32_t find_turn(const glint_shape *shape, glint_node *const nodes[]) {
+static uint32_t find_shape_turn(const glint_shape *shape, glint_node *const nodes[]) {
     static const uint8_t around[9] = {0, 1, 2, 5, 8, 7, 6, 3, 0};
     int32_t turn = 0, half = 0;
     for (int i = 0; i < 3; i++)
@@ -53,8 +53,8 @@ static uint32_t find_colour(const glint_shape *shape, glint_node *const nodes[])
     return (uint32_t)apart >> 2;
 }
 
-static int place_lobe(const glint_shading *shading, const glint_shape *shape, glint_node *const nodes[], int32_t bulge,
-                      uint32_t l) {
+static int place_shape_lobe(const glint_shading *shading, const glint_shape *shape, glint_node *const nodes[],
+                            int32_t bulge, uint32_t l) {
     int32_t least[4] = {INT32_MAX, INT32_MAX, INT32_MAX, INT32_MAX};
     int32_t most[4] = {INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN};
     for (uint32_t i = 0; i < shape->count; i++) {
@@ -69,7 +69,7 @@ static int place_lobe(const glint_shading *shading, const glint_shape *shape, gl
 }
 
 /* Does a light keep its side all over a region, whatever its polynomial is off by? */
-static int keeps_side(const glint_shape *shape, glint_node *const nodes[], uint32_t l, int32_t margin) {
+static int shape_keeps_side(const glint_shape *shape, glint_node *const nodes[], uint32_t l, int32_t margin) {
     int32_t least = nodes[0]->number[l][GLINT_SIDE], most = least;
     for (uint32_t i = 1; i < shape->count; i++) {
         least = glint_least(least, nodes[i]->number[l][GLINT_SIDE]);
@@ -79,11 +79,11 @@ static int keeps_side(const glint_shape *shape, glint_node *const nodes[], uint3
 }
 
 /* A highlight may end at once at a terminator: polynomials do not tell just where. */
-static int has_edge(const glint_shading *shading, const glint_region *region, const glint_shape *shape,
-                    glint_node *const nodes[]) {
+static int shape_has_edge(const glint_shading *shading, const glint_region *region, const glint_shape *shape,
+                          glint_node *const nodes[]) {
     const uint32_t gated = shading->material->flags & GLINT_MATERIAL_UNGATED ? 0 : region->sides & region->lobes;
     for (uint32_t l = 0; gated >> l; l++)
-        if (gated >> l & 1 && !keeps_side(shape, nodes, l, region->margin))
+        if (gated >> l & 1 && !shape_keeps_side(shape, nodes, l, region->margin))
             return 1;
     return 0;
 }
@@ -103,14 +103,14 @@ uint32_t glint_shape_away(const glint_draw *draw, const glint_shape *shape, glin
     return glint_find_away(outside, (uint32_t)glint_least((int32_t)(region.reach * around >> 8), 1 << 13));
 }
 
-static int find_region(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
-                       glint_node *const nodes[], glint_region *region) {
+static int find_shape_region(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
+                             glint_node *const nodes[], glint_region *region) {
     const glint_shading *shading = draw->shading;
     glint_w_range w;
     uint32_t closeness = 0, around = 0;
     if (!find_w_range(shape, nodes, &w))
         return 0;
-    region->turn = find_turn(shape, nodes);
+    region->turn = find_shape_turn(shape, nodes);
     glint_region_measure(shading->terms->pixel, shape->width, shape->height, &w, region);
     region->levels = 0;
     region->half = INT16_MAX;
@@ -138,11 +138,12 @@ static int find_region(const glint_frame *frame, const glint_draw *draw, const g
     const int32_t bulge = glint_lobe_bulge(shading, region) / 4; /* nodes lie half as far apart as corners */
     for (uint32_t l = 0; lobes >> l; l++)
         if (lobes >> l & 1)
-            glint_region_add_lobe(
-                region, l, region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, shape, nodes, bulge, l));
+            glint_region_add_lobe(region, l,
+                                  region->unfit >> l & 1 ? GLINT_LOBE_UNFIT
+                                                         : place_shape_lobe(shading, shape, nodes, bulge, l));
     if (!glint_region_fits(shading, draw->extra != 0, region) || !glint_region_bound(frame, shading, region))
         return 0;
-    region->has_edge |= has_edge(shading, region, shape, nodes);
+    region->has_edge |= shape_has_edge(shading, region, shape, nodes);
     return region->error <= 2 * shading->terms->limit;
 }
 
@@ -159,7 +160,7 @@ static inline differences difference(int32_t a, int32_t b, int32_t c, unsigned s
 }
 
 /* x 2^n modulo 2^32, rounded down. */
-static inline uint32_t scale(int32_t x, int n) {
+static inline uint32_t scale_by_power(int32_t x, int n) {
     return n < 0 ? (uint32_t)glint_shift_right(x, (unsigned)-n) : (uint32_t)x << n;
 }
 
@@ -172,14 +173,14 @@ static int fit_cell(const glint_shape *shape, const int32_t n[], int unit, glint
     const differences value = difference(top.value, middle.value, bottom.value, shift);
     const differences step = difference(top.step, middle.step, bottom.step, shift);
     const differences turn = difference(top.turn, middle.turn, bottom.turn, shift);
-    to->row.value = scale(value.value, unit);
-    to->row.step = scale(step.value, once);
-    to->row.turn = scale(turn.value, once);
-    to->down.value = scale(value.step, once);
-    to->down.step = scale(step.step, twice);
-    to->down.turn = scale(turn.step, twice);
-    to->value_turn = scale(value.turn, once);
-    to->step_turn = scale(step.turn, twice);
+    to->row.value = scale_by_power(value.value, unit);
+    to->row.step = scale_by_power(step.value, once);
+    to->row.turn = scale_by_power(turn.value, once);
+    to->down.value = scale_by_power(value.step, once);
+    to->down.step = scale_by_power(step.step, twice);
+    to->down.turn = scale_by_power(turn.step, twice);
+    to->value_turn = scale_by_power(value.turn, once);
+    to->step_turn = scale_by_power(step.turn, twice);
     return 1;
 }
 
@@ -232,7 +233,7 @@ int glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const gl
                       glint_node *const nodes[], glint_terms *terms, glint_descent polynomials[GLINT_POLYNOMIALS_MAX]) {
     glint_region region;
     int32_t n[GLINT_CELL_NODES];
-    if (!find_region(frame, draw, shape, nodes, &region))
+    if (!find_shape_region(frame, draw, shape, nodes, &region))
         return 0;
     glint_terms_name(frame, draw, &region, 0, terms);
     for (uint32_t i = 0; i < shape->count; i++)

@@ -14,22 +14,22 @@
 #define CELL_AREA (256 * 512)
 
 /* A triangle on its way to pixels. */
-typedef struct walk {
+typedef struct lattice_walk {
     glint_gathering gathering;
     int is_deep, largest;   /* cells have at most so many pixels across */
     int32_t x, y;           /* of a cell's first pixel, in the tile */
     uint16_t visible[CELL]; /* its pixels that are nearer than what was there, by rows and bits */
-} walk;
+} lattice_walk;
 
 /* Pixels of a row of a square of a cell. */
-static inline uint32_t row_of(const walk *w, int32_t x, int32_t y, int32_t size) {
+static inline uint32_t row_of_nodes(const lattice_walk *w, int32_t x, int32_t y, int32_t size) {
     return (uint32_t)w->visible[y] >> x & ((1u << size) - 1);
 }
 
 /* Draws pixels of a square of a cell one by one. */
-static void draw_one_by_one(const walk *w, int32_t x, int32_t y, int32_t size) {
+static void draw_one_by_one(const lattice_walk *w, int32_t x, int32_t y, int32_t size) {
     for (int32_t j = y; j < y + size; j++)
-        for (uint32_t row = row_of(w, x, j, size), i = 0; row >> i; i++)
+        for (uint32_t row = row_of_nodes(w, x, j, size), i = 0; row >> i; i++)
             if (row >> i & 1)
                 glint_gather_lit(&w->gathering, w->x + x + (int32_t)i, w->y + j);
     glint_gathering_store(&w->gathering);
@@ -66,7 +66,7 @@ static void draw_edges(const glint_gathering *gathering, const glint_terms *term
 
 /* Draws a square of a cell by polynomials through nodes 2^shift pixels apart. @return 0 where they are not close enough
  */
-static int draw_square(const walk *w, int32_t x, int32_t y, unsigned shift, glint_node *const nodes[]) {
+static int draw_square(const lattice_walk *w, int32_t x, int32_t y, unsigned shift, glint_node *const nodes[]) {
     glint_descent polynomials[GLINT_POLYNOMIALS_MAX];
     glint_terms terms;
     glint_shape shape;
@@ -79,7 +79,7 @@ static int draw_square(const walk *w, int32_t x, int32_t y, unsigned shift, glin
     const uint32_t offset = ((uint32_t)(w->y + y) << w->gathering.frame->tile_shift_x) + (uint32_t)(w->x + x);
     uint32_t pixels = 0;
     for (int32_t j = 0; j < size && fits; j++) {
-        next = find_runs(row_of(w, x, y + j, size), (uint32_t)j, &pixels, next);
+        next = find_runs(row_of_nodes(w, x, y + j, size), (uint32_t)j, &pixels, next);
         if (next > runs + CELL / 2 || pixels > w->gathering.frame->config.tile_width || j == size - 1) {
             glint_terms_draw(w->gathering.frame, w->gathering.workspace, &terms, polynomials, runs,
                              (uint32_t)(next - runs), offset);
@@ -140,7 +140,7 @@ static inline int is_corner(int i) {
 }
 
 /* Lights the nodes of a square but for its corners, which are; they are 2^shift pixels apart. */
-static void light_square(const walk *w, unsigned shift, square *to) {
+static void light_square(const lattice_walk *w, unsigned shift, square *to) {
     batch b = {&w->gathering, {0}};
     glint_shape shape;
     int own = 0;
@@ -155,7 +155,7 @@ static void light_square(const walk *w, unsigned shift, square *to) {
 }
 
 /* Finds the nodes of quarter i of a square; they are 2^shift pixels apart. */
-static void begin_quarter(const walk *w, const square *of, int i, unsigned shift, square *to) {
+static void begin_quarter(const lattice_walk *w, const square *of, int i, unsigned shift, square *to) {
     const int first = i % 2 + 3 * (i / 2);
     to->x = of->x + (i % 2 << (shift + 1));
     to->y = of->y + (i / 2 << (shift + 1));
@@ -169,15 +169,15 @@ static void begin_quarter(const walk *w, const square *of, int i, unsigned shift
 /* ---- Squares ---- */
 
 /* Does a square of a cell show? */
-static int is_visible(const walk *w, int32_t x, int32_t y, int32_t size) {
+static int is_visible(const lattice_walk *w, int32_t x, int32_t y, int32_t size) {
     uint32_t any = 0;
     for (int32_t j = y; j < y + size; j++)
-        any |= row_of(w, x, j, size);
+        any |= row_of_nodes(w, x, j, size);
     return any != 0;
 }
 
 /* Draws a square of eight pixels: as one, as four, or one by one. */
-static void draw_eight(const walk *w, const square *eight) {
+static void draw_eight(const lattice_walk *w, const square *eight) {
     square four;
     if (draw_square(w, eight->x, eight->y, 2, eight->nodes))
         return;
@@ -191,7 +191,7 @@ static void draw_eight(const walk *w, const square *eight) {
 }
 
 /* Draws a cell: as one, or as four squares. */
-static void draw_cell(const walk *w) {
+static void draw_cell(const lattice_walk *w) {
     glint_node corners[4];
     square whole = {.x = 0, .y = 0}, eight;
     batch b = {&w->gathering, {0}};
@@ -212,7 +212,7 @@ static void draw_cell(const walk *w) {
 }
 
 /* Tests the depth of a row of a cell, and stores what is nearer. @return pixels that are, by bits */
-static uint32_t test_row(const walk *w, int32_t y, uint32_t *covered) {
+static uint32_t test_row(const lattice_walk *w, int32_t y, uint32_t *covered) {
     const glint_part *part = w->gathering.part;
     const glint_span span = part->spans[y];
     const int32_t left = glint_most(span.left, w->x), right = glint_least(span.right, w->x + CELL);
@@ -231,7 +231,7 @@ static uint32_t test_row(const walk *w, int32_t y, uint32_t *covered) {
 }
 
 /* Tests the depth of a cell. @return does any of it show? */
-static int test_cell(walk *w, uint32_t *covered) {
+static int test_cell(lattice_walk *w, uint32_t *covered) {
     uint32_t any = 0;
     for (int32_t j = 0; j < CELL; j++) {
         const int32_t y = w->y + j;
@@ -265,7 +265,7 @@ int glint_draw_lattice(const glint_frame *frame, glint_workspace *workspace, con
     glint_attributes attributes;
     glint_fragments fragments;
     uint32_t covered = 0;
-    walk w = {.gathering = {frame, workspace, part, draw, glint_shade, &fragments}};
+    lattice_walk w = {.gathering = {frame, workspace, part, draw, glint_shade, &fragments}};
     if (triangle->area < CELL_AREA)
         return 0;
     glint_gathering_begin(&w.gathering, triangle, normals, triangle->back, &attributes);

@@ -6,11 +6,11 @@
 #include "terms.h"
 
 /* N.L, Q15, from which on a point clearly faces a light, or does not: of lights without and with a position. */
-#define CLEARLY 16
-#define CLEARLY_NEAR 4096
+#define CLEARLY_LIT 16
+#define CLEARLY_LIT_NEAR 4096
 
 /* The same of a cone's cosine, as products of unit vectors: UNIT^2 / 64. */
-#define CLEARLY_INSIDE (1 << 24)
+#define CLEARLY_IN_CONE (1 << 24)
 
 /* |L + V|^2 / 2 = 1 + L.V, Q15, below which a half vector turns too fast. */
 #define LEAST_HALF_SQUARE (1 << 11)
@@ -22,9 +22,9 @@ void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[
 }
 
 /* What a lobe lies around, and what turns about it: H and N, or V and R. @return 0 where there is none */
-static int find_axis(const glint_model *model, const glint_prepared_light *source, int is_fixed,
-                     const int16_t normal[3], const int16_t light[3], const int16_t view[3], int16_t turning[3],
-                     int16_t axis[3], uint32_t *half) {
+static int find_half_axis(const glint_model *model, const glint_prepared_light *source, int is_fixed,
+                          const int16_t normal[3], const int16_t light[3], const int16_t view[3], int16_t turning[3],
+                          int16_t axis[3], uint32_t *half) {
     for (int c = 0; c < 3; c++) {
         turning[c] = normal[c];
         axis[c] = view[c];
@@ -50,7 +50,7 @@ static int find_axis(const glint_model *model, const glint_prepared_light *sourc
 #define REACH ((1 << 14) - 1)
 
 /* Cuts a deviation off. @return was it beyond? */
-static inline int cut_off(int32_t *e) {
+static inline int cut_off_number(int32_t *e) {
     const int32_t inside = glint_most(glint_least(*e, REACH), -REACH);
     const int is_far = inside != *e;
     *e = inside;
@@ -63,7 +63,7 @@ static inline int cut_off(int32_t *e) {
  * is stretched, so that the back of H stays outside the highlight. @return is it stretched or cut off, so that no
  * polynomial fits?
  */
-static int find_deviation(const int16_t n[3], const int16_t h[3], unsigned shift, int16_t number[GLINT_NUMBERS]) {
+static int find_lobe_deviation(const int16_t n[3], const int16_t h[3], unsigned shift, int16_t number[GLINT_NUMBERS]) {
     const int32_t cosine = glint_shift_right(glint_dot(n, h), 15);
     const int32_t k = glint_shift_right((cosine + n[2]) * glint_inverse_of_one_and(h[2]), 16); /* Q14 */
     int32_t x = n[0] * (1 << 14) - h[0] * k, y = n[1] * (1 << 14) - h[1] * k;                  /* Q29 */
@@ -75,29 +75,30 @@ static int find_deviation(const int16_t n[3], const int16_t h[3], unsigned shift
     y = glint_shift_right(y, 15 - shift);
     if (cosine < -GLINT_UNIT / 2)
         x = INT32_MAX;
-    const int is_far = (cosine < 0) | cut_off(&x) | cut_off(&y);
+    const int is_far = (cosine < 0) | cut_off_number(&x) | cut_off_number(&y);
     number[GLINT_LOBE_X] = (int16_t)x;
     number[GLINT_LOBE_Y] = (int16_t)y;
     return is_far;
 }
 
 /* N.L, Q15. */
-static inline int32_t find_cosine(const int16_t normal[3], const int16_t light[3]) {
+static inline int32_t find_signed_cosine(const int16_t normal[3], const int16_t light[3]) {
     const int32_t cosine = glint_dot(normal, light); /* UNIT^2 is 2^30 less a part in 2^12 */
     return glint_least(glint_shift_right(cosine + glint_shift_right(cosine, 12), 15), INT16_MAX);
 }
 
-static void add_lobe(const glint_shading *shading, uint32_t i, const glint_prepared_light *source, int is_fixed,
-                     const glint_fragments *at, uint32_t n, const int16_t *light, glint_node *node) {
+static void light_lobe(const glint_shading *shading, uint32_t i, const glint_prepared_light *source, int is_fixed,
+                       const glint_fragments *at, uint32_t n, const int16_t *light, glint_node *node) {
     int16_t turning[3], axis[3];
     node->number[i][GLINT_LOBE_X] = node->number[i][GLINT_LOBE_Y] = 0;
     const uint32_t is_gated = !(shading->material->flags & GLINT_MATERIAL_UNGATED);
     uint32_t unused = 1 << 14, *const half = node->dark >> i & is_gated ? &unused : &node->half;
-    if (!find_axis(shading->material->model, source, is_fixed, at->normal[n], light, at->view[n], turning, axis, half))
+    if (!find_half_axis(shading->material->model, source, is_fixed, at->normal[n], light, at->view[n], turning, axis,
+                        half))
         node->unfit |= (uint8_t)(1u << i);
     else if (shading->terms->lobe_is_wide)
-        node->number[i][GLINT_LOBE_X] = (int16_t)(find_cosine(turning, axis) >> 1);
-    else if (find_deviation(turning, axis, shading->terms->lobe_shift, node->number[i]))
+        node->number[i][GLINT_LOBE_X] = (int16_t)(find_signed_cosine(turning, axis) >> 1);
+    else if (find_lobe_deviation(turning, axis, shading->terms->lobe_shift, node->number[i]))
         node->far |= (uint8_t)(1u << i);
 }
 
@@ -111,10 +112,10 @@ static void find_cone(const glint_prepared_light *source, uint32_t i, const int1
     const int32_t past = glint_shift_right(cosine - source->spot.cosine_outer, 15); /* 16 bits and a sign */
     const int64_t ramp = glint_shift_right64((int64_t)past * source->spot.slope, 18);
     const int32_t inside = (int32_t)(ramp > STEEP ? STEEP : ramp < -STEEP ? -STEEP : ramp);
-    *is_lit = *is_lit && cosine > source->spot.cosine_inner + CLEARLY_INSIDE;
-    if (cosine < source->spot.cosine_outer - CLEARLY_INSIDE)
+    *is_lit = *is_lit && cosine > source->spot.cosine_inner + CLEARLY_IN_CONE;
+    if (cosine < source->spot.cosine_outer - CLEARLY_IN_CONE)
         node->outside |= (uint16_t)(1u << i);
-    if (cosine < source->spot.cosine_outer - 8 * CLEARLY_INSIDE)
+    if (cosine < source->spot.cosine_outer - 8 * CLEARLY_IN_CONE)
         node->outside |= (uint16_t)(0x100u << i);
     node->number[i][GLINT_CONE] = (int16_t)inside;
     if (inside != ramp || !source->spot.slope)
@@ -127,7 +128,7 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
     const glint_light_terms *terms = shading->terms;
     const glint_prepared_light *source = &frame->view->lights[i];
     const int has_position = source->type->illuminate != 0;
-    const int32_t clearly = has_position ? CLEARLY_NEAR : CLEARLY;
+    const int32_t clearly = has_position ? CLEARLY_LIT_NEAR : CLEARLY_LIT;
     const uint8_t bit = (uint8_t)(1u << i);
     if (has_position)
         glint_point_illuminate(source, at);
@@ -135,7 +136,7 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
         glint_node *node = nodes[n];
         const int16_t *light = has_position ? at->light[n] : source->direction;
         const int32_t strength = has_position ? at->strength[n] : 1 << 15;
-        const int32_t cosine = find_cosine(at->normal[n], light);
+        const int32_t cosine = find_signed_cosine(at->normal[n], light);
         int is_lit = cosine > clearly;
         /* right at a light its direction tells nothing */
         const int is_dark = cosine < -clearly && !(has_position && !at->length[n]);
@@ -146,7 +147,7 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
         node->number[i][GLINT_SIDE] = (int16_t)glint_shift_right(cosine * strength, 16);
         node->number[i][GLINT_STRENGTH] = (int16_t)glint_shift_right(strength, 1);
         if (lobes & bit)
-            add_lobe(shading, i, source, !has_position && !frame->view->local_viewer, at, n, light, node);
+            light_lobe(shading, i, source, !has_position && !frame->view->local_viewer, at, n, light, node);
         const uint32_t closeness = has_position ? glint_point_closeness(at, n) : 0;
         if (closeness > node->around) /* it may shine between nodes that it does not reach */
             node->around = closeness;

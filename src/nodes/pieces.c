@@ -42,7 +42,7 @@ static int32_t mean_of(const int32_t weight[3], int32_t a, int32_t b, int32_t c)
 }
 
 /* Gathers a node as a fragment: normals are linear over w, and so are the surface's colours, Q14. */
-static void gather(const pieces *p, int32_t j, int32_t k, glint_fragments *to) {
+static void gather_piece(const pieces *p, int32_t j, int32_t k, glint_fragments *to) {
     const glint_vertex *const *v = p->triangle->corners;
     const int32_t *const w = p->w;
     const uint32_t i = to->count++;
@@ -90,7 +90,7 @@ static void light_piece(pieces *p, const glint_shape *shape, glint_node *nodes[6
             continue;
         p->is_there |= 1u << number;
         to[at.count] = nodes[i];
-        gather(p, j, k, &at);
+        gather_piece(p, j, k, &at);
     }
     glint_nodes_light(p->frame, p->draw->shading, &at, p->draw->shading->lights, p->draw->shading->terms->lobes, to);
     for (uint32_t i = 0; i < at.count; i++) {
@@ -105,10 +105,10 @@ static void light_piece(pieces *p, const glint_shape *shape, glint_node *nodes[6
 /* ---- Polynomials ---- */
 
 /* What a piece's second differences, and its steps, may be: those of the whole triangle's form have their bits then. */
-#define MOST_BULGE (1 << 12)
+#define PIECE_BULGE (1 << 12)
 #define MOST_STEP (3 << 15) /* of both together */
 
-static inline int is_beyond(int32_t x, int32_t most) {
+static inline int is_beyond_piece(int32_t x, int32_t most) {
     return x >= most || x <= -most;
 }
 
@@ -116,7 +116,7 @@ static inline int is_beyond(int32_t x, int32_t most) {
  * With a piece's own coordinates m1 = s (2 l1 - c1) and m2 = s (2 l2 - c2), s and c its `turned` and `first`, what is
  * a + d1 m1 + d2 m2 - b1 m1^2 - b2 m2^2 + both m1 m2 is a form of l1 and l2.
  */
-static int fit(const glint_shape *shape, const int32_t n[], int unit, glint_descent *to) {
+static int fit_piece(const glint_shape *shape, const int32_t n[], int unit, glint_descent *to) {
     const int32_t s = shape->turned, c1 = shape->first[0], c2 = shape->first[1];
     const int32_t b1 = 4 * n[3] - 2 * (n[0] + n[1]), across = 4 * n[4] - 2 * (n[1] + n[2]),
                   b2 = 4 * n[5] - 2 * (n[0] + n[2]), both = across - b1 - b2;
@@ -128,8 +128,9 @@ static int fit(const glint_shape *shape, const int32_t n[], int unit, glint_desc
                           4 * b2,
                           4 * both};
     glint_quadratic q;
-    if (is_beyond(b1, MOST_BULGE) || is_beyond(b2, MOST_BULGE) || is_beyond(both, 2 * MOST_BULGE) ||
-        is_beyond(f.d1 + f.d2, MOST_STEP) || is_beyond(f.d1 - f.d2, MOST_STEP))
+    if (is_beyond_piece(b1, PIECE_BULGE) || is_beyond_piece(b2, PIECE_BULGE) ||
+        is_beyond_piece(both, 2 * PIECE_BULGE) || is_beyond_piece(f.d1 + f.d2, MOST_STEP) ||
+        is_beyond_piece(f.d1 - f.d2, MOST_STEP))
         return 0;
     if (shape->barycentric->unit != (uint32_t)unit)
         glint_barycentric_begin(shape->barycentric, &shape->part->gradients, unit);
@@ -180,7 +181,7 @@ static void draw_piece(pieces *p, glint_workspace *workspace, const glint_shape 
         glint_draw_any(p->frame, workspace, p->draw, p->triangle, part);
 }
 
-static void begin(pieces *p, glint_shape *shape) {
+static void begin_pieces(pieces *p, glint_shape *shape) {
     const glint_vertex *const *v = p->triangle->corners;
     const unsigned up = glint_find_room(v);
     for (int i = 0; i < 3; i++)
@@ -196,13 +197,13 @@ int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, cons
     static const int32_t kinds[4][3] = {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {-1, 1, 1}};
     pieces p = {.frame = frame, .draw = draw, .triangle = triangle};
     glint_barycentric barycentric = {.unit = 0};
-    glint_shape shape = {.count = 6, .corners = {0, 1, 2, 2}, .fit = fit, .part = part, .barycentric = &barycentric};
+    glint_shape shape = {.count = 6, .corners = {0, 1, 2, 2}, .fit = fit_piece, .part = part, .barycentric = &barycentric};
     glint_span spans[4][GLINT_TILE_MAX];
     glint_part cut = *part;
     if (triangle->area * (int32_t)draw->shading->terms->shown < PIECES_AREA || glint_is_deep(triangle) ||
         glint_slenderness(&part->gradients, triangle->area) > GLINT_POLYNOMIAL_SLENDER)
         return 0;
-    begin(&p, &shape);
+    begin_pieces(&p, &shape);
     cut_spans(part, spans);
     for (int i = 0; i < 4; i++) {
         for (uint32_t y = part->top; y < part->bottom; y++)

@@ -98,7 +98,7 @@ static void begin_with_channels_over(const glint_descent sum[3], const int32_t b
 }
 
 /* Sets colours to sums of light, and what is added to all. */
-static void begin(const glint_terms *terms, const glint_descent *sum, const pixel_runs *to) {
+static void begin_row(const glint_terms *terms, const glint_descent *sum, const pixel_runs *to) {
     const glint_light_terms *light = terms->light;
     int32_t base[3];
     for (int c = 0; c < 3; c++) {
@@ -139,7 +139,7 @@ static inline void add(int32_t colour[3], int32_t amount, const uint16_t weight[
 }
 
 /* t^2 (3 - 2 t), Q15, for t Q12 in the high half, cut off at 0 and 1. */
-static inline int32_t smooth_step(int32_t value) {
+static inline int32_t smooth_step_at(int32_t value) {
     const int32_t t = glint_least(glint_most(glint_shift_right(value, 13), 0), 1 << 15);
     return (int32_t)(((uint32_t)(t * t) >> 15) * (uint32_t)((3 << 15) - 2 * t) >> 15);
 }
@@ -156,7 +156,7 @@ static void add_side(const light_parts *of, const uint16_t weight[3], const pixe
                 continue;
             int32_t amount = glint_shift_right((int32_t)((cosine.value >> 15) * over), 15);
             if (of->cone)
-                amount = glint_shift_right(amount * smooth_step(at(of->cone, run, i)), 15);
+                amount = glint_shift_right(amount * smooth_step_at(at(of->cone, run, i)), 15);
             add(*row, amount, weight);
         }
     }
@@ -168,7 +168,7 @@ static int32_t weaken(int32_t power, const light_parts *of, int is_ungated, cons
         return 0;
     if (of->strength)
         power = glint_shift_right(power * glint_most(glint_shift_right(at(of->strength, run, i), 15), 0), 15);
-    return of->cone ? glint_shift_right(power * smooth_step(at(of->cone, run, i)), 15) : power;
+    return of->cone ? glint_shift_right(power * smooth_step_at(at(of->cone, run, i)), 15) : power;
 }
 
 /* Adds a highlight; `general` is a constant where this is inlined. */
@@ -266,7 +266,7 @@ static void multiply_by_surface(const glint_terms *terms, const glint_descent su
 }
 
 /* Makes colours no less than ambient light, and the surface's colour of it. */
-static void raise_to_ambient(const glint_terms *terms, const glint_descent surface[3], const pixel_runs *to) {
+static void raise_row_to_ambient(const glint_terms *terms, const glint_descent surface[3], const pixel_runs *to) {
     for (int c = 0; c < 3; c++) {
         const int32_t ambient = terms->light->ambient[c], half = terms->light->half[c];
         int32_t(*row)[3] = to->row;
@@ -294,7 +294,7 @@ static uint32_t find_colours(const glint_terms *terms, const glint_descent *poly
         find_inverses(&polynomials[terms->square], to, inverse);
         to->inverse = inverse;
     }
-    begin(terms, polynomials, to);
+    begin_row(terms, polynomials, to);
     for (const glint_apart *a = terms->apart; a != end; a++)
         if (a->kinds >> GLINT_SIDE & 1) {
             const light_parts parts = parts_of(a, polynomials);
@@ -311,7 +311,7 @@ static uint32_t find_colours(const glint_terms *terms, const glint_descent *poly
                 add_lobe(terms, &parts, light->specular[a->light], to);
         }
     if (terms->takes_largest)
-        raise_to_ambient(terms, polynomials + terms->surface, to);
+        raise_row_to_ambient(terms, polynomials + terms->surface, to);
     to->inverse = 0;
     return pixels;
 }

@@ -159,7 +159,7 @@ static void find_shares(const glint_triangle *triangle, candidate *t) {
     }
 }
 
-static inline int32_t mix(const candidate *t, int e, int32_t a, int32_t b) {
+static inline int32_t mix_ends(const candidate *t, int e, int32_t a, int32_t b) {
     return glint_shift_right(t->share[e][0] * a + t->share[e][1] * b + (1 << 14), 15);
 }
 
@@ -176,8 +176,8 @@ static void gather_middle(const glint_frame *frame, const glint_vertex *a, const
 }
 
 /* Finds the nodes between corners. @return 0 where polynomials through them do not fit */
-static int find_middles(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
-                        candidate *t) {
+static int light_middles(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
+                         candidate *t) {
     const glint_light_terms *light = draw->shading->terms;
     const glint_region *region = &t->region;
     glint_node *const to[3] = {&t->middle[0], &t->middle[1], &t->middle[2]};
@@ -187,7 +187,7 @@ static int find_middles(const glint_frame *frame, const glint_draw *draw, const 
         find_shares(triangle, t);
         for (int e = 0; e < 3; e++)
             for (uint32_t c = 0; c < light->channels; c++)
-                t->sum[3 + e][c] = mix(t, e, t->sum[ends[e][0]][c], t->sum[ends[e][1]][c]);
+                t->sum[3 + e][c] = mix_ends(t, e, t->sum[ends[e][0]][c], t->sum[ends[e][1]][c]);
         return 1;
     }
     at.count = 0;
@@ -227,7 +227,7 @@ static inline void take_numbers(const glint_light_terms *light, const candidate 
     for (int i = 0; i < 3; i++)
         n[i] = t->kept[i][light->at[l][kind]];
     for (int e = 0; 3 + e < count; e++)
-        n[3 + e] = t->is_between ? mix(t, e, n[ends[e][0]], n[ends[e][1]]) : t->middle[e].number[l][kind];
+        n[3 + e] = t->is_between ? mix_ends(t, e, n[ends[e][0]], n[ends[e][1]]) : t->middle[e].number[l][kind];
 }
 
 static inline void take_sums(const glint_terms *terms, const candidate *t, int c, int count, int32_t n[6]) {
@@ -241,7 +241,7 @@ static inline void take_sums(const glint_terms *terms, const candidate *t, int c
 }
 
 /* Numbers times their nodes' lengths, or their squares. */
-static void scale(int32_t n[6], const int32_t by[6]) {
+static void scale_by_lengths(int32_t n[6], const int32_t by[6]) {
     for (int i = 0; i < 6 && by; i++)
         n[i] = glint_shift_right(n[i] * by[i] + (1 << 14), 15);
 }
@@ -260,7 +260,8 @@ static unsigned unit_of_sums(const glint_terms *terms) {
     return terms->sums == 1 ? 16 : 12 + terms->light->sum_bits;
 }
 
-static void begin_quadratics(const candidate *t, const glint_lengths *by, const glint_terms *terms, const target *to) {
+static void begin_term_quadratics(const candidate *t, const glint_lengths *by, const glint_terms *terms,
+                                  const target *to) {
     const glint_gradients *const g = &to->part->gradients;
     const int32_t *const length = by ? by->length : 0;
     const int32_t *const of_lobe = by && terms->is_over_length > 1 ? by->square : length;
@@ -269,7 +270,7 @@ static void begin_quadratics(const candidate *t, const glint_lengths *by, const 
     glint_barycentric_begin(&s, g, (int32_t)unit_of_sums(terms));
     for (uint32_t c = 0; c < terms->sums; c++) {
         take_sums(terms, t, (int)c, 6, n);
-        scale(n, length);
+        scale_by_lengths(n, length);
         set(to, c, glint_fit_quadratic(&s, n), finish_of(terms, t, c));
     }
     if (terms->end == terms->sums)
@@ -292,7 +293,7 @@ static void begin_quadratics(const candidate *t, const glint_lengths *by, const 
         for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
             if (apart->kinds >> kind & 1) {
                 take_numbers(terms->light, t, apart->light, kind, 6, n);
-                scale(n, kind == GLINT_SIDE ? length : kind >= GLINT_LOBE_X ? of_lobe : 0);
+                scale_by_lengths(n, kind == GLINT_SIDE ? length : kind >= GLINT_LOBE_X ? of_lobe : 0);
                 set(to, next++, glint_fit_quadratic(&s, n), 0);
             }
     }
@@ -312,7 +313,7 @@ static int has_edge(const glint_shading *shading, const candidate *t) {
 }
 
 /* Planes of what the corners keep. @param longer chords are made longer by this, Q15 */
-static void begin_planes(const candidate *t, int32_t longer, const glint_terms *terms, const target *to) {
+static void begin_term_planes(const candidate *t, int32_t longer, const glint_terms *terms, const target *to) {
     const glint_gradients *g = &to->part->gradients;
     const int32_t length = (1 << 15) + longer;
     int32_t n[6];
@@ -367,7 +368,7 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
         glint_terms_name(frame, draw, region, 0, terms);
         terms->is_curved = 0;
         const target to = {part, terms->is_plain ? plain : 0, descents};
-        begin_planes(&t, region->folds ? 0 : (int32_t)(region->turn * region->turn / 12 >> 9), terms, &to);
+        begin_term_planes(&t, region->folds ? 0 : (int32_t)(region->turn * region->turn / 12 >> 9), terms, &to);
         return 1;
     }
     if (!glint_region_bound(frame, shading, &t.region))
@@ -378,12 +379,12 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     if (error > most || (is_over_length && !glint_find_lengths(triangle, &by)))
         return 0;
     t.is_between = error + region->error_between <= most && is_between(frame, shading, region);
-    if (!find_middles(frame, draw, triangle, &t))
+    if (!light_middles(frame, draw, triangle, &t))
         return 0;
     t.region.has_edge |= has_edge(shading, &t);
     const int twice = shading->material->model->lobe == GLINT_LOBE_MIRROR;
     glint_terms_name(frame, draw, region, is_over_length ? 1 + twice : 0, terms);
     const target to = {part, terms->is_plain ? plain : 0, descents};
-    begin_quadratics(&t, is_over_length ? &by : 0, terms, &to);
+    begin_term_quadratics(&t, is_over_length ? &by : 0, terms, &to);
     return 1;
 }

@@ -139,7 +139,7 @@ static void gather_shares(const glint_shading *shading, glint_light_terms *terms
 #define FAINT 32
 
 /* sin^2 where the brightest highlight falls below what need not show, Q30; 0 where none shows. */
-static uint32_t find_cut(const glint_frame *frame, const glint_shading *shading, const glint_light_terms *terms) {
+static uint32_t find_lobe_cut(const glint_frame *frame, const glint_shading *shading, const glint_light_terms *terms) {
     uint32_t levels = 0;
     for (uint32_t i = 0; i < frame->scene->light_count; i++)
         if (shading->has_specular >> i & 1 && terms->specular_levels[i] > levels)
@@ -181,7 +181,7 @@ static void set_lobes(const glint_frame *frame, const glint_shading *shading, gl
             (uint32_t)glint_most(shading->shininess, 2 * GLINT_ONE) / 384; /* 2/3 of p: of 0.041 it makes 0.0275 */
         return;
     }
-    const uint32_t cut = find_cut(frame, shading, terms);
+    const uint32_t cut = find_lobe_cut(frame, shading, terms);
     const unsigned bits = 32 - glint_leading_zeros(cut);
     terms->lobes = cut ? shading->has_specular : 0;
     terms->lobe_shift = bits < LOBE_BITS + 2 ? (LOBE_BITS + 2 - bits) / 2 : 0;
@@ -229,7 +229,7 @@ static int fits(const glint_shading *shading, uint32_t total) {
     return (model->lobe != GLINT_LOBE_OTHER || !model->light) && total < 15 << 12;
 }
 
-static int find_terms(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
+static int find_light_terms(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
     const uint32_t total = find_total(frame, shading, 0, 1); /* ambient light has no error */
     if (!is_wanted(frame, shading->material) || !fits(shading, find_total(frame, shading, 1, 1)))
         return 0;
@@ -247,7 +247,7 @@ static int find_terms(const glint_frame *frame, const glint_shading *shading, gl
 
 size_t glint_terms_measure(const glint_frame *frame, const glint_shading *shading) {
     glint_light_terms terms;
-    return find_terms(frame, shading, &terms) ? terms.stride * sizeof(int16_t) : 0;
+    return find_light_terms(frame, shading, &terms) ? terms.stride * sizeof(int16_t) : 0;
 }
 
 glint_status glint_terms_prepare(glint_frame *frame) {
@@ -261,7 +261,7 @@ glint_status glint_terms_prepare(glint_frame *frame) {
         glint_light_terms *terms = glint_take(&frame->memory, sizeof *terms);
         if (!terms)
             return GLINT_ERROR_ARENA;
-        if (!find_terms(frame, shading, terms)) {
+        if (!find_light_terms(frame, shading, terms)) {
             frame->memory.low = before;
             continue;
         }

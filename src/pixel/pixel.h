@@ -182,15 +182,15 @@ static GLINT_INLINE void glint_draw_channel_spans(const glint_spans *s, const gl
 }
 
 /** The functions of a format, whose names end in `suffix`; `fill_tile` is glint_fill_tile, or its own. */
-#define GLINT_DEFINE_STORES(suffix, bits, pack, put, fill_tile, is_dithered)                           \
-    static void store##suffix(void *pixels, unsigned shift, uint32_t offset, uint32_t count,           \
-                              const int32_t(*colour)[3]) {                                             \
-        const glint_target target = {pixels, shift, is_dithered};                                      \
-        glint_store_run(&target, offset, count, colour, pack, put);                                    \
-    }                                                                                                  \
-    static void fill##suffix(void *pixels, unsigned shift, uint32_t height, const int32_t colour[3]) { \
-        const glint_target target = {pixels, shift, is_dithered};                                      \
-        fill_tile(&target, height, colour, bits, pack, put);                                           \
+#define GLINT_DEFINE_STORES(suffix, bits, pack, put, fill_tile, is_dithered)                            \
+    static void store_##suffix(void *pixels, unsigned shift, uint32_t offset, uint32_t count,           \
+                               const int32_t(*colour)[3]) {                                             \
+        const glint_target target = {pixels, shift, is_dithered};                                       \
+        glint_store_run(&target, offset, count, colour, pack, put);                                     \
+    }                                                                                                   \
+    static void fill_##suffix(void *pixels, unsigned shift, uint32_t height, const int32_t colour[3]) { \
+        const glint_target target = {pixels, shift, is_dithered};                                       \
+        fill_tile(&target, height, colour, bits, pack, put);                                            \
     }
 
 /** Those which a library built for size does without. */
@@ -199,34 +199,34 @@ static GLINT_INLINE void glint_draw_channel_spans(const glint_spans *s, const gl
 #define GLINT_DEFINE_FUSED(suffix, pack, put, is_dithered)
 #else
 #define GLINT_FUSED(loop) loop
-#define GLINT_DEFINE_FUSED(suffix, pack, put, is_dithered)                                                     \
-    static void draw_even##suffix(const glint_spans *s, const int32_t colour[3]) {                             \
-        const glint_target target = {s->pixels, s->shift, is_dithered};                                        \
-        glint_draw_even_spans(s, &target, colour, pack, put);                                                  \
-    }                                                                                                          \
-    static void draw_channels##suffix(const glint_spans *s, const glint_quadratic channel[3], int is_curved) { \
-        const glint_target target = {s->pixels, s->shift, is_dithered};                                        \
-        if (is_curved)                                                                                         \
-            glint_draw_channel_spans(s, &target, channel, 1, pack, put);                                       \
-        else                                                                                                   \
-            glint_draw_channel_spans(s, &target, channel, 0, pack, put);                                       \
+#define GLINT_DEFINE_FUSED(suffix, pack, put, is_dithered)                                                      \
+    static void draw_even_##suffix(const glint_spans *s, const int32_t colour[3]) {                             \
+        const glint_target target = {s->pixels, s->shift, is_dithered};                                         \
+        glint_draw_even_spans(s, &target, colour, pack, put);                                                   \
+    }                                                                                                           \
+    static void draw_channels_##suffix(const glint_spans *s, const glint_quadratic channel[3], int is_curved) { \
+        const glint_target target = {s->pixels, s->shift, is_dithered};                                         \
+        if (is_curved)                                                                                          \
+            glint_draw_channel_spans(s, &target, channel, 1, pack, put);                                        \
+        else                                                                                                    \
+            glint_draw_channel_spans(s, &target, channel, 0, pack, put);                                        \
     }
 #endif
 
 /** A format of so many bits a pixel, and of its channels, or 0 for luma. */
-#define GLINT_FORMAT(suffix, bits, red, green, blue, fast)                                     \
-    {                                                                                          \
-        bits, {red, green, blue}, store##suffix, fill##suffix, GLINT_FUSED(draw_even##suffix), \
-            GLINT_FUSED(draw_channels##suffix), fast                                           \
+#define GLINT_FORMAT(suffix, bits, red, green, blue, fast)                                        \
+    {                                                                                             \
+        bits, {red, green, blue}, store_##suffix, fill_##suffix, GLINT_FUSED(draw_even_##suffix), \
+            GLINT_FUSED(draw_channels_##suffix), fast                                             \
     }
 
 /** Defines a format and its dithered twin, which the linker keeps only where they are named. */
-#define GLINT_DEFINE_FORMAT(name, bits, red, green, blue, pack, put, fill_tile, fast) \
-    GLINT_DEFINE_STORES(, bits, pack, put, fill_tile, 0)                              \
-    GLINT_DEFINE_STORES(_dithered, bits, pack, put, fill_tile, 1)                     \
-    GLINT_DEFINE_FUSED(, pack, put, 0)                                                \
-    GLINT_DEFINE_FUSED(_dithered, pack, put, 1)                                       \
-    const glint_format name = GLINT_FORMAT(, bits, red, green, blue, fast);           \
-    const glint_format name##_dithered = GLINT_FORMAT(_dithered, bits, red, green, blue, 0)
+#define GLINT_DEFINE_FORMAT(name, bits, red, green, blue, pack, put, fill_tile, fast)          \
+    GLINT_DEFINE_STORES(name, bits, pack, put, fill_tile, 0)                                   \
+    GLINT_DEFINE_STORES(name##_dithered, bits, pack, put, fill_tile, 1)                        \
+    GLINT_DEFINE_FUSED(name, pack, put, 0)                                                     \
+    GLINT_DEFINE_FUSED(name##_dithered, pack, put, 1)                                          \
+    const glint_format glint_format_##name = GLINT_FORMAT(name, bits, red, green, blue, fast); \
+    const glint_format glint_format_##name##_dithered = GLINT_FORMAT(name##_dithered, bits, red, green, blue, 0)
 
 #endif

@@ -2,13 +2,13 @@
 /* Pixels of 4 bits: luma, the left one of two in the high half. */
 #include "pixel.h"
 
-static inline uint32_t pack(const int32_t colour[3], uint32_t threshold) {
+static inline uint32_t pack_grey4(const int32_t colour[3], uint32_t threshold) {
     return glint_luma_level(colour, 15, threshold);
 }
 
-static inline void put(const glint_target *target, uint32_t offset, uint32_t packed) {
+static inline void put_grey4(const glint_target *target, uint32_t offset, uint32_t packed) {
     uint8_t *pair = (uint8_t *)target->pixels + (offset >> 1);
     *pair = (uint8_t)(offset & 1 ? (*pair & 0xf0u) | packed : (*pair & 0x0fu) | packed << 4);
 }
 
-GLINT_DEFINE_FORMAT(glint_format_grey4, 4, 0, 0, 0, pack, put, glint_fill_tile, 0);
+GLINT_DEFINE_FORMAT(grey4, 4, 0, 0, 0, pack_grey4, put_grey4, glint_fill_tile, 0);

@@ -2,11 +2,11 @@
 /* Pixels of 1 bit: luma, in pages of 8 rows, a byte for each column of a page, its top row lowest. */
 #include "pixel.h"
 
-static inline uint32_t pack(const int32_t colour[3], uint32_t threshold) {
+static inline uint32_t pack_mono_pages(const int32_t colour[3], uint32_t threshold) {
     return glint_luma_level(colour, 1, threshold);
 }
 
-static inline void put(const glint_target *target, uint32_t offset, uint32_t packed) {
+static inline void put_mono_pages(const glint_target *target, uint32_t offset, uint32_t packed) {
     const uint32_t x = offset & ((1u << target->shift) - 1), y = offset >> target->shift, bit = y & 7;
     uint8_t *eight = (uint8_t *)target->pixels + ((y >> 3 << target->shift) + x);
     *eight = (uint8_t)((*eight & ~(1u << bit)) | packed << bit);
@@ -23,4 +23,4 @@ static inline void fill_pages(const glint_target *t, uint32_t height, const int3
     glint_repeat(t->pixels, 8, height << t->shift >> 3);
 }
 
-GLINT_DEFINE_FORMAT(glint_format_mono_pages, 1, 0, 0, 0, pack, put, fill_pages, 0);
+GLINT_DEFINE_FORMAT(mono_pages, 1, 0, 0, 0, pack_mono_pages, put_mono_pages, fill_pages, 0);

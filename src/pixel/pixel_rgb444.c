@@ -2,12 +2,12 @@
 /* Pixels of 12 bits: 4 red, 4 green, 4 blue, high bits first; two pixels in three bytes. */
 #include "pixel.h"
 
-static inline uint32_t pack(const int32_t colour[3], uint32_t threshold) {
+static inline uint32_t pack_rgb444(const int32_t colour[3], uint32_t threshold) {
     return glint_level(colour[0], 4, threshold) << 8 | glint_level(colour[1], 4, threshold) << 4 |
            glint_level(colour[2], 4, threshold);
 }
 
-static inline void put(const glint_target *target, uint32_t offset, uint32_t packed) {
+static inline void put_rgb444(const glint_target *target, uint32_t offset, uint32_t packed) {
     uint8_t *pair = (uint8_t *)target->pixels + 3 * (offset >> 1);
     if (offset & 1) {
         pair[1] = (uint8_t)((pair[1] & 0xf0u) | packed >> 8);
@@ -18,4 +18,4 @@ static inline void put(const glint_target *target, uint32_t offset, uint32_t pac
     }
 }
 
-GLINT_DEFINE_FORMAT(glint_format_rgb444, 12, 4, 4, 4, pack, put, glint_fill_tile, 0);
+GLINT_DEFINE_FORMAT(rgb444, 12, 4, 4, 4, pack_rgb444, put_rgb444, glint_fill_tile, 0);

@@ -3,15 +3,15 @@
 #include "../light/evaluation.h"
 #include "pixel.h"
 
-static inline uint32_t pack(const int32_t colour[3], uint32_t threshold) {
+static inline uint32_t pack_rgb565_be(const int32_t colour[3], uint32_t threshold) {
     return glint_level(colour[0], 5, threshold) << 11 | glint_level(colour[1], 6, threshold) << 5 |
            glint_level(colour[2], 5, threshold);
 }
 
-static inline void put(const glint_target *target, uint32_t offset, uint32_t packed) {
+static inline void put_rgb565_be(const glint_target *target, uint32_t offset, uint32_t packed) {
     uint8_t *out = (uint8_t *)target->pixels + 2 * offset;
     out[0] = (uint8_t)(packed >> 8);
     out[1] = (uint8_t)packed;
 }
 
-GLINT_DEFINE_FORMAT(glint_format_rgb565_be, 16, 5, 6, 5, pack, put, glint_fill_tile, &glint_fast_rgb565_be);
+GLINT_DEFINE_FORMAT(rgb565_be, 16, 5, 6, 5, pack_rgb565_be, put_rgb565_be, glint_fill_tile, &glint_fast_rgb565_be);

@@ -161,7 +161,7 @@ static void add_cap(builder *b, uint32_t around, int32_t z) {
 }
 
 /* A side from radius 1 at z = -1 to radius `top` at z = 1, of normals (normal_radius, normal_z). */
-static void add_side(builder *b, uint32_t around, uint32_t along, int32_t top, int32_t normal_radius,
+static void add_quad(builder *b, uint32_t around, uint32_t along, int32_t top, int32_t normal_radius,
                      int32_t normal_z) {
     for (uint32_t i = 0; i < around; i++) {
         const uint32_t here = i * (along + 1), next = (i + 1) % around * (along + 1);
@@ -186,7 +186,7 @@ glint_status glint_generate_cylinder(glint_mesh *mesh, const glint_mesh_room *ro
     if (!are_divisions(around, 3, along, 1) || !is_size(radius) || !is_size(half_height))
         return GLINT_ERROR_GENERATOR;
     builder b = {room, 0, 0};
-    add_side(&b, around, along, ONE, ONE, 0);
+    add_quad(&b, around, along, ONE, ONE, 0);
     if (capped) {
         add_cap(&b, around, -ONE);
         add_cap(&b, around, ONE);
@@ -204,7 +204,7 @@ glint_status glint_generate_cone(glint_mesh *mesh, const glint_mesh_room *room, 
     int16_t normal[3]; /* at right angles to the side (radius, -2 half_height) */
     glint_unit(2 * half_height, radius, 0, normal);
     const int64_t full = ONE / GLINT_UNIT;
-    add_side(&b, around, along, 0, (int32_t)(normal[0] * full), (int32_t)(normal[1] * full));
+    add_quad(&b, around, along, 0, (int32_t)(normal[0] * full), (int32_t)(normal[1] * full));
     if (capped)
         add_cap(&b, around, -ONE);
     return finish(&b, mesh, radius, radius, half_height);

@@ -29,7 +29,7 @@ glint_pose glint_pose_translate(glint_q16 x, glint_q16 y, glint_q16 z) {
 }
 
 /* A turn in the plane of two axes, from the first towards the second. */
-static glint_pose rotate(int from, int to, glint_q16 degrees) {
+static glint_pose rotate_in_plane(int from, int to, glint_q16 degrees) {
     glint_pose pose = glint_pose_identity();
     pose.m[from][from] = pose.m[to][to] = glint_cos(degrees);
     pose.m[to][from] = glint_sin(degrees);
@@ -38,15 +38,15 @@ static glint_pose rotate(int from, int to, glint_q16 degrees) {
 }
 
 glint_pose glint_pose_rotate_x(glint_q16 degrees) {
-    return rotate(1, 2, degrees);
+    return rotate_in_plane(1, 2, degrees);
 }
 
 glint_pose glint_pose_rotate_y(glint_q16 degrees) {
-    return rotate(2, 0, degrees);
+    return rotate_in_plane(2, 0, degrees);
 }
 
 glint_pose glint_pose_rotate_z(glint_q16 degrees) {
-    return rotate(0, 1, degrees);
+    return rotate_in_plane(0, 1, degrees);
 }
 
 static glint_q16 saturate(int64_t x) {

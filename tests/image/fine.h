@@ -5,7 +5,7 @@
 
 #include "picture.h"
 
-extern const glint_format fine_format;
+extern const glint_format glint_format_fine;
 
 /** The level of a pixel, counted row by row. */
 double fine_level(const picture *image, int pixel);

@@ -182,7 +182,8 @@ typedef struct found {
 
 static void compare(const kind *of, uint32_t seed, found *to) {
     static single s;
-    picture nodes = picture_open(WIDTH, HEIGHT, &fine_format), fragments = picture_open(WIDTH, HEIGHT, &fine_format);
+    picture nodes = picture_open(WIDTH, HEIGHT, &glint_format_fine),
+            fragments = picture_open(WIDTH, HEIGHT, &glint_format_fine);
     glint_stats stats = {0};
     build(&s, of, seed);
     CHECK_EQUAL(picture_render(&fragments, &s.scene.scene, NULL, NULL), GLINT_OK);

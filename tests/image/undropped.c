@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "undropped.h"
 
-#include "fast/fast_spans565.h"
+#include "fast/fast_draw565.h"
 #include "light/model.h"
+#include "pixel/format.h"
 
 undropped_drops undropped;
 
@@ -262,8 +263,8 @@ static void widen_highlight(glint_fast_terms *fast) {
 static void restore_highlight(glint_fast_terms *fast, const glint_fast_terms *kept) {
     fast->cut = kept->cut;
     fast->cut_diagonal = kept->cut_diagonal;
-    fast->exact.cut = kept->quadratic.cut;
-    fast->exact.cut_diagonal = kept->quadratic.cut_diagonal;
+    fast->exact.cut = kept->exact.cut;
+    fast->exact.cut_diagonal = kept->exact.cut_diagonal;
 }
 
 /* A square, with its highlight wherever it lies; as the library draws it where that is behind the half vector. */

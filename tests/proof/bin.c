@@ -3,6 +3,7 @@
 #include "proof.h"
 
 #include "../../src/frame/bin.c"
+#include "../../src/frame/bin_plain.c"
 #include "ranges.h"
 
 /*

@@ -13,5 +13,5 @@
  * @options -eva-slevel 0 -eva-min-loop-unroll 9
  */
 PROOF(blinn_phong_light) {
-    PROVE_LIGHT();
+    PROVE_LIGHT(light_blinn_phong);
 }

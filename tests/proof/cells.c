@@ -6,8 +6,8 @@
 #include "lit.h"
 
 /*
- * Not proven: glint_shape_begin, begin_sums, begin_apart, find_region, has_edge: they walk nodes, and call what is
- * proven. Suite `nodes` under ASan and UBSan, and fuzzing.
+ * Not proven: glint_shape_begin, begin_sums, begin_apart, find_shape_region, shape_has_edge: they walk nodes, and call
+ * what is proven. Suite `nodes` under ASan and UBSan, and fuzzing.
  */
 
 /*@ assigns \result \from square;
@@ -62,7 +62,7 @@ static void any_nodes(void) {
 PROOF(cell_find_turn) {
     any_nodes();
     shape.shift = ANY_UNSIGNED(0, 3);
-    find_turn(&shape, nodes);
+    find_shape_turn(&shape, nodes);
 }
 
 /* Any nodes. */
@@ -84,7 +84,7 @@ PROOF(find_colour) {
 PROOF(cell_place_lobe) {
     any_nodes();
     FOR_PARTS(l, 0, GLINT_LIGHTS_MAX - 1) {
-        place_lobe(&shading, &shape, nodes, ANY(0, 0x20000000), (uint32_t)l);
+        place_shape_lobe(&shading, &shape, nodes, ANY(0, 0x20000000), (uint32_t)l);
     }
 }
 
@@ -92,7 +92,7 @@ PROOF(cell_place_lobe) {
 PROOF(cell_keeps_side) {
     any_nodes();
     FOR_PARTS(l, 0, GLINT_LIGHTS_MAX - 1) {
-        keeps_side(&shape, nodes, (uint32_t)l, ANY(0, 1 << 16));
+        shape_keeps_side(&shape, nodes, (uint32_t)l, ANY(0, 1 << 16));
     }
 }
 

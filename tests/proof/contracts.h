@@ -6,7 +6,12 @@
 #ifndef GLINT_CONTRACTS_H
 #define GLINT_CONTRACTS_H
 
+#include "../../src/fast/fast.h"
+#include "../../src/frame/cull.h"
+#include "../../src/frame/frame.h"
 #include "../../src/light/colour.h"
+#include "../../src/light/evaluation.h"
+#include "../../src/pixel/format.h"
 
 /* A component of a unit vector: up to 32764 + 2.3. a . b of two, one of which may be a vertex's normal: up to 2^15
  * (32764 + 2.3). */

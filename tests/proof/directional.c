@@ -12,7 +12,7 @@ PROOF(directional_prepare) {
     glint_prepared_light prepared;
     any_view(&view);
     light.vector = (glint_vector){ANY_INT, ANY_INT, ANY_INT};
-    if (prepare(&light, &prepared, &view) == GLINT_OK) {
+    if (prepare_directional(&light, &prepared, &view) == GLINT_OK) {
         /*@ assert prepared.half_vector[2] >= 0; */
     }
 }

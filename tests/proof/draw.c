@@ -18,7 +18,7 @@
     requires \valid_read(from->to.frame) && \valid_read(from->to.workspace) && \valid_read(from->to.part);
     requires \initialized(&from->draw_run) && \initialized(&from->is_deep);
     assigns \result \from indirect: *from; */
-static uint32_t draw_runs(const source *from);
+static uint32_t draw_runs(const colour_source *from);
 
 #define WIDTH 8
 
@@ -76,7 +76,7 @@ PROOF(store_run) {
     glint_part part;
     int32_t row[WIDTH][3] = {{0}};
     glint_workspace workspace = {.row = row};
-    const source from = {.to = {&frame, &workspace, &part, 0, 0, 0}, .draw_run = store_run};
+    const colour_source from = {.to = {&frame, &workspace, &part, 0, 0, 0}, .draw_run = store_run};
     any_small_tile(&frame, &part);
     FOR_RUNS(y, at) {
         store_run(&from, at);
@@ -98,7 +98,7 @@ PROOF(draw_channel_run) {
     FOR_RUNS(y, at) {
         int32_t row[WIDTH][3];
         glint_workspace workspace = {.row = row};
-        const source from = {.to = {&frame, &workspace, &part, 0, 0, 0}, .channels = channels};
+        const colour_source from = {.to = {&frame, &workspace, &part, 0, 0, 0}, .channels = channels};
         frame.config.gamma = y & 1 ? tables : 0;
         draw_channel_run(&from, at);
     }
@@ -115,7 +115,7 @@ PROOF(gather_run) {
     glint_draw draw;
     glint_frame frame;
     glint_part part;
-    const source from = {{&frame, 0, &part, &draw, glint_shade, &fragments}};
+    const colour_source from = {{&frame, 0, &part, &draw, glint_shade, &fragments}};
     any_small_tile(&frame, &part);
     FOR_PARTS(before, 0, GLINT_FRAGMENTS_MAX - 1) {
         FOR_PARTS(first, 0, WIDTH - 1) {
@@ -251,7 +251,7 @@ static int32_t find_skew(const glint_vertex *a, const glint_vertex *b, unsigned 
  * @contract find_skew glint_barycentric_begin glint_polynomial_begin
  * @unreached 2 leading zeros of 0
  */
-PROOF(begin_quadratics) {
+PROOF(begin_channel_quadratics) {
     glint_quadratic channel[3];
     int32_t a[3][3];
     const glint_vertex *const v[3] = {&corners[0], &corners[1], &corners[2]};
@@ -260,11 +260,11 @@ PROOF(begin_quadratics) {
     for (int c = 0; c < 3; c++)
         for (int i = 0; i < 3; i++)
             a[c][i] = ANY(0, GLINT_COLOUR_ONE);
-    begin_quadratics(channel, &part_of_all.gradients, v, a);
+    begin_channel_quadratics(channel, &part_of_all.gradients, v, a);
 }
 
 /* Any colours. @contract glint_plane_begin */
-PROOF(begin_planes) {
+PROOF(begin_channel_planes) {
     glint_quadratic channel[3];
     int32_t a[3][3];
     any_triangle(0);
@@ -272,7 +272,7 @@ PROOF(begin_planes) {
     for (int c = 0; c < 3; c++)
         for (int i = 0; i < 3; i++)
             a[c][i] = ANY(0, GLINT_COLOUR_ONE);
-    begin_planes(channel, &part_of_all.gradients, a);
+    begin_channel_planes(channel, &part_of_all.gradients, a);
 }
 
 static void any_draw_even(const glint_spans *spans, const int32_t colour[3]) {
@@ -293,19 +293,20 @@ static fit find_fit(const glint_triangle *triangle, const glint_gradients *g, co
 /*@ requires \valid(channel + (0 .. 2)) && \valid_read(g) && \initialized(&a[0 .. 2][0 .. 2]);
     assigns channel[0 .. 2] \from *g, a[0 .. 2][0 .. 2];
     ensures \initialized(channel + (0 .. 2)); */
-static void begin_planes(glint_quadratic channel[3], const glint_gradients *g, int32_t a[3][3]);
+static void begin_channel_planes(glint_quadratic channel[3], const glint_gradients *g, int32_t a[3][3]);
 
 /*@ requires \valid(channel + (0 .. 2)) && \valid_read(g) && \valid_read(v + (0 .. 2));
     requires \initialized(&a[0 .. 2][0 .. 2]);
     assigns channel[0 .. 2] \from *g, v[0 .. 2], a[0 .. 2][0 .. 2];
     ensures \initialized(channel + (0 .. 2)); */
-static void begin_quadratics(glint_quadratic channel[3], const glint_gradients *g, const glint_vertex *const v[3],
-                             int32_t a[3][3]);
+static void begin_channel_quadratics(glint_quadratic channel[3], const glint_gradients *g,
+                                     const glint_vertex *const v[3], int32_t a[3][3]);
 
 /*
  * Colours at any corners, seen from both sides; in formats with loops of their own and without, with output tables and
  * without.
- * @contract find_fit begin_planes begin_quadratics draw_runs glint_gathering_begin glint_gathering_store
+ * @contract find_fit begin_channel_planes begin_channel_quadratics draw_runs glint_gathering_begin
+ * glint_gathering_store
  */
 PROOF(glint_draw_lit) {
     static glint_draw draw;

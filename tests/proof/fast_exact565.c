@@ -2,7 +2,7 @@
 /* Kernels of exact lighting. */
 #include "proof.h"
 
-#include "../../src/fast/fast_spans565.h"
+#include "../../src/fast/fast_draw565.h"
 #include "../../src/math/tables.c"
 #include "lit.h"
 #include "spans.h"
@@ -22,9 +22,9 @@ static void any_lights_of_triangle(void) {
     any_quadratic(&interpolated.cosine);
     any_quadratic(&interpolated.x);
     any_quadratic(&interpolated.y);
-    deviation.quadratic.limit = ANY_UNSIGNED(0, UINT_MAX);
-    deviation.quadratic.shift = ANY_UNSIGNED(0, 24);
-    deviation.quadratic.end = ANY_UNSIGNED(0, 1024) << 20;
+    fast.exact.limit = ANY_UNSIGNED(0, UINT_MAX);
+    fast.exact.shift = ANY_UNSIGNED(0, 24);
+    fast.exact.end = ANY_UNSIGNED(0, 1024) << 20;
 }
 
 /*
@@ -45,7 +45,7 @@ PROOF(glint_draw_interpolated_diffuse) {
     const glint_spans spans = any_part();
     any_lights_of_triangle();
     FOR_SPANS() {
-        glint_draw_interpolated_diffuse(&spans, &deviation, &interpolated, ANY(0, 1), ANY(0, 1));
+        glint_draw_interpolated_diffuse(&spans, &fast, &interpolated, ANY(0, 1), ANY(0, 1));
     }
 }
 
@@ -60,7 +60,7 @@ PROOF(glint_draw_interpolated_specular) {
     const glint_spans spans = any_part();
     any_lights_of_triangle();
     FOR_SPANS() {
-        glint_draw_interpolated_specular(&spans, &deviation, &interpolated, ANY(0, 1), ANY(0, 1));
+        glint_draw_interpolated_specular(&spans, &fast, &interpolated, ANY(0, 1), ANY(0, 1));
     }
 }
 
@@ -75,7 +75,7 @@ PROOF(glint_draw_curved_diffuse) {
     const glint_spans spans = any_part();
     any_lights_of_triangle();
     FOR_SPANS() {
-        glint_draw_curved_diffuse(&spans, &deviation, &light, ANY(0, 1));
+        glint_draw_curved_diffuse(&spans, &fast, &light, ANY(0, 1));
     }
 }
 
@@ -90,6 +90,6 @@ PROOF(glint_draw_curved_specular) {
     const glint_spans spans = any_part();
     any_lights_of_triangle();
     FOR_SPANS() {
-        glint_draw_curved_specular(&spans, &deviation, &light, ANY(0, 1));
+        glint_draw_curved_specular(&spans, &fast, &light, ANY(0, 1));
     }
 }

@@ -3,6 +3,7 @@
 #include "proof.h"
 
 #include "../../src/fast/fast_interpolate.c"
+#include "../../src/fast/fast_interpolate_prepare.c"
 #include "lit.h"
 #include "plane.h"
 
@@ -19,31 +20,31 @@ const glint_weights *glint_weights_shown(const glint_shading *shading) {
 /*@ requires \valid(e) && 28672 <= wa <= 32767 && 28672 <= wb <= 32767;
     assigns e->across, e->turn \from indirect: a[0 .. 2], indirect: b[0 .. 2], wa, wb;
     ensures -1168 <= e->across <= 1168 && -16 <= e->turn <= 0x20000; */
-static inline void begin_edge(edge *e, const int16_t a[3], const int16_t b[3], int32_t wa, int32_t wb);
+static inline void begin_edge(interpolated_edge *e, const int16_t a[3], const int16_t b[3], int32_t wa, int32_t wb);
 
 /*@ requires \valid(e) && -1168 <= e->across <= 1168 && -16 <= e->turn <= 19661;
     assigns e->shorter \from e->across, e->turn;
     ensures -4 <= e->shorter <= 2880; */
-static inline void shorten_edge(edge *e);
+static inline void shorten_edge(interpolated_edge *e);
 
 /*@ requires \valid_read(e) && -16384 <= a <= 16384 && -16384 <= b <= 16384;
     requires -1168 <= e->across <= 1168 && -4 <= e->shorter <= 2880;
     assigns \result \from *e, a, b;
     ensures -BULGE_MOST <= \result <= BULGE_MOST; */
-static inline int32_t find_bulge(const edge *e, int32_t a, int32_t b);
+static inline int32_t find_bulge(const interpolated_edge *e, int32_t a, int32_t b);
 
 /*@ requires \valid_read(e + (0 .. 2)) && \valid(a + (0 .. 2)) && \valid(b + (0 .. 2));
     requires \subset(a[0 .. 2], (-16384 .. 16384)) && \subset(b[0 .. 2], (-BULGE_MOST .. BULGE_MOST));
     assigns a[0 .. 2], b[0 .. 2] \from e[0 .. 2], a[0 .. 2], b[0 .. 2];
     ensures \subset(a[0 .. 2], (-SPREAD_TERM .. SPREAD_TERM));
     ensures \subset(b[0 .. 2], (-SPREAD_BULGE .. SPREAD_BULGE)); */
-static inline void spread(const edge e[3], int32_t a[3], int32_t b[3]);
+static inline void spread(const interpolated_edge e[3], int32_t a[3], int32_t b[3]);
 
-static edge edges[3];
+static interpolated_edge edges[3];
 
 /* What find_edges leaves: turns up to 0.6, 1/w up to an eighth apart. */
 #define ANY_ACROSS ANY(-1168, 1168)
-#define ANY_TURN_OF_EDGE ANY(-16, MOST_TURN)
+#define ANY_TURN_OF_EDGE ANY(-16, GLINT_INTERPOLATE_TURN)
 #define ANY_SHORTER ANY(-4, 2880)
 
 static void any_edges(void) {
@@ -57,7 +58,7 @@ static void any_edges(void) {
 /* Weights of 1/w from 7/8 to 1, any normals. @contract glint_dot */
 PROOF(begin_edge) {
     int16_t a[3], b[3];
-    edge e;
+    interpolated_edge e;
     any_unit(a);
     any_unit(b);
     begin_edge(&e, a, b, ANY(28672, 32767), ANY(28672, 32767));
@@ -126,11 +127,11 @@ static void any_nodes(int32_t term, int32_t bulge) {
 }
 
 /* Any terms, any side of an octagon, any sides and margin. */
-PROOF(is_outside) {
+PROOF(is_outside_octagon) {
     any_nodes(16384, 0);
     fast.side = ANY(0, 1 << 17);
     fast.side_diagonal = ANY(0, 1 << 18);
-    is_outside(&fast, ANY_UNSIGNED(0, UINT_MAX), &deviations, ANY(-(1 << 14), 1 << 28));
+    is_outside_octagon(&fast, ANY_UNSIGNED(0, UINT_MAX), &deviations, ANY(-(1 << 14), 1 << 28));
 }
 
 /* Any nodes, tables of up to 1024 entries, both margins, any error. */

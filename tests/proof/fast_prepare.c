@@ -3,6 +3,7 @@
 #include "proof.h"
 
 #include "../../src/fast/fast_prepare.c"
+#include "../../src/fast/fast_tables.c"
 #include "../../src/frame/arena.c"
 #include "lit.h"
 
@@ -19,7 +20,7 @@ uint32_t glint_square_root(uint64_t x);
 
 /*@ assigns \result \from indirect: *shading;
     ensures \result <= 0x40000000; */
-static uint32_t find_cut(const glint_shading *shading);
+static uint32_t find_highlight_end(const glint_shading *shading);
 
 /*@ requires \valid_read(weight + (0 .. 2));
     assigns \result \from indirect: weight[0 .. 2];
@@ -59,9 +60,9 @@ PROOF(glint_square_root) {
  * Any weights, shininess from 2 up, any error budget. @contract glint_log2 glint_exp2
  * @unreached 1 leading zeros of 0
  */
-PROOF(find_cut) {
+PROOF(find_highlight_end) {
     any_served();
-    find_cut(&shading);
+    find_highlight_end(&shading);
 }
 
 /* Any highlight, and any place where it ends. @unreached 1 leading zeros of 0 */
@@ -71,8 +72,9 @@ PROOF(specular_entries) {
 }
 
 /*
- * Any highlight, and none. @contract find_cut glint_square_root
- * @alarms 1 a highlight that is cut somewhere has entries: both come from find_cut; the image tests under UBSan
+ * Any highlight, and none. @contract find_highlight_end glint_square_root
+ * @alarms 1 a highlight that is cut somewhere has entries: both come from find_highlight_end; the image tests under
+ * UBSan
  * @unreached 1 leading zeros of 0
  */
 PROOF(prepare_highlight) {
@@ -81,9 +83,9 @@ PROOF(prepare_highlight) {
 }
 
 /* Any ambient light. */
-PROOF(prepare_ambient) {
+PROOF(glint_fast_prepare_ambient) {
     any_served();
-    prepare_ambient(&fast, &shading);
+    glint_fast_prepare_ambient(&fast, &shading);
 }
 
 /* Any focal length. */
@@ -167,7 +169,7 @@ PROOF(glint_fast_pixel) {
  * @narrowing levels change modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 4 -eva-auto-loop-unroll 16
  */
-PROOF(make_tables) {
+PROOF(glint_fast_make_tables) {
     static uint32_t room[GLINT_DIFFUSE_ENTRIES * 3 / 2 + 1024];
     glint_memory memory;
     any_served();
@@ -177,11 +179,11 @@ PROOF(make_tables) {
         memory.low = 0;
         memory.high = 2 * (sizeof room - (1024 - ENTRIES(level)) * sizeof *room);
         fast.diffuse = 0;
-        make_tables(&memory, &fast, &shading);
+        glint_fast_make_tables(&memory, &fast, &shading);
         memory.low = 0;
-        make_tables(&memory, &fast, &shading); /* where they are */
+        glint_fast_make_tables(&memory, &fast, &shading); /* where they are */
         memory.low = 0;
         memory.high -= 8;
-        make_tables(&memory, &fast, &shading);
+        glint_fast_make_tables(&memory, &fast, &shading);
     }
 }

@@ -2,7 +2,7 @@
 /* Kernels of fast lighting. */
 #include "proof.h"
 
-#include "../../src/fast/fast_spans565.h"
+#include "../../src/fast/fast_draw565.h"
 #include "lit.h"
 #include "spans.h"
 
@@ -38,7 +38,7 @@ PROOF(glint_draw_constant) {
 PROOF(glint_draw_diffuse) {
     const glint_spans spans = any_part();
     FOR_SPANS() {
-        glint_draw_diffuse(&spans, &deviation, &planes.cosine, ANY(0, 1), ANY(0, 1));
+        glint_draw_diffuse(&spans, &fast, &planes.cosine, ANY(0, 1), ANY(0, 1));
     }
 }
 
@@ -52,7 +52,7 @@ PROOF(glint_draw_diffuse) {
 PROOF(glint_draw_highlight) {
     const glint_spans spans = any_part();
     FOR_SPANS() {
-        glint_draw_highlight(&spans, &deviation, &planes, ANY(0, 1));
+        glint_draw_highlight(&spans, &fast, &planes, ANY(0, 1));
     }
 }
 
@@ -76,7 +76,7 @@ PROOF(glint_square_fits) {
 PROOF(glint_draw_stepped) {
     const glint_spans spans = any_part();
     FOR_SPANS() {
-        glint_draw_stepped(&spans, &deviation, &planes, ANY(0, 1));
+        glint_draw_stepped(&spans, &fast, &planes, ANY(0, 1));
     }
 }
 

@@ -10,7 +10,7 @@
 
 /* Stands on ray_limit times ray_scale being below 2^31, and on V and L being unit; the image tests under UBSan. */
 /*@ requires \valid(half_vector + (0 .. 2)) && \valid(view);
-    assigns \result, half_vector[0 .. 2], *view \from indirect: *deviation, x, y;
+    assigns \result, half_vector[0 .. 2], *view \from indirect: *fast, x, y;
     ensures \result == 0 || \result == 1;
     ensures \initialized(half_vector + (0 .. 2)) && \initialized(&view->root) && \initialized(&view->half_root);
     admit ensures -32767 <= half_vector[0] <= 32767 && -32767 <= half_vector[1] <= 32767 && 0 <= half_vector[2] <=

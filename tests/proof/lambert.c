@@ -13,7 +13,7 @@
  * @options -eva-slevel 0 -eva-min-loop-unroll 9
  */
 PROOF(lambert_light) {
-    PROVE_LIGHT();
+    PROVE_LIGHT(light_lambert);
 }
 
 /* Any diffuse colour. */
@@ -22,5 +22,5 @@ PROOF(unlit_prepare) {
     glint_shading shading;
     material.diffuse = (glint_colour){ANY(0, GLINT_COLOUR_MAX), ANY(0, GLINT_COLOUR_MAX), ANY(0, GLINT_COLOUR_MAX)};
     shading.material = &material;
-    prepare(&shading, ANY_UNSIGNED(0, 16u << 12));
+    prepare_unlit(&shading, ANY_UNSIGNED(0, 16u << 12));
 }

@@ -18,7 +18,7 @@
  * `nodes` and the image tests under ASan and UBSan.
  */
 
-static walk w;
+static lattice_walk w;
 static glint_part part;
 static glint_attributes attributes;
 
@@ -33,11 +33,11 @@ PROOF(find_runs) {
 }
 
 /* Any row of any square of a cell. */
-PROOF(row_of) {
+PROOF(row_of_nodes) {
     for (int i = 0; i < CELL; i++)
         w.visible[i] = (uint16_t)ANY(0, UINT16_MAX);
     FOR_PARTS(bits, 2, 4) {
-        row_of(&w, ANY(0, CELL - 1), ANY(0, CELL - 1), 1 << bits);
+        row_of_nodes(&w, ANY(0, CELL - 1), ANY(0, CELL - 1), 1 << bits);
     }
 }
 

@@ -70,7 +70,7 @@ static void any_fragments(glint_fragments *fragments, uint32_t most) {
 }
 
 /* One light of a model, of each kind, on any fragments, whose colours leave room for its two parts. */
-#define PROVE_LIGHT()                                                                         \
+#define PROVE_LIGHT(light)                                                                    \
     glint_view view;                                                                          \
     glint_material material;                                                                  \
     glint_shading shading;                                                                    \

@@ -59,7 +59,7 @@ PROOF(glint_find_ray) {
  * @contract glint_dot glint_unit
  * @narrowing a mirrored vector is found modulo 2^32, and is below 1
  */
-PROOF(find_axis) {
+PROOF(find_half_axis) {
     glint_prepared_light source;
     int16_t normal[3], light[3], view_vector[3], turning[3], axis[3];
     uint32_t half = ANY_UNSIGNED(0, INT16_MAX);
@@ -70,7 +70,7 @@ PROOF(find_axis) {
     view_vector[2] = (int16_t)ANY(0, 32767);
     FOR_PARTS(lobe, GLINT_LOBE_NONE, GLINT_LOBE_MIRROR) {
         model.lobe = (uint8_t)lobe;
-        find_axis(&model, &source, ANY(0, 1), normal, light, view_vector, turning, axis, &half);
+        find_half_axis(&model, &source, ANY(0, 1), normal, light, view_vector, turning, axis, &half);
     }
 }
 
@@ -93,12 +93,12 @@ static void any_half_vector(int16_t h[3]) {
  * @alarms 10 a deviation is a part of a unit vector, at most 1, and N.H + nz <= sqrt(2 + 2 hz): the image tests under
  * UBSan, and suite `nodes`
  */
-PROOF(find_deviation) {
+PROOF(find_lobe_deviation) {
     int16_t n[3], h[3];
     any_unit(n);
     any_half_vector(h);
     FOR_PARTS(shift, 0, 12) {
-        find_deviation(n, h, (unsigned)shift, node.number[0]);
+        find_lobe_deviation(n, h, (unsigned)shift, node.number[0]);
     }
 }
 
@@ -107,7 +107,7 @@ PROOF(node_cosine) {
     int16_t n[3], l[3];
     any_unit(n);
     any_unit(l);
-    find_cosine(n, l);
+    find_signed_cosine(n, l);
 }
 
 /* Any cone, any direction. */
@@ -143,8 +143,9 @@ PROOF(find_cone) {
     ensures \initialized(turning + (0 .. 2)) && \initialized(axis + (0 .. 2)) && \initialized(half);
     ensures \subset(turning[0 .. 2], (-32767 .. 32767)) && \subset(axis[0 .. 2], (-32767 .. 32767));
     admit ensures \result == 0 || axis[2] >= 0; */
-static int find_axis(const glint_model *model, const glint_prepared_light *source, int is_fixed, const int16_t *normal,
-                     const int16_t *light, const int16_t *view, int16_t *turning, int16_t *axis, uint32_t *half);
+static int find_half_axis(const glint_model *model, const glint_prepared_light *source, int is_fixed,
+                          const int16_t *normal, const int16_t *light, const int16_t *view, int16_t *turning,
+                          int16_t *axis, uint32_t *half);
 
 /* A material of any lobes, and any node of one light. */
 static void any_material(void) {
@@ -163,7 +164,7 @@ static void any_material(void) {
 
 /*
  * One light at a point, of each kind: directional, point, spot; with any highlight.
- * @contract glint_dot glint_point_illuminate glint_point_closeness add_lobe
+ * @contract glint_dot glint_point_illuminate glint_point_closeness light_lobe
  */
 PROOF(light_nodes) {
     static const glint_light_type types[3] = {{0, 0, 0, 0}, {0, any_illuminate, 0, 0}, {0, any_illuminate, 0, 1}};
@@ -185,19 +186,19 @@ PROOF(light_nodes) {
     assigns node->number[i][GLINT_LOBE_X .. GLINT_LOBE_Y], node->half, node->unfit, node->far
         \from indirect: *shading, indirect: *source, is_fixed, indirect: *at, n, light[0 .. 2], node->half, node->unfit,
         node->far; */
-static void add_lobe(const glint_shading *shading, uint32_t i, const glint_prepared_light *source, int is_fixed,
-                     const glint_fragments *at, uint32_t n, const int16_t *light, glint_node *node);
+static void light_lobe(const glint_shading *shading, uint32_t i, const glint_prepared_light *source, int is_fixed,
+                       const glint_fragments *at, uint32_t n, const int16_t *light, glint_node *node);
 
 /*@ requires \valid_read(n + (0 .. 2)) && \valid_read(h + (0 .. 2)) && \valid(number + (0 .. 4));
     requires 0 <= h[2] <= 32767 && shift <= 12;
     assigns \result, number[3 .. 4] \from n[0 .. 2], h[0 .. 2], shift;
     ensures \result == 0 || \result == 1;
     ensures \subset(number[3 .. 4], (-0x3fff .. 0x3fff)); */
-static int find_deviation(const int16_t *n, const int16_t *h, unsigned shift, int16_t *number);
+static int find_lobe_deviation(const int16_t *n, const int16_t *h, unsigned shift, int16_t *number);
 
 /*
  * Any light's highlight, of the half vector or of mirrored light, wide or narrow.
- * @contract glint_dot find_axis find_deviation
+ * @contract glint_dot find_half_axis find_lobe_deviation
  */
 PROOF(node_add_lobe) {
     glint_prepared_light source;
@@ -210,7 +211,7 @@ PROOF(node_add_lobe) {
         at.view[0][2] = (int16_t)ANY(0, 32767);
         node.dark = (uint8_t)ANY(0, UINT8_MAX);
         FOR_PARTS(i, 0, GLINT_LIGHTS_MAX - 1) {
-            add_lobe(&shading, (uint32_t)i, &source, ANY(0, 1), &at, 0, light, &node);
+            light_lobe(&shading, (uint32_t)i, &source, ANY(0, 1), &at, 0, light, &node);
         }
     }
 }

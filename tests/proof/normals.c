@@ -2,6 +2,9 @@
 /* Normals to camera space. */
 #include "proof.h"
 
+#include "../../src/geometry/geometry.h"
+#include "../../src/math/product.h"
+
 /* A row of the normals' matrix, whose magnitudes sum up to 3 2^28 as well, and half a step on top. */
 /* Stands on scale_normals, by which the squares of all entries sum up to at most 3 2^56: `numbers` tries a million
  * transforms. */

@@ -9,7 +9,7 @@
  * Three vertices anywhere in clip space, with colours of their own and without.
  * @contract glint_light_all glint_ray glint_clamp_colour glint_reduce glint_unit
  */
-PROOF(light_triangle) {
+PROOF(light_facet) {
     static const uint16_t triangles[1][3] = {{0, 1, 2}};
     glint_position positions[3];
     int16_t extra[3][3], facets[1][3];
@@ -33,7 +33,7 @@ PROOF(light_triangle) {
     draw.facets = facets;
     draw.shading = &shading;
     draw.extra = 0;
-    light_triangle(&frame, &draw, &transform, 0);
+    light_facet(&frame, &draw, &transform, 0);
     draw.extra = extra;
-    light_triangle(&frame, &draw, &transform, 0);
+    light_facet(&frame, &draw, &transform, 0);
 }

@@ -55,7 +55,7 @@ PROOF(per_vertex_light_triangle) {
             mesh.colours565 = kind >> 1 == 2 ? colours565 : 0;
             draw.extra = kind ? extra : 0;
             draw.double_sided = (uint8_t)(kind & 1);
-            light_triangle(&frame, &draw, &draw.transform, 0);
+            light_corners(&frame, &draw, &draw.transform, 0);
         }
     }
 }

@@ -12,5 +12,5 @@
  * @options -eva-slevel 0 -eva-min-loop-unroll 9
  */
 PROOF(phong_light) {
-    PROVE_LIGHT();
+    PROVE_LIGHT(light_phong);
 }

@@ -68,7 +68,7 @@ PROOF(pieces_gather) {
         FOR_PARTS(j, 0, PLACES - 1 - k) {
             draw.extra = ANY(0, 1) ? (const int16_t(*)[3])colours : 0;
             fragments.count = 0;
-            gather(&p, (int)j, (int)k, &fragments);
+            gather_piece(&p, (int)j, (int)k, &fragments);
         }
     }
 }
@@ -82,7 +82,7 @@ PROOF(pieces_begin) {
     FOR_PARTS(bits, 7, 31) {
         for (int i = 0; i < 3; i++)
             vertices[i].inverse_w = (int32_t)(i ? ANY_UNSIGNED(64, 0xffffffffu >> (32 - bits)) : ANY_OF_BITS(bits));
-        begin(&p, &shape);
+        begin_pieces(&p, &shape);
     }
 }
 
@@ -101,7 +101,7 @@ void glint_barycentric_begin(glint_barycentric *barycentric, const glint_gradien
 /*
  * Nodes of 15 bits and a sign, every piece.
  * @contract glint_form_begin glint_barycentric_begin
- * @alarms 2 is_beyond has just been asked of these numbers
+ * @alarms 2 is_beyond_piece has just been asked of these numbers
  */
 PROOF(pieces_fit) {
     static const int32_t kinds[4][3] = {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {-1, 1, 1}};
@@ -121,6 +121,6 @@ PROOF(pieces_fit) {
         shape.turned = kinds[kind][0];
         shape.first[0] = kinds[kind][1];
         shape.first[1] = kinds[kind][2];
-        fit(&shape, n, ANY(12, 16), &to);
+        fit_piece(&shape, n, ANY(12, 16), &to);
     }
 }

@@ -55,7 +55,7 @@ static int find_direction(const glint_prepared_light *light, const glint_fragmen
     admit ensures \result >= 1;
     ensures \initialized(direction + (0 .. 2));
     admit ensures \subset(direction[0 .. 2], (-32767 .. 32767)); */
-static uint32_t find_length(int32_t v[3], int *exponent, int16_t direction[3]);
+static uint32_t find_distance(int32_t v[3], int *exponent, int16_t direction[3]);
 
 /*@ requires x < 0x80000000;
     requires -115 <= n <= 322;
@@ -89,7 +89,7 @@ PROOF(point_prepare) {
     glint_prepared_light prepared;
     light.linear = ANY_INT;
     light.quadratic = ANY_INT;
-    prepare(&light, &prepared, &view);
+    prepare_point(&light, &prepared, &view);
 }
 
 /*
@@ -202,12 +202,12 @@ PROOF(find_length_itself) {
             for (int c = 0; c < 3; c++)
                 v[c] = any_component((int)bits, c == 0, signs >> c & 1);
             if (bits || signs)
-                find_length(v, &exponent, direction);
+                find_distance(v, &exponent, direction);
         }
     }
 }
 
-/* Any light and fragment. @contract find_direction glint_unit find_length attenuate */
+/* Any light and fragment. @contract find_direction glint_unit find_distance attenuate */
 PROOF(glint_point_illuminate) {
     glint_prepared_light light;
     glint_fragments fragments;

@@ -19,7 +19,7 @@ static int32_t power_of_sine(uint32_t u, int32_t exponent);
     requires spare <= 0x10000;
     assigns \result \from exponent, weight, spare;
     ensures \result <= 0x40000000; */
-static uint32_t find_cut(int32_t exponent, uint32_t weight, uint32_t spare);
+static uint32_t find_window_end(int32_t exponent, uint32_t weight, uint32_t spare);
 
 /*@ requires cut <= 0x40000000;
     assigns \result \from cut;
@@ -39,8 +39,8 @@ PROOF(power_of_sine) {
 }
 
 /* p from 2 up, weights from 0 to 16, what need not show up to 16. @contract glint_exp2 */
-PROOF(find_cut) {
-    find_cut(ANY(2 * GLINT_ONE, INT32_MAX), ANY_UNSIGNED(0, 16u << 12), ANY_UNSIGNED(0, 16u << 12));
+PROOF(find_window_end) {
+    find_window_end(ANY(2 * GLINT_ONE, INT32_MAX), ANY_UNSIGNED(0, 16u << 12), ANY_UNSIGNED(0, 16u << 12));
 }
 
 /* Any cut. */
@@ -49,7 +49,7 @@ PROOF(find_window) {
 }
 
 /*
- * p from 0 up, weights from 0 to 16, what need not show alike. @contract find_cut find_window power_of_sine
+ * p from 0 up, weights from 0 to 16, what need not show alike. @contract find_window_end find_window power_of_sine
  * @unreached 2 leading zeros of 0 and of 1: no window is so small
  */
 PROOF(glint_power_prepare) {

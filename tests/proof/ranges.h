@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file ranges.h
- * What stages hand to each other, over the whole of the ranges that numeric.h and frame.h state.
+ * What stages hand to each other, over the whole of the ranges that the headers state.
  */
 #ifndef GLINT_RANGES_H
 #define GLINT_RANGES_H

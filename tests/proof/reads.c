@@ -4,7 +4,7 @@
  * a pixel can lie from its corners'. Triangles of all sizes, slender ones too, that turn and change in depth as far as
  * is ever let through; every pixel.
  */
-#include "fast/fast_spans565.h"
+#include "fast/fast_draw565.h"
 #include "harness.h"
 
 #define TRIANGLES 500000

@@ -20,7 +20,7 @@
 
 /*@ assigns \result \from value;
     ensures 0 <= \result <= 0x8040; */
-static inline int32_t smooth_step(int32_t value);
+static inline int32_t smooth_step_at(int32_t value);
 
 /* Sums of weights are below 15: terms_prepare.c. */
 #define MOST_OF_WEIGHTS (15 << 12)
@@ -132,12 +132,12 @@ static void any_weights(uint16_t weight[3]) {
 }
 
 /* Any number, by its parts of a 1024th between 0 and 1. */
-PROOF(smooth_step) {
-    smooth_step(ANY(INT32_MIN, -1));
+PROOF(smooth_step_at) {
+    smooth_step_at(ANY(INT32_MIN, -1));
     FOR_PARTS(part, 0, 1023) {
-        smooth_step(ANY(part << 18, (part << 18) + (1 << 18) - 1));
+        smooth_step_at(ANY(part << 18, (part << 18) + (1 << 18) - 1));
     }
-    smooth_step(ANY(1 << 28, INT32_MAX));
+    smooth_step_at(ANY(1 << 28, INT32_MAX));
 }
 
 /* Any table of powers, x from 1 to 2^31 - 1, by its bits. @unreached 2 leading zeros of 0, and a number of no bits */
@@ -180,7 +180,7 @@ PROOF(find_inverses) {
 
 /*
  * Any power up to 1, or up to 9/8 where there is no strength; a strength of up to 9/8, any cone, any side.
- * @contract smooth_step
+ * @contract smooth_step_at
  * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
  */
 PROOF(weaken) {
@@ -192,7 +192,7 @@ PROOF(weaken) {
 
 /*
  * N.L of up to 3/2, over no length or |M|, by eighths of 1 / |M|; any cone, or none.
- * @contract smooth_step add
+ * @contract smooth_step_at add
  * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
  */
 PROOF(add_side) {
@@ -359,14 +359,14 @@ PROOF(multiply_by_surface) {
  * Any colours, ambient light of up to 15, a surface's colours of up to 1/32 more than 1, or none.
  * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
  */
-PROOF(raise_to_ambient) {
+PROOF(raise_row_to_ambient) {
     glint_descent surface[3];
     FOR_PARTS(has_surface, 0, 1) {
         terms.has_surface = (uint8_t)has_surface;
         FOR_PARTS(is_below, 0, 1) {
             any_surface(surface, (int)is_below);
             any_runs(INT32_MIN, INT32_MAX);
-            raise_to_ambient(&terms, surface, &to);
+            raise_row_to_ambient(&terms, surface, &to);
         }
     }
 }

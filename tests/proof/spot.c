@@ -40,7 +40,7 @@ PROOF(spot_prepare) {
     light.outer = ANY_INT;
     light.linear = ANY_INT;
     light.quadratic = ANY_INT;
-    prepare(&light, &prepared, &view);
+    prepare_spot(&light, &prepared, &view);
 }
 
 /* past from 0 to 2^16 - 1, by parts of a quarter of its bits, and slopes of up to 2^30 / past. */
@@ -67,6 +67,6 @@ PROOF(spot_illuminate) {
     for (int i = 0; i < 3; i++)
         light.direction[i] = ANY_COMPONENT;
     fragments.count = 1;
-    illuminate(&light, &fragments);
+    illuminate_spot(&light, &fragments);
     //@ assert fragments.strength[0] <= 0x8000;
 }

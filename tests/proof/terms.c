@@ -4,14 +4,15 @@
 
 #include "../../src/math/tables.c"
 #include "../../src/nodes/terms.c"
+#include "../../src/nodes/terms_vertices.c"
 #include "lit.h"
 #include "plane.h"
 
 /*
- * Not proven: glint_terms_light, glint_terms_begin, find_region, find_middles, sum_corners,
- * begin_planes, begin_quadratics, take_numbers, take_sums, find_normals, has_edge: they walk corners and lights, whose
- * numbers are where place_numbers puts them, and call what is proven. Suites `nodes` and `identity` under ASan and
- * UBSan, and fuzzing.
+ * Not proven: glint_terms_light, glint_terms_begin, find_region, light_middles, sum_corners,
+ * begin_term_planes, begin_term_quadratics, take_numbers, take_sums, find_normals, has_edge: they walk corners and
+ * lights, whose numbers are where place_numbers puts them, and call what is proven. Suites `nodes` and `identity` under
+ * ASan and UBSan, and fuzzing.
  */
 
 /* Numbers of lights, and sums. */
@@ -109,7 +110,7 @@ PROOF(find_shares) {
 PROOF(mix) {
     for (int e = 0; e < 2; e++)
         t.share[0][e] = ANY(0, 1 << 15);
-    mix(&t, 0, ANY(-NUMBER, NUMBER), ANY(-NUMBER, NUMBER));
+    mix_ends(&t, 0, ANY(-NUMBER, NUMBER), ANY(-NUMBER, NUMBER));
 }
 
 /*
@@ -128,36 +129,36 @@ PROOF(gather_middle) {
 
 /* x from 2^13 to 2^15, by its bits. @contract glint_inverse_root @unreached 3 leading zeros of 0, and a number of no
  * bits */
-PROOF(root_of15) {
+PROOF(glint_root_of15) {
     FOR_PARTS(bits, 14, 15) {
-        root_of15(ANY_OF_BITS(bits));
+        glint_root_of15(ANY_OF_BITS(bits));
     }
-    root_of15(1u << 15);
+    glint_root_of15(1u << 15);
 }
 
 /*@ requires 0x2000 <= x <= 0x8000;
     assigns \result \from x;
     ensures 0 <= \result <= 0x10000; */
-static int32_t root_of15(uint32_t x);
+static int32_t glint_root_of15(uint32_t x);
 
 /*
- * Any corners, by the bits of the largest 1/w. @contract root_of15 glint_reciprocal16_by_division
+ * Any corners, by the bits of the largest 1/w. @contract glint_root_of15 glint_reciprocal16_by_division
  * @alarms 4 1/w over the largest is at most 1; suite `nodes` under UBSan
  * @unreached 3 leading zeros of 0, and a number of no bits
  */
-PROOF(find_lengths) {
-    lengths of;
+PROOF(glint_find_lengths) {
+    glint_lengths of;
     FOR_CORNERS(bits) {
-        find_lengths(&triangle, &of);
+        glint_find_lengths(&triangle, &of);
     }
 }
 
 /* Numbers of 15 bits and a sign. */
-PROOF(keeps_side) {
+PROOF(glint_triangle_keeps_side) {
     int32_t n[6];
     for (int i = 0; i < 6; i++)
         n[i] = ANY(INT16_MIN, INT16_MAX);
-    keeps_side(n, ANY(0, 1 << 16));
+    glint_triangle_keeps_side(n, ANY(0, 1 << 16));
 }
 
 /* Numbers of 15 bits and a sign times lengths of up to 1, or none. */
@@ -167,8 +168,8 @@ PROOF(scale_numbers) {
         n[i] = ANY(INT16_MIN, INT16_MAX);
         by[i] = ANY(0, (1 << 15) + 64);
     }
-    scale(n, 0);
-    scale(n, by);
+    scale_by_lengths(n, 0);
+    scale_by_lengths(n, by);
 }
 
 /*
@@ -238,7 +239,7 @@ static int16_t between(int32_t a, int32_t b, int32_t wa, int32_t wb);
  * @narrowing numbers below 0 are shifted as they are
  * @alarms 1 what is below 0 has just been brought near the largest. Suite `nodes` under UBSan
  */
-PROOF(plane_of) {
+PROOF(glint_fit_plane) {
     glint_gradients g;
     FOR_PARTS(is_wide, 0, 1) {
         if (is_wide)
@@ -249,7 +250,7 @@ PROOF(plane_of) {
             int32_t n[3];
             for (int i = 0; i < 3; i++)
                 n[i] = ANY(unit == 16 ? -NUMBER : 0, INT16_MAX);
-            plane_of(&g, n, ANY(1 << 15, (1 << 15) * 4 / 3), (unsigned)unit);
+            glint_fit_plane(&g, n, ANY(1 << 15, (1 << 15) * 4 / 3), (unsigned)unit);
         }
     }
 }

@@ -8,9 +8,9 @@
 #include "lit.h"
 
 /*
- * Not proven: glint_terms_prepare, glint_terms_measure, find_terms, has_surface, is_wanted: once a frame, they call
- * what is proven, and walk a scene's objects, which are checked. Suites `nodes` and `identity` under ASan and UBSan,
- * and fuzzing.
+ * Not proven: glint_terms_prepare, glint_terms_measure, find_light_terms, has_surface, is_wanted: once a frame, they
+ * call what is proven, and walk a scene's objects, which are checked. Suites `nodes` and `identity` under ASan and
+ * UBSan, and fuzzing.
  */
 
 /* As fast_prepare.c has it. */
@@ -126,11 +126,11 @@ PROOF(terms_find_cut) {
         FOR_PARTS(i, up ? 32 : 33, 63) {
             const uint32_t least = (uint32_t)i << up;
             terms.specular_levels[1] = ANY_UNSIGNED(least, (((uint32_t)i + 1) << up) - 1);
-            find_cut(&frame, &shading, &terms);
+            find_lobe_cut(&frame, &shading, &terms);
         }
     }
     terms.specular_levels[1] = ANY_UNSIGNED(0, FAINT);
-    find_cut(&frame, &shading, &terms);
+    find_lobe_cut(&frame, &shading, &terms);
 }
 
 /* Any interval, any exponent. @contract glint_power */
@@ -153,9 +153,10 @@ static void fill_cosine(uint16_t *cosine, int32_t exponent);
 /*@ requires \valid_read(frame) && \valid_read(shading) && \valid_read(terms);
     assigns \result \from indirect: *frame, indirect: *shading, indirect: *terms;
     ensures \result <= 0x40000000; */
-static uint32_t find_cut(const glint_frame *frame, const glint_shading *shading, const glint_light_terms *terms);
+static uint32_t find_lobe_cut(const glint_frame *frame, const glint_shading *shading, const glint_light_terms *terms);
 
-/* Any exponent, highlights that end anywhere. @contract fill_cosine find_cut glint_square_root glint_highlight_slope */
+/* Any exponent, highlights that end anywhere. @contract fill_cosine find_lobe_cut glint_square_root
+ * glint_highlight_slope */
 PROOF(set_lobes) {
     any_frame(MOST);
     shading.shininess = ANY(0, WIDE - 1);

@@ -26,7 +26,7 @@ static int place_in_world(const glint_view *view, const glint_object *object, in
     ensures \subset(out[0][0 .. 3], (-0x40000000 .. 0x40000000));
     ensures \subset(out[1][0 .. 3], (-0x40000000 .. 0x40000000));
     ensures \subset(out[2][0 .. 3], (-0x40000000 .. 0x40000000)); */
-static int to_30_bits(int64_t x[3][4], int32_t out[3][4]);
+static int rows_to_30_bits(int64_t x[3][4], int32_t out[3][4]);
 
 /*@ requires \valid_read(view);
     requires \subset(in[0][0 .. 3], (-0x40000000 .. 0x40000000));
@@ -39,7 +39,7 @@ static int to_30_bits(int64_t x[3][4], int32_t out[3][4]);
     ensures \subset(out[2][0 .. 3], (-0x1800000000 .. 0x1800000000)); */
 static void rotate(const glint_view *view, int32_t in[3][4], int64_t out[3][4]);
 
-/* Stands on no row having a magnitude above the largest sum of a row's: what to_clip_space adds up. */
+/* Stands on no row having a magnitude above the largest sum of a row's: what bring_to_clip_space adds up. */
 /*@ requires largest <= 0x180000000000;
     assigns \result, transform->matrix[0 .. 2], transform->translation[0 .. 2]
         \from rows[0][0 .. 3], rows[1][0 .. 3], rows[2][0 .. 3], largest;
@@ -53,7 +53,7 @@ static int set_rows(glint_transform *transform, int64_t rows[3][4], uint64_t lar
     assigns \result, transform->matrix[0 .. 2], transform->translation[0 .. 2], rows[0][0 .. 3], rows[1][0 .. 3],
         rows[2][0 .. 3] \from *view, rows[0][0 .. 3], rows[1][0 .. 3], rows[2][0 .. 3];
     ensures -30 <= \result <= 16; */
-static int to_clip_space(glint_transform *transform, const glint_view *view, int64_t rows[3][4]);
+static int bring_to_clip_space(glint_transform *transform, const glint_view *view, int64_t rows[3][4]);
 
 /*@ requires \valid(transform);
     requires \subset(matrix[0][0 .. 3], (-0x40000000 .. 0x40000000));
@@ -150,18 +150,18 @@ PROOF(place_in_world_itself) {
  * Any numbers of up to 62 bits, by bits and sign of the first, the largest: an OR tells no places apart.
  * @options -eva-slevel-function glint_magnitude64:0
  */
-PROOF(to_30_bits) {
+PROOF(rows_to_30_bits) {
     int64_t rows[3][4];
     int32_t out[3][4];
     any_rows(rows, 0);
-    to_30_bits(rows, out);
+    rows_to_30_bits(rows, out);
     FOR_PARTS(bits, 1, 62) {
         const int64_t least = (int64_t)1 << (bits - 1), most = 2 * (least - 1) + 1;
         any_rows(rows, most);
         rows[0][0] = ANY_LONG(least, most);
-        to_30_bits(rows, out);
+        rows_to_30_bits(rows, out);
         rows[0][0] = ANY_LONG(-most, -least);
-        to_30_bits(rows, out);
+        rows_to_30_bits(rows, out);
     }
 }
 
@@ -189,7 +189,7 @@ PROOF(set_rows) {
 }
 
 /* Rows of up to 3 2^35, any focal length. @contract set_rows @unreached 1 shift to the left */
-PROOF(to_clip_space) {
+PROOF(bring_to_clip_space) {
     glint_transform transform;
     glint_view view;
     int64_t rows[3][4];
@@ -197,7 +197,7 @@ PROOF(to_clip_space) {
     FOR_PARTS(shift, 18, 38) {
         view.focal_shift = (uint32_t)shift;
         any_rows(rows, (int64_t)3 << 35);
-        to_clip_space(&transform, &view, rows);
+        bring_to_clip_space(&transform, &view, rows);
     }
 }
 
@@ -214,7 +214,7 @@ PROOF(scale_normals) {
     scale_normals(&transform, matrix);
 }
 
-/* Any three columns of up to 2^30. @contract to_30_bits */
+/* Any three columns of up to 2^30. @contract rows_to_30_bits */
 PROOF(find_cofactors) {
     int32_t rows[3][4], cofactor[3][4];
     int64_t wide[3][4];
@@ -222,7 +222,7 @@ PROOF(find_cofactors) {
     find_cofactors(rows, wide, cofactor);
 }
 
-/* Any pose. @contract find_cofactors to_30_bits rotate scale_normals */
+/* Any pose. @contract find_cofactors rows_to_30_bits rotate scale_normals */
 PROOF(prepare_normals) {
     glint_transform transform;
     glint_view view;
@@ -288,7 +288,7 @@ PROOF(glint_transform_nearest) {
 
 /*
  * Any object under any camera.
- * @contract prepare_normals place_in_world to_30_bits rotate to_clip_space prepare_depth classify
+ * @contract prepare_normals place_in_world rows_to_30_bits rotate bring_to_clip_space prepare_depth classify
  */
 PROOF(glint_transform_prepare) {
     glint_transform transform;

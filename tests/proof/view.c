@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene's checks, its camera, lights and materials. @link transform.c */
+/* A scene's checks, its camera, lights and materials. @link geometry/transform.c */
 #include "proof.h"
 
+#include "../../src/frame/check.c"
+#include "../../src/light/shading.c"
 #include "../../src/math/numeric.c"
 #include "../../src/scene/view.c"
 #include "ranges.h"
