@@ -7,7 +7,7 @@
 #ifndef GLINT_FAST_H
 #define GLINT_FAST_H
 
-#include "../frame/draw.h"
+#include "../geometry/draw.h"
 #include "../light/shading.h"
 #include "../raster/raster.h"
 

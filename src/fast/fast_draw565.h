@@ -4,6 +4,7 @@
 #ifndef GLINT_FAST_DRAW565_H
 #define GLINT_FAST_DRAW565_H
 
+#include "../pixel/format.h"
 #include "fast_exact565.h"
 
 /** The kernel of a format; `high_first` is a constant where this is inlined. */

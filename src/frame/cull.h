@@ -3,7 +3,7 @@
 #ifndef GLINT_CULL_H
 #define GLINT_CULL_H
 
-#include "draw.h"
+#include "../geometry/draw.h"
 
 /** A mesh's clusters, one after the other. */
 typedef struct glint_walk {

@@ -3,8 +3,8 @@
 #ifndef GLINT_FRAME_H
 #define GLINT_FRAME_H
 
+#include "../geometry/draw.h"
 #include "arena.h"
-#include "draw.h"
 
 /** A triangle made by clipping. */
 typedef struct glint_clipped {

@@ -2,7 +2,7 @@
 /* Geometry: vertices to clip space, to the screen, and their normals to camera space. */
 #include "geometry.h"
 
-#include "../frame/draw.h"
+#include "draw.h"
 
 /* Clip coordinates inside the guard band and beyond the near plane, w from 1 up and no less than the nearest. */
 static inline void project(const glint_transform *transform, int32_t x, int32_t y, int32_t w, glint_vertex *vertex) {

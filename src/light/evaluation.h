@@ -3,7 +3,7 @@
 #ifndef GLINT_EVALUATION_H
 #define GLINT_EVALUATION_H
 
-#include "../frame/draw.h"
+#include "../geometry/draw.h"
 #include "shading.h"
 
 /** Where colours are found. */
@@ -31,17 +31,5 @@ glint_kernel glint_draw_any;
 
 /** Kernels of triangles of one colour, and of those with colours at their corners. */
 glint_kernel glint_draw_facet, glint_draw_unlit, glint_draw_lit;
-
-/** Fast lighting: what a format that has it links. fast.h. */
-typedef struct glint_fast {
-    int (*serves)(const glint_frame *frame, const glint_object *object);
-    glint_status (*prepare)(glint_frame *frame); /* behind all shadings */
-    /** Adds the bytes that a material takes at least, and its tables, which want as much room left behind them. */
-    void (*need)(const glint_frame *frame, const glint_shading *shading, size_t *least, size_t *tables);
-    glint_light_triangle *light;
-    glint_kernel *draw;
-} glint_fast;
-
-extern const glint_fast glint_fast_rgb565, glint_fast_rgb565_be;
 
 #endif

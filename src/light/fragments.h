@@ -3,7 +3,7 @@
 #ifndef GLINT_FRAGMENTS_H
 #define GLINT_FRAGMENTS_H
 
-#include "../frame/draw.h"
+#include "../geometry/draw.h"
 #include "../raster/setup.h"
 #include "shade.h"
 

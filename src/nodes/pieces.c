@@ -197,7 +197,8 @@ int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, cons
     static const int32_t kinds[4][3] = {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {-1, 1, 1}};
     pieces p = {.frame = frame, .draw = draw, .triangle = triangle};
     glint_barycentric barycentric = {.unit = 0};
-    glint_shape shape = {.count = 6, .corners = {0, 1, 2, 2}, .fit = fit_piece, .part = part, .barycentric = &barycentric};
+    glint_shape shape = {
+        .count = 6, .corners = {0, 1, 2, 2}, .fit = fit_piece, .part = part, .barycentric = &barycentric};
     glint_span spans[4][GLINT_TILE_MAX];
     glint_part cut = *part;
     if (triangle->area * (int32_t)draw->shading->terms->shown < PIECES_AREA || glint_is_deep(triangle) ||

@@ -7,7 +7,7 @@
 #ifndef GLINT_TERMS_H
 #define GLINT_TERMS_H
 
-#include "../frame/draw.h"
+#include "../geometry/draw.h"
 #include "../light/shade.h"
 #include "../raster/polynomial.h"
 #include "../raster/runs.h"

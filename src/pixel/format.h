@@ -3,8 +3,7 @@
 #ifndef GLINT_FORMAT_H
 #define GLINT_FORMAT_H
 
-#include "../glint.h"
-#include "../math/numeric.h"
+#include "../geometry/draw.h"
 
 /** Fractional bits of a channel on its way into a pixel: sums below 16 fit. */
 #define GLINT_CHANNEL_BITS 27
@@ -29,6 +28,18 @@ static inline int32_t glint_to_levels(int32_t channel, unsigned bits) {
 
 struct glint_spans;
 struct glint_quadratic;
+
+/** Fast lighting: what a format that has it links. fast.h. */
+typedef struct glint_fast {
+    int (*serves)(const glint_frame *frame, const glint_object *object);
+    glint_status (*prepare)(glint_frame *frame); /* behind all shadings */
+    /** Adds the bytes that a material takes at least, and its tables, which want as much room left behind them. */
+    void (*need)(const glint_frame *frame, const struct glint_shading *shading, size_t *least, size_t *tables);
+    glint_light_triangle *light;
+    glint_kernel *draw;
+} glint_fast;
+
+extern const glint_fast glint_fast_rgb565, glint_fast_rgb565_be;
 
 struct glint_format {
     uint8_t bits;       /* per pixel */

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Pixels of 16 bits: 5 red, 6 green, 5 blue. */
-#include "../light/evaluation.h"
 #include "pixel.h"
 
 static inline uint32_t pack_rgb565(const int32_t colour[3], uint32_t threshold) {

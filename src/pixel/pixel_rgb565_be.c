@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Pixels of 16 bits, high byte first whatever the core's byte order. */
-#include "../light/evaluation.h"
 #include "pixel.h"
 
 static inline uint32_t pack_rgb565_be(const int32_t colour[3], uint32_t threshold) {

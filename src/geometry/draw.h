@@ -3,7 +3,7 @@
 #ifndef GLINT_DRAW_H
 #define GLINT_DRAW_H
 
-#include "../geometry/geometry.h"
+#include "geometry.h"
 
 struct glint_draw;
 struct glint_triangle;
