@@ -496,10 +496,15 @@ typedef struct glint_frame {
     uint16_t tile_first, tile_end; /* tiles of this pass */
     uint16_t tile_columns, tile_count;
     uint16_t pass_tiles;                  /* tiles that a pass may hold */
+    uint16_t loaded_end;                  /* what is loaded is for tiles before this */
     uint8_t tile_shift_x, tile_shift_y;   /* binary logarithms of the tile's size */
     uint8_t starts, ends;                 /* the pass holds the scene's first triangle, its last */
     uint8_t covers_end;                   /* what is loaded reaches the scene's end */
     uint8_t resident;                     /* what is loaded is all of the scene */
+    uint8_t has_extents;                  /* they have been looked for */
+    uint16_t part_bytes;                  /* what a triangle that may show takes about, where parts are loaded */
+    uint8_t extent_shift;                 /* binary logarithm of the triangles of an extent */
+    const struct glint_extent *extents;   /* null where all is loaded, or there is no room for them */
     uint32_t object, triangle;            /* where the next pass goes on */
     size_t prepared_end, vertices_end;    /* of the arena's use */
     size_t least_room;                    /* of the arena, behind what is prepared */

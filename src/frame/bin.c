@@ -161,12 +161,13 @@ int glint_bin_some(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t
 
 /* Bins the triangles of a draw from frame->triangle on. @return 1, 0 when the arena is full, or an error. */
 static int bin_draw(glint_frame *frame, glint_draw *draw) {
-    const uint32_t from = frame->triangle - draw->first_triangle;
+    const uint32_t from = draw->origin ? 0 : frame->triangle; /* parts begin where a pass does */
     const int end = draw->away ? draw->cull->bin(frame, draw, from) : glint_bin_some(frame, draw, from, draw->count);
     if (end < 0)
         return end;
     frame->stats.triangles += (uint32_t)end - from;
-    frame->triangle = draw->first_triangle + (uint32_t)end;
+    frame->triangle =
+        end == draw->count ? draw->end : draw->first_triangle + (draw->origin ? draw->origin[end] : (uint32_t)end);
     return end == draw->count;
 }
 
@@ -189,8 +190,7 @@ glint_status glint_bin(glint_frame *frame, int *complete) {
     if (!begin_lists(frame))
         return GLINT_OK;
     for (glint_draw *draw = frame->draws; draw; draw = draw->next) {
-        uint32_t end = draw->first_triangle + draw->count;
-        if (draw->object < frame->object || (draw->object == frame->object && end <= frame->triangle))
+        if (draw->object < frame->object || (draw->object == frame->object && draw->end <= frame->triangle))
             continue;
         if (draw->object > frame->object)
             frame->triangle = 0;

@@ -124,17 +124,15 @@ static glint_status bin_tiles(glint_frame *frame) {
     const uint32_t object = frame->object, triangle = frame->triangle;
     const glint_stats stats = frame->stats;
     int complete = 0;
-    if (!frame->covers_end)
-        frame->pass_tiles = 1;
     for (;;) {
         uint32_t end = (uint32_t)frame->tile_first + frame->pass_tiles;
-        frame->tile_end = (uint16_t)(end < frame->tile_count ? end : frame->tile_count);
+        frame->tile_end = (uint16_t)(end < frame->loaded_end ? end : frame->loaded_end);
         glint_status status = glint_bin(frame, &complete);
         if (status != GLINT_OK)
             return status;
-        if (complete || frame->pass_tiles == 1)
+        if (complete || glint_pass_tiles(frame) == 1)
             break;
-        frame->pass_tiles = (uint16_t)((frame->pass_tiles + 1) / 2);
+        frame->pass_tiles = (uint16_t)((glint_pass_tiles(frame) + 1) / 2);
         frame->object = object;
         frame->triangle = triangle;
         frame->stats = stats;
@@ -145,18 +143,34 @@ static glint_status bin_tiles(glint_frame *frame) {
     return GLINT_OK;
 }
 
+/* Are all objects loaded, and yet so little room is left that a pass of this frame has few tiles? */
+static int is_cramped(const glint_frame *frame) {
+    return frame->resident && !frame->stats.passes && 4u * glint_pass_tiles(frame) < frame->tile_count;
+}
+
+/* Loads what a pass draws, unless it is there, and bins it. */
+static glint_status begin_pass(glint_frame *frame) {
+    if (!frame->resident && (frame->tile_first >= frame->loaded_end || !frame->ends)) {
+        const glint_status status = glint_load(frame);
+        if (status != GLINT_OK)
+            return status;
+    }
+    const glint_status status = bin_tiles(frame);
+    if (status != GLINT_OK || !is_cramped(frame))
+        return status;
+    frame->resident = 0;
+    frame->object = frame->triangle = 0;
+    const glint_status loaded = glint_load(frame);
+    return loaded == GLINT_OK ? bin_tiles(frame) : loaded;
+}
+
 int glint_frame_next(glint_frame *frame) {
     if (!frame || !frame->scene)
         return GLINT_ERROR_NULL;
     if (!advance(frame))
         return 0;
     frame->starts = frame->object == 0 && frame->triangle == 0;
-    if (!frame->resident) {
-        glint_status status = glint_load(frame);
-        if (status != GLINT_OK)
-            return status;
-    }
-    glint_status status = bin_tiles(frame);
+    const glint_status status = begin_pass(frame);
     if (status != GLINT_OK)
         return status;
     glint_count_arena(frame);

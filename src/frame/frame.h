@@ -73,7 +73,15 @@ void glint_load_vertices(glint_frame *frame, glint_draw *draw, uint32_t index, u
  */
 int glint_bin_some(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end);
 
-/** Loads vertices of objects from (frame->object, frame->triangle) on, as many as fit. */
+/**
+ * A draw at the end of the list, behind `last`, with room for so many vertices and triangles, and `list` bytes behind
+ * the draw itself; the arena has it.
+ */
+glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_transform *transform, uint32_t vertices,
+                           uint32_t triangles, size_t list);
+
+/** Loads what the next pass draws: all objects, once a frame, or parts of them, from (frame->object, frame->triangle)
+ * on. */
 glint_status glint_load(glint_frame *frame);
 
 /** Sets up all of a frame but its arena. */
@@ -94,11 +102,11 @@ size_t glint_tile_buffers_size(const glint_config *config);
 size_t glint_draw_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,
                        size_t vertices, size_t triangles, int has_list);
 
-/** Bytes beyond what is prepared with which any scene can be drawn: a run of one triangle, and its bin. */
-#define GLINT_LEAST_ROOM                                                                                        \
-    (GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(3 * sizeof(glint_vertex)) +                              \
-     GLINT_ALIGNED(3 * sizeof(glint_position)) + GLINT_ALIGNED(18) + 2 * GLINT_ALIGNED(36) + GLINT_ALIGNED(8) + \
-     GLINT_ALIGNED(6) + GLINT_BIN_RESERVE)
+/** Bytes beyond what is prepared with which any scene can be drawn: a part of one triangle, and its bin. */
+#define GLINT_LEAST_ROOM                                                                                             \
+    (GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(3 * sizeof(glint_vertex)) +                                   \
+     GLINT_ALIGNED(3 * sizeof(glint_position)) + GLINT_ALIGNED(18) + 2 * GLINT_ALIGNED(36) + 2 * GLINT_ALIGNED(12) + \
+     GLINT_ALIGNED(8) + GLINT_ALIGNED(6) + GLINT_BIN_RESERVE)
 
 /** Is all that a tile shows background, now that this pass is prepared? */
 int glint_tile_is_empty(const glint_frame *frame, uint32_t tile);

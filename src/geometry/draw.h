@@ -18,7 +18,7 @@ typedef void glint_kernel(const glint_frame *frame, glint_workspace *workspace, 
 typedef void glint_light_triangle(const glint_frame *frame, struct glint_draw *draw, const glint_transform *transform,
                                   uint32_t i);
 
-/** An object, or a run of its triangles. */
+/** An object, or a part of its triangles. */
 typedef struct glint_draw {
     struct glint_draw *next;
     const uint16_t (*triangles)[3]; /* the first one's indices */
@@ -30,7 +30,7 @@ typedef struct glint_draw {
     int16_t (*facets)[3];        /* null, or colours of the triangles */
     const int16_t (*normals)[3]; /* of the mesh */
     const glint_cull *cull;      /* null, or what drops the mesh's clusters */
-    uint8_t *away; /* null, or which of them face away, 1 or 0; not of runs, which leave their triangles out */
+    uint8_t *away; /* null, or which of them face away, 1 or 0; not of parts, which leave their triangles out */
     const struct glint_shading *shading;
     const glint_evaluation *evaluation;
     glint_light_triangle *light; /* what comes before a triangle is drawn, or null */
@@ -38,7 +38,9 @@ typedef struct glint_draw {
     glint_transform transform;
     uint32_t vertex_count;
     uint32_t object;         /* index in the scene */
-    uint32_t first_triangle; /* of the mesh */
+    uint32_t first_triangle; /* of the mesh: all are from it on, */
+    uint32_t end;            /* and before this */
+    const uint16_t *origin;  /* of parts: which triangles they are, from the first on */
     uint16_t first;          /* number in the pass of its first triangle */
     uint16_t count;
     uint8_t mirrored, double_sided;

@@ -161,6 +161,68 @@ static void best_arena_takes_one_pass(void) {
     }
 }
 
+/* ---- Less than all vertices ---- */
+
+#define FINE_AROUND 96
+#define FINE_ALONG 48
+#define FINE_VERTICES ((FINE_AROUND + 1) * (FINE_ALONG + 1))
+#define FINE_TRIANGLES (2 * FINE_AROUND * FINE_ALONG)
+
+static int16_t fine_positions[FINE_VERTICES][3], fine_normals[FINE_VERTICES][3];
+static uint16_t fine_triangles[FINE_TRIANGLES][3];
+
+/* Swaps each triangle with one anywhere. */
+static void shuffle_triangles(void) {
+    uint32_t seed = 1;
+    for (uint32_t i = 0; i < FINE_TRIANGLES; i++) {
+        seed = seed * 1664525 + 1013904223; /* Knuth's and Lewis's */
+        const uint32_t other = (uint32_t)((uint64_t)seed * FINE_TRIANGLES >> 32);
+        for (int c = 0; c < 3; c++) {
+            const uint16_t corner = fine_triangles[i][c];
+            fine_triangles[i][c] = fine_triangles[other][c];
+            fine_triangles[other][c] = corner;
+        }
+    }
+}
+
+/* With so many sixteenths of what one pass takes above the smallest: how often is a vertex transformed, at most? */
+static void check_share(const picture *wanted, const glint_scene *scene, int sixteenths, uint32_t most) {
+    picture got = picture_open(wanted->width, wanted->height, wanted->format);
+    picture_options options = {0};
+    glint_stats stats = {0};
+    const glint_need need = arena_need(wanted, scene, &options);
+    options.arena_size = need.smallest + (need.best - need.smallest) / 16 * (size_t)sixteenths;
+    CHECK_EQUAL(picture_render(&got, scene, &options, &stats), GLINT_OK);
+    CHECK(picture_equal(wanted, &got));
+    CHECK_AT_MOST(stats.vertices, most * FINE_VERTICES);
+    CHECK_AT_MOST(stats.passes, 4 * stats.tiles);
+    picture_close(&got);
+}
+
+/* Where an arena does not hold all vertices, what a frame takes grows by and by as the arena shrinks. */
+static void parts_of_a_mesh(void) {
+    static const uint32_t most[2][4] = {{1, 6, 5, 14}, {1, 70, 80, 170}};
+    static const int sixteenths[4] = {16, 8, 4, 1};
+    const glint_mesh_room room = {fine_positions, fine_normals, fine_triangles, FINE_VERTICES, FINE_TRIANGLES};
+    test_scene scene;
+    glint_mesh mesh;
+    picture wanted = picture_open(320, 240, &glint_format_rgb565);
+    scene_build_named(&scene, "p of 0, 0.5, 1, 1.5");
+    scene.scene.object_count = 1;
+    scene.objects[0].pose = glint_pose_rotate_x(50 * GLINT_ONE);
+    scene.objects[0].pose.m[2][3] = -4 * GLINT_ONE;
+    CHECK_EQUAL(glint_generate_torus(&mesh, &room, FINE_AROUND, FINE_ALONG, GLINT_ONE, GLINT_ONE / 3), GLINT_OK);
+    scene.objects[0].mesh = &mesh;
+    for (int is_shuffled = 0; is_shuffled < 2; is_shuffled++) {
+        if (is_shuffled)
+            shuffle_triangles();
+        CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
+        for (int i = 0; i < 4; i++)
+            check_share(&wanted, &scene.scene, sixteenths[i], most[is_shuffled][i]);
+    }
+    picture_close(&wanted);
+}
+
 /* ---- Tile by tile -------------------------------------------------------------------------------------------- */
 
 typedef struct two_workspaces {
@@ -281,6 +343,7 @@ int test_main(test_writer write) {
         TEST_CASE(every_tile_size_and_arena_of_large_highlights),
         TEST_CASE(every_arena),
         TEST_CASE(best_arena_takes_one_pass),
+        TEST_CASE(parts_of_a_mesh),
         TEST_CASE(two_workspaces_in_another_tile_order),
         TEST_CASE(every_order_of_objects),
         TEST_CASE(first_of_ties_wins),

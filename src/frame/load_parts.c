@@ -1,0 +1,278 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Load: parts of objects, where not all vertices fit. A part has those triangles of an object that face the eye and
+ * that some tiles may show, an index list of its own, and the vertices that it names.
+ */
+#include "parts.h"
+
+/* Vertices of a part, and twice as many triangles, still fit a draw. */
+#define PART_VERTICES_MAX 0x6000
+
+/*
+ * A part on its way. Triangles are listed from the arena's low end on, where they stay; all else waits at the high end:
+ * the numbers in the mesh of vertices, until they are loaded, then what is needed only while triangles are found.
+ */
+typedef struct part {
+    uint16_t (*list)[3];
+    uint16_t *origin; /* numbers of triangles, from the first on */
+    uint16_t *index;  /* numbers of vertices in the mesh */
+    uint16_t *map;    /* slot + 1 or 0, by a vertex's number: open addressing */
+    uint32_t mask;
+    uint32_t vertices, triangles, most_vertices, most_triangles;
+    int is_short; /* of room for vertices */
+    glint_vertex *seen;
+    size_t seen_size;
+} part;
+
+/* The slot of a mesh's vertex, for which there is room. */
+static uint32_t find_slot(part *p, uint32_t index) {
+    uint32_t place = (index * 40503u) & p->mask;
+    for (; p->map[place]; place = (place + 1) & p->mask)
+        if (p->index[p->map[place] - 1] == index)
+            return p->map[place] - 1u;
+    p->index[p->vertices] = (uint16_t)index;
+    p->map[place] = (uint16_t)(p->vertices + 1);
+    return p->vertices++;
+}
+
+/* Entries of a map for so many vertices. */
+static uint32_t map_entries(uint32_t vertices) {
+    uint32_t entries = 4;
+    while (entries <= vertices)
+        entries *= 2;
+    return entries;
+}
+
+/* Bytes that a part of so many vertices and twice as many triangles takes, all that waits included. */
+static size_t part_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,
+                        uint32_t vertices) {
+    return glint_draw_size(frame, object, transform, vertices, 2 * (size_t)vertices, 1) +
+           2 * GLINT_ALIGNED(2 * vertices * sizeof(uint16_t)) + GLINT_ALIGNED(vertices * sizeof(uint16_t)) +
+           GLINT_ALIGNED(map_entries(vertices) * sizeof(uint16_t));
+}
+
+/* Shares the free room out to a part of an object, some of whose triangles may show. @return 0 when there is too little
+ */
+static int share_room(glint_frame *frame, const glint_object *object, const glint_transform *transform,
+                      uint32_t triangles, part *p) {
+    const size_t low = GLINT_ALIGNED(frame->memory.low), high = frame->memory.high;
+    if (high < low + GLINT_BIN_RESERVE)
+        return 0;
+    const size_t room = high - low - GLINT_BIN_RESERVE, seen = glint_sight_size(room);
+    const size_t fixed = part_size(frame, object, transform, 0), some = part_size(frame, object, transform, 256);
+    uint32_t most = object->mesh->vertex_count < 3 * triangles ? object->mesh->vertex_count : 3 * triangles;
+    most = most < PART_VERTICES_MAX ? most : PART_VERTICES_MAX;
+    if (room < fixed + seen)
+        return 0;
+    const size_t fit = (room - fixed - seen) / ((some - fixed) / 256) + 3; /* at least */
+    uint32_t vertices = fit < most ? (uint32_t)fit : most;
+    while (vertices >= 3 && part_size(frame, object, transform, vertices) + seen > room)
+        vertices -= (vertices + 15) / 16;
+    if (vertices < 3)
+        return 0;
+    uint8_t *top = frame->memory.base + high;
+    top -= GLINT_ALIGNED(vertices * sizeof(uint16_t));
+    p->index = (uint16_t *)(void *)top;
+    p->mask = map_entries(vertices) - 1;
+    top -= GLINT_ALIGNED((p->mask + 1) * sizeof(uint16_t));
+    p->map = (uint16_t *)(void *)top;
+    top -= seen;
+    p->seen = (glint_vertex *)(void *)top;
+    p->seen_size = seen;
+    top -= GLINT_ALIGNED(2 * vertices * sizeof(uint16_t));
+    p->origin = (uint16_t *)(void *)top;
+    p->list = (uint16_t(*)[3])(void *)(frame->memory.base + low + GLINT_ALIGNED(sizeof(glint_draw)));
+    p->vertices = p->triangles = 0;
+    p->most_vertices = vertices;
+    p->is_short = vertices < most;
+    p->most_triangles = 2 * vertices;
+    for (uint32_t i = 0; i <= p->mask; i++)
+        p->map[i] = 0;
+    return 1;
+}
+
+/* Lists triangles from frame->triangle on that show in a strip, as far as there is room. @return the next's number */
+static uint32_t find_triangles(const glint_frame *frame, const glint_strip *strip, uint32_t first_extent,
+                               glint_sight *sight, part *p, uint32_t most, glint_status *status) {
+    const uint32_t count = sight->mesh->triangle_count, shift = frame->extents ? frame->extent_shift : 31;
+    uint32_t i = frame->triangle;
+    *status = GLINT_OK;
+    while (i < count) {
+        const uint32_t extent = i >> shift, next = (extent + 1) << shift, end = next < count ? next : count;
+        if (!glint_extent_shows(frame, strip, first_extent + extent)) {
+            i = end;
+            continue;
+        }
+        for (; i < end; i++) {
+            glint_range tiles;
+            const uint16_t *corners = glint_sight_next(sight, i, &tiles, status);
+            if (*status != GLINT_OK)
+                return i;
+            if (!corners || !glint_is_in_strip(strip, &tiles))
+                continue;
+            if (p->triangles == p->most_triangles || p->triangles == most || i - frame->triangle > UINT16_MAX ||
+                (p->vertices + 3 > p->most_vertices && p->is_short))
+                return i;
+            p->origin[p->triangles] = (uint16_t)(i - frame->triangle);
+            for (int c = 0; c < 3; c++)
+                p->list[p->triangles][c] = (uint16_t)find_slot(p, corners[c]);
+            p->triangles++;
+        }
+    }
+    return count;
+}
+
+/* The draw of a part whose triangles are found. */
+static glint_draw *add_part(glint_frame *frame, glint_draw *last, const glint_transform *transform, const part *p) {
+    const size_t list = GLINT_ALIGNED(p->triangles * sizeof *p->list);
+    glint_draw *draw = glint_add_draw(frame, last, transform, p->vertices, p->triangles,
+                                      list + GLINT_ALIGNED(p->triangles * sizeof *p->origin));
+    uint16_t *origin = (uint16_t *)(void *)((uint8_t *)p->list + list);
+    for (uint32_t i = 0; i < p->triangles; i++) /* upwards: they may overlap */
+        origin[i] = p->origin[i];
+    draw->triangles = (const uint16_t(*)[3])p->list;
+    draw->origin = origin;
+    draw->count = (uint16_t)p->triangles;
+    draw->vertex_count = p->vertices;
+    draw->cull = 0;
+    for (uint32_t i = 0; i < p->vertices; i++)
+        glint_load_vertices(frame, draw, p->index[i], i, 1);
+    return draw;
+}
+
+/* Triangles of an object, from one on, whose extents show in a strip. */
+static uint32_t count_shown(const glint_frame *frame, uint32_t object, uint32_t triangle, const glint_strip *strip,
+                            uint32_t first_extent) {
+    const uint32_t count = frame->scene->objects[object].mesh->triangle_count, shift = frame->extent_shift;
+    uint32_t shown = 0;
+    if (!frame->extents)
+        return count - triangle;
+    for (uint32_t e = triangle >> shift; e << shift < count; e++)
+        shown += (uint32_t)glint_extent_shows(frame, strip, first_extent + e) << shift;
+    return shown;
+}
+
+/* A part of the present object behind the last draw. @return 1, 0 where not all fits, or an error */
+static int load_object(glint_frame *frame, glint_draw **last, const glint_strip *strip, uint32_t first_extent) {
+    const glint_object *object = &frame->scene->objects[frame->object];
+    const uint32_t shown = count_shown(frame, frame->object, frame->triangle, strip, first_extent);
+    const uint32_t numbered = *last ? (uint32_t)(*last)->first + (*last)->count : 0;
+    glint_transform transform;
+    glint_sight sight;
+    glint_status status;
+    part p;
+    if (!shown)
+        return 1;
+    glint_transform_prepare(&transform, frame->view, &frame->config, object);
+    if (!transform.visible) {
+        frame->stats.hidden++;
+        return 1;
+    }
+    if (!share_room(frame, object, &transform, shown, &p))
+        return 0;
+    glint_sight_begin(&sight, frame, object, &transform, p.seen, p.seen_size);
+    const uint32_t next =
+        find_triangles(frame, strip, first_extent, &sight, &p, GLINT_TRIANGLES_MAX - numbered, &status);
+    if (status != GLINT_OK)
+        return status;
+    if (p.triangles) {
+        *last = add_part(frame, *last, &transform, &p);
+        (*last)->end = next;
+    }
+    frame->triangle = next;
+    return next == object->mesh->triangle_count;
+}
+
+/* Loads parts for a strip, as far as there is room. @return 1 to the scene's end, 0, or an error */
+static int load_strip(glint_frame *frame, const glint_strip *strip) {
+    const glint_scene *scene = frame->scene;
+    uint32_t extent = 0;
+    glint_draw *last = 0;
+    int loaded = 1;
+    frame->draws = 0;
+    frame->memory.low = frame->prepared_end;
+    for (uint32_t i = 0; i < frame->object; i++)
+        extent += glint_extents_of(frame, scene->objects[i].mesh->triangle_count);
+    for (; frame->object < scene->object_count; frame->object++, frame->triangle = 0) {
+        loaded = load_object(frame, &last, strip, extent);
+        if (loaded <= 0)
+            break;
+        extent += glint_extents_of(frame, scene->objects[frame->object].mesh->triangle_count);
+    }
+    return loaded == 0 && !last ? GLINT_ERROR_ARENA : loaded;
+}
+
+/* Triangles of the scene that may show on so many tiles. */
+static uint32_t count_all_shown(const glint_frame *frame, uint32_t tiles) {
+    const uint32_t end = frame->tile_first + tiles;
+    uint32_t shown = 0, extent = 0;
+    glint_strip strip;
+    glint_strip_begin(&strip, frame, end < frame->tile_count ? end : frame->tile_count);
+    for (uint32_t i = 0; i < frame->scene->object_count; i++) {
+        shown += count_shown(frame, i, 0, &strip, extent);
+        extent += glint_extents_of(frame, frame->scene->objects[i].mesh->triangle_count);
+    }
+    return shown;
+}
+
+/* Bytes of a triangle that may show, until some were loaded: half are seen, each with a vertex, and an entry or two. */
+#define PART_BYTES 20
+
+/* Chooses how many tiles to load for: about as many as last time, by what their triangles took then. */
+static void choose_tiles(glint_frame *frame) {
+    const size_t room = frame->memory.high - frame->prepared_end;
+    const size_t most = room / frame->part_bytes;
+    while (frame->pass_tiles > 1 && count_all_shown(frame, frame->pass_tiles) > most)
+        frame->pass_tiles = (uint16_t)((frame->pass_tiles + 1) / 2);
+    while (frame->pass_tiles < frame->tile_count && count_all_shown(frame, 2u * frame->pass_tiles) <= most)
+        frame->pass_tiles =
+            (uint16_t)(2u * frame->pass_tiles < frame->tile_count ? 2u * frame->pass_tiles : frame->tile_count);
+}
+
+/* What a triangle that may show took, and half as much for what cannot be foreseen: the mean of now and before. */
+static void learn_bytes(glint_frame *frame, uint32_t tiles) {
+    const uint32_t shown = frame->extents && frame->covers_end ? count_all_shown(frame, tiles) : 0;
+    if (shown < 64) /* too few to tell */
+        return;
+    const uint32_t used = (uint32_t)(frame->vertices_end - frame->prepared_end), bytes = 1 + (used + used / 2) / shown;
+    frame->part_bytes = (uint16_t)((frame->part_bytes + bytes + 1) / 2);
+}
+
+static glint_status begin_parts(glint_frame *frame) {
+    frame->memory.low = frame->prepared_end;
+    frame->has_extents = 1;
+    frame->part_bytes = PART_BYTES;
+    return glint_extents_find(frame);
+}
+
+glint_status glint_load_parts(glint_frame *frame) {
+    const uint32_t object = frame->object, triangle = frame->triangle;
+    uint32_t end;
+    int loaded = frame->has_extents ? GLINT_OK : (int)begin_parts(frame);
+    if (loaded < 0)
+        return (glint_status)loaded;
+    if (object || triangle)
+        frame->pass_tiles = 1; /* the rest of a tile's */
+    else if (frame->extents)
+        choose_tiles(frame);
+    for (;;) {
+        glint_strip strip;
+        end = (uint32_t)frame->tile_first + frame->pass_tiles;
+        end = end < frame->tile_count ? end : frame->tile_count;
+        glint_strip_begin(&strip, frame, end);
+        loaded = load_strip(frame, &strip);
+        frame->object = object;
+        frame->triangle = triangle;
+        if (loaded > 0 || frame->pass_tiles == 1 || (loaded < 0 && loaded != GLINT_ERROR_ARENA))
+            break;
+        frame->pass_tiles = (uint16_t)((frame->pass_tiles + 1) / 2);
+        frame->part_bytes += frame->part_bytes / 2;
+    }
+    if (loaded < 0)
+        return (glint_status)loaded;
+    frame->covers_end = loaded > 0;
+    frame->loaded_end = (uint16_t)end;
+    frame->vertices_end = frame->memory.low;
+    learn_bytes(frame, end - frame->tile_first);
+    return GLINT_OK;
+}
