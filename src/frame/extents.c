@@ -69,7 +69,11 @@ static GLINT_NOINLINE int find_clipped(const glint_sight *sight, const uint32_t 
         tiles->right = glint_most(tiles->right, part.right);
         tiles->bottom = glint_most(tiles->bottom, part.bottom);
     }
-    return tiles->left < tiles->right;
+    if (tiles->left < tiles->right)
+        return 1;
+    sight->frame->stats.triangles++;
+    sight->frame->stats.clipped++;
+    return 0;
 }
 
 static inline void drop(const glint_sight *sight) {
@@ -105,13 +109,13 @@ const uint16_t *glint_sight_next(glint_sight *sight, uint32_t number, glint_rang
 /* ---- Extents ---- */
 
 /* As far as there is. */
-#define FAR 255
+#define NO_END 255
 
-static void put(glint_extent *extent, const glint_range *tiles) {
+static void add_tiles(glint_extent *extent, const glint_range *tiles) {
     extent->left = (uint8_t)glint_least(extent->left, tiles->left);
     extent->top = (uint8_t)glint_least(extent->top, tiles->top);
-    extent->right = (uint8_t)glint_most(extent->right, glint_least(tiles->right, FAR));
-    extent->bottom = (uint8_t)glint_most(extent->bottom, glint_least(tiles->bottom, FAR));
+    extent->right = (uint8_t)glint_most(extent->right, glint_least(tiles->right, NO_END));
+    extent->bottom = (uint8_t)glint_most(extent->bottom, glint_least(tiles->bottom, NO_END));
 }
 
 /* Triangles of an extent, a power of two: as few as take an eighth of what is free. @return 0 where no number does */
@@ -135,13 +139,14 @@ static glint_status find_of_object(glint_frame *frame, const glint_object *objec
     glint_transform transform;
     glint_sight sight;
     glint_status status = glint_transform_prepare(&transform, frame->view, &frame->config, object);
+    frame->stats.hidden += status == GLINT_OK && !transform.visible;
     if (status != GLINT_OK || !transform.visible)
         return status;
     glint_sight_begin(&sight, frame, object, &transform, memory, size);
     for (uint32_t i = 0; i < object->mesh->triangle_count && status == GLINT_OK; i++) {
         glint_range tiles;
         if (glint_sight_next(&sight, i, &tiles, &status))
-            put(&extents[i >> frame->extent_shift], &tiles);
+            add_tiles(&extents[i >> frame->extent_shift], &tiles);
     }
     return status;
 }
@@ -157,14 +162,14 @@ glint_status glint_extents_find(glint_frame *frame) {
     frame->extents = extent;
     frame->prepared_end = frame->memory.low;
     for (uint32_t i = 0; i < count; i++)
-        extent[i] = (glint_extent){FAR, FAR, 0, 0};
+        extent[i] = (glint_extent){NO_END, NO_END, 0, 0};
     for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++) {
         status = find_of_object(frame, &scene->objects[i], extent);
         extent += glint_extents_of(frame, scene->objects[i].mesh->triangle_count);
     }
-    const uint32_t vertices = frame->stats.vertices;
-    frame->stats = stats; /* triangles are counted where they are drawn or dropped */
-    frame->stats.vertices = vertices;
+    frame->stats.triangles = stats.triangles; /* counted where they are drawn or dropped */
+    frame->stats.facing_away = stats.facing_away;
+    frame->stats.clipped = stats.clipped;
     return status;
 }
 
@@ -172,8 +177,8 @@ void glint_strip_begin(glint_strip *strip, const glint_frame *frame, uint32_t en
     const int32_t columns = frame->tile_columns, first = frame->tile_first, last = (int32_t)end - 1;
     strip->first_row = first / columns;
     strip->last_row = last / columns;
-    strip->first_column = first - strip->first_row * columns;
-    strip->last_column = last - strip->last_row * columns;
+    strip->first_column = first % columns;
+    strip->last_column = last % columns;
 }
 
 int glint_is_in_strip(const glint_strip *strip, const glint_range *tiles) {
@@ -192,7 +197,7 @@ int glint_extent_shows(const glint_frame *frame, const glint_strip *strip, uint3
     if (!frame->extents)
         return 1;
     const glint_extent *e = &frame->extents[index];
-    const glint_range tiles = {e->left, e->top, e->right == FAR ? INT32_MAX : e->right,
-                               e->bottom == FAR ? INT32_MAX : e->bottom};
+    const glint_range tiles = {e->left, e->top, e->right == NO_END ? INT32_MAX : e->right,
+                               e->bottom == NO_END ? INT32_MAX : e->bottom};
     return glint_is_in_strip(strip, &tiles);
 }

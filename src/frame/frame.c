@@ -155,9 +155,11 @@ static glint_status begin_pass(glint_frame *frame) {
         if (status != GLINT_OK)
             return status;
     }
+    const glint_stats stats = frame->stats;
     const glint_status status = bin_tiles(frame);
     if (status != GLINT_OK || !is_cramped(frame))
         return status;
+    frame->stats = stats;
     frame->resident = 0;
     frame->object = frame->triangle = 0;
     const glint_status loaded = glint_load(frame);

@@ -165,7 +165,7 @@ static int load_object(glint_frame *frame, glint_draw **last, const glint_strip 
         return 1;
     glint_transform_prepare(&transform, frame->view, &frame->config, object);
     if (!transform.visible) {
-        frame->stats.hidden++;
+        frame->stats.hidden += !frame->extents; /* with them, it has been counted */
         return 1;
     }
     if (!share_room(frame, object, &transform, shown, &p))
@@ -240,6 +240,7 @@ static void learn_bytes(glint_frame *frame, uint32_t tiles) {
 
 static glint_status begin_parts(glint_frame *frame) {
     frame->memory.low = frame->prepared_end;
+    frame->stats.hidden = 0;
     frame->has_extents = 1;
     frame->part_bytes = PART_BYTES;
     return glint_extents_find(frame);

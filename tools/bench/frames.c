@@ -24,15 +24,18 @@ typedef struct variant {
     int changes; /* only tiles that changed since the last frame are copied */
     int anew;    /* nothing is kept from frame to frame */
     int plain;   /* meshes without clusters */
+    int share;   /* so many sixteenths of the arena between the smallest and the best; 0: all that there is */
 } variant;
 
 static const variant variants[] = {
-    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 0},       {320, 240, GLINT_VIEWER_INFINITE, 32, 32, 0},
-    {128, 64, GLINT_VIEWER_LOCAL, 32, 32, 0},        {320, 240, GLINT_VIEWER_LOCAL, 16, 16, 0},
-    {320, 240, GLINT_VIEWER_LOCAL, 32, 16, 0},       {320, 240, GLINT_VIEWER_LOCAL, 64, 32, 0},
-    {320, 240, GLINT_VIEWER_LOCAL, 64, 64, 0},       {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 1},
-    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 0, 1},    {128, 64, GLINT_VIEWER_LOCAL, 64, 64, 0},
-    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 0, 0, 1}, {128, 64, GLINT_VIEWER_LOCAL, 32, 32, 0, 0, 1},
+    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 0},          {320, 240, GLINT_VIEWER_INFINITE, 32, 32, 0},
+    {128, 64, GLINT_VIEWER_LOCAL, 32, 32, 0},           {320, 240, GLINT_VIEWER_LOCAL, 16, 16, 0},
+    {320, 240, GLINT_VIEWER_LOCAL, 32, 16, 0},          {320, 240, GLINT_VIEWER_LOCAL, 64, 32, 0},
+    {320, 240, GLINT_VIEWER_LOCAL, 64, 64, 0},          {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 1},
+    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 0, 1},       {128, 64, GLINT_VIEWER_LOCAL, 64, 64, 0},
+    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 0, 0, 1},    {128, 64, GLINT_VIEWER_LOCAL, 32, 32, 0, 0, 1},
+    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, .share = 8}, {320, 240, GLINT_VIEWER_LOCAL, 32, 32, .share = 4},
+    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, .share = 1},
 };
 
 static uint32_t arena[(1 << 20) / sizeof(uint32_t)];
@@ -46,14 +49,29 @@ static int copy_tile(void *context, int x, int y, int width, int height, const v
     return 0;
 }
 
-static glint_status measure(const glint_config *config, const glint_scene *scene, glint_object *object,
-                            const glint_pose *poses, measured *result) {
+/* A share of the arena that a scene takes. */
+static glint_status share_arena(glint_config *config, const glint_scene *scene, int sixteenths) {
+    glint_need need;
+    const glint_status status = glint_arena_need(config, scene, &need);
+    if (status == GLINT_OK) {
+        config->arena_size = need.smallest + (need.best - need.smallest) / 16 * (size_t)sixteenths;
+    }
+    return status;
+}
+
+static glint_status measure(glint_config *config, const glint_scene *scene, glint_object *object,
+                            const glint_pose *poses, int share, measured *result) {
     glint_status status = GLINT_OK;
     glint_renderer renderer;
 
     for (int frame = 0; frame < BENCH_FRAMES && status == GLINT_OK; frame++) {
         object->pose = poses[frame];
-        status = measure_frame(config, scene, frame == 0, &renderer, result);
+        if (share && frame == 0) {
+            status = share_arena(config, scene, share);
+        }
+        if (status == GLINT_OK) {
+            status = measure_frame(config, scene, frame == 0, &renderer, result);
+        }
     }
     return status;
 }
@@ -87,7 +105,7 @@ static glint_status measure_variant(uint32_t which, const variant *v, measured *
         glint_changes_init(&changes, signatures, &config);
         config.flush = glint_changes_flush(&changes);
     }
-    return measure(&config, &scene, &object, bench_scenes[which].poses, result);
+    return measure(&config, &scene, &object, bench_scenes[which].poses, v->share, result);
 }
 
 static void report(const char *name, const variant *v, const measured *result) {
@@ -96,7 +114,13 @@ static void report(const char *name, const variant *v, const measured *result) {
     measure_write_number(v->width, "x");
     measure_write_number(v->height, v->viewer == GLINT_VIEWER_LOCAL ? " local " : " infinite ");
     measure_write_number(v->tile_width, "x");
-    measure_write_number(v->tile_height, v->changes ? " changes," : v->anew ? " anew," : v->plain ? " plain," : ",");
+    measure_write_number(v->tile_height, v->changes      ? " changes,"
+                                         : v->anew       ? " anew,"
+                                         : v->plain      ? " plain,"
+                                         : v->share == 8 ? " half,"
+                                         : v->share == 4 ? " quarter,"
+                                         : v->share      ? " sixteenth,"
+                                                         : ",");
     measure_write(result, BENCH_FRAMES);
 }
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Tile sizes in figures: tiles.py BENCH.csv ARENA.csv prints the table; with --page PAGE, 1 when the page has another."""
+"""Tile sizes and shares of an arena in figures: tiles.py BENCH.csv ARENA.csv prints both tables; with --page PAGE, 1 when
+the page has others."""
 import argparse
 import csv
 import sys
@@ -26,21 +27,40 @@ def table(frames, arenas):
     return "\n".join(lines) + "\n"
 
 
+SHARES = ("half", "quarter", "sixteenth")
+MESHES = ("torus576", "sphere960", "torus2304", "torus9216")
+
+
+def shares(frames, arenas):
+    """Instructions in a part of the arena, over those where all is drawn in one pass."""
+    counts = {(row["name"], row["variant"]): int(row["instructions"]) for row in frames if row["cpu"] == "m3"}
+    best = {row["name"]: int(row["best"]) for row in arenas if row["variant"] == VARIANT + "32x32"}
+    lines = ["| 320x240, Cortex-M3 | one pass, bytes | " + " | ".join(SHARES) + " |",
+             "| --- | --- |" + " --- |" * len(SHARES)]
+    for mesh in MESHES:
+        whole = counts[mesh, VARIANT + "32x32"]
+        lines.append("| %s | %d | " % (mesh, best[mesh]) +
+                     " | ".join("%.1f" % (counts[mesh, VARIANT + "32x32 " + share] / whole) for share in SHARES) + " |")
+    return "\n".join(lines) + "\n"
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--page")
     parser.add_argument("frames")
     parser.add_argument("arenas")
     arguments = parser.parse_args()
-    text = table(read(arguments.frames), read(arguments.arenas))
+    frames, arenas = read(arguments.frames), read(arguments.arenas)
+    texts = (table(frames, arenas), shares(frames, arenas))
     if not arguments.page:
-        sys.stdout.write(text)
+        sys.stdout.write("\n".join(texts))
         return 0
     with open(arguments.page) as file:
-        if text in file.read():
-            return 0
-    print("%s does not have this table:\n%s" % (arguments.page, text))
-    return 1
+        page = file.read()
+    missing = [text for text in texts if text not in page]
+    for text in missing:
+        print("%s does not have this table:\n%s" % (arguments.page, text))
+    return 1 if missing else 0
 
 
 if __name__ == "__main__":
