@@ -137,7 +137,7 @@ size_t glint_fast_tables_size(uint32_t specular);
 /** Sets the colour of ambient light. */
 void glint_fast_prepare_ambient(glint_fast_terms *fast, const glint_shading *shading);
 
-/** Makes a material's tables, if they leave as much room as they take; not those that the last frame left. */
+/** Makes a material's tables, if they leave that much; not those that the last frame left. */
 void glint_fast_make_tables(glint_memory *memory, glint_fast_terms *fast, const glint_shading *shading);
 
 /** Prepares the materials of a frame; they are what the arena holds last. */

@@ -121,16 +121,13 @@ static void fill_specular(const glint_shading *shading, uint32_t *words, uint32_
     }
 }
 
-/* What tables leave is enough to draw any scene. */
-typedef char tables_leave_room[DIFFUSE_BYTES >= GLINT_LEAST_ROOM ? 1 : -1];
-
-/* The tables, if they leave as much room as they take; nothing is to be done where the last frame left them. */
+/* The tables, if they leave room to draw any scene; nothing is to be done where the last frame left them. */
 void glint_fast_make_tables(glint_memory *memory, glint_fast_terms *fast, const glint_shading *shading) {
     const uint32_t entries = fast->specular_end >> 15, *const kept = fast->diffuse;
     const size_t size = glint_fast_tables_size(entries);
     ramp r;
     fast->diffuse = 0;
-    if (memory->high - GLINT_ALIGNED(memory->low) < 2 * size)
+    if (memory->high - GLINT_ALIGNED(memory->low) < size + glint_room_behind_tables(size))
         return;
     uint32_t *const specular = glint_take(memory, size), *const diffuse = specular + entries;
     uint16_t *pixels = (uint16_t *)(void *)(diffuse + GLINT_DIFFUSE_ENTRIES);

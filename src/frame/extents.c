@@ -8,8 +8,8 @@
 #define UNSEEN 0xffffu
 
 size_t glint_sight_size(size_t room) {
-    size_t count = room < 2048 ? 0 : 256;
-    while (count * sizeof(glint_vertex) > room / 8)
+    size_t count = room < 256 ? 0 : 1024;
+    while (count * sizeof(glint_vertex) > room)
         count /= 2;
     return GLINT_ALIGNED(count * sizeof(glint_vertex));
 }
@@ -134,7 +134,7 @@ static int choose_shift(glint_frame *frame, uint32_t *count) {
 }
 
 static glint_status find_of_object(glint_frame *frame, const glint_object *object, glint_extent *extents) {
-    const size_t room = frame->memory.high - frame->memory.low, size = glint_sight_size(room);
+    const size_t room = frame->memory.high - frame->memory.low, size = glint_sight_size(room / 2);
     uint8_t *const memory = frame->memory.base + GLINT_ALIGNED(frame->memory.low);
     glint_transform transform;
     glint_sight sight;

@@ -108,6 +108,11 @@ size_t glint_draw_size(const glint_frame *frame, const glint_object *object, con
      GLINT_ALIGNED(3 * sizeof(glint_position)) + GLINT_ALIGNED(18) + 2 * GLINT_ALIGNED(36) + 2 * GLINT_ALIGNED(12) + \
      GLINT_ALIGNED(8) + GLINT_ALIGNED(6) + GLINT_BIN_RESERVE)
 
+/** Bytes that are to be free behind so many of tables: for any scene, light at a triangle's nodes, and some more. */
+static inline size_t glint_room_behind_tables(size_t tables) {
+    return GLINT_LEAST_ROOM + 512 + tables / 4;
+}
+
 /** Is all that a tile shows background, now that this pass is prepared? */
 int glint_tile_is_empty(const glint_frame *frame, uint32_t tile);
 

@@ -58,7 +58,7 @@ static int share_room(glint_frame *frame, const glint_object *object, const glin
     const size_t low = GLINT_ALIGNED(frame->memory.low), high = frame->memory.high;
     if (high < low + GLINT_BIN_RESERVE)
         return 0;
-    const size_t room = high - low - GLINT_BIN_RESERVE, seen = glint_sight_size(room);
+    const size_t room = high - low - GLINT_BIN_RESERVE, seen = glint_sight_size(room / 6);
     const size_t fixed = part_size(frame, object, transform, 0), some = part_size(frame, object, transform, 256);
     uint32_t most = object->mesh->vertex_count < 3 * triangles ? object->mesh->vertex_count : 3 * triangles;
     most = most < PART_VERTICES_MAX ? most : PART_VERTICES_MAX;

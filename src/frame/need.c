@@ -150,7 +150,8 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
                    GLINT_ALIGNED(sum.clipped * sizeof(glint_clipped)) + GLINT_BIN_RESERVE;
     need->smallest = prepared + GLINT_LEAST_ROOM + sum.nodes;
     const size_t pass = sum.vertices + lists;
-    need->best = prepared + sum.tables + (pass > sum.tables ? pass : sum.tables);
+    const size_t behind = sum.tables ? glint_room_behind_tables(sum.tables) : 0;
+    need->best = prepared + sum.tables + (pass > behind ? pass : behind);
     if (need->best < need->smallest)
         need->best = need->smallest;
     return GLINT_OK;

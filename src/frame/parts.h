@@ -25,7 +25,7 @@ typedef struct glint_sight {
     uint32_t seen_count; /* a power of two, or 0 */
 } glint_sight;
 
-/** Bytes that are worth having for vertices that were seen, of so many. */
+/** Bytes for vertices that were seen: no more than these, nor than are worth having. */
 size_t glint_sight_size(size_t room);
 
 /** Begins before an object's first triangle, with that many bytes. */

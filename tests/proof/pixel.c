@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Stores: every format into a tile of 64 x 64 pixels and not a byte more.
- * @link pixel/pixel_rgb565.c @link pixel/pixel_rgb565_be.c @link pixel/pixel_rgb888.c @link pixel/pixel_grey8.c @link
- * pixel/pixel_grey4.c
- * @link pixel/pixel_rgb444.c @link pixel/pixel_mono.c @link pixel/pixel_mono_pages.c @link pixel/dither.c
+ * @link pixel/pixel_rgb565.c @link pixel/pixel_rgb565_be.c @link pixel/pixel_rgb888.c @link pixel/pixel_grey8.c
+ * @link pixel/pixel_grey4.c @link pixel/pixel_rgb444.c @link pixel/pixel_mono.c @link pixel/pixel_mono_pages.c
+ * @link pixel/dither.c
  */
 #include "proof.h"
 
