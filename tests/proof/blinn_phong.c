@@ -12,6 +12,6 @@
  * @unreached 1 what matt models do
  * @options -eva-slevel 0 -eva-min-loop-unroll 9
  */
-PROOF(blinn_phong_light) {
+PROOF(light_blinn_phong) {
     PROVE_LIGHT(light_blinn_phong);
 }

@@ -59,7 +59,7 @@ static void any_nodes(void) {
 }
 
 /* Any nodes, of cells and of pieces. @contract glint_angle_of */
-PROOF(cell_find_turn) {
+PROOF(find_shape_turn) {
     any_nodes();
     shape.shift = ANY_UNSIGNED(0, 3);
     find_shape_turn(&shape, nodes);
@@ -81,7 +81,7 @@ PROOF(find_colour) {
 }
 
 /* Any nodes of each light. @contract glint_place_lobe */
-PROOF(cell_place_lobe) {
+PROOF(place_shape_lobe) {
     any_nodes();
     FOR_PARTS(l, 0, GLINT_LIGHTS_MAX - 1) {
         place_shape_lobe(&shading, &shape, nodes, ANY(0, 0x20000000), (uint32_t)l);
@@ -89,7 +89,7 @@ PROOF(cell_place_lobe) {
 }
 
 /* Any nodes of each light. */
-PROOF(cell_keeps_side) {
+PROOF(shape_keeps_side) {
     any_nodes();
     FOR_PARTS(l, 0, GLINT_LIGHTS_MAX - 1) {
         shape_keeps_side(&shape, nodes, (uint32_t)l, ANY(0, 1 << 16));

@@ -6,7 +6,7 @@
 #include "ranges.h"
 
 /* Any direction, any camera; H never points away from the eye. @contract glint_direction_to_camera glint_unit */
-PROOF(directional_prepare) {
+PROOF(prepare_directional) {
     glint_view view;
     glint_light light;
     glint_prepared_light prepared;

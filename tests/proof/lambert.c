@@ -12,12 +12,12 @@
  * @unreached 23 specular light
  * @options -eva-slevel 0 -eva-min-loop-unroll 9
  */
-PROOF(lambert_light) {
+PROOF(light_lambert) {
     PROVE_LIGHT(light_lambert);
 }
 
 /* Any diffuse colour. */
-PROOF(unlit_prepare) {
+PROOF(prepare_unlit) {
     glint_material material;
     glint_shading shading;
     material.diffuse = (glint_colour){ANY(0, GLINT_COLOUR_MAX), ANY(0, GLINT_COLOUR_MAX), ANY(0, GLINT_COLOUR_MAX)};

@@ -103,7 +103,7 @@ PROOF(find_lobe_deviation) {
 }
 
 /* Any two unit vectors. @contract glint_dot */
-PROOF(node_cosine) {
+PROOF(find_signed_cosine) {
     int16_t n[3], l[3];
     any_unit(n);
     any_unit(l);
@@ -200,7 +200,7 @@ static int find_lobe_deviation(const int16_t *n, const int16_t *h, unsigned shif
  * Any light's highlight, of the half vector or of mirrored light, wide or narrow.
  * @contract glint_dot find_half_axis find_lobe_deviation
  */
-PROOF(node_add_lobe) {
+PROOF(light_lobe) {
     glint_prepared_light source;
     int16_t light[3];
     any_source(&source);

@@ -16,7 +16,7 @@ void glint_transform_normal(const glint_draw *draw, glint_vertex *vertex);
  * side and from both.
  * @contract glint_light_all glint_needs_rays glint_ray glint_clamp_colour glint_transform_normal
  */
-PROOF(per_vertex_light_triangle) {
+PROOF(light_corners) {
     static const uint8_t colours[1][3];
     static const uint16_t colours565[1];
     static const uint16_t triangles[1][3] = {{0, 1, 2}};

@@ -11,6 +11,6 @@
  * @unreached 1 what matt models do
  * @options -eva-slevel 0 -eva-min-loop-unroll 9
  */
-PROOF(phong_light) {
+PROOF(light_phong) {
     PROVE_LIGHT(light_phong);
 }

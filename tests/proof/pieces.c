@@ -50,7 +50,7 @@ PROOF(number_of) {
  * @contract glint_unit_inline
  * @alarms 1 a weighted mean is no more than the largest; suite `nodes` under UBSan
  */
-PROOF(pieces_gather) {
+PROOF(gather_piece) {
     glint_fragments fragments;
     pieces p;
     any_triangle();
@@ -74,7 +74,7 @@ PROOF(pieces_gather) {
 }
 
 /* Any triangle, by the bits of its largest 1/w. @unreached 3 leading zeros of 0, and a number of no bits */
-PROOF(pieces_begin) {
+PROOF(begin_pieces) {
     glint_shape shape;
     pieces p;
     any_triangle();
@@ -103,7 +103,7 @@ void glint_barycentric_begin(glint_barycentric *barycentric, const glint_gradien
  * @contract glint_form_begin glint_barycentric_begin
  * @alarms 2 is_beyond_piece has just been asked of these numbers
  */
-PROOF(pieces_fit) {
+PROOF(fit_piece) {
     static const int32_t kinds[4][3] = {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {-1, 1, 1}};
     glint_part part;
     glint_barycentric barycentric;

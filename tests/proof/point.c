@@ -83,7 +83,7 @@ static inline uint32_t invert(uint32_t x, unsigned *zeros);
 static uint32_t attenuate(const glint_prepared_light *light, uint32_t inverse_w, uint32_t distance, int exponent);
 
 /* Any attenuation. */
-PROOF(point_prepare) {
+PROOF(prepare_point) {
     glint_view view;
     glint_light light;
     glint_prepared_light prepared;
@@ -193,7 +193,7 @@ static int32_t any_component(int bits, int exactly, int negative) {
  * glint_unit
  * @options -eva-subdivide-non-linear 20
  */
-PROOF(find_length_itself) {
+PROOF(find_distance) {
     FOR_PARTS(bits, 0, 31) {
         FOR_PARTS(signs, 0, 7) {
             int exponent = ANY(0, 51);

@@ -30,7 +30,7 @@ PROOF(cosine_of) {
 }
 
 /* Any angles, attenuation, axis and camera. @contract glint_phase glint_sine glint_direction_to_camera */
-PROOF(spot_prepare) {
+PROOF(prepare_spot) {
     glint_view view;
     glint_light light;
     glint_prepared_light prepared;
@@ -44,7 +44,7 @@ PROOF(spot_prepare) {
 }
 
 /* past from 0 to 2^16 - 1, by parts of a quarter of its bits, and slopes of up to 2^30 / past. */
-PROOF(smooth_step_itself) {
+PROOF(smooth_step) {
     smooth_step(0, ANY(0, 1 << 30));
     FOR_PARTS(past, 1, 3) {
         smooth_step((int32_t)past, ANY(0, (1 << 30) / (int32_t)past));
@@ -58,7 +58,7 @@ PROOF(smooth_step_itself) {
 }
 
 /* Any cone and any fragment. @contract glint_point_illuminate glint_dot smooth_step */
-PROOF(spot_illuminate) {
+PROOF(illuminate_spot) {
     glint_prepared_light light;
     glint_fragments fragments;
     light.spot.cosine_inner = ANY(-FULL, FULL);

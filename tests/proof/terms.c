@@ -162,7 +162,7 @@ PROOF(glint_triangle_keeps_side) {
 }
 
 /* Numbers of 15 bits and a sign times lengths of up to 1, or none. */
-PROOF(scale_numbers) {
+PROOF(scale_by_lengths) {
     int32_t n[6], by[6];
     for (int i = 0; i < 6; i++) {
         n[i] = ANY(INT16_MIN, INT16_MAX);
@@ -202,7 +202,7 @@ PROOF(glint_sum_at) {
  * Any corners, by the bits of the largest 1/w. @contract glint_angle_of glint_region_measure
  * @unreached 1 a number of no bits
  */
-PROOF(terms_measure) {
+PROOF(measure) {
     FOR_CORNERS(bits) {
         measure(ANY_UNSIGNED(1 << 10, 1u << 31), &triangle, &t);
     }

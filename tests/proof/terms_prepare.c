@@ -116,7 +116,7 @@ PROOF(gather_shares) {
  * @contract glint_exp2
  * @unreached 5 logarithms of 0 and of 1, and leading zeros of 0
  */
-PROOF(terms_find_cut) {
+PROOF(find_lobe_cut) {
     any_frame(MOST);
     scene.light_count = 2;
     shading.has_specular = 3;
