@@ -14,10 +14,11 @@ size_t glint_sight_size(size_t room) {
     return GLINT_ALIGNED(count * sizeof(glint_vertex));
 }
 
-void glint_sight_begin(glint_sight *sight, glint_frame *frame, const glint_object *object,
-                       const glint_transform *transform, void *memory, size_t size) {
+/* It fits there. */
+typedef char sight_fits_reserve[sizeof(glint_sight) <= GLINT_BIN_RESERVE ? 1 : -1];
+
+void glint_sight_begin(glint_sight *sight, glint_frame *frame, const glint_object *object, void *memory, size_t size) {
     sight->frame = frame;
-    sight->transform = transform;
     sight->mesh = object->mesh;
     sight->cull = glint_cull_of(object->mesh);
     sight->seen = memory;
@@ -25,22 +26,22 @@ void glint_sight_begin(glint_sight *sight, glint_frame *frame, const glint_objec
     for (uint32_t i = 0; i < sight->seen_count; i++)
         sight->seen[i].flags = UNSEEN;
     if (sight->cull)
-        sight->cull->begin(&sight->walk, object->mesh, transform);
+        sight->cull->begin(&sight->walk, object->mesh, &sight->transform);
 }
 
 static void see(glint_sight *sight, uint32_t index, glint_vertex *vertex) {
     glint_position position;
-    glint_transform_vertices(sight->transform, sight->mesh, index, 1, vertex, sight->transform->clips ? &position : 0);
+    glint_transform_vertices(&sight->transform, sight->mesh, index, 1, vertex, sight->transform.clips ? &position : 0);
     sight->frame->stats.vertices++;
 }
 
 /* Finds corners on the screen: among those that were seen, unless two have the same place there. */
-static void see_corners(glint_sight *sight, const uint32_t index[3], glint_vertex own[3], const glint_vertex *v[3]) {
+static void see_corners(glint_sight *sight, const uint32_t index[3], const glint_vertex *v[3]) {
     const uint32_t mask = sight->seen_count - 1;
     const int is_apart = sight->seen_count && ((index[0] ^ index[1]) & mask) && ((index[1] ^ index[2]) & mask) &&
                          ((index[0] ^ index[2]) & mask);
     for (int i = 0; i < 3; i++) {
-        glint_vertex *const vertex = is_apart ? &sight->seen[index[i] & mask] : &own[i];
+        glint_vertex *const vertex = is_apart ? &sight->seen[index[i] & mask] : &sight->own[i];
         if (!is_apart || vertex->flags == UNSEEN || (uint16_t)vertex->attribute[0] != index[i])
             see(sight, index[i], vertex);
         v[i] = vertex;
@@ -48,19 +49,19 @@ static void see_corners(glint_sight *sight, const uint32_t index[3], glint_verte
 }
 
 /* The tiles of what clipping leaves of a triangle. @return 0 when that shows on none */
-static GLINT_NOINLINE int find_clipped(const glint_sight *sight, const uint32_t index[3], glint_range *tiles) {
-    const glint_transform *transform = sight->transform;
+static GLINT_NOINLINE int find_clipped(glint_sight *sight, const uint32_t index[3], glint_range *tiles) {
+    const glint_transform *transform = &sight->transform;
     glint_corner corners[GLINT_CLIP_CORNERS] = {0};
-    glint_vertex vertices[GLINT_CLIP_CORNERS];
+    glint_vertex *const own = sight->own;
+    const glint_vertex *const v[3] = {&own[0], &own[1], &own[2]};
     for (int i = 0; i < 3; i++)
-        glint_transform_vertices(transform, sight->mesh, index[i], 1, &vertices[i], &corners[i].position);
+        glint_transform_vertices(transform, sight->mesh, index[i], 1, &own[i], &corners[i].position);
     const int count = glint_clip(transform, corners);
     *tiles = (glint_range){INT32_MAX, INT32_MAX, 0, 0};
-    for (int i = 0; i < count; i++)
-        glint_project(transform, &corners[i].position, &vertices[i]);
-    for (int i = 2; i < count; i++) {
-        const glint_vertex *const v[3] = {&vertices[0], &vertices[i - 1], &vertices[i]};
+    for (int last = 2; last < count; last++) {
         glint_range part;
+        for (int i = 0; i < 3; i++)
+            glint_project(transform, &corners[i ? last - 2 + i : 0].position, &own[i]);
         if (!glint_faces(transform->mirrored, (sight->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0, v) ||
             !glint_find_tiles(sight->frame, v, &part))
             continue;
@@ -85,7 +86,6 @@ const uint16_t *glint_sight_next(glint_sight *sight, uint32_t number, glint_rang
     const glint_mesh *mesh = sight->mesh;
     const uint16_t *corners = sight->cull ? sight->cull->corners(&sight->walk, mesh, number) : mesh->triangles[number];
     const uint32_t index[3] = {corners[0], corners[1], corners[2]};
-    glint_vertex own[3];
     const glint_vertex *v[3];
     *status = GLINT_OK;
     if (index[0] >= mesh->vertex_count || index[1] >= mesh->vertex_count || index[2] >= mesh->vertex_count) {
@@ -96,10 +96,10 @@ const uint16_t *glint_sight_next(glint_sight *sight, uint32_t number, glint_rang
         drop(sight);
         return 0;
     }
-    see_corners(sight, index, own, v);
+    see_corners(sight, index, v);
     if ((v[0]->flags | v[1]->flags | v[2]->flags) & GLINT_VERTEX_CLIP)
         return find_clipped(sight, index, tiles) ? corners : 0;
-    if (!glint_faces(sight->transform->mirrored, (mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0, v)) {
+    if (!glint_faces(sight->transform.mirrored, (mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0, v)) {
         drop(sight);
         return 0;
     }
@@ -136,16 +136,15 @@ static int choose_shift(glint_frame *frame, uint32_t *count) {
 static glint_status find_of_object(glint_frame *frame, const glint_object *object, glint_extent *extents) {
     const size_t room = frame->memory.high - frame->memory.low, size = glint_sight_size(room / 2);
     uint8_t *const memory = frame->memory.base + GLINT_ALIGNED(frame->memory.low);
-    glint_transform transform;
-    glint_sight sight;
-    glint_status status = glint_transform_prepare(&transform, frame->view, &frame->config, object);
-    frame->stats.hidden += status == GLINT_OK && !transform.visible;
-    if (status != GLINT_OK || !transform.visible)
+    glint_sight *const sight = glint_sight_of(frame);
+    glint_status status = glint_transform_prepare(&sight->transform, frame->view, &frame->config, object);
+    frame->stats.hidden += status == GLINT_OK && !sight->transform.visible;
+    if (status != GLINT_OK || !sight->transform.visible)
         return status;
-    glint_sight_begin(&sight, frame, object, &transform, memory, size);
+    glint_sight_begin(sight, frame, object, memory, size);
     for (uint32_t i = 0; i < object->mesh->triangle_count && status == GLINT_OK; i++) {
         glint_range tiles;
-        if (glint_sight_next(&sight, i, &tiles, &status))
+        if (glint_sight_next(sight, i, &tiles, &status))
             add_tiles(&extents[i >> frame->extent_shift], &tiles);
     }
     return status;
@@ -153,7 +152,7 @@ static glint_status find_of_object(glint_frame *frame, const glint_object *objec
 
 glint_status glint_extents_find(glint_frame *frame) {
     const glint_scene *scene = frame->scene;
-    const glint_stats stats = frame->stats;
+    const uint32_t triangles = frame->stats.triangles, away = frame->stats.facing_away, clipped = frame->stats.clipped;
     uint32_t count;
     glint_status status = GLINT_OK;
     if (!choose_shift(frame, &count))
@@ -167,9 +166,9 @@ glint_status glint_extents_find(glint_frame *frame) {
         status = find_of_object(frame, &scene->objects[i], extent);
         extent += glint_extents_of(frame, scene->objects[i].mesh->triangle_count);
     }
-    frame->stats.triangles = stats.triangles; /* counted where they are drawn or dropped */
-    frame->stats.facing_away = stats.facing_away;
-    frame->stats.clipped = stats.clipped;
+    frame->stats.triangles = triangles; /* counted where they are drawn or dropped */
+    frame->stats.facing_away = away;
+    frame->stats.clipped = clipped;
     return status;
 }
 

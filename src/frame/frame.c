@@ -119,10 +119,19 @@ static int advance(glint_frame *frame) {
     return frame->tile_first < frame->tile_count;
 }
 
-/* Bins for as many tiles as the arena allows; a single tile may get a part of the triangles. */
+/* Are all objects loaded, and yet so little room is left that a frame's first pass would have few tiles? */
+static int is_cramped(const glint_frame *frame) {
+    return frame->resident && !frame->stats.passes && 4u * frame->pass_tiles < frame->tile_count;
+}
+
+/*
+ * Bins for as many tiles as the arena allows, and loads parts where those would be few; a single tile may get a part of
+ * the triangles.
+ */
 static glint_status bin_tiles(glint_frame *frame) {
     const uint32_t object = frame->object, triangle = frame->triangle;
-    const glint_stats stats = frame->stats;
+    const uint32_t triangles = frame->stats.triangles, away = frame->stats.facing_away, outside = frame->stats.outside,
+                   clipped = frame->stats.clipped;
     int complete = 0;
     for (;;) {
         uint32_t end = (uint32_t)frame->tile_first + frame->pass_tiles;
@@ -135,7 +144,16 @@ static glint_status bin_tiles(glint_frame *frame) {
         frame->pass_tiles = (uint16_t)((glint_pass_tiles(frame) + 1) / 2);
         frame->object = object;
         frame->triangle = triangle;
-        frame->stats = stats;
+        frame->stats.triangles = triangles;
+        frame->stats.facing_away = away;
+        frame->stats.outside = outside;
+        frame->stats.clipped = clipped;
+        if (is_cramped(frame)) {
+            frame->resident = 0;
+            status = glint_load(frame);
+            if (status != GLINT_OK)
+                return status;
+        }
     }
     frame->ends = complete && frame->covers_end;
     if (!complete && frame->object == object && frame->triangle == triangle)
@@ -143,27 +161,11 @@ static glint_status bin_tiles(glint_frame *frame) {
     return GLINT_OK;
 }
 
-/* Are all objects loaded, and yet so little room is left that a pass of this frame has few tiles? */
-static int is_cramped(const glint_frame *frame) {
-    return frame->resident && !frame->stats.passes && 4u * glint_pass_tiles(frame) < frame->tile_count;
-}
-
 /* Loads what a pass draws, unless it is there, and bins it. */
 static glint_status begin_pass(glint_frame *frame) {
-    if (!frame->resident && (frame->tile_first >= frame->loaded_end || !frame->ends)) {
-        const glint_status status = glint_load(frame);
-        if (status != GLINT_OK)
-            return status;
-    }
-    const glint_stats stats = frame->stats;
-    const glint_status status = bin_tiles(frame);
-    if (status != GLINT_OK || !is_cramped(frame))
-        return status;
-    frame->stats = stats;
-    frame->resident = 0;
-    frame->object = frame->triangle = 0;
-    const glint_status loaded = glint_load(frame);
-    return loaded == GLINT_OK ? bin_tiles(frame) : loaded;
+    const int is_there = frame->resident || (frame->tile_first < frame->loaded_end && frame->ends);
+    const glint_status status = is_there ? GLINT_OK : glint_load(frame);
+    return status == GLINT_OK ? bin_tiles(frame) : status;
 }
 
 int glint_frame_next(glint_frame *frame) {

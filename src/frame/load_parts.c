@@ -70,7 +70,7 @@ static int share_room(glint_frame *frame, const glint_object *object, const glin
         vertices -= (vertices + 15) / 16;
     if (vertices < 3)
         return 0;
-    uint8_t *top = frame->memory.base + high;
+    uint8_t *top = frame->memory.base + high - GLINT_BIN_RESERVE;
     top -= GLINT_ALIGNED(vertices * sizeof(uint16_t));
     p->index = (uint16_t *)(void *)top;
     p->mask = map_entries(vertices) - 1;
@@ -157,26 +157,26 @@ static int load_object(glint_frame *frame, glint_draw **last, const glint_strip 
     const glint_object *object = &frame->scene->objects[frame->object];
     const uint32_t shown = count_shown(frame, frame->object, frame->triangle, strip, first_extent);
     const uint32_t numbered = *last ? (uint32_t)(*last)->first + (*last)->count : 0;
-    glint_transform transform;
-    glint_sight sight;
+    glint_sight *const sight = glint_sight_of(frame);
+    const glint_transform *const transform = &sight->transform;
     glint_status status;
     part p;
     if (!shown)
         return 1;
-    glint_transform_prepare(&transform, frame->view, &frame->config, object);
-    if (!transform.visible) {
+    glint_transform_prepare(&sight->transform, frame->view, &frame->config, object);
+    if (!transform->visible) {
         frame->stats.hidden += !frame->extents; /* with them, it has been counted */
         return 1;
     }
-    if (!share_room(frame, object, &transform, shown, &p))
+    if (!share_room(frame, object, transform, shown, &p))
         return 0;
-    glint_sight_begin(&sight, frame, object, &transform, p.seen, p.seen_size);
+    glint_sight_begin(sight, frame, object, p.seen, p.seen_size);
     const uint32_t next =
-        find_triangles(frame, strip, first_extent, &sight, &p, GLINT_TRIANGLES_MAX - numbered, &status);
+        find_triangles(frame, strip, first_extent, sight, &p, GLINT_TRIANGLES_MAX - numbered, &status);
     if (status != GLINT_OK)
         return status;
     if (p.triangles) {
-        *last = add_part(frame, *last, &transform, &p);
+        *last = add_part(frame, *last, transform, &p);
         (*last)->end = next;
     }
     frame->triangle = next;

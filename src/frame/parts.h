@@ -16,21 +16,26 @@ typedef struct glint_extent {
 
 /** The triangles of an object, one after the other. */
 typedef struct glint_sight {
+    glint_transform transform;
     glint_frame *frame;
-    const glint_transform *transform;
     const glint_mesh *mesh;
     const glint_cull *cull;
     glint_walk walk;
     glint_vertex *seen;  /* vertices as they were seen last, by the low bits of their numbers */
     uint32_t seen_count; /* a power of two, or 0 */
+    glint_vertex own[3]; /* of a triangle, where none are kept */
 } glint_sight;
+
+/** Where it stands: at the arena's high end, in what is kept for binning. */
+static inline glint_sight *glint_sight_of(const glint_frame *frame) {
+    return (glint_sight *)(void *)(frame->memory.base + frame->memory.high) - 1;
+}
 
 /** Bytes for vertices that were seen: no more than these, nor than are worth having. */
 size_t glint_sight_size(size_t room);
 
-/** Begins before an object's first triangle, with that many bytes. */
-void glint_sight_begin(glint_sight *sight, glint_frame *frame, const glint_object *object,
-                       const glint_transform *transform, void *memory, size_t size);
+/** Begins before the first triangle of an object whose transform is there, with that many bytes. */
+void glint_sight_begin(glint_sight *sight, glint_frame *frame, const glint_object *object, void *memory, size_t size);
 
 /**
  * Looks at a triangle of a number above the last one's.
