@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Exact lighting of fragments under one directional light, by quadratics.
- *
  * With M = N/w, which is linear on the screen, N.L = M.L / |M|, and the deviation of N from the half vector H
  * (fast_vertices.c) is that of M, which is linear in M, over |M|. So quadratics give a fragment's light: M.M exactly;
  * and the deviation, for the infinite viewer exactly, for the local one with H linear around a point of the triangle.
@@ -11,7 +10,7 @@
 #include "../math/division.h"
 #include "../raster/setup.h"
 
-/* N.L, Q15, that is above 0 at every pixel (SURELY_LIT in fast_vertices.c). */
+/* N.L, Q15, that is above 0 at every pixel (LIT in fast_vertices.c). */
 #define SURELY_LIT 300
 
 /* N.L at which rounding cannot light what faces away (fast_vertices.c). */
@@ -25,8 +24,6 @@
 
 /* Slenderness of triangles, as bits, up to which sums over a row keep what a plane has. */
 #define SLENDER 7
-
-/* ---- Frame ---- */
 
 static uint32_t most_levels(const uint32_t weight[3]) {
     uint32_t largest = weight[0] > weight[2] ? weight[0] : weight[2];
