@@ -92,8 +92,8 @@ static int share_room(glint_frame *frame, const glint_object *object, const glin
 }
 
 /* Lists triangles from frame->triangle on that show in a strip, as far as there is room. @return the next's number */
-static uint32_t find_triangles(const glint_frame *frame, const glint_strip *strip, uint32_t first_extent,
-                               glint_sight *sight, part *p, uint32_t most, glint_status *status) {
+static uint32_t find_triangles(glint_frame *frame, const glint_strip *strip, uint32_t first_extent, glint_sight *sight,
+                               part *p, uint32_t most, glint_status *status) {
     const uint32_t count = sight->mesh->triangle_count, shift = frame->extents ? frame->extent_shift : 31;
     uint32_t i = frame->triangle;
     *status = GLINT_OK;
@@ -110,6 +110,8 @@ static uint32_t find_triangles(const glint_frame *frame, const glint_strip *stri
                 return i;
             if (!corners || !glint_is_in_strip(strip, &tiles))
                 continue;
+            if (!p->triangles)
+                frame->triangle = i; /* the part's first */
             if (p->triangles == p->most_triangles || p->triangles == most || i - frame->triangle > UINT16_MAX ||
                 (p->vertices + 3 > p->most_vertices && p->is_short))
                 return i;
