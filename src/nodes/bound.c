@@ -17,7 +17,7 @@
 #define LONGEST_RAMP (4 << 12)
 
 /* sqrt(square), Q24 to Q12. */
-uint32_t glint_angle_of(uint32_t square) {
+uint32_t glint_root_above(uint32_t square) {
     if (!square)
         return 0;
     const unsigned up = glint_leading_zeros(square) & ~1u; /* to 2^30 .. 2^32 */
@@ -25,17 +25,24 @@ uint32_t glint_angle_of(uint32_t square) {
     return ((square << up >> 16) * root >> 14 >> up / 2) + 1;
 }
 
-/* Longer than the hypotenuse of two sides, by at most 12 %. */
-static uint32_t hypotenuse(uint32_t a, uint32_t b) {
-    return a > b ? a + b / 2 : b + a / 2;
+/* |a - b|^2 on the screen, 28.4. */
+static inline uint32_t screen_square(const glint_vertex *a, const glint_vertex *b) {
+    const int32_t x = a->x - b->x, y = a->y - b->y;
+    return (uint32_t)(x * x) + (uint32_t)(y * y);
 }
 
-void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, const glint_w_range *w,
-                          glint_region *region) {
-    const uint32_t across = (uint32_t)(glint_product_unsigned(hypotenuse(width, height), pixel) >> 18);
+uint32_t glint_find_longest(const glint_vertex *const corners[3]) {
+    uint32_t most = screen_square(corners[0], corners[1]);
+    const uint32_t b = screen_square(corners[1], corners[2]), c = screen_square(corners[2], corners[0]);
+    most = b > most ? b : most;
+    return glint_root_above(c > most ? c : most);
+}
+
+void glint_region_measure(uint32_t pixel, uint32_t longest, const glint_w_range *w, glint_region *region) {
+    const uint32_t across = (uint32_t)glint_least((int32_t)(glint_product_unsigned(longest, pixel) >> 18), 1 << 14);
     const uint32_t slant = w->least > w->change >> 2 ? (w->change << 12) / w->least : 1 << 14;
     region->slant = slant * 474 >> 8;
-    region->reach = (uint32_t)glint_least((int32_t)hypotenuse(across, slant), 1 << 14);
+    region->reach = (uint32_t)glint_least((int32_t)glint_hypotenuse(across, slant), 1 << 14);
 }
 
 /* Products of angles up to 2, Q12. */
@@ -103,6 +110,7 @@ void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const gl
                       glint_terms *terms) {
     const glint_shading *shading = draw->shading;
     const int has_surface = draw->extra != 0, has_apart = (region->sides | region->lobes) != 0;
+    terms->has_shine = region->summed != 0;
     terms->light = shading->terms;
     terms->power = &shading->power;
     terms->has_surface = (uint8_t)(has_surface && !region->folds);
@@ -112,7 +120,7 @@ void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const gl
     terms->is_curved = 1;
     terms->margin = region->has_edge ? region->margin : 0;
     terms->is_plain = (uint8_t)(!has_apart && !terms->has_surface && !terms->takes_largest && !over_length);
-    terms->is_channels = (uint8_t)(terms->is_plain || region->folds);
+    terms->is_channels = (uint8_t)(terms->is_plain || region->folds || region->summed);
     terms->sums = (uint8_t)(terms->is_channels ? 3 : shading->terms->channels);
     terms->square = terms->sums;
     terms->surface = (uint8_t)(terms->square + (over_length != 0));
@@ -161,7 +169,7 @@ static inline uint32_t lobe_turn(const glint_shading *shading, const glint_regio
 /* H turns by what L and V turn, over |L + V|. */
 static inline uint32_t turn_of_axis(const glint_frame *frame, const glint_region *region) {
     const uint32_t turn = region->near + (frame->view->local_viewer ? region->reach : 0);
-    return (turn << 12) / (glint_angle_of(region->half << 10) | 1);
+    return (turn << 12) / (glint_root_above(region->half << 10) | 1);
 }
 
 uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness, uint32_t around,
@@ -209,9 +217,8 @@ static uint32_t lobe_levels(const glint_light_terms *light, uint32_t lobes) {
 int glint_region_fits(const glint_shading *shading, int has_surface, glint_region *region) {
     const glint_light_terms *light = shading->terms;
     region->folds = 0;
+    region->summed = 0;
     if (region->near > TOO_NEAR || region->slant > STEEPEST)
-        return 0;
-    if (region->lobes & region->far)
         return 0;
     if (region->lobes & region->unfit)
         return 0;
@@ -229,13 +236,47 @@ int glint_region_fits(const glint_shading *shading, int has_surface, glint_regio
     return 1;
 }
 
+/*
+ * What highlights in sums turn by. With a turn t of N from H, cos^p t changes as exp(-p t^2 / 2) does: its derivatives
+ * are at most p and 1.38 p^(3/2), where those of a cosine, which the law is for, are 1. They are so for p = 3 and more.
+ */
+static uint32_t turn_of_shine(const glint_shading *shading, const glint_region *region) {
+    const uint32_t turn = lobe_turn(shading, region) + region->axis;
+    return (turn * shading->terms->spread >> 4) + (region->near * 362 >> 8);
+}
+
+int glint_region_sum_lobes(const glint_shading *shading, int has_surface, glint_region *region) {
+    const glint_light_terms *light = shading->terms;
+    const uint32_t summed = has_surface && !region->folds ? 0 : region->lobes & region->held;
+    if (!summed || !light->spread)
+        return 0;
+    const uint32_t turn = turn_of_shine(shading, region);
+    if (turn > WIDEST)
+        return 0;
+    region->shine = of_levels(cube(turn, region->slant), lobe_levels(light, summed) >> 4);
+    if (region->shine > 2 * light->limit)
+        return 0;
+    region->summed = summed;
+    region->lobes &= ~summed;
+    return 1;
+}
+
+/* Of highlights with terms of their own: is one cut off? */
+static inline int is_cut_off(const glint_region *region) {
+    return (region->lobes & region->far) != 0;
+}
+
 uint32_t glint_plane_error(const glint_shading *shading, int has_surface, const glint_region *region) {
     const glint_light_terms *light = shading->terms;
-    const uint32_t longer = region->folds ? 0 : region->turn;
-    if (region->cones || (has_surface && !region->folds) || (region->lobes && light->lobe_is_wide))
+    const uint32_t longer = region->folds || region->summed ? 0 : region->turn;
+    if (region->cones || (has_surface && !region->folds) || (region->lobes && light->lobe_is_wide) ||
+        is_cut_off(region))
         return UINT32_MAX;
     uint32_t error = plane_sum_error(region->levels, longer, region->turn - longer + region->place, region->slant) +
                      (region->of_colour >> 2);
+    if (region->summed)
+        error +=
+            plane_sum_error(lobe_levels(light, region->summed) >> 4, 0, turn_of_shine(shading, region), region->slant);
     if (region->lobes)
         error += plane_lobe_error(light, lobe_levels(light, region->lobes), lobe_turn(shading, region), region->axis,
                                   region->slant);
@@ -246,6 +287,8 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
     const glint_light_terms *light = shading->terms;
     const uint32_t slant = region->slant, levels = lobe_levels(light, region->lobes), axis = region->axis,
                    turn = lobe_turn(shading, region);
+    if (is_cut_off(region))
+        return 0;
     const uint32_t of_colour = scaled(region->of_colour, slant, 12 + 5);
     region->error = of_levels(cube(region->turn + region->place, slant), region->levels) + of_colour;
     region->error_over_length = of_levels(cube(region->place, slant), region->levels) + of_colour;
@@ -253,12 +296,13 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
         region->error_over_length +=
             of_levels(cube(region->turn + region->place, slant), region->levels + (light->ambient_levels >> 4));
     region->margin = 8 + (int32_t)(cube(region->turn + region->place, slant) * 1802 >> 14);
-    region->error_between = 0;
+    region->error_between = between_error(light, levels + lobe_levels(light, region->summed), turn, axis, slant);
     if (levels) {
         region->error += lobe_error(light, levels, turn + axis, region->near, slant);
         region->error_over_length += lobe_error(light, levels, axis, region->near, slant);
-        region->error_between = between_error(light, levels, turn, axis, slant);
     }
+    if (region->summed)
+        region->error += region->shine;
     for (uint32_t l = 0; region->cones >> l; l++)
         if (region->cones >> l & 1) {
             const uint32_t ramp = ramp_of(&frame->view->lights[l], region), place = region->near + slant;
@@ -269,6 +313,8 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
             region->error += error;
             region->error_over_length += error;
         }
+    if (region->summed) /* over length none are */
+        region->error_over_length = UINT32_MAX;
     return 1;
 }
 

@@ -22,7 +22,7 @@ static uint32_t find_shape_turn(const glint_shape *shape, glint_node *const node
         half = glint_most(half, glint_square_apart(nodes[shape->corners[i]]->normal, nodes[4]->normal));
     for (int i = 0; i < 8 && shape->shift; i++)
         half = glint_most(half, glint_square_apart(nodes[around[i]]->normal, nodes[around[i + 1]]->normal));
-    return glint_angle_of((uint32_t)glint_most(turn >> 2, half));
+    return glint_root_above((uint32_t)glint_most(turn >> 2, half));
 }
 
 /* @return 0 where a node lies behind the eye, or beyond what 1/w tells */
@@ -99,7 +99,7 @@ uint32_t glint_shape_away(const glint_draw *draw, const glint_shape *shape, glin
     }
     if (!outside || !find_w_range(shape, nodes, &w))
         return 0;
-    glint_region_measure(draw->shading->terms->pixel, shape->width, shape->height, &w, &region);
+    glint_region_measure(draw->shading->terms->pixel, shape->longest, &w, &region);
     return glint_find_away(outside, (uint32_t)glint_least((int32_t)(region.reach * around >> 8), 1 << 13));
 }
 
@@ -111,7 +111,7 @@ static int find_shape_region(const glint_frame *frame, const glint_draw *draw, c
     if (!find_w_range(shape, nodes, &w))
         return 0;
     region->turn = find_shape_turn(shape, nodes);
-    glint_region_measure(shading->terms->pixel, shape->width, shape->height, &w, region);
+    glint_region_measure(shading->terms->pixel, shape->longest, &w, region);
     region->levels = 0;
     region->half = INT16_MAX;
     region->lit = region->dark = 0xff;
@@ -141,10 +141,12 @@ static int find_shape_region(const glint_frame *frame, const glint_draw *draw, c
             glint_region_add_lobe(region, l,
                                   region->unfit >> l & 1 ? GLINT_LOBE_UNFIT
                                                          : place_shape_lobe(shading, shape, nodes, bulge, l));
-    if (!glint_region_fits(shading, draw->extra != 0, region) || !glint_region_bound(frame, shading, region))
-        return 0;
-    region->has_edge |= shape_has_edge(shading, region, shape, nodes);
-    return region->error <= 2 * shading->terms->limit;
+    return glint_region_fits(shading, draw->extra != 0, region);
+}
+
+/* Are quadratics close enough? */
+static int shape_fits(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
+    return glint_region_bound(frame, shading, region) && region->error <= 2 * shading->terms->limit;
 }
 
 /* ---- Polynomials ---- */
@@ -188,8 +190,7 @@ void glint_shape_cell(unsigned shift, glint_shape *shape) {
     const uint32_t size = 32u << shift; /* twice the nodes' distance, 28.4 */
     *shape = (glint_shape){.count = GLINT_CELL_NODES,
                            .corners = {0, 2, 6, 8},
-                           .width = size,
-                           .height = size,
+                           .longest = glint_hypotenuse(size, size),
                            .fit = fit_cell,
                            .shift = shift};
 }
@@ -203,11 +204,13 @@ static int begin_sums(const glint_terms *terms, glint_node *const nodes[], int h
     int32_t n[GLINT_CELL_NODES];
     for (uint32_t c = 0; c < terms->sums; c++) {
         for (uint32_t i = 0; i < shape->count; i++)
-            n[i] = glint_sum_at(terms, nodes[i]->sum[0], nodes[i]->sum[c], (int)c, has_surface ? nodes[i]->surface : 0);
+            n[i] = terms->is_channels ? glint_sum_at(terms, nodes[i]->sum, nodes[i]->shine, (int)c,
+                                                     has_surface ? nodes[i]->surface : 0)
+                                      : nodes[i]->sum[c];
         if (!shape->fit(shape, n, unit, &polynomials[c]))
             return 0;
         if (terms->is_channels)
-            polynomials[c].row.value += (uint32_t)(light->half[c] + (has_surface ? 0 : light->ambient[c]));
+            polynomials[c].row.value += glint_finish_of(terms, has_surface, (int)c);
     }
     if (terms->sums == 1)
         polynomials[0].row.value += 1 << 15;
@@ -235,9 +238,19 @@ int glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const gl
     int32_t n[GLINT_CELL_NODES];
     if (!find_shape_region(frame, draw, shape, nodes, &region))
         return 0;
+    if (!(glint_region_sum_lobes(draw->shading, draw->extra != 0, &region) &&
+          shape_fits(frame, draw->shading, &region))) {
+        glint_region_part_lobes(&region);
+        if (!shape_fits(frame, draw->shading, &region))
+            return 0;
+    }
+    region.has_edge |= shape_has_edge(draw->shading, &region, shape, nodes);
     glint_terms_name(frame, draw, &region, 0, terms);
-    for (uint32_t i = 0; i < shape->count; i++)
+    for (uint32_t i = 0; i < shape->count; i++) {
         glint_node_sum(terms->light, region.held, nodes[i]);
+        if (region.summed)
+            glint_node_shine(draw->shading, region.summed, nodes[i]);
+    }
     if (!begin_sums(terms, nodes, draw->extra != 0, shape, polynomials))
         return 0;
     for (uint32_t c = 0; c < 3 && terms->has_surface; c++) {

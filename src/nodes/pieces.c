@@ -187,9 +187,7 @@ static void begin_pieces(pieces *p, glint_shape *shape) {
     for (int i = 0; i < 3; i++)
         p->w[i] = (int32_t)((uint32_t)v[i]->inverse_w << up >> 16);
     p->is_there = 0;
-    shape->width = (uint32_t)(glint_most_of(v[0]->x, v[1]->x, v[2]->x) - glint_least_of(v[0]->x, v[1]->x, v[2]->x)) / 2;
-    shape->height =
-        (uint32_t)(glint_most_of(v[0]->y, v[1]->y, v[2]->y) - glint_least_of(v[0]->y, v[1]->y, v[2]->y)) / 2;
+    shape->longest = glint_find_longest(v) / 2 + 1;
 }
 
 int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,

@@ -205,15 +205,6 @@ static void add_lobe(const glint_terms *terms, const light_parts *of, const uint
         add_lobe_inline(terms, of, weight, to, 0);
 }
 
-/* x^p, Q15, for x Q31 from 1 to 2^31 - 1: the power of x's mantissa times that of a power of two. */
-static inline uint32_t power_of_cosine(const uint16_t cosine[GLINT_COSINE_VALUES], uint32_t x) {
-    const unsigned zeros = glint_leading_zeros(x);
-    const uint32_t m = (x << zeros >> 16) - (1u << 15); /* 15 bits */
-    const uint16_t *node = &cosine[m >> 9];
-    const int32_t mantissa = node[0] + glint_shift_right((node[1] - node[0]) * (int32_t)(m & 0x1ff), 9);
-    return (uint32_t)mantissa * cosine[GLINT_COSINE_HALF + zeros] >> 15;
-}
-
 /* Adds a highlight of the cosine. */
 static void add_wide_lobe(const glint_terms *terms, const light_parts *of, const uint16_t weight[3],
                           const pixel_runs *to) {
@@ -239,7 +230,7 @@ static void add_wide_lobe(const glint_terms *terms, const light_parts *of, const
             if (x <= 0 && !at_zero)
                 continue;
             int32_t power =
-                x > 0 ? (int32_t)power_of_cosine(powers, (uint32_t)glint_least(x, INT16_MAX) << 16) : at_zero;
+                x > 0 ? (int32_t)glint_power_of_cosine(powers, (uint32_t)glint_least(x, INT16_MAX) << 16) : at_zero;
             power = glint_shift_right(power * glint_most(glint_shift_right((int32_t)strength.value, 15), 0), 15);
             if (is_cut)
                 power = weaken(power, &cut, terms->is_ungated, run, i);

@@ -13,7 +13,7 @@ static const uint8_t ends[3][2] = {{0, 1}, {1, 2}, {0, 2}};
 /* A triangle on its way to terms. */
 typedef struct candidate {
     const int16_t *kept[3];          /* of its corners */
-    int32_t sum[6][3];               /* at its corners, and the middles of its edges */
+    int32_t sum[6][3], shine[6][3];  /* at its corners, and the middles of its edges */
     glint_node middle[3];            /* unless they are found from the corners */
     int32_t apart[3];                /* |Na - Nb|^2 of an edge, Q26 */
     int32_t share[3][2];             /* of an edge's ends in what lies between them, Q15 */
@@ -30,11 +30,9 @@ static inline void measure(uint32_t pixel, const glint_triangle *triangle, candi
     t->apart[1] = glint_square_apart(b, c);
     t->apart[2] = glint_square_apart(a, c);
     const int32_t turn = glint_most_of(t->apart[0], t->apart[1], t->apart[2]);
-    const int32_t width = glint_most_of(v[0]->x, v[1]->x, v[2]->x) - glint_least_of(v[0]->x, v[1]->x, v[2]->x);
-    const int32_t height = glint_most_of(v[0]->y, v[1]->y, v[2]->y) - glint_least_of(v[0]->y, v[1]->y, v[2]->y);
-    region->turn = glint_angle_of((uint32_t)turn >> 2);
+    region->turn = glint_root_above((uint32_t)turn >> 2);
     const glint_w_range w = glint_find_w_range(v);
-    glint_region_measure(pixel, (uint32_t)width, (uint32_t)height, &w, region);
+    glint_region_measure(pixel, glint_find_longest(v), &w, region);
 }
 
 /* Does a highlight show on a triangle? */
@@ -120,23 +118,44 @@ static inline int find_region(const glint_frame *frame, const glint_draw *draw, 
 
 /* ---- Nodes ---- */
 
-/* Sets the corners' sums of the lights that all of them face. */
-static void sum_corners(const glint_light_terms *light, candidate *t) {
+/* A node's numbers of a light, as a corner keeps them. */
+static void take_kept(const glint_light_terms *light, const int16_t *kept, uint32_t l, glint_node *node) {
+    node->number[l][GLINT_STRENGTH] = 1 << 14; /* where none is kept */
+    for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
+        if (light->at[l][kind])
+            node->number[l][kind] = kept[light->at[l][kind]];
+}
+
+/* Sums a node's lights, and its highlights. */
+static GLINT_INLINE void sum_node(const glint_shading *shading, candidate *t, int i, glint_node *node) {
+    glint_node_sum(shading->terms, t->region.held, node);
+    for (uint32_t c = 0; c < shading->terms->channels; c++)
+        t->sum[i][c] = node->sum[c];
+    if (!t->region.summed)
+        return;
+    glint_node_shine(shading, t->region.summed, node);
+    for (int c = 0; c < 3; c++)
+        t->shine[i][c] = node->shine[c];
+}
+
+/* Sets the corners' sums of the lights that all of them face: as they keep them, if that is of these lights. */
+static void sum_corners(const glint_shading *shading, candidate *t) {
+    const glint_light_terms *light = shading->terms;
     glint_node node;
     for (int i = 0; i < 3; i++) {
-        const int16_t *const kept = t->kept[i];
+        const int16_t *const kept = t->kept[i], *const rest = kept + light->channels;
         const uint32_t held = t->region.held;
-        if (((uint32_t)kept[light->channels + GLINT_KEPT_FACING] & 0xff) == held) {
+        if (((uint32_t)rest[GLINT_KEPT_FACING] & 0xff) == held) {
             for (uint32_t c = 0; c < light->channels; c++)
                 t->sum[i][c] = kept[c];
+            for (int c = 0; c < 3 && t->region.summed; c++)
+                t->shine[i][c] = rest[GLINT_KEPT_SHINE + c];
             continue;
         }
         for (uint32_t l = 0; held >> l; l++)
             if (held >> l & 1)
-                node.number[l][GLINT_SIDE] = kept[light->at[l][GLINT_SIDE]];
-        glint_node_sum(light, held, &node);
-        for (uint32_t c = 0; c < light->channels; c++)
-            t->sum[i][c] = node.sum[c];
+                take_kept(light, kept, l, &node);
+        sum_node(shading, t, i, &node);
     }
 }
 
@@ -163,6 +182,28 @@ static inline int32_t mix_ends(const candidate *t, int e, int32_t a, int32_t b) 
     return glint_shift_right(t->share[e][0] * a + t->share[e][1] * b + (1 << 14), 15);
 }
 
+/* Sums of middles that are found from the corners. */
+static void mix_sums(const glint_shading *shading, candidate *t) {
+    const uint32_t summed = t->region.summed;
+    for (int e = 0; e < 3; e++) {
+        const int from = ends[e][0], to = ends[e][1];
+        glint_node node;
+        for (uint32_t c = 0; c < shading->terms->channels; c++)
+            t->sum[3 + e][c] = mix_ends(t, e, t->sum[from][c], t->sum[to][c]);
+        if (!summed)
+            continue;
+        for (uint32_t l = 0; summed >> l; l++) {
+            const uint8_t *const at = shading->terms->at[l];
+            node.number[l][GLINT_STRENGTH] = 1 << 14;
+            for (uint32_t kind = GLINT_LOBE_X; kind <= GLINT_LOBE_Y && summed >> l & 1; kind++)
+                node.number[l][kind] = (int16_t)mix_ends(t, e, t->kept[from][at[kind]], t->kept[to][at[kind]]);
+        }
+        glint_node_shine(shading, summed, &node);
+        for (int c = 0; c < 3; c++)
+            t->shine[3 + e][c] = node.shine[c];
+    }
+}
+
 /* The middle of an edge, as a fragment. */
 static void gather_middle(const glint_frame *frame, const glint_vertex *a, const glint_vertex *b, glint_fragments *to) {
     const uint32_t i = to->count++;
@@ -178,27 +219,24 @@ static void gather_middle(const glint_frame *frame, const glint_vertex *a, const
 /* Finds the nodes between corners. @return 0 where polynomials through them do not fit */
 static int light_middles(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
                          candidate *t) {
-    const glint_light_terms *light = draw->shading->terms;
     const glint_region *region = &t->region;
     glint_node *const to[3] = {&t->middle[0], &t->middle[1], &t->middle[2]};
     glint_fragments at;
     uint32_t unfit = 0;
     if (t->is_between) {
         find_shares(triangle, t);
-        for (int e = 0; e < 3; e++)
-            for (uint32_t c = 0; c < light->channels; c++)
-                t->sum[3 + e][c] = mix_ends(t, e, t->sum[ends[e][0]][c], t->sum[ends[e][1]][c]);
+        mix_sums(draw->shading, t);
         return 1;
     }
     at.count = 0;
     for (int e = 0; e < 3; e++)
         gather_middle(frame, triangle->corners[ends[e][0]], triangle->corners[ends[e][1]], &at);
-    glint_nodes_light(frame, draw->shading, &at, region->held | region->sides | region->lobes, region->lobes, to);
+    glint_nodes_light(frame, draw->shading, &at, region->held | region->sides | region->lobes,
+                      region->lobes | region->summed, to);
     for (int e = 0; e < 3; e++) {
-        glint_node_sum(light, region->held, to[e]);
-        for (uint32_t c = 0; c < light->channels; c++)
-            t->sum[3 + e][c] = to[e]->sum[c];
-        unfit |= ((to[e]->unfit | to[e]->far) & region->lobes) | (to[e]->steep & region->cones);
+        sum_node(draw->shading, t, 3 + e, to[e]);
+        unfit |= (to[e]->unfit & (region->lobes | region->summed)) | (to[e]->far & region->lobes) |
+                 (to[e]->steep & region->cones);
     }
     return !unfit;
 }
@@ -237,7 +275,7 @@ static inline void take_sums(const glint_terms *terms, const candidate *t, int c
         return;
     }
     for (int i = 0; i < count; i++)
-        n[i] = glint_sum_at(terms, t->sum[i][0], t->sum[i][c], c, t->has_surface ? t->surface[i] : 0);
+        n[i] = glint_sum_at(terms, t->sum[i], t->shine[i], c, t->has_surface ? t->surface[i] : 0);
 }
 
 /* Numbers times their nodes' lengths, or their squares. */
@@ -246,13 +284,11 @@ static void scale_by_lengths(int32_t n[6], const int32_t by[6]) {
         n[i] = glint_shift_right(n[i] * by[i] + (1 << 14), 15);
 }
 
-/* What is added to sum c: half a level where sums are all channels, and ambient light where they do not hold it. */
+/* What is added to sum c. */
 static uint32_t finish_of(const glint_terms *terms, const candidate *t, uint32_t c) {
     if (!terms->is_channels)
         return terms->sums == 1 ? 1 << 15 : 0;
-    if (terms->is_over_length)
-        return 0;
-    return (uint32_t)(terms->light->half[c] + (t->has_surface ? 0 : terms->light->ambient[c]));
+    return terms->is_over_length ? 0 : glint_finish_of(terms, t->has_surface, (int)c);
 }
 
 /* Binary logarithm of what 1 is in polynomials of sums, over what it is at nodes. */
@@ -345,46 +381,64 @@ static int is_shapely(const glint_triangle *triangle, const glint_part *part) {
 /* May middles be found from the corners? */
 static int is_between(const glint_frame *frame, const glint_shading *shading, const glint_region *region) {
     uint32_t positions = 0;
-    for (uint32_t l = 0, shown = region->held | region->sides | region->lobes; shown >> l; l++)
+    const uint32_t lobes = region->lobes | region->summed;
+    for (uint32_t l = 0, shown = region->held | region->sides | lobes; shown >> l; l++)
         positions |= shown >> l & 1 && frame->view->lights[l].type->illuminate;
-    return !positions && !(region->lobes && shading->material->model->lobe == GLINT_LOBE_MIRROR) && region->turn < 3072;
+    return !positions && !(lobes && shading->material->model->lobe == GLINT_LOBE_MIRROR) && region->turn < 3072;
+}
+
+/* Polynomials that are close enough: none, planes, quadratics, or quadratics over length. */
+enum { FIT_NONE, FIT_PLANES, FIT_QUADRATICS, FIT_OVER_LENGTH };
+
+/* Which of them are, for highlights as they stand? Sets whether nodes between corners may be found from these. */
+static int find_fit(const glint_frame *frame, const glint_shading *shading, candidate *t) {
+    const uint32_t limit = shading->terms->limit;
+    glint_region *const region = &t->region;
+    if (!(region->sides & region->lobes) && !region->has_edge &&
+        glint_plane_error(shading, t->has_surface, region) <= limit)
+        return FIT_PLANES;
+    if (!glint_region_bound(frame, shading, region))
+        return FIT_NONE;
+    const int is_over_length = region->error > 2 * limit;
+    const uint32_t error = is_over_length ? region->error_over_length : region->error,
+                   most = is_over_length ? limit : 2 * limit;
+    if (error > most)
+        return FIT_NONE;
+    t->is_between = error + region->error_between <= most && is_between(frame, shading, region);
+    return is_over_length ? FIT_OVER_LENGTH : FIT_QUADRATICS;
 }
 
 int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
                       const glint_part *part, glint_terms *terms, glint_quadratic plain[3],
                       glint_descent descents[GLINT_POLYNOMIALS_MAX]) {
     const glint_shading *shading = draw->shading;
-    const uint32_t limit = shading->terms->limit;
     candidate t;
-    const glint_region *region = &t.region;
+    glint_region *const region = &t.region;
     glint_lengths by;
-    if (!is_shapely(triangle, part))
+    if (!is_shapely(triangle, part) || !find_region(frame, draw, triangle, &t))
         return 0;
-    if (!find_region(frame, draw, triangle, &t))
+    int fit = glint_region_sum_lobes(shading, t.has_surface, region) ? find_fit(frame, shading, &t) : FIT_NONE;
+    if (fit == FIT_NONE) {
+        glint_region_part_lobes(region);
+        fit = find_fit(frame, shading, &t);
+    }
+    if (fit == FIT_NONE || (fit == FIT_OVER_LENGTH && !glint_find_lengths(triangle, &by)))
         return 0;
-    sum_corners(shading->terms, &t);
-    if (!(region->sides & region->lobes) && !region->has_edge &&
-        glint_plane_error(shading, t.has_surface, region) <= limit) {
+    sum_corners(shading, &t);
+    if (fit == FIT_PLANES) {
         glint_terms_name(frame, draw, region, 0, terms);
         terms->is_curved = 0;
         const target to = {part, terms->is_plain ? plain : 0, descents};
-        begin_term_planes(&t, region->folds ? 0 : (int32_t)(region->turn * region->turn / 12 >> 9), terms, &to);
+        const int32_t longer = region->folds || region->summed ? 0 : (int32_t)(region->turn * region->turn / 12 >> 9);
+        begin_term_planes(&t, longer, terms, &to);
         return 1;
     }
-    if (!glint_region_bound(frame, shading, &t.region))
-        return 0;
-    const int is_over_length = region->error > 2 * limit;
-    const uint32_t error = is_over_length ? region->error_over_length : region->error,
-                   most = is_over_length ? limit : 2 * limit;
-    if (error > most || (is_over_length && !glint_find_lengths(triangle, &by)))
-        return 0;
-    t.is_between = error + region->error_between <= most && is_between(frame, shading, region);
     if (!light_middles(frame, draw, triangle, &t))
         return 0;
-    t.region.has_edge |= has_edge(shading, &t);
+    region->has_edge |= has_edge(shading, &t);
     const int twice = shading->material->model->lobe == GLINT_LOBE_MIRROR;
-    glint_terms_name(frame, draw, region, is_over_length ? 1 + twice : 0, terms);
+    glint_terms_name(frame, draw, region, fit == FIT_OVER_LENGTH ? 1 + twice : 0, terms);
     const target to = {part, terms->is_plain ? plain : 0, descents};
-    begin_term_quadratics(&t, is_over_length ? &by : 0, terms, &to);
+    begin_term_quadratics(&t, fit == FIT_OVER_LENGTH ? &by : 0, terms, &to);
     return 1;
 }

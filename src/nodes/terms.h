@@ -41,12 +41,22 @@ typedef struct glint_light_terms {
     int32_t lobe_cut, lobe_diagonal;             /* outside an octagon of this radius no highlight shows; as kept */
     uint32_t lobe_end;                           /* squared deviation, as kept, where the power table ends */
     uint32_t slope;                              /* of a highlight over its deviation, at most, Q8 */
+    uint32_t spread;                             /* how many times as fast as light highlights turn, Q4; 0: unknown */
     uint8_t lobe_is_wide;                        /* small p: of a deviation there is the cosine alone, Q14 */
     uint8_t lobe_has_strip;                      /* p < 1: near the horizon polynomials do not fit */
     uint32_t limit;                              /* of the error of polynomials, levels in Q8 */
     uint32_t pixel;                              /* 1/16 of one over the focal length, Q30 */
     uint16_t cosine[GLINT_COSINE_VALUES];        /* powers of the cosine, Q15, where lobes are wide */
 } glint_light_terms;
+
+/** x^p, Q15, for x Q31 from 1 to 2^31 - 1: the power of x's mantissa times that of a power of two. */
+static inline uint32_t glint_power_of_cosine(const uint16_t cosine[GLINT_COSINE_VALUES], uint32_t x) {
+    const unsigned zeros = glint_leading_zeros(x);
+    const uint32_t m = (x << zeros >> 16) - (1u << 15); /* 15 bits */
+    const uint16_t *node = &cosine[m >> 9];
+    const int32_t mantissa = node[0] + glint_shift_right((node[1] - node[0]) * (int32_t)(m & 0x1ff), 9);
+    return (uint32_t)mantissa * cosine[GLINT_COSINE_HALF + zeros] >> 15;
+}
 
 /* ---- Nodes ---- */
 
@@ -64,7 +74,8 @@ enum {
 
 /** Light at a point. */
 typedef struct glint_node {
-    int32_t sum[3]; /* of lights: 15 bits less sum_bits for 1 */
+    int32_t sum[3];   /* of lights: 15 bits less sum_bits for 1 */
+    int32_t shine[3]; /* of highlights, channels of the same */
     int16_t number[GLINT_LIGHTS_MAX][GLINT_NUMBERS];
     int32_t inverse_w;
     int16_t normal[3], surface[3]; /* the surface's colours, Q14 */
@@ -86,6 +97,9 @@ void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, g
 
 /** Sums light at a node, of lights that are `held`. */
 void glint_node_sum(const glint_light_terms *light, uint32_t held, glint_node *node);
+
+/** Sums highlights at a node, of lights that are `summed`. */
+void glint_node_shine(const glint_shading *shading, uint32_t summed, glint_node *node);
 
 /** Tells a node of lights that are away from all of its region, for which it has not been lit. */
 static inline void glint_node_leave(glint_node *node, uint32_t away) {
@@ -113,6 +127,8 @@ typedef struct glint_region {
     int has_edge;                       /* may a highlight end at once within the region? */
     int folds;                          /* may sums be multiplied by the surface's colours at nodes? */
     uint32_t held, sides, cones, lobes; /* lights in sums, with terms of their own, of these with cones; highlights */
+    uint32_t summed;                    /* highlights in sums; `lobes` has the others */
+    uint32_t shine;                     /* what quadratics make of these may be off by, levels in Q8 */
     uint32_t axis;                      /* what highlights' axes turn by */
     uint32_t place, of_colour;          /* what sums turn by but for the normals, and what colours make over w */
     uint32_t error;                     /* of quadratics, levels in Q8 */
@@ -122,7 +138,7 @@ typedef struct glint_region {
 } glint_region;
 
 /** sqrt(square), Q24 to Q12. */
-uint32_t glint_angle_of(uint32_t square);
+uint32_t glint_root_above(uint32_t square);
 
 /** |a - b|^2 of unit vectors, Q26, below 2^29. */
 static inline int32_t glint_square_apart(const int16_t a[3], const int16_t b[3]) {
@@ -131,9 +147,18 @@ static inline int32_t glint_square_apart(const int16_t a[3], const int16_t b[3])
     return x * x + y * y + z * z;
 }
 
-/** Sets `reach` and `slant` of a region so wide and high, 28.4, with this range of 1/w. @param pixel of the terms */
-void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, const glint_w_range *w,
-                          glint_region *region);
+/** The hypotenuse of sides below 2^26, by chords: longer by at most 2.8 %. */
+static inline uint32_t glint_hypotenuse(uint32_t a, uint32_t b) {
+    const uint32_t most = a > b ? a : b, least = a > b ? b : a;
+    const uint32_t flat = 64 * most + 13 * least, steep = 55 * most + 37 * least;
+    return ((flat > steep ? flat : steep) >> 6) + 1;
+}
+
+/** A triangle's longest edge, 28.4. */
+uint32_t glint_find_longest(const glint_vertex *const corners[3]);
+
+/** Sets `reach` and `slant` of a region so long, 28.4, with this range of 1/w. @param pixel of the terms */
+void glint_region_measure(uint32_t pixel, uint32_t longest, const glint_w_range *w, glint_region *region);
 
 /** Of lights whose cones all nodes are outside of, `outside` of nodes, those that are so near and yet out of reach. */
 uint32_t glint_find_away(uint32_t outside, uint32_t near);
@@ -144,6 +169,15 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
 
 /** May polynomials fit at all? Then sets what error is found from. */
 int glint_region_fits(const glint_shading *shading, int has_surface, glint_region *region);
+
+/** Moves highlights that turn no faster than sums' light does into these. @return are there any? */
+int glint_region_sum_lobes(const glint_shading *shading, int has_surface, glint_region *region);
+
+/** Moves them back. */
+static inline void glint_region_part_lobes(glint_region *region) {
+    region->lobes |= region->summed;
+    region->summed = 0;
+}
 
 /** How far planes may be off, levels in Q8. */
 uint32_t glint_plane_error(const glint_shading *shading, int has_surface, const glint_region *region);
@@ -185,6 +219,7 @@ typedef struct glint_terms {
     uint8_t takes_largest, is_ungated;
     uint8_t is_over_length; /* 1: numbers are times |M|, M the normal over w; 2: lobes' twice */
     uint8_t is_channels;    /* sums are three channels that hold ambient light, and the surface's colours */
+    uint8_t has_shine;      /* they hold highlights */
     uint8_t is_plain;       /* they are all there is, half a level included */
     uint8_t is_curved;
     uint8_t apart_count;
@@ -199,24 +234,30 @@ void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const gl
                       glint_terms *terms);
 
 /**
- * Of a node's sum channel c, 15 bits less sum_bits: in levels, with ambient light and the surface's colours where the
- * terms' sums hold them. Surfaces are Q14.
- * @param sum what the node has, one or three channels
+ * Of a node's sum, where sums are channels, that of c, 15 bits less sum_bits: in levels, with ambient light and the
+ * surface's colours where the terms' sums hold them, and highlights. Surfaces are Q14.
  */
-static inline int32_t glint_sum_at(const glint_terms *terms, int32_t one, int32_t own, int c, const int16_t *surface) {
+static inline int32_t glint_sum_at(const glint_terms *terms, const int32_t sums[3], const int32_t shine[3], int c,
+                                   const int16_t *surface) {
     const glint_light_terms *light = terms->light;
-    if (!terms->is_channels)
-        return own;
-    int32_t sum = light->channels == 1 ? glint_shift_right(one * light->chroma[c] + (1 << 11), 12) : own;
-    if (!surface)
-        return sum;
-    sum += glint_shift_right(light->ambient[c], 12 + light->sum_bits);
-    return glint_shift_right(sum * surface[c] + (1 << 13), 14);
+    int32_t sum = light->channels == 1 ? glint_shift_right(sums[0] * light->chroma[c] + (1 << 11), 12) : sums[c];
+    if (surface) {
+        sum += glint_shift_right(light->ambient[c], 12 + light->sum_bits);
+        sum = glint_shift_right(sum * surface[c] + (1 << 13), 14);
+    }
+    return terms->has_shine ? sum + shine[c] : sum;
+}
+
+/** What is added to sum c of channels: half a level, and ambient light where sums do not hold it nor it is apart. */
+static inline uint32_t glint_finish_of(const glint_terms *terms, int has_surface, int c) {
+    const glint_light_terms *light = terms->light;
+    return (uint32_t)(light->half[c] + (has_surface || terms->takes_largest ? 0 : light->ambient[c]));
 }
 
 /**
  * What a vertex keeps: its sum; the lights it faces and does not; those whose deviation is cut off or unknown; those
- * whose cones are; what light there is, how close, and how far from opposite the eye; and lights' numbers.
+ * whose cones are; what light there is, how close, and how far from opposite the eye; the highlights of lights it
+ * faces; and lights' numbers.
  */
 enum {
     GLINT_KEPT_FACING,
@@ -227,7 +268,8 @@ enum {
     GLINT_KEPT_CLOSENESS,
     GLINT_KEPT_AROUND,
     GLINT_KEPT_HALF,
-    GLINT_KEPT
+    GLINT_KEPT_SHINE, /* three channels */
+    GLINT_KEPT = GLINT_KEPT_SHINE + 3
 };
 
 /** Bytes that a vertex keeps of light in a material. @return 0 where terms do not fit it, or none are wanted */
@@ -277,7 +319,7 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
 /** Nodes of a region, and how polynomials go through them. */
 typedef struct glint_shape {
     uint8_t count, corners[4]; /* how many, and which lie at the corners: a triangle's last is there twice */
-    uint32_t width, height;    /* 28.4 */
+    uint32_t longest;          /* what two of its points lie apart at most, 28.4 */
     /** The polynomial through numbers of the nodes, times 2^unit. @return 0 where its own do not fit */
     int (*fit)(const struct glint_shape *shape, const int32_t n[], int unit, glint_descent *to);
     unsigned shift;                 /* of a cell: nodes are 2^shift pixels apart */

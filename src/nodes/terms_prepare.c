@@ -118,9 +118,9 @@ static unsigned bits_of(uint32_t total) {
     return 32 - glint_leading_zeros(total >> 15);
 }
 
-/* Bits of the largest sum of channels. Where surfaces have colours, these hold ambient light. */
+/* Bits of the largest sum of channels, highlights included. Where surfaces have colours, these hold ambient light. */
 static unsigned find_sum_bits(const glint_frame *frame, const glint_shading *shading) {
-    return bits_of(find_total(frame, shading, has_surface(frame, shading->material), 0) << 3);
+    return bits_of(find_total(frame, shading, has_surface(frame, shading->material), 1) << 3);
 }
 
 /* Of many weak lights shares add up to more than channels do: a chroma of some of them keeps sums within these bits. */
@@ -170,8 +170,16 @@ static void fill_cosine(uint16_t cosine[GLINT_COSINE_VALUES], int32_t exponent) 
         cosine[GLINT_COSINE_HALF + 1 + i] = (uint16_t)((glint_power(1u << 31 >> i, exponent) + (1u << 14)) >> 15);
 }
 
+/* 1.12 sqrt(p), Q4, of p in Q16.16, from 3 on. */
+static uint32_t find_spread(int32_t shininess) {
+    if (shininess < 3 * GLINT_ONE)
+        return 0;
+    return (glint_square_root((uint32_t)shininess) * 287 >> 12) + 1;
+}
+
 static void set_lobes(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
     terms->lobe_is_wide = shading->shininess < WIDE;
+    terms->spread = find_spread(shading->shininess);
     terms->lobe_has_strip = shading->shininess < GLINT_ONE && shading->shininess;
     if (terms->lobe_is_wide) {
         terms->lobes = shading->has_specular;

@@ -14,6 +14,8 @@ static void keep(const glint_light_terms *light, const glint_node *node, int16_t
     rest[GLINT_KEPT_HALF] = (int16_t)node->half;
     rest[GLINT_KEPT_CLOSENESS] = (int16_t)glint_least((int32_t)node->closeness, INT16_MAX);
     rest[GLINT_KEPT_AROUND] = (int16_t)glint_least((int32_t)node->around, INT16_MAX);
+    for (int c = 0; c < 3; c++)
+        rest[GLINT_KEPT_SHINE + c] = (int16_t)node->shine[c];
     for (uint32_t i = 0; i < light->light_count; i++)
         for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
             if (light->at[i][kind])
@@ -78,6 +80,7 @@ void glint_terms_light(const glint_frame *frame, glint_draw *draw, const glint_t
     glint_nodes_light(frame, draw->shading, &vertices, draw->shading->lights, light->lobes, to);
     for (uint32_t i = 0; i < vertices.count; i++) {
         glint_node_sum(light, nodes[i].lit, &nodes[i]);
+        glint_node_shine(draw->shading, nodes[i].lit & light->lobes, &nodes[i]);
         keep(light, &nodes[i], draw->nodes + index[i] * light->stride);
     }
 }

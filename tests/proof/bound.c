@@ -13,7 +13,7 @@ static inline int32_t glint_inverse_root(uint32_t c);
 
 /*@ assigns \result \from square;
     ensures \result <= 0x40000; */
-uint32_t glint_angle_of(uint32_t square);
+uint32_t glint_root_above(uint32_t square);
 
 static glint_frame frame;
 static glint_view view;
@@ -80,9 +80,9 @@ static void any_region(void) {
 }
 
 /* Any square, by its bits. @contract glint_inverse_root @unsigned @unreached 1 leading zeros of 0 */
-PROOF(glint_angle_of) {
+PROOF(glint_root_above) {
     FOR_PARTS(bits, 0, 32) {
-        glint_angle_of(ANY_OF_BITS(bits));
+        glint_root_above(ANY_OF_BITS(bits));
     }
 }
 
@@ -108,7 +108,7 @@ PROOF(glint_region_measure) {
     }
 }
 
-/* Any lights, any closeness. @contract glint_angle_of @unsigned @options -eva-slevel 300 */
+/* Any lights, any closeness. @contract glint_root_above @unsigned @options -eva-slevel 300 */
 PROOF(glint_region_sort) {
     any_material();
     any_region();
@@ -120,7 +120,7 @@ PROOF(glint_find_away) {
     glint_find_away(ANY_UNSIGNED(0, 0xffff), ANY_UNSIGNED(0, 1 << 13));
 }
 
-/* Any region. @contract glint_angle_of @unsigned @options -eva-slevel 300 */
+/* Any region. @contract glint_root_above @unsigned @options -eva-slevel 300 */
 PROOF(glint_region_fits) {
     any_material();
     any_region();

@@ -12,7 +12,7 @@
 
 /*@ assigns \result \from square;
     ensures \result <= 0x40000; */
-uint32_t glint_angle_of(uint32_t square);
+uint32_t glint_root_above(uint32_t square);
 
 /*@ assigns \result \from indirect: *shading, bulge, indirect: least[0 .. 3], indirect: most[0 .. 3];
     ensures 0 <= \result <= 3; */
@@ -58,7 +58,7 @@ static void any_nodes(void) {
     glint_shape_cell(3, &shape);
 }
 
-/* Any nodes, of cells and of pieces. @contract glint_angle_of */
+/* Any nodes, of cells and of pieces. @contract glint_root_above */
 PROOF(find_shape_turn) {
     any_nodes();
     shape.shift = ANY_UNSIGNED(0, 3);

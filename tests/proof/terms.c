@@ -199,7 +199,7 @@ PROOF(glint_sum_at) {
 }
 
 /*
- * Any corners, by the bits of the largest 1/w. @contract glint_angle_of glint_region_measure
+ * Any corners, by the bits of the largest 1/w. @contract glint_root_above glint_region_measure
  * @unreached 1 a number of no bits
  */
 PROOF(measure) {
@@ -216,7 +216,7 @@ void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, const
 
 /*@ assigns \result \from square;
     ensures \result <= 0x40000; */
-uint32_t glint_angle_of(uint32_t square);
+uint32_t glint_root_above(uint32_t square);
 
 /*
  * Any corners, by the bits of the largest 1/w. @contract between
