@@ -1,120 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Terms of a triangle: its nodes, which lights shine on it, and the polynomials if they are close enough. */
-#include "terms.h"
-
+/* Terms of a triangle: its nodes, and the polynomials through them if these are close enough. */
+#include "corners.h"
 #include "fit.h"
 #include "lengths.h"
-
-/* ---- What is known from the corners ---- */
-
-/* Corners at the ends of edges, and the node between them. */
-static const uint8_t ends[3][2] = {{0, 1}, {1, 2}, {0, 2}};
-
-/* A triangle on its way to terms. */
-typedef struct candidate {
-    const int16_t *kept[3];          /* of its corners */
-    int32_t sum[6][3], shine[6][3];  /* at its corners, and the middles of its edges */
-    glint_node middle[3];            /* unless they are found from the corners */
-    int32_t apart[3];                /* |Na - Nb|^2 of an edge, Q26 */
-    int32_t share[3][2];             /* of an edge's ends in what lies between them, Q15 */
-    uint8_t has_surface, is_between; /* are middles found from the corners? */
-    int16_t surface[6][3];           /* the surface's colours, Q14 */
-    glint_region region;
-} candidate;
-
-static inline void measure(uint32_t pixel, const glint_triangle *triangle, candidate *t) {
-    glint_region *region = &t->region;
-    const glint_vertex *const *v = triangle->corners;
-    const int16_t *a = v[0]->attribute, *b = v[1]->attribute, *c = v[2]->attribute;
-    t->apart[0] = glint_square_apart(a, b);
-    t->apart[1] = glint_square_apart(b, c);
-    t->apart[2] = glint_square_apart(a, c);
-    const int32_t turn = glint_most_of(t->apart[0], t->apart[1], t->apart[2]);
-    region->turn = glint_root_above((uint32_t)turn >> 2);
-    const glint_w_range w = glint_find_w_range(v);
-    glint_region_measure(pixel, glint_find_longest(v), &w, region);
-}
-
-/* Does a highlight show on a triangle? */
-static int place_lobe(const glint_shading *shading, const candidate *t, int32_t bulge, uint32_t l) {
-    const uint8_t *const at = shading->terms->at[l];
-    int32_t least[4], most[4];
-    int32_t along[3][4];
-    for (int i = 0; i < 3; i++) {
-        along[i][0] = t->kept[i][at[GLINT_LOBE_X]];
-        along[i][1] = t->kept[i][at[GLINT_LOBE_Y]];
-        along[i][2] = along[i][0] + along[i][1];
-        along[i][3] = along[i][0] - along[i][1];
-    }
-    for (int k = 0; k < 4; k++) {
-        least[k] = glint_least_of(along[0][k], along[1][k], along[2][k]);
-        most[k] = glint_most_of(along[0][k], along[1][k], along[2][k]);
-    }
-    return glint_place_lobe(shading, bulge, least, most);
-}
-
-/* A colour at the middle of an edge, which is linear over w. */
-static int16_t between(int32_t a, int32_t b, int32_t wa, int32_t wb) {
-    return (int16_t)(a == b ? a >> 1 : (a * (wa >> 1) + b * (wb >> 1)) / (wa + wb));
-}
-
-/* Sets the surface's colours at the nodes. @return by how much they differ, Q12 */
-static uint32_t find_surface(const glint_triangle *triangle, candidate *t) {
-    int32_t apart = 0, w[3];
-    const glint_vertex *const *v = triangle->corners;
-    const unsigned zeros =
-        glint_leading_zeros((uint32_t)v[0]->inverse_w | (uint32_t)v[1]->inverse_w | (uint32_t)v[2]->inverse_w);
-    for (int i = 0; i < 3; i++)
-        w[i] = (int32_t)((uint32_t)v[i]->inverse_w << zeros >> 17);
-    for (int c = 0; c < 3; c++) {
-        const int32_t a[3] = {triangle->extra[0][c], triangle->extra[1][c], triangle->extra[2][c]};
-        for (int i = 0; i < 3; i++) {
-            const int from = ends[i][0], to = ends[i][1];
-            t->surface[i][c] = (int16_t)((a[i] + 1) >> 1);
-            t->surface[3 + i][c] = between(a[from] + 1, a[to] + 1, w[from], w[to]);
-        }
-        apart = glint_most(apart, glint_most_of(a[0], a[1], a[2]) - glint_least_of(a[0], a[1], a[2]));
-    }
-    return (uint32_t)apart >> 3;
-}
-
-/* Sets a triangle's region from what its corners keep. @return 0 where no polynomials fit */
-static inline int find_region(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
-                              candidate *t) {
-    const glint_shading *shading = draw->shading;
-    const glint_light_terms *light = shading->terms;
-    glint_region *region = &t->region;
-    for (int i = 0; i < 3; i++)
-        t->kept[i] = draw->nodes + (size_t)(triangle->corners[i] - draw->vertices) * light->stride;
-    const int16_t *a = t->kept[0] + light->channels, *b = t->kept[1] + light->channels,
-                  *c = t->kept[2] + light->channels;
-    const uint32_t facing = (uint16_t)(a[GLINT_KEPT_FACING] & b[GLINT_KEPT_FACING] & c[GLINT_KEPT_FACING]);
-    const uint32_t flags = (uint16_t)(a[GLINT_KEPT_FLAGS] | b[GLINT_KEPT_FLAGS] | c[GLINT_KEPT_FLAGS]);
-    measure(light->pixel, triangle, t);
-    region->levels = (uint32_t)glint_most_of(a[GLINT_KEPT_LEVELS], b[GLINT_KEPT_LEVELS], c[GLINT_KEPT_LEVELS]) << 2;
-    region->half = (uint32_t)glint_least_of(a[GLINT_KEPT_HALF], b[GLINT_KEPT_HALF], c[GLINT_KEPT_HALF]);
-    region->lit = facing & 0xff;
-    region->dark = facing >> 8;
-    region->far = flags & 0xff;
-    region->unfit = flags >> 8;
-    region->steep = (uint32_t)(a[GLINT_KEPT_STEEP] | b[GLINT_KEPT_STEEP] | c[GLINT_KEPT_STEEP]);
-    region->left = 0;
-    region->outside = (uint16_t)(a[GLINT_KEPT_OUTSIDE] & b[GLINT_KEPT_OUTSIDE] & c[GLINT_KEPT_OUTSIDE]);
-    t->has_surface = draw->extra != 0;
-    region->colour = t->has_surface ? find_surface(triangle, t) : 0;
-    uint32_t lobes = glint_region_sort(
-        frame, shading,
-        (uint32_t)glint_most_of(a[GLINT_KEPT_CLOSENESS], b[GLINT_KEPT_CLOSENESS], c[GLINT_KEPT_CLOSENESS]),
-        (uint32_t)glint_most_of(a[GLINT_KEPT_AROUND], b[GLINT_KEPT_AROUND], c[GLINT_KEPT_AROUND]), region);
-    region->lobes = 0;
-    region->has_edge = 0;
-    const int32_t bulge = glint_lobe_bulge(shading, region);
-    for (uint32_t l = 0; lobes >> l; l++)
-        if (lobes >> l & 1)
-            glint_region_add_lobe(region, l,
-                                  region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, t, bulge, l));
-    return glint_region_fits(shading, t->has_surface, region);
-}
 
 /* ---- Nodes ---- */
 
@@ -127,7 +15,7 @@ static void take_kept(const glint_light_terms *light, const int16_t *kept, uint3
 }
 
 /* Sums a node's lights, and its highlights. */
-static GLINT_INLINE void sum_node(const glint_shading *shading, candidate *t, int i, glint_node *node) {
+static GLINT_INLINE void sum_node(const glint_shading *shading, glint_candidate *t, int i, glint_node *node) {
     glint_node_sum(shading->terms, t->region.held, node);
     for (uint32_t c = 0; c < shading->terms->channels; c++)
         t->sum[i][c] = node->sum[c];
@@ -139,7 +27,7 @@ static GLINT_INLINE void sum_node(const glint_shading *shading, candidate *t, in
 }
 
 /* Sets the corners' sums of the lights that all of them face: as they keep them, if that is of these lights. */
-static void sum_corners(const glint_shading *shading, candidate *t) {
+static void sum_corners(const glint_shading *shading, glint_candidate *t) {
     const glint_light_terms *light = shading->terms;
     glint_node node;
     for (int i = 0; i < 3; i++) {
@@ -163,10 +51,10 @@ static void sum_corners(const glint_shading *shading, candidate *t) {
  * Under lights without a position, numbers between corners are those of the corners over |M|, M the normal over w. With
  * r = wa wb |Na - Nb|^2 / (wa + wb)^2, |M| = (wa + wb) sqrt(1 - r) / 2; the root's inverse by its series.
  */
-static void find_shares(const glint_triangle *triangle, candidate *t) {
+static void find_shares(const glint_triangle *triangle, glint_candidate *t) {
     const glint_vertex *const *v = triangle->corners;
     for (int e = 0; e < 3; e++) {
-        const uint32_t a = (uint32_t)v[ends[e][0]]->inverse_w, b = (uint32_t)v[ends[e][1]]->inverse_w;
+        const uint32_t a = (uint32_t)v[glint_ends[e][0]]->inverse_w, b = (uint32_t)v[glint_ends[e][1]]->inverse_w;
         const unsigned zeros = glint_leading_zeros((a >> 1) + (b >> 1));
         const uint32_t wa = (a >> 1) << zeros >> 16, wb = (b >> 1) << zeros >> 16; /* the sum has 16 bits */
         const uint32_t reciprocal = (uint32_t)glint_reciprocal16(wa + wb < 1u << 15 ? 1u << 15 : wa + wb);
@@ -178,15 +66,15 @@ static void find_shares(const glint_triangle *triangle, candidate *t) {
     }
 }
 
-static inline int32_t mix_ends(const candidate *t, int e, int32_t a, int32_t b) {
+static inline int32_t mix_ends(const glint_candidate *t, int e, int32_t a, int32_t b) {
     return glint_shift_right(t->share[e][0] * a + t->share[e][1] * b + (1 << 14), 15);
 }
 
 /* Sums of middles that are found from the corners. */
-static void mix_sums(const glint_shading *shading, candidate *t) {
+static void mix_sums(const glint_shading *shading, glint_candidate *t) {
     const uint32_t summed = t->region.summed;
     for (int e = 0; e < 3; e++) {
-        const int from = ends[e][0], to = ends[e][1];
+        const int from = glint_ends[e][0], to = glint_ends[e][1];
         glint_node node;
         for (uint32_t c = 0; c < shading->terms->channels; c++)
             t->sum[3 + e][c] = mix_ends(t, e, t->sum[from][c], t->sum[to][c]);
@@ -218,7 +106,7 @@ static void gather_middle(const glint_frame *frame, const glint_vertex *a, const
 
 /* Finds the nodes between corners. @return 0 where polynomials through them do not fit */
 static int light_middles(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
-                         candidate *t) {
+                         glint_candidate *t) {
     const glint_region *region = &t->region;
     glint_node *const to[3] = {&t->middle[0], &t->middle[1], &t->middle[2]};
     glint_fragments at;
@@ -230,7 +118,7 @@ static int light_middles(const glint_frame *frame, const glint_draw *draw, const
     }
     at.count = 0;
     for (int e = 0; e < 3; e++)
-        gather_middle(frame, triangle->corners[ends[e][0]], triangle->corners[ends[e][1]], &at);
+        gather_middle(frame, triangle->corners[glint_ends[e][0]], triangle->corners[glint_ends[e][1]], &at);
     glint_nodes_light(frame, draw->shading, &at, region->held | region->sides | region->lobes,
                       region->lobes | region->summed, to);
     for (int e = 0; e < 3; e++) {
@@ -260,15 +148,16 @@ static inline void set(const target *to, uint32_t i, glint_quadratic q, uint32_t
 }
 
 /* A light's numbers at the nodes, the first so many. */
-static inline void take_numbers(const glint_light_terms *light, const candidate *t, uint32_t l, uint32_t kind,
+static inline void take_numbers(const glint_light_terms *light, const glint_candidate *t, uint32_t l, uint32_t kind,
                                 int count, int32_t n[6]) {
     for (int i = 0; i < 3; i++)
         n[i] = t->kept[i][light->at[l][kind]];
     for (int e = 0; 3 + e < count; e++)
-        n[3 + e] = t->is_between ? mix_ends(t, e, n[ends[e][0]], n[ends[e][1]]) : t->middle[e].number[l][kind];
+        n[3 + e] =
+            t->is_between ? mix_ends(t, e, n[glint_ends[e][0]], n[glint_ends[e][1]]) : t->middle[e].number[l][kind];
 }
 
-static inline void take_sums(const glint_terms *terms, const candidate *t, int c, int count, int32_t n[6]) {
+static inline void take_sums(const glint_terms *terms, const glint_candidate *t, int c, int count, int32_t n[6]) {
     if (!terms->is_channels) {
         for (int i = 0; i < count; i++)
             n[i] = t->sum[i][c];
@@ -285,7 +174,7 @@ static void scale_by_lengths(int32_t n[6], const int32_t by[6]) {
 }
 
 /* What is added to sum c. */
-static uint32_t finish_of(const glint_terms *terms, const candidate *t, uint32_t c) {
+static uint32_t finish_of(const glint_terms *terms, const glint_candidate *t, uint32_t c) {
     if (!terms->is_channels)
         return terms->sums == 1 ? 1 << 15 : 0;
     return terms->is_over_length ? 0 : glint_finish_of(terms, t->has_surface, (int)c);
@@ -296,7 +185,7 @@ static unsigned unit_of_sums(const glint_terms *terms) {
     return terms->sums == 1 ? 16 : 12 + terms->light->sum_bits;
 }
 
-static void begin_term_quadratics(const candidate *t, const glint_lengths *by, const glint_terms *terms,
+static void begin_term_quadratics(const glint_candidate *t, const glint_lengths *by, const glint_terms *terms,
                                   const target *to) {
     const glint_gradients *const g = &to->part->gradients;
     const int32_t *const length = by ? by->length : 0;
@@ -336,7 +225,7 @@ static void begin_term_quadratics(const candidate *t, const glint_lengths *by, c
 }
 
 /* A highlight may end at once at a terminator: polynomials do not tell just where. */
-static int has_edge(const glint_shading *shading, const candidate *t) {
+static int has_edge(const glint_shading *shading, const glint_candidate *t) {
     const uint32_t gated = shading->material->flags & GLINT_MATERIAL_UNGATED ? 0 : t->region.sides & t->region.lobes;
     int32_t n[6];
     for (uint32_t l = 0; gated >> l; l++)
@@ -349,7 +238,7 @@ static int has_edge(const glint_shading *shading, const candidate *t) {
 }
 
 /* Planes of what the corners keep. @param longer chords are made longer by this, Q15 */
-static void begin_term_planes(const candidate *t, int32_t longer, const glint_terms *terms, const target *to) {
+static void begin_term_planes(const glint_candidate *t, int32_t longer, const glint_terms *terms, const target *to) {
     const glint_gradients *g = &to->part->gradients;
     const int32_t length = (1 << 15) + longer;
     int32_t n[6];
@@ -391,7 +280,7 @@ static int is_between(const glint_frame *frame, const glint_shading *shading, co
 enum { FIT_NONE, FIT_PLANES, FIT_QUADRATICS, FIT_OVER_LENGTH };
 
 /* Which of them are, for highlights as they stand? Sets whether nodes between corners may be found from these. */
-static int find_fit(const glint_frame *frame, const glint_shading *shading, candidate *t) {
+static int find_fit(const glint_frame *frame, const glint_shading *shading, glint_candidate *t) {
     const uint32_t limit = shading->terms->limit;
     glint_region *const region = &t->region;
     if (!(region->sides & region->lobes) && !region->has_edge &&
@@ -412,10 +301,10 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
                       const glint_part *part, glint_terms *terms, glint_quadratic plain[3],
                       glint_descent descents[GLINT_POLYNOMIALS_MAX]) {
     const glint_shading *shading = draw->shading;
-    candidate t;
+    glint_candidate t;
     glint_region *const region = &t.region;
     glint_lengths by;
-    if (!is_shapely(triangle, part) || !find_region(frame, draw, triangle, &t))
+    if (!is_shapely(triangle, part) || !glint_find_region(frame, draw, triangle, &t))
         return 0;
     int fit = glint_region_sum_lobes(shading, t.has_surface, region) ? find_fit(frame, shading, &t) : FIT_NONE;
     if (fit == FIT_NONE) {

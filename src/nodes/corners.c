@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT */
+/* Corners: what those of a triangle tell of its light, which lights shine on it and whose highlights show. */
+#include "corners.h"
+
+static inline void measure(uint32_t pixel, const glint_triangle *triangle, glint_candidate *t) {
+    glint_region *region = &t->region;
+    const glint_vertex *const *v = triangle->corners;
+    const int16_t *a = v[0]->attribute, *b = v[1]->attribute, *c = v[2]->attribute;
+    t->apart[0] = glint_square_apart(a, b);
+    t->apart[1] = glint_square_apart(b, c);
+    t->apart[2] = glint_square_apart(a, c);
+    const int32_t turn = glint_most_of(t->apart[0], t->apart[1], t->apart[2]);
+    region->turn = glint_root_above((uint32_t)turn >> 2);
+    const glint_w_range w = glint_find_w_range(v);
+    glint_region_measure(pixel, glint_find_longest(v), &w, region);
+}
+
+/* Does a highlight show on a triangle? */
+static int place_lobe(const glint_shading *shading, const glint_candidate *t, int32_t bulge, uint32_t l) {
+    const uint8_t *const at = shading->terms->at[l];
+    int32_t least[4], most[4];
+    int32_t along[3][4];
+    for (int i = 0; i < 3; i++) {
+        along[i][0] = t->kept[i][at[GLINT_LOBE_X]];
+        along[i][1] = t->kept[i][at[GLINT_LOBE_Y]];
+        along[i][2] = along[i][0] + along[i][1];
+        along[i][3] = along[i][0] - along[i][1];
+    }
+    for (int k = 0; k < 4; k++) {
+        least[k] = glint_least_of(along[0][k], along[1][k], along[2][k]);
+        most[k] = glint_most_of(along[0][k], along[1][k], along[2][k]);
+    }
+    return glint_place_lobe(shading, bulge, least, most);
+}
+
+/* A colour at the middle of an edge, which is linear over w. */
+static int16_t between(int32_t a, int32_t b, int32_t wa, int32_t wb) {
+    return (int16_t)(a == b ? a >> 1 : (a * (wa >> 1) + b * (wb >> 1)) / (wa + wb));
+}
+
+/* Sets the surface's colours at the nodes. @return by how much they differ, Q12 */
+static uint32_t find_surface(const glint_triangle *triangle, glint_candidate *t) {
+    int32_t apart = 0, w[3];
+    const glint_vertex *const *v = triangle->corners;
+    const unsigned zeros =
+        glint_leading_zeros((uint32_t)v[0]->inverse_w | (uint32_t)v[1]->inverse_w | (uint32_t)v[2]->inverse_w);
+    for (int i = 0; i < 3; i++)
+        w[i] = (int32_t)((uint32_t)v[i]->inverse_w << zeros >> 17);
+    for (int c = 0; c < 3; c++) {
+        const int32_t a[3] = {triangle->extra[0][c], triangle->extra[1][c], triangle->extra[2][c]};
+        for (int i = 0; i < 3; i++) {
+            const int from = glint_ends[i][0], to = glint_ends[i][1];
+            t->surface[i][c] = (int16_t)((a[i] + 1) >> 1);
+            t->surface[3 + i][c] = between(a[from] + 1, a[to] + 1, w[from], w[to]);
+        }
+        apart = glint_most(apart, glint_most_of(a[0], a[1], a[2]) - glint_least_of(a[0], a[1], a[2]));
+    }
+    return (uint32_t)apart >> 3;
+}
+
+int glint_find_region(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
+                      glint_candidate *t) {
+    const glint_shading *shading = draw->shading;
+    const glint_light_terms *light = shading->terms;
+    glint_region *region = &t->region;
+    for (int i = 0; i < 3; i++)
+        t->kept[i] = draw->nodes + (size_t)(triangle->corners[i] - draw->vertices) * light->stride;
+    const int16_t *a = t->kept[0] + light->channels, *b = t->kept[1] + light->channels,
+                  *c = t->kept[2] + light->channels;
+    const uint32_t facing = (uint16_t)(a[GLINT_KEPT_FACING] & b[GLINT_KEPT_FACING] & c[GLINT_KEPT_FACING]);
+    const uint32_t flags = (uint16_t)(a[GLINT_KEPT_FLAGS] | b[GLINT_KEPT_FLAGS] | c[GLINT_KEPT_FLAGS]);
+    measure(light->pixel, triangle, t);
+    region->levels = (uint32_t)glint_most_of(a[GLINT_KEPT_LEVELS], b[GLINT_KEPT_LEVELS], c[GLINT_KEPT_LEVELS]) << 2;
+    region->half = (uint32_t)glint_least_of(a[GLINT_KEPT_HALF], b[GLINT_KEPT_HALF], c[GLINT_KEPT_HALF]);
+    region->lit = facing & 0xff;
+    region->dark = facing >> 8;
+    region->far = flags & 0xff;
+    region->unfit = flags >> 8;
+    region->steep = (uint32_t)(a[GLINT_KEPT_STEEP] | b[GLINT_KEPT_STEEP] | c[GLINT_KEPT_STEEP]);
+    region->left = 0;
+    region->outside = (uint16_t)(a[GLINT_KEPT_OUTSIDE] & b[GLINT_KEPT_OUTSIDE] & c[GLINT_KEPT_OUTSIDE]);
+    t->has_surface = draw->extra != 0;
+    region->colour = t->has_surface ? find_surface(triangle, t) : 0;
+    uint32_t lobes = glint_region_sort(
+        frame, shading,
+        (uint32_t)glint_most_of(a[GLINT_KEPT_CLOSENESS], b[GLINT_KEPT_CLOSENESS], c[GLINT_KEPT_CLOSENESS]),
+        (uint32_t)glint_most_of(a[GLINT_KEPT_AROUND], b[GLINT_KEPT_AROUND], c[GLINT_KEPT_AROUND]), region);
+    region->lobes = 0;
+    region->has_edge = 0;
+    const int32_t bulge = glint_lobe_bulge(shading, region);
+    for (uint32_t l = 0; lobes >> l; l++)
+        if (lobes >> l & 1)
+            glint_region_add_lobe(region, l,
+                                  region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, t, bulge, l));
+    return glint_region_fits(shading, t->has_surface, region);
+}
