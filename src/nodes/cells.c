@@ -190,7 +190,7 @@ void glint_shape_cell(unsigned shift, glint_shape *shape) {
     const uint32_t size = 32u << shift; /* twice the nodes' distance, 28.4 */
     *shape = (glint_shape){.count = GLINT_CELL_NODES,
                            .corners = {0, 2, 6, 8},
-                           .longest = glint_hypotenuse(size, size),
+                           .longest = (181 * size >> 7) + 1, /* the diagonal */
                            .fit = fit_cell,
                            .shift = shift};
 }

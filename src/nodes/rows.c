@@ -2,7 +2,7 @@
 /* Runs: what a region's terms make of pixels, run by run and term by term. */
 #include "../light/model.h"
 #include "../pixel/format.h"
-#include "terms.h"
+#include "lobes.h"
 
 /* 1 / |M|, Q15, of pixels; or null: then it is 1. */
 typedef const uint16_t *inverses;

@@ -45,6 +45,7 @@ static void any_material(void) {
     terms.lobe_shift = ANY_UNSIGNED(0, 12);
     terms.ambient_levels = ANY_UNSIGNED(0, LEVELS_Q8);
     terms.slope = ANY_UNSIGNED(0, 1u << 15);
+    terms.spread = ANY_UNSIGNED(0, 3245);
     terms.limit = ANY_UNSIGNED(0, 204);
     for (int i = 0; i < GLINT_LIGHTS_MAX; i++) {
         terms.diffuse_levels[i] = ANY_UNSIGNED(0, LEVELS_Q8);
@@ -77,6 +78,8 @@ static void any_region(void) {
     region.sides = ANY_UNSIGNED(0, 0xff);
     region.cones = ANY_UNSIGNED(0, 0xff);
     region.lobes = ANY_UNSIGNED(0, 0xff);
+    region.summed = ANY_UNSIGNED(0, 0xff);
+    region.shine = ANY_UNSIGNED(0, 408);
 }
 
 /* Any square, by its bits. @contract glint_inverse_root @unsigned @unreached 1 leading zeros of 0 */
@@ -94,16 +97,31 @@ PROOF(glint_square_apart) {
     glint_square_apart(a, b);
 }
 
-/* Any focal length, regions of up to 2046 pixels; any 1/w and what it changes by, by their bits. @unsigned
- * @unreached 1 a number of no bits */
+/* Sides of up to 2^25. */
+PROOF(glint_hypotenuse) {
+    glint_hypotenuse(ANY_UNSIGNED(0, 1 << 25), ANY_UNSIGNED(0, 1 << 25));
+}
+
+/* Any corners on the guard band. @contract glint_root_above */
+PROOF(glint_find_longest) {
+    static glint_vertex vertices[3];
+    const glint_vertex *const corners[3] = {&vertices[0], &vertices[1], &vertices[2]};
+    for (int i = 0; i < 3; i++) {
+        vertices[i].x = (int16_t)ANY(0, 32735);
+        vertices[i].y = (int16_t)ANY(0, 32735);
+    }
+    glint_find_longest(corners);
+}
+
+/* Any focal length, regions of up to 2046 pixels across and down; any 1/w and what it changes by, by their bits.
+ * @unsigned @unreached 1 a number of no bits */
 PROOF(glint_region_measure) {
     glint_w_range w;
     FOR_PARTS(least, 0, 16) {
         FOR_PARTS(change, 1, 17) {
             w.least = ANY_OF_BITS(least);
             w.change = change < 17 ? ANY_OF_BITS(change) : 0x10000;
-            glint_region_measure(ANY_UNSIGNED(1 << 10, 1u << 31), ANY_UNSIGNED(0, 32736), ANY_UNSIGNED(0, 32736), &w,
-                                 &region);
+            glint_region_measure(ANY_UNSIGNED(1 << 10, 1u << 31), ANY_UNSIGNED(0, 1 << 16), &w, &region);
         }
     }
 }
@@ -145,7 +163,7 @@ static void any_fitting(int eighth) {
 /*
  * Any region that polynomials may fit, by eighths of its turn.
  * @unsigned
- * @alarms 2 a larger number has the larger square, and what is left of a turn is not below 0; suite `nodes`
+ * @alarms 3 a larger number has the larger square, and what is left of a turn is not below 0; suite `nodes`
  * @options -eva-slevel 300
  */
 PROOF(glint_plane_error) {
@@ -153,6 +171,20 @@ PROOF(glint_plane_error) {
         any_fitting((int)eighth);
         glint_plane_error(&shading, ANY(0, 1), &region);
     }
+}
+
+/* Any region that polynomials may fit, by eighths of its turn. @unsigned @options -eva-slevel 300 */
+PROOF(glint_region_sum_lobes) {
+    FOR_PARTS(eighth, 0, 7) {
+        any_fitting((int)eighth);
+        glint_region_sum_lobes(&shading, ANY(0, 1), &region);
+    }
+}
+
+/* Any region. */
+PROOF(glint_region_part_lobes) {
+    any_region();
+    glint_region_part_lobes(&region);
 }
 
 /* Any region that polynomials may fit, by eighths of its turn. @unsigned @options -eva-slevel 300 */

@@ -6,7 +6,8 @@
 #include "lit.h"
 
 /*
- * Not proven: glint_shape_begin, begin_sums, begin_apart, find_shape_region, shape_has_edge: they walk nodes, and call
+ * Not proven: glint_shape_begin, begin_sums, begin_apart, find_shape_region, shape_fits,
+ * shape_has_edge: they walk nodes, and call
  * what is proven. Suite `nodes` under ASan and UBSan, and fuzzing.
  */
 
@@ -24,10 +25,9 @@ uint32_t glint_find_away(uint32_t outside, uint32_t near);
 
 /*@ requires \valid_read(w) && \valid(region);
     requires w->least <= 0xffff && 1 <= w->change <= 0x10000;
-    assigns region->slant, region->reach \from pixel, width, height, *w;
+    assigns region->slant, region->reach \from pixel, longest, *w;
     ensures \initialized(&region->reach) && region->reach <= 0x4000; */
-void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, const glint_w_range *w,
-                          glint_region *region);
+void glint_region_measure(uint32_t pixel, uint32_t longest, const glint_w_range *w, glint_region *region);
 
 static glint_node cell[GLINT_CELL_NODES];
 static glint_node *nodes[GLINT_CELL_NODES];

@@ -31,7 +31,7 @@ static inline int32_t smooth_step_at(int32_t value);
     requires 1 <= x <= 0x7fffffff;
     assigns \result \from cosine[0 .. 95], x;
     admit ensures \result <= 0x8000; */
-static inline uint32_t power_of_cosine(const uint16_t *cosine, uint32_t x);
+static inline uint32_t glint_power_of_cosine(const uint16_t *cosine, uint32_t x);
 
 /* Stands on the same. */
 /*@ requires \valid_read(table);
@@ -141,12 +141,12 @@ PROOF(smooth_step_at) {
 }
 
 /* Any table of powers, x from 1 to 2^31 - 1, by its bits. @unreached 2 leading zeros of 0, and a number of no bits */
-PROOF(power_of_cosine) {
+PROOF(glint_power_of_cosine) {
     static uint16_t cosine[GLINT_COSINE_VALUES];
     for (int i = 0; i < GLINT_COSINE_VALUES; i++)
         cosine[i] = (uint16_t)ANY(0, 1 << 15);
     FOR_PARTS(bits, 1, 31) {
-        power_of_cosine(cosine, ANY_OF_BITS(bits));
+        glint_power_of_cosine(cosine, ANY_OF_BITS(bits));
     }
 }
 
@@ -258,7 +258,7 @@ PROOF(add_lobe) {
 /*
  * A cosine of up to 3/2 and a strength of up to 9/8, or none, the former over no length, |M| or |M|^2, by eighths of
  * 1 / |M|; any cone and side, a side alone, or none; any table of powers.
- * @contract power_of_cosine weaken
+ * @contract glint_power_of_cosine weaken
  * @alarms 3 weights sum up to less than 15, and errors to a part of a level: `add` is proven of these; suite `nodes`
  * under UBSan
  * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits

@@ -9,10 +9,10 @@
 #include "plane.h"
 
 /*
- * Not proven: glint_terms_light, glint_terms_begin, find_region, light_middles, sum_corners,
- * begin_term_planes, begin_term_quadratics, take_numbers, take_sums, find_normals, has_edge: they walk corners and
- * lights, whose numbers are where place_numbers puts them, and call what is proven. Suites `nodes` and `identity` under
- * ASan and UBSan, and fuzzing.
+ * Not proven: glint_terms_light, glint_terms_begin, find_fit, light_middles, sum_corners, sum_node, mix_sums,
+ * take_kept, begin_term_planes, begin_term_quadratics, take_numbers, take_sums, find_normals, has_edge: they walk
+ * corners and lights, whose numbers are where place_numbers puts them, and call what is proven. Suites `nodes` and
+ * `identity` under ASan and UBSan, and fuzzing.
  */
 
 /* Numbers of lights, and sums. */
@@ -27,7 +27,7 @@ static glint_frame frame;
 static glint_view view;
 static glint_light_terms light;
 static int16_t colours[3][3];
-static candidate t;
+static glint_candidate t;
 
 /* 1/w of corners by the bits of the largest, the first or the last, and of the others no less than 2^-10 of that. */
 #define FOR_CORNERS(bits) FOR_PARTS(bits, 17, 31) FOR_PARTS(is_last, 0, 1) if (any_corners((int)bits, (int)is_last), 1)
@@ -48,15 +48,17 @@ static void any_corners(int bits, int is_last) {
 
 /* Any node, of one channel or three. @narrowing bits are kept as they are @options -eva-slevel 0 */
 PROOF(keep) {
-    static int16_t to[51];
+    static int16_t to[54];
     glint_node node;
     for (int i = 0; i < GLINT_LIGHTS_MAX; i++)
         for (int kind = 0; kind < GLINT_NUMBERS; kind++) {
             node.number[i][kind] = ANY_SHORT;
-            light.at[i][kind] = (uint8_t)ANY(0, 50);
+            light.at[i][kind] = (uint8_t)ANY(0, 53);
         }
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         node.sum[c] = ANY(-32768, 32767);
+        node.shine[c] = ANY(-32768, 32767);
+    }
     node.levels = ANY_UNSIGNED(0, 3u << 16);
     node.half = ANY_UNSIGNED(0, INT16_MAX);
     node.closeness = ANY_UNSIGNED(0, UINT16_MAX);
@@ -82,14 +84,6 @@ PROOF(gather_corner) {
     any_corners(31, 0);
     fragments.count = ANY_UNSIGNED(0, 2);
     gather_corner(&frame, &vertices[0], &fragments);
-}
-
-/*
- * Colours from 0 to 1, 1/w of 15 bits.
- * @alarms 1 a weighted mean is no more than the larger; suite `nodes` under UBSan
- */
-PROOF(between) {
-    between(ANY(1, 32768), ANY(1, 32768), ANY(LEAST_W, INT16_MAX), ANY(LEAST_W, INT16_MAX));
 }
 
 /*
@@ -173,64 +167,46 @@ PROOF(scale_by_lengths) {
 }
 
 /*
- * Any sum of one channel or three, ambient light that these have bits for, a surface's colours of up to 2, or none.
+ * Any sum of one channel or three, ambient light that these have bits for, a surface's colours of up to 2, or none, with
+ * highlights and without.
  * @alarms 3 a chroma of a sum is below 2^15, as a channel is; suite `nodes` under UBSan
  */
 PROOF(glint_sum_at) {
     glint_terms terms;
     int16_t surface[3];
+    int32_t sums[3], shine[3];
     terms.light = &light;
     for (int c = 0; c < 3; c++) {
         surface[c] = ANY_SHORT;
         light.chroma[c] = ANY(0, UINT16_MAX);
+        sums[c] = ANY(0, INT16_MAX);
+        shine[c] = ANY(0, INT16_MAX);
     }
     FOR_PARTS(kind, 0, 3) {
-        terms.is_channels = (uint8_t)(kind & 1);
+        terms.has_shine = (uint8_t)(kind & 1);
         light.channels = kind & 2 ? 1 : 3;
         FOR_PARTS(c, 0, 2) {
             FOR_PARTS(bits, 0, 4) {
                 light.sum_bits = (unsigned)bits;
                 light.ambient[c] = ANY(-(1 << 25), bits < 4 ? (1 << (27 + bits)) - 1 : 15 << 27);
-                glint_sum_at(&terms, ANY(0, INT16_MAX), ANY(0, INT16_MAX), (int)c, surface);
-                glint_sum_at(&terms, ANY(0, INT16_MAX), ANY(0, INT16_MAX), (int)c, 0);
+                glint_sum_at(&terms, sums, shine, (int)c, surface);
+                glint_sum_at(&terms, sums, shine, (int)c, 0);
             }
         }
     }
 }
 
-/*
- * Any corners, by the bits of the largest 1/w. @contract glint_root_above glint_region_measure
- * @unreached 1 a number of no bits
- */
-PROOF(measure) {
-    FOR_CORNERS(bits) {
-        measure(ANY_UNSIGNED(1 << 10, 1u << 31), &triangle, &t);
+/* Any light, ambient light below 15 and half a level. */
+PROOF(glint_finish_of) {
+    glint_terms terms;
+    terms.light = &light;
+    terms.takes_largest = (uint8_t)ANY(0, 1);
+    FOR_PARTS(c, 0, 2) {
+        light.half[c] = ANY(0, 1 << 25);
+        light.ambient[c] = ANY(-(1 << 25), 15 << 27);
+        glint_finish_of(&terms, ANY(0, 1), (int)c);
     }
 }
-
-/*@ requires \valid_read(w) && \valid(region);
-    assigns region->slant, region->reach \from pixel, width, height, *w;
-    ensures \initialized(&region->reach) && region->reach <= 0x4000; */
-void glint_region_measure(uint32_t pixel, uint32_t width, uint32_t height, const glint_w_range *w,
-                          glint_region *region);
-
-/*@ assigns \result \from square;
-    ensures \result <= 0x40000; */
-uint32_t glint_root_above(uint32_t square);
-
-/*
- * Any corners, by the bits of the largest 1/w. @contract between
- * @unreached 3 leading zeros of 0, and a number of no bits
- */
-PROOF(find_surface) {
-    FOR_CORNERS(bits) {
-        find_surface(&triangle, &t);
-    }
-}
-
-/*@ requires 0 <= a <= 32768 && 0 <= b <= 32768;
-    assigns \result \from a, b, wa, wb; */
-static int16_t between(int32_t a, int32_t b, int32_t wa, int32_t wb);
 
 /*
  * Sums of 15 bits and lights' numbers, either side of 0, and what a triangle that turns by up to 2 makes of these: 4/3
