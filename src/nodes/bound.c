@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Bound: how far polynomials through the nodes of a region may be from its light. */
+#include "../pixel/format.h"
 #include "terms.h"
 
 /* What a node's cosine differs by at least from what tells clear from not, Q12: lights with a position, and cones. */
@@ -120,6 +121,7 @@ void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const gl
     terms->is_curved = 1;
     terms->margin = region->has_edge ? region->margin : 0;
     terms->is_plain = (uint8_t)(!has_apart && !terms->has_surface && !terms->takes_largest && !over_length);
+    terms->is_fused = (uint8_t)(terms->is_plain && frame->config.format->draw_channels && !frame->config.gamma);
     terms->is_channels = (uint8_t)(terms->is_plain || region->folds || region->summed);
     terms->sums = (uint8_t)(terms->is_channels ? 3 : shading->terms->channels);
     terms->square = terms->sums;

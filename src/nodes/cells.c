@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Cells: a triangle's light on squares of the screen's lattice, by polynomials of the second degree in x and in y
- * through three rows of three nodes.
+ * Cells: a triangle's light on squares of the screen's lattice, by quadratics next to three rows of three nodes; and
+ * polynomials of any region whose nodes are all there.
  */
 #include "terms.h"
 
@@ -151,89 +151,91 @@ static int shape_fits(const glint_frame *frame, const glint_shading *shading, gl
 
 /* ---- Polynomials ---- */
 
-/* With h the distance of nodes: a quadratic's value, its first step, and the step's change, the latter times 2 h^2. */
-typedef struct differences {
-    int32_t value, step, turn;
-} differences;
-
-static inline differences difference(int32_t a, int32_t b, int32_t c, unsigned shift) {
-    const int32_t turn = a - 2 * b + c, slope = 4 * b - 3 * a - c;
-    return (differences){a, slope * (1 << shift) + turn, 2 * turn};
-}
-
-/* x 2^n modulo 2^32, rounded down. */
-static inline uint32_t scale_by_power(int32_t x, int n) {
-    return n < 0 ? (uint32_t)glint_shift_right(x, (unsigned)-n) : (uint32_t)x << n;
-}
-
-/* The polynomial through nodes, times 2^unit. */
-static int fit_cell(const glint_shape *shape, const int32_t n[], int unit, glint_descent *to) {
-    const unsigned shift = shape->shift;
-    const int once = unit - 1 - 2 * (int)shift, twice = once - 1 - 2 * (int)shift;
-    const differences top = difference(n[0], n[1], n[2], shift), middle = difference(n[3], n[4], n[5], shift),
-                      bottom = difference(n[6], n[7], n[8], shift);
-    const differences value = difference(top.value, middle.value, bottom.value, shift);
-    const differences step = difference(top.step, middle.step, bottom.step, shift);
-    const differences turn = difference(top.turn, middle.turn, bottom.turn, shift);
-    to->row.value = scale_by_power(value.value, unit);
-    to->row.step = scale_by_power(step.value, once);
-    to->row.turn = scale_by_power(turn.value, once);
-    to->down.value = scale_by_power(value.step, once);
-    to->down.step = scale_by_power(step.step, twice);
-    to->down.turn = scale_by_power(turn.step, twice);
-    to->value_turn = scale_by_power(value.turn, once);
-    to->step_turn = scale_by_power(step.turn, twice);
+/*
+ * With u and v from -1 to 1 across a cell, a + (b u + c v + p u^2 + q v^2 + 2 r u v) / 8. Rows and columns through the
+ * middle weigh twice: of what is of the third degree that leaves no more than 0.0155 of its derivative times the
+ * diagonal's cube.
+ */
+static int fit_cell(const glint_shape *shape, const int32_t n[], int unit, glint_quadratic *to) {
+    const int32_t r = n[8] - n[6] - n[2] + n[0], b = (n[2] - n[0]) + 2 * (n[5] - n[3]) + (n[8] - n[6]),
+                  c = (n[6] - n[0]) + 2 * (n[7] - n[1]) + (n[8] - n[2]),
+                  p = (n[0] - 2 * n[1] + n[2]) + 2 * (n[3] - 2 * n[4] + n[5]) + (n[6] - 2 * n[7] + n[8]),
+                  q = (n[0] - 2 * n[3] + n[6]) + 2 * (n[1] - 2 * n[4] + n[7]) + (n[2] - 2 * n[5] + n[8]);
+    const unsigned whole = (unsigned)unit - 3, once = whole - shape->shift, twice = once - shape->shift;
+    to->start = (uint32_t)(8 * n[4] - b - c + p + q + 2 * r) << whole;
+    to->dx = (uint32_t)(b - 2 * p - 2 * r) << once;
+    to->dy = (uint32_t)(c - 2 * q - 2 * r) << once;
+    to->dxx = (uint32_t)p << twice;
+    to->dxy = (uint32_t)(2 * r) << twice;
+    to->dyy = (uint32_t)q << twice;
+    glint_quadratic_move(to, shape->x, shape->y);
     return 1;
 }
 
-void glint_shape_cell(unsigned shift, glint_shape *shape) {
+void glint_shape_cell(const glint_part *part, int32_t x, int32_t y, unsigned shift, glint_shape *shape) {
     const uint32_t size = 32u << shift; /* twice the nodes' distance, 28.4 */
     *shape = (glint_shape){.count = GLINT_CELL_NODES,
                            .corners = {0, 2, 6, 8},
                            .longest = (181 * size >> 7) + 1, /* the diagonal */
+                           .part = part,
                            .fit = fit_cell,
-                           .shift = shift};
+                           .shift = shift,
+                           .x = part->x + x,
+                           .y = part->y + y};
 }
 
 /* ---- Shapes ---- */
 
-static int begin_sums(const glint_terms *terms, glint_node *const nodes[], int has_surface, const glint_shape *shape,
-                      glint_descent polynomials[GLINT_POLYNOMIALS_MAX]) {
-    const glint_light_terms *light = terms->light;
-    const int unit = terms->sums == 1 ? 16 : 12 + (int)light->sum_bits;
+/* Where polynomials of a shape go. */
+typedef struct shape_target {
+    const glint_shape *shape;
+    const glint_terms *terms;
+    glint_polynomials *polynomials;
+} shape_target;
+
+/* Sets polynomial number i, which begins with so much more. @return 0 where it does not fit */
+static int set_through(const shape_target *to, uint32_t i, const int32_t n[], int unit, uint32_t more) {
+    glint_quadratic q;
+    if (!to->shape->fit(to->shape, n, unit, &q))
+        return 0;
+    glint_polynomial_set(to->terms, to->shape->part, i, q, more, to->polynomials);
+    return 1;
+}
+
+static int begin_sums(const shape_target *to, glint_node *const nodes[], int has_surface) {
+    const glint_terms *terms = to->terms;
+    const int unit = terms->sums == 1 ? 16 : 12 + (int)terms->light->sum_bits;
     int32_t n[GLINT_CELL_NODES];
     for (uint32_t c = 0; c < terms->sums; c++) {
-        for (uint32_t i = 0; i < shape->count; i++)
+        for (uint32_t i = 0; i < to->shape->count; i++)
             n[i] = terms->is_channels ? glint_sum_at(terms, nodes[i]->sum, nodes[i]->shine, (int)c,
                                                      has_surface ? nodes[i]->surface : 0)
                                       : nodes[i]->sum[c];
-        if (!shape->fit(shape, n, unit, &polynomials[c]))
+        const uint32_t more = terms->is_channels ? glint_finish_of(terms, has_surface, (int)c) : 1 << 15;
+        if (!set_through(to, c, n, unit, terms->is_channels || terms->sums == 1 ? more : 0))
             return 0;
-        if (terms->is_channels)
-            polynomials[c].row.value += glint_finish_of(terms, has_surface, (int)c);
     }
-    if (terms->sums == 1)
-        polynomials[0].row.value += 1 << 15;
     return 1;
 }
 
 /* The polynomials of a light with terms of its own. */
-static int begin_apart(const glint_apart *apart, glint_node *const nodes[], const glint_shape *shape,
-                       glint_descent *to) {
+static int begin_apart(const shape_target *to, glint_node *const nodes[], const glint_apart *apart) {
+    uint32_t next = apart->first;
     int32_t n[GLINT_CELL_NODES];
     for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++) {
         if (!(apart->kinds >> kind & 1))
             continue;
-        for (uint32_t i = 0; i < shape->count; i++)
+        for (uint32_t i = 0; i < to->shape->count; i++)
             n[i] = nodes[i]->number[apart->light][kind];
-        if (!shape->fit(shape, n, 16, to++))
+        if (!set_through(to, next++, n, 16, 0))
             return 0;
     }
     return 1;
 }
 
 int glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
-                      glint_node *const nodes[], glint_terms *terms, glint_descent polynomials[GLINT_POLYNOMIALS_MAX]) {
+                      glint_node *const nodes[], glint_terms *terms, glint_polynomials *polynomials) {
+    const shape_target to = {shape, terms, polynomials};
     glint_region region;
     int32_t n[GLINT_CELL_NODES];
     if (!find_shape_region(frame, draw, shape, nodes, &region))
@@ -251,16 +253,16 @@ int glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const gl
         if (region.summed)
             glint_node_shine(draw->shading, region.summed, nodes[i]);
     }
-    if (!begin_sums(terms, nodes, draw->extra != 0, shape, polynomials))
+    if (!begin_sums(&to, nodes, draw->extra != 0))
         return 0;
     for (uint32_t c = 0; c < 3 && terms->has_surface; c++) {
         for (uint32_t i = 0; i < shape->count; i++)
             n[i] = nodes[i]->surface[c];
-        if (!shape->fit(shape, n, 16, &polynomials[terms->surface + c]))
+        if (!set_through(&to, terms->surface + c, n, 16, 0))
             return 0;
     }
     for (uint32_t a = 0; a < terms->apart_count; a++)
-        if (!begin_apart(&terms->apart[a], nodes, shape, polynomials + terms->apart[a].first))
+        if (!begin_apart(&to, nodes, &terms->apart[a]))
             return 0;
     return 1;
 }

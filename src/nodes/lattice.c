@@ -15,82 +15,12 @@
 
 /* A triangle on its way to pixels. */
 typedef struct lattice_walk {
-    glint_gathering gathering;
-    int is_deep, largest;   /* cells have at most so many pixels across */
-    int32_t x, y;           /* of a cell's first pixel, in the tile */
-    uint16_t visible[CELL]; /* its pixels that are nearer than what was there, by rows and bits */
+    glint_gathering gathering; /* of nodes, and of pixels one by one */
+    const glint_triangle *triangle;
+    glint_attributes attributes;
+    int32_t largest; /* squares have at most so many pixels across */
+    glint_part cut;  /* what of the triangle's part a square holds */
 } lattice_walk;
-
-/* Pixels of a row of a square of a cell. */
-static inline uint32_t row_of_nodes(const lattice_walk *w, int32_t x, int32_t y, int32_t size) {
-    return (uint32_t)w->visible[y] >> x & ((1u << size) - 1);
-}
-
-/* Draws pixels of a square of a cell one by one. */
-static void draw_one_by_one(const lattice_walk *w, int32_t x, int32_t y, int32_t size) {
-    for (int32_t j = y; j < y + size; j++)
-        for (uint32_t row = row_of_nodes(w, x, j, size), i = 0; row >> i; i++)
-            if (row >> i & 1)
-                glint_gather_lit(&w->gathering, w->x + x + (int32_t)i, w->y + j);
-    glint_gathering_store(&w->gathering);
-}
-
-/* ---- Cells ---- */
-
-/* Finds the runs of a square's row. @return where the next goes */
-static glint_run *find_runs(uint32_t visible, uint32_t y, uint32_t *pixels, glint_run *run) {
-    for (uint32_t x = 0; visible >> x;) {
-        uint32_t count = 0;
-        while (!(visible >> x & 1))
-            x++;
-        while (visible >> (x + count) & 1)
-            count++;
-        *run++ = (glint_run){(uint8_t)x, (uint8_t)y, (uint8_t)count};
-        x += count;
-        *pixels += count;
-    }
-    return run;
-}
-
-/* Draws pixels that terms do not tell of runs from x, y of the tile on. */
-static void draw_edges(const glint_gathering *gathering, const glint_terms *terms, const glint_descent *polynomials,
-                       const glint_run *runs, uint32_t count, int32_t x, int32_t y) {
-    uint8_t columns[GLINT_TILE_MAX];
-    for (const glint_run *run = runs; run != runs + count; run++) {
-        const uint32_t found = glint_terms_find_edge(terms, polynomials, run, columns);
-        for (uint32_t i = 0; i < found; i++)
-            glint_gather_lit(gathering, x + columns[i], y + run->y);
-    }
-    glint_gathering_store(gathering);
-}
-
-/* Draws a square of a cell by polynomials through nodes 2^shift pixels apart. @return 0 where they are not close enough
- */
-static int draw_square(const lattice_walk *w, int32_t x, int32_t y, unsigned shift, glint_node *const nodes[]) {
-    glint_descent polynomials[GLINT_POLYNOMIALS_MAX];
-    glint_terms terms;
-    glint_shape shape;
-    const int32_t size = 2 << shift;
-    if (size > w->largest)
-        return 0;
-    glint_shape_cell(shift, &shape);
-    const int fits = glint_shape_begin(w->gathering.frame, w->gathering.draw, &shape, nodes, &terms, polynomials);
-    glint_run runs[CELL], *next = runs;
-    const uint32_t offset = ((uint32_t)(w->y + y) << w->gathering.frame->tile_shift_x) + (uint32_t)(w->x + x);
-    uint32_t pixels = 0;
-    for (int32_t j = 0; j < size && fits; j++) {
-        next = find_runs(row_of_nodes(w, x, y + j, size), (uint32_t)j, &pixels, next);
-        if (next > runs + CELL / 2 || pixels > w->gathering.frame->config.tile_width || j == size - 1) {
-            glint_terms_draw(w->gathering.frame, w->gathering.workspace, &terms, polynomials, runs,
-                             (uint32_t)(next - runs), offset);
-            if (terms.margin)
-                draw_edges(&w->gathering, &terms, polynomials, runs, (uint32_t)(next - runs), w->x + x, w->y + y);
-            next = runs;
-            pixels = 0;
-        }
-    }
-    return fits;
-}
 
 /* ---- Nodes ---- */
 
@@ -127,7 +57,7 @@ static void add_node(batch *b, int32_t x, int32_t y, glint_node *node) {
     glint_gather(b->from, x, y, glint_plane_at(&part->depth, part->x + x, part->y + y));
 }
 
-/* A square of a cell, whose first pixel is x, y there; those of its nodes that are not another's. */
+/* A square whose first pixel is x, y of the tile; those of its nodes that are not another's. */
 typedef struct square {
     glint_node own[5];
     glint_node *nodes[GLINT_CELL_NODES];
@@ -139,108 +69,124 @@ static inline int is_corner(int i) {
     return i == 0 || i == 2 || i == 6 || i == 8;
 }
 
+/* Begins nodes; rows of colours have the fragments' place, and end what is there. */
+static void begin_batch(const lattice_walk *w, batch *b) {
+    glint_fragments *at = w->gathering.fragments;
+    b->from = &w->gathering;
+    at->count = 0;
+    at->part = w->gathering.part;
+    at->attributes = &w->attributes;
+    at->scale = glint_find_room(w->triangle->corners);
+}
+
 /* Lights the nodes of a square but for its corners, which are; they are 2^shift pixels apart. */
 static void light_square(const lattice_walk *w, unsigned shift, square *to) {
-    batch b = {&w->gathering, {0}};
+    batch b;
     glint_shape shape;
     int own = 0;
+    begin_batch(w, &b);
     for (int i = 0; i < GLINT_CELL_NODES; i++) {
         if (is_corner(i))
             continue;
         to->nodes[i] = &to->own[own++];
-        add_node(&b, w->x + to->x + i % 3 * (1 << shift), w->y + to->y + i / 3 * (1 << shift), to->nodes[i]);
+        add_node(&b, to->x + i % 3 * (1 << shift), to->y + i / 3 * (1 << shift), to->nodes[i]);
     }
-    glint_shape_cell(shift, &shape);
+    glint_shape_cell(w->gathering.part, to->x, to->y, shift, &shape);
     light_batch(&b, glint_shape_away(w->gathering.draw, &shape, to->nodes));
 }
 
-/* Finds the nodes of quarter i of a square; they are 2^shift pixels apart. */
-static void begin_quarter(const lattice_walk *w, const square *of, int i, unsigned shift, square *to) {
+/* Begins quarter i of a square, so many pixels across. */
+static void begin_quarter(const square *of, int i, int32_t size, square *to) {
     const int first = i % 2 + 3 * (i / 2);
-    to->x = of->x + (i % 2 << (shift + 1));
-    to->y = of->y + (i / 2 << (shift + 1));
+    to->x = of->x + i % 2 * size;
+    to->y = of->y + i / 2 * size;
     to->nodes[0] = of->nodes[first];
     to->nodes[2] = of->nodes[first + 1];
     to->nodes[6] = of->nodes[first + 3];
     to->nodes[8] = of->nodes[first + 4];
-    light_square(w, shift, to);
 }
 
 /* ---- Squares ---- */
 
-/* Does a square of a cell show? */
-static int is_visible(const lattice_walk *w, int32_t x, int32_t y, int32_t size) {
-    uint32_t any = 0;
-    for (int32_t j = y; j < y + size; j++)
-        any |= row_of_nodes(w, x, j, size);
-    return any != 0;
+/* Cuts the triangle's part to a square so many pixels across. @return does any of it show? */
+static int cut_square(lattice_walk *w, const square *to, int32_t size) {
+    const glint_part *part = w->gathering.part;
+    glint_part *cut = &w->cut;
+    cut->top = (uint32_t)glint_most((int32_t)part->top, to->y);
+    cut->bottom = (uint32_t)glint_most(glint_least((int32_t)part->bottom, to->y + size), 0);
+    for (uint32_t y = cut->top; y < cut->bottom; y++) {
+        const glint_span span = part->spans[y];
+        const int32_t left = glint_most(span.left, to->x), right = glint_least(span.right, to->x + size);
+        cut->spans[y] = (glint_span){(uint8_t)left, (uint8_t)glint_most(left, right)};
+    }
+    return glint_is_visible(w->gathering.frame, w->gathering.workspace, cut);
+}
+
+/* Draws what is cut by polynomials through nodes 2^shift pixels apart. @return 0 where they are not close enough */
+static int draw_square(const lattice_walk *w, unsigned shift, const square *of) {
+    const glint_gathering *from = &w->gathering;
+    glint_polynomials polynomials;
+    glint_terms terms;
+    glint_shape shape;
+    glint_shape_cell(from->part, of->x, of->y, shift, &shape);
+    if (2 << shift > w->largest || !glint_shape_begin(from->frame, from->draw, &shape, of->nodes, &terms, &polynomials))
+        return 0;
+    glint_terms_draw_part(from->frame, from->workspace, from->draw, w->triangle, &w->cut, &terms, &polynomials);
+    return 1;
+}
+
+/* Draws what is cut of a square of four pixels one by one, by the shorter of both searches for runs. */
+static void draw_one_by_one(const lattice_walk *w) {
+    glint_run runs[2];
+    for (uint32_t y = w->cut.top; y < w->cut.bottom; y++) {
+        const glint_run *const end = glint_find_runs(w->gathering.frame, w->gathering.workspace, &w->cut, 1, y, runs);
+        for (const glint_run *run = runs; run != end; run++)
+            for (uint32_t i = 0; i < run->count; i++)
+                glint_gather_lit(&w->gathering, (int32_t)(run->x + i), run->y);
+    }
+    glint_gathering_store(&w->gathering);
 }
 
 /* Draws a square of eight pixels: as one, as four, or one by one. */
-static void draw_eight(const lattice_walk *w, const square *eight) {
+static void draw_eight(lattice_walk *w, const square *eight) {
     square four;
-    if (draw_square(w, eight->x, eight->y, 2, eight->nodes))
+    if (draw_square(w, 2, eight))
         return;
     for (int i = 0; i < 4; i++) {
-        if (!is_visible(w, eight->x + i % 2 * 4, eight->y + i / 2 * 4, 4))
+        begin_quarter(eight, i, 4, &four);
+        if (!cut_square(w, &four, 4))
             continue;
-        begin_quarter(w, eight, i, 1, &four);
-        if (!draw_square(w, four.x, four.y, 1, four.nodes))
-            draw_one_by_one(w, four.x, four.y, 4);
+        light_square(w, 1, &four);
+        if (!draw_square(w, 1, &four))
+            draw_one_by_one(w);
     }
 }
 
-/* Draws a cell: as one, or as four squares. */
-static void draw_cell(const lattice_walk *w) {
+/* Draws a cell whose first pixel is x, y: as one, or as four squares. */
+static void draw_cell(lattice_walk *w, int32_t x, int32_t y) {
     glint_node corners[4];
-    square whole = {.x = 0, .y = 0}, eight;
-    batch b = {&w->gathering, {0}};
+    square whole, eight;
+    batch b;
+    whole.x = x;
+    whole.y = y;
+    if (!cut_square(w, &whole, CELL))
+        return;
+    begin_batch(w, &b);
     for (int i = 0; i < 4; i++) {
         whole.nodes[i % 2 * 2 + i / 2 * 6] = &corners[i];
-        add_node(&b, w->x + i % 2 * CELL, w->y + i / 2 * CELL, &corners[i]);
+        add_node(&b, x + i % 2 * CELL, y + i / 2 * CELL, &corners[i]);
     }
     light_batch(&b, 0);
     light_square(w, 3, &whole);
-    if (draw_square(w, 0, 0, 3, whole.nodes))
+    if (draw_square(w, 3, &whole))
         return;
     for (int i = 0; i < 4; i++) {
-        if (!is_visible(w, i % 2 * 8, i / 2 * 8, 8))
+        begin_quarter(&whole, i, 8, &eight);
+        if (!cut_square(w, &eight, 8))
             continue;
-        begin_quarter(w, &whole, i, 2, &eight);
+        light_square(w, 2, &eight);
         draw_eight(w, &eight);
     }
-}
-
-/* Tests the depth of a row of a cell, and stores what is nearer. @return pixels that are, by bits */
-static uint32_t test_row(const lattice_walk *w, int32_t y, uint32_t *covered) {
-    const glint_part *part = w->gathering.part;
-    const glint_span span = part->spans[y];
-    const int32_t left = glint_most(span.left, w->x), right = glint_least(span.right, w->x + CELL);
-    uint16_t *const depth = w->gathering.workspace->depth + ((uint32_t)y << w->gathering.frame->tile_shift_x);
-    uint32_t z = (uint32_t)glint_plane_at(&part->depth, part->x + left, part->y + y) + GLINT_DEPTH_BIAS;
-    uint32_t visible = 0;
-    for (int32_t x = left; x < right; x++, z += (uint32_t)part->depth.dx) {
-        const uint32_t here = (w->is_deep ? (uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS) : z) >> 15;
-        if (here <= depth[x])
-            continue;
-        depth[x] = (uint16_t)here;
-        visible |= 1u << (x - w->x);
-    }
-    *covered += (uint32_t)glint_most(right - left, 0);
-    return visible;
-}
-
-/* Tests the depth of a cell. @return does any of it show? */
-static int test_cell(lattice_walk *w, uint32_t *covered) {
-    uint32_t any = 0;
-    for (int32_t j = 0; j < CELL; j++) {
-        const int32_t y = w->y + j;
-        w->visible[j] = (uint16_t)(y >= (int32_t)w->gathering.part->top && y < (int32_t)w->gathering.part->bottom
-                                       ? test_row(w, y, covered)
-                                       : 0);
-        any |= w->visible[j];
-    }
-    return any != 0;
 }
 
 /* The largest cells of a triangle whose planes keep their sign and size across one. */
@@ -262,23 +208,21 @@ static int find_largest(const glint_part *part, const glint_attributes *attribut
 int glint_draw_lattice(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                        const glint_triangle *triangle, const glint_part *part) {
     const int16_t *const normals[3] = NORMALS(triangle);
-    glint_attributes attributes;
-    glint_fragments fragments;
-    uint32_t covered = 0;
-    lattice_walk w = {.gathering = {frame, workspace, part, draw, glint_shade, &fragments}};
+    lattice_walk w;
     if (triangle->area < CELL_AREA)
         return 0;
-    glint_gathering_begin(&w.gathering, triangle, normals, triangle->back, &attributes);
-    w.is_deep = glint_is_deep(triangle);
-    w.largest = find_largest(part, &attributes, draw->extra != 0);
+    w.gathering = (glint_gathering){frame, workspace, part, draw, glint_shade, &workspace->gathered->fragments};
+    w.triangle = triangle;
+    glint_gathering_begin(&w.gathering, triangle, normals, triangle->back, &w.attributes);
+    w.largest = find_largest(part, &w.attributes, draw->extra != 0);
     if (!w.largest)
         return 0;
+    w.cut = *part;
     const int32_t column = part->window.left >> 4 & (CELL - 1), row = part->window.top >> 4 & (CELL - 1);
-    for (w.y = -row; w.y < (int32_t)part->bottom; w.y += CELL)
-        for (w.x = -column; w.x < (int32_t)frame->config.tile_width; w.x += CELL)
-            if (test_cell(&w, &covered))
-                draw_cell(&w);
-    glint_count(workspace, GLINT_KERNEL_GENERAL, covered);
+    for (int32_t y = -row; y < (int32_t)part->bottom; y += CELL)
+        for (int32_t x = -column; x < (int32_t)frame->config.tile_width; x += CELL)
+            draw_cell(&w, x, y);
+    glint_count(workspace, GLINT_KERNEL_GENERAL, workspace->drawn ? glint_covered_by(part) : 0);
     return 1;
 }
 
@@ -286,9 +230,18 @@ void glint_draw_edges(const glint_frame *frame, glint_workspace *workspace, cons
                       const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
                       const glint_descent *polynomials, const glint_run *runs, uint32_t count) {
     const int16_t *const normals[3] = NORMALS(triangle);
+    const glint_gathering gathering = {frame, workspace, part, draw, glint_shade, &workspace->gathered->fragments};
     glint_attributes attributes;
-    glint_fragments fragments;
-    const glint_gathering gathering = {frame, workspace, part, draw, glint_shade, &fragments};
-    glint_gathering_begin(&gathering, triangle, normals, triangle->back, &attributes);
-    draw_edges(&gathering, terms, polynomials, runs, count, 0, 0);
+    uint8_t columns[GLINT_TILE_MAX];
+    int has_begun = 0;
+    for (const glint_run *run = runs; run != runs + count; run++) {
+        const uint32_t found = glint_terms_find_edge(terms, polynomials, run, columns);
+        if (found && !has_begun)
+            glint_gathering_begin(&gathering, triangle, normals, triangle->back, &attributes);
+        has_begun |= found != 0;
+        for (uint32_t i = 0; i < found; i++)
+            glint_gather_lit(&gathering, columns[i], run->y);
+    }
+    if (has_begun)
+        glint_gathering_store(&gathering);
 }

@@ -19,26 +19,34 @@ static void draw_batch(const glint_frame *frame, glint_workspace *workspace, con
         glint_draw_edges(frame, workspace, by->draw, by->triangle, part, by->terms, by->polynomials, runs, count);
 }
 
-uint32_t glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                               const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
-                               const glint_descent *polynomials) {
-    const painter by = {draw, triangle, terms, polynomials};
+/* Draws runs, of as many rows at once as fit. */
+static void draw_rows(const glint_frame *frame, glint_workspace *workspace, const painter *by, const glint_part *part) {
     glint_run runs[2 * GLINT_ROW_RUNS], *next = runs;
-    uint32_t covered = 0, pixels = 0;
+    uint32_t pixels = 0;
     for (uint32_t y = part->top; y < part->bottom; y++) {
         const uint32_t width = (uint32_t)part->spans[y].right - part->spans[y].left;
-        covered += width;
         pixels += width;
         if (pixels > 2 * frame->config.tile_width || next > runs + GLINT_ROW_RUNS) {
-            draw_batch(frame, workspace, &by, part, runs, (uint32_t)(next - runs));
+            draw_batch(frame, workspace, by, part, runs, (uint32_t)(next - runs));
             next = runs;
             pixels = width;
         }
         next = glint_find_runs(frame, workspace, part, 0, y, next);
     }
     if (next != runs)
-        draw_batch(frame, workspace, &by, part, runs, (uint32_t)(next - runs));
-    return covered;
+        draw_batch(frame, workspace, by, part, runs, (uint32_t)(next - runs));
+}
+
+void glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                           const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
+                           const glint_polynomials *polynomials) {
+    const painter by = {draw, triangle, terms, polynomials->descents};
+    if (!terms->is_fused) {
+        draw_rows(frame, workspace, &by, part);
+        return;
+    }
+    const glint_spans spans = glint_spans_of(frame, workspace, part);
+    frame->config.format->draw_channels(&spans, polynomials->fused, terms->is_curved);
 }
 
 /*
@@ -48,20 +56,11 @@ uint32_t glint_terms_draw_part(const glint_frame *frame, glint_workspace *worksp
 static GLINT_NOINLINE int draw_terms(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                                      const glint_triangle *triangle, const glint_part *part) {
     glint_terms terms;
-    glint_quadratic channels[3], *const plain =
-                                     frame->config.format->draw_channels && !frame->config.gamma ? channels : 0;
-    glint_descent descents[GLINT_POLYNOMIALS_MAX];
-    uint32_t covered;
-    if (!glint_terms_begin(frame, draw, triangle, part, &terms, plain, descents))
+    glint_polynomials polynomials;
+    if (!glint_terms_begin(frame, draw, triangle, part, &terms, &polynomials))
         return 0;
-    if (terms.is_plain && plain) {
-        const glint_spans spans = glint_spans_of(frame, workspace, part);
-        frame->config.format->draw_channels(&spans, plain, terms.is_curved);
-        covered = workspace->drawn ? glint_covered_by(part) : 0;
-    } else {
-        covered = glint_terms_draw_part(frame, workspace, draw, triangle, part, &terms, descents);
-    }
-    glint_count(workspace, GLINT_KERNEL_CHANNELS, covered);
+    glint_terms_draw_part(frame, workspace, draw, triangle, part, &terms, &polynomials);
+    glint_count(workspace, GLINT_KERNEL_CHANNELS, workspace->drawn ? glint_covered_by(part) : 0);
     return 1;
 }
 

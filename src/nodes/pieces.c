@@ -116,7 +116,7 @@ static inline int is_beyond_piece(int32_t x, int32_t most) {
  * With a piece's own coordinates m1 = s (2 l1 - c1) and m2 = s (2 l2 - c2), s and c its `turned` and `first`, what is
  * a + d1 m1 + d2 m2 - b1 m1^2 - b2 m2^2 + both m1 m2 is a form of l1 and l2.
  */
-static int fit_piece(const glint_shape *shape, const int32_t n[], int unit, glint_descent *to) {
+static int fit_piece(const glint_shape *shape, const int32_t n[], int unit, glint_quadratic *to) {
     const int32_t s = shape->turned, c1 = shape->first[0], c2 = shape->first[1];
     const int32_t b1 = 4 * n[3] - 2 * (n[0] + n[1]), across = 4 * n[4] - 2 * (n[1] + n[2]),
                   b2 = 4 * n[5] - 2 * (n[0] + n[2]), both = across - b1 - b2;
@@ -127,15 +127,13 @@ static int fit_piece(const glint_shape *shape, const int32_t n[], int unit, glin
                           4 * b1,
                           4 * b2,
                           4 * both};
-    glint_quadratic q;
     if (is_beyond_piece(b1, PIECE_BULGE) || is_beyond_piece(b2, PIECE_BULGE) ||
         is_beyond_piece(both, 2 * PIECE_BULGE) || is_beyond_piece(f.d1 + f.d2, MOST_STEP) ||
         is_beyond_piece(f.d1 - f.d2, MOST_STEP))
         return 0;
     if (shape->barycentric->unit != (uint32_t)unit)
         glint_barycentric_begin(shape->barycentric, &shape->part->gradients, unit);
-    glint_form_begin(&q, shape->barycentric, &f);
-    glint_descent_begin(to, &q, shape->part->x, shape->part->y);
+    glint_form_begin(to, shape->barycentric, &f);
     return 1;
 }
 
@@ -170,15 +168,16 @@ static void cut_spans(const glint_part *part, glint_span spans[4][GLINT_TILE_MAX
 
 /* Draws the piece that a part holds. */
 static void draw_piece(pieces *p, glint_workspace *workspace, const glint_shape *shape, const glint_part *part) {
-    glint_descent polynomials[GLINT_POLYNOMIALS_MAX];
+    glint_polynomials polynomials;
     glint_node *nodes[6];
     glint_terms terms;
     light_piece(p, shape, nodes);
-    if (glint_shape_begin(p->frame, p->draw, shape, nodes, &terms, polynomials))
-        glint_count(workspace, GLINT_KERNEL_CHANNELS,
-                    glint_terms_draw_part(p->frame, workspace, p->draw, p->triangle, part, &terms, polynomials));
-    else
+    if (!glint_shape_begin(p->frame, p->draw, shape, nodes, &terms, &polynomials)) {
         glint_draw_any(p->frame, workspace, p->draw, p->triangle, part);
+        return;
+    }
+    glint_terms_draw_part(p->frame, workspace, p->draw, p->triangle, part, &terms, &polynomials);
+    glint_count(workspace, GLINT_KERNEL_CHANNELS, workspace->drawn ? glint_covered_by(part) : 0);
 }
 
 static void begin_pieces(pieces *p, glint_shape *shape) {

@@ -131,20 +131,15 @@ static int light_middles(const glint_frame *frame, const glint_draw *draw, const
 
 /* ---- Polynomials ---- */
 
-/* Where polynomials go: what is all there is as it is, else from the part's first pixel on. */
+/* Where polynomials go. */
 typedef struct target {
     const glint_part *part;
-    glint_quadratic *plain; /* or null */
-    glint_descent *descents;
+    const glint_terms *terms;
+    glint_polynomials *polynomials;
 } target;
 
-/* Adds to the polynomial number i, which is begun with it. */
 static inline void set(const target *to, uint32_t i, glint_quadratic q, uint32_t more) {
-    q.start += more;
-    if (to->plain)
-        to->plain[i] = q;
-    else
-        glint_descent_begin(&to->descents[i], &q, to->part->x, to->part->y);
+    glint_polynomial_set(to->terms, to->part, i, q, more, to->polynomials);
 }
 
 /* A light's numbers at the nodes, the first so many. */
@@ -298,12 +293,12 @@ static int find_fit(const glint_frame *frame, const glint_shading *shading, glin
 }
 
 int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
-                      const glint_part *part, glint_terms *terms, glint_quadratic plain[3],
-                      glint_descent descents[GLINT_POLYNOMIALS_MAX]) {
+                      const glint_part *part, glint_terms *terms, glint_polynomials *polynomials) {
     const glint_shading *shading = draw->shading;
     glint_candidate t;
     glint_region *const region = &t.region;
     glint_lengths by;
+    const target to = {part, terms, polynomials};
     if (!is_shapely(triangle, part) || !glint_find_region(frame, draw, triangle, &t))
         return 0;
     int fit = glint_region_sum_lobes(shading, t.has_surface, region) ? find_fit(frame, shading, &t) : FIT_NONE;
@@ -317,7 +312,6 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     if (fit == FIT_PLANES) {
         glint_terms_name(frame, draw, region, 0, terms);
         terms->is_curved = 0;
-        const target to = {part, terms->is_plain ? plain : 0, descents};
         const int32_t longer = region->folds || region->summed ? 0 : (int32_t)(region->turn * region->turn / 12 >> 9);
         begin_term_planes(&t, longer, terms, &to);
         return 1;
@@ -327,7 +321,6 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     region->has_edge |= has_edge(shading, &t);
     const int twice = shading->material->model->lobe == GLINT_LOBE_MIRROR;
     glint_terms_name(frame, draw, region, fit == FIT_OVER_LENGTH ? 1 + twice : 0, terms);
-    const target to = {part, terms->is_plain ? plain : 0, descents};
     begin_term_quadratics(&t, fit == FIT_OVER_LENGTH ? &by : 0, terms, &to);
     return 1;
 }

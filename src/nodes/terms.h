@@ -212,6 +212,7 @@ typedef struct glint_terms {
     uint8_t is_channels;    /* sums are three channels that hold ambient light, and the surface's colours */
     uint8_t has_shine;      /* they hold highlights */
     uint8_t is_plain;       /* they are all there is, half a level included */
+    uint8_t is_fused;       /* and the format's own loop draws them */
     uint8_t is_curved;
     uint8_t apart_count;
     uint8_t sums, square, surface; /* how many sums there are, the first polynomials; and which others these are */
@@ -219,6 +220,23 @@ typedef struct glint_terms {
     int32_t margin; /* above 0: pixels are not drawn by these whose N.L, Q14, is this near 0 and that may be gated */
     glint_apart apart[GLINT_LIGHTS_MAX];
 } glint_terms;
+
+/** A region's polynomials, by number: as quadratics from the anchor where terms are fused, else from a part's first
+ * pixel on. */
+typedef union glint_polynomials {
+    glint_quadratic fused[3];
+    glint_descent descents[GLINT_POLYNOMIALS_MAX];
+} glint_polynomials;
+
+/** Sets polynomial number i to a quadratic, which begins with so much more. */
+static inline void glint_polynomial_set(const glint_terms *terms, const glint_part *part, uint32_t i, glint_quadratic q,
+                                        uint32_t more, glint_polynomials *to) {
+    q.start += more;
+    if (terms->is_fused)
+        to->fused[i] = q;
+    else
+        glint_descent_begin(&to->descents[i], &q, part->x, part->y);
+}
 
 /** Tells what a region's polynomials are to mean. */
 void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const glint_region *region, int over_length,
@@ -293,14 +311,9 @@ void glint_draw_edges(const glint_frame *frame, glint_workspace *workspace, cons
 /** Lights the vertices of a triangle, unless they are; finds their normals alone where the material has no terms. */
 glint_light_triangle glint_terms_light;
 
-/**
- * A triangle's light, from its corners on: polynomials in `plain`, unless it is null, where terms->is_plain, else in
- * `descents`.
- * @return 0 where polynomials do not fit
- */
+/** A triangle's light, from its corners on. @return 0 where polynomials do not fit */
 int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
-                      const glint_part *part, glint_terms *terms, glint_quadratic plain[3],
-                      glint_descent descents[GLINT_POLYNOMIALS_MAX]);
+                      const glint_part *part, glint_terms *terms, glint_polynomials *polynomials);
 
 /* ---- Shapes: regions whose nodes are all there ---- */
 
@@ -311,32 +324,34 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
 typedef struct glint_shape {
     uint8_t count, corners[4]; /* how many, and which lie at the corners: a triangle's last is there twice */
     uint32_t longest;          /* what two of its points lie apart at most, 28.4 */
+    const glint_part *part;    /* the whole triangle's */
     /** The polynomial through numbers of the nodes, times 2^unit. @return 0 where its own do not fit */
-    int (*fit)(const struct glint_shape *shape, const int32_t n[], int unit, glint_descent *to);
-    unsigned shift;                 /* of a cell: nodes are 2^shift pixels apart */
-    const glint_part *part;         /* of a piece of a triangle: the whole triangle's, */
-    glint_barycentric *barycentric; /* its coordinates, */
+    int (*fit)(const struct glint_shape *shape, const int32_t n[], int unit, glint_quadratic *to);
+    unsigned shift;                 /* of a cell: nodes are 2^shift pixels apart, */
+    int32_t x, y;                   /* and the first lies here, from the anchor; */
+    glint_barycentric *barycentric; /* of a piece of a triangle: this one's coordinates, */
     int32_t turned, first[2];       /* and how the piece's follow from these: pieces.c */
 } glint_shape;
 
-/** The shape of cells with nodes so far apart. */
-void glint_shape_cell(unsigned shift, glint_shape *shape);
+/** The shape of a cell from pixel x, y of the tile on, with nodes so far apart. */
+void glint_shape_cell(const glint_part *part, int32_t x, int32_t y, unsigned shift, glint_shape *shape);
 
 /** Lights that are outside of their cones all over a region, from its corners' nodes. */
 uint32_t glint_shape_away(const glint_draw *draw, const glint_shape *shape, glint_node *const nodes[]);
 
 /** A region's light, from its nodes on. @return 0 where polynomials do not fit */
 int glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
-                      glint_node *const nodes[], glint_terms *terms, glint_descent polynomials[GLINT_POLYNOMIALS_MAX]);
+                      glint_node *const nodes[], glint_terms *terms, glint_polynomials *polynomials);
 
 /** Draws a triangle by four pieces of its own. @return 0 where it is too small or too slender for them */
 int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                       const glint_triangle *triangle, const glint_part *part);
 
-/** Draws runs of a part, of as many rows at once as two rows of a tile have pixels. @return pixels of its spans */
-uint32_t glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                               const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
-                               const glint_descent *polynomials);
+/** Draws a part: by the format's own loop where terms are fused, else runs of as many rows at once as two rows of a
+ * tile have pixels. */
+void glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                           const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
+                           const glint_polynomials *polynomials);
 
 /** Draws a triangle by the cells of the lattice. @return 0 where it is too small or too deep for them */
 int glint_draw_lattice(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,

@@ -16,6 +16,14 @@ typedef struct glint_quadratic {
     uint32_t start, dx, dy, dxx, dxy, dyy;
 } glint_quadratic;
 
+/** Of a quadratic whose x and y count from another point: as from the anchor, where that point is x, y. */
+static inline void glint_quadratic_move(glint_quadratic *q, int32_t x, int32_t y) {
+    const uint32_t i = (uint32_t)x, j = (uint32_t)y;
+    q->start += (q->dxx * i + q->dxy * j - q->dx) * i + (q->dyy * j - q->dy) * j;
+    q->dx -= 2 * q->dxx * i + q->dxy * j;
+    q->dy -= 2 * q->dyy * j + q->dxy * i;
+}
+
 /** A quadratic at a pixel, and its step to the next column. */
 typedef struct glint_stride {
     uint32_t value, across;

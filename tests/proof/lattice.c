@@ -5,9 +5,9 @@
 #include "../../src/nodes/lattice.c"
 
 /*
- * Not proven: glint_draw_lattice, draw_cell, draw_eight, begin_quarter, light_square, add_node, light_batch,
- * draw_square, draw_edges, glint_draw_edges, draw_one_by_one, test_cell, test_row: squares of a cell, spans and pixels
- * inside a tile; no arithmetic beyond that. Suites `nodes` and `identity` under ASan and UBSan, and fuzzing.
+ * Not proven: glint_draw_lattice, draw_cell, draw_eight, begin_quarter, light_square, begin_batch, add_node,
+ * light_batch, draw_square, draw_one_by_one, glint_draw_edges: squares, nodes and runs inside what cut_square leaves;
+ * no arithmetic beyond that. Suites `nodes` and `identity` under ASan and UBSan, and fuzzing.
  */
 /*
  * Not proven: draw_nodes, draw_terms, draw_batch, glint_terms_draw_part: runs of rows, of which counts keep no more
@@ -22,22 +22,26 @@ static lattice_walk w;
 static glint_part part;
 static glint_attributes attributes;
 
-/* Every row of a square of eight pixels, by its bits: no run but inside it. */
-PROOF(find_runs) {
-    glint_run runs[CELL / 2];
-    FOR_PARTS(visible, 0, 255) {
-        uint32_t pixels = 0;
-        const glint_run *end = find_runs((uint32_t)visible, ANY_UNSIGNED(0, CELL - 1), &pixels, runs);
-        /*@ assert end <= runs + 4 && pixels <= 8; */
-    }
-}
+/* Stands on glint_find_near_runs, which walks the same pixels of a row. */
+/*@ requires \valid_read(part);
+    assigns \result \from indirect: *frame, indirect: *workspace, indirect: *part;
+    ensures \result == 0 || \result == 1; */
+static inline int glint_is_visible(const glint_frame *frame, const glint_workspace *workspace, const glint_part *part);
 
-/* Any row of any square of a cell. */
-PROOF(row_of_nodes) {
-    for (int i = 0; i < CELL; i++)
-        w.visible[i] = (uint16_t)ANY(0, UINT16_MAX);
-    FOR_PARTS(bits, 2, 4) {
-        row_of_nodes(&w, ANY(0, CELL - 1), ANY(0, CELL - 1), 1 << bits);
+/* Any spans, any square that begins in a tile, or as far before it as a cell is wide. @contract glint_is_visible */
+PROOF(cut_square) {
+    square of;
+    w.gathering.part = &part;
+    part.top = ANY_UNSIGNED(0, GLINT_TILE_MAX);
+    part.bottom = ANY_UNSIGNED(0, GLINT_TILE_MAX);
+    for (int y = 0; y < GLINT_TILE_MAX; y++)
+        part.spans[y] = (glint_span){(uint8_t)ANY(0, GLINT_TILE_MAX), (uint8_t)ANY(0, GLINT_TILE_MAX)};
+    of.x = ANY(1 - CELL, GLINT_TILE_MAX - 1);
+    FOR_PARTS(y, 1 - CELL, GLINT_TILE_MAX - 1) {
+        of.y = (int32_t)y;
+        FOR_PARTS(bits, 2, 4) {
+            cut_square(&w, &of, 1 << bits);
+        }
     }
 }
 
