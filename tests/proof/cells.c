@@ -7,7 +7,7 @@
 
 /*
  * Not proven: glint_shape_begin, begin_sums, begin_apart, find_shape_region, shape_fits,
- * shape_has_edge: they walk nodes, and call
+ * shape_has_edge, set_through: they walk nodes, and call
  * what is proven. Suite `nodes` under ASan and UBSan, and fuzzing.
  */
 
@@ -32,10 +32,18 @@ void glint_region_measure(uint32_t pixel, uint32_t longest, const glint_w_range 
 static glint_node cell[GLINT_CELL_NODES];
 static glint_node *nodes[GLINT_CELL_NODES];
 static glint_shape shape;
+static glint_part part;
 static glint_draw draw;
 static glint_shading shading;
 static glint_material material;
 static glint_light_terms terms;
+
+/* A cell anywhere on the screen, with nodes so far apart. */
+static void any_cell(unsigned shift) {
+    part.x = ANY(-4096, 4096);
+    part.y = ANY(-4096, 4096);
+    glint_shape_cell(&part, ANY(-16, 128), ANY(-16, 128), shift, &shape);
+}
 
 /* Nodes of any numbers. */
 static void any_nodes(void) {
@@ -55,7 +63,7 @@ static void any_nodes(void) {
         cell[i].outside = (uint16_t)ANY(0, UINT16_MAX);
         cell[i].around = ANY_UNSIGNED(0, UINT16_MAX);
     }
-    glint_shape_cell(3, &shape);
+    any_cell(3);
 }
 
 /* Any nodes, of cells and of pieces. @contract glint_root_above */
@@ -114,12 +122,12 @@ static int find_w_range(const glint_shape *shape, glint_node *const nodes[], gli
  * pixels, any unit.
  */
 PROOF(fit_cell) {
-    glint_descent to;
+    glint_quadratic to;
     int32_t n[GLINT_CELL_NODES];
     for (int i = 0; i < GLINT_CELL_NODES; i++)
         n[i] = ANY(-(1 << 16), 1 << 16);
     FOR_PARTS(shift, 1, 3) {
-        glint_shape_cell((unsigned)shift, &shape);
+        any_cell((unsigned)shift);
         FOR_PARTS(unit, 12, 16) {
             fit_cell(&shape, n, (int)unit, &to);
         }

@@ -108,10 +108,8 @@ PROOF(fit_piece) {
     glint_part part;
     glint_barycentric barycentric;
     glint_shape shape;
-    glint_descent to;
+    glint_quadratic to;
     int32_t n[6];
-    part.x = ANY(-2047, 2047);
-    part.y = ANY(-2047, 2047);
     shape.part = &part;
     shape.barycentric = &barycentric;
     barycentric.unit = ANY_UNSIGNED(0, 16);
