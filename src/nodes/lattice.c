@@ -19,6 +19,7 @@ typedef struct lattice_walk {
     const glint_triangle *triangle;
     glint_attributes attributes;
     int32_t largest; /* squares have at most so many pixels across */
+    int has_cones;   /* its lights have */
     glint_part cut;  /* what of the triangle's part a square holds */
 } lattice_walk;
 
@@ -35,6 +36,8 @@ static void light_batch(const batch *b, uint32_t away) {
     const glint_draw *draw = b->from->draw;
     const glint_shading *shading = draw->shading;
     glint_fragments *at = b->from->fragments;
+    if (!at->count)
+        return;
     glint_find_rays(b->from->frame, at);
     glint_find_surface(at, draw, glint_extend_colour);
     glint_nodes_light(b->from->frame, shading, at, shading->lights & ~away, shading->terms->lobes & ~away, b->to);
@@ -62,7 +65,14 @@ typedef struct square {
     glint_node own[5];
     glint_node *nodes[GLINT_CELL_NODES];
     int32_t x, y;
+    int is_lit; /* it shows: its nodes are lit */
 } square;
+
+/*
+ * Squares are walked so that each borders the last one, whose nodes it has on that side: a side, by the node in its
+ * middle, 8 less which is the last one's.
+ */
+enum { NO_SIDE = 0, TOP_SIDE = 1, LEFT_SIDE = 3, RIGHT_SIDE = 5 };
 
 /* Is a node a corner of its square? */
 static inline int is_corner(int i) {
@@ -79,31 +89,35 @@ static void begin_batch(const lattice_walk *w, batch *b) {
     at->scale = glint_find_room(w->triangle->corners);
 }
 
-/* Lights the nodes of a square but for its corners, which are; they are 2^shift pixels apart. */
-static void light_square(const lattice_walk *w, unsigned shift, square *to) {
-    batch b;
-    glint_shape shape;
-    int own = 0;
-    begin_batch(w, &b);
-    for (int i = 0; i < GLINT_CELL_NODES; i++) {
-        if (is_corner(i))
-            continue;
-        to->nodes[i] = &to->own[own++];
-        add_node(&b, to->x + i % 3 * (1 << shift), to->y + i / 3 * (1 << shift), to->nodes[i]);
-    }
-    glint_shape_cell(w->gathering.part, to->x, to->y, shift, &shape);
-    light_batch(&b, glint_shape_away(w->gathering.draw, &shape, to->nodes));
+/* Begins a square that nothing borders yet; its corners are another's. */
+static void begin_square(square *of) {
+    for (int i = 0; i < 5; i++)
+        of->nodes[i == 0 ? 1 : i == 4 ? 7 : i + 2] = &of->own[i];
+    of->is_lit = 0;
 }
 
-/* Begins quarter i of a square, so many pixels across. */
-static void begin_quarter(const square *of, int i, int32_t size, square *to) {
-    const int first = i % 2 + 3 * (i / 2);
-    to->x = of->x + i % 2 * size;
-    to->y = of->y + i / 2 * size;
-    to->nodes[0] = of->nodes[first];
-    to->nodes[2] = of->nodes[first + 1];
-    to->nodes[6] = of->nodes[first + 3];
-    to->nodes[8] = of->nodes[first + 4];
+static void swap_nodes(square *of, int a, int b) {
+    glint_node *const node = of->nodes[a];
+    of->nodes[a] = of->nodes[b];
+    of->nodes[b] = node;
+}
+
+/* Lights the nodes of a square, 2^shift pixels apart; of its corners those that are in the batch. */
+static void light_square(const lattice_walk *w, unsigned shift, int side, square *to, batch *b) {
+    uint32_t away = 0;
+    if (w->has_cones) {
+        glint_shape shape;
+        light_batch(b, 0);
+        glint_shape_cell(w->gathering.part, to->x, to->y, shift, &shape);
+        away = glint_shape_away(w->gathering.draw, &shape, to->nodes);
+    }
+    const int is_there = side && to->nodes[8 - side]->left == away; /* lit as it would be here */
+    if (is_there)
+        swap_nodes(to, side, 8 - side);
+    for (int i = 0; i < GLINT_CELL_NODES; i++)
+        if (!is_corner(i) && !(is_there && i == side))
+            add_node(b, to->x + i % 3 * (1 << shift), to->y + i / 3 * (1 << shift), to->nodes[i]);
+    light_batch(b, away);
 }
 
 /* ---- Squares ---- */
@@ -120,6 +134,46 @@ static int cut_square(lattice_walk *w, const square *to, int32_t size) {
         cut->spans[y] = (glint_span){(uint8_t)left, (uint8_t)glint_most(left, right)};
     }
     return glint_is_visible(w->gathering.frame, w->gathering.workspace, cut);
+}
+
+/* Begins a cell that borders the last one. @return does any of it show? */
+static int begin_cell(lattice_walk *w, int32_t x, int32_t y, int side, square *to) {
+    const int from = to->is_lit ? side : NO_SIDE;
+    batch b;
+    to->x = x;
+    to->y = y;
+    to->is_lit = cut_square(w, to, CELL);
+    if (!to->is_lit)
+        return 0;
+    if (from) {
+        swap_nodes(to, 0, from == TOP_SIDE ? 6 : 2);
+        swap_nodes(to, from == TOP_SIDE ? 2 : 6, 8);
+    }
+    begin_batch(w, &b);
+    for (int i = 0; i < 4; i++)
+        if (!(from == TOP_SIDE && i < 2) && !(from == LEFT_SIDE && i % 2 == 0) && !(from == RIGHT_SIDE && i % 2))
+            add_node(&b, x + i % 2 * CELL, y + i / 2 * CELL, to->nodes[i % 2 * 2 + i / 2 * 6]);
+    light_square(w, 3, from, to, &b);
+    return 1;
+}
+
+/* Begins quarter i of a square, round its centre, with nodes 2^shift pixels apart. @return does any of it show? */
+static int begin_quarter(lattice_walk *w, const square *of, int i, unsigned shift, square *to) {
+    static const uint8_t sides[4] = {NO_SIDE, LEFT_SIDE, TOP_SIDE, RIGHT_SIDE};
+    const int side = to->is_lit ? sides[i] : NO_SIDE, column = i == 1 || i == 2, row = i / 2, first = column + 3 * row;
+    batch b;
+    to->x = of->x + column * (2 << shift);
+    to->y = of->y + row * (2 << shift);
+    to->is_lit = cut_square(w, to, 2 << shift);
+    if (!to->is_lit)
+        return 0;
+    to->nodes[0] = of->nodes[first];
+    to->nodes[2] = of->nodes[first + 1];
+    to->nodes[6] = of->nodes[first + 3];
+    to->nodes[8] = of->nodes[first + 4];
+    begin_batch(w, &b);
+    light_square(w, shift, side, to, &b);
+    return 1;
 }
 
 /* Draws what is cut by polynomials through nodes 2^shift pixels apart. @return 0 where they are not close enough */
@@ -152,41 +206,39 @@ static void draw_eight(lattice_walk *w, const square *eight) {
     square four;
     if (draw_square(w, 2, eight))
         return;
-    for (int i = 0; i < 4; i++) {
-        begin_quarter(eight, i, 4, &four);
-        if (!cut_square(w, &four, 4))
-            continue;
-        light_square(w, 1, &four);
-        if (!draw_square(w, 1, &four))
+    begin_square(&four);
+    for (int i = 0; i < 4; i++)
+        if (begin_quarter(w, eight, i, 1, &four) && !draw_square(w, 1, &four))
             draw_one_by_one(w);
-    }
 }
 
-/* Draws a cell whose first pixel is x, y: as one, or as four squares. */
-static void draw_cell(lattice_walk *w, int32_t x, int32_t y) {
+/* Draws a cell: as one, or as four squares. */
+static void draw_cell(lattice_walk *w, const square *whole) {
+    square eight;
+    if (draw_square(w, 3, whole))
+        return;
+    begin_square(&eight);
+    for (int i = 0; i < 4; i++)
+        if (begin_quarter(w, whole, i, 2, &eight))
+            draw_eight(w, &eight);
+}
+
+/* Draws the cells of a tile, every other row from right to left. */
+static void draw_cells(lattice_walk *w) {
+    const glint_part *part = w->gathering.part;
+    const int32_t left = -(part->window.left >> 4 & (CELL - 1)), top = -(part->window.top >> 4 & (CELL - 1));
+    const int32_t last = (w->gathering.frame->config.tile_width - 1 - left) / CELL * CELL;
     glint_node corners[4];
-    square whole, eight;
-    batch b;
-    whole.x = x;
-    whole.y = y;
-    if (!cut_square(w, &whole, CELL))
-        return;
-    begin_batch(w, &b);
-    for (int i = 0; i < 4; i++) {
+    square whole;
+    begin_square(&whole);
+    for (int i = 0; i < 4; i++)
         whole.nodes[i % 2 * 2 + i / 2 * 6] = &corners[i];
-        add_node(&b, x + i % 2 * CELL, y + i / 2 * CELL, &corners[i]);
-    }
-    light_batch(&b, 0);
-    light_square(w, 3, &whole);
-    if (draw_square(w, 3, &whole))
-        return;
-    for (int i = 0; i < 4; i++) {
-        begin_quarter(&whole, i, 8, &eight);
-        if (!cut_square(w, &eight, 8))
-            continue;
-        light_square(w, 2, &eight);
-        draw_eight(w, &eight);
-    }
+    for (int32_t y = 0; y < (int32_t)part->bottom - top; y += CELL)
+        for (int32_t x = 0; x <= last; x += CELL) {
+            const int is_back = y / CELL & 1, side = is_back ? RIGHT_SIDE : LEFT_SIDE;
+            if (begin_cell(w, left + (is_back ? last - x : x), top + y, x ? side : TOP_SIDE, &whole))
+                draw_cell(w, &whole);
+        }
 }
 
 /* The largest cells of a triangle whose planes keep their sign and size across one. */
@@ -218,10 +270,10 @@ int glint_draw_lattice(const glint_frame *frame, glint_workspace *workspace, con
     if (!w.largest)
         return 0;
     w.cut = *part;
-    const int32_t column = part->window.left >> 4 & (CELL - 1), row = part->window.top >> 4 & (CELL - 1);
-    for (int32_t y = -row; y < (int32_t)part->bottom; y += CELL)
-        for (int32_t x = -column; x < (int32_t)frame->config.tile_width; x += CELL)
-            draw_cell(&w, x, y);
+    w.has_cones = 0;
+    for (uint32_t i = 0; draw->shading->lights >> i; i++)
+        w.has_cones |= draw->shading->lights >> i & 1 && frame->view->lights[i].type->has_cone;
+    draw_cells(&w);
     glint_count(workspace, GLINT_KERNEL_GENERAL, workspace->drawn ? glint_covered_by(part) : 0);
     return 1;
 }

@@ -5,9 +5,10 @@
 #include "../../src/nodes/lattice.c"
 
 /*
- * Not proven: glint_draw_lattice, draw_cell, draw_eight, begin_quarter, light_square, begin_batch, add_node,
- * light_batch, draw_square, draw_one_by_one, glint_draw_edges: squares, nodes and runs inside what cut_square leaves;
- * no arithmetic beyond that. Suites `nodes` and `identity` under ASan and UBSan, and fuzzing.
+ * Not proven: glint_draw_lattice, draw_cells, draw_cell, draw_eight, begin_cell, begin_quarter, begin_square,
+ * swap_nodes, light_square, begin_batch, add_node, light_batch, draw_square, draw_one_by_one, glint_draw_edges:
+ * squares, nodes and runs inside what cut_square leaves; no arithmetic beyond that. Suites `nodes` and `identity` under
+ * ASan and UBSan, and fuzzing.
  */
 /*
  * Not proven: draw_nodes, draw_terms, draw_batch, glint_terms_draw_part: runs of rows, of which counts keep no more

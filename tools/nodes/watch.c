@@ -38,8 +38,8 @@ void __wrap_glint_terms_draw(const glint_frame *frame, glint_workspace *workspac
 void __real_glint_gathering_store(const glint_gathering *gathering);
 void __wrap_glint_gathering_store(const glint_gathering *gathering);
 
-/* At least as many as a cell and all its squares have nodes. */
-enum { PLACES = 128 };
+/* At least as many as four cells and all their squares have nodes: for so long a corner may be kept. */
+enum { PLACES = 512 };
 
 /* A node, and where it lies. */
 typedef struct placed {
