@@ -6,7 +6,7 @@ NODES_PICTURES := nodes.svg ways.svg
 
 # What calls between the library's files pass through: watch.c.
 NODES_WATCHED := glint_render_tile glint_setup glint_draw_unlit glint_terms_begin glint_nodes_light \
-    glint_shape_begin glint_terms_draw glint_gathering_store
+    glint_shape_begin glint_terms_draw_part glint_gathering_store
 
 $(NODES_PROGRAM): $(patsubst %.c,$(BUILD)/host/%.o,tools/nodes/nodes.c tools/nodes/watch.c tests/image/picture.c $(SCENE_SOURCES)) \
         $(BUILD)/host/libglint.a

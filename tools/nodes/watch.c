@@ -16,25 +16,23 @@ void __real_glint_setup(glint_part *part, glint_triangle *triangle);
 void __wrap_glint_setup(glint_part *part, glint_triangle *triangle);
 glint_kernel __real_glint_draw_unlit, __wrap_glint_draw_unlit;
 int __real_glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
-                             const glint_part *part, glint_terms *terms, glint_quadratic plain[3],
-                             glint_descent descents[GLINT_POLYNOMIALS_MAX]);
+                             const glint_part *part, glint_terms *terms, glint_polynomials *polynomials);
 int __wrap_glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
-                             const glint_part *part, glint_terms *terms, glint_quadratic plain[3],
-                             glint_descent descents[GLINT_POLYNOMIALS_MAX]);
+                             const glint_part *part, glint_terms *terms, glint_polynomials *polynomials);
 void __real_glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at,
                               uint32_t lights, uint32_t lobes, glint_node *const nodes[]);
 void __wrap_glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at,
                               uint32_t lights, uint32_t lobes, glint_node *const nodes[]);
 int __real_glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
-                             glint_node *const nodes[], glint_terms *terms,
-                             glint_descent polynomials[GLINT_POLYNOMIALS_MAX]);
+                             glint_node *const nodes[], glint_terms *terms, glint_polynomials *polynomials);
 int __wrap_glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
-                             glint_node *const nodes[], glint_terms *terms,
-                             glint_descent polynomials[GLINT_POLYNOMIALS_MAX]);
-void __real_glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
-                             const glint_descent *polynomials, const glint_run *runs, uint32_t count, uint32_t offset);
-void __wrap_glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
-                             const glint_descent *polynomials, const glint_run *runs, uint32_t count, uint32_t offset);
+                             glint_node *const nodes[], glint_terms *terms, glint_polynomials *polynomials);
+void __real_glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                                  const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
+                                  const glint_polynomials *polynomials);
+void __wrap_glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                                  const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
+                                  const glint_polynomials *polynomials);
 void __real_glint_gathering_store(const glint_gathering *gathering);
 void __wrap_glint_gathering_store(const glint_gathering *gathering);
 
@@ -131,10 +129,9 @@ static node_place middle_of(node_place a, node_place b) {
 }
 
 int __wrap_glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
-                             const glint_part *part, glint_terms *terms, glint_quadratic plain[3],
-                             glint_descent descents[GLINT_POLYNOMIALS_MAX]) {
+                             const glint_part *part, glint_terms *terms, glint_polynomials *polynomials) {
     lit_area *of = &now.seen->areas[now.triangle];
-    if (!__real_glint_terms_begin(frame, draw, triangle, part, terms, plain, descents))
+    if (!__real_glint_terms_begin(frame, draw, triangle, part, terms, polynomials))
         return 0;
     now.usual = terms->is_over_length ? WAY_OVER_LENGTH : terms->is_curved ? WAY_QUADRATICS : WAY_PLANES;
     of->node_count = terms->is_curved ? 6 : 3;
@@ -169,8 +166,7 @@ static node_place place_of(const glint_node *node) {
 }
 
 int __wrap_glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
-                             glint_node *const nodes[], glint_terms *terms,
-                             glint_descent polynomials[GLINT_POLYNOMIALS_MAX]) {
+                             glint_node *const nodes[], glint_terms *terms, glint_polynomials *polynomials) {
     const int is_piece = shape->count != GLINT_CELL_NODES;
     lit_area of = now.seen->areas[now.triangle];
     now.region = -1;
@@ -190,13 +186,19 @@ int __wrap_glint_shape_begin(const glint_frame *frame, const glint_draw *draw, c
     return 1;
 }
 
-void __wrap_glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
-                             const glint_descent *polynomials, const glint_run *runs, uint32_t count, uint32_t offset) {
-    const int column = (int)(offset & ((1u << now.shift) - 1)), row = (int)(offset >> now.shift);
-    for (uint32_t i = 0; i < count && now.region >= 0; i++)
-        for (int x = runs[i].x; x < runs[i].x + runs[i].count; x++)
-            tell_one(column + x, row + runs[i].y, now.of_region, now.region);
-    __real_glint_terms_draw(frame, workspace, terms, polynomials, runs, count, offset);
+/* Of a piece or a square: a triangle's own polynomials are drawn where they are found. */
+void __wrap_glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                                  const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
+                                  const glint_polynomials *polynomials) {
+    static uint16_t before[GLINT_TILE_MAX * GLINT_TILE_MAX];
+    memcpy(before, workspace->depth, sizeof before[0] * (size_t)now.height << now.shift);
+    __real_glint_terms_draw_part(frame, workspace, draw, triangle, part, terms, polynomials);
+    for (int row = (int)part->top; row < (int)part->bottom; row++)
+        for (int column = part->spans[row].left; column < part->spans[row].right; column++) {
+            const int at = (row << now.shift) + column;
+            if (workspace->depth[at] != before[at] && !now.is_told[at])
+                tell_one(column, row, now.of_region, now.region);
+        }
 }
 
 /* ---- Fragments ---- */
