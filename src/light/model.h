@@ -66,6 +66,7 @@ static inline void glint_light_fragments(const glint_shading *shading, uint32_t 
     const int fixed_half_vector = !has_position && !view->local_viewer;
     const uint32_t has_specular = specular ? shading->has_specular >> index & 1 : 0;
     const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED;
+    fragments->is_gated = !ungated;
     if (has_position)
         source->type->illuminate(source, fragments);
     for (uint32_t i = 0; i < fragments->count; i++) {

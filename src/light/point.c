@@ -10,10 +10,12 @@
 glint_status glint_point_attenuation(const glint_light *light, glint_prepared_light *prepared) {
     if (light->linear < 0 || light->quadratic < 0)
         return GLINT_ERROR_ATTENUATION;
-    prepared->point.linear_bits = glint_leading_zeros((uint32_t)light->linear) & 31;
-    prepared->point.quadratic_bits = glint_leading_zeros((uint32_t)light->quadratic) & 31;
-    prepared->point.linear = (uint32_t)light->linear << prepared->point.linear_bits;
-    prepared->point.quadratic = (uint32_t)light->quadratic << prepared->point.quadratic_bits;
+    const unsigned linear_bits = glint_leading_zeros((uint32_t)light->linear) & 31,
+                   quadratic_bits = glint_leading_zeros((uint32_t)light->quadratic) & 31;
+    prepared->point.linear = (uint32_t)light->linear << linear_bits;
+    prepared->point.quadratic = (uint32_t)light->quadratic << quadratic_bits;
+    prepared->point.linear_shift = 17 - (int32_t)linear_bits; /* the distance's is not known yet */
+    prepared->point.quadratic_shift = 34 - (int32_t)quadratic_bits;
     return GLINT_OK;
 }
 
@@ -53,7 +55,9 @@ void glint_point_place(const glint_light *light, glint_prepared_light *prepared,
     unit += glint_shift_right64(unit, 13);  /* over GLINT_UNIT / 2^15, which find_distance's lengths are times */
     unsigned size = glint_bits64((uint64_t)unit) - 31;
     prepared->point.distance_mantissa = (int32_t)glint_shift_right64(unit, size);
-    prepared->point.distance_shift = 30 - (int)size - bits + 28 - 31;
+    const int32_t shift = 30 - (int32_t)size - bits + 28 - 31;
+    prepared->point.linear_shift -= shift;
+    prepared->point.quadratic_shift -= 2 * shift;
 }
 
 /* The high half of a product. */
@@ -62,7 +66,7 @@ static inline uint32_t high_product(uint32_t a, uint32_t b) {
 }
 
 /* x 2^n for x below 2^31, at most 2^30: what is more counts as that. */
-static uint32_t shift_below(uint32_t x, int n) {
+static inline uint32_t shift_below(uint32_t x, int n) {
     if (n < 0)
         return n > -32 ? x >> -n : 0;
     if ((int)glint_leading_zeros(x) > n + 1)
@@ -80,7 +84,8 @@ static inline uint32_t invert(uint32_t x, unsigned *zeros) {
  * 1 / (1 + linear d + quadratic d^2), Q15, for d = distance 2^exponent / inverse_w, distance from 2^14 to 2^16; numbers
  * of 32 bits with a power of two each.
  */
-static uint32_t attenuate(const glint_prepared_light *light, uint32_t inverse_w, uint32_t distance, int exponent) {
+static inline uint32_t attenuate(const glint_prepared_light *light, uint32_t inverse_w, uint32_t distance,
+                                 int exponent) {
     if (!(light->point.linear | light->point.quadratic))
         return 1u << 15;
     if (!inverse_w)
@@ -88,76 +93,116 @@ static uint32_t attenuate(const glint_prepared_light *light, uint32_t inverse_w,
     unsigned zeros, up;
     const uint32_t ratio = distance * invert(inverse_w, &zeros);
     const uint32_t d = high_product(ratio, (uint32_t)light->point.distance_mantissa);
-    const int bits = exponent + (int)zeros - 15 - light->point.distance_shift; /* d 2^bits */
-    const uint32_t linear =
-        shift_below(high_product(d, light->point.linear), 32 + bits - (int)light->point.linear_bits);
-    const uint32_t quadratic = shift_below(high_product(high_product(d, d), light->point.quadratic),
-                                           64 + 2 * bits - (int)light->point.quadratic_bits);
+    const int bits = exponent + (int)zeros;
+    const uint32_t linear = shift_below(high_product(d, light->point.linear), light->point.linear_shift + bits);
+    const uint32_t quadratic =
+        shift_below(high_product(high_product(d, d), light->point.quadratic), light->point.quadratic_shift + 2 * bits);
     const uint32_t inverse = invert((1u << 16) + linear + quadratic, &up); /* of Q16, from 2^16 to 2^16 + 2^31 */
     return (inverse + (1u << (15 - up))) >> (16 - up);
 }
 
-/* Leading zeros of a vector's largest component. */
-static inline unsigned zeros_of(const int32_t v[3]) {
-    return glint_leading_zeros(glint_magnitude_bits(v[0]) | glint_magnitude_bits(v[1]) | glint_magnitude_bits(v[2]));
+/* From a fragment towards the light, in the ray's units times 2^-exponent. */
+typedef struct towards {
+    int32_t x, y, z;
+    int exponent;
+} towards;
+
+/* Leading zeros of its largest component. */
+static inline unsigned zeros_of(const towards *v) {
+    return glint_leading_zeros(glint_magnitude_bits(v->x) | glint_magnitude_bits(v->y) | glint_magnitude_bits(v->z));
 }
 
 /* Is the light here, or so near, next to the eye, that rounding alone tells where? */
-static int is_at_light(const int32_t towards[3], const int32_t ray[3]) {
-    const unsigned bits = 32 - zeros_of(towards), to_eye = 32 - zeros_of(ray);
-    return bits == 0 || bits + 15 <= to_eye; /* short rays are those of small screens */
+static inline int is_at_light(unsigned zeros, const int32_t ray[3]) {
+    const unsigned bits = 32 - zeros;
+    if (bits > 32 - 15) /* then no ray is so long */
+        return 0;
+    const towards eye = {ray[0], ray[1], ray[2], 0};
+    return bits == 0 || bits + 15 <= 32 - zeros_of(&eye); /* short rays are those of small screens */
 }
 
-/*
- * From fragment i towards the light, as 30 bits in the ray's units times 2^-n; Q (1/w) is a product of 61 bits, of
- * which all but lights far beyond what is drawn leave its high half. @return n
- */
-static int find_direction(const glint_prepared_light *light, const glint_fragments *fragments, uint32_t i,
-                          int32_t towards[3]) {
-    const int shift = light->point.shift; /* below 0 only for lights far beyond all that is drawn */
+/* A component of Q (1/w), a product of 61 bits of which its high half is left, times 2^-down. */
+static inline int32_t part_of_position(int32_t mantissa, int32_t inverse_w, unsigned down) {
+    return glint_shift_right((int32_t)glint_shift_right64(glint_product(mantissa, inverse_w), 32), down);
+}
+
+/* Of a light as far away as what is drawn, or nearer. */
+static inline towards find_near(const glint_prepared_light *light, int32_t inverse_w, const int32_t ray[3]) {
+    const int32_t *const mantissa = light->point.mantissa;
+    const unsigned down = (unsigned)glint_least(light->point.shift - 32, 31);
+    return (towards){part_of_position(mantissa[0], inverse_w, down) + ray[0],
+                     part_of_position(mantissa[1], inverse_w, down) + ray[1],
+                     part_of_position(mantissa[2], inverse_w, down) + ray[2], 0};
+}
+
+/* Of one far beyond: 30 bits of 61 or more. */
+static GLINT_NOINLINE void find_far(const glint_prepared_light *light, int32_t inverse_w, const int32_t ray[3],
+                                    towards *to) {
+    const int shift = light->point.shift; /* below 32; below 0 only for lights far beyond all that is drawn */
     int64_t far[3];
+    int32_t v[3];
     for (int c = 0; c < 3; c++) {
-        const int64_t position = glint_product(light->point.mantissa[c], fragments->inverse_w[i]);
-        const int32_t ray = fragments->ray[i][c];
-        if (shift >= 32)
-            towards[c] =
-                glint_shift_right((int32_t)glint_shift_right64(position, 32), (unsigned)glint_least(shift - 32, 31)) +
-                ray;
-        else
-            far[c] = shift < 0 ? position + glint_shift_right(ray, (unsigned)-shift)
-                               : glint_shift_right64(position, (unsigned)shift) + ray;
+        const int64_t position = glint_product(light->point.mantissa[c], inverse_w);
+        far[c] = shift < 0 ? position + glint_shift_right(ray[c], (unsigned)-shift)
+                           : glint_shift_right64(position, (unsigned)shift) + ray[c];
     }
-    return shift >= 32 ? 0 : (int)glint_reduce(far, towards) - (shift < 0 ? shift : 0);
+    const unsigned exponent = glint_reduce(far, v);
+    *to = (towards){v[0], v[1], v[2], (int)exponent - (shift < 0 ? shift : 0)};
+}
+
+/* A component with 15 bits, of a vector of so many leading zeros. */
+static inline int32_t to_15_bits_of(int32_t component, int down) {
+    return down > 0 ? glint_shift_right(glint_shift_right(component, (unsigned)down - 1) + 1, 1)
+                    : glint_shift_left(component, (unsigned)-down);
 }
 
 /* A vector's direction, unit, and length times GLINT_UNIT / 2^15, of 16 bits times a power of two; v is not 0. */
-static uint32_t find_distance(int32_t v[3], int *exponent, int16_t direction[3]) {
-    const int down = 17 - (int)zeros_of(v); /* to components of 15 bits */
-    for (int c = 0; c < 3; c++)
-        v[c] = down > 0 ? glint_shift_right(glint_shift_right(v[c], (unsigned)down - 1) + 1, 1)
-                        : glint_shift_left(v[c], (unsigned)-down);
-    const uint32_t square = (uint32_t)(v[0] * v[0]) + (uint32_t)(v[1] * v[1]) + (uint32_t)(v[2] * v[2]);
+static inline uint32_t find_distance(towards *v, unsigned zeros, int16_t direction[3]) {
+    const int down = 17 - (int)zeros;
+    const int32_t x = to_15_bits_of(v->x, down), y = to_15_bits_of(v->y, down), z = to_15_bits_of(v->z, down);
+    const uint32_t square = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
     const int32_t root = glint_inverse_root(square);
-    for (int c = 0; c < 3; c++)
-        direction[c] = (int16_t)glint_shift_right(v[c] * root + 0x4000, 15);
-    *exponent += down;
+    direction[0] = (int16_t)glint_shift_right(x * root + 0x4000, 15);
+    direction[1] = (int16_t)glint_shift_right(y * root + 0x4000, 15);
+    direction[2] = (int16_t)glint_shift_right(z * root + 0x4000, 15);
+    v->exponent += down;
     return ((square + (1u << 13)) >> 14) * (uint32_t)root >> 16;
 }
 
+/*
+ * Does a surface face away, whatever a direction is rounded to? Its components are off by at most 2.4 of UNIT, N.L by
+ * 4.2 |v| over |v|, and |v| is below 2 2^bits.
+ */
+static inline int faces_away(const int16_t normal[3], const towards *v, unsigned zeros) {
+    const int64_t along = (int64_t)normal[0] * v->x + (int64_t)normal[1] * v->y + (int64_t)normal[2] * v->z;
+    return along < -((int64_t)9 << (32 - zeros));
+}
+
 /* Direction to a light, unit, strength there, and how far it is. */
-static void illuminate_one(const glint_prepared_light *light, glint_fragments *fragments, uint32_t i) {
-    int32_t v[3];
-    int exponent = find_direction(light, fragments, i, v);
+static inline void illuminate_one(const glint_prepared_light *light, glint_fragments *fragments, uint32_t i) {
+    const int32_t *const ray = fragments->ray[i], inverse_w = fragments->inverse_w[i];
+    int16_t *const direction = fragments->light[i];
+    towards v;
+    if (light->point.shift >= 32)
+        v = find_near(light, inverse_w, ray);
+    else
+        find_far(light, inverse_w, ray, &v);
+    const unsigned zeros = zeros_of(&v);
     fragments->strength[i] = 0;
     fragments->length[i] = 0;
-    if (is_at_light(v, fragments->ray[i])) {
-        glint_unit(v[0], v[1], v[2], fragments->light[i]);
+    if (fragments->is_gated && faces_away(fragments->normal[i], &v, zeros)) {
+        for (int c = 0; c < 3; c++)
+            direction[c] = (int16_t)-fragments->normal[i][c];
         return;
     }
-    const uint32_t length = find_distance(v, &exponent, fragments->light[i]);
-    fragments->strength[i] = (uint16_t)attenuate(light, (uint32_t)fragments->inverse_w[i], length, exponent);
+    if (is_at_light(zeros, ray)) {
+        glint_unit(v.x, v.y, v.z, direction);
+        return;
+    }
+    const uint32_t length = find_distance(&v, zeros, direction);
+    fragments->strength[i] = (uint16_t)attenuate(light, (uint32_t)inverse_w, length, v.exponent);
     fragments->length[i] = length;
-    fragments->exponent[i] = (int8_t)exponent;
+    fragments->exponent[i] = (int8_t)v.exponent;
 }
 
 uint32_t glint_point_closeness(const glint_fragments *fragments, uint32_t i) {

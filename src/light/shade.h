@@ -27,6 +27,7 @@ typedef struct glint_fragments {
     int32_t ray[GLINT_FRAGMENTS_MAX][3];     /* towards the eye: minus the position times 1/w, Q12 */
     int16_t normal[GLINT_FRAGMENTS_MAX][3];  /* unit */
     int16_t view[GLINT_FRAGMENTS_MAX][3];    /* unit, towards the eye */
+    uint8_t is_gated;                        /* lights that they face away from need not be found */
     int16_t light[GLINT_FRAGMENTS_MAX][3];   /* unit, towards a light that has a position */
     uint16_t strength[GLINT_FRAGMENTS_MAX];  /* of that light, Q15 */
     uint32_t length[GLINT_FRAGMENTS_MAX];    /* distance to it in the ray's units, times UNIT / 2^15: this times */

@@ -130,6 +130,7 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
     const int has_position = source->type->illuminate != 0;
     const int32_t clearly = has_position ? CLEARLY_LIT_NEAR : CLEARLY_LIT;
     const uint8_t bit = (uint8_t)(1u << i);
+    at->is_gated = 0;
     if (has_position)
         glint_point_illuminate(source, at);
     for (uint32_t n = 0; n < at->count; n++) {

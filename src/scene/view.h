@@ -20,10 +20,9 @@ typedef struct glint_prepared_light {
         int32_t mantissa[3]; /* position times 2 focal lengths over the frame's nearest w: mantissa 2^-shift, Q12, over
                                 Q31 */
         int32_t shift;
-        int32_t distance_mantissa; /* |light vector| UNIT / 2^15 over 1/w to world units: mantissa 2^-shift, 31 bits */
-        int32_t distance_shift;
-        uint32_t linear, quadratic; /* Q16, times 2 to the power of these bits: 2^31 or more, or 0 */
-        uint32_t linear_bits, quadratic_bits;
+        int32_t distance_mantissa;  /* |light vector| UNIT / 2^15 over 1/w to world units, times a power of two */
+        uint32_t linear, quadratic; /* 2^31 or more, or 0. Of a distance d times that mantissa is lost: */
+        int32_t linear_shift, quadratic_shift; /* linear d 2^(this - 33), quadratic d^2 2^(this - 50) */
     } point;
     struct {
         int32_t cosine_outer, cosine_inner; /* times GLINT_UNIT^2 */

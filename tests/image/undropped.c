@@ -84,6 +84,7 @@ static inline void light_fragment(const glint_shading *shading, uint32_t index, 
 static inline void light_all(const glint_shading *shading, uint32_t index, const glint_view *view,
                              glint_fragments *fragments, int has_surface, lobe specular) {
     const glint_prepared_light *source = &view->lights[index];
+    fragments->is_gated = 0;
     if (source->type->illuminate)
         source->type->illuminate(source, fragments);
     for (uint32_t i = 0; i < fragments->count; i++)

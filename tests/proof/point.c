@@ -14,18 +14,20 @@ static void any_placed(glint_prepared_light *light) {
         light->point.mantissa[c] = ANY_INT;
     light->point.shift = ANY(-16, 122);
     light->point.distance_mantissa = ANY(1 << 30, INT32_MAX);
-    light->point.distance_shift = ANY(-46, 44);
     light->point.linear = ANY_UNSIGNED(0, UINT_MAX);
     light->point.quadratic = ANY_UNSIGNED(0, UINT_MAX);
-    light->point.linear_bits = ANY_UNSIGNED(0, 31);
-    light->point.quadratic_bits = ANY_UNSIGNED(0, 31);
+    light->point.linear_shift = ANY(-58, 63);
+    light->point.quadratic_shift = ANY(-85, 126);
 }
 
 static void any_fragment(glint_fragments *fragments) {
     fragments->count = 1;
     fragments->inverse_w[0] = ANY(0, INT32_MAX);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
         fragments->ray[0][c] = ANY(c < 2 ? -MOST : 0, MOST);
+        fragments->normal[0][c] = ANY_COMPONENT;
+    }
+    fragments->is_gated = (uint8_t)ANY(0, 1);
 }
 
 /*@ requires \valid_read(scaled + (0 .. 2)) && \valid(mantissa + (0 .. 2));
@@ -36,32 +38,29 @@ static void any_fragment(glint_fragments *fragments) {
     ensures \initialized(mantissa + (0 .. 2)); */
 static int find_mantissas(const int64_t scaled[3], int64_t n, int32_t mantissa[3]);
 
-/*@ requires \valid_read(light) && \valid_read(fragments) && \valid(towards + (0 .. 2));
-    requires i == 0;
-    assigns \result, towards[0 .. 2] \from indirect: *light, indirect: *fragments, indirect: i;
-    ensures 0 <= \result <= 51;
-    ensures \initialized(towards + (0 .. 2)); */
-static int find_direction(const glint_prepared_light *light, const glint_fragments *fragments, uint32_t i,
-                          int32_t towards[3]);
+/*@ requires \valid_read(light) && \valid_read(ray + (0 .. 2)) && \valid(to);
+    assigns *to \from indirect: *light, inverse_w, ray[0 .. 2];
+    ensures \initialized(to) && 0 <= to->exponent <= 51; */
+static void find_far(const glint_prepared_light *light, int32_t inverse_w, const int32_t *ray, towards *to);
 
 /* Stands on what glint_unit does: the same steps; and on a root's relative error of at most 5.44e-5, which leaves a
  * length of 2^28 and more no less than 2^14 but for rounding: `make domains` takes every root. */
-/*@ requires \valid(v + (0 .. 2)) && \valid(exponent) && \valid(direction + (0 .. 2));
-    requires 0 <= *exponent <= 51;
-    assigns \result, v[0 .. 2], direction[0 .. 2] \from v[0 .. 2];
-    assigns *exponent \from *exponent, v[0 .. 2];
-    ensures -15 <= *exponent <= 67;
+/*@ requires \valid(v) && \valid(direction + (0 .. 2)) && zeros <= 32;
+    requires 0 <= v->exponent <= 51;
+    assigns \result, direction[0 .. 2] \from *v, zeros;
+    assigns v->exponent \from v->exponent, zeros;
+    ensures -15 <= v->exponent <= 67;
     ensures \result <= 0xffff;
     admit ensures \result >= 1;
     ensures \initialized(direction + (0 .. 2));
     admit ensures \subset(direction[0 .. 2], (-32767 .. 32767)); */
-static uint32_t find_distance(int32_t v[3], int *exponent, int16_t direction[3]);
+static inline uint32_t find_distance(towards *v, unsigned zeros, int16_t *direction);
 
 /*@ requires x < 0x80000000;
     requires -115 <= n <= 322;
     assigns \result \from x, n;
     ensures \result <= 0x40000000; */
-static uint32_t shift_below(uint32_t x, int n);
+static inline uint32_t shift_below(uint32_t x, int n);
 
 #define ONE_OF_4(x, n) ((x) == (n) || (x) == (n) + 1 || (x) == (n) + 2 || (x) == (n) + 3)
 #define ONE_OF_16(x, n) (ONE_OF_4(x, n) || ONE_OF_4(x, (n) + 4) || ONE_OF_4(x, (n) + 8) || ONE_OF_4(x, (n) + 12))
@@ -80,7 +79,7 @@ static inline uint32_t invert(uint32_t x, unsigned *zeros);
     requires -15 <= exponent <= 67;
     assigns \result \from *light, inverse_w, distance, exponent;
     ensures \result <= 0x8000; */
-static uint32_t attenuate(const glint_prepared_light *light, uint32_t inverse_w, uint32_t distance, int exponent);
+static inline uint32_t attenuate(const glint_prepared_light *light, uint32_t inverse_w, uint32_t distance, int exponent);
 
 /* Any attenuation. */
 PROOF(prepare_point) {
@@ -105,10 +104,12 @@ PROOF(glint_point_place) {
     FOR_PARTS(bits, 13, 58) {
         const int64_t least = (int64_t)1 << (bits - 1);
         view.nearest = ANY_LONG(least, bits < 58 ? 2 * least - 1 : least);
+        prepared.point.linear_shift = ANY(17 - 31, 17);
+        prepared.point.quadratic_shift = ANY(34 - 31, 34);
         glint_point_place(&light, &prepared, &view);
     }
     /*@ assert -16 <= prepared.point.shift <= 122; */
-    /*@ assert -46 <= prepared.point.distance_shift <= 44; */
+    /*@ assert -58 <= prepared.point.linear_shift <= 63 && -85 <= prepared.point.quadratic_shift <= 126; */
 }
 
 /* Any x below 2^31, by its bits, and any shift. */
@@ -169,14 +170,40 @@ PROOF(glint_point_closeness) {
     /*@ assert 1 <= closeness <= 0xffff; */
 }
 
-/* Any light, any ray of up to 2^30 and any 1/w. @contract glint_reduce */
-PROOF(find_direction) {
+/* Any light near or far, any ray of up to 2^30 and any 1/w. */
+PROOF(find_near) {
     glint_prepared_light light;
     glint_fragments fragments;
-    int32_t towards[3];
     any_placed(&light);
+    light.point.shift = ANY(32, 122);
     any_fragment(&fragments);
-    find_direction(&light, &fragments, 0, towards);
+    find_near(&light, fragments.inverse_w[0], fragments.ray[0]);
+}
+
+/* Any light far beyond what is drawn, any ray of up to 2^30 and any 1/w. @contract glint_reduce */
+PROOF(find_far) {
+    glint_prepared_light light;
+    glint_fragments fragments;
+    towards to;
+    any_placed(&light);
+    light.point.shift = ANY(-16, 31);
+    any_fragment(&fragments);
+    find_far(&light, fragments.inverse_w[0], fragments.ray[0], &to);
+}
+
+/* Any vector, any normal, any leading zeros. */
+PROOF(faces_away) {
+    glint_fragments fragments;
+    const towards v = {ANY_INT, ANY_INT, ANY_INT, 0};
+    any_fragment(&fragments);
+    faces_away(fragments.normal[0], &v, ANY_UNSIGNED(0, 32));
+}
+
+/* Any ray, any leading zeros. */
+PROOF(is_at_light) {
+    glint_fragments fragments;
+    any_fragment(&fragments);
+    is_at_light(ANY_UNSIGNED(0, 32), fragments.ray[0]);
 }
 
 /* A component of exactly so many bits, as glint_magnitude_bits counts, or fewer. */
@@ -196,18 +223,19 @@ static int32_t any_component(int bits, int exactly, int negative) {
 PROOF(find_distance) {
     FOR_PARTS(bits, 0, 31) {
         FOR_PARTS(signs, 0, 7) {
-            int exponent = ANY(0, 51);
             int16_t direction[3];
-            int32_t v[3];
-            for (int c = 0; c < 3; c++)
-                v[c] = any_component((int)bits, c == 0, signs >> c & 1);
+            towards v;
+            v.x = any_component((int)bits, 1, signs & 1);
+            v.y = any_component((int)bits, 0, signs >> 1 & 1);
+            v.z = any_component((int)bits, 0, signs >> 2 & 1);
+            v.exponent = ANY(0, 51);
             if (bits || signs)
-                find_distance(v, &exponent, direction);
+                find_distance(&v, 32 - (unsigned)bits, direction);
         }
     }
 }
 
-/* Any light and fragment. @contract find_direction glint_unit find_distance attenuate */
+/* Any light and fragment. @contract find_far glint_unit find_distance attenuate */
 PROOF(glint_point_illuminate) {
     glint_prepared_light light;
     glint_fragments fragments;

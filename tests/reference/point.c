@@ -61,19 +61,19 @@ static void attenuate_about(glint_prepared_light *light, const glint_fragments *
     long double v[3];
     const long double ratio = find_vector(light, fragments, 0, v) / fragments->inverse_w[0];
     light->point.distance_mantissa = (int32_t)(0x40000000u | random_bits() >> 2);
-    light->point.distance_shift = (int)ceill(log2l(ratio)) + 30 + random_from(-16, 16);
+    const int shift = (int)ceill(log2l(ratio)) + 30 + random_from(-16, 16);
+    light->point.linear_shift -= shift;
+    light->point.quadratic_shift -= 2 * shift;
 }
 
 /* The share of light left at such a distance. */
 static long double find_strength(const glint_prepared_light *light, const glint_fragments *fragments, uint32_t i,
                                  long double length) {
-    const long double linear = ldexpl(light->point.linear, -16 - (int)light->point.linear_bits);
-    const long double quadratic = ldexpl(light->point.quadratic, -16 - (int)light->point.quadratic_bits);
-    if (linear + quadratic == 0)
+    if (!light->point.linear && !light->point.quadratic)
         return 1;
-    const long double distance = length * GLINT_UNIT / 32768 / fragments->inverse_w[i];
-    const long double d = ldexpl(distance * light->point.distance_mantissa, -light->point.distance_shift);
-    return 1 / (1 + linear * d + quadratic * d * d);
+    const long double d = length * GLINT_UNIT / 32768 / fragments->inverse_w[i] * light->point.distance_mantissa;
+    return 1 / (1 + ldexpl(light->point.linear * d, light->point.linear_shift - 33) +
+                ldexpl(light->point.quadratic * d * d, light->point.quadratic_shift - 50));
 }
 
 /* Largest errors found: of a direction's component, of strength, in steps. */
@@ -119,6 +119,7 @@ static void lights_of_every_size_and_place(void) {
         glint_fragments fragments;
         make_light(&light);
         make_fragments(&fragments);
+        fragments.is_gated = 0;
         attenuate_about(&light, &fragments);
         glint_point_illuminate(&light, &fragments);
         for (uint32_t i = 0; i < fragments.count; i++)
