@@ -14,7 +14,7 @@ typedef struct painter {
 
 static void draw_batch(const glint_frame *frame, glint_workspace *workspace, const painter *by, const glint_part *part,
                        const glint_run *runs, uint32_t count) {
-    glint_terms_draw(frame, workspace, by->terms, by->polynomials, runs, count, 0);
+    glint_terms_draw(frame, workspace, by->terms, by->polynomials, runs, count);
     if (by->terms->margin)
         glint_draw_edges(frame, workspace, by->draw, by->triangle, part, by->terms, by->polynomials, runs, count);
 }

@@ -23,7 +23,7 @@ typedef struct pixel_runs {
 static inline glint_progress start(const glint_descent *p, const glint_run *run, const pixel_runs *to) {
     if (to->is_curved)
         return glint_progress_at(p, run->x, run->y);
-    return (glint_progress){p->row.value + p->row.step * run->x + p->down.value * run->y, p->row.step, 0};
+    return (glint_progress){p->row.value + p->row.step * run->x + p->down * run->y, p->row.step, 0};
 }
 
 /* A number at pixel i of a run. */
@@ -331,7 +331,7 @@ uint32_t glint_terms_find_edge(const glint_terms *terms, const glint_descent *po
 }
 
 void glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
-                      const glint_descent *polynomials, const glint_run *runs, uint32_t count, uint32_t offset) {
+                      const glint_descent *polynomials, const glint_run *runs, uint32_t count) {
     const glint_format *format = frame->config.format;
     const unsigned shift = frame->tile_shift_x;
     int32_t(*row)[3] = workspace->row;
@@ -340,6 +340,6 @@ void glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, cons
     if (frame->config.gamma)
         glint_finish_colours(&frame->config, row, pixels);
     for (const glint_run *run = runs; run != to.end; row += run->count, run++)
-        format->store(workspace->pixels, shift, offset + ((uint32_t)run->y << shift) + run->x, run->count,
+        format->store(workspace->pixels, shift, ((uint32_t)run->y << shift) + run->x, run->count,
                       (const int32_t(*)[3])row);
 }

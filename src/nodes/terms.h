@@ -287,9 +287,9 @@ size_t glint_terms_measure(const glint_frame *frame, const glint_shading *shadin
 /** Finds what all materials make of the lights, behind their shadings. */
 glint_status glint_terms_prepare(glint_frame *frame);
 
-/** Draws runs that have no more pixels than workspace->row; x and y are from pixel `offset` of the tile on. */
+/** Draws runs that have no more pixels than workspace->row. */
 void glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
-                      const glint_descent *polynomials, const glint_run *runs, uint32_t count, uint32_t offset);
+                      const glint_descent *polynomials, const glint_run *runs, uint32_t count);
 
 /** Cosines below which wide highlights are steep where p < 1, Q14. */
 #define GLINT_HORIZON (1 << 11)

@@ -83,13 +83,13 @@ static void any_runs(int32_t least, int32_t most) {
 
 /* A polynomial that at each pixel is from 0 to `most`, or below 0. */
 static void any_polynomial(glint_descent *p, int is_below, int32_t most) {
-    *p = (glint_descent){{0, 0, 0}, {0, 0, 0}, 0, 0};
+    *p = (glint_descent){{0, 0, 0}, 0, 0, 0};
     p->row.value = is_below ? ANY_UNSIGNED(0u - (uint32_t)most, UINT_MAX) : ANY_UNSIGNED(0, (uint32_t)most);
 }
 
 /* Any polynomial. */
 static void any_number(glint_descent *p) {
-    *p = (glint_descent){{0, 0, 0}, {0, 0, 0}, 0, 0};
+    *p = (glint_descent){{0, 0, 0}, 0, 0, 0};
     p->row.value = ANY_UNSIGNED(0, UINT_MAX);
 }
 
