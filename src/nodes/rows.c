@@ -144,22 +144,40 @@ static inline int32_t smooth_step_at(int32_t value) {
     return (int32_t)(((uint32_t)(t * t) >> 15) * (uint32_t)((3 << 15) - 2 * t) >> 15);
 }
 
-/* Adds a light where it shines. */
-static void add_side(const light_parts *of, const uint16_t weight[3], const pixel_runs *to) {
+/* Adds a light where it shines; `is_over` and `has_cone` are constants where this is inlined. */
+static GLINT_INLINE void add_side_inline(const light_parts *of, const uint16_t weight[3], const pixel_runs *to,
+                                         int is_over, int has_cone) {
+    const int32_t by_red = weight[0], by_green = weight[1], by_blue = weight[2];
     int32_t(*row)[3] = to->row;
     inverses inverse = to->inverse;
     for (const glint_run *run = to->runs; run != to->end; run++) {
-        glint_progress cosine = start(of->side, run, to);
-        for (uint32_t i = 0; i < run->count; i++, row++, go_on(&cosine)) {
-            const uint32_t over = inverse ? *inverse++ : 1u << 15;
+        glint_progress cosine = start(of->side, run, to), cone = start(has_cone ? of->cone : of->side, run, to);
+        for (int32_t(*const end)[3] = row + run->count; row != end; row++, go_on(&cosine)) {
+            const uint32_t over = is_over ? *inverse++ : 1u << 15;
+            const int32_t within = (int32_t)cone.value;
+            if (has_cone)
+                go_on(&cone);
             if ((int32_t)cosine.value <= 0)
                 continue;
-            int32_t amount = glint_shift_right((int32_t)((cosine.value >> 15) * over), 15);
-            if (of->cone)
-                amount = glint_shift_right(amount * smooth_step_at(at(of->cone, run, i)), 15);
-            add(*row, amount, weight);
+            int32_t amount = (int32_t)(cosine.value >> 15);
+            if (is_over)
+                amount = glint_shift_right((int32_t)((uint32_t)amount * over), 15);
+            if (has_cone)
+                amount = glint_shift_right(amount * smooth_step_at(within), 15);
+            (*row)[0] += amount * by_red;
+            (*row)[1] += amount * by_green;
+            (*row)[2] += amount * by_blue;
         }
     }
+}
+
+static void add_side(const light_parts *of, const uint16_t weight[3], const pixel_runs *to) {
+    if (of->cone)
+        add_side_inline(of, weight, to, to->inverse != 0, 1);
+    else if (to->inverse)
+        add_side_inline(of, weight, to, 1, 0);
+    else
+        add_side_inline(of, weight, to, 0, 0);
 }
 
 /* What distance, terminator and cone leave of a highlight at a pixel. */
@@ -171,38 +189,65 @@ static int32_t weaken(int32_t power, const light_parts *of, int is_ungated, cons
     return of->cone ? glint_shift_right(power * smooth_step_at(at(of->cone, run, i)), 15) : power;
 }
 
-/* Adds a highlight; `general` is a constant where this is inlined. */
-static inline void add_lobe_inline(const glint_terms *terms, const light_parts *of, const uint16_t weight[3],
-                                   const pixel_runs *to, int general) {
-    const uint32_t end = terms->light->lobe_end;
-    const unsigned shift = 2 * terms->light->lobe_shift;
+/*
+ * A power table over squared deviations as these are kept: glint_power_at of them. Its window is no less than 1/15 of
+ * where lobes end, to which deviations are kept with 24 bits: no shift is below 0.
+ */
+typedef struct lobe_table {
+    const uint16_t *value;
+    uint32_t end;             /* beyond, the power is 0 or need not show */
+    unsigned index, fraction; /* shifts */
+} lobe_table;
+
+static lobe_table table_of(const glint_terms *terms) {
+    const glint_power_table *power = terms->power;
+    const unsigned kept = 2 * terms->light->lobe_shift; /* u, Q30, is 4 times a square, over 2^kept */
+    const uint32_t window = power->window >> 2 << kept, end = terms->light->lobe_end;
+    const unsigned index = power->index_shift + kept - 2;
+    return (lobe_table){power->value, end < window ? end : window, index, index - GLINT_POWER_FRACTION_BITS};
+}
+
+static inline int32_t power_of_square(const lobe_table *table, uint32_t square) {
+    const uint16_t *const node = &table->value[square >> table->index];
+    const int32_t fraction = (int32_t)(square >> table->fraction & ((1u << GLINT_POWER_FRACTION_BITS) - 1));
+    return node[0] + glint_shift_right((node[1] - node[0]) * fraction, GLINT_POWER_FRACTION_BITS);
+}
+
+/* Adds a highlight; how numbers are over length, and whether it is weakened, are constants where this is inlined. */
+static GLINT_INLINE void add_lobe_inline(const glint_terms *terms, const light_parts *of, const uint16_t weight[3],
+                                         const pixel_runs *to, uint32_t times_over, int is_weak) {
+    const lobe_table table = table_of(terms);
     int32_t(*row)[3] = to->row;
     inverses inverse = to->inverse;
     for (const glint_run *run = to->runs; run != to->end; run++) {
         glint_progress x = start(&of->lobe[0], run, to), y = start(&of->lobe[1], run, to);
-        for (uint32_t i = 0; i < run->count; i++, row++, go_on(&x), go_on(&y)) {
+        int32_t(*const begin)[3] = row;
+        for (int32_t(*const end)[3] = row + run->count; row != end; row++, go_on(&x), go_on(&y)) {
             int32_t dx = glint_shift_right((int32_t)x.value, 16), dy = glint_shift_right((int32_t)y.value, 16);
-            if (general && inverse) {
-                for (uint32_t n = terms->is_over_length; n; n--) {
-                    dx = glint_shift_right(dx * *inverse, 15);
-                    dy = glint_shift_right(dy * *inverse, 15);
-                }
-                inverse++;
+            for (uint32_t n = times_over; n; n--) {
+                dx = glint_shift_right(dx * *inverse, 15);
+                dy = glint_shift_right(dy * *inverse, 15);
             }
+            if (times_over)
+                inverse++;
             const uint32_t square = (uint32_t)(dx * dx) + (uint32_t)(dy * dy);
-            if (square >= end)
+            if (square >= table.end)
                 continue;
-            const int32_t power = (int32_t)glint_power_at(terms->power, square << 2 >> shift);
-            add(*row, general ? weaken(power, of, terms->is_ungated, run, i) : power, weight);
+            const int32_t power = power_of_square(&table, square);
+            add(*row, is_weak ? weaken(power, of, terms->is_ungated, run, (uint32_t)(row - begin)) : power, weight);
         }
     }
 }
 
 static void add_lobe(const glint_terms *terms, const light_parts *of, const uint16_t weight[3], const pixel_runs *to) {
-    if (terms->is_over_length || of->side || of->strength || of->cone)
-        add_lobe_inline(terms, of, weight, to, 1);
+    if (GLINT_SMALL || terms->is_over_length > 1)
+        add_lobe_inline(terms, of, weight, to, terms->is_over_length, 1);
+    else if (terms->is_over_length)
+        add_lobe_inline(terms, of, weight, to, 1, 1);
+    else if (of->side || of->strength || of->cone)
+        add_lobe_inline(terms, of, weight, to, 0, 1);
     else
-        add_lobe_inline(terms, of, weight, to, 0);
+        add_lobe_inline(terms, of, weight, to, 0, 0);
 }
 
 /* Adds a highlight of the cosine. */
