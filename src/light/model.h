@@ -50,9 +50,8 @@ static inline int32_t glint_mirror_one(int32_t twice, int32_t normal, int32_t li
     return glint_shift_right(glint_add_wrap(glint_multiply_wrap(twice, normal), -light * (1 << 15)), 15);
 }
 
-/** R = 2 (N.L) N - L, unit. */
-static inline void glint_mirror(const int16_t normal[3], const int16_t light[3], int16_t mirrored[3]) {
-    const int32_t cosine = glint_dot(normal, light);
+/** R = 2 (N.L) N - L, unit; N.L as glint_dot has it. */
+static inline void glint_mirror(int32_t cosine, const int16_t normal[3], const int16_t light[3], int16_t mirrored[3]) {
     const int32_t twice = glint_shift_right(cosine + glint_shift_right(cosine, 12), 14); /* 2 N.L, Q15 */
     glint_unit(glint_mirror_one(twice, normal[0], light[0]), glint_mirror_one(twice, normal[1], light[1]),
                glint_mirror_one(twice, normal[2], light[2]), mirrored);

@@ -6,7 +6,7 @@ static uint32_t specular_of_mirror(const glint_power_table *table, const glint_p
                                    const int16_t normal[3], const int16_t light[3], const int16_t view[3]) {
     (void)source;
     int16_t mirrored[3];
-    glint_mirror(normal, light, mirrored);
+    glint_mirror(glint_dot(normal, light), normal, light, mirrored);
     int32_t along = glint_dot(mirrored, view);
     if (along <= 0)
         return glint_power_of_zero(table);

@@ -21,27 +21,12 @@ void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[
     ray[2] = frame->view->focal;
 }
 
-/* What a lobe lies around, and what turns about it: H and N, or V and R. @return 0 where there is none */
-static int find_half_axis(const glint_model *model, const glint_prepared_light *source, int is_fixed,
-                          const int16_t normal[3], const int16_t light[3], const int16_t view[3], int16_t turning[3],
-                          int16_t axis[3], uint32_t *half) {
-    for (int c = 0; c < 3; c++) {
-        turning[c] = normal[c];
-        axis[c] = view[c];
-    }
-    if (model->lobe == GLINT_LOBE_MIRROR) {
-        glint_mirror(normal, light, turning);
-        return 1;
-    }
-    if (is_fixed) {
-        for (int c = 0; c < 3; c++)
-            axis[c] = source->half_vector[c];
-        return axis[2] > 0;
-    }
+/* The half vector, and half its square before it is made unit. @return 0 where it turns too fast, or points away */
+static int find_half_vector(const int16_t light[3], const int16_t view[3], uint32_t *least, int16_t axis[3]) {
     const int32_t square = glint_shift_right(GLINT_UNIT * GLINT_UNIT + glint_dot(light, view), 15);
     if (square < LEAST_HALF_SQUARE)
         return 0;
-    *half = (uint32_t)glint_least((int32_t)*half, square);
+    *least = (uint32_t)glint_least((int32_t)*least, square);
     glint_unit(light[0] + view[0], light[1] + view[1], light[2] + view[2], axis);
     return axis[2] >= 0;
 }
@@ -81,23 +66,34 @@ static int find_lobe_deviation(const int16_t n[3], const int16_t h[3], unsigned 
     return is_far;
 }
 
-/* N.L, Q15. */
-static inline int32_t find_signed_cosine(const int16_t normal[3], const int16_t light[3]) {
-    const int32_t cosine = glint_dot(normal, light); /* UNIT^2 is 2^30 less a part in 2^12 */
-    return glint_least(glint_shift_right(cosine + glint_shift_right(cosine, 12), 15), INT16_MAX);
+/* A cosine, Q15, of two unit vectors' product. */
+static inline int32_t signed_cosine(int32_t dot) { /* UNIT^2 is 2^30 less a part in 2^12 */
+    return glint_least(glint_shift_right(dot + glint_shift_right(dot, 12), 15), INT16_MAX);
 }
 
+/* A lobe lies around H, and N turns about it; or around V, and R does. */
 static void light_lobe(const glint_shading *shading, uint32_t i, const glint_prepared_light *source, int is_fixed,
-                       const glint_fragments *at, uint32_t n, const int16_t *light, glint_node *node) {
-    int16_t turning[3], axis[3];
+                       const glint_fragments *at, uint32_t n, const int16_t *light, int32_t dot, glint_node *node) {
+    int16_t own[3];
+    const int16_t *turning = at->normal[n], *axis = own;
+    int is_there = 1;
     node->number[i][GLINT_LOBE_X] = node->number[i][GLINT_LOBE_Y] = 0;
-    const uint32_t is_gated = !(shading->material->flags & GLINT_MATERIAL_UNGATED);
-    uint32_t unused = 1 << 14, *const half = node->dark >> i & is_gated ? &unused : &node->half;
-    if (!find_half_axis(shading->material->model, source, is_fixed, at->normal[n], light, at->view[n], turning, axis,
-                        half))
+    if (shading->material->model->lobe == GLINT_LOBE_MIRROR) {
+        glint_mirror(dot, at->normal[n], light, own);
+        turning = own;
+        axis = at->view[n];
+    } else if (is_fixed) {
+        axis = source->half_vector;
+        is_there = axis[2] > 0;
+    } else {
+        const uint32_t is_gated = !(shading->material->flags & GLINT_MATERIAL_UNGATED);
+        uint32_t unused = 1 << 14;
+        is_there = find_half_vector(light, at->view[n], node->dark >> i & is_gated ? &unused : &node->half, own);
+    }
+    if (!is_there)
         node->unfit |= (uint8_t)(1u << i);
     else if (shading->terms->lobe_is_wide)
-        node->number[i][GLINT_LOBE_X] = (int16_t)(find_signed_cosine(turning, axis) >> 1);
+        node->number[i][GLINT_LOBE_X] = (int16_t)(signed_cosine(glint_dot(turning, axis)) >> 1);
     else if (find_lobe_deviation(turning, axis, shading->terms->lobe_shift, node->number[i]))
         node->far |= (uint8_t)(1u << i);
 }
@@ -137,7 +133,7 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
         glint_node *node = nodes[n];
         const int16_t *light = has_position ? at->light[n] : source->direction;
         const int32_t strength = has_position ? at->strength[n] : 1 << 15;
-        const int32_t cosine = find_signed_cosine(at->normal[n], light);
+        const int32_t dot = glint_dot(at->normal[n], light), cosine = signed_cosine(dot);
         int is_lit = cosine > clearly;
         /* right at a light its direction tells nothing */
         const int is_dark = cosine < -clearly && !(has_position && !at->length[n]);
@@ -148,7 +144,7 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
         node->number[i][GLINT_SIDE] = (int16_t)glint_shift_right(cosine * strength, 16);
         node->number[i][GLINT_STRENGTH] = (int16_t)glint_shift_right(strength, 1);
         if (lobes & bit)
-            light_lobe(shading, i, source, !has_position && !frame->view->local_viewer, at, n, light, node);
+            light_lobe(shading, i, source, !has_position && !frame->view->local_viewer, at, n, light, dot, node);
         const uint32_t closeness = has_position ? glint_point_closeness(at, n) : 0;
         if (closeness > node->around) /* it may shine between nodes that it does not reach */
             node->around = closeness;
