@@ -320,13 +320,6 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
     return 1;
 }
 
-/* The same where lobes are of the cosine. */
-static int place_wide(const glint_shading *shading, int32_t bulge, int32_t least, int32_t most) {
-    if (shading->shininess && most < -bulge)
-        return GLINT_LOBE_OUTSIDE;
-    return shading->terms->lobe_has_strip && least - bulge < 2 * GLINT_HORIZON ? GLINT_LOBE_EDGE : GLINT_LOBE_SHOWS;
-}
-
 /*
  * A deviation is linear in N, and N over |M| where it is interpolated: with H fixed it lies no nearer to 0 than chords
  * between corners do. H turns by g while N turns by t: that adds g^2 / 6 + g t / 3, as planes are off by. R is a
@@ -339,13 +332,9 @@ int32_t glint_lobe_bulge(const glint_shading *shading, const glint_region *regio
     return (int32_t)((times(axis, axis + 2 * turn) + mirrored) * 4 / 6 + 3) << shading->terms->lobe_shift;
 }
 
-int glint_place_lobe(const glint_shading *shading, int32_t bulge, const int32_t least[4], const int32_t most[4]) {
+glint_lobe_bounds glint_find_lobe_bounds(const glint_shading *shading, int32_t bulge) {
     const glint_light_terms *light = shading->terms;
-    if (light->lobe_is_wide)
-        return place_wide(shading, bulge, least[0], most[0]);
-    const int32_t cut = light->lobe_cut + bulge, diagonal = light->lobe_diagonal + bulge + (bulge >> 1);
-    return least[0] >= cut || most[0] <= -cut || least[1] >= cut || most[1] <= -cut || least[2] >= diagonal ||
-                   most[2] <= -diagonal || least[3] >= diagonal || most[3] <= -diagonal
-               ? GLINT_LOBE_OUTSIDE
-               : GLINT_LOBE_SHOWS;
+    return (glint_lobe_bounds){light->lobe_is_wide, light->lobe_cut + bulge,
+                               light->lobe_diagonal + bulge + (bulge >> 1), shading->shininess ? -bulge : INT32_MIN,
+                               light->lobe_has_strip ? 2 * GLINT_HORIZON + bulge : INT32_MIN};
 }

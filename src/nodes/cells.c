@@ -53,19 +53,16 @@ static uint32_t find_colour(const glint_shape *shape, glint_node *const nodes[])
     return (uint32_t)apart >> 2;
 }
 
-static int place_shape_lobe(const glint_shading *shading, const glint_shape *shape, glint_node *const nodes[],
-                            int32_t bulge, uint32_t l) {
-    int32_t least[4] = {INT32_MAX, INT32_MAX, INT32_MAX, INT32_MAX};
-    int32_t most[4] = {INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN};
-    for (uint32_t i = 0; i < shape->count; i++) {
-        const int32_t x = nodes[i]->number[l][GLINT_LOBE_X], y = nodes[i]->number[l][GLINT_LOBE_Y];
-        const int32_t along[4] = {x, y, x + y, x - y};
-        for (int k = 0; k < 4; k++) {
-            least[k] = glint_least(least[k], along[k]);
-            most[k] = glint_most(most[k], along[k]);
-        }
+static int place_shape_lobe(const glint_lobe_bounds *bounds, const glint_shape *shape, glint_node *const nodes[],
+                            uint32_t l) {
+    uint32_t common = 0xff, any = 0;
+    for (uint32_t i = 0; i < shape->count && (common || bounds->is_wide); i++) {
+        const uint32_t code =
+            glint_lobe_code(bounds, nodes[i]->number[l][GLINT_LOBE_X], nodes[i]->number[l][GLINT_LOBE_Y]);
+        common &= code;
+        any |= code;
     }
-    return glint_place_lobe(shading, bulge, least, most);
+    return glint_place_lobe(common, any);
 }
 
 /* Does a light keep its side all over a region, whatever its polynomial is off by? */
@@ -135,12 +132,12 @@ static int find_shape_region(const glint_frame *frame, const glint_draw *draw, c
     const uint32_t lobes = glint_region_sort(frame, shading, closeness, around, region);
     region->lobes = 0;
     region->has_edge = 0;
-    const int32_t bulge = glint_lobe_bulge(shading, region) / 4; /* nodes lie half as far apart as corners */
+    const glint_lobe_bounds bounds = /* nodes lie half as far apart as corners */
+        glint_find_lobe_bounds(shading, glint_lobe_bulge(shading, region) / 4);
     for (uint32_t l = 0; lobes >> l; l++)
         if (lobes >> l & 1)
-            glint_region_add_lobe(region, l,
-                                  region->unfit >> l & 1 ? GLINT_LOBE_UNFIT
-                                                         : place_shape_lobe(shading, shape, nodes, bulge, l));
+            glint_region_add_lobe(
+                region, l, region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_shape_lobe(&bounds, shape, nodes, l));
     return glint_region_fits(shading, draw->extra != 0, region);
 }
 

@@ -16,21 +16,14 @@ static inline void measure(uint32_t pixel, const glint_triangle *triangle, glint
 }
 
 /* Does a highlight show on a triangle? */
-static int place_lobe(const glint_shading *shading, const glint_candidate *t, int32_t bulge, uint32_t l) {
-    const uint8_t *const at = shading->terms->at[l];
-    int32_t least[4], most[4];
-    int32_t along[3][4];
-    for (int i = 0; i < 3; i++) {
-        along[i][0] = t->kept[i][at[GLINT_LOBE_X]];
-        along[i][1] = t->kept[i][at[GLINT_LOBE_Y]];
-        along[i][2] = along[i][0] + along[i][1];
-        along[i][3] = along[i][0] - along[i][1];
+static inline int place_lobe(const glint_lobe_bounds *bounds, const uint8_t at[GLINT_NUMBERS], const glint_candidate *t) {
+    uint32_t common = 0xff, any = 0;
+    for (int i = 0; i < 3 && (common || bounds->is_wide); i++) {
+        const uint32_t code = glint_lobe_code(bounds, t->kept[i][at[GLINT_LOBE_X]], t->kept[i][at[GLINT_LOBE_Y]]);
+        common &= code;
+        any |= code;
     }
-    for (int k = 0; k < 4; k++) {
-        least[k] = glint_least_of(along[0][k], along[1][k], along[2][k]);
-        most[k] = glint_most_of(along[0][k], along[1][k], along[2][k]);
-    }
-    return glint_place_lobe(shading, bulge, least, most);
+    return glint_place_lobe(common, any);
 }
 
 /* A colour at the middle of an edge, which is linear over w. */
@@ -87,10 +80,10 @@ int glint_find_region(const glint_frame *frame, const glint_draw *draw, const gl
         (uint32_t)glint_most_of(a[GLINT_KEPT_AROUND], b[GLINT_KEPT_AROUND], c[GLINT_KEPT_AROUND]), region);
     region->lobes = 0;
     region->has_edge = 0;
-    const int32_t bulge = glint_lobe_bulge(shading, region);
+    const glint_lobe_bounds bounds = glint_find_lobe_bounds(shading, glint_lobe_bulge(shading, region));
     for (uint32_t l = 0; lobes >> l; l++)
         if (lobes >> l & 1)
             glint_region_add_lobe(region, l,
-                                  region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(shading, t, bulge, l));
+                                  region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(&bounds, light->at[l], t));
     return glint_region_fits(shading, t->has_surface, region);
 }

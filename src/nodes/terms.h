@@ -179,11 +179,36 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
 /** How far deviations between a triangle's corners may lie beyond these, as kept: planes' error of highlights. */
 int32_t glint_lobe_bulge(const glint_shading *shading, const glint_region *region);
 
-/** Between nodes whose deviations are x, y, x + y and x - y from least to most, a highlight shows, or not, or unclear.
- * @param bulge how far those between may lie beyond these
- */
+/** Where highlights may show: within an octagon of these radii; of wide ones, where the cosine is not below one of
+ * these numbers, and clearly above the other. */
+typedef struct glint_lobe_bounds {
+    uint8_t is_wide;
+    int32_t straight, diagonal; /* of an octagon */
+    int32_t below, edge;        /* of a cosine */
+} glint_lobe_bounds;
+
+/** @param bulge how far deviations between nodes may lie beyond those of nodes */
+glint_lobe_bounds glint_find_lobe_bounds(const glint_shading *shading, int32_t bulge);
+
+/** Is a cosine at the edge? */
+#define GLINT_LOBE_AT_EDGE 0x100u
+
+/** The sides that a node's deviation lies beyond, by bits. */
+static inline uint32_t glint_lobe_code(const glint_lobe_bounds *of, int32_t x, int32_t y) {
+    if (of->is_wide)
+        return (x < of->below) | (x < of->edge ? GLINT_LOBE_AT_EDGE : 0);
+    return (uint32_t)((x >= of->straight) | (x <= -of->straight) << 1 | (y >= of->straight) << 2 |
+                      (y <= -of->straight) << 3 | (x + y >= of->diagonal) << 4 | (x + y <= -of->diagonal) << 5 |
+                      (x - y >= of->diagonal) << 6 | (x - y <= -of->diagonal) << 7);
+}
+
+/** Between nodes a highlight shows, or not, or unclear. */
 enum { GLINT_LOBE_OUTSIDE, GLINT_LOBE_SHOWS, GLINT_LOBE_EDGE, GLINT_LOBE_UNFIT };
-int glint_place_lobe(const glint_shading *shading, int32_t bulge, const int32_t least[4], const int32_t most[4]);
+
+/** That, of nodes whose codes have these bits in common, and these at all. */
+static inline int glint_place_lobe(uint32_t common, uint32_t any) {
+    return common & 0xff ? GLINT_LOBE_OUTSIDE : any & GLINT_LOBE_AT_EDGE ? GLINT_LOBE_EDGE : GLINT_LOBE_SHOWS;
+}
 
 /** What becomes of those lobes among some that lie so. */
 static inline void glint_region_add_lobe(glint_region *region, uint32_t light, int place) {
