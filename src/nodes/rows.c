@@ -147,7 +147,6 @@ static inline int32_t smooth_step_at(int32_t value) {
 /* Adds a light where it shines; `is_over` and `has_cone` are constants where this is inlined. */
 static GLINT_INLINE void add_side_inline(const light_parts *of, const uint16_t weight[3], const pixel_runs *to,
                                          int is_over, int has_cone) {
-    const int32_t by_red = weight[0], by_green = weight[1], by_blue = weight[2];
     int32_t(*row)[3] = to->row;
     inverses inverse = to->inverse;
     for (const glint_run *run = to->runs; run != to->end; run++) {
@@ -164,9 +163,7 @@ static GLINT_INLINE void add_side_inline(const light_parts *of, const uint16_t w
                 amount = glint_shift_right((int32_t)((uint32_t)amount * over), 15);
             if (has_cone)
                 amount = glint_shift_right(amount * smooth_step_at(within), 15);
-            (*row)[0] += amount * by_red;
-            (*row)[1] += amount * by_green;
-            (*row)[2] += amount * by_blue;
+            add(*row, amount, weight);
         }
     }
 }

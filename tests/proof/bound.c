@@ -203,15 +203,26 @@ PROOF(glint_lobe_bulge) {
     /*@ assert 0 <= bulge <= 0x20000000; */
 }
 
-/* Deviations of any size. */
-PROOF(glint_place_lobe) {
-    int32_t least[4], most[4];
+/* Any bulge. */
+PROOF(glint_find_lobe_bounds) {
     any_material();
-    for (int i = 0; i < 4; i++) {
-        least[i] = ANY(-65536, 65536);
-        most[i] = ANY(-65536, 65536);
-    }
-    glint_place_lobe(&shading, ANY(0, 0x20000000), least, most);
+    glint_find_lobe_bounds(&shading, ANY(0, 0x20000000));
+}
+
+/* Deviations of 15 bits and a sign, any bounds. */
+PROOF(glint_lobe_code) {
+    glint_lobe_bounds of;
+    of.is_wide = (uint8_t)ANY(0, 1);
+    of.straight = of.diagonal = ANY(0, 0x30002000);
+    of.below = ANY(INT32_MIN, INT32_MAX);
+    of.edge = ANY(INT32_MIN, INT32_MAX);
+    glint_lobe_code(&of, ANY_SHORT, ANY_SHORT);
+}
+
+/* Any codes. */
+PROOF(glint_place_lobe) {
+    const int place = glint_place_lobe(ANY_UNSIGNED(0, 0x1ff), ANY_UNSIGNED(0, 0x1ff));
+    /*@ assert 0 <= place <= 2; */
 }
 
 /* Any light, any place. */

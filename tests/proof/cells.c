@@ -15,10 +15,6 @@
     ensures \result <= 0x40000; */
 uint32_t glint_root_above(uint32_t square);
 
-/*@ assigns \result \from indirect: *shading, bulge, indirect: least[0 .. 3], indirect: most[0 .. 3];
-    ensures 0 <= \result <= 3; */
-int glint_place_lobe(const glint_shading *shading, int32_t bulge, const int32_t least[4], const int32_t most[4]);
-
 /*@ assigns \result \from outside, near;
     ensures \result <= 0xff; */
 uint32_t glint_find_away(uint32_t outside, uint32_t near);
@@ -88,11 +84,15 @@ PROOF(find_colour) {
     find_colour(&shape, nodes);
 }
 
-/* Any nodes of each light. @contract glint_place_lobe */
+/* Any nodes of each light, any bounds. */
 PROOF(place_shape_lobe) {
+    glint_lobe_bounds bounds;
     any_nodes();
+    bounds.is_wide = (uint8_t)ANY(0, 1);
+    bounds.straight = bounds.diagonal = ANY(0, 0x30002000);
+    bounds.below = bounds.edge = ANY_INT;
     FOR_PARTS(l, 0, GLINT_LIGHTS_MAX - 1) {
-        place_shape_lobe(&shading, &shape, nodes, ANY(0, 0x20000000), (uint32_t)l);
+        place_shape_lobe(&bounds, &shape, nodes, (uint32_t)l);
     }
 }
 

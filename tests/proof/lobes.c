@@ -23,6 +23,17 @@ static glint_shading shading;
 static glint_light_terms light;
 static glint_node node;
 
+/* Any table of powers over every window, any squared sine. */
+PROOF(glint_power_at) {
+    for (int i = 0; i <= GLINT_POWER_INTERVALS; i++)
+        shading.power.value[i] = (uint16_t)ANY(0, 1 << 15);
+    FOR_PARTS(shift, GLINT_POWER_FRACTION_BITS, 30 - GLINT_POWER_TABLE_BITS) {
+        shading.power.index_shift = (uint32_t)shift;
+        shading.power.window = 1u << (shift + GLINT_POWER_TABLE_BITS);
+        glint_power_at(&shading.power, ANY_UNSIGNED(0, UINT_MAX));
+    }
+}
+
 /* A highlight wide or narrow, of any shift; deviations of 14 bits and a sign, strengths of up to 1. */
 static void any_lobes(void) {
     shading.terms = &light;

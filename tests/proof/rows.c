@@ -33,12 +33,15 @@ static inline int32_t smooth_step_at(int32_t value);
     admit ensures \result <= 0x8000; */
 static inline uint32_t glint_power_of_cosine(const uint16_t *cosine, uint32_t x);
 
+/*@ requires \valid_read(terms);
+    assigns \result \from indirect: *terms; */
+static lobe_table table_of(const glint_terms *terms);
+
 /* Stands on the same. */
 /*@ requires \valid_read(table);
-    requires \valid_read(&table->value[0 .. 128]);
-    assigns \result \from *table, u;
-    admit ensures \result <= 0x8000; */
-static inline uint32_t glint_power_at(const glint_power_table *table, uint32_t u);
+    assigns \result \from indirect: *table, square;
+    admit ensures 0 <= \result <= 0x8000; */
+static inline int32_t power_of_square(const lobe_table *table, uint32_t square);
 
 /* Stands on weights that sum up to less than 15, as terms_prepare.c takes them, and on errors of a part of a level:
  * what others have made leaves room for each. Suite `nodes` under UBSan. */
@@ -212,21 +215,37 @@ PROOF(add_side) {
     }
 }
 
-/* Any table of powers over every window, any squared sine. */
-PROOF(glint_power_at) {
-    for (int i = 0; i <= GLINT_POWER_INTERVALS; i++)
-        table.value[i] = (uint16_t)ANY(0, 1 << 15);
+/* Any window, any shift that leaves no other below 0; any squared deviation. */
+PROOF(table_of) {
+    terms.light = &light;
+    terms.power = &table;
     FOR_PARTS(shift, GLINT_POWER_FRACTION_BITS, 30 - GLINT_POWER_TABLE_BITS) {
-        table.index_shift = (uint32_t)shift;
-        table.window = 1u << (shift + GLINT_POWER_TABLE_BITS);
-        glint_power_at(&table, ANY_UNSIGNED(0, UINT_MAX));
+        FOR_PARTS(kept, 0, 12) {
+            table.index_shift = (uint32_t)shift;
+            table.window = 1u << (shift + GLINT_POWER_TABLE_BITS);
+            light.lobe_shift = (uint32_t)kept;
+            light.lobe_end = ANY_UNSIGNED(0, 1u << 28);
+            if (shift + 2 * kept >= 14 && shift + GLINT_POWER_TABLE_BITS + 2 * kept <= 33)
+                table_of(&terms);
+        }
+    }
+}
+
+/* Any table, every place of its intervals, and any number within it. */
+PROOF(power_of_square) {
+    static uint16_t value[GLINT_POWER_INTERVALS + 1];
+    for (int i = 0; i <= GLINT_POWER_INTERVALS; i++)
+        value[i] = (uint16_t)ANY(0, 1 << 15);
+    FOR_PARTS(index, GLINT_POWER_FRACTION_BITS, 24) {
+        const lobe_table of = {value, 0, (unsigned)index, (unsigned)index - GLINT_POWER_FRACTION_BITS};
+        power_of_square(&of, ANY_UNSIGNED(0, (1u << (index + GLINT_POWER_TABLE_BITS)) - 1));
     }
 }
 
 /*
  * Deviations of up to 3/2 of a node's, over no length, |M| or |M|^2, by eighths of 1 / |M|; any table of powers; a
  * cone, a side or a strength, all or none of them.
- * @contract add weaken glint_power_at
+ * @contract add weaken table_of power_of_square
  * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
  */
 PROOF(add_lobe) {
