@@ -18,23 +18,22 @@ import tempfile
 
 # Stage of a source file, or of one function in it. A file of the library that is not here is an error.
 STAGES = {
-    "prepare": ["prepare", "power", "directional", "config", "frame", "arena", "gamma", "light:glint_prepare_specular",
-                "terms_prepare",
-                "deviation_prepare", "quadratic:glint_exact_prepare", "quadratic:find_bend", "quadratic:find_across",
-                "interpolate:glint_interpolate_prepare", "interpolate:find_turn"],
-    "vertices": ["transform", "cull", "load", "geometry", "deviation:glint_fast_light",
-                 "terms:glint_terms_light", "terms:find_normals", "terms:keep", "terms:gather_corner"],
-    "bin": ["bin", "clip"],
+    "prepare": ["prepare", "power", "directional", "config", "frame", "buffers", "arena", "gamma", "check", "view", "shading",
+                "model:glint_prepare_specular", "terms_prepare", "fast_prepare", "fast_tables", "fast_interpolate_prepare",
+                "fast_exact:glint_exact_prepare"],
+    "vertices": ["transform", "cull", "load", "load_parts", "extents", "geometry", "fast_vertices", "terms_vertices"],
+    "bin": ["bin", "bin_plain", "clip"],
     "set-up": ["setup"],
-    "raster": ["raster", "kernel", "runs", "spans", "tile:glint_render_tile"],
-    "nodes": ["nodes", "point", "terms", "bound", "cells", "pieces", "per_node", "lattice"],
+    "raster": ["raster", "runs", "spans", "tile:glint_render_tile"],
+    "nodes": ["nodes", "lobes", "point", "corners", "terms", "bound", "fit", "lengths", "cells", "pieces", "per_node",
+              "lattice"],
     "rows": ["rows"],
-    "shade": ["shade", "light", "colour", "fragments", "per_fragment", "specular", "blinn_phong", "deviation", "deviation_begin",
-              "quadratic", "quadratic565", "interpolate", "polynomial"],
-    "pixel": ["pixel_rgb565", "pixel", "spans565"],
-    "clear": ["tile", "pixel_rgb565:fill"],
-    "arithmetic": ["numeric"],
-    "flush": ["profile", "render"],
+    "shade": ["shade", "draw", "colour", "fragments", "per_fragment", "specular", "blinn_phong", "model", "fast",
+              "fast_begin", "fast_exact", "fast_exact565", "fast_interpolate", "fast_draw565", "fast_rgb565", "polynomial"],
+    "pixel": ["pixel_rgb565", "pixel", "fast_spans565"],
+    "clear": ["tile", "pixel_rgb565:fill_rgb565"],
+    "arithmetic": ["numeric", "product", "division"],
+    "flush": ["profile", "framebuffer", "render"],
 }
 WHERE = {place: stage for stage, places in STAGES.items() for place in places}
 ORDER = list(STAGES) + ["memory", "division"]
