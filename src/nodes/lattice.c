@@ -7,7 +7,7 @@
 #include "../light/fragments.h"
 #include "terms.h"
 
-/* Pixels of a cell across, and their power of two; cells are halved once. */
+/* Pixels of a cell across; cells are halved twice. */
 #define CELL 16
 
 /* Twice the area, 28.4 squared, from which on triangles have cells: of 256 pixels. */
