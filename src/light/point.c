@@ -150,32 +150,35 @@ static GLINT_NOINLINE void find_far(const glint_prepared_light *light, int32_t i
     *to = (towards){v[0], v[1], v[2], (int)exponent - (shift < 0 ? shift : 0)};
 }
 
-/* A component with 15 bits, of a vector of so many leading zeros. */
-static inline int32_t to_15_bits_of(int32_t component, int down) {
+/* A component of a vector, times 2^-down. */
+static inline int32_t scale_down(int32_t component, int down) {
     return down > 0 ? glint_shift_right(glint_shift_right(component, (unsigned)down - 1) + 1, 1)
                     : glint_shift_left(component, (unsigned)-down);
 }
 
-/* A vector's direction, unit, and length times GLINT_UNIT / 2^15, of 16 bits times a power of two; v is not 0. */
-static inline uint32_t find_distance(towards *v, unsigned zeros, int16_t direction[3]) {
+/* The same vector with 15 bits, of so many leading zeros. */
+static inline towards to_15_bits_of(const towards *v, unsigned zeros) {
     const int down = 17 - (int)zeros;
-    const int32_t x = to_15_bits_of(v->x, down), y = to_15_bits_of(v->y, down), z = to_15_bits_of(v->z, down);
+    return (towards){scale_down(v->x, down), scale_down(v->y, down), scale_down(v->z, down), v->exponent + down};
+}
+
+/*
+ * Does a surface face away from what lies there, whatever the direction is rounded to? Its components are off by at
+ * most 2.4 of UNIT, N.L by 4.2 |v| over |v|, and |v| is below 1.74 2^15.
+ */
+static inline int faces_away(const int16_t normal[3], const towards *v) {
+    return normal[0] * v->x + normal[1] * v->y + normal[2] * v->z < -(9 << 15);
+}
+
+/* A vector's direction, unit, and its length times GLINT_UNIT / 2^15, of 16 bits; v has 15. */
+static inline uint32_t find_distance(const towards *v, int16_t direction[3]) {
+    const int32_t x = v->x, y = v->y, z = v->z;
     const uint32_t square = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
     const int32_t root = glint_inverse_root(square);
     direction[0] = (int16_t)glint_shift_right(x * root + 0x4000, 15);
     direction[1] = (int16_t)glint_shift_right(y * root + 0x4000, 15);
     direction[2] = (int16_t)glint_shift_right(z * root + 0x4000, 15);
-    v->exponent += down;
     return ((square + (1u << 13)) >> 14) * (uint32_t)root >> 16;
-}
-
-/*
- * Does a surface face away, whatever a direction is rounded to? Its components are off by at most 2.4 of UNIT, N.L by
- * 4.2 |v| over |v|, and |v| is below 2 2^bits.
- */
-static inline int faces_away(const int16_t normal[3], const towards *v, unsigned zeros) {
-    const int64_t along = (int64_t)normal[0] * v->x + (int64_t)normal[1] * v->y + (int64_t)normal[2] * v->z;
-    return along < -((int64_t)9 << (32 - zeros));
 }
 
 /* Direction to a light, unit, strength there, and how far it is. */
@@ -190,16 +193,17 @@ static inline void illuminate_one(const glint_prepared_light *light, glint_fragm
     const unsigned zeros = zeros_of(&v);
     fragments->strength[i] = 0;
     fragments->length[i] = 0;
-    if (fragments->is_gated && faces_away(fragments->normal[i], &v, zeros)) {
-        for (int c = 0; c < 3; c++)
-            direction[c] = (int16_t)-fragments->normal[i][c];
-        return;
-    }
     if (is_at_light(zeros, ray)) {
         glint_unit(v.x, v.y, v.z, direction);
         return;
     }
-    const uint32_t length = find_distance(&v, zeros, direction);
+    v = to_15_bits_of(&v, zeros);
+    if (fragments->is_gated && faces_away(fragments->normal[i], &v)) {
+        for (int c = 0; c < 3; c++)
+            direction[c] = (int16_t)-fragments->normal[i][c];
+        return;
+    }
+    const uint32_t length = find_distance(&v, direction);
     fragments->strength[i] = (uint16_t)attenuate(light, (uint32_t)inverse_w, length, v.exponent);
     fragments->length[i] = length;
     fragments->exponent[i] = (int8_t)v.exponent;

@@ -167,7 +167,8 @@ PROOF(light_nodes) {
 /*@ requires \valid_read(shading) && \valid_read(source) && \valid_read(at) && i < 8 && n == 0;
     requires \valid_read(light + (0 .. 2)) && \valid(node);
     assigns node->number[i][GLINT_LOBE_X .. GLINT_LOBE_Y], node->half, node->unfit, node->far
-        \from indirect: *shading, indirect: *source, is_fixed, indirect: *at, n, light[0 .. 2], dot, node->half, node->unfit,
+        \from indirect: *shading, indirect: *source, is_fixed, indirect: *at, n, light[0 .. 2], dot, node->half,
+        node->unfit,
         node->far; */
 static void light_lobe(const glint_shading *shading, uint32_t i, const glint_prepared_light *source, int is_fixed,
                        const glint_fragments *at, uint32_t n, const int16_t *light, int32_t dot, glint_node *node);

@@ -43,18 +43,32 @@ static int find_mantissas(const int64_t scaled[3], int64_t n, int32_t mantissa[3
     ensures \initialized(to) && 0 <= to->exponent <= 51; */
 static void find_far(const glint_prepared_light *light, int32_t inverse_w, const int32_t *ray, towards *to);
 
+/* Stands on glint_magnitude_bits, which has at most 31. */
+/*@ requires \valid_read(v);
+    assigns \result \from *v;
+    admit ensures 1 <= \result <= 32; */
+static inline unsigned zeros_of(const towards *v);
+
+/*@ requires \valid_read(v) && 1 <= zeros <= 32;
+    requires 0 <= v->exponent <= 51;
+    assigns \result \from *v, zeros;
+    ensures -15 <= \result.exponent <= 67; */
+static inline towards to_15_bits_of(const towards *v, unsigned zeros);
+
+/*@ requires \valid_read(normal + (0 .. 2)) && \valid_read(v);
+    assigns \result \from normal[0 .. 2], *v;
+    ensures \result == 0 || \result == 1; */
+static inline int faces_away(const int16_t *normal, const towards *v);
+
 /* Stands on what glint_unit does: the same steps; and on a root's relative error of at most 5.44e-5, which leaves a
  * length of 2^28 and more no less than 2^14 but for rounding: `make domains` takes every root. */
-/*@ requires \valid(v) && \valid(direction + (0 .. 2)) && zeros <= 32;
-    requires 0 <= v->exponent <= 51;
-    assigns \result, direction[0 .. 2] \from *v, zeros;
-    assigns v->exponent \from v->exponent, zeros;
-    ensures -15 <= v->exponent <= 67;
+/*@ requires \valid_read(v) && \valid(direction + (0 .. 2));
+    assigns \result, direction[0 .. 2] \from *v;
     ensures \result <= 0xffff;
     admit ensures \result >= 1;
     ensures \initialized(direction + (0 .. 2));
     admit ensures \subset(direction[0 .. 2], (-32767 .. 32767)); */
-static inline uint32_t find_distance(towards *v, unsigned zeros, int16_t *direction);
+static inline uint32_t find_distance(const towards *v, int16_t *direction);
 
 /*@ requires x < 0x80000000;
     requires -115 <= n <= 322;
@@ -79,7 +93,8 @@ static inline uint32_t invert(uint32_t x, unsigned *zeros);
     requires -15 <= exponent <= 67;
     assigns \result \from *light, inverse_w, distance, exponent;
     ensures \result <= 0x8000; */
-static inline uint32_t attenuate(const glint_prepared_light *light, uint32_t inverse_w, uint32_t distance, int exponent);
+static inline uint32_t attenuate(const glint_prepared_light *light, uint32_t inverse_w, uint32_t distance,
+                                 int exponent);
 
 /* Any attenuation. */
 PROOF(prepare_point) {
@@ -191,14 +206,6 @@ PROOF(find_far) {
     find_far(&light, fragments.inverse_w[0], fragments.ray[0], &to);
 }
 
-/* Any vector, any normal, any leading zeros. */
-PROOF(faces_away) {
-    glint_fragments fragments;
-    const towards v = {ANY_INT, ANY_INT, ANY_INT, 0};
-    any_fragment(&fragments);
-    faces_away(fragments.normal[0], &v, ANY_UNSIGNED(0, 32));
-}
-
 /* Any ray, any leading zeros. */
 PROOF(is_at_light) {
     glint_fragments fragments;
@@ -212,30 +219,57 @@ static int32_t any_component(int bits, int exactly, int negative) {
     return negative ? -1 - magnitude : magnitude;
 }
 
+/* A vector of so many bits, the first component's; by signs. */
+static towards any_towards(int bits, int signs) {
+    towards v;
+    v.x = any_component(bits, 1, signs & 1);
+    v.y = any_component(bits, 0, signs >> 1 & 1);
+    v.z = any_component(bits, 0, signs >> 2 & 1);
+    v.exponent = ANY(0, 51);
+    return v;
+}
+
 /*
- * Any vector but 0, by the bits of the first, the largest, and by signs: an OR and a
- * sum tell no places apart.
- * @contract glint_inverse_root
- * @narrowing a shift to the left, of components that have the room by their leading zeros; and directions, as in
- * glint_unit
- * @options -eva-subdivide-non-linear 20
+ * Any vector, by the bits of the first, the largest, and by signs: an OR and a sum tell no places apart.
+ * @narrowing a shift to the left, of components that have the room by their leading zeros
  */
-PROOF(find_distance) {
+PROOF(to_15_bits_of) {
     FOR_PARTS(bits, 0, 31) {
         FOR_PARTS(signs, 0, 7) {
-            int16_t direction[3];
-            towards v;
-            v.x = any_component((int)bits, 1, signs & 1);
-            v.y = any_component((int)bits, 0, signs >> 1 & 1);
-            v.z = any_component((int)bits, 0, signs >> 2 & 1);
-            v.exponent = ANY(0, 51);
-            if (bits || signs)
-                find_distance(&v, 32 - (unsigned)bits, direction);
+            const towards v = any_towards((int)bits, (int)signs);
+            to_15_bits_of(&v, 32 - (unsigned)bits);
         }
     }
 }
 
-/* Any light and fragment. @contract find_far glint_unit find_distance attenuate */
+/*
+ * Any vector of 15 bits, any normal.
+ * @alarms 2 a product of vectors is no more than that of their lengths, of which a normal's is below 2^15 and the other
+ * below 2^15 sqrt(3); suite `point` under UBSan
+ */
+PROOF(faces_away) {
+    glint_fragments fragments;
+    const towards v = {ANY(-32768, 32768), ANY(-32768, 32768), ANY(-32768, 32768), 0};
+    any_fragment(&fragments);
+    faces_away(fragments.normal[0], &v);
+}
+
+/*
+ * Any vector of 15 bits but 0, by signs.
+ * @contract glint_inverse_root
+ * @narrowing directions, as in glint_unit
+ * @options -eva-subdivide-non-linear 20
+ */
+PROOF(find_distance) {
+    FOR_PARTS(signs, 0, 7) {
+        int16_t direction[3];
+        const towards v = {signs & 1 ? ANY(-32768, -16384) : ANY(16384, 32768),
+                           signs & 2 ? ANY(-32768, 0) : ANY(0, 32768), signs & 4 ? ANY(-32768, 0) : ANY(0, 32768), 0};
+        find_distance(&v, direction);
+    }
+}
+
+/* Any light and fragment. @contract find_far zeros_of glint_unit to_15_bits_of faces_away find_distance attenuate */
 PROOF(glint_point_illuminate) {
     glint_prepared_light light;
     glint_fragments fragments;

@@ -167,8 +167,8 @@ PROOF(scale_by_lengths) {
 }
 
 /*
- * Any sum of one channel or three, ambient light that these have bits for, a surface's colours of up to 2, or none, with
- * highlights and without.
+ * Any sum of one channel or three, ambient light that these have bits for, a surface's colours of up to 2, or none,
+ * with highlights and without.
  * @alarms 3 a chroma of a sum is below 2^15, as a channel is; suite `nodes` under UBSan
  */
 PROOF(glint_sum_at) {
