@@ -37,7 +37,7 @@ static inline uint32_t glint_power_of_cosine(const uint16_t *cosine, uint32_t x)
     assigns \result \from indirect: *terms; */
 static lobe_table table_of(const glint_terms *terms);
 
-/* Stands on the same. */
+/* Stands on a value between two nodes, both of which are at most 2^15. */
 /*@ requires \valid_read(table);
     assigns \result \from indirect: *table, square;
     admit ensures 0 <= \result <= 0x8000; */
@@ -215,7 +215,7 @@ PROOF(add_side) {
     }
 }
 
-/* Any window, any shift that leaves no other below 0; any squared deviation. */
+/* Any window, any shift that leaves no other below 0. */
 PROOF(table_of) {
     terms.light = &light;
     terms.power = &table;
