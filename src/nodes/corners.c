@@ -16,7 +16,8 @@ static inline void measure(uint32_t pixel, const glint_triangle *triangle, glint
 }
 
 /* Does a highlight show on a triangle? */
-static inline int place_lobe(const glint_lobe_bounds *bounds, const uint8_t at[GLINT_NUMBERS], const glint_candidate *t) {
+static inline int place_lobe(const glint_lobe_bounds *bounds, const uint8_t at[GLINT_NUMBERS],
+                             const glint_candidate *t) {
     uint32_t common = 0xff, any = 0;
     for (int i = 0; i < 3 && (common || bounds->is_wide); i++) {
         const uint32_t code = glint_lobe_code(bounds, t->kept[i][at[GLINT_LOBE_X]], t->kept[i][at[GLINT_LOBE_Y]]);
