@@ -5,171 +5,12 @@
 #include "../../src/nodes/rows.c"
 
 #include "../../src/math/tables.c"
+#include "pixel_runs.h"
 
 /*
- * Not proven: glint_terms_draw, find_colours, begin: they hand a row of two tiles' pixels, which counts of runs keep
+ * Not proven: glint_terms_draw, find_colours, begin_row: they hand a row of two tiles' pixels, which counts of runs keep
  * within it, to what is proven. Suites `nodes` and `identity` under ASan and UBSan, and fuzzing.
  */
-
-/* A number that is at most 1 at nodes is at most 3/2 between them, where bound.c takes polynomials through them: what
- * turns by 2, as 1/w doubles, is off by 0.495. Suite `nodes`. */
-#define NUMBER_MOST (3 << 29)
-
-/* So is a strength at most 9/8: it is off by 0.064 where a light is no nearer than 4/3 of a region's width. */
-#define STRENGTH_MOST (9 << 27)
-
-/*@ assigns \result \from value;
-    ensures 0 <= \result <= 0x8040; */
-static inline int32_t smooth_step_at(int32_t value);
-
-/* Sums of weights are below 15: terms_prepare.c. */
-#define MOST_OF_WEIGHTS (15 << 12)
-#define SUM_MOST (15 << 27)
-
-/* Stands on a value between two nodes, both of which are at most 2^15: `make domains` takes every cosine. */
-/*@ requires \valid_read(cosine + (0 .. 95));
-    requires 1 <= x <= 0x7fffffff;
-    assigns \result \from cosine[0 .. 95], x;
-    admit ensures \result <= 0x8000; */
-static inline uint32_t glint_power_of_cosine(const uint16_t *cosine, uint32_t x);
-
-/*@ requires \valid_read(terms);
-    assigns \result \from indirect: *terms; */
-static lobe_table table_of(const glint_terms *terms);
-
-/* Stands on a value between two nodes, both of which are at most 2^15. */
-/*@ requires \valid_read(table);
-    assigns \result \from indirect: *table, square;
-    admit ensures 0 <= \result <= 0x8000; */
-static inline int32_t power_of_square(const lobe_table *table, uint32_t square);
-
-/* Stands on weights that sum up to less than 15, as terms_prepare.c takes them, and on errors of a part of a level:
- * what others have made leaves room for each. Suite `nodes` under UBSan. */
-/*@ requires \valid(colour + (0 .. 2)) && \valid_read(weight + (0 .. 2));
-    requires 0 <= amount <= 0x10000;
-    requires \subset(weight[0 .. 2], (0 .. 61440));
-    assigns colour[0 .. 2] \from colour[0 .. 2], amount, weight[0 .. 2];
-    ensures \initialized(colour + (0 .. 2)); */
-static inline void add(int32_t *colour, int32_t amount, const uint16_t *weight);
-
-/*@ requires 0 <= power <= 0x9000;
-    requires \valid_read(of) && \valid_read(run);
-    requires of->strength == \null || power <= 0x8000;
-    assigns \result \from power, indirect: *of, is_ungated, indirect: *run, i;
-    ensures 0 <= \result <= 0x9100; */
-static int32_t weaken(int32_t power, const light_parts *of, int is_ungated, const glint_run *run, uint32_t i);
-
-#define PIXELS 3
-
-static glint_run runs[2];
-static int32_t row[PIXELS][3];
-static uint16_t inverse[PIXELS];
-static pixel_runs to;
-static glint_light_terms light;
-static glint_terms terms;
-static glint_power_table table;
-
-/* Two runs, of colours from least to most. */
-static void any_runs(int32_t least, int32_t most) {
-    for (int i = 0; i < 2; i++) {
-        runs[i].x = (uint8_t)ANY(0, GLINT_TILE_MAX - 2);
-        runs[i].y = (uint8_t)ANY(0, GLINT_TILE_MAX - 1);
-        runs[i].count = (uint8_t)(2 - i);
-    }
-    for (int i = 0; i < PIXELS; i++)
-        for (int c = 0; c < 3; c++)
-            row[i][c] = ANY(least, most);
-    to = (pixel_runs){runs, runs + 2, 0, row, ANY(0, 1)};
-    terms.light = &light;
-    terms.power = &table;
-}
-
-/* A polynomial that at each pixel is from 0 to `most`, or below 0. */
-static void any_polynomial(glint_descent *p, int is_below, int32_t most) {
-    *p = (glint_descent){{0, 0, 0}, 0, 0, 0};
-    p->row.value = is_below ? ANY_UNSIGNED(0u - (uint32_t)most, UINT_MAX) : ANY_UNSIGNED(0, (uint32_t)most);
-}
-
-/* Any polynomial. */
-static void any_number(glint_descent *p) {
-    *p = (glint_descent){{0, 0, 0}, 0, 0, 0};
-    p->row.value = ANY_UNSIGNED(0, UINT_MAX);
-}
-
-static void any_inverses(int32_t least, int32_t most) {
-    for (int i = 0; i < PIXELS; i++)
-        inverse[i] = (uint16_t)ANY(least, most);
-    to.inverse = inverse;
-}
-
-/* 1 / |M| of pixels, by eighths, and what numbers over |M|^times may be there. */
-#define FOR_LENGTHS(part) FOR_PARTS(part, 8, 15)
-static int32_t any_length(int part, int times) {
-    int64_t most = NUMBER_MOST;
-    any_inverses(part << 12, (part << 12) + 4095);
-    for (int i = 0; i < times; i++)
-        most = most * 8 / part;
-    return (int32_t)most;
-}
-
-#define FOR_LENGTHS_IF(part, times) FOR_PARTS(part, (times) ? 8 : 15, 15)
-
-/* What a light's parts are, by bits of `kinds`: any cone, any side, any strength of up to 9/8. */
-static light_parts any_parts(int kinds, int is_below) {
-    static glint_descent of[3];
-    any_number(&of[0]);
-    any_number(&of[1]);
-    any_polynomial(&of[2], is_below, STRENGTH_MOST);
-    return (light_parts){kinds & 1 ? &of[0] : 0, kinds >> 1 & 1 ? &of[1] : 0, kinds >> 2 & 1 ? &of[2] : 0, 0};
-}
-
-/* Some parts of each sign. */
-#define FOR_ALL_PARTS(of)     \
-    FOR_PARTS(kinds, 0, 7)    \
-    FOR_PARTS(is_below, 0, 1) \
-    for (light_parts parts = any_parts(kinds, is_below), *of = &parts; of; of = 0)
-
-static void any_weights(uint16_t weight[3]) {
-    for (int c = 0; c < 3; c++)
-        weight[c] = (uint16_t)ANY(0, MOST_OF_WEIGHTS);
-}
-
-/* Any number, by its parts of a 1024th between 0 and 1. */
-PROOF(smooth_step_at) {
-    smooth_step_at(ANY(INT32_MIN, -1));
-    FOR_PARTS(part, 0, 1023) {
-        smooth_step_at(ANY(part << 18, (part << 18) + (1 << 18) - 1));
-    }
-    smooth_step_at(ANY(1 << 28, INT32_MAX));
-}
-
-/* Any table of powers, x from 1 to 2^31 - 1, by its bits. @unreached 2 leading zeros of 0, and a number of no bits */
-PROOF(glint_power_of_cosine) {
-    static uint16_t cosine[GLINT_COSINE_VALUES];
-    for (int i = 0; i < GLINT_COSINE_VALUES; i++)
-        cosine[i] = (uint16_t)ANY(0, 1 << 15);
-    FOR_PARTS(bits, 1, 31) {
-        glint_power_of_cosine(cosine, ANY_OF_BITS(bits));
-    }
-}
-
-/*
- * Weights below 15, by quarters of 1, amounts of up to 1/32 more than 1, or of up to 2 for weights of up to 1/8; and
- * colours: what the other weights, which are below 15 with this one, may have made.
- */
-PROOF(add) {
-    const int32_t most = (1 << 15) + (1 << 10);
-    int32_t colour[3];
-    uint16_t weight[3];
-    FOR_PARTS(quarter, -1, 59) {
-        const int32_t first = quarter < 0 ? 0 : quarter << 10, last = quarter < 0 ? 1 << 9 : (quarter + 1) << 10;
-        for (int c = 0; c < 3; c++) {
-            weight[c] = (uint16_t)ANY(first, last);
-            colour[c] = ANY(-(1 << 27), (MOST_OF_WEIGHTS - first) * most);
-        }
-        add(colour, ANY(0, quarter < 0 ? 1 << 16 : most), weight);
-    }
-}
 
 /* |M|^2 of any value. @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits */
 PROOF(find_inverses) {
@@ -178,130 +19,6 @@ PROOF(find_inverses) {
     FOR_PARTS(is_below, 0, 1) {
         any_polynomial(&square, (int)is_below, INT32_MAX);
         find_inverses(&square, &to, inverse);
-    }
-}
-
-/*
- * Any power up to 1, or up to 9/8 where there is no strength; a strength of up to 9/8, any cone, any side.
- * @contract smooth_step_at
- * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
- */
-PROOF(weaken) {
-    any_runs(0, 0);
-    FOR_ALL_PARTS(of) {
-        weaken(ANY(0, of->strength ? 1 << 15 : 9 << 12), of, ANY(0, 1), runs, 0);
-    }
-}
-
-/*
- * N.L of up to 3/2, over no length or |M|, by eighths of 1 / |M|; any cone, or none.
- * @contract smooth_step_at add
- * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
- */
-PROOF(add_side) {
-    glint_descent side;
-    uint16_t weight[3];
-    any_weights(weight);
-    any_runs(0, 0);
-    FOR_ALL_PARTS(of) {
-        of->side = &side;
-        any_polynomial(&side, is_below, NUMBER_MOST);
-        to.inverse = 0;
-        add_side(of, weight, &to);
-        FOR_LENGTHS(part) {
-            any_polynomial(&side, is_below, any_length((int)part, 1));
-            add_side(of, weight, &to);
-        }
-    }
-}
-
-/* Any window, any shift that leaves no other below 0. */
-PROOF(table_of) {
-    terms.light = &light;
-    terms.power = &table;
-    FOR_PARTS(shift, GLINT_POWER_FRACTION_BITS, 30 - GLINT_POWER_TABLE_BITS) {
-        FOR_PARTS(kept, 0, 12) {
-            table.index_shift = (uint32_t)shift;
-            table.window = 1u << (shift + GLINT_POWER_TABLE_BITS);
-            light.lobe_shift = (uint32_t)kept;
-            light.lobe_end = ANY_UNSIGNED(0, 1u << 28);
-            if (shift + 2 * kept >= 14 && shift + GLINT_POWER_TABLE_BITS + 2 * kept <= 33)
-                table_of(&terms);
-        }
-    }
-}
-
-/* Any table, every place of its intervals, and any number within it. */
-PROOF(power_of_square) {
-    static uint16_t value[GLINT_POWER_INTERVALS + 1];
-    for (int i = 0; i <= GLINT_POWER_INTERVALS; i++)
-        value[i] = (uint16_t)ANY(0, 1 << 15);
-    FOR_PARTS(index, GLINT_POWER_FRACTION_BITS, 24) {
-        const lobe_table of = {value, 0, (unsigned)index, (unsigned)index - GLINT_POWER_FRACTION_BITS};
-        power_of_square(&of, ANY_UNSIGNED(0, (1u << (index + GLINT_POWER_TABLE_BITS)) - 1));
-    }
-}
-
-/*
- * Deviations of up to 3/2 of a node's, over no length, |M| or |M|^2, by eighths of 1 / |M|; any table of powers; a
- * cone, a side or a strength, all or none of them.
- * @contract add weaken table_of power_of_square
- * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
- */
-PROOF(add_lobe) {
-    glint_descent lobe[2];
-    uint16_t weight[3];
-    any_weights(weight);
-    any_runs(0, 0);
-    light.lobe_end = ANY_UNSIGNED(0, 1u << 24);
-    light.lobe_shift = ANY_UNSIGNED(0, 12);
-    terms.is_ungated = (uint8_t)ANY(0, 1);
-    FOR_PARTS(part_of, 0, 4) {
-        light_parts of = any_parts(part_of == 4 ? 7 : 1 << part_of >> 1, 0);
-        of.lobe = lobe;
-        FOR_PARTS(signs, 0, 3) {
-            FOR_PARTS(times, 0, 2) {
-                terms.is_over_length = (uint8_t)times;
-                FOR_LENGTHS_IF(part, times) {
-                    const int32_t most = any_length((int)part, (int)times) / 2;
-                    to.inverse = times ? inverse : 0;
-                    any_polynomial(&lobe[0], signs & 1, most);
-                    any_polynomial(&lobe[1], signs >> 1, most);
-                    add_lobe(&terms, &of, weight, &to);
-                }
-            }
-        }
-    }
-}
-
-/*
- * A cosine of up to 3/2 and a strength of up to 9/8, or none, the former over no length, |M| or |M|^2, by eighths of
- * 1 / |M|; any cone and side, a side alone, or none; any table of powers.
- * @contract glint_power_of_cosine weaken
- * @alarms 3 weights sum up to less than 15, and errors to a part of a level: `add` is proven of these; suite `nodes`
- * under UBSan
- * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
- */
-PROOF(add_wide_lobe) {
-    glint_descent lobe;
-    uint16_t weight[3];
-    any_weights(weight);
-    terms.is_ungated = (uint8_t)ANY(0, 1);
-    table.exponent = ANY(0, 1);
-    FOR_PARTS(signs, 0, 5) { /* of the cosine, and of the strength, if there is one */
-        FOR_PARTS(cut, 0, 2) {
-            light_parts of = any_parts((cut == 2 ? 3 : (int)cut) | (signs >> 1 < 2 ? 4 : 0), signs >> 1 & 1);
-            of.lobe = &lobe;
-            FOR_PARTS(times, 0, 2) {
-                terms.is_over_length = (uint8_t)times;
-                FOR_LENGTHS_IF(part, times) {
-                    any_runs(0, 0);
-                    any_polynomial(&lobe, signs & 1, any_length((int)part, (int)times));
-                    to.inverse = times ? inverse : 0;
-                    add_wide_lobe(&terms, &of, weight, &to);
-                }
-            }
-        }
     }
 }
 
@@ -323,7 +40,11 @@ PROOF(begin_with_chroma) {
     begin_with_chroma(&terms, &sum, base, &to, 1);
 }
 
-/* Any sums of channels. @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits */
+/*
+ * Any sums of channels; and such of up to 15 over |M|, by 32nds of 1 / |M|.
+ * @alarms 3 sums and what is added to all are below 15, as terms_prepare.c takes them; suite `nodes` under UBSan
+ * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
+ */
 PROOF(begin_with_channels) {
     const int32_t base[3] = {ANY(0, SUM_MOST), ANY(0, SUM_MOST), ANY(0, SUM_MOST)};
     glint_descent sum[3];
@@ -331,23 +52,13 @@ PROOF(begin_with_channels) {
         any_number(&sum[c]);
     any_runs(0, 0);
     begin_with_channels(sum, base, &to);
-}
-
-/*
- * Channels of up to 15 over |M|, by 32nds of 1 / |M|.
- * @alarms 1 sums and what is added to all are below 15, as terms_prepare.c takes them; suite `nodes` under UBSan
- * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
- */
-PROOF(begin_with_channels_over) {
-    const int32_t base[3] = {ANY(0, SUM_MOST), ANY(0, SUM_MOST), ANY(0, SUM_MOST)};
-    glint_descent sum[3];
     FOR_PARTS(is_below, 0, 1) {
         FOR_PARTS(part, 32, 63) {
             any_runs(0, 0);
             any_inverses(part << 10, (part << 10) + 1023);
             for (int c = 0; c < 3; c++)
                 any_polynomial(&sum[c], (int)is_below, SUM_MOST / (int)part * 32);
-            begin_with_channels_over(sum, base, &to);
+            begin_with_channels(sum, base, &to);
         }
     }
 }
@@ -362,51 +73,27 @@ static void any_surface(glint_descent surface[3], int is_below) {
 }
 
 /*
- * Colours of up to 15, a surface's of up to 1/32 more than 1.
+ * Colours of up to 15 multiplied, and any colours raised to ambient light of up to 15; a surface's of up to 1/32 more
+ * than 1.
  * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
  */
-PROOF(multiply_by_surface) {
+PROOF(take_surface) {
     glint_descent surface[3];
     FOR_PARTS(is_below, 0, 1) {
         any_surface(surface, (int)is_below);
         any_runs(-(1 << 27), SUM_MOST);
-        multiply_by_surface(&terms, surface, &to);
+        take_surface(&light, surface, &to, 0);
+        any_runs(INT32_MIN, INT32_MAX);
+        take_surface(&light, surface, &to, 1);
     }
 }
 
-/*
- * Any colours, ambient light of up to 15, a surface's colours of up to 1/32 more than 1, or none.
- * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
- */
-PROOF(raise_row_to_ambient) {
-    glint_descent surface[3];
-    FOR_PARTS(has_surface, 0, 1) {
-        terms.has_surface = (uint8_t)has_surface;
-        FOR_PARTS(is_below, 0, 1) {
-            any_surface(surface, (int)is_below);
-            any_runs(INT32_MIN, INT32_MAX);
-            raise_row_to_ambient(&terms, surface, &to);
-        }
+/* Any colours, ambient light of up to 15. */
+PROOF(raise_row) {
+    for (int c = 0; c < 3; c++) {
+        light.half[c] = ANY(0, 1 << 25);
+        light.ambient[c] = ANY(0, SUM_MOST);
     }
-}
-
-/*
- * Any polynomials of two lights, of any kinds, any margin.
- * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
- */
-PROOF(glint_terms_find_edge) {
-    glint_descent polynomials[2 * GLINT_NUMBERS];
-    uint8_t columns[GLINT_TILE_MAX];
-    for (int i = 0; i < 2 * GLINT_NUMBERS; i++)
-        any_number(&polynomials[i]);
-    any_runs(0, 0);
-    terms.margin = ANY(0, INT32_MAX);
-    terms.is_ungated = (uint8_t)ANY(0, 1);
-    terms.apart_count = 2;
-    light.lobe_has_strip = (uint8_t)ANY(0, 1);
-    FOR_PARTS(kinds, 0, 31) {
-        for (int a = 0; a < 2; a++)
-            terms.apart[a] = (glint_apart){0, (uint8_t)kinds, (uint8_t)(a * GLINT_NUMBERS)};
-        glint_terms_find_edge(&terms, polynomials, runs, columns);
-    }
+    any_runs(INT32_MIN, INT32_MAX);
+    raise_row(&light, row, PIXELS);
 }

@@ -27,7 +27,7 @@ STAGES = {
     "raster": ["raster", "runs", "spans", "tile:glint_render_tile"],
     "nodes": ["nodes", "lobes", "point", "corners", "terms", "bound", "fit", "lengths", "cells", "pieces", "per_node",
               "lattice"],
-    "rows": ["rows"],
+    "rows": ["rows", "row_lights"],
     "shade": ["shade", "draw", "colour", "fragments", "per_fragment", "specular", "blinn_phong", "model", "fast",
               "fast_begin", "fast_exact", "fast_exact565", "fast_interpolate", "fast_draw565", "fast_rgb565", "polynomial"],
     "pixel": ["pixel_rgb565", "pixel", "fast_spans565"],
