@@ -44,7 +44,8 @@ typedef struct glint_progress {
     uint32_t value, step, turn;
 } glint_progress;
 
-/** A row's progress from a column on, how its value changes from row to row and how that does, and how its step does. */
+/** A row's progress from a column on, how its value changes from row to row and how that does, and how its step does.
+ */
 typedef struct glint_descent {
     glint_progress row;
     uint32_t down, down_turn, slant;
