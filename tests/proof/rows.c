@@ -8,8 +8,8 @@
 #include "pixel_runs.h"
 
 /*
- * Not proven: glint_terms_draw, find_colours, begin_row: they hand a row of two tiles' pixels, which counts of runs keep
- * within it, to what is proven. Suites `nodes` and `identity` under ASan and UBSan, and fuzzing.
+ * Not proven: glint_terms_draw, find_colours, begin_row: they hand a row of two tiles' pixels, which counts of runs
+ * keep within it, to what is proven. Suites `nodes` and `identity` under ASan and UBSan, and fuzzing.
  */
 
 /* |M|^2 of any value. @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits */
