@@ -127,7 +127,7 @@ static inline int32_t part_of_position(int32_t mantissa, int32_t inverse_w, unsi
 }
 
 /* Of a light as far away as what is drawn, or nearer. */
-static inline towards find_near(const glint_prepared_light *light, int32_t inverse_w, const int32_t ray[3]) {
+static inline towards towards_near(const glint_prepared_light *light, int32_t inverse_w, const int32_t ray[3]) {
     const int32_t *const mantissa = light->point.mantissa;
     const unsigned down = (unsigned)glint_least(light->point.shift - 32, 31);
     return (towards){part_of_position(mantissa[0], inverse_w, down) + ray[0],
@@ -136,8 +136,8 @@ static inline towards find_near(const glint_prepared_light *light, int32_t inver
 }
 
 /* Of one far beyond: 30 bits of 61 or more. */
-static GLINT_NOINLINE void find_far(const glint_prepared_light *light, int32_t inverse_w, const int32_t ray[3],
-                                    towards *to) {
+static GLINT_NOINLINE void towards_far(const glint_prepared_light *light, int32_t inverse_w, const int32_t ray[3],
+                                       towards *to) {
     const int shift = light->point.shift; /* below 32; below 0 only for lights far beyond all that is drawn */
     int64_t far[3];
     int32_t v[3];
@@ -187,9 +187,9 @@ static inline void illuminate_one(const glint_prepared_light *light, glint_fragm
     int16_t *const direction = fragments->light[i];
     towards v;
     if (light->point.shift >= 32)
-        v = find_near(light, inverse_w, ray);
+        v = towards_near(light, inverse_w, ray);
     else
-        find_far(light, inverse_w, ray, &v);
+        towards_far(light, inverse_w, ray, &v);
     const unsigned zeros = zeros_of(&v);
     fragments->strength[i] = 0;
     fragments->length[i] = 0;

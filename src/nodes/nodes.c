@@ -22,7 +22,7 @@ void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[
 }
 
 /* The half vector, and half its square before it is made unit. @return 0 where it turns too fast, or points away */
-static int find_half_vector(const int16_t light[3], const int16_t view[3], uint32_t *least, int16_t axis[3]) {
+static int find_half(const int16_t light[3], const int16_t view[3], uint32_t *least, int16_t axis[3]) {
     const int32_t square = glint_shift_right(GLINT_UNIT * GLINT_UNIT + glint_dot(light, view), 15);
     if (square < LEAST_HALF_SQUARE)
         return 0;
@@ -88,7 +88,7 @@ static void light_lobe(const glint_shading *shading, uint32_t i, const glint_pre
     } else {
         const uint32_t is_gated = !(shading->material->flags & GLINT_MATERIAL_UNGATED);
         uint32_t unused = 1 << 14;
-        is_there = find_half_vector(light, at->view[n], node->dark >> i & is_gated ? &unused : &node->half, own);
+        is_there = find_half(light, at->view[n], node->dark >> i & is_gated ? &unused : &node->half, own);
     }
     if (!is_there)
         node->unfit |= (uint8_t)(1u << i);

@@ -275,7 +275,7 @@ static int is_between(const glint_frame *frame, const glint_shading *shading, co
 enum { FIT_NONE, FIT_PLANES, FIT_QUADRATICS, FIT_OVER_LENGTH };
 
 /* Which of them are, for highlights as they stand? Sets whether nodes between corners may be found from these. */
-static int find_fit(const glint_frame *frame, const glint_shading *shading, glint_candidate *t) {
+static int choose_fit(const glint_frame *frame, const glint_shading *shading, glint_candidate *t) {
     const uint32_t limit = shading->terms->limit;
     glint_region *const region = &t->region;
     if (!(region->sides & region->lobes) && !region->has_edge &&
@@ -301,10 +301,10 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     const target to = {part, terms, polynomials};
     if (!is_shapely(triangle, part) || !glint_find_region(frame, draw, triangle, &t))
         return 0;
-    int fit = glint_region_sum_lobes(shading, t.has_surface, region) ? find_fit(frame, shading, &t) : FIT_NONE;
+    int fit = glint_region_sum_lobes(shading, t.has_surface, region) ? choose_fit(frame, shading, &t) : FIT_NONE;
     if (fit == FIT_NONE) {
         glint_region_part_lobes(region);
-        fit = find_fit(frame, shading, &t);
+        fit = choose_fit(frame, shading, &t);
     }
     if (fit == FIT_NONE || (fit == FIT_OVER_LENGTH && !glint_find_lengths(triangle, &by)))
         return 0;

@@ -171,7 +171,7 @@ static void fill_cosine(uint16_t cosine[GLINT_COSINE_VALUES], int32_t exponent) 
 }
 
 /* 1.12 sqrt(p), Q4, of p in Q16.16, from 3 on. */
-static uint32_t find_spread(int32_t shininess) {
+static uint32_t find_lobe_spread(int32_t shininess) {
     if (shininess < 3 * GLINT_ONE)
         return 0;
     return (glint_square_root((uint32_t)shininess) * 287 >> 12) + 1;
@@ -179,7 +179,7 @@ static uint32_t find_spread(int32_t shininess) {
 
 static void set_lobes(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
     terms->lobe_is_wide = shading->shininess < WIDE;
-    terms->spread = find_spread(shading->shininess);
+    terms->spread = find_lobe_spread(shading->shininess);
     terms->lobe_has_strip = shading->shininess < GLINT_ONE && shading->shininess;
     if (terms->lobe_is_wide) {
         terms->lobes = shading->has_specular;

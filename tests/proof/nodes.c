@@ -55,13 +55,13 @@ PROOF(glint_find_ray) {
 }
 
 /* Any light and view vector that is not behind. @contract glint_dot glint_unit */
-PROOF(find_half_vector) {
+PROOF(find_half) {
     int16_t light[3], view_vector[3], axis[3];
     uint32_t half = ANY_UNSIGNED(0, INT16_MAX);
     any_unit(light);
     any_unit(view_vector);
     view_vector[2] = (int16_t)ANY(0, 32767);
-    find_half_vector(light, view_vector, &half, axis);
+    find_half(light, view_vector, &half, axis);
 }
 
 /* z from 0 to 1, by the intervals of the table. */
@@ -128,7 +128,7 @@ PROOF(find_cone) {
     ensures \initialized(least);
     admit ensures \subset(axis[0 .. 2], (-32767 .. 32767));
     admit ensures \result == 0 || axis[2] >= 0; */
-static int find_half_vector(const int16_t *light, const int16_t *view, uint32_t *least, int16_t *axis);
+static int find_half(const int16_t *light, const int16_t *view, uint32_t *least, int16_t *axis);
 
 /* A material of any lobes, and any node of one light. */
 static void any_material(void) {
@@ -182,7 +182,7 @@ static int find_lobe_deviation(const int16_t *n, const int16_t *h, unsigned shif
 
 /*
  * Any light's highlight, of the half vector or of mirrored light, wide or narrow.
- * @contract glint_dot find_half_vector find_lobe_deviation
+ * @contract glint_dot find_half find_lobe_deviation
  * @alarms 1 an axis that points away is none; suite `nodes` under UBSan
  * @narrowing a mirrored vector is found modulo 2^32, and is below 1
  */

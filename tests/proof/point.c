@@ -41,7 +41,7 @@ static int find_mantissas(const int64_t scaled[3], int64_t n, int32_t mantissa[3
 /*@ requires \valid_read(light) && \valid_read(ray + (0 .. 2)) && \valid(to);
     assigns *to \from indirect: *light, inverse_w, ray[0 .. 2];
     ensures \initialized(to) && 0 <= to->exponent <= 51; */
-static void find_far(const glint_prepared_light *light, int32_t inverse_w, const int32_t *ray, towards *to);
+static void towards_far(const glint_prepared_light *light, int32_t inverse_w, const int32_t *ray, towards *to);
 
 /* Stands on glint_magnitude_bits, which has at most 31. */
 /*@ requires \valid_read(v);
@@ -186,24 +186,24 @@ PROOF(glint_point_closeness) {
 }
 
 /* Any light near or far, any ray of up to 2^30 and any 1/w. */
-PROOF(find_near) {
+PROOF(towards_near) {
     glint_prepared_light light;
     glint_fragments fragments;
     any_placed(&light);
     light.point.shift = ANY(32, 122);
     any_fragment(&fragments);
-    find_near(&light, fragments.inverse_w[0], fragments.ray[0]);
+    towards_near(&light, fragments.inverse_w[0], fragments.ray[0]);
 }
 
 /* Any light far beyond what is drawn, any ray of up to 2^30 and any 1/w. @contract glint_reduce */
-PROOF(find_far) {
+PROOF(towards_far) {
     glint_prepared_light light;
     glint_fragments fragments;
     towards to;
     any_placed(&light);
     light.point.shift = ANY(-16, 31);
     any_fragment(&fragments);
-    find_far(&light, fragments.inverse_w[0], fragments.ray[0], &to);
+    towards_far(&light, fragments.inverse_w[0], fragments.ray[0], &to);
 }
 
 /* Any ray, any leading zeros. */
@@ -269,7 +269,7 @@ PROOF(find_distance) {
     }
 }
 
-/* Any light and fragment. @contract find_far zeros_of glint_unit to_15_bits_of faces_away find_distance attenuate */
+/* Any light and fragment. @contract towards_far zeros_of glint_unit to_15_bits_of faces_away find_distance attenuate */
 PROOF(glint_point_illuminate) {
     glint_prepared_light light;
     glint_fragments fragments;

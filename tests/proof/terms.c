@@ -9,7 +9,7 @@
 #include "plane.h"
 
 /*
- * Not proven: glint_terms_light, glint_terms_begin, find_fit, light_middles, sum_corners, sum_node, mix_sums,
+ * Not proven: glint_terms_light, glint_terms_begin, choose_fit, light_middles, sum_corners, sum_node, mix_sums,
  * take_kept, begin_term_planes, begin_term_quadratics, take_numbers, take_sums, find_normals, has_edge: they walk
  * corners and lights, whose numbers are where place_numbers puts them, and call what is proven. Suites `nodes` and
  * `identity` under ASan and UBSan, and fuzzing.
