@@ -66,9 +66,9 @@ static int share_room(glint_frame *frame, const glint_object *object, const glin
         return 0;
     const size_t fit = (room - fixed - seen) / ((some - fixed) / 256) + 3; /* at least */
     uint32_t vertices = fit < most ? (uint32_t)fit : most;
-    while (vertices >= 3 && part_size(frame, object, transform, vertices) + seen > room)
+    while (vertices && part_size(frame, object, transform, vertices) + seen > room)
         vertices -= (vertices + 15) / 16;
-    if (vertices < 3)
+    if (vertices < most && vertices < 3) /* a mesh of fewer has no triangle that shows */
         return 0;
     uint8_t *top = frame->memory.base + high - GLINT_BIN_RESERVE;
     top -= GLINT_ALIGNED(vertices * sizeof(uint16_t));
