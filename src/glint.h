@@ -512,6 +512,7 @@ typedef struct glint_frame {
     struct glint_draw *draws;             /* what this pass draws */
     struct glint_reference *references;   /* first one for each of its tiles, with which the tile's list begins */
     uint32_t reference_count;
+    uint8_t has_costly;            /* does this pass draw what is lit by fragments or nodes? */
     struct glint_clipped *clipped; /* above the last; they grow downwards */
     glint_stats stats;
 } glint_frame;

@@ -79,6 +79,7 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
         draw->light = 0;
         draw->kernel = glint_draw_unlit;
     }
+    draw->is_costly = evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS && draw->kernel == evaluation->kernel;
     draw->object = frame->object;
     draw->first_triangle = frame->triangle;
     draw->first = last ? (uint16_t)(last->first + last->count) : 0;
@@ -88,6 +89,7 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
     draw->mirrored = transform->mirrored;
     draw->double_sided = (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
     draw->triangles = object->mesh->triangles + frame->triangle;
+    frame->has_costly = draw->is_costly || (last && frame->has_costly);
     if (last)
         last->next = draw;
     else

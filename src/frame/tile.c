@@ -2,6 +2,7 @@
 /* Tile: draws the triangles that a pass lists for one tile. */
 #include "../light/evaluation.h"
 #include "../pixel/pixel.h"
+#include "../raster/runs.h"
 #include "frame.h"
 
 /* Compilers call these two even in freestanding code; here the library does. */
@@ -80,13 +81,18 @@ static inline const uint16_t *find_corners(const glint_draw *draw, uint32_t i, g
     return indices;
 }
 
+/* What number stands for, of a triangle made by clipping. */
+static const glint_clipped *find_clipped(const glint_frame *frame, uint32_t number) {
+    const glint_clipped *top = (const glint_clipped *)(const void *)(frame->memory.base + frame->memory.high);
+    return top - 1 - (GLINT_CLIPPED_TOP - number);
+}
+
 /* Any triangle, of this draw, of one that follows, or made by clipping. */
 static GLINT_NOINLINE void find_any_triangle(const glint_frame *frame, draw_source *from, uint32_t number,
                                              glint_triangle *t) {
     const glint_draw *draw = from->draw;
     if (number > GLINT_TRIANGLES_MAX) {
-        const glint_clipped *top = (const glint_clipped *)(const void *)(frame->memory.base + frame->memory.high);
-        const glint_clipped *clipped = top - 1 - (GLINT_CLIPPED_TOP - number);
+        const glint_clipped *clipped = find_clipped(frame, number);
         for (int i = 0; i < 3; i++) {
             t->corners[i] = &clipped->corners[i];
             t->extra[i] = clipped->extra[i];
@@ -127,6 +133,52 @@ static void place_tile(const glint_frame *frame, glint_window *window, uint32_t 
     glint_window_begin(window, x, y, width, height);
 }
 
+/* ---- Hidden draws ---- */
+
+/* The draw of a triangle, this one or one that follows. */
+static const glint_draw *find_draw(const glint_frame *frame, const glint_draw *draw, uint32_t number) {
+    if (number > GLINT_TRIANGLES_MAX)
+        return find_clipped(frame, number)->draw;
+    while (number - draw->first >= draw->count)
+        draw = draw->next;
+    return draw;
+}
+
+static void hide_behind(const glint_frame *frame, const glint_workspace *workspace, const glint_part *part) {
+    for (uint32_t y = part->top; y < part->bottom; y++) {
+        const glint_span span = part->spans[y];
+        glint_hide_behind(workspace->depth + (y << frame->tile_shift_x), span,
+                          glint_plane_at(&part->depth, part->x + span.left, part->y + (int32_t)y), part->depth.dx);
+    }
+}
+
+/*
+ * Hides what of a costly object lies behind those that are drawn later: light that nobody sees costs more than depth
+ * that is found twice. Pixels are the same whatever is hidden here.
+ */
+static GLINT_NOINLINE void hide_objects(const glint_frame *frame, glint_workspace *workspace, glint_part *part,
+                                        const glint_reference *list) {
+    const glint_reference *const references = frame->references;
+    const glint_draw *const first = find_draw(frame, frame->draws, references[list->next].triangle);
+    const uint32_t last = find_draw(frame, first, references[list->triangle].triangle)->object;
+    draw_source from = {first, first->first, 0};
+    uint32_t behind = last; /* the first costly object */
+    glint_triangle triangle;
+    if (first->object == last)
+        return;
+    for (uint32_t here = list->next; here != GLINT_LIST_END; here = references[here].next) {
+        find_triangle(frame, &from, references[here].triangle, &triangle);
+        if (from.draw->object < behind && from.draw->is_costly)
+            behind = from.draw->object;
+        if (from.draw->object <= behind || !glint_raster(part, triangle.corners))
+            continue;
+        glint_setup(part, &triangle);
+        hide_behind(frame, workspace, part);
+    }
+}
+
+/* ---- Tiles ---- */
+
 int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
     glint_part part;
     place_tile(frame, &part.window, tile);
@@ -138,7 +190,10 @@ int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint
     draw_source from = {frame->draws, 0, 0};
     const glint_reference *const references = frame->references;
     glint_triangle triangle;
-    for (uint32_t here = frame->references[tile - frame->tile_first].next; here != GLINT_LIST_END;) {
+    const glint_reference *const list = &references[tile - frame->tile_first];
+    if (frame->has_costly && list->next != GLINT_LIST_END)
+        hide_objects(frame, workspace, &part, list);
+    for (uint32_t here = list->next; here != GLINT_LIST_END;) {
         const glint_reference *const reference = &references[here];
         find_triangle(frame, &from, reference->triangle, &triangle);
         here = reference->next;

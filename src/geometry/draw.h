@@ -44,6 +44,7 @@ typedef struct glint_draw {
     uint16_t first;          /* number in the pass of its first triangle */
     uint16_t count;
     uint8_t mirrored, double_sided;
+    uint8_t is_costly; /* lit by fragments or nodes: what is hidden is better not begun */
 } glint_draw;
 
 /** Brings a vertex's normal to camera space. */

@@ -80,6 +80,15 @@ static inline int glint_is_visible(const glint_frame *frame, const glint_workspa
     return 0;
 }
 
+/** Hides what lies behind a span: stores its depth, a step less than it has, so that it still is nearer itself. */
+static inline void glint_hide_behind(uint16_t *depth, glint_span span, int32_t z, int32_t z_dx) {
+    for (uint32_t column = span.left; column < span.right; column++) {
+        if (glint_shift_right(z, 15) > depth[column])
+            depth[column] = (uint16_t)glint_shift_right(z, 15);
+        z = glint_add_wrap(z, z_dx);
+    }
+}
+
 /** Pixels of a part's spans. */
 static inline uint32_t glint_covered_by(const glint_part *part) {
     uint32_t covered = 0;

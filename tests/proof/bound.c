@@ -232,13 +232,24 @@ PROOF(glint_region_add_lobe) {
     }
 }
 
+static void any_loop(const glint_spans *spans, const glint_quadratic channels[3], int is_curved) {
+    (void)spans;
+    (void)channels;
+    (void)is_curved;
+}
+
 /* Any region, of any lights. @options -eva-slevel 300 */
 PROOF(glint_terms_name) {
     glint_draw draw;
     glint_terms to;
+    glint_format format;
     static const int16_t colours[1][3];
+    static const uint16_t curve[3][GLINT_GAMMA_ENTRIES];
     any_material();
     any_region();
+    format.draw_channels = ANY(0, 1) ? any_loop : 0;
+    frame.config.format = &format;
+    frame.config.gamma = ANY(0, 1) ? curve : 0;
     draw.shading = &shading;
     draw.extra = ANY(0, 1) ? colours : 0;
     terms.channels = ANY(0, 1) ? 1 : 3;

@@ -52,6 +52,24 @@ PROOF(glint_find_deep_runs) {
     }
 }
 
+/* The same, and any 1/w: nothing is nearer than what lies there. @narrowing 1/w is a number with a sign */
+PROOF(glint_hide_behind) {
+    FOR_PARTS(below, 0, 1) {
+        FOR_ROWS(span) {
+            glint_hide_behind(depths, *span, below ? ANY(INT32_MIN, -1) : ANY(0, 0x7ffeffff), 0);
+            for (int i = span->left; i < span->right; i++) {
+                if (below && !(hidden >> (i - left) & 1)) {
+                    /*@ assert depths[i] == 0; */
+                } else if (!(hidden >> (i - left) & 1)) {
+                    /*@ assert depths[i] <= 65533; */
+                } else {
+                    /*@ assert depths[i] == 65535; */
+                }
+            }
+        }
+    }
+}
+
 /* Any rows of any spans. */
 PROOF(glint_covered_by) {
     glint_part part;
