@@ -82,7 +82,7 @@ static inline const uint16_t *find_corners(const glint_draw *draw, uint32_t i, g
 }
 
 /* What number stands for, of a triangle made by clipping. */
-static const glint_clipped *find_clipped(const glint_frame *frame, uint32_t number) {
+static const glint_clipped *clipped_of(const glint_frame *frame, uint32_t number) {
     const glint_clipped *top = (const glint_clipped *)(const void *)(frame->memory.base + frame->memory.high);
     return top - 1 - (GLINT_CLIPPED_TOP - number);
 }
@@ -92,7 +92,7 @@ static GLINT_NOINLINE void find_any_triangle(const glint_frame *frame, draw_sour
                                              glint_triangle *t) {
     const glint_draw *draw = from->draw;
     if (number > GLINT_TRIANGLES_MAX) {
-        const glint_clipped *clipped = find_clipped(frame, number);
+        const glint_clipped *clipped = clipped_of(frame, number);
         for (int i = 0; i < 3; i++) {
             t->corners[i] = &clipped->corners[i];
             t->extra[i] = clipped->extra[i];
@@ -138,7 +138,7 @@ static void place_tile(const glint_frame *frame, glint_window *window, uint32_t 
 /* The draw of a triangle, this one or one that follows. */
 static const glint_draw *find_draw(const glint_frame *frame, const glint_draw *draw, uint32_t number) {
     if (number > GLINT_TRIANGLES_MAX)
-        return find_clipped(frame, number)->draw;
+        return clipped_of(frame, number)->draw;
     while (number - draw->first >= draw->count)
         draw = draw->next;
     return draw;
