@@ -13,7 +13,7 @@ $(BUILD)/bench/bench_scenes.h: $(BUILD)/bench/scenes
 $(foreach board,$(MEASURED),$(foreach level,Os O2,\
     $(patsubst %.c,$(BUILD)/$(board)/$(level)/%.o,tools/bench/frames.c tools/bench/workloads.c))): $(BUILD)/bench/bench_scenes.h
 
-PROGRAM_workloads := tools/bench/workload_frames.c tools/bench/workloads.c $(wildcard examples/scenes/*.c)
+PROGRAM_workloads := tools/bench/workload_frames.c tools/bench/workloads.c tools/bench/boxes.c $(wildcard examples/scenes/*.c)
 $(foreach board,$(MEASURED),$(eval $(call firmware_program,$(board),O2,workloads)))
 # It measures; `make boards` lists what is to run on a board.
 FIRMWARE := $(filter-out %/workloads.elf,$(FIRMWARE))

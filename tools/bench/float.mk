@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The float renderer that frames are compared with: its instructions on a Cortex-M4F, and its pictures.
 
-FLOAT_RENDERER := $(filter-out tools/bench/float/frames.c,$(wildcard tools/bench/float/*.c)) tools/bench/workloads.c \
+FLOAT_RENDERER := $(filter-out tools/bench/float/frames.c,$(wildcard tools/bench/float/*.c)) tools/bench/workloads.c tools/bench/boxes.c \
     $(wildcard examples/scenes/*.c)
 FLOAT_INCLUDES := -Itools/bench -Itools/bench/float
 

@@ -316,8 +316,11 @@ enum {
     EXAMPLES = COUNT_OF(examples)
 };
 
+/* Boxes have lights of two kinds: that of the benchmark, and four points. */
+enum { BOXES = 2 * BOXES_SCENES };
+
 uint32_t workload_count(void) {
-    return WORKLOADS_PLAIN + LOOKS + OUTPUTS + EXAMPLES;
+    return WORKLOADS_PLAIN + LOOKS + OUTPUTS + BOXES + EXAMPLES;
 }
 
 static workload bench_workload(uint32_t bench, const uint16_t size[2]) {
@@ -351,6 +354,21 @@ static workload output_workload(uint32_t number) {
     return changed;
 }
 
+static workload boxes_workload(uint32_t number) {
+    const boxes_definition *boxes = &boxes_definitions[number / 2];
+    workload drawn = bench_workload(TORUS576, sizes[0]);
+
+    drawn.scene = boxes->name;
+    drawn.boxes = boxes;
+    drawn.width = boxes->width;
+    drawn.height = boxes->height;
+    if (number % 2) {
+        drawn.look = "4 points";
+        drawn.change = four_points;
+    }
+    return drawn;
+}
+
 static workload example_workload(uint32_t number) {
     const example_scene *scene = examples[number].scene;
     const workload drawn = {.scene = scene->name,
@@ -376,7 +394,23 @@ workload workload_get(uint32_t number) {
     if (number < OUTPUTS) {
         return output_workload(number);
     }
-    return example_workload(number - OUTPUTS);
+    number -= OUTPUTS;
+    if (number < BOXES) {
+        return boxes_workload(number);
+    }
+    return example_workload(number - BOXES);
+}
+
+/* Boxes in place of the scene's object, of its material. */
+static void build_boxes(workload_stage *stage, const boxes_definition *boxes) {
+    for (uint32_t i = 0; i < boxes->count; i++) {
+        stage->box_objects[i] = stage->example.objects[0];
+    }
+    stage->poses = 0;
+    stage->boxes = boxes;
+    boxes_place(stage->box_objects, boxes, 0);
+    stage->example.scene.objects = stage->box_objects;
+    stage->example.scene.object_count = boxes->count;
 }
 
 static void build_bench(workload_stage *stage, const workload *built) {
@@ -390,6 +424,9 @@ static void build_bench(workload_stage *stage, const workload *built) {
     stage->mesh = *bench_scenes[built->bench].mesh;
     stage->poses = bench_scenes[built->bench].poses;
     stage_add(example, &stage->mesh, &bench_material, &stage->poses[0]);
+    if (built->boxes) {
+        build_boxes(stage, built->boxes);
+    }
     if (built->change) {
         built->change(stage);
     }
@@ -397,6 +434,7 @@ static void build_bench(workload_stage *stage, const workload *built) {
 
 int workload_build(workload_stage *stage, const workload *built) {
     stage->poses = 0;
+    stage->boxes = 0;
     if (built->example) {
         return build_example(stage, built);
     }
@@ -407,6 +445,8 @@ int workload_build(workload_stage *stage, const workload *built) {
 void workload_set_frame(workload_stage *stage, uint32_t frame) {
     if (stage->poses) {
         stage->example.objects[0].pose = stage->poses[frame];
+    } else if (stage->boxes) {
+        boxes_place(stage->box_objects, stage->boxes, frame);
     }
 }
 

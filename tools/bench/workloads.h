@@ -2,8 +2,8 @@
 /**
  * @file workloads.h
  * What frames are counted of: the benchmark scenes, one of them under every kind of light, material and evaluation and
- * in every pixel format, and example scenes. Scenes, not how they are drawn: any program that reads glint_scene can go
- * through the list,
+ * in every pixel format, boxes, and example scenes. Scenes, not how they are drawn: any program that reads glint_scene
+ * can go through the list,
  *
  *     for (uint32_t i = 0; i < workload_count(); i++) {
  *         const workload drawn = workload_get(i);
@@ -18,6 +18,7 @@
 #define GLINT_BENCH_WORKLOADS_H
 
 #include "../../examples/scenes/scenes.h"
+#include "boxes.h"
 
 /** Room for the name of a variant and its end. */
 #define WORKLOAD_TEXT 64
@@ -29,8 +30,10 @@
 typedef struct workload_stage {
     example_stage example;
     glint_mesh mesh;
-    uint8_t colours[288][3]; /**< The vertices of torus576. */
-    const glint_pose *poses; /**< Of the frames; null where all are the same. */
+    uint8_t colours[288][3];       /**< The vertices of torus576. */
+    const glint_pose *poses;       /**< Of a benchmark scene's frames, or null. */
+    const boxes_definition *boxes; /**< Or null. */
+    glint_object box_objects[BOXES_MAX];
 } workload_stage;
 
 /** How pixels are stored. */
@@ -50,9 +53,10 @@ typedef struct workload {
     uint16_t width, height;
     uint32_t frames;
     const workload_output *output;
-    const example_scene *example; /**< Null for a benchmark scene: */
-    uint32_t bench;               /**< that of so many, */
-    workload_change change;       /**< changed, or null. */
+    const example_scene *example;  /**< Or null; */
+    const boxes_definition *boxes; /**< or null. Else a benchmark scene: */
+    uint32_t bench;                /**< that of so many, */
+    workload_change change;        /**< changed, or null. */
 } workload;
 
 uint32_t workload_count(void);
