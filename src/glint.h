@@ -507,6 +507,7 @@ typedef struct glint_frame {
     const struct glint_extent *extents;   /* null where all is loaded, or there is no room for them */
     uint32_t object, triangle;            /* where the next pass goes on */
     size_t prepared_end, vertices_end;    /* of the arena's use */
+    uint32_t waiting;                     /* transforms of the last objects that wait to be loaded */
     size_t least_room;                    /* of the arena, behind what is prepared */
     const struct glint_node_stage *nodes; /* null where none are lit */
     struct glint_draw *draws;             /* what this pass draws */
@@ -531,6 +532,7 @@ typedef struct glint_workspace {
 typedef struct glint_kept {
     const struct glint_shading *shadings;
     uint32_t count;
+    size_t end; /* of the arena's use */
 } glint_kept;
 
 typedef struct glint_renderer {

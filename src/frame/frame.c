@@ -40,6 +40,13 @@ static int has_least_room(const glint_frame *frame) {
     return frame->memory.high - frame->memory.low >= frame->least_room;
 }
 
+/* Transforms that may wait in the arena, all of them beyond its first bytes of that number; one always does. */
+static uint32_t count_waiting(const glint_frame *frame, size_t end) {
+    const size_t room = end < frame->memory.high ? frame->memory.high - end : 0;
+    const size_t most = room / sizeof(glint_transform);
+    return most < 1 ? 1 : most < frame->scene->object_count ? (uint32_t)most : frame->scene->object_count;
+}
+
 static glint_status prepare_scene(glint_frame *frame, const glint_kept *kept) {
     glint_status status = glint_check_scene(frame->scene);
     if (status != GLINT_OK)
@@ -51,7 +58,9 @@ static glint_status prepare_scene(glint_frame *frame, const glint_kept *kept) {
     frame->least_room = GLINT_LEAST_ROOM;
     if (!has_least_room(frame)) /* the last transform waits there */
         return GLINT_ERROR_ARENA;
-    status = glint_prepare_view(view, &frame->config, frame->scene, glint_last_transform(frame));
+    const size_t taken = kept->end > frame->memory.low ? kept->end : frame->memory.low;
+    const uint32_t placed = count_waiting(frame, taken);
+    status = glint_prepare_view(view, &frame->config, frame->scene, glint_last_transform(frame), placed);
     if (status == GLINT_OK)
         status = prepare_materials(frame, kept);
     if (status == GLINT_OK && frame->nodes)
@@ -61,6 +70,8 @@ static glint_status prepare_scene(glint_frame *frame, const glint_kept *kept) {
     if (status != GLINT_OK)
         return status;
     frame->prepared_end = frame->memory.low;
+    const uint32_t left = count_waiting(frame, frame->memory.low + (frame->nodes ? frame->nodes->size : 0));
+    frame->waiting = left < placed ? left : placed;
     return has_least_room(frame) ? GLINT_OK : GLINT_ERROR_ARENA;
 }
 
@@ -83,11 +94,11 @@ glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, co
 }
 
 static glint_status begin_frame(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
-    glint_kept kept = {0, 0};
+    glint_kept kept = {0, 0, 0};
     if (!config || !scene || !config->arena)
         return GLINT_ERROR_NULL;
     if (!GLINT_SMALL && config->keeps_arena)
-        kept = (glint_kept){frame->shading, frame->shading_count};
+        kept = (glint_kept){frame->shading, frame->shading_count, frame->prepared_end};
     const glint_status status = glint_frame_grid(frame, config, scene);
     if (status != GLINT_OK)
         return status;

@@ -58,7 +58,7 @@ void glint_count_arena(glint_frame *frame);
 
 /**
  * Where the last object's transform waits from when the view is prepared until vertices are loaded: at the arena's high
- * end, which none of that takes.
+ * end, which none of that takes. Those of objects before it wait below, as long as nothing takes their place.
  */
 static inline glint_transform *glint_last_transform(const glint_frame *frame) {
     return (glint_transform *)(void *)(frame->memory.base + frame->memory.high) - 1;

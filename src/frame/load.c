@@ -143,8 +143,10 @@ typedef char glint_last_transform_stays[sizeof(glint_transform) <= GLINT_BIN_RES
 
 /* The present object's transform. */
 static void find_transform(const glint_frame *frame, glint_transform *transform) {
-    if (frame->object + 1 == frame->scene->object_count) {
-        *transform = *glint_last_transform(frame);
+    const uint32_t behind = frame->scene->object_count - 1 - frame->object;
+    const uint8_t *const taken = frame->memory.base + frame->memory.low;
+    if (!behind || (behind < frame->waiting && (const uint8_t *)(glint_last_transform(frame) - behind) >= taken)) {
+        *transform = *(glint_last_transform(frame) - behind);
         glint_transform_place(transform, frame->view);
     } else {
         glint_transform_prepare(transform, frame->view, &frame->config, &frame->scene->objects[frame->object]);

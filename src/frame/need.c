@@ -135,7 +135,7 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
     if (status == GLINT_OK)
         status = glint_check_scene(scene);
     if (status == GLINT_OK)
-        status = glint_prepare_view(&view, &frame.config, scene, &transform);
+        status = glint_prepare_view(&view, &frame.config, scene, &transform, 1);
     frame.view = &view;
     if (status == GLINT_OK)
         status = count_materials(&frame, &sum);

@@ -84,12 +84,13 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
     config.arena_size -= buffers; /* what aligning took is given up in glint_frame_begin */
     frame.shading = renderer->kept.shadings;
     frame.shading_count = renderer->kept.count;
+    frame.prepared_end = renderer->kept.end;
     renderer->stats = (glint_stats){0};
-    renderer->kept = (glint_kept){0, 0};
+    renderer->kept = (glint_kept){0, 0, 0};
     glint_status status = glint_frame_begin(&frame, &config, scene);
     if (status != GLINT_OK)
         return status;
-    renderer->kept = (glint_kept){frame.shading, frame.shading_count};
+    renderer->kept = (glint_kept){frame.shading, frame.shading_count, frame.prepared_end};
     uint8_t *first = workspace.pixels;
     uint8_t *second = config.flush.wait ? (uint8_t *)config.arena - workspace.stride * config.tile_height : first;
     workspace.drawn = config.counts_drawn ? frame.stats.drawn : 0;

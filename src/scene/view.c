@@ -68,10 +68,12 @@ static void place_lights(glint_view *view, const glint_scene *scene) {
 
 /* Depth is scaled to the nearest corner of any visible object's bounding box. */
 static glint_status prepare_nearest(glint_view *view, const glint_config *config, const glint_scene *scene,
-                                    glint_transform *transform) {
+                                    glint_transform *last, uint32_t count) {
     int64_t nearest = INT64_MAX;
     view->nearest = view->near_plane;
     for (uint32_t i = 0; i < scene->object_count; i++) {
+        const uint32_t behind = scene->object_count - 1 - i;
+        glint_transform *const transform = last - (behind < count ? behind : 0);
         glint_status status = glint_transform_prepare(transform, view, config, &scene->objects[i]);
         if (status != GLINT_OK)
             return status;
@@ -85,7 +87,7 @@ static glint_status prepare_nearest(glint_view *view, const glint_config *config
 }
 
 glint_status glint_prepare_view(glint_view *view, const glint_config *config, const glint_scene *scene,
-                                struct glint_transform *last) {
+                                struct glint_transform *last, uint32_t count) {
     const glint_camera *camera = &scene->camera;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++)
@@ -97,7 +99,7 @@ glint_status glint_prepare_view(glint_view *view, const glint_config *config, co
     prepare_focal_length(view, config, camera->field_of_view);
     glint_status status = prepare_lights(view, scene);
     if (status == GLINT_OK)
-        status = prepare_nearest(view, config, scene, last);
+        status = prepare_nearest(view, config, scene, last, count);
     if (status == GLINT_OK)
         place_lights(view, scene);
     return status;

@@ -58,9 +58,12 @@ struct glint_light_type {
     uint8_t has_cone; /* prepared->spot holds one */
 };
 
-/** Camera, lights and depth scale; and the last object's transform, but for what needs view->nearest. */
+/**
+ * Camera, lights and depth scale; and transforms, but for what needs view->nearest: the last object's at `last`, those
+ * before it below, `count` in all, at least 1.
+ */
 glint_status glint_prepare_view(glint_view *view, const glint_config *config, const glint_scene *scene,
-                                struct glint_transform *last);
+                                struct glint_transform *last, uint32_t count);
 
 /** Brings a world direction to camera space, unit. @return 0 when it has length 0. */
 int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_t out[3]);

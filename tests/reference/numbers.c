@@ -410,7 +410,7 @@ static void transforms_keep_their_ranges(void) {
         scene.camera.field_of_view = GLINT_ONE + (int32_t)(random_bits() % (169 * GLINT_ONE + 1));
         const uint32_t nearest = random_bits();
         scene.camera.near_plane = 1 + (int32_t)(nearest >> (1 + random_bits() % 31));
-        if (glint_prepare_view(&view, &config, &scene, &t) != GLINT_OK)
+        if (glint_prepare_view(&view, &config, &scene, &t, 1) != GLINT_OK)
             continue;
         CHECK_EQUAL(glint_transform_prepare(&t, &view, &config, &object), GLINT_OK);
         CHECK(view.focal >= 1 << 8 && view.focal <= 1 << 29 && view.nearest <= (int64_t)1 << 57);
