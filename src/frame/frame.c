@@ -59,8 +59,8 @@ static glint_status prepare_scene(glint_frame *frame, const glint_kept *kept) {
     if (!has_least_room(frame)) /* the last transform waits there */
         return GLINT_ERROR_ARENA;
     const size_t taken = kept->end > frame->memory.low ? kept->end : frame->memory.low;
-    const uint32_t placed = count_waiting(frame, taken);
-    status = glint_prepare_view(view, &frame->config, frame->scene, glint_last_transform(frame), placed);
+    frame->waiting = count_waiting(frame, taken);
+    status = glint_prepare_view(view, &frame->config, frame->scene, glint_last_transform(frame), frame->waiting);
     if (status == GLINT_OK)
         status = prepare_materials(frame, kept);
     if (status == GLINT_OK && frame->nodes)
@@ -70,8 +70,6 @@ static glint_status prepare_scene(glint_frame *frame, const glint_kept *kept) {
     if (status != GLINT_OK)
         return status;
     frame->prepared_end = frame->memory.low;
-    const uint32_t left = count_waiting(frame, frame->memory.low + (frame->nodes ? frame->nodes->size : 0));
-    frame->waiting = left < placed ? left : placed;
     return has_least_room(frame) ? GLINT_OK : GLINT_ERROR_ARENA;
 }
 

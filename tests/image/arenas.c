@@ -12,6 +12,7 @@
 #define WIDTH 24
 #define HEIGHT 12
 #define MATERIALS_MAX 8
+#define OBJECTS_MAX 60
 
 static const int16_t points[4][3] = {{0, 32767, 0}, {-32767, -16384, 0}, {32767, -16384, 0}, {0, 0, 32767}};
 static const uint16_t sides[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
@@ -29,7 +30,7 @@ typedef struct row {
     glint_scene scene;
     glint_light lights[2]; /* the second shows nowhere */
     glint_material materials[MATERIALS_MAX];
-    glint_object objects[MATERIALS_MAX];
+    glint_object objects[OBJECTS_MAX];
 } row;
 
 /* What is the matter with pyramid i. */
@@ -61,6 +62,16 @@ static void per_vertex(row *r, uint32_t i) {
 static void per_node(row *r, uint32_t i) {
     mixed(r, i);
     r->objects[i].evaluation = i % 3 == 2 ? &glint_per_fragment : &glint_per_node;
+}
+
+/* More objects than the smallest arenas have room for, which are all behind the eye. */
+static void many_behind_the_eye(row *r, uint32_t i) {
+    blinn_phong(r, i);
+    for (uint32_t behind = r->scene.object_count; i == 0 && behind < OBJECTS_MAX; behind++) {
+        r->objects[behind] = r->objects[0];
+        r->objects[behind].pose.m[2][3] = 5 * GLINT_ONE;
+        r->scene.object_count = behind + 1;
+    }
 }
 
 static void build(row *r, uint32_t count, variant change) {
@@ -171,6 +182,10 @@ static void objects_lit_at_nodes(void) {
     check_variant(4, per_node);
 }
 
+static void objects_behind_the_eye(void) {
+    check_variant(2, many_behind_the_eye);
+}
+
 /* A caller's own arena, without tile buffers: what has become enough stays so. */
 static void frames_begun_by_the_caller(void) {
     screen none;
@@ -228,6 +243,7 @@ int test_main(test_writer write) {
         TEST_CASE(materials_of_all_models),
         TEST_CASE(objects_of_all_evaluations),
         TEST_CASE(objects_lit_at_nodes),
+        TEST_CASE(objects_behind_the_eye),
         TEST_CASE(frames_begun_by_the_caller),
         TEST_CASE(more_clusters_than_numbers),
     };
