@@ -70,10 +70,10 @@ static reference_position *snap(const float_frame *frame, const glint_object *ob
 
 static void draw_reference(const float_screen *screen, const glint_scene *scene) {
     const reference_image image = {(int)screen->width, (int)screen->height, exact};
-    reference_position **positions = calloc(scene->object_count, sizeof *positions);
+    static reference_position *positions[BOXES_MAX];
     float_frame frame = {.screen = screen, .memory = &memory, .scene = scene};
 
-    if (!positions)
+    if (scene->object_count > BOXES_MAX)
         abort();
     float_prepare_frame(&frame);
     for (uint32_t i = 0; i < scene->object_count; i++)
@@ -81,7 +81,6 @@ static void draw_reference(const float_screen *screen, const glint_scene *scene)
     reference_render(&image, scene, (const reference_position *const *)positions);
     for (uint32_t i = 0; i < scene->object_count; i++)
         free(positions[i]);
-    free(positions);
 }
 
 /* ---- Pictures of a board ---- */

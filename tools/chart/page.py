@@ -139,22 +139,23 @@ def with_fpu(figures):
 
 
 def examples_beside_float(figures):
-    """@return (scene and look, size, {core: million instructions}, those of good float with an FPU) of example scenes"""
+    """@return (scene and look, size, {core: million instructions}, those of good float with an FPU) of example scenes and of boxes"""
     own = {row["scene"] for row in figures.counts}
     found = []
     for scene, look, size, million in with_fpu(figures):
         if scene in own:
             continue
+        variant = " ".join([size, "local 32x32"] + [look] * bool(look))
         counts = {row["cpu"]: int(row["instructions"]) / 1e6
-                  for row in only(figures.bench, kind="frame", name=scene, variant="%s local 32x32 %s" % (size, look))}
-        found.append(("%s, %s" % (scene, look), size, counts, million))
+                  for row in only(figures.bench, kind="frame", name=scene, variant=variant)}
+        found.append((", ".join([scene] + [look] * bool(look)), size, counts, million))
     return found
 
 
 def examples_in_float(figures):
     return table(["scene", "size", "glint, million instructions, Cortex-M0", "Cortex-M3", GOOD_FLOAT + ", Cortex-M4 with FPU",
                   "glint, Cortex-M3, against that"],
-                 [[name, size, "%.1f" % counts["m0"], "%.1f" % counts["m3"], "%.1f" % million, times(counts["m3"] / million)]
+                 [[name, size, "%.2f" % counts["m0"], "%.2f" % counts["m3"], "%.2f" % million, times(counts["m3"] / million)]
                   for name, size, counts, million in examples_beside_float(figures)])
 
 
@@ -173,9 +174,9 @@ def benchmark_beside_float(figures):
 def examples_behind_float(figures):
     ratios = [counts["m3"] / million for _, _, counts, million in examples_beside_float(figures)]
     behind = [ratio for ratio in ratios if ratio > 1]
-    return ("In %d of the %d example scenes good float with an FPU takes fewer instructions; there glint takes %.1f to %s as "
+    return ("In %d of these %d frames good float with an FPU takes fewer instructions; there glint takes %.1f to %s as "
             "many." % (len(behind), len(ratios), min(behind), times(max(behind))) if behind else
-            "In the example scenes glint takes fewer instructions than good float with an FPU.")
+            "In these frames glint takes fewer instructions than good float with an FPU.")
 
 
 def each_light_takes(figures):
