@@ -38,8 +38,8 @@ BENCH_FLOAT := $(BUILD)/mps2-an386-m4f/O2/float.elf
 
 .PHONY: bench bench-diff
 $(BUILD)/bench.csv: $(foreach core,$(BENCH_CORES),$(foreach program,frames workloads methods fragments,$(call bench_elf,$(core),$(program)))) \
-        $(BENCH_FLOAT) $(wildcard tools/bench/*.py) tests/board/qemu.py
-	$(Q)python3 tools/bench/bench.py --qemu $(QEMU) --output $(BUILD) --frames $(call bench_programs,frames) $(call bench_programs,workloads) \
+        $(BENCH_FLOAT) $(BUILD)/cycles/plugin.so $(wildcard tools/bench/*.py tools/cycles/*.py) tests/board/qemu.py
+	$(Q)python3 tools/bench/bench.py --qemu $(QEMU) --output $(BUILD) --plugin $(BUILD)/cycles/plugin.so --frames $(call bench_programs,frames) $(call bench_programs,workloads) \
 	    --float m4f=mps2-an386=$(BENCH_FLOAT) \
 	    --methods $(call bench_programs,methods) $(call bench_programs,fragments)
 

@@ -2,18 +2,21 @@
 """Runs firmware that counts instructions; shared by the scripts that measure."""
 import os
 import sys
+import tempfile
 
-sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "tests", "board"))
+sys.path[:0] = [os.path.join(os.path.dirname(__file__), *folders)
+                for folders in (("..", "..", "tests", "board"), ("..", "cycles"))]
+from costs import read
 from qemu import Died, Machine, Tally
 
 # An instruction takes a nanosecond of emulated time; tools/bench/counter.h counts on it.
 COUNTED = ("-icount", "shift=0")
 
 
-def lines_of(qemu, machine_name, elf):
-    """What the firmware writes; Died when it does not end well."""
+def lines_of(qemu, machine_name, elf, options=()):
+    """What the firmware writes; Died when it does not end well. `options` are the emulator's own."""
     lines = []
-    with Machine(qemu, machine_name, elf, options=COUNTED) as machine:
+    with Machine(qemu, machine_name, elf, options=COUNTED + tuple(options)) as machine:
         while True:
             line = machine.line()
             if line is None:
@@ -23,6 +26,16 @@ def lines_of(qemu, machine_name, elf):
     if status:
         raise Died("%s: exit status %d: %s" % (elf, status, " ".join(lines[-1:] + machine.errors)))
     return lines
+
+
+def counted_lines_of(qemu, machine_name, elf, plugin):
+    """The same, and what the plugin counted for each line of it."""
+    with tempfile.NamedTemporaryFile() as file:
+        lines = lines_of(qemu, machine_name, elf, ("-plugin", "%s,out=%s" % (os.path.abspath(plugin), file.name)))
+        counted = read(file.name)
+    if len(lines) != len(counted):
+        raise Died("%s: %d lines, %d of them counted" % (elf, len(lines), len(counted)))
+    return lines, counted
 
 
 def library_bytes(path, part=""):

@@ -8,6 +8,7 @@
 #define GLINT_BENCH_MEASURE_H
 
 #include "board.h"
+#include "../cycles/marks.h"
 #include "counter.h"
 #include "glint.h"
 #include "text.h"
@@ -39,6 +40,7 @@ static inline glint_status measure_need(const glint_config *config, const glint_
 static inline glint_status measure_frame(const glint_config *config, const glint_scene *scene, int first,
                                          glint_renderer *renderer, measured *result) {
     glint_status status = measure_need(config, scene, result);
+    CYCLES_START();
     const uint32_t start = counter_now();
     if (status == GLINT_OK && first) {
         status = glint_init(renderer, config);
@@ -47,6 +49,7 @@ static inline glint_status measure_frame(const glint_config *config, const glint
         status = glint_render(renderer, scene);
     }
     result->ticks += counter_ticks_since(start);
+    CYCLES_STOP();
     return status;
 }
 
@@ -64,6 +67,7 @@ static inline void measure_write(const measured *result, uint32_t frames) {
     measure_write_number(frames ? (uint32_t)(instructions / frames) : 0, ",");
     measure_write_number((uint32_t)result->smallest, ",");
     measure_write_number((uint32_t)result->best, "\n");
+    CYCLES_WRITE();
 }
 
 #endif

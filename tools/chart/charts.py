@@ -2,6 +2,7 @@
 """Every chart of docs/charts, as a function from the figures to an SVG."""
 import math
 
+import timing
 from figures import ASKED, CPUS, LIGHT_COUNTS, LIGHTS, LIT, LIT_SIZE, budget_of, front, only
 from plot import Axis, Chart, Panel
 
@@ -285,23 +286,22 @@ def lights(figures):
     return chart.svg()
 
 
-# Of the bus: pixels of a frame at 16 bits.
-BUS_FRAMES = (("torus2304", "320x240"), ("torus2304", "128x64"))
-
-
 def bus(figures):
-    """Above the diagonal the bus takes longer than the core, which draws an instruction a clock."""
+    """Above the diagonal the bus takes longer than the core."""
+    groups = ((timing.BENCHMARK[:1], "320x240", "blue"), (timing.BENCHMARK[3:4], "128x64", "red"),
+              (timing.EXAMPLES[:1], "teapot", "teal"), (timing.EXAMPLES[3:4], "Phong's lighting", "violet"),
+              (timing.EXAMPLES[4:], "halloween", "gold"))
     chart = Chart("Time of a frame in RGB565: what the core takes against what the bus takes",
-                  [("320x240", "blue"), ("128x64", "red"), ("above the dashed line the bus takes longer, below it the core", "grey")], 820, 560)
-    low, high = 0.5, 200
-    panel = Panel("", grid(chart, 1, 1)[0], Axis("core, ms at an instruction a clock", low, high, log=True),
-                  Axis("bus, ms", low, high, log=True))
-    panel.line([(low, low), (high, high)], "grey", 1, dash=2)
-    for (scene, size), colour in zip(BUS_FRAMES, ("blue", "red")):
-        pixels = math.prod(map(int, size.split("x")))
-        for part in figures.parts:
-            core = figures.instructions(scene, size, ASKED, part["cpu"]) * 1e3 / float(part["core_mhz"])
-            panel.point(core, pixels * 16 / 1e3 / float(part["bus_mhz"]), part["part"], colour)
+                  [("torus2304 at " + name if "x" in name else name, colour) for _, name, colour in groups] +
+                  [("above the dashed line the bus takes longer, below it the core", "grey")], 820, 560)
+    low, high = 0.5, 3000
+    panel = Panel("", grid(chart, 1, 1)[0], Axis("core, ms by the model of cycles", low, high, log=True),
+                  Axis("bus, ms", low, 200, log=True))
+    panel.line([(low, low), (200, 200)], "grey", 1, dash=2)
+    for drawn, _, colour in groups:
+        for frame in drawn:
+            for part in figures.parts:
+                panel.point(timing.core_ms(figures, frame, part), timing.bus_ms(frame[1], part), part["part"], colour)
     chart.panels.append(panel)
     return chart.svg()
 

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 """What pages say in figures: each block of text between a page's markers, as a function of the figures."""
 import re
+import textwrap
 
 import modelled
+import timing
 from figures import ASKED, CPUS, LIGHTS, budget_of, front, one, only
 from table import bullets, listed, table
 
@@ -171,6 +173,18 @@ def benchmark_beside_float(figures):
     return " ".join(sentences + (["It takes more in %s." % listed(more)] if more else []))
 
 
+def cycles_beside_float(figures):
+    """By the model of cycles."""
+    ratios = {frame: timing.count(figures, frame, "m4") / timing.count(figures, frame, "m4f", way="float")
+              for frame in timing.BENCHMARK + timing.SMALL + timing.EXAMPLES}
+    less = [frame for frame in ratios if ratios[frame] <= 1]
+    said = ["%s at %s (%.2f times)" % (timing.name_of(frame), frame[1], ratios[frame]) for frame in less]
+    return ("In cycles, [as they are modelled](boards.md#milliseconds-of-a-frame), glint on Cortex-M4 takes less than good float "
+            "with an FPU in %s, and %.1f to %s as many in the other %d frames that are listed there." % (
+                listed(said), min(ratio for ratio in ratios.values() if ratio > 1), times(max(ratios.values())),
+                len(ratios) - len(less)) if less else "In cycles glint takes more than good float everywhere.")
+
+
 def examples_behind_float(figures):
     ratios = [counts["m3"] / million for _, _, counts, million in examples_beside_float(figures)]
     behind = [ratio for ratio in ratios if ratio > 1]
@@ -201,10 +215,13 @@ def best(figures):
     exact = figures.psnr(SCENE, SIZE, ASKED)
     ideal = figures.psnr(SCENE, SIZE, "correctly rounded")
     counts = {cpu: figures.instructions(SCENE, SIZE, ASKED, cpu) for cpu in ("m3", "m0")}
-    return ("Lit per fragment, a torus of 2304 triangles at 320x240 has a PSNR of %.1f dB against double precision, where "
-            "RGB565\nitself allows %.1f. Built for speed (`-O2`), a frame of it takes %.1f million instructions on a Cortex-M3 "
-            "and %.1f on a\nCortex-M0. [Accuracy](docs/accuracy.md#whole-frames) holds that against other libraries and against "
-            "float, and says\nwhere those take fewer.\n" % (exact, ideal, counts["m3"], counts["m0"]))
+    spent = {part["cpu"]: "%.0f ms at %s MHz" % (timing.core_ms(figures, (SCENE, SIZE, ""), part), part["core_mhz"]) for part in figures.parts}
+    text = ("Lit per fragment, a torus of 2304 triangles at 320x240 has a PSNR of %.1f dB against double precision, where RGB565 "
+            "itself allows %.1f. Built for speed (`-O2`), a frame of it takes %.1f million instructions on a Cortex-M3 and %.1f on "
+            "a Cortex-M0: %s and %s by a [model of cycles](docs/boards.md#milliseconds-of-a-frame). "
+            "[Accuracy](docs/accuracy.md#whole-frames) holds that against other libraries and against float, and says where those "
+            "take fewer." % (exact, ideal, counts["m3"], counts["m0"], spent["m3"], spent["m0"]))
+    return textwrap.fill(text, 118, break_on_hyphens=False, break_long_words=False) + "\n"
 
 
 def format_count(value):
@@ -426,7 +443,7 @@ scene_findings = findings(
      "than lighting per vertex on M3 and M4.", small_triangles_suit_fragments),
     (budgets_of_scenes, always), ("The larger the triangles of a torus, the more an error budget saves.", large_triangles_gain))
 
-float_findings = findings((benchmark_beside_float, always), (examples_behind_float, always))
+float_findings = findings((benchmark_beside_float, always), (cycles_beside_float, always), (examples_behind_float, always))
 
 light_findings = findings((each_light_takes, always), (few_and_many_lights, always))
 
@@ -449,6 +466,7 @@ PAGES = {
         "lobes": lobes, "breaks": breaks, "normalise": methods("normalise", "", ()), "divide": methods("divide", "", ()),
         "half vector": methods("half_vector", "32", LIGHTINGS), "colour": methods("colour", "", ()),
         "rounding": methods("rounding", "", ())},
+    "docs/boards.md": {"times": timing.frame_times},
     "README.md": {"frames": best},
 }
 

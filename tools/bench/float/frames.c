@@ -4,6 +4,7 @@
  * writes a line for each,
  *     torus576,320x240 local float 8 points,INSTRUCTIONS
  */
+#include "../../cycles/marks.h"
 #include "../counter.h"
 #include "../workloads.h"
 #include "board.h"
@@ -38,9 +39,11 @@ static int count(const workload *drawn) {
     }
     for (uint32_t frame = 0; frame < drawn->frames; frame++) {
         workload_set_frame(&stage, frame);
+        CYCLES_START();
         const uint32_t start = counter_now();
         float_render(&screen, &memory, &stage.example.scene);
         ticks += counter_ticks_since(start);
+        CYCLES_STOP();
     }
     board_write(drawn->scene);
     board_write(",");
@@ -50,6 +53,7 @@ static int count(const workload *drawn) {
     board_write(drawn->look);
     board_write(",");
     write_number(drawn->frames ? (uint32_t)(ticks * COUNTER_INSTRUCTIONS_PER_TICK / drawn->frames) : 0, "\n");
+    CYCLES_WRITE();
     return 0;
 }
 
