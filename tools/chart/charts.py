@@ -288,12 +288,11 @@ def lights(figures):
 
 def bus(figures):
     """Above the diagonal the bus takes longer than the core."""
-    groups = ((timing.BENCHMARK[:1], "320x240", "blue"), (timing.BENCHMARK[3:4], "128x64", "red"),
-              (timing.EXAMPLES[:1], "teapot", "teal"), (timing.EXAMPLES[3:4], "Phong's lighting", "violet"),
+    groups = ((timing.BENCHMARK[:1], "torus 320x240", "blue"), (timing.BENCHMARK[3:4], "torus 128x64", "red"),
+              (timing.EXAMPLES[:1], "teapot", "teal"), (timing.EXAMPLES[3:4], "phong-lighting", "violet"),
               (timing.EXAMPLES[4:], "halloween", "gold"))
     chart = Chart("Time of a frame in RGB565: what the core takes against what the bus takes",
-                  [("torus2304 at " + name if "x" in name else name, colour) for _, name, colour in groups] +
-                  [("above the dashed line the bus takes longer, below it the core", "grey")], 820, 560)
+                  [(name, colour) for _, name, colour in groups] + [("above the line the bus takes longer", "grey")], 820, 560)
     low, high = 0.5, 3000
     panel = Panel("", grid(chart, 1, 1)[0], Axis("core, ms by the model of cycles", low, high, log=True),
                   Axis("bus, ms", low, 200, log=True))
