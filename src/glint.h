@@ -88,7 +88,8 @@ typedef enum glint_status {
     GLINT_ERROR_CONE = -17,        /**< A spot's cone is wider inside than outside, below 0 or above 180 degrees. */
     GLINT_ERROR_GENERATOR = -18,   /**< A generator has too few divisions, a size not above 0, or too little room. */
     GLINT_ERROR_BUDGET = -19,      /**< An error budget is not from 0 to GLINT_BUDGET_MAX. */
-    GLINT_ERROR_FLAGS = -20        /**< A mesh's or a material's flags have a bit that is not defined. */
+    GLINT_ERROR_FLAGS = -20,       /**< A mesh's or a material's flags have a bit that is not defined. */
+    GLINT_ERROR_PIXELS = -21       /**< A configuration's own memory of pixels is too small, or not aligned. */
 } glint_status;
 
 /** A sentence in English for a status; for a number that is no status, "unknown status". Never null. */
@@ -428,10 +429,18 @@ typedef struct glint_config {
     glint_flush flush;
     void *arena;       /**< Working memory, any alignment. More means fewer passes, never other pixels. */
     size_t arena_size; /**< Bytes; see `glint_arena_need`. */
+    /**
+     * Where glint_render puts the pixels that it sends, for memory of its own that DMA reads: aligned as a pointer is,
+     * or as a cache or a DMA wants it, as the second of two tiles begins a multiple of 64 bytes behind the first. Null:
+     * in the arena, where depth is in any case.
+     */
+    void *pixels;
+    size_t pixels_size; /**< Bytes: no less than `glint_pixels_need` tells. */
     /** Output tables for red, green and blue, or null: what a panel needs to show 0, 1/256 .. 1; Q16, 65535 is 1. */
     const uint16_t (*gamma)[GLINT_GAMMA_ENTRIES];
     /** Not 0: nobody else writes to the arena between frames. Tables of a material that the last frame prepared are
-     * then kept for as long as nothing that they come from changes; not by a library built for size. */
+     * then kept for as long as nothing that they come from changes, and made anew where something has written there;
+     * not by a library built for size. */
     uint8_t keeps_arena;
     uint8_t counts_drawn; /**< Not 0: glint_stats.drawn is counted too, for about 3 % more instructions. */
 } glint_config;
@@ -471,10 +480,11 @@ typedef struct glint_stats {
     glint_drawn drawn[GLINT_KERNELS]; /**< Where the configuration asks for it, else 0. */
 } glint_stats;
 
-/** Bytes of arena for a scene. */
+/** Bytes of arena for a scene; each is no less than the one before it. */
 typedef struct glint_need {
-    size_t smallest; /**< Below this, GLINT_ERROR_ARENA. */
-    size_t best;     /**< With this, one pass, for up to 57344 triangles in view. */
+    size_t least;    /**< Below this, GLINT_ERROR_ARENA. Between this and `resident`, vertices are loaded in parts. */
+    size_t resident; /**< From this on every vertex is transformed once a frame, for up to 57344 triangles in view. */
+    size_t one_pass; /**< From this on, one pass; more has no effect. */
 } glint_need;
 
 /* The rest of this section is the inside of a renderer: public so that it can be declared, not to be touched. */
@@ -543,7 +553,7 @@ typedef struct glint_renderer {
 
 /**
  * Sets up a renderer; draws nothing. On failure the renderer, if there is one, is all 0.
- * @return GLINT_ERROR_NULL, _SIZE, _TILE, or _ARENA when the arena cannot hold even the tile buffers.
+ * @return GLINT_ERROR_NULL, _SIZE, _TILE, _PIXELS, or _ARENA when the arena cannot hold even the tile buffers.
  */
 glint_status glint_init(glint_renderer *renderer, const glint_config *config);
 
@@ -558,6 +568,10 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene);
  * @return the error that drawing the scene would give: then `need` is as it was
  */
 glint_status glint_arena_need(const glint_config *config, const glint_scene *scene, glint_need *need);
+
+/** Bytes of `pixels` that glint_render needs where they are apart from the arena; 0 when the configuration is not
+ * valid. */
+size_t glint_pixels_need(const glint_config *config);
 
 /* ---- Only what changed ---- */
 /*

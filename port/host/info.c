@@ -78,7 +78,7 @@ static bool print_panel(const struct info_panel *panel, const host_settings *set
     }
     char size[16];
     snprintf(size, sizeof size, "%ux%u", panel->width, panel->height);
-    printf("%-8s %-7s %9zu %9zu\n", size, panel->format, need.smallest, need.best);
+    printf("%-8s %-7s %9zu %9zu\n", size, panel->format, need.least, need.one_pass);
     return true;
 }
 

@@ -297,9 +297,9 @@ bool view_draw(const glint_scene *scene, const host_settings *settings, framebuf
     glint_config config = configure(settings, tables);
     framebuffer_init(target, config.format, config.width, config.height);
     config.flush = framebuffer_flush(target);
-    glint_need need = {0, 0};
+    glint_need need = {0};
     glint_status status = glint_arena_need(&config, scene, &need);
-    config.arena_size = settings->arena > 0 ? settings->arena : need.best;
+    config.arena_size = settings->arena > 0 ? settings->arena : need.one_pass;
     if (status == GLINT_OK) {
         status = draw(scene, &config, stats);
     }
@@ -307,9 +307,9 @@ bool view_draw(const glint_scene *scene, const host_settings *settings, framebuf
         return true;
     }
     framebuffer_free(target);
-    if (status == GLINT_ERROR_ARENA && need.smallest > 0) {
+    if (status == GLINT_ERROR_ARENA && need.least > 0) {
         return problem_set(problem, 0, "--arena %zu: this scene takes %zu bytes, or %zu to be drawn in one pass",
-                           config.arena_size, need.smallest, need.best);
+                           config.arena_size, need.least, need.one_pass);
     }
     return problem_set(problem, 0, "%s", glint_strerror(status));
 }

@@ -89,6 +89,7 @@ typedef struct glint_fast_terms {
     uint32_t sine_square_end;    /* specular_end as sin^2, Q30 */
     int32_t ray_limit;           /* 28.4, from the centre */
     int32_t center_x, center_y;  /* of the screen, 28.4 */
+    uint32_t tables_sum;         /* glint_sum */
 } glint_fast_terms;
 
 /** How a triangle is drawn. */

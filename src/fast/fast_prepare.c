@@ -245,7 +245,8 @@ static glint_status prepare_material(glint_frame *frame, glint_shading *shading)
     glint_fast_terms *fast = glint_take(&frame->memory, sizeof *fast);
     if (!fast)
         return GLINT_ERROR_ARENA;
-    *fast = (glint_fast_terms){.diffuse = last == fast ? last->diffuse : 0};
+    *fast = (glint_fast_terms){.diffuse = last == fast ? last->diffuse : 0,
+                               .tables_sum = last == fast ? last->tables_sum : 0};
     shading->fast = fast;
     prepare_rays(fast, frame);
     prepare_light(fast, frame->view, shading);

@@ -121,7 +121,7 @@ static void fill_specular(const glint_shading *shading, uint32_t *words, uint32_
     }
 }
 
-/* The tables, if they leave room to draw any scene; nothing is to be done where the last frame left them. */
+/* The tables, if they leave room to draw any scene; nothing is to be done where the last frame left them, unspoilt. */
 void glint_fast_make_tables(glint_memory *memory, glint_fast_terms *fast, const glint_shading *shading) {
     const uint32_t entries = fast->specular_end >> 15, *const kept = fast->diffuse;
     const size_t size = glint_fast_tables_size(entries);
@@ -134,7 +134,7 @@ void glint_fast_make_tables(glint_memory *memory, glint_fast_terms *fast, const 
     fast->specular = specular;
     fast->diffuse = diffuse;
     fast->diffuse_pixel = pixels;
-    if (diffuse == kept)
+    if (diffuse == kept && glint_sum(specular, size) == fast->tables_sum)
         return;
     if (entries)
         fill_specular(shading, specular, entries);
@@ -142,6 +142,7 @@ void glint_fast_make_tables(glint_memory *memory, glint_fast_terms *fast, const 
     fill(&r, diffuse, GLINT_DIFFUSE_ENTRIES);
     for (uint32_t i = 0; i < GLINT_DIFFUSE_ENTRIES; i++)
         pixels[i] = (uint16_t)glint_spread_pack(fast->diffuse[i]);
+    fast->tables_sum = glint_sum(specular, size);
 }
 
 void glint_fast_prepare_ambient(glint_fast_terms *fast, const glint_shading *shading) {

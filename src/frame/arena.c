@@ -12,6 +12,24 @@ void *glint_take(glint_memory *memory, size_t size) {
     return memory->base + start;
 }
 
+/* Words that may hold any type; bytes where a compiler has none such. */
+#if defined(__GNUC__)
+typedef uint32_t __attribute__((may_alias)) word;
+#else
+typedef uint8_t word;
+#endif
+
+uint32_t glint_sum(const void *memory, size_t size) {
+    const word *next = memory;
+    size_t left = size / sizeof *next;
+    uint32_t sum = 0;
+    for (; left >= 4; left -= 4, next += 4)
+        sum += (uint32_t)next[0] + next[1] + next[2] + next[3];
+    for (; left; left--)
+        sum += *next++;
+    return sum;
+}
+
 void glint_count_arena(glint_frame *frame) {
     const uint8_t *base = frame->memory.base;
     const uint8_t *low = (const uint8_t *)(frame->references + frame->reference_count);

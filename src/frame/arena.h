@@ -20,4 +20,7 @@ static inline uint8_t *glint_align(void *memory) {
 /** `size` bytes from the arena's low end, aligned for pointers; null when it is full. */
 void *glint_take(glint_memory *memory, size_t size);
 
+/** A sum of `size` bytes, whole words: another one tells that something has written there. */
+uint32_t glint_sum(const void *memory, size_t size);
+
 #endif

@@ -92,7 +92,7 @@ glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, co
 }
 
 static glint_status begin_frame(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
-    glint_kept kept = {0, 0, 0};
+    glint_kept kept = {0};
     if (!config || !scene || !config->arena)
         return GLINT_ERROR_NULL;
     if (!GLINT_SMALL && config->keeps_arena)
@@ -128,9 +128,18 @@ static int advance(glint_frame *frame) {
     return frame->tile_first < frame->tile_count;
 }
 
-/* Are all objects loaded, and yet so little room is left that a frame's first pass would have few tiles? */
+/* How many tiles a pass may have when there was no room for so many: where all is loaded, half of the frame's, then a
+ * quarter, of fixed tiles. */
+static uint32_t find_fewer(const glint_frame *frame, uint32_t tiles) {
+    const uint32_t quarter = glint_quarter_of_tiles(frame);
+    if (!frame->resident || tiles <= quarter)
+        return (tiles + 1) / 2;
+    return tiles > 2 * quarter ? 2 * quarter : quarter;
+}
+
+/* Are all objects loaded, and yet so little room is left that a pass would have few tiles? */
 static int is_cramped(const glint_frame *frame) {
-    return frame->resident && !frame->stats.passes && 4u * frame->pass_tiles < frame->tile_count;
+    return frame->resident && frame->pass_tiles < glint_quarter_of_tiles(frame);
 }
 
 /*
@@ -150,7 +159,7 @@ static glint_status bin_tiles(glint_frame *frame) {
             return status;
         if (complete || glint_pass_tiles(frame) == 1)
             break;
-        frame->pass_tiles = (uint16_t)((glint_pass_tiles(frame) + 1) / 2);
+        frame->pass_tiles = (uint16_t)find_fewer(frame, glint_pass_tiles(frame));
         frame->object = object;
         frame->triangle = triangle;
         frame->stats.triangles = triangles;

@@ -42,6 +42,11 @@ static inline uint32_t glint_pass_tiles(const glint_frame *frame) {
     return (uint32_t)(frame->tile_end - frame->tile_first);
 }
 
+/** Of a frame's tiles, rounded up: with fewer to a pass, vertices are no longer kept from pass to pass. */
+static inline uint32_t glint_quarter_of_tiles(const glint_frame *frame) {
+    return (frame->tile_count + 3u) / 4;
+}
+
 /** A rectangle of pixels or tiles; right and bottom are exclusive. */
 typedef struct glint_range {
     int32_t left, top, right, bottom;
@@ -92,6 +97,12 @@ int glint_find_tiles(const glint_frame *frame, const glint_vertex *const v[3], g
 
 /** Bytes of arena that glint_render keeps for tiles. */
 size_t glint_tile_buffers_size(const glint_config *config);
+
+/** Pixels apart from the arena begin at multiples of so many bytes from the first. */
+#define GLINT_CACHE_LINE 64
+
+/** Bytes from the first tile's pixels to the second's. */
+size_t glint_second_pixels(const glint_config *config);
 
 /** Free bytes with which any triangle can be binned into one tile. */
 #define GLINT_BIN_RESERVE                   \

@@ -10,9 +10,19 @@
 
 typedef struct tally {
     size_t vertices, references, clipped; /* bytes, counts */
+    size_t of_quarter[4];                 /* references in each quarter of the tiles */
     size_t materials, tables;             /* bytes */
     size_t nodes;                         /* bytes of a triangle's */
 } tally;
+
+/* Counts references in each quarter of the tiles, of a triangle that may touch those from `first` to before `end`. */
+static void count_row(const glint_frame *frame, int32_t first, int32_t end, tally *sum) {
+    const int32_t quarter = (int32_t)glint_quarter_of_tiles(frame);
+    for (int32_t i = 0; i < 4; i++) {
+        const int32_t inside = glint_least(end, (i + 1) * quarter) - glint_most(first, i * quarter);
+        sum->of_quarter[i] += (size_t)glint_most(inside, 0);
+    }
+}
 
 static void count_part(const glint_frame *frame, const glint_transform *transform, const glint_mesh *mesh,
                        const glint_vertex *const v[3], int clipped, tally *sum) {
@@ -21,6 +31,8 @@ static void count_part(const glint_frame *frame, const glint_transform *transfor
     if (!glint_faces(transform->mirrored, double_sided, v) || !glint_find_tiles(frame, v, &range))
         return;
     sum->references += (size_t)((range.right - range.left) * (range.bottom - range.top));
+    for (int32_t row = range.top; row < range.bottom; row++)
+        count_row(frame, row * frame->tile_columns + range.left, row * frame->tile_columns + range.right, sum);
     sum->clipped += (size_t)clipped;
 }
 
@@ -124,6 +136,16 @@ static GLINT_NOINLINE glint_status count_materials(glint_frame *frame, tally *su
     return status;
 }
 
+/* Bytes of the lists of so many tiles, and of all clipped triangles. */
+static size_t size_lists(const tally *sum, size_t tiles, size_t references) {
+    return GLINT_ALIGNED(tiles * sizeof(glint_reference)) + GLINT_ALIGNED(references * sizeof(glint_reference)) +
+           GLINT_ALIGNED(sum->clipped * sizeof(glint_clipped)) + GLINT_BIN_RESERVE;
+}
+
+static size_t larger_of(size_t a, size_t b) {
+    return a > b ? a : b;
+}
+
 glint_status glint_arena_need(const glint_config *config, const glint_scene *scene, glint_need *need) {
     if (!config || !scene || !need)
         return GLINT_ERROR_NULL;
@@ -143,16 +165,16 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
         status = count_object(&frame, &scene->objects[i], &sum);
     if (status != GLINT_OK)
         return status;
-    size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame.config) +
-                      GLINT_ALIGNED(GLINT_VIEW_SIZE(scene->light_count)) + sum.materials;
-    size_t lists = GLINT_ALIGNED(frame.tile_count * sizeof(glint_reference)) +
-                   GLINT_ALIGNED(sum.references * sizeof(glint_reference)) +
-                   GLINT_ALIGNED(sum.clipped * sizeof(glint_clipped)) + GLINT_BIN_RESERVE;
-    need->smallest = prepared + GLINT_LEAST_ROOM + sum.nodes;
-    const size_t pass = sum.vertices + lists;
+    const size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame.config) +
+                            GLINT_ALIGNED(GLINT_VIEW_SIZE(scene->light_count)) + sum.materials;
     const size_t behind = sum.tables ? glint_room_behind_tables(sum.tables) : 0;
-    need->best = prepared + sum.tables + (pass > behind ? pass : behind);
-    if (need->best < need->smallest)
-        need->best = need->smallest;
+    const size_t quarter = size_lists(
+        &sum, glint_quarter_of_tiles(&frame),
+        larger_of(larger_of(sum.of_quarter[0], sum.of_quarter[1]), larger_of(sum.of_quarter[2], sum.of_quarter[3])));
+    const size_t lists = size_lists(&sum, frame.tile_count, sum.references);
+    need->least = prepared + GLINT_LEAST_ROOM + sum.nodes;
+    need->resident = larger_of(prepared + sum.tables + larger_of(sum.vertices + quarter, behind), need->least);
+    need->one_pass = prepared + sum.tables + larger_of(sum.vertices + lists, behind);
+    need->one_pass = larger_of(need->one_pass, need->resident);
     return GLINT_OK;
 }

@@ -11,6 +11,9 @@ glint_status glint_init(glint_renderer *renderer, const glint_config *config) {
         return GLINT_ERROR_NULL;
     renderer->config = *config;
     glint_status status = glint_check_config(&renderer->config);
+    if (status == GLINT_OK && config->pixels &&
+        (config->pixels_size < glint_pixels_need(config) || glint_align(config->pixels) != config->pixels))
+        status = GLINT_ERROR_PIXELS;
     if (status == GLINT_OK && config->arena_size < glint_tile_buffers_size(&renderer->config) + GLINT_ALIGNMENT)
         status = GLINT_ERROR_ARENA;
     if (status != GLINT_OK)
@@ -71,6 +74,18 @@ static glint_status render_passes(glint_frame *frame, glint_workspace *workspace
     return (glint_status)pass;
 }
 
+/* Two tiles' pixels lie behind each other, and what else a workspace has is before or behind both. */
+static void init_workspace(glint_workspace *workspace, const glint_config *config, uint8_t *memory) {
+    glint_workspace_init(workspace, config, memory);
+    if (config->pixels) {
+        workspace->row = (void *)workspace->pixels;
+        workspace->pixels = config->pixels;
+    } else if (config->flush.wait) {
+        workspace->row = (void *)((uint8_t *)workspace->pixels + 2 * glint_second_pixels(config));
+    }
+    workspace->gathered = (void *)workspace->row;
+}
+
 glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
     if (!renderer || !scene || !renderer->config.flush.begin)
         return GLINT_ERROR_NULL;
@@ -79,20 +94,20 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
     glint_workspace workspace;
     uint8_t *memory = glint_align(config.arena);
     size_t buffers = glint_tile_buffers_size(&config);
-    glint_workspace_init(&workspace, &config, memory);
+    init_workspace(&workspace, &config, memory);
     config.arena = memory + buffers;
     config.arena_size -= buffers; /* what aligning took is given up in glint_frame_begin */
     frame.shading = renderer->kept.shadings;
     frame.shading_count = renderer->kept.count;
     frame.prepared_end = renderer->kept.end;
     renderer->stats = (glint_stats){0};
-    renderer->kept = (glint_kept){0, 0, 0};
+    renderer->kept = (glint_kept){0};
     glint_status status = glint_frame_begin(&frame, &config, scene);
     if (status != GLINT_OK)
         return status;
     renderer->kept = (glint_kept){frame.shading, frame.shading_count, frame.prepared_end};
     uint8_t *first = workspace.pixels;
-    uint8_t *second = config.flush.wait ? (uint8_t *)config.arena - workspace.stride * config.tile_height : first;
+    uint8_t *second = config.flush.wait ? first + glint_second_pixels(&config) : first;
     workspace.drawn = config.counts_drawn ? frame.stats.drawn : 0;
     sender s = {&config.flush, {first, second}, 0, 0};
     status = render_passes(&frame, &workspace, &s);

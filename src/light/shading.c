@@ -2,6 +2,7 @@
 /* Shading: what a material makes of the scene's lights, and which of them show. */
 #include "shading.h"
 
+#include "../frame/arena.h"
 #include "../pixel/format.h"
 
 /* Products of two colours with `bits` fractional bits. @return the largest, below 0 when one passes GLINT_COLOUR_MAX.
@@ -84,7 +85,12 @@ glint_status glint_prepare_shading(const glint_frame *frame, glint_shading *shad
     const int32_t largest = weigh_lights(frame->scene, shading, find_spare(frame));
     if (largest < 0)
         return GLINT_ERROR_COLOUR;
+    const int keeps = !GLINT_SMALL && frame->config.keeps_arena;
+    if (keeps && !shading->changed)
+        shading->changed = glint_sum(&shading->power, sizeof shading->power) != shading->power_sum;
     if (material->model->prepare)
         material->model->prepare(shading, (uint32_t)largest);
+    if (keeps && shading->changed)
+        shading->power_sum = glint_sum(&shading->power, sizeof shading->power);
     return GLINT_OK;
 }

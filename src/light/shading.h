@@ -42,6 +42,7 @@ typedef struct glint_shading {
     const struct glint_fast_terms *fast;   /* tables of fast lighting, or null */
     const struct glint_light_terms *terms; /* null where fragments are lit one by one */
     size_t node_size;                      /* bytes that a vertex keeps of light; 0 where it keeps none */
+    uint32_t power_sum;                    /* of `power`, where the arena is kept */
     glint_power_table power;
 } glint_shading;
 

@@ -24,6 +24,7 @@ const char *glint_strerror(int status) {
         "a generator has too few divisions, a size not above 0, or too little room",
         "the error budget is not from 0 to 8",
         "a mesh's or a material's flags have an unknown bit",
+        "the memory of pixels is smaller than glint_pixels_need tells, or not aligned as a pointer is",
     };
     const int count = (int)(sizeof sentences / sizeof *sentences);
     return status > 0 || status <= -count ? "unknown status" : sentences[-status];

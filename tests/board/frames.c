@@ -30,7 +30,7 @@ static glint_status prepare(glint_config *config, const glint_scene *scene, int 
         return status;
     }
     config->arena = arena;
-    config->arena_size = smallest ? need.smallest : need.best;
+    config->arena_size = smallest ? need.least : need.one_pass;
     if (config->arena_size > sizeof arena) {
         config->arena_size = sizeof arena;
     }

@@ -244,7 +244,7 @@ static void draw_with_other_tiles(const glint_config *config, const glint_scene 
     other.tile_width = config->tile_width == 16 ? 64 : 16;
     other.tile_height = config->tile_height == 8 ? 32 : 8;
     require(glint_arena_need(&other, scene, &need) == GLINT_OK);
-    draw_with_arena(&other, scene, need.best, 0, wanted);
+    draw_with_arena(&other, scene, need.one_pass, 0, wanted);
 }
 
 /* A flush that fails ends the frame, at once. */
@@ -261,19 +261,19 @@ static void draw_every_way(source *s, const glint_config *config, const glint_sc
     screen refused;
     open_screen(&wanted, config);
     open_screen(&refused, config);
-    require(draw(config, scene, need->best, 0, &wanted) == GLINT_OK);
-    require(draw(config, scene, need->smallest - 1, 0, &refused) == GLINT_ERROR_ARENA && refused.calls == 0);
+    require(draw(config, scene, need->one_pass, 0, &wanted) == GLINT_OK);
+    require(draw(config, scene, need->least - 1, 0, &refused) == GLINT_ERROR_ARENA && refused.calls == 0);
     for (uint32_t tries = below(s, 3); tries > 0; tries--) {
-        size_t size = need->smallest + (need->best - need->smallest) * take(s, 2) / 65535;
+        size_t size = need->least + (need->one_pass - need->least) * take(s, 2) / 65535;
         draw_with_arena(config, scene, size, below(s, 8), &wanted);
     }
-    draw_with_arena(config, scene, need->smallest, below(s, 8), &wanted);
+    draw_with_arena(config, scene, need->least, below(s, 8), &wanted);
     if (below(s, 2))
-        draw_kept(config, scene, need->best, &wanted);
+        draw_kept(config, scene, need->one_pass, &wanted);
     else
-        draw_changes(config, scene, need->best, &wanted);
+        draw_changes(config, scene, need->one_pass, &wanted);
     draw_with_other_tiles(config, scene, &wanted);
-    draw_until_failure(config, scene, need->best, below(s, 256) % wanted.calls);
+    draw_until_failure(config, scene, need->one_pass, below(s, 256) % wanted.calls);
     close_screen(&wanted);
     close_screen(&refused);
 }
@@ -283,7 +283,7 @@ static void draw_anyhow(const glint_config *config, const glint_scene *scene, co
     for (int i = 0; i < 2; i++) {
         screen any;
         open_screen(&any, config);
-        (void)draw(config, scene, i ? need->smallest : need->best, 0, &any);
+        (void)draw(config, scene, i ? need->least : need->one_pass, 0, &any);
         close_screen(&any);
     }
 }

@@ -113,6 +113,9 @@ static glint_config config_of(screen *to) {
                           .flush = {put, 0, to}};
 }
 
+/* Vertices that the last frame drawn transformed. */
+static uint32_t transformed;
+
 /* Draws frames with an arena of just so many bytes. @return the status of the last, or the first error */
 static glint_status draw(const row *r, size_t size, uint8_t keeps_arena, screen *to) {
     glint_config config = config_of(to);
@@ -127,6 +130,7 @@ static glint_status draw(const row *r, size_t size, uint8_t keeps_arena, screen 
         memset(to, 0, sizeof *to);
         status = glint_render(&renderer, &r->scene);
     }
+    transformed = renderer.stats.vertices;
     free(arena);
     return status;
 }
@@ -138,13 +142,18 @@ static int every_size_is_right(const row *r, uint8_t keeps_arena) {
     const glint_config config = config_of(&wanted);
     glint_need need = {0};
     CHECK_EQUAL(glint_arena_need(&config, &r->scene, &need), GLINT_OK);
-    CHECK_EQUAL(draw(r, need.best, keeps_arena, &wanted), GLINT_OK);
+    CHECK_EQUAL(draw(r, need.one_pass, keeps_arena, &wanted), GLINT_OK);
     CHECK(memcmp(&wanted, &blank, sizeof blank) != 0);
-    for (size_t size = 0; size <= need.best + 1; size++) {
-        const glint_status expected = size < need.smallest ? GLINT_ERROR_ARENA : GLINT_OK;
+    const uint32_t once = transformed;
+    if (!CHECK(need.least <= need.resident && need.resident <= need.one_pass))
+        return 0;
+    for (size_t size = 0; size <= need.one_pass + 1; size++) {
+        const glint_status expected = size < need.least ? GLINT_ERROR_ARENA : GLINT_OK;
         if (!CHECK_EQUAL(draw(r, size, keeps_arena, &got), expected))
             return 0;
         if (expected == GLINT_OK && !CHECK(memcmp(&wanted, &got, sizeof got) == 0))
+            return 0;
+        if (size >= need.resident && !CHECK_EQUAL(transformed, once))
             return 0;
     }
     return 1;
@@ -186,6 +195,110 @@ static void objects_behind_the_eye(void) {
     check_variant(2, many_behind_the_eye);
 }
 
+/* ---- Pixels apart from the arena ---- */
+
+enum { CACHE_LINE = 64, CANARIES = 32 };
+
+/* A panel that looks where pixels are that it is sent, while it is said to send them. */
+typedef struct watched {
+    uint8_t *pixels;
+    size_t size;
+    int tiles, waits, is_apart;
+} watched;
+
+static int begin_watched(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    watched *w = context;
+    const uint8_t *const at = pixels;
+    (void)x, (void)y, (void)width;
+    w->tiles++;
+    w->is_apart &= at >= w->pixels && at + (size_t)height * stride <= w->pixels + w->size &&
+                   (size_t)(at - w->pixels) % CACHE_LINE == 0;
+    return 0;
+}
+
+static int wait_watched(void *context) {
+    ((watched *)context)->waits++;
+    return 0;
+}
+
+static void fill_canaries(uint8_t *memory, size_t size) {
+    memset(memory + size, 0xa5, CANARIES);
+}
+
+static int has_canaries(const uint8_t *memory, size_t size) {
+    int whole = 1;
+    for (size_t i = 0; i < CANARIES; i++)
+        whole &= memory[size + i] == 0xa5;
+    return whole;
+}
+
+/* In each format, with the least arena and memory of pixels: nothing is written beyond either. */
+static void check_apart(const glint_format *format, uint16_t tile, int waits) {
+    watched w = {.is_apart = 1};
+    screen unused;
+    row r;
+    glint_renderer renderer;
+    glint_need need, within;
+    build(&r, 3, mixed);
+    glint_config config = config_of(&unused);
+    config.format = format;
+    config.tile_width = config.tile_height = tile;
+    config.flush = (glint_flush){begin_watched, waits ? wait_watched : NULL, &w};
+    CHECK_EQUAL(glint_arena_need(&config, &r.scene, &within), GLINT_OK);
+    w.size = config.pixels_size = glint_pixels_need(&config);
+    config.pixels = w.pixels = malloc(w.size + CANARIES);
+    CHECK_EQUAL(glint_arena_need(&config, &r.scene, &need), GLINT_OK);
+    CHECK(need.least < within.least);
+    config.arena_size = need.least;
+    config.arena = malloc(need.least + CANARIES);
+    CHECK(config.arena && config.pixels);
+    fill_canaries(config.arena, need.least);
+    fill_canaries(config.pixels, w.size);
+    CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
+    CHECK_EQUAL(glint_render(&renderer, &r.scene), GLINT_OK);
+    CHECK(w.is_apart && w.tiles > 0 && (w.waits > 0) == waits);
+    CHECK(has_canaries(config.arena, need.least) && has_canaries(config.pixels, w.size));
+    CHECK_AT_MOST(renderer.stats.arena_used, need.least);
+    config.pixels_size--;
+    CHECK_EQUAL(glint_init(&renderer, &config), GLINT_ERROR_PIXELS);
+    config.pixels_size += 2;
+    config.pixels = w.pixels + 1;
+    CHECK_EQUAL(glint_init(&renderer, &config), GLINT_ERROR_PIXELS);
+    free(w.pixels);
+    free(config.arena);
+}
+
+static void pixels_apart(void) {
+    static const glint_format *const formats[] = {&glint_format_rgb565, &glint_format_rgb888, &glint_format_rgb444,
+                                                  &glint_format_grey4_dithered, &glint_format_mono_dithered};
+    for (unsigned i = 0; i < TEST_COUNT(formats); i++) {
+        check_apart(formats[i], 8, 0);
+        check_apart(formats[i], 8, 1);
+        check_apart(formats[i], 32, 1);
+    }
+}
+
+/* The same picture, wherever pixels are. */
+static void same_picture_apart(void) {
+    static uint32_t pixels[2048];
+    screen within, apart;
+    row r;
+    glint_renderer renderer;
+    build(&r, 4, mixed);
+    CHECK_EQUAL(draw(&r, 100000, 0, &within), GLINT_OK);
+    glint_config config = config_of(&apart);
+    config.pixels = pixels;
+    config.pixels_size = sizeof pixels;
+    config.arena_size = 100000;
+    config.arena = malloc(config.arena_size);
+    CHECK(config.arena != NULL);
+    memset(&apart, 0, sizeof apart);
+    CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
+    CHECK_EQUAL(glint_render(&renderer, &r.scene), GLINT_OK);
+    CHECK(memcmp(&within, &apart, sizeof apart) == 0);
+    free(config.arena);
+}
+
 /* A caller's own arena, without tile buffers: what has become enough stays so. */
 static void frames_begun_by_the_caller(void) {
     screen none;
@@ -195,14 +308,14 @@ static void frames_begun_by_the_caller(void) {
     glint_need need = {0};
     CHECK_EQUAL(glint_arena_need(&config, &r.scene, &need), GLINT_OK);
     glint_status last = GLINT_ERROR_ARENA;
-    for (size_t size = 0; size <= need.best; size++) {
+    for (size_t size = 0; size <= need.one_pass; size++) {
         glint_frame frame;
         void *arena = malloc(size ? size : 1);
         CHECK(arena != NULL);
         config.arena = arena;
         config.arena_size = size;
         glint_status status = glint_frame_begin(&frame, &config, &r.scene);
-        if (last == GLINT_OK || size >= need.smallest)
+        if (last == GLINT_OK || size >= need.least)
             CHECK_EQUAL(status, GLINT_OK);
         else
             CHECK(status == GLINT_OK || status == GLINT_ERROR_ARENA);
@@ -230,10 +343,10 @@ static void more_clusters_than_numbers(void) {
     mesh.clusters = &clusters;
     r.objects[0].mesh = &mesh;
     CHECK_EQUAL(glint_arena_need(&config, &r.scene, &need), GLINT_OK);
-    CHECK_EQUAL(draw(&r, need.best, 0, &none), GLINT_OK);
+    CHECK_EQUAL(draw(&r, need.one_pass, 0, &none), GLINT_OK);
     clusters.count = MOST + 1;
     CHECK_EQUAL(glint_arena_need(&config, &r.scene, &need), GLINT_ERROR_MESH);
-    CHECK_EQUAL(draw(&r, need.best, 0, &none), GLINT_ERROR_MESH);
+    CHECK_EQUAL(draw(&r, need.one_pass, 0, &none), GLINT_ERROR_MESH);
 }
 
 int test_main(test_writer write) {
@@ -244,6 +357,8 @@ int test_main(test_writer write) {
         TEST_CASE(objects_of_all_evaluations),
         TEST_CASE(objects_lit_at_nodes),
         TEST_CASE(objects_behind_the_eye),
+        TEST_CASE(pixels_apart),
+        TEST_CASE(same_picture_apart),
         TEST_CASE(frames_begun_by_the_caller),
         TEST_CASE(more_clusters_than_numbers),
     };

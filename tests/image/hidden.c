@@ -115,10 +115,10 @@ static void check_scene(const glint_scene *scene, int width, int height, const g
     config.tile_width = config.tile_height = 16;
     if (CHECK_EQUAL(glint_arena_need(&config, scene, &need), GLINT_OK) &&
         CHECK(scene->object_count <= UNDROPPED_OBJECTS_MAX)) {
-        const size_t sizes[3] = {need.best, need.smallest + (need.best - need.smallest) / 3, need.smallest};
+        const size_t sizes[3] = {need.one_pass, need.least + (need.one_pass - need.least) / 3, need.least};
         for (uint32_t i = 0; i < scene->object_count; i++) {
             const glint_scene alone = leave_one(scene, i, objects, meshes);
-            draw_layer(&alone, need.best, i ? &one : &wanted);
+            draw_layer(&alone, need.one_pass, i ? &one : &wanted);
             if (i)
                 put_over(&one, &wanted);
         }

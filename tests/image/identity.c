@@ -93,7 +93,7 @@ static glint_need arena_need(const picture *like, const glint_scene *scene, cons
     glint_config config = picture_config(&image, options);
     glint_need need = {0};
     CHECK_EQUAL(glint_arena_need(&config, scene, &need), GLINT_OK);
-    CHECK(need.smallest <= need.best);
+    CHECK(need.least <= need.one_pass);
     return need;
 }
 
@@ -103,12 +103,12 @@ static void check_arenas(const picture *wanted, const glint_scene *scene) {
         picture_options options = {.tile_width = tile_sizes[i], .tile_height = tile_sizes[(i + 1) % 3]};
         glint_need need = arena_need(wanted, scene, &options);
         for (int eighth = 0; eighth <= 9; eighth++) {
-            options.arena_size = need.smallest + (need.best - need.smallest) / 8 * (size_t)eighth + (eighth & 3);
+            options.arena_size = need.least + (need.one_pass - need.least) / 8 * (size_t)eighth + (eighth & 3);
             check_same(wanted, scene, &options);
         }
-        options.arena_size = need.smallest;
+        options.arena_size = need.least;
         check_same(wanted, scene, &options);
-        options.arena_size = need.best;
+        options.arena_size = need.one_pass;
         check_same(wanted, scene, &options);
     }
 }
@@ -151,11 +151,11 @@ static void best_arena_takes_one_pass(void) {
         glint_need need = arena_need(&image, &scene.scene, &options);
         CHECK_EQUAL(picture_render(&image, &scene.scene, &options, &stats), GLINT_OK);
         CHECK_EQUAL(stats.passes, 1);
-        CHECK_AT_MOST(stats.arena_used, need.best);
-        options.arena_size = need.smallest;
+        CHECK_AT_MOST(stats.arena_used, need.one_pass);
+        options.arena_size = need.least;
         CHECK_EQUAL(picture_render(&image, &scene.scene, &options, &stats), GLINT_OK);
-        CHECK_AT_MOST(stats.arena_used, need.smallest);
-        options.arena_size = need.smallest - 1;
+        CHECK_AT_MOST(stats.arena_used, need.least);
+        options.arena_size = need.least - 1;
         CHECK_EQUAL(picture_render(&image, &scene.scene, &options, &stats), GLINT_ERROR_ARENA);
         picture_close(&image);
     }
@@ -191,7 +191,7 @@ static void check_share(const picture *wanted, const glint_scene *scene, int six
     picture_options options = {0};
     glint_stats stats = {0};
     const glint_need need = arena_need(wanted, scene, &options);
-    options.arena_size = need.smallest + (need.best - need.smallest) / 16 * (size_t)sixteenths;
+    options.arena_size = need.least + (need.one_pass - need.least) / 16 * (size_t)sixteenths;
     CHECK_EQUAL(picture_render(&got, scene, &options, &stats), GLINT_OK);
     CHECK(picture_equal(wanted, &got));
     CHECK_AT_MOST(stats.vertices, most * FINE_VERTICES);
@@ -278,9 +278,9 @@ static void draw_backwards(const picture *wanted, const glint_scene *scene, size
 static void check_tile_order(const picture *wanted, const glint_scene *scene) {
     const picture_options options = {.tile_width = 16, .tile_height = 8};
     glint_need need = arena_need(wanted, scene, &options);
-    draw_backwards(wanted, scene, need.best);
-    draw_backwards(wanted, scene, need.smallest + (need.best - need.smallest) / 3);
-    draw_backwards(wanted, scene, need.smallest);
+    draw_backwards(wanted, scene, need.one_pass);
+    draw_backwards(wanted, scene, need.least + (need.one_pass - need.least) / 3);
+    draw_backwards(wanted, scene, need.least);
 }
 
 static void two_workspaces_in_another_tile_order(void) {

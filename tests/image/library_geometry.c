@@ -49,8 +49,8 @@ glint_status library_geometry_open(library_geometry *geometry, const glint_confi
     glint_status status = glint_arena_need(&local, scene, &need);
     if (status != GLINT_OK)
         return status;
-    local.arena_size = need.best;
-    local.arena = malloc(need.best);
+    local.arena_size = need.one_pass;
+    local.arena = malloc(need.one_pass);
     status = local.arena ? transform_scene(geometry, &local, scene) : GLINT_ERROR_NULL;
     free(local.arena);
     return status;

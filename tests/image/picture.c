@@ -72,7 +72,7 @@ glint_status picture_render(picture *image, const glint_scene *scene, const pict
     if (status != GLINT_OK)
         return status;
     memset(image->sent, 0, (size_t)image->width * (size_t)image->height);
-    config.arena_size = options && options->arena_size ? options->arena_size : need.best;
+    config.arena_size = options && options->arena_size ? options->arena_size : need.one_pass;
     config.arena = allocate(config.arena_size);
     status = glint_init(&renderer, &config);
     if (status == GLINT_OK)

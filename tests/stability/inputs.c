@@ -88,13 +88,13 @@ static void measure_arena(region_figures *figures) {
         glint_config config = picture_config(&best, NULL);
         glint_need need = {0};
         glint_status status = glint_arena_need(&config, &s.scene, &need);
-        picture_options options = {.arena_size = need.smallest};
+        picture_options options = {.arena_size = need.least};
         if (status != GLINT_OK || picture_render(&best, &s.scene, NULL, NULL) != GLINT_OK ||
             picture_render(&least, &s.scene, &options, NULL) != GLINT_OK)
             figures->library[format] = 1e6;
         for (size_t i = 0; i < best.size; i++)
             figures->library[format] += best.bytes[i] != least.bytes[i];
-        options.arena_size = need.smallest - 1;
+        options.arena_size = need.least - 1;
         memset(least.sent, 0, (size_t)s.width * (size_t)s.height);
         figures->library[format] += picture_render(&least, &s.scene, &options, NULL) == GLINT_ERROR_ARENA ? 0 : 1e6;
         for (int i = 0; i < s.width * s.height; i++)
@@ -141,8 +141,8 @@ static glint_status show(display *d, const random_scene *s) {
     glint_status status = glint_arena_need(&config, &s->scene, &need);
     if (status != GLINT_OK)
         return status;
-    config.arena = malloc(need.best);
-    config.arena_size = need.best;
+    config.arena = malloc(need.one_pass);
+    config.arena_size = need.one_pass;
     status = config.arena ? glint_init(&renderer, &config) : GLINT_ERROR_NULL;
     if (status == GLINT_OK)
         status = glint_render(&renderer, &s->scene);

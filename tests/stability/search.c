@@ -28,7 +28,7 @@ static int is_moved(const random_scene *s) {
     glint_config config = picture_config(&other, &options);
     glint_need need = {0};
     int moved = glint_arena_need(&config, &s->scene, &need) != GLINT_OK;
-    options.arena_size = need.smallest;
+    options.arena_size = need.least;
     moved = moved || picture_render(&plain, &s->scene, NULL, NULL) != GLINT_OK ||
             picture_render(&other, &s->scene, &options, NULL) != GLINT_OK || !picture_equal(&plain, &other);
     picture_close(&plain);

@@ -113,9 +113,9 @@ static void check_format(const glint_format *format) {
         scene.scene.viewer = i % 2 ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
         CHECK_EQUAL(picture_render(&wanted, &scene.scene, &options, &stats), GLINT_OK);
         CHECK_EQUAL(glint_arena_need(&config, &scene.scene, &need), GLINT_OK);
-        draw_together(&wanted, stats.drawn, &scene.scene, &options, need.best);
-        draw_together(&wanted, stats.drawn, &scene.scene, &options, need.smallest + (need.best - need.smallest) / 3);
-        draw_together(&wanted, stats.drawn, &scene.scene, &options, need.smallest);
+        draw_together(&wanted, stats.drawn, &scene.scene, &options, need.one_pass);
+        draw_together(&wanted, stats.drawn, &scene.scene, &options, need.least + (need.one_pass - need.least) / 3);
+        draw_together(&wanted, stats.drawn, &scene.scene, &options, need.least);
         picture_close(&wanted);
     }
 }

@@ -146,7 +146,7 @@ void failed_begin_leaves_zeros(void) {
 void failed_questions_leave_answers(void) {
     fixture *f = fixture_begin();
     const glint_vector zero = {0, 0, 0}, up = {0, GLINT_ONE, 0};
-    glint_need need = {1, 2};
+    glint_need need = {1, 2, 3};
     glint_camera camera = {glint_pose_scale(1, 2, 3), 4, 5};
     CHECK_EQUAL(glint_camera_look_at(&camera, zero, up, up), GLINT_ERROR_CAMERA);
     for (int i = 0; i < 12; i++)
@@ -161,7 +161,7 @@ void failed_questions_leave_answers(void) {
     f->config.format = 0;
     CHECK_EQUAL(glint_arena_need(&f->config, &f->scene, &need), GLINT_ERROR_NULL);
     CHECK_EQUAL(glint_workspace_size(&f->config), 0);
-    CHECK(need.smallest == 1 && need.best == 2);
+    CHECK(need.least == 1 && need.resident == 2 && need.one_pass == 3);
 }
 
 /* ---- Arena --------------------------------------------------------------------------------------------------- */
@@ -172,16 +172,16 @@ void arena_one_byte_short_is_refused(void) {
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
     uint32_t wanted = fixture_checksum(f);
     glint_need need = fixture_need(f);
-    CHECK(need.smallest <= need.best);
-    for (unsigned skew = 0; skew < 8 && need.smallest + skew <= FIXTURE_ARENA_BYTES; skew++) {
+    CHECK(need.least <= need.one_pass);
+    for (unsigned skew = 0; skew < 8 && need.least + skew <= FIXTURE_ARENA_BYTES; skew++) {
         f = fixture_begin();
         f->config.arena = fixture_arena() + skew;
-        f->config.arena_size = need.smallest;
+        f->config.arena_size = need.least;
         CHECK_EQUAL(fixture_render(f), GLINT_OK);
         CHECK_EQUAL(fixture_checksum(f), wanted);
         f = fixture_begin();
         f->config.arena = fixture_arena() + skew;
-        f->config.arena_size = need.smallest - 1;
+        f->config.arena_size = need.least - 1;
         fixture_expect_error(f, GLINT_ERROR_ARENA);
     }
 }

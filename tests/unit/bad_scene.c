@@ -237,7 +237,7 @@ static void expect_last_index(int kind, int corner, int small) {
     const uint32_t count = TEST_COUNT(triangles);
     set_up_draw(f, kind);
     f->torus.triangle_count = count;
-    f->config.arena_size = small ? fixture_need(f).smallest : f->config.arena_size;
+    f->config.arena_size = small ? fixture_need(f).least : f->config.arena_size;
     for (uint32_t i = 0; i < 3 * count; i++)
         triangles[i / 3][i % 3] = f->torus.triangles[i / 3][i % 3];
     f->torus.triangles = (const uint16_t(*)[3])triangles;
@@ -272,7 +272,7 @@ static const glint_clusters clusters[8] = {{&glint_cull_cones, lists[0], borrowe
 static void expect_clusters(int which, glint_status expected) {
     for (int small = 0; small < 2; small++) {
         fixture *f = fixture_begin();
-        f->config.arena_size = small ? fixture_need(f).smallest : f->config.arena_size;
+        f->config.arena_size = small ? fixture_need(f).least : f->config.arena_size;
         f->torus.clusters = &clusters[which];
         if (expected == GLINT_OK)
             CHECK_EQUAL(fixture_render(f), GLINT_OK);
@@ -293,8 +293,8 @@ static void expect_clusters_unused(void) {
         f = fixture_begin();
         f->torus.clusters = &unused;
         const glint_need need = fixture_need(f);
-        CHECK_EQUAL(need.smallest, plain.smallest);
-        CHECK_EQUAL(need.best, plain.best);
+        CHECK_EQUAL(need.least, plain.least);
+        CHECK_EQUAL(need.one_pass, plain.one_pass);
         CHECK_EQUAL(fixture_render(f), GLINT_OK);
         CHECK_EQUAL(fixture_checksum(f), wanted);
     }

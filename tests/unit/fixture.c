@@ -239,7 +239,7 @@ void fixture_expect_error(fixture *f, glint_status expected) {
 }
 
 glint_need fixture_need(const fixture *f) {
-    glint_need need = {0, 0};
+    glint_need need = {0};
     CHECK_EQUAL(glint_arena_need(&f->config, &f->scene, &need), GLINT_OK);
     return need;
 }

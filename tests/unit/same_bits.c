@@ -36,10 +36,10 @@ static int draw_with(unsigned index, uint16_t tile_width, uint16_t tile_height, 
     f->config.tile_width = tile_width;
     f->config.tile_height = tile_height;
     glint_need need = fixture_need(f);
-    if (need.smallest > FIXTURE_ARENA_BYTES)
+    if (need.least > FIXTURE_ARENA_BYTES)
         return 0;
     if (smallest_arena)
-        f->config.arena_size = need.smallest;
+        f->config.arena_size = need.least;
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
     CHECK_EQUAL(fixture_checksum(f), expected_checksums[index]);
     return 1;

@@ -48,11 +48,11 @@ def frame_rows(firmware, running, arenas):
     for (cpu, _, elf), result in zip(firmware, running):
         tables = library_bytes(elf[:-len(".elf")] + ".map", "tables.o")
         for line, counted in zip(*result.result()):
-            name, variant, count, smallest, best = line.split(",")
+            name, variant, count, least, one_pass = line.split(",")
             yield ("frame", name, variant, cpu, int(count), "frame", tables) + modelled(cpu, int(count), counted)
             # Cores without wide products keep a matrix in two halves: what the one that needs most takes.
             most = arenas.get((name, variant), (0, 0))
-            arenas[name, variant] = max(most[0], int(smallest)), max(most[1], int(best))
+            arenas[name, variant] = max(most[0], int(least)), max(most[1], int(one_pass))
 
 
 def float_rows(firmware, running):
@@ -93,7 +93,7 @@ def main():
     rows = list(frame_rows(frames, running, arenas))
     rows += float_rows(floats, running[len(frames):])
     rows += method_rows(methods, running[len(frames) + len(floats):])
-    write(os.path.join(arguments.output, "bench-arena.csv"), ("name", "variant", "smallest", "best"),
+    write(os.path.join(arguments.output, "bench-arena.csv"), ("name", "variant", "least", "one_pass"),
           [key + value for key, value in arenas.items()])
     write(os.path.join(arguments.output, "bench.csv"), COLUMNS, rows)
 

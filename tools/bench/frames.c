@@ -24,7 +24,7 @@ typedef struct variant {
     int changes; /* only tiles that changed since the last frame are copied */
     int anew;    /* nothing is kept from frame to frame */
     int plain;   /* meshes without clusters */
-    int share;   /* so many sixteenths of the arena between the smallest and the best; 0: all that there is */
+    int share;   /* so many sixteenths of the arena between the least and that of one pass; 0: all that there is */
 } variant;
 
 static const variant variants[] = {
@@ -54,7 +54,7 @@ static glint_status share_arena(glint_config *config, const glint_scene *scene, 
     glint_need need;
     const glint_status status = glint_arena_need(config, scene, &need);
     if (status == GLINT_OK) {
-        config->arena_size = need.smallest + (need.best - need.smallest) / 16 * (size_t)sixteenths;
+        config->arena_size = need.least + (need.one_pass - need.least) / 16 * (size_t)sixteenths;
     }
     return status;
 }

@@ -15,7 +15,7 @@
 
 typedef struct measured {
     uint64_t ticks;        /**< Of all frames. */
-    size_t smallest, best; /**< Largest of the frames, bytes of arena. */
+    size_t least, one_pass; /**< Of the arena, bytes: the largest of the frames. */
 } measured;
 
 static inline int measure_wait(void *context) {
@@ -30,8 +30,8 @@ static inline glint_status measure_need(const glint_config *config, const glint_
     panel.flush.wait = measure_wait;
     const glint_status status = glint_arena_need(&panel, scene, &bytes);
     if (status == GLINT_OK) {
-        result->smallest = bytes.smallest > result->smallest ? bytes.smallest : result->smallest;
-        result->best = bytes.best > result->best ? bytes.best : result->best;
+        result->least = bytes.least > result->least ? bytes.least : result->least;
+        result->one_pass = bytes.one_pass > result->one_pass ? bytes.one_pass : result->one_pass;
     }
     return status;
 }
@@ -60,13 +60,13 @@ static inline void measure_write_number(uint32_t number, const char *end) {
     board_write(end);
 }
 
-/** The end of a line: instructions, the mean of so many frames, smallest and best arena. */
+/** The end of a line: instructions, the mean of so many frames, the least arena and that of one pass. */
 static inline void measure_write(const measured *result, uint32_t frames) {
     const uint64_t instructions = result->ticks * COUNTER_INSTRUCTIONS_PER_TICK;
 
     measure_write_number(frames ? (uint32_t)(instructions / frames) : 0, ",");
-    measure_write_number((uint32_t)result->smallest, ",");
-    measure_write_number((uint32_t)result->best, "\n");
+    measure_write_number((uint32_t)result->least, ",");
+    measure_write_number((uint32_t)result->one_pass, "\n");
     CYCLES_WRITE();
 }
 

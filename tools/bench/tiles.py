@@ -22,7 +22,7 @@ def table(frames, arenas):
                   if row["name"] == SCENE and row["cpu"] == cpu}
         lines.append("| million instructions, %s | " % title +
                      " | ".join("%.2f" % (counts[VARIANT + size] / 1e6) for size in SIZES) + " |")
-    smallest = {row["variant"]: int(row["smallest"]) for row in arenas if row["name"] == SCENE}
+    smallest = {row["variant"]: int(row["least"]) for row in arenas if row["name"] == SCENE}
     lines.append("| smallest arena, bytes | " + " | ".join("%d" % smallest[VARIANT + size] for size in SIZES) + " |")
     return "\n".join(lines) + "\n"
 
@@ -35,7 +35,7 @@ def shares(frames, arenas):
     """Instructions in a part of the arena, over those where all is drawn in one pass."""
     counts = {(row["name"], row["variant"]): int(row["instructions"]) for row in frames
               if row["name"] in MESHES and row["cpu"] == "m3"}
-    best = {row["name"]: int(row["best"]) for row in arenas if row["variant"] == VARIANT + "32x32"}
+    best = {row["name"]: int(row["one_pass"]) for row in arenas if row["variant"] == VARIANT + "32x32"}
     lines = ["| 320x240, Cortex-M3 | one pass, bytes | " + " | ".join(SHARES) + " |",
              "| --- | --- |" + " --- |" * len(SHARES)]
     for mesh in MESHES:

@@ -30,6 +30,7 @@ $(BUILD)/%-accuracy.csv: $(BUILD)/chart/%_accuracy
 
 PROGRAM_frame_board   := tools/chart/frame_board.c
 PROGRAM_shading_board := tools/chart/shading_board.c
+PROGRAM_arena_board := tools/chart/arena_board.c $(wildcard examples/scenes/*.c)
 PROGRAM_modelled_board := tools/chart/modelled_board.c tests/image/undropped.c $(wildcard examples/scenes/*.c)
 
 CHART_BOARDS := m0=mps2-an385-m0 m3=mps2-an385 m4=mps2-an386 rv32=virt
@@ -40,9 +41,10 @@ chart_run = $(firstword $(subst =, ,$1))=$(patsubst %-m0,%,$(lastword $(subst =,
 
 $(foreach pair,$(CHART_BOARDS),$(eval $(call firmware_program,$(lastword $(subst =, ,$(pair))),O2,frame_board)))
 $(eval $(call firmware_program,mps2-an385,O2,shading_board))
+$(eval $(call firmware_program,mps2-an385,O2,arena_board))
 $(foreach board,mps2-an385 mps2-an385-m0,$(eval $(call firmware_program,$(board),O2,modelled_board)))
 # They measure; `make boards` lists what is to run on a board.
-FIRMWARE := $(filter-out %/frame_board.elf %/shading_board.elf %/modelled_board.elf,$(FIRMWARE))
+FIRMWARE := $(filter-out %/frame_board.elf %/shading_board.elf %/modelled_board.elf %/arena_board.elf,$(FIRMWARE))
 
 $(foreach pair,$(CHART_BOARDS),\
     $(BUILD)/$(lastword $(subst =, ,$(pair)))/O2/tools/chart/frame_board.o) \
@@ -59,6 +61,15 @@ $(BUILD)/modelled-instructions.csv: $(foreach pair,$(filter m0=% m3=%,$(CHART_BO
         tools/chart/count.py tools/bench/emulate.py
 	python3 tools/chart/count.py --qemu $(QEMU) --head scene,variant,size,way,cpu,instructions $(MODELLED_RUNS) > $@
 
+$(BUILD)/bench/spot.h: examples/models/spot.obj $(BUILD)/host/glint
+	@mkdir -p $(@D)
+	$(BUILD)/host/glint convert $< -o $@ > /dev/null
+
+$(BUILD)/mps2-an385/O2/tools/chart/arena_board.o: $(BUILD)/bench/bench_scenes.h $(BUILD)/bench/spot.h
+
+$(BUILD)/arena.csv: $(BUILD)/mps2-an385/O2/arena_board.elf tools/chart/count.py tools/bench/emulate.py
+	python3 tools/chart/count.py --qemu $(QEMU) --head scene,size,arena,passes,cpu,instructions m3=mps2-an385=$< > $@
+
 # Both in one table.
 $(BUILD)/shading.csv: $(BUILD)/chart/shading $(BUILD)/mps2-an385/O2/shading_board.elf tools/chart/count.py
 	$(BUILD)/chart/shading > $(BUILD)/chart/errors.csv
@@ -69,9 +80,9 @@ $(BUILD)/shading.csv: $(BUILD)/chart/shading $(BUILD)/mps2-an385/O2/shading_boar
 # ---- Kept, drawn, checked
 
 .PHONY: frame-figures modelled figures chart test-chart
-frame-figures: $(BUILD)/frame-accuracy.csv $(BUILD)/gallery-accuracy.csv $(BUILD)/frame-instructions.csv $(BUILD)/shading.csv $(BUILD)/lobes.csv ## measure accuracy and instructions of whole frames, and keep them in docs
+frame-figures: $(BUILD)/frame-accuracy.csv $(BUILD)/gallery-accuracy.csv $(BUILD)/frame-instructions.csv $(BUILD)/shading.csv $(BUILD)/lobes.csv $(BUILD)/arena.csv ## measure accuracy and instructions of whole frames, and keep them in docs
 	cp $(BUILD)/frame-accuracy.csv $(BUILD)/gallery-accuracy.csv $(BUILD)/frame-instructions.csv docs/
-	cp $(BUILD)/shading.csv $(BUILD)/lobes.csv docs/charts/
+	cp $(BUILD)/shading.csv $(BUILD)/lobes.csv $(BUILD)/arena.csv docs/charts/
 
 modelled: $(BUILD)/modelled.csv $(BUILD)/modelled-instructions.csv ## measure what scenes model, and what dropping and error budgets save, and keep it in docs
 	cp $^ docs/
