@@ -44,7 +44,9 @@ static int has_least_room(const glint_frame *frame) {
 static uint32_t count_waiting(const glint_frame *frame, size_t end) {
     const size_t room = end < frame->memory.high ? frame->memory.high - end : 0;
     const size_t most = room / sizeof(glint_transform);
-    return most < 1 ? 1 : most < frame->scene->object_count ? (uint32_t)most : frame->scene->object_count;
+    return GLINT_SMALL || most < 1             ? 1
+           : most < frame->scene->object_count ? (uint32_t)most
+                                               : frame->scene->object_count;
 }
 
 static glint_status prepare_scene(glint_frame *frame, const glint_kept *kept) {

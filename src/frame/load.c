@@ -79,7 +79,8 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
         draw->light = 0;
         draw->kernel = glint_draw_unlit;
     }
-    draw->is_costly = evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS && draw->kernel == evaluation->kernel;
+    draw->is_costly =
+        !GLINT_SMALL && evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS && draw->kernel == evaluation->kernel;
     draw->object = frame->object;
     draw->first_triangle = frame->triangle;
     draw->first = last ? (uint16_t)(last->first + last->count) : 0;
@@ -89,7 +90,7 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
     draw->mirrored = transform->mirrored;
     draw->double_sided = (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
     draw->triangles = object->mesh->triangles + frame->triangle;
-    frame->has_costly = draw->is_costly || (last && frame->has_costly);
+    frame->has_costly = !GLINT_SMALL && (draw->is_costly || (last && frame->has_costly));
     if (last)
         last->next = draw;
     else
@@ -145,7 +146,8 @@ typedef char glint_last_transform_stays[sizeof(glint_transform) <= GLINT_BIN_RES
 static void find_transform(const glint_frame *frame, glint_transform *transform) {
     const uint32_t behind = frame->scene->object_count - 1 - frame->object;
     const uint8_t *const taken = frame->memory.base + frame->memory.low;
-    if (!behind || (behind < frame->waiting && (const uint8_t *)(glint_last_transform(frame) - behind) >= taken)) {
+    if (!behind ||
+        (!GLINT_SMALL && behind < frame->waiting && (const uint8_t *)(glint_last_transform(frame) - behind) >= taken)) {
         *transform = *(glint_last_transform(frame) - behind);
         glint_transform_place(transform, frame->view);
     } else {

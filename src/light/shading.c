@@ -85,12 +85,11 @@ glint_status glint_prepare_shading(const glint_frame *frame, glint_shading *shad
     const int32_t largest = weigh_lights(frame->scene, shading, find_spare(frame));
     if (largest < 0)
         return GLINT_ERROR_COLOUR;
-    const int keeps = !GLINT_SMALL && frame->config.keeps_arena;
-    if (keeps && !shading->changed)
+    if (!GLINT_SMALL && frame->config.keeps_arena && !shading->changed)
         shading->changed = glint_sum(&shading->power, sizeof shading->power) != shading->power_sum;
     if (material->model->prepare)
         material->model->prepare(shading, (uint32_t)largest);
-    if (keeps && shading->changed)
+    if (!GLINT_SMALL && frame->config.keeps_arena && shading->changed)
         shading->power_sum = glint_sum(&shading->power, sizeof shading->power);
     return GLINT_OK;
 }

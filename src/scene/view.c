@@ -73,7 +73,7 @@ static glint_status prepare_nearest(glint_view *view, const glint_config *config
     view->nearest = view->near_plane;
     for (uint32_t i = 0; i < scene->object_count; i++) {
         const uint32_t behind = scene->object_count - 1 - i;
-        glint_transform *const transform = last - (behind < count ? behind : 0);
+        glint_transform *const transform = last - (!GLINT_SMALL && behind < count ? behind : 0);
         glint_status status = glint_transform_prepare(transform, view, config, &scene->objects[i]);
         if (status != GLINT_OK)
             return status;

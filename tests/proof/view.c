@@ -2,6 +2,7 @@
 /* A scene's checks, its camera, lights and materials. @link geometry/transform.c */
 #include "proof.h"
 
+#include "../../src/frame/arena.c"
 #include "../../src/frame/check.c"
 #include "../../src/light/shading.c"
 #include "../../src/math/numeric.c"
@@ -247,7 +248,7 @@ PROOF(prepare_nearest) {
     any_view(&view);
     all.scene.objects = all.objects;
     all.scene.object_count = ANY_UNSIGNED(0, 2);
-    prepare_nearest(&view, &config, &all.scene, &last);
+    prepare_nearest(&view, &config, &all.scene, &last, 1);
     //@ assert 0x1000 <= view.nearest <= 0x200000000000000;
 }
 
@@ -276,6 +277,7 @@ PROOF(glint_prepare_shading) {
     format.bits = ANY_UNSIGNED(1, 24);
     frame.config.format = &format;
     frame.config.gamma = ANY(0, 1) ? gamma : 0;
+    frame.config.keeps_arena = (uint8_t)ANY(0, 1);
     frame.scene = &all.scene;
     FOR_PARTS(count, 0, GLINT_LIGHTS_MAX) {
         all.scene.light_count = (uint32_t)count;
