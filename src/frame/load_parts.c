@@ -217,9 +217,6 @@ static uint32_t count_all_shown(const glint_frame *frame, uint32_t tiles) {
     return shown;
 }
 
-/* Bytes of a triangle that may show, until some were loaded: half are seen, each with a vertex, and an entry or two. */
-#define PART_BYTES 20
-
 /* Chooses how many tiles to load for: about as many as last time, by what their triangles took then. */
 static void choose_tiles(glint_frame *frame) {
     const size_t room = frame->memory.high - frame->prepared_end;
@@ -240,11 +237,31 @@ static void learn_bytes(glint_frame *frame, uint32_t tiles) {
     frame->part_bytes = (uint16_t)((frame->part_bytes + bytes + 1) / 2);
 }
 
+/* Bytes of a triangle that may show, until some were loaded, where vertices keep little. */
+#define PART_BYTES 20
+
+/* Bytes of a triangle's numbers, and of its entries in lists. */
+#define TRIANGLE_BYTES 18
+
+/*
+ * Bytes of a triangle that may show, where vertices keep as much as an object's: half are seen, each with a vertex. The
+ * part's own count as one more or two.
+ */
+static size_t guess_bytes(const glint_frame *frame, const glint_object *object) {
+    const glint_transform inside = {.clips = 0};
+    return (glint_draw_size(frame, object, &inside, 64, 0, 1) / 64 + TRIANGLE_BYTES) / 2;
+}
+
 static glint_status begin_parts(glint_frame *frame) {
     frame->memory.low = frame->prepared_end;
     frame->stats.hidden = 0;
     frame->has_extents = 1;
     frame->part_bytes = PART_BYTES;
+    for (uint32_t i = 0; i < frame->scene->object_count && !GLINT_SMALL; i++) {
+        const size_t bytes = guess_bytes(frame, &frame->scene->objects[i]);
+        if (bytes > frame->part_bytes)
+            frame->part_bytes = (uint16_t)bytes;
+    }
     return glint_extents_find(frame);
 }
 
