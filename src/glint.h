@@ -564,7 +564,8 @@ glint_status glint_init(glint_renderer *renderer, const glint_config *config);
 glint_status glint_render(glint_renderer *renderer, const glint_scene *scene);
 
 /**
- * How much arena a scene needs when drawn by glint_render with this configuration (its arena is not looked at).
+ * How much arena a scene needs when drawn by glint_render with this configuration (its arena is not looked at, nor the
+ * size of its pixels).
  * @return the error that drawing the scene would give: then `need` is as it was
  */
 glint_status glint_arena_need(const glint_config *config, const glint_scene *scene, glint_need *need);

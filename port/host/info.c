@@ -78,7 +78,7 @@ static bool print_panel(const struct info_panel *panel, const host_settings *set
     }
     char size[16];
     snprintf(size, sizeof size, "%ux%u", panel->width, panel->height);
-    printf("%-8s %-7s %9zu %9zu\n", size, panel->format, need.least, need.one_pass);
+    printf("%-8s %-7s %9zu %9zu %9zu\n", size, panel->format, need.least, need.resident, need.one_pass);
     return true;
 }
 
@@ -91,7 +91,7 @@ int command_info(const host_settings *settings) {
     print_counts(&model, &mesh);
     print_bounds(&model, &mesh);
     mesh_free(&model.mesh);
-    printf("\nBytes of arena to draw it framed, two tile buffers included, at least and in one pass:\n");
+    printf("\nBytes of arena to draw it framed, two tile buffers included: at least, with every vertex kept, in one pass:\n");
     host_problem problem;
     bool ok = true;
     for (size_t i = 0; ok && i < sizeof panels / sizeof panels[0]; i++) {

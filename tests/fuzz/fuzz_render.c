@@ -237,6 +237,17 @@ static void draw_changes(const glint_config *wanted_config, const glint_scene *s
     close_screen(&got);
 }
 
+/* With the least arena, and pixels apart from it, in just as much memory as they need. */
+static void draw_apart(const glint_config *wanted_config, const glint_scene *scene, const screen *wanted) {
+    glint_config config = *wanted_config;
+    glint_need need;
+    config.pixels_size = glint_pixels_need(&config);
+    config.pixels = allocate(config.pixels_size);
+    require(glint_arena_need(&config, scene, &need) == GLINT_OK);
+    draw_with_arena(&config, scene, need.least, 0, wanted);
+    free(config.pixels);
+}
+
 /* In tiles of another size, with the arena that takes one pass. */
 static void draw_with_other_tiles(const glint_config *config, const glint_scene *scene, const screen *wanted) {
     glint_config other = *config;
@@ -273,6 +284,7 @@ static void draw_every_way(source *s, const glint_config *config, const glint_sc
     else
         draw_changes(config, scene, need->one_pass, &wanted);
     draw_with_other_tiles(config, scene, &wanted);
+    draw_apart(config, scene, &wanted);
     draw_until_failure(config, scene, need->one_pass, below(s, 256) % wanted.calls);
     close_screen(&wanted);
     close_screen(&refused);

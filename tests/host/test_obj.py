@@ -210,9 +210,9 @@ def test_info(host):
                [["128x64", "grey4"], ["128x128", "rgb565"], ["160x128", "rgb565"], ["240x240", "rgb565"],
                 ["320x240", "rgb565"]])
     for row in table:
-        size, pixel, smallest, best = row.split()
+        size, pixel, smallest, resident, best = row.split()
         arguments = ["torus:24x12", "--size", size, "--format", pixel]
-        host.check(f"info arena {size}", 0 < int(smallest) <= int(best))
+        host.check(f"info arena {size}", 0 < int(smallest) <= int(resident) <= int(best))
         host.equal(f"info smallest arena {size}", host.render_bytes(*arguments, "--arena", smallest),
                    host.render_bytes(*arguments, "--arena", best))
         host.check(f"info arena {size}, a byte less", host.run("render", *arguments, "--arena", str(int(smallest) - 1),

@@ -38,6 +38,14 @@ void init_refuses_bad_configurations(void) {
     f = fixture_begin();
     f->config.arena_size = glint_workspace_size(&f->config) - 1;
     CHECK_EQUAL(glint_init(&f->renderer, &f->config), GLINT_ERROR_ARENA);
+    f = fixture_begin();
+    f->config.pixels = fixture_arena();
+    f->config.pixels_size = glint_pixels_need(&f->config) - 1;
+    CHECK_EQUAL(glint_init(&f->renderer, &f->config), GLINT_ERROR_PIXELS);
+    f->config.pixels_size++;
+    CHECK_EQUAL(glint_init(&f->renderer, &f->config), GLINT_OK);
+    f->config.format = 0;
+    CHECK_EQUAL(glint_pixels_need(&f->config), 0);
 }
 
 void null_pointers_are_refused(void) {

@@ -305,6 +305,24 @@ def bus(figures):
     return chart.svg()
 
 
+# Of the chart over arenas: the scenes' colours.
+ARENA_SCENES = {"torus2304": "blue", "spot": "red", "teapot": "teal", "halloween": "gold"}
+
+
+def arena(figures):
+    """Each scene against its frame of one pass; the last row of each is the arena where vertices stay."""
+    chart = Chart("What a smaller arena costs, Cortex-M3", [(name, colour) for name, colour in ARENA_SCENES.items()], 820, 520)
+    panel = Panel("", grid(chart, 1, 1)[0], Axis("arena, KB", 5, 1000, log=True),
+                  Axis("instructions, times those of one pass", 0.9, 80, log=True))
+    for scene, colour in ARENA_SCENES.items():
+        rows = [(int(row["arena"]) / 1024, int(row["instructions"])) for row in only(figures.arena, scene=scene)]
+        *steps, (kept, count) = rows
+        panel.line([(x, y / steps[-1][1]) for x, y in sorted(rows)], colour, 1.5)
+        panel.point(kept, count / steps[-1][1], "", colour)
+    chart.panels.append(panel)
+    return chart.svg()
+
+
 CHARTS = {"power": power, "normalise": normalise, "fragment": fragment, "frames": frames, "frames-scenes": frames_scenes,
-          "exponent": exponent, "lobes": lobes, "shading": shading, "scaling": scaling, "bus": bus,
+          "exponent": exponent, "lobes": lobes, "shading": shading, "scaling": scaling, "bus": bus, "arena": arena,
           "lights": lights}

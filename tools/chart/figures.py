@@ -78,6 +78,7 @@ class Figures:
         self.modelled_counts = read(directory, "modelled-instructions.csv")
         self.scaling = read(os.path.join(directory, "charts"), "scaling.csv")
         self.parts = read(directory, "parts.csv")
+        self.arena = read(os.path.join(directory, "charts"), "arena.csv")
 
     def cpus(self, rows):
         """Those that rows have, in the order of CPUS."""
