@@ -7,14 +7,14 @@
 #ifndef GLINT_BENCH_MEASURE_H
 #define GLINT_BENCH_MEASURE_H
 
-#include "board.h"
 #include "../cycles/marks.h"
+#include "board.h"
 #include "counter.h"
 #include "glint.h"
 #include "text.h"
 
 typedef struct measured {
-    uint64_t ticks;        /**< Of all frames. */
+    uint64_t ticks;         /**< Of all frames. */
     size_t least, one_pass; /**< Of the arena, bytes: the largest of the frames. */
 } measured;
 
