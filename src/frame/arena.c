@@ -20,13 +20,14 @@ typedef uint8_t word;
 #endif
 
 uint32_t glint_sum(const void *memory, size_t size) {
-    const word *next = memory;
-    size_t left = size / sizeof *next;
+    const word *const words = memory;
+    const size_t count = size / sizeof *words;
     uint32_t sum = 0;
-    for (; left >= 4; left -= 4, next += 4)
-        sum += (uint32_t)next[0] + next[1] + next[2] + next[3];
-    for (; left; left--)
-        sum += *next++;
+    size_t i = 0;
+    for (; i + 4 <= count; i += 4)
+        sum += (uint32_t)words[i] + words[i + 1] + words[i + 2] + words[i + 3];
+    for (; i < count; i++)
+        sum += words[i];
     return sum;
 }
 
