@@ -3,6 +3,7 @@
 import re
 import textwrap
 
+import cost
 import modelled
 import timing
 from figures import ASKED, CPUS, LIGHTS, budget_of, front, one, only
@@ -466,6 +467,7 @@ PAGES = {
         "lobes": lobes, "breaks": breaks, "normalise": methods("normalise", "", ()), "divide": methods("divide", "", ()),
         "half vector": methods("half_vector", "32", LIGHTINGS), "colour": methods("colour", "", ()),
         "rounding": methods("rounding", "", ())},
+    "docs/cost.md": cost.BLOCKS,
     "docs/boards.md": {"times": timing.frame_times},
     "README.md": {"frames": best},
 }

@@ -1,0 +1,33 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Compares the pictures that were drawn with those that are kept and that a page shows: compare.py DRAWN KEPT PAGE"""
+import os
+import re
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "tests", "board"))
+from qemu import Tally
+
+
+def content(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def main():
+    drawn, kept, page = sys.argv[1:]
+    tally = Tally()
+    names = sorted(os.listdir(drawn))
+    tally.check(names == sorted(os.listdir(kept)), "%s has other pictures than are drawn" % kept)
+    shown = set(re.findall(os.path.basename(kept) + r"/([\w.-]+\.png)", content(page).decode()))
+    for name in names:
+        path = os.path.join(kept, name)
+        tally.check(os.path.exists(path) and content(os.path.join(drawn, name)) == content(path),
+                    "%s is not what is drawn: make cost-pictures" % path)
+        tally.check(name in shown, "%s does not show %s" % (page, name))
+    tally.check(shown <= set(names), "%s shows what is not there: %s" % (page, sorted(shown - set(names))))
+    return tally.close()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
