@@ -183,7 +183,8 @@ static void set_lobes(const glint_frame *frame, const glint_shading *shading, gl
     terms->lobe_has_strip = shading->shininess < GLINT_ONE && shading->shininess;
     if (terms->lobe_is_wide) {
         terms->lobes = shading->has_specular;
-        terms->lobe_shift = 0;
+        terms->lobe_shift = terms->lobe_end = 0;
+        terms->lobe_cut = terms->lobe_diagonal = 0;
         fill_cosine(terms->cosine, shading->shininess);
         terms->slope =
             (uint32_t)glint_most(shading->shininess, 2 * GLINT_ONE) / 384; /* 2/3 of p: of 0.041 it makes 0.0275 */

@@ -195,6 +195,39 @@ static void objects_behind_the_eye(void) {
     check_variant(2, many_behind_the_eye);
 }
 
+/* Highlights so wide that no table serves them, at nodes. */
+static void wide_lobes(row *r, uint32_t i) {
+    per_node(r, i);
+    r->objects[i].evaluation = &glint_per_node;
+    r->materials[i].model = i % 2 ? &glint_model_phong : &glint_model_blinn_phong;
+    r->materials[i].shininess = GLINT_ONE / 2 + (glint_q16)i * GLINT_ONE / 4;
+    r->materials[i].specular = (glint_colour){GLINT_ONE / 2, GLINT_ONE / 2, GLINT_ONE / 2};
+}
+
+/* What an arena held before does not matter. */
+static void arenas_of_any_content(void) {
+    static const uint32_t contents[] = {0, 0x7fffffff, 0x80000000, 0xffffffff, 0x7fff8000};
+    static const variant variants[] = {wide_lobes, mixed, per_node, per_vertex};
+    static uint32_t arena[16384];
+    for (unsigned v = 0; v < TEST_COUNT(variants); v++) {
+        screen wanted, got;
+        row r;
+        build(&r, 4, variants[v]);
+        for (unsigned i = 0; i < TEST_COUNT(contents); i++) {
+            glint_config config = config_of(i ? &got : &wanted);
+            glint_renderer renderer;
+            for (unsigned word = 0; word < TEST_COUNT(arena); word++)
+                arena[word] = contents[i];
+            memset(i ? &got : &wanted, 0, sizeof got);
+            config.arena = arena;
+            config.arena_size = sizeof arena;
+            CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
+            CHECK_EQUAL(glint_render(&renderer, &r.scene), GLINT_OK);
+            CHECK(i == 0 || memcmp(&wanted, &got, sizeof got) == 0);
+        }
+    }
+}
+
 /* ---- Pixels apart from the arena ---- */
 
 enum { CACHE_LINE = 64, CANARIES = 32 };
@@ -357,6 +390,7 @@ int test_main(test_writer write) {
         TEST_CASE(objects_of_all_evaluations),
         TEST_CASE(objects_lit_at_nodes),
         TEST_CASE(objects_behind_the_eye),
+        TEST_CASE(arenas_of_any_content),
         TEST_CASE(pixels_apart),
         TEST_CASE(same_picture_apart),
         TEST_CASE(frames_begun_by_the_caller),
