@@ -48,7 +48,7 @@ test: ## run every suite; installs missing tools first
 
 lint: ## check format, static analysis, licence lines, version numbers and figures
 	@tools/setup.sh
-	@$(MAKE) --no-print-directory $(BUILD)/bench/bench_scenes.h
+	@$(MAKE) --no-print-directory $(BUILD)/bench/bench_scenes.h $(BUILD)/bench/spot.h
 	@tools/lint.sh $(BUILD)/lint
 
 clean: ## remove everything that was built
