@@ -91,7 +91,8 @@ int command_info(const host_settings *settings) {
     print_counts(&model, &mesh);
     print_bounds(&model, &mesh);
     mesh_free(&model.mesh);
-    printf("\nBytes of arena to draw it framed, two tile buffers included: at least, with every vertex kept, in one pass:\n");
+    printf("\nBytes of arena to draw it framed, two tile buffers included: at least, with every vertex kept, in one "
+           "pass:\n");
     host_problem problem;
     bool ok = true;
     for (size_t i = 0; ok && i < sizeof panels / sizeof panels[0]; i++) {
