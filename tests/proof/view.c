@@ -240,7 +240,10 @@ PROOF(prepare_lights) {
     place_lights(&view, &all.scene);
 }
 
-/* Up to 2 objects of any transform. @contract glint_transform_prepare glint_transform_nearest */
+/*
+ * Up to 2 objects of any transform. @contract glint_transform_prepare glint_transform_nearest
+ * @unreached 1 where a small build lets no transform wait
+ */
 PROOF(prepare_nearest) {
     glint_view view;
     glint_config config;
