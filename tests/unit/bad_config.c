@@ -39,7 +39,7 @@ void init_refuses_bad_configurations(void) {
     f->config.arena_size = glint_workspace_size(&f->config) - 1;
     CHECK_EQUAL(glint_init(&f->renderer, &f->config), GLINT_ERROR_ARENA);
     f = fixture_begin();
-    f->config.pixels = fixture_arena();
+    f->config.pixels = fixture_arena() + (-(uintptr_t)fixture_arena() & (sizeof(void *) - 1));
     f->config.pixels_size = glint_pixels_need(&f->config) - 1;
     CHECK_EQUAL(glint_init(&f->renderer, &f->config), GLINT_ERROR_PIXELS);
     f->config.pixels_size++;
