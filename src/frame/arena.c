@@ -12,15 +12,8 @@ void *glint_take(glint_memory *memory, size_t size) {
     return memory->base + start;
 }
 
-/* Words that may hold any type; bytes where a compiler has none such. */
-#if defined(__GNUC__)
-typedef uint32_t __attribute__((may_alias)) word;
-#else
-typedef uint8_t word;
-#endif
-
 uint32_t glint_sum(const void *memory, size_t size) {
-    const word *const words = memory;
+    const glint_word *const words = memory;
     const size_t count = size / sizeof *words;
     uint32_t sum = 0;
     size_t i = 0;

@@ -17,6 +17,13 @@ static inline uint8_t *glint_align(void *memory) {
     return bytes + (-(uintptr_t)bytes & (GLINT_ALIGNMENT - 1));
 }
 
+/** A word of what has any type, pixels of any format too. */
+#if defined(__GNUC__)
+typedef uint32_t __attribute__((may_alias)) glint_word;
+#else
+typedef uint32_t glint_word;
+#endif
+
 /** `size` bytes from the arena's low end, aligned for pointers; null when it is full. */
 void *glint_take(glint_memory *memory, size_t size);
 

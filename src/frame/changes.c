@@ -2,23 +2,17 @@
 /* Changes: a flush that leaves out tiles which are, pixel for pixel, what was sent last. */
 #include "../math/numeric.h"
 #include "../scene/config.h"
-
-/* Pixels of any format, four bytes at a time. */
-#if defined(__GNUC__)
-typedef uint32_t __attribute__((may_alias)) word;
-#else
-typedef uint32_t word;
-#endif
+#include "arena.h"
 
 /*
  * Two independent sums of 32 bits, each step of which is one to one, so that tiles that differ in a single word never
  * agree. Multipliers of xxHash (Collet, 2012).
  */
-static glint_signature sign(const word *words, size_t count) {
+static glint_signature sign(const glint_word *words, size_t count) {
     uint32_t a = 0, b = 0, first = 0x9e3779b1u, second = 0x85ebca77u;
     GLINT_OPAQUE(first); /* for ARMv6-M gcc would make shifts and sums of them, 15 instructions a product */
     GLINT_OPAQUE(second);
-    for (const word *end = words + count; words < end; words++) {
+    for (const glint_word *end = words + count; words < end; words++) {
         a = (a ^ *words) * first;
         a ^= a >> 16;
         b = (b + *words) * second;
@@ -31,7 +25,7 @@ static int begin_changes(void *context, int x, int y, int width, int height, con
     glint_changes *changes = context;
     const uint32_t tile = (uint32_t)y / changes->tile_height * changes->columns + (uint32_t)x / changes->tile_width;
     glint_signature *last = &changes->signatures[tile];
-    const glint_signature now = sign(pixels, stride * changes->tile_height / sizeof(word));
+    const glint_signature now = sign(pixels, stride * changes->tile_height / sizeof(glint_word));
     if (now.a == last->a && now.b == last->b) {
         changes->unchanged++;
         return 0;
