@@ -272,6 +272,7 @@ static void draw_every_way(source *s, const glint_config *config, const glint_sc
     screen refused;
     open_screen(&wanted, config);
     open_screen(&refused, config);
+    require(glint_workspace_size(config) > 0 && glint_workspace_size(config) < need->least);
     require(draw(config, scene, need->one_pass, 0, &wanted) == GLINT_OK);
     require(draw(config, scene, need->least - 1, 0, &refused) == GLINT_ERROR_ARENA && refused.calls == 0);
     for (uint32_t tries = below(s, 3); tries > 0; tries--) {
