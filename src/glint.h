@@ -89,7 +89,10 @@ typedef enum glint_status {
     GLINT_ERROR_GENERATOR = -18,   /**< A generator has too few divisions, a size not above 0, or too little room. */
     GLINT_ERROR_BUDGET = -19,      /**< An error budget is not from 0 to GLINT_BUDGET_MAX. */
     GLINT_ERROR_FLAGS = -20,       /**< A mesh's or a material's flags have a bit that is not defined. */
-    GLINT_ERROR_PIXELS = -21       /**< A configuration's own memory of pixels is too small, or not aligned. */
+    GLINT_ERROR_PIXELS = -21,      /**< A configuration's own memory of pixels is too small, or not aligned. */
+    GLINT_ERROR_REGION = -22,      /**< A region is not on the screen, or its edges divide a byte of the format. */
+    GLINT_ERROR_PAINT = -23        /**< The background or overlay callback reported a failure; the frame was not
+                                        finished. */
 } glint_status;
 
 /** A sentence in English for a status; for a number that is no status, "unknown status". Never null. */
@@ -416,6 +419,31 @@ typedef struct glint_flush {
     void *context;
 } glint_flush;
 
+/** Pixels of a screen. */
+typedef struct glint_rectangle {
+    int16_t x, y, width, height;
+} glint_rectangle;
+
+/** A tile of the screen, cut at the screen's edges and at the region's. */
+typedef struct glint_tile {
+    int x, y, width, height; /**< On the screen. */
+    void *pixels;            /**< The one at x, y. */
+    size_t stride;           /**< Bytes from row to row. */
+    /** Depth at x, y, larger where nearer: 0 where nothing has been drawn, so that it tells which pixels show objects.
+     * Null for a background. */
+    const uint16_t *depth;
+    size_t depth_stride; /**< Numbers from row to row. */
+} glint_tile;
+
+/**
+ * Paints pixels of a tile, in the format of the configuration. @return 0, or anything else to report a failure, which
+ * ends the frame with GLINT_ERROR_PAINT. It is called by whoever draws the tile: by two at once where two draw tiles.
+ */
+typedef struct glint_painter {
+    int (*paint)(void *context, const glint_tile *tile);
+    void *context;
+} glint_painter;
+
 /** Largest width and height. */
 #define GLINT_SIZE_MAX 1024
 
@@ -443,6 +471,16 @@ typedef struct glint_config {
      * not by a library built for size. */
     uint8_t keeps_arena;
     uint8_t counts_drawn; /**< Not 0: glint_stats.drawn is counted too, for about 3 % more instructions. */
+    /** Where the screen's first pixel lies on the display: added to where tiles are sent. */
+    int16_t left, top;
+    /**
+     * The part of the screen that is drawn and sent, all 0 for the whole: its pixels are those of the whole frame.
+     * Where pixels share a byte, it ends where bytes do, or at the screen's edge: x and width are multiples of 2 in
+     * formats of 4 and 12 bits and of 8 in glint_format_mono; y and height of 8 in glint_format_mono_pages.
+     */
+    glint_rectangle region;
+    glint_painter background; /**< Paints all of a tile before objects are drawn, in place of scene->background. */
+    glint_painter overlay;    /**< Paints over a finished tile, also where no object shows. */
 } glint_config;
 
 /** Kernels: loops that draw the spans of a triangle. */
@@ -503,8 +541,9 @@ typedef struct glint_frame {
     const struct glint_shading *shading; /* materials, prepared */
     uint32_t shading_count;
     glint_memory memory;
-    uint16_t tile_first, tile_end; /* tiles of this pass */
-    uint16_t tile_columns, tile_count;
+    uint16_t tile_first, tile_end;        /* tiles of this pass */
+    uint16_t tile_columns, tile_count;    /* of the region */
+    uint16_t first_column, first_row;     /* of the screen's tiles, in the region */
     uint16_t pass_tiles;                  /* tiles that a pass may hold */
     uint16_t loaded_end;                  /* what is loaded is for tiles before this */
     uint8_t tile_shift_x, tile_shift_y;   /* binary logarithms of the tile's size */
@@ -558,10 +597,13 @@ typedef struct glint_renderer {
 glint_status glint_init(glint_renderer *renderer, const glint_config *config);
 
 /**
- * Draws a scene: every pixel of the screen goes through the flush callback once, tile by tile, left to right and top
- * to bottom. Errors in the scene are found before the first tile is sent.
+ * Draws a scene: every pixel of the screen, or of the region, goes through the flush callback once, tile by tile, left
+ * to right and top to bottom. Errors in the scene are found before the first tile is sent.
  */
 glint_status glint_render(glint_renderer *renderer, const glint_scene *scene);
+
+/** The same for one frame of another region than the configuration's; see glint_config.region. */
+glint_status glint_render_region(glint_renderer *renderer, const glint_scene *scene, const glint_rectangle *region);
 
 /**
  * How much arena a scene needs when drawn by glint_render with this configuration (its arena is not looked at, nor the
@@ -599,7 +641,9 @@ typedef struct glint_changes {
     glint_flush flush;
     glint_signature *signatures, *sending, pending;
     uint32_t count;
-    uint16_t columns, tile_width, tile_height;
+    uint16_t columns, tile_width, tile_height, width, height;
+    int16_t left, top;
+    uint8_t is_part; /* is a part of a tile on its way? */
 } glint_changes;
 
 /** How many signatures a configuration takes; 0 when it is not valid. */
@@ -626,7 +670,7 @@ glint_flush glint_changes_flush(glint_changes *changes);
  *     while ((status = glint_frame_next(&frame)) > 0)           // a pass
  *         for (tile = frame.tile_first; tile < frame.tile_end; tile++)
  *             if (glint_render_tile(&frame, &workspace, tile))  // any number of callers at once
- *                 send it, glint_tile_rectangle says where;
+ *                 send it, glint_tile_find says where;
  */
 
 /** Bytes of a workspace; 0 when the configuration is not valid. */
@@ -649,12 +693,15 @@ int glint_frame_next(glint_frame *frame);
  * Draws what this pass holds of a tile from frame->tile_first to frame->tile_end - 1. Reads the frame, writes the
  * workspace: callers with workspaces of their own may draw tiles of one pass at the same time. A tile that takes
  * several passes must be drawn into the same workspace in each.
- * @return 1 when the tile is finished, 0 when a later pass adds to it.
+ * @return 1 when the tile is finished, 0 when a later pass adds to it, or GLINT_ERROR_PAINT.
  */
 int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile);
 
-/** Where a tile lies on the screen, in pixels, cut at its right and bottom. */
+/** Where a tile lies on the screen, in pixels, cut at the screen's edges and at the region's. */
 void glint_tile_rectangle(const glint_frame *frame, uint32_t tile, int *x, int *y, int *width, int *height);
+
+/** The same, with its pixels and its depth in a workspace that holds it. */
+void glint_tile_find(const glint_frame *frame, const glint_workspace *workspace, uint32_t tile, glint_tile *to);
 
 #ifdef __cplusplus
 }

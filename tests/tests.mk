@@ -29,6 +29,7 @@ SUITE_opposed   := $(TEST_HARNESS) tests/image/opposed.c tests/image/picture.c
 SUITE_kept      := $(TEST_HARNESS) tests/image/kept.c $(TEST_SCENES)
 SUITE_arenas    := $(TEST_HARNESS) tests/image/arenas.c
 SUITE_changes   := $(TEST_HARNESS) tests/image/changes.c $(TEST_SCENES)
+SUITE_region    := $(TEST_HARNESS) tests/image/region.c $(TEST_SCENES)
 SUITE_drops     := $(TEST_HARNESS) tests/image/drops.c tests/image/undropped.c tests/stability/random_scene.c \
     tests/stability/weights.c $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_hidden    := $(TEST_HARNESS) tests/image/hidden.c tests/image/undropped.c tests/stability/random_scene.c \
@@ -37,7 +38,7 @@ SUITE_budget    := $(TEST_HARNESS) tests/image/budget.c tests/stability/random_s
     $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_nodes     := $(TEST_HARNESS) tests/image/nodes.c tests/image/fine.c $(TEST_SCENES)
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit numbers setup point compare accuracy models gallery output extremes highlights fill_rule identity changes kept arenas drops hidden budget opposed nodes
+TEST_SUITES     := unit numbers setup point compare accuracy models gallery output extremes highlights fill_rule identity changes region kept arenas drops hidden budget opposed nodes
 
 # $(call test_objects,variant,compiler and flags): build/<variant>/<source>.o
 define test_objects

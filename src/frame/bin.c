@@ -4,25 +4,27 @@
 #include "lists.h"
 
 /*
- * Tiles between corners in one direction, of a screen of so many pixels: from the first pixel centre at or after the
- * least coordinate to the last before the greatest; *end is exclusive. @return 0 when there is no centre between.
+ * The region's tiles between corners in one direction, where it has so many pixels from `from` on: from the first pixel
+ * centre at or after the least coordinate to the last before the greatest; *end is exclusive. @return 0 when there is
+ * no centre between.
  */
-static inline int find_span(int32_t a, int32_t b, int32_t c, int32_t size, unsigned shift, int32_t *first,
+static inline int find_span(int32_t a, int32_t b, int32_t c, int32_t from, int32_t size, unsigned shift, int32_t *first,
                             int32_t *end) {
     int32_t low = a < b ? a : b, high = a + b - low;
     low = glint_shift_right((low < c ? low : c) + 7, 4);
     high = glint_shift_right((high > c ? high : c) + 7, 4);
-    low = low < 0 ? 0 : low;
-    high = high > size ? size : high;
-    *first = glint_shift_right(low, shift);
-    *end = glint_shift_right(high - 1, shift) + 1;
+    low = low < from ? from : low;
+    high = high > from + size ? from + size : high;
+    *first = glint_shift_right(low, shift) - (from >> shift);
+    *end = glint_shift_right(high - 1, shift) - (from >> shift) + 1;
     return low < high;
 }
 
 static inline int find_tiles(const glint_frame *frame, const glint_vertex *const v[3], glint_range *range) {
     const glint_vertex *a = v[0], *b = v[1], *c = v[2];
-    return find_span(a->x, b->x, c->x, frame->config.width, frame->tile_shift_x, &range->left, &range->right) &&
-           find_span(a->y, b->y, c->y, frame->config.height, frame->tile_shift_y, &range->top, &range->bottom);
+    const glint_rectangle *of = &frame->config.region;
+    return find_span(a->x, b->x, c->x, of->x, of->width, frame->tile_shift_x, &range->left, &range->right) &&
+           find_span(a->y, b->y, c->y, of->y, of->height, frame->tile_shift_y, &range->top, &range->bottom);
 }
 
 int glint_find_tiles(const glint_frame *frame, const glint_vertex *const v[3], glint_range *range) {
@@ -150,13 +152,15 @@ static int bin_each(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_
 
 /* ---- Draws ---- */
 
-/* Is a draw seen from one side, not mirrored, and nowhere clipped? */
-static int is_plain(const glint_draw *draw) {
-    return !draw->transform.clips && !draw->double_sided && !draw->mirrored;
+/* Is a draw seen from one side, not mirrored, and nowhere clipped, in tiles from the screen's first on? */
+static int is_plain(const glint_frame *frame, const glint_draw *draw) {
+    return !draw->transform.clips && !draw->double_sided && !draw->mirrored && !frame->first_column &&
+           !frame->first_row;
 }
 
 int glint_bin_some(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end) {
-    return GLINT_SMALL || !is_plain(draw) ? bin_each(frame, draw, next, end) : glint_bin_plain(frame, draw, next, end);
+    return GLINT_SMALL || !is_plain(frame, draw) ? bin_each(frame, draw, next, end)
+                                                 : glint_bin_plain(frame, draw, next, end);
 }
 
 /* Bins the triangles of a draw from frame->triangle on. @return 1, 0 when the arena is full, or an error. */

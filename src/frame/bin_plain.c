@@ -18,11 +18,19 @@ typedef struct grid {
     glint_draw *draw;
     uint32_t shift_x, shift_y; /* from a half to a tile's column and row */
     uint32_t above;            /* the bits of these */
-    uint32_t last;             /* the last place on the screen */
+    uint32_t last;             /* the last place of the region, which begins in the screen's first tile */
     uint32_t columns, first, count;
     uint32_t most;           /* references there may be */
     uint32_t end, reference; /* behind the last triangle: its number and what would refer to it */
 } grid;
+
+static inline int32_t right_of(const glint_config *config) {
+    return config->region.x + config->region.width;
+}
+
+static inline int32_t bottom_of(const glint_config *config) {
+    return config->region.y + config->region.height;
+}
 
 static grid grid_of(glint_frame *frame, glint_draw *draw, uint32_t end) {
     const uint32_t shift_x = frame->tile_shift_x + 4u, shift_y = frame->tile_shift_y + 4u;
@@ -31,7 +39,7 @@ static grid grid_of(glint_frame *frame, glint_draw *draw, uint32_t end) {
                   shift_x,
                   shift_y + 16,
                   (0xffffu << shift_x & 0xffffu) | 0xffff0000u << shift_y,
-                  (16u * frame->config.width - 1) | (16u * frame->config.height - 1) << 16,
+                  (uint32_t)(16 * right_of(&frame->config) - 1) | (uint32_t)(16 * bottom_of(&frame->config) - 1) << 16,
                   frame->tile_columns,
                   frame->tile_first,
                   glint_pass_tiles(frame),
@@ -151,8 +159,8 @@ static GLINT_NOINLINE int bin_several(const grid *g, uint32_t left) {
     uint32_t flags = v[0]->flags & v[1]->flags & v[2]->flags;
     int32_t x, y, right, bottom;
     GLINT_OPAQUE(flags); /* else three pointers are kept for it */
-    find_pixels((int32_t)(a << 16), (int32_t)(b << 16), (int32_t)(c << 16), frame->config.width, &x, &right);
-    find_pixels((int32_t)a, (int32_t)b, (int32_t)c, frame->config.height, &y, &bottom);
+    find_pixels((int32_t)(a << 16), (int32_t)(b << 16), (int32_t)(c << 16), right_of(&frame->config), &x, &right);
+    find_pixels((int32_t)a, (int32_t)b, (int32_t)c, bottom_of(&frame->config), &y, &bottom);
     if (x >= right || y >= bottom) {
         frame->stats.outside++;
         return 1;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Changes: a flush that leaves out tiles which are, pixel for pixel, what was sent last. */
+/* Changes: a flush that leaves out tiles which are, pixel for pixel, what was sent last; parts of tiles are sent. */
 #include "../math/numeric.h"
 #include "../scene/config.h"
 #include "arena.h"
@@ -21,10 +21,28 @@ static glint_signature sign(const glint_word *words, size_t count) {
     return (glint_signature){a, b | 1}; /* never that of a tile not sent yet */
 }
 
+/* Is it all that the screen shows of a tile? */
+static int is_whole(const glint_changes *changes, int x, int y, int width, int height) {
+    return x % changes->tile_width == 0 && y % changes->tile_height == 0 &&
+           width == glint_least(changes->tile_width, changes->width - x) &&
+           height == glint_least(changes->tile_height, changes->height - y);
+}
+
 static int begin_changes(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
     glint_changes *changes = context;
-    const uint32_t tile = (uint32_t)y / changes->tile_height * changes->columns + (uint32_t)x / changes->tile_width;
+    const int of_x = x - changes->left, of_y = y - changes->top;
+    const uint32_t tile =
+        (uint32_t)of_y / changes->tile_height * changes->columns + (uint32_t)of_x / changes->tile_width;
     glint_signature *last = &changes->signatures[tile];
+    if (!is_whole(changes, of_x, of_y, width, height)) {
+        *last = (glint_signature){0, 0};
+        changes->sending = 0;
+        changes->is_part = 1;
+        const int failed = changes->flush.begin(changes->flush.context, x, y, width, height, pixels, stride);
+        changes->sent += !failed;
+        return failed;
+    }
+    changes->is_part = 0;
     const glint_signature now = sign(pixels, stride * changes->tile_height / sizeof(glint_word));
     if (now.a == last->a && now.b == last->b) {
         changes->unchanged++;
@@ -46,7 +64,7 @@ static int begin_changes(void *context, int x, int y, int width, int height, con
 static int wait_for_changes(void *context) {
     glint_changes *changes = context;
     if (!changes->sending)
-        return 0;
+        return changes->is_part ? changes->flush.wait(changes->flush.context) : 0;
     int failed = changes->flush.wait(changes->flush.context);
     if (!failed)
         *changes->sending = changes->pending;
@@ -77,6 +95,10 @@ glint_status glint_changes_init(glint_changes *changes, glint_signature *signatu
                                .columns = (uint16_t)((full.width + full.tile_width - 1) / full.tile_width),
                                .tile_width = full.tile_width,
                                .tile_height = full.tile_height,
+                               .width = full.width,
+                               .height = full.height,
+                               .left = full.left,
+                               .top = full.top,
                                .count = glint_changes_count(&full)};
     glint_changes_forget(changes);
     return GLINT_OK;

@@ -82,15 +82,11 @@ glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, co
     glint_status status = glint_check_config(&frame->config);
     if (status != GLINT_OK)
         return status;
-    const unsigned shift_x = tile_shift(frame->config.tile_width), shift_y = tile_shift(frame->config.tile_height);
-    uint32_t columns = (uint32_t)(config->width + frame->config.tile_width - 1) >> shift_x;
-    uint32_t rows = (uint32_t)(config->height + frame->config.tile_height - 1) >> shift_y;
-    frame->tile_shift_x = (uint8_t)shift_x;
-    frame->tile_shift_y = (uint8_t)shift_y;
-    frame->tile_columns = (uint16_t)columns;
-    frame->tile_count = (uint16_t)(columns * rows);
+    frame->tile_shift_x = (uint8_t)tile_shift(frame->config.tile_width);
+    frame->tile_shift_y = (uint8_t)tile_shift(frame->config.tile_height);
+    status = glint_region_begin(frame);
     frame->pass_tiles = frame->tile_count;
-    return GLINT_OK;
+    return status;
 }
 
 static glint_status begin_frame(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
@@ -202,12 +198,4 @@ int glint_frame_next(glint_frame *frame) {
     frame->stats.passes++;
     frame->stats.tiles += frame->ends ? glint_pass_tiles(frame) : 0;
     return 1;
-}
-
-void glint_tile_rectangle(const glint_frame *frame, uint32_t tile, int *x, int *y, int *width, int *height) {
-    *x = (int)(tile % frame->tile_columns) << frame->tile_shift_x;
-    *y = (int)(tile / frame->tile_columns) << frame->tile_shift_y;
-    *width = frame->config.width - *x < frame->config.tile_width ? frame->config.width - *x : frame->config.tile_width;
-    *height =
-        frame->config.height - *y < frame->config.tile_height ? frame->config.height - *y : frame->config.tile_height;
 }

@@ -89,6 +89,12 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
  * on. */
 glint_status glint_load(glint_frame *frame);
 
+/** Checks the configuration's region, which becomes the whole screen where it is all 0. */
+glint_status glint_check_region(glint_config *config);
+
+/** Sets the tiles of a frame whose tile size is set: those of its region. */
+glint_status glint_region_begin(glint_frame *frame);
+
 /** Sets up all of a frame but its arena. */
 glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, const glint_scene *scene);
 

@@ -11,6 +11,8 @@ glint_status glint_init(glint_renderer *renderer, const glint_config *config) {
         return GLINT_ERROR_NULL;
     renderer->config = *config;
     glint_status status = glint_check_config(&renderer->config);
+    if (status == GLINT_OK)
+        status = glint_check_region(&renderer->config);
     if (status == GLINT_OK && config->pixels &&
         (config->pixels_size < glint_pixels_need(config) || glint_align(config->pixels) != config->pixels))
         status = GLINT_ERROR_PIXELS;
@@ -36,19 +38,20 @@ static int wait_for_flush(sender *s) {
 }
 
 static glint_status send(sender *s, const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
-    int x, y, width, height;
-    glint_tile_rectangle(frame, tile, &x, &y, &width, &height);
-    if (wait_for_flush(s) ||
-        s->flush->begin(s->flush->context, x, y, width, height, workspace->pixels, workspace->stride) != 0)
+    glint_tile of;
+    glint_tile_find(frame, workspace, tile, &of);
+    if (wait_for_flush(s) || s->flush->begin(s->flush->context, of.x + frame->config.left, of.y + frame->config.top,
+                                             of.width, of.height, of.pixels, of.stride) != 0)
         return GLINT_ERROR_FLUSH;
     s->busy = 1;
     workspace->pixels = s->buffers[workspace->pixels == s->buffers[0]];
     return GLINT_OK;
 }
 
-/* Draws a tile, unless a buffer holds what it shows. @return 1 when it is finished. */
+/* Draws a tile, unless a buffer holds what it shows. @return 1 when it is finished, or GLINT_ERROR_PAINT. */
 static int finish_tile(sender *s, const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
-    const int empty = glint_tile_is_empty(frame, tile);
+    const int empty =
+        !frame->config.background.paint && !frame->config.overlay.paint && glint_tile_is_empty(frame, tile);
     if (empty && s->background) {
         workspace->pixels = s->background;
         return 1;
@@ -64,9 +67,10 @@ static glint_status render_passes(glint_frame *frame, glint_workspace *workspace
     int pass;
     while ((pass = glint_frame_next(frame)) > 0) {
         for (uint32_t tile = frame->tile_first; tile < frame->tile_end; tile++) {
-            if (!finish_tile(s, frame, workspace, tile))
+            const int finished = finish_tile(s, frame, workspace, tile);
+            if (!finished)
                 continue;
-            glint_status status = send(s, frame, workspace, tile);
+            const glint_status status = finished < 0 ? (glint_status)finished : send(s, frame, workspace, tile);
             if (status != GLINT_OK)
                 return status;
         }

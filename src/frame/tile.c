@@ -34,8 +34,20 @@ void glint_workspace_init(glint_workspace *workspace, const glint_config *config
     workspace->drawn = 0;
 }
 
-static void clear(const glint_frame *frame, glint_workspace *workspace) {
+static int paint(const glint_painter *painter, const glint_frame *frame, const glint_workspace *workspace,
+                 uint32_t tile, int has_depth) {
+    glint_tile of;
+    glint_tile_find(frame, workspace, tile, &of);
+    if (!has_depth)
+        of.depth = 0;
+    return painter->paint(painter->context, &of);
+}
+
+/* @return 0, or not where the background's painter failed */
+static int clear(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
     const glint_config *config = &frame->config;
+    if (config->background.paint)
+        return paint(&config->background, frame, workspace, tile, 0);
     const glint_colour *background = &frame->scene->background;
     const uint32_t shown[3] = {(uint32_t)background->r << 7, (uint32_t)background->g << 7,
                                (uint32_t)background->b << 7};
@@ -43,6 +55,7 @@ static void clear(const glint_frame *frame, glint_workspace *workspace) {
     glint_channels_of(shown, colour[0]);
     glint_finish_colours(config, colour, 1);
     config->format->fill(workspace->pixels, frame->tile_shift_x, config->tile_height, colour[0]);
+    return 0;
 }
 
 int glint_tile_is_empty(const glint_frame *frame, uint32_t tile) {
@@ -126,11 +139,12 @@ static inline void find_triangle(const glint_frame *frame, draw_source *from, ui
         find_any_triangle(frame, from, number, t);
 }
 
-/* Where a tile lies. */
+/* Where a tile lies: it is drawn from its first pixel on, wherever the region begins. */
 static void place_tile(const glint_frame *frame, glint_window *window, uint32_t tile) {
     int x, y, width, height;
     glint_tile_rectangle(frame, tile, &x, &y, &width, &height);
-    glint_window_begin(window, x, y, width, height);
+    const int column = x & (frame->config.tile_width - 1), row = y & (frame->config.tile_height - 1);
+    glint_window_begin(window, x - column, y - row, width + column, height + row);
 }
 
 /* ---- Hidden draws ---- */
@@ -183,8 +197,9 @@ int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint
     glint_part part;
     place_tile(frame, &part.window, tile);
     if (frame->starts) {
-        clear(frame, workspace);
-        if (!glint_tile_is_empty(frame, tile))
+        if (clear(frame, workspace, tile))
+            return GLINT_ERROR_PAINT;
+        if (!glint_tile_is_empty(frame, tile) || frame->config.overlay.paint)
             memset(workspace->depth, 0, tile_pixels(&frame->config) * sizeof *workspace->depth);
     }
     draw_source from = {frame->draws, 0, 0};
@@ -202,5 +217,7 @@ int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint
         glint_setup(&part, &triangle);
         from.draw->kernel(frame, workspace, from.draw, &triangle, &part);
     }
+    if (frame->ends && frame->config.overlay.paint && paint(&frame->config.overlay, frame, workspace, tile, 1))
+        return GLINT_ERROR_PAINT;
     return frame->ends;
 }

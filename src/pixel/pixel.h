@@ -213,11 +213,16 @@ static GLINT_INLINE void glint_draw_channel_spans(const glint_spans *s, const gl
     }
 #endif
 
+/** Rows whose pixels share bytes, unless a format says more. */
+#ifndef GLINT_PAGE
+#define GLINT_PAGE 1
+#endif
+
 /** A format of so many bits a pixel, and of its channels, or 0 for luma. */
-#define GLINT_FORMAT(suffix, bits, red, green, blue, fast)                                        \
-    {                                                                                             \
-        bits, {red, green, blue}, store_##suffix, fill_##suffix, GLINT_FUSED(draw_even_##suffix), \
-            GLINT_FUSED(draw_channels_##suffix), fast                                             \
+#define GLINT_FORMAT(suffix, bits, red, green, blue, fast)                                                    \
+    {                                                                                                         \
+        bits, {red, green, blue}, GLINT_PAGE, store_##suffix, fill_##suffix, GLINT_FUSED(draw_even_##suffix), \
+            GLINT_FUSED(draw_channels_##suffix), fast                                                         \
     }
 
 /** Defines a format and its dithered twin, which the linker keeps only where they are named. */

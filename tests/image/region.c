@@ -1,0 +1,379 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Suite: a region holds the pixels that the whole frame has there, and nothing else is sent; painters of background and
+ * overlay see each pixel once, and where objects show; what they report as failed ends the frame.
+ */
+#include "glint.h"
+#include "harness.h"
+#include "picture.h"
+#include "scenes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Neither is a multiple of a tile. */
+#define WIDTH 150
+#define HEIGHT 101
+#define NOTHING 0xffffffffu
+
+/* ---- A display of pixels by number, larger than the screen ---- */
+
+#define MARGIN 8
+
+typedef struct display {
+    const glint_format *format;
+    uint32_t pixel[HEIGHT + 2 * MARGIN][WIDTH + 2 * MARGIN]; /* NOTHING where none was sent */
+    uint32_t again;                                          /* pixels sent twice, or beyond the display */
+    uint32_t calls;
+} display;
+
+static int is_paged(const glint_format *format) {
+    return format == &glint_format_mono_pages || format == &glint_format_mono_pages_dithered;
+}
+
+/* The bits of a pixel, x and y from a byte's first on. */
+static uint32_t bits_at(const glint_format *format, const void *pixels, size_t stride, int x, int y) {
+    const uint8_t *const bytes = pixels;
+    const uint8_t *const row = bytes + (size_t)y * stride;
+    if (is_paged(format))
+        return bytes[(size_t)x + (size_t)(y / 8 * 8) * stride] >> (y & 7) & 1;
+    switch (glint_row_bytes(format, 8)) {
+    case 1:
+        return row[x >> 3] >> (x & 7) & 1;
+    case 4:
+        return x & 1 ? row[x >> 1] & 15 : row[x >> 1] >> 4;
+    case 8:
+        return row[x];
+    case 12:
+        return x & 1 ? (row[3 * (x >> 1) + 1] & 15u) << 8 | row[3 * (x >> 1) + 2]
+                     : (uint32_t)row[3 * (x >> 1)] << 4 | row[3 * (x >> 1) + 1] >> 4;
+    case 16:
+        return (uint32_t)row[2 * x] << 8 | row[2 * x + 1];
+    default:
+        return (uint32_t)row[3 * x] << 16 | (uint32_t)row[3 * x + 1] << 8 | row[3 * x + 2];
+    }
+}
+
+static int begin(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    display *to = context;
+    to->calls++;
+    for (int row = 0; row < height; row++)
+        for (int column = 0; column < width; column++) {
+            const int at_x = x + column + MARGIN, at_y = y + row + MARGIN;
+            if (at_x < 0 || at_y < 0 || at_x >= WIDTH + 2 * MARGIN || at_y >= HEIGHT + 2 * MARGIN ||
+                to->pixel[at_y][at_x] != NOTHING)
+                to->again++;
+            else
+                to->pixel[at_y][at_x] = bits_at(to->format, pixels, stride, column, row);
+        }
+    return 0;
+}
+
+static int wait(void *context) {
+    (void)context;
+    return 0;
+}
+
+static void clear(display *to, const glint_format *format) {
+    memset(to->pixel, 0xff, sizeof to->pixel);
+    to->format = format;
+    to->again = to->calls = 0;
+}
+
+/* ---- Frames ---- */
+
+static uint8_t arena[1 << 20];
+static display whole, part;
+
+static glint_config configure(display *to, const glint_format *format, uint16_t tile) {
+    clear(to, format);
+    return (glint_config){.width = WIDTH,
+                          .height = HEIGHT,
+                          .tile_width = tile,
+                          .tile_height = tile,
+                          .format = format,
+                          .flush = {begin, wait, to},
+                          .arena = arena,
+                          .arena_size = sizeof arena};
+}
+
+static glint_status draw(const glint_config *config, const glint_scene *scene) {
+    glint_renderer renderer;
+    const glint_status status = glint_init(&renderer, config);
+    return status == GLINT_OK ? glint_render(&renderer, scene) : status;
+}
+
+static uint32_t at(const display *of, int x, int y) {
+    return of->pixel[y + MARGIN][x + MARGIN];
+}
+
+/* Is the part the whole's, at an offset, and nothing else? */
+static int is_part(const glint_rectangle *region, int left, int top) {
+    uint32_t wrong = part.again;
+    for (int y = -MARGIN; y < HEIGHT + MARGIN; y++)
+        for (int x = -MARGIN; x < WIDTH + MARGIN; x++) {
+            const int of_x = x - left, of_y = y - top;
+            const int inside = of_x >= region->x && of_x < region->x + region->width && of_y >= region->y &&
+                               of_y < region->y + region->height;
+            wrong += at(&part, x, y) != (inside ? at(&whole, of_x, of_y) : NOTHING);
+        }
+    return wrong == 0;
+}
+
+static uint32_t seed;
+
+static int any(int least, int most) {
+    seed = seed * 1664525u + 1013904223u;
+    return least + (int)((seed >> 8) % (uint32_t)(most - least + 1));
+}
+
+/* Steps of a region's edges. */
+static void steps_of(const glint_format *format, int *step_x, int *step_y) {
+    const size_t bits = glint_row_bytes(format, 8);
+    *step_x = is_paged(format) ? 1 : bits == 1 ? 8 : bits % 8 ? 2 : 1;
+    *step_y = is_paged(format) ? 8 : 1;
+}
+
+/* From one edge to another, or to the screen's. */
+static void any_span(int step, int size, int16_t *first, int16_t *count) {
+    const int begins = any(0, (size - 1) / step) * step,
+              ends = begins + any(1, (size - begins + step - 1) / step) * step;
+    *first = (int16_t)begins;
+    *count = (int16_t)((ends < size ? ends : size) - begins);
+}
+
+static glint_rectangle any_region(const glint_format *format) {
+    glint_rectangle region;
+    int step_x, step_y;
+    steps_of(format, &step_x, &step_y);
+    any_span(step_x, WIDTH, &region.x, &region.width);
+    any_span(step_y, HEIGHT, &region.y, &region.height);
+    return region;
+}
+
+static const glint_format *const formats[] = {&glint_format_rgb565, &glint_format_rgb888_dithered,
+                                              &glint_format_grey4,  &glint_format_rgb444,
+                                              &glint_format_mono,   &glint_format_mono_pages_dithered};
+static const uint16_t tiles[] = {8, 16, 32, 64};
+
+/* A scene's whole frame, and some regions of it, with arenas of any size. */
+static void check_regions(const glint_scene *scene, const glint_format *format, int count) {
+    glint_config config = configure(&whole, format, 0);
+    CHECK_EQUAL(draw(&config, scene), GLINT_OK);
+    for (int i = 0; i < count; i++) {
+        glint_need need;
+        config = configure(&part, format, tiles[any(0, 3)]);
+        config.region = any_region(format);
+        config.left = (int16_t)any(-MARGIN, MARGIN);
+        config.top = (int16_t)any(-MARGIN, MARGIN);
+        CHECK_EQUAL(glint_arena_need(&config, scene, &need), GLINT_OK);
+        config.arena_size = i % 3 == 0 ? need.least : i % 3 == 1 ? need.resident : need.one_pass;
+        CHECK_EQUAL(draw(&config, scene), GLINT_OK);
+        CHECK(is_part(&config.region, config.left, config.top));
+    }
+}
+
+static void regions_are_parts_of_the_whole(void) {
+    for (unsigned i = 0; i < scene_count; i++)
+        for (unsigned f = 0; f < sizeof formats / sizeof *formats; f++) {
+            test_scene scene;
+            scene_build(&scene, &scene_definitions[i]);
+            if (i & 1)
+                scene_light_at_nodes(&scene);
+            seed = i * 16 + f;
+            check_regions(&scene.scene, formats[f], 6);
+        }
+}
+
+static void regions_side_by_side_make_the_whole(void) {
+    test_scene scene;
+    glint_renderer renderer;
+    scene_build_random(&scene, 7);
+    glint_config config = configure(&whole, &glint_format_rgb565, 0);
+    CHECK_EQUAL(draw(&config, &scene.scene), GLINT_OK);
+    config = configure(&part, &glint_format_rgb565, 0);
+    CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
+    for (int16_t x = 0; x < WIDTH; x = (int16_t)(x + 47))
+        for (int16_t y = 0; y < HEIGHT; y = (int16_t)(y + 13)) {
+            const glint_rectangle region = {x, y, (int16_t)(x + 47 < WIDTH ? 47 : WIDTH - x),
+                                            (int16_t)(y + 13 < HEIGHT ? 13 : HEIGHT - y)};
+            CHECK_EQUAL(glint_render_region(&renderer, &scene.scene, &region), GLINT_OK);
+        }
+    const glint_rectangle all = {0, 0, WIDTH, HEIGHT};
+    CHECK(is_part(&all, 0, 0));
+    clear(&part, config.format); /* the renderer's own region is as it was */
+    CHECK_EQUAL(glint_render(&renderer, &scene.scene), GLINT_OK);
+    CHECK(is_part(&all, 0, 0));
+}
+
+static void bad_regions_are_refused(void) {
+    static const struct {
+        const glint_format *format;
+        glint_rectangle region;
+        glint_status status;
+    } cases[] = {
+        {&glint_format_rgb565, {0, 0, 0, 1}, GLINT_ERROR_REGION},
+        {&glint_format_rgb565, {1, 0, 0, 0}, GLINT_ERROR_REGION},
+        {&glint_format_rgb565, {-1, 0, 8, 8}, GLINT_ERROR_REGION},
+        {&glint_format_rgb565, {0, -8, 8, 8}, GLINT_ERROR_REGION},
+        {&glint_format_rgb565, {143, 0, 8, 8}, GLINT_ERROR_REGION},
+        {&glint_format_rgb565, {0, 94, 8, 8}, GLINT_ERROR_REGION},
+        {&glint_format_rgb565, {0, 0, -8, 8}, GLINT_ERROR_REGION},
+        {&glint_format_rgb565, {INT16_MAX, INT16_MAX, INT16_MAX, INT16_MAX}, GLINT_ERROR_REGION},
+        {&glint_format_rgb565, {INT16_MIN, INT16_MIN, INT16_MIN, INT16_MIN}, GLINT_ERROR_REGION},
+        {&glint_format_rgb565, {149, 100, 1, 1}, GLINT_OK},
+        {&glint_format_grey4, {1, 0, 7, 8}, GLINT_ERROR_REGION},
+        {&glint_format_rgb444, {0, 0, 7, 8}, GLINT_ERROR_REGION},
+        {&glint_format_mono, {4, 0, 8, 8}, GLINT_ERROR_REGION},
+        {&glint_format_mono, {144, 1, 6, 1}, GLINT_OK},
+        {&glint_format_mono_pages, {0, 4, 8, 8}, GLINT_ERROR_REGION},
+        {&glint_format_mono_pages, {0, 0, 8, 4}, GLINT_ERROR_REGION},
+        {&glint_format_mono_pages, {3, 96, 1, 5}, GLINT_OK},
+    };
+    test_scene scene;
+    scene_build_random(&scene, 1);
+    for (unsigned i = 0; i < sizeof cases / sizeof *cases; i++) {
+        glint_renderer renderer;
+        glint_need need;
+        glint_config config = configure(&part, cases[i].format, 0);
+        CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
+        CHECK_EQUAL(glint_render_region(&renderer, &scene.scene, &cases[i].region), cases[i].status);
+        CHECK_EQUAL(part.calls, cases[i].status == GLINT_OK);
+        config.region = cases[i].region;
+        CHECK_EQUAL(glint_init(&renderer, &config), cases[i].status);
+        CHECK_EQUAL(glint_arena_need(&config, &scene.scene, &need), cases[i].status);
+    }
+    CHECK_EQUAL(glint_render_region(NULL, &scene.scene, &cases[0].region), GLINT_ERROR_NULL);
+}
+
+/* ---- Only what changed ---- */
+
+/* Regions go through the filter, and what they showed of a tile is not taken for the tile. */
+static void changes_know_regions(void) {
+    static glint_signature signatures[5 * 4];
+    test_scene scene;
+    glint_changes changes;
+    glint_renderer renderer;
+    scene_build_random(&scene, 3);
+    glint_config config = configure(&part, &glint_format_rgb565, 0);
+    config.left = 3;
+    config.top = -2;
+    CHECK_EQUAL(glint_changes_count(&config), 20);
+    CHECK_EQUAL(glint_changes_init(&changes, signatures, &config), GLINT_OK);
+    config.flush = glint_changes_flush(&changes);
+    CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
+    CHECK_EQUAL(glint_render(&renderer, &scene.scene), GLINT_OK);
+    CHECK_EQUAL(changes.sent, 20);
+    const glint_rectangle region = {33, 5, 31, 50}; /* parts of two tiles */
+    CHECK_EQUAL(glint_render_region(&renderer, &scene.scene, &region), GLINT_OK);
+    CHECK_EQUAL(changes.sent, 22);
+    CHECK_EQUAL(glint_render(&renderer, &scene.scene), GLINT_OK);
+    CHECK_EQUAL(changes.unchanged, 18);
+    const glint_rectangle tile = {32, 32, 32, 32};
+    CHECK_EQUAL(glint_render_region(&renderer, &scene.scene, &tile), GLINT_OK);
+    CHECK_EQUAL(changes.unchanged, 19);
+}
+
+/* ---- Painters ---- */
+
+typedef struct painting {
+    uint8_t value;                /* of each byte */
+    uint32_t calls, fail_at;      /* the call that fails, or NOTHING */
+    uint32_t pixels, has_depth;   /* how many pixels were painted, and how many calls had depth */
+    uint8_t drawn[HEIGHT][WIDTH]; /* where depth says that an object shows */
+} painting;
+
+static int paint(void *context, const glint_tile *tile) {
+    painting *p = context;
+    if (p->calls++ == p->fail_at)
+        return 1;
+    p->has_depth += tile->depth != NULL;
+    for (int y = 0; y < tile->height; y++)
+        for (int x = 0; x < tile->width; x++) {
+            p->pixels++;
+            if (tile->depth)
+                p->drawn[tile->y + y][tile->x + x] = tile->depth[(size_t)y * tile->depth_stride + (size_t)x] != 0;
+            else
+                ((uint8_t *)tile->pixels)[(size_t)y * tile->stride + (size_t)x] = p->value;
+        }
+    return 0;
+}
+
+static void painters_see_every_pixel_once(void) {
+    for (unsigned i = 0; i < scene_count; i++)
+        for (int small = 0; small < 2; small++) {
+            static painting under, over;
+            test_scene scene;
+            glint_need need;
+            uint32_t wrong = 0;
+            scene_build(&scene, &scene_definitions[i]);
+            glint_config config = configure(&whole, &glint_format_grey8, 0);
+            under = (painting){.value = 10, .fail_at = NOTHING};
+            over = (painting){.fail_at = NOTHING};
+            config.background = (glint_painter){paint, &under};
+            CHECK_EQUAL(glint_arena_need(&config, &scene.scene, &need), GLINT_OK);
+            config.arena_size = small ? need.least : need.one_pass;
+            CHECK_EQUAL(draw(&config, &scene.scene), GLINT_OK);
+            config.flush.context = &part;
+            clear(&part, config.format);
+            under.value = 200;
+            config.overlay = (glint_painter){paint, &over};
+            CHECK_EQUAL(draw(&config, &scene.scene), GLINT_OK);
+            CHECK_EQUAL(under.pixels, 2 * WIDTH * HEIGHT);
+            CHECK_EQUAL(under.has_depth, 0);
+            CHECK_EQUAL(over.pixels, WIDTH * HEIGHT);
+            CHECK_EQUAL(over.has_depth, over.calls);
+            for (int y = 0; y < HEIGHT; y++) /* what differs with the background is where none is drawn */
+                for (int x = 0; x < WIDTH; x++) {
+                    const int shows = at(&whole, x, y) == 10 && at(&part, x, y) == 200;
+                    wrong += over.drawn[y][x] ? at(&whole, x, y) != at(&part, x, y) : !shows;
+                }
+            CHECK_EQUAL(wrong, 0);
+        }
+}
+
+/* An overlay's paint is sent, also of a scene without objects. */
+static int paint_corner(void *context, const glint_tile *tile) {
+    (void)context;
+    ((uint8_t *)tile->pixels)[0] = 77;
+    return 0;
+}
+
+static void overlays_are_sent(void) {
+    test_scene scene;
+    scene_build_random(&scene, 2);
+    scene.scene.object_count = 0;
+    glint_config config = configure(&part, &glint_format_grey8, 0);
+    config.overlay.paint = paint_corner;
+    config.region = (glint_rectangle){5, 6, 90, 80};
+    CHECK_EQUAL(draw(&config, &scene.scene), GLINT_OK);
+    CHECK_EQUAL(at(&part, 5, 6), 77);
+    CHECK_EQUAL(at(&part, 32, 6), 77);
+    CHECK_EQUAL(at(&part, 5, 64), 77);
+    CHECK_EQUAL(at(&part, 64, 64), 77);
+    CHECK(at(&part, 6, 6) != 77 && at(&part, 33, 32) != 77);
+}
+
+static void failed_painters_end_the_frame(void) {
+    for (int which = 0; which < 2; which++)
+        for (uint32_t call = 0; call < 21; call += 4) {
+            static painting failing;
+            test_scene scene;
+            scene_build_random(&scene, 5);
+            glint_config config = configure(&part, &glint_format_grey8, 0);
+            failing = (painting){.fail_at = call};
+            *(which ? &config.overlay : &config.background) = (glint_painter){paint, &failing};
+            CHECK_EQUAL(draw(&config, &scene.scene), call < 20 ? GLINT_ERROR_PAINT : GLINT_OK);
+            CHECK_EQUAL(part.calls, call < 20 ? call : 20);
+        }
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {
+        TEST_CASE(regions_are_parts_of_the_whole), TEST_CASE(regions_side_by_side_make_the_whole),
+        TEST_CASE(bad_regions_are_refused),        TEST_CASE(changes_know_regions),
+        TEST_CASE(painters_see_every_pixel_once),  TEST_CASE(overlays_are_sent),
+        TEST_CASE(failed_painters_end_the_frame),
+    };
+    return test_run(write, cases, TEST_COUNT(cases));
+}
