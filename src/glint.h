@@ -544,6 +544,7 @@ typedef struct glint_frame {
     uint16_t tile_first, tile_end;        /* tiles of this pass */
     uint16_t tile_columns, tile_count;    /* of the region */
     uint16_t first_column, first_row;     /* of the screen's tiles, in the region */
+    uint16_t right, bottom;               /* behind the region's last pixels */
     uint16_t pass_tiles;                  /* tiles that a pass may hold */
     uint16_t loaded_end;                  /* what is loaded is for tiles before this */
     uint8_t tile_shift_x, tile_shift_y;   /* binary logarithms of the tile's size */

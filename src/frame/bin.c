@@ -4,27 +4,29 @@
 #include "lists.h"
 
 /*
- * The region's tiles between corners in one direction, where it has so many pixels from `from` on: from the first pixel
- * centre at or after the least coordinate to the last before the greatest; *end is exclusive. @return 0 when there is
- * no centre between.
+ * Tiles between corners in one direction, of pixels from `from` to before `to`: from the first pixel centre at or after
+ * the least coordinate to the last before the greatest, counted from tile `origin` on; *end is exclusive.
+ * @return 0 when there is no centre between
  */
-static inline int find_span(int32_t a, int32_t b, int32_t c, int32_t from, int32_t size, unsigned shift, int32_t *first,
-                            int32_t *end) {
+static inline int find_span(int32_t a, int32_t b, int32_t c, int32_t from, int32_t to, unsigned shift, int32_t origin,
+                            int32_t *first, int32_t *end) {
     int32_t low = a < b ? a : b, high = a + b - low;
     low = glint_shift_right((low < c ? low : c) + 7, 4);
     high = glint_shift_right((high > c ? high : c) + 7, 4);
     low = low < from ? from : low;
-    high = high > from + size ? from + size : high;
-    *first = glint_shift_right(low, shift) - (from >> shift);
-    *end = glint_shift_right(high - 1, shift) - (from >> shift) + 1;
+    high = high > to ? to : high;
+    *first = glint_shift_right(low, shift) - origin;
+    *end = glint_shift_right(high - 1, shift) + 1 - origin;
     return low < high;
 }
 
 static inline int find_tiles(const glint_frame *frame, const glint_vertex *const v[3], glint_range *range) {
     const glint_vertex *a = v[0], *b = v[1], *c = v[2];
     const glint_rectangle *of = &frame->config.region;
-    return find_span(a->x, b->x, c->x, of->x, of->width, frame->tile_shift_x, &range->left, &range->right) &&
-           find_span(a->y, b->y, c->y, of->y, of->height, frame->tile_shift_y, &range->top, &range->bottom);
+    return find_span(a->x, b->x, c->x, of->x, frame->right, frame->tile_shift_x, frame->first_column, &range->left,
+                     &range->right) &&
+           find_span(a->y, b->y, c->y, of->y, frame->bottom, frame->tile_shift_y, frame->first_row, &range->top,
+                     &range->bottom);
 }
 
 int glint_find_tiles(const glint_frame *frame, const glint_vertex *const v[3], glint_range *range) {

@@ -24,14 +24,6 @@ typedef struct grid {
     uint32_t end, reference; /* behind the last triangle: its number and what would refer to it */
 } grid;
 
-static inline int32_t right_of(const glint_config *config) {
-    return config->region.x + config->region.width;
-}
-
-static inline int32_t bottom_of(const glint_config *config) {
-    return config->region.y + config->region.height;
-}
-
 static grid grid_of(glint_frame *frame, glint_draw *draw, uint32_t end) {
     const uint32_t shift_x = frame->tile_shift_x + 4u, shift_y = frame->tile_shift_y + 4u;
     return (grid){frame,
@@ -39,7 +31,7 @@ static grid grid_of(glint_frame *frame, glint_draw *draw, uint32_t end) {
                   shift_x,
                   shift_y + 16,
                   (0xffffu << shift_x & 0xffffu) | 0xffff0000u << shift_y,
-                  (uint32_t)(16 * right_of(&frame->config) - 1) | (uint32_t)(16 * bottom_of(&frame->config) - 1) << 16,
+                  (16u * frame->right - 1) | (16u * frame->bottom - 1) << 16,
                   frame->tile_columns,
                   frame->tile_first,
                   glint_pass_tiles(frame),
@@ -159,8 +151,8 @@ static GLINT_NOINLINE int bin_several(const grid *g, uint32_t left) {
     uint32_t flags = v[0]->flags & v[1]->flags & v[2]->flags;
     int32_t x, y, right, bottom;
     GLINT_OPAQUE(flags); /* else three pointers are kept for it */
-    find_pixels((int32_t)(a << 16), (int32_t)(b << 16), (int32_t)(c << 16), right_of(&frame->config), &x, &right);
-    find_pixels((int32_t)a, (int32_t)b, (int32_t)c, bottom_of(&frame->config), &y, &bottom);
+    find_pixels((int32_t)(a << 16), (int32_t)(b << 16), (int32_t)(c << 16), frame->right, &x, &right);
+    find_pixels((int32_t)a, (int32_t)b, (int32_t)c, frame->bottom, &y, &bottom);
     if (x >= right || y >= bottom) {
         frame->stats.outside++;
         return 1;

@@ -42,36 +42,44 @@ glint_status glint_region_begin(glint_frame *frame) {
     frame->first_row = (uint16_t)(region->y >> frame->tile_shift_y);
     frame->tile_columns = count_tiles(region->x, region->width, frame->tile_shift_x);
     frame->tile_count = (uint16_t)(frame->tile_columns * rows);
+    frame->right = (uint16_t)(region->x + region->width);
+    frame->bottom = (uint16_t)(region->y + region->height);
     return GLINT_OK;
 }
 
-/* Where pixels of a tile that begins at `first` lie, between `from` and `end`. */
-static void cut_tile(int32_t first, int32_t size, int32_t from, int32_t end, int *place, int *count) {
-    *place = glint_most(first, from);
-    *count = glint_least(first + size, end) - *place;
-}
-
-void glint_tile_rectangle(const glint_frame *frame, uint32_t tile, int *x, int *y, int *width, int *height) {
+/* Sets where a tile lies, and how far its part of the region begins from its first pixel. */
+static void cut_tile(const glint_frame *frame, uint32_t tile, glint_tile *to, uint32_t *across, uint32_t *down) {
     const glint_config *const config = &frame->config;
-    const glint_rectangle *const region = &config->region;
-    const uint32_t column = tile % frame->tile_columns + frame->first_column,
-                   row = tile / frame->tile_columns + frame->first_row;
-    cut_tile((int32_t)(column << frame->tile_shift_x), config->tile_width, region->x, region->x + region->width, x,
-             width);
-    cut_tile((int32_t)(row << frame->tile_shift_y), config->tile_height, region->y, region->y + region->height, y,
-             height);
+    const uint32_t row = tile / frame->tile_columns, column = tile - row * frame->tile_columns;
+    const int x = (int)((column + frame->first_column) << frame->tile_shift_x),
+              y = (int)((row + frame->first_row) << frame->tile_shift_y);
+    to->x = glint_most(x, config->region.x);
+    to->y = glint_most(y, config->region.y);
+    to->width = glint_least(x + config->tile_width, frame->right) - to->x;
+    to->height = glint_least(y + config->tile_height, frame->bottom) - to->y;
+    *across = (uint32_t)(to->x - x);
+    *down = (uint32_t)(to->y - y);
 }
 
 void glint_tile_find(const glint_frame *frame, const glint_workspace *workspace, uint32_t tile, glint_tile *to) {
     const glint_format *const format = frame->config.format;
-    glint_tile_rectangle(frame, tile, &to->x, &to->y, &to->width, &to->height);
-    const size_t column = (uint32_t)to->x & (frame->config.tile_width - 1u),
-                 row = (uint32_t)to->y & (frame->config.tile_height - 1u);
+    uint32_t across, down;
+    cut_tile(frame, tile, to, &across, &down);
     to->stride = workspace->stride;
-    to->pixels = (uint8_t *)workspace->pixels + row * workspace->stride +
-                 (format->page > 1 ? column : column * format->bits / 8);
+    to->pixels =
+        (uint8_t *)workspace->pixels + down * to->stride + (format->page > 1 ? across : across * format->bits / 8);
     to->depth_stride = frame->config.tile_width;
-    to->depth = workspace->depth + row * to->depth_stride + column;
+    to->depth = workspace->depth + down * to->depth_stride + across;
+}
+
+void glint_tile_rectangle(const glint_frame *frame, uint32_t tile, int *x, int *y, int *width, int *height) {
+    glint_tile to;
+    uint32_t across, down;
+    cut_tile(frame, tile, &to, &across, &down);
+    *x = to.x;
+    *y = to.y;
+    *width = to.width;
+    *height = to.height;
 }
 
 glint_status glint_render_region(glint_renderer *renderer, const glint_scene *scene, const glint_rectangle *region) {

@@ -139,12 +139,14 @@ static inline void find_triangle(const glint_frame *frame, draw_source *from, ui
         find_any_triangle(frame, from, number, t);
 }
 
-/* Where a tile lies: it is drawn from its first pixel on, wherever the region begins. */
+/* Where a tile lies: it is drawn from its first pixel on, wherever the region begins, to where that ends. */
 static void place_tile(const glint_frame *frame, glint_window *window, uint32_t tile) {
-    int x, y, width, height;
-    glint_tile_rectangle(frame, tile, &x, &y, &width, &height);
-    const int column = x & (frame->config.tile_width - 1), row = y & (frame->config.tile_height - 1);
-    glint_window_begin(window, x - column, y - row, width + column, height + row);
+    const glint_config *const config = &frame->config;
+    const uint32_t row = tile / frame->tile_columns, column = tile - row * frame->tile_columns;
+    const int x = (int)((column + frame->first_column) << frame->tile_shift_x);
+    const int y = (int)((row + frame->first_row) << frame->tile_shift_y);
+    glint_window_begin(window, x, y, glint_least(config->tile_width, frame->right - x),
+                       glint_least(config->tile_height, frame->bottom - y));
 }
 
 /* ---- Hidden draws ---- */
