@@ -323,6 +323,15 @@ glint_pose glint_pose_rotate_y(glint_q16 degrees);
 /** A right-handed turn about the z axis. */
 glint_pose glint_pose_rotate_z(glint_q16 degrees);
 
+/** A right-handed turn about an axis of any length; the identity where that is 0. */
+glint_pose glint_pose_rotate(glint_vector axis, glint_q16 degrees);
+
+/** The turn of a quaternion of any length; the identity where that is 0. */
+glint_pose glint_pose_quaternion(glint_q16 x, glint_q16 y, glint_q16 z, glint_q16 w);
+
+/** Where a pose takes a point; rounded to nearest and saturated. */
+glint_vector glint_pose_apply(const glint_pose *pose, glint_vector point);
+
 /** `first` and then `second`; each entry rounded to nearest and saturated. */
 glint_pose glint_pose_then(const glint_pose *first, const glint_pose *second);
 
@@ -331,6 +340,12 @@ glint_pose glint_pose_then(const glint_pose *first, const glint_pose *second);
  * @return GLINT_ERROR_CAMERA when the three lie on one line: then the camera is as it was.
  */
 glint_status glint_camera_look_at(glint_camera *camera, glint_vector eye, glint_vector at, glint_vector up);
+
+/**
+ * Sets camera->pose so that the camera looks at `at` from a distance: with no angles from +z, with a yaw of 90 degrees
+ * from +x, with a pitch of 90 degrees from +y. Any angles will do.
+ */
+void glint_camera_orbit(glint_camera *camera, glint_vector at, glint_q16 yaw, glint_q16 pitch, glint_q16 distance);
 
 /* ---- Generated meshes ---- */
 
@@ -616,6 +631,36 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
 /** Bytes of `pixels` that glint_render needs where they are apart from the arena; 0 when the configuration is not
  * valid. */
 size_t glint_pixels_need(const glint_config *config);
+
+/* ---- From the screen to the scene, and back ---- */
+
+/** Where a point shows. */
+typedef struct glint_place {
+    glint_q16 x, y;     /**< Pixels from the screen's left and top edge; saturated. */
+    glint_q16 distance; /**< From the eye along the camera's axis; saturated. */
+} glint_place;
+
+/**
+ * Finds where a point of the world shows on a screen of config->width and height: off by at most 1/128 of a pixel, on
+ * and around the screen. Nothing else of the configuration is looked at.
+ * @return 1, 0 when it lies in front of the near plane: then `to` is as it was; GLINT_ERROR_NULL, _SIZE or _CAMERA
+ */
+int glint_camera_project(const glint_config *config, const glint_camera *camera, glint_vector point, glint_place *to);
+
+/** What a pixel shows. */
+typedef struct glint_hit {
+    uint32_t object;   /**< Of the scene. */
+    uint32_t triangle; /**< Of the object's mesh. */
+    uint16_t depth;    /**< As glint_tile has it: larger is nearer. */
+} glint_hit;
+
+/**
+ * Finds which triangle glint_render shows at a pixel of the screen, by drawing that pixel; uses the renderer's arena,
+ * so not while a frame is on its way.
+ * @return 1, 0 when it shows background: then `hit` is as it was; GLINT_ERROR_REGION when the pixel is not on the
+ * screen, or an error of the scene
+ */
+int glint_pick(glint_renderer *renderer, const glint_scene *scene, int x, int y, glint_hit *hit);
 
 /* ---- Only what changed ---- */
 /*

@@ -16,6 +16,7 @@ SUITE_unit      := $(TEST_HARNESS) $(TEST_UNIT)
 SUITE_numbers   := $(TEST_HARNESS) tests/reference/numbers.c
 SUITE_setup     := $(TEST_HARNESS) tests/reference/setup.c
 SUITE_point     := $(TEST_HARNESS) tests/reference/point.c
+SUITE_camera    := $(TEST_HARNESS) tests/reference/camera.c tests/reference/reference.c tests/reference/lighting.c
 SUITE_compare   := $(TEST_HARNESS) tests/image/compare.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_accuracy  := $(TEST_HARNESS) tests/image/accuracy.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_models    := $(TEST_HARNESS) tests/image/models.c tests/image/surfaces.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
@@ -29,6 +30,7 @@ SUITE_opposed   := $(TEST_HARNESS) tests/image/opposed.c tests/image/picture.c
 SUITE_kept      := $(TEST_HARNESS) tests/image/kept.c $(TEST_SCENES)
 SUITE_arenas    := $(TEST_HARNESS) tests/image/arenas.c
 SUITE_changes   := $(TEST_HARNESS) tests/image/changes.c $(TEST_SCENES)
+SUITE_pick      := $(TEST_HARNESS) tests/image/pick.c $(TEST_SCENES)
 SUITE_region    := $(TEST_HARNESS) tests/image/region.c $(TEST_SCENES)
 SUITE_drops     := $(TEST_HARNESS) tests/image/drops.c tests/image/undropped.c tests/stability/random_scene.c \
     tests/stability/weights.c $(TEST_SCENES) $(wildcard examples/scenes/*.c)
@@ -38,7 +40,7 @@ SUITE_budget    := $(TEST_HARNESS) tests/image/budget.c tests/stability/random_s
     $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_nodes     := $(TEST_HARNESS) tests/image/nodes.c tests/image/fine.c $(TEST_SCENES)
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit numbers setup point compare accuracy models gallery output extremes highlights fill_rule identity changes region kept arenas drops hidden budget opposed nodes
+TEST_SUITES     := unit numbers setup point compare accuracy models gallery output extremes highlights fill_rule identity changes region pick camera kept arenas drops hidden budget opposed nodes
 
 # $(call test_objects,variant,compiler and flags): build/<variant>/<source>.o
 define test_objects
@@ -90,10 +92,10 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 
 .PHONY: test-unit-host test-image test-identity test-sanitize test-matrix unit-tables
 
-test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers setup point) ## unit tests on the host, arithmetic against libm
+test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers setup point camera) ## unit tests on the host, arithmetic against libm
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery output extremes highlights fill_rule changes kept arenas drops hidden budget opposed nodes) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery output extremes highlights fill_rule changes region pick kept arenas drops hidden budget opposed nodes) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order

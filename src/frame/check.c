@@ -48,23 +48,6 @@ static glint_status check_lights(const glint_scene *scene) {
     return GLINT_OK;
 }
 
-/* Unit and perpendicular to within 2^-9, far more than rounding to Q16.16 takes away. */
-static int camera_is_valid(const glint_camera *camera) {
-    for (int i = 0; i < 3; i++) {
-        for (int j = i; j < 3; j++) {
-            int64_t dot = 0;
-            for (int k = 0; k < 3; k++) {
-                if ((uint32_t)camera->pose.m[k][i] + 2 * GLINT_ONE > 4 * GLINT_ONE)
-                    return 0;
-                dot += glint_product(camera->pose.m[k][i], camera->pose.m[k][j]);
-            }
-            if (glint_magnitude64(dot - (i == j ? (int64_t)1 << 32 : 0)) > (1u << 23))
-                return 0;
-        }
-    }
-    return camera->field_of_view >= GLINT_ONE && camera->field_of_view <= 170 * GLINT_ONE && camera->near_plane > 0;
-}
-
 static glint_status check_objects(const glint_scene *scene) {
     for (uint32_t i = 0; i < scene->object_count; i++) {
         glint_status status = check_mesh(scene->objects[i].mesh);
@@ -79,7 +62,7 @@ static glint_status check_objects(const glint_scene *scene) {
 glint_status glint_check_scene(const glint_scene *scene) {
     if (!scene || (scene->object_count && !scene->objects))
         return GLINT_ERROR_NULL;
-    if (!camera_is_valid(&scene->camera))
+    if (!glint_camera_is_valid(&scene->camera))
         return GLINT_ERROR_CAMERA;
     if (scene->viewer != GLINT_VIEWER_INFINITE && scene->viewer != GLINT_VIEWER_LOCAL)
         return GLINT_ERROR_VIEWER;

@@ -67,14 +67,13 @@ glint_pose glint_pose_then(const glint_pose *first, const glint_pose *second) {
     return pose;
 }
 
-/* (x, y, z) at length 1 in Q16.16, from any int64 of up to 62 bits; 0 when it is 0. */
-static int normalise(const int64_t in[3], glint_q16 out[3]) {
+/* Scales (x, y, z), from any int64 of up to 62 bits, to 30 bits. @return its length, rounded down; 0 when it is 0 */
+static int64_t scale(const int64_t in[3], int64_t v[3]) {
     uint64_t bits = glint_magnitude64(in[0]) | glint_magnitude64(in[1]) | glint_magnitude64(in[2]);
-    if (bits == 0)
-        return 0;
-    int shift = (int)glint_bits64(bits) - 30;
-    int64_t v[3];
     uint64_t square = 0;
+    if (!bits)
+        return 0;
+    const int shift = (int)glint_bits64(bits) - 30;
     for (int i = 0; i < 3; i++) {
         v[i] = shift > 0 ? glint_shift_right64(in[i], (unsigned)shift) : in[i] * ((int64_t)1 << -shift);
         square += (uint64_t)(v[i] * v[i]);
@@ -83,11 +82,79 @@ static int normalise(const int64_t in[3], glint_q16 out[3]) {
     for (uint64_t bit = (uint64_t)1 << 31; bit; bit >>= 1)
         if ((root + bit) * (root + bit) <= square)
             root += bit;
-    for (int i = 0; i < 3; i++) {
-        int64_t scaled = v[i] * (1 << 17) / (int64_t)root;
-        out[i] = (glint_q16)glint_shift_right64(scaled + 1, 1);
+    return (int64_t)root;
+}
+
+/* (x, y, z) at length 1 in Q16.16; 0 when it is 0. */
+static int normalise(const int64_t in[3], glint_q16 out[3]) {
+    int64_t v[3];
+    const int64_t length = scale(in, v);
+    for (int i = 0; i < 3 && length; i++)
+        out[i] = (glint_q16)glint_shift_right64(v[i] * (1 << 17) / length + 1, 1);
+    return length != 0;
+}
+
+/* R = c I + (1 - c) u u^T + s [u]x (Rodrigues, 1840). Entries are off by at most 0.6 steps of Q16.16 (suite `camera`).
+ */
+glint_pose glint_pose_rotate(glint_vector axis, glint_q16 degrees) {
+    const int64_t along[3] = {axis.x, axis.y, axis.z};
+    const uint32_t phase = glint_phase(degrees);
+    const int64_t sine = glint_sine(phase), cosine = glint_sine(phase + 0x40000000u); /* Q30 */
+    glint_pose pose = glint_pose_identity();
+    int64_t u[3];
+    const int64_t length = scale(along, u);
+    if (!length)
+        return pose;
+    for (int i = 0; i < 3; i++)
+        u[i] = u[i] * (1 << 30) / length; /* Q30 */
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            int64_t sum = glint_round_shift64(u[i] * u[j], 30) * ((1 << 30) - cosine); /* Q60 */
+            if (i == j)
+                sum += cosine * (1 << 30);
+            else
+                sum += (j == (i + 2) % 3 ? sine : -sine) * u[3 - i - j];
+            pose.m[i][j] = (glint_q16)glint_round_shift64(sum, 60 - 16);
+        }
+    return pose;
+}
+
+/* Of a quaternion of any length (Hamilton, 1844). Entries are off by at most 0.51 steps of Q16.16 (suite `camera`). */
+glint_pose glint_pose_quaternion(glint_q16 x, glint_q16 y, glint_q16 z, glint_q16 w) {
+    const glint_q16 in[4] = {x, y, z, w};
+    uint64_t bits = 0, square = 0;
+    int64_t q[4];
+    glint_pose pose = glint_pose_identity();
+    for (int i = 0; i < 4; i++)
+        bits |= glint_magnitude64(in[i]);
+    if (!bits)
+        return pose;
+    for (int i = 0; i < 4; i++) { /* the largest has 30 bits */
+        const int shift = 30 - (int)glint_bits64(bits);
+        q[i] = shift < 0 ? glint_shift_right64(in[i], (unsigned)-shift) : in[i] * ((int64_t)1 << shift);
+        square += (uint64_t)(q[i] * q[i]);
     }
-    return 1;
+    const int64_t whole = (int64_t)square, by = whole >> 16; /* above 2^41 */
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            const int k = 3 - i - j; /* where i and j differ */
+            const int64_t sum = i == j ? whole - 2 * (whole - q[i] * q[i] - q[3] * q[3])
+                                       : 2 * (q[i] * q[j] + (j == (i + 2) % 3 ? q[k] : -q[k]) * q[3]);
+            pose.m[i][j] = (glint_q16)((sum < 0 ? sum - by / 2 : sum + by / 2) / by);
+        }
+    return pose;
+}
+
+glint_vector glint_pose_apply(const glint_pose *pose, glint_vector point) {
+    const glint_q16 in[3] = {point.x, point.y, point.z};
+    glint_q16 out[3];
+    for (int i = 0; i < 3; i++) {
+        int64_t sum = (int64_t)pose->m[i][3] * (1 << 14);
+        for (int j = 0; j < 3; j++)
+            sum += glint_round_shift64((int64_t)pose->m[i][j] * in[j], 2);
+        out[i] = saturate(glint_round_shift64(sum, 14));
+    }
+    return (glint_vector){out[0], out[1], out[2]};
 }
 
 /* a x b, for |a|, |b| below 2^31. */
@@ -103,7 +170,7 @@ glint_status glint_camera_look_at(glint_camera *camera, glint_vector eye, glint_
         return GLINT_ERROR_NULL;
     const int64_t back[3] = {(int64_t)eye.x - at.x, (int64_t)eye.y - at.y, (int64_t)eye.z - at.z};
     const int64_t upward[3] = {up.x, up.y, up.z};
-    glint_q16 x[3], y[3] = {0}, z[3], u[3]; /* y is always found: x and z stand upright on each other */
+    glint_q16 x[3], y[3] = {0}, z[3], u[3]; /* y is always found: x and z are perpendicular */
     int64_t product[3];
     if (!normalise(back, z) || !normalise(upward, u))
         return GLINT_ERROR_CAMERA;
@@ -124,4 +191,12 @@ glint_status glint_camera_look_at(glint_camera *camera, glint_vector eye, glint_
     camera->pose.m[1][3] = eye.y;
     camera->pose.m[2][3] = eye.z;
     return GLINT_OK;
+}
+
+void glint_camera_orbit(glint_camera *camera, glint_vector at, glint_q16 yaw, glint_q16 pitch, glint_q16 distance) {
+    const glint_pose away = glint_pose_translate(0, 0, distance), tilt = glint_pose_rotate_x(-pitch),
+                     turn = glint_pose_rotate_y(yaw), there = glint_pose_translate(at.x, at.y, at.z);
+    camera->pose = glint_pose_then(&away, &tilt);
+    camera->pose = glint_pose_then(&camera->pose, &turn);
+    camera->pose = glint_pose_then(&camera->pose, &there);
 }

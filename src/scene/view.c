@@ -28,6 +28,23 @@ int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_
     return (in[0] | in[1] | in[2]) != 0;
 }
 
+/* Unit and perpendicular to within 2^-9, far more than rounding to Q16.16 takes away. */
+int glint_camera_is_valid(const glint_camera *camera) {
+    for (int i = 0; i < 3; i++) {
+        for (int j = i; j < 3; j++) {
+            int64_t dot = 0;
+            for (int k = 0; k < 3; k++) {
+                if ((uint32_t)camera->pose.m[k][i] + 2 * GLINT_ONE > 4 * GLINT_ONE)
+                    return 0;
+                dot += glint_product(camera->pose.m[k][i], camera->pose.m[k][j]);
+            }
+            if (glint_magnitude64(dot - (i == j ? (int64_t)1 << 32 : 0)) > (1u << 23))
+                return 0;
+        }
+    }
+    return camera->field_of_view >= GLINT_ONE && camera->field_of_view <= 170 * GLINT_ONE && camera->near_plane > 0;
+}
+
 /* Twice the focal length in pixels, Q31: below 2^48. */
 static void set_focal_length(glint_view *view, int64_t focal) {
     view->focal = (int32_t)glint_round_shift64(focal, 31 - 12);

@@ -65,6 +65,9 @@ struct glint_light_type {
 glint_status glint_prepare_view(glint_view *view, const glint_config *config, const glint_scene *scene,
                                 struct glint_transform *last, uint32_t count);
 
+/** Has a camera unit axes that are perpendicular, a field of view and a near plane? */
+int glint_camera_is_valid(const glint_camera *camera);
+
 /** Brings a world direction to camera space, unit. @return 0 when it has length 0. */
 int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_t out[3]);
 

@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: MIT */
+/* Pick: which triangle a pixel shows. Draws that pixel with a kernel that keeps what passes the depth test last. */
+#include "../raster/runs.h"
+#include "../scene/config.h"
+#include "frame.h"
+
+/* A workspace, and what has been found so far. */
+typedef struct picker {
+    glint_workspace workspace;
+    uint32_t column, row; /* of the pixel in its tile */
+    int found;
+    glint_hit hit;
+} picker;
+
+/* The number in its mesh of a triangle of a draw, from the numbers of its corners, in any order. */
+static uint32_t find_number(const glint_draw *draw, const glint_triangle *triangle) {
+    const glint_vertex *const *v = triangle->corners;
+    uint32_t i = 0;
+    for (; i < draw->count; i++) {
+        const uint16_t *index = draw->triangles[i];
+        const glint_vertex *const second = &draw->vertices[index[1]], *const third = &draw->vertices[index[2]];
+        if (&draw->vertices[index[0]] == v[0] &&
+            ((second == v[1] && third == v[2]) || (second == v[2] && third == v[1])))
+            break;
+    }
+    return i;
+}
+
+static int is_clipped(const glint_frame *frame, const glint_triangle *triangle) {
+    const uint8_t *const corner = (const uint8_t *)triangle->corners[0];
+    return corner >= (const uint8_t *)frame->clipped && corner < frame->memory.base + frame->memory.high;
+}
+
+static void pick_pixel(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                       const glint_triangle *triangle, const glint_part *part) {
+    picker *const p = (picker *)(void *)workspace; /* its first member */
+    const glint_span span = part->spans[p->row], pixel = {(uint8_t)p->column, (uint8_t)(p->column + 1)};
+    uint16_t *const depth = workspace->depth + (p->row << frame->tile_shift_x);
+    glint_run run;
+    if (p->row < part->top || p->row >= part->bottom || p->column < span.left || p->column >= span.right)
+        return;
+    const uint32_t z = (uint32_t)glint_plane_at(&part->depth, part->x + (int32_t)p->column, part->y + (int32_t)p->row) +
+                       GLINT_DEPTH_BIAS;
+    if (glint_find_deep_runs(depth, pixel, z, 0, p->row, &run) == &run)
+        return;
+    const uint32_t number = is_clipped(frame, triangle)
+                                ? ((const glint_clipped *)(const void *)triangle->corners[0])->triangle
+                                : find_number(draw, triangle);
+    p->found = 1;
+    p->hit.object = draw->object;
+    p->hit.triangle = draw->first_triangle + (draw->origin ? draw->origin[number] : number);
+    p->hit.depth = depth[p->column];
+}
+
+/* Draws a pass with that kernel. */
+static void pick_pass(glint_frame *frame, picker *p) {
+    for (glint_draw *draw = frame->draws; draw; draw = draw->next)
+        draw->kernel = pick_pixel;
+    frame->has_costly = 0;
+    glint_render_tile(frame, &p->workspace, frame->tile_first);
+}
+
+/* The square of 8 pixels with the pixel, which no tile divides, nor a byte of any format. */
+static glint_rectangle square_of(const glint_config *config, int x, int y) {
+    const int left = x & ~7, top = y & ~7;
+    return (glint_rectangle){(int16_t)left, (int16_t)top, (int16_t)glint_least(8, config->width - left),
+                             (int16_t)glint_least(8, config->height - top)};
+}
+
+int glint_pick(glint_renderer *renderer, const glint_scene *scene, int x, int y, glint_hit *hit) {
+    if (!renderer || !scene || !hit || !renderer->config.flush.begin)
+        return GLINT_ERROR_NULL;
+    glint_config config = renderer->config;
+    if (x < 0 || y < 0 || x >= config.width || y >= config.height)
+        return GLINT_ERROR_REGION;
+    config.region = square_of(&config, x, y);
+    config.background.paint = config.overlay.paint = 0;
+    config.keeps_arena = 0;
+    renderer->kept = (glint_kept){0};
+    picker p = {.column = (uint32_t)x & (config.tile_width - 1u), .row = (uint32_t)y & (config.tile_height - 1u)};
+    glint_frame frame;
+    uint8_t *const memory = glint_align(config.arena);
+    const size_t buffers = glint_tile_buffers_size(&config);
+    glint_workspace_init(&p.workspace, &config, memory);
+    if (config.pixels)
+        p.workspace.pixels = config.pixels;
+    config.arena = memory + buffers;
+    config.arena_size -= buffers;
+    int status = glint_frame_begin(&frame, &config, scene);
+    while (status == GLINT_OK && (status = glint_frame_next(&frame)) > 0) {
+        pick_pass(&frame, &p);
+        status = GLINT_OK;
+    }
+    if (status < 0)
+        return status;
+    if (p.found)
+        *hit = p.hit;
+    return p.found;
+}
