@@ -50,7 +50,7 @@ glint_status glint_region_begin(glint_frame *frame) {
 /* Sets where a tile lies, and how far its part of the region begins from its first pixel. */
 static void cut_tile(const glint_frame *frame, uint32_t tile, glint_tile *to, uint32_t *across, uint32_t *down) {
     const glint_config *const config = &frame->config;
-    const uint32_t row = tile / frame->tile_columns, column = tile - row * frame->tile_columns;
+    const uint32_t row = tile / frame->tile_columns, column = tile % frame->tile_columns;
     const int x = (int)((column + frame->first_column) << frame->tile_shift_x),
               y = (int)((row + frame->first_row) << frame->tile_shift_y);
     to->x = glint_most(x, config->region.x);

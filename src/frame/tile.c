@@ -142,7 +142,7 @@ static inline void find_triangle(const glint_frame *frame, draw_source *from, ui
 /* Where a tile lies: it is drawn from its first pixel on, wherever the region begins, to where that ends. */
 static void place_tile(const glint_frame *frame, glint_window *window, uint32_t tile) {
     const glint_config *const config = &frame->config;
-    const uint32_t row = tile / frame->tile_columns, column = tile - row * frame->tile_columns;
+    const uint32_t row = tile / frame->tile_columns, column = tile % frame->tile_columns;
     const int x = (int)((column + frame->first_column) << frame->tile_shift_x);
     const int y = (int)((row + frame->first_row) << frame->tile_shift_y);
     glint_window_begin(window, x, y, glint_least(config->tile_width, frame->right - x),

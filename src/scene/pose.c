@@ -194,7 +194,7 @@ glint_status glint_camera_look_at(glint_camera *camera, glint_vector eye, glint_
 }
 
 void glint_camera_orbit(glint_camera *camera, glint_vector at, glint_q16 yaw, glint_q16 pitch, glint_q16 distance) {
-    const glint_pose away = glint_pose_translate(0, 0, distance), tilt = glint_pose_rotate_x(-pitch),
+    const glint_pose away = glint_pose_translate(0, 0, distance), tilt = rotate_in_plane(2, 1, pitch),
                      turn = glint_pose_rotate_y(yaw), there = glint_pose_translate(at.x, at.y, at.z);
     camera->pose = glint_pose_then(&away, &tilt);
     camera->pose = glint_pose_then(&camera->pose, &turn);

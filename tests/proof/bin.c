@@ -30,20 +30,25 @@ PROOF(glint_double_area) {
     glint_faces(ANY(0, 1), ANY(0, 1), v);
 }
 
-/* Any three corners, any screen, tiles of each size: none but the screen's. */
+/* Any three corners, any region, tiles of each size: none but the region's. */
 PROOF(glint_find_tiles) {
     const glint_vertex a = any_corner(8192), b = any_corner(8192), c = any_corner(8192);
     const glint_vertex *const v[3] = {&a, &b, &c};
     glint_frame frame;
     glint_range range;
-    frame.config.width = (uint16_t)ANY(1, GLINT_SIZE_MAX);
-    frame.config.height = (uint16_t)ANY(1, GLINT_SIZE_MAX);
+    frame.right = (uint16_t)ANY(1, GLINT_SIZE_MAX);
+    frame.bottom = (uint16_t)ANY(1, GLINT_SIZE_MAX);
     FOR_PARTS(shift, 3, 6) {
         frame.tile_shift_x = (uint8_t)shift;
         frame.tile_shift_y = (uint8_t)shift;
-        if (glint_find_tiles(&frame, v, &range)) {
-            /*@ assert 0 <= range.left && 0 <= range.top; */
-            /*@ assert range.right <= 1024 >> shift && range.bottom <= 1024 >> shift; */
+        FOR_PARTS(first, 0, (GLINT_SIZE_MAX - 1) >> shift) {
+            frame.first_column = frame.first_row = (uint16_t)first;
+            frame.config.region.x = (int16_t)ANY(first << shift, ((first + 1) << shift) - 1);
+            frame.config.region.y = (int16_t)ANY(first << shift, ((first + 1) << shift) - 1);
+            if (glint_find_tiles(&frame, v, &range)) {
+                /*@ assert 0 <= range.left && 0 <= range.top; */
+                /*@ assert range.right <= 1024 >> shift && range.bottom <= 1024 >> shift; */
+            }
         }
     }
 }
@@ -84,8 +89,8 @@ PROOF(find_tile) {
     frame.clipped = (glint_clipped *)(void *)(arena + ANY(0, 1 << 19));
     draw.first = (uint16_t)ANY(0, UINT16_MAX);
     frame.tile_end = (uint16_t)ANY(1, 128 * 128);
-    frame.config.width = (uint16_t)ANY(1, GLINT_SIZE_MAX);
-    frame.config.height = (uint16_t)ANY(1, GLINT_SIZE_MAX);
+    frame.right = (uint16_t)ANY(1, GLINT_SIZE_MAX);
+    frame.bottom = (uint16_t)ANY(1, GLINT_SIZE_MAX);
     frame.tile_columns = (uint16_t)ANY(1, 128);
     frame.tile_first = (uint16_t)ANY(0, 128 * 128 - 1);
     FOR_PARTS(shift, 3, 6) {

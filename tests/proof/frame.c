@@ -3,6 +3,7 @@
 #include "proof.h"
 
 #include "../../src/frame/frame.c"
+#include "../../src/frame/region.c"
 #include "../../src/scene/config.c"
 #undef wait
 #include "../../src/frame/changes.c"
@@ -14,8 +15,10 @@
  */
 
 /*
- * Not proven: glint_raster, glint_render_tile, glint_render, glint_changes_flush: they call what is proven, on spans
- * and pixels inside a tile. The image tests and suites `identity` and `changes` under ASan and UBSan, and fuzzing.
+ * Not proven: glint_raster, glint_render_tile, glint_render, glint_render_region, glint_tile_find,
+ * glint_pick, glint_changes_flush: they call what is proven, on spans
+ * and pixels inside a tile. The image tests and suites `identity`, `region`, `pick` and `changes` under ASan and UBSan,
+ * and fuzzing.
  */
 
 /*
@@ -23,14 +26,18 @@
  * `models` and `drops` under ASan and UBSan, and fuzzing.
  */
 
-static const glint_format format = {24, 0, 0, 0};
+static glint_format format;
 
 static void any_config(glint_config *config) {
     config->width = (uint16_t)ANY(0, UINT16_MAX);
     config->height = (uint16_t)ANY(0, UINT16_MAX);
     config->tile_width = (uint16_t)ANY(0, UINT16_MAX);
     config->tile_height = (uint16_t)ANY(0, UINT16_MAX);
+    format.bits = (uint8_t)ANY(1, 24);
+    format.page = (uint8_t)ANY(1, 8);
     config->format = ANY(0, 1) ? &format : 0;
+    config->region = (glint_rectangle){(int16_t)ANY(INT16_MIN, INT16_MAX), (int16_t)ANY(INT16_MIN, INT16_MAX),
+                                       (int16_t)ANY(INT16_MIN, INT16_MAX), (int16_t)ANY(INT16_MIN, INT16_MAX)};
 }
 
 /* Any configuration. @unsigned */
@@ -49,16 +56,28 @@ PROOF(glint_frame_grid) {
     glint_frame_grid(&frame, &config, 0);
 }
 
-/* Any tile of any screen. */
+/* Any region of any screen, in any format. */
+PROOF(glint_check_region) {
+    glint_config config = {0};
+    any_config(&config);
+    if (glint_check_config(&config) == GLINT_OK)
+        glint_check_region(&config);
+}
+
+/* Any tile of any region. */
 PROOF(glint_tile_rectangle) {
     glint_frame frame;
     int x, y, width, height;
-    frame.config.width = (uint16_t)ANY(1, GLINT_SIZE_MAX);
-    frame.config.height = (uint16_t)ANY(1, GLINT_SIZE_MAX);
+    frame.right = (uint16_t)ANY(1, GLINT_SIZE_MAX);
+    frame.bottom = (uint16_t)ANY(1, GLINT_SIZE_MAX);
+    frame.config.region.x = (int16_t)ANY(0, GLINT_SIZE_MAX - 1);
+    frame.config.region.y = (int16_t)ANY(0, GLINT_SIZE_MAX - 1);
     FOR_PARTS(shift, 3, 6) {
         frame.tile_shift_x = frame.tile_shift_y = (uint8_t)shift;
         frame.config.tile_width = frame.config.tile_height = (uint16_t)(1 << shift);
         frame.tile_columns = (uint16_t)ANY(1, GLINT_SIZE_MAX >> shift);
+        frame.first_column = (uint16_t)ANY(0, (GLINT_SIZE_MAX - 1) >> shift);
+        frame.first_row = (uint16_t)ANY(0, (GLINT_SIZE_MAX - 1) >> shift);
         glint_tile_rectangle(&frame, ANY_UNSIGNED(0, 128 * 128 - 1), &x, &y, &width, &height);
     }
 }

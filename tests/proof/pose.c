@@ -17,6 +17,11 @@
     admit ensures \result == 0 || -0x20000 <= out[2] <= 0x20000; */
 static int normalise(const int64_t in[3], glint_q16 out[3]);
 
+/*
+ * Not proven: glint_pose_rotate, glint_pose_quaternion, glint_camera_project: quotients of lengths and of squares that
+ * are no less than their parts. Suite `camera` under UBSan: 100,000 turns of each kind, 200,000 points.
+ */
+
 static glint_pose any_pose(void) {
     glint_pose pose;
     for (int i = 0; i < 3; i++)
@@ -41,7 +46,7 @@ PROOF(glint_cos) {
 }
 
 /* Any angle, about every axis. @contract glint_sin glint_cos */
-PROOF(glint_pose_rotate) {
+PROOF(glint_pose_rotate_x) {
     glint_pose_rotate_x(ANY_INT);
     glint_pose_rotate_y(ANY_INT);
     glint_pose_rotate_z(ANY_INT);
@@ -51,6 +56,18 @@ PROOF(glint_pose_rotate) {
 PROOF(glint_pose_then) {
     const glint_pose first = any_pose(), second = any_pose();
     glint_pose_then(&first, &second);
+}
+
+/* Any pose and point. */
+PROOF(glint_pose_apply) {
+    const glint_pose pose = any_pose();
+    glint_pose_apply(&pose, any_vector());
+}
+
+/* Any camera, target, angles and distance. @contract glint_sin glint_cos */
+PROOF(glint_camera_orbit) {
+    glint_camera camera;
+    glint_camera_orbit(&camera, any_vector(), ANY_INT, ANY_INT, ANY_INT);
 }
 
 /* Any eye, target and up. @contract normalise */

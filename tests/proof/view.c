@@ -25,7 +25,7 @@ static int32_t weigh_colour(const glint_colour *a, const glint_colour *b, int bi
 /*@ requires \valid_read(camera);
     assigns \result \from *camera;
     ensures \result == 0 || \result == 1; */
-static int camera_is_valid(const glint_camera *camera);
+int glint_camera_is_valid(const glint_camera *camera);
 
 static glint_status any_light_prepare(const glint_light *light, glint_prepared_light *prepared,
                                       const glint_view *view) {
@@ -120,25 +120,25 @@ static void any_camera(glint_camera *camera, int most) {
 }
 
 /* Any pose, field of view and near plane, by the first component that is too large, if any. */
-PROOF(camera_is_valid) {
+PROOF(glint_camera_is_valid) {
     const int32_t most = 2 * GLINT_ONE;
     glint_camera camera;
     any_camera(&camera, most);
     camera.field_of_view = ANY_INT;
     camera.near_plane = ANY_INT;
-    camera_is_valid(&camera);
+    glint_camera_is_valid(&camera);
     FOR_PARTS(first, 0, 8) {
         any_camera(&camera, INT32_MAX);
         for (int i = 0; i < first; i++)
             camera.pose.m[i % 3][i / 3] = ANY(-most, most);
         camera.pose.m[first % 3][first / 3] = ANY(most + 1, INT32_MAX);
-        camera_is_valid(&camera);
+        glint_camera_is_valid(&camera);
         camera.pose.m[first % 3][first / 3] = ANY(INT32_MIN, -most - 1);
-        camera_is_valid(&camera);
+        glint_camera_is_valid(&camera);
     }
 }
 
-/* Any numbers, null pointers, up to 2 objects and 9 lights. @contract camera_is_valid @options -eva-slevel 40 */
+/* Any numbers, null pointers, up to 2 objects and 9 lights. @contract glint_camera_is_valid @options -eva-slevel 40 */
 PROOF(glint_check_scene) {
     glint_scene *scene = &all.scene;
     any_camera(&scene->camera, INT32_MAX);
