@@ -530,6 +530,7 @@ typedef struct glint_stats {
     uint32_t hidden;                  /**< Objects dropped whole: outside the screen. */
     uint32_t references;              /**< Triangle references put into tiles. */
     uint32_t arena_used;              /**< Most bytes of the arena in use. */
+    int flush_error;                  /**< After GLINT_ERROR_FLUSH, what the flush callback returned; else 0. */
     glint_drawn drawn[GLINT_KERNELS]; /**< Where the configuration asks for it, else 0. */
 } glint_stats;
 

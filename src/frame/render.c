@@ -29,19 +29,23 @@ typedef struct sender {
     void *buffers[2];
     void *background; /* the one that holds nothing else, or null */
     int busy;
+    int error; /* what the flush reported, or 0 */
 } sender;
 
 static int wait_for_flush(sender *s) {
-    int failed = s->busy && s->flush->wait && s->flush->wait(s->flush->context) != 0;
+    const int error = s->busy && s->flush->wait ? s->flush->wait(s->flush->context) : 0;
     s->busy = 0;
-    return failed;
+    s->error = s->error ? s->error : error;
+    return s->error;
 }
 
 static glint_status send(sender *s, const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
     glint_tile of;
     glint_tile_find(frame, workspace, tile, &of);
-    if (wait_for_flush(s) || s->flush->begin(s->flush->context, of.x + frame->config.left, of.y + frame->config.top,
-                                             of.width, of.height, of.pixels, of.stride) != 0)
+    if (!wait_for_flush(s))
+        s->error = s->flush->begin(s->flush->context, of.x + frame->config.left, of.y + frame->config.top, of.width,
+                                   of.height, of.pixels, of.stride);
+    if (s->error)
         return GLINT_ERROR_FLUSH;
     s->busy = 1;
     workspace->pixels = s->buffers[workspace->pixels == s->buffers[0]];
@@ -113,11 +117,12 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
     uint8_t *first = workspace.pixels;
     uint8_t *second = config.flush.wait ? first + glint_second_pixels(&config) : first;
     workspace.drawn = config.counts_drawn ? frame.stats.drawn : 0;
-    sender s = {&config.flush, {first, second}, 0, 0};
+    sender s = {&config.flush, {first, second}, 0, 0, 0};
     status = render_passes(&frame, &workspace, &s);
     if (wait_for_flush(&s) && status == GLINT_OK)
         status = GLINT_ERROR_FLUSH;
     frame.stats.arena_used += (uint32_t)(buffers + GLINT_ALIGNMENT - 1);
+    frame.stats.flush_error = s.error;
     renderer->stats = frame.stats;
     return status;
 }

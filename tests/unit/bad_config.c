@@ -265,8 +265,10 @@ static void fail_at(uint32_t begin, uint32_t wait, uint32_t wanted) {
     CHECK_EQUAL(fixture_render(f), GLINT_ERROR_FLUSH);
     CHECK(begin == FIXTURE_NEVER || f->begins == begin + 1);
     CHECK(wait == FIXTURE_NEVER || f->waits == wait + 1);
+    CHECK_EQUAL(f->renderer.stats.flush_error, begin == FIXTURE_NEVER ? FIXTURE_WAIT_FAILED : FIXTURE_BEGIN_FAILED);
     f->fail_begin = f->fail_wait = FIXTURE_NEVER;
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    CHECK_EQUAL(f->renderer.stats.flush_error, 0);
     CHECK_EQUAL(fixture_checksum(f), wanted);
 }
 

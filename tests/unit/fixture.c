@@ -77,7 +77,7 @@ static int begin(void *context, int x, int y, int width, int height, const void 
     fixture *f = context;
     f->begins++;
     if (f->begins - 1 == f->fail_begin)
-        return 1;
+        return FIXTURE_BEGIN_FAILED;
     if (f->sending != 0 || !in_place(f, x, y, width, height)) {
         f->flaws++;
         return 1;
@@ -97,7 +97,7 @@ static int wait(void *context) {
     f->waits++;
     f->flaws += f->sending == 0 || f->sending_checksum != sending_checksum(f);
     f->sending = 0;
-    return f->waits - 1 == f->fail_wait;
+    return f->waits - 1 == f->fail_wait ? FIXTURE_WAIT_FAILED : 0;
 }
 
 /* ---- Scene --------------------------------------------------------------------------------------------------- */

@@ -18,6 +18,10 @@
 
 #define FIXTURE_OBJECTS_MAX 3
 
+/** What a flush call that fails returns. */
+#define FIXTURE_BEGIN_FAILED (-5)
+#define FIXTURE_WAIT_FAILED 7
+
 /** Flush calls of a frame that never fails. */
 #define FIXTURE_NEVER 0xffffffffu
 
