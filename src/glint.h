@@ -256,6 +256,7 @@ typedef struct glint_object {
     const glint_material *material;
     glint_pose pose;                    /**< Object to world; scales may differ per axis and mirror. */
     const glint_evaluation *evaluation; /**< Where it is lit; null for every fragment. */
+    uint8_t hidden;                     /**< Not 0: it is not drawn, and its pose may be anything. */
 } glint_object;
 
 typedef struct glint_camera {
@@ -632,6 +633,25 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
 /** Bytes of `pixels` that glint_render needs where they are apart from the arena; 0 when the configuration is not
  * valid. */
 size_t glint_pixels_need(const glint_config *config);
+
+/* ---- Why a picture is black ---- */
+
+/** What glint_check found. */
+typedef struct glint_report {
+    glint_status status;  /**< What drawing the scene returns. */
+    const char *sentence; /**< In English, what is wrong or looks wrong; "" where nothing does. Never null. */
+    int32_t object;       /**< The object that it is about, or -1. */
+    int32_t light;        /**< The light that it is about, or -1. */
+    size_t bytes;         /**< How many bytes of arena, or of pixels, are missing; else 0. */
+    uint32_t shown;       /**< Pixels of the region that show an object, where the scene can be drawn. */
+} glint_report;
+
+/**
+ * Looks for what keeps a scene from being drawn, or makes it black: draws it with the configuration's arena, and sends
+ * nothing. For development: neither its time nor its flash is meant for a product. Not while a frame is on its way.
+ * @return report->status, or GLINT_ERROR_NULL where `report` is null
+ */
+glint_status glint_check(const glint_config *config, const glint_scene *scene, glint_report *report);
 
 /* ---- From the screen to the scene, and back ---- */
 

@@ -211,6 +211,10 @@ glint_status glint_transform_prepare(glint_transform *transform, const glint_vie
                                      const glint_object *object) {
     int64_t wide[3][4];
     int32_t world[3][4];
+    if (object->hidden) {
+        *transform = (glint_transform){0};
+        return GLINT_OK;
+    }
     if (!prepare_normals(transform, view, &object->pose))
         return GLINT_ERROR_POSE;
     if (!place_in_world(view, object, wide))

@@ -1,0 +1,302 @@
+/* SPDX-License-Identifier: MIT */
+/* Diagnose: why a scene is not drawn, or why its picture is black; links only where it is called. */
+#include "../light/shading.h"
+#include "../pixel/format.h"
+#include "frame.h"
+
+/* ---- What is said ---- */
+
+/* One of what a scene consists of, as a sentence tells it. */
+typedef struct subject {
+    int32_t object, light;
+} subject;
+
+static const subject whole = {-1, -1};
+
+static glint_status say(glint_report *report, glint_status status, subject about, const char *sentence) {
+    *report = (glint_report){.status = status, .sentence = sentence, .object = about.object, .light = about.light};
+    return status;
+}
+
+/* Adds a remark on a scene that can be drawn, unless there is one. */
+static void remark(glint_report *report, subject about, const char *sentence) {
+    if (*report->sentence)
+        return;
+    report->sentence = sentence;
+    report->object = about.object;
+    report->light = about.light;
+}
+
+/* ---- Configurations ---- */
+
+static const char *name_null(const glint_config *config) {
+    return !config->format        ? "config->format is null: name one, such as &glint_format_rgb565"
+           : !config->flush.begin ? "config->flush.begin is null: it is what takes the finished tiles"
+           : !config->arena       ? "config->arena is null: point it to arena_size bytes of memory"
+                                  : "a pointer of the configuration is null";
+}
+
+static glint_status check_memory(const glint_config *config, const glint_scene *scene, glint_report *report) {
+    glint_need need;
+    const size_t pixels = config->pixels ? glint_pixels_need(config) : 0;
+    if (config->pixels && config->pixels_size < pixels) {
+        say(report, GLINT_ERROR_PIXELS, whole, "config->pixels has too few bytes: glint_pixels_need tells how many");
+        report->bytes = pixels - config->pixels_size;
+        return report->status;
+    }
+    const glint_status status = glint_arena_need(config, scene, &need);
+    if (status == GLINT_OK && config->arena_size < need.least) {
+        say(report, GLINT_ERROR_ARENA, whole,
+            "the arena has too few bytes for this scene: smaller tiles or fewer materials take less");
+        report->bytes = need.least - config->arena_size;
+    }
+    return report->status;
+}
+
+/* ---- Parts of a scene ---- */
+
+static const char *name_null_of_object(const glint_object *object) {
+    return !object->mesh              ? "an object's mesh is null"
+           : !object->mesh->positions ? "a mesh's positions are null"
+           : !object->mesh->normals   ? "a mesh's normals are null"
+           : !object->mesh->triangles ? "a mesh's triangles are null"
+           : !object->material        ? "an object's material is null"
+                                      : "a material's model is null: name one, such as &glint_model_blinn_phong";
+}
+
+static const char *name_of_camera(const glint_camera *camera) {
+    return camera->field_of_view < GLINT_ONE && camera->field_of_view > 0
+               ? "the camera's field of view is below 1 degree: is it GLINT_Q16(60), not 60?"
+           : camera->field_of_view < GLINT_ONE || camera->field_of_view > 170 * GLINT_ONE
+               ? "the camera's field of view is not from 1 to 170 degrees"
+           : camera->near_plane <= 0 ? "the camera's near plane is not above 0: GLINT_Q16(0.1) serves most scenes"
+                                     : "the camera's axes are not unit and perpendicular: begin with "
+                                       "glint_pose_identity or glint_camera_look_at";
+}
+
+/* The error of a scene by itself, without lights and objects but these. */
+static glint_status status_of(const glint_config *config, const glint_scene *scene, const glint_light *light,
+                              const glint_object *object) {
+    glint_scene part = *scene;
+    glint_need need;
+    part.lights = light ? light : scene->lights;
+    part.light_count = light ? 1 : object ? scene->light_count : 0;
+    part.objects = object;
+    part.object_count = object != 0;
+    return glint_arena_need(config, &part, &need);
+}
+
+/* Finds which part of a scene an error comes from. */
+static glint_status find_error(const glint_config *config, const glint_scene *scene, glint_status error,
+                               glint_report *report) {
+    glint_status status = status_of(config, scene, 0, 0);
+    if (status != GLINT_OK)
+        return say(report, status, whole,
+                   status == GLINT_ERROR_CAMERA ? name_of_camera(&scene->camera) : glint_strerror(status));
+    if (scene->light_count > GLINT_LIGHTS_MAX)
+        return say(report, GLINT_ERROR_LIGHTS, whole, glint_strerror(GLINT_ERROR_LIGHTS));
+    if (scene->light_count && !scene->lights)
+        return say(report, error, whole, "scene->lights is null");
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        status = status_of(config, scene, &scene->lights[i], 0);
+        if (status != GLINT_OK)
+            return say(report, status, (subject){-1, (int32_t)i},
+                       status == GLINT_ERROR_NULL ? "a light's type is null: name one, such as &glint_light_directional"
+                                                  : glint_strerror(status));
+    }
+    if (scene->object_count && !scene->objects)
+        return say(report, error, whole, "scene->objects is null");
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        status = status_of(config, scene, 0, &scene->objects[i]);
+        if (status != GLINT_OK)
+            return say(report, status, (subject){(int32_t)i, -1},
+                       status == GLINT_ERROR_NULL ? name_null_of_object(&scene->objects[i]) : glint_strerror(status));
+    }
+    return say(report, error, whole, glint_strerror(error));
+}
+
+/* ---- What looks wrong ---- */
+
+/* Below this a number that is not 0 was hardly meant: it is no fraction that Q16.16 is good for, but an integer. */
+#define HARDLY_MEANT 512
+
+static int is_hardly_meant(glint_q16 x) {
+    return x && x > -HARDLY_MEANT && x < HARDLY_MEANT;
+}
+
+static int is_black(const glint_colour *colour) {
+    return !(colour->r | colour->g | colour->b);
+}
+
+/* Is the brightest channel one that was hardly meant? */
+static int is_hardly_meant_colour(const glint_colour *colour) {
+    return is_hardly_meant(glint_most_of(colour->r, colour->g, colour->b));
+}
+
+static int is_place_hardly_meant(const glint_q16 place[3]) {
+    int some = 0;
+    for (int i = 0; i < 3; i++) {
+        if (place[i] && !is_hardly_meant(place[i]))
+            return 0;
+        some |= place[i] != 0;
+    }
+    return some;
+}
+
+static int is_pose_hardly_meant(const glint_pose *pose) {
+    const glint_q16 place[3] = {pose->m[0][3], pose->m[1][3], pose->m[2][3]};
+    int scale = 0;
+    for (int i = 0; i < 9; i++)
+        scale |= pose->m[i / 3][i % 3] && !is_hardly_meant(pose->m[i / 3][i % 3]);
+    return is_place_hardly_meant(place) || !scale;
+}
+
+/* Numbers that look like integers where Q16.16 is asked for. */
+static void remark_numbers(const glint_scene *scene, glint_report *report) {
+    const glint_pose *const eye = &scene->camera.pose;
+    const glint_q16 place[3] = {eye->m[0][3], eye->m[1][3], eye->m[2][3]};
+    if (is_place_hardly_meant(place))
+        remark(report, whole, "the camera stands less than 1/128 from the origin: is it GLINT_Q16(4), not 4?");
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        const glint_object *const object = &scene->objects[i];
+        const subject about = {(int32_t)i, -1};
+        if (object->hidden)
+            continue;
+        if (is_pose_hardly_meant(&object->pose))
+            remark(report, about,
+                   "an object's pose moves it by less than 1/128, or makes it that small: is it GLINT_Q16(4), not 4?");
+        if (is_hardly_meant(object->mesh->extent.x | object->mesh->extent.y | object->mesh->extent.z))
+            remark(report, about, "a mesh's extent is below 1/128: is it GLINT_Q16(1), not 1?");
+        if (is_hardly_meant(object->material->shininess))
+            remark(report, about, "a material's shininess is below 1/128: is it GLINT_Q16(32), not 32?");
+        if (is_hardly_meant_colour(&object->material->diffuse) || is_hardly_meant_colour(&object->material->ambient))
+            remark(report, about, "a material's colour is below 1/128: is it GLINT_Q16(1), not 1?");
+    }
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        const glint_light *const light = &scene->lights[i];
+        const glint_q16 at[3] = {light->vector.x, light->vector.y, light->vector.z};
+        const subject about = {-1, (int32_t)i};
+        if (is_hardly_meant_colour(&light->diffuse))
+            remark(report, about, "a light's colour is below 1/128: is it GLINT_Q16(1), not 1?");
+        if (light->type->illuminate && is_place_hardly_meant(at))
+            remark(report, about, "a light stands less than 1/128 from the origin: is it GLINT_Q16(4), not 4?");
+    }
+}
+
+/* Why no object shows. */
+static void remark_nothing(const glint_scene *scene, const glint_stats *stats, glint_report *report) {
+    uint32_t hidden = 0;
+    for (uint32_t i = 0; i < scene->object_count; i++)
+        hidden += scene->objects[i].hidden != 0;
+    if (hidden == scene->object_count)
+        remark(report, whole, scene->object_count ? "all objects are hidden" : "the scene has no objects");
+    remark_numbers(scene, report);
+    if (stats->hidden == scene->object_count)
+        remark(report, whole,
+               "the camera sees no object: all are beside what it sees, or behind it. It looks along its -z axis; "
+               "glint_camera_look_at points it at something");
+    if (stats->facing_away && stats->facing_away + stats->outside == stats->triangles)
+        remark(
+            report, whole,
+            "all triangles face away: front faces are counter-clockwise seen from outside, and an eye within a solid "
+            "sees no face of it. GLINT_MESH_DOUBLE_SIDED draws both sides");
+    remark(report, whole, "all triangles lie outside of the screen, or between the centres of its pixels");
+}
+
+/* Why what shows is black. */
+static void remark_black(const glint_scene *scene, glint_report *report) {
+    uint32_t bright = 0, reflects = 0;
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        bright += !is_black(&scene->lights[i].diffuse) || !is_black(&scene->lights[i].specular);
+    for (uint32_t i = 0; i < scene->object_count; i++)
+        reflects += !is_black(&scene->objects[i].material->diffuse) || !is_black(&scene->objects[i].material->ambient);
+    if (!bright && is_black(&scene->ambient))
+        remark(report, whole,
+               scene->light_count ? "all lights are black, and scene->ambient too"
+                                  : "there is no light: give the scene one, or ambient light");
+    if (!reflects)
+        remark(report, whole, "all materials are black");
+    remark_numbers(scene, report);
+    remark(
+        report, whole,
+        "no light reaches what shows: a directional light's vector points towards the light, normals point outwards, "
+        "and where no light falls materials show ambient light alone");
+}
+
+/* ---- A frame that is not sent ---- */
+
+typedef struct tally {
+    uint32_t shown; /* pixels */
+    int is_lit;     /* is a byte of the frame not 0? */
+    const glint_format *format;
+} tally;
+
+static int keep(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    (void)context, (void)x, (void)y, (void)width, (void)height, (void)pixels, (void)stride;
+    return 0;
+}
+
+static int look(void *context, const glint_tile *tile) {
+    tally *const sum = context;
+    for (int y = 0; y < tile->height; y++) {
+        const uint8_t *const bytes = (const uint8_t *)tile->pixels + (size_t)y * tile->stride;
+        const size_t count = sum->format->page == 1       ? (size_t)tile->width * sum->format->bits / 8
+                             : y % sum->format->page == 0 ? (size_t)tile->width
+                                                          : 0;
+        for (size_t i = 0; i < count; i++)
+            sum->is_lit |= bytes[i];
+        for (int x = 0; x < tile->width; x++)
+            sum->shown += tile->depth[(size_t)y * tile->depth_stride + (size_t)x] != 0;
+    }
+    return 0;
+}
+
+/* Draws the scene on black, and sends nothing. */
+static glint_status look_at_frame(const glint_config *config, const glint_scene *scene, tally *sum,
+                                  glint_stats *stats) {
+    glint_config as = *config;
+    glint_scene on_black = *scene;
+    glint_renderer renderer;
+    as.flush = (glint_flush){.begin = keep};
+    as.background.paint = 0;
+    as.overlay = (glint_painter){look, sum};
+    as.gamma = 0;
+    on_black.background = (glint_colour){0, 0, 0};
+    sum->format = config->format;
+    glint_status status = glint_init(&renderer, &as);
+    if (status == GLINT_OK)
+        status = glint_render(&renderer, &on_black);
+    *stats = renderer.stats;
+    return status;
+}
+
+glint_status glint_check(const glint_config *config, const glint_scene *scene, glint_report *report) {
+    glint_renderer renderer;
+    glint_need need;
+    glint_stats stats;
+    tally sum = {0, 0, 0};
+    if (!report)
+        return GLINT_ERROR_NULL;
+    if (!config || !scene)
+        return say(report, GLINT_ERROR_NULL, whole, config ? "the scene is null" : "the configuration is null");
+    glint_status status = glint_init(&renderer, config);
+    if (status != GLINT_OK && status != GLINT_ERROR_ARENA && status != GLINT_ERROR_PIXELS)
+        return say(report, status, whole, status == GLINT_ERROR_NULL ? name_null(config) : glint_strerror(status));
+    const glint_status error = glint_arena_need(config, scene, &need);
+    if (error != GLINT_OK)
+        return find_error(config, scene, error, report);
+    say(report, GLINT_OK, whole, "");
+    if (check_memory(config, scene, report) != GLINT_OK)
+        return report->status;
+    status = status == GLINT_OK ? look_at_frame(config, scene, &sum, &stats) : status;
+    if (status != GLINT_OK)
+        return say(report, status, whole, glint_strerror(status));
+    report->shown = sum.shown;
+    if (!sum.shown)
+        remark_nothing(scene, &stats, report);
+    else if (!sum.is_lit)
+        remark_black(scene, report);
+    else
+        remark_numbers(scene, report);
+    return GLINT_OK;
+}
