@@ -139,7 +139,7 @@ static glint_status draw_clock(glint_config config, int number) {
          .pose = turn_hand(GLINT_Q16(0.24), GLINT_Q16(0.06), number * GLINT_Q16(30), 0)},
         {.mesh = &box_mesh,
          .material = &steel,
-         .pose = turn_hand(GLINT_Q16(0.36), GLINT_Q16(0.04), number * GLINT_Q16(6), GLINT_Q16(0.12))}};
+         .pose = turn_hand(GLINT_Q16(0.33), GLINT_Q16(0.04), number * GLINT_Q16(6), GLINT_Q16(0.12))}};
     glint_scene scene = {.ambient = white, .lights = &lamp, .light_count = 1, .objects = hands, .object_count = 2};
     glint_renderer renderer;
 

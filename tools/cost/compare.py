@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Compares the pictures that were drawn with those that are kept and that a page shows: compare.py DRAWN KEPT PAGE"""
+"""Compares the pictures that were drawn with those that are kept and that pages show: compare.py DRAWN KEPT PAGE..."""
 import os
 import re
 import sys
@@ -15,17 +15,17 @@ def content(path):
 
 
 def main():
-    drawn, kept, page = sys.argv[1:]
+    drawn, kept, *pages = sys.argv[1:]
     tally = Tally()
     names = sorted(os.listdir(drawn))
     tally.check(names == sorted(os.listdir(kept)), "%s has other pictures than are drawn" % kept)
-    shown = set(re.findall(os.path.basename(kept) + r"/([\w.-]+\.png)", content(page).decode()))
+    shown = set(re.findall(os.path.basename(kept) + r"/([\w.-]+\.png)", "".join(content(page).decode() for page in pages)))
     for name in names:
         path = os.path.join(kept, name)
         tally.check(os.path.exists(path) and content(os.path.join(drawn, name)) == content(path),
-                    "%s is not what is drawn: make cost-pictures" % path)
-        tally.check(name in shown, "%s does not show %s" % (page, name))
-    tally.check(shown <= set(names), "%s shows what is not there: %s" % (page, sorted(shown - set(names))))
+                    "%s is not what is drawn: make cost-pictures or page-pictures" % path)
+        tally.check(name in shown, "%s do not show %s" % (pages, name))
+    tally.check(shown <= set(names), "%s show what is not there: %s" % (pages, sorted(shown - set(names))))
     return tally.close()
 
 
