@@ -418,6 +418,13 @@ extern const glint_format glint_format_mono_pages_dithered;
 /** Entries of an output table. */
 #define GLINT_GAMMA_ENTRIES 257
 
+/**
+ * The output table of a panel that expects sRGB (IEC 61966-2-1), which shows linear colours too dark. It is no default:
+ * panels have curves of their own, a frame takes more instructions with a table than without, and colours that a user
+ * interface mixes with are 565 already. 1.5 KB of flash where it is named.
+ */
+extern const uint16_t glint_gamma_srgb[3][GLINT_GAMMA_ENTRIES];
+
 /** Bytes that one row of `width` pixels takes. */
 size_t glint_row_bytes(const glint_format *format, uint32_t width);
 

@@ -430,11 +430,22 @@ static void transforms_keep_their_ranges(void) {
     CHECK(whole > 30000);
 }
 
+/* IEC 61966-2-1, rounded to nearest. */
+static void srgb_table(void) {
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < GLINT_GAMMA_ENTRIES; i++) {
+            const long double x = i / 256.0L;
+            const long double wanted = x <= 0.0031308L ? 12.92L * x : 1.055L * powl(x, 1 / 2.4L) - 0.055L;
+            CHECK(fabsl(glint_gamma_srgb[c][i] - 65535 * wanted) <= 0.5L);
+        }
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(sine_of_quarter_turns_is_exact),
         TEST_CASE(sine_stays_within_one),
         TEST_CASE(powers_of_0_and_1),
+        TEST_CASE(srgb_table),
         TEST_CASE(unit_vectors),
         TEST_CASE(unit_vectors_of_extremes),
         TEST_CASE(leading_zeros_by_table),
