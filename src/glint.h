@@ -453,7 +453,7 @@ typedef struct glint_tile {
     void *pixels;            /**< The one at x, y. */
     size_t stride;           /**< Bytes from row to row. */
     /** Depth at x, y, larger where nearer: 0 where nothing has been drawn, so that it tells which pixels show objects.
-     * Null for a background. */
+     * Of a background it tells nothing. */
     const uint16_t *depth;
     size_t depth_stride; /**< Numbers from row to row. */
 } glint_tile;

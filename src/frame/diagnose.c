@@ -240,9 +240,9 @@ static int look(void *context, const glint_tile *tile) {
     tally *const sum = context;
     for (int y = 0; y < tile->height; y++) {
         const uint8_t *const bytes = (const uint8_t *)tile->pixels + (size_t)y * tile->stride;
-        const size_t count = sum->format->page == 1       ? (size_t)tile->width * sum->format->bits / 8
-                             : y % sum->format->page == 0 ? (size_t)tile->width
-                                                          : 0;
+        const size_t count = !sum->format->edge[1]             ? (size_t)tile->width * sum->format->bits / 8
+                             : (y & sum->format->edge[1]) == 0 ? (size_t)tile->width
+                                                               : 0;
         for (size_t i = 0; i < count; i++)
             sum->is_lit |= bytes[i];
         for (int x = 0; x < tile->width; x++)

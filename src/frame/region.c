@@ -3,28 +3,20 @@
 #include "../pixel/format.h"
 #include "frame.h"
 
-/* Does a region's edge lie between bytes? The screen's own edge does. */
-static int is_between_bytes(int32_t edge, int32_t step, int32_t size) {
-    return (edge & (step - 1)) == 0 || edge == size;
-}
-
 glint_status glint_check_region(glint_config *config) {
     glint_rectangle *const region = &config->region;
-    const glint_format *format = config->format;
-    const int32_t step = format->page > 1 || !(format->bits & 7) ? 1 : format->bits == 1 ? 8 : 2;
+    const uint8_t *const edge = config->format->edge;
     if (!(region->x | region->y | region->width | region->height)) {
         region->width = (int16_t)config->width;
         region->height = (int16_t)config->height;
     }
     const int32_t right = region->x + region->width, bottom = region->y + region->height;
-    if (region->x < 0 || region->y < 0 || region->width < 1 || region->height < 1 || right > config->width ||
-        bottom > config->height)
+    if ((region->x | region->y | (region->width - 1) | (region->height - 1) | (config->width - right) |
+         (config->height - bottom)) < 0)
         return GLINT_ERROR_REGION;
-    return is_between_bytes(region->x, step, 0) && is_between_bytes(right, step, config->width) &&
-                   is_between_bytes(region->y, format->page, 0) &&
-                   is_between_bytes(bottom, format->page, config->height)
-               ? GLINT_OK
-               : GLINT_ERROR_REGION;
+    const int32_t across = region->x | (right < config->width ? right : 0),
+                  down = region->y | (bottom < config->height ? bottom : 0);
+    return (across & edge[0]) | (down & edge[1]) ? GLINT_ERROR_REGION : GLINT_OK;
 }
 
 /* Tiles from the one with the first of some pixels to the one with the last. */
@@ -67,7 +59,7 @@ void glint_tile_find(const glint_frame *frame, const glint_workspace *workspace,
     cut_tile(frame, tile, to, &across, &down);
     to->stride = workspace->stride;
     to->pixels =
-        (uint8_t *)workspace->pixels + down * to->stride + (format->page > 1 ? across : across * format->bits / 8);
+        (uint8_t *)workspace->pixels + down * to->stride + (format->edge[1] ? across : across * format->bits / 8);
     to->depth_stride = frame->config.tile_width;
     to->depth = workspace->depth + down * to->depth_stride + across;
 }

@@ -35,11 +35,9 @@ void glint_workspace_init(glint_workspace *workspace, const glint_config *config
 }
 
 static int paint(const glint_painter *painter, const glint_frame *frame, const glint_workspace *workspace,
-                 uint32_t tile, int has_depth) {
+                 uint32_t tile) {
     glint_tile of;
     glint_tile_find(frame, workspace, tile, &of);
-    if (!has_depth)
-        of.depth = 0;
     return painter->paint(painter->context, &of);
 }
 
@@ -47,7 +45,7 @@ static int paint(const glint_painter *painter, const glint_frame *frame, const g
 static int clear(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
     const glint_config *config = &frame->config;
     if (config->background.paint)
-        return paint(&config->background, frame, workspace, tile, 0);
+        return paint(&config->background, frame, workspace, tile);
     const glint_colour *background = &frame->scene->background;
     const uint32_t shown[3] = {(uint32_t)background->r << 7, (uint32_t)background->g << 7,
                                (uint32_t)background->b << 7};
@@ -219,7 +217,7 @@ int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint
         glint_setup(&part, &triangle);
         from.draw->kernel(frame, workspace, from.draw, &triangle, &part);
     }
-    if (frame->ends && frame->config.overlay.paint && paint(&frame->config.overlay, frame, workspace, tile, 1))
+    if (frame->ends && frame->config.overlay.paint && paint(&frame->config.overlay, frame, workspace, tile))
         return GLINT_ERROR_PAINT;
     return frame->ends;
 }

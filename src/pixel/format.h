@@ -44,7 +44,7 @@ extern const glint_fast glint_fast_rgb565, glint_fast_rgb565_be;
 struct glint_format {
     uint8_t bits;       /* per pixel */
     uint8_t channel[3]; /* bits of each channel's levels; 0 where it goes into luma */
-    uint8_t page;       /* rows whose pixels share bytes; 1 where only those of a row do */
+    uint8_t edge[2];    /* bits that are 0 in the x and the y of pixels with which bytes begin */
     /** Stores a run of a row, from pixel `offset` of a tile on; colours are in levels. */
     void (*store)(void *pixels, unsigned tile_shift_x, uint32_t offset, uint32_t count, const int32_t (*colour)[3]);
     /** Gives all of a tile one colour. */

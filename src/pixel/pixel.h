@@ -213,16 +213,22 @@ static GLINT_INLINE void glint_draw_channel_spans(const glint_spans *s, const gl
     }
 #endif
 
-/** Rows whose pixels share bytes, unless a format says more. */
-#ifndef GLINT_PAGE
-#define GLINT_PAGE 1
+/** GLINT_FORMAT's `edge`: of formats whose pixels of a row share bytes, and of those where pixels of a column do. */
+#define GLINT_ROW_EDGE(bits) \
+    { (bits) == 1 ? 7 : (bits) % 8 ? 1 : 0, 0 }
+#define GLINT_PAGE_EDGE(bits) \
+    { 0, 7 }
+
+/** Which of these a format has, unless it says more. */
+#ifndef GLINT_EDGE
+#define GLINT_EDGE GLINT_ROW_EDGE
 #endif
 
 /** A format of so many bits a pixel, and of its channels, or 0 for luma. */
-#define GLINT_FORMAT(suffix, bits, red, green, blue, fast)                                                    \
-    {                                                                                                         \
-        bits, {red, green, blue}, GLINT_PAGE, store_##suffix, fill_##suffix, GLINT_FUSED(draw_even_##suffix), \
-            GLINT_FUSED(draw_channels_##suffix), fast                                                         \
+#define GLINT_FORMAT(suffix, bits, red, green, blue, fast)                                                          \
+    {                                                                                                               \
+        bits, {red, green, blue}, GLINT_EDGE(bits), store_##suffix, fill_##suffix, GLINT_FUSED(draw_even_##suffix), \
+            GLINT_FUSED(draw_channels_##suffix), fast                                                               \
     }
 
 /** Defines a format and its dithered twin, which the linker keeps only where they are named. */

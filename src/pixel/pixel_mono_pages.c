@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Pixels of 1 bit: luma, in pages of 8 rows, a byte for each column of a page, its top row lowest. */
-#define GLINT_PAGE 8
+#define GLINT_EDGE GLINT_PAGE_EDGE
 #include "pixel.h"
 
 static inline uint32_t pack_mono_pages(const int32_t colour[3], uint32_t threshold) {

@@ -277,9 +277,10 @@ static void changes_know_regions(void) {
 /* ---- Painters ---- */
 
 typedef struct painting {
-    uint8_t value;                /* of each byte */
-    uint32_t calls, fail_at;      /* the call that fails, or NOTHING */
-    uint32_t pixels, has_depth;   /* how many pixels were painted, and how many calls had depth */
+    uint8_t value;           /* of each byte */
+    uint32_t calls, fail_at; /* the call that fails, or NOTHING */
+    uint32_t pixels;         /* how many were painted */
+    int is_overlay;
     uint8_t drawn[HEIGHT][WIDTH]; /* where depth says that an object shows */
 } painting;
 
@@ -287,11 +288,10 @@ static int paint(void *context, const glint_tile *tile) {
     painting *p = context;
     if (p->calls++ == p->fail_at)
         return 1;
-    p->has_depth += tile->depth != NULL;
     for (int y = 0; y < tile->height; y++)
         for (int x = 0; x < tile->width; x++) {
             p->pixels++;
-            if (tile->depth)
+            if (p->is_overlay)
                 p->drawn[tile->y + y][tile->x + x] = tile->depth[(size_t)y * tile->depth_stride + (size_t)x] != 0;
             else
                 ((uint8_t *)tile->pixels)[(size_t)y * tile->stride + (size_t)x] = p->value;
@@ -309,7 +309,7 @@ static void painters_see_every_pixel_once(void) {
             scene_build(&scene, &scene_definitions[i]);
             glint_config config = configure(&whole, &glint_format_grey8, 0);
             under = (painting){.value = 10, .fail_at = NOTHING};
-            over = (painting){.fail_at = NOTHING};
+            over = (painting){.is_overlay = 1, .fail_at = NOTHING};
             config.background = (glint_painter){paint, &under};
             CHECK_EQUAL(glint_arena_need(&config, &scene.scene, &need), GLINT_OK);
             config.arena_size = small ? need.least : need.one_pass;
@@ -320,9 +320,7 @@ static void painters_see_every_pixel_once(void) {
             config.overlay = (glint_painter){paint, &over};
             CHECK_EQUAL(draw(&config, &scene.scene), GLINT_OK);
             CHECK_EQUAL(under.pixels, 2 * WIDTH * HEIGHT);
-            CHECK_EQUAL(under.has_depth, 0);
             CHECK_EQUAL(over.pixels, WIDTH * HEIGHT);
-            CHECK_EQUAL(over.has_depth, over.calls);
             for (int y = 0; y < HEIGHT; y++) /* what differs with the background is where none is drawn */
                 for (int x = 0; x < WIDTH; x++) {
                     const int shows = at(&whole, x, y) == 10 && at(&part, x, y) == 200;
@@ -361,7 +359,7 @@ static void failed_painters_end_the_frame(void) {
             test_scene scene;
             scene_build_random(&scene, 5);
             glint_config config = configure(&part, &glint_format_grey8, 0);
-            failing = (painting){.fail_at = call};
+            failing = (painting){.is_overlay = which, .fail_at = call};
             *(which ? &config.overlay : &config.background) = (glint_painter){paint, &failing};
             CHECK_EQUAL(draw(&config, &scene.scene), call < 20 ? GLINT_ERROR_PAINT : GLINT_OK);
             CHECK_EQUAL(part.calls, call < 20 ? call : 20);

@@ -34,7 +34,8 @@ static void any_config(glint_config *config) {
     config->tile_width = (uint16_t)ANY(0, UINT16_MAX);
     config->tile_height = (uint16_t)ANY(0, UINT16_MAX);
     format.bits = (uint8_t)ANY(1, 24);
-    format.page = (uint8_t)ANY(1, 8);
+    format.edge[0] = (uint8_t)ANY(0, 7);
+    format.edge[1] = (uint8_t)ANY(0, 7);
     config->format = ANY(0, 1) ? &format : 0;
     config->region = (glint_rectangle){(int16_t)ANY(INT16_MIN, INT16_MAX), (int16_t)ANY(INT16_MIN, INT16_MAX),
                                        (int16_t)ANY(INT16_MIN, INT16_MAX), (int16_t)ANY(INT16_MIN, INT16_MAX)};
