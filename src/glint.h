@@ -386,7 +386,11 @@ extern const glint_format glint_format_mono;      /**< 1 bit of luma, the left p
 /** 1 bit of luma, as OLED controllers keep it: pixel (x, y) of a tile is bit y % 8 of byte x + y / 8 * 8 stride. */
 extern const glint_format glint_format_mono_pages;
 
-/* The same with ordered dithering (Bayer, 1973) over 8 x 8 pixels: no banding, at the price of a fine pattern. */
+/*
+ * The same with ordered dithering (Bayer, 1973) over 8 x 8 pixels: no banding, at the price of a fine pattern. Every
+ * format stores floor(v + t): v is the value in its levels, t is 1/2 or, dithered, the pixel's threshold, an odd number
+ * of 128ths. What is exact is v, to a part of a level that docs/accuracy.md states for each format.
+ */
 extern const glint_format glint_format_rgb565_dithered;
 extern const glint_format glint_format_rgb565_be_dithered;
 extern const glint_format glint_format_rgb888_dithered;
