@@ -574,6 +574,15 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene);
  */
 glint_status glint_arena_need(const glint_config *config, const glint_scene *scene, glint_need *need);
 
+/**
+ * The same for every frame in which each object is turned in any way about its origin, (0, 0, 0) of the mesh, all else
+ * being as it is: each pose may be any rotation of this one, with the same fourth column, rounded to Q16.16. `least` is
+ * exact; the others are bounds from the triangles' longest edges, all of which count as facing the eye and as lying
+ * where tiles meet. Objects that move as well need the most of the places where they come nearest.
+ * @return as glint_arena_need: then `need` is as it was
+ */
+glint_status glint_arena_need_turned(const glint_config *config, const glint_scene *scene, glint_need *need);
+
 /** Bytes of `pixels` that glint_render needs where they are apart from the arena; 0 when the configuration is not
  * valid. */
 size_t glint_pixels_need(const glint_config *config);
