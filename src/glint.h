@@ -405,7 +405,11 @@ extern const glint_format glint_format_mono;      /**< 1 bit of luma, the left p
 /** 1 bit of luma, as OLED controllers keep it: pixel (x, y) of a tile is bit y % 8 of byte x + y / 8 * 8 stride. */
 extern const glint_format glint_format_mono_pages;
 
-/* The same with ordered dithering (Bayer, 1973) over 8 x 8 pixels: no banding, at the price of a fine pattern. */
+/*
+ * The same with ordered dithering (Bayer, 1973) over 8 x 8 pixels: no banding, at the price of a fine pattern. Every
+ * format stores floor(v + t): v is the value in its levels, t is 1/2 or, dithered, the pixel's threshold, an odd number
+ * of 128ths. What is exact is v, to a part of a level that docs/accuracy.md states for each format.
+ */
 extern const glint_format glint_format_rgb565_dithered;
 extern const glint_format glint_format_rgb565_be_dithered;
 extern const glint_format glint_format_rgb888_dithered;
@@ -636,6 +640,15 @@ glint_status glint_render_region(glint_renderer *renderer, const glint_scene *sc
  * @return the error that drawing the scene would give: then `need` is as it was
  */
 glint_status glint_arena_need(const glint_config *config, const glint_scene *scene, glint_need *need);
+
+/**
+ * The same for every frame in which each object is turned in any way about its origin, (0, 0, 0) of the mesh, all else
+ * being as it is: each pose may be any rotation of this one, with the same fourth column, rounded to Q16.16. `least` is
+ * exact; the others are bounds from the triangles' longest edges, all of which count as facing the eye and as lying
+ * where tiles meet. Objects that move as well need the most of the places where they come nearest.
+ * @return as glint_arena_need: then `need` is as it was
+ */
+glint_status glint_arena_need_turned(const glint_config *config, const glint_scene *scene, glint_need *need);
 
 /** Bytes of `pixels` that glint_render needs where they are apart from the arena; 0 when the configuration is not
  * valid. */

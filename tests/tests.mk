@@ -22,6 +22,8 @@ SUITE_accuracy  := $(TEST_HARNESS) tests/image/accuracy.c $(TEST_SCENES) $(TEST_
 SUITE_models    := $(TEST_HARNESS) tests/image/models.c tests/image/surfaces.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_gallery   := $(TEST_HARNESS) tests/image/gallery.c tests/image/rows.c tests/image/picture.c $(TEST_JUDGE) \
     tests/stability/contract.c tests/stability/weights.c $(wildcard examples/scenes/*.c)
+SUITE_formats   := $(TEST_HARNESS) tests/image/formats.c tests/stability/contract.c tests/stability/random_scene.c \
+    tests/stability/weights.c $(TEST_SCENES) $(TEST_JUDGE) $(wildcard examples/scenes/*.c)
 SUITE_output    := $(TEST_HARNESS) tests/image/output.c $(TEST_SCENES)
 SUITE_extremes  := $(TEST_HARNESS) tests/image/extremes.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_highlights := $(TEST_HARNESS) tests/image/highlights.c $(TEST_SCENES)
@@ -29,6 +31,7 @@ SUITE_fill_rule := $(TEST_HARNESS) tests/image/fill_rule.c $(TEST_SCENES) $(TEST
 SUITE_opposed   := $(TEST_HARNESS) tests/image/opposed.c tests/image/picture.c
 SUITE_kept      := $(TEST_HARNESS) tests/image/kept.c $(TEST_SCENES)
 SUITE_arenas    := $(TEST_HARNESS) tests/image/arenas.c
+SUITE_turned    := $(TEST_HARNESS) tests/image/turned.c $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_changes   := $(TEST_HARNESS) tests/image/changes.c $(TEST_SCENES)
 SUITE_diagnose  := $(TEST_HARNESS) tests/image/diagnose.c $(TEST_SCENES)
 SUITE_pick      := $(TEST_HARNESS) tests/image/pick.c $(TEST_SCENES)
@@ -41,7 +44,7 @@ SUITE_budget    := $(TEST_HARNESS) tests/image/budget.c tests/stability/random_s
     $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_nodes     := $(TEST_HARNESS) tests/image/nodes.c tests/image/fine.c $(TEST_SCENES)
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit numbers setup point compare accuracy models gallery output extremes highlights fill_rule identity changes region pick diagnose camera kept arenas drops hidden budget opposed nodes
+TEST_SUITES     := unit numbers setup point compare accuracy models gallery formats output extremes highlights fill_rule identity changes region pick diagnose camera kept arenas turned drops hidden budget opposed nodes
 
 # $(call test_objects,variant,compiler and flags): build/<variant>/<source>.o
 define test_objects
@@ -96,7 +99,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers setup point camera) ## unit tests on the host, arithmetic against libm
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery output extremes highlights fill_rule changes region pick diagnose kept arenas drops hidden budget opposed nodes) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery formats output extremes highlights fill_rule changes region pick diagnose kept arenas turned drops hidden budget opposed nodes) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order

@@ -3,20 +3,14 @@
  * Need: goes through a scene as a pass would, with no arena at all, and counts what it would take. What is large on the
  * stack is out of line, so that it is not there at the same time.
  */
+#include "need.h"
+
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
 #include "cull.h"
-#include "frame.h"
-
-typedef struct tally {
-    size_t vertices, references, clipped; /* bytes, counts */
-    size_t of_quarter[4];                 /* references in each quarter of the tiles */
-    size_t materials, tables;             /* bytes */
-    size_t nodes;                         /* bytes of a triangle's */
-} tally;
 
 /* Counts references in each quarter of the tiles, of a triangle that may touch those from `first` to before `end`. */
-static void count_row(const glint_frame *frame, int32_t first, int32_t end, tally *sum) {
+static void count_row(const glint_frame *frame, int32_t first, int32_t end, glint_tally *sum) {
     const int32_t quarter = (int32_t)glint_quarter_of_tiles(frame);
     for (int32_t i = 0; i < 4; i++) {
         const int32_t inside = glint_least(end, (i + 1) * quarter) - glint_most(first, i * quarter);
@@ -25,7 +19,7 @@ static void count_row(const glint_frame *frame, int32_t first, int32_t end, tall
 }
 
 static void count_part(const glint_frame *frame, const glint_transform *transform, const glint_mesh *mesh,
-                       const glint_vertex *const v[3], int clipped, tally *sum) {
+                       const glint_vertex *const v[3], int clipped, glint_tally *sum) {
     glint_range range;
     int double_sided = (mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
     if (!glint_faces(transform->mirrored, double_sided, v) || !glint_find_tiles(frame, v, &range))
@@ -37,7 +31,7 @@ static void count_part(const glint_frame *frame, const glint_transform *transfor
 }
 
 static GLINT_NOINLINE glint_status count_triangle(const glint_frame *frame, const glint_transform *transform,
-                                                  const glint_mesh *mesh, const uint16_t *indices, tally *sum) {
+                                                  const glint_mesh *mesh, const uint16_t *indices, glint_tally *sum) {
     glint_vertex vertices[GLINT_CLIP_CORNERS];
     glint_corner corners[GLINT_CLIP_CORNERS] = {0};
     uint32_t flags = 0;
@@ -69,9 +63,8 @@ static const glint_node_stage *stage_of(const glint_scene *scene) {
     return 0;
 }
 
-/* Bytes of a draw of all of an object, whose material is prepared for it. */
-static GLINT_NOINLINE size_t size_object(glint_frame *frame, const glint_object *object,
-                                         const glint_transform *transform) {
+GLINT_NOINLINE size_t glint_need_object(glint_frame *frame, const glint_object *object,
+                                        const glint_transform *transform) {
     const glint_mesh *mesh = object->mesh;
     const glint_node_stage *nodes = stage_of(frame->scene);
     glint_shading shading = {0};
@@ -83,7 +76,7 @@ static GLINT_NOINLINE size_t size_object(glint_frame *frame, const glint_object 
     return size;
 }
 
-static glint_status count_object(glint_frame *frame, const glint_object *object, tally *sum) {
+static glint_status count_object(glint_frame *frame, const glint_object *object, glint_tally *sum) {
     const glint_mesh *mesh = object->mesh;
     const glint_cull *cull = glint_cull_of(mesh);
     glint_transform transform;
@@ -91,7 +84,7 @@ static glint_status count_object(glint_frame *frame, const glint_object *object,
     glint_status status = glint_transform_prepare(&transform, frame->view, &frame->config, object);
     if (status != GLINT_OK || !transform.visible)
         return status;
-    sum->vertices += size_object(frame, object, &transform);
+    sum->vertices += glint_need_object(frame, object, &transform);
     if (cull)
         cull->begin(&walk, mesh, &transform);
     for (uint32_t i = 0; i < mesh->triangle_count && status == GLINT_OK; i++) {
@@ -102,7 +95,7 @@ static glint_status count_object(glint_frame *frame, const glint_object *object,
 }
 
 /* Adds what a material takes where nodes are lit. */
-static void count_terms(glint_frame *frame, const glint_shading *shading, tally *sum) {
+static void count_terms(glint_frame *frame, const glint_shading *shading, glint_tally *sum) {
     const glint_node_stage *stage = stage_of(frame->scene);
     frame->shading = shading;
     const size_t size = stage ? stage->measure(frame, shading) : 0;
@@ -114,7 +107,7 @@ static void count_terms(glint_frame *frame, const glint_shading *shading, tally 
 }
 
 /* Bytes of distinct materials, each checked. */
-static GLINT_NOINLINE glint_status count_materials(glint_frame *frame, tally *sum) {
+static GLINT_NOINLINE glint_status count_materials(glint_frame *frame, glint_tally *sum) {
     const glint_scene *scene = frame->scene;
     const glint_fast *fast = frame->config.format->fast;
     glint_shading shading;
@@ -137,7 +130,7 @@ static GLINT_NOINLINE glint_status count_materials(glint_frame *frame, tally *su
 }
 
 /* Bytes of the lists of so many tiles, and of all clipped triangles. */
-static size_t size_lists(const tally *sum, size_t tiles, size_t references) {
+static size_t size_lists(const glint_tally *sum, size_t tiles, size_t references) {
     return GLINT_ALIGNED(tiles * sizeof(glint_reference)) + GLINT_ALIGNED(references * sizeof(glint_reference)) +
            GLINT_ALIGNED(sum->clipped * sizeof(glint_clipped)) + GLINT_BIN_RESERVE;
 }
@@ -146,35 +139,45 @@ static size_t larger_of(size_t a, size_t b) {
     return a > b ? a : b;
 }
 
+glint_status glint_need_begin(glint_frame *frame, glint_view *view, const glint_config *config,
+                              const glint_scene *scene, glint_tally *sum) {
+    glint_transform transform;
+    glint_status status = glint_frame_grid(frame, config, scene);
+    *sum = (glint_tally){0};
+    if (status == GLINT_OK)
+        status = glint_check_scene(scene);
+    if (status == GLINT_OK)
+        status = glint_prepare_view(view, &frame->config, scene, &transform, 1);
+    frame->view = view;
+    if (status == GLINT_OK)
+        status = count_materials(frame, sum);
+    return status;
+}
+
+void glint_need_end(const glint_frame *frame, const glint_tally *sum, glint_need *need) {
+    const size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame->config) +
+                            GLINT_ALIGNED(GLINT_VIEW_SIZE(frame->scene->light_count)) + sum->materials;
+    const size_t behind = sum->tables ? glint_room_behind_tables(sum->tables) : 0;
+    const size_t quarter = size_lists(sum, glint_quarter_of_tiles(frame),
+                                      larger_of(larger_of(sum->of_quarter[0], sum->of_quarter[1]),
+                                                larger_of(sum->of_quarter[2], sum->of_quarter[3])));
+    const size_t lists = size_lists(sum, frame->tile_count, sum->references);
+    need->least = prepared + GLINT_LEAST_ROOM + sum->nodes;
+    need->resident = larger_of(prepared + sum->tables + larger_of(sum->vertices + quarter, behind), need->least);
+    need->one_pass = prepared + sum->tables + larger_of(sum->vertices + lists, behind);
+    need->one_pass = larger_of(need->one_pass, need->resident);
+}
+
 glint_status glint_arena_need(const glint_config *config, const glint_scene *scene, glint_need *need) {
     if (!config || !scene || !need)
         return GLINT_ERROR_NULL;
     glint_frame frame;
     glint_view view;
-    glint_transform transform;
-    tally sum = {0};
-    glint_status status = glint_frame_grid(&frame, config, scene);
-    if (status == GLINT_OK)
-        status = glint_check_scene(scene);
-    if (status == GLINT_OK)
-        status = glint_prepare_view(&view, &frame.config, scene, &transform, 1);
-    frame.view = &view;
-    if (status == GLINT_OK)
-        status = count_materials(&frame, &sum);
+    glint_tally sum;
+    glint_status status = glint_need_begin(&frame, &view, config, scene, &sum);
     for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++)
         status = count_object(&frame, &scene->objects[i], &sum);
-    if (status != GLINT_OK)
-        return status;
-    const size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame.config) +
-                            GLINT_ALIGNED(GLINT_VIEW_SIZE(scene->light_count)) + sum.materials;
-    const size_t behind = sum.tables ? glint_room_behind_tables(sum.tables) : 0;
-    const size_t quarter = size_lists(
-        &sum, glint_quarter_of_tiles(&frame),
-        larger_of(larger_of(sum.of_quarter[0], sum.of_quarter[1]), larger_of(sum.of_quarter[2], sum.of_quarter[3])));
-    const size_t lists = size_lists(&sum, frame.tile_count, sum.references);
-    need->least = prepared + GLINT_LEAST_ROOM + sum.nodes;
-    need->resident = larger_of(prepared + sum.tables + larger_of(sum.vertices + quarter, behind), need->least);
-    need->one_pass = prepared + sum.tables + larger_of(sum.vertices + lists, behind);
-    need->one_pass = larger_of(need->one_pass, need->resident);
-    return GLINT_OK;
+    if (status == GLINT_OK)
+        glint_need_end(&frame, &sum, need);
+    return status;
 }

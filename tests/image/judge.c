@@ -60,7 +60,10 @@ static double wanted_level(const reference_pixel *pixel, const glint_format *for
     return value * picture_level_max(format, channel);
 }
 
-/* Largest distance over the channels of a pixel, from the unrounded and from the rounded reference, in steps. */
+/*
+ * Largest distance over the channels of a pixel, from the unrounded and from the rounded reference, in steps. A
+ * dithered pixel is rounded at its threshold: what it is half a step from lies by that much elsewhere.
+ */
 typedef struct distance {
     double unrounded;
     int rounded;
@@ -71,13 +74,14 @@ typedef struct distance {
 static distance measure_pixel(const judge_task *task, const images *all, int x, int y) {
     const reference_pixel *reference = &all->reference.pixels[y * all->reference.width + x];
     const picture *shaded = &all->shaded;
+    const double threshold = picture_threshold(shaded->format, x, y);
     distance result = {0, 0, 1, 0};
     for (int channel = 0; channel < picture_channels(shaded->format); channel++) {
         double wanted = wanted_level(reference, shaded->format, channel);
         int stored = picture_level(shaded, x, y, channel);
-        double error = fabs(stored - wanted);
-        double relative = error / picture_level_max(shaded->format, channel);
-        int steps = abs(stored - (int)floor(wanted + 0.5));
+        double error = fabs(stored + 0.5 - threshold - wanted);
+        double relative = (stored - wanted) / picture_level_max(shaded->format, channel);
+        int steps = abs(stored - (int)floor(wanted + threshold));
         double fine = task->fine_of[0] > 0 ? task->fine_of[channel] : task->fine;
         result.unrounded = fmax(result.unrounded, error);
         result.is_fine = result.is_fine && error <= fine;
@@ -114,6 +118,7 @@ static void judge_pixel(const judge_task *task, const images *all, int x, int y,
     if (task->leave_out_gates && reference->grazing < JUDGE_GATE)
         return;
     total->judged++;
+    total->apart += error.rounded > 0;
     total->over_one += error.rounded > 1;
     total->over_two += error.rounded > 2;
     total->not_fine += !error.is_fine;
@@ -168,6 +173,7 @@ void judgement_add(judgement *total, const judgement *part) {
     sum.close = total->close + part->close;
     sum.gated = total->gated + part->gated;
     sum.judged = total->judged + part->judged;
+    sum.apart = total->apart + part->apart;
     sum.over_one = total->over_one + part->over_one;
     sum.over_two = total->over_two + part->over_two;
     sum.not_fine = total->not_fine + part->not_fine;

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file judge.h
- * Holds the library's image of a scene against the reference's, in steps of the output format.
+ * Holds the library's image of a scene against the reference's, in steps of the output format. A dithered format rounds
+ * at each pixel's threshold: the reference is rounded there too, and a stored level counts as the middle of what is
+ * rounded to it.
  */
 #ifndef GLINT_JUDGE_H
 #define GLINT_JUDGE_H
@@ -36,6 +38,7 @@ typedef struct judgement {
     long gated;    /**< The colour jumps where a light's |N.L| is 0, or at the edge of a cone, and a cosine is within
                         JUDGE_GATE of that, or a light touches the surface: rounding decides. */
     long judged;   /**< Covered by both and not close. */
+    long apart;    /**< Judged and not as the rounded reference. */
     long over_one; /**< Judged and more than 1 step from the rounded reference. */
     long over_two; /**< Judged and more than 2. */
     long not_fine; /**< Judged and more than `fine` steps from the unrounded reference. */

@@ -13,7 +13,7 @@
 static const glint_format *const dithered[] = {&glint_format_rgb565_dithered, &glint_format_rgb565_be_dithered,
                                                &glint_format_rgb888_dithered, &glint_format_grey8_dithered,
                                                &glint_format_grey4_dithered,  &glint_format_rgb444_dithered,
-                                               &glint_format_mono_dithered};
+                                               &glint_format_mono_dithered,   &glint_format_mono_pages_dithered};
 
 /* ---- Flat colours -------------------------------------------------------------------------------------------- */
 
@@ -92,15 +92,6 @@ static void blocks_mean_their_colour(void) {
 
 /* ---- Dithered images ----------------------------------------------------------------------------------------- */
 
-/* Bayer, 1973: each quarter of the matrix is the one of half its size, times 4, plus 0, 2, 3 or 1. */
-static int bayer(int x, int y) {
-    static const int quarters[2][2] = {{0, 2}, {3, 1}};
-    int value = 0;
-    for (int half = 1; half < 8; half *= 2) /* the smallest quarter weighs most */
-        value = 4 * value + quarters[y / half % 2][x / half % 2];
-    return value;
-}
-
 /*
  * A stored level is the value plus the pixel's threshold, cut off; rounding replaces it by 1/2. From the image in finer
  * steps the value is known to half such a step, so that the level is one of two at most.
@@ -113,7 +104,7 @@ static int count_misplaced(const picture *coarse, const picture *fine) {
         for (int channel = 0; channel < 3; channel++) {
             double value = picture_level(fine, x, y, channel) / 255.0 * picture_level_max(coarse->format, channel);
             double slack = 0.6 / 255 * picture_level_max(coarse->format, channel);
-            double threshold = (2 * bayer(x, y) + 1) / 128.0;
+            double threshold = picture_threshold(&glint_format_rgb565_dithered, x, y);
             int level = picture_level(coarse, x, y, channel);
             misplaced += level < (int)floor(value + threshold - slack) || level > (int)floor(value + threshold + slack);
         }

@@ -14,10 +14,15 @@ static void *allocate(size_t size) {
     return memory;
 }
 
+/* A page, 8 rows of a byte for each column, takes the place of 8 rows. */
+static int is_paged(const picture *image) {
+    return picture_undithered(image->format) == &glint_format_mono_pages;
+}
+
 picture picture_open(int width, int height, const glint_format *format) {
     picture image = {.width = width, .height = height, .format = format};
     image.stride = glint_row_bytes(format, (uint32_t)width);
-    image.size = image.stride * (size_t)height;
+    image.size = image.stride * (size_t)(is_paged(&image) ? (height + 7) / 8 * 8 : height);
     image.bytes = allocate(image.size);
     image.sent = allocate((size_t)width * (size_t)height);
     return image;
@@ -34,16 +39,18 @@ int picture_put(picture *image, const int rectangle[4], const void *pixels, size
     int y = rectangle[1];
     int width = rectangle[2];
     int height = rectangle[3];
-    size_t left = glint_row_bytes(image->format, (uint32_t)x);
-    size_t length = glint_row_bytes(image->format, (uint32_t)width);
+    int step = is_paged(image) ? 8 : 1;
+    size_t left = is_paged(image) ? (size_t)x : glint_row_bytes(image->format, (uint32_t)x);
+    size_t length = is_paged(image) ? (size_t)width : glint_row_bytes(image->format, (uint32_t)width);
     if (x < 0 || y < 0 || width < 1 || height < 1 || x + width > image->width || y + height > image->height)
         return 1;
-    for (int row = 0; row < height; row++) {
+    for (int row = 0; row < height; row += step) {
         const uint8_t *source = (const uint8_t *)pixels + (size_t)row * stride;
         memcpy(image->bytes + (size_t)(y + row) * image->stride + left, source, length);
+    }
+    for (int row = 0; row < height; row++)
         for (int column = 0; column < width; column++)
             image->sent[(size_t)(y + row) * (size_t)image->width + (size_t)(x + column)]++;
-    }
     return 0;
 }
 
@@ -102,7 +109,8 @@ const glint_format *picture_undithered(const glint_format *format) {
                                                    {&glint_format_grey8_dithered, &glint_format_grey8},
                                                    {&glint_format_grey4_dithered, &glint_format_grey4},
                                                    {&glint_format_rgb444_dithered, &glint_format_rgb444},
-                                                   {&glint_format_mono_dithered, &glint_format_mono}};
+                                                   {&glint_format_mono_dithered, &glint_format_mono},
+                                                   {&glint_format_mono_pages_dithered, &glint_format_mono_pages}};
     for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
         if (format == pairs[i][0])
             return pairs[i][1];
@@ -110,9 +118,24 @@ const glint_format *picture_undithered(const glint_format *format) {
     return format;
 }
 
+/* Each quarter of the matrix is the one of half its size, times 4, plus 0, 2, 3 or 1 (Bayer, 1973). */
+double picture_threshold(const glint_format *format, int x, int y) {
+    static const int quarters[2][2] = {{0, 2}, {3, 1}};
+    int value = 0;
+    if (picture_undithered(format) == format)
+        return 0.5;
+    for (int half = 1; half < 8; half *= 2) /* the smallest quarter weighs most */
+        value = 4 * value + quarters[y / half % 2][x / half % 2];
+    return (2 * value + 1) / 128.0;
+}
+
+static int is_mono(const glint_format *kind) {
+    return kind == &glint_format_mono || kind == &glint_format_mono_pages;
+}
+
 int picture_channels(const glint_format *format) {
     const glint_format *kind = picture_undithered(format);
-    return kind == &glint_format_grey8 || kind == &glint_format_grey4 || kind == &glint_format_mono ? 1 : 3;
+    return kind == &glint_format_grey8 || kind == &glint_format_grey4 || is_mono(kind) ? 1 : 3;
 }
 
 int picture_level_max(const glint_format *format, int channel) {
@@ -121,7 +144,7 @@ int picture_level_max(const glint_format *format, int channel) {
         return 255;
     if (kind == &glint_format_grey4 || kind == &glint_format_rgb444)
         return 15;
-    if (kind == &glint_format_mono)
+    if (is_mono(kind))
         return 1;
     return channel == 1 ? 63 : 31;
 }
@@ -145,6 +168,8 @@ int picture_level(const picture *image, int x, int y, int channel) {
         return x % 2 ? row[x / 2] & 15 : row[x / 2] >> 4;
     if (kind == &glint_format_rgb444)
         return level_of_444(row, x, channel);
+    if (kind == &glint_format_mono_pages)
+        return image->bytes[(size_t)(y / 8 * 8) * image->stride + (size_t)x] >> y % 8 & 1;
     if (kind == &glint_format_mono)
         return row[x / 8] >> x % 8 & 1;
     if (kind == &glint_format_rgb565)

@@ -48,6 +48,12 @@ int picture_equal(const picture *a, const picture *b);
 /** The format itself, or that of which it is the dithered twin. */
 const glint_format *picture_undithered(const glint_format *format);
 
+/**
+ * What is added to a value in levels before it is cut off to the stored one: 1/2, or a dithered format's threshold
+ * (Bayer, 1973), an odd number of 128ths that belongs to the place on the screen.
+ */
+double picture_threshold(const glint_format *format, int x, int y);
+
 /** Channels of a format, 3 or 1, and the highest level of one. */
 int picture_channels(const glint_format *format);
 int picture_level_max(const glint_format *format, int channel);

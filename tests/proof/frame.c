@@ -10,8 +10,8 @@
 #include "contracts.h"
 
 /*
- * Not proven: glint_frame_next, glint_arena_need: counts of what a scene has, and of bytes, unsigned. Suites `unit` and
- * `identity` under ASan and UBSan, and fuzzing.
+ * Not proven: glint_frame_next, glint_arena_need, glint_arena_need_turned: counts of what a scene has, and of bytes,
+ * unsigned. Suites `unit`, `identity` and `turned` under ASan and UBSan, and fuzzing.
  */
 
 /*

@@ -173,13 +173,14 @@ static int is_far(const views *all, const reference_pixel *wanted) {
 
 static void judge_distance(const views *all, int x, int y, double bound, int is_excused, contract_result *result) {
     const reference_pixel *wanted = &all->light.pixels[(size_t)y * (size_t)all->width + (size_t)x];
+    const double threshold = picture_threshold(all->shaded.format, x, y);
     double worst = 0;
     int steps = 0;
     for (int channel = 0; channel < picture_channels(all->shaded.format); channel++) {
         double level = wanted_level(wanted->colour, all->shaded.format, channel);
         int stored = picture_level(&all->shaded, x, y, channel);
-        int off = abs(stored - (int)floor(level + 0.5));
-        worst = fmax(worst, fabs(stored - level));
+        int off = abs(stored - (int)floor(level + threshold));
+        worst = fmax(worst, fabs(stored + 0.5 - threshold - level));
         steps = off > steps ? off : steps;
     }
     if (is_excused) {

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "weights.h"
 
+#include "picture.h"
+
 #include <math.h>
 
 double weights_sum(const glint_scene *scene, const glint_material *material) {
@@ -21,7 +23,16 @@ double weights_sum(const glint_scene *scene, const glint_material *material) {
     return fmax(sum[0], fmax(sum[1], sum[2]));
 }
 
+double weights_slack(double sum, const glint_format *format) {
+    const glint_format *kind = picture_undithered(format);
+    const double whole = fmax(sum, 1);
+    if (kind == &glint_format_rgb565 || kind == &glint_format_rgb565_be)
+        return 0.25 * whole;
+    if (kind == &glint_format_rgb444)
+        return 0.25 * whole * 15 / 63;
+    return 0.3 * whole * picture_level_max(format, 0) / 255;
+}
+
 double weights_bound(double sum, const glint_format *format) {
-    double slope = format == &glint_format_rgb565 || format == &glint_format_rgb565_be ? 0.25 : 0.3;
-    return 0.5 + slope * fmax(sum, 1);
+    return 0.5 + weights_slack(sum, format);
 }

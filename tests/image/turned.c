@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Suite: what a scene needs with its objects turned in any way. No pose of hundreds ever needs more, frames keep to
+ * what the bounds promise, and these are not far above.
+ */
+#include "bench.h"
+#include "glint.h"
+#include "harness.h"
+#include "picture.h"
+#include "scenes.h"
+#include "scenes/scenes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define OBJECTS_MAX 40
+
+static uint32_t random_state;
+
+/* From a to b, by a linear congruential generator (Numerical Recipes). */
+static double between(double a, double b) {
+    random_state = random_state * 1664525u + 1013904223u;
+    return a + (b - a) * (random_state >> 8) / 16777216.0;
+}
+
+/* A rotation, each as likely as another (Shoemake, 1992). */
+static void random_rotation(double m[3][3]) {
+    const double tau = 6.28318530717958647692;
+    const double u = between(0, 1), a = between(0, tau), b = between(0, tau);
+    const double x = sqrt(1 - u) * sin(a), y = sqrt(1 - u) * cos(a), z = sqrt(u) * sin(b), w = sqrt(u) * cos(b);
+    const double rows[3][3] = {{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
+                               {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
+                               {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}};
+    memcpy(m, rows, sizeof rows);
+}
+
+/* A pose turned about its object's origin. */
+static void turn_at_random(const glint_pose *pose, glint_pose *turned) {
+    double m[3][3];
+    random_rotation(m);
+    *turned = *pose;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            double sum = 0;
+            for (int k = 0; k < 3; k++)
+                sum += m[i][k] * pose->m[k][j];
+            turned->m[i][j] = (glint_q16)lrint(sum);
+        }
+}
+
+static size_t larger_of(size_t a, size_t b) {
+    return a > b ? a : b;
+}
+
+/* The scene with objects of its own. */
+typedef struct copy {
+    glint_object objects[OBJECTS_MAX];
+    glint_scene scene;
+} copy;
+
+static void make_copy(copy *to, const glint_scene *scene) {
+    to->scene = *scene;
+    CHECK(scene->object_count <= OBJECTS_MAX);
+    memcpy(to->objects, scene->objects, scene->object_count * sizeof *to->objects);
+    to->scene.objects = to->objects;
+}
+
+/* Draws a pose with arenas of the bounds: one pass, and vertices transformed once a frame. */
+static void check_frames(const glint_scene *scene, int width, int height, const glint_need *bound) {
+    picture image = picture_open(width, height, &glint_format_rgb565);
+    glint_stats once = {0}, stats = {0};
+    picture_options options = {.arena_size = bound->one_pass};
+    CHECK_EQUAL(picture_render(&image, scene, &options, &once), GLINT_OK);
+    CHECK_EQUAL(once.passes, 1);
+    options.arena_size = bound->resident;
+    CHECK_EQUAL(picture_render(&image, scene, &options, &stats), GLINT_OK);
+    CHECK_EQUAL(stats.vertices, once.vertices);
+    picture_close(&image);
+}
+
+static void check_turns(const char *name, const glint_scene *scene, int width, int height, int turns) {
+    static copy turned;
+    picture image = picture_open(width, height, &glint_format_rgb565);
+    const glint_config config = picture_config(&image, NULL);
+    glint_need bound = {0}, most = {0};
+    char line[160];
+    make_copy(&turned, scene);
+    random_state = 1;
+    CHECK_EQUAL(glint_arena_need_turned(&config, scene, &bound), GLINT_OK);
+    CHECK(bound.least <= bound.resident && bound.resident <= bound.one_pass);
+    for (int i = 0; i < turns; i++) {
+        glint_need need = {0}, again = {0};
+        for (uint32_t j = 0; j < scene->object_count; j++)
+            turn_at_random(&scene->objects[j].pose, &turned.objects[j].pose);
+        CHECK_EQUAL(glint_arena_need(&config, &turned.scene, &need), GLINT_OK);
+        CHECK_EQUAL(need.least, bound.least);
+        CHECK_AT_MOST(need.resident, bound.resident);
+        CHECK_AT_MOST(need.one_pass, bound.one_pass);
+        most.resident = larger_of(most.resident, need.resident);
+        most.one_pass = larger_of(most.one_pass, need.one_pass);
+        if (i % 100)
+            continue;
+        check_frames(&turned.scene, width, height, &bound);
+        CHECK_EQUAL(glint_arena_need_turned(&config, &turned.scene, &again), GLINT_OK); /* the same from any pose */
+        CHECK(fabs((double)again.one_pass - (double)bound.one_pass) <= 0.02 * (double)bound.one_pass);
+    }
+    snprintf(line, sizeof line, "%-36s %8zu | %8zu %8zu %5.2f | %8zu %8zu %5.2f\n", name, bound.least, most.resident,
+             bound.resident, (double)bound.resident / (double)most.resident, most.one_pass, bound.one_pass,
+             (double)bound.one_pass / (double)most.one_pass);
+    test_write(line);
+    picture_close(&image);
+}
+
+static void print_heading(void) {
+    test_write("                                        least | resident    bound       | one pass    bound\n");
+}
+
+static void bench_scenes(void) {
+    print_heading();
+    for (int which = 0; which < BENCH_SCENES; which++)
+        for (int small = 0; small < 2; small++) {
+            bench_scene scene;
+            char name[80];
+            const int width = small ? 128 : 320, height = small ? 64 : 240;
+            bench_build_scene(&scene, &bench_definitions[which], scene_clustered_mesh(which), 3);
+            snprintf(name, sizeof name, "%s %dx%d", bench_definitions[which].name, width, height);
+            check_turns(name, &scene.scene, width, height, 300);
+        }
+}
+
+/* Clipped, mirrored, stretched and many objects. */
+static void test_scenes(void) {
+    print_heading();
+    for (unsigned i = 0; i < scene_count; i++) {
+        test_scene scene;
+        scene_build(&scene, &scene_definitions[i]);
+        check_turns(scene_definitions[i].name, &scene.scene, 160, 120, 100);
+    }
+}
+
+static void example_variants(void) {
+    static example_stage stage;
+    print_heading();
+    for (unsigned i = 0; i < EXAMPLE_SCENES; i++) {
+        const example_scene *scene = example_scenes[i];
+        scene->build(&stage, 0, 0);
+        check_turns(scene->name, &stage.scene, scene->width, scene->height, 40);
+    }
+}
+
+/* A box before the eye, in all sizes: triangles of one tile to such as reach the guard band. */
+static void boxes(void) {
+    static int16_t positions[24][3], normals[24][3];
+    static uint16_t triangles[12][3];
+    const glint_mesh_room room = {positions, normals, triangles, 24, 12};
+    static glint_mesh mesh;
+    const glint_material paint = {.model = &glint_model_unlit};
+    print_heading();
+    for (int i = 0; i < 12; i++) {
+        char name[80];
+        const double size = 0.01 * pow(2, i);
+        CHECK_EQUAL(glint_generate_box(&mesh, &room, bench_q16(size), bench_q16(0.7 * size), bench_q16(0.4 * size)),
+                    GLINT_OK);
+        const glint_object object = {.mesh = &mesh, .material = &paint, .pose = glint_pose_translate(GLINT_ONE, 0, 0)};
+        const glint_scene scene = {.camera = {.pose = glint_pose_translate(0, 0, 8 * GLINT_ONE),
+                                              .field_of_view = 50 * GLINT_ONE,
+                                              .near_plane = GLINT_ONE / 8},
+                                   .objects = &object,
+                                   .object_count = 1};
+        snprintf(name, sizeof name, "box of %.2f at 8", 2 * size);
+        check_turns(name, &scene, 240, 240, 300);
+    }
+}
+
+static void errors_are_those_of_need(void) {
+    static test_scene scene;
+    picture image = picture_open(32, 32, &glint_format_rgb565);
+    glint_config config = picture_config(&image, NULL);
+    glint_need need = {1, 2, 3};
+    scene_build(&scene, &scene_definitions[0]);
+    CHECK_EQUAL(glint_arena_need_turned(NULL, &scene.scene, &need), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_arena_need_turned(&config, NULL, &need), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_arena_need_turned(&config, &scene.scene, NULL), GLINT_ERROR_NULL);
+    glint_mesh mesh = *scene.objects[0].mesh;
+    mesh.vertex_count--;
+    mesh.clusters = NULL;
+    scene.objects[0].mesh = &mesh;
+    CHECK_EQUAL(glint_arena_need_turned(&config, &scene.scene, &need), GLINT_ERROR_INDEX);
+    scene.objects[0].pose = (glint_pose){{{0}}};
+    CHECK_EQUAL(glint_arena_need_turned(&config, &scene.scene, &need), GLINT_ERROR_POSE);
+    config.tile_width = 7;
+    CHECK_EQUAL(glint_arena_need_turned(&config, &scene.scene, &need), GLINT_ERROR_TILE);
+    CHECK(need.least == 1 && need.resident == 2 && need.one_pass == 3);
+    picture_close(&image);
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {TEST_CASE(bench_scenes), TEST_CASE(test_scenes), TEST_CASE(example_variants),
+                                      TEST_CASE(boxes), TEST_CASE(errors_are_those_of_need)};
+    return test_run(write, cases, TEST_COUNT(cases));
+}
