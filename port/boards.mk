@@ -70,7 +70,7 @@ netduinoplus2_CPU     := -mcpu=cortex-m4 -mthumb
 netduinoplus2_SOURCES := $(CORTEX_M) $(wildcard port/netduinoplus2/*.c) port/stm32/spi.c
 netduinoplus2_LINKER  := linker/netduinoplus2.ld
 netduinoplus2_PANEL   := $(pico_PANEL)
-netduinoplus2_ARENA   := 65536
+netduinoplus2_ARENA   := 98304
 
 # 8 KB of RAM: tiles of 16x16 leave some for vertices.
 stm32vldiscovery_CPU     := -mcpu=cortex-m3 -mthumb
@@ -98,6 +98,7 @@ template_ARENA   := 16384
 PROGRAM_turntable := examples/firmware/turntable_main.c examples/turntable/turntable.c
 PROGRAM_scenes    := examples/firmware/scenes_main.c examples/firmware/shown.c $(wildcard examples/scenes/*.c)
 PROGRAM_show      := examples/firmware/show_main.c examples/turntable/turntable.c
+PROGRAM_animate   := examples/firmware/animate_main.c examples/firmware/animation.c $(wildcard examples/scenes/*.c)
 PROGRAM_minimal   := examples/firmware/minimal.c
 PROGRAM_pattern   := tests/board/pattern.c
 PROGRAM_identity  := tests/board/identity_board.c tests/board/identity.c tests/board/frames.c \
@@ -170,6 +171,12 @@ $(foreach board,mps2-an385 mps2-an385-m0 virt,$(foreach level,O0 Os O2,\
 $(foreach board,$(MEASURED),$(eval $(call firmware_program,$(board),O2,frames)))
 
 $(foreach board,$(BOARDS),$(eval $(call firmware_program,$(board),release,show)))
+# Boards with panels in colour. They have the flash for all meshes, and for code that is built for speed. Scenes that are
+# lit by several lights with positions take the deepest stack.
+COLOUR_BOARDS := mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 mps2-an505 netduinoplus2 pico
+$(foreach board,$(filter-out $(MEASURED),$(COLOUR_BOARDS)),$(eval $(call firmware_objects,$(board),O2)))
+$(foreach board,$(COLOUR_BOARDS),\
+    $(eval $(call firmware_program,$(board),O2,animate,-Wl$(comma)--defsym=stack_size=9728)))
 $(foreach board,$(FAULT_BOARDS),$(eval $(call firmware_program,$(board),release,faults-$(board))))
 $(eval $(call firmware_program,pico,release,unit-pico,-Wl$(comma)--defsym=stack_size=3712))
 $(eval $(call firmware_program,stm32vldiscovery,release,unit-8k))

@@ -46,6 +46,13 @@ typedef struct example_scene {
     void (*build)(example_stage *stage, uint32_t variant, uint32_t frame);
 } example_scene;
 
+/**
+ * Fits a scene that was built in `stage` to a display of other proportions: on a taller one the field of view widens
+ * until the scene is as wide as it was composed, and more is seen above and below; on a wider one more is seen beside
+ * it.
+ */
+void example_fit(example_stage *stage, const example_scene *scene, uint16_t width, uint16_t height);
+
 /** All of them, in the order of the texts. */
 #define EXAMPLE_SCENES 6
 extern const example_scene *const example_scenes[EXAMPLE_SCENES];

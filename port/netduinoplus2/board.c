@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Netduino Plus 2: STM32F405, Cortex-M4F at 168 MHz, with an ST7789 of 240x320 wired to SPI1: clock PA5, data PA7, chip
- * select PA4, D/C PC4, reset PC5, backlight PB0. Registers from ST's reference manual RM0090 as its public headers name
- * them.
+ * Netduino Plus 2: STM32F405, Cortex-M4F at 168 MHz, with an ST7789 of 240x320, used as 320x240, wired to SPI1: clock
+ * PA5, data PA7, chip select PA4, D/C PC4, reset PC5, backlight PB0. Registers from ST's reference manual RM0090 as its
+ * public headers name them.
  */
 #include "board.h"
 
@@ -153,7 +153,8 @@ const glint_bus *board_panel_bus(void) {
 }
 
 int board_display_start(board_display *display) {
-    static const glint_panel panel = {.type = &glint_panel_st7789_240x320, .bus = &panel_bus};
+    static const glint_panel panel = {
+        .type = &glint_panel_st7789_240x320, .bus = &panel_bus, .rotation = GLINT_PANEL_90};
 
     return display_start(&panel, display);
 }

@@ -73,18 +73,33 @@ test-panel-bus: $(BUILD)/host/bus ## what the panel driver sends, and what it do
 
 SHOW_HOST := $(BUILD)/host/show
 $(SHOW_HOST): tests/board/show_host.c tests/image/picture.c examples/turntable/turntable.c tests/image/picture.h \
-        $(EXAMPLE_DATA) $(BUILD)/host/libglint.a
+        examples/firmware/animation.c examples/firmware/animation.h $(EXAMPLE_SCENES) $(EXAMPLE_DATA) $(BUILD)/host/libglint.a
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -Itests/image $(filter %.c,$^) $(BUILD)/host/libglint.a -o $@
 
 SHOW_BOARDS   := lm3s6965evb microbit stm32vldiscovery netduinoplus2 virt mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 mps2-an505
 SHOW_FIRMWARE := pico=$(BUILD)/pico/release/show.bin $(foreach board,$(SHOW_BOARDS),$(board)=$(BUILD)/$(board)/release/show.elf)
-SUITES += test-board-show
-.PHONY: test-board-show run
-run: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed $$(lastword $$(subst =, ,$$(filter $$(BOARD)=%,$$(SHOW_FIRMWARE)))) ## run one board, BOARD=pico say, and write what its panel shows to build/run
-	@test -n "$(filter $(BOARD)=%,$(SHOW_FIRMWARE))" || { echo "BOARD must be one of: $(foreach pair,$(SHOW_FIRMWARE),$(firstword $(subst =, ,$(pair))))"; exit 1; }
-	@python3 tests/board/show.py --host $(SHOW_HOST) --stream $(BUILD)/host/panel_stream --output $(BUILD)/run $(filter $(BOARD)=%,$(SHOW_FIRMWARE))
+# The example scenes in motion, on panels in colour; all of it takes the Pico's emulator a minute, so that a test has a part.
+ANIMATE_FIRMWARE := $(foreach board,$(COLOUR_BOARDS),$(board)=$(BUILD)/$(board)/O2/animate.$(if $(filter pico,$(board)),bin,elf))
+ANIMATE_TESTED   := $(filter mps2-an385=% netduinoplus2=% pico=%,$(ANIMATE_FIRMWARE))
+ANIMATE := python3 tests/board/animate.py --host $(SHOW_HOST) --stream $(BUILD)/host/panel_stream
+
+SUITES += test-board-show test-board-animate
+.PHONY: test-board-show test-board-animate test-board-animate-all run
+PROGRAM ?= show
+RUN_FIRMWARE = $(if $(filter animate,$(PROGRAM)),$(ANIMATE_FIRMWARE),$(SHOW_FIRMWARE))
+run: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed $$(lastword $$(subst =, ,$$(filter $$(BOARD)=%,$$(RUN_FIRMWARE)))) ## run one board, BOARD=pico PROGRAM=show (or animate) say, and write what its panel shows to build/run
+	@test -n "$(filter $(BOARD)=%,$(RUN_FIRMWARE))" || { echo "BOARD must be one of: $(foreach pair,$(RUN_FIRMWARE),$(firstword $(subst =, ,$(pair))))"; exit 1; }
+	@python3 tests/board/$(PROGRAM).py --host $(SHOW_HOST) --stream $(BUILD)/host/panel_stream --output $(BUILD)/run $(filter $(BOARD)=%,$(RUN_FIRMWARE))
 	@ls $(BUILD)/run/$(BOARD)/*.png
+
+test-board-animate: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed \
+        $(foreach pair,$(ANIMATE_TESTED),$(lastword $(subst =, ,$(pair)))) ## the example scenes in colour, on three boards, against the host
+	@$(ANIMATE) --part --output $(BUILD)/animate-part $(ANIMATE_TESTED)
+
+test-board-animate-all: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed \
+        $(foreach pair,$(ANIMATE_FIRMWARE),$(lastword $(subst =, ,$(pair)))) ## all of them on every board in colour: minutes
+	@$(ANIMATE) --output $(BUILD)/animate $(ANIMATE_FIRMWARE)
 
 test-board-show: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed \
         $(foreach pair,$(SHOW_FIRMWARE),$(lastword $(subst =, ,$(pair)))) ## each board's panel, as its bus drives it, against the host

@@ -24,21 +24,27 @@ from qemu import Died, Machine, Tally, check_stack, read_netpbm
 FRAMES = ["torus576-0", "torus576-1", "teapot-0", "teapot-1"]
 
 
+def names_of(lines):
+    """Pictures that firmware said were done, as files are named."""
+    return [line[:-len(" done")].replace(" ", "-") for line in lines if line.endswith(" done")]
+
+
 class Pico:
     """Raspberry Pi Pico in rp2040js."""
     module, width, height, format, rotation = "st7789-240x240", 240, 240, "rgb565", 0
+    frames = None  # the emulator ends after so many, where it is told so
 
     @staticmethod
-    def run(firmware, stream, *bus):
+    def run(firmware, stream, bus="real", frames=None):
         """@return what the firmware wrote, line by line, and its exit status."""
         script = os.path.join(os.path.dirname(__file__), "..", "pico", "run.js")
-        run = subprocess.run(["node", script, firmware, stream] + list(bus), stdout=subprocess.PIPE, text=True)
+        run = subprocess.run(["node", script, firmware, stream, bus] + ([str(frames)] if frames else []),
+                             stdout=subprocess.PIPE, text=True)
         return run.stdout.splitlines(), run.returncode
 
-    @classmethod
-    def capture(cls, firmware, stream, *bus):
+    def capture(self, firmware, stream, bus="real"):
         """@return what the firmware wrote; Died when it did not end well."""
-        lines, status = cls.run(firmware, stream, *bus)
+        lines, status = self.run(firmware, stream, bus, self.frames)
         if status:
             raise Died("exit status %d: %s" % (status, lines[-5:]))
         return lines
@@ -50,12 +56,11 @@ class Pico:
             words = file.read().splitlines()[-1].split()
         return int(words[2]), int(words[6])
 
-    @classmethod
-    def more(cls, tally, firmware, stream):
+    def more(self, tally, firmware, stream):
         """Sending and drawing overlap: a bus that takes no time saves less than the time on it."""
         free = stream + "-free"
-        cls.capture(firmware, free, "free")
-        (total, on_bus), (total_free, _) = cls.times(stream), cls.times(free)
+        self.capture(firmware, free, "free")
+        (total, on_bus), (total_free, _) = self.times(stream), self.times(free)
         waited = total - total_free
         print("  pico: %.1f ms in all, %.1f ms on the bus, of which the core waited for %.1f ms" % (
             total / 1e6, on_bus / 1e6, waited / 1e6))
@@ -132,15 +137,19 @@ class Traced:
     """A board in QEMU, which logs every write to a register: -trace memory_region_ops_write.
 
     The trace tells neither when a write came nor when a frame is done: the model gets all the time it may want before
-    each command, and a frame ends when so many pixel bytes have been sent as it has.
+    each command, and a frame ends when so many pixel bytes have been sent as it has. What clocks the bus is the board's;
+    by how much it is divided the trace tells.
     """
     WRITE = re.compile(r"addr 0x([0-9a-f]+) value 0x([0-9a-f]+)")
     machine, rotation = None, 0
-    clock = 1000000  # Hz, told to the model where the board's own is not traced
 
     def registers(self):
         """Registers that matter: {address: function of the value written, which calls self.byte or sets self.is_data}."""
         raise NotImplementedError
+
+    def divided_by(self, value):
+        """The bus takes its clock by so many of the clock that drives it."""
+        self.out.append("H %d" % (self.clock / value))
 
     def byte(self, value):
         if self.is_data is None or not self.selected:
@@ -149,10 +158,15 @@ class Traced:
             self.out.append("D %02x" % value)
             self.pixel_bytes += self.is_pixel
             if self.is_pixel and self.pixel_bytes % self.frame_bytes == 0:
-                self.out.append("P %s.ppm" % FRAMES[self.pixel_bytes // self.frame_bytes - 1])
+                self.end_frame(self.pixel_bytes // self.frame_bytes - 1)
         else:
             self.out += ["T 200000", "C %02x" % value]
             self.is_pixel = self.starts_pixels(value)
+
+    def end_frame(self, number):
+        if number >= len(self.names):
+            raise Died("pixels of more frames than the firmware names")
+        self.out.append("P %s.ppm" % self.names[number])
 
     @staticmethod
     def starts_pixels(command):
@@ -167,21 +181,22 @@ class Traced:
                 lines = list(iter(machine.line, None))
                 status = machine.process.wait(60)
             if status:
-                raise Died("exit status %d: %s" % (status, lines[-1:]))
-            registers = self.registers()
+                raise Died("exit status %d: %s" % (status, lines[-5:]))
+            registers, self.names = self.registers(), names_of(lines)
             with open(trace) as file:
                 for line in file:
                     write = self.WRITE.search(line)
                     if write and int(write[1], 16) in registers:
                         registers[int(write[1], 16)](int(write[2], 16))
         with open(stream, "w") as file:
-            file.write("R 1\nT 100000\nR 0\nH %d\n" % self.clock + "\n".join(self.out) + "\n")
+            file.write("R 1\nT 100000\nR 0\n" + "\n".join(self.out) + "\n")
         return lines
 
 
 class Mps2(Traced):
     """Arm MPS2: a PL022 and, in the FPGA, chip select (bit 0) and D/C (bit 4)."""
     module, width, height, format, rotation = "ili9341", 320, 240, "rgb565", 90
+    clock = 25000000
     frame_bytes = 2 * width * height
 
     def __init__(self, machine, data=0x40021008, misc=0x4002804c):
@@ -191,7 +206,7 @@ class Mps2(Traced):
         self.selected, self.is_data = not value & 1, bool(value & 16)
 
     def registers(self):
-        return {self.data: self.byte, self.misc: self.lines}
+        return {self.data: self.byte, self.data + 8: self.divided_by, self.misc: self.lines}
 
 
 class Stm32(Traced):
@@ -210,13 +225,17 @@ class Stm32(Traced):
         level = self.level(value, self.DATA_COMMAND)
         self.is_data = self.is_data if level is None else level
 
+    def control(self, value):
+        self.divided_by(2 << (value >> 3 & 7))
+
     def registers(self):
-        return {0x4001300c: self.byte, self.set_reset_a: self.port_a, self.set_reset_c: self.port_c}
+        return {0x40013000: self.control, 0x4001300c: self.byte, self.set_reset_a: self.port_a, self.set_reset_c: self.port_c}
 
 
 class NetduinoPlus2(Stm32):
     machine, set_reset_a, set_reset_c = "netduinoplus2", 0x40020018, 0x40020818
-    module, width, height, format = "st7789-240x320", 240, 320, "rgb565"
+    clock = 16000000  # its internal oscillator: the crystal does not start in QEMU
+    module, width, height, format, rotation = "st7789-240x320", 320, 240, "rgb565", 90
     frame_bytes = 2 * width * height
 
 
@@ -236,6 +255,7 @@ class Ssd1306(Traced):
 
 class Stm32VlDiscovery(Ssd1306, Stm32):
     machine, set_reset_a, set_reset_c = "stm32vldiscovery", 0x40010810, 0x40011010
+    clock = 8000000  # as above
 
 
 class Microbit(Ssd1306):
@@ -266,7 +286,7 @@ class Microbit(Ssd1306):
         return {0x50000508: self.set, 0x5000050c: self.clear}
 
 
-BOARDS = {"lm3s6965evb": Lm3s6965evb(), "pico": Pico, "netduinoplus2": NetduinoPlus2(), "stm32vldiscovery": Stm32VlDiscovery(), "microbit": Microbit(),
+BOARDS = {"lm3s6965evb": Lm3s6965evb(), "pico": Pico(), "netduinoplus2": NetduinoPlus2(), "stm32vldiscovery": Stm32VlDiscovery(), "microbit": Microbit(),
           "virt": Virt(),
           "mps2-an385": Mps2("mps2-an385"), "mps2-an385-m0": Mps2("mps2-an385"),
           "mps2-an386": Mps2("mps2-an386"), "mps2-an500": Mps2("mps2-an500"),
@@ -300,15 +320,20 @@ def compare(tally, name, shown, wanted):
     write_png(shown, os.path.splitext(shown)[0] + ".png")
 
 
-def run(arguments, tally, name, firmware, shown=()):
+def draw_on_host(program, host, board, directory):
+    """Draws what the board must show. @return the names of its pictures"""
+    return subprocess.run([host, program, str(board.width), str(board.height), board.format, directory],
+                          stdout=subprocess.PIPE, text=True, check=True).stdout.split()
+
+
+def run(arguments, tally, name, firmware, shown=(), program="show", frames=FRAMES):
     """Runs firmware and compares what it showed, (picture, the host's frame) each. @return what it wrote, line by line."""
     board = BOARDS[name]
     directory = os.path.join(arguments.output, name)
     host = os.path.join(directory, "host")
     os.makedirs(host)
-    drawn = subprocess.run([arguments.host, str(board.width), str(board.height), board.format, host],
-                           stdout=subprocess.PIPE, text=True)
-    tally.check(drawn.stdout.split() == FRAMES, "%s: the host drew %s" % (name, drawn.stdout.split()))
+    drawn = draw_on_host(program, arguments.host, board, host)
+    tally.check(drawn == frames, "%s: the host drew %s" % (name, drawn))
     stream = os.path.abspath(os.path.join(directory, "stream")) if board.module else directory
     try:
         lines = board.capture(firmware, stream)
@@ -320,7 +345,7 @@ def run(arguments, tally, name, firmware, shown=()):
         check_stack(tally, os.path.splitext(firmware)[0] + ".elf", line)
     if board.module:
         show_stream(arguments, tally, name, board, firmware, directory, stream, shown)
-    for picture, frame in shown or zip(FRAMES, FRAMES):
+    for picture, frame in shown or zip(frames, frames):
         compare(tally, "%s %s" % (name, picture), os.path.join(directory, picture + ".ppm"),
                 os.path.join(host, frame + ".ppm"))
     return lines
@@ -337,8 +362,10 @@ def show_stream(arguments, tally, name, board, firmware, directory, stream, show
         board.more(tally, firmware, stream)
 
 
-def read_arguments():
+def read_arguments(*flags):
     parser = argparse.ArgumentParser()
+    for flag in flags:
+        parser.add_argument(flag, action="store_true")
     for name in ("host", "stream", "output"):
         parser.add_argument("--" + name, required=True)
     parser.add_argument("firmware", nargs="+")

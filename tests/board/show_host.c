@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What examples/firmware/show_main.c must show on a display: show_host WIDTH HEIGHT FORMAT DIRECTORY writes
- * DIRECTORY/<name>-<frame>.ppm for each of its frames, levels expanded to 255, and prints their names.
+ * What firmware must show on a display: show_host PROGRAM WIDTH HEIGHT FORMAT DIRECTORY, PROGRAM `show` or `animate`
+ * (examples/firmware), writes DIRECTORY/<name>-<frame>.ppm for each frame, levels expanded to 255, and prints their
+ * names.
  */
+#include "firmware/animation.h"
 #include "picture.h"
 #include "turntable/turntable.h"
 
@@ -50,35 +52,60 @@ static int write_picture(const char *path, const picture *image) {
     return fclose(file) != 0 || failed;
 }
 
-static int draw(picture *image, turntable_model model, uint32_t frame, const char *directory) {
-    char path[512];
-    turntable table;
+typedef struct target {
+    int width, height;
+    const glint_format *format;
+    const char *directory;
+} target;
 
-    turntable_frame(&table, model, frame);
-    const glint_status status = picture_render(image, &table.scene, NULL, NULL);
-    snprintf(path, sizeof path, "%s/%s-%u.ppm", directory, turntable_name(model), (unsigned)frame);
-    if (status != GLINT_OK || write_picture(path, image)) {
+static int draw(const target *to, const glint_scene *scene, const char *name, uint32_t frame) {
+    char path[512];
+    picture image = picture_open(to->width, to->height, to->format);
+    const glint_status status = picture_render(&image, scene, NULL, NULL);
+
+    snprintf(path, sizeof path, "%s/%s-%u.ppm", to->directory, name, (unsigned)frame);
+    const int failed = status != GLINT_OK || write_picture(path, &image);
+    picture_close(&image);
+    if (failed) {
         fprintf(stderr, "%s: %s\n", path, glint_strerror(status));
-        return 1;
+    } else {
+        printf("%s-%u\n", name, (unsigned)frame);
     }
-    printf("%s-%u\n", turntable_name(model), (unsigned)frame);
-    return 0;
+    return failed;
 }
 
-int main(int argc, char **argv) {
-    const glint_format *format = argc == 5 ? find_format(argv[3]) : NULL;
+static int draw_show(const target *to) {
+    turntable table;
 
-    if (!format) {
-        fputs("show_host WIDTH HEIGHT rgb565|rgb444|mono|grey4 DIRECTORY\n", stderr);
-        return 2;
-    }
     for (uint32_t i = 0; i < TURNTABLE_MODELS * FRAMES; i++) {
-        picture image = picture_open(atoi(argv[1]), atoi(argv[2]), format);
-        const int failed = draw(&image, (turntable_model)(i / FRAMES), i % FRAMES, argv[4]);
-        picture_close(&image);
-        if (failed) {
+        const turntable_model model = (turntable_model)(i / FRAMES);
+        turntable_frame(&table, model, i % FRAMES);
+        if (draw(to, &table.scene, turntable_name(model), i % FRAMES)) {
             return 1;
         }
     }
     return 0;
+}
+
+static int draw_animate(const target *to) {
+    static example_stage stage;
+    const example_scene *scene;
+
+    for (uint32_t i = 0; (scene = animation_build(&stage, i, (uint16_t)to->width, (uint16_t)to->height)) != NULL; i++) {
+        if (draw(to, &stage.scene, scene->name, i % ANIMATION_FRAMES)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+int main(int argc, char **argv) {
+    const glint_format *format = argc == 6 ? find_format(argv[4]) : NULL;
+
+    if (!format) {
+        fputs("show_host show|animate WIDTH HEIGHT rgb565|rgb444|mono|grey4 DIRECTORY\n", stderr);
+        return 2;
+    }
+    const target to = {atoi(argv[2]), atoi(argv[3]), format, argv[5]};
+    return strcmp(argv[1], "animate") == 0 ? draw_animate(&to) : draw_show(&to);
 }

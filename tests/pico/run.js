@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Runs firmware of the Raspberry Pi Pico: node run.js FIRMWARE.bin [STREAM [BUS]]. Writes its text to stdout and ends
-// with its exit status; what goes over SPI0 goes to STREAM, as tests/panel/panel_stream.c reads it, with a picture asked
-// for at each checkpoint: P name-number.ppm. Before it stands a comment with the instructions that the core has taken,
-// "# instructions COUNT". The last line is a comment, "# nanoseconds TOTAL on the bus BUS". Where BUS is "free" bytes take
-// no time: the difference is what the core waited for the bus. Firmware that writes "bus: stopped", "slow", "broken",
+// Runs firmware of the Raspberry Pi Pico: node run.js FIRMWARE.bin [STREAM [BUS [FRAMES]]]. Writes its text to stdout and
+// ends with its exit status, or with 0 after so many frames; what goes over SPI0 goes to STREAM, as
+// tests/panel/panel_stream.c reads it, with a picture asked for at each checkpoint: P name-number.ppm. Before it stands a
+// comment with what the core has taken until then: "# instructions COUNT nanoseconds COUNT". The last line is a comment,
+// "# nanoseconds TOTAL on the bus BUS". Where BUS is "free" bytes take no time, else it is "real": the difference is what
+// the core waited for the bus. Firmware that writes "bus: stopped", "slow", "broken",
 // "reset" or "mended" gets it so a while later (tests/board/faults.c); after a reset it runs as far as its first
 // checkpoint, whose picture is reset-name-number.ppm.
 import fs from "node:fs";
@@ -25,7 +26,8 @@ const BYTES_UNTIL_FAULT = 300; // the window and some pixels
 const SLOWNESS = 100;
 const DMA_READ_ERROR = 1 << 30;
 
-const [image, stream, bus] = process.argv.slice(2);
+const [image, stream, bus, frames] = process.argv.slice(2);
+let framesLeft = Number(frames ?? Infinity);
 const mcu = new RP2040();
 const clock = mcu.clock;
 mcu.logger = new ConsoleLogger(LogLevel.Error);
@@ -149,9 +151,9 @@ const operations = {
       const shown = line.match(/^(\S+) (\d+) done$/);
       if (shown) {
         passTime();
-        note(`# instructions ${instructions}`);
+        note(`# instructions ${instructions} nanoseconds ${Math.round(clock.nanos)}`);
         note(`P ${wasReset ? "reset-" : ""}${shown[1]}-${shown[2]}.ppm`);
-        status = wasReset ? 0 : status;
+        status = wasReset || --framesLeft === 0 ? 0 : status;
       }
     }
     lastSign = clock.nanos;

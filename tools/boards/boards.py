@@ -67,7 +67,7 @@ def instructions_until(stream):
     """@return {picture: instructions that the core had taken when it was done}"""
     with open(stream) as file:
         return {picture: int(count) for count, picture in
-                re.findall(r"^# instructions (\d+)\nP (\S+)\.ppm$", file.read(), re.M)}
+                re.findall(r"^# instructions (\d+) nanoseconds \d+\nP (\S+)\.ppm$", file.read(), re.M)}
 
 
 def table_of_readme(build, table, stream):

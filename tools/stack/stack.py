@@ -83,9 +83,15 @@ def disassemble(tools, elf):
             current = functions.setdefault(int(head[1], 16), (head[2], []))
             continue
         body = re.match(r"^\s*([0-9a-f]+):\t(\S+)\s*(.*)$", line)
-        if body and current and not body[2].startswith("."):
+        if body and current and not body[2].startswith(".") and not is_return(current[1], body[2], body[3]):
             current[1].append((int(body[1], 16), body[2], body[3]))
     return functions
+
+
+def is_return(before, operation, operands):
+    """ARMv6-M returns by `pop {r3}`, `add sp, #8`, `bx r3` where arguments lie above the return address."""
+    return operation == "bx" and [line[1:] for line in before[-2:-1]] == [("pop", "{%s}" % operands)] and \
+        before[-1][1] == "add" and before[-1][2].startswith("sp,")
 
 
 def sources(tools, elf, addresses):
