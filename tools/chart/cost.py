@@ -67,5 +67,35 @@ def budgets(figures):
                    timing.cell(int(row["instructions"]) / 1e6), "%.2f" % (int(row["instructions"]) / exact)] for row in rows])
 
 
+# Columns of prices, and what they are called.
+PRICED = {"instructions_m0": "instructions, Cortex-M0", "instructions_m3": "Cortex-M3", "instructions_m4": "Cortex-M4",
+          "instructions_rv32": "RV32IMC", "cycles_m0": "cycles, Cortex-M0 that multiplies in 32", "cycles_m0plus": "Cortex-M0+",
+          "cycles_m3": "Cortex-M3", "cycles_m4": "Cortex-M4"}
+
+
+def prices(figures):
+    """What each item of a frame takes; items that add nothing are left out."""
+    def cell(row, column):
+        return "%.4g" % float(row[column]) if float(row[column]) < 1e4 else "%.0f" % float(row[column])
+    return table(["one", *PRICED.values()], [[row["one"]] + [cell(row, column) for column in PRICED] for row in figures.prices
+                                             if any(float(row[column]) for column in PRICED)])
+
+
+def judged_prices(figures):
+    """What they are off by on frames that they were not fitted to, percent."""
+    rows, errors = [], {column: [] for column in PRICED}
+    for name, variant in dict.fromkeys((row["name"], row["variant"]) for row in figures.judged_prices):
+        line = ["%s, %s" % (name, variant.replace(" local 32x32", ""))]
+        for column in PRICED:
+            error = one(figures.judged_prices, name=name, variant=variant, column=column)["error_percent"]
+            errors[column].append(abs(float(error)))
+            line.append(error)
+        rows.append(line)
+    for what, of in (("mean, without sign", lambda values: sum(values) / len(values)), ("worst", max)):
+        rows.append(["**%s**" % what] + ["**%.1f**" % of(errors[column]) for column in PRICED])
+    return table(["off by, %", *PRICED.values()], rows)
+
+
 BLOCKS = {"cost shading": choices(SHADING), "cost materials": choices(MATERIALS), "cost lights": choices(LIGHTS),
-          "cost formats": choices(FORMATS), "cost tiles": tiles, "cost budgets": budgets}
+          "cost formats": choices(FORMATS), "cost tiles": tiles, "cost budgets": budgets,
+          "cost prices": prices, "cost judged": judged_prices}
