@@ -109,6 +109,7 @@ void __wrap_glint_terms_draw(const glint_frame *frame, glint_workspace *workspac
     count(COUNTS_length_pixel, terms->is_over_length ? pixels : 0);
     count(COUNTS_side_pixel, pixels * sides);
     count(COUNTS_lobe_pixel, pixels * lobes);
+    count(COUNTS_wide_lobe_pixel, terms->light->lobe_is_wide ? pixels * lobes : 0);
     count(COUNTS_surface_pixel, terms->has_surface ? pixels : 0);
     __real_glint_terms_draw(frame, workspace, terms, polynomials, runs, run_count);
 }

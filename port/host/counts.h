@@ -65,6 +65,7 @@
     X(length_pixel, "one over the normal's length, more")                                     \
     X(side_pixel, "a light with terms of its own, at a pixel")                                \
     X(lobe_pixel, "a highlight at a pixel")                                                   \
+    X(wide_lobe_pixel, "one of a wide highlight, more")                                       \
     X(surface_pixel, "the surface's colours at a pixel")                                      \
     X(gamma_pixel, "a pixel through output tables")                                           \
     X(dithered_pixel, "a lit pixel dithered")                                                 \

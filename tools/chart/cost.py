@@ -81,21 +81,25 @@ def prices(figures):
                                              if any(float(row[column]) for column in PRICED)])
 
 
-def judged_prices(figures):
-    """What they are off by on frames that they were not fitted to, percent."""
-    rows, errors = [], {column: [] for column in PRICED}
-    for name, variant in dict.fromkeys((row["name"], row["variant"]) for row in figures.judged_prices):
-        line = ["%s, %s" % (name, variant.replace(" local 32x32", ""))]
-        for column in PRICED:
-            error = one(figures.judged_prices, name=name, variant=variant, column=column)["error_percent"]
-            errors[column].append(abs(float(error)))
-            line.append(error)
-        rows.append(line)
-    for what, of in (("mean, without sign", lambda values: sum(values) / len(values)), ("worst", max)):
-        rows.append(["**%s**" % what] + ["**%.1f**" % of(errors[column]) for column in PRICED])
-    return table(["off by, %", *PRICED.values()], rows)
+def judged_prices(columns, is_shown):
+    """What they are off by on frames that they were not fitted to, percent: those whose variant is shown."""
+    def block(figures):
+        judged = [row for row in figures.judged_prices if is_shown(row["variant"])]
+        rows, errors = [], {column: [float(row["error_percent"]) for row in only(judged, column=column)] for column in columns}
+        for name, variant in dict.fromkeys((row["name"], row["variant"]) for row in judged):
+            rows.append(["%s, %s" % (name, variant.replace(" local 32x32", ""))] +
+                        [one(judged, name=name, variant=variant, column=column)["error_percent"] for column in columns])
+        for what, of in (("mean, without sign", lambda values: sum(values) / len(values)), ("worst", max)):
+            rows.append(["**%s**" % what] + ["**%.1f**" % of(list(map(abs, errors[column]))) for column in columns])
+        return table(["off by, %"] + [PRICED[column] for column in columns], rows)
+    return block
+
+
+# Frames of the benchmark name size and tiles; pictures of the gallery have been counted on two cores.
+judged_frames = judged_prices(list(PRICED), lambda variant: " " in variant)
+judged_pictures = judged_prices(["instructions_m0", "instructions_m3"], lambda variant: " " not in variant)
 
 
 BLOCKS = {"cost shading": choices(SHADING), "cost materials": choices(MATERIALS), "cost lights": choices(LIGHTS),
           "cost formats": choices(FORMATS), "cost tiles": tiles, "cost budgets": budgets,
-          "cost prices": prices, "cost judged": judged_prices}
+          "cost prices": prices, "cost judged": judged_frames, "cost pictures": judged_pictures}

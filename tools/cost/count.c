@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * What the frames of the benchmark consist of, as CSV: the rows of docs/bench.csv that are frames of this library,
- * drawn in one pass, and of each what port/host/counts.h counts, the mean of its frames.
+ * drawn in one pass, and of each what port/host/counts.h counts, the mean of its frames; then the same of the pictures
+ * of docs/gallery-instructions.csv.
  */
 #include "counts.h"
 #include "framebuffer.h"
@@ -75,6 +76,13 @@ static glint_status begin(const workload *drawn, const way *how, glint_renderer 
     return glint_init(renderer, &config);
 }
 
+static void write_counts(const frame_counts *sum) {
+    for (int item = 0; item < COUNTS; item++) {
+        printf(",%.10g", sum->of[item]);
+    }
+    putchar('\n');
+}
+
 /* Writes a workload's row. @return 0, or 1 with a message */
 static int count_row(const workload *drawn, const way *how) {
     frame_counts sum = {.stats = {0}};
@@ -100,11 +108,43 @@ static int count_row(const workload *drawn, const way *how) {
     } else {
         printf("%s,%ux%u %s", drawn->scene, drawn->width, drawn->height, how->name);
     }
-    for (int item = 0; item < COUNTS; item++) {
-        printf(",%.10g", sum.of[item]);
-    }
-    putchar('\n');
+    write_counts(&sum);
     return 0;
+}
+
+/* Writes the row of a picture of the gallery: a first frame. @return 0, or 1 with a message */
+static int count_picture(const example_scene *scene, uint32_t variant) {
+    static const workload_output rgb565 = {"", &glint_format_rgb565, 0, 0};
+    const char *const name = scene->variants[variant].name;
+    const workload drawn = {.scene = scene->name,
+                            .look = name,
+                            .width = scene->width,
+                            .height = scene->height,
+                            .frames = 1,
+                            .output = &rgb565};
+    frame_counts sum = {.stats = {0}};
+    glint_renderer renderer;
+    scene->build(&stage.example, variant, 0);
+    const glint_status status = begin(&drawn, &as_ever, &renderer);
+    if (status != GLINT_OK) {
+        return fail(&drawn, glint_strerror(status));
+    }
+    if (add_frame(&drawn, &renderer, &sum)) {
+        return 1;
+    }
+    printf("%s,%s", scene->name, name);
+    write_counts(&sum);
+    return 0;
+}
+
+static int count_gallery(void) {
+    int failed = 0;
+    for (size_t i = 0; i < EXAMPLE_SCENES && !failed; i++) {
+        for (uint32_t variant = 0; variant < example_scenes[i]->variant_count && !failed; variant++) {
+            failed = count_picture(example_scenes[i], variant);
+        }
+    }
+    return failed;
 }
 
 int main(void) {
@@ -123,5 +163,6 @@ int main(void) {
             failed = count_row(&drawn, &ways[j]);
         }
     }
+    failed = failed || count_gallery();
     return failed || ferror(stdout) || fflush(stdout);
 }
