@@ -153,9 +153,12 @@ def check(frames):
     tally = Tally()
     check_solver(tally)
     rows = rows_of(text_of(PRICES))
-    tally.check([(row["item"], row["one"]) for row in rows] == items(), "%s has other items than %s: make prices" % (PRICES, ITEMS))
+    tally.check([(row["item"], row["one"]) for row in rows] == items(), "%s has other items than %s: make prices, then make chart" % (PRICES, ITEMS))
     tally.check(text_of(HEADER) == header_text(rows), "%s is not made from %s: make prices" % (HEADER, PRICES))
     judged = rows_of(judged_text(frames, rows))
+    kept = rows_of(text_of(JUDGED_FILE))
+    tally.check([{**row, "error_percent": ""} for row in kept] == [{**row, "error_percent": ""} for row in judged],
+                "%s tells of other frames than were emulated: make prices, then make chart" % JUDGED_FILE)
     for name, variant in (*JUDGED, *frames.pictures):
         worst = max((row for row in judged if (row["name"], row["variant"]) == (name, variant)),
                     key=lambda row: abs(float(row["error_percent"])))
