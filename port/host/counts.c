@@ -18,7 +18,7 @@ WATCHED(glint_draw_facet);
 WATCHED(glint_draw_lit);
 WATCHED(glint_terms_begin);
 WATCHED(glint_shape_begin);
-WATCHED(glint_terms_draw);
+WATCHED(glint_terms_draw_part);
 WATCHED(glint_polynomial_begin);
 WATCHED(glint_prepare_shading);
 WATCHED(glint_fast_make_tables);
@@ -77,12 +77,35 @@ void __wrap_glint_nodes_light(const glint_frame *frame, const glint_shading *sha
     __real_glint_nodes_light(frame, shading, at, lights, lobes, nodes);
 }
 
+/* Counts what a part is drawn by, unless the format's own loop does that. */
+static void count_terms(const glint_terms *terms, const glint_part *part) {
+    const uint32_t pixels = glint_covered_by(part);
+    uint32_t sides = 0, lobes = 0;
+    if (terms->is_fused) {
+        return;
+    }
+    for (uint32_t i = 0; i < terms->apart_count; i++) {
+        sides += terms->apart[i].kinds >> GLINT_SIDE & 1;
+        lobes += terms->apart[i].kinds >> GLINT_LOBE_X & 1;
+    }
+    count(COUNTS_term_row, part->bottom - part->top);
+    count(COUNTS_term_pixel, pixels);
+    count(COUNTS_length_pixel, terms->is_over_length ? pixels : 0);
+    count(COUNTS_side_pixel, pixels * sides);
+    count(COUNTS_lobe_pixel, pixels * lobes);
+    count(COUNTS_wide_lobe_pixel, terms->light->lobe_is_wide ? pixels * lobes : 0);
+    count(COUNTS_surface_pixel, terms->has_surface ? pixels : 0);
+}
+
 int __wrap_glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
                              const glint_part *part, glint_terms *terms, glint_polynomials *polynomials) {
     const int fits = __real_glint_terms_begin(frame, draw, triangle, part, terms, polynomials);
     count(COUNTS_region, 1);
-    count(COUNTS_curved_region, fits && terms->is_curved);
-    count(COUNTS_polynomial, fits ? terms->end : 0);
+    if (fits) {
+        count(COUNTS_curved_region, terms->is_curved);
+        count(COUNTS_polynomial, terms->end);
+        count_terms(terms, part);
+    }
     return fits;
 }
 
@@ -94,24 +117,12 @@ int __wrap_glint_shape_begin(const glint_frame *frame, const glint_draw *draw, c
     return fits;
 }
 
-void __wrap_glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
-                             const glint_descent *polynomials, const glint_run *runs, uint32_t run_count) {
-    uint32_t pixels = 0, sides = 0, lobes = 0;
-    for (uint32_t i = 0; i < run_count; i++) {
-        pixels += runs[i].count;
-    }
-    for (uint32_t i = 0; i < terms->apart_count; i++) {
-        sides += terms->apart[i].kinds >> GLINT_SIDE & 1;
-        lobes += terms->apart[i].kinds >> GLINT_LOBE_X & 1;
-    }
-    count(COUNTS_run, run_count);
-    count(COUNTS_sum_pixel, pixels);
-    count(COUNTS_length_pixel, terms->is_over_length ? pixels : 0);
-    count(COUNTS_side_pixel, pixels * sides);
-    count(COUNTS_lobe_pixel, pixels * lobes);
-    count(COUNTS_wide_lobe_pixel, terms->light->lobe_is_wide ? pixels * lobes : 0);
-    count(COUNTS_surface_pixel, terms->has_surface ? pixels : 0);
-    __real_glint_terms_draw(frame, workspace, terms, polynomials, runs, run_count);
+/* Of squares and pieces: it is per_node.c itself that calls it after glint_terms_begin. */
+void __wrap_glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                                  const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
+                                  const glint_polynomials *polynomials) {
+    count_terms(terms, part);
+    __real_glint_terms_draw_part(frame, workspace, draw, triangle, part, terms, polynomials);
 }
 
 glint_status __wrap_glint_prepare_shading(const glint_frame *frame, glint_shading *shading,

@@ -60,8 +60,8 @@
     X(shape, "a square or a piece for which they are tried")                                  \
     X(polynomial, "a polynomial of any of these")                                             \
     X(quadratic, "a quadratic through corners and middles, more")                             \
-    X(run, "a run of pixels drawn term by term")                                              \
-    X(sum_pixel, "a pixel of such a run")                                                     \
+    X(term_row, "a row of a part, a square or a piece drawn term by term")                    \
+    X(term_pixel, "a pixel of such a row")                                                    \
     X(length_pixel, "one over the normal's length, more")                                     \
     X(side_pixel, "a light with terms of its own, at a pixel")                                \
     X(lobe_pixel, "a highlight at a pixel")                                                   \

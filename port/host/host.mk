@@ -18,7 +18,7 @@ HOST_READER_SOURCES := $(addprefix port/host/,obj.c mesh.c polygon.c normals.c t
 
 # Calls between the library's files that pass through counts.c.
 HOST_WATCHED := glint_render_tile glint_light_all glint_gathering_store glint_draw_facet glint_draw_lit glint_nodes_light \
-    glint_terms_begin glint_shape_begin glint_terms_draw glint_polynomial_begin glint_prepare_shading \
+    glint_terms_begin glint_shape_begin glint_terms_draw_part glint_polynomial_begin glint_prepare_shading \
     glint_fast_make_tables
 HOST_WATCH := $(HOST_WATCHED:%=-Wl,--wrap=%)
 

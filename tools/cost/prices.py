@@ -153,7 +153,9 @@ def check(frames):
     tally = Tally()
     check_solver(tally)
     rows = rows_of(text_of(PRICES))
-    tally.check([(row["item"], row["one"]) for row in rows] == items(), "%s has other items than %s: make prices, then make chart" % (PRICES, ITEMS))
+    if not tally.check([(row["item"], row["one"]) for row in rows] == items(),
+                       "%s has other items than %s: make prices, then make chart" % (PRICES, ITEMS)):
+        return tally.close()
     tally.check(text_of(HEADER) == header_text(rows), "%s is not made from %s: make prices" % (HEADER, PRICES))
     judged = rows_of(judged_text(frames, rows))
     kept = rows_of(text_of(JUDGED_FILE))
