@@ -7,6 +7,7 @@
 #ifndef GLINT_HOST_COMMAND_H
 #define GLINT_HOST_COMMAND_H
 
+#include "counts.h"
 #include "load.h"
 #include "quantise.h"
 #include "settings.h"
@@ -40,7 +41,7 @@ int command_fail(const char *file, const host_problem *problem);
 bool command_load(const host_settings *settings, bool scaled, host_model *model, quantised_mesh *mesh);
 
 /** Prints what a frame took, a name and a value a line. */
-void command_print_stats(const glint_stats *stats, const framebuffer *target, const host_settings *settings);
+void command_print_stats(const frame_counts *counts, const framebuffer *target, const host_settings *settings);
 
 /** Writes a picture, expanded from the settings' size and format, to their output. @return false with a problem */
 bool command_write_png(const uint8_t *picture, const host_settings *settings, host_problem *problem);

@@ -98,11 +98,11 @@ static bool draw_view(const host_settings *settings, const quantised_mesh *mesh,
                       host_problem *problem) {
     host_view view;
     framebuffer target;
-    glint_stats stats;
+    frame_counts counts;
     if (!view_make(&view, settings, mesh, problem)) {
         return false;
     }
-    const bool drawn = view_draw(&view.scene, settings, &target, &stats, problem);
+    const bool drawn = view_draw(&view.scene, settings, &target, &counts, problem);
     view_free(&view);
     if (drawn) {
         place_picture(&target, cell, sheet);

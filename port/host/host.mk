@@ -16,11 +16,17 @@ BARE_OBJECTS    := $(filter-out %/main.o %/scene.o,$(HOST_OBJECTS)) $(BUILD)/hos
 HOST_READER_SOURCES := $(addprefix port/host/,obj.c mesh.c polygon.c normals.c topology.c quantise.c cluster.c patch.c \
     number.c memory.c problem.c)
 
+# Calls between the library's files that pass through counts.c.
+HOST_WATCHED := glint_render_tile glint_light_all glint_gathering_store glint_draw_facet glint_draw_lit glint_nodes_light \
+    glint_terms_begin glint_shape_begin glint_terms_draw_part glint_polynomial_begin glint_prepare_shading \
+    glint_fast_make_tables
+HOST_WATCH := $(HOST_WATCHED:%=-Wl,--wrap=%)
+
 .PHONY: host demo meshes test-host-cli
 
 host: $(HOST_PROGRAM) ## the glint program for this machine
 
-$(BUILD)/host/port/%.o: port/host/%.c $(wildcard port/host/*.h) src/glint.h examples/scenes/scenes.h
+$(BUILD)/host/port/%.o: port/host/%.c $(wildcard port/host/*.h src/*/*.h) src/glint.h examples/scenes/scenes.h
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -c $< -o $@
 
@@ -33,10 +39,10 @@ $(BUILD)/host/scenes/%.o: examples/scenes/%.c $(wildcard examples/scenes/*.h exa
 	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -c $< -o $@
 
 $(HOST_PROGRAM): $(HOST_OBJECTS) $(SCENE_OBJECTS) $(BUILD)/host/libglint.a
-	$(Q)$(CC) $(HOST_CFLAGS) $^ -lm -o $@
+	$(Q)$(CC) $(HOST_CFLAGS) $(HOST_WATCH) $^ -lm -o $@
 
 $(HOST_CONVERTER): $(BARE_OBJECTS) $(BUILD)/host/libglint.a
-	$(Q)$(CC) $(HOST_CFLAGS) $^ -lm -o $@
+	$(Q)$(CC) $(HOST_CFLAGS) $(HOST_WATCH) $^ -lm -o $@
 
 demo: $(HOST_PROGRAM) ## draw a sheet of models and name its file
 	@$(HOST_PROGRAM) demo -o $(BUILD)/demo.png

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "command.h"
 
+#include "cost.h"
 #include "view.h"
 
 #include <stdio.h>
@@ -82,6 +83,28 @@ static bool print_panel(const struct info_panel *panel, const host_settings *set
     return true;
 }
 
+/** Draws the framed model once, and prints what a board would take for it. @return false with a problem */
+static bool print_cost(const host_settings *settings, const quantised_mesh *mesh, host_problem *problem) {
+    host_settings framed = *settings;
+    framed.format = framebuffer_find_format("rgb565", NULL);
+    framed.stats = true;
+    host_view view;
+    if (!view_make(&view, &framed, mesh, problem)) {
+        return false;
+    }
+    framebuffer target;
+    frame_counts counts;
+    const bool drawn = view_draw(&view.scene, &framed, &target, &counts, problem);
+    view_free(&view);
+    if (drawn) {
+        framebuffer_free(&target);
+        printf("\nA frame of it, framed, %ux%u in rgb565, lit at fragments by one directional light:\n", framed.width,
+               framed.height);
+        cost_print(&counts);
+    }
+    return drawn;
+}
+
 int command_info(const host_settings *settings) {
     host_model model;
     quantised_mesh mesh;
@@ -98,6 +121,7 @@ int command_info(const host_settings *settings) {
     for (size_t i = 0; ok && i < sizeof panels / sizeof panels[0]; i++) {
         ok = print_panel(&panels[i], settings, &mesh, &problem);
     }
+    ok = ok && print_cost(settings, &mesh, &problem);
     quantised_free(&mesh);
     if (ok) {
         problem_print_warnings(settings->model, &model.warnings);

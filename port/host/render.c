@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "command.h"
 
+#include "cost.h"
 #include "view.h"
 
 #include <stdio.h>
@@ -33,7 +34,8 @@ static void print_drawn(const glint_drawn *drawn) {
     }
 }
 
-void command_print_stats(const glint_stats *stats, const framebuffer *target, const host_settings *settings) {
+void command_print_stats(const frame_counts *counts, const framebuffer *target, const host_settings *settings) {
+    const glint_stats *stats = &counts->stats;
     printf("passes %lu\n", (unsigned long)stats->passes);
     printf("tiles %lu\n", (unsigned long)stats->tiles);
     printf("vertices %lu\n", (unsigned long)stats->vertices);
@@ -46,6 +48,7 @@ void command_print_stats(const glint_stats *stats, const framebuffer *target, co
     printf("arena_used %lu\n", (unsigned long)stats->arena_used);
     print_drawn(stats->drawn);
     printf("bytes_sent %llu\n", (unsigned long long)target->bytes_sent);
+    cost_print(counts);
     print_times(settings, target->bytes_sent);
 }
 
@@ -56,8 +59,8 @@ static int render(const host_settings *settings, const quantised_mesh *mesh) {
         return command_fail(NULL, &problem);
     }
     framebuffer target;
-    glint_stats stats;
-    const bool drawn = view_draw(&view.scene, settings, &target, &stats, &problem);
+    frame_counts counts;
+    const bool drawn = view_draw(&view.scene, settings, &target, &counts, &problem);
     view_free(&view);
     if (!drawn) {
         return command_fail(NULL, &problem);
@@ -66,7 +69,7 @@ static int render(const host_settings *settings, const quantised_mesh *mesh) {
     const bool written = command_write_png(picture, settings, &problem);
     free(picture);
     if (written && settings->stats) {
-        command_print_stats(&stats, &target, settings);
+        command_print_stats(&counts, &target, settings);
     }
     framebuffer_free(&target);
     return written ? 0 : command_fail(settings->output, &problem);

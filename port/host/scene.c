@@ -91,10 +91,10 @@ static bool check(const host_settings *settings, host_problem *problem) {
 /* ---- Pictures --------------------------------------------------------------------------------------------------- */
 
 static bool draw_frame(const chosen_scene *chosen, uint32_t frame, const host_settings *settings, framebuffer *target,
-                       glint_stats *stats, host_problem *problem) {
+                       frame_counts *counts, host_problem *problem) {
     example_stage *stage = memory_new(1, sizeof *stage);
     chosen->scene->build(stage, chosen->variant, frame % chosen->scene->frames);
-    const bool ok = view_draw(&stage->scene, settings, target, stats, problem);
+    const bool ok = view_draw(&stage->scene, settings, target, counts, problem);
     free(stage);
     return ok;
 }
@@ -112,16 +112,16 @@ static uint8_t *expand(const chosen_scene *chosen, const host_settings *settings
 
 static int draw_still(const chosen_scene *chosen, const host_settings *settings) {
     framebuffer target;
-    glint_stats stats;
+    frame_counts counts;
     host_problem problem;
-    if (!draw_frame(chosen, settings->frame, settings, &target, &stats, &problem)) {
+    if (!draw_frame(chosen, settings->frame, settings, &target, &counts, &problem)) {
         return command_fail(NULL, &problem);
     }
     uint8_t *picture = expand(chosen, settings, &target);
     const bool written = command_write_png(picture, settings, &problem);
     free(picture);
     if (written && settings->stats) {
-        command_print_stats(&stats, &target, settings);
+        command_print_stats(&counts, &target, settings);
     }
     framebuffer_free(&target);
     return written ? 0 : command_fail(settings->output, &problem);
@@ -132,9 +132,9 @@ static uint32_t draw_frames(const chosen_scene *chosen, const host_settings *set
                             host_problem *problem) {
     for (uint32_t i = 0; i < settings->animate; i++) {
         framebuffer target;
-        glint_stats stats;
+        frame_counts counts;
         const uint64_t frame = (uint64_t)i * chosen->scene->frames / settings->animate;
-        if (!draw_frame(chosen, (uint32_t)frame, settings, &target, &stats, problem)) {
+        if (!draw_frame(chosen, (uint32_t)frame, settings, &target, &counts, problem)) {
             return i;
         }
         pictures[i] = expand(chosen, settings, &target);

@@ -257,13 +257,12 @@ void view_free(host_view *view) {
 
 /* ---- Drawing ---------------------------------------------------------------------------------------------------- */
 
-static glint_status draw(const glint_scene *scene, glint_config *config, glint_stats *stats) {
+static glint_status draw(const glint_scene *scene, glint_config *config, frame_counts *counts) {
     glint_renderer renderer;
     config->arena = memory_new(config->arena_size, 1);
     glint_status status = glint_init(&renderer, config);
     if (status == GLINT_OK) {
-        status = glint_render(&renderer, scene);
-        *stats = renderer.stats;
+        status = counts_render(&renderer, scene, counts);
     }
     free(config->arena);
     return status;
@@ -291,7 +290,7 @@ static glint_config configure(const host_settings *settings, uint16_t tables[3][
     return config;
 }
 
-bool view_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, glint_stats *stats,
+bool view_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, frame_counts *counts,
                host_problem *problem) {
     uint16_t tables[3][GLINT_GAMMA_ENTRIES];
     glint_config config = configure(settings, tables);
@@ -301,7 +300,7 @@ bool view_draw(const glint_scene *scene, const host_settings *settings, framebuf
     glint_status status = glint_arena_need(&config, scene, &need);
     config.arena_size = settings->arena > 0 ? settings->arena : need.one_pass;
     if (status == GLINT_OK) {
-        status = draw(scene, &config, stats);
+        status = draw(scene, &config, counts);
     }
     if (status == GLINT_OK) {
         return true;

@@ -6,6 +6,7 @@
 #ifndef GLINT_HOST_VIEW_H
 #define GLINT_HOST_VIEW_H
 
+#include "counts.h"
 #include "quantise.h"
 #include "settings.h"
 
@@ -31,8 +32,9 @@ void view_free(host_view *view);
 /**
  * Draws a scene with the settings' size, format, tiles and arena.
  * @param target set up by this, the caller frees it; untouched when the result is false
+ * @param counts of parts and pixels only where the settings ask for statistics
  */
-bool view_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, glint_stats *stats,
+bool view_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, frame_counts *counts,
                host_problem *problem);
 
 #endif

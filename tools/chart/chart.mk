@@ -89,6 +89,7 @@ modelled: $(BUILD)/modelled.csv $(BUILD)/modelled-instructions.csv ## measure wh
 
 figures: $(BUILD)/bench.csv $(BUILD)/accuracy.csv frame-figures modelled ## measure all that charts and pages show, keep it in docs, and draw it
 	cp $(BUILD)/bench.csv $(BUILD)/bench-arena.csv $(BUILD)/accuracy.csv docs/
+	@$(MAKE) --no-print-directory prices
 	@$(MAKE) --no-print-directory chart
 
 chart: ## draw the charts of docs/charts and the tables of docs/accuracy.md from the CSV files kept in docs

@@ -78,6 +78,8 @@ class Figures:
         self.modelled_counts = read(directory, "modelled-instructions.csv")
         self.scaling = read(os.path.join(directory, "charts"), "scaling.csv")
         self.parts = read(directory, "parts.csv")
+        self.prices = read(directory, "prices.csv")
+        self.judged_prices = read(directory, "prices-judged.csv")
         self.arena = read(os.path.join(directory, "charts"), "arena.csv")
 
     def cpus(self, rows):
