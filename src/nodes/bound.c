@@ -133,8 +133,7 @@ void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const gl
             continue;
         glint_apart *to = &terms->apart[terms->apart_count++];
         const uint32_t side = region->sides >> l & 1, cone = region->cones >> l & 1, lobe = region->lobes >> l & 1,
-                       strength = lobe && frame->view->lights[l].type->illuminate,
-                       narrow = lobe && !shading->terms->lobe_is_wide;
+                       strength = lobe & shading->terms->placed >> l, narrow = lobe && !shading->terms->lobe_is_wide;
         to->light = (uint8_t)l;
         to->first = (uint8_t)next;
         to->kinds = (uint8_t)(side << GLINT_SIDE | cone << GLINT_CONE | strength << GLINT_STRENGTH |
@@ -183,7 +182,6 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
     region->turn = (uint32_t)glint_least((int32_t)region->turn, 1 << 13);
     region->held = region->lit;
     region->sides = lights & ~region->lit & ~dark;
-    region->cones = 0;
     region->near = find_near(region, closeness);
     if (region->sides)
         region->near = (uint32_t)glint_least((int32_t)from_anywhere(region->near), (int32_t)near);
@@ -195,14 +193,12 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
         region->near = near;
     }
     const uint32_t lobes = shading->terms->lobes & ~away & (ungated ? ~0u : region->held | region->sides);
-    for (uint32_t l = 0, shown = region->held | region->sides | lobes; shown >> l; l++)
-        if (shown >> l & 1 && frame->view->lights[l].type->has_cone) {
-            if (may_end) {
-                region->sides |= 1u << l;
-                region->held &= ~(1u << l);
-            }
-            region->cones |= ~region->held & 1u << l;
-        }
+    const uint32_t cones = shading->terms->cones & (region->held | region->sides | lobes);
+    if (may_end) {
+        region->sides |= cones;
+        region->held &= ~cones;
+    }
+    region->cones = cones & ~region->held;
     region->axis = lobes ? turn_of_axis(frame, region) : 0;
     return lobes;
 }

@@ -55,14 +55,10 @@ static uint32_t find_colour(const glint_shape *shape, glint_node *const nodes[])
 
 static int place_shape_lobe(const glint_lobe_bounds *bounds, const glint_shape *shape, glint_node *const nodes[],
                             uint32_t l) {
-    uint32_t common = 0xff, any = 0;
-    for (uint32_t i = 0; i < shape->count && (common || bounds->is_wide); i++) {
-        const uint32_t code =
-            glint_lobe_code(bounds, nodes[i]->number[l][GLINT_LOBE_X], nodes[i]->number[l][GLINT_LOBE_Y]);
-        common &= code;
-        any |= code;
-    }
-    return glint_place_lobe(common, any);
+    glint_lobe_range range = glint_lobe_range_of(nodes[0]->number[l][GLINT_LOBE_X], nodes[0]->number[l][GLINT_LOBE_Y]);
+    for (uint32_t i = 1; i < shape->count; i++)
+        glint_lobe_range_take(&range, nodes[i]->number[l][GLINT_LOBE_X], nodes[i]->number[l][GLINT_LOBE_Y]);
+    return glint_place_lobe(bounds, &range);
 }
 
 /* Does a light keep its side all over a region, whatever its polynomial is off by? */

@@ -263,12 +263,10 @@ static int is_shapely(const glint_triangle *triangle, const glint_part *part) {
 }
 
 /* May middles be found from the corners? */
-static int is_between(const glint_frame *frame, const glint_shading *shading, const glint_region *region) {
-    uint32_t positions = 0;
+static int is_between(const glint_shading *shading, const glint_region *region) {
     const uint32_t lobes = region->lobes | region->summed;
-    for (uint32_t l = 0, shown = region->held | region->sides | lobes; shown >> l; l++)
-        positions |= shown >> l & 1 && frame->view->lights[l].type->illuminate;
-    return !positions && !(lobes && shading->material->model->lobe == GLINT_LOBE_MIRROR) && region->turn < 3072;
+    return !(shading->terms->placed & (region->held | region->sides | lobes)) &&
+           !(lobes && shading->material->model->lobe == GLINT_LOBE_MIRROR) && region->turn < 3072;
 }
 
 /* Polynomials that are close enough: none, planes, quadratics, or quadratics over length. */
@@ -288,7 +286,7 @@ static int choose_fit(const glint_frame *frame, const glint_shading *shading, gl
                    most = is_over_length ? limit : 2 * limit;
     if (error > most)
         return FIT_NONE;
-    t->is_between = error + region->error_between <= most && is_between(frame, shading, region);
+    t->is_between = error + region->error_between <= most && is_between(shading, region);
     return is_over_length ? FIT_OVER_LENGTH : FIT_QUADRATICS;
 }
 

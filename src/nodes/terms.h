@@ -34,6 +34,7 @@ typedef struct glint_light_terms {
     uint32_t channels;       /* of a node's sum: 1 where all diffuse light is of one chroma, else 3 */
     unsigned sum_bits;       /* sums are below this power of two */
     uint32_t lobes;          /* bit i: light i has a highlight that is a term of its own */
+    uint32_t placed, cones;  /* it has a position; and a cone */
     uint8_t at[GLINT_LIGHTS_MAX][GLINT_NUMBERS]; /* where a vertex keeps a light's numbers */
     uint32_t light_count, shown;                 /* of the scene, and those of them that show */
     uint32_t stride;                             /* numbers that a vertex keeps */
@@ -190,24 +191,52 @@ typedef struct glint_lobe_bounds {
 /** @param bulge how far deviations between nodes may lie beyond those of nodes */
 glint_lobe_bounds glint_find_lobe_bounds(const glint_shading *shading, int32_t bulge);
 
-/** Is a cosine at the edge? */
-#define GLINT_LOBE_AT_EDGE 0x100u
+/** Least and most of numbers. */
+typedef struct glint_interval {
+    int32_t least, most;
+} glint_interval;
 
-/** The sides that a node's deviation lies beyond, by bits. */
-static inline uint32_t glint_lobe_code(const glint_lobe_bounds *of, int32_t x, int32_t y) {
-    if (of->is_wide)
-        return (x < of->below) | (x < of->edge ? GLINT_LOBE_AT_EDGE : 0);
-    return (uint32_t)((x >= of->straight) | (x <= -of->straight) << 1 | (y >= of->straight) << 2 |
-                      (y <= -of->straight) << 3 | (x + y >= of->diagonal) << 4 | (x + y <= -of->diagonal) << 5 |
-                      (x - y >= of->diagonal) << 6 | (x - y <= -of->diagonal) << 7);
+static inline void glint_interval_take(glint_interval *range, int32_t x) {
+    range->least = glint_least(range->least, x);
+    range->most = glint_most(range->most, x);
+}
+
+/** Where deviations of some nodes lie: along x and y, and along the diagonals. Of wide lobes x is all there is. */
+typedef struct glint_lobe_range {
+    glint_interval x, y, rising, falling;
+} glint_lobe_range;
+
+/** That of one node. */
+static inline glint_lobe_range glint_lobe_range_of(int32_t x, int32_t y) {
+    return (glint_lobe_range){{x, x}, {y, y}, {x + y, x + y}, {x - y, x - y}};
+}
+
+/** And of one more. */
+static inline void glint_lobe_range_take(glint_lobe_range *range, int32_t x, int32_t y) {
+    glint_interval_take(&range->x, x);
+    glint_interval_take(&range->y, y);
+    glint_interval_take(&range->rising, x + y);
+    glint_interval_take(&range->falling, x - y);
+}
+
+/** Are all numbers beyond one side? */
+static inline int glint_is_beyond(const glint_interval *range, int32_t radius) {
+    return range->least >= radius || range->most <= -radius;
 }
 
 /** Between nodes a highlight shows, or not, or unclear. */
 enum { GLINT_LOBE_OUTSIDE, GLINT_LOBE_SHOWS, GLINT_LOBE_EDGE, GLINT_LOBE_UNFIT };
 
-/** That, of nodes whose codes have these bits in common, and these at all. */
-static inline int glint_place_lobe(uint32_t common, uint32_t any) {
-    return common & 0xff ? GLINT_LOBE_OUTSIDE : any & GLINT_LOBE_AT_EDGE ? GLINT_LOBE_EDGE : GLINT_LOBE_SHOWS;
+/** That, between nodes whose deviations lie so. */
+static inline int glint_place_lobe(const glint_lobe_bounds *of, const glint_lobe_range *at) {
+    if (of->is_wide)
+        return at->x.most < of->below   ? GLINT_LOBE_OUTSIDE
+               : at->x.least < of->edge ? GLINT_LOBE_EDGE
+                                        : GLINT_LOBE_SHOWS;
+    return glint_is_beyond(&at->x, of->straight) || glint_is_beyond(&at->y, of->straight) ||
+                   glint_is_beyond(&at->rising, of->diagonal) || glint_is_beyond(&at->falling, of->diagonal)
+               ? GLINT_LOBE_OUTSIDE
+               : GLINT_LOBE_SHOWS;
 }
 
 /** What becomes of those lobes among some that lie so. */

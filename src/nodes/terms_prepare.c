@@ -203,7 +203,7 @@ static void set_lobes(const glint_frame *frame, const glint_shading *shading, gl
 /* Where a vertex keeps what: terms.c. */
 static void place_numbers(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
     uint32_t at = terms->channels + GLINT_KEPT;
-    terms->shown = 0;
+    terms->shown = terms->placed = terms->cones = 0;
     for (uint32_t i = 0; i < frame->scene->light_count; i++) {
         const glint_light_type *type = frame->scene->lights[i].type;
         const uint32_t side = shading->lights >> i & 1, lobe = terms->lobes >> i & 1;
@@ -211,6 +211,8 @@ static void place_numbers(const glint_frame *frame, const glint_shading *shading
         const uint32_t kept = side << GLINT_SIDE | has_cone << GLINT_CONE | has_strength << GLINT_STRENGTH |
                               lobe << GLINT_LOBE_X | (lobe & (uint32_t)!terms->lobe_is_wide) << GLINT_LOBE_Y;
         terms->shown += side;
+        terms->placed |= (uint32_t)(type->illuminate != 0) << i;
+        terms->cones |= (uint32_t)(type->has_cone != 0) << i;
         for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++) {
             terms->at[i][kind] = (uint8_t)(kept >> kind & 1 ? at : 0);
             at += kept >> kind & 1;

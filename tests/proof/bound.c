@@ -40,6 +40,8 @@ static void any_material(void) {
     terms.lobe_is_wide = (uint8_t)ANY(0, 1);
     terms.lobe_has_strip = (uint8_t)ANY(0, 1);
     terms.lobes = ANY_UNSIGNED(0, 0xff);
+    terms.placed = ANY_UNSIGNED(0, 0xff);
+    terms.cones = ANY_UNSIGNED(0, 0xff);
     terms.lobe_cut = ANY(0, 4098);
     terms.lobe_diagonal = ANY(0, 5800);
     terms.lobe_shift = ANY_UNSIGNED(0, 12);
@@ -209,19 +211,30 @@ PROOF(glint_find_lobe_bounds) {
     glint_find_lobe_bounds(&shading, ANY(0, 0x20000000));
 }
 
-/* Deviations of 15 bits and a sign, any bounds. */
-PROOF(glint_lobe_code) {
+/* Deviations of 15 bits and a sign. */
+PROOF(glint_lobe_range_take) {
+    glint_lobe_range range = glint_lobe_range_of(ANY_SHORT, ANY_SHORT);
+    glint_lobe_range_take(&range, ANY_SHORT, ANY_SHORT);
+}
+
+static void any_range(glint_interval *range) {
+    range->least = ANY(-0x10000, 0xffff);
+    range->most = ANY(-0x10000, 0xffff);
+}
+
+/* Any deviations, any bounds. */
+PROOF(glint_place_lobe) {
     glint_lobe_bounds of;
+    glint_lobe_range range;
     of.is_wide = (uint8_t)ANY(0, 1);
     of.straight = of.diagonal = ANY(0, 0x30002000);
     of.below = ANY(INT32_MIN, INT32_MAX);
     of.edge = ANY(INT32_MIN, INT32_MAX);
-    glint_lobe_code(&of, ANY_SHORT, ANY_SHORT);
-}
-
-/* Any codes. */
-PROOF(glint_place_lobe) {
-    const int place = glint_place_lobe(ANY_UNSIGNED(0, 0x1ff), ANY_UNSIGNED(0, 0x1ff));
+    any_range(&range.x);
+    any_range(&range.y);
+    any_range(&range.rising);
+    any_range(&range.falling);
+    const int place = glint_place_lobe(&of, &range);
     /*@ assert 0 <= place <= 2; */
 }
 
