@@ -41,6 +41,7 @@ uint32_t glint_find_longest(const glint_vertex *const corners[3]) {
 
 void glint_region_measure(uint32_t pixel, uint32_t longest, const glint_w_range *w, glint_region *region) {
     const uint32_t across = (uint32_t)glint_least((int32_t)(glint_product_unsigned(longest, pixel) >> 18), 1 << 14);
+    region->across = across;
     const uint32_t slant = w->least > w->change >> 2 ? (w->change << 12) / w->least : 1 << 14;
     region->slant = slant * 474 >> 8;
     region->reach = (uint32_t)glint_least((int32_t)glint_hypotenuse(across, slant), 1 << 14);
@@ -88,11 +89,15 @@ static uint32_t plane_lobe_error(const glint_light_terms *light, uint32_t levels
     return ((with_slope(light, of_axis) + times(turn, turn)) / 12) * (levels >> 4) >> 8;
 }
 
-/* A deviation at the middle of an edge is found from its ends: what both N and H make of it falls with it. */
+/*
+ * A deviation at the middle of an edge is found from its ends: what both N and H make of it falls with it. The ends
+ * weigh as their 1/w do, which are apart by b / 1.85 of one of them, where H is between them by its place.
+ */
 static uint32_t between_error(const glint_light_terms *light, uint32_t levels, uint32_t turn, uint32_t axis,
                               uint32_t b) {
     const uint32_t widest = light->lobe_is_wide ? 1 << 12 : (uint32_t)light->lobe_cut >> light->lobe_shift >> 2;
-    const uint32_t of_axis = 2 * times(axis, axis) + 4 * times(times(turn, axis), widest) + 4 * times(axis, b);
+    const uint32_t of_axis =
+        2 * times(axis, axis) + 4 * times(times(turn, axis), widest) + 4 * times(axis, b * 277 >> 9);
     return scaled(with_slope(light, of_axis), levels >> 4, 12);
 }
 
@@ -167,9 +172,9 @@ static inline uint32_t lobe_turn(const glint_shading *shading, const glint_regio
     return shading->material->model->lobe == GLINT_LOBE_MIRROR ? 2 * region->turn : region->turn;
 }
 
-/* H turns by what L and V turn, over |L + V|. */
+/* H turns by what L and V turn, over |L + V|. V follows from the place on the screen. */
 static inline uint32_t turn_of_axis(const glint_frame *frame, const glint_region *region) {
-    const uint32_t turn = region->near + (frame->view->local_viewer ? region->reach : 0);
+    const uint32_t turn = region->near + (frame->view->local_viewer ? region->across : 0);
     return (turn << 12) / (glint_root_above(region->half << 10) | 1);
 }
 
