@@ -42,6 +42,7 @@ typedef struct glint_light_terms {
     int32_t lobe_cut, lobe_diagonal;             /* outside an octagon of this radius no highlight shows; as kept */
     uint32_t lobe_end;                           /* squared deviation, as kept, where the power table ends */
     uint32_t slope;                              /* of a highlight over its deviation, at most, Q8 */
+    int32_t crest;                               /* the deviation, as kept, beyond which it falls */
     uint32_t spread;                             /* how many times as fast as light highlights turn, Q4; 0: unknown */
     uint8_t lobe_is_wide;                        /* small p: of a deviation there is the cosine alone, Q14 */
     uint8_t lobe_has_strip;                      /* p < 1: near the horizon polynomials do not fit */
@@ -123,6 +124,7 @@ typedef struct glint_region {
     uint32_t summed;                    /* highlights in sums; `lobes` has the others */
     uint32_t shine;                     /* what quadratics make of these may be off by, levels in Q8 */
     uint32_t axis;                      /* what highlights' axes turn by */
+    uint32_t slope;                     /* of highlights that show, over their deviations, at most, Q8 */
     uint32_t place, of_colour;          /* what sums turn by but for the normals, and what colours make over w */
     uint32_t error;                     /* of quadratics, levels in Q8 */
     int32_t margin;                     /* of a light's N.L, Q14 */
@@ -185,11 +187,11 @@ int32_t glint_lobe_bulge(const glint_shading *shading, const glint_region *regio
  * these numbers, and clearly above the other. */
 typedef struct glint_lobe_bounds {
     uint8_t is_wide;
+    int32_t bulge;              /* how far deviations between nodes may lie beyond those of nodes */
     int32_t straight, diagonal; /* of an octagon */
     int32_t below, edge;        /* of a cosine */
 } glint_lobe_bounds;
 
-/** @param bulge how far deviations between nodes may lie beyond those of nodes */
 glint_lobe_bounds glint_find_lobe_bounds(const glint_shading *shading, int32_t bulge);
 
 /** Least and most of numbers. */
@@ -226,7 +228,7 @@ static inline int glint_is_beyond(const glint_interval *range, int32_t radius) {
 }
 
 /** Between nodes a highlight shows, or not, or unclear. */
-enum { GLINT_LOBE_OUTSIDE, GLINT_LOBE_SHOWS, GLINT_LOBE_EDGE, GLINT_LOBE_UNFIT };
+enum { GLINT_LOBE_OUTSIDE, GLINT_LOBE_SHOWS, GLINT_LOBE_EDGE };
 
 /** That, between nodes whose deviations lie so. */
 static inline int glint_place_lobe(const glint_lobe_bounds *of, const glint_lobe_range *at) {
@@ -240,12 +242,9 @@ static inline int glint_place_lobe(const glint_lobe_bounds *of, const glint_lobe
                : GLINT_LOBE_SHOWS;
 }
 
-/** What becomes of those lobes among some that lie so. */
-static inline void glint_region_add_lobe(glint_region *region, uint32_t light, int place) {
-    region->lobes |= (uint32_t)(place != GLINT_LOBE_OUTSIDE) << light;
-    region->unfit |= (uint32_t)(place == GLINT_LOBE_UNFIT) << light;
-    region->has_edge |= place == GLINT_LOBE_EDGE;
-}
+/** Adds a light's highlight to a region if it may show between nodes where it lies so. */
+void glint_region_add_lobe(const glint_shading *shading, const glint_lobe_bounds *bounds, uint32_t light,
+                           const glint_lobe_range *at, glint_region *region);
 
 /* ---- Terms ---- */
 

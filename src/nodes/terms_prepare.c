@@ -184,7 +184,7 @@ static void set_lobes(const glint_frame *frame, const glint_shading *shading, gl
     if (terms->lobe_is_wide) {
         terms->lobes = shading->has_specular;
         terms->lobe_shift = terms->lobe_end = 0;
-        terms->lobe_cut = terms->lobe_diagonal = 0;
+        terms->lobe_cut = terms->lobe_diagonal = terms->crest = 0;
         fill_cosine(terms->cosine, shading->shininess);
         terms->slope =
             (uint32_t)glint_most(shading->shininess, 2 * GLINT_ONE) / 384; /* 2/3 of p: of 0.041 it makes 0.0275 */
@@ -198,6 +198,8 @@ static void set_lobes(const glint_frame *frame, const glint_shading *shading, gl
     terms->lobe_cut = (int32_t)glint_square_root(terms->lobe_end) + 2;
     terms->lobe_diagonal = (terms->lobe_cut * 23171 >> 14) + 1;
     terms->slope = glint_highlight_slope(shading->shininess);
+    terms->crest =
+        1 + (int32_t)glint_square_root((((uint64_t)1 << 44) / (uint32_t)shading->shininess) << 2 * terms->lobe_shift);
 }
 
 /* Where a vertex keeps what: terms.c. */
