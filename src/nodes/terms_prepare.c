@@ -198,8 +198,8 @@ static void set_lobes(const glint_frame *frame, const glint_shading *shading, gl
     terms->lobe_cut = (int32_t)glint_square_root(terms->lobe_end) + 2;
     terms->lobe_diagonal = (terms->lobe_cut * 23171 >> 14) + 1;
     terms->slope = glint_highlight_slope(shading->shininess);
-    terms->crest =
-        1 + (int32_t)glint_square_root((((uint64_t)1 << 44) / (uint32_t)shading->shininess) << 2 * terms->lobe_shift);
+    const uint32_t crest = glint_square_root(((uint64_t)1 << 44) / (uint32_t)shading->shininess) + 1; /* Q14 */
+    terms->crest = (int32_t)(crest << terms->lobe_shift);
 }
 
 /* Where a vertex keeps what: terms.c. */
