@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Bound: how far polynomials through the nodes of a region may be from its light. */
+#include "../light/model.h"
 #include "../pixel/format.h"
 #include "terms.h"
 
@@ -41,6 +42,7 @@ uint32_t glint_find_longest(const glint_vertex *const corners[3]) {
 
 void glint_region_measure(uint32_t pixel, uint32_t longest, const glint_w_range *w, glint_region *region) {
     const uint32_t across = (uint32_t)glint_least((int32_t)(glint_product_unsigned(longest, pixel) >> 18), 1 << 14);
+    region->across = across;
     const uint32_t slant = w->least > w->change >> 2 ? (w->change << 12) / w->least : 1 << 14;
     region->slant = slant * 474 >> 8;
     region->reach = (uint32_t)glint_least((int32_t)glint_hypotenuse(across, slant), 1 << 14);
@@ -76,29 +78,32 @@ static uint32_t plane_sum_error(uint32_t levels, uint32_t turn, uint32_t place, 
 }
 
 /* x, Q12, times a highlight's slope, Q8: at most 2^16. */
-static uint32_t with_slope(const glint_light_terms *light, uint32_t x) {
-    const uint32_t product = x * (light->slope >> 2) >> 6;
+static uint32_t with_slope(uint32_t slope, uint32_t x) {
+    const uint32_t product = x * (slope >> 2) >> 6;
     return x > 1 << 14 || product > 1 << 16 ? 1 << 16 : product;
 }
 
 /* A highlight's: |e| falls short as N does, and H turns. */
-static uint32_t plane_lobe_error(const glint_light_terms *light, uint32_t levels, uint32_t turn, uint32_t axis,
-                                 uint32_t b) {
+static uint32_t plane_lobe_error(uint32_t slope, uint32_t levels, uint32_t turn, uint32_t axis, uint32_t b) {
     const uint32_t of_axis = 2 * times(axis, axis) + 4 * times(turn, axis) + 4 * times(turn + axis, b);
-    return ((with_slope(light, of_axis) + times(turn, turn)) / 12) * (levels >> 4) >> 8;
+    return ((with_slope(slope, of_axis) + times(turn, turn)) / 12) * (levels >> 4) >> 8;
 }
 
-/* A deviation at the middle of an edge is found from its ends: what both N and H make of it falls with it. */
-static uint32_t between_error(const glint_light_terms *light, uint32_t levels, uint32_t turn, uint32_t axis,
-                              uint32_t b) {
+/*
+ * A deviation at the middle of an edge is found from its ends: what both N and H make of it falls with it. The ends
+ * weigh as their 1/w do, which are apart by b / 1.85 of one of them, where H is between them by its place.
+ */
+static uint32_t between_error(const glint_light_terms *light, uint32_t slope, uint32_t levels, uint32_t turn,
+                              uint32_t axis, uint32_t b) {
     const uint32_t widest = light->lobe_is_wide ? 1 << 12 : (uint32_t)light->lobe_cut >> light->lobe_shift >> 2;
-    const uint32_t of_axis = 2 * times(axis, axis) + 4 * times(times(turn, axis), widest) + 4 * times(axis, b);
-    return scaled(with_slope(light, of_axis), levels >> 4, 12);
+    const uint32_t of_axis =
+        2 * times(axis, axis) + 4 * times(times(turn, axis), widest) + 4 * times(axis, b * 277 >> 9);
+    return scaled(with_slope(slope, of_axis), levels >> 4, 12);
 }
 
 /* A highlight's by 0.041 s h (h + b)^2, s the highlight's slope over its deviation, and as a sum for its strength. */
-static uint32_t lobe_error(const glint_light_terms *light, uint32_t levels, uint32_t h, uint32_t f, uint32_t b) {
-    return scaled(with_slope(light, cube(h, b) * 2687 >> 14), levels >> 4, 10) + of_levels(cube(f, b), levels >> 4);
+static uint32_t lobe_error(uint32_t slope, uint32_t levels, uint32_t h, uint32_t f, uint32_t b) {
+    return scaled(with_slope(slope, cube(h, b) * 2687 >> 14), levels >> 4, 10) + of_levels(cube(f, b), levels >> 4);
 }
 
 /* The cone's edge may cross a region: by how much its ramp changes from node to node, Q12. */
@@ -133,8 +138,7 @@ void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const gl
             continue;
         glint_apart *to = &terms->apart[terms->apart_count++];
         const uint32_t side = region->sides >> l & 1, cone = region->cones >> l & 1, lobe = region->lobes >> l & 1,
-                       strength = lobe && frame->view->lights[l].type->illuminate,
-                       narrow = lobe && !shading->terms->lobe_is_wide;
+                       strength = lobe & shading->terms->placed >> l, narrow = lobe && !shading->terms->lobe_is_wide;
         to->light = (uint8_t)l;
         to->first = (uint8_t)next;
         to->kinds = (uint8_t)(side << GLINT_SIDE | cone << GLINT_CONE | strength << GLINT_STRENGTH |
@@ -168,9 +172,9 @@ static inline uint32_t lobe_turn(const glint_shading *shading, const glint_regio
     return shading->material->model->lobe == GLINT_LOBE_MIRROR ? 2 * region->turn : region->turn;
 }
 
-/* H turns by what L and V turn, over |L + V|. */
+/* H turns by what L and V turn, over |L + V|. V follows from the place on the screen. */
 static inline uint32_t turn_of_axis(const glint_frame *frame, const glint_region *region) {
-    const uint32_t turn = region->near + (frame->view->local_viewer ? region->reach : 0);
+    const uint32_t turn = region->near + (frame->view->local_viewer ? region->across : 0);
     return (turn << 12) / (glint_root_above(region->half << 10) | 1);
 }
 
@@ -183,7 +187,6 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
     region->turn = (uint32_t)glint_least((int32_t)region->turn, 1 << 13);
     region->held = region->lit;
     region->sides = lights & ~region->lit & ~dark;
-    region->cones = 0;
     region->near = find_near(region, closeness);
     if (region->sides)
         region->near = (uint32_t)glint_least((int32_t)from_anywhere(region->near), (int32_t)near);
@@ -195,14 +198,12 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
         region->near = near;
     }
     const uint32_t lobes = shading->terms->lobes & ~away & (ungated ? ~0u : region->held | region->sides);
-    for (uint32_t l = 0, shown = region->held | region->sides | lobes; shown >> l; l++)
-        if (shown >> l & 1 && frame->view->lights[l].type->has_cone) {
-            if (may_end) {
-                region->sides |= 1u << l;
-                region->held &= ~(1u << l);
-            }
-            region->cones |= ~region->held & 1u << l;
-        }
+    const uint32_t cones = shading->terms->cones & (region->held | region->sides | lobes);
+    if (may_end) {
+        region->sides |= cones;
+        region->held &= ~cones;
+    }
+    region->cones = cones & ~region->held;
     region->axis = lobes ? turn_of_axis(frame, region) : 0;
     return lobes;
 }
@@ -280,8 +281,8 @@ uint32_t glint_plane_error(const glint_shading *shading, int has_surface, const 
         error +=
             plane_sum_error(lobe_levels(light, region->summed) >> 4, 0, turn_of_shine(shading, region), region->slant);
     if (region->lobes)
-        error += plane_lobe_error(light, lobe_levels(light, region->lobes), lobe_turn(shading, region), region->axis,
-                                  region->slant);
+        error += plane_lobe_error(region->slope, lobe_levels(light, region->lobes), lobe_turn(shading, region),
+                                  region->axis, region->slant);
     return error;
 }
 
@@ -298,10 +299,11 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
         region->error_over_length +=
             of_levels(cube(region->turn + region->place, slant), region->levels + (light->ambient_levels >> 4));
     region->margin = 8 + (int32_t)(cube(region->turn + region->place, slant) * 1802 >> 14);
-    region->error_between = between_error(light, levels + lobe_levels(light, region->summed), turn, axis, slant);
+    region->error_between =
+        between_error(light, region->slope, levels + lobe_levels(light, region->summed), turn, axis, slant);
     if (levels) {
-        region->error += lobe_error(light, levels, turn + axis, region->near, slant);
-        region->error_over_length += lobe_error(light, levels, axis, region->near, slant);
+        region->error += lobe_error(region->slope, levels, turn + axis, region->near, slant);
+        region->error_over_length += lobe_error(region->slope, levels, axis, region->near, slant);
     }
     if (region->summed)
         region->error += region->shine;
@@ -334,7 +336,54 @@ int32_t glint_lobe_bulge(const glint_shading *shading, const glint_region *regio
 
 glint_lobe_bounds glint_find_lobe_bounds(const glint_shading *shading, int32_t bulge) {
     const glint_light_terms *light = shading->terms;
-    return (glint_lobe_bounds){light->lobe_is_wide, light->lobe_cut + bulge,
-                               light->lobe_diagonal + bulge + (bulge >> 1), shading->shininess ? -bulge : INT32_MIN,
+    return (glint_lobe_bounds){light->lobe_is_wide,
+                               bulge,
+                               light->lobe_cut + bulge,
+                               light->lobe_diagonal + bulge + (bulge >> 1),
+                               shading->shininess ? -bulge : INT32_MIN,
                                light->lobe_has_strip ? 2 * GLINT_HORIZON + bulge : INT32_MIN};
+}
+
+/* The nearest to 0 that a range of numbers comes. */
+static inline int32_t nearest_of(const glint_interval *range) {
+    return glint_most(range->least, -range->most);
+}
+
+/*
+ * The slope of (1 - r^2)^(p/2) is p r (1 - r^2)^(p/2 - 1), which falls from r = 1/sqrt(p) on. A sixteenth more is for
+ * the table. @param r Q14, beyond that
+ */
+static uint32_t slope_from(const glint_shading *shading, int32_t r) {
+    const uint32_t steepest = shading->terms->slope, u = (uint32_t)(r * r) << 2, rest = (1u << 15) - (u >> 15);
+    const uint32_t power = glint_power_at(&shading->power, u) * (uint32_t)r / rest; /* Q14 */
+    const uint64_t slope = glint_product_unsigned(power + (power >> 4) + 1, (uint32_t)shading->shininess) >> 22;
+    return slope < steepest ? (uint32_t)slope : steepest;
+}
+
+/* Of a highlight that shows, by how near to 0 deviations are at nodes, and what they and polynomials are off by. */
+static uint32_t find_lobe_slope(const glint_shading *shading, const glint_region *region, int32_t bulge,
+                                const glint_lobe_range *at) {
+    const glint_light_terms *light = shading->terms;
+    const int32_t straight = glint_most(nearest_of(&at->x), nearest_of(&at->y)),
+                  diagonal = glint_most(nearest_of(&at->rising), nearest_of(&at->falling)),
+                  nearest = glint_most(straight, glint_shift_right(diagonal * 23170, 15)) - bulge;
+    if (light->lobe_is_wide || nearest <= light->crest)
+        return light->slope;
+    const uint32_t off = cube(lobe_turn(shading, region) + region->axis, region->slant) * 2687 >> 12; /* Q14 */
+    const int32_t r = glint_shift_right(nearest, light->lobe_shift) - glint_least((int32_t)off, 1 << 14);
+    return r <= glint_shift_right(light->crest, light->lobe_shift) ? light->slope
+                                                                   : slope_from(shading, glint_least(r, (1 << 14) - 1));
+}
+
+void glint_region_add_lobe(const glint_shading *shading, const glint_lobe_bounds *bounds, uint32_t light,
+                           const glint_lobe_range *at, glint_region *region) {
+    const int place = glint_place_lobe(bounds, at), is_unfit = region->unfit >> light & 1;
+    if (place == GLINT_LOBE_OUTSIDE && !is_unfit)
+        return;
+    region->lobes |= 1u << light;
+    if (is_unfit)
+        return;
+    region->has_edge |= place == GLINT_LOBE_EDGE;
+    const uint32_t slope = find_lobe_slope(shading, region, bounds->bulge, at);
+    region->slope = slope > region->slope ? slope : region->slope;
 }

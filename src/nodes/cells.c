@@ -53,16 +53,12 @@ static uint32_t find_colour(const glint_shape *shape, glint_node *const nodes[])
     return (uint32_t)apart >> 2;
 }
 
-static int place_shape_lobe(const glint_lobe_bounds *bounds, const glint_shape *shape, glint_node *const nodes[],
-                            uint32_t l) {
-    uint32_t common = 0xff, any = 0;
-    for (uint32_t i = 0; i < shape->count && (common || bounds->is_wide); i++) {
-        const uint32_t code =
-            glint_lobe_code(bounds, nodes[i]->number[l][GLINT_LOBE_X], nodes[i]->number[l][GLINT_LOBE_Y]);
-        common &= code;
-        any |= code;
-    }
-    return glint_place_lobe(common, any);
+/* Where a highlight lies at the nodes. */
+static glint_lobe_range find_shape_lobe(const glint_shape *shape, glint_node *const nodes[], uint32_t l) {
+    glint_lobe_range range = glint_lobe_range_of(nodes[0]->number[l][GLINT_LOBE_X], nodes[0]->number[l][GLINT_LOBE_Y]);
+    for (uint32_t i = 1; i < shape->count; i++)
+        glint_lobe_range_take(&range, nodes[i]->number[l][GLINT_LOBE_X], nodes[i]->number[l][GLINT_LOBE_Y]);
+    return range;
 }
 
 /* Does a light keep its side all over a region, whatever its polynomial is off by? */
@@ -130,14 +126,15 @@ static int find_shape_region(const glint_frame *frame, const glint_draw *draw, c
     }
     region->colour = draw->extra ? find_colour(shape, nodes) : 0;
     const uint32_t lobes = glint_region_sort(frame, shading, closeness, around, region);
-    region->lobes = 0;
+    region->lobes = region->slope = 0;
     region->has_edge = 0;
     const glint_lobe_bounds bounds = /* nodes lie half as far apart as corners */
         glint_find_lobe_bounds(shading, glint_lobe_bulge(shading, region) / 4);
     for (uint32_t l = 0; lobes >> l; l++)
-        if (lobes >> l & 1)
-            glint_region_add_lobe(
-                region, l, region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_shape_lobe(&bounds, shape, nodes, l));
+        if (lobes >> l & 1) {
+            const glint_lobe_range range = find_shape_lobe(shape, nodes, l);
+            glint_region_add_lobe(shading, &bounds, l, &range, region);
+        }
     return glint_region_fits(shading, draw->extra != 0, region);
 }
 

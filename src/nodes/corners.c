@@ -15,16 +15,23 @@ static inline void measure(uint32_t pixel, const glint_triangle *triangle, glint
     glint_region_measure(pixel, glint_find_longest(v), &w, region);
 }
 
-/* Does a highlight show on a triangle? */
-static inline int place_lobe(const glint_lobe_bounds *bounds, const uint8_t at[GLINT_NUMBERS],
-                             const glint_candidate *t) {
-    uint32_t common = 0xff, any = 0;
-    for (int i = 0; i < 3 && (common || bounds->is_wide); i++) {
-        const uint32_t code = glint_lobe_code(bounds, t->kept[i][at[GLINT_LOBE_X]], t->kept[i][at[GLINT_LOBE_Y]]);
-        common &= code;
-        any |= code;
-    }
-    return glint_place_lobe(common, any);
+/* Where a highlight lies at the corners. */
+static inline glint_lobe_range find_lobe_range(const uint8_t at[GLINT_NUMBERS], const glint_candidate *t) {
+    const uint8_t x = at[GLINT_LOBE_X], y = at[GLINT_LOBE_Y];
+    glint_lobe_range range = glint_lobe_range_of(t->kept[0][x], t->kept[0][y]);
+    glint_lobe_range_take(&range, t->kept[1][x], t->kept[1][y]);
+    glint_lobe_range_take(&range, t->kept[2][x], t->kept[2][y]);
+    return range;
+}
+
+/* Which highlights among some show. */
+static void find_lobes(const glint_shading *shading, uint32_t lobes, glint_candidate *t) {
+    const glint_lobe_bounds bounds = glint_find_lobe_bounds(shading, glint_lobe_bulge(shading, &t->region));
+    for (uint32_t l = 0; lobes >> l; l++)
+        if (lobes >> l & 1) {
+            const glint_lobe_range range = find_lobe_range(shading->terms->at[l], t);
+            glint_region_add_lobe(shading, &bounds, l, &range, &t->region);
+        }
 }
 
 /* A colour at the middle of an edge, which is linear over w. */
@@ -75,16 +82,13 @@ int glint_find_region(const glint_frame *frame, const glint_draw *draw, const gl
     region->outside = (uint16_t)(a[GLINT_KEPT_OUTSIDE] & b[GLINT_KEPT_OUTSIDE] & c[GLINT_KEPT_OUTSIDE]);
     t->has_surface = draw->extra != 0;
     region->colour = t->has_surface ? find_surface(triangle, t) : 0;
-    uint32_t lobes = glint_region_sort(
+    const uint32_t lobes = glint_region_sort(
         frame, shading,
         (uint32_t)glint_most_of(a[GLINT_KEPT_CLOSENESS], b[GLINT_KEPT_CLOSENESS], c[GLINT_KEPT_CLOSENESS]),
         (uint32_t)glint_most_of(a[GLINT_KEPT_AROUND], b[GLINT_KEPT_AROUND], c[GLINT_KEPT_AROUND]), region);
-    region->lobes = 0;
+    region->lobes = region->slope = 0;
     region->has_edge = 0;
-    const glint_lobe_bounds bounds = glint_find_lobe_bounds(shading, glint_lobe_bulge(shading, region));
-    for (uint32_t l = 0; lobes >> l; l++)
-        if (lobes >> l & 1)
-            glint_region_add_lobe(region, l,
-                                  region->unfit >> l & 1 ? GLINT_LOBE_UNFIT : place_lobe(&bounds, light->at[l], t));
+    if (lobes)
+        find_lobes(shading, lobes, t);
     return glint_region_fits(shading, t->has_surface, region);
 }

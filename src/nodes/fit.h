@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/** @file fit.h Polynomials through a number of a triangle's nodes: its corners, and the middles of its edges. */
+/** @file fit.h Planes through a number of a triangle's corners, and what quadratics tell of it. */
 #ifndef GLINT_FIT_H
 #define GLINT_FIT_H
 
@@ -8,22 +8,13 @@
 
 /**
  * Does a light keep its side all over a triangle, whatever its polynomial is off by? By the control points of the
- * quadratic (Bezier triangles, Farin, 1986).
+ * quadratic (Bezier triangles, Farin, 1986), twice: at the corners, and at the middles with what edges bulge by.
  */
-static inline int glint_triangle_keeps_side(const int32_t n[6], int32_t margin) {
-    const int32_t bulge[3] = {4 * n[3] - n[0] - n[1], 4 * n[4] - n[1] - n[2], 4 * n[5] - n[0] - n[2]};
-    const int32_t least =
-        glint_least(2 * glint_least_of(n[0], n[1], n[2]), glint_least_of(bulge[0], bulge[1], bulge[2]));
-    const int32_t most = glint_most(2 * glint_most_of(n[0], n[1], n[2]), glint_most_of(bulge[0], bulge[1], bulge[2]));
+static inline int glint_triangle_keeps_side(const int32_t n[3], const int32_t bulge[3], int32_t margin) {
+    const int32_t a = bulge[0] + n[0] + n[1], b = bulge[1] + n[1] + n[2], c = bulge[2] + n[0] + n[2];
+    const int32_t least = glint_least(2 * glint_least_of(n[0], n[1], n[2]), glint_least_of(a, b, c));
+    const int32_t most = glint_most(2 * glint_most_of(n[0], n[1], n[2]), glint_most_of(a, b, c));
     return least > 2 * margin || most < -2 * margin;
-}
-
-/** Through a number of the nodes: at the corners, and at the middles of the edges. */
-static inline glint_quadratic glint_fit_quadratic(const glint_barycentric *s, const int32_t n[6]) {
-    const int32_t bulge[3] = {4 * n[3] - 2 * (n[0] + n[1]), 4 * n[4] - 2 * (n[1] + n[2]), 4 * n[5] - 2 * (n[0] + n[2])};
-    glint_quadratic q;
-    glint_polynomial_begin(&q, s, n, bulge);
-    return q;
 }
 
 /**

@@ -24,10 +24,11 @@ static inline int32_t glint_root_of15(uint32_t x) {
 #define GLINT_LEAST_SQUARE 12000
 
 /**
- * Lengths at the corners, whose 1/w is w, Q15, and at the middles of the edges, where
- * M.M = ((wa + wb) / 2)^2 - wa wb |Na - Nb|^2 / 4. @return 0 where one is too small
+ * Lengths at the corners, whose 1/w is w, Q15, and squares there and at the middles of the edges, where
+ * M.M = ((wa + wb) / 2)^2 - wa wb |Na - Nb|^2 / 4. @param apart |Na - Nb|^2 of an edge, Q26
+ * @return 0 where a square is too small
  */
-static inline int glint_find_lengths(const glint_triangle *triangle, glint_lengths *of) {
+static inline int glint_find_lengths(const glint_triangle *triangle, const int32_t apart[3], glint_lengths *of) {
     const glint_vertex *const *v = triangle->corners;
     uint32_t w[3];
     const uint32_t largest = (uint32_t)glint_most_of(v[0]->inverse_w, v[1]->inverse_w, v[2]->inverse_w);
@@ -40,15 +41,19 @@ static inline int glint_find_lengths(const glint_triangle *triangle, glint_lengt
     }
     for (int i = 0; i < 3; i++) {
         const int a = i == 1 ? 1 : 0, b = i == 0 ? 1 : 2;
-        const int32_t turn = glint_square_apart(v[a]->attribute, v[b]->attribute); /* Q26 */
         const int32_t mean = (int32_t)(w[a] + w[b]) >> 1, both = (int32_t)(w[a] * w[b] >> 15);
-        const int32_t square = (mean * mean >> 15) - (both * glint_shift_right(turn, 12) >> 16);
+        const int32_t square = (mean * mean >> 15) - (both * glint_shift_right(apart[i], 12) >> 16);
         if (square < GLINT_LEAST_SQUARE || of->square[i] < GLINT_LEAST_SQUARE)
             return 0;
         of->square[3 + i] = square;
-        of->length[3 + i] = glint_root_of15((uint32_t)square);
     }
     return 1;
+}
+
+/** And at the middles. */
+static inline void glint_find_middle_lengths(glint_lengths *of) {
+    for (int i = 3; i < 6; i++)
+        of->length[i] = glint_root_of15((uint32_t)of->square[i]);
 }
 
 #endif

@@ -34,6 +34,7 @@ typedef struct glint_light_terms {
     uint32_t channels;       /* of a node's sum: 1 where all diffuse light is of one chroma, else 3 */
     unsigned sum_bits;       /* sums are below this power of two */
     uint32_t lobes;          /* bit i: light i has a highlight that is a term of its own */
+    uint32_t placed, cones;  /* it has a position; and a cone */
     uint8_t at[GLINT_LIGHTS_MAX][GLINT_NUMBERS]; /* where a vertex keeps a light's numbers */
     uint32_t light_count, shown;                 /* of the scene, and those of them that show */
     uint32_t stride;                             /* numbers that a vertex keeps */
@@ -41,6 +42,7 @@ typedef struct glint_light_terms {
     int32_t lobe_cut, lobe_diagonal;             /* outside an octagon of this radius no highlight shows; as kept */
     uint32_t lobe_end;                           /* squared deviation, as kept, where the power table ends */
     uint32_t slope;                              /* of a highlight over its deviation, at most, Q8 */
+    int32_t crest;                               /* the deviation, as kept, beyond which it falls */
     uint32_t spread;                             /* how many times as fast as light highlights turn, Q4; 0: unknown */
     uint8_t lobe_is_wide;                        /* small p: of a deviation there is the cosine alone, Q14 */
     uint8_t lobe_has_strip;                      /* p < 1: near the horizon polynomials do not fit */
@@ -106,7 +108,8 @@ void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[
 /** What is known of the light on a region; angles Q12, lights by bits. */
 typedef struct glint_region {
     uint32_t turn;                    /* of the normals, from corner to corner at most */
-    uint32_t reach;                   /* how far the corners lie apart, over their depth */
+    uint32_t across;                  /* how far the corners lie apart on the screen, over the focal length */
+    uint32_t reach;                   /* how far they lie apart, over their depth */
     uint32_t slant;                   /* the change of 1/w, times 1.85 */
     uint32_t near;                    /* how far they lie apart, over the distance to a light */
     uint32_t colour;                  /* by how much the surface's colours differ, of 1 */
@@ -121,6 +124,7 @@ typedef struct glint_region {
     uint32_t summed;                    /* highlights in sums; `lobes` has the others */
     uint32_t shine;                     /* what quadratics make of these may be off by, levels in Q8 */
     uint32_t axis;                      /* what highlights' axes turn by */
+    uint32_t slope;                     /* of highlights that show, over their deviations, at most, Q8 */
     uint32_t place, of_colour;          /* what sums turn by but for the normals, and what colours make over w */
     uint32_t error;                     /* of quadratics, levels in Q8 */
     int32_t margin;                     /* of a light's N.L, Q14 */
@@ -148,7 +152,7 @@ static inline uint32_t glint_hypotenuse(uint32_t a, uint32_t b) {
 /** A triangle's longest edge, 28.4. */
 uint32_t glint_find_longest(const glint_vertex *const corners[3]);
 
-/** Sets `reach` and `slant` of a region so long, 28.4, with this range of 1/w. @param pixel of the terms */
+/** Sets `across`, `reach` and `slant` of a region so long, 28.4, with this range of 1/w. @param pixel of the terms */
 void glint_region_measure(uint32_t pixel, uint32_t longest, const glint_w_range *w, glint_region *region);
 
 /** Of lights whose cones all nodes are outside of, `outside` of nodes, those that are so near and yet out of reach. */
@@ -183,39 +187,64 @@ int32_t glint_lobe_bulge(const glint_shading *shading, const glint_region *regio
  * these numbers, and clearly above the other. */
 typedef struct glint_lobe_bounds {
     uint8_t is_wide;
+    int32_t bulge;              /* how far deviations between nodes may lie beyond those of nodes */
     int32_t straight, diagonal; /* of an octagon */
     int32_t below, edge;        /* of a cosine */
 } glint_lobe_bounds;
 
-/** @param bulge how far deviations between nodes may lie beyond those of nodes */
 glint_lobe_bounds glint_find_lobe_bounds(const glint_shading *shading, int32_t bulge);
 
-/** Is a cosine at the edge? */
-#define GLINT_LOBE_AT_EDGE 0x100u
+/** Least and most of numbers. */
+typedef struct glint_interval {
+    int32_t least, most;
+} glint_interval;
 
-/** The sides that a node's deviation lies beyond, by bits. */
-static inline uint32_t glint_lobe_code(const glint_lobe_bounds *of, int32_t x, int32_t y) {
-    if (of->is_wide)
-        return (x < of->below) | (x < of->edge ? GLINT_LOBE_AT_EDGE : 0);
-    return (uint32_t)((x >= of->straight) | (x <= -of->straight) << 1 | (y >= of->straight) << 2 |
-                      (y <= -of->straight) << 3 | (x + y >= of->diagonal) << 4 | (x + y <= -of->diagonal) << 5 |
-                      (x - y >= of->diagonal) << 6 | (x - y <= -of->diagonal) << 7);
+static inline void glint_interval_take(glint_interval *range, int32_t x) {
+    range->least = glint_least(range->least, x);
+    range->most = glint_most(range->most, x);
+}
+
+/** Where deviations of some nodes lie: along x and y, and along the diagonals. Of wide lobes x is all there is. */
+typedef struct glint_lobe_range {
+    glint_interval x, y, rising, falling;
+} glint_lobe_range;
+
+/** That of one node. */
+static inline glint_lobe_range glint_lobe_range_of(int32_t x, int32_t y) {
+    return (glint_lobe_range){{x, x}, {y, y}, {x + y, x + y}, {x - y, x - y}};
+}
+
+/** And of one more. */
+static inline void glint_lobe_range_take(glint_lobe_range *range, int32_t x, int32_t y) {
+    glint_interval_take(&range->x, x);
+    glint_interval_take(&range->y, y);
+    glint_interval_take(&range->rising, x + y);
+    glint_interval_take(&range->falling, x - y);
+}
+
+/** Are all numbers beyond one side? */
+static inline int glint_is_beyond(const glint_interval *range, int32_t radius) {
+    return range->least >= radius || range->most <= -radius;
 }
 
 /** Between nodes a highlight shows, or not, or unclear. */
-enum { GLINT_LOBE_OUTSIDE, GLINT_LOBE_SHOWS, GLINT_LOBE_EDGE, GLINT_LOBE_UNFIT };
+enum { GLINT_LOBE_OUTSIDE, GLINT_LOBE_SHOWS, GLINT_LOBE_EDGE };
 
-/** That, of nodes whose codes have these bits in common, and these at all. */
-static inline int glint_place_lobe(uint32_t common, uint32_t any) {
-    return common & 0xff ? GLINT_LOBE_OUTSIDE : any & GLINT_LOBE_AT_EDGE ? GLINT_LOBE_EDGE : GLINT_LOBE_SHOWS;
+/** That, between nodes whose deviations lie so. */
+static inline int glint_place_lobe(const glint_lobe_bounds *of, const glint_lobe_range *at) {
+    if (of->is_wide)
+        return at->x.most < of->below   ? GLINT_LOBE_OUTSIDE
+               : at->x.least < of->edge ? GLINT_LOBE_EDGE
+                                        : GLINT_LOBE_SHOWS;
+    return glint_is_beyond(&at->x, of->straight) || glint_is_beyond(&at->y, of->straight) ||
+                   glint_is_beyond(&at->rising, of->diagonal) || glint_is_beyond(&at->falling, of->diagonal)
+               ? GLINT_LOBE_OUTSIDE
+               : GLINT_LOBE_SHOWS;
 }
 
-/** What becomes of those lobes among some that lie so. */
-static inline void glint_region_add_lobe(glint_region *region, uint32_t light, int place) {
-    region->lobes |= (uint32_t)(place != GLINT_LOBE_OUTSIDE) << light;
-    region->unfit |= (uint32_t)(place == GLINT_LOBE_UNFIT) << light;
-    region->has_edge |= place == GLINT_LOBE_EDGE;
-}
+/** Adds a light's highlight to a region if it may show between nodes where it lies so. */
+void glint_region_add_lobe(const glint_shading *shading, const glint_lobe_bounds *bounds, uint32_t light,
+                           const glint_lobe_range *at, glint_region *region);
 
 /* ---- Terms ---- */
 

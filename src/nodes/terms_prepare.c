@@ -184,7 +184,7 @@ static void set_lobes(const glint_frame *frame, const glint_shading *shading, gl
     if (terms->lobe_is_wide) {
         terms->lobes = shading->has_specular;
         terms->lobe_shift = terms->lobe_end = 0;
-        terms->lobe_cut = terms->lobe_diagonal = 0;
+        terms->lobe_cut = terms->lobe_diagonal = terms->crest = 0;
         fill_cosine(terms->cosine, shading->shininess);
         terms->slope =
             (uint32_t)glint_most(shading->shininess, 2 * GLINT_ONE) / 384; /* 2/3 of p: of 0.041 it makes 0.0275 */
@@ -198,12 +198,14 @@ static void set_lobes(const glint_frame *frame, const glint_shading *shading, gl
     terms->lobe_cut = (int32_t)glint_square_root(terms->lobe_end) + 2;
     terms->lobe_diagonal = (terms->lobe_cut * 23171 >> 14) + 1;
     terms->slope = glint_highlight_slope(shading->shininess);
+    const uint32_t crest = glint_square_root(((uint64_t)1 << 44) / (uint32_t)shading->shininess) + 1; /* Q14 */
+    terms->crest = (int32_t)(crest << terms->lobe_shift);
 }
 
 /* Where a vertex keeps what: terms.c. */
 static void place_numbers(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
     uint32_t at = terms->channels + GLINT_KEPT;
-    terms->shown = 0;
+    terms->shown = terms->placed = terms->cones = 0;
     for (uint32_t i = 0; i < frame->scene->light_count; i++) {
         const glint_light_type *type = frame->scene->lights[i].type;
         const uint32_t side = shading->lights >> i & 1, lobe = terms->lobes >> i & 1;
@@ -211,6 +213,8 @@ static void place_numbers(const glint_frame *frame, const glint_shading *shading
         const uint32_t kept = side << GLINT_SIDE | has_cone << GLINT_CONE | has_strength << GLINT_STRENGTH |
                               lobe << GLINT_LOBE_X | (lobe & (uint32_t)!terms->lobe_is_wide) << GLINT_LOBE_Y;
         terms->shown += side;
+        terms->placed |= (uint32_t)(type->illuminate != 0) << i;
+        terms->cones |= (uint32_t)(type->has_cone != 0) << i;
         for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++) {
             terms->at[i][kind] = (uint8_t)(kept >> kind & 1 ? at : 0);
             at += kept >> kind & 1;

@@ -40,11 +40,14 @@ static void any_material(void) {
     terms.lobe_is_wide = (uint8_t)ANY(0, 1);
     terms.lobe_has_strip = (uint8_t)ANY(0, 1);
     terms.lobes = ANY_UNSIGNED(0, 0xff);
+    terms.placed = ANY_UNSIGNED(0, 0xff);
+    terms.cones = ANY_UNSIGNED(0, 0xff);
     terms.lobe_cut = ANY(0, 4098);
     terms.lobe_diagonal = ANY(0, 5800);
     terms.lobe_shift = ANY_UNSIGNED(0, 12);
     terms.ambient_levels = ANY_UNSIGNED(0, LEVELS_Q8);
     terms.slope = ANY_UNSIGNED(0, 1u << 15);
+    terms.crest = ANY(0, 1 << 16);
     terms.spread = ANY_UNSIGNED(0, 3245);
     terms.limit = ANY_UNSIGNED(0, 204);
     for (int i = 0; i < GLINT_LIGHTS_MAX; i++) {
@@ -58,6 +61,7 @@ static void any_material(void) {
 /* What nodes leave of a region. */
 static void any_region(void) {
     region.turn = ANY_UNSIGNED(0, 1 << 16);
+    region.across = ANY_UNSIGNED(0, 1 << 14);
     region.reach = ANY_UNSIGNED(0, 1 << 14);
     region.slant = ANY_UNSIGNED(0, 30336);
     region.near = ANY_UNSIGNED(0, 1 << 13);
@@ -80,6 +84,7 @@ static void any_region(void) {
     region.lobes = ANY_UNSIGNED(0, 0xff);
     region.summed = ANY_UNSIGNED(0, 0xff);
     region.shine = ANY_UNSIGNED(0, 408);
+    region.slope = ANY_UNSIGNED(0, 1u << 15);
 }
 
 /* Any square, by its bits. @contract glint_inverse_root @unsigned @unreached 1 leading zeros of 0 */
@@ -209,26 +214,67 @@ PROOF(glint_find_lobe_bounds) {
     glint_find_lobe_bounds(&shading, ANY(0, 0x20000000));
 }
 
-/* Deviations of 15 bits and a sign, any bounds. */
-PROOF(glint_lobe_code) {
+/* Deviations of 15 bits and a sign. */
+PROOF(glint_lobe_range_take) {
+    glint_lobe_range range = glint_lobe_range_of(ANY_SHORT, ANY_SHORT);
+    glint_lobe_range_take(&range, ANY_SHORT, ANY_SHORT);
+}
+
+static void any_range(glint_interval *range) {
+    range->least = ANY(-0x10000, 0xffff);
+    range->most = ANY(-0x10000, 0xffff);
+}
+
+/* Any deviations, any bounds. */
+PROOF(glint_place_lobe) {
     glint_lobe_bounds of;
+    glint_lobe_range range;
     of.is_wide = (uint8_t)ANY(0, 1);
     of.straight = of.diagonal = ANY(0, 0x30002000);
     of.below = ANY(INT32_MIN, INT32_MAX);
     of.edge = ANY(INT32_MIN, INT32_MAX);
-    glint_lobe_code(&of, ANY_SHORT, ANY_SHORT);
-}
-
-/* Any codes. */
-PROOF(glint_place_lobe) {
-    const int place = glint_place_lobe(ANY_UNSIGNED(0, 0x1ff), ANY_UNSIGNED(0, 0x1ff));
+    any_range(&range.x);
+    any_range(&range.y);
+    any_range(&range.rising);
+    any_range(&range.falling);
+    const int place = glint_place_lobe(&of, &range);
     /*@ assert 0 <= place <= 2; */
 }
 
-/* Any light, any place. */
+/*@ assigns \result \from *table, u;
+    ensures \result <= 0x8000; */
+static inline uint32_t glint_power_at(const glint_power_table *table, uint32_t u);
+
+/* Any deviation where a highlight shows. @contract glint_power_at */
+PROOF(slope_from) {
+    any_material();
+    shading.shininess = ANY(7 << 16, INT32_MAX);
+    FOR_PARTS(part, 0, 63) {
+        slope_from(&shading, ANY((int)part << 8, ((int)part << 8) + 0xff));
+    }
+}
+
+/*@ requires 0 <= r < 0x4000;
+    assigns \result \from *shading, r;
+    ensures \result <= 0x8000; */
+static uint32_t slope_from(const glint_shading *shading, int32_t r);
+
+/* Any light, any deviations at nodes. @contract slope_from */
 PROOF(glint_region_add_lobe) {
-    FOR_PARTS(place, GLINT_LOBE_OUTSIDE, GLINT_LOBE_UNFIT) {
-        glint_region_add_lobe(&region, ANY_UNSIGNED(0, GLINT_LIGHTS_MAX - 1), (int)place);
+    glint_lobe_bounds of;
+    glint_lobe_range range;
+    any_material();
+    any_region();
+    of.is_wide = (uint8_t)ANY(0, 1);
+    of.bulge = ANY(0, 0x20000000);
+    of.straight = of.diagonal = ANY(0, 0x30002000);
+    of.below = of.edge = ANY_INT;
+    any_range(&range.x);
+    any_range(&range.y);
+    any_range(&range.rising);
+    any_range(&range.falling);
+    FOR_PARTS(light, 0, GLINT_LIGHTS_MAX - 1) {
+        glint_region_add_lobe(&shading, &of, (uint32_t)light, &range, &region);
     }
 }
 

@@ -84,15 +84,11 @@ PROOF(find_colour) {
     find_colour(&shape, nodes);
 }
 
-/* Any nodes of each light, any bounds. */
-PROOF(place_shape_lobe) {
-    glint_lobe_bounds bounds;
+/* Any nodes of each light. */
+PROOF(find_shape_lobe) {
     any_nodes();
-    bounds.is_wide = (uint8_t)ANY(0, 1);
-    bounds.straight = bounds.diagonal = ANY(0, 0x30002000);
-    bounds.below = bounds.edge = ANY_INT;
     FOR_PARTS(l, 0, GLINT_LIGHTS_MAX - 1) {
-        place_shape_lobe(&bounds, &shape, nodes, (uint32_t)l);
+        find_shape_lobe(&shape, nodes, (uint32_t)l);
     }
 }
 

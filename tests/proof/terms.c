@@ -3,16 +3,18 @@
 #include "proof.h"
 
 #include "../../src/math/tables.c"
+#include "../../src/nodes/middles.c"
 #include "../../src/nodes/terms.c"
 #include "../../src/nodes/terms_vertices.c"
 #include "lit.h"
 #include "plane.h"
 
 /*
- * Not proven: glint_terms_light, glint_terms_begin, choose_fit, light_middles, sum_corners, sum_node, mix_sums,
- * take_kept, begin_term_planes, begin_term_quadratics, take_numbers, take_sums, find_normals, has_edge: they walk
- * corners and lights, whose numbers are where place_numbers puts them, and call what is proven. Suites `nodes` and
- * `identity` under ASan and UBSan, and fuzzing.
+ * Not proven: glint_terms_light, glint_terms_begin, choose_fit, light_middles, glint_find_middles, glint_sum_corners,
+ * sum_node, shine_node, mix_sums, mix_lobes, take_kept, begin_term_planes, begin_term_quadratics, begin_light,
+ * set_polynomial, take_numbers, take_sums, sum_at, mix_bulges, is_mixed, find_normals, has_edge: they walk corners and
+ * lights, whose numbers are where place_numbers puts them, and call what is proven. Suites `nodes` and `identity` under
+ * ASan and UBSan, and fuzzing.
  */
 
 /* Numbers of lights, and sums. */
@@ -100,11 +102,14 @@ PROOF(find_shares) {
     }
 }
 
-/* Shares of up to 1, numbers of 15 bits and a sign. */
-PROOF(mix) {
+/*
+ * Sums, or numbers of 15 bits and a sign. Ends of an edge weigh from 0.39 to 0.61 where a region's slant is at most 1,
+ * times up to 1.08 where it turns by up to 3/4: 4 times that less 2 is at most 0.62.
+ */
+PROOF(mix_ends) {
     for (int e = 0; e < 2; e++)
-        t.share[0][e] = ANY(0, 1 << 15);
-    mix_ends(&t, 0, ANY(-NUMBER, NUMBER), ANY(-NUMBER, NUMBER));
+        t.share[0][e] = ANY(-20500, 20500);
+    mix_ends(&t, 0, ANY(-32768, 32767), ANY(-32768, 32767));
 }
 
 /*
@@ -137,33 +142,50 @@ static int32_t glint_root_of15(uint32_t x);
 
 /*
  * Any corners, by the bits of the largest 1/w. @contract glint_root_of15 glint_reciprocal16_by_division
- * @alarms 4 1/w over the largest is at most 1; suite `nodes` under UBSan
+ * @alarms 2 1/w over the largest is at most 1; suite `nodes` under UBSan
  * @unreached 3 leading zeros of 0, and a number of no bits
  */
 PROOF(glint_find_lengths) {
     glint_lengths of;
+    int32_t apart[3];
+    for (int e = 0; e < 3; e++)
+        apart[e] = ANY(0, 1 << 28);
     FOR_CORNERS(bits) {
-        glint_find_lengths(&triangle, &of);
+        glint_find_lengths(&triangle, apart, &of);
     }
 }
 
 /* Numbers of 15 bits and a sign. */
 PROOF(glint_triangle_keeps_side) {
-    int32_t n[6];
-    for (int i = 0; i < 6; i++)
+    int32_t n[3], bulge[3];
+    for (int i = 0; i < 3; i++) {
         n[i] = ANY(INT16_MIN, INT16_MAX);
-    glint_triangle_keeps_side(n, ANY(0, 1 << 16));
+        bulge[i] = ANY(-8 * 32768, 8 * 32768);
+    }
+    glint_triangle_keeps_side(n, bulge, ANY(0, 1 << 16));
 }
 
-/* Numbers of 15 bits and a sign times lengths of up to 1, or none. */
-PROOF(scale_by_lengths) {
-    int32_t n[6], by[6];
-    for (int i = 0; i < 6; i++) {
-        n[i] = ANY(INT16_MIN, INT16_MAX);
-        by[i] = ANY(0, (1 << 15) + 64);
+/* Squares that are not too small. @contract glint_root_of15 */
+PROOF(glint_find_middle_lengths) {
+    glint_lengths of;
+    for (int i = 0; i < 6; i++)
+        of.square[i] = ANY(GLINT_LEAST_SQUARE, 1 << 15);
+    glint_find_middle_lengths(&of);
+}
+
+/* Numbers of 15 bits and a sign, lengths of up to 1. */
+PROOF(times_length) {
+    times_length(ANY(INT16_MIN, INT16_MAX), ANY(0, (1 << 15) + 64));
+}
+
+/* Numbers of 15 bits and a sign. */
+PROOF(set_bulge) {
+    numbers n;
+    for (int i = 0; i < 3; i++)
+        n.corner[i] = ANY(INT16_MIN, INT16_MAX);
+    FOR_PARTS(e, 0, 2) {
+        set_bulge(&n, (int)e, ANY(INT16_MIN, INT16_MAX));
     }
-    scale_by_lengths(n, 0);
-    scale_by_lengths(n, by);
 }
 
 /*
