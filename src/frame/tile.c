@@ -206,6 +206,7 @@ int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint
     const glint_reference *const references = frame->references;
     glint_triangle triangle;
     const glint_reference *const list = &references[tile - frame->tile_first];
+    triangle.away = 0;
     if (!GLINT_SMALL && frame->has_costly && list->next != GLINT_LIST_END)
         hide_objects(frame, workspace, &part, list);
     for (uint32_t here = list->next; here != GLINT_LIST_END;) {

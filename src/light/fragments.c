@@ -30,6 +30,7 @@ void glint_gathering_begin(const glint_gathering *gathering, const glint_triangl
     fragments->part = gathering->part;
     fragments->attributes = attributes;
     fragments->scale = up;
+    fragments->away = triangle->away;
     triple(attributes->main, g, triangle, up, main, is_negated);
     if (gathering->draw->extra)
         triple(attributes->extra, g, triangle, up, triangle->extra, 0);

@@ -39,6 +39,7 @@ static void raise_to_ambient(const glint_shading *shading, glint_fragments *frag
 void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const glint_shading *shading,
                      int has_surface) {
     const glint_model *model = shading->material->model;
+    const uint32_t lights = shading->lights & ~fragments->away;
     const uint32_t takes_largest = model->light ? shading->material->flags & GLINT_MATERIAL_MAX : 0;
     static const uint32_t black[3] = {0, 0, 0};
     set_colours(fragments, takes_largest || has_surface ? black : shading->ambient);
@@ -46,10 +47,10 @@ void glint_light_all(const glint_frame *frame, glint_fragments *fragments, const
         raise_to_ambient(shading, fragments, has_surface);
     if (!model->light)
         return;
-    if (shading->has_specular)
+    if (shading->has_specular & lights)
         glint_find_view_vectors(frame->view, fragments);
     for (uint32_t light = 0; light < frame->view->light_count; light++)
-        if (shading->lights >> light & 1)
+        if (lights >> light & 1)
             model->light(shading, light, frame->view, fragments, has_surface);
     if (takes_largest)
         raise_to_ambient(shading, fragments, has_surface);

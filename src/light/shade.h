@@ -22,6 +22,7 @@ typedef struct glint_fragments {
     const glint_part *part;
     int8_t column[GLINT_FRAGMENTS_MAX], row[GLINT_FRAGMENTS_MAX]; /* from the tile's first pixel */
     uint32_t scale;                                               /* attributes are interpolated over w 2^scale */
+    uint32_t away;                                                /* known not to shine on the triangle: light bits */
     const glint_attributes *attributes;
     int32_t inverse_w[GLINT_FRAGMENTS_MAX];
     int32_t ray[GLINT_FRAGMENTS_MAX][3];     /* towards the eye: minus the position times 1/w, Q12 */

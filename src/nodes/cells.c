@@ -125,7 +125,7 @@ static int find_shape_region(const glint_frame *frame, const glint_draw *draw, c
         around = node->around > around ? node->around : around;
     }
     region->colour = draw->extra ? find_colour(shape, nodes) : 0;
-    const uint32_t lobes = glint_region_sort(frame, shading, closeness, around, region);
+    const uint32_t lobes = glint_region_sort(frame, shading, closeness, around, region) & shape->lobes;
     region->lobes = region->slope = 0;
     region->has_edge = 0;
     const glint_lobe_bounds bounds = /* nodes lie half as far apart as corners */
@@ -166,11 +166,13 @@ static int fit_cell(const glint_shape *shape, const int32_t n[], int unit, glint
     return 1;
 }
 
-void glint_shape_cell(const glint_part *part, int32_t x, int32_t y, unsigned shift, glint_shape *shape) {
+void glint_shape_cell(const glint_part *part, uint32_t lobes, int32_t x, int32_t y, unsigned shift,
+                      glint_shape *shape) {
     const uint32_t size = 32u << shift; /* twice the nodes' distance, 28.4 */
     *shape = (glint_shape){.count = GLINT_CELL_NODES,
                            .corners = {0, 2, 6, 8},
                            .longest = (181 * size >> 7) + 1, /* the diagonal */
+                           .lobes = lobes,
                            .part = part,
                            .fit = fit_cell,
                            .shift = shift,

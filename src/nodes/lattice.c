@@ -19,6 +19,7 @@ typedef struct lattice_walk {
     const glint_triangle *triangle;
     glint_attributes attributes;
     int32_t largest; /* squares have at most so many pixels across */
+    uint32_t lobes;  /* highlights that may show */
     int has_cones;   /* its lights have */
     glint_part cut;  /* what of the triangle's part a square holds */
 } lattice_walk;
@@ -27,12 +28,14 @@ typedef struct lattice_walk {
 
 /* Nodes on their way: where they go. */
 typedef struct batch {
+    const lattice_walk *walk;
     const glint_gathering *from;
     glint_node *to[GLINT_FRAGMENTS_MAX];
 } batch;
 
-/* Lights nodes, but for lights that are `away` from them. */
-static void light_batch(const batch *b, uint32_t away) {
+/* Lights nodes, but for lights that are away from the triangle, or whose cones they lie outside of. */
+static void light_batch(const batch *b, uint32_t outside) {
+    const uint32_t away = b->walk->triangle->away | outside;
     const glint_draw *draw = b->from->draw;
     const glint_shading *shading = draw->shading;
     glint_fragments *at = b->from->fragments;
@@ -40,7 +43,7 @@ static void light_batch(const batch *b, uint32_t away) {
         return;
     glint_find_rays(b->from->frame, at);
     glint_find_surface(at, draw, glint_extend_colour);
-    glint_nodes_light(b->from->frame, shading, at, shading->lights & ~away, shading->terms->lobes & ~away, b->to);
+    glint_nodes_light(b->from->frame, shading, at, shading->lights & ~away, b->walk->lobes & ~away, b->to);
     for (uint32_t i = 0; i < at->count; i++) {
         glint_node *node = b->to[i];
         node->inverse_w = at->inverse_w[i];
@@ -82,11 +85,13 @@ static inline int is_corner(int i) {
 /* Begins nodes; rows of colours have the fragments' place, and end what is there. */
 static void begin_batch(const lattice_walk *w, batch *b) {
     glint_fragments *at = w->gathering.fragments;
+    b->walk = w;
     b->from = &w->gathering;
     at->count = 0;
     at->part = w->gathering.part;
     at->attributes = &w->attributes;
     at->scale = glint_find_room(w->triangle->corners);
+    at->away = w->triangle->away;
 }
 
 /* Begins a square that nothing borders yet; its corners are another's. */
@@ -104,20 +109,21 @@ static void swap_nodes(square *of, int a, int b) {
 
 /* Lights the nodes of a square, 2^shift pixels apart; of its corners those that are in the batch. */
 static void light_square(const lattice_walk *w, unsigned shift, int side, square *to, batch *b) {
-    uint32_t away = 0;
+    uint32_t outside = 0;
     if (w->has_cones) {
         glint_shape shape;
         light_batch(b, 0);
-        glint_shape_cell(w->gathering.part, to->x, to->y, shift, &shape);
-        away = glint_shape_away(w->gathering.draw, &shape, to->nodes);
+        glint_shape_cell(w->gathering.part, w->lobes, to->x, to->y, shift, &shape);
+        outside = glint_shape_away(w->gathering.draw, &shape, to->nodes);
     }
-    const int is_there = side && to->nodes[8 - side]->left == away; /* lit as it would be here */
+    const int is_there =
+        side && to->nodes[8 - side]->left == (w->triangle->away | outside); /* lit as it would be here */
     if (is_there)
         swap_nodes(to, side, 8 - side);
     for (int i = 0; i < GLINT_CELL_NODES; i++)
         if (!is_corner(i) && !(is_there && i == side))
             add_node(b, to->x + i % 3 * (1 << shift), to->y + i / 3 * (1 << shift), to->nodes[i]);
-    light_batch(b, away);
+    light_batch(b, outside);
 }
 
 /* ---- Squares ---- */
@@ -182,7 +188,7 @@ static int draw_square(const lattice_walk *w, unsigned shift, const square *of) 
     glint_polynomials polynomials;
     glint_terms terms;
     glint_shape shape;
-    glint_shape_cell(from->part, of->x, of->y, shift, &shape);
+    glint_shape_cell(from->part, w->lobes, of->x, of->y, shift, &shape);
     if (2 << shift > w->largest || !glint_shape_begin(from->frame, from->draw, &shape, of->nodes, &terms, &polynomials))
         return 0;
     glint_terms_draw_part(from->frame, from->workspace, from->draw, w->triangle, &w->cut, &terms, &polynomials);
@@ -258,7 +264,7 @@ static int find_largest(const glint_part *part, const glint_attributes *attribut
     { (triangle)->corners[0]->attribute, (triangle)->corners[1]->attribute, (triangle)->corners[2]->attribute }
 
 int glint_draw_lattice(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                       const glint_triangle *triangle, const glint_part *part) {
+                       const glint_triangle *triangle, uint32_t lobes, const glint_part *part) {
     const int16_t *const normals[3] = NORMALS(triangle);
     lattice_walk w;
     if (triangle->area < CELL_AREA)
@@ -270,9 +276,11 @@ int glint_draw_lattice(const glint_frame *frame, glint_workspace *workspace, con
     if (!w.largest)
         return 0;
     w.cut = *part;
+    w.lobes = lobes;
     w.has_cones = 0;
-    for (uint32_t i = 0; draw->shading->lights >> i; i++)
-        w.has_cones |= draw->shading->lights >> i & 1 && frame->view->lights[i].type->has_cone;
+    const uint32_t lights = draw->shading->lights & ~triangle->away;
+    for (uint32_t i = 0; lights >> i; i++)
+        w.has_cones |= lights >> i & 1 && frame->view->lights[i].type->has_cone;
     draw_cells(&w);
     glint_count(workspace, GLINT_KERNEL_GENERAL, workspace->drawn ? glint_covered_by(part) : 0);
     return 1;

@@ -64,16 +64,25 @@ static GLINT_NOINLINE int draw_terms(const glint_frame *frame, glint_workspace *
     return 1;
 }
 
+/* Draws a triangle that has no polynomials of its own, but for lights that do not shine on it. */
+static GLINT_NOINLINE void draw_in_parts(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                                         const glint_triangle *triangle, const glint_part *part) {
+    const glint_reach reach = glint_find_reach(frame, draw, triangle);
+    glint_triangle lit = *triangle;
+    lit.away = reach.away;
+    if (!glint_draw_lattice(frame, workspace, draw, &lit, reach.lobes, part) &&
+        !glint_draw_pieces(frame, workspace, draw, &lit, reach.lobes, part))
+        glint_draw_any(frame, workspace, draw, &lit, part);
+}
+
 static void draw_nodes(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                        const glint_triangle *triangle, const glint_part *part) {
     if (!draw->shading->terms || triangle->area < GLINT_NODES_LEAST_AREA || glint_is_deep(triangle))
         glint_draw_any(frame, workspace, draw, triangle, part);
     else if (!glint_is_visible(frame, workspace, part)) /* then no node is lit */
         glint_count(workspace, GLINT_KERNEL_CHANNELS, workspace->drawn ? glint_covered_by(part) : 0);
-    else if (!draw_terms(frame, workspace, draw, triangle, part) &&
-             !glint_draw_lattice(frame, workspace, draw, triangle, part) &&
-             !glint_draw_pieces(frame, workspace, draw, triangle, part))
-        glint_draw_any(frame, workspace, draw, triangle, part);
+    else if (!draw_terms(frame, workspace, draw, triangle, part))
+        draw_in_parts(frame, workspace, draw, triangle, part);
 }
 
 static const glint_node_stage stage = {glint_terms_prepare, glint_terms_measure, sizeof(glint_light_terms)};

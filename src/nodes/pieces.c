@@ -92,8 +92,9 @@ static void light_piece(pieces *p, const glint_shape *shape, glint_node *nodes[6
         to[at.count] = nodes[i];
         gather_piece(p, j, k, &at);
     }
-    glint_nodes_light(p->frame, p->draw->shading, &at, p->draw->shading->lights, p->draw->shading->terms->lobes, to);
+    glint_nodes_light(p->frame, p->draw->shading, &at, p->draw->shading->lights & ~p->triangle->away, shape->lobes, to);
     for (uint32_t i = 0; i < at.count; i++) {
+        glint_node_leave(to[i], p->triangle->away);
         to[i]->inverse_w = at.inverse_w[i];
         for (int c = 0; c < 3; c++) {
             to[i]->normal[c] = at.normal[i][c];
@@ -190,12 +191,16 @@ static void begin_pieces(pieces *p, glint_shape *shape) {
 }
 
 int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                      const glint_triangle *triangle, const glint_part *part) {
+                      const glint_triangle *triangle, uint32_t lobes, const glint_part *part) {
     static const int32_t kinds[4][3] = {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {-1, 1, 1}};
     pieces p = {.frame = frame, .draw = draw, .triangle = triangle};
     glint_barycentric barycentric = {.unit = 0};
-    glint_shape shape = {
-        .count = 6, .corners = {0, 1, 2, 2}, .fit = fit_piece, .part = part, .barycentric = &barycentric};
+    glint_shape shape = {.count = 6,
+                         .corners = {0, 1, 2, 2},
+                         .lobes = lobes & ~triangle->away,
+                         .fit = fit_piece,
+                         .part = part,
+                         .barycentric = &barycentric};
     glint_span spans[4][GLINT_TILE_MAX];
     glint_part cut = *part;
     if (triangle->area * (int32_t)draw->shading->terms->shown < PIECES_AREA || glint_is_deep(triangle) ||

@@ -369,6 +369,15 @@ glint_light_triangle glint_terms_light;
 int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
                       const glint_part *part, glint_terms *terms, glint_polynomials *polynomials);
 
+/** Of a triangle: lights that do not shine on it, and those whose highlights may show where polynomials fit. */
+typedef struct glint_reach {
+    uint32_t away, lobes;
+} glint_reach;
+
+/** Finds that from what its corners keep, where there are several lights; else any may shine on it. */
+GLINT_NOINLINE glint_reach glint_find_reach(const glint_frame *frame, const glint_draw *draw,
+                                            const glint_triangle *triangle);
+
 /* ---- Shapes: regions whose nodes are all there ---- */
 
 /** Nodes of a cell: three rows of three. */
@@ -378,6 +387,7 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
 typedef struct glint_shape {
     uint8_t count, corners[4]; /* how many, and which lie at the corners: a triangle's last is there twice */
     uint32_t longest;          /* what two of its points lie apart at most, 28.4 */
+    uint32_t lobes;            /* highlights that may show */
     const glint_part *part;    /* the whole triangle's */
     /** The polynomial through numbers of the nodes, times 2^unit. @return 0 where its own do not fit */
     int (*fit)(const struct glint_shape *shape, const int32_t n[], int unit, glint_quadratic *to);
@@ -388,7 +398,7 @@ typedef struct glint_shape {
 } glint_shape;
 
 /** The shape of a cell from pixel x, y of the tile on, with nodes so far apart. */
-void glint_shape_cell(const glint_part *part, int32_t x, int32_t y, unsigned shift, glint_shape *shape);
+void glint_shape_cell(const glint_part *part, uint32_t lobes, int32_t x, int32_t y, unsigned shift, glint_shape *shape);
 
 /** Lights that are outside of their cones all over a region, from its corners' nodes. */
 uint32_t glint_shape_away(const glint_draw *draw, const glint_shape *shape, glint_node *const nodes[]);
@@ -399,7 +409,7 @@ int glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const gl
 
 /** Draws a triangle by four pieces of its own. @return 0 where it is too small or too slender for them */
 int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                      const glint_triangle *triangle, const glint_part *part);
+                      const glint_triangle *triangle, uint32_t lobes, const glint_part *part);
 
 /** Draws a part: by the format's own loop where terms are fused, else runs of as many rows at once as two rows of a
  * tile have pixels. */
@@ -409,6 +419,6 @@ void glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace,
 
 /** Draws a triangle by the cells of the lattice. @return 0 where it is too small or too deep for them */
 int glint_draw_lattice(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                       const glint_triangle *triangle, const glint_part *part);
+                       const glint_triangle *triangle, uint32_t lobes, const glint_part *part);
 
 #endif

@@ -55,6 +55,7 @@ typedef struct glint_triangle {
     const int16_t *facet;           /* its colour, where the draw is lit by facet */
     int32_t area;                   /* twice its area, 28.4 squared, above 0 */
     int back;                       /* seen from the back */
+    uint32_t away;                  /* lights that are known not to shine on it, by bits */
 } glint_triangle;
 
 /** A window that shows so many pixels from pixel x, y of the screen on. */

@@ -38,7 +38,7 @@ static glint_light_terms terms;
 static void any_cell(unsigned shift) {
     part.x = ANY(-4096, 4096);
     part.y = ANY(-4096, 4096);
-    glint_shape_cell(&part, ANY(-16, 128), ANY(-16, 128), shift, &shape);
+    glint_shape_cell(&part, ANY_UNSIGNED(0, 0xff), ANY(-16, 128), ANY(-16, 128), shift, &shape);
 }
 
 /* Nodes of any numbers. */

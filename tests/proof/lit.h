@@ -58,6 +58,7 @@ static void any_shading(glint_shading *shading, glint_material *material) {
 /* Fragments with normals, rays, and colours: their own from 0 to 1, what they are lit by from 0 to `most`. */
 static void any_fragments(glint_fragments *fragments, uint32_t most) {
     fragments->count = ANY_UNSIGNED(1, GLINT_FRAGMENTS_MAX);
+    fragments->away = ANY_UNSIGNED(0, 0xff);
     for (int i = 0; i < GLINT_FRAGMENTS_MAX; i++) {
         any_unit(fragments->normal[i]);
         any_unit(fragments->view[i]);
