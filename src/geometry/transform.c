@@ -11,6 +11,14 @@ int64_t glint_shift_round64(int64_t x, int shift) {
     return shift > 0 ? glint_round_shift64(x, (unsigned)shift) : x * ((int64_t)1 << -shift);
 }
 
+/* The same where the result has 30 bits: half of it is added in 32. */
+static inline int32_t shift_round_to_30(int64_t x, int shift) {
+    if (shift <= 0)
+        return (int32_t)x * (1 << -shift);
+    const int32_t twice = (int32_t)glint_shift_right64(x, (unsigned)shift - 1);
+    return glint_shift_right(twice, 1) + (twice & 1);
+}
+
 /* Exact in 64 bits: pose times mesh extent, and the mesh's origin relative to the eye as a fourth column; Q28. */
 static int place_in_world(const glint_view *view, const glint_object *object, int64_t world[3][4]) {
     const glint_mesh *mesh = object->mesh;
@@ -21,7 +29,8 @@ static int place_in_world(const glint_view *view, const glint_object *object, in
         world[i][3] = ((int64_t)object->pose.m[i][3] - view->eye[i]) * (1 << 12);
         for (int j = 0; j < 3; j++) {
             world[i][j] = glint_shift_round64(glint_product(object->pose.m[i][j], extent[j]), 4);
-            world[i][3] += glint_shift_round64(glint_product(object->pose.m[i][j], offset[j]), 4);
+            if (offset[j])
+                world[i][3] += glint_shift_round64(glint_product(object->pose.m[i][j], offset[j]), 4);
             bits |= glint_magnitude64(world[i][j]);
         }
         bits |= glint_magnitude64(world[i][3]);
@@ -38,7 +47,7 @@ static int rows_to_30_bits(int64_t x[3][4], int32_t out[3][4]) {
     int shift = (int)glint_bits64(bits) - 30;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 4; j++)
-            out[i][j] = (int32_t)glint_shift_round64(x[i][j], shift);
+            out[i][j] = shift_round_to_30(x[i][j], shift);
     return shift;
 }
 
@@ -62,8 +71,8 @@ static int set_rows(glint_transform *transform, int64_t rows[3][4], uint64_t lar
     int shift = (int)glint_bits64(largest + largest / 2) - 30;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++)
-            glint_row_set(&transform->matrix[i], j, (int32_t)glint_shift_round64(rows[i][j], shift));
-        transform->translation[i] = (int32_t)glint_shift_round64(rows[i][3], shift);
+            glint_row_set(&transform->matrix[i], j, shift_round_to_30(rows[i][j], shift));
+        transform->translation[i] = shift_round_to_30(rows[i][3], shift);
     }
     return shift;
 }
@@ -85,30 +94,41 @@ static int bring_to_clip_space(glint_transform *transform, const glint_view *vie
     return set_rows(transform, rows, largest);
 }
 
-/* Smallest value of a x + b w over the box, where x is clip row 0 or 1; |a|, |b| below 2^12. */
-static int64_t smallest(const glint_transform *transform, int row, int32_t a, int32_t b) {
-    int64_t value = glint_product(transform->translation[row], a) + glint_product(transform->translation[2], b);
-    for (int j = 0; j < 3; j++)
-        value -= (int64_t)glint_magnitude64(glint_product(glint_row_get(&transform->matrix[row], j), a) +
-                                            glint_product(glint_row_get(&transform->matrix[2], j), b));
-    return value;
+/*
+ * Smallest value of a x + b w over the box, of which this is row x and row w of the matrix, the translation last;
+ * modulo 2^32, and it fits.
+ */
+static int32_t smallest(const int32_t x[4], const int32_t w[4], int32_t a, int32_t b) {
+    uint32_t value = (uint32_t)a * (uint32_t)x[3] + (uint32_t)b * (uint32_t)w[3];
+    for (int j = 0; j < 3; j++) {
+        const uint32_t change = (uint32_t)a * (uint32_t)x[j] + (uint32_t)b * (uint32_t)w[j];
+        value -= (int32_t)change < 0 ? 0u - change : change;
+    }
+    return (int32_t)value;
 }
 
-static int64_t largest(const glint_transform *transform, int row, int32_t a, int32_t b) {
-    return -smallest(transform, row, -a, -b);
-}
+/* Bits that the matrix is cut by, against the sides of the screen: row sums below 2.67 2^17 times 2046 + 1025. */
+#define SCREEN_CUT 11
 
 /* Is any of the box on the screen, and does any of it pass the near plane or the guard band? */
 static void classify(glint_transform *transform, const glint_config *config) {
     const int32_t half[2] = {config->width, config->height}; /* in half pixels */
-    transform->least_w = (int32_t)smallest(transform, 2, 0, 1);
-    transform->visible = largest(transform, 2, 0, 1) >= transform->near_plane;
+    int32_t rows[3][4], cut[3][4];
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 4; j++) {
+            rows[i][j] = j < 3 ? glint_row_get(&transform->matrix[i], j) : transform->translation[i];
+            cut[i][j] = glint_shift_right(rows[i][j], SCREEN_CUT);
+        }
+    }
+    transform->least_w = smallest(rows[2], rows[2], 0, 1);
+    transform->visible = smallest(rows[2], rows[2], 0, -1) <= -transform->near_plane;
     transform->clips = transform->least_w < transform->near_plane;
     for (int row = 0; row < 2; row++) {
+        const int32_t band = 2 * GLINT_GUARD_BAND, side = half[row] + 1;
         for (int32_t sign = -1; sign <= 1; sign += 2) {
-            if (smallest(transform, row, sign, 1) <= 0)
+            if (smallest(rows[row], rows[2], sign, 1) <= 0)
                 transform->clips = 1;
-            if (largest(transform, row, 2 * GLINT_GUARD_BAND * sign, half[row] + 1) < 0)
+            if (smallest(cut[row], cut[2], -sign * band, -side) > 4 * (band + side)) /* what cutting takes at most */
                 transform->visible = 0;
         }
     }

@@ -253,7 +253,10 @@ PROOF(prepare_depth) {
     prepare_depth(&transform, &view, ANY(-16, 92));
 }
 
-/* Rows below 2^30, the last one's magnitudes summing up to 3 2^28, by parts; any screen. */
+/*
+ * Rows below 2^30, the last one's magnitudes summing up to 3 2^28, by parts; any screen.
+ * @narrowing sums over the box are found modulo 2^32: right wherever the true value fits
+ */
 PROOF(classify) {
     glint_transform transform;
     glint_config config;
