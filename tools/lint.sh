@@ -45,7 +45,7 @@ tidy() {
         'tools/chart/*_board.c' || status=1
     tidy_files "-Isrc -Iport/host -Iexamples -Iexamples/bench" 'tools/bench/scenes.c' || status=1
     tidy_files "" 'tools/cycles/*.c' || status=1
-    tidy_files "-Isrc -Iport/host -Iexamples -Itools/bench -I$bench" 'tools/cost/*.c' || status=1
+    tidy_files "-Isrc -Iport/host -Iexamples -Itools/bench -I$bench" 'tools/cost/*.c' 'tools/pages/*.c' 'examples/compose/*.c' || status=1
     tidy_files "-Isrc -Iport -Iport/libc $(arm_fpu)" 'tests/cycles/*.c' || status=1
     tidy_files "-Isrc -Iport -Iport/libc -Itools/bench -Itools/bench/float -I$bench $(arm_fpu)" 'tools/bench/float/*.c' 'tests/float/*_board.c' || status=1
     tidy_files "-Isrc -Iport -Iport/host -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit -Itools/bench -Itools/bench/float" \

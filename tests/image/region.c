@@ -175,7 +175,7 @@ static void check_regions(const glint_scene *scene, const glint_format *format, 
 
 static void regions_are_parts_of_the_whole(void) {
     for (unsigned i = 0; i < scene_count; i++)
-        for (unsigned f = 0; f < sizeof formats / sizeof *formats; f++) {
+        for (unsigned f = 0; f < TEST_COUNT(formats); f++) {
             test_scene scene;
             scene_build(&scene, &scene_definitions[i]);
             if (i & 1)
