@@ -134,12 +134,11 @@ static int light_middles(const glint_frame *frame, const glint_draw *draw, const
 /* Where polynomials go. */
 typedef struct target {
     const glint_part *part;
-    const glint_terms *terms;
     glint_polynomials *polynomials;
 } target;
 
 static inline void set(const target *to, uint32_t i, glint_quadratic q, uint32_t more) {
-    glint_polynomial_set(to->terms, to->part, i, q, more, to->polynomials);
+    glint_polynomial_set(to->polynomials, i, q, more);
 }
 
 /* A light's numbers at the nodes, the first so many. */
@@ -298,7 +297,7 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     glint_candidate t;
     glint_region *const region = &t.region;
     glint_lengths by;
-    const target to = {part, terms, polynomials};
+    const target to = {part, polynomials};
     if (!is_shapely(triangle, part) || !glint_find_region(frame, draw, triangle, &t))
         return 0;
     int fit = glint_region_sum_lobes(shading, t.has_surface, region) ? choose_fit(frame, shading, &t) : FIT_NONE;
