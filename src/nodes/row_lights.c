@@ -109,10 +109,10 @@ static int32_t weaken(int32_t power, const light_parts *of, int is_ungated, cons
  */
 typedef struct lobe_table {
     const uint16_t *value;
-    uint32_t end;             /* beyond, the power is 0 or need not show */
-    uint32_t end_over;        /* the same of products */
-    unsigned upper;           /* shift to a square's upper bits */
-    unsigned index, fraction; /* shifts of what is looked up */
+    uint32_t end;      /* beyond, the power is 0 or need not show */
+    uint32_t end_over; /* the same of products */
+    unsigned upper;    /* shift to a square's upper bits */
+    unsigned fraction; /* shift of what is looked up, to 12 bits between two values */
 } lobe_table;
 
 static lobe_table table_of(const glint_terms *terms) {
@@ -123,12 +123,13 @@ static lobe_table table_of(const glint_terms *terms) {
     const unsigned bits = 32 - glint_leading_zeros(end), upper = bits > 16 ? bits - 16 : 0;
     const unsigned unit = terms->is_over_length > 1 ? 12 : 14;
     const unsigned index = power->index_shift + kept - 2 + (terms->is_over_length ? unit : upper) - upper;
-    return (lobe_table){power->value, end, end >> upper << unit, upper, index, index - GLINT_POWER_FRACTION_BITS};
+    return (lobe_table){power->value, end, end >> upper << unit, upper, index - GLINT_POWER_FRACTION_BITS};
 }
 
 static inline int32_t power_of_square(const lobe_table *table, uint32_t square) {
-    const uint16_t *const node = &table->value[square >> table->index];
-    const int32_t fraction = (int32_t)(square >> table->fraction & ((1u << GLINT_POWER_FRACTION_BITS) - 1));
+    const uint32_t place = square >> table->fraction;
+    const uint16_t *const node = &table->value[place >> GLINT_POWER_FRACTION_BITS];
+    const int32_t fraction = (int32_t)(place & ((1u << GLINT_POWER_FRACTION_BITS) - 1));
     return node[0] + glint_shift_right((node[1] - node[0]) * fraction, GLINT_POWER_FRACTION_BITS);
 }
 

@@ -335,7 +335,8 @@ const glint_run *glint_terms_draw_rows(const glint_frame *frame, glint_workspace
                      .square = &polynomials[terms->square],
                      .depth = workspace->depth,
                      .shift = frame->tile_shift_x};
-    find_base(terms, sums.base);
+    if (terms->sums > 1)
+        find_base(terms, sums.base);
     const glint_run *const end = begin_rows(terms, &sums, y, runs, workspace->row, inverse);
     const glint_pixel_runs to = {runs, end, part->x, part->y, terms->is_over_length ? inverse : 0, workspace->row};
     if (terms->sums == 1)

@@ -185,7 +185,7 @@ PROOF(table_of) {
 /* Squares below 2 to the power of 16 and up to 13 more, any 1 / |M|. @unsigned */
 PROOF(square_over) {
     FOR_PARTS(upper, 0, 13) {
-        const lobe_table of = {0, 0, 0, (unsigned)upper, 0, 0};
+        const lobe_table of = {0, 0, 0, (unsigned)upper, 0};
         FOR_PARTS(times, 1, 2) {
             square_over(ANY_UNSIGNED(0, (1u << (16 + upper)) - 1), ANY_UNSIGNED(0, UINT16_MAX), (uint32_t)times, &of);
         }
@@ -198,7 +198,7 @@ PROOF(power_of_square) {
     for (int i = 0; i <= GLINT_POWER_INTERVALS; i++)
         value[i] = (uint16_t)ANY(0, 1 << 15);
     FOR_PARTS(index, GLINT_POWER_FRACTION_BITS, 31) {
-        const lobe_table of = {value, 0, 0, 0, (unsigned)index, (unsigned)index - GLINT_POWER_FRACTION_BITS};
+        const lobe_table of = {value, 0, 0, 0, (unsigned)index - GLINT_POWER_FRACTION_BITS};
         const unsigned bits = (unsigned)index + GLINT_POWER_TABLE_BITS;
         power_of_square(&of, ANY_UNSIGNED(0, bits < 32 ? (1u << bits) - 1 : UINT_MAX));
     }
