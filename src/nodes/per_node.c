@@ -9,13 +9,10 @@ static void draw_fused(const glint_frame *frame, const glint_workspace *workspac
                        const glint_terms *terms, const glint_polynomials *polynomials) {
     const glint_spans spans = glint_spans_of(frame, workspace, part);
     const glint_format *format = frame->config.format;
-    glint_mix mix;
-    if (terms->sums > 1) {
+    if (terms->sums == 1)
+        format->draw_mixed(&spans, polynomials->of, &terms->light->mix);
+    else
         format->draw_channels(&spans, polynomials->of, terms->is_curved);
-        return;
-    }
-    glint_terms_mix(terms, &mix);
-    format->draw_mixed(&spans, polynomials->of, &mix);
 }
 
 void glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,

@@ -139,7 +139,7 @@ static glint_run *begin_rows(const glint_terms *terms, const row_sums *of, uint3
     return is_chroma ? begin_chroma(of, y, run, row) : begin_channels(of, y, run, row);
 }
 
-/* What is added to sums of all pixels: half a level and ambient light, unless sums or what follows has them. */
+/* What is added to sums of channels: half a level and ambient light, unless sums or what follows has them. */
 static void find_base(const glint_terms *terms, int32_t base[3]) {
     const glint_light_terms *light = terms->light;
     for (int c = 0; c < 3; c++) {
@@ -209,20 +209,6 @@ static void raise_row(const glint_light_terms *light, const glint_pixel_runs *to
 
 /* ---- Mixtures ---- */
 
-void glint_terms_mix(const glint_terms *terms, glint_mix *mix) {
-    const glint_light_terms *light = terms->light;
-    find_base(terms, mix->base);
-    mix->has_gloss = mix->has_least = 0;
-    for (const glint_apart *a = terms->apart; a != terms->apart + terms->apart_count; a++)
-        mix->has_gloss |= a->kinds >> GLINT_LOBE_X & 1;
-    mix->has_least = terms->takes_largest && !terms->has_surface;
-    for (int c = 0; c < 3; c++) {
-        mix->light[c] = light->chroma[c] << light->sum_bits;
-        mix->gloss[c] = light->gloss[c];
-        mix->least[c] = light->ambient[c] + light->half[c];
-    }
-}
-
 /* Mixes colours of rows. */
 static void mix_rows(const glint_mix *mix, const glint_pixel_runs *to) {
     int32_t(*row)[3] = to->row;
@@ -237,15 +223,16 @@ static void mix_rows(const glint_mix *mix, const glint_pixel_runs *to) {
 /* Mixes colours of rows, light multiplied by the surface's colours. */
 static void mix_with_surface(const glint_mix *mix, const int32_t half[3], const glint_quadratic surface[3],
                              const glint_pixel_runs *to) {
+    const int32_t base[3] = {mix->base[0] - half[0], mix->base[1] - half[1], mix->base[2] - half[2]};
     int32_t(*row)[3] = to->row;
     for (const glint_run *run = to->runs; run != to->end; run++) {
         glint_progress red = glint_run_start(&surface[0], run, to), green = glint_run_start(&surface[1], run, to),
                        blue = glint_run_start(&surface[2], run, to);
         for (uint32_t n = run->count; n; n--, row++) {
             const int32_t light = (*row)[0], gloss = (*row)[1];
-            (*row)[0] = multiply(mix->base[0] + light * mix->light[0], &red) + half[0] + gloss * mix->gloss[0];
-            (*row)[1] = multiply(mix->base[1] + light * mix->light[1], &green) + half[1] + gloss * mix->gloss[1];
-            (*row)[2] = multiply(mix->base[2] + light * mix->light[2], &blue) + half[2] + gloss * mix->gloss[2];
+            (*row)[0] = multiply(base[0] + light * mix->light[0], &red) + half[0] + gloss * mix->gloss[0];
+            (*row)[1] = multiply(base[1] + light * mix->light[1], &green) + half[1] + gloss * mix->gloss[1];
+            (*row)[2] = multiply(base[2] + light * mix->light[2], &blue) + half[2] + gloss * mix->gloss[2];
         }
     }
 }
@@ -267,11 +254,16 @@ static void add_sides(const rows_of *of, const glint_pixel_runs *to) {
             glint_row_add_side(terms, a, of->polynomials, to);
 }
 
-static void add_lobes(const rows_of *of, const glint_pixel_runs *to) {
+/* Adds highlights. @return are there any? */
+static int add_lobes(const rows_of *of, const glint_pixel_runs *to) {
     const glint_terms *terms = of->terms;
+    int has_gloss = 0;
     for (const glint_apart *a = terms->apart; a != terms->apart + terms->apart_count; a++)
-        if (a->kinds >> GLINT_LOBE_X & 1)
+        if (a->kinds >> GLINT_LOBE_X & 1) {
             glint_row_add_lobe(terms, a, of->polynomials, to);
+            has_gloss = 1;
+        }
+    return has_gloss;
 }
 
 /* Stores colours of runs. */
@@ -292,19 +284,17 @@ static void draw_chroma(const rows_of *of, const glint_pixel_runs *to) {
     const glint_terms *terms = of->terms;
     const glint_light_terms *light = terms->light;
     const glint_config *config = &of->frame->config;
-    glint_mix mix;
-    glint_terms_mix(terms, &mix);
     add_sides(of, to);
-    add_lobes(of, to);
+    const int has_gloss = add_lobes(of, to);
     if (!GLINT_SMALL && config->format->store_mixed && !terms->has_surface && !config->gamma) {
-        config->format->store_mixed(of->workspace->pixels, of->frame->tile_shift_x, to->runs, to->end, &mix,
-                                    (const int32_t(*)[3])to->row);
+        config->format->store_mixed(of->workspace->pixels, of->frame->tile_shift_x, to->runs, to->end, &light->mix,
+                                    has_gloss, (const int32_t(*)[3])to->row);
         return;
     }
     if (terms->has_surface)
-        mix_with_surface(&mix, light->half, of->polynomials + terms->surface, to);
+        mix_with_surface(&light->mix, light->half, of->polynomials + terms->surface, to);
     else
-        mix_rows(&mix, to);
+        mix_rows(&light->mix, to);
     if (terms->takes_largest && terms->has_surface)
         take_surface(light, of->polynomials + terms->surface, to, 1);
     store_rows(of, to);

@@ -3,7 +3,6 @@
 #ifndef GLINT_ROWS_H
 #define GLINT_ROWS_H
 
-#include "../pixel/format.h"
 #include "terms.h"
 
 /** 1 / |M|, Q15, of pixels; or null: then it is 1. */
@@ -22,9 +21,6 @@ static inline glint_progress glint_run_start(const glint_quadratic *q, const gli
                                              const glint_pixel_runs *to) {
     return glint_progress_begin(q, to->x + run->x, to->y + run->y);
 }
-
-/** How light and gloss of one chroma each become colours. */
-void glint_terms_mix(const glint_terms *terms, glint_mix *mix);
 
 /** Adds a light with terms of its own where it shines. */
 void glint_row_add_side(const glint_terms *terms, const glint_apart *apart, const glint_quadratic *polynomials,

@@ -9,6 +9,7 @@
 
 #include "../geometry/draw.h"
 #include "../light/shade.h"
+#include "../pixel/format.h"
 #include "../raster/polynomial.h"
 #include "../raster/runs.h"
 
@@ -23,13 +24,13 @@
 
 /** What a material makes of the frame's lights, for nodes and rows. Weights are Q12, in the format's levels. */
 typedef struct glint_light_terms {
-    int32_t ambient[3], half[3];            /* channels: of ambient light, and of half a level */
-    uint16_t diffuse[GLINT_LIGHTS_MAX][3];  /* weights of diffuse light */
-    uint16_t specular[GLINT_LIGHTS_MAX][3]; /* weights of specular light */
-    int32_t share[GLINT_LIGHTS_MAX];        /* where all are of one chroma: a light's part of it, Q15 */
-    int32_t chroma[3];                      /* its weight */
-    int32_t gloss_share[GLINT_LIGHTS_MAX];  /* the same of specular light, which then is of one chroma too */
-    int32_t gloss[3];
+    int32_t ambient[3], half[3];               /* channels: of ambient light, and of half a level */
+    uint16_t diffuse[GLINT_LIGHTS_MAX][3];     /* weights of diffuse light */
+    uint16_t specular[GLINT_LIGHTS_MAX][3];    /* weights of specular light */
+    int32_t share[GLINT_LIGHTS_MAX];           /* where all are of one chroma: a light's part of it, Q15 */
+    int32_t chroma[3];                         /* its weight */
+    int32_t gloss_share[GLINT_LIGHTS_MAX];     /* the same of specular light, which then is of one chroma too */
+    glint_mix mix;                             /* of such light and specular light, where surfaces have no colours */
     uint32_t diffuse_levels[GLINT_LIGHTS_MAX]; /* what 1 makes at most, levels in Q8 */
     uint32_t specular_levels[GLINT_LIGHTS_MAX];
     uint32_t ambient_levels; /* of ambient light */

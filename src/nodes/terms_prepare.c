@@ -133,6 +133,17 @@ static void gather_shares(const glint_shading *shading, glint_light_terms *terms
         terms->chroma[c] *= 1 << up;
 }
 
+/* How light and gloss become colours: those of surfaces without colours of their own. */
+static void set_mix(const glint_material *material, glint_light_terms *terms) {
+    glint_mix *const mix = &terms->mix;
+    mix->has_least = (material->flags & GLINT_MATERIAL_MAX) != 0;
+    for (int c = 0; c < 3; c++) {
+        mix->least[c] = terms->ambient[c] + terms->half[c];
+        mix->base[c] = mix->has_least ? terms->half[c] : mix->least[c];
+        mix->light[c] = terms->chroma[c] << terms->sum_bits;
+    }
+}
+
 /* What need not show of a highlight: 1/8 of a level, Q8. */
 #define FAINT 32
 
@@ -244,11 +255,12 @@ static int find_light_terms(const glint_frame *frame, const glint_shading *shadi
     set_weights(frame, shading, terms);
     const int is_mono =
         find_chroma(shading->lights, (const uint16_t(*)[3])terms->diffuse, terms->chroma, terms->share) &&
-        find_chroma(shading->has_specular, (const uint16_t(*)[3])terms->specular, terms->gloss, terms->gloss_share);
+        find_chroma(shading->has_specular, (const uint16_t(*)[3])terms->specular, terms->mix.gloss, terms->gloss_share);
     terms->channels = is_mono ? 1 : 3;
     terms->sum_bits = find_sum_bits(frame, shading);
     if (terms->channels == 1)
         gather_shares(shading, terms);
+    set_mix(shading->material, terms);
     set_lobes(frame, shading, terms);
     terms->limit = LIMIT * (uint32_t)glint_least(glint_most((int32_t)total, 1 << 12), MOST_WEIGHT << 12) >> 12;
     place_numbers(frame, shading, terms);

@@ -30,10 +30,11 @@ struct glint_spans;
 struct glint_quadratic;
 struct glint_run;
 
-/** Colours that are mixed of two numbers: base + light n0 + gloss n1, but no less than `least`, in levels. */
+/** Colours that are mixed of two numbers: base + light n0 + gloss n1, but no less than `least` if there is one, in
+ * levels. */
 typedef struct glint_mix {
     int32_t base[3], light[3], gloss[3], least[3];
-    uint8_t has_gloss, has_least; /* else there is no n1, and `least` is below all */
+    int has_least;
 } glint_mix;
 
 /** Fast lighting: what a format that has it links. fast.h. */
@@ -62,9 +63,9 @@ struct glint_format {
     void (*draw_channels)(const struct glint_spans *spans, const struct glint_quadratic *channels, int is_curved);
     /** Draws spans of colours that are mixed of a polynomial's high half. */
     void (*draw_mixed)(const struct glint_spans *spans, const struct glint_quadratic *light, const glint_mix *mix);
-    /** Stores runs of a tile whose colours are mixed. */
+    /** Stores runs of a tile whose colours are mixed; without gloss, of the first number alone. */
     void (*store_mixed)(void *pixels, unsigned tile_shift_x, const struct glint_run *runs, const struct glint_run *end,
-                        const glint_mix *mix, const int32_t (*numbers)[3]);
+                        const glint_mix *mix, int has_gloss, const int32_t (*numbers)[3]);
     const struct glint_fast *fast; /* or null */
 };
 

@@ -241,11 +241,11 @@ static GLINT_INLINE void glint_store_mixed_inline(const glint_target *t, const g
 
 /** A format's `store_mixed`. */
 static GLINT_INLINE void glint_store_mixed(const glint_target *t, const glint_run *runs, const glint_run *end,
-                                           const glint_mix *mix, const int32_t (*numbers)[3], glint_pack pack,
-                                           glint_put put) {
-    if (mix->has_gloss && mix->has_least)
+                                           const glint_mix *mix, int has_gloss, const int32_t (*numbers)[3],
+                                           glint_pack pack, glint_put put) {
+    if (has_gloss && mix->has_least)
         glint_store_mixed_inline(t, runs, end, mix, numbers, 1, 1, pack, put);
-    else if (mix->has_gloss)
+    else if (has_gloss)
         glint_store_mixed_inline(t, runs, end, mix, numbers, 1, 0, pack, put);
     else if (mix->has_least)
         glint_store_mixed_inline(t, runs, end, mix, numbers, 0, 1, pack, put);
@@ -288,9 +288,9 @@ static GLINT_INLINE void glint_store_mixed(const glint_target *t, const glint_ru
         glint_draw_mixed(s, &target, light, mix, pack, put);                                                    \
     }                                                                                                           \
     static void store_mixed_##suffix(void *pixels, unsigned shift, const glint_run *runs, const glint_run *end, \
-                                     const glint_mix *mix, const int32_t(*numbers)[3]) {                        \
+                                     const glint_mix *mix, int has_gloss, const int32_t(*numbers)[3]) {         \
         const glint_target target = {pixels, shift, is_dithered};                                               \
-        glint_store_mixed(&target, runs, end, mix, numbers, pack, put);                                         \
+        glint_store_mixed(&target, runs, end, mix, has_gloss, numbers, pack, put);                              \
     }
 #endif
 

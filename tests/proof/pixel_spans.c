@@ -57,7 +57,7 @@ PROOF(glint_draw_channel_spans) {
 }
 
 /* Two numbers of a pixel, of up to 1 each, are mixed with weights below 7, and of a base below 1. */
-static glint_mix any_mix(int has_gloss, int has_least) {
+static glint_mix any_mix(int has_least) {
     glint_mix mix;
     for (int c = 0; c < 3; c++) {
         mix.base[c] = ANY(0, 1 << 27);
@@ -65,8 +65,7 @@ static glint_mix any_mix(int has_gloss, int has_least) {
         mix.gloss[c] = ANY(0, 7 << 12);
         mix.least[c] = ANY_CHANNEL;
     }
-    mix.has_gloss = (uint8_t)has_gloss;
-    mix.has_least = (uint8_t)has_least;
+    mix.has_least = has_least;
     return mix;
 }
 
@@ -81,7 +80,7 @@ PROOF(glint_draw_mixed) {
     const glint_spans spans = any_part();
     const glint_target plain = {spans.pixels, spans.shift, 0}, dithered = {spans.pixels, spans.shift, 1};
     FOR_SPANS() {
-        const glint_mix mix = any_mix(0, 0), raised = any_mix(0, 1);
+        const glint_mix mix = any_mix(0), raised = any_mix(1);
         glint_draw_mixed(&spans, &plain, &light, &mix, any_pack, any_put);
         glint_draw_mixed(&spans, &dithered, &light, &raised, any_pack, any_put);
     }
@@ -97,8 +96,8 @@ PROOF(glint_store_mixed) {
         for (int n = 0; n < 3; n++)
             numbers[i][n] = ANY(0, 1 << 15);
     FOR_PARTS(kind, 0, 3) {
-        const glint_mix mix = any_mix(kind & 1, kind >> 1);
-        glint_store_mixed(&plain, runs, runs + 2, &mix, (const int32_t(*)[3])numbers, any_pack, any_put);
-        glint_store_mixed(&dithered, runs, runs + 2, &mix, (const int32_t(*)[3])numbers, any_pack, any_put);
+        const glint_mix mix = any_mix(kind >> 1);
+        glint_store_mixed(&plain, runs, runs + 2, &mix, kind & 1, (const int32_t(*)[3])numbers, any_pack, any_put);
+        glint_store_mixed(&dithered, runs, runs + 2, &mix, kind & 1, (const int32_t(*)[3])numbers, any_pack, any_put);
     }
 }
