@@ -125,10 +125,12 @@ void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const gl
     terms->is_over_length = (uint8_t)over_length;
     terms->is_curved = 1;
     terms->margin = region->has_edge ? region->margin : 0;
-    terms->is_plain = (uint8_t)(!has_apart && !terms->has_surface && !terms->takes_largest && !over_length);
-    terms->is_fused = (uint8_t)(terms->is_plain && frame->config.format->draw_channels && !frame->config.gamma);
-    terms->is_channels = (uint8_t)(terms->is_plain || region->folds || region->summed);
+    const int is_plain = !has_apart && !terms->has_surface && !over_length;
+    const int is_coloured = shading->terms->channels > 1 && !terms->takes_largest;
+    terms->is_channels = (uint8_t)(region->folds || region->summed || (is_plain && is_coloured));
     terms->sums = (uint8_t)(terms->is_channels ? 3 : shading->terms->channels);
+    terms->is_fused = (uint8_t)(is_plain && (terms->sums == 1 || !terms->takes_largest) &&
+                                frame->config.format->draw_channels && !frame->config.gamma);
     terms->square = terms->sums;
     terms->surface = (uint8_t)(terms->square + (over_length != 0));
     terms->apart_count = 0;

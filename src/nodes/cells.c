@@ -194,7 +194,7 @@ static int set_through(const shape_target *to, uint32_t i, const int32_t n[], in
     glint_quadratic q;
     if (!to->shape->fit(to->shape, n, unit, &q))
         return 0;
-    glint_polynomial_set(to->terms, to->shape->part, i, q, more, to->polynomials);
+    glint_polynomial_set(to->polynomials, i, q, more);
     return 1;
 }
 

@@ -288,14 +288,14 @@ int glint_draw_lattice(const glint_frame *frame, glint_workspace *workspace, con
 
 void glint_draw_edges(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                       const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
-                      const glint_descent *polynomials, const glint_run *runs, uint32_t count) {
+                      const glint_quadratic *polynomials, const glint_run *runs, const glint_run *end) {
     const int16_t *const normals[3] = NORMALS(triangle);
     const glint_gathering gathering = {frame, workspace, part, draw, glint_shade, &workspace->gathered->fragments};
     glint_attributes attributes;
     uint8_t columns[GLINT_TILE_MAX];
     int has_begun = 0;
-    for (const glint_run *run = runs; run != runs + count; run++) {
-        const uint32_t found = glint_terms_find_edge(terms, polynomials, run, columns);
+    for (const glint_run *run = runs; run != end; run++) {
+        const uint32_t found = glint_terms_find_edge(terms, polynomials, part, run, columns);
         if (found && !has_begun)
             glint_gathering_begin(&gathering, triangle, normals, triangle->back, &attributes);
         has_begun |= found != 0;

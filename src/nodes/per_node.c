@@ -2,51 +2,32 @@
 /* Lighting at nodes: a triangle by polynomials through its own, by those of the lattice's cells, or by fragments. */
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
-#include "terms.h"
+#include "rows.h"
 
-/* What runs of a triangle are drawn by. */
-typedef struct painter {
-    const glint_draw *draw;
-    const glint_triangle *triangle;
-    const glint_terms *terms;
-    const glint_descent *polynomials;
-} painter;
-
-static void draw_batch(const glint_frame *frame, glint_workspace *workspace, const painter *by, const glint_part *part,
-                       const glint_run *runs, uint32_t count) {
-    glint_terms_draw(frame, workspace, by->terms, by->polynomials, runs, count);
-    if (by->terms->margin)
-        glint_draw_edges(frame, workspace, by->draw, by->triangle, part, by->terms, by->polynomials, runs, count);
-}
-
-/* Draws runs, of as many rows at once as fit. */
-static void draw_rows(const glint_frame *frame, glint_workspace *workspace, const painter *by, const glint_part *part) {
-    glint_run runs[2 * GLINT_ROW_RUNS], *next = runs;
-    uint32_t pixels = 0;
-    for (uint32_t y = part->top; y < part->bottom; y++) {
-        const uint32_t width = (uint32_t)part->spans[y].right - part->spans[y].left;
-        pixels += width;
-        if (pixels > 2 * frame->config.tile_width || next > runs + GLINT_ROW_RUNS) {
-            draw_batch(frame, workspace, by, part, runs, (uint32_t)(next - runs));
-            next = runs;
-            pixels = width;
-        }
-        next = glint_find_runs(frame, workspace, part, 0, y, next);
-    }
-    if (next != runs)
-        draw_batch(frame, workspace, by, part, runs, (uint32_t)(next - runs));
+/* Draws a part by the format's own loop. */
+static void draw_fused(const glint_frame *frame, const glint_workspace *workspace, const glint_part *part,
+                       const glint_terms *terms, const glint_polynomials *polynomials) {
+    const glint_spans spans = glint_spans_of(frame, workspace, part);
+    const glint_format *format = frame->config.format;
+    if (terms->sums == 1)
+        format->draw_mixed(&spans, polynomials->of, &terms->light->mix);
+    else
+        format->draw_channels(&spans, polynomials->of, terms->is_curved);
 }
 
 void glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                            const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
                            const glint_polynomials *polynomials) {
-    const painter by = {draw, triangle, terms, polynomials->descents};
-    if (!terms->is_fused) {
-        draw_rows(frame, workspace, &by, part);
+    glint_run runs[GLINT_BATCH_RUNS];
+    if (!GLINT_SMALL && terms->is_fused) {
+        draw_fused(frame, workspace, part, terms, polynomials);
         return;
     }
-    const glint_spans spans = glint_spans_of(frame, workspace, part);
-    frame->config.format->draw_channels(&spans, polynomials->fused, terms->is_curved);
+    for (uint32_t y = part->top; y < part->bottom;) {
+        const glint_run *const end = glint_terms_draw_rows(frame, workspace, terms, polynomials->of, part, &y, runs);
+        if (terms->margin)
+            glint_draw_edges(frame, workspace, draw, triangle, part, terms, polynomials->of, runs, end);
+    }
 }
 
 /*

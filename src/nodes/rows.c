@@ -1,119 +1,177 @@
 /* SPDX-License-Identifier: MIT */
-/* Runs: what a region's terms make of pixels, run by run and term by term. */
+/* Rows: the depth test and sums of a region's terms in one loop, then term by term what else they make of its runs. */
 #include "rows.h"
 
-#include "../pixel/format.h"
-
-static void find_inverses(const glint_descent *square, const glint_pixel_runs *to, uint16_t *inverse) {
-    for (const glint_run *run = to->runs; run != to->end; run++) {
-        glint_progress p = glint_run_start(square, run, to);
-        for (uint32_t n = run->count; n; n--, glint_progress_next(&p)) {
-            const int32_t entry = glint_shift_right((int32_t)p.value, 20) - 256; /* M.M is Q30 */
-            *inverse++ = glint_root_table[glint_least(glint_most(entry, 0), 767)];
-        }
-    }
-}
+#include "../pixel/pixel.h"
 
 /* ---- Sums ---- */
 
-/* Sets colours to a base and a sum of one chroma; `is_over` is a constant where this is inlined. */
-static inline void begin_with_chroma(const glint_terms *terms, const glint_descent *sum, const int32_t base[3],
-                                     const glint_pixel_runs *to, int is_over) {
-    const unsigned up = terms->light->sum_bits;
-    const int32_t *const chroma = terms->light->chroma;
-    const int32_t by_red = chroma[0] << up, by_green = chroma[1] << up, by_blue = chroma[2] << up;
-    const int32_t red = base[0], green = base[1], blue = base[2];
-    int32_t(*row)[3] = to->row;
-    glint_inverses inverse = to->inverse;
-    for (const glint_run *run = to->runs; run != to->end; run++) {
-        glint_progress p = glint_run_start(sum, run, to);
-        for (int32_t(*const end)[3] = row + run->count; row != end; row++, glint_progress_next(&p)) {
-            int32_t amount = glint_shift_right((int32_t)p.value, 16);
-            if (is_over)
-                amount = glint_shift_right(amount * *inverse++, 15);
-            (*row)[0] = red + amount * by_red;
-            (*row)[1] = green + amount * by_green;
-            (*row)[2] = blue + amount * by_blue;
-        }
-    }
-}
-
-/* Sets colours to a base and three channels; `is_over` is a constant where this is inlined. */
-static GLINT_INLINE void begin_with_channels_inline(const glint_descent sum[3], const int32_t base[3],
-                                                    const glint_pixel_runs *to, int is_over) {
-    int32_t(*row)[3] = to->row;
-    glint_inverses inverse = to->inverse;
-    for (const glint_run *run = to->runs; run != to->end; run++) {
-        glint_progress red = glint_run_start(&sum[0], run, to), green = glint_run_start(&sum[1], run, to),
-                       blue = glint_run_start(&sum[2], run, to);
-        if (!is_over) {
-            red.value += (uint32_t)base[0];
-            green.value += (uint32_t)base[1];
-            blue.value += (uint32_t)base[2];
-        }
-        for (int32_t(*const end)[3] = row + run->count; row != end; row++) {
-            if (is_over) {
-                const int32_t over = *inverse++ >> 1;
-                (*row)[0] = base[0] + glint_shift_right((int32_t)red.value, 14) * over;
-                (*row)[1] = base[1] + glint_shift_right((int32_t)green.value, 14) * over;
-                (*row)[2] = base[2] + glint_shift_right((int32_t)blue.value, 14) * over;
-            } else {
-                (*row)[0] = (int32_t)red.value;
-                (*row)[1] = (int32_t)green.value;
-                (*row)[2] = (int32_t)blue.value;
-            }
-            glint_progress_next(&red);
-            glint_progress_next(&green);
-            glint_progress_next(&blue);
-        }
-    }
-}
-
-static GLINT_NOINLINE void begin_with_channels(const glint_descent sum[3], const int32_t base[3],
-                                               const glint_pixel_runs *to) {
-    if (GLINT_SMALL)
-        begin_with_channels_inline(sum, base, to, to->inverse != 0);
-    else if (to->inverse)
-        begin_with_channels_inline(sum, base, to, 1);
-    else
-        begin_with_channels_inline(sum, base, to, 0);
-}
-
-/* Sets colours to sums of light, and what is added to all. */
-static void begin_row(const glint_terms *terms, const glint_descent *sum, const glint_pixel_runs *to) {
-    const glint_light_terms *light = terms->light;
+/*
+ * What rows of a part begin with: depth, and sums of light over |M|, or not. Sums of one chroma are kept as two numbers
+ * of a pixel, of light and of gloss, until rows are mixed; of three channels they are colours, to which `base` is
+ * added.
+ */
+typedef struct row_sums {
+    const glint_part *part;
+    const glint_quadratic *sum, *square;
     int32_t base[3];
+    uint16_t *depth; /* of the tile */
+    unsigned shift;  /* binary logarithm of its width */
+} row_sums;
+
+/* M.M, Q30, that 1 / |M| is known from. */
+#define LEAST_SQUARE (1u << 28)
+
+/* 1 / |M|, Q15, of M.M less its least. */
+static inline uint32_t inverse_of(uint32_t square) {
+    const int32_t entry = (int32_t)glint_saturate((int32_t)square, 10, 20);
+    return glint_root_table[glint_least(entry, 767)];
+}
+
+/* A base and a sum times 1 / |M|. */
+static inline int32_t over_length(uint32_t sum, int32_t base, uint32_t over) {
+    return base + glint_shift_right((int32_t)sum, 14) * (int32_t)(over >> 1);
+}
+
+/*
+ * Begins rows of a part from row *y on, as many as two rows of the tile have room for: tests and stores depth,
+ * sets sums and 1 / |M| of pixels that are visible; `is_chroma` and `is_over` are constants where this is inlined.
+ * @return the runs' end
+ */
+static GLINT_INLINE glint_run *begin_rows_inline(const row_sums *of, uint32_t *y, glint_run *run, int32_t (*row)[3],
+                                                 uint16_t *inverse, int is_chroma, int is_over) {
+    const glint_part *part = of->part;
+    uint32_t room = 2u << of->shift; /* pixels */
+    const uint32_t z_dx = (uint32_t)part->depth.dx, z_dy = (uint32_t)part->depth.dy, bottom = part->bottom;
+    uint32_t at = *y, z_row = (uint32_t)glint_plane_at(&part->depth, part->x, part->y + (int32_t)at) + GLINT_DEPTH_BIAS;
+    uint16_t *line = of->depth + (at << of->shift);
+    do {
+        const glint_span span = part->spans[at];
+        const int32_t j = part->y + (int32_t)at;
+        uint16_t *depth = line + span.left, *const right = line + span.right;
+        uint32_t z = z_row + z_dx * span.left;
+        if ((uint32_t)span.right - span.left > room)
+            break;
+        while (depth < right) {
+            if (z >> 15 <= *depth) {
+                z += z_dx;
+                depth++;
+                continue;
+            }
+            const uint32_t first = (uint32_t)(depth - line);
+            const int32_t i = part->x + (int32_t)first;
+            glint_progress square = {0, 0, 0}, one, two = {0, 0, 0}, three = {0, 0, 0};
+            if (is_over) {
+                square = glint_progress_begin(of->square, i, j);
+                square.value -= LEAST_SQUARE;
+            }
+            one = glint_progress_begin(&of->sum[0], i, j);
+            if (!is_chroma) {
+                two = glint_progress_begin(&of->sum[1], i, j);
+                three = glint_progress_begin(&of->sum[2], i, j);
+            }
+            if (!is_chroma && !is_over) {
+                one.value += (uint32_t)of->base[0];
+                two.value += (uint32_t)of->base[1];
+                three.value += (uint32_t)of->base[2];
+            }
+            do {
+                uint32_t over = 0;
+                *depth++ = (uint16_t)(z >> 15);
+                z += z_dx;
+                if (is_over) {
+                    over = inverse_of(square.value);
+                    *inverse++ = (uint16_t)over;
+                    glint_progress_next(&square);
+                }
+                if (is_chroma) {
+                    const int32_t amount = glint_shift_right((int32_t)one.value, 16);
+                    (*row)[0] = is_over ? glint_shift_right(amount * (int32_t)over, 15) : amount;
+                    (*row)[1] = 0;
+                } else {
+                    (*row)[0] = is_over ? over_length(one.value, of->base[0], over) : (int32_t)one.value;
+                    (*row)[1] = is_over ? over_length(two.value, of->base[1], over) : (int32_t)two.value;
+                    (*row)[2] = is_over ? over_length(three.value, of->base[2], over) : (int32_t)three.value;
+                    glint_progress_next(&two);
+                    glint_progress_next(&three);
+                }
+                glint_progress_next(&one);
+                row++;
+            } while (depth < right && z >> 15 > *depth);
+            const uint32_t count = (uint32_t)(depth - line) - first;
+            *run++ = (glint_run){(uint8_t)first, (uint8_t)at, (uint8_t)count};
+            room -= count;
+        }
+        line += 1u << of->shift;
+        z_row += z_dy;
+        at++;
+    } while (at < bottom);
+    *y = at;
+    return run;
+}
+
+static GLINT_NOINLINE glint_run *begin_chroma(const row_sums *of, uint32_t *y, glint_run *run, int32_t (*row)[3]) {
+    return begin_rows_inline(of, y, run, row, 0, 1, 0);
+}
+
+static GLINT_NOINLINE glint_run *begin_chroma_over(const row_sums *of, uint32_t *y, glint_run *run, int32_t (*row)[3],
+                                                   uint16_t *inverse) {
+    return begin_rows_inline(of, y, run, row, inverse, 1, 1);
+}
+
+static GLINT_NOINLINE glint_run *begin_channels(const row_sums *of, uint32_t *y, glint_run *run, int32_t (*row)[3]) {
+    return begin_rows_inline(of, y, run, row, 0, 0, 0);
+}
+
+static GLINT_NOINLINE glint_run *begin_channels_over(const row_sums *of, uint32_t *y, glint_run *run, int32_t (*row)[3],
+                                                     uint16_t *inverse) {
+    return begin_rows_inline(of, y, run, row, inverse, 0, 1);
+}
+
+/* Begins rows. @return the runs' end */
+static glint_run *begin_rows(const glint_terms *terms, const row_sums *of, uint32_t *y, glint_run *run,
+                             int32_t (*row)[3], uint16_t *inverse) {
+    const int is_chroma = terms->sums == 1, is_over = terms->is_over_length;
+    if (GLINT_SMALL)
+        return begin_rows_inline(of, y, run, row, inverse, is_chroma, is_over);
+    if (is_over)
+        return is_chroma ? begin_chroma_over(of, y, run, row, inverse) : begin_channels_over(of, y, run, row, inverse);
+    return is_chroma ? begin_chroma(of, y, run, row) : begin_channels(of, y, run, row);
+}
+
+/* What is added to sums of channels: half a level and ambient light, unless sums or what follows has them. */
+static void find_base(const glint_terms *terms, int32_t base[3]) {
+    const glint_light_terms *light = terms->light;
     for (int c = 0; c < 3; c++) {
-        base[c] = terms->has_surface || (terms->is_channels && !to->inverse) ? 0 : light->half[c];
+        base[c] = terms->has_surface || (terms->is_channels && !terms->is_over_length) ? 0 : light->half[c];
         base[c] += terms->is_channels || terms->takes_largest ? 0 : light->ambient[c];
     }
-    if (terms->sums == 1 && to->inverse)
-        begin_with_chroma(terms, sum, base, to, 1);
-    else if (terms->sums == 1)
-        begin_with_chroma(terms, sum, base, to, 0);
-    else
-        begin_with_channels(sum, base, to);
 }
 
 /* ---- Surfaces ---- */
 
-/* One channel of what is below, and to the next pixel. */
-static inline void take_channel(int32_t *colour, glint_progress *surface, int32_t ambient, int32_t half, int is_least) {
-    const int32_t by = glint_shift_right(is_least ? ambient : *colour, 12);
-    const int32_t value = by * glint_shift_right((int32_t)surface->value, 18) + half;
-    *colour = is_least ? glint_most(*colour, value) : value;
+/* A channel times that of the surface, which goes to the next pixel. */
+static inline int32_t multiply(int32_t channel, glint_progress *surface) {
+    const int32_t by = glint_shift_right((int32_t)surface->value, 18);
     glint_progress_next(surface);
+    return glint_shift_right(channel, 12) * by;
+}
+
+/* One channel of what is below. */
+static inline void take_channel(int32_t *colour, glint_progress *surface, int32_t ambient, int32_t half, int is_least) {
+    const int32_t value = multiply(is_least ? ambient : *colour, surface) + half;
+    *colour = is_least ? glint_most(*colour, value) : value;
 }
 
 /* Multiplies what there is by the surface's colours, or makes it no less than ambient light times these, and half a
  * level; `is_least` is a constant where this is inlined. */
-static GLINT_INLINE void take_surface_inline(const glint_light_terms *light, const glint_descent surface[3],
+static GLINT_INLINE void take_surface_inline(const glint_light_terms *light, const glint_quadratic surface[3],
                                              const glint_pixel_runs *to, int is_least) {
     int32_t(*row)[3] = to->row;
     for (const glint_run *run = to->runs; run != to->end; run++) {
         glint_progress red = glint_run_start(&surface[0], run, to), green = glint_run_start(&surface[1], run, to),
                        blue = glint_run_start(&surface[2], run, to);
-        for (int32_t(*const end)[3] = row + run->count; row != end; row++) {
+        for (uint32_t n = run->count; n; n--, row++) {
             take_channel(&(*row)[0], &red, light->ambient[0], light->half[0], is_least);
             take_channel(&(*row)[1], &green, light->ambient[1], light->half[1], is_least);
             take_channel(&(*row)[2], &blue, light->ambient[2], light->half[2], is_least);
@@ -121,7 +179,7 @@ static GLINT_INLINE void take_surface_inline(const glint_light_terms *light, con
     }
 }
 
-static void take_surface(const glint_light_terms *light, const glint_descent surface[3], const glint_pixel_runs *to,
+static void take_surface(const glint_light_terms *light, const glint_quadratic surface[3], const glint_pixel_runs *to,
                          int is_least) {
     if (GLINT_SMALL)
         take_surface_inline(light, surface, to, is_least);
@@ -137,56 +195,143 @@ static inline void raise_to(int32_t *colour, int32_t least) {
 }
 
 /* Makes colours no less than ambient light. */
-static void raise_row(const glint_light_terms *light, int32_t (*row)[3], uint32_t pixels) {
+static void raise_row(const glint_light_terms *light, const glint_pixel_runs *to) {
     const int32_t red = light->ambient[0] + light->half[0], green = light->ambient[1] + light->half[1],
                   blue = light->ambient[2] + light->half[2];
-    for (int32_t(*const end)[3] = row + pixels; row != end; row++) {
-        raise_to(&(*row)[0], red);
-        raise_to(&(*row)[1], green);
-        raise_to(&(*row)[2], blue);
-    }
-}
-
-/* Sets colours of runs. @return pixels */
-static uint32_t find_colours(const glint_terms *terms, const glint_descent *polynomials, glint_pixel_runs *to) {
-    const glint_light_terms *light = terms->light;
-    const glint_apart *const end = terms->apart + terms->apart_count;
-    uint16_t inverse[2 * GLINT_TILE_MAX];
-    uint32_t pixels = 0;
+    int32_t(*row)[3] = to->row;
     for (const glint_run *run = to->runs; run != to->end; run++)
-        pixels += run->count;
-    to->inverse = 0;
-    if (terms->is_over_length) {
-        find_inverses(&polynomials[terms->square], to, inverse);
-        to->inverse = inverse;
-    }
-    begin_row(terms, polynomials, to);
-    for (const glint_apart *a = terms->apart; a != end; a++)
-        if (a->kinds >> GLINT_SIDE & 1)
-            glint_row_add_side(terms, a, polynomials, to);
-    if (terms->has_surface)
-        take_surface(light, polynomials + terms->surface, to, 0);
-    for (const glint_apart *a = terms->apart; a != end; a++)
-        if (a->kinds >> GLINT_LOBE_X & 1)
-            glint_row_add_lobe(terms, a, polynomials, to);
-    if (terms->takes_largest && terms->has_surface)
-        take_surface(light, polynomials + terms->surface, to, 1);
-    else if (terms->takes_largest)
-        raise_row(light, to->row, pixels);
-    to->inverse = 0;
-    return pixels;
+        for (uint32_t n = run->count; n; n--, row++) {
+            raise_to(&(*row)[0], red);
+            raise_to(&(*row)[1], green);
+            raise_to(&(*row)[2], blue);
+        }
 }
 
-void glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
-                      const glint_descent *polynomials, const glint_run *runs, uint32_t count) {
-    const glint_format *format = frame->config.format;
-    const unsigned shift = frame->tile_shift_x;
-    int32_t(*row)[3] = workspace->row;
-    glint_pixel_runs to = {runs, runs + count, 0, row, terms->is_curved};
-    const uint32_t pixels = find_colours(terms, polynomials, &to);
-    if (frame->config.gamma)
-        glint_finish_colours(&frame->config, row, pixels);
-    for (const glint_run *run = runs; run != to.end; row += run->count, run++)
-        format->store(workspace->pixels, shift, ((uint32_t)run->y << shift) + run->x, run->count,
-                      (const int32_t(*)[3])row);
+/* ---- Mixtures ---- */
+
+/* Mixes colours of rows. */
+static void mix_rows(const glint_mix *mix, const glint_pixel_runs *to) {
+    int32_t(*row)[3] = to->row;
+    for (const glint_run *run = to->runs; run != to->end; run++)
+        for (uint32_t n = run->count; n; n--, row++) {
+            const int32_t number[3] = {(*row)[0], (*row)[1], 0};
+            for (int c = 0; c < 3; c++)
+                (*row)[c] = glint_mix_channel(mix, c, number, 1, mix->has_least);
+        }
+}
+
+/* Mixes colours of rows, light multiplied by the surface's colours. */
+static void mix_with_surface(const glint_mix *mix, const int32_t half[3], const glint_quadratic surface[3],
+                             const glint_pixel_runs *to) {
+    const int32_t base[3] = {mix->base[0] - half[0], mix->base[1] - half[1], mix->base[2] - half[2]};
+    int32_t(*row)[3] = to->row;
+    for (const glint_run *run = to->runs; run != to->end; run++) {
+        glint_progress red = glint_run_start(&surface[0], run, to), green = glint_run_start(&surface[1], run, to),
+                       blue = glint_run_start(&surface[2], run, to);
+        for (uint32_t n = run->count; n; n--, row++) {
+            const int32_t light = (*row)[0], gloss = (*row)[1];
+            (*row)[0] = multiply(base[0] + light * mix->light[0], &red) + half[0] + gloss * mix->gloss[0];
+            (*row)[1] = multiply(base[1] + light * mix->light[1], &green) + half[1] + gloss * mix->gloss[1];
+            (*row)[2] = multiply(base[2] + light * mix->light[2], &blue) + half[2] + gloss * mix->gloss[2];
+        }
+    }
+}
+
+/* ---- Rows ---- */
+
+/* Rows on their way to pixels. */
+typedef struct rows_of {
+    const glint_frame *frame;
+    glint_workspace *workspace;
+    const glint_terms *terms;
+    const glint_quadratic *polynomials;
+} rows_of;
+
+static void add_sides(const rows_of *of, const glint_pixel_runs *to) {
+    const glint_terms *terms = of->terms;
+    for (const glint_apart *a = terms->apart; a != terms->apart + terms->apart_count; a++)
+        if (a->kinds >> GLINT_SIDE & 1)
+            glint_row_add_side(terms, a, of->polynomials, to);
+}
+
+/* Adds highlights. @return are there any? */
+static int add_lobes(const rows_of *of, const glint_pixel_runs *to) {
+    const glint_terms *terms = of->terms;
+    int has_gloss = 0;
+    for (const glint_apart *a = terms->apart; a != terms->apart + terms->apart_count; a++)
+        if (a->kinds >> GLINT_LOBE_X & 1) {
+            glint_row_add_lobe(terms, a, of->polynomials, to);
+            has_gloss = 1;
+        }
+    return has_gloss;
+}
+
+/* Stores colours of runs. */
+static void store_rows(const rows_of *of, const glint_pixel_runs *to) {
+    const glint_config *config = &of->frame->config;
+    const unsigned shift = of->frame->tile_shift_x;
+    int32_t(*row)[3] = to->row;
+    for (const glint_run *run = to->runs; run != to->end; row += run->count, run++) {
+        if (config->gamma)
+            glint_finish_colours(config, row, run->count);
+        config->format->store(of->workspace->pixels, shift, ((uint32_t)run->y << shift) + run->x, run->count,
+                              (const int32_t(*)[3])row);
+    }
+}
+
+/* Draws runs whose sums are of one chroma. */
+static void draw_chroma(const rows_of *of, const glint_pixel_runs *to) {
+    const glint_terms *terms = of->terms;
+    const glint_light_terms *light = terms->light;
+    const glint_config *config = &of->frame->config;
+    add_sides(of, to);
+    const int has_gloss = add_lobes(of, to);
+    if (!GLINT_SMALL && config->format->store_mixed && !terms->has_surface && !config->gamma) {
+        config->format->store_mixed(of->workspace->pixels, of->frame->tile_shift_x, to->runs, to->end, &light->mix,
+                                    has_gloss, (const int32_t(*)[3])to->row);
+        return;
+    }
+    if (terms->has_surface)
+        mix_with_surface(&light->mix, light->half, of->polynomials + terms->surface, to);
+    else
+        mix_rows(&light->mix, to);
+    if (terms->takes_largest && terms->has_surface)
+        take_surface(light, of->polynomials + terms->surface, to, 1);
+    store_rows(of, to);
+}
+
+/* Draws runs whose sums are three channels. */
+static void draw_channels(const rows_of *of, const glint_pixel_runs *to) {
+    const glint_terms *terms = of->terms;
+    const glint_light_terms *light = terms->light;
+    add_sides(of, to);
+    if (terms->has_surface)
+        take_surface(light, of->polynomials + terms->surface, to, 0);
+    add_lobes(of, to);
+    if (terms->takes_largest && terms->has_surface)
+        take_surface(light, of->polynomials + terms->surface, to, 1);
+    else if (terms->takes_largest)
+        raise_row(light, to);
+    store_rows(of, to);
+}
+
+const glint_run *glint_terms_draw_rows(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
+                                       const glint_quadratic *polynomials, const glint_part *part, uint32_t *y,
+                                       glint_run runs[GLINT_BATCH_RUNS]) {
+    uint16_t inverse[2 * GLINT_TILE_MAX];
+    const rows_of of = {frame, workspace, terms, polynomials};
+    row_sums sums = {.part = part,
+                     .sum = polynomials,
+                     .square = &polynomials[terms->square],
+                     .depth = workspace->depth,
+                     .shift = frame->tile_shift_x};
+    if (terms->sums > 1)
+        find_base(terms, sums.base);
+    const glint_run *const end = begin_rows(terms, &sums, y, runs, workspace->row, inverse);
+    const glint_pixel_runs to = {runs, end, part->x, part->y, terms->is_over_length ? inverse : 0, workspace->row};
+    if (terms->sums == 1)
+        draw_chroma(&of, &to);
+    else
+        draw_channels(&of, &to);
+    return end;
 }

@@ -30,7 +30,7 @@ static void set_polynomial(const target *to, glint_barycentric *s, uint32_t i, c
             glint_barycentric_begin(s, &to->part->gradients, (int32_t)unit);
         glint_polynomial_begin(&q, s, n->corner, n->bulge);
     }
-    glint_polynomial_set(to->terms, to->part, i, q, more, to->polynomials);
+    glint_polynomial_set(to->polynomials, i, q, more);
 }
 
 static inline int32_t times_length(int32_t n, int32_t length) {
@@ -171,8 +171,8 @@ static void begin_term_planes(const glint_candidate *t, int32_t longer, const gl
     for (uint32_t c = 0; c < terms->sums; c++) {
         for (int i = 0; i < 3; i++)
             n[i] = sum_at(terms, t, i, c);
-        glint_polynomial_set(terms, to->part, c, glint_fit_plane(g, n, length, unit_of_sums(terms)),
-                             finish_of(terms, t, c), to->polynomials);
+        glint_polynomial_set(to->polynomials, c, glint_fit_plane(g, n, length, unit_of_sums(terms)),
+                             finish_of(terms, t, c));
     }
     for (uint32_t a = 0; a < terms->apart_count; a++) {
         const glint_apart *apart = &terms->apart[a];
@@ -182,9 +182,8 @@ static void begin_term_planes(const glint_candidate *t, int32_t longer, const gl
                 const uint8_t at = terms->light->at[apart->light][kind];
                 for (int i = 0; i < 3; i++)
                     n[i] = t->kept[i][at];
-                glint_polynomial_set(terms, to->part, next++,
-                                     glint_fit_plane(g, n, kind == GLINT_STRENGTH ? 1 << 15 : length, 16), 0,
-                                     to->polynomials);
+                glint_polynomial_set(to->polynomials, next++,
+                                     glint_fit_plane(g, n, kind == GLINT_STRENGTH ? 1 << 15 : length, 16), 0);
             }
     }
 }

@@ -9,6 +9,7 @@
 
 #include "../geometry/draw.h"
 #include "../light/shade.h"
+#include "../pixel/format.h"
 #include "../raster/polynomial.h"
 #include "../raster/runs.h"
 
@@ -28,10 +29,12 @@ typedef struct glint_light_terms {
     uint16_t specular[GLINT_LIGHTS_MAX][3];    /* weights of specular light */
     int32_t share[GLINT_LIGHTS_MAX];           /* where all are of one chroma: a light's part of it, Q15 */
     int32_t chroma[3];                         /* its weight */
+    int32_t gloss_share[GLINT_LIGHTS_MAX];     /* the same of specular light, which then is of one chroma too */
+    glint_mix mix;                             /* of such light and specular light, where surfaces have no colours */
     uint32_t diffuse_levels[GLINT_LIGHTS_MAX]; /* what 1 makes at most, levels in Q8 */
     uint32_t specular_levels[GLINT_LIGHTS_MAX];
     uint32_t ambient_levels; /* of ambient light */
-    uint32_t channels;       /* of a node's sum: 1 where all diffuse light is of one chroma, else 3 */
+    uint32_t channels;       /* of a node's sum: 1 where all light is of one chroma of each kind, else 3 */
     unsigned sum_bits;       /* sums are below this power of two */
     uint32_t lobes;          /* bit i: light i has a highlight that is a term of its own */
     uint32_t placed, cones;  /* it has a position; and a cone */
@@ -265,8 +268,7 @@ typedef struct glint_terms {
     uint8_t is_over_length; /* 1: numbers are times |M|, M the normal over w; 2: lobes' twice */
     uint8_t is_channels;    /* sums are three channels that hold ambient light, and the surface's colours */
     uint8_t has_shine;      /* they hold highlights */
-    uint8_t is_plain;       /* they are all there is, half a level included */
-    uint8_t is_fused;       /* and the format's own loop draws them */
+    uint8_t is_fused;       /* they are all there is, and the format's own loop draws them */
     uint8_t is_curved;
     uint8_t apart_count;
     uint8_t sums, square, surface; /* how many sums there are, the first polynomials; and which others these are */
@@ -275,21 +277,15 @@ typedef struct glint_terms {
     glint_apart apart[GLINT_LIGHTS_MAX];
 } glint_terms;
 
-/** A region's polynomials, by number: as quadratics from the anchor where terms are fused, else from a part's first
- * pixel on. */
-typedef union glint_polynomials {
-    glint_quadratic fused[3];
-    glint_descent descents[GLINT_POLYNOMIALS_MAX];
+/** A region's polynomials, by number, from the anchor. */
+typedef struct glint_polynomials {
+    glint_quadratic of[GLINT_POLYNOMIALS_MAX];
 } glint_polynomials;
 
 /** Sets polynomial number i to a quadratic, which begins with so much more. */
-static inline void glint_polynomial_set(const glint_terms *terms, const glint_part *part, uint32_t i, glint_quadratic q,
-                                        uint32_t more, glint_polynomials *to) {
+static inline void glint_polynomial_set(glint_polynomials *to, uint32_t i, glint_quadratic q, uint32_t more) {
     q.start += more;
-    if (terms->is_fused)
-        to->fused[i] = q;
-    else
-        glint_descent_begin(&to->descents[i], &q, part->x, part->y);
+    to->of[i] = q;
 }
 
 /** Tells what a region's polynomials are to mean. */
@@ -341,21 +337,29 @@ size_t glint_terms_measure(const glint_frame *frame, const glint_shading *shadin
 /** Finds what all materials make of the lights, behind their shadings. */
 glint_status glint_terms_prepare(glint_frame *frame);
 
-/** Draws runs that have no more pixels than workspace->row. */
-void glint_terms_draw(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
-                      const glint_descent *polynomials, const glint_run *runs, uint32_t count);
+/** Most runs that are drawn at once: of rows as long as two of a tile, half of their pixels, and of each row one more.
+ */
+#define GLINT_BATCH_RUNS (GLINT_TILE_MAX + GLINT_TILE_MAX / 2)
+
+/**
+ * Draws rows of a part from row *y on, as many as workspace->row has room for, and moves *y behind them.
+ * @param runs what of them is visible @return their end
+ */
+const glint_run *glint_terms_draw_rows(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
+                                       const glint_quadratic *polynomials, const glint_part *part, uint32_t *y,
+                                       glint_run runs[GLINT_BATCH_RUNS]);
 
 /** Cosines below which wide highlights are steep where p < 1, Q14. */
 #define GLINT_HORIZON (1 << 11)
 
 /** Finds pixels of a run that are not to be drawn by terms. @return how many */
-uint32_t glint_terms_find_edge(const glint_terms *terms, const glint_descent *polynomials, const glint_run *run,
-                               uint8_t columns[GLINT_TILE_MAX]);
+uint32_t glint_terms_find_edge(const glint_terms *terms, const glint_quadratic *polynomials, const glint_part *part,
+                               const glint_run *run, uint8_t columns[GLINT_TILE_MAX]);
 
 /** Draws such pixels of a triangle's runs one by one. */
 void glint_draw_edges(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                       const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
-                      const glint_descent *polynomials, const glint_run *runs, uint32_t count);
+                      const glint_quadratic *polynomials, const glint_run *runs, const glint_run *end);
 
 /* ---- Triangles ---- */
 

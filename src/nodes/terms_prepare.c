@@ -63,24 +63,22 @@ static void set_weights(const glint_frame *frame, const glint_shading *shading, 
     }
 }
 
-/* Is all diffuse light of one chroma, that of the light that weighs most? Then finds each light's share. */
-static int find_chroma(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
-    uint32_t most = 0;
-    if (!frame->scene->light_count) {
-        terms->chroma[0] = terms->chroma[1] = terms->chroma[2] = 0;
-        return 1;
+/* Is light of these weights of one chroma, that of the light that weighs most? Then finds each light's share. */
+static int find_chroma(uint32_t lights, const uint16_t weight[][3], int32_t chroma[3],
+                       int32_t share[GLINT_LIGHTS_MAX]) {
+    int32_t whole = 0;
+    chroma[0] = chroma[1] = chroma[2] = 0;
+    for (uint32_t i = 0; lights >> i; i++) {
+        if (!(lights >> i & 1) || largest_of(weight[i]) <= whole)
+            continue;
+        whole = largest_of(weight[i]);
+        for (int c = 0; c < 3; c++)
+            chroma[c] = weight[i][c];
     }
-    for (uint32_t i = 0; i < frame->scene->light_count; i++)
-        if (shading->lights >> i & 1 && largest_of(terms->diffuse[i]) > largest_of(terms->diffuse[most]))
-            most = i;
-    const int32_t whole = largest_of(terms->diffuse[most]);
-    for (int c = 0; c < 3; c++)
-        terms->chroma[c] = terms->diffuse[most][c];
-    for (uint32_t i = 0; i < frame->scene->light_count; i++) {
-        const int32_t share = whole ? (int32_t)(((uint32_t)largest_of(terms->diffuse[i]) << 15) / (uint32_t)whole) : 0;
-        terms->share[i] = share;
-        for (int c = 0; c < 3 && shading->lights >> i & 1; c++) {
-            const int32_t apart = terms->diffuse[i][c] - (int32_t)((uint32_t)terms->chroma[c] * (uint32_t)share >> 15);
+    for (uint32_t i = 0; lights >> i; i++) {
+        share[i] = whole ? (int32_t)(((uint32_t)largest_of(weight[i]) << 15) / (uint32_t)whole) : 0;
+        for (int c = 0; c < 3 && lights >> i & 1; c++) {
+            const int32_t apart = weight[i][c] - (int32_t)((uint32_t)chroma[c] * (uint32_t)share[i] >> 15);
             if (apart > 1 || apart < -1)
                 return 0;
         }
@@ -133,6 +131,17 @@ static void gather_shares(const glint_shading *shading, glint_light_terms *terms
         terms->share[i] >>= up;
     for (int c = 0; c < 3; c++)
         terms->chroma[c] *= 1 << up;
+}
+
+/* How light and gloss become colours: those of surfaces without colours of their own. */
+static void set_mix(const glint_material *material, glint_light_terms *terms) {
+    glint_mix *const mix = &terms->mix;
+    mix->has_least = (material->flags & GLINT_MATERIAL_MAX) != 0;
+    for (int c = 0; c < 3; c++) {
+        mix->least[c] = terms->ambient[c] + terms->half[c];
+        mix->base[c] = mix->has_least ? terms->half[c] : mix->least[c];
+        mix->light[c] = terms->chroma[c] << terms->sum_bits;
+    }
 }
 
 /* What need not show of a highlight: 1/8 of a level, Q8. */
@@ -248,10 +257,14 @@ static int find_light_terms(const glint_frame *frame, const glint_shading *shadi
         return 0;
     terms->pixel = (uint32_t)(((uint64_t)1 << 39) / (uint32_t)frame->view->focal);
     set_weights(frame, shading, terms);
-    terms->channels = find_chroma(frame, shading, terms) ? 1 : 3;
+    const int is_mono =
+        find_chroma(shading->lights, (const uint16_t(*)[3])terms->diffuse, terms->chroma, terms->share) &&
+        find_chroma(shading->has_specular, (const uint16_t(*)[3])terms->specular, terms->mix.gloss, terms->gloss_share);
+    terms->channels = is_mono ? 1 : 3;
     terms->sum_bits = find_sum_bits(frame, shading);
     if (terms->channels == 1)
         gather_shares(shading, terms);
+    set_mix(shading->material, terms);
     set_lobes(frame, shading, terms);
     terms->limit = LIMIT * (uint32_t)glint_least(glint_most((int32_t)total, 1 << 12), MOST_WEIGHT << 12) >> 12;
     place_numbers(frame, shading, terms);

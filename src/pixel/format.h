@@ -28,6 +28,14 @@ static inline int32_t glint_to_levels(int32_t channel, unsigned bits) {
 
 struct glint_spans;
 struct glint_quadratic;
+struct glint_run;
+
+/** Colours that are mixed of two numbers: base + light n0 + gloss n1, but no less than `least` if there is one, in
+ * levels. */
+typedef struct glint_mix {
+    int32_t base[3], light[3], gloss[3], least[3];
+    int has_least;
+} glint_mix;
 
 /** Fast lighting: what a format that has it links. fast.h. */
 typedef struct glint_fast {
@@ -54,8 +62,22 @@ struct glint_format {
     void (*draw_even)(const struct glint_spans *spans, const int32_t colour[3]);
     /** Draws spans of three polynomials; those that are not curved have no second degree. */
     void (*draw_channels)(const struct glint_spans *spans, const struct glint_quadratic *channels, int is_curved);
+    /** Draws spans of colours that are mixed of a polynomial's high half. */
+    void (*draw_mixed)(const struct glint_spans *spans, const struct glint_quadratic *light, const glint_mix *mix);
+    /** Stores runs of a tile whose colours are mixed; without gloss, of the first number alone. */
+    void (*store_mixed)(void *pixels, unsigned tile_shift_x, const struct glint_run *runs, const struct glint_run *end,
+                        const glint_mix *mix, int has_gloss, const int32_t (*numbers)[3]);
     const struct glint_fast *fast; /* or null */
 };
+
+/** One channel of what is mixed. */
+static GLINT_INLINE int32_t glint_mix_channel(const glint_mix *mix, int c, const int32_t number[3], int has_gloss,
+                                              int has_least) {
+    int32_t channel = mix->base[c] + number[0] * mix->light[c];
+    if (has_gloss)
+        channel += number[1] * mix->gloss[c];
+    return has_least ? glint_most(channel, mix->least[c]) : channel;
+}
 
 /** Puts colours through the output tables, if there are any, and brings them to the format's levels. */
 void glint_finish_colours(const glint_config *config, int32_t (*colour)[3], uint32_t count);

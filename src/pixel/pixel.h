@@ -8,7 +8,7 @@
 #define GLINT_PIXEL_H
 
 #include "../raster/polynomial.h"
-#include "../raster/spans.h"
+#include "../raster/runs.h"
 #include "format.h"
 
 /** Thresholds of ordered dithering over 8 x 8 pixels in 1/128 level: 1, 3 .. 127, row by row (Bayer, 1973). */
@@ -181,6 +181,78 @@ static GLINT_INLINE void glint_draw_channel_spans(const glint_spans *s, const gl
     }
 }
 
+/* A part's pixels, mixed of a polynomial. */
+static GLINT_INLINE void glint_draw_mixed_inline(const glint_spans *s, const glint_target *t,
+                                                 const glint_quadratic *light, const glint_mix *of, int has_least,
+                                                 glint_pack pack, glint_put put) {
+    const glint_part *part = s->part;
+    const glint_mix mix = *of;
+    const uint32_t z_dx = (uint32_t)part->depth.dx, turn = 2 * light->dxx;
+    for (uint32_t row = part->top; row < part->bottom; row++) {
+        const glint_span span = part->spans[row];
+        const int32_t x = part->x + span.left, y = part->y + (int32_t)row;
+        if (span.left >= span.right)
+            continue;
+        uint32_t z = (uint32_t)glint_plane_at(&part->depth, x, y) + GLINT_DEPTH_BIAS;
+        glint_stride amount = glint_stride_begin(light, x, y);
+        uint8_t *depth = (uint8_t *)(s->depth + (row << s->shift) + span.left);
+        uint8_t *const end = depth + 2 * ((uint32_t)span.right - span.left);
+        do {
+            if (glint_next_is_nearest(&depth, z)) {
+                const uint32_t offset = (uint32_t)(depth - GLINT_AHEAD - (uint8_t *)s->depth) / 2;
+                const int32_t number[3] = {glint_shift_right((int32_t)amount.value, 16), 0, 0};
+                const int32_t colour[3] = {glint_mix_channel(&mix, 0, number, 0, has_least),
+                                           glint_mix_channel(&mix, 1, number, 0, has_least),
+                                           glint_mix_channel(&mix, 2, number, 0, has_least)};
+                put(t, offset, pack(colour, glint_threshold(t, offset)));
+            }
+            glint_step(&depth);
+            z += z_dx;
+            amount.value += amount.across;
+            amount.across += turn;
+        } while (depth != end);
+    }
+}
+
+/** A format's `draw_mixed`. */
+static GLINT_INLINE void glint_draw_mixed(const glint_spans *s, const glint_target *t, const glint_quadratic *light,
+                                          const glint_mix *mix, glint_pack pack, glint_put put) {
+    if (mix->has_least)
+        glint_draw_mixed_inline(s, t, light, mix, 1, pack, put);
+    else
+        glint_draw_mixed_inline(s, t, light, mix, 0, pack, put);
+}
+
+/* Runs whose colours are mixed. */
+static GLINT_INLINE void glint_store_mixed_inline(const glint_target *t, const glint_run *run, const glint_run *end,
+                                                  const glint_mix *of, const int32_t (*numbers)[3], int has_gloss,
+                                                  int has_least, glint_pack pack, glint_put put) {
+    const glint_mix mix = *of;
+    for (; run != end; run++) {
+        uint32_t offset = ((uint32_t)run->y << t->shift) + run->x;
+        for (uint32_t n = run->count; n; n--, numbers++, offset++) {
+            const int32_t colour[3] = {glint_mix_channel(&mix, 0, *numbers, has_gloss, has_least),
+                                       glint_mix_channel(&mix, 1, *numbers, has_gloss, has_least),
+                                       glint_mix_channel(&mix, 2, *numbers, has_gloss, has_least)};
+            put(t, offset, pack(colour, glint_threshold(t, offset)));
+        }
+    }
+}
+
+/** A format's `store_mixed`. */
+static GLINT_INLINE void glint_store_mixed(const glint_target *t, const glint_run *runs, const glint_run *end,
+                                           const glint_mix *mix, int has_gloss, const int32_t (*numbers)[3],
+                                           glint_pack pack, glint_put put) {
+    if (has_gloss && mix->has_least)
+        glint_store_mixed_inline(t, runs, end, mix, numbers, 1, 1, pack, put);
+    else if (has_gloss)
+        glint_store_mixed_inline(t, runs, end, mix, numbers, 1, 0, pack, put);
+    else if (mix->has_least)
+        glint_store_mixed_inline(t, runs, end, mix, numbers, 0, 1, pack, put);
+    else
+        glint_store_mixed_inline(t, runs, end, mix, numbers, 0, 0, pack, put);
+}
+
 /** The functions of a format, whose names end in `suffix`; `fill_tile` is glint_fill_tile, or its own. */
 #define GLINT_DEFINE_STORES(suffix, bits, pack, put, fill_tile, is_dithered)                            \
     static void store_##suffix(void *pixels, unsigned shift, uint32_t offset, uint32_t count,           \
@@ -210,6 +282,15 @@ static GLINT_INLINE void glint_draw_channel_spans(const glint_spans *s, const gl
             glint_draw_channel_spans(s, &target, channel, 1, pack, put);                                        \
         else                                                                                                    \
             glint_draw_channel_spans(s, &target, channel, 0, pack, put);                                        \
+    }                                                                                                           \
+    static void draw_mixed_##suffix(const glint_spans *s, const glint_quadratic *light, const glint_mix *mix) { \
+        const glint_target target = {s->pixels, s->shift, is_dithered};                                         \
+        glint_draw_mixed(s, &target, light, mix, pack, put);                                                    \
+    }                                                                                                           \
+    static void store_mixed_##suffix(void *pixels, unsigned shift, const glint_run *runs, const glint_run *end, \
+                                     const glint_mix *mix, int has_gloss, const int32_t(*numbers)[3]) {         \
+        const glint_target target = {pixels, shift, is_dithered};                                               \
+        glint_store_mixed(&target, runs, end, mix, has_gloss, numbers, pack, put);                              \
     }
 #endif
 
@@ -225,10 +306,11 @@ static GLINT_INLINE void glint_draw_channel_spans(const glint_spans *s, const gl
 #endif
 
 /** A format of so many bits a pixel, and of its channels, or 0 for luma. */
-#define GLINT_FORMAT(suffix, bits, red, green, blue, fast)                                                          \
-    {                                                                                                               \
-        bits, {red, green, blue}, GLINT_EDGE(bits), store_##suffix, fill_##suffix, GLINT_FUSED(draw_even_##suffix), \
-            GLINT_FUSED(draw_channels_##suffix), fast                                                               \
+#define GLINT_FORMAT(suffix, bits, red, green, blue, fast)                                                            \
+    {                                                                                                                 \
+        bits, {red, green, blue}, GLINT_EDGE(bits), store_##suffix, fill_##suffix, GLINT_FUSED(draw_even_##suffix),   \
+            GLINT_FUSED(draw_channels_##suffix), GLINT_FUSED(draw_mixed_##suffix), GLINT_FUSED(store_mixed_##suffix), \
+            fast                                                                                                      \
     }
 
 /** Defines a format and its dithered twin, which the linker keeps only where they are named. */

@@ -44,28 +44,16 @@ typedef struct glint_progress {
     uint32_t value, step, turn;
 } glint_progress;
 
-/** A row's progress from a column on, how its value changes from row to row and how that does, and how its step does.
- */
-typedef struct glint_descent {
-    glint_progress row;
-    uint32_t down, down_turn, slant;
-} glint_descent;
-
-/** A quadratic's, from a pixel on. */
-static inline void glint_descent_begin(glint_descent *d, const glint_quadratic *q, int32_t x, int32_t y) {
+/** A quadratic along a row from a pixel on. */
+static inline glint_progress glint_progress_begin(const glint_quadratic *q, int32_t x, int32_t y) {
     const glint_stride s = glint_stride_begin(q, x, y);
-    d->row = (glint_progress){s.value, s.across, 2 * q->dxx};
-    d->down = q->dy + q->dyy * (2 * (uint32_t)y + 1) + q->dxy * (uint32_t)x;
-    d->down_turn = 2 * q->dyy;
-    d->slant = q->dxy;
+    return (glint_progress){s.value, s.across, 2 * q->dxx};
 }
 
-/** Its progress along row y from column x on. */
-static inline glint_progress glint_progress_at(const glint_descent *d, uint32_t x, uint32_t y) {
-    const uint32_t step = d->row.step + d->slant * y;
-    return (glint_progress){d->row.value + d->down * y + d->down_turn * (y * (y - 1) >> 1) + step * x +
-                                d->row.turn * (x * (x - 1) >> 1),
-                            step + d->row.turn * x, d->row.turn};
+/** To the next pixel. */
+static inline void glint_progress_next(glint_progress *p) {
+    p->value += p->step;
+    p->step += p->turn;
 }
 
 /** To another column. */

@@ -12,7 +12,7 @@
     requires \initialized(table + (0 .. 256));
     assigns \result \from table[0 .. 256], channel;
     admit ensures 0 <= \result <= 0x8000000; */
-static int32_t look_up(const uint16_t *table, int32_t channel);
+static inline int32_t look_up(const uint16_t *table, int32_t channel);
 
 /*@ requires -0x8000000 <= channel <= 0x78000000;
     requires bits <= 8;

@@ -27,21 +27,21 @@ static void any_runs(int32_t least, int32_t most) {
     for (int i = 0; i < PIXELS; i++)
         for (int c = 0; c < 3; c++)
             row[i][c] = ANY(least, most);
-    to = (glint_pixel_runs){runs, runs + 2, 0, row, ANY(0, 1)};
+    to = (glint_pixel_runs){runs, runs + 2, ANY(-2047, 2047), ANY(-2047, 2047), 0, row};
     terms.light = &light;
     terms.power = &table;
 }
 
 /* A polynomial that at each pixel is from 0 to `most`, or below 0. */
-static void any_polynomial(glint_descent *p, int is_below, int32_t most) {
-    *p = (glint_descent){{0, 0, 0}, 0, 0, 0};
-    p->row.value = is_below ? ANY_UNSIGNED(0u - (uint32_t)most, UINT_MAX) : ANY_UNSIGNED(0, (uint32_t)most);
+static void any_polynomial(glint_quadratic *q, int is_below, int32_t most) {
+    *q = (glint_quadratic){0, 0, 0, 0, 0, 0};
+    q->start = is_below ? ANY_UNSIGNED(0u - (uint32_t)most, UINT_MAX) : ANY_UNSIGNED(0, (uint32_t)most);
 }
 
 /* Any polynomial. */
-static void any_number(glint_descent *p) {
-    *p = (glint_descent){{0, 0, 0}, 0, 0, 0};
-    p->row.value = ANY_UNSIGNED(0, UINT_MAX);
+static void any_number(glint_quadratic *q) {
+    *q = (glint_quadratic){0, 0, 0, 0, 0, 0};
+    q->start = ANY_UNSIGNED(0, UINT_MAX);
 }
 
 static void any_inverses(int32_t least, int32_t most) {

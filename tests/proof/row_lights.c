@@ -31,7 +31,8 @@ static inline int32_t smooth_step_at(int32_t value);
 static inline uint32_t glint_power_of_cosine(const uint16_t *cosine, uint32_t x);
 
 /*@ requires \valid_read(terms);
-    assigns \result \from indirect: *terms; */
+    assigns \result \from indirect: *terms;
+    ensures \result.upper <= 13; */
 static lobe_table table_of(const glint_terms *terms);
 
 /* Stands on a value between two nodes, both of which are at most 2^15. */
@@ -50,11 +51,11 @@ static inline int32_t power_of_square(const lobe_table *table, uint32_t square);
 static inline void add(int32_t *colour, int32_t amount, const uint16_t *weight);
 
 /*@ requires 0 <= power <= 0x9000;
-    requires \valid_read(of) && \valid_read(run);
-    requires of->strength == \null || power <= 0x8000;
-    assigns \result \from power, indirect: *of, is_ungated, indirect: *run, i;
+    requires \valid_read(of) && \valid_read(to) && \valid_read(run);
+    assigns \result \from power, indirect: *of, is_ungated, indirect: *to, indirect: *run, i;
     ensures 0 <= \result <= 0x9100; */
-static int32_t weaken(int32_t power, const light_parts *of, int is_ungated, const glint_run *run, uint32_t i);
+static int32_t weaken(int32_t power, const light_parts *of, int is_ungated, const glint_pixel_runs *to,
+                      const glint_run *run, uint32_t i);
 
 /* 1 / |M| of pixels, by eighths, and what numbers over |M|^times may be there. */
 #define FOR_LENGTHS(part) FOR_PARTS(part, 8, 15)
@@ -70,7 +71,7 @@ static int32_t any_length(int part, int times) {
 
 /* What a light's parts are, by bits of `kinds`: any cone, any side, any strength of up to 9/8. */
 static light_parts any_parts(int kinds, int is_below) {
-    static glint_descent of[3];
+    static glint_quadratic of[3];
     any_number(&of[0]);
     any_number(&of[1]);
     any_polynomial(&of[2], is_below, STRENGTH_MOST);
@@ -83,9 +84,12 @@ static light_parts any_parts(int kinds, int is_below) {
     FOR_PARTS(is_below, 0, 1) \
     for (light_parts parts = any_parts(kinds, is_below), *of = &parts; of; of = 0)
 
-static void any_weights(uint16_t weight[3]) {
+/* Weights below 15; a share of up to 1, of sums of as many bits as those below 15 have. */
+static light_share any_share(void) {
+    static uint16_t weight[3];
     for (int c = 0; c < 3; c++)
         weight[c] = (uint16_t)ANY(0, MOST_OF_WEIGHTS);
+    return (light_share){weight, ANY(0, 1 << 15), ANY_UNSIGNED(0, 1), ANY_UNSIGNED(15, 19)};
 }
 
 /* Any number, by its parts of a 1024th between 0 and 1. */
@@ -126,14 +130,14 @@ PROOF(add) {
 }
 
 /*
- * Any power up to 1, or up to 9/8 where there is no strength; a strength of up to 9/8, any cone, any side.
+ * Any power up to 9/8; any cone, any side.
  * @contract smooth_step_at
  * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
  */
 PROOF(weaken) {
     any_runs(0, 0);
     FOR_ALL_PARTS(of) {
-        weaken(ANY(0, of->strength ? 1 << 15 : 9 << 12), of, ANY(0, 1), runs, 0);
+        weaken(ANY(0, 9 << 12), of, ANY(0, 1), &to, runs, 0);
     }
 }
 
@@ -143,26 +147,29 @@ PROOF(weaken) {
  * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
  */
 PROOF(add_side) {
-    glint_descent side;
-    uint16_t weight[3];
-    any_weights(weight);
-    any_runs(0, 0);
-    FOR_ALL_PARTS(of) {
-        of->side = &side;
-        any_polynomial(&side, is_below, NUMBER_MOST);
-        to.inverse = 0;
-        add_side(of, weight, &to);
-        FOR_LENGTHS(part) {
-            any_polynomial(&side, is_below, any_length((int)part, 1));
-            add_side(of, weight, &to);
+    glint_quadratic side;
+    const light_share share = any_share();
+    FOR_PARTS(is_chroma, 0, 1) {
+        FOR_ALL_PARTS(of) {
+            any_runs(0, 0);
+            of->side = &side;
+            any_polynomial(&side, is_below, NUMBER_MOST);
+            to.inverse = 0;
+            add_side(of, &share, &to, (int)is_chroma);
+            FOR_LENGTHS(part) {
+                any_runs(0, 0);
+                any_polynomial(&side, is_below, any_length((int)part, 1));
+                add_side(of, &share, &to, (int)is_chroma);
+            }
         }
     }
 }
 
-/* Any window, any shift that leaves no other below 0. */
+/* Any window, any shift that leaves no other below 0, over no length, |M| or |M|^2. */
 PROOF(table_of) {
     terms.light = &light;
     terms.power = &table;
+    terms.is_over_length = (uint8_t)ANY(0, 2);
     FOR_PARTS(shift, GLINT_POWER_FRACTION_BITS, 30 - GLINT_POWER_TABLE_BITS) {
         FOR_PARTS(kept, 0, 12) {
             table.index_shift = (uint32_t)shift;
@@ -175,14 +182,25 @@ PROOF(table_of) {
     }
 }
 
+/* Squares below 2 to the power of 16 and up to 13 more, any 1 / |M|. @unsigned */
+PROOF(square_over) {
+    FOR_PARTS(upper, 0, 13) {
+        const lobe_table of = {0, 0, 0, (unsigned)upper, 0};
+        FOR_PARTS(times, 1, 2) {
+            square_over(ANY_UNSIGNED(0, (1u << (16 + upper)) - 1), ANY_UNSIGNED(0, UINT16_MAX), (uint32_t)times, &of);
+        }
+    }
+}
+
 /* Any table, every place of its intervals, and any number within it. */
 PROOF(power_of_square) {
     static uint16_t value[GLINT_POWER_INTERVALS + 1];
     for (int i = 0; i <= GLINT_POWER_INTERVALS; i++)
         value[i] = (uint16_t)ANY(0, 1 << 15);
-    FOR_PARTS(index, GLINT_POWER_FRACTION_BITS, 24) {
-        const lobe_table of = {value, 0, (unsigned)index, (unsigned)index - GLINT_POWER_FRACTION_BITS};
-        power_of_square(&of, ANY_UNSIGNED(0, (1u << (index + GLINT_POWER_TABLE_BITS)) - 1));
+    FOR_PARTS(index, GLINT_POWER_FRACTION_BITS, 31) {
+        const lobe_table of = {value, 0, 0, 0, (unsigned)index - GLINT_POWER_FRACTION_BITS};
+        const unsigned bits = (unsigned)index + GLINT_POWER_TABLE_BITS;
+        power_of_square(&of, ANY_UNSIGNED(0, bits < 32 ? (1u << bits) - 1 : UINT_MAX));
     }
 }
 
@@ -193,10 +211,8 @@ PROOF(power_of_square) {
  * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
  */
 PROOF(add_lobe) {
-    glint_descent lobe[2];
-    uint16_t weight[3];
-    any_weights(weight);
-    any_runs(0, 0);
+    glint_quadratic lobe[2];
+    const light_share share = any_share();
     light.lobe_end = ANY_UNSIGNED(0, 1u << 24);
     light.lobe_shift = ANY_UNSIGNED(0, 12);
     terms.is_ungated = (uint8_t)ANY(0, 1);
@@ -208,10 +224,14 @@ PROOF(add_lobe) {
                 terms.is_over_length = (uint8_t)times;
                 FOR_LENGTHS_IF(part, times) {
                     const int32_t most = any_length((int)part, (int)times) / 2;
+                    any_runs(0, 0);
                     to.inverse = times ? inverse : 0;
                     any_polynomial(&lobe[0], signs & 1, most);
                     any_polynomial(&lobe[1], signs >> 1, most);
-                    add_lobe(&terms, &of, weight, &to);
+                    add_lobe(&terms, &of, &share, &to, 0);
+                    any_runs(0, 0);
+                    to.inverse = times ? inverse : 0;
+                    add_lobe(&terms, &of, &share, &to, 1);
                 }
             }
         }
@@ -220,21 +240,18 @@ PROOF(add_lobe) {
 
 /*
  * A cosine of up to 3/2 and a strength of up to 9/8, or none, the former over no length, |M| or |M|^2, by eighths of
- * 1 / |M|; any cone and side, a side alone, or none; any table of powers.
- * @contract glint_power_of_cosine weaken
- * @alarms 3 weights sum up to less than 15, and errors to a part of a level: `add` is proven of these; suite `nodes`
- * under UBSan
+ * 1 / |M|; any cone and side, one of them, or none; any table of powers.
+ * @contract add glint_power_of_cosine weaken
  * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
  */
 PROOF(add_wide_lobe) {
-    glint_descent lobe;
-    uint16_t weight[3];
-    any_weights(weight);
+    glint_quadratic lobe;
+    const light_share share = any_share();
     terms.is_ungated = (uint8_t)ANY(0, 1);
     table.exponent = ANY(0, 1);
     FOR_PARTS(signs, 0, 5) { /* of the cosine, and of the strength, if there is one */
-        FOR_PARTS(cut, 0, 2) {
-            light_parts of = any_parts((cut == 2 ? 3 : (int)cut) | (signs >> 1 < 2 ? 4 : 0), signs >> 1 & 1);
+        FOR_PARTS(cut, 0, 3) {
+            light_parts of = any_parts((int)cut | (signs >> 1 < 2 ? 4 : 0), signs >> 1 & 1);
             of.lobe = &lobe;
             FOR_PARTS(times, 0, 2) {
                 terms.is_over_length = (uint8_t)times;
@@ -242,7 +259,7 @@ PROOF(add_wide_lobe) {
                     any_runs(0, 0);
                     any_polynomial(&lobe, signs & 1, any_length((int)part, (int)times));
                     to.inverse = times ? inverse : 0;
-                    add_wide_lobe(&terms, &of, weight, &to);
+                    add_wide_lobe(&terms, &of, &share, &to, ANY(0, 1));
                 }
             }
         }
@@ -254,8 +271,11 @@ PROOF(add_wide_lobe) {
  * @narrowing polynomials are evaluated modulo 2^32: right wherever the true value fits
  */
 PROOF(glint_terms_find_edge) {
-    glint_descent polynomials[2 * GLINT_NUMBERS];
+    glint_quadratic polynomials[2 * GLINT_NUMBERS];
     uint8_t columns[GLINT_TILE_MAX];
+    static glint_part part;
+    part.x = ANY(-2047, 2047);
+    part.y = ANY(-2047, 2047);
     for (int i = 0; i < 2 * GLINT_NUMBERS; i++)
         any_number(&polynomials[i]);
     any_runs(0, 0);
@@ -266,6 +286,6 @@ PROOF(glint_terms_find_edge) {
     FOR_PARTS(kinds, 0, 31) {
         for (int a = 0; a < 2; a++)
             terms.apart[a] = (glint_apart){0, (uint8_t)kinds, (uint8_t)(a * GLINT_NUMBERS)};
-        glint_terms_find_edge(&terms, polynomials, runs, columns);
+        glint_terms_find_edge(&terms, polynomials, &part, runs, columns);
     }
 }

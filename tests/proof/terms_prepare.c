@@ -76,10 +76,26 @@ PROOF(set_weights) {
     set_weights(&frame, &shading, &terms);
 }
 
-/* Up to 8 lights of any weights. @options -eva-slevel 200 */
+/* Up to 8 lights of any weights, or none. @options -eva-slevel 200 */
 PROOF(find_chroma) {
-    any_frame(16u << 12);
-    find_chroma(&frame, &shading, &terms);
+    static uint16_t weight[GLINT_LIGHTS_MAX][3];
+    for (int i = 0; i < GLINT_LIGHTS_MAX; i++)
+        for (int c = 0; c < 3; c++)
+            weight[i][c] = (uint16_t)ANY(0, UINT16_MAX);
+    find_chroma(ANY_UNSIGNED(0, 0xff), (const uint16_t(*)[3])weight, terms.chroma, terms.share);
+}
+
+/* Any chroma below 15 in sums of any bits, ambient light below 15, or more than half a level below 0. */
+PROOF(set_mix) {
+    static glint_material material;
+    material.flags = (uint8_t)ANY(0, UINT8_MAX);
+    for (int c = 0; c < 3; c++) {
+        terms.chroma[c] = ANY(0, 15 << 12);
+        terms.half[c] = ANY(0, 1 << 26);
+        terms.ambient[c] = ANY(-(1 << 26), 15 << 27);
+    }
+    terms.sum_bits = ANY_UNSIGNED(0, 5);
+    set_mix(&material, &terms);
 }
 
 /* Up to 8 lights, and ambient light, of up to 16 each. @unsigned @options -eva-slevel 200 */

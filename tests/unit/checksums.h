@@ -89,7 +89,7 @@ static const uint32_t expected_checksums[] = {
     0x1dc75f1au, /* luma_255 */
     0x602a8e25u, /* channel */
     0x3cbd01d5u, /* clamped_colour */
-    0x50f5c11fu, /* gamma_of_squares */
+    0xf312434fu, /* gamma_of_squares */
     0xe7241fc5u, /* dither_threshold */
 };
 
