@@ -193,19 +193,13 @@ static GLINT_NOINLINE void hide_objects(const glint_frame *frame, glint_workspac
 
 /* ---- Tiles ---- */
 
-int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
+/* Draws the triangles of a tile's list. Out of line, where the loop has all registers. */
+static GLINT_NOINLINE void draw_triangles(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
+    const glint_reference *const references = frame->references, *const list = &references[tile - frame->tile_first];
+    draw_source from = {frame->draws, 0, 0};
+    glint_triangle triangle;
     glint_part part;
     place_tile(frame, &part.window, tile);
-    if (frame->starts) {
-        if (clear(frame, workspace, tile))
-            return GLINT_ERROR_PAINT;
-        if (!glint_tile_is_empty(frame, tile) || frame->config.overlay.paint)
-            memset(workspace->depth, 0, tile_pixels(&frame->config) * sizeof *workspace->depth);
-    }
-    draw_source from = {frame->draws, 0, 0};
-    const glint_reference *const references = frame->references;
-    glint_triangle triangle;
-    const glint_reference *const list = &references[tile - frame->tile_first];
     triangle.away = 0;
     if (!GLINT_SMALL && frame->has_costly && list->next != GLINT_LIST_END)
         hide_objects(frame, workspace, &part, list);
@@ -218,6 +212,17 @@ int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint
         glint_setup(&part, &triangle);
         from.draw->kernel(frame, workspace, from.draw, &triangle, &part);
     }
+}
+
+int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
+    if (frame->starts) {
+        if (clear(frame, workspace, tile))
+            return GLINT_ERROR_PAINT;
+        if (!glint_tile_is_empty(frame, tile) || frame->config.overlay.paint)
+            memset(workspace->depth, 0, tile_pixels(&frame->config) * sizeof *workspace->depth);
+    }
+    if (frame->references[tile - frame->tile_first].next != GLINT_LIST_END)
+        draw_triangles(frame, workspace, tile);
     if (frame->ends && frame->config.overlay.paint && paint(&frame->config.overlay, frame, workspace, tile))
         return GLINT_ERROR_PAINT;
     return frame->ends;

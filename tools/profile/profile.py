@@ -24,7 +24,7 @@ STAGES = {
     "vertices": ["transform", "cull", "load", "load_parts", "extents", "geometry", "fast_vertices", "terms_vertices"],
     "bin": ["bin", "bin_plain", "clip"],
     "set-up": ["setup"],
-    "raster": ["raster", "runs", "spans", "tile:glint_render_tile", "tile:hide_objects"],
+    "raster": ["raster", "runs", "spans", "tile:draw_triangles", "tile:hide_objects"],
     "nodes": ["nodes", "lobes", "point", "corners", "middles", "terms", "bound", "fit", "lengths", "cells", "pieces", "per_node",
               "lattice"],
     "rows": ["rows", "row_lights"],
