@@ -149,31 +149,38 @@ class Traced:
 
     def divided_by(self, value):
         """The bus takes its clock by so many of the clock that drives it."""
-        self.out.append("H %d" % (self.clock / value))
+        self.note("H %d" % (self.clock / value))
+
+    def note(self, line):
+        """Writes a line to the stream, behind the data before it."""
+        if self.pending:
+            self.out.write("D %s\n" % self.pending.hex(" "))
+            self.pending.clear()
+        self.out.write(line + "\n")
 
     def byte(self, value):
         if self.is_data is None or not self.selected:
             raise Died("a byte for no panel")
         if self.is_data:
-            self.out.append("D %02x" % value)
+            self.pending.append(value)
             self.pixel_bytes += self.is_pixel
             if self.is_pixel and self.pixel_bytes % self.frame_bytes == 0:
                 self.end_frame(self.pixel_bytes // self.frame_bytes - 1)
         else:
-            self.out += ["T 200000", "C %02x" % value]
+            self.note("T 200000\nC %02x" % value)
             self.is_pixel = self.starts_pixels(value)
 
     def end_frame(self, number):
         if number >= len(self.names):
             raise Died("pixels of more frames than the firmware names")
-        self.out.append("P %s.ppm" % self.names[number])
+        self.note("P %s.ppm" % self.names[number])
 
     @staticmethod
     def starts_pixels(command):
         return command == 0x2c  # MIPI DCS: write memory start
 
     def capture(self, firmware, stream):
-        self.out, self.is_data, self.selected, self.is_pixel, self.pixel_bytes = [], None, False, False, 0
+        self.is_data, self.selected, self.is_pixel, self.pixel_bytes = None, False, False, 0
         with tempfile.TemporaryDirectory() as directory:
             trace = os.path.join(directory, "trace")
             with Machine("qemu-system-arm", self.machine, firmware,
@@ -183,13 +190,14 @@ class Traced:
             if status:
                 raise Died("exit status %d: %s" % (status, lines[-5:]))
             registers, self.names = self.registers(), names_of(lines)
-            with open(trace) as file:
+            with open(trace) as file, open(stream, "w") as self.out:
+                self.pending = bytearray()
+                self.note("R 1\nT 100000\nR 0")
                 for line in file:
                     write = self.WRITE.search(line)
                     if write and int(write[1], 16) in registers:
                         registers[int(write[1], 16)](int(write[2], 16))
-        with open(stream, "w") as file:
-            file.write("R 1\nT 100000\nR 0\n" + "\n".join(self.out) + "\n")
+                self.note("# end")
         return lines
 
 

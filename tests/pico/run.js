@@ -2,11 +2,11 @@
 // Runs firmware of the Raspberry Pi Pico: node run.js FIRMWARE.bin [STREAM [BUS [FRAMES]]]. Writes its text to stdout and
 // ends with its exit status, or with 0 after so many frames; what goes over SPI0 goes to STREAM, as
 // tests/panel/panel_stream.c reads it, with a picture asked for at each checkpoint: P name-number.ppm. Before it stands a
-// comment with what the core has taken until then: "# instructions COUNT nanoseconds COUNT". The last line is a comment,
-// "# nanoseconds TOTAL on the bus BUS". Where BUS is "free" bytes take no time, else it is "real": the difference is what
-// the core waited for the bus. Firmware that writes "bus: stopped", "slow", "broken",
-// "reset" or "mended" gets it so a while later (tests/board/faults.c); after a reset it runs as far as its first
-// checkpoint, whose picture is reset-name-number.ppm.
+// comment with the instructions that the core has taken until then, the time, and for how long bytes were on the bus:
+// "# instructions COUNT nanoseconds COUNT bus COUNT". The last line is a comment, "# nanoseconds TOTAL on the bus BUS".
+// Where BUS is "free" bytes take no time, else it is "real": the difference is what the core waited for the bus.
+// Firmware that writes "bus: stopped", "slow", "broken", "reset" or "mended" gets it so a while later
+// (tests/board/faults.c); after a reset it runs as far as its first checkpoint, whose picture is reset-name-number.ppm.
 import fs from "node:fs";
 import path from "node:path";
 import { createRequire } from "node:module";
@@ -151,7 +151,7 @@ const operations = {
       const shown = line.match(/^(\S+) (\d+) done$/);
       if (shown) {
         passTime();
-        note(`# instructions ${instructions} nanoseconds ${Math.round(clock.nanos)}`);
+        note(`# instructions ${instructions} nanoseconds ${Math.round(clock.nanos)} bus ${Math.round(onBus)}`);
         note(`P ${wasReset ? "reset-" : ""}${shown[1]}-${shown[2]}.ppm`);
         status = wasReset || --framesLeft === 0 ? 0 : status;
       }

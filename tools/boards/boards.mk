@@ -19,11 +19,20 @@ $(eval $(call firmware_program,netduinoplus2,O2,animate-marked-polled,-Wl$(comma
 # They measure; `make boards` lists what is to run on a board.
 FIRMWARE := $(filter-out %/animate-marked.elf %/animate-marked-polled.elf,$(FIRMWARE))
 
+ANIMATE_MARKED := mps2-an385=$(BUILD)/mps2-an385/O2/animate-marked.elf \
+    netduinoplus2=$(BUILD)/netduinoplus2/O2/animate-marked-polled.elf pico=$(BUILD)/pico/O2/animate.bin
+ANIMATE_TIMES  := python3 tools/boards/times.py --plugin $(BUILD)/cycles/plugin.so
+$(BUILD)/animate-times.csv $(BUILD)/animate-times-part.csv: $(foreach pair,$(ANIMATE_MARKED),$(lastword $(subst =, ,$(pair)))) \
+        $(BUILD)/cycles/plugin.so $(BUILD)/pico/emulator/installed tools/boards/times.py tools/cycles/costs.py tests/pico/run.js
+	$(Q)$(ANIMATE_TIMES) $(if $(findstring part,$@),--part) $(ANIMATE_MARKED) > $@
+
+BOARDS_ANIMATED := $(foreach board,mps2-an385 netduinoplus2 pico,$(BUILD)/$(board)/O2/animate.elf)
+
 SUITES += test-boards-page
 .PHONY: boards-page test-boards-page
-boards-page: test-board-show $(BOARDS_FIRMWARE) $(BOARDS_STREAM) ## write the figures and pictures of docs/boards.md and the README's table anew
+boards-page: test-board-show test-board-animate-all $(BOARDS_FIRMWARE) $(BOARDS_STREAM) $(BUILD)/animate-times.csv ## write the figures and pictures of docs/boards.md and the README's table anew
 	@mkdir -p docs/boards
-	$(Q)$(BOARDS_PAGE) --shown $(BUILD)/show docs/boards.md docs/boards README.md
+	$(Q)$(BOARDS_PAGE) --times $(BUILD)/animate-times.csv --shown $(BUILD)/show --animated $(BUILD)/animate docs/boards.md docs/boards README.md
 
-test-boards-page: $(BUILD)/host/show $(BOARDS_FIRMWARE) $(BOARDS_STREAM) ## the figures and pictures of docs/boards.md and the README are true
-	@$(BOARDS_PAGE) docs/boards.md docs/boards README.md
+test-boards-page: $(BUILD)/host/show $(BOARDS_FIRMWARE) $(BOARDS_ANIMATED) $(BOARDS_STREAM) $(BUILD)/animate-times-part.csv ## the figures and pictures of docs/boards.md and the README are true
+	@$(BOARDS_PAGE) --times $(BUILD)/animate-times-part.csv docs/boards.md docs/boards README.md

@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: MIT
 """Writes the tables and pictures of docs/boards.md and the README's table of one board, or checks that they are true.
 
-boards.py --build BUILD --host SHOW_HOST --stream STREAM [--shown DIRECTORY] PAGE PICTURES README
+boards.py --build BUILD --host SHOW_HOST --stream STREAM --times CSV [--shown DIRECTORY --animated DIRECTORY] PAGE PICTURES README
 
-STREAM is what tests/pico/run.js wrote of that one board. With --shown (what tests/board/show.py left there) the page and its pictures are written; without, they are checked:
-figures against the firmware that was built, within 2 %; pictures against what the host draws, which is what the panels show.
+STREAM is what tests/pico/run.js wrote of that one board, CSV what times.py wrote of the example scenes. With --shown and
+--animated (what tests/board/show.py and animate.py left there) the page and its pictures are written; without, they are
+checked: figures against the firmware that was built, within 2 %; pictures against what the host draws, which is what the
+panels show. Scenes that are not in CSV keep the times that the page has.
 """
 import argparse
 import csv
@@ -19,10 +21,19 @@ import zlib
 
 HERE = os.path.dirname(__file__)
 sys.path += [os.path.join(HERE, "..", "stack"), os.path.join(HERE, "..", "..", "tests", "board")]
+import animate  # noqa: E402
+import apng  # noqa: E402
 import show  # noqa: E402
 import stack  # noqa: E402
+import times  # noqa: E402
 
 PICTURE = "teapot-0"
+
+# Panels in colour show the example scenes, these boards all of them; and how they move is seen on the last one.
+COLOUR = "RGB565"
+SCENE_BOARDS = tuple(times.TIMED)
+MOVIE_BOARD = "pico"
+MOVIE = "scenes-%s.apng" % MOVIE_BOARD
 
 # A figure may be off by so much of itself before the page has to be written anew.
 MOST = 0.02
@@ -59,15 +70,69 @@ def table_of_boards(build, table):
     for row in read_boards():
         lines.append("| %s | %s | %s | %s | %s | %s | %d | %d | %d | %d of %d | ![%s](boards/%s.png) | `make run BOARD=%s` |" % (
             row["name"], row["core"], row["emulator"], row["panel"], row["bus"], row["sent"],
-            *measure_board(build, table, row["board"]), row["board"], row["board"], row["board"]))
+            *measure_board(build, table, row["board"]), row["board"], row["board"],
+            row["board"] + (" PROGRAM=animate" if is_in_colour(row) else "")))
     return lines
+
+
+def is_in_colour(row):
+    """A framebuffer is no panel."""
+    return COLOUR in row["panel"] and row["bus"] != "framebuffer"
+
+
+def program_of(row):
+    """The firmware that the picture of a board is of."""
+    return "animate" if is_in_colour(row) else "show"
+
+
+def read_times(path):
+    """{(board, scene): row}"""
+    with open(path, newline="") as file:
+        return {(row["board"], row["scene"]): row for row in csv.DictReader(file)}
+
+
+def text_of_times(row):
+    passes, frame, bus = int(row["passes"]), float(row["frame_ms"]), float(row["bus_ms"])
+    return "%.0f ms, bus %.0f %%, %d pass%s" % (frame, 100 * bus / frame, passes, "" if passes == 1 else "es")
+
+
+def cell_of_scene(page, taken, board, scene):
+    """A picture and what its frames take; what the page says where that was not measured."""
+    picture = "![%s](boards/%s-%s.png)<br>" % (scene, board, scene)
+    if (board, scene) in taken:
+        return picture + text_of_times(taken[board, scene])
+    return picture + page.split(picture)[1].split(" |")[0] if picture in page else picture
+
+
+def table_of_scenes(build, page, taken):
+    rows = {row["board"]: row for row in read_boards()}
+    lines = ["| | " + " | ".join("%s: %s at %.0f MHz<br>%s, %s, %s" % (
+        rows[board]["name"], rows[board]["core"], times.TIMED[board].clock / 1e6, rows[board]["panel"], rows[board]["bus"],
+        rows[board]["sent"]) for board in SCENE_BOARDS) + " |", "| --- |" + " --- |" * len(SCENE_BOARDS)]
+    for scene in animate.SCENES:
+        lines.append("| %s | " % scene + " | ".join(cell_of_scene(page, taken, board, scene) for board in SCENE_BOARDS) + " |")
+    sizes = [tuple(read_size("%s/%s/O2/animate.size" % (build, board))) for board in SCENE_BOARDS]
+    return lines + ["| bytes | " + " | ".join("flash %d, of it glint %d<br>RAM %d, of it stack %d" % size for size in sizes) + " |"]
+
+
+def movie_of(directory):
+    """Parts of the animation, from the pictures of one board."""
+    board = show.BOARDS[MOVIE_BOARD]
+    pictures = [show.read_netpbm(os.path.join(directory, name + ".ppm"))[3] for name in animate.NAMES]
+    return apng.parts_of(pictures, board.width, board.height)
+
+
+def write_movie(path, directory, taken):
+    """Each frame stays as long as one of its scene takes."""
+    stays = [round(float(taken[MOVIE_BOARD, name.rsplit("-", 1)[0]]["frame_ms"])) for name in animate.NAMES]
+    apng.write(path, movie_of(directory), stays)
 
 
 def instructions_until(stream):
     """@return {picture: instructions that the core had taken when it was done}"""
     with open(stream) as file:
         return {picture: int(count) for count, picture in
-                re.findall(r"^# instructions (\d+) nanoseconds \d+\nP (\S+)\.ppm$", file.read(), re.M)}
+                re.findall(r"^# instructions (\d+) nanoseconds \d+ bus \d+\nP (\S+)\.ppm$", file.read(), re.M)}
 
 
 def table_of_readme(build, table, stream):
@@ -111,21 +176,41 @@ def pixels(png):
     return body[:13] + zlib.decompress(body[13:])
 
 
-def picture_is_true(host, name, png):
-    board = show.BOARDS[name]
+def check_pictures(tally, host, row, pictures):
+    """Of a board, against what the host draws for it."""
+    name, program = row["board"], program_of(row)
+    wanted = {name + ".png": PICTURE}
+    wanted.update({"%s-%s.png" % (name, scene): scene + "-0" for scene in animate.SCENES if name in SCENE_BOARDS})
     with tempfile.TemporaryDirectory() as directory:
-        subprocess.run([host, str(board.width), str(board.height), board.format, directory], stdout=subprocess.PIPE, check=True)
-        drawn = os.path.join(directory, "drawn.png")
-        show.write_png(os.path.join(directory, PICTURE + ".ppm"), drawn)
-        return os.path.exists(png) and pixels(png) == pixels(drawn)
+        show.draw_on_host(program, host, show.BOARDS[name], directory)
+        for png, picture in wanted.items():
+            drawn, png = os.path.join(directory, "drawn.png"), os.path.join(pictures, png)
+            show.write_png(os.path.join(directory, picture + ".ppm"), drawn)
+            tally.check(os.path.exists(png) and pixels(png) == pixels(drawn), png + " is not what the panel shows")
+        if name == MOVIE_BOARD:
+            movie = os.path.join(pictures, MOVIE)
+            tally.check(os.path.exists(movie) and apng.read(movie)[0] == movie_of(directory),
+                        movie + " is not what the panel shows")
+
+
+def write_pictures(arguments, row, taken):
+    """What the panel of a board showed."""
+    name = row["board"]
+    animated = os.path.join(arguments.animated, name)
+    shown = animated if is_in_colour(row) else os.path.join(arguments.shown, name)
+    shutil.copyfile(os.path.join(shown, PICTURE + ".png"), os.path.join(arguments.pictures, name + ".png"))
+    for scene in animate.SCENES if name in SCENE_BOARDS else ():
+        shutil.copyfile(os.path.join(animated, scene + "-0.png"), os.path.join(arguments.pictures, "%s-%s.png" % (name, scene)))
+    if name == MOVIE_BOARD:
+        write_movie(os.path.join(arguments.pictures, MOVIE), animated, taken)
 
 
 def is_true(says, built):
-    """Is a row of a table the same but for figures that moved a little?"""
-    figure = r"\b\d{2,}\b"
+    """Is a row of a table the same but for figures that moved a little, or by rounding?"""
+    figure = r"\b\d{2,}\b|\b\d(?= %)"
     a, b = (list(map(int, re.findall(figure, row))) for row in (says, built))
     return re.sub(figure, "", says) == re.sub(figure, "", built) and len(a) == len(b) and \
-        all(abs(x - y) <= MOST * y for x, y in zip(a, b))
+        all(abs(x - y) <= max(1, MOST * y) for x, y in zip(a, b))
 
 
 def text_of(path):
@@ -142,33 +227,34 @@ def check_page(tally, path, old, new):
 
 def main():
     parser = argparse.ArgumentParser()
-    for name in ("build", "host", "stream"):
+    for name in ("build", "host", "stream", "times"):
         parser.add_argument("--" + name, required=True)
     parser.add_argument("--shown")
+    parser.add_argument("--animated")
     for name in ("page", "pictures", "readme"):
         parser.add_argument(name)
     arguments = parser.parse_args()
     table = stack.read_table(os.path.join(HERE, "..", "stack", "targets.csv"))
     old = {path: text_of(path) for path in (arguments.page, arguments.readme)}
     new = dict(old)
+    taken = read_times(arguments.times)
     for path, name, lines in ((arguments.page, "boards", table_of_boards(arguments.build, table)),
+                              (arguments.page, "scenes", table_of_scenes(arguments.build, old[arguments.page], taken)),
                               (arguments.page, "entries", table_of_entries(arguments.build, table)),
                               (arguments.readme, "one board", table_of_readme(arguments.build, table, arguments.stream))):
         new[path] = fill(new[path], name, lines)
-    names = [row["board"] for row in read_boards()]
     if arguments.shown:
         for path, text in new.items():
             with open(path, "w") as file:
                 file.write(text)
-        for name in names:
-            shutil.copyfile(os.path.join(arguments.shown, name, PICTURE + ".png"), os.path.join(arguments.pictures, name + ".png"))
+        for row in read_boards():
+            write_pictures(arguments, row, taken)
         return 0
     tally = show.Tally()
     for path in old:
         check_page(tally, path, old[path], new[path])
-    for name in names:
-        png = os.path.join(arguments.pictures, name + ".png")
-        tally.check(picture_is_true(os.path.abspath(arguments.host), name, png), png + " is not what the panel shows")
+    for row in read_boards():
+        check_pictures(tally, os.path.abspath(arguments.host), row, arguments.pictures)
     return tally.close()
 
 
