@@ -155,9 +155,12 @@ static glint_status draw_clock(glint_config config, int number) {
     return status == GLINT_OK ? glint_render(&renderer, &scene) : status;
 }
 
-glint_status compose_draw(const glint_format *format, glint_flush flush, void *arena, size_t arena_size, int number) {
-    const glint_config config = {
-        .height = COMPOSE_HEIGHT, .format = format, .flush = flush, .arena = arena, .arena_size = arena_size};
+glint_status compose_draw(glint_flush flush, void *arena, size_t arena_size, int number) {
+    const glint_config config = {.height = COMPOSE_HEIGHT,
+                                 .format = &glint_format_rgb565_be,
+                                 .flush = flush,
+                                 .arena = arena,
+                                 .arena_size = arena_size};
     const glint_status status = draw_model(config, number);
 
     return status == GLINT_OK ? draw_clock(config, number) : status;

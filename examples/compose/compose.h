@@ -9,11 +9,11 @@
 
 #include "glint.h"
 
-/** Pixels of the whole; formats of 16 bits alone. */
+/** Pixels of the whole, which are of glint_format_rgb565_be. */
 #define COMPOSE_WIDTH 320
 #define COMPOSE_HEIGHT 240
 
 /** Draws frame `number` of a turn of 60 with one renderer's arena. @return GLINT_OK or an error of the library */
-glint_status compose_draw(const glint_format *format, glint_flush flush, void *arena, size_t arena_size, int number);
+glint_status compose_draw(glint_flush flush, void *arena, size_t arena_size, int number);
 
 #endif

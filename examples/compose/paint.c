@@ -14,10 +14,12 @@ void paint_rectangle(const glint_tile *tile, int x, int y, int width, int height
     const int top = most(y - tile->y, 0), bottom = least(y + height - tile->y, tile->height);
 
     for (int row = top; row < bottom; row++) {
-        uint16_t *const pixels = (uint16_t *)(void *)((uint8_t *)tile->pixels + (size_t)row * tile->stride);
+        uint8_t *const pixels = (uint8_t *)tile->pixels + (size_t)row * tile->stride;
 
-        for (int column = left; column < right; column++)
-            pixels[column] = (uint16_t)colour;
+        for (int column = left; column < right; column++) {
+            pixels[2 * column] = (uint8_t)(colour >> 8);
+            pixels[2 * column + 1] = (uint8_t)colour;
+        }
     }
 }
 

@@ -73,7 +73,7 @@ test-panel-bus: $(BUILD)/host/bus ## what the panel driver sends, and what it do
 
 SHOW_HOST := $(BUILD)/host/show
 $(SHOW_HOST): tests/board/show_host.c tests/image/picture.c examples/turntable/turntable.c tests/image/picture.h \
-        examples/firmware/animation.c examples/firmware/animation.h $(EXAMPLE_SCENES) $(EXAMPLE_DATA) $(BUILD)/host/libglint.a
+        examples/firmware/animation.c examples/firmware/animation.h $(wildcard examples/compose/*.c) $(EXAMPLE_SCENES) $(EXAMPLE_DATA) $(BUILD)/host/libglint.a
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -Itests/image $(filter %.c,$^) $(BUILD)/host/libglint.a -o $@
 
@@ -84,8 +84,8 @@ ANIMATE_FIRMWARE := $(foreach board,$(COLOUR_BOARDS),$(board)=$(BUILD)/$(board)/
 ANIMATE_TESTED   := $(filter mps2-an385=% netduinoplus2=% pico=%,$(ANIMATE_FIRMWARE))
 ANIMATE := python3 tests/board/animate.py --host $(SHOW_HOST) --stream $(BUILD)/host/panel_stream
 
-SUITES += test-board-show test-board-animate
-.PHONY: test-board-show test-board-animate test-board-animate-all run
+SUITES += test-board-show test-board-animate test-board-compose
+.PHONY: test-board-show test-board-animate test-board-compose test-board-animate-all run
 PROGRAM ?= show
 RUN_FIRMWARE = $(if $(filter animate,$(PROGRAM)),$(ANIMATE_FIRMWARE),$(SHOW_FIRMWARE))
 run: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed $$(lastword $$(subst =, ,$$(filter $$(BOARD)=%,$$(RUN_FIRMWARE)))) ## run one board, BOARD=pico PROGRAM=show (or animate) say, and write what its panel shows to build/run
@@ -100,6 +100,9 @@ test-board-animate: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulat
 test-board-animate-all: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed \
         $(foreach pair,$(ANIMATE_FIRMWARE),$(lastword $(subst =, ,$(pair)))) ## all of them on every board in colour: minutes
 	@$(ANIMATE) --output $(BUILD)/animate $(ANIMATE_FIRMWARE)
+
+test-board-compose: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/mps2-an385/O2/compose.elf ## a user interface with 3D in it, on a board, against the host
+	@python3 tests/board/compose.py --host $(SHOW_HOST) --stream $(BUILD)/host/panel_stream --output $(BUILD)/compose mps2-an385=$(BUILD)/mps2-an385/O2/compose.elf
 
 test-board-show: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed \
         $(foreach pair,$(SHOW_FIRMWARE),$(lastword $(subst =, ,$(pair)))) ## each board's panel, as its bus drives it, against the host

@@ -164,11 +164,16 @@ class Traced:
         if self.is_data:
             self.pending.append(value)
             self.pixel_bytes += self.is_pixel
-            if self.is_pixel and self.pixel_bytes % self.frame_bytes == 0:
-                self.end_frame(self.pixel_bytes // self.frame_bytes - 1)
+            number = self.frame_at(self.pixel_bytes) if self.is_pixel else None
+            if number is not None:
+                self.end_frame(number)
         else:
             self.note("T 200000\nC %02x" % value)
             self.is_pixel = self.starts_pixels(value)
+
+    def frame_at(self, count):
+        """The frame that ends with so many bytes of pixels, or None."""
+        return count // self.frame_bytes - 1 if count % self.frame_bytes == 0 else None
 
     def end_frame(self, number):
         if number >= len(self.names):

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What firmware must show on a display: show_host PROGRAM WIDTH HEIGHT FORMAT DIRECTORY, PROGRAM `show` or `animate`
- * (examples/firmware), writes DIRECTORY/<name>-<frame>.ppm for each frame, levels expanded to 255, and prints their
- * names.
+ * What firmware must show on a display: show_host PROGRAM WIDTH HEIGHT FORMAT DIRECTORY, PROGRAM `show`, `animate` or
+ * `compose` (examples/firmware), writes DIRECTORY/<name>-<frame>.ppm for each frame, levels expanded to 255, and prints
+ * their names.
  */
+#include "compose/compose.h"
 #include "firmware/animation.h"
 #include "picture.h"
 #include "turntable/turntable.h"
@@ -99,13 +100,39 @@ static int draw_animate(const target *to) {
     return 0;
 }
 
+static int take(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    const int rectangle[4] = {x, y, width, height};
+
+    return picture_put(context, rectangle, pixels, stride);
+}
+
+/* Frames over each other on one display. */
+static int draw_compose(const target *to) {
+    static uint32_t arena[(64 << 10) / sizeof(uint32_t)];
+    picture image = picture_open(to->width, to->height, &glint_format_rgb565_be);
+    char path[512];
+    int failed = 0;
+
+    for (int i = 0; i < 3 && !failed; i++) {
+        const glint_status status =
+            compose_draw((glint_flush){.begin = take, .context = &image}, arena, sizeof arena, i * 8);
+        snprintf(path, sizeof path, "%s/compose-%d.ppm", to->directory, i);
+        failed = status != GLINT_OK || write_picture(path, &image);
+        printf("compose-%d\n", i);
+    }
+    picture_close(&image);
+    return failed;
+}
+
 int main(int argc, char **argv) {
     const glint_format *format = argc == 6 ? find_format(argv[4]) : NULL;
 
     if (!format) {
-        fputs("show_host show|animate WIDTH HEIGHT rgb565|rgb444|mono|grey4 DIRECTORY\n", stderr);
+        fputs("show_host show|animate|compose WIDTH HEIGHT rgb565|rgb444|mono|grey4 DIRECTORY\n", stderr);
         return 2;
     }
     const target to = {atoi(argv[2]), atoi(argv[3]), format, argv[5]};
-    return strcmp(argv[1], "animate") == 0 ? draw_animate(&to) : draw_show(&to);
+    return strcmp(argv[1], "animate") == 0   ? draw_animate(&to)
+           : strcmp(argv[1], "compose") == 0 ? draw_compose(&to)
+                                             : draw_show(&to);
 }

@@ -45,11 +45,10 @@ static int tell(const char *name, glint_status status) {
 static int draw_compose(const char *directory) {
     framebuffer target;
 
-    framebuffer_init(&target, &glint_format_rgb565, COMPOSE_WIDTH, COMPOSE_HEIGHT);
+    framebuffer_init(&target, &glint_format_rgb565_be, COMPOSE_WIDTH, COMPOSE_HEIGHT);
     int failed = 0;
     for (int i = 0; i < 2 && !failed; i++) { /* the clock's second picture is a region */
-        failed =
-            tell("compose", compose_draw(&glint_format_rgb565, framebuffer_flush(&target), arena, sizeof arena, i * 8));
+        failed = tell("compose", compose_draw(framebuffer_flush(&target), arena, sizeof arena, i * 8));
     }
     failed = failed || write_picture(&target, directory, "compose");
     framebuffer_free(&target);
