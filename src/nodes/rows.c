@@ -20,7 +20,7 @@ typedef struct row_sums {
 } row_sums;
 
 /* M.M, Q30, that 1 / |M| is known from. */
-#define LEAST_SQUARE (1u << 28)
+#define LEAST_LENGTH_SQUARE (1u << 28)
 
 /* 1 / |M|, Q15, of M.M less its least. */
 static inline uint32_t inverse_of(uint32_t square) {
@@ -49,7 +49,7 @@ static GLINT_INLINE void begin_run_inline(const row_sums *of, int32_t i, int32_t
                    three = {0, 0, 0};
     if (is_over) {
         square = glint_progress_begin(of->square, i, j);
-        square.value -= LEAST_SQUARE;
+        square.value -= LEAST_LENGTH_SQUARE;
     }
     if (!is_chroma) {
         two = glint_progress_begin(&of->sum[1], i, j);
@@ -167,7 +167,7 @@ static void find_base(const glint_terms *terms, int32_t base[3]) {
 /* ---- Surfaces ---- */
 
 /* A channel times that of the surface, which goes to the next pixel. */
-static inline int32_t multiply(int32_t channel, glint_progress *surface) {
+static inline int32_t times_surface(int32_t channel, glint_progress *surface) {
     const int32_t by = glint_shift_right((int32_t)surface->value, 18);
     glint_progress_next(surface);
     return glint_shift_right(channel, 12) * by;
@@ -175,7 +175,7 @@ static inline int32_t multiply(int32_t channel, glint_progress *surface) {
 
 /* One channel of what is below. */
 static inline void take_channel(int32_t *colour, glint_progress *surface, int32_t ambient, int32_t half, int is_least) {
-    const int32_t value = multiply(is_least ? ambient : *colour, surface) + half;
+    const int32_t value = times_surface(is_least ? ambient : *colour, surface) + half;
     *colour = is_least ? glint_most(*colour, value) : value;
 }
 
@@ -246,9 +246,9 @@ static void mix_with_surface(const glint_mix *mix, const int32_t half[3], const 
                        blue = glint_run_start(&surface[2], run, to);
         for (uint32_t n = run->count; n; n--, row++) {
             const int32_t light = (*row)[0], gloss = (*row)[1];
-            (*row)[0] = multiply(base[0] + light * mix->light[0], &red) + half[0] + gloss * mix->gloss[0];
-            (*row)[1] = multiply(base[1] + light * mix->light[1], &green) + half[1] + gloss * mix->gloss[1];
-            (*row)[2] = multiply(base[2] + light * mix->light[2], &blue) + half[2] + gloss * mix->gloss[2];
+            (*row)[0] = times_surface(base[0] + light * mix->light[0], &red) + half[0] + gloss * mix->gloss[0];
+            (*row)[1] = times_surface(base[1] + light * mix->light[1], &green) + half[1] + gloss * mix->gloss[1];
+            (*row)[2] = times_surface(base[2] + light * mix->light[2], &blue) + half[2] + gloss * mix->gloss[2];
         }
     }
 }
