@@ -20,7 +20,7 @@ typedef struct row_sums {
 } row_sums;
 
 /* M.M, Q30, that 1 / |M| is known from. */
-#define LEAST_SQUARE (1u << 28)
+#define LEAST_LENGTH_SQUARE (1u << 28)
 
 /* 1 / |M|, Q15, of M.M less its least. */
 static inline uint32_t inverse_of(uint32_t square) {
@@ -33,80 +33,96 @@ static inline int32_t over_length(uint32_t sum, int32_t base, uint32_t over) {
     return base + glint_shift_right((int32_t)sum, 14) * (int32_t)(over >> 1);
 }
 
+/* A visible pixel on its way: its depth, and where its numbers go. */
+typedef struct row_pixel {
+    uint16_t *depth;
+    uint32_t z; /* 1/w, with GLINT_DEPTH_BIAS */
+    int32_t (*row)[3];
+    uint16_t *inverse;
+} row_pixel;
+
+/* Begins a run at a pixel that is visible, i, j from the anchor, up to `right` or a pixel that is not. */
+static GLINT_INLINE void begin_run_inline(const row_sums *of, int32_t i, int32_t j, const uint16_t *right,
+                                          row_pixel *at, int is_chroma, int is_over) {
+    const uint32_t z_dx = (uint32_t)of->part->depth.dx;
+    glint_progress square = {0, 0, 0}, one = glint_progress_begin(&of->sum[0], i, j), two = {0, 0, 0},
+                   three = {0, 0, 0};
+    if (is_over) {
+        square = glint_progress_begin(of->square, i, j);
+        square.value -= LEAST_LENGTH_SQUARE;
+    }
+    if (!is_chroma) {
+        two = glint_progress_begin(&of->sum[1], i, j);
+        three = glint_progress_begin(&of->sum[2], i, j);
+    }
+    if (!is_chroma && !is_over) {
+        one.value += (uint32_t)of->base[0];
+        two.value += (uint32_t)of->base[1];
+        three.value += (uint32_t)of->base[2];
+    }
+    do {
+        const uint32_t over = is_over ? inverse_of(square.value) : 0;
+        *at->depth++ = (uint16_t)(at->z >> 15);
+        at->z += z_dx;
+        if (is_over)
+            *at->inverse++ = (uint16_t)over;
+        if (is_chroma) {
+            const int32_t amount = glint_shift_right((int32_t)one.value, 16);
+            (*at->row)[0] = is_over ? glint_shift_right(amount * (int32_t)over, 15) : amount;
+            (*at->row)[1] = 0;
+        } else {
+            (*at->row)[0] = is_over ? over_length(one.value, of->base[0], over) : (int32_t)one.value;
+            (*at->row)[1] = is_over ? over_length(two.value, of->base[1], over) : (int32_t)two.value;
+            (*at->row)[2] = is_over ? over_length(three.value, of->base[2], over) : (int32_t)three.value;
+        }
+        at->row++;
+        glint_progress_next(&one);
+        if (is_over)
+            glint_progress_next(&square);
+        if (!is_chroma) {
+            glint_progress_next(&two);
+            glint_progress_next(&three);
+        }
+    } while (at->depth < right && at->z >> 15 > *at->depth);
+}
+
 /*
- * Begins rows of a part from row *y on, as many as two rows of the tile have room for: tests and stores depth,
- * sets sums and 1 / |M| of pixels that are visible; `is_chroma` and `is_over` are constants where this is inlined.
+ * Begins rows of a part from row *y on, as many as two rows of the tile have room for: tests and stores depth, sets
+ * sums and 1 / |M| of pixels that are visible; `is_chroma` and `is_over` are constants where this is inlined.
  * @return the runs' end
  */
 static GLINT_INLINE glint_run *begin_rows_inline(const row_sums *of, uint32_t *y, glint_run *run, int32_t (*row)[3],
                                                  uint16_t *inverse, int is_chroma, int is_over) {
     const glint_part *part = of->part;
-    uint32_t room = 2u << of->shift; /* pixels */
     const uint32_t z_dx = (uint32_t)part->depth.dx, z_dy = (uint32_t)part->depth.dy, bottom = part->bottom;
-    uint32_t at = *y, z_row = (uint32_t)glint_plane_at(&part->depth, part->x, part->y + (int32_t)at) + GLINT_DEPTH_BIAS;
-    uint16_t *line = of->depth + (at << of->shift);
+    uint32_t j = *y, room = 2u << of->shift; /* pixels */
+    uint32_t z_row = (uint32_t)glint_plane_at(&part->depth, part->x, part->y + (int32_t)j) + GLINT_DEPTH_BIAS;
+    uint16_t *line = of->depth + (j << of->shift);
+    row_pixel at = {line, z_row, row, inverse};
     do {
-        const glint_span span = part->spans[at];
-        const int32_t j = part->y + (int32_t)at;
-        uint16_t *depth = line + span.left, *const right = line + span.right;
-        uint32_t z = z_row + z_dx * span.left;
+        const glint_span span = part->spans[j];
+        const uint16_t *const right = line + span.right;
+        at.depth = line + span.left;
+        at.z = z_row + z_dx * span.left;
         if ((uint32_t)span.right - span.left > room)
             break;
-        while (depth < right) {
-            if (z >> 15 <= *depth) {
-                z += z_dx;
-                depth++;
+        while (at.depth < right) {
+            if (at.z >> 15 <= *at.depth) {
+                at.z += z_dx;
+                at.depth++;
                 continue;
             }
-            const uint32_t first = (uint32_t)(depth - line);
-            const int32_t i = part->x + (int32_t)first;
-            glint_progress square = {0, 0, 0}, one, two = {0, 0, 0}, three = {0, 0, 0};
-            if (is_over) {
-                square = glint_progress_begin(of->square, i, j);
-                square.value -= LEAST_SQUARE;
-            }
-            one = glint_progress_begin(&of->sum[0], i, j);
-            if (!is_chroma) {
-                two = glint_progress_begin(&of->sum[1], i, j);
-                three = glint_progress_begin(&of->sum[2], i, j);
-            }
-            if (!is_chroma && !is_over) {
-                one.value += (uint32_t)of->base[0];
-                two.value += (uint32_t)of->base[1];
-                three.value += (uint32_t)of->base[2];
-            }
-            do {
-                uint32_t over = 0;
-                *depth++ = (uint16_t)(z >> 15);
-                z += z_dx;
-                if (is_over) {
-                    over = inverse_of(square.value);
-                    *inverse++ = (uint16_t)over;
-                    glint_progress_next(&square);
-                }
-                if (is_chroma) {
-                    const int32_t amount = glint_shift_right((int32_t)one.value, 16);
-                    (*row)[0] = is_over ? glint_shift_right(amount * (int32_t)over, 15) : amount;
-                    (*row)[1] = 0;
-                } else {
-                    (*row)[0] = is_over ? over_length(one.value, of->base[0], over) : (int32_t)one.value;
-                    (*row)[1] = is_over ? over_length(two.value, of->base[1], over) : (int32_t)two.value;
-                    (*row)[2] = is_over ? over_length(three.value, of->base[2], over) : (int32_t)three.value;
-                    glint_progress_next(&two);
-                    glint_progress_next(&three);
-                }
-                glint_progress_next(&one);
-                row++;
-            } while (depth < right && z >> 15 > *depth);
-            const uint32_t count = (uint32_t)(depth - line) - first;
-            *run++ = (glint_run){(uint8_t)first, (uint8_t)at, (uint8_t)count};
+            const uint32_t first = (uint32_t)(at.depth - line);
+            begin_run_inline(of, part->x + (int32_t)first, part->y + (int32_t)j, right, &at, is_chroma, is_over);
+            const uint32_t count = (uint32_t)(at.depth - line) - first;
+            *run++ = (glint_run){(uint8_t)first, (uint8_t)j, (uint8_t)count};
             room -= count;
         }
         line += 1u << of->shift;
         z_row += z_dy;
-        at++;
-    } while (at < bottom);
-    *y = at;
+        j++;
+    } while (j < bottom);
+    *y = j;
     return run;
 }
 
@@ -151,7 +167,7 @@ static void find_base(const glint_terms *terms, int32_t base[3]) {
 /* ---- Surfaces ---- */
 
 /* A channel times that of the surface, which goes to the next pixel. */
-static inline int32_t multiply(int32_t channel, glint_progress *surface) {
+static inline int32_t times_surface(int32_t channel, glint_progress *surface) {
     const int32_t by = glint_shift_right((int32_t)surface->value, 18);
     glint_progress_next(surface);
     return glint_shift_right(channel, 12) * by;
@@ -159,7 +175,7 @@ static inline int32_t multiply(int32_t channel, glint_progress *surface) {
 
 /* One channel of what is below. */
 static inline void take_channel(int32_t *colour, glint_progress *surface, int32_t ambient, int32_t half, int is_least) {
-    const int32_t value = multiply(is_least ? ambient : *colour, surface) + half;
+    const int32_t value = times_surface(is_least ? ambient : *colour, surface) + half;
     *colour = is_least ? glint_most(*colour, value) : value;
 }
 
@@ -230,9 +246,9 @@ static void mix_with_surface(const glint_mix *mix, const int32_t half[3], const 
                        blue = glint_run_start(&surface[2], run, to);
         for (uint32_t n = run->count; n; n--, row++) {
             const int32_t light = (*row)[0], gloss = (*row)[1];
-            (*row)[0] = multiply(base[0] + light * mix->light[0], &red) + half[0] + gloss * mix->gloss[0];
-            (*row)[1] = multiply(base[1] + light * mix->light[1], &green) + half[1] + gloss * mix->gloss[1];
-            (*row)[2] = multiply(base[2] + light * mix->light[2], &blue) + half[2] + gloss * mix->gloss[2];
+            (*row)[0] = times_surface(base[0] + light * mix->light[0], &red) + half[0] + gloss * mix->gloss[0];
+            (*row)[1] = times_surface(base[1] + light * mix->light[1], &green) + half[1] + gloss * mix->gloss[1];
+            (*row)[2] = times_surface(base[2] + light * mix->light[2], &blue) + half[2] + gloss * mix->gloss[2];
         }
     }
 }
