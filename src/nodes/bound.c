@@ -74,7 +74,7 @@ static inline uint32_t scaled(uint32_t a, uint32_t b, unsigned n) {
  */
 static uint32_t plane_sum_error(uint32_t levels, uint32_t turn, uint32_t place, uint32_t b) {
     const uint32_t a = turn + place;
-    return scaled((2 * times(a, a) - times(turn, turn) + 4 * times(a, b)) * 4 / 3, levels, 12);
+    return scaled((2 * times(a, a) - times(turn, turn) + 4 * times(a, b)) * 342 >> 8, levels, 12);
 }
 
 /* x, Q12, times a highlight's slope, Q8: at most 2^16. */
@@ -86,7 +86,7 @@ static uint32_t with_slope(uint32_t slope, uint32_t x) {
 /* A highlight's: |e| falls short as N does, and H turns. */
 static uint32_t plane_lobe_error(uint32_t slope, uint32_t levels, uint32_t turn, uint32_t axis, uint32_t b) {
     const uint32_t of_axis = 2 * times(axis, axis) + 4 * times(turn, axis) + 4 * times(turn + axis, b);
-    return ((with_slope(slope, of_axis) + times(turn, turn)) / 12) * (levels >> 4) >> 8;
+    return ((with_slope(slope, of_axis) + times(turn, turn)) * 683 >> 13) * (levels >> 4) >> 8;
 }
 
 /*
@@ -176,8 +176,12 @@ static inline uint32_t lobe_turn(const glint_shading *shading, const glint_regio
 
 /* H turns by what L and V turn, over |L + V|. V follows from the place on the screen. */
 static inline uint32_t turn_of_axis(const glint_frame *frame, const glint_region *region) {
-    const uint32_t turn = region->near + (frame->view->local_viewer ? region->across : 0);
-    return (turn << 12) / (glint_root_above(region->half << 10) | 1);
+    const uint32_t turn = region->near + (frame->view->local_viewer ? region->across : 0), half = region->half | 1;
+    if (!turn)
+        return 0;
+    const unsigned up = (glint_leading_zeros(half) - 1) & ~1u; /* to 2^29 .. 2^31 */
+    const uint32_t inverse = (uint32_t)glint_inverse_root(half << up);
+    return (turn * (inverse + (inverse >> 12) + 1) >> (23 - up / 2)) + 1;
 }
 
 uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness, uint32_t around,
@@ -333,7 +337,7 @@ int32_t glint_lobe_bulge(const glint_shading *shading, const glint_region *regio
     const uint32_t turn = (uint32_t)glint_least((int32_t)lobe_turn(shading, region), WIDEST),
                    axis = (uint32_t)glint_least((int32_t)region->axis, WIDEST);
     const uint32_t mirrored = shading->material->model->lobe == GLINT_LOBE_MIRROR ? times(turn, turn) / 2 : 0;
-    return (int32_t)((times(axis, axis + 2 * turn) + mirrored) * 4 / 6 + 3) << shading->terms->lobe_shift;
+    return (int32_t)((times(axis, axis + 2 * turn) + mirrored) * 171 / 256 + 3) << shading->terms->lobe_shift;
 }
 
 glint_lobe_bounds glint_find_lobe_bounds(const glint_shading *shading, int32_t bulge) {

@@ -20,32 +20,40 @@ static void sum_node(const glint_shading *shading, glint_candidate *t, int i, gl
         shine_node(shading, t, i, node);
 }
 
-/* A node's numbers of a light, as a corner keeps them. */
-static void take_kept(const glint_light_terms *light, const int16_t *kept, uint32_t l, glint_node *node) {
-    node->number[l][GLINT_STRENGTH] = 1 << 14; /* where none is kept */
-    for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
-        if (light->at[l][kind])
-            node->number[l][kind] = kept[light->at[l][kind]];
+/* A node's numbers of some lights, as a corner keeps them. */
+static void take_kept(const glint_light_terms *light, const int16_t *kept, uint32_t lights, glint_node *node) {
+    for (uint32_t l = 0; lights >> l; l++) {
+        if (!(lights >> l & 1))
+            continue;
+        node->number[l][GLINT_STRENGTH] = 1 << 14; /* where none is kept */
+        for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
+            if (light->at[l][kind])
+                node->number[l][kind] = kept[light->at[l][kind]];
+    }
 }
 
-/* Sets the corners' sums of the lights that all of them face: as they keep them, if that is of these lights. */
+/* Sets the corners' sums of the lights that all of them face: what they keep, without the others that they face. */
 void glint_sum_corners(const glint_shading *shading, glint_candidate *t) {
     const glint_light_terms *light = shading->terms;
+    const uint32_t summed = t->region.summed;
     glint_node node;
     for (int i = 0; i < 3; i++) {
         const int16_t *const kept = t->kept[i], *const rest = kept + light->channels;
-        const uint32_t held = t->region.held;
-        if (((uint32_t)rest[GLINT_KEPT_FACING] & 0xff) == held) {
-            for (uint32_t c = 0; c < light->channels; c++)
-                t->sum[i][c] = kept[c];
-            for (int c = 0; c < 3 && t->region.summed; c++)
-                t->shine[i][c] = rest[GLINT_KEPT_SHINE + c];
+        const uint32_t others = (uint32_t)rest[GLINT_KEPT_FACING] & 0xff & ~t->region.held;
+        for (uint32_t c = 0; c < light->channels; c++)
+            t->sum[i][c] = kept[c];
+        for (int c = 0; c < 3 && summed; c++)
+            t->shine[i][c] = rest[GLINT_KEPT_SHINE + c];
+        if (!others)
             continue;
-        }
-        for (uint32_t l = 0; held >> l; l++)
-            if (held >> l & 1)
-                take_kept(light, kept, l, &node);
-        sum_node(shading, t, i, &node);
+        take_kept(light, kept, others, &node);
+        glint_node_sum(light, others, &node);
+        for (uint32_t c = 0; c < light->channels; c++)
+            t->sum[i][c] -= node.sum[c];
+        if (!summed)
+            continue;
+        take_kept(light, kept, summed, &node);
+        shine_node(shading, t, i, &node);
     }
 }
 
@@ -93,14 +101,21 @@ static void mix_lobes(const glint_light_terms *light, glint_candidate *t, int e,
         }
 }
 
-/* The middle of an edge, as a fragment. */
-static void gather_middle(const glint_frame *frame, const glint_vertex *a, const glint_vertex *b, glint_fragments *to) {
+/* The middle of edge e, as a fragment. */
+static void gather_middle(const glint_frame *frame, const glint_triangle *triangle, const glint_candidate *t, int e,
+                          glint_fragments *to) {
+    const glint_vertex *const a = triangle->corners[glint_ends[e][0]], *const b = triangle->corners[glint_ends[e][1]];
     const uint32_t i = to->count++;
+    glint_find_ray(frame, (a->x + b->x) >> 1, (a->y + b->y) >> 1, to->ray[i]);
+    to->inverse_w[i] = (a->inverse_w >> 1) + (b->inverse_w >> 1);
+    if (t->is_mixed && !t->is_straight) {
+        for (int c = 0; c < 3; c++)
+            to->normal[i][c] = (int16_t)mix_ends(t, e, a->attribute[c], b->attribute[c]);
+        return;
+    }
     const unsigned zeros = glint_leading_zeros((uint32_t)a->inverse_w | (uint32_t)b->inverse_w);
     const int32_t wa = (int32_t)((uint32_t)a->inverse_w << zeros >> 17),
                   wb = (int32_t)((uint32_t)b->inverse_w << zeros >> 17);
-    glint_find_ray(frame, (a->x + b->x) >> 1, (a->y + b->y) >> 1, to->ray[i]);
-    to->inverse_w[i] = (a->inverse_w >> 1) + (b->inverse_w >> 1);
     glint_unit_each(a->attribute[0] * wa + b->attribute[0] * wb, a->attribute[1] * wa + b->attribute[1] * wb,
                     a->attribute[2] * wa + b->attribute[2] * wb, to->normal[i]);
 }
@@ -115,7 +130,7 @@ static int light_middles(const glint_frame *frame, const glint_draw *draw, const
     uint32_t unfit = 0;
     at.count = 0;
     for (int e = 0; e < 3; e++)
-        gather_middle(frame, triangle->corners[glint_ends[e][0]], triangle->corners[glint_ends[e][1]], &at);
+        gather_middle(frame, triangle, t, e, &at);
     glint_nodes_light(frame, draw->shading, &at, t->is_mixed ? lobes : region->held | region->sides | lobes, lobes, to);
     for (int e = 0; e < 3; e++)
         unfit |= (to[e]->unfit & lobes) | (to[e]->far & region->lobes) | (to[e]->steep & region->cones);
@@ -126,10 +141,10 @@ static int light_middles(const glint_frame *frame, const glint_draw *draw, const
 int glint_find_middles(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
                        glint_candidate *t) {
     const glint_region *region = &t->region;
-    if (!t->is_between && !light_middles(frame, draw, triangle, t))
-        return 0;
     if (t->is_mixed && !t->is_straight)
         find_shares(triangle, t);
+    if (!t->is_between && !light_middles(frame, draw, triangle, t))
+        return 0;
     if (t->is_mixed && !region->summed && !region->folds) /* sums are polynomials of the corners' */
         return 1;
     if (t->is_mixed)

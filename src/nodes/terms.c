@@ -16,20 +16,15 @@ typedef struct target {
 /* Numbers at the corners, and by how much edges bulge: 4 times what their middles have, less twice both ends. */
 typedef struct numbers {
     int32_t corner[3], bulge[3];
-    int is_flat; /* no edge bulges */
 } numbers;
 
 /* Sets polynomial number i, times 2^unit, which begins with so much more. */
-static void set_polynomial(const target *to, glint_barycentric *s, uint32_t i, const numbers *n, unsigned unit,
-                           uint32_t more) {
+static void set_quadratic(const target *to, glint_barycentric *s, uint32_t i, const numbers *n, unsigned unit,
+                          uint32_t more) {
     glint_quadratic q;
-    if (n->is_flat) {
-        q = glint_fit_plane(&to->part->gradients, n->corner, 1 << 15, unit);
-    } else {
-        if (s->unit != unit)
-            glint_barycentric_begin(s, &to->part->gradients, (int32_t)unit);
-        glint_polynomial_begin(&q, s, n->corner, n->bulge);
-    }
+    if (s->unit != unit)
+        glint_barycentric_begin(s, &to->part->gradients, (int32_t)unit);
+    glint_polynomial_begin(&q, s, n->corner, n->bulge);
     glint_polynomial_set(to->polynomials, i, q, more);
 }
 
@@ -37,32 +32,54 @@ static inline int32_t times_length(int32_t n, int32_t length) {
     return glint_shift_right(n * length + (1 << 14), 15);
 }
 
+/*
+ * The same of numbers times lengths whose middles are found from the corners: they are linear over w, and what they are
+ * divided by is |M|.
+ */
+static void set_straight(const target *to, uint32_t i, const int32_t n[3], const int32_t length[3], unsigned unit,
+                         uint32_t more) {
+    glint_plane plane;
+    glint_plane_begin(&plane, &to->part->gradients, glint_shift_left(times_length(n[0], length[0]), unit),
+                      glint_shift_left(times_length(n[1], length[1]), unit),
+                      glint_shift_left(times_length(n[2], length[2]), unit));
+    const glint_quadratic q = {(uint32_t)plane.start, (uint32_t)plane.dx, (uint32_t)plane.dy, 0, 0, 0};
+    glint_polynomial_set(to->polynomials, i, q, more);
+}
+
 /* Sets the bulge of edge e from a number at its middle. */
 static inline void set_bulge(numbers *n, int e, int32_t middle) {
     n->bulge[e] = 4 * middle - 2 * (n->corner[glint_ends[e][0]] + n->corner[glint_ends[e][1]]);
 }
 
-/*
- * Sets bulges where middles are found from the corners. Times the lengths numbers are linear: over w they are, and what
- * they are divided by is |M|.
- */
-static inline void mix_bulges(const glint_candidate *t, const int32_t *length, numbers *n) {
-    n->is_flat = length != 0;
-    for (int e = 0; e < 3 && !length; e++)
+/* Sets bulges where middles are found from the corners. */
+static inline void mix_bulges(const glint_candidate *t, numbers *n) {
+    for (int e = 0; e < 3; e++)
         n->bulge[e] = glint_mix_bulge(t, e, n->corner[glint_ends[e][0]], n->corner[glint_ends[e][1]]);
+}
+
+/* Are a light's numbers of a kind at the middles found from the corners? */
+static inline int is_mixed_kind(const glint_candidate *t, uint32_t kind) {
+    return kind >= GLINT_LOBE_X ? t->is_between : t->is_mixed;
+}
+
+static inline void take_corners(const glint_light_terms *light, const glint_candidate *t, uint32_t l, uint32_t kind,
+                                int32_t n[3]) {
+    const uint8_t at = light->at[l][kind];
+    n[0] = t->kept[0][at];
+    n[1] = t->kept[1][at];
+    n[2] = t->kept[2][at];
 }
 
 /* A light's numbers, times lengths at the nodes, or their squares, or as they are. */
 static void take_numbers(const glint_light_terms *light, const glint_candidate *t, uint32_t l, uint32_t kind,
                          const int32_t *length, numbers *n) {
-    const uint8_t at = light->at[l][kind];
-    for (int i = 0; i < 3; i++)
-        n->corner[i] = length ? times_length(t->kept[i][at], length[i]) : t->kept[i][at];
-    if (kind >= GLINT_LOBE_X ? t->is_between : t->is_mixed) {
-        mix_bulges(t, length, n);
+    take_corners(light, t, l, kind, n->corner);
+    if (is_mixed_kind(t, kind)) {
+        mix_bulges(t, n);
         return;
     }
-    n->is_flat = 0;
+    for (int i = 0; i < 3 && length; i++)
+        n->corner[i] = times_length(n->corner[i], length[i]);
     for (int e = 0; e < 3; e++) {
         const int32_t middle = t->middle[e].number[l][kind];
         set_bulge(n, e, length ? times_length(middle, length[3 + e]) : middle);
@@ -75,16 +92,22 @@ static inline int32_t sum_at(const glint_terms *terms, const glint_candidate *t,
                               : t->sum[i][c];
 }
 
-/* The same of sum c. */
+/* Do sums at the middles follow from those at the corners? */
+static inline int is_mixed_sum(const glint_candidate *t) {
+    return t->is_mixed && !t->region.summed && !t->region.folds;
+}
+
+/* Sum c, times lengths at the nodes, or as it is. */
 static void take_sums(const glint_terms *terms, const glint_candidate *t, uint32_t c, const int32_t *length,
                       numbers *n) {
     for (int i = 0; i < 3; i++)
-        n->corner[i] = length ? times_length(sum_at(terms, t, i, c), length[i]) : sum_at(terms, t, i, c);
-    if (t->is_mixed && !t->region.summed && !t->region.folds) {
-        mix_bulges(t, length, n);
+        n->corner[i] = sum_at(terms, t, i, c);
+    if (is_mixed_sum(t)) {
+        mix_bulges(t, n);
         return;
     }
-    n->is_flat = 0;
+    for (int i = 0; i < 3 && length; i++)
+        n->corner[i] = times_length(n->corner[i], length[i]);
     for (int e = 0; e < 3; e++) {
         const int32_t middle = sum_at(terms, t, 3 + e, c);
         set_bulge(n, e, length ? times_length(middle, length[3 + e]) : middle);
@@ -106,57 +129,82 @@ static unsigned unit_of_sums(const glint_terms *terms) {
 /* Those of a light with terms of its own. */
 static void begin_light(const glint_candidate *t, const glint_lengths *by, const glint_apart *apart, const target *to,
                         glint_barycentric *s) {
-    const int32_t *const length = by ? by->length : 0, *const of_lobe =
-                                                           by && to->terms->is_over_length > 1 ? by->square : length;
+    const glint_light_terms *const light = to->terms->light;
     uint32_t next = apart->first;
     numbers n;
-    for (uint32_t kind = 0; apart->kinds >> kind; kind++)
-        if (apart->kinds >> kind & 1) {
-            take_numbers(to->terms->light, t, apart->light, kind,
-                         kind == GLINT_SIDE     ? length
-                         : kind >= GLINT_LOBE_X ? of_lobe
-                                                : 0,
-                         &n);
-            set_polynomial(to, s, next++, &n, 16, 0);
+    for (uint32_t kind = 0; apart->kinds >> kind; kind++) {
+        const int32_t *length = 0;
+        if (!(apart->kinds >> kind & 1))
+            continue;
+        if (by && (kind == GLINT_SIDE || kind >= GLINT_LOBE_X))
+            length = kind != GLINT_SIDE && to->terms->is_over_length > 1 ? by->square : by->length;
+        if (length && is_mixed_kind(t, kind)) {
+            take_corners(light, t, apart->light, kind, n.corner);
+            set_straight(to, next++, n.corner, length, 16, 0);
+        } else {
+            take_numbers(light, t, apart->light, kind, length, &n);
+            set_quadratic(to, s, next++, &n, 16, 0);
         }
+    }
+}
+
+/* Those of sums. */
+static void begin_sums_of(const glint_candidate *t, const glint_lengths *by, const target *to, glint_barycentric *s) {
+    const glint_terms *const terms = to->terms;
+    const unsigned unit = unit_of_sums(terms);
+    numbers n;
+    for (uint32_t c = 0; c < terms->sums; c++) {
+        const uint32_t more = finish_of(terms, t, c);
+        if (by && is_mixed_sum(t)) {
+            for (int i = 0; i < 3; i++)
+                n.corner[i] = sum_at(terms, t, i, c);
+            set_straight(to, c, n.corner, by->length, unit, more);
+        } else {
+            take_sums(terms, t, c, by ? by->length : 0, &n);
+            set_quadratic(to, s, c, &n, unit, more);
+        }
+    }
 }
 
 static void begin_term_quadratics(const glint_candidate *t, const glint_lengths *by, const glint_terms *terms,
                                   const target *to) {
     glint_barycentric s = {.unit = 0};
     numbers n;
-    for (uint32_t c = 0; c < terms->sums; c++) {
-        take_sums(terms, t, c, by ? by->length : 0, &n);
-        set_polynomial(to, &s, c, &n, unit_of_sums(terms), finish_of(terms, t, c));
-    }
-    n.is_flat = 0;
+    begin_sums_of(t, by, to, &s);
     if (by) {
         for (int i = 0; i < 3; i++)
             n.corner[i] = by->square[i] >> 1;
         for (int e = 0; e < 3; e++)
             set_bulge(&n, e, by->square[3 + e] >> 1);
-        set_polynomial(to, &s, terms->square, &n, 16, 0);
+        set_quadratic(to, &s, terms->square, &n, 16, 0);
     }
     for (uint32_t c = 0; c < 3 && terms->has_surface; c++) {
         for (int i = 0; i < 3; i++)
             n.corner[i] = t->surface[i][c];
         for (int e = 0; e < 3; e++)
             set_bulge(&n, e, t->surface[3 + e][c]);
-        set_polynomial(to, &s, terms->surface + c, &n, 16, 0);
+        set_quadratic(to, &s, terms->surface + c, &n, 16, 0);
     }
     for (uint32_t a = 0; a < terms->apart_count; a++)
         begin_light(t, by, &terms->apart[a], to, &s);
 }
 
-/* A highlight may end at once at a terminator: polynomials do not tell just where. Lengths are at most 1. */
+/*
+ * A highlight may end at once at a terminator: polynomials do not tell just where. Lengths are at most 1: numbers that
+ * are no more over them keep their side if these do.
+ */
 static int has_edge(const glint_shading *shading, const glint_candidate *t, const glint_lengths *by) {
     const uint32_t gated = shading->material->flags & GLINT_MATERIAL_UNGATED ? 0 : t->region.sides & t->region.lobes;
-    numbers n;
+    numbers n = {{0, 0, 0}, {0, 0, 0}};
     for (uint32_t l = 0; gated >> l; l++)
         if (gated >> l & 1) {
-            take_numbers(shading->terms, t, l, GLINT_SIDE, by ? by->length : 0, &n);
-            for (int e = 0; e < 3 && n.is_flat; e++)
-                n.bulge[e] = 0;
+            if (by && t->is_mixed) {
+                take_corners(shading->terms, t, l, GLINT_SIDE, n.corner);
+                for (int i = 0; i < 3; i++)
+                    n.corner[i] = times_length(n.corner[i], by->length[i]);
+            } else {
+                take_numbers(shading->terms, t, l, GLINT_SIDE, by ? by->length : 0, &n);
+            }
             if (!glint_triangle_keeps_side(n.corner, n.bulge, t->region.margin))
                 return 1;
         }

@@ -363,8 +363,8 @@ void glint_draw_edges(const glint_frame *frame, glint_workspace *workspace, cons
 
 /* ---- Triangles ---- */
 
-/** Twice the area, 28.4 squared, below which polynomials take more than fragments: of 6 pixels, measured. */
-#define GLINT_NODES_LEAST_AREA (6 * 512)
+/** Twice the area, 28.4 squared, below which polynomials take more than fragments: of 8 pixels, measured. */
+#define GLINT_NODES_LEAST_AREA (8 * 512)
 
 /** Lights the vertices of a triangle, unless they are; finds their normals alone where the material has no terms. */
 glint_light_triangle glint_terms_light;

@@ -131,11 +131,17 @@ PROOF(glint_region_measure) {
     }
 }
 
-/* Any lights, any closeness. @contract glint_root_above @unsigned @options -eva-slevel 300 */
+/*
+ * Any lights, any closeness, by the bits of |L + V|^2 / 2.
+ * @contract glint_inverse_root @unsigned @unreached 1 leading zeros of 0 @options -eva-slevel 300
+ */
 PROOF(glint_region_sort) {
     any_material();
     any_region();
-    glint_region_sort(&frame, &shading, ANY_UNSIGNED(0, 0xffff), ANY_UNSIGNED(0, 0xffff), &region);
+    FOR_PARTS(bits, 0, 15) {
+        region.half = ANY_OF_BITS(bits);
+        glint_region_sort(&frame, &shading, ANY_UNSIGNED(0, 0xffff), ANY_UNSIGNED(0, 0xffff), &region);
+    }
 }
 
 /* Any nodes' lights. */

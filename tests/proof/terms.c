@@ -12,9 +12,9 @@
 /*
  * Not proven: glint_terms_light, glint_terms_begin, choose_fit, light_middles, glint_find_middles, glint_sum_corners,
  * sum_node, shine_node, mix_sums, mix_lobes, take_kept, begin_term_planes, begin_term_quadratics, begin_light,
- * set_polynomial, take_numbers, take_sums, sum_at, mix_bulges, is_mixed, find_normals, has_edge: they walk corners and
- * lights, whose numbers are where place_numbers puts them, and call what is proven. Suites `nodes` and `identity` under
- * ASan and UBSan, and fuzzing.
+ * begin_sums_of, set_quadratic, set_straight, take_corners, take_numbers, take_sums, sum_at, mix_bulges, is_mixed,
+ * is_mixed_kind, is_mixed_sum, find_normals, has_edge: they walk corners and lights, whose numbers are where
+ * place_numbers puts them, and call what is proven. Suites `nodes` and `identity` under ASan and UBSan, and fuzzing.
  */
 
 /* Numbers of lights, and sums. */
@@ -113,16 +113,24 @@ PROOF(mix_ends) {
 }
 
 /*
- * Any edge, by the bits of the larger 1/w. @contract glint_unit_inline
+ * Any edge, by the bits of the larger 1/w; where numbers are found from the corners too, of any that turns by up to
+ * 3/4.
+ * @contract glint_unit_inline @narrowing a mean of unit vectors over its length has 15 bits
  * @unreached 3 leading zeros of 0, and a number of no bits
  */
 PROOF(gather_middle) {
     glint_fragments fragments;
     any_view(&view);
     frame.view = &view;
-    FOR_CORNERS(bits) {
-        fragments.count = 0;
-        gather_middle(&frame, &vertices[0], &vertices[2], &fragments);
+    for (int n = 0; n < 2; n++)
+        t.share[2][n] = ANY(-20500, 20500);
+    FOR_PARTS(is_mixed, 0, 1) {
+        t.is_mixed = (uint8_t)is_mixed;
+        t.is_straight = 0;
+        FOR_CORNERS(bits) {
+            fragments.count = 0;
+            gather_middle(&frame, &triangle, &t, 2, &fragments);
+        }
     }
 }
 
