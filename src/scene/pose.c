@@ -103,7 +103,7 @@ glint_status glint_camera_look_at(glint_camera *camera, glint_vector eye, glint_
         return GLINT_ERROR_NULL;
     const int64_t back[3] = {(int64_t)eye.x - at.x, (int64_t)eye.y - at.y, (int64_t)eye.z - at.z};
     const int64_t upward[3] = {up.x, up.y, up.z};
-    glint_q16 x[3], y[3] = {0}, z[3], u[3]; /* y is always found: x and z stand upright on each other */
+    glint_q16 x[3], y[3] = {0}, z[3], u[3]; /* y is always found: x and z are perpendicular */
     int64_t product[3];
     if (!normalise(back, z) || !normalise(upward, u))
         return GLINT_ERROR_CAMERA;
