@@ -11,9 +11,8 @@
  * - Screen x runs right and y runs down; pixel (x, y) has its centre at (x + 1/2, y + 1/2). A pixel belongs to a
  *   triangle when its centre lies inside, or on a top or left edge.
  * - Colours are linear, 0 is black and 1 is full; sums above 1 are clamped when a pixel is stored.
- * - Functions that can fail return GLINT_OK or a negative `glint_status`. On failure what they set up, a renderer, a
- *   frame or a filter, is all 0, and drawing with it gives GLINT_ERROR_NULL; what else they were to fill in is as it
- *   was.
+ * - Functions that can fail return GLINT_OK or a negative `glint_status`. On failure a renderer, a frame or a
+ *   filter that they set up is all 0, and drawing with it gives GLINT_ERROR_NULL; other out-parameters are unchanged.
  *
  * Nothing is allocated and no global is written: everything lives in the caller's structures and arena, so that any
  * number of renderers work side by side.
@@ -117,17 +116,17 @@ extern const glint_cull glint_cull_cones;
  * clusters do. `glint convert` makes clusters, and leaves them out with `--no-clusters`: where flash is short, or most
  * of a frame is lighting on the general path, which they do not save.
  *
- * With the eye at e, in steps, a triangle in the plane n.p = h faces away where n.e <= h. For each triangle of a
- * cluster n may be that long that |n - axis| <= spread and h >= 256 height: where axis.e + spread |e| <= 256 height all
- * of them face away. Triangles without area bind neither.
+ * With the eye at e, in steps, a triangle in the plane n.p = h faces away where n.e <= h. The normal n of each triangle
+ * of a cluster can be scaled so that |n - axis| <= spread and h >= 256 height: where axis.e + spread |e| <= 256 height
+ * all of them face away. Degenerate triangles constrain neither value.
  */
 typedef struct glint_cluster {
     int8_t axis[3];
     uint8_t spread;
     int16_t height;
-    uint16_t triangles; /**< How many. */
-    uint16_t vertices;  /**< How many; of them, none stands in a triangle of a cluster before. */
-    uint16_t borrowers; /**< How many other clusters have triangles at these vertices. */
+    uint16_t triangles; /**< Number of triangles. */
+    uint16_t vertices;  /**< Number of vertices first used by this cluster. */
+    uint16_t borrowers; /**< Number of other clusters with triangles at these vertices. */
 } glint_cluster;
 
 /**
@@ -137,8 +136,8 @@ typedef struct glint_cluster {
 typedef struct glint_clusters {
     const glint_cull *cull;    /**< &glint_cull_cones; null for no clusters. */
     const glint_cluster *list; /**< The clusters. */
-    const uint16_t *borrowers; /**< The numbers of each cluster's borrowers, one cluster's behind the other's; one that
-                                    no cluster has stands for one that is seen. Null for such alone. */
+    const uint16_t *borrowers; /**< Indices of the borrowers, cluster after cluster; an index >= count means "always
+                                    visible". Null: every borrower is. */
     uint32_t count;            /**< 1 to 65536 clusters. */
 } glint_clusters;
 
@@ -434,8 +433,8 @@ size_t glint_row_bytes(const glint_format *format, uint32_t width);
 
 /**
  * Takes finished tiles. `begin` starts to send a rectangle and may return before it is sent; `wait` returns when it
- * is. They are called in pairs, in order, and the pixels stay as they are in between; tiles that show background alone
- * may get the same pixels one after another. Either returns 0, or anything else to report a failure, which ends the
+ * is. They are called in pairs, in order, and the buffer is not modified between them. Tiles that show only the
+ * background may pass the same pixels again. Either returns 0, or anything else to report a failure, which ends the
  * frame with GLINT_ERROR_FLUSH.
  */
 typedef struct glint_flush {

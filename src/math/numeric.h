@@ -35,21 +35,21 @@
 /** Length of a unit vector: a little below 2^15, so that its rounded components always fit int16. */
 #define GLINT_UNIT 32764
 
-/** Keeps a function out of the loop that calls it, so that the loop has the registers. */
+/** Forbids inlining, so that the calling loop keeps its registers. */
 #if defined(__GNUC__)
 #define GLINT_NOINLINE __attribute__((noinline))
 #else
 #define GLINT_NOINLINE
 #endif
 
-/** Puts a function into its callers, however long it is: one, or each with its own choices as constants. */
+/** Forces inlining: into one caller, or into each with its own constant arguments. */
 #if defined(__GNUC__)
 #define GLINT_INLINE inline __attribute__((always_inline))
 #else
 #define GLINT_INLINE inline
 #endif
 
-/** A function of its arguments alone: what is in registers may stay there. */
+/** A function of its arguments alone: the compiler may keep values in registers across the call. */
 #if defined(__GNUC__)
 #define GLINT_CONST __attribute__((const))
 #else
@@ -63,14 +63,14 @@
 #define GLINT_SMALL 0
 #endif
 
-/** Hides from the compiler what a loop's variable is, so that it leaves the loop as it stands. */
+/** Hides the value of a loop variable from the compiler, so that it does not transform the loop. */
 #if defined(__GNUC__)
 #define GLINT_OPAQUE(x) __asm__("" : "+r"(x))
 #else
 #define GLINT_OPAQUE(x) ((void)0)
 #endif
 
-/** Keeps the compiler from beginning early with what follows, which takes registers. */
+/** Prevents the compiler from moving later code ahead, which would take registers. */
 #if defined(__GNUC__)
 #define GLINT_BARRIER() __asm__ volatile("")
 #else
@@ -110,7 +110,7 @@ static inline int32_t glint_shift_left(int32_t x, unsigned n) {
     return (int32_t)((uint32_t)x << n);
 }
 
-/** x + y modulo 2^32: planes are evaluated so, and are right wherever their true value fits. */
+/** x + y modulo 2^32. Planes are evaluated so: the result is right wherever the true value fits. */
 static inline int32_t glint_add_wrap(int32_t x, int32_t y) {
     return (int32_t)((uint32_t)x + (uint32_t)y);
 }

@@ -77,16 +77,16 @@ static uint32_t plane_sum_error(uint32_t levels, uint32_t turn, uint32_t place, 
     return scaled((2 * times(a, a) - times(turn, turn) + 4 * times(a, b)) * 342 >> 8, levels, 12);
 }
 
-/* x, Q12, times a highlight's slope, Q8: at most 2^16. */
+/* x, Q16, times a highlight's slope: Q12, at most 2^16. */
 static uint32_t with_slope(uint32_t slope, uint32_t x) {
-    const uint32_t product = x * (slope >> 2) >> 6;
-    return x > 1 << 14 || product > 1 << 16 ? 1 << 16 : product;
+    const uint32_t product = (x < 1 << 18 ? x : 1 << 18) * (slope >> 2) >> 10;
+    return x > 1 << 18 || product > 1 << 16 ? 1 << 16 : product;
 }
 
 /* A highlight's: |e| falls short as N does, and H turns. */
 static uint32_t plane_lobe_error(uint32_t slope, uint32_t levels, uint32_t turn, uint32_t axis, uint32_t b) {
     const uint32_t of_axis = 2 * times(axis, axis) + 4 * times(turn, axis) + 4 * times(turn + axis, b);
-    return ((with_slope(slope, of_axis) + times(turn, turn)) * 683 >> 13) * (levels >> 4) >> 8;
+    return ((with_slope(slope, of_axis << 4) + times(turn, turn)) * 683 >> 13) * (levels >> 4) >> 8;
 }
 
 /*
@@ -98,12 +98,38 @@ static uint32_t between_error(const glint_light_terms *light, uint32_t slope, ui
     const uint32_t widest = light->lobe_is_wide ? 1 << 12 : (uint32_t)light->lobe_cut >> light->lobe_shift >> 2;
     const uint32_t of_axis =
         2 * times(axis, axis) + 4 * times(times(turn, axis), widest) + 4 * times(axis, b * 277 >> 9);
-    return scaled(with_slope(slope, of_axis), levels >> 4, 12);
+    return scaled(with_slope(slope, of_axis << 4), levels >> 4, 12);
 }
 
-/* A highlight's by 0.041 s h (h + b)^2, s the highlight's slope over its deviation, and as a sum for its strength. */
-static uint32_t lobe_error(uint32_t slope, uint32_t levels, uint32_t h, uint32_t f, uint32_t b) {
-    return scaled(with_slope(slope, cube(h, b) * 2687 >> 14), levels >> 4, 10) + of_levels(cube(f, b), levels >> 4);
+/* a b of angles up to 3, b of 13 bits: a Q24, Q16. */
+static inline uint32_t times_angle(uint32_t a, uint32_t b) {
+    return (a >> 12) * b >> 8;
+}
+
+/* What quadratics leave of a highlight's deviation whose N and axis turn by h together, in 0.041; 1/w changes by b. */
+static uint32_t lobe_third(uint32_t h, uint32_t b) {
+    return times_angle((h + b) * (h + b), h);
+}
+
+/*
+ * The same over length. N there is linear, and R under Phong's model quadratic: their turn t is exact alone, and what
+ * is left is what the axis turns by, g, alone and with them. Quadratics through the middles are off from the product of
+ * a linear function that changes by x along edges and a quadratic one by 0.0281 x y, y being its second derivative, of
+ * one sign as those of unit vectors are; 0.0281 is 0.685 of 0.041. That of R is t^2, that of the axis g v, where L and
+ * V turn by v and g is v / |L + V|.
+ */
+static uint32_t lobe_third_over_length(uint32_t t, uint32_t g, uint32_t v, uint32_t b, int is_mirrored) {
+    const uint32_t mixed = (t + b) * (v + b) + (is_mirrored ? t * t : 0);
+    return times_angle((g + b) * (g + b) + (mixed >> 4) * 11, g);
+}
+
+/*
+ * A highlight's by 0.041 of what its deviation has of third order and 2^-14, which rounding takes of N and its axis,
+ * with its slope, and as a sum for its strength.
+ */
+static uint32_t lobe_error(uint32_t slope, uint32_t levels, uint32_t third, uint32_t f, uint32_t b) {
+    return scaled(with_slope(slope, ((third >> 4) * 2687 >> 12) + 4), levels >> 4, 8) +
+           of_levels(cube(f, b), levels >> 4);
 }
 
 /* The cone's edge may cross a region: by how much its ramp changes from node to node, Q12. */
@@ -174,9 +200,14 @@ static inline uint32_t lobe_turn(const glint_shading *shading, const glint_regio
     return shading->material->model->lobe == GLINT_LOBE_MIRROR ? 2 * region->turn : region->turn;
 }
 
-/* H turns by what L and V turn, over |L + V|. V follows from the place on the screen. */
+/* What L and V turn by; V follows from the place on the screen. */
+static inline uint32_t turn_of_rays(const glint_frame *frame, const glint_region *region) {
+    return region->near + (frame->view->local_viewer ? region->across : 0);
+}
+
+/* H turns by that over |L + V|. */
 static inline uint32_t turn_of_axis(const glint_frame *frame, const glint_region *region) {
-    const uint32_t turn = region->near + (frame->view->local_viewer ? region->across : 0), half = region->half | 1;
+    const uint32_t turn = turn_of_rays(frame, region), half = region->half | 1;
     if (!turn)
         return 0;
     const unsigned up = (glint_leading_zeros(half) - 1) & ~1u; /* to 2^29 .. 2^31 */
@@ -292,6 +323,12 @@ uint32_t glint_plane_error(const glint_shading *shading, int has_surface, const 
     return error;
 }
 
+/* Light whose direction turns by p is linear in N, which turns by t: over length that leaves t p^2, of 0.0281. */
+static uint32_t turned_by(const glint_region *region, uint32_t slant) {
+    const uint32_t third = times(times(region->turn + slant, region->place), region->place + slant);
+    return third + (third >> 5);
+}
+
 int glint_region_bound(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
     const glint_light_terms *light = shading->terms;
     const uint32_t slant = region->slant, levels = lobe_levels(light, region->lobes), axis = region->axis,
@@ -300,7 +337,8 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
         return 0;
     const uint32_t of_colour = scaled(region->of_colour, slant, 12 + 5);
     region->error = of_levels(cube(region->turn + region->place, slant), region->levels) + of_colour;
-    region->error_over_length = of_levels(cube(region->place, slant), region->levels) + of_colour;
+    region->error_over_length =
+        of_levels(cube(region->place, slant) + turned_by(region, slant), region->levels) + of_colour;
     if (region->folds) /* colours times |M| are of a degree more, and ambient light with them */
         region->error_over_length +=
             of_levels(cube(region->turn + region->place, slant), region->levels + (light->ambient_levels >> 4));
@@ -308,8 +346,11 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
     region->error_between =
         between_error(light, region->slope, levels + lobe_levels(light, region->summed), turn, axis, slant);
     if (levels) {
-        region->error += lobe_error(region->slope, levels, turn + axis, region->near, slant);
-        region->error_over_length += lobe_error(region->slope, levels, axis, region->near, slant);
+        const int is_mirrored = shading->material->model->lobe == GLINT_LOBE_MIRROR;
+        const uint32_t rays = turn_of_rays(frame, region);
+        region->error += lobe_error(region->slope, levels, lobe_third(turn + axis, slant), region->near, slant);
+        region->error_over_length += lobe_error(
+            region->slope, levels, lobe_third_over_length(turn, axis, rays, slant, is_mirrored), region->near, slant);
     }
     if (region->summed)
         region->error += region->shine;

@@ -264,8 +264,7 @@ static int choose_fit(const glint_frame *frame, const glint_shading *shading, gl
     if (!glint_region_bound(frame, shading, region))
         return FIT_NONE;
     const int is_over_length = region->error > 2 * limit;
-    const uint32_t error = is_over_length ? region->error_over_length : region->error,
-                   most = is_over_length ? limit : 2 * limit;
+    const uint32_t error = is_over_length ? region->error_over_length : region->error, most = 2 * limit;
     if (error > most)
         return FIT_NONE;
     t->is_mixed = (uint8_t)is_mixed(shading, region, is_over_length);

@@ -24,6 +24,9 @@ typedef struct tested {
     double most_apart; /* share of the pixels that may be other than the rounded reference */
 } tested;
 
+/* Its place in the table. */
+#define RGB888 4
+
 static const tested formats[] = {
     {"RGB565", &glint_format_rgb565, 0.02},
     {"RGB565 dithered", &glint_format_rgb565_dithered, 0.02},
@@ -99,6 +102,22 @@ static void bench_scenes(void) {
     }
 }
 
+/* Coarse triangles whose highlights turn far, as the viewer's direction does too: at nodes in steps of 8 bits. */
+static void highlights_at_nodes(void) {
+    static const int exponents[] = {2, 8, 32, 64, 256, 1024};
+    static const unsigned coarse[] = {1, 3}; /* torus576 and sphere960 */
+    for (unsigned i = 0; i < 480; i++) {
+        bench_scene scene;
+        const unsigned which = coarse[i / 240], small = i / 120 % 2, is_phong = i / 60 % 2;
+        bench_build_scene(&scene, &bench_definitions[which], scene_bench_mesh((int)which), (int)(i % 10));
+        scene.material.model = is_phong ? &glint_model_phong : &glint_model_blinn_phong;
+        scene.material.shininess = exponents[i / 10 % 6] * GLINT_ONE;
+        scene.object.evaluation = &glint_per_node;
+        scene.scene.viewer = GLINT_VIEWER_LOCAL;
+        judge_in(RGB888, &scene.scene, small ? 128 : 320, small ? 64 : 240, bench_definitions[which].name);
+    }
+}
+
 /* Lights of all kinds, one to five of them. */
 static void example_variants(void) {
     static example_stage stage;
@@ -136,6 +155,6 @@ static void few_are_apart(void) {
 
 int test_main(test_writer write) {
     static const test_case cases[] = {TEST_CASE(bench_scenes), TEST_CASE(example_variants), TEST_CASE(random_scenes),
-                                      TEST_CASE(few_are_apart)};
+                                      TEST_CASE(few_are_apart), TEST_CASE(highlights_at_nodes)};
     return test_run(write, cases, TEST_COUNT(cases));
 }

@@ -241,9 +241,22 @@ static int largest_jump(const picture nodes[2], const picture fragments[2], long
     return largest;
 }
 
+/* Frames in which as many triangles are drawn as in the one before, but not as many of them whole. */
+static long changed;
+
+static void count_change(const glint_stats stats[2]) {
+    uint32_t parts[2] = {0, 0};
+    for (int kernel = 0; kernel < GLINT_KERNELS; kernel++)
+        for (int i = 0; i < 2; i++)
+            parts[i] += stats[i].drawn[kernel].parts;
+    changed += parts[0] == parts[1] &&
+               stats[0].drawn[GLINT_KERNEL_CHANNELS].parts != stats[1].drawn[GLINT_KERNEL_CHANNELS].parts;
+}
+
 /* Moves as `step` says from frame to frame. @return the largest jump of any */
 static int find_jumps(test_scene *scene, const glint_pose *step, const glint_format *format, long *still) {
     picture nodes[2], fragments[2];
+    glint_stats stats[2] = {{0}, {0}};
     glint_pose *const pose = &scene->objects[0].pose;
     int largest = 0;
     for (int i = 0; i < 2; i++) {
@@ -254,8 +267,9 @@ static int find_jumps(test_scene *scene, const glint_pose *step, const glint_for
         scene->objects[0].evaluation = NULL;
         CHECK_EQUAL(picture_render(&fragments[frame % 2], &scene->scene, NULL, NULL), GLINT_OK);
         scene_light_at_nodes(scene);
-        CHECK_EQUAL(picture_render(&nodes[frame % 2], &scene->scene, NULL, NULL), GLINT_OK);
+        CHECK_EQUAL(picture_render(&nodes[frame % 2], &scene->scene, NULL, &stats[frame % 2]), GLINT_OK);
         if (frame) {
+            count_change(stats);
             const int jump = largest_jump(nodes, fragments, still);
             largest = jump > largest ? jump : largest;
         }
@@ -290,6 +304,8 @@ static void slow_motion(void) {
     const glint_pose turn = glint_pose_rotate_y(GLINT_Q16(0.01));            /* degrees */
     const glint_pose shift = glint_pose_translate(GLINT_Q16(0.00069), 0, 0); /* 0.02 of 96 pixels at a distance of 4 */
     char line[120];
+    int largest[2] = {0, 0};
+    changed = 0;
     for (unsigned k = 0; k < TEST_COUNT(kinds); k++)
         for (int way = 0; way < 4; way++) {
             test_scene scene;
@@ -297,12 +313,17 @@ static void slow_motion(void) {
             build_moving(&scene, &kinds[k], k + 1);
             const int jump = find_jumps(&scene, way / 2 ? &shift : &turn, formats[way % 2], &still);
             CHECK(still > 0);
+            largest[way % 2] = jump > largest[way % 2] ? jump : largest[way % 2];
             if (!CHECK(jump <= allowed[way % 2])) {
                 snprintf(line, sizeof line, "  %s, %s, %s: %d steps\n", kinds[k].name, way / 2 ? "moved" : "turned",
                          way % 2 ? "RGB565" : "RGB888", jump);
                 test_write(line);
             }
         }
+    snprintf(line, sizeof line, "slow motion: %ld changes to or from whole triangles; jumps of RGB888 %d, RGB565 %d\n",
+             changed, largest[0], largest[1]);
+    test_write(line);
+    CHECK(changed > 100);
 }
 
 int test_main(test_writer write) {
