@@ -112,14 +112,17 @@ static uint32_t lobe_third(uint32_t h, uint32_t b) {
 }
 
 /*
- * The same over length. N there is linear, and R under Phong's model quadratic: their turn t is exact alone, and what
- * is left is what the axis turns by, g, alone and with them. Quadratics through the middles are off from the product of
- * a linear function that changes by x along edges and a quadratic one by 0.0281 x y, y being its second derivative, of
- * one sign as those of unit vectors are; 0.0281 is 0.685 of 0.041. That of R is t^2, that of the axis g v, where L and
- * V turn by v and g is v / |L + V|.
+ * The same over length. N there is linear, and R under Phong's model, times |M|^2, quadratic: their turn t is exact
+ * alone, and what is left is what the axis turns by, g, alone and with them. Quadratics through the middles are off
+ * from the product of a linear function that changes by x along edges and a quadratic one by 0.0281 x y, y being its
+ * second derivative, of one sign as those of unit vectors are; 0.0281 is 0.685 of 0.041. That of the axis is g v, where
+ * L and V turn by v and g is v / |L + V|. That of R |M|^2 = 2 (M.L) M - (M.M) L is twice the square of what M changes
+ * by, which is t / 2 and what 1/w makes of it; dividing by M.M makes it 1 / cos^2(t / 4) times as much, less than 1 +
+ * t^2 / 8.
  */
 static uint32_t lobe_third_over_length(uint32_t t, uint32_t g, uint32_t v, uint32_t b, int is_mirrored) {
-    const uint32_t mixed = (t + b) * (v + b) + (is_mirrored ? t * t : 0);
+    const uint32_t square = times(t, t), of_r = times(square / 2 + times(b, b), (1 << 12) + square / 8);
+    const uint32_t mixed = (t + b) * (v + b) + (is_mirrored ? of_r << 12 : 0);
     return times_angle((g + b) * (g + b) + (mixed >> 4) * 11, g);
 }
 
