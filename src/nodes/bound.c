@@ -410,13 +410,9 @@ static uint32_t slope_from(const glint_shading *shading, int32_t r) {
     return slope < steepest ? (uint32_t)slope : steepest;
 }
 
-/* Of a highlight that shows, by how near to 0 deviations are at nodes, and what they and polynomials are off by. */
-static uint32_t find_lobe_slope(const glint_shading *shading, const glint_region *region, int32_t bulge,
-                                const glint_lobe_range *at) {
+/* Of a highlight that shows no nearer to 0 than this at nodes, and what deviations and polynomials are off by. */
+static uint32_t find_lobe_slope(const glint_shading *shading, const glint_region *region, int32_t nearest) {
     const glint_light_terms *light = shading->terms;
-    const int32_t straight = glint_most(nearest_of(&at->x), nearest_of(&at->y)),
-                  diagonal = glint_most(nearest_of(&at->rising), nearest_of(&at->falling)),
-                  nearest = glint_most(straight, glint_shift_right(diagonal * 23170, 15)) - bulge;
     if (light->lobe_is_wide || nearest <= light->crest)
         return light->slope;
     const uint32_t off = cube(lobe_turn(shading, region) + region->axis, region->slant) * 2687 >> 12; /* Q14 */
@@ -427,13 +423,18 @@ static uint32_t find_lobe_slope(const glint_shading *shading, const glint_region
 
 void glint_region_add_lobe(const glint_shading *shading, const glint_lobe_bounds *bounds, uint32_t light,
                            const glint_lobe_range *at, glint_region *region) {
-    const int place = glint_place_lobe(bounds, at), is_unfit = region->unfit >> light & 1;
-    if (place == GLINT_LOBE_OUTSIDE && !is_unfit)
+    const int32_t straight = glint_most(nearest_of(&at->x), nearest_of(&at->y)),
+                  diagonal = glint_most(nearest_of(&at->rising), nearest_of(&at->falling));
+    const int is_unfit = region->unfit >> light & 1,
+              is_outside = bounds->is_wide ? at->x.most < bounds->below
+                                           : straight >= bounds->straight || diagonal >= bounds->diagonal;
+    if (is_outside && !is_unfit)
         return;
     region->lobes |= 1u << light;
     if (is_unfit)
         return;
-    region->has_edge |= place == GLINT_LOBE_EDGE;
-    const uint32_t slope = find_lobe_slope(shading, region, bounds->bulge, at);
+    region->has_edge |= bounds->is_wide && at->x.least < bounds->edge;
+    const int32_t nearest = glint_most(straight, glint_shift_right(diagonal * 23170, 15)) - bounds->bulge;
+    const uint32_t slope = find_lobe_slope(shading, region, nearest);
     region->slope = slope > region->slope ? slope : region->slope;
 }

@@ -32,23 +32,44 @@ static inline int32_t times_length(int32_t n, int32_t length) {
     return glint_shift_right(n * length + (1 << 14), 15);
 }
 
+/* Sets it to a plane of numbers times `by`, Q15. */
+static void set_plane(const target *to, uint32_t i, const int32_t n[3], int32_t by, unsigned unit, uint32_t more) {
+    glint_polynomial_set(to->polynomials, i, glint_fit_plane(&to->part->gradients, n, by, unit), more);
+}
+
 /*
- * The same of numbers times lengths whose middles are found from the corners: they are linear over w, and what they are
- * divided by is |M|.
+ * To numbers times lengths whose middles are found from the corners: they are linear over w, and what they are divided
+ * by is |M|.
  */
-static void set_straight(const target *to, uint32_t i, const int32_t n[3], const int32_t length[3], unsigned unit,
+static void set_straight(const target *to, uint32_t i, int32_t n[3], const int32_t length[3], unsigned unit,
                          uint32_t more) {
     glint_plane plane;
-    glint_plane_begin(&plane, &to->part->gradients, glint_shift_left(times_length(n[0], length[0]), unit),
-                      glint_shift_left(times_length(n[1], length[1]), unit),
-                      glint_shift_left(times_length(n[2], length[2]), unit));
-    const glint_quadratic q = {(uint32_t)plane.start, (uint32_t)plane.dx, (uint32_t)plane.dy, 0, 0, 0};
-    glint_polynomial_set(to->polynomials, i, q, more);
+    for (int c = 0; c < 3; c++)
+        n[c] = times_length(n[c], length[c]);
+    if (GLINT_SMALL) {
+        set_plane(to, i, n, 1 << 15, unit, more);
+        return;
+    }
+    glint_plane_begin(&plane, &to->part->gradients, glint_shift_left(n[0], unit), glint_shift_left(n[1], unit),
+                      glint_shift_left(n[2], unit));
+    glint_polynomial_set(to->polynomials, i,
+                         (glint_quadratic){(uint32_t)plane.start, (uint32_t)plane.dx, (uint32_t)plane.dy, 0, 0, 0},
+                         more);
 }
 
 /* Sets the bulge of edge e from a number at its middle. */
 static inline void set_bulge(numbers *n, int e, int32_t middle) {
     n->bulge[e] = 4 * middle - 2 * (n->corner[glint_ends[e][0]] + n->corner[glint_ends[e][1]]);
+}
+
+/* Sets bulges from what middles have, which is in their place; all of it times lengths, or as it is. */
+static void pass_through(numbers *n, const int32_t *length) {
+    for (int i = 0; i < 3 && length; i++) {
+        n->corner[i] = times_length(n->corner[i], length[i]);
+        n->bulge[i] = times_length(n->bulge[i], length[3 + i]);
+    }
+    for (int e = 0; e < 3; e++)
+        set_bulge(n, e, n->bulge[e]);
 }
 
 /* Sets bulges where middles are found from the corners. */
@@ -78,12 +99,9 @@ static void take_numbers(const glint_light_terms *light, const glint_candidate *
         mix_bulges(t, n);
         return;
     }
-    for (int i = 0; i < 3 && length; i++)
-        n->corner[i] = times_length(n->corner[i], length[i]);
-    for (int e = 0; e < 3; e++) {
-        const int32_t middle = t->middle[e].number[l][kind];
-        set_bulge(n, e, length ? times_length(middle, length[3 + e]) : middle);
-    }
+    for (int e = 0; e < 3; e++)
+        n->bulge[e] = t->middle[e].number[l][kind];
+    pass_through(n, length);
 }
 
 /* A sum at a node. */
@@ -106,12 +124,9 @@ static void take_sums(const glint_terms *terms, const glint_candidate *t, uint32
         mix_bulges(t, n);
         return;
     }
-    for (int i = 0; i < 3 && length; i++)
-        n->corner[i] = times_length(n->corner[i], length[i]);
-    for (int e = 0; e < 3; e++) {
-        const int32_t middle = sum_at(terms, t, 3 + e, c);
-        set_bulge(n, e, length ? times_length(middle, length[3 + e]) : middle);
-    }
+    for (int e = 0; e < 3; e++)
+        n->bulge[e] = sum_at(terms, t, 3 + e, c);
+    pass_through(n, length);
 }
 
 /* What is added to sum c. */
@@ -213,25 +228,20 @@ static int has_edge(const glint_shading *shading, const glint_candidate *t, cons
 
 /* Planes of what the corners keep. @param longer chords are made longer by this, Q15 */
 static void begin_term_planes(const glint_candidate *t, int32_t longer, const glint_terms *terms, const target *to) {
-    const glint_gradients *g = &to->part->gradients;
     const int32_t length = (1 << 15) + longer;
     int32_t n[3];
     for (uint32_t c = 0; c < terms->sums; c++) {
         for (int i = 0; i < 3; i++)
             n[i] = sum_at(terms, t, i, c);
-        glint_polynomial_set(to->polynomials, c, glint_fit_plane(g, n, length, unit_of_sums(terms)),
-                             finish_of(terms, t, c));
+        set_plane(to, c, n, length, unit_of_sums(terms), finish_of(terms, t, c));
     }
     for (uint32_t a = 0; a < terms->apart_count; a++) {
         const glint_apart *apart = &terms->apart[a];
         uint32_t next = apart->first;
         for (uint32_t kind = 0; apart->kinds >> kind; kind++)
             if (apart->kinds >> kind & 1) {
-                const uint8_t at = terms->light->at[apart->light][kind];
-                for (int i = 0; i < 3; i++)
-                    n[i] = t->kept[i][at];
-                glint_polynomial_set(to->polynomials, next++,
-                                     glint_fit_plane(g, n, kind == GLINT_STRENGTH ? 1 << 15 : length, 16), 0);
+                take_corners(terms->light, t, apart->light, kind, n);
+                set_plane(to, next++, n, kind == GLINT_STRENGTH ? 1 << 15 : length, 16, 0);
             }
     }
 }

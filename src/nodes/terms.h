@@ -225,26 +225,6 @@ static inline void glint_lobe_range_take(glint_lobe_range *range, int32_t x, int
     glint_interval_take(&range->falling, x - y);
 }
 
-/** Are all numbers beyond one side? */
-static inline int glint_is_beyond(const glint_interval *range, int32_t radius) {
-    return range->least >= radius || range->most <= -radius;
-}
-
-/** Between nodes a highlight shows, or not, or unclear. */
-enum { GLINT_LOBE_OUTSIDE, GLINT_LOBE_SHOWS, GLINT_LOBE_EDGE };
-
-/** That, between nodes whose deviations lie so. */
-static inline int glint_place_lobe(const glint_lobe_bounds *of, const glint_lobe_range *at) {
-    if (of->is_wide)
-        return at->x.most < of->below   ? GLINT_LOBE_OUTSIDE
-               : at->x.least < of->edge ? GLINT_LOBE_EDGE
-                                        : GLINT_LOBE_SHOWS;
-    return glint_is_beyond(&at->x, of->straight) || glint_is_beyond(&at->y, of->straight) ||
-                   glint_is_beyond(&at->rising, of->diagonal) || glint_is_beyond(&at->falling, of->diagonal)
-               ? GLINT_LOBE_OUTSIDE
-               : GLINT_LOBE_SHOWS;
-}
-
 /** Adds a light's highlight to a region if it may show between nodes where it lies so. */
 void glint_region_add_lobe(const glint_shading *shading, const glint_lobe_bounds *bounds, uint32_t light,
                            const glint_lobe_range *at, glint_region *region);

@@ -231,22 +231,6 @@ static void any_range(glint_interval *range) {
     range->most = ANY(-0x10000, 0xffff);
 }
 
-/* Any deviations, any bounds. */
-PROOF(glint_place_lobe) {
-    glint_lobe_bounds of;
-    glint_lobe_range range;
-    of.is_wide = (uint8_t)ANY(0, 1);
-    of.straight = of.diagonal = ANY(0, 0x30002000);
-    of.below = ANY(INT32_MIN, INT32_MAX);
-    of.edge = ANY(INT32_MIN, INT32_MAX);
-    any_range(&range.x);
-    any_range(&range.y);
-    any_range(&range.rising);
-    any_range(&range.falling);
-    const int place = glint_place_lobe(&of, &range);
-    /*@ assert 0 <= place <= 2; */
-}
-
 /*@ assigns \result \from *table, u;
     ensures \result <= 0x8000; */
 static inline uint32_t glint_power_at(const glint_power_table *table, uint32_t u);
