@@ -36,6 +36,7 @@ typedef struct glint_draw {
     glint_light_triangle *light; /* what comes before a triangle is drawn, or null */
     glint_kernel *kernel;
     glint_transform transform;
+    int32_t even[3]; /* of objects of one colour: that, finished */
     uint32_t vertex_count;
     uint32_t object;         /* index in the scene */
     uint32_t first_triangle; /* of the mesh: all are from it on, */
