@@ -36,7 +36,6 @@ typedef struct glint_draw {
     glint_light_triangle *light; /* what comes before a triangle is drawn, or null */
     glint_kernel *kernel;
     glint_transform transform;
-    int32_t even[3]; /* of objects of one colour: that, finished */
     uint32_t vertex_count;
     uint32_t object;         /* index in the scene */
     uint32_t first_triangle; /* of the mesh: all are from it on, */
@@ -46,6 +45,7 @@ typedef struct glint_draw {
     uint16_t count;
     uint8_t mirrored, double_sided;
     uint8_t is_costly; /* lit by fragments or nodes: what is hidden is better not begun */
+    int32_t even[3];   /* of objects of one colour: that, finished */
 } glint_draw;
 
 /** Brings a vertex's normal to camera space. */
