@@ -276,16 +276,13 @@ static inline void glint_draw_curved_kind(const glint_workspace *workspace, cons
         glint_draw_curved_specular(s, fast, light, high_first);
 }
 
-/* Cuts out of a part what lies up to half a side from a middle; all but rows and spans is there. @return 0 where that
- * is nothing */
+/* The rows and spans of a part up to half a side from a middle. @return 0 where that is nothing */
 static inline int glint_cut_square(glint_part *out, const glint_part *part, const glint_square *square, int32_t half) {
     const int32_t x = square->x - half - glint_shift_right(part->window.left, 4);
     const int32_t y = square->y - half - glint_shift_right(part->window.top, 4);
     int covers = 0;
-    if (y + 2 * half <= (int32_t)part->top)
-        return 0;
-    out->top = (int32_t)part->top > y ? part->top : (uint32_t)y;
-    out->bottom = (int32_t)part->bottom < y + 2 * half ? part->bottom : (uint32_t)(y + 2 * half);
+    out->top = (uint32_t)glint_most((int32_t)part->top, y);
+    out->bottom = (uint32_t)glint_most(glint_least((int32_t)part->bottom, y + 2 * half), 0);
     for (uint32_t row = out->top; row < out->bottom; row++) {
         int32_t left = part->spans[row].left, right = part->spans[row].right;
         left = left > x ? left : x;
@@ -304,7 +301,7 @@ typedef struct glint_squares {
     const glint_draw *draw;
     const glint_triangle *triangle;
     const glint_part *part;
-    glint_part *cut;
+    glint_part *cut; /* of it, all but rows and spans */
     glint_exact_light *light;
 } glint_squares;
 
@@ -317,8 +314,8 @@ static GLINT_NOINLINE int glint_draw_square(const glint_squares *s, int32_t x, i
     if (!glint_cut_square(s->cut, s->part, &square, half))
         return 1;
     const glint_exact_kind kind = glint_exact_bend(shading->fast, s->triangle, s->part, &square, s->light);
-    if (cell > shading->fast->exact.cell && kind != GLINT_EXACT_DIFFUSE &&
-        (kind == GLINT_EXACT_UNFIT || !square.is_small))
+    const int fits = kind == GLINT_EXACT_DIFFUSE || (kind != GLINT_EXACT_UNFIT && square.is_small);
+    if (!fits && cell > shading->fast->exact.cell)
         return 0;
     const glint_spans spans = {s->cut, s->workspace->depth, s->workspace->pixels, s->frame->tile_shift_x};
     if (kind == GLINT_EXACT_UNFIT)
@@ -328,17 +325,15 @@ static GLINT_NOINLINE int glint_draw_square(const glint_squares *s, int32_t x, i
     return 1;
 }
 
-/*
- * Draws a triangle square by square, where the half vector bends too much all over it: squares of twice the side that
- * is small enough anywhere on the screen, or their quarters.
+/* Draws a triangle by squares, where the half vector bends too much: of twice the side that always fits, or quarters.
  */
 static GLINT_NOINLINE void glint_draw_squares(const glint_frame *frame, glint_workspace *workspace,
                                               const glint_draw *draw, const glint_triangle *triangle,
                                               const glint_part *part, glint_exact_light *light, int high_first) {
     const uint32_t least = draw->shading->fast->exact.cell;
     const uint32_t cell = (int32_t)least + light->size < GLINT_EXACT_MOST_TURN ? least + 1 : least;
-    const int32_t side = 1 << cell, half = side / 2;
-    const int32_t left = glint_shift_right(part->window.left, 4), top = glint_shift_right(part->window.top, 4);
+    const int32_t side = 1 << cell, left = glint_shift_right(part->window.left, 4);
+    const int32_t half = side / 2, top = glint_shift_right(part->window.top, 4);
     glint_part cut = *part;
     const glint_squares s = {frame, workspace, draw, triangle, part, &cut, light};
     for (int32_t y = (top + (int32_t)part->top) & -side; y < top + (int32_t)part->bottom; y += side)
