@@ -157,7 +157,7 @@ static inline glint_fast_kind glint_begin_highlight(const glint_draw *draw, cons
     return GLINT_FAST_SPECULAR;
 }
 
-/* Is N.L, or near enough, that of the first corner? */
+/* Is N.L that of the first corner, as on flat faces, or near enough? */
 static inline int glint_is_even(int32_t even, int32_t a, int32_t b, int32_t c) {
     const int32_t most = a + even;
     return (uint32_t)(most - b) <= (uint32_t)(2 * even) && (uint32_t)(most - c) <= (uint32_t)(2 * even);
@@ -186,7 +186,7 @@ static inline glint_fast_kind glint_fast_begin(const glint_draw *draw, const gli
     const int32_t longer = glint_find_longer(turn);
     const int32_t a = *glint_fast_terms_of(draw, v[0]), b = *glint_fast_terms_of(draw, v[1]),
                   c = *glint_fast_terms_of(draw, v[2]);
-    if (fast->even && glint_is_even(fast->even, a, b, c)) {
+    if (glint_is_even(fast->even, a, b, c)) {
         planes->cosine.start = a * ((1 << 16) + 2 * longer);
         return GLINT_FAST_EVEN;
     }

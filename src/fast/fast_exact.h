@@ -45,8 +45,8 @@ void glint_exact_prepare(glint_fast_terms *fast, const glint_frame *frame, const
 glint_exact_kind glint_exact_begin(const glint_draw *draw, const glint_triangle *triangle, const glint_part *part,
                                    glint_exact_light *light);
 
-/** Smaller squares are not worth it: 2^3 pixels. */
-#define GLINT_EXACT_LEAST_CELL 3
+/** Smaller squares are not worth it: 2^2 pixels. */
+#define GLINT_EXACT_LEAST_CELL 2
 
 /** In a square of 2^c pixels M stays below 2 where c and light.size are no more than this together. */
 #define GLINT_EXACT_MOST_TURN 16

@@ -276,14 +276,13 @@ static inline void glint_draw_curved_kind(const glint_workspace *workspace, cons
         glint_draw_curved_specular(s, fast, light, high_first);
 }
 
-/* The part of a triangle that lies up to half a side from a middle. @return 0 where that is nothing */
+/* The rows and spans of a part up to half a side from a middle. @return 0 where that is nothing */
 static inline int glint_cut_square(glint_part *out, const glint_part *part, const glint_square *square, int32_t half) {
     const int32_t x = square->x - half - glint_shift_right(part->window.left, 4);
     const int32_t y = square->y - half - glint_shift_right(part->window.top, 4);
     int covers = 0;
-    *out = *part;
-    out->top = (int32_t)part->top > y ? part->top : (uint32_t)y;
-    out->bottom = (int32_t)part->bottom < y + 2 * half ? part->bottom : (uint32_t)(y + 2 * half);
+    out->top = (uint32_t)glint_most((int32_t)part->top, y);
+    out->bottom = (uint32_t)glint_most(glint_least((int32_t)part->bottom, y + 2 * half), 0);
     for (uint32_t row = out->top; row < out->bottom; row++) {
         int32_t left = part->spans[row].left, right = part->spans[row].right;
         left = left > x ? left : x;
@@ -295,28 +294,53 @@ static inline int glint_cut_square(glint_part *out, const glint_part *part, cons
     return covers;
 }
 
-/* Draws a triangle square by square, where the half vector bends too much all over it. */
+/* A triangle that is drawn square by square. */
+typedef struct glint_squares {
+    const glint_frame *frame;
+    glint_workspace *workspace;
+    const glint_draw *draw;
+    const glint_triangle *triangle;
+    const glint_part *part;
+    glint_part *cut; /* of it, all but rows and spans */
+    glint_exact_light *light;
+} glint_squares;
+
+/* Draws what a square of 2^cell pixels holds. @return 0 where it is to be divided: its half vector bends too much */
+static GLINT_NOINLINE int glint_draw_square(const glint_squares *s, int32_t x, int32_t y, uint32_t cell,
+                                            int high_first) {
+    const glint_shading *shading = s->draw->shading;
+    const int32_t half = 1 << cell >> 1;
+    glint_square square = {x + half, y + half, 24 * half, 1};
+    if (!glint_cut_square(s->cut, s->part, &square, half))
+        return 1;
+    const glint_exact_kind kind = glint_exact_bend(shading->fast, s->triangle, s->part, &square, s->light);
+    const int fits = kind == GLINT_EXACT_DIFFUSE || (kind != GLINT_EXACT_UNFIT && square.is_small);
+    if (!fits && cell > shading->fast->exact.cell)
+        return 0;
+    const glint_spans spans = {s->cut, s->workspace->depth, s->workspace->pixels, s->frame->tile_shift_x};
+    if (kind == GLINT_EXACT_UNFIT)
+        glint_draw_any(s->frame, s->workspace, s->draw, s->triangle, s->cut);
+    else
+        glint_draw_curved_kind(s->workspace, &spans, shading, s->light, kind, high_first);
+    return 1;
+}
+
+/* Draws a triangle by squares, where the half vector bends too much: of twice the side that always fits, or quarters.
+ */
 static GLINT_NOINLINE void glint_draw_squares(const glint_frame *frame, glint_workspace *workspace,
                                               const glint_draw *draw, const glint_triangle *triangle,
                                               const glint_part *part, glint_exact_light *light, int high_first) {
-    const glint_fast_terms *fast = draw->shading->fast;
-    const int32_t side = 1 << fast->exact.cell, half = side / 2;
-    const int32_t left = glint_shift_right(part->window.left, 4), top = glint_shift_right(part->window.top, 4);
-    glint_square square = {0, 0, 12 * side, 1};
-    for (square.y = ((top + (int32_t)part->top) & -side) + half; square.y - half < top + (int32_t)part->bottom;
-         square.y += side) {
-        for (square.x = (left & -side) + half; square.x - half < left + part->window.width; square.x += side) {
-            glint_part cut;
-            if (!glint_cut_square(&cut, part, &square, half))
-                continue;
-            const glint_spans spans = {&cut, workspace->depth, workspace->pixels, frame->tile_shift_x};
-            const glint_exact_kind kind = glint_exact_bend(fast, triangle, part, &square, light);
-            if (kind == GLINT_EXACT_UNFIT)
-                glint_draw_any(frame, workspace, draw, triangle, &cut);
-            else
-                glint_draw_curved_kind(workspace, &spans, draw->shading, light, kind, high_first);
-        }
-    }
+    const uint32_t least = draw->shading->fast->exact.cell;
+    const uint32_t cell = (int32_t)least + light->size < GLINT_EXACT_MOST_TURN ? least + 1 : least;
+    const int32_t side = 1 << cell, left = glint_shift_right(part->window.left, 4);
+    const int32_t half = side / 2, top = glint_shift_right(part->window.top, 4);
+    glint_part cut = *part;
+    const glint_squares s = {frame, workspace, draw, triangle, part, &cut, light};
+    for (int32_t y = (top + (int32_t)part->top) & -side; y < top + (int32_t)part->bottom; y += side)
+        for (int32_t x = left & -side; x < left + part->window.width; x += side)
+            if (!glint_draw_square(&s, x, y, cell, high_first))
+                for (int32_t i = 0; i < 4; i++)
+                    glint_draw_square(&s, x + (i & 1) * half, y + (i >> 1) * half, least, high_first);
 }
 
 static inline void glint_draw_interpolated(const glint_workspace *workspace, const glint_spans *s,

@@ -78,6 +78,8 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
     if (!GLINT_SMALL && is_of_one_colour(object, draw->shading)) {
         draw->light = 0;
         draw->kernel = glint_draw_unlit;
+        glint_channels_of(draw->shading->ambient, draw->even);
+        glint_finish_colours(&frame->config, &draw->even, 1);
     }
     draw->is_costly =
         !GLINT_SMALL && evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS && draw->kernel == evaluation->kernel;

@@ -45,6 +45,7 @@ typedef struct glint_draw {
     uint16_t count;
     uint8_t mirrored, double_sided;
     uint8_t is_costly; /* lit by fragments or nodes: what is hidden is better not begun */
+    int32_t even[3];   /* of objects of one colour: that, finished */
 } glint_draw;
 
 /** Brings a vertex's normal to camera space. */

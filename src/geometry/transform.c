@@ -11,8 +11,10 @@ int64_t glint_shift_round64(int64_t x, int shift) {
     return shift > 0 ? glint_round_shift64(x, (unsigned)shift) : x * ((int64_t)1 << -shift);
 }
 
-/* The same where the result has 30 bits: half of it is added in 32. */
+/* The same where the result has 30 bits: half of it is added in 32, but in a library built for size. */
 static inline int32_t shift_round_to_30(int64_t x, int shift) {
+    if (GLINT_SMALL)
+        return (int32_t)glint_shift_round64(x, shift);
     if (shift <= 0)
         return (int32_t)x * (1 << -shift);
     const int32_t twice = (int32_t)glint_shift_right64(x, (unsigned)shift - 1);
@@ -29,7 +31,7 @@ static int place_in_world(const glint_view *view, const glint_object *object, in
         world[i][3] = ((int64_t)object->pose.m[i][3] - view->eye[i]) * (1 << 12);
         for (int j = 0; j < 3; j++) {
             world[i][j] = glint_shift_round64(glint_product(object->pose.m[i][j], extent[j]), 4);
-            if (offset[j])
+            if (GLINT_SMALL || offset[j])
                 world[i][3] += glint_shift_round64(glint_product(object->pose.m[i][j], offset[j]), 4);
             bits |= glint_magnitude64(world[i][j]);
         }
@@ -99,36 +101,40 @@ static int bring_to_clip_space(glint_transform *transform, const glint_view *vie
  * modulo 2^32, and it fits.
  */
 static int32_t smallest(const int32_t x[4], const int32_t w[4], int32_t a, int32_t b) {
-    uint32_t value = (uint32_t)a * (uint32_t)x[3] + (uint32_t)b * (uint32_t)w[3];
+    int32_t value = glint_add_wrap(glint_multiply_wrap(a, x[3]), glint_multiply_wrap(b, w[3]));
     for (int j = 0; j < 3; j++) {
-        const uint32_t change = (uint32_t)a * (uint32_t)x[j] + (uint32_t)b * (uint32_t)w[j];
-        value -= (int32_t)change < 0 ? 0u - change : change;
+        const int32_t change = glint_add_wrap(glint_multiply_wrap(a, x[j]), glint_multiply_wrap(b, w[j]));
+        value = glint_add_wrap(value, change < 0 ? change : -change);
     }
-    return (int32_t)value;
+    return value;
 }
 
-/* Bits that the matrix is cut by, against the sides of the screen: row sums below 2.67 2^17 times 2046 + 1025. */
-#define SCREEN_CUT 11
+/* Bits that the matrix is cut by: row sums are below 2.67 2^17 times 2046 + 1025. */
+#define BOX_CUT 11
 
-/* Is any of the box on the screen, and does any of it pass the near plane or the guard band? */
+/* Is any of the box on the screen, and does any of it pass the near plane or the guard band? To within what cutting
+ * takes at most, a step of each of four columns of both rows. */
 static void classify(glint_transform *transform, const glint_config *config) {
     const int32_t half[2] = {config->width, config->height}; /* in half pixels */
-    int32_t rows[3][4], cut[3][4];
+    int32_t cut[3][4], extent = 0;
     for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 4; j++) {
-            rows[i][j] = j < 3 ? glint_row_get(&transform->matrix[i], j) : transform->translation[i];
-            cut[i][j] = glint_shift_right(rows[i][j], SCREEN_CUT);
+        extent = 0;
+        for (int j = 0; j < 3; j++) {
+            const int32_t entry = glint_row_get(&transform->matrix[i], j);
+            extent = glint_add_wrap(extent, entry < 0 ? -entry : entry);
+            cut[i][j] = glint_shift_right(entry, BOX_CUT);
         }
+        cut[i][3] = glint_shift_right(transform->translation[i], BOX_CUT);
     }
-    transform->least_w = smallest(rows[2], rows[2], 0, 1);
-    transform->visible = smallest(rows[2], rows[2], 0, -1) <= -transform->near_plane;
+    transform->least_w = transform->translation[2] - extent;
+    transform->visible = transform->translation[2] + extent >= transform->near_plane;
     transform->clips = transform->least_w < transform->near_plane;
     for (int row = 0; row < 2; row++) {
         const int32_t band = 2 * GLINT_GUARD_BAND, side = half[row] + 1;
         for (int32_t sign = -1; sign <= 1; sign += 2) {
-            if (smallest(rows[row], rows[2], sign, 1) <= 0)
+            if (smallest(cut[row], cut[2], sign, 1) < 8)
                 transform->clips = 1;
-            if (smallest(cut[row], cut[2], -sign * band, -side) > 4 * (band + side)) /* what cutting takes at most */
+            if (smallest(cut[row], cut[2], -sign * band, -side) > 4 * (band + side))
                 transform->visible = 0;
         }
     }

@@ -80,19 +80,18 @@ static uint32_t draw_runs(const colour_source *from) {
 
 /* ---- Kernels ---- */
 
-/* Draws a part in one colour, which is not finished. */
+/* Draws a part in one colour, which is finished. */
 static void draw_even(const glint_frame *frame, glint_workspace *workspace, const glint_triangle *triangle,
-                      const glint_part *part, int32_t colour[1][3]) {
+                      const glint_part *part, const int32_t colour[3]) {
     const int is_deep = glint_is_deep(triangle);
-    glint_finish_colours(&frame->config, colour, 1);
     if (!GLINT_SMALL && frame->config.format->draw_even && !is_deep) {
         const glint_spans spans = glint_spans_of(frame, workspace, part);
-        frame->config.format->draw_even(&spans, colour[0]);
+        frame->config.format->draw_even(&spans, colour);
     } else {
         const colour_source from = {.to = {frame, workspace, part, 0, 0, 0}, .draw_run = store_run, .is_deep = is_deep};
         for (uint32_t i = 0; i < frame->config.tile_width; i++)
             for (int c = 0; c < 3; c++)
-                workspace->row[i][c] = colour[0][c];
+                workspace->row[i][c] = colour[c];
         draw_runs(&from);
     }
     if (workspace->drawn)
@@ -101,9 +100,7 @@ static void draw_even(const glint_frame *frame, glint_workspace *workspace, cons
 
 void glint_draw_unlit(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                       const glint_triangle *triangle, const glint_part *part) {
-    int32_t colour[1][3];
-    glint_channels_of(draw->shading->ambient, colour[0]);
-    draw_even(frame, workspace, triangle, part, colour);
+    draw_even(frame, workspace, triangle, part, draw->even);
 }
 
 void glint_draw_facet(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
@@ -112,7 +109,8 @@ void glint_draw_facet(const glint_frame *frame, glint_workspace *workspace, cons
     (void)draw;
     for (int c = 0; c < 3; c++)
         colour[0][c] = glint_channel_of(triangle->facet[c]);
-    draw_even(frame, workspace, triangle, part, colour);
+    glint_finish_colours(&frame->config, colour, 1);
+    draw_even(frame, workspace, triangle, part, colour[0]);
 }
 
 /* Draws fragments that are coloured one by one. */

@@ -113,6 +113,74 @@ static void curved_triangles_have_kernels(void) {
     }
 }
 
+/* ---- Flat faces ---- */
+
+/* A cube's sides, four corners and two triangles each; its corners lie on the unit sphere. */
+static void build_cube(bench_mesh *cube) {
+    static const int signs[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    for (int side = 0; side < 6; side++) {
+        const int axis = side / 2, out = side % 2 ? 1 : -1;
+        for (int corner = 0; corner < 4; corner++) {
+            int16_t *position = cube->positions[4 * side + corner], *normal = cube->normals[4 * side + corner];
+            position[axis] = (int16_t)(18918 * out);
+            position[(axis + 1) % 3] = (int16_t)(18918 * signs[corner][0]);
+            position[(axis + 2) % 3] = (int16_t)(18918 * signs[corner][1] * out);
+            normal[axis] = (int16_t)(32767 * out);
+            normal[(axis + 1) % 3] = normal[(axis + 2) % 3] = 0;
+        }
+        for (int half = 0; half < 2; half++) {
+            uint16_t *triangle = cube->triangles[2 * side + half];
+            triangle[0] = (uint16_t)(4 * side);
+            triangle[1] = (uint16_t)(4 * side + 1 + half);
+            triangle[2] = (uint16_t)(4 * side + 2 + half);
+        }
+    }
+    cube->mesh = (glint_mesh){.positions = (const int16_t(*)[3])cube->positions,
+                              .normals = (const int16_t(*)[3])cube->normals,
+                              .triangles = (const uint16_t(*)[3])cube->triangles,
+                              .vertex_count = 24,
+                              .triangle_count = 12,
+                              .extent = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
+}
+
+static void cube_keeps(const bench_mesh *cube, int exponent, glint_viewer viewer, uint32_t *general) {
+    judgement found = {0};
+    char name[80];
+    snprintf(name, sizeof name, "cube 128x64 p = %d %s", exponent, viewer == GLINT_VIEWER_LOCAL ? "local" : "infinite");
+    for (int frame = 0; frame < 10; frame++) {
+        bench_scene scene;
+        judge_task task = {.width = 128, .height = 64, .format = &glint_format_rgb565, .leave_out_gates = 1};
+        picture image = picture_open(128, 64, &glint_format_rgb565);
+        glint_stats stats = {0};
+        bench_build_scene(&scene, &bench_definitions[1], cube, frame);
+        scene.material.shininess = exponent * GLINT_ONE;
+        scene.scene.viewer = viewer;
+        scene.object.pose.m[2][3] += frame % 2 * GLINT_ONE; /* every other one is near */
+        set_contract(&task, &scene.material, &scene.light);
+        task.scene = &scene.scene;
+        judge_frame(&task, name, &found);
+        CHECK_EQUAL(picture_render(&image, &scene.scene, NULL, &stats), GLINT_OK);
+        *general += frame % 2 ? 0 : stats.drawn[GLINT_KERNEL_GENERAL].covered;
+        picture_close(&image);
+    }
+    print_row(name, &found);
+    CHECK_EQUAL(found.over_one, 0);
+}
+
+/* Faces that are large on a small screen: the local viewer's half vector bends over them. */
+static void flat_faces(void) {
+    static bench_mesh cube;
+    build_cube(&cube);
+    print_heading();
+    for (unsigned i = 0; i < TEST_COUNT(exponents); i++) {
+        uint32_t general = 0;
+        cube_keeps(&cube, exponents[i], GLINT_VIEWER_INFINITE, &general);
+        cube_keeps(&cube, exponents[i], GLINT_VIEWER_LOCAL, &general);
+        if (exponents[i] == 32) /* no pixel is lit on its own */
+            CHECK_EQUAL(general, 0);
+    }
+}
+
 /* ---- Random scenes ---- */
 
 static uint32_t random_state;
@@ -239,6 +307,7 @@ static void random_scenes_reach_curved_triangles(void) {
 int test_main(test_writer write) {
     static const test_case cases[] = {TEST_CASE(bench_scenes),
                                       TEST_CASE(curved_triangles_have_kernels),
+                                      TEST_CASE(flat_faces),
                                       TEST_CASE(random_scenes_reach_curved_triangles),
                                       TEST_CASE(random_scenes),
                                       TEST_CASE(hard_scenes),

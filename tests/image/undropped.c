@@ -194,8 +194,11 @@ static void begin_highlight(const glint_draw *draw, const glint_triangle *triang
     const int16_t *const terms[3] = {draw->terms[triangle->corners[0] - draw->vertices],
                                      draw->terms[triangle->corners[1] - draw->vertices],
                                      draw->terms[triangle->corners[2] - draw->vertices]};
-    if (kind == GLINT_FAST_AMBIENT || kind == GLINT_FAST_EVEN)
+    if (kind == GLINT_FAST_AMBIENT)
         begin_plane(&planes->cosine, part, terms, 0);
+    if (kind == GLINT_FAST_EVEN)
+        glint_begin_term(&planes->cosine, &part->gradients, glint_find_longer(glint_turn_of(triangle->corners)),
+                         terms[0][0], terms[1][0], terms[2][0]);
     begin_plane(&planes->x, part, terms, 1);
     begin_plane(&planes->y, part, terms, 2);
     COUNT(parts_ambient, kind == GLINT_FAST_AMBIENT);
@@ -302,12 +305,36 @@ static int is_small(const glint_draw *draw, const glint_triangle *triangle, cons
     return square.is_small;
 }
 
+/* A square of that side, or its quarters where the library has these, or none: its half vector bends too much. */
+static void draw_or_divide(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                           const glint_triangle *triangle, const glint_part *part, glint_square square, int32_t side,
+                           glint_exact_light *light, glint_exact_kind whole) {
+    const glint_fast_terms *fast = draw->shading->fast;
+    const int is_divided = side > 1 << fast->exact.cell;
+    const int32_t quarter = side / 4;
+    glint_exact_light unused = *light;
+    glint_part cut = *part;
+    const glint_exact_kind kind = glint_exact_bend(fast, triangle, part, &square, &unused);
+    if (!is_divided || (square.is_small && kind != GLINT_EXACT_UNFIT)) {
+        if (glint_cut_square(&cut, part, &square, side / 2))
+            draw_square(frame, workspace, draw, triangle, part, &cut, square, light, whole);
+        return;
+    }
+    for (int i = 0; i < 4; i++) {
+        const glint_square small = {square.x + (i & 1 ? quarter : -quarter), square.y + (i & 2 ? quarter : -quarter),
+                                    6 * side, 1};
+        if (glint_cut_square(&cut, part, &small, quarter))
+            draw_square(frame, workspace, draw, triangle, part, &cut, small, light,
+                        kind == GLINT_EXACT_DIFFUSE ? kind : whole);
+    }
+}
+
 /* What the library draws square by square, or without highlight though too large for one half vector. @return 0 for
  * all else */
 static int draw_squares(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                         const glint_triangle *triangle, const glint_part *part) {
     const glint_fast_terms *fast = draw->shading->fast;
-    const int32_t cell = (int32_t)fast->exact.cell, side = 1 << cell, half = side / 2;
+    const int32_t cell = (int32_t)fast->exact.cell;
     const int32_t left = glint_shift_right(part->window.left, 4), top = glint_shift_right(part->window.top, 4);
     glint_exact_light light;
     glint_square square;
@@ -315,14 +342,13 @@ static int draw_squares(const glint_frame *frame, glint_workspace *workspace, co
         glint_exact_begin(draw, triangle, part, &light) != GLINT_EXACT_SPECULAR || cell < GLINT_EXACT_LEAST_CELL ||
         cell + light.size > GLINT_EXACT_MOST_TURN)
         return 0;
+    const int32_t side = 1 << (cell + light.size < GLINT_EXACT_MOST_TURN ? cell + 1 : cell), half = side / 2;
     glint_exact_square(fast, triangle, &square);
     const glint_exact_kind whole = glint_exact_bend(fast, triangle, part, &square, &light);
-    square.extent = 12 * side;
-    for (square.y = (top & -side) + half; square.y - half < top + part->window.height; square.y += side) {
-        for (square.x = (left & -side) + half; square.x - half < left + part->window.width; square.x += side) {
-            glint_part cut;
-            if (glint_cut_square(&cut, part, &square, half))
-                draw_square(frame, workspace, draw, triangle, part, &cut, square, &light, whole);
+    for (int32_t y = top & -side; y < top + part->window.height; y += side) {
+        for (int32_t x = left & -side; x < left + part->window.width; x += side) {
+            const glint_square here = {x + half, y + half, 12 * side, 1};
+            draw_or_divide(frame, workspace, draw, triangle, part, here, side, &light, whole);
         }
     }
     return 1;

@@ -327,19 +327,17 @@ PROOF(glint_draw_lit) {
 }
 
 /*
- * Any ambient light, in formats with loops of their own and without: a tile's row holds it.
- * @contract glint_channels_of glint_finish_colours draw_runs
+ * Any finished colour, in formats with loops of their own and without: a tile's row holds it.
+ * @contract draw_runs
  * @unreached 2 glint_count where nothing is counted: it is not called
  */
 PROOF(glint_draw_unlit) {
     static glint_draw draw;
-    glint_shading shading;
     glint_frame frame;
     int32_t row[GLINT_TILE_MAX][3];
     any_triangle(0);
     for (int c = 0; c < 3; c++)
-        shading.ambient[c] = ANY_UNSIGNED(0, 16u << 23);
-    draw.shading = &shading;
+        draw.even[c] = ANY(CHANNEL_LEAST, CHANNEL_MOST);
     workspace_of_all.row = row;
     FOR_PARTS(shift, 3, 6) {
         FOR_PARTS(fused, 0, 1) {

@@ -28,8 +28,8 @@ static void any_lights_of_triangle(void) {
 }
 
 /*
- * Not proven: glint_draw_curved, glint_draw_squares, glint_draw_curved_without_tables, glint_exact_prepare,
- * glint_exact_begin, glint_exact_bend, glint_interpolate_prepare, glint_interpolate_begin,
+ * Not proven: glint_draw_curved, glint_draw_square, glint_draw_squares, glint_draw_curved_without_tables,
+ * glint_exact_prepare, glint_exact_begin, glint_exact_bend, glint_interpolate_prepare, glint_interpolate_begin,
  * glint_interpolate_highlight: coefficients bounded by limits of turn, extent and depth. Suite `reads` with the
  * infinite viewer; `compare`, `highlights`, and `budget` and `drops` with random scenes, under ASan and UBSan.
  */

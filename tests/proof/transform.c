@@ -256,6 +256,7 @@ PROOF(prepare_depth) {
 /*
  * Rows below 2^30, the last one's magnitudes summing up to 3 2^28, by parts; any screen.
  * @narrowing sums over the box are found modulo 2^32: right wherever the true value fits
+ * @options -eva-slevel-function classify:0
  */
 PROOF(classify) {
     glint_transform transform;
