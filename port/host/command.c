@@ -34,7 +34,7 @@ bool command_load(const host_settings *settings, bool scaled, host_model *model,
     }
     if (!quantise(&model->mesh, settings->double_sided ? GLINT_MESH_DOUBLE_SIDED : 0, mesh, &problem)) {
         problem_print(settings->model, &problem);
-        mesh_free(&model->mesh);
+        model_free(model);
         return false;
     }
     if (!settings->load.plain) {
@@ -49,4 +49,9 @@ bool command_write_png(const uint8_t *picture, const host_settings *settings, ho
     const bool ok = bytes_write_file(&file, settings->output, problem);
     free(file.data);
     return ok;
+}
+
+void command_print_warnings(const host_settings *settings, const host_model *model) {
+    problem_print_warnings(settings->model, &model->warnings);
+    materials_print_warnings(&model->materials);
 }

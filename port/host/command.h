@@ -35,9 +35,12 @@ int command_fail(const char *file, const host_problem *problem);
 /**
  * Loads the settings' model, scales it when `scaled`, quantises it and gives it clusters; prints what is wrong. Refuses
  * a model that is the file to write.
- * @return false after a problem; nothing is then to be freed, else model->mesh and `mesh`
+ * @return false after a problem; nothing is then to be freed, else the model and `mesh`
  */
 bool command_load(const host_settings *settings, bool scaled, host_model *model, quantised_mesh *mesh);
+
+/** Prints what a model says and is not followed, a line each. */
+void command_print_warnings(const host_settings *settings, const host_model *model);
 
 /** Prints what a frame took, a name and a value a line. */
 void command_print_stats(const glint_stats *stats, const framebuffer *target, const host_settings *settings);

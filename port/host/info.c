@@ -44,6 +44,7 @@ static void print_counts(const host_model *model, const quantised_mesh *mesh) {
     printf("shared_edges %zu\n", topology.shared_edges);
     print_winding(model);
     printf("colours %s\n", model->mesh.colours != NULL ? "given" : "none");
+    printf("materials %zu\n", model->materials.used_count);
     printf("flash_bytes %zu\n", quantised_size(mesh));
 }
 
@@ -57,14 +58,14 @@ static void print_bounds(const host_model *model, const quantised_mesh *mesh) {
 }
 
 /** Prints the arena that the framed model needs on a panel. @return false with a problem */
-static bool print_panel(const struct info_panel *panel, const host_settings *settings, const quantised_mesh *mesh,
-                        host_problem *problem) {
+static bool print_panel(const struct info_panel *panel, const host_settings *settings, const host_model *model,
+                        const quantised_mesh *mesh, host_problem *problem) {
     host_settings framed = *settings;
     framed.width = panel->width;
     framed.height = panel->height;
     framed.format = framebuffer_find_format(panel->format, NULL);
     host_view view;
-    if (!view_make(&view, &framed, mesh, problem)) {
+    if (!view_make(&view, &framed, &model->materials, mesh, problem)) {
         return false;
     }
     glint_config config = {.width = framed.width, .height = framed.height, .format = framed.format->format};
@@ -90,17 +91,17 @@ int command_info(const host_settings *settings) {
     }
     print_counts(&model, &mesh);
     print_bounds(&model, &mesh);
-    mesh_free(&model.mesh);
     printf("\nBytes of arena to draw it framed, two tile buffers included: at least, with every vertex kept, in one "
            "pass:\n");
     host_problem problem;
     bool ok = true;
     for (size_t i = 0; ok && i < sizeof panels / sizeof panels[0]; i++) {
-        ok = print_panel(&panels[i], settings, &mesh, &problem);
+        ok = print_panel(&panels[i], settings, &model, &mesh, &problem);
     }
     quantised_free(&mesh);
     if (ok) {
-        problem_print_warnings(settings->model, &model.warnings);
+        command_print_warnings(settings, &model);
     }
+    model_free(&model);
     return ok ? 0 : command_fail(NULL, &problem);
 }

@@ -12,6 +12,7 @@ void mesh_free(host_mesh *mesh) {
     free(mesh->normals);
     free(mesh->triangles);
     free(mesh->colours);
+    free(mesh->materials);
     memset(mesh, 0, sizeof *mesh);
 }
 
@@ -52,6 +53,9 @@ void mesh_add_colour(host_mesh *mesh, uint8_t r, uint8_t g, uint8_t b) {
 void mesh_add_triangle(host_mesh *mesh, mesh_corner a, mesh_corner b, mesh_corner c) {
     mesh->triangles =
         memory_grow(mesh->triangles, &mesh->triangle_capacity, mesh->triangle_count, sizeof *mesh->triangles);
+    mesh->materials =
+        memory_grow(mesh->materials, &mesh->material_capacity, mesh->triangle_count, sizeof *mesh->materials);
+    mesh->materials[mesh->triangle_count] = mesh->material;
     mesh_corner *triangle = mesh->triangles[mesh->triangle_count++];
     triangle[0] = a;
     triangle[1] = b;

@@ -10,12 +10,24 @@
 #include <stdlib.h>
 #include <string.h>
 
+/** Different words for each of which there is a warning. With one of each other kind PROBLEM_WARNINGS_MAX holds all. */
+#define WORDS_MAX 4
+
 /** What is not followed, beside words that are no keywords; or nothing. */
-enum { KIND_NONE = TEXT_KINDS, KIND_MATERIAL, KIND_ELEMENT, KIND_EMPTY_INDEX, KIND_BYTE_COLOURS, KIND_NO_COLOUR };
+enum {
+    KIND_NONE = TEXT_KINDS,
+    KIND_TEXTURE,
+    KIND_LIBRARIES,
+    KIND_ELEMENT,
+    KIND_EMPTY_INDEX,
+    KIND_BYTE_COLOURS,
+    KIND_NO_COLOUR
+};
 
 typedef struct obj_reader {
     text_reader text;
     host_mesh *mesh;
+    obj_materials *materials;
     size_t texture_count;
     double farthest;      /* largest coordinate so far */
     double (*colours)[3]; /* as read */
@@ -34,7 +46,8 @@ static const text_token position_word = {"v", 1};
 static const char *const note_texts[] = {
     [TEXT_WORD] = "is skipped: it is not an OBJ keyword",
     [TEXT_MORE_WORDS] = "is skipped, as are more words that are not OBJ keywords",
-    [KIND_MATERIAL] = "is skipped: materials are not read",
+    [KIND_TEXTURE] = "is skipped: textures are not drawn",
+    [KIND_LIBRARIES] = "is skipped: no more than 64 files of materials are read",
     [KIND_ELEMENT] = "is skipped: only faces are drawn",
     [KIND_EMPTY_INDEX] = "has an empty index: taken as not given",
     [KIND_BYTE_COLOURS] = "has a colour above 1: all colours are taken as 0 to 255",
@@ -251,14 +264,64 @@ static bool read_group(obj_reader *reader) {
     return true;
 }
 
+/* ---- Materials -------------------------------------------------------------------------------------------------- */
+
+/** The place of a name, added when it is new and there are fewer than `most`; else their count. */
+static size_t find_name(obj_names *names, text_token name, size_t line, size_t most) {
+    char *text = text_copy(name);
+    size_t place = 0;
+    while (place < names->count && strcmp(names->list[place].text, text) != 0) {
+        place++;
+    }
+    if (place < names->count || names->count == most) {
+        free(text);
+        return place;
+    }
+    names->list = memory_grow(names->list, &names->capacity, names->count, sizeof *names->list);
+    names->list[names->count++] = (obj_name){text, line};
+    return place;
+}
+
+static bool read_material(obj_reader *reader) {
+    obj_names *used = &reader->materials->used;
+    const text_token name = text_rest_of_line(&reader->text);
+    const size_t place = find_name(used, name, reader->text.line, OBJ_MATERIALS_MAX);
+    reader->mesh->material = (uint32_t)place + 1;
+    return place < used->count ||
+           problem_set(reader->problem, reader->text.line, "more than %d materials", OBJ_MATERIALS_MAX);
+}
+
+static bool read_library(obj_reader *reader) {
+    static const text_token word = {"mtllib", 6};
+    obj_names *libraries = &reader->materials->libraries;
+    const text_token name = text_rest_of_line(&reader->text);
+    if (find_name(libraries, name, reader->text.line, OBJ_LIBRARIES_MAX) == libraries->count) {
+        note(reader, KIND_LIBRARIES, word);
+    }
+    return true;
+}
+
+static void free_names(obj_names *names) {
+    for (size_t i = 0; i < names->count; i++) {
+        free(names->list[i].text);
+    }
+    free(names->list);
+}
+
+void obj_materials_free(obj_materials *materials) {
+    free_names(&materials->used);
+    free_names(&materials->libraries);
+    memset(materials, 0, sizeof *materials);
+}
+
 /* ---- Files ------------------------------------------------------------------------------------------------------ */
 
 static const struct obj_statement {
     const char *keyword;
     bool (*read)(obj_reader *reader);
 } statements[] = {
-    {"v", read_position}, {"vn", read_normal}, {"vt", read_texture},
-    {"f", read_face},     {"g", read_group},   {"o", read_group},
+    {"v", read_position}, {"vn", read_normal}, {"vt", read_texture},      {"f", read_face},
+    {"g", read_group},    {"o", read_group},   {"usemtl", read_material}, {"mtllib", read_library},
 };
 
 /** The format's other keywords (Wavefront, Advanced Visualizer manual, appendix B1), old ones included. */
@@ -266,16 +329,15 @@ static const struct obj_skipped {
     const char *keyword;
     int kind;
 } skipped[] = {
-    {"usemtl", KIND_MATERIAL}, {"mtllib", KIND_MATERIAL}, {"usemap", KIND_MATERIAL}, {"maplib", KIND_MATERIAL},
-    {"p", KIND_ELEMENT},       {"l", KIND_ELEMENT},       {"curv", KIND_ELEMENT},    {"curv2", KIND_ELEMENT},
-    {"surf", KIND_ELEMENT},    {"bsp", KIND_ELEMENT},     {"bzp", KIND_ELEMENT},     {"cdc", KIND_ELEMENT},
-    {"cdp", KIND_ELEMENT},     {"call", KIND_ELEMENT},    {"csh", KIND_ELEMENT},     {"vp", KIND_NONE},
-    {"deg", KIND_NONE},        {"bmat", KIND_NONE},       {"step", KIND_NONE},       {"cstype", KIND_NONE},
-    {"parm", KIND_NONE},       {"trim", KIND_NONE},       {"hole", KIND_NONE},       {"scrv", KIND_NONE},
-    {"sp", KIND_NONE},         {"end", KIND_NONE},        {"con", KIND_NONE},        {"s", KIND_NONE},
-    {"mg", KIND_NONE},         {"bevel", KIND_NONE},      {"lod", KIND_NONE},        {"ctech", KIND_NONE},
-    {"stech", KIND_NONE},      {"shadow_obj", KIND_NONE}, {"trace_obj", KIND_NONE},  {"c_interp", KIND_NONE},
-    {"d_interp", KIND_NONE},   {"res", KIND_NONE},
+    {"usemap", KIND_TEXTURE}, {"maplib", KIND_TEXTURE}, {"p", KIND_ELEMENT},     {"l", KIND_ELEMENT},
+    {"curv", KIND_ELEMENT},   {"curv2", KIND_ELEMENT},  {"surf", KIND_ELEMENT},  {"bsp", KIND_ELEMENT},
+    {"bzp", KIND_ELEMENT},    {"cdc", KIND_ELEMENT},    {"cdp", KIND_ELEMENT},   {"call", KIND_ELEMENT},
+    {"csh", KIND_ELEMENT},    {"vp", KIND_NONE},        {"deg", KIND_NONE},      {"bmat", KIND_NONE},
+    {"step", KIND_NONE},      {"cstype", KIND_NONE},    {"parm", KIND_NONE},     {"trim", KIND_NONE},
+    {"hole", KIND_NONE},      {"scrv", KIND_NONE},      {"sp", KIND_NONE},       {"end", KIND_NONE},
+    {"con", KIND_NONE},       {"s", KIND_NONE},         {"mg", KIND_NONE},       {"bevel", KIND_NONE},
+    {"lod", KIND_NONE},       {"ctech", KIND_NONE},     {"stech", KIND_NONE},    {"shadow_obj", KIND_NONE},
+    {"trace_obj", KIND_NONE}, {"c_interp", KIND_NONE},  {"d_interp", KIND_NONE}, {"res", KIND_NONE},
 };
 
 /** What a keyword that is not read comes to. */
@@ -318,9 +380,12 @@ static bool refuse_without_faces(const obj_reader *reader) {
     return problem_set(reader->problem, reader->text.line, "no faces");
 }
 
-bool obj_read(const char *text, size_t length, host_mesh *mesh, host_warnings *warnings, host_problem *problem) {
+bool obj_read(const char *text, size_t length, host_mesh *mesh, obj_materials *materials, host_warnings *warnings,
+              host_problem *problem) {
     memset(mesh, 0, sizeof *mesh);
-    obj_reader reader = {.text = text_begin(text, length), .mesh = mesh, .problem = problem};
+    memset(materials, 0, sizeof *materials);
+    obj_reader reader = {.text = text_begin(text, length), .mesh = mesh, .materials = materials, .problem = problem};
+    reader.notes.words_max = WORDS_MAX;
     bool ok = true;
     while (ok && reader.text.at < reader.text.end) {
         ok = read_statement(&reader);
@@ -337,6 +402,7 @@ bool obj_read(const char *text, size_t length, host_mesh *mesh, host_warnings *w
     free(reader.face);
     if (!ok) {
         mesh_free(mesh);
+        obj_materials_free(materials);
     }
     return ok;
 }

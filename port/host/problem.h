@@ -24,7 +24,7 @@ typedef struct host_problem {
 } host_problem;
 
 /** Most warnings of an input. */
-#define PROBLEM_WARNINGS_MAX 12
+#define PROBLEM_WARNINGS_MAX 24
 
 /** What an input says and is not followed, though all else of it is. */
 typedef struct host_warnings {

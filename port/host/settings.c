@@ -113,14 +113,17 @@ static bool parse_scale(host_settings *settings, const char *text, host_problem 
 }
 
 static bool parse_ambient(host_settings *settings, const char *text, host_problem *problem) {
+    settings->ambient_given = true;
     return value_colour(text, strlen(text), &settings->ambient, problem);
 }
 
 static bool parse_diffuse(host_settings *settings, const char *text, host_problem *problem) {
+    settings->diffuse_given = true;
     return value_colour(text, strlen(text), &settings->diffuse, problem);
 }
 
 static bool parse_specular(host_settings *settings, const char *text, host_problem *problem) {
+    settings->specular_given = true;
     return value_colour(text, strlen(text), &settings->specular, problem);
 }
 
@@ -133,6 +136,7 @@ static bool parse_shininess(host_settings *settings, const char *text, host_prob
     if (!value_real(text, 0, NUMBER_Q16_MAX, &value)) {
         return value_expected(problem, "takes an exponent from 0 to 32767");
     }
+    settings->shininess_given = true;
     settings->shininess = number_q16(value);
     return true;
 }
@@ -239,16 +243,21 @@ static const host_option options[] = {
     {"--light", "LIGHT", "see below; up to 8 times; one from the upper left", COMMAND_RENDER, parse_light},
     {"--camera-lights", NULL, "all --light are in camera space: x right, y up, z backwards; else in world space",
      COMMAND_RENDER, parse_camera_lights},
-    {"--model", "NAME", "lambert, phong, blinn-phong or unlit; blinn-phong", COMMAND_RENDER, parse_model},
+    {"--model", "NAME", "lambert, phong, blinn-phong or unlit; the file's, or blinn-phong", COMMAND_RENDER,
+     parse_model},
     {"--shading", "NAME", "where light is evaluated: flat, vertex, node or fragment; fragment", COMMAND_RENDER,
      parse_shading},
     {"--combine", "sum|max", "ambient with diffuse + specular: their sum or the larger; sum", COMMAND_RENDER,
      parse_combine},
     {"--ungated", NULL, "specular light also where a surface faces away from the light", COMMAND_RENDER, parse_ungated},
-    {"--ambient", "r,g,b", "final ambient colour, or one grey level; 0.1", COMMAND_RENDER, parse_ambient},
-    {"--diffuse", "r,g,b", "times each light; 0.6", COMMAND_RENDER, parse_diffuse},
-    {"--specular", "r,g,b", "times each light; 0.4", COMMAND_RENDER, parse_specular},
-    {"--shininess", "P", "specular exponent, any real number from 0; 32", COMMAND_RENDER, parse_shininess},
+    {"--ambient", "r,g,b", "final ambient colour, whatever the file says, or one grey level; the file's, or 0.1",
+     COMMAND_RENDER, parse_ambient},
+    {"--diffuse", "r,g,b", "times each light, whatever the file says; the file's, or 0.6", COMMAND_RENDER,
+     parse_diffuse},
+    {"--specular", "r,g,b", "times each light, whatever the file says; the file's, or 0.4", COMMAND_RENDER,
+     parse_specular},
+    {"--shininess", "P", "specular exponent, any real number from 0; the file's, or 32", COMMAND_RENDER,
+     parse_shininess},
     {"--viewer", "infinite|local", "where highlights are seen from; infinite", COMMAND_RENDER, parse_viewer},
     {"--background", "r,g,b", "colour of the background; 0", COMMAND_RENDER, parse_background},
     {"--tile", "WxH", "size of the tiles, each 8, 16, 32 or 64", COMMANDS_THAT_DRAW, parse_tile},

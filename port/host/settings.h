@@ -35,6 +35,7 @@ typedef struct host_settings {
     double instructions;       /**< Millions that the core takes for the frame; 0 for unknown. */
     bool dither, double_sided; /**< How to draw. */
     bool size_given, eye_given, at_given, near_given, frame_given;
+    bool ambient_given, diffuse_given, specular_given, shininess_given, reflection_given;
 
     glint_vector eye, at, up;
     glint_q16 field_of_view, near_plane;
@@ -63,6 +64,13 @@ typedef struct host_settings {
 
 /** Grey colour. */
 glint_colour settings_grey(double level);
+
+/**
+ * The material that a file's comes to, with what options say in place of what the file says; docs/assets.md has the
+ * formulas.
+ * @param material of the file, or null for the default one
+ */
+glint_material settings_material(const host_settings *settings, const mtl_material *material);
 
 /** What holds without options. */
 void settings_default(host_settings *settings);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "text.h"
 
+#include "memory.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -71,6 +73,14 @@ text_token text_rest_of_line(text_reader *reader) {
     return rest;
 }
 
+char *text_copy(text_token token) {
+    char *copy = memory_new(token.length + 1, 1);
+    for (size_t i = 0; i < token.length; i++) {
+        copy[i] = (char)(token.start[i] != '\0' ? token.start[i] : '?');
+    }
+    return copy;
+}
+
 void text_skip_statement(text_reader *reader) {
     text_token token;
     while (text_next_token(reader, &token)) {
@@ -93,10 +103,14 @@ bool text_same_token(text_token a, text_token b) {
 
 /* ---- Notes ------------------------------------------------------------------------------------------------------ */
 
+static bool is_by_word(int kind) {
+    return kind == TEXT_WORD || kind == TEXT_TEXTURE;
+}
+
 text_note *text_find_note(text_notes *notes, int kind, text_token word) {
     for (size_t i = 0; i < notes->count; i++) {
         text_note *note = &notes->list[i];
-        if (note->kind == kind && (kind != TEXT_WORD || text_same_token(note->word, word))) {
+        if (note->kind == kind && (!is_by_word(kind) || text_same_token(note->word, word))) {
             return note;
         }
     }
@@ -105,7 +119,7 @@ text_note *text_find_note(text_notes *notes, int kind, text_token word) {
 
 void text_note_add(text_notes *notes, int kind, text_token word, size_t line) {
     text_note *known = text_find_note(notes, kind, word);
-    if (known == NULL && kind == TEXT_WORD && notes->word_count == TEXT_WORDS_MAX) {
+    if (known == NULL && is_by_word(kind) && notes->word_count == notes->words_max) {
         kind = TEXT_MORE_WORDS;
         known = text_find_note(notes, kind, word);
     }
@@ -113,7 +127,7 @@ void text_note_add(text_notes *notes, int kind, text_token word, size_t line) {
         known->more++;
         return;
     }
-    notes->word_count += kind == TEXT_WORD;
+    notes->word_count += is_by_word(kind);
     notes->list[notes->count++] = (text_note){kind, word, line, 0};
 }
 

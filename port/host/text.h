@@ -31,6 +31,9 @@ bool text_next_token(text_reader *reader, text_token *token);
 /** What is left of the line without the blanks around it, comment included: names may hold blanks and `#`. */
 text_token text_rest_of_line(text_reader *reader);
 
+/** A copy ended by 0, for the caller to free; bytes of 0 within become '?'. */
+char *text_copy(text_token token);
+
 /** Skips what is left of a statement, its comment and its line end. */
 void text_skip_statement(text_reader *reader);
 
@@ -38,17 +41,15 @@ bool text_token_is(text_token token, const char *word);
 
 bool text_same_token(text_token a, text_token b);
 
-/** Different words for each of which a note of TEXT_WORD is kept. */
-#define TEXT_WORDS_MAX 4
-
 /** Kinds of notes that this module knows of; an input's own are from TEXT_KINDS on. */
 enum {
     TEXT_WORD,       /**< One note for each different word... */
-    TEXT_MORE_WORDS, /**< ...and one for those beyond TEXT_WORDS_MAX. */
+    TEXT_TEXTURE,    /**< ...and likewise for these... */
+    TEXT_MORE_WORDS, /**< ...and one for words of both beyond words_max. */
     TEXT_KINDS
 };
 
-/** Where a kind, or a word of TEXT_WORD, was first seen. */
+/** Where a kind, or a word of its own, was first seen. */
 typedef struct text_note {
     int kind;
     text_token word;
@@ -60,6 +61,7 @@ typedef struct text_note {
 typedef struct text_notes {
     text_note list[PROBLEM_WARNINGS_MAX];
     size_t count, word_count;
+    size_t words_max; /**< Different words that get a note of their own. */
 } text_notes;
 
 /** The note of a kind, or null. */

@@ -204,14 +204,19 @@ static bool place_lights(host_view *view, const host_settings *settings, host_pr
     return true;
 }
 
-static void place_objects(host_view *view, const host_settings *settings, const quantised_mesh *mesh) {
+static void place_objects(host_view *view, const host_settings *settings, const host_materials *materials,
+                          const quantised_mesh *mesh) {
+    view->materials = memory_new(materials->used_count + 1, sizeof *view->materials);
+    for (size_t i = 0; i <= materials->used_count; i++) {
+        view->materials[i] = settings_material(settings, materials_find(materials, (uint32_t)i));
+    }
     const double *scale = settings->scale;
     const glint_pose scaled = glint_pose_scale(number_q16(scale[0]), number_q16(scale[1]), number_q16(scale[2]));
     const glint_pose turned = glint_pose_rotate_y(settings->rotate_y);
     view->objects = memory_new(mesh->piece_count, sizeof *view->objects);
     for (size_t i = 0; i < mesh->piece_count; i++) {
         view->objects[i].mesh = &mesh->pieces[i];
-        view->objects[i].material = &view->material;
+        view->objects[i].material = &view->materials[mesh->materials[i]];
         view->objects[i].pose = glint_pose_then(&scaled, &turned);
         view->objects[i].evaluation = settings->evaluation;
     }
@@ -231,19 +236,14 @@ static bool place_camera(host_view *view, const host_settings *settings, const q
     return status == GLINT_OK || problem_set(problem, 0, "--eye, --at and --up lie on one line");
 }
 
-bool view_make(host_view *view, const host_settings *settings, const quantised_mesh *mesh, host_problem *problem) {
+bool view_make(host_view *view, const host_settings *settings, const host_materials *materials,
+               const quantised_mesh *mesh, host_problem *problem) {
     memset(view, 0, sizeof *view);
-    place_objects(view, settings, mesh);
+    place_objects(view, settings, materials, mesh);
     if (!place_camera(view, settings, mesh, problem) || !place_lights(view, settings, problem)) {
         view_free(view);
         return false;
     }
-    view->material.model = settings->reflection;
-    view->material.ambient = settings->ambient;
-    view->material.diffuse = settings->diffuse;
-    view->material.specular = settings->specular;
-    view->material.shininess = settings->shininess;
-    view->material.flags = settings->material_flags;
     view->scene.viewer = settings->viewer;
     view->scene.background = settings->background;
     view->scene.ambient = settings_grey(1);
@@ -252,7 +252,9 @@ bool view_make(host_view *view, const host_settings *settings, const quantised_m
 
 void view_free(host_view *view) {
     free(view->objects);
+    free(view->materials);
     view->objects = NULL;
+    view->materials = NULL;
 }
 
 /* ---- Drawing ---------------------------------------------------------------------------------------------------- */
