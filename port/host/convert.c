@@ -2,6 +2,7 @@
 #include "command.h"
 
 #include "convert.h"
+#include "number.h"
 #include "output.h"
 
 #include <stdio.h>
@@ -10,6 +11,9 @@
 
 /** Room for an identifier: a --name of 64 characters, or as many of a file name's. */
 #define NAME_SIZE 66
+
+/** Part of a mesh's side by which positions may move unsaid: a quarter of a pixel of 1024, the largest display. */
+#define STEP_MAX (1.0 / 4096.0)
 
 typedef struct header_writer {
     host_bytes *out;
@@ -68,8 +72,15 @@ static void print_command_line(const header_writer *writer) {
         bytes_print(writer->out, " --licence \"%s\"", settings->licence);
     }
     print_load_options(writer->out, &settings->load);
+    bytes_print(writer->out, "%s%s%s", settings->z_up ? " --up-axis z" : "", settings->centre ? " --centre" : "",
+                settings->scale_fit ? " --scale fit" : "");
     if (scale[0] < 1 || scale[0] > 1 || scale[1] < 1 || scale[1] > 1 || scale[2] < 1 || scale[2] > 1) {
         bytes_print(writer->out, " --scale %.9g,%.9g,%.9g", scale[0], scale[1], scale[2]);
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        if (settings->rotate[axis] != 0) {
+            bytes_print(writer->out, " --rotate-%c %.9g", "xyz"[axis], number_from_q16(settings->rotate[axis]));
+        }
     }
     if (settings->double_sided) {
         bytes_print(writer->out, " --double-sided");
@@ -245,6 +256,20 @@ static void print_meshes(const header_writer *writer, const host_model *model, c
     free(suffixes);
 }
 
+/** Says on stderr when steps of Q16.16 are too coarse for the mesh. */
+static void warn_of_steps(const char *file, const host_model *model, const quantised_mesh *mesh) {
+    double side = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        side = model->high[axis] - model->low[axis] > side ? model->high[axis] - model->low[axis] : side;
+    }
+    host_problem warning;
+    if (mesh->largest_move > side * STEP_MAX) {
+        problem_set(&warning, 0, "warning: positions move by up to %.2g, of sides of %.3g: give --scale fit",
+                    mesh->largest_move, side);
+        problem_print(file, &warning);
+    }
+}
+
 /** Says on stderr when the mesh that is written is not wound as it should be. */
 static void warn_of_winding(const char *file, const host_mesh *mesh) {
     const mesh_winding winding = mesh_check_winding(mesh);
@@ -273,14 +298,16 @@ int command_convert(const host_settings *settings) {
     bytes_print(&file, "\n#include \"glint.h\"\n");
     print_meshes(&writer, &model, &mesh);
     bytes_print(&file, "\n#endif\n");
-    quantised_free(&mesh);
     host_problem problem;
     const bool ok = bytes_write_file(&file, settings->output, &problem);
     free(file.data);
     if (ok) {
         command_print_warnings(settings, &model);
+        command_warn_of_size(settings, &mesh);
+        warn_of_steps(settings->model, &model, &mesh);
         warn_of_winding(settings->model, &model.mesh);
     }
+    quantised_free(&mesh);
     model_free(&model);
     return ok ? 0 : command_fail(settings->output, &problem);
 }

@@ -49,12 +49,11 @@ static void print_counts(const host_model *model, const quantised_mesh *mesh) {
 }
 
 static void print_bounds(const host_model *model, const quantised_mesh *mesh) {
-    double low[3];
-    double high[3];
-    mesh_bounds(&model->mesh, low, high);
+    const double *low = model->low;
+    const double *high = model->high;
     printf("lowest %.6g %.6g %.6g\n", low[0], low[1], low[2]);
     printf("highest %.6g %.6g %.6g\n", high[0], high[1], high[2]);
-    printf("largest_move %.3g\n", mesh->largest_move);
+    printf("largest_move %.3g\n", mesh->largest_move / model->fit);
 }
 
 /** Prints the arena that the framed model needs on a panel. @return false with a problem */
@@ -98,10 +97,11 @@ int command_info(const host_settings *settings) {
     for (size_t i = 0; ok && i < sizeof panels / sizeof panels[0]; i++) {
         ok = print_panel(&panels[i], settings, &model, &mesh, &problem);
     }
-    quantised_free(&mesh);
     if (ok) {
         command_print_warnings(settings, &model);
+        command_warn_of_size(settings, &mesh);
     }
+    quantised_free(&mesh);
     model_free(&model);
     return ok ? 0 : command_fail(NULL, &problem);
 }

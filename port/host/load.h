@@ -28,6 +28,9 @@ typedef struct host_model {
     size_t given_normals;     /**< ...and those of them whose normal came with the model. */
     size_t turned_count;      /**< Triangles turned by the repair. */
     host_warnings warnings;
+    double low[3], high[3]; /**< Its box, as options have it (place.h). */
+    double fit;             /**< By what it was then scaled to fit; 1 for not at all. */
+    host_problem note;      /**< That says so; empty for not at all. */
 } host_model;
 
 /**

@@ -102,6 +102,28 @@ void mesh_scale(host_mesh *mesh, const double factors[3]) {
     }
 }
 
+void mesh_move_to_origin(host_mesh *mesh, const double origin[3]) {
+    for (size_t i = 0; i < 3 * mesh->position_count; i++) {
+        mesh->positions[i / 3][i % 3] -= origin[i % 3];
+    }
+}
+
+static void turn_vectors(double (*vectors)[3], size_t count, int axis, double cosine, double sine) {
+    const int j = (axis + 1) % 3;
+    const int k = (axis + 2) % 3;
+    for (size_t i = 0; i < count; i++) {
+        const double first = vectors[i][j];
+        const double second = vectors[i][k];
+        vectors[i][j] = cosine * first - sine * second;
+        vectors[i][k] = sine * first + cosine * second;
+    }
+}
+
+void mesh_turn(host_mesh *mesh, int axis, double cosine, double sine) {
+    turn_vectors(mesh->positions, mesh->position_count, axis, cosine, sine);
+    turn_vectors(mesh->normals, mesh->normal_count, axis, cosine, sine);
+}
+
 void mesh_triangle_normal(const host_mesh *mesh, size_t triangle, double normal[3]) {
     const double *a = mesh->positions[mesh->triangles[triangle][0].position];
     const double *b = mesh->positions[mesh->triangles[triangle][1].position];

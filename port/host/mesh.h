@@ -100,6 +100,12 @@ void mesh_bounds(const host_mesh *mesh, double low[3], double high[3]);
 /** Scales positions per axis, and normals to fit; factors must not be 0. A mirrored mesh has its triangles turned. */
 void mesh_scale(host_mesh *mesh, const double factors[3]);
 
+/** Moves positions so that `origin` comes to lie at the origin. */
+void mesh_move_to_origin(host_mesh *mesh, const double origin[3]);
+
+/** Turns positions and normals about an axis, right-handed, by an angle of that cosine and sine. */
+void mesh_turn(host_mesh *mesh, int axis, double cosine, double sine);
+
 /**
  * Gives normals to the corners that have none: weighted averages over the triangles round a position.
  * @param crease with an angle from 0 to 180 degrees all normals are made anew, and split at edges whose triangles turn

@@ -20,7 +20,7 @@
 
 typedef struct host_problem {
     size_t line;    /**< Line of the file, from 1; 0 when it is the file as a whole. */
-    char text[200]; /**< What is wrong, without a line end. */
+    char text[240]; /**< What is wrong, without a line end. */
 } host_problem;
 
 /** Most warnings of an input. */

@@ -247,12 +247,16 @@ bool quantise(const host_mesh *mesh, uint32_t flags, quantised_mesh *out, host_p
     double high[3];
     memset(out, 0, sizeof *out);
     mesh_bounds(mesh, low, high);
+    double largest = 0;
     for (int axis = 0; axis < 3; axis++) {
-        const double largest = fmax(-low[axis], high[axis]);
-        if (largest > QUANTISE_COORDINATE_MAX) {
-            return problem_set(problem, mesh->farthest_line, "coordinates reach %.6g, beyond the %.0f that fit Q16.16",
-                               largest, QUANTISE_COORDINATE_MAX);
-        }
+        largest = fmax(largest, fmax(-low[axis], high[axis]));
+    }
+    if (largest > QUANTISE_COORDINATE_MAX) {
+        return problem_set(problem, mesh->farthest_line,
+                           "coordinates reach %.6g, beyond the %.0f that fit Q16.16: give --scale fit, or %.2g at most",
+                           largest, QUANTISE_COORDINATE_MAX, 0.99 * QUANTISE_COORDINATE_MAX / largest);
+    }
+    for (int axis = 0; axis < 3; axis++) {
         choose_range(&quantiser, axis, low[axis], high[axis], &frame);
     }
     mesh_piece piece = {.slots = memory_new(SLOT_COUNT, sizeof *piece.slots)};

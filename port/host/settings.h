@@ -40,8 +40,10 @@ typedef struct host_settings {
     glint_vector eye, at, up;
     glint_q16 field_of_view, near_plane;
     glint_viewer viewer;
-    glint_q16 rotate_y;
-    double scale[3]; /**< Each within what Q16.16 holds. */
+    glint_q16 rotate[3]; /**< Degrees about x, y and z, in this order. */
+    double scale[3];     /**< None 0. */
+    bool scale_fit;      /**< In place of it the power of ten that suits Q16.16. */
+    bool centre, z_up;
 
     const glint_model *reflection;
     const glint_evaluation *evaluation; /**< Or null for the library's default. */

@@ -157,6 +157,13 @@ static bool frame_model(host_view *view, const host_settings *settings, const qu
     return status == GLINT_OK || problem_set(problem, 0, "%s", glint_strerror(status));
 }
 
+double view_framing_distance(const host_settings *settings, double half_side) {
+    const double slope_y = FRAME_FILL * tan(number_from_q16(settings->field_of_view) * pi / 360.0);
+    const double slope = fmin(slope_y, slope_y * settings->width / settings->height);
+    const double radius = sqrt(3.0) * half_side;
+    return FRAME_LOOK + 1.2 * radius + 2.0 * radius / slope; /* a box's corners, to the side twice at most */
+}
+
 /* ---- Scenes ----------------------------------------------------------------------------------------------------- */
 
 /** From the upper left of the camera and half behind it, white. */
@@ -210,14 +217,15 @@ static void place_objects(host_view *view, const host_settings *settings, const 
     for (size_t i = 0; i <= materials->used_count; i++) {
         view->materials[i] = settings_material(settings, materials_find(materials, (uint32_t)i));
     }
-    const double *scale = settings->scale;
-    const glint_pose scaled = glint_pose_scale(number_q16(scale[0]), number_q16(scale[1]), number_q16(scale[2]));
-    const glint_pose turned = glint_pose_rotate_y(settings->rotate_y);
+    const glint_pose about_x = glint_pose_rotate_x(settings->rotate[0]);
+    const glint_pose about_y = glint_pose_rotate_y(settings->rotate[1]);
+    const glint_pose about_z = glint_pose_rotate_z(settings->rotate[2]);
+    const glint_pose turned = glint_pose_then(&about_x, &about_y);
     view->objects = memory_new(mesh->piece_count, sizeof *view->objects);
     for (size_t i = 0; i < mesh->piece_count; i++) {
         view->objects[i].mesh = &mesh->pieces[i];
         view->objects[i].material = &view->materials[mesh->materials[i]];
-        view->objects[i].pose = glint_pose_then(&scaled, &turned);
+        view->objects[i].pose = glint_pose_then(&turned, &about_z);
         view->objects[i].evaluation = settings->evaluation;
     }
     view->scene.objects = view->objects;

@@ -27,6 +27,9 @@ typedef struct host_view {
 bool view_make(host_view *view, const host_settings *settings, const host_materials *materials,
                const quantised_mesh *mesh, host_problem *problem);
 
+/** No less than how far from the origin a framing camera stands, of a model about it of that half side. */
+double view_framing_distance(const host_settings *settings, double half_side);
+
 /** Frees what view_make made. */
 void view_free(host_view *view);
 
