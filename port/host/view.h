@@ -12,7 +12,7 @@
 /** A scene with all that it points to but the mesh. It points into itself: not to be copied. */
 typedef struct host_view {
     glint_scene scene;
-    glint_material *materials; /* the default one, then the model's */
+    glint_material *materials; /**< The default one, then the model's. */
     glint_light lights[GLINT_LIGHTS_MAX];
     glint_object *objects;
 } host_view;
