@@ -12,6 +12,9 @@
 /** Level of the ambient light that Ka answers; a scene's own is 1. */
 #define AMBIENT_LEVEL 0.1
 
+/** Kd that is not given: the default material's. */
+#define DIFFUSE_DEFAULT 0.6
+
 static glint_colour to_colour(const double channels[3]) {
     const glint_colour colour = {number_q16(fmin(channels[0], MTL_COLOUR_MAX)),
                                  number_q16(fmin(channels[1], MTL_COLOUR_MAX)),
@@ -25,12 +28,11 @@ static bool is_white(const double channels[3]) {
 
 /** Colours as MTL has them, with Ke in ambient light or, where there is no light, in the colour itself. */
 static glint_material from_file(const host_settings *settings, const mtl_material *file) {
-    const double grey = number_from_q16(settings_grey(0.6).r);
     const bool lit = file->illumination > 0;
     double ambient[3];
     double diffuse[3];
     for (int i = 0; i < 3; i++) {
-        const double own = (file->given & MTL_DIFFUSE) != 0 ? file->diffuse[i] : grey;
+        const double own = (file->given & MTL_DIFFUSE) != 0 ? file->diffuse[i] : DIFFUSE_DEFAULT;
         const bool answers = (file->given & MTL_AMBIENT) != 0 && !is_white(file->ambient);
         ambient[i] = AMBIENT_LEVEL * (answers ? file->ambient[i] : own) + file->emission[i];
         diffuse[i] = own + (lit ? 0 : file->emission[i]);

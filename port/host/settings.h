@@ -70,9 +70,9 @@ glint_colour settings_grey(double level);
 /**
  * The material that a file's comes to, with what options say in place of what the file says; docs/assets.md has the
  * formulas.
- * @param material of the file, or null for the default one
+ * @param file the file's, or null for the default one
  */
-glint_material settings_material(const host_settings *settings, const mtl_material *material);
+glint_material settings_material(const host_settings *settings, const mtl_material *file);
 
 /** What holds without options. */
 void settings_default(host_settings *settings);
