@@ -2,10 +2,15 @@
 #include "command.h"
 
 #include "output.h"
+#include "place.h"
 #include "png.h"
 #include "shapes.h"
 
 #include <stdlib.h>
+
+/** More of either than the flash of nearly all microcontrollers has room for. */
+#define VERTICES_HELD 100000u
+#define FLASH_HELD 1000000u
 
 int command_fail(const char *file, const host_problem *problem) {
     problem_print(file, problem);
@@ -18,7 +23,7 @@ static bool is_overwritten(const host_settings *settings) {
            path_is_same_file(settings->model, settings->output);
 }
 
-bool command_load(const host_settings *settings, bool scaled, host_model *model, quantised_mesh *mesh) {
+bool command_load(const host_settings *settings, bool converted, host_model *model, quantised_mesh *mesh) {
     host_problem problem;
     if (is_overwritten(settings)) {
         problem_set(&problem, 0, "cannot be written: it is the model");
@@ -29,12 +34,13 @@ bool command_load(const host_settings *settings, bool scaled, host_model *model,
         problem_print(settings->model, &problem);
         return false;
     }
-    if (scaled) {
-        mesh_scale(&model->mesh, settings->scale);
+    place_model(model, settings, converted);
+    if (!converted) {
+        place_to_fit(model, settings);
     }
     if (!quantise(&model->mesh, settings->double_sided ? GLINT_MESH_DOUBLE_SIDED : 0, mesh, &problem)) {
         problem_print(settings->model, &problem);
-        mesh_free(&model->mesh);
+        model_free(model);
         return false;
     }
     if (!settings->load.plain) {
@@ -49,4 +55,25 @@ bool command_write_png(const uint8_t *picture, const host_settings *settings, ho
     const bool ok = bytes_write_file(&file, settings->output, problem);
     free(file.data);
     return ok;
+}
+
+void command_print_warnings(const host_settings *settings, const host_model *model) {
+    if (model->note.text[0] != '\0') {
+        problem_print(settings->model, &model->note);
+    }
+    problem_print_warnings(settings->model, &model->warnings);
+    materials_print_warnings(&model->materials);
+}
+
+void command_warn_of_size(const host_settings *settings, const quantised_mesh *mesh) {
+    const size_t flash = quantised_size(mesh);
+    host_problem warning;
+    if (mesh->vertex_count > VERTICES_HELD || flash > FLASH_HELD) {
+        problem_set(
+            &warning, 0,
+            "warning: %zu vertices and %zu triangles take %.1f MB of flash, more than microcontrollers have: take "
+            "fewer triangles (Blender: Decimate), or a part of the model",
+            mesh->vertex_count, mesh->triangle_count, (double)flash / 1e6);
+        problem_print(settings->model, &warning);
+    }
 }

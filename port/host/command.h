@@ -34,11 +34,18 @@ int command_demo(const host_settings *settings);
 int command_fail(const char *file, const host_problem *problem);
 
 /**
- * Loads the settings' model, scales it when `scaled`, quantises it and gives it clusters; prints what is wrong. Refuses
- * a model that is the file to write.
- * @return false after a problem; nothing is then to be freed, else model->mesh and `mesh`
+ * Loads the settings' model, places it, quantises it and gives it clusters; prints what is wrong. Refuses a model that
+ * is the file to write. One to be `converted` is turned as options say; any other is not, and scaled where it does not
+ * fit.
+ * @return false after a problem; nothing is then to be freed, else the model and `mesh`
  */
-bool command_load(const host_settings *settings, bool scaled, host_model *model, quantised_mesh *mesh);
+bool command_load(const host_settings *settings, bool converted, host_model *model, quantised_mesh *mesh);
+
+/** Prints what a model says and is not followed, a line each. */
+void command_print_warnings(const host_settings *settings, const host_model *model);
+
+/** Says on stderr when a mesh is larger than what microcontrollers hold. */
+void command_warn_of_size(const host_settings *settings, const quantised_mesh *mesh);
 
 /** Prints what a frame took, a name and a value a line. */
 void command_print_stats(const frame_counts *counts, const framebuffer *target, const host_settings *settings);

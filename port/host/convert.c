@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "command.h"
 
+#include "convert.h"
+#include "number.h"
 #include "output.h"
 
 #include <stdio.h>
@@ -10,6 +12,9 @@
 /** Room for an identifier: a --name of 64 characters, or as many of a file name's. */
 #define NAME_SIZE 66
 
+/** Part of a mesh's side by which positions may move unsaid: a quarter of a pixel of 1024, the largest display. */
+#define STEP_MAX (1.0 / 4096.0)
+
 typedef struct header_writer {
     host_bytes *out;
     const host_settings *settings;
@@ -18,10 +23,6 @@ typedef struct header_writer {
 
 static bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-static bool is_plain(char c) {
-    return is_letter(c) || (c >= '0' && c <= '9') || c == '_';
 }
 
 /** The given name; else the file's without folder and ending, as a C identifier. */
@@ -35,7 +36,7 @@ static void choose_name(const host_settings *settings, char name[NAME_SIZE]) {
     }
     length = length > NAME_SIZE - 2 ? NAME_SIZE - 2 : length;
     for (size_t i = 0; i < length; i++) {
-        name[used++] = (char)(is_plain(base[i]) ? base[i] : '_');
+        name[used++] = (char)convert_plain(base[i]);
     }
     name[used] = '\0';
 }
@@ -71,8 +72,15 @@ static void print_command_line(const header_writer *writer) {
         bytes_print(writer->out, " --licence \"%s\"", settings->licence);
     }
     print_load_options(writer->out, &settings->load);
+    bytes_print(writer->out, "%s%s%s", settings->z_up ? " --up-axis z" : "", settings->centre ? " --centre" : "",
+                settings->scale_fit ? " --scale fit" : "");
     if (scale[0] < 1 || scale[0] > 1 || scale[1] < 1 || scale[1] > 1 || scale[2] < 1 || scale[2] > 1) {
         bytes_print(writer->out, " --scale %.9g,%.9g,%.9g", scale[0], scale[1], scale[2]);
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        if (settings->rotate[axis] != 0) {
+            bytes_print(writer->out, " --rotate-%c %.9g", "xyz"[axis], number_from_q16(settings->rotate[axis]));
+        }
     }
     if (settings->double_sided) {
         bytes_print(writer->out, " --double-sided");
@@ -97,8 +105,13 @@ static void print_head(const header_writer *writer, const host_model *model, con
     bytes_print(out, ": %zu vertices, %zu triangles, %zu bytes of flash. Generated, not to be edited, by\n *     ",
                 mesh->vertex_count, mesh->triangle_count, quantised_size(mesh));
     print_command_line(writer);
-    bytes_print(out, "\n * from a source whose FNV-1a hash (64 bits) is %016llx.\n *\n",
-                (unsigned long long)model->hash);
+    bytes_print(out, "\n * from a source whose FNV-1a hash (64 bits) is %016llx.\n", (unsigned long long)model->hash);
+    for (size_t i = 0; i < model->materials.library_count; i++) {
+        bytes_print(out, " * Materials from ");
+        print_in_comment(out, path_base_name(model->materials.libraries[i].path));
+        bytes_print(out, ", whose hash is %016llx.\n", (unsigned long long)model->materials.libraries[i].hash);
+    }
+    bytes_print(out, " *\n");
     bytes_print(out,
                 " * positions  int16 steps: object space is offset + extent * step / 32768, per axis\n"
                 " * normals    int16, Q15, unit length: 32767 is 1\n"
@@ -210,31 +223,51 @@ static void print_mesh(const header_writer *writer, const glint_mesh *mesh, cons
     }
 }
 
-/** One mesh as NAME_mesh; several pieces as the array NAME_meshes. */
-static void print_meshes(const header_writer *writer, const quantised_mesh *mesh) {
-    char suffix[16] = "";
-    const bool many = mesh->piece_count > 1;
-    for (size_t i = 0; i < mesh->piece_count; i++) {
-        if (many) {
-            snprintf(suffix, sizeof suffix, "_%u", (unsigned)i);
-        }
-        print_arrays(writer, &mesh->pieces[i], suffix);
-    }
-    if (!many) {
-        bytes_print(writer->out, "\nstatic const glint_mesh %s_mesh = {\n", writer->name);
-        print_mesh(writer, &mesh->pieces[0], "");
-        bytes_print(writer->out, "};\n");
-        return;
-    }
+/** Several pieces of no material as the array NAME_meshes. */
+static void print_array(const header_writer *writer, const quantised_mesh *mesh, const header_suffix *suffixes) {
     bytes_print(writer->out, "\n/* More vertices than 16 bits can index: one object for each of these. */\n");
     bytes_print(writer->out, "static const glint_mesh %s_meshes[%zu] = {\n", writer->name, mesh->piece_count);
     for (size_t i = 0; i < mesh->piece_count; i++) {
-        snprintf(suffix, sizeof suffix, "_%u", (unsigned)i);
         bytes_print(writer->out, "    {\n");
-        print_mesh(writer, &mesh->pieces[i], suffix);
+        print_mesh(writer, &mesh->pieces[i], suffixes[i].text);
         bytes_print(writer->out, "    },\n");
     }
     bytes_print(writer->out, "};\n");
+}
+
+/** One mesh as NAME_mesh, several as NAME_meshes; with materials each as NAME_mesh_MATERIAL. */
+static void print_meshes(const header_writer *writer, const host_model *model, const quantised_mesh *mesh) {
+    header_suffix *suffixes = convert_suffixes(&model->materials, mesh);
+    const bool painted = model->materials.used_count > 0;
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        print_arrays(writer, &mesh->pieces[i], suffixes[i].text);
+    }
+    if (!painted && mesh->piece_count > 1) {
+        print_array(writer, mesh, suffixes);
+    }
+    for (size_t i = 0; painted ? i < mesh->piece_count : i < 1 && mesh->piece_count == 1; i++) {
+        bytes_print(writer->out, "\nstatic const glint_mesh %s_mesh%s = {\n", writer->name, suffixes[i].text);
+        print_mesh(writer, &mesh->pieces[i], suffixes[i].text);
+        bytes_print(writer->out, "};\n");
+    }
+    if (painted) {
+        convert_objects(writer->out, writer->name, writer->settings, &model->materials, mesh, suffixes);
+    }
+    free(suffixes);
+}
+
+/** Says on stderr when steps of Q16.16 are too coarse for the mesh. */
+static void warn_of_steps(const char *file, const host_model *model, const quantised_mesh *mesh) {
+    double side = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        side = model->high[axis] - model->low[axis] > side ? model->high[axis] - model->low[axis] : side;
+    }
+    host_problem warning;
+    if (mesh->largest_move > side * STEP_MAX) {
+        problem_set(&warning, 0, "warning: positions move by up to %.2g, of sides of %.3g: give --scale fit",
+                    mesh->largest_move, side);
+        problem_print(file, &warning);
+    }
 }
 
 /** Says on stderr when the mesh that is written is not wound as it should be. */
@@ -263,16 +296,18 @@ int command_convert(const host_settings *settings) {
     print_guard(&writer, "#ifndef");
     print_guard(&writer, "#define");
     bytes_print(&file, "\n#include \"glint.h\"\n");
-    print_meshes(&writer, &mesh);
+    print_meshes(&writer, &model, &mesh);
     bytes_print(&file, "\n#endif\n");
-    quantised_free(&mesh);
     host_problem problem;
     const bool ok = bytes_write_file(&file, settings->output, &problem);
     free(file.data);
     if (ok) {
-        problem_print_warnings(settings->model, &model.warnings);
+        command_print_warnings(settings, &model);
+        command_warn_of_size(settings, &mesh);
+        warn_of_steps(settings->model, &model, &mesh);
         warn_of_winding(settings->model, &model.mesh);
     }
-    mesh_free(&model.mesh);
+    quantised_free(&mesh);
+    model_free(&model);
     return ok ? 0 : command_fail(settings->output, &problem);
 }

@@ -94,12 +94,12 @@ static void place_picture(const framebuffer *source, const demo_cell *cell, uint
 }
 
 /** Draws a cell's scene onto the sheet. @return false with a problem */
-static bool draw_view(const host_settings *settings, const quantised_mesh *mesh, const demo_cell *cell, uint8_t *sheet,
-                      host_problem *problem) {
+static bool draw_view(const host_settings *settings, const host_model *model, const quantised_mesh *mesh,
+                      const demo_cell *cell, uint8_t *sheet, host_problem *problem) {
     host_view view;
     framebuffer target;
     frame_counts counts;
-    if (!view_make(&view, settings, mesh, problem)) {
+    if (!view_make(&view, settings, &model->materials, mesh, problem)) {
         return false;
     }
     const bool drawn = view_draw(&view.scene, settings, &target, &counts, problem);
@@ -129,14 +129,14 @@ static bool draw_cell(const demo_cell *cell, const host_settings *demo, uint8_t 
     quantised_mesh mesh;
     bool ok = command_load(&settings, false, &model, &mesh);
     if (ok) {
-        mesh_free(&model.mesh);
-        ok = draw_view(&settings, &mesh, cell, sheet, &problem);
+        ok = draw_view(&settings, &model, &mesh, cell, sheet, &problem);
         quantised_free(&mesh);
         if (ok) {
-            problem_print_warnings(path, &model.warnings);
+            command_print_warnings(&settings, &model);
         } else {
             problem_print(NULL, &problem);
         }
+        model_free(&model);
     }
     free(path);
     return ok;

@@ -45,27 +45,27 @@ static void print_counts(const host_model *model, const quantised_mesh *mesh) {
     printf("shared_edges %zu\n", topology.shared_edges);
     print_winding(model);
     printf("colours %s\n", model->mesh.colours != NULL ? "given" : "none");
+    printf("materials %zu\n", model->materials.used_count);
     printf("flash_bytes %zu\n", quantised_size(mesh));
 }
 
 static void print_bounds(const host_model *model, const quantised_mesh *mesh) {
-    double low[3];
-    double high[3];
-    mesh_bounds(&model->mesh, low, high);
+    const double *low = model->low;
+    const double *high = model->high;
     printf("lowest %.6g %.6g %.6g\n", low[0], low[1], low[2]);
     printf("highest %.6g %.6g %.6g\n", high[0], high[1], high[2]);
-    printf("largest_move %.3g\n", mesh->largest_move);
+    printf("largest_move %.3g\n", mesh->largest_move / model->fit);
 }
 
 /** Prints the arena that the framed model needs on a panel. @return false with a problem */
-static bool print_panel(const struct info_panel *panel, const host_settings *settings, const quantised_mesh *mesh,
-                        host_problem *problem) {
+static bool print_panel(const struct info_panel *panel, const host_settings *settings, const host_model *model,
+                        const quantised_mesh *mesh, host_problem *problem) {
     host_settings framed = *settings;
     framed.width = panel->width;
     framed.height = panel->height;
     framed.format = framebuffer_find_format(panel->format, NULL);
     host_view view;
-    if (!view_make(&view, &framed, mesh, problem)) {
+    if (!view_make(&view, &framed, &model->materials, mesh, problem)) {
         return false;
     }
     glint_config config = {.width = framed.width, .height = framed.height, .format = framed.format->format};
@@ -113,18 +113,19 @@ int command_info(const host_settings *settings) {
     }
     print_counts(&model, &mesh);
     print_bounds(&model, &mesh);
-    mesh_free(&model.mesh);
     printf("\nBytes of arena to draw it framed, two tile buffers included: at least, with every vertex kept, in one "
            "pass:\n");
     host_problem problem;
     bool ok = true;
     for (size_t i = 0; ok && i < sizeof panels / sizeof panels[0]; i++) {
-        ok = print_panel(&panels[i], settings, &mesh, &problem);
+        ok = print_panel(&panels[i], settings, &model, &mesh, &problem);
+    }
+    if (ok) {
+        command_print_warnings(settings, &model);
+        command_warn_of_size(settings, &mesh);
     }
     ok = ok && print_cost(settings, &mesh, &problem);
     quantised_free(&mesh);
-    if (ok) {
-        problem_print_warnings(settings->model, &model.warnings);
-    }
+    model_free(&model);
     return ok ? 0 : command_fail(NULL, &problem);
 }

@@ -1,36 +1,32 @@
 /* SPDX-License-Identifier: MIT */
 #include "load.h"
 
-#include "obj.h"
 #include "output.h"
 #include "shapes.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-static uint64_t fnv1a(const void *data, size_t count) {
-    const uint8_t *byte = data;
-    uint64_t hash = 0xCBF29CE484222325u;
-    for (size_t i = 0; i < count; i++) {
-        hash = (hash ^ byte[i]) * 0x100000001B3u;
-    }
-    return hash;
-}
-
 static bool load_mesh(const char *name, host_model *model, host_problem *problem) {
     const host_shape *shape = shape_find(name);
+    memset(&model->materials, 0, sizeof model->materials);
     model->warnings.count = 0;
     if (shape != NULL) {
-        model->hash = fnv1a(name, strlen(name));
+        model->hash = bytes_hash(name, strlen(name));
         return shape_make(shape, name, &model->mesh, problem);
     }
     host_bytes file;
     if (!bytes_read_file(&file, name, problem)) {
         return false;
     }
-    model->hash = fnv1a(file.data, file.count);
-    const bool ok = obj_read((const char *)file.data, file.count, &model->mesh, &model->warnings, problem);
+    model->hash = bytes_hash(file.data, file.count);
+    obj_materials named;
+    const bool ok = obj_read((const char *)file.data, file.count, &model->mesh, &named, &model->warnings, problem);
     free(file.data);
+    if (ok) {
+        materials_load(name, &named, &model->mesh, &model->materials, &model->warnings);
+        obj_materials_free(&named);
+    }
     return ok;
 }
 
@@ -50,4 +46,9 @@ bool load_model(const char *name, const load_options *options, host_model *model
         mesh_average_normals(&model->mesh, options->crease, options->weights);
     }
     return true;
+}
+
+void model_free(host_model *model) {
+    mesh_free(&model->mesh);
+    materials_free(&model->materials);
 }

@@ -6,6 +6,7 @@
 #ifndef GLINT_HOST_LOAD_H
 #define GLINT_HOST_LOAD_H
 
+#include "materials.h"
 #include "mesh.h"
 #include "problem.h"
 
@@ -21,17 +22,24 @@ typedef struct load_options {
 /** A model with normals at every corner. */
 typedef struct host_model {
     host_mesh mesh;
-    uint64_t hash;        /**< FNV-1a, 64 bits, of the file's bytes, or of a shape's name. */
-    size_t corner_count;  /**< Corners of all triangles... */
-    size_t given_normals; /**< ...and those of them whose normal came with the model. */
-    size_t turned_count;  /**< Triangles turned by the repair. */
+    host_materials materials; /**< As the triangles number them. */
+    uint64_t hash;            /**< FNV-1a, 64 bits, of the file's bytes, or of a shape's name. */
+    size_t corner_count;      /**< Corners of all triangles... */
+    size_t given_normals;     /**< ...and those of them whose normal came with the model. */
+    size_t turned_count;      /**< Triangles turned by the repair. */
     host_warnings warnings;
+    double low[3], high[3]; /**< Its box, as options have it (place.h). */
+    double fit;             /**< By what it was then scaled to fit; 1 for not at all. */
+    host_problem note;      /**< That says so; empty for not at all. */
 } host_model;
 
 /**
  * Loads a model and makes the normals that are missing.
- * @return false with a problem; nothing is then to be freed, else the mesh
+ * @return false with a problem; nothing is then to be freed, else the model with model_free
  */
 bool load_model(const char *name, const load_options *options, host_model *model, host_problem *problem);
+
+/** Frees what load_model made. */
+void model_free(host_model *model);
 
 #endif

@@ -52,7 +52,7 @@ static int print_help(void) {
     }
     printf("\nWhat holds without an option stands last in its line. Bad input ends with one line on stderr,\n"
            "exit status 2, and no output file. What an OBJ file says and glint does not follow, such as\n"
-           "materials, is told by warnings on stderr, with status 0. The file to write replaces an older one,\n"
+           "textures, is told by warnings on stderr, with status 0. The file to write replaces an older one,\n"
            "or the one that a link of its name leads to, whole or not at all; it may not be the model's own.\n");
     return 0;
 }

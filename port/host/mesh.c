@@ -12,6 +12,7 @@ void mesh_free(host_mesh *mesh) {
     free(mesh->normals);
     free(mesh->triangles);
     free(mesh->colours);
+    free(mesh->materials);
     memset(mesh, 0, sizeof *mesh);
 }
 
@@ -52,6 +53,9 @@ void mesh_add_colour(host_mesh *mesh, uint8_t r, uint8_t g, uint8_t b) {
 void mesh_add_triangle(host_mesh *mesh, mesh_corner a, mesh_corner b, mesh_corner c) {
     mesh->triangles =
         memory_grow(mesh->triangles, &mesh->triangle_capacity, mesh->triangle_count, sizeof *mesh->triangles);
+    mesh->materials =
+        memory_grow(mesh->materials, &mesh->material_capacity, mesh->triangle_count, sizeof *mesh->materials);
+    mesh->materials[mesh->triangle_count] = mesh->material;
     mesh_corner *triangle = mesh->triangles[mesh->triangle_count++];
     triangle[0] = a;
     triangle[1] = b;
@@ -96,6 +100,28 @@ void mesh_scale(host_mesh *mesh, const double factors[3]) {
     if (factors[0] * factors[1] * factors[2] < 0) {
         turn_triangles(mesh);
     }
+}
+
+void mesh_move_to_origin(host_mesh *mesh, const double origin[3]) {
+    for (size_t i = 0; i < 3 * mesh->position_count; i++) {
+        mesh->positions[i / 3][i % 3] -= origin[i % 3];
+    }
+}
+
+static void turn_vectors(double (*vectors)[3], size_t count, int axis, double cosine, double sine) {
+    const int j = (axis + 1) % 3;
+    const int k = (axis + 2) % 3;
+    for (size_t i = 0; i < count; i++) {
+        const double first = vectors[i][j];
+        const double second = vectors[i][k];
+        vectors[i][j] = cosine * first - sine * second;
+        vectors[i][k] = sine * first + cosine * second;
+    }
+}
+
+void mesh_turn(host_mesh *mesh, int axis, double cosine, double sine) {
+    turn_vectors(mesh->positions, mesh->position_count, axis, cosine, sine);
+    turn_vectors(mesh->normals, mesh->normal_count, axis, cosine, sine);
 }
 
 void mesh_triangle_normal(const host_mesh *mesh, size_t triangle, double normal[3]) {

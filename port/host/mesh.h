@@ -27,9 +27,11 @@ typedef struct host_mesh {
     double (*normals)[3];        /**< Outward, unit length or all 0. */
     mesh_corner (*triangles)[3]; /**< Counter-clockwise seen from outside. */
     uint8_t (*colours)[3];       /**< Of the positions, 255 for 1; null when there are none. */
+    uint32_t *materials;         /**< Of the triangles: 0 for none, else as whoever added them numbers materials. */
+    uint32_t material;           /**< Of triangles that are added. */
     size_t position_count, position_capacity;
     size_t normal_count, normal_capacity;
-    size_t triangle_count, triangle_capacity;
+    size_t triangle_count, triangle_capacity, material_capacity;
     size_t colour_count, colour_capacity; /**< position_count, or 0 when there are none. */
     size_t face_count;                    /**< Faces that the triangles came from. */
     size_t group_count;                   /**< Groups and objects named in the file. */
@@ -97,6 +99,12 @@ void mesh_bounds(const host_mesh *mesh, double low[3], double high[3]);
 
 /** Scales positions per axis, and normals to fit; factors must not be 0. A mirrored mesh has its triangles turned. */
 void mesh_scale(host_mesh *mesh, const double factors[3]);
+
+/** Moves positions so that `origin` comes to lie at the origin. */
+void mesh_move_to_origin(host_mesh *mesh, const double origin[3]);
+
+/** Turns positions and normals about an axis, right-handed, by an angle of that cosine and sine. */
+void mesh_turn(host_mesh *mesh, int axis, double cosine, double sine);
 
 /**
  * Gives normals to the corners that have none: weighted averages over the triangles round a position.

@@ -17,6 +17,15 @@
 
 /* ---- Bytes ------------------------------------------------------------------------------------------------------ */
 
+uint64_t bytes_hash(const void *data, size_t count) {
+    const uint8_t *byte = data;
+    uint64_t hash = 0xCBF29CE484222325u;
+    for (size_t i = 0; i < count; i++) {
+        hash = (hash ^ byte[i]) * 0x100000001B3u;
+    }
+    return hash;
+}
+
 void bytes_add(host_bytes *bytes, uint8_t value) {
     bytes->data = memory_grow(bytes->data, &bytes->capacity, bytes->count, 1);
     bytes->data[bytes->count++] = value;

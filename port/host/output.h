@@ -17,6 +17,9 @@ typedef struct host_bytes {
     size_t capacity;
 } host_bytes;
 
+/** FNV-1a, 64 bits. */
+uint64_t bytes_hash(const void *data, size_t count);
+
 /** Appends a byte. */
 void bytes_add(host_bytes *bytes, uint8_t value);
 

@@ -22,6 +22,7 @@ bool parse_model(host_settings *settings, const char *text, host_problem *proble
     for (size_t i = 0; i < sizeof models / sizeof models[0]; i++) {
         if (strcmp(text, models[i].name) == 0) {
             settings->reflection = models[i].model;
+            settings->reflection_given = true;
             return true;
         }
     }

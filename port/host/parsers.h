@@ -19,6 +19,13 @@ bool parse_ungated(host_settings *settings, const char *text, host_problem *prob
 bool parse_dither(host_settings *settings, const char *text, host_problem *problem);
 bool parse_gamma(host_settings *settings, const char *text, host_problem *problem);
 
+bool parse_up_axis(host_settings *settings, const char *text, host_problem *problem);
+bool parse_centre(host_settings *settings, const char *text, host_problem *problem);
+bool parse_scale(host_settings *settings, const char *text, host_problem *problem);
+bool parse_rotate_x(host_settings *settings, const char *text, host_problem *problem);
+bool parse_rotate_y(host_settings *settings, const char *text, host_problem *problem);
+bool parse_rotate_z(host_settings *settings, const char *text, host_problem *problem);
+
 bool parse_crease(host_settings *settings, const char *text, host_problem *problem);
 bool parse_weights(host_settings *settings, const char *text, host_problem *problem);
 bool parse_facets(host_settings *settings, const char *text, host_problem *problem);

@@ -20,11 +20,11 @@
 
 typedef struct host_problem {
     size_t line;    /**< Line of the file, from 1; 0 when it is the file as a whole. */
-    char text[200]; /**< What is wrong, without a line end. */
+    char text[240]; /**< What is wrong, without a line end. */
 } host_problem;
 
 /** Most warnings of an input. */
-#define PROBLEM_WARNINGS_MAX 12
+#define PROBLEM_WARNINGS_MAX 24
 
 /** What an input says and is not followed, though all else of it is. */
 typedef struct host_warnings {

@@ -35,6 +35,7 @@ typedef struct mesh_piece {
     uint32_t *slots; /* vertex number plus one, by hash; 0 for free */
     uint16_t (*triangles)[3];
     size_t vertex_count, vertex_capacity, triangle_count, triangle_capacity;
+    uint32_t material;
 } mesh_piece;
 
 /* ---- Steps ------------------------------------------------------------------------------------------------------ */
@@ -141,7 +142,10 @@ static void finish_piece(mesh_piece *piece, const glint_mesh *frame, bool colour
         memcpy(normals[i], piece->vertices[i].values + 3, sizeof normals[i]);
     }
     size_t capacity = out->piece_count;
+    out->materials = memory_grow(out->materials, &capacity, out->piece_count, sizeof *out->materials);
+    capacity = out->piece_count;
     out->pieces = memory_grow(out->pieces, &capacity, out->piece_count, sizeof *out->pieces);
+    out->materials[out->piece_count] = piece->material;
     glint_mesh *made = &out->pieces[out->piece_count++];
     *made = *frame;
     made->positions = (const int16_t(*)[3])positions;
@@ -161,7 +165,8 @@ static bool same_position(const int16_t a[VALUES], const int16_t b[VALUES]) {
     return memcmp(a, b, 3 * sizeof a[0]) == 0;
 }
 
-/** Adds a triangle to the piece, or to the next when three more vertices might not fit; or drops it. */
+/** Adds a triangle to the piece, or to the next when its material is another or its vertices may not fit; or drops it.
+ */
 static void place_triangle(const mesh_quantiser *quantiser, size_t triangle, mesh_piece *piece, const glint_mesh *frame,
                            quantised_mesh *out) {
     const mesh_corner *corners = quantiser->mesh->triangles[triangle];
@@ -178,9 +183,11 @@ static void place_triangle(const mesh_quantiser *quantiser, size_t triangle, mes
     for (int i = 0; i < 3; i++) {
         added += *find_slot(piece, values[i]) == 0;
     }
-    if (piece->triangle_count > 0 && piece->vertex_count + added > VERTICES_MAX) {
+    const uint32_t material = quantiser->mesh->materials[triangle];
+    if (piece->triangle_count > 0 && (piece->vertex_count + added > VERTICES_MAX || material != piece->material)) {
         finish_piece(piece, frame, quantiser->mesh->colours != NULL, out);
     }
+    piece->material = material;
     piece->triangles =
         memory_grow(piece->triangles, &piece->triangle_capacity, piece->triangle_count, sizeof *piece->triangles);
     for (int i = 0; i < 3; i++) {
@@ -212,6 +219,27 @@ static double largest_move(const mesh_quantiser *quantiser) {
     return largest;
 }
 
+/** The triangles by rising material, in the order of the mesh where it is the same; the caller frees them. */
+static size_t *by_material(const host_mesh *mesh) {
+    uint32_t most = 0;
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        most = mesh->materials[i] > most ? mesh->materials[i] : most;
+    }
+    size_t *starts = memory_new((size_t)most + 2, sizeof *starts);
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        starts[mesh->materials[i] + 1]++;
+    }
+    for (size_t i = 0; i <= most; i++) {
+        starts[i + 1] += starts[i];
+    }
+    size_t *order = memory_new(mesh->triangle_count, sizeof *order);
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        order[starts[mesh->materials[i]]++] = i;
+    }
+    free(starts);
+    return order;
+}
+
 bool quantise(const host_mesh *mesh, uint32_t flags, quantised_mesh *out, host_problem *problem) {
     mesh_quantiser quantiser = {.mesh = mesh};
     glint_mesh frame = {.flags = flags};
@@ -219,18 +247,24 @@ bool quantise(const host_mesh *mesh, uint32_t flags, quantised_mesh *out, host_p
     double high[3];
     memset(out, 0, sizeof *out);
     mesh_bounds(mesh, low, high);
+    double largest = 0;
     for (int axis = 0; axis < 3; axis++) {
-        const double largest = fmax(-low[axis], high[axis]);
-        if (largest > QUANTISE_COORDINATE_MAX) {
-            return problem_set(problem, mesh->farthest_line, "coordinates reach %.6g, beyond the %.0f that fit Q16.16",
-                               largest, QUANTISE_COORDINATE_MAX);
-        }
+        largest = fmax(largest, fmax(-low[axis], high[axis]));
+    }
+    if (largest > QUANTISE_COORDINATE_MAX) {
+        return problem_set(problem, mesh->farthest_line,
+                           "coordinates reach %.6g, beyond the %.0f that fit Q16.16: give --scale fit, or %.2g at most",
+                           largest, QUANTISE_COORDINATE_MAX, 0.99 * QUANTISE_COORDINATE_MAX / largest);
+    }
+    for (int axis = 0; axis < 3; axis++) {
         choose_range(&quantiser, axis, low[axis], high[axis], &frame);
     }
     mesh_piece piece = {.slots = memory_new(SLOT_COUNT, sizeof *piece.slots)};
+    size_t *order = by_material(mesh);
     for (size_t i = 0; i < mesh->triangle_count; i++) {
-        place_triangle(&quantiser, i, &piece, &frame, out);
+        place_triangle(&quantiser, order[i], &piece, &frame, out);
     }
+    free(order);
     if (piece.triangle_count > 0) {
         finish_piece(&piece, &frame, mesh->colours != NULL, out);
     }
@@ -277,5 +311,6 @@ void quantised_free(quantised_mesh *mesh) {
         cluster_free(&mesh->pieces[i]);
     }
     free(mesh->pieces);
+    free(mesh->materials);
     memset(mesh, 0, sizeof *mesh);
 }

@@ -14,11 +14,12 @@
 #define QUANTISE_COORDINATE_MAX 32766.0
 
 /**
- * A mesh in as many pieces as 16-bit indices need. All pieces have the same offset and extent, so that nothing gapes
- * between them. Owns its meshes and their arrays.
+ * A mesh in as many pieces as its materials and 16-bit indices need, by rising material. All pieces have the same
+ * offset and extent, so that nothing gapes between them. Owns its meshes and their arrays.
  */
 typedef struct quantised_mesh {
     glint_mesh *pieces;
+    uint32_t *materials; /**< Of the pieces: the numbers that their triangles have in the mesh. */
     size_t piece_count;
     size_t vertex_count;   /**< Of all pieces: different (position, normal, colour) triples. */
     size_t triangle_count; /**< Of all pieces. */

@@ -52,10 +52,10 @@ void command_print_stats(const frame_counts *counts, const framebuffer *target, 
     print_times(settings, target->bytes_sent);
 }
 
-static int render(const host_settings *settings, const quantised_mesh *mesh) {
+static int render(const host_settings *settings, const host_model *model, const quantised_mesh *mesh) {
     host_problem problem;
     host_view view;
-    if (!view_make(&view, settings, mesh, &problem)) {
+    if (!view_make(&view, settings, &model->materials, mesh, &problem)) {
         return command_fail(NULL, &problem);
     }
     framebuffer target;
@@ -81,11 +81,11 @@ int command_render(const host_settings *settings) {
     if (!command_load(settings, false, &model, &mesh)) {
         return COMMAND_FAILED;
     }
-    mesh_free(&model.mesh);
-    const int status = render(settings, &mesh);
+    const int status = render(settings, &model, &mesh);
     quantised_free(&mesh);
     if (status == 0) {
-        problem_print_warnings(settings->model, &model.warnings);
+        command_print_warnings(settings, &model);
     }
+    model_free(&model);
     return status;
 }

@@ -90,37 +90,18 @@ static bool parse_near(host_settings *settings, const char *text, host_problem *
     return true;
 }
 
-static bool parse_rotate_y(host_settings *settings, const char *text, host_problem *problem) {
-    double value;
-    if (!value_real(text, -NUMBER_Q16_MAX, NUMBER_Q16_MAX, &value)) {
-        return value_expected(problem, "takes degrees from -32767 to 32767");
-    }
-    settings->rotate_y = number_q16(value);
-    return true;
-}
-
-static bool parse_scale(host_settings *settings, const char *text, host_problem *problem) {
-    double *scale = settings->scale;
-    bool ok = number_list(text, strlen(text), ',', 3, scale);
-    if (!ok && number_list(text, strlen(text), ',', 1, scale)) {
-        scale[1] = scale[2] = scale[0];
-        ok = true;
-    }
-    for (int i = 0; ok && i < 3; i++) {
-        ok = fabs(scale[i]) >= 1.0 / 65536.0 && fabs(scale[i]) <= NUMBER_Q16_MAX;
-    }
-    return ok || value_expected(problem, "takes sx,sy,sz or one factor, each not 0 and from -32767 to 32767");
-}
-
 static bool parse_ambient(host_settings *settings, const char *text, host_problem *problem) {
+    settings->ambient_given = true;
     return value_colour(text, strlen(text), &settings->ambient, problem);
 }
 
 static bool parse_diffuse(host_settings *settings, const char *text, host_problem *problem) {
+    settings->diffuse_given = true;
     return value_colour(text, strlen(text), &settings->diffuse, problem);
 }
 
 static bool parse_specular(host_settings *settings, const char *text, host_problem *problem) {
+    settings->specular_given = true;
     return value_colour(text, strlen(text), &settings->specular, problem);
 }
 
@@ -133,6 +114,7 @@ static bool parse_shininess(host_settings *settings, const char *text, host_prob
     if (!value_real(text, 0, NUMBER_Q16_MAX, &value)) {
         return value_expected(problem, "takes an exponent from 0 to 32767");
     }
+    settings->shininess_given = true;
     settings->shininess = number_q16(value);
     return true;
 }
@@ -234,21 +216,31 @@ static const host_option options[] = {
     {"--up", "x,y,z", "what it sees upwards; 0,1,0", COMMAND_RENDER, parse_up},
     {"--fov", "DEG", "vertical field of view, 1 to 170; 45", COMMAND_RENDER, parse_fov},
     {"--near", "N", "distance of the near plane; 0.1, or less to frame a small model", COMMAND_RENDER, parse_near},
-    {"--rotate-y", "DEG", "turn about the y axis, after --scale", COMMAND_RENDER, parse_rotate_y},
-    {"--scale", "sx,sy,sz", "factors per axis, or one for all", COMMAND_RENDER | COMMAND_CONVERT, parse_scale},
+    {"--up-axis", "y|z", "which axis of the model points up: z turns it to y; y", COMMANDS_WITH_MESH, parse_up_axis},
+    {"--centre", NULL, "move the middle of the model's box to the origin", COMMANDS_WITH_MESH, parse_centre},
+    {"--scale", "sx,sy,sz", "factors per axis, one for all, or fit: a power of ten for Q16.16; after --centre",
+     COMMANDS_WITH_MESH, parse_scale},
+    {"--rotate-x", "DEG", "turn about the x axis, after --scale", COMMANDS_WITH_MESH, parse_rotate_x},
+    {"--rotate-y", "DEG", "then about the y axis", COMMANDS_WITH_MESH, parse_rotate_y},
+    {"--rotate-z", "DEG", "then about the z axis", COMMANDS_WITH_MESH, parse_rotate_z},
     {"--light", "LIGHT", "see below; up to 8 times; one from the upper left", COMMAND_RENDER, parse_light},
     {"--camera-lights", NULL, "all --light are in camera space: x right, y up, z backwards; else in world space",
      COMMAND_RENDER, parse_camera_lights},
-    {"--model", "NAME", "lambert, phong, blinn-phong or unlit; blinn-phong", COMMAND_RENDER, parse_model},
+    {"--model", "NAME", "lambert, phong, blinn-phong or unlit; the file's, or blinn-phong", COMMAND_RENDER,
+     parse_model},
     {"--shading", "NAME", "where light is evaluated: flat, vertex, node or fragment; fragment", COMMAND_RENDER,
      parse_shading},
     {"--combine", "sum|max", "ambient with diffuse + specular: their sum or the larger; sum", COMMAND_RENDER,
      parse_combine},
     {"--ungated", NULL, "specular light also where a surface faces away from the light", COMMAND_RENDER, parse_ungated},
-    {"--ambient", "r,g,b", "final ambient colour, or one grey level; 0.1", COMMAND_RENDER, parse_ambient},
-    {"--diffuse", "r,g,b", "times each light; 0.6", COMMAND_RENDER, parse_diffuse},
-    {"--specular", "r,g,b", "times each light; 0.4", COMMAND_RENDER, parse_specular},
-    {"--shininess", "P", "specular exponent, any real number from 0; 32", COMMAND_RENDER, parse_shininess},
+    {"--ambient", "r,g,b", "final ambient colour, whatever the file says, or one grey level; the file's, or 0.1",
+     COMMAND_RENDER, parse_ambient},
+    {"--diffuse", "r,g,b", "times each light, whatever the file says; the file's, or 0.6", COMMAND_RENDER,
+     parse_diffuse},
+    {"--specular", "r,g,b", "times each light, whatever the file says; the file's, or 0.4", COMMAND_RENDER,
+     parse_specular},
+    {"--shininess", "P", "specular exponent, any real number from 0; the file's, or 32", COMMAND_RENDER,
+     parse_shininess},
     {"--viewer", "infinite|local", "where highlights are seen from; infinite", COMMAND_RENDER, parse_viewer},
     {"--background", "r,g,b", "colour of the background; 0", COMMAND_RENDER, parse_background},
     {"--tile", "WxH", "size of the tiles, each 8, 16, 32 or 64", COMMANDS_THAT_DRAW, parse_tile},

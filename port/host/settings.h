@@ -35,12 +35,15 @@ typedef struct host_settings {
     double instructions;       /**< Millions that the core takes for the frame; 0 for unknown. */
     bool dither, double_sided; /**< How to draw. */
     bool size_given, eye_given, at_given, near_given, frame_given;
+    bool ambient_given, diffuse_given, specular_given, shininess_given, reflection_given;
 
     glint_vector eye, at, up;
     glint_q16 field_of_view, near_plane;
     glint_viewer viewer;
-    glint_q16 rotate_y;
-    double scale[3]; /**< Each within what Q16.16 holds. */
+    glint_q16 rotate[3]; /**< Degrees about x, y and z, in this order. */
+    double scale[3];     /**< None 0. */
+    bool scale_fit;      /**< In place of it the power of ten that suits Q16.16. */
+    bool centre, z_up;
 
     const glint_model *reflection;
     const glint_evaluation *evaluation; /**< Or null for the library's default. */
@@ -63,6 +66,13 @@ typedef struct host_settings {
 
 /** Grey colour. */
 glint_colour settings_grey(double level);
+
+/**
+ * The material that a file's comes to, with what options say in place of what the file says; docs/assets.md has the
+ * formulas.
+ * @param file the file's, or null for the default one
+ */
+glint_material settings_material(const host_settings *settings, const mtl_material *file);
 
 /** What holds without options. */
 void settings_default(host_settings *settings);

@@ -157,6 +157,13 @@ static bool frame_model(host_view *view, const host_settings *settings, const qu
     return status == GLINT_OK || problem_set(problem, 0, "%s", glint_strerror(status));
 }
 
+double view_framing_distance(const host_settings *settings, double half_side) {
+    const double slope_y = FRAME_FILL * tan(number_from_q16(settings->field_of_view) * pi / 360.0);
+    const double slope = fmin(slope_y, slope_y * settings->width / settings->height);
+    const double radius = sqrt(3.0) * half_side;
+    return FRAME_LOOK + 1.2 * radius + 2.0 * radius / slope; /* a box's corners, to the side twice at most */
+}
+
 /* ---- Scenes ----------------------------------------------------------------------------------------------------- */
 
 /** From the upper left of the camera and half behind it, white. */
@@ -204,15 +211,21 @@ static bool place_lights(host_view *view, const host_settings *settings, host_pr
     return true;
 }
 
-static void place_objects(host_view *view, const host_settings *settings, const quantised_mesh *mesh) {
-    const double *scale = settings->scale;
-    const glint_pose scaled = glint_pose_scale(number_q16(scale[0]), number_q16(scale[1]), number_q16(scale[2]));
-    const glint_pose turned = glint_pose_rotate_y(settings->rotate_y);
+static void place_objects(host_view *view, const host_settings *settings, const host_materials *materials,
+                          const quantised_mesh *mesh) {
+    view->materials = memory_new(materials->used_count + 1, sizeof *view->materials);
+    for (size_t i = 0; i <= materials->used_count; i++) {
+        view->materials[i] = settings_material(settings, materials_find(materials, (uint32_t)i));
+    }
+    const glint_pose about_x = glint_pose_rotate_x(settings->rotate[0]);
+    const glint_pose about_y = glint_pose_rotate_y(settings->rotate[1]);
+    const glint_pose about_z = glint_pose_rotate_z(settings->rotate[2]);
+    const glint_pose turned = glint_pose_then(&about_x, &about_y);
     view->objects = memory_new(mesh->piece_count, sizeof *view->objects);
     for (size_t i = 0; i < mesh->piece_count; i++) {
         view->objects[i].mesh = &mesh->pieces[i];
-        view->objects[i].material = &view->material;
-        view->objects[i].pose = glint_pose_then(&scaled, &turned);
+        view->objects[i].material = &view->materials[mesh->materials[i]];
+        view->objects[i].pose = glint_pose_then(&turned, &about_z);
         view->objects[i].evaluation = settings->evaluation;
     }
     view->scene.objects = view->objects;
@@ -231,19 +244,14 @@ static bool place_camera(host_view *view, const host_settings *settings, const q
     return status == GLINT_OK || problem_set(problem, 0, "--eye, --at and --up lie on one line");
 }
 
-bool view_make(host_view *view, const host_settings *settings, const quantised_mesh *mesh, host_problem *problem) {
+bool view_make(host_view *view, const host_settings *settings, const host_materials *materials,
+               const quantised_mesh *mesh, host_problem *problem) {
     memset(view, 0, sizeof *view);
-    place_objects(view, settings, mesh);
+    place_objects(view, settings, materials, mesh);
     if (!place_camera(view, settings, mesh, problem) || !place_lights(view, settings, problem)) {
         view_free(view);
         return false;
     }
-    view->material.model = settings->reflection;
-    view->material.ambient = settings->ambient;
-    view->material.diffuse = settings->diffuse;
-    view->material.specular = settings->specular;
-    view->material.shininess = settings->shininess;
-    view->material.flags = settings->material_flags;
     view->scene.viewer = settings->viewer;
     view->scene.background = settings->background;
     view->scene.ambient = settings_grey(1);
@@ -252,7 +260,9 @@ bool view_make(host_view *view, const host_settings *settings, const quantised_m
 
 void view_free(host_view *view) {
     free(view->objects);
+    free(view->materials);
     view->objects = NULL;
+    view->materials = NULL;
 }
 
 /* ---- Drawing ---------------------------------------------------------------------------------------------------- */

@@ -13,7 +13,7 @@
 /** A scene with all that it points to but the mesh. It points into itself: not to be copied. */
 typedef struct host_view {
     glint_scene scene;
-    glint_material material;
+    glint_material *materials; /**< The default one, then the model's. */
     glint_light lights[GLINT_LIGHTS_MAX];
     glint_object *objects;
 } host_view;
@@ -21,10 +21,15 @@ typedef struct host_view {
 /**
  * Makes the scene that settings describe: one object for each piece of the mesh. Without an eye the camera is placed
  * so that the model fills the view.
+ * @param materials of the model that `mesh` comes from
  * @param mesh stays the caller's and must outlive the view
  * @return false with a problem; nothing is then to be freed, else the view with view_free
  */
-bool view_make(host_view *view, const host_settings *settings, const quantised_mesh *mesh, host_problem *problem);
+bool view_make(host_view *view, const host_settings *settings, const host_materials *materials,
+               const quantised_mesh *mesh, host_problem *problem);
+
+/** No less than how far from the origin a framing camera stands, of a model about it of that half side. */
+double view_framing_distance(const host_settings *settings, double half_side);
 
 /** Frees what view_make made. */
 void view_free(host_view *view);

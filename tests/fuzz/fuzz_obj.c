@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file fuzz_obj.c
- * The OBJ reader on any bytes (libFuzzer): it either reports one problem, or gives warnings and a mesh that normals can
- * be made for and that quantises into meshes, with clusters, as the library documents them.
+ * The readers of OBJ and MTL on any bytes (libFuzzer). OBJ: it either reports one problem, or gives warnings and a mesh
+ * that normals can be made for and that quantises into meshes, with clusters, as the library documents them.
  */
+#include "mtl.h"
 #include "obj.h"
 #include "quantise.h"
 
@@ -88,16 +89,46 @@ static void check_quantised(const host_mesh *mesh) {
     quantised_free(&quantised);
 }
 
+static void check_colour(const double colour[3]) {
+    for (int i = 0; i < 3; i++) {
+        require(colour[i] >= 0 && colour[i] <= MTL_COLOUR_MAX);
+    }
+}
+
+/** The MTL reader takes the same bytes: what it keeps is in range. */
+static void check_materials(const char *text, size_t size) {
+    mtl_library library = {NULL, 0, 0};
+    host_warnings warnings;
+    mtl_read(text, size, &library, &warnings);
+    check_warnings(&warnings);
+    for (size_t i = 0; i < library.count; i++) {
+        const mtl_material *material = &library.list[i];
+        check_colour(material->ambient);
+        check_colour(material->diffuse);
+        check_colour(material->specular);
+        check_colour(material->emission);
+        require(material->shininess >= 0 && material->shininess <= MTL_SHININESS_MAX);
+        require(material->illumination >= 0 && material->illumination <= 2 && material->name != NULL);
+    }
+    mtl_free(&library);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    check_materials((const char *)data, size);
     host_mesh mesh;
+    obj_materials materials;
     host_warnings warnings;
     host_problem problem = {0, ""};
-    if (!obj_read((const char *)data, size, &mesh, &warnings, &problem)) {
+    if (!obj_read((const char *)data, size, &mesh, &materials, &warnings, &problem)) {
         check_problem(&problem);
         require(problem.line >= 1);
         return 0;
     }
     check_warnings(&warnings);
+    for (size_t i = 0; i < mesh.triangle_count; i++) {
+        require(mesh.materials[i] <= materials.used.count);
+    }
+    obj_materials_free(&materials);
     require(mesh.colour_count == 0 || mesh.colour_count == mesh.position_count);
     mesh_make_normals(&mesh, MESH_NO_CREASE);
     check_corners(&mesh);

@@ -8,9 +8,11 @@ import test_convert
 import test_errors
 import test_gallery
 import test_labels
+import test_materials
 import test_normals
 import test_obj
 import test_output
+import test_place
 import test_render
 import test_scene
 import test_shading
@@ -21,7 +23,7 @@ from harness import Host
 
 def main():
     host = Host(sys.argv[1])
-    for module in (test_render, test_shading, test_obj, test_winding, test_shapes, test_normals, test_errors, test_convert,
+    for module in (test_render, test_shading, test_obj, test_materials, test_place, test_winding, test_shapes, test_normals, test_errors, test_convert,
                    test_clusters, test_scene, test_labels, test_output, test_gallery):
         for name in (name for name in vars(module) if name.startswith("test_")):
             try:

@@ -26,7 +26,7 @@ def test_defaults(host):
     host.equal("default size and format", (image.width, image.height, image.channels), (320, 240, 3))
     host.equal("default background", image.at(0, 0), BLACK)
     spelled = host.render_bytes("torus:24x12", "--size", "320x240", "--format", "rgb888", "--up", "0,1,0", "--fov", "45",
-                                "--near", "0.1", "--rotate-y", "0", "--scale", "1,1,1", "--ambient", ".1,.1,.1",
+                                "--near", "0.1", "--rotate-y", "0", "--rotate-x", "0", "--rotate-z", "0", "--up-axis", "y", "--scale", "1,1,1", "--ambient", ".1,.1,.1",
                                 "--diffuse", ".6,.6,.6", "--specular", ".4,.4,.4", "--shininess", "32", "--viewer",
                                 "infinite", "--background", "0,0,0")
     host.equal("defaults spelled out", spelled, plain)
@@ -39,7 +39,8 @@ def test_every_option_changes_the_picture(host):
     for option, value in [("--size", "64x48"), ("--format", "rgb565"), ("--format", "grey8"), ("--format", "grey4"),
                           ("--format", "rgb444"), ("--format", "mono"),
                           ("--eye", "1,1.5,3.3"), ("--at", "0.1,0,0"), ("--up", "0.3,1,0"), ("--fov", "46"),
-                          ("--near", "3"), ("--rotate-y", "30"), ("--scale", "1,0.9,1"), ("--light", "dir:1,0,0"),
+                          ("--near", "3"), ("--rotate-y", "30"), ("--rotate-x", "30"), ("--rotate-z", "30"), ("--up-axis", "z"),
+                          ("--scale", "1,0.9,1"), ("--light", "dir:1,0,0"),
                           ("--ambient", ".2"), ("--diffuse", ".5,.6,.6"), ("--specular", ".3"), ("--shininess", "8.5"),
                           ("--viewer", "local"), ("--background", "0,0,.1"), ("--crease", "10")]:
         host.check(f"{option} {value}", host.render_bytes(*TORUS, option, value) != plain)
@@ -277,7 +278,7 @@ def test_framing(host):
             host.check(f"{os.path.basename(model)} framed at {width}x{height}",
                        left > 0 and top > 0 and right < width - 1 and bottom < height - 1 and filled > 0.85,
                        f"{left} {top} {right} {bottom}")
-    host.write("tiny.obj", "v 0 0 0\nv .01 0 0\nv 0 .01 0\nf 1 2 3\n")
+    host.write("tiny.obj", "v 0 0 0\nv .2 0 0\nv 0 .2 0\nf 1 2 3\n")
     host.check("a tiny model is framed", host.render("tiny.obj").box(BLACK) is not None)
     near_at = host.render("sphere:32x16", "--at", "1,0,0", "--background", "0,0,1").box((0, 0, 255))
     host.check("--at without --eye frames round it", near_at[0] < 100 and near_at[2] < 170, str(near_at))
@@ -326,7 +327,7 @@ def test_help_and_version(host):
     host.equal("--version", host.run("--version").stdout, f"glint {'.'.join(parts)}\n")
     text = host.run("help").stdout
     host.equal("help is --help", host.run("--help").stdout, text)
-    for option in ("size format eye at up fov near rotate-y scale light ambient diffuse specular shininess viewer "
+    for option in ("size format eye at up fov near rotate-x rotate-y rotate-z up-axis centre scale light ambient diffuse specular shininess viewer "
                    "background tile arena stats crease double-sided name licence models model shading combine ungated "
                    "dither gamma weights facets repair list frame animate camera-lights labels").split():
         host.check(f"help names --{option}", f"--{option} " in text)

@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file convert_materials.c
+ * A header's materials and objects, and the names that these give to its arrays.
+ */
+#include "convert.h"
+
+#include "memory.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** Characters that are kept of a material's name. */
+#define NAME_KEPT 40
+
+char convert_plain(char c) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    return (char)(plain ? c : '_');
+}
+
+/* ---- Names ------------------------------------------------------------------------------------------------------ */
+
+/** Whether another piece has a piece's material. */
+static bool shares_material(const quantised_mesh *mesh, size_t piece) {
+    const uint32_t material = mesh->materials[piece];
+    return (piece > 0 && mesh->materials[piece - 1] == material) ||
+           (piece + 1 < mesh->piece_count && mesh->materials[piece + 1] == material);
+}
+
+static bool is_taken(const header_suffix *suffixes, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(suffixes[i].text, suffixes[count].text) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/** Names a piece by its material; with a number from 2 on where an earlier piece has that name. */
+static void name_piece(const char *material, bool counted, header_suffix *suffixes, size_t piece) {
+    char base[NAME_KEPT + 16];
+    size_t length = 0;
+    for (; material[length] != '\0' && length < NAME_KEPT; length++) {
+        base[length] = convert_plain(material[length]);
+    }
+    base[length] = '\0';
+    char *suffix = suffixes[piece].text;
+    const size_t size = sizeof suffixes[piece].text;
+    snprintf(suffix, size, counted ? "_%s_1" : "_%s", base);
+    for (unsigned number = 2; is_taken(suffixes, piece); number++) {
+        snprintf(suffix, size, "_%s_%u", base, number);
+    }
+}
+
+header_suffix *convert_suffixes(const host_materials *materials, const quantised_mesh *mesh) {
+    header_suffix *suffixes = memory_new(mesh->piece_count, sizeof *suffixes);
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        const mtl_material *material = materials_find(materials, mesh->materials[i]);
+        if (materials->used_count > 0) {
+            name_piece(material != NULL ? material->name : "default", shares_material(mesh, i), suffixes, i);
+        } else if (mesh->piece_count > 1) {
+            snprintf(suffixes[i].text, sizeof suffixes[i].text, "_%u", (unsigned)i);
+        }
+    }
+    return suffixes;
+}
+
+/* ---- Materials and objects -------------------------------------------------------------------------------------- */
+
+static const char *model_name(const glint_model *model) {
+    return model == &glint_model_lambert ? "lambert" : model == &glint_model_unlit ? "unlit" : "blinn_phong";
+}
+
+static void print_colour(host_bytes *out, glint_colour colour, const char *what) {
+    bytes_print(out, "    {%ld, %ld, %ld}, /* %s */\n", (long)colour.r, (long)colour.g, (long)colour.b, what);
+}
+
+static void print_material(host_bytes *out, const char *name, const char *suffix, const glint_material *material) {
+    bytes_print(out, "\nstatic const glint_material %s_material%s = {\n    &glint_model_%s,\n", name, suffix,
+                model_name(material->model));
+    print_colour(out, material->ambient, "ambient");
+    print_colour(out, material->diffuse, "diffuse");
+    print_colour(out, material->specular, "specular");
+    bytes_print(out, "    %ld, /* shininess */\n    0,\n};\n", (long)material->shininess);
+}
+
+void convert_objects(host_bytes *out, const char *name, const host_settings *settings, const host_materials *materials,
+                     const quantised_mesh *mesh, const header_suffix *suffixes) {
+    bytes_print(out, "\n/* Materials: Q16.16, for ambient light of 1 in the scene. */\n");
+    size_t *first = memory_new(materials->used_count + 1, sizeof *first);
+    for (size_t i = mesh->piece_count; i-- > 0;) {
+        first[mesh->materials[i]] = i;
+    }
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        if (first[mesh->materials[i]] == i) {
+            const glint_material material = settings_material(settings, materials_find(materials, mesh->materials[i]));
+            print_material(out, name, suffixes[i].text, &material);
+        }
+    }
+    bytes_print(out,
+                "\n/* Objects of one scene, all with the same pose: copy them where they move. */\n"
+                "static const glint_object %s_objects[%zu] = {\n",
+                name, mesh->piece_count);
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        const char *material = suffixes[first[mesh->materials[i]]].text;
+        bytes_print(out,
+                    "    {&%s_mesh%s, &%s_material%s, {{{65536, 0, 0, 0}, {0, 65536, 0, 0}, {0, 0, 65536, 0}}}, 0},\n",
+                    name, suffixes[i].text, name, material);
+    }
+    bytes_print(out, "};\n");
+    free(first);
+}

@@ -1,0 +1,213 @@
+/* SPDX-License-Identifier: MIT */
+#include "mtl.h"
+
+#include "memory.h"
+#include "number.h"
+#include "text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/** Different words that are skipped for each of which there is a warning. */
+#define WORDS_MAX 12
+
+/** What is not followed, beside words. */
+enum { KIND_COLOUR = TEXT_KINDS, KIND_NUMBER, KIND_ILLUMINATION, KIND_TRANSPARENT, KIND_ORPHAN };
+
+static const char *const note_texts[] = {
+    [TEXT_WORD] = "is skipped: it is not followed",
+    [TEXT_TEXTURE] = "is skipped: textures are not drawn",
+    [TEXT_MORE_WORDS] = "is skipped, as are more words that are not followed",
+    [KIND_COLOUR] = "is skipped: it takes 1 or 3 numbers from 0 to 16",
+    [KIND_NUMBER] = "is skipped: it takes one number in its range",
+    [KIND_ILLUMINATION] = "above 2 is taken as 2: reflections and refraction are not drawn",
+    [KIND_TRANSPARENT] = "is skipped: transparency is not drawn",
+    [KIND_ORPHAN] = "is skipped: it stands before any newmtl",
+};
+
+typedef struct mtl_reader {
+    text_reader text;
+    mtl_library *library;
+    mtl_material *material; /* the one that is read, or null */
+    text_notes notes;
+} mtl_reader;
+
+typedef void mtl_statement_reader(mtl_reader *reader, text_token keyword);
+
+static void note(mtl_reader *reader, int kind, text_token word) {
+    text_note_add(&reader->notes, kind, word, reader->text.line);
+}
+
+/* ---- Statements ------------------------------------------------------------------------------------------------- */
+
+static void read_name(mtl_reader *reader) {
+    const text_token name = text_rest_of_line(&reader->text);
+    mtl_library *library = reader->library;
+    library->list = memory_grow(library->list, &library->capacity, library->count, sizeof *library->list);
+    reader->material = &library->list[library->count++];
+    memset(reader->material, 0, sizeof *reader->material);
+    reader->material->illumination = 2;
+    reader->material->name = text_copy(name);
+}
+
+/** Reads numbers from 0 to `most`, at most 3. @return how many, or 0 when that is not all that stands there */
+static int read_numbers(mtl_reader *reader, double most, double values[3]) {
+    text_token token;
+    int count = 0;
+    while (text_next_token(&reader->text, &token)) {
+        if (count == 3 || !number_real(token.start, token.length, &values[count]) || values[count] < 0 ||
+            values[count] > most) {
+            return 0;
+        }
+        count++;
+    }
+    return count;
+}
+
+static bool read_colour(mtl_reader *reader, text_token keyword, double colour[3]) {
+    double values[3];
+    const int count = read_numbers(reader, MTL_COLOUR_MAX, values);
+    if (count != 1 && count != 3) {
+        note(reader, KIND_COLOUR, keyword);
+        return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        colour[i] = values[count == 3 ? i : 0];
+    }
+    return true;
+}
+
+static void read_ambient(mtl_reader *reader, text_token keyword) {
+    reader->material->given |= read_colour(reader, keyword, reader->material->ambient) ? MTL_AMBIENT : 0;
+}
+
+static void read_diffuse(mtl_reader *reader, text_token keyword) {
+    reader->material->given |= read_colour(reader, keyword, reader->material->diffuse) ? MTL_DIFFUSE : 0;
+}
+
+static void read_specular(mtl_reader *reader, text_token keyword) {
+    read_colour(reader, keyword, reader->material->specular);
+}
+
+static void read_emission(mtl_reader *reader, text_token keyword) {
+    read_colour(reader, keyword, reader->material->emission);
+}
+
+/** Reads one number from 0 to `most`. @return false with a note when there is none */
+static bool read_number(mtl_reader *reader, text_token keyword, double most, double *value) {
+    double values[3];
+    if (read_numbers(reader, most, values) != 1) {
+        note(reader, KIND_NUMBER, keyword);
+        return false;
+    }
+    *value = values[0];
+    return true;
+}
+
+static void read_shininess(mtl_reader *reader, text_token keyword) {
+    const bool read = read_number(reader, keyword, MTL_SHININESS_MAX, &reader->material->shininess);
+    reader->material->given |= read ? MTL_SHININESS : 0;
+}
+
+static void read_illumination(mtl_reader *reader, text_token keyword) {
+    double value;
+    if (read_number(reader, keyword, 10, &value)) {
+        if (value > 2) {
+            note(reader, KIND_ILLUMINATION, keyword);
+        }
+        reader->material->illumination = value > 2 ? 2 : (int)value;
+    }
+}
+
+/** d, with its -halo: what is not 1 is not followed. */
+static void read_dissolve(mtl_reader *reader, text_token keyword) {
+    double values[3];
+    if (read_numbers(reader, 1, values) != 1 || values[0] < 1) {
+        note(reader, KIND_TRANSPARENT, keyword);
+    }
+}
+
+static void read_transparency(mtl_reader *reader, text_token keyword) {
+    double values[3];
+    if (read_numbers(reader, 1, values) != 1 || values[0] > 0) {
+        note(reader, KIND_TRANSPARENT, keyword);
+    }
+}
+
+static void read_filter(mtl_reader *reader, text_token keyword) {
+    double values[3];
+    const int count = read_numbers(reader, 1, values);
+    bool clear = count == 1 || count == 3;
+    for (int i = 0; clear && i < count; i++) {
+        clear = values[i] >= 1;
+    }
+    if (!clear) {
+        note(reader, KIND_TRANSPARENT, keyword);
+    }
+}
+
+static void skip(mtl_reader *reader, text_token keyword) {
+    (void)reader;
+    (void)keyword;
+}
+
+static const struct mtl_statement {
+    const char *keyword;
+    mtl_statement_reader *read;
+} statements[] = {
+    {"Ka", read_ambient},  {"Kd", read_diffuse},      {"Ks", read_specular},
+    {"Ke", read_emission}, {"Ns", read_shininess},    {"illum", read_illumination},
+    {"d", read_dissolve},  {"Tr", read_transparency}, {"Tf", read_filter},
+    {"Ni", skip},
+};
+
+static bool is_texture(text_token keyword) {
+    static const char *const words[] = {"bump", "disp", "decal", "refl", "norm"};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        if (text_token_is(keyword, words[i])) {
+            return true;
+        }
+    }
+    return keyword.length > 4 && memcmp(keyword.start, "map_", 4) == 0;
+}
+
+static void read_statement(mtl_reader *reader) {
+    text_token keyword;
+    if (!text_next_token(&reader->text, &keyword)) {
+        return;
+    }
+    if (text_token_is(keyword, "newmtl")) {
+        read_name(reader);
+        return;
+    }
+    for (size_t i = 0; i < sizeof statements / sizeof statements[0]; i++) {
+        if (text_token_is(keyword, statements[i].keyword)) {
+            if (reader->material == NULL) {
+                note(reader, KIND_ORPHAN, keyword);
+            } else {
+                statements[i].read(reader, keyword);
+            }
+            return;
+        }
+    }
+    note(reader, is_texture(keyword) ? TEXT_TEXTURE : TEXT_WORD, keyword);
+}
+
+/* ---- Public ----------------------------------------------------------------------------------------------------- */
+
+void mtl_read(const char *text, size_t length, mtl_library *library, host_warnings *warnings) {
+    mtl_reader reader = {.text = text_begin(text, length), .library = library, .notes = {.words_max = WORDS_MAX}};
+    while (reader.text.at < reader.text.end) {
+        read_statement(&reader);
+        text_skip_statement(&reader.text);
+    }
+    text_notes_write(&reader.notes, note_texts, warnings);
+}
+
+void mtl_free(mtl_library *library) {
+    for (size_t i = 0; i < library->count; i++) {
+        free(library->list[i].name);
+    }
+    free(library->list);
+    memset(library, 0, sizeof *library);
+}
