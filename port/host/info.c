@@ -84,12 +84,13 @@ static bool print_panel(const struct info_panel *panel, const host_settings *set
 }
 
 /** Draws the framed model once, and prints what a board would take for it. @return false with a problem */
-static bool print_cost(const host_settings *settings, const quantised_mesh *mesh, host_problem *problem) {
+static bool print_cost(const host_settings *settings, const host_model *model, const quantised_mesh *mesh,
+                       host_problem *problem) {
     host_settings framed = *settings;
     framed.format = framebuffer_find_format("rgb565", NULL);
     framed.stats = true;
     host_view view;
-    if (!view_make(&view, &framed, mesh, problem)) {
+    if (!view_make(&view, &framed, &model->materials, mesh, problem)) {
         return false;
     }
     framebuffer target;
@@ -120,11 +121,11 @@ int command_info(const host_settings *settings) {
     for (size_t i = 0; ok && i < sizeof panels / sizeof panels[0]; i++) {
         ok = print_panel(&panels[i], settings, &model, &mesh, &problem);
     }
+    ok = ok && print_cost(settings, &model, &mesh, &problem);
     if (ok) {
         command_print_warnings(settings, &model);
         command_warn_of_size(settings, &mesh);
     }
-    ok = ok && print_cost(settings, &mesh, &problem);
     quantised_free(&mesh);
     model_free(&model);
     return ok ? 0 : command_fail(NULL, &problem);
