@@ -9,7 +9,7 @@
 /* A node's numbers of a light, as a corner keeps them. */
 static void take_kept(const glint_light_terms *light, const int16_t *kept, uint32_t l, glint_node *node) {
     node->number[l][GLINT_STRENGTH] = 1 << 14; /* where none is kept */
-    for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
+    for (uint32_t kind = 0; kind < GLINT_NUMBERS_DRAWN; kind++)
         if (light->at[l][kind])
             node->number[l][kind] = kept[light->at[l][kind]];
 }
@@ -210,7 +210,7 @@ static void begin_term_quadratics(const glint_candidate *t, const glint_lengths 
     for (uint32_t a = 0; a < terms->apart_count; a++) {
         const glint_apart *apart = &terms->apart[a];
         uint32_t next = apart->first;
-        for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
+        for (uint32_t kind = 0; kind < GLINT_NUMBERS_DRAWN; kind++)
             if (apart->kinds >> kind & 1) {
                 take_numbers(terms->light, t, apart->light, kind, 6, n);
                 scale_by_lengths(n, kind == GLINT_SIDE ? length : kind >= GLINT_LOBE_X ? of_lobe : 0);
@@ -244,7 +244,7 @@ static void begin_term_planes(const glint_candidate *t, int32_t longer, const gl
     for (uint32_t a = 0; a < terms->apart_count; a++) {
         const glint_apart *apart = &terms->apart[a];
         uint32_t next = apart->first;
-        for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
+        for (uint32_t kind = 0; kind < GLINT_NUMBERS_DRAWN; kind++)
             if (apart->kinds >> kind & 1) {
                 const int32_t by = kind == GLINT_STRENGTH ? 1 << 15 : length;
                 take_numbers(terms->light, t, apart->light, kind, 3, n);
@@ -318,6 +318,8 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     }
     if (!light_middles(frame, draw, triangle, &t))
         return 0;
+    if (fit == FIT_OVER_LENGTH)
+        region->margin = region->margin_over_length;
     region->has_edge |= has_edge(shading, &t);
     const int twice = shading->material->model->lobe == GLINT_LOBE_MIRROR;
     glint_terms_name(frame, draw, region, fit == FIT_OVER_LENGTH ? 1 + twice : 0, terms);
