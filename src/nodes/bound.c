@@ -206,7 +206,7 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
 }
 
 /* What is left of a light's levels at its strength at nodes. */
-static GLINT_NOINLINE uint32_t levels_of(uint32_t levels, const glint_region *region, uint32_t l) {
+static GLINT_NOINLINE uint32_t levels_at_strength(uint32_t levels, const glint_region *region, uint32_t l) {
     return scaled(levels, region->strength[l], 14) + 16;
 }
 
@@ -252,7 +252,8 @@ int glint_region_sum_lobes(const glint_shading *shading, int has_surface, glint_
         if (turn > WIDEST)
             return 0;
         if (turn)
-            region->shine += of_levels(cube(turn, region->slant), levels_of(light->specular_levels[l], region, l) >> 4);
+            region->shine +=
+                of_levels(cube(turn, region->slant), levels_at_strength(light->specular_levels[l], region, l) >> 4);
     }
     if (region->shine > 2 * light->limit)
         return 0;
@@ -267,7 +268,7 @@ static inline int is_cut_off(const glint_region *region) {
 }
 
 /* By how much its place turns a light in sums, at most as the nearest one's. */
-static uint32_t place_of(const glint_region *region, uint32_t l) {
+static uint32_t turn_of_place(const glint_region *region, uint32_t l) {
     const uint32_t place = (region->near_of[l] * 362u >> 8) + (region->folds ? region->colour : 0);
     return place < region->place ? place : region->place;
 }
@@ -283,8 +284,8 @@ static GLINT_NOINLINE uint32_t sum_error(const glint_light_terms *light, const g
     if (!shown || !(shown & (shown - 1)))
         return whole;
     for (uint32_t l = 0; shown >> l && each < whole; l++) {
-        const uint32_t here = turn + place_of(region, l),
-                       levels = shown >> l & 1 ? levels_of(light->diffuse_levels[l], region, l) >> 4 : 0;
+        const uint32_t here = turn + turn_of_place(region, l),
+                       levels = shown >> l & 1 ? levels_at_strength(light->diffuse_levels[l], region, l) >> 4 : 0;
         each += is_plane ? plane_sum_error(levels, longer, here, b) : of_levels(cube(here, b), levels);
     }
     return each < whole ? each : whole;
@@ -298,7 +299,7 @@ uint32_t glint_plane_error(const glint_shading *shading, int has_surface, const 
         return UINT32_MAX;
     uint32_t error = sum_error(light, region, longer, longer ? 0 : region->turn, 1) + (region->of_colour >> 2);
     for (uint32_t l = 0, lobes = region->lobes | region->summed; lobes >> l; l++) {
-        const uint32_t levels = levels_of(light->specular_levels[l], region, l);
+        const uint32_t levels = levels_at_strength(light->specular_levels[l], region, l);
         if (region->summed >> l & 1)
             error += plane_sum_error(levels >> 4, 0, turn_of_shine(shading, region, l), region->slant);
         if (region->lobes >> l & 1)
@@ -313,7 +314,7 @@ static void add_lobes(const glint_shading *shading, glint_region *region) {
     const uint32_t slant = region->slant, turn = lobe_turn(shading, region);
     region->error_between = 0;
     for (uint32_t l = 0, lobes = region->lobes | region->summed; lobes >> l; l++) {
-        const uint32_t levels = levels_of(light->specular_levels[l], region, l), axis = region->axis_of[l],
+        const uint32_t levels = levels_at_strength(light->specular_levels[l], region, l), axis = region->axis_of[l],
                        near = region->near_of[l];
         if (!(lobes >> l & 1))
             continue;
@@ -335,7 +336,8 @@ static int add_cones(const glint_frame *frame, const glint_light_terms *light, g
         if (ramp > LONGEST_RAMP)
             return 0;
         const uint32_t error =
-            3 * of_levels(times(times(ramp, place), place), levels_of(light->diffuse_levels[l], region, l) >> 4) /
+            3 *
+            of_levels(times(times(ramp, place), place), levels_at_strength(light->diffuse_levels[l], region, l) >> 4) /
             2; /* the step's slope */
         region->error += error;
         region->error_over_length += error;
@@ -347,7 +349,7 @@ static int add_cones(const glint_frame *frame, const glint_light_terms *light, g
 static int32_t find_margin(const glint_region *region, uint32_t turn) {
     uint32_t most = 0;
     for (uint32_t l = 0, ends = region->sides & region->lobes; ends >> l; l++) {
-        const uint32_t error = ends >> l & 1 ? cube(turn + place_of(region, l), region->slant) * 1802 >> 14 : 0;
+        const uint32_t error = ends >> l & 1 ? cube(turn + turn_of_place(region, l), region->slant) * 1802 >> 14 : 0;
         most = (uint32_t)glint_most((int32_t)(error * region->strength[l] >> 14), (int32_t)most);
     }
     return 8 + (int32_t)most;

@@ -87,7 +87,7 @@ static int shape_has_edge(const glint_shading *shading, const glint_region *regi
 }
 
 /* Sets how near lights are to a region at most, and how strong, from so many of its nodes. */
-static void find_nearness(uint32_t lights, uint32_t count, glint_node *const nodes[], glint_region *region) {
+static void find_nodes_nearness(uint32_t lights, uint32_t count, glint_node *const nodes[], glint_region *region) {
     for (uint32_t l = 0; lights >> l; l++) {
         uint32_t nearness = 0x7f;
         int32_t strength = 0;
@@ -113,7 +113,7 @@ uint32_t glint_shape_away(const glint_draw *draw, const glint_shape *shape, glin
     if (!region.outside || !find_w_range(shape, nodes, &w))
         return 0;
     glint_region_measure(draw->shading->terms->pixel, shape->longest, &w, &region);
-    find_nearness(region.outside & 0xff, 4, corners, &region);
+    find_nodes_nearness(region.outside & 0xff, 4, corners, &region);
     return glint_region_place(region.outside & 0xff, &region);
 }
 
@@ -140,7 +140,7 @@ static int find_shape_region(const glint_frame *frame, const glint_draw *draw, c
         region->left |= node->left;
         region->levels = node->levels > region->levels ? node->levels : region->levels;
     }
-    find_nearness(shading->lights & ~region->left, shape->count, nodes, region);
+    find_nodes_nearness(shading->lights & ~region->left, shape->count, nodes, region);
     region->colour = draw->extra ? find_colour(shape, nodes) : 0;
     const uint32_t lobes = glint_region_sort(frame, shading, region) & shape->lobes;
     region->lobes = 0;

@@ -43,7 +43,7 @@ static inline int place_lobe(const glint_lobe_bounds *bounds, const uint8_t at[G
 }
 
 /* How near a light is to the corners at most, and how strong. */
-static void find_nearness(uint32_t l, const uint8_t at[GLINT_NUMBERS], glint_candidate *t) {
+static void find_corners_nearness(uint32_t l, const uint8_t at[GLINT_NUMBERS], glint_candidate *t) {
     uint32_t nearness = 0x7f;
     int32_t strength = at[GLINT_STRENGTH] ? 0 : 1 << 14;
     for (int i = 0; i < 3 && at[GLINT_NEARNESS]; i++) {
@@ -123,7 +123,7 @@ int glint_find_region(const glint_frame *frame, const glint_draw *draw, const gl
     region->colour = t->has_surface ? find_surface(triangle, t) : 0;
     for (uint32_t l = 0; shading->lights >> l; l++)
         if (shading->lights >> l & 1)
-            find_nearness(l, light->at[l], t);
+            find_corners_nearness(l, light->at[l], t);
     const uint32_t lobes = glint_region_sort(frame, shading, region);
     region->lobes = 0;
     region->has_edge = 0;

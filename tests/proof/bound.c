@@ -211,7 +211,12 @@ PROOF(glint_region_part_lobes) {
     glint_region_part_lobes(&region);
 }
 
-/* Any region that polynomials may fit, by eighths of its turn. @unsigned @options -eva-slevel 300 */
+/*
+ * Any region that polynomials may fit, by eighths of its turn.
+ * @unsigned
+ * @unreached 2 what planes are off by
+ * @options -eva-slevel 300
+ */
 PROOF(glint_region_bound) {
     FOR_PARTS(eighth, 0, 7) {
         any_fitting((int)eighth);

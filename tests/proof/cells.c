@@ -97,10 +97,10 @@ PROOF(place_shape_lobe) {
 }
 
 /* Any nodes, of any lights. */
-PROOF(find_nearness) {
+PROOF(find_nodes_nearness) {
     glint_region region;
     any_nodes();
-    find_nearness(ANY_UNSIGNED(0, 0xff), GLINT_CELL_NODES, nodes, &region);
+    find_nodes_nearness(ANY_UNSIGNED(0, 0xff), GLINT_CELL_NODES, nodes, &region);
 }
 
 /* Any nodes of each light. */

@@ -154,6 +154,7 @@ PROOF(light_nodes) {
     static const glint_light_type types[3] = {{0, 0, 0, 0}, {0, any_illuminate, 0, 0}, {0, any_illuminate, 0, 1}};
     glint_node *const nodes[1] = {&node};
     any_material();
+    model.lobe = (uint8_t)ANY(GLINT_LOBE_NONE, GLINT_LOBE_MIRROR);
     FOR_PARTS(i, 0, GLINT_LIGHTS_MAX - 1) {
         FOR_PARTS(type, 0, 2) {
             any_source(&view.lights[i]);
