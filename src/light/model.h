@@ -70,6 +70,8 @@ static inline void glint_light_fragments(const glint_shading *shading, uint32_t 
         source->type->illuminate(source, fragments);
     for (uint32_t i = 0; i < fragments->count; i++) {
         const int16_t *normal = fragments->normal[i];
+        if (has_position && !fragments->strength[i])
+            continue;
         const int16_t *light = has_position ? fragments->light[i] : source->direction;
         uint32_t strength = has_position ? fragments->strength[i] : 1u << 15;
         int32_t cosine = glint_dot(normal, light);
@@ -85,7 +87,7 @@ static inline void glint_light_fragments(const glint_shading *shading, uint32_t 
         } else if (!ungated) {
             continue;
         }
-        if (!has_specular || !strength)
+        if (!has_specular)
             continue;
         uint32_t power = specular(&shading->power, fixed_half_vector ? source : 0, normal, light, fragments->view[i]);
         if (power)

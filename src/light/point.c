@@ -181,7 +181,7 @@ static inline uint32_t find_distance(const towards *v, int16_t direction[3]) {
     return ((square + (1u << 13)) >> 14) * (uint32_t)root >> 16;
 }
 
-/* Direction to a light, unit, strength there, and how far it is. */
+/* Direction to a light, unit, strength there, and how far it is. Of what is gated strength alone, which is 0. */
 static inline void illuminate_one(const glint_prepared_light *light, glint_fragments *fragments, uint32_t i) {
     const int32_t *const ray = fragments->ray[i], inverse_w = fragments->inverse_w[i];
     int16_t *const direction = fragments->light[i];
@@ -198,11 +198,8 @@ static inline void illuminate_one(const glint_prepared_light *light, glint_fragm
         return;
     }
     v = to_15_bits_of(&v, zeros);
-    if (fragments->is_gated && faces_away(fragments->normal[i], &v)) {
-        for (int c = 0; c < 3; c++)
-            direction[c] = (int16_t)-fragments->normal[i][c];
+    if (fragments->is_gated && faces_away(fragments->normal[i], &v))
         return;
-    }
     const uint32_t length = find_distance(&v, direction);
     fragments->strength[i] = (uint16_t)attenuate(light, (uint32_t)inverse_w, length, v.exponent);
     fragments->length[i] = length;

@@ -33,6 +33,8 @@ static uint32_t smooth_step(int32_t past, int32_t slope) {
 static void illuminate_spot(const glint_prepared_light *light, glint_fragments *fragments) {
     glint_point_illuminate(light, fragments);
     for (uint32_t i = 0; i < fragments->count; i++) {
+        if (!fragments->strength[i])
+            continue;
         int32_t cosine = glint_dot(fragments->light[i], light->direction);
         if (cosine >= light->spot.cosine_inner)
             continue;

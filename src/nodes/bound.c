@@ -2,6 +2,7 @@
 /* Bound: how far polynomials through the nodes of a region may be from its light. */
 #include "../light/model.h"
 #include "../pixel/format.h"
+#include "nearness.h"
 #include "terms.h"
 
 /* What a node's cosine differs by at least from what tells clear from not, Q12: lights with a position, and cones. */
@@ -25,19 +26,6 @@ uint32_t glint_root_above(uint32_t square) {
     const unsigned up = glint_leading_zeros(square) & ~1u; /* to 2^30 .. 2^32 */
     const uint32_t root = (uint32_t)glint_inverse_root(square << up >> 1) * 46341 >> 16;
     return ((square << up >> 16) * root >> 14 >> up / 2) + 1;
-}
-
-/* |a - b|^2 on the screen, 28.4. */
-static inline uint32_t screen_square(const glint_vertex *a, const glint_vertex *b) {
-    const int32_t x = a->x - b->x, y = a->y - b->y;
-    return (uint32_t)(x * x) + (uint32_t)(y * y);
-}
-
-uint32_t glint_find_longest(const glint_vertex *const corners[3]) {
-    uint32_t most = screen_square(corners[0], corners[1]);
-    const uint32_t b = screen_square(corners[1], corners[2]), c = screen_square(corners[2], corners[0]);
-    most = b > most ? b : most;
-    return glint_root_above(c > most ? c : most);
 }
 
 void glint_region_measure(uint32_t pixel, uint32_t longest, const glint_w_range *w, glint_region *region) {
@@ -136,8 +124,8 @@ static uint32_t lobe_error(uint32_t slope, uint32_t levels, uint32_t third, uint
 }
 
 /* The cone's edge may cross a region: by how much its ramp changes from node to node, Q12. */
-static uint32_t ramp_of(const glint_prepared_light *source, const glint_region *region) {
-    const uint64_t range = (uint64_t)region->near * (uint32_t)source->spot.slope >> 15;
+static uint32_t ramp_of(const glint_prepared_light *source, uint32_t near) {
+    const uint64_t range = (uint64_t)near * (uint32_t)source->spot.slope >> 15;
     return range > 1 << 20 ? 1 << 20 : (uint32_t)range;
 }
 
@@ -153,6 +141,7 @@ void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const gl
     terms->is_ungated = (shading->material->flags & GLINT_MATERIAL_UNGATED) != 0;
     terms->is_over_length = (uint8_t)over_length;
     terms->is_curved = 1;
+    terms->shown = (uint8_t)(region->held | region->sides | region->lobes | region->summed);
     terms->margin = region->has_edge ? region->margin : 0;
     const int is_plain = !has_apart && !terms->has_surface && !over_length;
     const int is_coloured = shading->terms->channels > 1 && !terms->takes_largest;
@@ -184,18 +173,19 @@ static inline int is_wide(uint32_t near, uint32_t clearly) {
     return times(near, near) > 8 * clearly;
 }
 
-uint32_t glint_find_away(uint32_t outside, uint32_t near) {
-    return (is_wide(near, INSIDE_CONE) ? 0 : outside & 0xff) | (is_wide(near, 8 * INSIDE_CONE) ? 0 : outside >> 8);
-}
-
-/* How far a region's corners lie apart, over the distance to lights so close. */
-static inline uint32_t find_near(const glint_region *region, uint32_t closeness) {
-    return (uint32_t)glint_least((int32_t)(region->reach * closeness >> 8), 1 << 13); /* 14 and 16 bits */
-}
-
-/* The same over the distance from any of the region, where a light reaches some of its nodes only. */
-static inline uint32_t from_anywhere(uint32_t near) {
-    return near < 1 << 11 ? (near << 12) / ((1 << 12) - near) : 1 << 13;
+uint32_t glint_region_place(uint32_t lights, glint_region *region) {
+    uint32_t away = 0;
+    for (uint32_t l = 0; lights >> l; l++) {
+        if (!(lights >> l & 1))
+            continue;
+        const uint32_t closeness = glint_closeness_of(region->nearness[l]), outside = region->outside >> l,
+                       near = (uint32_t)glint_least((int32_t)(region->reach * closeness >> 8), 1 << 13);
+        region->near_of[l] = (uint16_t)near;
+        away |= (uint32_t)((outside & 1 && !is_wide(near, INSIDE_CONE)) ||
+                           (outside >> 8 & 1 && !is_wide(near, 8 * INSIDE_CONE)))
+                << l;
+    }
+    return away;
 }
 
 /* How far a region's highlights turn about their axes, and these about them. */
@@ -204,57 +194,61 @@ static inline uint32_t lobe_turn(const glint_shading *shading, const glint_regio
 }
 
 /* What L and V turn by; V follows from the place on the screen. */
-static inline uint32_t turn_of_rays(const glint_frame *frame, const glint_region *region) {
-    return region->near + (frame->view->local_viewer ? region->across : 0);
+static inline uint32_t turn_of_rays(const glint_frame *frame, const glint_region *region, uint32_t l) {
+    return region->near_of[l] + (frame->view->local_viewer ? region->across : 0);
 }
 
 /* H turns by that over |L + V|. */
-static inline uint32_t turn_of_axis(const glint_frame *frame, const glint_region *region) {
-    const uint32_t turn = turn_of_rays(frame, region), half = region->half | 1;
+static inline uint32_t turn_of_axis(const glint_frame *frame, const glint_region *region, uint32_t l) {
+    const uint32_t turn = turn_of_rays(frame, region, l), half = (region->nearness[l] & 0x7fu) << 8 | 1;
     if (!turn)
         return 0;
     const unsigned up = (glint_leading_zeros(half) - 1) & ~1u; /* to 2^29 .. 2^31 */
     const uint32_t inverse = (uint32_t)glint_inverse_root(half << up);
-    return (turn * (inverse + (inverse >> 12) + 1) >> (23 - up / 2)) + 1;
+    const uint32_t axis = (turn * (inverse + (inverse >> 12) + 1) >> (23 - up / 2)) + 1;
+    return axis < UINT16_MAX ? axis : UINT16_MAX;
 }
 
-uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness, uint32_t around,
-                           glint_region *region) {
-    const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED, near = find_near(region, around);
-    const uint32_t away = glint_find_away(region->outside, near) | region->left, dark = region->dark | away,
-                   lights = shading->lights & ~away;
-    const int may_end = is_wide(near, INSIDE_CONE);
+/* Sets by how much of its place and its axis a region turns at most, of lights that show. */
+static void set_most(const glint_frame *frame, uint32_t shown, uint32_t lobes, glint_region *region) {
+    region->near = region->axis = 0;
+    for (uint32_t l = 0; shown >> l; l++) {
+        if (shown >> l & 1 && region->near_of[l] > region->near)
+            region->near = region->near_of[l];
+        if (!(lobes >> l & 1))
+            continue;
+        region->axis_of[l] = (uint16_t)turn_of_axis(frame, region, l);
+        region->axis = region->axis_of[l] > region->axis ? region->axis_of[l] : region->axis;
+    }
+}
+
+uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
+    const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED;
+    const uint32_t away = glint_region_place(shading->lights & ~region->left, region) | region->left,
+                   dark = region->dark | away, lights = shading->lights & ~away;
     region->turn = (uint32_t)glint_least((int32_t)region->turn, 1 << 13);
     region->held = region->lit;
     region->sides = lights & ~region->lit & ~dark;
-    region->near = find_near(region, closeness);
-    if (region->sides)
-        region->near = (uint32_t)glint_least((int32_t)from_anywhere(region->near), (int32_t)near);
-    if (ungated || region->outside & 0xff & ~dark)
-        region->near = near;
-    if (times(near, region->turn) > 2 * CLEAR_OF_EDGE) { /* clear at nodes, not between them */
-        region->sides = lights;
-        region->held = 0;
-        region->near = near;
-    }
-    const uint32_t lobes = shading->terms->lobes & ~away & (ungated ? ~0u : region->held | region->sides);
-    const uint32_t cones = shading->terms->cones & (region->held | region->sides | lobes);
-    if (may_end) {
-        region->sides |= cones;
-        region->held &= ~cones;
-    }
+    for (uint32_t l = 0; lights >> l; l++)
+        if (lights >> l & 1 && times(region->near_of[l], region->turn) > 2 * CLEAR_OF_EDGE) {
+            region->sides |= 1u << l; /* clear at nodes, not between them */
+            region->held &= ~(1u << l);
+        }
+    const uint32_t lobes = shading->terms->lobes & ~away & (ungated ? ~0u : region->held | region->sides),
+                   shown = region->held | region->sides | lobes, cones = shading->terms->cones & shown;
+    for (uint32_t l = 0; cones >> l; l++)
+        if (cones >> l & 1 && is_wide(region->near_of[l], INSIDE_CONE)) {
+            region->sides |= 1u << l;
+            region->held &= ~(1u << l);
+        }
     region->cones = cones & ~region->held;
-    region->axis = lobes ? turn_of_axis(frame, region) : 0;
+    set_most(frame, shown, lobes, region);
     return lobes;
 }
 
-/* What all highlights of a region make at most, levels in Q8. */
-static uint32_t lobe_levels(const glint_light_terms *light, uint32_t lobes) {
-    uint32_t levels = 0;
-    for (uint32_t l = 0; lobes >> l; l++)
-        if (lobes >> l & 1)
-            levels += light->specular_levels[l];
-    return levels;
+/* What is left of a light's levels at its strength at nodes. */
+static GLINT_NOINLINE uint32_t levels_at_strength(uint32_t levels, const glint_region *region, uint32_t l) {
+    return scaled(levels, region->strength[l], 14) + 16;
 }
 
 int glint_region_fits(const glint_shading *shading, int has_surface, glint_region *region) {
@@ -283,9 +277,9 @@ int glint_region_fits(const glint_shading *shading, int has_surface, glint_regio
  * What highlights in sums turn by. With a turn t of N from H, cos^p t changes as exp(-p t^2 / 2) does: its derivatives
  * are at most p and 1.38 p^(3/2), where those of a cosine, which the law is for, are 1. They are so for p = 3 and more.
  */
-static uint32_t turn_of_shine(const glint_shading *shading, const glint_region *region) {
-    const uint32_t turn = lobe_turn(shading, region) + region->axis;
-    return (turn * shading->terms->spread >> 4) + (region->near * 362 >> 8);
+static uint32_t turn_of_shine(const glint_shading *shading, const glint_region *region, uint32_t l) {
+    const uint32_t turn = lobe_turn(shading, region) + region->axis_of[l];
+    return (turn * shading->terms->spread >> 4) + (region->near_of[l] * 362u >> 8);
 }
 
 int glint_region_sum_lobes(const glint_shading *shading, int has_surface, glint_region *region) {
@@ -293,10 +287,15 @@ int glint_region_sum_lobes(const glint_shading *shading, int has_surface, glint_
     const uint32_t summed = has_surface && !region->folds ? 0 : region->lobes & region->held;
     if (!summed || !light->spread)
         return 0;
-    const uint32_t turn = turn_of_shine(shading, region);
-    if (turn > WIDEST)
-        return 0;
-    region->shine = of_levels(cube(turn, region->slant), lobe_levels(light, summed) >> 4);
+    region->shine = 0;
+    for (uint32_t l = 0; summed >> l; l++) {
+        const uint32_t turn = summed >> l & 1 ? turn_of_shine(shading, region, l) : 0;
+        if (turn > WIDEST)
+            return 0;
+        if (turn)
+            region->shine +=
+                of_levels(cube(turn, region->slant), levels_at_strength(light->specular_levels[l], region, l) >> 4);
+    }
     if (region->shine > 2 * light->limit)
         return 0;
     region->summed = summed;
@@ -309,66 +308,140 @@ static inline int is_cut_off(const glint_region *region) {
     return (region->lobes & region->far) != 0;
 }
 
+/* By how much its place turns a light in sums, at most as the nearest one's. */
+static uint32_t turn_of_place(const glint_region *region, uint32_t l) {
+    const uint32_t place = (region->near_of[l] * 362u >> 8) + (region->folds ? region->colour : 0);
+    return place < region->place ? place : region->place;
+}
+
+/* How far sums may be off, by quadratics, or by planes whose chords are made longer for one of both turns of normals:
+ * all light turns no more than that of the nearest light, or each as it does. */
+static GLINT_NOINLINE uint32_t sum_error(const glint_light_terms *light, const glint_region *region, uint32_t longer,
+                                         uint32_t turn, int is_plane) {
+    const uint32_t b = region->slant, all = turn + region->place, shown = region->held | region->sides;
+    const uint32_t whole =
+        is_plane ? plane_sum_error(region->levels, longer, all, b) : of_levels(cube(all, b), region->levels);
+    uint32_t each = 0;
+    if (!shown || !(shown & (shown - 1)))
+        return whole;
+    for (uint32_t l = 0; shown >> l && each < whole; l++) {
+        const uint32_t here = turn + turn_of_place(region, l),
+                       levels = shown >> l & 1 ? levels_at_strength(light->diffuse_levels[l], region, l) >> 4 : 0;
+        each += is_plane ? plane_sum_error(levels, longer, here, b) : of_levels(cube(here, b), levels);
+    }
+    return each < whole ? each : whole;
+}
+
 uint32_t glint_plane_error(const glint_shading *shading, int has_surface, const glint_region *region) {
     const glint_light_terms *light = shading->terms;
     const uint32_t longer = region->folds || region->summed ? 0 : region->turn;
     if (region->cones || (has_surface && !region->folds) || (region->lobes && light->lobe_is_wide) ||
         is_cut_off(region))
         return UINT32_MAX;
-    uint32_t error = plane_sum_error(region->levels, longer, region->turn - longer + region->place, region->slant) +
-                     (region->of_colour >> 2);
-    if (region->summed)
-        error +=
-            plane_sum_error(lobe_levels(light, region->summed) >> 4, 0, turn_of_shine(shading, region), region->slant);
-    if (region->lobes)
-        error += plane_lobe_error(region->slope, lobe_levels(light, region->lobes), lobe_turn(shading, region),
-                                  region->axis, region->slant);
+    uint32_t error = sum_error(light, region, longer, longer ? 0 : region->turn, 1) + (region->of_colour >> 2);
+    for (uint32_t l = 0, lobes = region->lobes | region->summed; lobes >> l; l++) {
+        const uint32_t levels = levels_at_strength(light->specular_levels[l], region, l);
+        if (region->summed >> l & 1)
+            error += plane_sum_error(levels >> 4, 0, turn_of_shine(shading, region, l), region->slant);
+        if (region->lobes >> l & 1)
+            error +=
+                plane_lobe_error(region->slope, levels, lobe_turn(shading, region), region->axis_of[l], region->slant);
+    }
     return error;
 }
 
 /* Light whose direction turns by p is linear in N, which turns by t: over length that leaves t p^2, of 0.0281. */
-static uint32_t turned_by(const glint_region *region, uint32_t slant) {
-    const uint32_t third = times(times(region->turn + slant, region->place), region->place + slant);
+static uint32_t turned_by(const glint_region *region, uint32_t place, uint32_t slant) {
+    const uint32_t third = times(times(region->turn + slant, place), place + slant);
     return third + (third >> 5);
+}
+
+/* How far sums over length may be off: all light turns no more than that of the nearest light, or each as it does. */
+static uint32_t sum_error_over_length(const glint_light_terms *light, const glint_region *region) {
+    const uint32_t b = region->slant, shown = region->held | region->sides;
+    const uint32_t whole = of_levels(cube(region->place, b) + turned_by(region, region->place, b), region->levels);
+    uint32_t each = 0;
+    if (!shown || !(shown & (shown - 1)))
+        return whole;
+    for (uint32_t l = 0; shown >> l && each < whole; l++) {
+        const uint32_t place = turn_of_place(region, l);
+        if (shown >> l & 1)
+            each += of_levels(cube(place, b) + turned_by(region, place, b),
+                              levels_at_strength(light->diffuse_levels[l], region, l) >> 4);
+    }
+    return each < whole ? each : whole;
+}
+
+/* Adds what highlights may be off by. */
+static void add_lobes(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
+    const glint_light_terms *light = shading->terms;
+    const uint32_t slant = region->slant, turn = lobe_turn(shading, region), slope = region->slope;
+    const int is_mirrored = shading->material->model->lobe == GLINT_LOBE_MIRROR;
+    region->error_between = 0;
+    for (uint32_t l = 0, lobes = region->lobes | region->summed; lobes >> l; l++) {
+        const uint32_t levels = levels_at_strength(light->specular_levels[l], region, l), axis = region->axis_of[l],
+                       near = region->near_of[l];
+        if (!(lobes >> l & 1))
+            continue;
+        region->error_between += between_error(light, slope, levels, turn, axis, slant);
+        if (region->summed >> l & 1)
+            continue;
+        region->error += lobe_error(slope, levels, lobe_third(turn + axis, slant), near, slant);
+        region->error_over_length += lobe_error(
+            slope, levels, lobe_third_over_length(turn, axis, turn_of_rays(frame, region, l), slant, is_mirrored), near,
+            slant);
+    }
+}
+
+/* Adds what cones may be off by. @return 0 where one is too steep */
+static int add_cones(const glint_frame *frame, const glint_light_terms *light, glint_region *region) {
+    for (uint32_t l = 0; region->cones >> l; l++) {
+        const uint32_t near = region->near_of[l], place = near + region->slant;
+        if (!(region->cones >> l & 1))
+            continue;
+        const uint32_t ramp = ramp_of(&frame->view->lights[l], near);
+        if (ramp > LONGEST_RAMP)
+            return 0;
+        const uint32_t error =
+            3 *
+            of_levels(times(times(ramp, place), place), levels_at_strength(light->diffuse_levels[l], region, l) >> 4) /
+            2; /* the step's slope */
+        region->error += error;
+        region->error_over_length += error;
+    }
+    return 1;
+}
+
+/* By how much N.L times strength, Q14, is off: of lights whose highlights end at 0, where normals turn by so much. */
+static int32_t find_margin(const glint_region *region, uint32_t turn) {
+    uint32_t most = 0;
+    for (uint32_t l = 0, ends = region->sides & region->lobes; ends >> l; l++) {
+        const uint32_t error = ends >> l & 1 ? cube(turn + turn_of_place(region, l), region->slant) * 1802 >> 14 : 0;
+        most = (uint32_t)glint_most((int32_t)(error * region->strength[l] >> 14), (int32_t)most);
+    }
+    return 8 + (int32_t)most;
 }
 
 int glint_region_bound(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
     const glint_light_terms *light = shading->terms;
-    const uint32_t slant = region->slant, levels = lobe_levels(light, region->lobes), axis = region->axis,
-                   turn = lobe_turn(shading, region);
+    const uint32_t slant = region->slant;
     if (is_cut_off(region))
         return 0;
     const uint32_t of_colour = scaled(region->of_colour, slant, 12 + 5);
-    region->error = of_levels(cube(region->turn + region->place, slant), region->levels) + of_colour;
-    region->error_over_length =
-        of_levels(cube(region->place, slant) + turned_by(region, slant), region->levels) + of_colour;
+    region->error = sum_error(light, region, 0, region->turn, 0) + of_colour;
+    region->error_over_length = sum_error_over_length(light, region) + of_colour;
     if (region->folds) /* colours times |M| are of a degree more, and ambient light with them */
         region->error_over_length +=
             of_levels(cube(region->turn + region->place, slant), region->levels + (light->ambient_levels >> 4));
-    region->margin = 8 + (int32_t)(cube(region->turn + region->place, slant) * 1802 >> 14);
-    region->error_between =
-        between_error(light, region->slope, levels + lobe_levels(light, region->summed), turn, axis, slant);
-    if (levels) {
-        const int is_mirrored = shading->material->model->lobe == GLINT_LOBE_MIRROR;
-        const uint32_t rays = turn_of_rays(frame, region);
-        region->error += lobe_error(region->slope, levels, lobe_third(turn + axis, slant), region->near, slant);
-        region->error_over_length += lobe_error(
-            region->slope, levels, lobe_third_over_length(turn, axis, rays, slant, is_mirrored), region->near, slant);
-    }
-    if (region->summed)
+    region->margin = find_margin(region, region->turn);
+    region->margin_over_length = find_margin(region, 0);
+    add_lobes(frame, shading, region);
+    if (!add_cones(frame, light, region))
+        return 0;
+    if (region->summed) { /* over length none are */
         region->error += region->shine;
-    for (uint32_t l = 0; region->cones >> l; l++)
-        if (region->cones >> l & 1) {
-            const uint32_t ramp = ramp_of(&frame->view->lights[l], region), place = region->near + slant;
-            if (ramp > LONGEST_RAMP)
-                return 0;
-            const uint32_t error = 3 * of_levels(times(times(ramp, place), place), light->diffuse_levels[l] >> 4) /
-                                   2; /* the step's slope */
-            region->error += error;
-            region->error_over_length += error;
-        }
-    if (region->summed) /* over length none are */
         region->error_over_length = UINT32_MAX;
+    }
     return 1;
 }
 
@@ -377,9 +450,9 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
  * between corners do. H turns by g while N turns by t: that adds g^2 / 6 + g t / 3, as planes are off by. R is a
  * quadratic form of N, which adds t^2 / 12, t being R's turn. And unit vectors are rounded.
  */
-int32_t glint_lobe_bulge(const glint_shading *shading, const glint_region *region) {
+int32_t glint_lobe_bulge(const glint_shading *shading, const glint_region *region, uint32_t light) {
     const uint32_t turn = (uint32_t)glint_least((int32_t)lobe_turn(shading, region), WIDEST),
-                   axis = (uint32_t)glint_least((int32_t)region->axis, WIDEST);
+                   axis = (uint32_t)glint_least(region->axis_of[light], WIDEST);
     const uint32_t mirrored = shading->material->model->lobe == GLINT_LOBE_MIRROR ? times(turn, turn) / 2 : 0;
     return (int32_t)((times(axis, axis + 2 * turn) + mirrored) * 171 / 256 + 3) << shading->terms->lobe_shift;
 }
@@ -411,11 +484,12 @@ static uint32_t slope_from(const glint_shading *shading, int32_t r) {
 }
 
 /* Of a highlight that shows no nearer to 0 than this at nodes, and what deviations and polynomials are off by. */
-static uint32_t find_lobe_slope(const glint_shading *shading, const glint_region *region, int32_t nearest) {
+static uint32_t find_lobe_slope(const glint_shading *shading, const glint_region *region, uint32_t axis,
+                                int32_t nearest) {
     const glint_light_terms *light = shading->terms;
     if (light->lobe_is_wide || nearest <= light->crest)
         return light->slope;
-    const uint32_t off = cube(lobe_turn(shading, region) + region->axis, region->slant) * 2687 >> 12; /* Q14 */
+    const uint32_t off = cube(lobe_turn(shading, region) + axis, region->slant) * 2687 >> 12; /* Q14 */
     const int32_t r = glint_shift_right(nearest, light->lobe_shift) - glint_least((int32_t)off, 1 << 14);
     return r <= glint_shift_right(light->crest, light->lobe_shift) ? light->slope
                                                                    : slope_from(shading, glint_least(r, (1 << 14) - 1));
@@ -435,6 +509,6 @@ void glint_region_add_lobe(const glint_shading *shading, const glint_lobe_bounds
         return;
     region->has_edge |= bounds->is_wide && at->x.least < bounds->edge;
     const int32_t nearest = glint_most(straight, glint_shift_right(diagonal * 23170, 15)) - bounds->bulge;
-    const uint32_t slope = find_lobe_slope(shading, region, nearest);
+    const uint32_t slope = find_lobe_slope(shading, region, region->axis_of[light], nearest);
     region->slope = slope > region->slope ? slope : region->slope;
 }

@@ -3,6 +3,7 @@
  * Cells: a triangle's light on squares of the screen's lattice, by quadratics next to three rows of three nodes; and
  * polynomials of any region whose nodes are all there.
  */
+#include "nearness.h"
 #include "terms.h"
 
 /* ---- What is known from the nodes ---- */
@@ -81,32 +82,46 @@ static int shape_has_edge(const glint_shading *shading, const glint_region *regi
     return 0;
 }
 
+/* Sets how near lights are to a region at most, and how strong, from so many of its nodes. */
+static void find_nodes_nearness(uint32_t lights, uint32_t count, glint_node *const nodes[], glint_region *region) {
+    for (uint32_t l = 0; lights >> l; l++) {
+        uint32_t nearness = 0x7f;
+        int32_t strength = 0;
+        for (uint32_t i = 0; i < count && lights >> l & 1; i++) {
+            const int16_t *const number = nodes[i]->number[l];
+            nearness = glint_nearness_of_both(nearness, (uint16_t)number[GLINT_NEARNESS]);
+            strength = glint_most(strength, number[GLINT_STRENGTH]);
+        }
+        region->nearness[l] = (uint16_t)nearness;
+        region->strength[l] = (uint16_t)strength;
+    }
+}
+
 uint32_t glint_shape_away(const glint_draw *draw, const glint_shape *shape, glint_node *const nodes[]) {
-    uint32_t outside = 0xffff, around = 0;
+    glint_node *corners[4];
     glint_region region;
     glint_w_range w;
+    region.outside = 0xffff;
     for (int i = 0; i < 4; i++) {
-        const glint_node *node = nodes[shape->corners[i]];
-        outside &= node->outside;
-        around = node->around > around ? node->around : around;
+        corners[i] = nodes[shape->corners[i]];
+        region.outside &= corners[i]->outside;
     }
-    if (!outside || !find_w_range(shape, nodes, &w))
+    if (!region.outside || !find_w_range(shape, nodes, &w))
         return 0;
     glint_region_measure(draw->shading->terms->pixel, shape->longest, &w, &region);
-    return glint_find_away(outside, (uint32_t)glint_least((int32_t)(region.reach * around >> 8), 1 << 13));
+    find_nodes_nearness(region.outside & 0xff, 4, corners, &region);
+    return glint_region_place(region.outside & 0xff, &region);
 }
 
 static int find_shape_region(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
                              glint_node *const nodes[], glint_region *region) {
     const glint_shading *shading = draw->shading;
     glint_w_range w;
-    uint32_t closeness = 0, around = 0;
     if (!find_w_range(shape, nodes, &w))
         return 0;
     region->turn = find_shape_turn(shape, nodes);
     glint_region_measure(shading->terms->pixel, shape->longest, &w, region);
     region->levels = 0;
-    region->half = INT16_MAX;
     region->lit = region->dark = 0xff;
     region->outside = 0xffff;
     region->far = region->unfit = region->steep = region->left = 0;
@@ -120,18 +135,16 @@ static int find_shape_region(const glint_frame *frame, const glint_draw *draw, c
         region->steep |= node->steep;
         region->left |= node->left;
         region->levels = node->levels > region->levels ? node->levels : region->levels;
-        region->half = node->half < region->half ? node->half : region->half;
-        closeness = node->closeness > closeness ? node->closeness : closeness;
-        around = node->around > around ? node->around : around;
     }
+    find_nodes_nearness(shading->lights & ~region->left, shape->count, nodes, region);
     region->colour = draw->extra ? find_colour(shape, nodes) : 0;
-    const uint32_t lobes = glint_region_sort(frame, shading, closeness, around, region) & shape->lobes;
+    const uint32_t lobes = glint_region_sort(frame, shading, region) & shape->lobes;
     region->lobes = region->slope = 0;
     region->has_edge = 0;
-    const glint_lobe_bounds bounds = /* nodes lie half as far apart as corners */
-        glint_find_lobe_bounds(shading, glint_lobe_bulge(shading, region) / 4);
     for (uint32_t l = 0; lobes >> l; l++)
         if (lobes >> l & 1) {
+            const glint_lobe_bounds bounds = /* nodes lie half as far apart as corners */
+                glint_find_lobe_bounds(shading, glint_lobe_bulge(shading, region, l) / 4);
             const glint_lobe_range range = find_shape_lobe(shape, nodes, l);
             glint_region_add_lobe(shading, &bounds, l, &range, region);
         }
@@ -218,7 +231,7 @@ static int begin_sums(const shape_target *to, glint_node *const nodes[], int has
 static int begin_apart(const shape_target *to, glint_node *const nodes[], const glint_apart *apart) {
     uint32_t next = apart->first;
     int32_t n[GLINT_CELL_NODES];
-    for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++) {
+    for (uint32_t kind = 0; kind < GLINT_NUMBERS_DRAWN; kind++) {
         if (!(apart->kinds >> kind & 1))
             continue;
         for (uint32_t i = 0; i < to->shape->count; i++)

@@ -2,6 +2,21 @@
 /* Corners: what those of a triangle tell of its light, which lights shine on it and whose highlights show. */
 #include "corners.h"
 
+#include "nearness.h"
+
+/* |a - b|^2 on the screen, 28.4. */
+static inline uint32_t screen_square(const glint_vertex *a, const glint_vertex *b) {
+    const int32_t x = a->x - b->x, y = a->y - b->y;
+    return (uint32_t)(x * x) + (uint32_t)(y * y);
+}
+
+uint32_t glint_find_longest(const glint_vertex *const corners[3]) {
+    uint32_t most = screen_square(corners[0], corners[1]);
+    const uint32_t b = screen_square(corners[1], corners[2]), c = screen_square(corners[2], corners[0]);
+    most = b > most ? b : most;
+    return glint_root_above(c > most ? c : most);
+}
+
 static inline void measure(uint32_t pixel, const glint_triangle *triangle, glint_candidate *t) {
     glint_region *region = &t->region;
     const glint_vertex *const *v = triangle->corners;
@@ -26,12 +41,25 @@ static inline glint_lobe_range find_lobe_range(const uint8_t at[GLINT_NUMBERS], 
 
 /* Which highlights among some show. */
 static void find_lobes(const glint_shading *shading, uint32_t lobes, glint_candidate *t) {
-    const glint_lobe_bounds bounds = glint_find_lobe_bounds(shading, glint_lobe_bulge(shading, &t->region));
     for (uint32_t l = 0; lobes >> l; l++)
         if (lobes >> l & 1) {
+            const glint_lobe_bounds bounds = glint_find_lobe_bounds(shading, glint_lobe_bulge(shading, &t->region, l));
             const glint_lobe_range range = find_lobe_range(shading->terms->at[l], t);
             glint_region_add_lobe(shading, &bounds, l, &range, &t->region);
         }
+}
+
+/* How near a light is to the corners at most, and how strong. */
+static void find_corners_nearness(uint32_t l, const uint8_t at[GLINT_NUMBERS], glint_candidate *t) {
+    uint32_t nearness = 0x7f;
+    int32_t strength = at[GLINT_STRENGTH] ? 0 : 1 << 14;
+    for (int i = 0; i < 3 && at[GLINT_NEARNESS]; i++) {
+        nearness = glint_nearness_of_both(nearness, (uint16_t)t->kept[i][at[GLINT_NEARNESS]]);
+        if (at[GLINT_STRENGTH])
+            strength = glint_most(strength, t->kept[i][at[GLINT_STRENGTH]]);
+    }
+    t->region.nearness[l] = (uint16_t)nearness;
+    t->region.strength[l] = (uint16_t)strength;
 }
 
 /* A colour at the middle of an edge, which is linear over w. */
@@ -91,7 +119,6 @@ int glint_find_region(const glint_frame *frame, const glint_draw *draw, const gl
     const uint32_t flags = (uint16_t)(a[GLINT_KEPT_FLAGS] | b[GLINT_KEPT_FLAGS] | c[GLINT_KEPT_FLAGS]);
     measure(light->pixel, triangle, t);
     region->levels = (uint32_t)glint_most_of(a[GLINT_KEPT_LEVELS], b[GLINT_KEPT_LEVELS], c[GLINT_KEPT_LEVELS]) << 2;
-    region->half = (uint32_t)glint_least_of(a[GLINT_KEPT_HALF], b[GLINT_KEPT_HALF], c[GLINT_KEPT_HALF]);
     region->lit = facing & 0xff;
     region->dark = facing >> 8;
     region->far = flags & 0xff;
@@ -101,10 +128,10 @@ int glint_find_region(const glint_frame *frame, const glint_draw *draw, const gl
     region->outside = (uint16_t)(a[GLINT_KEPT_OUTSIDE] & b[GLINT_KEPT_OUTSIDE] & c[GLINT_KEPT_OUTSIDE]);
     t->has_surface = draw->extra != 0;
     region->colour = t->has_surface ? find_surface(triangle, t) : 0;
-    const uint32_t lobes = glint_region_sort(
-        frame, shading,
-        (uint32_t)glint_most_of(a[GLINT_KEPT_CLOSENESS], b[GLINT_KEPT_CLOSENESS], c[GLINT_KEPT_CLOSENESS]),
-        (uint32_t)glint_most_of(a[GLINT_KEPT_AROUND], b[GLINT_KEPT_AROUND], c[GLINT_KEPT_AROUND]), region);
+    for (uint32_t l = 0; shading->lights >> l; l++)
+        if (shading->lights >> l & 1)
+            find_corners_nearness(l, light->at[l], t);
+    const uint32_t lobes = glint_region_sort(frame, shading, region);
     region->lobes = region->slope = 0;
     region->has_edge = 0;
     if (lobes)

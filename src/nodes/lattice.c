@@ -296,8 +296,10 @@ void glint_draw_edges(const glint_frame *frame, glint_workspace *workspace, cons
     int has_begun = 0;
     for (const glint_run *run = runs; run != end; run++) {
         const uint32_t found = glint_terms_find_edge(terms, polynomials, part, run, columns);
-        if (found && !has_begun)
+        if (found && !has_begun) {
             glint_gathering_begin(&gathering, triangle, normals, triangle->back, &attributes);
+            gathering.fragments->away = ~(uint32_t)terms->shown;
+        }
         has_begun |= found != 0;
         for (uint32_t i = 0; i < found; i++)
             glint_gather_lit(&gathering, columns[i], run->y);

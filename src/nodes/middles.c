@@ -26,7 +26,7 @@ static void take_kept(const glint_light_terms *light, const int16_t *kept, uint3
         if (!(lights >> l & 1))
             continue;
         node->number[l][GLINT_STRENGTH] = 1 << 14; /* where none is kept */
-        for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
+        for (uint32_t kind = 0; kind < GLINT_NUMBERS_DRAWN; kind++)
             if (light->at[l][kind])
                 node->number[l][kind] = kept[light->at[l][kind]];
     }

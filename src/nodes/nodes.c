@@ -3,6 +3,7 @@
 #include "../fast/fast.h"
 #include "../light/model.h"
 #include "../light/point.h"
+#include "nearness.h"
 #include "terms.h"
 
 /* N.L, Q15, from which on a point clearly faces a light, or does not: of lights without and with a position. */
@@ -22,11 +23,11 @@ void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[
 }
 
 /* The half vector, and half its square before it is made unit. @return 0 where it turns too fast, or points away */
-static int find_half(const int16_t light[3], const int16_t view[3], uint32_t *least, int16_t axis[3]) {
+static int find_half(const int16_t light[3], const int16_t view[3], uint32_t *half, int16_t axis[3]) {
     const int32_t square = glint_shift_right(GLINT_UNIT * GLINT_UNIT + glint_dot(light, view), 15);
     if (square < LEAST_HALF_SQUARE)
         return 0;
-    *least = (uint32_t)glint_least((int32_t)*least, square);
+    *half = (uint32_t)glint_least(square, INT16_MAX);
     glint_unit(light[0] + view[0], light[1] + view[1], light[2] + view[2], axis);
     return axis[2] >= 0;
 }
@@ -71,11 +72,17 @@ static inline int32_t signed_cosine(int32_t dot) { /* UNIT^2 is 2^30 less a part
     return glint_least(glint_shift_right(dot + glint_shift_right(dot, 12), 15), INT16_MAX);
 }
 
-/* A lobe lies around H, and N turns about it; or around V, and R does. */
-static void light_lobe(const glint_shading *shading, uint32_t i, const glint_prepared_light *source, int is_fixed,
-                       const glint_fragments *at, uint32_t n, const int16_t *light, int32_t dot, glint_node *node) {
+/* Of mirrored light |L + V|^2 / 2 stands for what R and V turn by; where no axis turns it is as large as can be. */
+static inline uint32_t usual_half(const glint_shading *shading) {
+    return shading->material->model->lobe == GLINT_LOBE_MIRROR ? 1 << 14 : INT16_MAX;
+}
+
+/* A lobe lies around H, and N turns about it; or around V, and R does. @return |L + V|^2 / 2, Q15 */
+static uint32_t light_lobe(const glint_shading *shading, uint32_t i, const glint_prepared_light *source, int is_fixed,
+                           const glint_fragments *at, uint32_t n, const int16_t *light, int32_t dot, glint_node *node) {
     int16_t own[3];
     const int16_t *turning = at->normal[n], *axis = own;
+    uint32_t half = usual_half(shading);
     int is_there = 1;
     node->number[i][GLINT_LOBE_X] = node->number[i][GLINT_LOBE_Y] = 0;
     if (shading->material->model->lobe == GLINT_LOBE_MIRROR) {
@@ -86,9 +93,7 @@ static void light_lobe(const glint_shading *shading, uint32_t i, const glint_pre
         axis = source->half_vector;
         is_there = axis[2] > 0;
     } else {
-        const uint32_t is_gated = !(shading->material->flags & GLINT_MATERIAL_UNGATED);
-        uint32_t unused = 1 << 14;
-        is_there = find_half(light, at->view[n], node->dark >> i & is_gated ? &unused : &node->half, own);
+        is_there = find_half(light, at->view[n], &half, own);
     }
     if (!is_there)
         node->unfit |= (uint8_t)(1u << i);
@@ -96,6 +101,7 @@ static void light_lobe(const glint_shading *shading, uint32_t i, const glint_pre
         node->number[i][GLINT_LOBE_X] = (int16_t)(signed_cosine(glint_dot(turning, axis)) >> 1);
     else if (find_lobe_deviation(turning, axis, shading->terms->lobe_shift, node->number[i]))
         node->far |= (uint8_t)(1u << i);
+    return half;
 }
 
 /* Most that a cone's number tells, Q12. */
@@ -143,16 +149,13 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
         node->dark |= is_dark ? bit : 0;
         node->number[i][GLINT_SIDE] = (int16_t)glint_shift_right(cosine * strength, 16);
         node->number[i][GLINT_STRENGTH] = (int16_t)glint_shift_right(strength, 1);
+        uint32_t half = usual_half(shading);
         if (lobes & bit)
-            light_lobe(shading, i, source, !has_position && !frame->view->local_viewer, at, n, light, dot, node);
-        const uint32_t closeness = has_position ? glint_point_closeness(at, n) : 0;
-        if (closeness > node->around) /* it may shine between nodes that it does not reach */
-            node->around = closeness;
-        if (is_dark || node->outside & bit)
-            continue;
-        node->levels += (terms->diffuse_levels[i] >> 3) * (uint32_t)strength >> 16;
-        if (closeness > node->closeness)
-            node->closeness = closeness;
+            half = light_lobe(shading, i, source, !has_position && !frame->view->local_viewer, at, n, light, dot, node);
+        node->number[i][GLINT_NEARNESS] =
+            (int16_t)(uint16_t)glint_nearness_of(has_position ? glint_point_closeness(at, n) : 0, half);
+        if (!is_dark && !(node->outside & bit))
+            node->levels += (terms->diffuse_levels[i] >> 3) * (uint32_t)strength >> 16;
     }
 }
 
@@ -162,8 +165,7 @@ void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, g
         glint_find_view_vectors(frame->view, at);
     for (uint32_t n = 0; n < at->count; n++) {
         glint_node *node = nodes[n];
-        node->levels = node->closeness = node->around = 0;
-        node->half = shading->material->model->lobe == GLINT_LOBE_MIRROR ? 1 << 14 : INT16_MAX;
+        node->levels = 0;
         node->outside = 0;
         node->lit = node->dark = node->far = node->unfit = node->steep = node->left = 0;
     }

@@ -314,6 +314,8 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
         glint_find_middle_lengths(&by);
     if (!glint_find_middles(frame, draw, triangle, &t))
         return 0;
+    if (over)
+        region->margin = region->margin_over_length;
     region->has_edge |= has_edge(shading, &t, over);
     const int twice = shading->material->model->lobe == GLINT_LOBE_MIRROR;
     glint_terms_name(frame, draw, region, over ? 1 + twice : 0, terms);

@@ -15,8 +15,9 @@
 
 /* ---- Materials ---- */
 
-/** Numbers of a light at a node: terms.h. */
-#define GLINT_NUMBERS 5
+/** Numbers of a light at a node: terms.h; and those of them that polynomials go through. */
+#define GLINT_NUMBERS 6
+#define GLINT_NUMBERS_DRAWN 5
 
 /** Intervals of a power of the cosine from 1/2 to 1, and values of that: these, and the powers of 2^-i. */
 #define GLINT_COSINE_HALF 64
@@ -65,7 +66,8 @@ enum {
     GLINT_CONE,     /* how far within the cone, Q12: 0 at its outer edge, 1 at the inner */
     GLINT_STRENGTH, /* Q14, but for the cone */
     GLINT_LOBE_X,   /* deviation, Q14 times 2^lobe_shift */
-    GLINT_LOBE_Y
+    GLINT_LOBE_Y,
+    GLINT_NEARNESS /* nearness.h */
 };
 
 /** Light at a point. */
@@ -76,8 +78,6 @@ typedef struct glint_node {
     int32_t inverse_w;
     int16_t normal[3], surface[3]; /* the surface's colours, Q14 */
     uint32_t levels;               /* what all lights that it does not clearly face away from make: in Q4 */
-    uint32_t half;                 /* the least |L + V|^2 / 2 of lights with highlights, Q15, at most 1 */
-    uint32_t closeness, around;    /* most of these lights', and of all: depth over the distance, Q8 */
     uint8_t lit, dark;             /* lights that it clearly faces, within their cones, and that it clearly does not */
     uint16_t outside;              /* lights whose cones it is clearly outside of, and from bit 8 on: by far */
     uint8_t far;                   /* lights whose deviation was cut off */
@@ -110,27 +110,31 @@ void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[
 
 /** What is known of the light on a region; angles Q12, lights by bits. */
 typedef struct glint_region {
-    uint32_t turn;                    /* of the normals, from corner to corner at most */
-    uint32_t across;                  /* how far the corners lie apart on the screen, over the focal length */
-    uint32_t reach;                   /* how far they lie apart, over their depth */
-    uint32_t slant;                   /* the change of 1/w, times 1.85 */
-    uint32_t near;                    /* how far they lie apart, over the distance to a light */
-    uint32_t colour;                  /* by how much the surface's colours differ, of 1 */
-    uint32_t levels;                  /* what light makes, Q4 */
-    uint32_t half;                    /* the least |L + V|^2 / 2, Q15; of mirrored light 1/2 */
-    uint32_t lit, dark, outside;      /* as nodes have it, at all of them */
-    uint32_t far, unfit, steep, left; /* at some */
+    uint32_t turn;                       /* of the normals, from corner to corner at most */
+    uint32_t across;                     /* how far the corners lie apart on the screen, over the focal length */
+    uint32_t reach;                      /* how far the corners lie apart, over their depth */
+    uint32_t slant;                      /* the change of 1/w, times 1.85 */
+    uint32_t colour;                     /* by how much the surface's colours differ, of 1 */
+    uint32_t levels;                     /* what light makes, Q4 */
+    uint32_t lit, dark, outside;         /* as nodes have it, at all of them */
+    uint32_t far, unfit, steep, left;    /* at some */
+    uint16_t nearness[GLINT_LIGHTS_MAX]; /* of each light, of all nodes */
+    uint16_t strength[GLINT_LIGHTS_MAX]; /* its most at nodes, Q14 */
     /* what is found */
     int has_edge;                       /* may a highlight end at once within the region? */
     int folds;                          /* may sums be multiplied by the surface's colours at nodes? */
     uint32_t held, sides, cones, lobes; /* lights in sums, with terms of their own, of these with cones; highlights */
     uint32_t summed;                    /* highlights in sums; `lobes` has the others */
     uint32_t shine;                     /* what quadratics make of these may be off by, levels in Q8 */
-    uint32_t axis;                      /* what highlights' axes turn by */
+    uint16_t near_of[GLINT_LIGHTS_MAX]; /* how far corners lie apart, over the distance to a light, */
+    uint32_t near;                      /* and at most to one that shines */
+    uint16_t axis_of[GLINT_LIGHTS_MAX]; /* what a highlight's axis turns by, */
+    uint32_t axis;                      /* and at most */
     uint32_t slope;                     /* of highlights that show, over their deviations, at most, Q8 */
     uint32_t place, of_colour;          /* what sums turn by but for the normals, and what colours make over w */
     uint32_t error;                     /* of quadratics, levels in Q8 */
-    int32_t margin;                     /* of a light's N.L, Q14 */
+    int32_t margin;                     /* of a light's N.L, Q14, */
+    int32_t margin_over_length;         /* and where numbers are times the normal's length */
     uint32_t error_over_length;         /* of those where numbers are times the normal's length */
     uint32_t error_between;             /* what is more where nodes between corners are found from these */
 } glint_region;
@@ -158,12 +162,11 @@ uint32_t glint_find_longest(const glint_vertex *const corners[3]);
 /** Sets `across`, `reach` and `slant` of a region so long, 28.4, with this range of 1/w. @param pixel of the terms */
 void glint_region_measure(uint32_t pixel, uint32_t longest, const glint_w_range *w, glint_region *region);
 
-/** Of lights whose cones all nodes are outside of, `outside` of nodes, those that are so near and yet out of reach. */
-uint32_t glint_find_away(uint32_t outside, uint32_t near);
+/** Sets how near these lights are, from their nearness. @return those whose cones the region is outside of */
+uint32_t glint_region_place(uint32_t lights, glint_region *region);
 
 /** Sets what becomes of lights, from `lit` and `dark` on. @return those whose highlights may show */
-uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, uint32_t closeness, uint32_t around,
-                           glint_region *region);
+uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, glint_region *region);
 
 /** May polynomials fit at all? Then sets what error is found from. */
 int glint_region_fits(const glint_shading *shading, int has_surface, glint_region *region);
@@ -183,8 +186,9 @@ uint32_t glint_plane_error(const glint_shading *shading, int has_surface, const 
 /** Sets how far quadratics may be off. @return 0 where none fit */
 int glint_region_bound(const glint_frame *frame, const glint_shading *shading, glint_region *region);
 
-/** How far deviations between a triangle's corners may lie beyond these, as kept: planes' error of highlights. */
-int32_t glint_lobe_bulge(const glint_shading *shading, const glint_region *region);
+/** How far a light's deviations between a triangle's corners may lie beyond these, as kept: planes' error of
+ * highlights. */
+int32_t glint_lobe_bulge(const glint_shading *shading, const glint_region *region, uint32_t light);
 
 /** Where highlights may show: within an octagon of these radii; of wide ones, where the cosine is not below one of
  * these numbers, and clearly above the other. */
@@ -232,7 +236,7 @@ void glint_region_add_lobe(const glint_shading *shading, const glint_lobe_bounds
 /* ---- Terms ---- */
 
 /** Most polynomials of a region: of sums, of |M|^2, of the surface's colours, and of lights. */
-#define GLINT_POLYNOMIALS_MAX (7 + GLINT_NUMBERS * GLINT_LIGHTS_MAX)
+#define GLINT_POLYNOMIALS_MAX (7 + GLINT_NUMBERS_DRAWN * GLINT_LIGHTS_MAX)
 
 /** A light with terms of its own: polynomials from number `first` on, of the numbers in `kinds`, bit by bit. */
 typedef struct glint_apart {
@@ -250,7 +254,7 @@ typedef struct glint_terms {
     uint8_t has_shine;      /* they hold highlights */
     uint8_t is_fused;       /* they are all there is, and the format's own loop draws them */
     uint8_t is_curved;
-    uint8_t apart_count;
+    uint8_t apart_count, shown;    /* lights with terms of their own; and all that there are, by bits */
     uint8_t sums, square, surface; /* how many sums there are, the first polynomials; and which others these are */
     uint8_t end;                   /* of the polynomials in use */
     int32_t margin; /* above 0: pixels are not drawn by these whose N.L, Q14, is this near 0 and that may be gated */
@@ -295,8 +299,7 @@ static inline uint32_t glint_finish_of(const glint_terms *terms, int has_surface
 
 /**
  * What a vertex keeps: its sum; the lights it faces and does not; those whose deviation is cut off or unknown; those
- * whose cones are; what light there is, how close, and how far from opposite the eye; the highlights of lights it
- * faces; and lights' numbers.
+ * whose cones are; what light there is; the highlights of lights it faces; and lights' numbers.
  */
 enum {
     GLINT_KEPT_FACING,
@@ -304,9 +307,6 @@ enum {
     GLINT_KEPT_STEEP,
     GLINT_KEPT_OUTSIDE,
     GLINT_KEPT_LEVELS,
-    GLINT_KEPT_CLOSENESS,
-    GLINT_KEPT_AROUND,
-    GLINT_KEPT_HALF,
     GLINT_KEPT_SHINE, /* three channels */
     GLINT_KEPT = GLINT_KEPT_SHINE + 3
 };

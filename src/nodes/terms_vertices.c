@@ -11,9 +11,6 @@ static void keep(const glint_light_terms *light, const glint_node *node, int16_t
     rest[GLINT_KEPT_STEEP] = (int16_t)node->steep;
     rest[GLINT_KEPT_OUTSIDE] = (int16_t)node->outside;
     rest[GLINT_KEPT_LEVELS] = (int16_t)glint_least((int32_t)((node->levels + 3) >> 2), INT16_MAX); /* Q2 */
-    rest[GLINT_KEPT_HALF] = (int16_t)node->half;
-    rest[GLINT_KEPT_CLOSENESS] = (int16_t)glint_least((int32_t)node->closeness, INT16_MAX);
-    rest[GLINT_KEPT_AROUND] = (int16_t)glint_least((int32_t)node->around, INT16_MAX);
     for (int c = 0; c < 3; c++)
         rest[GLINT_KEPT_SHINE + c] = (int16_t)node->shine[c];
     for (uint32_t i = 0; i < light->light_count; i++)

@@ -26,6 +26,9 @@ static glint_region region;
 /* Most levels, Q8, that a weight of 15 makes. Of lights of three colours there may be three times as many. */
 #define LEVELS_Q8 (15u << 16)
 
+/* The nearness of a light right there. */
+#define NEAREST (384 << 7 | 127)
+
 static const glint_light_type types[3] = {{0, 0, 0, 0}, {0, any_illuminate, 0, 0}, {0, any_illuminate, 0, 1}};
 
 /* Any material and lights. */
@@ -65,9 +68,14 @@ static void any_region(void) {
     region.reach = ANY_UNSIGNED(0, 1 << 14);
     region.slant = ANY_UNSIGNED(0, 30336);
     region.near = ANY_UNSIGNED(0, 1 << 13);
+    for (int i = 0; i < GLINT_LIGHTS_MAX; i++) {
+        region.nearness[i] = (uint16_t)ANY(0, NEAREST);
+        region.strength[i] = (uint16_t)ANY(0, 1 << 14);
+        region.near_of[i] = (uint16_t)ANY(0, 1 << 13);
+        region.axis_of[i] = (uint16_t)ANY(0, UINT16_MAX);
+    }
     region.colour = ANY_UNSIGNED(0, 1 << 14);
     region.levels = ANY_UNSIGNED(0, 3 * LEVELS_Q8 >> 4);
-    region.half = ANY_UNSIGNED(0, INT16_MAX);
     region.lit = ANY_UNSIGNED(0, 0xff);
     region.dark = ANY_UNSIGNED(0, 0xff);
     region.outside = ANY_UNSIGNED(0, 0xffff);
@@ -107,17 +115,6 @@ PROOF(glint_hypotenuse) {
     glint_hypotenuse(ANY_UNSIGNED(0, 1 << 25), ANY_UNSIGNED(0, 1 << 25));
 }
 
-/* Any corners on the guard band. @contract glint_root_above */
-PROOF(glint_find_longest) {
-    static glint_vertex vertices[3];
-    const glint_vertex *const corners[3] = {&vertices[0], &vertices[1], &vertices[2]};
-    for (int i = 0; i < 3; i++) {
-        vertices[i].x = (int16_t)ANY(0, 32735);
-        vertices[i].y = (int16_t)ANY(0, 32735);
-    }
-    glint_find_longest(corners);
-}
-
 /* Any focal length, regions of up to 2046 pixels across and down; any 1/w and what it changes by, by their bits.
  * @unsigned @unreached 1 a number of no bits */
 PROOF(glint_region_measure) {
@@ -131,22 +128,45 @@ PROOF(glint_region_measure) {
     }
 }
 
+/* Any closeness, by its bits, and half vector. @unsigned */
+PROOF(glint_nearness_of) {
+    FOR_PARTS(bits, 0, 16) {
+        const uint32_t nearness = glint_nearness_of(ANY_OF_BITS(bits), ANY_UNSIGNED(0, INT16_MAX));
+        /*@ assert nearness <= 49279; */
+    }
+}
+
+/* Any nearness, by its closeness. @unsigned */
+PROOF(glint_closeness_of) {
+    FOR_PARTS(code, 0, 384) {
+        const uint32_t closeness = glint_closeness_of(ANY_UNSIGNED((uint32_t)code << 7, (uint32_t)code << 7 | 127));
+        /*@ assert closeness <= 65536; */
+    }
+}
+
+/* Stands on its driver. */
+/*@ assigns \result \from nearness;
+    ensures \result <= 65536; */
+static inline uint32_t glint_closeness_of(uint32_t nearness);
+
+/* Any lights, any nearness. @contract glint_closeness_of @unsigned */
+PROOF(glint_region_place) {
+    any_region();
+    glint_region_place(ANY_UNSIGNED(0, 0xff), &region);
+}
+
 /*
- * Any lights, any closeness, by the bits of |L + V|^2 / 2.
- * @contract glint_inverse_root @unsigned @unreached 1 leading zeros of 0 @options -eva-slevel 300
+ * Any lights, any nearness, by the bits of |L + V|^2 / 2 that it holds.
+ * @contract glint_inverse_root glint_closeness_of @unsigned @unreached 1 leading zeros of 0 @options -eva-slevel 300
  */
 PROOF(glint_region_sort) {
     any_material();
     any_region();
-    FOR_PARTS(bits, 0, 15) {
-        region.half = ANY_OF_BITS(bits);
-        glint_region_sort(&frame, &shading, ANY_UNSIGNED(0, 0xffff), ANY_UNSIGNED(0, 0xffff), &region);
+    FOR_PARTS(bits, 0, 7) {
+        for (int i = 0; i < GLINT_LIGHTS_MAX; i++)
+            region.nearness[i] = (uint16_t)(ANY_UNSIGNED(0, 384) << 7 | ANY_OF_BITS(bits));
+        glint_region_sort(&frame, &shading, &region);
     }
-}
-
-/* Any nodes' lights. */
-PROOF(glint_find_away) {
-    glint_find_away(ANY_UNSIGNED(0, 0xffff), ANY_UNSIGNED(0, 1 << 13));
 }
 
 /* Any region. @contract glint_root_above @unsigned @options -eva-slevel 300 */
@@ -167,6 +187,10 @@ static void any_fitting(int eighth) {
     region.slant = ANY_UNSIGNED(0, STEEPEST);
     region.axis = ANY_UNSIGNED(0, rest);
     region.place = ANY_UNSIGNED(0, rest);
+    for (int i = 0; i < GLINT_LIGHTS_MAX; i++) {
+        region.near_of[i] = (uint16_t)ANY(0, TOO_NEAR);
+        region.axis_of[i] = (uint16_t)ANY(0, (int)rest);
+    }
     region.of_colour = ANY_UNSIGNED(0, 1 << 23);
     model.lobe = (uint8_t)ANY(GLINT_LOBE_OTHER, eighth < 4 ? GLINT_LOBE_MIRROR : GLINT_LOBE_HALF_VECTOR);
 }
@@ -174,7 +198,8 @@ static void any_fitting(int eighth) {
 /*
  * Any region that polynomials may fit, by eighths of its turn.
  * @unsigned
- * @alarms 3 a larger number has the larger square, and what is left of a turn is not below 0; suite `nodes`
+ * @alarms 2 a larger number has the larger square; suite `nodes`
+ * @unreached 14 what quadratics are off by
  * @options -eva-slevel 300
  */
 PROOF(glint_plane_error) {
@@ -198,7 +223,12 @@ PROOF(glint_region_part_lobes) {
     glint_region_part_lobes(&region);
 }
 
-/* Any region that polynomials may fit, by eighths of its turn. @unsigned @options -eva-slevel 300 */
+/*
+ * Any region that polynomials may fit, by eighths of its turn.
+ * @unsigned
+ * @unreached 2 what planes are off by
+ * @options -eva-slevel 300
+ */
 PROOF(glint_region_bound) {
     FOR_PARTS(eighth, 0, 7) {
         any_fitting((int)eighth);
@@ -210,7 +240,7 @@ PROOF(glint_region_bound) {
 PROOF(glint_lobe_bulge) {
     any_material();
     any_region();
-    const int32_t bulge = glint_lobe_bulge(&shading, &region);
+    const int32_t bulge = glint_lobe_bulge(&shading, &region, ANY_UNSIGNED(0, GLINT_LIGHTS_MAX - 1));
     /*@ assert 0 <= bulge <= 0x20000000; */
 }
 

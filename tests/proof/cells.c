@@ -15,9 +15,10 @@
     ensures \result <= 0x40000; */
 uint32_t glint_root_above(uint32_t square);
 
-/*@ assigns \result \from outside, near;
+/*@ requires \valid(region) && lights <= 0xff;
+    assigns \result, region->near_of[0 .. 7] \from lights, *region;
     ensures \result <= 0xff; */
-uint32_t glint_find_away(uint32_t outside, uint32_t near);
+uint32_t glint_region_place(uint32_t lights, glint_region *region);
 
 /*@ requires \valid_read(w) && \valid(region);
     requires w->least <= 0xffff && 1 <= w->change <= 0x10000;
@@ -57,7 +58,6 @@ static void any_nodes(void) {
                 cell[i].number[l][kind] = ANY_SHORT;
         cell[i].inverse_w = ANY_INT;
         cell[i].outside = (uint16_t)ANY(0, UINT16_MAX);
-        cell[i].around = ANY_UNSIGNED(0, UINT16_MAX);
     }
     any_cell(3);
 }
@@ -92,6 +92,13 @@ PROOF(find_shape_lobe) {
     }
 }
 
+/* Any nodes, of any lights. */
+PROOF(find_nodes_nearness) {
+    glint_region region;
+    any_nodes();
+    find_nodes_nearness(ANY_UNSIGNED(0, 0xff), GLINT_CELL_NODES, nodes, &region);
+}
+
 /* Any nodes of each light. */
 PROOF(shape_keeps_side) {
     any_nodes();
@@ -100,7 +107,7 @@ PROOF(shape_keeps_side) {
     }
 }
 
-/* Any nodes. @contract glint_find_away glint_region_measure find_w_range */
+/* Any nodes. @contract glint_region_place glint_region_measure find_w_range */
 PROOF(glint_shape_away) {
     any_nodes();
     glint_shape_away(&draw, &shape, nodes);

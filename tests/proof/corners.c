@@ -7,9 +7,9 @@
 #include "lit.h"
 
 /*
- * Not proven: glint_find_region, find_lobes, find_lobe_range, glint_find_reach, is_lit_at_corners: they walk corners and
- * lights, whose numbers are where place_numbers puts them, and call what is proven. Suites `nodes` and `identity` under
- * ASan and UBSan, and fuzzing.
+ * Not proven: glint_find_region, find_lobes, find_lobe_range, find_corners_nearness, glint_find_reach, is_lit_at_corners:
+ * they walk corners and lights, whose numbers are where place_numbers puts them, and call what is proven. Suites `nodes`
+ * and `identity` under ASan and UBSan, and fuzzing.
  */
 
 /* A triangle that is not deep: its corners' 1/w with the largest at 15 bits. */
@@ -53,6 +53,16 @@ PROOF(measure) {
     FOR_CORNERS(bits) {
         measure(ANY_UNSIGNED(1 << 10, 1u << 31), &triangle, &t);
     }
+}
+
+/* Any corners on the guard band. @contract glint_root_above */
+PROOF(glint_find_longest) {
+    const glint_vertex *const corners[3] = {&vertices[0], &vertices[1], &vertices[2]};
+    for (int i = 0; i < 3; i++) {
+        vertices[i].x = (int16_t)ANY(0, 32735);
+        vertices[i].y = (int16_t)ANY(0, 32735);
+    }
+    glint_find_longest(corners);
 }
 
 /*@ requires \valid_read(w) && \valid(region);

@@ -121,14 +121,14 @@ PROOF(find_cone) {
 
 /* Stands on what it returns where H points away. Suite `nodes`. */
 /*@ requires \valid_read(light + (0 .. 2)) && \valid_read(view + (0 .. 2));
-    requires \valid(least) && \valid(axis + (0 .. 2));
+    requires \valid(half) && \valid(axis + (0 .. 2));
     requires view[2] >= 0;
-    assigns \result, axis[0 .. 2], *least \from light[0 .. 2], view[0 .. 2], *least;
+    assigns \result, axis[0 .. 2], *half \from light[0 .. 2], view[0 .. 2], *half;
     ensures \result == 0 || \result == 1;
-    ensures \initialized(least);
+    ensures *half <= 32767;
     admit ensures \subset(axis[0 .. 2], (-32767 .. 32767));
     admit ensures \result == 0 || axis[2] >= 0; */
-static int find_half(const int16_t *light, const int16_t *view, uint32_t *least, int16_t *axis);
+static int find_half(const int16_t *light, const int16_t *view, uint32_t *half, int16_t *axis);
 
 /* A material of any lobes, and any node of one light. */
 static void any_material(void) {
@@ -148,11 +148,13 @@ static void any_material(void) {
 /*
  * One light at a point, of each kind: directional, point, spot; with any highlight.
  * @contract glint_dot glint_point_illuminate glint_point_closeness light_lobe
+ * @narrowing a nearness has 16 bits and no sign
  */
 PROOF(light_nodes) {
     static const glint_light_type types[3] = {{0, 0, 0, 0}, {0, any_illuminate, 0, 0}, {0, any_illuminate, 0, 1}};
     glint_node *const nodes[1] = {&node};
     any_material();
+    model.lobe = (uint8_t)ANY(GLINT_LOBE_NONE, GLINT_LOBE_MIRROR);
     FOR_PARTS(i, 0, GLINT_LIGHTS_MAX - 1) {
         FOR_PARTS(type, 0, 2) {
             any_source(&view.lights[i]);
@@ -166,12 +168,12 @@ PROOF(light_nodes) {
 
 /*@ requires \valid_read(shading) && \valid_read(source) && \valid_read(at) && i < 8 && n == 0;
     requires \valid_read(light + (0 .. 2)) && \valid(node);
-    assigns node->number[i][GLINT_LOBE_X .. GLINT_LOBE_Y], node->half, node->unfit, node->far
-        \from indirect: *shading, indirect: *source, is_fixed, indirect: *at, n, light[0 .. 2], dot, node->half,
-        node->unfit,
-        node->far; */
-static void light_lobe(const glint_shading *shading, uint32_t i, const glint_prepared_light *source, int is_fixed,
-                       const glint_fragments *at, uint32_t n, const int16_t *light, int32_t dot, glint_node *node);
+    assigns \result, node->number[i][GLINT_LOBE_X .. GLINT_LOBE_Y], node->unfit, node->far
+        \from indirect: *shading, indirect: *source, is_fixed, indirect: *at, n, light[0 .. 2], dot, node->unfit,
+        node->far;
+    ensures \result <= 32767; */
+static uint32_t light_lobe(const glint_shading *shading, uint32_t i, const glint_prepared_light *source, int is_fixed,
+                           const glint_fragments *at, uint32_t n, const int16_t *light, int32_t dot, glint_node *node);
 
 /*@ requires \valid_read(n + (0 .. 2)) && \valid_read(h + (0 .. 2)) && \valid(number + (0 .. 4));
     requires 0 <= h[2] <= 32767 && shift <= 12;
@@ -195,7 +197,6 @@ PROOF(light_lobe) {
         any_material();
         model.lobe = (uint8_t)lobe;
         at.view[0][2] = (int16_t)ANY(0, 32767);
-        node.dark = (uint8_t)ANY(0, UINT8_MAX);
         FOR_PARTS(i, 0, GLINT_LIGHTS_MAX - 1) {
             light_lobe(&shading, (uint32_t)i, &source, ANY(0, 1), &at, 0, light, ANY(-COSINE_MOST, COSINE_MOST), &node);
         }

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Suite: directions and strengths of point lights against long double, at the errors point.h states. */
+/* Suite: directions and strengths of point lights against long double, at the errors point.h states; and how near they
+ * are as nodes keep it. */
 #include "light/point.h"
 #include "glint.h"
 #include "harness.h"
+#include "nodes/nearness.h"
 
 #include <math.h>
 
@@ -130,9 +132,28 @@ static void lights_of_every_size_and_place(void) {
     report("strength", worst.strength, 2.8L);
 }
 
+/* What is kept errs to the safe side, by no more than its bits. */
+static void nearness_of_every_closeness(void) {
+    int unsafe = 0, far_off = 0, unlike = 0;
+    for (uint32_t closeness = 0; closeness <= UINT16_MAX; closeness++) {
+        const uint32_t half = closeness & INT16_MAX, nearness = glint_nearness_of(closeness, half),
+                       found = glint_closeness_of(nearness), found_half = (nearness & 0x7f) << 8,
+                       other = glint_nearness_of(UINT16_MAX - closeness, INT16_MAX - half),
+                       both = glint_nearness_of_both(nearness, other);
+        unsafe += found < closeness || found_half > half || nearness > UINT16_MAX;
+        far_off += 32 * (found - closeness) > closeness || half - found_half > 255;
+        unlike += (both >> 7) != (nearness > other ? nearness : other) >> 7 ||
+                  (both & 0x7f) != ((nearness & 0x7f) < (other & 0x7f) ? nearness & 0x7f : other & 0x7f);
+    }
+    CHECK_EQUAL(unsafe, 0);
+    CHECK_EQUAL(far_off, 0);
+    CHECK_EQUAL(unlike, 0);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(lights_of_every_size_and_place),
+        TEST_CASE(nearness_of_every_closeness),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }
