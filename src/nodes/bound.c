@@ -30,7 +30,6 @@ uint32_t glint_root_above(uint32_t square) {
 
 void glint_region_measure(uint32_t pixel, uint32_t longest, const glint_w_range *w, glint_region *region) {
     const uint32_t across = (uint32_t)glint_least((int32_t)(glint_product_unsigned(longest, pixel) >> 18), 1 << 14);
-    region->across = across;
     const uint32_t slant = w->least > w->change >> 2 ? (w->change << 12) / w->least : 1 << 14;
     region->slant = slant * 474 >> 8;
     region->reach = (uint32_t)glint_least((int32_t)glint_hypotenuse(across, slant), 1 << 14);
@@ -175,6 +174,8 @@ static inline int is_wide(uint32_t near, uint32_t clearly) {
 
 uint32_t glint_region_place(uint32_t lights, glint_region *region) {
     uint32_t away = 0;
+    for (uint32_t l = 0; l < GLINT_LIGHTS_MAX; l++)
+        region->near_of[l] = 0;
     for (uint32_t l = 0; lights >> l; l++) {
         if (!(lights >> l & 1))
             continue;
@@ -193,9 +194,9 @@ static inline uint32_t lobe_turn(const glint_shading *shading, const glint_regio
     return shading->material->model->lobe == GLINT_LOBE_MIRROR ? 2 * region->turn : region->turn;
 }
 
-/* What L and V turn by; V follows from the place on the screen. */
+/* What L and V turn by. */
 static inline uint32_t turn_of_rays(const glint_frame *frame, const glint_region *region, uint32_t l) {
-    return region->near_of[l] + (frame->view->local_viewer ? region->across : 0);
+    return region->near_of[l] + (frame->view->local_viewer ? region->reach : 0);
 }
 
 /* H turns by that over |L + V|. */
@@ -209,12 +210,13 @@ static inline uint32_t turn_of_axis(const glint_frame *frame, const glint_region
     return axis < UINT16_MAX ? axis : UINT16_MAX;
 }
 
-/* Sets by how much of its place and its axis a region turns at most, of lights that show. */
-static void set_most(const glint_frame *frame, uint32_t shown, uint32_t lobes, glint_region *region) {
+/* Sets by how much of its place and its axis a region turns at most, of lights that show and have a place. */
+static void set_most(const glint_frame *frame, uint32_t placed, uint32_t lobes, glint_region *region) {
     region->near = region->axis = 0;
-    for (uint32_t l = 0; shown >> l; l++) {
-        if (shown >> l & 1 && region->near_of[l] > region->near)
+    for (uint32_t l = 0; placed >> l; l++)
+        if (placed >> l & 1 && region->near_of[l] > region->near)
             region->near = region->near_of[l];
+    for (uint32_t l = 0; lobes >> l; l++) {
         if (!(lobes >> l & 1))
             continue;
         region->axis_of[l] = (uint16_t)turn_of_axis(frame, region, l);
@@ -224,13 +226,14 @@ static void set_most(const glint_frame *frame, uint32_t shown, uint32_t lobes, g
 
 uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
     const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED;
-    const uint32_t away = glint_region_place(shading->lights & ~region->left, region) | region->left,
-                   dark = region->dark | away, lights = shading->lights & ~away;
+    const uint32_t placed = shading->lights & shading->terms->placed;
+    const uint32_t away = glint_region_place(placed & ~region->left, region) | region->left, dark = region->dark | away,
+                   lights = shading->lights & ~away, near = placed & ~away;
     region->turn = (uint32_t)glint_least((int32_t)region->turn, 1 << 13);
     region->held = region->lit;
     region->sides = lights & ~region->lit & ~dark;
-    for (uint32_t l = 0; lights >> l; l++)
-        if (lights >> l & 1 && times(region->near_of[l], region->turn) > 2 * CLEAR_OF_EDGE) {
+    for (uint32_t l = 0; near >> l; l++)
+        if (near >> l & 1 && times(region->near_of[l], region->turn) > 2 * CLEAR_OF_EDGE) {
             region->sides |= 1u << l; /* clear at nodes, not between them */
             region->held &= ~(1u << l);
         }
@@ -242,13 +245,13 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
             region->held &= ~(1u << l);
         }
     region->cones = cones & ~region->held;
-    set_most(frame, shown, lobes, region);
+    set_most(frame, shown & placed, lobes, region);
     return lobes;
 }
 
-/* What is left of a light's levels at its strength at nodes. */
+/* What is left of a light's levels at its strength at nodes: all where no light is near. */
 static GLINT_NOINLINE uint32_t levels_at_strength(uint32_t levels, const glint_region *region, uint32_t l) {
-    return scaled(levels, region->strength[l], 14) + 16;
+    return !region->near ? levels : scaled(levels, region->strength[l], 14) + 16;
 }
 
 int glint_region_fits(const glint_shading *shading, int has_surface, glint_region *region) {
@@ -322,7 +325,7 @@ static GLINT_NOINLINE uint32_t sum_error(const glint_light_terms *light, const g
     const uint32_t whole =
         is_plane ? plane_sum_error(region->levels, longer, all, b) : of_levels(cube(all, b), region->levels);
     uint32_t each = 0;
-    if (!shown || !(shown & (shown - 1)))
+    if (!region->near || !(shown & (shown - 1)))
         return whole;
     for (uint32_t l = 0; shown >> l && each < whole; l++) {
         const uint32_t here = turn + turn_of_place(region, l),
@@ -361,7 +364,7 @@ static uint32_t sum_error_over_length(const glint_light_terms *light, const glin
     const uint32_t b = region->slant, shown = region->held | region->sides;
     const uint32_t whole = of_levels(cube(region->place, b) + turned_by(region, region->place, b), region->levels);
     uint32_t each = 0;
-    if (!shown || !(shown & (shown - 1)))
+    if (!region->near || !(shown & (shown - 1)))
         return whole;
     for (uint32_t l = 0; shown >> l && each < whole; l++) {
         const uint32_t place = turn_of_place(region, l);

@@ -128,8 +128,9 @@ int glint_find_region(const glint_frame *frame, const glint_draw *draw, const gl
     region->outside = (uint16_t)(a[GLINT_KEPT_OUTSIDE] & b[GLINT_KEPT_OUTSIDE] & c[GLINT_KEPT_OUTSIDE]);
     t->has_surface = draw->extra != 0;
     region->colour = t->has_surface ? find_surface(triangle, t) : 0;
-    for (uint32_t l = 0; shading->lights >> l; l++)
-        if (shading->lights >> l & 1)
+    const uint32_t measured = shading->lights & (light->placed | light->lobes);
+    for (uint32_t l = 0; measured >> l; l++)
+        if (measured >> l & 1)
             find_corners_nearness(l, light->at[l], t);
     const uint32_t lobes = glint_region_sort(frame, shading, region);
     region->lobes = region->slope = 0;

@@ -111,7 +111,6 @@ void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[
 /** What is known of the light on a region; angles Q12, lights by bits. */
 typedef struct glint_region {
     uint32_t turn;                       /* of the normals, from corner to corner at most */
-    uint32_t across;                     /* how far the corners lie apart on the screen, over the focal length */
     uint32_t reach;                      /* how far the corners lie apart, over their depth */
     uint32_t slant;                      /* the change of 1/w, times 1.85 */
     uint32_t colour;                     /* by how much the surface's colours differ, of 1 */
@@ -159,10 +158,10 @@ static inline uint32_t glint_hypotenuse(uint32_t a, uint32_t b) {
 /** A triangle's longest edge, 28.4. */
 uint32_t glint_find_longest(const glint_vertex *const corners[3]);
 
-/** Sets `across`, `reach` and `slant` of a region so long, 28.4, with this range of 1/w. @param pixel of the terms */
+/** Sets `reach` and `slant` of a region so long, 28.4, with this range of 1/w. @param pixel of the terms */
 void glint_region_measure(uint32_t pixel, uint32_t longest, const glint_w_range *w, glint_region *region);
 
-/** Sets how near these lights are, from their nearness. @return those whose cones the region is outside of */
+/** Sets how near these lights are, from their nearness; others are far. @return those whose cones the region is outside of */
 uint32_t glint_region_place(uint32_t lights, glint_region *region);
 
 /** Sets what becomes of lights, from `lit` and `dark` on. @return those whose highlights may show */
