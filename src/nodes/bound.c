@@ -1,13 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Bound: how far polynomials through the nodes of a region may be from its light. */
 #include "../light/model.h"
-#include "../pixel/format.h"
-#include "nearness.h"
-#include "terms.h"
-
-/* What a node's cosine differs by at least from what tells clear from not, Q12: lights with a position, and cones. */
-#define CLEAR_OF_EDGE 512
-#define INSIDE_CONE 64
+#include "angles.h"
 
 /* A region wider than three quarters of a light's distance has no polynomial, Q12. */
 #define TOO_NEAR (3 << 10)
@@ -18,32 +12,6 @@
 
 /* A cone's ramp is to be no longer over a region, Q12. */
 #define LONGEST_RAMP (4 << 12)
-
-/* sqrt(square), Q24 to Q12. */
-uint32_t glint_root_above(uint32_t square) {
-    if (!square)
-        return 0;
-    const unsigned up = glint_leading_zeros(square) & ~1u; /* to 2^30 .. 2^32 */
-    const uint32_t root = (uint32_t)glint_inverse_root(square << up >> 1) * 46341 >> 16;
-    return ((square << up >> 16) * root >> 14 >> up / 2) + 1;
-}
-
-void glint_region_measure(uint32_t pixel, uint32_t longest, const glint_w_range *w, glint_region *region) {
-    const uint32_t across = (uint32_t)glint_least((int32_t)(glint_product_unsigned(longest, pixel) >> 18), 1 << 14);
-    const uint32_t slant = w->least > w->change >> 2 ? (w->change << 12) / w->least : 1 << 14;
-    region->slant = slant * 474 >> 8;
-    region->reach = (uint32_t)glint_least((int32_t)glint_hypotenuse(across, slant), 1 << 14);
-}
-
-/* Products of angles up to 2, Q12. */
-static inline uint32_t times(uint32_t a, uint32_t b) {
-    return a * b >> 12;
-}
-
-/* a (a + b)^2, what quadratics err by where something turns by a, and 1/w changes by b. */
-static inline uint32_t cube(uint32_t a, uint32_t b) {
-    return times(times(a, a + b), a + b);
-}
 
 /* 0.0275 of a cube times levels, Q4: Q8. */
 static inline uint32_t of_levels(uint32_t of_cube, uint32_t levels) {
@@ -61,7 +29,7 @@ static inline uint32_t scaled(uint32_t a, uint32_t b, unsigned n) {
  */
 static uint32_t plane_sum_error(uint32_t levels, uint32_t turn, uint32_t place, uint32_t b) {
     const uint32_t a = turn + place;
-    return scaled((2 * times(a, a) - times(turn, turn) + 4 * times(a, b)) * 342 >> 8, levels, 12);
+    return scaled((2 * glint_times(a, a) - glint_times(turn, turn) + 4 * glint_times(a, b)) * 342 >> 8, levels, 12);
 }
 
 /* x, Q16, times a highlight's slope: Q12, at most 2^16. */
@@ -72,8 +40,9 @@ static uint32_t with_slope(uint32_t slope, uint32_t x) {
 
 /* A highlight's: |e| falls short as N does, and H turns. */
 static uint32_t plane_lobe_error(uint32_t slope, uint32_t levels, uint32_t turn, uint32_t axis, uint32_t b) {
-    const uint32_t of_axis = 2 * times(axis, axis) + 4 * times(turn, axis) + 4 * times(turn + axis, b);
-    return ((with_slope(slope, of_axis << 4) + times(turn, turn)) * 683 >> 13) * (levels >> 4) >> 8;
+    const uint32_t of_axis =
+        2 * glint_times(axis, axis) + 4 * glint_times(turn, axis) + 4 * glint_times(turn + axis, b);
+    return ((with_slope(slope, of_axis << 4) + glint_times(turn, turn)) * 683 >> 13) * (levels >> 4) >> 8;
 }
 
 /*
@@ -83,8 +52,8 @@ static uint32_t plane_lobe_error(uint32_t slope, uint32_t levels, uint32_t turn,
 static uint32_t between_error(const glint_light_terms *light, uint32_t slope, uint32_t levels, uint32_t turn,
                               uint32_t axis, uint32_t b) {
     const uint32_t widest = light->lobe_is_wide ? 1 << 12 : (uint32_t)light->lobe_cut >> light->lobe_shift >> 2;
-    const uint32_t of_axis =
-        2 * times(axis, axis) + 4 * times(times(turn, axis), widest) + 4 * times(axis, b * 277 >> 9);
+    const uint32_t of_axis = 2 * glint_times(axis, axis) + 4 * glint_times(glint_times(turn, axis), widest) +
+                             4 * glint_times(axis, b * 277 >> 9);
     return scaled(with_slope(slope, of_axis << 4), levels >> 4, 12);
 }
 
@@ -108,7 +77,8 @@ static uint32_t lobe_third(uint32_t h, uint32_t b) {
  * t^2 / 8.
  */
 static uint32_t lobe_third_over_length(uint32_t t, uint32_t g, uint32_t v, uint32_t b, int is_mirrored) {
-    const uint32_t square = times(t, t), of_r = times(square / 2 + times(b, b), (1 << 12) + square / 8);
+    const uint32_t square = glint_times(t, t),
+                   of_r = glint_times(square / 2 + glint_times(b, b), (1 << 12) + square / 8);
     const uint32_t mixed = (t + b) * (v + b) + (is_mirrored ? of_r << 12 : 0);
     return times_angle((g + b) * (g + b) + (mixed >> 4) * 11, g);
 }
@@ -119,134 +89,13 @@ static uint32_t lobe_third_over_length(uint32_t t, uint32_t g, uint32_t v, uint3
  */
 static uint32_t lobe_error(uint32_t slope, uint32_t levels, uint32_t third, uint32_t f, uint32_t b) {
     return scaled(with_slope(slope, ((third >> 4) * 2687 >> 12) + 4), levels >> 4, 8) +
-           of_levels(cube(f, b), levels >> 4);
+           of_levels(glint_cube(f, b), levels >> 4);
 }
 
 /* The cone's edge may cross a region: by how much its ramp changes from node to node, Q12. */
 static uint32_t ramp_of(const glint_prepared_light *source, uint32_t near) {
     const uint64_t range = (uint64_t)near * (uint32_t)source->spot.slope >> 15;
     return range > 1 << 20 ? 1 << 20 : (uint32_t)range;
-}
-
-void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const glint_region *region, int over_length,
-                      glint_terms *terms) {
-    const glint_shading *shading = draw->shading;
-    const int has_surface = draw->extra != 0, has_apart = (region->sides | region->lobes) != 0;
-    terms->has_shine = region->summed != 0;
-    terms->light = shading->terms;
-    terms->power = &shading->power;
-    terms->has_surface = (uint8_t)(has_surface && !region->folds);
-    terms->takes_largest = (shading->material->flags & GLINT_MATERIAL_MAX) != 0;
-    terms->is_ungated = (shading->material->flags & GLINT_MATERIAL_UNGATED) != 0;
-    terms->is_over_length = (uint8_t)over_length;
-    terms->is_curved = 1;
-    terms->shown = (uint8_t)(region->held | region->sides | region->lobes | region->summed);
-    terms->margin = region->has_edge ? region->margin : 0;
-    const int is_plain = !has_apart && !terms->has_surface && !over_length;
-    const int is_coloured = shading->terms->channels > 1 && !terms->takes_largest;
-    terms->is_channels = (uint8_t)(region->folds || region->summed || (is_plain && is_coloured));
-    terms->sums = (uint8_t)(terms->is_channels ? 3 : shading->terms->channels);
-    terms->is_fused = (uint8_t)(is_plain && (terms->sums == 1 || !terms->takes_largest) &&
-                                frame->config.format->draw_channels && !frame->config.gamma);
-    terms->square = terms->sums;
-    terms->surface = (uint8_t)(terms->square + (over_length != 0));
-    terms->apart_count = 0;
-    uint32_t next = terms->surface + 3u * terms->has_surface;
-    for (uint32_t l = 0, apart = region->sides | region->lobes; apart >> l; l++) {
-        if (!(apart >> l & 1))
-            continue;
-        glint_apart *to = &terms->apart[terms->apart_count++];
-        const uint32_t side = region->sides >> l & 1, cone = region->cones >> l & 1, lobe = region->lobes >> l & 1,
-                       strength = lobe & shading->terms->placed >> l, narrow = lobe && !shading->terms->lobe_is_wide;
-        to->light = (uint8_t)l;
-        to->first = (uint8_t)next;
-        to->kinds = (uint8_t)(side << GLINT_SIDE | cone << GLINT_CONE | strength << GLINT_STRENGTH |
-                              lobe << GLINT_LOBE_X | narrow << GLINT_LOBE_Y);
-        next += side + cone + strength + lobe + narrow;
-    }
-    terms->end = (uint8_t)next;
-}
-
-/* May a cone so near end between nodes that are outside of it by so much? A cosine's chord, from arcs. */
-static inline int is_wide(uint32_t near, uint32_t clearly) {
-    return times(near, near) > 8 * clearly;
-}
-
-uint32_t glint_region_place(uint32_t lights, glint_region *region) {
-    uint32_t away = 0;
-    for (uint32_t l = 0; l < GLINT_LIGHTS_MAX; l++)
-        region->near_of[l] = 0;
-    for (uint32_t l = 0; lights >> l; l++) {
-        if (!(lights >> l & 1))
-            continue;
-        const uint32_t closeness = glint_closeness_of(region->nearness[l]), outside = region->outside >> l,
-                       near = (uint32_t)glint_least((int32_t)(region->reach * closeness >> 8), 1 << 13);
-        region->near_of[l] = (uint16_t)near;
-        away |= (uint32_t)((outside & 1 && !is_wide(near, INSIDE_CONE)) ||
-                           (outside >> 8 & 1 && !is_wide(near, 8 * INSIDE_CONE)))
-                << l;
-    }
-    return away;
-}
-
-/* How far a region's highlights turn about their axes, and these about them. */
-static inline uint32_t lobe_turn(const glint_shading *shading, const glint_region *region) {
-    return shading->material->model->lobe == GLINT_LOBE_MIRROR ? 2 * region->turn : region->turn;
-}
-
-/* What L and V turn by. */
-static inline uint32_t turn_of_rays(const glint_frame *frame, const glint_region *region, uint32_t l) {
-    return region->near_of[l] + (frame->view->local_viewer ? region->reach : 0);
-}
-
-/* H turns by that over |L + V|. */
-static inline uint32_t turn_of_axis(const glint_frame *frame, const glint_region *region, uint32_t l) {
-    const uint32_t turn = turn_of_rays(frame, region, l), half = (region->nearness[l] & 0x7fu) << 8 | 1;
-    if (!turn)
-        return 0;
-    const unsigned up = (glint_leading_zeros(half) - 1) & ~1u; /* to 2^29 .. 2^31 */
-    const uint32_t inverse = (uint32_t)glint_inverse_root(half << up);
-    const uint32_t axis = (turn * (inverse + (inverse >> 12) + 1) >> (23 - up / 2)) + 1;
-    return axis < UINT16_MAX ? axis : UINT16_MAX;
-}
-
-/* Sets by how much of its place and its axis a region turns at most, of lights that show and have a place. */
-static void set_most(const glint_frame *frame, uint32_t placed, uint32_t lobes, glint_region *region) {
-    region->near = region->axis = 0;
-    for (uint32_t l = 0; placed >> l; l++)
-        if (placed >> l & 1 && region->near_of[l] > region->near)
-            region->near = region->near_of[l];
-    for (uint32_t l = 0; lobes >> l; l++) {
-        if (!(lobes >> l & 1))
-            continue;
-        region->axis_of[l] = (uint16_t)turn_of_axis(frame, region, l);
-        region->axis = region->axis_of[l] > region->axis ? region->axis_of[l] : region->axis;
-    }
-}
-
-uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
-    const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED;
-    const uint32_t placed = shading->lights & shading->terms->placed;
-    const uint32_t away = glint_region_place(placed & ~region->left, region) | region->left, dark = region->dark | away,
-                   lights = shading->lights & ~away, near = placed & ~away;
-    region->turn = (uint32_t)glint_least((int32_t)region->turn, 1 << 13);
-    region->held = region->lit;
-    region->sides = lights & ~region->lit & ~dark;
-    for (uint32_t l = 0; near >> l; l++)
-        if (near >> l & 1 && times(region->near_of[l], region->turn) > 2 * CLEAR_OF_EDGE) {
-            region->sides |= 1u << l; /* clear at nodes, not between them */
-            region->held &= ~(1u << l);
-        }
-    const uint32_t lobes = shading->terms->lobes & ~away & (ungated ? ~0u : region->held | region->sides),
-                   shown = region->held | region->sides | lobes, cones = shading->terms->cones & shown;
-    for (uint32_t l = 0; cones >> l; l++)
-        if (cones >> l & 1 && is_wide(region->near_of[l], INSIDE_CONE)) {
-            region->sides |= 1u << l;
-            region->held &= ~(1u << l);
-        }
-    region->cones = cones & ~region->held;
-    set_most(frame, shown & placed, lobes, region);
-    return lobes;
 }
 
 /* What is left of a light's levels at its strength at nodes: all where no light is near. */
@@ -267,12 +116,13 @@ int glint_region_fits(const glint_shading *shading, int has_surface, glint_regio
     const uint32_t place = region->near * 362 >> 8, turn = region->turn + place + region->colour;
     if (!region->lobes)
         region->axis = 0;
-    if (lobe_turn(shading, region) + region->axis > WIDEST || turn > WIDEST)
+    if (glint_lobe_turn(shading, region) + region->axis > WIDEST || turn > WIDEST)
         return 0;
     region->folds = has_surface && !region->sides && !(shading->material->flags & GLINT_MATERIAL_MAX) &&
-                    of_levels(cube(turn, region->slant), region->levels) <= light->limit;
+                    of_levels(glint_cube(turn, region->slant), region->levels) <= light->limit;
     region->place = place + (region->folds ? region->colour : 0);
-    region->of_colour = times(region->colour, region->slant) * ((light->ambient_levels >> 4) + region->levels) >> 8;
+    region->of_colour =
+        glint_times(region->colour, region->slant) * ((light->ambient_levels >> 4) + region->levels) >> 8;
     return 1;
 }
 
@@ -281,7 +131,7 @@ int glint_region_fits(const glint_shading *shading, int has_surface, glint_regio
  * are at most p and 1.38 p^(3/2), where those of a cosine, which the law is for, are 1. They are so for p = 3 and more.
  */
 static uint32_t turn_of_shine(const glint_shading *shading, const glint_region *region, uint32_t l) {
-    const uint32_t turn = lobe_turn(shading, region) + region->axis_of[l];
+    const uint32_t turn = glint_lobe_turn(shading, region) + region->axis_of[l];
     return (turn * shading->terms->spread >> 4) + (region->near_of[l] * 362u >> 8);
 }
 
@@ -296,8 +146,8 @@ int glint_region_sum_lobes(const glint_shading *shading, int has_surface, glint_
         if (turn > WIDEST)
             return 0;
         if (turn)
-            region->shine +=
-                of_levels(cube(turn, region->slant), levels_at_strength(light->specular_levels[l], region, l) >> 4);
+            region->shine += of_levels(glint_cube(turn, region->slant),
+                                       levels_at_strength(light->specular_levels[l], region, l) >> 4);
     }
     if (region->shine > 2 * light->limit)
         return 0;
@@ -323,14 +173,14 @@ static GLINT_NOINLINE uint32_t sum_error(const glint_light_terms *light, const g
                                          uint32_t turn, int is_plane) {
     const uint32_t b = region->slant, all = turn + region->place, shown = region->held | region->sides;
     const uint32_t whole =
-        is_plane ? plane_sum_error(region->levels, longer, all, b) : of_levels(cube(all, b), region->levels);
+        is_plane ? plane_sum_error(region->levels, longer, all, b) : of_levels(glint_cube(all, b), region->levels);
     uint32_t each = 0;
     if (!region->near || !(shown & (shown - 1)))
         return whole;
     for (uint32_t l = 0; shown >> l && each < whole; l++) {
         const uint32_t here = turn + turn_of_place(region, l),
                        levels = shown >> l & 1 ? levels_at_strength(light->diffuse_levels[l], region, l) >> 4 : 0;
-        each += is_plane ? plane_sum_error(levels, longer, here, b) : of_levels(cube(here, b), levels);
+        each += is_plane ? plane_sum_error(levels, longer, here, b) : of_levels(glint_cube(here, b), levels);
     }
     return each < whole ? each : whole;
 }
@@ -347,29 +197,30 @@ uint32_t glint_plane_error(const glint_shading *shading, int has_surface, const 
         if (region->summed >> l & 1)
             error += plane_sum_error(levels >> 4, 0, turn_of_shine(shading, region, l), region->slant);
         if (region->lobes >> l & 1)
-            error +=
-                plane_lobe_error(region->slope, levels, lobe_turn(shading, region), region->axis_of[l], region->slant);
+            error += plane_lobe_error(region->slope, levels, glint_lobe_turn(shading, region), region->axis_of[l],
+                                      region->slant);
     }
     return error;
 }
 
 /* Light whose direction turns by p is linear in N, which turns by t: over length that leaves t p^2, of 0.0281. */
 static uint32_t turned_by(const glint_region *region, uint32_t place, uint32_t slant) {
-    const uint32_t third = times(times(region->turn + slant, place), place + slant);
+    const uint32_t third = glint_times(glint_times(region->turn + slant, place), place + slant);
     return third + (third >> 5);
 }
 
 /* How far sums over length may be off: all light turns no more than that of the nearest light, or each as it does. */
 static uint32_t sum_error_over_length(const glint_light_terms *light, const glint_region *region) {
     const uint32_t b = region->slant, shown = region->held | region->sides;
-    const uint32_t whole = of_levels(cube(region->place, b) + turned_by(region, region->place, b), region->levels);
+    const uint32_t whole =
+        of_levels(glint_cube(region->place, b) + turned_by(region, region->place, b), region->levels);
     uint32_t each = 0;
     if (!region->near || !(shown & (shown - 1)))
         return whole;
     for (uint32_t l = 0; shown >> l && each < whole; l++) {
         const uint32_t place = turn_of_place(region, l);
         if (shown >> l & 1)
-            each += of_levels(cube(place, b) + turned_by(region, place, b),
+            each += of_levels(glint_cube(place, b) + turned_by(region, place, b),
                               levels_at_strength(light->diffuse_levels[l], region, l) >> 4);
     }
     return each < whole ? each : whole;
@@ -378,7 +229,7 @@ static uint32_t sum_error_over_length(const glint_light_terms *light, const glin
 /* Adds what highlights may be off by. */
 static void add_lobes(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
     const glint_light_terms *light = shading->terms;
-    const uint32_t slant = region->slant, turn = lobe_turn(shading, region), slope = region->slope;
+    const uint32_t slant = region->slant, turn = glint_lobe_turn(shading, region), slope = region->slope;
     const int is_mirrored = shading->material->model->lobe == GLINT_LOBE_MIRROR;
     region->error_between = 0;
     for (uint32_t l = 0, lobes = region->lobes | region->summed; lobes >> l; l++) {
@@ -391,8 +242,8 @@ static void add_lobes(const glint_frame *frame, const glint_shading *shading, gl
             continue;
         region->error += lobe_error(slope, levels, lobe_third(turn + axis, slant), near, slant);
         region->error_over_length += lobe_error(
-            slope, levels, lobe_third_over_length(turn, axis, turn_of_rays(frame, region, l), slant, is_mirrored), near,
-            slant);
+            slope, levels, lobe_third_over_length(turn, axis, glint_turn_of_rays(frame, region, l), slant, is_mirrored),
+            near, slant);
     }
 }
 
@@ -405,10 +256,10 @@ static int add_cones(const glint_frame *frame, const glint_light_terms *light, g
         const uint32_t ramp = ramp_of(&frame->view->lights[l], near);
         if (ramp > LONGEST_RAMP)
             return 0;
-        const uint32_t error =
-            3 *
-            of_levels(times(times(ramp, place), place), levels_at_strength(light->diffuse_levels[l], region, l) >> 4) /
-            2; /* the step's slope */
+        const uint32_t error = 3 *
+                               of_levels(glint_times(glint_times(ramp, place), place),
+                                         levels_at_strength(light->diffuse_levels[l], region, l) >> 4) /
+                               2; /* the step's slope */
         region->error += error;
         region->error_over_length += error;
     }
@@ -419,7 +270,8 @@ static int add_cones(const glint_frame *frame, const glint_light_terms *light, g
 static int32_t find_margin(const glint_region *region, uint32_t turn) {
     uint32_t most = 0;
     for (uint32_t l = 0, ends = region->sides & region->lobes; ends >> l; l++) {
-        const uint32_t error = ends >> l & 1 ? cube(turn + turn_of_place(region, l), region->slant) * 1802 >> 14 : 0;
+        const uint32_t error =
+            ends >> l & 1 ? glint_cube(turn + turn_of_place(region, l), region->slant) * 1802 >> 14 : 0;
         most = (uint32_t)glint_most((int32_t)(error * region->strength[l] >> 14), (int32_t)most);
     }
     return 8 + (int32_t)most;
@@ -435,7 +287,7 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
     region->error_over_length = sum_error_over_length(light, region) + of_colour;
     if (region->folds) /* colours times |M| are of a degree more, and ambient light with them */
         region->error_over_length +=
-            of_levels(cube(region->turn + region->place, slant), region->levels + (light->ambient_levels >> 4));
+            of_levels(glint_cube(region->turn + region->place, slant), region->levels + (light->ambient_levels >> 4));
     region->margin = find_margin(region, region->turn);
     region->margin_over_length = find_margin(region, 0);
     add_lobes(frame, shading, region);
@@ -454,10 +306,10 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
  * quadratic form of N, which adds t^2 / 12, t being R's turn. And unit vectors are rounded.
  */
 int32_t glint_lobe_bulge(const glint_shading *shading, const glint_region *region, uint32_t light) {
-    const uint32_t turn = (uint32_t)glint_least((int32_t)lobe_turn(shading, region), WIDEST),
+    const uint32_t turn = (uint32_t)glint_least((int32_t)glint_lobe_turn(shading, region), WIDEST),
                    axis = (uint32_t)glint_least(region->axis_of[light], WIDEST);
-    const uint32_t mirrored = shading->material->model->lobe == GLINT_LOBE_MIRROR ? times(turn, turn) / 2 : 0;
-    return (int32_t)((times(axis, axis + 2 * turn) + mirrored) * 171 / 256 + 3) << shading->terms->lobe_shift;
+    const uint32_t mirrored = shading->material->model->lobe == GLINT_LOBE_MIRROR ? glint_times(turn, turn) / 2 : 0;
+    return (int32_t)((glint_times(axis, axis + 2 * turn) + mirrored) * 171 / 256 + 3) << shading->terms->lobe_shift;
 }
 
 glint_lobe_bounds glint_find_lobe_bounds(const glint_shading *shading, int32_t bulge) {
@@ -492,7 +344,7 @@ static uint32_t find_lobe_slope(const glint_shading *shading, const glint_region
     const glint_light_terms *light = shading->terms;
     if (light->lobe_is_wide || nearest <= light->crest)
         return light->slope;
-    const uint32_t off = cube(lobe_turn(shading, region) + axis, region->slant) * 2687 >> 12; /* Q14 */
+    const uint32_t off = glint_cube(glint_lobe_turn(shading, region) + axis, region->slant) * 2687 >> 12; /* Q14 */
     const int32_t r = glint_shift_right(nearest, light->lobe_shift) - glint_least((int32_t)off, 1 << 14);
     return r <= glint_shift_right(light->crest, light->lobe_shift) ? light->slope
                                                                    : slope_from(shading, glint_least(r, (1 << 14) - 1));

@@ -4,7 +4,7 @@
  * polynomials of any region whose nodes are all there.
  */
 #include "nearness.h"
-#include "terms.h"
+#include "shapes.h"
 
 /* ---- What is known from the nodes ---- */
 

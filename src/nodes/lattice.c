@@ -5,7 +5,7 @@
  */
 #include "../light/colour.h"
 #include "../light/fragments.h"
-#include "terms.h"
+#include "shapes.h"
 
 /* Pixels of a cell across; cells are halved twice. */
 #define CELL 16

@@ -4,7 +4,7 @@
  * on its edges shared with its neighbours.
  */
 #include "../light/evaluation.h"
-#include "terms.h"
+#include "shapes.h"
 
 /* Twice the area, 28.4 squared, times the lights, below which pieces take more than fragments: measured, of 400 pixels.
  */

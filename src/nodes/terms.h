@@ -161,7 +161,8 @@ uint32_t glint_find_longest(const glint_vertex *const corners[3]);
 /** Sets `reach` and `slant` of a region so long, 28.4, with this range of 1/w. @param pixel of the terms */
 void glint_region_measure(uint32_t pixel, uint32_t longest, const glint_w_range *w, glint_region *region);
 
-/** Sets how near these lights are, from their nearness; others are far. @return those whose cones the region is outside of */
+/** Sets how near these lights are, from their nearness; others are far. @return those whose cones the region is outside
+ * of */
 uint32_t glint_region_place(uint32_t lights, glint_region *region);
 
 /** Sets what becomes of lights, from `lit` and `dark` on. @return those whose highlights may show */
@@ -361,47 +362,10 @@ typedef struct glint_reach {
 GLINT_NOINLINE glint_reach glint_find_reach(const glint_frame *frame, const glint_draw *draw,
                                             const glint_triangle *triangle);
 
-/* ---- Shapes: regions whose nodes are all there ---- */
-
-/** Nodes of a cell: three rows of three. */
-#define GLINT_CELL_NODES 9
-
-/** Nodes of a region, and how polynomials go through them. */
-typedef struct glint_shape {
-    uint8_t count, corners[4]; /* how many, and which lie at the corners: a triangle's last is there twice */
-    uint32_t longest;          /* what two of its points lie apart at most, 28.4 */
-    uint32_t lobes;            /* highlights that may show */
-    const glint_part *part;    /* the whole triangle's */
-    /** The polynomial through numbers of the nodes, times 2^unit. @return 0 where its own do not fit */
-    int (*fit)(const struct glint_shape *shape, const int32_t n[], int unit, glint_quadratic *to);
-    unsigned shift;                 /* of a cell: nodes are 2^shift pixels apart, */
-    int32_t x, y;                   /* and the first lies here, from the anchor; */
-    glint_barycentric *barycentric; /* of a piece of a triangle: this one's coordinates, */
-    int32_t turned, first[2];       /* and how the piece's follow from these: pieces.c */
-} glint_shape;
-
-/** The shape of a cell from pixel x, y of the tile on, with nodes so far apart. */
-void glint_shape_cell(const glint_part *part, uint32_t lobes, int32_t x, int32_t y, unsigned shift, glint_shape *shape);
-
-/** Lights that are outside of their cones all over a region, from its corners' nodes. */
-uint32_t glint_shape_away(const glint_draw *draw, const glint_shape *shape, glint_node *const nodes[]);
-
-/** A region's light, from its nodes on. @return 0 where polynomials do not fit */
-int glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
-                      glint_node *const nodes[], glint_terms *terms, glint_polynomials *polynomials);
-
-/** Draws a triangle by four pieces of its own. @return 0 where it is too small or too slender for them */
-int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                      const glint_triangle *triangle, uint32_t lobes, const glint_part *part);
-
 /** Draws a part: by the format's own loop where terms are fused, else runs of as many rows at once as two rows of a
  * tile have pixels. */
 void glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                            const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
                            const glint_polynomials *polynomials);
-
-/** Draws a triangle by the cells of the lattice. @return 0 where it is too small or too deep for them */
-int glint_draw_lattice(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                       const glint_triangle *triangle, uint32_t lobes, const glint_part *part);
 
 #endif

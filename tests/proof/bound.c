@@ -4,6 +4,7 @@
 
 #include "../../src/math/tables.c"
 #include "../../src/nodes/bound.c"
+#include "../../src/nodes/sort.c"
 #include "lit.h"
 
 /*@ requires 0x10000000 <= c <= 0xC0000000;
