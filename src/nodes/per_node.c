@@ -3,6 +3,7 @@
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
 #include "rows.h"
+#include "shapes.h"
 
 /* Draws a part by the format's own loop. */
 static void draw_fused(const glint_frame *frame, const glint_workspace *workspace, const glint_part *part,

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Terms of a triangle: its nodes, and the polynomials through them if these are close enough. */
-#include "../pixel/format.h"
 #include "corners.h"
 #include "fit.h"
 #include "lengths.h"
