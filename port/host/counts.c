@@ -5,7 +5,7 @@
 #include "framebuffer.h"
 #include "light/evaluation.h"
 #include "light/fragments.h"
-#include "nodes/terms.h"
+#include "nodes/shapes.h"
 #include "pixel/format.h"
 
 /* The library's functions, and what is called in their place. */

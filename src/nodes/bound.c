@@ -175,7 +175,7 @@ static GLINT_NOINLINE uint32_t sum_error(const glint_light_terms *light, const g
     const uint32_t whole =
         is_plane ? plane_sum_error(region->levels, longer, all, b) : of_levels(glint_cube(all, b), region->levels);
     uint32_t each = 0;
-    if (!region->near || !(shown & (shown - 1)))
+    if (!shown || !region->near || !(shown & (shown - 1)))
         return whole;
     for (uint32_t l = 0; shown >> l && each < whole; l++) {
         const uint32_t here = turn + turn_of_place(region, l),
@@ -215,7 +215,7 @@ static uint32_t sum_error_over_length(const glint_light_terms *light, const glin
     const uint32_t whole =
         of_levels(glint_cube(region->place, b) + turned_by(region, region->place, b), region->levels);
     uint32_t each = 0;
-    if (!region->near || !(shown & (shown - 1)))
+    if (!shown || !region->near || !(shown & (shown - 1)))
         return whole;
     for (uint32_t l = 0; shown >> l && each < whole; l++) {
         const uint32_t place = turn_of_place(region, l);

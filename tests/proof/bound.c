@@ -65,7 +65,6 @@ static void any_material(void) {
 /* What nodes leave of a region. */
 static void any_region(void) {
     region.turn = ANY_UNSIGNED(0, 1 << 16);
-    region.across = ANY_UNSIGNED(0, 1 << 14);
     region.reach = ANY_UNSIGNED(0, 1 << 14);
     region.slant = ANY_UNSIGNED(0, 30336);
     region.near = ANY_UNSIGNED(0, 1 << 13);

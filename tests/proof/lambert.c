@@ -9,7 +9,7 @@
 /*
  * Any light on any fragments, whose colours leave room for it. @contract glint_dot
  * @unsigned
- * @unreached 23 specular light
+ * @unreached 21 specular light
  * @options -eva-slevel 0 -eva-min-loop-unroll 9
  */
 PROOF(light_lambert) {

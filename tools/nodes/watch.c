@@ -2,7 +2,7 @@
 #include "watch.h"
 
 #include "light/fragments.h"
-#include "nodes/terms.h"
+#include "nodes/shapes.h"
 #include "scenes/scenes.h"
 
 #include <stdio.h>
