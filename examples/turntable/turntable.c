@@ -65,8 +65,7 @@ void turntable_frame(turntable *table, turntable_model model, uint32_t frame) {
     scene->lights = table->lights;
     scene->objects = &table->object;
     scene->object_count = 1;
-    table->object.material = &table->material;
-    table->object.evaluation = &glint_per_fragment;
+    table->object = (glint_object){.material = &table->material, .evaluation = &glint_per_fragment};
     if (model == TURNTABLE_TEAPOT)
         set_teapot(table, frame);
     else
