@@ -194,6 +194,7 @@ static void take_objects(source *s, drawing *d) {
         d->materials[i].diffuse = take_colour(s);
         d->materials[i].specular = take_colour(s);
         d->materials[i].shininess = likely(s, 4, 64 * GLINT_ONE);
+        d->objects[i] = (glint_object){0};
         d->objects[i].mesh = &d->meshes[below(s, DRAWING_MESHES)];
         d->objects[i].material = &d->materials[below(s, i + 1)];
         d->objects[i].evaluation = evaluations[below(s, 8)];

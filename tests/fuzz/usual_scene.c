@@ -180,6 +180,7 @@ static void take_objects(source *s, drawing *d, glint_q16 size, glint_vector cen
     for (uint32_t i = 0; i < d->scene.object_count; i++) {
         glint_object *object = &d->objects[i];
         take_material(s, &d->materials[i]);
+        *object = (glint_object){0};
         object->mesh = &d->meshes[below(s, DRAWING_MESHES)];
         object->material = &d->materials[below(s, i + 1)];
         object->evaluation = evaluations[below(s, 8)];
