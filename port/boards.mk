@@ -161,7 +161,7 @@ $(foreach board,$(MEASURED),$(foreach level,O0 Os O2,$(eval $(call firmware_obje
 
 $(foreach program,turntable minimal pattern,$(eval $(call firmware_program,lm3s6965evb,release,$(program))))
 # Example scenes are lit at nodes.
-$(eval $(call firmware_program,lm3s6965evb,release,scenes,-Wl$(comma)--defsym=stack_size=9728))
+$(eval $(call firmware_program,lm3s6965evb,release,scenes,-Wl$(comma)--defsym=stack_size=9984))
 # Vertices lit by lights that have positions take the deepest stack.
 UNIT_BOARDS := lm3s6965evb microbit netduinoplus2 mps2-an385 mps2-an386 mps2-an500 mps2-an505 virt
 $(foreach board,$(UNIT_BOARDS),\
@@ -177,7 +177,7 @@ $(foreach board,$(BOARDS),$(eval $(call firmware_program,$(board),release,show))
 COLOUR_BOARDS := mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 mps2-an505 netduinoplus2 pico
 $(foreach board,$(filter-out $(MEASURED),$(COLOUR_BOARDS)),$(eval $(call firmware_objects,$(board),O2)))
 $(foreach board,$(COLOUR_BOARDS),\
-    $(eval $(call firmware_program,$(board),O2,animate,-Wl$(comma)--defsym=stack_size=9728)))
+    $(eval $(call firmware_program,$(board),O2,animate,-Wl$(comma)--defsym=stack_size=9984)))
 $(eval $(call firmware_program,mps2-an385,O2,compose))
 $(foreach board,$(FAULT_BOARDS),$(eval $(call firmware_program,$(board),release,faults-$(board))))
 $(eval $(call firmware_program,pico,release,unit-pico,-Wl$(comma)--defsym=stack_size=3712))

@@ -243,7 +243,7 @@ extern const glint_evaluation glint_per_fragment;
 /**
  * At nodes, which are some points of a triangle or of squares of the screen: as many as it takes to be within 2/5 of a
  * level of what each fragment would be, for each 1 that weights add up to, and all fragments where no fewer do. The
- * fastest where triangles cover ten pixels or more. Takes 7 KB of stack, and of arena up to 100 bytes a vertex.
+ * fastest where triangles cover ten pixels or more. Takes 7.5 KB of stack, and of arena up to 118 bytes a vertex.
  */
 extern const glint_evaluation glint_per_node;
 
