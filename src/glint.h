@@ -14,8 +14,8 @@
  * - Functions that can fail return GLINT_OK or a negative `glint_status`. On failure a renderer, a frame or a
  *   filter that they set up is all 0, and drawing with it gives GLINT_ERROR_NULL; other out-parameters are unchanged.
  *
- * Structures may grow at their end from version to version, and 0 stands for what was so before: initialise them, or set
- * them to {0} before fields are assigned one by one.
+ * Structures may grow at their end from version to version, and 0 stands for what was so before: initialise them, or
+ * set them to {0} before fields are assigned one by one.
  *
  * Nothing is allocated and no global is written: everything lives in the caller's structures and arena, so that any
  * number of renderers work side by side.
