@@ -49,7 +49,7 @@ MOST = 0.2
 
 # Of the square of a column's length: what keeps prices apart that the frames do not tell apart. With it frames that are
 # left out of the fit one by one are told best.
-RIDGE = 3e-2
+RIDGE = 1e-1
 
 
 def text_of(path):
