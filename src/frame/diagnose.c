@@ -11,7 +11,7 @@ typedef struct subject {
     int32_t object, light;
 } subject;
 
-static const subject whole = {-1, -1};
+static const subject the_frame = {-1, -1};
 
 static glint_status say(glint_report *report, glint_status status, subject about, const char *sentence) {
     *report = (glint_report){.status = status, .sentence = sentence, .object = about.object, .light = about.light};
@@ -40,13 +40,14 @@ static glint_status check_memory(const glint_config *config, const glint_scene *
     glint_need need;
     const size_t pixels = config->pixels ? glint_pixels_need(config) : 0;
     if (config->pixels && config->pixels_size < pixels) {
-        say(report, GLINT_ERROR_PIXELS, whole, "config->pixels has too few bytes: glint_pixels_need tells how many");
+        say(report, GLINT_ERROR_PIXELS, the_frame,
+            "config->pixels has too few bytes: glint_pixels_need tells how many");
         report->bytes = pixels - config->pixels_size;
         return report->status;
     }
     const glint_status status = glint_arena_need(config, scene, &need);
     if (status == GLINT_OK && config->arena_size < need.least) {
-        say(report, GLINT_ERROR_ARENA, whole,
+        say(report, GLINT_ERROR_ARENA, the_frame,
             "the arena has too few bytes for this scene: smaller tiles or fewer materials take less");
         report->bytes = need.least - config->arena_size;
     }
@@ -91,12 +92,12 @@ static glint_status find_error(const glint_config *config, const glint_scene *sc
                                glint_report *report) {
     glint_status status = status_of(config, scene, 0, 0);
     if (status != GLINT_OK)
-        return say(report, status, whole,
+        return say(report, status, the_frame,
                    status == GLINT_ERROR_CAMERA ? name_of_camera(&scene->camera) : glint_strerror(status));
     if (scene->light_count > GLINT_LIGHTS_MAX)
-        return say(report, GLINT_ERROR_LIGHTS, whole, glint_strerror(GLINT_ERROR_LIGHTS));
+        return say(report, GLINT_ERROR_LIGHTS, the_frame, glint_strerror(GLINT_ERROR_LIGHTS));
     if (scene->light_count && !scene->lights)
-        return say(report, error, whole, "scene->lights is null");
+        return say(report, error, the_frame, "scene->lights is null");
     for (uint32_t i = 0; i < scene->light_count; i++) {
         status = status_of(config, scene, &scene->lights[i], 0);
         if (status != GLINT_OK)
@@ -105,14 +106,14 @@ static glint_status find_error(const glint_config *config, const glint_scene *sc
                                                   : glint_strerror(status));
     }
     if (scene->object_count && !scene->objects)
-        return say(report, error, whole, "scene->objects is null");
+        return say(report, error, the_frame, "scene->objects is null");
     for (uint32_t i = 0; i < scene->object_count; i++) {
         status = status_of(config, scene, 0, &scene->objects[i]);
         if (status != GLINT_OK)
             return say(report, status, (subject){(int32_t)i, -1},
                        status == GLINT_ERROR_NULL ? name_null_of_object(&scene->objects[i]) : glint_strerror(status));
     }
-    return say(report, error, whole, glint_strerror(error));
+    return say(report, error, the_frame, glint_strerror(error));
 }
 
 /* ---- What looks wrong ---- */
@@ -156,7 +157,7 @@ static void remark_numbers(const glint_scene *scene, glint_report *report) {
     const glint_pose *const eye = &scene->camera.pose;
     const glint_q16 place[3] = {eye->m[0][3], eye->m[1][3], eye->m[2][3]};
     if (is_place_hardly_meant(place))
-        remark(report, whole, "the camera stands less than 1/128 from the origin: is it GLINT_Q16(4), not 4?");
+        remark(report, the_frame, "the camera stands less than 1/128 from the origin: is it GLINT_Q16(4), not 4?");
     for (uint32_t i = 0; i < scene->object_count; i++) {
         const glint_object *const object = &scene->objects[i];
         const subject about = {(int32_t)i, -1};
@@ -189,18 +190,18 @@ static void remark_nothing(const glint_scene *scene, const glint_stats *stats, g
     for (uint32_t i = 0; i < scene->object_count; i++)
         hidden += scene->objects[i].hidden != 0;
     if (hidden == scene->object_count)
-        remark(report, whole, scene->object_count ? "all objects are hidden" : "the scene has no objects");
+        remark(report, the_frame, scene->object_count ? "all objects are hidden" : "the scene has no objects");
     remark_numbers(scene, report);
     if (stats->hidden == scene->object_count)
-        remark(report, whole,
+        remark(report, the_frame,
                "the camera sees no object: all are beside what it sees, or behind it. It looks along its -z axis; "
                "glint_camera_look_at points it at something");
     if (stats->facing_away && stats->facing_away + stats->outside == stats->triangles)
         remark(
-            report, whole,
+            report, the_frame,
             "all triangles face away: front faces are counter-clockwise seen from outside, and an eye within a solid "
             "sees no face of it. GLINT_MESH_DOUBLE_SIDED draws both sides");
-    remark(report, whole, "all triangles lie outside of the screen, or between the centres of its pixels");
+    remark(report, the_frame, "all triangles lie outside of the screen, or between the centres of its pixels");
 }
 
 /* Why what shows is black. */
@@ -211,14 +212,14 @@ static void remark_black(const glint_scene *scene, glint_report *report) {
     for (uint32_t i = 0; i < scene->object_count; i++)
         reflects += !is_black(&scene->objects[i].material->diffuse) || !is_black(&scene->objects[i].material->ambient);
     if (!bright && is_black(&scene->ambient))
-        remark(report, whole,
+        remark(report, the_frame,
                scene->light_count ? "all lights are black, and scene->ambient too"
                                   : "there is no light: give the scene one, or ambient light");
     if (!reflects)
-        remark(report, whole, "all materials are black");
+        remark(report, the_frame, "all materials are black");
     remark_numbers(scene, report);
     remark(
-        report, whole,
+        report, the_frame,
         "no light reaches what shows: a directional light's vector points towards the light, normals point outwards, "
         "and where no light falls materials show ambient light alone");
 }
@@ -231,7 +232,7 @@ typedef struct tally {
     const glint_format *format;
 } tally;
 
-static int keep(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+static int send_nothing(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
     (void)context, (void)x, (void)y, (void)width, (void)height, (void)pixels, (void)stride;
     return 0;
 }
@@ -257,7 +258,7 @@ static glint_status look_at_frame(const glint_config *config, const glint_scene 
     glint_config as = *config;
     glint_scene on_black = *scene;
     glint_renderer renderer;
-    as.flush = (glint_flush){.begin = keep};
+    as.flush = (glint_flush){.begin = send_nothing};
     as.background.paint = 0;
     as.overlay = (glint_painter){look, sum};
     as.gamma = 0;
@@ -278,19 +279,19 @@ glint_status glint_check(const glint_config *config, const glint_scene *scene, g
     if (!report)
         return GLINT_ERROR_NULL;
     if (!config || !scene)
-        return say(report, GLINT_ERROR_NULL, whole, config ? "the scene is null" : "the configuration is null");
+        return say(report, GLINT_ERROR_NULL, the_frame, config ? "the scene is null" : "the configuration is null");
     glint_status status = glint_init(&renderer, config);
     if (status != GLINT_OK && status != GLINT_ERROR_ARENA && status != GLINT_ERROR_PIXELS)
-        return say(report, status, whole, status == GLINT_ERROR_NULL ? name_null(config) : glint_strerror(status));
+        return say(report, status, the_frame, status == GLINT_ERROR_NULL ? name_null(config) : glint_strerror(status));
     const glint_status error = glint_arena_need(config, scene, &need);
     if (error != GLINT_OK)
         return find_error(config, scene, error, report);
-    say(report, GLINT_OK, whole, "");
+    say(report, GLINT_OK, the_frame, "");
     if (check_memory(config, scene, report) != GLINT_OK)
         return report->status;
     status = status == GLINT_OK ? look_at_frame(config, scene, &sum, &stats) : status;
     if (status != GLINT_OK)
-        return say(report, status, whole, glint_strerror(status));
+        return say(report, status, the_frame, glint_strerror(status));
     report->shown = sum.shown;
     if (!sum.shown)
         remark_nothing(scene, &stats, report);

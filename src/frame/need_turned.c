@@ -109,9 +109,9 @@ static int64_t find_edge(const turned_object *t, const glint_mesh *mesh, const u
 }
 
 /* How far (x, w), x from 0 up, lies within x focal = w half; a little less. Half pixels, Q12. */
-static int64_t find_depth(int64_t x, int64_t w, int64_t focal, int64_t half) {
+static int64_t find_depth(int64_t x, int64_t w, int32_t focal, int32_t half) {
     const unsigned size = glint_bits64((uint64_t)x | glint_magnitude64(w)), shift = size > 32 ? size - 32 : 0;
-    const int64_t length = (int64_t)glint_square_root((uint64_t)(focal * focal + half * half)) + 1;
+    const int64_t length = (int64_t)glint_square_root((uint64_t)((int64_t)focal * focal + (int64_t)half * half)) + 1;
     const int64_t product = glint_shift_right64(w, shift) * half - ((x >> shift) + 1) * focal; /* below 2^62 */
     return (product / length - 3) * ((int64_t)1 << shift);
 }
@@ -128,13 +128,14 @@ static void set_place(turned_object *t, const glint_frame *frame, const glint_ob
     t->w = -at[2];
     t->near_plane = view->near_plane >> t->down;
     t->to_near = t->w - t->near_plane - (t->near_plane >> 12) - 16;
-    t->to_band = t->into_screen = INT64_MAX;
     for (int axis = 0; axis < 2; axis++) {
-        const int64_t half = axis ? frame->config.height : frame->config.width, short_focal = view->focal >> 9;
-        const int64_t x = (int64_t)glint_magnitude64(at[axis]), band = 2 * GLINT_GUARD_BAND - 2;
-        t->to_band = nearer_of(t->to_band, find_depth(x, t->w, view->focal, band << 12));
-        t->into_screen = nearer_of(t->into_screen, find_depth(x, t->w, view->focal, (half + 2) << 12));
-        t->focal[axis] = glint_square_root((uint64_t)(short_focal * short_focal + 64 * half * half)) + 2;
+        const int32_t half = axis ? frame->config.height : frame->config.width, band = 2 * GLINT_GUARD_BAND - 2;
+        const int64_t x = (int64_t)glint_magnitude64(at[axis]), short_focal = view->focal >> 9;
+        const int64_t to_band = find_depth(x, t->w, view->focal, band << 12),
+                      into_screen = find_depth(x, t->w, view->focal, (half + 2) << 12);
+        t->to_band = axis ? nearer_of(t->to_band, to_band) : to_band;
+        t->into_screen = axis ? nearer_of(t->into_screen, into_screen) : into_screen;
+        t->focal[axis] = glint_square_root((uint64_t)(short_focal * short_focal + 64 * (int64_t)half * half)) + 2;
     }
 }
 

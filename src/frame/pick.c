@@ -61,7 +61,7 @@ static void pick_pass(glint_frame *frame, picker *p) {
 }
 
 /* The square of 8 pixels with the pixel, which no tile divides, nor a byte of any format. */
-static glint_rectangle square_of(const glint_config *config, int x, int y) {
+static glint_rectangle square_around(const glint_config *config, int x, int y) {
     const int left = x & ~7, top = y & ~7;
     return (glint_rectangle){(int16_t)left, (int16_t)top, (int16_t)glint_least(8, config->width - left),
                              (int16_t)glint_least(8, config->height - top)};
@@ -73,7 +73,7 @@ int glint_pick(glint_renderer *renderer, const glint_scene *scene, int x, int y,
     glint_config config = renderer->config;
     if (x < 0 || y < 0 || x >= config.width || y >= config.height)
         return GLINT_ERROR_REGION;
-    config.region = square_of(&config, x, y);
+    config.region = square_around(&config, x, y);
     config.background.paint = config.overlay.paint = 0;
     config.keeps_arena = 0;
     renderer->kept = (glint_kept){0};

@@ -20,7 +20,7 @@ glint_status glint_check_region(glint_config *config) {
 }
 
 /* Tiles from the one with the first of some pixels to the one with the last. */
-static uint16_t count_tiles(int32_t first, int32_t pixels, unsigned shift) {
+static uint16_t count_tiles_along(int32_t first, int32_t pixels, unsigned shift) {
     return (uint16_t)(((first + pixels - 1) >> shift) - (first >> shift) + 1);
 }
 
@@ -29,10 +29,10 @@ glint_status glint_region_begin(glint_frame *frame) {
     const glint_status status = glint_check_region(&frame->config);
     if (status != GLINT_OK)
         return status;
-    const uint32_t rows = count_tiles(region->y, region->height, frame->tile_shift_y);
+    const uint32_t rows = count_tiles_along(region->y, region->height, frame->tile_shift_y);
     frame->first_column = (uint16_t)(region->x >> frame->tile_shift_x);
     frame->first_row = (uint16_t)(region->y >> frame->tile_shift_y);
-    frame->tile_columns = count_tiles(region->x, region->width, frame->tile_shift_x);
+    frame->tile_columns = count_tiles_along(region->x, region->width, frame->tile_shift_x);
     frame->tile_count = (uint16_t)(frame->tile_columns * rows);
     frame->right = (uint16_t)(region->x + region->width);
     frame->bottom = (uint16_t)(region->y + region->height);

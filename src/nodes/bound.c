@@ -227,7 +227,7 @@ static uint32_t sum_error_over_length(const glint_light_terms *light, const glin
 }
 
 /* Adds what highlights may be off by. */
-static void add_lobes(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
+static void add_gloss(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
     const glint_light_terms *light = shading->terms;
     const uint32_t slant = region->slant, turn = glint_lobe_turn(shading, region), slope = region->slope;
     const int is_mirrored = shading->material->model->lobe == GLINT_LOBE_MIRROR;
@@ -290,7 +290,7 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
             of_levels(glint_cube(region->turn + region->place, slant), region->levels + (light->ambient_levels >> 4));
     region->margin = find_margin(region, region->turn);
     region->margin_over_length = find_margin(region, 0);
-    add_lobes(frame, shading, region);
+    add_gloss(frame, shading, region);
     if (!add_cones(frame, light, region))
         return 0;
     if (region->summed) { /* over length none are */

@@ -300,26 +300,21 @@ static GLINT_INLINE void glint_store_mixed(const glint_target *t, const glint_ru
 #define GLINT_PAGE_EDGE(bits) \
     { 0, 7 }
 
-/** Which of these a format has, unless it says more. */
-#ifndef GLINT_EDGE
-#define GLINT_EDGE GLINT_ROW_EDGE
-#endif
-
 /** A format of so many bits a pixel, and of its channels, or 0 for luma. */
-#define GLINT_FORMAT(suffix, bits, red, green, blue, fast)                                                            \
+#define GLINT_FORMAT(suffix, bits, edge, red, green, blue, fast)                                                      \
     {                                                                                                                 \
-        bits, {red, green, blue}, GLINT_EDGE(bits), store_##suffix, fill_##suffix, GLINT_FUSED(draw_even_##suffix),   \
+        bits, {red, green, blue}, edge(bits), store_##suffix, fill_##suffix, GLINT_FUSED(draw_even_##suffix),         \
             GLINT_FUSED(draw_channels_##suffix), GLINT_FUSED(draw_mixed_##suffix), GLINT_FUSED(store_mixed_##suffix), \
             fast                                                                                                      \
     }
 
 /** Defines a format and its dithered twin, which the linker keeps only where they are named. */
-#define GLINT_DEFINE_FORMAT(name, bits, red, green, blue, pack, put, fill_tile, fast)          \
-    GLINT_DEFINE_STORES(name, bits, pack, put, fill_tile, 0)                                   \
-    GLINT_DEFINE_STORES(name##_dithered, bits, pack, put, fill_tile, 1)                        \
-    GLINT_DEFINE_FUSED(name, pack, put, 0)                                                     \
-    GLINT_DEFINE_FUSED(name##_dithered, pack, put, 1)                                          \
-    const glint_format glint_format_##name = GLINT_FORMAT(name, bits, red, green, blue, fast); \
-    const glint_format glint_format_##name##_dithered = GLINT_FORMAT(name##_dithered, bits, red, green, blue, 0)
+#define GLINT_DEFINE_FORMAT(name, bits, edge, red, green, blue, pack, put, fill_tile, fast)          \
+    GLINT_DEFINE_STORES(name, bits, pack, put, fill_tile, 0)                                         \
+    GLINT_DEFINE_STORES(name##_dithered, bits, pack, put, fill_tile, 1)                              \
+    GLINT_DEFINE_FUSED(name, pack, put, 0)                                                           \
+    GLINT_DEFINE_FUSED(name##_dithered, pack, put, 1)                                                \
+    const glint_format glint_format_##name = GLINT_FORMAT(name, bits, edge, red, green, blue, fast); \
+    const glint_format glint_format_##name##_dithered = GLINT_FORMAT(name##_dithered, bits, edge, red, green, blue, 0)
 
 #endif

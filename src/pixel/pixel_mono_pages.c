@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Pixels of 1 bit: luma, in pages of 8 rows, a byte for each column of a page, its top row lowest. */
-#define GLINT_EDGE GLINT_PAGE_EDGE
 #include "pixel.h"
 
 static inline uint32_t pack_mono_pages(const int32_t colour[3], uint32_t threshold) {
@@ -24,4 +23,4 @@ static inline void fill_pages(const glint_target *t, uint32_t height, const int3
     glint_repeat(t->pixels, 8, height << t->shift >> 3);
 }
 
-GLINT_DEFINE_FORMAT(mono_pages, 1, 0, 0, 0, pack_mono_pages, put_mono_pages, fill_pages, 0);
+GLINT_DEFINE_FORMAT(mono_pages, 1, GLINT_PAGE_EDGE, 0, 0, 0, pack_mono_pages, put_mono_pages, fill_pages, 0);

@@ -18,4 +18,4 @@ static inline void put_rgb444(const glint_target *target, uint32_t offset, uint3
     }
 }
 
-GLINT_DEFINE_FORMAT(rgb444, 12, 4, 4, 4, pack_rgb444, put_rgb444, glint_fill_tile, 0);
+GLINT_DEFINE_FORMAT(rgb444, 12, GLINT_ROW_EDGE, 4, 4, 4, pack_rgb444, put_rgb444, glint_fill_tile, 0);

@@ -11,4 +11,4 @@ static inline void put_rgb565(const glint_target *target, uint32_t offset, uint3
     ((uint16_t *)target->pixels)[offset] = (uint16_t)packed;
 }
 
-GLINT_DEFINE_FORMAT(rgb565, 16, 5, 6, 5, pack_rgb565, put_rgb565, glint_fill_tile, &glint_fast_rgb565);
+GLINT_DEFINE_FORMAT(rgb565, 16, GLINT_ROW_EDGE, 5, 6, 5, pack_rgb565, put_rgb565, glint_fill_tile, &glint_fast_rgb565);

@@ -13,4 +13,5 @@ static inline void put_rgb565_be(const glint_target *target, uint32_t offset, ui
     out[1] = (uint8_t)packed;
 }
 
-GLINT_DEFINE_FORMAT(rgb565_be, 16, 5, 6, 5, pack_rgb565_be, put_rgb565_be, glint_fill_tile, &glint_fast_rgb565_be);
+GLINT_DEFINE_FORMAT(rgb565_be, 16, GLINT_ROW_EDGE, 5, 6, 5, pack_rgb565_be, put_rgb565_be, glint_fill_tile,
+                    &glint_fast_rgb565_be);

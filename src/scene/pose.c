@@ -68,7 +68,7 @@ glint_pose glint_pose_then(const glint_pose *first, const glint_pose *second) {
 }
 
 /* Scales (x, y, z), from any int64 of up to 62 bits, to 30 bits. @return its length, rounded down; 0 when it is 0 */
-static int64_t scale(const int64_t in[3], int64_t v[3]) {
+static int64_t to_thirty_bits(const int64_t in[3], int64_t v[3]) {
     uint64_t bits = glint_magnitude64(in[0]) | glint_magnitude64(in[1]) | glint_magnitude64(in[2]);
     uint64_t square = 0;
     if (!bits)
@@ -88,7 +88,7 @@ static int64_t scale(const int64_t in[3], int64_t v[3]) {
 /* (x, y, z) at length 1 in Q16.16; 0 when it is 0. */
 static int normalise(const int64_t in[3], glint_q16 out[3]) {
     int64_t v[3];
-    const int64_t length = scale(in, v);
+    const int64_t length = to_thirty_bits(in, v);
     for (int i = 0; i < 3 && length; i++)
         out[i] = (glint_q16)glint_shift_right64(v[i] * (1 << 17) / length + 1, 1);
     return length != 0;
@@ -102,7 +102,7 @@ glint_pose glint_pose_rotate(glint_vector axis, glint_q16 degrees) {
     const int64_t sine = glint_sine(phase), cosine = glint_sine(phase + 0x40000000u); /* Q30 */
     glint_pose pose = glint_pose_identity();
     int64_t u[3];
-    const int64_t length = scale(along, u);
+    const int64_t length = to_thirty_bits(along, u);
     if (!length)
         return pose;
     for (int i = 0; i < 3; i++)
@@ -194,9 +194,11 @@ glint_status glint_camera_look_at(glint_camera *camera, glint_vector eye, glint_
 }
 
 void glint_camera_orbit(glint_camera *camera, glint_vector at, glint_q16 yaw, glint_q16 pitch, glint_q16 distance) {
-    const glint_pose away = glint_pose_translate(0, 0, distance), tilt = rotate_in_plane(2, 1, pitch),
-                     turn = glint_pose_rotate_y(yaw), there = glint_pose_translate(at.x, at.y, at.z);
-    camera->pose = glint_pose_then(&away, &tilt);
-    camera->pose = glint_pose_then(&camera->pose, &turn);
-    camera->pose = glint_pose_then(&camera->pose, &there);
+    const glint_pose tilt = rotate_in_plane(2, 1, pitch), turn = glint_pose_rotate_y(yaw);
+    const glint_vector tilted = glint_pose_apply(&tilt, (glint_vector){0, 0, distance}),
+                       place = glint_pose_apply(&turn, tilted);
+    camera->pose = glint_pose_then(&tilt, &turn);
+    camera->pose.m[0][3] = saturate((int64_t)place.x + at.x);
+    camera->pose.m[1][3] = saturate((int64_t)place.y + at.y);
+    camera->pose.m[2][3] = saturate((int64_t)place.z + at.z);
 }
