@@ -105,7 +105,7 @@ void convert_objects(host_bytes *out, const char *name, const host_settings *set
     for (size_t i = 0; i < mesh->piece_count; i++) {
         const char *material = suffixes[first[mesh->materials[i]]].text;
         bytes_print(out,
-                    "    {&%s_mesh%s, &%s_material%s, {{{65536, 0, 0, 0}, {0, 65536, 0, 0}, {0, 0, 65536, 0}}}, 0},\n",
+                    "    {&%s_mesh%s, &%s_material%s, {{{65536, 0, 0, 0}, {0, 65536, 0, 0}, {0, 0, 65536, 0}}}, 0, 0},\n",
                     name, suffixes[i].text, name, material);
     }
     bytes_print(out, "};\n");
