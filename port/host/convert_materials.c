@@ -104,9 +104,9 @@ void convert_objects(host_bytes *out, const char *name, const host_settings *set
                 name, mesh->piece_count);
     for (size_t i = 0; i < mesh->piece_count; i++) {
         const char *material = suffixes[first[mesh->materials[i]]].text;
-        bytes_print(out,
-                    "    {&%s_mesh%s, &%s_material%s, {{{65536, 0, 0, 0}, {0, 65536, 0, 0}, {0, 0, 65536, 0}}}, 0, 0},\n",
-                    name, suffixes[i].text, name, material);
+        bytes_print(
+            out, "    {&%s_mesh%s, &%s_material%s, {{{65536, 0, 0, 0}, {0, 65536, 0, 0}, {0, 0, 65536, 0}}}, 0, 0},\n",
+            name, suffixes[i].text, name, material);
     }
     bytes_print(out, "};\n");
     free(first);

@@ -157,7 +157,7 @@ PROOF(glint_region_place) {
 
 /*
  * Any lights, any nearness, by the bits of |L + V|^2 / 2 that it holds.
- * @contract glint_inverse_root glint_closeness_of @unsigned @unreached 1 leading zeros of 0 @options -eva-slevel 300
+ * @contract glint_inverse_root glint_closeness_of @unsigned @unreached 1 leading zeros of 0 @options -eva-slevel 20
  */
 PROOF(glint_region_sort) {
     any_material();
