@@ -155,18 +155,29 @@ PROOF(glint_region_place) {
     glint_region_place(ANY_UNSIGNED(0, 0xff), &region);
 }
 
-/*
- * Any lights, any nearness, by the bits of |L + V|^2 / 2 that it holds.
- * @contract glint_inverse_root glint_closeness_of @unsigned @unreached 1 leading zeros of 0 @options -eva-slevel 20
- */
-PROOF(glint_region_sort) {
+/* Any |L + V|^2 / 2, all that it reads of a nearness, by its bits. @contract glint_inverse_root @unsigned
+ * @unreached 1 leading zeros of 0 */
+PROOF(turn_of_axis) {
     any_material();
     any_region();
     FOR_PARTS(bits, 0, 7) {
-        for (int i = 0; i < GLINT_LIGHTS_MAX; i++)
-            region.nearness[i] = (uint16_t)(ANY_UNSIGNED(0, 384) << 7 | ANY_OF_BITS(bits));
-        glint_region_sort(&frame, &shading, &region);
+        region.nearness[0] = (uint16_t)ANY_OF_BITS(bits);
+        const uint32_t axis = turn_of_axis(&frame, &region, 0);
+        /*@ assert axis <= 65535; */
     }
+}
+
+/* Stands on its driver. */
+/*@ assigns \result \from *frame, *region, l;
+    ensures \result <= 65535; */
+static inline uint32_t turn_of_axis(const glint_frame *frame, const glint_region *region, uint32_t l);
+
+/* Any lights, any nearness. @contract glint_closeness_of turn_of_axis @unsigned
+ * @options -eva-slevel 20 */
+PROOF(glint_region_sort) {
+    any_material();
+    any_region();
+    glint_region_sort(&frame, &shading, &region);
 }
 
 /* Any region. @contract glint_root_above @unsigned @options -eva-slevel 300 */
