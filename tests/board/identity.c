@@ -133,13 +133,13 @@ static int draw_variants(void (*write)(const char *text)) {
     return failed;
 }
 
-/* The torus of the teapot's scene under one light of a type, a little above it, lit where `evaluation` says. */
+/* The torus of the teapot's scene under one light of a type, above it, lit where `evaluation` says. */
 static void build_lit(int light, int evaluation) {
     glint_light *lamp = &stage.lights[0];
 
     example_teapot.build(&stage, 0, 5);
     lamp->type = lights[light].type;
-    if (lamp->type == &glint_light_spot) { /* nearer, nodes are no fewer than fragments */
+    if (lamp->type != &glint_light_directional) { /* nearer, nodes are no fewer than fragments */
         lamp->vector = (glint_vector){GLINT_Q16(-0.9), GLINT_Q16(2.4), GLINT_Q16(2.2)};
     }
     lamp->linear = GLINT_Q16(0.1);
