@@ -313,6 +313,57 @@ static void draw_refused(const glint_config *config, const glint_scene *scene, g
     close_screen(&refused);
 }
 
+/* A region alone: all of its pixels, each once. */
+static void draw_region(source s, glint_renderer *renderer, const glint_scene *scene) {
+    const int x = (int)(below(&s, 32) * 8), y = (int)(below(&s, 32) * 8);
+    const glint_rectangle region = {(int16_t)x, (int16_t)y, (int16_t)(8 + below(&s, 16) * 8),
+                                    (int16_t)(8 + below(&s, 16) * 8)};
+    size_t sent = 0;
+    screen got;
+    open_screen(&got, &renderer->config);
+    renderer->config.flush.context = &got;
+    if (glint_render_region(renderer, scene, &region) == GLINT_OK) {
+        for (size_t i = 0; i < (size_t)renderer->config.width * renderer->config.height; i++)
+            sent += got.sent[i];
+        require(sent == (size_t)region.width * (size_t)region.height);
+    }
+    close_screen(&got);
+}
+
+/* What else can be asked of any scene. */
+static void ask(source s, const glint_config *wanted, const glint_scene *scene) {
+    glint_config config = *wanted;
+    glint_renderer renderer;
+    glint_report report;
+    glint_need need;
+    glint_hit hit;
+    glint_place place;
+    glint_camera camera = scene->camera;
+    screen none;
+    const glint_vector point = {any(&s), any(&s), any(&s)}, at = {any(&s), any(&s), any(&s)};
+    (void)glint_arena_need_turned(&config, scene, &need);
+    (void)glint_camera_project(&config, &camera, point, &place);
+    (void)glint_camera_look_at(&camera, point, at, point);
+    (void)glint_camera_look_at(&camera, point, at, (glint_vector){0, GLINT_ONE, 0});
+    glint_camera_orbit(&camera, at, point.x, point.y, point.z);
+    camera.pose = glint_pose_rotate(point, at.x);
+    camera.pose = glint_pose_quaternion(point.x, point.y, point.z, at.x);
+    open_screen(&none, wanted);
+    config.flush.context = &none;
+    config.arena_size = 65536;
+    config.arena = allocate(config.arena_size);
+    (void)glint_check(&config, scene, &report);
+    require(report.sentence != NULL && none.calls == 0);
+    if (glint_init(&renderer, &config) == GLINT_OK) {
+        for (int i = 0; i < 4; i++)
+            (void)glint_pick(&renderer, scene, config.width * (2 * i + 1) / 8, config.height / 2, &hit);
+        require(none.calls == 0);
+        draw_region(s, &renderer, scene);
+    }
+    free(config.arena);
+    close_screen(&none);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -331,6 +382,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         take_any_config(&s, &config);
         take_any_scene(&s, &d);
     }
+    const source asked = choices;
     const glint_status status = glint_arena_need(&config, &d.scene, &need);
     require(!is_usual || status == GLINT_OK || status == GLINT_ERROR_RANGE);
     if (status != GLINT_OK)
@@ -339,6 +391,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         draw_anyhow(&config, &d.scene, &need);
     else
         draw_every_way(&choices, &config, &d.scene, &need);
+    ask(asked, &config, &d.scene);
     free_drawing(&d);
     free((void *)(uintptr_t)config.gamma);
     return 0;
