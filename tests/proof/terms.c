@@ -62,15 +62,13 @@ PROOF(keep) {
         node.shine[c] = ANY(-32768, 32767);
     }
     node.levels = ANY_UNSIGNED(0, 3u << 16);
-    node.half = ANY_UNSIGNED(0, INT16_MAX);
-    node.closeness = ANY_UNSIGNED(0, UINT16_MAX);
-    node.around = ANY_UNSIGNED(0, UINT16_MAX);
     node.lit = (uint8_t)ANY(0, UINT8_MAX);
     node.dark = (uint8_t)ANY(0, UINT8_MAX);
     node.outside = (uint16_t)ANY(0, UINT16_MAX);
     node.far = (uint8_t)ANY(0, UINT8_MAX);
     node.unfit = (uint8_t)ANY(0, UINT8_MAX);
     node.steep = (uint8_t)ANY(0, UINT8_MAX);
+    node.left = (uint8_t)ANY(0, UINT8_MAX);
     light.light_count = GLINT_LIGHTS_MAX;
     FOR_PARTS(channels, 1, 3) {
         light.channels = (uint32_t)channels;

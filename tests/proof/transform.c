@@ -133,6 +133,7 @@ static void any_object(glint_object *object, glint_mesh *mesh) {
     mesh->extent = (glint_vector){ANY(0, INT32_MAX), ANY(0, INT32_MAX), ANY(0, INT32_MAX)};
     mesh->offset = (glint_vector){ANY_INT, ANY_INT, ANY_INT};
     object->mesh = mesh;
+    object->hidden = (uint8_t)ANY(0, 1);
 }
 
 /* Any pose, eye, extent and offset. @unreached 1 shift to the left */
