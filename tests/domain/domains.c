@@ -195,7 +195,7 @@ static const reference references[] = {
     {"luma_255", exact_level_255, 0.5084, 0, 0, FULL},
     {"channel", exact_channel, 1, 0, 0, 0},
     {"clamped_colour", exact_clamped_colour, 1.5, 0, 0, FULL},
-    {"gamma_of_squares", exact_gamma_of_squares, 5120, 0, 0, FULL},
+    {"gamma_of_squares", exact_gamma_of_squares, 3400, 0, 0, FULL},
     {"dither_threshold", exact_dither_threshold, 0, 0, 0, 0},
 };
 
