@@ -64,6 +64,13 @@ static int wait(void *context) {
     return 0;
 }
 
+/* Sends before it returns. */
+static int begin_and_end(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    const int failed = begin(context, x, y, width, height, pixels, stride);
+    ((screen *)context)->sending = 0;
+    return failed;
+}
+
 static void open_screen(screen *to, const glint_config *config) {
     memset(to, 0, sizeof *to);
     to->config = config;
@@ -208,9 +215,13 @@ static void draw_kept(const glint_config *wanted_config, const glint_scene *scen
     free(config.arena);
 }
 
-/* On a screen that is sent changes alone, after a frame of another scene; once more nothing changes. */
-static void draw_changes(const glint_config *wanted_config, const glint_scene *scene, size_t size,
+/*
+ * On a screen that is sent changes alone, after a frame of another scene; once more nothing changes. After a region of
+ * the other scene the frame becomes whole again.
+ */
+static void draw_changes(source *s, const glint_config *wanted_config, const glint_scene *scene, size_t size,
                          const screen *wanted) {
+    const glint_rectangle part = {(int16_t)(8 * below(s, 2)), (int16_t)(8 * below(s, 2)), 8, 8};
     const glint_scene other = other_scene(scene);
     glint_config config = *wanted_config;
     glint_renderer renderer;
@@ -218,6 +229,8 @@ static void draw_changes(const glint_config *wanted_config, const glint_scene *s
     screen got;
     open_screen(&got, wanted_config);
     config.flush.context = &got;
+    if (below(s, 2))
+        config.flush = (glint_flush){.begin = begin_and_end, .context = &got};
     glint_signature *signatures = allocate(glint_changes_count(&config) * sizeof *signatures);
     require(glint_changes_init(&changes, signatures, &config) == GLINT_OK);
     config.flush = glint_changes_flush(&changes);
@@ -225,12 +238,15 @@ static void draw_changes(const glint_config *wanted_config, const glint_scene *s
     config.arena_size = size;
     require(glint_init(&renderer, &config) == GLINT_OK);
     (void)glint_render(&renderer, &other);
-    for (int frame = 0; frame < 2; frame++) {
+    for (int frame = 0; frame < 3; frame++) {
         const uint32_t calls = got.calls;
         memset(got.sent, 0, (size_t)config.width * config.height);
         require(glint_render(&renderer, scene) == GLINT_OK && !got.sending);
-        require(!frame || got.calls == calls);
+        require(frame != 1 || got.calls == calls);
         require_same(wanted, &got);
+        memset(got.sent, 0, (size_t)config.width * config.height);
+        if (frame == 1)
+            (void)glint_render_region(&renderer, &other, &part);
     }
     free(config.arena);
     free(signatures);
@@ -258,6 +274,34 @@ static void draw_with_other_tiles(const glint_config *config, const glint_scene 
     draw_with_arena(&other, scene, need.one_pass, 0, wanted);
 }
 
+/* Tile by tile, each from where its rectangle says. */
+static void draw_tiles(const glint_config *wanted_config, const glint_scene *scene, size_t size, const screen *wanted) {
+    glint_config config = *wanted_config;
+    glint_frame frame;
+    glint_workspace workspace;
+    screen got;
+    int status;
+    open_screen(&got, wanted_config);
+    config.arena = allocate(size);
+    config.arena_size = size;
+    void *memory = allocate(glint_workspace_size(&config));
+    glint_workspace_init(&workspace, &config, memory);
+    require(glint_frame_begin(&frame, &config, scene) == GLINT_OK);
+    while ((status = glint_frame_next(&frame)) > 0)
+        for (uint32_t tile = frame.tile_first; tile < frame.tile_end; tile++)
+            if (glint_render_tile(&frame, &workspace, tile)) {
+                int x, y, width, height;
+                glint_tile_rectangle(&frame, tile, &x, &y, &width, &height);
+                require(!begin_and_end(&got, x, y, width, height, workspace.pixels, workspace.stride));
+            }
+    require(status == 0);
+    require_complete(&got);
+    require_same(wanted, &got);
+    close_screen(&got);
+    free(memory);
+    free(config.arena);
+}
+
 /* A flush that fails ends the frame, at once. */
 static void draw_until_failure(const glint_config *config, const glint_scene *scene, size_t size, uint32_t fail_at) {
     screen cut;
@@ -283,9 +327,10 @@ static void draw_every_way(source *s, const glint_config *config, const glint_sc
     if (below(s, 2))
         draw_kept(config, scene, need->one_pass, &wanted);
     else
-        draw_changes(config, scene, need->one_pass, &wanted);
+        draw_changes(s, config, scene, need->one_pass, &wanted);
     draw_with_other_tiles(config, scene, &wanted);
     draw_apart(config, scene, &wanted);
+    draw_tiles(config, scene, need->one_pass, &wanted);
     draw_until_failure(config, scene, need->one_pass, below(s, 256) % wanted.calls);
     close_screen(&wanted);
     close_screen(&refused);
@@ -330,6 +375,63 @@ static void draw_region(source s, glint_renderer *renderer, const glint_scene *s
     close_screen(&got);
 }
 
+/* A scene or a configuration that lacks something is told so, and not drawn. */
+static void check_without(uint32_t what, const glint_config *wanted, const glint_scene *whole) {
+    glint_config config = *wanted;
+    glint_scene scene = *whole;
+    glint_object object = {0};
+    glint_mesh mesh = {0};
+    glint_light light = {0};
+    glint_report report;
+    if (scene.object_count && scene.objects[0].mesh) {
+        object = scene.objects[0];
+        mesh = *object.mesh;
+        object.mesh = &mesh;
+        object.hidden = 0;
+        scene.objects = &object;
+        scene.object_count = 1;
+    }
+    switch (what) {
+    case 0:
+        config.format = NULL;
+        break;
+    case 1:
+        config.flush.begin = NULL;
+        break;
+    case 2:
+        config.arena = NULL;
+        break;
+    case 3:
+        config.arena_size = glint_workspace_size(&config);
+        break;
+    case 4:
+        object.mesh = NULL;
+        break;
+    case 5:
+        mesh.positions = NULL;
+        break;
+    case 6:
+        scene.objects = NULL;
+        scene.object_count = 1;
+        break;
+    case 7:
+        scene.lights = &light;
+        scene.light_count = 1;
+        break;
+    case 8:
+        scene.lights = NULL;
+        scene.light_count = 1;
+        break;
+    default:
+        config.pixels = &config;
+        config.pixels_size = 0;
+        break;
+    }
+    const glint_status status = glint_check(&config, &scene, &report);
+    require(status == report.status && report.sentence != NULL);
+    require(status != GLINT_OK || what == 3 || (!scene.object_count && (what == 4 || what == 5)));
+}
+
 /* What else can be asked of any scene. */
 static void ask(source s, const glint_config *wanted, const glint_scene *scene) {
     glint_config config = *wanted;
@@ -354,6 +456,9 @@ static void ask(source s, const glint_config *wanted, const glint_scene *scene) 
     config.arena = allocate(config.arena_size);
     (void)glint_check(&config, scene, &report);
     require(report.sentence != NULL && none.calls == 0);
+    for (uint32_t what = 0; what < 10; what++)
+        check_without(what, &config, scene);
+    require(none.calls == 0);
     if (glint_init(&renderer, &config) == GLINT_OK) {
         for (int i = 0; i < 4; i++)
             (void)glint_pick(&renderer, scene, config.width * (2 * i + 1) / 8, config.height / 2, &hit);
