@@ -129,9 +129,11 @@ int glint_find_region(const glint_frame *frame, const glint_draw *draw, const gl
     t->has_surface = draw->extra != 0;
     region->colour = t->has_surface ? find_surface(triangle, t) : 0;
     const uint32_t measured = shading->lights & (light->placed | light->lobes);
-    for (uint32_t l = 0; measured >> l; l++)
+    for (uint32_t l = 0; shading->lights >> l; l++) {
+        region->strength[l] = 1 << 14;
         if (measured >> l & 1)
             find_corners_nearness(l, light->at[l], t);
+    }
     const uint32_t lobes = glint_region_sort(frame, shading, region);
     region->lobes = region->slope = 0;
     region->has_edge = 0;
