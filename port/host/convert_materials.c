@@ -41,7 +41,7 @@ static bool is_taken(const header_suffix *suffixes, size_t count) {
 static void name_piece(const char *material, bool counted, header_suffix *suffixes, size_t piece) {
     char base[NAME_KEPT + 16];
     size_t length = 0;
-    for (; material[length] != '\0' && length < NAME_KEPT; length++) {
+    for (; length < NAME_KEPT && material[length] != '\0'; length++) {
         base[length] = convert_plain(material[length]);
     }
     base[length] = '\0';

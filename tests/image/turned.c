@@ -175,6 +175,7 @@ static void boxes(void) {
 
 static void errors_are_those_of_need(void) {
     static test_scene scene;
+    static glint_mesh mesh;
     picture image = picture_open(32, 32, &glint_format_rgb565);
     glint_config config = picture_config(&image, NULL);
     glint_need need = {1, 2, 3};
@@ -182,7 +183,7 @@ static void errors_are_those_of_need(void) {
     CHECK_EQUAL(glint_arena_need_turned(NULL, &scene.scene, &need), GLINT_ERROR_NULL);
     CHECK_EQUAL(glint_arena_need_turned(&config, NULL, &need), GLINT_ERROR_NULL);
     CHECK_EQUAL(glint_arena_need_turned(&config, &scene.scene, NULL), GLINT_ERROR_NULL);
-    glint_mesh mesh = *scene.objects[0].mesh;
+    mesh = *scene.objects[0].mesh;
     mesh.vertex_count--;
     mesh.clusters = NULL;
     scene.objects[0].mesh = &mesh;
