@@ -41,8 +41,8 @@ static bool is_taken(const header_suffix *suffixes, size_t count) {
 static void name_piece(const char *material, bool counted, header_suffix *suffixes, size_t piece) {
     char base[NAME_KEPT + 16];
     size_t length = 0;
-    for (; length < NAME_KEPT && material[length] != '\0'; length++) {
-        base[length] = convert_plain(material[length]);
+    for (const char *letter = material; *letter != '\0' && length < NAME_KEPT; letter++) {
+        base[length++] = convert_plain(*letter);
     }
     base[length] = '\0';
     char *suffix = suffixes[piece].text;
