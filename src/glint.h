@@ -510,6 +510,10 @@ typedef struct glint_config {
     glint_rectangle region;
     glint_painter background; /**< Paints all of a tile before objects are drawn, in place of scene->background. */
     glint_painter overlay;    /**< Paints over a finished tile, also where no object shows. */
+    /** Not 0: objects that have nothing to draw are left out and counted in glint_stats.skipped: those whose pose is
+     * singular, which would end the frame with GLINT_ERROR_POSE, and those whose mesh has no vertices or no triangles,
+     * with GLINT_ERROR_MESH; nothing else of such a mesh is looked at. */
+    uint8_t skips_degenerate;
 } glint_config;
 
 /** Kernels: loops that draw the spans of a triangle. */
@@ -541,11 +545,12 @@ typedef struct glint_stats {
     uint32_t facing_away;             /**< Of these, dropped: facing away, or without area. */
     uint32_t outside;                 /**< Of these, dropped: outside the screen, or between pixel centres. */
     uint32_t clipped;                 /**< Of these, cut at the near plane or the guard band. */
-    uint32_t hidden;                  /**< Objects dropped whole: outside the screen. */
+    uint32_t hidden;                  /**< Objects dropped whole: outside the screen, hidden, or skipped. */
     uint32_t references;              /**< Triangle references put into tiles. */
     uint32_t arena_used;              /**< Most bytes of the arena in use. */
     int flush_error;                  /**< After GLINT_ERROR_FLUSH, what the flush callback returned; else 0. */
     glint_drawn drawn[GLINT_KERNELS]; /**< Where the configuration asks for it, else 0. */
+    uint32_t skipped;                 /**< Objects left out as glint_config.skips_degenerate asks, else 0. */
 } glint_stats;
 
 /** Bytes of arena for a scene; each is no less than the one before it. */

@@ -34,6 +34,7 @@ SUITE_arenas    := $(TEST_HARNESS) tests/image/arenas.c
 SUITE_turned    := $(TEST_HARNESS) tests/image/turned.c $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_changes   := $(TEST_HARNESS) tests/image/changes.c $(TEST_SCENES)
 SUITE_diagnose  := $(TEST_HARNESS) tests/image/diagnose.c $(TEST_SCENES)
+SUITE_skipped   := $(TEST_HARNESS) tests/image/skipped.c $(TEST_SCENES)
 SUITE_pick      := $(TEST_HARNESS) tests/image/pick.c $(TEST_SCENES)
 SUITE_region    := $(TEST_HARNESS) tests/image/region.c $(TEST_SCENES)
 SUITE_drops     := $(TEST_HARNESS) tests/image/drops.c tests/image/undropped.c tests/stability/random_scene.c \
@@ -44,7 +45,7 @@ SUITE_budget    := $(TEST_HARNESS) tests/image/budget.c tests/stability/random_s
     $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_nodes     := $(TEST_HARNESS) tests/image/nodes.c tests/image/fine.c $(TEST_SCENES)
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit numbers setup point compare accuracy models gallery formats output extremes highlights fill_rule identity changes region pick diagnose camera kept arenas turned drops hidden budget opposed nodes
+TEST_SUITES     := unit numbers setup point compare accuracy models gallery formats output extremes highlights fill_rule identity changes region pick skipped diagnose camera kept arenas turned drops hidden budget opposed nodes
 
 # $(call test_objects,variant,compiler and flags): build/<variant>/<source>.o
 define test_objects
@@ -99,7 +100,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers setup point camera) ## unit tests on the host, arithmetic against libm
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery formats output extremes highlights fill_rule changes region pick diagnose kept arenas turned drops hidden budget opposed nodes) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery formats output extremes highlights fill_rule changes region pick skipped diagnose kept arenas turned drops hidden budget opposed nodes) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order

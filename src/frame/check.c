@@ -11,8 +11,12 @@ static int colour_is_valid(const glint_colour *colour) {
 }
 
 /* Out of line, which is less code than branches across the loop over objects. */
-static GLINT_NOINLINE glint_status check_mesh(const glint_mesh *mesh) {
-    if (!mesh || !mesh->positions || !mesh->normals || !mesh->triangles)
+static GLINT_NOINLINE glint_status check_mesh(const glint_mesh *mesh, const glint_config *config) {
+    if (!mesh)
+        return GLINT_ERROR_NULL;
+    if (config->skips_degenerate && glint_mesh_is_empty(mesh))
+        return GLINT_OK;
+    if (!mesh->positions || !mesh->normals || !mesh->triangles)
         return GLINT_ERROR_NULL;
     if (mesh->vertex_count - 1 >= 65536 || mesh->triangle_count < 1 ||
         (mesh->extent.x | mesh->extent.y | mesh->extent.z) < 0)
@@ -48,9 +52,9 @@ static glint_status check_lights(const glint_scene *scene) {
     return GLINT_OK;
 }
 
-static glint_status check_objects(const glint_scene *scene) {
+static glint_status check_objects(const glint_config *config, const glint_scene *scene) {
     for (uint32_t i = 0; i < scene->object_count; i++) {
-        glint_status status = check_mesh(scene->objects[i].mesh);
+        glint_status status = check_mesh(scene->objects[i].mesh, config);
         if (status == GLINT_OK)
             status = check_material(scene->objects[i].material);
         if (status != GLINT_OK)
@@ -59,7 +63,7 @@ static glint_status check_objects(const glint_scene *scene) {
     return GLINT_OK;
 }
 
-glint_status glint_check_scene(const glint_scene *scene) {
+glint_status glint_check_scene(const glint_config *config, const glint_scene *scene) {
     if (!scene || (scene->object_count && !scene->objects))
         return GLINT_ERROR_NULL;
     if (!glint_camera_is_valid(&scene->camera))
@@ -71,5 +75,5 @@ glint_status glint_check_scene(const glint_scene *scene) {
     if (!colour_is_valid(&scene->background) || !colour_is_valid(&scene->ambient))
         return GLINT_ERROR_COLOUR;
     const glint_status status = check_lights(scene);
-    return status == GLINT_OK ? check_objects(scene) : status;
+    return status == GLINT_OK ? check_objects(config, scene) : status;
 }

@@ -152,8 +152,15 @@ static int is_pose_hardly_meant(const glint_pose *pose) {
     return is_place_hardly_meant(place) || !scale;
 }
 
+/* Is an object of a scene that can be drawn not drawn, as it is hidden or skipped? */
+static int is_left_out(const glint_config *config, const glint_scene *scene, const glint_object *object) {
+    glint_config strict = *config;
+    strict.skips_degenerate = 0;
+    return object->hidden || (config->skips_degenerate && status_of(&strict, scene, 0, object) != GLINT_OK);
+}
+
 /* Numbers that look like integers where Q16.16 is asked for. */
-static void remark_numbers(const glint_scene *scene, glint_report *report) {
+static void remark_numbers(const glint_config *config, const glint_scene *scene, glint_report *report) {
     const glint_pose *const eye = &scene->camera.pose;
     const glint_q16 place[3] = {eye->m[0][3], eye->m[1][3], eye->m[2][3]};
     if (is_place_hardly_meant(place))
@@ -161,7 +168,7 @@ static void remark_numbers(const glint_scene *scene, glint_report *report) {
     for (uint32_t i = 0; i < scene->object_count; i++) {
         const glint_object *const object = &scene->objects[i];
         const subject about = {(int32_t)i, -1};
-        if (object->hidden)
+        if (is_left_out(config, scene, object))
             continue;
         if (is_pose_hardly_meant(&object->pose))
             remark(report, about,
@@ -185,13 +192,18 @@ static void remark_numbers(const glint_scene *scene, glint_report *report) {
 }
 
 /* Why no object shows. */
-static void remark_nothing(const glint_scene *scene, const glint_stats *stats, glint_report *report) {
+static void remark_nothing(const glint_config *config, const glint_scene *scene, const glint_stats *stats,
+                           glint_report *report) {
     uint32_t hidden = 0;
     for (uint32_t i = 0; i < scene->object_count; i++)
         hidden += scene->objects[i].hidden != 0;
     if (hidden == scene->object_count)
         remark(report, the_frame, scene->object_count ? "all objects are hidden" : "the scene has no objects");
-    remark_numbers(scene, report);
+    if (stats->skipped && stats->hidden == scene->object_count)
+        remark(report, the_frame,
+               "no object is left: some are skipped, as their poses are singular or their meshes empty, and the camera "
+               "sees no other");
+    remark_numbers(config, scene, report);
     if (stats->hidden == scene->object_count)
         remark(report, the_frame,
                "the camera sees no object: all are beside what it sees, or behind it. It looks along its -z axis; "
@@ -205,7 +217,7 @@ static void remark_nothing(const glint_scene *scene, const glint_stats *stats, g
 }
 
 /* Why what shows is black. */
-static void remark_black(const glint_scene *scene, glint_report *report) {
+static void remark_black(const glint_config *config, const glint_scene *scene, glint_report *report) {
     uint32_t bright = 0, reflects = 0;
     for (uint32_t i = 0; i < scene->light_count; i++)
         bright += !is_black(&scene->lights[i].diffuse) || !is_black(&scene->lights[i].specular);
@@ -217,7 +229,7 @@ static void remark_black(const glint_scene *scene, glint_report *report) {
                                   : "there is no light: give the scene one, or ambient light");
     if (!reflects)
         remark(report, the_frame, "all materials are black");
-    remark_numbers(scene, report);
+    remark_numbers(config, scene, report);
     remark(
         report, the_frame,
         "no light reaches what shows: a directional light's vector points towards the light, normals point outwards, "
@@ -294,10 +306,10 @@ glint_status glint_check(const glint_config *config, const glint_scene *scene, g
         return say(report, status, the_frame, glint_strerror(status));
     report->shown = sum.shown;
     if (!sum.shown)
-        remark_nothing(scene, &stats, report);
+        remark_nothing(config, scene, &stats, report);
     else if (!sum.is_lit)
-        remark_black(scene, report);
+        remark_black(config, scene, report);
     else
-        remark_numbers(scene, report);
+        remark_numbers(config, scene, report);
     return GLINT_OK;
 }

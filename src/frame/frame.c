@@ -50,7 +50,7 @@ static uint32_t count_waiting(const glint_frame *frame, size_t end) {
 }
 
 static glint_status prepare_scene(glint_frame *frame, const glint_kept *kept) {
-    glint_status status = glint_check_scene(frame->scene);
+    glint_status status = glint_check_scene(&frame->config, frame->scene);
     if (status != GLINT_OK)
         return status;
     glint_view *view = glint_take(&frame->memory, GLINT_VIEW_SIZE(frame->scene->light_count));
@@ -72,6 +72,7 @@ static glint_status prepare_scene(glint_frame *frame, const glint_kept *kept) {
     if (status != GLINT_OK)
         return status;
     frame->prepared_end = frame->memory.low;
+    frame->stats.skipped = view->skipped;
     return has_least_room(frame) ? GLINT_OK : GLINT_ERROR_ARENA;
 }
 

@@ -53,7 +53,7 @@ typedef struct glint_range {
 } glint_range;
 
 /** Checks a scene, all but its meshes' indices. */
-glint_status glint_check_scene(const glint_scene *scene);
+glint_status glint_check_scene(const glint_config *config, const glint_scene *scene);
 
 /** Puts triangles from (frame->object, frame->triangle) on into the lists of the pass's tiles. */
 glint_status glint_bin(glint_frame *frame, int *complete);

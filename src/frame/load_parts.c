@@ -163,7 +163,7 @@ static int load_object(glint_frame *frame, glint_draw **last, const glint_strip 
     const glint_transform *const transform = &sight->transform;
     glint_status status;
     part p;
-    if (!shown)
+    if (!shown && object->mesh->triangle_count)
         return 1;
     glint_transform_prepare(&sight->transform, frame->view, &frame->config, object);
     if (!transform->visible) {

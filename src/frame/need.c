@@ -145,7 +145,7 @@ glint_status glint_need_begin(glint_frame *frame, glint_view *view, const glint_
     glint_status status = glint_frame_grid(frame, config, scene);
     *sum = (glint_tally){0};
     if (status == GLINT_OK)
-        status = glint_check_scene(scene);
+        status = glint_check_scene(config, scene);
     if (status == GLINT_OK)
         status = glint_prepare_view(view, &frame->config, scene, &transform, 1);
     frame->view = view;

@@ -182,7 +182,7 @@ static GLINT_NOINLINE glint_status count_turned(glint_frame *frame, const glint_
     glint_transform transform;
     turned_object t;
     glint_status status = glint_transform_prepare(&transform, frame->view, &frame->config, object);
-    if (status != GLINT_OK)
+    if (status != GLINT_OK || object->hidden || transform.skipped)
         return status;
     set_axes(&t, object);
     set_place(&t, frame, object);

@@ -16,6 +16,7 @@ typedef struct glint_transform {
     int32_t nearest;             /* w of the frame, no more than any of the object's that is seen */
     int32_t center_x, center_y;  /* of the screen, 28.4 and 11 bits for rounding */
     uint8_t visible, clips, mirrored;
+    uint8_t skipped; /* it has nothing to draw, and is left out */
 } glint_transform;
 
 /** The eye among a mesh's steps, homogeneous. */
@@ -47,6 +48,11 @@ typedef struct glint_vertex {
 typedef struct glint_position {
     int32_t x, y, w;
 } glint_position;
+
+/** Has a mesh nothing to draw? */
+static inline int glint_mesh_is_empty(const glint_mesh *mesh) {
+    return !mesh->vertex_count || !mesh->triangle_count;
+}
 
 /** An object's transform. Takes view->nearest as it stands. */
 glint_status glint_transform_prepare(glint_transform *transform, const glint_view *view, const glint_config *config,

@@ -233,16 +233,23 @@ void glint_transform_place(glint_transform *transform, const glint_view *view) {
     lower_nearest(transform);
 }
 
+/* An object that is not drawn. */
+static glint_status leave_out(glint_transform *transform, uint8_t skipped) {
+    *transform = (glint_transform){.skipped = skipped};
+    return GLINT_OK;
+}
+
 glint_status glint_transform_prepare(glint_transform *transform, const glint_view *view, const glint_config *config,
                                      const glint_object *object) {
     int64_t wide[3][4];
     int32_t world[3][4];
-    if (object->hidden) {
-        *transform = (glint_transform){0};
-        return GLINT_OK;
-    }
+    if (object->hidden)
+        return leave_out(transform, 0);
+    if (config->skips_degenerate && glint_mesh_is_empty(object->mesh))
+        return leave_out(transform, 1);
     if (!prepare_normals(transform, view, &object->pose))
-        return GLINT_ERROR_POSE;
+        return config->skips_degenerate ? leave_out(transform, 1) : GLINT_ERROR_POSE;
+    transform->skipped = 0;
     if (!place_in_world(view, object, wide))
         return GLINT_ERROR_RANGE;
     int up = rows_to_30_bits(wide, world);

@@ -88,12 +88,14 @@ static glint_status prepare_nearest(glint_view *view, const glint_config *config
                                     glint_transform *last, uint32_t count) {
     int64_t nearest = INT64_MAX;
     view->nearest = view->near_plane;
+    view->skipped = 0;
     for (uint32_t i = 0; i < scene->object_count; i++) {
         const uint32_t behind = scene->object_count - 1 - i;
         glint_transform *const transform = last - (!GLINT_SMALL && behind < count ? behind : 0);
         glint_status status = glint_transform_prepare(transform, view, config, &scene->objects[i]);
         if (status != GLINT_OK)
             return status;
+        view->skipped += transform->skipped;
         int64_t w = transform->visible ? glint_transform_nearest(transform, view) : INT64_MAX;
         if (w < nearest)
             nearest = w;

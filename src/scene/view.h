@@ -37,6 +37,7 @@ typedef struct glint_view {
     int32_t focal;          /* twice the focal length in pixels, Q12 */
     int32_t focal_mantissa; /* focal length / guard band = mantissa 2^-shift, 2^23 to 2^24 */
     uint32_t focal_shift;
+    uint32_t skipped;   /* objects */
     int64_t near_plane; /* Q28 */
     int64_t nearest;    /* Q28: no visible w is smaller */
     uint32_t light_count;

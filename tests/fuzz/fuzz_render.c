@@ -131,7 +131,9 @@ static void take_any_config(source *s, glint_config *config) {
         config->height = (uint16_t)(PIXELS_MAX / config->width);
     config->tile_width = tiles[below(s, 16)];
     config->tile_height = tiles[below(s, 16)];
-    config->format = formats[below(s, 16)];
+    const uint32_t choice = below(s, 32);
+    config->format = formats[choice % 16];
+    config->skips_degenerate = (uint8_t)(choice / 16);
     config->gamma = take_gamma(s, 4);
 }
 

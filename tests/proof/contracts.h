@@ -205,7 +205,7 @@ void glint_shade(const glint_frame *frame, glint_fragments *fragments, const gli
 /*@ requires \valid(transform) && \valid_read(view) && \valid_read(config) && \valid_read(object);
     assigns \result, *transform \from indirect: *view, indirect: *config, indirect: *object;
     ensures \result == GLINT_OK || \result == GLINT_ERROR_POSE || \result == GLINT_ERROR_RANGE;
-    ensures \result != GLINT_OK || \initialized(&transform->visible); */
+    ensures \result != GLINT_OK || (\initialized(&transform->visible) && \initialized(&transform->skipped)); */
 glint_status glint_transform_prepare(glint_transform *transform, const glint_view *view, const glint_config *config,
                                      const glint_object *object);
 

@@ -132,6 +132,8 @@ static void any_object(glint_object *object, glint_mesh *mesh) {
             object->pose.m[i][j] = ANY_INT;
     mesh->extent = (glint_vector){ANY(0, INT32_MAX), ANY(0, INT32_MAX), ANY(0, INT32_MAX)};
     mesh->offset = (glint_vector){ANY_INT, ANY_INT, ANY_INT};
+    mesh->vertex_count = ANY_UNSIGNED(0, 65536);
+    mesh->triangle_count = ANY_UNSIGNED(0, UINT_MAX);
     object->mesh = mesh;
     object->hidden = (uint8_t)ANY(0, 1);
 }
@@ -305,6 +307,7 @@ PROOF(glint_transform_prepare) {
     any_object(&object, &mesh);
     config.width = (uint16_t)ANY(1, GLINT_SIZE_MAX);
     config.height = (uint16_t)ANY(1, GLINT_SIZE_MAX);
+    config.skips_degenerate = (uint8_t)ANY(0, 1);
     glint_transform_prepare(&transform, &view, &config, &object);
 }
 

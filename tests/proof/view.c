@@ -165,8 +165,10 @@ PROOF(glint_check_scene) {
     }
     scene->objects = ANY(0, 1) ? all.objects : 0;
     scene->object_count = ANY_UNSIGNED(0, 2);
-    glint_check_scene(0);
-    glint_check_scene(scene);
+    glint_config config;
+    config.skips_degenerate = (uint8_t)ANY(0, 1);
+    glint_check_scene(&config, 0);
+    glint_check_scene(&config, scene);
 }
 
 /*
