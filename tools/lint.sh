@@ -28,7 +28,7 @@ check() { # check NAME COMMAND...
 
 # Meshes are written by the converter, and judged by what they draw.
 format() {
-    files '*.c' '*.h' | grep -v '^examples/meshes/' | xargs clang-format --dry-run -Werror
+    files '*.c' '*.h' '*.cpp' | grep -v '^examples/meshes/' | xargs clang-format --dry-run -Werror
 }
 
 # Each part is read with the headers and for the core that it is compiled for. Programs in tests/stack are wrong on purpose.
@@ -46,10 +46,12 @@ tidy() {
     tidy_files "-Isrc -Iport/host -Iexamples -Iexamples/bench" 'tools/bench/scenes.c' || status=1
     tidy_files "" 'tools/cycles/*.c' || status=1
     tidy_files "-Isrc -Iport/host -Iexamples -Itools/bench -I$bench" 'tools/cost/*.c' 'tools/pages/*.c' 'examples/compose/*.c' || status=1
+    tidy_files "-Isrc -Iexamples -Itests $(adapters) -D_GNU_SOURCE" 'examples/adapters/*.c' 'tests/adapters/*.c' || status=1
+    standard=c++11 tidy_files "-Isrc -Iexamples -Itests $(adapters)" 'examples/adapters/*.cpp' 'tests/adapters/*.cpp' || status=1
     tidy_files "-Isrc -Iport -Iport/libc $(arm_fpu)" 'tests/cycles/*.c' || status=1
     tidy_files "-Isrc -Iport -Iport/libc -Itools/bench -Itools/bench/float -I$bench $(arm_fpu)" 'tools/bench/float/*.c' 'tests/float/*_board.c' || status=1
     tidy_files "-Isrc -Iport -Iport/host -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit -Itools/bench -Itools/bench/float" \
-        'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' 'examples/scenes/*.c' 'tools/chart/*.c' ':!tests/proof' ':!tests/cycles' \
+        'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' 'examples/scenes/*.c' 'tools/chart/*.c' ':!tests/proof' ':!tests/cycles' ':!tests/adapters' \
         ':!tests/stack' ':!tests/board/faults.c' ':!tools/chart/*_board.c' ':!tests/*/*_board.c' ':!tests/board/pattern.c' ':!tests/board/unit.c' || status=1
     return $status
 }
@@ -62,11 +64,15 @@ arm_fpu() {
     echo "--target=arm-none-eabi -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -ffreestanding"
 }
 
-tidy_files() { # tidy_files FLAGS PATTERN...
+adapters() {
+    echo "-isystem tests/adapters/declarations -isystem /usr/include/libdrm"
+}
+
+tidy_files() { # tidy_files FLAGS PATTERN..., in C99 or the standard that is set
     local flags=$1
     shift
     # shellcheck disable=SC2086 # flags are words
-    files "$@" | xargs -r -P "$jobs" -I FILE clang-tidy --quiet FILE -- -std=c99 $flags
+    files "$@" | xargs -r -P "$jobs" -I FILE clang-tidy --quiet FILE -- -std="${standard:-c99}" $flags
 }
 
 # Drivers in tests/proof leave values open on purpose; Frama-C reads them.
@@ -84,7 +90,7 @@ licence() {
         head -n 3 "$file" | grep -q 'SPDX-License-Identifier: MIT' && continue
         echo "$file: no SPDX-License-Identifier line at its top"
         status=1
-    done < <(files '*.c' '*.h' '*.ld' '*.mk' '*.sh' '*.py' Makefile '*/Makefile' .ci/run .clang-tidy)
+    done < <(files '*.c' '*.h' '*.cpp' '*.ld' '*.mk' '*.sh' '*.py' Makefile '*/Makefile' .ci/run .clang-tidy)
     return $status
 }
 

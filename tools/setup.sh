@@ -16,6 +16,7 @@ need() { # need PACKAGE COMMAND...: true when all of the commands are there
 look() {
     missing=()
     need gcc gcc
+    need g++ g++
     need make make
     need git git
     need python3 python3
@@ -32,8 +33,9 @@ look() {
     need nodejs node
     need npm npm
     need frama-c-base frama-c
-    # libraries, which no command shows: the host's C library, and clang's sanitizers and fuzzer
+    # libraries, which no command shows: the host's C library, libdrm's headers, and clang's sanitizers and fuzzer
     [ -e /usr/include/stdio.h ] || missing+=(libc6-dev)
+    [ -e /usr/include/xf86drmMode.h ] || missing+=(libdrm-dev)
     if command -v clang >/dev/null 2>&1; then
         ls "$(clang -print-resource-dir)"/lib/linux/libclang_rt.fuzzer-*.a >/dev/null 2>&1 || missing+=(libclang-rt-dev)
     else
