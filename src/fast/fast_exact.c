@@ -258,13 +258,13 @@ glint_exact_kind glint_exact_begin(const glint_draw *draw, const glint_triangle 
 /* ---- Half vectors of the local viewer ---- */
 
 /* A half vector, what it is made of, and 1 / (1 + hz). */
-typedef struct half_vector {
+typedef struct view_and_half {
     glint_view_vector view;
     int32_t h[3], inverse;
-} half_vector;
+} view_and_half;
 
 /* At a point of the screen, 28.4. @return 0 where there is none */
-static int find_half_vector(const glint_fast_terms *fast, int32_t x, int32_t y, half_vector *at) {
+static int find_half_vector(const glint_fast_terms *fast, int32_t x, int32_t y, view_and_half *at) {
     int16_t h[3];
     if (!glint_fast_half_vector(fast, x, y, h, &at->view))
         return 0;
@@ -279,7 +279,7 @@ static int find_half_vector(const glint_fast_terms *fast, int32_t x, int32_t y, 
  * Its change from pixel to pixel, 14 bits and a sign, 2^-pixel_shift: with V's change u k, u = -x + V vx or y - V vy,
  * that of H is (u - H (H.u)) k / |L + V|.
  */
-static void find_change(const glint_exact_limits *limits, const half_vector *at, int axis, int32_t change[3]) {
+static void find_change(const glint_exact_limits *limits, const view_and_half *at, int axis, int32_t change[3]) {
     const int32_t *v = at->view.v, *h = at->h;
     const uint32_t length = (uint32_t)at->view.root * (uint32_t)at->view.half_root >> 17; /* k / |L + V|, Q15 */
     const int32_t factor = glint_shift_right(limits->pixel * (int32_t)length, 15);
@@ -294,7 +294,7 @@ static void find_change(const glint_exact_limits *limits, const half_vector *at,
 }
 
 /* What is left of m along H and z: (m.H + mz) / (1 + hz); UNIT is short of 2^15 by a part in 2^13. */
-static int32_t find_along(const half_vector *at, const int32_t m[3]) {
+static int32_t find_along(const view_and_half *at, const int32_t m[3]) {
     int32_t along = dot(at->h, m);
     along = glint_shift_right(along + glint_shift_right(along, 13) + 0x4000, 15) + m[2];
     along = glint_shift_right(along * at->inverse + 0x4000, 15);
@@ -302,7 +302,7 @@ static int32_t find_along(const half_vector *at, const int32_t m[3]) {
 }
 
 /* The change of m's deviation with H. */
-static void find_exact_turn(const half_vector *at, const int32_t m[3], int32_t along, const int32_t change[3],
+static void find_exact_turn(const view_and_half *at, const int32_t m[3], int32_t along, const int32_t change[3],
                             int32_t e[2]) {
     const int32_t rest = glint_shift_right(dot(m, change) - along * change[2], 15);
     const int32_t back = glint_shift_right(rest * at->inverse, 15);
@@ -311,8 +311,8 @@ static void find_exact_turn(const half_vector *at, const int32_t m[3], int32_t a
 }
 
 /* Does the highlight of the local viewer show in a square, by its middle's half vector? */
-static glint_exact_kind find_local(const glint_fast_terms *fast, const glint_triangle *triangle, const half_vector *at,
-                                   int32_t margin) {
+static glint_exact_kind find_local(const glint_fast_terms *fast, const glint_triangle *triangle,
+                                   const view_and_half *at, int32_t margin) {
     int32_t e[3][2], behind = 0;
     for (int i = 0; i < 3; i++) {
         const int16_t *normal = triangle->corners[i]->attribute;
@@ -336,7 +336,7 @@ static void move_anchor(glint_quadratic *q, int32_t x, int32_t y) {
 }
 
 /* The triangle's deviation around (x, y) from its anchor, whose half vector is known. */
-static void find_bent(const glint_exact_limits *limits, const half_vector *at, int32_t x, int32_t y,
+static void find_bent(const glint_exact_limits *limits, const view_and_half *at, int32_t x, int32_t y,
                       glint_exact_light *light) {
     const int32_t size = light->size, shift = (int32_t)limits->pixel_shift;
     int32_t m[3], mx[3], my[3], hx[3], hy[3];
@@ -376,7 +376,7 @@ glint_exact_kind glint_exact_bend(const glint_fast_terms *fast, const glint_tria
     /* |dH| is at most that of the ray, in units of the focal length */
     const int32_t margin =
         (int32_t)scale_to_bits(square->extent * limits->pixel, 10 - (int32_t)limits->pixel_shift) + limits->error + 8;
-    half_vector at;
+    view_and_half at;
     if (!find_half_vector(fast, 16 * square->x + 8, 16 * square->y + 8, &at))
         return GLINT_EXACT_UNFIT;
     /* 2 / |L + V| is Q15, and 1 straight before the light */

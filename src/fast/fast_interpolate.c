@@ -102,9 +102,9 @@ static inline void spread(const interpolated_edge e[3], int32_t a[3], int32_t b[
 }
 
 /* A deviation at the corners, with the bulges of the edges. */
-typedef struct nodes {
+typedef struct bulged_deviation {
     int32_t x[3], y[3], bulge_x[3], bulge_y[3];
-} nodes;
+} bulged_deviation;
 
 /* A component of the normal at the middle of an edge. */
 static inline int32_t find_normal(const interpolated_edge *e, int32_t a, int32_t b) {
@@ -123,7 +123,7 @@ static inline int is_bulge(int32_t bulge) {
 
 /* The bulges of edge i by the local viewer's half vector. @return 0 where they cannot be told, or are too large */
 static inline int find_local_bulges(const glint_fast_terms *fast, const glint_triangle *triangle,
-                                    const interpolated_edge *e, int i, nodes *n) {
+                                    const interpolated_edge *e, int i, bulged_deviation *n) {
     const int from = i == 1, to = i ? 2 : 1;
     const glint_vertex *const a = triangle->corners[from], *const b = triangle->corners[to];
     int16_t h[3];
@@ -148,7 +148,7 @@ static inline int find_local_bulges(const glint_fast_terms *fast, const glint_tr
 
 /* All else of the nodes. @return 0 where they do not fit */
 static int find_edge_middles(const glint_fast_terms *fast, const glint_triangle *triangle, const interpolated_edge *e,
-                             nodes *n) {
+                             bulged_deviation *n) {
     if (fast->local_viewer) {
         for (int i = 0; i < 3; i++)
             if (!find_local_bulges(fast, triangle, &e[i], i, n))
@@ -162,13 +162,13 @@ static int find_edge_middles(const glint_fast_terms *fast, const glint_triangle 
     return 1;
 }
 
-static void begin_highlight(glint_interpolation *to, const nodes *n) {
+static void begin_highlight(glint_interpolation *to, const bulged_deviation *n) {
     glint_polynomial_begin(&to->x, &to->gradients, n->x, n->bulge_x);
     glint_polynomial_begin(&to->y, &to->gradients, n->y, n->bulge_y);
 }
 
 int glint_interpolate_highlight(const glint_draw *draw, const glint_triangle *triangle, glint_interpolation *to) {
-    nodes n;
+    bulged_deviation n;
     for (int i = 0; i < 3; i++) {
         const int16_t *terms = glint_fast_terms_of(draw, triangle->corners[i]);
         n.x[i] = terms[1], n.y[i] = terms[2];
@@ -181,7 +181,7 @@ int glint_interpolate_highlight(const glint_draw *draw, const glint_triangle *tr
 
 /* Are all corners beyond the same side of the highlight's octagon, moved outwards by a margin? They are beyond `sides`
  * of it as it is. */
-static int is_outside_octagon(const glint_fast_terms *fast, uint32_t sides, const nodes *n, int32_t margin) {
+static int is_outside_octagon(const glint_fast_terms *fast, uint32_t sides, const bulged_deviation *n, int32_t margin) {
     const int32_t cut = fast->side + margin, diagonal = fast->side_diagonal + margin + (margin >> 1);
     const int32_t x0 = n->x[0], x1 = n->x[1], x2 = n->x[2], y0 = n->y[0], y1 = n->y[1], y2 = n->y[2];
     return (sides & GLINT_VERTEX_OUTSIDE << 7 && glint_least_of(x0, x1, x2) >= cut) ||
@@ -212,7 +212,7 @@ static inline int32_t square_of(int32_t x, int32_t y) {
 }
 
 /* Do a triangle's control points lie beyond a line across the direction (x, y), a radius away? */
-static int is_beyond_line(const nodes *n, int32_t x, int32_t y, uint32_t radius) {
+static int is_beyond_line(const bulged_deviation *n, int32_t x, int32_t y, uint32_t radius) {
     const int32_t a = x * n->x[0] + y * n->y[0], b = x * n->x[1] + y * n->y[1], c = x * n->x[2] + y * n->y[2];
     const int32_t middles =
         glint_least_of(a + b + x * n->bulge_x[0] + y * n->bulge_y[0], b + c + x * n->bulge_x[1] + y * n->bulge_y[1],
@@ -227,7 +227,7 @@ static int is_beyond_line(const nodes *n, int32_t x, int32_t y, uint32_t radius)
  * triangles, Farin, 1986): here all of these must lie beyond a line across the direction of the corners' sum, or of the
  * nearest corner.
  */
-static int is_beyond(const glint_fast_terms *fast, const nodes *n, int32_t margin) {
+static int is_beyond(const glint_fast_terms *fast, const bulged_deviation *n, int32_t margin) {
     const int32_t *x = n->x, *y = n->y;
     const uint32_t radius = (uint32_t)(fast->side + margin);
     if (is_beyond_line(n, glint_shift_right(x[0] + x[1] + x[2], 10), glint_shift_right(y[0] + y[1] + y[2], 10), radius))
@@ -249,8 +249,9 @@ static int32_t find_most(const int32_t a[3], const int32_t b[3]) {
  * or may pass the horizon, by how much it may reach further than it is drawn: there it must not show.
  * @return GLINT_EXACT_UNFIT where it cannot be interpolated
  */
-static inline glint_exact_kind find_kind(const glint_fast_terms *fast, const glint_triangle *triangle, const nodes *n,
-                                         int32_t turn, int32_t change, int *inside, int32_t *error) {
+static inline glint_exact_kind find_kind(const glint_fast_terms *fast, const glint_triangle *triangle,
+                                         const bulged_deviation *n, int32_t turn, int32_t change, int *inside,
+                                         int32_t *error) {
     const glint_vertex *const *v = triangle->corners;
     const glint_exact_limits *limits = &fast->exact;
     const uint32_t all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
@@ -295,7 +296,7 @@ glint_exact_kind glint_interpolate_begin(const glint_draw *draw, const glint_tri
                          *const t2 = glint_fast_terms_of(draw, v[2]);
     const int32_t a[3] = {t0[0], t1[0], t2[0]};
     int32_t b[3];
-    nodes n;
+    bulged_deviation n;
     glint_exact_kind kind = GLINT_EXACT_DIFFUSE;
     if (fast->specular_end) {
         int inside;

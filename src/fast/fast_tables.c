@@ -27,12 +27,12 @@ static inline uint32_t least(uint32_t a, uint32_t b) {
 }
 
 /* A colour that changes by `step` from entry to entry, up to `most`. */
-typedef struct ramp {
+typedef struct level_ramp {
     uint32_t level[3], step[3], most[3];
-} ramp;
+} level_ramp;
 
 /* Its first `count` words. */
-static void fill(const ramp *r, uint32_t *words, uint32_t count) {
+static void fill(const level_ramp *r, uint32_t *words, uint32_t count) {
     uint32_t red = r->level[0], green = r->level[1], blue = r->level[2];
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t level[3] = {red, green, blue};
@@ -44,7 +44,7 @@ static void fill(const ramp *r, uint32_t *words, uint32_t count) {
 }
 
 /* Ambient and diffuse light over N.L in 256 steps, the first at its middle; where no light shows, `ambient`. */
-static void diffuse_ramp(const glint_shading *shading, ramp *r) {
+static void diffuse_ramp(const glint_shading *shading, level_ramp *r) {
     const uint32_t *const weight = glint_weights_shown(shading)->diffuse;
     for (int c = 0; c < 3; c++) {
         const uint32_t ambient = least(shading->ambient[c], 1u << 23);
@@ -57,7 +57,7 @@ static void diffuse_ramp(const glint_shading *shading, ramp *r) {
 }
 
 static uint32_t diffuse_word(const glint_shading *shading, uint32_t index) {
-    ramp r;
+    level_ramp r;
     diffuse_ramp(shading, &r);
     for (int c = 0; c < 3; c++) {
         uint64_t level = r.level[c] + (uint64_t)r.step[c] * index;
@@ -79,7 +79,7 @@ static void highlight(const glint_shading *shading, uint32_t i, uint32_t level[3
 }
 
 /* From a node of the highlight to the next, the first entry at its middle; downwards modulo 2^32. */
-static void highlight_ramp(const uint32_t here[3], const uint32_t next[3], ramp *r) {
+static void highlight_ramp(const uint32_t here[3], const uint32_t next[3], level_ramp *r) {
     for (int c = 0; c < 3; c++) {
         const int32_t change = (int32_t)(next[c] - here[c]);
         r->step[c] = (uint32_t)glint_shift_right(change, NODE_BITS);
@@ -90,7 +90,7 @@ static void highlight_ramp(const uint32_t here[3], const uint32_t next[3], ramp 
 
 static uint32_t highlight_word(const glint_shading *shading, uint32_t index) {
     uint32_t here[3], next[3];
-    ramp r;
+    level_ramp r;
     highlight(shading, index >> NODE_BITS, here);
     highlight(shading, (index >> NODE_BITS) + 1, next);
     highlight_ramp(here, next, &r);
@@ -112,7 +112,7 @@ static void fill_specular(const glint_shading *shading, uint32_t *words, uint32_
     uint32_t here[3], next[3];
     highlight(shading, 0, here);
     for (uint32_t i = 0; i < entries >> NODE_BITS; i++) {
-        ramp r;
+        level_ramp r;
         highlight(shading, i + 1, next);
         highlight_ramp(here, next, &r);
         fill(&r, words + (i << NODE_BITS), 1 << NODE_BITS);
@@ -125,7 +125,7 @@ static void fill_specular(const glint_shading *shading, uint32_t *words, uint32_
 void glint_fast_make_tables(glint_memory *memory, glint_fast_terms *fast, const glint_shading *shading) {
     const uint32_t entries = fast->specular_end >> 15, *const kept = fast->diffuse;
     const size_t size = glint_fast_tables_size(entries);
-    ramp r;
+    level_ramp r;
     fast->diffuse = 0;
     if (memory->high - GLINT_ALIGNED(memory->low) < size + glint_room_behind_tables(size))
         return;

@@ -25,15 +25,16 @@ int glint_fast_half_vector(const glint_fast_terms *fast, int32_t x, int32_t y, i
 }
 
 /* A deviation, Q14, rounded down. */
-typedef struct offset {
+typedef struct deviation {
     int32_t x, y;
-} offset;
+} deviation;
 
 /* e. Where N.H < 0, |e| falls again: there it is stretched, so that the back of H stays outside the highlight. */
-static inline offset find_deviation(const int16_t n[3], const int16_t h[3]) {
+static inline deviation find_deviation(const int16_t n[3], const int16_t h[3]) {
     const int32_t cosine = glint_shift_right(glint_dot(n, h), 15);
     const int32_t k = glint_shift_right((cosine + n[2]) * glint_inverse_of_one_and(h[2]), 16); /* Q14 */
-    offset e = {glint_shift_right(n[0] * (1 << 14) - h[0] * k, 15), glint_shift_right(n[1] * (1 << 14) - h[1] * k, 15)};
+    deviation e = {glint_shift_right(n[0] * (1 << 14) - h[0] * k, 15),
+                   glint_shift_right(n[1] * (1 << 14) - h[1] * k, 15)};
     if (cosine < 0) {
         e.x += glint_shift_right(e.x * -cosine, 14);
         e.y += glint_shift_right(e.y * -cosine, 14);
@@ -44,7 +45,7 @@ static inline offset find_deviation(const int16_t n[3], const int16_t h[3]) {
 }
 
 /* Cuts a deviation off where it is beyond the reach of planes. @return flags */
-static inline uint32_t cut_off(int32_t reach, offset *e) {
+static inline uint32_t cut_off(int32_t reach, deviation *e) {
     const int32_t x = glint_most(glint_least(e->x, reach), -reach), y = glint_most(glint_least(e->y, reach), -reach);
     const uint32_t flags = x != e->x || y != e->y ? GLINT_VERTEX_FAR : 0;
     e->x = x;
@@ -75,7 +76,7 @@ static inline uint32_t find_sides(const glint_fast_terms *fast, int32_t x, int32
 /* Finds a vertex's scaled deviation. @return flags */
 static GLINT_INLINE uint32_t find_terms(const glint_fast_terms *fast, const int16_t normal[3],
                                         const int16_t half_vector[3], int16_t terms[3]) {
-    offset e = find_deviation(normal, half_vector);
+    deviation e = find_deviation(normal, half_vector);
     uint32_t flags = 0;
     if ((glint_magnitude_bits(e.x) | glint_magnitude_bits(e.y)) > fast->within)
         flags = cut_off(fast->reach, &e);

@@ -12,7 +12,7 @@
  * A part on its way. Triangles are listed from the arena's low end on, where they stay; all else waits at the high end:
  * the numbers in the mesh of vertices, until they are loaded, then what is needed only while triangles are found.
  */
-typedef struct part {
+typedef struct object_part {
     uint16_t (*list)[3];
     uint16_t *origin; /* numbers of triangles, from the first on */
     uint16_t *index;  /* numbers of vertices in the mesh */
@@ -22,10 +22,10 @@ typedef struct part {
     int is_short; /* of room for vertices */
     glint_vertex *seen;
     size_t seen_size;
-} part;
+} object_part;
 
 /* The slot of a mesh's vertex, for which there is room. */
-static uint32_t find_slot(part *p, uint32_t index) {
+static uint32_t find_slot(object_part *p, uint32_t index) {
     uint32_t place = (index * 40503u) & p->mask;
     for (; p->map[place]; place = (place + 1) & p->mask)
         if (p->index[p->map[place] - 1] == index)
@@ -54,7 +54,7 @@ static size_t part_size(const glint_frame *frame, const glint_object *object, co
 /* Shares the free room out to a part of an object, some of whose triangles may show. @return 0 when there is too little
  */
 static int share_room(glint_frame *frame, const glint_object *object, const glint_transform *transform,
-                      uint32_t triangles, part *p) {
+                      uint32_t triangles, object_part *p) {
     const size_t low = GLINT_ALIGNED(frame->memory.low), high = frame->memory.high;
     if (high < low + GLINT_BIN_RESERVE)
         return 0;
@@ -93,7 +93,7 @@ static int share_room(glint_frame *frame, const glint_object *object, const glin
 
 /* Lists triangles from frame->triangle on that show in a strip, as far as there is room. @return the next's number */
 static uint32_t find_triangles(glint_frame *frame, const glint_strip *strip, uint32_t first_extent, glint_sight *sight,
-                               part *p, uint32_t most, glint_status *status) {
+                               object_part *p, uint32_t most, glint_status *status) {
     const uint32_t count = sight->mesh->triangle_count, shift = frame->extents ? frame->extent_shift : 31;
     uint32_t i = frame->triangle;
     *status = GLINT_OK;
@@ -125,7 +125,8 @@ static uint32_t find_triangles(glint_frame *frame, const glint_strip *strip, uin
 }
 
 /* The draw of a part whose triangles are found. */
-static glint_draw *add_part(glint_frame *frame, glint_draw *last, const glint_transform *transform, const part *p) {
+static glint_draw *add_part(glint_frame *frame, glint_draw *last, const glint_transform *transform,
+                            const object_part *p) {
     const size_t list = GLINT_ALIGNED(p->triangles * sizeof *p->list);
     glint_draw *draw = glint_add_draw(frame, last, transform, p->vertices, p->triangles,
                                       list + GLINT_ALIGNED(p->triangles * sizeof *p->origin));
@@ -162,7 +163,7 @@ static int load_object(glint_frame *frame, glint_draw **last, const glint_strip 
     glint_sight *const sight = glint_sight_of(frame);
     const glint_transform *const transform = &sight->transform;
     glint_status status;
-    part p;
+    object_part p;
     if (!shown && object->mesh->triangle_count)
         return 1;
     glint_transform_prepare(&sight->transform, frame->view, &frame->config, object);

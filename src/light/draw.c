@@ -162,14 +162,14 @@ static uint32_t find_difference(const int16_t *const colour[3]) {
 }
 
 /* How a triangle's colours are drawn. */
-typedef enum fit { FITS_PLANES, FITS_QUADRATICS, FITS_NOTHING } fit;
+typedef enum curve_fit { FITS_PLANES, FITS_QUADRATICS, FITS_NOTHING } curve_fit;
 
 /*
  * Where 1/w changes by a factor 1 + r, what is linear over w is at most r / 4 of its corners' difference from a plane,
  * and 0.0485 r^2 from a quadratic through the middles of the edges too; slivers have none.
  */
-static fit find_fit(const glint_triangle *triangle, const glint_gradients *g, const glint_format *format,
-                    const int16_t *const colour[3]) {
+static curve_fit find_fit(const glint_triangle *triangle, const glint_gradients *g, const glint_format *format,
+                          const int16_t *const colour[3]) {
     const glint_w_range w = glint_find_w_range(triangle->corners);
     const uint32_t close = CLOSE >> (format->channel[1] ? format->channel[1] : 8), apart = find_difference(colour);
     if (apart * w.change <= 4 * close * w.least)
@@ -224,7 +224,7 @@ void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const 
     const int16_t *const *const colour = triangle->back && draw->double_sided ? triangle->extra : front;
     const glint_format *const format = frame->config.format;
     const int finishes = frame->config.gamma != 0;
-    const fit how = glint_is_deep(triangle) ? FITS_NOTHING : find_fit(triangle, &part->gradients, format, colour);
+    const curve_fit how = glint_is_deep(triangle) ? FITS_NOTHING : find_fit(triangle, &part->gradients, format, colour);
     glint_quadratic channels[3];
     int32_t a[3][3];
     if (how == FITS_NOTHING) {

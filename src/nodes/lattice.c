@@ -64,12 +64,12 @@ static void add_node(batch *b, int32_t x, int32_t y, glint_node *node) {
 }
 
 /* A square whose first pixel is x, y of the tile; those of its nodes that are not another's. */
-typedef struct square {
+typedef struct lattice_square {
     glint_node own[5];
     glint_node *nodes[GLINT_CELL_NODES];
     int32_t x, y;
     int is_lit; /* it shows: its nodes are lit */
-} square;
+} lattice_square;
 
 /*
  * Squares are walked so that each borders the last one, whose nodes it has on that side: a side, by the node in its
@@ -95,20 +95,20 @@ static void begin_batch(const lattice_walk *w, batch *b) {
 }
 
 /* Begins a square that nothing borders yet; its corners are another's. */
-static void begin_square(square *of) {
+static void begin_square(lattice_square *of) {
     for (int i = 0; i < 5; i++)
         of->nodes[i == 0 ? 1 : i == 4 ? 7 : i + 2] = &of->own[i];
     of->is_lit = 0;
 }
 
-static void swap_nodes(square *of, int a, int b) {
+static void swap_nodes(lattice_square *of, int a, int b) {
     glint_node *const node = of->nodes[a];
     of->nodes[a] = of->nodes[b];
     of->nodes[b] = node;
 }
 
 /* Lights the nodes of a square, 2^shift pixels apart; of its corners those that are in the batch. */
-static void light_square(const lattice_walk *w, unsigned shift, int side, square *to, batch *b) {
+static void light_square(const lattice_walk *w, unsigned shift, int side, lattice_square *to, batch *b) {
     uint32_t outside = 0;
     if (w->has_cones) {
         glint_shape shape;
@@ -129,7 +129,7 @@ static void light_square(const lattice_walk *w, unsigned shift, int side, square
 /* ---- Squares ---- */
 
 /* Cuts the triangle's part to a square so many pixels across. @return does any of it show? */
-static int cut_square(lattice_walk *w, const square *to, int32_t size) {
+static int cut_square(lattice_walk *w, const lattice_square *to, int32_t size) {
     const glint_part *part = w->gathering.part;
     glint_part *cut = &w->cut;
     cut->top = (uint32_t)glint_most((int32_t)part->top, to->y);
@@ -143,7 +143,7 @@ static int cut_square(lattice_walk *w, const square *to, int32_t size) {
 }
 
 /* Begins a cell that borders the last one. @return does any of it show? */
-static int begin_cell(lattice_walk *w, int32_t x, int32_t y, int side, square *to) {
+static int begin_cell(lattice_walk *w, int32_t x, int32_t y, int side, lattice_square *to) {
     const int from = to->is_lit ? side : NO_SIDE;
     batch b;
     to->x = x;
@@ -164,7 +164,7 @@ static int begin_cell(lattice_walk *w, int32_t x, int32_t y, int side, square *t
 }
 
 /* Begins quarter i of a square, round its centre, with nodes 2^shift pixels apart. @return does any of it show? */
-static int begin_quarter(lattice_walk *w, const square *of, int i, unsigned shift, square *to) {
+static int begin_quarter(lattice_walk *w, const lattice_square *of, int i, unsigned shift, lattice_square *to) {
     static const uint8_t sides[4] = {NO_SIDE, LEFT_SIDE, TOP_SIDE, RIGHT_SIDE};
     const int side = to->is_lit ? sides[i] : NO_SIDE, column = i == 1 || i == 2, row = i / 2, first = column + 3 * row;
     batch b;
@@ -183,7 +183,7 @@ static int begin_quarter(lattice_walk *w, const square *of, int i, unsigned shif
 }
 
 /* Draws what is cut by polynomials through nodes 2^shift pixels apart. @return 0 where they are not close enough */
-static int draw_square(const lattice_walk *w, unsigned shift, const square *of) {
+static int draw_square(const lattice_walk *w, unsigned shift, const lattice_square *of) {
     const glint_gathering *from = &w->gathering;
     glint_polynomials polynomials;
     glint_terms terms;
@@ -208,8 +208,8 @@ static void draw_one_by_one(const lattice_walk *w) {
 }
 
 /* Draws a square of eight pixels: as one, as four, or one by one. */
-static void draw_eight(lattice_walk *w, const square *eight) {
-    square four;
+static void draw_eight(lattice_walk *w, const lattice_square *eight) {
+    lattice_square four;
     if (draw_square(w, 2, eight))
         return;
     begin_square(&four);
@@ -219,8 +219,8 @@ static void draw_eight(lattice_walk *w, const square *eight) {
 }
 
 /* Draws a cell: as one, or as four squares. */
-static void draw_cell(lattice_walk *w, const square *whole) {
-    square eight;
+static void draw_cell(lattice_walk *w, const lattice_square *whole) {
+    lattice_square eight;
     if (draw_square(w, 3, whole))
         return;
     begin_square(&eight);
@@ -235,7 +235,7 @@ static void draw_cells(lattice_walk *w) {
     const int32_t left = -(part->window.left >> 4 & (CELL - 1)), top = -(part->window.top >> 4 & (CELL - 1));
     const int32_t last = (w->gathering.frame->config.tile_width - 1 - left) / CELL * CELL;
     glint_node corners[4];
-    square whole;
+    lattice_square whole;
     begin_square(&whole);
     for (int i = 0; i < 4; i++)
         whole.nodes[i % 2 * 2 + i / 2 * 6] = &corners[i];

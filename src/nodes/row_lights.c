@@ -92,7 +92,7 @@ static GLINT_NOINLINE void add_side(const light_parts *of, const light_share *sh
 }
 
 /* A strength of 1. */
-static const glint_progress whole = {1u << 30, 0, 0};
+static const glint_progress full_strength = {1u << 30, 0, 0};
 
 /* What terminator and cone leave of a highlight at a pixel. */
 static int32_t weaken(int32_t power, const light_parts *of, int is_ungated, const glint_pixel_runs *to,
@@ -151,7 +151,7 @@ static GLINT_INLINE void add_lobe_inline(const glint_terms *terms, const light_p
     glint_inverses inverse = to->inverse;
     for (const glint_run *run = to->runs; run != to->end; run++) {
         glint_progress x = glint_run_start(&of->lobe[0], run, to), y = glint_run_start(&of->lobe[1], run, to);
-        glint_progress strength = is_weak && of->strength ? glint_run_start(of->strength, run, to) : whole;
+        glint_progress strength = is_weak && of->strength ? glint_run_start(of->strength, run, to) : full_strength;
         for (uint32_t n = run->count; n; n--, row++, glint_progress_next(&x), glint_progress_next(&y)) {
             const int32_t dx = glint_shift_right((int32_t)x.value, 16), dy = glint_shift_right((int32_t)y.value, 16);
             const int32_t reach = (int32_t)strength.value;
@@ -207,7 +207,7 @@ static GLINT_INLINE void add_wide_lobe_inline(const glint_terms *terms, const li
     glint_inverses inverse = to->inverse;
     for (const glint_run *run = to->runs; run != to->end; run++) {
         glint_progress cosine = glint_run_start(of->lobe, run, to);
-        glint_progress strength = is_weak && of->strength ? glint_run_start(of->strength, run, to) : whole;
+        glint_progress strength = is_weak && of->strength ? glint_run_start(of->strength, run, to) : full_strength;
         for (uint32_t n = run->count; n; n--, row++, glint_progress_next(&cosine)) {
             const int32_t reach = (int32_t)strength.value;
             int32_t x = glint_shift_right((int32_t)cosine.value, 15);

@@ -7,20 +7,20 @@
 /* ---- Polynomials ---- */
 
 /* Where polynomials go. */
-typedef struct target {
+typedef struct terms_target {
     const glint_part *part;
     const glint_terms *terms;
     glint_polynomials *polynomials;
-} target;
+} terms_target;
 
 /* Numbers at the corners, and by how much edges bulge: 4 times what their middles have, less twice both ends. */
-typedef struct numbers {
+typedef struct bulged_numbers {
     int32_t corner[3], bulge[3];
-} numbers;
+} bulged_numbers;
 
 /* Sets polynomial number i, times 2^unit, which begins with so much more. */
-static void set_quadratic(const target *to, glint_barycentric *s, uint32_t i, const numbers *n, unsigned unit,
-                          uint32_t more) {
+static void set_quadratic(const terms_target *to, glint_barycentric *s, uint32_t i, const bulged_numbers *n,
+                          unsigned unit, uint32_t more) {
     glint_quadratic q;
     if (s->unit != unit)
         glint_barycentric_begin(s, &to->part->gradients, (int32_t)unit);
@@ -33,7 +33,8 @@ static inline int32_t times_length(int32_t n, int32_t length) {
 }
 
 /* Sets it to a plane of numbers times `by`, Q15. */
-static void set_plane(const target *to, uint32_t i, const int32_t n[3], int32_t by, unsigned unit, uint32_t more) {
+static void set_plane(const terms_target *to, uint32_t i, const int32_t n[3], int32_t by, unsigned unit,
+                      uint32_t more) {
     glint_polynomial_set(to->polynomials, i, glint_fit_plane(&to->part->gradients, n, by, unit), more);
 }
 
@@ -41,7 +42,7 @@ static void set_plane(const target *to, uint32_t i, const int32_t n[3], int32_t 
  * To numbers times lengths whose middles are found from the corners: they are linear over w, and what they are divided
  * by is |M|.
  */
-static void set_straight(const target *to, uint32_t i, int32_t n[3], const int32_t length[3], unsigned unit,
+static void set_straight(const terms_target *to, uint32_t i, int32_t n[3], const int32_t length[3], unsigned unit,
                          uint32_t more) {
     glint_plane plane;
     for (int c = 0; c < 3; c++)
@@ -58,12 +59,12 @@ static void set_straight(const target *to, uint32_t i, int32_t n[3], const int32
 }
 
 /* Sets the bulge of edge e from a number at its middle. */
-static inline void set_bulge(numbers *n, int e, int32_t middle) {
+static inline void set_bulge(bulged_numbers *n, int e, int32_t middle) {
     n->bulge[e] = 4 * middle - 2 * (n->corner[glint_ends[e][0]] + n->corner[glint_ends[e][1]]);
 }
 
 /* Sets bulges from what middles have, which is in their place; all of it times lengths, or as it is. */
-static void pass_through(numbers *n, const int32_t *length) {
+static void pass_through(bulged_numbers *n, const int32_t *length) {
     for (int i = 0; i < 3 && length; i++) {
         n->corner[i] = times_length(n->corner[i], length[i]);
         n->bulge[i] = times_length(n->bulge[i], length[3 + i]);
@@ -73,7 +74,7 @@ static void pass_through(numbers *n, const int32_t *length) {
 }
 
 /* Sets bulges where middles are found from the corners. */
-static inline void mix_bulges(const glint_candidate *t, numbers *n) {
+static inline void mix_bulges(const glint_candidate *t, bulged_numbers *n) {
     for (int e = 0; e < 3; e++)
         n->bulge[e] = glint_mix_bulge(t, e, n->corner[glint_ends[e][0]], n->corner[glint_ends[e][1]]);
 }
@@ -93,7 +94,7 @@ static inline void take_corners(const glint_light_terms *light, const glint_cand
 
 /* A light's numbers, times lengths at the nodes, or their squares, or as they are. */
 static void take_numbers(const glint_light_terms *light, const glint_candidate *t, uint32_t l, uint32_t kind,
-                         const int32_t *length, numbers *n) {
+                         const int32_t *length, bulged_numbers *n) {
     take_corners(light, t, l, kind, n->corner);
     if (is_mixed_kind(t, kind)) {
         mix_bulges(t, n);
@@ -117,7 +118,7 @@ static inline int is_mixed_sum(const glint_candidate *t) {
 
 /* Sum c, times lengths at the nodes, or as it is. */
 static void take_sums(const glint_terms *terms, const glint_candidate *t, uint32_t c, const int32_t *length,
-                      numbers *n) {
+                      bulged_numbers *n) {
     for (int i = 0; i < 3; i++)
         n->corner[i] = sum_at(terms, t, i, c);
     if (is_mixed_sum(t)) {
@@ -142,11 +143,11 @@ static unsigned unit_of_sums(const glint_terms *terms) {
 }
 
 /* Those of a light with terms of its own. */
-static void begin_light(const glint_candidate *t, const glint_lengths *by, const glint_apart *apart, const target *to,
-                        glint_barycentric *s) {
+static void begin_light(const glint_candidate *t, const glint_lengths *by, const glint_apart *apart,
+                        const terms_target *to, glint_barycentric *s) {
     const glint_light_terms *const light = to->terms->light;
     uint32_t next = apart->first;
-    numbers n;
+    bulged_numbers n;
     for (uint32_t kind = 0; apart->kinds >> kind; kind++) {
         const int32_t *length = 0;
         if (!(apart->kinds >> kind & 1))
@@ -164,10 +165,11 @@ static void begin_light(const glint_candidate *t, const glint_lengths *by, const
 }
 
 /* Those of sums. */
-static void begin_sums_of(const glint_candidate *t, const glint_lengths *by, const target *to, glint_barycentric *s) {
+static void begin_sums_of(const glint_candidate *t, const glint_lengths *by, const terms_target *to,
+                          glint_barycentric *s) {
     const glint_terms *const terms = to->terms;
     const unsigned unit = unit_of_sums(terms);
-    numbers n;
+    bulged_numbers n;
     for (uint32_t c = 0; c < terms->sums; c++) {
         const uint32_t more = finish_of(terms, t, c);
         if (by && is_mixed_sum(t)) {
@@ -182,9 +184,9 @@ static void begin_sums_of(const glint_candidate *t, const glint_lengths *by, con
 }
 
 static void begin_term_quadratics(const glint_candidate *t, const glint_lengths *by, const glint_terms *terms,
-                                  const target *to) {
+                                  const terms_target *to) {
     glint_barycentric s = {.unit = 0};
-    numbers n;
+    bulged_numbers n;
     begin_sums_of(t, by, to, &s);
     if (by) {
         for (int i = 0; i < 3; i++)
@@ -210,7 +212,7 @@ static void begin_term_quadratics(const glint_candidate *t, const glint_lengths 
  */
 static int has_edge(const glint_shading *shading, const glint_candidate *t, const glint_lengths *by) {
     const uint32_t gated = shading->material->flags & GLINT_MATERIAL_UNGATED ? 0 : t->region.sides & t->region.lobes;
-    numbers n = {{0, 0, 0}, {0, 0, 0}};
+    bulged_numbers n = {{0, 0, 0}, {0, 0, 0}};
     for (uint32_t l = 0; gated >> l; l++)
         if (gated >> l & 1) {
             if (by && t->is_mixed) {
@@ -227,7 +229,8 @@ static int has_edge(const glint_shading *shading, const glint_candidate *t, cons
 }
 
 /* Planes of what the corners keep. @param longer chords are made longer by this, Q15 */
-static void begin_term_planes(const glint_candidate *t, int32_t longer, const glint_terms *terms, const target *to) {
+static void begin_term_planes(const glint_candidate *t, int32_t longer, const glint_terms *terms,
+                              const terms_target *to) {
     const int32_t length = (1 << 15) + longer;
     int32_t n[3];
     for (uint32_t c = 0; c < terms->sums; c++) {
@@ -291,7 +294,7 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     glint_candidate t;
     glint_region *const region = &t.region;
     glint_lengths by;
-    const target to = {part, terms, polynomials};
+    const terms_target to = {part, terms, polynomials};
     if (!is_shapely(triangle, part) || !glint_find_region(frame, draw, triangle, &t))
         return 0;
     int fit = glint_region_sum_lobes(shading, t.has_surface, region) ? choose_fit(frame, shading, &t) : FIT_NONE;

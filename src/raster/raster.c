@@ -103,17 +103,17 @@ static GLINT_NOINLINE int find_any(glint_part *part, const glint_vertex *const v
  * pixel: the whole part of y is then the first row of centres below the corner or at it, and that of x the first
  * column. The 2^15 keeps an x left of the tile from borrowing from y.
  */
-typedef int32_t place;
+typedef int32_t corner_word;
 
 #define TO_CENTER 15
 #define X_BIAS 0x8000
 
-static inline place place_of(const glint_window *window, const glint_vertex *v) {
+static inline corner_word place_of(const glint_window *window, const glint_vertex *v) {
     const uint32_t word = (uint32_t)(uint16_t)v->x | (uint32_t)(uint16_t)v->y << 16;
     return (int32_t)((word ^ X_BIAS) - window->origin);
 }
 
-static inline int32_t first_row(place p) {
+static inline int32_t first_row(corner_word p) {
     return glint_shift_right(p, 20);
 }
 
@@ -132,7 +132,7 @@ void glint_window_begin(glint_window *window, int x, int y, int width, int heigh
 
 /* A triangle's corners, counter-clockwise. */
 typedef struct corners {
-    place a, b, c;
+    corner_word a, b, c;
 } corners;
 
 /* Where a triangle leaves its tile; where it keeps to the tile's columns, any bits but the last three. */
@@ -159,7 +159,7 @@ static inline uint32_t find_cut(const corners *p, const glint_window *window) {
 
 /* Names the top corner `a`. */
 static inline void turn_to_top(corners *p) {
-    const place a = p->a;
+    const corner_word a = p->a;
     if (p->b < a && p->b < p->c)
         p->a = p->b, p->b = p->c, p->c = a;
     else if (p->c < a)
@@ -167,9 +167,9 @@ static inline void turn_to_top(corners *p) {
 }
 
 /* A side on its way down: where it crosses a row, Q20, and how that changes. */
-typedef struct side {
+typedef struct falling_side {
     int32_t x, slope;
-} side;
+} falling_side;
 
 #if GLINT_DIVIDES
 #define slope_of glint_slope
@@ -182,14 +182,14 @@ static GLINT_NOINLINE int32_t slope_of(int32_t dx, int32_t dy) {
 /* Q20: added to a place's x, this makes its whole part the column at or right of it. */
 #define ORIGIN (INT32_MIN + GLINT_EDGE_CEILING - (TO_CENTER << 16))
 
-static inline side begin_side(place upper, place lower) {
+static inline falling_side begin_side(corner_word upper, corner_word lower) {
     const int32_t y = glint_shift_right(upper, 16), slope = slope_of(lower - upper, glint_shift_right(lower, 16) - y);
     const int32_t x = glint_add_wrap(glint_shift_left(upper, 16), glint_edge_start(slope, ~y & 15));
-    return (side){glint_add_wrap(x, ORIGIN), slope};
+    return (falling_side){glint_add_wrap(x, ORIGIN), slope};
 }
 
 /* Walks both sides down some rows. @return the span of the row below */
-static inline uint8_t *walk_sides(uint8_t *span, int32_t rows, side *left, side *right) {
+static inline uint8_t *walk_sides(uint8_t *span, int32_t rows, falling_side *left, falling_side *right) {
     uint8_t *const end = span + (int32_t)sizeof(glint_span) * rows;
     while (span != end) {
         span[offsetof(glint_span, right)] = (uint8_t)(right->x >> 20);
@@ -206,7 +206,7 @@ static inline uint8_t *walk_sides(uint8_t *span, int32_t rows, side *left, side 
 static inline void find_spans(glint_part *part, const corners *p, int32_t left_end, int32_t right_end) {
     const int32_t top = first_row(p->a), left_rows = left_end - top, right_rows = right_end - top;
     uint8_t *span = (uint8_t *)part + offsetof(glint_part, spans) + (int32_t)sizeof(glint_span) * top;
-    side left = {0, 0}, right = {0, 0};
+    falling_side left = {0, 0}, right = {0, 0};
     if (left_rows)
         left = begin_side(p->a, p->b);
     if (right_rows)

@@ -114,7 +114,7 @@ PROOF(find_full) {
     find_full(&shading);
 }
 
-static nodes deviations;
+static bulged_deviation deviations;
 static glint_fast_terms fast;
 
 static void any_nodes(int32_t term, int32_t bulge) {

@@ -68,7 +68,7 @@ PROOF(begin_side) {
 PROOF(walk_sides) {
     glint_span spans[GLINT_SHORT_ROWS];
     FOR_PARTS(rows, 0, GLINT_SHORT_ROWS) {
-        side left = {ANY_INT, ANY_INT}, right = {ANY_INT, ANY_INT};
+        falling_side left = {ANY_INT, ANY_INT}, right = {ANY_INT, ANY_INT};
         walk_sides(&spans[0].left, rows, &left, &right);
     }
 }
