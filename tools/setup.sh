@@ -32,6 +32,13 @@ look() {
     need gnuplot-nox gnuplot
     need nodejs node
     need npm npm
+    need cmake cmake
+    need meson meson
+    need ninja-build ninja
+    need pkgconf pkg-config
+    need g++ g++
+    need arduino-builder arduino-builder
+    need arduino-ctags arduino-ctags
     need frama-c-base frama-c
     # libraries, which no command shows: the host's C library, libdrm's headers, and clang's sanitizers and fuzzer
     [ -e /usr/include/stdio.h ] || missing+=(libc6-dev)

@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Holds every version number against the one in src/glint.h: the newest entry of CHANGELOG.md, and package manifests.
+# `version.sh print` prints that one.
 set -u
 status=0
 number() { sed -nE "s/^#define GLINT_VERSION_$1 ([0-9]+)\$/\1/p" src/glint.h; }
 version=$(number MAJOR).$(number MINOR).$(number PATCH)
+[ "${1:-}" != print ] || { echo "$version"; exit; }
 
 compare() { # compare FILE FOUND
     [ "$2" = "$version" ] && return
@@ -16,9 +18,10 @@ compare CHANGELOG.md "$(sed -nE 's/^## ([0-9]+\.[0-9]+\.[0-9]+).*/\1/p' CHANGELO
 manifest() { # manifest FILE EXPRESSION: when the file is there
     [ ! -e "$1" ] || compare "$1" "$(sed -nE "$2" "$1" | head -n 1)"
 }
-manifest library.json 's/.*"version": *"([^"]*)".*/\1/p'
-manifest library.properties 's/^version=(.*)$/\1/p'
-manifest idf_component.yml 's/^version: *"?([^"]*)"?$/\1/p'
-manifest package.json 's/.*"version": *"([^"]*)".*/\1/p'
 manifest CMakeLists.txt 's/.*project\(.* VERSION ([0-9.]+).*/\1/p'
+manifest meson.build "s/.*[^_]version: '([^']*)'.*/\1/p"
+manifest library.properties 's/^version=(.*)$/\1/p'
+manifest library.json 's/.*"version": *"([^"]*)".*/\1/p'
+manifest idf_component.yml 's/^version: *"?([^"]*)"?$/\1/p'
+manifest packages/glint.pdsc 's/.*<release version="([^"]*)".*/\1/p'
 exit $status

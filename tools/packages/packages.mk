@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: MIT
+# What others take: the library as two files, and installed.
+
+SINGLE := $(BUILD)/single
+PUBLIC_HEADERS := $(wildcard src/*.h)
+
+.PHONY: single install uninstall pack
+
+single: $(SINGLE)/glint.c ## the library as two files, glint.c and glint.h, in build/single
+$(SINGLE)/glint.c $(SINGLE)/glint.h &: tools/packages/single.py $(LIBRARY) $(wildcard src/*.h src/*/*.h)
+	$(Q)python3 $< $(SINGLE)
+
+# Below DESTDIR, as packagers want it, if that is set.
+PREFIX   ?= /usr/local
+INSTALL   = $(DESTDIR)$(PREFIX)
+INSTALLED = $(INSTALL)/bin/glint $(INSTALL)/lib/libglint.a $(INSTALL)/lib/pkgconfig/glint.pc \
+    $(PUBLIC_HEADERS:src/%=$(INSTALL)/include/%)
+
+install: $(HOST_PROGRAM) $(BUILD)/host/libglint.a ## the glint program, library and headers to DESTDIR and PREFIX
+	install -d $(sort $(dir $(INSTALLED)))
+	install $(HOST_PROGRAM) $(INSTALL)/bin
+	install -m 644 $(BUILD)/host/libglint.a $(INSTALL)/lib
+	install -m 644 $(PUBLIC_HEADERS) $(INSTALL)/include
+	sed -e 's|@PREFIX@|$(PREFIX)|' -e "s|@VERSION@|`tools/version.sh print`|" packages/glint.pc.in > $(INSTALL)/lib/pkgconfig/glint.pc
+
+uninstall: ## remove what install has put there
+	rm -f $(INSTALLED)
