@@ -34,8 +34,8 @@ typedef struct board_display {
     glint_flush flush;
 } board_display;
 
-/** Starts the board's display. @return 0, or below 0 when it does not answer: a glint_panel_status. */
-int board_display_start(board_display *display);
+/** Starts the board's display. @return GLINT_OK, or what the panel or its bus returns */
+glint_status board_display_start(board_display *display);
 
 /**
  * Says that what `name` names is done, and goes on. A debugger or emulator that started the program with arguments

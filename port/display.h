@@ -7,10 +7,10 @@
 #include "panel/panel.h"
 
 /** board_display_start for a board with a panel, which must outlive the display. */
-static inline int display_start(const glint_panel *panel, board_display *display) {
-    const int status = glint_panel_start(panel);
+static inline glint_status glint_display_start(const glint_panel *panel, board_display *display) {
+    const glint_status status = glint_panel_start(panel);
 
-    if (status == GLINT_PANEL_OK) {
+    if (status == GLINT_OK) {
         *display = (board_display){glint_panel_width(panel), glint_panel_height(panel), glint_panel_format(panel),
                                    glint_panel_flush(panel)};
     }

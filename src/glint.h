@@ -11,7 +11,8 @@
  * - Screen x runs right and y runs down; pixel (x, y) has its centre at (x + 1/2, y + 1/2). A pixel belongs to a
  *   triangle when its centre lies inside, or on a top or left edge.
  * - Colours are linear, 0 is black and 1 is full; sums above 1 are clamped when a pixel is stored.
- * - Functions that can fail return GLINT_OK or a negative `glint_status`. On failure a renderer, a frame or a
+ * - Functions that can fail return GLINT_OK or a negative `glint_status`; those that also answer yes or no return an
+ *   `int`: 1, 0 or a negative `glint_status`. On failure a renderer, a frame or a
  *   filter that they set up is all 0, and drawing with it gives GLINT_ERROR_NULL; other out-parameters are unchanged.
  *
  * Structures may grow at their end from version to version, and 0 stands for what was so before: initialise them, or
@@ -31,7 +32,7 @@ extern "C" {
 #endif
 
 #define GLINT_VERSION_MAJOR 0
-#define GLINT_VERSION_MINOR 1
+#define GLINT_VERSION_MINOR 2
 #define GLINT_VERSION_PATCH 0
 
 /* ---- Numbers ------------------------------------------------------------------------------------------------- */
@@ -65,7 +66,7 @@ typedef struct glint_pose {
 
 /* ---- Errors -------------------------------------------------------------------------------------------------- */
 
-/** Result of every function that can fail. `glint_strerror` gives the sentence. */
+/** Result of every function that can fail, those of panels and boards too. `glint_strerror` gives the sentence. */
 typedef enum glint_status {
     GLINT_OK = 0,
     GLINT_ERROR_NULL = -1,         /**< A required pointer is null. */
@@ -92,9 +93,14 @@ typedef enum glint_status {
     GLINT_ERROR_BUDGET = -19,      /**< An error budget is not from 0 to GLINT_BUDGET_MAX. */
     GLINT_ERROR_FLAGS = -20,       /**< A mesh's or a material's flags have a bit that is not defined. */
     GLINT_ERROR_PIXELS = -21,      /**< A configuration's own memory of pixels is too small, or not aligned. */
-    GLINT_ERROR_REGION = -22,      /**< A region is not on the screen, or its edges divide a byte of the format. */
-    GLINT_ERROR_PAINT = -23        /**< The background or overlay callback reported a failure; the frame was not
-                                        finished. */
+    GLINT_ERROR_REGION = -22,  /**< A region is not on the screen, or a rectangle not on the panel, or its edges divide
+                                    a byte of the format. */
+    GLINT_ERROR_PAINT = -23,   /**< The background or overlay callback reported a failure; the frame was not
+                                    finished. */
+    GLINT_ERROR_TIMEOUT = -24, /**< A panel's bus took no byte, or did not fall idle, for longer than it can need. */
+    GLINT_ERROR_BUS = -25,     /**< A panel's bus reported a failed transfer. */
+    GLINT_ERROR_FORMAT = -26,  /**< A panel does not take pixels of this size, or its bus no words. */
+    GLINT_ERROR_ROTATION = -27 /**< A panel's controller cannot turn the picture so. */
 } glint_status;
 
 /** A sentence in English for a status; for a number that is no status, "unknown status". Never null. */

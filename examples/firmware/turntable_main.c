@@ -31,7 +31,7 @@ static glint_status draw(glint_renderer *renderer, turntable_model model, uint32
     turntable_frame(&table, model, frame);
     glint_status status = glint_render(renderer, &table.scene);
     if (status != GLINT_OK) {
-        report("glint_status -", (uint32_t)-status); /* glint_strerror's sentences would take 0.8 KB of flash */
+        report("glint_status -", (uint32_t)-status); /* glint_strerror's sentences would take 1.5 KB of flash */
         return status;
     }
     if (frame == 0) {

@@ -75,9 +75,9 @@ void board_checkpoint(const char *name) {
     semihosting_checkpoint(name);
 }
 
-int board_display_start(board_display *display) {
+glint_status board_display_start(board_display *display) {
     static glint_panel panel = {.type = &glint_panel_ssd0323};
 
     panel.bus = board_panel_bus();
-    return display_start(&panel, display);
+    return glint_display_start(&panel, display);
 }

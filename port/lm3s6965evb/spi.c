@@ -62,8 +62,8 @@ void lm3s_spi_start(uint32_t core_hz, uint32_t bus_hz) {
 }
 
 /* What a transfer that was given up left behind leaves before the panel listens. */
-static glint_bus_status select(int is_data) {
-    const glint_bus_status status = pl022_finish(&ssi);
+static glint_status select(int is_data) {
+    const glint_status status = pl022_finish(&ssi);
 
     if (!status) {
         write_pin(PORT_C, PIN_DATA, (uint32_t)is_data);
@@ -73,13 +73,13 @@ static glint_bus_status select(int is_data) {
 }
 
 /* Lets the panel go. */
-static glint_bus_status finish(glint_bus_status status) {
+static glint_status finish(glint_status status) {
     write_pin(PORT_A, PIN_SELECT, 1);
     return status;
 }
 
-static glint_bus_status send(const uint8_t *bytes, size_t count, int is_data) {
-    glint_bus_status status = select(is_data);
+static glint_status send(const uint8_t *bytes, size_t count, int is_data) {
+    glint_status status = select(is_data);
 
     if (status) {
         return status;
@@ -88,18 +88,18 @@ static glint_bus_status send(const uint8_t *bytes, size_t count, int is_data) {
     return finish(status ? status : pl022_finish(&ssi));
 }
 
-static glint_bus_status command(void *context, const uint8_t *bytes, size_t count) {
+static glint_status command(void *context, const uint8_t *bytes, size_t count) {
     (void)context;
     return send(bytes, count, 0);
 }
 
-static glint_bus_status data(void *context, const uint8_t *bytes, size_t count) {
+static glint_status data(void *context, const uint8_t *bytes, size_t count) {
     (void)context;
     return send(bytes, count, 1);
 }
 
-static glint_bus_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
-    const glint_bus_status status = select(1);
+static glint_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
+    const glint_status status = select(1);
 
     (void)context;
     if (!status) {
@@ -108,7 +108,7 @@ static glint_bus_status begin(void *context, const uint8_t *bytes, size_t row_by
     return status;
 }
 
-static glint_bus_status wait(void *context) {
+static glint_status wait(void *context) {
     (void)context;
     return finish(pl022_wait(&ssi));
 }

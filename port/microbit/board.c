@@ -59,7 +59,7 @@ static void send_byte(uint32_t byte) {
     }
 }
 
-static glint_bus_status send(uint32_t is_data, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
+static glint_status send(uint32_t is_data, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
     write_pin(DATA_COMMAND, is_data);
     write_pin(SELECT, 0);
     for (size_t row = 0; row < rows; row++) {
@@ -68,20 +68,20 @@ static glint_bus_status send(uint32_t is_data, const uint8_t *bytes, size_t row_
         }
     }
     write_pin(SELECT, 1);
-    return GLINT_BUS_OK;
+    return GLINT_OK;
 }
 
-static glint_bus_status command(void *context, const uint8_t *bytes, size_t count) {
+static glint_status command(void *context, const uint8_t *bytes, size_t count) {
     (void)context;
     return send(0, bytes, count, 1, count);
 }
 
-static glint_bus_status data(void *context, const uint8_t *bytes, size_t count) {
+static glint_status data(void *context, const uint8_t *bytes, size_t count) {
     (void)context;
     return send(1, bytes, count, 1, count);
 }
 
-static glint_bus_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
+static glint_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
     (void)context;
     return send(1, bytes, row_bytes, rows, stride);
 }
@@ -102,8 +102,8 @@ const glint_bus *board_panel_bus(void) {
     return &panel_bus;
 }
 
-int board_display_start(board_display *display) {
+glint_status board_display_start(board_display *display) {
     static const glint_panel panel = {.type = &glint_panel_ssd1306, .bus = &panel_bus};
 
-    return display_start(&panel, display);
+    return glint_display_start(&panel, display);
 }

@@ -33,11 +33,11 @@ const glint_bus *board_panel_bus(void) {
     return &mps2_lcd_bus;
 }
 
-int board_display_start(board_display *display) {
+glint_status board_display_start(board_display *display) {
     static const glint_panel panel = {.type = &glint_panel_ili9341, .bus = &mps2_lcd_bus, .rotation = GLINT_PANEL_90};
 
     mps2_lcd_start(CLOCK_HZ, glint_panel_ili9341.clock_max);
-    return display_start(&panel, display);
+    return glint_display_start(&panel, display);
 }
 
 void board_checkpoint(const char *name) {

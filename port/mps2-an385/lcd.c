@@ -44,14 +44,14 @@ void mps2_lcd_start(uint32_t clock_hz, uint32_t bus_hz) {
 }
 
 /* Lets the panel go. */
-static glint_bus_status finish(glint_bus_status status) {
+static glint_status finish(glint_status status) {
     set(MISC_NOT_SELECTED, 1);
     return status;
 }
 
 /* What a transfer that was given up left behind leaves before the panel listens. */
-static glint_bus_status select(int is_data) {
-    const glint_bus_status status = pl022_finish(&port);
+static glint_status select(int is_data) {
+    const glint_status status = pl022_finish(&port);
 
     if (!status) {
         set(MISC_DATA, is_data);
@@ -60,8 +60,8 @@ static glint_bus_status select(int is_data) {
     return status;
 }
 
-static glint_bus_status send(const uint8_t *bytes, size_t count, int is_data) {
-    glint_bus_status status = select(is_data);
+static glint_status send(const uint8_t *bytes, size_t count, int is_data) {
+    glint_status status = select(is_data);
 
     if (status) {
         return status;
@@ -70,18 +70,18 @@ static glint_bus_status send(const uint8_t *bytes, size_t count, int is_data) {
     return finish(status ? status : pl022_finish(&port));
 }
 
-static glint_bus_status command(void *context, const uint8_t *bytes, size_t count) {
+static glint_status command(void *context, const uint8_t *bytes, size_t count) {
     (void)context;
     return send(bytes, count, 0);
 }
 
-static glint_bus_status data(void *context, const uint8_t *bytes, size_t count) {
+static glint_status data(void *context, const uint8_t *bytes, size_t count) {
     (void)context;
     return send(bytes, count, 1);
 }
 
-static glint_bus_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
-    const glint_bus_status status = select(1);
+static glint_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
+    const glint_status status = select(1);
 
     (void)context;
     if (!status) {
@@ -90,7 +90,7 @@ static glint_bus_status begin(void *context, const uint8_t *bytes, size_t row_by
     return status;
 }
 
-static glint_bus_status wait(void *context) {
+static glint_status wait(void *context) {
     (void)context;
     return finish(pl022_wait(&port));
 }

@@ -104,28 +104,28 @@ void board_checkpoint(const char *name) {
     semihosting_checkpoint(name);
 }
 
-static glint_bus_status send(int is_data, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
+static glint_status send(int is_data, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
     if (!stm32_spi_is_idle(SPI1)) {
-        return GLINT_BUS_TIMEOUT;
+        return GLINT_ERROR_TIMEOUT;
     }
     write_pin(PORT_C, C_DATA_COMMAND, is_data);
     write_pin(PORT_A, A_SELECT, 0);
-    const glint_bus_status status = stm32_spi_send(SPI1, bytes, row_bytes, rows, stride);
+    const glint_status status = stm32_spi_send(SPI1, bytes, row_bytes, rows, stride);
     write_pin(PORT_A, A_SELECT, 1);
     return status;
 }
 
-static glint_bus_status command(void *context, const uint8_t *bytes, size_t count) {
+static glint_status command(void *context, const uint8_t *bytes, size_t count) {
     (void)context;
     return send(0, bytes, count, 1, count);
 }
 
-static glint_bus_status data(void *context, const uint8_t *bytes, size_t count) {
+static glint_status data(void *context, const uint8_t *bytes, size_t count) {
     (void)context;
     return send(1, bytes, count, 1, count);
 }
 
-static glint_bus_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
+static glint_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
     (void)context;
     return send(1, bytes, row_bytes, rows, stride);
 }
@@ -152,9 +152,9 @@ const glint_bus *board_panel_bus(void) {
     return &panel_bus;
 }
 
-int board_display_start(board_display *display) {
+glint_status board_display_start(board_display *display) {
     static const glint_panel panel = {
         .type = &glint_panel_st7789_240x320, .bus = &panel_bus, .rotation = GLINT_PANEL_90};
 
-    return display_start(&panel, display);
+    return glint_display_start(&panel, display);
 }

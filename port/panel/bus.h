@@ -7,37 +7,30 @@
 #ifndef GLINT_BUS_H
 #define GLINT_BUS_H
 
-#include <stddef.h>
-#include <stdint.h>
+#include "glint.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 /**
- * What the callbacks return. Every wait in them is bounded, so that a dead bus is an error and never a hang. Once one
- * has returned an error, nothing is on its way any more: what was left of a transfer is given up.
+ * Const data of a board. Callbacks that send return GLINT_OK, GLINT_ERROR_TIMEOUT or GLINT_ERROR_BUS. Every wait in
+ * them is bounded, so that a dead bus is an error and never a hang. Once one has returned an error, nothing is on its
+ * way any more: what was left of a transfer is given up.
  */
-typedef enum glint_bus_status {
-    GLINT_BUS_OK = 0,
-    GLINT_BUS_TIMEOUT = -1, /**< The bus took no byte, or did not fall idle, for longer than it can need. */
-    GLINT_BUS_FAULT = -2    /**< The bus reported a failed transfer. */
-} glint_bus_status;
-
-/** Const data of a board. */
 typedef struct glint_bus {
     /** Sends bytes with D/C low; returns when the last one has left. */
-    glint_bus_status (*command)(void *context, const uint8_t *bytes, size_t count);
+    glint_status (*command)(void *context, const uint8_t *bytes, size_t count);
     /** Sends bytes with D/C high; returns when the last one has left. */
-    glint_bus_status (*data)(void *context, const uint8_t *bytes, size_t count);
+    glint_status (*data)(void *context, const uint8_t *bytes, size_t count);
     /**
      * Starts to send `rows` rows of `row_bytes` each with D/C high, `stride` bytes from one row to the next. May return
      * before they are sent: they stay as they are until `wait`. Nothing else is called in between.
      */
-    glint_bus_status (*begin)(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride);
+    glint_status (*begin)(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride);
     /** Returns when what `begin` started is sent, at once when it started nothing. Null when `begin` returns only then.
      */
-    glint_bus_status (*wait)(void *context);
+    glint_status (*wait)(void *context);
     /** Pulls the panel's reset line low (1) or lets it go (0). Null when it hangs on the board's own reset. */
     void (*reset)(void *context, int active);
     /** Switches the light behind the panel. Null for a panel that glows by itself. */
@@ -50,7 +43,7 @@ typedef struct glint_bus {
      * As `begin`, of 16-bit words in the core's byte order, which the bus sends high byte first: what an SPI or a DMA
      * of 16 bits does. `row_bytes` and `stride` are even. Null where the bus sends bytes only.
      */
-    glint_bus_status (*begin_words)(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride);
+    glint_status (*begin_words)(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride);
 } glint_bus;
 
 #ifdef __cplusplus

@@ -27,7 +27,7 @@ static const uint8_t recover[] = {
     GLINT_PANEL_END,
 };
 
-static int send_value(const glint_panel *panel, uint8_t command, uint8_t value) {
+static glint_status send_value(const glint_panel *panel, uint8_t command, uint8_t value) {
     uint8_t bytes[2];
 
     bytes[0] = command;
@@ -35,16 +35,16 @@ static int send_value(const glint_panel *panel, uint8_t command, uint8_t value) 
     return glint_panel_send(panel, bytes, 2);
 }
 
-static int send_one(const glint_panel *panel, uint8_t command) {
+static glint_status send_one(const glint_panel *panel, uint8_t command) {
     return glint_panel_send(panel, &command, 1);
 }
 
-static int set_up(const glint_panel *panel) {
+static glint_status set_up(const glint_panel *panel) {
     const glint_panel_axes axes = glint_panel_find_axes(panel);
     const unsigned access = (axes.exchanged ? ACCESS_EXCHANGE : 0u) | (axes.mirror_x ? ACCESS_MIRROR_X : 0u) |
                             (axes.mirror_y ? ACCESS_MIRROR_Y : 0u) |
                             (panel->type->glass & GLINT_PANEL_BGR ? ACCESS_BGR : 0u);
-    int status = send_value(panel, MEMORY_ACCESS, (uint8_t)access);
+    glint_status status = send_value(panel, MEMORY_ACCESS, (uint8_t)access);
 
     if (!status) {
         status = send_value(panel, PIXEL_FORMAT, glint_panel_pixel_bits(panel) == 12 ? FORMAT_12_BITS : FORMAT_16_BITS);
@@ -55,7 +55,7 @@ static int set_up(const glint_panel *panel) {
     return status ? status : send_one(panel, DISPLAY_ON);
 }
 
-static int send_range(const glint_panel *panel, uint8_t command, unsigned first, unsigned last) {
+static glint_status send_range(const glint_panel *panel, uint8_t command, unsigned first, unsigned last) {
     uint8_t bytes[5];
 
     bytes[0] = command;
@@ -66,9 +66,9 @@ static int send_range(const glint_panel *panel, uint8_t command, unsigned first,
     return glint_panel_send(panel, bytes, sizeof bytes);
 }
 
-static int window(const glint_panel *panel, int left, int top, int right, int bottom) {
+static glint_status window(const glint_panel *panel, int left, int top, int right, int bottom) {
     const glint_panel_axes axes = glint_panel_find_axes(panel);
-    int status = send_range(panel, COLUMNS, axes.first_x + (unsigned)left, axes.first_x + (unsigned)right);
+    glint_status status = send_range(panel, COLUMNS, axes.first_x + (unsigned)left, axes.first_x + (unsigned)right);
 
     if (!status) {
         status = send_range(panel, ROWS, axes.first_y + (unsigned)top, axes.first_y + (unsigned)bottom);

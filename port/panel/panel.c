@@ -46,9 +46,9 @@ glint_panel_axes glint_panel_find_axes(const glint_panel *panel) {
 
 /* ---- Start ------------------------------------------------------------------------------------------------------ */
 
-int glint_panel_send(const glint_panel *panel, const uint8_t *bytes, size_t count) {
+glint_status glint_panel_send(const glint_panel *panel, const uint8_t *bytes, size_t count) {
     const glint_bus *bus = panel->bus;
-    int status;
+    glint_status status;
 
     if (panel->type->family->parameters_are_commands || count == 1) {
         return bus->command(bus->context, bytes, count);
@@ -57,8 +57,8 @@ int glint_panel_send(const glint_panel *panel, const uint8_t *bytes, size_t coun
     return status ? status : bus->data(bus->context, bytes + 1, count - 1);
 }
 
-static int send_sequence(const glint_panel *panel, const uint8_t *step) {
-    int status = GLINT_PANEL_OK;
+static glint_status send_sequence(const glint_panel *panel, const uint8_t *step) {
+    glint_status status = GLINT_OK;
 
     while (*step != GLINT_PANEL_END && !status) {
         const size_t count = *step++;
@@ -72,7 +72,7 @@ static int send_sequence(const glint_panel *panel, const uint8_t *step) {
     return status;
 }
 
-static int reset(const glint_panel *panel) {
+static glint_status reset(const glint_panel *panel) {
     const glint_bus *bus = panel->bus;
 
     if (bus->reset) {
@@ -81,26 +81,26 @@ static int reset(const glint_panel *panel) {
         bus->reset(bus->context, 0);
     }
     bus->delay(bus->context, panel->type->reset_wait_ms);
-    return bus->reset ? GLINT_PANEL_OK : send_sequence(panel, panel->type->family->recover);
+    return bus->reset ? GLINT_OK : send_sequence(panel, panel->type->family->recover);
 }
 
-static int check(const glint_panel *panel) {
+static glint_status check(const glint_panel *panel) {
     const glint_panel_type *type = panel->type;
     const unsigned bits = glint_panel_pixel_bits(panel);
 
     if (panel->rotation != GLINT_PANEL_0 && (type->glass & GLINT_PANEL_UPRIGHT)) {
-        return GLINT_PANEL_ERROR_ROTATION;
+        return GLINT_ERROR_ROTATION;
     }
     if ((bits != type->bits[0] && bits != type->bits[1]) ||
         (panel->has_words && (bits != 16 || !panel->bus->begin_words))) {
-        return GLINT_PANEL_ERROR_FORMAT;
+        return GLINT_ERROR_FORMAT;
     }
-    return GLINT_PANEL_OK;
+    return GLINT_OK;
 }
 
-int glint_panel_start(const glint_panel *panel) {
+glint_status glint_panel_start(const glint_panel *panel) {
     const glint_bus *bus = panel->bus;
-    int status = check(panel);
+    glint_status status = check(panel);
 
     if (!status) {
         status = reset(panel);
@@ -170,17 +170,17 @@ static int whole_width(const glint_panel *panel, int x, int width) {
     return whole == width || (is_edge && glint_panel_find_axes(panel).first_x + x + whole <= memory) ? whole : 0;
 }
 
-int glint_panel_begin(const glint_panel *panel, int x, int y, int width, int height, const void *pixels,
-                      size_t stride) {
+glint_status glint_panel_begin(const glint_panel *panel, int x, int y, int width, int height, const void *pixels,
+                               size_t stride) {
     const glint_bus *bus = panel->bus;
     const int whole = window_fits(panel, x, y, width, height) ? whole_width(panel, x, width) : 0;
-    int status;
+    glint_status status;
 
     if (whole == 0) {
-        return GLINT_PANEL_ERROR_WINDOW;
+        return GLINT_ERROR_REGION;
     }
     if (!glint_panel_shows(panel, x, y, width, height)) {
-        return GLINT_PANEL_OK;
+        return GLINT_OK;
     }
     status = panel->type->family->window(panel, x, y, x + whole - 1, y + height - 1);
     if (status) {
@@ -193,8 +193,8 @@ int glint_panel_begin(const glint_panel *panel, int x, int y, int width, int hei
         bus->context, pixels, glint_row_bytes(glint_panel_format(panel), (uint32_t)whole), (size_t)height, stride);
 }
 
-int glint_panel_wait(const glint_panel *panel) {
-    return panel->bus->wait ? panel->bus->wait(panel->bus->context) : GLINT_PANEL_OK;
+glint_status glint_panel_wait(const glint_panel *panel) {
+    return panel->bus->wait ? panel->bus->wait(panel->bus->context) : GLINT_OK;
 }
 
 static int flush_begin(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {

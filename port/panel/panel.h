@@ -12,6 +12,7 @@
  *     config.flush = glint_panel_flush(&panel);
  *
  * After an error of the bus, glint_panel_start makes the panel ready for the next frame, whatever state it was left in.
+ * An error within a frame ends that with GLINT_ERROR_FLUSH, and stands in glint_stats.flush_error.
  */
 #ifndef GLINT_PANEL_H
 #define GLINT_PANEL_H
@@ -22,14 +23,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/** What panel functions return: a glint_bus_status below 0, or one of these. */
-typedef enum glint_panel_status {
-    GLINT_PANEL_OK = 0,
-    GLINT_PANEL_ERROR_WINDOW = -16,  /**< A rectangle lies outside the panel, or its edges cut a byte in two. */
-    GLINT_PANEL_ERROR_FORMAT = -17,  /**< The panel does not take pixels of this size, or the bus no words. */
-    GLINT_PANEL_ERROR_ROTATION = -18 /**< The controller cannot turn the picture so. */
-} glint_panel_status;
 
 /** How far the picture is turned on the glass, clockwise. Width and height change places at 90 and 270. */
 typedef enum glint_panel_rotation {
@@ -52,9 +45,9 @@ typedef struct glint_panel glint_panel;
 /** What panels of one family have in common. */
 typedef struct glint_panel_family {
     /** After the start-up sequence: sets rotation, pixel format and colours, and switches the display on. */
-    int (*set_up)(const glint_panel *panel);
+    glint_status (*set_up)(const glint_panel *panel);
     /** Sets the rectangle of the picture that pixels go to, inclusive; on return the panel expects pixels. */
-    int (*window)(const glint_panel *panel, int left, int top, int right, int bottom);
+    glint_status (*window)(const glint_panel *panel, int left, int top, int right, int bottom);
     /** A sequence that brings a panel without a reset line from any state to one in which it can be started. */
     const uint8_t *recover;
     /** Parameters of a command go with D/C low, as the command itself; otherwise high. */
@@ -106,21 +99,22 @@ const glint_format *glint_panel_format(const glint_panel *panel);
 
 /**
  * Resets the panel, sends its start-up sequence and switches it on.
- * @return 0, a glint_bus_status, GLINT_PANEL_ERROR_FORMAT or GLINT_PANEL_ERROR_ROTATION.
+ * @return GLINT_ERROR_FORMAT or GLINT_ERROR_ROTATION before anything is sent, or what the bus returns
  */
-int glint_panel_start(const glint_panel *panel);
+glint_status glint_panel_start(const glint_panel *panel);
 
 /** Does any pixel of a rectangle lie on the glass? Others need not be drawn; glint_panel_begin does not send them. */
 int glint_panel_shows(const glint_panel *panel, int x, int y, int width, int height);
 
 /**
  * Starts to send pixels of the panel's format to a rectangle; glint_panel_wait must follow.
- * @return 0, GLINT_PANEL_ERROR_WINDOW or a glint_bus_status.
+ * @return GLINT_ERROR_REGION before anything is sent, or what the bus returns
  */
-int glint_panel_begin(const glint_panel *panel, int x, int y, int width, int height, const void *pixels, size_t stride);
+glint_status glint_panel_begin(const glint_panel *panel, int x, int y, int width, int height, const void *pixels,
+                               size_t stride);
 
-/** Returns when the pixels are sent. @return 0 or a glint_bus_status. */
-int glint_panel_wait(const glint_panel *panel);
+/** Returns when the pixels are sent. @return what the bus returns */
+glint_status glint_panel_wait(const glint_panel *panel);
 
 /** The callbacks with which glint draws to this panel, which must outlive them. */
 glint_flush glint_panel_flush(const glint_panel *panel);
@@ -136,8 +130,8 @@ typedef struct glint_panel_axes {
 
 glint_panel_axes glint_panel_find_axes(const glint_panel *panel);
 
-/** Sends a command and its parameters. @return 0 or a glint_bus_status. */
-int glint_panel_send(const glint_panel *panel, const uint8_t *bytes, size_t count);
+/** Sends a command and its parameters. @return what the bus returns */
+glint_status glint_panel_send(const glint_panel *panel, const uint8_t *bytes, size_t count);
 
 /** Bits of a pixel. */
 unsigned glint_panel_pixel_bits(const glint_panel *panel);

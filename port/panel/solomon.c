@@ -12,13 +12,13 @@ static const uint8_t recover[] = {
     NO_OPERATION,        NO_OPERATION, NO_OPERATION, NO_OPERATION, GLINT_PANEL_END,
 };
 
-static int switch_on(const glint_panel *panel) {
+static glint_status switch_on(const glint_panel *panel) {
     static const uint8_t on = DISPLAY_ON;
 
     return glint_panel_send(panel, &on, 1);
 }
 
-static int send_range(const glint_panel *panel, uint8_t command, int first, int last) {
+static glint_status send_range(const glint_panel *panel, uint8_t command, int first, int last) {
     uint8_t bytes[3];
 
     bytes[0] = command;
@@ -32,8 +32,8 @@ static int send_range(const glint_panel *panel, uint8_t command, int first, int 
 enum { SET_COLUMNS = 0x15, WRITE = 0x5c, SET_ROWS = 0x75, REMAP = 0xa0 };
 
 /* Columns are counted in bytes, that is in pairs of pixels. Data needs no command of its own. */
-static int window_grey(const glint_panel *panel, int left, int top, int right, int bottom) {
-    const int status = send_range(panel, SET_COLUMNS, left / 2, right / 2);
+static glint_status window_grey(const glint_panel *panel, int left, int top, int right, int bottom) {
+    const glint_status status = send_range(panel, SET_COLUMNS, left / 2, right / 2);
 
     return status ? status : send_range(panel, SET_ROWS, top, bottom);
 }
@@ -50,10 +50,10 @@ enum {
     REMAP_65K = 1 << 6,
 };
 
-static int set_up_colour(const glint_panel *panel) {
+static glint_status set_up_colour(const glint_panel *panel) {
     const glint_panel_axes axes = glint_panel_find_axes(panel);
     uint8_t bytes[2];
-    int status;
+    glint_status status;
 
     bytes[0] = REMAP;
     bytes[1] =
@@ -64,10 +64,10 @@ static int set_up_colour(const glint_panel *panel) {
     return status ? status : switch_on(panel);
 }
 
-static int window_colour(const glint_panel *panel, int left, int top, int right, int bottom) {
+static glint_status window_colour(const glint_panel *panel, int left, int top, int right, int bottom) {
     const glint_panel_axes axes = glint_panel_find_axes(panel);
     static const uint8_t write = WRITE;
-    int status = send_range(panel, axes.exchanged ? SET_ROWS : SET_COLUMNS, left, right);
+    glint_status status = send_range(panel, axes.exchanged ? SET_ROWS : SET_COLUMNS, left, right);
 
     if (!status) {
         status = send_range(panel, axes.exchanged ? SET_COLUMNS : SET_ROWS, top, bottom);
@@ -86,10 +86,10 @@ enum { SET_MODE = 0x20, MODE_ACROSS = 0, MODE_DOWN = 1, SET_PAGE_COLUMNS = 0x21,
 
 enum { SEGMENTS = 0xa0, SEGMENTS_REVERSED = 0xa1, SCAN = 0xc0, SCAN_REVERSED = 0xc8 };
 
-static int set_up_mono(const glint_panel *panel) {
+static glint_status set_up_mono(const glint_panel *panel) {
     const glint_panel_axes axes = glint_panel_find_axes(panel);
     uint8_t bytes[4];
-    int status;
+    glint_status status;
 
     bytes[0] = axes.mirror_x ? SEGMENTS_REVERSED : SEGMENTS;
     bytes[1] = axes.mirror_y ? SCAN_REVERSED : SCAN;
@@ -100,9 +100,9 @@ static int set_up_mono(const glint_panel *panel) {
 }
 
 /* Turned by a quarter, the 8 pixels of a byte lie along a row of the picture, and columns count its rows. */
-static int window_mono(const glint_panel *panel, int left, int top, int right, int bottom) {
+static glint_status window_mono(const glint_panel *panel, int left, int top, int right, int bottom) {
     const int is_turned = glint_panel_find_axes(panel).exchanged;
-    const int status = send_range(panel, SET_PAGE_COLUMNS, is_turned ? top : left, is_turned ? bottom : right);
+    const glint_status status = send_range(panel, SET_PAGE_COLUMNS, is_turned ? top : left, is_turned ? bottom : right);
 
     return status ? status
                   : send_range(panel, SET_PAGES, (is_turned ? left : top) / 8, (is_turned ? right : bottom) / 8);

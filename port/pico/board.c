@@ -117,10 +117,10 @@ void board_checkpoint(const char *name) {
     semihosting_checkpoint(name);
 }
 
-int board_display_start(board_display *display) {
+glint_status board_display_start(board_display *display) {
     static const glint_panel panel = {.type = &glint_panel_st7789_240x240, .bus = &pico_spi_bus};
 
-    return display_start(&panel, display);
+    return glint_display_start(&panel, display);
 }
 
 const glint_bus *board_panel_bus(void) {

@@ -122,18 +122,18 @@ static void drain(void) {
     *cortex_m_register(SPI_INTERRUPT_CLEAR) = OVERRUN;
 }
 
-static glint_bus_status wait_until_idle(void) {
+static glint_status wait_until_idle(void) {
     uint32_t polls = BUSY_POLLS;
 
     while ((*cortex_m_register(SPI_STATUS) & STATUS_BUSY) && --polls) {
     }
     drain();
-    return polls ? GLINT_BUS_OK : GLINT_BUS_TIMEOUT;
+    return polls ? GLINT_OK : GLINT_ERROR_TIMEOUT;
 }
 
 /* What a transfer that was given up left behind leaves before the panel listens. */
-static glint_bus_status select(int is_data) {
-    const glint_bus_status status = wait_until_idle();
+static glint_status select(int is_data) {
+    const glint_status status = wait_until_idle();
 
     if (!status) {
         set_pin(PIN_DATA, is_data);
@@ -143,38 +143,38 @@ static glint_bus_status select(int is_data) {
 }
 
 /* Sees the last byte out, then lets the panel go. */
-static glint_bus_status finish(glint_bus_status status) {
-    const glint_bus_status last = wait_until_idle();
+static glint_status finish(glint_status status) {
+    const glint_status last = wait_until_idle();
 
     set_pin(PIN_SELECT, 1);
     return status ? status : last;
 }
 
-static glint_bus_status push(const uint8_t *bytes, size_t count) {
+static glint_status push(const uint8_t *bytes, size_t count) {
     for (size_t i = 0; i < count; i++) {
         uint32_t polls = BYTE_POLLS;
         while ((*cortex_m_register(SPI_STATUS) & STATUS_TX_NOT_FULL) == 0) {
             if (--polls == 0) {
-                return GLINT_BUS_TIMEOUT;
+                return GLINT_ERROR_TIMEOUT;
             }
         }
         *cortex_m_register(SPI_DATA) = bytes[i];
     }
-    return GLINT_BUS_OK;
+    return GLINT_OK;
 }
 
-static glint_bus_status send(int is_data, const uint8_t *bytes, size_t count) {
-    const glint_bus_status status = select(is_data);
+static glint_status send(int is_data, const uint8_t *bytes, size_t count) {
+    const glint_status status = select(is_data);
 
     return status ? status : finish(push(bytes, count));
 }
 
-static glint_bus_status command(void *context, const uint8_t *bytes, size_t count) {
+static glint_status command(void *context, const uint8_t *bytes, size_t count) {
     (void)context;
     return send(0, bytes, count);
 }
 
-static glint_bus_status data(void *context, const uint8_t *bytes, size_t count) {
+static glint_status data(void *context, const uint8_t *bytes, size_t count) {
     (void)context;
     return send(1, bytes, count);
 }
@@ -195,12 +195,12 @@ static void list_rows(const uint8_t *bytes, size_t row_bytes, size_t row_count, 
     patience = (uint32_t)(row_bytes * row_count) * DMA_BYTE_POLLS + BUSY_POLLS;
 }
 
-static glint_bus_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t row_count, size_t stride) {
+static glint_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t row_count, size_t stride) {
     (void)context;
     if (row_count == 0 || row_count >= sizeof rows / sizeof rows[0]) {
-        return GLINT_BUS_FAULT;
+        return GLINT_ERROR_BUS;
     }
-    const glint_bus_status status = select(1);
+    const glint_status status = select(1);
     if (status) {
         return status;
     }
@@ -215,7 +215,7 @@ static glint_bus_status begin(void *context, const uint8_t *bytes, size_t row_by
     dma(DMA_LIST, DMA_CONTROL_TRIGGER,
         DMA_ENABLE | DMA_WORDS | DMA_READ_ON | DMA_WRITE_ON | DMA_RING_8_BYTES | DMA_RING_WRITE |
             1u << DMA_CHAIN_SHIFT | (uint32_t)DMA_PACE_NONE << DMA_PACE_SHIFT | DMA_QUIET);
-    return GLINT_BUS_OK;
+    return GLINT_OK;
 }
 
 /* Has the list been read to its end, and are both channels done? */
@@ -231,16 +231,16 @@ static int has_failed(void) {
     return (*cortex_m_register(DMA_ROW + DMA_ALIAS_1_CONTROL) & DMA_FAULTS) != 0;
 }
 
-static glint_bus_status wait(void *context) {
-    glint_bus_status status = GLINT_BUS_OK;
+static glint_status wait(void *context) {
+    glint_status status = GLINT_OK;
 
     (void)context;
     while (!is_sent() && !has_failed() && --patience) { /* a channel that has failed stands still */
     }
     if (has_failed()) {
-        status = GLINT_BUS_FAULT;
+        status = GLINT_ERROR_BUS;
     } else if (patience == 0) {
-        status = GLINT_BUS_TIMEOUT;
+        status = GLINT_ERROR_TIMEOUT;
     }
     if (status) {
         *cortex_m_register(DMA_ABORT) = 3;

@@ -45,30 +45,30 @@ static void drain(const pl022 *port) {
     }
 }
 
-glint_bus_status pl022_finish(const pl022 *port) {
+glint_status pl022_finish(const pl022 *port) {
     for (int i = 0; i < WAIT_POLLS; i++) {
         drain(port);
         if ((*at(port, STATUS) & STATUS_BUSY) == 0) {
             drain(port);
-            return GLINT_BUS_OK;
+            return GLINT_OK;
         }
     }
-    return GLINT_BUS_TIMEOUT;
+    return GLINT_ERROR_TIMEOUT;
 }
 
-glint_bus_status pl022_send(const pl022 *port, const uint8_t *bytes, size_t count) {
+glint_status pl022_send(const pl022 *port, const uint8_t *bytes, size_t count) {
     for (size_t i = 0; i < count; i++) {
         int polls = WAIT_POLLS;
         while ((*at(port, STATUS) & STATUS_TX_NOT_FULL) == 0) {
             if (--polls == 0) {
-                return GLINT_BUS_TIMEOUT;
+                return GLINT_ERROR_TIMEOUT;
             }
             drain(port);
         }
         *at(port, DATA) = bytes[i];
         drain(port);
     }
-    return GLINT_BUS_OK;
+    return GLINT_OK;
 }
 
 void pl022_begin(pl022 *port, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
@@ -102,7 +102,7 @@ void pl022_interrupt(pl022 *port) {
 }
 
 /* Every half FIFO that leaves gives the rest another while. */
-glint_bus_status pl022_wait(pl022 *port) {
+glint_status pl022_wait(pl022 *port) {
     const uint8_t *seen = port->next;
     int polls = WAIT_POLLS;
 
@@ -114,5 +114,5 @@ glint_bus_status pl022_wait(pl022 *port) {
     }
     *at(port, INTERRUPT_MASK) = 0;
     port->rows_left = 0;
-    return polls ? pl022_finish(port) : GLINT_BUS_TIMEOUT;
+    return polls ? pl022_finish(port) : GLINT_ERROR_TIMEOUT;
 }

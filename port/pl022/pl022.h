@@ -25,16 +25,16 @@ typedef enum pl022_mode { PL022_MODE_0 = 0, PL022_MODE_2 = 1 << 6 } pl022_mode;
 void pl022_start(const pl022 *port, uint32_t clock_hz, uint32_t bus_hz, pl022_mode mode);
 
 /** Sends bytes and returns when the last is on its way. */
-glint_bus_status pl022_send(const pl022 *port, const uint8_t *bytes, size_t count);
+glint_status pl022_send(const pl022 *port, const uint8_t *bytes, size_t count);
 
 /** Returns when the last byte has left. */
-glint_bus_status pl022_finish(const pl022 *port);
+glint_status pl022_finish(const pl022 *port);
 
 /** Starts to send rows from the interrupt, which the board has let through to pl022_interrupt. */
 void pl022_begin(pl022 *port, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride);
 
 /** Returns when all that pl022_begin started has left. */
-glint_bus_status pl022_wait(pl022 *port);
+glint_status pl022_wait(pl022 *port);
 
 /** The port's interrupt: fills the FIFO. */
 void pl022_interrupt(pl022 *port);

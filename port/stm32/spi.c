@@ -36,28 +36,28 @@ void stm32_spi_start(uintptr_t base, uint32_t clock_hz, uint32_t bus_hz) {
         CONTROL_MASTER | CONTROL_SOFTWARE_SELECT | divider << CONTROL_DIVIDER_SHIFT | CONTROL_ENABLE;
 }
 
-static glint_bus_status send_row(uintptr_t base, const uint8_t *bytes, size_t count) {
+static glint_status send_row(uintptr_t base, const uint8_t *bytes, size_t count) {
     for (size_t i = 0; i < count; i++) {
         if (!stm32_wait(base + STATUS, STATUS_TX_EMPTY, STATUS_TX_EMPTY)) {
-            return GLINT_BUS_TIMEOUT;
+            return GLINT_ERROR_TIMEOUT;
         }
         *cortex_m_register(base + DATA) = bytes[i];
     }
-    return GLINT_BUS_OK;
+    return GLINT_OK;
 }
 
 int stm32_spi_is_idle(uintptr_t base) {
     return stm32_wait(base + STATUS, STATUS_TX_EMPTY, STATUS_TX_EMPTY) && stm32_wait(base + STATUS, STATUS_BUSY, 0);
 }
 
-glint_bus_status stm32_spi_send(uintptr_t base, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
-    glint_bus_status status = GLINT_BUS_OK;
+glint_status stm32_spi_send(uintptr_t base, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
+    glint_status status = GLINT_OK;
 
-    for (size_t row = 0; row < rows && status == GLINT_BUS_OK; row++) {
+    for (size_t row = 0; row < rows && status == GLINT_OK; row++) {
         status = send_row(base, bytes + row * stride, row_bytes);
     }
-    if (status == GLINT_BUS_OK && !stm32_spi_is_idle(base)) {
-        status = GLINT_BUS_TIMEOUT;
+    if (status == GLINT_OK && !stm32_spi_is_idle(base)) {
+        status = GLINT_ERROR_TIMEOUT;
     }
     (void)*cortex_m_register(base + DATA); /* what came back, and with the status the overrun it may have left */
     (void)*cortex_m_register(base + STATUS);

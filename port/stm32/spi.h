@@ -16,7 +16,7 @@ void stm32_spi_start(uintptr_t base, uint32_t clock_hz, uint32_t bus_hz);
 int stm32_spi_is_idle(uintptr_t base);
 
 /** Sends rows of bytes; returns when the last has left. */
-glint_bus_status stm32_spi_send(uintptr_t base, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride);
+glint_status stm32_spi_send(uintptr_t base, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride);
 
 /** Waits until all the bits are set in a register, at most a while. @return whether they are. */
 int stm32_wait(uintptr_t address, uint32_t bits, uint32_t wanted);

@@ -14,37 +14,37 @@ enum { CLOCK_HZ = 16000000 };
 /* ---- The panel's bus: leave out (and return null from board_panel_bus) when the board has no panel ----------------
  */
 
-static glint_bus_status command(void *context, const uint8_t *bytes, size_t count) {
+static glint_status command(void *context, const uint8_t *bytes, size_t count) {
     /* FILL IN: wait (bounded) until the bus is idle, D/C low, chip select low, send, wait (bounded) until the last bit
      * has left, chip select high. */
     (void)context;
     (void)bytes;
     (void)count;
-    return GLINT_BUS_OK;
+    return GLINT_OK;
 }
 
-static glint_bus_status data(void *context, const uint8_t *bytes, size_t count) {
+static glint_status data(void *context, const uint8_t *bytes, size_t count) {
     /* FILL IN: as command, with D/C high. */
     (void)context;
     (void)bytes;
     (void)count;
-    return GLINT_BUS_OK;
+    return GLINT_OK;
 }
 
-static glint_bus_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
+static glint_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
     /* FILL IN: D/C high, chip select low, start to send every row: by DMA and return, or by polling. */
     (void)context;
     (void)bytes;
     (void)row_bytes;
     (void)rows;
     (void)stride;
-    return GLINT_BUS_OK;
+    return GLINT_OK;
 }
 
-static glint_bus_status wait(void *context) {
+static glint_status wait(void *context) {
     /* FILL IN: wait (bounded) until what begin started is sent, chip select high. */
     (void)context;
-    return GLINT_BUS_OK;
+    return GLINT_OK;
 }
 
 static void delay(void *context, uint32_t milliseconds) {
@@ -60,10 +60,10 @@ const glint_bus *board_panel_bus(void) {
 }
 
 /* FILL IN the kind of panel, and how it is turned (port/panel/panel.h). */
-int board_display_start(board_display *display) {
+glint_status board_display_start(board_display *display) {
     static const glint_panel panel = {.type = &glint_panel_ssd0323, .bus = &panel_bus};
 
-    return display_start(&panel, display);
+    return glint_display_start(&panel, display);
 }
 
 /* ---- The board -----------------------------------------------------------------------------------------------------

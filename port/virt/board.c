@@ -73,9 +73,9 @@ const glint_bus *board_panel_bus(void) {
     return 0;
 }
 
-int board_display_start(board_display *display) {
+glint_status board_display_start(board_display *display) {
     *display = (board_display){WIDTH, HEIGHT, &glint_format_rgb565, {copy_tile, 0, 0}};
-    return 0;
+    return GLINT_OK;
 }
 
 void board_checkpoint(const char *name) {

@@ -25,8 +25,12 @@ const char *glint_strerror(int status) {
         "the error budget is not from 0 to 8",
         "a mesh's or a material's flags have an unknown bit",
         "the memory of pixels is smaller than glint_pixels_need tells, or not aligned as a pointer is",
-        "a region is not on the screen, or its edges divide a byte of the format",
+        "a region is not on the screen or panel, or its edges divide a byte of the format",
         "the background or overlay callback reported a failure",
+        "the panel's bus took no byte, or did not fall idle, in time",
+        "the panel's bus reported a failed transfer",
+        "the panel does not take pixels of this size, or its bus no words",
+        "the panel's controller cannot turn the picture so",
     };
     const int count = (int)(sizeof sentences / sizeof *sentences);
     return status > 0 || status <= -count ? "unknown status" : sentences[-status];

@@ -12,40 +12,40 @@ static struct {
     unsigned delayed, resets, waiting;
 } record;
 
-static glint_bus_status keep(const uint8_t *bytes, size_t count, unsigned flag) {
+static glint_status keep(const uint8_t *bytes, size_t count, unsigned flag) {
     CHECK(!record.waiting);
     for (size_t i = 0; i < count && record.count < RECORD_MAX; i++) {
         record.bytes[record.count++] = (uint16_t)(bytes[i] | flag);
     }
-    return ++record.calls == record.failing_call ? GLINT_BUS_TIMEOUT : GLINT_BUS_OK;
+    return ++record.calls == record.failing_call ? GLINT_ERROR_TIMEOUT : GLINT_OK;
 }
 
-static glint_bus_status command(void *context, const uint8_t *bytes, size_t count) {
+static glint_status command(void *context, const uint8_t *bytes, size_t count) {
     (void)context;
     return keep(bytes, count, COMMAND);
 }
 
-static glint_bus_status data(void *context, const uint8_t *bytes, size_t count) {
+static glint_status data(void *context, const uint8_t *bytes, size_t count) {
     (void)context;
     return keep(bytes, count, 0);
 }
 
-static glint_bus_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
-    glint_bus_status status = GLINT_BUS_OK;
+static glint_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
+    glint_status status = GLINT_OK;
 
     (void)context;
-    for (size_t row = 0; row < rows && status == GLINT_BUS_OK; row++) {
+    for (size_t row = 0; row < rows && status == GLINT_OK; row++) {
         status = keep(bytes + row * stride, row_bytes, 0);
     }
-    record.waiting = status == GLINT_BUS_OK;
+    record.waiting = status == GLINT_OK;
     return status;
 }
 
-static glint_bus_status wait(void *context) {
+static glint_status wait(void *context) {
     (void)context;
     CHECK(record.waiting);
     record.waiting = 0;
-    return ++record.calls == record.failing_call ? GLINT_BUS_FAULT : GLINT_BUS_OK;
+    return ++record.calls == record.failing_call ? GLINT_ERROR_BUS : GLINT_OK;
 }
 
 static void reset(void *context, int active) {
@@ -80,7 +80,7 @@ static void starts_with_reset_and_commands(void) {
 
 static void start_reports_a_dead_bus(void) {
     start_recording(3);
-    CHECK_EQUAL(glint_panel_start(&panel), GLINT_BUS_TIMEOUT);
+    CHECK_EQUAL(glint_panel_start(&panel), GLINT_ERROR_TIMEOUT);
     CHECK_EQUAL(record.calls, 3);
 }
 
@@ -120,7 +120,7 @@ static void refuses_what_it_cannot_show(void) {
     start_recording(0);
     for (unsigned i = 0; i < TEST_COUNT(rectangles); i++) {
         const int *r = rectangles[i];
-        CHECK_EQUAL(glint_panel_begin(&panel, r[0], r[1], r[2], r[3], pixels, 1), GLINT_PANEL_ERROR_WINDOW);
+        CHECK_EQUAL(glint_panel_begin(&panel, r[0], r[1], r[2], r[3], pixels, 1), GLINT_ERROR_REGION);
     }
     CHECK_EQUAL(record.count, 0);
 }

@@ -75,13 +75,15 @@ static int survive(fault_kind fault, int expected, uint32_t picture) {
     const int status = draw(picture - 1, fault);
 
     faults_set(FAULT_NONE);
-    board_write(status == GLINT_BUS_TIMEOUT ? "timeout\n" : status == GLINT_BUS_FAULT ? "fault\n" : "something else\n");
+    board_write(status == GLINT_ERROR_TIMEOUT ? "timeout\n"
+                : status == GLINT_ERROR_BUS   ? "fault\n"
+                                              : "something else\n");
     return status != expected || start() || show(picture);
 }
 
 int main(void) {
-    if (start() || show(0) || survive(FAULT_STOPPED, GLINT_BUS_TIMEOUT, 1) ||
-        survive(FAULT_SLOW, GLINT_BUS_TIMEOUT, 2) || survive(FAULT_BROKEN, GLINT_BUS_FAULT, 3)) {
+    if (start() || show(0) || survive(FAULT_STOPPED, GLINT_ERROR_TIMEOUT, 1) ||
+        survive(FAULT_SLOW, GLINT_ERROR_TIMEOUT, 2) || survive(FAULT_BROKEN, GLINT_ERROR_BUS, 3)) {
         return 1;
     }
     draw(2, FAULT_RESET);

@@ -16,24 +16,24 @@ enum { SSI_CONTROL_1 = 0x40008004, SSI_ENABLE = 1u << 1, SSI_INTERRUPT = 1u << 7
 
 static int is_broken;
 
-static glint_bus_status command(void *context, const uint8_t *bytes, size_t count) {
+static glint_status command(void *context, const uint8_t *bytes, size_t count) {
     return board_panel_bus()->command(context, bytes, count);
 }
 
-static glint_bus_status data(void *context, const uint8_t *bytes, size_t count) {
+static glint_status data(void *context, const uint8_t *bytes, size_t count) {
     return board_panel_bus()->data(context, bytes, count);
 }
 
-static glint_bus_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
+static glint_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
     if (is_broken) {
         board_panel_bus()->begin(context, bytes, row_bytes, rows / 2, stride);
         board_panel_bus()->wait(context);
-        return GLINT_BUS_FAULT;
+        return GLINT_ERROR_BUS;
     }
     return board_panel_bus()->begin(context, bytes, row_bytes, rows, stride);
 }
 
-static glint_bus_status wait(void *context) {
+static glint_status wait(void *context) {
     return board_panel_bus()->wait(context);
 }
 

@@ -37,8 +37,8 @@ int main(void) {
         const int *r = rectangles[i];
         failed |= draw(&panel, r[0], r[1], r[2], r[3]) != 0;
     }
-    failed |= draw(&panel, 1, 0, 2, 2) != GLINT_PANEL_ERROR_WINDOW;
-    failed |= draw(&panel, 0, 63, 2, 2) != GLINT_PANEL_ERROR_WINDOW;
+    failed |= draw(&panel, 1, 0, 2, 2) != GLINT_ERROR_REGION;
+    failed |= draw(&panel, 0, 63, 2, 2) != GLINT_ERROR_REGION;
     board_checkpoint("pattern 0");
     return failed;
 }

@@ -171,7 +171,7 @@ static void nothing_else(void) {
     config.arena = malloc(config.arena_size);
     for (int kind = 0; kind < KINDS; kind++) {
         glint_scene scene = s.scene;
-        const glint_object object = degenerate(kind, &s.objects[0], &meshes[0]);
+        glint_object object = degenerate(kind, &s.objects[0], &meshes[0]);
         glint_frame frame;
         glint_report report;
         glint_renderer renderer;
@@ -188,6 +188,9 @@ static void nothing_else(void) {
         CHECK_EQUAL(glint_check(&config, &scene, &report), GLINT_OK);
         CHECK_EQUAL(report.shown, 0);
         CHECK(strstr(report.sentence, "skipped") != NULL);
+        object.hidden = 1;
+        CHECK_EQUAL(glint_frame_begin(&frame, &config, &scene), GLINT_OK);
+        CHECK_EQUAL(frame.stats.skipped, 0);
     }
     free(config.arena);
     picture_close(&image);

@@ -13,23 +13,23 @@ static void write_bytes(char kind, const uint8_t *bytes, size_t count) {
     putchar('\n');
 }
 
-static glint_bus_status write_command(void *context, const uint8_t *bytes, size_t count) {
+static glint_status write_command(void *context, const uint8_t *bytes, size_t count) {
     (void)context;
     write_bytes('C', bytes, count);
-    return GLINT_BUS_OK;
+    return GLINT_OK;
 }
 
-static glint_bus_status write_data(void *context, const uint8_t *bytes, size_t count) {
+static glint_status write_data(void *context, const uint8_t *bytes, size_t count) {
     (void)context;
     write_bytes('D', bytes, count);
-    return GLINT_BUS_OK;
+    return GLINT_OK;
 }
 
-static glint_bus_status write_rows(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
+static glint_status write_rows(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
     (void)context;
     for (size_t row = 0; row < rows; row++)
         write_bytes('D', bytes + row * stride, row_bytes);
-    return GLINT_BUS_OK;
+    return GLINT_OK;
 }
 
 static void write_reset(void *context, int active) {

@@ -54,7 +54,7 @@ static glint_config configure(const glint_panel *driver) {
 
 /* Draws a frame. @return what the panel said last. */
 static int draw(const glint_panel *driver, int has_wait) {
-    guard guarded = {driver, GLINT_PANEL_OK};
+    guard guarded = {driver, GLINT_OK};
     glint_config config = configure(driver);
     glint_renderer renderer;
     glint_status status;
@@ -78,8 +78,8 @@ static const uint8_t *sound_picture(const tested_panel *panel) {
 
     if (kept_of != panel) {
         wire_open(&line, panel->module, panel->type->clock_max, 1);
-        CHECK_EQUAL(glint_panel_start(&driver), GLINT_PANEL_OK);
-        CHECK_EQUAL(draw(&driver, 1), GLINT_PANEL_OK);
+        CHECK_EQUAL(glint_panel_start(&driver), GLINT_OK);
+        CHECK_EQUAL(draw(&driver, 1), GLINT_OK);
         picture = panel_model_picture(line.model);
         memcpy(kept, picture->rgb, (size_t)picture->width * (size_t)picture->height * 3);
         wire_close(&line);
@@ -104,8 +104,8 @@ static uint64_t order_of_bytes(const tested_panel *panel, uint32_t seed, int has
     wire_open(&line, panel->module, panel->type->clock_max, 1);
     line.is_random = seed != 0;
     line.random = seed;
-    CHECK_EQUAL(glint_panel_start(&driver), GLINT_PANEL_OK);
-    CHECK(draw(&driver, has_wait) == GLINT_PANEL_OK || !has_wait);
+    CHECK_EQUAL(glint_panel_start(&driver), GLINT_OK);
+    CHECK(draw(&driver, has_wait) == GLINT_OK || !has_wait);
     order = line.order;
     wire_close(&line);
     return order;
@@ -131,11 +131,11 @@ typedef struct fault_case {
 } fault_case;
 
 static const fault_case faults[] = {
-    {"bus never ready", WIRE_NEVER_READY, GLINT_BUS_TIMEOUT},
-    {"transfer error", WIRE_BROKEN, GLINT_BUS_FAULT},
-    {"100 times too slow", WIRE_SLOW, GLINT_BUS_TIMEOUT},
-    {"panel reset in mid-frame", WIRE_PANEL_RESET, GLINT_PANEL_OK}, /* nobody is told: a panel does not answer */
-    {"core reset in mid-frame", WIRE_CUT, GLINT_PANEL_OK},
+    {"bus never ready", WIRE_NEVER_READY, GLINT_ERROR_TIMEOUT},
+    {"transfer error", WIRE_BROKEN, GLINT_ERROR_BUS},
+    {"100 times too slow", WIRE_SLOW, GLINT_ERROR_TIMEOUT},
+    {"panel reset in mid-frame", WIRE_PANEL_RESET, GLINT_OK}, /* nobody is told: a panel does not answer */
+    {"core reset in mid-frame", WIRE_CUT, GLINT_OK},
 };
 
 static void report(const tested_panel *panel, const fault_case *fault, unsigned call, int has_reset) {
@@ -152,9 +152,9 @@ static int recovers(const tested_panel *panel, wire *line, const glint_panel *dr
     int good;
 
     wire_mend(line);
-    good = CHECK_EQUAL(glint_panel_start(driver), GLINT_PANEL_OK);
+    good = CHECK_EQUAL(glint_panel_start(driver), GLINT_OK);
     complaints = panel_model_all_complaints(line->model);
-    good &= CHECK_EQUAL(draw(driver, 1), GLINT_PANEL_OK);
+    good &= CHECK_EQUAL(draw(driver, 1), GLINT_OK);
     good &= CHECK(is_whole(panel, line));
     good &= CHECK_EQUAL(panel_model_all_complaints(line->model), complaints);
     return good;
@@ -171,7 +171,7 @@ static void fail_in_frame(const tested_panel *panel, const fault_case *fault, un
     int good;
 
     open_panel(panel, &line, has_reset);
-    good = CHECK_EQUAL(glint_panel_start(&driver), GLINT_PANEL_OK);
+    good = CHECK_EQUAL(glint_panel_start(&driver), GLINT_OK);
     wire_break(&line, fault->fault, call);
     good &= CHECK_EQUAL(draw(&driver, 1), fault->status);
     good &= CHECK(!is_whole(panel, &line));
@@ -190,7 +190,7 @@ static void fail_in_start(const tested_panel *panel, const fault_case *fault, un
     open_panel(panel, &line, has_reset);
     wire_break(&line, fault->fault, call);
     good = CHECK_EQUAL(glint_panel_start(&driver), fault->status);
-    good &= CHECK(line.is_lit == (fault->status == GLINT_PANEL_OK));
+    good &= CHECK(line.is_lit == (fault->status == GLINT_OK));
     if (!(good & recovers(panel, &line, &driver))) {
         report(panel, fault, call, has_reset);
     }
@@ -204,9 +204,9 @@ static unsigned count_calls(const tested_panel *panel, int has_reset, unsigned *
     unsigned calls;
 
     open_panel(panel, &line, has_reset);
-    CHECK_EQUAL(glint_panel_start(&driver), GLINT_PANEL_OK);
+    CHECK_EQUAL(glint_panel_start(&driver), GLINT_OK);
     *start = line.calls;
-    CHECK_EQUAL(draw(&driver, 1), GLINT_PANEL_OK);
+    CHECK_EQUAL(draw(&driver, 1), GLINT_OK);
     calls = line.calls - *start;
     CHECK(is_whole(panel, &line));
     wire_close(&line);
@@ -256,8 +256,8 @@ static void half_a_command_is_ended(void) {
             open_panel(&tested_panels[i], &line, 0);
             panel_model_delay(line.model, 1000000);
             panel_model_command(line.model, list[j].command);
-            CHECK_EQUAL(glint_panel_start(&driver), GLINT_PANEL_OK);
-            CHECK_EQUAL(draw(&driver, 1), GLINT_PANEL_OK);
+            CHECK_EQUAL(glint_panel_start(&driver), GLINT_OK);
+            CHECK_EQUAL(draw(&driver, 1), GLINT_OK);
             CHECK(is_whole(&tested_panels[i], &line));
             CHECK_EQUAL(panel_model_all_complaints(line.model), list[j].complaints);
             wire_close(&line);
@@ -279,8 +279,8 @@ static void what_was_left_behind_is_reset(void) {
             panel_model_delay(line.model, 120000000);
             panel_model_command(line.model, left[j]);
         }
-        CHECK_EQUAL(glint_panel_start(&driver), GLINT_PANEL_OK);
-        CHECK_EQUAL(draw(&driver, 1), GLINT_PANEL_OK);
+        CHECK_EQUAL(glint_panel_start(&driver), GLINT_OK);
+        CHECK_EQUAL(draw(&driver, 1), GLINT_OK);
         CHECK(is_whole(&tested_panels[i], &line));
         CHECK_EQUAL(panel_model_all_complaints(line.model), 0);
         wire_close(&line);

@@ -150,8 +150,8 @@ static void send_pattern(const way *to, int width, int height) {
             const int rectangle[4] = {x, y, smaller(width, across - x), smaller(height, down - y)};
             memset(tile, 0, stride * (size_t)height);
             fill(to, tile, stride, rectangle);
-            CHECK_EQUAL(glint_panel_begin(&to->driver, x, y, rectangle[2], rectangle[3], tile, stride), GLINT_PANEL_OK);
-            CHECK_EQUAL(glint_panel_wait(&to->driver), GLINT_PANEL_OK);
+            CHECK_EQUAL(glint_panel_begin(&to->driver, x, y, rectangle[2], rectangle[3], tile, stride), GLINT_OK);
+            CHECK_EQUAL(glint_panel_wait(&to->driver), GLINT_OK);
         }
     }
     free(tile);
@@ -174,7 +174,7 @@ static void check_pattern(const tested_panel *panel, unsigned rotation, unsigned
 
     wire_open(&line, panel->module, panel->type->clock_max, 1);
     to = choose(panel, &line, rotation, bits, has_words);
-    CHECK_EQUAL(glint_panel_start(&to.driver), GLINT_PANEL_OK);
+    CHECK_EQUAL(glint_panel_start(&to.driver), GLINT_OK);
     CHECK(line.is_lit);
     for (unsigned i = 0; i < TEST_COUNT(sizes); i++) {
         send_pattern(&to, sizes[i][0], sizes[i][1]);
@@ -260,7 +260,7 @@ static void check_drawing(const tested_panel *panel, unsigned rotation, const gl
     plain = picture_open(glint_panel_width(&to.driver), glint_panel_height(&to.driver),
                          judged_format(glint_panel_format(&to.driver)));
     CHECK_EQUAL(picture_render(&plain, example(), NULL, NULL), GLINT_OK);
-    CHECK_EQUAL(glint_panel_start(&to.driver), GLINT_PANEL_OK);
+    CHECK_EQUAL(glint_panel_start(&to.driver), GLINT_OK);
     CHECK_EQUAL(draw(&to.driver, tile, arena, size), GLINT_OK);
     CHECK_EQUAL(count_wrong(&to, &line, wanted_plain), 0);
     report_complaints(&line, panel->module);
@@ -335,7 +335,7 @@ static void check_bytes(const tested_panel *panel, unsigned rotation, unsigned b
 
     wire_open(&line, panel->module, panel->type->clock_max, 1);
     to = choose(panel, &line, rotation, bits, 0);
-    CHECK_EQUAL(glint_panel_start(&to.driver), GLINT_PANEL_OK);
+    CHECK_EQUAL(glint_panel_start(&to.driver), GLINT_OK);
     before = panel_model_bytes(line.model);
     CHECK_EQUAL(draw(&to.driver, 32, arena, sizeof arena), GLINT_OK);
     pixels = pixel_bytes(&to, &tiles);
@@ -372,7 +372,7 @@ static int start_status(const tested_panel *panel, unsigned rotation, const glin
         line.bus.begin_words = NULL;
     }
     status = glint_panel_start(&driver);
-    CHECK(status == GLINT_PANEL_OK || panel_model_bytes(line.model) == 0);
+    CHECK(status == GLINT_OK || panel_model_bytes(line.model) == 0);
     wire_close(&line);
     return status;
 }
@@ -383,13 +383,13 @@ static void what_a_panel_cannot_is_refused(void) {
         const int has_16 = panel->bits[0] == 16;
         const int has_12 = panel->bits[1] == 12;
         for (unsigned rotation = 1; rotation < 4; rotation++) {
-            CHECK_EQUAL(start_status(panel, rotation, NULL, 0, 1), panel->can_turn ? 0 : GLINT_PANEL_ERROR_ROTATION);
+            CHECK_EQUAL(start_status(panel, rotation, NULL, 0, 1), panel->can_turn ? 0 : GLINT_ERROR_ROTATION);
         }
-        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb565_be, 0, 1), has_16 ? 0 : GLINT_PANEL_ERROR_FORMAT);
-        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb444, 0, 1), has_12 ? 0 : GLINT_PANEL_ERROR_FORMAT);
-        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb888, 0, 1), GLINT_PANEL_ERROR_FORMAT);
-        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb565, 1, 1), has_16 ? 0 : GLINT_PANEL_ERROR_FORMAT);
-        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb565, 1, 0), GLINT_PANEL_ERROR_FORMAT);
+        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb565_be, 0, 1), has_16 ? 0 : GLINT_ERROR_FORMAT);
+        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb444, 0, 1), has_12 ? 0 : GLINT_ERROR_FORMAT);
+        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb888, 0, 1), GLINT_ERROR_FORMAT);
+        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb565, 1, 1), has_16 ? 0 : GLINT_ERROR_FORMAT);
+        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb565, 1, 0), GLINT_ERROR_FORMAT);
     }
 }
 
@@ -406,7 +406,7 @@ static void windows_off_the_glass_are_refused(void) {
         wire_open(&line, tested_panels[i].module, 0, 1);
         for (unsigned j = 0; j < TEST_COUNT(wrong); j++) {
             CHECK_EQUAL(glint_panel_begin(&driver, wrong[j][0], wrong[j][1], wrong[j][2], wrong[j][3], pixels, 16),
-                        GLINT_PANEL_ERROR_WINDOW);
+                        GLINT_ERROR_REGION);
         }
         CHECK_EQUAL(panel_model_bytes(line.model), 0);
         wire_close(&line);
@@ -422,12 +422,12 @@ static void split_bytes_are_refused(void) {
     const glint_panel rows = {tested_panels[9].type, &line.bus, GLINT_PANEL_90, NULL, 0};
 
     wire_open(&line, "st7789-240x240", 0, 1);
-    CHECK_EQUAL(glint_panel_begin(&packed, 1, 0, 2, 1, pixels, 3), GLINT_PANEL_ERROR_WINDOW);
-    CHECK_EQUAL(glint_panel_begin(&packed, 0, 0, 3, 1, pixels, 6), GLINT_PANEL_ERROR_WINDOW);
-    CHECK_EQUAL(glint_panel_begin(&pages, 0, 4, 8, 8, pixels, 1), GLINT_PANEL_ERROR_WINDOW);
-    CHECK_EQUAL(glint_panel_begin(&pages, 0, 0, 8, 4, pixels, 1), GLINT_PANEL_ERROR_WINDOW);
-    CHECK_EQUAL(glint_panel_begin(&rows, 4, 0, 8, 8, pixels, 1), GLINT_PANEL_ERROR_WINDOW);
-    CHECK_EQUAL(glint_panel_begin(&rows, 0, 0, 4, 8, pixels, 1), GLINT_PANEL_ERROR_WINDOW);
+    CHECK_EQUAL(glint_panel_begin(&packed, 1, 0, 2, 1, pixels, 3), GLINT_ERROR_REGION);
+    CHECK_EQUAL(glint_panel_begin(&packed, 0, 0, 3, 1, pixels, 6), GLINT_ERROR_REGION);
+    CHECK_EQUAL(glint_panel_begin(&pages, 0, 4, 8, 8, pixels, 1), GLINT_ERROR_REGION);
+    CHECK_EQUAL(glint_panel_begin(&pages, 0, 0, 8, 4, pixels, 1), GLINT_ERROR_REGION);
+    CHECK_EQUAL(glint_panel_begin(&rows, 4, 0, 8, 8, pixels, 1), GLINT_ERROR_REGION);
+    CHECK_EQUAL(glint_panel_begin(&rows, 0, 0, 4, 8, pixels, 1), GLINT_ERROR_REGION);
     CHECK_EQUAL(panel_model_bytes(line.model), 0);
     wire_close(&line);
 }

@@ -59,29 +59,29 @@ static void spill(wire *line, int is_data) {
     transfer->is_busy = 0;
 }
 
-static glint_bus_status send(wire *line, const uint8_t *bytes, size_t count, int is_data) {
+static glint_status send(wire *line, const uint8_t *bytes, size_t count, int is_data) {
     size_t leaving;
 
     count_call(line);
     spill(line, is_data);
     if (has_fault(line, WIRE_NEVER_READY)) {
-        return GLINT_BUS_TIMEOUT;
+        return GLINT_ERROR_TIMEOUT;
     }
     leaving = has_fault(line, WIRE_CUT) ? 0 : has_fault(line, WIRE_SLOW) ? count / 2 : cut_short(line, count);
     for (size_t i = 0; i < leaving; i++) {
         leave(line, is_data, bytes[i]);
     }
     if (has_fault(line, WIRE_SLOW)) {
-        return GLINT_BUS_TIMEOUT;
+        return GLINT_ERROR_TIMEOUT;
     }
-    return line->fault == WIRE_BROKEN && line->calls == line->fault_call ? GLINT_BUS_FAULT : GLINT_BUS_OK;
+    return line->fault == WIRE_BROKEN && line->calls == line->fault_call ? GLINT_ERROR_BUS : GLINT_OK;
 }
 
-static glint_bus_status command(void *context, const uint8_t *bytes, size_t count) {
+static glint_status command(void *context, const uint8_t *bytes, size_t count) {
     return send(context, bytes, count, 0);
 }
 
-static glint_bus_status data(void *context, const uint8_t *bytes, size_t count) {
+static glint_status data(void *context, const uint8_t *bytes, size_t count) {
     return send(context, bytes, count, 1);
 }
 
@@ -112,15 +112,15 @@ static void pump(wire *line, size_t count) {
     transfer->is_busy = transfer->done < all;
 }
 
-static glint_bus_status start(wire *line, struct wire_transfer transfer) {
+static glint_status start(wire *line, struct wire_transfer transfer) {
     const size_t all = transfer.row_bytes * transfer.rows;
 
     count_call(line);
     if (line->transfer.is_busy) { /* one DMA channel: the transfer before is lost */
-        return GLINT_BUS_FAULT;
+        return GLINT_ERROR_BUS;
     }
     if (has_fault(line, WIRE_NEVER_READY)) {
-        return GLINT_BUS_TIMEOUT;
+        return GLINT_ERROR_TIMEOUT;
     }
     line->transfer = transfer;
     line->transfer.is_busy = 1;
@@ -128,42 +128,42 @@ static glint_bus_status start(wire *line, struct wire_transfer transfer) {
     if (line->fault == WIRE_BROKEN && line->calls == line->fault_call) {
         pump(line, cut_short(line, all));
         line->transfer.is_busy = 0;
-        return GLINT_BUS_FAULT;
+        return GLINT_ERROR_BUS;
     }
     pump(line, !line->is_random ? all : wire_random(&line->random) % (all + 1));
-    return GLINT_BUS_OK;
+    return GLINT_OK;
 }
 
-static glint_bus_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
+static glint_status begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
     const struct wire_transfer transfer = {bytes, row_bytes, rows, stride, 0, 0, 0};
 
     return start(context, transfer);
 }
 
-static glint_bus_status begin_words(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
+static glint_status begin_words(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
     const struct wire_transfer transfer = {bytes, row_bytes, rows, stride, 0, 1, 0};
 
     if (row_bytes % 2 || stride % 2) {
-        return GLINT_BUS_FAULT;
+        return GLINT_ERROR_BUS;
     }
     return start(context, transfer);
 }
 
 /* As a board's: polls until the peripheral is done, and not for ever. On an error the transfer is stopped. */
-static glint_bus_status wait(void *context) {
+static glint_status wait(void *context) {
     wire *line = context;
     unsigned polls = 0;
-    glint_bus_status status = GLINT_BUS_OK;
+    glint_status status = GLINT_OK;
 
     count_call(line);
     if (line->fault == WIRE_BROKEN && line->calls == line->fault_call) {
-        status = GLINT_BUS_FAULT;
+        status = GLINT_ERROR_BUS;
     }
-    while (line->transfer.is_busy && status == GLINT_BUS_OK) {
+    while (line->transfer.is_busy && status == GLINT_OK) {
         const unsigned most = has_fault(line, WIRE_SLOW) ? 1 : 100; /* bytes in 20 polls */
         pump(line, polls % 20 == 0 && !has_fault(line, WIRE_NEVER_READY) ? wire_random(&line->random) % (most + 1) : 0);
         if (++polls == WIRE_PATIENCE) {
-            status = GLINT_BUS_TIMEOUT;
+            status = GLINT_ERROR_TIMEOUT;
         }
     }
     line->transfer.is_busy = 0;

@@ -296,6 +296,7 @@ PROOF(glint_transform_nearest) {
 /*
  * Any object under any camera.
  * @contract prepare_normals place_in_world rows_to_30_bits rotate bring_to_clip_space prepare_depth classify
+ * @options -eva-split-return-function prepare_object:full
  */
 PROOF(glint_transform_prepare) {
     glint_transform transform;

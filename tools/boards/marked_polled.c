@@ -6,15 +6,12 @@
 #include "../cycles/marks.h"
 #include "stm32/spi.h"
 
-glint_bus_status __real_stm32_spi_send(uintptr_t base, const uint8_t *bytes, size_t row_bytes, size_t rows,
-                                       size_t stride);
-glint_bus_status __wrap_stm32_spi_send(uintptr_t base, const uint8_t *bytes, size_t row_bytes, size_t rows,
-                                       size_t stride);
+glint_status __real_stm32_spi_send(uintptr_t base, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride);
+glint_status __wrap_stm32_spi_send(uintptr_t base, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride);
 
-glint_bus_status __wrap_stm32_spi_send(uintptr_t base, const uint8_t *bytes, size_t row_bytes, size_t rows,
-                                       size_t stride) {
+glint_status __wrap_stm32_spi_send(uintptr_t base, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride) {
     CYCLES_STOP();
-    const glint_bus_status status = __real_stm32_spi_send(base, bytes, row_bytes, rows, stride);
+    const glint_status status = __real_stm32_spi_send(base, bytes, row_bytes, rows, stride);
     CYCLES_START();
     return status;
 }
