@@ -27,6 +27,11 @@ look() {
     need cppcheck cppcheck
     need gcc-arm-none-eabi arm-none-eabi-gcc
     need qemu-system-arm qemu-system-arm
+    need gcc-i686-linux-gnu i686-linux-gnu-gcc
+    need gcc-arm-linux-gnueabihf arm-linux-gnueabihf-gcc
+    need gcc-s390x-linux-gnu s390x-linux-gnu-gcc
+    need gcc-riscv64-linux-gnu riscv64-linux-gnu-gcc
+    need qemu-user qemu-i386 qemu-arm qemu-s390x qemu-riscv64
     need gcc-riscv64-unknown-elf riscv64-unknown-elf-gcc
     need qemu-system-misc qemu-system-riscv32
     need gnuplot-nox gnuplot
@@ -40,9 +45,13 @@ look() {
     need arduino-builder arduino-builder
     need arduino-ctags arduino-ctags
     need frama-c-base frama-c
-    # libraries, which no command shows: the host's C library, libdrm's headers, and clang's sanitizers and fuzzer
+    # libraries, which no command shows: C libraries of the host and of other machines, libdrm's headers, and clang's sanitizers and fuzzer
     [ -e /usr/include/stdio.h ] || missing+=(libc6-dev)
     [ -e /usr/include/xf86drmMode.h ] || missing+=(libdrm-dev)
+    [ -e /usr/i686-linux-gnu/include/stdio.h ] || missing+=(libc6-dev-i386-cross)
+    [ -e /usr/arm-linux-gnueabihf/include/stdio.h ] || missing+=(libc6-dev-armhf-cross)
+    [ -e /usr/s390x-linux-gnu/include/stdio.h ] || missing+=(libc6-dev-s390x-cross)
+    [ -e /usr/riscv64-linux-gnu/include/stdio.h ] || missing+=(libc6-dev-riscv64-cross)
     if command -v clang >/dev/null 2>&1; then
         ls "$(clang -print-resource-dir)"/lib/linux/libclang_rt.fuzzer-*.a >/dev/null 2>&1 || missing+=(libclang-rt-dev)
     else
