@@ -21,7 +21,7 @@ lm3s6965evb_ARENA   := 49152
 microbit_CPU     := -mcpu=cortex-m0 -mthumb
 microbit_SOURCES := $(CORTEX_M) $(wildcard port/microbit/*.c)
 microbit_LINKER  := linker/microbit.ld
-microbit_PANEL   := port/panel/panel.c port/panel/solomon.c port/panel/ssd1306.c
+microbit_PANEL   := port/panel/panel.c port/panel/pages.c port/panel/ssd1306.c
 microbit_ARENA   := 12288
 
 mps2-an385_CPU     := -mcpu=cortex-m3 -mthumb

@@ -18,7 +18,8 @@ enum {
 
 enum { ACCESS_BGR = 1 << 3, ACCESS_EXCHANGE = 1 << 5, ACCESS_MIRROR_X = 1 << 6, ACCESS_MIRROR_Y = 1 << 7 };
 
-enum { FORMAT_12_BITS = 0x33, FORMAT_16_BITS = 0x55 };
+/* A pixel of 18 bits is three bytes, of which the lower two bits are not read. */
+enum { FORMAT_12_BITS = 0x33, FORMAT_16_BITS = 0x55, FORMAT_18_BITS = 0x66 };
 
 static const uint8_t recover[] = {
     GLINT_PANEL_SEND(1),
@@ -39,15 +40,30 @@ static glint_status send_one(const glint_panel *panel, uint8_t command) {
     return glint_panel_send(panel, &command, 1);
 }
 
+/* The format register's value for pixels as long as the panel's; 0 where the command set has none. */
+static uint8_t find_format(const glint_panel *panel) {
+    switch (glint_panel_pixel_bits(panel)) {
+    case 12:
+        return FORMAT_12_BITS;
+    case 16:
+        return FORMAT_16_BITS;
+    case 24:
+        return FORMAT_18_BITS;
+    default:
+        return 0;
+    }
+}
+
 static glint_status set_up(const glint_panel *panel) {
+    const uint8_t format = find_format(panel);
     const glint_panel_axes axes = glint_panel_find_axes(panel);
     const unsigned access = (axes.exchanged ? ACCESS_EXCHANGE : 0u) | (axes.mirror_x ? ACCESS_MIRROR_X : 0u) |
                             (axes.mirror_y ? ACCESS_MIRROR_Y : 0u) |
                             (panel->type->glass & GLINT_PANEL_BGR ? ACCESS_BGR : 0u);
-    glint_status status = send_value(panel, MEMORY_ACCESS, (uint8_t)access);
+    glint_status status = format ? send_value(panel, MEMORY_ACCESS, (uint8_t)access) : GLINT_ERROR_FORMAT;
 
     if (!status) {
-        status = send_value(panel, PIXEL_FORMAT, glint_panel_pixel_bits(panel) == 12 ? FORMAT_12_BITS : FORMAT_16_BITS);
+        status = send_value(panel, PIXEL_FORMAT, format);
     }
     if (!status && (panel->type->glass & GLINT_PANEL_INVERTED)) {
         status = send_one(panel, INVERT);

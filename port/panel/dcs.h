@@ -6,8 +6,8 @@
 #include "panel.h"
 
 /**
- * Pixels of 16 bits, or of 12 where the panel has them. Start-up sequences end awake; the family sets the rest and
- * switches the display on.
+ * Pixels of 12, 16 or 24 bits, as far as the panel has them; of 24, a panel reads the upper 6 of each byte. Start-up
+ * sequences end awake; the family sets the rest and switches the display on.
  */
 extern const glint_panel_family glint_panel_dcs;
 

@@ -91,7 +91,7 @@ static glint_status check(const glint_panel *panel) {
     if (panel->rotation != GLINT_PANEL_0 && (type->glass & GLINT_PANEL_UPRIGHT)) {
         return GLINT_ERROR_ROTATION;
     }
-    if ((bits != type->bits[0] && bits != type->bits[1]) ||
+    if ((bits != type->bits[0] && bits != type->bits[1] && bits != type->bits[2]) ||
         (panel->has_words && (bits != 16 || !panel->bus->begin_words))) {
         return GLINT_ERROR_FORMAT;
     }
@@ -181,6 +181,9 @@ glint_status glint_panel_begin(const glint_panel *panel, int x, int y, int width
     }
     if (!glint_panel_shows(panel, x, y, width, height)) {
         return GLINT_OK;
+    }
+    if (panel->type->family->send_pages) {
+        return panel->type->family->send_pages(panel, x, y, whole, height, pixels, stride);
     }
     status = panel->type->family->window(panel, x, y, x + whole - 1, y + height - 1);
     if (status) {

@@ -46,12 +46,21 @@ typedef struct glint_panel glint_panel;
 typedef struct glint_panel_family {
     /** After the start-up sequence: sets rotation, pixel format and colours, and switches the display on. */
     glint_status (*set_up)(const glint_panel *panel);
-    /** Sets the rectangle of the picture that pixels go to, inclusive; on return the panel expects pixels. */
+    /**
+     * Sets the rectangle of the picture that pixels go to, inclusive; on return the panel expects pixels. Null where
+     * there is `send_pages`.
+     */
     glint_status (*window)(const glint_panel *panel, int left, int top, int right, int bottom);
     /** A sequence that brings a panel without a reset line from any state to one in which it can be started. */
     const uint8_t *recover;
     /** Parameters of a command go with D/C low, as the command itself; otherwise high. */
     int parameters_are_commands;
+    /**
+     * Where a window is no more than a page: starts to send a rectangle, page by page, in place of `window` and the
+     * bus's `begin`. The last page may still be on its way on return. Null elsewhere.
+     */
+    glint_status (*send_pages)(const glint_panel *panel, int x, int y, int width, int height, const uint8_t *pixels,
+                               size_t stride);
 } glint_panel_family;
 
 /* How a glass lies on its controller, and what it shows. */
@@ -70,10 +79,10 @@ typedef struct glint_panel_type {
     const glint_format *format_turned;    /**< The same at 90 and 270 degrees; null where it is no other. */
     const uint8_t *start;                 /**< Start-up sequence, from reset to a panel that set_up may switch on. */
     uint16_t width, height;               /**< Of the glass, pixels, unturned. */
-    uint16_t memory_width, memory_height; /**< Of the controller's memory. */
+    uint16_t memory_width, memory_height; /**< Of the controller's memory; rows, as far as they are driven. */
     uint16_t left, top;                   /**< The memory's first column and row that the glass shows. */
     uint8_t glass;                        /**< GLINT_PANEL_MIRRORED_X and so on. */
-    uint8_t bits[2];                      /**< Sizes of pixels that it takes; 0 for no second one. */
+    uint8_t bits[3];                      /**< Sizes of pixels that it takes; 0 where it takes fewer than three. */
     uint8_t reset_low_ms;                 /**< How long reset is held. */
     uint8_t reset_wait_ms;                /**< From the end of reset to the first command. */
     uint32_t clock_max;                   /**< Highest bus clock, Hz. */

@@ -1,16 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "solomon.h"
 
-enum { DISPLAY_ON = 0xaf, NO_OPERATION = 0xe3 };
+enum { DISPLAY_ON = 0xaf };
 
-/*
- * Where parameters go as commands do, a command that a fault cut short would take what follows for its parameters. None
- * has more than 8.
- */
-static const uint8_t recover[] = {
-    GLINT_PANEL_SEND(8), NO_OPERATION, NO_OPERATION, NO_OPERATION, NO_OPERATION,
-    NO_OPERATION,        NO_OPERATION, NO_OPERATION, NO_OPERATION, GLINT_PANEL_END,
-};
+static const uint8_t recover[] = {GLINT_PANEL_SOLOMON_RECOVER};
 
 static glint_status switch_on(const glint_panel *panel) {
     static const uint8_t on = DISPLAY_ON;
@@ -79,33 +72,3 @@ static glint_status window_colour(const glint_panel *panel, int left, int top, i
 static const uint8_t no_recovery = GLINT_PANEL_END;
 
 const glint_panel_family glint_panel_solomon_colour = {set_up_colour, window_colour, &no_recovery, 0};
-
-/* ---- One bit: columns and pages --------------------------------------------------------------------------------- */
-
-enum { SET_MODE = 0x20, MODE_ACROSS = 0, MODE_DOWN = 1, SET_PAGE_COLUMNS = 0x21, SET_PAGES = 0x22 };
-
-enum { SEGMENTS = 0xa0, SEGMENTS_REVERSED = 0xa1, SCAN = 0xc0, SCAN_REVERSED = 0xc8 };
-
-static glint_status set_up_mono(const glint_panel *panel) {
-    const glint_panel_axes axes = glint_panel_find_axes(panel);
-    uint8_t bytes[4];
-    glint_status status;
-
-    bytes[0] = axes.mirror_x ? SEGMENTS_REVERSED : SEGMENTS;
-    bytes[1] = axes.mirror_y ? SCAN_REVERSED : SCAN;
-    bytes[2] = SET_MODE;
-    bytes[3] = axes.exchanged ? MODE_DOWN : MODE_ACROSS;
-    status = glint_panel_send(panel, bytes, sizeof bytes);
-    return status ? status : switch_on(panel);
-}
-
-/* Turned by a quarter, the 8 pixels of a byte lie along a row of the picture, and columns count its rows. */
-static glint_status window_mono(const glint_panel *panel, int left, int top, int right, int bottom) {
-    const int is_turned = glint_panel_find_axes(panel).exchanged;
-    const glint_status status = send_range(panel, SET_PAGE_COLUMNS, is_turned ? top : left, is_turned ? bottom : right);
-
-    return status ? status
-                  : send_range(panel, SET_PAGES, (is_turned ? left : top) / 8, (is_turned ? right : bottom) / 8);
-}
-
-const glint_panel_family glint_panel_solomon_mono = {set_up_mono, window_mono, recover, 1};

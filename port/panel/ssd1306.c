@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "ssd1306.h"
 
-#include "solomon.h"
+#include "pages.h"
 
 /*
  * Pages and the order of bits: SSD1306 Rev 1.5 (Aug 2010), section 8.7. Clock: 10 MHz by the data of a module (EA
@@ -25,7 +25,7 @@ static const uint8_t start[] = {
 };
 
 const glint_panel_type glint_panel_ssd1306 = {
-    .family = &glint_panel_solomon_mono,
+    .family = &glint_panel_pages_window,
     .format = &glint_format_mono_pages_dithered,
     .format_turned = &glint_format_mono_dithered,
     .start = start,

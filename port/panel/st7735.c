@@ -11,12 +11,12 @@
  */
 static const uint8_t start[] = {GLINT_PANEL_DCS_WAKE, GLINT_PANEL_END};
 
-#define MODULE(columns, rows, first_column, first_row, colours)                                                     \
-    {                                                                                                               \
-        .family = &glint_panel_dcs, .format = &glint_format_rgb565_be, .start = start, .width = 128, .height = 160, \
-        .memory_width = (columns), .memory_height = (rows), .left = (first_column), .top = (first_row),             \
-        .glass = GLINT_PANEL_MIRRORED_X | GLINT_PANEL_MIRRORED_Y | (colours), .bits = {16, 12}, .reset_low_ms = 1,  \
-        .reset_wait_ms = GLINT_PANEL_DCS_WAKE_MS, .clock_max = 15000000                                             \
+#define MODULE(columns, rows, first_column, first_row, colours)                                                        \
+    {                                                                                                                  \
+        .family = &glint_panel_dcs, .format = &glint_format_rgb565_be, .start = start, .width = 128, .height = 160,    \
+        .memory_width = (columns), .memory_height = (rows), .left = (first_column), .top = (first_row),                \
+        .glass = GLINT_PANEL_MIRRORED_X | GLINT_PANEL_MIRRORED_Y | (colours), .bits = {16, 12, 24}, .reset_low_ms = 1, \
+        .reset_wait_ms = GLINT_PANEL_DCS_WAKE_MS, .clock_max = 15000000                                                \
     }
 
 const glint_panel_type glint_panel_st7735_green = MODULE(132, 162, 2, 1, GLINT_PANEL_BGR);

@@ -10,12 +10,12 @@
  */
 static const uint8_t start[] = {GLINT_PANEL_DCS_WAKE, GLINT_PANEL_END};
 
-#define GLASS(columns, rows, first_column, first_row)                                                                 \
-    {                                                                                                                 \
-        .family = &glint_panel_dcs, .format = &glint_format_rgb565_be, .start = start, .width = (columns),            \
-        .height = (rows), .memory_width = 240, .memory_height = 320, .left = (first_column), .top = (first_row),      \
-        .glass = GLINT_PANEL_INVERTED, .bits = {16, 12}, .reset_low_ms = 1, .reset_wait_ms = GLINT_PANEL_DCS_WAKE_MS, \
-        .clock_max = 15000000                                                                                         \
+#define GLASS(columns, rows, first_column, first_row)                                                            \
+    {                                                                                                            \
+        .family = &glint_panel_dcs, .format = &glint_format_rgb565_be, .start = start, .width = (columns),       \
+        .height = (rows), .memory_width = 240, .memory_height = 320, .left = (first_column), .top = (first_row), \
+        .glass = GLINT_PANEL_INVERTED, .bits = {16, 12, 24}, .reset_low_ms = 1,                                  \
+        .reset_wait_ms = GLINT_PANEL_DCS_WAKE_MS, .clock_max = 15000000                                          \
     }
 
 const glint_panel_type glint_panel_st7789_240x240 = GLASS(240, 240, 0, 0);

@@ -157,6 +157,20 @@ static void twelve_bits_where_there_are(void) {
     provoke("gc9a01", with, TEST_COUNT(with));
 }
 
+/* On a serial bus, pixels of 18 bits only. */
+static void three_bytes_where_there_is_no_less(void) {
+    static const provocation list[] = {
+        {AWAKE "3a +66 2a +0000013f 2b +000001df 2c +123456", NOTHING},
+        {AWAKE "3a +66 " SMALL "2c +123456123456123456", ONLY(OVERRUN)},
+        {AWAKE "3a +55", ONLY(VALUE)},
+        {AWAKE "3a +33", ONLY(VALUE)},
+        {AWAKE "2a +00000140 2b +00000000 2c", ONLY(WINDOW)},
+        {AWAKE "2b +000001e0 2a +00000000 2c", ONLY(WINDOW)},
+    };
+
+    provoke("ili9488", list, TEST_COUNT(list));
+}
+
 static void own_registers_are_locked(void) {
     static const provocation list[] = {
         {AWAKE "fe ef f0 +450908082629", NOTHING},        {AWAKE "f0 +450908082629", ONLY(LOCKED)},
@@ -178,6 +192,10 @@ static void clocks_have_a_limit(void) {
         {"ssd0323", "m1 k4000 e3", "m1 k4001 e3"},
         {"ssd1306", "m1 k10000 e3", "m1 k10001 e3"},
         {"ssd1351", "m1 k4500 e3", "m1 k4600 e3"},
+        {"ili9488", "k15000 " AWAKE "29", "k15200 " AWAKE "29"},
+        {"sh1106", "m1 k4000 e3", "m1 k4001 e3"},
+        {"ssd0303", "m1 k4000 e3", "m1 k4001 e3"},
+        {"st7567", "m1 k4000 e3", "m1 k4001 e3"},
     };
 
     for (unsigned i = 0; i < TEST_COUNT(list); i++) {
@@ -234,6 +252,50 @@ static void ssd1306(void) {
     };
 
     provoke("ssd1306", list, TEST_COUNT(list));
+}
+
+/* What all of them do that are addressed page by page. */
+static void pages(void) {
+    static const char *const modules[] = {"sh1106", "ssd0303", "st7567"};
+    static const provocation list[] = {
+        {"m1 ae b0 02 10 +0102 40 a1 c8 a5 a4 a7 a6 e3", NOTHING},
+        {"m1 b7 03 18 +01", NOTHING},
+        {"m1 b7 03 18 +0102", ONLY(OVERRUN)},
+        {"m1 b7 04 18 +01", ONLY(WINDOW)},
+        {"m1 b9", ONLY(COMMAND)},
+        {"m1 99", ONLY(COMMAND)},
+        {"m1 81", ONLY(PARAMETERS)},
+        {"m1 81 +00", ONLY(PARAMETERS)},
+        {"ae", ONLY(DELAY)},
+        {"r9 m1 ae", ONLY(RESET)},
+        {"r10 m1 ae", NOTHING},
+        {"r10 ae", ONLY(DELAY)},
+        {"R ae", ONLY(RESET)},
+    };
+    static const provocation leds[] = {
+        {"m1 b8", ONLY(COMMAND)}, {"m1 28", ONLY(COMMAND)}, {"m1 a80e", ONLY(VALUE)},
+        {"m1 d340", ONLY(VALUE)}, {"m1 ad00", ONLY(VALUE)},
+    };
+    static const provocation oled[] = {{"m1 a80f af", ONLY(WIRING)},
+                                       {"m1 32 ad8b af", NOTHING},
+                                       {"m1 ad8a af", ONLY(DISPLAY)},
+                                       {"m1 da02 af", ONLY(WIRING)}};
+    static const provocation strip[] = {{"m1 a80f ad8b af", NOTHING},
+                                        {"m1 32", ONLY(COMMAND)},
+                                        {"m1 a83f af", ONLY(WIRING)},
+                                        {"m1 a80f ad8a af", ONLY(DISPLAY)}};
+    static const provocation lcd[] = {{"m1 b8 2f af", NOTHING},    {"m1 af", ONLY(DISPLAY)},
+                                      {"m1 2e af", ONLY(DISPLAY)}, {"m1 2f e2 af", ONLY(DISPLAY)},
+                                      {"m1 8140", ONLY(VALUE)},    {"m1 f802", ONLY(VALUE)}};
+
+    for (unsigned i = 0; i < TEST_COUNT(modules); i++) {
+        provoke(modules[i], list, TEST_COUNT(list));
+    }
+    provoke("sh1106", leds, TEST_COUNT(leds));
+    provoke("ssd0303", leds, TEST_COUNT(leds));
+    provoke("sh1106", oled, TEST_COUNT(oled));
+    provoke("ssd0303", strip, TEST_COUNT(strip));
+    provoke("st7567", lcd, TEST_COUNT(lcd));
 }
 
 static void ssd0323(void) {
@@ -348,6 +410,17 @@ static void colours_and_inversion(void) {
     CHECK_EQUAL(corner("ssd1306", "m1 8d14 2000 a1 c8 21007f 220007 +fe af a7"), 0xffffff);
     CHECK_EQUAL(corner("ssd1306", "m1 8d14 2000 a1 c8 41 21007f 220007 +02 af"), 0xffffff);
     CHECK_EQUAL(corner("ssd0323", "m1 a052 a24c a83f ad03 15003f 75004f +f0 af"), 0xffffff);
+    CHECK_EQUAL(corner("sh1106", "m1 a1 c8 b0 02 10 +01 af"), 0xffffff);
+    CHECK_EQUAL(corner("sh1106", "m1 a1 c8 b0 02 10 +fe af"), 0);
+    CHECK_EQUAL(corner("sh1106", "m1 a0 c8 b0 01 18 +01 af"), 0xffffff);
+    CHECK_EQUAL(corner("sh1106", "m1 a1 c0 b7 02 10 +80 af"), 0xffffff);
+    CHECK_EQUAL(corner("sh1106", "m1 a1 c8 41 b0 02 10 +02 af"), 0xffffff);
+    CHECK_EQUAL(corner("ssd0303", "m1 a80f a1 c8 b0 04 12 +01 af"), 0xffffff);
+    CHECK_EQUAL(corner("ssd0303", "m1 a80f a0 c0 b1 0f 15 +80 af"), 0xffffff);
+    CHECK_EQUAL(corner("st7567", "m1 2f a0 c8 b0 00 10 +01 af"), 0);
+    CHECK_EQUAL(corner("st7567", "m1 2f a0 c8 b0 00 10 +fe af"), 0xffffff);
+    CHECK_EQUAL(corner("st7567", "m1 2f a0 c8 b0 00 10 +01 a7 af"), 0xffffff);
+    CHECK_EQUAL(corner("ili9488", AWAKE "36 +48 3a +66 2a +0000013f 2b +00000000 2c +fc0000 29"), 0xff0000);
     CHECK_EQUAL(corner("ssd0323", "m1 a052 a24c a83f ad03 15003f 75004f +5f af"), 0x555555);
     CHECK_EQUAL(corner("gc9a01", AWAKE "21 " WRITE_RED), 0); /* a round glass has no corner */
 }
@@ -377,10 +450,12 @@ int test_main(test_writer write) {
         TEST_CASE(display_command_set),
         TEST_CASE(memories_end_where_they_end),
         TEST_CASE(twelve_bits_where_there_are),
+        TEST_CASE(three_bytes_where_there_is_no_less),
         TEST_CASE(own_registers_are_locked),
         TEST_CASE(clocks_have_a_limit),
         TEST_CASE(bytes_take_time),
         TEST_CASE(ssd1306),
+        TEST_CASE(pages),
         TEST_CASE(ssd0323),
         TEST_CASE(ssd1351),
         TEST_CASE(dark_unless_it_is_on),

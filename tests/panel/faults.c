@@ -70,7 +70,7 @@ static int draw(const glint_panel *driver, int has_wait) {
 
 /* What the glass of a panel shows after a frame on a bus without fault; kept until another panel is asked for. */
 static const uint8_t *sound_picture(const tested_panel *panel) {
-    static uint8_t kept[240 * 320 * 3];
+    static uint8_t kept[320 * 480 * 3];
     static const tested_panel *kept_of;
     wire line;
     const glint_panel driver = {panel->type, &line.bus};
@@ -244,7 +244,8 @@ static void half_a_command_is_ended(void) {
         const char *module;
         uint8_t command;
         unsigned complaints;
-    } list[] = {{"ssd0323", 0xb8, 0}, {"ssd1306", 0x21, 1}};
+    } list[] = {
+        {"ssd0323", 0xb8, 0}, {"ssd1306", 0x21, 1}, {"ssd0303", 0x91, 0}, {"sh1106", 0x81, 0}, {"st7567", 0xf8, 1}};
 
     for (unsigned i = 0; i < tested_panel_count; i++) {
         for (unsigned j = 0; j < TEST_COUNT(list); j++) {

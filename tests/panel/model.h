@@ -95,7 +95,9 @@ uint8_t model_level(unsigned level, unsigned top);
 /** Steps `at` through its range. @return 1 when it has begun again. */
 int model_step(int *at, int first, int last);
 
-extern const model_controller model_ili9341, model_st7789, model_st7735, model_st7735_large, model_gc9a01;
+extern const model_controller model_ili9341, model_ili9488, model_st7789, model_st7735, model_st7735_large,
+    model_gc9a01;
 extern const model_controller model_ssd0323, model_ssd1306, model_ssd1351;
+extern const model_controller model_sh1106, model_ssd0303, model_st7567;
 
 #endif

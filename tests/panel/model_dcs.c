@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Controllers that speak the MIPI display command set: ILI9341, ST7789, ST7735, GC9A01.
+ * Controllers that speak the MIPI display command set: ILI9341, ILI9488, ST7789, ST7735, GC9A01.
  *
  * Read for it: ST7735 V1.7 (2009-12-04), pages 38 (16-bit pixels), 78 (command list), 99 (column window), 103 (memory
  * write) and 109 (memory access); ST7735R V0.2 (2009-08-05), page 54 (12-bit pixels) and 62 (addresses under MV, MX,
- * MY); ILI9341, page 92 of 233 (bits of memory access, pixel formats). Other values, above all times and clocks, were
+ * MY); ILI9341, page 92 of 233 (bits of memory access, pixel formats); ILI9488 V100 (2012-11-28), page 121 (pixels on a
+ * serial bus). Other values, above all times and clocks, were
  * not checked against a data sheet.
  *
  * Memory holds 8 bits a channel, levels expanded exactly, so that pictures compare with what was drawn; the controllers
@@ -247,9 +248,12 @@ static void command(panel_model *model, uint8_t byte) {
     }
 }
 
+/* The ILI9488's pixels of 3 bits, which it takes too, are not modelled. */
 static int has_format(const panel_model *model, unsigned format) {
-    return format == FORMAT_16 || format == FORMAT_18 ||
-           (format == FORMAT_12 && model->module->controller != &model_ili9341);
+    const model_controller *controller = model->module->controller;
+
+    return format == FORMAT_18 || (format == FORMAT_16 && controller != &model_ili9488) ||
+           (format == FORMAT_12 && controller != &model_ili9341 && controller != &model_ili9488);
 }
 
 static void set_registers(panel_model *model) {
@@ -304,6 +308,11 @@ static const model_rule ili9341_rules[] = {
     {0xed, 4, 4}, {0xf2, 1, 1}, {0xf6, 3, 3}, {0xe0, 15, 15}, {0xe1, 15, 15}, {0xf7, 1, 1}, LAST_RULE,
 };
 
+static const model_rule ili9488_rules[] = {
+    {0xb0, 1, 1}, {0xb1, 2, 2}, {0xb4, 1, 1}, {0xb6, 3, 3}, {0xb7, 1, 1},   {0xc0, 2, 2},   {0xc1, 1, 1},
+    {0xc2, 1, 1}, {0xc5, 4, 4}, {0xe9, 1, 1}, {0xf7, 4, 4}, {0xe0, 15, 15}, {0xe1, 15, 15}, LAST_RULE,
+};
+
 static const model_rule st7789_rules[] = {
     {0xb0, 2, 2}, {0xb1, 3, 3}, {0xb2, 5, 5}, {0xb7, 1, 1}, {0xbb, 1, 1},   {0xc0, 1, 1},   {0xc2, 2, 2},
     {0xc3, 1, 1}, {0xc4, 1, 1}, {0xc6, 1, 1}, {0xd0, 2, 2}, {0xe0, 14, 14}, {0xe1, 14, 14}, LAST_RULE,
@@ -338,6 +347,7 @@ static const model_rule gc9a01_rules[] = {
 
 /* Serial write cycles of 100 ns, 66 ns, and 10 ns. */
 const model_controller model_ili9341 = DCS_CONTROLLER(240, 320, 10000000, ili9341_rules);
+const model_controller model_ili9488 = DCS_CONTROLLER(320, 480, 15151515, ili9488_rules);
 const model_controller model_st7789 = DCS_CONTROLLER(240, 320, 15151515, st7789_rules);
 const model_controller model_st7735 = DCS_CONTROLLER(128, 160, 15151515, st7735_rules);
 const model_controller model_st7735_large = DCS_CONTROLLER(132, 162, 15151515, st7735_rules);

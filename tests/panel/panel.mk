@@ -12,7 +12,7 @@ $(PANEL_STREAM): tests/panel/panel_stream.c $(PANEL_MODEL) $(PANEL_HEADERS)
 	$(Q)$(CC) -std=c99 $(WARNINGS) -g $(CFLAGS) -Itests/panel $(filter %.c,$^) -o $@
 
 # The suites; under the sanitisers, for models and drivers count in bytes.
-PANEL_SUITES := pictures complaints faults
+PANEL_SUITES := pictures complaints faults i2c
 PANEL_SHARED := tests/panel/wire.c tests/panel/panels.c $(PANEL_MODEL) $(PANEL_DRIVERS) $(TEST_HARNESS) $(TEST_SCENES)
 $(BUILD)/sanitize/tests/panel/%.o: TEST_INCLUDES += -Itests/panel
 $(foreach suite,$(PANEL_SUITES),\

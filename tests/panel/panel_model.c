@@ -18,6 +18,10 @@ static const model_module modules[] = {
     {"ssd0323", &model_ssd0323, 128, 64, 0, 0},
     {"ssd1306", &model_ssd1306, 128, 64, 0, 0, .mirror_x = 1, .mirror_y = 1},
     {"ssd1351", &model_ssd1351, 128, 128, 0, 0, .mirror_y = 1},
+    {"ili9488", &model_ili9488, 320, 480, 0, 0, .mirror_x = 1, .is_bgr = 1},
+    {"sh1106", &model_sh1106, 128, 64, 2, 0, .mirror_x = 1, .mirror_y = 1},
+    {"ssd0303", &model_ssd0303, 96, 16, 0, 0, .mirror_x = 1, .mirror_y = 1},
+    {"st7567", &model_st7567, 128, 64, 0, 0, .mirror_y = 1, .is_inverted = 1},
 };
 
 enum { MODULE_COUNT = sizeof modules / sizeof modules[0] };

@@ -8,10 +8,17 @@
 typedef struct tested_panel {
     const glint_panel_type *type;
     const char *module;
-    uint8_t bits[2]; /**< Sizes of pixels that the controller takes; 0 for no second one. */
+    uint8_t bits[3]; /**< Sizes of pixels that the controller takes; 0 where it takes fewer than three. */
     int can_turn;
-    unsigned window_bytes; /**< Commands and parameters before the pixels of a rectangle. */
+    unsigned window_bytes; /**< Commands and parameters before the pixels of a rectangle, or of each page of one. */
+    int has_single_pages;  /**< Each page has its own. */
 } tested_panel;
+
+/** Does it take pixels of so many bits? */
+int panels_take(const tested_panel *panel, unsigned bits);
+
+/** The panel of a module. */
+const tested_panel *panels_find(const char *module);
 
 extern const tested_panel tested_panels[];
 extern const unsigned tested_panel_count;

@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE_MAX = 320 };
+enum { SIDE_MAX = 480 };
 
 /* A way to draw to a panel. */
 typedef struct way {
@@ -49,7 +49,7 @@ static void report_complaints(const wire *line, const char *module) {
 
 /* ---- A pattern that tells every pixel from its neighbours, sent as rectangles ----------------------------------- */
 
-/* Level of a channel, of 2^bits. */
+/* Level of a channel, of 2^bits: the same upper bits, however many. */
 static unsigned pattern_level(int x, int y, int channel, unsigned bits) {
     const uint32_t mixed = ((uint32_t)x * 2654435761u) ^ ((uint32_t)y * 40503u * 65537u) ^ ((uint32_t)channel << 20);
 
@@ -62,9 +62,9 @@ static uint8_t expand(unsigned level, unsigned bits) {
     return (uint8_t)((level * 255 + top / 2) / top);
 }
 
-/* Bits of a channel in a pixel of so many bits. */
+/* Bits of a channel that the glass shows of a pixel of so many bits: of 24, the upper 6 of each 8. */
 static unsigned channel_bits(unsigned bits, int channel) {
-    return bits == 16 ? (channel == 1 ? 6 : 5) : bits == 12 ? 4 : bits;
+    return bits == 24 ? 6 : bits == 16 ? (channel == 1 ? 6 : 5) : bits == 12 ? 4 : bits;
 }
 
 static void put_16(uint8_t *row, int column, int x, int y, int has_words) {
@@ -92,7 +92,11 @@ static void fill(const way *to, uint8_t *tile, size_t stride, const int rectangl
         const int x = rectangle[0] + column;
         const int y = rectangle[1] + line;
         uint8_t *row = tile + (size_t)line * stride;
-        if (to->bits == 16) {
+        if (to->bits == 24) {
+            for (int channel = 0; channel < 3; channel++) {
+                row[3 * column + channel] = (uint8_t)pattern_level(x, y, channel, 8);
+            }
+        } else if (to->bits == 16) {
             put_16(row, column, x, y, to->driver.has_words);
         } else if (to->bits == 12) {
             for (int channel = 0; channel < 3; channel++) {
@@ -159,7 +163,8 @@ static void send_pattern(const way *to, int width, int height) {
 
 /* Sets up one way. `line` carries it. */
 static way choose(const tested_panel *panel, wire *line, unsigned rotation, unsigned bits, int has_words) {
-    static const glint_format *const of_bits[17] = {[12] = &glint_format_rgb444, [16] = &glint_format_rgb565_be};
+    static const glint_format *const of_bits[25] = {
+        [12] = &glint_format_rgb444, [16] = &glint_format_rgb565_be, [24] = &glint_format_rgb888};
     way to = {panel, {panel->type, &line->bus, (glint_panel_rotation)rotation, NULL, has_words}, bits};
 
     to.driver.format = has_words ? &glint_format_rgb565 : of_bits[bits];
@@ -168,7 +173,7 @@ static way choose(const tested_panel *panel, wire *line, unsigned rotation, unsi
 
 static void check_pattern(const tested_panel *panel, unsigned rotation, unsigned bits, int has_words) {
     /* sizes that divide no side; whole bytes all the same, but for the last column */
-    static const int sizes[][2] = {{SIDE_MAX, SIDE_MAX}, {24, 40}, {8, 8}, {64, 16}};
+    static const int sizes[][2] = {{SIDE_MAX, SIDE_MAX}, {24, 40}, {8, 8}, {64, 16}, {16, 64}};
     wire line;
     way to;
 
@@ -187,12 +192,12 @@ static void check_pattern(const tested_panel *panel, unsigned rotation, unsigned
 /* The number of ways tried is printed, and must be what the table of panels comes to. */
 static void patterns_arrive(void) {
     unsigned ways = 0;
-    char text[100];
+    char text[120];
 
     for (unsigned i = 0; i < tested_panel_count; i++) {
         const tested_panel *panel = &tested_panels[i];
         for (int rotation = 0; rotation < turns(panel); rotation++) {
-            for (int kind = 0; kind < 2 && panel->bits[kind]; kind++, ways++) {
+            for (int kind = 0; kind < 3 && panel->bits[kind]; kind++, ways++) {
                 check_pattern(panel, (unsigned)rotation, panel->bits[kind], 0);
             }
             if (panel->bits[0] == 16) {
@@ -203,19 +208,22 @@ static void patterns_arrive(void) {
     }
     snprintf(text, sizeof text, "panels %u, with each rotation and format %u\n", tested_panel_count, ways);
     test_write(text);
-    CHECK_EQUAL(ways, 7 * 4 * 3 + 2 * 4 * 2 + 4 + 1);
+    /* 7 take 12, 16 and 24 bits, and words; ILI9341 16 and 24, and words; SSD1351 16, and words; five have one way */
+    CHECK_EQUAL(ways, 4 * (7 * 4 + 3 + 2 + 5) + 1);
 }
 
 /* ---- What the library draws ------------------------------------------------------------------------------------- */
 
 static picture plain; /* the picture that `wanted_plain` looks into */
 
+/* Of 8 bits a panel takes the upper 6. */
 static void wanted_plain(const way *to, int x, int y, uint8_t rgb[3]) {
     (void)to;
     for (int channel = 0; channel < 3; channel++) {
         const int of = picture_channels(plain.format) == 1 ? 0 : channel;
         const int top = picture_level_max(plain.format, of);
-        rgb[channel] = (uint8_t)((picture_level(&plain, x, y, of) * 255 + top / 2) / top);
+        const int level = picture_level(&plain, x, y, of);
+        rgb[channel] = top == 255 ? expand((unsigned)level >> 2, 6) : (uint8_t)((level * 255 + top / 2) / top);
     }
 }
 
@@ -227,12 +235,13 @@ static const glint_scene *example(void) {
     return &scene.scene;
 }
 
-static glint_status draw(const glint_panel *driver, uint16_t tile, void *arena, size_t size) {
+static glint_status draw(const glint_panel *driver, const uint16_t tile[2], void *arena, size_t size) {
     glint_renderer renderer;
     glint_config config = {.width = glint_panel_width(driver), .height = glint_panel_height(driver)};
     glint_status status;
 
-    config.tile_width = config.tile_height = tile;
+    config.tile_width = tile[0];
+    config.tile_height = tile[1];
     config.format = glint_panel_format(driver);
     config.flush = glint_panel_flush(driver);
     config.arena = arena;
@@ -248,7 +257,8 @@ static const glint_format *judged_format(const glint_format *format) {
                                                          : format;
 }
 
-static void check_drawing(const tested_panel *panel, unsigned rotation, const glint_format *format, uint16_t tile) {
+static void check_drawing(const tested_panel *panel, unsigned rotation, const glint_format *format,
+                          const uint16_t tile[2]) {
     const size_t size = 1 << 20;
     void *arena = allocate(size);
     wire line;
@@ -269,21 +279,24 @@ static void check_drawing(const tested_panel *panel, unsigned rotation, const gl
     free(arena);
 }
 
+static const uint16_t tiles[][2] = {{8, 8}, {16, 16}, {32, 32}, {64, 64}, {64, 8}, {8, 64}, {32, 16}};
+
+enum { SQUARE = 2 };
+
 /* Bytes leave at random times, while the next tile is drawn and after. */
 static void drawings_arrive(void) {
-    static const glint_format *const coloured[] = {
-        &glint_format_rgb565,          &glint_format_rgb565_be,          &glint_format_rgb444,
-        &glint_format_rgb565_dithered, &glint_format_rgb565_be_dithered, &glint_format_rgb444_dithered};
-    static const uint16_t tiles[] = {8, 16, 32, 64};
+    static const glint_format *const coloured[] = {&glint_format_rgb565,          &glint_format_rgb565_be,
+                                                   &glint_format_rgb444,          &glint_format_rgb888,
+                                                   &glint_format_rgb565_dithered, &glint_format_rgb565_be_dithered,
+                                                   &glint_format_rgb444_dithered, &glint_format_rgb888_dithered};
 
     for (unsigned i = 0; i < tested_panel_count; i++) {
         const tested_panel *panel = &tested_panels[i];
-        for (int rotation = 0; rotation < turns(panel); rotation++) {
-            const unsigned count = panel->bits[0] == 16 ? TEST_COUNT(coloured) : 0;
-            check_drawing(panel, (unsigned)rotation, NULL, tiles[(i + (unsigned)rotation) % 4]);
-            for (unsigned kind = 0; kind < count; kind++) {
-                if (panel->bits[1] == 12 || glint_row_bytes(coloured[kind], 8) == 16) {
-                    check_drawing(panel, (unsigned)rotation, coloured[kind], tiles[(i + kind) % 4]);
+        for (unsigned rotation = 0; rotation < (unsigned)turns(panel); rotation++) {
+            check_drawing(panel, rotation, NULL, tiles[(i + rotation) % TEST_COUNT(tiles)]);
+            for (unsigned kind = 0; kind < TEST_COUNT(coloured); kind++) {
+                if (panels_take(panel, (unsigned)glint_row_bytes(coloured[kind], 8)) && panel->bits[0] >= 16) {
+                    check_drawing(panel, rotation, coloured[kind], tiles[(i + kind + rotation) % TEST_COUNT(tiles)]);
                 }
             }
         }
@@ -291,22 +304,28 @@ static void drawings_arrive(void) {
 }
 
 static void one_bit_undithered_arrives(void) {
-    const tested_panel *panel = &tested_panels[9];
-
-    for (unsigned rotation = 0; rotation < 4; rotation++) {
-        check_drawing(panel, rotation, rotation % 2 ? &glint_format_mono : &glint_format_mono_pages, 32);
+    for (unsigned i = 0; i < tested_panel_count; i++) {
+        for (unsigned rotation = 0; rotation < 4 && tested_panels[i].bits[0] == 1; rotation++) {
+            for (unsigned tile = 0; tile < TEST_COUNT(tiles); tile++) {
+                check_drawing(&tested_panels[i], rotation, rotation % 2 ? &glint_format_mono : &glint_format_mono_pages,
+                              tiles[tile]);
+            }
+        }
     }
 }
 
 /* ---- Bytes ------------------------------------------------------------------------------------------------------ */
 
-/* Bytes of the pixels of a frame, in tiles of 32x32: rows of whole bytes, and round glasses without their corners. */
-static unsigned pixel_bytes(const way *to, unsigned *tiles) {
+/*
+ * Bytes of the pixels of a frame, in tiles of 32x32: rows of whole bytes, and round glasses without their corners; and
+ * windows, one a tile or a page.
+ */
+static unsigned pixel_bytes(const way *to, unsigned *windows) {
     const int width = glint_panel_width(&to->driver);
     const int height = glint_panel_height(&to->driver);
     unsigned bytes = 0;
 
-    *tiles = 0;
+    *windows = 0;
     for (int y = 0; y < height; y += 32) {
         for (int x = 0; x < width; x += 32) {
             const int across = smaller(32, width - x);
@@ -316,7 +335,9 @@ static unsigned pixel_bytes(const way *to, unsigned *tiles) {
                 seen |= panels_is_seen(to->panel, x + i % across, y + i / across);
             }
             if (seen) {
-                ++*tiles;
+                *windows += !to->panel->has_single_pages ? 1
+                            : to->driver.rotation % 2    ? (unsigned)across / 8
+                                                         : (unsigned)down / 8;
                 bytes += to->bits == 12 ? (unsigned)(down * ((across + 1) / 2 * 3))
                                         : (unsigned)(down * across) * to->bits / 8;
             }
@@ -330,20 +351,21 @@ static void check_bytes(const tested_panel *panel, unsigned rotation, unsigned b
     wire line;
     way to;
     uint64_t before;
-    unsigned tiles, pixels;
-    char text[100];
+    unsigned windows, pixels;
+    char text[120];
 
     wire_open(&line, panel->module, panel->type->clock_max, 1);
     to = choose(panel, &line, rotation, bits, 0);
     CHECK_EQUAL(glint_panel_start(&to.driver), GLINT_OK);
     before = panel_model_bytes(line.model);
-    CHECK_EQUAL(draw(&to.driver, 32, arena, sizeof arena), GLINT_OK);
-    pixels = pixel_bytes(&to, &tiles);
+    CHECK_EQUAL(draw(&to.driver, tiles[SQUARE], arena, sizeof arena), GLINT_OK);
+    pixels = pixel_bytes(&to, &windows);
     CHECK_EQUAL(line.streamed, pixels);
-    CHECK_EQUAL(panel_model_bytes(line.model) - before, tiles * panel->window_bytes + pixels);
+    CHECK_EQUAL(panel_model_bytes(line.model) - before, windows * panel->window_bytes + pixels);
     if (rotation == 0) {
-        snprintf(text, sizeof text, "%-15s %2u bits: %3u tiles of 32x32, %6u bytes a frame, of these %4u not pixels\n",
-                 panel->module, bits, tiles, tiles * panel->window_bytes + pixels, tiles * panel->window_bytes);
+        snprintf(text, sizeof text,
+                 "%-15s %2u bits: %3u windows in tiles of 32x32, %6u bytes a frame, of these %4u not pixels\n",
+                 panel->module, bits, windows, windows * panel->window_bytes + pixels, windows * panel->window_bytes);
         test_write(text);
     }
     wire_close(&line);
@@ -352,7 +374,7 @@ static void check_bytes(const tested_panel *panel, unsigned rotation, unsigned b
 static void no_byte_too_many(void) {
     for (unsigned i = 0; i < tested_panel_count; i++) {
         for (int rotation = 0; rotation < turns(&tested_panels[i]); rotation++) {
-            for (int kind = 0; kind < 2 && tested_panels[i].bits[kind]; kind++) {
+            for (int kind = 0; kind < 3 && tested_panels[i].bits[kind]; kind++) {
                 check_bytes(&tested_panels[i], (unsigned)rotation, tested_panels[i].bits[kind]);
             }
         }
@@ -380,17 +402,33 @@ static int start_status(const tested_panel *panel, unsigned rotation, const glin
 static void what_a_panel_cannot_is_refused(void) {
     for (unsigned i = 0; i < tested_panel_count; i++) {
         const tested_panel *panel = &tested_panels[i];
-        const int has_16 = panel->bits[0] == 16;
-        const int has_12 = panel->bits[1] == 12;
+        const int has_16 = panels_take(panel, 16);
+        const int has_12 = panels_take(panel, 12);
+        const int has_24 = panels_take(panel, 24);
         for (unsigned rotation = 1; rotation < 4; rotation++) {
             CHECK_EQUAL(start_status(panel, rotation, NULL, 0, 1), panel->can_turn ? 0 : GLINT_ERROR_ROTATION);
         }
         CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb565_be, 0, 1), has_16 ? 0 : GLINT_ERROR_FORMAT);
         CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb444, 0, 1), has_12 ? 0 : GLINT_ERROR_FORMAT);
-        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb888, 0, 1), GLINT_ERROR_FORMAT);
+        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb888, 0, 1), has_24 ? 0 : GLINT_ERROR_FORMAT);
+        CHECK_EQUAL(start_status(panel, 0, &glint_format_grey8, 0, 1), GLINT_ERROR_FORMAT);
         CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb565, 1, 1), has_16 ? 0 : GLINT_ERROR_FORMAT);
         CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb565, 1, 0), GLINT_ERROR_FORMAT);
     }
+}
+
+/* A type that claims pixels its controller has no name for, as a panel of one's own may. */
+static void pixels_without_a_name_are_refused(void) {
+    glint_panel_type type = *panels_find("ili9341")->type;
+    wire line;
+    const glint_panel driver = {&type, &line.bus, GLINT_PANEL_0, &glint_format_grey8, 0};
+
+    type.bits[1] = 8;
+    wire_open(&line, "ili9341", 0, 1);
+    CHECK_EQUAL(glint_panel_start(&driver), GLINT_ERROR_FORMAT);
+    CHECK(!line.is_lit);
+    CHECK_EQUAL(panel_model_all_complaints(line.model), 0);
+    wire_close(&line);
 }
 
 static void windows_off_the_glass_are_refused(void) {
@@ -417,9 +455,9 @@ static void windows_off_the_glass_are_refused(void) {
 static void split_bytes_are_refused(void) {
     static const uint8_t pixels[64];
     wire line;
-    const glint_panel packed = {tested_panels[1].type, &line.bus, GLINT_PANEL_0, &glint_format_rgb444, 0};
-    const glint_panel pages = {tested_panels[9].type, &line.bus, GLINT_PANEL_0, NULL, 0};
-    const glint_panel rows = {tested_panels[9].type, &line.bus, GLINT_PANEL_90, NULL, 0};
+    const glint_panel packed = {panels_find("st7789-240x240")->type, &line.bus, GLINT_PANEL_0, &glint_format_rgb444, 0};
+    const glint_panel pages = {panels_find("ssd1306")->type, &line.bus, GLINT_PANEL_0, NULL, 0};
+    const glint_panel rows = {panels_find("ssd1306")->type, &line.bus, GLINT_PANEL_90, NULL, 0};
 
     wire_open(&line, "st7789-240x240", 0, 1);
     CHECK_EQUAL(glint_panel_begin(&packed, 1, 0, 2, 1, pixels, 3), GLINT_ERROR_REGION);
@@ -439,6 +477,7 @@ int test_main(test_writer write) {
         TEST_CASE(one_bit_undithered_arrives),
         TEST_CASE(no_byte_too_many),
         TEST_CASE(what_a_panel_cannot_is_refused),
+        TEST_CASE(pixels_without_a_name_are_refused),
         TEST_CASE(windows_off_the_glass_are_refused),
         TEST_CASE(split_bytes_are_refused),
     };

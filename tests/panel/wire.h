@@ -41,7 +41,7 @@ typedef struct wire {
 } wire;
 
 /** Polls after which a wait gives up. */
-#define WIRE_PATIENCE 4096u
+#define WIRE_PATIENCE 8192u
 
 /** A sound bus at `hertz` to a new panel, with or without a reset line. Ends the program when there is no such module.
  */
