@@ -5,18 +5,26 @@
 CROSS ?= arm-none-eabi-
 
 # ---- Boards: core flags, sources of the port, linker script, sources of the driver for its panel, bytes of arena that it
-# ---- can spare (ARENA), width and height of its tiles where not the default (TILE), what an ELF file needs before it is whole (FINISH), and the prefix of its compiler's commands
-# ---- where that is not Arm's
+# ---- can spare (ARENA), width and height of its tiles where not the default (TILE; one number for both), what an ELF file
+# ---- needs before it is whole (FINISH), and the prefix of its compiler's commands where that is not Arm's
 
-BOARDS := lm3s6965evb microbit stm32vldiscovery netduinoplus2 mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 mps2-an505 virt pico template
+BOARDS := lm3s6965evb lm3s811evb microbit stm32vldiscovery netduinoplus2 mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 mps2-an505 virt pico template
 
 CORTEX_M := $(wildcard port/cortex-m/*.c) port/semihosting/semihosting.c port/libc/memory.c
 
 lm3s6965evb_CPU     := -mcpu=cortex-m3 -mthumb
-lm3s6965evb_SOURCES := $(CORTEX_M) $(wildcard port/lm3s6965evb/*.c) port/pl022/pl022.c
+lm3s6965evb_SOURCES := $(CORTEX_M) $(wildcard port/lm3s6965evb/*.c) port/lm3s/clock.c port/pl022/pl022.c
 lm3s6965evb_LINKER  := linker/lm3s6965evb.ld
 lm3s6965evb_PANEL   := port/panel/panel.c port/panel/solomon.c port/panel/ssd0323.c
 lm3s6965evb_ARENA   := 49152
+
+# 8 KB of RAM, 64 KB of flash: tiles of one page.
+lm3s811evb_CPU     := -mcpu=cortex-m3 -mthumb
+lm3s811evb_SOURCES := $(CORTEX_M) $(wildcard port/lm3s811evb/*.c) port/lm3s/clock.c
+lm3s811evb_LINKER  := linker/lm3s811evb.ld
+lm3s811evb_PANEL   := port/panel/panel.c port/panel/pages.c port/panel/ssd0303.c port/panel/i2c.c
+lm3s811evb_ARENA   := 5120
+lm3s811evb_TILE    := 32 8
 
 microbit_CPU     := -mcpu=cortex-m0 -mthumb
 microbit_SOURCES := $(CORTEX_M) $(wildcard port/microbit/*.c)
@@ -136,7 +144,7 @@ optimise = $(if $(filter release,$1),$(SIZE_FLAGS),-$1)
 define firmware_objects
 $(BUILD)/$1/$2/%.o: %.c port/boards.mk
 	@mkdir -p $$(@D)
-	$$(Q)$(call cross,$1)gcc $$($1_CPU) $$(FIRMWARE_CFLAGS) $$(call optimise,$2,$$<) $(if $($1_ARENA),-DBOARD_ARENA=$($1_ARENA) -DBOARD_TILE=$(or $($1_TILE),0)) \
+	$$(Q)$(call cross,$1)gcc $$($1_CPU) $$(FIRMWARE_CFLAGS) $$(call optimise,$2,$$<) $(if $($1_ARENA),-DBOARD_ARENA=$($1_ARENA) -DBOARD_TILE_WIDTH=$(or $(firstword $($1_TILE)),0) -DBOARD_TILE_HEIGHT=$(or $(lastword $($1_TILE)),0)) \
 	    $$(if $$(filter port/libc/%,$$<),-fno-tree-loop-distribute-patterns) -c $$< -o $$@
 $(BUILD)/$1/$2/libglint.a: $(LIBRARY:%.c=$(BUILD)/$1/$2/%.o)
 	@rm -f $$@
@@ -163,7 +171,7 @@ $(foreach program,turntable minimal pattern,$(eval $(call firmware_program,lm3s6
 # Example scenes are lit at nodes.
 $(eval $(call firmware_program,lm3s6965evb,release,scenes,-Wl$(comma)--defsym=stack_size=9984))
 # Vertices lit by lights that have positions take the deepest stack.
-UNIT_BOARDS := lm3s6965evb microbit netduinoplus2 mps2-an385 mps2-an386 mps2-an500 mps2-an505 virt
+UNIT_BOARDS := lm3s6965evb lm3s811evb microbit netduinoplus2 mps2-an385 mps2-an386 mps2-an500 mps2-an505 virt
 $(foreach board,$(UNIT_BOARDS),\
     $(eval $(call firmware_program,$(board),release,unit,-Wl$(comma)--defsym=stack_size=3616)))
 $(eval $(call firmware_program,template,release,minimal))
@@ -181,7 +189,8 @@ $(foreach board,$(COLOUR_BOARDS),\
 $(eval $(call firmware_program,mps2-an385,O2,compose))
 $(foreach board,$(FAULT_BOARDS),$(eval $(call firmware_program,$(board),release,faults-$(board))))
 $(eval $(call firmware_program,pico,release,unit-pico,-Wl$(comma)--defsym=stack_size=3712))
-$(eval $(call firmware_program,stm32vldiscovery,release,unit-8k))
+UNIT_8K_BOARDS := lm3s811evb stm32vldiscovery
+$(foreach board,$(UNIT_8K_BOARDS),$(eval $(call firmware_program,$(board),release,unit-8k)))
 
 # What programmers and boot loaders take.
 $(BUILD)/%.hex: $(BUILD)/%.elf

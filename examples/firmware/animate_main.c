@@ -7,8 +7,8 @@
 #include "board.h"
 #include "text.h"
 
-/* BOARD_ARENA, bytes, is what the board can spare, BOARD_TILE its tiles' size (port/boards.mk). What does not fit costs
- * more passes. */
+/* BOARD_ARENA, bytes, is what the board can spare, BOARD_TILE_WIDTH and BOARD_TILE_HEIGHT are its tiles'
+ * (port/boards.mk). What does not fit costs more passes. */
 static uint32_t arena[BOARD_ARENA / sizeof(uint32_t)];
 static example_stage stage;
 
@@ -46,8 +46,8 @@ int main(void) {
     }
     const glint_config config = {.width = display.width,
                                  .height = display.height,
-                                 .tile_width = BOARD_TILE,
-                                 .tile_height = BOARD_TILE,
+                                 .tile_width = BOARD_TILE_WIDTH,
+                                 .tile_height = BOARD_TILE_HEIGHT,
                                  .format = display.format,
                                  .flush = display.flush,
                                  .arena = arena,

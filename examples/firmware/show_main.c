@@ -10,8 +10,8 @@
 /** Frames of each model. */
 #define FRAMES 2
 
-/* BOARD_ARENA, bytes, is what the board can spare, BOARD_TILE its tiles' size (port/boards.mk). What does not fit costs
- * more passes. */
+/* BOARD_ARENA, bytes, is what the board can spare, BOARD_TILE_WIDTH and BOARD_TILE_HEIGHT are its tiles'
+ * (port/boards.mk). What does not fit costs more passes. */
 static uint32_t arena[BOARD_ARENA / sizeof(uint32_t)];
 
 static void report(const char *what, uint32_t number) {
@@ -47,8 +47,8 @@ int main(void) {
     }
     const glint_config config = {.width = display.width,
                                  .height = display.height,
-                                 .tile_width = BOARD_TILE,
-                                 .tile_height = BOARD_TILE,
+                                 .tile_width = BOARD_TILE_WIDTH,
+                                 .tile_height = BOARD_TILE_HEIGHT,
                                  .format = display.format,
                                  .flush = display.flush,
                                  .arena = arena,

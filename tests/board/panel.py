@@ -20,21 +20,21 @@ WIDTH, HEIGHT, MAGNIFIED, STEP = 128, 64, 4, 17
 TURNTABLE_FRAMES, SCENE_FRAMES = 20, 43
 
 
-def glass(path):
-    """What the panel shows, a level from 0 to 15 for each pixel, from a screendump."""
+def glass(path, across=WIDTH, down=HEIGHT, step=STEP):
+    """What the panel shows, a level for each pixel, a step of the screen's from one to the next, from a screendump."""
     width, height, channels, data = read_netpbm(path)
-    if (width, height) != (WIDTH * MAGNIFIED, HEIGHT * MAGNIFIED):
+    if (width, height) != (across * MAGNIFIED, down * MAGNIFIED):
         raise Died("the screen is %dx%d" % (width, height))
     pixels = []
-    for y in range(HEIGHT):
-        for x in range(WIDTH):
+    for y in range(down):
+        for x in range(across):
             block = set()
             for row in range(y * MAGNIFIED, (y + 1) * MAGNIFIED):
                 at = (row * width + x * MAGNIFIED) * channels
                 block.update(data[at:at + MAGNIFIED * channels])
-            if len(block) != 1 or min(block) % STEP:
-                raise Died("pixel %d,%d is not one of 16 greys" % (x, y))
-            pixels.append(block.pop() // STEP)
+            if len(block) != 1 or min(block) % step:
+                raise Died("pixel %d,%d is not one grey, a multiple of %d" % (x, y, step))
+            pixels.append(block.pop() // step)
     return pixels
 
 
