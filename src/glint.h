@@ -468,6 +468,9 @@ typedef struct glint_tile {
      * Of a background it tells nothing. */
     const uint16_t *depth;
     size_t depth_stride; /**< Numbers from row to row. */
+    /* what glint_lines_draw reads */
+    const struct glint_frame *frame;
+    const struct glint_workspace *workspace;
 } glint_tile;
 
 /**
@@ -715,6 +718,70 @@ typedef struct glint_hit {
  * screen, or an error of the scene
  */
 int glint_pick(glint_renderer *renderer, const glint_scene *scene, int x, int y, glint_hit *hit);
+
+/* ---- Lines ---- */
+/*
+ * Straight lines in space: edges, axes, boxes. Each is one pixel wide and of one colour, which no light changes, and is
+ * hidden by what lies in front of it. They are placed on the screen before a frame, and drawn by its overlay:
+ *
+ *     glint_lines_place(segments, &config, &scene.camera, &pose, lines, count);      // and then glint_render
+ *     int paint(void *context, const glint_tile *tile) { return glint_lines_draw(tile, segments, count); }
+ *
+ * A line ends where it passes the near plane or lies 1023 pixels from the screen's centre in x or y. Its ends are then
+ * rounded to 1/16 of a pixel. Is it at least as wide as it is high, then it has one pixel in each column, from that of
+ * its left end to that of its right end, both included: the pixel that holds the point where the line passes the middle
+ * of the column or, where it ends before, its end. A steeper line has one pixel in each row, likewise. A point between
+ * two pixels belongs to the right or the lower one. The same pixels come from both directions, and for every tile,
+ * arena and region.
+ *
+ * A pixel's depth is that of this point, linear between the ends as that of a triangle is, and is tested and kept as a
+ * triangle's: what is drawn later lies in front where it is nearer. A line counts as nearer to the eye than it is, by
+ * the width of two pixels there: so it shows on a surface that it lies on, unless that leans by more than 75 degrees.
+ * Lines do not count where the depth's scale is found: beside those in front of all objects none is nearer than
+ * another, and where there are no objects, only the order counts.
+ */
+
+/** A line. Owned by the caller. */
+typedef struct glint_line {
+    glint_vector from, to; /**< Before the pose. */
+    glint_colour colour;   /**< Each channel from 0 to GLINT_COLOUR_MAX. */
+} glint_line;
+
+/** What a line is on the screen. Owned by the caller; written by glint_lines_place only. */
+typedef struct glint_segment {
+    int16_t x[2], y[2];    /* its ends, 28.4 */
+    uint32_t inverse_w[2]; /* there: 1/w, w in Q28, is this over 2^exponent */
+    uint8_t exponent[2];
+    const glint_colour *colour; /* null where nothing of it shows */
+} glint_segment;
+
+/**
+ * Places lines on the screen of a configuration, of which width and height are looked at. Ends are first taken to the
+ * world, each coordinate rounded to nearest and saturated as glint_pose_apply does, and are then off by at most 1/64 of
+ * a pixel, on and around the screen, before they are rounded.
+ * @param segments `count` of them; like the lines, whose colours they point to, they stay until the frame is drawn
+ * @return GLINT_ERROR_NULL, _SIZE, _CAMERA or _COLOUR: then segments are as they were
+ */
+glint_status glint_lines_place(glint_segment *segments, const glint_config *config, const glint_camera *camera,
+                               const glint_pose *pose, const glint_line *lines, uint32_t count);
+
+/**
+ * Draws lines on a finished tile, for an overlay. Calls follow each other: what was drawn before hides what is drawn
+ * behind it. Tiles of one frame may be drawn by several callers at once.
+ * @return 0, or GLINT_ERROR_NULL where there is no tile, or not one that a frame has handed out
+ */
+int glint_lines_draw(const glint_tile *tile, const glint_segment *segments, uint32_t count);
+
+/** Sets the twelve edges of a box between two opposite corners. */
+void glint_lines_box(glint_line lines[12], glint_vector from, glint_vector to, glint_colour colour);
+
+/**
+ * Sets lines to the edges of a mesh, in object space, rounded to nearest and saturated; an edge of two triangles that
+ * name the same two vertices once. For meshes of a few hundred triangles: its time grows with their square.
+ * @param room how many fit in `lines`, which may be null where it is 0
+ * @return how many edges there are; those beyond `room` are left out
+ */
+uint32_t glint_lines_edges(glint_line *lines, uint32_t room, const glint_mesh *mesh, glint_colour colour);
 
 /* ---- Only what changed ---- */
 /*

@@ -45,7 +45,7 @@ tidy() {
         'tools/chart/*_board.c' || status=1
     tidy_files "-Isrc -Iport/host -Iexamples -Iexamples/bench" 'tools/bench/scenes.c' || status=1
     tidy_files "" 'tools/cycles/*.c' || status=1
-    tidy_files "-Isrc -Iport/host -Iexamples -Itools/bench -I$bench" 'tools/cost/*.c' 'tools/pages/*.c' 'examples/compose/*.c' || status=1
+    tidy_files "-Isrc -Iport/host -Iexamples -Itools/bench -I$bench" 'tools/cost/*.c' 'tools/pages/*.c' 'examples/compose/*.c' 'examples/lines/*.c' || status=1
     tidy_files "-Isrc -Iexamples -Itests $(adapters) -D_GNU_SOURCE" 'examples/adapters/*.c' 'tests/adapters/*.c' || status=1
     standard=c++11 tidy_files "-Isrc -Iexamples -Itests $(adapters)" 'examples/adapters/*.cpp' 'tests/adapters/*.cpp' || status=1
     tidy_files "-Isrc -Iport -Iport/libc $(arm_fpu)" 'tests/cycles/*.c' || status=1

@@ -62,6 +62,8 @@ void glint_tile_find(const glint_frame *frame, const glint_workspace *workspace,
         (uint8_t *)workspace->pixels + down * to->stride + (format->edge[1] ? across : across * format->bits / 8);
     to->depth_stride = frame->config.tile_width;
     to->depth = workspace->depth + down * to->depth_stride + across;
+    to->frame = frame;
+    to->workspace = workspace;
 }
 
 void glint_tile_rectangle(const glint_frame *frame, uint32_t tile, int *x, int *y, int *width, int *height) {

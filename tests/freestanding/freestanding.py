@@ -144,6 +144,23 @@ def check_library(tally, cross, directory):
     print("  %s: needs %s" % (directory, " ".join(outside) or "nothing"))
 
 
+# What firmware that names none of it is to be without, and what names it.
+OPTIONAL = (("glint_lines_draw", "walk_along"), ("glint_lines_place", "clip_line"))
+
+
+def check_linked(tally, cross, directory):
+    """What only some programs name is in those alone, as a linker that collects sections leaves it."""
+    objects = sorted(glob.glob(directory + "/src/*/*.o"))
+    for name, inside in OPTIONAL:
+        for is_named in (False, True):
+            output = directory + "/linked.out"
+            run(cross + "ld", "--gc-sections", "--unresolved-symbols=ignore-all", "-e", "glint_render",
+                *(["-u", name] if is_named else []), "-o", output, *objects)
+            found = set(re.findall(r" (\w+)$", run(cross + "nm", output), re.MULTILINE))
+            there = [symbol for symbol in (name, inside) if symbol in found]
+            tally.check(bool(there) == is_named, "%s: %s linked, %snamed" % (directory, there, "" if is_named else "not "))
+
+
 def check_int(tally):
     """What numeric.h says where int has 16 bits, and that it compiles where int has 32."""
     for target, fits in (("msp430-elf", False), ("arm-none-eabi", True)):
@@ -183,6 +200,7 @@ def main():
     for directory in arguments.directories:
         check_planted(tally, arguments.cross, directory)
         check_library(tally, arguments.cross, directory)
+        check_linked(tally, arguments.cross, directory)
     return tally.close()
 
 

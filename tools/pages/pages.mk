@@ -2,7 +2,7 @@
 # Pictures of docs/compose.md and docs/black.md.
 
 PAGE_PICTURES := $(BUILD)/pages/pictures
-$(PAGE_PICTURES): tools/pages/pictures.c $(wildcard examples/compose/*.c examples/compose/*.h) \
+$(PAGE_PICTURES): tools/pages/pictures.c $(wildcard examples/compose/*.c examples/compose/*.h examples/lines/*.c examples/lines/*.h) \
         $(addprefix port/host/,framebuffer.c png.c deflate.c output.c memory.c problem.c) $(BUILD)/host/libglint.a
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -Iexamples/compose -Iport/host $(filter %.c %.a,$^) -lm -o $@

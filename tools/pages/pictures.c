@@ -5,6 +5,7 @@
  */
 #include "compose/compose.h"
 #include "framebuffer.h"
+#include "lines/lines.h"
 #include "meshes/torus576.h"
 #include "output.h"
 #include "png.h"
@@ -51,6 +52,23 @@ static int draw_compose(const char *directory) {
         failed = tell("compose", compose_draw(framebuffer_flush(&target), arena, sizeof arena, i * 8));
     }
     failed = failed || write_picture(&target, directory, "compose");
+    framebuffer_free(&target);
+    return failed;
+}
+
+/* ---- Lines ---- */
+
+static int draw_lines(const char *directory) {
+    framebuffer target;
+
+    framebuffer_init(&target, &glint_format_rgb565, 320, 240);
+    const glint_config config = {.width = 320,
+                                 .height = 240,
+                                 .format = &glint_format_rgb565,
+                                 .flush = framebuffer_flush(&target),
+                                 .arena = arena,
+                                 .arena_size = sizeof arena};
+    const int failed = tell("lines", lines_draw(&config)) || write_picture(&target, directory, "lines");
     framebuffer_free(&target);
     return failed;
 }
@@ -186,7 +204,7 @@ int main(int argc, char **argv) {
     int failed = argc != 2;
 
     if (!failed) {
-        failed = draw_compose(argv[1]);
+        failed = draw_compose(argv[1]) || draw_lines(argv[1]);
     }
     for (size_t i = 0; i < sizeof spoilt / sizeof *spoilt && !failed; i++) {
         failed = draw_spoilt(&spoilt[i], argv[1]);

@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: MIT */
+/* Lines: from space to the screen, cut at the near plane and the guard band; and lines of boxes and meshes. */
+#include "../math/numeric.h"
+#include "sight.h"
+
+/* What lines are placed with. */
+typedef struct line_camera {
+    const glint_config *config;
+    const glint_camera *camera;
+    const glint_pose *pose;
+    int32_t focal; /* twice the focal length in pixels, Q12: this, of 22 bits, times 2^focal_shift */
+    unsigned focal_shift;
+} line_camera;
+
+/* An end on its way: x and y against the guard band, all below 2^53, and w, Q28. */
+typedef struct line_end {
+    int64_t x, y, band, w;
+} line_end;
+
+static void find_end(const line_camera *by, glint_vector point, line_end *to) {
+    int64_t sight[3]; /* below 2^40, once it is Q19 */
+    glint_find_sight(by->camera, glint_pose_apply(by->pose, point), sight);
+    to->x = glint_round_shift64(glint_shift_right64(sight[0], 12) * by->focal, 10);
+    to->y = glint_round_shift64(glint_shift_right64(sight[1], 12) * by->focal, 10);
+    to->w = glint_shift_right64(sight[2], 3);
+    /* the focal length is over 2^13, and the products are over 2^10 and 2^focal_shift */
+    to->band = glint_shift_right64(glint_shift_right64(sight[2], 12) * (GLINT_GUARD_BAND << 3), by->focal_shift);
+}
+
+/* How far inside a plane an end lies: 0 the near plane, 1 to 4 the sides. */
+static int64_t depth_behind(const line_end *end, int plane, int64_t near_plane) {
+    const int64_t side = plane < 3 ? end->x : end->y;
+    return plane == 0 ? end->w - near_plane : end->band + (plane & 1 ? side : -side);
+}
+
+/* a + (b - a) t, t Q31; off by 2^-30 of the difference. */
+static int64_t mix_along(int64_t a, int64_t b, int64_t t) {
+    const unsigned bits = glint_bits64(glint_magnitude64(b - a)), down = bits > 31 ? bits - 31 : 0;
+    return a + glint_shift_right64(glint_shift_right64(b - a, down) * t, 31 - down);
+}
+
+/* Cuts a line between an end inside a plane and one outside. */
+static void cut_line(const line_end *inner, line_end *outer, int64_t inside, int64_t outside) {
+    const unsigned bits = glint_bits64((uint64_t)(inside - outside)), down = bits > 31 ? bits - 31 : 0;
+    const int64_t t = ((inside >> down) << 31) / ((inside - outside) >> down);
+    outer->x = mix_along(inner->x, outer->x, t);
+    outer->y = mix_along(inner->y, outer->y, t);
+    outer->band = mix_along(inner->band, outer->band, t);
+    outer->w = mix_along(inner->w, outer->w, t);
+}
+
+/* @return 0 where nothing is left */
+static int clip_line(line_end end[2], int64_t near_plane) {
+    for (int plane = 0; plane < 5; plane++) {
+        const int64_t a = depth_behind(&end[0], plane, near_plane), b = depth_behind(&end[1], plane, near_plane);
+        if (a < 0 && b < 0)
+            return 0;
+        if (b < 0)
+            cut_line(&end[0], &end[1], a, b);
+        else if (a < 0)
+            cut_line(&end[1], &end[0], b, a);
+    }
+    return 1;
+}
+
+/* half the size, in sixteenths, + x / band times the guard band, rounded to nearest, halves up; rounding may have
+ * brought x beyond. */
+static int16_t to_sixteenths(int64_t x, int64_t band, int32_t size) {
+    const unsigned bits = glint_bits64((uint64_t)band), down = bits > 46 ? bits - 46 : 0;
+    const int64_t most = (band >> down) + (band == 0), all = 2 * 16 * GLINT_GUARD_BAND;
+    const int64_t from_edge = glint_shift_right64(x, down) + most;
+    const int64_t inside = from_edge < 0 ? 0 : from_edge > 2 * most ? 2 * most : from_edge;
+    return (int16_t)((inside * all + most) / (2 * most) - all / 2 + size * 8);
+}
+
+static void finish_end(const line_camera *by, const line_end *end, glint_segment *to, int i) {
+    const int64_t near_plane = (int64_t)by->camera->near_plane << 12, w = end->w > near_plane ? end->w : near_plane;
+    const int down = (int)glint_bits64((uint64_t)w) - 31;
+    const int64_t mantissa = (down > 0 ? w >> down : w << -down) | 1;
+    to->x[i] = to_sixteenths(end->x, end->band, by->config->width);
+    to->y[i] = to_sixteenths(end->y, end->band, by->config->height);
+    to->inverse_w[i] = (uint32_t)((((int64_t)1 << 62) - 1) / mantissa);
+    to->exponent[i] = (uint8_t)(62 + down);
+}
+
+static void place_line(const line_camera *by, const glint_line *line, glint_segment *to) {
+    line_end end[2];
+    *to = (glint_segment){0};
+    find_end(by, line->from, &end[0]);
+    find_end(by, line->to, &end[1]);
+    if (!clip_line(end, (int64_t)by->camera->near_plane << 12))
+        return;
+    finish_end(by, &end[0], to, 0);
+    finish_end(by, &end[1], to, 1);
+    to->colour = &line->colour;
+}
+
+glint_status glint_lines_place(glint_segment *segments, const glint_config *config, const glint_camera *camera,
+                               const glint_pose *pose, const glint_line *lines, uint32_t count) {
+    const glint_status status = glint_check_sight(config, camera);
+    if (status != GLINT_OK)
+        return status;
+    if (!pose || (count && (!lines || !segments)))
+        return GLINT_ERROR_NULL;
+    for (uint32_t i = 0; i < count; i++) {
+        const glint_colour *const c = &lines[i].colour;
+        if ((uint32_t)c->r > GLINT_COLOUR_MAX || (uint32_t)c->g > GLINT_COLOUR_MAX || (uint32_t)c->b > GLINT_COLOUR_MAX)
+            return GLINT_ERROR_COLOUR;
+    }
+    const int64_t focal = glint_find_focal_length(config, camera->field_of_view);
+    const unsigned bits = glint_bits64((uint64_t)focal), down = bits > 22 ? bits - 22 : 0;
+    const line_camera by = {config, camera, pose, (int32_t)(focal >> down), down};
+    for (uint32_t i = 0; i < count; i++)
+        place_line(&by, &lines[i], &segments[i]);
+    return GLINT_OK;
+}
+
+/* ---- Boxes and meshes ---- */
+
+void glint_lines_box(glint_line lines[12], glint_vector from, glint_vector to, glint_colour colour) {
+    const glint_q16 x[2] = {from.x, to.x}, y[2] = {from.y, to.y}, z[2] = {from.z, to.z};
+    for (int i = 0; i < 4; i++) { /* four along each axis */
+        const int a = i & 1, b = i >> 1;
+        lines[i] = (glint_line){{x[0], y[a], z[b]}, {x[1], y[a], z[b]}, colour};
+        lines[i + 4] = (glint_line){{x[a], y[0], z[b]}, {x[a], y[1], z[b]}, colour};
+        lines[i + 8] = (glint_line){{x[a], y[b], z[0]}, {x[a], y[b], z[1]}, colour};
+    }
+}
+
+/* offset + extent step / 32768 */
+static glint_q16 place_step(glint_q16 offset, glint_q16 extent, int16_t step) {
+    const int64_t place = offset + glint_round_shift64((int64_t)extent * step, 15);
+    return place > INT32_MAX ? INT32_MAX : place < INT32_MIN ? INT32_MIN : (glint_q16)place;
+}
+
+static glint_vector place_vertex(const glint_mesh *mesh, uint32_t index) {
+    const int16_t *const step = mesh->positions[index];
+    return (glint_vector){place_step(mesh->offset.x, mesh->extent.x, step[0]),
+                          place_step(mesh->offset.y, mesh->extent.y, step[1]),
+                          place_step(mesh->offset.z, mesh->extent.z, step[2])};
+}
+
+/* Has a triangle before number `end` an edge between two vertices, in either direction? */
+static int names_edge(const glint_mesh *mesh, uint32_t end, uint16_t a, uint16_t b) {
+    for (uint32_t i = 0; i < end; i++) {
+        const uint16_t *const v = mesh->triangles[i];
+        const int has_a = v[0] == a || v[1] == a || v[2] == a, has_b = v[0] == b || v[1] == b || v[2] == b;
+        if (has_a && has_b)
+            return 1;
+    }
+    return 0;
+}
+
+uint32_t glint_lines_edges(glint_line *lines, uint32_t room, const glint_mesh *mesh, glint_colour colour) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        for (int corner = 0; corner < 3; corner++) {
+            const uint16_t a = mesh->triangles[i][corner], b = mesh->triangles[i][corner < 2 ? corner + 1 : 0];
+            if (names_edge(mesh, i, a, b))
+                continue;
+            if (count < room)
+                lines[count] = (glint_line){place_vertex(mesh, a), place_vertex(mesh, b), colour};
+            count++;
+        }
+    }
+    return count;
+}

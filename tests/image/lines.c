@@ -1,0 +1,603 @@
+/* SPDX-License-Identifier: MIT */
+/* Lines: which pixels they have, how deep they lie, and that neither tile nor arena, region or format changes that. */
+#include "harness.h"
+#include "library_geometry.h"
+#include "picture.h"
+#include "scenes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define WIDTH 150
+#define HEIGHT 101
+#define LINES 40
+
+static uint32_t seed;
+
+static int any(int least, int most) {
+    seed = seed * 1664525u + 1013904223u;
+    return least + (int)((seed >> 8) % (uint32_t)(most - least + 1));
+}
+
+static double real(glint_q16 x) {
+    return x / 65536.0;
+}
+
+/* ---- Drawing ---- */
+
+/* What an overlay draws, and what depth it leaves. */
+typedef struct overlay {
+    const glint_segment *segments;
+    uint32_t first, count;
+    int result;
+    uint16_t before[HEIGHT][WIDTH], after[HEIGHT][WIDTH];
+} overlay;
+
+static void keep_depth(const glint_tile *tile, uint16_t to[HEIGHT][WIDTH]) {
+    for (int y = 0; y < tile->height; y++)
+        for (int x = 0; x < tile->width; x++)
+            to[tile->y + y][tile->x + x] = tile->depth[(size_t)y * tile->depth_stride + (size_t)x];
+}
+
+static int draw_overlay(void *context, const glint_tile *tile) {
+    overlay *const o = context;
+    keep_depth(tile, o->before);
+    o->result |= glint_lines_draw(tile, o->segments + o->first, o->count);
+    keep_depth(tile, o->after);
+    return o->result;
+}
+
+typedef struct drawing {
+    const glint_format *format;
+    uint16_t tile_width, tile_height;
+    int is_small; /* as little arena as there can be */
+    const glint_rectangle *region;
+} drawing;
+
+static void draw(const glint_scene *scene, const drawing *how, overlay *over, picture *image) {
+    const picture_options options = {.tile_width = how->tile_width, .tile_height = how->tile_height};
+    glint_config config = picture_config(image, &options);
+    glint_renderer renderer;
+    glint_need need;
+
+    if (over) {
+        memset(over->before, 0, sizeof over->before);
+        memset(over->after, 0, sizeof over->after);
+        config.overlay = (glint_painter){draw_overlay, over};
+    }
+    if (how->region)
+        config.region = *how->region;
+    if (!CHECK_EQUAL(glint_arena_need(&config, scene, &need), GLINT_OK))
+        return;
+    config.arena_size = how->is_small ? need.least : need.one_pass;
+    config.arena = malloc(config.arena_size);
+    CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
+    CHECK_EQUAL(glint_render(&renderer, scene), GLINT_OK);
+    free(config.arena);
+}
+
+static picture open_picture(const glint_format *format) {
+    return picture_open(WIDTH, HEIGHT, format);
+}
+
+/* ---- The rule, by itself ---- */
+
+/* A point of a line in double precision: pixels, and 1/w. */
+typedef struct point {
+    double x, y, inverse_w;
+} point;
+
+typedef struct sight {
+    double place[3]; /* right, down, away */
+} sight;
+
+static double focal_length(const glint_scene *scene) {
+    return 0.5 * HEIGHT / tan(real(scene->camera.field_of_view) * 3.14159265358979323846 / 360);
+}
+
+static sight see(const glint_scene *scene, const glint_pose *pose, glint_vector of) {
+    const double local[3] = {real(of.x), real(of.y), real(of.z)};
+    double from_eye[3];
+    sight s;
+    for (int i = 0; i < 3; i++)
+        from_eye[i] = real(pose->m[i][0]) * local[0] + real(pose->m[i][1]) * local[1] + real(pose->m[i][2]) * local[2] +
+                      real(pose->m[i][3]) - real(scene->camera.pose.m[i][3]);
+    for (int i = 0; i < 3; i++) {
+        s.place[i] = 0;
+        for (int j = 0; j < 3; j++)
+            s.place[i] += real(scene->camera.pose.m[j][i]) * from_eye[j] * (i ? -1 : 1);
+    }
+    return s;
+}
+
+static sight between(const sight *a, const sight *b, double t) {
+    sight s;
+    for (int i = 0; i < 3; i++)
+        s.place[i] = a->place[i] + (b->place[i] - a->place[i]) * t;
+    return s;
+}
+
+/* How far inside a bound: the near plane, and 1023 pixels to each side. */
+static double inside(const glint_scene *scene, const sight *s, int bound) {
+    const double band = 1023 / focal_length(scene), w = s->place[2];
+    return bound == 0 ? w - real(scene->camera.near_plane)
+                      : band * w + (bound & 1 ? s->place[bound > 2] : -s->place[bound > 2]);
+}
+
+/* Ends of a line as the rule cuts them. @return 0 where nothing is left */
+static int cut(const glint_scene *scene, const glint_pose *pose, const glint_line *line, point ends[2]) {
+    sight s[2] = {see(scene, pose, line->from), see(scene, pose, line->to)};
+    const double focal = focal_length(scene);
+    for (int bound = 0; bound < 5; bound++) {
+        const double a = inside(scene, &s[0], bound), b = inside(scene, &s[1], bound);
+        if (a < 0 && b < 0)
+            return 0;
+        if (a < 0)
+            s[0] = between(&s[0], &s[1], a / (a - b));
+        if (b < 0)
+            s[1] = between(&s[0], &s[1], a / (a - b));
+    }
+    for (int i = 0; i < 2; i++)
+        ends[i] = (point){0.5 * WIDTH + focal * s[i].place[0] / s[i].place[2],
+                          0.5 * HEIGHT + focal * s[i].place[1] / s[i].place[2], 1 / s[i].place[2]};
+    return 1;
+}
+
+/* Pixels of a line between rounded ends, and 1/w there: 0 where it has none. All places are fractions of integers. */
+static void cover(const glint_segment *segment, const point ends[2], double to[HEIGHT][WIDTH]) {
+    const int dx = abs(segment->x[1] - segment->x[0]), dy = abs(segment->y[1] - segment->y[0]), steep = dy > dx;
+    const int16_t *const u = steep ? segment->y : segment->x, *const v = steep ? segment->x : segment->y;
+    const int length = steep ? dy : dx, low = u[1] < u[0], high = !low;
+    memset(to, 0, sizeof(double[HEIGHT][WIDTH]));
+    for (int pixel = 0; pixel < (steep ? HEIGHT : WIDTH); pixel++) {
+        if (16 * pixel + 15 < u[low] || 16 * pixel > u[high])
+            continue;
+        const int middle = 16 * pixel + 8, at = middle < u[low] ? u[low] : middle > u[high] ? u[high] : middle;
+        const long long across = (long long)v[low] * length + (long long)(v[high] - v[low]) * (at - u[low]);
+        const double exact =
+            length ? (double)across / (16.0 * length) : v[low] / 16.0; /* quotients of small integers */
+        const int other = (int)floor(exact), x = steep ? other : pixel, y = steep ? pixel : other;
+        const double t = length ? (double)(at - u[low]) / length : 0;
+        if (x >= 0 && x < WIDTH && y >= 0 && y < HEIGHT)
+            to[y][x] = ends[low].inverse_w + (ends[high].inverse_w - ends[low].inverse_w) * t;
+    }
+}
+
+/* ---- Scenes ---- */
+
+typedef struct line_scene {
+    test_scene at;
+    glint_pose pose;
+    glint_line lines[LINES];
+    glint_segment segments[LINES];
+} line_scene;
+
+static glint_vector any_vector(int reach) {
+    return (glint_vector){any(-reach, reach), any(-reach, reach), any(-reach, reach)};
+}
+
+/* So many times as far from the origin as a mesh reaches. */
+static glint_vector any_place(glint_vector extent, int times) {
+    return (glint_vector){any(-times * extent.x, times * extent.x), any(-times * extent.y, times * extent.y),
+                          any(-times * extent.z, times * extent.z)};
+}
+
+/* Lines about the objects of a random scene, some of which pass the eye or are points. */
+static void build(line_scene *s, uint32_t number) {
+    scene_build_random(&s->at, number);
+    const glint_object *const object = &s->at.objects[0];
+    const glint_vector extent = object->mesh->extent;
+    seed = number;
+    s->pose = object->pose;
+    for (int i = 0; i < LINES; i++) {
+        const int reach = i % 5 == 4 ? 12 : 2;
+        s->lines[i] =
+            (glint_line){any_place(extent, reach), any_place(extent, reach), {GLINT_ONE, GLINT_ONE / 2, GLINT_ONE / 4}};
+        if (i % 7 == 3)
+            s->lines[i].to = s->lines[i].from;
+    }
+}
+
+static glint_config screen_of(int width, int height) {
+    return (glint_config){.width = (uint16_t)width, .height = (uint16_t)height};
+}
+
+static void place(line_scene *s) {
+    const glint_config config = screen_of(WIDTH, HEIGHT);
+    CHECK_EQUAL(glint_lines_place(s->segments, &config, &s->at.scene.camera, &s->pose, s->lines, LINES), GLINT_OK);
+}
+
+/* ---- Cases ---- */
+
+static line_scene scene;
+static overlay over;
+
+/* Ends lie where they do in double precision, before these are rounded to sixteenths: up to 1/64 more. */
+static void ends_are_where_they_are(void) {
+    int seen = 0, gone = 0;
+    double worst = 0;
+    for (uint32_t number = 1; number <= 200; number++) {
+        build(&scene, number);
+        place(&scene);
+        for (int i = 0; i < LINES; i++) {
+            const glint_segment *const s = &scene.segments[i];
+            point ends[2];
+            const int shows = cut(&scene.at.scene, &scene.pose, &scene.lines[i], ends);
+            if (!CHECK_EQUAL(s->colour != NULL, shows))
+                continue;
+            seen += shows;
+            gone += !shows;
+            for (int end = 0; end < 2 && shows; end++) {
+                if (fabs(ends[end].x - 0.5 * WIDTH) > 500 || fabs(ends[end].y - 0.5 * HEIGHT) > 500)
+                    continue;
+                worst = fmax(worst, fabs(16 * ends[end].x - s->x[end]));
+                worst = fmax(worst, fabs(16 * ends[end].y - s->y[end]));
+                const double w = ldexp(s->inverse_w[end], 28 - s->exponent[end]);
+                CHECK(fabs(w / ends[end].inverse_w - 1) < 1e-4);
+            }
+        }
+    }
+    CHECK_AT_MOST((int)(1000 * worst), 500 + 250);
+    CHECK(seen > 4000 && gone > 100);
+}
+
+static void pixels_are_those_of_the_rule(void) {
+    const drawing how = {.format = &glint_format_rgb888};
+    static double covered[HEIGHT][WIDTH];
+    int drawn = 0, hidden = 0, close = 0;
+    for (uint32_t number = 1; number <= 12; number++) {
+        library_geometry geometry;
+        picture plain = open_picture(how.format), image = open_picture(how.format);
+        const glint_config config = picture_config(&plain, &(picture_options){0});
+        build(&scene, number);
+        place(&scene);
+        if (!CHECK_EQUAL(library_geometry_open(&geometry, &config, &scene.at.scene), GLINT_OK))
+            return;
+        const double scale = geometry.depth_scale * (1 + 2 / focal_length(&scene.at.scene));
+        draw(&scene.at.scene, &how, NULL, &plain);
+        for (uint32_t i = 0; i < LINES; i++) {
+            point ends[2];
+            int wrong = 0;
+            over.segments = scene.segments;
+            over.first = i;
+            over.count = 1;
+            draw(&scene.at.scene, &how, &over, &image);
+            if (cut(&scene.at.scene, &scene.pose, &scene.lines[i], ends))
+                cover(&scene.segments[i], ends, covered);
+            else
+                memset(covered, 0, sizeof covered);
+            for (int y = 0; y < HEIGHT; y++)
+                for (int x = 0; x < WIDTH; x++) {
+                    const double exact = fmin(covered[y][x] * scale, 65534) + 0.5;
+                    const int there = over.before[y][x], is_line = over.after[y][x] != there;
+                    const uint8_t *const pixel = image.bytes + (size_t)y * image.stride + 3 * (size_t)x,
+                                         *const old = plain.bytes + (size_t)y * plain.stride + 3 * (size_t)x;
+                    const int is_coloured = pixel[0] == 255 && pixel[1] == 128 && pixel[2] == 64;
+                    if (covered[y][x] == 0) {
+                        wrong += is_line || memcmp(pixel, old, 3) != 0;
+                        continue;
+                    }
+                    if (fabs(exact - there) <= 2 + exact / 8192) { /* rounding decides */
+                        close++;
+                        continue;
+                    }
+                    drawn += exact > there;
+                    hidden += exact < there;
+                    wrong += is_line != (exact > there) || (is_line ? !is_coloured : memcmp(pixel, old, 3) != 0);
+                    wrong += is_line && fabs(over.after[y][x] - exact) > 2 + exact / 8192;
+                }
+            CHECK_EQUAL(wrong, 0);
+        }
+        library_geometry_close(&geometry);
+        picture_close(&plain);
+        picture_close(&image);
+    }
+    CHECK(drawn > 8000 && hidden > 4000 && close < 100);
+}
+
+static void directions_and_copies_change_nothing(void) {
+    const drawing how = {.format = &glint_format_grey8};
+    for (uint32_t number = 1; number <= 20; number++) {
+        picture a = open_picture(how.format), b = open_picture(how.format);
+        build(&scene, number);
+        place(&scene);
+        over.segments = scene.segments;
+        over.first = 0;
+        over.count = LINES;
+        draw(&scene.at.scene, &how, &over, &a);
+        for (int i = 0; i < LINES; i++) {
+            const glint_vector from = scene.lines[i].from;
+            scene.lines[i].from = scene.lines[i].to;
+            scene.lines[i].to = from;
+        }
+        place(&scene);
+        draw(&scene.at.scene, &how, &over, &b);
+        CHECK(picture_equal(&a, &b));
+        for (int i = LINES / 2; i < LINES; i++) { /* what ties with what is there is not drawn */
+            scene.lines[i] = scene.lines[i - LINES / 2];
+            scene.lines[i].colour = (glint_colour){0, 0, GLINT_ONE};
+        }
+        place(&scene);
+        draw(&scene.at.scene, &how, &over, &b);
+        over.count = LINES / 2;
+        draw(&scene.at.scene, &how, &over, &a);
+        CHECK(picture_equal(&a, &b));
+        picture_close(&a);
+        picture_close(&b);
+    }
+}
+
+static const glint_format *const formats[16] = {&glint_format_rgb565,
+                                                &glint_format_rgb565_be,
+                                                &glint_format_rgb888,
+                                                &glint_format_grey8,
+                                                &glint_format_grey4,
+                                                &glint_format_rgb444,
+                                                &glint_format_mono,
+                                                &glint_format_mono_pages,
+                                                &glint_format_rgb565_dithered,
+                                                &glint_format_rgb565_be_dithered,
+                                                &glint_format_rgb888_dithered,
+                                                &glint_format_grey8_dithered,
+                                                &glint_format_grey4_dithered,
+                                                &glint_format_rgb444_dithered,
+                                                &glint_format_mono_dithered,
+                                                &glint_format_mono_pages_dithered};
+
+/* Does a picture show, where lines are, what a screen of their colour shows, and elsewhere what there is without? */
+static void check_format(const glint_format *format, uint32_t number) {
+    const drawing how = {.format = format};
+    picture plain = open_picture(format), lines = open_picture(format), even = open_picture(format);
+    int wrong = 0, counted = 0;
+    build(&scene, number);
+    place(&scene);
+    over.segments = scene.segments;
+    over.first = 0;
+    over.count = LINES;
+    draw(&scene.at.scene, &how, NULL, &plain);
+    draw(&scene.at.scene, &how, &over, &lines);
+    scene.at.scene.object_count = 0;
+    scene.at.scene.background = scene.lines[0].colour;
+    draw(&scene.at.scene, &how, NULL, &even);
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++)
+            for (int c = 0; c < picture_channels(format); c++) {
+                const int is_line = over.after[y][x] != over.before[y][x];
+                counted += is_line;
+                wrong += picture_level(&lines, x, y, c) != picture_level(is_line ? &even : &plain, x, y, c);
+            }
+    CHECK_EQUAL(wrong, 0);
+    CHECK(counted > 150);
+    picture_close(&plain);
+    picture_close(&lines);
+    picture_close(&even);
+}
+
+static void every_format_shows_their_colour(void) {
+    for (uint32_t i = 0; i < TEST_COUNT(formats); i++)
+        check_format(formats[i], i + 1);
+}
+
+static void tiles_arenas_and_regions_change_nothing(void) {
+    static const uint16_t sizes[] = {8, 16, 32, 64};
+    for (uint32_t number = 1; number <= 6; number++)
+        for (uint32_t f = 0; f < TEST_COUNT(formats); f += 3) {
+            picture whole = open_picture(formats[f]), other = open_picture(formats[f]);
+            const glint_rectangle parts[4] = {{0, 0, 56, 40}, {56, 0, 94, 40}, {0, 40, 56, 61}, {56, 40, 94, 61}};
+            drawing how = {.format = formats[f]};
+            build(&scene, number);
+            place(&scene);
+            over.segments = scene.segments;
+            over.first = 0;
+            over.count = LINES;
+            draw(&scene.at.scene, &how, &over, &whole);
+            how.tile_width = sizes[any(0, 3)];
+            how.tile_height = sizes[any(0, 3)];
+            how.is_small = 1;
+            draw(&scene.at.scene, &how, &over, &other);
+            CHECK(picture_equal(&whole, &other));
+            memset(other.bytes, 0, other.size);
+            for (int i = 0; i < 4; i++) {
+                how.region = &parts[i];
+                draw(&scene.at.scene, &how, &over, &other);
+            }
+            CHECK(picture_equal(&whole, &other));
+            picture_close(&whole);
+            picture_close(&other);
+        }
+}
+
+/*
+ * Edges of a mesh show on it: in the middle of each, where the reference sees no other surface far in front, or where
+ * it does, they are hidden.
+ */
+static void edges_show_on_their_mesh(void) {
+    static glint_line lines[864];
+    static glint_segment segments[864];
+    static double covered[HEIGHT][WIDTH];
+    static reference_pixel pixels[HEIGHT][WIDTH];
+    const drawing how = {.format = &glint_format_rgb888};
+    const glint_config config = screen_of(WIDTH, HEIGHT);
+    const reference_image image = {WIDTH, HEIGHT, pixels[0]};
+    picture drawn = open_picture(how.format);
+    bench_scene torus;
+    int shown = 0, lost = 0, hidden = 0, seen_through = 0;
+    bench_build_scene(&torus, &bench_definitions[1], scene_bench_mesh(1), 3);
+    const glint_mesh *const mesh = torus.object.mesh;
+    if (!CHECK_EQUAL(glint_lines_edges(lines, 864, mesh, (glint_colour){GLINT_ONE, 0, 0}), 864))
+        return;
+    CHECK_EQUAL(glint_lines_place(segments, &config, &torus.scene.camera, &torus.object.pose, lines, 864), GLINT_OK);
+    over.segments = segments;
+    over.first = 0;
+    over.count = 864;
+    draw(&torus.scene, &how, &over, &drawn);
+    memset(pixels, 0, sizeof pixels);
+    reference_render(&image, &torus.scene, NULL);
+    for (uint32_t i = 0; i < 864; i++) {
+        const glint_segment *const s = &segments[i];
+        const int wide = abs(s->x[1] - s->x[0]) >= abs(s->y[1] - s->y[0]);
+        int x = (s->x[0] + s->x[1]) >> 5, y = (s->y[0] + s->y[1]) >> 5;
+        point ends[2];
+        cut(&torus.scene, &torus.object.pose, &lines[i], ends);
+        cover(s, ends, covered);
+        for (int beside = -1; beside <= 1; beside += 2) /* its pixel in the middle column or row */
+            if (covered[y][x] == 0 && covered[y + (wide ? beside : 0)][x + (wide ? 0 : beside)] != 0) {
+                y += wide ? beside : 0;
+                x += wide ? 0 : beside;
+            }
+        const double inverse_w = covered[y][x], surface = pixels[y][x].nearest;
+        const int is_line = over.after[y][x] != over.before[y][x];
+        if (surface > 1.04 * inverse_w) { /* that far in front, none of its neighbours shows through */
+            hidden++;
+            seen_through += is_line && fabs((double)over.after[y][x] / over.before[y][x] - 1) > 1;
+        } else {
+            shown++;
+            lost += !is_line;
+        }
+    }
+    CHECK(shown > 300 && hidden > 300);
+    CHECK_AT_MOST(lost, shown / 50); /* those that lean too far */
+    CHECK_EQUAL(seen_through, 0);
+    picture_close(&drawn);
+}
+
+static int same_point(glint_vector a, glint_vector b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+static void boxes_have_twelve_edges(void) {
+    const glint_vector from = {-3, 5, 70000}, to = {9, -2, -70000};
+    const glint_colour red = {GLINT_ONE, 0, 0};
+    glint_line lines[12];
+    glint_lines_box(lines, from, to, red);
+    for (int i = 0; i < 12; i++) {
+        const glint_vector a = lines[i].from, b = lines[i].to;
+        CHECK((a.x == from.x || a.x == to.x) && (a.y == from.y || a.y == to.y) && (a.z == from.z || a.z == to.z));
+        CHECK((b.x == from.x || b.x == to.x) && (b.y == from.y || b.y == to.y) && (b.z == from.z || b.z == to.z));
+        CHECK_EQUAL((a.x != b.x) + (a.y != b.y) + (a.z != b.z), 1);
+        CHECK_EQUAL(lines[i].colour.r, GLINT_ONE);
+        for (int j = 0; j < i; j++)
+            CHECK(!(same_point(a, lines[j].from) && same_point(b, lines[j].to)) &&
+                  !(same_point(b, lines[j].from) && same_point(a, lines[j].to)));
+    }
+}
+
+static void edges_of_a_mesh_come_once(void) {
+    static const int16_t positions[4][3] = {{-32768, 0, 0}, {16384, 0, 0}, {0, 16384, 0}, {0, 0, 1}};
+    static const uint16_t triangles[2][3] = {{0, 1, 2}, {1, 0, 3}};
+    const glint_mesh mesh = {
+        positions, positions, triangles, 4, 2, {GLINT_ONE, 0, INT32_MAX}, {INT32_MAX, GLINT_ONE, 1 << 15}};
+    glint_line lines[5] = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+    CHECK_EQUAL(glint_lines_edges(NULL, 0, &mesh, (glint_colour){0, 0, 0}), 5);
+    CHECK_EQUAL(glint_lines_edges(lines, 4, &mesh, (glint_colour){1, 2, 3}), 5);
+    CHECK_EQUAL(lines[0].from.x, GLINT_ONE - INT32_MAX); /* 0 to 1 */
+    CHECK_EQUAL(lines[0].to.x, (1 << 30) + GLINT_ONE);
+    CHECK_EQUAL(lines[1].to.y, GLINT_ONE / 2);
+    CHECK_EQUAL(lines[3].to.z, INT32_MAX); /* 0 to 3: the sum does not fit */
+    CHECK_EQUAL(lines[3].colour.b, 3);
+    CHECK_EQUAL(lines[4].colour.b, 0);
+}
+
+static void bad_input_is_refused(void) {
+    const drawing how = {.format = &glint_format_rgb888};
+    glint_config config = screen_of(WIDTH, HEIGHT);
+    build(&scene, 1);
+    const glint_camera camera = scene.at.scene.camera;
+    glint_camera bad = camera;
+    memset(scene.segments, 0x5a, sizeof scene.segments);
+    bad.near_plane = 0;
+    CHECK_EQUAL(glint_lines_place(NULL, &config, &camera, &scene.pose, scene.lines, LINES), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_lines_place(scene.segments, NULL, &camera, &scene.pose, scene.lines, LINES), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_lines_place(scene.segments, &config, NULL, &scene.pose, scene.lines, LINES), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_lines_place(scene.segments, &config, &camera, NULL, scene.lines, LINES), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_lines_place(scene.segments, &config, &camera, &scene.pose, NULL, LINES), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_lines_place(scene.segments, &config, &bad, &scene.pose, scene.lines, LINES), GLINT_ERROR_CAMERA);
+    config.height = GLINT_SIZE_MAX + 1;
+    CHECK_EQUAL(glint_lines_place(scene.segments, &config, &camera, &scene.pose, scene.lines, LINES), GLINT_ERROR_SIZE);
+    config.height = HEIGHT;
+    scene.lines[LINES - 1].colour.g = GLINT_COLOUR_MAX + 1;
+    CHECK_EQUAL(glint_lines_place(scene.segments, &config, &camera, &scene.pose, scene.lines, LINES),
+                GLINT_ERROR_COLOUR);
+    scene.lines[LINES - 1].colour.g = -1;
+    CHECK_EQUAL(glint_lines_place(scene.segments, &config, &camera, &scene.pose, scene.lines, LINES),
+                GLINT_ERROR_COLOUR);
+    for (int i = 0; i < LINES; i++)
+        CHECK(scene.segments[i].x[0] == 0x5a5a && scene.segments[i].exponent[1] == 0x5a);
+    CHECK_EQUAL(glint_lines_place(NULL, &config, &camera, &scene.pose, NULL, 0), GLINT_OK);
+    CHECK_EQUAL(glint_lines_draw(NULL, scene.segments, 1), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_lines_draw(&(glint_tile){0}, scene.segments, 1), GLINT_ERROR_NULL);
+    picture image = open_picture(how.format);
+    over.segments = scene.segments;
+    over.first = over.count = 0;
+    draw(&scene.at.scene, &how, &over, &image); /* no lines at all */
+    picture_close(&image);
+}
+
+static glint_q16 any_number(void) {
+    static const glint_q16 ends[] = {INT32_MIN, INT32_MIN + 1, -1, 0, 1, INT32_MAX - 1, INT32_MAX};
+    const int kind = any(0, 3);
+    if (kind == 0)
+        return ends[any(0, (int)TEST_COUNT(ends) - 1)];
+    return (glint_q16)((uint32_t)any(0, 0xffff) << 16 | (uint32_t)any(0, 0xffff)) >> (kind == 1 ? 0 : any(0, 30));
+}
+
+/* Any numbers whatever, of any camera: ends stay within the guard band, and what is drawn on the screen. */
+static void extremes_stay_in_their_place(void) {
+    const drawing how = {.format = &glint_format_grey4};
+    picture image = open_picture(how.format);
+    test_scene torus;
+    int seen = 0, wrong = 0;
+    scene_build_named(&torus, "mirrored");
+    seed = 5;
+    for (int i = 0; i < 30000; i++) {
+        const glint_config config = i % 256 == 0 ? screen_of(WIDTH, HEIGHT) : screen_of(any(1, 1024), any(1, 1024));
+        const glint_vector axis = any_vector(GLINT_ONE);
+        glint_camera camera = {glint_pose_rotate(axis, any(0, 360) * GLINT_ONE), any(GLINT_ONE, 170 * GLINT_ONE),
+                               any_number() & INT32_MAX};
+        glint_pose pose;
+        glint_line line = {{any_number(), any_number(), any_number()},
+                           {any_number(), any_number(), any_number()},
+                           {GLINT_COLOUR_MAX, 0, GLINT_ONE}};
+        glint_segment segment;
+        camera.near_plane += camera.near_plane == 0;
+        for (int row = 0; row < 3; row++) {
+            camera.pose.m[row][3] = any_number();
+            for (int column = 0; column < 4; column++)
+                pose.m[row][column] = any_number();
+        }
+        if (!CHECK_EQUAL(glint_lines_place(&segment, &config, &camera, &pose, &line, 1), GLINT_OK))
+            return;
+        if (!segment.colour)
+            continue;
+        seen++;
+        for (int end = 0; end < 2; end++)
+            wrong += abs(segment.x[end] - 8 * config.width) > 16 * 1023 ||
+                     abs(segment.y[end] - 8 * config.height) > 16 * 1023;
+        if (i % 256 != 0)
+            continue;
+        over.segments = &segment;
+        over.first = 0;
+        over.count = 1;
+        draw(&torus.scene, &how, &over, &image);
+    }
+    CHECK_EQUAL(wrong, 0);
+    CHECK(seen > 1000);
+    picture_close(&image);
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {
+        TEST_CASE(ends_are_where_they_are),
+        TEST_CASE(pixels_are_those_of_the_rule),
+        TEST_CASE(directions_and_copies_change_nothing),
+        TEST_CASE(every_format_shows_their_colour),
+        TEST_CASE(tiles_arenas_and_regions_change_nothing),
+        TEST_CASE(edges_show_on_their_mesh),
+        TEST_CASE(boxes_have_twelve_edges),
+        TEST_CASE(edges_of_a_mesh_come_once),
+        TEST_CASE(bad_input_is_refused),
+        TEST_CASE(extremes_stay_in_their_place),
+    };
+    return test_run(write, cases, TEST_COUNT(cases));
+}
