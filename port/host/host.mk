@@ -13,7 +13,7 @@ BARE_OBJECTS    := $(filter-out %/main.o %/scene.o,$(HOST_OBJECTS)) $(BUILD)/hos
 -include examples/scenes/meshes.mk
 
 # From the bytes of a file to a quantised mesh: what the OBJ reader's fuzz target links.
-HOST_READER_SOURCES := $(addprefix port/host/,obj.c mtl.c text.c mesh.c polygon.c normals.c topology.c quantise.c cluster.c patch.c \
+HOST_READER_SOURCES := $(addprefix port/host/,obj.c mtl.c text.c mesh.c polygon.c normals.c topology.c quantise.c cluster.c patch.c output.c \
     number.c memory.c problem.c)
 
 # Calls between the library's files that pass through counts.c.

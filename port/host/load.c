@@ -16,7 +16,7 @@ static bool load_mesh(const char *name, host_model *model, host_problem *problem
         return shape_make(shape, name, &model->mesh, problem);
     }
     host_bytes file;
-    if (!bytes_read_file(&file, name, problem)) {
+    if (!bytes_read_file(&file, name, OBJ_FILE_MAX, problem)) {
         return false;
     }
     model->hash = bytes_hash(file.data, file.count);

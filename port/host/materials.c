@@ -20,7 +20,8 @@ typedef struct library_loader {
     host_materials *materials;
     const char *folder; /* the model's path... */
     size_t folder_size; /* ...and how much of it is its folder */
-    missing_names outside, unread;
+    size_t tried;       /* files */
+    missing_names outside, unread, many;
 } library_loader;
 
 static void miss(missing_names *missing, const char *name, size_t line) {
@@ -66,7 +67,7 @@ static bool read_library(library_loader *loader, const char *name) {
     memcpy(path + loader->folder_size, name, strlen(name) + 1);
     host_bytes file;
     host_problem problem;
-    if (!bytes_read_file(&file, path, &problem)) {
+    if (!bytes_read_file(&file, path, MTL_FILE_MAX, &problem)) {
         free(path);
         return false;
     }
@@ -82,7 +83,9 @@ static bool read_library(library_loader *loader, const char *name) {
 }
 
 static void load_library(library_loader *loader, const char *name, size_t line) {
-    if (!is_inside(name)) {
+    if (loader->tried++ >= OBJ_LIBRARIES_MAX) {
+        miss(&loader->many, name, line);
+    } else if (!is_inside(name)) {
         miss(&loader->outside, name, line);
     } else if (!read_library(loader, name)) {
         miss(&loader->unread, name, line);
@@ -143,17 +146,27 @@ static uint32_t use_material(host_materials *materials, size_t place) {
     return (uint32_t)i + 1;
 }
 
+/* ---- Public ----------------------------------------------------------------------------------------------------- */
+
 void materials_load(const char *model, const obj_materials *named, host_mesh *mesh, host_materials *materials,
                     host_warnings *warnings) {
     library_loader loader = {.materials = materials, .folder = model};
-    missing_names unknown = {.why = "is not among the materials: the default one stands"};
     loader.folder_size = (size_t)(path_base_name(model) - model);
     loader.outside.why = "is skipped: it is not in the model's folder";
+    loader.many.why = "is skipped: no more than 64 files of materials are read";
     loader.unread.why = "cannot be read: its materials are missing";
     memset(materials, 0, sizeof *materials);
     for (size_t i = 0; i < named->libraries.count; i++) {
         load_libraries(&loader, &named->libraries.list[i]);
     }
+    warn(&loader.outside, warnings);
+    warn(&loader.unread, warnings);
+    warn(&loader.many, warnings);
+    materials_name(named, mesh, materials, warnings);
+}
+
+void materials_name(const obj_materials *named, host_mesh *mesh, host_materials *materials, host_warnings *warnings) {
+    missing_names unknown = {.why = "is not among the materials: the default one stands"};
     uint32_t *numbers = memory_new(named->used.count + 1, sizeof *numbers);
     materials->used = memory_new(named->used.count, sizeof *materials->used);
     for (size_t i = 0; i < named->used.count; i++) {
@@ -168,12 +181,8 @@ void materials_load(const char *model, const obj_materials *named, host_mesh *me
         mesh->materials[i] = numbers[mesh->materials[i]];
     }
     free(numbers);
-    warn(&loader.outside, warnings);
-    warn(&loader.unread, warnings);
     warn(&unknown, warnings);
 }
-
-/* ---- Public ----------------------------------------------------------------------------------------------------- */
 
 const mtl_material *materials_find(const host_materials *materials, uint32_t number) {
     return number > 0 ? &materials->all.list[materials->used[number - 1]] : NULL;

@@ -41,6 +41,12 @@ typedef struct host_materials {
 void materials_load(const char *model, const obj_materials *named, host_mesh *mesh, host_materials *materials,
                     host_warnings *warnings);
 
+/**
+ * Gives the triangles of a mesh the materials of `materials->all`, by the names that they have; the rest as above.
+ * @param materials with no material in use
+ */
+void materials_name(const obj_materials *named, host_mesh *mesh, host_materials *materials, host_warnings *warnings);
+
 /** The material of a number; null for 0. */
 const mtl_material *materials_find(const host_materials *materials, uint32_t number);
 

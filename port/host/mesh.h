@@ -33,6 +33,7 @@ typedef struct host_mesh {
     size_t normal_count, normal_capacity;
     size_t triangle_count, triangle_capacity, material_capacity;
     size_t colour_count, colour_capacity; /**< position_count, or 0 when there are none. */
+    uint64_t clip_steps;                  /**< Corners looked at to clip ears, of all polygons. */
     size_t face_count;                    /**< Faces that the triangles came from. */
     size_t group_count;                   /**< Groups and objects named in the file. */
     size_t farthest_line; /**< Line of the largest coordinate; 0 when the mesh did not come from a file. */
@@ -91,8 +92,9 @@ void mesh_add_triangle(host_mesh *mesh, mesh_corner a, mesh_corner b, mesh_corne
  * Appends a polygon as triangles: a fan when it is convex (or has more than 1024 corners), else its ears are clipped
  * one by one.
  * @param corners `count` corners, at least 3, all with positions of the mesh
+ * @return false when this and those before take too long; not all of it is then added
  */
-void mesh_add_polygon(host_mesh *mesh, const mesh_corner *corners, size_t count);
+bool mesh_add_polygon(host_mesh *mesh, const mesh_corner *corners, size_t count);
 
 /** Smallest box round the positions that triangles refer to; the mesh must have triangles. */
 void mesh_bounds(const host_mesh *mesh, double low[3], double high[3]);
@@ -118,6 +120,15 @@ void mesh_make_normals(host_mesh *mesh, double crease);
 
 /** Makes all normals anew: the triangles' own. */
 void mesh_make_facet_normals(host_mesh *mesh);
+
+/**
+ * Makes one of positions that lie no farther than `distance` from each other and have the same colour: in their order,
+ * each joins the first one that stays within the distance, or stays. Triangles keep their normals; some may then have
+ * two corners at one position.
+ * @param distance 0 for equal coordinates
+ * @return how many are gone
+ */
+size_t mesh_join(host_mesh *mesh, double distance);
 
 /** Numbers positions so that those with equal coordinates have the same number. @return the caller frees them */
 uint32_t *mesh_weld(const host_mesh *mesh);

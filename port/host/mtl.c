@@ -12,7 +12,7 @@
 #define WORDS_MAX 12
 
 /** What is not followed, beside words. */
-enum { KIND_COLOUR = TEXT_KINDS, KIND_NUMBER, KIND_ILLUMINATION, KIND_TRANSPARENT, KIND_ORPHAN };
+enum { KIND_COLOUR = TEXT_KINDS, KIND_NUMBER, KIND_ILLUMINATION, KIND_TRANSPARENT, KIND_ORPHAN, KIND_MANY };
 
 static const char *const note_texts[] = {
     [TEXT_WORD] = "is skipped: it is not followed",
@@ -22,6 +22,7 @@ static const char *const note_texts[] = {
     [KIND_NUMBER] = "is skipped: it takes one number in its range",
     [KIND_ILLUMINATION] = "above 2 is taken as 2: reflections and refraction are not drawn",
     [KIND_TRANSPARENT] = "is skipped: transparency is not drawn",
+    [KIND_MANY] = "is skipped: there are 65536 materials before it",
     [KIND_ORPHAN] = "is skipped: it stands before any newmtl",
 };
 
@@ -40,9 +41,14 @@ static void note(mtl_reader *reader, int kind, text_token word) {
 
 /* ---- Statements ------------------------------------------------------------------------------------------------- */
 
-static void read_name(mtl_reader *reader) {
+static void read_name(mtl_reader *reader, text_token keyword) {
     const text_token name = text_rest_of_line(&reader->text);
     mtl_library *library = reader->library;
+    reader->material = NULL;
+    if (library->count == MTL_MATERIALS_MAX) {
+        note(reader, KIND_MANY, keyword);
+        return;
+    }
     library->list = memory_grow(library->list, &library->capacity, library->count, sizeof *library->list);
     reader->material = &library->list[library->count++];
     memset(reader->material, 0, sizeof *reader->material);
@@ -177,7 +183,7 @@ static void read_statement(mtl_reader *reader) {
         return;
     }
     if (text_token_is(keyword, "newmtl")) {
-        read_name(reader);
+        read_name(reader, keyword);
         return;
     }
     for (size_t i = 0; i < sizeof statements / sizeof statements[0]; i++) {

@@ -19,6 +19,10 @@
 /** Largest exponent: what Q16.16 holds. */
 #define MTL_SHININESS_MAX 32767.0
 
+/** Most bytes of a file, and most materials. */
+#define MTL_FILE_MAX 4000000u
+#define MTL_MATERIALS_MAX 65536u
+
 /** What of a material the file gives. */
 enum {
     MTL_AMBIENT = 1,

@@ -3,6 +3,7 @@
 
 #include "memory.h"
 #include "number.h"
+#include "output.h"
 #include "text.h"
 
 #include <math.h>
@@ -81,8 +82,10 @@ static int read_numbers(obj_reader *reader, double values[8]) {
 }
 
 static bool has_room(obj_reader *reader, size_t count) {
-    return count < MESH_NO_NORMAL - 1 ||
-           problem_set(reader->problem, reader->text.line, "more than 2^32 - 2 of a kind");
+    return count < OBJ_ITEMS_MAX || problem_set(reader->problem, reader->text.line,
+                                                "more than the %u positions, normals or triangles that are "
+                                                "read",
+                                                OBJ_ITEMS_MAX);
 }
 
 /** Keeps a position's colour. @return false with a problem when it is none */
@@ -244,6 +247,9 @@ static bool read_face(obj_reader *reader) {
     text_token token;
     reader->face_count = 0;
     while (text_next_token(&reader->text, &token)) {
+        if (reader->face_count == OBJ_CORNERS_MAX) {
+            return problem_set(reader->problem, reader->text.line, "a face of more than %u corners", OBJ_CORNERS_MAX);
+        }
         reader->face = memory_grow(reader->face, &reader->face_capacity, reader->face_count, sizeof *reader->face);
         if (!read_corner(reader, token, &reader->face[reader->face_count])) {
             return false;
@@ -254,9 +260,13 @@ static bool read_face(obj_reader *reader) {
         return problem_set(reader->problem, reader->text.line, "a face takes 3 or more corners, here are %zu",
                            reader->face_count);
     }
-    mesh_add_polygon(reader->mesh, reader->face, reader->face_count);
+    if (!has_room(reader, reader->mesh->triangle_count + reader->face_count - 3)) {
+        return false;
+    }
     reader->mesh->face_count++;
-    return true;
+    return mesh_add_polygon(reader->mesh, reader->face, reader->face_count) ||
+           problem_set(reader->problem, reader->text.line,
+                       "faces that are not convex have too many corners: make them triangles first");
 }
 
 static bool read_group(obj_reader *reader) {
@@ -269,17 +279,18 @@ static bool read_group(obj_reader *reader) {
 /** The place of a name, added when it is new and there are fewer than `most`; else their count. */
 static size_t find_name(obj_names *names, text_token name, size_t line, size_t most) {
     char *text = text_copy(name);
-    size_t place = 0;
-    while (place < names->count && strcmp(names->list[place].text, text) != 0) {
-        place++;
+    size_t slot = bytes_hash(text, name.length) % OBJ_NAME_SLOTS;
+    while (names->slots[slot] != 0 && strcmp(names->list[names->slots[slot] - 1].text, text) != 0) {
+        slot = (slot + 1) % OBJ_NAME_SLOTS;
     }
-    if (place < names->count || names->count == most) {
+    if (names->slots[slot] != 0 || names->count == most) {
         free(text);
-        return place;
+        return names->slots[slot] != 0 ? names->slots[slot] - 1u : names->count;
     }
     names->list = memory_grow(names->list, &names->capacity, names->count, sizeof *names->list);
     names->list[names->count++] = (obj_name){text, line};
-    return place;
+    names->slots[slot] = (uint16_t)names->count;
+    return names->count - 1;
 }
 
 static bool read_material(obj_reader *reader) {

@@ -26,6 +26,13 @@
 /** Largest coordinate that is read; what Q16.16 holds is far less, but a model may be scaled first. */
 #define OBJ_COORDINATE_MAX 1e30
 
+/** Most bytes of a file, and most positions, normals and triangles: far more than microcontrollers hold. */
+#define OBJ_FILE_MAX 500000000u
+#define OBJ_ITEMS_MAX 4000000u
+
+/** Most corners of a face. */
+#define OBJ_CORNERS_MAX 65536u
+
 /** Most different materials that faces name. */
 #define OBJ_MATERIALS_MAX 1024
 
@@ -38,8 +45,12 @@ typedef struct obj_name {
     size_t line;
 } obj_name;
 
+/** Slots to find a name by: twice the most of them. */
+#define OBJ_NAME_SLOTS 2048
+
 /** Different names in the order of the file; owns them. */
 typedef struct obj_names {
+    uint16_t slots[OBJ_NAME_SLOTS]; /**< The place of a name plus one, by hash; 0 for free. */
     obj_name *list;
     size_t count, capacity;
 } obj_names;

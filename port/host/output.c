@@ -42,7 +42,7 @@ void bytes_print(host_bytes *bytes, const char *format, ...) {
     }
 }
 
-bool bytes_read_file(host_bytes *bytes, const char *path, host_problem *problem) {
+bool bytes_read_file(host_bytes *bytes, const char *path, size_t most, host_problem *problem) {
     FILE *file = fopen(path, "rb");
     if (file == NULL) {
         return problem_set(problem, 0, "cannot be opened: %s", strerror(errno));
@@ -51,6 +51,11 @@ bool bytes_read_file(host_bytes *bytes, const char *path, host_problem *problem)
     size_t got = 0;
     do {
         bytes->count += got;
+        if (bytes->count > most) {
+            free(bytes->data);
+            fclose(file);
+            return problem_set(problem, 0, "is larger than the %zu MB that are read", most / 1000000);
+        }
         bytes->data = memory_grow(bytes->data, &bytes->capacity, bytes->count, 1);
         got = fread(bytes->data + bytes->count, 1, bytes->capacity - bytes->count, file);
     } while (got > 0);

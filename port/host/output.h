@@ -26,8 +26,12 @@ void bytes_add(host_bytes *bytes, uint8_t value);
 /** Appends formatted text, of at most 1 KB. */
 void bytes_print(host_bytes *bytes, const char *format, ...) PROBLEM_PRINTF(2, 3);
 
-/** Reads a file whole. @return false with a problem of line 0 when that fails; nothing is then to be freed. */
-bool bytes_read_file(host_bytes *bytes, const char *path, host_problem *problem);
+/**
+ * Reads a file whole.
+ * @param most bytes that it may have, in whole millions
+ * @return false with a problem of line 0 when that fails; nothing is then to be freed
+ */
+bool bytes_read_file(host_bytes *bytes, const char *path, size_t most, host_problem *problem);
 
 /**
  * Writes a new file in the same folder and moves it into place, so that neither a failure nor a signal leaves a part of

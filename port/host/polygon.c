@@ -13,6 +13,9 @@
 /** Ear clipping takes the square of the number of corners, the cube at worst. */
 #define EAR_CORNERS_MAX 1024
 
+/** Most corners to look at for all polygons of a mesh, which takes some seconds. */
+#define CLIP_STEPS_MAX 1000000000u
+
 typedef struct flat_point {
     double x, y;
 } flat_point;
@@ -102,19 +105,20 @@ static void clip_ears(host_mesh *mesh, polygon_ring *ring) {
         ring->left[i] = i;
     }
     size_t at = 0;
-    while (ring->count >= 3) {
+    while (ring->count >= 3 && mesh->clip_steps < CLIP_STEPS_MAX) {
         size_t tried = 0;
         while (tried < ring->count && !is_ear(ring, at)) {
             at = (at + 1) % ring->count;
             tried++;
         }
+        mesh->clip_steps += tried * ring->count;
         /* A ring that crosses itself may have no ear: cutting any corner still ends, with all corners used. */
         clip_corner(mesh, ring, at);
         at %= ring->count;
     }
 }
 
-void mesh_add_polygon(host_mesh *mesh, const mesh_corner *corners, size_t count) {
+bool mesh_add_polygon(host_mesh *mesh, const mesh_corner *corners, size_t count) {
     flat_point *points = NULL;
     int fan = count == 3 || count > EAR_CORNERS_MAX;
     if (!fan) {
@@ -132,4 +136,5 @@ void mesh_add_polygon(host_mesh *mesh, const mesh_corner *corners, size_t count)
         free(ring.left);
     }
     free(points);
+    return mesh->clip_steps < CLIP_STEPS_MAX;
 }

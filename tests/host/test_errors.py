@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Bad input: one line on stderr, status 2, no file."""
+import math
 import os
 import re
 
@@ -276,3 +277,37 @@ def test_extreme_scenes_are_refused_or_drawn(host):
         host.check(f"far.obj {' '.join(options)}", drawn or refused, f"{run.returncode} {run.stderr!r}")
         if os.path.exists(host.path("far.png")):
             os.remove(host.path("far.png"))
+
+
+def test_what_is_too_large(host):
+    """Limits, and a message, in place of minutes and gigabytes."""
+    turns = [.2 * i for i in range(512)]
+    spiral = [(t * math.cos(t), t * math.sin(t)) for t in turns] + [((t - .5) * math.cos(t), (t - .5) * math.sin(t)) for t in turns[::-1]]
+    many = r"\d+: more than the 4000000 positions, normals or triangles that are read"
+    for name, text, pattern in [
+            ("corners", POINTS + "f" + " 1 2 3" * 30000, r"4: a face of more than 65536 corners"),
+            ("triangles", POINTS + ("f" + " 1 2 3" * 20000 + "\n") * 70, many),
+            ("positions", "v 0 0 0\n" * 4000001, many),
+            ("ears", "".join("v %.9g %.9g 0\n" % p for p in spiral) + ("f " + " ".join(map(str, range(1, 1025))) + "\n") * 100,
+             r"\d+: faces that are not convex have too many corners: make them triangles first")]:
+        host.write("large.obj", text)
+        host.refuses(f"too many {name}", ["info", "large.obj"], r"large\.obj:" + pattern)
+    host.write("large.obj", POINTS + "f 1 2 3\n")
+    os.truncate(host.path("large.obj"), 500000001)
+    host.refuses("a file of 500 MB", ["info", "large.obj"], r"large\.obj:0: is larger than the 500 MB that are read")
+    host.write("many.mtl", "newmtl a\n" * 65537)
+    host.write("long.mtl", "#" * 4000001)
+    host.write("large.obj", "mtllib " + "none.mtl " * 99 + "\nmtllib many.mtl\nmtllib long.mtl\n" + POINTS + "f 1 2 3\n")
+    run = host.run("info", "large.obj")
+    host.equal("files of materials", run.stderr.splitlines(), [
+        "large.obj:1: warning: 'none.mtl' cannot be read: its materials are missing (and 63 more)",
+        "large.obj:1: warning: 'none.mtl' is skipped: no more than 64 files of materials are read (and 36 more)"])
+    host.write("large.obj", "mtllib many.mtl\nmtllib long.mtl\n" + POINTS + "f 1 2 3\n")
+    run = host.run("info", "large.obj")
+    host.equal("large files of materials", run.stderr.splitlines(), [
+        "large.obj:2: warning: 'long.mtl' cannot be read: its materials are missing",
+        "many.mtl:65537: warning: 'newmtl' is skipped: there are 65536 materials before it"])
+    names = list(range(1024)) * 2
+    host.write("large.obj", POINTS + "".join(f"usemtl {n}\nf 1 2 3\n" for n in names))
+    host.equal("1024 materials", host.run("info", "large.obj").returncode, 0)
+    os.remove(host.path("large.obj"))
