@@ -52,6 +52,8 @@ look() {
     [ -e /usr/arm-linux-gnueabihf/include/stdio.h ] || missing+=(libc6-dev-armhf-cross)
     [ -e /usr/s390x-linux-gnu/include/stdio.h ] || missing+=(libc6-dev-s390x-cross)
     [ -e /usr/riscv64-linux-gnu/include/stdio.h ] || missing+=(libc6-dev-riscv64-cross)
+    [ -e /usr/include/assimp/cimport.h ] || missing+=(libassimp-dev)
+    [ -e /usr/include/meshoptimizer.h ] || missing+=(libmeshoptimizer-dev)
     if command -v clang >/dev/null 2>&1; then
         ls "$(clang -print-resource-dir)"/lib/linux/libclang_rt.fuzzer-*.a >/dev/null 2>&1 || missing+=(libclang-rt-dev)
     else

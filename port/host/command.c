@@ -43,7 +43,7 @@ bool command_load(const host_settings *settings, bool converted, host_model *mod
         model_free(model);
         return false;
     }
-    if (!settings->load.plain) {
+    if (!settings->load.plain && mesh->vertex_count <= VERTICES_HELD) {
         quantised_cluster(mesh);
     }
     return true;
@@ -72,7 +72,7 @@ void command_warn_of_size(const host_settings *settings, const quantised_mesh *m
         problem_set(
             &warning, 0,
             "warning: %zu vertices and %zu triangles take %.1f MB of flash, more than microcontrollers have: take "
-            "fewer triangles (Blender: Decimate), or a part of the model",
+            "fewer triangles (--simplify N), or a part of the model",
             mesh->vertex_count, mesh->triangle_count, (double)flash / 1e6);
         problem_print(settings->model, &warning);
     }

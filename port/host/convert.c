@@ -49,6 +49,12 @@ static void print_in_comment(host_bytes *out, const char *text) {
 }
 
 static void print_load_options(host_bytes *out, const load_options *load) {
+    if (load->weld >= 0) {
+        bytes_print(out, " --weld %.9g", load->weld);
+    }
+    if (load->simplify > 0) {
+        bytes_print(out, " --simplify %zu", load->simplify);
+    }
     if (load->crease >= 0) {
         bytes_print(out, " --crease %.9g", load->crease);
     }
@@ -106,6 +112,10 @@ static void print_head(const header_writer *writer, const host_model *model, con
                 mesh->vertex_count, mesh->triangle_count, quantised_size(mesh));
     print_command_line(writer);
     bytes_print(out, "\n * from a source whose FNV-1a hash (64 bits) is %016llx.\n", (unsigned long long)model->hash);
+    if (writer->settings->load.simplify > 0) {
+        bytes_print(out, " * Simplified from %zu triangles: geometric error %.3g, in units of the source.\n",
+                    model->read_count, model->error);
+    }
     for (size_t i = 0; i < model->materials.library_count; i++) {
         bytes_print(out, " * Materials from ");
         print_in_comment(out, path_base_name(model->materials.libraries[i].path));

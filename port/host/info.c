@@ -33,8 +33,11 @@ static void print_counts(const host_model *model, const quantised_mesh *mesh) {
     printf("positions %zu\n", model->mesh.position_count);
     printf("positions_used %zu\n", topology.point_count);
     printf("vertices %zu\n", mesh->vertex_count);
+    printf("positions_welded %zu\n", model->welded_count);
     printf("faces %zu\n", model->mesh.face_count);
     printf("triangles %zu\n", mesh->triangle_count);
+    printf("triangles_read %zu\n", model->read_count);
+    printf("geometric_error %.3g\n", model->error);
     printf("triangles_dropped %zu\n", mesh->dropped_count);
     printf("groups %zu\n", model->mesh.group_count);
     printf("pieces %zu\n", mesh->piece_count);

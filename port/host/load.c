@@ -1,16 +1,30 @@
 /* SPDX-License-Identifier: MIT */
 #include "load.h"
 
+#include "importer.h"
 #include "output.h"
 #include "shapes.h"
+#include "simplify.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static bool load_mesh(const char *name, host_model *model, host_problem *problem) {
+static bool load_obj(const char *name, const host_bytes *file, host_model *model, host_problem *problem) {
+    obj_materials named;
+    if (!obj_read((const char *)file->data, file->count, &model->mesh, &named, &model->warnings, problem)) {
+        return false;
+    }
+    materials_load(name, &named, &model->mesh, &model->materials, &model->warnings);
+    obj_materials_free(&named);
+    return true;
+}
+
+static bool load_mesh(const char *name, const load_options *options, host_model *model, host_problem *problem) {
     const host_shape *shape = shape_find(name);
     memset(&model->materials, 0, sizeof model->materials);
     model->warnings.count = 0;
+    model->error = 0;
     if (shape != NULL) {
         model->hash = bytes_hash(name, strlen(name));
         return shape_make(shape, name, &model->mesh, problem);
@@ -20,30 +34,42 @@ static bool load_mesh(const char *name, host_model *model, host_problem *problem
         return false;
     }
     model->hash = bytes_hash(file.data, file.count);
-    obj_materials named;
-    const bool ok = obj_read((const char *)file.data, file.count, &model->mesh, &named, &model->warnings, problem);
+    const bool imported = importer_takes(name);
+    bool ok = imported || load_obj(name, &file, model, problem);
     free(file.data);
-    if (ok) {
-        materials_load(name, &named, &model->mesh, &model->materials, &model->warnings);
-        obj_materials_free(&named);
+    if (imported) {
+        ok = importer_load(name, &options->import, &model->mesh, &model->materials, &model->warnings, problem);
     }
     return ok;
 }
 
-bool load_model(const char *name, const load_options *options, host_model *model, host_problem *problem) {
-    if (!load_mesh(name, model, problem)) {
-        return false;
-    }
+static void count_normals(host_model *model) {
     model->corner_count = 3 * model->mesh.triangle_count;
     model->given_normals = 0;
     for (size_t i = 0; i < model->corner_count; i++) {
         model->given_normals += model->mesh.triangles[i / 3][i % 3].normal != MESH_NO_NORMAL;
     }
-    model->turned_count = options->repair ? mesh_repair_winding(&model->mesh) : 0;
+}
+
+bool load_model(const char *name, const load_options *options, host_model *model, host_problem *problem) {
+    const bool reduced = options->simplify > 0;
+    host_mesh *mesh = &model->mesh;
+    if (!load_mesh(name, options, model, problem)) {
+        return false;
+    }
+    model->welded_count = options->weld >= 0 || reduced ? mesh_join(mesh, fmax(options->weld, 0)) : 0;
+    count_normals(model);
+    model->turned_count = options->repair ? mesh_repair_winding(mesh) : 0;
+    if (!options->facets) {
+        mesh_average_normals(mesh, options->crease, options->weights);
+    }
+    model->read_count = mesh->triangle_count;
+    if (reduced && !mesh_simplify(mesh, options->simplify, &model->error, problem)) {
+        model_free(model);
+        return false;
+    }
     if (options->facets) {
-        mesh_make_facet_normals(&model->mesh);
-    } else {
-        mesh_average_normals(&model->mesh, options->crease, options->weights);
+        mesh_make_facet_normals(mesh);
     }
     return true;
 }

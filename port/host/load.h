@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file load.h
- * A model by its name on the command line: an OBJ file or a generated shape.
+ * A model by its name on the command line: a file or a generated shape.
  */
 #ifndef GLINT_HOST_LOAD_H
 #define GLINT_HOST_LOAD_H
 
+#include "child.h"
 #include "materials.h"
 #include "mesh.h"
 #include "problem.h"
@@ -14,9 +15,12 @@
 typedef struct load_options {
     double crease; /**< As for mesh_average_normals. */
     mesh_weights weights;
-    bool facets; /**< Facet normals in place of averages. */
-    bool repair; /**< Turn triangles that are wound the wrong way. */
-    bool plain;  /**< Without clusters, in the order of the model. */
+    bool facets;         /**< Facet normals in place of averages. */
+    bool repair;         /**< Turn triangles that are wound the wrong way. */
+    bool plain;          /**< Without clusters, in the order of the model. */
+    double weld;         /**< Distance within which positions become one; below 0 for not at all. */
+    size_t simplify;     /**< Most triangles; 0 for as many as there are. */
+    child_limits import; /**< For what reads other formats than OBJ. */
 } load_options;
 
 /** A model with normals at every corner. */
@@ -26,6 +30,9 @@ typedef struct host_model {
     uint64_t hash;            /**< FNV-1a, 64 bits, of the file's bytes, or of a shape's name. */
     size_t corner_count;      /**< Corners of all triangles... */
     size_t given_normals;     /**< ...and those of them whose normal came with the model. */
+    size_t welded_count;      /**< Positions that became one with others. */
+    size_t read_count;        /**< Triangles before the model was simplified... */
+    double error;             /**< ...and by how much it moved, in the file's units. */
     size_t turned_count;      /**< Triangles turned by the repair. */
     host_warnings warnings;
     double low[3], high[3]; /**< Its box, as options have it (place.h). */

@@ -44,14 +44,17 @@ static int print_help(void) {
     for (size_t i = 0; i < COMMAND_COUNT; i++) {
         print_command(&commands[i]);
     }
-    printf("\nglint help\nglint --version\n\nMODEL is a Wavefront OBJ file or one of\n");
+    printf("\nglint help\nglint --version\n\n"
+           "MODEL is a Wavefront OBJ file; or one that assimp reads by way of glint-import, whose name ends by its\n"
+           "format, such as .glb, .gltf, .stl, .ply, .fbx, .dae or .3ds (the environment's GLINT_IMPORT names another\n"
+           "program for that); or one of\n");
     for (const host_shape *shape = host_shapes; shape->name != NULL; shape++) {
         char left[40];
         snprintf(left, sizeof left, "%s%s", shape->name, shape->syntax);
         printf("  %-26s %s\n", left, shape->help);
     }
     printf("\nWhat holds without an option stands last in its line. Bad input ends with one line on stderr,\n"
-           "exit status 2, and no output file. What an OBJ file says and glint does not follow, such as\n"
+           "exit status 2, and no output file. What a model says and glint does not follow, such as\n"
            "textures, is told by warnings on stderr, with status 0. The file to write replaces an older one,\n"
            "or the one that a link of its name leads to, whole or not at all; it may not be the model's own.\n");
     return 0;

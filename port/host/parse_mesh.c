@@ -5,6 +5,7 @@
  */
 #include "parsers.h"
 
+#include "number.h"
 #include "values.h"
 
 #include <string.h>
@@ -35,6 +36,35 @@ bool parse_repair(host_settings *settings, const char *text, host_problem *probl
     (void)problem;
     settings->load.repair = true;
     return true;
+}
+
+bool parse_weld(host_settings *settings, const char *text, host_problem *problem) {
+    return value_real(text, 0, OBJ_COORDINATE_MAX, &settings->load.weld) ||
+           value_expected(problem, "takes a distance from 0");
+}
+
+static bool parse_count(const char *text, int64_t most, unsigned *count) {
+    int64_t value;
+    const bool ok = number_integer(text, strlen(text), &value) && value >= 1 && value <= most;
+    *count = ok ? (unsigned)value : 0;
+    return ok;
+}
+
+bool parse_simplify(host_settings *settings, const char *text, host_problem *problem) {
+    unsigned count;
+    const bool ok = parse_count(text, OBJ_ITEMS_MAX, &count);
+    settings->load.simplify = count;
+    return ok || value_expected(problem, "takes triangles from 1 to 4000000");
+}
+
+bool parse_import_seconds(host_settings *settings, const char *text, host_problem *problem) {
+    return parse_count(text, 86400, &settings->load.import.seconds) ||
+           value_expected(problem, "takes seconds from 1 to 86400");
+}
+
+bool parse_import_memory(host_settings *settings, const char *text, host_problem *problem) {
+    return parse_count(text, 1048576, &settings->load.import.megabytes) ||
+           value_expected(problem, "takes MB from 1 to 1048576");
 }
 
 bool parse_no_clusters(host_settings *settings, const char *text, host_problem *problem) {

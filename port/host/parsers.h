@@ -31,6 +31,10 @@ bool parse_weights(host_settings *settings, const char *text, host_problem *prob
 bool parse_facets(host_settings *settings, const char *text, host_problem *problem);
 bool parse_repair(host_settings *settings, const char *text, host_problem *problem);
 bool parse_no_clusters(host_settings *settings, const char *text, host_problem *problem);
+bool parse_weld(host_settings *settings, const char *text, host_problem *problem);
+bool parse_simplify(host_settings *settings, const char *text, host_problem *problem);
+bool parse_import_seconds(host_settings *settings, const char *text, host_problem *problem);
+bool parse_import_memory(host_settings *settings, const char *text, host_problem *problem);
 
 bool parse_list(host_settings *settings, const char *text, host_problem *problem);
 bool parse_frame(host_settings *settings, const char *text, host_problem *problem);

@@ -255,11 +255,16 @@ static const host_option options[] = {
     {"--crease", "DEG", "make all normals anew, split at edges sharper than that", COMMANDS_WITH_MESH, parse_crease},
     {"--weights", "NAME", "what triangles weigh in the normals that are made: equal, area or angle; area",
      COMMANDS_WITH_MESH, parse_weights},
+    {"--weld", "D", "make one of positions within that distance, in the model's units; 0 for equal ones",
+     COMMANDS_WITH_MESH, parse_weld},
+    {"--simplify", "N", "at most N triangles, by meshoptimizer", COMMANDS_WITH_MESH, parse_simplify},
     {"--facets", NULL, "make all normals anew, the triangles' own", COMMANDS_WITH_MESH, parse_facets},
     {"--repair", NULL, "turn triangles so that connected parts are wound consistently and face outwards",
      COMMANDS_WITH_MESH, parse_repair},
     {"--no-clusters", NULL, "make no clusters, keep the model's order: where flash is short or light is costly",
      COMMANDS_WITH_MESH, parse_no_clusters},
+    {"--import-seconds", "S", "time for reading another format than OBJ; 60", COMMANDS_WITH_MESH, parse_import_seconds},
+    {"--import-memory", "MB", "memory for it; 2048", COMMANDS_WITH_MESH, parse_import_memory},
     {"--list", NULL, "print the scenes and their variants", COMMAND_SCENE, parse_list},
     {"--frame", "N", "which frame, counted from 0; 0", COMMAND_SCENE, parse_frame},
     {"--animate", "N", "an APNG of N frames, 1 to 1000, spread over the time in which the scene repeats", COMMAND_SCENE,
@@ -343,6 +348,8 @@ void settings_default(host_settings *settings) {
     settings->reflection = &glint_model_blinn_phong;
     settings->gamma = 1.0;
     settings->load.crease = MESH_NO_CREASE;
+    settings->load.weld = -1;
+    settings->load.import = (child_limits){60, 2048, OBJ_FILE_MAX};
     settings->models = "examples/models";
 }
 

@@ -88,10 +88,10 @@ class Host:
             raise AssertionError(f"info {model}: status {run.returncode}, {run.stderr.strip()}")
         return dict(line.split(" ", 1) for line in run.stdout.split("\n\n")[0].splitlines())
 
-    def refuses(self, name, arguments, pattern, before=None):
+    def refuses(self, name, arguments, pattern, before=None, env=None):
         """Status 2, one line on stderr that the pattern matches whole, nothing on stdout, no file more or less."""
         files = self.files()
-        run = self.run(*arguments, before=before)
+        run = self.run(*arguments, before=before, env=env)
         self.check(name, run.returncode == 2 and run.stdout == "" and run.stderr.endswith("\n") and
                    run.stderr.count("\n") == 1 and re.fullmatch(pattern, run.stderr.rstrip("\n")) is not None and
                    self.files() == files,

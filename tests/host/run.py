@@ -7,6 +7,7 @@ import test_clusters
 import test_convert
 import test_errors
 import test_gallery
+import test_import
 import test_labels
 import test_materials
 import test_normals
@@ -17,13 +18,14 @@ import test_render
 import test_scene
 import test_shading
 import test_shapes
+import test_simplify
 import test_winding
 from harness import Host
 
 
 def main():
     host = Host(sys.argv[1])
-    for module in (test_render, test_shading, test_obj, test_materials, test_place, test_winding, test_shapes, test_normals, test_errors, test_convert,
+    for module in (test_render, test_shading, test_obj, test_materials, test_place, test_winding, test_shapes, test_normals, test_errors, test_convert, test_import, test_simplify,
                    test_clusters, test_scene, test_labels, test_output, test_gallery):
         for name in (name for name in vars(module) if name.startswith("test_")):
             try:

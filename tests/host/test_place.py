@@ -125,7 +125,7 @@ def test_scale_is_the_same_of_all_commands(host):
 def test_what_no_microcontroller_holds(host):
     host.write("big.obj", torus_text(512, 256))
     line = (r"big\.obj:0: warning: {} vertices and 262144 triangles take \S+ MB of flash, more than microcontrollers have: take "
-            r"fewer triangles \(Blender: Decimate\), or a part of the model\n")
+            r"fewer triangles \(--simplify N\), or a part of the model\n")
     for arguments in (["info", "big.obj"], ["convert", "big.obj", "-o", "big.h"]):
         run = host.run(*arguments)
         host.check(f"{arguments[0]} of what is too large", run.returncode == 0 and

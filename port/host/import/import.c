@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file import.c
+ * glint-import MODEL: what assimp reads, as MTL and OBJ text on stdout: the materials, a line `# mesh`, the mesh, and
+ * `# end`. One line on stderr and status 1 for what it cannot read.
+ *
+ * `glint` runs it in a process of its own, under limits, and trusts nothing that it prints.
+ */
+#include "folder.h"
+#include "paint.h"
+
+#include <assimp/cimport.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** What is printed of a scene, mesh by mesh. */
+typedef struct printer {
+    const struct aiScene *scene;
+    int coloured; /* whether any mesh has colours: then all positions get one */
+    int painted;  /* whether meshes with a material are printed, or those without */
+    size_t position_count, normal_count;
+} printer;
+
+/** A place in space: 3 rows of 4. */
+typedef struct placement {
+    double m[3][4];
+} placement;
+
+static placement combine(const struct aiMatrix4x4 *outer, const placement *inner) {
+    const double rows[3][4] = {{outer->a1, outer->a2, outer->a3, outer->a4},
+                               {outer->b1, outer->b2, outer->b3, outer->b4},
+                               {outer->c1, outer->c2, outer->c3, outer->c4}};
+    placement result;
+    for (int row = 0; row < 3; row++) {
+        for (int column = 0; column < 4; column++) {
+            result.m[row][column] = column == 3 ? rows[row][3] : 0;
+            for (int i = 0; i < 3; i++) {
+                result.m[row][column] += rows[row][i] * inner->m[i][column];
+            }
+        }
+    }
+    return result;
+}
+
+/** The cofactors of the turning part, which take normals as its inverse transpose does, and its determinant. */
+static double cofactors(const placement *place, double normal[3][3]) {
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            const double *a = place->m[(i + 1) % 3];
+            const double *b = place->m[(i + 2) % 3];
+            normal[i][j] = a[(j + 1) % 3] * b[(j + 2) % 3] - a[(j + 2) % 3] * b[(j + 1) % 3];
+        }
+    }
+    return place->m[0][0] * normal[0][0] + place->m[0][1] * normal[0][1] + place->m[0][2] * normal[0][2];
+}
+
+static double channel(float value) {
+    return value > 0 ? value < 1 ? (double)value : 1 : 0;
+}
+
+static void print_positions(const printer *out, const struct aiMesh *mesh, const placement *place) {
+    for (unsigned i = 0; i < mesh->mNumVertices; i++) {
+        const struct aiVector3D *at = &mesh->mVertices[i];
+        putchar('v');
+        for (int row = 0; row < 3; row++) {
+            const double *m = place->m[row];
+            printf(" %.9g", m[0] * at->x + m[1] * at->y + m[2] * at->z + m[3]);
+        }
+        const struct aiColor4D *colour = mesh->mColors[0] != NULL ? &mesh->mColors[0][i] : NULL;
+        if (colour != NULL) {
+            printf(" %.6g %.6g %.6g", channel(colour->r), channel(colour->g), channel(colour->b));
+        } else if (out->coloured) {
+            printf(" 1 1 1");
+        }
+        putchar('\n');
+    }
+}
+
+/** Prints a normal for each position. One that is not finite is printed as none, which is of length 0. */
+static void print_normals(const struct aiMesh *mesh, double turn[3][3], double determinant) {
+    for (unsigned i = 0; i < mesh->mNumVertices; i++) {
+        const struct aiVector3D *at = &mesh->mNormals[i];
+        double normal[3];
+        int finite = 1;
+        for (int row = 0; row < 3; row++) {
+            normal[row] = turn[row][0] * at->x + turn[row][1] * at->y + turn[row][2] * at->z;
+            normal[row] = determinant < 0 ? -normal[row] : normal[row];
+            finite = finite && isfinite(normal[row]);
+        }
+        printf(finite ? "vn %.9g %.9g %.9g\n" : "vn 0 0 0\n", normal[0], normal[1], normal[2]);
+    }
+}
+
+/** Prints a face, the other way round where its mesh is mirrored. Points and lines are told from faces by their letter.
+ */
+static void print_face(const printer *out, const struct aiFace *face, int has_normals, int mirrored) {
+    putchar(face->mNumIndices > 2 ? 'f' : face->mNumIndices == 2 ? 'l' : 'p');
+    for (unsigned i = 0; i < face->mNumIndices; i++) {
+        const size_t index = face->mIndices[mirrored ? face->mNumIndices - 1 - i : i];
+        printf(" %zu", out->position_count + index + 1);
+        if (has_normals && face->mNumIndices > 2) {
+            printf("//%zu", out->normal_count + index + 1);
+        }
+    }
+    putchar('\n');
+}
+
+static void print_mesh(printer *out, const struct aiMesh *mesh, const placement *place) {
+    double turn[3][3];
+    const double determinant = cofactors(place, turn);
+    const int has_normals = mesh->mNormals != NULL;
+    print_positions(out, mesh, place);
+    if (has_normals) {
+        print_normals(mesh, turn, determinant);
+    }
+    if (out->painted) {
+        paint_use(out->scene, mesh->mMaterialIndex);
+    }
+    for (unsigned i = 0; i < mesh->mNumFaces; i++) {
+        print_face(out, &mesh->mFaces[i], has_normals, determinant < 0);
+    }
+    out->position_count += mesh->mNumVertices;
+    out->normal_count += has_normals ? mesh->mNumVertices : 0;
+}
+
+/** Where a node is: what is above it comes in through its parents. */
+static placement place_of(const struct aiNode *node) {
+    placement place = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+    for (; node != NULL; node = node->mParent) {
+        place = combine(&node->mTransformation, &place);
+    }
+    return place;
+}
+
+static void print_meshes(printer *out, const struct aiNode *node) {
+    const placement place = place_of(node);
+    for (unsigned i = 0; i < node->mNumMeshes; i++) {
+        const struct aiMesh *mesh = out->scene->mMeshes[node->mMeshes[i]];
+        if (paint_is_none(out->scene, mesh->mMaterialIndex) == !out->painted) {
+            print_mesh(out, mesh, &place);
+        }
+    }
+}
+
+/** The node after one in the order of the file: a node stands before what is below it. Null after the last. */
+static const struct aiNode *next_node(const struct aiNode *node) {
+    if (node->mNumChildren > 0) {
+        return node->mChildren[0];
+    }
+    for (; node->mParent != NULL; node = node->mParent) {
+        const struct aiNode *parent = node->mParent;
+        unsigned place = 0;
+        while (parent->mChildren[place] != node) {
+            place++;
+        }
+        if (place + 1 < parent->mNumChildren) {
+            return parent->mChildren[place + 1];
+        }
+    }
+    return NULL;
+}
+
+static void print_nodes(printer *out) {
+    for (const struct aiNode *node = out->scene->mRootNode; node != NULL; node = next_node(node)) {
+        if (node->mNumMeshes > 0) {
+            print_meshes(out, node);
+        }
+    }
+}
+
+static void print_scene(const struct aiScene *scene) {
+    printer out = {scene, 0, 0, 0, 0};
+    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+        out.coloured = out.coloured || scene->mMeshes[i]->mColors[0] != NULL;
+    }
+    paint_print(scene);
+    puts("# mesh");
+    /* What has no material comes first: nothing in an OBJ file ends a usemtl. */
+    print_nodes(&out);
+    out.painted = 1;
+    print_nodes(&out);
+    puts("# end");
+}
+
+static int fail(const char *why) {
+    fprintf(stderr, "%s\n", why);
+    return 1;
+}
+
+int main(int count, char **arguments) {
+    struct aiFileIO files;
+    if (count != 2) {
+        return fail("usage: glint-import MODEL");
+    }
+    if (!folder_open(&files, arguments[1])) {
+        return fail("its folder cannot be opened");
+    }
+    /* Indices are checked by assimp, and all else by the reader of OBJ files. */
+    const struct aiScene *scene = aiImportFileEx(arguments[1], aiProcess_ValidateDataStructure, &files);
+    if (scene == NULL) {
+        const char *why = aiGetErrorString();
+        return fail(strstr(why, "bad_alloc") != NULL ? "takes more memory than it may" : why);
+    }
+    print_scene(scene);
+    return fflush(stdout) == 0 ? 0 : fail("its output cannot be written");
+}

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT */
+#define _XOPEN_SOURCE 700 /* POSIX of 2008: readlink, access */
+
+#include "importer.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <unistd.h>
+
+/** Between the parts of what glint-import prints, and after them. */
+static const char mesh_mark[] = "# mesh\n";
+static const char end_mark[] = "# end\n";
+
+bool importer_takes(const char *name) {
+    const char *dot = strrchr(path_base_name(name), '.');
+    return dot != NULL && dot > path_base_name(name) && strcasecmp(dot, ".obj") != 0;
+}
+
+/** The program's path, or its name alone where the system does not tell this one's folder. */
+static void find_program(char path[PATH_MAX]) {
+    static const char name[] = "glint-import";
+    const char *given = getenv("GLINT_IMPORT");
+    if (given != NULL && strlen(given) < PATH_MAX) {
+        strcpy(path, given);
+        return;
+    }
+    const ssize_t length = readlink("/proc/self/exe", path, PATH_MAX - sizeof name);
+    path[length > 0 ? length : 0] = '\0';
+    strcpy(path + (path_base_name(path) - path), name);
+}
+
+/** Where a mark begins that is a line of its own, or null. */
+static const char *find_line(const host_bytes *text, const char *mark) {
+    const size_t length = strlen(mark);
+    const char *at = (const char *)text->data;
+    const char *end = at + text->count;
+    while (at != NULL && (size_t)(end - at) >= length) {
+        if (memcmp(at, mark, length) == 0) {
+            return at;
+        }
+        at = memchr(at, '\n', (size_t)(end - at));
+        at = at != NULL ? at + 1 : NULL;
+    }
+    return NULL;
+}
+
+/** Lines are those of what was printed, which nobody sees. */
+static void forget_lines(host_warnings *warnings) {
+    for (size_t i = 0; i < warnings->count; i++) {
+        warnings->list[i].line = 0;
+    }
+}
+
+/** Adds the warnings that there is room for. */
+static void add_warnings(host_warnings *warnings, const host_warnings *more) {
+    for (size_t i = 0; i < more->count && warnings->count < PROBLEM_WARNINGS_MAX; i++) {
+        warnings->list[warnings->count++] = more->list[i];
+    }
+}
+
+static bool read_text(const host_bytes *text, host_mesh *mesh, host_materials *materials, host_warnings *warnings,
+                      host_problem *problem) {
+    const char *start = (const char *)text->data;
+    const char *middle = find_line(text, mesh_mark);
+    const size_t end_size = strlen(end_mark);
+    if (middle == NULL || text->count < end_size || memcmp(start + text->count - end_size, end_mark, end_size) != 0) {
+        return problem_set(problem, 0, "the program gave no whole mesh");
+    }
+    obj_materials named;
+    if (!obj_read(middle, (size_t)(start + text->count - middle), mesh, &named, warnings, problem)) {
+        return false;
+    }
+    host_warnings painted;
+    memset(materials, 0, sizeof *materials);
+    mtl_read(start, (size_t)(middle - start), &materials->all, &painted);
+    add_warnings(warnings, &painted);
+    materials_name(&named, mesh, materials, warnings);
+    obj_materials_free(&named);
+    forget_lines(warnings);
+    mesh->farthest_line = 0;
+    mesh_join(mesh, 0);
+    return true;
+}
+
+bool importer_load(const char *name, const child_limits *limits, host_mesh *mesh, host_materials *materials,
+                   host_warnings *warnings, host_problem *problem) {
+    char program[PATH_MAX];
+    char *const model = (char *)(uintptr_t)name; /* execvp takes it without const, and leaves it as it is */
+    char *const arguments[] = {program, model, NULL};
+    find_program(program);
+    if (strchr(program, '/') != NULL && access(program, X_OK) != 0) {
+        return problem_set(problem, 0,
+                           "only OBJ files are read: for others install libassimp-dev, and run make host again");
+    }
+    host_bytes text;
+    host_problem why;
+    bool ok = child_run(arguments, limits, &text, &why);
+    if (ok) {
+        ok = read_text(&text, mesh, materials, warnings, &why);
+        free(text.data);
+    }
+    return ok || problem_set(problem, 0, "cannot be imported: %s", why.text);
+}
