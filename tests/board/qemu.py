@@ -11,8 +11,9 @@ import tempfile
 import threading
 import time
 
-sys.path.append(os.path.join(os.path.dirname(__file__), "..", "..", "tools", "stack"))
+sys.path += [os.path.join(os.path.dirname(__file__), "..", "..", "tools", tool) for tool in ("panel", "stack")]
 import stack  # noqa: E402
+from picture import read_netpbm  # noqa: E402, F401 (for the suites)
 
 # Seconds after which an emulated program that says nothing is taken for dead. Generous: a loaded machine is no failure.
 SILENCE = 180
@@ -121,8 +122,7 @@ def check_stack(tally, elf, line):
     """Holds "stack used N" against what the linker script reserves, of which a quarter stays free, and the worst case."""
     match = re.match(r"^stack used (\d+)$", line)
     if match and os.path.basename(elf) in BOUNDED:
-        table = stack.read_table(os.path.join(os.path.dirname(stack.__file__), "targets.csv"))
-        worst = stack.check(elf, stack.read(elf, table))[0]
+        worst = stack.check(elf, stack.read(elf, stack.read_table()))[0]
         print("  %s: %s, at most %d" % (elf, line, worst))
         tally.check(int(match[1]) <= worst, "%s: %s, but at most %d was found" % (elf, line, worst))
     if match:
@@ -148,21 +148,6 @@ class Tally:
     def close(self):
         print("%d passed, %d failed" % (self.passed, self.failed))
         return 1 if self.failed or not self.passed else 0
-
-
-def read_netpbm(path):
-    """A binary PGM or PPM as (width, height, samples per pixel, bytes)."""
-    with open(path, "rb") as file:
-        data = file.read()
-    fields, at = [], 0
-    while len(fields) < 4:
-        end = at
-        while not data[end:end + 1].isspace():
-            end += 1
-        fields.append(data[at:end])
-        at = end + 1
-    channels = {b"P5": 1, b"P6": 3}[fields[0]]
-    return int(fields[1]), int(fields[2]), channels, data[at:]
 
 
 def write_grey(path, width, height, pixels):

@@ -9,17 +9,17 @@ panel's controller (tests/panel), whose picture must equal the host's pixel for 
 Each picture is left as DIRECTORY/BOARD/<name>-<frame>.png.
 """
 import argparse
+import collections
 import os
 import re
 import shutil
-import struct
 import subprocess
 import sys
 import tempfile
-import zlib
 
 from panel import glass
-from qemu import Died, Machine, Tally, check_stack, read_netpbm
+from qemu import Died, Machine, Tally, check_stack
+from picture import WRITE_MEMORY, Recorder, Wires, Wrong, read_netpbm, write_png
 
 FRAMES = ["torus576-0", "torus576-1", "teapot-0", "teapot-1"]
 
@@ -140,59 +140,31 @@ class Virt:
             file.write(b"P6\n%d %d\n255\n" % (self.width, self.height) + out)
 
 
+# A panel of tests/panel, and what the host draws for it.
+Panel = collections.namedtuple("Panel", "module width height format rotation frame_bytes starts_pixels")
+
+
+def colour_panel(module):
+    return Panel(module, 320, 240, "rgb565", 90, 2 * 320 * 240, WRITE_MEMORY)
+
+
+SSD1306 = Panel("ssd1306", 128, 64, "mono", 0, 128 * 64 // 8, None)  # parameters go with D/C low: all else are pixels
+
+
 class Traced:
-    """A board in QEMU, which logs every write to a register: -trace memory_region_ops_write.
+    """A board in QEMU, which logs every write to a register (tools/panel/picture.py).
 
-    The trace tells neither when a write came nor when a frame is done: the model gets all the time it may want before
-    each command, and a frame ends when so many pixel bytes have been sent as it has. What clocks the bus is the board's;
-    by how much it is divided the trace tells.
-    """
-    WRITE = re.compile(r"addr 0x([0-9a-f]+) value 0x([0-9a-f]+)")
-    machine, rotation = None, 0
+    A frame ends when so many pixel bytes have been sent as it has."""
 
-    def registers(self):
-        """Registers that matter: {address: function of the value written, which calls self.byte or sets self.is_data}."""
-        raise NotImplementedError
-
-    def divided_by(self, value):
-        """The bus takes its clock by so many of the clock that drives it."""
-        self.note("H %d" % (self.clock / value))
-
-    def note(self, line):
-        """Writes a line to the stream, behind the data before it."""
-        if self.pending:
-            self.out.write("D %s\n" % self.pending.hex(" "))
-            self.pending.clear()
-        self.out.write(line + "\n")
-
-    def byte(self, value):
-        if self.is_data is None or not self.selected:
-            raise Died("a byte for no panel")
-        if self.is_data:
-            self.pending.append(value)
-            self.pixel_bytes += self.is_pixel
-            number = self.frame_at(self.pixel_bytes) if self.is_pixel else None
-            if number is not None:
-                self.end_frame(number)
-        else:
-            self.note("T 200000\nC %02x" % value)
-            self.is_pixel = self.starts_pixels(value)
+    def __init__(self, machine, panel, wires):
+        self.machine, self.panel, self.wires = machine, panel, wires
+        self.module, self.width, self.height, self.format, self.rotation = panel[:5]
 
     def frame_at(self, count):
         """The frame that ends with so many bytes of pixels, or None."""
-        return count // self.frame_bytes - 1 if count % self.frame_bytes == 0 else None
-
-    def end_frame(self, number):
-        if number >= len(self.names):
-            raise Died("pixels of more frames than the firmware names")
-        self.note("P %s.ppm" % self.names[number])
-
-    @staticmethod
-    def starts_pixels(command):
-        return command == 0x2c  # MIPI DCS: write memory start
+        return count // self.panel.frame_bytes - 1 if count % self.panel.frame_bytes == 0 else None
 
     def capture(self, firmware, stream):
-        self.is_data, self.selected, self.is_pixel, self.pixel_bytes = None, False, False, 0
         with tempfile.TemporaryDirectory() as directory:
             trace = os.path.join(directory, "trace")
             with Machine("qemu-system-arm", self.machine, firmware,
@@ -201,130 +173,55 @@ class Traced:
                 status = machine.process.wait(60)
             if status:
                 raise Died("exit status %d: %s" % (status, lines[-5:]))
-            registers, self.names = self.registers(), names_of(lines)
-            with open(trace) as file, open(stream, "w") as self.out:
-                self.pending = bytearray()
-                self.note("R 1\nT 100000\nR 0")
-                for line in file:
-                    write = self.WRITE.search(line)
-                    if write and int(write[1], 16) in registers:
-                        registers[int(write[1], 16)](int(write[2], 16))
-                self.note("# end")
+            names = names_of(lines)
+
+            def end_frames(recorder, count):
+                number = self.frame_at(count)
+                if number is not None and number >= len(names):
+                    raise Died("pixels of more frames than the firmware names")
+                if number is not None:
+                    recorder.note("P %s.ppm" % names[number])
+
+            try:
+                with open(trace) as file, open(stream, "w") as out:
+                    Recorder(self.wires, out, self.panel.starts_pixels, end_frames).record(file)
+            except Wrong as problem:
+                raise Died(str(problem))
         return lines
 
 
-class Mps2(Traced):
+def clock_of(hertz, divisor):
+    """What a write to the register that divides the bus's clock notes."""
+    return lambda recorder, value: recorder.note("H %d" % (hertz / divisor(value)))
+
+
+def mps2(machine, data=0x40021008, misc=0x4002804c):
     """Arm MPS2: a PL022 and, in the FPGA, chip select (bit 0) and D/C (bit 4)."""
-    module, width, height, format, rotation = "ili9341", 320, 240, "rgb565", 90
-    clock = 25000000
-    frame_bytes = 2 * width * height
-
-    def __init__(self, machine, data=0x40021008, misc=0x4002804c):
-        self.machine, self.data, self.misc = machine, data, misc
-
-    def lines(self, value):
-        self.selected, self.is_data = not value & 1, bool(value & 16)
-
-    def registers(self):
-        return {self.data: self.byte, self.data + 8: self.divided_by, self.misc: self.lines}
+    return Traced(machine, colour_panel("ili9341"),
+                  Wires("0x%x.4" % misc, "0x%x.0" % misc, data, others={data + 8: clock_of(25000000, lambda value: value)}))
 
 
-class Stm32(Traced):
-    """SPI1, with chip select on PA4 and D/C on PC4, both by the ports' set/reset registers."""
-    SELECT = DATA_COMMAND = 4
-
-    def level(self, value, pin):
-        """What a write leaves on a pin; None where it leaves it as it was."""
-        return True if value >> pin & 1 else False if value >> (pin + 16) & 1 else None
-
-    def port_a(self, value):
-        level = self.level(value, self.SELECT)
-        self.selected = self.selected if level is None else not level
-
-    def port_c(self, value):
-        level = self.level(value, self.DATA_COMMAND)
-        self.is_data = self.is_data if level is None else level
-
-    def control(self, value):
-        self.divided_by(2 << (value >> 3 & 7))
-
-    def registers(self):
-        return {0x40013000: self.control, 0x4001300c: self.byte, self.set_reset_a: self.port_a, self.set_reset_c: self.port_c}
+def stm32(machine, panel, hertz, port_a, port_c):
+    """SPI1, with chip select on PA4 and D/C on PC4, both by the ports' set/reset registers. The crystal does not start in
+    QEMU: its internal oscillator clocks it."""
+    return Traced(machine, panel, Wires(*("+0x%x.4,-0x%x.20" % (port, port) for port in (port_c, port_a)), 0x4001300c,
+                                        others={0x40013000: clock_of(hertz, lambda value: 2 << (value >> 3 & 7))}))
 
 
-class NetduinoPlus2(Stm32):
-    machine, set_reset_a, set_reset_c = "netduinoplus2", 0x40020018, 0x40020818
-    clock = 16000000  # its internal oscillator: the crystal does not start in QEMU
-    module, width, height, format, rotation = "st7789-240x320", 320, 240, "rgb565", 90
-    frame_bytes = 2 * width * height
+def microbit():
+    """A bus by hand, by registers that set and clear pins."""
+    clock, bit, select, dc = ("+0x50000508.%d,-0x5000050c.%d" % (pin, pin) for pin in (23, 21, 16, 18))
+    return Traced("microbit", SSD1306, Wires(dc, select, clock=clock, bit=bit))
 
 
-class Ssd1306(Traced):
-    """Commands and their parameters go with D/C low: all else are pixels."""
-    module, width, height, format = "ssd1306", 128, 64, "mono"
-    frame_bytes = width * height // 8
-
-    def byte(self, value):
-        self.is_pixel = self.is_data
-        Traced.byte(self, value)
-
-    @staticmethod
-    def starts_pixels(command):
-        return False
-
-
-class Stm32VlDiscovery(Ssd1306, Stm32):
-    machine, set_reset_a, set_reset_c = "stm32vldiscovery", 0x40010810, 0x40011010
-    clock = 8000000  # as above
-
-
-class Microbit(Ssd1306):
-    """A bus by hand: the panel takes a bit when the clock rises."""
-    machine = "microbit"
-    CLOCK, DATA, SELECT, DATA_COMMAND = 1 << 23, 1 << 21, 1 << 16, 1 << 18
-
-    def set(self, pins):
-        if pins & self.CLOCK and self.selected:
-            self.bits.append(self.data)
-            if len(self.bits) == 8:
-                self.byte(int("".join(map(str, self.bits)), 2))
-                self.bits = []
-        self.data = 1 if pins & self.DATA else self.data
-        self.is_data = True if pins & self.DATA_COMMAND else self.is_data
-        if pins & self.SELECT:
-            if self.bits:
-                raise Died("a byte of %d bits" % len(self.bits))
-            self.selected = False
-
-    def clear(self, pins):
-        self.data = 0 if pins & self.DATA else self.data
-        self.is_data = False if pins & self.DATA_COMMAND else self.is_data
-        self.selected = self.selected or bool(pins & self.SELECT)
-
-    def registers(self):
-        self.bits, self.data = [], 0
-        return {0x50000508: self.set, 0x5000050c: self.clear}
-
-
-BOARDS = {"lm3s6965evb": Dumped("lm3s6965evb", 128, 64, "grey4", 17), "lm3s811evb": Dumped("lm3s811evb", 96, 16, "mono", 255),
-          "pico": Pico(), "netduinoplus2": NetduinoPlus2(), "stm32vldiscovery": Stm32VlDiscovery(), "microbit": Microbit(),
-          "virt": Virt(),
-          "mps2-an385": Mps2("mps2-an385"), "mps2-an385-m0": Mps2("mps2-an385"),
-          "mps2-an386": Mps2("mps2-an386"), "mps2-an500": Mps2("mps2-an500"),
-          "mps2-an505": Mps2("mps2-an505", 0x40206008, 0x4030204c)}  # as they lie behind the gates to the buses
-
-
-def write_png(source, target):
-    width, height, channels, data = read_netpbm(source)
-    row = width * channels
-    raw = b"".join(b"\0" + data[y * row:(y + 1) * row] for y in range(height))
-
-    def chunk(kind, body):
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-
-    with open(target, "wb") as file:
-        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0)) +
-                   chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b""))
+BOARDS = {"lm3s6965evb": Dumped("lm3s6965evb", 128, 64, "grey4", 17),
+          "lm3s811evb": Dumped("lm3s811evb", 96, 16, "mono", 255),
+          "pico": Pico(), "virt": Virt(), "microbit": microbit(),
+          "netduinoplus2": stm32("netduinoplus2", colour_panel("st7789-240x320"), 16000000, 0x40020018, 0x40020818),
+          "stm32vldiscovery": stm32("stm32vldiscovery", SSD1306, 8000000, 0x40010810, 0x40011010),
+          "mps2-an385": mps2("mps2-an385"), "mps2-an385-m0": mps2("mps2-an385"),
+          "mps2-an386": mps2("mps2-an386"), "mps2-an500": mps2("mps2-an500"),
+          "mps2-an505": mps2("mps2-an505", 0x40206008, 0x4030204c)}  # as they lie behind the gates to the buses
 
 
 def compare(tally, name, shown, wanted):

@@ -23,6 +23,6 @@ panel-stream: $(PANEL_STREAM) ## the program that shows what a recorded bus stre
 
 test-panel: $(PANEL_SUITES:%=$(BUILD)/tests/panel/%) $(PANEL_STREAM) ## every panel, rotation and format through driver and model
 	@status=0; for suite in $(PANEL_SUITES:%=$(BUILD)/tests/panel/%); do echo "$$suite"; $$suite || status=1; done; \
-	    python3 tests/panel/stream.py $(PANEL_STREAM) || status=1; exit $$status
+	    for program in stream traced; do python3 tests/panel/$$program.py $(PANEL_STREAM) || status=1; done; exit $$status
 
 SUITES += test-panel

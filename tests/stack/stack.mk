@@ -5,7 +5,7 @@
 STACK_PROGRAMS = $(filter-out %/identity.elf %/methods.elf %/unit.elf %/unit-pico.elf %/unit-8k.elf %/faults-pico.elf \
     %/faults-lm3s6965evb.elf,$(FIRMWARE))
 STACK_PLANTED := NOTHING RECURSION UNBOUNDED UNLISTED DEEP
-STACK         := python3 tools/stack/stack.py --targets
+STACK         := python3 tools/stack/stack.py
 
 $(BUILD)/stack/%/planted.elf: tests/stack/startup.c
 	@mkdir -p $(@D)
@@ -16,10 +16,10 @@ $(BUILD)/stack/%/planted.elf: tests/stack/startup.c
 SUITES += test-stack
 .PHONY: test-stack
 test-stack: $$(STACK_PROGRAMS) $(STACK_PLANTED:%=$(BUILD)/stack/%/planted.elf) ## the deepest chain of calls of every firmware against the stack it has
-	@$(STACK) tools/stack/targets.csv $(STACK_PROGRAMS)
-	@$(STACK) tests/stack/targets.csv $(BUILD)/stack/NOTHING/planted.elf
+	@$(STACK) $(STACK_PROGRAMS)
+	@$(STACK) --targets tests/stack/targets.csv $(BUILD)/stack/NOTHING/planted.elf
 	@good=0; for planted in $(filter-out NOTHING,$(STACK_PLANTED)); do \
-	    $(STACK) tests/stack/targets.csv $(BUILD)/stack/$$planted/planted.elf > $(BUILD)/stack/$$planted/log; \
+	    $(STACK) --targets tests/stack/targets.csv $(BUILD)/stack/$$planted/planted.elf > $(BUILD)/stack/$$planted/log; \
 	    if [ $$? -eq 1 ] && grep -q FAILED $(BUILD)/stack/$$planted/log; then good=$$((good + 1)); \
 	    else echo "$$planted was not refused:"; cat $(BUILD)/stack/$$planted/log; fi; done; \
 	    echo "$$good passed, $$(( $(words $(filter-out NOTHING,$(STACK_PLANTED))) - good )) failed"; \

@@ -234,7 +234,7 @@ def main():
     for name in ("page", "pictures", "readme"):
         parser.add_argument(name)
     arguments = parser.parse_args()
-    table = stack.read_table(os.path.join(HERE, "..", "stack", "targets.csv"))
+    table = stack.read_table()
     old = {path: text_of(path) for path in (arguments.page, arguments.readme)}
     new = dict(old)
     taken = read_times(arguments.times)

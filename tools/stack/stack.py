@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Worst-case stack of firmware: stack.py --targets CSV [--entries HEADER] ELF...
+"""Worst-case stack of firmware: stack.py [--targets CSV] [--entries HEADER] ELF...
 
 Frames come from the compiler (-fstack-usage, files *.su beside the objects) or, for what is not C, from the prologue;
 calls from the disassembly; the targets of a call through a pointer from the table, by the source function it stands in.
 Fails on recursion, on a frame without bound, on an indirect call whose function is not in the table, and when main and
 the deepest interrupt need more than the linker script reserves. With a header, also what each function declared there takes.
+The table is the targets.csv beside this file where no other is named.
 """
 import argparse
 import bisect
@@ -20,6 +21,8 @@ import sys
 
 # What the core saves when an interrupt comes: eight words, and one to align them.
 EXCEPTION_FRAME = 36
+
+TARGETS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "targets.csv")
 
 Function = collections.namedtuple("Function", "name file frame calls")
 
@@ -145,7 +148,8 @@ def read(elf, table):
             elif is_indirect(operation, operands):
                 reached = targets_of(places[address], table, known)
                 if reached is None:
-                    raise Wrong("an indirect call in %s (%s) is in no table" % (places[address][0][0], file))
+                    raise Wrong("an indirect call in %s (%s) is in no table: a row of it names what the call reaches (--targets)" % (
+                        places[address][0][0], file))
                 calls.update(reached)
         frame = sizes.get((file, name))
         functions[start] = Function(name, file, prologue(lines) if frame is None else frame, calls)
@@ -169,7 +173,7 @@ def reserve(elf):
         return int(re.search(r"\(stack (\d+)\)", file.read())[1])
 
 
-def read_table(path):
+def read_table(path=TARGETS):
     """{calling function: patterns of what it may reach}"""
     with open(path, newline="") as file:
         return {row["caller"]: row["targets"].split() for row in csv.DictReader(file)}
@@ -187,8 +191,10 @@ def entries(functions, header):
 def check(elf, functions):
     """@return (worst bytes, reserved bytes, chain)"""
     known = {}
-    entry = next(address for address, function in functions.items()
-                 if function.file == "startup.c" and function.name in ("reset", "start"))
+    entry = next((address for address, function in functions.items()
+                  if function.file == "startup.c" and function.name in ("reset", "start")), None)
+    if entry is None:
+        raise Wrong("no reset or start in a startup.c, from which the program begins")
     worst, chain = deepest(functions, entry, known=known)
     interrupts = [deepest(functions, address, known=known)[0] + EXCEPTION_FRAME
                   for address, function in functions.items() if function.name == "interrupt"]
@@ -197,7 +203,7 @@ def check(elf, functions):
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("--targets", required=True)
+    parser.add_argument("--targets", default=TARGETS)
     parser.add_argument("--entries")
     parser.add_argument("elf", nargs="+")
     arguments = parser.parse_args()
@@ -211,7 +217,7 @@ def main():
             print("%s: %d of %d bytes: %s" % (elf, worst, reserved, " > ".join(chain)))
             if arguments.entries:
                 print("".join("  %s %d\n" % pair for pair in sorted(entries(functions, arguments.entries).items())), end="")
-        except Wrong as problem:
+        except (Wrong, OSError, subprocess.CalledProcessError) as problem:
             good = False
             print("%s: %s" % (elf, problem))
         passed, failed = passed + good, failed + (not good)
