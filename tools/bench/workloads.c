@@ -259,9 +259,24 @@ void workload_gamma(uint16_t tables[3][GLINT_GAMMA_ENTRIES]) {
 
 /* ---- Example scenes ---- */
 
+/* What is left without light: each object in one colour. */
+static void all_of_one_colour(workload_stage *stage) {
+    for (uint32_t i = 0; i < stage->example.scene.object_count; i++) {
+        glint_object *object = &stage->example.objects[i];
+
+        stage->example.materials[i].model = &glint_model_unlit;
+        stage->meshes[i] = *object->mesh;
+        stage->meshes[i].colours = 0;
+        stage->meshes[i].colours565 = 0;
+        object->mesh = &stage->meshes[i];
+    }
+}
+
 static const struct {
     const example_scene *scene;
     const char *variant;
+    const char *look;       /* where it is changed: what rows call it, */
+    workload_change change; /* and how */
 } examples[] = {
     {&example_three_spheres, "phong"},
     {&example_three_spheres, "blinn-phong"},
@@ -279,6 +294,7 @@ static const struct {
     {&example_phong_lighting, "scaled-vertex-colours"},
     {&example_phong_lighting, "light"},
     {&example_halloween, "night"},
+    {&example_halloween, "night", "night without light", all_of_one_colour},
     {&example_halloween, "vertex"},
     {&example_halloween, "floodlit"},
     {&example_surfaces, "metal"},
@@ -299,8 +315,11 @@ static int same_text(const char *a, const char *b) {
 static int build_example(workload_stage *stage, const workload *built) {
     const example_scene *scene = built->example;
     for (uint32_t variant = 0; variant < scene->variant_count; variant++) {
-        if (same_text(scene->variants[variant].name, built->look)) {
+        if (same_text(scene->variants[variant].name, built->variant)) {
             scene->build(&stage->example, variant, scene->frames / 2);
+            if (built->change) {
+                built->change(stage);
+            }
             return 0;
         }
     }
@@ -372,12 +391,14 @@ static workload boxes_workload(uint32_t number) {
 static workload example_workload(uint32_t number) {
     const example_scene *scene = examples[number].scene;
     const workload drawn = {.scene = scene->name,
-                            .look = examples[number].variant,
+                            .look = examples[number].change ? examples[number].look : examples[number].variant,
                             .width = scene->width,
                             .height = scene->height,
                             .frames = BENCH_FRAMES,
                             .output = &rgb565,
-                            .example = scene};
+                            .example = scene,
+                            .variant = examples[number].variant,
+                            .change = examples[number].change};
 
     return drawn;
 }

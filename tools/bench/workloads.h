@@ -30,9 +30,10 @@
 typedef struct workload_stage {
     example_stage example;
     glint_mesh mesh;
-    uint8_t colours[288][3];       /**< The vertices of torus576. */
-    const glint_pose *poses;       /**< Of a benchmark scene's frames, or null. */
-    const boxes_definition *boxes; /**< Or null. */
+    uint8_t colours[288][3];                /**< The vertices of torus576. */
+    glint_mesh meshes[EXAMPLE_OBJECTS_MAX]; /**< An example's, without colours. */
+    const glint_pose *poses;                /**< Of a benchmark scene's frames, or null. */
+    const boxes_definition *boxes;          /**< Or null. */
     glint_object box_objects[BOXES_MAX];
 } workload_stage;
 
@@ -54,9 +55,10 @@ typedef struct workload {
     uint32_t frames;
     const workload_output *output;
     const example_scene *example;  /**< Or null; */
+    const char *variant;           /**< of an example; */
     const boxes_definition *boxes; /**< or null. Else a benchmark scene: */
     uint32_t bench;                /**< that of so many, */
-    workload_change change;        /**< changed, or null. */
+    workload_change change;        /**< either changed, or null. */
 } workload;
 
 uint32_t workload_count(void);
