@@ -171,7 +171,7 @@ $(foreach program,turntable minimal pattern,$(eval $(call firmware_program,lm3s6
 # Example scenes are lit at nodes.
 $(eval $(call firmware_program,lm3s6965evb,release,scenes,-Wl$(comma)--defsym=stack_size=9984))
 # Vertices lit by lights that have positions take the deepest stack.
-UNIT_BOARDS := lm3s6965evb lm3s811evb microbit netduinoplus2 mps2-an385 mps2-an386 mps2-an500 mps2-an505 virt
+UNIT_BOARDS := lm3s6965evb microbit netduinoplus2 mps2-an385 mps2-an386 mps2-an500 mps2-an505 virt
 $(foreach board,$(UNIT_BOARDS),\
     $(eval $(call firmware_program,$(board),release,unit,-Wl$(comma)--defsym=stack_size=3616)))
 $(eval $(call firmware_program,template,release,minimal))
