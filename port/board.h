@@ -12,6 +12,10 @@
 
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Sets clocks and pins. Bounded: where a clock does not come up, the board runs on, slower, from another. */
 void board_init(void);
 
@@ -45,5 +49,9 @@ void board_checkpoint(const char *name);
 
 /** Most bytes of stack used so far; 0 when the board cannot tell. */
 uint32_t board_stack_used(void);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -11,8 +11,10 @@ static inline glint_status glint_display_start(const glint_panel *panel, board_d
     const glint_status status = glint_panel_start(panel);
 
     if (status == GLINT_OK) {
-        *display = (board_display){glint_panel_width(panel), glint_panel_height(panel), glint_panel_format(panel),
-                                   glint_panel_flush(panel)};
+        display->width = glint_panel_width(panel);
+        display->height = glint_panel_height(panel);
+        display->format = glint_panel_format(panel);
+        display->flush = glint_panel_flush(panel);
     }
     return status;
 }

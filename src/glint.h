@@ -16,13 +16,17 @@
  *   filter that they set up is all 0, and drawing with it gives GLINT_ERROR_NULL; other out-parameters are unchanged.
  *
  * Structures may grow at their end from version to version, and 0 stands for what was so before: initialise them, or
- * set them to {0} before fields are assigned one by one.
+ * set them to {0} before fields are assigned one by one. Those that hold the library's own state are declared in full,
+ * so that they can be static: what stands below a line `@privatesection`, to the end or to `@publicsection`, is neither
+ * to be read nor to be written, and changes with any version.
  *
  * Nothing is allocated and no global is written: everything lives in the caller's structures and arena, so that any
  * number of renderers work side by side.
  */
 #ifndef GLINT_H
 #define GLINT_H
+
+#include "glint_clusters.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -40,11 +44,16 @@ extern "C" {
 /** Signed fixed point, 16 fractional bits: 65536 is 1. */
 typedef int32_t glint_q16;
 
+#ifdef __cplusplus
 /** One in Q16.16. */
-#define GLINT_ONE ((glint_q16)65536)
+#define GLINT_ONE static_cast<glint_q16>(65536)
 
 /** A constant as Q16.16, rounded to nearest. For literals: the compiler folds it, no floating point is left. */
+#define GLINT_Q16(x) static_cast<glint_q16>((x)*65536.0 + ((x) < 0 ? -0.5 : 0.5))
+#else
+#define GLINT_ONE ((glint_q16)65536)
 #define GLINT_Q16(x) ((glint_q16)((x)*65536.0 + ((x) < 0 ? -0.5 : 0.5)))
+#endif
 
 /** A point, a direction or a length per axis. */
 typedef struct glint_vector {
@@ -114,42 +123,6 @@ const char *glint_strerror(int status);
 /** Triangles are drawn from both sides; seen from the back they are lit with the normal flipped. */
 #define GLINT_MESH_DOUBLE_SIDED 1u
 
-/** Drops triangles that face away, many at once; a descriptor, one of those below. */
-typedef struct glint_cull glint_cull;
-
-/** Clusters whose triangles all face away, by their normals' cones. */
-extern const glint_cull glint_cull_cones;
-
-/**
- * Triangles that lie together and face much the same way, and vertices: those of a mesh follow each other as its
- * clusters do. `glint convert` makes clusters, and leaves them out with `--no-clusters`: where flash is short, or most
- * of a frame is lighting on the general path, which they do not save.
- *
- * With the eye at e, in steps, a triangle in the plane n.p = h faces away where n.e <= h. The normal n of each triangle
- * of a cluster can be scaled so that |n - axis| <= spread and h >= 256 height: where axis.e + spread |e| <= 256 height
- * all of them face away. Degenerate triangles constrain neither value.
- */
-typedef struct glint_cluster {
-    int8_t axis[3];
-    uint8_t spread;
-    int16_t height;
-    uint16_t triangles; /**< Number of triangles. */
-    uint16_t vertices;  /**< Number of vertices first used by this cluster. */
-    uint16_t borrowers; /**< Number of other clusters with triangles at these vertices. */
-} glint_cluster;
-
-/**
- * Clusters of all triangles and vertices of a mesh. A triangle that faces away so little that rounding its corners to
- * 1/16 of a pixel turns it round is dropped with its cluster too.
- */
-typedef struct glint_clusters {
-    const glint_cull *cull;    /**< &glint_cull_cones; null for no clusters. */
-    const glint_cluster *list; /**< The clusters. */
-    const uint16_t *borrowers; /**< Indices of the borrowers, cluster after cluster; an index >= count means "always
-                                    visible". Null: every borrower is. */
-    uint32_t count;            /**< 1 to 65536 clusters. */
-} glint_clusters;
-
 /**
  * Triangles in flash. Positions are stored as int16 steps: object space is offset + extent * step / 32768, per axis.
  * Owned by the caller; read while a frame is drawn, never written.
@@ -166,7 +139,8 @@ typedef struct glint_mesh {
     const uint8_t (*colours)[3];    /**< vertex_count red, green, blue times 255, or null: the material's ambient and
                                          diffuse colours are multiplied by them. */
     const uint16_t *colours565;     /**< The same in 16 bits, or null. */
-    const glint_clusters *clusters; /**< Or null; not used on double-sided meshes. */
+    const glint_clusters *clusters; /**< As `glint convert` writes them (glint_clusters.h), or null; not used on
+                                         double-sided meshes. */
 } glint_mesh;
 
 /** How a surface reflects; a descriptor, one of those below. */
@@ -569,23 +543,25 @@ typedef struct glint_need {
     size_t one_pass; /**< From this on, one pass; more has no effect. */
 } glint_need;
 
-/* The rest of this section is the inside of a renderer: public so that it can be declared, not to be touched. */
-
 /** Memory handed out from both ends; the bytes from `low` to `high` are free. */
 typedef struct glint_memory {
+    /** @privatesection */
     uint8_t *base;
     size_t low, high;
 } glint_memory;
 
 /** Everything that drawing the tiles of a pass reads; written by glint_frame_begin and glint_frame_next only. */
 typedef struct glint_frame {
+    /** @privatesection */
     glint_config config;
     const glint_scene *scene;
     const struct glint_view *view;       /* camera and lights, prepared */
     const struct glint_shading *shading; /* materials, prepared */
     uint32_t shading_count;
     glint_memory memory;
-    uint16_t tile_first, tile_end;        /* tiles of this pass */
+    /** @publicsection */
+    uint16_t tile_first, tile_end; /**< Tiles of this pass: from the first to before the end. */
+    /** @privatesection */
     uint16_t tile_columns, tile_count;    /* of the region */
     uint16_t first_column, first_row;     /* of the screen's tiles, in the region */
     uint16_t right, bottom;               /* behind the region's last pixels */
@@ -609,30 +585,36 @@ typedef struct glint_frame {
     uint32_t reference_count;
     uint8_t has_costly;            /* does this pass draw what is lit by fragments or nodes? */
     struct glint_clipped *clipped; /* above the last; they grow downwards */
-    glint_stats stats;
+    /** @publicsection */
+    glint_stats stats; /**< So far. */
 } glint_frame;
 
 /** What drawing one tile needs. */
 typedef struct glint_workspace {
     void *pixels;  /**< The finished tile. */
     size_t stride; /**< Bytes from row to row. */
+    /** @privatesection */
     uint16_t *depth;
     int32_t (*row)[3];               /* colours of two rows of a tile; of use as long as nothing is gathered */
     struct glint_gathered *gathered; /* in the same place: a triangle's fragments */
-    glint_drawn *drawn;              /**< Null, or GLINT_KERNELS counters of the caller's, added to. */
+    /** @publicsection */
+    glint_drawn *drawn; /**< Null, or GLINT_KERNELS counters of the caller's, added to. */
 } glint_workspace;
 
 /** What the last frame left in the arena: prepared materials. */
 typedef struct glint_kept {
+    /** @privatesection */
     const struct glint_shading *shadings;
     uint32_t count;
     size_t end; /* of the arena's use */
 } glint_kept;
 
+/** What draws; set up by glint_init. Owned by the caller. */
 typedef struct glint_renderer {
-    glint_config config;
     glint_stats stats; /**< Of the last frame; 0 where it could not begin. */
-    glint_kept kept;   /* of use only where the arena is kept */
+    /** @privatesection */
+    glint_config config;
+    glint_kept kept; /* of use only where the arena is kept */
 } glint_renderer;
 
 /**
@@ -799,12 +781,14 @@ uint32_t glint_lines_edges(glint_line *lines, uint32_t room, const glint_mesh *m
 
 /** What a tile was sent as; 0 for one that has yet to be sent. */
 typedef struct glint_signature {
+    /** @privatesection */
     uint32_t a, b;
 } glint_signature;
 
-/** The filter. Owned by the caller; only `sent` and `unchanged` are to be looked at. */
+/** The filter. Owned by the caller. */
 typedef struct glint_changes {
     uint32_t sent, unchanged; /**< Tiles, since glint_changes_init. */
+    /** @privatesection */
     glint_flush flush;
     glint_signature *signatures, *sending, pending;
     uint32_t count;

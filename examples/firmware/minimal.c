@@ -15,7 +15,7 @@ static uint32_t arena[3072];
 int main(void) {
     const glint_panel panel = {&glint_panel_ssd0323, board_panel_bus()};
     const glint_flush flush = glint_panel_flush(&panel);
-    const glint_config config = {128, 64, 0, 0, panel.type->format, flush, arena, sizeof arena, 0, 1 /* keeps_arena */};
+    const glint_config config = {128, 64, 0, 0, panel.type->format, flush, arena, sizeof arena};
     const glint_camera camera = {glint_pose_translate(0, 0, GLINT_Q16(4)), GLINT_Q16(40), GLINT_Q16(0.1)};
     glint_object object = {&pyramid, &clay, glint_pose_identity()};
     const glint_scene scene = {

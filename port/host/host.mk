@@ -44,11 +44,11 @@ $(BUILD)/host/import/%.o: port/host/import/%.c $(wildcard port/host/import/*.h)
 $(BUILD)/host/glint-import: $(IMPORT_OBJECTS)
 	$(Q)$(CC) $(HOST_CFLAGS) $^ -lassimp -lm -o $@
 
-$(BUILD)/host/port/%.o: port/host/%.c $(wildcard port/host/*.h src/*/*.h) src/glint.h examples/scenes/scenes.h
+$(BUILD)/host/port/%.o: port/host/%.c $(wildcard port/host/*.h src/*.h src/*/*.h) examples/scenes/scenes.h
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -c $< -o $@
 
-$(BUILD)/host/port/bare-main.o: port/host/main.c $(wildcard port/host/*.h) src/glint.h
+$(BUILD)/host/port/bare-main.o: port/host/main.c $(wildcard port/host/*.h src/*.h)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -DHOST_WITHOUT_SCENES -c $< -o $@
 
@@ -56,7 +56,7 @@ $(BUILD)/host/port/bare-simplify.o: port/host/simplify.c $(wildcard port/host/*.
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -c $< -o $@
 
-$(BUILD)/host/scenes/%.o: examples/scenes/%.c $(wildcard examples/scenes/*.h examples/meshes/*.h) src/glint.h
+$(BUILD)/host/scenes/%.o: examples/scenes/%.c $(wildcard examples/scenes/*.h examples/meshes/*.h src/*.h)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -c $< -o $@
 
