@@ -18,6 +18,9 @@ typedef void drawer(const colour_source *from, const glint_run *run);
 struct colour_source {
     glint_gathering to; /* of runs that are gathered; of others it has no shader */
     drawer *draw_run;
+    const glint_triangle *triangle; /* of gather_run: */
+    const int16_t *const *main;     /* its corners' attributes, normals negated or not; */
+    int is_negated;
     const glint_quadratic *channels; /* of draw_channel_run */
     int is_deep;
 };
@@ -49,9 +52,12 @@ static void draw_channel_run(const colour_source *from, const glint_run *run) {
     store_run(from, run);
 }
 
-/* Gathers the fragments of a run, and lights them whenever there are enough. */
+/* Gathers the fragments of a run, and lights them whenever there are enough. Of a hidden triangle there is none. */
 static void gather_run(const colour_source *from, const glint_run *run) {
     const glint_part *part = from->to.part;
+    if (!from->to.fragments->attributes)
+        glint_gathering_begin(&from->to, from->triangle, from->main, from->is_negated,
+                              &from->to.workspace->gathered->attributes);
     const uint32_t end = (uint32_t)run->x + run->count;
     int32_t inverse_w = glint_plane_at(&part->depth, part->x + run->x, part->y + run->y);
     for (uint32_t column = run->x; column < end && GLINT_SMALL; column++)
@@ -118,9 +124,11 @@ static void draw_fragments(const glint_frame *frame, glint_workspace *workspace,
                            const glint_triangle *triangle, const glint_part *part, const int16_t *const main[3],
                            int is_negated, glint_shader *shade) {
     const int is_deep = GLINT_SMALL || glint_is_deep(triangle);
+    glint_fragments *const fragments = &workspace->gathered->fragments;
     const colour_source from = {
-        {frame, workspace, part, draw, shade, &workspace->gathered->fragments}, gather_run, 0, is_deep};
-    glint_gathering_begin(&from.to, triangle, main, is_negated, &workspace->gathered->attributes);
+        {frame, workspace, part, draw, shade, fragments}, gather_run, triangle, main, is_negated, 0, is_deep};
+    fragments->count = 0;
+    fragments->attributes = 0;
     const uint32_t covered = draw_runs(&from);
     glint_gathering_store(&from.to);
     glint_count(workspace, GLINT_KERNEL_GENERAL, covered);

@@ -105,24 +105,31 @@ PROOF(draw_channel_run) {
 }
 
 /*
- * Any runs after any number of fragments.
- * @contract glint_gathering_store
+ * Any runs after any number of fragments, and the first one of a triangle.
+ * @contract glint_gathering_begin glint_gathering_store
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @unreached 4 what is done built for size
  */
 PROOF(gather_run) {
-    glint_fragments fragments;
+    static glint_gathered gathered;
+    static const int16_t normals[3][3];
+    const int16_t *const main[3] = {normals[0], normals[1], normals[2]};
+    const glint_triangle triangle = {.back = 0};
+    glint_workspace workspace = {.gathered = &gathered};
+    glint_fragments *const fragments = &gathered.fragments;
     glint_draw draw;
     glint_frame frame;
     glint_part part;
-    const colour_source from = {{&frame, 0, &part, &draw, glint_shade, &fragments}};
+    const colour_source from = {
+        {&frame, &workspace, &part, &draw, glint_shade, fragments}, gather_run, &triangle, main, ANY(0, 1)};
     any_small_tile(&frame, &part);
-    FOR_PARTS(before, 0, GLINT_FRAGMENTS_MAX - 1) {
+    FOR_PARTS(before, -1, GLINT_FRAGMENTS_MAX - 1) {
         FOR_PARTS(first, 0, WIDTH - 1) {
             FOR_PARTS(end, first + 1, WIDTH) {
-                fragments.count = (uint32_t)before;
+                fragments->count = before < 0 ? 0 : (uint32_t)before;
+                fragments->attributes = before < 0 ? 0 : &gathered.attributes;
                 gather_run(&from, any_run_of(first, end, 5));
-                /*@ assert fragments.count < GLINT_FRAGMENTS_MAX; */
+                /*@ assert fragments->count < GLINT_FRAGMENTS_MAX; */
             }
         }
     }
@@ -181,8 +188,7 @@ static void any_triangle(int16_t least) {
     triangle.back = ANY(0, 1);
 }
 
-/* Corners of any normals and 1/w, seen from both sides. @contract glint_gathering_begin glint_gathering_store draw_runs
- */
+/* Corners of any normals and 1/w, seen from both sides. @contract glint_gathering_store draw_runs */
 PROOF(glint_draw_any) {
     static glint_draw draw;
     static glint_frame frame;
@@ -287,8 +293,8 @@ static void any_draw_channels(const glint_spans *spans, const glint_quadratic *c
 
 /*@ assigns \result \from indirect: *triangle, indirect: *g, indirect: *format, indirect: colour[0 .. 2];
     ensures 0 <= \result <= 2; */
-static fit find_fit(const glint_triangle *triangle, const glint_gradients *g, const glint_format *format,
-                    const int16_t *const colour[3]);
+static curve_fit find_fit(const glint_triangle *triangle, const glint_gradients *g, const glint_format *format,
+                          const int16_t *const colour[3]);
 
 /*@ requires \valid(channel + (0 .. 2)) && \valid_read(g) && \initialized(&a[0 .. 2][0 .. 2]);
     assigns channel[0 .. 2] \from *g, a[0 .. 2][0 .. 2];
@@ -305,8 +311,7 @@ static void begin_channel_quadratics(glint_quadratic channel[3], const glint_gra
 /*
  * Colours at any corners, seen from both sides; in formats with loops of their own and without, with output tables and
  * without.
- * @contract find_fit begin_channel_planes begin_channel_quadratics draw_runs glint_gathering_begin
- * glint_gathering_store
+ * @contract find_fit begin_channel_planes begin_channel_quadratics draw_runs glint_gathering_store
  */
 PROOF(glint_draw_lit) {
     static glint_draw draw;

@@ -31,7 +31,7 @@ static inline int glint_is_visible(const glint_frame *frame, const glint_workspa
 
 /* Any spans, any square that begins in a tile, or as far before it as a cell is wide. @contract glint_is_visible */
 PROOF(cut_square) {
-    square of;
+    lattice_square of;
     w.gathering.part = &part;
     part.top = ANY_UNSIGNED(0, GLINT_TILE_MAX);
     part.bottom = ANY_UNSIGNED(0, GLINT_TILE_MAX);

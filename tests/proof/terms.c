@@ -186,7 +186,7 @@ PROOF(times_length) {
 
 /* Numbers of 15 bits and a sign. */
 PROOF(set_bulge) {
-    numbers n;
+    bulged_numbers n;
     for (int i = 0; i < 3; i++)
         n.corner[i] = ANY(INT16_MIN, INT16_MAX);
     FOR_PARTS(e, 0, 2) {
