@@ -6,7 +6,12 @@
 #include "board.h"
 #include "panel/panel.h"
 
-/** board_display_start for a board with a panel, which must outlive the display. */
+/**
+ * board_display_start for a board with a panel.
+ * @param panel must outlive the display
+ * @param display set
+ * @return GLINT_OK, or what the panel or its bus returns
+ */
 static inline glint_status glint_display_start(const glint_panel *panel, board_display *display) {
     const glint_status status = glint_panel_start(panel);
 

@@ -35,8 +35,11 @@
 extern "C" {
 #endif
 
+/** What was written for a lower one may have to change. */
 #define GLINT_VERSION_MAJOR 0
+/** New features; pixels may have changed. */
 #define GLINT_VERSION_MINOR 2
+/** Mended errors. */
 #define GLINT_VERSION_PATCH 0
 
 /* ---- Numbers ------------------------------------------------------------------------------------------------- */
@@ -45,24 +48,27 @@ extern "C" {
 typedef int32_t glint_q16;
 
 #ifdef __cplusplus
-/** One in Q16.16. */
 #define GLINT_ONE static_cast<glint_q16>(65536)
-
-/** A constant as Q16.16, rounded to nearest. For literals: the compiler folds it, no floating point is left. */
 #define GLINT_Q16(x) static_cast<glint_q16>((x)*65536.0 + ((x) < 0 ? -0.5 : 0.5))
 #else
+/** One in Q16.16. */
 #define GLINT_ONE ((glint_q16)65536)
+
+/**
+ * A constant as Q16.16, rounded to nearest. For literals: the compiler folds it, no floating point is left.
+ * @param x a number, from -32768 to below 32768
+ */
 #define GLINT_Q16(x) ((glint_q16)((x)*65536.0 + ((x) < 0 ? -0.5 : 0.5)))
 #endif
 
 /** A point, a direction or a length per axis. */
 typedef struct glint_vector {
-    glint_q16 x, y, z;
+    glint_q16 x, y, z; /**< Along each axis. */
 } glint_vector;
 
 /** Linear colour, each channel from 0 to GLINT_COLOUR_MAX. */
 typedef struct glint_colour {
-    glint_q16 r, g, b;
+    glint_q16 r, g, b; /**< Red, green, blue. */
 } glint_colour;
 
 /** Largest colour channel, and largest product of a light's and a material's channel: 16. */
@@ -70,7 +76,7 @@ typedef struct glint_colour {
 
 /** An affine map, column vectors: (x, y, z) goes to m[.][0] x + m[.][1] y + m[.][2] z + m[.][3]. */
 typedef struct glint_pose {
-    glint_q16 m[3][4];
+    glint_q16 m[3][4]; /**< Rows of four. */
 } glint_pose;
 
 /* ---- Errors -------------------------------------------------------------------------------------------------- */
@@ -112,7 +118,11 @@ typedef enum glint_status {
     GLINT_ERROR_ROTATION = -27 /**< A panel's controller cannot turn the picture so. */
 } glint_status;
 
-/** A sentence in English for a status; for a number that is no status, "unknown status". Never null. */
+/**
+ * Tells what a status means.
+ * @param status a glint_status
+ * @return a sentence in English; for a number that is no status, "unknown status". Never null.
+ */
 const char *glint_strerror(int status);
 
 /* ---- Scene --------------------------------------------------------------------------------------------------- */
@@ -166,19 +176,23 @@ extern const glint_model glint_model_unlit;
 
 /** What an object is made of. Each channel from 0 to GLINT_COLOUR_MAX. */
 typedef struct glint_material {
-    const glint_model *model;
-    glint_colour ambient;  /**< Times the scene's ambient light. */
-    glint_colour diffuse;  /**< Times each light's diffuse colour. */
-    glint_colour specular; /**< Times each light's specular colour: white for plastic, the diffuse one for metal. */
-    glint_q16 shininess;   /**< Specular exponent p, 0 or more, any real number; 0^0 is 1. */
-    uint32_t flags;        /**< 0, or GLINT_MATERIAL_UNGATED and GLINT_MATERIAL_MAX. */
+    const glint_model *model; /**< How it reflects. */
+    glint_colour ambient;     /**< Times the scene's ambient light. */
+    glint_colour diffuse;     /**< Times each light's diffuse colour. */
+    glint_colour specular;    /**< Times each light's specular colour: white for plastic, the diffuse one for metal. */
+    glint_q16 shininess;      /**< Specular exponent p, 0 or more, any real number; 0^0 is 1. */
+    uint32_t flags;           /**< 0, or GLINT_MATERIAL_UNGATED and GLINT_MATERIAL_MAX. */
 } glint_material;
 
 /**
  * A surface of one paint: ambient paint * ambient_fraction, each channel rounded to nearest, diffuse paint, a white
  * highlight. Under ambient light of the lights' colour this takes a paint, a fraction and an exponent where the full
  * model takes six colours; where all three terms meet, channels may pass 1 and are clamped.
+ * @param model how it reflects
+ * @param paint each channel from 0 to 1
  * @param ambient_fraction 0 to 1
+ * @param shininess specular exponent, 0 or more
+ * @return the material
  */
 glint_material glint_material_paint(const glint_model *model, glint_colour paint, glint_q16 ambient_fraction,
                                     glint_q16 shininess);
@@ -202,13 +216,13 @@ extern const glint_light_type glint_light_spot;
 
 /** A light, in world space. Ambient light is the scene's. */
 typedef struct glint_light {
-    const glint_light_type *type;
-    glint_vector vector; /**< Direction towards the light, or its position. */
-    glint_colour diffuse;
-    glint_colour specular;
-    glint_q16 linear, quadratic; /**< Attenuation, per unit and per unit squared, 0 or more. */
-    glint_vector axis;           /**< Of a spot: where it points, of any length but 0. */
-    glint_q16 inner, outer;      /**< Of a spot: degrees from the axis, 0 <= inner <= outer <= 180. */
+    const glint_light_type *type; /**< What kind. */
+    glint_vector vector;          /**< Direction towards the light, or its position. */
+    glint_colour diffuse;         /**< For diffuse terms. */
+    glint_colour specular;        /**< For highlights. */
+    glint_q16 linear, quadratic;  /**< Attenuation, per unit and per unit squared, 0 or more. */
+    glint_vector axis;            /**< Of a spot: where it points, of any length but 0. */
+    glint_q16 inner, outer;       /**< Of a spot: degrees from the axis, 0 <= inner <= outer <= 180. */
 } glint_light;
 
 /** Where lighting is evaluated; a descriptor, one of those below. */
@@ -233,14 +247,16 @@ extern const glint_evaluation glint_per_vertex;
 /** Once a triangle, at its centroid, with the normal of its plane. */
 extern const glint_evaluation glint_per_facet;
 
+/** A mesh of a material at a place. Owned by the caller; read while a frame is drawn, never written. */
 typedef struct glint_object {
-    const glint_mesh *mesh;
-    const glint_material *material;
+    const glint_mesh *mesh;             /**< What it looks like. */
+    const glint_material *material;     /**< What it is made of. */
     glint_pose pose;                    /**< Object to world; scales may differ per axis and mirror. */
     const glint_evaluation *evaluation; /**< Where it is lit; null for every fragment. */
     uint8_t hidden;                     /**< Not 0: it is not drawn, and its pose may be anything. */
 } glint_object;
 
+/** Where a scene is seen from. */
 typedef struct glint_camera {
     glint_pose pose;         /**< Camera to world: a rotation and the eye's position. */
     glint_q16 field_of_view; /**< Vertical, degrees, 1 to 170. */
@@ -265,11 +281,11 @@ typedef enum glint_viewer {
 
 /** All that a frame shows. Owned by the caller; read while a frame is drawn, never written. */
 typedef struct glint_scene {
-    glint_camera camera;
-    glint_viewer viewer;
-    glint_colour background;
-    glint_colour ambient; /**< Ambient light. */
-    const glint_light *lights;
+    glint_camera camera;         /**< Where it is seen from. */
+    glint_viewer viewer;         /**< Where highlights are seen from. */
+    glint_colour background;     /**< What shows where no object does. */
+    glint_colour ambient;        /**< Ambient light. */
+    const glint_light *lights;   /**< Lights. */
     uint32_t light_count;        /**< 0 to GLINT_LIGHTS_MAX. */
     const glint_object *objects; /**< Nearest first is fastest: what is hidden is not lit. */
     uint32_t object_count;       /**< 0 or more. Where depths tie, the first drawn wins. */
@@ -282,51 +298,68 @@ typedef struct glint_scene {
 
 /* ---- Poses and cameras --------------------------------------------------------------------------------------- */
 
-/** Sine of an angle in degrees, Q16.16 in and out. */
+/**
+ * Sine.
+ * @param degrees any angle, Q16.16
+ * @return Q16.16
+ */
 glint_q16 glint_sin(glint_q16 degrees);
 
-/** Cosine of an angle in degrees, Q16.16 in and out. */
+/**
+ * Cosine.
+ * @param degrees any angle, Q16.16
+ * @return Q16.16
+ */
 glint_q16 glint_cos(glint_q16 degrees);
 
-/** The pose that changes nothing. */
+/** The pose that changes nothing. @return the pose */
 glint_pose glint_pose_identity(void);
 
-/** A move by (x, y, z). */
+/** A move. @param x,y,z how far along each axis @return the pose */
 glint_pose glint_pose_translate(glint_q16 x, glint_q16 y, glint_q16 z);
 
-/** A scale per axis. */
+/** A scale per axis. @param x,y,z factors @return the pose */
 glint_pose glint_pose_scale(glint_q16 x, glint_q16 y, glint_q16 z);
 
-/** A right-handed turn about the x axis. */
+/** A right-handed turn about the x axis. @param degrees any angle @return the pose */
 glint_pose glint_pose_rotate_x(glint_q16 degrees);
 
-/** A right-handed turn about the y axis. */
+/** A right-handed turn about the y axis. @param degrees any angle @return the pose */
 glint_pose glint_pose_rotate_y(glint_q16 degrees);
 
-/** A right-handed turn about the z axis. */
+/** A right-handed turn about the z axis. @param degrees any angle @return the pose */
 glint_pose glint_pose_rotate_z(glint_q16 degrees);
 
-/** A right-handed turn about an axis of any length; the identity where that is 0. */
+/** A right-handed turn. @param axis of any length @param degrees any angle @return the identity where the axis is 0 */
 glint_pose glint_pose_rotate(glint_vector axis, glint_q16 degrees);
 
-/** The turn of a quaternion of any length; the identity where that is 0. */
+/** The turn of a quaternion. @param x,y,z,w of any length @return the identity where that is 0 */
 glint_pose glint_pose_quaternion(glint_q16 x, glint_q16 y, glint_q16 z, glint_q16 w);
 
-/** Where a pose takes a point; rounded to nearest and saturated. */
+/** Where a pose takes a point. @param pose any @param point any @return rounded to nearest and saturated */
 glint_vector glint_pose_apply(const glint_pose *pose, glint_vector point);
 
-/** `first` and then `second`; each entry rounded to nearest and saturated. */
+/** Two poses as one. @param first what comes first @param second what comes then @return each entry rounded to nearest
+ * and saturated */
 glint_pose glint_pose_then(const glint_pose *first, const glint_pose *second);
 
 /**
- * Sets camera->pose so that the camera stands at `eye`, looks at `at`, and sees `up` upwards.
+ * Sets camera->pose.
+ * @param camera its other fields stay
+ * @param eye where it stands
+ * @param at what it looks at
+ * @param up a direction that it sees upwards, of any length
  * @return GLINT_ERROR_CAMERA when the three lie on one line: then the camera is as it was.
  */
 glint_status glint_camera_look_at(glint_camera *camera, glint_vector eye, glint_vector at, glint_vector up);
 
 /**
  * Sets camera->pose so that the camera looks at `at` from a distance: with no angles from +z, with a yaw of 90 degrees
- * from +x, with a pitch of 90 degrees from +y. Any angles will do.
+ * from +x, with a pitch of 90 degrees from +y.
+ * @param camera its other fields stay
+ * @param at what it looks at
+ * @param yaw,pitch degrees, any
+ * @param distance from `at`
  */
 void glint_camera_orbit(glint_camera *camera, glint_vector at, glint_q16 yaw, glint_q16 pitch, glint_q16 distance);
 
@@ -334,42 +367,86 @@ void glint_camera_orbit(glint_camera *camera, glint_vector at, glint_q16 yaw, gl
 
 /** Where a generator writes. Owned by the caller, who keeps it as long as the mesh. */
 typedef struct glint_mesh_room {
-    int16_t (*positions)[3];
-    int16_t (*normals)[3];
-    uint16_t (*triangles)[3];
+    int16_t (*positions)[3];             /**< Room for vertex_room. */
+    int16_t (*normals)[3];               /**< Room for vertex_room. */
+    uint16_t (*triangles)[3];            /**< Room for triangle_room. */
     uint32_t vertex_room, triangle_room; /**< How many fit. */
 } glint_mesh_room;
 
-/*
- * Each generator fills `room` with a surface and its normals, both from the formula, and sets `mesh` up to point there.
- * Returns GLINT_ERROR_GENERATOR when a size is not above 0, when there are fewer divisions than a solid needs or more
+/**
+ * @name Generators
+ * Each fills `room` with a surface and its normals, both from the formula, and sets `mesh` up to point there. They
+ * return GLINT_ERROR_GENERATOR when a size is not above 0, when there are fewer divisions than a solid needs or more
  * vertices than uint16 can index, or when the room is too small: then mesh->vertex_count and mesh->triangle_count tell
  * how much it takes, and the rest of the mesh is as it was. Sizes are Q16.16, up to 8192.
+ * @{
  */
 
-/** Around the z axis: `radius` to the tube's centre, `tube` its own; `around` and `along` quads, 3 or more. */
+/**
+ * A torus around the z axis.
+ * @param mesh,room as above
+ * @param around,along quads, 3 or more
+ * @param radius to the tube's centre
+ * @param tube the tube's own
+ * @return as above
+ */
 glint_status glint_generate_torus(glint_mesh *mesh, const glint_mesh_room *room, uint32_t around, uint32_t along,
                                   glint_q16 radius, glint_q16 tube);
 
-/** Poles on z; `around` quads, 3 or more, from pole to pole in `along` steps, 2 or more. */
+/**
+ * A sphere, its poles on z.
+ * @param mesh,room as above
+ * @param around quads, 3 or more
+ * @param along steps from pole to pole, 2 or more
+ * @param radius its own
+ * @return as above
+ */
 glint_status glint_generate_sphere(glint_mesh *mesh, const glint_mesh_room *room, uint32_t around, uint32_t along,
                                    glint_q16 radius);
 
-/** Around the z axis from -half_height to half_height in `along` steps, 1 or more; open, or with caps. */
+/**
+ * A cylinder around the z axis, from -half_height to half_height.
+ * @param mesh,room as above
+ * @param around quads, 3 or more
+ * @param along steps, 1 or more
+ * @param radius,half_height its size
+ * @param capped 0 where it is open
+ * @return as above
+ */
 glint_status glint_generate_cylinder(glint_mesh *mesh, const glint_mesh_room *room, uint32_t around, uint32_t along,
                                      glint_q16 radius, glint_q16 half_height, int capped);
 
-/** Around the z axis, its tip at half_height, its base at -half_height open or with a cap. */
+/**
+ * A cone around the z axis, its base at -half_height, its tip at half_height.
+ * @param mesh,room as above
+ * @param around quads, 3 or more
+ * @param along steps, 1 or more
+ * @param radius,half_height its size
+ * @param capped 0 where its base is open
+ * @return as above
+ */
 glint_status glint_generate_cone(glint_mesh *mesh, const glint_mesh_room *room, uint32_t around, uint32_t along,
                                  glint_q16 radius, glint_q16 half_height, int capped);
 
-/** In the plane z = 0, seen from +z: x and y from minus to plus the half sizes, in columns and rows of quads. */
+/**
+ * A rectangle in the plane z = 0, seen from +z.
+ * @param mesh,room as above
+ * @param columns,rows quads, 1 or more
+ * @param half_width,half_height x and y are from minus to plus these
+ * @return as above
+ */
 glint_status glint_generate_plane(glint_mesh *mesh, const glint_mesh_room *room, uint32_t columns, uint32_t rows,
                                   glint_q16 half_width, glint_q16 half_height);
 
-/** Six faces, each of its own vertices: 24 vertices, 12 triangles. */
+/**
+ * A box: six faces, each of its own vertices; 24 vertices, 12 triangles.
+ * @param mesh,room as above
+ * @param half_width,half_height,half_depth its size
+ * @return as above
+ */
 glint_status glint_generate_box(glint_mesh *mesh, const glint_mesh_room *room, glint_q16 half_width,
                                 glint_q16 half_height, glint_q16 half_depth);
+/** @} */
 
 /* ---- Output -------------------------------------------------------------------------------------------------- */
 
@@ -387,19 +464,22 @@ extern const glint_format glint_format_mono;      /**< 1 bit of luma, the left p
 /** 1 bit of luma, as OLED controllers keep it: pixel (x, y) of a tile is bit y % 8 of byte x + y / 8 * 8 stride. */
 extern const glint_format glint_format_mono_pages;
 
-/*
+/**
+ * @name Dithered
  * The same with ordered dithering (Bayer, 1973) over 8 x 8 pixels: no banding, at the price of a fine pattern. Every
  * format stores floor(v + t): v is the value in its levels, t is 1/2 or, dithered, the pixel's threshold, an odd number
  * of 128ths. What is exact is v, to a part of a level that docs/accuracy.md states for each format.
+ * @{
  */
-extern const glint_format glint_format_rgb565_dithered;
-extern const glint_format glint_format_rgb565_be_dithered;
-extern const glint_format glint_format_rgb888_dithered;
-extern const glint_format glint_format_grey8_dithered;
-extern const glint_format glint_format_grey4_dithered;
-extern const glint_format glint_format_rgb444_dithered;
-extern const glint_format glint_format_mono_dithered;
-extern const glint_format glint_format_mono_pages_dithered;
+extern const glint_format glint_format_rgb565_dithered;     /**< As glint_format_rgb565. */
+extern const glint_format glint_format_rgb565_be_dithered;  /**< As glint_format_rgb565_be. */
+extern const glint_format glint_format_rgb888_dithered;     /**< As glint_format_rgb888. */
+extern const glint_format glint_format_grey8_dithered;      /**< As glint_format_grey8. */
+extern const glint_format glint_format_grey4_dithered;      /**< As glint_format_grey4. */
+extern const glint_format glint_format_rgb444_dithered;     /**< As glint_format_rgb444. */
+extern const glint_format glint_format_mono_dithered;       /**< As glint_format_mono. */
+extern const glint_format glint_format_mono_pages_dithered; /**< As glint_format_mono_pages. */
+/** @} */
 
 /** Entries of an output table. */
 #define GLINT_GAMMA_ENTRIES 257
@@ -411,7 +491,7 @@ extern const glint_format glint_format_mono_pages_dithered;
  */
 extern const uint16_t glint_gamma_srgb[3][GLINT_GAMMA_ENTRIES];
 
-/** Bytes that one row of `width` pixels takes. */
+/** Bytes of a row of pixels. @param format how they are stored @param width pixels @return bytes */
 size_t glint_row_bytes(const glint_format *format, uint32_t width);
 
 /**
@@ -421,16 +501,16 @@ size_t glint_row_bytes(const glint_format *format, uint32_t width);
  * frame with GLINT_ERROR_FLUSH.
  */
 typedef struct glint_flush {
-    /** @param stride bytes from a row of `pixels` to the next. */
+    /** Starts to send; `stride` is bytes from a row of `pixels` to the next. */
     int (*begin)(void *context, int x, int y, int width, int height, const void *pixels, size_t stride);
     /** May be null when `begin` returns only once all is sent. */
     int (*wait)(void *context);
-    void *context;
+    void *context; /**< Handed to both. */
 } glint_flush;
 
 /** Pixels of a screen. */
 typedef struct glint_rectangle {
-    int16_t x, y, width, height;
+    int16_t x, y, width, height; /**< From its left upper corner on. */
 } glint_rectangle;
 
 /** A tile of the screen, cut at the screen's edges and at the region's. */
@@ -442,18 +522,20 @@ typedef struct glint_tile {
      * Of a background it tells nothing. */
     const uint16_t *depth;
     size_t depth_stride; /**< Numbers from row to row. */
+    /** @privatesection */
     /* what glint_lines_draw reads */
     const struct glint_frame *frame;
     const struct glint_workspace *workspace;
 } glint_tile;
 
 /**
- * Paints pixels of a tile, in the format of the configuration. @return 0, or anything else to report a failure, which
- * ends the frame with GLINT_ERROR_PAINT. It is called by whoever draws the tile: by two at once where two draw tiles.
+ * Paints pixels of a tile, in the format of the configuration. It returns 0, or anything else to report a failure,
+ * which ends the frame with GLINT_ERROR_PAINT. It is called by whoever draws the tile: by two at once where two draw
+ * tiles.
  */
 typedef struct glint_painter {
-    int (*paint)(void *context, const glint_tile *tile);
-    void *context;
+    int (*paint)(void *context, const glint_tile *tile); /**< Null: nothing is painted. */
+    void *context;                                       /**< Handed to it. */
 } glint_painter;
 
 /** Largest width and height. */
@@ -461,14 +543,14 @@ typedef struct glint_painter {
 
 /** How and where to draw. Copied by `glint_init`; what it points to stays the caller's. */
 typedef struct glint_config {
-    uint16_t width;       /**< Pixels, 1 to GLINT_SIZE_MAX. */
-    uint16_t height;      /**< Pixels, 1 to GLINT_SIZE_MAX. */
-    uint16_t tile_width;  /**< 8, 16, 32 or 64; 0 for the default, 32. */
-    uint16_t tile_height; /**< 8, 16, 32 or 64; 0 for the default, 32. */
-    const glint_format *format;
-    glint_flush flush;
-    void *arena;       /**< Working memory, any alignment. More means fewer passes, never other pixels. */
-    size_t arena_size; /**< Bytes; see `glint_arena_need`. */
+    uint16_t width;             /**< Pixels, 1 to GLINT_SIZE_MAX. */
+    uint16_t height;            /**< Pixels, 1 to GLINT_SIZE_MAX. */
+    uint16_t tile_width;        /**< 8, 16, 32 or 64; 0 for the default, 32. */
+    uint16_t tile_height;       /**< 8, 16, 32 or 64; 0 for the default, 32. */
+    const glint_format *format; /**< How pixels are stored. */
+    glint_flush flush;          /**< Where they are sent. */
+    void *arena;                /**< Working memory, any alignment. More means fewer passes, never other pixels. */
+    size_t arena_size;          /**< Bytes; see `glint_arena_need`. */
     /**
      * Where glint_render puts the pixels that it sends, for memory of its own that DMA reads: aligned as a pointer is,
      * or as a cache or a DMA wants it, as the second of two tiles begins a multiple of 64 bytes behind the first. Null:
@@ -483,8 +565,7 @@ typedef struct glint_config {
      * not by a library built for size. */
     uint8_t keeps_arena;
     uint8_t counts_drawn; /**< Not 0: glint_stats.drawn is counted too, for about 3 % more instructions. */
-    /** Where the screen's first pixel lies on the display: added to where tiles are sent. */
-    int16_t left, top;
+    int16_t left, top;    /**< Where the screen's first pixel lies on the display: added to where tiles are sent. */
     /**
      * The part of the screen that is drawn and sent, all 0 for the whole: its pixels are those of the whole frame.
      * Where pixels share a byte, it ends where bytes do, or at the screen's edge: x and width are multiples of 2 in
@@ -619,6 +700,8 @@ typedef struct glint_renderer {
 
 /**
  * Sets up a renderer; draws nothing. On failure the renderer, if there is one, is all 0.
+ * @param renderer the caller's
+ * @param config how and where to draw; copied
  * @return GLINT_ERROR_NULL, _SIZE, _TILE, _PIXELS, or _ARENA when the arena cannot hold even the tile buffers.
  */
 glint_status glint_init(glint_renderer *renderer, const glint_config *config);
@@ -626,15 +709,25 @@ glint_status glint_init(glint_renderer *renderer, const glint_config *config);
 /**
  * Draws a scene: every pixel of the screen, or of the region, goes through the flush callback once, tile by tile, left
  * to right and top to bottom. Errors in the scene are found before the first tile is sent.
+ * @param renderer what glint_init has set up
+ * @param scene what to draw
+ * @return GLINT_OK, or why the frame was not drawn or not finished
  */
 glint_status glint_render(glint_renderer *renderer, const glint_scene *scene);
 
-/** The same for one frame of another region than the configuration's; see glint_config.region. */
+/**
+ * The same for one frame of another region than the configuration's.
+ * @param renderer,scene as for glint_render
+ * @param region see glint_config.region
+ * @return as for glint_render; GLINT_ERROR_REGION
+ */
 glint_status glint_render_region(glint_renderer *renderer, const glint_scene *scene, const glint_rectangle *region);
 
 /**
  * How much arena a scene needs when drawn by glint_render with this configuration (its arena is not looked at, nor the
  * size of its pixels).
+ * @param config,scene what is to be drawn
+ * @param need set
  * @return the error that drawing the scene would give: then `need` is as it was
  */
 glint_status glint_arena_need(const glint_config *config, const glint_scene *scene, glint_need *need);
@@ -644,12 +737,16 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
  * being as it is: each pose may be any rotation of this one, with the same fourth column, rounded to Q16.16. `least` is
  * exact; the others are bounds from the triangles' longest edges, all of which count as facing the eye and as lying
  * where tiles meet. Objects that move as well need the most of the places where they come nearest.
+ * @param config,scene,need as for glint_arena_need
  * @return as glint_arena_need: then `need` is as it was
  */
 glint_status glint_arena_need_turned(const glint_config *config, const glint_scene *scene, glint_need *need);
 
-/** Bytes of `pixels` that glint_render needs where they are apart from the arena; 0 when the configuration is not
- * valid. */
+/**
+ * Bytes of `pixels` that glint_render needs where they are apart from the arena.
+ * @param config what is to be drawn with
+ * @return 0 when the configuration is not valid
+ */
 size_t glint_pixels_need(const glint_config *config);
 
 /* ---- Why a picture is black ---- */
@@ -667,6 +764,8 @@ typedef struct glint_report {
 /**
  * Looks for what keeps a scene from being drawn, or makes it black: draws it with the configuration's arena, and sends
  * nothing. For development: neither its time nor its flash is meant for a product. Not while a frame is on its way.
+ * @param config,scene what is to be drawn
+ * @param report what was found
  * @return report->status, or GLINT_ERROR_NULL where `report` is null
  */
 glint_status glint_check(const glint_config *config, const glint_scene *scene, glint_report *report);
@@ -682,6 +781,9 @@ typedef struct glint_place {
 /**
  * Finds where a point of the world shows on a screen of config->width and height: off by at most 1/128 of a pixel, on
  * and around the screen. Nothing else of the configuration is looked at.
+ * @param config,camera what it is seen with
+ * @param point in the world
+ * @param to where it shows
  * @return 1, 0 when it lies in front of the near plane: then `to` is as it was; GLINT_ERROR_NULL, _SIZE or _CAMERA
  */
 int glint_camera_project(const glint_config *config, const glint_camera *camera, glint_vector point, glint_place *to);
@@ -696,6 +798,9 @@ typedef struct glint_hit {
 /**
  * Finds which triangle glint_render shows at a pixel of the screen, by drawing that pixel; uses the renderer's arena,
  * so not while a frame is on its way.
+ * @param renderer,scene what shows
+ * @param x,y the pixel
+ * @param hit what it shows
  * @return 1, 0 when it shows background: then `hit` is as it was; GLINT_ERROR_REGION when the pixel is not on the
  * screen, or an error of the scene
  */
@@ -731,6 +836,7 @@ typedef struct glint_line {
 
 /** What a line is on the screen. Owned by the caller; written by glint_lines_place only. */
 typedef struct glint_segment {
+    /** @privatesection */
     int16_t x[2], y[2];    /* its ends, 28.4 */
     uint32_t inverse_w[2]; /* there: 1/w, w in Q28, is this over 2^exponent */
     uint8_t exponent[2];
@@ -742,6 +848,10 @@ typedef struct glint_segment {
  * world, each coordinate rounded to nearest and saturated as glint_pose_apply does, and are then off by at most 1/64 of
  * a pixel, on and around the screen, before they are rounded.
  * @param segments `count` of them; like the lines, whose colours they point to, they stay until the frame is drawn
+ * @param config,camera what they are seen with
+ * @param pose of the lines, to the world
+ * @param lines `count` of them
+ * @param count how many
  * @return GLINT_ERROR_NULL, _SIZE, _CAMERA or _COLOUR: then segments are as they were
  */
 glint_status glint_lines_place(glint_segment *segments, const glint_config *config, const glint_camera *camera,
@@ -750,17 +860,23 @@ glint_status glint_lines_place(glint_segment *segments, const glint_config *conf
 /**
  * Draws lines on a finished tile, for an overlay. Calls follow each other: what was drawn before hides what is drawn
  * behind it. Tiles of one frame may be drawn by several callers at once.
+ * @param tile what the overlay is given
+ * @param segments `count` of them, placed
+ * @param count how many
  * @return 0, or GLINT_ERROR_NULL where there is no tile, or not one that a frame has handed out
  */
 int glint_lines_draw(const glint_tile *tile, const glint_segment *segments, uint32_t count);
 
-/** Sets the twelve edges of a box between two opposite corners. */
+/** Sets the twelve edges of a box. @param lines set @param from,to opposite corners @param colour of all */
 void glint_lines_box(glint_line lines[12], glint_vector from, glint_vector to, glint_colour colour);
 
 /**
  * Sets lines to the edges of a mesh, in object space, rounded to nearest and saturated; an edge of two triangles that
  * name the same two vertices once. For meshes of a few hundred triangles: its time grows with their square.
+ * @param lines set
  * @param room how many fit in `lines`, which may be null where it is 0
+ * @param mesh whose edges
+ * @param colour of all
  * @return how many edges there are; those beyond `room` are left out
  */
 uint32_t glint_lines_edges(glint_line *lines, uint32_t room, const glint_mesh *mesh, glint_colour colour);
@@ -797,20 +913,24 @@ typedef struct glint_changes {
     uint8_t is_part; /* is a part of a tile on its way? */
 } glint_changes;
 
-/** How many signatures a configuration takes; 0 when it is not valid. */
+/** How many signatures a configuration takes. @param config with which is drawn @return 0 when it is not valid */
 uint32_t glint_changes_count(const glint_config *config);
 
 /**
  * Sets a filter up before config->flush; everything is yet to be sent. On failure the filter, if there is one, is all
  * 0, and so is its flush, which glint_init refuses.
+ * @param changes the filter
+ * @param signatures glint_changes_count of them, the caller's as long as the filter
+ * @param config with which is to be drawn, its flush that of the panel
  * @return GLINT_ERROR_NULL, _SIZE or _TILE.
  */
 glint_status glint_changes_init(glint_changes *changes, glint_signature *signatures, const glint_config *config);
 
-/** Sends everything once more: for a panel that was started anew. A tile whose flush failed is sent again anyhow. */
+/** Sends everything once more: for a panel that was started anew. A tile whose flush failed is sent again anyhow.
+ * @param changes the filter */
 void glint_changes_forget(glint_changes *changes);
 
-/** The flush to draw with; `changes` must outlive it. */
+/** The flush to draw with. @param changes the filter, which must outlive it @return the flush */
 glint_flush glint_changes_flush(glint_changes *changes);
 
 /* ---- Tile by tile -------------------------------------------------------------------------------------------- */
@@ -824,34 +944,56 @@ glint_flush glint_changes_flush(glint_changes *changes);
  *                 send it, glint_tile_find says where;
  */
 
-/** Bytes of a workspace; 0 when the configuration is not valid. */
+/** Bytes of a workspace. @param config with which is drawn @return 0 when it is not valid */
 size_t glint_workspace_size(const glint_config *config);
 
-/** Lays a workspace out in `memory`, of glint_workspace_size bytes, which are not 0, aligned as a pointer is. */
+/**
+ * Lays a workspace out.
+ * @param workspace set
+ * @param config with which is drawn
+ * @param memory of glint_workspace_size bytes, which are not 0, aligned as a pointer is
+ */
 void glint_workspace_init(glint_workspace *workspace, const glint_config *config, void *memory);
 
 /**
  * Begins a frame: checks the scene and prepares camera, lights and materials in the arena, all of which it may use. On
  * failure the frame, if there is one, is all 0.
  * @param frame where config->keeps_arena is set, the last one drawn with this configuration, or all 0; else anything
+ * @param config how to draw; copied
+ * @param scene what to draw; it stays until the frame is done
+ * @return GLINT_OK, or why the frame cannot be drawn
  */
 glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene);
 
-/** Prepares the next pass. @return 1 when there is one, 0 when the frame is done, or an error. */
+/** Prepares the next pass. @param frame begun @return 1 when there is one, 0 when the frame is done, or an error. */
 int glint_frame_next(glint_frame *frame);
 
 /**
  * Draws what this pass holds of a tile from frame->tile_first to frame->tile_end - 1. Reads the frame, writes the
  * workspace: callers with workspaces of their own may draw tiles of one pass at the same time. A tile that takes
  * several passes must be drawn into the same workspace in each.
+ * @param frame a pass is prepared of
+ * @param workspace where it is drawn
+ * @param tile its number
  * @return 1 when the tile is finished, 0 when a later pass adds to it, or GLINT_ERROR_PAINT.
  */
 int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile);
 
-/** Where a tile lies on the screen, in pixels, cut at the screen's edges and at the region's. */
+/**
+ * Where a tile lies on the screen, in pixels, cut at the screen's edges and at the region's.
+ * @param frame of which it is
+ * @param tile its number
+ * @param x,y,width,height set
+ */
 void glint_tile_rectangle(const glint_frame *frame, uint32_t tile, int *x, int *y, int *width, int *height);
 
-/** The same, with its pixels and its depth in a workspace that holds it. */
+/**
+ * The same, with its pixels and its depth.
+ * @param frame of which it is
+ * @param workspace that holds it
+ * @param tile its number
+ * @param to set
+ */
 void glint_tile_find(const glint_frame *frame, const glint_workspace *workspace, uint32_t tile, glint_tile *to);
 
 #ifdef __cplusplus

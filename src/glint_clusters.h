@@ -28,9 +28,9 @@ extern const glint_cull glint_cull_cones;
  * all of them face away. Degenerate triangles constrain neither value.
  */
 typedef struct glint_cluster {
-    int8_t axis[3];
-    uint8_t spread;
-    int16_t height;
+    int8_t axis[3];     /**< As above. */
+    uint8_t spread;     /**< As above. */
+    int16_t height;     /**< As above. */
     uint16_t triangles; /**< Number of triangles. */
     uint16_t vertices;  /**< Number of vertices first used by this cluster. */
     uint16_t borrowers; /**< Number of other clusters with triangles at these vertices. */
@@ -41,7 +41,7 @@ typedef struct glint_cluster {
  * 1/16 of a pixel turns it round is dropped with its cluster too.
  */
 typedef struct glint_clusters {
-    const glint_cull *cull;    /**< &glint_cull_cones; null for no clusters. */
+    const glint_cull *cull;    /**< glint_cull_cones; null for no clusters. */
     const glint_cluster *list; /**< The clusters. */
     const uint16_t *borrowers; /**< Indices of the borrowers, cluster after cluster; an index >= count means "always
                                     visible". Null: every borrower is. */

@@ -109,6 +109,7 @@ check readme readme
 check tile-sizes tile_sizes
 check licence licence
 check version tools/version.sh
+check doxygen "${MAKE:-make}" --no-print-directory doxygen
 check cppcheck cppcheck_all
 check clang-tidy tidy
 exit $failed

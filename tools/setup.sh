@@ -25,6 +25,7 @@ look() {
     need clang-format clang-format
     need clang-tidy clang-tidy
     need cppcheck cppcheck
+    need doxygen doxygen
     need gcc-arm-none-eabi arm-none-eabi-gcc
     need qemu-system-arm qemu-system-arm
     need gcc-i686-linux-gnu i686-linux-gnu-gcc

@@ -5,6 +5,6 @@
 
 #include "panel.h"
 
-extern const glint_panel_type glint_panel_gc9a01;
+extern const glint_panel_type glint_panel_gc9a01; /**< As above. */
 
 #endif

@@ -34,9 +34,15 @@ typedef struct glint_i2c {
     uint8_t address; /**< 7 bits; most panels have 0x3c, or 0x3d with a pin. */
 } glint_i2c;
 
-/** The callbacks of a glint_bus whose context is a glint_i2c. */
+/** A glint_bus's callback `command`. @param context a glint_i2c @param bytes,count as there @return as there */
 glint_status glint_i2c_command(void *context, const uint8_t *bytes, size_t count);
+
+/** A glint_bus's callback `data`. @param context a glint_i2c @param bytes,count as there @return as there */
 glint_status glint_i2c_data(void *context, const uint8_t *bytes, size_t count);
+
+/** A glint_bus's callback `begin`. @param context a glint_i2c @param bytes,row_bytes,rows,stride as there @return as
+ * there
+ */
 glint_status glint_i2c_begin(void *context, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride);
 
 #ifdef __cplusplus

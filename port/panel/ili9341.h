@@ -5,6 +5,6 @@
 
 #include "panel.h"
 
-extern const glint_panel_type glint_panel_ili9341;
+extern const glint_panel_type glint_panel_ili9341; /**< As above. */
 
 #endif

@@ -74,7 +74,7 @@ typedef struct glint_panel_family {
 
 /** A kind of panel, const data. */
 typedef struct glint_panel_type {
-    const glint_panel_family *family;
+    const glint_panel_family *family;     /**< What it has in common with others. */
     const glint_format *format;           /**< What its memory takes, if nothing else is asked for. */
     const glint_format *format_turned;    /**< The same at 90 and 270 degrees; null where it is no other. */
     const uint8_t *start;                 /**< Start-up sequence, from reset to a panel that set_up may switch on. */
@@ -90,42 +90,52 @@ typedef struct glint_panel_type {
 
 /** A panel on a bus. Owned by the caller; not written. Fields left out are right for the panel as it is. */
 struct glint_panel {
-    const glint_panel_type *type;
-    const glint_bus *bus;
-    glint_panel_rotation rotation;
-    const glint_format *format; /**< Null for the type's: what glint draws, as 12-bit or dithered pixels. */
-    int has_words;              /**< `format` is of words in the core's byte order, for bus->begin_words. */
+    const glint_panel_type *type;  /**< What kind. */
+    const glint_bus *bus;          /**< What it hangs on. */
+    glint_panel_rotation rotation; /**< How its picture is turned. */
+    const glint_format *format;    /**< Null for the type's: what glint draws, as 12-bit or dithered pixels. */
+    int has_words;                 /**< `format` is of words in the core's byte order, for bus->begin_words. */
 };
 
-/** Width of the picture, pixels, as it is turned. */
+/** Width of the picture as it is turned. @param panel whose @return pixels */
 uint16_t glint_panel_width(const glint_panel *panel);
 
-/** Height of the picture, pixels, as it is turned. */
+/** Height of the picture as it is turned. @param panel whose @return pixels */
 uint16_t glint_panel_height(const glint_panel *panel);
 
-/** What to draw with. */
+/** What to draw with. @param panel for which @return the format */
 const glint_format *glint_panel_format(const glint_panel *panel);
 
 /**
  * Resets the panel, sends its start-up sequence and switches it on.
+ * @param panel which
  * @return GLINT_ERROR_FORMAT or GLINT_ERROR_ROTATION before anything is sent, or what the bus returns
  */
 glint_status glint_panel_start(const glint_panel *panel);
 
-/** Does any pixel of a rectangle lie on the glass? Others need not be drawn; glint_panel_begin does not send them. */
+/**
+ * Does any pixel of a rectangle lie on the glass? Others need not be drawn; glint_panel_begin does not send them.
+ * @param panel whose glass
+ * @param x,y,width,height the rectangle
+ * @return 1 or 0
+ */
 int glint_panel_shows(const glint_panel *panel, int x, int y, int width, int height);
 
 /**
  * Starts to send pixels of the panel's format to a rectangle; glint_panel_wait must follow.
+ * @param panel where to
+ * @param x,y,width,height the rectangle
+ * @param pixels the one at x, y
+ * @param stride bytes from row to row
  * @return GLINT_ERROR_REGION before anything is sent, or what the bus returns
  */
 glint_status glint_panel_begin(const glint_panel *panel, int x, int y, int width, int height, const void *pixels,
                                size_t stride);
 
-/** Returns when the pixels are sent. @return what the bus returns */
+/** Returns when the pixels are sent. @param panel which @return what the bus returns */
 glint_status glint_panel_wait(const glint_panel *panel);
 
-/** The callbacks with which glint draws to this panel, which must outlive them. */
+/** The callbacks with which glint draws to a panel. @param panel which must outlive them @return the callbacks */
 glint_flush glint_panel_flush(const glint_panel *panel);
 
 /* ---- For families of panels ---- */
@@ -137,12 +147,13 @@ typedef struct glint_panel_axes {
     uint16_t first_x, first_y;  /**< Where the picture begins, in the controller's addresses, as exchanged. */
 } glint_panel_axes;
 
+/** How a panel's controller has to count. @param panel which @return the axes */
 glint_panel_axes glint_panel_find_axes(const glint_panel *panel);
 
-/** Sends a command and its parameters. @return what the bus returns */
+/** Sends a command and its parameters. @param panel where to @param bytes,count which @return what the bus returns */
 glint_status glint_panel_send(const glint_panel *panel, const uint8_t *bytes, size_t count);
 
-/** Bits of a pixel. */
+/** Bits of a pixel. @param panel whose @return bits */
 unsigned glint_panel_pixel_bits(const glint_panel *panel);
 
 #ifdef __cplusplus

@@ -5,6 +5,6 @@
 
 #include "panel.h"
 
-extern const glint_panel_type glint_panel_sh1106;
+extern const glint_panel_type glint_panel_sh1106; /**< As above. */
 
 #endif

@@ -5,6 +5,6 @@
 
 #include "panel.h"
 
-extern const glint_panel_type glint_panel_ssd0303;
+extern const glint_panel_type glint_panel_ssd0303; /**< As above. */
 
 #endif

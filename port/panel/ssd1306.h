@@ -5,6 +5,6 @@
 
 #include "panel.h"
 
-extern const glint_panel_type glint_panel_ssd1306;
+extern const glint_panel_type glint_panel_ssd1306; /**< As above. */
 
 #endif

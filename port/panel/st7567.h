@@ -5,6 +5,6 @@
 
 #include "panel.h"
 
-extern const glint_panel_type glint_panel_st7567;
+extern const glint_panel_type glint_panel_st7567; /**< As above. */
 
 #endif

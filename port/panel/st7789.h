@@ -5,8 +5,8 @@
 
 #include "panel.h"
 
-extern const glint_panel_type glint_panel_st7789_240x240;
-extern const glint_panel_type glint_panel_st7789_240x320;
-extern const glint_panel_type glint_panel_st7789_135x240;
+extern const glint_panel_type glint_panel_st7789_240x240; /**< As above, 240x240. */
+extern const glint_panel_type glint_panel_st7789_240x320; /**< As above, 240x320. */
+extern const glint_panel_type glint_panel_st7789_135x240; /**< As above, 135x240. */
 
 #endif
