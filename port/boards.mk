@@ -8,9 +8,10 @@ CROSS ?= arm-none-eabi-
 # ---- can spare (ARENA), width and height of its tiles where not the default (TILE; one number for both), what an ELF file
 # ---- needs before it is whole (FINISH), and the prefix of its compiler's commands where that is not Arm's
 
-BOARDS := lm3s6965evb lm3s811evb microbit stm32vldiscovery netduinoplus2 mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 mps2-an505 virt pico template
+BOARDS := lm3s6965evb lm3s811evb microbit stm32vldiscovery netduinoplus2 mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 mps2-an505 virt sifive_e pico template
 
 CORTEX_M := $(wildcard port/cortex-m/*.c) port/semihosting/semihosting.c port/libc/memory.c
+RISCV    := port/riscv/startup.c port/semihosting/semihosting.c port/libc/memory.c
 
 lm3s6965evb_CPU     := -mcpu=cortex-m3 -mthumb
 lm3s6965evb_SOURCES := $(CORTEX_M) $(wildcard port/lm3s6965evb/*.c) port/lm3s/clock.c port/pl022/pl022.c
@@ -90,10 +91,18 @@ stm32vldiscovery_TILE    := 16
 
 # RISC-V without floating point, and without a global pointer to small data.
 virt_CPU     := -march=rv32imc -mabi=ilp32 -msmall-data-limit=0
-virt_SOURCES := $(wildcard port/virt/*.c) port/semihosting/semihosting.c port/libc/memory.c
+virt_SOURCES := $(RISCV) $(wildcard port/virt/*.c)
 virt_ARENA   := 262144
 virt_LINKER  := linker/virt.ld
 virt_CROSS   := riscv64-unknown-elf-
+
+sifive_e_CPU     := -march=rv32imac -mabi=ilp32 -msmall-data-limit=0
+sifive_e_SOURCES := $(RISCV) $(wildcard port/sifive_e/*.c)
+sifive_e_LINKER  := linker/sifive_e.ld
+sifive_e_PANEL   := port/panel/panel.c port/panel/pages.c port/panel/sh1106.c
+sifive_e_ARENA   := 10240
+sifive_e_TILE    := 64 8
+sifive_e_CROSS   := riscv64-unknown-elf-
 
 template_CPU     := -mcpu=cortex-m3 -mthumb
 template_SOURCES := $(CORTEX_M) $(wildcard port/template/*.c)
@@ -171,9 +180,9 @@ $(foreach program,turntable minimal pattern,$(eval $(call firmware_program,lm3s6
 # Example scenes are lit at nodes.
 $(eval $(call firmware_program,lm3s6965evb,release,scenes,-Wl$(comma)--defsym=stack_size=9984))
 # Vertices lit by lights that have positions take the deepest stack.
-UNIT_BOARDS := lm3s6965evb microbit netduinoplus2 mps2-an385 mps2-an386 mps2-an500 mps2-an505 virt
+UNIT_BOARDS := lm3s6965evb microbit netduinoplus2 mps2-an385 mps2-an386 mps2-an500 mps2-an505 virt sifive_e
 $(foreach board,$(UNIT_BOARDS),\
-    $(eval $(call firmware_program,$(board),release,unit,-Wl$(comma)--defsym=stack_size=3616)))
+    $(eval $(call firmware_program,$(board),release,unit,-Wl$(comma)--defsym=stack_size=3600)))
 $(eval $(call firmware_program,template,release,minimal))
 $(foreach board,mps2-an385 mps2-an385-m0 virt,$(foreach level,O0 Os O2,\
     $(eval $(call firmware_program,$(board),$(level),identity))))

@@ -38,9 +38,9 @@ tidy() {
     tidy_files "-Isrc -Iport/host -Iexamples -DHOST_WITH_MESHOPTIMIZER" 'port/host/*.c' || status=1
     tidy_files "-Isrc -Iport -Iport/libc -Iexamples -Itests -DBOARD_ARENA=65536 -DBOARD_TILE_WIDTH=0 -DBOARD_TILE_HEIGHT=0 $(arm)" \
         'port/*.c' 'examples/firmware/*.c' 'tests/board/*_board.c' \
-        'tests/board/pattern.c' 'tests/board/unit.c' 'tests/board/faults.c' ':!port/host' ':!port/virt' || status=1
+        'tests/board/pattern.c' 'tests/board/unit.c' 'tests/board/faults.c' ':!port/host' ':!port/virt' ':!port/riscv' ':!port/sifive_e' || status=1
     tidy_files "-Isrc -Iport -Iport/libc --target=riscv32-unknown-elf -march=rv32imc -ffreestanding" \
-        'port/virt/*.c' || status=1
+        'port/virt/*.c' 'port/riscv/*.c' 'port/sifive_e/*.c' || status=1
     tidy_files "-Isrc -Iport -Iport/libc -Itests -Itools -I$bench $(arm)" 'tools/boards/*.c' 'tools/profile/*.c' 'tools/scaling/*.c' 'tools/bench/*.c' ':!tools/bench/scenes.c' ':!tools/bench/float' 'tools/features/*.c' \
         'tools/chart/*_board.c' || status=1
     tidy_files "-Isrc -Iport/host -Iexamples -Iexamples/bench" 'tools/bench/scenes.c' || status=1

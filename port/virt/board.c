@@ -6,30 +6,13 @@
  */
 #include "board.h"
 
+#include "riscv/riscv.h"
 #include "semihosting/semihosting.h"
-#include "virt.h"
 
 #include <string.h>
 
 /* Ticks of the core's timer in a millisecond. */
 enum { TIMER_TICKS = 10000 };
-
-int semihosting_call(int operation, const void *argument) {
-    register int number __asm__("a0") = operation;
-    register const void *parameter __asm__("a1") = argument;
-
-    __asm__ volatile(".balign 16\n" /* the three may not lie in two pages */
-                     ".option push\n"
-                     ".option norvc\n"
-                     "slli x0, x0, 0x1f\n"
-                     "ebreak\n"
-                     "srai x0, x0, 7\n"
-                     ".option pop"
-                     : "+r"(number)
-                     : "r"(parameter)
-                     : "memory", "t0", "t1");
-    return number;
-}
 
 enum { WIDTH = 320, HEIGHT = 240 };
 
@@ -54,13 +37,11 @@ void board_write(const char *text) {
 }
 
 void board_exit(int status) {
-    semihosting_exit(status);
-    for (;;) { /* nobody listens: stay */
-    }
+    riscv_exit(status);
 }
 
 void board_delay(uint32_t milliseconds) {
-    const volatile uint32_t *time = (const volatile uint32_t *)0x0200bff8u; /* of the CLINT, low half */
+    const volatile uint32_t *time = riscv_register(0x0200bff8); /* of the CLINT, low half */
 
     for (uint32_t i = 0; i < milliseconds; i++) {
         const uint32_t start = *time;

@@ -77,7 +77,7 @@ $(SHOW_HOST): tests/board/show_host.c tests/image/picture.c examples/turntable/t
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -Itests/image $(filter %.c,$^) $(BUILD)/host/libglint.a -o $@
 
-SHOW_BOARDS   := lm3s6965evb lm3s811evb microbit stm32vldiscovery netduinoplus2 virt mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 mps2-an505
+SHOW_BOARDS   := lm3s6965evb lm3s811evb microbit stm32vldiscovery netduinoplus2 virt sifive_e mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 mps2-an505
 SHOW_FIRMWARE := pico=$(BUILD)/pico/release/show.bin $(foreach board,$(SHOW_BOARDS),$(board)=$(BUILD)/$(board)/release/show.elf)
 # The example scenes in motion, on panels in colour; all of it takes the Pico's emulator a minute, so that a test has a part.
 ANIMATE_FIRMWARE := $(foreach board,$(COLOUR_BOARDS),$(board)=$(BUILD)/$(board)/O2/animate.$(if $(filter pico,$(board)),bin,elf))

@@ -19,7 +19,7 @@ from picture import read_netpbm  # noqa: E402, F401 (for the suites)
 SILENCE = 180
 
 # Machines that an emulator of their own runs, and what it must be told; all others are Arm's.
-OTHER_EMULATORS = {"virt": [os.environ.get("QEMU_RISCV", "qemu-system-riscv32"), "-bios", "none"]}
+OTHER_EMULATORS = dict.fromkeys(("virt", "sifive_e"), [os.environ.get("QEMU_RISCV", "qemu-system-riscv32"), "-bios", "none"])
 
 
 class Died(Exception):

@@ -115,7 +115,7 @@ class Virt:
 
     def capture(self, firmware, directory):
         lines, memory = [], os.path.join(os.path.abspath(directory), "framebuffer")
-        with Machine("qemu-system-riscv32", "virt", firmware, ["stop"], options=("-bios", "none")) as machine:
+        with Machine("qemu-system-riscv32", "virt", firmware, ["stop"]) as machine:
             for line in iter(machine.line, None):
                 lines.append(line)
                 if line.endswith(" done"):
@@ -148,7 +148,8 @@ def colour_panel(module):
     return Panel(module, 320, 240, "rgb565", 90, 2 * 320 * 240, WRITE_MEMORY)
 
 
-SSD1306 = Panel("ssd1306", 128, 64, "mono", 0, 128 * 64 // 8, None)  # parameters go with D/C low: all else are pixels
+# Parameters go with D/C low: all else are pixels.
+SSD1306, SH1106 = (Panel(module, 128, 64, "mono", 0, 128 * 64 // 8, None) for module in ("ssd1306", "sh1106"))
 
 
 class Traced:
@@ -214,9 +215,15 @@ def microbit():
     return Traced("microbit", SSD1306, Wires(dc, select, clock=clock, bit=bit))
 
 
+def sifive_e():
+    """A bus by hand, by a register that holds the levels of all pins."""
+    clock, bit, select, dc = ("0x1001200c.%d" % pin for pin in (5, 3, 2, 1))
+    return Traced("sifive_e", SH1106, Wires(dc, select, clock=clock, bit=bit))
+
+
 BOARDS = {"lm3s6965evb": Dumped("lm3s6965evb", 128, 64, "grey4", 17),
           "lm3s811evb": Dumped("lm3s811evb", 96, 16, "mono", 255),
-          "pico": Pico(), "virt": Virt(), "microbit": microbit(),
+          "pico": Pico(), "virt": Virt(), "microbit": microbit(), "sifive_e": sifive_e(),
           "netduinoplus2": stm32("netduinoplus2", colour_panel("st7789-240x320"), 16000000, 0x40020018, 0x40020818),
           "stm32vldiscovery": stm32("stm32vldiscovery", SSD1306, 8000000, 0x40010810, 0x40011010),
           "mps2-an385": mps2("mps2-an385"), "mps2-an385-m0": mps2("mps2-an385"),

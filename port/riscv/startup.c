@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * From reset to main on QEMU's RISC-V machine `virt`, which starts at the first byte of its memory. No interrupt is
- * used. The linker script names the ends of everything (linker/sections.ld).
+ * From reset to main on a RISC-V core that starts at the first byte of its flash, and what the boards share. No
+ * interrupt is used. The linker script names the ends of everything (linker/sections.ld) and the entry, riscv_reset.
  */
-#include "virt.h"
+#include "riscv.h"
 
 #include "board.h"
+#include "semihosting/semihosting.h"
 
 #include <string.h>
 
@@ -14,7 +15,7 @@ extern uint8_t linker_data_load[], linker_data_begin[], linker_data_end[], linke
 
 int main(void);
 
-void virt_reset(void);
+void riscv_reset(void);
 
 static const uint32_t stack_paint = 0x5AFE57ACu;
 
@@ -74,7 +75,7 @@ __attribute__((naked, used, aligned(4))) static void trap(void) {
                      ".option pop");
 }
 
-__attribute__((naked, section(".vectors"), used)) void virt_reset(void) {
+__attribute__((naked, section(".vectors"), used)) void riscv_reset(void) {
     __asm__ volatile(".option push\n"
                      ".option arch, +zicsr\n"
                      "la sp, linker_stack_top\n"
@@ -82,4 +83,27 @@ __attribute__((naked, section(".vectors"), used)) void virt_reset(void) {
                      "csrw mtvec, t0\n"
                      "j start\n"
                      ".option pop");
+}
+
+int semihosting_call(int operation, const void *argument) {
+    register int number __asm__("a0") = operation;
+    register const void *parameter __asm__("a1") = argument;
+
+    __asm__ volatile(".balign 16\n" /* the three may not lie in two pages */
+                     ".option push\n"
+                     ".option norvc\n"
+                     "slli x0, x0, 0x1f\n"
+                     "ebreak\n"
+                     "srai x0, x0, 7\n"
+                     ".option pop"
+                     : "+r"(number)
+                     : "r"(parameter)
+                     : "memory", "t0", "t1");
+    return number;
+}
+
+void riscv_exit(int status) {
+    semihosting_exit(status);
+    for (;;) { /* nobody listens: stay */
+    }
 }
