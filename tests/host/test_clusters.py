@@ -146,7 +146,7 @@ def test_what_clusters_take(host):
             plain = convert(host, os.path.join(MODELS, model), "--name", "m", "--no-clusters")
             more.append(100 * (flash(text) / flash(plain) - 1))
     says = f"the example models take {min(more):.0f} to {max(more):.0f} % more flash"
-    for page in ("README.md", os.path.join("docs", "design.md")):
+    for page in (os.path.join("docs", "firmware.md"), os.path.join("docs", "design.md")):
         with open(os.path.join(ROOT, page), encoding="utf-8") as file:
             host.check(f"{page} says that {says}", says in " ".join(file.read().split()))
 
