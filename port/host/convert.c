@@ -4,6 +4,7 @@
 #include "convert.h"
 #include "number.h"
 #include "output.h"
+#include "report.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -293,6 +294,23 @@ static void warn_of_winding(const char *file, const host_mesh *mesh) {
     problem_print(file, &warning);
 }
 
+/** Prints what the mesh takes, unless the mesh itself is printed there. */
+static void print_report(const host_settings *settings, const host_model *model, const quantised_mesh *mesh) {
+    const report_subject subject = {settings, &model->materials, mesh};
+    host_problem why;
+    host_problem warning;
+    if (path_is_stdout(settings->output)) {
+        return;
+    }
+    if (settings->load.simplify > 0) {
+        printf("triangles_read %zu\ngeometric_error %.3g\n", model->read_count, model->error);
+    }
+    if (!report_print(&subject, &why)) {
+        problem_set(&warning, 0, "warning: what it takes is not known: %s", why.text);
+        problem_print(settings->model, &warning);
+    }
+}
+
 int command_convert(const host_settings *settings) {
     host_model model;
     quantised_mesh mesh;
@@ -312,6 +330,7 @@ int command_convert(const host_settings *settings) {
     const bool ok = bytes_write_file(&file, settings->output, &problem);
     free(file.data);
     if (ok) {
+        print_report(settings, &model, &mesh);
         command_print_warnings(settings, &model);
         command_warn_of_size(settings, &mesh);
         warn_of_steps(settings->model, &model, &mesh);

@@ -80,9 +80,9 @@ demo: $(HOST_PROGRAM) $(IMPORT_PROGRAM) ## draw a sheet of models and name its f
 
 # The turntable's meshes are without clusters: what drops them would take more flash than its smallest board has left.
 meshes: $(HOST_CONVERTER) ## write examples/meshes anew
-	$(HOST_CONVERTER) convert torus:24x12 --name torus576 --licence MIT --no-clusters -o examples/meshes/torus576.h
-	$(HOST_CONVERTER) convert examples/models/teapot.obj --licence MIT --no-clusters -o examples/meshes/teapot.h
-	$(foreach mesh,$(SCENE_MESHES),$(HOST_CONVERTER) convert $(SCENE_MESH_$(basename $(notdir $(mesh)))) -o $(mesh) &&) true
+	$(HOST_CONVERTER) convert torus:24x12 --name torus576 --licence MIT --no-clusters -o examples/meshes/torus576.h >/dev/null
+	$(HOST_CONVERTER) convert examples/models/teapot.obj --licence MIT --no-clusters -o examples/meshes/teapot.h >/dev/null
+	$(foreach mesh,$(SCENE_MESHES),$(HOST_CONVERTER) convert $(SCENE_MESH_$(basename $(notdir $(mesh)))) -o $(mesh) >/dev/null &&) true
 
 test-host-cli: $(HOST_PROGRAM) $(HOST_CONVERTER) $(BUILD)/host/glint-import ## the command line from outside: every option, every error
 	python3 tests/host/run.py $(HOST_PROGRAM)

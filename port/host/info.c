@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "command.h"
 
-#include "cost.h"
-#include "view.h"
+#include "report.h"
 
 #include <stdio.h>
 
@@ -61,52 +60,27 @@ static void print_bounds(const host_model *model, const quantised_mesh *mesh) {
 }
 
 /** Prints the arena that the framed model needs on a panel. @return false with a problem */
-static bool print_panel(const struct info_panel *panel, const host_settings *settings, const host_model *model,
-                        const quantised_mesh *mesh, host_problem *problem) {
-    host_settings framed = *settings;
-    framed.width = panel->width;
-    framed.height = panel->height;
-    framed.format = framebuffer_find_format(panel->format, NULL);
-    host_view view;
-    if (!view_make(&view, &framed, &model->materials, mesh, problem)) {
-        return false;
-    }
-    glint_config config = {.width = framed.width, .height = framed.height, .format = framed.format->format};
-    framebuffer target = {0}; /* not drawn to: a port that waits takes two tile buffers, and this one does */
-    config.flush = framebuffer_flush(&target);
+static bool print_panel(const report_subject *subject, const settings_panel *panel, host_problem *problem) {
     glint_need need;
-    const glint_status status = glint_arena_need(&config, &view.scene, &need);
-    view_free(&view);
-    if (status != GLINT_OK) {
-        return problem_set(problem, 0, "%s", glint_strerror(status));
+    if (!report_arena(subject, panel, &need, problem)) {
+        return false;
     }
     char size[16];
     snprintf(size, sizeof size, "%ux%u", panel->width, panel->height);
-    printf("%-8s %-7s %9zu %9zu %9zu\n", size, panel->format, need.least, need.resident, need.one_pass);
+    printf("%-8s %-7s %9zu %9zu %9zu\n", size, panel->format->name, need.least, need.resident, need.one_pass);
     return true;
 }
 
-/** Draws the framed model once, and prints what a board would take for it. @return false with a problem */
-static bool print_cost(const host_settings *settings, const host_model *model, const quantised_mesh *mesh,
-                       host_problem *problem) {
-    host_settings framed = *settings;
-    framed.format = framebuffer_find_format("rgb565", NULL);
-    framed.stats = true;
-    host_view view;
-    if (!view_make(&view, &framed, &model->materials, mesh, problem)) {
-        return false;
+/** The same for the settings' panel, or for all that people have. */
+static bool print_panels(const report_subject *subject, host_problem *problem) {
+    const settings_panel *given = &subject->settings->panel;
+    bool ok = !subject->settings->panel_given || print_panel(subject, given, problem);
+    for (size_t i = 0; ok && !subject->settings->panel_given && i < sizeof panels / sizeof panels[0]; i++) {
+        const settings_panel panel = {panels[i].width, panels[i].height,
+                                      framebuffer_find_format(panels[i].format, NULL)};
+        ok = print_panel(subject, &panel, problem);
     }
-    framebuffer target;
-    frame_counts counts;
-    const bool drawn = view_draw(&view.scene, &framed, &target, &counts, problem);
-    view_free(&view);
-    if (drawn) {
-        framebuffer_free(&target);
-        printf("\nA frame of it, framed, %ux%u in rgb565, lit at fragments by one directional light:\n", framed.width,
-               framed.height);
-        cost_print(&counts);
-    }
-    return drawn;
+    return ok;
 }
 
 int command_info(const host_settings *settings) {
@@ -120,11 +94,13 @@ int command_info(const host_settings *settings) {
     printf("\nBytes of arena to draw it framed, two tile buffers included: at least, with every vertex kept, in one "
            "pass:\n");
     host_problem problem;
-    bool ok = true;
-    for (size_t i = 0; ok && i < sizeof panels / sizeof panels[0]; i++) {
-        ok = print_panel(&panels[i], settings, &model, &mesh, &problem);
+    const report_subject subject = {settings, &model.materials, &mesh};
+    bool ok = print_panels(&subject, &problem);
+    if (ok) {
+        printf("\nA frame of it, framed, %ux%u in %s, lit at fragments by one directional light:\n",
+               settings->panel.width, settings->panel.height, settings->panel.format->name);
+        ok = report_cost(&subject, &settings->panel, &problem);
     }
-    ok = ok && print_cost(settings, &model, &mesh, &problem);
     if (ok) {
         command_print_warnings(settings, &model);
         command_warn_of_size(settings, &mesh);

@@ -215,6 +215,13 @@ bool path_is_same_file(const char *a, const char *b) {
            of_a.st_ino == of_b.st_ino;
 }
 
+bool path_is_stdout(const char *path) {
+    struct stat of_path;
+    struct stat of_stdout;
+    return stat(path, &of_path) == 0 && fstat(STDOUT_FILENO, &of_stdout) == 0 && of_path.st_dev == of_stdout.st_dev &&
+           of_path.st_ino == of_stdout.st_ino;
+}
+
 const char *path_base_name(const char *path) {
     const char *slash = strrchr(path, '/');
     return slash != NULL ? slash + 1 : path;

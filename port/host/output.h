@@ -45,6 +45,9 @@ bool bytes_write_file(const host_bytes *bytes, const char *path, host_problem *p
 /** Whether two paths lead to one regular file, by links or not. */
 bool path_is_same_file(const char *a, const char *b);
 
+/** Whether a path leads to what the program prints to. */
+bool path_is_stdout(const char *path);
+
 /** The part of a path after its last slash. */
 const char *path_base_name(const char *path);
 

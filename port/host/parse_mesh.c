@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file parse_mesh.c
- * Options that say what becomes of a model when it is loaded.
+ * Options that say what becomes of a model when it is loaded and converted.
  */
 #include "parsers.h"
 
@@ -72,4 +72,37 @@ bool parse_no_clusters(host_settings *settings, const char *text, host_problem *
     (void)problem;
     settings->load.plain = true;
     return true;
+}
+
+bool parse_panel(host_settings *settings, const char *text, host_problem *problem) {
+    const size_t length = strcspn(text, ":");
+    char size[16] = "";
+    int64_t width = 0;
+    int64_t height = 0;
+    memcpy(size, text, length < sizeof size ? length : 0);
+    if (text[length] == ':') {
+        settings->panel.format = framebuffer_find_format(text + length + 1, NULL);
+    }
+    if (!value_pair(size, &width, &height) || width < 1 || height < 1 || width > GLINT_SIZE_MAX ||
+        height > GLINT_SIZE_MAX || settings->panel.format == NULL) {
+        return value_expected(problem, "takes WxH[:FORMAT], as in 128x64:grey4; each side from 1 to 1024");
+    }
+    settings->panel_given = true;
+    settings->panel.width = (uint16_t)width;
+    settings->panel.height = (uint16_t)height;
+    return true;
+}
+
+bool parse_name(host_settings *settings, const char *text, host_problem *problem) {
+    settings->name = text;
+    const size_t plain = strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
+    const bool ok = plain > 0 && text[plain] == '\0' && !(text[0] >= '0' && text[0] <= '9') && plain <= 64;
+    return ok || value_expected(problem, "takes a C identifier of at most 64 characters");
+}
+
+bool parse_licence(host_settings *settings, const char *text, host_problem *problem) {
+    settings->licence = text;
+    const size_t plain = strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 -.+()");
+    return (plain > 0 && plain <= 100 && text[plain] == '\0') ||
+           value_expected(problem, "takes an SPDX licence expression");
 }

@@ -33,6 +33,9 @@ bool parse_repair(host_settings *settings, const char *text, host_problem *probl
 bool parse_no_clusters(host_settings *settings, const char *text, host_problem *problem);
 bool parse_weld(host_settings *settings, const char *text, host_problem *problem);
 bool parse_simplify(host_settings *settings, const char *text, host_problem *problem);
+bool parse_panel(host_settings *settings, const char *text, host_problem *problem);
+bool parse_name(host_settings *settings, const char *text, host_problem *problem);
+bool parse_licence(host_settings *settings, const char *text, host_problem *problem);
 bool parse_import_seconds(host_settings *settings, const char *text, host_problem *problem);
 bool parse_import_memory(host_settings *settings, const char *text, host_problem *problem);
 

@@ -164,20 +164,6 @@ static bool parse_double_sided(host_settings *settings, const char *text, host_p
     return true;
 }
 
-static bool parse_name(host_settings *settings, const char *text, host_problem *problem) {
-    settings->name = text;
-    const size_t plain = strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
-    const bool ok = plain > 0 && text[plain] == '\0' && !(text[0] >= '0' && text[0] <= '9') && plain <= 64;
-    return ok || value_expected(problem, "takes a C identifier of at most 64 characters");
-}
-
-static bool parse_licence(host_settings *settings, const char *text, host_problem *problem) {
-    settings->licence = text;
-    const size_t plain = strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 -.+()");
-    return (plain > 0 && plain <= 100 && text[plain] == '\0') ||
-           value_expected(problem, "takes an SPDX licence expression");
-}
-
 static bool parse_models(host_settings *settings, const char *text, host_problem *problem) {
     settings->models = text;
     return text[0] != '\0' || value_expected(problem, "takes a folder");
@@ -271,6 +257,8 @@ static const host_option options[] = {
      parse_animate},
     {"--labels", NULL, "words beside the subject, where the variant has some", COMMAND_SCENE, parse_labels},
     {"--double-sided", NULL, "draw triangles from both sides", COMMAND_RENDER | COMMAND_CONVERT, parse_double_sided},
+    {"--panel", "WxH[:FORMAT]", "what the mesh takes is told for that panel; 320x240:rgb565",
+     COMMAND_INFO | COMMAND_CONVERT, parse_panel},
     {"--name", "NAME", "C identifier that the arrays' names begin with", COMMAND_CONVERT, parse_name},
     {"--licence", "SPDX", "licence that the header states", COMMAND_CONVERT, parse_licence},
     {"--models", "DIR", "folder of the models; examples/models", COMMAND_DEMO, parse_models},
@@ -336,6 +324,7 @@ void settings_default(host_settings *settings) {
     settings->format = framebuffer_find_format("rgb888", NULL);
     settings->width = 320;
     settings->height = 240;
+    settings->panel = (settings_panel){320, 240, framebuffer_find_format("rgb565", NULL)};
     settings->up.y = GLINT_ONE;
     settings->field_of_view = GLINT_Q16(45);
     settings->near_plane = GLINT_Q16(0.1);

@@ -19,6 +19,12 @@ enum {
     COMMAND_SCENE = 16,
 };
 
+/** A panel: its size, and the format that it takes. */
+typedef struct settings_panel {
+    uint16_t width, height;
+    const framebuffer_format *format;
+} settings_panel;
+
 /** All that options can say; settings_default gives what holds without them. Strings are the command line's own. */
 typedef struct host_settings {
     const char *model;  /**< File, shape or scene, or null. */
@@ -29,6 +35,9 @@ typedef struct host_settings {
     uint16_t width, height;
     uint16_t tile_width, tile_height; /**< 0 for the library's default. */
     size_t arena;                     /**< Bytes; 0 for what the scene is best drawn with. */
+
+    settings_panel panel; /**< That a mesh is meant for. */
+    bool panel_given;
 
     bool help, list, stats;    /**< What to print. */
     double bus, core;          /**< Clocks of a panel's bus and of a core, MHz; 0 for none. */

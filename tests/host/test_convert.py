@@ -14,7 +14,7 @@ TOO_LARGE = r"big\.obj:0: warning: .* MB of flash, more than microcontrollers ha
 def convert(host, *arguments, warning=""):
     """The header that `convert` writes, with no warning, or one that the pattern matches."""
     run = host.run("convert", *arguments, "-o", "mesh.h")
-    if run.returncode != 0 or run.stdout or re.fullmatch(warning, run.stderr) is None:
+    if run.returncode != 0 or re.fullmatch(warning, run.stderr) is None:
         raise AssertionError(f"convert {arguments}: {run.returncode} {run.stderr} {run.stdout}")
     text = host.read("mesh.h").decode()
     os.remove(host.path("mesh.h"))
@@ -229,3 +229,49 @@ def test_repair_is_in_the_head(host):
     host.write("a.obj", SQUARE)
     text = convert(host, "a.obj", "--weights", "angle", "--facets", "--repair")
     host.check("command line", "\n *     glint convert a.obj --weights angle --facets --repair\n" in text)
+
+
+def report(host, *arguments):
+    """The `name value` lines that `convert` prints."""
+    run = host.run("convert", *arguments, "-o", "out.h")
+    host.equal(f"convert {arguments}", (run.returncode, run.stderr), (0, ""))
+    os.remove(host.path("out.h"))
+    return dict(line.split(" ", 1) for line in run.stdout.splitlines())
+
+
+def alike(a, b, part):
+    return abs(float(a) / float(b) - 1) < part
+
+
+def test_report(host):
+    """What a converted mesh takes is what `info` tells of the model, however large and wherever it is."""
+    spot = os.path.join(MODELS, "spot.obj")
+    for options in (["--panel", "128x64:grey4"], ["--panel=240x240"], [], ["--no-clusters", "--up-axis", "z"]):
+        got = report(host, spot, *options)
+        told = host.run("info", spot, *options).stdout
+        names = dict(re.findall(r"^(\w+) (\S+)$", told, re.MULTILINE))
+        size, form = options[1].split(":") if ":" in "".join(options) else ("240x240" if "=" in "".join(options) else "320x240", "rgb565")
+        host.equal(f"{options}: panel", got["panel"], f"{size} {form}")
+        table = re.search(rf"^{size} +{form} +(\d+) +(\d+) +(\d+)$", told, re.MULTILINE)
+        arena = [got["arena_" + part] for part in ("least", "resident", "one_pass")]
+        host.check(f"{options}: arena", all(alike(a, b, .001) for a, b in zip(arena, table.groups())), f"{arena} {table.groups()}")
+        host.equal(f"{options}: flash", [got[n] for n in ("vertices", "triangles", "flash_bytes")],
+                   [names[n] for n in ("vertices", "triangles", "flash_bytes")])
+        cores = [name for name in got if re.match("instructions_|ms_", name)]
+        host.check(f"{options}: cores", len(cores) >= 8, str(cores))
+        for name in cores:
+            host.check(f"{options}: {name}", alike(got[name], names[name], .02), f"{got[name]} {names[name]}")
+    host.equal("with --panel info tells of that one", len(re.findall(r"^\d+x\d+ ", host.run("info", spot, "--panel", "9x9").stdout,
+                                                                   re.MULTILINE)), 1)
+    plain = report(host, spot, "--rotate-y", "40")
+    for scale in ("9000", "0.001"):
+        got = report(host, spot, "--rotate-y", "40", "--scale", scale)
+        for name in ("flash_bytes", "arena_one_pass", "instructions_m3"): # steps round otherwise, and clusters with them
+            host.check(f"scaled by {scale}: {name}", alike(got[name], plain[name], .02), f"{got[name]} {plain[name]}")
+    host.check("smaller panels take less", float(report(host, spot, "--panel", "128x128")["ms_m3_72mhz"]) < float(plain["ms_m3_72mhz"]))
+    host.write("a.obj", SQUARE)
+    text = convert(host, "a.obj")
+    host.equal("no report within the mesh", host.run("convert", "a.obj", "-o", "/dev/stdout").stdout, text)
+    for value in ("0x9", "9", "1025x9", "9x9:rgb", "9x9:", "123456789012x12345678901234", ":", ""):
+        host.refuses(f"--panel {value}", ["convert", "a.obj", "-o", "out.h", "--panel", value],
+                     rf"glint: --panel {value}: takes WxH\[:FORMAT\], as in 128x64:grey4; .*")
