@@ -60,8 +60,8 @@ static int share_room(glint_frame *frame, const glint_object *object, const glin
         return 0;
     const size_t room = high - low - GLINT_BIN_RESERVE, seen = glint_sight_size(room / 6);
     const size_t fixed = part_size(frame, object, transform, 0), some = part_size(frame, object, transform, 256);
-    uint32_t most = object->mesh->vertex_count < 3 * triangles ? object->mesh->vertex_count : 3 * triangles;
-    most = most < PART_VERTICES_MAX ? most : PART_VERTICES_MAX;
+    const uint32_t all = object->mesh->vertex_count < 3 * triangles ? object->mesh->vertex_count : 3 * triangles;
+    const uint32_t most = all < PART_VERTICES_MAX ? all : PART_VERTICES_MAX;
     if (room < fixed + seen)
         return 0;
     const size_t fit = (room - fixed - seen) / ((some - fixed) / 256) + 3; /* at least */
@@ -84,7 +84,7 @@ static int share_room(glint_frame *frame, const glint_object *object, const glin
     p->list = (uint16_t(*)[3])(void *)(frame->memory.base + low + GLINT_ALIGNED(sizeof(glint_draw)));
     p->vertices = p->triangles = 0;
     p->most_vertices = vertices;
-    p->is_short = vertices < most;
+    p->is_short = vertices < all;
     p->most_triangles = 2 * vertices;
     for (uint32_t i = 0; i <= p->mask; i++)
         p->map[i] = 0;

@@ -334,3 +334,17 @@ def test_help_and_version(host):
     for command in ("render", "info", "convert", "scene", "demo"):
         run = host.run(command, "--help")
         host.check(f"{command} --help", run.returncode == 0 and run.stdout.startswith(f"\nglint {command} "))
+
+
+def test_more_vertices_than_a_part_of_a_mesh_has(host):
+    """Nearly as many vertices as triangles, and more than fit a part: no more are put into it than it has room for."""
+    side = 300
+    rows = "".join(f"v {x} {y} {(x * y) % 7}\n" for y in range(side) for x in range(side))
+    faces = "".join(f"f {y * side + x + 1} {y * side + x + 2} {(y + 1) * side + x + 1}\n"
+                    for y in range(side - 1) for x in range(side - 1))
+    host.write("sparse.obj", rows + faces)
+    view = ["--size", "320x240", "--format", "rgb565"]
+    whole = host.render_bytes("sparse.obj", *view, "--arena", "1000000")
+    for arena in ("2000000", "9000000"):
+        host.equal(f"in {arena} bytes", host.render_bytes("sparse.obj", *view, "--arena", arena), whole)
+    os.remove(host.path("sparse.obj"))
