@@ -17,6 +17,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+static int fail(const char *why) {
+    fprintf(stderr, "%s\n", why);
+    return 1;
+}
+
 /** What is printed of a scene, mesh by mesh. */
 typedef struct printer {
     const struct aiScene *scene;
@@ -30,16 +35,17 @@ typedef struct placement {
     double m[3][4];
 } placement;
 
-static placement combine(const struct aiMatrix4x4 *outer, const placement *inner) {
-    const double rows[3][4] = {{outer->a1, outer->a2, outer->a3, outer->a4},
-                               {outer->b1, outer->b2, outer->b3, outer->b4},
-                               {outer->c1, outer->c2, outer->c3, outer->c4}};
+static placement combine(const placement *outer, const struct aiMatrix4x4 *inner) {
+    const double rows[4][4] = {{inner->a1, inner->a2, inner->a3, inner->a4},
+                               {inner->b1, inner->b2, inner->b3, inner->b4},
+                               {inner->c1, inner->c2, inner->c3, inner->c4},
+                               {0, 0, 0, 1}};
     placement result;
     for (int row = 0; row < 3; row++) {
         for (int column = 0; column < 4; column++) {
-            result.m[row][column] = column == 3 ? rows[row][3] : 0;
-            for (int i = 0; i < 3; i++) {
-                result.m[row][column] += rows[row][i] * inner->m[i][column];
+            result.m[row][column] = 0;
+            for (int i = 0; i < 4; i++) {
+                result.m[row][column] += outer->m[row][i] * rows[i][column];
             }
         }
     }
@@ -127,49 +133,52 @@ static void print_mesh(printer *out, const struct aiMesh *mesh, const placement 
     out->normal_count += has_normals ? mesh->mNumVertices : 0;
 }
 
-/** Where a node is: what is above it comes in through its parents. */
-static placement place_of(const struct aiNode *node) {
-    placement place = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-    for (; node != NULL; node = node->mParent) {
-        place = combine(&node->mTransformation, &place);
-    }
-    return place;
-}
-
-static void print_meshes(printer *out, const struct aiNode *node) {
-    const placement place = place_of(node);
+static void print_meshes(printer *out, const struct aiNode *node, const placement *place) {
     for (unsigned i = 0; i < node->mNumMeshes; i++) {
         const struct aiMesh *mesh = out->scene->mMeshes[node->mMeshes[i]];
         if (paint_is_none(out->scene, mesh->mMaterialIndex) == !out->painted) {
-            print_mesh(out, mesh, &place);
+            print_mesh(out, mesh, place);
         }
     }
 }
 
-/** The node after one in the order of the file: a node stands before what is below it. Null after the last. */
-static const struct aiNode *next_node(const struct aiNode *node) {
-    if (node->mNumChildren > 0) {
-        return node->mChildren[0];
+/** A node that is still to be printed, and where what is above it puts it. */
+typedef struct waiting_node {
+    const struct aiNode *node;
+    placement above;
+} waiting_node;
+
+/** Makes room for `more` of them, or ends the program. */
+static waiting_node *reserve(waiting_node *list, size_t *capacity, size_t count, size_t more) {
+    if (count + more > *capacity) {
+        *capacity = 2 * (count + more);
+        list = realloc(list, *capacity * sizeof *list);
     }
-    for (; node->mParent != NULL; node = node->mParent) {
-        const struct aiNode *parent = node->mParent;
-        unsigned place = 0;
-        while (parent->mChildren[place] != node) {
-            place++;
-        }
-        if (place + 1 < parent->mNumChildren) {
-            return parent->mChildren[place + 1];
-        }
+    if (list == NULL) {
+        exit(fail("takes more memory than it may"));
     }
-    return NULL;
+    return list;
 }
 
+/** Prints the meshes of all nodes: a node before what is below it, in the order of the file. */
 static void print_nodes(printer *out) {
-    for (const struct aiNode *node = out->scene->mRootNode; node != NULL; node = next_node(node)) {
-        if (node->mNumMeshes > 0) {
-            print_meshes(out, node);
+    static const placement here = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+    size_t capacity = 0;
+    size_t count = 1;
+    waiting_node *waiting = reserve(NULL, &capacity, 0, 1);
+    waiting[0].node = out->scene->mRootNode;
+    waiting[0].above = here;
+    while (count > 0) {
+        const waiting_node first = waiting[--count];
+        const placement place = combine(&first.above, &first.node->mTransformation);
+        print_meshes(out, first.node, &place);
+        waiting = reserve(waiting, &capacity, count, first.node->mNumChildren);
+        for (unsigned i = first.node->mNumChildren; i-- > 0;) {
+            waiting[count].node = first.node->mChildren[i];
+            waiting[count++].above = place;
         }
     }
+    free(waiting);
 }
 
 static void print_scene(const struct aiScene *scene) {
@@ -184,11 +193,6 @@ static void print_scene(const struct aiScene *scene) {
     out.painted = 1;
     print_nodes(&out);
     puts("# end");
-}
-
-static int fail(const char *why) {
-    fprintf(stderr, "%s\n", why);
-    return 1;
 }
 
 int main(int count, char **arguments) {
