@@ -27,6 +27,7 @@
 #define GLINT_H
 
 #include "glint_clusters.h"
+#include "glint_layout.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -108,14 +109,17 @@ typedef enum glint_status {
     GLINT_ERROR_BUDGET = -19,      /**< An error budget is not from 0 to GLINT_BUDGET_MAX. */
     GLINT_ERROR_FLAGS = -20,       /**< A mesh's or a material's flags have a bit that is not defined. */
     GLINT_ERROR_PIXELS = -21,      /**< A configuration's own memory of pixels is too small, or not aligned. */
-    GLINT_ERROR_REGION = -22,  /**< A region is not on the screen, or a rectangle not on the panel, or its edges divide
-                                    a byte of the format. */
-    GLINT_ERROR_PAINT = -23,   /**< The background or overlay callback reported a failure; the frame was not
-                                    finished. */
-    GLINT_ERROR_TIMEOUT = -24, /**< A panel's bus took no byte, or did not fall idle, for longer than it can need. */
-    GLINT_ERROR_BUS = -25,     /**< A panel's bus reported a failed transfer. */
-    GLINT_ERROR_FORMAT = -26,  /**< A panel does not take pixels of this size, or its bus no words. */
-    GLINT_ERROR_ROTATION = -27 /**< A panel's controller cannot turn the picture so. */
+    GLINT_ERROR_REGION = -22,   /**< A region is not on the screen, or a rectangle not on the panel, or its edges divide
+                                     a byte of the format. */
+    GLINT_ERROR_PAINT = -23,    /**< The background or overlay callback reported a failure; the frame was not
+                                     finished. */
+    GLINT_ERROR_TIMEOUT = -24,  /**< A panel's bus took no byte, or did not fall idle, for longer than it can need. */
+    GLINT_ERROR_BUS = -25,      /**< A panel's bus reported a failed transfer. */
+    GLINT_ERROR_FORMAT = -26,   /**< A panel does not take pixels of this size, or its bus no words. */
+    GLINT_ERROR_ROTATION = -27, /**< A panel's controller cannot turn the picture so. */
+    GLINT_ERROR_TYPE = -28,     /**< A layout's type does not serve the attribute that it stands for. */
+    GLINT_ERROR_STRIDE = -29    /**< A layout's stride is less than one of its type takes, or its stride or its data are
+                                     not aligned as that type is. */
 } glint_status;
 
 /**
@@ -134,8 +138,9 @@ const char *glint_strerror(int status);
 #define GLINT_MESH_DOUBLE_SIDED 1u
 
 /**
- * Triangles in flash. Positions are stored as int16 steps: object space is offset + extent * step / 32768, per axis.
- * Owned by the caller; read while a frame is drawn, never written.
+ * Triangles in flash or RAM. Positions are stored as int16 steps: object space is offset + extent * step / 32768, per
+ * axis. Owned by the caller; read while a frame is drawn, never written. In between everything may change: no frame
+ * relies on what a mesh was before.
  */
 typedef struct glint_mesh {
     const int16_t (*positions)[3];  /**< vertex_count positions, steps. */
@@ -150,7 +155,8 @@ typedef struct glint_mesh {
                                          diffuse colours are multiplied by them. */
     const uint16_t *colours565;     /**< The same in 16 bits, or null. */
     const glint_clusters *clusters; /**< As `glint convert` writes them (glint_clusters.h), or null; not used on
-                                         double-sided meshes. */
+                                         double-sided meshes. Null where positions change. */
+    const glint_layout *layout;     /**< What stands in place of arrays that are null (glint_layout.h), or null. */
 } glint_mesh;
 
 /** How a surface reflects; a descriptor, one of those below. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Fast lighting, once a frame: which materials it serves, and the limits that keep linear lighting's error small. */
 #include "../frame/arena.h"
+#include "../geometry/layout.h"
 #include "../light/evaluation.h"
 #include "fast_exact.h"
 
@@ -43,8 +44,8 @@ static int has_simple_light(const glint_scene *scene, const glint_shading *shadi
 static int serves(const glint_frame *frame, const glint_shading *shading, const glint_object *object) {
     const glint_material *material = object->material;
     return has_simple_light(frame->scene, shading) && !frame->config.gamma &&
-           (!object->evaluation || object->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS) && !object->mesh->colours &&
-           !object->mesh->colours565 && material->flags == 0 &&
+           (!object->evaluation || object->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS) &&
+           !glint_has_colours(object->mesh) && material->flags == 0 &&
            (material->model->lobe == GLINT_LOBE_NONE ||
             (material->model->lobe == GLINT_LOBE_HALF_VECTOR && material->shininess >= 2 * GLINT_ONE));
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Check: a scene, all but its meshes' indices, before a frame begins. */
+#include "../geometry/layout.h"
 #include "../light/shading.h"
 #include "cull.h"
 #include "frame.h"
@@ -10,19 +11,36 @@ static int colour_is_valid(const glint_colour *colour) {
     return (uint32_t)colour->r <= most && (uint32_t)colour->g <= most && (uint32_t)colour->b <= most;
 }
 
+/* Attributes in place of arrays. What checks them is linked with any type. */
+static glint_status check_layout(const glint_mesh *mesh) {
+    const glint_layout *layout = mesh->layout;
+    const glint_type *const type = layout->positions.type   ? layout->positions.type
+                                   : layout->normals.type   ? layout->normals.type
+                                   : layout->triangles.type ? layout->triangles.type
+                                                            : layout->colours.type;
+    if (type)
+        return type->stage->check(mesh);
+    return mesh->positions && mesh->normals && mesh->triangles ? GLINT_OK : GLINT_ERROR_NULL;
+}
+
 /* Out of line, which is less code than branches across the loop over objects. */
 static GLINT_NOINLINE glint_status check_mesh(const glint_mesh *mesh, const glint_config *config) {
     if (!mesh)
         return GLINT_ERROR_NULL;
     if (config->skips_degenerate && glint_mesh_is_empty(mesh))
         return GLINT_OK;
-    if (!mesh->positions || !mesh->normals || !mesh->triangles)
+    if ((!mesh->positions || !mesh->normals || !mesh->triangles) && !mesh->layout)
         return GLINT_ERROR_NULL;
     if (mesh->vertex_count - 1 >= 65536 || mesh->triangle_count < 1 ||
         (mesh->extent.x | mesh->extent.y | mesh->extent.z) < 0)
         return GLINT_ERROR_MESH;
     if (mesh->flags > GLINT_MESH_DOUBLE_SIDED)
         return GLINT_ERROR_FLAGS;
+    if (mesh->layout) {
+        const glint_status status = check_layout(mesh);
+        if (status != GLINT_OK)
+            return status;
+    }
     const glint_cull *cull = glint_cull_of(mesh);
     return cull ? cull->check(mesh) : GLINT_OK;
 }

@@ -2,6 +2,7 @@
 /* Cull: clusters of triangles that face away as a whole, and the vertices that nothing else looks at. */
 #include "cull.h"
 
+#include "../geometry/layout.h"
 #include "frame.h"
 
 /* Compilers call it even in freestanding code; here the library does. */
@@ -56,28 +57,30 @@ static int are_all_away(const glint_clusters *clusters, const uint8_t *away, uin
 
 /* Vertices from one to before another; those that nothing looks at are 0: a mesh that errs may name them all the same.
  */
-static void load_some(glint_frame *frame, glint_draw *draw, uint32_t from, uint32_t to, int away) {
+static void load_some(glint_frame *frame, glint_draw *draw, const glint_mesh *mesh, uint32_t from, uint32_t to,
+                      int away) {
     if (away)
         memset(draw->vertices + from, 0, (to - from) * sizeof *draw->vertices);
     else
-        glint_load_vertices(frame, draw, from, from, to - from);
+        glint_load_vertices(frame, draw, mesh, from, from, to - from);
 }
 
 /* The vertices that clusters look at, but for those that face away. */
-static void load_clusters(glint_frame *frame, glint_draw *draw, const glint_clusters *clusters) {
+static void load_clusters(glint_frame *frame, glint_draw *draw, const glint_mesh *mesh) {
+    const glint_clusters *clusters = mesh->clusters;
     uint32_t borrowers = 0, from = 0, to = 0;
     int last = 0; /* of the vertices from `from` to before `to` */
     for (uint32_t i = 0; i < clusters->count; i++) {
         const int away = are_all_away(clusters, draw->away, i, borrowers);
         if (away != last) {
-            load_some(frame, draw, from, to, last);
+            load_some(frame, draw, mesh, from, to, last);
             from = to;
             last = away;
         }
         borrowers += clusters->list[i].borrowers;
         to += clusters->list[i].vertices;
     }
-    load_some(frame, draw, from, to, last);
+    load_some(frame, draw, mesh, from, to, last);
 }
 
 static void load(glint_frame *frame, glint_draw *draw, const glint_mesh *mesh) {
@@ -87,9 +90,9 @@ static void load(glint_frame *frame, glint_draw *draw, const glint_mesh *mesh) {
     draw->away = glint_take(&frame->memory, clusters->count);
     face(&eye, clusters->list, clusters->count, draw->away);
     if (draw->positions || draw->extra)
-        glint_load_vertices(frame, draw, 0, 0, mesh->vertex_count);
+        glint_load_vertices(frame, draw, mesh, 0, 0, mesh->vertex_count);
     else
-        load_clusters(frame, draw, clusters);
+        load_clusters(frame, draw, mesh);
 }
 
 static int bin(glint_frame *frame, glint_draw *draw, uint32_t next) {
@@ -126,7 +129,7 @@ static const uint16_t *corners_of_walk(glint_walk *walk, const glint_mesh *mesh,
         face(&walk->eye, walk->cluster, 1, &walk->away);
         walk->end += walk->cluster++->triangles;
     }
-    return walk->away ? nowhere : mesh->triangles[triangle];
+    return walk->away ? nowhere : glint_corners_of(walk, mesh, triangle);
 }
 
 const glint_cull glint_cull_cones = {check, load, bin, begin_walk, corners_of_walk};

@@ -11,6 +11,7 @@ typedef struct glint_walk {
     const glint_cluster *cluster; /* the next */
     uint32_t end;                 /* its first triangle */
     uint8_t away;                 /* does the last one face away? */
+    uint16_t fetched[3];          /* corners of a triangle that the mesh has no array of */
 } glint_walk;
 
 /** What is linked where meshes have clusters. */

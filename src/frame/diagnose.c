@@ -56,13 +56,22 @@ static glint_status check_memory(const glint_config *config, const glint_scene *
 
 /* ---- Parts of a scene ---- */
 
+/* Is there neither an array nor an attribute in place of it? */
+static int is_missing(const void *array, const glint_attribute *attribute) {
+    return !array && !(attribute->type && attribute->data);
+}
+
 static const char *name_null_of_object(const glint_object *object) {
-    return !object->mesh              ? "an object's mesh is null"
-           : !object->mesh->positions ? "a mesh's positions are null"
-           : !object->mesh->normals   ? "a mesh's normals are null"
-           : !object->mesh->triangles ? "a mesh's triangles are null"
-           : !object->material        ? "an object's material is null"
-                                      : "a material's model is null: name one, such as &glint_model_blinn_phong";
+    static const glint_layout none = {{0}, {0}, {0}, {0}};
+    const glint_mesh *const mesh = object->mesh;
+    const glint_layout *const layout = mesh && mesh->layout ? mesh->layout : &none;
+    return !mesh                                             ? "an object's mesh is null"
+           : is_missing(mesh->positions, &layout->positions) ? "a mesh's positions are null"
+           : is_missing(mesh->normals, &layout->normals)     ? "a mesh's normals are null"
+           : is_missing(mesh->triangles, &layout->triangles) ? "a mesh's triangles are null"
+           : layout->colours.type && !layout->colours.data   ? "a layout's colours are null"
+           : !object->material                               ? "an object's material is null"
+                               : "a material's model is null: name one, such as &glint_model_blinn_phong";
 }
 
 static const char *name_of_camera(const glint_camera *camera) {

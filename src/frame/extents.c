@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Extents: which tiles triangles of a mesh that follow each other may show, found once a frame. */
+#include "../geometry/layout.h"
 #include "parts.h"
 
 /* ---- Sight: triangles of an object, and the tiles that they may show ---- */
@@ -20,18 +21,22 @@ typedef char sight_fits_reserve[sizeof(glint_sight) <= GLINT_BIN_RESERVE ? 1 : -
 void glint_sight_begin(glint_sight *sight, glint_frame *frame, const glint_object *object, void *memory, size_t size) {
     sight->frame = frame;
     sight->mesh = object->mesh;
-    sight->cull = glint_cull_of(object->mesh);
+    const glint_cull *cull = glint_cull_of(object->mesh);
+    sight->corners = cull                      ? cull->corners
+                     : object->mesh->triangles ? 0
+                                               : object->mesh->layout->triangles.type->stage->corners;
+    sight->bring = glint_transform_of(object->mesh);
+    sight->position = sight->transform.clips ? &sight->clipped : 0;
     sight->seen = memory;
     sight->seen_count = (uint32_t)(size / sizeof(glint_vertex));
     for (uint32_t i = 0; i < sight->seen_count; i++)
         sight->seen[i].flags = UNSEEN;
-    if (sight->cull)
-        sight->cull->begin(&sight->walk, object->mesh, &sight->transform);
+    if (cull)
+        cull->begin(&sight->walk, object->mesh, &sight->transform);
 }
 
-static void see(glint_sight *sight, uint32_t index, glint_vertex *vertex) {
-    glint_position position;
-    glint_transform_vertices(&sight->transform, sight->mesh, index, 1, vertex, sight->transform.clips ? &position : 0);
+static inline void see(glint_sight *sight, uint32_t index, glint_vertex *vertex) {
+    sight->bring(&sight->transform, sight->mesh, index, 1, vertex, sight->position);
     sight->frame->stats.vertices++;
 }
 
@@ -84,7 +89,7 @@ static inline void drop(const glint_sight *sight) {
 
 const uint16_t *glint_sight_next(glint_sight *sight, uint32_t number, glint_range *tiles, glint_status *status) {
     const glint_mesh *mesh = sight->mesh;
-    const uint16_t *corners = sight->cull ? sight->cull->corners(&sight->walk, mesh, number) : mesh->triangles[number];
+    const uint16_t *corners = sight->corners ? sight->corners(&sight->walk, mesh, number) : mesh->triangles[number];
     const uint32_t index[3] = {corners[0], corners[1], corners[2]};
     const glint_vertex *v[3];
     *status = GLINT_OK;

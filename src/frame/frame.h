@@ -69,8 +69,9 @@ static inline glint_transform *glint_last_transform(const glint_frame *frame) {
     return (glint_transform *)(void *)(frame->memory.base + frame->memory.high) - 1;
 }
 
-/** Loads `count` vertices of the mesh from `index` on into those of a draw from `slot` on. */
-void glint_load_vertices(glint_frame *frame, glint_draw *draw, uint32_t index, uint32_t slot, uint32_t count);
+/** Loads `count` vertices of its mesh from `index` on into those of a draw from `slot` on. */
+void glint_load_vertices(glint_frame *frame, glint_draw *draw, const glint_mesh *mesh, uint32_t index, uint32_t slot,
+                         uint32_t count);
 
 /**
  * Bins the triangles of a draw from number `next` to before `end`.

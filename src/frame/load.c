@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Load: the vertices of a frame's objects, where the arena holds them all; else parts of them: load_parts.c. */
+#include "../geometry/layout.h"
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
 #include "parts.h"
@@ -18,13 +19,9 @@ static int keeps_positions(const glint_object *object, const glint_transform *tr
     return transform->clips || evaluation_of(object)->lit_at != GLINT_LIT_AT_FRAGMENTS;
 }
 
-static int has_colours(const glint_mesh *mesh) {
-    return mesh->colours || mesh->colours565;
-}
-
 static int keeps_extra(const glint_object *object) {
     const glint_evaluation *evaluation = evaluation_of(object);
-    return has_colours(object->mesh) ||
+    return glint_has_colours(object->mesh) ||
            (evaluation->lit_at == GLINT_LIT_AT_VERTICES && (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0);
 }
 
@@ -39,15 +36,16 @@ size_t glint_draw_size(const glint_frame *frame, const glint_object *object, con
         size += GLINT_ALIGNED(triangles * 3 * sizeof(int16_t));
     if (evaluation_of(object)->nodes)
         size += GLINT_ALIGNED(vertices * glint_shading_of(frame, object->material)->node_size);
-    size_t more = triangles * 3 * sizeof(uint16_t);
-    if (!has_list)
-        more = glint_cull_of(object->mesh) ? object->mesh->clusters->count : 0;
-    return size + GLINT_ALIGNED(more);
+    if (!has_list && glint_cull_of(object->mesh))
+        size += GLINT_ALIGNED(object->mesh->clusters->count);
+    if (has_list || !object->mesh->triangles)
+        size += GLINT_ALIGNED(triangles * 3 * sizeof(uint16_t));
+    return size;
 }
 
 /* Does nothing light an object, nor give it colours? */
 static int is_of_one_colour(const glint_object *object, const glint_shading *shading) {
-    return !has_colours(object->mesh) && (!object->material->model->light || !shading->lights);
+    return !glint_has_colours(object->mesh) && (!object->material->model->light || !shading->lights);
 }
 
 glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_transform *transform, uint32_t vertices,
@@ -89,9 +87,10 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
     draw->transform = *transform;
     draw->cull = glint_cull_of(object->mesh);
     draw->normals = object->mesh->normals;
+    if (!draw->normals && draw->light && evaluation->lit_at != GLINT_LIT_AT_FACETS)
+        draw->light = object->mesh->layout->normals.type->stage->light;
     draw->mirrored = transform->mirrored;
     draw->double_sided = (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
-    draw->triangles = object->mesh->triangles + frame->triangle;
     frame->has_costly = !GLINT_SMALL && (draw->is_costly || (last && frame->has_costly));
     if (last)
         last->next = draw;
@@ -100,26 +99,28 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
     return draw;
 }
 
-/* A vertex's own colour, 1 = GLINT_COLOUR_ONE. */
-static void load_colour(const glint_mesh *mesh, uint32_t index, int16_t out[3]) {
-    const uint32_t packed = mesh->colours565 ? mesh->colours565[index] : 0;
-    const uint8_t *level = mesh->colours ? mesh->colours[index] : 0;
-    for (int c = 0; c < 3; c++) /* factors: 2^15 over the highest level, Q8 */
-        if (level)
-            out[c] = (int16_t)(level[c] * 32896u >> 8);
-        else
-            out[c] = (int16_t)(c == 1 ? (packed >> 5 & 63) * 133152u >> 8 : (packed >> (c ? 0 : 11) & 31) * 1057u);
+/* The colours of a mesh's vertices from `index` on, where it has any: 1 = GLINT_COLOUR_ONE. Of two arrays, the first.
+ */
+static GLINT_NOINLINE void load_colours(const glint_mesh *mesh, uint32_t index, uint32_t count, int16_t (*to)[3]) {
+    const uint8_t(*const level)[3] = mesh->colours;
+    const uint16_t *const packed = mesh->colours565;
+    if (!level && !packed) {
+        if (glint_has_colours(mesh))
+            glint_fetch(&mesh->layout->colours, index, count, to);
+        return;
+    }
+    for (const uint32_t end = index + count; index < end; index++, to++)
+        for (int c = 0; c < 3; c++)
+            (*to)[c] = level ? glint_channel_from8(level[index][c]) : glint_channel_from565(packed[index], c);
 }
 
-void glint_load_vertices(glint_frame *frame, glint_draw *draw, uint32_t index, uint32_t slot, uint32_t count) {
-    const glint_mesh *mesh = frame->scene->objects[draw->object].mesh;
+void glint_load_vertices(glint_frame *frame, glint_draw *draw, const glint_mesh *mesh, uint32_t index, uint32_t slot,
+                         uint32_t count) {
     glint_transform_vertices(&draw->transform, mesh, index, count, &draw->vertices[slot],
                              draw->positions ? &draw->positions[slot] : 0);
     frame->stats.vertices += count;
-    if (!draw->extra || !has_colours(mesh))
-        return;
-    for (uint32_t i = 0; i < count; i++)
-        load_colour(mesh, index + i, draw->extra[slot + i]);
+    if (draw->extra)
+        load_colours(mesh, index, count, &draw->extra[slot]);
 }
 
 /* All of an object. @return 0 when the arena is too full. */
@@ -134,10 +135,11 @@ static int load_whole(glint_frame *frame, glint_draw *last, const glint_transfor
     draw->vertex_count = mesh->vertex_count;
     draw->count = (uint16_t)count;
     draw->end = count;
+    draw->triangles = mesh->triangles ? mesh->triangles : mesh->layout->triangles.type->stage->list(frame, mesh);
     if (draw->cull)
         draw->cull->load(frame, draw, mesh);
     else
-        glint_load_vertices(frame, draw, 0, 0, mesh->vertex_count);
+        glint_load_vertices(frame, draw, mesh, 0, 0, mesh->vertex_count);
     return 1;
 }
 

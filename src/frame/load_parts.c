@@ -127,6 +127,7 @@ static uint32_t find_triangles(glint_frame *frame, const glint_strip *strip, uin
 /* The draw of a part whose triangles are found. */
 static glint_draw *add_part(glint_frame *frame, glint_draw *last, const glint_transform *transform,
                             const object_part *p) {
+    const glint_mesh *mesh = frame->scene->objects[frame->object].mesh;
     const size_t list = GLINT_ALIGNED(p->triangles * sizeof *p->list);
     glint_draw *draw = glint_add_draw(frame, last, transform, p->vertices, p->triangles,
                                       list + GLINT_ALIGNED(p->triangles * sizeof *p->origin));
@@ -139,7 +140,7 @@ static glint_draw *add_part(glint_frame *frame, glint_draw *last, const glint_tr
     draw->vertex_count = p->vertices;
     draw->cull = 0;
     for (uint32_t i = 0; i < p->vertices; i++)
-        glint_load_vertices(frame, draw, p->index[i], i, 1);
+        glint_load_vertices(frame, draw, mesh, p->index[i], i, 1);
     return draw;
 }
 

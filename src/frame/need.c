@@ -5,6 +5,7 @@
  */
 #include "need.h"
 
+#include "../geometry/layout.h"
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
 #include "cull.h"
@@ -88,7 +89,7 @@ static glint_status count_object(glint_frame *frame, const glint_object *object,
     if (cull)
         cull->begin(&walk, mesh, &transform);
     for (uint32_t i = 0; i < mesh->triangle_count && status == GLINT_OK; i++) {
-        const uint16_t *corners = cull ? cull->corners(&walk, mesh, i) : mesh->triangles[i];
+        const uint16_t *corners = cull ? cull->corners(&walk, mesh, i) : glint_corners_of(&walk, mesh, i);
         status = count_triangle(frame, &transform, mesh, corners, sum);
     }
     return status;

@@ -6,7 +6,7 @@
  * (X_p - X_q - (X_q / w_q) (w_p - w_q)) / w_p. Lengths are Q28 2^-down.
  */
 #include "../fast/fast.h"
-#include "../geometry/geometry.h"
+#include "../geometry/layout.h"
 #include "need.h"
 
 /* A camera's axes are unit and perpendicular to 2^-9: lengths grow by less than 2^-CAMERA. */
@@ -100,7 +100,9 @@ static int64_t find_edge(const turned_object *t, const glint_mesh *mesh, const u
     int64_t most = 0;
     *reach = 0;
     for (int i = 0; i < 3; i++) {
-        const int16_t *a = mesh->positions[corners[i]], *b = mesh->positions[corners[(i + 1) % 3]];
+        int16_t fetched[2][3];
+        const int16_t *a = glint_steps_of(mesh, corners[i], fetched[0]),
+                      *b = glint_steps_of(mesh, corners[(i + 1) % 3], fetched[1]);
         const int32_t place[3] = {a[0], a[1], a[2]}, edge[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
         *reach = farther_of(*reach, measure_steps(t, place, 1));
         most = farther_of(most, measure_steps(t, edge, 0));
@@ -192,7 +194,8 @@ static GLINT_NOINLINE glint_status count_turned(glint_frame *frame, const glint_
     transform.clips = radius > t.to_near || passes_band(frame, &t, 2 * radius, radius);
     sum->vertices += glint_need_object(frame, object, &transform);
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
-        const uint16_t *corners = mesh->triangles[i];
+        uint16_t fetched[3];
+        const uint16_t *corners = glint_triangle_of(mesh, i, fetched);
         int64_t reach;
         if (corners[0] >= mesh->vertex_count || corners[1] >= mesh->vertex_count || corners[2] >= mesh->vertex_count)
             return GLINT_ERROR_INDEX;

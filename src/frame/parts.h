@@ -19,11 +19,13 @@ typedef struct glint_sight {
     glint_transform transform;
     glint_frame *frame;
     const glint_mesh *mesh;
-    const glint_cull *cull;
+    const uint16_t *(*corners)(glint_walk *walk, const glint_mesh *mesh, uint32_t triangle); /* or null: in its array */
     glint_walk walk;
     glint_vertex *seen;  /* vertices as they were seen last, by the low bits of their numbers */
     uint32_t seen_count; /* a power of two, or 0 */
     glint_vertex own[3]; /* of a triangle, where none are kept */
+    glint_transform_some *bring;
+    glint_position *position, clipped; /* where positions go, which nothing looks at; null where none may be clipped */
 } glint_sight;
 
 /** Where it stands: at the arena's high end, in what is kept for binning. */

@@ -59,9 +59,9 @@ static GLINT_NOINLINE void transform_inside(const glint_transform *transform, co
     }
 }
 
-void glint_transform_vertices(const glint_transform *transform, const glint_mesh *mesh, uint32_t first, uint32_t count,
-                              glint_vertex *vertex, glint_position *position) {
-    const int16_t(*p)[3] = mesh->positions + first;
+/* Any vertices. */
+static GLINT_INLINE void transform_all(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
+                                       uint32_t count, glint_vertex *vertex, glint_position *position) {
     if (!position && !GLINT_SMALL) {
         transform_inside(transform, p, first, count, vertex);
         return;
@@ -80,6 +80,16 @@ void glint_transform_vertices(const glint_transform *transform, const glint_mesh
             glint_project(transform, &here, vertex);
         }
     }
+}
+
+void glint_transform_array(const glint_transform *transform, const glint_mesh *mesh, uint32_t first, uint32_t count,
+                           glint_vertex *vertex, glint_position *position) {
+    transform_all(transform, mesh->positions + first, first, count, vertex, position);
+}
+
+void glint_transform_steps(const glint_transform *transform, const int16_t (*p)[3], uint32_t first, uint32_t count,
+                           glint_vertex *vertex, glint_position *position) {
+    transform_all(transform, p, first, count, vertex, position);
 }
 
 /* Half the length that a normal of 32767 has when it was turned; how far it may be from that; and that as squares. */

@@ -65,8 +65,15 @@ void glint_transform_place(glint_transform *transform, const glint_view *view);
 int64_t glint_transform_nearest(const glint_transform *transform, const glint_view *view);
 
 /** Transforms vertices of a mesh from `first` on, all but their normals; positions may be null if nothing clips. */
-void glint_transform_vertices(const glint_transform *transform, const glint_mesh *mesh, uint32_t first, uint32_t count,
-                              glint_vertex *vertex, glint_position *position);
+typedef void glint_transform_some(const glint_transform *transform, const glint_mesh *mesh, uint32_t first,
+                                  uint32_t count, glint_vertex *vertex, glint_position *position);
+
+/** The same of those that have an array of positions. */
+glint_transform_some glint_transform_array;
+
+/** The same, given the first one's place in such an array. */
+void glint_transform_steps(const glint_transform *transform, const int16_t (*p)[3], uint32_t first, uint32_t count,
+                           glint_vertex *vertex, glint_position *position);
 
 /** Screen position and 1/w of clip coordinates inside the guard band and beyond the near plane. */
 void glint_project(const glint_transform *transform, const glint_position *position, glint_vertex *vertex);

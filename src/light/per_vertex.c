@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Lighting at every vertex (Gouraud, 1971): colours, clamped at 1, are interpolated. */
+#include "../geometry/layout.h"
 #include "evaluation.h"
 #include "shade.h"
 
@@ -26,7 +27,7 @@ static void negate_normals(glint_fragments *fragments) {
 static void light_corners(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
                           uint32_t triangle) {
     const glint_mesh *mesh = frame->scene->objects[draw->object].mesh;
-    const int has_surface = mesh->colours || mesh->colours565;
+    const int has_surface = glint_has_colours(mesh);
     uint32_t index[3], count = 0;
     glint_fragments vertices;
     (void)transform;

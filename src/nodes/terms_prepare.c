@@ -2,6 +2,7 @@
 /* Terms, once a frame: what a material makes of the frame's lights. */
 #include "../fast/fast.h"
 #include "../frame/arena.h"
+#include "../geometry/layout.h"
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
 #include "terms.h"
@@ -105,7 +106,7 @@ static uint32_t find_total(const glint_frame *frame, const glint_shading *shadin
 static int has_surface(const glint_frame *frame, const glint_material *material) {
     for (uint32_t i = 0; i < frame->scene->object_count; i++) {
         const glint_object *object = &frame->scene->objects[i];
-        if (object->material == material && (object->mesh->colours || object->mesh->colours565))
+        if (object->material == material && glint_has_colours(object->mesh))
             return 1;
     }
     return 0;

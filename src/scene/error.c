@@ -31,6 +31,8 @@ const char *glint_strerror(int status) {
         "the panel's bus reported a failed transfer",
         "the panel does not take pixels of this size, or its bus no words",
         "the panel's controller cannot turn the picture so",
+        "a layout's type does not serve its attribute",
+        "a layout's stride is less than its type takes, or not aligned as that is, or its data are not",
     };
     const int count = (int)(sizeof sentences / sizeof *sentences);
     return status > 0 || status <= -count ? "unknown status" : sentences[-status];

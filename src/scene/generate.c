@@ -84,6 +84,7 @@ static glint_status finish(const builder *b, glint_mesh *mesh, glint_q16 x, glin
     mesh->colours = 0;
     mesh->colours565 = 0;
     mesh->clusters = 0;
+    mesh->layout = 0;
     return GLINT_OK;
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Lines: from space to the screen, cut at the near plane and the guard band; and lines of boxes and meshes. */
+#include "../geometry/layout.h"
 #include "../math/numeric.h"
 #include "sight.h"
 
@@ -134,7 +135,8 @@ static glint_q16 place_step(glint_q16 offset, glint_q16 extent, int16_t step) {
 }
 
 static glint_vector place_vertex(const glint_mesh *mesh, uint32_t index) {
-    const int16_t *const step = mesh->positions[index];
+    int16_t fetched[3];
+    const int16_t *const step = glint_steps_of(mesh, index, fetched);
     return (glint_vector){place_step(mesh->offset.x, mesh->extent.x, step[0]),
                           place_step(mesh->offset.y, mesh->extent.y, step[1]),
                           place_step(mesh->offset.z, mesh->extent.z, step[2])};
@@ -143,7 +145,8 @@ static glint_vector place_vertex(const glint_mesh *mesh, uint32_t index) {
 /* Has a triangle before number `end` an edge between two vertices, in either direction? */
 static int names_edge(const glint_mesh *mesh, uint32_t end, uint16_t a, uint16_t b) {
     for (uint32_t i = 0; i < end; i++) {
-        const uint16_t *const v = mesh->triangles[i];
+        uint16_t fetched[3];
+        const uint16_t *const v = glint_triangle_of(mesh, i, fetched);
         const int has_a = v[0] == a || v[1] == a || v[2] == a, has_b = v[0] == b || v[1] == b || v[2] == b;
         if (has_a && has_b)
             return 1;
@@ -154,8 +157,10 @@ static int names_edge(const glint_mesh *mesh, uint32_t end, uint16_t a, uint16_t
 uint32_t glint_lines_edges(glint_line *lines, uint32_t room, const glint_mesh *mesh, glint_colour colour) {
     uint32_t count = 0;
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        uint16_t fetched[3];
+        const uint16_t *const v = glint_triangle_of(mesh, i, fetched);
         for (int corner = 0; corner < 3; corner++) {
-            const uint16_t a = mesh->triangles[i][corner], b = mesh->triangles[i][corner < 2 ? corner + 1 : 0];
+            const uint16_t a = v[corner], b = v[corner < 2 ? corner + 1 : 0];
             if (names_edge(mesh, i, a, b))
                 continue;
             if (count < room)

@@ -110,6 +110,12 @@ static void errors_have_a_place(void) {
     CASE(p.scene.lights[0].vector = ((glint_vector){0, 0, 0}), GLINT_ERROR_DIRECTION, "direction", -1, 0)
     CASE(p.scene.objects[1].mesh = NULL, GLINT_ERROR_NULL, "mesh", 1, -1)
     CASE(p.mesh.normals = NULL, GLINT_ERROR_NULL, "normals", 0, -1)
+    static const glint_layout none = {{0}, {0}, {0}, {0}};
+    static const glint_layout wrong = {{&glint_type_uint8, arena, 0}, {0}, {0}, {0}},
+                              odd = {{0}, {&glint_type_octahedral8, arena, 1}, {0}, {0}};
+    CASE(p.mesh.triangles = NULL; p.mesh.layout = &none, GLINT_ERROR_NULL, "triangles", 0, -1)
+    CASE(p.mesh.positions = NULL; p.mesh.layout = &wrong, GLINT_ERROR_TYPE, "type", 0, -1)
+    CASE(p.mesh.normals = NULL; p.mesh.layout = &odd, GLINT_ERROR_STRIDE, "stride", 0, -1)
     CASE(p.scene.objects[1].material = NULL, GLINT_ERROR_NULL, "material", 1, -1)
     CASE(p.scene.objects[1].pose.m[1][1] = 0, GLINT_ERROR_POSE, "singular", 1, -1)
     CASE(p.scene.objects[1].pose.m[1][1] = 0; p.scene.objects[1].hidden = 1, GLINT_OK, "", -1, -1)

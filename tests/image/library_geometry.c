@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "library_geometry.h"
 
-#include "geometry/geometry.h"
+#include "geometry/layout.h"
 
 #include <stdlib.h>
 

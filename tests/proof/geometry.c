@@ -75,7 +75,7 @@ PROOF(project_split) {
  * @contract glint_row_times_whole project transform_inside
  * @narrowing a vertex's number in its mesh is read back as uint16_t
  */
-PROOF(glint_transform_vertices) {
+PROOF(glint_transform_array) {
     static int16_t positions[65536][3];
     glint_mesh mesh;
     glint_transform transform;
@@ -86,9 +86,9 @@ PROOF(glint_transform_vertices) {
     any_transform(&transform);
     const uint32_t first = ANY_UNSIGNED(0, 65534);
     transform.clips = 0;
-    glint_transform_vertices(&transform, &mesh, first, ANY_UNSIGNED(0, 2), vertices, 0);
+    glint_transform_array(&transform, &mesh, first, ANY_UNSIGNED(0, 2), vertices, 0);
     transform.clips = 1;
-    glint_transform_vertices(&transform, &mesh, first, ANY_UNSIGNED(0, 2), vertices, kept);
+    glint_transform_array(&transform, &mesh, first, ANY_UNSIGNED(0, 2), vertices, kept);
 }
 
 /*

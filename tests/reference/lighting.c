@@ -26,11 +26,75 @@ void reference_to_camera(const glint_camera *camera, const double world[3], doub
     }
 }
 
+/* What an attribute of a layout holds, of element `index`. */
+static const void *element_of(const glint_attribute *attribute, uint32_t index, size_t size) {
+    return (const char *)attribute->data + (attribute->stride ? attribute->stride : size) * index;
+}
+
+/* Two numbers of an octahedron, from -1 to 1 (Cigolle et al., 2014). */
+static void unfold_octahedron(double x, double y, double normal[3]) {
+    x = x < -1 ? -1 : x;
+    y = y < -1 ? -1 : y;
+    normal[2] = 1 - fabs(x) - fabs(y);
+    normal[0] = normal[2] < 0 ? (1 - fabs(y)) * (x < 0 ? -1 : 1) : x;
+    normal[1] = normal[2] < 0 ? (1 - fabs(x)) * (y < 0 ? -1 : 1) : y;
+}
+
+static void three_of(const glint_attribute *attribute, uint32_t index, double to[3]) {
+    const int is_small = attribute->type == &glint_type_int8;
+    const int16_t *const words = element_of(attribute, index, 6);
+    const int8_t *const bytes = element_of(attribute, index, 3);
+    for (int axis = 0; axis < 3; axis++)
+        to[axis] = is_small ? bytes[axis] / 128.0 : words[axis] / 32768.0;
+}
+
+void reference_mesh_position(const glint_mesh *mesh, uint32_t index, double extents[3]) {
+    if (!mesh->positions) {
+        three_of(&mesh->layout->positions, index, extents);
+        return;
+    }
+    for (int axis = 0; axis < 3; axis++)
+        extents[axis] = mesh->positions[index][axis] / 32768.0;
+}
+
+void reference_mesh_normal(const glint_mesh *mesh, uint32_t index, double normal[3]) {
+    const glint_attribute *const from = mesh->normals ? NULL : &mesh->layout->normals;
+    if (from && from->type == &glint_type_octahedral8) {
+        const int8_t *code = element_of(from, index, 2);
+        unfold_octahedron(code[0] / 127.0, code[1] / 127.0, normal);
+    } else if (from && from->type == &glint_type_octahedral16) {
+        const int16_t *code = element_of(from, index, 4);
+        unfold_octahedron(code[0] / 32767.0, code[1] / 32767.0, normal);
+    } else if (from) {
+        three_of(from, index, normal);
+    } else {
+        for (int axis = 0; axis < 3; axis++)
+            normal[axis] = mesh->normals[index][axis];
+    }
+}
+
+void reference_mesh_corners(const glint_mesh *mesh, uint32_t triangle, uint32_t corners[3]) {
+    const glint_attribute *const from = mesh->triangles ? NULL : &mesh->layout->triangles;
+    for (int i = 0; i < 3; i++)
+        corners[i] = !from                             ? mesh->triangles[triangle][i]
+                     : from->type == &glint_type_uint8 ? ((const uint8_t *)element_of(from, triangle, 3))[i]
+                                                       : ((const uint16_t *)element_of(from, triangle, 6))[i];
+}
+
 void reference_mesh_colour(const glint_mesh *mesh, uint32_t index, double colour[3]) {
+    const uint8_t *levels = mesh->colours ? mesh->colours[index] : NULL;
+    const uint16_t *packed = mesh->colours565 ? mesh->colours565 + index : NULL;
+    if (!levels && !packed && mesh->layout && mesh->layout->colours.type) {
+        const glint_attribute *const from = &mesh->layout->colours;
+        if (from->type == &glint_type_rgb888)
+            levels = element_of(from, index, 3);
+        else
+            packed = element_of(from, index, 2);
+    }
     for (int channel = 0; channel < 3; channel++)
-        colour[channel] = mesh->colours ? mesh->colours[index][channel] / 255.0 : 1;
-    if (mesh->colours565) {
-        uint16_t word = mesh->colours565[index];
+        colour[channel] = levels ? levels[channel] / 255.0 : 1;
+    if (packed) {
+        uint16_t word = *packed;
         colour[0] = (word >> 11) / 31.0;
         colour[1] = (word >> 5 & 63) / 63.0;
         colour[2] = (word & 31) / 31.0;

@@ -34,6 +34,12 @@ void reference_prepare_lights(reference_lights *lights, const glint_scene *scene
 reference_light reference_shade(const glint_scene *scene, const reference_lights *lights,
                                 const glint_material *material, const reference_surface *surface);
 
+/** A vertex's position as the mesh has it, in extents from its offset; its normal, of any length; and a triangle's
+ * corners: from the mesh's arrays, or where these are null, decoded from its layout. */
+void reference_mesh_position(const glint_mesh *mesh, uint32_t index, double extents[3]);
+void reference_mesh_normal(const glint_mesh *mesh, uint32_t index, double normal[3]);
+void reference_mesh_corners(const glint_mesh *mesh, uint32_t triangle, uint32_t corners[3]);
+
 /** Red, green and blue of a vertex as the mesh has them, 1 where it has none. */
 void reference_mesh_colour(const glint_mesh *mesh, uint32_t index, double colour[3]);
 

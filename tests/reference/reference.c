@@ -68,9 +68,9 @@ static void transform_place(const glint_scene *scene, const glint_object *object
     const glint_q16 extent[3] = {mesh->extent.x, mesh->extent.y, mesh->extent.z};
     double local[3];
     double world[3];
+    reference_mesh_position(mesh, index, local);
     for (int axis = 0; axis < 3; axis++)
-        local[axis] =
-            reference_real(offset[axis]) + reference_real(extent[axis]) * mesh->positions[index][axis] / 32768.0;
+        local[axis] = reference_real(offset[axis]) + reference_real(extent[axis]) * local[axis];
     for (int row = 0; row < 3; row++) {
         const glint_q16 *m = object->pose.m[row];
         world[row] = reference_real(m[0]) * local[0] + reference_real(m[1]) * local[1] +
@@ -88,12 +88,12 @@ static double focal_length(const glint_scene *scene, int height) {
 
 reference_vertex reference_transform(const glint_scene *scene, uint32_t object, uint32_t index, int width, int height) {
     const glint_object *source = &scene->objects[object];
-    const int16_t *steps = source->mesh->normals[index];
-    const double normal[3] = {steps[0], steps[1], steps[2]};
+    double normal[3];
     double world[3];
     double focal = focal_length(scene, height);
     reference_vertex vertex = {{0}, {0}, 0, 0, 0};
     transform_place(scene, source, index, vertex.place);
+    reference_mesh_normal(source->mesh, index, normal);
     transform_normal(&source->pose, normal, world);
     reference_to_camera(&scene->camera, world, vertex.normal);
     reference_normalise(vertex.normal);
@@ -328,12 +328,13 @@ static corner make_corner(const drawing *draw, uint32_t object, uint32_t index) 
 static void draw_object_triangle(drawing *draw, uint32_t object, uint32_t triangle,
                                  const reference_position *positions) {
     const glint_object *source = draw->object;
-    const uint16_t *indices = source->mesh->triangles[triangle];
+    uint32_t indices[3];
     corner corners[3];
     corner kept[CORNERS_MAX];
     double cofactor[3][3];
     int mirrored = cofactors(&source->pose, cofactor) < 0;
     int known = positions != NULL;
+    reference_mesh_corners(source->mesh, triangle, indices);
     for (int i = 0; i < 3; i++) {
         corners[i] = make_corner(draw, object, indices[i]);
         known = known && positions[indices[i]].known && corners[i].w >= reference_real(draw->scene->camera.near_plane);

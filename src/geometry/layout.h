@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+/** @file layout.h Attributes of meshes that are stored in another way than in a mesh's own arrays. */
+#ifndef GLINT_LAYOUTS_H
+#define GLINT_LAYOUTS_H
+
+#include "draw.h"
+
+struct glint_walk;
+
+/** What is linked with any type of a layout. */
+typedef struct glint_layout_stage {
+    /** @return GLINT_ERROR_NULL, _TYPE or _STRIDE */
+    glint_status (*check)(const glint_mesh *mesh);
+    glint_transform_some *transform; /* of a mesh that has no array of positions */
+    /** Lights a triangle of a mesh that has no array of normals. */
+    glint_light_triangle *light;
+    /** Corners of a triangle of a mesh that has no array of them. */
+    const uint16_t *(*corners)(struct glint_walk *walk, const glint_mesh *mesh, uint32_t triangle);
+    /** Takes memory for all triangles of a mesh that has no array of them. */
+    const uint16_t (*(*list)(glint_frame *frame, const glint_mesh *mesh))[3];
+} glint_layout_stage;
+
+extern const glint_layout_stage glint_layouts;
+
+/** What types serve, as bits. */
+enum { GLINT_OF_POSITIONS = 1, GLINT_OF_NORMALS = 2, GLINT_OF_TRIANGLES = 4, GLINT_OF_COLOURS = 8 };
+
+struct glint_type {
+    uint8_t uses, size, alignment;
+    /** Decodes `count` of them to three numbers each, as a mesh's own arrays have them; of colours, 2^15 less 1 is 1.
+     */
+    void (*fetch)(const uint8_t *from, size_t stride, uint32_t count, int16_t (*to)[3]);
+    const glint_layout_stage *stage;
+};
+
+/** Decodes `count` of an attribute from number `first` on. */
+static inline void glint_fetch(const glint_attribute *from, uint32_t first, uint32_t count, int16_t (*to)[3]) {
+    const size_t stride = from->stride ? from->stride : from->type->size;
+    from->type->fetch((const uint8_t *)from->data + first * stride, stride, count, to);
+}
+
+/** A position of a mesh, in steps; decoded to `fetched` where it has no array of them. */
+static inline const int16_t *glint_steps_of(const glint_mesh *mesh, uint32_t index, int16_t fetched[3]) {
+    if (mesh->positions)
+        return mesh->positions[index];
+    glint_fetch(&mesh->layout->positions, index, 1, (int16_t(*)[3])(void *)fetched);
+    return fetched;
+}
+
+/** The same of a triangle's corners. */
+static inline const uint16_t *glint_triangle_of(const glint_mesh *mesh, uint32_t triangle, uint16_t fetched[3]) {
+    if (mesh->triangles)
+        return mesh->triangles[triangle];
+    glint_fetch(&mesh->layout->triangles, triangle, 1, (int16_t(*)[3])(void *)fetched);
+    return fetched;
+}
+
+/** The same in a run of triangles; they stand in walk->fetched where the mesh has no array of them. */
+static inline const uint16_t *glint_corners_of(struct glint_walk *walk, const glint_mesh *mesh, uint32_t triangle) {
+    return mesh->triangles ? mesh->triangles[triangle]
+                           : mesh->layout->triangles.type->stage->corners(walk, mesh, triangle);
+}
+
+/** What transforms a mesh's vertices. */
+static inline glint_transform_some *glint_transform_of(const glint_mesh *mesh) {
+    return mesh->positions ? glint_transform_array : mesh->layout->positions.type->stage->transform;
+}
+
+/** Transforms vertices of any mesh. */
+static inline void glint_transform_vertices(const glint_transform *transform, const glint_mesh *mesh, uint32_t first,
+                                            uint32_t count, glint_vertex *vertex, glint_position *position) {
+    if (mesh->positions)
+        glint_transform_array(transform, mesh, first, count, vertex, position);
+    else
+        mesh->layout->positions.type->stage->transform(transform, mesh, first, count, vertex, position);
+}
+
+/** Have the vertices of a mesh colours of their own? */
+static inline int glint_has_colours(const glint_mesh *mesh) {
+    return mesh->colours || mesh->colours565 || (mesh->layout && mesh->layout->colours.type);
+}
+
+/** A channel of a vertex's own colour from 8 bits, 1 = GLINT_COLOUR_ONE; factors are 2^15 over the highest level, Q8.
+ */
+static inline int16_t glint_channel_from8(uint32_t level) {
+    return (int16_t)(level * 32896u >> 8);
+}
+
+/** Channel c of one in RGB565. */
+static inline int16_t glint_channel_from565(uint32_t packed, int c) {
+    return (int16_t)(c == 1 ? (packed >> 5 & 63) * 133152u >> 8 : (packed >> (c ? 0 : 11) & 31) * 1057u);
+}
+
+#endif

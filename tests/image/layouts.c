@@ -1,0 +1,591 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Suite: a mesh whose attributes are laid out in any way is drawn as one whose arrays hold the decoded numbers, which
+ * are decoded here by other means; meshes may change from frame to frame.
+ */
+#include "geometry/layout.h"
+#include "harness.h"
+#include "judge.h"
+#include "picture.h"
+#include "surfaces.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define WIDTH 150
+#define HEIGHT 101
+#define VERTICES_MAX 4608
+#define TRIANGLES_MAX 9216
+
+/* ---- Layouts ---- */
+
+/* What of a mesh is laid out anew; types that are null leave the mesh's own array. */
+typedef struct variant {
+    const char *name;
+    const glint_type *positions, *normals, *triangles, *colours;
+    int is_interleaved;
+} variant;
+
+static const variant variants[] = {
+    {"int16, uint16, apart", &glint_type_int16, &glint_type_int16, &glint_type_uint16, &glint_type_rgb888, 1},
+    {"int8, octahedral8", &glint_type_int8, &glint_type_octahedral8, NULL, NULL, 0},
+    {"int8, octahedral16, apart", &glint_type_int8, &glint_type_octahedral16, &glint_type_uint8, &glint_type_rgb565, 1},
+    {"normals alone", NULL, &glint_type_octahedral8, NULL, NULL, 0},
+    {"triangles alone", NULL, NULL, &glint_type_uint8, NULL, 0},
+    {"int8, int8", &glint_type_int8, &glint_type_int8, &glint_type_uint16, &glint_type_rgb888, 0},
+};
+
+/* A mesh in arrays of its own, and the same laid out in another way. */
+typedef struct pair {
+    glint_mesh plain, other;
+    glint_layout layout;
+    int16_t positions[VERTICES_MAX][3], normals[VERTICES_MAX][3];
+    uint16_t triangles[TRIANGLES_MAX][3];
+    uint8_t colours[VERTICES_MAX][3];
+    uint16_t colours565[VERTICES_MAX];
+    uint8_t vertices[VERTICES_MAX][32], faces[TRIANGLES_MAX][8]; /* places of one vertex and triangle after the other */
+    uint8_t apart[3][VERTICES_MAX][6];
+} pair;
+
+static void put(uint8_t *to, size_t size, int value) {
+    const int16_t word = (int16_t)value;
+    const int8_t byte = (int8_t)value;
+    memcpy(to, size == 1 ? (const void *)&byte : (const void *)&word, size);
+}
+
+/* Where an attribute begins: within structs of 32 bytes, or by itself. */
+static uint8_t *place_of(pair *p, const variant *v, glint_attribute *a, const glint_type *type, int which,
+                         uint32_t *step) {
+    static const uint32_t at[3] = {2, 10, 20}; /* the bytes between hold nothing */
+    uint8_t *const from = v->is_interleaved ? &p->vertices[0][at[which]] : &p->apart[which][0][0];
+    *step = v->is_interleaved ? sizeof p->vertices[0] : type->size;
+    *a = (glint_attribute){type, from, v->is_interleaved ? *step : 0};
+    return from;
+}
+
+static void lay_positions(pair *p, const variant *v) {
+    uint32_t step;
+    uint8_t *to = place_of(p, v, &p->layout.positions, v->positions, 0, &step);
+    const int is_small = v->positions == &glint_type_int8;
+    for (uint32_t i = 0; i < p->plain.vertex_count; i++, to += step)
+        for (int c = 0; c < 3; c++) {
+            if (is_small) {
+                const int value = (int)floor(p->positions[i][c] / 256.0);
+                p->positions[i][c] = (int16_t)(value * 256);
+                put(to + c, 1, value);
+            } else {
+                put(to + 2 * c, 2, p->positions[i][c]);
+            }
+        }
+    p->other.positions = NULL;
+}
+
+static double sign_of(double x) {
+    return x < 0 ? -1 : 1;
+}
+
+/* Encodes a normal, and gives the mesh in arrays what the code stands for (Cigolle et al., 2014). */
+static void encode(int16_t normal[3], int one, int scale, int code[2]) {
+    const double sum = abs(normal[0]) + abs(normal[1]) + abs(normal[2]);
+    const double x = normal[0] / sum, y = normal[1] / sum;
+    const double u = normal[2] < 0 ? (1 - fabs(y)) * sign_of(x) : x, v = normal[2] < 0 ? (1 - fabs(x)) * sign_of(y) : y;
+    code[0] = (int)lround(u * one);
+    code[1] = (int)lround(v * one);
+    const double a = code[0], b = code[1], z = one - fabs(a) - fabs(b);
+    normal[0] = (int16_t)lround(scale * (z < 0 ? (one - fabs(b)) * sign_of(a) : a));
+    normal[1] = (int16_t)lround(scale * (z < 0 ? (one - fabs(a)) * sign_of(b) : b));
+    normal[2] = (int16_t)lround(scale * z);
+}
+
+static void lay_normals(pair *p, const variant *v) {
+    uint32_t step;
+    uint8_t *to = place_of(p, v, &p->layout.normals, v->normals, 1, &step);
+    for (uint32_t i = 0; i < p->plain.vertex_count; i++, to += step) {
+        int16_t *const n = p->normals[i];
+        const int is_null = !(n[0] | n[1] | n[2]);
+        int code[2] = {0, 0};
+        if (v->normals == &glint_type_int16 || v->normals == &glint_type_int8) {
+            for (int c = 0; c < 3; c++) {
+                const int is_small = v->normals == &glint_type_int8;
+                n[c] = (int16_t)(is_small ? n[c] / 256 * 256 : n[c]);
+                put(to + (is_small ? c : 2 * c), is_small ? 1 : 2, is_small ? n[c] / 256 : n[c]);
+            }
+            continue;
+        }
+        if (is_null)
+            n[2] = 1; /* which no code stands for */
+        if (v->normals == &glint_type_octahedral8)
+            encode(n, 127, 258, code);
+        else
+            encode(n, 32767, 1, code);
+        put(to, v->normals->size / 2, code[0]);
+        put(to + v->normals->size / 2, v->normals->size / 2, code[1]);
+    }
+    p->other.normals = NULL;
+}
+
+static void lay_triangles(pair *p, const variant *v) {
+    const uint32_t size = v->triangles->size / 3, step = v->is_interleaved ? sizeof p->faces[0] : 3 * size;
+    uint8_t *to = &p->faces[0][0];
+    p->layout.triangles = (glint_attribute){v->triangles, to, v->is_interleaved ? step : 0};
+    for (uint32_t i = 0; i < p->plain.triangle_count; i++, to += step)
+        for (uint32_t c = 0; c < 3; c++)
+            put(to + c * size, size, p->triangles[i][c]);
+    p->other.triangles = NULL;
+}
+
+static void lay_colours(pair *p, const variant *v) {
+    uint32_t step;
+    uint8_t *to = place_of(p, v, &p->layout.colours, v->colours, 2, &step);
+    for (uint32_t i = 0; i < p->plain.vertex_count; i++, to += step) {
+        if (v->colours == &glint_type_rgb888)
+            memcpy(to, p->colours[i], 3);
+        else
+            put(to, 2, p->colours565[i]);
+    }
+    p->other.colours = NULL;
+    p->other.colours565 = NULL;
+}
+
+static void copy_mesh(pair *p, const glint_mesh *mesh) {
+    p->plain = *mesh;
+    p->layout = (glint_layout){0};
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        memcpy(p->positions[i], mesh->positions[i], sizeof p->positions[0]);
+        memcpy(p->normals[i], mesh->normals[i], sizeof p->normals[0]);
+        if (mesh->colours)
+            memcpy(p->colours[i], mesh->colours[i], sizeof p->colours[0]);
+        if (mesh->colours565)
+            p->colours565[i] = mesh->colours565[i];
+    }
+    memcpy(p->triangles, mesh->triangles, mesh->triangle_count * sizeof p->triangles[0]);
+    p->plain.positions = (const int16_t(*)[3])p->positions;
+    p->plain.normals = (const int16_t(*)[3])p->normals;
+    p->plain.triangles = (const uint16_t(*)[3])p->triangles;
+    p->plain.colours = mesh->colours ? (const uint8_t(*)[3])p->colours : NULL;
+    p->plain.colours565 = mesh->colours565 ? p->colours565 : NULL;
+}
+
+/* Both meshes of a pair, of a mesh and a variant. @return 0 where the variant does not fit the mesh */
+static int make_pair(pair *p, const glint_mesh *mesh, const variant *v) {
+    if (v->triangles == &glint_type_uint8 && mesh->vertex_count > 256)
+        return 0;
+    copy_mesh(p, mesh);
+    p->other = p->plain;
+    p->other.layout = &p->layout;
+    if (v->positions)
+        lay_positions(p, v);
+    if (v->normals)
+        lay_normals(p, v);
+    if (v->triangles)
+        lay_triangles(p, v);
+    if ((v->colours == &glint_type_rgb888 && mesh->colours) || (v->colours == &glint_type_rgb565 && mesh->colours565))
+        lay_colours(p, v);
+    return 1;
+}
+
+/* ---- Frames ---- */
+
+static uint8_t arena[1 << 20];
+
+typedef struct frame {
+    picture image;
+    glint_config config;
+    glint_status status;
+    glint_stats stats;
+} frame;
+
+static void draw(frame *f, const glint_scene *scene, size_t arena_size, uint16_t tile, const glint_rectangle *region) {
+    const picture_options options = {.tile_width = tile, .tile_height = tile};
+    glint_renderer renderer;
+    memset(f->image.bytes, 0x5a, f->image.size);
+    f->config = picture_config(&f->image, &options);
+    f->config.arena = arena;
+    f->config.arena_size = arena_size;
+    if (region)
+        f->config.region = *region;
+    f->status = glint_init(&renderer, &f->config);
+    if (f->status == GLINT_OK)
+        f->status = glint_render(&renderer, scene);
+    f->stats = renderer.stats;
+}
+
+/* The scene with other meshes; `pairs` are made of a variant. @return how many of its meshes that fits */
+static int lay_scene(test_scene *scene, pair *pairs, const variant *v) {
+    int count = 0;
+    for (uint32_t i = 0; i < scene->scene.object_count; i++) {
+        if (!make_pair(&pairs[i], scene->objects[i].mesh, v))
+            continue;
+        scene->objects[i].mesh = &pairs[i].plain;
+        count++;
+    }
+    return count;
+}
+
+static void use_other(test_scene *scene, pair *pairs) {
+    for (uint32_t i = 0; i < scene->scene.object_count; i++)
+        if (scene->objects[i].mesh == &pairs[i].plain)
+            scene->objects[i].mesh = &pairs[i].other;
+}
+
+static void use_plain(test_scene *scene, pair *pairs) {
+    for (uint32_t i = 0; i < scene->scene.object_count; i++)
+        if (scene->objects[i].mesh == &pairs[i].other)
+            scene->objects[i].mesh = &pairs[i].plain;
+}
+
+static frame first, second;
+static pair pairs[SCENE_OBJECTS_MAX];
+static uint32_t compared;
+
+static void open_frames(void) {
+    first.image = picture_open(WIDTH, HEIGHT, &glint_format_rgb565);
+    second.image = picture_open(WIDTH, HEIGHT, &glint_format_rgb565);
+}
+
+static void close_frames(void) {
+    picture_close(&first.image);
+    picture_close(&second.image);
+}
+
+static void report(const char *scene, const variant *v) {
+    printf("  %s, %s\n", scene, v->name);
+}
+
+/* Draws both, and holds one against the other. */
+static int compare(test_scene *scene, size_t arena_size, uint16_t tile, const glint_rectangle *region) {
+    use_plain(scene, pairs);
+    draw(&first, &scene->scene, arena_size, tile, region);
+    use_other(scene, pairs);
+    draw(&second, &scene->scene, arena_size, tile, region);
+    compared++;
+    return CHECK_EQUAL(first.status, GLINT_OK) & CHECK_EQUAL(second.status, GLINT_OK) &
+           CHECK(picture_equal(&first.image, &second.image));
+}
+
+static glint_need need_of(const glint_config *config, const glint_scene *scene, int is_turned) {
+    glint_need need = {0, 0, 0};
+    CHECK_EQUAL((is_turned ? glint_arena_need_turned : glint_arena_need)(config, scene, &need), GLINT_OK);
+    return need;
+}
+
+/* What triangles take beyond, where they are decoded: up to 8 bytes to align each list. */
+static size_t bytes_beyond(const test_scene *scene) {
+    size_t bytes = 0;
+    for (uint32_t i = 0; i < scene->scene.object_count; i++)
+        if (!scene->objects[i].mesh->triangles)
+            bytes += scene->objects[i].mesh->triangle_count * 6 + 8;
+    return bytes;
+}
+
+static void check_need(test_scene *scene, int is_turned) {
+    const glint_rectangle all = {0, 0, 0, 0};
+    first.config.region = all;
+    first.config.tile_width = first.config.tile_height = 0;
+    use_plain(scene, pairs);
+    const glint_need plain = need_of(&first.config, &scene->scene, is_turned);
+    use_other(scene, pairs);
+    const glint_need other = need_of(&first.config, &scene->scene, is_turned);
+    CHECK_EQUAL(other.least, plain.least);
+    CHECK(other.resident >= plain.resident && other.resident <= plain.resident + bytes_beyond(scene));
+    CHECK(other.one_pass >= plain.one_pass && other.one_pass <= plain.one_pass + bytes_beyond(scene));
+    if (is_turned)
+        return;
+    draw(&second, &scene->scene, other.one_pass, 0, NULL);
+    CHECK_EQUAL(second.stats.passes, 1);
+    CHECK(second.stats.arena_used <= other.one_pass);
+}
+
+static void compare_all(test_scene *scene, const char *name, const variant *v) {
+    static const glint_rectangle region = {40, 24, 61, 37};
+    if (!lay_scene(scene, pairs, v))
+        return;
+    int same = compare(scene, sizeof arena, 0, NULL);
+    const glint_need need = need_of(&second.config, &scene->scene, 0);
+    same &= compare(scene, need.least, 0, NULL);
+    same &= compare(scene, (need.least + need.resident) / 2, 16, NULL);
+    same &= compare(scene, need.resident, 0, NULL);
+    same &= compare(scene, sizeof arena, 8, &region);
+    if (!same)
+        report(name, v);
+    check_need(scene, 0);
+    check_need(scene, 1);
+}
+
+static void set_evaluation(test_scene *scene, const glint_evaluation *evaluation) {
+    for (uint32_t i = 0; i < scene->scene.object_count; i++)
+        scene->objects[i].evaluation = evaluation;
+}
+
+static void every_scene_is_the_same(void) {
+    open_frames();
+    for (unsigned v = 0; v < TEST_COUNT(variants); v++) {
+        for (unsigned i = 0; i < scene_count + surface_count; i++) {
+            const scene_definition *of =
+                i < scene_count ? &scene_definitions[i] : &surface_definitions[i - scene_count];
+            static test_scene scene;
+            scene_build(&scene, of);
+            compare_all(&scene, of->name, &variants[v]);
+        }
+    }
+    close_frames();
+    CHECK(compared > 800);
+}
+
+static void every_evaluation_is_the_same(void) {
+    static const char *const names[] = {"mirrored", "near plane, double-sided", "eight lights"};
+    static const glint_evaluation *const evaluations[] = {&glint_per_node, &glint_per_fragment, &glint_per_vertex,
+                                                          &glint_per_facet};
+    open_frames();
+    for (unsigned v = 0; v < TEST_COUNT(variants); v++) {
+        for (unsigned i = 0; i < TEST_COUNT(names) * TEST_COUNT(evaluations); i++) {
+            static test_scene scene;
+            scene_build_named(&scene, names[i / TEST_COUNT(evaluations)]);
+            set_evaluation(&scene, evaluations[i % TEST_COUNT(evaluations)]);
+            compare_all(&scene, names[i / TEST_COUNT(evaluations)], &variants[v]);
+        }
+    }
+    close_frames();
+}
+
+/* What is picked. */
+static void picks_are_the_same(void) {
+    static test_scene scene;
+    uint32_t hits = 0;
+    open_frames();
+    for (unsigned v = 0; v < TEST_COUNT(variants); v++) {
+        glint_renderer renderer;
+        scene_build_named(&scene, "mirrored");
+        lay_scene(&scene, pairs, &variants[v]);
+        draw(&first, &scene.scene, sizeof arena, 0, NULL);
+        CHECK_EQUAL(glint_init(&renderer, &first.config), GLINT_OK);
+        for (int i = 0; i < 200; i++) {
+            glint_hit plain = {0, 0, 0}, other = {0, 0, 0};
+            const int x = i * 37 % WIDTH, y = i * 23 % HEIGHT;
+            use_plain(&scene, pairs);
+            const int found = glint_pick(&renderer, &scene.scene, x, y, &plain);
+            use_other(&scene, pairs);
+            CHECK_EQUAL(glint_pick(&renderer, &scene.scene, x, y, &other), found);
+            CHECK(plain.object == other.object && plain.triangle == other.triangle && plain.depth == other.depth);
+            hits += found > 0;
+        }
+    }
+    close_frames();
+    CHECK(hits > 100);
+}
+
+/* Lines along edges. */
+static void edges_are_the_same(void) {
+    static test_scene scene;
+    static glint_line plain[8192], other[8192];
+    for (unsigned v = 0; v < TEST_COUNT(variants); v++) {
+        scene_build_named(&scene, "mirrored");
+        if (!lay_scene(&scene, pairs, &variants[v]))
+            continue;
+        const uint32_t count = glint_lines_edges(plain, 8192, &pairs[0].plain, (glint_colour){0, 0, 0});
+        CHECK(count > 100);
+        CHECK_EQUAL(glint_lines_edges(other, 8192, &pairs[0].other, (glint_colour){0, 0, 0}), count);
+        CHECK(!memcmp(plain, other, count * sizeof plain[0]));
+    }
+}
+
+/* The library's picture against the reference's, which decodes by itself. */
+static void keeps_the_contract(void) {
+    static test_scene scene;
+    for (unsigned v = 0; v < TEST_COUNT(variants); v++) {
+        for (int colours = 0; colours < 2; colours++) {
+            judgement found = {0};
+            scene_build_named(&scene, "mirrored");
+            for (unsigned i = 0; i < surface_count && colours; i++)
+                if (!strcmp(surface_definitions[i].name, v == 2 ? "mesh colours in 16 bits" : "mesh colours"))
+                    scene_build(&scene, &surface_definitions[i]);
+            if (!lay_scene(&scene, pairs, &variants[v]))
+                continue;
+            use_other(&scene, pairs);
+            const judge_task task = {.scene = &scene.scene,
+                                     .width = WIDTH,
+                                     .height = HEIGHT,
+                                     .format = &glint_format_rgb565,
+                                     .leave_out_gates = 1,
+                                     .fine = 0.75};
+            judge(&task, &found);
+            CHECK_EQUAL(found.status, GLINT_OK);
+            CHECK(found.judged > 500 && judgement_keeps_contract(&found));
+        }
+    }
+}
+
+/* ---- Normals ---- */
+
+static void fetch(const glint_type *type, const void *data, int16_t normal[3]) {
+    const glint_attribute from = {type, data, 0};
+    glint_fetch(&from, 0, 1, (int16_t(*)[3])(void *)normal);
+}
+
+/* Is a code decoded to the direction that it stands for, exactly? */
+static int is_exact(const int16_t normal[3], int x, int y, int one, int scale) {
+    const double a = x < -one ? -one : x, b = y < -one ? -one : y, z = one - fabs(a) - fabs(b);
+    const double wanted[3] = {z < 0 ? (one - fabs(b)) * sign_of(a) : a, z < 0 ? (one - fabs(a)) * sign_of(b) : b, z};
+    int wrong = 0;
+    for (int c = 0; c < 3; c++)
+        wrong += normal[c] < wanted[c] * scale || normal[c] > wanted[c] * scale;
+    return !wrong && abs(normal[0]) + abs(normal[1]) + abs(normal[2]) == one * scale;
+}
+
+static void octahedra_are_unfolded_exactly(void) {
+    int16_t normal[3];
+    long wrong = 0;
+    for (int i = 0; i < 65536; i++) {
+        const int8_t code[2] = {(int8_t)(i >> 8), (int8_t)i};
+        fetch(&glint_type_octahedral8, code, normal);
+        wrong += !is_exact(normal, code[0], code[1], 127, 258);
+    }
+    for (int x = -32768; x < 32768; x++) {
+        for (int y = -32768; y < 32768; y += x % 255 && x != -32768 ? 1021 : 1) {
+            const int16_t code[2] = {(int16_t)x, (int16_t)y};
+            fetch(&glint_type_octahedral16, code, normal);
+            wrong += !is_exact(normal, x, y, 32767, 1);
+        }
+    }
+    CHECK_EQUAL(wrong, 0);
+}
+
+/* The angle between two directions, degrees. */
+static double angle(const double a[3], const double b[3]) {
+    const double cross[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    return atan2(sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]),
+                 a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) *
+           57.29577951308232;
+}
+
+static void direction_of(double x, double y, double one, double to[3]) {
+    to[0] = x;
+    to[1] = y;
+    to[2] = one - x - y;
+}
+
+/* How far a direction between the codes (x, y) and (x + 1, y + 1) may be from the nearest of these four, in the octant
+ * of positive coordinates; by steps of 1/24 of a code. */
+static double worst_between(int x, int y, int one) {
+    double worst = 0;
+    for (int i = 0; i <= 24; i++) {
+        for (int j = 0; j <= 24; j++) {
+            double to[3], nearest = 180;
+            direction_of(x + i / 24.0, y + j / 24.0, one, to);
+            if (to[2] < 0)
+                continue;
+            for (int corner = 0; corner < 4; corner++) {
+                double code[3];
+                direction_of(x + (corner & 1), y + (corner >> 1), one, code);
+                if (code[2] >= 0)
+                    nearest = fmin(nearest, angle(to, code));
+            }
+            worst = fmax(worst, nearest);
+        }
+    }
+    return worst;
+}
+
+/* All eight octants hold the same codes: half of z below 0 is the mirror image of that above. */
+static void octahedra_are_as_fine_as_is_said(void) {
+    double of8 = 0, of16 = 0;
+    for (int x = 0; x < 127; x++)
+        for (int y = 0; x + y < 127; y++)
+            of8 = fmax(of8, worst_between(x, y, 127));
+    for (int x = 0; x < 32767; x += 331)
+        for (int y = 0; x + y < 32767; y += 331)
+            of16 = fmax(of16, worst_between(x, y, 32767));
+    printf("  degrees to the nearest normal stored: %.4f of octahedral8, %.5f of octahedral16\n", of8, of16);
+    CHECK(of8 > 0.63 && of8 <= 0.64);
+    CHECK(of16 > 0.0024 && of16 <= 0.0025);
+}
+
+/* ---- Meshes that change ---- */
+
+#define RING 24
+
+/* A tube in RAM whose radius is another one each frame; ever fewer triangles. */
+typedef struct point {
+    int8_t position[3], normal[2];
+    uint8_t colour[3];
+} point;
+
+typedef struct tube {
+    point points[2 * RING];
+    uint8_t triangles[2 * RING][3];
+    glint_layout layout;
+    glint_mesh mesh;
+} tube;
+
+static void change(tube *t, int phase) {
+    for (int i = 0; i < 2 * RING; i++) {
+        const double turn = i % RING * 6.283185307179586 / RING, radius = 60 + 40 * sin(turn * 3 + phase);
+        point *p = &t->points[i];
+        p->position[0] = (int8_t)(radius * cos(turn));
+        p->position[1] = (int8_t)(radius * sin(turn));
+        p->position[2] = (int8_t)(i < RING ? -80 : 80);
+        p->normal[0] = (int8_t)(127 * cos(turn) / (fabs(cos(turn)) + fabs(sin(turn))));
+        p->normal[1] = (int8_t)(127 * sin(turn) / (fabs(cos(turn)) + fabs(sin(turn))));
+        p->colour[0] = (uint8_t)(i * 5 + phase * 40);
+        t->triangles[i][0] = (uint8_t)(i % RING + i / RING * RING);
+        t->triangles[i][1] = (uint8_t)(i < RING ? (i + 1) % RING : i % RING);
+        t->triangles[i][2] = (uint8_t)(i < RING ? i + RING : RING + (i + RING - 1) % RING);
+    }
+    t->layout = (glint_layout){{&glint_type_int8, t->points[0].position, sizeof(point)},
+                               {&glint_type_octahedral8, t->points[0].normal, sizeof(point)},
+                               {&glint_type_uint8, t->triangles, 0},
+                               {&glint_type_rgb888, t->points[0].colour, sizeof(point)}};
+    t->mesh = (glint_mesh){.vertex_count = 2 * RING,
+                           .triangle_count = (uint32_t)(2 * RING - phase),
+                           .extent = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
+                           .flags = GLINT_MESH_DOUBLE_SIDED,
+                           .layout = &t->layout};
+}
+
+static void kept_arenas_keep_no_mesh(void) {
+    static test_scene scene;
+    static tube t;
+    static uint8_t kept[1 << 16];
+    glint_renderer keeper;
+    picture before = picture_open(WIDTH, HEIGHT, &glint_format_rgb565);
+    open_frames();
+    scene_build_named(&scene, "mirrored");
+    scene.objects[0].mesh = &t.mesh;
+    scene.scene.object_count = 1;
+    change(&t, 0);
+    glint_config config = picture_config(&second.image, NULL);
+    config.arena = kept;
+    config.keeps_arena = 1;
+    const glint_need need = need_of(&config, &scene.scene, 0);
+    for (int small = 0; small < 2; small++) {
+        config.arena_size = small ? need.least : sizeof kept;
+        CHECK_EQUAL(glint_init(&keeper, &config), GLINT_OK);
+        for (int phase = 0; phase < 8; phase++) {
+            change(&t, phase);
+            memset(second.image.bytes, 0x5a, second.image.size);
+            CHECK_EQUAL(glint_render(&keeper, &scene.scene), GLINT_OK);
+            draw(&first, &scene.scene, sizeof arena, 0, NULL);
+            CHECK(picture_equal(&first.image, &second.image));
+            CHECK(!phase || !picture_equal(&first.image, &before));
+            memcpy(before.bytes, first.image.bytes, before.size);
+        }
+    }
+    picture_close(&before);
+    close_frames();
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {
+        TEST_CASE(every_scene_is_the_same),
+        TEST_CASE(every_evaluation_is_the_same),
+        TEST_CASE(picks_are_the_same),
+        TEST_CASE(edges_are_the_same),
+        TEST_CASE(keeps_the_contract),
+        TEST_CASE(octahedra_are_unfolded_exactly),
+        TEST_CASE(octahedra_are_as_fine_as_is_said),
+        TEST_CASE(kept_arenas_keep_no_mesh),
+    };
+    return test_run(write, cases, TEST_COUNT(cases));
+}
