@@ -6,6 +6,7 @@
 - what they bring has names of their own: functions, types and constants glint_ and GLINT_, macros and guards GLINT_;
 - so has every symbol of the library and of the panels; no two of their objects, nor two of src/'s headers for users,
   have one file name;
+- no example names a member below `@privatesection`: each compiles where these have other names;
 - each code of glint_status is one less than the one before it, and has a sentence.
 """
 import argparse
@@ -146,6 +147,38 @@ def check_files(tally):
     tally.check(headers and not strangers, "headers in src/ that are not glint's: %s" % strangers)
 
 
+def rename_private(text):
+    """glint.h with other names for what is private. @return it, and how many lines that were"""
+    lines, is_private, count = [], False, 0
+    for line in text.splitlines():
+        starts = line == "    /** @privatesection */"
+        is_private = starts or (is_private and "@publicsection" not in line and not line.startswith("}"))
+        if is_private and not starts:
+            count += 1
+            line = re.sub(r"(\w+)(?=(\)?(\[[^\]]*\])*[,;]))", r"private_\1", line.split("/*")[0])
+        lines.append(line)
+    return "\n".join(lines) + "\n", count
+
+
+def check_private(tally):
+    with open("src/glint.h") as file:
+        text, count = rename_private(file.read())
+    examples = sorted(glob.glob("examples/*/*.c"))
+    options = [option for path in ("src", "port", "port/host", "examples", "tests/adapters/declarations")
+               for option in ("-I", path)] + ["-DBOARD_ARENA=65536", "-DBOARD_TILE_WIDTH=0", "-DBOARD_TILE_HEIGHT=0"]
+    adapters = [path for path in examples if path.startswith("examples/adapters/")]
+    with tempfile.TemporaryDirectory() as folder:
+        with open(os.path.join(folder, "glint.h"), "w") as file:
+            file.write(text)
+        for path in examples:
+            flags = ["-Iexamples/adapters", "-I/usr/include/libdrm"] if path in adapters else []
+            done = run("gcc", "-std=gnu99", "-I" + folder, *options, *flags, "-fsyntax-only", path)
+            tally.check(done.returncode == 0, "%s names what is private: %s" % (path, done.stderr[:600]))
+        named = run("gcc", "-std=c99", "-I" + folder, "-Isrc", "-fsyntax-only", "-x", "c", "-", text=
+                    '#include "glint.h"\nint use(glint_renderer *r);\nint use(glint_renderer *r) { return r->config.width; }\n')
+        tally.check("no member named" in named.stderr and count > 40, "what is private is not found: %d lines" % count)
+
+
 def check_statuses(tally):
     with open("src/glint.h") as file:
         codes = [int(code) for code in re.findall(r"^    GLINT_(?:OK|ERROR_\w+) = (-?\d+)", file.read(), re.MULTILINE)]
@@ -174,6 +207,7 @@ def main():
     check_symbols(tally, arguments.library, [arguments.library])
     check_symbols(tally, "panels", arguments.panels)
     check_files(tally)
+    check_private(tally)
     check_statuses(tally)
     return tally.close()
 
