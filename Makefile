@@ -39,7 +39,7 @@ SUITES := test-unit-host test-image test-identity test-sanitize test-matrix test
     test-panel-bus test-board-panel test-board-unit test-board-identity test-freestanding test-firmware test-features
 
 # A folder of tests or tools that needs targets of its own brings them, and adds its suites to SUITES.
--include port/host/host.mk port/boards.mk tests/tests.mk $(sort $(wildcard tests/*/*.mk tools/*/*.mk))
+-include port/host/host.mk port/boards.mk port/web/web.mk tests/tests.mk $(sort $(wildcard tests/*/*.mk tools/*/*.mk))
 
 .PHONY: test lint clean $(SUITES)
 test: ## run every suite; installs missing tools first

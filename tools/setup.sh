@@ -45,6 +45,9 @@ look() {
     need g++ g++
     need arduino-builder arduino-builder
     need arduino-ctags arduino-ctags
+    need lld wasm-ld
+    need zopfli zopfli
+    need chromium chromium
     need frama-c-base frama-c
     # libraries, which no command shows: C libraries of the host and of other machines, libdrm's headers, and clang's sanitizers and fuzzer
     [ -e /usr/include/stdio.h ] || missing+=(libc6-dev)

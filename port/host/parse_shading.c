@@ -5,6 +5,7 @@
  */
 #include "parsers.h"
 
+#include "number.h"
 #include "values.h"
 
 #include <string.h>
@@ -69,6 +70,15 @@ bool parse_dither(host_settings *settings, const char *text, host_problem *probl
     (void)text;
     (void)problem;
     settings->dither = true;
+    return true;
+}
+
+bool parse_budget(host_settings *settings, const char *text, host_problem *problem) {
+    int64_t value;
+    if (!number_integer(text, strlen(text), &value) || value < 0 || value > GLINT_BUDGET_MAX) {
+        return value_expected(problem, "takes steps from 0 to 8");
+    }
+    settings->budget = (int32_t)value;
     return true;
 }
 

@@ -94,6 +94,7 @@ static bool draw_frame(const chosen_scene *chosen, uint32_t frame, const host_se
                        frame_counts *counts, host_problem *problem) {
     example_stage *stage = memory_new(1, sizeof *stage);
     chosen->scene->build(stage, chosen->variant, frame % chosen->scene->frames);
+    stage->scene.error_budget = settings->budget;
     const bool ok = view_draw(&stage->scene, settings, target, counts, problem);
     free(stage);
     return ok;

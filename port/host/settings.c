@@ -196,6 +196,8 @@ static const host_option options[] = {
     {"--format", "NAME", "rgb565, rgb565_be, rgb444, rgb888, grey8, grey4 or mono; rgb888", COMMANDS_THAT_DRAW,
      parse_format},
     {"--dither", NULL, "ordered dithering of the format's levels", COMMANDS_THAT_DRAW, parse_dither},
+    {"--budget", "N", "steps of a channel by which the picture may differ, for fewer instructions, 0 to 8; 0",
+     COMMANDS_THAT_DRAW, parse_budget},
     {"--gamma", "G", "output is linear^(1/G), G from 0.1 to 10; 1", COMMANDS_THAT_DRAW, parse_gamma},
     {"--eye", "x,y,z", "where the camera stands; else the model is framed", COMMAND_RENDER, parse_eye},
     {"--at", "x,y,z", "what it looks at; 0,0,0 when --eye is given", COMMAND_RENDER, parse_at},

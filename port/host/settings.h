@@ -49,6 +49,7 @@ typedef struct host_settings {
     glint_vector eye, at, up;
     glint_q16 field_of_view, near_plane;
     glint_viewer viewer;
+    int32_t budget;      /**< As glint_scene.error_budget. */
     glint_q16 rotate[3]; /**< Degrees about x, y and z, in this order. */
     double scale[3];     /**< None 0. */
     bool scale_fit;      /**< In place of it the power of ten that suits Q16.16. */

@@ -253,6 +253,7 @@ bool view_make(host_view *view, const host_settings *settings, const host_materi
         return false;
     }
     view->scene.viewer = settings->viewer;
+    view->scene.error_budget = settings->budget;
     view->scene.background = settings->background;
     view->scene.ambient = settings_grey(1);
     return true;

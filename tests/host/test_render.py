@@ -115,6 +115,24 @@ def test_tiles_and_arenas(host):
         host.equal(f"--arena {arena}", host.render_bytes(*TORUS, "--viewer", "local", "--arena", str(arena)), plain)
 
 
+def test_budget(host):
+    """A picture within some steps of the exact one, for fewer instructions; of scenes too."""
+    torus = ["torus:48x24", "--eye", "0,0,5", "--format", "rgb565", "--viewer", "local"]
+    exact = host.render(*torus)
+    host.equal("--budget 0 is exact", host.render(*torus, "--budget", "0").rows, exact.rows)
+    loose = host.render(*torus, "--budget", "4")
+    worst = [max(abs(a[c] - b[c]) for p, q in zip(loose.rows, exact.rows) for a, b in zip(p, q)) for c in range(3)]
+    host.check("--budget 4 differs, by four steps at most and a rounding",
+               0 < max(worst) and worst[0] <= 5 * 255 / 31 and worst[1] <= 5 * 255 / 63 and worst[2] <= 5 * 255 / 31, str(worst))
+    host.check("--budget saves instructions",
+               stats(host, *torus, "--budget", "4")["instructions_m3"] < stats(host, *torus)["instructions_m3"])
+    def instructions(*options):
+        told = host.run("scene", "shaders:torus-50", "--format", "rgb565", *options, "--stats", "-o", "out.png").stdout
+        return int(re.search(r"instructions_m3 (\d+)", told).group(1))
+    host.check("--budget of a scene", instructions("--budget", "4") < instructions())
+    os.remove(host.path("out.png"))
+
+
 def stats(host, *arguments):
     run = host.run("render", *arguments, "--stats", "-o", "out.png")
     return {name: value if name == "model" else float(value) if "." in value else int(value)
@@ -329,7 +347,7 @@ def test_help_and_version(host):
     host.equal("help is --help", host.run("--help").stdout, text)
     for option in ("size format eye at up fov near rotate-x rotate-y rotate-z up-axis centre scale light ambient diffuse specular shininess viewer "
                    "background tile arena stats crease double-sided name licence models model shading combine ungated "
-                   "dither gamma weights facets repair list frame animate camera-lights labels").split():
+                   "dither budget gamma weights facets repair list frame animate camera-lights labels").split():
         host.check(f"help names --{option}", f"--{option} " in text)
     for command in ("render", "info", "convert", "scene", "demo"):
         run = host.run(command, "--help")
