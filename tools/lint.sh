@@ -38,17 +38,11 @@ tidy() {
     tidy_files "-Isrc -Iport/host -Iexamples -DHOST_WITH_MESHOPTIMIZER" 'port/host/*.c' || status=1
     tidy_files "-Isrc -Iport -Iport/libc -Iexamples -Itests -DBOARD_ARENA=65536 -DBOARD_TILE_WIDTH=0 -DBOARD_TILE_HEIGHT=0 $(arm)" \
         'port/*.c' 'examples/firmware/*.c' 'tests/board/*_board.c' \
-<<<<<<< HEAD
-        'tests/board/pattern.c' 'tests/board/unit.c' 'tests/board/faults.c' ':!port/host' ':!port/virt' ':!port/riscv' ':!port/sifive_e' || status=1
+        'tests/board/pattern.c' 'tests/board/unit.c' 'tests/board/faults.c' ':!port/host' ':!port/virt' ':!port/riscv' ':!port/sifive_e' ':!port/web' || status=1
     tidy_files "-Isrc -Iport -Iport/libc --target=riscv32-unknown-elf -march=rv32imc -ffreestanding" \
         'port/virt/*.c' 'port/riscv/*.c' 'port/sifive_e/*.c' || status=1
-=======
-        'tests/board/pattern.c' 'tests/board/unit.c' 'tests/board/faults.c' ':!port/host' ':!port/virt' ':!port/web' || status=1
-    tidy_files "-Isrc -Iport -Iport/libc --target=riscv32-unknown-elf -march=rv32imc -ffreestanding" \
-        'port/virt/*.c' || status=1
     tidy_files "-Isrc -Iport/host -Iexamples -Itests/reference -Itests/image -Iport/web -Iport/web/libc -nostdlibinc -isystem port/web/libc --target=wasm32 -mbulk-memory" \
         'port/web/*.c' || status=1
->>>>>>> 5d5e10b (A web page: the library, the host program and the reference in WebAssembly)
     tidy_files "-Isrc -Iport -Iport/libc -Itests -Itools -I$bench $(arm)" 'tools/boards/*.c' 'tools/profile/*.c' 'tools/scaling/*.c' 'tools/bench/*.c' ':!tools/bench/scenes.c' ':!tools/bench/float' 'tools/features/*.c' \
         'tools/chart/*_board.c' || status=1
     tidy_files "-Isrc -Iport/host -Iexamples -Iexamples/bench" 'tools/bench/scenes.c' || status=1

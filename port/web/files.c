@@ -96,6 +96,11 @@ bool path_is_same_file(const char *a, const char *b) {
     return false;
 }
 
+bool path_is_stdout(const char *path) {
+    (void)path;
+    return false;
+}
+
 bool importer_takes(const char *name) {
     (void)name;
     return false;
