@@ -11,7 +11,8 @@
 /* Clock after board_init, Hz. FILL IN. */
 enum { CLOCK_HZ = 16000000 };
 
-/* ---- The panel's bus: leave out (and return null from board_panel_bus) when the board has no panel ----------------
+/* ---- The panel's bus: leave out (and return null from board_panel_bus) when the board has no panel; on I2C,
+ * port/panel/i2c.h has the callbacks ---------------------------------------------------------------------------------
  */
 
 static glint_status command(void *context, const uint8_t *bytes, size_t count) {
@@ -74,7 +75,7 @@ void board_init(void) {
 }
 
 void board_write(const char *text) {
-    /* FILL IN: a serial line, or semihosting_write of port/cortex-m. */
+    /* FILL IN: a serial line, or semihosting_write of port/semihosting. */
     (void)text;
 }
 
