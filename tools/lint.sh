@@ -35,7 +35,7 @@ format() {
 tidy() {
     local status=0
     tidy_files "-Isrc" 'src/*.c' || status=1
-    tidy_files "-Isrc -Iport/host -Iexamples -DHOST_WITH_MESHOPTIMIZER" 'port/host/*.c' || status=1
+    tidy_files "-Isrc -Iport/host -Iexamples -Itests/reference -Itests/image $(sdl2-config --cflags) -DHOST_WITH_MESHOPTIMIZER" 'port/host/*.c' || status=1
     tidy_files "-Isrc -Iport -Iport/libc -Iexamples -Itests -DBOARD_ARENA=65536 -DBOARD_TILE_WIDTH=0 -DBOARD_TILE_HEIGHT=0 $(arm)" \
         'port/*.c' 'examples/firmware/*.c' 'tests/board/*_board.c' \
         'tests/board/pattern.c' 'tests/board/unit.c' 'tests/board/faults.c' ':!port/host' ':!port/virt' ':!port/riscv' ':!port/sifive_e' ':!port/web' || status=1
@@ -47,13 +47,13 @@ tidy() {
         'tools/chart/*_board.c' || status=1
     tidy_files "-Isrc -Iport/host -Iexamples -Iexamples/bench" 'tools/bench/scenes.c' || status=1
     tidy_files "" 'tools/cycles/*.c' || status=1
-    tidy_files "-Isrc -Iport/host -Iexamples -Itools/bench -I$bench" 'tools/cost/*.c' 'tools/pages/*.c' 'examples/compose/*.c' 'examples/lines/*.c' || status=1
+    tidy_files "-Isrc -Iport/host -Iport/host/window -Iexamples -Itests/reference -Itests/image -Itools/bench -I$bench" 'tools/cost/*.c' 'tools/pages/*.c' 'examples/compose/*.c' 'examples/lines/*.c' || status=1
     tidy_files "-Isrc -Iexamples -Itests $(adapters) -D_GNU_SOURCE" 'examples/adapters/*.c' 'tests/adapters/*.c' || status=1
     standard=c++11 tidy_files "-Isrc -Iexamples -Itests $(adapters)" 'examples/adapters/*.cpp' 'tests/adapters/*.cpp' || status=1
     tidy_files "-Isrc -Iport -Iport/libc $(arm_fpu)" 'tests/cycles/*.c' || status=1
     tidy_files "-Isrc -Iport -Iport/libc -Itools/bench -Itools/bench/float -I$bench $(arm_fpu)" 'tools/bench/float/*.c' 'tests/float/*_board.c' || status=1
     tidy_files "-Isrc -Iport -Iport/host -Iport/web -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit -Itools/bench -Itools/bench/float" \
-        'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' 'examples/scenes/*.c' 'tools/chart/*.c' ':!tests/proof' ':!tests/cycles' ':!tests/adapters' \
+        'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' 'examples/scenes/*.c' 'tools/chart/*.c' ':!tests/proof' ':!tests/cycles' ':!tests/adapters' ':!tests/view' \
         ':!tests/stack' ':!tests/board/faults.c' ':!tools/chart/*_board.c' ':!tests/*/*_board.c' ':!tests/board/pattern.c' ':!tests/board/unit.c' || status=1
     return $status
 }

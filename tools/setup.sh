@@ -49,6 +49,9 @@ look() {
     need zopfli zopfli
     need chromium chromium
     need frama-c-base frama-c
+    need libsdl2-dev sdl2-config
+    need xvfb Xvfb
+    need xdotool xdotool
     # libraries, which no command shows: C libraries of the host and of other machines, libdrm's headers, and clang's sanitizers and fuzzer
     [ -e /usr/include/stdio.h ] || missing+=(libc6-dev)
     [ -e /usr/include/xf86drmMode.h ] || missing+=(libdrm-dev)
@@ -58,6 +61,7 @@ look() {
     [ -e /usr/riscv64-linux-gnu/include/stdio.h ] || missing+=(libc6-dev-riscv64-cross)
     [ -e /usr/include/assimp/cimport.h ] || missing+=(libassimp-dev)
     [ -e /usr/include/meshoptimizer.h ] || missing+=(libmeshoptimizer-dev)
+    /usr/bin/python3 -c 'import Xlib' 2>/dev/null || missing+=(python3-xlib)
     if command -v clang >/dev/null 2>&1; then
         ls "$(clang -print-resource-dir)"/lib/linux/libclang_rt.fuzzer-*.a >/dev/null 2>&1 || missing+=(libclang-rt-dev)
     else

@@ -23,6 +23,25 @@ static bool is_overwritten(const host_settings *settings) {
            path_is_same_file(settings->model, settings->output);
 }
 
+bool command_prepare(const host_settings *settings, bool converted, host_model *model, quantised_mesh *mesh,
+                     host_problem *problem) {
+    if (!load_model(settings->model, &settings->load, model, problem)) {
+        return false;
+    }
+    place_model(model, settings, converted);
+    if (!converted) {
+        place_to_fit(model, settings);
+    }
+    if (!quantise(&model->mesh, settings->double_sided ? GLINT_MESH_DOUBLE_SIDED : 0, mesh, problem)) {
+        model_free(model);
+        return false;
+    }
+    if (!settings->load.plain && mesh->vertex_count <= VERTICES_HELD) {
+        quantised_cluster(mesh);
+    }
+    return true;
+}
+
 bool command_load(const host_settings *settings, bool converted, host_model *model, quantised_mesh *mesh) {
     host_problem problem;
     if (is_overwritten(settings)) {
@@ -30,21 +49,9 @@ bool command_load(const host_settings *settings, bool converted, host_model *mod
         problem_print(settings->output, &problem);
         return false;
     }
-    if (!load_model(settings->model, &settings->load, model, &problem)) {
+    if (!command_prepare(settings, converted, model, mesh, &problem)) {
         problem_print(settings->model, &problem);
         return false;
-    }
-    place_model(model, settings, converted);
-    if (!converted) {
-        place_to_fit(model, settings);
-    }
-    if (!quantise(&model->mesh, settings->double_sided ? GLINT_MESH_DOUBLE_SIDED : 0, mesh, &problem)) {
-        problem_print(settings->model, &problem);
-        model_free(model);
-        return false;
-    }
-    if (!settings->load.plain && mesh->vertex_count <= VERTICES_HELD) {
-        quantised_cluster(mesh);
     }
     return true;
 }

@@ -34,11 +34,14 @@ int command_demo(const host_settings *settings);
 int command_fail(const char *file, const host_problem *problem);
 
 /**
- * Loads the settings' model, places it, quantises it and gives it clusters; prints what is wrong. Refuses a model that
- * is the file to write. One to be `converted` is turned as options say; any other is not, and scaled where it does not
- * fit.
- * @return false after a problem; nothing is then to be freed, else the model and `mesh`
+ * Loads the settings' model, places it, quantises it and gives it clusters. One to be `converted` is turned as options
+ * say; any other is not, and scaled where it does not fit.
+ * @return false with a problem; nothing is then to be freed, else the model and `mesh`
  */
+bool command_prepare(const host_settings *settings, bool converted, host_model *model, quantised_mesh *mesh,
+                     host_problem *problem);
+
+/** The same, but prints what is wrong, and refuses a model that is the file to write. */
 bool command_load(const host_settings *settings, bool converted, host_model *model, quantised_mesh *mesh);
 
 /** Prints what a model says and is not followed, a line each. */

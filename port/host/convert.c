@@ -234,6 +234,19 @@ static void print_mesh(const header_writer *writer, const glint_mesh *mesh, cons
     }
 }
 
+static void print_single(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {
+    bytes_print(writer->out, "\nstatic const glint_mesh %s_mesh%s = {\n", writer->name, suffix);
+    print_mesh(writer, mesh, suffix);
+    bytes_print(writer->out, "};\n");
+}
+
+void convert_mesh(host_bytes *out, const char *name, const glint_mesh *mesh, const char *suffix) {
+    header_writer writer = {.out = out};
+    snprintf(writer.name, sizeof writer.name, "%s", name);
+    print_arrays(&writer, mesh, suffix);
+    print_single(&writer, mesh, suffix);
+}
+
 /** Several pieces of no material as the array NAME_meshes. */
 static void print_array(const header_writer *writer, const quantised_mesh *mesh, const header_suffix *suffixes) {
     bytes_print(writer->out, "\n/* More vertices than 16 bits can index: one object for each of these. */\n");
@@ -257,9 +270,7 @@ static void print_meshes(const header_writer *writer, const host_model *model, c
         print_array(writer, mesh, suffixes);
     }
     for (size_t i = 0; painted ? i < mesh->piece_count : i < 1 && mesh->piece_count == 1; i++) {
-        bytes_print(writer->out, "\nstatic const glint_mesh %s_mesh%s = {\n", writer->name, suffixes[i].text);
-        print_mesh(writer, &mesh->pieces[i], suffixes[i].text);
-        bytes_print(writer->out, "};\n");
+        print_single(writer, &mesh->pieces[i], suffixes[i].text);
     }
     if (painted) {
         convert_objects(writer->out, writer->name, writer->settings, &model->materials, mesh, suffixes);

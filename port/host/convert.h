@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file convert.h
- * The part of a converted header that tells of materials.
+ * Parts of a converted header.
  */
 #ifndef GLINT_HOST_CONVERT_H
 #define GLINT_HOST_CONVERT_H
@@ -13,6 +13,9 @@
 typedef struct header_suffix {
     char text[64];
 } header_suffix;
+
+/** Prints a mesh as NAME_meshSUFFIX, behind its arrays. @param name at most 65 characters */
+void convert_mesh(host_bytes *out, const char *name, const glint_mesh *mesh, const char *suffix);
 
 /** A character as an identifier may have it: what is no letter, digit or underscore becomes an underscore. */
 char convert_plain(char c);

@@ -29,21 +29,37 @@ static double rounded(double value) {
     return round(value / unit) * unit;
 }
 
+size_t cost_cores(void) {
+    return sizeof cores / sizeof cores[0];
+}
+
+bool cost_find(const frame_counts *counts, size_t index, cost_figures *figures) {
+    const cost_core *core = &cores[index];
+    if (counts->stats.passes != 1) {
+        return false;
+    }
+    figures->core = core->name;
+    figures->mhz = core->mhz;
+    figures->instructions = core->instructions >= 0 ? sum_of(counts, core->instructions) : -1;
+    figures->cycles = core->cycles >= 0 ? sum_of(counts, core->cycles) : -1;
+    return true;
+}
+
 void cost_print(const frame_counts *counts) {
+    cost_figures figures;
     if (counts->stats.passes != 1) {
         puts("model none for more than one pass");
         return;
     }
     puts("model not validated on silicon: docs/cost.md");
-    for (size_t i = 0; i < sizeof cores / sizeof cores[0]; i++) {
-        if (cores[i].instructions >= 0) {
-            printf("instructions_%s %.0f\n", cores[i].name, rounded(sum_of(counts, cores[i].instructions)));
+    for (size_t i = 0; i < cost_cores(); i++) {
+        if (cost_find(counts, i, &figures) && figures.instructions >= 0) {
+            printf("instructions_%s %.0f\n", figures.core, rounded(figures.instructions));
         }
     }
-    for (size_t i = 0; i < sizeof cores / sizeof cores[0]; i++) {
-        if (cores[i].cycles >= 0) {
-            printf("ms_%s_%dmhz %.6g\n", cores[i].name, cores[i].mhz,
-                   rounded(sum_of(counts, cores[i].cycles) / (1e3 * cores[i].mhz)));
+    for (size_t i = 0; i < cost_cores(); i++) {
+        if (cost_find(counts, i, &figures) && figures.cycles >= 0) {
+            printf("ms_%s_%dmhz %.6g\n", figures.core, figures.mhz, rounded(figures.cycles / (1e3 * figures.mhz)));
         }
     }
 }

@@ -9,6 +9,21 @@
 
 #include "counts.h"
 
+#include <stdbool.h>
+
+/** What a core takes for a frame: negative where nothing is known of it. */
+typedef struct cost_figures {
+    const char *core;
+    int mhz; /**< Its usual clock; 0 for none. */
+    double instructions, cycles;
+} cost_figures;
+
+/** How many cores there are. */
+size_t cost_cores(void);
+
+/** What core `index` takes. @return false for a frame of several passes, of which nothing is known */
+bool cost_find(const frame_counts *counts, size_t index, cost_figures *figures);
+
 /** Prints instructions and milliseconds on each core, a name and a value a line; of frames of one pass only. */
 void cost_print(const frame_counts *counts);
 

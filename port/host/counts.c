@@ -7,18 +7,21 @@
 #include "light/fragments.h"
 #include "nodes/shapes.h"
 #include "pixel/format.h"
+#include "watch.h"
 
 /* The library's functions, and what is called in their place. */
 #define WATCHED(function) extern __typeof__(function) __real_##function, __wrap_##function
-WATCHED(glint_render_tile);
+/* Those that watch.c calls. */
+#define LED(function) extern __typeof__(function) __wrap_##function
+LED(glint_render_tile);
 WATCHED(glint_light_all);
-WATCHED(glint_gathering_store);
-WATCHED(glint_nodes_light);
-WATCHED(glint_draw_facet);
-WATCHED(glint_draw_lit);
-WATCHED(glint_terms_begin);
-WATCHED(glint_shape_begin);
-WATCHED(glint_terms_draw_part);
+LED(glint_gathering_store);
+LED(glint_nodes_light);
+LED(glint_draw_facet);
+LED(glint_draw_lit);
+LED(glint_terms_begin);
+LED(glint_shape_begin);
+LED(glint_terms_draw_part);
 WATCHED(glint_polynomial_begin);
 WATCHED(glint_prepare_shading);
 WATCHED(glint_fast_make_tables);
@@ -32,7 +35,7 @@ static void count(int item, uint32_t number) {
 
 int __wrap_glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
     count(COUNTS_cleared, (uint32_t)frame->config.tile_width * frame->config.tile_height);
-    return __real_glint_render_tile(frame, workspace, tile);
+    return watch_render_tile(frame, workspace, tile);
 }
 
 /* Counts lights at points: a kind each, and highlights. */
@@ -54,27 +57,27 @@ void __wrap_glint_light_all(const glint_frame *frame, glint_fragments *fragments
 
 void __wrap_glint_gathering_store(const glint_gathering *gathering) {
     count(COUNTS_stored, gathering->fragments->count);
-    __real_glint_gathering_store(gathering);
+    watch_gathering_store(gathering);
 }
 
 void __wrap_glint_draw_facet(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                              const glint_triangle *triangle, const glint_part *part) {
     count(COUNTS_facet_part, 1);
-    __real_glint_draw_facet(frame, workspace, draw, triangle, part);
+    watch_draw_facet(frame, workspace, draw, triangle, part);
 }
 
 void __wrap_glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                            const glint_triangle *triangle, const glint_part *part) {
     count(COUNTS_corner_part, 1);
     count(COUNTS_corner_row, part->bottom - part->top);
-    __real_glint_draw_lit(frame, workspace, draw, triangle, part);
+    watch_draw_lit(frame, workspace, draw, triangle, part);
 }
 
 void __wrap_glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at,
                               uint32_t lights, uint32_t lobes, glint_node *const nodes[]) {
     count(COUNTS_node, at->count);
     count_lights(frame->view, at->count, lights, lobes, COUNTS_node_by_directional);
-    __real_glint_nodes_light(frame, shading, at, lights, lobes, nodes);
+    watch_nodes_light(frame, shading, at, lights, lobes, nodes);
 }
 
 /* Counts what a part is drawn by, unless the format's own loop does that. */
@@ -99,7 +102,7 @@ static void count_terms(const glint_terms *terms, const glint_part *part) {
 
 int __wrap_glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
                              const glint_part *part, glint_terms *terms, glint_polynomials *polynomials) {
-    const int fits = __real_glint_terms_begin(frame, draw, triangle, part, terms, polynomials);
+    const int fits = watch_terms_begin(frame, draw, triangle, part, terms, polynomials);
     count(COUNTS_region, 1);
     if (fits) {
         count(COUNTS_curved_region, terms->is_curved);
@@ -111,7 +114,7 @@ int __wrap_glint_terms_begin(const glint_frame *frame, const glint_draw *draw, c
 
 int __wrap_glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
                              glint_node *const nodes[], glint_terms *terms, glint_polynomials *polynomials) {
-    const int fits = __real_glint_shape_begin(frame, draw, shape, nodes, terms, polynomials);
+    const int fits = watch_shape_begin(frame, draw, shape, nodes, terms, polynomials);
     count(COUNTS_shape, 1);
     count(COUNTS_polynomial, fits ? terms->end : 0);
     return fits;
@@ -122,7 +125,7 @@ void __wrap_glint_terms_draw_part(const glint_frame *frame, glint_workspace *wor
                                   const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
                                   const glint_polynomials *polynomials) {
     count_terms(terms, part);
-    __real_glint_terms_draw_part(frame, workspace, draw, triangle, part, terms, polynomials);
+    watch_terms_draw_part(frame, workspace, draw, triangle, part, terms, polynomials);
 }
 
 glint_status __wrap_glint_prepare_shading(const glint_frame *frame, glint_shading *shading,

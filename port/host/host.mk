@@ -5,6 +5,11 @@ HOST_PROGRAM := $(BUILD)/host/glint
 HOST_SOURCES := $(wildcard port/host/*.c)
 HOST_OBJECTS := $(HOST_SOURCES:port/host/%.c=$(BUILD)/host/port/%.o)
 
+# The double-precision reference, which maps of errors hold pictures against.
+HOST_JUDGE := $(patsubst %.c,$(BUILD)/host/%.o,tests/reference/reference.c tests/reference/lighting.c \
+    tests/image/library_geometry.c tests/image/picture.c)
+HOST_INCLUDES := -Iexamples -Itests/reference -Itests/image
+
 # The example scenes, which read the meshes that `make meshes` writes: so it takes a program without them. It has no
 # library of others either.
 SCENE_SOURCES   := $(wildcard examples/scenes/*.c)
@@ -18,10 +23,10 @@ BARE_OBJECTS    := $(filter-out %/main.o %/scene.o %/simplify.o,$(HOST_OBJECTS))
 HOST_READER_SOURCES := $(addprefix port/host/,obj.c mtl.c text.c mesh.c polygon.c normals.c topology.c quantise.c cluster.c patch.c output.c \
     number.c memory.c problem.c)
 
-# Calls between the library's files that pass through counts.c.
+# Calls between the library's files that pass through counts.c and watch.c.
 HOST_WATCHED := glint_render_tile glint_light_all glint_gathering_store glint_draw_facet glint_draw_lit glint_nodes_light \
     glint_terms_begin glint_shape_begin glint_terms_draw_part glint_polynomial_begin glint_prepare_shading \
-    glint_fast_make_tables
+    glint_fast_make_tables glint_setup glint_draw_unlit
 HOST_WATCH := $(HOST_WATCHED:%=-Wl,--wrap=%)
 
 # What reads other formats than OBJ is a program of its own, built where the compiler finds assimp (libassimp-dev).
@@ -44,9 +49,9 @@ $(BUILD)/host/import/%.o: port/host/import/%.c $(wildcard port/host/import/*.h)
 $(BUILD)/host/glint-import: $(IMPORT_OBJECTS)
 	$(Q)$(CC) $(HOST_CFLAGS) $^ -lassimp -lm -o $@
 
-$(BUILD)/host/port/%.o: port/host/%.c $(wildcard port/host/*.h src/*.h src/*/*.h) examples/scenes/scenes.h
+$(BUILD)/host/port/%.o: port/host/%.c $(wildcard port/host/*.h src/*.h src/*/*.h tests/reference/*.h tests/image/*.h) examples/scenes/scenes.h
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -c $< -o $@
+	$(Q)$(CC) $(HOST_CFLAGS) $(HOST_INCLUDES) -c $< -o $@
 
 $(BUILD)/host/port/bare-main.o: port/host/main.c $(wildcard port/host/*.h src/*.h)
 	@mkdir -p $(@D)
@@ -69,11 +74,13 @@ $(SIMPLIFIER_STAMP):
 $(BUILD)/host/port/simplify.o: HOST_CFLAGS += $(if $(HAS_SIMPLIFIER),-DHOST_WITH_MESHOPTIMIZER)
 $(BUILD)/host/port/simplify.o: $(SIMPLIFIER_STAMP)
 
-$(HOST_PROGRAM): $(HOST_OBJECTS) $(SCENE_OBJECTS) $(BUILD)/host/libglint.a
+$(HOST_PROGRAM): $(HOST_OBJECTS) $(HOST_JUDGE) $(SCENE_OBJECTS) $(BUILD)/host/libglint.a
 	$(Q)$(CC) $(HOST_CFLAGS) $(HOST_WATCH) $^ $(SIMPLIFIER) -lm -o $@
 
-$(HOST_CONVERTER): $(BARE_OBJECTS) $(BUILD)/host/libglint.a
+$(HOST_CONVERTER): $(BARE_OBJECTS) $(HOST_JUDGE) $(BUILD)/host/libglint.a
 	$(Q)$(CC) $(HOST_CFLAGS) $(HOST_WATCH) $^ -lm -o $@
+
+include port/host/window/window.mk
 
 demo: $(HOST_PROGRAM) $(IMPORT_PROGRAM) ## draw a sheet of models and name its file
 	@$(HOST_PROGRAM) demo -o $(BUILD)/demo.png

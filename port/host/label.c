@@ -12,8 +12,8 @@
 #define GLYPH_HEIGHT 8
 
 /** From a glyph to the next one and from a line to the next one: a pixel lies between them. */
-#define COLUMN (GLYPH_WIDTH + 1)
-#define LINE (GLYPH_HEIGHT + 1)
+#define COLUMN LABEL_COLUMN
+#define LINE LABEL_LINE
 
 /** Printable ASCII from the space on, and a box, 16 glyphs in a strip. */
 static const char *const font[6][GLYPH_HEIGHT] = {
@@ -94,16 +94,23 @@ static int within(int value, int least, int most) {
     return value < least ? least : value > most ? most : value;
 }
 
-/** Fills a rectangle, as far as it lies in the picture, with a level of grey. */
-static void fill(const label_picture *picture, point corner, int width, int height, uint8_t level) {
-    const int left = within(corner.x, 0, (int)picture->width);
-    const int right = within(corner.x + width, 0, (int)picture->width);
-    const int top = within(corner.y, 0, (int)picture->height);
-    const int bottom = within(corner.y + height, 0, (int)picture->height);
-    for (int y = top; y < bottom; y++) {
-        const size_t at = ((size_t)y * picture->width + (size_t)left) * picture->channels;
-        memset(picture->pixels + at, level, (size_t)(right - left) * picture->channels);
+void label_fill(const label_picture *picture, int x, int y, int width, int height, const uint8_t *colour) {
+    const int left = within(x, 0, (int)picture->width);
+    const int right = within(x + width, 0, (int)picture->width);
+    const int top = within(y, 0, (int)picture->height);
+    const int bottom = within(y + height, 0, (int)picture->height);
+    for (int row = top; row < bottom; row++) {
+        uint8_t *at = picture->pixels + ((size_t)row * picture->width + (size_t)left) * picture->channels;
+        for (int column = left; column < right; column++, at += picture->channels) {
+            memcpy(at, colour, picture->channels);
+        }
     }
+}
+
+/** The same with a level of grey. */
+static void fill(const label_picture *picture, point corner, int width, int height, uint8_t level) {
+    const uint8_t colour[3] = {level, level, level};
+    label_fill(picture, corner.x, corner.y, width, height, colour);
 }
 
 /** Fills the square about a pixel that reaches `radius` pixels from it. */
@@ -145,14 +152,21 @@ static label_plate make_plate(const label_picture *picture, const char *text, po
     return made;
 }
 
-static void draw_glyph(const label_picture *picture, char character, point corner) {
-    for (int y = 0; y < GLYPH_HEIGHT; y++) {
-        for (int x = 0; x < GLYPH_WIDTH; x++) {
-            const point pixel = {corner.x + x, corner.y + y};
-            if (has_pixel(character, x, y)) {
-                fill_square(picture, pixel, 0, 255);
+void label_text(const label_picture *picture, const char *text, int x, int y, int scale, const uint8_t *colour) {
+    for (; *text != '\0'; text++, x += COLUMN * scale) {
+        for (int i = 0; i < GLYPH_WIDTH * GLYPH_HEIGHT; i++) {
+            if (has_pixel(*text, i % GLYPH_WIDTH, i / GLYPH_WIDTH)) {
+                label_fill(picture, x + i % GLYPH_WIDTH * scale, y + i / GLYPH_WIDTH * scale, scale, scale, colour);
             }
         }
+    }
+}
+
+static void draw_line_of_text(const label_picture *picture, const char *text, int length, point corner) {
+    static const uint8_t white[3] = {255, 255, 255};
+    for (int i = 0; i < length; i++) {
+        const char character[2] = {text[i], '\0'};
+        label_text(picture, character, corner.x + i * COLUMN, corner.y, 1, white);
     }
 }
 
@@ -163,9 +177,7 @@ static void draw_text(const label_picture *picture, const char *text, const labe
     while (*text != '\0') {
         const int length = (int)strcspn(text, "\n");
         at.x = plate->corner.x + 1 + (plate->longest - length) * COLUMN / 2;
-        for (int i = 0; i < length; i++, at.x += COLUMN) {
-            draw_glyph(picture, text[i], at);
-        }
+        draw_line_of_text(picture, text, length, at);
         text += length + (text[length] == '\n');
         at.y += LINE;
     }

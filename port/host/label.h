@@ -26,4 +26,18 @@ typedef struct label_picture {
 void label_draw(const label_picture *picture, const example_label *labels, uint32_t count, uint16_t width,
                 uint16_t height);
 
+/** Pixels from a character to the next one, and from a line to the next one, at scale 1. */
+#define LABEL_COLUMN 6
+#define LABEL_LINE 9
+
+/**
+ * Writes a line of text whose upper left corner is (x, y), each pixel of it `scale` pixels wide, without a plate. What
+ * lies beyond the picture is cut off.
+ * @param colour `channels` levels
+ */
+void label_text(const label_picture *picture, const char *text, int x, int y, int scale, const uint8_t *colour);
+
+/** Fills a rectangle, as far as it lies in the picture. */
+void label_fill(const label_picture *picture, int x, int y, int width, int height, const uint8_t *colour);
+
 #endif

@@ -279,8 +279,7 @@ static glint_status draw(const glint_scene *scene, glint_config *config, frame_c
     return status;
 }
 
-/** The output table of linear^(1 / gamma), the same for all three channels. */
-static void make_gamma(double gamma, uint16_t tables[3][GLINT_GAMMA_ENTRIES]) {
+void view_gamma(double gamma, uint16_t tables[3][GLINT_GAMMA_ENTRIES]) {
     for (int i = 0; i < GLINT_GAMMA_ENTRIES; i++) {
         const double level = pow((double)i / (GLINT_GAMMA_ENTRIES - 1), 1.0 / gamma);
         tables[0][i] = tables[1][i] = tables[2][i] = (uint16_t)lround(65535.0 * level);
@@ -295,10 +294,18 @@ static glint_config configure(const host_settings *settings, uint16_t tables[3][
     config.tile_height = settings->tile_height;
     config.counts_drawn = settings->stats;
     if (settings->gamma < 1 || settings->gamma > 1) {
-        make_gamma(settings->gamma, tables);
+        view_gamma(settings->gamma, tables);
         config.gamma = (const uint16_t(*)[GLINT_GAMMA_ENTRIES])tables;
     }
     return config;
+}
+
+glint_status view_need(const glint_scene *scene, const host_settings *settings, glint_need *need) {
+    uint16_t tables[3][GLINT_GAMMA_ENTRIES];
+    framebuffer target; /* with its flush two tiles are kept, one of which is sent */
+    glint_config config = configure(settings, tables);
+    config.flush = framebuffer_flush(&target);
+    return glint_arena_need(&config, scene, need);
 }
 
 bool view_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, frame_counts *counts,

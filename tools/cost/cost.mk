@@ -15,7 +15,7 @@ cost-pictures: $(COST_PICTURES) ## draw the pictures of docs/cost.md
 # ---- The cost model: prices of what a frame consists of (prices.py)
 
 COST_COUNT := $(BUILD)/cost/count
-$(COST_COUNT): tools/cost/count.c $(addprefix port/host/,counts.c counts.h framebuffer.c memory.c) tools/bench/workloads.c \
+$(COST_COUNT): tools/cost/count.c $(addprefix port/host/,counts.c counts.h watch.c framebuffer.c memory.c) tools/bench/workloads.c \
         tools/bench/boxes.c $(wildcard examples/scenes/*.c) $(BUILD)/bench/bench_scenes.h $(BUILD)/host/libglint.a
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -Iport/host -Itools/bench -I$(BUILD)/bench $(HOST_WATCH) $(filter %.c %.a,$^) -lm -o $@

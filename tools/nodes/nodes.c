@@ -3,27 +3,72 @@
  * Pictures of light at nodes, as the library decided it while it drew example scenes: `nodes nodes.svg` writes where
  * nodes lie, `nodes ways.svg` how each pixel was lit. The scenes' objects are lit per node.
  */
+#include "memory.h"
+#include "picture.h"
+#include "scenes/scenes.h"
 #include "watch.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-/* What shows of a way. */
-static const struct {
-    const char *name, *colour;
-} looks[WAYS] = {
-    {"", ""},
-    {"fast lighting", "#8d939c"},
-    {"one colour: no light reaches it", "#4b4f57"},
-    {"planes", "#c3e88d"},
-    {"quadratics", "#4fb06d"},
-    {"quadratics over length", "#14713a"},
-    {"pieces: triangles in four", "#12b5a5"},
-    {"squares of 16", "#bcd9f7"},
-    {"squares of 8", "#5f9de0"},
-    {"squares of 4", "#1d50a2"},
-    {"fragments one by one", "#e0402a"},
-};
+/* Ways of light at nodes: those before WAY_CORNERS. */
+enum { WAYS_SHOWN = WAY_CORNERS };
+
+/* A way's colour, until the next call. */
+static const char *colour_of(way how) {
+    static char text[8];
+    const uint8_t *colour = watch_looks[how].colour;
+    snprintf(text, sizeof text, "#%02x%02x%02x", colour[0], colour[1], colour[2]);
+    return text;
+}
+
+/* ---- Scenes ---- */
+
+/* A variant of an example scene, and what was seen of it. */
+typedef struct shot {
+    watched seen;
+    picture image;
+} shot;
+
+static const example_scene *find(const char *scene, const char *variant, uint32_t *number) {
+    for (int i = 0; i < EXAMPLE_SCENES; i++)
+        for (uint32_t j = 0; j < example_scenes[i]->variant_count; j++)
+            if (strcmp(example_scenes[i]->name, scene) == 0 &&
+                strcmp(example_scenes[i]->variants[j].name, variant) == 0) {
+                *number = j;
+                return example_scenes[i];
+            }
+    fprintf(stderr, "no %s:%s\n", scene, variant);
+    exit(1);
+}
+
+/* Draws a variant of an example scene; ends the program where there is none. */
+static shot shoot(const char *scene, const char *variant) {
+    static example_stage stage;
+    uint32_t number;
+    const example_scene *found = find(scene, variant, &number);
+    const size_t pixels = (size_t)found->width * found->height;
+    shot taken = {{found->width, found->height, memory_new(pixels, 1), NULL, NULL, 0},
+                  picture_open(found->width, found->height, &glint_format_rgb565)};
+    taken.seen.owners = memory_new(pixels, sizeof *taken.seen.owners);
+    taken.seen.areas = memory_new(WATCH_AREAS_MAX, sizeof *taken.seen.areas);
+    found->build(&stage, number, 0);
+    watch_into(&taken.seen);
+    if (picture_render(&taken.image, &stage.scene, NULL, NULL) != GLINT_OK) {
+        fprintf(stderr, "%s:%s is refused\n", scene, variant);
+        exit(1);
+    }
+    watch_into(NULL);
+    return taken;
+}
+
+static void discard(shot *taken) {
+    picture_close(&taken->image);
+    free(taken->seen.ways);
+    free(taken->seen.owners);
+    free(taken->seen.areas);
+}
 
 /* ---- SVG ---- */
 
@@ -55,9 +100,9 @@ enum { SHOWN = sizeof shown / sizeof shown[0], ACROSS = 3, GAP = 16, PANEL_WIDTH
 
 /* One path of all pixels of a way, run by run. */
 static void print_way(const watched *seen, way how) {
-    const int width = seen->image.width;
-    printf("<path fill=\"%s\" d=\"", looks[how].colour);
-    for (int y = 0; y < seen->image.height; y++) {
+    const int width = seen->width;
+    printf("<path fill=\"%s\" d=\"", colour_of(how));
+    for (int y = 0; y < seen->height; y++) {
         const uint8_t *row = seen->ways + y * width;
         for (int x = 0, end; x < width; x = end) {
             for (end = x + 1; end < width && row[end] == row[x];)
@@ -71,7 +116,7 @@ static void print_way(const watched *seen, way how) {
 
 static void count_ways(const watched *seen, long counts[WAYS]) {
     memset(counts, 0, WAYS * sizeof counts[0]);
-    for (int i = 0; i < seen->image.width * seen->image.height; i++)
+    for (int i = 0; i < seen->width * seen->height; i++)
         counts[seen->ways[i]]++;
 }
 
@@ -82,8 +127,8 @@ static void print_panel(const watched *seen, int i, const long counts[WAYS]) {
     snprintf(title, sizeof title, "%s:%s", shown[i].scene, shown[i].variant);
     text(left, top - 7, "start", title);
     printf("<g transform=\"translate(%d %d)\" shape-rendering=\"crispEdges\">\n", left, top);
-    printf("<rect width=\"%d\" height=\"%d\"/>\n", seen->image.width, seen->image.height);
-    for (int how = WAY_FAST; how < WAYS; how++)
+    printf("<rect width=\"%d\" height=\"%d\"/>\n", seen->width, seen->height);
+    for (int how = WAY_FAST; how < WAYS_SHOWN; how++)
         if (counts[how])
             print_way(seen, (way)how);
     puts("</g>");
@@ -106,10 +151,10 @@ static void print_table(int top, long counts[SHOWN][WAYS]) {
         text(440 + 112 * i, top, "end", shown[i].scene);
     for (int i = 0; i < SHOWN; i++)
         text(440 + 112 * i, top + 16, "end", shown[i].variant);
-    for (int how = WAY_FAST; how < WAYS; how++) {
+    for (int how = WAY_FAST; how < WAYS_SHOWN; how++) {
         const int y = top + 18 + LINE * how;
-        swatch(GAP, y - 11, looks[how].colour);
-        text(GAP + 22, y, "start", looks[how].name);
+        swatch(GAP, y - 11, colour_of((way)how));
+        text(GAP + 22, y, "start", watch_looks[how].name);
         for (int i = 0; i < SHOWN; i++)
             print_share(440 + 112 * i, y, counts[i], how);
     }
@@ -118,12 +163,12 @@ static void print_table(int top, long counts[SHOWN][WAYS]) {
 static void draw_ways(void) {
     long counts[SHOWN][WAYS];
     const int bottom = 28 + SHOWN / ACROSS * (PANEL_HEIGHT + 36);
-    begin(GAP + ACROSS * (PANEL_WIDTH + GAP), bottom + 28 + LINE * WAYS, "How pixels are lit, in RGB565");
+    begin(GAP + ACROSS * (PANEL_WIDTH + GAP), bottom + 28 + LINE * WAYS_SHOWN, "How pixels are lit, in RGB565");
     for (int i = 0; i < SHOWN; i++) {
-        watched seen = watch(shown[i].scene, shown[i].variant, &glint_format_rgb565);
-        count_ways(&seen, counts[i]);
-        print_panel(&seen, i, counts[i]);
-        watch_close(&seen);
+        shot taken = shoot(shown[i].scene, shown[i].variant);
+        count_ways(&taken.seen, counts[i]);
+        print_panel(&taken.seen, i, counts[i]);
+        discard(&taken);
     }
     print_table(bottom, counts);
     puts("</svg>");
@@ -164,10 +209,10 @@ static void print_colour(const unsigned *colours, const crop *of, unsigned colou
     puts("\"/>");
 }
 
-static void print_pixels(const watched *seen, const crop *of) {
+static void print_pixels(const picture *image, const crop *of) {
     static unsigned colours[CROP_PIXELS];
     for (int i = 0; i < of->width * of->height; i++)
-        colours[i] = colour_at(&seen->image, of->left + i % of->width, of->top + i / of->width);
+        colours[i] = colour_at(image, of->left + i % of->width, of->top + i / of->width);
     for (int i = 0, before; i < of->width * of->height; i++) {
         for (before = 0; colours[before] != colours[i];)
             before++;
@@ -180,17 +225,17 @@ static void print_pixels(const watched *seen, const crop *of) {
 static void find_areas(const watched *seen, const crop *of, uint8_t *is_shown) {
     for (int y = of->top; y < of->top + of->height; y++)
         for (int x = of->left; x < of->left + of->width; x++) {
-            const int owner = seen->owners[y * seen->image.width + x];
+            const int owner = seen->owners[y * seen->width + x];
             if (owner >= 0)
                 is_shown[owner] = 1;
         }
 }
 
 static void print_single(const watched *seen, const crop *of) {
-    printf("<path fill=\"%s\" fill-opacity=\"0.45\" d=\"", looks[WAY_ONE_BY_ONE].colour);
+    printf("<path fill=\"%s\" fill-opacity=\"0.45\" d=\"", colour_of(WAY_ONE_BY_ONE));
     for (int y = of->top; y < of->top + of->height; y++)
         for (int x = of->left; x < of->left + of->width; x++)
-            if (seen->ways[y * seen->image.width + x] == WAY_ONE_BY_ONE)
+            if (seen->ways[y * seen->width + x] == WAY_ONE_BY_ONE)
                 printf("M%d %dh1v1h-1z", x, y);
     puts("\"/>");
 }
@@ -211,10 +256,10 @@ static void print_outline(const lit_area *area) {
 }
 
 static void print_square(const lit_area *area) {
-    printf("<path fill=\"none\" stroke=\"%s\" stroke-width=\"0.25\" d=\"", looks[area->size == 16  ? WAY_SQUARES_16
-                                                                                 : area->size == 8 ? WAY_SQUARES_8
-                                                                                                   : WAY_SQUARES_4]
-                                                                               .colour);
+    printf("<path fill=\"none\" stroke=\"%s\" stroke-width=\"0.25\" d=\"",
+           colour_of(area->size == 16  ? WAY_SQUARES_16
+                     : area->size == 8 ? WAY_SQUARES_8
+                                       : WAY_SQUARES_4));
     print_place("M", area->nodes[0].x - 8);
     print_place(" ", area->nodes[0].y - 8);
     printf("h%dv%dh-%dz\"/>\n", area->size, area->size, area->size);
@@ -222,7 +267,7 @@ static void print_square(const lit_area *area) {
 
 /* The mark of a triangle in its middle: which polynomials it has. */
 static void print_mark(const lit_area *area, way how) {
-    printf("<circle r=\"0.4\" fill=\"%s\"", looks[how].colour);
+    printf("<circle r=\"0.4\" fill=\"%s\"", colour_of(how));
     print_place(" cx=\"", (area->corners[0].x + area->corners[1].x + area->corners[2].x) / 3);
     print_place("\" cy=\"", (area->corners[0].y + area->corners[1].y + area->corners[2].y) / 3);
     puts("\"/>");
@@ -247,7 +292,7 @@ static void print_nodes(const crop *of, const lit_area *area) {
 
 /* The way of a triangle that was lit by its own nodes. */
 static way way_of(const watched *seen, int area) {
-    for (int i = 0; i < seen->image.width * seen->image.height; i++)
+    for (int i = 0; i < seen->width * seen->height; i++)
         if (seen->owners[i] == area && seen->ways[i] != WAY_ONE_BY_ONE)
             return (way)seen->ways[i];
     return WAY_ONE_BY_ONE;
@@ -283,18 +328,18 @@ static void print_areas(const watched *seen, const crop *of) {
 }
 
 static void print_crop(const crop *of, int i) {
-    watched seen = watch(of->scene, of->variant, &glint_format_rgb565);
+    shot taken = shoot(of->scene, of->variant);
     const int left = GAP + i * (CROP_SIZE + GAP);
     text(left, 21, "start", of->title);
     printf("<svg x=\"%d\" y=\"28\" width=\"%d\" height=\"%d\" viewBox=\"%d %d %d %d\">\n", left, of->width * of->scale,
            of->height * of->scale, of->left, of->top, of->width, of->height);
     puts("<g shape-rendering=\"crispEdges\">");
-    print_pixels(&seen, of);
-    print_single(&seen, of);
+    print_pixels(&taken.image, of);
+    print_single(&taken.seen, of);
     puts("</g>");
-    print_areas(&seen, of);
+    print_areas(&taken.seen, of);
     puts("</svg>");
-    watch_close(&seen);
+    discard(&taken);
 }
 
 /* What marks mean. */
@@ -304,8 +349,8 @@ static void print_key(int top) {
     for (int i = 0; i < (int)(sizeof keys / sizeof keys[0]); i++) {
         const way how = keys[i];
         const int x = GAP + i / 3 * 260, y = top + i % 3 * LINE;
-        swatch(x, y - 11, looks[how].colour);
-        text(x + 22, y, "start", looks[how].name);
+        swatch(x, y - 11, colour_of(how));
+        text(x + 22, y, "start", watch_looks[how].name);
     }
     printf("<circle cx=\"%d\" cy=\"%d\" r=\"4\" fill=\"#ffffff\" stroke=\"#000000\"/>\n", GAP + 787, top - 4);
     text(GAP + 802, top, "start", "node: a corner, or of a square");

@@ -4,14 +4,10 @@
 NODES_PROGRAM := $(BUILD)/host/nodes
 NODES_PICTURES := nodes.svg ways.svg
 
-# What calls between the library's files pass through: watch.c.
-NODES_WATCHED := glint_render_tile glint_setup glint_draw_unlit glint_terms_begin glint_nodes_light \
-    glint_shape_begin glint_terms_draw_part glint_gathering_store
-
-$(NODES_PROGRAM): $(patsubst %.c,$(BUILD)/host/%.o,tools/nodes/nodes.c tools/nodes/watch.c tests/image/picture.c $(SCENE_SOURCES)) \
-        $(BUILD)/host/libglint.a
+$(NODES_PROGRAM): $(patsubst %.c,$(BUILD)/host/%.o,tools/nodes/nodes.c tests/image/picture.c $(SCENE_SOURCES)) \
+        $(addprefix $(BUILD)/host/port/,counts.o watch.o framebuffer.o memory.o) $(BUILD)/host/libglint.a
 	@mkdir -p $(@D)
-	$(Q)$(VARIANT_host) $(NODES_WATCHED:%=-Wl,--wrap=%) $^ -lm -o $@
+	$(Q)$(VARIANT_host) $(HOST_WATCH) $^ -lm -o $@
 
 .PHONY: nodes test-nodes
 nodes: $(NODES_PROGRAM) ## draw where nodes lie, and how pixels are lit, into docs/charts

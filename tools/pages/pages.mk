@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Pictures of docs/compose.md and docs/black.md.
+# Pictures of docs/compose.md, docs/black.md and docs/view.md.
 
 PAGE_PICTURES := $(BUILD)/pages/pictures
 $(PAGE_PICTURES): tools/pages/pictures.c $(wildcard examples/compose/*.c examples/compose/*.h examples/lines/*.c examples/lines/*.h) \
@@ -7,14 +7,21 @@ $(PAGE_PICTURES): tools/pages/pictures.c $(wildcard examples/compose/*.c example
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -Iexamples/compose -Iport/host $(filter %.c %.a,$^) -lm -o $@
 
+WINDOW_PICTURE := $(BUILD)/pages/window
+$(WINDOW_PICTURE): tools/pages/window.c $(VIEW_OBJECTS) $(VIEW_HOST)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(HOST_CFLAGS) $(HOST_INCLUDES) -Iport/host -Iport/host/window $(HOST_WATCH) $^ $(SIMPLIFIER) -lm -o $@
+
 .PHONY: page-pictures
-page-pictures: $(PAGE_PICTURES) ## draw the pictures of docs/compose.md and docs/black.md
+page-pictures: $(PAGE_PICTURES) $(WINDOW_PICTURE) ## draw the pictures of docs/compose.md, docs/black.md and docs/view.md
 	@mkdir -p docs/pages
-	$< docs/pages
+	$(PAGE_PICTURES) docs/pages
+	$(WINDOW_PICTURE) docs/pages
 
 SUITES += test-pages
 .PHONY: test-pages
-test-pages: $(PAGE_PICTURES) ## the pictures of docs/compose.md and docs/black.md against what is drawn
+test-pages: $(PAGE_PICTURES) $(WINDOW_PICTURE) ## the pictures of docs/compose.md, docs/black.md and docs/view.md against what is drawn
 	@rm -rf $(BUILD)/pages/drawn && mkdir -p $(BUILD)/pages/drawn
-	@$< $(BUILD)/pages/drawn
-	@python3 tools/cost/compare.py $(BUILD)/pages/drawn docs/pages docs/compose.md docs/black.md
+	@$(PAGE_PICTURES) $(BUILD)/pages/drawn
+	@$(WINDOW_PICTURE) $(BUILD)/pages/drawn
+	@python3 tools/cost/compare.py $(BUILD)/pages/drawn docs/pages docs/compose.md docs/black.md docs/view.md

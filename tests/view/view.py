@@ -1,0 +1,565 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The window on a screen in memory, with real keys and a real mouse: view.py GLINT_VIEW GLINT. What it shows is held
+against what `glint render` and `glint scene` draw, and its text is read off the pixels. Closes with `N passed, N failed`."""
+import math
+import os
+import re
+import subprocess
+import sys
+import traceback
+
+import drop
+from screen import ROOT, Screen, Window, until
+
+sys.path.insert(0, os.path.join(ROOT, "tests", "host"))
+import picture  # noqa: E402
+from harness import Host  # noqa: E402
+
+MARK = b"\xff\xc8\x3c"  # of the grid and of the slider
+TORUS, BALL = "torus:48x24", "sphere:48x32"
+LEVELS = ["--format", "rgb565"]
+
+
+class Test(Host):
+    """Checks, and the programs."""
+
+    def __init__(self, view, program):
+        super().__init__(program)
+        self.view, self.screen = os.path.abspath(view), Screen()
+
+    def open(self, *arguments, size=(320, 240)):
+        return Window(self.screen, self.view, *arguments, size=size)
+
+    def drawn(self, command, *arguments):
+        """What the command line draws: rows of (red, green, blue)."""
+        run = self.run(command, *arguments, "-o", "out.png")
+        if run.returncode != 0:
+            raise AssertionError(run.stderr)
+        return [[pixel * (3 // len(pixel)) for pixel in row] for row in picture.decode(self.read("out.png")).rows]
+
+    def shows(self, name, window, wanted):
+        """The window comes to show these rows."""
+        self.check(name, until(lambda: window.picture().rows == wanted), difference(window.picture().rows, wanted))
+
+    def says(self, name, window, pattern):
+        """A line of the text beside the picture comes to match. @return its groups"""
+        found = until(lambda: next((match for match in map(re.compile(pattern).fullmatch, window.side()) if match), None))
+        self.check(name, found, f"{pattern!r} is not among {window.side()}")
+        return found.groups() if found else None
+
+
+def difference(rows, wanted):
+    if len(rows) != len(wanted) or len(rows[0]) != len(wanted[0]):
+        return f"{len(rows[0])}x{len(rows)} pixels, not {len(wanted[0])}x{len(wanted)}"
+    return f"{sum(a != b for r, w in zip(rows, wanted) for a, b in zip(r, w))} pixels differ"
+
+
+def share_apart(rows, wanted, levels):
+    """Share of pixels in which a channel differs by more than so many levels."""
+    apart = sum(max(abs(a - b) for a, b in zip(p, q)) > levels for r, w in zip(rows, wanted) for p, q in zip(r, w))
+    return apart / (len(rows) * len(rows[0]))
+
+
+def middle_of_light(rows):
+    """Where the highlight is: the middle of the brightest pixels."""
+    most = max(pixel[1] for row in rows for pixel in row)
+    at = [(x, y) for y, row in enumerate(rows) for x, pixel in enumerate(row) if pixel[1] >= most - 8]
+    return sum(x for x, _ in at) / len(at), sum(y for _, y in at) / len(at)
+
+
+def is_grey(rows):
+    return all(max(pixel) - min(pixel) <= 8 for row in rows for pixel in row)
+
+
+# ---- Keys whose picture the command line draws as well: (key, options), one after the other
+
+KEYS = [
+    ("1", ["--shading", "flat"]), ("2", ["--shading", "vertex"]), ("3", ["--shading", "node"]), ("4", ["--shading", "fragment"]),
+    ("m", ["--model", "lambert"]), ("m", ["--model", "phong"]), ("m", ["--model", "blinn-phong"]),
+    ("v", ["--viewer", "local"]), ("v", ["--viewer", "infinite"]),
+    ("u", ["--shininess", str(32 * 2 ** 0.5)]), ("o", ["--shininess", "32"]), ("o", ["--shininess", str(32 * 2 ** -0.5)]),
+    ("shift+u", ["--shininess", str(32 * 2 ** -0.375)]), ("shift+o", ["--shininess", str(32 * 2 ** -0.5)]), ("u", []),
+    ("g", ["--diffuse", "0.15"]), ("g", []),
+    ("h", ["--diffuse", "0"]), ("h", ["--specular", "0"]), ("h", []),
+    ("d", ["--dither"]), ("d", []),
+    ("f", ["--format", "rgb444"]), ("f", ["--format", "grey4"]), ("f", ["--format", "mono"]), ("d", ["--format", "mono", "--dither"]),
+    ("d", ["--format", "mono"]), ("f", ["--format", "rgb888"]), ("f", ["--format", "grey8"]), ("f", []),
+    ("shift+f", ["--format", "grey8"]), ("f", []),
+]
+
+
+def test_keys(test):
+    window = test.open()
+    test.shows("as it starts", window, test.drawn("render", TORUS, *LEVELS))
+    for key, options in KEYS:
+        window.keys(key)
+        test.shows(f"{key}: {options}", window, test.drawn("render", TORUS, *LEVELS, *options))
+    scale = window.scale()
+    rows = window.blocks()
+    test.check("a pixel is a square of one colour", scale == 3 and all(
+        rows[y][3 * x:3 * x + 3] == rows[y // scale * scale][3 * (x // scale * scale):3 * (x // scale * scale) + 3]
+        for y in range(0, 720, 7) for x in range(960)))
+    window.keys("m", "v", "g", "h", "t", "1", "Home")
+    test.shows("Home", window, test.drawn("render", TORUS, *LEVELS))
+    window.keys("Escape")
+    test.equal("Escape", window.program.wait(30), 0)
+    window.close()
+
+
+def test_panels(test):
+    window = test.open(TORUS, "--format", "grey4")
+    for size in [(240, 240), (240, 135), (160, 128), (128, 128), (128, 64), (96, 64), (320, 240)]:
+        window.keys("s")
+        window.size = size
+        test.shows(f"S: {size}", window, test.drawn("render", TORUS, "--format", "grey4", "--size", "%dx%d" % size))
+    window.keys("shift+s")
+    window.size = (96, 64)
+    test.shows("Shift S", window, test.drawn("render", TORUS, "--format", "grey4", "--size", "96x64"))
+    test.screen.xdotool("windowsize", "--sync", window.id, 372 + 16 + 2 * 96, 700)
+    window.measure()
+    test.equal("a smaller window", window.scale(), 2)
+    test.shows("a smaller window", window, test.drawn("render", TORUS, "--format", "grey4", "--size", "96x64"))
+    window.close()
+
+
+# ---- Light
+
+def test_light(test):
+    window = test.open(BALL, "--diffuse", "0.3")
+    start = test.drawn("render", BALL, *LEVELS, "--diffuse", "0.3")
+    test.shows("a ball", window, start)
+    x, y = middle_of_light(start)
+    moves = [("l", 1, 0), ("j", -1, 0), ("i", 0, -1), ("k", 0, 1)]
+    for key, across, down in moves:
+        for fine in ("", "shift+"):
+            before = window.picture().rows
+            window.keys(fine + key, fine + key, fine + key)
+            until(lambda: window.picture().rows != before)
+            until(lambda: settled(window))
+            there = middle_of_light(window.picture().rows)
+            along = across * (there[0] - x) + down * (there[1] - y)
+            aside = abs(down * (there[0] - x)) + abs(across * (there[1] - y))
+            least, most = (0.4, 4) if fine else (4, 25)
+            test.check(f"{fine}{key}: the light moves {across},{down}", least < along < most and aside < along, f"{there} after {x, y}")
+            x, y = there
+    window.close()
+
+
+def settled(window):
+    """Whether the picture stays what it is for as long as it takes to grab it twice."""
+    first = window.picture().rows
+    return window.picture().rows == first and window.picture().rows == first
+
+
+def test_lights(test):
+    window = test.open(TORUS)
+    start = test.drawn("render", TORUS, *LEVELS)
+    test.says("one light", window, "light 1 of 1: directional")
+    window.keys("n")
+    test.says("N", window, "light 2 of 2: directional")
+    test.check("N: the second is coloured", not is_grey(window.picture().rows))
+    window.keys("c")
+    test.says("C", window, "light 1 of 2: directional")
+    seen = []
+    for kind in ["point", "spot", "directional"]:
+        window.keys("x")
+        test.says(f"X: {kind}", window, f"light 1 of 2: {kind}")
+        seen.append(window.picture().rows)
+    far = [share_apart(a, b, 16) for a, b in zip(seen, seen[1:])]
+    test.check("X: each kind is lit in another way", min(far) > 0.02, str(far))
+    window.keys("shift+n")
+    test.says("Shift N", window, "light 1 of 1: directional")
+    test.check("Shift N: as before", share_apart(window.picture().rows, start, 10) == 0)
+    window.keys("shift+n")
+    test.says("no light", window, "no light")
+    test.check("no light: ambient alone", {p for row in window.picture().rows for p in row} == {(0, 0, 0), (25, 24, 25)},
+               str({p for row in window.picture().rows for p in row}))
+    window.close()
+
+
+def test_drawn_light(test):
+    window = test.open(TORUS, "--light", "dir:1,0,0")
+    test.shows("a torus", window, test.drawn("render", TORUS, *LEVELS, "--light", "dir:1,0,0"))
+    start = window.picture().box((0, 0, 0))
+    window.keys("y")
+    test.check("Y: a ball to the right", until(lambda: window.picture().box((0, 0, 0))[2] > start[2]) and
+               window.picture().box((0, 0, 0))[0] == start[0], f"{start} {window.picture().box((0, 0, 0))}")
+    box = window.picture().box((0, 0, 0))
+    ball = window.picture().at(box[2] - 4, 120)
+    test.equal("Y: it is white", ball, (255, 255, 255))
+    window.keys("y")
+    test.shows("Y: and away", window, test.drawn("render", TORUS, *LEVELS, "--light", "dir:1,0,0"))
+    window.close()
+
+
+def test_turning_light(test):
+    window = test.open(BALL)
+    start = test.drawn("render", BALL, *LEVELS)
+    test.shows("a ball", window, start)
+    window.keys("b")
+    test.check("B: it turns", until(lambda: share_apart(window.picture().rows, start, 60) > 0.2))
+    window.keys("b")
+    test.check("B: it stands", until(lambda: settled(window)))
+    window.close()
+
+
+# ---- Objects
+
+def test_objects(test):
+    window = test.open(TORUS)
+    start = test.drawn("render", TORUS, *LEVELS)
+    test.shows("a torus", window, start)
+    left, top, right, bottom = window.picture().box((0, 0, 0))
+    window.keys("t")
+    until(lambda: window.picture().rows != start)
+    box = window.picture().box((0, 0, 0))
+    test.check("T: half as high, as wide", abs(box[2] - box[0] - (right - left)) <= 8 and
+               0.4 < (box[3] - box[1]) / (bottom - top) < 0.65, f"{(left, top, right, bottom)} {box}")
+    window.keys("t")
+    test.shows("T: and back", window, start)
+    window.keys("space")
+    test.check("Space: coloured", until(lambda: not is_grey(window.picture().rows)))
+    row = window.picture().rows[120]
+    # by their normals: what faces to the right is red, what faces to the left is not
+    outer = [pixel for pixel in row if pixel != (0, 0, 0)]
+    test.check("Space: by normals", outer[-4][0] > 2 * outer[-4][1] / 2 and outer[-4][0] > outer[3][0] * 1.2, f"{outer[3]} {outer[-4]}")
+    window.keys("space")
+    test.shows("Space: and plain", window, start)
+    window.close()
+
+
+def test_orbit(test):
+    view = ["--at", "0,0,0", "--light", "dir:0.4,0.7,0.6", "--up", "0,1,0"]
+    model = os.path.join(ROOT, "examples", "models", "teapot.obj")
+    window = test.open(model, "--centre", "--eye", "0,0,3", *view)
+
+    def drawn(eye):
+        return test.drawn("render", model, "--centre", "--eye", ",".join("%.5f" % c for c in eye), *view, *LEVELS)
+
+    def near(name, eye):
+        wanted = drawn(eye)
+        test.check(name, until(lambda: share_apart(window.picture().rows, wanted, 16) < 0.01),
+                   str(share_apart(window.picture().rows, wanted, 16)))
+
+    test.shows("before", window, drawn((0, 0, 3)))
+    window.drag((300, 300), 80, 0)
+    angle = math.radians(-40)
+    near("drag across", (3 * math.sin(angle), 0, 3 * math.cos(angle)))
+    window.drag((300, 300), -80, 60)
+    angle = math.radians(30)
+    near("drag back and down", (0, 3 * math.sin(angle), 3 * math.cos(angle)))
+    window.drag((300, 300), 0, 400)
+    angle = math.radians(89)
+    near("drag: not over the top", (0, 3 * math.sin(angle), 3 * math.cos(angle)))
+    window.drag((300, 300), 0, -178)
+    near("drag: and back from there", (0, 0, 3))
+    window.wheel(3)
+    near("wheel", (0, 0, 3 * 0.9 ** 3))
+    window.wheel(-4)
+    near("wheel back", (0, 0, 3 / 0.9))
+    window.close()
+
+
+# ---- Scenes
+
+def test_scenes(test):
+    window = test.open("teapot", size=(320, 160))
+    test.shows("a scene", window, test.drawn("scene", "teapot", *LEVELS))
+    window.keys("Right", "Right", "Right", "Left")
+    test.shows("Left and Right", window, test.drawn("scene", "teapot", "--frame", "2", *LEVELS))
+    test.says("the frame", window, "frame 2 of 36")
+    window.keys("r")
+    test.says("R: it runs", window, r"frame (1\d|2\d|3\d) of 36")
+    window.keys("r")
+    test.check("R: it stops", until(lambda: settled(window)))
+    window.keys("Next")
+    test.says("PgDn", window, "teapot:(?!fragment)[a-z-]+")
+    name = window.side()[0]
+    test.shows("PgDn: " + name, window, test.drawn("scene", name, *LEVELS))
+    window.keys("Prior", "Prior")
+    window.size = (320, 240)
+    test.says("PgUp", window, "halloween:[a-z-]+")
+    name = window.side()[0]
+    test.shows("PgUp: " + name, window, test.drawn("scene", name, *LEVELS))
+    window.close()
+
+
+def test_dropped(test):
+    window = test.open(TORUS)
+    model = os.path.join(ROOT, "examples", "models", "spot.obj")
+    drop.drop_file(test.screen.display, int(window.id), model)
+    test.shows("a dropped file", window, test.drawn("render", model, *LEVELS))
+    test.says("its name", window, "spot.obj")
+    with open(os.path.join(window.folder.name, "bad.obj"), "w") as file:
+        file.write("v 0 0 0\nf 1 2 3\n")
+    drop.drop_file(test.screen.display, int(window.id), os.path.join(window.folder.name, "bad.obj"))
+    bottom = window.height - 2 * 9 - 8
+    test.check("a bad one is told of", until(lambda: any("bad.obj:2: position index 2 is out of range" in line for line in
+                                                         window.read(8, bottom, window.width - 380, bottom + 16))))
+    test.shows("and the one before stays", window, test.drawn("render", model, *LEVELS))
+    window.close()
+
+
+# ---- Maps and grid
+
+# Colours of ways, as docs/charts/ways.svg has them, and of two more.
+FAST, EVEN, SINGLE, CORNERS, FACET = (141, 147, 156), (75, 79, 87), (224, 64, 42), (242, 177, 52), (168, 107, 214)
+BACKGROUND = (0, 0, 0)
+# By key: a way that must be there, and others that may.
+WAYS = [("1", FACET, set()), ("2", CORNERS, set()), ("4", FAST, {EVEN, SINGLE})]
+
+
+def colours(window):
+    return {pixel for row in window.picture().rows for pixel in row}
+
+
+def test_ways(test):
+    window = test.open(TORUS)
+    start = test.drawn("render", TORUS, *LEVELS)
+    test.shows("a torus", window, start)
+    window.keys("w")
+    for key, way, others in WAYS:
+        window.keys(key)
+        found = until(lambda way=way, others=others: {way} <= colours(window) - {BACKGROUND} <= {way} | others)
+        test.check(f"W {key}", found, str(colours(window)))
+        test.check(f"W {key}: where the torus is", all((a == BACKGROUND) == (b == BACKGROUND) for r, s in
+                                                      zip(window.picture().rows, start) for a, b in zip(r, s)))
+    window.keys("w")
+    test.shows("W: and the picture", window, start)
+    window.close()
+
+
+def test_ways_of_nodes(test):
+    window = test.open("phong-lighting")
+    test.shows("a scene", window, test.drawn("scene", "phong-lighting", *LEVELS))
+    window.keys("w")
+    planes, squares_of_16 = (195, 232, 141), (188, 217, 247)
+    test.check("light at nodes, in several ways", until(lambda: {planes, squares_of_16, SINGLE} <= colours(window)))
+    left = window.width - window.SIDE + window.MARGIN + 20
+    shares = [float(line.split()[-2]) for line in window.read(left, 500, window.width, window.height, 1) if line.endswith(" %")]
+    pixels = [pixel for row in window.picture().rows for pixel in row if pixel != BACKGROUND]
+    counted = [round(100 * pixels.count(colour) / len(pixels), 1) for colour in set(pixels)]
+    test.equal("the legend's shares", sorted(shares), sorted(counted))
+    window.close()
+
+
+def steps_of_colour(colour):
+    """How many steps a colour of the map of errors stands for, up to 0.5: black to (16, 28, 70)."""
+    return colour[2] / 140
+
+
+def test_errors(test):
+    window = test.open(TORUS)
+    window.keys("f", "f", "f", "e")
+    fine = test.drawn("render", TORUS, "--format", "grey8")
+    mono = test.drawn("render", TORUS, "--format", "mono")
+    # what 1 bit is off by is known from 8 of them to within 1/510
+    wanted = [[abs(a[0] - b[0]) / 255 for a, b in zip(r, s)] for r, s in zip(fine, mono)]
+    test.check("E: 1 bit beside 8", until(lambda: all(abs(steps_of_colour(p) - w) < 0.012 for r, s in zip(window.picture().rows, wanted)
+                                                     for p, w in zip(r, s))))
+    worst = max(max(row) for row in wanted)
+    found = test.says("E: the worst", window, r"worst ([\d.]+) at \d+,\d+")
+    test.check("E: the worst is that of the pixels", found and abs(float(found[0]) - worst) < 0.01, f"{found} {worst}")
+    test.says("E: nothing is off by a step", window, "over one step 0")
+    window.keys("e")
+    test.shows("E: and the picture", window, mono)
+    window.close()
+
+
+def grid_lines(window):
+    """Columns and rows of the canvas in which the grid lies."""
+    canvas, left, edge = window.canvas(), window.MARGIN, 10
+    columns = [x - left for x in range(left, left + 960) if canvas[left + edge][3 * x:3 * x + 3] == MARK]
+    rows = [y - left for y in range(left, left + 720) if canvas[y][3 * (left + edge):][:3] == MARK]
+    return columns, rows
+
+
+def test_grid(test):
+    window = test.open(TORUS)
+    window.keys("z")
+    for tile in [32, 64, 8, 16]:
+        wanted = [3 * x for x in range(tile, 320, tile)], [3 * y for y in range(tile, 240, tile)]
+        test.check(f"Z: tiles of {tile}", until(lambda wanted=wanted: grid_lines(window) == wanted), str(grid_lines(window)))
+        test.says("their size", window, f"tiles of {tile}x{tile}")
+        window.keys("q")
+    window.keys("z")
+    test.shows("Z: and without", window, test.drawn("render", TORUS, *LEVELS))
+    window.close()
+
+
+# ---- Arena, cost, time
+
+def slider_mark(window):
+    """Columns of the slider's mark, in pixels of its width; None where it is not."""
+    canvas, left = window.canvas(), window.width - window.SIDE + window.MARGIN
+    for y, row in enumerate(canvas):
+        columns = [x for x in range(left - 4, window.width) if row[3 * x:3 * x + 3] == MARK]
+        if len(columns) == 7 and columns[-1] - columns[0] == 6 and canvas[y + 7][3 * left:3 * left + 3] != canvas[0][:3]:
+            return (columns[0] - left + 3) / (window.SIDE - 2 * window.MARGIN - 1), left, y + 7
+    return None
+
+
+def test_arena(test):
+    window = test.open(TORUS)
+    start = test.drawn("render", TORUS, *LEVELS)
+    test.shows("a torus", window, start)
+    test.says("one pass", window, "1 pass, 80 tiles")
+    most = int(test.says("its arena", window, r"arena (\d+) bytes")[0])
+    least = int(test.says("and its ends", window, r"(\d+) \.\. %d" % most)[0])
+    for key, share in [("a", 0.9), ("a", 0.8), ("shift+a", 0.9)]:
+        window.keys(key)
+        test.check(f"{key}: the slider", until(lambda share=share: abs(slider_mark(window)[0] - share) < 0.005), str(slider_mark(window)))
+    at, left, y = slider_mark(window)
+    window.drag((left + 20, y), -60, 0)
+    test.check("the slider, dragged to its end", until(lambda: slider_mark(window)[0] == 0))
+    test.says("the least arena", window, f"arena {least} bytes")
+    passes = test.says("takes passes", window, r"(\d+) passes, 80 tiles")
+    stats = dict(line.split(" ", 1) for line in test.run("render", TORUS, *LEVELS, "--arena", str(least), "--stats", "-o", "out.png").stdout.splitlines())
+    test.equal("as many as on the command line", passes[0], stats["passes"])
+    test.says("of which there is no model", window, "none for more than one pass")
+    test.shows("and the same pixels", window, start)
+    window.close()
+
+
+def test_cost(test):
+    window = test.open(TORUS)
+    stats = dict(line.split(" ", 1) for line in test.run("render", TORUS, *LEVELS, "--stats", "-o", "out.png").stdout.splitlines())
+
+    def three(value):
+        return "%.3g" % value if value < 100 else "%.0f" % value
+
+    for core, clock in [("m0plus", 125), ("m3", 72), ("m4", 168), ("m0", 48)]:
+        modelled = float(stats[f"ms_{core}_{clock}mhz"])
+        found = test.says(f"P: {core}", window, rf"{core} {clock} MHz: draw ([\d.]+) ms")
+        test.check(f"P: {core} as on the command line", found and abs(float(found[0]) - modelled) <= 0.01 * modelled, f"{found} {modelled}")
+        instructions = stats.get(f"instructions_{core}")
+        test.says(f"{core}: a line of the table", window, rf"{core} +{three(float(instructions) / 1e6) if instructions else '-'} +{three(modelled)} +{clock}")
+        window.keys("p")
+    drawing = float(stats["ms_m0plus_125mhz"])
+    for key, clock in [("period", 133), ("comma", 125), ("comma", 100)]:
+        window.keys(key)
+        found = test.says(f"{key}: the clock", window, rf"m0plus {clock} MHz: draw ([\d.]+) ms")
+        test.check("and what it takes", found and abs(float(found[0]) - drawing * 125 / clock) < 0.01 * drawing, str(found))
+    for key, bus in [("minus", 32), ("equal", 40), ("equal", 50)]:
+        window.keys(key)
+        test.says(f"{key}: the bus", window, rf"SPI {bus} MHz: send {320 * 240 * 16 / bus / 1000:.1f} ms")
+    for key in ["minus"] * 6:
+        window.keys(key)
+    test.says("slow bus", window, "SPI 10 MHz: send 122.9 ms")
+    test.says("decides", window, r"8\.1 frames a second")
+    window.close()
+
+
+# ---- Files and help
+
+def test_help(test):
+    window = test.open(TORUS)
+    window.keys("F1")
+    found = until(lambda: [line for line in window.read(16, 16, 650, 690) if line.startswith("drag, wheel")])
+    test.check("F1", found and "orbit, zoom" in found[0], str(found))
+    window.keys("F1")
+    test.shows("F1: and away", window, test.drawn("render", TORUS, *LEVELS))
+    window.close()
+    run = subprocess.run([test.view, "--help"], capture_output=True, text=True, check=False)
+    test.check("--help lists the keys and the options", run.returncode == 0 and "I J K L" in run.stdout and "--viewer" in run.stdout)
+
+
+def files(window, ending):
+    return sorted(name for name in os.listdir(window.folder.name) if name.endswith(ending))
+
+
+def test_screenshot(test):
+    window = test.open(TORUS)
+    start = test.drawn("render", TORUS, *LEVELS)
+    window.keys("F2")
+    test.check("F2", until(lambda: files(window, ".png") == ["torus_48x24-1.png"]), str(os.listdir(window.folder.name)))
+    with open(os.path.join(window.folder.name, "torus_48x24-1.png"), "rb") as file:
+        test.equal("F2: the picture", picture.decode(file.read()).rows, start)
+    window.keys("w", "F2")
+    test.check("F2: another", until(lambda: files(window, ".png") == ["torus_48x24-1.png", "torus_48x24-2.png"]))
+    with open(os.path.join(window.folder.name, "torus_48x24-2.png"), "rb") as file:
+        test.equal("F2: the map", picture.decode(file.read()).rows, window.picture().rows)
+    window.close()
+
+
+def compile_exported(window, name, command, to):
+    header = os.path.join(window.folder.name, name + "-1.h")
+    words = os.environ[command].split() + ["-o", os.path.join(window.folder.name, to), f'-DEXPORTED_HEADER="{header}"',
+                                           f"-DEXPORTED_SCENE={name}_scene", f"-DEXPORTED_CONFIG={name}_config"]
+    return subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
+
+
+def check_exported(test, window, name):
+    """What a program of this machine draws of an exported header is what the window shows."""
+    rows = window.picture().rows
+    window.keys("F3")
+    test.check(f"F3: {name}", until(lambda: files(window, ".h") == [name + "-1.h"]), str(os.listdir(window.folder.name)))
+    built = compile_exported(window, name, "GLINT_EXPORTED_HOST", "exported")
+    test.equal(f"{name} compiles without a warning", (built.returncode, built.stderr), (0, ""))
+    run = subprocess.run([os.path.join(window.folder.name, "exported"), "exported.png"], cwd=window.folder.name, capture_output=True,
+                         text=True, check=False)
+    passes = re.fullmatch(r"passes (\d+)\n", run.stdout)
+    test.check(f"{name} is drawn", run.returncode == 0 and passes, f"{run.returncode} {run.stdout}")
+    test.says(f"{name}: in as many passes", window, rf"{passes[1]} pass(es)?, \d+ tiles")
+    with open(os.path.join(window.folder.name, "exported.png"), "rb") as file:
+        drawn = [[pixel * (3 // len(pixel)) for pixel in row] for row in picture.decode(file.read()).rows]
+    test.check(f"{name} is the same picture", drawn == rows, difference(drawn, rows))
+    return rows
+
+
+def test_exported(test):
+    """A model with all that can be changed of it, in a format of its own; and on a board."""
+    window = test.open(TORUS, "--format", "rgb444", "--gamma", "2.2", "--background", "0.1,0.2,0.3", "--ungated")
+    window.drag((300, 300), 50, 30)
+    window.keys("n", "n", "x", "c", "c", "x", "x", "y", "space", "t", "u", "m", "m", "v", "d", "3", "shift+s", "shift+s", "a", "q")
+    window.size = (128, 64)
+    test.says("all is changed", window, "tiles of 64x64")
+    until(lambda: settled(window))
+    check_exported(test, window, "torus_48x24")
+    window.close()
+
+
+def test_exported_scene(test):
+    """A scene of many objects, some of which share meshes; a frame of it on a board in QEMU."""
+    window = test.open("halloween:night")
+    window.keys("Right", "Right", "2")
+    test.says("frame 2", window, r"frame 2 of \d+")
+    rows = check_exported(test, window, "halloween_night")
+    built = compile_exported(window, "halloween_night", "GLINT_EXPORTED_BOARD", "exported.elf")
+    test.equal("it compiles into firmware", (built.returncode, built.stderr), (0, ""))
+    # in a process of its own: its modules have the names of others here
+    subprocess.run([sys.executable, "-c", "import sys; from show import Virt; Virt().capture(*sys.argv[1:])",
+                    os.path.join(window.folder.name, "exported.elf"), window.folder.name],
+                   env={**os.environ, "PYTHONPATH": os.path.join(ROOT, "tests", "board")}, check=True)
+    with open(os.path.join(window.folder.name, "exported-0.ppm"), "rb") as file:
+        pixels = file.read()[-3 * 320 * 240:]
+    shown = [[tuple(pixels[3 * (320 * y + x):][:3]) for x in range(320)] for y in range(240)]
+    test.check("the board shows the same picture", shown == rows, difference(shown, rows))
+    window.close()
+
+
+def test_bad_starts(test):
+    run = subprocess.run([test.view, "none.obj"], env=test.screen.environment, capture_output=True, text=True, check=False)
+    test.check("no such model", run.returncode == 2 and re.fullmatch(r"none\.obj:0: cannot be opened: .*\n", run.stderr), run.stderr)
+    run = subprocess.run([test.view, "--nonsense"], env=test.screen.environment, capture_output=True, text=True, check=False)
+    test.check("no such option", run.returncode == 2 and run.stderr.startswith("glint: unknown option --nonsense"), run.stderr)
+    run = subprocess.run([test.view], env={**test.screen.environment, "DISPLAY": ":9999"}, capture_output=True, text=True, check=False)
+    test.check("no screen", run.returncode == 2 and run.stderr.startswith("glint-view: no screen"), run.stderr)
+
+
+def main():
+    test = Test(sys.argv[1], sys.argv[2])
+    only = sys.argv[3:]
+    for name in [name for name in globals() if name.startswith("test_") and (not only or name in only)]:
+        try:
+            globals()[name](test)
+        except Exception:  # pylint: disable=broad-except # one broken test must not hide the others
+            test.check(name, False, traceback.format_exc())
+    test.screen.close()
+    print(f"{test.passed} passed, {test.failed} failed")
+    return 1 if test.failed or not test.passed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
