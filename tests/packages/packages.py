@@ -6,11 +6,12 @@ import concurrent.futures
 import os
 import sys
 
+import arduino
 import builds
 import tree
 from qemu import Tally
 
-MODULES = [builds]
+MODULES = [builds, arduino]
 
 
 def main():

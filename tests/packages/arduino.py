@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: MIT
+"""Arduino and PlatformIO: manifests, and sketches built by arduino-builder on a platform of declarations."""
+import fnmatch
+import json
+import os
+import re
+
+from tree import HERE, check, find, path, paths, read, read_netpbm, run, version
+
+HARDWARE = os.path.join(HERE, "arduino", "hardware")
+PLATFORM = os.path.join(HARDWARE, "glint", "test")
+
+# What Arduino's IDE (1.x) does not load a library without, and what its library manager wants beside.
+FIELDS = ["name", "version", "author", "maintainer", "sentence", "paragraph", "url", "category", "architectures"]
+CATEGORIES = ["Display", "Communication", "Signal Input/Output", "Sensors", "Device Control", "Timing", "Data Storage",
+              "Data Processing", "Other"]
+
+
+def compile_sketch(b, sketch, board):
+    """By arduino-builder, with the tree as a library; @return the ELF file."""
+    folder = b.folder("arduino-%s-%s" % (sketch, board))
+    for name in ("out", "libraries"):
+        os.makedirs(os.path.join(folder, name))
+    os.symlink(path(), os.path.join(folder, "libraries", "glint"))
+    run("arduino-builder", "-compile", "-quiet", "-warnings", "all", "-hardware", "/usr/share/arduino-builder", "-hardware",
+        HARDWARE, "-tools", "/usr/bin", "-libraries", os.path.join(folder, "libraries"), "-fqbn", "glint:test:" + board,
+        "-build-path", os.path.join(folder, "out"), path("examples", "arduino", sketch, sketch + ".ino"))
+    return os.path.join(folder, "out", sketch + ".ino.elf")
+
+
+def sketch(b, name, panel, turn):
+    """What the sketch sends puts on the panel what its scene looks like."""
+    got = b.glass(panel, run(compile_sketch(b, name, "host")), turn)
+    folder = b.folder("sketch-" + name)
+    program, picture = os.path.join(folder, "sketch"), os.path.join(folder, "expected.ppm")
+    include = ["-I" + os.path.join(PLATFORM, at) for at in ("cores/test", "libraries/SPI", "libraries/Wire")]
+    sources = [os.path.join(HERE, "arduino", "sketch.cpp")] + [os.path.join(PLATFORM, at) for at in
+                                                              ("cores/test/main.cpp", "libraries/SPI/SPI.cpp", "libraries/Wire/Wire.cpp")]
+    run("g++", "-std=gnu++11", *include, "-I" + path("src"), '-DSKETCH="%s"' % path("examples/arduino", name, name + ".ino"),
+        *sources, os.path.join(b.build, "host", "libglint.a"), "-o", program)
+    run(program, picture)
+    expected = read_netpbm(picture)
+    check(sum(1 for byte in expected[3] if byte) > 500, name + ": draws next to nothing")
+    check(got == expected, name + ": another picture on the panel than in memory")
+
+
+def test_arduino_torus(b):
+    sketch(b, "Torus", "ili9341", 90)
+
+
+def test_arduino_pyramid(b):
+    sketch(b, "Pyramid", "ssd1306", 0)
+
+
+def test_arduino_firmware(b):
+    """Compiled for a Cortex-M0, a sketch has what it names, and no other."""
+    symbols = run("arm-none-eabi-nm", compile_sketch(b, "Torus", "m0"))
+    check("glint_format_rgb565_be" in symbols, "no pixel format")
+    check("glint_light_spot" not in symbols and "glint_format_mono" not in symbols, "what nothing names")
+
+
+def test_arduino_manifest(_):
+    lines = [line.split("=", 1) for line in read("library.properties").splitlines()]
+    check(all(len(line) == 2 for line in lines), "a line without =")
+    fields = dict(lines)
+    check(len(fields) == len(lines), "a field twice")
+    for name in FIELDS:
+        check(name in fields, "without " + name)
+        check(fields[name] or name == "url", name + " is empty")
+    check(set(fields) <= set(FIELDS + ["includes", "depends", "dot_a_linkage", "precompiled", "ldflags"]), "unknown fields")
+    check(fields["version"] == version(), "version")
+    check(re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9 _.-]{0,62}", fields["name"]), "name")
+    check(fields["category"] in CATEGORIES, "category")
+    for header in fields["includes"].split(","):
+        check(os.path.exists(path("src", header)), header)
+
+
+def test_arduino_tree(_):
+    """The IDE takes a folder below examples/ for a sketch by a file of its name; no other folder has one."""
+    sketches = find("examples/arduino/*/*.ino")
+    check(len(sketches) == 2, "sketches: %s" % sketches)
+    for name in find("**/*.ino") + find("*/*/*.ino") + find("*/*/*/*.ino"):
+        if not name.startswith("build/"):
+            check(name in sketches, name + ": a stray sketch")
+    for name in sketches:
+        folder = os.path.basename(os.path.dirname(name))
+        check(os.path.basename(name) == folder + ".ino", name + ": not of its folder's name")
+    check(not os.path.exists(path("utility")), "with src/, a folder utility is not allowed")
+
+
+def test_platformio_manifest(_):
+    manifest = json.loads(read("library.json"))
+    check(manifest["version"] == version(), "version")
+    check(re.fullmatch(r"[^:;/,@<>]{1,100}", manifest["name"]), "name")
+    check(0 < len(manifest["description"]) <= 1000, "description")
+    check(all(re.fullmatch(r"[a-z\d\-_+. ]{1,50}", word) for word in manifest["keywords"]), "keywords")
+    check(all(author["name"] for author in manifest["authors"]), "authors")
+    check(manifest["license"] == "MIT", "license")
+    for header in manifest["headers"]:
+        check(os.path.exists(path(manifest["build"]["includeDir"], header)), header)
+    for name in manifest["export"]["include"]:
+        check(os.path.exists(path(name)), name)
+    chosen = [name for name in find("src/**/*") + find("src/*/*") for add in manifest["build"]["srcFilter"]
+              if fnmatch.fnmatch(os.path.relpath(name, manifest["build"]["srcDir"]), add[2:-1])]
+    check(sorted(set(chosen)) == find("src/*/*.c"), "srcFilter chooses other files")
+    examples = [os.path.join(example["base"], name) for example in manifest["examples"] for name in example["files"]]
+    check(sorted(examples) == find("examples/arduino/*/*.ino"), "examples")
