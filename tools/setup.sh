@@ -52,8 +52,9 @@ look() {
     need libsdl2-dev sdl2-config
     need xvfb Xvfb
     need xdotool xdotool
-    # libraries, which no command shows: C libraries of the host and of other machines, libdrm's headers, and clang's sanitizers and fuzzer
+    # libraries, which no command shows: Python's of YAML, C libraries of the host and of other machines, libdrm's headers, and clang's sanitizers and fuzzer
     [ -e /usr/include/stdio.h ] || missing+=(libc6-dev)
+    python3 -c "import yaml" 2>/dev/null || missing+=(python3-yaml)
     [ -e /usr/include/xf86drmMode.h ] || missing+=(libdrm-dev)
     [ -e /usr/i686-linux-gnu/include/stdio.h ] || missing+=(libc6-dev-i386-cross)
     [ -e /usr/arm-linux-gnueabihf/include/stdio.h ] || missing+=(libc6-dev-armhf-cross)

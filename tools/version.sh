@@ -23,5 +23,4 @@ manifest meson.build "s/.*[^_]version: '([^']*)'.*/\1/p"
 manifest library.properties 's/^version=(.*)$/\1/p'
 manifest library.json 's/.*"version": *"([^"]*)".*/\1/p'
 manifest idf_component.yml 's/^version: *"?([^"]*)"?$/\1/p'
-manifest packages/glint.pdsc 's/.*<release version="([^"]*)".*/\1/p'
 exit $status

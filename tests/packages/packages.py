@@ -8,10 +8,11 @@ import sys
 
 import arduino
 import builds
+import systems
 import tree
 from qemu import Tally
 
-MODULES = [builds, arduino]
+MODULES = [builds, arduino, systems]
 
 
 def main():

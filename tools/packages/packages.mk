@@ -25,3 +25,6 @@ install: $(HOST_PROGRAM) $(BUILD)/host/libglint.a ## the glint program, library 
 
 uninstall: ## remove what install has put there
 	rm -f $(INSTALLED)
+
+pack: ## the library as a CMSIS-Pack, in build/pack
+	@python3 tools/packages/pack.py $(BUILD)/pack `tools/version.sh print`
