@@ -17,3 +17,31 @@ SUITES += test-packages
 .PHONY: test-packages
 test-packages: $(PACKAGES)/minimal $(PACKAGES)/turntable $(PANEL_STREAM) $(HOST_PROGRAM) single ## every package: what it builds, and what it says of itself
 	@python3 tests/packages/packages.py --build $(BUILD)
+
+# ---- Options: what else than a compiler's level decides what is compiled, one by one and in pairs. The core's own are set
+# ---- as another core has them. `small` alone is a part of test-matrix.
+
+OPTION_small  := -Os
+OPTION_split  := -DGLINT_SPLIT_PRODUCTS=1
+OPTION_divide := -D__riscv
+OPTION_zeros  := -D__riscv
+# What of the other the core that stands in still has.
+OPTION_only_divide := -D__riscv_zbb
+OPTION_only_zeros  := -D__riscv_div
+
+OPTIONS := split divide zeros small-split small-divide small-zeros split-divide split-zeros divide-zeros
+option_flags = $(foreach option,$(subst -, ,$1),$(OPTION_$(option))) \
+    $(if $(findstring zeros,$1),,$(if $(findstring divide,$1),$(OPTION_only_divide))) \
+    $(if $(findstring divide,$1),,$(if $(findstring zeros,$1),$(OPTION_only_zeros)))
+$(foreach variant,$(OPTIONS),$(eval $(call test_variant,option-$(variant),$(CC) -O1 $(call option_flags,$(variant)))) \
+    $(eval $(call test_suite,option-$(variant),unit)))
+
+SUITES += test-options
+.PHONY: test-options options-page
+
+test-options: $(OPTIONS:%=$(BUILD)/tests/option-%/unit) single ## unit tests with each option and pair; docs/packages.md against what they take
+	$(call run_suites,$(filter %/unit,$^))
+	@python3 tests/packages/options.py --build $(BUILD) $(foreach variant,$(OPTIONS),"$(variant)=$(strip $(call option_flags,$(variant)))")
+
+options-page: single ## write what options take into docs/packages.md
+	@python3 tests/packages/options.py --build $(BUILD) --write

@@ -87,7 +87,7 @@ def test_esp_idf_manifest(_):
     for field, value in manifest.items():
         check(isinstance(value, known.get(field, ())), "field " + field)
     check(manifest["version"] == version(), "version")
-    check(all(re.fullmatch(r"[A-Za-z0-9_-]{3,32}", tag) or tag == "3d" for tag in manifest["tags"]), "tags")
+    check(all(re.fullmatch(r"[A-Za-z0-9_-]{3,32}", tag) for tag in manifest["tags"]), "tags")
     for pattern in manifest["files"]["exclude"]:
         check(os.path.isdir(path(pattern.split("/")[0])), pattern)
         check(not pattern.startswith(("src", "LICENSE", "CMakeLists")), pattern + ": needed")

@@ -21,7 +21,7 @@ install: $(HOST_PROGRAM) $(BUILD)/host/libglint.a ## the glint program, library 
 	install $(HOST_PROGRAM) $(INSTALL)/bin
 	install -m 644 $(BUILD)/host/libglint.a $(INSTALL)/lib
 	install -m 644 $(PUBLIC_HEADERS) $(INSTALL)/include
-	sed -e 's|@PREFIX@|$(PREFIX)|' -e "s|@VERSION@|`tools/version.sh print`|" packages/glint.pc.in > $(INSTALL)/lib/pkgconfig/glint.pc
+	sed -e 's|@PREFIX@|$(PREFIX)|' -e "s|@VERSION@|`tools/version.sh print`|" tools/packages/glint.pc.in > $(INSTALL)/lib/pkgconfig/glint.pc
 
 uninstall: ## remove what install has put there
 	rm -f $(INSTALLED)

@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Options of the library: options.py --build FOLDER [--write] [VARIANT=FLAGS...].
+
+Checks that a variant's flags set what its name says, and holds the table of docs/packages.md against the README's
+program with each value of the one option that a user sets; --write writes that table instead.
+"""
+import argparse
+import concurrent.futures
+import os
+import re
+import sys
+
+from tree import FIRMWARE, LINK, path, paths, read, run
+from qemu import Tally
+
+CORES = {"Cortex-M3": ["-mcpu=cortex-m3", "-mthumb", "-ffreestanding"],
+         "Cortex-M0": ["-mcpu=cortex-m0", "-mthumb", "-ffreestanding"]}
+BEGIN, END = "<!-- options -->\n", "<!-- end of options -->\n"
+
+# What each part of a variant's name sets.
+SETS = {"small": ("GLINT_SMALL", "1"), "split": ("GLINT_SPLIT_PRODUCTS", "1"), "divide": ("GLINT_DIVIDES", "0"),
+        "zeros": ("GLINT_COUNTS_ZEROS", "0")}
+
+
+def macros(flags):
+    text = run("gcc", "-O1", *flags.split(), "-dM", "-E", "-include", path("src/math/product.h"), "-include",
+               path("src/math/division.h"), "-x", "c", "/dev/null")
+    return dict(re.findall(r"^#define (GLINT_\w+) (\w+)$", text, re.MULTILINE))
+
+
+def measure(b, core, level, split):
+    """Flash and RAM of the README's program."""
+    elf = os.path.join(b, "packages", "option-%s-%s-%d.elf" % (core, level, split))
+    os.makedirs(os.path.dirname(elf), exist_ok=True)
+    run("arm-none-eabi-gcc", "-" + level, *CORES[core], "-DGLINT_SPLIT_PRODUCTS=%d" % split, "-ffunction-sections",
+        "-fdata-sections", "-fno-tree-loop-distribute-patterns", "-I" + os.path.join(b, "single"), "-I" + path("port"),
+        "-I" + path("port/libc"), *paths(FIRMWARE), os.path.join(b, "single", "glint.c"), *LINK, "-o", elf)
+    text, data, bss = run("arm-none-eabi-size", elf).splitlines()[1].split()[:3]
+    return int(text) + int(data), int(data) + int(bss)
+
+
+def table(b):
+    rows = [(core, level) for core in CORES for level in ("Os", "O2")]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        found = {key: [pool.submit(measure, b, *key, split) for split in (0, 1)] for key in rows}
+    lines = ["| README's program, two files | flash with 0 | flash with 1 | RAM with 0 | RAM with 1 |\n", "| --- | ---: | ---: | ---: | ---: |\n"]
+    for (core, level), (whole, split) in found.items():
+        (flash0, ram0), (flash1, ram1) = whole.result(), split.result()
+        lines.append("| %s, `-%s` | %d | %d | %d | %d |\n" % (core, level, flash0, flash1, ram0, ram1))
+    return "".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--build", required=True)
+    parser.add_argument("--write", action="store_true")
+    parser.add_argument("variants", nargs="*")
+    arguments = parser.parse_args()
+    page, measured = read("docs/packages.md"), table(arguments.build)
+    before, rest = page.split(BEGIN)
+    old, after = rest.split(END)
+    if arguments.write:
+        with open(path("docs/packages.md"), "w", encoding="utf-8") as file:
+            file.write(before + BEGIN + measured + END + after)
+        return 0
+    tally = Tally()
+    default = macros("")
+    for variant, flags in (text.split("=", 1) for text in arguments.variants):
+        wanted = dict(default, **dict(SETS[part] for part in variant.split("-")))
+        got = macros(flags)
+        tally.check(all(got[name] == wanted[name] for name, _ in SETS.values()), "%s: sets %s" % (variant, got))
+    tally.check(old == measured, "docs/packages.md: another table than `make options-page` writes:\n" + measured)
+    return tally.close()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
