@@ -50,10 +50,19 @@ tidy() {
     tidy_files "-Isrc -Iport/host -Iport/host/window -Iexamples -Itests/reference -Itests/image -Itools/bench -I$bench" 'tools/cost/*.c' 'tools/pages/*.c' 'examples/compose/*.c' 'examples/lines/*.c' || status=1
     tidy_files "-Isrc -Iexamples -Itests $(adapters) -D_GNU_SOURCE" 'examples/adapters/*.c' 'tests/adapters/*.c' || status=1
     standard=c++11 tidy_files "-Isrc -Iexamples -Itests $(adapters)" 'examples/adapters/*.cpp' 'tests/adapters/*.cpp' || status=1
+    tidy_files "-Isrc -Iport -Iport/host -Iexamples" 'tests/packages/*.c' ':!tests/packages/*/*' || status=1
+    for system in pico-sdk esp-idf zephyr; do
+        tidy_files "-Isrc -Iport -Iexamples -isystem tests/packages/$system/include -isystem tests/adapters/declarations" \
+            "examples/$system/*.c" "tests/packages/$system/*.c" || status=1
+    done
     tidy_files "-Isrc -Iport -Iport/libc $(arm_fpu)" 'tests/cycles/*.c' || status=1
     tidy_files "-Isrc -Iport -Iport/libc -Itools/bench -Itools/bench/float -I$bench $(arm_fpu)" 'tools/bench/float/*.c' 'tests/float/*_board.c' || status=1
     tidy_files "-Isrc -Iport -Iport/host -Iport/web -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit -Itools/bench -Itools/bench/float" \
+<<<<<<< HEAD
         'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' 'examples/scenes/*.c' 'tools/chart/*.c' ':!tests/proof' ':!tests/cycles' ':!tests/adapters' ':!tests/view' \
+=======
+        'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' 'examples/scenes/*.c' 'tools/chart/*.c' ':!tests/proof' ':!tests/cycles' ':!tests/adapters' ':!tests/packages' \
+>>>>>>> 55bbdac (Lint reads samples and their doubles)
         ':!tests/stack' ':!tests/board/faults.c' ':!tools/chart/*_board.c' ':!tests/*/*_board.c' ':!tests/board/pattern.c' ':!tests/board/unit.c' || status=1
     return $status
 }

@@ -52,7 +52,7 @@ look() {
     need libsdl2-dev sdl2-config
     need xvfb Xvfb
     need xdotool xdotool
-    # libraries, which no command shows: Python's of YAML, C libraries of the host and of other machines, libdrm's headers, and clang's sanitizers and fuzzer
+    # libraries, which no command shows: Python's YAML, C libraries of the host and of other machines, libdrm's headers, and clang's sanitizers and fuzzer
     [ -e /usr/include/stdio.h ] || missing+=(libc6-dev)
     python3 -c "import yaml" 2>/dev/null || missing+=(python3-yaml)
     [ -e /usr/include/xf86drmMode.h ] || missing+=(libdrm-dev)

@@ -7,7 +7,7 @@
 typedef struct QueueDefinition *SemaphoreHandle_t;
 
 SemaphoreHandle_t xSemaphoreCreateBinary(void);
-BaseType_t xSemaphoreTake(SemaphoreHandle_t semaphore, TickType_t ticks);
-BaseType_t xSemaphoreGiveFromISR(SemaphoreHandle_t semaphore, BaseType_t *woken);
+BaseType_t xSemaphoreTake(SemaphoreHandle_t of, TickType_t ticks);
+BaseType_t xSemaphoreGiveFromISR(SemaphoreHandle_t of, BaseType_t *woken);
 
 #endif
