@@ -191,6 +191,9 @@ bool bytes_write_file(const host_bytes *bytes, const char *path, host_problem *p
     struct stat own;
     const bool exists = stat(path, &status) == 0;
     const bool is_link = lstat(path, &own) == 0 && S_ISLNK(own.st_mode);
+    if (exists && access(path, W_OK) != 0) { /* a folder that may be written would let it be replaced all the same */
+        return cannot_be_written(problem);
+    }
     if (exists && (!S_ISREG(status.st_mode) || (is_link && is_open_file(path)))) {
         return write_directly(bytes, path, problem);
     }

@@ -36,8 +36,9 @@ bool bytes_read_file(host_bytes *bytes, const char *path, size_t most, host_prob
 /**
  * Writes a new file in the same folder and moves it into place, so that neither a failure nor a signal leaves a part of
  * it or harms an older one, and of several programs that write the same file one wins. The new file has the older one's
- * permissions. A link stays, and the file that it leads to is replaced; one that leads to nothing is refused. What is
- * no regular file, such as a device or a pipe, and /dev/stdout, are written directly.
+ * permissions; one that may not be written stays, which is a problem. A link stays, and the file that it leads to is
+ * replaced; one that leads to nothing is refused. What is no regular file, such as a device or a pipe, and /dev/stdout,
+ * are written directly.
  * @return false with a problem of line 0 when that fails
  */
 bool bytes_write_file(const host_bytes *bytes, const char *path, host_problem *problem);

@@ -253,3 +253,50 @@ def test_output_is_not_the_model(host):
         host.equal("a file named as a shape is not the shape",
                    host.run("render", "torus:8x8", *SMALL, "-o", "torus:8x8").returncode, 0)
     os.remove(host.path("torus:8x8"))
+
+
+# A disk that is full after half of what is written, and a file that may not be written, whoever asks.
+REFUSING = """
+#define _GNU_SOURCE
+#include <errno.h>
+#include <stdlib.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+ssize_t write(int file, const void *bytes, size_t count) {
+    static int begun;
+    if (file <= 2 || getenv("IS_FULL") == NULL)
+        return syscall(SYS_write, file, bytes, count);
+    if (!begun++)
+        return syscall(SYS_write, file, bytes, count / 2);
+    errno = ENOSPC;
+    return -1;
+}
+
+int access(const char *path, int mode) {
+    errno = EACCES;
+    return (mode & W_OK) != 0 && getenv("IS_READ_ONLY") != NULL ? -1 : syscall(SYS_faccessat, -100, path, mode);
+}
+"""
+
+
+def test_full_disks_and_files_that_may_not_be_written(host):
+    host.write("refusing.c", REFUSING)
+    library = os.path.join(host.folder.name + "-refusing.so")
+    subprocess.run(["cc", "-shared", "-fPIC", "-o", library, host.path("refusing.c")], check=True)
+    os.remove(host.path("refusing.c"))
+    for command, name in (("render", "out.png"), ("convert", "out.h")):
+        for older in (None, "older"):
+            if older:
+                host.write(name, older)
+            arguments = [command, "torus:24x12", "-o", name]
+            host.refuses(f"{command} to a full disk", arguments, rf"out\.\w+:0: cannot be written: No space left on device",
+                         env={"LD_PRELOAD": library, "IS_FULL": "1"})
+            if older:
+                host.refuses(f"{command} to a file that may not be written", arguments,
+                             r"out\.\w+:0: cannot be written: Permission denied", env={"LD_PRELOAD": library, "IS_READ_ONLY": "1"})
+                host.equal(f"{command}: the older file stays", host.read(name), b"older")
+                os.remove(host.path(name))
+        host.refuses(f"{command} where no file can be", [command, "torus:24x12", "-o", "/proc/out"],
+                     r"/proc/out:0: cannot be written: .+")
+    os.remove(library)
