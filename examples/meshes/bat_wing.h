@@ -44,6 +44,7 @@ static const glint_mesh bat_wing_mesh = {
     0,
     0, /* no colours */
     0, /* no clusters */
+    0, /* no layout */
 };
 
 #endif

@@ -46,6 +46,7 @@ static const glint_mesh box_mesh = {
     0,
     0, /* no colours */
     0, /* no clusters */
+    0, /* no layout */
 };
 
 #endif

@@ -70,6 +70,7 @@ static const glint_mesh cone24x1_mesh = {
     0,
     0, /* no colours */
     0, /* no clusters */
+    0, /* no layout */
 };
 
 #endif

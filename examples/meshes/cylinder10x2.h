@@ -78,6 +78,7 @@ static const glint_mesh cylinder10x2_mesh = {
     0,
     0, /* no colours */
     &cylinder10x2_clusters,
+    0, /* no layout */
 };
 
 #endif

@@ -100,6 +100,7 @@ static const glint_mesh cylinder24x1_mesh = {
     0,
     0, /* no colours */
     &cylinder24x1_clusters,
+    0, /* no layout */
 };
 
 #endif

@@ -640,6 +640,7 @@ static const glint_mesh cylinder48x16_mesh = {
     0,
     0, /* no colours */
     &cylinder48x16_clusters,
+    0, /* no layout */
 };
 
 #endif

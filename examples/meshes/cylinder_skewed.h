@@ -118,6 +118,7 @@ static const glint_mesh cylinder_skewed_mesh = {
     0,
     0, /* no colours */
     0, /* no clusters */
+    0, /* no layout */
 };
 
 #endif

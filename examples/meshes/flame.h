@@ -101,6 +101,7 @@ static const glint_mesh flame_mesh = {
     0,
     0, /* no colours */
     &flame_clusters,
+    0, /* no layout */
 };
 
 #endif

@@ -162,6 +162,7 @@ static const glint_mesh glow_mesh = {
     0,
     0, /* no colours */
     0, /* no clusters */
+    0, /* no layout */
 };
 
 #endif

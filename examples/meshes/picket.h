@@ -49,6 +49,7 @@ static const glint_mesh picket_mesh = {
     0,
     0, /* no colours */
     0, /* no clusters */
+    0, /* no layout */
 };
 
 #endif

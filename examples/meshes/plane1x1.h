@@ -39,6 +39,7 @@ static const glint_mesh plane1x1_mesh = {
     0,
     0, /* no colours */
     0, /* no clusters */
+    0, /* no layout */
 };
 
 #endif

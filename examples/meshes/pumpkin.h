@@ -575,6 +575,7 @@ static const glint_mesh pumpkin_mesh = {
     0,
     0, /* no colours */
     &pumpkin_clusters,
+    0, /* no layout */
 };
 
 #endif

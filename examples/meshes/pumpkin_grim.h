@@ -1139,6 +1139,7 @@ static const glint_mesh pumpkin_grim_mesh = {
     0,
     0, /* no colours */
     &pumpkin_grim_clusters,
+    0, /* no layout */
 };
 
 #endif

@@ -1145,6 +1145,7 @@ static const glint_mesh pumpkin_merry_mesh = {
     0,
     0, /* no colours */
     &pumpkin_merry_clusters,
+    0, /* no layout */
 };
 
 #endif

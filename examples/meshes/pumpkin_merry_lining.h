@@ -963,6 +963,7 @@ static const glint_mesh pumpkin_merry_lining_mesh = {
     0,
     0, /* no colours */
     0, /* no clusters */
+    0, /* no layout */
 };
 
 #endif

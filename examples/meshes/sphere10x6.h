@@ -89,6 +89,7 @@ static const glint_mesh sphere10x6_mesh = {
     0,
     0, /* no colours */
     &sphere10x6_clusters,
+    0, /* no layout */
 };
 
 #endif

@@ -115,6 +115,7 @@ static const glint_mesh sphere12x8_mesh = {
     0,
     0, /* no colours */
     &sphere12x8_clusters,
+    0, /* no layout */
 };
 
 #endif

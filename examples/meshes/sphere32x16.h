@@ -406,6 +406,7 @@ static const glint_mesh sphere32x16_mesh = {
     0,
     0, /* no colours */
     &sphere32x16_clusters,
+    0, /* no layout */
 };
 
 #endif

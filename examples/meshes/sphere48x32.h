@@ -1130,6 +1130,7 @@ static const glint_mesh sphere48x32_mesh = {
     0,
     0, /* no colours */
     &sphere48x32_clusters,
+    0, /* no layout */
 };
 
 #endif

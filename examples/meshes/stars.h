@@ -141,6 +141,7 @@ static const glint_mesh stars_mesh = {
     0,
     0, /* no colours */
     0, /* no clusters */
+    0, /* no layout */
 };
 
 #endif

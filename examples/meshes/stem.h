@@ -97,6 +97,7 @@ static const glint_mesh stem_mesh = {
     0,
     0, /* no colours */
     &stem_clusters,
+    0, /* no layout */
 };
 
 #endif

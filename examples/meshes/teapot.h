@@ -806,6 +806,7 @@ static const glint_mesh teapot_mesh = {
     0,
     0, /* no colours */
     0, /* no clusters */
+    0, /* no layout */
 };
 
 #endif

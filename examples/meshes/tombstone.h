@@ -76,6 +76,7 @@ static const glint_mesh tombstone_mesh = {
     0,
     0, /* no colours */
     0, /* no clusters */
+    0, /* no layout */
 };
 
 #endif

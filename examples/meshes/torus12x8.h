@@ -130,6 +130,7 @@ static const glint_mesh torus12x8_mesh = {
     0,
     0, /* no colours */
     &torus12x8_clusters,
+    0, /* no layout */
 };
 
 #endif

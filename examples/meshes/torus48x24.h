@@ -896,6 +896,7 @@ static const glint_mesh torus48x24_mesh = {
     0,
     0, /* no colours */
     &torus48x24_clusters,
+    0, /* no layout */
 };
 
 #endif

@@ -228,6 +228,7 @@ static const glint_mesh torus576_mesh = {
     0,
     0, /* no colours */
     0, /* no clusters */
+    0, /* no layout */
 };
 
 #endif

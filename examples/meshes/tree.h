@@ -503,6 +503,7 @@ static const glint_mesh tree_mesh = {
     0,
     0, /* no colours */
     &tree_clusters,
+    0, /* no layout */
 };
 
 #endif

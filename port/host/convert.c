@@ -232,6 +232,7 @@ static void print_mesh(const header_writer *writer, const glint_mesh *mesh, cons
     } else {
         bytes_print(writer->out, "    0, /* no clusters */\n");
     }
+    bytes_print(writer->out, "    0, /* no layout */\n");
 }
 
 static void print_single(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {

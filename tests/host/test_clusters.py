@@ -228,7 +228,7 @@ def test_meshes_without_clusters(host):
                             ("plane:20x20",), ("box",), (os.path.join(MODELS, "glow.obj"),)]:
         text = convert(host, model, "--name", "m", *options)
         host.check(f"{model} {options} has none", "cluster_list" not in text and "borrowers" not in text and
-                   text.endswith("    0, /* no clusters */\n};\n\n#endif\n"))
+                   text.endswith("    0, /* no clusters */\n    0, /* no layout */\n};\n\n#endif\n"))
 
 
 def test_the_same_picture(host):

@@ -85,7 +85,7 @@ def test_head(host):
     host.check("command line", '\n *     glint convert my model.2.obj --licence "CC0-1.0" --crease 30 --scale 2,2,2 '
                "--double-sided\n" in text)
     host.check("licence", text.startswith("/* SPDX-License-Identifier: CC0-1.0 */\n"))
-    host.check("flag", "    GLINT_MESH_DOUBLE_SIDED,\n    0,\n    0, /* no colours */\n    0, /* no clusters */\n};" in text)
+    host.check("flag", "    GLINT_MESH_DOUBLE_SIDED,\n    0,\n    0, /* no colours */\n    0, /* no clusters */\n    0, /* no layout */\n};" in text)
     host.check("Q formats", "Q16.16" in text and "Q15" in text and "offset + extent * step / 32768" in text)
     host.check("hash of a shape is its name's", fnv1a(b"torus:24x12") in convert(host, "torus:24x12"))
     host.write("*_ \\.obj", SQUARE)
@@ -211,7 +211,7 @@ def test_colours(host):
     text = convert(host, "painted.obj")
     colours = re.search(r"static const uint8_t painted_colours\[4\]\[3\] = \{(.*?)\n\};", text, re.DOTALL).group(1)
     host.equal("colours, 255 is 1", colours.split(), "{255, 0, 128}, {0, 255, 0}, {51, 102, 153}, {255, 255, 255},".split())
-    host.check("the mesh has them", "    painted_colours,\n    0, /* no 16-bit colours */\n    0, /* no clusters */\n};" in text)
+    host.check("the mesh has them", "    painted_colours,\n    0, /* no 16-bit colours */\n    0, /* no clusters */\n    0, /* no layout */\n};" in text)
     host.check("the head says so", "\n * colours    uint8 red, green, blue: 255 is 1\n" in text and
                f"{4 * 15 + 2 * 6} bytes of flash" in text)
     host.write("partly.obj", "v 0 0 0 1 0 0.5\nv 1 0 0\nv 1 1 0 0.2 0.4 0.6\nv 0 1 0 1 1 1\n" + body)
