@@ -89,7 +89,7 @@ def test_head(host):
     host.check("Q formats", "Q16.16" in text and "Q15" in text and "offset + extent * step / 32768" in text)
     host.check("hash of a shape is its name's", fnv1a(b"torus:24x12") in convert(host, "torus:24x12"))
     host.write("*_ \\.obj", SQUARE)
-    host.check("a name that would end the comment", convert(host, "*_ \\.obj").count("*/") == 7)
+    host.check("a name that would end the comment", convert(host, "*_ \\.obj").count("*/") == 8)
     host.write("9.obj", SQUARE)
     host.check("a name that begins with a digit", "static const glint_mesh m9_mesh = {" in convert(host, "9.obj"))
 
@@ -263,9 +263,17 @@ def test_report(host):
             host.check(f"{options}: {name}", alike(got[name], names[name], .02), f"{got[name]} {names[name]}")
     host.equal("with --panel info tells of that one", len(re.findall(r"^\d+x\d+ ", host.run("info", spot, "--panel", "9x9").stdout,
                                                                    re.MULTILINE)), 1)
-    plain = report(host, spot, "--rotate-y", "40")
+    told = host.run("render", spot, "--size", "128x64", "--format", "grey4", "--stats", "-o", "out.png").stdout
+    os.remove(host.path("out.png"))
+    wanted = re.search(r"^instructions_m3 (\S+)$", told, re.MULTILINE).group(1)
+    host.equal("it is what render tells of such a picture", report(host, spot, "--panel", "128x64:grey4")["instructions_m3"], wanted)
+    plain = report(host, spot, "--rotate-x", "60")
+    turned, once = (re.search(r"^instructions_m3 (\S+)$", host.run("info", spot, "--rotate-x", angle).stdout, re.MULTILINE).group(1)
+                    for angle in ("120", "60"))
+    host.check("a turned mesh is turned once", alike(plain["instructions_m3"], once, .01) and not alike(turned, once, .02),
+               f"{plain['instructions_m3']} {once} {turned}")
     for scale in ("9000", "0.001"):
-        got = report(host, spot, "--rotate-y", "40", "--scale", scale)
+        got = report(host, spot, "--rotate-x", "60", "--scale", scale)
         for name in ("flash_bytes", "arena_one_pass", "instructions_m3"): # steps round otherwise, and clusters with them
             host.check(f"scaled by {scale}: {name}", alike(got[name], plain[name], .02), f"{got[name]} {plain[name]}")
     host.check("smaller panels take less", float(report(host, spot, "--panel", "128x128")["ms_m3_72mhz"]) < float(plain["ms_m3_72mhz"]))

@@ -144,6 +144,9 @@ def test_weld(host):
     host.equal("a gap within the distance", weld(host, gap, "0.0011"), (4, 2, 4))
     host.equal("a gap beyond it", weld(host, gap, "0.0009"), (6, 0, 6))
     host.equal("far from the origin", weld(host, re.sub(r"^v ", "v -1000", gap, flags=re.MULTILINE), "0.0011"), (4, 2, 4))
+    for order in ("2 1 3", "3 2 1", "1 3 2"):
+        other = re.sub(r"^v (\S+) (\S+) (\S+)$", lambda m, o=order: "v " + " ".join(m.group(int(i)) for i in o.split()), gap, flags=re.MULTILINE)
+        host.equal(f"along another axis, {order}", weld(host, other.replace("0.001", "-0.0005").replace("1.001", "0.9995"), "0.0011"), (4, 2, 4))
     same = gap.replace(".001", "")
     host.equal("equal ones", weld(host, same, "0"), (4, 2, 4))
     host.equal("none is moved by 0", weld(host, gap, "0"), (6, 0, 6))
