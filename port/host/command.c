@@ -4,6 +4,7 @@
 #include "output.h"
 #include "place.h"
 #include "png.h"
+#include "preview.h"
 #include "shapes.h"
 
 #include <stdlib.h>
@@ -57,6 +58,12 @@ bool command_load(const host_settings *settings, bool converted, host_model *mod
 }
 
 bool command_write_png(const uint8_t *picture, const host_settings *settings, host_problem *problem) {
+    if (settings->preview > 0) {
+        preview_print(picture, settings->width, settings->height, settings->format->channels, settings->preview);
+    }
+    if (settings->output == NULL) {
+        return true;
+    }
     host_bytes file = {NULL, 0, 0};
     png_encode(&file, picture, settings->width, settings->height, settings->format->channels);
     const bool ok = bytes_write_file(&file, settings->output, problem);

@@ -53,7 +53,8 @@ void command_warn_of_size(const host_settings *settings, const quantised_mesh *m
 /** Prints what a frame took, a name and a value a line. */
 void command_print_stats(const frame_counts *counts, const framebuffer *target, const host_settings *settings);
 
-/** Writes a picture, expanded from the settings' size and format, to their output. @return false with a problem */
+/** Writes a picture, expanded from the settings' size and format, to their output, and shows it where they say so.
+ * @return false with a problem */
 bool command_write_png(const uint8_t *picture, const host_settings *settings, host_problem *problem);
 
 #endif

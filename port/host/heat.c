@@ -13,6 +13,12 @@
 /** Steps from which on a pixel counts as more than rounded: half a step, and what fixed point adds to it. */
 #define ROUNDED 0.55
 
+/** A cosine so near that of a jump of the light is told by rounding: two unit vectors, each off by 2.3 / 2^15. */
+#define GATE (4.6 / 32768)
+
+/** Surfaces nearer to each other than so many depth steps may come out in either order. */
+#define CLOSE_STEPS 2
+
 /* ---- The reference ---------------------------------------------------------------------------------------------- */
 
 /** The scene without what is hidden, which the reference knows nothing of. The caller frees the objects. */
@@ -29,9 +35,12 @@ static glint_scene without_hidden(const glint_scene *scene, glint_object **objec
     return seen;
 }
 
-/** Draws the reference with the library's own snapped vertices; of a scene of too many objects, with its own. */
-static void draw_reference(const glint_scene *scene, const host_settings *settings, const framebuffer *shown,
-                           reference_pixel *pixels) {
+/**
+ * Draws the reference with the library's own snapped vertices; of a scene of too many objects, with its own.
+ * @return the library's depth steps per 1/w; 0 of such a scene
+ */
+static double draw_reference(const glint_scene *scene, const host_settings *settings, const framebuffer *shown,
+                             reference_pixel *pixels) {
     const reference_image image = {(int)shown->width, (int)shown->height, pixels};
     const glint_config config = {.width = (uint16_t)shown->width,
                                  .height = (uint16_t)shown->height,
@@ -43,8 +52,10 @@ static void draw_reference(const glint_scene *scene, const host_settings *settin
     const glint_scene seen = without_hidden(scene, &objects);
     const bool known = library_geometry_open(&geometry, &config, &seen) == GLINT_OK;
     reference_render(&image, &seen, known ? (const reference_position *const *)geometry.positions : NULL);
+    const double depth_scale = known ? geometry.depth_scale : 0;
     library_geometry_close(&geometry);
     free(objects);
+    return depth_scale;
 }
 
 /* ---- Distances -------------------------------------------------------------------------------------------------- */
@@ -64,6 +75,12 @@ static double distance(const reference_pixel *pixel, const picture *image, doubl
         most = fmax(most, fabs(stored - wanted_level(pixel, image, gamma, channel)));
     }
     return most;
+}
+
+/** Whether nothing that is rounded decides on a pixel as a whole. */
+static bool is_judged(const reference_pixel *pixel, double depth_scale) {
+    const bool close = (pixel->nearest - pixel->second) * depth_scale < CLOSE_STEPS && depth_scale > 0;
+    return !pixel->uncertain && (!pixel->covered || (pixel->grazing >= GATE && !close));
 }
 
 static void note(heat_map *map, uint32_t x, uint32_t y, double steps) {
@@ -90,11 +107,12 @@ void heat_find(heat_map *map, const glint_scene *scene, const host_settings *set
     map->width = shown->width;
     map->height = shown->height;
     map->steps = memory_new(count, sizeof *map->steps);
-    draw_reference(scene, settings, shown, pixels);
+    const double depth_scale = draw_reference(scene, settings, shown, pixels);
     for (uint32_t y = 0; y < map->height; y++) {
         for (uint32_t x = 0; x < map->width; x++) {
             const reference_pixel *pixel = &pixels[(size_t)y * map->width + x];
-            note(map, x, y, pixel->uncertain ? -1 : distance(pixel, &image, settings->gamma, (int)x, (int)y));
+            note(map, x, y,
+                 !is_judged(pixel, depth_scale) ? -1 : distance(pixel, &image, settings->gamma, (int)x, (int)y));
         }
     }
     free(pixels);

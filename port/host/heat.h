@@ -15,7 +15,9 @@ typedef struct heat_map {
     /**
      * Of each pixel: how far the channel that is farthest off is from the unrounded reference, in steps of the format.
      * A dithered level counts as the middle of what is rounded to it, so that 0.5 is what rounding takes. Negative
-     * beside edges of triangles that were cut at the near plane: there reference and library round apart.
+     * where reference and library may round apart: beside edges of triangles that were cut at the near plane, where two
+     * surfaces are as near as makes no difference, and where a light's cosine is within rounding of a jump, such as
+     * that where a highlight begins.
      */
     double *steps;
     double worst; /**< The largest, at... */

@@ -91,5 +91,10 @@ meshes: $(HOST_CONVERTER) ## write examples/meshes anew
 	$(HOST_CONVERTER) convert examples/models/teapot.obj --licence MIT --no-clusters -o examples/meshes/teapot.h >/dev/null
 	$(foreach mesh,$(SCENE_MESHES),$(HOST_CONVERTER) convert $(SCENE_MESH_$(basename $(notdir $(mesh)))) -o $(mesh) >/dev/null &&) true
 
+.PHONY: man
+man: $(BUILD)/glint.1 ## write the manual page to build/glint.1
+$(BUILD)/glint.1: $(HOST_PROGRAM) port/host/man.sh
+	$(Q)sh port/host/man.sh $< > $@
+
 test-host-cli: $(HOST_PROGRAM) $(HOST_CONVERTER) $(BUILD)/host/glint-import ## the command line from outside: every option, every error
 	python3 tests/host/run.py $(HOST_PROGRAM)

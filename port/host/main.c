@@ -5,6 +5,7 @@
  */
 #include "command.h"
 
+#include "nearest.h"
 #include "shapes.h"
 
 #include <stdio.h>
@@ -44,7 +45,7 @@ static int print_help(void) {
     for (size_t i = 0; i < COMMAND_COUNT; i++) {
         print_command(&commands[i]);
     }
-    printf("\nglint help\nglint --version\n\n"
+    printf("\nglint help [COMMAND]\nglint --version\n\n"
            "MODEL is a Wavefront OBJ file; or one that assimp reads by way of glint-import, whose name ends by its\n"
            "format, such as .glb, .gltf, .stl, .ply, .fbx, .dae or .3ds (the environment's GLINT_IMPORT names another\n"
            "program for that); or one of\n");
@@ -53,10 +54,11 @@ static int print_help(void) {
         snprintf(left, sizeof left, "%s%s", shape->name, shape->syntax);
         printf("  %-26s %s\n", left, shape->help);
     }
-    printf("\nWhat holds without an option stands last in its line. Bad input ends with one line on stderr,\n"
-           "exit status 2, and no output file. What a model says and glint does not follow, such as\n"
-           "textures, is told by warnings on stderr, with status 0. The file to write replaces an older one,\n"
-           "or the one that a link of its name leads to, whole or not at all; it may not be the model's own.\n");
+    printf(
+        "\nWhat holds without an option stands last in its line. The exit status is 0 when all was done, else 2: bad\n"
+        "input ends with one line on stderr and no output file. What a model says and glint does not follow, such as\n"
+        "textures, is told by warnings on stderr, with status 0. The file to write replaces an older one,\n"
+        "or the one that a link of its name leads to, whole or not at all; it may not be the model's own.\n");
     return 0;
 }
 
@@ -80,7 +82,7 @@ static int run_command(const host_command *command, int count, char **arguments)
         problem_set(&problem, 0, "%s: a model is missing: an OBJ file, or a shape such as torus:24x12", command->name);
         return command_fail(NULL, &problem);
     }
-    if (command->takes_output && settings.output == NULL) {
+    if (command->takes_output && settings.output == NULL && settings.preview == 0) {
         problem_set(&problem, 0, "%s: the file to write is missing: -o FILE", command->name);
         return command_fail(NULL, &problem);
     }
@@ -96,11 +98,42 @@ static int finish(int status) {
     return status;
 }
 
+static const host_command *find_command(const char *name) {
+    for (size_t i = 0; i < COMMAND_COUNT; i++) {
+        if (strcmp(name, commands[i].name) == 0) {
+            return &commands[i];
+        }
+    }
+    return NULL;
+}
+
+/** Says that there is no such command, and which was meant. */
+static int refuse_command(const char *name) {
+    char quote[PROBLEM_QUOTE_SIZE];
+    host_problem problem;
+    problem_quote(quote, name, strlen(name));
+    problem_set(&problem, 0, "unknown command '%s': see glint help", quote);
+    for (size_t i = 0; i < COMMAND_COUNT; i++) {
+        if (nearest_is_meant(strlen(name), nearest_distance(name, strlen(name), commands[i].name))) {
+            problem_set(&problem, 0, "unknown command '%s': did you mean %s?", quote, commands[i].name);
+        }
+    }
+    return command_fail(NULL, &problem);
+}
+
 static int run(int count, char **arguments) {
     host_problem problem;
     if (count < 2) {
         problem_set(&problem, 0, "a command is missing: see glint help");
         return command_fail(NULL, &problem);
+    }
+    if (strcmp(arguments[1], "help") == 0 && count > 2) {
+        const host_command *command = find_command(arguments[2]);
+        if (command == NULL) {
+            return refuse_command(arguments[2]);
+        }
+        print_command(command);
+        return 0;
     }
     if (strcmp(arguments[1], "help") == 0 || strcmp(arguments[1], "--help") == 0) {
         return print_help();
@@ -108,15 +141,8 @@ static int run(int count, char **arguments) {
     if (strcmp(arguments[1], "--version") == 0) {
         return print_version();
     }
-    for (size_t i = 0; i < COMMAND_COUNT; i++) {
-        if (strcmp(arguments[1], commands[i].name) == 0) {
-            return run_command(&commands[i], count - 2, arguments + 2);
-        }
-    }
-    char quote[PROBLEM_QUOTE_SIZE];
-    problem_set(&problem, 0, "unknown command '%s': see glint help",
-                problem_quote(quote, arguments[1], strlen(arguments[1])));
-    return command_fail(NULL, &problem);
+    const host_command *command = find_command(arguments[1]);
+    return command != NULL ? run_command(command, count - 2, arguments + 2) : refuse_command(arguments[1]);
 }
 
 int main(int count, char **arguments) {

@@ -2,6 +2,7 @@
 #include "command.h"
 
 #include "cost.h"
+#include "maps.h"
 #include "view.h"
 
 #include <stdio.h>
@@ -60,7 +61,7 @@ static int render(const host_settings *settings, const host_model *model, const 
     }
     framebuffer target;
     frame_counts counts;
-    const bool drawn = view_draw(&view.scene, settings, &target, &counts, &problem);
+    const bool drawn = maps_draw(&view.scene, settings, &target, &counts, &problem);
     view_free(&view);
     if (!drawn) {
         return command_fail(NULL, &problem);

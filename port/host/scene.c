@@ -6,6 +6,7 @@
 #include "command.h"
 
 #include "label.h"
+#include "maps.h"
 #include "memory.h"
 #include "output.h"
 #include "png.h"
@@ -76,11 +77,14 @@ static bool check(const host_settings *settings, host_problem *problem) {
     if (settings->model == NULL) {
         return problem_set(problem, 0, "scene: a scene is missing: see glint scene --list");
     }
-    if (settings->output == NULL) {
+    if (settings->output == NULL && settings->preview == 0) {
         return problem_set(problem, 0, "scene: the file to write is missing: -o FILE");
     }
     if (settings->frame_given && settings->animate > 0) {
         return problem_set(problem, 0, "scene: --frame and --animate exclude each other");
+    }
+    if ((settings->lit_map != NULL || settings->heat != NULL || settings->preview > 0) && settings->animate > 0) {
+        return problem_set(problem, 0, "scene: --lit-map, --heat and --preview show one frame: not with --animate");
     }
     if (settings->stats && settings->animate > 0) {
         return problem_set(problem, 0, "scene: --stats and --animate exclude each other");
@@ -95,7 +99,7 @@ static bool draw_frame(const chosen_scene *chosen, uint32_t frame, const host_se
     example_stage *stage = memory_new(1, sizeof *stage);
     chosen->scene->build(stage, chosen->variant, frame % chosen->scene->frames);
     stage->scene.error_budget = settings->budget;
-    const bool ok = view_draw(&stage->scene, settings, target, counts, problem);
+    const bool ok = maps_draw(&stage->scene, settings, target, counts, problem);
     free(stage);
     return ok;
 }

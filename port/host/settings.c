@@ -2,6 +2,7 @@
 #include "settings.h"
 
 #include "mesh.h"
+#include "nearest.h"
 #include "number.h"
 #include "parsers.h"
 #include "values.h"
@@ -176,6 +177,25 @@ static bool parse_help(host_settings *settings, const char *text, host_problem *
     return true;
 }
 
+static bool parse_lit_map(host_settings *settings, const char *text, host_problem *problem) {
+    settings->lit_map = text;
+    return text[0] != '\0' || value_expected(problem, "takes the name of a file");
+}
+
+static bool parse_heat(host_settings *settings, const char *text, host_problem *problem) {
+    settings->heat = text;
+    return text[0] != '\0' || value_expected(problem, "takes the name of a file");
+}
+
+static bool parse_preview(host_settings *settings, const char *text, host_problem *problem) {
+    int64_t value;
+    if (!number_integer(text, strlen(text), &value) || value < 1 || value > GLINT_SIZE_MAX) {
+        return value_expected(problem, "takes characters, from 1 to 1024");
+    }
+    settings->preview = (uint32_t)value;
+    return true;
+}
+
 /** An option; one without `argument` is a switch. */
 typedef struct host_option {
     const char *name;
@@ -240,6 +260,12 @@ static const host_option options[] = {
      COMMANDS_THAT_DRAW, parse_core},
     {"--instructions", "M", "--stats: millions that the frame takes on that core, see docs/bench.csv",
      COMMANDS_THAT_DRAW, parse_instructions},
+    {"--lit-map", "FILE", "write how each pixel was lit, and print what the colours stand for", COMMANDS_THAT_DRAW,
+     parse_lit_map},
+    {"--heat", "FILE", "write how far each pixel is from double precision, and print the worst, in steps of the format",
+     COMMANDS_THAT_DRAW, parse_heat},
+    {"--preview", "N", "show the picture in the terminal, up to N characters wide; then -o is not needed",
+     COMMANDS_THAT_DRAW, parse_preview},
     {"--crease", "DEG", "make all normals anew, split at edges sharper than that", COMMANDS_WITH_MESH, parse_crease},
     {"--weights", "NAME", "what triangles weigh in the normals that are made: equal, area or angle; area",
      COMMANDS_WITH_MESH, parse_weights},
@@ -291,14 +317,32 @@ static bool parse_value(host_settings *settings, const host_option *option, cons
     return problem_set(problem, 0, "%s %s: %s", option->name, problem_quote(quote, value, strlen(value)), wrong.text);
 }
 
+/** Says that there is no such option, and which was meant. @return 0 */
+static int refuse_option(const char *argument, int command, host_problem *problem) {
+    char quote[PROBLEM_QUOTE_SIZE];
+    const size_t length = strcspn(argument, "=");
+    const host_option *nearest = NULL;
+    size_t least = length;
+    for (size_t i = 0; i < OPTION_COUNT; i++) {
+        const size_t distance = nearest_distance(argument, length, options[i].name);
+        if ((options[i].commands & command) != 0 && distance < least) {
+            nearest = &options[i];
+            least = distance;
+        }
+    }
+    problem_quote(quote, argument, strlen(argument));
+    if (nearest != NULL && nearest_is_meant(length - strspn(argument, "-"), least)) {
+        return problem_set(problem, 0, "unknown option %s: did you mean %s?", quote, nearest->name);
+    }
+    return problem_set(problem, 0, "unknown option %s", quote);
+}
+
 /** Takes the option at arguments[0] and its value. @return how many arguments it took, or 0 with a problem. */
 static int take_option(host_settings *settings, int command, int count, char **arguments, host_problem *problem) {
-    char quote[PROBLEM_QUOTE_SIZE];
-    problem_quote(quote, arguments[0], strlen(arguments[0]));
     const host_option *option = find_option(arguments[0], command);
     const char *equals = strchr(arguments[0], '=');
     if (option == NULL) {
-        return problem_set(problem, 0, "unknown option %s", quote);
+        return refuse_option(arguments[0], command, problem);
     }
     if (option->argument == NULL && equals != NULL) {
         return problem_set(problem, 0, "%s takes no value", option->name);

@@ -68,6 +68,9 @@ typedef struct host_settings {
     uint32_t animate; /**< Frames of an animation; 0 for a still picture. */
     bool labels;      /**< Whether to draw a scene's labels over it. */
 
+    const char *lit_map, *heat; /**< Files of maps to write, or null. */
+    uint32_t preview;           /**< Characters of a picture in the terminal, across; 0 for none. */
+
     load_options load;
     const char *name;    /**< Of converted arrays, or null. */
     const char *licence; /**< SPDX expression for a converted mesh, or null. */

@@ -9,6 +9,7 @@ import test_errors
 import test_gallery
 import test_import
 import test_labels
+import test_maps
 import test_materials
 import test_normals
 import test_obj
@@ -19,6 +20,7 @@ import test_scene
 import test_shading
 import test_shapes
 import test_simplify
+import test_terminal
 import test_winding
 from harness import Host
 
@@ -26,7 +28,7 @@ from harness import Host
 def main():
     host = Host(sys.argv[1])
     for module in (test_render, test_shading, test_obj, test_materials, test_place, test_winding, test_shapes, test_normals, test_errors, test_convert, test_import, test_simplify,
-                   test_clusters, test_scene, test_labels, test_output, test_gallery):
+                   test_clusters, test_scene, test_labels, test_maps, test_terminal, test_output, test_gallery):
         for name in (name for name in vars(module) if name.startswith("test_")):
             try:
                 vars(module)[name](host)
