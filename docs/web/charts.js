@@ -3,7 +3,8 @@
 "use strict";
 
 const Charts = (() => {
-  const WIDTH = 560, HEIGHT = 360, LEFT = 46, RIGHT = 14, TOP = 12, BOTTOM = 42;
+  let WIDTH = 560; // that of the box, so that letters keep their size
+  const HEIGHT = 360, LEFT = 46, RIGHT = 14, TOP = 12, BOTTOM = 42;
   const COLOURS = { facet: "var(--facet)", vertex: "var(--vertex)", node: "var(--node)", fragment: "var(--fragment)" };
   const NAMES = { facet: "flat", vertex: "per vertex", node: "per node", fragment: "per fragment" };
 
@@ -68,6 +69,7 @@ const Charts = (() => {
   }
 
   function frames(box, { frames: choices, others }, state) {
+    WIDTH = Math.max(300, box.clientWidth);
     const cpu = state.core;
     const rivals = others.filter(([, , core]) => core === cpu || (cpu === "m4" && core === "m4f"));
     const costs = [...choices.map(([, , cost]) => cost[cpu]), ...rivals.map(([, , , cost]) => cost)];
@@ -97,6 +99,7 @@ const Charts = (() => {
   }
 
   function shading(box, { shading: rows }, state) {
+    WIDTH = Math.max(300, box.clientWidth);
     const counts = rows.map(([, triangles]) => triangles), errors = rows.map(([, , rms]) => rms);
     const x = axis([Math.min(...counts) * 0.8, Math.max(...counts) * 1.2], LEFT, WIDTH - RIGHT, true);
     const y = axis([1.5, Math.max(...errors) * 1.2], HEIGHT - BOTTOM, TOP, true);

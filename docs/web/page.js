@@ -14,7 +14,7 @@ function decimal(value, digits = 4) {
 // ---- What there is to choose from
 
 const EVALUATIONS = [["flat", "Flat", "once a triangle"], ["vertex", "Per vertex", "Gouraud"],
-  ["node", "Per node", "as few points as it takes"], ["fragment", "Per fragment", "every pixel"]];
+  ["node", "Per node", "few points"], ["fragment", "Per fragment", "every pixel"]];
 
 const REFLECTIONS = { "blinn-phong": "Blinn-Phong", phong: "Phong", lambert: "Lambert", unlit: "unlit" };
 
@@ -217,8 +217,10 @@ function draw(evaluation = S.at) {
 
 // Errors in steps as colours: black, violet, red, yellow, white, by their logarithm.
 const RAMP = [[0, 0, 0], [70, 20, 110], [190, 40, 70], [250, 160, 30], [255, 255, 220]];
+const MOST_STEPS = 32;
+const heatPlace = (steps) => limit(Math.log(1 + 2 * steps) / Math.log(1 + 2 * MOST_STEPS), 0, 1);
 function heat(steps) {
-  const place = limit(Math.log2(1 + 2 * steps) / Math.log2(65), 0, 1) * (RAMP.length - 1);
+  const place = heatPlace(steps) * (RAMP.length - 1);
   const low = Math.min(Math.floor(place), RAMP.length - 2), part = place - low;
   return RAMP[low].map((value, i) => value + (RAMP[low + 1][i] - value) * part);
 }
@@ -227,6 +229,16 @@ function heatPixels(errors) {
   const pixels = new Uint8ClampedArray(4 * errors.length).fill(255);
   errors.forEach((steps, i) => pixels.set(heat(steps), 4 * i));
   return pixels;
+}
+
+function makeRamp() {
+  const ramp = $("ramp").getContext("2d"), image = ramp.createImageData(256, 1);
+  for (let i = 0; i < 256; i++) {
+    image.data.set([...heat(((1 + 2 * MOST_STEPS) ** (i / 255) - 1) / 2), 255], 4 * i);
+  }
+  ramp.putImageData(image, 0, 0);
+  $("ramp-marks").replaceChildren(...[0, 0.5, 2, 8, MOST_STEPS].map((steps) =>
+    Object.assign(document.createElement("span"), { textContent: steps, style: `left:${100 * heatPlace(steps)}%` })));
 }
 
 function paint(canvas, picture, pixels) {
@@ -243,7 +255,9 @@ function show(canvas, picture) {
 
 // Pixels of the panel are whole numbers of the screen's.
 function fitCanvas() {
-  const room = $("panel").clientWidth - 40, tall = Math.max(180, innerHeight * (innerWidth < 960 ? 0.42 : 0.56));
+  const style = getComputedStyle($("panel")), frame = 2 * parseFloat(getComputedStyle($("glass")).borderLeftWidth);
+  const room = $("panel").clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight) - frame;
+  const tall = Math.max(160, innerWidth < 960 ? innerHeight * 0.4 : innerHeight - 400); // what stands below is seen too
   const dots = devicePixelRatio || 1;
   const times = Math.max(1, Math.floor(Math.min((room * dots) / S.w, (tall * dots) / S.h)));
   $("canvas").style.width = `${(S.w * times) / dots}px`;
@@ -363,7 +377,7 @@ function describe() {
   const name = shapeOf() ? shapeOf().name : S.m.split("/").pop();
   const shading = EVALUATIONS.find(([key]) => key === S.at);
   return `${name} of ${stats.scene_triangles} triangles, ${REFLECTIONS[S.model]} with exponent ${decimal(S.p, 1)}, lit ${shading[1].toLowerCase()}, ` +
-    `${lights().length} lights, ${S.w} by ${S.h} pixels, ${format}${S.show === "errors" ? "; shown as an error map" : ""}.`;
+    `${["no light", "one light"][lights().length] || `${lights().length} lights`}, ${S.w} by ${S.h} pixels, ${format}${S.show === "errors" ? "; shown as an error map" : ""}.`;
 }
 
 function chartState() {
@@ -585,7 +599,7 @@ function connect() {
     readAddress();
     update();
   });
-  addEventListener("resize", fitCanvas);
+  addEventListener("resize", update);
 }
 
 function chooseModel(value) {
@@ -617,6 +631,7 @@ function showControls() {
   $("scene-note").hidden = !scene;
   $("scene-note").textContent = scene ? `${scenes[scene.scene].variants[scene.variant].lookFor} A scene brings its own lights and surfaces.` : "";
   $("frame-field").hidden = !scene || scenes[scene.scene].frames === 1;
+  $("spin").hidden = Boolean(scene) && scenes[scene.scene].frames === 1;
   $("frame").max = scene ? scenes[scene.scene].frames - 1 : 0;
   $("detail-field").hidden = !shapeOf() || !shapeOf().counts.length;
   $("detail").max = shapeOf() ? shapeOf().counts.length - 1 : 0;
@@ -864,6 +879,7 @@ function connectCode() {
     $("dialog-note").textContent = note;
     $("dialog-done").textContent = "";
     $("dialog").showModal();
+    $("dialog-text").scrollTop = 0;
   });
   $("dialog-copy").addEventListener("click", async () => {
     const done = await copyText($("dialog-text").value);
@@ -888,11 +904,7 @@ async function begin() {
   scenes = Glint.scenes();
   fillSelects();
   makeThumbs();
-  const ramp = $("ramp").getContext("2d"), image = ramp.createImageData(256, 1);
-  for (let i = 0; i < 256; i++) {
-    image.data.set([...heat((65 ** (i / 255) - 1) / 2), 255], 4 * i);
-  }
-  ramp.putImageData(image, 0, 0);
+  makeRamp();
   connect();
   connectCanvas();
   connectFiles();
