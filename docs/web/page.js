@@ -67,6 +67,14 @@ function readAddress() {
   S.w = limit(Math.round(S.w), 8, 1024);
   S.h = limit(Math.round(S.h), 8, 1024);
   S.panel = S.panel in PANELS ? S.panel : "own";
+  const known = { at: EVALUATIONS.map(([key]) => key), model: Object.keys(REFLECTIONS), format: Object.keys(FORMATS), tile: TILES,
+    show: ["picture", "errors"], against: ["exact", "same"], core: Object.keys(CORES).filter((core) => core !== "m0plus") };
+  for (const [key, values] of Object.entries(known)) {
+    S[key] = values.includes(S[key]) ? S[key] : DEFAULTS[key];
+  }
+  for (const key of ["paint", "ground"]) {
+    S[key] = /^[0-9a-f]{6}$/.test(S[key]) ? S[key] : DEFAULTS[key];
+  }
   chosenLight = 0;
 }
 
@@ -78,7 +86,7 @@ function address() {
 
 const lights = () => S.lights.split("~").filter(Boolean).map((text) => {
   const [kind, yaw, pitch, far, colour, power, cone] = text.split(",");
-  return { kind, yaw: +yaw || 0, pitch: +pitch || 0, far: +far || 5, colour: colour || "ffffff", power: +power || 0, cone: +cone || 20 };
+  return { kind: ["point", "spot"].includes(kind) ? kind : "dir", yaw: +yaw || 0, pitch: +pitch || 0, far: +far || 5, colour: /^[0-9a-f]{6}$/.test(colour) ? colour : "ffffff", power: +power || 0, cone: +cone || 20 };
 }).slice(0, 8);
 
 function setLights(list) {

@@ -370,6 +370,17 @@ async function checkHandling(page, url) {
   check("flash is told", /about/.test(await page.locator("#flash").textContent()));
 }
 
+// An address that nobody's page wrote: what it says wrongly is what it was at first.
+async function checkForeign(page) {
+  await show(page, "");
+  const first = await canvasOf(page);
+  await show(page, "at=none&model=x&format=rgb565_be&tile=3x3&show=q&core=z80&against=&paint=red&ground=<b>&lights=sun,-40,45,5,white,1,20&nonsense=1");
+  check("a wrong address changes nothing", differences(await canvasOf(page), first) === "");
+  await show(page, "p=nan&w=1e9&h=-5&panel=none&zoom=0&m=torus:1x1");
+  check("what cannot be drawn is said", !(await page.locator("#problem").isHidden()));
+  await show(page, "");
+}
+
 async function checkNames(page) {
   const nameless = await page.evaluate(() => [...document.querySelectorAll("input, select, button, textarea, canvas")].filter((element) => {
     const labelled = element.getAttribute("aria-label") || element.getAttribute("aria-hidden") || (element.labels && element.labels.length) || element.textContent.trim();
@@ -418,6 +429,7 @@ try {
   await checkErrors(page);
   await checkPrograms(page);
   await checkHandling(page, url);
+  await checkForeign(page);
   await show(page, "");
   await settle(page);
   await checkNames(page);
