@@ -10,7 +10,7 @@ const { chromium } = require("playwright-core");
 const [index, picture] = process.argv.slice(2);
 const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox", "--force-color-profile=srgb"] });
 const page = await browser.newPage({ viewport: { width: 1120, height: 1070 } });
-await page.goto(pathToFileURL(path.resolve(index)).href + "#lights=dir,-40,45,5,ffffff,0.9,20~point,75,-25,3,ff7030,0.8,20");
+await page.goto(pathToFileURL(path.resolve(index)).href);
 await page.waitForFunction(() => document.body.dataset.settled, null, { timeout: 60000 });
 await page.screenshot({ path: picture });
 await browser.close();
