@@ -33,7 +33,8 @@ bool command_prepare(const host_settings *settings, bool converted, host_model *
     if (!converted) {
         place_to_fit(model, settings);
     }
-    if (!quantise(&model->mesh, settings->double_sided ? GLINT_MESH_DOUBLE_SIDED : 0, mesh, problem)) {
+    if (!quantise(&model->mesh, settings->double_sided ? GLINT_MESH_DOUBLE_SIDED : 0, &settings->load.types, mesh,
+                  problem)) {
         model_free(model);
         return false;
     }

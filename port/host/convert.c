@@ -19,6 +19,7 @@
 typedef struct header_writer {
     host_bytes *out;
     const host_settings *settings;
+    const quantised_mesh *mesh;
     char name[NAME_SIZE];
 } header_writer;
 
@@ -61,6 +62,15 @@ static void print_load_options(host_bytes *out, const load_options *load) {
     }
     if (load->weights != MESH_BY_AREA) {
         bytes_print(out, " --weights %s", mesh_weight_names[load->weights]);
+    }
+    if (load->types.positions != QUANTISE_POSITIONS_INT16) {
+        bytes_print(out, " --positions %s", quantise_position_names[load->types.positions]);
+    }
+    if (load->types.normals != QUANTISE_NORMALS_INT16) {
+        bytes_print(out, " --normals %s", quantise_normal_names[load->types.normals]);
+    }
+    if (load->types.indices != QUANTISE_INDICES_16) {
+        bytes_print(out, " --indices %s", quantise_index_names[load->types.indices]);
     }
     bytes_print(out, "%s%s%s", load->facets ? " --facets" : "", load->repair ? " --repair" : "",
                 load->plain ? " --no-clusters" : "");
@@ -123,12 +133,18 @@ static void print_head(const header_writer *writer, const host_model *model, con
         bytes_print(out, ", whose hash is %016llx.\n", (unsigned long long)model->materials.libraries[i].hash);
     }
     bytes_print(out, " *\n");
+    static const char *const positions[] = {"int16 steps:", "int8, 256 steps each:"};
+    static const char *const normals[] = {"int16, Q15, unit length: 32767 is 1",
+                                          "two int8, octahedral: see glint_layout.h",
+                                          "two int16, octahedral: see glint_layout.h"};
     bytes_print(out,
-                " * positions  int16 steps: object space is offset + extent * step / 32768, per axis\n"
-                " * normals    int16, Q15, unit length: 32767 is 1\n"
-                " * triangles  uint16 indices, counter-clockwise seen from outside\n"
+                " * positions  %s object space is offset + extent * step / 32768, per axis\n"
+                " * normals    %s\n"
+                " * triangles  %s indices, counter-clockwise seen from outside\n"
                 " * offset     Q16.16, where step 0 lies\n"
                 " * extent     Q16.16, the length of 32768 steps\n%s%s */\n",
+                positions[mesh->types.positions], normals[mesh->types.normals],
+                mesh->types.indices == QUANTISE_INDICES_16 ? "uint16" : "uint8 up to 256 vertices, else uint16",
                 mesh->pieces[0].colours != NULL ? " * colours    uint8 red, green, blue: 255 is 1\n" : "",
                 have_clusters(mesh) ? " * clusters   triangles that face much the same way, and vertices; see glint.h\n"
                                       " * borrowers  uint16 numbers of clusters that look at a cluster's vertices\n"
@@ -148,14 +164,54 @@ static void print_gap(const header_writer *writer, size_t item) {
     bytes_print(writer->out, item % 6 == 0 ? "\n    " : " ");
 }
 
-static void print_int16(const header_writer *writer, const char *what, const char *suffix, const int16_t (*items)[3],
-                        size_t count) {
-    bytes_print(writer->out, "\nstatic const int16_t %s_%s%s[%zu][3] = {", writer->name, what, suffix, count);
+/** Prints an array of triples or pairs. */
+static void print_numbers(const header_writer *writer, const char *type, const char *what, const char *suffix,
+                          const int16_t (*items)[3], size_t count, int divisor) {
+    bytes_print(writer->out, "\nstatic const %s %s_%s%s[%zu][3] = {", type, writer->name, what, suffix, count);
     for (size_t i = 0; i < count; i++) {
         print_gap(writer, i);
-        bytes_print(writer->out, "{%d, %d, %d},", items[i][0], items[i][1], items[i][2]);
+        bytes_print(writer->out, "{%d, %d, %d},", items[i][0] / divisor, items[i][1] / divisor, items[i][2] / divisor);
     }
     bytes_print(writer->out, "\n};\n");
+}
+
+static void print_codes(const header_writer *writer, const char *suffix, const int16_t (*normals)[3], size_t count) {
+    bytes_print(writer->out, "\nstatic const %s %s_normals%s[%zu][2] = {",
+                writer->mesh->types.normals == QUANTISE_NORMALS_OCTAHEDRAL ? "int8_t" : "int16_t", writer->name, suffix,
+                count);
+    for (size_t i = 0; i < count; i++) {
+        int code[2];
+        quantised_code(writer->mesh, normals[i], code);
+        print_gap(writer, i);
+        bytes_print(writer->out, "{%d, %d},", code[0], code[1]);
+    }
+    bytes_print(writer->out, "\n};\n");
+}
+
+static bool has_layout(const header_writer *writer, const glint_mesh *mesh) {
+    const quantise_types *types = &writer->mesh->types;
+    return types->positions != QUANTISE_POSITIONS_INT16 || types->normals != QUANTISE_NORMALS_INT16 ||
+           quantised_small_indices(writer->mesh, mesh);
+}
+
+/** One attribute of a layout: none where the mesh has the array. */
+static void print_attribute(const header_writer *writer, bool is_array, const char *type, const char *what,
+                            const char *suffix) {
+    if (is_array) {
+        bytes_print(writer->out, "    {0, 0, 0}, /* %s */\n", what);
+    } else {
+        bytes_print(writer->out, "    {&glint_type_%s, %s_%s%s, 0},\n", type, writer->name, what, suffix);
+    }
+}
+
+static void print_layout(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {
+    const quantise_types *types = &writer->mesh->types;
+    bytes_print(writer->out, "\nstatic const glint_layout %s_layout%s = {\n", writer->name, suffix);
+    print_attribute(writer, types->positions == QUANTISE_POSITIONS_INT16, "int8", "positions", suffix);
+    print_attribute(writer, types->normals == QUANTISE_NORMALS_INT16,
+                    types->normals == QUANTISE_NORMALS_OCTAHEDRAL ? "octahedral8" : "octahedral16", "normals", suffix);
+    print_attribute(writer, !quantised_small_indices(writer->mesh, mesh), "uint8", "triangles", suffix);
+    bytes_print(writer->out, "    {0, 0, 0}, /* colours */\n};\n");
 }
 
 static void print_colours(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {
@@ -194,12 +250,20 @@ static void print_clusters(const header_writer *writer, const glint_clusters *cl
 }
 
 static void print_arrays(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {
-    print_int16(writer, "positions", suffix, mesh->positions, mesh->vertex_count);
-    print_int16(writer, "normals", suffix, mesh->normals, mesh->vertex_count);
+    const quantise_types *types = &writer->mesh->types;
+    const bool is_small = types->positions == QUANTISE_POSITIONS_INT8;
+    print_numbers(writer, is_small ? "int8_t" : "int16_t", "positions", suffix, mesh->positions, mesh->vertex_count,
+                  is_small ? 256 : 1);
+    if (types->normals == QUANTISE_NORMALS_INT16) {
+        print_numbers(writer, "int16_t", "normals", suffix, mesh->normals, mesh->vertex_count, 1);
+    } else {
+        print_codes(writer, suffix, mesh->normals, mesh->vertex_count);
+    }
     if (mesh->colours != NULL) {
         print_colours(writer, mesh, suffix);
     }
-    bytes_print(writer->out, "\nstatic const uint16_t %s_triangles%s[%lu][3] = {", writer->name, suffix,
+    bytes_print(writer->out, "\nstatic const %s %s_triangles%s[%lu][3] = {",
+                quantised_small_indices(writer->mesh, mesh) ? "uint8_t" : "uint16_t", writer->name, suffix,
                 (unsigned long)mesh->triangle_count);
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
         print_gap(writer, i);
@@ -209,12 +273,25 @@ static void print_arrays(const header_writer *writer, const glint_mesh *mesh, co
     if (mesh->clusters != NULL) {
         print_clusters(writer, mesh->clusters, suffix);
     }
+    if (has_layout(writer, mesh)) {
+        print_layout(writer, mesh, suffix);
+    }
+}
+
+/** An array of the mesh, or null where the layout has it. */
+static void print_array_of(const header_writer *writer, bool is_array, const char *what, const char *suffix) {
+    if (is_array) {
+        bytes_print(writer->out, "    %s_%s%s,\n", writer->name, what, suffix);
+    } else {
+        bytes_print(writer->out, "    0, /* %s: as the layout has them */\n", what);
+    }
 }
 
 static void print_mesh(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {
     const char *name = writer->name;
-    bytes_print(writer->out, "    %s_positions%s,\n    %s_normals%s,\n    %s_triangles%s,\n", name, suffix, name,
-                suffix, name, suffix);
+    print_array_of(writer, writer->mesh->types.positions == QUANTISE_POSITIONS_INT16, "positions", suffix);
+    print_array_of(writer, writer->mesh->types.normals == QUANTISE_NORMALS_INT16, "normals", suffix);
+    print_array_of(writer, !quantised_small_indices(writer->mesh, mesh), "triangles", suffix);
     bytes_print(writer->out, "    %luu, /* vertices */\n    %luu, /* triangles */\n", (unsigned long)mesh->vertex_count,
                 (unsigned long)mesh->triangle_count);
     bytes_print(writer->out, "    {%ld, %ld, %ld}, /* offset */\n", (long)mesh->offset.x, (long)mesh->offset.y,
@@ -232,7 +309,11 @@ static void print_mesh(const header_writer *writer, const glint_mesh *mesh, cons
     } else {
         bytes_print(writer->out, "    0, /* no clusters */\n");
     }
-    bytes_print(writer->out, "    0, /* no layout */\n");
+    if (has_layout(writer, mesh)) {
+        bytes_print(writer->out, "    &%s_layout%s,\n", name, suffix);
+    } else {
+        bytes_print(writer->out, "    0, /* no layout */\n");
+    }
 }
 
 static void print_single(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {
@@ -242,7 +323,8 @@ static void print_single(const header_writer *writer, const glint_mesh *mesh, co
 }
 
 void convert_mesh(host_bytes *out, const char *name, const glint_mesh *mesh, const char *suffix) {
-    header_writer writer = {.out = out};
+    static const quantised_mesh arrays = {0}; /* of 16 bits */
+    header_writer writer = {.out = out, .mesh = &arrays};
     snprintf(writer.name, sizeof writer.name, "%s", name);
     print_arrays(&writer, mesh, suffix);
     print_single(&writer, mesh, suffix);
@@ -286,7 +368,7 @@ static void warn_of_steps(const char *file, const host_model *model, const quant
         side = model->high[axis] - model->low[axis] > side ? model->high[axis] - model->low[axis] : side;
     }
     host_problem warning;
-    if (mesh->largest_move > side * STEP_MAX) {
+    if (mesh->types.positions == QUANTISE_POSITIONS_INT16 && mesh->largest_move > side * STEP_MAX) {
         problem_set(&warning, 0, "warning: positions move by up to %.2g, of sides of %.3g: give --scale fit",
                     mesh->largest_move, side);
         problem_print(file, &warning);
@@ -330,7 +412,7 @@ int command_convert(const host_settings *settings) {
         return COMMAND_FAILED;
     }
     host_bytes file = {NULL, 0, 0};
-    header_writer writer = {.out = &file, .settings = settings};
+    header_writer writer = {.out = &file, .settings = settings, .mesh = &mesh};
     choose_name(settings, writer.name);
     print_head(&writer, &model, &mesh);
     print_guard(&writer, "#ifndef");

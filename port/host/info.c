@@ -57,6 +57,43 @@ static void print_bounds(const host_model *model, const quantised_mesh *mesh) {
     printf("lowest %.6g %.6g %.6g\n", low[0], low[1], low[2]);
     printf("highest %.6g %.6g %.6g\n", high[0], high[1], high[2]);
     printf("largest_move %.3g\n", mesh->largest_move / model->fit);
+    printf("largest_turn %.3g\n", mesh->largest_turn);
+}
+
+/** One line of print_types: what a type saves of the flash of 16 bits, and what error it brings. */
+static void print_type(const host_model *model, const quantised_mesh *plain, const char *option, const char *name,
+                       quantise_types types) {
+    quantised_mesh other;
+    host_problem problem;
+    if (!quantise(&model->mesh, 0, &types, &other, &problem)) {
+        printf("%-12s %-14s does not fit\n", option, name);
+        return;
+    }
+    const double before = (double)quantised_size(plain);
+    printf("%-12s %-14s %8.0f %5.1f%% %10.3g %8.3g\n", option, name, before - (double)quantised_size(&other),
+           100 * (before - (double)quantised_size(&other)) / before, other.largest_move / model->fit,
+           other.largest_turn);
+    quantised_free(&other);
+}
+
+/** What each type of an attribute saves, by itself and all together. */
+static void print_types(const host_model *model) {
+    quantised_mesh plain;
+    host_problem problem;
+    if (!quantise(&model->mesh, 0, NULL, &plain, &problem)) {
+        return;
+    }
+    printf("\nBytes of flash that types save, of %zu without clusters; the largest move of a position, in the model's "
+           "units,\nand turn of a normal, in degrees:\n",
+           quantised_size(&plain));
+    print_type(model, &plain, "--positions", "int16", (quantise_types){0});
+    print_type(model, &plain, "--positions", "int8", (quantise_types){.positions = QUANTISE_POSITIONS_INT8});
+    print_type(model, &plain, "--normals", "octahedral16", (quantise_types){.normals = QUANTISE_NORMALS_OCTAHEDRAL16});
+    print_type(model, &plain, "--normals", "octahedral", (quantise_types){.normals = QUANTISE_NORMALS_OCTAHEDRAL});
+    print_type(model, &plain, "--indices", "8", (quantise_types){.indices = QUANTISE_INDICES_8});
+    print_type(model, &plain, "all", "8 or auto",
+               (quantise_types){QUANTISE_POSITIONS_INT8, QUANTISE_NORMALS_OCTAHEDRAL, QUANTISE_INDICES_AUTO});
+    quantised_free(&plain);
 }
 
 /** Prints the arena that the framed model needs on a panel. @return false with a problem */
@@ -102,6 +139,7 @@ int command_info(const host_settings *settings) {
         ok = report_cost(&subject, &settings->panel, &problem);
     }
     if (ok) {
+        print_types(&model);
         command_print_warnings(settings, &model);
         command_warn_of_size(settings, &mesh);
     }

@@ -10,17 +10,19 @@
 #include "materials.h"
 #include "mesh.h"
 #include "problem.h"
+#include "quantise.h"
 
 /** What becomes of a model when it is loaded. */
 typedef struct load_options {
     double crease; /**< As for mesh_average_normals. */
     mesh_weights weights;
-    bool facets;         /**< Facet normals in place of averages. */
-    bool repair;         /**< Turn triangles that are wound the wrong way. */
-    bool plain;          /**< Without clusters, in the order of the model. */
-    double weld;         /**< Distance within which positions become one; below 0 for not at all. */
-    size_t simplify;     /**< Most triangles; 0 for as many as there are. */
-    child_limits import; /**< For what reads other formats than OBJ. */
+    bool facets;          /**< Facet normals in place of averages. */
+    bool repair;          /**< Turn triangles that are wound the wrong way. */
+    quantise_types types; /**< How the mesh is stored. */
+    bool plain;           /**< Without clusters, in the order of the model. */
+    double weld;          /**< Distance within which positions become one; below 0 for not at all. */
+    size_t simplify;      /**< Most triangles; 0 for as many as there are. */
+    child_limits import;  /**< For what reads other formats than OBJ. */
 } load_options;
 
 /** A model with normals at every corner. */

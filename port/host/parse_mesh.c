@@ -24,6 +24,34 @@ bool parse_weights(host_settings *settings, const char *text, host_problem *prob
     return value_expected(problem, "takes equal, area or angle");
 }
 
+/** The number of a name in a list; -1 for none. */
+static int find_name(const char *const *names, const char *text) {
+    for (int i = 0; names[i] != NULL; i++) {
+        if (strcmp(text, names[i]) == 0) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+bool parse_positions(host_settings *settings, const char *text, host_problem *problem) {
+    const int found = find_name(quantise_position_names, text);
+    settings->load.types.positions = (quantise_positions)(found > 0 ? found : 0);
+    return found >= 0 || value_expected(problem, "takes int16 or int8");
+}
+
+bool parse_normals(host_settings *settings, const char *text, host_problem *problem) {
+    const int found = find_name(quantise_normal_names, text);
+    settings->load.types.normals = (quantise_normals)(found > 0 ? found : 0);
+    return found >= 0 || value_expected(problem, "takes int16, octahedral or octahedral16");
+}
+
+bool parse_indices(host_settings *settings, const char *text, host_problem *problem) {
+    const int found = find_name(quantise_index_names, text);
+    settings->load.types.indices = (quantise_indices)(found > 0 ? found : 0);
+    return found >= 0 || value_expected(problem, "takes 16, 8 or auto");
+}
+
 bool parse_facets(host_settings *settings, const char *text, host_problem *problem) {
     (void)text;
     (void)problem;

@@ -31,6 +31,9 @@ bool parse_crease(host_settings *settings, const char *text, host_problem *probl
 bool parse_weights(host_settings *settings, const char *text, host_problem *problem);
 bool parse_facets(host_settings *settings, const char *text, host_problem *problem);
 bool parse_repair(host_settings *settings, const char *text, host_problem *problem);
+bool parse_positions(host_settings *settings, const char *text, host_problem *problem);
+bool parse_normals(host_settings *settings, const char *text, host_problem *problem);
+bool parse_indices(host_settings *settings, const char *text, host_problem *problem);
 bool parse_no_clusters(host_settings *settings, const char *text, host_problem *problem);
 bool parse_weld(host_settings *settings, const char *text, host_problem *problem);
 bool parse_simplify(host_settings *settings, const char *text, host_problem *problem);

@@ -17,8 +17,13 @@
 /** Twice VERTICES_MAX: open addressing stays fast half full. */
 #define SLOT_COUNT 131072u
 
+const char *const quantise_position_names[] = {"int16", "int8", NULL};
+const char *const quantise_normal_names[] = {"int16", "octahedral", "octahedral16", NULL};
+const char *const quantise_index_names[] = {"16", "8", "auto", NULL};
+
 typedef struct mesh_quantiser {
     const host_mesh *mesh;
+    quantise_types types;
     double offset[3], extent[3];
 } mesh_quantiser;
 
@@ -40,29 +45,103 @@ typedef struct mesh_piece {
 
 /* ---- Steps ------------------------------------------------------------------------------------------------------ */
 
+/** Steps from one position that can be stored to the next. */
+static int step_size(const mesh_quantiser *quantiser) {
+    return quantiser->types.positions == QUANTISE_POSITIONS_INT8 ? 256 : 1;
+}
+
+static double last_step(const mesh_quantiser *quantiser) {
+    return step_size(quantiser) > 1 ? 127.0 * 256.0 : 32767.0;
+}
+
 /** Offset in the middle and an extent that reaches both ends, both as Q16.16 holds them. */
 static void choose_range(mesh_quantiser *quantiser, int axis, double low, double high, glint_mesh *frame) {
     const glint_q16 offset = number_q16(low / 2 + high / 2);
     quantiser->offset[axis] = number_from_q16(offset);
     const double reach = fmax(high - quantiser->offset[axis], quantiser->offset[axis] - low);
-    /* Rounded up, so that the end lies on step 32767 or below it; exact for what was quantised before. */
-    const glint_q16 extent = (glint_q16)ceil(reach * (32768.0 * 65536.0) / 32767.0);
+    /* Rounded up, so that the end lies on the last step or below it; exact for what was quantised before. */
+    const glint_q16 extent = (glint_q16)ceil(reach * (32768.0 * 65536.0) / last_step(quantiser));
     quantiser->extent[axis] = number_from_q16(extent);
     *(axis == 0 ? &frame->offset.x : axis == 1 ? &frame->offset.y : &frame->offset.z) = offset;
     *(axis == 0 ? &frame->extent.x : axis == 1 ? &frame->extent.y : &frame->extent.z) = extent;
 }
+
+/* ---- Octahedra (Meyer et al., 2010; Cigolle et al., 2014) ------------------------------------------------------- */
+
+/** What 1 is stored as, and by what the library multiplies that. */
+static int octahedron_one(quantise_normals normals) {
+    return normals == QUANTISE_NORMALS_OCTAHEDRAL16 ? 32767 : 127;
+}
+
+static int octahedron_scale(quantise_normals normals) {
+    return normals == QUANTISE_NORMALS_OCTAHEDRAL16 ? 1 : 258;
+}
+
+/** x or y of a point whose z is below 0, folded outwards, or back. */
+static double fold(double own, double other, double one) {
+    return (one - fabs(other)) * (own < 0 ? -1 : 1);
+}
+
+static void unfold(double u, double v, double one, double normal[3]) {
+    normal[2] = one - fabs(u) - fabs(v);
+    normal[0] = normal[2] < 0 ? fold(u, v, one) : u;
+    normal[1] = normal[2] < 0 ? fold(v, u, one) : v;
+}
+
+static double cosine_between(const double a[3], const double b[3]) {
+    const double length = sqrt((a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) * (b[0] * b[0] + b[1] * b[1] + b[2] * b[2]));
+    return length > 0 ? (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / length : 1;
+}
+
+/** The decoded numbers of the nearest normal that can be stored: one of four around the exact place. */
+static void choose_octahedral(const double normal[3], quantise_normals type, int16_t values[3]) {
+    const double one = octahedron_one(type);
+    const double sum = fabs(normal[0]) + fabs(normal[1]) + fabs(normal[2]);
+    const double x = sum > 0 ? normal[0] / sum * one : 0;
+    const double y = sum > 0 ? normal[1] / sum * one : 0;
+    const double place[2] = {normal[2] < 0 ? fold(x, y, one) : x, normal[2] < 0 ? fold(y, x, one) : y};
+    double best = -2;
+    for (int i = 0; i < 4; i++) {
+        const double u = fmin(floor(place[0]) + (i & 1), one);
+        const double v = fmin(floor(place[1]) + (i >> 1), one);
+        double decoded[3];
+        unfold(u, v, one, decoded);
+        const double cosine = cosine_between(decoded, normal);
+        if (cosine > best) {
+            best = cosine;
+            for (int axis = 0; axis < 3; axis++) {
+                values[axis] = (int16_t)(decoded[axis] * octahedron_scale(type));
+            }
+        }
+    }
+}
+
+void quantised_code(const quantised_mesh *mesh, const int16_t normal[3], int code[2]) {
+    const double one = octahedron_one(mesh->types.normals);
+    const int scale = octahedron_scale(mesh->types.normals);
+    const double x = normal[0] / scale;
+    const double y = normal[1] / scale;
+    code[0] = (int)(normal[2] < 0 ? fold(x, y, one) : x);
+    code[1] = (int)(normal[2] < 0 ? fold(y, x, one) : y);
+}
+
+/* ---- Corners ---------------------------------------------------------------------------------------------------- */
 
 static int16_t clamp_step(long step) {
     return (int16_t)(step > 32767 ? 32767 : step < -32767 ? -32767 : step);
 }
 
 static void quantise_corner(const mesh_quantiser *quantiser, mesh_corner corner, int16_t values[VALUES]) {
+    const int size = step_size(quantiser);
     for (int axis = 0; axis < 3; axis++) {
         const double extent = quantiser->extent[axis];
         const double distance = quantiser->mesh->positions[corner.position][axis] - quantiser->offset[axis];
-        values[axis] = extent > 0 ? clamp_step(lround(distance / extent * 32768.0)) : 0;
+        values[axis] = (int16_t)(extent > 0 ? clamp_step(lround(distance / extent * 32768.0 / size) * size) : 0);
         values[3 + axis] = clamp_step(lround(quantiser->mesh->normals[corner.normal][axis] * 32767.0));
         values[6 + axis] = quantiser->mesh->colours != NULL ? quantiser->mesh->colours[corner.position][axis] : 0;
+    }
+    if (quantiser->types.normals != QUANTISE_NORMALS_INT16) {
+        choose_octahedral(quantiser->mesh->normals[corner.normal], quantiser->types.normals, values + 3);
     }
 }
 
@@ -205,8 +284,16 @@ void quantised_position(const glint_mesh *mesh, uint32_t vertex, double position
     position[2] = number_from_q16(mesh->offset.z) + number_from_q16(mesh->extent.z) * step[2] / 32768.0;
 }
 
-static double largest_move(const mesh_quantiser *quantiser) {
+static double sine_between(const double a[3], const double b[3]) {
+    const double cross[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    const double length = sqrt((a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) * (b[0] * b[0] + b[1] * b[1] + b[2] * b[2]));
+    return length > 0 ? sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]) / length : 0;
+}
+
+/** The errors of what is stored. */
+static void measure_errors(const mesh_quantiser *quantiser, quantised_mesh *out) {
     double largest = 0;
+    double largest_sine = 0; /* of angles below 90 degrees */
     for (size_t i = 0; i < 3 * quantiser->mesh->triangle_count; i++) {
         int16_t values[VALUES];
         const mesh_corner corner = quantiser->mesh->triangles[i / 3][i % 3];
@@ -215,8 +302,11 @@ static double largest_move(const mesh_quantiser *quantiser) {
             const double there = quantiser->offset[axis] + quantiser->extent[axis] * values[axis] / 32768.0;
             largest = fmax(largest, fabs(there - quantiser->mesh->positions[corner.position][axis]));
         }
+        const double stored[3] = {values[3], values[4], values[5]};
+        largest_sine = fmax(largest_sine, sine_between(stored, quantiser->mesh->normals[corner.normal]));
     }
-    return largest;
+    out->largest_move = largest;
+    out->largest_turn = asin(fmin(largest_sine, 1)) * 57.29577951308232;
 }
 
 /** The triangles by rising material, in the order of the mesh where it is the same; the caller frees them. */
@@ -240,12 +330,31 @@ static size_t *by_material(const host_mesh *mesh) {
     return order;
 }
 
-bool quantise(const host_mesh *mesh, uint32_t flags, quantised_mesh *out, host_problem *problem) {
+bool quantised_small_indices(const quantised_mesh *mesh, const glint_mesh *piece) {
+    return mesh->types.indices != QUANTISE_INDICES_16 && piece->vertex_count <= 256;
+}
+
+/** Whether 8 bits hold the indices that are to have them. */
+static bool indices_fit(const quantised_mesh *mesh, host_problem *problem) {
+    for (size_t i = 0; i < mesh->piece_count && mesh->types.indices == QUANTISE_INDICES_8; i++) {
+        if (mesh->pieces[i].vertex_count > 256) {
+            return problem_set(problem, 0, "%lu vertices: indices of 8 bits hold 256; auto takes 16 where they must",
+                               (unsigned long)mesh->pieces[i].vertex_count);
+        }
+    }
+    return true;
+}
+
+bool quantise(const host_mesh *mesh, uint32_t flags, const quantise_types *types, quantised_mesh *out,
+              host_problem *problem) {
     mesh_quantiser quantiser = {.mesh = mesh};
     glint_mesh frame = {.flags = flags};
     double low[3];
     double high[3];
     memset(out, 0, sizeof *out);
+    if (types != NULL) {
+        quantiser.types = out->types = *types;
+    }
     mesh_bounds(mesh, low, high);
     double largest = 0;
     for (int axis = 0; axis < 3; axis++) {
@@ -270,7 +379,11 @@ bool quantise(const host_mesh *mesh, uint32_t flags, quantised_mesh *out, host_p
     }
     free(piece.vertices);
     free(piece.slots);
-    out->largest_move = largest_move(&quantiser);
+    measure_errors(&quantiser, out);
+    if (!indices_fit(out, problem)) {
+        quantised_free(out);
+        return false;
+    }
     return out->piece_count > 0 || problem_set(problem, 0, "all %zu triangles are without area", mesh->triangle_count);
 }
 
@@ -289,8 +402,13 @@ uint32_t quantised_borrowers(const glint_clusters *clusters) {
 }
 
 size_t quantised_size(const quantised_mesh *mesh) {
-    const size_t vertex = 2 * 3 * sizeof(int16_t) + (mesh->pieces[0].colours != NULL ? 3 : 0);
-    size_t size = vertex * mesh->vertex_count + 3 * sizeof(uint16_t) * mesh->triangle_count;
+    static const size_t normal_bytes[] = {6, 2, 4};
+    const size_t vertex = (mesh->types.positions == QUANTISE_POSITIONS_INT8 ? 3 : 6) +
+                          normal_bytes[mesh->types.normals] + (mesh->pieces[0].colours != NULL ? 3 : 0);
+    size_t size = vertex * mesh->vertex_count;
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        size += (quantised_small_indices(mesh, &mesh->pieces[i]) ? 3 : 6) * (size_t)mesh->pieces[i].triangle_count;
+    }
     for (size_t i = 0; i < mesh->piece_count; i++) {
         const glint_clusters *clusters = mesh->pieces[i].clusters;
         if (clusters != NULL) {

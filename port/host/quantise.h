@@ -13,6 +13,26 @@
 /** Largest coordinate of a mesh: offset and extent then fit Q16.16 with room for a rounding. */
 #define QUANTISE_COORDINATE_MAX 32766.0
 
+typedef enum quantise_positions { QUANTISE_POSITIONS_INT16, QUANTISE_POSITIONS_INT8 } quantise_positions;
+
+typedef enum quantise_normals {
+    QUANTISE_NORMALS_INT16,
+    QUANTISE_NORMALS_OCTAHEDRAL,  /**< Two int8. */
+    QUANTISE_NORMALS_OCTAHEDRAL16 /**< Two int16. */
+} quantise_normals;
+
+typedef enum quantise_indices { QUANTISE_INDICES_16, QUANTISE_INDICES_8, QUANTISE_INDICES_AUTO } quantise_indices;
+
+/** How a mesh is stored; all 0 for arrays of 16 bits. Pieces have arrays all the same, of the decoded numbers. */
+typedef struct quantise_types {
+    quantise_positions positions;
+    quantise_normals normals;
+    quantise_indices indices; /**< Auto: 8 bits for each piece of up to 256 vertices. */
+} quantise_types;
+
+/** Their names on the command line, each list ended by a null pointer. */
+extern const char *const quantise_position_names[], *const quantise_normal_names[], *const quantise_index_names[];
+
 /**
  * A mesh in as many pieces as its materials and 16-bit indices need, by rising material. All pieces have the same
  * offset and extent, so that nothing gapes between them. Owns its meshes and their arrays.
@@ -25,6 +45,8 @@ typedef struct quantised_mesh {
     size_t triangle_count; /**< Of all pieces. */
     size_t dropped_count;  /**< Triangles left out: two corners fell on one position. */
     double largest_move;   /**< Largest distance along an axis between a position and its quantised one. */
+    double largest_turn;   /**< Largest angle between a normal and its quantised one, degrees. */
+    quantise_types types;
 } quantised_mesh;
 
 /**
@@ -32,10 +54,19 @@ typedef struct quantised_mesh {
  * zero, with the offset and extent as Q16.16 holds them; normals are unit length, 32767 for 1. Vertices stand in the
  * order of the positions, then normals, of `mesh`.
  * @param flags of every piece
- * @return false with a problem when a coordinate is beyond QUANTISE_COORDINATE_MAX or no triangle is left; nothing is
- *         then to be freed
+ * @param types null for 16 bits. Positions of 8 bits are multiples of 256 within +-127 * 256; octahedral normals are
+ * the nearest that can be stored
+ * @return false with a problem when a coordinate is beyond QUANTISE_COORDINATE_MAX, no triangle is left, or 8 bits do
+ *         not hold the indices that are to have them; nothing is then to be freed
  */
-bool quantise(const host_mesh *mesh, uint32_t flags, quantised_mesh *out, host_problem *problem);
+bool quantise(const host_mesh *mesh, uint32_t flags, const quantise_types *types, quantised_mesh *out,
+              host_problem *problem);
+
+/** Whether a piece's indices are stored in 8 bits. */
+bool quantised_small_indices(const quantised_mesh *mesh, const glint_mesh *piece);
+
+/** The code of an octahedral normal whose decoded numbers a piece has. */
+void quantised_code(const quantised_mesh *mesh, const int16_t normal[3], int code[2]);
 
 /** Gives each piece clusters, where they pay: its vertices and triangles are then in their order (cluster.h). */
 void quantised_cluster(quantised_mesh *mesh);

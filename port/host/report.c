@@ -19,6 +19,17 @@ static host_settings on_panel(const report_subject *subject, const settings_pane
     return framed;
 }
 
+/** Bytes of arena that indices of 8 bits take, which the meshes here do not have. */
+static size_t decoded_bytes(const quantised_mesh *mesh) {
+    size_t bytes = 0;
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        if (quantised_small_indices(mesh, &mesh->pieces[i])) {
+            bytes += ((size_t)mesh->pieces[i].triangle_count * 6 + 7) / 8 * 8;
+        }
+    }
+    return bytes;
+}
+
 bool report_arena(const report_subject *subject, const settings_panel *panel, glint_need *need, host_problem *problem) {
     const host_settings framed = on_panel(subject, panel);
     host_view view;
@@ -30,7 +41,13 @@ bool report_arena(const report_subject *subject, const settings_panel *panel, gl
     config.flush = framebuffer_flush(&target);
     const glint_status status = glint_arena_need(&config, &view.scene, need);
     view_free(&view);
-    return status == GLINT_OK || problem_set(problem, 0, "%s", glint_strerror(status));
+    if (status != GLINT_OK) {
+        return problem_set(problem, 0, "%s", glint_strerror(status));
+    }
+    const size_t decoded = decoded_bytes(subject->mesh);
+    need->resident += decoded;
+    need->one_pass += decoded;
+    return true;
 }
 
 bool report_cost(const report_subject *subject, const settings_panel *panel, host_problem *problem) {
@@ -84,6 +101,8 @@ bool report_print(const report_subject *subject, host_problem *problem) {
     printf("vertices %zu\n", moved.vertex_count);
     printf("triangles %zu\n", moved.triangle_count);
     printf("flash_bytes %zu\n", quantised_size(&moved));
+    printf("largest_move %.3g\n", subject->mesh->largest_move);
+    printf("largest_turn %.3g\n", subject->mesh->largest_turn);
     bool ok = report_arena(&here, panel, &need, problem);
     if (ok) {
         printf("panel %ux%u %s\n", panel->width, panel->height, panel->format->name);

@@ -74,7 +74,7 @@ static void check_clusters(const glint_mesh *piece) {
 static void check_quantised(const host_mesh *mesh) {
     host_problem problem = {0, ""};
     quantised_mesh quantised;
-    if (!quantise(mesh, 0, &quantised, &problem)) {
+    if (!quantise(mesh, 0, NULL, &quantised, &problem)) {
         check_problem(&problem);
         return;
     }

@@ -225,6 +225,76 @@ def test_colours(host):
     host.check("equal places of two colours stay two vertices", "edge_colours[6]" in convert(host, "edge.obj"))
 
 
+def numbers(text, name):
+    """The rows of an array of any type, and that type."""
+    match = re.search(r"static const (\w+) " + name + r"\[\d+\]\[\d\] = \{(.*?)\n\};", text, re.DOTALL)
+    return match.group(1), [tuple(int(v) for v in row.split(",")) for row in re.findall(r"\{([^{}]*)\}", match.group(2))]
+
+
+def unfold(code, one):
+    """The direction of an octahedral code."""
+    u, v = (c / one for c in code)
+    z = 1 - abs(u) - abs(v)
+    x, y = (u, v) if z >= 0 else ((1 - abs(v)) * (-1 if u < 0 else 1), (1 - abs(u)) * (-1 if v < 0 else 1))
+    length = (x * x + y * y + z * z) ** .5
+    return x / length, y / length, z / length
+
+
+def test_types(host):
+    """Types of attributes: the same surface, within the errors that are told."""
+    model = os.path.join(MODELS, "stem.obj")
+    for options in (["--positions", "int8"], ["--normals", "octahedral"], ["--normals", "octahedral16"], ["--indices", "8"],
+                    ["--positions", "int8", "--normals", "octahedral", "--indices", "auto"]):
+        told = host.run("convert", model, "--name", "t", "--no-clusters", *options, "-o", "t.h").stdout
+        told = dict(line.split(" ", 1) for line in told.splitlines())
+        text, plain = host.read("t.h").decode(), convert(host, model, "--name", "t", "--no-clusters")
+        host.check(f"{options}: command line", f"{' '.join(options)} --no-clusters\n" in text)
+        (kind, points), (normal_kind, normals), (index_kind, triangles) = (numbers(text, "t_" + w) for w in ("positions", "normals", "triangles"))
+        wanted = ("int8_t" if "int8" in options else "int16_t",
+                  "int8_t" if "octahedral" in options else "int16_t", "uint8_t" if "--indices" in options else "uint16_t")
+        host.equal(f"{options}: types", (kind, normal_kind, index_kind), wanted)
+        body = re.search(r"glint_mesh t_mesh = \{(.*?)\n\};", text, re.DOTALL).group(1)
+        offset, extent = ([int(v) / 65536 for v in row.split(",")] for row in re.findall(r"\{([^{}]*)\}", body))
+        old = mesh(plain, "t")
+        one = {2: 127 if normal_kind == "int8_t" else 32767}.get(len(normals[0]))
+        directions = [unfold(n, one) if one else tuple(v / 32767 for v in n) for n in normals]
+        steps = 128 if kind == "int8_t" else 32768
+        places = [tuple(offset[a] + extent[a] * p[a] / steps for a in range(3)) for p in points]
+        host.equal(f"{options}: triangles", len(triangles), len(old[2]))
+        move = max(abs(places[v][a] - old[0][w][a]) for t, u in zip(triangles, old[2]) for v, w in zip(t, u) for a in range(3))
+        cross = [(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0])
+                 for t, u in zip(triangles, old[2]) for p, q in ((directions[v], old[1][w]) for v, w in zip(t, u))]
+        turn = max(sum(c * c for c in n) ** .5 for n in cross) * 57.2958
+        host.check(f"{options}: move", abs(move - float(told["largest_move"])) < 1e-4, f"{move} {told['largest_move']}")
+        host.check(f"{options}: turn", abs(turn - float(told["largest_turn"])) < 5e-3 and turn < .64, f"{turn} {told['largest_turn']}")
+        size = len(points) * (3 if kind == "int8_t" else 6) + len(triangles) * (3 if index_kind == "uint8_t" else 6) + \
+            len(normals) * len(normals[0]) * (1 if normal_kind == "int8_t" else 2)
+        host.equal(f"{options}: bytes", told["flash_bytes"], str(size))
+        host.write("use.c", '#include "t.h"\nconst glint_mesh *used(void);\nconst glint_mesh *used(void) { return &t_mesh; }\n')
+        run = subprocess.run(["cc", "-std=c99", *STRICT, "-I", os.path.dirname(host.path("t.h")), "-c", host.path("use.c"), "-o", host.path("use.o")],
+                             capture_output=True, text=True, check=False)
+        host.equal(f"{options}: compiles", (run.returncode, run.stderr), (0, ""))
+    for option, value in (("--positions", "int4"), ("--normals", ""), ("--indices", "9")):
+        host.check(f"{option} {value}", host.run("convert", model, option, value, "-o", "t.h").returncode != 0)
+    run = host.run("convert", "torus:24x12", "--indices", "8", "-o", "t.h")
+    host.check("indices that do not fit", run.returncode != 0 and "288 vertices" in run.stderr, run.stderr)
+
+
+def test_page_of_types(host):
+    """The table of docs/meshes.md is what `info` prints."""
+    with open(os.path.join(ROOT, "docs", "meshes.md"), encoding="utf-8") as file:
+        table = re.findall(r"^\| ([\w-]+) \| (\d+) \| (.*) \|$", file.read(), re.MULTILINE)
+    host.check("models", len(table) >= 5, str(table))
+    for model, total, rest in table:
+        told = host.run("info", os.path.join(MODELS, model + ".obj")).stdout
+        part = {tuple(row[:2]): row[2:] for row in (line.split() for line in told.splitlines()) if row and row[0][:2] in ("--", "al")}
+        points, fine, coarse, few = (part[key] for key in (("--positions", "int8"), ("--normals", "octahedral16"),
+                                                           ("--normals", "octahedral"), ("--indices", "8")))
+        wanted = [f"{points[1][:-1]} %, {points[2]}", f"{fine[1][:-1]} %, {fine[3]}", f"{coarse[1][:-1]} %, {coarse[3]}",
+                  "does not fit" if few[0] == "does" else f"{few[1][:-1]} %", part["all", "8"][3][:-1] + " %"]
+        host.equal(f"{model} in the page", (total, rest), (re.search(r"of (\d+) without", told).group(1), " | ".join(wanted)))
+
+
 def test_repair_is_in_the_head(host):
     host.write("a.obj", SQUARE)
     text = convert(host, "a.obj", "--weights", "angle", "--facets", "--repair")

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Draws the pictures of docs/compose.md and docs/black.md: pictures DIRECTORY
+ * Draws the pictures of docs/compose.md, docs/black.md and docs/meshes.md: pictures DIRECTORY
  * They are what a panel of 16 bits shows.
  */
 #include "compose/compose.h"
 #include "framebuffer.h"
 #include "lines/lines.h"
 #include "meshes/torus576.h"
+#include "moving/moving.h"
 #include "output.h"
 #include "png.h"
 
@@ -16,22 +17,28 @@
 
 static uint32_t arena[(256 << 10) / sizeof(uint32_t)];
 
-/* @return 0, or 1 with a message */
-static int write_picture(const framebuffer *target, const char *directory, const char *name) {
-    uint8_t *const pixels = framebuffer_expand(target);
-    host_bytes file = {0};
+/* Writes and frees a picture. @return 0, or 1 with a message */
+static int write_file(host_bytes *file, const char *directory, const char *name) {
     host_problem problem;
     char path[1000];
 
     snprintf(path, sizeof path, "%s/%s.png", directory, name);
-    png_encode(&file, pixels, target->width, target->height, target->format->channels);
-    const int failed = !bytes_write_file(&file, path, &problem);
+    const int failed = !bytes_write_file(file, path, &problem);
     if (failed) {
         problem_print(path, &problem);
     }
-    free(pixels);
-    free(file.data);
+    free(file->data);
     return failed;
+}
+
+/* @return 0, or 1 with a message */
+static int write_picture(const framebuffer *target, const char *directory, const char *name) {
+    uint8_t *const pixels = framebuffer_expand(target);
+    host_bytes file = {0};
+
+    png_encode(&file, pixels, target->width, target->height, target->format->channels);
+    free(pixels);
+    return write_file(&file, directory, name);
 }
 
 static int tell(const char *name, glint_status status) {
@@ -69,6 +76,42 @@ static int draw_lines(const char *directory) {
                                  .arena = arena,
                                  .arena_size = sizeof arena};
     const int failed = tell("lines", lines_draw(&config)) || write_picture(&target, directory, "lines");
+    framebuffer_free(&target);
+    return failed;
+}
+
+/* ---- Meshes that change ---- */
+
+#define MOVING_FRAMES 24
+
+/* Frames of one renderer, which keeps its arena, as an animation. */
+static int draw_moving(const char *directory) {
+    framebuffer target;
+    glint_renderer renderer;
+    uint8_t *frames[MOVING_FRAMES] = {0};
+
+    framebuffer_init(&target, &glint_format_rgb565, 320, 160);
+    const glint_config config = {.width = 320,
+                                 .height = 160,
+                                 .format = &glint_format_rgb565,
+                                 .flush = framebuffer_flush(&target),
+                                 .arena = arena,
+                                 .arena_size = sizeof arena,
+                                 .keeps_arena = 1};
+    int failed = tell("moving", glint_init(&renderer, &config));
+    for (int i = 0; i < MOVING_FRAMES && !failed; i++) {
+        failed = tell("moving", moving_draw(&renderer, i * 360 / MOVING_FRAMES));
+        frames[i] = framebuffer_expand(&target);
+    }
+    if (!failed) {
+        const png_movie movie = {frames, MOVING_FRAMES, 1, 12};
+        host_bytes file = {0};
+        png_encode_movie(&file, &movie, target.width, target.height, target.format->channels);
+        failed = write_file(&file, directory, "moving");
+    }
+    for (int i = 0; i < MOVING_FRAMES; i++) {
+        free(frames[i]);
+    }
     framebuffer_free(&target);
     return failed;
 }
@@ -204,7 +247,7 @@ int main(int argc, char **argv) {
     int failed = argc != 2;
 
     if (!failed) {
-        failed = draw_compose(argv[1]) || draw_lines(argv[1]);
+        failed = draw_compose(argv[1]) || draw_lines(argv[1]) || draw_moving(argv[1]);
     }
     for (size_t i = 0; i < sizeof spoilt / sizeof *spoilt && !failed; i++) {
         failed = draw_spoilt(&spoilt[i], argv[1]);
