@@ -18,7 +18,8 @@ static glint_status check_attribute(const glint_attribute *a, uint32_t use) {
         return GLINT_ERROR_TYPE;
     if (a->stride && a->stride < a->type->size)
         return GLINT_ERROR_STRIDE;
-    return ((uintptr_t)a->data | a->stride) & (a->type->alignment - 1u) ? GLINT_ERROR_STRIDE : GLINT_OK;
+    const uintptr_t odd = ((uintptr_t)a->data | a->stride) & (a->type->alignment - 1u);
+    return odd ? GLINT_ERROR_STRIDE : GLINT_OK;
 }
 
 static glint_status check_layout_of(const glint_mesh *mesh) {
