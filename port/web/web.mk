@@ -33,7 +33,8 @@ $(WEB)/glint.wasm: $(WEB_OBJECTS)
 	$(Q)wasm-ld --no-entry --gc-sections --strip-all -O2 -z stack-size=262144 --allow-undefined-file=port/web/imports.txt \
 	    $(patsubst -Wl$(comma)%,%,$(HOST_WATCH)) $^ -o $@
 
-$(WEB)/page/data.js: $(WEB)/glint.wasm port/web/page.py $(wildcard port/web/page/*)
+$(WEB)/page/data.js: $(WEB)/glint.wasm port/web/page.py $(wildcard port/web/page/* examples/models/*.obj docs/*.csv) \
+    docs/charts/shading.csv docs/features.md src/glint.h
 	$(Q)python3 port/web/page.py $< $(@D)
 
 .PHONY: web
