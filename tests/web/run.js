@@ -269,6 +269,21 @@ async function checkErrors(page) {
   await show(page, "");
 }
 
+// ---- Costs
+
+// What the page says of boards is what the host program says.
+async function checkCosts(page) {
+  for (const address of ["", "at=node&lights=" + THREE, "at=vertex&format=grey4", "m=scene:teapot:flood-wide", "m=scene:three-spheres:vertex-dense"]) {
+    await show(page, address);
+    await settle(page);
+    const told = String(run(HOST, [...(await commandOf(page)).slice(1, -1), path.join(folder, "cost.png"), "--stats"]).stdout);
+    const own = await page.evaluate(() => stats);
+    const wanted = [...told.matchAll(/^((?:instructions|ms)_\w+|passes|references) ([\d.]+)$/gm)];
+    const wrong = wanted.filter(([, name, value]) => own[name] !== Number(value)).map(([line, name]) => `${line}, not ${own[name]}`);
+    check(`costs of ${address || "the first picture"}`, wanted.length >= 10 && wrong.length === 0, wrong.join("; "));
+  }
+}
+
 // ---- The program that is copied
 
 const MODULES = { ili9341: ["ili9341", "90"], st7789: ["st7789-240x240", "0"], st7735: ["st7735-red", "90"], ssd1351: ["ssd1351", "0"],
@@ -427,6 +442,7 @@ try {
   await checkPixels(page);
   await checkDropped(page);
   await checkErrors(page);
+  await checkCosts(page);
   await checkPrograms(page);
   await checkHandling(page, url);
   await checkForeign(page);
