@@ -49,10 +49,16 @@ static inline long lround(double x) {
 double sin(double x);
 double cos(double x);
 double tan(double x);
+double asin(double x);
 double acos(double x);
+double atan(double x);
 double atan2(double y, double x);
 double pow(double x, double y);
+double exp(double x);
+double log(double x);
+double log2(double x);
 double log10(double x);
+double cbrt(double x);
 double hypot(double x, double y);
 
 #endif

@@ -106,8 +106,8 @@ const Glint = (() => {
   }
 
   async function start(data) {
-    const { sin, cos, tan, acos, atan2, pow, log10, hypot } = Math;
-    const env = { sin, cos, tan, acos, atan2, pow, log10, hypot, web_print_real: printReal };
+    const mathematics = Object.getOwnPropertyNames(Math).map((name) => [name, Math[name]]);
+    const env = { ...Object.fromEntries(mathematics), web_print_real: printReal };
     const [program, packed] = await Promise.all([inflate(data.program), inflate(data.models.data)]);
     const { instance } = await WebAssembly.instantiate(program, { env });
     wasm = instance.exports;
