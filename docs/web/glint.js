@@ -5,19 +5,21 @@
 const Glint = (() => {
   let wasm, memory;
 
-  // Five digits of base 85 (RFC 1924) for each four bytes, of which `size` are deflated data.
-  async function inflate([size, text]) {
-    const digits = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%&()*+-;<=>?@^_`{|}~";
-    const values = Object.fromEntries([...digits].map((digit, value) => [digit, value]));
-    const bytes = new DataView(new ArrayBuffer(text.length / 5 * 4));
-    for (let i = 0; i < text.length; i += 5) {
-      let number = 0;
-      for (let j = 0; j < 5; j++) {
-        number = number * 85 + values[text[i + j]];
+  // Base 91, as page.py writes it, and then deflated.
+  async function inflate(text) {
+    const digits = Array.from({ length: 94 }, (_, i) => String.fromCharCode(33 + i)).filter((digit) => !"\"'\\".includes(digit));
+    const values = Object.fromEntries(digits.map((digit, value) => [digit, value]));
+    const bytes = [];
+    let bits = 0, count = 0;
+    for (let i = 0; i < text.length; i += 2) {
+      const isPair = i + 1 < text.length, number = values[text[i]] + (isPair ? 91 * values[text[i + 1]] : 0);
+      bits |= number << count;
+      count = !isPair ? 8 : count + ((number & 0x1fff) < 91 * 91 - 0x2000 ? 14 : 13); // a last one ends a byte
+      for (; count > 7; count -= 8, bits >>>= 8) {
+        bytes.push(bits & 255);
       }
-      bytes.setUint32(i / 5 * 4, number);
     }
-    const stream = new Blob([bytes.buffer.slice(0, size)]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
+    const stream = new Blob([new Uint8Array(bytes)]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
     return new Uint8Array(await new Response(stream).arrayBuffer());
   }
 

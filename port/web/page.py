@@ -2,9 +2,8 @@
 """Writes the web page whole: page.py GLINT.wasm FOLDER
 
 What is in port/web/page/ is copied. FOLDER/data.js holds the rest: the program, the models that it brings along, and the
-rows of docs/ that the page shows. Both of the first are deflated, by zopfli, and in base 85, so that the page opens from disk too.
+rows of docs/ that the page shows. Both of the first are deflated, by zopfli, and in base 91, so that the page opens from disk too.
 """
-import base64
 import csv
 import json
 import math
@@ -26,13 +25,37 @@ NAMES = ("teapot pumpkin-merry pumpkin-merry-lining pumpkin-grim pumpkin-grim-li
 STREAMS = "x y z nx ny nz corners vertex normal".split()
 
 
+# Printable characters but quotes and the backslash.
+DIGITS = "".join(chr(code) for code in range(33, 127) if chr(code) not in "\"'\\")
+
+
+def base91(data):
+    """Two digits for each 13 bits, lowest first, or for 14 where these are less than 91 * 91 - 2^13 (J. Henke, 2000)."""
+    text, bits, count = [], 0, 0
+    for byte in data:
+        bits |= byte << count
+        count += 8
+        if count > 13:
+            number = bits & 0x1fff
+            taken = 13
+            if number < len(DIGITS) ** 2 - 0x2000:
+                number = bits & 0x3fff
+                taken = 14
+            bits >>= taken
+            count -= taken
+            text.append(DIGITS[number % 91] + DIGITS[number // 91])
+    if count:
+        text.append(DIGITS[bits % 91] + (DIGITS[bits // 91] if count > 7 or bits > 90 else ""))
+    return "".join(text)
+
+
 def packed(data):
-    """How many bytes it is deflated, and these, in fours, in base 85."""
+    """It deflated, in base 91."""
     with tempfile.NamedTemporaryFile() as file:
         file.write(data)
         file.flush()
         small = subprocess.run(["zopfli", "--deflate", "-c", file.name], check=True, stdout=subprocess.PIPE).stdout
-    return [len(small), base64.b85encode(small, pad=True).decode()]
+    return base91(small)
 
 
 # ---- Models: numbers that are small where neighbours are alike
