@@ -869,9 +869,9 @@ glint_status glint_lines_place(glint_segment *segments, const glint_config *conf
  * @param tile what the overlay is given
  * @param segments `count` of them, placed
  * @param count how many
- * @return 0, or GLINT_ERROR_NULL where there is no tile, or not one that a frame has handed out
+ * @return GLINT_OK, or GLINT_ERROR_NULL where there is no tile, or not one that a frame has handed out
  */
-int glint_lines_draw(const glint_tile *tile, const glint_segment *segments, uint32_t count);
+glint_status glint_lines_draw(const glint_tile *tile, const glint_segment *segments, uint32_t count);
 
 /** Sets the twelve edges of a box. @param lines set @param from,to opposite corners @param colour of all */
 void glint_lines_box(glint_line lines[12], glint_vector from, glint_vector to, glint_colour colour);

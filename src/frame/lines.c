@@ -99,7 +99,7 @@ static void draw_segment(const line_target *target, const glint_segment *segment
     walk_along(target, &walk, &range, (const int32_t(*)[3])colour);
 }
 
-int glint_lines_draw(const glint_tile *tile, const glint_segment *segments, uint32_t count) {
+glint_status glint_lines_draw(const glint_tile *tile, const glint_segment *segments, uint32_t count) {
     if (!tile || !tile->frame || !tile->workspace || (count && !segments))
         return GLINT_ERROR_NULL;
     const glint_view *const view = tile->frame->view;
@@ -110,5 +110,5 @@ int glint_lines_draw(const glint_tile *tile, const glint_segment *segments, uint
     for (uint32_t i = 0; i < count; i++)
         if (segments[i].colour)
             draw_segment(&target, &segments[i]);
-    return 0;
+    return GLINT_OK;
 }

@@ -7,6 +7,7 @@
 - so has every symbol of the library and of the panels; no two of their objects, nor two of src/'s headers for users,
   have one file name;
 - no example names a member below `@privatesection`: each compiles where these have other names;
+- a function that returns an int answers 1 or 0, and says so; what can fail returns a glint_status;
 - each code of glint_status is one less than the one before it, and has a sentence.
 """
 import argparse
@@ -180,6 +181,16 @@ def check_private(tally):
         tally.check("no member named" in named.stderr and count > 40, "what is private is not found: %d lines" % count)
 
 
+def check_answers(tally, headers):
+    found = []
+    for header in headers:
+        with open(header) as file:
+            found += [(header, name, comment) for comment, name in
+                      re.findall(r"/\*\*((?:(?!\*/).)*)\*/\nint (\w+)\(", file.read(), re.DOTALL)]
+    silent = ["%s: %s" % (header, name) for header, name, comment in found if "@return 1" not in comment]
+    tally.check(len(found) >= 5 and not silent, "returns an int, and does not answer 1 or 0: %s" % silent)
+
+
 def check_statuses(tally):
     with open("src/glint.h") as file:
         codes = [int(code) for code in re.findall(r"^    GLINT_(?:OK|ERROR_\w+) = (-?\d+)", file.read(), re.MULTILINE)]
@@ -209,6 +220,7 @@ def main():
     check_symbols(tally, "panels", arguments.panels)
     check_files(tally)
     check_private(tally)
+    check_answers(tally, own)
     check_statuses(tally)
     return tally.close()
 
