@@ -90,8 +90,8 @@ typedef enum glint_status {
     GLINT_ERROR_TILE = -3,         /**< Tile width or height is not 8, 16, 32 or 64. */
     GLINT_ERROR_ARENA = -4,        /**< The arena is smaller than the smallest this scene can be drawn with. */
     GLINT_ERROR_CAMERA = -5,       /**< The camera's axes are not unit and perpendicular, its field of view is not from
-                                        1 to 170 degrees, its near plane is not above 0, or eye, target and up lie on
-                                        one line. */
+                                        1 to 170 degrees, its near plane or view height is not above 0, or eye, target and up
+                                      lie on       one line. */
     GLINT_ERROR_LIGHTS = -6,       /**< More than GLINT_LIGHTS_MAX lights. */
     GLINT_ERROR_DIRECTION = -7,    /**< A light's direction has length 0. */
     GLINT_ERROR_COLOUR = -8,       /**< A colour channel, or a light's times a material's, is not from 0 to 16. */
@@ -262,18 +262,35 @@ typedef struct glint_object {
     uint8_t hidden;                     /**< Not 0: it is not drawn, and its pose may be anything. */
 } glint_object;
 
+/** How a camera projects; a descriptor, null for perspective or the one below. */
+typedef struct glint_projection glint_projection;
+
+/**
+ * Parallel rays (orthographic projection): what is twice as far away is as large. A local viewer sees what an infinite
+ * one does.
+ *
+ * Depth is linear: 65533 steps from the nearest corner of any visible object's bounding box, or the near plane, to the
+ * farthest. A surface's depth is off by at most two steps. Lights with a position know a surface's place along the
+ * camera's axis to such a step, up to 2^17 pixels' widths from the eye; with these lights `glint_per_node` lights every
+ * fragment.
+ */
+extern const glint_projection glint_orthographic;
+
 /** Where a scene is seen from. */
 typedef struct glint_camera {
     glint_pose pose;         /**< Camera to world: a rotation and the eye's position. */
-    glint_q16 field_of_view; /**< Vertical, degrees, 1 to 170. */
+    glint_q16 field_of_view; /**< Vertical, degrees, 1 to 170; not looked at where the projection is orthographic. */
     glint_q16 near_plane;    /**< Distance to the near plane, above 0. */
+    const glint_projection *projection; /**< Null, or &glint_orthographic. */
+    glint_q16 view_height;              /**< Where it is orthographic: the screen's height in units, 1/256 or more. */
 } glint_camera;
 
 /*
- * Depths reach from the near plane to 2^33 times as far, the range of all coordinates, and all are drawn. Up to 2^12
- * times as far as the nearest corner of any visible object's bounding box, colours are as exact as anywhere. Beyond,
- * 1/w has fewer than 13 bits: coverage is exact still and pixels are the same on every core, but what is interpolated
- * across a triangle, and lights with a position, are known to those bits only; from 2^16 times on all depths tie.
+ * In perspective depths reach from the near plane to 2^33 times as far, the range of all coordinates, and all are
+ * drawn. Up to 2^12 times as far as the nearest corner of any visible object's bounding box, colours are as exact as
+ * anywhere. Beyond, 1/w has fewer than 13 bits: coverage is exact still and pixels are the same on every core, but what
+ * is interpolated across a triangle, and lights with a position, are known to those bits only; from 2^16 times on all
+ * depths tie.
  */
 
 /** Where highlights are seen from. */

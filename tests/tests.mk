@@ -39,6 +39,8 @@ SUITE_skipped   := $(TEST_HARNESS) tests/image/skipped.c $(TEST_SCENES)
 SUITE_pick      := $(TEST_HARNESS) tests/image/pick.c $(TEST_SCENES)
 SUITE_region    := $(TEST_HARNESS) tests/image/region.c $(TEST_SCENES)
 SUITE_lines     := $(TEST_HARNESS) tests/image/lines.c $(TEST_SCENES) $(TEST_JUDGE)
+SUITE_orthographic := $(TEST_HARNESS) tests/image/orthographic.c tests/stability/contract.c tests/stability/weights.c \
+    $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_drops     := $(TEST_HARNESS) tests/image/drops.c tests/image/undropped.c tests/stability/random_scene.c \
     tests/stability/weights.c $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_hidden    := $(TEST_HARNESS) tests/image/hidden.c tests/image/undropped.c tests/stability/random_scene.c \
@@ -47,7 +49,7 @@ SUITE_budget    := $(TEST_HARNESS) tests/image/budget.c tests/stability/random_s
     $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_nodes     := $(TEST_HARNESS) tests/image/nodes.c tests/image/fine.c $(TEST_SCENES)
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit numbers setup point compare accuracy models gallery formats output extremes highlights fill_rule identity changes layouts region pick skipped diagnose camera kept arenas turned drops hidden budget opposed nodes lines
+TEST_SUITES     := unit numbers setup point compare accuracy models gallery formats output extremes highlights fill_rule identity changes layouts region pick skipped diagnose camera kept arenas turned drops hidden budget opposed nodes lines orthographic
 
 # $(call test_objects,variant,compiler and flags): build/<variant>/<source>.o
 define test_objects
@@ -102,7 +104,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers setup point camera) ## unit tests on the host, arithmetic against libm
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery formats output extremes highlights fill_rule changes layouts region pick skipped diagnose kept arenas turned drops hidden budget opposed nodes lines) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery formats output extremes highlights fill_rule changes layouts region pick skipped diagnose kept arenas turned drops hidden budget opposed nodes lines orthographic) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order

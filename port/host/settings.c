@@ -81,6 +81,15 @@ static bool parse_fov(host_settings *settings, const char *text, host_problem *p
     return true;
 }
 
+static bool parse_orthographic(host_settings *settings, const char *text, host_problem *problem) {
+    double value;
+    if (!value_real(text, 1.0 / 256.0, NUMBER_Q16_MAX, &value)) {
+        return value_expected(problem, "takes a height from 1/256 to 32767");
+    }
+    settings->view_height = number_q16(value);
+    return true;
+}
+
 static bool parse_near(host_settings *settings, const char *text, host_problem *problem) {
     double value;
     if (!value_real(text, 1.0 / 65536.0, NUMBER_Q16_MAX, &value)) {
@@ -223,6 +232,8 @@ static const host_option options[] = {
     {"--at", "x,y,z", "what it looks at; 0,0,0 when --eye is given", COMMAND_RENDER, parse_at},
     {"--up", "x,y,z", "what it sees upwards; 0,1,0", COMMAND_RENDER, parse_up},
     {"--fov", "DEG", "vertical field of view, 1 to 170; 45", COMMAND_RENDER, parse_fov},
+    {"--orthographic", "H", "parallel rays: the picture is H units high, whatever the field of view", COMMAND_RENDER,
+     parse_orthographic},
     {"--near", "N", "distance of the near plane; 0.1, or less to frame a small model", COMMAND_RENDER, parse_near},
     {"--up-axis", "y|z", "which axis of the model points up: z turns it to y; y", COMMANDS_WITH_MESH, parse_up_axis},
     {"--centre", NULL, "move the middle of the model's box to the origin", COMMANDS_WITH_MESH, parse_centre},

@@ -48,6 +48,7 @@ typedef struct host_settings {
 
     glint_vector eye, at, up;
     glint_q16 field_of_view, near_plane;
+    glint_q16 view_height; /**< Units of an orthographic picture's height; 0 for perspective. */
     glint_viewer viewer;
     int32_t budget;      /**< As glint_scene.error_budget. */
     glint_q16 rotate[3]; /**< Degrees about x, y and z, in this order. */

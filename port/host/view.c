@@ -237,6 +237,8 @@ static bool place_camera(host_view *view, const host_settings *settings, const q
     glint_camera *camera = &view->scene.camera;
     camera->field_of_view = settings->field_of_view;
     camera->near_plane = settings->near_plane;
+    camera->projection = settings->view_height > 0 ? &glint_orthographic : NULL;
+    camera->view_height = settings->view_height;
     if (!settings->eye_given) {
         return frame_model(view, settings, mesh, problem);
     }

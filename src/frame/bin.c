@@ -73,14 +73,16 @@ static void gather_corners(const glint_draw *draw, const uint16_t *indices, glin
     }
 }
 
-static void finish_corner(const glint_transform *transform, const glint_corner *corner, glint_vertex *vertex,
-                          int16_t extra[3]) {
+static void finish_corner(const glint_frame *frame, const glint_transform *transform, const glint_corner *corner,
+                          glint_vertex *vertex, int16_t extra[3]) {
     glint_project(transform, &corner->position, vertex);
+    vertex->flags = 0;
+    if (transform->clips & GLINT_PARALLEL)
+        frame->scene->camera.projection->finish(frame->view, transform, vertex, 1);
     for (int c = 0; c < 3; c++) {
         vertex->attribute[c] = (int16_t)corner->attribute[c];
         extra[c] = (int16_t)corner->attribute[3 + c];
     }
-    vertex->flags = 0;
 }
 
 /* Clips a triangle and lists the fan that is left of it. */
@@ -98,7 +100,7 @@ static int list_clipped(glint_frame *frame, glint_draw *draw, uint32_t triangle)
         if (room(frame) < sizeof *part) /* a pass of many tiles can run out of room half way */
             return 0;
         for (int i = 0; i < 3; i++)
-            finish_corner(&draw->transform, &corners[i ? last - 2 + i : 0], &part->corners[i], part->extra[i]);
+            finish_corner(frame, &draw->transform, &corners[i ? last - 2 + i : 0], &part->corners[i], part->extra[i]);
         if (!glint_faces(draw->mirrored, draw->double_sided, v) || !glint_find_tiles(frame, v, &range))
             continue;
         part->draw = draw;

@@ -75,9 +75,12 @@ static const char *name_null_of_object(const glint_object *object) {
 }
 
 static const char *name_of_camera(const glint_camera *camera) {
-    return camera->field_of_view < GLINT_ONE && camera->field_of_view > 0
+    const int is_parallel = camera->projection != 0;
+    return is_parallel && !camera->projection->is_valid(camera) ? "the orthographic camera's view height, the screen's "
+                                                                  "in units, is below 1/256: GLINT_Q16(4) shows 4 units"
+           : !is_parallel && camera->field_of_view < GLINT_ONE && camera->field_of_view > 0
                ? "the camera's field of view is below 1 degree: is it GLINT_Q16(60), not 60?"
-           : camera->field_of_view < GLINT_ONE || camera->field_of_view > 170 * GLINT_ONE
+           : !is_parallel && (camera->field_of_view < GLINT_ONE || camera->field_of_view > 170 * GLINT_ONE)
                ? "the camera's field of view is not from 1 to 170 degrees"
            : camera->near_plane <= 0 ? "the camera's near plane is not above 0: GLINT_Q16(0.1) serves most scenes"
                                      : "the camera's axes are not unit and perpendicular: begin with "

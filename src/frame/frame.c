@@ -53,7 +53,7 @@ static glint_status prepare_scene(glint_frame *frame, const glint_kept *kept) {
     glint_status status = glint_check_scene(&frame->config, frame->scene);
     if (status != GLINT_OK)
         return status;
-    glint_view *view = glint_take(&frame->memory, GLINT_VIEW_SIZE(frame->scene->light_count));
+    glint_view *view = glint_take(&frame->memory, glint_view_size(frame->scene));
     if (!view)
         return GLINT_ERROR_ARENA;
     frame->view = view;

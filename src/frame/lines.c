@@ -20,7 +20,16 @@ typedef struct line_walk {
     int is_steep;
 } line_walk;
 
+/* Of parallel rays ends keep w in place of 1/w. */
+static int64_t depth_of_parallel(const glint_frame *frame, const glint_segment *segment, int i) {
+    const int up = segment->exponent[i] - 62;
+    const int64_t kept = segment->inverse_w[i], w = up > 0 ? kept << up : kept >> -up;
+    return frame->scene->camera.projection->depth_at(frame->view, w - 2 * frame->view->nearest / GLINT_GUARD_BAND);
+}
+
 static int64_t depth_of_end(const line_target *target, const glint_segment *segment, int i) {
+    if (target->tile->frame->view->is_parallel)
+        return depth_of_parallel(target->tile->frame, segment, i);
     const int down = segment->exponent[i] - 31 - target->nearest_shift;
     const uint64_t product = glint_product_unsigned(target->nearest, segment->inverse_w[i]); /* 2^61 to 2^63 */
     const int64_t depth = (int64_t)(down < 64 ? product >> glint_most(down, 16) : 0);
@@ -49,7 +58,7 @@ static void draw_pixel(const line_target *target, int32_t x, int32_t y, int64_t 
                    row = (uint32_t)y & (frame->config.tile_height - 1u);
     const uint32_t offset = (row << frame->tile_shift_x) + column;
     const int64_t step = glint_shift_right64(depth, 15);
-    const uint16_t here = (uint16_t)(step < 0xffff ? step + 1 : 0xffff);
+    const uint16_t here = (uint16_t)(step < 0 ? 1 : step < 0xffff ? step + 1 : 0xffff);
     if (here <= workspace->depth[offset])
         return;
     workspace->depth[offset] = here;

@@ -116,9 +116,14 @@ static GLINT_NOINLINE void load_colours(const glint_mesh *mesh, uint32_t index, 
 
 void glint_load_vertices(glint_frame *frame, glint_draw *draw, const glint_mesh *mesh, uint32_t index, uint32_t slot,
                          uint32_t count) {
-    glint_transform_vertices(&draw->transform, mesh, index, count, &draw->vertices[slot],
-                             draw->positions ? &draw->positions[slot] : 0);
     frame->stats.vertices += count;
+    if (draw->positions) {
+        glint_transform_vertices(&draw->transform, mesh, index, count, &draw->vertices[slot], &draw->positions[slot]);
+        if (draw->transform.clips & GLINT_PARALLEL)
+            frame->scene->camera.projection->finish(frame->view, &draw->transform, &draw->vertices[slot], count);
+    } else {
+        glint_transform_vertices(&draw->transform, mesh, index, count, &draw->vertices[slot], 0);
+    }
     if (draw->extra)
         load_colours(mesh, index, count, &draw->extra[slot]);
 }

@@ -157,7 +157,7 @@ glint_status glint_need_begin(glint_frame *frame, glint_view *view, const glint_
 
 void glint_need_end(const glint_frame *frame, const glint_tally *sum, glint_need *need) {
     const size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame->config) +
-                            GLINT_ALIGNED(GLINT_VIEW_SIZE(frame->scene->light_count)) + sum->materials;
+                            GLINT_ALIGNED(glint_view_size(frame->scene)) + sum->materials;
     const size_t behind = sum->tables ? glint_room_behind_tables(sum->tables) : 0;
     const size_t quarter = size_lists(sum, glint_quarter_of_tiles(frame),
                                       larger_of(larger_of(sum->of_quarter[0], sum->of_quarter[1]),
@@ -173,9 +173,9 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
     if (!config || !scene || !need)
         return GLINT_ERROR_NULL;
     glint_frame frame;
-    glint_view view;
+    glint_whole_view whole;
     glint_tally sum;
-    glint_status status = glint_need_begin(&frame, &view, config, scene, &sum);
+    glint_status status = glint_need_begin(&frame, &whole.view, config, scene, &sum);
     for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++)
         status = count_object(&frame, &scene->objects[i], &sum);
     if (status == GLINT_OK)

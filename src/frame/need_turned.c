@@ -19,6 +19,7 @@ typedef struct turned_object {
     int64_t rounding[4]; /* of axes and offset: what two steps of a pose's entries make of each */
     unsigned down;
     int64_t w, near_plane;                 /* w of the origin */
+    int64_t same_w;                        /* of parallel rays, of all; else 0 */
     int64_t to_near, to_band, into_screen; /* how far the origin is from what clips, and from the screen's edges */
     int64_t focal[2];                      /* g of x and y, pixels, Q4 */
 } turned_object;
@@ -118,6 +119,14 @@ static int64_t find_depth(int64_t x, int64_t w, int32_t focal, int32_t half) {
     return (product / length - 3) * ((int64_t)1 << shift);
 }
 
+/* The same of an object's origin, or of parallel rays, to which half a screen is as wide everywhere. */
+static int64_t find_inside(const turned_object *t, int64_t x, int32_t focal, int32_t half) {
+    if (!t->same_w)
+        return find_depth(x, t->w, focal, half);
+    const unsigned size = glint_bits64((uint64_t)t->same_w), shift = size > 39 ? size - 39 : 0;
+    return (t->same_w >> shift) * half / focal * ((int64_t)1 << shift) - x - (x >> CAMERA) - 3 * ((int64_t)1 << shift);
+}
+
 static void set_place(turned_object *t, const glint_frame *frame, const glint_object *object) {
     const glint_view *view = frame->view;
     int64_t at[3];
@@ -129,12 +138,13 @@ static void set_place(turned_object *t, const glint_frame *frame, const glint_ob
     }
     t->w = -at[2];
     t->near_plane = view->near_plane >> t->down;
+    t->same_w = view->is_parallel ? (view->nearest >> t->down) + 1 : 0;
     t->to_near = t->w - t->near_plane - (t->near_plane >> 12) - 16;
     for (int axis = 0; axis < 2; axis++) {
         const int32_t half = axis ? frame->config.height : frame->config.width, band = 2 * GLINT_GUARD_BAND - 2;
         const int64_t x = (int64_t)glint_magnitude64(at[axis]), short_focal = view->focal >> 9;
-        const int64_t to_band = find_depth(x, t->w, view->focal, band << 12),
-                      into_screen = find_depth(x, t->w, view->focal, (half + 2) << 12);
+        const int64_t to_band = find_inside(t, x, view->focal, band << 12),
+                      into_screen = find_inside(t, x, view->focal, (half + 2) << 12);
         t->to_band = axis ? nearer_of(t->to_band, to_band) : to_band;
         t->into_screen = axis ? nearer_of(t->into_screen, into_screen) : into_screen;
         t->focal[axis] = glint_square_root((uint64_t)(short_focal * short_focal + 64 * (int64_t)half * half)) + 2;
@@ -143,7 +153,7 @@ static void set_place(turned_object *t, const glint_frame *frame, const glint_ob
 
 /* No less than the sixteenths of a pixel that a length spans along an axis, where it is seen, no nearer than that. */
 static uint32_t span_of_length(const turned_object *t, int64_t length, int64_t reach, int axis) {
-    const int64_t nearest = farther_of(t->w - reach, t->near_plane - (t->near_plane >> 12));
+    const int64_t nearest = t->same_w ? t->same_w - 1 : farther_of(t->w - reach, t->near_plane - (t->near_plane >> 12));
     const unsigned size = glint_bits64((uint64_t)length), shift = size > 40 ? size - 40 : 0;
     const uint64_t w = (uint64_t)farther_of(nearest, 0) >> shift, d = ((uint64_t)length >> shift) + 1;
     if (d >> 15 >= w) /* Q22 below 2^38, times 2^21 at most */
@@ -191,7 +201,8 @@ static GLINT_NOINLINE glint_status count_turned(glint_frame *frame, const glint_
     const int64_t radius = find_radius(&t), outside = radius + (radius >> 12) + ((int64_t)1 << 10);
     if (t.w + outside < t.near_plane || t.into_screen + outside < 0)
         return GLINT_OK; /* hidden whichever way it is turned */
-    transform.clips = radius > t.to_near || passes_band(frame, &t, 2 * radius, radius);
+    const int clips = radius > t.to_near || passes_band(frame, &t, 2 * radius, radius);
+    transform.clips = (uint8_t)((transform.clips & GLINT_PARALLEL) | (unsigned)clips);
     sum->vertices += glint_need_object(frame, object, &transform);
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
         uint16_t fetched[3];
@@ -209,9 +220,9 @@ glint_status glint_arena_need_turned(const glint_config *config, const glint_sce
     if (!config || !scene || !need)
         return GLINT_ERROR_NULL;
     glint_frame frame;
-    glint_view view;
+    glint_whole_view whole;
     glint_tally sum;
-    glint_status status = glint_need_begin(&frame, &view, config, scene, &sum);
+    glint_status status = glint_need_begin(&frame, &whole.view, config, scene, &sum);
     for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++)
         status = count_turned(&frame, &scene->objects[i], &sum);
     if (status == GLINT_OK)

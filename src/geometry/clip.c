@@ -7,19 +7,25 @@
 
 #define PLANES 5
 
+/* The w that the guard band is reached at: a position's own, or that of parallel rays. */
+static inline int32_t side_of(const glint_transform *transform, int32_t w) {
+    return transform->clips & GLINT_PARALLEL ? transform->nearest : w;
+}
+
 /* How far inside a plane a position lies: 0 the near plane, 1 to 4 the sides. */
-static int64_t distance(const glint_position *p, int plane, int32_t near_plane) {
+static int64_t distance(const glint_transform *transform, const glint_position *p, int plane) {
+    const int64_t side = side_of(transform, p->w);
     switch (plane) {
     case 0:
-        return (int64_t)p->w - near_plane;
+        return (int64_t)p->w - transform->near_plane;
     case 1:
-        return (int64_t)p->w + p->x;
+        return side + p->x;
     case 2:
-        return (int64_t)p->w - p->x;
+        return side - p->x;
     case 3:
-        return (int64_t)p->w + p->y;
+        return side + p->y;
     default:
-        return (int64_t)p->w - p->y;
+        return side - p->y;
     }
 }
 
@@ -42,12 +48,13 @@ static void cut(const glint_corner *from, const glint_corner *to, int64_t inside
         out->attribute[i] = mix(from->attribute[i], to->attribute[i], t);
 }
 
-static int clip_at(int plane, int32_t near_plane, const glint_corner *in, int count, glint_corner *out) {
+static int clip_at(const glint_transform *transform, int plane, const glint_corner *in, int count, glint_corner *out) {
     int kept = 0;
+    int64_t d1 = distance(transform, &in[0].position, plane);
     for (int i = 0; i < count; i++) {
         const glint_corner *here = &in[i], *next = &in[i + 1 < count ? i + 1 : 0];
-        int64_t d0 = distance(&here->position, plane, near_plane);
-        int64_t d1 = distance(&next->position, plane, near_plane);
+        const int64_t d0 = d1;
+        d1 = distance(transform, &next->position, plane);
         if (kept > GLINT_CLIP_CORNERS - 2) /* a plane adds one corner; rounding may tell of more: those are points */
             break;
         if (d0 >= 0)
@@ -61,24 +68,25 @@ static int clip_at(int plane, int32_t near_plane, const glint_corner *in, int co
 }
 
 /* A cut corner may lie a step outside: bring it onto the guard band, where projection is safe. */
-static void keep_inside(glint_position *p, int32_t near_plane) {
-    p->w = p->w < near_plane ? near_plane : p->w;
-    p->x = p->x > p->w ? p->w : p->x < -p->w ? -p->w : p->x;
-    p->y = p->y > p->w ? p->w : p->y < -p->w ? -p->w : p->y;
+static void keep_inside(const glint_transform *transform, glint_position *p) {
+    p->w = glint_most(p->w, transform->near_plane);
+    const int32_t side = side_of(transform, p->w);
+    p->x = p->x > side ? side : p->x < -side ? -side : p->x;
+    p->y = p->y > side ? side : p->y < -side ? -side : p->y;
 }
 
 int glint_clip(const glint_transform *transform, glint_corner corners[GLINT_CLIP_CORNERS]) {
     glint_corner other[GLINT_CLIP_CORNERS], *in = corners, *out = other;
     int count = 3;
     for (int plane = 0; plane < PLANES && count; plane++) {
-        count = clip_at(plane, transform->near_plane, in, count, out);
+        count = clip_at(transform, plane, in, count, out);
         glint_corner *last = in;
         in = out;
         out = last;
     }
     for (int i = 0; i < count; i++) {
         corners[i] = in[i];
-        keep_inside(&corners[i].position, transform->near_plane);
+        keep_inside(transform, &corners[i].position);
     }
     return count;
 }

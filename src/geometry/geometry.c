@@ -29,6 +29,11 @@ static inline void project(const glint_transform *transform, int32_t x, int32_t 
 }
 
 void glint_project(const glint_transform *transform, const glint_position *position, glint_vertex *vertex) {
+    if (transform->clips & GLINT_PARALLEL) {
+        project(transform, position->x, position->y, transform->nearest, vertex);
+        vertex->inverse_w = position->w;
+        return;
+    }
     project(transform, position->x, position->y, position->w, vertex);
 }
 
@@ -42,6 +47,19 @@ static inline glint_position to_clip_space(const glint_transform *transform, con
     return (glint_position){glint_row_times(&transform->matrix[0], p[0], p[1], p[2], t[0]),
                             glint_row_times(&transform->matrix[1], p[0], p[1], p[2], t[1]),
                             glint_row_times(&transform->matrix[2], p[0], p[1], p[2], t[2])};
+}
+
+/* Vertices of parallel rays: all have the same w. */
+static GLINT_NOINLINE void transform_parallel(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
+                                              uint32_t count, glint_vertex *vertex, glint_position *position) {
+    for (const glint_vertex *end = vertex + count; vertex < end; vertex++, p++, position++, first++) {
+        *position = to_clip_space(transform, *p);
+        *vertex = (glint_vertex){.attribute = {(int16_t)(uint16_t)first}, .flags = GLINT_VERTEX_CLIP};
+        if (position->w < transform->near_plane || is_outside(position->x, position->y, transform->nearest, 0))
+            continue;
+        vertex->flags = 0;
+        glint_project(transform, position, vertex);
+    }
 }
 
 /* Vertices that are nowhere clipped, and whose positions are not kept. */
@@ -59,13 +77,9 @@ static GLINT_NOINLINE void transform_inside(const glint_transform *transform, co
     }
 }
 
-/* Any vertices. */
-static GLINT_INLINE void transform_all(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
-                                       uint32_t count, glint_vertex *vertex, glint_position *position) {
-    if (!position && !GLINT_SMALL) {
-        transform_inside(transform, p, first, count, vertex);
-        return;
-    }
+/* Vertices that may be clipped, or whose positions are kept; built for size, any. */
+static GLINT_NOINLINE void transform_kept(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
+                                          uint32_t count, glint_vertex *vertex, glint_position *position) {
     for (const glint_vertex *end = vertex + count; vertex < end; vertex++, p++, first++) {
         const glint_position here = to_clip_space(transform, *p);
         vertex->attribute[0] = (int16_t)(uint16_t)first;
@@ -77,9 +91,20 @@ static GLINT_INLINE void transform_all(const glint_transform *transform, const i
             vertex->x = vertex->y = 0;
             vertex->inverse_w = 0;
         } else {
-            glint_project(transform, &here, vertex);
+            project(transform, here.x, here.y, here.w, vertex);
         }
     }
+}
+
+/* Any vertices. */
+static GLINT_INLINE void transform_all(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
+                                       uint32_t count, glint_vertex *vertex, glint_position *position) {
+    if (!position && !GLINT_SMALL)
+        transform_inside(transform, p, first, count, vertex);
+    else if (transform->clips & GLINT_PARALLEL)
+        transform_parallel(transform, p, first, count, vertex, position);
+    else
+        transform_kept(transform, p, first, count, vertex, position);
 }
 
 void glint_transform_array(const glint_transform *transform, const glint_mesh *mesh, uint32_t first, uint32_t count,

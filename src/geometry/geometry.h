@@ -13,11 +13,14 @@ typedef struct glint_transform {
     glint_row normal[3];
     int32_t exponent;            /* a clip unit is 2^-exponent */
     int32_t near_plane, least_w; /* w of the near plane, and of the nearest corner of the box */
-    int32_t nearest;             /* w of the frame, no more than any of the object's that is seen */
+    int32_t nearest;             /* w of the frame, no more than any of the object's that is seen; of parallel rays w */
     int32_t center_x, center_y;  /* of the screen, 28.4 and 11 bits for rounding */
     uint8_t visible, clips, mirrored;
     uint8_t skipped; /* it has nothing to draw, and is left out */
 } glint_transform;
+
+/** A bit of glint_transform.clips: rays are parallel, and positions have their distance in place of w. */
+#define GLINT_PARALLEL 2u
 
 /** The eye among a mesh's steps, homogeneous. */
 typedef struct glint_eye {

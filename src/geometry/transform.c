@@ -79,9 +79,9 @@ static int set_rows(glint_transform *transform, int64_t rows[3][4], uint64_t lar
     return shift;
 }
 
-/* Clip rows x, y, w from rows below 2^38. @return n: they were 2^n times that. */
-static int bring_to_clip_space(glint_transform *transform, const glint_view *view, int64_t rows[3][4]) {
-    uint64_t largest = 0;
+/* Clip rows x, y, w from rows below 2^38; `largest` is to fit as well. @return n: they were 2^n times that. */
+static int bring_to_clip_space(glint_transform *transform, const glint_view *view, uint64_t largest,
+                               int64_t rows[3][4]) {
     for (int i = 0; i < 3; i++) {
         uint64_t sum = 0; /* the largest magnitude that the bounding box takes */
         for (int j = 0; j < 4; j++) {
@@ -114,7 +114,7 @@ static int32_t smallest(const int32_t x[4], const int32_t w[4], int32_t a, int32
 
 /* Is any of the box on the screen, and does any of it pass the near plane or the guard band? To within what cutting
  * takes at most, a step of each of four columns of both rows. */
-static void classify(glint_transform *transform, const glint_config *config) {
+static void classify(glint_transform *transform, const glint_config *config, int is_parallel) {
     const int32_t half[2] = {config->width, config->height}; /* in half pixels */
     int32_t cut[3][4], extent = 0;
     for (int i = 0; i < 3; i++) {
@@ -129,11 +129,17 @@ static void classify(glint_transform *transform, const glint_config *config) {
     transform->least_w = transform->translation[2] - extent;
     transform->visible = transform->translation[2] + extent >= transform->near_plane;
     transform->clips = transform->least_w < transform->near_plane;
+    if (is_parallel) {
+        transform->clips |= GLINT_PARALLEL;
+        transform->nearest = glint_most(transform->nearest, 1);
+        cut[2][0] = cut[2][1] = cut[2][2] = 0;
+        cut[2][3] = glint_shift_right(transform->nearest, BOX_CUT);
+    }
     for (int row = 0; row < 2; row++) {
         const int32_t band = 2 * GLINT_GUARD_BAND, side = half[row] + 1;
         for (int32_t sign = -1; sign <= 1; sign += 2) {
             if (smallest(cut[row], cut[2], sign, 1) < 8)
-                transform->clips = 1;
+                transform->clips |= 1;
             if (smallest(cut[row], cut[2], -sign * band, -side) > 4 * (band + side))
                 transform->visible = 0;
         }
@@ -216,7 +222,7 @@ static void prepare_depth(glint_transform *transform, const glint_view *view, in
 /* Rounded to the object's units, the frame's nearest w must not pass any that is seen. */
 static void lower_nearest(glint_transform *transform) {
     const int32_t least = transform->least_w > transform->near_plane ? transform->least_w : transform->near_plane;
-    if (transform->nearest > least)
+    if (transform->nearest > least && !(transform->clips & GLINT_PARALLEL))
         transform->nearest = least;
 }
 
@@ -229,8 +235,17 @@ int64_t glint_transform_nearest(const glint_transform *transform, const glint_vi
 }
 
 void glint_transform_place(glint_transform *transform, const glint_view *view) {
+    if (transform->clips & GLINT_PARALLEL) /* then it does not depend on what else is seen */
+        return;
     prepare_depth(transform, view, transform->exponent);
     lower_nearest(transform);
+}
+
+/* x 2^shift, at most 2^61, of an x above 0. */
+static uint64_t in_rows(int64_t x, int shift) {
+    if ((int)glint_bits64((uint64_t)x) + shift > 61)
+        return (uint64_t)1 << 61;
+    return shift < 0 ? (uint64_t)glint_shift_right64(x, (unsigned)-shift) : (uint64_t)x << shift;
 }
 
 /* What is hidden is all 0. Out of line: in line, gcc 12 keeps a 0 in a register of the FPU. */
@@ -248,11 +263,12 @@ static GLINT_NOINLINE glint_status prepare_object(glint_transform *transform, co
         return GLINT_ERROR_RANGE;
     int up = rows_to_30_bits(wide, world);
     rotate(view, world, wide);
-    transform->exponent = 28 + 4 - up - bring_to_clip_space(transform, view, wide);
+    const uint64_t parallel = view->is_parallel ? in_rows(view->nearest, 4 - up) : 0;
+    transform->exponent = 28 + 4 - up - bring_to_clip_space(transform, view, parallel, wide);
     transform->center_x = config->width * (8 << 11) + (1 << 10);
     transform->center_y = config->height * (8 << 11) + (1 << 10);
     prepare_depth(transform, view, transform->exponent);
-    classify(transform, config);
+    classify(transform, config, view->is_parallel);
     lower_nearest(transform);
     return GLINT_OK;
 }
@@ -301,7 +317,8 @@ static void set_eye(const int64_t place[3], int64_t weight, glint_eye *to) {
 
 /*
  * With the matrix of steps A and the translation t, the eye is where A e + 2^15 t = 0: at e = 2^15 E / W, where
- * E = -C^T t and W = det A, C its cofactors. A mirrored object's W is below 0.
+ * E = -C^T t and W = det A, C its cofactors. A mirrored object's W is below 0. Parallel rays come from infinitely far
+ * along -w: t is (0, 0, 1), and W is 0.
  */
 void glint_transform_eye(const glint_transform *transform, glint_eye *eye) {
     int32_t rows[3][4], cofactor[3][4];
@@ -311,10 +328,12 @@ void glint_transform_eye(const glint_transform *transform, glint_eye *eye) {
             rows[i][j] = j < 3 ? glint_row_get(&transform->matrix[i], j) : 0;
     const int64_t weight = find_cofactors(rows, wide, cofactor);
     const int32_t sign = transform->mirrored ? 1 : -1;
-    for (int j = 0; j < 3; j++) {
-        place[j] = 0;
-        for (int i = 0; i < 3; i++)
-            place[j] += glint_product(cofactor[i][j], sign * transform->translation[i]);
-    }
-    set_eye(place, -sign * weight, eye);
+    const int is_parallel = transform->clips & GLINT_PARALLEL;
+    const int32_t x = is_parallel ? 0 : sign * transform->translation[0],
+                  y = is_parallel ? 0 : sign * transform->translation[1],
+                  w = sign * (is_parallel ? 1 << 29 : transform->translation[2]);
+    for (int j = 0; j < 3; j++)
+        place[j] =
+            glint_product(cofactor[0][j], x) + glint_product(cofactor[1][j], y) + glint_product(cofactor[2][j], w);
+    set_eye(place, is_parallel ? 0 : -sign * weight, eye);
 }

@@ -12,11 +12,14 @@ static inline void glint_find_rays(const glint_frame *frame, glint_fragments *fr
     const glint_window *window = &fragments->part->window;
     const int32_t x = frame->config.width * 4096 - window->left * 512; /* the window is in sixteenths */
     const int32_t y = window->top * 512 - frame->config.height * 4096;
+    const int32_t focal = frame->view->focal;
     for (uint32_t i = 0; i < fragments->count; i++) {
         fragments->ray[i][0] = x - fragments->column[i] * 8192;
         fragments->ray[i][1] = y + fragments->row[i] * 8192;
-        fragments->ray[i][2] = frame->view->focal;
+        fragments->ray[i][2] = focal;
     }
+    if (frame->view->is_parallel)
+        frame->scene->camera.projection->place(frame, fragments);
 }
 
 /** Finds a colour of a fragment from planes of colours over w. */

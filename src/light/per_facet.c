@@ -36,11 +36,12 @@ static void light_facet(const glint_frame *frame, glint_draw *draw, const glint_
     glint_ray(transform, frame->view, sum, 3, one.ray[0], &one.inverse_w[0]);
     facet_normal(frame->view, p, one.normal[0]);
     int64_t facing = 0;
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; c++)
         facing += (int64_t)one.normal[0][c] * one.ray[0][c];
-        if (draw->extra)
-            one.surface[0][c] = (int16_t)average(draw, indices, c);
-    }
+    if (frame->view->is_parallel)
+        facing = one.normal[0][2];
+    for (int c = 0; c < 3 && draw->extra; c++)
+        one.surface[0][c] = (int16_t)average(draw, indices, c);
     for (int c = 0; c < 3 && facing < 0; c++)
         one.normal[0][c] = (int16_t)-one.normal[0][c];
     glint_light_all(frame, &one, draw->shading, draw->extra != 0);

@@ -254,9 +254,18 @@ static int fits(const glint_shading *shading, uint32_t total) {
     return (model->lobe != GLINT_LOBE_OTHER || !model->light) && total < 15 << 12;
 }
 
+/* Has a light that shows a position? Bounds know no such light whose rays are not the eye's. */
+static int has_placed_light(const glint_frame *frame, const glint_shading *shading) {
+    for (uint32_t i = 0; shading->lights >> i; i++)
+        if (shading->lights >> i & 1 && frame->scene->lights[i].type->illuminate)
+            return 1;
+    return 0;
+}
+
 static int find_light_terms(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
     const uint32_t total = find_total(frame, shading, 0, 1); /* ambient light has no error */
-    if (!is_wanted(frame, shading->material) || !fits(shading, find_total(frame, shading, 1, 1)))
+    if (!is_wanted(frame, shading->material) || !fits(shading, find_total(frame, shading, 1, 1)) ||
+        (frame->view->is_parallel && has_placed_light(frame, shading)))
         return 0;
     terms->pixel = (uint32_t)(((uint64_t)1 << 39) / (uint32_t)frame->view->focal);
     set_weights(frame, shading, terms);

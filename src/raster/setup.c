@@ -93,13 +93,23 @@ void glint_plane_begin(glint_plane *p, const glint_gradients *g, int32_t a0, int
 }
 
 /* The largest depth, and room that a plane's rounding may take. */
-#define TOP 0x7fff0000
+#define TOP GLINT_DEPTH_TOP
 #define ROOM (1 << 21)
+
+/* The depth of parallel rays lies above the top. */
+static void begin_parallel(glint_part *part, const glint_triangle *t) {
+    int32_t depth[3];
+    for (int i = 0; i < 3; i++)
+        depth[i] = (t->corners[i]->inverse_w - TOP) * (1 << 15);
+    glint_plane_begin(&part->depth, &part->gradients, depth[0], depth[1], depth[2]);
+}
 
 /* Lowers a depth plane that rounding takes above the top at a corner, where pixels then would have 32 bits. */
 static GLINT_NOINLINE void keep_below_top(glint_part *part, const glint_triangle *t) {
     const glint_gradients *g = &part->gradients;
     glint_plane *depth = &part->depth;
+    if (t->corners[0]->inverse_w > TOP)
+        begin_parallel(part, t);
     for (int i = 1; i < 3; i++) {
         const int32_t x = t->corners[i]->x - t->corners[0]->x - g->to_center_x;
         const int32_t y = t->corners[i]->y - t->corners[0]->y - g->to_center_y;

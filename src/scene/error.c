@@ -8,7 +8,7 @@ const char *glint_strerror(int status) {
         "width or height is not from 1 to 1024",
         "tile width or height is not 8, 16, 32 or 64",
         "the arena is too small for this scene",
-        "the camera's axes, field of view or near plane are not valid",
+        "the camera's axes, field of view, view height or near plane are not valid",
         "more than 8 lights",
         "a light's direction has length 0",
         "a colour, or a light's times a material's, is not from 0 to 16",

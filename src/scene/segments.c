@@ -13,7 +13,7 @@ typedef struct line_camera {
     unsigned focal_shift;
 } line_camera;
 
-/* An end on its way: x and y against the guard band, all below 2^53, and w, Q28. */
+/* An end on its way: x and y against the guard band, all below 2^59, and w, Q28. */
 typedef struct line_end {
     int64_t x, y, band, w;
 } line_end;
@@ -25,7 +25,10 @@ static void find_end(const line_camera *by, glint_vector point, line_end *to) {
     to->y = glint_round_shift64(glint_shift_right64(sight[1], 12) * by->focal, 10);
     to->w = glint_shift_right64(sight[2], 3);
     /* the focal length is over 2^13, and the products are over 2^10 and 2^focal_shift */
-    to->band = glint_shift_right64(glint_shift_right64(sight[2], 12) * (GLINT_GUARD_BAND << 3), by->focal_shift);
+    const int64_t divisor = glint_find_divisor(by->config, by->camera, sight);
+    const unsigned down = glint_magnitude64(divisor) >> 48 ? 12 : 0;
+    to->band =
+        glint_shift_right64(glint_shift_right64(divisor, down) * (GLINT_GUARD_BAND << 3), 12 - down + by->focal_shift);
 }
 
 /* How far inside a plane an end lies: 0 the near plane, 1 to 4 the sides. */
@@ -80,7 +83,7 @@ static void finish_end(const line_camera *by, const line_end *end, glint_segment
     const int64_t mantissa = (down > 0 ? w >> down : w << -down) | 1;
     to->x[i] = to_sixteenths(end->x, end->band, by->config->width);
     to->y[i] = to_sixteenths(end->y, end->band, by->config->height);
-    to->inverse_w[i] = (uint32_t)((((int64_t)1 << 62) - 1) / mantissa);
+    to->inverse_w[i] = (uint32_t)(by->camera->projection ? mantissa : (((int64_t)1 << 62) - 1) / mantissa);
     to->exponent[i] = (uint8_t)(62 + down);
 }
 
@@ -108,7 +111,7 @@ glint_status glint_lines_place(glint_segment *segments, const glint_config *conf
         if ((uint32_t)c->r > GLINT_COLOUR_MAX || (uint32_t)c->g > GLINT_COLOUR_MAX || (uint32_t)c->b > GLINT_COLOUR_MAX)
             return GLINT_ERROR_COLOUR;
     }
-    const int64_t focal = glint_find_focal_length(config, camera->field_of_view);
+    const int64_t focal = glint_find_focal_length(config, camera);
     const unsigned bits = glint_bits64((uint64_t)focal), down = bits > 22 ? bits - 22 : 0;
     const line_camera by = {config, camera, pose, (int32_t)(focal >> down), down};
     for (uint32_t i = 0; i < count; i++)

@@ -42,6 +42,8 @@ int glint_camera_is_valid(const glint_camera *camera) {
                 return 0;
         }
     }
+    if (camera->projection)
+        return camera->near_plane > 0 && camera->projection->is_valid(camera);
     return camera->field_of_view >= GLINT_ONE && camera->field_of_view <= 170 * GLINT_ONE && camera->near_plane > 0;
 }
 
@@ -63,7 +65,7 @@ static void prepare_focal_length(glint_view *view, const glint_config *config, g
 
 static glint_status prepare_lights(glint_view *view, const glint_scene *scene) {
     view->light_count = scene->light_count;
-    view->has_positions = 0;
+    view->has_positions = view->is_parallel;
     for (uint32_t i = 0; i < scene->light_count; i++) {
         const glint_light *light = &scene->lights[i];
         view->lights[i].type = light->type;
@@ -83,11 +85,19 @@ static void place_lights(glint_view *view, const glint_scene *scene) {
             scene->lights[i].type->place(&scene->lights[i], &view->lights[i], view);
 }
 
+/* The farther one of a w, Q28, and the farthest corner of an object's bounding box. */
+static GLINT_NOINLINE int64_t farther(int64_t farthest, const glint_transform *transform) {
+    const int64_t w = 2 * (int64_t)transform->translation[2] - transform->least_w + 2;
+    const int64_t here = glint_shift_round64(w, transform->exponent - 28);
+    return here > farthest ? here : farthest;
+}
+
 /* Depth is scaled to the nearest corner of any visible object's bounding box. */
 static glint_status prepare_nearest(glint_view *view, const glint_config *config, const glint_scene *scene,
                                     glint_transform *last, uint32_t count) {
-    int64_t nearest = INT64_MAX;
-    view->nearest = view->near_plane;
+    int64_t nearest = INT64_MAX, farthest = view->near_plane;
+    if (!view->is_parallel)
+        view->nearest = view->near_plane;
     view->skipped = 0;
     for (uint32_t i = 0; i < scene->object_count; i++) {
         const uint32_t behind = scene->object_count - 1 - i;
@@ -99,8 +109,12 @@ static glint_status prepare_nearest(glint_view *view, const glint_config *config
         int64_t w = transform->visible ? glint_transform_nearest(transform, view) : INT64_MAX;
         if (w < nearest)
             nearest = w;
+        if (view->is_parallel && transform->visible)
+            farthest = farther(farthest, transform);
     }
-    if (nearest < INT64_MAX)
+    if (view->is_parallel)
+        scene->camera.projection->set_range(view, nearest < farthest ? nearest : farthest, farthest);
+    else if (nearest < INT64_MAX)
         view->nearest = nearest;
     return GLINT_OK;
 }
@@ -114,8 +128,14 @@ glint_status glint_prepare_view(glint_view *view, const glint_config *config, co
         view->eye[i] = camera->pose.m[i][3];
     }
     view->near_plane = (int64_t)camera->near_plane << 12;
-    view->local_viewer = scene->viewer == GLINT_VIEWER_LOCAL;
-    prepare_focal_length(view, config, camera->field_of_view);
+    view->is_parallel = camera->projection != 0;
+    view->local_viewer = scene->viewer == GLINT_VIEWER_LOCAL && !view->is_parallel;
+    if (view->is_parallel) {
+        view->nearest = camera->projection->find_w(config, camera);
+        set_focal_length(view, (int64_t)GLINT_GUARD_BAND << 32);
+    } else {
+        prepare_focal_length(view, config, camera->field_of_view);
+    }
     glint_status status = prepare_lights(view, scene);
     if (status == GLINT_OK)
         status = prepare_nearest(view, config, scene, last, count);

@@ -42,12 +42,59 @@ typedef struct glint_view {
     int64_t nearest;    /* Q28: no visible w is smaller */
     uint32_t light_count;
     uint8_t local_viewer;
-    uint8_t has_positions; /* some light has one */
+    uint8_t has_positions; /* some light has one, or rays are parallel: then fragments have rays */
+    uint8_t is_parallel;
     glint_prepared_light lights[GLINT_LIGHTS_MAX];
 } glint_view;
 
 /** Bytes of a view with so many lights. */
 #define GLINT_VIEW_SIZE(count) (offsetof(glint_view, lights) + (count) * sizeof(glint_prepared_light))
+
+/** Where depth begins and ends; behind the lights of a view whose rays are parallel. */
+typedef struct glint_depth_range {
+    uint32_t far_low, far_high; /* the farthest w, Q28 */
+    uint32_t scale;             /* nearest from farthest, Q28, is 2^(61 + shift) over this */
+    int32_t shift;
+    int32_t far_ray, range_ray; /* the farthest w, and that of depth 2^31, in the units of rays */
+} glint_depth_range;
+
+/** A view with all that may stand behind it. */
+typedef struct glint_whole_view {
+    glint_view view;
+    glint_depth_range range;
+} glint_whole_view;
+
+struct glint_fragments;
+struct glint_vertex;
+
+/**
+ * What a camera with parallel rays does in another way. To it w is the same everywhere, B: that of a camera in
+ * perspective whose focal length is the guard band's width, seen from where that is as wide as it is. So x and y are
+ * projected by the same code; clip positions have the distance in place of w, transform->nearest is B, and vertices
+ * have a depth of 16 bits above GLINT_DEPTH_TOP in place of 1/w.
+ */
+struct glint_projection {
+    int (*is_valid)(const glint_camera *camera);
+    /** The w of all that is seen, Q28. */
+    int64_t (*find_w)(const glint_config *config, const glint_camera *camera);
+    /** Sets the view's range of depths, in Q28. */
+    void (*set_range)(glint_view *view, int64_t nearest, int64_t farthest);
+    /** Brings vertices from their distance to depth. */
+    void (*finish)(const glint_view *view, const struct glint_transform *transform, struct glint_vertex *vertices,
+                   uint32_t count);
+    /** Brings fragments from their depth to rays and 1/w. */
+    void (*place)(const glint_frame *frame, struct glint_fragments *fragments);
+    /** Depth, Q31, of a distance Q28; it may be below 0 or beyond 2^31. */
+    int64_t (*depth_at)(const glint_view *view, int64_t w);
+};
+
+/** The largest depth of a vertex, and what parallel rays have above it. */
+#define GLINT_DEPTH_TOP 0x7fff0000
+
+/** Bytes of the view that a scene takes. */
+static inline size_t glint_view_size(const glint_scene *scene) {
+    return GLINT_VIEW_SIZE(scene->light_count) + (scene->camera.projection ? sizeof(glint_depth_range) : 0);
+}
 
 struct glint_light_type {
     /** Brings a light to camera space. @return GLINT_ERROR_DIRECTION, _ATTENUATION or _CONE when it is not valid. */

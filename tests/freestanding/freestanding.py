@@ -145,7 +145,7 @@ def check_library(tally, cross, directory):
 
 
 # What firmware that names none of it is to be without, and what names it.
-OPTIONAL = (("glint_lines_draw", "walk_along"), ("glint_lines_place", "clip_line"))
+OPTIONAL = (("glint_lines_draw", "walk_along"), ("glint_lines_place", "clip_line"), ("glint_orthographic", "set_range"))
 
 
 def check_linked(tally, cross, directory):

@@ -95,6 +95,8 @@ BAD_OPTIONS = [
     (["--fov", "0"], r"--fov 0: takes degrees from 1 to 170"),
     (["--fov", "171"], r"--fov 171: takes .*"),
     (["--fov", "inf"], r"--fov inf: takes .*"),
+    (["--orthographic", "0"], r"--orthographic 0: takes a height from 1/256 to 32767"),
+    (["--orthographic", "32768"], r"--orthographic 32768: takes .*"),
     (["--near", "0"], r"--near 0: takes a distance from 1/65536 to 32767"),
     (["--near", "-1"], r"--near -1: takes .*"),
     (["--rotate-y", "ninety"], r"--rotate-y ninety: takes .*"),

@@ -6,7 +6,10 @@
 #include <stdlib.h>
 
 /* view->nearest is the w, in Q28, that 1/w is scaled to: at it, depth is 2^16. */
-static double depth_scale(const glint_view *view) {
+static double depth_scale(const glint_view *view, const glint_projection *projection) {
+    const int64_t unit = (int64_t)1 << 28; /* of parallel rays, depth is linear */
+    if (projection)
+        return (double)(projection->depth_at(view, unit) - projection->depth_at(view, 2 * unit)) / 32768;
     return (double)view->nearest / (1 << 28) * 65536;
 }
 
@@ -33,7 +36,7 @@ static glint_status transform_scene(library_geometry *geometry, const glint_conf
     glint_status status = glint_frame_begin(&frame, config, scene);
     if (status != GLINT_OK)
         return status;
-    geometry->depth_scale = depth_scale(frame.view);
+    geometry->depth_scale = depth_scale(frame.view, scene->camera.projection);
     geometry->object_count = scene->object_count;
     for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++)
         status = transform_object(geometry, &frame, i);

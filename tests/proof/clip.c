@@ -29,11 +29,21 @@ PROOF(crossing_itself) {
     crossing(ANY_LONG(0, 1LL << 31), ANY_LONG(-(1LL << 31), -1));
 }
 
-/* A position of up to 2^30, every plane, a near plane of 16 to 2^30. */
+/* A near plane, and the w of parallel rays. */
+static glint_transform any_planes(void) {
+    glint_transform transform;
+    transform.near_plane = ANY(16, MOST);
+    transform.nearest = ANY(1, MOST);
+    transform.clips = (uint8_t)ANY(0, 3);
+    return transform;
+}
+
+/* A position of up to 2^30, every plane, a near plane of 16 to 2^30; any w of parallel rays. */
 PROOF(distance) {
     const glint_corner corner = any_corner();
+    const glint_transform transform = any_planes();
     FOR_PARTS(plane, 0, PLANES - 1) {
-        distance(&corner.position, plane, ANY(16, MOST));
+        distance(&transform, &corner.position, plane);
     }
 }
 
@@ -47,8 +57,9 @@ PROOF(cut) {
     cut(&from, &to, ANY_LONG(0, 1LL << 31), ANY_LONG(-(1LL << 31), -1), &out);
 }
 
-/* Any position of 31 bits, a near plane of 16 to 2^30. */
+/* Any position of 31 bits, a near plane of 16 to 2^30; any w of parallel rays. */
 PROOF(keep_inside) {
     glint_position position = {ANY_INT, ANY_INT, ANY_INT};
-    keep_inside(&position, ANY(16, MOST));
+    const glint_transform transform = any_planes();
+    keep_inside(&transform, &position);
 }

@@ -35,8 +35,15 @@ static void project_part(glint_transform *transform, int32_t least, int32_t most
     glint_vertex vertex;
     const glint_position right = {ANY(0, most), ANY(0, most), ANY(least, most)};
     const glint_position left = {ANY(-most, -1), ANY(-most, -1), ANY(least, most)};
+    transform->clips = 0;
     glint_project(transform, &right, &vertex);
     glint_project(transform, &left, &vertex);
+    transform->clips = GLINT_PARALLEL; /* this w is that of all, and positions have any */
+    transform->nearest = ANY(least, most);
+    const glint_position right_of_all = {ANY(0, most), ANY(0, most), ANY_INT};
+    const glint_position left_of_all = {ANY(-most, -1), ANY(-most, -1), ANY_INT};
+    glint_project(transform, &right_of_all, &vertex);
+    glint_project(transform, &left_of_all, &vertex);
 }
 
 /* w by parts of a quarter of its bits, from 1 up. */
@@ -74,6 +81,7 @@ PROOF(project_split) {
  * Any positions from any number on, of an object that may be clipped.
  * @contract glint_row_times_whole project transform_inside
  * @narrowing a vertex's number in its mesh is read back as uint16_t
+ * @unreached 2 glint_project in perspective
  */
 PROOF(glint_transform_array) {
     static int16_t positions[65536][3];
@@ -88,6 +96,9 @@ PROOF(glint_transform_array) {
     transform.clips = 0;
     glint_transform_array(&transform, &mesh, first, ANY_UNSIGNED(0, 2), vertices, 0);
     transform.clips = 1;
+    glint_transform_array(&transform, &mesh, first, ANY_UNSIGNED(0, 2), vertices, kept);
+    transform.clips = GLINT_PARALLEL;
+    transform.nearest = ANY(1, MOST_W);
     glint_transform_array(&transform, &mesh, first, ANY_UNSIGNED(0, 2), vertices, kept);
 }
 

@@ -19,6 +19,7 @@ PROOF(light_facet) {
     glint_shading shading;
     glint_draw draw;
     any_view(&view);
+    view.is_parallel = (uint8_t)ANY(0, 1);
     any_transform(&transform);
     for (int i = 0; i < 3; i++) {
         positions[i].x = ANY(-0x30000000, 0x30000000);

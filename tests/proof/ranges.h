@@ -30,6 +30,7 @@ static void any_view(glint_view *view) {
     view->light_count = 0;
     view->local_viewer = (uint8_t)ANY(0, 1);
     view->has_positions = (uint8_t)ANY(0, 1);
+    view->is_parallel = 0;
 }
 
 /* An object's, but for its rows of normals. */

@@ -148,21 +148,23 @@ PROOF(gradients_begin) {
 }
 
 /*
- * Any corners in a guard band, from its centre: where that lies cancels.
+ * Any corners in a guard band, from its centre: where that lies cancels; of perspective and of parallel rays.
  * @contract find_area gradients_begin begin_narrow begin_wide
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
- * @unreached 1 narrow planes, which it begins itself
  */
 PROOF(glint_setup) {
     static glint_vertex corners[3];
     static glint_part part;
     glint_triangle triangle = {{&corners[0], &corners[1], &corners[2]}, {0, 0, 0}, 0, 0, 0};
-    for (int i = 0; i < 3; i++) {
-        corners[i].x = (int16_t)ANY(-16383, 16383);
-        corners[i].y = (int16_t)ANY(-16383, 16383);
-        corners[i].inverse_w = ANY(0, 0x7fff0000);
-    }
     part.window.left = ANY(-8191, 8192);
     part.window.top = ANY(-8191, 8192);
-    glint_setup(&part, &triangle);
+    FOR_PARTS(is_parallel, 0, 1) {
+        for (int i = 0; i < 3; i++) {
+            corners[i].x = (int16_t)ANY(-16383, 16383);
+            corners[i].y = (int16_t)ANY(-16383, 16383);
+            corners[i].inverse_w =
+                is_parallel ? ANY(GLINT_DEPTH_TOP + 1, GLINT_DEPTH_TOP + 0xfffe) : ANY(0, GLINT_DEPTH_TOP);
+        }
+        glint_setup(&part, &triangle);
+    }
 }

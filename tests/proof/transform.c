@@ -40,20 +40,26 @@ static int rows_to_30_bits(int64_t x[3][4], int32_t out[3][4]);
 static void rotate(const glint_view *view, int32_t in[3][4], int64_t out[3][4]);
 
 /* Stands on no row having a magnitude above the largest sum of a row's: what bring_to_clip_space adds up. */
-/*@ requires largest <= 0x180000000000;
+/*@ requires largest <= 0x2000000000000000;
     assigns \result, transform->matrix[0 .. 2], transform->translation[0 .. 2]
         \from rows[0][0 .. 3], rows[1][0 .. 3], rows[2][0 .. 3], largest;
-    ensures -30 <= \result <= 16; */
+    ensures -30 <= \result <= 32; */
 static int set_rows(glint_transform *transform, int64_t rows[3][4], uint64_t largest);
 
-/*@ requires \valid_read(view);
+/*@ requires \valid_read(view) && largest <= 0x2000000000000000;
     requires \subset(rows[0][0 .. 3], (-0x1800000000 .. 0x1800000000));
     requires \subset(rows[1][0 .. 3], (-0x1800000000 .. 0x1800000000));
     requires \subset(rows[2][0 .. 3], (-0x1800000000 .. 0x1800000000));
     assigns \result, transform->matrix[0 .. 2], transform->translation[0 .. 2], rows[0][0 .. 3], rows[1][0 .. 3],
-        rows[2][0 .. 3] \from *view, rows[0][0 .. 3], rows[1][0 .. 3], rows[2][0 .. 3];
-    ensures -30 <= \result <= 16; */
-static int bring_to_clip_space(glint_transform *transform, const glint_view *view, int64_t rows[3][4]);
+        rows[2][0 .. 3] \from *view, largest, rows[0][0 .. 3], rows[1][0 .. 3], rows[2][0 .. 3];
+    ensures -30 <= \result <= 32; */
+static int bring_to_clip_space(glint_transform *transform, const glint_view *view, uint64_t largest,
+                               int64_t rows[3][4]);
+
+/*@ requires 0x1000 <= x <= 0x200000000000000 && -28 <= shift <= 34;
+    assigns \result \from x, shift;
+    ensures 0 <= \result <= 0x2000000000000000; */
+static uint64_t in_rows(int64_t x, int shift);
 
 /*@ requires \valid(transform);
     requires \subset(matrix[0][0 .. 3], (-0x40000000 .. 0x40000000));
@@ -82,13 +88,13 @@ static int64_t find_cofactors(int32_t p[3][4], int64_t wide[3][4], int32_t cofac
 static int prepare_normals(glint_transform *transform, const glint_view *view, const glint_pose *pose);
 
 /*@ requires 0x1000 <= w <= 0x200000000000000;
-    requires -64 <= shift <= 44;
+    requires -64 <= shift <= 60;
     assigns \result \from w, shift;
     ensures 0 <= \result <= 0x40000000; */
 static int32_t to_units(int64_t w, int shift);
 
 /*@ requires \valid(transform) && \valid_read(view);
-    requires -16 <= exponent <= 92;
+    requires -32 <= exponent <= 92;
     assigns transform->near_plane, transform->nearest \from *view, exponent;
     ensures \initialized(&transform->near_plane) && \initialized(&transform->nearest);
     ensures 16 <= transform->near_plane <= 0x40000000;
@@ -97,9 +103,12 @@ static void prepare_depth(glint_transform *transform, const glint_view *view, in
 
 /*@ requires \valid(transform) && \valid_read(config);
     requires 16 <= transform->near_plane <= 0x40000000;
-    assigns transform->least_w, transform->visible, transform->clips \from *transform, *config;
-    ensures \initialized(&transform->least_w) && \initialized(&transform->visible); */
-static void classify(glint_transform *transform, const glint_config *config);
+    requires 0 <= transform->nearest <= 0x40000000;
+    assigns transform->least_w, transform->visible, transform->clips, transform->nearest
+        \from *transform, *config, is_parallel;
+    ensures \initialized(&transform->least_w) && \initialized(&transform->visible);
+    ensures \initialized(&transform->clips) && 0 <= transform->nearest <= 0x40000000; */
+static void classify(glint_transform *transform, const glint_config *config, int is_parallel);
 
 /*@ requires -0x100000 <= x <= 0x100000 && -0x100000 <= y <= 0x100000 && -0x100000 <= z <= 0x100000;
     assigns \result \from x, y, z;
@@ -178,7 +187,7 @@ PROOF(rotate) {
     rotate(&view, in, out);
 }
 
-/* Any sum up to 2^44, by the bits of 3/2 of it, and rows up to it. */
+/* Any sum up to 2^44, by the bits of 3/2 of it, and rows up to it; any up to 2^61, where rays are parallel. */
 PROOF(set_rows) {
     glint_transform transform;
     int64_t rows[3][4];
@@ -189,9 +198,14 @@ PROOF(set_rows) {
         any_rows(rows, most);
         set_rows(&transform, rows, (uint64_t)ANY_LONG(least, most));
     }
+    any_rows(rows, (int64_t)3 << 42);
+    FOR_PARTS(bits, 45, 61) {
+        const int64_t least = (((int64_t)1 << bits) + 2) / 3, most = bits < 61 ? 2 * least - 1 : (int64_t)1 << 61;
+        set_rows(&transform, rows, (uint64_t)ANY_LONG(least, most));
+    }
 }
 
-/* Rows of up to 3 2^35, any focal length. @contract set_rows @unreached 1 shift to the left */
+/* Rows of up to 3 2^35, any focal length, any w of parallel rays. @contract set_rows @unreached 1 shift to the left */
 PROOF(bring_to_clip_space) {
     glint_transform transform;
     glint_view view;
@@ -200,7 +214,7 @@ PROOF(bring_to_clip_space) {
     FOR_PARTS(shift, 18, 38) {
         view.focal_shift = (uint32_t)shift;
         any_rows(rows, (int64_t)3 << 35);
-        bring_to_clip_space(&transform, &view, rows);
+        bring_to_clip_space(&transform, &view, (uint64_t)ANY_LONG(0, (int64_t)1 << 61), rows);
     }
 }
 
@@ -237,23 +251,33 @@ PROOF(prepare_normals) {
     prepare_normals(&transform, &view, &pose);
 }
 
-/* w from 2^12 to 2^57, by its bits; any shift from -64 to 44. @unreached 1 leading zeros of 0 */
+/* w from 2^12 to 2^57, by its bits; any shift from -64 to 60. @unreached 1 leading zeros of 0 */
 PROOF(to_units) {
     FOR_PARTS(bits, 13, 58) {
         const int64_t least = (int64_t)1 << (bits - 1), w = ANY_LONG(least, bits < 58 ? 2 * least - 1 : least);
         to_units(w, ANY(-64, bits - 31));
-        FOR_PARTS(shift, bits - 30, 44) {
+        FOR_PARTS(shift, bits - 30, 60) {
             to_units(w, shift);
         }
     }
 }
 
-/* Any near plane and nearest w, any exponent from -16 to 92. @contract to_units */
+/* Any near plane and nearest w, any exponent from -32 to 92. @contract to_units */
 PROOF(prepare_depth) {
     glint_transform transform;
     glint_view view;
     any_view(&view);
-    prepare_depth(&transform, &view, ANY(-16, 92));
+    prepare_depth(&transform, &view, ANY(-32, 92));
+}
+
+/* w from 2^12 to 2^57, by its bits; any shift from -28 to 34. @unreached 1 leading zeros of 0 */
+PROOF(in_rows) {
+    FOR_PARTS(bits, 13, 58) {
+        const int64_t least = (int64_t)1 << (bits - 1), x = ANY_LONG(least, bits < 58 ? 2 * least - 1 : least);
+        FOR_PARTS(shift, -28, 34) {
+            in_rows(x, (int)shift);
+        }
+    }
 }
 
 /*
@@ -274,7 +298,9 @@ PROOF(classify) {
                 for (int i = 0; i < 3; i++)
                     glint_row_set(&transform.matrix[2], i, ANY(-units[i] * (1 << 28), units[i] * (1 << 28)));
                 transform.translation[2] = ANY(-units[3] * (1 << 28), units[3] * (1 << 28));
-                classify(&transform, &config);
+                transform.nearest = ANY(0, 1 << 30);
+                classify(&transform, &config, 0);
+                classify(&transform, &config, 1);
             }
         }
     }
@@ -295,7 +321,7 @@ PROOF(glint_transform_nearest) {
 
 /*
  * Any object under any camera.
- * @contract prepare_normals place_in_world rows_to_30_bits rotate bring_to_clip_space prepare_depth classify
+ * @contract prepare_normals place_in_world rows_to_30_bits rotate bring_to_clip_space prepare_depth classify in_rows
  * @options -eva-split-return-function prepare_object:full
  */
 PROOF(glint_transform_prepare) {
@@ -305,6 +331,7 @@ PROOF(glint_transform_prepare) {
     glint_object object;
     glint_mesh mesh;
     any_view(&view);
+    view.is_parallel = (uint8_t)ANY(0, 1);
     any_object(&object, &mesh);
     config.width = (uint16_t)ANY(1, GLINT_SIZE_MAX);
     config.height = (uint16_t)ANY(1, GLINT_SIZE_MAX);
@@ -349,5 +376,6 @@ PROOF(glint_transform_eye) {
     glint_transform transform;
     glint_eye to;
     any_transform(&transform);
+    transform.clips = (uint8_t)ANY(0, 3);
     glint_transform_eye(&transform, &to);
 }

@@ -56,6 +56,23 @@ static glint_status any_check(const glint_mesh *mesh) {
     return ANY(0, 1) ? GLINT_OK : GLINT_ERROR_MESH;
 }
 
+static int any_validity(const glint_camera *camera) {
+    (void)camera;
+    return ANY(0, 1);
+}
+
+static void any_range(glint_view *view, int64_t nearest, int64_t farthest) {
+    (void)view;
+    //@ assert 0x1000 <= nearest && 0x1000 <= farthest;
+}
+
+static const glint_projection any_projection = {any_validity, 0, any_range, 0, 0, 0};
+
+/*@ requires 0x1000 <= farthest && \valid_read(transform);
+    assigns \result \from farthest, *transform;
+    ensures 0x1000 <= \result; */
+static int64_t farther(int64_t farthest, const glint_transform *transform);
+
 static const glint_cull any_cull = {any_check, 0, 0, 0, 0};
 static const glint_clusters some_clusters[2] = {{&any_cull, 0, 0, 0}, {0, 0, 0, 0}};
 static const glint_light_type far_light = {any_light_prepare, 0, 0},
@@ -122,11 +139,14 @@ static void any_camera(glint_camera *camera, int most) {
 /* Any pose, field of view and near plane, by the first component that is too large, if any. */
 PROOF(glint_camera_is_valid) {
     const int32_t most = 2 * GLINT_ONE;
-    glint_camera camera;
+    glint_camera camera = {0};
     any_camera(&camera, most);
     camera.field_of_view = ANY_INT;
     camera.near_plane = ANY_INT;
     glint_camera_is_valid(&camera);
+    camera.projection = &any_projection;
+    glint_camera_is_valid(&camera);
+    camera.projection = 0;
     FOR_PARTS(first, 0, 8) {
         any_camera(&camera, INT32_MAX);
         for (int i = 0; i < first; i++)
@@ -242,8 +262,18 @@ PROOF(prepare_lights) {
     place_lights(&view, &all.scene);
 }
 
+/* Any transform of exponents up to 45, beyond which nothing is seen, and a w from 2^12 up. */
+PROOF(farther) {
+    glint_transform transform;
+    any_transform(&transform);
+    FOR_PARTS(exponent, 1, 45) {
+        transform.exponent = (int32_t)exponent;
+        farther(ANY_LONG(1 << 12, (int64_t)1 << 60), &transform);
+    }
+}
+
 /*
- * Up to 2 objects of any transform. @contract glint_transform_prepare glint_transform_nearest
+ * Up to 2 objects of any transform. @contract glint_transform_prepare glint_transform_nearest farther
  * @unreached 1 where a small build lets no transform wait
  */
 PROOF(prepare_nearest) {
@@ -253,6 +283,10 @@ PROOF(prepare_nearest) {
     any_view(&view);
     all.scene.objects = all.objects;
     all.scene.object_count = ANY_UNSIGNED(0, 2);
+    all.scene.camera.projection = &any_projection;
+    view.is_parallel = 1;
+    prepare_nearest(&view, &config, &all.scene, &last, 1);
+    view.is_parallel = 0;
     prepare_nearest(&view, &config, &all.scene, &last, 1);
     //@ assert 0x1000 <= view.nearest <= 0x200000000000000;
 }

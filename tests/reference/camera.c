@@ -119,7 +119,7 @@ static void places_of_points(void) {
     double worst = 0, worst_distance = 0;
     uint32_t shown = 0, wrong = 0;
     for (int i = 0; i < 200000; i++) {
-        glint_camera camera;
+        glint_camera camera = {0};
         look_from_somewhere(&camera);
         const glint_config config = {.width = (uint16_t)any(1, 1024.9), .height = (uint16_t)any(1, 1024.9)};
         const double reach = i % 3 ? 10 : 3000;

@@ -213,7 +213,7 @@ static void add_light(const glint_light *light, const glint_material *material, 
 
 static void find_view(const glint_scene *scene, const double place[3], double view[3]) {
     for (int axis = 0; axis < 3; axis++)
-        view[axis] = scene->viewer == GLINT_VIEWER_LOCAL ? -place[axis] : axis == 2;
+        view[axis] = scene->viewer == GLINT_VIEWER_LOCAL && !scene->camera.projection ? -place[axis] : axis == 2;
     reference_normalise(view);
 }
 

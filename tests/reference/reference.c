@@ -86,11 +86,19 @@ static double focal_length(const glint_scene *scene, int height) {
     return 0.5 * height / tan(0.5 * reference_real(scene->camera.field_of_view) * degree);
 }
 
+/* Where a place in camera space shows: parallel rays take no notice of how far it is. */
+static void find_screen(const glint_scene *scene, int width, int height, const double place[3], double screen[2]) {
+    const double scale = scene->camera.projection ? height / reference_real(scene->camera.view_height)
+                                                  : focal_length(scene, height) / -place[2];
+    screen[0] = 0.5 * width + scale * place[0];
+    screen[1] = 0.5 * height - scale * place[1];
+}
+
 reference_vertex reference_transform(const glint_scene *scene, uint32_t object, uint32_t index, int width, int height) {
     const glint_object *source = &scene->objects[object];
     double normal[3];
     double world[3];
-    double focal = focal_length(scene, height);
+    double screen[2];
     reference_vertex vertex = {{0}, {0}, 0, 0, 0};
     transform_place(scene, source, index, vertex.place);
     reference_mesh_normal(source->mesh, index, normal);
@@ -98,8 +106,9 @@ reference_vertex reference_transform(const glint_scene *scene, uint32_t object, 
     reference_to_camera(&scene->camera, world, vertex.normal);
     reference_normalise(vertex.normal);
     vertex.w = -vertex.place[2];
-    vertex.x = 0.5 * width + focal * vertex.place[0] / vertex.w;
-    vertex.y = 0.5 * height - focal * vertex.place[1] / vertex.w;
+    find_screen(scene, width, height, vertex.place, screen);
+    vertex.x = screen[0];
+    vertex.y = screen[1];
     return vertex;
 }
 
@@ -149,6 +158,13 @@ static reference_light light_fragment(const drawing *draw, const attributes *at)
 /* The point of depth 1/w seen through a pixel's centre: exact, where the corners' weights would add their rounding. */
 static void place_on_ray(const drawing *draw, int x, int y, double depth, double place[3]) {
     double focal = focal_length(draw->scene, draw->image->height);
+    if (draw->scene->camera.projection) {
+        const double pixel = reference_real(draw->scene->camera.view_height) / draw->image->height;
+        place[0] = (x + 0.5 - 0.5 * draw->image->width) * pixel;
+        place[1] = (0.5 * draw->image->height - y - 0.5) * pixel;
+        place[2] = depth - REFERENCE_FAR;
+        return;
+    }
     place[0] = (x + 0.5 - 0.5 * draw->image->width) / focal / depth;
     place[1] = (0.5 * draw->image->height - y - 0.5) / focal / depth;
     place[2] = -1 / depth;
@@ -158,14 +174,15 @@ static void draw_fragment(const drawing *draw, const corner *const c[3], const d
     reference_pixel *pixel = &draw->image->pixels[(size_t)y * (size_t)draw->image->width + (size_t)x];
     double share[3];
     double depth = 0;
+    const int is_parallel = draw->scene->camera.projection != NULL;
     for (int i = 0; i < 3; i++)
-        depth += weight[i] / c[i]->w;
+        depth += is_parallel ? weight[i] * (REFERENCE_FAR - c[i]->w) : weight[i] / c[i]->w;
     if (depth <= pixel->nearest) {
         pixel->second = fmax(pixel->second, depth);
         return;
     }
     for (int i = 0; i < 3; i++)
-        share[i] = weight[i] / c[i]->w / depth;
+        share[i] = is_parallel ? weight[i] : weight[i] / c[i]->w / depth;
     attributes at = mix(c, share, draw->back);
     place_on_ray(draw, x, y, depth, at.place);
     const reference_light light = light_fragment(draw, &at);
@@ -241,10 +258,11 @@ static void draw_triangle(drawing *draw, const corner *a, const corner *b, const
 
 /* Rounds a screen position to 28.4, half up. Good to 2^28 pixels, beyond which edge functions leave 64 bits. */
 static void snap(const drawing *draw, corner *c) {
-    double focal = focal_length(draw->scene, draw->image->height);
+    double screen[2];
     c->w = -c->at.place[2];
-    c->x = (int64_t)floor(16 * (0.5 * draw->image->width + focal * c->at.place[0] / c->w) + 0.5);
-    c->y = (int64_t)floor(16 * (0.5 * draw->image->height - focal * c->at.place[1] / c->w) + 0.5);
+    find_screen(draw->scene, draw->image->width, draw->image->height, c->at.place, screen);
+    c->x = (int64_t)floor(16 * screen[0] + 0.5);
+    c->y = (int64_t)floor(16 * screen[1] + 0.5);
 }
 
 static corner between(const drawing *draw, const corner *in, const corner *out, double near) {
@@ -293,7 +311,7 @@ static reference_light light_facet(const drawing *draw, const corner c[3]) {
         int last = (axis + 2) % 3;
         surface.normal[axis] = a[next] * b[last] - a[last] * b[next];
     }
-    double away = reference_dot(surface.normal, surface.place);
+    double away = draw->scene->camera.projection ? -surface.normal[2] : reference_dot(surface.normal, surface.place);
     for (int axis = 0; axis < 3 && away > 0; axis++)
         surface.normal[axis] = -surface.normal[axis];
     return reference_shade(draw->scene, &draw->lights, draw->object->material, &surface);

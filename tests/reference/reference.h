@@ -29,9 +29,12 @@ typedef struct reference_vertex {
     double w;         /**< Distance along the camera's axis. */
 } reference_vertex;
 
+/** Farther than all that parallel rays see. */
+#define REFERENCE_FAR 1048576.0
+
 typedef struct reference_pixel {
     double colour[3]; /**< Clamped to 0..1, not rounded. */
-    double nearest;   /**< 1/w of the surface seen, 0 for background. */
+    double nearest;   /**< 1/w of the surface seen, or REFERENCE_FAR - w for parallel rays; 0 for background. */
     double second;    /**< 1/w of the next surface behind it, 0 when there is none. */
     double grazing;   /**< How near a jump of the colour is: the smallest |N.L| where a highlight is gated, half the
                          highlight's cosine where p < 1, the distance of a cosine from that of a cone without soft edge, 0

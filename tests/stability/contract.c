@@ -92,6 +92,13 @@ static int is_per_fragment(const glint_object *object) {
 static void find_place(const views *all, int x, int y, double inverse_w, double place[3]) {
     const double half_angle = reference_real(all->scene->camera.field_of_view) * 3.14159265358979323846 / 360;
     const double focal = 0.5 * all->height / tan(half_angle);
+    if (all->scene->camera.projection) { /* then it is how far before REFERENCE_FAR */
+        const double pixel = all->scene->camera.view_height / 65536.0 / all->height;
+        place[0] = (x + 0.5 - 0.5 * all->width) * pixel;
+        place[1] = (0.5 * all->height - y - 0.5) * pixel;
+        place[2] = inverse_w - REFERENCE_FAR;
+        return;
+    }
     place[0] = (x + 0.5 - 0.5 * all->width) / focal / inverse_w;
     place[1] = (0.5 * all->height - y - 0.5) / focal / inverse_w;
     place[2] = -1 / inverse_w;
@@ -168,7 +175,7 @@ static int is_rounded(const views *all, int x, int y) {
 
 /* Does 1/w have too few bits there? */
 static int is_far(const views *all, const reference_pixel *wanted) {
-    return wanted->nearest * all->geometry.depth_scale * CONTRACT_FAR < 65536;
+    return !all->scene->camera.projection && wanted->nearest * all->geometry.depth_scale * CONTRACT_FAR < 65536;
 }
 
 static void judge_distance(const views *all, int x, int y, double bound, int is_excused, contract_result *result) {

@@ -1,0 +1,459 @@
+/* SPDX-License-Identifier: MIT */
+/* Parallel rays: images against the reference, and the same bits from every arena, tile and region. */
+#include "harness.h"
+#include "judge.h"
+#include "library_geometry.h"
+#include "picture.h"
+#include "scenes.h"
+#include "stability/contract.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define WIDTH 150
+#define HEIGHT 101
+
+static uint32_t seed;
+
+static int any(int least, int most) {
+    seed = seed * 1664525u + 1013904223u;
+    return least + (int)((seed >> 8) % (uint32_t)(most - least + 1));
+}
+
+/* Makes a scene's camera orthographic: as high as what it sees at the first object's origin. */
+static void make_parallel(glint_scene *scene) {
+    const glint_camera *const camera = &scene->camera;
+    double away = 0;
+    for (int i = 0; i < 3; i++)
+        away += ((double)camera->pose.m[i][3] - scene->objects[0].pose.m[i][3]) * camera->pose.m[i][2] / 65536;
+    const double height = 2 * away * tan(camera->field_of_view / 65536.0 * 3.14159265358979323846 / 360);
+    scene->camera.projection = &glint_orthographic;
+    scene->camera.view_height = height > 256 ? (glint_q16)height : 256;
+}
+
+static const glint_evaluation *const evaluations[4] = {&glint_per_fragment, &glint_per_node, &glint_per_vertex,
+                                                       &glint_per_facet};
+
+static void light_at(test_scene *s, int evaluation) {
+    for (uint32_t i = 0; i < s->scene.object_count; i++)
+        s->objects[i].evaluation = evaluations[evaluation];
+}
+
+/* ---- Images ---- */
+
+static void report(const judgement *all) {
+    test_write("  of ");
+    test_write_number(all->judged);
+    test_write(" pixels ");
+    test_write_number(all->not_fine);
+    test_write(" are not fine, ");
+    test_write_number(all->over_one);
+    test_write(" over one step\n");
+}
+
+static void judge_scene(const test_scene *s, const glint_format *format, judgement *all) {
+    contract_result found;
+    contract_judge(&s->scene, WIDTH, HEIGHT, format, &found);
+    CHECK_EQUAL(found.found.status, GLINT_OK);
+    CHECK(contract_holds(&found));
+    CHECK(found.found.vertex_error < 0.04); /* half of 1/16, and a part of it */
+    judgement_add(all, &found.found);
+}
+
+static const glint_format *const formats[] = {&glint_format_rgb565, &glint_format_rgb888, &glint_format_grey8_dithered};
+
+static void scenes_keep_the_contract(void) {
+    judgement all = {0};
+    for (unsigned i = 0; i < scene_count; i++)
+        for (int evaluation = 0; evaluation < 4; evaluation++) {
+            test_scene s;
+            scene_build(&s, &scene_definitions[i]);
+            make_parallel(&s.scene);
+            light_at(&s, evaluation);
+            judge_scene(&s, formats[i % 3], &all);
+        }
+    report(&all);
+    CHECK(all.judged > 100000);
+}
+
+static void random_scenes_keep_the_contract(void) {
+    judgement all = {0};
+    for (uint32_t number = 1; number <= 150; number++) {
+        test_scene s;
+        scene_build_random(&s, number);
+        make_parallel(&s.scene);
+        light_at(&s, (int)(number % 4));
+        judge_scene(&s, formats[number / 4 % 3], &all);
+        test_write("");
+    }
+    report(&all);
+    CHECK(all.judged > 100000);
+}
+
+/* A torus under lamps and spots at any distance, some next to its surface. */
+static void lights_keep_the_contract(void) {
+    judgement all = {0};
+    for (uint32_t number = 1; number <= 120; number++) {
+        bench_scene b;
+        test_scene s;
+        bench_build_scene(&b, &bench_definitions[1], scene_bench_mesh(1), (int)(number % 10));
+        s.scene = b.scene;
+        s.objects[0] = b.object;
+        s.materials[0] = b.material;
+        s.objects[0].material = &s.materials[0];
+        s.scene.objects = s.objects;
+        s.scene.lights = s.lights;
+        s.scene.light_count = 2;
+        seed = number;
+        for (int i = 0; i < 2; i++) {
+            const int reach = number % 3 ? 2 * GLINT_ONE : 40 * GLINT_ONE;
+            const glint_pose *const at = &s.objects[0].pose;
+            s.lights[i] = (glint_light){
+                .type = i ? &glint_light_spot : &glint_light_point,
+                .vector = {any(-reach, reach), any(-reach, reach), at->m[2][3] + any(GLINT_ONE / 2, reach)},
+                .diffuse = {GLINT_ONE, GLINT_ONE / 2, GLINT_ONE / 2},
+                .specular = {GLINT_ONE / 2, GLINT_ONE / 2, GLINT_ONE},
+                .quadratic = GLINT_ONE / 16 * any(0, 2),
+                .inner = 20 * GLINT_ONE,
+                .outer = 50 * GLINT_ONE};
+            s.lights[i].axis =
+                (glint_vector){-s.lights[i].vector.x, -s.lights[i].vector.y, at->m[2][3] - s.lights[i].vector.z};
+        }
+        make_parallel(&s.scene);
+        light_at(&s, (int)(number / 2 % 4));
+        judge_scene(&s, &glint_format_rgb565, &all);
+    }
+    report(&all);
+    CHECK(all.judged > 100000);
+}
+
+/* ---- Depth ---- */
+
+static uint16_t depths[HEIGHT][WIDTH];
+
+static int keep_depth(void *context, const glint_tile *tile) {
+    (void)context;
+    for (int y = 0; y < tile->height; y++)
+        for (int x = 0; x < tile->width; x++)
+            depths[tile->y + y][tile->x + x] = tile->depth[(size_t)y * tile->depth_stride + (size_t)x];
+    return 0;
+}
+
+/* How far the corners of a mesh's box are along the camera's axis. */
+static void extend(const glint_scene *scene, const glint_object *object, double *nearest, double *farthest) {
+    const glint_mesh *const mesh = object->mesh;
+    const double extent[3] = {mesh->extent.x / 65536.0, mesh->extent.y / 65536.0, mesh->extent.z / 65536.0},
+                 offset[3] = {mesh->offset.x / 65536.0, mesh->offset.y / 65536.0, mesh->offset.z / 65536.0};
+    for (int corner = 0; corner < 8; corner++) {
+        double w = 0;
+        for (int i = 0; i < 3; i++) {
+            double at = (object->pose.m[i][3] - (double)scene->camera.pose.m[i][3]) / 65536;
+            for (int j = 0; j < 3; j++)
+                at += object->pose.m[i][j] / 65536.0 * (offset[j] + (corner >> j & 1 ? extent[j] : -extent[j]));
+            w -= at * scene->camera.pose.m[i][2] / 65536;
+        }
+        *nearest = fmin(*nearest, w);
+        *farthest = fmax(*farthest, w);
+    }
+}
+
+static void depth_is_linear(void) {
+    static reference_pixel pixels[HEIGHT][WIDTH];
+    const reference_image image = {WIDTH, HEIGHT, pixels[0]};
+    long seen = 0, wrong = 0;
+    for (uint32_t number = 1; number <= 30; number++) {
+        test_scene s;
+        glint_renderer renderer;
+        picture drawn = picture_open(WIDTH, HEIGHT, &glint_format_rgb565);
+        glint_config config = picture_config(&drawn, NULL);
+        double nearest = HUGE_VAL, farthest = 0;
+        scene_build_random(&s, number);
+        s.scene.object_count = 1; /* then it is visible */
+        make_parallel(&s.scene);
+        config.overlay.paint = keep_depth;
+        config.arena_size = 1 << 21;
+        config.arena = malloc(config.arena_size);
+        CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
+        CHECK_EQUAL(glint_render(&renderer, &s.scene), GLINT_OK);
+        library_geometry geometry; /* where its corners are rounded to: a sixteenth of a pixel may be many steps */
+        CHECK_EQUAL(library_geometry_open(&geometry, &config, &s.scene), GLINT_OK);
+        reference_render(&image, &s.scene, (const reference_position *const *)geometry.positions);
+        library_geometry_close(&geometry);
+        extend(&s.scene, &s.objects[0], &nearest, &farthest);
+        nearest = fmax(nearest, s.scene.camera.near_plane / 65536.0);
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++) {
+                const double w = REFERENCE_FAR - pixels[y][x].nearest;
+                const double exact = 1 + 65533 * (farthest - w) / (farthest - nearest);
+                if (!pixels[y][x].covered || !depths[y][x] || pixels[y][x].uncertain)
+                    continue;
+                seen++;
+                wrong += fabs(exact - depths[y][x]) > 2;
+            }
+        free(config.arena);
+        picture_close(&drawn);
+    }
+    CHECK(seen > 40000);
+    CHECK_EQUAL(wrong, 0);
+}
+
+/* ---- The same bits ---- */
+
+static picture draw(const glint_scene *scene, uint16_t tile_width, uint16_t tile_height, size_t arena_size,
+                    const glint_rectangle *region, glint_stats *stats) {
+    picture image = picture_open(WIDTH, HEIGHT, &glint_format_rgb565);
+    const picture_options options = {.tile_width = tile_width, .tile_height = tile_height};
+    glint_config config = picture_config(&image, &options);
+    glint_renderer renderer;
+    if (region)
+        config.region = *region;
+    config.arena_size = arena_size;
+    config.arena = malloc(arena_size);
+    CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
+    CHECK_EQUAL(glint_render(&renderer, scene), GLINT_OK);
+    *stats = renderer.stats;
+    free(config.arena);
+    return image;
+}
+
+static glint_need need_of(const glint_scene *scene, uint16_t tile_width, uint16_t tile_height, int is_turned) {
+    const glint_config config = {.width = WIDTH,
+                                 .height = HEIGHT,
+                                 .tile_width = tile_width,
+                                 .tile_height = tile_height,
+                                 .format = &glint_format_rgb565,
+                                 .flush = {.begin = NULL}};
+    glint_need need = {0, 0, 0};
+    CHECK_EQUAL((is_turned ? glint_arena_need_turned : glint_arena_need)(&config, scene, &need), GLINT_OK);
+    return need;
+}
+
+static void check_same(const glint_scene *scene) {
+    static const uint16_t sizes[] = {8, 16, 32, 64};
+    const glint_need need = need_of(scene, 0, 0, 0);
+    glint_stats stats;
+    picture whole = draw(scene, 0, 0, need.one_pass, NULL, &stats);
+    CHECK_EQUAL(stats.passes, 1);
+    for (int i = 0; i < 3; i++) {
+        const uint16_t width = sizes[any(0, 3)], height = sizes[any(0, 3)];
+        const glint_need other = need_of(scene, width, height, 0);
+        const size_t size = i == 0   ? other.least
+                            : i == 1 ? other.resident
+                                     : (size_t)any((int)other.least, (int)other.one_pass);
+        picture part = draw(scene, width, height, size, NULL, &stats);
+        CHECK(picture_equal(&whole, &part));
+        CHECK(i != 1 || stats.vertices <= 10000);
+        picture_close(&part);
+    }
+    const glint_rectangle region = {(int16_t)any(0, 70), (int16_t)any(0, 50), (int16_t)any(1, 80), (int16_t)any(1, 51)};
+    picture part = draw(scene, 0, 0, need.least, &region, &stats);
+    int wrong = 0;
+    for (int y = region.y; y < region.y + region.height; y++)
+        wrong += memcmp(part.bytes + (size_t)y * part.stride + 2 * (size_t)region.x,
+                        whole.bytes + (size_t)y * whole.stride + 2 * (size_t)region.x, 2 * (size_t)region.width) != 0;
+    CHECK_EQUAL(wrong, 0);
+    picture_close(&part);
+    picture_close(&whole);
+}
+
+static void tiles_arenas_and_regions_change_nothing(void) {
+    for (uint32_t number = 1; number <= 40; number++) {
+        test_scene s;
+        scene_build_random(&s, number);
+        make_parallel(&s.scene);
+        light_at(&s, (int)(number % 4));
+        seed = number;
+        check_same(&s.scene);
+    }
+    for (unsigned i = 0; i < scene_count; i++) {
+        test_scene s;
+        scene_build(&s, &scene_definitions[i]);
+        make_parallel(&s.scene);
+        check_same(&s.scene);
+    }
+}
+
+static void viewers_are_the_same(void) {
+    for (uint32_t number = 1; number <= 20; number++) {
+        test_scene s;
+        glint_stats stats;
+        scene_build_random(&s, number);
+        make_parallel(&s.scene);
+        light_at(&s, (int)(number % 4));
+        s.scene.viewer = GLINT_VIEWER_LOCAL;
+        picture local = draw(&s.scene, 0, 0, 1 << 21, NULL, &stats);
+        s.scene.viewer = GLINT_VIEWER_INFINITE;
+        picture infinite = draw(&s.scene, 0, 0, 1 << 21, NULL, &stats);
+        CHECK(picture_equal(&local, &infinite));
+        picture_close(&local);
+        picture_close(&infinite);
+    }
+}
+
+/* A bound for all turns holds for some. */
+static void turned_objects_need_no_more(void) {
+    for (uint32_t number = 1; number <= 30; number++) {
+        test_scene s;
+        scene_build_random(&s, number);
+        make_parallel(&s.scene);
+        seed = number;
+        const glint_need bound = need_of(&s.scene, 0, 0, 1);
+        for (int turn = 0; turn < 8; turn++) {
+            for (uint32_t i = 0; i < s.scene.object_count; i++) {
+                glint_pose *const pose = &s.objects[i].pose;
+                const glint_pose back = glint_pose_translate(-pose->m[0][3], -pose->m[1][3], -pose->m[2][3]),
+                                 about = glint_pose_rotate((glint_vector){any(-9, 9), any(-9, 9), 1},
+                                                           any(0, 359) * GLINT_ONE),
+                                 forth = glint_pose_translate(pose->m[0][3], pose->m[1][3], pose->m[2][3]);
+                const glint_pose turned = glint_pose_then(pose, &back), placed = glint_pose_then(&turned, &about);
+                *pose = glint_pose_then(&placed, &forth);
+            }
+            const glint_need here = need_of(&s.scene, 0, 0, 0);
+            CHECK(here.least <= bound.least && here.resident <= bound.resident && here.one_pass <= bound.one_pass);
+        }
+    }
+}
+
+/* ---- Places, pixels and errors ---- */
+
+static void points_are_placed(void) {
+    double worst = 0;
+    seed = 1;
+    for (int i = 0; i < 20000; i++) {
+        glint_camera camera = {glint_pose_rotate((glint_vector){any(-9, 9), any(-9, 9), 1}, any(0, 359) * GLINT_ONE), 0,
+                               GLINT_ONE / 10, &glint_orthographic, any(GLINT_ONE, 200 * GLINT_ONE)};
+        const glint_config config = {.width = (uint16_t)any(1, 1024), .height = (uint16_t)any(1, 1024)};
+        const glint_q16 reach = 200 * GLINT_ONE;
+        const glint_vector point = {any(-reach, reach), any(-reach, reach), any(-reach, reach)};
+        glint_place place;
+        double sight[3] = {0, 0, 0};
+        for (int k = 0; k < 3; k++)
+            camera.pose.m[k][3] = any(-reach, reach);
+        for (int k = 0; k < 3; k++) {
+            const glint_q16 at[3] = {point.x, point.y, point.z};
+            for (int j = 0; j < 3; j++)
+                sight[k] += camera.pose.m[j][k] / 65536.0 * ((double)at[j] - camera.pose.m[j][3]) / 65536;
+        }
+        const double pixels = config.height / (camera.view_height / 65536.0),
+                     x = 0.5 * config.width + pixels * sight[0], y = 0.5 * config.height - pixels * sight[1];
+        const int found = glint_camera_project(&config, &camera, point, &place);
+        if (fabs(-sight[2] - 0.1) > 1e-3)
+            CHECK_EQUAL(found, -sight[2] > 0.1);
+        if (found != 1 || fabs(x - 512) > 1024 || fabs(y - 512) > 1024)
+            continue;
+        worst = fmax(worst, fmax(fabs(place.x / 65536.0 - x), fabs(place.y / 65536.0 - y)));
+        CHECK(fabs(place.distance / 65536.0 + sight[2]) < 1e-3);
+    }
+    CHECK_AT_MOST((int)(1000000 * worst), 1000000 / 128);
+}
+
+static void pixels_can_be_picked(void) {
+    test_scene s;
+    glint_stats stats;
+    glint_renderer renderer;
+    scene_build_named(&s, "interlocked");
+    make_parallel(&s.scene);
+    picture image = draw(&s.scene, 0, 0, 1 << 21, NULL, &stats);
+    glint_config config = picture_config(&image, NULL);
+    config.arena_size = 1 << 21;
+    config.arena = malloc(config.arena_size);
+    config.overlay.paint = keep_depth;
+    CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
+    CHECK_EQUAL(glint_render(&renderer, &s.scene), GLINT_OK);
+    for (int y = 3; y < HEIGHT; y += 9)
+        for (int x = 2; x < WIDTH; x += 11) {
+            glint_hit hit = {0, 0, 0};
+            CHECK_EQUAL(glint_pick(&renderer, &s.scene, x, y, &hit), depths[y][x] != 0);
+            CHECK_EQUAL(hit.depth, depths[y][x]);
+        }
+    free(config.arena);
+    picture_close(&image);
+}
+
+static void bad_cameras_are_refused(void) {
+    static const struct {
+        glint_q16 view_height, near_plane, field_of_view;
+        glint_status status;
+    } cases[] = {{256, 1, 0, GLINT_OK},
+                 {INT32_MAX, 1, -5, GLINT_OK},
+                 {255, 1, GLINT_ONE * 45, GLINT_ERROR_CAMERA},
+                 {0, 1, GLINT_ONE * 45, GLINT_ERROR_CAMERA},
+                 {INT32_MIN, 1, GLINT_ONE * 45, GLINT_ERROR_CAMERA},
+                 {GLINT_ONE, 0, GLINT_ONE * 45, GLINT_ERROR_CAMERA}};
+    for (unsigned i = 0; i < TEST_COUNT(cases); i++) {
+        const glint_config config = {.width = 64, .height = 48, .format = &glint_format_rgb565};
+        test_scene s;
+        glint_need need;
+        glint_report found;
+        scene_build_random(&s, 1);
+        make_parallel(&s.scene);
+        s.scene.camera.view_height = cases[i].view_height;
+        s.scene.camera.near_plane = cases[i].near_plane;
+        s.scene.camera.field_of_view = cases[i].field_of_view;
+        CHECK_EQUAL(glint_arena_need(&config, &s.scene, &need), cases[i].status);
+        picture image = picture_open(64, 48, &glint_format_rgb565);
+        glint_config whole = picture_config(&image, NULL);
+        whole.arena_size = 1 << 20;
+        whole.arena = malloc(whole.arena_size);
+        CHECK_EQUAL(glint_check(&whole, &s.scene, &found), cases[i].status);
+        if (cases[i].status != GLINT_OK)
+            CHECK(strstr(found.sentence, cases[i].near_plane ? "view height" : "near plane") != NULL);
+        free(whole.arena);
+        picture_close(&image);
+    }
+}
+
+static glint_q16 any_number(void) {
+    return (glint_q16)((uint32_t)any(0, 0xffff) << 16 | (uint32_t)any(0, 0xffff)) >> any(0, 31);
+}
+
+/* Any numbers whatever: a frame is whole, or there is an error before it. */
+static void extremes_are_drawn_or_refused(void) {
+    int drawn = 0, covered = 0;
+    for (uint32_t number = 1; number <= 3000; number++) {
+        picture image = picture_open(48, 40, &glint_format_rgb565);
+        test_scene s;
+        scene_build_random(&s, number);
+        make_parallel(&s.scene);
+        light_at(&s, (int)(number % 4));
+        seed = number;
+        for (uint32_t i = 0; i < s.scene.object_count; i++)
+            for (int row = 0; row < 3; row++)
+                for (int column = 0; column < 4; column++)
+                    if (any(0, 2) == 0)
+                        s.objects[i].pose.m[row][column] = any_number();
+        for (uint32_t i = 0; i < s.scene.light_count; i++)
+            s.lights[i].vector.x = any(0, 1) ? any_number() : s.lights[i].vector.x;
+        s.scene.camera.view_height = any(256, 1 << any(9, 30));
+        s.scene.camera.near_plane = any(1, 1 << any(1, 30));
+        for (int row = 0; row < 3; row++)
+            s.scene.camera.pose.m[row][3] = any(0, 1) ? any_number() : s.scene.camera.pose.m[row][3];
+        glint_stats stats;
+        const glint_status status = picture_render(&image, &s.scene, NULL, &stats);
+        drawn += status == GLINT_OK;
+        covered += status == GLINT_OK && stats.references > 0;
+        CHECK(status == GLINT_OK
+                  ? picture_is_complete(&image)
+                  : status == GLINT_ERROR_POSE || status == GLINT_ERROR_RANGE || status == GLINT_ERROR_DIRECTION);
+        picture_close(&image);
+    }
+    CHECK(drawn > 500 && covered > 200);
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {
+        TEST_CASE(scenes_keep_the_contract),
+        TEST_CASE(random_scenes_keep_the_contract),
+        TEST_CASE(lights_keep_the_contract),
+        TEST_CASE(depth_is_linear),
+        TEST_CASE(tiles_arenas_and_regions_change_nothing),
+        TEST_CASE(viewers_are_the_same),
+        TEST_CASE(turned_objects_need_no_more),
+        TEST_CASE(points_are_placed),
+        TEST_CASE(pixels_can_be_picked),
+        TEST_CASE(bad_cameras_are_refused),
+        TEST_CASE(extremes_are_drawn_or_refused),
+    };
+    return test_run(write, cases, TEST_COUNT(cases));
+}
