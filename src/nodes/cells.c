@@ -101,16 +101,20 @@ uint32_t glint_shape_away(const glint_draw *draw, const glint_shape *shape, glin
     glint_node *corners[4];
     glint_region region;
     glint_w_range w;
+    uint32_t outside = 0xff, left = 0;
     region.outside = 0xffff;
     for (int i = 0; i < 4; i++) {
         corners[i] = nodes[shape->corners[i]];
         region.outside &= corners[i]->outside;
+        left |= corners[i]->left;
     }
-    if (!region.outside || !find_w_range(shape, nodes, &w))
+    outside &= region.outside;
+    if (!outside || !find_w_range(shape, nodes, &w))
         return 0;
     glint_region_measure(draw->shading->terms->pixel, shape->longest, &w, &region);
-    find_nodes_nearness(region.outside & 0xff, 4, corners, &region);
-    return glint_region_place(region.outside & 0xff, &region);
+    /* lights that a corner has no numbers of are away from all that the shape was cut from */
+    find_nodes_nearness(outside & ~left, 4, corners, &region);
+    return (outside & left) | glint_region_place(outside & ~left, &region);
 }
 
 static int find_shape_region(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
