@@ -895,10 +895,11 @@ void glint_lines_box(glint_line lines[12], glint_vector from, glint_vector to, g
 
 /**
  * Sets lines to the edges of a mesh, in object space, rounded to nearest and saturated; an edge of two triangles that
- * name the same two vertices once. For meshes of a few hundred triangles: its time grows with their square.
+ * name the same two vertices once, and one with a vertex that the mesh does not have left out. For meshes of a few
+ * hundred triangles: its time grows with their square.
  * @param lines set
  * @param room how many fit in `lines`, which may be null where it is 0
- * @param mesh whose edges
+ * @param mesh whose edges; with all that glint_render asks of it but for indices
  * @param colour of all
  * @return how many edges there are; those beyond `room` are left out
  */

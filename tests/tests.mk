@@ -143,7 +143,7 @@ FUZZ_LIBRARY := $(LIBRARY:%.c=$(BUILD)/fuzz/%.o)
 # What a target links beside the library.
 FUZZ_SCENES := tests/fuzz/usual_scene.c tests/fuzz/drawing.c $(addprefix port/host/,cluster.c patch.c memory.c)
 FUZZ_SOURCES_fuzz_obj          := $(HOST_READER_SOURCES)
-FUZZ_SOURCES_fuzz_render       := tests/fuzz/any_scene.c $(FUZZ_SCENES)
+FUZZ_SOURCES_fuzz_render       := tests/fuzz/any_scene.c tests/fuzz/layouts.c $(FUZZ_SCENES)
 FUZZ_SOURCES_fuzz_differential := $(FUZZ_SCENES) tests/stability/contract.c tests/stability/weights.c \
     tests/image/picture.c $(TEST_JUDGE)
 

@@ -164,7 +164,7 @@ uint32_t glint_lines_edges(glint_line *lines, uint32_t room, const glint_mesh *m
         const uint16_t *const v = glint_triangle_of(mesh, i, fetched);
         for (int corner = 0; corner < 3; corner++) {
             const uint16_t a = v[corner], b = v[corner < 2 ? corner + 1 : 0];
-            if (names_edge(mesh, i, a, b))
+            if (a >= mesh->vertex_count || b >= mesh->vertex_count || names_edge(mesh, i, a, b))
                 continue;
             if (count < room)
                 lines[count] = (glint_line){place_vertex(mesh, a), place_vertex(mesh, b), colour};

@@ -31,5 +31,7 @@ void free_drawing(drawing *d) {
         free((void *)(uintptr_t)d->meshes[i].colours);
         free((void *)(uintptr_t)d->meshes[i].colours565);
         cluster_free(&d->meshes[i]);
+        for (int j = 0; j < 4; j++)
+            free(d->stored[i][j]);
     }
 }

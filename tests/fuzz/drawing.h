@@ -13,7 +13,9 @@
  */
 typedef struct drawing {
     glint_mesh meshes[DRAWING_MESHES];
-    int is_loose; /**< How it looks may depend on the arena. */
+    glint_layout layouts[DRAWING_MESHES]; /**< Of those that have one, */
+    void *stored[DRAWING_MESHES][4];      /**< and what they point to. */
+    int is_loose;                         /**< How it looks may depend on the arena. */
     glint_material materials[DRAWING_OBJECTS];
     glint_light lights[GLINT_LIGHTS_MAX + 1];
     glint_object objects[DRAWING_OBJECTS];
@@ -28,6 +30,9 @@ void take_any_scene(source *s, drawing *d);
  * they are awkward. Every value is one that the library takes; only an object may be out of range.
  */
 void take_usual_scene(source *s, drawing *d);
+
+/** Stores arrays of meshes in layouts, now and then: sound ones, or any. */
+void take_layouts(source *s, drawing *d, int is_sound);
 
 /** Mesh colours, or none: 24 bits, 16 bits, or both. */
 void take_mesh_colours(source *s, glint_mesh *mesh);

@@ -411,6 +411,7 @@ static void check_without(uint32_t what, const glint_config *wanted, const glint
         break;
     case 5:
         mesh.positions = NULL;
+        mesh.layout = NULL;
         break;
     case 6:
         scene.objects = NULL;
@@ -471,6 +472,59 @@ static void ask(source s, const glint_config *wanted, const glint_scene *scene) 
     close_screen(&none);
 }
 
+/* ---- Cameras and lines --------------------------------------------------------------------------------------- */
+
+/* Lines in space, some of them a box's and a mesh's edges. */
+typedef struct wires {
+    glint_line lines[32];
+    glint_segment segments[32];
+    uint32_t count;
+} wires;
+
+static int paint_wires(void *context, const glint_tile *tile) {
+    const wires *const w = context;
+    return glint_lines_draw(tile, w->segments, w->count);
+}
+
+/* Of magnitudes that scenes have, or any. */
+static glint_vector take_point(source *s) {
+    const uint32_t down = one_in(s, 4) ? 0 : 12;
+    return (glint_vector){any(s) >> down, any(s) >> down, any(s) >> down};
+}
+
+/* Lines over what is drawn, or none. */
+static void take_wires(source *s, glint_config *config, const drawing *d, wires *w) {
+    const uint32_t kind = below(s, 4);
+    const glint_colour colour = {GLINT_ONE, (glint_q16)take(s, 2), one_in(s, 16) ? any(s) : 0};
+    const glint_pose pose = d->scene.object_count && below(s, 2) ? d->objects[0].pose : glint_pose_identity();
+    w->count = 0;
+    if (!kind)
+        return;
+    if (kind == 2) {
+        glint_lines_box(w->lines, take_point(s), take_point(s), colour);
+        w->count = 12;
+    } else if (kind == 3) {
+        glint_need need;
+        if (d->scene.object_count && glint_arena_need(config, &d->scene, &need) == GLINT_OK)
+            w->count = glint_lines_edges(w->lines, 20, d->objects[0].mesh, colour);
+        w->count = w->count < 20 ? w->count : 20;
+    }
+    for (uint32_t more = below(s, 12); more > 0; more--)
+        w->lines[w->count++] = (glint_line){take_point(s), take_point(s), colour};
+    if (glint_lines_place(w->segments, config, &d->scene.camera, &pose, w->lines, w->count) == GLINT_OK)
+        config->overlay = (glint_painter){paint_wires, w};
+}
+
+/* Parallel rays, now and then. */
+static void take_projection(source *s, glint_camera *camera, int is_sound) {
+    if (!one_in(s, 4))
+        return;
+    camera->projection = &glint_orthographic;
+    camera->view_height = GLINT_ONE >> below(s, 8) << below(s, 8);
+    if (!is_sound && one_in(s, 4))
+        camera->view_height = any(s);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -478,6 +532,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     glint_config config = {.flush = {.begin = begin, .wait = wait}};
     glint_need need;
     drawing d;
+    wires w;
     const int is_usual = take(&s, 1) & 1;
     const size_t length = s.left < CHOICES ? s.left : CHOICES;
     source choices = {s.bytes, length};
@@ -489,6 +544,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         take_any_config(&s, &config);
         take_any_scene(&s, &d);
     }
+    take_projection(&s, &d.scene.camera, is_usual);
+    take_layouts(&s, &d, is_usual);
+    take_wires(&s, &config, &d, &w);
     const source asked = choices;
     const glint_status status = glint_arena_need(&config, &d.scene, &need);
     require(!is_usual || status == GLINT_OK || status == GLINT_ERROR_RANGE);

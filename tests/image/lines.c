@@ -529,6 +529,9 @@ static void edges_of_a_mesh_come_once(void) {
     CHECK_EQUAL(lines[3].to.z, INT32_MAX); /* 0 to 3: the sum does not fit */
     CHECK_EQUAL(lines[3].colour.b, 3);
     CHECK_EQUAL(lines[4].colour.b, 0);
+    glint_mesh less = mesh;
+    less.vertex_count = 3; /* the second triangle has one edge with vertices of its own, which the first has named */
+    CHECK_EQUAL(glint_lines_edges(lines, 4, &less, (glint_colour){1, 2, 3}), 3);
 }
 
 static void bad_input_is_refused(void) {

@@ -51,20 +51,25 @@ PROOF(glint_generate_box) {
     glint_generate_box(ANY(0, 1) ? &mesh : 0, 0, GLINT_ONE, GLINT_ONE, GLINT_ONE);
 }
 
-/* Any colour, of 24 bits and of 16. */
-PROOF(load_colour) {
+/*
+ * Any colour, of 24 bits and of 16, and none.
+ * @unreached 6 colours of a layout: suite `layouts` under ASan and UBSan
+ */
+PROOF(load_colours) {
     static uint8_t colours[1][3];
     static uint16_t colours565[1];
-    glint_mesh mesh;
-    int16_t out[3];
+    glint_mesh mesh = {0};
+    int16_t out[1][3];
     Frama_C_make_unknown((char *)colours, sizeof colours);
     Frama_C_make_unknown((char *)colours565, sizeof colours565);
     mesh.colours = (const uint8_t(*)[3])colours;
     mesh.colours565 = 0;
-    load_colour(&mesh, 0, out);
-    /*@ assert \subset(out[0 .. 2], (0 .. 32767)); */
+    load_colours(&mesh, 0, 1, out);
+    /*@ assert \subset(out[0][0 .. 2], (0 .. 32767)); */
     mesh.colours = 0;
     mesh.colours565 = colours565;
-    load_colour(&mesh, 0, out);
-    /*@ assert \subset(out[0 .. 2], (0 .. 32767)); */
+    load_colours(&mesh, 0, 1, out);
+    /*@ assert \subset(out[0][0 .. 2], (0 .. 32767)); */
+    mesh.colours565 = 0;
+    load_colours(&mesh, 0, 1, out);
 }

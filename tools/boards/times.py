@@ -47,7 +47,7 @@ def times_in_qemu(board, firmware, plugin):
             if machine.process.wait(60):
                 raise Died("%s: %s" % (board, lines[-5:]))
         core = [1e3 * float(costs.cycles(frame, timed.core)) / timed.clock for frame in costs.read(counts.name)]
-    bus = 1e3 * 8 * BOARDS[board].frame_bytes / timed.bus
+    bus = 1e3 * 8 * BOARDS[board].panel.frame_bytes / timed.bus
     return lines, [(max(drawing, bus) if timed.overlaps else drawing + bus, bus) for drawing in core]
 
 
