@@ -119,8 +119,8 @@ static void choose_octahedral(const double normal[3], quantise_normals type, int
 void quantised_code(const quantised_mesh *mesh, const int16_t normal[3], int code[2]) {
     const double one = octahedron_one(mesh->types.normals);
     const int scale = octahedron_scale(mesh->types.normals);
-    const double x = normal[0] / scale;
-    const double y = normal[1] / scale;
+    const int x = normal[0] / scale;
+    const int y = normal[1] / scale;
     code[0] = (int)(normal[2] < 0 ? fold(x, y, one) : x);
     code[1] = (int)(normal[2] < 0 ? fold(y, x, one) : y);
 }

@@ -58,27 +58,32 @@ void reference_mesh_position(const glint_mesh *mesh, uint32_t index, double exte
 }
 
 void reference_mesh_normal(const glint_mesh *mesh, uint32_t index, double normal[3]) {
-    const glint_attribute *const from = mesh->normals ? NULL : &mesh->layout->normals;
-    if (from && from->type == &glint_type_octahedral8) {
-        const int8_t *code = element_of(from, index, 2);
-        unfold_octahedron(code[0] / 127.0, code[1] / 127.0, normal);
-    } else if (from && from->type == &glint_type_octahedral16) {
-        const int16_t *code = element_of(from, index, 4);
-        unfold_octahedron(code[0] / 32767.0, code[1] / 32767.0, normal);
-    } else if (from) {
-        three_of(from, index, normal);
-    } else {
+    if (mesh->normals) {
         for (int axis = 0; axis < 3; axis++)
             normal[axis] = mesh->normals[index][axis];
+        return;
+    }
+    const glint_attribute *const from = &mesh->layout->normals;
+    if (from->type == &glint_type_octahedral8) {
+        const int8_t *code = element_of(from, index, 2);
+        unfold_octahedron(code[0] / 127.0, code[1] / 127.0, normal);
+    } else if (from->type == &glint_type_octahedral16) {
+        const int16_t *code = element_of(from, index, 4);
+        unfold_octahedron(code[0] / 32767.0, code[1] / 32767.0, normal);
+    } else {
+        three_of(from, index, normal);
     }
 }
 
 void reference_mesh_corners(const glint_mesh *mesh, uint32_t triangle, uint32_t corners[3]) {
-    const glint_attribute *const from = mesh->triangles ? NULL : &mesh->layout->triangles;
-    for (int i = 0; i < 3; i++)
-        corners[i] = !from                             ? mesh->triangles[triangle][i]
-                     : from->type == &glint_type_uint8 ? ((const uint8_t *)element_of(from, triangle, 3))[i]
-                                                       : ((const uint16_t *)element_of(from, triangle, 6))[i];
+    for (int i = 0; i < 3; i++) {
+        if (mesh->triangles)
+            corners[i] = mesh->triangles[triangle][i];
+        else if (mesh->layout->triangles.type == &glint_type_uint8)
+            corners[i] = ((const uint8_t *)element_of(&mesh->layout->triangles, triangle, 3))[i];
+        else
+            corners[i] = ((const uint16_t *)element_of(&mesh->layout->triangles, triangle, 6))[i];
+    }
 }
 
 void reference_mesh_colour(const glint_mesh *mesh, uint32_t index, double colour[3]) {
