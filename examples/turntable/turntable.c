@@ -59,9 +59,8 @@ static void set_teapot(turntable *table, uint32_t frame) {
 void turntable_frame(turntable *table, turntable_model model, uint32_t frame) {
     glint_scene *scene = &table->scene;
 
+    *scene = (glint_scene){0};
     scene->camera.near_plane = GLINT_Q16(0.1);
-    scene->background = (glint_colour)COLOUR(0, 0, 0);
-    scene->error_budget = 0;
     scene->lights = table->lights;
     scene->objects = &table->object;
     scene->object_count = 1;
