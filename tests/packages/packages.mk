@@ -15,7 +15,7 @@ $(PACKAGES)/turntable: tests/packages/turntable.c examples/turntable/turntable.c
 
 SUITES += test-packages
 .PHONY: test-packages
-test-packages: $(PACKAGES)/minimal $(PACKAGES)/turntable $(PANEL_STREAM) $(HOST_PROGRAM) single ## every package: what it builds, and what it says of itself
+test-packages: $(PACKAGES)/minimal $(PACKAGES)/turntable $(BUILD)/host/panel_stream $(HOST_PROGRAM) single ## every package: what it builds, and what it says of itself
 	@python3 tests/packages/packages.py --build $(BUILD)
 
 # ---- Options: what else than a compiler's level decides what is compiled, one by one and in pairs. The core's own are set
