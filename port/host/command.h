@@ -21,7 +21,7 @@ int command_render(const host_settings *settings);
 /** Prints what there is to know about a model. */
 int command_info(const host_settings *settings);
 
-/** Writes a model as a C header. */
+/** Writes a model as a C header, or as a C source and its header. */
 int command_convert(const host_settings *settings);
 
 /** Draws an example scene into a PNG or an APNG, or lists them. */

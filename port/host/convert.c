@@ -20,6 +20,7 @@ typedef struct header_writer {
     host_bytes *out;
     const host_settings *settings;
     const quantised_mesh *mesh;
+    const char *storage; /* of meshes, materials and objects */
     char name[NAME_SIZE];
 } header_writer;
 
@@ -76,7 +77,10 @@ static void print_load_options(host_bytes *out, const load_options *load) {
                 load->plain ? " --no-clusters" : "");
 }
 
-/** The options that shape the mesh, in one order. The output's name is not among them: it must not change the bytes. */
+/**
+ * The options that shape the mesh, in one order. A header's name is not among them: it must not change the bytes. That
+ * of a pair is, as the source names its header.
+ */
 static void print_command_line(const header_writer *writer) {
     const host_settings *settings = writer->settings;
     const double *scale = settings->scale;
@@ -101,6 +105,10 @@ static void print_command_line(const header_writer *writer) {
     }
     if (settings->double_sided) {
         bytes_print(writer->out, " --double-sided");
+    }
+    if (convert_is_pair(settings->output)) {
+        bytes_print(writer->out, " -o ");
+        print_in_comment(writer->out, path_base_name(settings->output));
     }
 }
 
@@ -317,14 +325,14 @@ static void print_mesh(const header_writer *writer, const glint_mesh *mesh, cons
 }
 
 static void print_single(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {
-    bytes_print(writer->out, "\nstatic const glint_mesh %s_mesh%s = {\n", writer->name, suffix);
+    bytes_print(writer->out, "\n%s glint_mesh %s_mesh%s = {\n", writer->storage, writer->name, suffix);
     print_mesh(writer, mesh, suffix);
     bytes_print(writer->out, "};\n");
 }
 
 void convert_mesh(host_bytes *out, const char *name, const glint_mesh *mesh, const char *suffix) {
     static const quantised_mesh arrays = {0}; /* of 16 bits */
-    header_writer writer = {.out = out, .mesh = &arrays};
+    header_writer writer = {.out = out, .mesh = &arrays, .storage = "static const"};
     snprintf(writer.name, sizeof writer.name, "%s", name);
     print_arrays(&writer, mesh, suffix);
     print_single(&writer, mesh, suffix);
@@ -333,7 +341,7 @@ void convert_mesh(host_bytes *out, const char *name, const glint_mesh *mesh, con
 /** Several pieces of no material as the array NAME_meshes. */
 static void print_array(const header_writer *writer, const quantised_mesh *mesh, const header_suffix *suffixes) {
     bytes_print(writer->out, "\n/* More vertices than 16 bits can index: one object for each of these. */\n");
-    bytes_print(writer->out, "static const glint_mesh %s_meshes[%zu] = {\n", writer->name, mesh->piece_count);
+    bytes_print(writer->out, "%s glint_mesh %s_meshes[%zu] = {\n", writer->storage, writer->name, mesh->piece_count);
     for (size_t i = 0; i < mesh->piece_count; i++) {
         bytes_print(writer->out, "    {\n");
         print_mesh(writer, &mesh->pieces[i], suffixes[i].text);
@@ -356,7 +364,8 @@ static void print_meshes(const header_writer *writer, const host_model *model, c
         print_single(writer, &mesh->pieces[i], suffixes[i].text);
     }
     if (painted) {
-        convert_objects(writer->out, writer->name, writer->settings, &model->materials, mesh, suffixes);
+        const convert_names names = {writer->out, writer->storage, writer->name, suffixes};
+        convert_objects(&names, writer->settings, &model->materials, mesh);
     }
     free(suffixes);
 }
@@ -405,24 +414,74 @@ static void print_report(const host_settings *settings, const host_model *model,
     }
 }
 
+static void print_header(const header_writer *writer, const host_model *model, const quantised_mesh *mesh) {
+    print_head(writer, model, mesh);
+    print_guard(writer, "#ifndef");
+    print_guard(writer, "#define");
+    bytes_print(writer->out, "\n#include \"glint.h\"\n");
+    if (convert_is_pair(writer->settings->output)) {
+        header_suffix *suffixes = convert_suffixes(&model->materials, mesh);
+        const convert_names names = {writer->out, "extern const", writer->name, suffixes};
+        convert_declarations(&names, &model->materials, mesh);
+        free(suffixes);
+    } else {
+        print_meshes(writer, model, mesh);
+    }
+    bytes_print(writer->out, "\n#endif\n");
+}
+
+static void print_source(const header_writer *writer, const char *header, const host_model *model,
+                         const quantised_mesh *mesh) {
+    print_head(writer, model, mesh);
+    bytes_print(writer->out, "#include \"%s\"\n", path_base_name(header));
+    print_meshes(writer, model, mesh);
+}
+
+static bool write_header(const header_writer *like, const host_model *model, const quantised_mesh *mesh) {
+    host_bytes file = {NULL, 0, 0};
+    host_problem problem;
+    header_writer writer = *like;
+    writer.out = &file;
+    writer.storage = "static const";
+    print_header(&writer, model, mesh);
+    const bool ok = bytes_write_file(&file, like->settings->output, &problem);
+    if (!ok) {
+        problem_print(like->settings->output, &problem);
+    }
+    free(file.data);
+    return ok;
+}
+
+static bool write_pair(const header_writer *like, const host_model *model, const quantised_mesh *mesh) {
+    char *header = convert_header_of(like->settings->output);
+    host_file pair[2] = {{{NULL, 0, 0}, like->settings->output}, {{NULL, 0, 0}, header}};
+    host_problem problem;
+    const char *wrong;
+    header_writer writer = *like;
+    writer.storage = "const";
+    writer.out = &pair[0].bytes;
+    print_source(&writer, header, model, mesh);
+    writer.out = &pair[1].bytes;
+    print_header(&writer, model, mesh);
+    const bool ok = bytes_write_pair(pair, &wrong, &problem);
+    if (!ok) {
+        problem_print(wrong, &problem);
+    }
+    free(pair[0].bytes.data);
+    free(pair[1].bytes.data);
+    free(header);
+    return ok;
+}
+
 int command_convert(const host_settings *settings) {
     host_model model;
     quantised_mesh mesh;
-    if (!command_load(settings, true, &model, &mesh)) {
+    if (!convert_check_pair(settings) || !command_load(settings, true, &model, &mesh)) {
         return COMMAND_FAILED;
     }
-    host_bytes file = {NULL, 0, 0};
-    header_writer writer = {.out = &file, .settings = settings, .mesh = &mesh};
+    header_writer writer = {.settings = settings, .mesh = &mesh};
     choose_name(settings, writer.name);
-    print_head(&writer, &model, &mesh);
-    print_guard(&writer, "#ifndef");
-    print_guard(&writer, "#define");
-    bytes_print(&file, "\n#include \"glint.h\"\n");
-    print_meshes(&writer, &model, &mesh);
-    bytes_print(&file, "\n#endif\n");
-    host_problem problem;
-    const bool ok = bytes_write_file(&file, settings->output, &problem);
-    free(file.data);
+    const bool ok = (convert_is_pair(settings->output) ? write_pair : write_header)(&writer, &model, &mesh);
     if (ok) {
         print_report(settings, &model, &mesh);
         command_print_warnings(settings, &model);
@@ -432,5 +491,5 @@ int command_convert(const host_settings *settings) {
     }
     quantised_free(&mesh);
     model_free(&model);
-    return ok ? 0 : command_fail(settings->output, &problem);
+    return ok ? 0 : COMMAND_FAILED;
 }

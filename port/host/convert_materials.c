@@ -76,38 +76,116 @@ static void print_colour(host_bytes *out, glint_colour colour, const char *what)
     bytes_print(out, "    {%ld, %ld, %ld}, /* %s */\n", (long)colour.r, (long)colour.g, (long)colour.b, what);
 }
 
-static void print_material(host_bytes *out, const char *name, const char *suffix, const glint_material *material) {
-    bytes_print(out, "\nstatic const glint_material %s_material%s = {\n    &glint_model_%s,\n", name, suffix,
-                model_name(material->model));
+static void print_material(const convert_names *names, const char *suffix, const glint_material *material) {
+    host_bytes *out = names->out;
+    bytes_print(out, "\n%s glint_material %s_material%s = {\n    &glint_model_%s,\n", names->storage, names->name,
+                suffix, model_name(material->model));
     print_colour(out, material->ambient, "ambient");
     print_colour(out, material->diffuse, "diffuse");
     print_colour(out, material->specular, "specular");
     bytes_print(out, "    %ld, /* shininess */\n    0,\n};\n", (long)material->shininess);
 }
 
-void convert_objects(host_bytes *out, const char *name, const host_settings *settings, const host_materials *materials,
-                     const quantised_mesh *mesh, const header_suffix *suffixes) {
-    bytes_print(out, "\n/* Materials: Q16.16, for ambient light of 1 in the scene. */\n");
+/** The first piece of each material, by its number. @return the caller frees them */
+static size_t *first_pieces(const host_materials *materials, const quantised_mesh *mesh) {
     size_t *first = memory_new(materials->used_count + 1, sizeof *first);
     for (size_t i = mesh->piece_count; i-- > 0;) {
         first[mesh->materials[i]] = i;
     }
+    return first;
+}
+
+void convert_objects(const convert_names *names, const host_settings *settings, const host_materials *materials,
+                     const quantised_mesh *mesh) {
+    host_bytes *out = names->out;
+    const header_suffix *suffixes = names->suffixes;
+    size_t *first = first_pieces(materials, mesh);
+    bytes_print(out, "\n/* Materials: Q16.16, for ambient light of 1 in the scene. */\n");
     for (size_t i = 0; i < mesh->piece_count; i++) {
         if (first[mesh->materials[i]] == i) {
             const glint_material material = settings_material(settings, materials_find(materials, mesh->materials[i]));
-            print_material(out, name, suffixes[i].text, &material);
+            print_material(names, suffixes[i].text, &material);
         }
     }
     bytes_print(out,
                 "\n/* Objects of one scene, all with the same pose: copy them where they move. */\n"
-                "static const glint_object %s_objects[%zu] = {\n",
-                name, mesh->piece_count);
+                "%s glint_object %s_objects[%zu] = {\n",
+                names->storage, names->name, mesh->piece_count);
     for (size_t i = 0; i < mesh->piece_count; i++) {
         const char *material = suffixes[first[mesh->materials[i]]].text;
         bytes_print(
             out, "    {&%s_mesh%s, &%s_material%s, {{{65536, 0, 0, 0}, {0, 65536, 0, 0}, {0, 0, 65536, 0}}}, 0, 0},\n",
-            name, suffixes[i].text, name, material);
+            names->name, suffixes[i].text, names->name, material);
     }
     bytes_print(out, "};\n");
     free(first);
+}
+
+/* ---- A source and its header ------------------------------------------------------------------------------------ */
+
+/** Declares each piece's mesh, each material, and the objects. */
+static void declare_painted(const convert_names *names, const host_materials *materials, const quantised_mesh *mesh) {
+    size_t *first = first_pieces(materials, mesh);
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        bytes_print(names->out, "%s glint_mesh %s_mesh%s;\n", names->storage, names->name, names->suffixes[i].text);
+    }
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        if (first[mesh->materials[i]] == i) {
+            bytes_print(names->out, "%s glint_material %s_material%s;\n", names->storage, names->name,
+                        names->suffixes[i].text);
+        }
+    }
+    bytes_print(names->out,
+                "%s glint_object %s_objects[%zu]; /* all with the same pose: copy them where they move */\n",
+                names->storage, names->name, mesh->piece_count);
+    free(first);
+}
+
+void convert_declarations(const convert_names *names, const host_materials *materials, const quantised_mesh *mesh) {
+    bytes_print(names->out, "\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
+    if (materials->used_count > 0) {
+        declare_painted(names, materials, mesh);
+    } else if (mesh->piece_count > 1) {
+        bytes_print(names->out, "%s glint_mesh %s_meshes[%zu]; /* one object for each */\n", names->storage,
+                    names->name, mesh->piece_count);
+    } else {
+        bytes_print(names->out, "%s glint_mesh %s_mesh;\n", names->storage, names->name);
+    }
+    bytes_print(names->out, "\n#ifdef __cplusplus\n}\n#endif\n");
+}
+
+bool convert_is_pair(const char *output) {
+    const size_t length = output != NULL ? strlen(path_base_name(output)) : 0;
+    return length > 2 && strcmp(path_base_name(output) + length - 2, ".c") == 0;
+}
+
+char *convert_header_of(const char *source) {
+    const size_t length = strlen(source);
+    char *header = memory_new(length + 1, 1);
+    strcpy(header, source);
+    header[length - 1] = 'h';
+    return header;
+}
+
+bool convert_check_pair(const host_settings *settings) {
+    host_problem problem;
+    if (!convert_is_pair(settings->output)) {
+        return true;
+    }
+    for (const char *letter = path_base_name(settings->output); *letter != '\0'; letter++) {
+        if ((unsigned char)*letter < ' ' || *letter == '"' || *letter == '\\') {
+            problem_set(&problem, 0,
+                        "cannot be written: #include of its header takes no quotes, backslashes or control characters");
+            problem_print(settings->output, &problem);
+            return false;
+        }
+    }
+    char *header = convert_header_of(settings->output);
+    const bool is_model = path_is_same_file(settings->model, header);
+    if (is_model) {
+        problem_set(&problem, 0, "cannot be written: it is the model");
+        problem_print(header, &problem);
+    }
+    free(header);
+    return !is_model;
 }

@@ -24,7 +24,7 @@ static const host_command commands[] = {
     {"render", "MODEL [options] -o OUT.png", "draw a model", COMMAND_RENDER, true, true, command_render},
     {"info", "MODEL [options]", "counts, bounds, and the arena it needs on common panels", COMMAND_INFO, true, false,
      command_info},
-    {"convert", "MODEL [options] -o MESH.h", "write a model as const arrays, and print what it takes of a board",
+    {"convert", "MODEL [options] -o MESH.h|MESH.c", "write a model as const arrays, and print what it takes of a board",
      COMMAND_CONVERT, true, true, command_convert},
 #ifndef HOST_WITHOUT_SCENES
     {"scene", "NAME[:VARIANT] [options] -o OUT.png", "draw a frame of an example scene, or an animation", COMMAND_SCENE,

@@ -102,12 +102,19 @@ static const int ends[] = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU, S
 
 #define END_COUNT (sizeof ends / sizeof ends[0])
 
-/** The file that is written beside its place; it exists while remove_unfinished may be called. */
-static char *unfinished;
+/** Most files that are replaced at once. */
+#define FILES_MAX 2
+
+/** The files that are written beside their places, null for none; they exist while remove_unfinished may be called. */
+static char *unfinished[FILES_MAX];
 
 /** Handles a signal once: raised again, it ends the program as it would have without this. */
 static void remove_unfinished(int number) {
-    unlink(unfinished);
+    for (size_t i = 0; i < FILES_MAX; i++) {
+        if (unfinished[i] != NULL) {
+            unlink(unfinished[i]);
+        }
+    }
     raise(number);
 }
 
@@ -122,7 +129,7 @@ static sigset_t hold_signals(void) {
     return before;
 }
 
-/** Has signals remove the unfinished file, but for those that the program was started to ignore. */
+/** Has signals remove the unfinished files, but for those that the program was started to ignore. */
 static void handle_signals(struct sigaction before[END_COUNT]) {
     struct sigaction action = {.sa_handler = remove_unfinished};
     sigfillset(&action.sa_mask);
@@ -141,7 +148,37 @@ static void restore_signals(const struct sigaction before[END_COUNT]) {
     }
 }
 
-/** Makes a new file in the folder of `path`. @return its descriptor, or -1; the caller frees the name */
+/** A file that is replaced, or made. */
+typedef struct replacement {
+    const host_bytes *bytes;
+    char *place;       /* where it goes: no link, unless it is_direct; the caller frees it */
+    struct stat older; /* the older file, when that exists */
+    bool exists;
+    bool is_direct; /* what is no regular file is written to as it is */
+    bool is_moved;  /* the new file is at its place */
+    char *beside;   /* the new file's name until then, null for none */
+    char *kept;     /* the older file's name while it may have to come back, null for none */
+} replacement;
+
+/** Whether a link is the system's name for a file that is open: such as /dev/stdout, /dev/fd/1 and /proc/self/fd/1. */
+static bool is_open_file(const char *link) {
+    return strncmp(link, "/dev/", 5) == 0 || strncmp(link, "/proc/", 6) == 0;
+}
+
+/** Finds where a path leads to. @return false with a problem when it cannot be written there */
+static bool find_place(const char *path, replacement *file, host_problem *problem) {
+    struct stat own;
+    file->exists = stat(path, &file->older) == 0;
+    if (file->exists && access(path, W_OK) != 0) { /* a folder that may be written would let it be replaced */
+        return cannot_be_written(problem);
+    }
+    const bool is_link = lstat(path, &own) == 0 && S_ISLNK(own.st_mode);
+    file->is_direct = file->exists && (!S_ISREG(file->older.st_mode) || (is_link && is_open_file(path)));
+    file->place = is_link && !file->is_direct ? realpath(path, NULL) : strdup(path);
+    return file->place != NULL || problem_set(problem, 0, "cannot be written: it is a link to nothing");
+}
+
+/** Makes a new file in the folder of `path`. @return its descriptor, or -1; the caller frees the name, null for -1 */
 static int create_beside(const char *path, char **name) {
     const size_t folder = (size_t)(path_base_name(path) - path);
     const size_t size = folder + 64;
@@ -153,59 +190,133 @@ static int create_beside(const char *path, char **name) {
         snprintf(*name + folder, size - folder, "glint-%ld-%u.part", (long)getpid(), i);
         file = open(*name, O_WRONLY | O_CREAT | O_EXCL, 0666);
     }
+    if (file < 0) {
+        const int error = errno;
+        free(*name);
+        *name = NULL;
+        errno = error;
+    }
     return file;
 }
 
-/** Replaces the file at `path`, or makes it. `older` tells its permissions, null when there is none. */
-static bool replace(const host_bytes *bytes, const char *path, const struct stat *older, host_problem *problem) {
-    struct sigaction actions[END_COUNT];
-    char *beside;
-    sigset_t mask = hold_signals(); /* none comes while the file is there and not known, or known and not there */
-    const int file = create_beside(path, &beside);
-    bool ok = file >= 0 || cannot_be_written(problem);
-    if (ok) {
-        unfinished = beside;
-        handle_signals(actions);
-        sigprocmask(SIG_SETMASK, &mask, NULL);
-        ok = older == NULL || fchmod(file, older->st_mode & 0777) == 0;
-        ok = (write_and_close(file, bytes) && ok) || cannot_be_written(problem);
-        mask = hold_signals();
-        ok = ok && (rename(beside, path) == 0 || cannot_be_written(problem));
-        if (!ok) {
-            unlink(beside);
-        }
-        restore_signals(actions);
+/** Writes the new file beside its place, as unfinished file `number`; signals come meanwhile as `mask` lets them. */
+static bool write_beside(replacement *file, size_t number, const sigset_t *mask) {
+    const int descriptor = create_beside(file->place, &file->beside);
+    if (descriptor < 0) {
+        return false;
     }
+    unfinished[number] = file->beside;
+    sigprocmask(SIG_SETMASK, mask, NULL);
+    const bool ok = !file->exists || fchmod(descriptor, file->older.st_mode & 0777) == 0;
+    const bool is_written = write_and_close(descriptor, file->bytes);
+    hold_signals();
+    return is_written && ok;
+}
+
+/** Moves the older file aside. @return false, with errno and the file as it was, when that fails */
+static bool keep_older(replacement *file) {
+    const int name_only = create_beside(file->place, &file->kept);
+    if (name_only < 0) {
+        return false;
+    }
+    close(name_only);
+    if (rename(file->place, file->kept) == 0) {
+        return true;
+    }
+    const int error = errno;
+    unlink(file->kept);
+    free(file->kept);
+    file->kept = NULL;
+    errno = error;
+    return false;
+}
+
+/** Moves the new file to its place. */
+static bool move_into_place(replacement *file) {
+    file->is_moved = rename(file->beside, file->place) == 0;
+    return file->is_moved;
+}
+
+/** Leaves the new file at its place and nothing else, or what was there before. */
+static void finish(replacement *file, bool ok) {
+    if (file->beside != NULL && !file->is_moved) {
+        unlink(file->beside);
+    }
+    if (ok && file->kept != NULL) {
+        unlink(file->kept);
+    } else if (file->kept != NULL) {
+        rename(file->kept, file->place);
+    } else if (!ok && file->is_moved) {
+        unlink(file->place);
+    }
+    free(file->beside);
+    free(file->kept);
+}
+
+/** Moves all new files to their places; older ones aside before, as long as a later move may fail. @return how many */
+static size_t move_into_places(replacement *files, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        const bool may_come_back = i + 1 < count && files[i].exists;
+        if ((may_come_back && !keep_older(&files[i])) || !move_into_place(&files[i])) {
+            return i;
+        }
+    }
+    return count;
+}
+
+/** Replaces all files or none. @param[out] wrong which of them it failed at */
+static bool replace(replacement *files, size_t count, size_t *wrong, host_problem *problem) {
+    struct sigaction actions[END_COUNT];
+    const sigset_t mask = hold_signals(); /* none comes while a file is there and not known, or known and not there */
+    handle_signals(actions);
+    size_t done = 0;
+    while (done < count && write_beside(&files[done], done, &mask)) {
+        done++;
+    }
+    done = done == count ? move_into_places(files, count) : done;
+    const bool ok = done == count || cannot_be_written(problem);
+    *wrong = done;
+    for (size_t i = 0; i < count; i++) {
+        finish(&files[i], ok);
+        unfinished[i] = NULL;
+    }
+    restore_signals(actions);
     sigprocmask(SIG_SETMASK, &mask, NULL);
-    free(beside);
     return ok;
 }
 
-/** Whether a link is the system's name for a file that is open: such as /dev/stdout, /dev/fd/1 and /proc/self/fd/1. */
-static bool is_open_file(const char *link) {
-    return strncmp(link, "/dev/", 5) == 0 || strncmp(link, "/proc/", 6) == 0;
+bool bytes_write_file(const host_bytes *bytes, const char *path, host_problem *problem) {
+    replacement file = {.bytes = bytes};
+    size_t wrong;
+    if (!find_place(path, &file, problem)) {
+        return false;
+    }
+    const bool ok = file.is_direct ? write_directly(bytes, path, problem) : replace(&file, 1, &wrong, problem);
+    free(file.place);
+    return ok;
 }
 
-bool bytes_write_file(const host_bytes *bytes, const char *path, host_problem *problem) {
-    struct stat status;
-    struct stat own;
-    const bool exists = stat(path, &status) == 0;
-    const bool is_link = lstat(path, &own) == 0 && S_ISLNK(own.st_mode);
-    if (exists && access(path, W_OK) != 0) { /* a folder that may be written would let it be replaced all the same */
-        return cannot_be_written(problem);
+/** Finds where a file of a pair goes, which is no device or pipe. */
+static bool find_regular(const char *path, replacement *file, host_problem *problem) {
+    return find_place(path, file, problem) &&
+           (!file->is_direct || problem_set(problem, 0, "cannot be written: it is no regular file"));
+}
+
+bool bytes_write_pair(const host_file pair[2], const char **wrong, host_problem *problem) {
+    replacement files[2] = {{.bytes = &pair[0].bytes}, {.bytes = &pair[1].bytes}};
+    size_t at = 0;
+    bool ok = find_regular(pair[0].path, &files[0], problem);
+    if (ok) {
+        at = 1;
+        ok = find_regular(pair[1].path, &files[1], problem);
     }
-    if (exists && (!S_ISREG(status.st_mode) || (is_link && is_open_file(path)))) {
-        return write_directly(bytes, path, problem);
+    if (ok && path_is_same_file(pair[0].path, pair[1].path)) {
+        ok = problem_set(problem, 0, "cannot be written: it is the other file of the pair");
     }
-    if (!is_link) {
-        return replace(bytes, path, exists ? &status : NULL, problem);
-    }
-    char *place = realpath(path, NULL);
-    if (place == NULL) {
-        return problem_set(problem, 0, "cannot be written: it is a link to nothing");
-    }
-    const bool ok = replace(bytes, place, &status, problem);
-    free(place);
+    ok = ok && replace(files, 2, &at, problem);
+    *wrong = ok ? NULL : pair[at].path;
+    free(files[0].place);
+    free(files[1].place);
     return ok;
 }
 

@@ -43,6 +43,21 @@ bool bytes_read_file(host_bytes *bytes, const char *path, size_t most, host_prob
  */
 bool bytes_write_file(const host_bytes *bytes, const char *path, host_problem *problem);
 
+/** A file to be written. */
+typedef struct host_file {
+    host_bytes bytes;
+    const char *path;
+} host_file;
+
+/**
+ * Writes two files as bytes_write_file does, and moves them into place together: where the second cannot be moved, the
+ * first becomes what it was before. Both are regular files, or do not exist. Only what ends a program without notice,
+ * such as SIGKILL, can come between the two moves.
+ * @param[out] wrong the path that cannot be written, null for none
+ * @return false with a problem of line 0 when that fails
+ */
+bool bytes_write_pair(const host_file pair[2], const char **wrong, host_problem *problem);
+
 /** Whether two paths lead to one regular file, by links or not. */
 bool path_is_same_file(const char *a, const char *b);
 

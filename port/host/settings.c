@@ -216,10 +216,11 @@ typedef struct host_option {
 
 #define COMMANDS_THAT_DRAW (COMMAND_RENDER | COMMAND_SCENE)
 #define COMMANDS_WITH_MESH (COMMAND_RENDER | COMMAND_INFO | COMMAND_CONVERT)
-#define COMMANDS_WITH_OUTPUT (COMMANDS_THAT_DRAW | COMMAND_CONVERT | COMMAND_DEMO)
 
 static const host_option options[] = {
-    {"-o", "FILE", "the file to write", COMMANDS_WITH_OUTPUT, parse_output},
+    {"-o", "FILE", "the file to write", COMMANDS_THAT_DRAW | COMMAND_DEMO, parse_output},
+    {"-o", "FILE", "a header; or NAME.c: a source, with NAME.h that declares what is in it", COMMAND_CONVERT,
+     parse_output},
     {"--size", "WxH", "of the picture, up to 1024x1024; 320x240, or what a scene is composed for", COMMANDS_THAT_DRAW,
      parse_size},
     {"--format", "NAME", "rgb565, rgb565_be, rgb444, rgb888, grey8, grey4 or mono; rgb888", COMMANDS_THAT_DRAW,
@@ -304,7 +305,7 @@ static const host_option options[] = {
     {"--panel", "WxH[:FORMAT]", "what the mesh takes is told for that panel; 320x240:rgb565",
      COMMAND_INFO | COMMAND_CONVERT, parse_panel},
     {"--name", "NAME", "C identifier that the arrays' names begin with", COMMAND_CONVERT, parse_name},
-    {"--licence", "SPDX", "licence that the header states", COMMAND_CONVERT, parse_licence},
+    {"--licence", "SPDX", "licence that each file states", COMMAND_CONVERT, parse_licence},
     {"--models", "DIR", "folder of the models; examples/models", COMMAND_DEMO, parse_models},
     {"--help", NULL, "print this", COMMANDS_WITH_MESH | COMMAND_DEMO | COMMAND_SCENE, parse_help},
 };

@@ -90,6 +90,11 @@ bool bytes_write_file(const host_bytes *bytes, const char *path, host_problem *p
     return true;
 }
 
+bool bytes_write_pair(const host_file pair[2], const char **wrong, host_problem *problem) {
+    *wrong = pair[1].path;
+    return problem_set(problem, 0, "cannot be written: the page takes one file");
+}
+
 bool path_is_same_file(const char *a, const char *b) {
     (void)a;
     (void)b;

@@ -205,6 +205,88 @@ def test_headers_compile(host):
         os.remove(host.path(name + ".h"))
 
 
+PAINTED = "mtllib two.mtl\nv -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -1\nusemtl front\nf 1 2 3\nusemtl sides\nf 2 1 4\nf 3 2 4\nf 1 3 4\n"
+USE_OF_PAIR = """#include "{name}.h"
+#include "{name}.h"
+const glint_mesh *of_{file}(void);
+const glint_mesh *of_{file}(void) {{ return &{mesh}; }}
+"""
+MAIN_OF_PAIR = """extern {c} const glint_mesh *of_first(void);
+extern {c} const glint_mesh *of_second(void);
+int main(void) {{ return of_first() != of_second() || of_first()->vertex_count == 0; }}
+"""
+
+
+def pair(host, name, *arguments, warning=""):
+    """The source and the header that `convert` writes."""
+    run = host.run("convert", *arguments, "-o", name + ".c")
+    if run.returncode != 0 or re.fullmatch(warning, run.stderr) is None:
+        raise AssertionError(f"convert {arguments}: {run.returncode} {run.stderr}")
+    return host.read(name + ".c").decode(), host.read(name + ".h").decode()
+
+
+def link_pair(host, name, mesh_name, compiler, suffix):
+    """Whether two files that include a pair's header see one mesh, the pair's source being C."""
+    for file in ("first", "second"):
+        host.write(f"{file}.{suffix}", ('extern "C" {\n' if suffix == "cpp" else "") +
+                   USE_OF_PAIR.format(name=name, file=file, mesh=mesh_name) + ("}\n" if suffix == "cpp" else ""))
+    host.write(f"main.{suffix}", '#include "glint.h"\n' + MAIN_OF_PAIR.format(c='"C"' if suffix == "cpp" else ""))
+    c_compiler, library = {"c++": "cc", "clang++": "clang"}.get(compiler, compiler), os.path.join(os.path.dirname(host.program), "libglint.a")
+    objects = []
+    for file, by, options in [(name + ".c", c_compiler, ["-std=c99"])] + \
+            [(f"{file}.{suffix}", compiler, ["-std=c99"] if suffix == "c" else []) for file in ("first", "second", "main")]:
+        objects.append(file + ".o")
+        run = subprocess.run([by, *options, *STRICT, "-Wmissing-declarations", "-c", file, "-o", objects[-1]], cwd=host.folder.name,
+                             capture_output=True, text=True, check=False)
+        if run.returncode != 0:
+            return run.stderr[:500]
+    run = subprocess.run([compiler, *objects, library, "-o", "pair"], cwd=host.folder.name, capture_output=True, text=True, check=False)
+    return run.stderr or ("" if subprocess.run([host.path("pair")], check=False).returncode == 0 else "two meshes")
+
+
+def test_pair(host):
+    files = host.files()
+    host.write("two.mtl", "newmtl front\nKd 0.8 0.1 0.05\nnewmtl sides\nKd 0.3 0.3 0.35\n")
+    host.write("two.obj", PAINTED)
+    host.write("big.obj", torus_text(320, 256))
+    for name, value, arguments, warning in (
+            ("two", "two_mesh_front", ["two.obj", "--licence", "MIT"], ""), ("plain", "two_mesh", ["torus:24x12", "--name", "two"], ""),
+            ("small", "small_mesh", ["torus:12x8", "--name", "small", "--positions", "int8", "--normals", "octahedral", "--indices", "8"], ""),
+            ("big", "big_meshes[1]", ["big.obj"], TOO_LARGE)):
+        source, header = pair(host, name, *arguments, warning=warning)
+        host.equal(f"{name}: the same whenever it is made", pair(host, name, *arguments, warning=warning), (source, header))
+        one = convert(host, *arguments, warning=warning)
+        data = source.split(f'#include "{name}.h"\n')[1]
+        host.equal(f"{name}: data as in a header", re.sub(r"^const ", "static const ", data, flags=re.M), one.split('#include "glint.h"\n')[1][:-len("\n#endif\n")])
+        declared = sorted(re.findall(r"^extern (const \w+ [\w\[\]]+);", header, re.M))
+        host.equal(f"{name}: what is defined is declared", declared, sorted(re.findall(r"^(const \w+ [\w\[\]]+) = \{$", source, re.M)))
+        host.check(f"{name}: nothing else", len(declared) == (5 if name == "two" else 1) and "static" not in header)
+        for text in (source, header):
+            host.check(f"{name}: formats and command", "Q16.16" in text and "object space is offset + extent * step / 32768" in text
+                       and re.search(r"\n \*     glint convert .* -o " + name + r"\.c\n", text) is not None)
+        host.equal(f"{name}: licence in both", [text.startswith("/* SPDX-License-Identifier: MIT */\n") for text in (source, header)],
+                   ["--licence" in arguments] * 2)
+        for compiler, suffix in (("cc", "c"), ("clang", "c"), ("c++", "cpp"), ("clang++", "cpp")):
+            host.equal(f"{name} in two files with {compiler}", link_pair(host, name, value, compiler, suffix), "")
+    for name in set(host.files()) - set(files):
+        os.remove(host.path(name))
+
+
+def test_names_of_pairs(host):
+    host.write("model.h", SQUARE)
+    host.refuses("the header is the model", ["convert", "model.h", "-o", "model.c"], r"model\.h:0: cannot be written: it is the model")
+    os.remove(host.path("model.h"))
+    for name in ('a"b.c', "a\\\\b.c", "a\tb.c"):
+        host.refuses(f"a name that #include cannot have: {name!r}", ["convert", "box", "-o", name], r"a.+b\.c:0: cannot be written: #include .*")
+    os.mkdir(host.path("sub"))
+    host.equal("in a folder", host.run("convert", "box", "-o", "sub/b.c").returncode, 0)
+    host.check("the header is found beside its source", '\n#include "b.h"\n' in host.read("sub/b.c").decode())
+    shutil.rmtree(host.path("sub"))
+    host.equal("a name of nothing but .c", host.run("convert", "box", "-o", ".c").returncode, 0)
+    host.check("is a header", b"#ifndef BOX_MESH_H" in host.read(".c"))
+    os.remove(host.path(".c"))
+
+
 def test_colours(host):
     body = "f 1 2 3\nf 1 3 4\n"
     host.write("painted.obj", "v 0 0 0 1 0 0.5\nv 1 0 0 0 1 0\nv 1 1 0 0.2 0.4 0.6\nv 0 1 0 1 1 1\n" + body)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The file that is written: whole or not at all, and nothing beside it, whoever else writes and whatever ends the program."""
 import os
+import re
 import resource
 import shutil
 import signal
@@ -11,7 +12,7 @@ from harness import MODELS, SQUARE
 
 SMALL = ["--size", "64x48"]
 
-# Between the halves of the file that the program writes, it is sent a signal.
+# Between the halves of the file that the program writes, or of the second one, it is sent a signal.
 INTERRUPTED = """
 #define _GNU_SOURCE
 #include <signal.h>
@@ -21,9 +22,9 @@ INTERRUPTED = """
 
 ssize_t write(int file, const void *bytes, size_t count) {
     static int begun;
-    if (file <= 2 || begun)
+    const char *second = getenv("INTERRUPTED_IN_SECOND");
+    if (file <= 2 || begun++ != (second != NULL))
         return syscall(SYS_write, file, bytes, count);
-    begun = 1;
     ssize_t written = syscall(SYS_write, file, bytes, count / 2);
     raise(atoi(getenv("INTERRUPTED_BY")));
     return written;
@@ -134,6 +135,92 @@ def test_signals(host):
     host.equal("a file beyond the limit", (run.returncode, host.files(), host.read("out.png")),
                (-signal.SIGXFSZ, sorted([*files, "out.png"]), b"older"))
     os.remove(host.path("out.png"))
+
+
+def test_signals_in_pairs(host):
+    """In the middle of either file: both older ones stay, or none of the new ones is there."""
+    files = host.files()
+    with Interrupted(host) as interrupted:
+        for which in ({}, {"INTERRUPTED_IN_SECOND": "1"}):
+            for older in ([], ["out.c"], ["out.h"], ["out.c", "out.h"]):
+                for name in older:
+                    host.write(name, "older")
+                run = host.run("convert", "torus:8x8", "-o", "out.c", env={**interrupted.by(signal.SIGTERM), **which}, before=as_in_a_terminal)
+                host.equal(f"{which} {older}: status", run.returncode, -signal.SIGTERM)
+                host.equal(f"{which} {older}: files", host.files(), sorted(files + older))
+                for name in older:
+                    host.equal(f"{which} {older}: {name}", host.read(name), b"older")
+                    os.remove(host.path(name))
+
+
+# Moves of files that fail, by their number.
+MOVING = """
+#define _GNU_SOURCE
+#include <errno.h>
+#include <stdlib.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+int rename(const char *from, const char *to) {
+    static int begun;
+    if (begun++ == atoi(getenv("MOVE_FAILS"))) {
+        errno = EIO;
+        return -1;
+    }
+    return (int)syscall(SYS_renameat2, -100, from, -100, to, 0);
+}
+"""
+
+
+def test_moves_of_pairs(host):
+    """Whichever move fails: both older files stay, or none of the new ones is there."""
+    files = host.files()
+    host.write("moving.c", MOVING)
+    library = os.path.join(host.folder.name + "-moving.so")
+    subprocess.run(["cc", "-shared", "-fPIC", "-o", library, host.path("moving.c")], check=True)
+    os.remove(host.path("moving.c"))
+    for older in ([], ["out.c"], ["out.h"], ["out.c", "out.h"]):
+        moves = 2 + ("out.c" in older)
+        for number in range(moves + 1):
+            for name in older:
+                host.write(name, "older")
+            run = host.run("convert", "torus:8x8", "-o", "out.c", env={"LD_PRELOAD": library, "MOVE_FAILS": str(number)})
+            done = number == moves
+            name = f"{older}: move {number}"
+            host.equal(f"{name}: files", host.files(), sorted({*files, *(["out.c", "out.h"] if done else older)}))
+            host.check(f"{name}: status", run.returncode == 0 if done else run.returncode == 2 and run.stdout == "" and re.fullmatch(
+                r"out\.[ch]:0: cannot be written: Input/output error\n", run.stderr) is not None, run.stderr)
+            for file in ["out.c", "out.h"] if done else older:
+                host.equal(f"{name}: {file}", host.read(file) != b"older", done)
+                os.remove(host.path(file))
+    os.remove(library)
+
+
+def test_places_of_pairs(host):
+    os.mkdir(host.path("sub"))
+    host.write("sub/b.c", "older")
+    os.symlink("sub/b.c", host.path("out.c"))
+    host.equal("a link", host.run("convert", "box", "-o", "out.c").returncode, 0)
+    host.equal("leads where it did", (os.readlink(host.path("out.c")), b'#include "out.h"' in host.read("sub/b.c")), ("sub/b.c", True))
+    os.remove(host.path("sub/b.c"))
+    os.remove(host.path("out.h"))
+    host.refuses("a link to nothing", ["convert", "box", "-o", "out.c"], r"out\.c:0: cannot be written: it is a link to nothing")
+    os.remove(host.path("out.c"))
+    os.rmdir(host.path("sub"))
+    for name in ("out.c", "out.h"):
+        os.mkdir(host.path(name))
+        host.refuses(f"a folder {name}", ["convert", "box", "-o", "out.c"], rf"{name}:0: cannot be written: it is no regular file")
+        os.rmdir(host.path(name))
+        os.symlink("/dev/null", host.path(name))
+        host.refuses(f"a device {name}", ["convert", "box", "-o", "out.c"], rf"{name}:0: cannot be written: it is no regular file")
+        os.remove(host.path(name))
+    host.write("out.c", "older")
+    os.symlink("out.c", host.path("out.h"))
+    host.refuses("one file", ["convert", "box", "-o", "out.c"], r"out\.h:0: cannot be written: it is the other file of the pair")
+    host.equal("stays", host.read("out.c"), b"older")
+    for name in ("out.c", "out.h"):
+        os.remove(host.path(name))
+    host.refuses("no folder", ["convert", "box", "-o", "nowhere/out.c"], r"nowhere/out\.c:0: cannot be written: No such file or directory")
 
 
 def test_writers_of_one_file(host):
@@ -285,7 +372,7 @@ def test_full_disks_and_files_that_may_not_be_written(host):
     library = os.path.join(host.folder.name + "-refusing.so")
     subprocess.run(["cc", "-shared", "-fPIC", "-o", library, host.path("refusing.c")], check=True)
     os.remove(host.path("refusing.c"))
-    for command, name in (("render", "out.png"), ("convert", "out.h")):
+    for command, name in (("render", "out.png"), ("convert", "out.h"), ("convert", "out.c")):
         for older in (None, "older"):
             if older:
                 host.write(name, older)
