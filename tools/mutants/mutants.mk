@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: MIT
-# Single changes to src/ that some suite should notice. Not part of `make test`: a mutant takes seconds, a survivor minutes.
+# Single changes to src/ and port/panel/ that some suite should notice. Not part of `make test`: a mutant takes seconds, a survivor minutes.
 
-# How many are judged, in the order of a seed; files of src/ that they are in, all unless some are named.
+# How many are judged, in the order of a seed; files of src/ and port/panel/ that they are in, all unless some are named.
 MUTANTS       ?= 20
 MUTANTS_SEED  ?= 1
 MUTANTS_FILES ?=
 MUTANTS_JOBS  ?= $(shell nproc)
 
 # In this order, up to the first that fails: those that notice much in little time first.
-MUTANTS_SUITES := unit stability_kept changes output extremes highlights fill_rule kept drops stability_regions numbers setup point budget \
-    accuracy models compare identity
+MUTANTS_SUITES := unit stability_kept changes diagnose camera pick output point highlights skipped region lines extremes hidden opposed \
+    fill_rule turned drops stability_regions orthographic layouts numbers kept arenas identity setup nodes budget gallery formats models \
+    accuracy compare
+# Those of panels, each a program of its own.
+MUTANTS_PANELS := pictures complaints faults i2c
 
 .PHONY: mutants
-mutants: ## change MUTANTS places of src/, one at a time, from MUTANTS_SEED (MUTANTS_FILES: only there): does a suite notice?
+mutants: ## change MUTANTS places of src/ and port/panel/, one at a time, from MUTANTS_SEED (MUTANTS_FILES: only there): does a suite notice?
 	@python3 tools/mutants/mutants.py --build $(BUILD)/mutants --known tools/mutants/known.csv --count $(MUTANTS) \
-	    --seed $(MUTANTS_SEED) --jobs $(MUTANTS_JOBS) --compiler "$(CC)" --flags "-std=c99 $(TEST_INCLUDES)" \
-	    $(foreach suite,$(MUTANTS_SUITES),--suite "$(suite)=$(SUITE_$(suite))") --files $(MUTANTS_FILES)
+	    --seed $(MUTANTS_SEED) --jobs $(MUTANTS_JOBS) --compiler "$(CC)" --flags "-std=c99 $(TEST_INCLUDES) -Itests/panel" \
+	    $(foreach suite,$(MUTANTS_SUITES),--suite "$(suite)=$(SUITE_$(suite))") \
+	    $(foreach suite,$(MUTANTS_PANELS),--suite "panel_$(suite)=tests/panel/$(suite).c $(PANEL_SHARED)") --files $(MUTANTS_FILES)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Mutants: single changes to the library that some suite should notice.
+"""Mutants: single changes to the library and the drivers of panels that some suite should notice.
 
-Every mutant is one change at one place of a function's body in src/: a comparison, a number, a shift, an operator, swapped
+Every mutant is one change at one place of a function's body in src/ or port/panel/: a comparison, a number, a shift, an operator, swapped
 operands, a choice that always goes one way, a statement left out. The seed puts all of them in an order; they are
 taken one by one until COUNT of them have been judged. A mutant that does not compile, or whose objects are those of
 the library, is passed over.
@@ -17,6 +17,7 @@ import argparse
 import collections
 import csv
 import filecmp
+import glob
 import hashlib
 import os
 import re
@@ -240,25 +241,40 @@ def run(command, seconds=None):
     return process.returncode, usage.ru_utime + usage.ru_stime
 
 
+# What is mutated, and copied for it.
+MUTATED = ("src", "port/panel")
+
+
+def mutated(end):
+    """The files of MUTATED whose names end so."""
+    return sorted(path for folder in MUTATED for path in glob.glob(folder + "/**/*" + end, recursive=True))
+
+
+def copy(old, new):
+    for folder in MUTATED:
+        shutil.copytree(os.path.join(old, folder), os.path.join(new, folder))
+
+
 class Builder:
     """The library and the suites, compiled once; mutants in folders of their own."""
 
     def __init__(self, build, compiler, flags, suites):
         self.build, self.compiler, self.flags = build, shlex.split(compiler), shlex.split(flags)
         self.suites = suites # name -> sources beside the library's
-        self.library = sorted(os.path.join("src", name) for name in os.listdir("src") if name.endswith(".c"))
+        self.mutated = mutated(".c")
+        self.library = [path for path in self.mutated if path.startswith("src/")]
         self.locks = {name: threading.Lock() for name in suites}
-        self.needs = {} # source -> the headers of src/ that it is made from
+        self.needs = {} # source -> what of MUTATED it is made from
 
     def object(self, folder, source):
         return os.path.join(folder, source.replace("/", "_") + ".o")
 
     def compile(self, folder, source, headers, more=()):
         """@return whether it compiles. Files are named as in the work tree, whose headers come after `headers`."""
-        path = os.path.join(headers, source) if source.startswith("src/") else source
-        return run(self.compiler + self.flags + ["-w", "-O2", "-I", os.path.join(headers, "src"), *more,
-                                                 f"-ffile-prefix-map={headers}/=", "-c", path, "-o",
-                                                 self.object(folder, source)])[0] == 0
+        path = os.path.join(headers, source) if source in self.mutated else source
+        first = ["-I" + os.path.join(headers, top) for top in ("src", "port")]
+        return run(self.compiler + first + self.flags + ["-w", "-O2", *more, f"-ffile-prefix-map={headers}/=", "-c", path,
+                                                         "-o", self.object(folder, source)])[0] == 0
 
     def prepare(self, stamp, jobs):
         """The work tree's src/ copied, and everything compiled, unless that was done with the same sources."""
@@ -266,19 +282,19 @@ class Builder:
         stamps = os.path.join(self.original, "stamp")
         if not os.path.exists(stamps) or open(stamps).read() != stamp:
             shutil.rmtree(self.original, ignore_errors=True)
-            shutil.copytree("src", os.path.join(self.original, "src"))
+            copy(".", self.original)
             with ThreadPoolExecutor(jobs) as pool:
                 list(pool.map(self.compile_original, self.sources()))
             with open(stamps, "w") as file:
                 file.write(stamp)
         for source in self.sources():
             with open(self.depends(source)) as file:
-                names = file.read().replace("\\\n", " ").split()[1:]
-            prefix = os.path.join(self.original, "")
+                names = [os.path.normpath(name) for name in file.read().replace("\\\n", " ").split()[1:]]
+            prefix = os.path.join(os.path.normpath(self.original), "")
             self.needs[source] = {name[len(prefix):] for name in names if name.startswith(prefix)}
 
     def sources(self):
-        return self.library + sorted({source for name in self.suites for source in self.suites[name]})
+        return self.mutated + sorted({source for name in self.suites for source in self.suites[name]} - set(self.mutated))
 
     def depends(self, source):
         return self.object(self.original, source) + ".d"
@@ -315,22 +331,28 @@ class Builder:
     def judge(self, mutant, folder):
         """@return what became of a mutant: none, same, the name of the suite that noticed, or survived"""
         shutil.rmtree(folder, ignore_errors=True)
-        shutil.copytree(os.path.join(self.original, "src"), os.path.join(folder, "src"))
+        copy(self.original, folder)
         path = os.path.join(folder, mutant.file)
         with open(path) as file:
             text = file.read()
         with open(path, "w") as file:
             file.write(text[:mutant.start] + mutant.text + text[mutant.end:])
         changed = False
-        for source in self.library:
+        for source in self.mutated:
             if mutant.file in self.needs[source]:
                 if not self.compile(folder, source, folder):
                     return "none"
                 changed |= not filecmp.cmp(self.object(folder, source), self.object(self.original, source), False)
         return self.run_suites(mutant, folder) if changed else "same"
 
+    def reaches(self, mutant, name):
+        """Is the suite's program made from the mutant's file?"""
+        return any(mutant.file in self.needs[source] for source in self.suites[name] + self.library)
+
     def run_suites(self, mutant, folder):
         for name, sources in self.suites.items():
+            if not self.reaches(mutant, name):
+                continue
             for source in sources:
                 if mutant.file in self.needs[source] and not os.path.exists(self.object(folder, source)) and \
                         not self.compile(folder, source, folder):
@@ -416,7 +438,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="mutants judged at once")
     parser.add_argument("--compiler", required=True)
     parser.add_argument("--flags", required=True, help="of the compiler")
-    parser.add_argument("--files", nargs="*", default=[], help="of src/; all unless some are named")
+    parser.add_argument("--files", nargs="*", default=[], help="of src/ and port/panel/; all unless some are named")
     parser.add_argument("--suite", action="append", required=True, metavar="NAME=SOURCES", help="suites, in order")
     arguments = parser.parse_args()
 
@@ -424,7 +446,7 @@ def main():
     for suite in arguments.suite:
         name, sources = suite.split("=", 1)
         suites[name] = sources.split()
-    files = sorted(os.path.join("src", name) for name in os.listdir("src") if re.search(r"\.[ch]$", name))
+    files = mutated(".[ch]")
     mutants = [m for path in arguments.files or files for m in mutants_of(path)]
     tests = [os.path.join(folder, name) for top in ("tests", "examples", "port/host") for folder, _, names in os.walk(top)
              for name in names if re.search(r"\.[ch]$", name)]
