@@ -121,6 +121,8 @@ PROGRAM_minimal   := examples/firmware/minimal.c
 PROGRAM_pattern   := tests/board/pattern.c
 PROGRAM_identity  := tests/board/identity_board.c tests/board/identity.c tests/board/frames.c \
     examples/turntable/turntable.c $(wildcard examples/scenes/*.c)
+PROGRAM_identity-16k := tests/board/identity_16k_board.c $(filter-out tests/board/identity_board.c,$(PROGRAM_identity))
+PROGRAM_identity-8k  := tests/board/identity_8k_board.c $(filter-out tests/board/identity_board.c,$(PROGRAM_identity))
 PROGRAM_frames    := tools/bench/frames.c
 PROGRAM_unit      := tests/board/unit.c tests/harness.c $(wildcard tests/unit/*.c)
 PROGRAM_unit-pico := tests/board/unit_pico.c $(filter-out tests/unit/unit.c,$(PROGRAM_unit))
@@ -186,6 +188,9 @@ $(foreach board,$(UNIT_BOARDS),\
 $(eval $(call firmware_program,template,release,minimal))
 $(foreach board,mps2-an385 mps2-an385-m0 virt,$(foreach level,O0 Os O2,\
     $(eval $(call firmware_program,$(board),$(level),identity))))
+# What has no room for the example scenes draws the turntable's frames, in the formats and the tiles that fit.
+$(eval $(call firmware_program,sifive_e,release,identity-16k))
+$(eval $(call firmware_program,lm3s811evb,release,identity-8k))
 $(foreach board,$(MEASURED),$(eval $(call firmware_program,$(board),O2,frames)))
 
 $(foreach board,$(BOARDS),$(eval $(call firmware_program,$(board),release,show)))

@@ -35,6 +35,8 @@ test-board-unit: $(BUILD)/pico/emulator/installed \
 IDENTITY_LEVELS := O0 Os O2
 IDENTITY_CORES  := mps2-an385 mps2-an385-m0 virt
 IDENTITY_ELF    := $(foreach core,$(IDENTITY_CORES),$(foreach level,$(IDENTITY_LEVELS),$(BUILD)/$(core)/$(level)/identity.elf))
+# Boards that have room for a part: MACHINE=ELF.
+IDENTITY_PART   := sifive_e=$(BUILD)/sifive_e/release/identity-16k.elf lm3s811evb=$(BUILD)/lm3s811evb/release/identity-8k.elf
 IDENTITY_VARIANTS := $(foreach compiler,gcc clang,$(foreach level,$(IDENTITY_LEVELS),$(compiler)-$(level)))
 IDENTITY_HOST   := $(IDENTITY_VARIANTS:%=$(BUILD)/identity/%)
 IDENTITY_SOURCES := tests/board/identity_host.c tests/board/identity.c tests/board/frames.c \
@@ -42,9 +44,9 @@ IDENTITY_SOURCES := tests/board/identity_host.c tests/board/identity.c tests/boa
 $(foreach variant,$(IDENTITY_VARIANTS),\
     $(eval $(call test_program,$(BUILD)/identity/$(variant),$(variant),$(IDENTITY_SOURCES))))
 
-test-board-identity: $(IDENTITY_ELF) $(IDENTITY_HOST) ## the same bits from every core and compiler
+test-board-identity: $(IDENTITY_ELF) $(foreach pair,$(IDENTITY_PART),$(lastword $(subst =, ,$(pair)))) $(IDENTITY_HOST) ## the same bits from every core and compiler; small boards draw a part
 	@python3 tests/board/identity.py --qemu $(QEMU) --host $(IDENTITY_HOST) \
-	    --firmware $(foreach elf,$(IDENTITY_ELF),$(if $(findstring /virt/,$(elf)),virt,mps2-an385)=$(elf))
+	    --firmware $(foreach elf,$(IDENTITY_ELF),$(if $(findstring /virt/,$(elf)),virt,mps2-an385)=$(elf)) --part $(IDENTITY_PART)
 
 # ---- What firmware may take, and that what is there to copy compiles
 

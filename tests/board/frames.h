@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/** @file frames.h Frames of the examples drawn into memory: the same code on the host and on the boards. */
+/** @file frames.h Frames of the examples, or sums of their pixels: the same code on the host and on the boards. */
 #ifndef GLINT_TESTS_FRAMES_H
 #define GLINT_TESTS_FRAMES_H
 
@@ -11,15 +11,14 @@
 /** How to draw a frame. */
 typedef struct frame_options {
     const glint_format *format;
-    uint16_t tile_width, tile_height; /**< 0 for the default. */
+    uint16_t tile_width, tile_height; /**< 0 for the board's own. */
     int smallest;                     /**< In the smallest arena, not in the best. */
 } frame_options;
 
+/** A picture in memory. */
 typedef struct frame_image {
     uint8_t pixels[TURNTABLE_WIDTH * TURNTABLE_HEIGHT * FRAMES_PIXEL_MAX];
     size_t row_bytes;
-    size_t arena_size; /**< Bytes of arena that it was drawn with. */
-    glint_stats stats;
 } frame_image;
 
 /**
@@ -31,7 +30,14 @@ glint_status frame_draw_scene(frame_image *image, const glint_scene *scene, cons
 /** Draws a frame of the turntable. @return the library's error */
 glint_status frame_draw(frame_image *image, turntable_model model, uint32_t frame, const frame_options *options);
 
-/** FNV-1a (Fowler, Noll, Vo) of all pixels, row by row, the same whichever byte of a number the core stores first. */
-uint32_t frame_checksum(const frame_image *image, const glint_format *format);
+/**
+ * Draws a scene and keeps the sum of its pixels alone: of a hash of each byte and of where it is, so that the order of
+ * tiles does not count, and the same whichever byte of a number the core stores first.
+ * @return the library's error
+ */
+glint_status frame_sum_scene(uint32_t *sum, const glint_scene *scene, const frame_options *options);
+
+/** The same of a frame of the turntable. @return the library's error */
+glint_status frame_sum(uint32_t *sum, turntable_model model, uint32_t frame, const frame_options *options);
 
 #endif

@@ -5,19 +5,14 @@
 #include "scenes/scenes.h"
 #include "text.h"
 
-typedef struct named_format {
-    const char *name;
-    const glint_format *format;
-} named_format;
-
-static const named_format formats[] = {
+static const identity_format formats[] = {
     {"grey4", &glint_format_grey4},         {"grey8", &glint_format_grey8},   {"rgb565", &glint_format_rgb565},
     {"rgb565_be", &glint_format_rgb565_be}, {"rgb888", &glint_format_rgb888},
 };
 
 enum { FORMATS = sizeof formats / sizeof formats[0], WIDEST = FORMATS - 1 };
 
-static const named_format dithered[FORMATS] = {
+static const identity_format dithered[FORMATS] = {
     {"grey4 dithered", &glint_format_grey4_dithered},   {"grey8 dithered", &glint_format_grey8_dithered},
     {"rgb565 dithered", &glint_format_rgb565_dithered}, {"rgb565_be dithered", &glint_format_rgb565_be_dithered},
     {"rgb888 dithered", &glint_format_rgb888_dithered},
@@ -47,7 +42,6 @@ enum { EVALUATIONS = sizeof evaluations / sizeof evaluations[0], LIGHTS = sizeof
 
 static const uint16_t tile_sizes[] = {8, 16, 32, 64};
 
-static frame_image image;
 static example_stage stage;
 
 static void write_number(void (*write)(const char *text), uint32_t number) {
@@ -66,41 +60,46 @@ static void write_hex(void (*write)(const char *text), uint32_t number) {
     write(digits);
 }
 
-/* The second and the last part of a line. @return 1 when the frame could not be drawn */
-static int write_drawn(void (*write)(const char *text), const frame_options *options, glint_status status) {
+/* The second and the last part of a line. @return 1 when drawing failed; 0 too when the arena here is too small */
+static int write_drawn(void (*write)(const char *text), const frame_options *options, glint_status status,
+                       uint32_t sum) {
     write(" | tile ");
     write_number(write, options->tile_width);
     write("x");
     write_number(write, options->tile_height);
     write(options->smallest ? " smallest | " : " best | ");
-    if (status != GLINT_OK) {
-        write(glint_strerror(status));
+    if (status == GLINT_OK) {
+        write_hex(write, sum);
     } else {
-        write_hex(write, frame_checksum(&image, options->format));
+        write(status == GLINT_ERROR_ARENA ? "does not fit" : glint_strerror(status));
     }
     write("\n");
-    return status != GLINT_OK;
+    return status != GLINT_OK && status != GLINT_ERROR_ARENA;
 }
 
-static int draw(void (*write)(const char *text), turntable_model model, uint32_t frame, const named_format *format,
+static int draw(void (*write)(const char *text), turntable_model model, uint32_t frame, const identity_format *format,
                 frame_options options) {
+    uint32_t sum;
+
     options.format = format->format;
     write(turntable_name(model));
     write(" ");
     write_number(write, frame);
     write(" ");
     write(format->name);
-    return write_drawn(write, &options, frame_draw(&image, model, frame, &options));
+    const glint_status status = frame_sum(&sum, model, frame, &options);
+    return write_drawn(write, &options, status, sum);
 }
 
 /* One frame in every tile size, or in square ones only, with the largest and the smallest arena. */
-static int draw_tiles(void (*write)(const char *text), turntable_model model, uint32_t frame, int square) {
+static int draw_tiles(void (*write)(const char *text), turntable_model model, uint32_t frame,
+                      const identity_format *format, int square) {
     int failed = 0;
 
     for (int i = 0; i < 32; i++) {
         const frame_options options = {NULL, tile_sizes[i & 3], tile_sizes[i >> 2 & 3], i >> 4};
         if (!square || options.tile_width == options.tile_height) {
-            failed += draw(write, model, frame, &formats[WIDEST], options);
+            failed += draw(write, model, frame, format, options);
         }
     }
     return failed;
@@ -108,11 +107,14 @@ static int draw_tiles(void (*write)(const char *text), turntable_model model, ui
 
 /* ---- Example scenes ---------------------------------------------------------------------------------------------- */
 
-static int draw_stage(void (*write)(const char *text), const named_format *format, frame_options options) {
+static int draw_stage(void (*write)(const char *text), const identity_format *format, frame_options options) {
+    uint32_t sum;
+
     options.format = format->format;
     write(" ");
     write(format->name);
-    return write_drawn(write, &options, frame_draw_scene(&image, &stage.scene, &options));
+    const glint_status status = frame_sum_scene(&sum, &stage.scene, &options);
+    return write_drawn(write, &options, status, sum);
 }
 
 /* One frame of each variant of each scene. */
@@ -152,7 +154,7 @@ static void build_lit(int light, int evaluation) {
     stage.objects[1].evaluation = evaluations[evaluation].evaluation;
 }
 
-static int draw_lit(void (*write)(const char *text), int light, int evaluation, const named_format *format,
+static int draw_lit(void (*write)(const char *text), int light, int evaluation, const identity_format *format,
                     frame_options options) {
     build_lit(light, evaluation);
     write(lights[light].name);
@@ -179,19 +181,24 @@ static int draw_lights(void (*write)(const char *text)) {
     return failed;
 }
 
-int identity_run(void (*write)(const char *text)) {
+int identity_run_turntable(void (*write)(const char *text), const identity_format *chosen, int count) {
+    const identity_format *widest = &chosen[count - 1];
     int failed = 0;
 
     for (int model = 0; model < TURNTABLE_MODELS; model++) {
         const frame_options options = {NULL, 0, 0, 0};
         for (uint32_t frame = 0; frame < TURNTABLE_FRAMES; frame++) {
-            failed += draw(write, (turntable_model)model, frame, &formats[WIDEST], options);
+            failed += draw(write, (turntable_model)model, frame, widest, options);
         }
-        for (int format = 0; format < WIDEST; format++) {
-            failed += draw(write, (turntable_model)model, 5, &formats[format], options);
+        for (int format = 0; format < count - 1; format++) {
+            failed += draw(write, (turntable_model)model, 5, &chosen[format], options);
         }
         /* the smallest arena means hundreds of passes over the larger mesh: there, square tiles are enough */
-        failed += draw_tiles(write, (turntable_model)model, 5, model == TURNTABLE_TEAPOT);
+        failed += draw_tiles(write, (turntable_model)model, 5, widest, model == TURNTABLE_TEAPOT);
     }
-    return failed + draw_variants(write) + draw_lights(write);
+    return failed;
+}
+
+int identity_run(void (*write)(const char *text)) {
+    return identity_run_turntable(write, formats, FORMATS) + draw_variants(write) + draw_lights(write);
 }

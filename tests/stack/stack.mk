@@ -2,7 +2,7 @@
 # Worst-case stack of every firmware, and programs whose stack must be refused.
 
 # What people flash, and what is measured; tests take what stack they like.
-STACK_PROGRAMS = $(filter-out %/identity.elf %/methods.elf %/unit.elf %/unit-pico.elf %/unit-8k.elf %/faults-pico.elf \
+STACK_PROGRAMS = $(filter-out %/identity.elf %/identity-16k.elf %/identity-8k.elf %/methods.elf %/unit.elf %/unit-pico.elf %/unit-8k.elf %/faults-pico.elf \
     %/faults-lm3s6965evb.elf,$(FIRMWARE))
 STACK_PLANTED := NOTHING RECURSION UNBOUNDED UNLISTED DEEP
 STACK         := python3 tools/stack/stack.py
