@@ -75,7 +75,8 @@ test-panel-bus: $(BUILD)/host/bus ## what the panel driver sends, and what it do
 
 SHOW_HOST := $(BUILD)/host/show
 $(SHOW_HOST): tests/board/show_host.c tests/image/picture.c examples/turntable/turntable.c tests/image/picture.h \
-        examples/firmware/animation.c examples/firmware/animation.h $(wildcard examples/compose/*.c) $(EXAMPLE_SCENES) $(EXAMPLE_DATA) $(BUILD)/host/libglint.a
+        examples/firmware/animation.c examples/firmware/animation.h $(wildcard examples/compose/*.c) examples/moving/moving.c \
+        $(wildcard examples/compose/*.h examples/moving/*.h) $(EXAMPLE_SCENES) $(EXAMPLE_DATA) $(BUILD)/host/libglint.a
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iexamples -Itests/image $(filter %.c,$^) $(BUILD)/host/libglint.a -o $@
 
@@ -86,8 +87,8 @@ ANIMATE_FIRMWARE := $(foreach board,$(COLOUR_BOARDS),$(board)=$(BUILD)/$(board)/
 ANIMATE_TESTED   := $(filter mps2-an385=% netduinoplus2=% pico=%,$(ANIMATE_FIRMWARE))
 ANIMATE := python3 tests/board/animate.py --host $(SHOW_HOST) --stream $(BUILD)/host/panel_stream
 
-SUITES += test-board-show test-board-animate test-board-compose
-.PHONY: test-board-show test-board-animate test-board-compose test-board-animate-all run
+SUITES += test-board-show test-board-animate test-board-compose test-board-moving
+.PHONY: test-board-show test-board-animate test-board-compose test-board-moving test-board-animate-all run
 PROGRAM ?= show
 RUN_FIRMWARE = $(if $(filter animate,$(PROGRAM)),$(ANIMATE_FIRMWARE),$(SHOW_FIRMWARE))
 run: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed $$(lastword $$(subst =, ,$$(filter $$(BOARD)=%,$$(RUN_FIRMWARE)))) ## run one board, BOARD=pico PROGRAM=show (or animate) say, and write what its panel shows to build/run
@@ -105,6 +106,9 @@ test-board-animate-all: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/em
 
 test-board-compose: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/mps2-an385/O2/compose.elf ## a user interface with 3D in it, on a board, against the host
 	@python3 tests/board/compose.py --host $(SHOW_HOST) --stream $(BUILD)/host/panel_stream --output $(BUILD)/compose mps2-an385=$(BUILD)/mps2-an385/O2/compose.elf
+
+test-board-moving: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/mps2-an385/O2/moving.elf ## meshes that change each frame, on a board, against the host
+	@python3 tests/board/moving.py --host $(SHOW_HOST) --stream $(BUILD)/host/panel_stream --output $(BUILD)/moving mps2-an385=$(BUILD)/mps2-an385/O2/moving.elf
 
 test-board-show: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed \
         $(foreach pair,$(SHOW_FIRMWARE),$(lastword $(subst =, ,$(pair)))) ## each board's panel, as its bus drives it, against the host

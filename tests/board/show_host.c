@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What firmware must show on a display: show_host PROGRAM WIDTH HEIGHT FORMAT DIRECTORY, PROGRAM `show`, `animate` or
- * `compose` (examples/firmware), writes DIRECTORY/<name>-<frame>.ppm for each frame, levels expanded to 255, and prints
- * their names.
+ * What firmware must show on a display: show_host PROGRAM WIDTH HEIGHT FORMAT DIRECTORY, PROGRAM `show`, `animate`,
+ * `compose` or `moving` (examples/firmware), writes DIRECTORY/<name>-<frame>.ppm for each frame, levels expanded to
+ * 255, and prints their names.
  */
 #include "compose/compose.h"
 #include "firmware/animation.h"
+#include "moving/moving.h"
 #include "picture.h"
 #include "turntable/turntable.h"
 
@@ -124,15 +125,41 @@ static int draw_compose(const target *to) {
     return failed;
 }
 
+/* Meshes that change. */
+static int draw_moving(const target *to) {
+    static uint32_t arena[(64 << 10) / sizeof(uint32_t)];
+    picture image = picture_open(to->width, to->height, to->format);
+    const glint_config config = {.width = (uint16_t)to->width,
+                                 .height = (uint16_t)to->height,
+                                 .format = to->format,
+                                 .flush = {.begin = take, .context = &image},
+                                 .arena = arena,
+                                 .arena_size = sizeof arena};
+    glint_renderer renderer;
+    glint_status status = glint_init(&renderer, &config);
+    int failed = status != GLINT_OK;
+
+    for (int i = 0; i < 5 && !failed; i++) {
+        char path[512];
+        status = moving_draw(&renderer, i * 50);
+        snprintf(path, sizeof path, "%s/moving-%d.ppm", to->directory, i);
+        failed = status != GLINT_OK || write_picture(path, &image);
+        printf("moving-%d\n", i);
+    }
+    picture_close(&image);
+    return failed;
+}
+
 int main(int argc, char **argv) {
     const glint_format *format = argc == 6 ? find_format(argv[4]) : NULL;
 
     if (!format) {
-        fputs("show_host show|animate|compose WIDTH HEIGHT rgb565|rgb444|mono|grey4 DIRECTORY\n", stderr);
+        fputs("show_host show|animate|compose|moving WIDTH HEIGHT rgb565|rgb444|mono|grey4 DIRECTORY\n", stderr);
         return 2;
     }
     const target to = {atoi(argv[2]), atoi(argv[3]), format, argv[5]};
     return strcmp(argv[1], "animate") == 0   ? draw_animate(&to)
            : strcmp(argv[1], "compose") == 0 ? draw_compose(&to)
+           : strcmp(argv[1], "moving") == 0  ? draw_moving(&to)
                                              : draw_show(&to);
 }
