@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Maps of a picture: how each pixel was lit, and how far it is from double precision."""
+import os
+
+from harness import MODELS
 import picture
 
 FAST, EVEN, SINGLE, CORNERS, FACET = "8d939c", "4b4f57", "e0402a", "f2b134", "a86bd6"
@@ -53,7 +56,9 @@ def test_heat(host):
     left_out = sum(p == UNJUDGED for row in heat for p in row)
     host.check("--heat: nearly all are judged", left_out < 20 and said["pixels_judged"] == str(320 * 240 - left_out), f"{said} {left_out}")
     for words in (["render", *TORUS], ["render", *TORUS, "--dither"], ["render", *TORUS, "--gamma", "2.2"], ["scene", "teapot"],
-                  ["render", *TORUS, "--shading", "vertex"]):
+                  ["render", *TORUS, "--shading", "vertex"],
+                  ["render", *TORUS, "--eye", "1,1.5,3.2", "--orthographic", "3", "--viewer", "local"],
+                  ["render", os.path.join(MODELS, "teapot.obj"), "--orthographic", "4", "--light", "point:1,2,2", "--format", "rgb565"]):
         said = draw(host, *words, "--heat", "heat.png")
         host.equal(f"--heat: {words}: no pixel is off by a step", said["pixels_over_one_step"], "0")
     # an error budget of steps shows

@@ -39,7 +39,7 @@ def test_every_option_changes_the_picture(host):
     for option, value in [("--size", "64x48"), ("--format", "rgb565"), ("--format", "grey8"), ("--format", "grey4"),
                           ("--format", "rgb444"), ("--format", "mono"),
                           ("--eye", "1,1.5,3.3"), ("--at", "0.1,0,0"), ("--up", "0.3,1,0"), ("--fov", "46"),
-                          ("--near", "3"), ("--rotate-y", "30"), ("--rotate-x", "30"), ("--rotate-z", "30"), ("--up-axis", "z"),
+                          ("--near", "3"), ("--orthographic", "3"), ("--rotate-y", "30"), ("--rotate-x", "30"), ("--rotate-z", "30"), ("--up-axis", "z"),
                           ("--scale", "1,0.9,1"), ("--light", "dir:1,0,0"),
                           ("--ambient", ".2"), ("--diffuse", ".5,.6,.6"), ("--specular", ".3"), ("--shininess", "8.5"),
                           ("--viewer", "local"), ("--background", "0,0,.1"), ("--crease", "10")]:
@@ -222,6 +222,20 @@ def test_camera(host):
     host.equal("--up rolls", image.box(BLACK), (45, 45, 74, 74))
     host.equal("--near hides", host.render(*flat, *SQUARE_VIEW, "--near", "3.01").box(BLACK), None)
     host.equal("--near shows", host.render(*flat, *SQUARE_VIEW, "--near", "2.99").box(BLACK), (30, 30, 59, 59))
+
+
+def test_orthographic(host):
+    host.write("square.obj", SQUARE)
+    flat = ["square.obj", *DARK, "--ambient", "1", "--size", "90x90"]
+    for eye in ("0,0,3", "0,0,30"):
+        image = host.render(*flat, "--eye", eye, "--orthographic", "6")
+        host.equal(f"a picture 6 units high, from {eye}", image.box(BLACK), (30, 30, 59, 59))
+    image = host.render(*flat, "--eye", "0,0,3", "--orthographic", "6", "--size", "180x90", "--fov", "20")
+    host.equal("whatever the width and --fov", image.box(BLACK), (75, 30, 104, 59))
+    image = host.render(*flat, "--eye", "0,3,3", "--orthographic", "6")  # turned by 45 degrees: 2 units high become 2^.5
+    host.equal("slanted", image.box(BLACK), (30, 34, 59, 55))
+    host.equal("what is behind the near plane", host.render(*flat, "--eye", "0,0,3", "--orthographic", "6", "--near", "3.01").box(BLACK), None)
+    host.equal("as wide where the model is framed", host.render(*flat, "--orthographic", "6").box(BLACK)[::2], (30, 59))
 
 
 def test_pose(host):

@@ -521,6 +521,13 @@ def test_exported(test):
     window.close()
 
 
+def test_exported_orthographic(test):
+    window = test.open(TORUS, "--orthographic", "3.5")
+    until(lambda: settled(window))
+    check_exported(test, window, "torus_48x24")
+    window.close()
+
+
 def test_exported_scene(test):
     """A scene of many objects, some of which share meshes; a frame of it on a board in QEMU."""
     window = test.open("halloween:night")

@@ -186,8 +186,13 @@ static void print_objects(const data_writer *to, const window_scene *built) {
 static void print_scene(const data_writer *to, const glint_scene *scene) {
     bytes_print(to->out, "\nstatic const glint_scene %s_scene = {\n    .camera = {.pose = ", to->name);
     print_pose(to, &scene->camera.pose);
-    bytes_print(to->out, ",\n               .field_of_view = %ld,\n               .near_plane = %ld},\n",
+    bytes_print(to->out, ",\n               .field_of_view = %ld,\n               .near_plane = %ld",
                 (long)scene->camera.field_of_view, (long)scene->camera.near_plane);
+    if (scene->camera.projection != NULL) {
+        bytes_print(to->out, ",\n               .projection = &glint_orthographic,\n               .view_height = %ld",
+                    (long)scene->camera.view_height);
+    }
+    bytes_print(to->out, "},\n");
     bytes_print(to->out, "    .viewer = GLINT_VIEWER_%s,\n",
                 scene->viewer == GLINT_VIEWER_LOCAL ? "LOCAL" : "INFINITE");
     bytes_print(to->out, "    .background = {%ld, %ld, %ld},\n    .ambient = {%ld, %ld, %ld},\n",
