@@ -118,6 +118,7 @@ PROGRAM_show      := examples/firmware/show_main.c examples/turntable/turntable.
 PROGRAM_animate   := examples/firmware/animate_main.c examples/firmware/animation.c $(wildcard examples/scenes/*.c)
 PROGRAM_compose   := examples/firmware/compose_main.c $(wildcard examples/compose/*.c)
 PROGRAM_moving    := examples/firmware/moving_main.c examples/moving/moving.c
+PROGRAM_own_flush := examples/firmware/own_flush.c tests/board/lcd.c
 PROGRAM_minimal   := examples/firmware/minimal.c
 PROGRAM_pattern   := tests/board/pattern.c
 PROGRAM_identity  := tests/board/identity_board.c tests/board/identity.c tests/board/frames.c \
@@ -201,7 +202,7 @@ COLOUR_BOARDS := mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 mps2-an505 netdu
 $(foreach board,$(filter-out $(MEASURED),$(COLOUR_BOARDS)),$(eval $(call firmware_objects,$(board),O2)))
 $(foreach board,$(COLOUR_BOARDS),\
     $(eval $(call firmware_program,$(board),O2,animate,-Wl$(comma)--defsym=stack_size=9984)))
-$(foreach program,compose moving,$(eval $(call firmware_program,mps2-an385,O2,$(program))))
+$(foreach program,compose moving own_flush,$(eval $(call firmware_program,mps2-an385,O2,$(program))))
 $(foreach board,$(FAULT_BOARDS),$(eval $(call firmware_program,$(board),release,faults-$(board))))
 $(eval $(call firmware_program,pico,release,unit-pico,-Wl$(comma)--defsym=stack_size=3712))
 UNIT_8K_BOARDS := lm3s811evb stm32vldiscovery

@@ -103,7 +103,7 @@ licence() {
 
 # The README shows all of a program, but for its licence line.
 readme() {
-    diff <(tail -n +2 examples/firmware/minimal.c) <(awk '/^```c$/ { on = 1; next } /^```$/ { on = 0 } on' README.md)
+    diff <(tail -n +2 examples/firmware/own_flush.c) <(awk '/^```c$/ { on = 1; next } /^```$/ { on = 0 } on' README.md)
 }
 
 # The figures that explain the default size of a tile are those of the benchmark.

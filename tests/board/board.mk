@@ -59,7 +59,7 @@ LIBRARY_MOST := 22016
 .SECONDEXPANSION:
 test-firmware: $$(FIRMWARE) ## flash, RAM and library within their limits
 	@python3 tests/board/firmware.py --flash $(FLASH_MOST) --ram $(RAM_MOST) --library $(LIBRARY_MOST) \
-	    $(BUILD)/lm3s6965evb/release/turntable.map --programs $(FIRMWARE) --example examples/firmware/minimal.c
+	    $(BUILD)/lm3s6965evb/release/turntable.map --programs $(FIRMWARE) --examples examples/firmware/minimal.c examples/firmware/own_flush.c
 
 # ---- The panel driver on a bus that records and fails
 
@@ -87,8 +87,8 @@ ANIMATE_FIRMWARE := $(foreach board,$(COLOUR_BOARDS),$(board)=$(BUILD)/$(board)/
 ANIMATE_TESTED   := $(filter mps2-an385=% netduinoplus2=% pico=%,$(ANIMATE_FIRMWARE))
 ANIMATE := python3 tests/board/animate.py --host $(SHOW_HOST) --stream $(BUILD)/host/panel_stream
 
-SUITES += test-board-show test-board-animate test-board-compose test-board-moving
-.PHONY: test-board-show test-board-animate test-board-compose test-board-moving test-board-animate-all run
+SUITES += test-board-show test-board-animate test-board-compose test-board-moving test-board-own-flush
+.PHONY: test-board-show test-board-animate test-board-compose test-board-moving test-board-own-flush test-board-animate-all run
 PROGRAM ?= show
 RUN_FIRMWARE = $(if $(filter animate,$(PROGRAM)),$(ANIMATE_FIRMWARE),$(SHOW_FIRMWARE))
 run: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed $$(lastword $$(subst =, ,$$(filter $$(BOARD)=%,$$(RUN_FIRMWARE)))) ## run one board, BOARD=pico PROGRAM=show (or animate) say, and write what its panel shows to build/run
@@ -109,6 +109,9 @@ test-board-compose: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/mps2-an385/
 
 test-board-moving: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/mps2-an385/O2/moving.elf ## meshes that change each frame, on a board, against the host
 	@python3 tests/board/moving.py --host $(SHOW_HOST) --stream $(BUILD)/host/panel_stream --output $(BUILD)/moving mps2-an385=$(BUILD)/mps2-an385/O2/moving.elf
+
+test-board-own-flush: $(HOST_PROGRAM) $(BUILD)/host/panel_stream $(BUILD)/mps2-an385/O2/own_flush.elf ## the README's program on a board, against glint render
+	@python3 tests/board/own_flush.py --host $(HOST_PROGRAM) --stream $(BUILD)/host/panel_stream --output $(BUILD)/own_flush mps2-an385=$(BUILD)/mps2-an385/O2/own_flush.elf
 
 test-board-show: $(SHOW_HOST) $(BUILD)/host/panel_stream $(BUILD)/pico/emulator/installed \
         $(foreach pair,$(SHOW_FIRMWARE),$(lastword $(subst =, ,$(pair)))) ## each board's panel, as its bus drives it, against the host

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The library as sources, as two files, installed, by CMake and by Meson: each builds the README's program."""
+"""The library as sources, as two files, installed, by CMake and by Meson: each builds minimal.c."""
 import os
 import shutil
 
@@ -14,7 +14,7 @@ def files(folder):
 
 
 def test_copy(b):
-    """src/ copied, as the README tells."""
+    """src/ copied, as docs/firmware.md tells."""
     folder = b.folder("copy")
     shutil.copytree(path("src"), os.path.join(folder, "src"))
     sources = [os.path.join(folder, name) for name in find("src/*/*.c")]
@@ -33,7 +33,7 @@ def test_copy_firmware(b):
 
 
 def single(b, name, compiler):
-    """The two files, compiled; the README's program and the unit tests with them. No header of src/ comes first."""
+    """The two files, compiled; minimal.c and the unit tests with them. No header of src/ comes first."""
     folder, at = b.folder(name), os.path.join(b.build, "single")
     library = os.path.join(folder, "glint.o")
     run(*compiler, *WARNINGS, "-I" + at, "-c", os.path.join(at, "glint.c"), "-o", library)
@@ -87,7 +87,7 @@ def test_install(b):
 
 
 def cmake(b, name, *options):
-    """Builds the README's program; @return the folder."""
+    """Builds minimal.c; @return the folder."""
     folder = b.folder(name)
     run("cmake", "-G", "Ninja", "-S", os.path.join(HERE, "cmake"), "-B", folder, "-DGLINT=" + path(), *options)
     run("ninja", "-C", folder, "-j1")
@@ -143,7 +143,7 @@ def test_cmake_package(b):
 
 
 def meson(b, name, sources, *options):
-    """Builds the README's program with glint as a subproject; @return the folder."""
+    """Builds minimal.c with glint as a subproject; @return the folder."""
     folder = b.folder(name)
     shutil.copytree(os.path.join(HERE, "meson"), os.path.join(folder, "consumer"))
     os.makedirs(os.path.join(folder, "consumer", "subprojects"))

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Options of the library: options.py --build FOLDER [--write] [VARIANT=FLAGS...].
 
-Checks that a variant's flags set what its name says, and holds the table of docs/packages.md against the README's
-program with each value of the one option that a user sets; --write writes that table instead.
+Checks that a variant's flags set what its name says, and holds the table of docs/packages.md against
+examples/firmware/minimal.c with each value of the one option that a user sets; --write writes that table instead.
 """
 import argparse
 import concurrent.futures
@@ -30,7 +30,7 @@ def macros(flags):
 
 
 def measure(b, core, level, split):
-    """Flash and RAM of the README's program."""
+    """Flash and RAM of minimal.c."""
     elf = os.path.join(b, "packages", "option-%s-%s-%d.elf" % (core, level, split))
     os.makedirs(os.path.dirname(elf), exist_ok=True)
     run("arm-none-eabi-gcc", "-" + level, *CORES[core], "-DGLINT_SPLIT_PRODUCTS=%d" % split, "-ffunction-sections",
@@ -44,7 +44,7 @@ def table(b):
     rows = [(core, level) for core in CORES for level in ("Os", "O2")]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         found = {key: [pool.submit(measure, b, *key, split) for split in (0, 1)] for key in rows}
-    lines = ["| README's program, two files | flash with 0 | flash with 1 | RAM with 0 | RAM with 1 |\n", "| --- | ---: | ---: | ---: | ---: |\n"]
+    lines = ["| minimal.c, two files | flash with 0 | flash with 1 | RAM with 0 | RAM with 1 |\n", "| --- | ---: | ---: | ---: | ---: |\n"]
     for (core, level), (whole, split) in found.items():
         (flash0, ram0), (flash1, ram1) = whole.result(), split.result()
         lines.append("| %s, `-%s` | %d | %d | %d | %d |\n" % (core, level, flash0, flash1, ram0, ram1))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Every way to take the library: the README's program and a sample built with each, manifests, lists of files.
+# Every way to take the library: minimal.c and a sample built with each, manifests, lists of files.
 
 PACKAGES := $(BUILD)/packages
 

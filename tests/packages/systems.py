@@ -128,7 +128,7 @@ def test_zephyr_manifest(_):
 
 
 def test_cmsis_pack(b):
-    """The README's program from nothing but the files that the pack's description lists."""
+    """minimal.c from nothing but the files that the pack's description lists."""
     folder = b.folder("pack")
     run("python3", path("tools/packages/pack.py"), folder, version())
     name = os.path.join(folder, "glint.glint.%s.pack" % version())

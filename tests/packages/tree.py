@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What all checks of packages share: the tree, commands, the README's program and how it is judged."""
+"""What all checks of packages share: the tree, commands, minimal.c and how it is judged."""
 import glob
 import os
 import re
@@ -15,7 +15,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 WARNINGS = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
 M0 = ["-mcpu=cortex-m0", "-mthumb", "-ffreestanding"]
 
-# The README's program: for this machine, and for a Cortex-M0, on the port of no board in particular.
+# minimal.c: for this machine, and for a Cortex-M0, on the port of no board in particular.
 PROGRAM = ["examples/firmware/minimal.c", "port/panel/panel.c", "port/panel/solomon.c", "port/panel/ssd0323.c"]
 HOST = PROGRAM + ["tests/packages/board.c"]
 FIRMWARE = PROGRAM + ["port/template/board.c", "port/cortex-m/startup.c", "port/semihosting/semihosting.c",
@@ -80,7 +80,7 @@ class Build:
         return made
 
     def same(self, program):
-        """Does the README's program send what it sends when the Makefile builds it?"""
+        """Does minimal.c send what it sends when the Makefile builds it?"""
         check(run(program) == self.reference, program + ": sends other bytes to the panel")
 
     def glass(self, module, stream, turn=0):
@@ -91,7 +91,7 @@ class Build:
 
 
 def firmware(elf):
-    """An ELF file for the Cortex-M0 that has what the README's program names, and nothing else."""
+    """An ELF file for the Cortex-M0 that has what minimal.c names, and nothing else."""
     symbols = set(line.split()[-1] for line in run("arm-none-eabi-nm", elf).splitlines())
     check("v6S-M" in run("arm-none-eabi-readelf", "-A", elf), elf + ": not for ARMv6-M")
     for name in ("glint_render", "glint_format_grey4", "glint_model_blinn_phong", "glint_light_directional"):

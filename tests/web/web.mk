@@ -23,5 +23,5 @@ test-web: $(WEB)/page/data.js $(WEB_TEST)/node_modules/installed $(WEB_TEST)/err
 	NODE_MODULES=$(abspath $(WEB_TEST)/node_modules) node tests/web/run.js $(WEB)/page docs/web $(WEB_TEST)
 
 .PHONY: web-picture
-web-picture: web $(WEB_TEST)/node_modules/installed ## draw the README's picture of the page anew
+web-picture: web $(WEB_TEST)/node_modules/installed ## draw the picture of the page in docs/host.md anew
 	NODE_MODULES=$(abspath $(WEB_TEST)/node_modules) node tests/web/picture.js docs/web/index.html docs/web.png

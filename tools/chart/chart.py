@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws the charts of docs/charts and fills the figures into docs/accuracy.md and README.md: chart.py [--check DIRECTORY]
+"""Draws the charts of docs/charts and fills the figures into docs/accuracy.md and other pages: chart.py [--check DIRECTORY]
 
 With --check the charts are drawn into DIRECTORY and held against those kept, and the pages against what they should say.
 """

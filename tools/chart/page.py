@@ -212,15 +212,15 @@ def few_and_many_lights(figures):
 
 
 def best(figures):
-    """Sentences for the README."""
+    """Sentences before all else."""
     exact = figures.psnr(SCENE, SIZE, ASKED)
     ideal = figures.psnr(SCENE, SIZE, "correctly rounded")
     counts = {cpu: figures.instructions(SCENE, SIZE, ASKED, cpu) for cpu in ("m3", "m0")}
     spent = {part["cpu"]: "%.0f ms at %s MHz" % (timing.core_ms(figures, (SCENE, SIZE, ""), part), part["core_mhz"]) for part in figures.parts}
     text = ("Lit per fragment, a torus of 2304 triangles at 320x240 has a PSNR of %.1f dB against double precision, where RGB565 "
             "itself allows %.1f. Built for speed (`-O2`), a frame of it takes %.1f million instructions on a Cortex-M3 and %.1f on "
-            "a Cortex-M0: %s and %s by a [model of cycles](docs/boards.md#milliseconds-of-a-frame). "
-            "[Accuracy](docs/accuracy.md#whole-frames) holds that against other libraries and against float, and says where those "
+            "a Cortex-M0: %s and %s by a [model of cycles](boards.md#milliseconds-of-a-frame). "
+            "[Whole frames](#whole-frames) holds that against other libraries and against float, and says where those "
             "take fewer." % (exact, ideal, counts["m3"], counts["m0"], spent["m3"], spent["m0"]))
     return textwrap.fill(text, 118, break_on_hyphens=False, break_long_words=False) + "\n"
 
@@ -454,7 +454,7 @@ POWERS, LIGHTINGS = ("1", "8", "64", "256", "1024"), ("8", "32", "64", "256", "1
 
 PAGES = {
     "docs/accuracy.md": {
-        "contract": contract, "steps": steps, "gallery": gallery, "frames": frames, "frame findings": frame_findings, "scenes": scenes,
+        "best": best, "contract": contract, "steps": steps, "gallery": gallery, "frames": frames, "frame findings": frame_findings, "scenes": scenes,
         "modelled kernels": modelled.kernels, "modelled lightings": modelled.lightings,
         "modelled savings": modelled.savings, "modelled findings": modelled.findings,
         "scene findings": scene_findings, "others": others, "float findings": float_findings,
@@ -469,7 +469,6 @@ PAGES = {
         "rounding": methods("rounding", "", ())},
     "docs/cost.md": cost.BLOCKS,
     "docs/boards.md": {"times": timing.frame_times},
-    "README.md": {"frames": best},
 }
 
 

@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Runs the README's program, whose flush is its own, on a board: its panel shows what `glint render` draws.
+
+own_flush.py --host GLINT --stream PANEL_STREAM --output DIRECTORY BOARD=FIRMWARE
+
+The panel of 320x240 shows the program's 160x128 in its corner; elsewhere it stays as it was.
+"""
+import importlib.util
+import os
+import subprocess
+import sys
+
+import show
+from qemu import Died, Tally, read_netpbm
+
+# By its path: another module here has its name.
+SPEC = importlib.util.spec_from_file_location("png", os.path.join(os.path.dirname(__file__), "..", "host", "picture.py"))
+png = importlib.util.module_from_spec(SPEC)
+SPEC.loader.exec_module(png)
+
+WIDTH, HEIGHT, FRAMES, STEP = 160, 128, 4, 5
+BYTES = 2 * WIDTH * HEIGHT
+SCENE = ["torus:24x12", "--no-clusters", "--eye", "0,0,4", "--fov", "45", "--near", "0.1", "--size", "%dx%d" % (WIDTH, HEIGHT),
+         "--format", "rgb565", "--light", "dir:-1,1,1", "--ambient", "0.1,0.05,0", "--diffuse", "1,0.5,0", "--specular", "1"]
+
+
+def wanted(program, turn, path):
+    """Rows of pixels of a frame, by the host program."""
+    subprocess.run([program, "render", *SCENE, "--rotate-x", str(turn), "-o", path], check=True)
+    with open(path, "rb") as file:
+        return png.decode(file.read()).rows
+
+
+def shown(path):
+    """Rows of pixels of the panel's corner, and what lies outside."""
+    width, height, _, data = read_netpbm(path)
+    rows = [[tuple(data[3 * (y * width + x):][:3]) for x in range(width)] for y in range(height)]
+    return [row[:WIDTH] for row in rows[:HEIGHT]], [row[WIDTH:] for row in rows[:HEIGHT]] + rows[HEIGHT:]
+
+
+def main():
+    arguments = show.read_arguments()
+    tally = Tally()
+    name, firmware = arguments.firmware[0].split("=", 1)
+    board = show.BOARDS[name]
+    board.frame_at = lambda count: count // BYTES - 1 if count % BYTES == 0 else None
+    os.makedirs(arguments.output)
+    stream = os.path.abspath(os.path.join(arguments.output, "stream"))
+    try:
+        lines = board.capture(firmware, stream)
+    except Died as problem:
+        tally.check(False, "%s: %s" % (name, problem))
+        return tally.close()
+    tally.check(lines == ["own %d done" % frame for frame in range(FRAMES)], "%s: %s" % (name, lines))
+    show.show_stream(arguments, tally, name, board, firmware, arguments.output, stream, True)
+    outside = None
+    for frame in range(FRAMES):
+        rows, beside = shown(os.path.join(arguments.output, "own-%d.ppm" % frame))
+        drawn = wanted(arguments.host, frame * STEP, os.path.join(arguments.output, "host-%d.png" % frame))
+        different = [(x, y) for y in range(HEIGHT) for x in range(WIDTH) if rows[y][x] != drawn[y][x]]
+        tally.check(not different, "frame %d: %d pixels differ, the first at %s" % (frame, len(different), different[:1]))
+        lit = sum(pixel != (0, 0, 0) for row in drawn for pixel in row)
+        tally.check(lit > WIDTH * HEIGHT / 8, "frame %d: next to nothing is lit" % frame)
+        outside = outside or beside
+        tally.check(beside == outside, "frame %d: what lies outside has changed" % frame)
+    return tally.close()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
