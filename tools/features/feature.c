@@ -76,6 +76,31 @@ const glint_mesh feature_plain_mesh = {.positions = torus576_positions,
                                        .triangle_count = sizeof torus576_triangles / sizeof torus576_triangles[0],
                                        .extent = {GLINT_Q16(1.5), GLINT_Q16(1.5), GLINT_Q16(0.5)}};
 
+/* The same in smaller types, filled as the program starts: none but what a mesh that is drawn names is linked. Indices
+ * of 8 bits do not reach all vertices: that mesh is linked and not drawn. */
+enum { TRIANGLES = sizeof torus576_triangles / sizeof torus576_triangles[0] };
+static int8_t small_positions[VERTICES][3], small_normals[VERTICES][2];
+static int16_t octahedral_normals[VERTICES][2];
+static uint8_t small_triangles[TRIANGLES][3];
+static const glint_layout positions_layout = {.positions = {&glint_type_int8, small_positions, 0}};
+static const glint_layout octahedral8_layout = {.normals = {&glint_type_octahedral8, small_normals, 0}};
+static const glint_layout octahedral16_layout = {.normals = {&glint_type_octahedral16, octahedral_normals, 0}};
+static const glint_layout indices_layout = {.triangles = {&glint_type_uint8, small_triangles, 0}};
+
+#define SMALLER_MESH(name, positions_or_null, normals_or_null, triangles_or_null, of)    \
+    extern const glint_mesh name;                                                        \
+    const glint_mesh name = {.positions = (positions_or_null),                           \
+                             .normals = (normals_or_null),                               \
+                             .triangles = (triangles_or_null),                           \
+                             .vertex_count = VERTICES,                                   \
+                             .triangle_count = TRIANGLES,                                \
+                             .extent = {GLINT_Q16(1.5), GLINT_Q16(1.5), GLINT_Q16(0.5)}, \
+                             .layout = &(of)}
+SMALLER_MESH(feature_positions8_mesh, 0, torus576_normals, torus576_triangles, positions_layout);
+SMALLER_MESH(feature_octahedral8_mesh, torus576_positions, 0, torus576_triangles, octahedral8_layout);
+SMALLER_MESH(feature_octahedral16_mesh, torus576_positions, 0, torus576_triangles, octahedral16_layout);
+SMALLER_MESH(feature_indices8_mesh, torus576_positions, torus576_normals, 0, indices_layout);
+
 /* Every output goes through a table; what it holds is no matter. */
 extern const uint16_t feature_gamma[3][GLINT_GAMMA_ENTRIES];
 const uint16_t feature_gamma[3][GLINT_GAMMA_ENTRIES] = {{0, 65535}, {0, 65535}, {0, 65535}};
@@ -108,6 +133,35 @@ static void set_colours(void) {
             colour[channel] = (uint8_t)(128 + (37 * i + 41 * channel) % 128);
         }
         feature_colours565[i] = (uint16_t)(colour[0] >> 3 << 11 | colour[1] >> 2 << 5 | colour[2] >> 3);
+    }
+}
+
+static int32_t magnitude(int32_t x) {
+    return x < 0 ? -x : x;
+}
+
+/* The point of the octahedron in a normal's direction, `one` for 1, folded where z < 0. */
+static void encode(const int16_t normal[3], int32_t one, int16_t code[2]) {
+    const int32_t sum = magnitude(normal[0]) + magnitude(normal[1]) + magnitude(normal[2]);
+    const int32_t x = normal[0] * one / sum;
+    const int32_t y = normal[1] * one / sum;
+    const int32_t fold_x = normal[0] < 0 ? magnitude(y) - one : one - magnitude(y);
+    const int32_t fold_y = normal[1] < 0 ? magnitude(x) - one : one - magnitude(x);
+
+    code[0] = (int16_t)(normal[2] < 0 ? fold_x : x);
+    code[1] = (int16_t)(normal[2] < 0 ? fold_y : y);
+}
+
+static void set_smaller(void) {
+    for (unsigned i = 0; i < VERTICES; i++) {
+        int16_t code[2];
+        for (unsigned axis = 0; axis < 3; axis++) {
+            small_positions[i][axis] = (int8_t)(torus576_positions[i][axis] / 256);
+        }
+        encode(torus576_normals[i], 32767, octahedral_normals[i]);
+        encode(torus576_normals[i], 127, code);
+        small_normals[i][0] = (int8_t)code[0];
+        small_normals[i][1] = (int8_t)code[1];
     }
 }
 
@@ -191,6 +245,7 @@ int main(void) {
     feature_named = (feature_function *)FEATURE_FUNCTION;
     (void)feature_base[0];
     set_colours();
+    set_smaller();
     set_lights(lights);
     set_camera(&scene.camera);
     counter_start();

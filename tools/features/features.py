@@ -46,7 +46,11 @@ GROUPS = (
         ("spot", {"LIGHT": "glint_light_spot"}),
         ("two directional", {"LIGHTS": "2"}))),
     ("Meshes, in place of one in clusters", (
-        ("no clusters", {"MESH": "feature_plain_mesh"}),)),
+        ("no clusters", {"MESH": "feature_plain_mesh"}),
+        ("no clusters, positions in int8", {"MESH": "feature_positions8_mesh"}),
+        ("no clusters, octahedral normals, two int8", {"MESH": "feature_octahedral8_mesh"}),
+        ("no clusters, octahedral normals, two int16", {"MESH": "feature_octahedral16_mesh"}),
+        ("no clusters, indices of 8 bits, not drawn", {"MESH": "feature_indices8_mesh"}))),
     ("Formats, in place of RGB565", (
         ("RGB565, dithered", {"FORMAT": "glint_format_rgb565_dithered"}),
         ("RGB565, high byte first", {"FORMAT": "glint_format_rgb565_be"}),
@@ -86,6 +90,9 @@ COLUMNS = ("feature", "core", "level", "flash", "flash_beside_base", "instructio
 CHEAPER = {"per vertex, RGB888": "RGB888", "per facet, RGB888": "RGB888",
            "per node, RGB888": "RGB888", "per node, point": "point", "per node, two directional": "two directional"}
 
+# Rows of meshes in smaller types, beside the same mesh in arrays; what cannot be drawn: the torus has more than 256 vertices.
+PLAIN, SMALLER, NOT_DRAWN = "no clusters", "no clusters, ", "not drawn"
+
 # What stands in place of something that the base names; firmware that has both takes more flash.
 IN_PLACE = ("MODEL", "EVALUATION", "LIGHT", "FORMAT")
 
@@ -117,7 +124,7 @@ class Builder:
         flash, beside = library_bytes(path + ".map"), ""
         if any(macro in IN_PLACE for macro in macros):
             beside = library_bytes(self.build(name, level, macros, with_base=True) + ".map")
-        counted = (0, 0) if "FUNCTION" in macros else map(int, lines_of(self.qemu, "mps2-an385", path + ".elf")[-2:])
+        counted = (0, 0) if "FUNCTION" in macros or NOT_DRAWN in name else map(int, lines_of(self.qemu, "mps2-an385", path + ".elf")[-2:])
         return Row(flash, beside, *counted)
 
 
@@ -208,6 +215,9 @@ def check_claims(tally, rows, cores):
                     tally.check(count < fragment, where + "%s takes %d instructions, per fragment %d" % (name, count, fragment))
             tally.check(of["per node"].large < 1.01 * of[""].large, where + "fast lighting does not serve per node")
             tally.check(of[""].large < of["per vertex"].large, where + "per vertex takes fewer instructions than the base")
+            for name in of:
+                if name.startswith(SMALLER):
+                    tally.check(of[name].flash > of[PLAIN].flash, where + name + " takes no flash: was it linked?")
             for name, _ in OPTIONS:
                 tally.check(of[name].flash == of[""].flash, where + name + " takes flash where no scene has it")
             for name, _ in FUNCTIONS:
