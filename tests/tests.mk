@@ -70,7 +70,7 @@ endef
 define test_program
 $1: $(patsubst %.c,$(BUILD)/$2/%.o,$3) $(BUILD)/$2/libglint.a
 	@mkdir -p $$(@D)
-	$$(Q)$(VARIANT_$2) $$^ -lm -o $$@
+	$$(Q)$$(VARIANT_$2) $$^ -lm -o $$@
 endef
 
 # $(call test_suite,variant,suite): build/tests/<variant>/<suite>
@@ -80,16 +80,22 @@ test_suite = $(call test_program,$(BUILD)/tests/$1/$2,$1,$(SUITE_$2))
 $(eval $(call test_objects,host,$(CC) $(CFLAGS)))
 $(foreach suite,$(TEST_SUITES),$(eval $(call test_suite,host,$(suite))))
 
-# Address and undefined-behaviour sanitisers; a report ends the program.
-SANITIZE := -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+# Address and undefined-behaviour sanitisers, and conversions that change a value; a report ends the program. Unsigned
+# numbers may wrap: sums of hashes do, and two's complement in words.
+SANITIZE := -O1 -fsanitize=address,undefined,integer -fno-sanitize=unsigned-integer-overflow,unsigned-shift-base \
+    -fno-sanitize-recover=all -fno-omit-frame-pointer
 $(eval $(call test_variant,sanitize,clang $(SANITIZE)))
 $(foreach suite,$(TEST_SUITES),$(eval $(call test_suite,sanitize,$(suite))))
 
-# Both compilers at every level of optimisation; and gcc with all that this machine has, which brings vectors and warnings
-# of their own.
-MATRIX := $(foreach compiler,gcc clang,$(foreach level,O0 Os O2 O3,$(compiler)-$(level))) gcc-native
-$(foreach variant,$(filter-out gcc-native,$(MATRIX)),$(eval $(call test_variant,$(variant),$(subst -, -,$(variant)))))
+# Compilers at every level of optimisation; gcc with all that this machine has, which brings vectors and warnings of their
+# own, and across files; clang watching for what was never written.
+MATRIX_PLAIN := $(foreach compiler,gcc clang,$(foreach level,O0 Os O2 O3,$(compiler)-$(level)))
+MATRIX := $(MATRIX_PLAIN) clang19-Os clang19-O3 gcc-native gcc-lto memory
+$(foreach variant,$(MATRIX_PLAIN),$(eval $(call test_variant,$(variant),$(subst -, -,$(variant)))))
+$(foreach level,Os O3,$(eval $(call test_variant,clang19-$(level),clang-19 -$(level))))
 $(eval $(call test_variant,gcc-native,gcc -O3 -march=native))
+$(eval $(call test_variant,gcc-lto,gcc -O2 -flto=auto))
+$(eval $(call test_variant,memory,clang -O1 -fsanitize=memory -fno-sanitize-recover=all))
 $(foreach variant,$(MATRIX),$(eval $(call test_suite,$(variant),unit)))
 
 # $(call run_suites,programs): runs all, also after a failure, as many at once as there are cores; prints them in order
@@ -114,7 +120,7 @@ test-sanitize: export GLINT_BUDGET_SCENES := 40
 test-sanitize: $(addprefix $(BUILD)/tests/sanitize/,$(TEST_SUITES)) ## the host suites under ASan and UBSan
 	$(call run_suites,$^)
 
-test-matrix: $(MATRIX:%=$(BUILD)/tests/%/unit) ## unit tests by gcc and clang at -O0, -Os, -O2 and -O3
+test-matrix: $(MATRIX:%=$(BUILD)/tests/%/unit) ## unit tests by three compilers at -O0, -Os, -O2 and -O3, with vectors, across files, and under MSan
 	$(call run_suites,$^)
 
 # ---- Tables of the unit tests, made anew when a pixel changes on purpose

@@ -22,6 +22,7 @@ look() {
     need python3 python3
     need clang clang
     need llvm llvm-cov llvm-profdata
+    need clang-19 clang-19
     need clang-format clang-format
     need clang-tidy clang-tidy
     need cppcheck cppcheck

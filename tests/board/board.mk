@@ -37,7 +37,7 @@ IDENTITY_CORES  := mps2-an385 mps2-an385-m0 virt
 IDENTITY_ELF    := $(foreach core,$(IDENTITY_CORES),$(foreach level,$(IDENTITY_LEVELS),$(BUILD)/$(core)/$(level)/identity.elf))
 # Boards that have room for a part: MACHINE=ELF.
 IDENTITY_PART   := sifive_e=$(BUILD)/sifive_e/release/identity-16k.elf lm3s811evb=$(BUILD)/lm3s811evb/release/identity-8k.elf
-IDENTITY_VARIANTS := $(foreach compiler,gcc clang,$(foreach level,$(IDENTITY_LEVELS),$(compiler)-$(level)))
+IDENTITY_VARIANTS := $(MATRIX) sanitize threads
 IDENTITY_HOST   := $(IDENTITY_VARIANTS:%=$(BUILD)/identity/%)
 IDENTITY_SOURCES := tests/board/identity_host.c tests/board/identity.c tests/board/frames.c \
     examples/turntable/turntable.c $(EXAMPLE_SCENES)

@@ -34,6 +34,13 @@ void picture_close(picture *image) {
     *image = (picture){0};
 }
 
+/* Up to 255 times. */
+static void count_sent(picture *image, int x, int y) {
+    uint8_t *sent = &image->sent[(size_t)y * (size_t)image->width + (size_t)x];
+    if (*sent < UINT8_MAX)
+        ++*sent;
+}
+
 int picture_put(picture *image, const int rectangle[4], const void *pixels, size_t stride) {
     int x = rectangle[0];
     int y = rectangle[1];
@@ -50,7 +57,7 @@ int picture_put(picture *image, const int rectangle[4], const void *pixels, size
     }
     for (int row = 0; row < height; row++)
         for (int column = 0; column < width; column++)
-            image->sent[(size_t)(y + row) * (size_t)image->width + (size_t)(x + column)]++;
+            count_sent(image, x + column, y + row);
     return 0;
 }
 

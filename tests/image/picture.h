@@ -14,7 +14,7 @@ typedef struct picture {
     size_t stride; /**< Bytes per row. */
     size_t size;   /**< Bytes in all. */
     uint8_t *bytes;
-    uint8_t *sent; /**< Per pixel, times it was sent. */
+    uint8_t *sent; /**< Per pixel, times it was sent, 255 for more. */
 } picture;
 
 /** How to draw; zeros for the defaults and the best arena. */
