@@ -58,7 +58,7 @@ static glint_status check_memory(const glint_config *config, const glint_scene *
 
 /* Is there neither an array nor an attribute in place of it? */
 static int is_missing(const void *array, const glint_attribute *attribute) {
-    return !array && !(attribute->type && attribute->data);
+    return !array && (!attribute->type || !attribute->data);
 }
 
 static const char *name_null_of_object(const glint_object *object) {

@@ -121,7 +121,7 @@ static void light_square(const lattice_walk *w, unsigned shift, int side, lattic
     if (is_there)
         swap_nodes(to, side, 8 - side);
     for (int i = 0; i < GLINT_CELL_NODES; i++)
-        if (!is_corner(i) && !(is_there && i == side))
+        if (!is_corner(i) && (!is_there || i != side))
             add_node(b, to->x + i % 3 * (1 << shift), to->y + i / 3 * (1 << shift), to->nodes[i]);
     light_batch(b, outside);
 }
@@ -157,7 +157,7 @@ static int begin_cell(lattice_walk *w, int32_t x, int32_t y, int side, lattice_s
     }
     begin_batch(w, &b);
     for (int i = 0; i < 4; i++)
-        if (!(from == TOP_SIDE && i < 2) && !(from == LEFT_SIDE && i % 2 == 0) && !(from == RIGHT_SIDE && i % 2))
+        if ((from != TOP_SIDE || i >= 2) && (from != LEFT_SIDE || i % 2) && (from != RIGHT_SIDE || i % 2 == 0))
             add_node(&b, x + i % 2 * CELL, y + i / 2 * CELL, to->nodes[i % 2 * 2 + i / 2 * 6]);
     light_square(w, 3, from, to, &b);
     return 1;

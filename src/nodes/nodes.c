@@ -142,7 +142,7 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
         const int32_t dot = glint_dot(at->normal[n], light), cosine = signed_cosine(dot);
         int is_lit = cosine > clearly;
         /* right at a light its direction tells nothing */
-        const int is_dark = cosine < -clearly && !(has_position && !at->length[n]);
+        const int is_dark = cosine < -clearly && (!has_position || at->length[n]);
         if (source->type->has_cone)
             find_cone(source, i, light, node, &is_lit);
         node->lit |= is_lit ? bit : 0;

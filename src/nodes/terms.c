@@ -313,7 +313,7 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
         return 1;
     }
     const glint_lengths *const over = fit == FIT_OVER_LENGTH ? &by : 0;
-    if (over && !(t.is_between && t.is_straight))
+    if (over && (!t.is_between || !t.is_straight))
         glint_find_middle_lengths(&by);
     if (!glint_find_middles(frame, draw, triangle, &t))
         return 0;

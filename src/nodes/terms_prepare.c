@@ -242,7 +242,7 @@ static int is_wanted(const glint_frame *frame, const glint_material *material) {
     for (uint32_t i = 0; i < frame->scene->object_count; i++) {
         const glint_object *object = &frame->scene->objects[i];
         if (object->material == material && object->evaluation && object->evaluation->nodes &&
-            !(fast && fast->serves(frame, object)))
+            (!fast || !fast->serves(frame, object)))
             return 1;
     }
     return 0;
