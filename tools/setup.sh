@@ -23,6 +23,7 @@ look() {
     need clang clang
     need llvm llvm-cov llvm-profdata
     need clang-19 clang-19
+    need llvm-19 llvm-cov-19 llvm-profdata-19
     need clang-format clang-format
     need clang-tidy clang-tidy
     need cppcheck cppcheck
@@ -64,6 +65,7 @@ look() {
     [ -e /usr/include/assimp/cimport.h ] || missing+=(libassimp-dev)
     [ -e /usr/include/meshoptimizer.h ] || missing+=(libmeshoptimizer-dev)
     /usr/bin/python3 -c 'import Xlib' 2>/dev/null || missing+=(python3-xlib)
+    ls /usr/lib/llvm-19/lib/clang/19/lib/linux/libclang_rt.profile-*.a >/dev/null 2>&1 || missing+=(libclang-rt-19-dev)
     if command -v clang >/dev/null 2>&1; then
         ls "$(clang -print-resource-dir)"/lib/linux/libclang_rt.fuzzer-*.a >/dev/null 2>&1 || missing+=(libclang-rt-dev)
     else

@@ -387,3 +387,27 @@ def test_full_disks_and_files_that_may_not_be_written(host):
         host.refuses(f"{command} where no file can be", [command, "torus:24x12", "-o", "/proc/out"],
                      r"/proc/out:0: cannot be written: .+")
     os.remove(library)
+
+
+def test_standard_output_to_a_full_disk(host):
+    with open("/dev/full", "w", encoding="ascii") as full:
+        run = subprocess.run([host.program, "info", "torus:8x8"], cwd=host.folder.name, stdout=full, stderr=subprocess.PIPE,
+                             text=True, timeout=60, check=False)
+    host.equal("standard output to a full disk", (run.returncode, run.stderr),
+               (2, "glint: standard output cannot be written\n"))
+
+
+def test_too_little_memory(host):
+    """Of address spaces from too small for the program to large enough for the model, some run out: that is told."""
+    host.write("large.obj", "".join(f"v {i} {i * i % 977} 0\n" for i in range(200000)) + "f 1 2 3\n")
+    wanted = host.run("info", "large.obj").stdout
+    told = 0
+    for size in range(4, 100, 4):
+        run = host.run("info", "large.obj", before=lambda size=size: resource.setrlimit(resource.RLIMIT_AS, (size << 20,) * 2))
+        if run.returncode == 2 and run.stderr == "glint: out of memory\n":
+            told += run.stdout == ""
+        elif run.returncode == 0:
+            host.equal(f"memory for a model: {size} MB", (run.stdout, run.stderr), (wanted, ""))
+    host.check("too little memory is told", told > 0)
+    host.equal("memory enough for a model", run.returncode, 0)
+    os.remove(host.path("large.obj"))
