@@ -173,6 +173,34 @@ static void boxes(void) {
     }
 }
 
+/* All that is 2^n times as large and as far needs the same, up to what lengths are rounded to. */
+static void sizes_need_the_same(void) {
+    static int16_t positions[24][3], normals[24][3];
+    static uint16_t triangles[12][3];
+    const glint_mesh_room room = {positions, normals, triangles, 24, 12};
+    static glint_mesh mesh;
+    const glint_material paint = {.model = &glint_model_unlit};
+    picture image = picture_open(240, 240, &glint_format_rgb565);
+    const glint_config config = picture_config(&image, NULL);
+    glint_need first = {0};
+    for (int i = 0; i < 14; i++) {
+        const glint_q16 size = GLINT_ONE * (1 << i);
+        CHECK_EQUAL(glint_generate_box(&mesh, &room, size, size / 2, size / 4), GLINT_OK);
+        const glint_object object = {.mesh = &mesh, .material = &paint, .pose = glint_pose_translate(size / 2, 0, 0)};
+        const glint_scene scene = {.camera = {.pose = glint_pose_translate(0, 0, 3 * size + size / 2),
+                                              .field_of_view = 50 * GLINT_ONE,
+                                              .near_plane = size / 8},
+                                   .objects = &object,
+                                   .object_count = 1};
+        glint_need bound = {0};
+        CHECK_EQUAL(glint_arena_need_turned(&config, &scene, &bound), GLINT_OK);
+        first = i ? first : bound;
+        CHECK(fabs((double)bound.one_pass - (double)first.one_pass) <= 0.01 * (double)first.one_pass);
+        CHECK(fabs((double)bound.resident - (double)first.resident) <= 0.01 * (double)first.resident);
+    }
+    picture_close(&image);
+}
+
 static void errors_are_those_of_need(void) {
     static test_scene scene;
     static glint_mesh mesh;
@@ -197,7 +225,8 @@ static void errors_are_those_of_need(void) {
 }
 
 int test_main(test_writer write) {
-    static const test_case cases[] = {TEST_CASE(bench_scenes), TEST_CASE(test_scenes), TEST_CASE(example_variants),
-                                      TEST_CASE(boxes), TEST_CASE(errors_are_those_of_need)};
+    static const test_case cases[] = {TEST_CASE(bench_scenes),        TEST_CASE(test_scenes),
+                                      TEST_CASE(example_variants),    TEST_CASE(boxes),
+                                      TEST_CASE(sizes_need_the_same), TEST_CASE(errors_are_those_of_need)};
     return test_run(write, cases, TEST_COUNT(cases));
 }
