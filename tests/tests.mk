@@ -48,8 +48,10 @@ SUITE_hidden    := $(TEST_HARNESS) tests/image/hidden.c tests/image/undropped.c 
 SUITE_budget    := $(TEST_HARNESS) tests/image/budget.c tests/stability/random_scene.c tests/stability/weights.c \
     $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_nodes     := $(TEST_HARNESS) tests/image/nodes.c tests/image/fine.c $(TEST_SCENES)
+SUITE_parts     := $(TEST_HARNESS) tests/host/parts.c \
+    $(addprefix port/host/,compare.c numbered.c png_read.c inflate.c png.c deflate.c output.c memory.c problem.c)
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit numbers setup point compare accuracy models gallery formats output extremes highlights fill_rule identity changes layouts region pick skipped diagnose camera kept arenas turned drops hidden budget opposed nodes lines orthographic
+TEST_SUITES     := unit parts numbers setup point compare accuracy models gallery formats output extremes highlights fill_rule identity changes layouts region pick skipped diagnose camera kept arenas turned drops hidden budget opposed nodes lines orthographic
 
 # $(call test_objects,variant,compiler and flags): build/<variant>/<source>.o
 define test_objects
@@ -107,7 +109,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 
 .PHONY: test-unit-host test-image test-identity test-sanitize test-matrix unit-tables
 
-test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers setup point camera) ## unit tests on the host, arithmetic against libm
+test-unit-host: $(addprefix $(BUILD)/tests/host/,unit parts numbers setup point camera) ## unit tests on the host, arithmetic against libm, files of others
 	$(call run_suites,$^)
 
 test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery formats output extremes highlights fill_rule changes layouts region pick skipped diagnose kept arenas turned drops hidden budget opposed nodes lines orthographic) ## images against the double-precision reference
@@ -149,6 +151,7 @@ FUZZ_LIBRARY := $(LIBRARY:%.c=$(BUILD)/fuzz/%.o)
 # What a target links beside the library.
 FUZZ_SCENES := tests/fuzz/usual_scene.c tests/fuzz/drawing.c $(addprefix port/host/,cluster.c patch.c memory.c)
 FUZZ_SOURCES_fuzz_obj          := $(HOST_READER_SOURCES)
+FUZZ_SOURCES_fuzz_png          := $(addprefix port/host/,png_read.c inflate.c png.c deflate.c output.c memory.c problem.c)
 FUZZ_SOURCES_fuzz_render       := tests/fuzz/any_scene.c tests/fuzz/layouts.c $(FUZZ_SCENES)
 FUZZ_SOURCES_fuzz_differential := $(FUZZ_SCENES) tests/stability/contract.c tests/stability/weights.c \
     tests/image/picture.c $(TEST_JUDGE)

@@ -306,7 +306,7 @@ static token next_token(match_finder *finder, size_t *at) {
 
 /* ---- Streams ---------------------------------------------------------------------------------------------------- */
 
-static uint32_t adler32(const uint8_t *data, size_t count) {
+uint32_t zlib_checksum(const uint8_t *data, size_t count) {
     uint32_t a = 1;
     uint32_t b = 0;
     for (size_t i = 0; i < count; i++) {
@@ -332,7 +332,7 @@ void zlib_encode(host_bytes *out, const uint8_t *data, size_t count) {
         put_block(&writer, tokens, used, at == count);
     } while (at < count);
     put_bits(&writer, 0, 7); /* fill the last byte */
-    const uint32_t check = adler32(data, count);
+    const uint32_t check = zlib_checksum(data, count);
     for (int shift = 24; shift >= 0; shift -= 8) {
         bytes_add(out, (uint8_t)(check >> shift & 0xFF));
     }
