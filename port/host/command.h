@@ -1,16 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file command.h
- * The program's commands. Each takes the arguments after its name and returns the program's exit status: 0, or 2 after
- * one line on stderr, with no output file written.
+ * The program's commands. Each takes the arguments after its name and returns the program's exit status: 0; 1 where
+ * --compare found a difference; or 2 after one line on stderr, with no output file written.
  */
 #ifndef GLINT_HOST_COMMAND_H
 #define GLINT_HOST_COMMAND_H
 
 #include "counts.h"
 #include "load.h"
+#include "png.h"
 #include "quantise.h"
 #include "settings.h"
+
+/** Exit status for a picture that differs from the one that it is compared with. */
+#define COMMAND_DIFFERS 1
 
 /** Exit status for bad input and failed output. */
 #define COMMAND_FAILED 2
@@ -53,8 +57,29 @@ void command_warn_of_size(const host_settings *settings, const quantised_mesh *m
 /** Prints what a frame took, a name and a value a line. */
 void command_print_stats(const frame_counts *counts, const framebuffer *target, const host_settings *settings);
 
-/** Writes a picture, expanded from the settings' size and format, to their output, and shows it where they say so.
- * @return false with a problem */
-bool command_write_png(const uint8_t *picture, const host_settings *settings, host_problem *problem);
+/** Whether the settings say where the picture goes: to a file, the terminal, or into a comparison. */
+bool command_has_output(const host_settings *settings);
+
+/**
+ * Refuses, with a line, to write over a file that is read.
+ * @param what the file is to the user
+ */
+bool command_keeps(const host_settings *settings, const char *file, const char *what);
+
+/**
+ * Reads the picture to compare with, or prints why not.
+ * @param[out] other set up by this, the caller frees its pixels; they are null where nothing is to be compared
+ */
+bool command_open_compared(const host_settings *settings, png_picture *other);
+
+/**
+ * Writes a picture to the settings' output and shows it, prints what it took, and how it differs from another, each
+ * where the settings say so.
+ * @param picture expanded from `target`, and drawn over perhaps
+ * @param other as of command_open_compared
+ * @return exit status, after a line where the picture cannot be written
+ */
+int command_finish(const uint8_t *picture, const framebuffer *target, const frame_counts *counts,
+                   const host_settings *settings, const png_picture *other);
 
 #endif

@@ -3,16 +3,18 @@
 
 _glint() {
     local program=${COMP_WORDS[0]} word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}
-    local command=${COMP_WORDS[1]} words values
+    local command=${COMP_WORDS[1]} words value
     if [ "$COMP_CWORD" -eq 1 ]; then
         words="$("$program" help | sed -n 's/^glint \([a-z]*\) [A-Z[].*/\1/p') --version"
     elif [[ $word == -* ]]; then
         words=$("$program" "$command" --help | sed -n 's/^  \(--*[a-z-]*\) .*/\1/p')
     else
-        # an option's values, where they are few: infinite|local
-        values=$("$program" "$command" --help | sed -n "s/^  $before  *\([a-z|]*|[a-z|]*\) .*/\1/p")
-        if [ -n "$values" ]; then
-            words=${values//|/ }
+        # an option's value: one of few, as in infinite|local, or a FILE
+        value=$("$program" "$command" --help | sed -n "s/^  $before  *\([a-z|]*|[a-z|]*\) .*/\1/p; s/^  $before  *\(FILE\) .*/\1/p")
+        if [ "$value" = FILE ]; then
+            words=$(compgen -f -- "$word")
+        elif [ -n "$value" ]; then
+            words=${value//|/ }
         elif [ "$command" = scene ]; then
             words=$("$program" scene --list | sed -n 's/^\([a-z-]*\) (.*/\1/p; s/^  \([a-z:-]*\) .*/\1/p')
         elif [ "$command" = help ]; then

@@ -250,8 +250,7 @@ static bool take_own(decoder *to, host_problem *problem) {
     for (uint32_t i = 0; i < length_count; i++) {
         lengths[order[i]] = (uint8_t)take_bits(&to->bits, 3);
     }
-    bool ok = literal_count <= LITERALS && distance_count <= DISTANCES &&
-              make_table(&literals, lengths, CODE_LENGTHS);
+    bool ok = literal_count <= LITERALS && distance_count <= DISTANCES && make_table(&literals, lengths, CODE_LENGTHS);
     memset(lengths, 0, CODE_LENGTHS);
     ok = ok && take_lengths(&to->bits, &literals, lengths, literal_count + distance_count);
     ok = ok && make_table(&literals, lengths, (int)literal_count) &&

@@ -5,6 +5,7 @@
 #include "memory.h"
 #include "output.h"
 #include "png.h"
+#include "progress.h"
 #include "watch.h"
 
 #include <stdio.h>
@@ -57,7 +58,9 @@ static bool write_ways(const uint8_t *ways, const framebuffer *target, const cha
 static bool write_heat(const glint_scene *scene, const host_settings *settings, const framebuffer *target,
                        host_problem *problem) {
     heat_map map;
+    progress_begin("drawing in double precision", NULL);
     heat_find(&map, scene, settings, target);
+    progress_end();
     const bool ok = write_map(heat_picture(&map), target, settings->heat, problem);
     if (ok) {
         printf("steps_worst %.3f\nsteps_worst_at %lu,%lu\n", map.worst, (unsigned long)map.worst_x,
@@ -78,7 +81,9 @@ bool maps_draw(const glint_scene *scene, const host_settings *settings, framebuf
         seen.ways = memory_new((size_t)settings->width * settings->height, 1);
         watch_into(&seen);
     }
+    progress_begin("drawing", NULL);
     const bool drawn = view_draw(scene, settings, target, counts, problem);
+    progress_end();
     watch_into(NULL);
     bool ok = drawn && (settings->lit_map == NULL || write_ways(seen.ways, target, settings->lit_map, problem));
     ok = ok && (settings->heat == NULL || write_heat(scene, settings, target, problem));

@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 #include "command.h"
 
+#include "animation.h"
 #include "cost.h"
 #include "maps.h"
 #include "view.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+
+/** How long a turn takes to be shown. */
+#define TURN_SECONDS 4
 
 /* Milliseconds of sending, of drawing, and of both: one after the other, and at the same time, as well as that can go.
  */
@@ -53,40 +57,80 @@ void command_print_stats(const frame_counts *counts, const framebuffer *target, 
     print_times(settings, target->bytes_sent);
 }
 
-static int render(const host_settings *settings, const host_model *model, const quantised_mesh *mesh) {
+/* ---- A picture -------------------------------------------------------------------------------------------------- */
+
+/** Draws a picture, writes it, and compares it. @return exit status */
+static int draw_still(const host_view *view, const host_settings *settings, const png_picture *other) {
+    host_problem problem;
+    framebuffer target;
+    frame_counts counts;
+    if (!maps_draw(&view->scene, settings, &target, &counts, &problem)) {
+        return command_fail(NULL, &problem);
+    }
+    uint8_t *picture = framebuffer_expand(&target);
+    const int status = command_finish(picture, &target, &counts, settings, other);
+    free(picture);
+    framebuffer_free(&target);
+    return status;
+}
+
+/* ---- A turn ----------------------------------------------------------------------------------------------------- */
+
+/** A model that turns. */
+typedef struct turning_model {
+    host_view *view;
+    const host_settings *settings;
+} turning_model;
+
+static uint8_t *draw_turned(void *context, uint32_t frame, host_problem *problem) {
+    const turning_model *model = context;
+    framebuffer target;
+    frame_counts counts;
+    view_turn(model->view, model->settings, frame);
+    if (!view_draw(&model->view->scene, model->settings, &target, &counts, problem)) {
+        return NULL;
+    }
+    uint8_t *picture = framebuffer_expand(&target);
+    framebuffer_free(&target);
+    return picture;
+}
+
+/* ---- The command ------------------------------------------------------------------------------------------------ */
+
+static int render(const host_settings *settings, const host_model *model, const quantised_mesh *mesh,
+                  const png_picture *other) {
     host_problem problem;
     host_view view;
     if (!view_make(&view, settings, &model->materials, mesh, &problem)) {
         return command_fail(NULL, &problem);
     }
-    framebuffer target;
-    frame_counts counts;
-    const bool drawn = maps_draw(&view.scene, settings, &target, &counts, &problem);
+    turning_model turning = {&view, settings};
+    const animation turn = {draw_turned, &turning, TURN_SECONDS, 1};
+    const int status = settings->animate > 0 ? animation_write(&turn, settings) : draw_still(&view, settings, other);
     view_free(&view);
-    if (!drawn) {
-        return command_fail(NULL, &problem);
-    }
-    uint8_t *picture = framebuffer_expand(&target);
-    const bool written = command_write_png(picture, settings, &problem);
-    free(picture);
-    if (written && settings->stats) {
-        command_print_stats(&counts, &target, settings);
-    }
-    framebuffer_free(&target);
-    return written ? 0 : command_fail(settings->output, &problem);
+    return status;
 }
 
 int command_render(const host_settings *settings) {
+    host_problem problem;
     host_model model;
     quantised_mesh mesh;
-    if (!command_load(settings, false, &model, &mesh)) {
+    png_picture other;
+    if (!animation_check(settings, "render", &problem)) {
+        return command_fail(NULL, &problem);
+    }
+    if (!command_open_compared(settings, &other)) {
         return COMMAND_FAILED;
     }
-    const int status = render(settings, &model, &mesh);
-    quantised_free(&mesh);
-    if (status == 0) {
-        command_print_warnings(settings, &model);
+    int status = COMMAND_FAILED;
+    if (command_load(settings, false, &model, &mesh)) {
+        status = render(settings, &model, &mesh, &other);
+        quantised_free(&mesh);
+        if (status != COMMAND_FAILED) {
+            command_print_warnings(settings, &model);
+        }
+        model_free(&model);
     }
-    model_free(&model);
+    free(other.pixels);
     return status;
 }

@@ -5,11 +5,10 @@
  */
 #include "command.h"
 
+#include "animation.h"
 #include "label.h"
 #include "maps.h"
 #include "memory.h"
-#include "output.h"
-#include "png.h"
 #include "scenes/scenes.h"
 #include "view.h"
 
@@ -77,31 +76,20 @@ static bool check(const host_settings *settings, host_problem *problem) {
     if (settings->model == NULL) {
         return problem_set(problem, 0, "scene: a scene is missing: see glint scene --list");
     }
-    if (settings->output == NULL && settings->preview == 0) {
+    if (!command_has_output(settings)) {
         return problem_set(problem, 0, "scene: the file to write is missing: -o FILE");
     }
-    if (settings->frame_given && settings->animate > 0) {
-        return problem_set(problem, 0, "scene: --frame and --animate exclude each other");
-    }
-    if ((settings->lit_map != NULL || settings->heat != NULL || settings->preview > 0) && settings->animate > 0) {
-        return problem_set(problem, 0, "scene: --lit-map, --heat and --preview show one frame: not with --animate");
-    }
-    if (settings->stats && settings->animate > 0) {
-        return problem_set(problem, 0, "scene: --stats and --animate exclude each other");
-    }
-    return true;
+    return animation_check(settings, "scene", problem);
 }
 
 /* ---- Pictures --------------------------------------------------------------------------------------------------- */
 
-static bool draw_frame(const chosen_scene *chosen, uint32_t frame, const host_settings *settings, framebuffer *target,
-                       frame_counts *counts, host_problem *problem) {
+/** Sets a scene up as it is in a frame; the caller frees it. */
+static example_stage *build(const chosen_scene *chosen, uint32_t frame, const host_settings *settings) {
     example_stage *stage = memory_new(1, sizeof *stage);
     chosen->scene->build(stage, chosen->variant, frame % chosen->scene->frames);
     stage->scene.error_budget = settings->budget;
-    const bool ok = maps_draw(&stage->scene, settings, target, counts, problem);
-    free(stage);
-    return ok;
+    return stage;
 }
 
 /** The picture of a frame, with its labels when they are asked for. The caller frees it. */
@@ -115,69 +103,58 @@ static uint8_t *expand(const chosen_scene *chosen, const host_settings *settings
     return picture.pixels;
 }
 
-static int draw_still(const chosen_scene *chosen, const host_settings *settings) {
+static int draw_still(const chosen_scene *chosen, const host_settings *settings, const png_picture *other) {
     framebuffer target;
     frame_counts counts;
     host_problem problem;
-    if (!draw_frame(chosen, settings->frame, settings, &target, &counts, &problem)) {
+    example_stage *stage = build(chosen, settings->frame, settings);
+    const bool drawn = maps_draw(&stage->scene, settings, &target, &counts, &problem);
+    free(stage);
+    if (!drawn) {
         return command_fail(NULL, &problem);
     }
     uint8_t *picture = expand(chosen, settings, &target);
-    const bool written = command_write_png(picture, settings, &problem);
+    const int status = command_finish(picture, &target, &counts, settings, other);
     free(picture);
-    if (written && settings->stats) {
-        command_print_stats(&counts, &target, settings);
-    }
     framebuffer_free(&target);
-    return written ? 0 : command_fail(settings->output, &problem);
+    return status;
 }
 
-/** Draws all frames, spread over the scene's own. @return how many were drawn; with a problem when not all */
-static uint32_t draw_frames(const chosen_scene *chosen, const host_settings *settings, uint8_t **pictures,
-                            host_problem *problem) {
-    for (uint32_t i = 0; i < settings->animate; i++) {
-        framebuffer target;
-        frame_counts counts;
-        const uint64_t frame = (uint64_t)i * chosen->scene->frames / settings->animate;
-        if (!draw_frame(chosen, (uint32_t)frame, settings, &target, &counts, problem)) {
-            return i;
-        }
-        pictures[i] = expand(chosen, settings, &target);
-        framebuffer_free(&target);
+/** A scene that moves. */
+typedef struct moving_scene {
+    const chosen_scene *chosen;
+    const host_settings *settings;
+} moving_scene;
+
+/** Draws a frame of an animation, whose frames are spread over the scene's own. */
+static uint8_t *draw_moving(void *context, uint32_t frame, host_problem *problem) {
+    const moving_scene *moving = context;
+    const host_settings *settings = moving->settings;
+    framebuffer target;
+    frame_counts counts;
+    const uint64_t own = (uint64_t)frame * moving->chosen->scene->frames / settings->animate;
+    example_stage *stage = build(moving->chosen, (uint32_t)own, settings);
+    const bool drawn = view_draw(&stage->scene, settings, &target, &counts, problem);
+    free(stage);
+    if (!drawn) {
+        return NULL;
     }
-    return settings->animate;
-}
-
-static bool write_animation(const chosen_scene *chosen, const host_settings *settings, uint8_t *const *pictures,
-                            host_problem *problem) {
-    host_bytes file = {NULL, 0, 0};
-    const uint32_t period = chosen->scene->frames > UINT16_MAX ? UINT16_MAX : chosen->scene->frames;
-    const png_movie movie = {.frames = pictures,
-                             .count = settings->animate,
-                             .delay_numerator = (uint16_t)period,
-                             .delay_denominator = (uint16_t)(settings->animate * FRAME_RATE)};
-    png_encode_movie(&file, &movie, settings->width, settings->height, settings->format->channels);
-    const bool ok = bytes_write_file(&file, settings->output, problem);
-    free(file.data);
-    return ok;
+    uint8_t *picture = expand(moving->chosen, settings, &target);
+    framebuffer_free(&target);
+    return picture;
 }
 
 static int draw_animation(const chosen_scene *chosen, const host_settings *settings) {
-    uint8_t **pictures = memory_new(settings->animate, sizeof *pictures);
-    host_problem problem;
-    const uint32_t drawn = draw_frames(chosen, settings, pictures, &problem);
-    const bool all = drawn == settings->animate;
-    const bool written = all && write_animation(chosen, settings, pictures, &problem);
-    for (uint32_t i = 0; i < drawn; i++) {
-        free(pictures[i]);
-    }
-    free(pictures);
-    return written ? 0 : command_fail(all ? settings->output : NULL, &problem);
+    const uint32_t period = chosen->scene->frames > UINT16_MAX ? UINT16_MAX : chosen->scene->frames;
+    moving_scene moving = {chosen, settings};
+    const animation movie = {draw_moving, &moving, period, FRAME_RATE};
+    return animation_write(&movie, settings);
 }
 
 int command_scene(const host_settings *settings) {
     host_problem problem;
     chosen_scene chosen;
+    png_picture other;
     if (settings->list) {
         return print_list();
     }
@@ -189,5 +166,10 @@ int command_scene(const host_settings *settings) {
         sized.width = chosen.scene->width;
         sized.height = chosen.scene->height;
     }
-    return settings->animate > 0 ? draw_animation(&chosen, &sized) : draw_still(&chosen, &sized);
+    if (!command_open_compared(&sized, &other)) {
+        return COMMAND_FAILED;
+    }
+    const int status = settings->animate > 0 ? draw_animation(&chosen, &sized) : draw_still(&chosen, &sized, &other);
+    free(other.pixels);
+    return status;
 }

@@ -205,6 +205,11 @@ static bool parse_preview(host_settings *settings, const char *text, host_proble
     return true;
 }
 
+static bool parse_compare(host_settings *settings, const char *text, host_problem *problem) {
+    settings->compare = text;
+    return text[0] != '\0' || value_expected(problem, "takes the name of a file");
+}
+
 /** An option; one without `argument` is a switch. */
 typedef struct host_option {
     const char *name;
@@ -278,6 +283,10 @@ static const host_option options[] = {
      COMMANDS_THAT_DRAW, parse_heat},
     {"--preview", "N", "show the picture in the terminal, up to N characters wide; then -o is not needed",
      COMMANDS_THAT_DRAW, parse_preview},
+    {"--compare", "FILE", "print how the picture differs from a PNG, status 1 where it does; then -o is not needed",
+     COMMANDS_THAT_DRAW, parse_compare},
+    {"--animate", "N", "one turn about --up in N frames, 1 to 1000: an APNG, or a PNG each for -o NAME%03d.png",
+     COMMAND_RENDER, parse_animate},
     {"--crease", "DEG", "make all normals anew, split at edges sharper than that", COMMANDS_WITH_MESH, parse_crease},
     {"--weights", "NAME", "what triangles weigh in the normals that are made: equal, area or angle; area",
      COMMANDS_WITH_MESH, parse_weights},
@@ -298,8 +307,8 @@ static const host_option options[] = {
     {"--import-memory", "MB", "memory for it; 2048", COMMANDS_WITH_MESH, parse_import_memory},
     {"--list", NULL, "print the scenes and their variants", COMMAND_SCENE, parse_list},
     {"--frame", "N", "which frame, counted from 0; 0", COMMAND_SCENE, parse_frame},
-    {"--animate", "N", "an APNG of N frames, 1 to 1000, spread over the time in which the scene repeats", COMMAND_SCENE,
-     parse_animate},
+    {"--animate", "N", "N frames, 1 to 1000, until the scene repeats: an APNG, or a PNG each for -o NAME%03d.png",
+     COMMAND_SCENE, parse_animate},
     {"--labels", NULL, "words beside the subject, where the variant has some", COMMAND_SCENE, parse_labels},
     {"--double-sided", NULL, "draw triangles from both sides", COMMAND_RENDER | COMMAND_CONVERT, parse_double_sided},
     {"--panel", "WxH[:FORMAT]", "what the mesh takes is told for that panel; 320x240:rgb565",

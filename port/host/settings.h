@@ -71,6 +71,7 @@ typedef struct host_settings {
 
     const char *lit_map, *heat; /**< Files of maps to write, or null. */
     uint32_t preview;           /**< Characters of a picture in the terminal, across; 0 for none. */
+    const char *compare;        /**< File of a picture to compare with, or null. */
 
     load_options load;
     const char *name;    /**< Of converted arrays, or null. */

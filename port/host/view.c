@@ -107,23 +107,36 @@ static vector3 posed(const glint_pose *pose, const glint_mesh *mesh, uint32_t ve
     return transform(pose, position, 1.0);
 }
 
-static frame_reach measure(const quantised_mesh *mesh, const glint_pose *pose, const frame_axes *axes, double slope_x,
-                           double slope_y) {
-    frame_reach reach = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, HUGE_VAL};
+/** Widens a reach to that of a model in a pose. */
+static void measure(frame_reach *reach, const quantised_mesh *mesh, const glint_pose *pose, const frame_axes *axes,
+                    double slope_x, double slope_y) {
     for (size_t piece = 0; piece < mesh->piece_count; piece++) {
         for (uint32_t i = 0; i < mesh->pieces[piece].vertex_count; i++) {
             const vector3 point = posed(pose, &mesh->pieces[piece], i);
             const double x = dot(point, axes->right);
             const double y = dot(point, axes->up);
             const double z = dot(point, axes->back);
-            reach.right = fmax(reach.right, x + slope_x * z);
-            reach.left = fmax(reach.left, -x + slope_x * z);
-            reach.above = fmax(reach.above, y + slope_y * z);
-            reach.below = fmax(reach.below, -y + slope_y * z);
-            reach.nearest = fmax(reach.nearest, z);
-            reach.farthest = fmin(reach.farthest, z);
+            reach->right = fmax(reach->right, x + slope_x * z);
+            reach->left = fmax(reach->left, -x + slope_x * z);
+            reach->above = fmax(reach->above, y + slope_y * z);
+            reach->below = fmax(reach->below, -y + slope_y * z);
+            reach->nearest = fmax(reach->nearest, z);
+            reach->farthest = fmin(reach->farthest, z);
         }
     }
+}
+
+/** The reach of a model as it stands, or of all frames of its turn. */
+static frame_reach measure_all(host_view *view, const host_settings *settings, const quantised_mesh *mesh,
+                               const frame_axes *axes, double slope_x, double slope_y) {
+    const glint_pose *pose = &view->objects[0].pose;
+    frame_reach reach = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, HUGE_VAL};
+    measure(&reach, mesh, pose, axes, slope_x, slope_y);
+    for (uint32_t frame = settings->animate; frame-- > 1;) {
+        view_turn(view, settings, frame);
+        measure(&reach, mesh, pose, axes, slope_x, slope_y);
+    }
+    view_turn(view, settings, 0);
     return reach;
 }
 
@@ -136,7 +149,7 @@ static bool frame_model(host_view *view, const host_settings *settings, const qu
     const frame_axes axes = framing_axes(settings->up);
     const double slope_y = FRAME_FILL * tan(number_from_q16(settings->field_of_view) * pi / 360.0);
     const double slope_x = slope_y * settings->width / settings->height;
-    const frame_reach reach = measure(mesh, &view->objects[0].pose, &axes, slope_x, slope_y);
+    const frame_reach reach = measure_all(view, settings, mesh, &axes, slope_x, slope_y);
     const vector3 at = from_q16(settings->at);
     const double x = settings->at_given ? dot(at, axes.right) : (reach.right - reach.left) / 2;
     const double y = settings->at_given ? dot(at, axes.up) : (reach.above - reach.below) / 2;
@@ -211,25 +224,50 @@ static bool place_lights(host_view *view, const host_settings *settings, host_pr
     return true;
 }
 
+/** The model's pose as options say. */
+static glint_pose standing_pose(const host_settings *settings) {
+    const glint_pose about_x = glint_pose_rotate_x(settings->rotate[0]);
+    const glint_pose about_y = glint_pose_rotate_y(settings->rotate[1]);
+    const glint_pose about_z = glint_pose_rotate_z(settings->rotate[2]);
+    const glint_pose turned = glint_pose_then(&about_x, &about_y);
+    return glint_pose_then(&turned, &about_z);
+}
+
+/** The middle of the box of a model in a pose. */
+static glint_vector find_middle(const quantised_mesh *mesh, const glint_pose *pose) {
+    vector3 low = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}};
+    vector3 high = {{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    for (size_t piece = 0; piece < mesh->piece_count; piece++) {
+        for (uint32_t i = 0; i < mesh->pieces[piece].vertex_count; i++) {
+            const vector3 point = posed(pose, &mesh->pieces[piece], i);
+            for (int axis = 0; axis < 3; axis++) {
+                low.v[axis] = fmin(low.v[axis], point.v[axis]);
+                high.v[axis] = fmax(high.v[axis], point.v[axis]);
+            }
+        }
+    }
+    return to_q16(combine(0.5, low, 0.5, high));
+}
+
 static void place_objects(host_view *view, const host_settings *settings, const host_materials *materials,
                           const quantised_mesh *mesh) {
     view->materials = memory_new(materials->used_count + 1, sizeof *view->materials);
     for (size_t i = 0; i <= materials->used_count; i++) {
         view->materials[i] = settings_material(settings, materials_find(materials, (uint32_t)i));
     }
-    const glint_pose about_x = glint_pose_rotate_x(settings->rotate[0]);
-    const glint_pose about_y = glint_pose_rotate_y(settings->rotate[1]);
-    const glint_pose about_z = glint_pose_rotate_z(settings->rotate[2]);
-    const glint_pose turned = glint_pose_then(&about_x, &about_y);
+    const glint_pose pose = standing_pose(settings);
     view->objects = memory_new(mesh->piece_count, sizeof *view->objects);
     for (size_t i = 0; i < mesh->piece_count; i++) {
         view->objects[i].mesh = &mesh->pieces[i];
         view->objects[i].material = &view->materials[mesh->materials[i]];
-        view->objects[i].pose = glint_pose_then(&turned, &about_z);
+        view->objects[i].pose = pose;
         view->objects[i].evaluation = settings->evaluation;
     }
     view->scene.objects = view->objects;
     view->scene.object_count = (uint32_t)mesh->piece_count;
+    if (settings->animate > 0) {
+        view->middle = find_middle(mesh, &pose);
+    }
 }
 
 static bool place_camera(host_view *view, const host_settings *settings, const quantised_mesh *mesh,
@@ -266,6 +304,22 @@ void view_free(host_view *view) {
     free(view->materials);
     view->objects = NULL;
     view->materials = NULL;
+}
+
+void view_turn(host_view *view, const host_settings *settings, uint32_t frame) {
+    const glint_vector middle = view->middle;
+    glint_pose pose = standing_pose(settings);
+    if (settings->animate > 0) {
+        const glint_pose inwards = glint_pose_translate(-middle.x, -middle.y, -middle.z);
+        const glint_pose turn = glint_pose_rotate(settings->up, number_q16(360.0 * frame / settings->animate));
+        const glint_pose outwards = glint_pose_translate(middle.x, middle.y, middle.z);
+        pose = glint_pose_then(&pose, &inwards);
+        pose = glint_pose_then(&pose, &turn);
+        pose = glint_pose_then(&pose, &outwards);
+    }
+    for (uint32_t i = 0; i < view->scene.object_count; i++) {
+        view->objects[i].pose = pose;
+    }
 }
 
 /* ---- Drawing ---------------------------------------------------------------------------------------------------- */

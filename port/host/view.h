@@ -16,17 +16,21 @@ typedef struct host_view {
     glint_material *materials; /**< The default one, then the model's. */
     glint_light lights[GLINT_LIGHTS_MAX];
     glint_object *objects;
+    glint_vector middle; /**< Of the box of a model that turns: of one that --animate is given for. */
 } host_view;
 
 /**
  * Makes the scene that settings describe: one object for each piece of the mesh. Without an eye the camera is placed
- * so that the model fills the view.
+ * so that the model fills the view, in all frames of a turn.
  * @param materials of the model that `mesh` comes from
  * @param mesh stays the caller's and must outlive the view
  * @return false with a problem; nothing is then to be freed, else the view with view_free
  */
 bool view_make(host_view *view, const host_settings *settings, const host_materials *materials,
                const quantised_mesh *mesh, host_problem *problem);
+
+/** Turns the model as it is in a frame of the settings' animation: about --up, through the middle of its box. */
+void view_turn(host_view *view, const host_settings *settings, uint32_t frame);
 
 /** No less than how far from the origin a framing camera stands, of a model about it of that half side. */
 double view_framing_distance(const host_settings *settings, double half_side);

@@ -2,7 +2,7 @@
 # The web page: the library, the host program and the reference for wasm32, and what docs/web/ is made of.
 
 WEB := $(BUILD)/web
-WEB_HOST := $(filter-out %/main.c %/output.c %/importer.c %/child.c,$(HOST_SOURCES))
+WEB_HOST := $(filter-out %/main.c %/output.c %/importer.c %/child.c %/progress.c,$(HOST_SOURCES))
 WEB_SOURCES := $(filter-out %_rgb565_be.c %_mono_pages.c,$(LIBRARY)) port/web/formats.c $(WEB_HOST) $(SCENE_SOURCES) tests/reference/reference.c tests/reference/lighting.c \
     tests/image/library_geometry.c tests/image/picture.c port/web/web.c port/web/measure.c \
     port/web/files.c port/web/libc/libc.c \

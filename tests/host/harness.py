@@ -96,3 +96,19 @@ class Host:
                    run.stderr.count("\n") == 1 and re.fullmatch(pattern, run.stderr.rstrip("\n")) is not None and
                    self.files() == files,
                    f"status {run.returncode}, stdout {run.stdout!r}, stderr {run.stderr!r}, files {self.files()}")
+
+
+class Preloaded:
+    """A library of C text, to stand before the C library's own functions."""
+
+    def __init__(self, host, text):
+        host.write("preloaded.c", text)
+        self.library = os.path.join(host.folder.name + "-preloaded.so")
+        subprocess.run(["cc", "-shared", "-fPIC", "-o", self.library, host.path("preloaded.c")], check=True)
+        os.remove(host.path("preloaded.c"))
+
+    def __enter__(self):
+        return self.library
+
+    def __exit__(self, *_):
+        os.remove(self.library)

@@ -3,7 +3,9 @@
 import sys
 import traceback
 
+import test_animate
 import test_clusters
+import test_compare
 import test_convert
 import test_errors
 import test_gallery
@@ -28,7 +30,7 @@ from harness import Host
 def main():
     host = Host(sys.argv[1])
     for module in (test_render, test_shading, test_obj, test_materials, test_place, test_winding, test_shapes, test_normals, test_errors, test_convert, test_import, test_simplify,
-                   test_clusters, test_scene, test_labels, test_maps, test_terminal, test_output, test_gallery):
+                   test_clusters, test_scene, test_labels, test_maps, test_compare, test_animate, test_terminal, test_output, test_gallery):
         for name in (name for name in vars(module) if name.startswith("test_")):
             try:
                 vars(module)[name](host)

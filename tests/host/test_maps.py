@@ -71,4 +71,4 @@ def test_refused(host):
     host.refuses("a map that cannot be written", ["render", "torus:8x6", "--heat", "none/heat.png", "-o", "out.png"],
                  r"glint: none/heat\.png cannot be written: .*")
     host.refuses("maps of animations", ["scene", "teapot", "--animate", "2", "--lit-map", "lit.png", "-o", "out.png"],
-                 r"glint: scene: --lit-map, --heat and --preview show one frame: not with --animate")
+                 r"glint: scene: --lit-map, --heat, --preview and --compare take one frame: not with --animate")

@@ -8,7 +8,7 @@ import signal
 import subprocess
 import threading
 
-from harness import MODELS, SQUARE
+from harness import MODELS, SQUARE, Preloaded
 
 SMALL = ["--size", "64x48"]
 
@@ -32,20 +32,14 @@ ssize_t write(int file, const void *bytes, size_t count) {
 """
 
 
-class Interrupted:
+class Interrupted(Preloaded):
     """Programs in the middle of writing, without waiting for the moment: a library in their place of write()."""
 
     def __init__(self, host):
-        host.write("interrupted.c", INTERRUPTED)
-        self.library = os.path.join(host.folder.name + "-interrupted.so")
-        subprocess.run(["cc", "-shared", "-fPIC", "-o", self.library, host.path("interrupted.c")], check=True)
-        os.remove(host.path("interrupted.c"))
+        super().__init__(host, INTERRUPTED)
 
     def __enter__(self):
         return self
-
-    def __exit__(self, *_):
-        os.remove(self.library)
 
     def by(self, number):
         return {"LD_PRELOAD": self.library, "INTERRUPTED_BY": str(int(number))}
@@ -342,7 +336,7 @@ def test_output_is_not_the_model(host):
     os.remove(host.path("torus:8x8"))
 
 
-# A disk that is full after half of what is written, and a file that may not be written, whoever asks.
+# A disk that is full after so many files and half of the next one, and a file that may not be written, whoever asks.
 REFUSING = """
 #define _GNU_SOURCE
 #include <errno.h>
@@ -352,10 +346,9 @@ REFUSING = """
 
 ssize_t write(int file, const void *bytes, size_t count) {
     static int begun;
-    if (file <= 2 || getenv("IS_FULL") == NULL)
-        return syscall(SYS_write, file, bytes, count);
-    if (!begun++)
-        return syscall(SYS_write, file, bytes, count / 2);
+    const int left = file <= 2 || getenv("FULL_AFTER") == NULL ? 1 : atoi(getenv("FULL_AFTER")) - begun++;
+    if (left >= 0)
+        return syscall(SYS_write, file, bytes, left > 0 ? count : count / 2);
     errno = ENOSPC;
     return -1;
 }
@@ -368,17 +361,18 @@ int access(const char *path, int mode) {
 
 
 def test_full_disks_and_files_that_may_not_be_written(host):
-    host.write("refusing.c", REFUSING)
-    library = os.path.join(host.folder.name + "-refusing.so")
-    subprocess.run(["cc", "-shared", "-fPIC", "-o", library, host.path("refusing.c")], check=True)
-    os.remove(host.path("refusing.c"))
+    with Preloaded(host, REFUSING) as library:
+        refuse_to_write(host, library)
+
+
+def refuse_to_write(host, library):
     for command, name in (("render", "out.png"), ("convert", "out.h"), ("convert", "out.c")):
         for older in (None, "older"):
             if older:
                 host.write(name, older)
             arguments = [command, "torus:24x12", "-o", name]
             host.refuses(f"{command} to a full disk", arguments, rf"out\.\w+:0: cannot be written: No space left on device",
-                         env={"LD_PRELOAD": library, "IS_FULL": "1"})
+                         env={"LD_PRELOAD": library, "FULL_AFTER": "0"})
             if older:
                 host.refuses(f"{command} to a file that may not be written", arguments,
                              r"out\.\w+:0: cannot be written: Permission denied", env={"LD_PRELOAD": library, "IS_READ_ONLY": "1"})
@@ -386,7 +380,6 @@ def test_full_disks_and_files_that_may_not_be_written(host):
                 os.remove(host.path(name))
         host.refuses(f"{command} where no file can be", [command, "torus:24x12", "-o", "/proc/out"],
                      r"/proc/out:0: cannot be written: .+")
-    os.remove(library)
 
 
 def test_standard_output_to_a_full_disk(host):
