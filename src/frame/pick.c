@@ -28,7 +28,7 @@ static uint32_t find_number(const glint_draw *draw, const glint_triangle *triang
 
 static int is_clipped(const glint_frame *frame, const glint_triangle *triangle) {
     const uint8_t *const corner = (const uint8_t *)triangle->corners[0];
-    return corner >= (const uint8_t *)frame->clipped && corner < frame->memory.base + frame->memory.high;
+    return corner >= (const uint8_t *)frame->clipped; /* up to the arena's end; vertices lie below */
 }
 
 static void pick_pixel(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,

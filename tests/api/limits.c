@@ -181,6 +181,61 @@ static void regions_are_asked_for(void) {
     CHECK_EQUAL(glint_render_region(&s->renderer, &s->scene, &whole), GLINT_OK);
 }
 
+/* ---- Arenas ---- */
+
+#define TORUS_VERTICES (48 * 24)
+#define TORUS_TRIANGLES (2 * 48 * 24)
+
+/* A torus of many more triangles than most arenas here can hold at once. */
+static void begin_torus(stage *s, uint16_t numbers[TORUS_TRIANGLES][3]) {
+    static int16_t positions[TORUS_VERTICES][3], directions[TORUS_VERTICES][3];
+    const glint_mesh_room room = {positions, directions, numbers, TORUS_VERTICES, TORUS_TRIANGLES};
+    CHECK_EQUAL(glint_generate_torus(&s->mesh, &room, 48, 24, GLINT_ONE / 2, GLINT_ONE / 4), GLINT_OK);
+}
+
+/* A bad index is told in whatever arena there is, however its mesh is loaded: wherever a sound mesh is drawn. */
+static void bad_indices_are_told_in_every_arena(void) {
+    static uint16_t numbers[TORUS_TRIANGLES][3];
+    static const uint32_t bad[] = {0, TORUS_TRIANGLES / 2, TORUS_TRIANGLES - 1};
+    unsigned drawn = 0;
+    stage *s = begin();
+    begin_torus(s, numbers);
+    for (s->config.arena_size = 2048; s->config.arena_size < sizeof arena; s->config.arena_size += 512) {
+        if (glint_init(&s->renderer, &s->config) != GLINT_OK)
+            continue;
+        const glint_status sound = glint_render(&s->renderer, &s->scene);
+        CHECK(sound == GLINT_OK || sound == GLINT_ERROR_ARENA);
+        drawn += sound == GLINT_OK;
+        for (unsigned i = 0; i < TEST_COUNT(bad); i++) {
+            const uint16_t kept = numbers[bad[i]][1];
+            numbers[bad[i]][1] = TORUS_VERTICES;
+            const glint_status status = glint_render(&s->renderer, &s->scene);
+            CHECK(status == GLINT_ERROR_INDEX || (status == GLINT_ERROR_ARENA && sound == GLINT_ERROR_ARENA));
+            numbers[bad[i]][1] = kept;
+        }
+    }
+    CHECK(drawn > 50);
+}
+
+/* What is hidden takes nothing of the arena, whichever way it is turned. */
+static void hidden_objects_need_nothing(void) {
+    static uint16_t numbers[TORUS_TRIANGLES][3];
+    stage *s = begin();
+    glint_need alone, beside;
+    glint_object objects[2];
+    begin_torus(s, numbers);
+    objects[0] = objects[1] = s->object;
+    s->scene.objects = objects;
+    CHECK_EQUAL(glint_arena_need_turned(&s->config, &s->scene, &alone), GLINT_OK);
+    objects[1].hidden = 1;
+    s->scene.object_count = 2;
+    CHECK_EQUAL(glint_arena_need_turned(&s->config, &s->scene, &beside), GLINT_OK);
+    CHECK(beside.least == alone.least && beside.one_pass == alone.one_pass);
+    objects[1].hidden = 0;
+    CHECK_EQUAL(glint_arena_need_turned(&s->config, &s->scene, &beside), GLINT_OK);
+    CHECK(beside.one_pass > alone.one_pass);
+}
+
 /* ---- Lines and points ---- */
 
 static int draw_lines(void *context, const glint_tile *tile) {
@@ -201,8 +256,9 @@ static int draw_lines(void *context, const glint_tile *tile) {
 }
 
 static void lines_are_drawn_on_tiles_of_a_frame(void) {
-    int count = 0;
+    static int count;
     stage *s = begin();
+    count = 0;
     s->config.overlay = (glint_painter){draw_lines, &count};
     CHECK_EQUAL(glint_init(&s->renderer, &s->config), GLINT_OK);
     CHECK_EQUAL(glint_render(&s->renderer, &s->scene), GLINT_OK);
@@ -299,6 +355,8 @@ int test_main(void (*write)(const char *text)) {
         TEST_CASE(what_is_missing_is_named),
         TEST_CASE(picking_looks_at_the_screen_alone),
         TEST_CASE(regions_are_asked_for),
+        TEST_CASE(bad_indices_are_told_in_every_arena),
+        TEST_CASE(hidden_objects_need_nothing),
         TEST_CASE(lines_are_drawn_on_tiles_of_a_frame),
         TEST_CASE(colours_of_lines_are_checked),
         TEST_CASE(edges_saturate),

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The panel driver against a bus that records: what is sent, no byte more, and what becomes of a bus that fails. */
 #include "harness.h"
+#include "panel/solomon.h"
 #include "panel/ssd0323.h"
 
 enum { RECORD_MAX = 16384, COMMAND = 0x100, FRAME_BYTES = 128 / 2 * 64 };
@@ -169,11 +170,84 @@ static void a_failing_bus_ends_the_frame(void) {
     a_frame_is_its_windows_and_its_pixels();
 }
 
+/* ---- Types of one's own -------------------------------------------------------------------------------------- */
+
+/* The same panel, with a glass of odd width, and a memory that ends with it or not. */
+static void odd_glasses_take_what_memory_has(void) {
+    static const uint8_t pixels[4] = {1, 2, 3, 4};
+    glint_panel_type type = glint_panel_ssd0323;
+    const glint_panel odd = {&type, &bus};
+
+    type.width = 127;
+    start_recording(0);
+    CHECK_EQUAL(glint_panel_begin(&odd, 120, 0, 7, 1, pixels, sizeof pixels), GLINT_OK);
+    CHECK_EQUAL(glint_panel_wait(&odd), GLINT_OK);
+    CHECK_EQUAL(record.count, 6 + 4);
+    type.memory_width = 127;
+    start_recording(0);
+    CHECK_EQUAL(glint_panel_begin(&odd, 120, 0, 7, 1, pixels, sizeof pixels), GLINT_ERROR_REGION);
+    CHECK_EQUAL(record.count, 0);
+    CHECK_EQUAL(glint_panel_begin(&odd, 120, 0, 6, 1, pixels, sizeof pixels), GLINT_OK);
+    CHECK_EQUAL(glint_panel_wait(&odd), GLINT_OK);
+}
+
+/* A glass whose colours lie the other way differs in one bit of what starts it. */
+static void colours_lie_as_the_glass_has_them(void) {
+    enum { RED_FIRST = 1 << 2 };
+    static uint16_t red_first[RECORD_MAX];
+    glint_panel_type type = glint_panel_ssd0323;
+    const glint_panel coloured = {&type, &bus};
+    unsigned count, different = 0;
+
+    type.family = &glint_panel_solomon_colour;
+    type.format = &glint_format_rgb565_be;
+    type.bits[0] = 16;
+    type.glass = 0;
+    start_recording(0);
+    CHECK_EQUAL(glint_panel_start(&coloured), GLINT_OK);
+    count = record.count;
+    for (unsigned i = 0; i < count; i++) {
+        red_first[i] = record.bytes[i];
+    }
+    type.glass = GLINT_PANEL_BGR;
+    start_recording(0);
+    CHECK_EQUAL(glint_panel_start(&coloured), GLINT_OK);
+    CHECK_EQUAL(record.count, count);
+    for (unsigned i = 0; i < count; i++) {
+        different += record.bytes[i] != red_first[i];
+        CHECK(record.bytes[i] == red_first[i] || (record.bytes[i] | RED_FIRST) == red_first[i]);
+    }
+    CHECK_EQUAL(different, 1);
+}
+
+/* Words are pixels of 16 bits; others are refused, whatever the bus can do. */
+static void words_have_16_bits(void) {
+    glint_bus with_words = bus;
+    glint_panel_type type = glint_panel_ssd0323;
+    const glint_panel wide = {&type, &with_words, GLINT_PANEL_0, &glint_format_rgb888, 1};
+    const glint_panel whole = {&type, &with_words, GLINT_PANEL_0, &glint_format_rgb565, 1};
+
+    with_words.begin_words = begin;
+    type.bits[0] = 16;
+    type.bits[1] = 24;
+    start_recording(0);
+    CHECK_EQUAL(glint_panel_start(&wide), GLINT_ERROR_FORMAT);
+    CHECK_EQUAL(record.count, 0);
+    CHECK_EQUAL(glint_panel_start(&whole), GLINT_OK);
+    CHECK(record.count > 0);
+}
+
 int test_main(void (*write)(const char *text)) {
     static const test_case cases[] = {
-        TEST_CASE(starts_with_reset_and_commands),        TEST_CASE(start_reports_a_dead_bus),
-        TEST_CASE(sends_window_and_pixels_only),          TEST_CASE(refuses_what_it_cannot_show),
-        TEST_CASE(a_frame_is_its_windows_and_its_pixels), TEST_CASE(a_failing_bus_ends_the_frame),
+        TEST_CASE(starts_with_reset_and_commands),
+        TEST_CASE(start_reports_a_dead_bus),
+        TEST_CASE(sends_window_and_pixels_only),
+        TEST_CASE(refuses_what_it_cannot_show),
+        TEST_CASE(a_frame_is_its_windows_and_its_pixels),
+        TEST_CASE(a_failing_bus_ends_the_frame),
+        TEST_CASE(odd_glasses_take_what_memory_has),
+        TEST_CASE(colours_lie_as_the_glass_has_them),
+        TEST_CASE(words_have_16_bits),
     };
 
     return test_run(write, cases, TEST_COUNT(cases));

@@ -53,6 +53,7 @@ static const kept_scene kept_scenes[] = {
      0}, /* near plane and guard band: a cone out of reach of a part of a cell */
     {6, 1, 78609u, 0xb497d956a5bc9b0bu, 0, 0, 0},  /* near plane and guard band: the same */
     {19, 0, 10435u, 0x4b662bb765500907u, 0, 0, 0}, /* large triangles at nodes: normals that nearly cancel in a cell */
+    {19, 0, 7059253u, 0x92f9c66981043262u, 0, 0, 0}, /* large triangles at nodes: middles of edges that do not fit */
     {20, 1, 5174693u, 0x22af849b9864b249u, 0, 0,
      0.51}, /* large triangles of any p at nodes: N.L within its rounding of 0 */
     {3, 1, 7038384u, 0xe92aedf7dfcca748u, 0, 0, 0}, /* opposed normals: all their turn is at one edge of a cell */

@@ -3,9 +3,11 @@
 
 COVERAGE := $(BUILD)/coverage
 
-# The library is built in these ways. All suites run on the first; on the others, those that go through most of it.
-COVERAGE_BUILDS := host small split divide zeros
-COVERAGE_OPTION_host := -O2
+# The library is built in these ways; `mixed` has pixels for size and all else for speed. All suites run on the first; on
+# the others, those that go through most of it.
+COVERAGE_BUILDS := host small split divide zeros mixed
+COVERAGE_OPTION_host  := -O2
+COVERAGE_OPTION_mixed := -O2 $$(if $$(filter src/pixel/%,$$<),-Os)
 $(foreach build,small split divide zeros,$(eval COVERAGE_OPTION_$(build) := -O2 $(call option_flags,$(build))))
 
 SUITE_domains    := $(DOMAINS_SOURCES)
@@ -17,7 +19,7 @@ COVERAGE_FUZZ    := fuzz_render fuzz_differential
 
 COVERAGE_SUITES_host  := $(TEST_SUITES) old limits stability_regions stability_kept domains threads
 COVERAGE_SUITES_panel := $(PANEL_SUITES) bus
-$(foreach build,small split divide zeros,$(eval COVERAGE_SUITES_$(build) := unit stability_regions stability_kept fill_rule lines nodes))
+$(foreach build,small split divide zeros mixed,$(eval COVERAGE_SUITES_$(build) := unit stability_regions stability_kept fill_rule lines nodes))
 
 # Names of panels' tests are clang's to judge, as where they run under the sanitisers.
 $(eval $(call test_objects,coverage/panel/tests,clang-19 -O2))
