@@ -6,7 +6,7 @@
 
 void *glint_take(glint_memory *memory, size_t size) {
     size_t start = GLINT_ALIGNED(memory->low);
-    if (start > memory->high || size > memory->high - start)
+    if (size > memory->high - start) /* high is aligned, and no less than low */
         return 0;
     memory->low = start + size;
     return memory->base + start;

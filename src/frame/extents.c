@@ -188,7 +188,7 @@ void glint_strip_begin(glint_strip *strip, const glint_frame *frame, uint32_t en
 int glint_is_in_strip(const glint_strip *strip, const glint_range *tiles) {
     const int32_t top = glint_most(tiles->top, strip->first_row),
                   bottom = glint_least(tiles->bottom - 1, strip->last_row);
-    if (top > bottom || tiles->left >= tiles->right)
+    if (top > bottom) /* where a range is empty, its rows are */
         return 0;
     const int starts = tiles->right > strip->first_column, ends = tiles->left <= strip->last_column;
     if (strip->first_row == strip->last_row)
@@ -201,7 +201,6 @@ int glint_extent_shows(const glint_frame *frame, const glint_strip *strip, uint3
     if (!frame->extents)
         return 1;
     const glint_extent *e = &frame->extents[index];
-    const glint_range tiles = {e->left, e->top, e->right == NO_END ? INT32_MAX : e->right,
-                               e->bottom == NO_END ? INT32_MAX : e->bottom};
+    const glint_range tiles = {e->left, e->top, e->right, e->bottom};
     return glint_is_in_strip(strip, &tiles);
 }

@@ -87,16 +87,15 @@ static int find_chroma(uint32_t lights, const uint16_t weight[][3], int32_t chro
     return 1;
 }
 
-/* The sum of all diffuse light that shows, Q12, in its largest channel; with ambient light, and with highlights. */
-static uint32_t find_total(const glint_frame *frame, const glint_shading *shading, int with_ambient,
-                           int with_specular) {
+/* The sum of all light that shows, Q12, in its largest channel; with ambient light or without. */
+static uint32_t find_total(const glint_frame *frame, const glint_shading *shading, int with_ambient) {
     uint32_t total = 0;
     for (int c = 0; c < 3; c++) {
         uint32_t sum = with_ambient ? shading->ambient[c] >> 11 : 0;
         for (uint32_t i = 0; i < frame->scene->light_count; i++)
             if (shading->lights >> i & 1)
                 sum += shading->weights[i].diffuse[c] +
-                       (with_specular && shading->has_specular >> i & 1 ? shading->weights[i].specular[c] : 0);
+                       (shading->has_specular >> i & 1 ? shading->weights[i].specular[c] : 0);
         total = sum > total ? sum : total;
     }
     return total;
@@ -119,7 +118,7 @@ static unsigned bits_of(uint32_t total) {
 
 /* Bits of the largest sum of channels, highlights included. Where surfaces have colours, these hold ambient light. */
 static unsigned find_sum_bits(const glint_frame *frame, const glint_shading *shading) {
-    return bits_of(find_total(frame, shading, has_surface(frame, shading->material), 1) << 3);
+    return bits_of(find_total(frame, shading, has_surface(frame, shading->material)) << 3);
 }
 
 /* Of many weak lights shares add up to more than channels do: a chroma of some of them keeps sums within these bits. */
@@ -263,8 +262,8 @@ static int has_placed_light(const glint_frame *frame, const glint_shading *shadi
 }
 
 static int find_light_terms(const glint_frame *frame, const glint_shading *shading, glint_light_terms *terms) {
-    const uint32_t total = find_total(frame, shading, 0, 1); /* ambient light has no error */
-    if (!is_wanted(frame, shading->material) || !fits(shading, find_total(frame, shading, 1, 1)) ||
+    const uint32_t total = find_total(frame, shading, 0); /* ambient light has no error */
+    if (!is_wanted(frame, shading->material) || !fits(shading, find_total(frame, shading, 1)) ||
         (frame->view->is_parallel && has_placed_light(frame, shading)))
         return 0;
     terms->pixel = (uint32_t)(((uint64_t)1 << 39) / (uint32_t)frame->view->focal);

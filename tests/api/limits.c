@@ -200,6 +200,10 @@ static void bad_indices_are_told_in_every_arena(void) {
     unsigned drawn = 0;
     stage *s = begin();
     begin_torus(s, numbers);
+    static glint_object objects[2];
+    objects[0] = objects[1] = s->object;
+    s->scene.objects = objects;
+    s->scene.object_count = 2;
     for (s->config.arena_size = 2048; s->config.arena_size < sizeof arena; s->config.arena_size += 512) {
         if (glint_init(&s->renderer, &s->config) != GLINT_OK)
             continue;
@@ -222,7 +226,7 @@ static void hidden_objects_need_nothing(void) {
     static uint16_t numbers[TORUS_TRIANGLES][3];
     stage *s = begin();
     glint_need alone, beside;
-    glint_object objects[2];
+    static glint_object objects[2];
     begin_torus(s, numbers);
     objects[0] = objects[1] = s->object;
     s->scene.objects = objects;

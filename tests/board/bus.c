@@ -228,11 +228,11 @@ static void words_have_16_bits(void) {
     const glint_panel whole = {&type, &with_words, GLINT_PANEL_0, &glint_format_rgb565, 1};
 
     with_words.begin_words = begin;
-    type.bits[0] = 16;
-    type.bits[1] = 24;
+    type.bits[0] = 24;
     start_recording(0);
     CHECK_EQUAL(glint_panel_start(&wide), GLINT_ERROR_FORMAT);
     CHECK_EQUAL(record.count, 0);
+    type.bits[0] = 16;
     CHECK_EQUAL(glint_panel_start(&whole), GLINT_OK);
     CHECK(record.count > 0);
 }

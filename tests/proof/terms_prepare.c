@@ -101,7 +101,7 @@ PROOF(set_mix) {
 /* Up to 8 lights, and ambient light, of up to 16 each. @unsigned @options -eva-slevel 200 */
 PROOF(find_total) {
     any_frame(16u << 12);
-    find_total(&frame, &shading, ANY(0, 1), ANY(0, 1));
+    find_total(&frame, &shading, ANY(0, 1));
 }
 
 /* Any sum. */
