@@ -12,11 +12,14 @@
 /* Half pixels, Q12, that the guard band is wide: a ray's z where w is that of all. */
 #define RAY_OF_W (2 * GLINT_GUARD_BAND * 4096)
 
+/* The farthest, which with a share of 2^-16 of another is 2^30 at most. */
+#define FARTHEST_RAY ((1 << 30) - (1 << 14))
+
 static int is_valid_view(const glint_camera *camera) {
     return camera->view_height >= LEAST_HEIGHT;
 }
 
-/* The guard band's width in units: from 2^20 to 2^54. */
+/* The guard band's width in units: from 2^19.99 to 2^54. */
 static int64_t find_same_w(const glint_config *config, const glint_camera *camera) {
     const int64_t height = config->height;
     return ((int64_t)camera->view_height * (GLINT_GUARD_BAND << 12) + height / 2) / height;
@@ -31,11 +34,11 @@ static int64_t far_of(const glint_depth_range *range) {
     return (int64_t)((uint64_t)range->far_high << 32 | range->far_low);
 }
 
-/* A distance in the units of rays, at most 2^30. */
+/* A distance in the units of rays. */
 static int32_t to_ray(const glint_view *view, int64_t distance) {
     const int64_t w = view->nearest;
     if (distance / 127 >= w)
-        return 1 << 30;
+        return FARTHEST_RAY;
     const unsigned bits = glint_bits64((uint64_t)distance), down = bits > 39 ? bits - 39 : 0;
     return (int32_t)((distance >> down) * RAY_OF_W / ((w >> down) + (w >> down == 0)));
 }
