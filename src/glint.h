@@ -732,6 +732,8 @@ glint_status glint_init(glint_renderer *renderer, const glint_config *config);
 /**
  * Draws a scene: every pixel of the screen, or of the region, goes through the flush callback once, tile by tile, left
  * to right and top to bottom. Errors in the scene are found before the first tile is sent.
+ * Callbacks must not call the library with the same renderer, nor with its arena: what is being drawn lies there, and
+ * nothing checks for it.
  * @param renderer what glint_init has set up
  * @param scene what to draw
  * @return GLINT_OK, or why the frame was not drawn or not finished

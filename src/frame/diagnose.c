@@ -96,11 +96,13 @@ static glint_status status_of(const glint_config *config, const glint_scene *sce
     return glint_arena_need(config, &part, &need);
 }
 
-/* Finds which part of a scene an error comes from. */
+/* Finds the first part of a scene that an error comes from; parts with other errors beside it are passed over. */
 static glint_status find_error(const glint_config *config, const glint_scene *scene, glint_status error,
                                glint_report *report) {
+    if (scene->object_count && !scene->objects)
+        return say(report, error, the_frame, "scene->objects is null");
     glint_status status = status_of(config, scene, 0, 0);
-    if (status != GLINT_OK)
+    if (status == error)
         return say(report, status, the_frame,
                    status == GLINT_ERROR_CAMERA ? name_of_camera(&scene->camera) : glint_strerror(status));
     if (scene->light_count > GLINT_LIGHTS_MAX)
@@ -109,16 +111,14 @@ static glint_status find_error(const glint_config *config, const glint_scene *sc
         return say(report, error, the_frame, "scene->lights is null");
     for (uint32_t i = 0; i < scene->light_count; i++) {
         status = status_of(config, scene, &scene->lights[i], 0);
-        if (status != GLINT_OK)
+        if (status == error)
             return say(report, status, (subject){-1, (int32_t)i},
                        status == GLINT_ERROR_NULL ? "a light's type is null: name one, such as &glint_light_directional"
                                                   : glint_strerror(status));
     }
-    if (scene->object_count && !scene->objects)
-        return say(report, error, the_frame, "scene->objects is null");
     for (uint32_t i = 0; i < scene->object_count; i++) {
         status = status_of(config, scene, 0, &scene->objects[i]);
-        if (status != GLINT_OK)
+        if (status == error)
             return say(report, status, (subject){(int32_t)i, -1},
                        status == GLINT_ERROR_NULL ? name_null_of_object(&scene->objects[i]) : glint_strerror(status));
     }

@@ -68,8 +68,12 @@ $(BUILD)/host/bus: tests/board/bus.c tests/harness.c tests/main.c tests/harness.
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iport -Itests $(filter %.c,$^) $(BUILD)/host/libglint.a -o $@
 
-test-panel-bus: $(BUILD)/host/bus ## what the panel driver sends, and what it does when the bus fails
-	@$<
+$(BUILD)/host/stm32_spi: tests/board/stm32_spi.c port/stm32/spi.c port/stm32/spi.h tests/harness.c tests/main.c tests/harness.h
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(HOST_CFLAGS) -Iport -Itests $(filter %.c,$^) -o $@
+
+test-panel-bus: $(BUILD)/host/bus $(BUILD)/host/stm32_spi ## what the panel driver sends, and what it does when the bus fails
+	$(call run_suites,$^)
 
 # ---- What the panels of boards without one in their emulator show, by a model of the panel
 

@@ -122,6 +122,14 @@ static void errors_have_a_place(void) {
     CASE(p.mesh.vertex_count = 9, GLINT_ERROR_INDEX, "vertex", 0, -1)
 }
 
+/* Of several errors the one that drawing returns. */
+static void errors_beside_others_are_passed_over(void) {
+    CASE(p.scene.lights[0].vector = ((glint_vector){0, 0, 0});
+         p.scene.objects[1].material = NULL, GLINT_ERROR_NULL, "material", 1, -1)
+    CASE(p.scene.scene.camera.near_plane = 0; p.scene.scene.objects = NULL, GLINT_ERROR_NULL, "scene->objects", -1, -1)
+    CASE(p.scene.objects[0].pose.m[1][1] = 0; p.scene.objects[1].mesh = NULL, GLINT_ERROR_NULL, "mesh", 1, -1)
+}
+
 static void missing_bytes_are_told(void) {
     static patient p;
     glint_need need;
@@ -183,9 +191,13 @@ static void numbers_that_look_like_integers_are_told(void) {
 
 int test_main(test_writer write) {
     static const test_case cases[] = {
-        TEST_CASE(sound_scenes_have_nothing),    TEST_CASE(errors_have_a_place),
-        TEST_CASE(missing_bytes_are_told),       TEST_CASE(empty_pictures_have_a_reason),
-        TEST_CASE(black_pictures_have_a_reason), TEST_CASE(numbers_that_look_like_integers_are_told),
+        TEST_CASE(sound_scenes_have_nothing),
+        TEST_CASE(errors_have_a_place),
+        TEST_CASE(errors_beside_others_are_passed_over),
+        TEST_CASE(missing_bytes_are_told),
+        TEST_CASE(empty_pictures_have_a_reason),
+        TEST_CASE(black_pictures_have_a_reason),
+        TEST_CASE(numbers_that_look_like_integers_are_told),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: MIT
+# Attacks on the library: extreme arguments between forbidden pages, arenas of every size, bits that flip.
+
+ATTACK_SEED  ?= 1
+ATTACK_CALLS ?= 1000000
+# Under the sanitisers each takes several times as long.
+ATTACK_CALLS_SANITIZED ?= 200000
+
+ATTACK_SCENES := $(addprefix tests/fuzz/,any_scene.c usual_scene.c layouts.c drawing.c) \
+    $(addprefix port/host/,cluster.c patch.c memory.c)
+ATTACK_SOURCES := $(addprefix tests/attack/,attack.c victim.c stage.c pages.c) $(ATTACK_SCENES)
+$(foreach variant,host sanitize,$(eval $(call test_program,$(BUILD)/tests/$(variant)/attack,$(variant),$(ATTACK_SOURCES))))
+ATTACK := $(BUILD)/tests/host/attack
+ATTACK_SANITIZED := $(BUILD)/tests/sanitize/attack
+
+# A report of a sanitiser tells in which call it is.
+attack test-attack: export ASAN_OPTIONS := abort_on_error=1
+attack test-attack: export UBSAN_OPTIONS := abort_on_error=1
+
+SUITES += test-attack
+.PHONY: attack test-attack
+test-attack: $(ATTACK) $(ATTACK_SANITIZED) ## extreme arguments, between pages that must not be touched
+	@$(ATTACK) 1 60000
+	@$(ATTACK_SANITIZED) 2 12000
+
+attack: $(ATTACK) $(ATTACK_SANITIZED) ## a million calls with extreme arguments; ATTACK_SEED chooses which
+	@$(ATTACK) $(ATTACK_SEED) $(ATTACK_CALLS)
+	@$(ATTACK_SANITIZED) $(ATTACK_SEED) $(ATTACK_CALLS_SANITIZED)
