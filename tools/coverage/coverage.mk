@@ -10,16 +10,17 @@ COVERAGE_OPTION_host  := -O2
 COVERAGE_OPTION_mixed := -O2 $$(if $$(filter src/pixel/%,$$<),-Os)
 $(foreach build,small split divide zeros,$(eval COVERAGE_OPTION_$(build) := -O2 $(call option_flags,$(build))))
 
-SUITE_domains    := $(DOMAINS_SOURCES)
 SUITE_threads    := tests/threads/threads.c $(THREADS_SHARED)
 SUITE_bus        := tests/board/bus.c $(TEST_HARNESS)
 $(foreach suite,$(PANEL_SUITES),$(eval SUITE_$(suite) := tests/panel/$(suite).c $(filter-out $(PANEL_DRIVERS),$(PANEL_SHARED))))
 $(foreach target,render differential,$(eval SUITE_fuzz_$(target) := tests/fuzz/fuzz_$(target).c $(FUZZ_SOURCES_fuzz_$(target))))
 COVERAGE_FUZZ    := fuzz_render fuzz_differential
 
-COVERAGE_SUITES_host  := $(TEST_SUITES) old limits stability_regions stability_kept domains threads
+COVERAGE_SUITES_host  := $(TEST_SUITES) old limits stability_regions stability_kept threads
 COVERAGE_SUITES_panel := $(PANEL_SUITES) bus
 $(foreach build,small split divide zeros mixed,$(eval COVERAGE_SUITES_$(build) := unit stability_regions stability_kept fill_rule lines nodes))
+# Tests that look into the library know its rows whole.
+COVERAGE_SUITES_split := unit nodes
 
 # Names of panels' tests are clang's to judge, as where they run under the sanitisers.
 $(eval $(call test_objects,coverage/panel/tests,clang-19 -O2))
