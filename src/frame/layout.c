@@ -62,10 +62,13 @@ static glint_light_triangle *light_of(const glint_frame *frame, const glint_draw
 static void light_fetched(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
                           uint32_t triangle) {
     const glint_layout *layout = frame->scene->objects[draw->object].mesh->layout;
+    const uint16_t *const corners = draw->triangles[triangle];
     int16_t fetched[3][3];
     for (int corner = 0; corner < 3; corner++) {
-        glint_vertex *vertex = &draw->vertices[draw->triangles[triangle][corner]];
-        if (vertex->flags & ~GLINT_VERTEX_CLIP)
+        glint_vertex *vertex = &draw->vertices[corners[corner]];
+        const int is_fetched =
+            (corner > 0 && corners[corner] == corners[0]) || (corner > 1 && corners[2] == corners[1]);
+        if (vertex->flags & ~GLINT_VERTEX_CLIP || is_fetched)
             continue;
         const uint32_t index = (uint16_t)vertex->attribute[0];
         glint_fetch(&layout->normals, index, 1, &fetched[corner]);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Every public function with extreme, null and random arguments: attack SEED CALLS.
+ * Every public function with extreme, null and random arguments: attack SEED CALLS [ROUND], the round to begin with.
  *
  * What a caller hands in lies between pages that must not be touched, scenes in pages that cannot be written. A call
  * must end in a documented error or in a complete frame; what it fills in stays as it was on an error; and the next
@@ -101,11 +101,12 @@ static int are_all_seen(void) {
 int main(int argc, char **argv) {
     static attack_stage stage;
     static victim v;
-    if (argc != 3) {
-        fputs("attack SEED CALLS\n", stderr);
+    if (argc != 3 && argc != 4) {
+        fputs("attack SEED CALLS [ROUND]\n", stderr);
         return 2;
     }
     place.seed = (uint32_t)strtoul(argv[1], NULL, 10);
+    place.round = argc == 4 ? (uint32_t)strtoul(argv[3], NULL, 10) : 0;
     const uint32_t wanted = (uint32_t)strtoul(argv[2], NULL, 10);
     const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGABRT, SIGILL};
     for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
