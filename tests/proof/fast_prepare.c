@@ -165,7 +165,7 @@ PROOF(glint_fast_pixel) {
 
 /*
  * Any material, in an arena of the bytes that the largest tables take and no more; with too little room too.
- * @unreached 9 a refusal of glint_take, which is asked for no more than there is, a table without nodes, and words that
+ * @unreached 6 a refusal of glint_take, which is asked for no more than there is, a table without nodes, and words that
  * a sum by fours leaves
  * @narrowing levels change modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 4 -eva-auto-loop-unroll 16

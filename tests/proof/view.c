@@ -192,7 +192,6 @@ PROOF(glint_check_scene) {
     scene->object_count = ANY_UNSIGNED(0, 2);
     glint_config config;
     config.skips_degenerate = (uint8_t)ANY(0, 1);
-    glint_check_scene(&config, 0);
     glint_check_scene(&config, scene);
 }
 
