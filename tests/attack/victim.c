@@ -99,6 +99,11 @@ static int are_all(const void *bytes, size_t size, uint8_t what) {
     return 1;
 }
 
+/* Padding included: what is not to be written is neither. */
+static int are_same(const void *a, const void *b, size_t size) {
+    return memcmp(a, b, size) == 0;
+}
+
 /* An answer is as it was on an error. */
 static void judge_answer(const victim *v, int status) {
     attack_ended(status);
@@ -584,7 +589,7 @@ static void attack_generators(victim *v, attack_stage *stage, source *s) {
     } else {
         before.vertex_count = mesh.vertex_count;
         before.triangle_count = mesh.triangle_count;
-        attack_require(memcmp(&before, &mesh, sizeof mesh) == 0, "the rest of a mesh as it was");
+        attack_require(are_same(&before, &mesh, sizeof mesh), "the rest of a mesh as it was");
     }
     restore_config(v);
 }
@@ -596,7 +601,7 @@ static void attack_arithmetic(victim *v, attack_stage *stage, source *s) {
     (void)v;
     const glint_status status = glint_camera_look_at(one_in(s, 64) ? NULL : &camera, a, b, c);
     attack_ended(status);
-    attack_require(status == GLINT_OK || memcmp(&camera, &before, sizeof camera) == 0, "a camera as it was");
+    attack_require(status == GLINT_OK || are_same(&camera, &before, sizeof camera), "a camera as it was");
     glint_camera_orbit(&camera, a, b.x, b.y, b.z);
     glint_pose pose = glint_pose_rotate(a, b.x);
     pose = glint_pose_then(&pose, some);
