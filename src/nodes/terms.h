@@ -138,7 +138,7 @@ typedef struct glint_region {
     uint32_t error_between;             /* what is more where nodes between corners are found from these */
 } glint_region;
 
-/** sqrt(square), Q24 to Q12. */
+/** sqrt(square), Q24 to Q12, to 2^-12 of it and a step. */
 uint32_t glint_root_above(uint32_t square);
 
 /** |a - b|^2 of unit vectors, Q26, below 2^29. */
@@ -155,7 +155,7 @@ static inline uint32_t glint_hypotenuse(uint32_t a, uint32_t b) {
     return ((flat > steep ? flat : steep) >> 6) + 1;
 }
 
-/** A triangle's longest edge, 28.4. */
+/** A triangle's longest edge, 28.4, to 2^-12 of it and a step. */
 uint32_t glint_find_longest(const glint_vertex *const corners[3]);
 
 /** Sets `reach` and `slant` of a region so long, 28.4, with this range of 1/w. @param pixel of the terms */

@@ -3,6 +3,7 @@
 #include "raster/setup.h"
 #include "harness.h"
 #include "math/division.h"
+#include "nodes/terms.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -130,7 +131,7 @@ static double worst_plane(const drawn *d, const glint_plane *plane, double least
 }
 
 static void report(const char *name, double worst, double allowed) {
-    test_write("  planes of ");
+    test_write("  ");
     test_write(name);
     test_write(": ");
     test_write_number((int64_t)(worst / allowed * 1000));
@@ -151,9 +152,9 @@ static void planes(void) {
         else
             worst_wide = fmax(worst_wide, worst_plane(&d, &d.part.depth, 1 << 26));
     }
-    report("narrow triangles", worst_narrow, 0x1p-12);
-    report("those below 1/32 of a pixel", worst_tiny, 0x1p-10);
-    report("wide triangles", worst_wide, 0x1p-7);
+    report("planes of narrow triangles", worst_narrow, 0x1p-12);
+    report("planes of those below 1/32 of a pixel", worst_tiny, 0x1p-10);
+    report("planes of wide triangles", worst_wide, 0x1p-7);
 }
 
 /* Depths at a corner that is the frame's nearest, on a pixel's centre: rounded up they still have 31 bits. */
@@ -179,12 +180,32 @@ static void depth_at_the_nearest_corner(void) {
     CHECK_EQUAL(above, 0);
 }
 
+/* The longest edge, whichever it is, to 2^-12 of it and a step. */
+static void longest_edges(void) {
+    double worst = 0;
+    for (int i = 0; i < 300000; i++) {
+        const int32_t limit = 1 << (i % 15 + 1);
+        glint_vertex v[3] = {{0}};
+        for (int j = 0; j < 3; j++) {
+            v[j].x = (int16_t)random_below(limit);
+            v[j].y = (int16_t)random_below(limit);
+        }
+        const glint_vertex *const corners[3] = {&v[0], &v[1], &v[2]};
+        double longest = 0;
+        for (int j = 0; j < 3; j++)
+            longest = fmax(longest, hypot(v[j].x - v[(j + 1) % 3].x, v[j].y - v[(j + 1) % 3].y));
+        worst = fmax(worst, fabs(glint_find_longest(corners) - longest) / (longest / 4096 + 1));
+    }
+    report("longest edges", worst, 1);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(reciprocals_of_16_bits),
         TEST_CASE(crossings_of_all_short_edges),
         TEST_CASE(planes),
         TEST_CASE(depth_at_the_nearest_corner),
+        TEST_CASE(longest_edges),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }
