@@ -88,7 +88,9 @@ class Window:
         self.measure()
 
     def measure(self):
-        found = dict(line.split("=") for line in self.screen.xdotool("getwindowgeometry", "--shell", self.id).split())
+        """The window's place, once the server tells it: a window that is just being shown may have none."""
+        found = dict(line.split("=") for line in
+                     until(lambda: self.screen.xdotool("getwindowgeometry", "--shell", self.id).split()))
         self.x, self.y, self.width, self.height = (int(found[name]) for name in ("X", "Y", "WIDTH", "HEIGHT"))
 
     def close(self):
