@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "victim.h"
 
+#include "every_format.h"
+
 #include <string.h>
 
 #define ARENA_MOST (192u << 10)
@@ -26,7 +28,7 @@ static uint32_t add_bytes(uint32_t sum, const uint8_t *bytes, size_t count) {
 
 static void add_tile(victim_screen *to, const glint_format *format, int width, int height, const uint8_t *pixels,
                      size_t stride) {
-    const int is_paged = format == &glint_format_mono_pages || format == &glint_format_mono_pages_dithered;
+    const int is_paged = format_is_paged(format);
     const size_t row_bytes = is_paged ? (size_t)width : glint_row_bytes(format, (uint32_t)width);
     for (int row = 0; row < height; row += is_paged ? 8 : 1)
         to->sum = add_bytes(to->sum, pixels + (size_t)row * stride, row_bytes);
@@ -145,26 +147,6 @@ void victim_open(victim *v) {
              need.one_pass > ARENA_MOST / 4);
 }
 
-static const glint_format *take_format(source *s) {
-    static const glint_format *const formats[16] = {&glint_format_rgb565,
-                                                    &glint_format_rgb565_be,
-                                                    &glint_format_rgb888,
-                                                    &glint_format_grey8,
-                                                    &glint_format_grey4,
-                                                    &glint_format_rgb444,
-                                                    &glint_format_mono,
-                                                    &glint_format_mono_pages,
-                                                    &glint_format_rgb565_dithered,
-                                                    &glint_format_rgb565_be_dithered,
-                                                    &glint_format_rgb888_dithered,
-                                                    &glint_format_grey8_dithered,
-                                                    &glint_format_grey4_dithered,
-                                                    &glint_format_rgb444_dithered,
-                                                    &glint_format_mono_dithered,
-                                                    &glint_format_mono_pages_dithered};
-    return formats[below(s, 16)];
-}
-
 /* Tables of output, which are not written either. */
 static const uint16_t (*take_gamma(source *s))[GLINT_GAMMA_ENTRIES] {
     return one_in(s, 8) ? glint_gamma_srgb : NULL;
@@ -177,7 +159,7 @@ void victim_begin(victim *v, source *s) {
                              .height = (uint16_t)(1 + below(s, 48)),
                              .tile_width = tiles[below(s, 5)],
                              .tile_height = tiles[below(s, 5)],
-                             .format = take_format(s),
+                             .format = every_format[below(s, 16)],
                              .flush = {begin, below(s, 2) ? wait : NULL, v},
                              .gamma = take_gamma(s),
                              .keeps_arena = (uint8_t)below(s, 2),

@@ -6,6 +6,7 @@
  * its arena or one that sends changes alone give another image.
  */
 #include "drawing.h"
+#include "every_format.h"
 
 #include <string.h>
 
@@ -24,10 +25,6 @@ typedef struct screen {
     int sending;
 } screen;
 
-static int is_paged(const glint_format *format) {
-    return format == &glint_format_mono_pages || format == &glint_format_mono_pages_dithered;
-}
-
 /* A row of a tile out of its page: kept as the other format of 1 bit is. */
 static void put_paged_row(screen *to, int x, int y, int width, const uint8_t *page) {
     uint8_t *row = to->bytes + (size_t)y * glint_row_bytes(to->config->format, to->config->width);
@@ -45,7 +42,7 @@ static int begin(void *context, int x, int y, int width, int height, const void 
     require(!to->sending && x >= 0 && y >= 0 && width > 0 && height > 0);
     require(x + width <= to->config->width && y + height <= to->config->height);
     for (int row = 0; row < height; row++) {
-        if (is_paged(to->config->format))
+        if (format_is_paged(to->config->format))
             put_paged_row(to, x, y + row, width, (const uint8_t *)pixels + (size_t)(row & -8) * stride);
         else
             memcpy(to->bytes + (size_t)(y + row) * row_bytes + left, (const uint8_t *)pixels + (size_t)row * stride,
@@ -93,23 +90,6 @@ static void close_screen(screen *to) {
 
 /* ---- Configuration ------------------------------------------------------------------------------------------- */
 
-static const glint_format *const formats[] = {&glint_format_rgb565,
-                                              &glint_format_rgb565_be,
-                                              &glint_format_rgb888,
-                                              &glint_format_grey8,
-                                              &glint_format_grey4,
-                                              &glint_format_rgb444,
-                                              &glint_format_mono,
-                                              &glint_format_mono_pages,
-                                              &glint_format_rgb565_dithered,
-                                              &glint_format_rgb565_be_dithered,
-                                              &glint_format_rgb888_dithered,
-                                              &glint_format_grey8_dithered,
-                                              &glint_format_grey4_dithered,
-                                              &glint_format_rgb444_dithered,
-                                              &glint_format_mono_dithered,
-                                              &glint_format_mono_pages_dithered};
-
 /* Null, or tables of any values, of exactly their size. */
 static const uint16_t (*take_gamma(source *s, uint32_t odds))[GLINT_GAMMA_ENTRIES] {
     uint16_t(*tables)[GLINT_GAMMA_ENTRIES];
@@ -132,7 +112,7 @@ static void take_any_config(source *s, glint_config *config) {
     config->tile_width = tiles[below(s, 16)];
     config->tile_height = tiles[below(s, 16)];
     const uint32_t choice = below(s, 32);
-    config->format = formats[choice % 16];
+    config->format = every_format[choice % 16];
     config->skips_degenerate = (uint8_t)(choice / 16);
     config->gamma = take_gamma(s, 4);
 }
@@ -144,7 +124,7 @@ static void take_usual_config(source *s, glint_config *config) {
     config->height = (uint16_t)(8 + below(s, 56));
     config->tile_width = tiles[below(s, 5)];
     config->tile_height = tiles[below(s, 5)];
-    config->format = formats[below(s, 2) ? below(s, 16) : below(s, 2)];
+    config->format = every_format[below(s, 2) ? below(s, 16) : below(s, 2)];
     config->gamma = take_gamma(s, 16);
     config->counts_drawn = (uint8_t)below(s, 2);
 }

@@ -350,6 +350,44 @@ static void every_evaluation_is_the_same(void) {
     close_frames();
 }
 
+/* Before each triangle two of a line, which name a vertex twice. */
+static void add_lines(glint_mesh *mesh, uint16_t (*triangles)[3]) {
+    CHECK_AT_MOST(3 * mesh->triangle_count, TRIANGLES_MAX);
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        const uint16_t *const corners = mesh->triangles[i];
+        const uint16_t lines[3][3] = {{corners[0], corners[0], corners[1]},
+                                      {corners[2], corners[1], corners[2]},
+                                      {corners[0], corners[1], corners[2]}};
+        memcpy(triangles[3 * i], lines, sizeof lines);
+    }
+    mesh->triangles = (const uint16_t(*)[3])triangles;
+    mesh->triangle_count *= 3;
+    mesh->clusters = NULL;
+}
+
+/* Lines are lit where they are clipped: vertices that a triangle names twice keep their own normals. */
+static void lines_change_no_normal(void) {
+    static const glint_evaluation *const evaluations[] = {&glint_per_node, &glint_per_fragment, &glint_per_vertex,
+                                                          &glint_per_facet};
+    static uint16_t triangles[SCENE_OBJECTS_MAX][TRIANGLES_MAX][3];
+    static glint_mesh meshes[SCENE_OBJECTS_MAX];
+    open_frames();
+    for (unsigned v = 0; v < TEST_COUNT(variants); v++) {
+        for (unsigned i = 0; i < TEST_COUNT(evaluations); i++) {
+            static test_scene scene;
+            scene_build_named(&scene, "near plane, double-sided");
+            set_evaluation(&scene, evaluations[i]);
+            for (uint32_t j = 0; j < scene.scene.object_count; j++) {
+                meshes[j] = *scene.objects[j].mesh;
+                add_lines(&meshes[j], triangles[j]);
+                scene.objects[j].mesh = &meshes[j];
+            }
+            compare_all(&scene, "lines at the near plane", &variants[v]);
+        }
+    }
+    close_frames();
+}
+
 /* What is picked. */
 static void picks_are_the_same(void) {
     static test_scene scene;
@@ -580,6 +618,7 @@ int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(every_scene_is_the_same),
         TEST_CASE(every_evaluation_is_the_same),
+        TEST_CASE(lines_change_no_normal),
         TEST_CASE(picks_are_the_same),
         TEST_CASE(edges_are_the_same),
         TEST_CASE(keeps_the_contract),

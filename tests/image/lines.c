@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Lines: which pixels they have, how deep they lie, and that neither tile nor arena, region or format changes that. */
+#include "every_format.h"
 #include "harness.h"
 #include "library_geometry.h"
 #include "picture.h"
@@ -360,23 +361,6 @@ static void directions_and_copies_change_nothing(void) {
     }
 }
 
-static const glint_format *const formats[16] = {&glint_format_rgb565,
-                                                &glint_format_rgb565_be,
-                                                &glint_format_rgb888,
-                                                &glint_format_grey8,
-                                                &glint_format_grey4,
-                                                &glint_format_rgb444,
-                                                &glint_format_mono,
-                                                &glint_format_mono_pages,
-                                                &glint_format_rgb565_dithered,
-                                                &glint_format_rgb565_be_dithered,
-                                                &glint_format_rgb888_dithered,
-                                                &glint_format_grey8_dithered,
-                                                &glint_format_grey4_dithered,
-                                                &glint_format_rgb444_dithered,
-                                                &glint_format_mono_dithered,
-                                                &glint_format_mono_pages_dithered};
-
 /* Does a picture show, where lines are, what a screen of their colour shows, and elsewhere what there is without? */
 static void check_format(const glint_format *format, uint32_t number) {
     const drawing how = {.format = format};
@@ -407,17 +391,17 @@ static void check_format(const glint_format *format, uint32_t number) {
 }
 
 static void every_format_shows_their_colour(void) {
-    for (uint32_t i = 0; i < TEST_COUNT(formats); i++)
-        check_format(formats[i], i + 1);
+    for (uint32_t i = 0; i < TEST_COUNT(every_format); i++)
+        check_format(every_format[i], i + 1);
 }
 
 static void tiles_arenas_and_regions_change_nothing(void) {
     static const uint16_t sizes[] = {8, 16, 32, 64};
     for (uint32_t number = 1; number <= 6; number++)
-        for (uint32_t f = 0; f < TEST_COUNT(formats); f += 3) {
-            picture whole = open_picture(formats[f]), other = open_picture(formats[f]);
+        for (uint32_t f = 0; f < TEST_COUNT(every_format); f += 3) {
+            picture whole = open_picture(every_format[f]), other = open_picture(every_format[f]);
             const glint_rectangle parts[4] = {{0, 0, 56, 40}, {56, 0, 94, 40}, {0, 40, 56, 61}, {56, 40, 94, 61}};
-            drawing how = {.format = formats[f]};
+            drawing how = {.format = every_format[f]};
             build(&scene, number);
             place(&scene);
             over.segments = scene.segments;

@@ -3,6 +3,7 @@
  * Suite: a region holds the pixels that the whole frame has there, and nothing else is sent; painters of background and
  * overlay see each pixel once, and where objects show; what they report as failed ends the frame.
  */
+#include "every_format.h"
 #include "glint.h"
 #include "harness.h"
 #include "picture.h"
@@ -27,15 +28,11 @@ typedef struct display {
     uint32_t calls;
 } display;
 
-static int is_paged(const glint_format *format) {
-    return format == &glint_format_mono_pages || format == &glint_format_mono_pages_dithered;
-}
-
 /* The bits of a pixel, x and y from a byte's first on. */
 static uint32_t bits_at(const glint_format *format, const void *pixels, size_t stride, int x, int y) {
     const uint8_t *const bytes = pixels;
     const uint8_t *const row = bytes + (size_t)y * stride;
-    if (is_paged(format))
+    if (format_is_paged(format))
         return bytes[(size_t)x + (size_t)(y / 8 * 8) * stride] >> (y & 7) & 1;
     switch (glint_row_bytes(format, 8)) {
     case 1:
@@ -130,8 +127,8 @@ static int any(int least, int most) {
 /* Steps of a region's edges. */
 static void steps_of(const glint_format *format, int *step_x, int *step_y) {
     const size_t bits = glint_row_bytes(format, 8);
-    *step_x = is_paged(format) ? 1 : bits == 1 ? 8 : bits % 8 ? 2 : 1;
-    *step_y = is_paged(format) ? 8 : 1;
+    *step_x = format_is_paged(format) ? 1 : bits == 1 ? 8 : bits % 8 ? 2 : 1;
+    *step_y = format_is_paged(format) ? 8 : 1;
 }
 
 /* From one edge to another, or to the screen's. */
