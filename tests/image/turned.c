@@ -189,7 +189,7 @@ static void sizes_need_the_same(void) {
         const glint_object object = {.mesh = &mesh, .material = &paint, .pose = glint_pose_translate(size / 2, 0, 0)};
         const glint_scene scene = {.camera = {.pose = glint_pose_translate(0, 0, 3 * size + size / 2),
                                               .field_of_view = 50 * GLINT_ONE,
-                                              .near_plane = size / 8},
+                                              .near_plane = size},
                                    .objects = &object,
                                    .object_count = 1};
         glint_need bound = {0};
