@@ -693,6 +693,14 @@ typedef struct glint_frame {
     glint_stats stats; /**< So far. */
 } glint_frame;
 
+/** Bytes of the arena that a pass leaves free, for what one of its tiles finds and others take up. */
+typedef struct glint_spare {
+    /** @privatesection */
+    void *memory; /* aligned as the arena; null where there are none */
+    uint32_t size;
+    uint32_t is_begun; /* not 0: something of this pass is there */
+} glint_spare;
+
 /** What drawing one tile needs. */
 typedef struct glint_workspace {
     void *pixels;  /**< The finished tile. */
@@ -701,6 +709,7 @@ typedef struct glint_workspace {
     uint16_t *depth;
     int32_t (*row)[3];               /* colours of two rows of a tile; of use as long as nothing is gathered */
     struct glint_gathered *gathered; /* in the same place: a triangle's fragments */
+    glint_spare spare;
     /** @publicsection */
     glint_drawn *drawn; /**< Null, or GLINT_KERNELS counters of the caller's, added to. */
 } glint_workspace;

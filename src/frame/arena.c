@@ -24,6 +24,12 @@ uint32_t glint_sum(const void *memory, size_t size) {
     return sum;
 }
 
+glint_spare glint_find_spare(const glint_frame *frame) {
+    uint8_t *const low = glint_align(frame->references + frame->reference_count), *const high =
+                                                                                      (uint8_t *)frame->clipped;
+    return (glint_spare){low, low < high ? (uint32_t)(high - low) : 0, 0};
+}
+
 void glint_count_arena(glint_frame *frame) {
     const uint8_t *base = frame->memory.base;
     const uint8_t *low = (const uint8_t *)(frame->references + frame->reference_count);

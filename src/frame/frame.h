@@ -61,6 +61,9 @@ glint_status glint_bin(glint_frame *frame, int *complete);
 /** Brings stats.arena_used up to date after binning. */
 void glint_count_arena(glint_frame *frame);
 
+/** What a pass leaves free of the arena. */
+glint_spare glint_find_spare(const glint_frame *frame);
+
 /**
  * Where the last object's transform waits from when the view is prepared until vertices are loaded: at the arena's high
  * end, which none of that takes. Those of objects before it wait below, as long as nothing takes their place.

@@ -31,6 +31,7 @@ void glint_workspace_init(glint_workspace *workspace, const glint_config *config
     void *const last = (uint8_t *)workspace->pixels + workspace->stride * height;
     workspace->row = last;
     workspace->gathered = last;
+    workspace->spare = (glint_spare){0, 0, 0};
     workspace->drawn = 0;
 }
 
@@ -205,7 +206,8 @@ static GLINT_NOINLINE void draw_triangles(const glint_frame *frame, glint_worksp
         hide_objects(frame, workspace, &part, list);
     for (uint32_t here = list->next; here != GLINT_LIST_END;) {
         const glint_reference *const reference = &references[here];
-        find_triangle(frame, &from, reference->triangle, &triangle);
+        triangle.number = reference->triangle;
+        find_triangle(frame, &from, triangle.number, &triangle);
         here = reference->next;
         if (!glint_raster(&part, triangle.corners))
             continue;

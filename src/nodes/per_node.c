@@ -2,6 +2,7 @@
 /* Lighting at nodes: a triangle by polynomials through its own, by those of the lattice's cells, or by fragments. */
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
+#include "found.h"
 #include "rows.h"
 #include "shapes.h"
 
@@ -31,25 +32,44 @@ void glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace,
     }
 }
 
+/* What polynomials a triangle has, found here unless another tile did. @param own room for it */
+static const glint_found *find_terms(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                                     const glint_triangle *triangle, const glint_part *part, glint_found *own) {
+    const uint32_t key = glint_found_key(triangle, 0);
+    const glint_found *const before = glint_was_drawn(triangle, &part->window) ? glint_found_find(workspace, key) : 0;
+    if (before)
+        return before;
+    glint_found *const kept = glint_goes_on(triangle, &part->window) ? glint_found_begin(workspace) : 0;
+    glint_found *const found = kept ? kept : own;
+    found->key = key;
+    found->fits = (uint32_t)glint_terms_begin(frame, draw, triangle, part, &found->terms, &found->polynomials);
+    if (!found->fits)
+        found->reach = glint_find_reach(frame, draw, triangle);
+    if (kept)
+        glint_found_keep(workspace, kept);
+    return found;
+}
+
 /*
  * Draws a triangle by polynomials through its own nodes; what that takes of stack is not there while it is drawn in
- * other ways. @return 0 where they are not close enough
+ * other ways. @return 0 where they are not close enough: then sets its reach
  */
 static GLINT_NOINLINE int draw_terms(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                                     const glint_triangle *triangle, const glint_part *part) {
-    glint_terms terms;
-    glint_polynomials polynomials;
-    if (!glint_terms_begin(frame, draw, triangle, part, &terms, &polynomials))
+                                     const glint_triangle *triangle, const glint_part *part, glint_reach *reach) {
+    glint_found own;
+    const glint_found *const found = find_terms(frame, workspace, draw, triangle, part, &own);
+    if (!found->fits) {
+        *reach = found->reach;
         return 0;
-    glint_terms_draw_part(frame, workspace, draw, triangle, part, &terms, &polynomials);
+    }
+    glint_terms_draw_part(frame, workspace, draw, triangle, part, &found->terms, &found->polynomials);
     glint_count(workspace, GLINT_KERNEL_CHANNELS, workspace->drawn ? glint_covered_by(part) : 0);
     return 1;
 }
 
 /* Draws a triangle that has no polynomials of its own, but for lights that do not shine on it. */
 static GLINT_NOINLINE void draw_in_parts(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                                         const glint_triangle *triangle, const glint_part *part) {
-    const glint_reach reach = glint_find_reach(frame, draw, triangle);
+                                         const glint_triangle *triangle, const glint_part *part, glint_reach reach) {
     glint_triangle lit = *triangle;
     lit.away = reach.away;
     if (!glint_draw_lattice(frame, workspace, draw, &lit, reach.lobes, part) &&
@@ -59,12 +79,13 @@ static GLINT_NOINLINE void draw_in_parts(const glint_frame *frame, glint_workspa
 
 static void draw_nodes(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                        const glint_triangle *triangle, const glint_part *part) {
+    glint_reach reach;
     if (!draw->shading->terms || triangle->area < GLINT_NODES_LEAST_AREA || glint_is_deep(triangle))
         glint_draw_any(frame, workspace, draw, triangle, part);
     else if (!glint_is_visible(frame, workspace, part)) /* then no node is lit */
         glint_count(workspace, GLINT_KERNEL_CHANNELS, workspace->drawn ? glint_covered_by(part) : 0);
-    else if (!draw_terms(frame, workspace, draw, triangle, part))
-        draw_in_parts(frame, workspace, draw, triangle, part);
+    else if (!draw_terms(frame, workspace, draw, triangle, part, &reach))
+        draw_in_parts(frame, workspace, draw, triangle, part, reach);
 }
 
 static const glint_node_stage stage = {glint_terms_prepare, glint_terms_measure, sizeof(glint_light_terms)};

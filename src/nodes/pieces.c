@@ -4,6 +4,7 @@
  * on its edges shared with its neighbours.
  */
 #include "../light/evaluation.h"
+#include "found.h"
 #include "shapes.h"
 
 /* Twice the area, 28.4 squared, times the lights, below which pieces take more than fragments: measured, of 400 pixels.
@@ -167,17 +168,33 @@ static void cut_spans(const glint_part *part, glint_span spans[4][GLINT_TILE_MAX
 
 /* ---- Triangles ---- */
 
-/* Draws the piece that a part holds. */
-static void draw_piece(pieces *p, glint_workspace *workspace, const glint_shape *shape, const glint_part *part) {
-    glint_polynomials polynomials;
+/* What polynomials a piece has, found here unless another tile did. @param own room for it */
+static const glint_found *find_piece(pieces *p, glint_workspace *workspace, const glint_shape *shape, uint32_t key,
+                                     const glint_window *window, glint_found *own) {
     glint_node *nodes[6];
-    glint_terms terms;
+    const glint_found *const before = glint_was_drawn(p->triangle, window) ? glint_found_find(workspace, key) : 0;
+    if (before)
+        return before;
     light_piece(p, shape, nodes);
-    if (!glint_shape_begin(p->frame, p->draw, shape, nodes, &terms, &polynomials)) {
+    glint_found *const kept = glint_goes_on(p->triangle, window) ? glint_found_begin(workspace) : 0;
+    glint_found *const found = kept ? kept : own;
+    found->key = key;
+    found->fits = (uint32_t)glint_shape_begin(p->frame, p->draw, shape, nodes, &found->terms, &found->polynomials);
+    if (kept)
+        glint_found_keep(workspace, kept);
+    return found;
+}
+
+/* Draws the piece that a part holds. */
+static void draw_piece(pieces *p, glint_workspace *workspace, const glint_shape *shape, uint32_t key,
+                       const glint_part *part) {
+    glint_found own;
+    const glint_found *const found = find_piece(p, workspace, shape, key, &part->window, &own);
+    if (!found->fits) {
         glint_draw_any(p->frame, workspace, p->draw, p->triangle, part);
         return;
     }
-    glint_terms_draw_part(p->frame, workspace, p->draw, p->triangle, part, &terms, &polynomials);
+    glint_terms_draw_part(p->frame, workspace, p->draw, p->triangle, part, &found->terms, &found->polynomials);
     glint_count(workspace, GLINT_KERNEL_CHANNELS, workspace->drawn ? glint_covered_by(part) : 0);
 }
 
@@ -216,7 +233,7 @@ int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, cons
         shape.turned = kinds[i][0];
         shape.first[0] = kinds[i][1];
         shape.first[1] = kinds[i][2];
-        draw_piece(&p, workspace, &shape, &cut);
+        draw_piece(&p, workspace, &shape, glint_found_key(triangle, 1 + (uint32_t)i), &cut);
     }
     return 1;
 }

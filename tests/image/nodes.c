@@ -326,7 +326,33 @@ static void slow_motion(void) {
     CHECK(changed > 100);
 }
 
+/* ---- What tiles hand on --------------------------------------------------------------------------------------- */
+
+/* With little and with much of the arena left free, so that what one tile has found is there for the next, or gone. */
+static void handed_on_or_found_anew(void) {
+    enum { STEPS = 24, STEP = 3001 };
+    for (unsigned k = 0; k < TEST_COUNT(kinds); k++) {
+        test_scene scene;
+        glint_stats stats;
+        picture wanted = picture_open(WIDTH, HEIGHT, &glint_format_rgb888), got;
+        picture_options options = {16, 16, 0, NULL};
+        got = picture_open(WIDTH, HEIGHT, &glint_format_rgb888);
+        build_moving(&scene, &kinds[k], k + 1);
+        scene_light_at_nodes(&scene);
+        CHECK_EQUAL(picture_render(&wanted, &scene.scene, &options, &stats), GLINT_OK);
+        options.arena_size = stats.arena_used;
+        for (int i = 0; i < STEPS; i++, options.arena_size += STEP) {
+            CHECK_EQUAL(picture_render(&got, &scene.scene, &options, &stats), GLINT_OK);
+            if (!CHECK(picture_equal(&wanted, &got)))
+                break;
+        }
+        picture_close(&wanted);
+        picture_close(&got);
+    }
+}
+
 int test_main(test_writer write) {
-    static const test_case cases[] = {TEST_CASE(within_the_bound), TEST_CASE(slow_motion)};
+    static const test_case cases[] = {TEST_CASE(within_the_bound), TEST_CASE(slow_motion),
+                                      TEST_CASE(handed_on_or_found_anew)};
     return test_run(write, cases, TEST_COUNT(cases));
 }

@@ -8,6 +8,11 @@
 #include "ranges.h"
 
 /*
+ * Not proven: glint_found_find, glint_found_begin, glint_found_keep, begin_ring, at_place, find_terms, find_piece:
+ * addresses in the bytes that a pass leaves free, by counts of bytes, unsigned. Suite `nodes`, many sizes of them,
+ * and fuzzing, under ASan and UBSan.
+ */
+/*
  * Not proven: glint_draw_pieces, draw_piece, light_piece, cut_spans: they walk a triangle's pieces, rows and nodes,
  * whose numbers number_of is proven to keep, and call what is proven. Suite `nodes` under ASan and UBSan, and fuzzing.
  */

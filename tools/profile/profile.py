@@ -25,7 +25,7 @@ STAGES = {
     "bin": ["bin", "bin_plain", "clip"],
     "set-up": ["setup"],
     "raster": ["raster", "runs", "spans", "tile:draw_triangles", "tile:hide_objects"],
-    "nodes": ["nodes", "lobes", "point", "corners", "middles", "terms", "bound", "sort", "fit", "lengths", "cells", "pieces", "per_node",
+    "nodes": ["nodes", "lobes", "point", "corners", "middles", "terms", "bound", "sort", "found", "fit", "lengths", "cells", "pieces", "per_node",
               "lattice"],
     "rows": ["rows", "row_lights"],
     "shade": ["shade", "draw", "colour", "fragments", "per_fragment", "specular", "blinn_phong", "model", "fast",
