@@ -82,18 +82,22 @@ static int shape_has_edge(const glint_shading *shading, const glint_region *regi
     return 0;
 }
 
-/* Sets how near lights are to a region at most, and how strong, from so many of its nodes. */
+/* Sets how near lights are to a region at most, how strong and on which side, from so many of its nodes. */
 static void find_nodes_nearness(uint32_t lights, uint32_t count, glint_node *const nodes[], glint_region *region) {
     for (uint32_t l = 0; lights >> l; l++) {
         uint32_t nearness = 0x7f;
         int32_t strength = 0;
+        glint_interval side = {INT16_MAX, INT16_MIN};
         for (uint32_t i = 0; i < count && lights >> l & 1; i++) {
             const int16_t *const number = nodes[i]->number[l];
             nearness = glint_nearness_of_both(nearness, (uint16_t)number[GLINT_NEARNESS]);
             strength = glint_most(strength, number[GLINT_STRENGTH]);
+            glint_interval_take(&side, number[GLINT_SIDE]);
         }
         region->nearness[l] = (uint16_t)nearness;
         region->strength[l] = (uint16_t)strength;
+        region->side_least[l] = (int16_t)side.least;
+        region->side_most[l] = (int16_t)side.most;
     }
 }
 

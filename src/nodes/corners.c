@@ -49,17 +49,17 @@ static void find_lobes(const glint_shading *shading, uint32_t lobes, glint_candi
         }
 }
 
-/* How near a light is to the corners at most, and how strong. */
+/* How near a light is to the corners at most; of one with a position how strong, and on which side. */
 static void find_corners_nearness(uint32_t l, const uint8_t at[GLINT_NUMBERS], glint_candidate *t) {
-    uint32_t nearness = 0x7f;
-    int32_t strength = at[GLINT_STRENGTH] ? 0 : 1 << 14;
-    for (int i = 0; i < 3 && at[GLINT_NEARNESS]; i++) {
-        nearness = glint_nearness_of_both(nearness, (uint16_t)t->kept[i][at[GLINT_NEARNESS]]);
-        if (at[GLINT_STRENGTH])
-            strength = glint_most(strength, t->kept[i][at[GLINT_STRENGTH]]);
-    }
-    t->region.nearness[l] = (uint16_t)nearness;
-    t->region.strength[l] = (uint16_t)strength;
+    const int16_t *const a = t->kept[0], *const b = t->kept[1], *const c = t->kept[2];
+    const uint8_t nearness = at[GLINT_NEARNESS], strength = at[GLINT_STRENGTH], side = at[GLINT_SIDE];
+    t->region.nearness[l] = (uint16_t)glint_nearness_of_both(
+        glint_nearness_of_both((uint16_t)a[nearness], (uint16_t)b[nearness]), (uint16_t)c[nearness]);
+    if (!strength)
+        return;
+    t->region.strength[l] = (uint16_t)glint_most_of(a[strength], b[strength], c[strength]);
+    t->region.side_least[l] = (int16_t)glint_least_of(a[side], b[side], c[side]);
+    t->region.side_most[l] = (int16_t)glint_most_of(a[side], b[side], c[side]);
 }
 
 /* A colour at the middle of an edge, which is linear over w. */

@@ -6,9 +6,11 @@
 #include "nearness.h"
 #include "terms.h"
 
-/* N.L, Q15, from which on a point clearly faces a light, or does not: of lights without and with a position. */
+/* N.L, Q15, from which on a point clearly faces a light, or does not: of lights without and with a position, whose
+ * direction has fewer bits. What faces away by less than that still counts as light. */
 #define CLEARLY_LIT 16
-#define CLEARLY_LIT_NEAR 4096
+#define CLEARLY_LIT_NEAR 128
+#define NEARLY_LIT 4096
 
 /* The same of a cone's cosine, as products of unit vectors: UNIT^2 / 64. */
 #define CLEARLY_IN_CONE (1 << 24)
@@ -130,7 +132,8 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
     const glint_light_terms *terms = shading->terms;
     const glint_prepared_light *source = &frame->view->lights[i];
     const int has_position = source->type->illuminate != 0;
-    const int32_t clearly = has_position ? CLEARLY_LIT_NEAR : CLEARLY_LIT;
+    const int32_t clearly = has_position ? CLEARLY_LIT_NEAR : CLEARLY_LIT,
+                  nearly = has_position ? NEARLY_LIT : CLEARLY_LIT;
     const uint8_t bit = (uint8_t)(1u << i);
     at->is_gated = 0;
     if (has_position)
@@ -154,7 +157,7 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
             half = light_lobe(shading, i, source, !has_position && !frame->view->local_viewer, at, n, light, dot, node);
         node->number[i][GLINT_NEARNESS] =
             (int16_t)(uint16_t)glint_nearness_of(has_position ? glint_point_closeness(at, n) : 0, half);
-        if (!is_dark && !(node->outside & bit))
+        if (!(is_dark && cosine < -nearly) && !(node->outside & bit))
             node->levels += (terms->diffuse_levels[i] >> 3) * (uint32_t)strength >> 16;
     }
 }

@@ -5,7 +5,7 @@
 #include "nearness.h"
 
 /* What a node's cosine differs by at least from what tells clear from not, Q12: lights with a position, and cones. */
-#define CLEAR_OF_EDGE 512
+#define CLEAR_OF_EDGE 16
 #define INSIDE_CONE 64
 
 /* sqrt(square), Q24 to Q12. */
@@ -71,6 +71,17 @@ static void set_most(const glint_frame *frame, uint32_t placed, uint32_t lobes, 
     }
 }
 
+/*
+ * Is a light on one side of all of a region, as at its nodes? N, linear between nodes, times the way to the light, which
+ * is linear too, is a quadratic, whose second derivative is twice what both change by. It lies within a third of that
+ * product of what is linear between nodes; half of it is for lengths, which change as well.
+ */
+static inline int is_clear(const glint_region *region, uint32_t l) {
+    const uint32_t apart = glint_times(region->near_of[l], region->turn) / 2 + CLEAR_OF_EDGE;
+    const int32_t least = (int32_t)(apart * region->strength[l] >> 12) + 1;
+    return region->side_least[l] > least || region->side_most[l] < -least;
+}
+
 uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
     const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED;
     const uint32_t placed = shading->lights & shading->terms->placed;
@@ -80,8 +91,8 @@ uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shadin
     region->held = region->lit;
     region->sides = lights & ~region->lit & ~dark;
     for (uint32_t l = 0; near >> l; l++)
-        if (near >> l & 1 && glint_times(region->near_of[l], region->turn) > 2 * CLEAR_OF_EDGE) {
-            region->sides |= 1u << l; /* clear at nodes, not between them */
+        if (near >> l & 1 && !is_clear(region, l)) { /* at nodes, it may be, not between them */
+            region->sides |= 1u << l;
             region->held &= ~(1u << l);
         }
     const uint32_t lobes = shading->terms->lobes & ~away & (ungated ? ~0u : region->held | region->sides),

@@ -118,7 +118,8 @@ typedef struct glint_region {
     uint32_t lit, dark, outside;         /* as nodes have it, at all of them */
     uint32_t far, unfit, steep, left;    /* at some */
     uint16_t nearness[GLINT_LIGHTS_MAX]; /* of each light, of all nodes */
-    uint16_t strength[GLINT_LIGHTS_MAX]; /* its most at nodes, Q14 */
+    uint16_t strength[GLINT_LIGHTS_MAX]; /* its most at nodes, Q14, */
+    int16_t side_least[GLINT_LIGHTS_MAX], side_most[GLINT_LIGHTS_MAX]; /* and N.L times that, of those with a position */
     /* what is found */
     int has_edge;                       /* may a highlight end at once within the region? */
     int folds;                          /* may sums be multiplied by the surface's colours at nodes? */

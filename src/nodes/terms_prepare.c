@@ -219,7 +219,7 @@ static void place_numbers(const glint_frame *frame, const glint_shading *shading
         const glint_light_type *type = frame->scene->lights[i].type;
         const uint32_t side = shading->lights >> i & 1, lobe = terms->lobes >> i & 1;
         const uint32_t has_cone = side && type->has_cone, has_position = type->illuminate != 0,
-                       has_strength = lobe & has_position, is_near = side & (has_position | lobe);
+                       has_strength = side & has_position, is_near = side & (has_position | lobe);
         const uint32_t kept = side << GLINT_SIDE | has_cone << GLINT_CONE | has_strength << GLINT_STRENGTH |
                               lobe << GLINT_LOBE_X | (lobe & (uint32_t)!terms->lobe_is_wide) << GLINT_LOBE_Y |
                               is_near << GLINT_NEARNESS;
