@@ -153,9 +153,6 @@ static inline int32_t glint_inverse_of_one_and(int32_t z) {
     return node[0] - ((node[0] - node[1]) * (z & 511) >> 9);
 }
 
-/** Square root, rounded down. */
-uint32_t glint_square_root(uint64_t x);
-
 /**
  * No less than what (1 - s^2)^(p/2) changes over s, Q8: 0.61 sqrt(p) where p is large, 2 where it is 2. p >= 2; with
  * less, a larger number.

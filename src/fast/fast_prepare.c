@@ -97,22 +97,6 @@ void glint_fast_need(const glint_frame *frame, const glint_shading *shading, siz
 
 /* ---- What fits ---- */
 
-/* Digit by digit: `root` is twice what is found, times the digit at `bit`, and x what is left. */
-uint32_t glint_square_root(uint64_t x) {
-    uint64_t root = 0, bit = (uint64_t)1 << (x >> 32 ? 62 : 30);
-    while (bit > x)
-        bit >>= 2;
-    for (; bit; bit >>= 2) {
-        const uint64_t more = root + bit;
-        root >>= 1;
-        if (x >= more) {
-            x -= more;
-            root += bit;
-        }
-    }
-    return (uint32_t)root;
-}
-
 uint32_t glint_highlight_slope(glint_q16 p) {
     const uint32_t root = glint_square_root((uint64_t)(uint32_t)p); /* Q8 */
     return (root * 156 >> 8) + (640u << 16) / ((uint32_t)p | 1);    /* 0.61 sqrt(p) + 2.5 / p */

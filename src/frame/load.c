@@ -43,9 +43,22 @@ size_t glint_draw_size(const glint_frame *frame, const glint_object *object, con
     return size;
 }
 
+/* Lights that do not reach an object. */
+static uint32_t find_unreached(const glint_frame *frame, const glint_object *object, uint32_t lights) {
+    uint32_t unreached = 0;
+    for (uint32_t i = 0; lights >> i; i++) {
+        const glint_light *const light = &frame->scene->lights[i];
+        if (lights >> i & 1 && light->type->misses &&
+            light->type->misses(light, &frame->view->lights[i], frame->view, object))
+            unreached |= 1u << i;
+    }
+    return unreached;
+}
+
 /* Does nothing light an object, nor give it colours? */
-static int is_of_one_colour(const glint_object *object, const glint_shading *shading) {
-    return !glint_has_colours(object->mesh) && (!object->material->model->light || !shading->lights);
+static int is_of_one_colour(const glint_object *object, const glint_draw *draw) {
+    return !glint_has_colours(object->mesh) &&
+           (!object->material->model->light || !(draw->shading->lights & ~draw->unreached));
 }
 
 glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_transform *transform, uint32_t vertices,
@@ -71,9 +84,10 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
         draw->kernel = frame->config.format->fast->draw;
     }
     draw->shading = glint_shading_of(frame, object->material);
+    draw->unreached = find_unreached(frame, object, draw->shading->lights);
     if (evaluation->nodes)
         draw->nodes = glint_take(&frame->memory, vertices * draw->shading->node_size);
-    if (!GLINT_SMALL && is_of_one_colour(object, draw->shading)) {
+    if (!GLINT_SMALL && is_of_one_colour(object, draw)) {
         draw->light = 0;
         draw->kernel = glint_draw_unlit;
         glint_channels_of(draw->shading->ambient, draw->even);

@@ -201,13 +201,13 @@ static GLINT_NOINLINE void draw_triangles(const glint_frame *frame, glint_worksp
     glint_triangle triangle;
     glint_part part;
     place_tile(frame, &part.window, tile);
-    triangle.away = 0;
     if (!GLINT_SMALL && frame->has_costly && list->next != GLINT_LIST_END)
         hide_objects(frame, workspace, &part, list);
     for (uint32_t here = list->next; here != GLINT_LIST_END;) {
         const glint_reference *const reference = &references[here];
         triangle.number = reference->triangle;
         find_triangle(frame, &from, triangle.number, &triangle);
+        triangle.away = from.draw->unreached;
         here = reference->next;
         if (!glint_raster(&part, triangle.corners))
             continue;

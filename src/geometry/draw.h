@@ -37,6 +37,7 @@ typedef struct glint_draw {
     glint_kernel *kernel;
     glint_transform transform;
     uint32_t vertex_count;
+    uint32_t unreached;      /* lights of its shading that do not reach it, by bits */
     uint32_t object;         /* index in the scene */
     uint32_t first_triangle; /* of the mesh: all are from it on, */
     uint32_t end;            /* and before this */

@@ -13,4 +13,4 @@ static glint_status prepare_directional(const glint_light *light, glint_prepared
     return GLINT_OK;
 }
 
-const glint_light_type glint_light_directional = {prepare_directional, 0, 0, 0};
+const glint_light_type glint_light_directional = {prepare_directional, 0, 0, 0, 0};

@@ -32,7 +32,7 @@ static void light_facet(const glint_frame *frame, glint_draw *draw, const glint_
                             (int64_t)p[0]->w + p[1]->w + p[2]->w};
     glint_fragments one;
     one.count = 1;
-    one.away = 0;
+    one.away = draw->unreached;
     glint_ray(transform, frame->view, sum, 3, one.ray[0], &one.inverse_w[0]);
     facet_normal(frame->view, p, one.normal[0]);
     int64_t facing = 0;

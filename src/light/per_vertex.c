@@ -42,7 +42,7 @@ static void light_corners(const glint_frame *frame, glint_draw *draw, const glin
     if (!count)
         return;
     vertices.count = count;
-    vertices.away = 0;
+    vertices.away = draw->unreached;
     glint_light_all(frame, &vertices, draw->shading, has_surface);
     for (uint32_t i = 0; i < count; i++)
         glint_clamp_colour(vertices.colour[i], draw->vertices[index[i]].attribute);

@@ -220,4 +220,4 @@ void glint_point_illuminate(const glint_prepared_light *light, glint_fragments *
         illuminate_one(light, fragments, i);
 }
 
-const glint_light_type glint_light_point = {prepare_point, glint_point_illuminate, glint_point_place, 0};
+const glint_light_type glint_light_point = {prepare_point, glint_point_illuminate, glint_point_place, 0, 0};

@@ -45,4 +45,78 @@ static void illuminate_spot(const glint_prepared_light *light, glint_fragments *
     }
 }
 
-const glint_light_type glint_light_spot = {prepare_spot, illuminate_spot, glint_point_place, 1};
+/* Bits and a sign that a spot's way to an object, and the object's box, are brought to. */
+#define WAY_BITS 13
+
+/* An object's middle as a spot sees it, and half of its box along the mesh's axes; in any unit. */
+typedef struct sighted {
+    int32_t way[3], half[3][3];
+} sighted;
+
+static void sight(const glint_light *light, const glint_view *view, const glint_object *object, sighted *to) {
+    const glint_vector *const extent = &object->mesh->extent;
+    const int32_t at[3] = {light->vector.x, light->vector.y, light->vector.z},
+                  size[3] = {extent->x, extent->y, extent->z};
+    int64_t way[3], half[3][3];
+    uint64_t all = 0;
+    for (int i = 0; i < 3; i++) {
+        way[i] = 0;
+        for (int j = 0; j < 3; j++) {
+            const int64_t apart = (int64_t)object->pose.m[j][3] - at[j];
+            way[i] += glint_shift_right64(view->rotation[i][j] * apart, 16);
+            half[j][i] = glint_shift_right64((int64_t)object->pose.m[i][j] * size[j], 16);
+            all |= glint_magnitude64(half[j][i]);
+        }
+        all |= glint_magnitude64(way[i]);
+    }
+    const unsigned bits = glint_bits64(all), down = bits > WAY_BITS ? bits - WAY_BITS : 0;
+    for (int i = 0; i < 3; i++) {
+        to->way[i] = (int32_t)glint_shift_right64(way[i], down);
+        for (int j = 0; j < 3; j++)
+            to->half[j][i] = (int32_t)glint_shift_right64(half[j][i], down);
+    }
+}
+
+/* The square of the distance of the box's farthest corner from its middle, no less than it is. */
+static uint32_t square_of_radius(const int32_t half[3][3]) {
+    uint32_t most = 0;
+    for (int corner = 0; corner < 4; corner++) {
+        uint32_t square = 0;
+        for (int i = 0; i < 3; i++) {
+            const int32_t x =
+                half[0][i] + (corner & 1 ? -half[1][i] : half[1][i]) + (corner & 2 ? -half[2][i] : half[2][i]);
+            const uint32_t reach = glint_magnitude_bits(x) + 4; /* each part may lack 1, the magnitude too */
+            square += reach * reach;
+        }
+        most = square > most ? square : most;
+    }
+    return most;
+}
+
+/*
+ * A sphere of radius r lies outside a cone of half angle t, up to a right one, if its middle, a along the axis and p
+ * from it, has p cos t - a sin t > r. It is to have more than that by 1/64 of its distance, so that no rounding of what
+ * fragments see takes one of them in.
+ */
+static int misses_cone(const glint_light *light, const glint_prepared_light *prepared, const glint_view *view,
+                       const glint_object *object) {
+    const uint32_t angle = glint_phase(light->outer);
+    const int32_t sine = glint_sine(angle) >> 15, cosine = glint_sine(angle + 0x40000000u) >> 15; /* Q15 */
+    const int16_t *const back = prepared->direction;
+    sighted s;
+    if (cosine <= 0)
+        return 0;
+    sight(light, view, object, &s);
+    const int32_t along = -glint_shift_right(s.way[0] * back[0] + s.way[1] * back[1] + s.way[2] * back[2], 15);
+    const uint32_t square = (uint32_t)(s.way[0] * s.way[0]) + (uint32_t)(s.way[1] * s.way[1]) +
+                            (uint32_t)(s.way[2] * s.way[2]),
+                   axial = (uint32_t)(along * along), across = square > axial ? square - axial : 0,
+                   radius = square_of_radius((const int32_t(*)[3])s.half);
+    if (radius >= square)
+        return 0;
+    const int32_t least = (int32_t)(glint_square_root(radius) + (glint_square_root(square) >> 6)) + 4 +
+                          glint_shift_right(along * sine, 15);
+    return least < 0 || (uint64_t)across * (uint32_t)(cosine * cosine) > (uint64_t)((int64_t)least * least) << 30;
+}
+
+const glint_light_type glint_light_spot = {prepare_spot, illuminate_spot, glint_point_place, misses_cone, 1};

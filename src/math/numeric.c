@@ -106,3 +106,19 @@ int32_t glint_sine(uint32_t phase) {
     int64_t sine = (sum * t + (1 << 29)) >> 30;
     return (int32_t)(phase >> 31 ? -sine : sine);
 }
+
+/* Digit by digit: `root` is twice what is found, times the digit at `bit`, and x what is left. */
+uint32_t glint_square_root(uint64_t x) {
+    uint64_t root = 0, bit = (uint64_t)1 << (x >> 32 ? 62 : 30);
+    while (bit > x)
+        bit >>= 2;
+    for (; bit; bit >>= 2) {
+        const uint64_t more = root + bit;
+        root >>= 1;
+        if (x >= more) {
+            x -= more;
+            root += bit;
+        }
+    }
+    return (uint32_t)root;
+}

@@ -248,6 +248,9 @@ uint32_t glint_power(uint32_t x, int32_t p);
 /** Sine of a phase, 2^32 to the turn: Q30, -2^30 to 2^30; off by at most 64.7 steps. */
 int32_t glint_sine(uint32_t phase);
 
+/** Square root, rounded down. */
+uint32_t glint_square_root(uint64_t x);
+
 /** Degrees Q16.16 as a phase, 2^32 to the turn; off by at most 0.556 steps. */
 uint32_t glint_phase(int32_t degrees);
 

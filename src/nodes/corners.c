@@ -95,7 +95,7 @@ static int is_lit_at_corners(const glint_triangle *triangle) {
 
 glint_reach glint_find_reach(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle) {
     const glint_shading *shading = draw->shading;
-    glint_reach reach = {0, shading->terms->lobes};
+    glint_reach reach = {draw->unreached, shading->terms->lobes & ~draw->unreached};
     glint_candidate t;
     if (shading->terms->shown < 2 || !is_lit_at_corners(triangle))
         return reach;
@@ -124,12 +124,12 @@ int glint_find_region(const glint_frame *frame, const glint_draw *draw, const gl
     region->far = flags & 0xff;
     region->unfit = flags >> 8;
     region->steep = (uint32_t)(a[GLINT_KEPT_STEEP] | b[GLINT_KEPT_STEEP] | c[GLINT_KEPT_STEEP]);
-    region->left = 0;
+    region->left = draw->unreached;
     region->outside = (uint16_t)(a[GLINT_KEPT_OUTSIDE] & b[GLINT_KEPT_OUTSIDE] & c[GLINT_KEPT_OUTSIDE]);
     t->has_surface = draw->extra != 0;
     region->colour = t->has_surface ? find_surface(triangle, t) : 0;
-    const uint32_t measured = shading->lights & (light->placed | light->lobes);
-    for (uint32_t l = 0; shading->lights >> l; l++) {
+    const uint32_t lights = shading->lights & ~draw->unreached, measured = lights & (light->placed | light->lobes);
+    for (uint32_t l = 0; lights >> l; l++) {
         region->strength[l] = 1 << 14;
         if (measured >> l & 1)
             find_corners_nearness(l, light->at[l], t);

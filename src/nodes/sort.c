@@ -72,9 +72,9 @@ static void set_most(const glint_frame *frame, uint32_t placed, uint32_t lobes, 
 }
 
 /*
- * Is a light on one side of all of a region, as at its nodes? N, linear between nodes, times the way to the light, which
- * is linear too, is a quadratic, whose second derivative is twice what both change by. It lies within a third of that
- * product of what is linear between nodes; half of it is for lengths, which change as well.
+ * Is a light on one side of all of a region, as at its nodes? N, linear between nodes, times the way to the light,
+ * which is linear too, is a quadratic, whose second derivative is twice what both change by. It lies within a third of
+ * that product of what is linear between nodes; half of it is for lengths, which change as well.
  */
 static inline int is_clear(const glint_region *region, uint32_t l) {
     const uint32_t apart = glint_times(region->near_of[l], region->turn) / 2 + CLEAR_OF_EDGE;

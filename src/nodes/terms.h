@@ -40,7 +40,7 @@ typedef struct glint_light_terms {
     uint32_t lobes;          /* bit i: light i has a highlight that is a term of its own */
     uint32_t placed, cones;  /* it has a position; and a cone */
     uint8_t at[GLINT_LIGHTS_MAX][GLINT_NUMBERS]; /* where a vertex keeps a light's numbers */
-    uint32_t light_count, shown;                 /* of the scene, and those of them that show */
+    uint32_t shown;                              /* how many lights do */
     uint32_t stride;                             /* numbers that a vertex keeps */
     uint32_t lobe_shift;                         /* a deviation, Q14, is kept times 2^this */
     int32_t lobe_cut, lobe_diagonal;             /* outside an octagon of this radius no highlight shows; as kept */
@@ -119,7 +119,8 @@ typedef struct glint_region {
     uint32_t far, unfit, steep, left;    /* at some */
     uint16_t nearness[GLINT_LIGHTS_MAX]; /* of each light, of all nodes */
     uint16_t strength[GLINT_LIGHTS_MAX]; /* its most at nodes, Q14, */
-    int16_t side_least[GLINT_LIGHTS_MAX], side_most[GLINT_LIGHTS_MAX]; /* and N.L times that, of those with a position */
+    int16_t side_least[GLINT_LIGHTS_MAX],
+        side_most[GLINT_LIGHTS_MAX]; /* and N.L times that, of those with a position */
     /* what is found */
     int has_edge;                       /* may a highlight end at once within the region? */
     int folds;                          /* may sums be multiplied by the surface's colours at nodes? */

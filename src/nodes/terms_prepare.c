@@ -232,7 +232,6 @@ static void place_numbers(const glint_frame *frame, const glint_shading *shading
         }
     }
     terms->stride = at;
-    terms->light_count = frame->scene->light_count;
 }
 
 /* Is an object of the material lit at nodes, but for those that fast lighting serves? */

@@ -2,7 +2,7 @@
 /* Terms at vertices: light at a triangle's corners, and what they keep of it. */
 #include "terms.h"
 
-static void keep(const glint_light_terms *light, const glint_node *node, int16_t *to) {
+static void keep(const glint_light_terms *light, uint32_t lights, const glint_node *node, int16_t *to) {
     int16_t *const rest = to + light->channels;
     for (uint32_t c = 0; c < light->channels; c++)
         to[c] = (int16_t)node->sum[c];
@@ -13,8 +13,8 @@ static void keep(const glint_light_terms *light, const glint_node *node, int16_t
     rest[GLINT_KEPT_LEVELS] = (int16_t)glint_least((int32_t)((node->levels + 3) >> 2), INT16_MAX); /* Q2 */
     for (int c = 0; c < 3; c++)
         rest[GLINT_KEPT_SHINE + c] = (int16_t)node->shine[c];
-    for (uint32_t i = 0; i < light->light_count; i++)
-        for (uint32_t kind = 0; kind < GLINT_NUMBERS; kind++)
+    for (uint32_t i = 0; lights >> i; i++)
+        for (uint32_t kind = 0; kind < GLINT_NUMBERS && lights >> i & 1; kind++)
             if (light->at[i][kind])
                 to[light->at[i][kind]] = node->number[i][kind];
 }
@@ -54,6 +54,7 @@ static void find_normals(glint_draw *draw, const uint16_t corners[3]) {
 void glint_terms_light(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
                        uint32_t triangle) {
     const glint_light_terms *light = draw->shading->terms;
+    const uint32_t lights = draw->shading->lights & ~draw->unreached;
     const uint16_t *const corners = draw->triangles[triangle];
     uint16_t index[3];
     glint_fragments vertices;
@@ -74,10 +75,10 @@ void glint_terms_light(const glint_frame *frame, glint_draw *draw, const glint_t
         index[vertices.count] = corners[i];
         gather_corner(frame, vertex, &vertices);
     }
-    glint_nodes_light(frame, draw->shading, &vertices, draw->shading->lights, light->lobes, to);
+    glint_nodes_light(frame, draw->shading, &vertices, lights, light->lobes & lights, to);
     for (uint32_t i = 0; i < vertices.count; i++) {
         glint_node_sum(light, nodes[i].lit, &nodes[i]);
         glint_node_shine(draw->shading, nodes[i].lit & light->lobes, &nodes[i]);
-        keep(light, &nodes[i], draw->nodes + index[i] * light->stride);
+        keep(light, lights, &nodes[i], draw->nodes + index[i] * light->stride);
     }
 }

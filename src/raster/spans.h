@@ -73,6 +73,11 @@ static inline void glint_step(uint8_t **place) {
 }
 #endif
 
+/** The pixel of a tile whose depth was tested last. As a difference of pixels: formats of 16 bits need no shifts then. */
+static inline uint32_t glint_offset_of(const glint_spans *s, const uint8_t *place) {
+    return (uint32_t)((const uint16_t *)(const void *)(place - GLINT_AHEAD) - s->depth);
+}
+
 /** A plane's step, for one loop over a span: ARMv6-M's compiler keeps it in a register there, if not from row to row.
  */
 static inline uint32_t glint_hold(uint32_t step) {

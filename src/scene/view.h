@@ -103,6 +103,9 @@ struct glint_light_type {
     void (*illuminate)(const glint_prepared_light *light, struct glint_fragments *fragments);
     /** The part of `prepare` that needs the frame's nearest w; may be null. */
     void (*place)(const glint_light *light, glint_prepared_light *prepared, const glint_view *view);
+    /** Does an object lie where none of this light goes, all of it? Null: light goes everywhere. */
+    int (*misses)(const glint_light *light, const glint_prepared_light *prepared, const glint_view *view,
+                  const glint_object *object);
     uint8_t has_cone; /* prepared->spot holds one */
 };
 

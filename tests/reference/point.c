@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Suite: directions and strengths of point lights against long double, at the errors point.h states; and how near they
- * are as nodes keep it. */
+ * are as nodes keep it; and which objects spots miss. */
 #include "light/point.h"
 #include "glint.h"
 #include "harness.h"
@@ -150,10 +150,104 @@ static void nearness_of_every_closeness(void) {
     CHECK_EQUAL(unlike, 0);
 }
 
+/* ---- Spots and objects that they miss ---- */
+
+static double between(double a, double b) {
+    return a + (b - a) * (random_bits() >> 8) / 16777216.0;
+}
+
+static glint_q16 to_q16(double x) {
+    return (glint_q16)lrint(x * GLINT_ONE);
+}
+
+/* A box turned and scaled, a camera turned, and a spot, all in a world of one size between 1/2 and 2^12. */
+typedef struct spot_and_box {
+    glint_light light;
+    glint_prepared_light prepared;
+    glint_view view;
+    glint_mesh mesh;
+    glint_object object;
+} spot_and_box;
+
+static void make_spot_and_box(spot_and_box *s) {
+    const double world = exp2(between(-1, 12)), size = world * exp2(between(-6, 0));
+    const glint_pose across = glint_pose_rotate_y(to_q16(between(0, 360))),
+                     down = glint_pose_rotate_x(to_q16(between(-90, 90))),
+                     scaled =
+                         glint_pose_scale(to_q16(between(0.5, 2)), to_q16(between(0.5, 2)), to_q16(between(0.5, 2))),
+                     camera = glint_pose_then(&down, &across);
+    *s = (spot_and_box){.light = {.type = &glint_light_spot}};
+    s->light.vector =
+        (glint_vector){to_q16(between(-1, 1) * world), to_q16(between(-1, 1) * world), to_q16(between(-1, 1) * world)};
+    s->light.axis = (glint_vector){to_q16(between(-1, 1)), to_q16(between(-1, 1)), to_q16(between(-1, 1))};
+    s->light.outer = to_q16(between(0, 120));
+    s->mesh.extent =
+        (glint_vector){to_q16(between(0, 1) * size), to_q16(between(0, 1) * size), to_q16(between(0, 1) * size)};
+    s->object.mesh = &s->mesh;
+    s->object.pose = glint_pose_then(&scaled, &camera);
+    s->object.pose.m[0][3] = to_q16(between(-1, 1) * world);
+    s->object.pose.m[1][3] = to_q16(between(-1, 1) * world);
+    s->object.pose.m[2][3] = to_q16(between(-1, 1) * world);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            s->view.rotation[i][j] = camera.m[j][i];
+}
+
+/* How far the box's sphere lies outside the cone, over its middle's distance; the least where that is within the box.
+ */
+static double find_outside(const spot_and_box *s) {
+    const double axis[3] = {s->light.axis.x, s->light.axis.y, s->light.axis.z},
+                 at[3] = {s->light.vector.x, s->light.vector.y, s->light.vector.z},
+                 extent[3] = {s->mesh.extent.x, s->mesh.extent.y, s->mesh.extent.z};
+    const double angle = s->light.outer / 65536.0 * acos(-1) / 180,
+                 length = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    double along = 0, square = 0, radius = 0;
+    for (int i = 0; i < 3; i++) {
+        const double way = s->object.pose.m[i][3] - at[i];
+        along += way * axis[i] / length;
+        square += way * way;
+    }
+    for (int corner = 0; corner < 4; corner++) {
+        double reach = 0;
+        for (int i = 0; i < 3; i++) {
+            const int32_t *const m = s->object.pose.m[i];
+            const double x = (m[0] * extent[0] + (corner & 1 ? -1 : 1) * m[1] * extent[1] +
+                              (corner & 2 ? -1 : 1) * m[2] * extent[2]) /
+                             65536;
+            reach += x * x;
+        }
+        radius = fmax(radius, sqrt(reach));
+    }
+    return radius * radius >= square
+               ? -1
+               : (sqrt(fmax(square - along * along, 0)) * cos(angle) - along * sin(angle) - radius) / sqrt(square);
+}
+
+/* An object is left out only where it lies outside, and left in only where it hardly does. */
+static void objects_that_spots_miss(void) {
+    int left_out = 0, left_in = 0;
+    for (int n = 0; n < LIGHTS; n++) {
+        spot_and_box s;
+        make_spot_and_box(&s);
+        if (glint_light_spot.prepare(&s.light, &s.prepared, &s.view) != GLINT_OK)
+            continue; /* the axis has no length */
+        const int misses = glint_light_spot.misses(&s.light, &s.prepared, &s.view, &s.object);
+        const double outside = find_outside(&s);
+        left_out += misses;
+        left_in += !misses;
+        if (misses && !CHECK(outside > 0.95 / 64))
+            return;
+        if (!misses && s.light.outer < 89 * GLINT_ONE && !CHECK(outside < 1.5 / 64))
+            return;
+    }
+    CHECK(left_out > LIGHTS / 4 && left_in > LIGHTS / 4);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(lights_of_every_size_and_place),
         TEST_CASE(nearness_of_every_closeness),
+        TEST_CASE(objects_that_spots_miss),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }
