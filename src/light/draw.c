@@ -207,7 +207,7 @@ static void begin_channel_planes(glint_quadratic channel[3], const glint_gradien
         glint_plane plane;
         const int32_t up = 1 << (GLINT_CHANNEL_BITS - 15);
         glint_plane_begin(&plane, g, a[c][0] * up, a[c][1] * up, a[c][2] * up);
-        channel[c] = (glint_quadratic){(uint32_t)plane.start, (uint32_t)plane.dx, (uint32_t)plane.dy, 0, 0, 0};
+        glint_quadratic_of(&channel[c], &plane);
     }
 }
 

@@ -118,7 +118,7 @@ uint32_t glint_shape_away(const glint_draw *draw, const glint_shape *shape, glin
     glint_region_measure(draw->shading->terms->pixel, shape->longest, &w, &region);
     /* lights that a corner has no numbers of are away from all that the shape was cut from */
     find_nodes_nearness(outside & ~left, 4, corners, &region);
-    return (outside & left) | glint_region_place(outside & ~left, &region);
+    return (outside & left) | glint_region_place(outside, outside & ~left, &region);
 }
 
 static int find_shape_region(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
@@ -212,10 +212,10 @@ typedef struct shape_target {
 
 /* Sets polynomial number i, which begins with so much more. @return 0 where it does not fit */
 static int set_through(const shape_target *to, uint32_t i, const int32_t n[], int unit, uint32_t more) {
-    glint_quadratic q;
-    if (!to->shape->fit(to->shape, n, unit, &q))
+    glint_quadratic *const q = &to->polynomials->of[i];
+    if (!to->shape->fit(to->shape, n, unit, q))
         return 0;
-    glint_polynomial_set(to->polynomials, i, q, more);
+    q->start += more;
     return 1;
 }
 

@@ -21,7 +21,8 @@ static inline int glint_triangle_keeps_side(const int32_t n[3], const int32_t bu
  * A plane of numbers times `by`, Q15, as a polynomial times 2^unit. Cut off is what is above 31 bits, and what is so
  * far below 0 that it is further from the largest than glint_plane_begin has room for.
  */
-static inline glint_quadratic glint_fit_plane(const glint_gradients *g, const int32_t n[3], int32_t by, unsigned unit) {
+static inline void glint_fit_plane(glint_quadratic *to, const glint_gradients *g, const int32_t n[3], int32_t by,
+                                   unsigned unit) {
     const int32_t range = INT32_MAX >> unit;
     const int32_t a = glint_least(n[0] * by >> 15, range), b = glint_least(n[1] * by >> 15, range),
                   c = glint_least(n[2] * by >> 15, range);
@@ -29,7 +30,7 @@ static inline glint_quadratic glint_fit_plane(const glint_gradients *g, const in
     glint_plane plane;
     glint_plane_begin(&plane, g, glint_shift_left(glint_most(a, least), unit),
                       glint_shift_left(glint_most(b, least), unit), glint_shift_left(glint_most(c, least), unit));
-    return (glint_quadratic){(uint32_t)plane.start, (uint32_t)plane.dx, (uint32_t)plane.dy, 0, 0, 0};
+    glint_quadratic_of(to, &plane);
 }
 
 #endif

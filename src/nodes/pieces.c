@@ -148,20 +148,23 @@ static void cut_spans(const glint_part *part, glint_span spans[4][GLINT_TILE_MAX
         spans[3][y] = part->spans[y];
     for (int i = 0; i < 3; i++) {
         glint_plane plane;
+        int32_t before = 0;
         glint_plane_begin(&plane, &part->gradients, i == 0 ? one : 0, i == 1 ? one : 0, i == 2 ? one : 0);
         for (uint32_t y = part->top; y < part->bottom; y++) {
             glint_span *const rest = &spans[3][y];
-            uint32_t left = rest->left, right = rest->right;
             const int32_t row = part->y + (int32_t)y;
-            if (plane.dx < 0)
-                while (left < right && glint_plane_at(&plane, part->x + (int32_t)left, row) >= one / 2)
-                    left++;
-            else
-                while (left < right && glint_plane_at(&plane, part->x + (int32_t)right - 1, row) >= one / 2)
-                    right--;
-            spans[i][y] =
-                plane.dx < 0 ? (glint_span){rest->left, (uint8_t)left} : (glint_span){(uint8_t)right, rest->right};
-            *rest = (glint_span){(uint8_t)left, (uint8_t)right};
+            /* the first column beyond the piece, or in it, near where it was a row above */
+            int32_t column = glint_least(glint_most(before, rest->left), rest->right);
+            int32_t here = glint_plane_at(&plane, part->x + column, row) - one / 2;
+            while (column > rest->left && (here - plane.dx < 0) == (plane.dx < 0))
+                column--, here -= plane.dx;
+            while (column < rest->right && (here < 0) != (plane.dx < 0))
+                column++, here += plane.dx;
+            before = column;
+            spans[i][y] = plane.dx < 0 ? (glint_span){rest->left, (uint8_t)column}
+                                       : (glint_span){(uint8_t)column, rest->right};
+            *rest = plane.dx < 0 ? (glint_span){(uint8_t)column, rest->right}
+                                 : (glint_span){rest->left, (uint8_t)column};
         }
     }
 }

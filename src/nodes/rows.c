@@ -337,11 +337,12 @@ const glint_run *glint_terms_draw_rows(const glint_frame *frame, glint_workspace
                                        glint_run runs[GLINT_BATCH_RUNS]) {
     uint16_t inverse[2 * GLINT_TILE_MAX];
     const rows_of of = {frame, workspace, terms, polynomials};
-    row_sums sums = {.part = part,
-                     .sum = polynomials,
-                     .square = &polynomials[terms->square],
-                     .depth = workspace->depth,
-                     .shift = frame->tile_shift_x};
+    row_sums sums;
+    sums.part = part;
+    sums.sum = polynomials;
+    sums.square = &polynomials[terms->square];
+    sums.depth = workspace->depth;
+    sums.shift = frame->tile_shift_x;
     if (terms->sums > 1)
         find_base(terms, sums.base);
     const glint_run *const end = begin_rows(terms, &sums, y, runs, workspace->row, inverse);

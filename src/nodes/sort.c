@@ -29,11 +29,10 @@ static inline int is_wide(uint32_t near, uint32_t clearly) {
     return glint_times(near, near) > 8 * clearly;
 }
 
-uint32_t glint_region_place(uint32_t lights, glint_region *region) {
+uint32_t glint_region_place(uint32_t all, uint32_t lights, glint_region *region) {
     uint32_t away = 0;
-    for (uint32_t l = 0; l < GLINT_LIGHTS_MAX; l++)
+    for (uint32_t l = 0; all >> l; l++) {
         region->near_of[l] = 0;
-    for (uint32_t l = 0; lights >> l; l++) {
         if (!(lights >> l & 1))
             continue;
         const uint32_t closeness = glint_closeness_of(region->nearness[l]), outside = region->outside >> l,
@@ -85,7 +84,7 @@ static inline int is_clear(const glint_region *region, uint32_t l) {
 uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
     const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED;
     const uint32_t placed = shading->lights & shading->terms->placed;
-    const uint32_t away = glint_region_place(placed & ~region->left, region) | region->left, dark = region->dark | away,
+    const uint32_t away = glint_region_place(shading->lights, placed & ~region->left, region) | region->left, dark = region->dark | away,
                    lights = shading->lights & ~away, near = placed & ~away;
     region->turn = (uint32_t)glint_least((int32_t)region->turn, 1 << 13);
     region->held = region->lit;

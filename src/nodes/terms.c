@@ -21,11 +21,11 @@ typedef struct bulged_numbers {
 /* Sets polynomial number i, times 2^unit, which begins with so much more. */
 static void set_quadratic(const terms_target *to, glint_barycentric *s, uint32_t i, const bulged_numbers *n,
                           unsigned unit, uint32_t more) {
-    glint_quadratic q;
+    glint_quadratic *const q = &to->polynomials->of[i];
     if (s->unit != unit)
         glint_barycentric_begin(s, &to->part->gradients, (int32_t)unit);
-    glint_polynomial_begin(&q, s, n->corner, n->bulge);
-    glint_polynomial_set(to->polynomials, i, q, more);
+    glint_polynomial_begin(q, s, n->corner, n->bulge);
+    q->start += more;
 }
 
 static inline int32_t times_length(int32_t n, int32_t length) {
@@ -35,7 +35,9 @@ static inline int32_t times_length(int32_t n, int32_t length) {
 /* Sets it to a plane of numbers times `by`, Q15. */
 static void set_plane(const terms_target *to, uint32_t i, const int32_t n[3], int32_t by, unsigned unit,
                       uint32_t more) {
-    glint_polynomial_set(to->polynomials, i, glint_fit_plane(&to->part->gradients, n, by, unit), more);
+    glint_quadratic *const q = &to->polynomials->of[i];
+    glint_fit_plane(q, &to->part->gradients, n, by, unit);
+    q->start += more;
 }
 
 /*
@@ -53,9 +55,8 @@ static void set_straight(const terms_target *to, uint32_t i, int32_t n[3], const
     }
     glint_plane_begin(&plane, &to->part->gradients, glint_shift_left(n[0], unit), glint_shift_left(n[1], unit),
                       glint_shift_left(n[2], unit));
-    glint_polynomial_set(to->polynomials, i,
-                         (glint_quadratic){(uint32_t)plane.start, (uint32_t)plane.dx, (uint32_t)plane.dy, 0, 0, 0},
-                         more);
+    glint_quadratic_of(&to->polynomials->of[i], &plane);
+    to->polynomials->of[i].start += more;
 }
 
 /* Sets the bulge of edge e from a number at its middle. */
@@ -185,8 +186,9 @@ static void begin_sums_of(const glint_candidate *t, const glint_lengths *by, con
 
 static void begin_term_quadratics(const glint_candidate *t, const glint_lengths *by, const glint_terms *terms,
                                   const terms_target *to) {
-    glint_barycentric s = {.unit = 0};
+    glint_barycentric s;
     bulged_numbers n;
+    s.unit = 0; /* it has not begun */
     begin_sums_of(t, by, to, &s);
     if (by) {
         for (int i = 0; i < 3; i++)
@@ -212,7 +214,8 @@ static void begin_term_quadratics(const glint_candidate *t, const glint_lengths 
  */
 static int has_edge(const glint_shading *shading, const glint_candidate *t, const glint_lengths *by) {
     const uint32_t gated = shading->material->flags & GLINT_MATERIAL_UNGATED ? 0 : t->region.sides & t->region.lobes;
-    bulged_numbers n = {{0, 0, 0}, {0, 0, 0}};
+    bulged_numbers n;
+    n.bulge[0] = n.bulge[1] = n.bulge[2] = 0;
     for (uint32_t l = 0; gated >> l; l++)
         if (gated >> l & 1) {
             if (by && t->is_mixed) {

@@ -163,9 +163,9 @@ uint32_t glint_find_longest(const glint_vertex *const corners[3]);
 /** Sets `reach` and `slant` of a region so long, 28.4, with this range of 1/w. @param pixel of the terms */
 void glint_region_measure(uint32_t pixel, uint32_t longest, const glint_w_range *w, glint_region *region);
 
-/** Sets how near these lights are, from their nearness; others are far. @return those whose cones the region is outside
- * of */
-uint32_t glint_region_place(uint32_t lights, glint_region *region);
+/** Sets how near these lights are, from their nearness; others of all lights are far. @return those whose cones the
+ * region is outside of */
+uint32_t glint_region_place(uint32_t all, uint32_t lights, glint_region *region);
 
 /** Sets what becomes of lights, from `lit` and `dark` on. @return those whose highlights may show */
 uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, glint_region *region);
@@ -267,12 +267,6 @@ typedef struct glint_terms {
 typedef struct glint_polynomials {
     glint_quadratic of[GLINT_POLYNOMIALS_MAX];
 } glint_polynomials;
-
-/** Sets polynomial number i to a quadratic, which begins with so much more. */
-static inline void glint_polynomial_set(glint_polynomials *to, uint32_t i, glint_quadratic q, uint32_t more) {
-    q.start += more;
-    to->of[i] = q;
-}
 
 /** Tells what a region's polynomials are to mean. */
 void glint_terms_name(const glint_frame *frame, const glint_draw *draw, const glint_region *region, int over_length,

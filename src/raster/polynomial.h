@@ -16,6 +16,11 @@ typedef struct glint_quadratic {
     uint32_t start, dx, dy, dxx, dxy, dyy;
 } glint_quadratic;
 
+/** The quadratic that is a plane. */
+static inline void glint_quadratic_of(glint_quadratic *q, const glint_plane *plane) {
+    *q = (glint_quadratic){(uint32_t)plane->start, (uint32_t)plane->dx, (uint32_t)plane->dy, 0, 0, 0};
+}
+
 /** Of a quadratic whose x and y count from another point: as from the anchor, where that point is x, y. */
 static inline void glint_quadratic_move(glint_quadratic *q, int32_t x, int32_t y) {
     const uint32_t i = (uint32_t)x, j = (uint32_t)y;
