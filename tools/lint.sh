@@ -111,6 +111,15 @@ licence() {
     return $status
 }
 
+# Whose each file is and under which licence, by the REUSE specification. The tool skips a file whose expression it cannot
+# parse, and says so in its output alone.
+reuse_all() {
+    local found
+    found=$(reuse lint 2>&1) && ! grep ERROR <<<"$found" && cmp LICENSE LICENSES/MIT.txt && return
+    echo "$found"
+    return 1
+}
+
 # The README shows all of a program, but for its licence line.
 readme() {
     diff <(tail -n +2 examples/firmware/own_flush.c) <(awk '/^```c$/ { on = 1; next } /^```$/ { on = 0 } on' README.md)
@@ -125,6 +134,7 @@ check format format
 check readme readme
 check tile-sizes tile_sizes
 check licence licence
+check reuse reuse_all
 check version tools/version.sh
 check doxygen "${MAKE:-make}" --no-print-directory doxygen
 check cppcheck cppcheck_all

@@ -26,7 +26,9 @@ def inverse_root(index):
     return 2**30 * (UNIT / 32768) / math.sqrt(index * 2**23)
 
 
+# REUSE-IgnoreStart
 print("/* SPDX-License-Identifier: MIT */")
+# REUSE-IgnoreEnd
 print("/* Made by tools/make_tables.py; not to be edited. */")
 print("/* clang-format off */")
 print('#include "division.h"')

@@ -28,6 +28,7 @@ look() {
     need clang-tidy clang-tidy
     need cppcheck cppcheck
     need doxygen doxygen
+    need reuse reuse
     need gcc-arm-none-eabi arm-none-eabi-gcc
     need qemu-system-arm qemu-system-arm
     need gcc-i686-linux-gnu i686-linux-gnu-gcc

@@ -32,7 +32,9 @@ class Model:
 
     def write(self, folder, name, what):
         with open(os.path.join(folder, name), "w", encoding="ascii") as out:
+            # REUSE-IgnoreStart
             out.write("# SPDX-License-Identifier: MIT\n# %s Written by examples/scenes/make_models.py.\n" % what)
+            # REUSE-IgnoreEnd
             for point in self.points:
                 out.write("v %s\n" % numbers(point))
             for normal in self.normals:

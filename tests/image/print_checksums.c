@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 static void print(void) {
+    /* REUSE-IgnoreStart */
     puts("/* SPDX-License-Identifier: MIT */\n"
          "/*\n"
          " * Made by `make unit-tables`; not to be edited. Says only that every core and compiler computes the same\n"
@@ -14,6 +15,7 @@ static void print(void) {
          "/* clang-format off */\n"
          "#ifndef GLINT_UNIT_CHECKSUMS_H\n#define GLINT_UNIT_CHECKSUMS_H\n\n#include <stdint.h>\n\n"
          "static const uint32_t expected_checksums[] = {");
+    /* REUSE-IgnoreEnd */
     for (unsigned i = 0; i < checksummed_count; i++)
         printf("    0x%08xu, /* %s */\n", (unsigned)checksummed_compute(i), checksummed_name(i));
     puts("};\n\n#endif");

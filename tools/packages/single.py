@@ -13,7 +13,9 @@ import sys
 SOURCES = os.path.normpath(os.path.join(os.path.dirname(__file__), "..", "..", "src"))
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+"([^"]+)".*\n?', re.MULTILINE)
 DEFINE = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)", re.MULTILINE)
+# REUSE-IgnoreStart
 LICENCE = re.compile(r"^/\* SPDX-License-Identifier: MIT \*/\n")
+# REUSE-IgnoreEnd
 
 UNUSED = """#if defined(__clang__)
 #pragma clang diagnostic ignored "-Wunused-function" /* each core uses some of the small functions that headers have */
@@ -42,7 +44,9 @@ def inline(path, done):
 
 def write(path, parts):
     with open(path, "w", encoding="utf-8") as file:
+        # REUSE-IgnoreStart
         file.write("/* SPDX-License-Identifier: MIT */\n/* glint as two files, glint.c and glint.h; `make single` writes them. */\n")
+        # REUSE-IgnoreEnd
         file.write("\n" + "\n".join(parts))
 
 
