@@ -30,6 +30,9 @@ static struct {
 /* Counts by what calls ended in, from GLINT_OK to the last error. */
 static uint32_t endings[30];
 
+/* Of what calls answered: the same from every compiler, which shows that they were the same calls. */
+static uint32_t checksum = 2166136261u;
+
 static void report(void) {
     char text[160];
     /* NOLINTNEXTLINE(bugprone-signal-handler): a fault is one of the library's, which is never within snprintf */
@@ -52,10 +55,18 @@ void attack_require(int holds, const char *what) {
     exit(1);
 }
 
+void attack_add(const void *bytes, size_t count) {
+    const uint8_t *const each = bytes;
+    for (size_t i = 0; i < count; i++)
+        checksum = (checksum ^ each[i]) * 16777619u; /* FNV-1a (Fowler, Noll and Vo) */
+}
+
 void attack_ended(int status) {
     attack_require(status <= 1 && status >= GLINT_ERROR_STRIDE, "a documented status");
     attack_require(strcmp(glint_strerror(status < 0 ? status : 0), "unknown status") != 0, "a status with a sentence");
     endings[status < 0 ? -status : 0]++;
+    attack_add(&place.call, sizeof place.call);
+    attack_add(&status, sizeof status);
 }
 
 static void fill(source *s, uint8_t bytes[ROUND_BYTES], uint32_t *state) {
@@ -118,8 +129,8 @@ int main(int argc, char **argv) {
         calls += draw_round(&stage, &v, wanted - calls);
     for (int i = 0; i <= -GLINT_ERROR_STRIDE; i++)
         all += endings[i];
-    printf("  %u calls in %u rounds, %u answers, %u of them without an error\n", (unsigned)calls, (unsigned)place.round,
-           (unsigned)all, (unsigned)endings[0]);
+    printf("  %u calls in %u rounds, %u answers, %u of them without an error; checksum %08x\n", (unsigned)calls,
+           (unsigned)place.round, (unsigned)all, (unsigned)endings[0], (unsigned)checksum);
     const int passed = are_all_seen();
     printf("%d passed, %d failed\n", passed, !passed);
     return !passed;

@@ -22,7 +22,9 @@ SUITES += test-attack
 .PHONY: attack test-attack
 test-attack: $(ATTACK) $(ATTACK_SANITIZED) ## extreme arguments, between pages that must not be touched
 	@$(ATTACK) 1 60000 24372
-	@$(ATTACK_SANITIZED) 2 12000
+	@$(ATTACK) 2 12000 > $(ATTACK).log; status=$$?; cat $(ATTACK).log; exit $$status
+	@$(ATTACK_SANITIZED) 2 12000 > $(ATTACK_SANITIZED).log; status=$$?; cat $(ATTACK_SANITIZED).log; exit $$status
+	@cmp $(ATTACK).log $(ATTACK_SANITIZED).log || { echo "two compilers, other calls or other answers"; exit 1; }
 
 attack: $(ATTACK) $(ATTACK_SANITIZED) ## a million calls with extreme arguments; ATTACK_SEED chooses which
 	@$(ATTACK) $(ATTACK_SEED) $(ATTACK_CALLS)

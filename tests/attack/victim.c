@@ -74,6 +74,7 @@ static void open_screen(victim *v, const glint_config *config) {
 static void judge_frame(victim *v, int status) {
     const victim_screen *const of = &v->screen;
     attack_ended(status);
+    attack_add(&of->sum, sizeof of->sum);
     attack_require(!of->is_sending, "a frame's last tile waited for");
     if (status == GLINT_OK)
         attack_require(of->next_y == of->region.y + of->region.height, "a complete frame");
@@ -147,26 +148,29 @@ void victim_open(victim *v) {
              need.one_pass > ARENA_MOST / 4);
 }
 
-/* Tables of output, which are not written either. */
-static const uint16_t (*take_gamma(source *s))[GLINT_GAMMA_ENTRIES] {
-    return one_in(s, 8) ? glint_gamma_srgb : NULL;
+/* What a round draws with: each number is drawn in a statement of its own, as everywhere here, for the order of calls
+ * in one expression is the compiler's. */
+static void take_config(victim *v, source *s) {
+    static const uint16_t tiles[5] = {0, 8, 16, 32, 64};
+    glint_config *const config = &v->config;
+    *config = (glint_config){.flush = {begin, NULL, v}};
+    config->width = (uint16_t)(1 + below(s, 64));
+    config->height = (uint16_t)(1 + below(s, 48));
+    config->tile_width = tiles[below(s, 5)];
+    config->tile_height = tiles[below(s, 5)];
+    config->format = every_format[below(s, 16)];
+    config->flush.wait = below(s, 2) ? wait : NULL;
+    config->gamma = one_in(s, 8) ? glint_gamma_srgb : NULL; /* not written either */
+    config->keeps_arena = (uint8_t)below(s, 2);
+    config->counts_drawn = (uint8_t)below(s, 2);
+    config->skips_degenerate = (uint8_t)below(s, 2);
+    config->left = (int16_t)take(s, 2);
+    config->top = (int16_t)take(s, 2);
 }
 
 void victim_begin(victim *v, source *s) {
-    static const uint16_t tiles[5] = {0, 8, 16, 32, 64};
     glint_config *const config = &v->config;
-    *config = (glint_config){.width = (uint16_t)(1 + below(s, 64)),
-                             .height = (uint16_t)(1 + below(s, 48)),
-                             .tile_width = tiles[below(s, 5)],
-                             .tile_height = tiles[below(s, 5)],
-                             .format = every_format[below(s, 16)],
-                             .flush = {begin, below(s, 2) ? wait : NULL, v},
-                             .gamma = take_gamma(s),
-                             .keeps_arena = (uint8_t)below(s, 2),
-                             .counts_drawn = (uint8_t)below(s, 2),
-                             .skips_degenerate = (uint8_t)below(s, 2),
-                             .left = (int16_t)take(s, 2),
-                             .top = (int16_t)take(s, 2)};
+    take_config(v, s);
     if (one_in(s, 4)) {
         config->pixels_size = glint_pixels_need(config);
         config->pixels = pages_place(&v->pixels, config->pixels_size, sizeof(void *), (int)below(s, 2));
@@ -195,9 +199,10 @@ static void attack_render(victim *v, attack_stage *stage, source *s) {
 }
 
 static glint_rectangle take_rectangle(source *s) {
-    glint_rectangle to = {(int16_t)(8 * below(s, 8)), (int16_t)(8 * below(s, 8)), (int16_t)(8 + 8 * below(s, 8)),
-                          (int16_t)(8 + 8 * below(s, 8))};
+    glint_rectangle to;
     int16_t *const number[4] = {&to.x, &to.y, &to.width, &to.height};
+    for (int i = 0; i < 4; i++)
+        *number[i] = (int16_t)(8 * (i / 2) + 8 * (int)below(s, 8));
     for (int i = 0; i < 4; i++)
         if (one_in(s, 8))
             *number[i] = (int16_t)attack_number(s, (uint32_t)*number[i]);
@@ -214,7 +219,8 @@ static void attack_region(victim *v, attack_stage *stage, source *s) {
 static void spoil_sizes(glint_config *config, source *s) {
     static const uint16_t sizes[] = {0, 1, 2, 7, 9, 63, 65, 255, 1024, 1025, 0x7fff, 0x8000, 0xffff};
     uint16_t *const size[4] = {&config->width, &config->height, &config->tile_width, &config->tile_height};
-    *size[below(s, 4)] = sizes[below(s, sizeof sizes / sizeof *sizes)];
+    uint16_t *const one = size[below(s, 4)];
+    *one = sizes[below(s, sizeof sizes / sizeof *sizes)];
 }
 
 static void spoil_config(victim *v, glint_config *config, source *s) {
@@ -229,7 +235,8 @@ static void spoil_config(victim *v, glint_config *config, source *s) {
         config->arena = NULL;
         break;
     case 3: /* of any size, and yet between forbidden pages */
-        config->arena_size = take(s, 3) % ((size_t)1 << below(s, 18));
+        config->arena_size = (size_t)1 << below(s, 18);
+        config->arena_size = take(s, 3) % config->arena_size;
         config->arena = pages_place(&v->arena, config->arena_size, 1, (int)below(s, 2));
         break;
     case 4:
@@ -320,8 +327,10 @@ static void attack_need(victim *v, attack_stage *stage, source *s) {
     glint_config config = v->config;
     if (one_in(s, 4))
         spoil_sizes(&config, s);
-    const glint_status status = (turned ? glint_arena_need_turned : glint_arena_need)(
-        one_in(s, 64) ? NULL : &config, one_in(s, 64) ? NULL : &stage->now->scene, one_in(s, 64) ? NULL : need);
+    const glint_config *const by = one_in(s, 64) ? NULL : &config;
+    const glint_scene *const scene = one_in(s, 64) ? NULL : &stage->now->scene;
+    glint_need *const answer = one_in(s, 64) ? NULL : need;
+    const glint_status status = (turned ? glint_arena_need_turned : glint_arena_need)(by, scene, answer);
     judge_answer(v, status);
     if (status != GLINT_OK)
         return;
@@ -353,20 +362,27 @@ static void attack_pick(victim *v, attack_stage *stage, source *s) {
     glint_hit *const hit = place_out(v, s, sizeof *hit);
     const int x = one_in(s, 8) ? (int)attack_number(s, 0) : (int)below(s, 64);
     const int y = one_in(s, 8) ? (int)attack_number(s, 0) : (int)below(s, 48);
-    const int status =
-        glint_pick(v->drawing, one_in(s, 64) ? NULL : &stage->now->scene, x, y, one_in(s, 64) ? NULL : hit);
+    const glint_scene *const scene = one_in(s, 64) ? NULL : &stage->now->scene;
+    const int status = glint_pick(v->drawing, scene, x, y, one_in(s, 64) ? NULL : hit);
     judge_answer(v, status);
     if (status == 0)
         attack_require(are_all(hit, sizeof *hit, PATTERN), "no hit, no answer");
-    else if (status > 0)
+    attack_add(&hit->object, sizeof hit->object);
+    attack_add(&hit->triangle, sizeof hit->triangle);
+    if (status > 0)
         attack_require(hit->object < stage->now->scene.object_count &&
                            hit->triangle < stage->now->objects[hit->object].mesh->triangle_count,
                        "a triangle of the scene");
 }
 
 static glint_vector take_vector(source *s) {
-    return (glint_vector){(glint_q16)attack_number(s, take(s, 4)), (glint_q16)attack_number(s, take(s, 4)),
-                          (glint_q16)attack_number(s, take(s, 4))};
+    glint_vector to;
+    glint_q16 *const number[3] = {&to.x, &to.y, &to.z};
+    for (int i = 0; i < 3; i++) {
+        const uint32_t old = take(s, 4);
+        *number[i] = (glint_q16)attack_number(s, old);
+    }
+    return to;
 }
 
 static void attack_project(victim *v, attack_stage *stage, source *s) {
@@ -374,9 +390,11 @@ static void attack_project(victim *v, attack_stage *stage, source *s) {
     glint_config config = v->config;
     if (one_in(s, 4))
         spoil_sizes(&config, s);
-    judge_answer(v,
-                 glint_camera_project(one_in(s, 64) ? NULL : &config, one_in(s, 64) ? NULL : &stage->now->scene.camera,
-                                      take_vector(s), one_in(s, 64) ? NULL : place));
+    const glint_config *const by = one_in(s, 64) ? NULL : &config;
+    const glint_camera *const camera = one_in(s, 64) ? NULL : &stage->now->scene.camera;
+    const glint_vector point = take_vector(s);
+    judge_answer(v, glint_camera_project(by, camera, point, one_in(s, 64) ? NULL : place));
+    attack_add(place, sizeof *place);
 }
 
 /* ---- Attacks: lines ---- */
@@ -393,19 +411,31 @@ static int paint_wires(void *context, const glint_tile *tile) {
     return glint_lines_draw(tile, w->segments, LINES);
 }
 
+/* A box, and others. */
+static void take_lines(glint_line lines[LINES], source *s) {
+    glint_colour colour = {.r = GLINT_ONE};
+    colour.g = (glint_q16)take(s, 2);
+    colour.b = one_in(s, 8) ? (glint_q16)attack_number(s, 0) : 0;
+    for (int i = 11; i < LINES; i++) {
+        lines[i] = (glint_line){.colour = colour};
+        lines[i].from = take_vector(s);
+        lines[i].to = take_vector(s);
+    }
+    const glint_line corners = lines[11];
+    glint_lines_box(lines, corners.from, corners.to, colour);
+}
+
 static void attack_lines(victim *v, attack_stage *stage, source *s) {
     wires w;
     glint_segment *const segments = place_out(v, s, LINES * sizeof *segments);
-    const glint_colour colour = {GLINT_ONE, (glint_q16)take(s, 2), one_in(s, 8) ? (glint_q16)attack_number(s, 0) : 0};
     glint_config config = v->config;
-    glint_lines_box(w.lines, take_vector(s), take_vector(s), colour);
-    for (int i = 12; i < LINES; i++)
-        w.lines[i] = (glint_line){take_vector(s), take_vector(s), colour};
+    take_lines(w.lines, s);
     w.segments = segments;
     if (one_in(s, 8))
         spoil_sizes(&config, s);
-    const glint_status status = glint_lines_place(one_in(s, 64) ? NULL : segments, &config, &stage->now->scene.camera,
-                                                  one_in(s, 64) ? NULL : &stage->now->objects[0].pose, w.lines, LINES);
+    glint_segment *const answer = one_in(s, 64) ? NULL : segments;
+    const glint_pose *const pose = one_in(s, 64) ? NULL : &stage->now->objects[0].pose;
+    const glint_status status = glint_lines_place(answer, &config, &stage->now->scene.camera, pose, w.lines, LINES);
     judge_answer(v, status);
     attack_require(glint_lines_draw(NULL, segments, LINES) == GLINT_ERROR_NULL, "no tile, no lines");
     if (status != GLINT_OK)
@@ -427,8 +457,8 @@ static void attack_changes(victim *v, attack_stage *stage, source *s) {
     const uint32_t count = glint_changes_count(&config);
     void *const signatures =
         pages_place(&v->signatures, count * sizeof(glint_signature), sizeof(uint32_t), (int)below(s, 2));
-    const glint_status status =
-        glint_changes_init(changes, one_in(s, 64) ? NULL : signatures, one_in(s, 64) ? NULL : &config);
+    glint_signature *const kept = one_in(s, 64) ? NULL : signatures;
+    const glint_status status = glint_changes_init(changes, kept, one_in(s, 64) ? NULL : &config);
     attack_ended(status);
     config.flush = glint_changes_flush(changes);
     if (status != GLINT_OK)
@@ -472,8 +502,8 @@ static void attack_tiles(victim *v, attack_stage *stage, source *s) {
     config.keeps_arena = 0;
     if (one_in(s, 2))
         spoil_config(v, &config, s);
-    const glint_status status =
-        glint_frame_begin(frame, one_in(s, 64) ? NULL : &config, one_in(s, 64) ? NULL : &stage->now->scene);
+    const glint_config *const by = one_in(s, 64) ? NULL : &config;
+    const glint_status status = glint_frame_begin(frame, by, one_in(s, 64) ? NULL : &stage->now->scene);
     attack_ended(status);
     if (status != GLINT_OK) {
         attack_require(are_all(frame, sizeof *frame, 0), "a frame that is all 0");
@@ -493,7 +523,8 @@ static void attack_tiles(victim *v, attack_stage *stage, source *s) {
 /* Of arrays that say nothing of how long others are: numbers of borrowers would. */
 static pages *take_array(attack_stage *stage, source *s) {
     static const uint8_t arrays[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 10};
-    return &stage->arrays[below(s, DRAWING_MESHES)][arrays[below(s, sizeof arrays)]];
+    pages *const of = stage->arrays[below(s, DRAWING_MESHES)];
+    return &of[arrays[below(s, sizeof arrays)]];
 }
 
 /* Changes bit number `bit` of some bytes. */
@@ -504,13 +535,15 @@ static void flip(uint8_t *bytes, size_t bit) {
 /* A bit of a mesh's arrays flips, and one of the structures' numbers; the next frame is drawn without them. */
 static void attack_flip(victim *v, attack_stage *stage, source *s) {
     props *const now = stage->now;
-    uint8_t *const numbers[3] = {(uint8_t *)&now->objects[below(s, DRAWING_OBJECTS)].pose,
-                                 (uint8_t *)&now->materials[below(s, DRAWING_OBJECTS)].ambient,
-                                 (uint8_t *)&now->lights[below(s, GLINT_LIGHTS_MAX)].vector};
+    uint8_t *numbers[3];
+    numbers[0] = (uint8_t *)&now->objects[below(s, DRAWING_OBJECTS)].pose;
+    numbers[1] = (uint8_t *)&now->materials[below(s, DRAWING_OBJECTS)].ambient;
+    numbers[2] = (uint8_t *)&now->lights[below(s, GLINT_LIGHTS_MAX)].vector;
     pages *const array = take_array(stage, s);
     const size_t bit = array->size ? take(s, 4) % (8 * array->size) : 0;
     pages_unseal(&stage->structures);
-    flip(numbers[below(s, 3)], below(s, 8 * sizeof(glint_colour)));
+    uint8_t *const number = numbers[below(s, 3)];
+    flip(number, below(s, 8 * sizeof(glint_colour)));
     pages_seal(&stage->structures);
     for (int frame = 0; frame < 2; frame++) { /* with the array's bit, and without */
         pages_unseal(array);
@@ -563,9 +596,12 @@ static void attack_generators(victim *v, attack_stage *stage, source *s) {
     room.normals = pages_place(&v->out, vertices * sizeof *room.normals, 2, 1);
     room.triangles = pages_place(&v->pixels, triangles * sizeof *room.triangles, 2, 1);
     before = mesh;
-    const glint_status status = generate(s, one_in(s, 64) ? NULL : &mesh, one_in(s, 64) ? NULL : &room);
+    glint_mesh *const answer = one_in(s, 64) ? NULL : &mesh;
+    const glint_mesh_room *const from = one_in(s, 64) ? NULL : &room;
+    const glint_status status = generate(s, answer, from);
     attack_ended(status);
     if (status == GLINT_OK) {
+        attack_add(mesh.positions, mesh.vertex_count * sizeof *mesh.positions);
         for (uint32_t i = 0; i < 3 * mesh.triangle_count; i++)
             attack_require(mesh.triangles[i / 3][i % 3] < mesh.vertex_count, "indices of vertices that there are");
     } else {

@@ -46,4 +46,7 @@ void attack_require(int holds, const char *what);
 /** Counts what a call ended in; ends the program where that is no documented status. */
 void attack_ended(int status);
 
+/** Adds to the checksum of all answers. */
+void attack_add(const void *bytes, size_t count);
+
 #endif

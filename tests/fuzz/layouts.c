@@ -50,7 +50,8 @@ static void store_low_bytes(uint8_t *to, const void *from) {
 /* Moves an array of `count` things of `size` bytes into an attribute. @return what holds it; the array is gone */
 static void *move(source *s, const storing *how, const void *array, size_t size, uint32_t count, glint_attribute *to) {
     const uint32_t stride = how->size + (how->is_even ? 2 : 1) * below(s, 4), used = stride ? stride : how->size;
-    uint8_t *const memory = allocate((size_t)used * (count - 1) + how->size);
+    const size_t bytes = (size_t)used * (count - 1) + how->size;
+    uint8_t *const memory = memset(allocate(bytes), 0, bytes); /* what lies between may be read with another stride */
     for (uint32_t i = 0; i < count; i++)
         how->store(memory + (size_t)used * i, (const uint8_t *)array + size * i);
     *to = (glint_attribute){how->type, memory, stride == how->size && below(s, 2) ? 0 : stride};
