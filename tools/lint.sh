@@ -4,6 +4,7 @@
 set -u
 logs=$1
 bench=$logs/../bench # the generated scenes of the benchmark
+[ "$(git rev-parse --show-toplevel 2>/dev/null)" = "$(pwd -P)" ] || { echo "lint: takes a clone: it checks what git lists"; exit 1; }
 mkdir -p "$logs"
 jobs=$(nproc 2>/dev/null || echo 2)
 failed=0

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# What others take: the library as two files, and installed.
+# What others take: the library as two files, installed, and as an archive of the sources.
 
 SINGLE := $(BUILD)/single
 PUBLIC_HEADERS := $(wildcard src/*.h)
 
-.PHONY: single install uninstall pack
+.PHONY: single install uninstall pack dist
 
 single: $(SINGLE)/glint.c ## the library as two files, glint.c and glint.h, in build/single
 $(SINGLE)/glint.c $(SINGLE)/glint.h &: tools/packages/single.py $(LIBRARY) $(wildcard src/*.h src/*/*.h)
@@ -28,3 +28,6 @@ uninstall: ## remove what install has put there
 
 pack: ## the library as a CMSIS-Pack, in build/pack
 	@python3 tools/packages/pack.py $(BUILD)/pack `tools/version.sh print`
+
+dist: ## the sources of the last commit as an archive, the same bytes anywhere, with its SHA256SUMS in build/dist
+	@tools/packages/dist.sh $(BUILD)/dist
