@@ -24,8 +24,10 @@ typedef struct row_sums {
 
 /* 1 / |M|, Q15, of M.M less its least. */
 static inline uint32_t inverse_of(uint32_t square) {
-    const int32_t entry = (int32_t)glint_saturate((int32_t)square, 10, 20);
-    return glint_root_table[glint_least(entry, 767)];
+    uint32_t entry = (uint32_t)glint_shift_right((int32_t)square, 20);
+    if (entry >= 768)
+        entry = (int32_t)square < 0 ? 0 : 767;
+    return glint_root_table[entry];
 }
 
 /* A base and a sum times 1 / |M|. */
@@ -60,22 +62,26 @@ static GLINT_INLINE void begin_run_inline(const row_sums *of, int32_t i, int32_t
         two.value += (uint32_t)of->base[1];
         three.value += (uint32_t)of->base[2];
     }
+    uint16_t *depth = at->depth, *inverse = at->inverse;
+    uint32_t z = at->z;
+    int32_t(*row)[3] = at->row;
     do {
         const uint32_t over = is_over ? inverse_of(square.value) : 0;
-        *at->depth++ = (uint16_t)(at->z >> 15);
-        at->z += z_dx;
+        *depth++ = (uint16_t)(z >> 15);
+        z += z_dx;
         if (is_over)
-            *at->inverse++ = (uint16_t)over;
+            *inverse++ = (uint16_t)over;
         if (is_chroma) {
             const int32_t amount = glint_shift_right((int32_t)one.value, 16);
-            (*at->row)[0] = is_over ? glint_shift_right(amount * (int32_t)over, 15) : amount;
-            (*at->row)[1] = 0;
+            (*row)[0] = is_over ? glint_shift_right(amount * (int32_t)over, 15) : amount;
+            (*row)[1] = 0;
         } else {
-            (*at->row)[0] = is_over ? over_length(one.value, of->base[0], over) : (int32_t)one.value;
-            (*at->row)[1] = is_over ? over_length(two.value, of->base[1], over) : (int32_t)two.value;
-            (*at->row)[2] = is_over ? over_length(three.value, of->base[2], over) : (int32_t)three.value;
+            (*row)[0] = is_over ? over_length(one.value, of->base[0], over) : (int32_t)one.value;
+            (*row)[1] = is_over ? over_length(two.value, of->base[1], over) : (int32_t)two.value;
+            (*row)[2] = is_over ? over_length(three.value, of->base[2], over) : (int32_t)three.value;
         }
-        at->row++;
+        row++;
+        GLINT_OPAQUE(row); /* else a second pointer runs beside it */
         glint_progress_next(&one);
         if (is_over)
             glint_progress_next(&square);
@@ -83,7 +89,8 @@ static GLINT_INLINE void begin_run_inline(const row_sums *of, int32_t i, int32_t
             glint_progress_next(&two);
             glint_progress_next(&three);
         }
-    } while (at->depth < right && at->z >> 15 > *at->depth);
+    } while (depth < right && z >> 15 > *depth);
+    *at = (row_pixel){depth, z, row, inverse};
 }
 
 /*
