@@ -7,8 +7,8 @@
 #include "found.h"
 #include "shapes.h"
 
-/* Twice the area, 28.4 squared, times the lights, below which pieces take more than fragments: measured, of 400 pixels.
- */
+/* Twice the area, 28.4 squared, times two more than the lights, below which pieces take more than fragments: measured,
+ * of 400 pixels. */
 #define PIECES_AREA (400 * 512)
 
 /* Nodes lie at quarters of the second and the third corner's barycentric coordinates. */
@@ -161,10 +161,10 @@ static void cut_spans(const glint_part *part, glint_span spans[4][GLINT_TILE_MAX
             while (column < rest->right && (here < 0) != (plane.dx < 0))
                 column++, here += plane.dx;
             before = column;
-            spans[i][y] = plane.dx < 0 ? (glint_span){rest->left, (uint8_t)column}
-                                       : (glint_span){(uint8_t)column, rest->right};
-            *rest = plane.dx < 0 ? (glint_span){(uint8_t)column, rest->right}
-                                 : (glint_span){rest->left, (uint8_t)column};
+            spans[i][y] =
+                plane.dx < 0 ? (glint_span){rest->left, (uint8_t)column} : (glint_span){(uint8_t)column, rest->right};
+            *rest =
+                plane.dx < 0 ? (glint_span){(uint8_t)column, rest->right} : (glint_span){rest->left, (uint8_t)column};
         }
     }
 }
@@ -223,7 +223,7 @@ int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, cons
                          .barycentric = &barycentric};
     glint_span spans[4][GLINT_TILE_MAX];
     glint_part cut = *part;
-    if (triangle->area * (int32_t)draw->shading->terms->shown < PIECES_AREA || glint_is_deep(triangle) ||
+    if (triangle->area * (int32_t)(draw->shading->terms->shown + 2) < PIECES_AREA || glint_is_deep(triangle) ||
         glint_slenderness(&part->gradients, triangle->area) > GLINT_POLYNOMIAL_SLENDER)
         return 0;
     begin_pieces(&p, &shape);
