@@ -23,9 +23,9 @@ static int32_t largest_of(const uint16_t v[3]) {
     return glint_most_of(v[0], v[1], v[2]);
 }
 
-/* Bits of levels that errors are counted in: of a format's channels, but no less than 6. */
+/* Bits of levels that errors are counted in: those of a format's channels, of four bits or fewer 6. */
 static unsigned level_bits(const glint_format *format, int c) {
-    return format->channel[c] == 0 ? 8 : format->channel[c] < 6 ? 6 : format->channel[c];
+    return format->channel[c] == 0 ? 8 : format->channel[c] < 5 ? 6 : format->channel[c];
 }
 
 /* A weight, Q12, in levels, as glint_to_levels does it; and what it makes, levels in Q8. */
