@@ -106,16 +106,19 @@ static void light_blinn_phong(const glint_shading *shading, uint32_t index, cons
     light_all(shading, index, view, fragments, has_surface, half_vector_lobe);
 }
 
+/* Bit i: the scene of the last twin has a light i. */
+static uint32_t lights_there;
+
 /* Where no more than one light shows, fast lighting asks which. */
 static void show_all_lights(glint_shading *shading) {
     if (shading->lights & (shading->lights - 1))
-        shading->lights = UINT32_MAX;
+        shading->lights = lights_there;
 }
 
 static void prepare(glint_shading *shading, uint32_t largest_specular) {
     COUNT(no_specular, !largest_specular);
     show_all_lights(shading);
-    shading->has_specular = UINT32_MAX;
+    shading->has_specular = lights_there;
     glint_prepare_specular(shading, largest_specular ? largest_specular : 1);
 }
 
@@ -139,6 +142,7 @@ static const glint_model *twin_of(const glint_model *model) {
 int undropped_make(undropped_scene *twin, const glint_scene *scene) {
     twin->scene = *scene;
     twin->scene.objects = twin->objects;
+    lights_there = ((uint32_t)1 << scene->light_count) - 1;
     for (uint32_t i = 0; i < scene->object_count; i++) {
         if (i == UNDROPPED_OBJECTS_MAX)
             return 0;
