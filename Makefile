@@ -12,6 +12,9 @@ LIBRARY  := $(wildcard src/*/*.c)
 # Commands are printed with V=1.
 Q := $(if $(V),,@)
 
+# What suites take samples of is chosen by the commit, or by a number that is given.
+TEST_SEED ?= $(shell printf '%d' 0x$$(git rev-parse --short=7 HEAD 2>/dev/null || echo 1))
+
 # Python leaves nothing beside its sources.
 export PYTHONDONTWRITEBYTECODE := 1
 
