@@ -44,8 +44,17 @@ SUITES := test-unit-host test-image test-identity test-sanitize test-matrix test
 # A folder of tests or tools that needs targets of its own brings them, and adds its suites to SUITES.
 -include port/host/host.mk port/boards.mk port/web/web.mk tests/tests.mk $(sort $(wildcard tests/*/*.mk tools/*/*.mk))
 
+# While tools/test.sh runs them, each suite writes into a file of its own.
+ifdef SUITE_LOGS
+$(SUITES): private SHELL = tools/suite.sh
+$(SUITES): private .SHELLFLAGS = $(SUITE_LOGS)/$@
+.PHONY: $(SUITES:%=ended-%)
+$(SUITES:%=ended-%): ended-%: %
+	@echo 0 > $(SUITE_LOGS)/$*.status
+endif
+
 .PHONY: test lint clean $(SUITES)
-test: ## run every suite; installs missing tools first
+test: ## run every suite, as many at once as there are cores; installs missing tools first
 	@tools/setup.sh
 	@tools/test.sh $(BUILD)/test $(SUITES)
 
