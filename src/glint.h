@@ -521,7 +521,12 @@ size_t glint_row_bytes(const glint_format *format, uint32_t width);
  * Takes finished tiles. `begin` starts to send a rectangle and may return before it is sent; `wait` returns when it
  * is. They are called in pairs, in order, and the buffer is not modified between them. Tiles that show only the
  * background may pass the same pixels again. Either returns 0, or anything else to report a failure, which ends the
- * frame with GLINT_ERROR_FLUSH.
+ * frame with GLINT_ERROR_FLUSH: no further tile is sent, and the next frame is whole.
+ *
+ * These and painters may call all of the library with another renderer and another arena, to any depth that the stack
+ * allows. They must not touch the renderer that calls them, its arena, or the scene, and they must return: the library
+ * has no clock, so that a wait without an end is a frame without one. Bound each wait, and report a failure when it is
+ * over; what is given up must not go on reading the pixels. The drivers in port/ end so with GLINT_ERROR_TIMEOUT.
  */
 typedef struct glint_flush {
     /** Starts to send; `stride` is bytes from a row of `pixels` to the next. */
@@ -635,7 +640,7 @@ typedef struct glint_stats {
     uint32_t hidden;                  /**< Objects dropped whole: outside the screen, hidden, or skipped. */
     uint32_t references;              /**< Triangle references put into tiles. */
     uint32_t arena_used;              /**< Most bytes of the arena in use. */
-    int flush_error;                  /**< After GLINT_ERROR_FLUSH, what the flush callback returned; else 0. */
+    int flush_error;                  /**< What the flush callback returned when it failed, else 0. */
     glint_drawn drawn[GLINT_KERNELS]; /**< Where the configuration asks for it, else 0. */
     uint32_t skipped;                 /**< Objects left out as glint_config.skips_degenerate asks, else 0. */
 } glint_stats;

@@ -38,6 +38,7 @@ SUITE_diagnose  := $(TEST_HARNESS) tests/image/diagnose.c $(TEST_SCENES)
 SUITE_skipped   := $(TEST_HARNESS) tests/image/skipped.c $(TEST_SCENES)
 SUITE_pick      := $(TEST_HARNESS) tests/image/pick.c $(TEST_SCENES)
 SUITE_region    := $(TEST_HARNESS) tests/image/region.c $(TEST_SCENES)
+SUITE_callbacks := $(TEST_HARNESS) tests/image/callbacks.c $(TEST_SCENES)
 SUITE_lines     := $(TEST_HARNESS) tests/image/lines.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_orthographic := $(TEST_HARNESS) tests/image/orthographic.c tests/stability/contract.c tests/stability/weights.c \
     $(TEST_SCENES) $(TEST_JUDGE)
@@ -51,7 +52,7 @@ SUITE_nodes     := $(TEST_HARNESS) tests/image/nodes.c tests/image/fine.c $(TEST
 SUITE_parts     := $(TEST_HARNESS) tests/host/parts.c \
     $(addprefix port/host/,compare.c numbered.c png_read.c inflate.c png.c deflate.c output.c memory.c problem.c)
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit parts numbers setup point compare accuracy models gallery formats output extremes highlights fill_rule identity changes layouts region pick skipped diagnose camera kept arenas turned drops hidden budget opposed nodes lines orthographic
+TEST_SUITES     := unit parts numbers setup point compare accuracy models gallery formats output extremes highlights fill_rule identity changes layouts region callbacks pick skipped diagnose camera kept arenas turned drops hidden budget opposed nodes lines orthographic
 
 # $(call test_objects,variant,compiler and flags): build/<variant>/<source>.o
 define test_objects
@@ -112,7 +113,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit parts numbers setup point camera) ## unit tests on the host, arithmetic against libm, files of others
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery formats output extremes highlights fill_rule changes layouts region pick skipped diagnose kept arenas turned drops hidden budget opposed nodes lines orthographic) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery formats output extremes highlights fill_rule changes layouts region callbacks pick skipped diagnose kept arenas turned drops hidden budget opposed nodes lines orthographic) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order

@@ -199,7 +199,7 @@ static void attack_render(victim *v, attack_stage *stage, source *s) {
 }
 
 static glint_rectangle take_rectangle(source *s) {
-    glint_rectangle to;
+    glint_rectangle to = {0, 0, 0, 0};
     int16_t *const number[4] = {&to.x, &to.y, &to.width, &to.height};
     for (int i = 0; i < 4; i++)
         *number[i] = (int16_t)(8 * (i / 2) + 8 * (int)below(s, 8));
@@ -376,7 +376,7 @@ static void attack_pick(victim *v, attack_stage *stage, source *s) {
 }
 
 static glint_vector take_vector(source *s) {
-    glint_vector to;
+    glint_vector to = {0, 0, 0};
     glint_q16 *const number[3] = {&to.x, &to.y, &to.z};
     for (int i = 0; i < 3; i++) {
         const uint32_t old = take(s, 4);
