@@ -78,10 +78,12 @@ typedef struct glint_interpolation_edge {
 
 /** Quadratics that interpolate a triangle's lighting, and what they are made of. */
 typedef struct glint_interpolation {
-    glint_quadratic cosine;            /* N.L, Q30 */
-    glint_quadratic x, y;              /* scaled deviation in the high half, as that of glint_fast_planes */
-    int gated;                         /* N.L may be below 0 */
-    int clamped;                       /* with its highlight, light may pass 1 */
+    glint_exact_kind kind;
+    int gated;              /* N.L may be below 0 */
+    int clamped;            /* with its highlight, light may pass 1 */
+    glint_quadratic cosine; /* N.L, Q30 */
+    glint_quadratic x, y;   /* scaled deviation in the high half, as that of glint_fast_planes */
+    /* what these are made of */
     glint_interpolation_edge edges[3]; /* from corner 0 to 1, from 1 to 2, from 0 to 2 */
     glint_barycentric gradients;
 } glint_interpolation;
@@ -95,6 +97,11 @@ void glint_interpolate_prepare(glint_fast_terms *fast, const glint_frame *frame,
  */
 glint_exact_kind glint_interpolate_begin(const glint_draw *draw, const glint_triangle *triangle, const glint_part *part,
                                          glint_interpolation *to);
+
+/** The same, found in `own` unless another tile has found it. */
+const glint_interpolation *glint_interpolation_find(glint_workspace *workspace, const glint_draw *draw,
+                                                    const glint_triangle *triangle, const glint_part *part,
+                                                    glint_interpolation *own);
 
 /** Its x and y, once all else is there. @return 0 where it does not fit */
 int glint_interpolate_highlight(const glint_draw *draw, const glint_triangle *triangle, glint_interpolation *to);

@@ -389,11 +389,11 @@ static inline int glint_draw_exactly(const glint_frame *frame, glint_workspace *
 static inline int glint_draw_curved(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                                     const glint_triangle *triangle, const glint_part *part, int high_first) {
     const glint_spans spans = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
-    glint_interpolation light;
-    const glint_exact_kind kind = glint_interpolate_begin(draw, triangle, part, &light);
-    if (kind == GLINT_EXACT_UNFIT)
+    glint_interpolation own;
+    const glint_interpolation *const light = glint_interpolation_find(workspace, draw, triangle, part, &own);
+    if (light->kind == GLINT_EXACT_UNFIT)
         return glint_draw_exactly(frame, workspace, draw, triangle, part, high_first);
-    glint_draw_interpolated(workspace, &spans, draw->shading, &light, kind, high_first);
+    glint_draw_interpolated(workspace, &spans, draw->shading, light, light->kind, high_first);
     return 1;
 }
 

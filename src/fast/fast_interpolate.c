@@ -5,6 +5,7 @@
  * planes are off by its square.
  */
 #include "../math/division.h"
+#include "../raster/found.h"
 #include "../raster/setup.h"
 #include "fast_exact.h"
 
@@ -325,4 +326,21 @@ glint_exact_kind glint_interpolate_begin(const glint_draw *draw, const glint_tri
         begin_highlight(to, &n);
     }
     return kind;
+}
+
+const glint_interpolation *glint_interpolation_find(glint_workspace *workspace, const glint_draw *draw,
+                                                    const glint_triangle *triangle, const glint_part *part,
+                                                    glint_interpolation *own) {
+    const glint_interpolation *const before = glint_found_find(workspace, triangle, part, 0);
+    if (before)
+        return before;
+    glint_interpolation *const kept = glint_found_begin(workspace, triangle, part, sizeof *kept);
+    glint_interpolation *const found = kept ? kept : own;
+    found->kind = glint_interpolate_begin(draw, triangle, part, found);
+    if (kept)
+        glint_found_keep(workspace, triangle, 0,
+                         found->kind == GLINT_EXACT_UNFIT     ? offsetof(glint_interpolation, gated)
+                         : found->kind == GLINT_EXACT_DIFFUSE ? offsetof(glint_interpolation, x)
+                                                              : offsetof(glint_interpolation, edges));
+    return found;
 }

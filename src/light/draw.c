@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Kernel: from the spans of a triangle to pixels, by runs of pixels that pass the depth test and a row of colours. */
 #include "../pixel/format.h"
+#include "../raster/found.h"
 #include "../raster/polynomial.h"
 #include "../raster/runs.h"
 #include "colour.h"
@@ -225,36 +226,63 @@ static void begin_channel_quadratics(glint_quadratic channel[3], const glint_gra
     }
 }
 
+/* Colours of a triangle that is lit at its corners. */
+typedef struct lit_colours {
+    curve_fit how;
+    glint_quadratic channels[3];
+} lit_colours;
+
+static void find_lit_colours(const glint_config *config, const glint_triangle *triangle, const glint_gradients *g,
+                             const int16_t *const colour[3], lit_colours *to) {
+    const glint_format *const format = config->format;
+    int32_t a[3][3];
+    to->how = glint_is_deep(triangle) ? FITS_NOTHING : find_fit(triangle, g, format, colour);
+    if (to->how == FITS_NOTHING)
+        return;
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < 3; i++)
+            a[c][i] = config->gamma || !format->channel[c] ? colour[i][c]
+                                                           : colour[i][c] - (colour[i][c] >> format->channel[c]);
+    if (to->how == FITS_PLANES)
+        begin_channel_planes(to->channels, g, a);
+    else
+        begin_channel_quadratics(to->channels, g, triangle->corners, a);
+    for (int c = 0; c < 3 && !config->gamma; c++)
+        to->channels[c].start += (uint32_t)glint_to_levels(0, format->channel[c]);
+}
+
+/* These, found here unless another tile did. @param own room for them */
+static const lit_colours *find_lit(const glint_frame *frame, glint_workspace *workspace, const glint_triangle *triangle,
+                                   const glint_part *part, const int16_t *const colour[3], lit_colours *own) {
+    const lit_colours *const before = glint_found_find(workspace, triangle, part, 0);
+    if (before)
+        return before;
+    lit_colours *const kept = glint_found_begin(workspace, triangle, part, sizeof *kept);
+    lit_colours *const found = kept ? kept : own;
+    find_lit_colours(&frame->config, triangle, &part->gradients, colour, found);
+    if (kept)
+        glint_found_keep(workspace, triangle, 0, sizeof *kept);
+    return found;
+}
+
 void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                     const glint_triangle *triangle, const glint_part *part) {
     const glint_vertex *const *v = triangle->corners;
     const int16_t *const front[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
     const int16_t *const *const colour = triangle->back && draw->double_sided ? triangle->extra : front;
     const glint_format *const format = frame->config.format;
-    const int finishes = frame->config.gamma != 0;
-    const curve_fit how = glint_is_deep(triangle) ? FITS_NOTHING : find_fit(triangle, &part->gradients, format, colour);
-    glint_quadratic channels[3];
-    int32_t a[3][3];
-    if (how == FITS_NOTHING) {
+    lit_colours own;
+    const lit_colours *const lit = find_lit(frame, workspace, triangle, part, colour, &own);
+    if (lit->how == FITS_NOTHING) {
         draw_fragments(frame, workspace, draw, triangle, part, colour, 0, resolve);
         return;
     }
-    for (int c = 0; c < 3; c++)
-        for (int i = 0; i < 3; i++)
-            a[c][i] =
-                finishes || !format->channel[c] ? colour[i][c] : colour[i][c] - (colour[i][c] >> format->channel[c]);
-    if (how == FITS_PLANES)
-        begin_channel_planes(channels, &part->gradients, a);
-    else
-        begin_channel_quadratics(channels, &part->gradients, v, a);
-    for (int c = 0; c < 3 && !finishes; c++)
-        channels[c].start += (uint32_t)glint_to_levels(0, format->channel[c]);
-    if (!GLINT_SMALL && format->draw_channels && !finishes) {
+    if (!GLINT_SMALL && format->draw_channels && !frame->config.gamma) {
         const glint_spans spans = glint_spans_of(frame, workspace, part);
-        format->draw_channels(&spans, channels, how == FITS_QUADRATICS);
+        format->draw_channels(&spans, lit->channels, lit->how == FITS_QUADRATICS);
     } else {
         const colour_source from = {
-            .to = {frame, workspace, part, 0, 0, 0}, .draw_run = draw_channel_run, .channels = channels};
+            .to = {frame, workspace, part, 0, 0, 0}, .draw_run = draw_channel_run, .channels = lit->channels};
         draw_runs(&from);
     }
     if (workspace->drawn)

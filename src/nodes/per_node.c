@@ -2,7 +2,7 @@
 /* Lighting at nodes: a triangle by polynomials through its own, by those of the lattice's cells, or by fragments. */
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
-#include "found.h"
+#include "../raster/found.h"
 #include "rows.h"
 #include "shapes.h"
 
@@ -35,18 +35,16 @@ void glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace,
 /* What polynomials a triangle has, found here unless another tile did. @param own room for it */
 static const glint_found *find_terms(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                                      const glint_triangle *triangle, const glint_part *part, glint_found *own) {
-    const uint32_t key = glint_found_key(triangle, 0);
-    const glint_found *const before = glint_was_drawn(triangle, &part->window) ? glint_found_find(workspace, key) : 0;
+    const glint_found *const before = glint_found_find(workspace, triangle, part, 0);
     if (before)
         return before;
-    glint_found *const kept = glint_goes_on(triangle, &part->window) ? glint_found_begin(workspace) : 0;
+    glint_found *const kept = glint_found_begin(workspace, triangle, part, sizeof *kept);
     glint_found *const found = kept ? kept : own;
-    found->key = key;
     found->fits = (uint32_t)glint_terms_begin(frame, draw, triangle, part, &found->terms, &found->polynomials);
     if (!found->fits)
         found->reach = glint_find_reach(frame, draw, triangle);
     if (kept)
-        glint_found_keep(workspace, kept);
+        glint_found_keep(workspace, triangle, 0, glint_found_size(kept));
     return found;
 }
 

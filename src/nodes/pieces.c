@@ -4,7 +4,7 @@
  * on its edges shared with its neighbours.
  */
 #include "../light/evaluation.h"
-#include "found.h"
+#include "../raster/found.h"
 #include "shapes.h"
 
 /* Twice the area, 28.4 squared, times two more than the lights, below which pieces take more than fragments: measured,
@@ -171,28 +171,27 @@ static void cut_spans(const glint_part *part, glint_span spans[4][GLINT_TILE_MAX
 
 /* ---- Triangles ---- */
 
-/* What polynomials a piece has, found here unless another tile did. @param own room for it */
-static const glint_found *find_piece(pieces *p, glint_workspace *workspace, const glint_shape *shape, uint32_t key,
-                                     const glint_window *window, glint_found *own) {
+/* What polynomials piece i has, found here unless another tile did. @param own room for it */
+static const glint_found *find_piece(pieces *p, glint_workspace *workspace, const glint_shape *shape, uint32_t i,
+                                     const glint_part *part, glint_found *own) {
     glint_node *nodes[6];
-    const glint_found *const before = glint_was_drawn(p->triangle, window) ? glint_found_find(workspace, key) : 0;
+    const glint_found *const before = glint_found_find(workspace, p->triangle, part, 1 + i);
     if (before)
         return before;
     light_piece(p, shape, nodes);
-    glint_found *const kept = glint_goes_on(p->triangle, window) ? glint_found_begin(workspace) : 0;
+    glint_found *const kept = glint_found_begin(workspace, p->triangle, part, sizeof *kept);
     glint_found *const found = kept ? kept : own;
-    found->key = key;
     found->fits = (uint32_t)glint_shape_begin(p->frame, p->draw, shape, nodes, &found->terms, &found->polynomials);
     if (kept)
-        glint_found_keep(workspace, kept);
+        glint_found_keep(workspace, p->triangle, 1 + i, glint_found_size(kept));
     return found;
 }
 
 /* Draws the piece that a part holds. */
-static void draw_piece(pieces *p, glint_workspace *workspace, const glint_shape *shape, uint32_t key,
+static void draw_piece(pieces *p, glint_workspace *workspace, const glint_shape *shape, uint32_t i,
                        const glint_part *part) {
     glint_found own;
-    const glint_found *const found = find_piece(p, workspace, shape, key, &part->window, &own);
+    const glint_found *const found = find_piece(p, workspace, shape, i, part, &own);
     if (!found->fits) {
         glint_draw_any(p->frame, workspace, p->draw, p->triangle, part);
         return;
@@ -213,7 +212,7 @@ static void begin_pieces(pieces *p, glint_shape *shape) {
 int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                       const glint_triangle *triangle, uint32_t lobes, const glint_part *part) {
     static const int32_t kinds[4][3] = {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {-1, 1, 1}};
-    pieces p = {.frame = frame, .draw = draw, .triangle = triangle};
+    pieces p; /* no node is lit yet */
     glint_barycentric barycentric = {.unit = 0};
     glint_shape shape = {.count = 6,
                          .corners = {0, 1, 2, 2},
@@ -226,6 +225,9 @@ int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, cons
     if (triangle->area * (int32_t)(draw->shading->terms->shown + 2) < PIECES_AREA || glint_is_deep(triangle) ||
         glint_slenderness(&part->gradients, triangle->area) > GLINT_POLYNOMIAL_SLENDER)
         return 0;
+    p.frame = frame;
+    p.draw = draw;
+    p.triangle = triangle;
     begin_pieces(&p, &shape);
     cut_spans(part, spans);
     for (int i = 0; i < 4; i++) {
@@ -236,7 +238,7 @@ int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, cons
         shape.turned = kinds[i][0];
         shape.first[0] = kinds[i][1];
         shape.first[1] = kinds[i][2];
-        draw_piece(&p, workspace, &shape, glint_found_key(triangle, 1 + (uint32_t)i), &cut);
+        draw_piece(&p, workspace, &shape, (uint32_t)i, &cut);
     }
     return 1;
 }

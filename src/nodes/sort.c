@@ -84,8 +84,8 @@ static inline int is_clear(const glint_region *region, uint32_t l) {
 uint32_t glint_region_sort(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
     const uint32_t ungated = shading->material->flags & GLINT_MATERIAL_UNGATED;
     const uint32_t placed = shading->lights & shading->terms->placed;
-    const uint32_t away = glint_region_place(shading->lights, placed & ~region->left, region) | region->left, dark = region->dark | away,
-                   lights = shading->lights & ~away, near = placed & ~away;
+    const uint32_t away = glint_region_place(shading->lights, placed & ~region->left, region) | region->left,
+                   dark = region->dark | away, lights = shading->lights & ~away, near = placed & ~away;
     region->turn = (uint32_t)glint_least((int32_t)region->turn, 1 << 13);
     region->held = region->lit;
     region->sides = lights & ~region->lit & ~dark;
