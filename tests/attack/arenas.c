@@ -27,10 +27,10 @@ static struct { unsigned evaluation, format, size, is_at_end; } place;
 
 static void report(void) {
     char text[160];
+    const char *const where = place.is_at_end ? "behind" : "before";
     /* NOLINTNEXTLINE(bugprone-signal-handler): a fault is one of the library's, which is never within snprintf */
-    const int length =
-        snprintf(text, sizeof text, "evaluation %u, format %u, arena of %u bytes, %s\n", place.evaluation, place.format,
-                 place.size, place.is_at_end ? "page behind" : "page before");
+    const int length = snprintf(text, sizeof text, "evaluation %u, format %u, arena of %u bytes, page %s\n",
+                                place.evaluation, place.format, place.size, where);
     (void)!write(STDERR_FILENO, text, (size_t)length);
 }
 
@@ -50,9 +50,10 @@ static void require(int holds, const char *what) {
 
 /* ---- Scene: two tori, one of which reaches behind the near plane, in front of a sphere ---- */
 
-static const glint_evaluation *const evaluations[] = {&glint_per_fragment, &glint_per_vertex, &glint_per_facet,
-                                                      &glint_per_node};
-#define EVALUATIONS (sizeof evaluations / sizeof *evaluations)
+#define EVALUATIONS 4
+
+static const glint_evaluation *const evaluations[EVALUATIONS] = {&glint_per_fragment, &glint_per_vertex,
+                                                                 &glint_per_facet, &glint_per_node};
 
 typedef struct props {
     int16_t positions[2][VERTICES][3], normals[2][VERTICES][3];
