@@ -15,7 +15,8 @@ void stm32_spi_start(uintptr_t base, uint32_t clock_hz, uint32_t bus_hz);
 /** Waits until nothing is left of a transfer that was given up, at most a while. @return whether nothing is. */
 int stm32_spi_is_idle(uintptr_t base);
 
-/** Sends rows of bytes; returns when the last has left. */
+/** Sends rows of bytes; returns when the last has left, or with GLINT_ERROR_TIMEOUT when the bus stands still at one or
+ * takes far longer for all than its clock would. */
 glint_status stm32_spi_send(uintptr_t base, const uint8_t *bytes, size_t row_bytes, size_t rows, size_t stride);
 
 /** Waits until all the bits are set in a register, at most a while. @return whether they are. */

@@ -72,7 +72,12 @@ $(BUILD)/host/stm32_spi: tests/board/stm32_spi.c port/stm32/spi.c port/stm32/spi
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iport -Itests $(filter %.c,$^) -o $@
 
-test-panel-bus: $(BUILD)/host/bus $(BUILD)/host/stm32_spi ## what the panel driver sends, and what it does when the bus fails
+# Its registers are those of a port whose time passes with each look at them.
+$(BUILD)/host/stm32_slow: tests/board/stm32_slow.c tests/board/slow/cortex-m/cortex-m.h port/stm32/spi.c port/stm32/spi.h tests/harness.c tests/main.c tests/harness.h
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(HOST_CFLAGS) -Itests/board/slow -Iport -Itests $(filter %.c,$^) -o $@
+
+test-panel-bus: $(BUILD)/host/bus $(BUILD)/host/stm32_spi $(BUILD)/host/stm32_slow ## what the panel driver sends, and what it does when the bus fails
 	$(call run_suites,$^)
 
 # ---- What the panels of boards without one in their emulator show, by a model of the panel
