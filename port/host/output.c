@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -178,17 +179,33 @@ static bool find_place(const char *path, replacement *file, host_problem *proble
     return file->place != NULL || problem_set(problem, 0, "cannot be written: it is a link to nothing");
 }
 
-/** Makes a new file in the folder of `path`. @return its descriptor, or -1; the caller frees the name, null for -1 */
-static int create_beside(const char *path, char **name) {
-    const size_t folder = (size_t)(path_base_name(path) - path);
-    const size_t size = folder + 64;
+/** Room for the name of a file in the folder of `path`; the caller frees it. */
+static char *new_name(const char *path, size_t *folder, size_t *size) {
+    *folder = (size_t)(path_base_name(path) - path);
+    *size = *folder + 64;
+    char *name = memory_new(*size, 1);
+    memcpy(name, path, *folder);
+    return name;
+}
+
+/** Makes a new file, empty or as another name of `older`. @return its descriptor, 0 for a name, or -1 */
+static int create(const char *name, const char *older) {
+    return older != NULL ? link(older, name) : open(name, O_WRONLY | O_CREAT | O_EXCL, 0666);
+}
+
+/**
+ * Makes a new file in the folder of `path`: empty, or as another name of `older`.
+ * @return as create does; the caller frees the name, null for -1
+ */
+static int create_beside(const char *path, const char *older, char **name) {
+    size_t folder;
+    size_t size;
     int file = -1;
-    *name = memory_new(size, 1);
-    memcpy(*name, path, folder);
+    *name = new_name(path, &folder, &size);
     errno = EEXIST;
     for (unsigned i = 0; file < 0 && errno == EEXIST && i < 1000; i++) {
         snprintf(*name + folder, size - folder, "glint-%ld-%u.part", (long)getpid(), i);
-        file = open(*name, O_WRONLY | O_CREAT | O_EXCL, 0666);
+        file = create(*name, older);
     }
     if (file < 0) {
         const int error = errno;
@@ -201,7 +218,7 @@ static int create_beside(const char *path, char **name) {
 
 /** Writes the new file beside its place, as unfinished file `number`; signals come meanwhile as `mask` lets them. */
 static bool write_beside(replacement *file, size_t number, const sigset_t *mask) {
-    const int descriptor = create_beside(file->place, &file->beside);
+    const int descriptor = create_beside(file->place, NULL, &file->beside);
     if (descriptor < 0) {
         return false;
     }
@@ -213,9 +230,9 @@ static bool write_beside(replacement *file, size_t number, const sigset_t *mask)
     return is_written && ok;
 }
 
-/** Moves the older file aside. @return false, with errno and the file as it was, when that fails */
-static bool keep_older(replacement *file) {
-    const int name_only = create_beside(file->place, &file->kept);
+/** Moves the older file aside, if there is one. @return false, with errno and the file as it was, when that fails */
+static bool move_older(replacement *file) {
+    const int name_only = create_beside(file->place, NULL, &file->kept);
     if (name_only < 0) {
         return false;
     }
@@ -228,7 +245,15 @@ static bool keep_older(replacement *file) {
     free(file->kept);
     file->kept = NULL;
     errno = error;
-    return false;
+    return error == ENOENT;
+}
+
+/**
+ * Gives the older file, if there is one, a second name, so that its place is never empty; where files have one name
+ * only, moves it aside.
+ */
+static bool keep_older(replacement *file) {
+    return create_beside(file->place, file->place, &file->kept) == 0 || errno == ENOENT || move_older(file);
 }
 
 /** Moves the new file to its place. */
@@ -242,10 +267,10 @@ static void finish(replacement *file, bool ok) {
     if (file->beside != NULL && !file->is_moved) {
         unlink(file->beside);
     }
-    if (ok && file->kept != NULL) {
-        unlink(file->kept);
-    } else if (file->kept != NULL) {
-        rename(file->kept, file->place);
+    if (file->kept != NULL) {
+        if (ok || rename(file->kept, file->place) == 0) {
+            unlink(file->kept); /* after rename as well, which leaves two names of one file */
+        }
     } else if (!ok && file->is_moved) {
         unlink(file->place);
     }
@@ -253,10 +278,25 @@ static void finish(replacement *file, bool ok) {
     free(file->kept);
 }
 
-/** Moves all new files to their places; older ones aside before, as long as a later move may fail. @return how many */
-static size_t move_into_places(replacement *files, size_t count) {
+/** Waits until no other writer of a pair moves files in the folder of `path`. @return what to close, or -1 for none */
+static int lock_folder(const char *path, const sigset_t *mask) {
+    size_t folder;
+    size_t size;
+    char *name = new_name(path, &folder, &size);
+    snprintf(name + folder, size - folder, ".");
+    const int lock = open(name, O_RDONLY);
+    free(name);
+    sigprocmask(SIG_SETMASK, mask, NULL);
+    while (lock >= 0 && flock(lock, LOCK_EX) != 0 && errno == EINTR) {
+    }
+    hold_signals();
+    return lock;
+}
+
+/** Moves new files to their places; older ones are kept before, as long as a later move may fail. @return how many */
+static size_t move_files(replacement *files, size_t count) {
     for (size_t i = 0; i < count; i++) {
-        const bool may_come_back = i + 1 < count && files[i].exists;
+        const bool may_come_back = i + 1 < count;
         if ((may_come_back && !keep_older(&files[i])) || !move_into_place(&files[i])) {
             return i;
         }
@@ -273,12 +313,16 @@ static bool replace(replacement *files, size_t count, size_t *wrong, host_proble
     while (done < count && write_beside(&files[done], done, &mask)) {
         done++;
     }
-    done = done == count ? move_into_places(files, count) : done;
+    const int lock = count > 1 && done == count ? lock_folder(files[0].place, &mask) : -1;
+    done = done == count ? move_files(files, count) : done;
     const bool ok = done == count || cannot_be_written(problem);
     *wrong = done;
     for (size_t i = 0; i < count; i++) {
         finish(&files[i], ok);
         unfinished[i] = NULL;
+    }
+    if (lock >= 0) {
+        close(lock);
     }
     restore_signals(actions);
     sigprocmask(SIG_SETMASK, &mask, NULL);

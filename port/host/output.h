@@ -51,8 +51,9 @@ typedef struct host_file {
 
 /**
  * Writes two files as bytes_write_file does, and moves them into place together: where the second cannot be moved, the
- * first becomes what it was before. Both are regular files, or do not exist. Only what ends a program without notice,
- * such as SIGKILL, can come between the two moves.
+ * first becomes what it was before. Both are regular files, or do not exist. Of several programs that write the same
+ * pair one wins with both files, wherever the first one's folder can be locked. Only what ends a program without
+ * notice, such as SIGKILL, can come between the two moves.
  * @param[out] wrong the path that cannot be written, null for none
  * @return false with a problem of line 0 when that fails
  */
