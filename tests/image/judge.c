@@ -52,12 +52,10 @@ static void measure_vertices(const judge_task *task, const library_geometry *geo
     }
 }
 
-static double wanted_level(const reference_pixel *pixel, const glint_format *format, int channel) {
+/* Of 1; a single channel is the luma. */
+static double wanted_value(const reference_pixel *pixel, int channels, int channel) {
     const double *colour = pixel->colour;
-    double value = colour[channel];
-    if (picture_channels(format) == 1)
-        value = 0.299 * colour[0] + 0.587 * colour[1] + 0.114 * colour[2];
-    return value * picture_level_max(format, channel);
+    return channels == 1 ? 0.299 * colour[0] + 0.587 * colour[1] + 0.114 * colour[2] : colour[channel];
 }
 
 /*
@@ -75,12 +73,14 @@ static distance measure_pixel(const judge_task *task, const images *all, int x, 
     const reference_pixel *reference = &all->reference.pixels[y * all->reference.width + x];
     const picture *shaded = &all->shaded;
     const double threshold = picture_threshold(shaded->format, x, y);
+    const int channels = picture_channels(shaded->format);
     distance result = {0, 0, 1, 0};
-    for (int channel = 0; channel < picture_channels(shaded->format); channel++) {
-        double wanted = wanted_level(reference, shaded->format, channel);
+    for (int channel = 0; channel < channels; channel++) {
+        const int most = picture_level_max(shaded->format, channel);
+        double wanted = wanted_value(reference, channels, channel) * most;
         int stored = picture_level(shaded, x, y, channel);
         double error = fabs(stored + 0.5 - threshold - wanted);
-        double relative = (stored - wanted) / picture_level_max(shaded->format, channel);
+        double relative = (stored - wanted) / most;
         int steps = abs(stored - (int)floor(wanted + threshold));
         double fine = task->fine_of[0] > 0 ? task->fine_of[channel] : task->fine;
         result.unrounded = fmax(result.unrounded, error);

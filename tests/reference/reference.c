@@ -28,6 +28,7 @@ typedef struct drawing {
     const reference_image *image;
     const glint_scene *scene;
     const glint_object *object;
+    double focal; /* pixels per unit of x/w and y/w */
     reference_lights lights;
     reference_light facet; /* the present triangle's colour, where it is lit once */
     int rounded_here;      /* the present triangle's screen positions are not given */
@@ -87,14 +88,16 @@ static double focal_length(const glint_scene *scene, int height) {
 }
 
 /* Where a place in camera space shows: parallel rays take no notice of how far it is. */
-static void find_screen(const glint_scene *scene, int width, int height, const double place[3], double screen[2]) {
-    const double scale = scene->camera.projection ? height / reference_real(scene->camera.view_height)
-                                                  : focal_length(scene, height) / -place[2];
+static void find_screen(const glint_scene *scene, double focal, int width, int height, const double place[3],
+                        double screen[2]) {
+    const double scale =
+        scene->camera.projection ? height / reference_real(scene->camera.view_height) : focal / -place[2];
     screen[0] = 0.5 * width + scale * place[0];
     screen[1] = 0.5 * height - scale * place[1];
 }
 
-reference_vertex reference_transform(const glint_scene *scene, uint32_t object, uint32_t index, int width, int height) {
+static reference_vertex transform(const glint_scene *scene, double focal, uint32_t object, uint32_t index, int width,
+                                  int height) {
     const glint_object *source = &scene->objects[object];
     double normal[3];
     double world[3];
@@ -106,10 +109,14 @@ reference_vertex reference_transform(const glint_scene *scene, uint32_t object, 
     reference_to_camera(&scene->camera, world, vertex.normal);
     reference_normalise(vertex.normal);
     vertex.w = -vertex.place[2];
-    find_screen(scene, width, height, vertex.place, screen);
+    find_screen(scene, focal, width, height, vertex.place, screen);
     vertex.x = screen[0];
     vertex.y = screen[1];
     return vertex;
+}
+
+reference_vertex reference_transform(const glint_scene *scene, uint32_t object, uint32_t index, int width, int height) {
+    return transform(scene, focal_length(scene, height), object, index, width, height);
 }
 
 /* ---- Raster -------------------------------------------------------------------------------------------------- */
@@ -157,7 +164,7 @@ static reference_light light_fragment(const drawing *draw, const attributes *at)
 
 /* The point of depth 1/w seen through a pixel's centre: exact, where the corners' weights would add their rounding. */
 static void place_on_ray(const drawing *draw, int x, int y, double depth, double place[3]) {
-    double focal = focal_length(draw->scene, draw->image->height);
+    const double focal = draw->focal;
     if (draw->scene->camera.projection) {
         const double pixel = reference_real(draw->scene->camera.view_height) / draw->image->height;
         place[0] = (x + 0.5 - 0.5 * draw->image->width) * pixel;
@@ -170,7 +177,10 @@ static void place_on_ray(const drawing *draw, int x, int y, double depth, double
     place[2] = -1 / depth;
 }
 
-static void draw_fragment(const drawing *draw, const corner *const c[3], const double weight[3], int x, int y) {
+/* Weights of the corners are `value` of `area`. */
+static void draw_fragment(const drawing *draw, const corner *const c[3], const int64_t value[3], double area, int x,
+                          int y) {
+    const double weight[3] = {(double)value[0] / area, (double)value[1] / area, (double)value[2] / area};
     reference_pixel *pixel = &draw->image->pixels[(size_t)y * (size_t)draw->image->width + (size_t)x];
     double share[3];
     double depth = 0;
@@ -205,24 +215,27 @@ static void pixel_range(const int64_t value[3], int size, int *first, int *last)
     *last = most < 0 ? -1 : (int)(most / 16 < size ? most / 16 : size - 1);
 }
 
-/* How far inside a triangle a pixel's centre lies: weights of the corners, and sixteenths from the nearest edge. */
-typedef struct position {
-    double weight[3];
-    double distance;
-    int inside;
-} position;
-
-static position locate(const corner *const c[3], int64_t area, int x, int y) {
-    position at = {.distance = INFINITY, .inside = 1};
+/* A pixel's centre by the edges opposite to each corner: @return whether it lies inside. */
+static int locate(const corner *const c[3], int x, int y, int64_t value[3]) {
+    int inside = 1;
     for (int i = 0; i < 3; i++) {
         const corner *a = c[(i + 1) % 3];
         const corner *b = c[(i + 2) % 3];
-        int64_t value = edge(a, b, 16 * (int64_t)x + 8, 16 * (int64_t)y + 8);
-        at.inside &= value > 0 || (value == 0 && is_top_left(a, b));
-        at.weight[i] = (double)value / (double)area;
-        at.distance = fmin(at.distance, (double)value / hypot((double)(b->x - a->x), (double)(b->y - a->y)));
+        value[i] = edge(a, b, 16 * (int64_t)x + 8, 16 * (int64_t)y + 8);
+        inside &= value[i] > 0 || (value[i] == 0 && is_top_left(a, b));
     }
-    return at;
+    return inside;
+}
+
+/* Sixteenths from the nearest edge, below 0 outside. */
+static double find_distance(const corner *const c[3], const int64_t value[3]) {
+    double distance = INFINITY;
+    for (int i = 0; i < 3; i++) {
+        const corner *a = c[(i + 1) % 3];
+        const corner *b = c[(i + 2) % 3];
+        distance = fmin(distance, (double)value[i] / hypot((double)(b->x - a->x), (double)(b->y - a->y)));
+    }
+    return distance;
 }
 
 /* Corners clockwise on the screen, area above 0. */
@@ -235,10 +248,11 @@ static void draw_clockwise(const drawing *draw, const corner *const c[3], int64_
     for (int y = first_y; y <= last_y; y++) {
         for (int x = first_x; x <= last_x; x++) {
             reference_pixel *pixel = &draw->image->pixels[(size_t)y * (size_t)draw->image->width + (size_t)x];
-            position at = locate(c, area, x, y);
-            pixel->uncertain |= draw->rounded_here && fabs(at.distance) <= 1.5;
-            if (at.inside)
-                draw_fragment(draw, c, at.weight, x, y);
+            int64_t value[3];
+            const int inside = locate(c, x, y, value);
+            pixel->uncertain |= draw->rounded_here && fabs(find_distance(c, value)) <= 1.5;
+            if (inside)
+                draw_fragment(draw, c, value, (double)area, x, y);
         }
     }
 }
@@ -260,7 +274,7 @@ static void draw_triangle(drawing *draw, const corner *a, const corner *b, const
 static void snap(const drawing *draw, corner *c) {
     double screen[2];
     c->w = -c->at.place[2];
-    find_screen(draw->scene, draw->image->width, draw->image->height, c->at.place, screen);
+    find_screen(draw->scene, draw->focal, draw->image->width, draw->image->height, c->at.place, screen);
     c->x = (int64_t)floor(16 * screen[0] + 0.5);
     c->y = (int64_t)floor(16 * screen[1] + 0.5);
 }
@@ -333,7 +347,7 @@ static void light_vertex(const drawing *draw, attributes *at) {
 
 static corner make_corner(const drawing *draw, uint32_t object, uint32_t index) {
     const reference_vertex vertex =
-        reference_transform(draw->scene, object, index, draw->image->width, draw->image->height);
+        transform(draw->scene, draw->focal, object, index, draw->image->width, draw->image->height);
     corner result = {.at = {.grazing = {1, 1}}, .w = vertex.w};
     memcpy(result.at.place, vertex.place, sizeof vertex.place);
     memcpy(result.at.normal, vertex.normal, sizeof vertex.normal);
@@ -384,7 +398,7 @@ static void clear(const reference_image *image, const glint_colour *background) 
 
 void reference_render(const reference_image *image, const glint_scene *scene,
                       const reference_position *const *positions) {
-    drawing draw = {.image = image, .scene = scene};
+    drawing draw = {.image = image, .scene = scene, .focal = focal_length(scene, image->height)};
     clear(image, &scene->background);
     reference_prepare_lights(&draw.lights, scene);
     for (uint32_t object = 0; object < scene->object_count; object++) {
