@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Lines of a finished tile: one pixel in each column, or in each row, where nothing nearer is. */
 #include "../pixel/format.h"
+#include "../raster/runs.h"
 #include "frame.h"
 
 /* 1/w of a line's end over that of the frame's nearest, Q31: what is nearer by more than 2^14 counts as that. */
@@ -62,7 +63,8 @@ static void draw_pixel(const line_target *target, int32_t x, int32_t y, int64_t 
     if (here <= workspace->depth[offset])
         return;
     workspace->depth[offset] = here;
-    frame->config.format->store(workspace->pixels, frame->tile_shift_x, offset, 1, colour);
+    const glint_run run = {(uint8_t)column, (uint8_t)row, 1};
+    frame->config.format->store(workspace->pixels, frame->tile_shift_x, &run, &run + 1, colour);
 }
 
 /* Draws columns, or rows, from `first` to before `end`: pixels whose other number is from `least` to before `most`. */

@@ -31,8 +31,7 @@ struct colour_source {
 static void store_run(const colour_source *from, const glint_run *run) {
     const glint_frame *frame = from->to.frame;
     const glint_workspace *workspace = from->to.workspace;
-    frame->config.format->store(workspace->pixels, frame->tile_shift_x,
-                                ((uint32_t)run->y << frame->tile_shift_x) + run->x, run->count,
+    frame->config.format->store(workspace->pixels, frame->tile_shift_x, run, run + 1,
                                 (const int32_t(*)[3])workspace->row);
 }
 

@@ -3,6 +3,7 @@
 #include "fragments.h"
 
 #include "../pixel/format.h"
+#include "../raster/runs.h"
 
 /* An attribute of 16 bits over w: below 2^30. */
 static int32_t over_w(int32_t attribute, uint32_t w) {
@@ -54,22 +55,29 @@ static void finish_fragments(const glint_frame *frame, glint_fragments *fragment
     }
 }
 
+/* The runs that fragments make. @return their end */
+static const glint_run *find_runs(const glint_fragments *fragments, glint_run run[GLINT_FRAGMENTS_MAX]) {
+    const int8_t *const x = fragments->column, *const y = fragments->row;
+    for (uint32_t i = 0; i < fragments->count; i++) {
+        if (i && y[i] == y[i - 1] && x[i] == x[i - 1] + 1)
+            run[-1].count++;
+        else
+            *run++ = (glint_run){(uint8_t)x[i], (uint8_t)y[i], 1};
+    }
+    return run;
+}
+
 void glint_gathering_store(const glint_gathering *gathering) {
     const glint_frame *frame = gathering->frame;
+    glint_run runs[GLINT_FRAGMENTS_MAX];
+    const glint_run *end;
     const glint_format *format = frame->config.format;
     glint_fragments *fragments = gathering->fragments;
     if (!fragments->count)
         return;
     gathering->shade(frame, fragments, gathering->draw);
     finish_fragments(frame, fragments);
-    for (uint32_t i = 0, end; i < fragments->count; i = end) {
-        const uint32_t offset = ((uint32_t)fragments->row[i] << frame->tile_shift_x) + (uint32_t)fragments->column[i];
-        end = i + 1;
-        while (!GLINT_SMALL && end < fragments->count && fragments->row[end] == fragments->row[i] &&
-               fragments->column[end] == fragments->column[end - 1] + 1)
-            end++;
-        format->store(gathering->workspace->pixels, frame->tile_shift_x, offset, end - i,
-                      (const int32_t(*)[3])(fragments->colour + i));
-    }
+    end = find_runs(fragments, runs);
+    format->store(gathering->workspace->pixels, frame->tile_shift_x, runs, end, (const int32_t(*)[3])fragments->colour);
     fragments->count = 0;
 }

@@ -293,14 +293,13 @@ static int add_lobes(const rows_of *of, const glint_pixel_runs *to) {
 /* Stores colours of runs. */
 static void store_rows(const rows_of *of, const glint_pixel_runs *to) {
     const glint_config *config = &of->frame->config;
-    const unsigned shift = of->frame->tile_shift_x;
-    int32_t(*row)[3] = to->row;
-    for (const glint_run *run = to->runs; run != to->end; row += run->count, run++) {
-        if (config->gamma)
-            glint_finish_colours(config, row, run->count);
-        config->format->store(of->workspace->pixels, shift, ((uint32_t)run->y << shift) + run->x, run->count,
-                              (const int32_t(*)[3])row);
-    }
+    uint32_t count = 0;
+    for (const glint_run *run = to->runs; config->gamma && run != to->end; run++)
+        count += run->count;
+    if (config->gamma)
+        glint_finish_colours(config, to->row, count);
+    config->format->store(of->workspace->pixels, of->frame->tile_shift_x, to->runs, to->end,
+                          (const int32_t(*)[3])to->row);
 }
 
 /* Draws runs whose sums are of one chroma. */

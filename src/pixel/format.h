@@ -53,8 +53,9 @@ struct glint_format {
     uint8_t bits;       /* per pixel */
     uint8_t channel[3]; /* bits of each channel's levels; 0 where it goes into luma */
     uint8_t edge[2];    /* bits that are 0 in the x and the y of pixels with which bytes begin */
-    /** Stores a run of a row, from pixel `offset` of a tile on; colours are in levels. */
-    void (*store)(void *pixels, unsigned tile_shift_x, uint32_t offset, uint32_t count, const int32_t (*colour)[3]);
+    /** Stores runs of a tile, whose colours follow each other, in levels. */
+    void (*store)(void *pixels, unsigned tile_shift_x, const struct glint_run *runs, const struct glint_run *end,
+                  const int32_t (*colour)[3]);
     /** Gives all of a tile one colour. */
     void (*fill)(void *pixels, unsigned tile_shift_x, uint32_t height, const int32_t colour[3]);
     /* What the others do as well, in one loop; null in a library built for size. */

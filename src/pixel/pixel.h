@@ -72,10 +72,13 @@ static inline uint32_t glint_threshold(const glint_target *t, uint32_t offset) {
 }
 
 /** A format's `store`. */
-static GLINT_INLINE void glint_store_run(const glint_target *t, uint32_t offset, uint32_t count,
-                                         const int32_t (*colour)[3], glint_pack pack, glint_put put) {
-    for (const uint32_t end = offset + count; offset < end; offset++, colour++)
-        put(t, offset, pack(*colour, glint_threshold(t, offset)));
+static GLINT_INLINE void glint_store_runs(const glint_target *t, const glint_run *run, const glint_run *last,
+                                          const int32_t (*colour)[3], glint_pack pack, glint_put put) {
+    for (; run != last; run++) {
+        uint32_t offset = ((uint32_t)run->y << t->shift) + run->x;
+        for (const uint32_t end = offset + run->count; offset < end; offset++, colour++)
+            put(t, offset, pack(*colour, glint_threshold(t, offset)));
+    }
 }
 
 /** Copies the first `period` bytes all over the first `size`, which is a power of two times as many. */
@@ -254,15 +257,15 @@ static GLINT_INLINE void glint_store_mixed(const glint_target *t, const glint_ru
 }
 
 /** The functions of a format, whose names end in `suffix`; `fill_tile` is glint_fill_tile, or its own. */
-#define GLINT_DEFINE_STORES(suffix, bits, pack, put, fill_tile, is_dithered)                            \
-    static void store_##suffix(void *pixels, unsigned shift, uint32_t offset, uint32_t count,           \
-                               const int32_t(*colour)[3]) {                                             \
-        const glint_target target = {pixels, shift, is_dithered};                                       \
-        glint_store_run(&target, offset, count, colour, pack, put);                                     \
-    }                                                                                                   \
-    static void fill_##suffix(void *pixels, unsigned shift, uint32_t height, const int32_t colour[3]) { \
-        const glint_target target = {pixels, shift, is_dithered};                                       \
-        fill_tile(&target, height, colour, bits, pack, put);                                            \
+#define GLINT_DEFINE_STORES(suffix, bits, pack, put, fill_tile, is_dithered)                              \
+    static void store_##suffix(void *pixels, unsigned shift, const glint_run *runs, const glint_run *end, \
+                               const int32_t(*colour)[3]) {                                               \
+        const glint_target target = {pixels, shift, is_dithered};                                         \
+        glint_store_runs(&target, runs, end, colour, pack, put);                                          \
+    }                                                                                                     \
+    static void fill_##suffix(void *pixels, unsigned shift, uint32_t height, const int32_t colour[3]) {   \
+        const glint_target target = {pixels, shift, is_dithered};                                         \
+        fill_tile(&target, height, colour, bits, pack, put);                                              \
     }
 
 /** Those which a library built for size does without. */

@@ -174,7 +174,8 @@ static void library(const int32_t *in, int32_t *out, uint32_t count) {
             add_library_lights(in + 2 * i, row[i]);
         }
         glint_finish_colours(&config, row, some);
-        config.format->store(pixels, 5, 0, some, (const int32_t(*)[3])row);
+        const glint_run run = {0, 0, (uint8_t)some};
+        config.format->store(pixels, 5, &run, &run + 1, (const int32_t(*)[3])row);
         for (uint32_t i = 0; i < some; i++) {
             out[i] = pixels[i];
         }

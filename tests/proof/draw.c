@@ -34,10 +34,12 @@ static void any_place(glint_part *part) {
     part->window.top = ANY(-(GLINT_SIZE_MAX * 16), GLINT_SIZE_MAX * 16);
 }
 
-static void any_store(void *pixels, unsigned shift, uint32_t offset, uint32_t count, const int32_t (*colour)[3]) {
+static void any_store(void *pixels, unsigned shift, const glint_run *run, const glint_run *end,
+                      const int32_t (*colour)[3]) {
     (void)pixels;
-    /*@ assert 0 < count && offset + count <= 8 << shift; */
-    /*@ assert \initialized(&colour[0 .. count - 1][0 .. 2]); */
+    /*@ assert end == run + 1; */
+    /*@ assert 0 < run->count && (run->y << shift) + run->x + run->count <= 8 << shift; */
+    /*@ assert \initialized(&colour[0 .. run->count - 1][0 .. 2]); */
 }
 
 static void any_quadratic(glint_quadratic *q) {

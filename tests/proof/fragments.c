@@ -62,10 +62,13 @@ PROOF(glint_gathering_begin) {
     }
 }
 
-static void any_store(void *pixels, unsigned shift, uint32_t offset, uint32_t count, const int32_t (*colour)[3]) {
+static void any_store(void *pixels, unsigned shift, const glint_run *run, const glint_run *end,
+                      const int32_t (*colour)[3]) {
     (void)pixels;
-    /*@ assert 0 < count && offset + count <= 8 << shift; */
-    /*@ assert \initialized(&colour[0 .. count - 1][0 .. 2]); */
+    for (uint32_t before = 0; run != end; before += run->count, run++) {
+        /*@ assert 0 < run->count && (run->y << shift) + run->x + run->count <= 8 << shift; */
+        /*@ assert \initialized(&colour[before .. before + run->count - 1][0 .. 2]); */
+    }
 }
 
 /*

@@ -24,14 +24,16 @@ static void any_colours(int32_t (*colour)[3], uint32_t count) {
  */
 static void store(const glint_format *format, uint8_t *tile) {
     FOR_PARTS(shift, 3, 6) {
-        const uint32_t width = 1u << shift, size = width * SIDE * format->bits / 8, last = width * (SIDE - 1);
+        const uint32_t width = 1u << shift, size = width * SIDE * format->bits / 8;
         const uint32_t columns[3] = {0, 1, width - 1};
         FOR_PARTS(i, 0, 2) {
             const uint32_t first = columns[i], count = width - first;
+            const glint_run begin = {(uint8_t)first, 0, (uint8_t)count},
+                            end = {(uint8_t)first, SIDE - 1, (uint8_t)count};
             int32_t colour[SIDE][3];
             any_colours(colour, count);
-            format->store(tile, (unsigned)shift, first, count, (const int32_t(*)[3])colour);
-            format->store(tile + (SIDE * SIDE * format->bits / 8 - size), (unsigned)shift, last + first, count,
+            format->store(tile, (unsigned)shift, &begin, &begin + 1, (const int32_t(*)[3])colour);
+            format->store(tile + (SIDE * SIDE * format->bits / 8 - size), (unsigned)shift, &end, &end + 1,
                           (const int32_t(*)[3])colour);
         }
     }
