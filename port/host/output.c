@@ -43,6 +43,12 @@ void bytes_print(host_bytes *bytes, const char *format, ...) {
     }
 }
 
+/** Whether a file tells beforehand that it has more bytes; streams do not. */
+static bool is_larger(FILE *file, size_t most) {
+    struct stat about;
+    return fstat(fileno(file), &about) == 0 && S_ISREG(about.st_mode) && about.st_size > (off_t)most;
+}
+
 bool bytes_read_file(host_bytes *bytes, const char *path, size_t most, host_problem *problem) {
     FILE *file = fopen(path, "rb");
     if (file == NULL) {
@@ -52,7 +58,7 @@ bool bytes_read_file(host_bytes *bytes, const char *path, size_t most, host_prob
     size_t got = 0;
     do {
         bytes->count += got;
-        if (bytes->count > most) {
+        if (bytes->count > most || is_larger(file, most)) {
             free(bytes->data);
             fclose(file);
             return problem_set(problem, 0, "is larger than the %zu MB that are read", most / 1000000);

@@ -345,6 +345,19 @@ static bool indices_fit(const quantised_mesh *mesh, host_problem *problem) {
     return true;
 }
 
+/** Whether no piece names its vertices over and over: a frame then takes time by the square of its triangles. */
+static bool vertices_differ(const quantised_mesh *mesh, host_problem *problem) {
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        const glint_mesh *piece = &mesh->pieces[i];
+        if (piece->triangle_count / QUANTISE_SHARING_MAX > piece->vertex_count) {
+            return problem_set(problem, 0, "%lu triangles on %lu vertices: more than the %d a vertex that are taken",
+                               (unsigned long)piece->triangle_count, (unsigned long)piece->vertex_count,
+                               QUANTISE_SHARING_MAX);
+        }
+    }
+    return true;
+}
+
 bool quantise(const host_mesh *mesh, uint32_t flags, const quantise_types *types, quantised_mesh *out,
               host_problem *problem) {
     mesh_quantiser quantiser = {.mesh = mesh};
@@ -380,7 +393,7 @@ bool quantise(const host_mesh *mesh, uint32_t flags, const quantise_types *types
     free(piece.vertices);
     free(piece.slots);
     measure_errors(&quantiser, out);
-    if (!indices_fit(out, problem)) {
+    if (!indices_fit(out, problem) || !vertices_differ(out, problem)) {
         quantised_free(out);
         return false;
     }

@@ -13,6 +13,9 @@
 /** Largest coordinate of a mesh: offset and extent then fit Q16.16 with room for a rounding. */
 #define QUANTISE_COORDINATE_MAX 32766.0
 
+/** Most triangles of a piece for each of its vertices; a closed surface has two. */
+#define QUANTISE_SHARING_MAX 1024
+
 typedef enum quantise_positions { QUANTISE_POSITIONS_INT16, QUANTISE_POSITIONS_INT8 } quantise_positions;
 
 typedef enum quantise_normals {

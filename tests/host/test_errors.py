@@ -3,6 +3,7 @@
 import math
 import os
 import re
+import resource
 
 from harness import SQUARE
 
@@ -287,6 +288,35 @@ def test_extreme_scenes_are_refused_or_drawn(host):
             os.remove(host.path("far.png"))
 
 
+def limit_memory(megabytes):
+    resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20,) * 2)
+
+
+def test_long_lines(host):
+    """Lines as long as the file take no more memory than it."""
+    files = host.files()
+    for name, text in (("comment", POINTS + "f 1 2 3\n#"), ("word", POINTS + "f 1 2 3\nword")):
+        host.write("long.obj", text)
+        os.truncate(host.path("long.obj"), 100000000)
+        run = host.run("info", "long.obj", before=lambda: limit_memory(256))
+        host.check(f"a {name} of 100 MB", run.returncode == 0 and len(run.stderr) < 100, f"{run.returncode} {run.stderr[:200]}")
+    host.write("long.obj", POINTS + "f" + " 1" * 60000000)
+    host.refuses("a face of 60 million corners", ["info", "long.obj"], r"long\.obj:4: a face of more than 65536 corners",
+                 before=lambda: limit_memory(256))
+    os.remove(host.path("long.obj"))
+    host.equal("nothing is left", host.files(), files)
+
+
+def test_one_triangle_many_times(host):
+    host.write("same.obj", POINTS + "f 1 2 3\n" * 4095)
+    host.equal("as often as is taken", host.run("info", "same.obj").returncode, 0)
+    host.write("same.obj", POINTS + "f 1 2 3\n" * 4096)
+    for command in (["info"], ["render", "-o", "out.png"], ["convert", "-o", "out.h"]):
+        host.refuses(f"once more: {command[0]}", [*command, "same.obj"],
+                     r"same\.obj:0: 4096 triangles on 3 vertices: more than the 1024 a vertex that are taken")
+    os.remove(host.path("same.obj"))
+
+
 def test_what_is_too_large(host):
     """Limits, and a message, in place of minutes and gigabytes."""
     turns = [.2 * i for i in range(512)]
@@ -303,6 +333,11 @@ def test_what_is_too_large(host):
     host.write("large.obj", POINTS + "f 1 2 3\n")
     os.truncate(host.path("large.obj"), 500000001)
     host.refuses("a file of 500 MB", ["info", "large.obj"], r"large\.obj:0: is larger than the 500 MB that are read")
+    os.truncate(host.path("large.obj"), 1 << 30)
+    host.refuses("a file of 1 GB, which is not read", ["info", "large.obj"], r"large\.obj:0: is larger than the 500 MB that are read",
+                 before=lambda: limit_memory(64))
+    host.refuses("a stream without end", ["info", "/dev/zero"], r"/dev/zero:0: is larger than the 500 MB that are read",
+                 before=lambda: limit_memory(1500))
     host.write("many.mtl", "newmtl a\n" * 65537)
     host.write("long.mtl", "#" * 4000001)
     host.write("large.obj", "mtllib " + "none.mtl " * 99 + "\nmtllib many.mtl\nmtllib long.mtl\n" + POINTS + "f 1 2 3\n")
