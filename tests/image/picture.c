@@ -118,6 +118,8 @@ const glint_format *picture_undithered(const glint_format *format) {
                                                    {&glint_format_rgb444_dithered, &glint_format_rgb444},
                                                    {&glint_format_mono_dithered, &glint_format_mono},
                                                    {&glint_format_mono_pages_dithered, &glint_format_mono_pages}};
+    if (format == &glint_format_rgb565 || format == &glint_format_rgb888) /* asked for each pixel of most suites */
+        return format;
     for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
         if (format == pairs[i][0])
             return pairs[i][1];
