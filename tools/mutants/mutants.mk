@@ -14,9 +14,12 @@ MUTANTS_SUITES := unit stability_kept changes diagnose camera pick output point 
 # Those of panels, each a program of its own.
 MUTANTS_PANELS := pictures complaints faults i2c
 
+# A suite's sources, with the harness that ends at the first failed check.
+mutants_sources = tools/mutants/harness.c $(filter-out $(TEST_HARNESS),$1)
+
 .PHONY: mutants
 mutants: ## change MUTANTS places of src/ and port/panel/, one at a time, from MUTANTS_SEED (MUTANTS_FILES: only there): does a suite notice?
 	@python3 tools/mutants/mutants.py --build $(BUILD)/mutants --known tools/mutants/known.csv --count $(MUTANTS) \
 	    --seed $(MUTANTS_SEED) --jobs $(MUTANTS_JOBS) --compiler "$(CC)" --flags "-std=c99 $(TEST_INCLUDES) -Itests/panel" \
-	    $(foreach suite,$(MUTANTS_SUITES),--suite "$(suite)=$(SUITE_$(suite))") \
-	    $(foreach suite,$(MUTANTS_PANELS),--suite "panel_$(suite)=tests/panel/$(suite).c $(PANEL_SHARED)") --files $(MUTANTS_FILES)
+	    $(foreach suite,$(MUTANTS_SUITES),--suite "$(suite)=$(call mutants_sources,$(SUITE_$(suite)))") \
+	    $(foreach suite,$(MUTANTS_PANELS),--suite "panel_$(suite)=$(call mutants_sources,tests/panel/$(suite).c $(PANEL_SHARED))") --files $(MUTANTS_FILES)

@@ -8,8 +8,8 @@ taken one by one until COUNT of them have been judged. A mutant that does not co
 the library, is passed over.
 
 The work tree is only read: mutants are built from a copy, and only those objects that the change reaches. Each mutant
-goes through the suites in order, up to the first that fails, crashes, or takes far more processor time than the
-library does. What was found is kept in results.csv: the next call goes on from there. Survivors stay in known.csv with
+goes through the suites, quick ones and those that noticed most first, up to the first that fails, crashes, or takes far
+more processor time than with the library itself. What was found is kept in results.csv: the next call goes on from there. Survivors stay in known.csv with
 the reason why nothing can notice them; any other makes the exit status 1.
 """
 
@@ -26,7 +26,6 @@ import shlex
 import shutil
 import subprocess
 import sys
-import threading
 from concurrent.futures import ThreadPoolExecutor
 
 # ---- Changes --------------------------------------------------------------------------------------------------------
@@ -224,25 +223,30 @@ def in_order(mutants, seed):
 
 # ---- Building and running ---------------------------------------------------------------------------------------------
 
-LEAST_SECONDS, MOST_TIMES = 20, 5
+# Of processor time: what any suite may take, and how many times what it takes with the library itself.
+LEAST_SECONDS, MOST_TIMES = 2, 5
+# Suites that take less are run on all mutants first: what is left to the others is soon known.
+QUICK_SECONDS = 1
 
 
-def run(command, seconds=None):
-    """@return exit status, processor time"""
+def run(command, seconds=None, library=None):
+    """@param library folder of the library that a suite's program loads @return exit status, processor time"""
     def limit():
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         if seconds:
             resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
             resource.setrlimit(resource.RLIMIT_AS, (1 << 31, 1 << 31))
+    environment = dict(os.environ, LD_LIBRARY_PATH=library) if library else None
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                               stderr=subprocess.DEVNULL, preexec_fn=limit)
+                               stderr=subprocess.DEVNULL, preexec_fn=limit, env=environment)
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     return process.returncode, usage.ru_utime + usage.ru_stime
 
 
-# What is mutated, and copied for it.
+# What is mutated, and copied for it. All of it becomes one shared library, which suites load when they start.
 MUTATED = ("src", "port/panel")
+LIBRARY = "libmutated.so"
 
 
 def mutated(end):
@@ -251,19 +255,21 @@ def mutated(end):
 
 
 def copy(old, new):
+    shutil.rmtree(new, ignore_errors=True)
     for folder in MUTATED:
         shutil.copytree(os.path.join(old, folder), os.path.join(new, folder))
 
 
 class Builder:
-    """The library and the suites, compiled once; mutants in folders of their own."""
+    """The library and the suites, compiled once; mutants in folders of their own, which hold what differs."""
 
     def __init__(self, build, compiler, flags, suites):
         self.build, self.compiler, self.flags = build, shlex.split(compiler), shlex.split(flags)
-        self.suites = suites # name -> sources beside the library's
         self.mutated = mutated(".c")
-        self.library = [path for path in self.mutated if path.startswith("src/")]
-        self.locks = {name: threading.Lock() for name in suites}
+        self.suites = {name: [source for source in sources if source not in self.mutated]
+                       for name, sources in suites.items()}
+        self.has_panels = {name: any(source in self.mutated for source in sources) for name, sources in suites.items()}
+        self.seconds = {} # what each suite takes with the library itself
         self.needs = {} # source -> what of MUTATED it is made from
 
     def object(self, folder, source):
@@ -273,18 +279,36 @@ class Builder:
         """@return whether it compiles. Files are named as in the work tree, whose headers come after `headers`."""
         path = os.path.join(headers, source) if source in self.mutated else source
         first = ["-I" + os.path.join(headers, top) for top in ("src", "port")]
-        return run(self.compiler + first + self.flags + ["-w", "-O2", *more, f"-ffile-prefix-map={headers}/=", "-c", path,
-                                                         "-o", self.object(folder, source)])[0] == 0
+        return run(self.compiler + first + self.flags +
+                   ["-w", "-O2", "-fPIC", *more, f"-ffile-prefix-map={headers}/=", "-c", path,
+                    "-o", self.object(folder, source)])[0] == 0
+
+    def link(self, folder, sources, more):
+        """@return whether it links, with what `folder` has of its own"""
+        own = [self.object(folder, source) for source in sources]
+        objects = [path if os.path.exists(path) else self.object(self.original, source)
+                   for path, source in zip(own, sources)]
+        return run(self.compiler + objects + more)[0] == 0
+
+    def link_library(self, folder):
+        return self.link(folder, self.mutated,
+                         ["-shared", f"-Wl,-soname,{LIBRARY}", "-o", os.path.join(folder, LIBRARY)])
+
+    def link_suite(self, name, folder):
+        return self.link(folder, self.suites[name],
+                         [os.path.join(self.original, LIBRARY), "-lm", "-o", os.path.join(folder, "suite_" + name)])
 
     def prepare(self, stamp, jobs):
-        """The work tree's src/ copied, and everything compiled, unless that was done with the same sources."""
+        """The work tree's src/ copied, everything compiled, and suites timed, unless that was done with the same sources."""
         self.original = os.path.join(self.build, "original")
         stamps = os.path.join(self.original, "stamp")
         if not os.path.exists(stamps) or open(stamps).read() != stamp:
-            shutil.rmtree(self.original, ignore_errors=True)
             copy(".", self.original)
             with ThreadPoolExecutor(jobs) as pool:
                 list(pool.map(self.compile_original, self.sources()))
+                if not self.link_library(self.original):
+                    sys.exit("the library does not link")
+                list(pool.map(self.time_original, self.suites))
             with open(stamps, "w") as file:
                 file.write(stamp)
         for source in self.sources():
@@ -292,76 +316,82 @@ class Builder:
                 names = [os.path.normpath(name) for name in file.read().replace("\\\n", " ").split()[1:]]
             prefix = os.path.join(os.path.normpath(self.original), "")
             self.needs[source] = {name[len(prefix):] for name in names if name.startswith(prefix)}
+        for name in self.suites:
+            with open(self.times(name)) as file:
+                self.seconds[name] = float(file.read())
 
     def sources(self):
-        return self.mutated + sorted({source for name in self.suites for source in self.suites[name]} - set(self.mutated))
+        return self.mutated + sorted({source for name in self.suites for source in self.suites[name]})
 
     def depends(self, source):
         return self.object(self.original, source) + ".d"
+
+    def times(self, name):
+        return os.path.join(self.original, name + ".seconds")
 
     def compile_original(self, source):
         if not self.compile(self.original, source, self.original, ("-MMD", "-MF", self.depends(source))):
             sys.exit(f"{source} does not compile")
 
-    def link(self, name, folder):
-        """@return the suite's program, with what `folder` has of its own"""
-        objects = []
-        for source in self.suites[name] + self.library:
-            own = self.object(folder, source)
-            objects.append(own if os.path.exists(own) else self.object(self.original, source))
-        program = os.path.join(folder, "suite_" + name)
-        if run(self.compiler + objects + ["-lm", "-o", program])[0] != 0:
-            return None
-        return program
+    def time_original(self, name):
+        """A suite's processor time; it must pass with the library as it is."""
+        if not self.link_suite(name, self.original):
+            sys.exit(f"{name} does not link")
+        status, seconds = run([os.path.join(self.original, "suite_" + name)], None, self.original)
+        if status != 0:
+            sys.exit(f"{name} fails on the library itself")
+        with open(self.times(name), "w") as file:
+            file.write(str(seconds))
 
-    def limit(self, name):
-        """@return processor time that a suite may take; it must pass with the library as it is"""
-        with self.locks[name]:
-            path = os.path.join(self.original, name + ".seconds")
-            if not os.path.exists(path):
-                program = self.link(name, self.original)
-                status, seconds = run([program]) if program else (1, 0)
-                if status != 0:
-                    sys.exit(f"{name} fails on the library itself")
-                with open(path, "w") as file:
-                    file.write(str(seconds))
-            with open(path) as file:
-                return max(LEAST_SECONDS, int(MOST_TIMES * float(file.read())) + 1)
-
-    def judge(self, mutant, folder):
-        """@return what became of a mutant: none, same, the name of the suite that noticed, or survived"""
-        shutil.rmtree(folder, ignore_errors=True)
-        copy(self.original, folder)
+    def judge(self, mutant, folder, noticed, found):
+        """
+        @param folder the original's src/ and port/panel/, and nothing else
+        @param noticed how often each suite noticed a mutant, of this file and of any: which to run first
+        @param found "left" where quick suites have noticed nothing: the others are run
+        @return what became of a mutant: none, same, the name of the suite that noticed, left, or survived
+        """
         path = os.path.join(folder, mutant.file)
         with open(path) as file:
             text = file.read()
         with open(path, "w") as file:
             file.write(text[:mutant.start] + mutant.text + text[mutant.end:])
-        changed = False
-        for source in self.mutated:
-            if mutant.file in self.needs[source]:
-                if not self.compile(folder, source, folder):
-                    return "none"
-                changed |= not filecmp.cmp(self.object(folder, source), self.object(self.original, source), False)
-        return self.run_suites(mutant, folder) if changed else "same"
+        try:
+            changed = False
+            for source in self.mutated:
+                if mutant.file in self.needs[source]:
+                    if not self.compile(folder, source, folder):
+                        return "none"
+                    changed |= not filecmp.cmp(self.object(folder, source), self.object(self.original, source), False)
+            return self.run_suites(mutant, folder, noticed, found) if changed else "same"
+        finally:
+            for name in os.listdir(folder):
+                if os.path.isfile(os.path.join(folder, name)):
+                    os.remove(os.path.join(folder, name))
+            shutil.copyfile(os.path.join(self.original, mutant.file), path)
 
-    def reaches(self, mutant, name):
-        """Is the suite's program made from the mutant's file?"""
-        return any(mutant.file in self.needs[source] for source in self.suites[name] + self.library)
+    def in_order(self, mutant, noticed):
+        """Suites that notice much in little time come first; which one notices a mutant depends on that, whether one does not."""
+        of_file, of_any = noticed
+        return sorted(self.suites, key=lambda name: self.seconds[name] / (1 + of_any[name] + 20 * of_file[mutant.file, name]))
 
-    def run_suites(self, mutant, folder):
-        for name, sources in self.suites.items():
-            if not self.reaches(mutant, name):
+    def run_suites(self, mutant, folder, noticed, found):
+        if not self.link_library(folder):
+            return "link"
+        for name in self.in_order(mutant, noticed):
+            if mutant.file.startswith("port/panel/") and not self.has_panels[name] or \
+                    (self.seconds[name] > QUICK_SECONDS) != (found == "left"):
                 continue
-            for source in sources:
-                if mutant.file in self.needs[source] and not os.path.exists(self.object(folder, source)) and \
-                        not self.compile(folder, source, folder):
+            own = [source for source in self.suites[name] if mutant.file in self.needs[source]]
+            for source in own:
+                if not os.path.exists(self.object(folder, source)) and not self.compile(folder, source, folder):
                     return name
-            program = self.link(name, folder)
-            if not program or run([program], self.limit(name))[0] != 0:
+            if own and not self.link_suite(name, folder):
                 return name
-            os.remove(program)
-        return "survived"
+            program = os.path.join(folder if own else self.original, "suite_" + name)
+            most = max(LEAST_SECONDS, int(MOST_TIMES * self.seconds[name]) + 1)
+            if run([program], most, folder)[0] != 0:
+                return name
+        return "survived" if found == "left" else "left"
 
 
 # ---- Results ------------------------------------------------------------------------------------------------------------
@@ -382,10 +412,12 @@ class Results:
 
     def __init__(self, path, seed, library, suites):
         self.path, self.own, self.found = path, (str(seed), library, suites), {}
+        self.noticed = collections.Counter(), collections.Counter() # by file and suite, by suite
         if os.path.exists(path):
             with open(path, newline="") as file:
                 for row in csv.DictReader(file):
-                    if row["library"] == library and (row["result"] != "survived" or row["suites"] == suites):
+                    self.count(row["file"], row["result"])
+                    if row["library"] == library and (row["result"] not in ("left", "survived") or row["suites"] == suites):
                         self.found[row["file"], row["start"], row["end"], row["text"]] = row["result"]
         else:
             with open(path, "w", newline="") as file:
@@ -394,7 +426,12 @@ class Results:
     def get(self, m):
         return self.found.get((m.file, str(m.start), str(m.end), m.text))
 
+    def count(self, file, result):
+        self.noticed[0][file, result] += 1
+        self.noticed[1][result] += 1
+
     def add(self, m, result):
+        self.count(m.file, result)
         with open(self.path, "a", newline="") as file:
             csv.writer(file).writerow((*self.own, m.file, m.start, m.end, m.text, m.line, result))
 
@@ -407,18 +444,25 @@ def read_known(path):
 def judge_all(builder, results, known, mutants, count, jobs):
     """@return (mutant, result) of the first mutants that make `count` to be judged"""
     free = [os.path.join(builder.build, f"mutant{i}") for i in range(jobs)]
+    for folder in free:
+        copy(builder.original, folder)
 
     def judge(m):
         if (m.file, m.before, m.after) in known:
             return "known"
-        result = results.get(m)
-        if not result:
-            folder = free.pop()
-            result = builder.judge(m, folder)
-            free.append(folder)
-            results.add(m, result)
-            print(f"{m.file}:{m.line}: {result}", file=sys.stderr, flush=True)
+        return results.get(m) or judge_anew(m, None)
+
+    def judge_anew(m, found):
+        folder = free.pop()
+        result = builder.judge(m, folder, results.noticed, found)
+        free.append(folder)
+        results.add(m, result)
+        print(f"{m.file}:{m.line}: {result}", file=sys.stderr, flush=True)
         return result
+
+    def judge_left(pair):
+        m, result = pair
+        return m, judge_anew(m, result) if result == "left" else result
 
     judged, done = [], 0
     with ThreadPoolExecutor(jobs) as pool:
@@ -426,7 +470,7 @@ def judge_all(builder, results, known, mutants, count, jobs):
             batch = mutants[done:done + count - len(judged)]
             done += len(batch)
             judged += [(m, result) for m, result in zip(batch, pool.map(judge, batch)) if result not in ("none", "same")]
-    return judged, done
+        return list(pool.map(judge_left, judged)), done
 
 
 def main():
@@ -448,7 +492,7 @@ def main():
         suites[name] = sources.split()
     files = mutated(".[ch]")
     mutants = [m for path in arguments.files or files for m in mutants_of(path)]
-    tests = [os.path.join(folder, name) for top in ("tests", "examples", "port/host") for folder, _, names in os.walk(top)
+    tests = [os.path.join(folder, name) for top in ("tests", "examples", "port/host", "tools/mutants") for folder, _, names in os.walk(top)
              for name in names if re.search(r"\.[ch]$", name)]
     library, others = digest(files), digest(tests) + "".join("," + name for name in suites)
     builder = Builder(arguments.build, arguments.compiler, arguments.flags, suites)
