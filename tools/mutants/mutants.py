@@ -226,19 +226,18 @@ def in_order(mutants, seed):
 # Of processor time: what any suite may take, and how many times what it takes with the library itself.
 LEAST_SECONDS, MOST_TIMES = 2, 5
 # Suites that take less are run on all mutants first: what is left to the others is soon known.
-QUICK_SECONDS = 1
+QUICK_SECONDS = 0.5
 
 
-def run(command, seconds=None, library=None):
-    """@param library folder of the library that a suite's program loads @return exit status, processor time"""
+def run(command, seconds=None, **variables):
+    """@param seconds of processor time @return exit status, processor time"""
     def limit():
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         if seconds:
             resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
             resource.setrlimit(resource.RLIMIT_AS, (1 << 31, 1 << 31))
-    environment = dict(os.environ, LD_LIBRARY_PATH=library) if library else None
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                               stderr=subprocess.DEVNULL, preexec_fn=limit, env=environment)
+                               stderr=subprocess.DEVNULL, preexec_fn=limit, env=dict(os.environ, **variables))
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     return process.returncode, usage.ru_utime + usage.ru_stime
@@ -268,9 +267,10 @@ class Builder:
         self.mutated = mutated(".c")
         self.suites = {name: [source for source in sources if source not in self.mutated]
                        for name, sources in suites.items()}
-        self.has_panels = {name: any(source in self.mutated for source in sources) for name, sources in suites.items()}
-        self.seconds = {} # what each suite takes with the library itself
+        self.is_of_panels = {name: any(source in self.mutated for source in sources) for name, sources in suites.items()}
+        self.slowest, self.seconds = {}, {} # what each suite takes with the library itself, anew and where the judge remembers
         self.needs = {} # source -> what of MUTATED it is made from
+        self.reached = {} # suite -> sources that a linker would take for it from an archive
 
     def object(self, folder, source):
         return os.path.join(folder, source.replace("/", "_") + ".o")
@@ -316,9 +316,33 @@ class Builder:
                 names = [os.path.normpath(name) for name in file.read().replace("\\\n", " ").split()[1:]]
             prefix = os.path.join(os.path.normpath(self.original), "")
             self.needs[source] = {name[len(prefix):] for name in names if name.startswith(prefix)}
+        symbols = {source: self.symbols_of(source) for source in self.sources()}
         for name in self.suites:
+            self.reached[name] = self.linked(self.suites[name], symbols)
             with open(self.times(name)) as file:
-                self.seconds[name] = float(file.read())
+                self.slowest[name], self.seconds[name] = map(float, file.read().split())
+
+    def symbols_of(self, source):
+        """@return what a source's object defines, what it asks others for"""
+        listed = subprocess.run(["nm", "-gP", self.object(self.original, source)], check=True, capture_output=True, text=True)
+        rows = [line.split() for line in listed.stdout.splitlines()]
+        return {row[0] for row in rows if row[1] != "U"}, {row[0] for row in rows if row[1] == "U"}
+
+    def linked(self, sources, symbols):
+        """The sources, and what of MUTATED they call, directly or not."""
+        place = {symbol: source for source in self.mutated for symbol in symbols[source][0]}
+        found, left = set(), list(sources)
+        while left:
+            source = left.pop()
+            if source not in found:
+                found.add(source)
+                left += [place[symbol] for symbol in symbols[source][1] if symbol in place]
+        return found
+
+    def concerns(self, name, mutant):
+        """May a suite notice a mutant? Those of panels are asked about panels alone."""
+        return self.is_of_panels[name] == mutant.file.startswith("port/panel/") and \
+            any(mutant.file in self.needs[source] for source in self.reached[name])
 
     def sources(self):
         return self.mutated + sorted({source for name in self.suites for source in self.suites[name]})
@@ -329,19 +353,28 @@ class Builder:
     def times(self, name):
         return os.path.join(self.original, name + ".seconds")
 
+    def judged(self, name):
+        return os.path.join(self.original, name + ".judged")
+
     def compile_original(self, source):
         if not self.compile(self.original, source, self.original, ("-MMD", "-MF", self.depends(source))):
             sys.exit(f"{source} does not compile")
 
+    def run_suite(self, name, folder, program, seconds=None, **variables):
+        """Runs the program that one folder has of a suite with the library of another."""
+        return run([os.path.join(program, "suite_" + name)], seconds, LD_LIBRARY_PATH=folder, GLINT_JUDGED=self.judged(name),
+                   **variables)
+
     def time_original(self, name):
-        """A suite's processor time; it must pass with the library as it is."""
+        """A suite's processor time, and where the judge of images remembers all; it must pass with the library as it is."""
         if not self.link_suite(name, self.original):
             sys.exit(f"{name} does not link")
-        status, seconds = run([os.path.join(self.original, "suite_" + name)], None, self.original)
-        if status != 0:
+        found = [self.run_suite(name, self.original, self.original, GLINT_JUDGED_ADD="1"),
+                 self.run_suite(name, self.original, self.original)]
+        if any(status != 0 for status, _ in found):
             sys.exit(f"{name} fails on the library itself")
         with open(self.times(name), "w") as file:
-            file.write(str(seconds))
+            file.write(" ".join(str(seconds) for _, seconds in found))
 
     def judge(self, mutant, folder, noticed, found):
         """
@@ -378,8 +411,7 @@ class Builder:
         if not self.link_library(folder):
             return "link"
         for name in self.in_order(mutant, noticed):
-            if mutant.file.startswith("port/panel/") and not self.has_panels[name] or \
-                    (self.seconds[name] > QUICK_SECONDS) != (found == "left"):
+            if not self.concerns(name, mutant) or (self.seconds[name] > QUICK_SECONDS) != (found == "left"):
                 continue
             own = [source for source in self.suites[name] if mutant.file in self.needs[source]]
             for source in own:
@@ -387,9 +419,8 @@ class Builder:
                     return name
             if own and not self.link_suite(name, folder):
                 return name
-            program = os.path.join(folder if own else self.original, "suite_" + name)
-            most = max(LEAST_SECONDS, int(MOST_TIMES * self.seconds[name]) + 1)
-            if run([program], most, folder)[0] != 0:
+            most = max(LEAST_SECONDS, int(MOST_TIMES * self.slowest[name]) + 1)
+            if self.run_suite(name, folder, folder if own else self.original, most)[0] != 0:
                 return name
         return "survived" if found == "left" else "left"
 
@@ -441,6 +472,23 @@ def read_known(path):
         return {(row["file"], row["line"], row["mutant"]): row["reason"] for row in csv.DictReader(file)}
 
 
+def stale_of(known, mutants):
+    """Entries that are no mutants of the files at hand."""
+    there, files = {(m.file, m.before, m.after) for m in mutants}, {m.file for m in mutants}
+    return [entry for entry in known if entry not in there and (entry[0] in files or not os.path.exists(entry[0]))]
+
+
+def write_figures(path, seed, mutants, judged):
+    """What pages show of a run."""
+    now = subprocess.run(["git", "log", "-1", "--format=%h,%cs"], check=True, capture_output=True, text=True)
+    commit, date = now.stdout.strip().split(",")
+    counts = collections.Counter(result if result in ("survived", "known") else "killed" for _, result in judged)
+    with open(path, "w", newline="") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(("commit", "date", "seed", "places", "judged", "killed", "listed", "survived"))
+        table.writerow((commit, date, seed, len(mutants), len(judged), counts["killed"], counts["known"], counts["survived"]))
+
+
 def judge_all(builder, results, known, mutants, count, jobs):
     """@return (mutant, result) of the first mutants that make `count` to be judged"""
     free = [os.path.join(builder.build, f"mutant{i}") for i in range(jobs)]
@@ -483,6 +531,7 @@ def main():
     parser.add_argument("--compiler", required=True)
     parser.add_argument("--flags", required=True, help="of the compiler")
     parser.add_argument("--files", nargs="*", default=[], help="of src/ and port/panel/; all unless some are named")
+    parser.add_argument("--figures", help="CSV to write: how many were judged, and what became of them")
     parser.add_argument("--suite", action="append", required=True, metavar="NAME=SOURCES", help="suites, in order")
     arguments = parser.parse_args()
 
@@ -508,7 +557,12 @@ def main():
         print(f"{m.file}:{m.line}: {'known: ' + reason if reason else 'SURVIVED'}\n  - {m.before}\n  + {m.after}")
     print("by suite:", ", ".join(f"{name} {n}" for name, n in collections.Counter(r for _, r in judged).most_common()))
     print(f"{len(judged) - len(survivors)} of {len(judged)} killed, {done - len(judged)} passed over; {len(mutants)} in all")
-    return any(result == "survived" for _, result in judged)
+    stale = stale_of(known, mutants)
+    for file, before, after in stale:
+        print(f"{arguments.known}: {file} has no such place any more\n  - {before}\n  + {after}")
+    if arguments.figures:
+        write_figures(arguments.figures, arguments.seed, mutants, judged)
+    return bool(stale) or any(result == "survived" for _, result in judged)
 
 
 if __name__ == "__main__":
