@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Runs tests/board/power_cut_board.c and cuts its power: at seeded instants, some within each part of what it does. It starts
-again, and its first frames must be the host's, bit for bit.
+again, and its first frame must be the host's, bit for bit.
 
 power_cut.py --qemu QEMU --nm NM --host SHOW_HOST --stream PANEL_STREAM --output DIRECTORY --cuts COUNT --seed SEED FIRMWARE
 
 An instant is in ticks of a timer of 25 MHz; an instruction takes 64 ns, so that every one can be the last (-icount). The panel's
-model is not reset with the core, and its reset line is not connected: it is as the cut has left it.
+model is not reset with the core. In every second round of cuts its reset line is connected, and it forgets what it was told; in
+the others it is as the cut has left it.
 """
 import argparse
 import bisect
@@ -26,18 +27,20 @@ MACHINE = "mps2-an385"
 INSTANT = 0x21000000  # where the firmware reads when its power is cut
 NEVER = 0xffffffff
 MISC, LEDS, SPI_CONTROL, SPI_DATA = 0x4002804c, 0x40028000, 0x40021004, 0x40021008
+RESET = 3  # the bit of MISC that is high while the panel is not reset
 MODELS = {1: "torus576", 2: "teapot"}  # what the firmware writes to LEDS behind each frame
 # What it says is done, in this order: start-up code, the panel's start, the scene and glint_init, what comes before the first
-# tile, the frame, and one more. Some cuts are within each.
-PARTS = ["started", "panel", "scene", "tile", "frame", "next-frame"]
+# tile, a row of tiles, the rest of the frame, and one more. Some cuts are within each.
+PARTS = ["started", "panel", "scene", "tile", "row", "frame", "next-frame"]
 
 
 class Run:
     """One run of the firmware, its power cut at an instant."""
 
-    def __init__(self, arguments, name, instant):
+    def __init__(self, arguments, name, instant, has_reset=True):
         self.directory = os.path.join(arguments.output, name)
         self.starts, self.shown, self.instant = 0, [], instant
+        self.has_reset, self.is_reset = has_reset, False
         os.makedirs(self.directory)
         self._emulate(arguments)
         self._show(arguments)
@@ -50,7 +53,8 @@ class Run:
         with Machine(arguments.qemu, MACHINE, arguments.firmware, options=options) as machine:
             self.lines = list(iter(machine.line, None))
             self.status = machine.process.wait(60)
-        wires = Wires("0x%x.4" % MISC, "0x%x.0" % MISC, SPI_DATA, others={SPI_CONTROL: self._control, LEDS: self._leds})
+        wires = Wires("0x%x.4" % MISC, "0x%x.0" % MISC, SPI_DATA, 
+                      others={SPI_CONTROL: self._control, LEDS: self._leds, MISC: self._misc})
         with open(trace) as file, open(os.path.join(self.directory, "stream"), "w") as out:
             Recorder(wires, out).record(file)
         os.remove(trace)
@@ -61,6 +65,13 @@ class Run:
             self.starts += 1
             self.shown = []
             recorder.note("# start %d" % self.starts)
+
+    def _misc(self, recorder, value):
+        """The panel's reset line, which is pulled for as long as any panel wants."""
+        is_reset = not value >> RESET & 1
+        if self.has_reset and is_reset != self.is_reset:
+            recorder.note("T 200000\nR %d" % is_reset)
+        self.is_reset = is_reset
 
     def _leds(self, recorder, value):
         self.shown.append(MODELS[value])
@@ -170,7 +181,7 @@ def main():
     try:
         instants = choose(measure(tally, arguments), arguments.cuts, arguments.seed)
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            runs = list(pool.map(lambda at: Run(arguments, "cut-%d" % at[0], at[1][1]), enumerate(instants)))
+            runs = list(pool.map(lambda at: Run(arguments, "cut-%d" % at[0], at[1][1], at[0] // len(PARTS) % 2 == 0), enumerate(instants)))
         again = Run(arguments, "again", instants[0][1])
     except (Died, Wrong, OSError, subprocess.SubprocessError) as problem:
         tally.check(False, str(problem))

@@ -44,6 +44,7 @@ typedef enum power_mark {
     MARK_PANEL,
     MARK_SCENE,
     MARK_TILE,
+    MARK_ROW,
     MARK_FRAME,
     MARK_NEXT_FRAME,
     MARKS
@@ -115,6 +116,9 @@ static int begin(void *context, int x, int y, int width, int height, const void 
     (void)context;
     if (x == 0 && y == 0 && notes()->marks[MARK_TILE] == 0) {
         mark(MARK_TILE);
+    }
+    if (y > 0 && notes()->marks[MARK_ROW] == 0) {
+        mark(MARK_ROW);
     }
     return notes()->flush.begin(notes()->flush.context, x, y, width, height, pixels, stride);
 }
@@ -188,7 +192,7 @@ static void report(const char *what, uint32_t number) {
 }
 
 int main(void) {
-    static const char *const names[MARKS] = {"started ", "panel ", "scene ", "tile ", "frame ", "next-frame "};
+    static const char *const names[MARKS] = {"started ", "panel ", "scene ", "tile ", "row ", "frame ", "next-frame "};
     glint_renderer *const renderer = (glint_renderer *)(uintptr_t)RENDERER;
 
     if (notes()->state == POWER_FRESH) {
