@@ -88,6 +88,10 @@ $(foreach suite,$(TEST_SUITES),$(eval $(call test_suite,host,$(suite))))
 SANITIZE := -O1 -fsanitize=address,undefined,integer -fno-sanitize=unsigned-integer-overflow,unsigned-shift-base \
     -fno-sanitize-recover=all -fno-omit-frame-pointer
 $(eval $(call test_variant,sanitize,clang $(SANITIZE)))
+# The double-precision reference, which takes most of the time and is run as it is by test-image, is not under them but in
+# `make sanitize`.
+SANITIZE_ALL ?=
+$(TEST_JUDGE:%.c=$(BUILD)/sanitize/%.o): TEST_CFLAGS += $(if $(SANITIZE_ALL),,-O2 -fno-sanitize=all)
 $(foreach suite,$(TEST_SUITES),$(eval $(call test_suite,sanitize,$(suite))))
 
 # Compilers at every level of optimisation; gcc with all that this machine has, which brings vectors and warnings of their
@@ -108,7 +112,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 	    echo "$$suite"; cat "$$suite.log"; [ "$$(cat "$$suite.status")" = 0 ] || status=1; \
 	done; exit $$status
 
-.PHONY: test-unit-host test-image test-identity test-sanitize test-matrix unit-tables
+.PHONY: test-unit-host test-image test-identity test-sanitize sanitize test-matrix unit-tables
 
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit parts numbers setup point camera) ## unit tests on the host, arithmetic against libm, files of others
 	$(call run_suites,$^)
@@ -119,9 +123,12 @@ test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery for
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order
 	$(call run_suites,$^)
 
-test-sanitize: export GLINT_BUDGET_SCENES := 40
-test-sanitize: $(addprefix $(BUILD)/tests/sanitize/,$(TEST_SUITES)) ## the host suites under ASan and UBSan
+test-sanitize: export GLINT_BUDGET_SCENES := $(if $(SANITIZE_ALL),250,40)
+test-sanitize: $(addprefix $(BUILD)/tests/sanitize/,$(TEST_SUITES)) ## the host suites under ASan and UBSan, but for their reference; make sanitize is all
 	$(call run_suites,$^)
+
+sanitize: ## the host suites and their reference under ASan and UBSan, with all scenes
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/sanitized SANITIZE_ALL=1 test-sanitize
 
 test-matrix: $(MATRIX:%=$(BUILD)/tests/%/unit) ## unit tests by three compilers at -O0, -Os, -O2 and -O3, with vectors, across files, and under MSan
 	$(call run_suites,$^)
