@@ -153,15 +153,28 @@ cross = $(or $($1_CROSS),$(CROSS))
 SIZE_FLAGS := -Os -fno-move-loop-invariants -fno-tree-loop-im -fno-tree-loop-ivcanon -fno-tree-forwprop -fno-schedule-insns2
 optimise = $(if $(filter release,$1),$(SIZE_FLAGS),-$1)
 
-# $(call firmware_objects,board,level): objects and library of one board
+# $(call twin,board,boards): the first of these boards that is of the same core
+twin = $(firstword $(foreach other,$2,$(if $(subst $($(other)_CPU),,$($1_CPU)),,$(other))))
+
+# $(call firmware_objects,board,level,twin): objects and library of one board
 define firmware_objects
 $(BUILD)/$1/$2/%.o: %.c port/boards.mk
 	@mkdir -p $$(@D)
 	$$(Q)$(call cross,$1)gcc $$($1_CPU) $$(FIRMWARE_CFLAGS) $$(call optimise,$2,$$<) $(if $($1_ARENA),-DBOARD_ARENA=$($1_ARENA) -DBOARD_TILE_WIDTH=$(or $(firstword $($1_TILE)),0) -DBOARD_TILE_HEIGHT=$(or $(lastword $($1_TILE)),0)) \
 	    $$(if $$(filter port/libc/%,$$<),-fno-tree-loop-distribute-patterns) -c $$< -o $$@
+$(call $(if $(filter-out $1,$3),shared_library,firmware_library),$1,$2,$3)
+endef
+define firmware_library
 $(BUILD)/$1/$2/libglint.a: $(LIBRARY:%.c=$(BUILD)/$1/$2/%.o)
 	@rm -f $$@
 	$$(Q)$(call cross,$1)gcc-ar rcs $$@ $$^
+endef
+# Nothing of a board is in the library: boards of one core share it, and what the compiler says of its stack.
+define shared_library
+$(BUILD)/$1/$2/libglint.a: $(BUILD)/$3/$2/libglint.a
+	@mkdir -p $$(@D)
+	@rm -rf $$(@D)/src && ln -s ../../$3/$2/src $$(@D)/src
+	$$(Q)cp $$< $$@
 endef
 
 # $(call firmware_program,board,level,program,linker flags)
@@ -175,7 +188,7 @@ $(BUILD)/$1/$2/$3.elf: $(patsubst %.c,$(BUILD)/$1/$2/%.o,$(PROGRAM_$3) $($1_SOUR
 FIRMWARE += $(BUILD)/$1/$2/$3.elf
 endef
 
-$(foreach board,$(BOARDS),$(eval $(call firmware_objects,$(board),release)))
+$(foreach board,$(BOARDS),$(eval $(call firmware_objects,$(board),release,$(call twin,$(board),$(BOARDS)))))
 # Boards whose bits and instructions are compared.
 MEASURED := mps2-an385 mps2-an385-m0 mps2-an386 virt
 $(foreach board,$(MEASURED),$(foreach level,O0 Os O2,$(eval $(call firmware_objects,$(board),$(level)))))
@@ -199,7 +212,8 @@ $(foreach board,$(BOARDS),$(eval $(call firmware_program,$(board),release,show))
 # Boards with panels in colour. They have the flash for all meshes, and for code that is built for speed. Scenes that are
 # lit by several lights with positions take the deepest stack.
 COLOUR_BOARDS := mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 mps2-an505 netduinoplus2 pico
-$(foreach board,$(filter-out $(MEASURED),$(COLOUR_BOARDS)),$(eval $(call firmware_objects,$(board),O2)))
+$(foreach board,$(filter-out $(MEASURED),$(COLOUR_BOARDS)),\
+    $(eval $(call firmware_objects,$(board),O2,$(call twin,$(board),$(MEASURED) $(COLOUR_BOARDS)))))
 $(foreach board,$(COLOUR_BOARDS),\
     $(eval $(call firmware_program,$(board),O2,animate,-Wl$(comma)--defsym=stack_size=9984)))
 $(foreach program,compose moving own_flush,$(eval $(call firmware_program,mps2-an385,O2,$(program))))
