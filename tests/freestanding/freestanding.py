@@ -43,6 +43,13 @@ def run(*command):
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
 
+def of_each(tool, objects):
+    """[(object, what the tool prints of it)], by one run of it for all."""
+    text = run(*tool, *objects, objects[0])  # nm names objects where there is more than one
+    parts = re.split(r"^(%s):(?: +file format \S+)?$" % "|".join(map(re.escape, objects)), text, flags=re.MULTILINE)
+    return list(zip(parts[1::2], parts[2::2]))[:len(objects)]
+
+
 def undefined(cross, objects, output):
     """Undefined symbols of all objects linked together."""
     run(cross + "ld", "-r", "-o", output, *objects)
@@ -52,29 +59,30 @@ def undefined(cross, objects, output):
 def writable(cross, objects):
     """Sections that would take RAM, as `object: section`."""
     found = []
-    for path in objects:
-        for line in run(cross + "objdump", "-h", "-w", path).splitlines():
+    for path, text in of_each((cross + "objdump", "-h", "-w"), objects):
+        for line in text.splitlines():
             fields = line.split()
             if len(fields) > 7 and fields[0].isdigit() and int(fields[2], 16) and "ALLOC" in line and \
                     "READONLY" not in line:
                 found.append("%s: %s" % (path, fields[1]))
-        found += ["%s: common" % path for line in run(cross + "nm", path).splitlines() if " C " in line]
+    for path, text in of_each((cross + "nm",), objects):
+        found += ["%s: common" % path for line in text.splitlines() if " C " in line]
     return found
 
 
 def unreferenced(cross, objects):
     """Static functions that nothing in their object refers to; each has a section of its own."""
     found = []
-    for path in objects:
-        targets = set(re.findall(r"\sR_ARM_\w+\s+(?:\.text\.)?([\w.$]+)", run(cross + "objdump", "-r", path)))
-        statics = re.findall(r"^[0-9a-f]+ t ([A-Za-z_][\w.]*)$", run(cross + "nm", path), re.MULTILINE)
+    references, symbols = of_each((cross + "objdump", "-r"), objects), of_each((cross + "nm",), objects)
+    for (path, relocations), (_, names) in zip(references, symbols):
+        targets = set(re.findall(r"\sR_ARM_\w+\s+(?:\.text\.)?([\w.$]+)", relocations))
+        statics = re.findall(r"^[0-9a-f]+ t ([A-Za-z_][\w.]*)$", names, re.MULTILINE)
         found += ["%s: %s" % (path, name) for name in statics if name not in targets]
     return found
 
 
 def float_instructions(cross, objects):
-    return [match for path in objects
-            for match in FLOAT_INSTRUCTION.findall(run(cross + "objdump", "-d", path))]
+    return FLOAT_INSTRUCTION.findall(run(cross + "objdump", "-d", *objects))
 
 
 def call_graph(directory, sources):
@@ -134,10 +142,12 @@ def check_library(tally, cross, directory):
     strangers = [name for name in outside if not ALLOWED.match(name)]
     tally.check(not strangers, "%s: undefined: %s" % (directory, " ".join(strangers)))
     tally.check(not floats, "%s: floating point: %s" % (directory, " ".join(floats)))
-    tally.check(not writable(cross, objects), "%s: writable: %s" % (directory, " ".join(writable(cross, objects))))
+    data = writable(cross, objects)
+    tally.check(not data, "%s: writable: %s" % (directory, " ".join(data)))
     uncalled = unreferenced(cross, objects)
     tally.check(not uncalled, "%s: nothing refers to %s" % (directory, " ".join(uncalled)))
-    tally.check(not cycle(graph), "%s: recursion through %s" % (directory, cycle(graph)))
+    turning = cycle(graph)
+    tally.check(not turning, "%s: recursion through %s" % (directory, turning))
     public = public_functions()
     missing = [name for name in public if name not in graph]
     tally.check(public and not missing, "%s: declared but not defined: %s" % (directory, " ".join(missing)))
