@@ -30,7 +30,8 @@ static glint_region region;
 /* The nearness of a light right there. */
 #define NEAREST (384 << 7 | 127)
 
-static const glint_light_type types[3] = {{0, 0, 0, 0}, {0, any_illuminate, 0, 0}, {0, any_illuminate, 0, 1}};
+static const glint_light_type types[3] = {
+    {0}, {.illuminate = any_illuminate}, {.illuminate = any_illuminate, .has_cone = 1}};
 
 /* Any material and lights. */
 static void any_material(void) {
@@ -152,7 +153,7 @@ static inline uint32_t glint_closeness_of(uint32_t nearness);
 /* Any lights, any nearness. @contract glint_closeness_of @unsigned */
 PROOF(glint_region_place) {
     any_region();
-    glint_region_place(ANY_UNSIGNED(0, 0xff), &region);
+    glint_region_place(ANY_UNSIGNED(0, 0xff), ANY_UNSIGNED(0, 0xff), &region);
 }
 
 /* Any |L + V|^2 / 2, all that it reads of a nearness, by its bits. @contract glint_inverse_root @unsigned

@@ -15,10 +15,10 @@
     ensures \result <= 0x40000; */
 uint32_t glint_root_above(uint32_t square);
 
-/*@ requires \valid(region) && lights <= 0xff;
-    assigns \result, region->near_of[0 .. 7] \from lights, *region;
+/*@ requires \valid(region) && all <= 0xff && lights <= 0xff;
+    assigns \result, region->near_of[0 .. 7] \from all, lights, *region;
     ensures \result <= 0xff; */
-uint32_t glint_region_place(uint32_t lights, glint_region *region);
+uint32_t glint_region_place(uint32_t all, uint32_t lights, glint_region *region);
 
 /*@ requires \valid_read(w) && \valid(region);
     requires w->least <= 0xffff && 1 <= w->change <= 0x10000;

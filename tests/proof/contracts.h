@@ -36,6 +36,17 @@ uint32_t glint_reciprocal(uint32_t x);
     ensures x > 0x40000 || \result <= -0x33c00000; */
 int32_t glint_log2(uint32_t x);
 
+/* A root of 2n bits has n; by its first bit. */
+#define ROOT(n) \
+    ((x >= ((uint64_t)1 << 2 * (n)) || \result < (1 << (n))) && (x < ((uint64_t)1 << 2 * (n)) || \result >= (1 << (n))))
+
+/*@ assigns \result \from x;
+    ensures ROOT(1) && ROOT(2) && ROOT(3) && ROOT(4) && ROOT(5) && ROOT(6) && ROOT(7) && ROOT(8);
+    ensures ROOT(9) && ROOT(10) && ROOT(11) && ROOT(12) && ROOT(13) && ROOT(14) && ROOT(15) && ROOT(16);
+    ensures ROOT(17) && ROOT(18) && ROOT(19) && ROOT(20) && ROOT(21) && ROOT(22) && ROOT(23) && ROOT(24);
+    ensures ROOT(25) && ROOT(26) && ROOT(27) && ROOT(28) && ROOT(29) && ROOT(30) && ROOT(31); */
+uint32_t glint_square_root(uint64_t x);
+
 /*@ requires y <= 0;
     assigns \result \from y;
     ensures \result <= 0x40000000; */

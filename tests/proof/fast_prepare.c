@@ -7,17 +7,6 @@
 #include "../../src/frame/arena.c"
 #include "lit.h"
 
-/* A root of 2n bits has n; by its first bit. */
-#define ROOT(n) \
-    ((x >= ((uint64_t)1 << 2 * (n)) || \result < (1 << (n))) && (x < ((uint64_t)1 << 2 * (n)) || \result >= (1 << (n))))
-
-/*@ assigns \result \from x;
-    ensures ROOT(1) && ROOT(2) && ROOT(3) && ROOT(4) && ROOT(5) && ROOT(6) && ROOT(7) && ROOT(8);
-    ensures ROOT(9) && ROOT(10) && ROOT(11) && ROOT(12) && ROOT(13) && ROOT(14) && ROOT(15) && ROOT(16);
-    ensures ROOT(17) && ROOT(18) && ROOT(19) && ROOT(20) && ROOT(21) && ROOT(22) && ROOT(23) && ROOT(24);
-    ensures ROOT(25) && ROOT(26) && ROOT(27) && ROOT(28) && ROOT(29) && ROOT(30) && ROOT(31); */
-uint32_t glint_square_root(uint64_t x);
-
 /*@ assigns \result \from indirect: *shading;
     ensures \result <= 0x40000000; */
 static uint32_t find_highlight_end(const glint_shading *shading);
@@ -45,15 +34,6 @@ static void any_served(void) {
 /* Any exponent. @contract glint_square_root */
 PROOF(glint_highlight_slope) {
     glint_highlight_slope(ANY(0, INT32_MAX));
-}
-
-/* Any number, by its bits. @options -eva-slevel 0 -eva-min-loop-unroll 64 */
-PROOF(glint_square_root) {
-    glint_square_root(0);
-    FOR_PARTS(bits, 1, 63) {
-        glint_square_root(Frama_C_unsigned_long_long_interval(1ull << (bits - 1), (1ull << (bits - 1)) * 2 - 1));
-    }
-    glint_square_root(Frama_C_unsigned_long_long_interval(1ull << 63, UINT64_MAX));
 }
 
 /*

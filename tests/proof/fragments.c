@@ -74,7 +74,7 @@ static void any_store(void *pixels, unsigned shift, const glint_run *run, const 
 /*
  * No fragments, or 1 to 9, one below the other or side by side, with output tables and without.
  * @contract glint_shade glint_channels_of glint_finish_colours glint_to_levels
- * @unreached 2 what is done built for size
+ * @unreached 1 what is done built for size
  */
 PROOF(glint_gathering_store) {
     static const glint_format format = {.store = any_store, .channel = {5, 6, 5}};

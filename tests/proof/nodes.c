@@ -151,7 +151,8 @@ static void any_material(void) {
  * @narrowing a nearness has 16 bits and no sign
  */
 PROOF(light_nodes) {
-    static const glint_light_type types[3] = {{0, 0, 0, 0}, {0, any_illuminate, 0, 0}, {0, any_illuminate, 0, 1}};
+    static const glint_light_type types[3] = {
+        {0}, {.illuminate = any_illuminate}, {.illuminate = any_illuminate, .has_cone = 1}};
     glint_node *const nodes[1] = {&node};
     any_material();
     model.lobe = (uint8_t)ANY(GLINT_LOBE_NONE, GLINT_LOBE_MIRROR);

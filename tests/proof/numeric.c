@@ -21,6 +21,15 @@ PROOF(glint_bits64) {
     }
 }
 
+/* Any number, by its bits. @options -eva-slevel 0 -eva-min-loop-unroll 64 */
+PROOF(glint_square_root) {
+    glint_square_root(0);
+    FOR_PARTS(bits, 1, 63) {
+        glint_square_root(Frama_C_unsigned_long_long_interval(1ull << (bits - 1), (1ull << (bits - 1)) * 2 - 1));
+    }
+    glint_square_root(Frama_C_unsigned_long_long_interval(1ull << 63, UINT64_MAX));
+}
+
 /* Any x, by its bytes. */
 PROOF(glint_leading_zeros_by_table) {
     glint_leading_zeros_by_table(ANY_UNSIGNED(0, 0xff));

@@ -33,6 +33,7 @@ PROOF(light_facet) {
     draw.positions = positions;
     draw.facets = facets;
     draw.shading = &shading;
+    draw.unreached = ANY_UNSIGNED(0, 0xff);
     draw.extra = 0;
     light_facet(&frame, &draw, &transform, 0);
     draw.extra = extra;

@@ -37,6 +37,7 @@ PROOF(light_corners) {
     frame.scene = &scene;
     frame.view = &view;
     draw.object = 0;
+    draw.unreached = ANY_UNSIGNED(0, 0xff);
     draw.triangles = triangles;
     draw.vertices = vertices;
     draw.positions = positions;

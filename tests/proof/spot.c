@@ -70,3 +70,54 @@ PROOF(illuminate_spot) {
     illuminate_spot(&light, &fragments);
     //@ assert fragments.strength[0] <= 0x8000;
 }
+
+/* ---- Objects that a cone misses ---- */
+
+/*
+ * Not proven: sight: products of 32 bits and 33 in 64, and shifts by as many bits as they have beyond 13. Suite `point`
+ * under UBSan.
+ */
+
+/* Stands on these shifts. */
+/*@ requires \valid_read(light) && \valid_read(view) && \valid_read(object) && \valid(to);
+    assigns *to \from indirect: *light, indirect: *view, indirect: *object;
+    ensures \initialized(&to->way[0 .. 2]) && \initialized(&to->half[0 .. 2][0 .. 2]);
+    admit ensures \subset(to->way[0 .. 2], (-8192 .. 8192)); */
+static void sight(const glint_light *light, const glint_view *view, const glint_object *object, sighted *to);
+
+/*@ assigns \result \from half[0 .. 2][0 .. 2]; */
+static uint32_t square_of_radius(const int32_t half[3][3]);
+
+static glint_mesh mesh;
+static glint_object object = {.mesh = &mesh};
+
+/* Anywhere, of any size, turned and scaled in any way; any camera. */
+static void any_object(glint_light *light, glint_view *view) {
+    any_view(view);
+    light->vector = (glint_vector){ANY_INT, ANY_INT, ANY_INT};
+    light->outer = ANY_INT;
+    mesh.extent = (glint_vector){ANY(0, INT32_MAX), ANY(0, INT32_MAX), ANY(0, INT32_MAX)};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 4; j++)
+            object.pose.m[i][j] = ANY_INT;
+}
+
+/* Any halves of 13 bits. */
+PROOF(square_of_radius) {
+    int32_t half[3][3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            half[i][j] = ANY(-8192, 8192);
+    square_of_radius((const int32_t(*)[3])half);
+}
+
+/* Any object, any cone. @contract glint_phase glint_sine glint_square_root sight square_of_radius */
+PROOF(misses_cone) {
+    glint_view view;
+    glint_light light;
+    glint_prepared_light prepared;
+    any_object(&light, &view);
+    for (int i = 0; i < 3; i++)
+        prepared.direction[i] = (int16_t)ANY(-32767, 32767);
+    misses_cone(&light, &prepared, &view, &object);
+}

@@ -69,10 +69,9 @@ PROOF(keep) {
     node.unfit = (uint8_t)ANY(0, UINT8_MAX);
     node.steep = (uint8_t)ANY(0, UINT8_MAX);
     node.left = (uint8_t)ANY(0, UINT8_MAX);
-    light.light_count = GLINT_LIGHTS_MAX;
     FOR_PARTS(channels, 1, 3) {
         light.channels = (uint32_t)channels;
-        keep(&light, &node, to);
+        keep(&light, ANY_UNSIGNED(0, 0xff), &node, to);
     }
 }
 
@@ -251,10 +250,11 @@ PROOF(glint_fit_plane) {
         else
             any_narrow(&g);
         FOR_PARTS(unit, 12, 16) {
+            glint_quadratic q;
             int32_t n[3];
             for (int i = 0; i < 3; i++)
                 n[i] = ANY(unit == 16 ? -NUMBER : 0, INT16_MAX);
-            glint_fit_plane(&g, n, ANY(1 << 15, (1 << 15) * 4 / 3), (unsigned)unit);
+            glint_fit_plane(&q, &g, n, ANY(1 << 15, (1 << 15) * 4 / 3), (unsigned)unit);
         }
     }
 }

@@ -13,11 +13,6 @@
  * UBSan, and fuzzing.
  */
 
-/* As fast_prepare.c has it. */
-/*@ assigns \result \from x;
-    ensures x >= 0x100000000 || \result < 0x10000; */
-uint32_t glint_square_root(uint64_t x);
-
 /*@ assigns \result \from p;
     ensures \true; */
 uint32_t glint_highlight_slope(glint_q16 p);
@@ -183,7 +178,7 @@ PROOF(set_lobes) {
 
 /* Up to 8 lights of any kinds that show or not, of lobes of either kind. @options -eva-slevel 100 */
 PROOF(place_numbers) {
-    static const glint_light_type types[2] = {{0, 0, 0, 0}, {0, any_illuminate, 0, 1}};
+    static const glint_light_type types[2] = {{0}, {.illuminate = any_illuminate, .has_cone = 1}};
     any_frame(MOST);
     for (int i = 0; i < GLINT_LIGHTS_MAX; i++)
         lights[i].type = &types[ANY(0, 1)];
