@@ -185,6 +185,9 @@ static void black_pictures_have_a_reason(void) {
 static void numbers_that_look_like_integers_are_told(void) {
     CASE(p.scene.materials[0].shininess = 32, GLINT_OK, "shininess", 0, -1)
     CASE(p.scene.objects[1].pose = glint_pose_translate(1, 0, 0), GLINT_OK, "pose", 1, -1)
+    CASE(p.scene.objects[1].pose = glint_pose_translate(0, 1, 0), GLINT_OK, "pose", 1, -1)
+    CASE(p.scene.objects[1].pose = glint_pose_translate(0, 0, -1), GLINT_OK, "pose", 1, -1)
+    CASE(p.scene.objects[1].pose = glint_pose_translate(1, 0, GLINT_Q16(-0.5)), GLINT_OK, "", -1, -1)
     CASE(p.scene.lights[0].type = &glint_light_point;
          p.scene.lights[0].vector = ((glint_vector){2, 3, 4}), GLINT_OK, "a light stands", -1, 0)
 }
