@@ -51,8 +51,11 @@ SUITE_budget    := $(TEST_HARNESS) tests/image/budget.c tests/stability/random_s
 SUITE_nodes     := $(TEST_HARNESS) tests/image/nodes.c tests/image/fine.c $(TEST_SCENES)
 SUITE_parts     := $(TEST_HARNESS) tests/host/parts.c \
     $(addprefix port/host/,compare.c numbered.c png_read.c inflate.c png.c deflate.c output.c memory.c problem.c)
+PIXEL_SUMS      := $(addprefix tests/image/,pixel_sums.c surfaces.c) tests/stability/random_scene.c tests/stability/weights.c \
+    $(TEST_SCENES) $(wildcard examples/scenes/*.c)
+SUITE_pixels    := $(TEST_HARNESS) tests/image/pixels.c $(PIXEL_SUMS)
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit parts numbers setup point compare accuracy models gallery formats output extremes highlights fill_rule identity changes layouts region callbacks pick skipped diagnose camera kept arenas turned drops hidden budget opposed nodes lines orthographic
+TEST_SUITES     := unit parts numbers setup point compare accuracy models gallery formats output extremes highlights fill_rule identity pixels changes layouts region callbacks pick skipped diagnose camera kept arenas turned drops hidden budget opposed nodes lines orthographic
 
 # $(call test_objects,variant,compiler and flags): build/<variant>/<source>.o
 define test_objects
@@ -117,7 +120,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit parts numbers setup point camera) ## unit tests on the host, arithmetic against libm, files of others
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery formats output extremes highlights fill_rule changes layouts region callbacks pick skipped diagnose kept arenas turned drops hidden budget opposed nodes lines orthographic) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery formats output extremes highlights fill_rule pixels changes layouts region callbacks pick skipped diagnose kept arenas turned drops hidden budget opposed nodes lines orthographic) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order
@@ -139,9 +142,12 @@ $(eval $(call test_program,$(BUILD)/tests/print_torus,host,tests/image/print_tor
 $(eval $(call test_program,$(BUILD)/tests/print_checksums,host,tests/image/print_checksums.c tests/harness.c \
     $(addprefix tests/unit/,checksummed.c domains.c fixture.c)))
 
-unit-tables: $(BUILD)/tests/print_torus $(BUILD)/tests/print_checksums ## write the unit tests' mesh and checksums anew
+$(eval $(call test_program,$(BUILD)/tests/print_pixels,host,tests/image/print_pixels.c $(PIXEL_SUMS)))
+
+unit-tables: $(addprefix $(BUILD)/tests/,print_torus print_checksums print_pixels) ## write the unit tests' mesh and checksums anew, and those of suite pixels
 	$(BUILD)/tests/print_torus > $(BUILD)/tests/torus.h && cp $(BUILD)/tests/torus.h tests/unit/
 	$(BUILD)/tests/print_checksums > $(BUILD)/tests/checksums.h && cp $(BUILD)/tests/checksums.h tests/unit/
+	$(BUILD)/tests/print_pixels > $(BUILD)/tests/pixel_table.h && cp $(BUILD)/tests/pixel_table.h tests/image/
 
 # ---- Fuzzing
 

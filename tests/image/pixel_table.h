@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/* Made by `make unit-tables`; not to be edited: what every picture came to when it was made. */
+/* clang-format off */
+#ifndef GLINT_PIXEL_TABLE_H
+#define GLINT_PIXEL_TABLE_H
+
+#include "pixel_sums.h"
+
+static const pixel_sums pixel_table[] = {
+    {0xbd7fe87cu, 0x35f0da11u}, /* regions */
+    {0xb2038e3cu, 0xdce89c23u}, /* regions */
+    {0x727f7d2eu, 0x52e0a7e8u}, /* random surfaces */
+    {0x0aa451f8u, 0x626631fbu}, /* random surfaces */
+    {0x3c09bc93u, 0x7498a44cu}, /* random surfaces */
+    {0xc41f8a0au, 0x5d7f74c3u}, /* random surfaces */
+    {0x9b96b422u, 0x737a517eu}, /* random surfaces */
+    {0x15adb133u, 0x08ae6a8bu}, /* random surfaces */
+    {0x88b25687u, 0x9519d543u}, /* random scenes */
+    {0x98fa65b6u, 0x4c99c62cu}, /* random scenes */
+    {0x19e56de8u, 0x8c2e5a75u}, /* random scenes */
+    {0x282d40fbu, 0x0d0c63a0u}, /* random scenes */
+    {0x035bb0bfu, 0xc328e372u}, /* benchmark */
+    {0xa33424adu, 0x368210edu}, /* benchmark */
+    {0x6658b5afu, 0x0a5c35a1u}, /* benchmark */
+    {0xa0707570u, 0x2763f527u}, /* benchmark */
+    {0xfd55d9b1u, 0xf43a59e7u}, /* benchmark */
+    {0x0fbae097u, 0x1a617448u}, /* benchmark */
+    {0xab125c40u, 0xd44e240fu}, /* benchmark */
+    {0x98dc6aa7u, 0xf7f75ff9u}, /* benchmark */
+    {0x2f025b8du, 0x3695144du}, /* benchmark */
+    {0x92dbe11bu, 0x4a30c1edu}, /* benchmark */
+    {0xdaeeec08u, 0xb75fbaefu}, /* benchmark */
+    {0x2f025b8du, 0x3695144du}, /* benchmark */
+    {0xd938d48bu, 0x4f1d0282u}, /* benchmark */
+    {0x63c830cdu, 0xc7fbd867u}, /* benchmark */
+    {0x59fa9654u, 0xfab75cc7u}, /* benchmark */
+    {0x27c00c4au, 0x26df0d69u}, /* benchmark */
+    {0xb4347b65u, 0xe996f9d1u}, /* large */
+    {0xdf499056u, 0x6defdbb5u}, /* large */
+    {0x4f12aabfu, 0x52d4f071u}, /* large */
+    {0x0914046bu, 0x7ed14a4cu}, /* large */
+    {0xeaeeaff4u, 0x92424b07u}, /* scenes */
+    {0x0eee8bd2u, 0x8d28316du}, /* scenes */
+    {0x2c7415e8u, 0xa621c721u}, /* scenes */
+    {0x864a0bf9u, 0xb73275e6u}, /* scenes */
+    {0xcb44cda6u, 0xac240b6du}, /* surfaces */
+    {0x33a7b400u, 0xd79a30f2u}, /* surfaces */
+    {0xe96c20dcu, 0x0bdd11adu}, /* surfaces */
+    {0x230c4466u, 0xd3db16aau}, /* surfaces */
+    {0xc5817913u, 0xffb0244fu}, /* gallery */
+    {0xec0ef5ecu, 0x8164326bu}, /* gallery */
+    {0x8c3cc172u, 0xa70a53b0u}, /* gallery */
+    {0xc3e6158du, 0x14507b39u}, /* gallery */
+    {0xc1f35a1au, 0xf89b3544u}, /* gallery */
+    {0x0dec0bbcu, 0x4e60b3bau}, /* gallery */
+    {0x7508611au, 0x6b01674fu}, /* formats */
+    {0xdbe580acu, 0xe0b74579u}, /* formats */
+    {0xdf788ce8u, 0x6b01674fu}, /* formats */
+    {0x6d5fd3e6u, 0x9929a36au}, /* formats */
+    {0x44680bb6u, 0xe0b74579u}, /* formats */
+    {0x8333a344u, 0x9929a36au}, /* formats */
+    {0x2b5b92d6u, 0x9929a36au}, /* formats */
+    {0x6eb44b0du, 0x9929a36au}, /* formats */
+    {0xc05cccf3u, 0x9929a36au}, /* formats */
+    {0x0ee10257u, 0x4095436bu}, /* formats */
+    {0x2bedf2e9u, 0x9929a36au}, /* formats */
+    {0x1bd2cf8bu, 0x4095436bu}, /* formats */
+    {0x88a5e0fau, 0x9929a36au}, /* formats */
+    {0x040bb08fu, 0x9929a36au}, /* formats */
+    {0x2e1d986fu, 0x9929a36au}, /* formats */
+    {0x81c478fbu, 0x9929a36au}, /* formats */
+};
+
+#endif
