@@ -9,7 +9,7 @@ MUTANTS_FILES ?=
 MUTANTS_JOBS  ?= $(shell nproc)
 
 # What judges; which comes first follows from the time that they take, and from what they noticed before.
-MUTANTS_SUITES := unit stability_kept changes diagnose camera pick output point highlights skipped region lines extremes hidden opposed \
+MUTANTS_SUITES := unit pixels stability_kept changes diagnose camera pick output point highlights skipped region callbacks lines extremes hidden opposed \
     fill_rule turned drops stability_regions orthographic layouts numbers kept arenas identity setup nodes budget gallery formats models \
     accuracy compare
 # Those of panels, each a program of its own.

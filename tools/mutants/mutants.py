@@ -50,7 +50,9 @@ BEYOND_TERM = {"+", "-", "<<", ">>", "<", "<=", ">", ">=", "==", "!=", "&", "^",
                "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>=", "return", "{", "}", "(", "[", ")", "]"}
 BEYOND_CONDITION = {"?", ":", ",", ";", "=", "+=", "-=", "*=", "|=", "&=", "^=", "<<=", ">>=", "return", "{", "}", "(", "["}
 CONTROL = {"if", "for", "while", "switch"}
-NO_EXPRESSION = CONTROL | {"do", "else", "case", "default", "const", "static", "struct", "unsigned", "int", "goto"}
+# GLINT_OPAQUE hides from compilers what a value is, and does nothing.
+NO_EXPRESSION = CONTROL | {"do", "else", "case", "default", "const", "static", "struct", "unsigned", "int", "goto",
+                           "GLINT_OPAQUE"}
 
 
 def tokens_of(text):
