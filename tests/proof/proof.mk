@@ -9,9 +9,9 @@ $(eval $(call test_suite,sanitize,reads))
 
 SUITES += test-prove
 .PHONY: prove test-prove
-prove: ## prove the kernels free of overflow, and write docs/proofs.md
+prove: ## prove all kernels free of overflow, and write docs/proofs.md and what it was proven of beside it
 	@$(PROVE)
 
-test-prove: $(BUILD)/tests/sanitize/reads ## the proofs, docs/proofs.md against them, and every table read of random triangles
+test-prove: $(BUILD)/tests/sanitize/reads ## proofs of what has changed and of a sample (make prove: all), docs/proofs.md, and every table read of random triangles
 	@$<
-	@$(PROVE) --check
+	@$(PROVE) --check --seed $(TEST_SEED)
