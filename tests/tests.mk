@@ -3,7 +3,7 @@
 
 TEST_INCLUDES := -Isrc -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit \
     -Iport -Iport/host
-TEST_CFLAGS    = -std=c99 $(WARNINGS) -g $(TEST_INCLUDES)
+TEST_CFLAGS    = -std=c99 $(WARNINGS) $(DEBUG) $(TEST_INCLUDES)
 
 TEST_HARNESS := tests/harness.c tests/main.c
 TEST_UNIT    := $(wildcard tests/unit/*.c)
@@ -107,6 +107,11 @@ $(eval $(call test_variant,gcc-native,gcc -O3 -march=native))
 $(eval $(call test_variant,gcc-lto,gcc -O2 -flto=auto))
 $(eval $(call test_variant,memory,clang -O1 -fsanitize=memory -fno-sanitize-recover=all))
 $(foreach variant,$(MATRIX),$(eval $(call test_suite,$(variant),unit)))
+$(MATRIX:%=$(BUILD)/%/%.o): DEBUG :=
+
+# Of each pair one, which the seed picks.
+MATRIX_TESTED := $(call pick,0,gcc-O0 gcc-O2) $(call pick,1,gcc-Os gcc-O3) $(call pick,2,clang-O0 clang-O2) \
+    $(call pick,3,clang-Os clang-O3) $(call pick,4,clang19-Os clang19-O3) $(call pick,5,gcc-native gcc-lto) memory
 
 # $(call run_suites,programs): runs all, also after a failure, as many at once as there are cores; prints them in order
 run_suites = @rm -f $(addsuffix .status,$1); \
@@ -115,7 +120,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 	    echo "$$suite"; cat "$$suite.log"; [ "$$(cat "$$suite.status")" = 0 ] || status=1; \
 	done; exit $$status
 
-.PHONY: test-unit-host test-image test-identity test-sanitize sanitize test-matrix unit-tables
+.PHONY: test-unit-host test-image test-identity test-sanitize sanitize test-matrix variants unit-tables
 
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit parts numbers setup point camera) ## unit tests on the host, arithmetic against libm, files of others
 	$(call run_suites,$^)
@@ -133,8 +138,12 @@ test-sanitize: $(addprefix $(BUILD)/tests/sanitize/,$(TEST_SUITES)) ## the host 
 sanitize: ## the host suites and their reference under ASan and UBSan, with all scenes
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/sanitized SANITIZE_ALL=1 test-sanitize
 
-test-matrix: $(MATRIX:%=$(BUILD)/tests/%/unit) ## unit tests by three compilers at -O0, -Os, -O2 and -O3, with vectors, across files, and under MSan
+test-matrix: $(MATRIX_TESTED:%=$(BUILD)/tests/%/unit) ## unit tests by three compilers at levels that a seed picks of -O0, -Os, -O2 and -O3, with vectors or across files, and under MSan
+	@echo "$(if $(EVERY),every variant,TEST_SEED=$(TEST_SEED))"
 	$(call run_suites,$^)
+
+variants: ## suites matrix, options, board-identity and firmware with every compiler, level, option and pair, where make test takes a sample
+	@$(MAKE) --no-print-directory EVERY=1 test-matrix test-options test-board-identity test-firmware
 
 # ---- Tables of the unit tests, made anew when a pixel changes on purpose
 

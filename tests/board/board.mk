@@ -38,15 +38,20 @@ IDENTITY_ELF    := $(foreach core,$(IDENTITY_CORES),$(foreach level,$(IDENTITY_L
 # Boards that have room for a part: MACHINE=ELF.
 IDENTITY_PART   := sifive_e=$(BUILD)/sifive_e/release/identity-16k.elf lm3s811evb=$(BUILD)/lm3s811evb/release/identity-8k.elf
 IDENTITY_VARIANTS := $(MATRIX) sanitize threads
-IDENTITY_HOST   := $(IDENTITY_VARIANTS:%=$(BUILD)/identity/%)
+IDENTITY_HOST   := $(patsubst %,$(BUILD)/identity/%,$(MATRIX_TESTED) sanitize threads)
+# Of each core what is built for speed, and one of two other levels.
+IDENTITY_TESTED := $(if $(EVERY),$(IDENTITY_ELF),$(foreach bit,1 2 3,$(foreach level,O2 $(call pick,$(bit),O0 Os),\
+    $(BUILD)/$(word $(bit),$(IDENTITY_CORES))/$(level)/identity.elf)))
+IDENTITY_LEFT   := $(filter-out $(IDENTITY_TESTED),$(IDENTITY_ELF))
 IDENTITY_SOURCES := tests/board/identity_host.c tests/board/identity.c tests/board/frames.c \
     examples/turntable/turntable.c $(EXAMPLE_SCENES)
 $(foreach variant,$(IDENTITY_VARIANTS),\
     $(eval $(call test_program,$(BUILD)/identity/$(variant),$(variant),$(IDENTITY_SOURCES))))
 
-test-board-identity: $(IDENTITY_ELF) $(foreach pair,$(IDENTITY_PART),$(lastword $(subst =, ,$(pair)))) $(IDENTITY_HOST) ## the same bits from every core and compiler; small boards draw a part
+test-board-identity: $(IDENTITY_TESTED) $(foreach pair,$(IDENTITY_PART),$(lastword $(subst =, ,$(pair)))) $(IDENTITY_HOST) ## the same bits from every core, by compilers and levels that a seed picks; small boards draw a part
+	@echo "$(if $(EVERY),every variant,TEST_SEED=$(TEST_SEED))"
 	@python3 tests/board/identity.py --qemu $(QEMU) --host $(IDENTITY_HOST) \
-	    --firmware $(foreach elf,$(IDENTITY_ELF),$(if $(findstring /virt/,$(elf)),virt,mps2-an385)=$(elf)) --part $(IDENTITY_PART)
+	    --firmware $(foreach elf,$(IDENTITY_TESTED),$(if $(findstring /virt/,$(elf)),virt,mps2-an385)=$(elf)) --part $(IDENTITY_PART)
 
 # ---- What firmware may take, and that what is there to copy compiles
 
@@ -57,9 +62,9 @@ LIBRARY_MOST := 22016
 
 # Files that are read later add firmware too.
 .SECONDEXPANSION:
-test-firmware: $$(FIRMWARE) ## flash, RAM and library within their limits
+test-firmware: $$(filter-out $$(IDENTITY_LEFT),$$(FIRMWARE)) ## flash, RAM and library within their limits
 	@python3 tests/board/firmware.py --flash $(FLASH_MOST) --ram $(RAM_MOST) --library $(LIBRARY_MOST) \
-	    $(BUILD)/lm3s6965evb/release/turntable.map --programs $(FIRMWARE) --examples examples/firmware/minimal.c examples/firmware/own_flush.c
+	    $(BUILD)/lm3s6965evb/release/turntable.map --programs $(filter-out $(IDENTITY_LEFT),$(FIRMWARE)) --examples examples/firmware/minimal.c examples/firmware/own_flush.c
 
 # ---- The panel driver on a bus that records and fails
 

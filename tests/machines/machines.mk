@@ -19,6 +19,8 @@ $(foreach machine,$(MACHINES),$(eval $(call test_variant,$(machine),$(MACHINE_CC
 $(foreach machine,$(MACHINES),$(eval $(call test_suite,$(machine),unit))\
     $(eval $(call test_program,$(BUILD)/identity/$(machine),$(machine),$(IDENTITY_SOURCES))))
 
+$(MACHINES:%=$(BUILD)/%/%.o): DEBUG :=
+
 test-machines: $(MACHINES:%=$(BUILD)/tests/%/unit) $(MACHINES:%=$(BUILD)/identity/%) $(BUILD)/identity/gcc-O2 ## unit tests and the same bits on big-endian and other machines
 	$(Q)status=0; $(foreach machine,$(MACHINES),echo $(machine); $(MACHINE_QEMU_$(machine)) $(BUILD)/tests/$(machine)/unit || status=1;) exit $$status
 	@python3 tests/board/identity.py --host $(BUILD)/identity/gcc-O2 $(foreach machine,$(MACHINES),"$(MACHINE_QEMU_$(machine)) $(BUILD)/identity/$(machine)")
