@@ -132,7 +132,8 @@ test-identity: $(BUILD)/tests/host/identity ## the same image for every tile siz
 	$(call run_suites,$^)
 
 test-sanitize: export GLINT_BUDGET_SCENES := $(if $(SANITIZE_ALL),250,40)
-test-sanitize: $(addprefix $(BUILD)/tests/sanitize/,$(TEST_SUITES)) ## the host suites under ASan and UBSan, but for their reference; make sanitize is all
+test-sanitize: export GLINT_SAMPLE := $(if $(SANITIZE_ALL),1,5)
+test-sanitize: $(addprefix $(BUILD)/tests/sanitize/,$(TEST_SUITES)) ## the host suites under ASan and UBSan, but for their reference, with a fifth of random scenes and arenas; make sanitize is all
 	$(call run_suites,$^)
 
 sanitize: ## the host suites and their reference under ASan and UBSan, with all scenes

@@ -9,6 +9,7 @@
 #include "glint.h"
 #include "harness.h"
 #include "picture.h"
+#include "sample.h"
 #include "scenes.h"
 #include "scenes/scenes.h"
 #include "stability/contract.h"
@@ -132,7 +133,7 @@ static void example_variants(void) {
 
 static void random_scenes(void) {
     static random_scene scene;
-    for (uint64_t seed = 1; seed <= 2500; seed++) {
+    for (uint64_t seed = 1; seed <= 2500 / sample_share(); seed++) {
         random_scene_make(&scene, seed);
         if (random_regions[scene.region].in_contract)
             judge_some(1, &scene.scene, scene.width, scene.height, random_regions[scene.region].name);

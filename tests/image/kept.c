@@ -6,6 +6,7 @@
 #include "harness.h"
 #include "light/shading.h"
 #include "picture.h"
+#include "sample.h"
 #include "scenes.h"
 
 #include <stdlib.h>
@@ -397,7 +398,7 @@ static void spoilt_arenas(void) {
         size_t size;
         uint8_t *const first = find_kept(&k, &size);
         CHECK(size > 1000);
-        for (size_t at = 0; at < size; at += i ? 13 : 3) {
+        for (size_t at = 0; at < size; at += (i ? 13 : 3) * sample_share()) {
             first[at] ^= (uint8_t)(1 + at % 255);
             if (!CHECK(draws_the_same(&k, &scene.scene)))
                 break;
