@@ -73,6 +73,8 @@ static void any_region(void) {
         region.nearness[i] = (uint16_t)ANY(0, NEAREST);
         region.strength[i] = (uint16_t)ANY(0, 1 << 14);
         region.near_of[i] = (uint16_t)ANY(0, 1 << 13);
+        region.side_least[i] = (int16_t)ANY(-(1 << 14), 1 << 14);
+        region.side_most[i] = (int16_t)ANY(-(1 << 14), 1 << 14);
         region.axis_of[i] = (uint16_t)ANY(0, UINT16_MAX);
     }
     region.colour = ANY_UNSIGNED(0, 1 << 14);
