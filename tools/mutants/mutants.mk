@@ -27,7 +27,8 @@ mutants_run = python3 tools/mutants/mutants.py --build $(BUILD)/mutants --known 
 mutants: ## change MUTANTS places of src/ and port/panel/, one at a time, from MUTANTS_SEED (MUTANTS_FILES: only there): does a suite notice?
 	@$(mutants_run) --files $(MUTANTS_FILES)
 
+# The run that docs/mutants.csv is about: `make mutants` with these, as often as it was stopped, then this.
 mutants-figures: MUTANTS := 500
 mutants-figures: MUTANTS_SEED := 2026
-mutants-figures: ## the same for 500 of a seed, and docs/mutants.csv
+mutants-figures: ## docs/mutants.csv: what `make mutants MUTANTS=500 MUTANTS_SEED=2026` has found so far
 	@$(mutants_run) --figures docs/mutants.csv

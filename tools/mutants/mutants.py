@@ -480,15 +480,27 @@ def stale_of(known, mutants):
     return [entry for entry in known if entry not in there and (entry[0] in files or not os.path.exists(entry[0]))]
 
 
-def write_figures(path, seed, mutants, judged):
-    """What pages show of a run."""
-    now = subprocess.run(["git", "log", "-1", "--format=%h,%cs"], check=True, capture_output=True, text=True)
-    commit, date = now.stdout.strip().split(",")
-    counts = collections.Counter(result if result in ("survived", "known") else "killed" for _, result in judged)
+def count_judged(results, known, mutants, count):
+    """@return what became of the first `count` mutants, as far as results tell: killed, known, survived or left"""
+    counts = collections.Counter()
+    for m in mutants:
+        result = "known" if (m.file, m.before, m.after) in known else results.get(m) or "left"
+        if result not in ("none", "same"):
+            counts[result if result in ("known", "survived", "left") else "killed"] += 1
+        if counts.total() == count:
+            break
+    return counts
+
+
+def write_figures(path, seed, places, counts):
+    """What pages show of a run: the last commit to what is mutated; `left` are those that not all suites have judged."""
+    last = subprocess.run(["git", "log", "-1", "--format=%h,%cs", "--", *MUTATED], check=True, capture_output=True, text=True)
+    commit, date = last.stdout.strip().split(",")
     with open(path, "w", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
-        table.writerow(("commit", "date", "seed", "places", "judged", "killed", "listed", "survived"))
-        table.writerow((commit, date, seed, len(mutants), len(judged), counts["killed"], counts["known"], counts["survived"]))
+        table.writerow(("commit", "date", "seed", "places", "judged", "killed", "listed", "survived", "left"))
+        table.writerow((commit, date, seed, places, counts.total() - counts["left"], counts["killed"], counts["known"],
+                        counts["survived"], counts["left"]))
 
 
 def judge_all(builder, results, known, mutants, count, jobs):
@@ -533,7 +545,7 @@ def main():
     parser.add_argument("--compiler", required=True)
     parser.add_argument("--flags", required=True, help="of the compiler")
     parser.add_argument("--files", nargs="*", default=[], help="of src/ and port/panel/; all unless some are named")
-    parser.add_argument("--figures", help="CSV to write: how many were judged, and what became of them")
+    parser.add_argument("--figures", help="CSV to write of what was judged so far; nothing is judged then")
     parser.add_argument("--suite", action="append", required=True, metavar="NAME=SOURCES", help="suites, in order")
     arguments = parser.parse_args()
 
@@ -546,12 +558,17 @@ def main():
     tests = [os.path.join(folder, name) for top in ("tests", "examples", "port/host", "tools/mutants") for folder, _, names in os.walk(top)
              for name in names if re.search(r"\.[ch]$", name)]
     library, others = digest(files), digest(tests) + "".join("," + name for name in suites)
-    builder = Builder(arguments.build, arguments.compiler, arguments.flags, suites)
+    mutants = in_order(mutants, arguments.seed)
     os.makedirs(arguments.build, exist_ok=True)
-    builder.prepare(library + others, arguments.jobs)
     results = Results(os.path.join(arguments.build, "results.csv"), arguments.seed, library, others)
     known = read_known(arguments.known)
-    judged, done = judge_all(builder, results, known, in_order(mutants, arguments.seed), arguments.count, arguments.jobs)
+    if arguments.figures:
+        counts = count_judged(results, known, mutants, arguments.count)
+        write_figures(arguments.figures, arguments.seed, len(mutants), counts)
+        return 0
+    builder = Builder(arguments.build, arguments.compiler, arguments.flags, suites)
+    builder.prepare(library + others, arguments.jobs)
+    judged, done = judge_all(builder, results, known, mutants, arguments.count, arguments.jobs)
 
     survivors = [(m, result) for m, result in judged if result in ("survived", "known")]
     for m, result in survivors:
@@ -562,8 +579,6 @@ def main():
     stale = stale_of(known, mutants)
     for file, before, after in stale:
         print(f"{arguments.known}: {file} has no such place any more\n  - {before}\n  + {after}")
-    if arguments.figures:
-        write_figures(arguments.figures, arguments.seed, mutants, judged)
     return bool(stale) or any(result == "survived" for _, result in judged)
 
 
