@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Runs test suites, which are make targets, as many at once as there are cores: test.sh LOGS SUITE...
-# One make builds and runs them, so that what several take is built once. What each prints is kept in LOGS/SUITE.log
-# (tools/suite.sh), and shown whole, in the order given.
+# One make builds and runs them, so that what several take is built once; it builds most before it runs the first. What each
+# prints is kept in LOGS/SUITE.log (tools/suite.sh), and shown whole, in the order given.
 # Each closes with one line or several `N passed, N failed`; so does this, with their sums. A suite that fails without
 # a failed test, or closes without such a line, counts as one failure; none stops the others.
 set -u
