@@ -33,7 +33,7 @@ void glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace,
 }
 
 /* What polynomials a triangle has, found here unless another tile did. @param own room for it */
-static const glint_found *find_terms(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+static const glint_found *find_whole(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                                      const glint_triangle *triangle, const glint_part *part, glint_found *own) {
     const glint_found *const before = glint_found_find(workspace, triangle, part, 0);
     if (before)
@@ -55,7 +55,7 @@ static const glint_found *find_terms(const glint_frame *frame, glint_workspace *
 static GLINT_NOINLINE int draw_terms(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                                      const glint_triangle *triangle, const glint_part *part, glint_reach *reach) {
     glint_found own;
-    const glint_found *const found = find_terms(frame, workspace, draw, triangle, part, &own);
+    const glint_found *const found = find_whole(frame, workspace, draw, triangle, part, &own);
     if (!found->fits) {
         *reach = found->reach;
         return 0;

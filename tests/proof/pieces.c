@@ -8,7 +8,7 @@
 #include "ranges.h"
 
 /*
- * Not proven: glint_ring_find, glint_ring_begin, glint_ring_keep, begin_ring, at_place, find_terms, find_piece:
+ * Not proven: glint_ring_find, glint_ring_begin, glint_ring_keep, begin_ring, at_place, find_whole, find_piece:
  * addresses in the bytes that a pass leaves free, by counts of bytes, unsigned. Suite `nodes`, many sizes of them,
  * and fuzzing, under ASan and UBSan.
  */
