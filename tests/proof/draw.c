@@ -313,11 +313,12 @@ static void begin_channel_planes(glint_quadratic channel[3], const glint_gradien
 static void begin_channel_quadratics(glint_quadratic channel[3], const glint_gradients *g,
                                      const glint_vertex *const v[3], int32_t a[3][3]);
 
-/* Where a pass leaves no bytes of the arena. */
+/* Stands on a pass that leaves no bytes of the arena. */
 /*@ assigns \result \from indirect: *workspace, indirect: key;
     admit ensures \result == \null; */
 const void *glint_ring_find(const glint_workspace *workspace, uint32_t key);
 
+/* Stands on the same. */
 /*@ assigns \result \from indirect: *workspace, indirect: most;
     admit ensures \result == \null; */
 void *glint_ring_begin(glint_workspace *workspace, size_t most);
