@@ -107,7 +107,6 @@ int __wrap_glint_terms_begin(const glint_frame *frame, const glint_draw *draw, c
     if (fits) {
         count(COUNTS_curved_region, terms->is_curved);
         count(COUNTS_polynomial, terms->end);
-        count_terms(terms, part);
     }
     return fits;
 }
@@ -120,7 +119,6 @@ int __wrap_glint_shape_begin(const glint_frame *frame, const glint_draw *draw, c
     return fits;
 }
 
-/* Of squares and pieces: it is per_node.c itself that calls it after glint_terms_begin. */
 void __wrap_glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                                   const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
                                   const glint_polynomials *polynomials) {

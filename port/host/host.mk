@@ -26,7 +26,7 @@ HOST_READER_SOURCES := $(addprefix port/host/,obj.c mtl.c text.c mesh.c polygon.
 # Calls between the library's files that pass through counts.c and watch.c.
 HOST_WATCHED := glint_render_tile glint_light_all glint_gathering_store glint_draw_facet glint_draw_lit glint_nodes_light \
     glint_terms_begin glint_shape_begin glint_terms_draw_part glint_polynomial_begin glint_prepare_shading \
-    glint_fast_make_tables glint_setup glint_draw_unlit
+    glint_fast_make_tables glint_setup glint_draw_unlit glint_ring_find
 HOST_WATCH := $(HOST_WATCHED:%=-Wl,--wrap=%)
 
 # What reads other formats than OBJ is a program of its own, built where the compiler finds assimp (libassimp-dev).

@@ -2,6 +2,7 @@
 #include "watch.h"
 
 #include "light/evaluation.h"
+#include "raster/found.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,6 +12,7 @@
 extern __typeof__(glint_render_tile) __real_glint_render_tile;
 extern __typeof__(glint_setup) __real_glint_setup, __wrap_glint_setup;
 extern __typeof__(glint_draw_unlit) __real_glint_draw_unlit, __wrap_glint_draw_unlit;
+extern __typeof__(glint_ring_find) __real_glint_ring_find, __wrap_glint_ring_find;
 extern __typeof__(glint_gathering_store) __real_glint_gathering_store;
 extern __typeof__(glint_draw_facet) __real_glint_draw_facet;
 extern __typeof__(glint_draw_lit) __real_glint_draw_lit;
@@ -53,7 +55,7 @@ static struct {
     uint16_t depth[GLINT_TILE_MAX * GLINT_TILE_MAX];  /* as it was before the triangle */
     uint8_t is_told[GLINT_TILE_MAX * GLINT_TILE_MAX]; /* pixels of the triangle whose way was seen one by one */
     int has_triangle, triangle, region;               /* numbers of areas; no region is -1 */
-    way usual, of_region; /* of the triangle's other pixels, and of the piece's or square's */
+    way usual, of_region; /* of the triangle's other pixels, and of what is drawn by polynomials */
     placed places[PLACES];
     unsigned place_count;
 } now;
@@ -127,6 +129,11 @@ void __wrap_glint_setup(glint_part *part, glint_triangle *triangle) {
     __real_glint_setup(part, triangle);
 }
 
+/* What is watched is found anew in each tile: the ways are the same. */
+const void *__wrap_glint_ring_find(const glint_workspace *workspace, uint32_t key) {
+    return now.seen != NULL ? NULL : __real_glint_ring_find(workspace, key);
+}
+
 void __wrap_glint_draw_unlit(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                              const glint_triangle *triangle, const glint_part *part) {
     now.usual = WAY_EVEN;
@@ -154,6 +161,8 @@ int watch_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     if (!__real_glint_terms_begin(frame, draw, triangle, part, terms, polynomials))
         return 0;
     now.usual = terms->is_over_length ? WAY_OVER_LENGTH : terms->is_curved ? WAY_QUADRATICS : WAY_PLANES;
+    now.of_region = now.usual;
+    now.region = now.triangle;
     if (now.seen == NULL || now.seen->areas == NULL)
         return 1;
     lit_area *of = &now.seen->areas[now.triangle];
@@ -218,7 +227,6 @@ int watch_shape_begin(const glint_frame *frame, const glint_draw *draw, const gl
     return 1;
 }
 
-/* Of a piece or a square: a triangle's own polynomials are drawn where they are found. */
 void watch_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                            const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
                            const glint_polynomials *polynomials) {

@@ -6,32 +6,6 @@
 #include "rows.h"
 #include "shapes.h"
 
-/* Draws a part by the format's own loop. */
-static void draw_fused(const glint_frame *frame, const glint_workspace *workspace, const glint_part *part,
-                       const glint_terms *terms, const glint_polynomials *polynomials) {
-    const glint_spans spans = glint_spans_of(frame, workspace, part);
-    const glint_format *format = frame->config.format;
-    if (terms->sums == 1)
-        format->draw_mixed(&spans, polynomials->of, &terms->light->mix);
-    else
-        format->draw_channels(&spans, polynomials->of, terms->is_curved);
-}
-
-void glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                           const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
-                           const glint_polynomials *polynomials) {
-    glint_run runs[GLINT_BATCH_RUNS];
-    if (!GLINT_SMALL && terms->is_fused) {
-        draw_fused(frame, workspace, part, terms, polynomials);
-        return;
-    }
-    for (uint32_t y = part->top; y < part->bottom;) {
-        const glint_run *const end = glint_terms_draw_rows(frame, workspace, terms, polynomials->of, part, &y, runs);
-        if (terms->margin)
-            glint_draw_edges(frame, workspace, draw, triangle, part, terms, polynomials->of, runs, end);
-    }
-}
-
 /* What polynomials a triangle has, found here unless another tile did. @param own room for it */
 static const glint_found *find_whole(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                                      const glint_triangle *triangle, const glint_part *part, glint_found *own) {

@@ -338,9 +338,12 @@ static void draw_channels(const rows_of *of, const glint_pixel_runs *to) {
     store_rows(of, to);
 }
 
-const glint_run *glint_terms_draw_rows(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
-                                       const glint_quadratic *polynomials, const glint_part *part, uint32_t *y,
-                                       glint_run runs[GLINT_BATCH_RUNS]) {
+/* Draws rows of a part from row *y on, as many as workspace->row has room for, and moves *y behind them.
+ * @param runs what of them is visible @return their end */
+static GLINT_NOINLINE const glint_run *draw_rows(const glint_frame *frame, glint_workspace *workspace,
+                                                 const glint_terms *terms, const glint_quadratic *polynomials,
+                                                 const glint_part *part, uint32_t *y,
+                                                 glint_run runs[GLINT_BATCH_RUNS]) {
     uint16_t inverse[2 * GLINT_TILE_MAX];
     const rows_of of = {frame, workspace, terms, polynomials};
     row_sums sums;
@@ -358,4 +361,32 @@ const glint_run *glint_terms_draw_rows(const glint_frame *frame, glint_workspace
     else
         draw_channels(&of, &to);
     return end;
+}
+
+/* ---- Parts ---- */
+
+/* Draws a part by the format's own loop. */
+static void draw_fused(const glint_frame *frame, const glint_workspace *workspace, const glint_part *part,
+                       const glint_terms *terms, const glint_polynomials *polynomials) {
+    const glint_spans spans = glint_spans_of(frame, workspace, part);
+    const glint_format *format = frame->config.format;
+    if (terms->sums == 1)
+        format->draw_mixed(&spans, polynomials->of, &terms->light->mix);
+    else
+        format->draw_channels(&spans, polynomials->of, terms->is_curved);
+}
+
+void glint_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                           const glint_triangle *triangle, const glint_part *part, const glint_terms *terms,
+                           const glint_polynomials *polynomials) {
+    glint_run runs[GLINT_BATCH_RUNS];
+    if (!GLINT_SMALL && terms->is_fused) {
+        draw_fused(frame, workspace, part, terms, polynomials);
+        return;
+    }
+    for (uint32_t y = part->top; y < part->bottom;) {
+        const glint_run *const end = draw_rows(frame, workspace, terms, polynomials->of, part, &y, runs);
+        if (terms->margin)
+            glint_draw_edges(frame, workspace, draw, triangle, part, terms, polynomials->of, runs, end);
+    }
 }

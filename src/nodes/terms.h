@@ -317,14 +317,6 @@ glint_status glint_terms_prepare(glint_frame *frame);
  */
 #define GLINT_BATCH_RUNS (GLINT_TILE_MAX + GLINT_TILE_MAX / 2)
 
-/**
- * Draws rows of a part from row *y on, as many as workspace->row has room for, and moves *y behind them.
- * @param runs what of them is visible @return their end
- */
-const glint_run *glint_terms_draw_rows(const glint_frame *frame, glint_workspace *workspace, const glint_terms *terms,
-                                       const glint_quadratic *polynomials, const glint_part *part, uint32_t *y,
-                                       glint_run runs[GLINT_BATCH_RUNS]);
-
 /** Cosines below which wide highlights are steep where p < 1, Q14. */
 #define GLINT_HORIZON (1 << 11)
 

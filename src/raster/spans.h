@@ -73,7 +73,8 @@ static inline void glint_step(uint8_t **place) {
 }
 #endif
 
-/** The pixel of a tile whose depth was tested last. As a difference of pixels: formats of 16 bits need no shifts then. */
+/** The pixel of a tile whose depth was tested last. As a difference of pixels: formats of 16 bits need no shifts then.
+ */
 static inline uint32_t glint_offset_of(const glint_spans *s, const uint8_t *place) {
     return (uint32_t)((const uint16_t *)(const void *)(place - GLINT_AHEAD) - s->depth);
 }

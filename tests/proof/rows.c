@@ -8,7 +8,7 @@
 #include "pixel_runs.h"
 
 /*
- * Not proven: glint_terms_draw_rows, begin_rows, begin_chroma, begin_chroma_over, begin_channels, begin_channels_over,
+ * Not proven: draw_rows, begin_rows, begin_chroma, begin_chroma_over, begin_channels, begin_channels_over,
  * draw_chroma, draw_channels, add_sides, add_lobes, store_rows, find_base: they hand a row of two
  * tiles' pixels, which counts of runs keep within it, to what is proven. Suites `nodes` and `identity` under ASan and
  * UBSan, and fuzzing.
