@@ -241,7 +241,7 @@ uint32_t glint_exp2(int32_t y);
 
 /**
  * (x / 2^31)^p: x from 0 to 2^31, p Q16.16 from 0 up; Q30, at most 2^30. 0^0 is 1.
- * Off by at most 25 steps up to p = 2, 220 at 32, 6900 at 1024: 7 for each unit of p.
+ * Off by at most 25 steps up to p = 2, 220 at 32, 7050 at 1024: 7 for each unit of p.
  */
 uint32_t glint_power(uint32_t x, int32_t p);
 

@@ -181,7 +181,7 @@ static const reference references[] = {
     {"power_2", exact_power_2, 23.8, 0, 0, 0},
     {"power_32", exact_power_32, 220, 0, 0, 0},
     {"power_100_3", exact_power_100_3, 700, 0, 0, 0},
-    {"power_1024", exact_power_1024, 6900, 0, 0, 0},
+    {"power_1024", exact_power_1024, 7050, 0, 0, 0},
     {"power_largest", exact_power_largest, 7 * 32768, 0, 0, 0},
     {"sine_of_phase", exact_sine_of_phase, 64.7, 0, 0, 0},
     {"phase", exact_phase, 0.556, 0, 0x1p32, 0},
