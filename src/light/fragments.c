@@ -55,29 +55,28 @@ static void finish_fragments(const glint_frame *frame, glint_fragments *fragment
     }
 }
 
-/* The runs that fragments make. @return their end */
-static const glint_run *find_runs(const glint_fragments *fragments, glint_run run[GLINT_FRAGMENTS_MAX]) {
+/* Stores fragments by runs; what that takes of stack is not there while they are shaded. */
+static GLINT_NOINLINE void store_fragments(const glint_gathering *gathering) {
+    const glint_frame *frame = gathering->frame;
+    const glint_fragments *fragments = gathering->fragments;
     const int8_t *const x = fragments->column, *const y = fragments->row;
+    glint_run runs[GLINT_FRAGMENTS_MAX], *end = runs;
     for (uint32_t i = 0; i < fragments->count; i++) {
         if (i && y[i] == y[i - 1] && x[i] == x[i - 1] + 1)
-            run[-1].count++;
+            end[-1].count++;
         else
-            *run++ = (glint_run){(uint8_t)x[i], (uint8_t)y[i], 1};
+            *end++ = (glint_run){(uint8_t)x[i], (uint8_t)y[i], 1};
     }
-    return run;
+    frame->config.format->store(gathering->workspace->pixels, frame->tile_shift_x, runs, end,
+                                (const int32_t(*)[3])fragments->colour);
 }
 
 void glint_gathering_store(const glint_gathering *gathering) {
-    const glint_frame *frame = gathering->frame;
-    glint_run runs[GLINT_FRAGMENTS_MAX];
-    const glint_run *end;
-    const glint_format *format = frame->config.format;
     glint_fragments *fragments = gathering->fragments;
     if (!fragments->count)
         return;
-    gathering->shade(frame, fragments, gathering->draw);
-    finish_fragments(frame, fragments);
-    end = find_runs(fragments, runs);
-    format->store(gathering->workspace->pixels, frame->tile_shift_x, runs, end, (const int32_t(*)[3])fragments->colour);
+    gathering->shade(gathering->frame, fragments, gathering->draw);
+    finish_fragments(gathering->frame, fragments);
+    store_fragments(gathering);
     fragments->count = 0;
 }
