@@ -25,8 +25,8 @@ uint32_t glint_sum(const void *memory, size_t size) {
 }
 
 glint_spare glint_find_spare(const glint_frame *frame) {
-    uint8_t *const low = glint_align(frame->references + frame->reference_count), *const high =
-                                                                                      (uint8_t *)frame->clipped;
+    uint8_t *const low = glint_align(frame->references + frame->reference_count);
+    uint8_t *const high = (uint8_t *)frame->clipped;
     return (glint_spare){low, low < high ? (uint32_t)(high - low) : 0, 0};
 }
 

@@ -7,18 +7,19 @@
 #include "shapes.h"
 
 /* What polynomials a triangle has, found here unless another tile did. @param own room for it */
-static const glint_found *find_whole(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                                     const glint_triangle *triangle, const glint_part *part, glint_found *own) {
-    const glint_found *const before = glint_found_find(workspace, triangle, part, 0);
+static const glint_found_terms *find_whole(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                                           const glint_triangle *triangle, const glint_part *part,
+                                           glint_found_terms *own) {
+    const glint_found_terms *const before = glint_found_find(workspace, triangle, part, 0);
     if (before)
         return before;
-    glint_found *const kept = glint_found_begin(workspace, triangle, part, sizeof *kept);
-    glint_found *const found = kept ? kept : own;
+    glint_found_terms *const kept = glint_found_begin(workspace, triangle, part, sizeof *kept);
+    glint_found_terms *const found = kept ? kept : own;
     found->fits = (uint32_t)glint_terms_begin(frame, draw, triangle, part, &found->terms, &found->polynomials);
     if (!found->fits)
         found->reach = glint_find_reach(frame, draw, triangle);
     if (kept)
-        glint_found_keep(workspace, triangle, 0, glint_found_size(kept));
+        glint_found_keep(workspace, triangle, 0, glint_found_terms_size(kept));
     return found;
 }
 
@@ -28,8 +29,8 @@ static const glint_found *find_whole(const glint_frame *frame, glint_workspace *
  */
 static GLINT_NOINLINE int draw_terms(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                                      const glint_triangle *triangle, const glint_part *part, glint_reach *reach) {
-    glint_found own;
-    const glint_found *const found = find_whole(frame, workspace, draw, triangle, part, &own);
+    glint_found_terms own;
+    const glint_found_terms *const found = find_whole(frame, workspace, draw, triangle, part, &own);
     if (!found->fits) {
         *reach = found->reach;
         return 0;

@@ -172,26 +172,26 @@ static void cut_spans(const glint_part *part, glint_span spans[4][GLINT_TILE_MAX
 /* ---- Triangles ---- */
 
 /* What polynomials piece i has, found here unless another tile did. @param own room for it */
-static const glint_found *find_piece(pieces *p, glint_workspace *workspace, const glint_shape *shape, uint32_t i,
-                                     const glint_part *part, glint_found *own) {
+static const glint_found_terms *find_piece(pieces *p, glint_workspace *workspace, const glint_shape *shape, uint32_t i,
+                                           const glint_part *part, glint_found_terms *own) {
     glint_node *nodes[6];
-    const glint_found *const before = glint_found_find(workspace, p->triangle, part, 1 + i);
+    const glint_found_terms *const before = glint_found_find(workspace, p->triangle, part, 1 + i);
     if (before)
         return before;
     light_piece(p, shape, nodes);
-    glint_found *const kept = glint_found_begin(workspace, p->triangle, part, sizeof *kept);
-    glint_found *const found = kept ? kept : own;
+    glint_found_terms *const kept = glint_found_begin(workspace, p->triangle, part, sizeof *kept);
+    glint_found_terms *const found = kept ? kept : own;
     found->fits = (uint32_t)glint_shape_begin(p->frame, p->draw, shape, nodes, &found->terms, &found->polynomials);
     if (kept)
-        glint_found_keep(workspace, p->triangle, 1 + i, glint_found_size(kept));
+        glint_found_keep(workspace, p->triangle, 1 + i, glint_found_terms_size(kept));
     return found;
 }
 
 /* Draws the piece that a part holds. */
 static void draw_piece(pieces *p, glint_workspace *workspace, const glint_shape *shape, uint32_t i,
                        const glint_part *part) {
-    glint_found own;
-    const glint_found *const found = find_piece(p, workspace, shape, i, part, &own);
+    glint_found_terms own;
+    const glint_found_terms *const found = find_piece(p, workspace, shape, i, part, &own);
     if (!found->fits) {
         glint_draw_any(p->frame, workspace, p->draw, p->triangle, part);
         return;

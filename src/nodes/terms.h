@@ -351,17 +351,17 @@ GLINT_NOINLINE glint_reach glint_find_reach(const glint_frame *frame, const glin
                                             const glint_triangle *triangle);
 
 /** What is found of a triangle, or of a piece of it. */
-typedef struct glint_found {
+typedef struct glint_found_terms {
     uint32_t fits;     /* 0: it has no polynomials, and what comes next is all that is known */
     glint_reach reach; /* of what is drawn in other ways */
     glint_terms terms;
     glint_polynomials polynomials; /* those in use */
-} glint_found;
+} glint_found_terms;
 
 /** Bytes of it that say something. */
-static inline size_t glint_found_size(const glint_found *found) {
-    return found->fits ? offsetof(glint_found, polynomials) + found->terms.end * sizeof(glint_quadratic)
-                       : offsetof(glint_found, terms);
+static inline size_t glint_found_terms_size(const glint_found_terms *found) {
+    return found->fits ? offsetof(glint_found_terms, polynomials) + found->terms.end * sizeof(glint_quadratic)
+                       : offsetof(glint_found_terms, terms);
 }
 
 /** Draws a part: by the format's own loop where terms are fused, else runs of as many rows at once as two rows of a

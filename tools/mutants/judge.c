@@ -8,6 +8,7 @@
 #include "image/judge.c" /* NOLINT(bugprone-suspicious-include): its functions draw what is looked at here */
 #undef judge
 
+#include "every_format.h"
 #include "lighting.h"
 
 #include <stdio.h>
@@ -103,22 +104,9 @@ static void add_scene(uint64_t *sum, const glint_scene *scene) {
 }
 
 static void add_task(uint64_t *sum, const judge_task *task) {
-    static const void *const formats[] = {&glint_format_rgb565,
-                                          &glint_format_rgb565_be,
-                                          &glint_format_rgb888,
-                                          &glint_format_grey8,
-                                          &glint_format_grey4,
-                                          &glint_format_rgb444,
-                                          &glint_format_mono,
-                                          &glint_format_mono_pages,
-                                          &glint_format_rgb565_dithered,
-                                          &glint_format_rgb565_be_dithered,
-                                          &glint_format_rgb888_dithered,
-                                          &glint_format_grey8_dithered,
-                                          &glint_format_grey4_dithered,
-                                          &glint_format_rgb444_dithered,
-                                          &glint_format_mono_dithered,
-                                          &glint_format_mono_pages_dithered};
+    const void *formats[sizeof every_format / sizeof *every_format];
+    for (unsigned i = 0; i < sizeof formats / sizeof *formats; i++)
+        formats[i] = every_format[i];
     ADD_WHICH(sum, task->format, formats);
     ADD(sum, task->width);
     ADD(sum, task->height);
