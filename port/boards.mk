@@ -195,7 +195,7 @@ $(foreach board,$(MEASURED),$(foreach level,O0 Os O2,$(eval $(call firmware_obje
 
 $(foreach program,turntable minimal pattern,$(eval $(call firmware_program,lm3s6965evb,release,$(program))))
 # Example scenes are lit at nodes.
-$(eval $(call firmware_program,lm3s6965evb,release,scenes,-Wl$(comma)--defsym=stack_size=9984))
+$(eval $(call firmware_program,lm3s6965evb,release,scenes,-Wl$(comma)--defsym=stack_size=10240))
 # Vertices lit by lights that have positions take the deepest stack.
 UNIT_BOARDS := lm3s6965evb microbit netduinoplus2 mps2-an385 mps2-an386 mps2-an500 mps2-an505 virt sifive_e
 $(foreach board,$(UNIT_BOARDS),\

@@ -32,7 +32,7 @@ static found_ring *ring_of(const glint_workspace *workspace) {
 static found_ring *begin_ring(glint_spare *spare) {
     found_ring *const ring = spare->memory;
     uint32_t count = PLACES_MAX;
-    if (spare->size < LEAST_ROOM)
+    if (!ring || spare->size < LEAST_ROOM)
         return 0;
     while (count * BYTES_FOR_PLACE > spare->size)
         count >>= 1;

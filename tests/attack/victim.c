@@ -158,7 +158,7 @@ static void take_config(victim *v, source *s) {
     config->height = (uint16_t)(1 + below(s, 48));
     config->tile_width = tiles[below(s, 5)];
     config->tile_height = tiles[below(s, 5)];
-    config->format = every_format[below(s, 16)];
+    config->format = every_format[below(s, FORMAT_COUNT)];
     config->flush.wait = below(s, 2) ? wait : NULL;
     config->gamma = one_in(s, 8) ? glint_gamma_srgb : NULL; /* not written either */
     config->keeps_arena = (uint8_t)below(s, 2);

@@ -109,10 +109,10 @@ static void take_any_config(source *s, glint_config *config) {
     config->height = (uint16_t)(one_in(s, 8) ? take(s, 2) : 1 + below(s, 128));
     if (config->width > 0 && config->height > PIXELS_MAX / config->width)
         config->height = (uint16_t)(PIXELS_MAX / config->width);
-    config->tile_width = tiles[below(s, 16)];
-    config->tile_height = tiles[below(s, 16)];
+    config->tile_width = tiles[below(s, FORMAT_COUNT)];
+    config->tile_height = tiles[below(s, FORMAT_COUNT)];
     const uint32_t choice = below(s, 32);
-    config->format = every_format[choice % 16];
+    config->format = every_format[choice % FORMAT_COUNT];
     config->skips_degenerate = (uint8_t)(choice / 16);
     config->gamma = take_gamma(s, 4);
 }
@@ -124,7 +124,7 @@ static void take_usual_config(source *s, glint_config *config) {
     config->height = (uint16_t)(8 + below(s, 56));
     config->tile_width = tiles[below(s, 5)];
     config->tile_height = tiles[below(s, 5)];
-    config->format = every_format[below(s, 2) ? below(s, 16) : below(s, 2)];
+    config->format = every_format[below(s, 2) ? below(s, FORMAT_COUNT) : below(s, 2)];
     config->gamma = take_gamma(s, 16);
     config->counts_drawn = (uint8_t)below(s, 2);
 }

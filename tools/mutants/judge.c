@@ -104,8 +104,8 @@ static void add_scene(uint64_t *sum, const glint_scene *scene) {
 }
 
 static void add_task(uint64_t *sum, const judge_task *task) {
-    const void *formats[sizeof every_format / sizeof *every_format];
-    for (unsigned i = 0; i < sizeof formats / sizeof *formats; i++)
+    const void *formats[FORMAT_COUNT];
+    for (unsigned i = 0; i < FORMAT_COUNT; i++)
         formats[i] = every_format[i];
     ADD_WHICH(sum, task->format, formats);
     ADD(sum, task->width);
