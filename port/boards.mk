@@ -199,7 +199,7 @@ $(eval $(call firmware_program,lm3s6965evb,release,scenes,-Wl$(comma)--defsym=st
 # Vertices lit by lights that have positions take the deepest stack.
 UNIT_BOARDS := lm3s6965evb microbit netduinoplus2 mps2-an385 mps2-an386 mps2-an500 mps2-an505 virt sifive_e
 $(foreach board,$(UNIT_BOARDS),\
-    $(eval $(call firmware_program,$(board),release,unit,-Wl$(comma)--defsym=stack_size=3600)))
+    $(eval $(call firmware_program,$(board),release,unit,-Wl$(comma)--defsym=stack_size=3712)))
 $(eval $(call firmware_program,template,release,minimal))
 $(foreach board,mps2-an385 mps2-an385-m0 virt,$(foreach level,O0 Os O2,\
     $(eval $(call firmware_program,$(board),$(level),identity))))

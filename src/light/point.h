@@ -10,7 +10,7 @@ void glint_point_place(const glint_light *light, glint_prepared_light *prepared,
 
 /**
  * Direction and strength at each fragment; where it is gated and faces away strength alone, 0. Direction is off by at
- * most 2.4 steps of GLINT_UNIT, strength by 2.8 of Q15, where the vector to the light has 2^18 of the ray's steps and
+ * most 2.4 steps of GLINT_UNIT, strength by 3.4 of Q15, where the vector to the light has 2^18 of the ray's steps and
  * 2^-13 of the ray, or more; for shorter ones, rounding to these steps adds to that.
  */
 void glint_point_illuminate(const glint_prepared_light *light, glint_fragments *fragments);

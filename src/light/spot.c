@@ -96,7 +96,8 @@ static uint32_t square_of_radius(const int32_t half[3][3]) {
 /*
  * A sphere of radius r lies outside a cone of half angle t, up to a right one, if its middle, a along the axis and p
  * from it, has p cos t - a sin t > r. It is to have more than that by 1/64 of its distance, so that no rounding of what
- * fragments see takes one of them in.
+ * fragments see takes one of them in. The axis is short by up to 3 of 2^15 in each number, and so is a: what p is found
+ * from has room for it.
  */
 static int misses_cone(const glint_light *light, const glint_prepared_light *prepared, const glint_view *view,
                        const glint_object *object) {
@@ -110,8 +111,8 @@ static int misses_cone(const glint_light *light, const glint_prepared_light *pre
     const int32_t along = -glint_shift_right(s.way[0] * back[0] + s.way[1] * back[1] + s.way[2] * back[2], 15);
     const uint32_t square = (uint32_t)(s.way[0] * s.way[0]) + (uint32_t)(s.way[1] * s.way[1]) +
                             (uint32_t)(s.way[2] * s.way[2]),
-                   axial = (uint32_t)(along * along), across = square > axial ? square - axial : 0,
-                   radius = square_of_radius((const int32_t(*)[3])s.half);
+                   reach = glint_magnitude_bits(along) + 6, axial = reach * reach,
+                   across = square > axial ? square - axial : 0, radius = square_of_radius((const int32_t(*)[3])s.half);
     if (radius >= square)
         return 0;
     const int32_t least = (int32_t)(glint_square_root(radius) + (glint_square_root(square) >> 6)) + 4 +

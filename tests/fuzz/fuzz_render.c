@@ -109,8 +109,8 @@ static void take_any_config(source *s, glint_config *config) {
     config->height = (uint16_t)(one_in(s, 8) ? take(s, 2) : 1 + below(s, 128));
     if (config->width > 0 && config->height > PIXELS_MAX / config->width)
         config->height = (uint16_t)(PIXELS_MAX / config->width);
-    config->tile_width = tiles[below(s, FORMAT_COUNT)];
-    config->tile_height = tiles[below(s, FORMAT_COUNT)];
+    config->tile_width = tiles[below(s, 16)];
+    config->tile_height = tiles[below(s, 16)];
     const uint32_t choice = below(s, 32);
     config->format = every_format[choice % FORMAT_COUNT];
     config->skips_degenerate = (uint8_t)(choice / 16);

@@ -523,6 +523,7 @@ def test_exported(test):
 
 def test_exported_orthographic(test):
     window = test.open(TORUS, "--orthographic", "3.5")
+    test.says("orthographic: it is drawn", window, r"\d+ pass(es)?, \d+ tiles")
     until(lambda: settled(window))
     check_exported(test, window, "torus_48x24")
     window.close()
