@@ -18,7 +18,7 @@ import tempfile
 
 # Stage of a source file, or of one function in it. A file of the library that is not here is an error.
 STAGES = {
-    "prepare": ["prepare", "power", "directional", "config", "frame", "buffers", "arena", "gamma", "check", "view", "shading",
+    "prepare": ["prepare", "power", "directional", "config", "frame", "region", "buffers", "arena", "gamma", "check", "view", "shading",
                 "model:glint_prepare_specular", "terms_prepare", "fast_prepare", "fast_tables", "fast_interpolate_prepare",
                 "fast_exact:glint_exact_prepare"],
     "vertices": ["transform", "cull", "load", "load_parts", "extents", "geometry", "fast_vertices", "terms_vertices"],
