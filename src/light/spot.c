@@ -48,32 +48,40 @@ static void illuminate_spot(const glint_prepared_light *light, glint_fragments *
 /* Bits and a sign that a spot's way to an object, and the object's box, are brought to. */
 #define WAY_BITS 13
 
+/* And bits more until the way has been turned. */
+#define WAY_MORE 12
+
 /* An object's middle as a spot sees it, and half of its box along the mesh's axes; in any unit. */
 typedef struct sighted {
     int32_t way[3], half[3][3];
 } sighted;
 
 static void sight(const glint_light *light, const glint_view *view, const glint_object *object, sighted *to) {
-    const glint_vector *const extent = &object->mesh->extent;
+    const glint_vector *const extent = &object->mesh->extent, *const offset = &object->mesh->offset;
     const int32_t at[3] = {light->vector.x, light->vector.y, light->vector.z},
-                  size[3] = {extent->x, extent->y, extent->z};
+                  size[3] = {extent->x, extent->y, extent->z}, middle[3] = {offset->x, offset->y, offset->z};
     int64_t way[3], half[3][3];
     uint64_t all = 0;
     for (int i = 0; i < 3; i++) {
-        way[i] = 0;
+        const int32_t *const m = object->pose.m[i];
+        way[i] = (int64_t)m[3] - at[i];
         for (int j = 0; j < 3; j++) {
-            const int64_t apart = (int64_t)object->pose.m[j][3] - at[j];
-            way[i] += glint_shift_right64(view->rotation[i][j] * apart, 16);
-            half[j][i] = glint_shift_right64((int64_t)object->pose.m[i][j] * size[j], 16);
+            way[i] += glint_shift_right64((int64_t)m[j] * middle[j], 16);
+            half[j][i] = glint_shift_right64((int64_t)m[j] * size[j], 16);
             all |= glint_magnitude64(half[j][i]);
         }
         all |= glint_magnitude64(way[i]);
     }
-    const unsigned bits = glint_bits64(all), down = bits > WAY_BITS ? bits - WAY_BITS : 0;
+    /* turned to view space, a way has up to a bit more */
+    const unsigned bits = glint_bits64(all) + 1, down = bits > WAY_BITS ? bits - WAY_BITS : 0,
+                   early = bits > WAY_BITS + WAY_MORE ? bits - WAY_BITS - WAY_MORE : 0;
     for (int i = 0; i < 3; i++) {
-        to->way[i] = (int32_t)glint_shift_right64(way[i], down);
-        for (int j = 0; j < 3; j++)
+        int64_t turned = 0;
+        for (int j = 0; j < 3; j++) {
+            turned += view->rotation[i][j] * glint_shift_right64(way[j], early);
             to->half[j][i] = (int32_t)glint_shift_right64(half[j][i], down);
+        }
+        to->way[i] = (int32_t)glint_shift_right64(turned, 16 + down - early);
     }
 }
 

@@ -96,6 +96,7 @@ static void any_object(glint_light *light, glint_view *view) {
     any_view(view);
     light->vector = (glint_vector){ANY_INT, ANY_INT, ANY_INT};
     light->outer = ANY_INT;
+    mesh.offset = (glint_vector){ANY_INT, ANY_INT, ANY_INT};
     mesh.extent = (glint_vector){ANY(0, INT32_MAX), ANY(0, INT32_MAX), ANY(0, INT32_MAX)};
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 4; j++)

@@ -66,6 +66,7 @@ static const kept_scene kept_scenes[] = {
     {13, 1, 20139748u, 0x5f3ec0d15b0eb951u, 0, 0, 0},    /* p from 1 to 2.5: the same */
     {13, 1, 20142394u, 0x10f69ba8b1d826a7u, 0, 0, 0},    /* p from 1 to 2.5: the same */
     {16, 1, 20027611u, 0x0c1e204a8a7f311au, 0, 0, 0},    /* crossing objects: over length, N and the half vector turn */
+    {18, 1, 83955u, 0xd5cfcbd60fec58eeu, 0, 0, 0},       /* depth ratios to 2^33: a spot, and a mesh with an offset */
     {20, 0, 20011214u, 0xeb59b29a932eab56u, 0, 0, 0.56}, /* large triangles of any p at nodes: the same */
 };
 
