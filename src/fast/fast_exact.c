@@ -22,9 +22,6 @@
 /* Error of a highlight that a bent half vector may make at the worst place, in 1/64 of a level. */
 #define BEND_LIMIT 24
 
-/* Slenderness of triangles, as bits, up to which sums over a row keep what a plane has. */
-#define SLENDER 7
-
 static uint32_t most_levels(const uint32_t weight[3]) {
     uint32_t largest = weight[0] > weight[2] ? weight[0] : weight[2];
     largest *= 31;
@@ -147,7 +144,7 @@ static int find_planes(const glint_triangle *triangle, const glint_gradients *g,
                   *c = triangle->corners[2]->attribute;
     int32_t w[3];
     uint32_t bits = 0;
-    if (glint_slenderness(g, triangle->area) > SLENDER || !find_weights(triangle, w))
+    if (glint_slenderness(g, triangle->area) > GLINT_SLENDER || !find_weights(triangle, w))
         return 0;
     glint_plane_begin(&light->cosine, g, cosine[0] * w[0], cosine[1] * w[1], cosine[2] * w[2]);
     for (int i = 0; i < 3; i++) {

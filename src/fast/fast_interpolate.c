@@ -21,11 +21,8 @@
 /* Binary logarithm of how much less than |a - b| turn an edge's ends are moved. */
 #define SPREAD 6
 
-/* More than a quadratic errs by set-up's rounding, of a deviation's range: 2^-12 of narrow triangles, 2^-7 of wide
- * ones.
- */
-#define NARROW_MARGIN 16
-#define WIDE_MARGIN 256
+/* More than a quadratic errs by set-up's rounding: 2^-12 of a deviation's range. */
+#define MARGIN 16
 
 typedef glint_interpolation_edge interpolated_edge;
 
@@ -289,7 +286,7 @@ glint_exact_kind glint_interpolate_begin(const glint_draw *draw, const glint_tri
     int32_t turn, change;
     if (!(all & GLINT_VERTEX_LIT) || any & GLINT_VERTEX_UNFIT || triangle->back ||
         triangle->area < GLINT_POLYNOMIAL_LEAST_AREA ||
-        glint_slenderness(&part->gradients, triangle->area) > GLINT_POLYNOMIAL_SLENDER ||
+        glint_slenderness(&part->gradients, triangle->area) > GLINT_SLENDER ||
         !find_edges(triangle, to->edges, &turn, &change) ||
         turn + (change * change >> 14) > fast->exact.turn >> (triangle->area > fast->exact.large))
         return GLINT_EXACT_UNFIT;
@@ -308,10 +305,9 @@ glint_exact_kind glint_interpolate_begin(const glint_draw *draw, const glint_tri
         if (kind == GLINT_EXACT_UNFIT)
             return kind;
         if (kind == GLINT_EXACT_SPECULAR) {
-            const int32_t margin = part->gradients.reciprocal ? NARROW_MARGIN : WIDE_MARGIN;
             if (!find_edge_middles(fast, triangle, to->edges, &n))
                 return GLINT_EXACT_UNFIT;
-            if (!inside && is_beyond(fast, &n, margin + error))
+            if (!inside && is_beyond(fast, &n, MARGIN + error))
                 kind = GLINT_EXACT_DIFFUSE;
             else if (error)
                 return GLINT_EXACT_UNFIT;

@@ -8,7 +8,8 @@
  */
 #include "fast.h"
 
-/* N.L, Q14, that is above 0 at every pixel: planes are off by at most 2^-7 of their corners' difference. */
+/* N.L, Q14, that is above 0 at every pixel: planes are off by at most 2^-10 of their corners' difference, and set-up of
+ * quadratics rounds, too. */
 #define LIT 150
 
 /* N.L, Q14, at which rounding cannot light what faces away. */

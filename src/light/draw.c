@@ -182,7 +182,7 @@ static curve_fit find_fit(const glint_triangle *triangle, const glint_gradients 
     const uint32_t close = CLOSE >> (format->channel[1] ? format->channel[1] : 8), apart = find_difference(colour);
     if (apart * w.change <= 4 * close * w.least)
         return FITS_PLANES;
-    if (16 * w.change > 7 * w.least || glint_slenderness(g, triangle->area) > GLINT_POLYNOMIAL_SLENDER ||
+    if (16 * w.change > 7 * w.least || glint_slenderness(g, triangle->area) > GLINT_SLENDER ||
         triangle->area < GLINT_POLYNOMIAL_LEAST_AREA)
         return FITS_NOTHING;
     const uint32_t ratio = (w.change << 12) / w.least; /* w.change is at most 2^15 */

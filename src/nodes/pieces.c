@@ -223,7 +223,7 @@ int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, cons
     glint_span spans[4][GLINT_TILE_MAX];
     glint_part cut = *part;
     if (triangle->area * (int32_t)(draw->shading->terms->shown + 2) < PIECES_AREA || glint_is_deep(triangle) ||
-        glint_slenderness(&part->gradients, triangle->area) > GLINT_POLYNOMIAL_SLENDER)
+        glint_slenderness(&part->gradients, triangle->area) > GLINT_SLENDER)
         return 0;
     p.frame = frame;
     p.draw = draw;

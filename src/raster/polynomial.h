@@ -87,9 +87,6 @@ typedef struct glint_barycentric {
     glint_scale_by curve; /* from a product of two of these to a quadratic's second degree */
 } glint_barycentric;
 
-/** Slenderness, glint_slenderness, up to which triangles have polynomials whose sums over a row keep their digits. */
-#define GLINT_POLYNOMIAL_SLENDER 7
-
 /** Twice their least area, 28.4 squared: sides have at most 2 bits more, which keeps gradients' squares in 32. */
 #define GLINT_POLYNOMIAL_LEAST_AREA 8
 

@@ -15,6 +15,7 @@ typedef struct glint_plane {
  * How a triangle's planes come from values at its corners. Narrow: the sides across from the second and the third
  * corner, turned by a right angle, in sixteenths, and 1/area = reciprocal 2^-(16 + shift). Wide: these sides times
  * 1/area, the change of the corners' barycentric coordinates per pixel, times 2^shift, 31 bits; reciprocal is 0.
+ * Slender, and not narrow: the sides; reciprocal and shift are 0.
  */
 typedef struct glint_gradients {
     int32_t x1, y1, x2, y2;

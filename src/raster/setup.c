@@ -11,13 +11,18 @@
 #define NARROW_SIZE 10
 #define NARROW_SLIVER 4
 
+/* Twice the area, of corners that run counter-clockwise. */
+static inline int32_t find_area(const glint_gradients *g) {
+    return g->y1 * g->x2 - g->y2 * g->x1;
+}
+
 /* A side of at most `size` bits, up to 16, times 1/area. */
 static GLINT_NOINLINE int32_t to_30_bits(int32_t side, int32_t reciprocal, int32_t size) {
     return (int32_t)glint_shift_right64((int64_t)glint_shift_left(side, 16 - (unsigned)size) * reciprocal, 17);
 }
 
-/* Sides times 1/area. Slopes are then off by at most 2^-7 of the corners' difference, or of 2^26 where that is less: a
- * needle 2000 pixels long. */
+/* Sides times 1/area; slender ones' stay whole. A plane's value at a pixel of a wide
+ * triangle is then off by at most 2^-18 of the corners' difference, or of 2^26 where that is less. */
 static GLINT_NOINLINE void widen(glint_gradients *g, uint32_t area, uint32_t zeros) {
     /* 1 / area is this times 2^(zeros - 62) */
     const int32_t reciprocal = (int32_t)(glint_reciprocal(area << zeros) >> 1);
@@ -28,8 +33,7 @@ static GLINT_NOINLINE void widen(glint_gradients *g, uint32_t area, uint32_t zer
     g->y1 = to_30_bits(g->y1, reciprocal, size);
     g->x2 = to_30_bits(g->x2, reciprocal, size);
     g->y2 = to_30_bits(g->y2, reciprocal, size);
-    g->shift = 42 - (int32_t)zeros - size;
-    g->reciprocal = 0;
+    g->shift = 42 - (int32_t)zeros - size; /* above 0: sides have at most 8 bits more than the area, halved */
 }
 
 /*
@@ -44,7 +48,10 @@ static inline int gradients_begin(glint_gradients *g, uint32_t area) {
     g->reach = reach;
     const uint32_t zeros = glint_leading_zeros(area);
     if (reach >> NARROW_SIZE || reach >> NARROW_SLIVER > area) {
-        widen(g, area, zeros);
+        g->reciprocal = 0;
+        g->shift = 0;
+        if (glint_slenderness(g, (int32_t)area) <= GLINT_SLENDER)
+            widen(g, area, zeros);
         return 0;
     }
     g->reciprocal = glint_reciprocal16(((area << zeros >> 15) + 1) >> 1);
@@ -85,9 +92,24 @@ static inline void begin_wide(glint_plane *p, const glint_gradients *g, int32_t 
     finish_plane(p, g, start, high_sum(d1, g->x1, d2, g->x2), high_sum(d1, g->y1, d2, g->y2), 16 - g->shift);
 }
 
+/*
+ * Across a slender triangle a plane may change by more than 2^32 from one pixel to the next, along it by next to
+ * nothing: whole slopes, of which 32 bits are kept, are off by less than a step for each pixel from the anchor.
+ */
+static GLINT_NOINLINE void begin_slender(glint_plane *p, const glint_gradients *g, int32_t start, int32_t d1,
+                                         int32_t d2) {
+    const int64_t area = find_area(g);
+    const int64_t x = (int64_t)d1 * g->x1 + (int64_t)d2 * g->x2, y = (int64_t)d1 * g->y1 + (int64_t)d2 * g->y2;
+    p->dx = (int32_t)(16 * x / area);
+    p->dy = (int32_t)(16 * y / area);
+    p->start = glint_add_wrap(start, (int32_t)((x * g->to_center_x + y * g->to_center_y) / area));
+}
+
 void glint_plane_begin(glint_plane *p, const glint_gradients *g, int32_t a0, int32_t a1, int32_t a2) {
     if (g->reciprocal)
         begin_narrow(p, g, a0, a1 - a0, a2 - a0);
+    else if (!g->shift)
+        begin_slender(p, g, a0, a1 - a0, a2 - a0);
     else
         begin_wide(p, g, a0, a1 - a0, a2 - a0);
 }
@@ -124,11 +146,6 @@ static GLINT_NOINLINE void keep_below_top(glint_part *part, const glint_triangle
 /* May a plane of two such depths, ORed, pass the top? */
 static inline int comes_near(int32_t either) {
     return glint_add_wrap(either, ROOM) < 0;
-}
-
-/* Twice the area, of corners that run counter-clockwise. */
-static inline int32_t find_area(const glint_gradients *g) {
-    return g->y1 * g->x2 - g->y2 * g->x1;
 }
 
 /* The first corner's place, the sides and the area. */

@@ -14,6 +14,9 @@ void glint_setup(glint_part *part, glint_triangle *triangle);
  */
 void glint_plane_begin(glint_plane *plane, const glint_gradients *gradients, int32_t a0, int32_t a1, int32_t a2);
 
+/** Slenderness, below, up to which a triangle's polynomials keep their digits; planes of others take whole slopes. */
+#define GLINT_SLENDER 7
+
 /** How many bits a triangle's longest side has, twice, beyond those of its area: of an equilateral one at most 2. */
 static inline int32_t glint_slenderness(const glint_gradients *gradients, int32_t area) {
     const int32_t side_bits = 32 - (int32_t)glint_leading_zeros(gradients->reach + 1);
@@ -42,7 +45,8 @@ static inline unsigned glint_find_room(const glint_vertex *const v[3]) {
 }
 
 /**
- * May rounding take the plane of 1/w below 0: by 2^-7 of the corners' difference, at most 2^19, and some pixels' steps?
+ * May rounding take the plane of 1/w below 0: by 2^-10 of the corners' difference and some pixels' steps? It is asked
+ * for some times that.
  */
 static inline int glint_is_deep(const glint_triangle *triangle) {
     const int32_t a = triangle->corners[0]->inverse_w, b = triangle->corners[1]->inverse_w,

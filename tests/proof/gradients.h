@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file gradients.h
- * What set-up leaves of a triangle, narrow and wide: gradients_begin is proven to.
+ * What set-up leaves of a triangle, narrow, wide and slender: gradients_begin is proven to.
  */
 #ifndef GLINT_PROOF_GRADIENTS_H
 #define GLINT_PROOF_GRADIENTS_H
@@ -23,6 +23,11 @@ static inline int32_t glint_reciprocal16_by_division(uint32_t x);
     ((g)->reciprocal == 0 && -6 <= (g)->shift <= 27 && -0x40000000 <= (g)->x1 <= 0x40000000 && \
      -0x40000000 <= (g)->y1 <= 0x40000000 && -0x40000000 <= (g)->x2 <= 0x40000000 &&           \
      -0x40000000 <= (g)->y2 <= 0x40000000)
+
+/* Those too are wide, of sides with 16 bits. */
+#define SLENDER(g)                                                                                            \
+    ((g)->reciprocal == 0 && (g)->shift == 0 && -0x8000 <= (g)->x1 < 0x8000 && -0x8000 <= (g)->y1 < 0x8000 && \
+     -0x8000 <= (g)->x2 < 0x8000 && -0x8000 <= (g)->y2 < 0x8000)
 
 static void any_anchor(glint_gradients *g) {
     g->to_center_x = ANY(-7, 8);
@@ -48,6 +53,17 @@ static void any_wide(glint_gradients *g) {
     g->y2 = ANY(-most, most);
     g->reciprocal = 0;
     g->shift = ANY(-6, 27);
+    g->reach = ANY_UNSIGNED(0, 0x7fff);
+    any_anchor(g);
+}
+
+static void any_slender(glint_gradients *g) {
+    g->x1 = ANY(-0x8000, 0x7fff);
+    g->y1 = ANY(-0x8000, 0x7fff);
+    g->x2 = ANY(-0x8000, 0x7fff);
+    g->y2 = ANY(-0x8000, 0x7fff);
+    g->reciprocal = 0;
+    g->shift = 0;
     g->reach = ANY_UNSIGNED(0, 0x7fff);
     any_anchor(g);
 }

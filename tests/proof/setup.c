@@ -30,12 +30,19 @@ static inline void begin_narrow(glint_plane *p, const glint_gradients *g, int32_
     ensures \initialized(p); */
 static inline void begin_wide(glint_plane *p, const glint_gradients *g, int32_t start, int32_t d1, int32_t d2);
 
+/*@ requires \valid(p) && \valid_read(g);
+    requires SLENDER(g);
+    assigns *p \from *g, start, d1, d2;
+    ensures \initialized(p); */
+static void begin_slender(glint_plane *p, const glint_gradients *g, int32_t start, int32_t d1, int32_t d2);
+
 /*@ requires \valid(g) && 1 <= area <= 0x40000000;
     requires -0x8000 <= g->x1 < 0x8000 && -0x8000 <= g->y1 < 0x8000;
     requires -0x8000 <= g->x2 < 0x8000 && -0x8000 <= g->y2 < 0x8000;
     assigns \result, g->x1, g->y1, g->x2, g->y2, g->reciprocal, g->shift, g->reach \from *g, area;
     ensures g->reach < 0x8000;
-    ensures (\result == 1 && NARROW(g)) || (\result == 0 && WIDE(g)); */
+    ensures (\result == 1 && NARROW(g)) || (\result == 0 && WIDE(g) && g->shift >= 1) || (\result == 0 && SLENDER(g));
+ */
 static inline int gradients_begin(glint_gradients *g, uint32_t area);
 
 /*@ requires 1 <= size <= 16 && 0 <= reciprocal;
@@ -94,14 +101,28 @@ PROOF(begin_wide) {
     begin_wide(&plane, &g, ANY_INT, ANY_INT, ANY_INT);
 }
 
+/*
+ * Any differences.
+ * @contract find_area
+ * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
+ */
+PROOF(begin_slender) {
+    any_slender(&g);
+    begin_slender(&plane, &g, ANY_INT, ANY_INT, ANY_INT);
+}
+
 /* Corners' values up to 31 2^26 apart, by parts of the first; below 2^30; and none below 0. @contract begin_narrow
- * begin_wide */
+ * begin_wide begin_slender */
 PROOF(glint_plane_begin) {
-    FOR_PARTS(wide, 0, 1) {
-        if (wide)
+    FOR_PARTS(kind, 0, 2) {
+        if (kind == 0)
+            any_narrow(&g);
+        else if (kind == 1)
             any_wide(&g);
         else
-            any_narrow(&g);
+            any_slender(&g);
+        if (kind == 1)
+            g.shift = ANY(1, 27);
         FOR_PARTS(i, -32, 31) {
             const int32_t first = i * (1 << 26), last = first + ((1 << 26) - 1);
             const int32_t least = i < -1 ? INT32_MIN : first - 0x7c000000, most = i < 1 ? last + 0x7c000000 : INT32_MAX;
@@ -149,7 +170,7 @@ PROOF(gradients_begin) {
 
 /*
  * Any corners in a guard band, from its centre: where that lies cancels; of perspective and of parallel rays.
- * @contract find_area gradients_begin begin_narrow begin_wide
+ * @contract find_area gradients_begin begin_narrow begin_wide begin_slender
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  */
 PROOF(glint_setup) {

@@ -37,13 +37,14 @@ static const kept_scene kept_scenes[] = {
     {15, 0, 77757u, 0x9ff1be1cc04656bcu, 0, 0, 0},    /* lights from behind: 0.8274 of 0.8290 */
     {17, 0, 61181u, 0x0b4dd729cf9172f1u, 0, 0, 0},    /* odd screens: 0.8171 of 0.8000 */
     {16, 0, 1006u, 0xc2a84cfa01c55913u, 0, 0, 0},     /* crossing objects: 0.7464 of 0.7500 */
-    {11, 0, 785u, 0x3625dc974540fc6fu, 0, 1, 2.71},   /* w ratios to 1:1000: a thin triangle of great depth */
-    {11, 0, 6815u, 0x1d879b0b8c8e3c1cu, 0, 1, 7.11},  /* w ratios to 1:1000: a thin triangle of great depth */
+    {11, 0, 785u, 0x3625dc974540fc6fu, 0, 0, 0},      /* w ratios to 1:1000: a thin triangle of great depth */
+    {11, 0, 6815u, 0x1d879b0b8c8e3c1cu, 0, 0, 0},     /* w ratios to 1:1000: a thin triangle of great depth */
     {11, 0, 35633u, 0x771a8c2821d2c884u, 0, 0, 0},    /* w ratios to 1:1000: a thin triangle of great depth */
     {11, 0, 68051u, 0x700b6891882b826eu, 0, 0, 0},    /* w ratios to 1:1000: a thin triangle of great depth */
     {11, 0, 79877u, 0x36968f8bbee6f6e2u, 0, 0, 0},    /* w ratios to 1:1000: a thin triangle of great depth */
     {11, 0, 96005u, 0x7efac18e5e29f477u, 0, 0, 0},    /* w ratios to 1:1000: a thin triangle of great depth */
     {11, 0, 97841u, 0xd80476ffd8c5907fu, 0, 0, 0},    /* w ratios to 1:1000: a thin triangle of great depth */
+    {11, 0, 88673u, 0xb2b5ce3bf1f9b890u, 0, 0, 0},    /* w ratios to 1:1000: a thin triangle of great depth */
     {18, 0, 1196u, 0xcd6327072757b100u, 0, 0, 0},     /* depth ratios to 2^33: corners whose 1/w rounds to 0 */
     {18, 0, 4122u, 0x9ff1698cd444aee9u, 0, 0, 0},     /* depth ratios to 2^33: corners whose 1/w rounds to 0 */
     {18, 0, 91636u, 0xf2e2161ebfe99f56u, 0, 0, 0},    /* depth ratios to 2^33 */
