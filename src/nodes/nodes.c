@@ -157,7 +157,7 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
             half = light_lobe(shading, i, source, !has_position && !frame->view->local_viewer, at, n, light, dot, node);
         node->number[i][GLINT_NEARNESS] =
             (int16_t)(uint16_t)glint_nearness_of(has_position ? glint_point_closeness(at, n) : 0, half);
-        if (!(is_dark && cosine < -nearly) && !(node->outside & bit))
+        if ((!is_dark || cosine >= -nearly) && !(node->outside & bit))
             node->levels += (terms->diffuse_levels[i] >> 3) * (uint32_t)strength >> 16;
     }
 }
