@@ -203,6 +203,25 @@ static void objects_behind_the_eye(void) {
     check_variant(2, many_behind_the_eye);
 }
 
+enum { ROUNDS = 12 };
+static uint16_t many_sides[4 * ROUNDS][3];
+static glint_mesh many_sided;
+
+/* More triangles to a vertex than parts of an object have room for. */
+static void many_triangles_of_few_vertices(row *r, uint32_t i) {
+    lambert(r, i);
+    r->objects[i].mesh = &many_sided;
+}
+
+static void triangles_of_few_vertices(void) {
+    for (unsigned t = 0; t < TEST_COUNT(many_sides); t++)
+        memcpy(many_sides[t], sides[t % 4], sizeof sides[0]);
+    many_sided = pyramid;
+    many_sided.triangles = (const uint16_t(*)[3])many_sides;
+    many_sided.triangle_count = TEST_COUNT(many_sides);
+    check_variant(2, many_triangles_of_few_vertices);
+}
+
 /* Highlights so wide that no table serves them, at nodes. */
 static void wide_lobes(row *r, uint32_t i) {
     per_node(r, i);
@@ -398,6 +417,7 @@ int test_main(test_writer write) {
         TEST_CASE(objects_of_all_evaluations),
         TEST_CASE(objects_lit_at_nodes),
         TEST_CASE(objects_behind_the_eye),
+        TEST_CASE(triangles_of_few_vertices),
         TEST_CASE(arenas_of_any_content),
         TEST_CASE(pixels_apart),
         TEST_CASE(same_picture_apart),

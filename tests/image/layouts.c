@@ -356,7 +356,7 @@ static void add_lines(glint_mesh *mesh, uint16_t (*triangles)[3]) {
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
         const uint16_t *const corners = mesh->triangles[i];
         const uint16_t lines[3][3] = {{corners[0], corners[0], corners[1]},
-                                      {corners[2], corners[1], corners[2]},
+                                      {corners[i % 2 ? 2 : 1], corners[i % 2 ? 1 : 2], corners[2]},
                                       {corners[0], corners[1], corners[2]}};
         memcpy(triangles[3 * i], lines, sizeof lines);
     }

@@ -47,28 +47,30 @@ typedef struct kind {
     const glint_model *model;
     double least, most; /* exponents */
     uint32_t flags;
-    int lights, has_colours;
+    int lights, has_colours, at_corner;
 } kind;
 
 static const kind kinds[] = {
-    {"directional, Lambert", &glint_light_directional, &glint_model_lambert, 1, 1, 0, 1, 0},
-    {"directional, Lambert, mesh colours", &glint_light_directional, &glint_model_lambert, 1, 1, 0, 1, 1},
-    {"directional, Blinn-Phong to 7", &glint_light_directional, &glint_model_blinn_phong, 1, 7, 0, 1, 0},
-    {"directional, Blinn-Phong from 7", &glint_light_directional, &glint_model_blinn_phong, 7, 1024, 0, 1, 0},
-    {"directional, Phong to 7", &glint_light_directional, &glint_model_phong, 1, 7, 0, 1, 0},
-    {"directional, Phong from 7", &glint_light_directional, &glint_model_phong, 7, 1024, 0, 1, 0},
-    {"directional, ungated", &glint_light_directional, &glint_model_blinn_phong, 1, 1024, GLINT_MATERIAL_UNGATED, 1, 0},
-    {"lamp, Lambert", &glint_light_point, &glint_model_lambert, 1, 1, 0, 1, 0},
-    {"lamp, Blinn-Phong to 7", &glint_light_point, &glint_model_blinn_phong, 1, 7, 0, 1, 0},
-    {"lamp, Blinn-Phong from 7", &glint_light_point, &glint_model_blinn_phong, 7, 1024, 0, 1, 0},
-    {"lamp, Phong", &glint_light_point, &glint_model_phong, 1, 1024, 0, 1, 0},
-    {"lamp, max, mesh colours", &glint_light_point, &glint_model_blinn_phong, 1, 256, GLINT_MATERIAL_MAX, 1, 1},
-    {"spot, Lambert", &glint_light_spot, &glint_model_lambert, 1, 1, 0, 1, 0},
-    {"spot, Blinn-Phong", &glint_light_spot, &glint_model_blinn_phong, 1, 1024, 0, 1, 0},
-    {"spot, Phong, mesh colours", &glint_light_spot, &glint_model_phong, 1, 1024, 0, 1, 1},
-    {"8 directional, Blinn-Phong", &glint_light_directional, &glint_model_blinn_phong, 1, 256, 0, 8, 0},
-    {"8 lamps, Phong, mesh colours", &glint_light_point, &glint_model_phong, 1, 256, 0, 8, 1},
-    {"8 spots, Blinn-Phong", &glint_light_spot, &glint_model_blinn_phong, 1, 256, 0, 8, 0},
+    {"directional, Lambert", &glint_light_directional, &glint_model_lambert, 1, 1, 0, 1, 0, 0},
+    {"directional, Lambert, mesh colours", &glint_light_directional, &glint_model_lambert, 1, 1, 0, 1, 1, 0},
+    {"directional, Blinn-Phong to 7", &glint_light_directional, &glint_model_blinn_phong, 1, 7, 0, 1, 0, 0},
+    {"directional, Blinn-Phong from 7", &glint_light_directional, &glint_model_blinn_phong, 7, 1024, 0, 1, 0, 0},
+    {"directional, Phong to 7", &glint_light_directional, &glint_model_phong, 1, 7, 0, 1, 0, 0},
+    {"directional, Phong from 7", &glint_light_directional, &glint_model_phong, 7, 1024, 0, 1, 0, 0},
+    {"directional, ungated", &glint_light_directional, &glint_model_blinn_phong, 1, 1024, GLINT_MATERIAL_UNGATED, 1, 0,
+     0},
+    {"lamp, Lambert", &glint_light_point, &glint_model_lambert, 1, 1, 0, 1, 0, 0},
+    {"lamp, Blinn-Phong to 7", &glint_light_point, &glint_model_blinn_phong, 1, 7, 0, 1, 0, 0},
+    {"lamp, Blinn-Phong from 7", &glint_light_point, &glint_model_blinn_phong, 7, 1024, 0, 1, 0, 0},
+    {"lamp, Phong", &glint_light_point, &glint_model_phong, 1, 1024, 0, 1, 0, 0},
+    {"lamp, max, mesh colours", &glint_light_point, &glint_model_blinn_phong, 1, 256, GLINT_MATERIAL_MAX, 1, 1, 0},
+    {"spot, Lambert", &glint_light_spot, &glint_model_lambert, 1, 1, 0, 1, 0, 0},
+    {"spot, Blinn-Phong", &glint_light_spot, &glint_model_blinn_phong, 1, 1024, 0, 1, 0, 0},
+    {"spot, Phong, mesh colours", &glint_light_spot, &glint_model_phong, 1, 1024, 0, 1, 1, 0},
+    {"8 directional, Blinn-Phong", &glint_light_directional, &glint_model_blinn_phong, 1, 256, 0, 8, 0, 0},
+    {"8 lamps, Phong, mesh colours", &glint_light_point, &glint_model_phong, 1, 256, 0, 8, 1, 0},
+    {"8 spots, Blinn-Phong", &glint_light_spot, &glint_model_blinn_phong, 1, 256, 0, 8, 0, 0},
+    {"lamp at a corner, Blinn-Phong", &glint_light_point, &glint_model_blinn_phong, 1, 256, 0, 1, 0, 1},
 };
 
 /* A triangle of its own mesh. */
@@ -151,6 +153,14 @@ static void build_light(glint_light *light, const kind *of) {
     light->axis = (glint_vector){bench_q16(between(-1, 1) - x), bench_q16(between(-1, 1) - y), bench_q16(-z)};
 }
 
+/* At a corner, where directions tell nothing, or some steps beside it. */
+static void put_at_corner(glint_light *light, const int16_t corner[3]) {
+    glint_q16 *const to[3] = {&light->vector.x, &light->vector.y, &light->vector.z};
+    const double off = between(0, 1) < 0.5 ? 0 : across(1, 64);
+    for (int c = 0; c < 3; c++)
+        *to[c] = bench_q16(corner[c] * 16 / 32767.0) + (glint_q16)lrint(between(-off, off));
+}
+
 /* Weights sum to 1. */
 static void build(single *s, const kind *of, uint32_t seed) {
     random_state = seed * 2654435761u;
@@ -171,6 +181,8 @@ static void build(single *s, const kind *of, uint32_t seed) {
     s->scene.scene.object_count = 1;
     for (int i = 0; i < of->lights; i++)
         build_light(&s->scene.lights[i], of);
+    if (of->at_corner)
+        put_at_corner(&s->scene.lights[0], s->positions[(int)between(0, 3)]);
 }
 
 /* ---- The bound ----------------------------------------------------------------------------------------------- */
