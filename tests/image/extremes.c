@@ -155,7 +155,7 @@ static void least_exponents(void) {
 static void largest_exponents(void) {
     const glint_model *const models[2] = {&glint_model_blinn_phong, &glint_model_phong};
     row_print_heading();
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 6; i++) {
         test_scene scene;
         char name[80];
         build(&scene);
@@ -164,8 +164,10 @@ static void largest_exponents(void) {
         scene.lights[0].vector = (glint_vector){GLINT_ONE / 100, 0, GLINT_ONE};
         scene.materials[0].model = models[i % 2];
         scene.materials[0].shininess = i / 2 ? INT32_MAX : 16384 * GLINT_ONE;
-        snprintf(name, sizeof name, "p = %.2f, %s", scene.materials[0].shininess / 65536.0,
-                 i % 2 ? "phong" : "blinn-phong");
+        if (i / 2 == 2) /* the least that shows, on the smallest place */
+            scene.materials[0].specular = grey(9.5 / 4096);
+        snprintf(name, sizeof name, "p = %.2f, %s%s", scene.materials[0].shininess / 65536.0,
+                 i % 2 ? "phong" : "blinn-phong", i / 2 == 2 ? ", weak" : "");
         judge_both(name, &scene);
     }
 }
