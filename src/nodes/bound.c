@@ -92,6 +92,16 @@ static uint32_t lobe_error(uint32_t slope, uint32_t levels, uint32_t third, uint
            of_levels(glint_cube(f, b), levels >> 4);
 }
 
+/*
+ * What 1 / |M| of a table over |M|^2, in steps of 2^-10, leaves of all that is over length `times` over: 2^-12 / |M|^2
+ * each. |M|^2 is 1 at the corner with the largest 1/w, and falls to cos^2 of half the normals' turn between corners.
+ */
+static uint32_t length_error(const glint_region *region, uint32_t levels, uint32_t times) {
+    const uint32_t slower = (1 << 12) + (region->slant * 277 >> 9), square = glint_times(slower, slower),
+                   turn = glint_times(region->turn, region->turn);
+    return scaled(square + glint_times(square, turn) / 3, levels * times, 24);
+}
+
 /* The cone's edge may cross a region: by how much its ramp changes from node to node, Q12. */
 static uint32_t ramp_of(const glint_prepared_light *source, uint32_t near) {
     const uint64_t range = (uint64_t)near * (uint32_t)source->spot.slope >> 15;
@@ -244,6 +254,8 @@ static void add_gloss(const glint_frame *frame, const glint_shading *shading, gl
         region->error_over_length += lobe_error(
             slope, levels, lobe_third_over_length(turn, axis, glint_turn_of_rays(frame, region, l), slant, is_mirrored),
             near, slant);
+        if (light->lobe_is_wide)
+            region->error_over_length += length_error(region, scaled(levels, slope, 8), 1 + (uint32_t)is_mirrored);
     }
 }
 

@@ -63,11 +63,13 @@ static const kept_scene kept_scenes[] = {
     {16, 1, 7151293u, 0x6794558132f64180u, 0, 0, 0}, /* crossing objects: the same */
     {13, 1, 20065072u, 0x6980cba180d5705cu, 0, 0,
      0}, /* p from 1 to 2.5: over length, R and the viewer's direction turn */
-    {13, 1, 20090482u, 0x37e57896555166a2u, 0, 0, 0},    /* p from 1 to 2.5: the same */
-    {13, 1, 20139748u, 0x5f3ec0d15b0eb951u, 0, 0, 0},    /* p from 1 to 2.5: the same */
-    {13, 1, 20142394u, 0x10f69ba8b1d826a7u, 0, 0, 0},    /* p from 1 to 2.5: the same */
-    {16, 1, 20027611u, 0x0c1e204a8a7f311au, 0, 0, 0},    /* crossing objects: over length, N and the half vector turn */
-    {18, 1, 83955u, 0xd5cfcbd60fec58eeu, 0, 0, 0},       /* depth ratios to 2^33: a spot, and a mesh with an offset */
+    {13, 1, 20090482u, 0x37e57896555166a2u, 0, 0, 0}, /* p from 1 to 2.5: the same */
+    {13, 1, 20139748u, 0x5f3ec0d15b0eb951u, 0, 0, 0}, /* p from 1 to 2.5: the same */
+    {13, 1, 20142394u, 0x10f69ba8b1d826a7u, 0, 0, 0}, /* p from 1 to 2.5: the same */
+    {16, 1, 20027611u, 0x0c1e204a8a7f311au, 0, 0, 0}, /* crossing objects: over length, N and the half vector turn */
+    {18, 1, 83955u, 0xd5cfcbd60fec58eeu, 0, 0, 0},    /* depth ratios to 2^33: a spot, and a mesh with an offset */
+    {19, 1, 50167234u, 0xfd8c216d23abbaa5u, 0, 0,
+     0}, /* large triangles at nodes: what 1 / |M| is rounded to, times p */
     {20, 0, 20011214u, 0xeb59b29a932eab56u, 0, 0, 0.56}, /* large triangles of any p at nodes: the same */
 };
 
