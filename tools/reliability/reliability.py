@@ -49,6 +49,7 @@ def figures(calls):
         ("lines, branches, MC/DC of `src/` that tests reach", f"{lines}, {branches}, {conditions}", "[coverage](coverage.md)"),
         ("lines of `port/host/` that tests reach", host, "[coverage](coverage.md)"),
         ("conditions that nothing can reach, each with its reason", len(rows("tools/coverage/exceptions.csv")), "`tools/coverage/exceptions.csv`"),
+        ("branches and conditions that no test reaches so far", len(rows("tools/coverage/open.csv")), "`tools/coverage/open.csv`"),
         ("changes of the sources that nothing can notice, each with its reason", len(rows("tools/mutants/known.csv")), "`tools/mutants/known.csv`"),
         ("random scenes where the contract is to hold; where it does not", f"{count}; {broken}", "[stability](stability.md#what-falls-short)"),
         ("their pixels; of them covered otherwise than the reference has them", f"{judged}; {missed}", "[stability](stability.md)"),
