@@ -174,7 +174,9 @@ FUZZ_LIBRARY := $(LIBRARY:%.c=$(BUILD)/fuzz/%.o)
 
 # What a target links beside the library.
 FUZZ_SCENES := tests/fuzz/usual_scene.c tests/fuzz/drawing.c $(addprefix port/host/,cluster.c patch.c memory.c)
-FUZZ_SOURCES_fuzz_obj          := $(HOST_READER_SOURCES)
+FUZZ_SOURCES_fuzz_obj          := $(HOST_READER_SOURCES) tests/fuzz/checks.c
+FUZZ_SOURCES_fuzz_mtl          := $(FUZZ_SOURCES_fuzz_obj) port/host/material.c
+FUZZ_SOURCES_fuzz_import       := $(FUZZ_SOURCES_fuzz_obj) $(addprefix port/host/,importer.c join.c materials.c)
 FUZZ_SOURCES_fuzz_png          := $(addprefix port/host/,png_read.c inflate.c png.c deflate.c output.c memory.c problem.c)
 FUZZ_SOURCES_fuzz_render       := tests/fuzz/any_scene.c tests/fuzz/layouts.c $(FUZZ_SCENES)
 FUZZ_SOURCES_fuzz_differential := $(FUZZ_SCENES) tests/stability/contract.c tests/stability/weights.c \

@@ -1,120 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file fuzz_obj.c
- * The readers of OBJ and MTL on any bytes (libFuzzer). OBJ: it either reports one problem, or gives warnings and a mesh
- * that normals can be made for and that quantises into meshes, with clusters, as the library documents them.
+ * The reader of OBJ on any bytes (libFuzzer): it either reports one problem, or gives warnings and a mesh that normals
+ * can be made for and that quantises into meshes, with clusters, as the library documents them.
  */
-#include "mtl.h"
+#include "checks.h"
 #include "obj.h"
-#include "quantise.h"
-
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/** Ends the run with a report when a promise is broken. */
-static void require(bool kept) {
-    if (!kept) {
-        abort();
-    }
-}
-
-static void check_problem(const host_problem *problem) {
-    require(problem->text[0] != '\0' && strlen(problem->text) < sizeof problem->text);
-    for (const char *c = problem->text; *c != '\0'; c++) {
-        require(*c >= ' ' && *c <= '~');
-    }
-}
-
-static void check_warnings(const host_warnings *warnings) {
-    require(warnings->count <= PROBLEM_WARNINGS_MAX);
-    for (size_t i = 0; i < warnings->count; i++) {
-        check_problem(&warnings->list[i]);
-        require(warnings->list[i].line >= 1 && strncmp(warnings->list[i].text, "warning: '", 10) == 0);
-    }
-}
-
-static void check_corners(const host_mesh *mesh) {
-    for (size_t i = 0; i < 3 * mesh->triangle_count; i++) {
-        const mesh_corner corner = mesh->triangles[i / 3][i % 3];
-        require(corner.position < mesh->position_count && corner.normal < mesh->normal_count);
-        const double *normal = mesh->normals[corner.normal];
-        const double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-        require(length > 0.999999 && length < 1.000001);
-    }
-}
-
-static void check_piece(const glint_mesh *piece) {
-    require(piece->vertex_count >= 1 && piece->vertex_count <= 65536 && piece->triangle_count >= 1);
-    require(piece->extent.x >= 0 && piece->extent.y >= 0 && piece->extent.z >= 0);
-    for (uint32_t i = 0; i < 3 * piece->triangle_count; i++) {
-        require(piece->triangles[i / 3][i % 3] < piece->vertex_count);
-    }
-    for (uint32_t i = 0; i < 3 * piece->vertex_count; i++) {
-        require(piece->positions[i / 3][i % 3] >= -32767 && piece->normals[i / 3][i % 3] >= -32767);
-    }
-}
-
-static void check_clusters(const glint_mesh *piece) {
-    const glint_clusters *clusters = piece->clusters;
-    uint32_t triangles = 0;
-    uint32_t vertices = 0;
-    for (uint32_t i = 0; i < clusters->count; i++) {
-        triangles += clusters->list[i].triangles;
-        vertices += clusters->list[i].vertices;
-    }
-    for (uint32_t i = 0, count = quantised_borrowers(clusters); i < count; i++) {
-        require(clusters->borrowers[i] < clusters->count);
-    }
-    require(triangles == piece->triangle_count && vertices == piece->vertex_count);
-}
-
-static void check_quantised(const host_mesh *mesh) {
-    host_problem problem = {0, ""};
-    quantised_mesh quantised;
-    if (!quantise(mesh, 0, NULL, &quantised, &problem)) {
-        check_problem(&problem);
-        return;
-    }
-    require(quantised.triangle_count + quantised.dropped_count == mesh->triangle_count);
-    quantised_cluster(&quantised);
-    for (size_t i = 0; i < quantised.piece_count; i++) {
-        check_piece(&quantised.pieces[i]);
-        if (quantised.pieces[i].clusters != NULL) {
-            check_clusters(&quantised.pieces[i]);
-        }
-    }
-    quantised_free(&quantised);
-}
-
-static void check_colour(const double colour[3]) {
-    for (int i = 0; i < 3; i++) {
-        require(colour[i] >= 0 && colour[i] <= MTL_COLOUR_MAX);
-    }
-}
-
-/** The MTL reader takes the same bytes: what it keeps is in range. */
-static void check_materials(const char *text, size_t size) {
-    mtl_library library = {NULL, 0, 0};
-    host_warnings warnings;
-    mtl_read(text, size, &library, &warnings);
-    check_warnings(&warnings);
-    for (size_t i = 0; i < library.count; i++) {
-        const mtl_material *material = &library.list[i];
-        check_colour(material->ambient);
-        check_colour(material->diffuse);
-        check_colour(material->specular);
-        check_colour(material->emission);
-        require(material->shininess >= 0 && material->shininess <= MTL_SHININESS_MAX);
-        require(material->illumination >= 0 && material->illumination <= 2 && material->name != NULL);
-    }
-    mtl_free(&library);
-}
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    check_materials((const char *)data, size);
     host_mesh mesh;
     obj_materials materials;
     host_warnings warnings;
@@ -124,18 +19,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         require(problem.line >= 1);
         return 0;
     }
-    check_warnings(&warnings);
+    check_warnings(&warnings, 1);
     for (size_t i = 0; i < mesh.triangle_count; i++) {
         require(mesh.materials[i] <= materials.used.count);
     }
     obj_materials_free(&materials);
-    require(mesh.colour_count == 0 || mesh.colour_count == mesh.position_count);
-    mesh_make_normals(&mesh, MESH_NO_CREASE);
-    check_corners(&mesh);
-    mesh_check_topology(&mesh);
-    check_quantised(&mesh);
-    mesh_make_normals(&mesh, 30.0);
-    check_corners(&mesh);
+    check_mesh(&mesh);
     mesh_free(&mesh);
     return 0;
 }

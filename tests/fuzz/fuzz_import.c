@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file fuzz_import.c
+ * What reads the output of glint-import, on any bytes (libFuzzer): the program is not run, a function in place of
+ * child_run hands them out. It either reports one problem, or gives a mesh whose triangles have materials that are
+ * there, and no two of whose positions are the same.
+ */
+#define _POSIX_C_SOURCE 200112L /* setenv */
+
+#include "checks.h"
+#include "importer.h"
+
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+int LLVMFuzzerInitialize(const int *count, char ***arguments);
+
+static const uint8_t *printed;
+static size_t printed_size;
+
+/** Stands for the one of child.c: what it prints is the input, in memory of its size; nothing at all is a failure. */
+bool child_run(char *const arguments[], const child_limits *limits, host_bytes *out, host_problem *problem) {
+    (void)arguments;
+    (void)limits;
+    *out = (host_bytes){NULL, 0, 0};
+    if (printed_size == 0) {
+        return problem_set(problem, 0, "failed without a word");
+    }
+    out->data = allocate(printed_size);
+    out->count = out->capacity = printed_size;
+    memcpy(out->data, printed, printed_size);
+    return true;
+}
+
+/** A name without a folder is not looked for before it is run. */
+int LLVMFuzzerInitialize(const int *count, char ***arguments) {
+    (void)count;
+    (void)arguments;
+    return setenv("GLINT_IMPORT", "input", 1);
+}
+
+/** The first bytes as a model's name: without a dot it is for no program. */
+static void check_name(const uint8_t *data, size_t size) {
+    char name[32] = "";
+    memcpy(name, data, size < sizeof name ? size : sizeof name - 1);
+    require(!importer_takes(name) || strchr(name, '.') != NULL);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    static const child_limits limits = {1, 1, 1};
+    host_mesh mesh;
+    host_materials materials;
+    host_warnings warnings;
+    host_problem problem = {0, ""};
+    check_name(data, size);
+    printed = data;
+    printed_size = size;
+    if (!importer_load("model.glb", &limits, &mesh, &materials, &warnings, &problem)) {
+        check_problem(&problem);
+        require(problem.line == 0 && strncmp(problem.text, "cannot be imported: ", 20) == 0);
+        return 0;
+    }
+    check_warnings(&warnings, 0);
+    check_materials(&materials.all);
+    for (size_t i = 0; i < mesh.triangle_count; i++) {
+        require(mesh.materials[i] <= materials.used_count);
+        require((materials_find(&materials, mesh.materials[i]) == NULL) == (mesh.materials[i] == 0));
+    }
+    require(mesh_join(&mesh, 0) == 0);
+    check_mesh(&mesh);
+    materials_free(&materials);
+    mesh_free(&mesh);
+    return 0;
+}
