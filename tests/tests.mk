@@ -162,7 +162,7 @@ unit-tables: $(addprefix $(BUILD)/tests/,print_torus print_checksums print_pixel
 # ---- Fuzzing
 
 FUZZ_SECONDS ?= 60
-# Another one tries other inputs; 0 is one of its own at each run.
+# Another one tries other inputs.
 FUZZ_SEED    ?= 1
 FUZZ_CC      := clang
 FUZZ_CFLAGS  := -std=c99 $(WARNINGS) -g -O1 -Isrc -Iport/host -Itests -Itests/reference -Itests/image \
@@ -196,21 +196,29 @@ $(BUILD)/fuzz/%.o: %.c
 	$(Q)$(FUZZ_CC) $(FUZZ_CFLAGS) -MMD -MP -c $< -o $@
 -include $(wildcard $(BUILD)/fuzz/*/*.d $(BUILD)/fuzz/*/*/*.d)
 
-.PHONY: fuzz fuzz-coverage $(FUZZ_TARGETS:fuzz_%=fuzz-%)
+.PHONY: fuzz fuzz-coverage fuzz-figures $(FUZZ_TARGETS:fuzz_%=fuzz-%)
 
 fuzz: $(FUZZ_TARGETS:fuzz_%=fuzz-%) ## random scenes and models for FUZZ_SECONDS each, under ASan and UBSan
 fuzz-differential: ## random scenes against the double-precision reference for FUZZ_SECONDS, the worst kept
 
-# Goes on from the kept corpus, and from what was found before. An input that was reported goes into the kept corpus, by
-# the name of its SHA-1, with the mend; `fuzz_x -merge=1 -use_counters=0 NEW CORPUS...` makes a small corpus of large ones.
+# What a target's runs are counted for: those of another commit's files are others. That of the library counts where it draws.
+FUZZ_COUNTED = tests/fuzz/fuzz_$*.c $(FUZZ_SOURCES_fuzz_$*) $(if $(filter render differential,$*),$(LIBRARY))
+
+# Goes on from the kept corpus, and from what was found before, with a seed for each time. An input that was reported goes
+# into the kept corpus, by the name of its SHA-1, with the mend; `fuzz_x -merge=1 -use_counters=0 NEW CORPUS...` makes a
+# small corpus of large ones.
 $(FUZZ_TARGETS:fuzz_%=fuzz-%): fuzz-%: $(BUILD)/fuzz/fuzz_%
-	@mkdir -p $<-corpus
+	@mkdir -p $<-corpus; touch $<.tally
 	@if ! LLVM_PROFILE_FILE=/dev/null $< -max_total_time=$(FUZZ_SECONDS) -timeout=10 -max_len=4096 -len_control=10 \
-	        -seed=$(FUZZ_SEED) -print_final_stats=1 -artifact_prefix=$<- $<-corpus $(FUZZ_CORPUS)/fuzz_$* > $<.log 2>&1; then \
+	        -seed=`expr $(FUZZ_SEED) + \`wc -l < $<.tally\`` -print_final_stats=1 -artifact_prefix=$<- $<-corpus $(FUZZ_CORPUS)/fuzz_$* > $<.log 2>&1; then \
 	    grep -v '^#' $<.log; echo "$<: a report; the input is beside it"; exit 1; \
 	fi; \
 	grep '^worst' $<.log | tail -n 3; \
 	echo "$<: no report in $(FUZZ_SECONDS) s," `sed -n 's/^stat::number_of_executed_units: *//p' $<.log` runs
+	@python3 tests/fuzz/tally.py --programs $(BUILD)/fuzz fuzz_$* $(FUZZ_COUNTED)
+
+fuzz-figures: ## docs/fuzz.csv: runs of the fuzz targets so far, each with the commit of what it was built from
+	@python3 tests/fuzz/tally.py --programs $(BUILD)/fuzz --figures docs/fuzz.csv
 
 SUITES += fuzz-coverage
 fuzz-coverage: $(FUZZ_TARGETS:%=$(BUILD)/fuzz/%) ## the kept corpora: no report, and at least 90 % of the lines of each file

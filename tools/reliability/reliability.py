@@ -35,6 +35,15 @@ def found(pattern, name):
     return match.groups()
 
 
+def fuzzed():
+    """Of each target, runs so far, and those since a commit last changed what it is built from."""
+    runs = {}
+    for row in rows("docs/fuzz.csv"): # of a target the newest stands last
+        runs[row["target"]] = runs.get(row["target"], (0,))[0] + int(row["runs"]), int(row["runs"])
+    return [(f"runs of `{target}` without a report; of these with its last sources", "%d; %d" % counts, "`docs/fuzz.csv`")
+            for target, counts in sorted(runs.items())]
+
+
 def figures(calls):
     """Each as what it is of, the figure, the file or target that it is from."""
     lines, branches, conditions = found(r"\| `src/` \| ([\d.]+ %) of \d+ \| ([\d.]+ %) of \d+ \| ([\d.]+ %) of \d+", "docs/coverage.md")
@@ -55,6 +64,7 @@ def figures(calls):
         ("their pixels; of them covered otherwise than the reference has them", f"{judged}; {missed}", "[stability](stability.md)"),
         ("calls of `make attack`", calls, "`make attack`"),
         ("inputs of fuzz targets that are kept", corpus, "`tests/fuzz/corpus/`"),
+        *fuzzed(),
         ("boards that run in emulators", len(rows("tools/boards/boards.csv")), "[boards](boards.md)"),
     ]
 
