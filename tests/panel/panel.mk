@@ -13,7 +13,7 @@ $(PANEL_STREAM): tests/panel/panel_stream.c $(PANEL_MODEL) $(PANEL_HEADERS)
 
 # The suites; under the sanitisers, for models and drivers count in bytes.
 PANEL_SUITES := pictures complaints faults i2c
-PANEL_SHARED := tests/panel/wire.c tests/panel/panels.c $(PANEL_MODEL) $(PANEL_DRIVERS) $(TEST_HARNESS) $(TEST_SCENES)
+PANEL_SHARED := $(addprefix tests/panel/,wire.c panels.c patterns.c) $(PANEL_MODEL) $(PANEL_DRIVERS) $(TEST_HARNESS) $(TEST_SCENES)
 $(BUILD)/sanitize/tests/panel/%.o: TEST_INCLUDES += -Itests/panel
 $(foreach suite,$(PANEL_SUITES),\
     $(eval $(call test_program,$(BUILD)/tests/panel/$(suite),sanitize,tests/panel/$(suite).c $(PANEL_SHARED))))

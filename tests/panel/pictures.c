@@ -5,6 +5,7 @@
  */
 #include "harness.h"
 #include "panels.h"
+#include "patterns.h"
 #include "picture.h"
 #include "scenes.h"
 #include "wire.h"
@@ -14,13 +15,6 @@
 #include <string.h>
 
 enum { SIDE_MAX = 480 };
-
-/* A way to draw to a panel. */
-typedef struct way {
-    const tested_panel *panel;
-    glint_panel driver;
-    unsigned bits;
-} way;
 
 static void *allocate(size_t size) {
     void *memory = calloc(size, 1);
@@ -48,76 +42,6 @@ static void report_complaints(const wire *line, const char *module) {
 }
 
 /* ---- A pattern that tells every pixel from its neighbours, sent as rectangles ----------------------------------- */
-
-/* Level of a channel, of 2^bits: the same upper bits, however many. */
-static unsigned pattern_level(int x, int y, int channel, unsigned bits) {
-    const uint32_t mixed = ((uint32_t)x * 2654435761u) ^ ((uint32_t)y * 40503u * 65537u) ^ ((uint32_t)channel << 20);
-
-    return (mixed ^ mixed >> 15) * 2246822519u >> (32 - bits);
-}
-
-static uint8_t expand(unsigned level, unsigned bits) {
-    const unsigned top = (1u << bits) - 1;
-
-    return (uint8_t)((level * 255 + top / 2) / top);
-}
-
-/* Bits of a channel that the glass shows of a pixel of so many bits: of 24, the upper 6 of each 8. */
-static unsigned channel_bits(unsigned bits, int channel) {
-    return bits == 24 ? 6 : bits == 16 ? (channel == 1 ? 6 : 5) : bits == 12 ? 4 : bits;
-}
-
-static void put_16(uint8_t *row, int column, int x, int y, int has_words) {
-    const unsigned word = pattern_level(x, y, 0, 5) << 11 | pattern_level(x, y, 1, 6) << 5 | pattern_level(x, y, 2, 5);
-    const uint16_t native = (uint16_t)word;
-
-    row[2 * column] = (uint8_t)(word >> 8);
-    row[2 * column + 1] = (uint8_t)word;
-    if (has_words) {
-        memcpy(row + 2 * column, &native, sizeof native);
-    }
-}
-
-static void put_nibble(uint8_t *row, int at, unsigned level) {
-    row[at / 2] = (uint8_t)(at % 2 ? (row[at / 2] & 0xf0) | level : (row[at / 2] & 0x0f) | level << 4);
-}
-
-/* Fills a tile of `stride` bytes a row with the pattern at (left, top). */
-static void fill(const way *to, uint8_t *tile, size_t stride, const int rectangle[4]) {
-    const int has_pages = to->bits == 1 && to->driver.rotation % 2 == 0;
-
-    for (int i = 0; i < rectangle[2] * rectangle[3]; i++) {
-        const int column = i % rectangle[2];
-        const int line = i / rectangle[2];
-        const int x = rectangle[0] + column;
-        const int y = rectangle[1] + line;
-        uint8_t *row = tile + (size_t)line * stride;
-        if (to->bits == 24) {
-            for (int channel = 0; channel < 3; channel++) {
-                row[3 * column + channel] = (uint8_t)pattern_level(x, y, channel, 8);
-            }
-        } else if (to->bits == 16) {
-            put_16(row, column, x, y, to->driver.has_words);
-        } else if (to->bits == 12) {
-            for (int channel = 0; channel < 3; channel++) {
-                put_nibble(row, 3 * column + channel, pattern_level(x, y, channel, 4));
-            }
-        } else if (to->bits == 4) {
-            put_nibble(row, column, pattern_level(x, y, 0, 4));
-        } else if (has_pages) {
-            tile[(size_t)(line / 8 * 8) * stride + (size_t)column] |= (uint8_t)(pattern_level(x, y, 0, 1) << line % 8);
-        } else {
-            row[column / 8] |= (uint8_t)(pattern_level(x, y, 0, 1) << column % 8);
-        }
-    }
-}
-
-static void expect_pattern(const way *to, int x, int y, uint8_t rgb[3]) {
-    for (int channel = 0; channel < 3; channel++) {
-        const unsigned bits = channel_bits(to->bits, channel);
-        rgb[channel] = expand(pattern_level(x, y, to->bits > 4 ? channel : 0, bits), bits);
-    }
-}
 
 /* Pixels of the glass that are not as wanted; `wanted` is called for each pixel of the picture. */
 static int count_wrong(const way *to, wire *line, void (*wanted)(const way *to, int x, int y, uint8_t rgb[3])) {
@@ -153,22 +77,12 @@ static void send_pattern(const way *to, int width, int height) {
         for (int x = 0; x < across; x += width) {
             const int rectangle[4] = {x, y, smaller(width, across - x), smaller(height, down - y)};
             memset(tile, 0, stride * (size_t)height);
-            fill(to, tile, stride, rectangle);
+            pattern_fill(to, tile, stride, rectangle);
             CHECK_EQUAL(glint_panel_begin(&to->driver, x, y, rectangle[2], rectangle[3], tile, stride), GLINT_OK);
             CHECK_EQUAL(glint_panel_wait(&to->driver), GLINT_OK);
         }
     }
     free(tile);
-}
-
-/* Sets up one way. `line` carries it. */
-static way choose(const tested_panel *panel, wire *line, unsigned rotation, unsigned bits, int has_words) {
-    static const glint_format *const of_bits[25] = {
-        [12] = &glint_format_rgb444, [16] = &glint_format_rgb565_be, [24] = &glint_format_rgb888};
-    way to = {panel, {panel->type, &line->bus, (glint_panel_rotation)rotation, NULL, has_words}, bits};
-
-    to.driver.format = has_words ? &glint_format_rgb565 : of_bits[bits];
-    return to;
 }
 
 static void check_pattern(const tested_panel *panel, unsigned rotation, unsigned bits, int has_words) {
@@ -178,12 +92,12 @@ static void check_pattern(const tested_panel *panel, unsigned rotation, unsigned
     way to;
 
     wire_open(&line, panel->module, panel->type->clock_max, 1);
-    to = choose(panel, &line, rotation, bits, has_words);
+    to = way_choose(panel, &line, rotation, bits, has_words);
     CHECK_EQUAL(glint_panel_start(&to.driver), GLINT_OK);
     CHECK(line.is_lit);
     for (unsigned i = 0; i < TEST_COUNT(sizes); i++) {
         send_pattern(&to, sizes[i][0], sizes[i][1]);
-        CHECK_EQUAL(count_wrong(&to, &line, expect_pattern), 0);
+        CHECK_EQUAL(count_wrong(&to, &line, pattern_expect), 0);
     }
     report_complaints(&line, panel->module);
     wire_close(&line);
@@ -223,7 +137,7 @@ static void wanted_plain(const way *to, int x, int y, uint8_t rgb[3]) {
         const int of = picture_channels(plain.format) == 1 ? 0 : channel;
         const int top = picture_level_max(plain.format, of);
         const int level = picture_level(&plain, x, y, of);
-        rgb[channel] = top == 255 ? expand((unsigned)level >> 2, 6) : (uint8_t)((level * 255 + top / 2) / top);
+        rgb[channel] = top == 255 ? pattern_expand((unsigned)level >> 2, 6) : (uint8_t)((level * 255 + top / 2) / top);
     }
 }
 
@@ -355,7 +269,7 @@ static void check_bytes(const tested_panel *panel, unsigned rotation, unsigned b
     char text[120];
 
     wire_open(&line, panel->module, panel->type->clock_max, 1);
-    to = choose(panel, &line, rotation, bits, 0);
+    to = way_choose(panel, &line, rotation, bits, 0);
     CHECK_EQUAL(glint_panel_start(&to.driver), GLINT_OK);
     before = panel_model_bytes(line.model);
     CHECK_EQUAL(draw(&to.driver, tiles[SQUARE], arena, sizeof arena), GLINT_OK);
