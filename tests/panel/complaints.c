@@ -254,6 +254,21 @@ static void ssd1306(void) {
     provoke("ssd1306", list, TEST_COUNT(list));
 }
 
+/* Places that commands of page mode set beyond the window, in other modes: counting stays in the memory. */
+static void ssd1306_counts_within_its_memory(void) {
+    static const char *const places[] = {"m1 2000 210001 220707 05", "m1 2001 21007f 220001 b5"};
+
+    for (unsigned i = 0; i < TEST_COUNT(places); i++) {
+        panel_model *model = panel_model_begin("ssd1306");
+        take(model, places[i]);
+        for (int j = 0; j < 200; j++) {
+            panel_model_data(model, 0);
+        }
+        CHECK_EQUAL(panel_model_complaints(model, PANEL_COMPLAINT_VALUE), 1);
+        panel_model_end(model);
+    }
+}
+
 /* What all of them do that are addressed page by page. */
 static void pages(void) {
     static const char *const modules[] = {"sh1106", "ssd0303", "st7567"};
@@ -455,6 +470,7 @@ int test_main(test_writer write) {
         TEST_CASE(clocks_have_a_limit),
         TEST_CASE(bytes_take_time),
         TEST_CASE(ssd1306),
+        TEST_CASE(ssd1306_counts_within_its_memory),
         TEST_CASE(pages),
         TEST_CASE(ssd0323),
         TEST_CASE(ssd1351),

@@ -92,7 +92,7 @@ uint8_t *model_cell(const panel_model *model, int column, int row);
 /** A level of 0 to `top`, as one of 0 to 255, rounded to nearest. */
 uint8_t model_level(unsigned level, unsigned top);
 
-/** Steps `at` through its range. @return 1 when it has begun again. */
+/** Steps `at` through its range, or back to it from beyond. @return 1 when it has begun again. */
 int model_step(int *at, int first, int last);
 
 extern const model_controller model_ili9341, model_ili9488, model_st7789, model_st7735, model_st7735_large,

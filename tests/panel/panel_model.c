@@ -210,7 +210,7 @@ uint8_t model_level(unsigned level, unsigned top) {
 }
 
 int model_step(int *at, int first, int last) {
-    if (*at == last) {
+    if (*at >= last) {
         *at = first;
         return 1;
     }
