@@ -165,7 +165,7 @@ FUZZ_SECONDS ?= 60
 # Another one tries other inputs.
 FUZZ_SEED    ?= 1
 FUZZ_CC      := clang
-FUZZ_CFLAGS  := -std=c99 $(WARNINGS) -g -O1 -Isrc -Iport/host -Itests -Itests/reference -Itests/image \
+FUZZ_CFLAGS  := -std=c99 $(WARNINGS) -g -O1 -Isrc -Iport -Iport/host -Itests -Itests/reference -Itests/image \
     -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer \
     -fprofile-instr-generate -fcoverage-mapping
 FUZZ_CORPUS  := tests/fuzz/corpus
@@ -178,6 +178,7 @@ FUZZ_SOURCES_fuzz_obj          := $(HOST_READER_SOURCES) tests/fuzz/checks.c
 FUZZ_SOURCES_fuzz_mtl          := $(FUZZ_SOURCES_fuzz_obj) port/host/material.c
 FUZZ_SOURCES_fuzz_import       := $(FUZZ_SOURCES_fuzz_obj) $(addprefix port/host/,importer.c join.c materials.c)
 FUZZ_SOURCES_fuzz_png          := $(addprefix port/host/,png_read.c inflate.c png.c deflate.c output.c memory.c problem.c)
+FUZZ_SOURCES_fuzz_panel        := $(wildcard port/panel/*.c tests/panel/*model*.c) $(addprefix tests/panel/,wire.c panels.c patterns.c)
 FUZZ_SOURCES_fuzz_render       := tests/fuzz/any_scene.c tests/fuzz/layouts.c $(FUZZ_SCENES)
 FUZZ_SOURCES_fuzz_differential := $(FUZZ_SCENES) tests/stability/contract.c tests/stability/weights.c \
     tests/image/picture.c $(TEST_JUDGE)
@@ -189,7 +190,7 @@ endef
 $(foreach target,$(FUZZ_TARGETS),$(eval $(call fuzz_target,$(target))))
 
 # Inputs hold no words to be guessed of: following comparisons would take most of the time.
-$(FUZZ_LIBRARY): FUZZ_CFLAGS += -fno-sanitize-coverage=trace-cmp
+$(FUZZ_LIBRARY) $(patsubst %.c,$(BUILD)/fuzz/%.o,tests/fuzz/fuzz_panel.c $(FUZZ_SOURCES_fuzz_panel)): FUZZ_CFLAGS += -fno-sanitize-coverage=trace-cmp
 
 $(BUILD)/fuzz/%.o: %.c
 	@mkdir -p $(@D)

@@ -43,6 +43,7 @@ typedef struct model_module {
 
 struct panel_model {
     const model_module *module;
+    model_module own; /* where its glass is another */
     panel_picture picture;
     unsigned complaints[PANEL_COMPLAINT_COUNT];
     panel_note notes[PANEL_NOTES_MAX];

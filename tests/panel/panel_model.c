@@ -26,6 +26,9 @@ static const model_module modules[] = {
 
 enum { MODULE_COUNT = sizeof modules / sizeof modules[0] };
 
+/* Less than any memory has, and no number of its rows. */
+enum { SCRAMBLED = 4093 };
+
 const char *panel_module_name(unsigned index) {
     return index < MODULE_COUNT ? modules[index].name : NULL;
 }
@@ -38,13 +41,17 @@ static size_t memory_size(const panel_model *model) {
     return (size_t)controller->memory_width * (size_t)controller->memory_height * 3;
 }
 
-/* What memory holds after power-on is not known: no picture may depend on it. */
+/* What memory holds after power-on is not known: no picture may depend on it. It begins again after SCRAMBLED bytes. */
 static void scramble(panel_model *model) {
+    const size_t size = memory_size(model);
     uint32_t state = 1;
 
-    for (size_t i = 0; i < memory_size(model); i++) {
+    for (size_t i = 0; i < SCRAMBLED; i++) {
         state = state * 1664525u + 1013904223u;
         model->memory[i] = (uint8_t)(state >> 24);
+    }
+    for (size_t i = SCRAMBLED; i < size; i += SCRAMBLED) {
+        memcpy(model->memory + i, model->memory, size - i < SCRAMBLED ? size - i : SCRAMBLED);
     }
 }
 
@@ -70,8 +77,8 @@ panel_model *panel_model_begin(const char *name) {
     model->module = module;
     model->picture.width = module->width;
     model->picture.height = module->height;
-    model->picture.rgb = calloc((size_t)module->width * (size_t)module->height, 3);
-    model->memory = calloc(memory_size(model), 1);
+    model->picture.rgb = malloc((size_t)module->width * (size_t)module->height * 3);
+    model->memory = malloc(memory_size(model));
     if (model->picture.rgb == NULL || model->memory == NULL) {
         panel_model_end(model);
         return NULL;
@@ -87,6 +94,15 @@ void panel_model_end(panel_model *model) {
         free(model->memory);
         free(model);
     }
+}
+
+void panel_model_set_glass(panel_model *model, int left, int top, int width, int height) {
+    model->own = *model->module;
+    model->own.left = left;
+    model->own.top = top;
+    model->own.width = model->picture.width = width;
+    model->own.height = model->picture.height = height;
+    model->module = &model->own;
 }
 
 /* ---- Bus -------------------------------------------------------------------------------------------------------- */

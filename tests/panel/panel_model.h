@@ -57,6 +57,12 @@ panel_model *panel_model_begin(const char *name);
 
 void panel_model_end(panel_model *model);
 
+/**
+ * Gives a module a smaller glass, as others of its controller have: it shows the memory's cells from (left, top) on.
+ * Not for controllers that are told the size of their glass, which are those without sleep.
+ */
+void panel_model_set_glass(panel_model *model, int left, int top, int width, int height);
+
 /** A byte with D/C low. */
 void panel_model_command(panel_model *model, uint8_t byte);
 
