@@ -177,6 +177,8 @@ FUZZ_SCENES := tests/fuzz/usual_scene.c tests/fuzz/drawing.c $(addprefix port/ho
 FUZZ_SOURCES_fuzz_obj          := $(HOST_READER_SOURCES) tests/fuzz/checks.c
 FUZZ_SOURCES_fuzz_mtl          := $(FUZZ_SOURCES_fuzz_obj) port/host/material.c
 FUZZ_SOURCES_fuzz_import       := $(FUZZ_SOURCES_fuzz_obj) $(addprefix port/host/,importer.c join.c materials.c)
+FUZZ_SOURCES_fuzz_command      := $(FUZZ_SOURCES_fuzz_import) $(wildcard port/host/parse_*.c) $(addprefix port/host/,main.c settings.c \
+    values.c nearest.c numbered.c framebuffer.c shapes.c material.c load.c child.c winding.c simplify.c place.c view.c)
 FUZZ_SOURCES_fuzz_png          := $(addprefix port/host/,png_read.c inflate.c png.c deflate.c output.c memory.c problem.c)
 FUZZ_SOURCES_fuzz_panel        := $(wildcard port/panel/*.c tests/panel/*model*.c) $(addprefix tests/panel/,wire.c panels.c patterns.c)
 FUZZ_SOURCES_fuzz_render       := tests/fuzz/any_scene.c tests/fuzz/layouts.c $(FUZZ_SCENES)
@@ -191,6 +193,9 @@ $(foreach target,$(FUZZ_TARGETS),$(eval $(call fuzz_target,$(target))))
 
 # Inputs hold no words to be guessed of: following comparisons would take most of the time.
 $(FUZZ_LIBRARY) $(patsubst %.c,$(BUILD)/fuzz/%.o,tests/fuzz/fuzz_panel.c $(FUZZ_SOURCES_fuzz_panel)): FUZZ_CFLAGS += -fno-sanitize-coverage=trace-cmp
+
+# The program's main function, for the command line's target to call.
+$(BUILD)/fuzz/port/host/main.o: FUZZ_CFLAGS += -Dmain=glint_main
 
 $(BUILD)/fuzz/%.o: %.c
 	@mkdir -p $(@D)

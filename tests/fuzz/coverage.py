@@ -3,8 +3,8 @@
 """Runs fuzz targets over their kept corpora and holds what these reach: coverage.py --programs FOLDER --corpora FOLDER.
 
 An input that is reported fails, and so does a file of which fewer than 90 % of the lines are run: those of the library
-by the renderer's corpus, and those of the readers of OBJ, MTL, PNG and what glint-import prints, and of
-panels' drivers by their own. Closes with `N passed, N failed`.
+by the renderer's corpus, and those of the readers of OBJ, MTL, PNG and what glint-import prints, of the command line
+and of panels' drivers by their own. Closes with `N passed, N failed`.
 """
 import argparse
 import os
@@ -20,6 +20,8 @@ REACHES = {
     "fuzz_obj": ("port/host/obj.c", "port/host/text.c", "port/host/polygon.c", "port/host/topology.c"),
     "fuzz_mtl": ("port/host/mtl.c", "port/host/text.c", "port/host/material.c"),
     "fuzz_import": ("port/host/importer.c", "port/host/join.c"),
+    "fuzz_command": tuple("port/host/" + name for name in ("main.c", "settings.c", "parse_", "values.c", "number.c",
+                                                           "nearest.c", "numbered.c", "shapes.c")),
     "fuzz_panel": ("port/panel/",),
     "fuzz_png": ("port/host/png_read.c", "port/host/inflate.c"),
 }
