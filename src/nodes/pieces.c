@@ -153,6 +153,9 @@ static void cut_spans(const glint_part *part, glint_span spans[4][GLINT_TILE_MAX
         for (uint32_t y = part->top; y < part->bottom; y++) {
             glint_span *const rest = &spans[3][y];
             const int32_t row = part->y + (int32_t)y;
+            spans[i][y] = *rest;
+            if (rest->left >= rest->right) /* nowhere near the triangle, perhaps, where its plane may wrap */
+                continue;
             /* the first column beyond the piece, or in it, near where it was a row above */
             int32_t column = glint_least(glint_most(before, rest->left), rest->right);
             int32_t here = glint_plane_at(&plane, part->x + column, row) - one / 2;
