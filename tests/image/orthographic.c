@@ -454,6 +454,84 @@ static void extremes_are_drawn_or_refused(void) {
     CHECK(drawn > 500 && covered > 200);
 }
 
+/* ---- Coarse coordinates ---- */
+
+/* Two squares across the axis, 100 away and 1 behind, that show as they are lit from nowhere. */
+static void build_squares(test_scene *s) {
+    static const int16_t corners[4][3] = {
+        {-32767, -32767, 0}, {32767, -32767, 0}, {32767, 32767, 0}, {-32767, 32767, 0}};
+    static const int16_t normals[4][3] = {{0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}};
+    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    static const glint_mesh square = {.positions = corners,
+                                      .normals = normals,
+                                      .triangles = triangles,
+                                      .vertex_count = 4,
+                                      .triangle_count = 2,
+                                      .extent = {8000 * GLINT_ONE, 8000 * GLINT_ONE, GLINT_ONE}};
+    scene_build_random(s, 1);
+    s->scene.camera = (glint_camera){.pose = glint_pose_identity(),
+                                     .near_plane = 1,
+                                     .projection = &glint_orthographic,
+                                     .view_height = 30000 * GLINT_ONE};
+    s->scene.object_count = 2;
+    s->scene.ambient = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
+    for (int i = 0; i < 2; i++) {
+        s->materials[i] = (glint_material){.model = &glint_model_unlit, .diffuse = {.g = GLINT_ONE / (i + 1)}};
+        s->objects[i] = (glint_object){.mesh = &square, .material = &s->materials[i]};
+        s->objects[i].pose = glint_pose_translate(2000 * i * GLINT_ONE, 0, -(100 + i) * GLINT_ONE);
+    }
+}
+
+/* Is the picture that of both squares? */
+static int has_near_square(const test_scene *s, const picture *both) {
+    glint_stats stats;
+    picture image = draw(&s->scene, 0, 0, 1 << 21, NULL, &stats);
+    const int is_same = picture_equal(&image, both);
+    picture_close(&image);
+    return is_same;
+}
+
+/* In a view that wide, coordinates are rounded to more than a near plane's steps: what lies before it by less than half
+ * of one is drawn as at it, still before all else. */
+static void near_plane_between_coordinates(void) {
+    test_scene s;
+    glint_stats stats;
+    build_squares(&s);
+    picture both = draw(&s.scene, 0, 0, 1 << 21, NULL, &stats);
+    s.scene.object_count = 1;
+    CHECK(!has_near_square(&s, &both));
+    s.scene.object_count = 2;
+    for (int beyond = -2; beyond <= 4; beyond++) {
+        s.scene.camera.near_plane = 100 * GLINT_ONE + beyond;
+        CHECK(has_near_square(&s, &both));
+    }
+    s.scene.camera.near_plane = 100 * GLINT_ONE + GLINT_ONE / 2;
+    CHECK(!has_near_square(&s, &both));
+    picture_close(&both);
+}
+
+/* An object that is 2^30 times smaller than what is seen: it is nowhere, and all else as without it. */
+static void specks_in_the_widest_view(void) {
+    test_scene s;
+    glint_stats stats;
+    glint_mesh speck;
+    build_squares(&s);
+    s.scene.camera.view_height = INT32_MAX;
+    picture without = draw(&s.scene, 0, 0, 1 << 21, NULL, &stats);
+    speck = *s.objects[0].mesh;
+    speck.extent = (glint_vector){1, 1, 1};
+    s.objects[2] = s.objects[0];
+    s.objects[2].mesh = &speck;
+    s.scene.object_count = 3;
+    for (int away = 1; away <= 1 << 20; away *= 4) {
+        s.objects[2].pose = glint_pose_translate(0, 0, -away);
+        picture image = draw(&s.scene, 0, 0, 1 << 21, NULL, &stats);
+        CHECK(picture_equal(&image, &without));
+        picture_close(&image);
+    }
+    picture_close(&without);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(scenes_keep_the_contract),
@@ -467,6 +545,8 @@ int test_main(test_writer write) {
         TEST_CASE(pixels_can_be_picked),
         TEST_CASE(bad_cameras_are_refused),
         TEST_CASE(extremes_are_drawn_or_refused),
+        TEST_CASE(near_plane_between_coordinates),
+        TEST_CASE(specks_in_the_widest_view),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }
