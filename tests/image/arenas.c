@@ -409,6 +409,149 @@ static void more_clusters_than_numbers(void) {
     CHECK_EQUAL(draw(&r, need.one_pass, 0, &none), GLINT_ERROR_MESH);
 }
 
+/* ---- Indices beyond the mesh ---- */
+
+/* Triangles that each cover the screen, one of which names a vertex that is not there: found with any arena. */
+static void bad_indices_are_found_in_any_arena(void) {
+    enum { COUNT = 200, VERTICES = 100 };
+    static const int16_t corners[3][3] = {{-32767, -32767, 0}, {32767, -32767, 0}, {0, 32767, 0}};
+    static int16_t places[VERTICES][3], normals[VERTICES][3];
+    static uint16_t list[COUNT][3];
+    const glint_mesh mesh = {.positions = (const int16_t(*)[3])places,
+                             .normals = (const int16_t(*)[3])normals,
+                             .triangles = (const uint16_t(*)[3])list,
+                             .vertex_count = VERTICES,
+                             .triangle_count = COUNT,
+                             .extent = {20 * GLINT_ONE, 20 * GLINT_ONE, 1}};
+    for (int i = 0; i < VERTICES; i++) {
+        memcpy(places[i], corners[i % 3], sizeof places[i]);
+        memcpy(normals[i], points[3], sizeof normals[i]);
+    }
+    for (int bad = -1; bad < COUNT; bad += bad < 0 ? 1 : COUNT - 1) {
+        screen got;
+        row r;
+        glint_need need;
+        build(&r, 1, lambert);
+        r.objects[0].mesh = &mesh;
+        r.objects[0].pose.m[0][3] = 0;
+        for (int i = 0; i < COUNT; i++)
+            for (int c = 0; c < 3; c++)
+                list[i][c] = (uint16_t)((3 * i + c) % (VERTICES / 3 * 3));
+        glint_config config = config_of(&got);
+        config.tile_width = config.tile_height = 8;
+        CHECK_EQUAL(glint_arena_need(&config, &r.scene, &need), GLINT_OK);
+        if (bad >= 0)
+            list[bad][2] = VERTICES;
+        for (size_t size = need.least; size <= need.one_pass; size += 8) {
+            glint_renderer renderer;
+            config.arena = malloc(size);
+            config.arena_size = size;
+            CHECK(config.arena != NULL);
+            glint_status status = glint_init(&renderer, &config);
+            status = status == GLINT_OK ? glint_render(&renderer, &r.scene) : status;
+            free(config.arena);
+            if (!CHECK_EQUAL(status, bad < 0 ? GLINT_OK : GLINT_ERROR_INDEX))
+                return;
+        }
+    }
+}
+
+/* ---- Lists at their ends ---- */
+
+enum { WIDE = 256, TILES = (WIDE / 8) * (WIDE / 8) };
+typedef uint16_t wide_screen[WIDE][WIDE];
+
+static int put_wide(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    wide_screen *s = context;
+    for (int line = 0; line < height; line++)
+        memcpy(&(*s)[y + line][x], (const uint8_t *)pixels + (size_t)line * stride, (size_t)width * sizeof(uint16_t));
+    return 0;
+}
+
+static void draw_wide(const row *r, uint16_t tile, size_t size, wide_screen *to) {
+    glint_config config = config_of(NULL);
+    glint_renderer renderer;
+    config.width = config.height = WIDE;
+    config.tile_width = config.tile_height = tile;
+    config.flush = (glint_flush){put_wide, NULL, to};
+    config.arena_size = size;
+    config.arena = malloc(size);
+    CHECK(config.arena != NULL);
+    CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
+    CHECK_EQUAL(glint_render(&renderer, &r->scene), GLINT_OK);
+    free(config.arena);
+}
+
+/* A mesh of triangles before a camera of 90 degrees, each of a colour of its own: so many that cover the screen, so
+ * many that show in one tile, last those that the near plane clips. None is farther than the one before it in its
+ * group. */
+typedef struct crowd {
+    int16_t positions[3 * 6000][3];
+    uint8_t colours[3 * 6000][3];
+    uint16_t triangles[6000][3];
+    glint_mesh mesh;
+} crowd;
+
+static void add_triangle(crowd *c, const int16_t (*corners)[3], int depth) {
+    const uint32_t number = c->mesh.triangle_count;
+    for (uint32_t i = 0; i < 3; i++) {
+        const uint32_t vertex = c->mesh.vertex_count + i;
+        memcpy(c->positions[vertex], corners[i], sizeof corners[i]);
+        c->positions[vertex][2] = (int16_t)(corners[i][2] + depth);
+        c->triangles[number][i] = (uint16_t)vertex;
+        for (uint32_t k = 0; k < 3; k++)
+            c->colours[vertex][k] = (uint8_t)((number + 1) * (7 + 6 * k));
+    }
+    c->mesh.vertex_count += 3;
+    c->mesh.triangle_count++;
+}
+
+static void build_crowd(row *r, crowd *c, int whole, int small, int clipped) {
+    static const int16_t covering[3][3] = {{-8000, -4000, 0}, {8000, -4000, 0}, {0, 12000, 0}},
+                         in_a_tile[3][3] = {{40, 40, 500}, {120, 40, 500}, {40, 120, 500}},
+                         passing[3][3] = {{0, -500, 20000}, {3000, -500, 500}, {-3000, -500, 500}};
+    build(r, 1, lambert);
+    memset(c, 0, sizeof *c);
+    for (int i = 0; i < whole; i++)
+        add_triangle(c, covering, i);
+    for (int i = 0; i < small; i++)
+        add_triangle(c, in_a_tile, i / 4);
+    for (int i = 0; i < clipped; i++)
+        add_triangle(c, passing, i / 16);
+    c->mesh.positions = (const int16_t(*)[3])c->positions;
+    c->mesh.normals = (const int16_t(*)[3])c->positions;
+    c->mesh.colours = (const uint8_t(*)[3])c->colours;
+    c->mesh.triangles = (const uint16_t(*)[3])c->triangles;
+    c->mesh.extent = (glint_vector){32 * GLINT_ONE, 32 * GLINT_ONE, 32 * GLINT_ONE};
+    r->scene.camera.field_of_view = 90 * GLINT_ONE;
+    r->objects[0].mesh = &c->mesh;
+    r->objects[0].pose = glint_pose_translate(0, 0, -3 * GLINT_ONE);
+    r->objects[0].evaluation = &glint_per_facet;
+}
+
+static void check_crowd(int whole, int small, int clipped, uint16_t tile, size_t large) {
+    static wide_screen one, other, blank;
+    static crowd c;
+    row r;
+    build_crowd(&r, &c, whole, small, clipped);
+    draw_wide(&r, tile, large, &one);
+    draw_wide(&r, 64, 300000, &other);
+    CHECK(memcmp(one, blank, sizeof one) != 0);
+    CHECK(memcmp(one, other, sizeof one) == 0);
+}
+
+/* References are numbered up to 65534: the last few do not do for a clipped triangle, and the pass ends before it. */
+static void lists_of_most_references(void) {
+    const int whole = 65534 / TILES - 2;
+    for (int left = 4; left < 7; left++)
+        check_crowd(whole, 65535 - TILES * (1 + whole) - left, 2, 8, 1 << 21);
+}
+
+/* So are clipped triangles, up to 8190. */
+static void lists_of_most_clipped(void) {
+    check_crowd(0, 0, 4500, 64, 4 << 20);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(matt_materials),
@@ -423,6 +566,9 @@ int test_main(test_writer write) {
         TEST_CASE(same_picture_apart),
         TEST_CASE(frames_begun_by_the_caller),
         TEST_CASE(more_clusters_than_numbers),
+        TEST_CASE(bad_indices_are_found_in_any_arena),
+        TEST_CASE(lists_of_most_references),
+        TEST_CASE(lists_of_most_clipped),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }
