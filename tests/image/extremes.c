@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Suite: the ends of what a scene may say. Lights as far off as numbers reach, the least and the largest field of view,
- * exponents from 0 to 32768, and more triangles than a pass holds.
+ * exponents from 0 to 32768, more triangles than a pass holds, and places next to the eye.
  */
 #include "bench.h"
 #include "glint.h"
@@ -227,9 +227,128 @@ static void many_triangles(void) {
     picture_close(&other);
 }
 
+/* Two objects that a pass has room for, but not for both: a part of the second one ends where numbers do. */
+static void many_triangles_of_two_objects(void) {
+    enum { CELLS = 175, WIDE = 512 };
+    static int16_t positions[(CELLS + 1) * (CELLS + 1)][3], normals[(CELLS + 1) * (CELLS + 1)][3];
+    static uint16_t triangles[2 * CELLS * CELLS][3];
+    const glint_mesh_room room = {positions, normals, triangles, TEST_COUNT(positions), TEST_COUNT(triangles)};
+    const picture_options large = {.tile_width = 64, .tile_height = 64, .arena_size = 1 << 24};
+    const picture_options small = {.tile_width = 64, .tile_height = 64, .arena_size = 200000};
+    picture whole = picture_open(WIDE, WIDE, &glint_format_rgb888);
+    picture other = picture_open(WIDE, WIDE, &glint_format_rgb888);
+    test_scene scene;
+    glint_mesh halves[2];
+    glint_stats stats;
+    CHECK_EQUAL(glint_generate_plane(&halves[0], &room, CELLS, CELLS, GLINT_ONE, GLINT_ONE), GLINT_OK);
+    for (unsigned i = 0; i < TEST_COUNT(positions); i++)
+        normals[i][0] = (int16_t)(positions[i][0] / 2);
+    build(&scene);
+    halves[0].triangle_count /= 2;
+    halves[1] = halves[0];
+    halves[1].triangles += halves[0].triangle_count;
+    scene.scene.object_count = 2;
+    scene.objects[1] = scene.objects[0];
+    for (int i = 0; i < 2; i++) {
+        scene.objects[i].mesh = &halves[i];
+        scene.objects[i].pose = glint_pose_rotate_z(10 * GLINT_ONE);
+        scene.objects[i].pose.m[2][3] = -3 * GLINT_ONE;
+    }
+    CHECK_EQUAL(picture_render(&whole, &scene.scene, &large, &stats), GLINT_OK);
+    CHECK_EQUAL(stats.outside, 0); /* no triangle is so small that it has no number */
+    CHECK(stats.passes > 1);
+    CHECK_EQUAL(picture_render(&other, &scene.scene, &small, &stats), GLINT_OK);
+    CHECK(picture_equal(&whole, &other));
+    picture_close(&whole);
+    picture_close(&other);
+}
+
+/* ---- Near the eye -------------------------------------------------------------------------------------------- */
+
+/* Draws a scene, and compares it. */
+static void check_same_picture(const test_scene *scene, const picture *expected) {
+    picture image = picture_open(WIDTH, HEIGHT, &glint_format_rgb888);
+    glint_stats stats;
+    CHECK_EQUAL(picture_render(&image, &scene->scene, NULL, &stats), GLINT_OK);
+    CHECK(picture_equal(&image, expected));
+    picture_close(&image);
+}
+
+/* A triangle so large that coordinates are rounded to more than the near plane, its middle in the eye: seen edge on, it
+ * shows nothing, whatever lights that middle. */
+static void triangle_around_the_eye(void) {
+    static const int16_t corners[3][3] = {{0, 0, -20000}, {10000, 0, 10000}, {-10000, 0, 10000}},
+                         normals[3][3] = {{0, 32767, 0}, {0, 32767, 0}, {0, 32767, 0}};
+    static const uint16_t triangles[2][1][3] = {{{0, 0, 0}}, {{0, 1, 2}}}; /* the first has no area */
+    const glint_q16 extent = 8192 * GLINT_ONE;
+    glint_mesh around = {.positions = corners,
+                         .normals = normals,
+                         .triangles = triangles[0],
+                         .vertex_count = 3,
+                         .triangle_count = 1,
+                         .extent = {extent, extent, extent},
+                         .flags = GLINT_MESH_DOUBLE_SIDED};
+    test_scene scene;
+    glint_stats stats;
+    picture without = picture_open(WIDTH, HEIGHT, &glint_format_rgb888);
+    build(&scene);
+    scene.scene.viewer = GLINT_VIEWER_LOCAL;
+    scene.scene.camera.near_plane = 1;
+    scene.scene.camera.pose = glint_pose_identity();
+    scene.objects[1] = scene.objects[0];
+    scene.objects[1].mesh = &around;
+    scene.objects[1].evaluation = &glint_per_facet;
+    scene.objects[1].pose = glint_pose_identity();
+    for (int i = 0; i < 3; i++)
+        scene.objects[1].pose.m[i][i] = 4 * GLINT_ONE;
+    scene.scene.object_count = 2;
+    CHECK_EQUAL(picture_render(&without, &scene.scene, NULL, &stats), GLINT_OK);
+    CHECK(stats.references > 0 && stats.clipped == 0);
+    around.triangles = triangles[1];
+    check_same_picture(&scene, &without);
+    picture_close(&without);
+}
+
+/* An object whose box begins beyond the near plane by less than places are told apart by: the plane may as well be
+ * a step nearer. */
+static void box_just_beyond_the_near_plane(void) {
+    static const int16_t corners[4][3] = {{-32767, 0, -32767},
+                                          {32767, 0, -32767},
+                                          {0, 32767, 32767},
+                                          {0, -32767, 32767}},
+                         normals[4][3] = {{0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}};
+    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 3, 1}};
+    const glint_mesh mesh = {.positions = corners,
+                             .normals = normals,
+                             .triangles = triangles,
+                             .vertex_count = 4,
+                             .triangle_count = 2,
+                             .extent = {2048, 2048, 1024}};
+    test_scene scene;
+    picture expected = picture_open(WIDTH, HEIGHT, &glint_format_rgb888);
+    glint_stats stats;
+    build(&scene);
+    scene.objects[0].mesh = &mesh;
+    scene.objects[0].pose = glint_pose_translate(2048 + 4, 0, -(8192 + 1024));
+    scene.scene.camera.pose = glint_pose_identity();
+    scene.scene.camera.pose.m[0][2] = -1; /* so that 1/65536 of x adds to the distance */
+    scene.scene.camera.near_plane = 8192 - 1;
+    CHECK_EQUAL(picture_render(&expected, &scene.scene, NULL, &stats), GLINT_OK);
+    CHECK(stats.references > 0 && stats.clipped == 0);
+    scene.scene.camera.near_plane = 8192;
+    check_same_picture(&scene, &expected);
+    picture_close(&expected);
+}
+
 int test_main(test_writer write) {
-    static const test_case cases[] = {TEST_CASE(lights_far_off),    TEST_CASE(light_far_off_fades),
-                                      TEST_CASE(fields_of_view),    TEST_CASE(least_exponents),
-                                      TEST_CASE(largest_exponents), TEST_CASE(many_triangles)};
+    static const test_case cases[] = {TEST_CASE(lights_far_off),
+                                      TEST_CASE(light_far_off_fades),
+                                      TEST_CASE(fields_of_view),
+                                      TEST_CASE(least_exponents),
+                                      TEST_CASE(largest_exponents),
+                                      TEST_CASE(many_triangles),
+                                      TEST_CASE(many_triangles_of_two_objects),
+                                      TEST_CASE(triangle_around_the_eye),
+                                      TEST_CASE(box_just_beyond_the_near_plane)};
     return test_run(write, cases, TEST_COUNT(cases));
 }
