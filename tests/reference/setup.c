@@ -1,12 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* Suite: the arithmetic of edges and planes, against exact quotients and long double, at the errors it states. */
+/*
+ * Suite: the arithmetic of edges and planes, against exact quotients and long double, at the errors it states; and what
+ * the ring of found polynomials keeps.
+ */
 #include "raster/setup.h"
+#include "frame/arena.h"
 #include "harness.h"
 #include "math/division.h"
 #include "nodes/terms.h"
+#include "raster/found.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static uint32_t random_bits(void) {
     static uint64_t state = 1;
@@ -203,6 +209,140 @@ static void longest_edges(void) {
     report("longest edges", worst, 1);
 }
 
+/* ---- The ring of what tiles find ---- */
+
+enum { RING_BYTES = 8192, RING_CANARIES = 64, RING_KEYS = 8 };
+static union {
+    void *aligned;
+    uint8_t bytes[RING_BYTES + RING_CANARIES];
+} ring_memory;
+
+/* A pass that leaves so many bytes, words of what was there before; what lies behind them is not the pass's own. */
+static void open_ring(glint_workspace *workspace, uint32_t size, uint32_t word) {
+    for (uint32_t i = 0; i < size; i++)
+        ring_memory.bytes[i] = (uint8_t)(word >> 8 * (i % 4));
+    memset(ring_memory.bytes + size, 0xa5, RING_CANARIES);
+    *workspace = (glint_workspace){.spare = {.memory = ring_memory.bytes, .size = size}};
+}
+
+static int ring_is_within(uint32_t size) {
+    int within = 1;
+    for (uint32_t i = 0; i < RING_CANARIES; i++)
+        within &= ring_memory.bytes[size + i] == 0xa5;
+    return within;
+}
+
+/* The most bytes that one record of a ring may have. */
+static uint32_t most_of_ring(uint32_t size) {
+    glint_workspace workspace;
+    uint32_t most = size;
+    open_ring(&workspace, size, 0);
+    while (most && !glint_ring_begin(&workspace, most))
+        most--;
+    return most;
+}
+
+/* Fills the room that a record may take, and keeps so many bytes of it. */
+static int keep_in_ring(glint_workspace *workspace, uint32_t key, uint32_t most, uint32_t size) {
+    uint8_t *const room = glint_ring_begin(workspace, most);
+    if (!room)
+        return 0;
+    memset(room, (int)key, most);
+    glint_ring_keep(workspace, key, size);
+    return 1;
+}
+
+/* Is a key there, with what was kept by it? */
+static int is_in_ring(const glint_workspace *workspace, uint32_t key, uint32_t size) {
+    const uint8_t *const found = glint_ring_find(workspace, key);
+    uint32_t wrong = 0;
+    for (uint32_t i = 0; found && i < size; i++)
+        wrong += found[i] != (uint8_t)key;
+    CHECK_EQUAL(wrong, 0);
+    return found != 0;
+}
+
+/* Those from `first` up to `end` are there, and no other. */
+static void check_ring(const glint_workspace *workspace, uint32_t first, uint32_t end, uint32_t size) {
+    for (uint32_t key = 0; key < 2 * RING_KEYS; key++)
+        CHECK_EQUAL(is_in_ring(workspace, key, size), key >= first && key < end);
+}
+
+/*
+ * Records that fill a ring to its last byte: all are there until one more begins, which takes the place of the oldest
+ * alone, kept or not.
+ */
+static void rings_keep_all_that_fits(void) {
+    const uint32_t head = (uint32_t)GLINT_ALIGNED(sizeof(uint32_t));
+    for (uint32_t spare = 4096; spare <= RING_BYTES; spare += (uint32_t)GLINT_ALIGNMENT) {
+        const uint32_t whole = most_of_ring(spare) + head;
+        if (whole % (RING_KEYS * GLINT_ALIGNMENT))
+            continue;
+        const uint32_t size = whole / RING_KEYS - head;
+        glint_workspace workspace;
+        open_ring(&workspace, spare, spare); /* as a key, and as a place, of the first turn */
+        check_ring(&workspace, 0, 0, size);
+        CHECK(glint_ring_begin(&workspace, size) != 0);
+        check_ring(&workspace, 0, 0, size);
+        CHECK(!glint_ring_find(&workspace, spare));
+        for (uint32_t key = 0; key < RING_KEYS; key++) {
+            CHECK(keep_in_ring(&workspace, key, size, size));
+            check_ring(&workspace, 0, key + 1, size);
+        }
+        for (uint32_t key = RING_KEYS; key < 2 * RING_KEYS; key++) {
+            CHECK(glint_ring_begin(&workspace, size) != 0);
+            check_ring(&workspace, key + 1 - RING_KEYS, key, size);
+            CHECK(keep_in_ring(&workspace, key, size, size));
+            check_ring(&workspace, key + 1 - RING_KEYS, key + 1, size);
+        }
+        CHECK(ring_is_within(spare));
+    }
+}
+
+/* Records of any size, of which less may be kept than was written: what is found is what was kept. */
+static void rings_find_what_was_kept(void) {
+    for (uint32_t spare = 4096; spare <= RING_BYTES; spare += 31 * (uint32_t)GLINT_ALIGNMENT) {
+        const uint32_t whole = most_of_ring(spare);
+        uint32_t sizes[256] = {0}, found = 0;
+        glint_workspace workspace;
+        open_ring(&workspace, spare, 0);
+        for (uint32_t i = 0; i < 200; i++) {
+            const uint32_t key = random_bits() % TEST_COUNT(sizes),
+                           most = random_bits() % (i % 8 ? whole / 16 : whole) + 1, size = random_bits() % most + 1;
+            if (i % 16 == 15) { /* begun in vain */
+                uint8_t *const room = glint_ring_begin(&workspace, most);
+                CHECK(room != 0);
+                memset(room, 0xff, room ? most : 0);
+                continue;
+            }
+            sizes[key] = size;
+            CHECK(keep_in_ring(&workspace, key, most, size));
+            CHECK(is_in_ring(&workspace, key, size));
+            for (uint32_t other = 0; other < TEST_COUNT(sizes) - 1; other++)
+                found += (uint32_t)(is_in_ring(&workspace, other, sizes[other]) && sizes[other]);
+        }
+        CHECK(found > 200);
+        CHECK(keep_in_ring(&workspace, 1, whole, whole));
+        CHECK(is_in_ring(&workspace, 1, whole));
+        CHECK(!glint_ring_begin(&workspace, whole + 1));
+        CHECK(ring_is_within(spare));
+    }
+}
+
+/* Nothing is kept where a pass leaves no memory, and nothing but what there is room for where it leaves little. */
+static void rings_without_room(void) {
+    glint_workspace workspace = {0};
+    CHECK(!glint_ring_find(&workspace, 0));
+    CHECK(!glint_ring_begin(&workspace, 1));
+    CHECK(!glint_ring_find(&workspace, 0));
+    for (uint32_t spare = 0; spare <= 1024; spare += (uint32_t)GLINT_ALIGNMENT) {
+        open_ring(&workspace, spare, 0);
+        for (uint32_t key = 0; key <= 16; key++)
+            keep_in_ring(&workspace, key, 8, 8);
+        CHECK(ring_is_within(spare));
+    }
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(reciprocals_of_16_bits),
@@ -210,6 +350,9 @@ int test_main(test_writer write) {
         TEST_CASE(planes),
         TEST_CASE(depth_at_the_nearest_corner),
         TEST_CASE(longest_edges),
+        TEST_CASE(rings_keep_all_that_fits),
+        TEST_CASE(rings_find_what_was_kept),
+        TEST_CASE(rings_without_room),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }
