@@ -311,8 +311,8 @@ static void rings_find_what_was_kept(void) {
                            most = random_bits() % (i % 8 ? whole / 16 : whole) + 1, size = random_bits() % most + 1;
             if (i % 16 == 15) { /* begun in vain */
                 uint8_t *const room = glint_ring_begin(&workspace, most);
-                CHECK(room != 0);
-                memset(room, 0xff, room ? most : 0);
+                if (CHECK(room != 0))
+                    memset(room, 0xff, most);
                 continue;
             }
             sizes[key] = size;
