@@ -25,7 +25,7 @@ SUITE_gallery   := $(TEST_HARNESS) tests/image/gallery.c tests/image/rows.c test
 SUITE_formats   := $(TEST_HARNESS) tests/image/formats.c tests/stability/contract.c tests/stability/random_scene.c \
     tests/stability/weights.c $(TEST_SCENES) $(TEST_JUDGE) $(wildcard examples/scenes/*.c)
 SUITE_output    := $(TEST_HARNESS) tests/image/output.c $(TEST_SCENES)
-SUITE_extremes  := $(TEST_HARNESS) tests/image/extremes.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
+SUITE_extremes  := $(TEST_HARNESS) tests/image/extremes.c tests/image/single.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_highlights := $(TEST_HARNESS) tests/image/highlights.c $(TEST_SCENES)
 SUITE_fill_rule := $(TEST_HARNESS) tests/image/fill_rule.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_opposed   := $(TEST_HARNESS) tests/image/opposed.c tests/image/picture.c

@@ -10,6 +10,7 @@
 #include "picture.h"
 #include "rows.h"
 #include "scenes.h"
+#include "single.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -349,6 +350,8 @@ int test_main(test_writer write) {
                                       TEST_CASE(many_triangles),
                                       TEST_CASE(many_triangles_of_two_objects),
                                       TEST_CASE(triangle_around_the_eye),
-                                      TEST_CASE(box_just_beyond_the_near_plane)};
+                                      TEST_CASE(box_just_beyond_the_near_plane),
+                                      TEST_CASE(triangles_at_the_bounds),
+                                      TEST_CASE(a_cone_of_one_degree)};
     return test_run(write, cases, TEST_COUNT(cases));
 }

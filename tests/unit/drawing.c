@@ -397,7 +397,8 @@ void light_on_a_facing_square(void) {
 
 /*
  * Normals away from the eye, towards a light that is straight behind: there is no half vector, and so no highlight,
- * whatever rounding makes of L + V. By fast lighting, and by the general path.
+ * whatever rounding makes of L + V. In no light they are as those that face the eye. By fast lighting, and by the
+ * general path.
  */
 void light_from_behind_has_no_highlight(void) {
     static const int16_t normals[4][3] = {{0, -32767, 0}, {0, -32767, 0}, {0, -32767, 0}, {0, -32767, 0}};
@@ -417,6 +418,14 @@ void light_from_behind_has_no_highlight(void) {
             CHECK_EQUAL(fixture_render(f), GLINT_OK);
             CHECK_EQUAL(with, fixture_checksum(f));
         }
+        fixture *f = begin_square();
+        f->config.format = formats[which];
+        f->scene.light_count = 0;
+        CHECK_EQUAL(fixture_render(f), GLINT_OK);
+        const uint32_t facing = fixture_checksum(f);
+        f->floor.normals = normals;
+        CHECK_EQUAL(fixture_render(f), GLINT_OK);
+        CHECK_EQUAL(facing, fixture_checksum(f));
     }
 }
 
