@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Suite: directions and strengths of point lights against long double, at the errors point.h states; and how near they
- * are as nodes keep it; and which objects spots miss. */
+ * are as nodes keep it; which objects spots miss; and where squares tell that a light's highlight ends. */
 #include "light/point.h"
+#include "frame/frame.h"
 #include "glint.h"
 #include "harness.h"
 #include "nodes/nearness.h"
+#include "nodes/shapes.h"
 
 #include <math.h>
 
@@ -247,11 +249,160 @@ static void objects_that_spots_miss(void) {
     CHECK(left_out > LIGHTS / 4 && left_in > LIGHTS / 4);
 }
 
+/* ---- Where the light of squares ends ---- */
+
+enum { SIDES = 3, SQUARE_SHIFT = 2 };
+
+/* A frame of a triangle that three lights shine on, so that there is a draw whose material has terms. */
+typedef struct lit_triangle {
+    glint_light lights[SIDES];
+    glint_material material;
+    glint_object object;
+    glint_scene scene;
+    glint_frame frame;
+    void *arena[8192];
+} lit_triangle;
+
+static int begin_lit_triangle(lit_triangle *t, uint32_t flags) {
+    static const int16_t positions[3][3] = {{-32767, -32767, 0}, {32767, -32767, 0}, {0, 32767, 0}},
+                         normals[3][3] = {{0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}};
+    static const uint16_t triangle[1][3] = {{0, 1, 2}};
+    static const glint_mesh mesh = {.positions = positions,
+                                    .normals = normals,
+                                    .triangles = triangle,
+                                    .vertex_count = 3,
+                                    .triangle_count = 1,
+                                    .extent = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
+    const glint_colour half = {GLINT_ONE / 2, GLINT_ONE / 2, GLINT_ONE / 2};
+    const glint_config config = {
+        .width = 64, .height = 64, .format = &glint_format_rgb888, .arena = t->arena, .arena_size = sizeof t->arena};
+    for (int l = 0; l < SIDES; l++)
+        t->lights[l] = (glint_light){.type = &glint_light_directional,
+                                     .vector = {l * GLINT_ONE, 0, GLINT_ONE},
+                                     .diffuse = half,
+                                     .specular = half};
+    t->material = (glint_material){.model = &glint_model_blinn_phong,
+                                   .diffuse = half,
+                                   .specular = half,
+                                   .shininess = 20 * GLINT_ONE,
+                                   .flags = flags};
+    t->object = (glint_object){
+        .mesh = &mesh, .material = &t->material, .pose = glint_pose_identity(), .evaluation = &glint_per_node};
+    t->object.pose.m[2][3] = -4 * GLINT_ONE;
+    t->scene = (glint_scene){.camera = {glint_pose_identity(), 45 * GLINT_ONE, GLINT_ONE / 8},
+                             .lights = t->lights,
+                             .light_count = SIDES,
+                             .objects = &t->object,
+                             .object_count = 1};
+    return CHECK_EQUAL(glint_frame_begin(&t->frame, &config, &t->scene), GLINT_OK) &&
+           CHECK_EQUAL(glint_frame_next(&t->frame), 1) && CHECK(t->frame.draws && t->frame.draws->shading->terms);
+}
+
+/* N.L of one light at a square's nodes. */
+typedef struct square_sides {
+    int light, end, bend[2], at[2], is_below;
+} square_sides;
+
+/*
+ * From -1 to 1 across and down it is end + bend[0] (u - at[0] / 4)^2 + bend[1] (v - at[1] / 4)^2, or less 0 by that: at
+ * one of the square's pixels it comes as near to 0 as `end`.
+ */
+static int16_t side_at(const square_sides *s, int i) {
+    const int u = 4 * (i % 3 - 1) - s->at[0], v = 4 * (i / 3 - 1) - s->at[1];
+    const int side = s->end + s->bend[0] / 16 * u * u + s->bend[1] / 16 * v * v;
+    return (int16_t)(s->is_below ? -side : side);
+}
+
+/* The terms of a square that faces the eye, so that all highlights show; it clearly faces the other lights. */
+static int begin_square(const lit_triangle *t, const square_sides *s, glint_terms *terms,
+                        glint_polynomials *polynomials) {
+    static const glint_part part;
+    glint_node nodes[GLINT_CELL_NODES] = {{{0}, {0}, {{0}}, 0, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, 0}};
+    glint_node *at[GLINT_CELL_NODES];
+    glint_shape shape;
+    for (int i = 0; i < GLINT_CELL_NODES; i++) {
+        at[i] = &nodes[i];
+        nodes[i].inverse_w = 1 << 30;
+        nodes[i].normal[2] = 1 << 14;
+        nodes[i].lit = (uint8_t)(((1 << SIDES) - 1) & ~(1 << s->light));
+        for (int l = 0; l < SIDES; l++) {
+            nodes[i].number[l][GLINT_SIDE] = l == s->light ? side_at(s, i) : (int16_t)(200 + 1000 * i);
+            nodes[i].number[l][GLINT_STRENGTH] = 1 << 14;
+        }
+    }
+    glint_shape_cell(&part, (1u << SIDES) - 1, 0, 0, SQUARE_SHIFT, &shape);
+    return glint_shape_begin(&t->frame, t->frame.draws, &shape, at, terms, polynomials);
+}
+
+/* How near to 0 its polynomial comes, Q16. */
+static int32_t nearest_of(const square_sides *s, const glint_quadratic *side) {
+    int32_t nearest = INT32_MAX;
+    for (int32_t y = 0; y <= 2 << SQUARE_SHIFT; y++)
+        for (int32_t x = 0; x <= 2 << SQUARE_SHIFT; x++) {
+            const int32_t value = (int32_t)glint_stride_begin(side, x, y).value;
+            nearest = glint_least(nearest, s->is_below ? -value : value);
+        }
+    return nearest;
+}
+
+/* How near to 0 pixels are looked at one by one; 0 where none are. */
+static int32_t margin_of(const lit_triangle *t, const square_sides *s) {
+    glint_terms terms;
+    glint_polynomials polynomials;
+    if (!CHECK(begin_square(t, s, &terms, &polynomials)) || !CHECK_EQUAL(terms.apart_count, 1))
+        return -1;
+    const int32_t nearest = nearest_of(s, &polynomials.of[terms.apart[0].first]);
+    CHECK(terms.apart[0].light == s->light && nearest >= (s->end - 1) * 65536 && nearest <= (s->end + 1) * 65536);
+    return terms.margin;
+}
+
+/* None is forgotten, wherever between the nodes the light comes as near to its edge as its margin. */
+static void check_edges(const lit_triangle *t, square_sides s, int32_t margin) {
+    s.end = margin;
+    for (s.at[0] = -4; s.at[0] <= 4; s.at[0]++)
+        for (s.at[1] = -4; s.at[1] <= 4; s.at[1]++)
+            for (int i = 0; i < 9; i++) {
+                s.bend[0] = i / 3 * 320;
+                s.bend[1] = i % 3 * 320;
+                CHECK_EQUAL(margin_of(t, &s), margin);
+            }
+}
+
+/* Half way between nodes that is where they are further away by an eighth of what they differ by, and no other is. */
+static void check_half_way(const lit_triangle *t, square_sides s, int32_t margin) {
+    for (int way = 0; way < 4; way++)
+        for (s.bend[0] = 16; s.bend[0] <= 1600; s.bend[0] += 16) {
+            s.bend[1] = s.bend[0];
+            s.at[0] = way & 1 ? 2 : -2;
+            s.at[1] = way & 2 ? 2 : -2;
+            s.end = margin;
+            CHECK_EQUAL(margin_of(t, &s), margin);
+            s.end = margin + 1;
+            CHECK_EQUAL(margin_of(t, &s), 0);
+        }
+}
+
+static void edges_of_squares(void) {
+    static lit_triangle t;
+    for (int i = 0; i < 2 * SIDES; i++) {
+        const square_sides s = {i / 2, 0, {320, 320}, {1, 1}, i % 2};
+        if (!begin_lit_triangle(&t, 0))
+            return;
+        const int32_t margin = margin_of(&t, &s);
+        CHECK(margin > 0 && margin < 64);
+        check_edges(&t, s, margin);
+        check_half_way(&t, s, margin);
+        if (begin_lit_triangle(&t, GLINT_MATERIAL_UNGATED))
+            CHECK_EQUAL(margin_of(&t, &s), 0);
+    }
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(lights_of_every_size_and_place),
         TEST_CASE(nearness_of_every_closeness),
         TEST_CASE(objects_that_spots_miss),
+        TEST_CASE(edges_of_squares),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }
