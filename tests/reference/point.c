@@ -9,6 +9,7 @@
 #include "nodes/shapes.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #define LIGHTS 100000
 
@@ -298,9 +299,11 @@ static int begin_lit_triangle(lit_triangle *t, uint32_t flags) {
            CHECK_EQUAL(glint_frame_next(&t->frame), 1) && CHECK(t->frame.draws && t->frame.draws->shading->terms);
 }
 
-/* N.L of one light at a square's nodes. */
+/* N.L of one light at a square's nodes; and two nodes whose normals lean, Q14, one to the left, the other to the right.
+ */
 typedef struct square_sides {
     int light, end, bend[2], at[2], is_below;
+    int leaning[2], lean;
 } square_sides;
 
 /*
@@ -330,6 +333,8 @@ static int begin_square(const lit_triangle *t, const square_sides *s, glint_term
             nodes[i].number[l][GLINT_STRENGTH] = 1 << 14;
         }
     }
+    nodes[s->leaning[0]].normal[0] = (int16_t)-s->lean;
+    nodes[s->leaning[1]].normal[0] = (int16_t)s->lean;
     glint_shape_cell(&part, (1u << SIDES) - 1, 0, 0, SQUARE_SHIFT, &shape);
     return glint_shape_begin(&t->frame, t->frame.draws, &shape, at, terms, polynomials);
 }
@@ -385,7 +390,7 @@ static void check_half_way(const lit_triangle *t, square_sides s, int32_t margin
 static void edges_of_squares(void) {
     static lit_triangle t;
     for (int i = 0; i < 2 * SIDES; i++) {
-        const square_sides s = {i / 2, 0, {320, 320}, {1, 1}, i % 2};
+        const square_sides s = {i / 2, 0, {320, 320}, {1, 1}, i % 2, {0, 1}, 0};
         if (!begin_lit_triangle(&t, 0))
             return;
         const int32_t margin = margin_of(&t, &s);
@@ -397,12 +402,47 @@ static void edges_of_squares(void) {
     }
 }
 
+/* How far two nodes of a square may lean at most. */
+static int most_lean(const lit_triangle *t, int a, int b) {
+    square_sides s = {0, 1 << 13, {0, 0}, {0, 0}, 0, {a, b}, 0};
+    glint_terms terms;
+    glint_polynomials polynomials;
+    while (s.lean < 1 << 13 && begin_square(t, &s, &terms, &polynomials))
+        s.lean++;
+    return s.lean;
+}
+
+/*
+ * What normals turn by from the middle to a corner, or from node to node along an edge, counts twice as much as from
+ * corner to corner: the same wherever it is. Of two corners that lean, or of the middle and an edge's, each leans from
+ * a node that does not, by half of what two neighbours lean apart.
+ */
+static void turns_of_squares(void) {
+    static const int far[][2] = {{0, 2}, {0, 6}, {2, 8}, {6, 8}, {0, 8}, {2, 6}, {1, 4}, {3, 4}, {5, 4}, {7, 4}},
+                     near[][2] = {{0, 1}, {1, 2}, {2, 5}, {5, 8}, {8, 7}, {7, 6},
+                                  {6, 3}, {3, 0}, {0, 4}, {2, 4}, {6, 4}, {8, 4}};
+    static lit_triangle t;
+    if (!begin_lit_triangle(&t, 0))
+        return;
+    const int most = most_lean(&t, 0, 2);
+    CHECK(most > 100 && most < 1 << 13);
+    for (unsigned i = 0; i < TEST_COUNT(far); i++) {
+        CHECK_AT_MOST(abs(most_lean(&t, far[i][0], far[i][1]) - most), 4);
+        CHECK_AT_MOST(abs(most_lean(&t, far[i][1], far[i][0]) - most), 4);
+    }
+    for (unsigned i = 0; i < TEST_COUNT(near); i++) {
+        CHECK_AT_MOST(abs(2 * most_lean(&t, near[i][0], near[i][1]) - most), 8);
+        CHECK_AT_MOST(abs(2 * most_lean(&t, near[i][1], near[i][0]) - most), 8);
+    }
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(lights_of_every_size_and_place),
         TEST_CASE(nearness_of_every_closeness),
         TEST_CASE(objects_that_spots_miss),
         TEST_CASE(edges_of_squares),
+        TEST_CASE(turns_of_squares),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }
