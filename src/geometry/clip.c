@@ -55,7 +55,8 @@ static int clip_at(const glint_transform *transform, int plane, const glint_corn
         const glint_corner *here = &in[i], *next = &in[i + 1 < count ? i + 1 : 0];
         const int64_t d0 = d1;
         d1 = distance(transform, &next->position, plane);
-        if (kept > GLINT_CLIP_CORNERS - 2) /* a plane adds one corner; rounding may tell of more: those are points */
+        const int more = (d0 >= 0) + ((d0 >= 0) != (d1 >= 0));
+        if (kept + more > GLINT_CLIP_CORNERS) /* a plane adds one corner; rounding may tell of more: those are points */
             break;
         if (d0 >= 0)
             out[kept++] = *here;

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Suite: the arithmetic of edges and planes, against exact quotients and long double, at the errors it states; and what
- * the ring of found polynomials keeps.
+ * Suite: the arithmetic of clipping, edges and planes, against exact quotients and long double, at the errors it
+ * states; and what the ring of found polynomials keeps.
  */
 #include "raster/setup.h"
 #include "frame/arena.h"
+#include "geometry/geometry.h"
 #include "harness.h"
 #include "math/division.h"
 #include "nodes/terms.h"
@@ -209,6 +210,113 @@ static void longest_edges(void) {
     report("longest edges", worst, 1);
 }
 
+/* ---- Clipping ---- */
+
+enum { NEAR_PLANE = 1000000 };
+
+typedef struct point {
+    double x, y, w;
+} point;
+
+static double distance_to(const point *p, int plane) {
+    const double distances[5] = {p->w - NEAR_PLANE, p->w + p->x, p->w - p->x, p->w + p->y, p->w - p->y};
+    return distances[plane];
+}
+
+/* Clips a polygon of up to 8 corners in floating point. @return its corners then */
+static int clip_exactly(point *polygon, int count) {
+    for (int plane = 0; plane < 5; plane++) {
+        point kept[16] = {{0}};
+        int n = 0;
+        for (int i = 0; i < count; i++) {
+            const point *a = &polygon[i], *b = &polygon[(i + 1) % count];
+            const double da = distance_to(a, plane), db = distance_to(b, plane), t = da / (da - db);
+            if (da >= 0)
+                kept[n++] = *a;
+            if ((da >= 0) != (db >= 0))
+                kept[n++] = (point){a->x + (b->x - a->x) * t, a->y + (b->y - a->y) * t, a->w + (b->w - a->w) * t};
+        }
+        count = n;
+        memcpy(polygon, kept, sizeof *kept * (size_t)count);
+    }
+    return count;
+}
+
+static int clip_triangle(const point triangle[3], glint_corner *corners) {
+    const glint_transform transform = {.near_plane = NEAR_PLANE, .clips = 1};
+    memset(corners, 0, GLINT_CLIP_CORNERS * sizeof *corners);
+    for (int i = 0; i < 3; i++)
+        corners[i].position = (glint_position){(int32_t)triangle[i].x, (int32_t)triangle[i].y, (int32_t)triangle[i].w};
+    return glint_clip(&transform, corners);
+}
+
+/* Are two of a polygon's corners that close that rounding may make them one? */
+static int has_short_edge(const point *polygon, int count) {
+    int is_short = 0;
+    for (int i = 0; i < count; i++) {
+        const point *a = &polygon[i], *b = &polygon[(i + 1) % count];
+        is_short |= hypot(hypot(a->x - b->x, a->y - b->y), a->w - b->w) < 16;
+    }
+    return is_short;
+}
+
+/* Triangles that leave 8 corners, all five planes cut: none is lost, whichever corner comes first. */
+static void clipping_leaves_all_corners(void) {
+    static const point around[3][3] = {
+        {{1310551, -1924734, 1864846}, {517536, 2720101, -1181152}, {-2832657, -441045, 3242720}},
+        {{1606443, -86650, 3819149}, {-2481818, -2815590, 2164897}, {1293851, 2317306, -734555}},
+        {{1474467, -1354473, 2790131}, {-1726894, -1057977, 580480}, {1156594, 1321447, 1070639}}};
+    int judged = 0, wrong = 0;
+    double worst = 0;
+    for (int number = 0; number < 30000; number++) {
+        point triangle[3], polygon[16];
+        glint_corner corners[GLINT_CLIP_CORNERS];
+        for (int i = 0; i < 3; i++) {
+            const point *p = &around[number % 3][(number / 3 + i) % 3];
+            triangle[i] = (point){p->x + random_below(20001) - 10000, p->y + random_below(20001) - 10000,
+                                  p->w + random_below(20001) - 10000};
+        }
+        memcpy(polygon, triangle, sizeof triangle);
+        const int exact = clip_exactly(polygon, 3), count = clip_triangle(triangle, corners);
+        if (exact != GLINT_CLIP_CORNERS || has_short_edge(polygon, exact))
+            continue;
+        judged++;
+        wrong += count != exact;
+        for (int i = 0; i < count && count == exact; i++) {
+            const glint_position *p = &corners[i].position;
+            worst = fmax(worst, hypot(hypot(p->x - polygon[i].x, p->y - polygon[i].y), p->w - polygon[i].w));
+        }
+    }
+    CHECK(judged > 10000);
+    CHECK_EQUAL(wrong, 0);
+    report("corners of clipped triangles", worst, 8);
+}
+
+/* Triangles along a plane, seen edge on: rounding tells of corners on both its sides in turn. What is left is inside.
+ */
+static void clipping_along_planes(void) {
+    int wrong = 0, left = 0;
+    for (int number = 0; number < 300000; number++) {
+        const int32_t near_plane = number % 4 ? NEAR_PLANE : 16;
+        glint_corner corners[GLINT_CLIP_CORNERS] = {0};
+        const glint_transform transform = {.near_plane = near_plane, .clips = 1};
+        for (int i = 0; i < 3; i++) {
+            const int32_t w = random_below(6 * near_plane) - near_plane, across = w + random_below(3) - 1;
+            const int32_t along = random_below(8 * near_plane) - 4 * near_plane;
+            corners[i].position = (glint_position){along, number % 2 ? across : -across, w};
+        }
+        const int count = glint_clip(&transform, corners);
+        left += count > 0;
+        wrong += count > GLINT_CLIP_CORNERS;
+        for (int i = 0; i < count; i++) {
+            const glint_position *p = &corners[i].position;
+            wrong += p->w < near_plane || abs(p->x) > p->w || abs(p->y) > p->w;
+        }
+    }
+    CHECK(left > 10000);
+    CHECK_EQUAL(wrong, 0);
+}
+
 /* ---- The ring of what tiles find ---- */
 
 enum { RING_BYTES = 8192, RING_CANARIES = 64, RING_KEYS = 8 };
@@ -350,6 +458,8 @@ int test_main(test_writer write) {
         TEST_CASE(planes),
         TEST_CASE(depth_at_the_nearest_corner),
         TEST_CASE(longest_edges),
+        TEST_CASE(clipping_leaves_all_corners),
+        TEST_CASE(clipping_along_planes),
         TEST_CASE(rings_keep_all_that_fits),
         TEST_CASE(rings_find_what_was_kept),
         TEST_CASE(rings_without_room),
