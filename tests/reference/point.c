@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* Suite: directions and strengths of point lights against long double, at the errors point.h states; and how near they
- * are as nodes keep it; which objects spots miss; and where squares tell that a light's highlight ends. */
+ * are as nodes keep it; which objects spots miss; and where polynomials tell that a light's highlight ends. */
 #include "light/point.h"
 #include "frame/frame.h"
 #include "glint.h"
 #include "harness.h"
 #include "nodes/nearness.h"
 #include "nodes/shapes.h"
+#include "raster/setup.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define LIGHTS 100000
 
@@ -279,7 +281,7 @@ static int begin_lit_triangle(lit_triangle *t, uint32_t flags) {
         .width = 64, .height = 64, .format = &glint_format_rgb888, .arena = t->arena, .arena_size = sizeof t->arena};
     for (int l = 0; l < SIDES; l++)
         t->lights[l] = (glint_light){.type = &glint_light_directional,
-                                     .vector = {l * GLINT_ONE, 0, GLINT_ONE},
+                                     .vector = {l * GLINT_ONE / 4, 0, GLINT_ONE},
                                      .diffuse = half,
                                      .specular = half};
     t->material = (glint_material){.model = &glint_model_blinn_phong,
@@ -293,6 +295,7 @@ static int begin_lit_triangle(lit_triangle *t, uint32_t flags) {
     t->scene = (glint_scene){.camera = {glint_pose_identity(), 45 * GLINT_ONE, GLINT_ONE / 8},
                              .lights = t->lights,
                              .light_count = SIDES,
+                             .viewer = GLINT_VIEWER_INFINITE,
                              .objects = &t->object,
                              .object_count = 1};
     return CHECK_EQUAL(glint_frame_begin(&t->frame, &config, &t->scene), GLINT_OK) &&
@@ -436,6 +439,89 @@ static void turns_of_squares(void) {
     }
 }
 
+/* N.L of one light at a triangle's corners, whose normals lean apart by twice so much, Q14; one corner lies further
+ * away than the others: its 1/w is 3/4 of theirs. */
+typedef struct corner_sides {
+    int light, lean;
+    int16_t side[3];
+    int far;
+} corner_sides;
+
+/* What a corner keeps of light: it clearly faces the other lights, and all highlights show. */
+static void keep_corner(const lit_triangle *t, const corner_sides *s, int i) {
+    static const int leaning[3] = {-1, 1, 0};
+    const glint_draw *const draw = t->frame.draws;
+    const glint_light_terms *const light = draw->shading->terms;
+    int16_t *const kept = draw->nodes + (size_t)i * light->stride, *const rest = kept + light->channels;
+    glint_vertex *const vertex = &draw->vertices[i];
+    memset(kept, 0, light->stride * sizeof *kept);
+    rest[GLINT_KEPT_FACING] = (int16_t)(((1 << SIDES) - 1) & ~(1 << s->light));
+    for (int l = 0; l < SIDES; l++)
+        kept[light->at[l][GLINT_SIDE]] = l == s->light ? s->side[i] : (int16_t)(200 + 1000 * i);
+    vertex->attribute[0] = (int16_t)(leaning[i] * s->lean);
+    vertex->attribute[1] = 0;
+    vertex->attribute[2] = (int16_t)lrint(sqrt((1 << 28) - s->lean * s->lean * abs(leaning[i])));
+    vertex->inverse_w = i == s->far ? 9 << 27 : 3 << 29;
+    vertex->flags |= GLINT_VERTEX_LIT;
+}
+
+static int begin_triangle(const lit_triangle *t, const corner_sides *s, glint_terms *terms) {
+    const glint_draw *const draw = t->frame.draws;
+    const glint_vertex *const v = draw->vertices;
+    glint_triangle triangle = {.corners = {&v[0], &v[1], &v[2]}};
+    glint_polynomials polynomials;
+    glint_part part;
+    for (int i = 0; i < 3; i++)
+        keep_corner(t, s, i);
+    glint_window_begin(&part.window, 16, 16, 32, 32);
+    if (!CHECK(glint_raster(&part, triangle.corners)))
+        return 0;
+    glint_setup(&part, &triangle);
+    return glint_terms_begin(&t->frame, draw, &triangle, &part, terms, &polynomials);
+}
+
+/*
+ * Pixels are looked at one by one where a corner's light is as near to its edge as the margin, and nowhere else. Over
+ * length it is so much nearer as the corner is further away.
+ */
+static void check_corner(const lit_triangle *t, corner_sides s, int near, int is_over_length) {
+    glint_terms terms;
+    s.side[near] = 1;
+    if (!CHECK(begin_triangle(t, &s, &terms)) || !CHECK(terms.margin > 0 && terms.margin < 400))
+        return;
+    const int32_t margin = terms.margin, nearer = s.far == near && is_over_length,
+                  ends[2] = {nearer ? margin * 4 / 3 : margin, nearer ? (margin * 4 + 6) / 3 : margin + 1};
+    for (int i = 0; i < 4; i++) {
+        for (int corner = 0; corner < 3; corner++) {
+            const int32_t side = ends[i / 2] + (corner == near ? 0 : 300 * (corner + 1));
+            s.side[corner] = (int16_t)(i % 2 ? -side : side);
+        }
+        CHECK(begin_triangle(t, &s, &terms));
+        CHECK_EQUAL(terms.margin, i / 2 ? 0 : margin);
+        CHECK_EQUAL(terms.is_over_length, is_over_length);
+    }
+}
+
+/* Normals from alike to far apart: by quadratics, and by those over length. */
+static void edges_of_triangles(void) {
+    static lit_triangle t;
+    int found[2] = {0, 0}; /* not over length, over it */
+    for (int i = 0; i < 40 * 3 * SIDES; i++) {
+        corner_sides s = {i % SIDES, i / (3 * SIDES) * 200, {1, 200, 300}, i / SIDES % 3};
+        glint_terms terms;
+        if (!begin_lit_triangle(&t, 0))
+            return;
+        if (!begin_triangle(&t, &s, &terms))
+            continue;
+        found[terms.is_over_length]++;
+        for (int near = 0; near < 3; near++)
+            check_corner(&t, s, near, terms.is_over_length);
+        if (begin_lit_triangle(&t, GLINT_MATERIAL_UNGATED) && begin_triangle(&t, &s, &terms))
+            CHECK_EQUAL(terms.margin, 0);
+    }
+    CHECK(found[0] > 20 && found[1] > 20);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(lights_of_every_size_and_place),
@@ -443,6 +529,7 @@ int test_main(test_writer write) {
         TEST_CASE(objects_that_spots_miss),
         TEST_CASE(edges_of_squares),
         TEST_CASE(turns_of_squares),
+        TEST_CASE(edges_of_triangles),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }
