@@ -7,8 +7,8 @@
 #include "pixel_sums.h"
 
 static const pixel_sums pixel_table[] = {
-    {0xe04bd5d4u, 0xc3449f67u}, /* regions */
-    {0x1437fb79u, 0x84d6b088u}, /* regions */
+    {0xe04bd5d4u, 0x4011adb1u}, /* regions */
+    {0x01676d01u, 0x5979a598u}, /* regions */
     {0x727f7d2eu, 0x52e0a7e8u}, /* random surfaces */
     {0x0aa451f8u, 0x626631fbu}, /* random surfaces */
     {0x3c09bc93u, 0x7498a44cu}, /* random surfaces */
