@@ -22,7 +22,7 @@ import subprocess
 import sys
 
 # Folder, and the least % of lines, branches and conditions that are reached, or listed as beyond reach.
-BARS = (("src/", 99.8, 98.8, 96.3), ("port/panel/", 100, 100, 100), ("port/host/", 98, 0, 0))
+BARS = (("src/", 99.9, 99.9, 100), ("port/panel/", 100, 100, 100), ("port/host/", 98, 0, 0))
 
 LINE = re.compile(r" *(\d+)\| *([\d.]+[kMGTPEZY]?)?\|")
 BRANCH = re.compile(r"Branch \((\d+):(\d+)\): \[True: ([^,]+), False: ([^]]+)\]")
