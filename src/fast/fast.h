@@ -26,10 +26,14 @@
 /** Largest x and y of a deviation that a plane can hold. */
 #define GLINT_FAST_REACH 15000
 
+/** N.L, Q14, that is above 0 at every pixel: planes are off by at most 2^-10 of their corners' difference, and set-up
+ * of quadratics rounds, too. */
+#define GLINT_LEAST_LIT 150
+
 /** @name What a vertex's flags say of its terms.
  * @{ */
 #define GLINT_VERTEX_UNFIT 0x8u     /**< It cannot be lit this way. */
-#define GLINT_VERTEX_DIM 0x10u      /**< N.L is not far above 0. */
+#define GLINT_VERTEX_DIM 0x10u      /**< N.L is below what highlights need. */
 #define GLINT_VERTEX_DARK 0x20u     /**< N.L is so far below 0 that rounding cannot light it. */
 #define GLINT_VERTEX_FAR 0x40u      /**< Beyond GLINT_FAST_REACH. */
 #define GLINT_VERTEX_OUTSIDE 0x100u /**< Beyond side 0 of the highlight's octagon; the other sides follow. */
@@ -72,10 +76,12 @@ typedef struct glint_fast_terms {
     int32_t ray_scale;     /* from 28.4 to a ray with z = 2^14, Q16 */
     /* Places are counted from one ray_limit to the other, so far; and the ray at the first. */
     uint32_t ray_right, ray_bottom, ray_span, ray_start;
-    int32_t wide_light[3];       /* Q30, half a step of Q15 included */
-    int32_t reach;               /* deviation, Q14, that a plane can hold */
-    uint32_t within;             /* the largest 2^n - 1 that is no more */
-    int32_t scale;               /* from a deviation, Q14, to a scaled one, whose square is the table's: Q16 */
+    int32_t wide_light[3]; /* Q30, half a step of Q15 included */
+    int32_t lit,
+        unlit;       /* N.L, Q14, from which on highlights add to what tables hold; up to which it is ambient light */
+    int32_t reach;   /* deviation, Q14, that a plane can hold */
+    uint32_t within; /* the largest 2^n - 1 that is no more */
+    int32_t scale;   /* from a deviation, Q14, to a scaled one, whose square is the table's: Q16 */
     int32_t scaled_half;         /* half a step of both, Q16 */
     uint32_t sides[2];           /* 2^15 less `side`, and less half of `side_diagonal`, in both halves of a word */
     int32_t turn, turn_specular; /* limits that keep the error small: glint_fast_fits */
@@ -89,6 +95,7 @@ typedef struct glint_fast_terms {
     uint32_t sine_square_end;    /* specular_end as sin^2, Q30 */
     int32_t ray_limit;           /* 28.4, from the centre */
     int32_t center_x, center_y;  /* of the screen, 28.4 */
+    int32_t lit_exactly;         /* as `lit`, Q15, of pixels that are gated one by one */
     uint32_t tables_sum;         /* glint_sum */
 } glint_fast_terms;
 
@@ -122,6 +129,11 @@ static inline uint32_t glint_spread_clamp(uint32_t word) {
 
 /** The weights of the one light that a material of fast lighting shows; 0 where it shows none. */
 const glint_weights *glint_weights_shown(const glint_shading *shading);
+
+/** Is it the larger of ambient light and all other, not the sum? */
+static inline int glint_takes_largest(const glint_shading *shading) {
+    return (shading->material->flags & GLINT_MATERIAL_MAX) != 0;
+}
 
 /** Can an object be lit this way? Its material is prepared. */
 int glint_fast_serves(const glint_frame *frame, const glint_object *object);

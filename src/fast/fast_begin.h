@@ -170,7 +170,7 @@ static inline glint_fast_kind glint_fast_begin(const glint_draw *draw, const gli
     const glint_vertex *const *v = triangle->corners;
     const uint32_t all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
     /* corners made by clipping are not lit */
-    if (!(all & GLINT_VERTEX_LIT) || any & GLINT_VERTEX_UNFIT || triangle->back)
+    if (!(all & GLINT_VERTEX_LIT) || any & GLINT_VERTEX_UNFIT)
         return GLINT_FAST_UNFIT;
     if (all & GLINT_VERTEX_DARK)
         return GLINT_FAST_AMBIENT;

@@ -230,18 +230,22 @@ glint_exact_kind glint_exact_begin(const glint_draw *draw, const glint_triangle 
     glint_exact_kind kind = GLINT_EXACT_DIFFUSE;
     int32_t cosine[3];
     exact_steps s;
-    if (triangle->back || glint_is_deep(triangle))
+    if (glint_is_deep(triangle))
         return GLINT_EXACT_UNFIT;
     for (int i = 0; i < 3; i++)
         cosine[i] = glint_shift_right(glint_dot(fast->light, triangle->corners[i]->attribute) + 0x4000, 15);
-    if (glint_most_of(cosine[0], cosine[1], cosine[2]) <= SURELY_UNLIT)
+    if (glint_most_of(cosine[0], cosine[1], cosine[2]) <= SURELY_UNLIT && fast->unlit > INT16_MIN)
         return GLINT_EXACT_AMBIENT;
+    if (triangle->corners[0]->flags & triangle->corners[1]->flags & triangle->corners[2]->flags & GLINT_VERTEX_UNFIT)
+        return GLINT_EXACT_UNFIT; /* nowhere is there a half vector */
     if (fast->specular_end) {
         kind = fast->local_viewer ? GLINT_EXACT_SPECULAR : find_infinite(fast, triangle);
         if (!limits->limit)
             return GLINT_EXACT_UNFIT;
     }
-    if (kind == GLINT_EXACT_UNFIT || !find_planes(triangle, &part->gradients, cosine, light))
+    light->is_dim = glint_least_of(cosine[0], cosine[1], cosine[2]) < fast->lit_exactly;
+    if (kind == GLINT_EXACT_UNFIT || (kind == GLINT_EXACT_SPECULAR && !fast->local_viewer && light->is_dim) ||
+        !find_planes(triangle, &part->gradients, cosine, light))
         return GLINT_EXACT_UNFIT;
     find_steps(light, &s);
     find_square(&light->square, &s, light->size);
@@ -379,6 +383,8 @@ glint_exact_kind glint_exact_bend(const glint_fast_terms *fast, const glint_tria
     /* 2 / |L + V| is Q15, and 1 straight before the light */
     square->is_small = (uint32_t)square->extent * (uint32_t)at.view.half_root >> 15 <= (uint32_t)limits->extent;
     const glint_exact_kind kind = find_local(fast, triangle, &at, margin);
+    if (kind == GLINT_EXACT_SPECULAR && light->is_dim)
+        return GLINT_EXACT_UNFIT;
     if (kind == GLINT_EXACT_SPECULAR)
         find_bent(limits, &at, square->x - glint_shift_right(part->window.left, 4) + part->x,
                   square->y - glint_shift_right(part->window.top, 4) + part->y, light);

@@ -32,6 +32,7 @@ typedef struct glint_exact_light {
     glint_plane cosine;     /* M.L, Q30 */
     glint_quadratic square; /* M.M, Q32, less 1/4: from 0 to below 3/4 */
     glint_quadratic x, y;   /* deviation over w, scaled, Q30 */
+    int is_dim;             /* somewhere highlights do not just add to what tables hold */
     int32_t size;           /* the steps of M take this and 14 bits, and a sign */
 } glint_exact_light;
 

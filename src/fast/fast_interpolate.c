@@ -284,8 +284,7 @@ glint_exact_kind glint_interpolate_begin(const glint_draw *draw, const glint_tri
     const glint_vertex *const *v = triangle->corners;
     const uint32_t all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
     int32_t turn, change;
-    if (!(all & GLINT_VERTEX_LIT) || any & GLINT_VERTEX_UNFIT || triangle->back ||
-        triangle->area < GLINT_POLYNOMIAL_LEAST_AREA ||
+    if (!(all & GLINT_VERTEX_LIT) || any & GLINT_VERTEX_UNFIT || triangle->area < GLINT_POLYNOMIAL_LEAST_AREA ||
         glint_slenderness(&part->gradients, triangle->area) > GLINT_SLENDER ||
         !find_edges(triangle, to->edges, &turn, &change) ||
         turn + (change * change >> 14) > fast->exact.turn >> (triangle->area > fast->exact.large))

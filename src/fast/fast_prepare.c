@@ -18,6 +18,12 @@
 #define SPARED 32
 #define SPARED_SPECULAR 64
 
+/* N.L, Q14, at which rounding cannot light what faces away. */
+#define UNLIT (-8)
+
+/* N.L, Q14, that highlights may need: where it is more, too many triangles are lit one by one. */
+#define MOST_LIT (1 << 13)
+
 /* ---- Tables ---- */
 
 static uint32_t largest_weight(const uint32_t weight[3]) {
@@ -41,11 +47,30 @@ static int has_simple_light(const glint_scene *scene, const glint_shading *shadi
            (!(shading->lights & (shading->lights - 1)) && !scene->lights[shown_light(shading)].type->illuminate);
 }
 
+/*
+ * N.L, Q14, from which on a highlight adds to diffuse light: where that is above 0 everywhere, and where the larger of
+ * all light and ambient light is taken, no less than ambient light in all channels. @return INT16_MAX where it never is
+ */
+static int32_t find_lit(const glint_shading *shading) {
+    const glint_weights *const weights = glint_weights_shown(shading);
+    int32_t most = GLINT_LEAST_LIT;
+    if (!glint_takes_largest(shading) || !shading->has_specular)
+        return most;
+    for (int c = 0; c < 3; c++) {
+        const uint32_t ambient = shading->ambient[c] < 1u << 23 ? shading->ambient[c] : 1u << 23, /* Q23 */
+            diffuse = weights->diffuse[c] << 11, here = diffuse > ambient ? (ambient << 7) / (diffuse >> 7) : INT16_MAX;
+        most = ambient ? glint_most(most, (int32_t)here + GLINT_LEAST_LIT) : most;
+    }
+    return glint_least(most, INT16_MAX);
+}
+
 static int serves(const glint_frame *frame, const glint_shading *shading, const glint_object *object) {
     const glint_material *material = object->material;
     return has_simple_light(frame->scene, shading) && !frame->config.gamma &&
            (!object->evaluation || object->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS) &&
-           !glint_has_colours(object->mesh) && material->flags == 0 &&
+           !glint_has_colours(object->mesh) &&
+           !(material->flags & ~(uint32_t)(GLINT_MATERIAL_MAX | GLINT_MATERIAL_UNGATED)) &&
+           find_lit(shading) <= MOST_LIT &&
            (material->model->lobe == GLINT_LOBE_NONE ||
             (material->model->lobe == GLINT_LOBE_HALF_VECTOR && material->shininess >= 2 * GLINT_ONE));
 }
@@ -237,6 +262,9 @@ static glint_status prepare_material(glint_frame *frame, glint_shading *shading)
     prepare_light(fast, frame->view, shading);
     glint_fast_prepare_ambient(fast, shading);
     prepare_highlight(fast, shading);
+    fast->lit = find_lit(shading);
+    fast->lit_exactly = shading->material->flags ? 2 * fast->lit : INT16_MIN;
+    fast->unlit = fast->specular_end && shading->material->flags & GLINT_MATERIAL_UNGATED ? INT16_MIN : UNLIT;
     find_limits(frame, fast, shading);
     glint_exact_prepare(fast, frame, shading);
     return GLINT_OK;

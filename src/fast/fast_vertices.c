@@ -8,13 +8,6 @@
  */
 #include "fast.h"
 
-/* N.L, Q14, that is above 0 at every pixel: planes are off by at most 2^-10 of their corners' difference, and set-up of
- * quadratics rounds, too. */
-#define LIT 150
-
-/* N.L, Q14, at which rounding cannot light what faces away. */
-#define UNLIT (-8)
-
 /* 1/w from which on no rounding takes its plane below 0, whatever it is at the other corners. */
 #define NOT_DEEP (1 << 21)
 
@@ -95,8 +88,8 @@ static inline int32_t find_cosine(const int32_t light[3], const int16_t normal[3
 /* Finds a vertex's terms: N.L, Q14, and its scaled deviation. @return flags */
 static inline uint32_t light_vertex(const glint_fast_terms *fast, const glint_vertex *vertex, int16_t terms[3]) {
     const int32_t cosine = glint_shift_right(find_cosine(fast->long_light, vertex->attribute), 16);
-    const uint32_t dark = cosine <= UNLIT && vertex->inverse_w >= NOT_DEEP ? GLINT_VERTEX_DARK : 0;
-    const uint32_t flags = cosine >= LIT ? 0 : GLINT_VERTEX_DIM | dark;
+    const uint32_t dark = cosine <= fast->unlit && vertex->inverse_w >= NOT_DEEP ? GLINT_VERTEX_DARK : 0;
+    const uint32_t flags = cosine >= fast->lit ? 0 : GLINT_VERTEX_DIM | dark;
     terms[0] = (int16_t)(cosine > GLINT_UNIT / 2 ? GLINT_UNIT / 2 : cosine);
     if (fast->local_viewer) {
         int16_t half_vector[3];

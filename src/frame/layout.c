@@ -52,11 +52,6 @@ static void transform_fetched(const glint_transform *transform, const glint_mesh
 
 /* ---- Normals ---- */
 
-/* What lights the triangles of a draw once their normals are in an array. */
-static glint_light_triangle *light_of(const glint_frame *frame, const glint_draw *draw) {
-    return draw->terms ? frame->config.format->fast->light : draw->evaluation->light;
-}
-
 /* Puts the normals that are not known yet into an array of their own for as long as the triangle is lit: after that
  * they are. Until then no flag but that of clipping is set, and their numbers stand in attribute[0]. */
 static void light_fetched(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
@@ -75,7 +70,7 @@ static void light_fetched(const glint_frame *frame, glint_draw *draw, const glin
         vertex->attribute[0] = (int16_t)corner;
     }
     draw->normals = (const int16_t(*)[3])fetched;
-    light_of(frame, draw)(frame, draw, transform, triangle);
+    glint_light_of(frame, draw)(frame, draw, transform, triangle);
     draw->normals = 0;
 }
 

@@ -76,13 +76,10 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
     if (evaluation->lit_at == GLINT_LIT_AT_FACETS)
         draw->facets = glint_take(&frame->memory, triangles * sizeof *draw->facets);
     draw->evaluation = evaluation;
-    draw->light = evaluation->light;
-    draw->kernel = evaluation->kernel;
-    if (is_fast(frame, object)) {
+    if (is_fast(frame, object))
         draw->terms = glint_take(&frame->memory, vertices * sizeof *draw->terms);
-        draw->light = frame->config.format->fast->light;
-        draw->kernel = frame->config.format->fast->draw;
-    }
+    draw->light = glint_light_of(frame, draw);
+    draw->kernel = glint_kernel_of(frame, draw);
     draw->shading = glint_shading_of(frame, object->material);
     draw->unreached = find_unreached(frame, object, draw->shading->lights);
     if (evaluation->nodes)
@@ -105,6 +102,8 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
         draw->light = object->mesh->layout->normals.type->stage->light;
     draw->mirrored = transform->mirrored;
     draw->double_sided = (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
+    if (draw->double_sided && draw->light && evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS)
+        draw->kernel = glint_draw_sides;
     frame->has_costly = !GLINT_SMALL && (draw->is_costly || (last && frame->has_costly));
     if (last)
         last->next = draw;

@@ -19,9 +19,8 @@ typedef void drawer(const colour_source *from, const glint_run *run);
 struct colour_source {
     glint_gathering to; /* of runs that are gathered; of others it has no shader */
     drawer *draw_run;
-    const glint_triangle *triangle; /* of gather_run: */
-    const int16_t *const *main;     /* its corners' attributes, normals negated or not; */
-    int is_negated;
+    const glint_triangle *triangle;  /* of gather_run: */
+    const int16_t *const *main;      /* its corners' attributes */
     const glint_quadratic *channels; /* of draw_channel_run */
     int is_deep;
 };
@@ -56,8 +55,7 @@ static void draw_channel_run(const colour_source *from, const glint_run *run) {
 static void gather_run(const colour_source *from, const glint_run *run) {
     const glint_part *part = from->to.part;
     if (!from->to.fragments->attributes)
-        glint_gathering_begin(&from->to, from->triangle, from->main, from->is_negated,
-                              &from->to.workspace->gathered->attributes);
+        glint_gathering_begin(&from->to, from->triangle, from->main, &from->to.workspace->gathered->attributes);
     const uint32_t end = (uint32_t)run->x + run->count;
     int32_t inverse_w = glint_plane_at(&part->depth, part->x + run->x, part->y + run->y);
     for (uint32_t column = run->x; column < end && GLINT_SMALL; column++)
@@ -122,11 +120,11 @@ void glint_draw_facet(const glint_frame *frame, glint_workspace *workspace, cons
 /* Draws fragments that are coloured one by one. */
 static void draw_fragments(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                            const glint_triangle *triangle, const glint_part *part, const int16_t *const main[3],
-                           int is_negated, glint_shader *shade) {
+                           glint_shader *shade) {
     const int is_deep = GLINT_SMALL || glint_is_deep(triangle);
     glint_fragments *const fragments = &workspace->gathered->fragments;
     const colour_source from = {
-        {frame, workspace, part, draw, shade, fragments}, gather_run, triangle, main, is_negated, 0, is_deep};
+        {frame, workspace, part, draw, shade, fragments}, gather_run, triangle, main, 0, is_deep};
     fragments->count = 0;
     fragments->attributes = 0;
     const uint32_t covered = draw_runs(&from);
@@ -138,7 +136,7 @@ void glint_draw_any(const glint_frame *frame, glint_workspace *workspace, const 
                     const glint_triangle *triangle, const glint_part *part) {
     const glint_vertex *const *v = triangle->corners;
     const int16_t *const normals[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
-    draw_fragments(frame, workspace, draw, triangle, part, normals, triangle->back, glint_shade);
+    draw_fragments(frame, workspace, draw, triangle, part, normals, glint_shade);
 }
 
 /* ---- Colours at corners ---- */
@@ -273,7 +271,7 @@ void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const 
     lit_colours own;
     const lit_colours *const lit = find_lit(frame, workspace, triangle, part, colour, &own);
     if (lit->how == FITS_NOTHING) {
-        draw_fragments(frame, workspace, draw, triangle, part, colour, 0, resolve);
+        draw_fragments(frame, workspace, draw, triangle, part, colour, resolve);
         return;
     }
     if (!GLINT_SMALL && format->draw_channels && !frame->config.gamma) {

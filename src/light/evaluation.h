@@ -4,6 +4,7 @@
 #define GLINT_EVALUATION_H
 
 #include "../geometry/draw.h"
+#include "../pixel/format.h"
 #include "shading.h"
 
 /** Where colours are found. */
@@ -19,6 +20,9 @@ typedef struct glint_node_stage {
     size_t size; /* bytes that what a material makes of the lights takes */
 } glint_node_stage;
 
+/** Most numbers that a vertex keeps of its light: of eight lights six each, and what all have. */
+#define GLINT_KEPT_MAX 59
+
 struct glint_evaluation {
     glint_lit_at lit_at;
     glint_light_triangle *light; /* what comes before a triangle is drawn */
@@ -26,8 +30,21 @@ struct glint_evaluation {
     const glint_node_stage *nodes; /* or null */
 };
 
+/** What lights the triangles of a draw before they are drawn, and what draws them: fast lighting, where it has terms.
+ */
+static inline glint_light_triangle *glint_light_of(const glint_frame *frame, const glint_draw *draw) {
+    return draw->terms ? frame->config.format->fast->light : draw->evaluation->light;
+}
+
+static inline glint_kernel *glint_kernel_of(const glint_frame *frame, const glint_draw *draw) {
+    return draw->terms ? frame->config.format->fast->draw : draw->evaluation->kernel;
+}
+
 /** The kernel for everything: fragments that pass the depth test are lit. */
 glint_kernel glint_draw_any;
+
+/** The kernel of double-sided objects that are lit at fragments or nodes: either side by the draw's own. */
+glint_kernel glint_draw_sides;
 
 /** Kernels of triangles of one colour, and of those with colours at their corners. */
 glint_kernel glint_draw_facet, glint_draw_unlit, glint_draw_lit;

@@ -10,20 +10,19 @@ static int32_t over_w(int32_t attribute, uint32_t w) {
     return attribute * (int32_t)(w >> 16) + glint_shift_right(attribute * (int32_t)(w & 0xffff), 16);
 }
 
-/* Planes of three attributes of 16 bits over w 2^-up; negated, normals are those of the back. */
+/* Planes of three attributes of 16 bits over w 2^-up. */
 static void triple(glint_plane planes[3], const glint_gradients *g, const glint_triangle *triangle, unsigned up,
-                   const int16_t *const attribute[3], int is_negated) {
+                   const int16_t *const attribute[3]) {
     for (int c = 0; c < 3; c++) {
         int32_t scaled[3];
         for (int i = 0; i < 3; i++)
-            scaled[i] = over_w(is_negated ? -attribute[i][c] : attribute[i][c],
-                               (uint32_t)triangle->corners[i]->inverse_w << up);
+            scaled[i] = over_w(attribute[i][c], (uint32_t)triangle->corners[i]->inverse_w << up);
         glint_plane_begin(&planes[c], g, scaled[0], scaled[1], scaled[2]);
     }
 }
 
 void glint_gathering_begin(const glint_gathering *gathering, const glint_triangle *triangle,
-                           const int16_t *const main[3], int is_negated, glint_attributes *attributes) {
+                           const int16_t *const main[3], glint_attributes *attributes) {
     const glint_gradients *g = &gathering->part->gradients;
     glint_fragments *fragments = gathering->fragments;
     const unsigned up = glint_find_room(triangle->corners);
@@ -32,9 +31,9 @@ void glint_gathering_begin(const glint_gathering *gathering, const glint_triangl
     fragments->attributes = attributes;
     fragments->scale = up;
     fragments->away = triangle->away;
-    triple(attributes->main, g, triangle, up, main, is_negated);
+    triple(attributes->main, g, triangle, up, main);
     if (gathering->draw->extra)
-        triple(attributes->extra, g, triangle, up, triangle->extra, 0);
+        triple(attributes->extra, g, triangle, up, triangle->extra);
 }
 
 /* Colours of fragments in levels: each takes the place of its colour. */

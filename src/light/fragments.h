@@ -52,10 +52,9 @@ typedef struct glint_gathering {
 
 /**
  * Begins with no fragments of a triangle whose planes are made of `main`, and of its extra attributes if it has some.
- * @param is_negated normals are those of the back
  */
 void glint_gathering_begin(const glint_gathering *gathering, const glint_triangle *triangle,
-                           const int16_t *const main[3], int is_negated, glint_attributes *attributes);
+                           const int16_t *const main[3], glint_attributes *attributes);
 
 /** Lights the fragments gathered so far, and stores them by runs. */
 void glint_gathering_store(const glint_gathering *gathering);

@@ -87,10 +87,10 @@ static uint32_t find_surface(const glint_triangle *triangle, glint_candidate *t)
     return (uint32_t)apart >> 3;
 }
 
-/* Do a triangle's corners keep light, of the side that is seen? */
+/* Do a triangle's corners keep light? */
 static int is_lit_at_corners(const glint_triangle *triangle) {
     const glint_vertex *const *v = triangle->corners;
-    return v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_LIT && !triangle->back;
+    return v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_LIT;
 }
 
 glint_reach glint_find_reach(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle) {

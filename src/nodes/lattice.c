@@ -271,7 +271,7 @@ int glint_draw_lattice(const glint_frame *frame, glint_workspace *workspace, con
         return 0;
     w.gathering = (glint_gathering){frame, workspace, part, draw, glint_shade, &workspace->gathered->fragments};
     w.triangle = triangle;
-    glint_gathering_begin(&w.gathering, triangle, normals, triangle->back, &w.attributes);
+    glint_gathering_begin(&w.gathering, triangle, normals, &w.attributes);
     w.largest = find_largest(part, &w.attributes, draw->extra != 0);
     if (!w.largest)
         return 0;
@@ -297,7 +297,7 @@ void glint_draw_edges(const glint_frame *frame, glint_workspace *workspace, cons
     for (const glint_run *run = runs; run != end; run++) {
         const uint32_t found = glint_terms_find_edge(terms, polynomials, part, run, columns);
         if (found && !has_begun) {
-            glint_gathering_begin(&gathering, triangle, normals, triangle->back, &attributes);
+            glint_gathering_begin(&gathering, triangle, normals, &attributes);
             gathering.fragments->away = ~(uint32_t)terms->shown;
         }
         has_begun |= found != 0;

@@ -57,8 +57,6 @@ static void gather_piece(const pieces *p, int32_t j, int32_t k, glint_fragments 
         normal[c] = 0;
         for (int n = 0; n < 3; n++)
             normal[c] += weight[n] * glint_shift_right(v[n]->attribute[c] * w[n], 2);
-        if (p->triangle->back)
-            normal[c] = -normal[c];
     }
     glint_unit_each(normal[0], normal[1], normal[2], to->normal[i]);
     if (!p->draw->extra)

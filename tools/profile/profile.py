@@ -28,7 +28,7 @@ STAGES = {
     "nodes": ["nodes", "lobes", "point", "corners", "middles", "terms", "bound", "sort", "fit", "lengths", "cells", "pieces", "per_node",
               "lattice"],
     "rows": ["rows", "row_lights"],
-    "shade": ["shade", "draw", "colour", "fragments", "per_fragment", "specular", "blinn_phong", "model", "fast",
+    "shade": ["shade", "backs", "draw", "colour", "fragments", "per_fragment", "specular", "blinn_phong", "model", "fast",
               "fast_begin", "fast_exact", "fast_exact565", "fast_interpolate", "fast_draw565", "fast_rgb565", "polynomial"],
     "pixel": ["pixel_rgb565", "pixel", "fast_spans565"],
     "clear": ["tile", "pixel_rgb565:fill_rgb565"],
