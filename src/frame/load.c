@@ -102,8 +102,8 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
         draw->light = object->mesh->layout->normals.type->stage->light;
     draw->mirrored = transform->mirrored;
     draw->double_sided = (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
-    if (draw->double_sided && draw->light && evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS)
-        draw->kernel = glint_draw_sides;
+    if (draw->double_sided && draw->light && evaluation->sides)
+        draw->kernel = draw->terms ? glint_per_fragment.sides : evaluation->sides;
     frame->has_costly = !GLINT_SMALL && (draw->is_costly || (last && frame->has_costly));
     if (last)
         last->next = draw;

@@ -20,13 +20,10 @@ typedef struct glint_node_stage {
     size_t size; /* bytes that what a material makes of the lights takes */
 } glint_node_stage;
 
-/** Most numbers that a vertex keeps of its light: of eight lights six each, and what all have. */
-#define GLINT_KEPT_MAX 59
-
 struct glint_evaluation {
     glint_lit_at lit_at;
-    glint_light_triangle *light; /* what comes before a triangle is drawn */
-    glint_kernel *kernel;
+    glint_light_triangle *light;   /* what comes before a triangle is drawn */
+    glint_kernel *kernel, *sides;  /* and of double-sided objects: null where colours of both sides are known */
     const glint_node_stage *nodes; /* or null */
 };
 
@@ -43,7 +40,7 @@ static inline glint_kernel *glint_kernel_of(const glint_frame *frame, const glin
 /** The kernel for everything: fragments that pass the depth test are lit. */
 glint_kernel glint_draw_any;
 
-/** The kernel of double-sided objects that are lit at fragments or nodes: either side by the draw's own. */
+/** The kernel of double-sided objects: fragments, or fast lighting. */
 glint_kernel glint_draw_sides;
 
 /** Kernels of triangles of one colour, and of those with colours at their corners. */

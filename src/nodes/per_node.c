@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Lighting at nodes: a triangle by polynomials through its own, by those of the lattice's cells, or by fragments. */
-#include "../light/evaluation.h"
+#include "../light/backs.h"
 #include "../pixel/format.h"
 #include "../raster/found.h"
 #include "rows.h"
@@ -61,6 +61,22 @@ static void draw_nodes(const glint_frame *frame, glint_workspace *workspace, con
         draw_in_parts(frame, workspace, draw, triangle, part, reach);
 }
 
+/* Of double-sided objects. */
+static GLINT_NOINLINE void draw_node_back(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                                          const glint_triangle *triangle, const glint_part *part) {
+    int16_t nodes[3 * GLINT_KEPT_MAX];
+    glint_draw_back(frame, workspace, draw, triangle, part, nodes);
+}
+
+static void draw_node_sides(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
+                            const glint_triangle *triangle, const glint_part *part) {
+    if (triangle->back)
+        draw_node_back(frame, workspace, draw, triangle, part);
+    else
+        draw_nodes(frame, workspace, draw, triangle, part);
+}
+
 static const glint_node_stage stage = {glint_terms_prepare, glint_terms_measure, sizeof(glint_light_terms)};
 
-const glint_evaluation glint_per_node = {GLINT_LIT_AT_FRAGMENTS, glint_terms_light, draw_nodes, &stage};
+const glint_evaluation glint_per_node = {GLINT_LIT_AT_FRAGMENTS, glint_terms_light, draw_nodes, draw_node_sides,
+                                         &stage};

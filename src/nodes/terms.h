@@ -304,7 +304,8 @@ enum {
     GLINT_KEPT_OUTSIDE,
     GLINT_KEPT_LEVELS,
     GLINT_KEPT_SHINE, /* three channels */
-    GLINT_KEPT = GLINT_KEPT_SHINE + 3
+    GLINT_KEPT = GLINT_KEPT_SHINE + 3,
+    GLINT_KEPT_MAX = 3 + GLINT_KEPT + GLINT_NUMBERS * GLINT_LIGHTS_MAX /* most numbers that it keeps */
 };
 
 /** Bytes that a vertex keeps of light in a material. @return 0 where terms do not fit it, or none are wanted */
