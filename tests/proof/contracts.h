@@ -12,6 +12,7 @@
 #include "../../src/light/colour.h"
 #include "../../src/light/evaluation.h"
 #include "../../src/pixel/format.h"
+#include "../../src/raster/runs.h"
 
 /* A component of a unit vector: up to 32764 + 2.3. a . b of two, one of which may be a vertex's normal: up to 2^15
  * (32764 + 2.3). */
@@ -212,6 +213,12 @@ void glint_finish_colours(const glint_config *config, int32_t (*colour)[3], uint
     assigns fragments->colour[0 .. 8][0 .. 2] \from indirect: *frame, indirect: *fragments, indirect: *draw;
     ensures LIT(0) && LIT(1) && LIT(2) && LIT(3) && LIT(4) && LIT(5) && LIT(6) && LIT(7) && LIT(8); */
 void glint_shade(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw);
+
+/* Stands on spans inside their tile, as PROOF(glint_is_visible) takes them. The image tests under ASan. */
+/*@ requires \valid_read(part);
+    assigns \result \from indirect: *frame, indirect: *workspace, indirect: *part;
+    ensures \result == 0 || \result == 1; */
+static inline int glint_is_visible(const glint_frame *frame, const glint_workspace *workspace, const glint_part *part);
 
 /*@ requires \valid(transform) && \valid_read(view) && \valid_read(config) && \valid_read(object);
     assigns \result, *transform \from indirect: *view, indirect: *config, indirect: *object;

@@ -116,14 +116,14 @@ PROOF(gather_run) {
     static glint_gathered gathered;
     static const int16_t normals[3][3];
     const int16_t *const main[3] = {normals[0], normals[1], normals[2]};
-    const glint_triangle triangle = {.back = 0};
+    const glint_triangle triangle = {.number = 0};
     glint_workspace workspace = {.gathered = &gathered};
     glint_fragments *const fragments = &gathered.fragments;
     glint_draw draw;
     glint_frame frame;
     glint_part part;
     const colour_source from = {
-        {&frame, &workspace, &part, &draw, glint_shade, fragments}, gather_run, &triangle, main, ANY(0, 1)};
+        {&frame, &workspace, &part, &draw, glint_shade, fragments}, gather_run, &triangle, main};
     any_small_tile(&frame, &part);
     FOR_PARTS(before, -1, GLINT_FRAGMENTS_MAX - 1) {
         FOR_PARTS(first, 0, WIDTH - 1) {
@@ -193,7 +193,7 @@ static void any_triangle(int16_t least) {
     triangle.number = ANY_UNSIGNED(0, UINT16_MAX);
 }
 
-/* Corners of any normals and 1/w, seen from both sides. @contract glint_gathering_store draw_runs */
+/* Corners of any normals and 1/w. @contract glint_gathering_store draw_runs */
 PROOF(glint_draw_any) {
     static glint_draw draw;
     static glint_frame frame;

@@ -68,6 +68,13 @@ PROOF(glint_fast_prepare_ambient) {
     glint_fast_prepare_ambient(&fast, &shading);
 }
 
+/* Any ambient and diffuse light, sum and largest, highlights and none. @unreached 1 leading zeros of 0 */
+PROOF(find_lit) {
+    any_served();
+    const int32_t lit = find_lit(&shading);
+    /*@ assert GLINT_LEAST_LIT <= lit <= INT16_MAX; */
+}
+
 /* Any focal length. */
 PROOF(prepare_rays) {
     glint_frame frame;

@@ -74,6 +74,8 @@ static void any_deviation(int bits) {
     fast.sides[0] = ANY_UNSIGNED(0, UINT_MAX);
     fast.sides[1] = ANY_UNSIGNED(0, UINT_MAX);
     fast.specular_end = ANY_UNSIGNED(0, 1024) << 15;
+    fast.lit = ANY(GLINT_LEAST_LIT, INT16_MAX);
+    fast.unlit = ANY(INT16_MIN, 0);
 }
 
 /*
@@ -189,7 +191,6 @@ PROOF(glint_fast_begin) {
     static glint_part part;
     static glint_fast_planes planes;
     glint_triangle triangle = {{&vertices[0], &vertices[1], &vertices[2]}, {0, 0, 0}, 0, 1, 0};
-    triangle.back = ANY(0, 1);
     FOR_PARTS(narrow, 0, 1) {
         any_part(&part, narrow);
         FOR_PARTS(i, -8, 7) {

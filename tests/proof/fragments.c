@@ -28,8 +28,7 @@ static glint_triangle triangle;
         corners[2].inverse_w = ANY(is_last ? (int32_t)((1u << bits) / 2) : 64, (int32_t)((1u << bits) - 1)), 1)
 
 /*
- * Corners of any normals, 1/w by the bits of the largest, first or last; seen from both sides, with colours of their
- * own and without.
+ * Corners of any normals, 1/w by the bits of the largest, first or last; with colours of their own and without.
  * @contract glint_plane_begin
  * @unreached 2 leading zeros of 0
  */
@@ -54,9 +53,9 @@ PROOF(glint_gathering_begin) {
     else
         any_narrow(&part.gradients);
     FOR_CORNERS(bits) {
-        FOR_PARTS(kind, 0, 3) {
-            draw.extra = kind & 1 ? extra : 0;
-            glint_gathering_begin(&gathering, &triangle, main, kind >> 1, &attributes);
+        FOR_PARTS(has_extra, 0, 1) {
+            draw.extra = has_extra ? extra : 0;
+            glint_gathering_begin(&gathering, &triangle, main, &attributes);
             /*@ assert fragments.scale <= 30; */
         }
     }

@@ -12,11 +12,11 @@
 /*@ requires \valid_read(gathering) && \valid(gathering->fragments) && \valid_read(gathering->part);
     requires \valid_read(gathering->draw) && \valid_read(triangle) && \valid_read(main + (0 .. 2));
     requires \valid(attributes);
-    assigns *gathering->fragments, *attributes \from *gathering, *triangle, main[0 .. 2], is_negated;
+    assigns *gathering->fragments, *attributes \from *gathering, *triangle, main[0 .. 2];
     ensures gathering->fragments->count == 0 && gathering->fragments->scale <= 30;
     ensures gathering->fragments->part == gathering->part && gathering->fragments->attributes == attributes; */
 void glint_gathering_begin(const glint_gathering *gathering, const glint_triangle *triangle,
-                           const int16_t *const main[3], int is_negated, glint_attributes *attributes);
+                           const int16_t *const main[3], glint_attributes *attributes);
 
 /*@ requires \valid_read(gathering) && \valid(gathering->fragments);
     requires gathering->fragments->count <= GLINT_FRAGMENTS_MAX;

@@ -3,6 +3,7 @@
 #include "proof.h"
 
 #include "../../src/nodes/lattice.c"
+#include "contracts.h"
 
 /*
  * Not proven: glint_draw_lattice, draw_cells, draw_cell, draw_eight, begin_cell, begin_quarter, begin_square,
@@ -14,20 +15,10 @@
  * Not proven: draw_nodes, draw_terms, draw_batch, glint_terms_draw_part: runs of rows, of which counts keep no more
  * than two rows hold. Suites `nodes` and `identity` under ASan and UBSan, and fuzzing.
  */
-/*
- * Not proven: glint_is_visible: spans of a part, as glint_find_near_runs walks them, whose driver stands for it. Suite
- * `nodes` and the image tests under ASan and UBSan.
- */
 
 static lattice_walk w;
 static glint_part part;
 static glint_attributes attributes;
-
-/* Stands on glint_find_near_runs, which walks the same pixels of a row. */
-/*@ requires \valid_read(part);
-    assigns \result \from indirect: *frame, indirect: *workspace, indirect: *part;
-    ensures \result == 0 || \result == 1; */
-static inline int glint_is_visible(const glint_frame *frame, const glint_workspace *workspace, const glint_part *part);
 
 /* Any spans, any square that begins in a tile, or as far before it as a cell is wide. @contract glint_is_visible */
 PROOF(cut_square) {

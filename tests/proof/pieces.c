@@ -37,7 +37,6 @@ static void any_triangle(void) {
         vertices[i].inverse_w = ANY(64, INT32_MAX);
         triangle.corners[i] = &vertices[i];
     }
-    triangle.back = ANY(0, 1);
 }
 
 /* Every node. */

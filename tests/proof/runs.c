@@ -70,6 +70,30 @@ PROOF(glint_hide_behind) {
     }
 }
 
+/* Any rows of a tile of 8 x 8, any spans, any 1/w on any plane. @narrowing planes are evaluated modulo 2^32 */
+PROOF(glint_is_visible) {
+    static uint16_t tile[WIDTH * WIDTH];
+    const glint_workspace workspace = {.depth = tile};
+    glint_frame frame;
+    glint_part part;
+    frame.tile_shift_x = 3;
+    part.depth = (glint_plane){ANY_INT, ANY_INT, ANY_INT};
+    part.x = ANY(-2047, 2047);
+    part.y = ANY(-2047, 2047);
+    for (int i = 0; i < WIDTH * WIDTH; i++)
+        tile[i] = (uint16_t)ANY(0, UINT16_MAX);
+    FOR_PARTS(bottom, 0, WIDTH) {
+        part.top = ANY_UNSIGNED(0, WIDTH);
+        part.bottom = (uint32_t)bottom;
+        for (int row = 0; row < WIDTH; row++) {
+            part.spans[row].left = (uint8_t)ANY(0, WIDTH);
+            part.spans[row].right = (uint8_t)ANY(0, WIDTH);
+        }
+        const int is_visible = glint_is_visible(&frame, &workspace, &part);
+        /*@ assert is_visible == 0 || is_visible == 1; */
+    }
+}
+
 /* Any rows of any spans. */
 PROOF(glint_covered_by) {
     glint_part part;
