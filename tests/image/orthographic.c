@@ -128,6 +128,32 @@ static void lights_keep_the_contract(void) {
     CHECK(all.judged > 100000);
 }
 
+/*
+ * Bounds of nodes do not know placed lights under parallel rays: fragments are lit one by one, also where such a light is
+ * the only one, or the last.
+ */
+static void placed_lights_leave_nodes_to_fragments(void) {
+    for (uint32_t number = 0; number < 3; number++) {
+        bench_scene b;
+        picture images[2];
+        bench_build_scene(&b, &bench_definitions[1], scene_bench_mesh(1), 3);
+        glint_light lights[2] = {b.scene.lights[0], b.scene.lights[0]};
+        lights[number == 1].type = &glint_light_point;
+        lights[number == 1].vector = (glint_vector){0, GLINT_ONE, b.object.pose.m[2][3] + 2 * GLINT_ONE};
+        b.scene.lights = lights;
+        b.scene.light_count = number ? 2 : 1;
+        make_parallel(&b.scene);
+        for (int is_node = 0; is_node < 2; is_node++) {
+            b.object.evaluation = is_node ? &glint_per_node : &glint_per_fragment;
+            images[is_node] = picture_open(WIDTH, HEIGHT, &glint_format_rgb888);
+            CHECK_EQUAL(picture_render(&images[is_node], &b.scene, NULL, NULL), GLINT_OK);
+        }
+        CHECK(picture_equal(&images[0], &images[1]));
+        picture_close(&images[0]);
+        picture_close(&images[1]);
+    }
+}
+
 /* ---- Depth ---- */
 
 static uint16_t depths[HEIGHT][WIDTH];
@@ -537,6 +563,7 @@ int test_main(test_writer write) {
         TEST_CASE(scenes_keep_the_contract),
         TEST_CASE(random_scenes_keep_the_contract),
         TEST_CASE(lights_keep_the_contract),
+        TEST_CASE(placed_lights_leave_nodes_to_fragments),
         TEST_CASE(depth_is_linear),
         TEST_CASE(tiles_arenas_and_regions_change_nothing),
         TEST_CASE(viewers_are_the_same),

@@ -384,6 +384,22 @@ static void split_bytes_are_refused(void) {
     wire_close(&line);
 }
 
+/* Of pixels of 12 bits, two are whole bytes, wherever they begin. */
+static void pairs_of_pixels_are_taken(void) {
+    static const uint8_t pixels[3];
+    wire line;
+    const glint_panel packed = {panels_find("st7789-240x240")->type, &line.bus, GLINT_PANEL_0, &glint_format_rgb444, 0};
+
+    wire_open(&line, "st7789-240x240", 0, 1);
+    CHECK_EQUAL(glint_panel_start(&packed), GLINT_OK);
+    for (int x = 0; x < 8; x += 2) {
+        CHECK_EQUAL(glint_panel_begin(&packed, x, 0, 2, 1, pixels, 3), GLINT_OK);
+        CHECK_EQUAL(glint_panel_wait(&packed), GLINT_OK);
+    }
+    CHECK_EQUAL(panel_model_all_complaints(line.model), 0);
+    wire_close(&line);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(patterns_arrive),
@@ -394,6 +410,7 @@ int test_main(test_writer write) {
         TEST_CASE(pixels_without_a_name_are_refused),
         TEST_CASE(windows_off_the_glass_are_refused),
         TEST_CASE(split_bytes_are_refused),
+        TEST_CASE(pairs_of_pixels_are_taken),
     };
 
     return test_run(write, cases, TEST_COUNT(cases));
