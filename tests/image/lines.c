@@ -329,6 +329,54 @@ static void pixels_are_those_of_the_rule(void) {
     CHECK_AT_MOST(close, 100);
 }
 
+/*
+ * Of parallel rays, all that a scene has may lie within 2^-16 of a unit: a line thousands of times that far behind it
+ * or before it still is, and is drawn there at the largest depth.
+ */
+static void lines_far_from_all_else_keep_their_side(void) {
+    static const int16_t corners[4][3] = {
+        {-32767, -32767, 0}, {32767, -32767, 0}, {32767, 32767, 0}, {-32767, 32767, 0}};
+    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    static const glint_mesh square = {.positions = corners,
+                                      .normals = corners,
+                                      .triangles = triangles,
+                                      .vertex_count = 4,
+                                      .triangle_count = 2,
+                                      .extent = {100 * GLINT_ONE, 100 * GLINT_ONE, 1}};
+    const drawing how = {.format = &glint_format_rgb888};
+    const glint_material paint = {.model = &glint_model_unlit};
+    const glint_pose at = glint_pose_identity();
+    const glint_config config = screen_of(WIDTH, HEIGHT);
+    picture image = open_picture(how.format);
+    for (int away = 40; away <= 12000; away += away / 7) {
+        const glint_object object = {
+            .mesh = &square, .material = &paint, .pose = glint_pose_translate(0, 0, -away * GLINT_ONE)};
+        const glint_scene flat = {
+            .camera = {.pose = at, .near_plane = 1, .projection = &glint_orthographic, .view_height = 100 * GLINT_ONE},
+            .objects = &object,
+            .object_count = 1};
+        for (int line = 1; line < 12; line++) {
+            const glint_q16 before = away * GLINT_ONE / 12 * line, behind = -(away + away * line / 8) * GLINT_ONE;
+            const glint_q16 z[2] = {-before, behind};
+            for (int is_behind = 0; is_behind < 2; is_behind++) {
+                const glint_line one = {{-9 * GLINT_ONE, 0, z[is_behind]}, {9 * GLINT_ONE, 0, z[is_behind]}, {0, 0, 0}};
+                glint_segment segment;
+                int wrong = 0;
+                CHECK_EQUAL(glint_lines_place(&segment, &config, &flat.camera, &at, &one, 1), GLINT_OK);
+                over.segments = &segment;
+                over.first = 0;
+                over.count = 1;
+                draw(&flat, &how, &over, &image);
+                for (int x = WIDTH / 2 - 5; x < WIDTH / 2 + 5; x++)
+                    wrong += is_behind ? over.after[HEIGHT / 2][x] != over.before[HEIGHT / 2][x]
+                                       : over.after[HEIGHT / 2][x] != 0xffff;
+                CHECK_EQUAL(wrong, 0);
+            }
+        }
+    }
+    picture_close(&image);
+}
+
 static void directions_and_copies_change_nothing(void) {
     const drawing how = {.format = &glint_format_grey8};
     for (uint32_t number = 1; number <= 20; number++) {
@@ -609,6 +657,7 @@ int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(ends_are_where_they_are),
         TEST_CASE(pixels_are_those_of_the_rule),
+        TEST_CASE(lines_far_from_all_else_keep_their_side),
         TEST_CASE(directions_and_copies_change_nothing),
         TEST_CASE(every_format_shows_their_colour),
         TEST_CASE(tiles_arenas_and_regions_change_nothing),

@@ -129,8 +129,8 @@ static void lights_keep_the_contract(void) {
 }
 
 /*
- * Bounds of nodes do not know placed lights under parallel rays: fragments are lit one by one, also where such a light is
- * the only one, or the last.
+ * Bounds of nodes do not know placed lights under parallel rays: fragments are lit one by one, also where such a light
+ * is the only one, or the last.
  */
 static void placed_lights_leave_nodes_to_fragments(void) {
     for (uint32_t number = 0; number < 3; number++) {
@@ -222,6 +222,47 @@ static void depth_is_linear(void) {
     }
     CHECK(seen > 40000);
     CHECK_EQUAL(wrong, 0);
+}
+
+/* Depths of a square across the axis between two others are rounded to the nearest; those of pixels are one more. */
+static void depth_is_rounded(void) {
+    static const int16_t corners[4][3] = {
+        {-32767, -32767, 0}, {32767, -32767, 0}, {32767, 32767, 0}, {-32767, 32767, 0}};
+    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    static const glint_mesh square = {.positions = corners,
+                                      .normals = corners,
+                                      .triangles = triangles,
+                                      .vertex_count = 4,
+                                      .triangle_count = 2,
+                                      .extent = {20 * GLINT_ONE, 20 * GLINT_ONE, 0}};
+    const glint_material paint = {.model = &glint_model_unlit};
+    double worst = 0;
+    for (int i = 0; i < 200; i++) {
+        const glint_q16 z[3] = {100 * GLINT_ONE, 100 * GLINT_ONE + 131072 * i + 977 * (i + 1), 700 * GLINT_ONE};
+        picture drawn = picture_open(WIDTH, HEIGHT, &glint_format_rgb565);
+        glint_config config = picture_config(&drawn, NULL);
+        glint_renderer renderer;
+        glint_object objects[3];
+        for (int k = 0; k < 3; k++)
+            objects[k] = (glint_object){
+                .mesh = &square, .material = &paint, .pose = glint_pose_translate((k - 1) * 40 * GLINT_ONE, 0, -z[k])};
+        const glint_scene scene = {.camera = {.pose = glint_pose_identity(),
+                                              .near_plane = GLINT_ONE,
+                                              .projection = &glint_orthographic,
+                                              .view_height = 100 * GLINT_ONE},
+                                   .objects = objects,
+                                   .object_count = 3};
+        config.overlay.paint = keep_depth;
+        config.arena_size = 1 << 20;
+        config.arena = malloc(config.arena_size);
+        CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
+        CHECK_EQUAL(glint_render(&renderer, &scene), GLINT_OK);
+        const double exact = 2 + 65533.0 * (z[2] - z[1]) / (z[2] - z[0]);
+        worst = fmax(worst, fabs(exact - depths[HEIGHT / 2][WIDTH / 2]));
+        free(config.arena);
+        picture_close(&drawn);
+    }
+    CHECK_AT_MOST((int)(1000 * worst), 500 + 100);
 }
 
 /* ---- The same bits ---- */
@@ -565,6 +606,7 @@ int test_main(test_writer write) {
         TEST_CASE(lights_keep_the_contract),
         TEST_CASE(placed_lights_leave_nodes_to_fragments),
         TEST_CASE(depth_is_linear),
+        TEST_CASE(depth_is_rounded),
         TEST_CASE(tiles_arenas_and_regions_change_nothing),
         TEST_CASE(viewers_are_the_same),
         TEST_CASE(turned_objects_need_no_more),

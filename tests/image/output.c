@@ -224,11 +224,32 @@ static void tables_apply_and_stay_monotone(void) {
     picture_close(&image);
 }
 
+/* However a scene is lit, all that is drawn goes through the tables: where these are 0, it is black. */
+static void tables_apply_to_every_evaluation(void) {
+    static const glint_evaluation *const evaluations[] = {&glint_per_fragment, &glint_per_node, &glint_per_vertex,
+                                                          &glint_per_facet};
+    static const gamma_tables tables;
+    const picture_options options = {.gamma = tables};
+    picture image = picture_open(160, 120, &glint_format_rgb888);
+    for (unsigned i = 0; i < 4 * scene_count; i++) {
+        test_scene scene;
+        int lit = 0;
+        scene_build(&scene, &scene_definitions[i / 4]);
+        for (uint32_t k = 0; k < scene.scene.object_count; k++)
+            scene.objects[k].evaluation = evaluations[i % 4];
+        CHECK_EQUAL(picture_render(&image, &scene.scene, &options, NULL), GLINT_OK);
+        for (size_t k = 0; k < image.size; k++)
+            lit += image.bytes[k] != 0;
+        CHECK_EQUAL(lit, 0);
+    }
+    picture_close(&image);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(blocks_mean_their_colour),       TEST_CASE(thresholds_are_bayers),
         TEST_CASE(dithered_alike_for_every_tile),  TEST_CASE(identity_table_changes_nothing),
-        TEST_CASE(tables_apply_and_stay_monotone),
+        TEST_CASE(tables_apply_and_stay_monotone), TEST_CASE(tables_apply_to_every_evaluation),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

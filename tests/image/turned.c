@@ -201,6 +201,81 @@ static void sizes_need_the_same(void) {
     picture_close(&image);
 }
 
+/* An edge is as long whichever of its mesh's axes are which. */
+static void axes_need_the_same(void) {
+    static const int16_t corners[3][3] = {{-32767, -20000, 1000}, {-30000, 32767, 0}, {-25000, 9000, 32767}};
+    static const uint16_t triangles[1][3] = {{0, 1, 2}};
+    const glint_material paint = {.model = &glint_model_unlit};
+    picture image = picture_open(320, 320, &glint_format_rgb565);
+    const glint_config config = picture_config(&image, &(picture_options){.tile_width = 8, .tile_height = 8});
+    glint_need first = {0};
+    for (int turn = 0; turn < 3; turn++) {
+        int16_t turned[3][3];
+        for (int i = 0; i < 3; i++)
+            for (int c = 0; c < 3; c++)
+                turned[i][c] = corners[i][(c + turn) % 3];
+        const glint_mesh mesh = {.positions = (const int16_t(*)[3])turned,
+                                 .normals = (const int16_t(*)[3])turned,
+                                 .triangles = triangles,
+                                 .vertex_count = 3,
+                                 .triangle_count = 1,
+                                 .extent = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
+        const glint_object object = {
+            .mesh = &mesh, .material = &paint, .pose = glint_pose_translate(0, 0, -8 * GLINT_ONE)};
+        const glint_scene scene = {
+            .camera = {.pose = glint_pose_identity(), .field_of_view = 50 * GLINT_ONE, .near_plane = GLINT_ONE / 8},
+            .objects = &object,
+            .object_count = 1};
+        glint_need bound = {0};
+        CHECK_EQUAL(glint_arena_need_turned(&config, &scene, &bound), GLINT_OK);
+        first = turn ? first : bound;
+        CHECK_EQUAL(bound.one_pass, first.one_pass);
+    }
+    picture_close(&image);
+}
+
+/* Squares that all lie in one quarter of the tiles need as much in each, and are transformed once a frame there. */
+static void quarters_need_the_same(void) {
+    static const int16_t corners[4][3] = {
+        {-32767, -32767, 0}, {32767, -32767, 0}, {32767, 32767, 0}, {-32767, 32767, 0}};
+    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    static const glint_mesh square = {.positions = corners,
+                                      .normals = corners,
+                                      .triangles = triangles,
+                                      .vertex_count = 4,
+                                      .triangle_count = 2,
+                                      .extent = {28 * GLINT_ONE, 28 * GLINT_ONE, GLINT_ONE}};
+    const glint_material paint = {.model = &glint_model_unlit};
+    picture image = picture_open(64, 256, &glint_format_rgb565);
+    picture_options options = {.tile_width = 8, .tile_height = 8};
+    glint_config config = picture_config(&image, &options);
+    glint_object objects[OBJECTS_MAX];
+    const glint_scene scene = {.camera = {.pose = glint_pose_identity(),
+                                          .near_plane = GLINT_ONE,
+                                          .projection = &glint_orthographic,
+                                          .view_height = 256 * GLINT_ONE},
+                               .objects = objects,
+                               .object_count = OBJECTS_MAX};
+    glint_need first = {0};
+    for (int quarter = 0; quarter < 4; quarter++) {
+        for (int i = 0; i < OBJECTS_MAX; i++)
+            objects[i] =
+                (glint_object){.mesh = &square,
+                               .material = &paint,
+                               .pose = glint_pose_translate(0, (96 - 64 * quarter) * GLINT_ONE, -(2 + i) * GLINT_ONE)};
+        glint_need need = {0};
+        glint_stats stats = {0};
+        CHECK_EQUAL(glint_arena_need(&config, &scene, &need), GLINT_OK);
+        first = quarter ? first : need;
+        CHECK(need.least < need.resident);
+        CHECK_EQUAL(need.resident, first.resident);
+        options.arena_size = need.resident;
+        CHECK_EQUAL(picture_render(&image, &scene, &options, &stats), GLINT_OK);
+        CHECK_EQUAL(stats.vertices, 4 * OBJECTS_MAX);
+    }
+    picture_close(&image);
+}
+
 static void errors_are_those_of_need(void) {
     static test_scene scene;
     static glint_mesh mesh;
@@ -225,8 +300,9 @@ static void errors_are_those_of_need(void) {
 }
 
 int test_main(test_writer write) {
-    static const test_case cases[] = {TEST_CASE(bench_scenes),        TEST_CASE(test_scenes),
-                                      TEST_CASE(example_variants),    TEST_CASE(boxes),
-                                      TEST_CASE(sizes_need_the_same), TEST_CASE(errors_are_those_of_need)};
+    static const test_case cases[] = {TEST_CASE(bench_scenes),           TEST_CASE(test_scenes),
+                                      TEST_CASE(example_variants),       TEST_CASE(boxes),
+                                      TEST_CASE(sizes_need_the_same),    TEST_CASE(axes_need_the_same),
+                                      TEST_CASE(quarters_need_the_same), TEST_CASE(errors_are_those_of_need)};
     return test_run(write, cases, TEST_COUNT(cases));
 }
