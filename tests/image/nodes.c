@@ -7,6 +7,7 @@
 #include "fine.h"
 #include "glint.h"
 #include "harness.h"
+#include "nodes/angles.h"
 #include "picture.h"
 #include "sample.h"
 #include "scenes.h"
@@ -372,8 +373,28 @@ static void handed_on_or_found_anew(void) {
     }
 }
 
+/* ---- Bounds --------------------------------------------------------------------------------------------------- */
+
+/* By how much sums over length may be off, of a region without lights. */
+static uint32_t over_length(uint32_t ambient, int folds) {
+    static const glint_material material = {.model = &glint_model_lambert};
+    static glint_frame frame;
+    glint_light_terms terms = {.ambient_levels = ambient};
+    const glint_shading shading = {.material = &material, .terms = &terms};
+    glint_region region = {.turn = 1 << 11, .place = 1 << 10, .slant = 0, .levels = 63 << 4, .folds = folds};
+    CHECK_EQUAL(glint_region_bound(&frame, &shading, &region), 1);
+    return region.error_over_length;
+}
+
+/* Colours times the normal's length turn as the normal and the light do, and ambient light with them. */
+static void folded_colours_add_to_the_bound(void) {
+    CHECK(over_length(0, 1) > over_length(0, 0));
+    CHECK(over_length(63 << 8, 1) > over_length(0, 1));
+    CHECK_EQUAL(over_length(63 << 8, 0), over_length(0, 0));
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {TEST_CASE(within_the_bound), TEST_CASE(slow_motion),
-                                      TEST_CASE(handed_on_or_found_anew)};
+                                      TEST_CASE(handed_on_or_found_anew), TEST_CASE(folded_colours_add_to_the_bound)};
     return test_run(write, cases, TEST_COUNT(cases));
 }

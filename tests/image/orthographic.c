@@ -154,6 +154,50 @@ static void placed_lights_leave_nodes_to_fragments(void) {
     }
 }
 
+/* A lamp before a square that is 126 guard bands away, where rays nearly end, lights it as it does one close by. */
+static void lamps_near_the_end_of_rays_light_as_close_by(void) {
+    static const int16_t corners[4][3] = {
+        {-32767, -32767, 0}, {32767, -32767, 0}, {32767, 32767, 0}, {-32767, 32767, 0}};
+    static const int16_t normals[4][3] = {{0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}};
+    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    static const glint_mesh square = {.positions = corners,
+                                      .normals = normals,
+                                      .triangles = triangles,
+                                      .vertex_count = 4,
+                                      .triangle_count = 2,
+                                      .extent = {GLINT_ONE, GLINT_ONE, 0}};
+    const glint_colour white = {GLINT_ONE, GLINT_ONE, GLINT_ONE};
+    const double band = 2.0 * GLINT_ONE * 1024 / HEIGHT; /* of a screen that is two high */
+    picture close = picture_open(WIDTH, HEIGHT, &glint_format_rgb888), image = close;
+    for (int i = 0; i < 8; i++) {
+        const glint_q16 away = i ? (glint_q16)((125.7 + 0.1 * i) * band) : 10 * GLINT_ONE;
+        const glint_material paint = {.model = &glint_model_lambert, .diffuse = white};
+        const glint_light lamp = {.type = &glint_light_point,
+                                  .vector = {0, 0, GLINT_ONE - away},
+                                  .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
+        const glint_object object = {.mesh = &square, .material = &paint, .pose = glint_pose_translate(0, 0, -away)};
+        const glint_scene scene = {.camera = {.pose = glint_pose_identity(),
+                                              .near_plane = GLINT_ONE / 4,
+                                              .projection = &glint_orthographic,
+                                              .view_height = 2 * GLINT_ONE},
+                                   .lights = &lamp,
+                                   .light_count = 1,
+                                   .objects = &object,
+                                   .object_count = 1};
+        int worst = 0;
+        image = i ? picture_open(WIDTH, HEIGHT, &glint_format_rgb888) : close;
+        CHECK_EQUAL(picture_render(&image, &scene, NULL, NULL), GLINT_OK);
+        for (size_t k = 0; k < image.size; k++)
+            worst = image.bytes[k] - close.bytes[k] > worst   ? image.bytes[k] - close.bytes[k]
+                    : close.bytes[k] - image.bytes[k] > worst ? close.bytes[k] - image.bytes[k]
+                                                              : worst;
+        CHECK_AT_MOST(worst, 8);
+        if (i)
+            picture_close(&image);
+    }
+    picture_close(&close);
+}
+
 /* ---- Depth ---- */
 
 static uint16_t depths[HEIGHT][WIDTH];
@@ -605,6 +649,7 @@ int test_main(test_writer write) {
         TEST_CASE(random_scenes_keep_the_contract),
         TEST_CASE(lights_keep_the_contract),
         TEST_CASE(placed_lights_leave_nodes_to_fragments),
+        TEST_CASE(lamps_near_the_end_of_rays_light_as_close_by),
         TEST_CASE(depth_is_linear),
         TEST_CASE(depth_is_rounded),
         TEST_CASE(tiles_arenas_and_regions_change_nothing),
