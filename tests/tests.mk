@@ -42,6 +42,8 @@ SUITE_callbacks := $(TEST_HARNESS) tests/image/callbacks.c $(TEST_SCENES)
 SUITE_lines     := $(TEST_HARNESS) tests/image/lines.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_orthographic := $(TEST_HARNESS) tests/image/orthographic.c tests/stability/contract.c tests/stability/weights.c \
     $(TEST_SCENES) $(TEST_JUDGE)
+SUITE_patches   := $(TEST_HARNESS) tests/image/patches.c tests/stability/contract.c tests/stability/weights.c tests/image/picture.c \
+    $(TEST_JUDGE)
 SUITE_drops     := $(TEST_HARNESS) tests/image/drops.c tests/image/undropped.c tests/stability/random_scene.c \
     tests/stability/weights.c $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_hidden    := $(TEST_HARNESS) tests/image/hidden.c tests/image/undropped.c tests/stability/random_scene.c \
@@ -55,7 +57,7 @@ PIXEL_SUMS      := $(addprefix tests/image/,pixel_sums.c surfaces.c) tests/stabi
     $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_pixels    := $(TEST_HARNESS) tests/image/pixels.c $(PIXEL_SUMS)
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit parts numbers setup point compare accuracy models gallery formats output extremes highlights fill_rule identity pixels changes layouts region callbacks pick skipped diagnose camera kept arenas turned drops hidden budget opposed nodes lines orthographic
+TEST_SUITES     := unit parts numbers setup point compare accuracy models gallery formats output extremes highlights fill_rule identity pixels changes layouts region callbacks pick skipped diagnose camera kept arenas turned drops hidden budget opposed nodes lines orthographic patches
 
 # $(call test_objects,variant,compiler and flags): build/<variant>/<source>.o
 define test_objects
@@ -125,7 +127,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit parts numbers setup point camera) ## unit tests on the host, arithmetic against libm, files of others
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery formats output extremes highlights fill_rule pixels changes layouts region callbacks pick skipped diagnose kept arenas turned drops hidden budget opposed nodes lines orthographic) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery formats output extremes highlights fill_rule pixels changes layouts region callbacks pick skipped diagnose kept arenas turned drops hidden budget opposed nodes lines orthographic patches) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order

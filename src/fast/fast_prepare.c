@@ -51,7 +51,7 @@ static int has_simple_light(const glint_scene *scene, const glint_shading *shadi
  * N.L, Q14, from which on a highlight adds to diffuse light: where that is above 0 everywhere, and where the larger of
  * all light and ambient light is taken, no less than ambient light in all channels. @return INT16_MAX where it never is
  */
-static int32_t find_lit(const glint_shading *shading) {
+static int32_t least_lit_of(const glint_shading *shading) {
     const glint_weights *const weights = glint_weights_shown(shading);
     int32_t most = GLINT_LEAST_LIT;
     if (!glint_takes_largest(shading) || !shading->has_specular)
@@ -70,7 +70,7 @@ static int serves(const glint_frame *frame, const glint_shading *shading, const 
            (!object->evaluation || object->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS) &&
            !glint_has_colours(object->mesh) &&
            !(material->flags & ~(uint32_t)(GLINT_MATERIAL_MAX | GLINT_MATERIAL_UNGATED)) &&
-           find_lit(shading) <= MOST_LIT &&
+           least_lit_of(shading) <= MOST_LIT &&
            (material->model->lobe == GLINT_LOBE_NONE ||
             (material->model->lobe == GLINT_LOBE_HALF_VECTOR && material->shininess >= 2 * GLINT_ONE));
 }
@@ -262,7 +262,7 @@ static glint_status prepare_material(glint_frame *frame, glint_shading *shading)
     prepare_light(fast, frame->view, shading);
     glint_fast_prepare_ambient(fast, shading);
     prepare_highlight(fast, shading);
-    fast->lit = find_lit(shading);
+    fast->lit = least_lit_of(shading);
     fast->lit_exactly = shading->material->flags ? 2 * fast->lit : INT16_MIN;
     fast->unlit = fast->specular_end && shading->material->flags & GLINT_MATERIAL_UNGATED ? INT16_MIN : UNLIT;
     find_limits(frame, fast, shading);

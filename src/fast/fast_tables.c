@@ -43,12 +43,11 @@ static void fill(const level_ramp *r, uint32_t *words, uint32_t count) {
     }
 }
 
-/* Ambient and diffuse light over N.L in 256 steps, the first at its middle; where no light shows, `ambient`. Of
- * materials that take the larger of both, it is diffuse light alone. */
+/* Ambient and diffuse light over N.L in 256 steps, the first at its middle; where no light shows, `ambient`. */
 static void diffuse_ramp(const glint_shading *shading, level_ramp *r) {
     const uint32_t *const weight = glint_weights_shown(shading)->diffuse;
     for (int c = 0; c < 3; c++) {
-        const uint32_t ambient = glint_takes_largest(shading) ? 0 : least(shading->ambient[c], 1u << 23);
+        const uint32_t ambient = least(shading->ambient[c], 1u << 23);
         r->step[c] = weight[c] * glint_fast_levels[c] << 3; /* Q12 to Q23, 256 steps; below 2^26 */
         r->most[c] = (glint_fast_levels[c] << 23) + (1 << 22) + spread_half[c];
         r->level[c] =
@@ -57,16 +56,27 @@ static void diffuse_ramp(const glint_shading *shading, level_ramp *r) {
     }
 }
 
-/* Their sum, or the larger of both. */
-static uint32_t diffuse_word(const glint_shading *shading, uint32_t index) {
+/* The larger of ambient and diffuse light, not their sum. */
+static GLINT_NOINLINE uint32_t larger_word(const glint_shading *shading, uint32_t index) {
     level_ramp r;
     diffuse_ramp(shading, &r);
     for (int c = 0; c < 3; c++) {
-        const uint32_t ambient = least(shading->ambient[c], 1u << 23) * glint_fast_levels[c] + (1 << 22),
-                       floor = glint_takes_largest(shading) ? ambient + (shading->lights ? spread_half[c] : 0) : 0;
-        const uint64_t level = r.level[c] + (uint64_t)r.step[c] * index;
+        const uint32_t ambient = least(shading->ambient[c], 1u << 23) * glint_fast_levels[c],
+                       half = (1 << 22) + (shading->lights ? spread_half[c] : 0);
+        const uint64_t diffuse = half + r.step[c] / 2 + (uint64_t)r.step[c] * index;
+        r.level[c] = diffuse < ambient + half ? ambient + half : diffuse > r.most[c] ? r.most[c] : (uint32_t)diffuse;
+    }
+    return spread_levels(r.level);
+}
+
+static uint32_t diffuse_word(const glint_shading *shading, uint32_t index) {
+    level_ramp r;
+    if (glint_takes_largest(shading))
+        return larger_word(shading, index);
+    diffuse_ramp(shading, &r);
+    for (int c = 0; c < 3; c++) {
+        uint64_t level = r.level[c] + (uint64_t)r.step[c] * index;
         r.level[c] = level > r.most[c] ? r.most[c] : (uint32_t)level;
-        r.level[c] = r.level[c] > floor ? r.level[c] : floor;
     }
     return spread_levels(r.level);
 }
@@ -146,7 +156,7 @@ void glint_fast_make_tables(glint_memory *memory, glint_fast_terms *fast, const 
     diffuse_ramp(shading, &r);
     fill(&r, diffuse, GLINT_DIFFUSE_ENTRIES);
     for (uint32_t i = 0; i < GLINT_DIFFUSE_ENTRIES && glint_takes_largest(shading); i++)
-        diffuse[i] = diffuse_word(shading, i);
+        diffuse[i] = larger_word(shading, i);
     for (uint32_t i = 0; i < GLINT_DIFFUSE_ENTRIES; i++)
         pixels[i] = (uint16_t)glint_spread_pack(fast->diffuse[i]);
     fast->tables_sum = glint_sum(specular, size);

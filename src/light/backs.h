@@ -36,15 +36,16 @@ static GLINT_INLINE void glint_draw_back(const glint_frame *frame, glint_workspa
     glint_vertex corners[3];
     int16_t terms[3][3];
     glint_draw alone;
+    const int is_deep = glint_is_deep(triangle);
+    if (!is_deep && !glint_is_visible(frame, workspace, part)) { /* then no corner is lit */
+        glint_count(workspace, GLINT_KERNEL_GENERAL, workspace->drawn ? glint_covered_by(part) : 0);
+        return;
+    }
     const int is_whole = glint_turn_over(triangle, corners);
     for (int i = 0; i < 3; i++)
         front.corners[i] = &corners[i];
-    if (!is_whole || triangle->area < GLINT_BACKS_LEAST_AREA || glint_is_deep(triangle)) {
+    if (!is_whole || is_deep || triangle->area < GLINT_BACKS_LEAST_AREA) {
         glint_kernel_of(frame, draw)(frame, workspace, draw, &front, part);
-        return;
-    }
-    if (!glint_is_visible(frame, workspace, part)) { /* then no corner is lit */
-        glint_count(workspace, GLINT_KERNEL_GENERAL, workspace->drawn ? glint_covered_by(part) : 0);
         return;
     }
     alone = *draw;

@@ -7,14 +7,14 @@
 #include "pixel_sums.h"
 
 static const pixel_sums pixel_table[] = {
-    {0xc6c38835u, 0x52e244d6u}, /* regions */
-    {0x91848f99u, 0x07dc7224u}, /* regions */
+    {0xc6c38835u, 0x84ae9397u}, /* regions */
+    {0x91848f99u, 0xdfa9fd32u}, /* regions */
     {0x727f7d2eu, 0x52e0a7e8u}, /* random surfaces */
-    {0x0aa451f8u, 0xb08af62fu}, /* random surfaces */
-    {0x3c09bc93u, 0xf508d151u}, /* random surfaces */
-    {0x779047fbu, 0x45079034u}, /* random surfaces */
+    {0x0aa451f8u, 0xedc3288fu}, /* random surfaces */
+    {0x3c09bc93u, 0x747aaa0eu}, /* random surfaces */
+    {0x779047fbu, 0xc508f1e7u}, /* random surfaces */
     {0x9b96b422u, 0x737a517eu}, /* random surfaces */
-    {0x15adb133u, 0xd1b280a7u}, /* random surfaces */
+    {0x15adb133u, 0x72f22cabu}, /* random surfaces */
     {0x88b25687u, 0x9519d543u}, /* random scenes */
     {0x98fa65b6u, 0x4c99c62cu}, /* random scenes */
     {0x19e56de8u, 0x8c2e5a75u}, /* random scenes */
@@ -39,36 +39,36 @@ static const pixel_sums pixel_table[] = {
     {0xdf499056u, 0x6defdbb5u}, /* large */
     {0x4f12aabfu, 0x52d4f071u}, /* large */
     {0x0914046bu, 0x7ed14a4cu}, /* large */
-    {0x5f7c1e95u, 0x81f0694bu}, /* scenes */
+    {0x5f7c1e95u, 0xf3de6e42u}, /* scenes */
     {0x0eee8bd2u, 0x8d28316du}, /* scenes */
     {0x2c7415e8u, 0xa621c721u}, /* scenes */
-    {0xe882d0b8u, 0x24997232u}, /* scenes */
+    {0xe882d0b8u, 0xc94b0b50u}, /* scenes */
     {0xcb44cda6u, 0xac240b6du}, /* surfaces */
     {0xf598eaaau, 0xd79a30f2u}, /* surfaces */
     {0xe96c20dcu, 0x0bdd11adu}, /* surfaces */
-    {0x230c4466u, 0x7b8bce14u}, /* surfaces */
+    {0x230c4466u, 0x187094e5u}, /* surfaces */
     {0xc5817913u, 0xffb0244fu}, /* gallery */
     {0xec0ef5ecu, 0x8164326bu}, /* gallery */
-    {0x8c3cc172u, 0xc3f619c0u}, /* gallery */
+    {0x8c3cc172u, 0xdb27b9a0u}, /* gallery */
     {0x5f4213f1u, 0x3229035eu}, /* gallery */
     {0x0c5adc59u, 0xf89b3544u}, /* gallery */
     {0x0dec0bbcu, 0x4e60b3bau}, /* gallery */
-    {0xde083c4eu, 0xfd90d8b3u}, /* formats */
-    {0x6345fb1du, 0xf3bcbff9u}, /* formats */
-    {0x56da57bcu, 0xfd90d8b3u}, /* formats */
-    {0xe0a1d003u, 0xeac71014u}, /* formats */
-    {0xb9097975u, 0xf3bcbff9u}, /* formats */
-    {0x7218e55cu, 0xeac71014u}, /* formats */
-    {0x651ae61fu, 0xeac71014u}, /* formats */
-    {0x6954a557u, 0xeac71014u}, /* formats */
-    {0xc05cccf3u, 0xeac71014u}, /* formats */
-    {0x043b16ebu, 0x9b9e968bu}, /* formats */
-    {0x2bedf2e9u, 0xeac71014u}, /* formats */
-    {0x9017074cu, 0x9b9e968bu}, /* formats */
-    {0x88a5e0fau, 0xeac71014u}, /* formats */
-    {0x040bb08fu, 0xeac71014u}, /* formats */
-    {0x2e1d986fu, 0xeac71014u}, /* formats */
-    {0x81c478fbu, 0xeac71014u}, /* formats */
+    {0xde083c4eu, 0x4b449c07u}, /* formats */
+    {0x6345fb1du, 0xbdbd160au}, /* formats */
+    {0x56da57bcu, 0x4b449c07u}, /* formats */
+    {0xe0a1d003u, 0x4a35959du}, /* formats */
+    {0xb9097975u, 0xbdbd160au}, /* formats */
+    {0x7218e55cu, 0x4a35959du}, /* formats */
+    {0x651ae61fu, 0x4a35959du}, /* formats */
+    {0x6954a557u, 0x4a35959du}, /* formats */
+    {0xc05cccf3u, 0x4a35959du}, /* formats */
+    {0x043b16ebu, 0x350386ccu}, /* formats */
+    {0x2bedf2e9u, 0x4a35959du}, /* formats */
+    {0x9017074cu, 0x350386ccu}, /* formats */
+    {0x88a5e0fau, 0x4a35959du}, /* formats */
+    {0x040bb08fu, 0x4a35959du}, /* formats */
+    {0x2e1d986fu, 0x4a35959du}, /* formats */
+    {0x81c478fbu, 0x4a35959du}, /* formats */
 };
 
 #endif

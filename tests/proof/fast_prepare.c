@@ -69,9 +69,9 @@ PROOF(glint_fast_prepare_ambient) {
 }
 
 /* Any ambient and diffuse light, sum and largest, highlights and none. @unreached 1 leading zeros of 0 */
-PROOF(find_lit) {
+PROOF(least_lit_of) {
     any_served();
-    const int32_t lit = find_lit(&shading);
+    const int32_t lit = least_lit_of(&shading);
     /*@ assert GLINT_LEAST_LIT <= lit <= INT16_MAX; */
 }
 

@@ -11,7 +11,7 @@ MUTANTS_JOBS  ?= $(shell nproc)
 # What judges; which comes first follows from the time that they take, and from what they noticed before.
 MUTANTS_SUITES := unit pixels stability_kept changes diagnose camera pick output point highlights skipped region callbacks lines extremes hidden opposed \
     fill_rule turned drops stability_regions orthographic layouts numbers kept arenas identity setup nodes budget gallery formats models \
-    accuracy compare
+    accuracy compare patches
 # Those of panels, each a program of its own.
 MUTANTS_PANELS := pictures complaints faults i2c
 

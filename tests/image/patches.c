@@ -1,0 +1,206 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Bent patches, seen from both sides, of materials that take the larger light and whose highlights show behind the
+ * horizon: against the reference, and by which kernels they are drawn.
+ */
+#include "harness.h"
+#include "picture.h"
+#include "stability/contract.h"
+
+#include <math.h>
+
+#define WIDTH 128
+#define HEIGHT 96
+
+/** Vertices along a side, at most. */
+#define SIDE_MAX 14
+
+/* Steps of a mesh from its middle to a side; 2048 are 1. */
+#define HALF_SIDE 9000
+
+typedef struct patch {
+    int16_t positions[SIDE_MAX * SIDE_MAX][3], normals[SIDE_MAX * SIDE_MAX][3];
+    uint16_t triangles[2 * SIDE_MAX * SIDE_MAX][3];
+    glint_mesh mesh;
+    glint_material material;
+    glint_light light;
+    glint_object object;
+    glint_scene scene;
+} patch;
+
+static uint32_t seed;
+
+static double any(double least, double most) {
+    seed = seed * 1664525u + 1013904223u;
+    return least + (most - least) * (seed >> 8) / (1 << 24);
+}
+
+static int below(int count) {
+    return (int)any(0, count - 0.001);
+}
+
+static glint_q16 fixed(double number) {
+    return (glint_q16)lrint(number * GLINT_ONE);
+}
+
+/* Turned about y, then about x. */
+static void turn(const double angle[2], const double v[3], double to[3]) {
+    const double z = v[2] * cos(angle[0]) - v[0] * sin(angle[0]);
+    to[0] = v[0] * cos(angle[0]) + v[2] * sin(angle[0]);
+    to[1] = v[1] * cos(angle[1]) - z * sin(angle[1]);
+    to[2] = v[1] * sin(angle[1]) + z * cos(angle[1]);
+}
+
+/* Vertex i, at u, v from -1/2 to 1/2, of a patch so bent. */
+static void set_vertex(patch *p, int i, double u, double v, const double bend[2], const double angle[2]) {
+    const double a = bend[0] * u, b = bend[1] * v;
+    const double place[3] = {2 * u, 2 * v, (cos(a) + cos(b) - 2) * 0.7};
+    const double normal[3] = {sin(a), sin(b), 1.2 * cos(a) * cos(b) + 0.1};
+    double here[3], unit[3];
+    turn(angle, place, here);
+    turn(angle, normal, unit);
+    const double length = sqrt(unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2]);
+    for (int c = 0; c < 3; c++) {
+        p->positions[i][c] = (int16_t)lrint(HALF_SIDE * here[c] - (c == 2 ? 8192 : 0));
+        p->normals[i][c] = (int16_t)lrint(32767 * unit[c] / length);
+    }
+}
+
+static void build_mesh(patch *p) {
+    const int side = 4 + below(SIDE_MAX - 3);
+    const double bend[2] = {any(0, 2.6), any(0, 2.6)}, angle[2] = {any(0, 6.28), any(-1.2, 1.2)};
+    uint32_t count = 0;
+    for (int i = 0; i < side * side; i++)
+        set_vertex(p, i, (double)(i / side) / (side - 1) - 0.5, (double)(i % side) / (side - 1) - 0.5, bend, angle);
+    for (int i = 0; i < side * (side - 1); i++) {
+        if (i % side == side - 1)
+            continue;
+        const uint16_t a = (uint16_t)i, b = (uint16_t)(i + side);
+        const uint16_t two[2][3] = {{a, b, (uint16_t)(a + 1)}, {(uint16_t)(a + 1), b, (uint16_t)(b + 1)}};
+        for (int t = 0; t < 2; t++, count++)
+            for (int c = 0; c < 3; c++)
+                p->triangles[count][c] = two[t][c];
+    }
+    p->mesh = (glint_mesh){.positions = (const int16_t(*)[3])p->positions,
+                           .normals = (const int16_t(*)[3])p->normals,
+                           .triangles = (const uint16_t(*)[3])p->triangles,
+                           .vertex_count = (uint32_t)(side * side),
+                           .triangle_count = count,
+                           .flags = GLINT_MESH_DOUBLE_SIDED,
+                           .extent = {16 * GLINT_ONE, 16 * GLINT_ONE, 16 * GLINT_ONE}};
+}
+
+/* Ambient light is up to 3/5 of what diffuse light is at most, channel by channel another part. */
+static void build(patch *p, uint32_t number, uint32_t flags, const glint_evaluation *evaluation) {
+    static const double exponents[] = {2, 5, 10, 20, 50, 100, 300};
+    seed = number * 7919u + 12345u;
+    build_mesh(p);
+    const double diffuse = any(0.1, 1), ambient = any(0, 0.6) * diffuse, specular = below(3) ? any(0.05, 1) : 0;
+    const double side = any(0, 6.28), front = any(-0.6, 1), beside = sqrt(1 - front * front);
+    p->material = (glint_material){.model = &glint_model_blinn_phong,
+                                   .ambient = {fixed(ambient), fixed(ambient * any(0.3, 1.2)), fixed(ambient * 0.5)},
+                                   .diffuse = {fixed(diffuse), fixed(diffuse * 0.8), fixed(diffuse * 0.6)},
+                                   .specular = {fixed(specular), fixed(specular), fixed(specular * 0.8)},
+                                   .shininess = fixed(exponents[below((int)TEST_COUNT(exponents))]),
+                                   .flags = flags};
+    p->light = (glint_light){.type = &glint_light_directional,
+                             .vector = {fixed(beside * cos(side)), fixed(beside * sin(side)), fixed(front)},
+                             .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
+                             .specular = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
+    p->object = (glint_object){
+        .mesh = &p->mesh, .material = &p->material, .pose = glint_pose_identity(), .evaluation = evaluation};
+    p->scene = (glint_scene){.viewer = below(3) ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE,
+                             .ambient = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
+                             .camera = {glint_pose_identity(), 45 * GLINT_ONE, GLINT_ONE / 8, 0, 0},
+                             .lights = &p->light,
+                             .light_count = 1,
+                             .objects = &p->object,
+                             .object_count = 1};
+}
+
+static patch drawn;
+
+static void judge_patches(const glint_format *format, const glint_evaluation *evaluation, uint32_t count) {
+    long judged = 0, not_fine = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        contract_result found;
+        build(&drawn, i, i % 4, evaluation);
+        contract_judge(&drawn.scene, WIDTH, HEIGHT, format, &found);
+        CHECK_EQUAL(found.found.status, GLINT_OK);
+        if (!CHECK(contract_holds(&found))) {
+            test_write("  patch ");
+            test_write_number((long)i);
+            test_write("\n");
+        }
+        judged += found.found.judged;
+        not_fine += found.found.not_fine;
+    }
+    test_write("  of ");
+    test_write_number(judged);
+    test_write(" pixels ");
+    test_write_number(not_fine);
+    test_write(" are not fine\n");
+}
+
+static void fast_patches_keep_the_contract(void) {
+    judge_patches(&glint_format_rgb565, &glint_per_fragment, 400);
+}
+
+static void patches_at_nodes_keep_the_contract(void) {
+    judge_patches(&glint_format_rgb888, &glint_per_node, 200);
+}
+
+/* Turns a patch over, corners and normals: its back looks as its front did. */
+static void turn_over(patch *p) {
+    for (uint32_t i = 0; i < p->mesh.vertex_count; i++)
+        for (int c = 0; c < 3; c++)
+            p->normals[i][c] = (int16_t)-p->normals[i][c];
+    for (uint32_t i = 0; i < p->mesh.triangle_count; i++) {
+        const uint16_t corner = p->triangles[i][1];
+        p->triangles[i][1] = p->triangles[i][2];
+        p->triangles[i][2] = corner;
+    }
+}
+
+/* Pixels that are lit one by one, and all that are drawn, of patches with such flags. */
+static void count_fragments(uint32_t flags, int is_back, long *fragments, long *all) {
+    picture image = picture_open(WIDTH, HEIGHT, &glint_format_rgb565);
+    *fragments = *all = 0;
+    for (uint32_t i = 0; i < 100; i++) {
+        glint_stats stats;
+        build(&drawn, i, flags, &glint_per_fragment);
+        if (is_back)
+            turn_over(&drawn);
+        CHECK_EQUAL(picture_render(&image, &drawn.scene, NULL, &stats), GLINT_OK);
+        *fragments += (long)stats.drawn[GLINT_KERNEL_GENERAL].covered;
+        for (int kernel = 0; kernel < GLINT_KERNELS; kernel++)
+            *all += (long)stats.drawn[kernel].covered;
+    }
+    picture_close(&image);
+}
+
+/* Of either side, a third of what is drawn or more is not lit one by one. */
+static void backs_and_flags_leave_few_fragments(void) {
+    for (int kind = 0; kind < 8; kind++) {
+        long fragments, all;
+        count_fragments((uint32_t)kind / 2, kind % 2, &fragments, &all);
+        test_write(kind % 2 ? "  back" : "  front");
+        test_write(", flags ");
+        test_write_number(kind / 2);
+        test_write(": lit one by one ");
+        test_write_number(fragments);
+        test_write(" of ");
+        test_write_number(all);
+        test_write("\n");
+        CHECK_AT_MOST(3 * fragments, 2 * all);
+    }
+}
+
+int test_main(test_writer write) {
+    static const test_case cases[] = {
+        TEST_CASE(fast_patches_keep_the_contract),
+        TEST_CASE(patches_at_nodes_keep_the_contract),
+        TEST_CASE(backs_and_flags_leave_few_fragments),
+    };
+    return test_run(write, cases, TEST_COUNT(cases));
+}
