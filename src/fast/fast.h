@@ -71,17 +71,17 @@ typedef struct glint_fast_terms {
     uint32_t specular_end;         /* squared deviation where it ends; 0 where no highlight ever shows */
     uint16_t ambient;              /* packed */
     uint8_t local_viewer;          /* not without highlight */
+    /* N.L, Q14: from which on highlights add to what tables hold; up to which it is ambient light */
+    int16_t lit, unlit;
     /* For each vertex, triangle or pixel, to the quadratic's `end`: in 128 bytes, which Cortex-M0 loads from at once */
     int32_t long_light[3]; /* longer by a part in 2^13: UNIT^2 is short of 2^30 by 2^-12 */
     int32_t ray_scale;     /* from 28.4 to a ray with z = 2^14, Q16 */
     /* Places are counted from one ray_limit to the other, so far; and the ray at the first. */
     uint32_t ray_right, ray_bottom, ray_span, ray_start;
-    int32_t wide_light[3]; /* Q30, half a step of Q15 included */
-    int32_t lit,
-        unlit;       /* N.L, Q14, from which on highlights add to what tables hold; up to which it is ambient light */
-    int32_t reach;   /* deviation, Q14, that a plane can hold */
-    uint32_t within; /* the largest 2^n - 1 that is no more */
-    int32_t scale;   /* from a deviation, Q14, to a scaled one, whose square is the table's: Q16 */
+    int32_t wide_light[3];       /* Q30, half a step of Q15 included */
+    int32_t reach;               /* deviation, Q14, that a plane can hold */
+    uint32_t within;             /* the largest 2^n - 1 that is no more */
+    int32_t scale;               /* from a deviation, Q14, to a scaled one, whose square is the table's: Q16 */
     int32_t scaled_half;         /* half a step of both, Q16 */
     uint32_t sides[2];           /* 2^15 less `side`, and less half of `side_diagonal`, in both halves of a word */
     int32_t turn, turn_specular; /* limits that keep the error small: glint_fast_fits */

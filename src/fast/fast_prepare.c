@@ -262,7 +262,7 @@ static glint_status prepare_material(glint_frame *frame, glint_shading *shading)
     prepare_light(fast, frame->view, shading);
     glint_fast_prepare_ambient(fast, shading);
     prepare_highlight(fast, shading);
-    fast->lit = least_lit_of(shading);
+    fast->lit = (int16_t)least_lit_of(shading);
     fast->lit_exactly = shading->material->flags ? 2 * fast->lit : INT16_MIN;
     fast->unlit = fast->specular_end && shading->material->flags & GLINT_MATERIAL_UNGATED ? INT16_MIN : UNLIT;
     find_limits(frame, fast, shading);
