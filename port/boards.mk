@@ -199,7 +199,7 @@ $(eval $(call firmware_program,lm3s6965evb,release,scenes,-Wl$(comma)--defsym=st
 # Vertices lit by lights that have positions take the deepest stack.
 UNIT_BOARDS := lm3s6965evb microbit netduinoplus2 mps2-an385 mps2-an386 mps2-an500 mps2-an505 virt sifive_e
 $(foreach board,$(UNIT_BOARDS),\
-    $(eval $(call firmware_program,$(board),release,unit,-Wl$(comma)--defsym=stack_size=3712)))
+    $(eval $(call firmware_program,$(board),release,unit,-Wl$(comma)--defsym=stack_size=3840)))
 $(eval $(call firmware_program,template,release,minimal))
 $(foreach board,mps2-an385 mps2-an385-m0 virt,$(foreach level,O0 Os O2,\
     $(eval $(call firmware_program,$(board),$(level),identity))))
@@ -218,7 +218,7 @@ $(foreach board,$(COLOUR_BOARDS),\
     $(eval $(call firmware_program,$(board),O2,animate,-Wl$(comma)--defsym=stack_size=9984)))
 $(foreach program,compose moving own_flush,$(eval $(call firmware_program,mps2-an385,O2,$(program))))
 $(foreach board,$(FAULT_BOARDS),$(eval $(call firmware_program,$(board),release,faults-$(board))))
-$(eval $(call firmware_program,pico,release,unit-pico,-Wl$(comma)--defsym=stack_size=3712))
+$(eval $(call firmware_program,pico,release,unit-pico,-Wl$(comma)--defsym=stack_size=3840))
 UNIT_8K_BOARDS := lm3s811evb stm32vldiscovery
 $(foreach board,$(UNIT_8K_BOARDS),$(eval $(call firmware_program,$(board),release,unit-8k)))
 

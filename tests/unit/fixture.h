@@ -14,7 +14,7 @@
 
 /** Bytes of the screen and of the arena. */
 #define FIXTURE_SCREEN_BYTES (FIXTURE_WIDTH * FIXTURE_HEIGHT * 2)
-#define FIXTURE_ARENA_BYTES 6640
+#define FIXTURE_ARENA_BYTES 6512
 
 #define FIXTURE_OBJECTS_MAX 3
 
