@@ -70,8 +70,10 @@ static void build_mesh(patch *p) {
     const int side = 4 + below(SIDE_MAX - 3);
     const double bend[2] = {any(0, 2.6), any(0, 2.6)}, angle[2] = {any(0, 6.28), any(-1.2, 1.2)};
     uint32_t count = 0;
-    for (int i = 0; i < side * side; i++)
-        set_vertex(p, i, (double)(i / side) / (side - 1) - 0.5, (double)(i % side) / (side - 1) - 0.5, bend, angle);
+    for (int i = 0; i < side * side; i++) {
+        const int row = i / side, column = i % side;
+        set_vertex(p, i, (double)row / (side - 1) - 0.5, (double)column / (side - 1) - 0.5, bend, angle);
+    }
     for (int i = 0; i < side * (side - 1); i++) {
         if (i % side == side - 1)
             continue;
