@@ -302,7 +302,8 @@ static void depth_is_rounded(void) {
         CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
         CHECK_EQUAL(glint_render(&renderer, &scene), GLINT_OK);
         const double exact = 2 + 65533.0 * (z[2] - z[1]) / (z[2] - z[0]);
-        worst = fmax(worst, fabs(exact - depths[HEIGHT / 2][WIDTH / 2]));
+        const int found = depths[HEIGHT / 2][WIDTH / 2];
+        worst = fmax(worst, fabs(exact - found));
         free(config.arena);
         picture_close(&drawn);
     }
