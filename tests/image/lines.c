@@ -334,15 +334,7 @@ static void pixels_are_those_of_the_rule(void) {
  * or before it still is, and is drawn there at the largest depth.
  */
 static void lines_far_from_all_else_keep_their_side(void) {
-    static const int16_t corners[4][3] = {
-        {-32767, -32767, 0}, {32767, -32767, 0}, {32767, 32767, 0}, {-32767, 32767, 0}};
-    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
-    static const glint_mesh square = {.positions = corners,
-                                      .normals = corners,
-                                      .triangles = triangles,
-                                      .vertex_count = 4,
-                                      .triangle_count = 2,
-                                      .extent = {100 * GLINT_ONE, 100 * GLINT_ONE, 1}};
+    const glint_mesh square = scene_square_mesh(100 * GLINT_ONE, 1);
     const drawing how = {.format = &glint_format_rgb888};
     const glint_material paint = {.model = &glint_model_unlit};
     const glint_pose at = glint_pose_identity();

@@ -156,16 +156,7 @@ static void placed_lights_leave_nodes_to_fragments(void) {
 
 /* A lamp before a square that is 126 guard bands away, where rays nearly end, lights it as it does one close by. */
 static void lamps_near_the_end_of_rays_light_as_close_by(void) {
-    static const int16_t corners[4][3] = {
-        {-32767, -32767, 0}, {32767, -32767, 0}, {32767, 32767, 0}, {-32767, 32767, 0}};
-    static const int16_t normals[4][3] = {{0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}};
-    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
-    static const glint_mesh square = {.positions = corners,
-                                      .normals = normals,
-                                      .triangles = triangles,
-                                      .vertex_count = 4,
-                                      .triangle_count = 2,
-                                      .extent = {GLINT_ONE, GLINT_ONE, 0}};
+    const glint_mesh square = scene_square_mesh(GLINT_ONE, 0);
     const glint_colour white = {GLINT_ONE, GLINT_ONE, GLINT_ONE};
     const double band = 2.0 * GLINT_ONE * 1024 / HEIGHT; /* of a screen that is two high */
     picture close = picture_open(WIDTH, HEIGHT, &glint_format_rgb888), image = close;
@@ -270,15 +261,7 @@ static void depth_is_linear(void) {
 
 /* Depths of a square across the axis between two others are rounded to the nearest; those of pixels are one more. */
 static void depth_is_rounded(void) {
-    static const int16_t corners[4][3] = {
-        {-32767, -32767, 0}, {32767, -32767, 0}, {32767, 32767, 0}, {-32767, 32767, 0}};
-    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
-    static const glint_mesh square = {.positions = corners,
-                                      .normals = corners,
-                                      .triangles = triangles,
-                                      .vertex_count = 4,
-                                      .triangle_count = 2,
-                                      .extent = {20 * GLINT_ONE, 20 * GLINT_ONE, 0}};
+    const glint_mesh square = scene_square_mesh(20 * GLINT_ONE, 0);
     const glint_material paint = {.model = &glint_model_unlit};
     double worst = 0;
     for (int i = 0; i < 200; i++) {
@@ -405,19 +388,10 @@ static void viewers_are_the_same(void) {
 
 /* A bound for all turns holds for some: of two triangles in many small tiles, up to beyond the guard band. */
 static void turned_objects_need_no_more(void) {
-    static const int16_t corners[4][3] = {
-        {-32767, -32767, 0}, {32767, -32767, 0}, {32767, 32767, 0}, {-32767, 32767, 0}};
-    static const int16_t normals[4][3] = {{0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}};
-    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
     for (uint32_t number = 1; number <= 60; number++) {
         const glint_q16 size = GLINT_ONE / 4 << number % 8; /* the screen is 4 high */
-        const glint_mesh plane = {.positions = corners,
-                                  .normals = normals,
-                                  .triangles = triangles,
-                                  .vertex_count = 4,
-                                  .triangle_count = 2,
-                                  .extent = {size, size, size},
-                                  .flags = GLINT_MESH_DOUBLE_SIDED};
+        glint_mesh plane = scene_square_mesh(size, size);
+        plane.flags = GLINT_MESH_DOUBLE_SIDED;
         test_scene s;
         scene_build_random(&s, number);
         seed = number;
@@ -570,16 +544,8 @@ static void extremes_are_drawn_or_refused(void) {
 
 /* Two squares across the axis, 100 away and 1 behind, that show as they are lit from nowhere. */
 static void build_squares(test_scene *s) {
-    static const int16_t corners[4][3] = {
-        {-32767, -32767, 0}, {32767, -32767, 0}, {32767, 32767, 0}, {-32767, 32767, 0}};
-    static const int16_t normals[4][3] = {{0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}};
-    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
-    static const glint_mesh square = {.positions = corners,
-                                      .normals = normals,
-                                      .triangles = triangles,
-                                      .vertex_count = 4,
-                                      .triangle_count = 2,
-                                      .extent = {8000 * GLINT_ONE, 8000 * GLINT_ONE, GLINT_ONE}};
+    static glint_mesh square;
+    square = scene_square_mesh(8000 * GLINT_ONE, GLINT_ONE);
     scene_build_random(s, 1);
     s->scene.camera = (glint_camera){.pose = glint_pose_identity(),
                                      .near_plane = 1,

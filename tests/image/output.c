@@ -17,18 +17,9 @@ static const glint_format *const dithered[] = {&glint_format_rgb565_dithered, &g
 
 /* ---- Flat colours -------------------------------------------------------------------------------------------- */
 
-static const int16_t corners[4][3] = {{-32767, -32767, 0}, {32767, -32767, 0}, {32767, 32767, 0}, {-32767, 32767, 0}};
-static const int16_t normals[4][3] = {{0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}};
-static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
-static const glint_mesh square = {.positions = corners,
-                                  .normals = normals,
-                                  .triangles = triangles,
-                                  .vertex_count = 4,
-                                  .triangle_count = 2,
-                                  .extent = {100 * GLINT_ONE, 100 * GLINT_ONE, GLINT_ONE}};
-
 /* Draws a screen of one colour: the background, or a square before it. */
 static void draw_flat(picture *image, const double rgb[3], int as_object, const picture_options *options) {
+    const glint_mesh square = scene_square_mesh(100 * GLINT_ONE, GLINT_ONE);
     const glint_colour colour = {bench_q16(rgb[0]), bench_q16(rgb[1]), bench_q16(rgb[2])};
     const glint_material paint = {.model = &glint_model_unlit, .diffuse = colour};
     const glint_object object = {

@@ -38,6 +38,19 @@ static const glint_mesh leaning_mesh = {.positions = leaning_positions,
                                         .extent = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
 static glint_mesh open_torus; /* double-sided */
 
+glint_mesh scene_square_mesh(glint_q16 half, glint_q16 depth) {
+    static const int16_t corners[4][3] = {
+        {-32767, -32767, 0}, {32767, -32767, 0}, {32767, 32767, 0}, {-32767, 32767, 0}};
+    static const int16_t normals[4][3] = {{0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}};
+    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    return (glint_mesh){.positions = corners,
+                        .normals = normals,
+                        .triangles = triangles,
+                        .vertex_count = 4,
+                        .triangle_count = 2,
+                        .extent = {half, half, depth}};
+}
+
 const bench_mesh *scene_bench_mesh(int which) {
     const bench_definition *definition = &bench_definitions[which];
     if (bench_meshes[which].mesh.vertex_count == 0)

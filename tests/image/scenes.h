@@ -47,6 +47,9 @@ void scene_build_named(test_scene *scene, const char *name);
 /** Lights at nodes what a scene lights per fragment. */
 void scene_light_at_nodes(test_scene *scene);
 
+/** A square across z that faces along it, so far from its middle to a side; its box is so deep. */
+glint_mesh scene_square_mesh(glint_q16 half, glint_q16 depth);
+
 /** The mesh of a benchmark scene, built on first use. */
 const bench_mesh *scene_bench_mesh(int which);
 

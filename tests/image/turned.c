@@ -236,15 +236,7 @@ static void axes_need_the_same(void) {
 
 /* Squares that all lie in one quarter of the tiles need as much in each, and are transformed once a frame there. */
 static void quarters_need_the_same(void) {
-    static const int16_t corners[4][3] = {
-        {-32767, -32767, 0}, {32767, -32767, 0}, {32767, 32767, 0}, {-32767, 32767, 0}};
-    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
-    static const glint_mesh square = {.positions = corners,
-                                      .normals = corners,
-                                      .triangles = triangles,
-                                      .vertex_count = 4,
-                                      .triangle_count = 2,
-                                      .extent = {28 * GLINT_ONE, 28 * GLINT_ONE, GLINT_ONE}};
+    const glint_mesh square = scene_square_mesh(28 * GLINT_ONE, GLINT_ONE);
     const glint_material paint = {.model = &glint_model_unlit};
     picture image = picture_open(64, 256, &glint_format_rgb565);
     picture_options options = {.tile_width = 8, .tile_height = 8};
