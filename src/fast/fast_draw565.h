@@ -4,6 +4,7 @@
 #ifndef GLINT_FAST_DRAW565_H
 #define GLINT_FAST_DRAW565_H
 
+#include "../light/backs.h"
 #include "../pixel/format.h"
 #include "fast_exact565.h"
 
@@ -38,12 +39,13 @@ static GLINT_INLINE void glint_draw_565(const glint_frame *frame, glint_workspac
 }
 
 /** Fast lighting of a format of that byte order. */
-#define GLINT_DEFINE_FAST(name, high_first)                                                                         \
-    static void draw_##name(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,           \
-                            const glint_triangle *triangle, const glint_part *part) {                               \
-        glint_draw_565(frame, workspace, draw, triangle, part, high_first);                                         \
-    }                                                                                                               \
-    const glint_fast glint_fast_##name = {glint_fast_serves, glint_fast_prepare, glint_fast_need, glint_fast_light, \
-                                          draw_##name}
+#define GLINT_DEFINE_FAST(name, high_first)                                                                      \
+    static void draw_##name(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,        \
+                            const glint_triangle *triangle, const glint_part *part) {                            \
+        glint_draw_565(frame, workspace, draw, triangle, part, high_first);                                      \
+    }                                                                                                            \
+    static const glint_evaluation evaluation_##name = {GLINT_LIT_AT_FRAGMENTS, 1, glint_fast_light, draw_##name, \
+                                                       glint_draw_sides,       0};                               \
+    const glint_fast glint_fast_##name = {glint_fast_serves, glint_fast_prepare, glint_fast_need, &evaluation_##name}
 
 #endif

@@ -70,7 +70,7 @@ static void light_fetched(const glint_frame *frame, glint_draw *draw, const glin
         vertex->attribute[0] = (int16_t)corner;
     }
     draw->normals = (const int16_t(*)[3])fetched;
-    glint_light_of(frame, draw)(frame, draw, transform, triangle);
+    draw->evaluation->light(frame, draw, transform, triangle);
     draw->normals = 0;
 }
 

@@ -5,36 +5,35 @@
 #include "../pixel/format.h"
 #include "parts.h"
 
-static const glint_evaluation *evaluation_of(const glint_object *object) {
+/* What lights an object. */
+static const glint_evaluation *evaluation_of(const glint_frame *frame, const glint_object *object) {
+    const glint_fast *fast = frame->config.format->fast;
+    if (fast && fast->serves(frame, object))
+        return fast->evaluation;
     return object->evaluation ? object->evaluation : &glint_per_fragment;
 }
 
-static int is_fast(const glint_frame *frame, const glint_object *object) {
-    const glint_fast *fast = frame->config.format->fast;
-    return fast && fast->serves(frame, object);
-}
-
 /* What a draw keeps beyond its vertices. */
-static int keeps_positions(const glint_object *object, const glint_transform *transform) {
-    return transform->clips || evaluation_of(object)->lit_at != GLINT_LIT_AT_FRAGMENTS;
+static int keeps_positions(const glint_evaluation *evaluation, const glint_transform *transform) {
+    return transform->clips || evaluation->lit_at != GLINT_LIT_AT_FRAGMENTS;
 }
 
-static int keeps_extra(const glint_object *object) {
-    const glint_evaluation *evaluation = evaluation_of(object);
+static int keeps_extra(const glint_evaluation *evaluation, const glint_object *object) {
     return glint_has_colours(object->mesh) ||
            (evaluation->lit_at == GLINT_LIT_AT_VERTICES && (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0);
 }
 
 size_t glint_draw_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,
                        size_t vertices, size_t triangles, int has_list) {
+    const glint_evaluation *evaluation = evaluation_of(frame, object);
     size_t size = GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(vertices * sizeof(glint_vertex));
-    if (keeps_positions(object, transform))
+    if (keeps_positions(evaluation, transform))
         size += GLINT_ALIGNED(vertices * sizeof(glint_position));
-    if (keeps_extra(object) || is_fast(frame, object))
+    if (keeps_extra(evaluation, object) || evaluation->has_terms)
         size += GLINT_ALIGNED(vertices * 3 * sizeof(int16_t));
-    if (evaluation_of(object)->lit_at == GLINT_LIT_AT_FACETS)
+    if (evaluation->lit_at == GLINT_LIT_AT_FACETS)
         size += GLINT_ALIGNED(triangles * 3 * sizeof(int16_t));
-    if (evaluation_of(object)->nodes)
+    if (evaluation->nodes)
         size += GLINT_ALIGNED(vertices * glint_shading_of(frame, object->material)->node_size);
     if (!has_list && glint_cull_of(object->mesh))
         size += GLINT_ALIGNED(object->mesh->clusters->count);
@@ -64,22 +63,23 @@ static int is_of_one_colour(const glint_object *object, const glint_draw *draw) 
 glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_transform *transform, uint32_t vertices,
                            uint32_t triangles, size_t list) {
     const glint_object *object = &frame->scene->objects[frame->object];
-    const glint_evaluation *evaluation = evaluation_of(object);
+    const glint_evaluation *evaluation = evaluation_of(frame, object);
     glint_draw *draw = glint_take(&frame->memory, sizeof *draw);
     *draw = (glint_draw){0};
     frame->memory.low += list;
     draw->vertices = glint_take(&frame->memory, vertices * sizeof *draw->vertices);
-    if (keeps_positions(object, transform))
+    if (keeps_positions(evaluation, transform))
         draw->positions = glint_take(&frame->memory, vertices * sizeof *draw->positions);
-    if (keeps_extra(object))
+    if (keeps_extra(evaluation, object))
         draw->extra = glint_take(&frame->memory, vertices * sizeof *draw->extra);
     if (evaluation->lit_at == GLINT_LIT_AT_FACETS)
         draw->facets = glint_take(&frame->memory, triangles * sizeof *draw->facets);
-    draw->evaluation = evaluation;
-    if (is_fast(frame, object))
+    if (evaluation->has_terms)
         draw->terms = glint_take(&frame->memory, vertices * sizeof *draw->terms);
-    draw->light = glint_light_of(frame, draw);
-    draw->kernel = glint_kernel_of(frame, draw);
+    draw->evaluation = evaluation;
+    draw->light = evaluation->light;
+    draw->double_sided = (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
+    draw->kernel = draw->double_sided ? evaluation->sides : evaluation->kernel;
     draw->shading = glint_shading_of(frame, object->material);
     draw->unreached = find_unreached(frame, object, draw->shading->lights);
     if (evaluation->nodes)
@@ -90,8 +90,7 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
         glint_channels_of(draw->shading->ambient, draw->even);
         glint_finish_colours(&frame->config, &draw->even, 1);
     }
-    draw->is_costly =
-        !GLINT_SMALL && evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS && draw->kernel == evaluation->kernel;
+    draw->is_costly = !GLINT_SMALL && evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS && draw->light && !draw->terms;
     draw->object = frame->object;
     draw->first_triangle = frame->triangle;
     draw->first = last ? (uint16_t)(last->first + last->count) : 0;
@@ -101,9 +100,6 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
     if (!draw->normals && draw->light && evaluation->lit_at != GLINT_LIT_AT_FACETS)
         draw->light = object->mesh->layout->normals.type->stage->light;
     draw->mirrored = transform->mirrored;
-    draw->double_sided = (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
-    if (draw->double_sided && draw->light && evaluation->sides)
-        draw->kernel = draw->terms ? glint_per_fragment.sides : evaluation->sides;
     frame->has_costly = !GLINT_SMALL && (draw->is_costly || (last && frame->has_costly));
     if (last)
         last->next = draw;

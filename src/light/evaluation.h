@@ -21,27 +21,15 @@ typedef struct glint_node_stage {
 } glint_node_stage;
 
 struct glint_evaluation {
-    glint_lit_at lit_at;
+    uint8_t lit_at;                /* glint_lit_at */
+    uint8_t has_terms;             /* do vertices keep the terms of fast lighting? */
     glint_light_triangle *light;   /* what comes before a triangle is drawn */
-    glint_kernel *kernel, *sides;  /* and of double-sided objects: null where colours of both sides are known */
+    glint_kernel *kernel, *sides;  /* and of double-sided objects */
     const glint_node_stage *nodes; /* or null */
 };
 
-/** What lights the triangles of a draw before they are drawn, and what draws them: fast lighting, where it has terms.
- */
-static inline glint_light_triangle *glint_light_of(const glint_frame *frame, const glint_draw *draw) {
-    return draw->terms ? frame->config.format->fast->light : draw->evaluation->light;
-}
-
-static inline glint_kernel *glint_kernel_of(const glint_frame *frame, const glint_draw *draw) {
-    return draw->terms ? frame->config.format->fast->draw : draw->evaluation->kernel;
-}
-
-/** The kernel for everything: fragments that pass the depth test are lit. */
+/** The kernel for everything: fragments that pass the depth test are lit; those of backs by the opposite normals. */
 glint_kernel glint_draw_any;
-
-/** The kernel of double-sided objects: fragments, or fast lighting. */
-glint_kernel glint_draw_sides;
 
 /** Kernels of triangles of one colour, and of those with colours at their corners. */
 glint_kernel glint_draw_facet, glint_draw_unlit, glint_draw_lit;

@@ -48,4 +48,4 @@ static void light_facet(const glint_frame *frame, glint_draw *draw, const glint_
     glint_clamp_colour(one.colour[0], draw->facets[i]);
 }
 
-const glint_evaluation glint_per_facet = {GLINT_LIT_AT_FACETS, light_facet, glint_draw_facet, 0, 0};
+const glint_evaluation glint_per_facet = {GLINT_LIT_AT_FACETS, 0, light_facet, glint_draw_facet, glint_draw_facet, 0};

@@ -11,5 +11,5 @@ void glint_shade(const glint_frame *frame, glint_fragments *fragments, const gli
     glint_light_all(frame, fragments, draw->shading, draw->extra != 0);
 }
 
-const glint_evaluation glint_per_fragment = {GLINT_LIT_AT_FRAGMENTS, glint_transform_normals, glint_draw_any,
-                                             glint_draw_sides, 0};
+const glint_evaluation glint_per_fragment = {GLINT_LIT_AT_FRAGMENTS, 0, glint_transform_normals, glint_draw_any,
+                                             glint_draw_any,         0};

@@ -54,4 +54,4 @@ static void light_corners(const glint_frame *frame, glint_draw *draw, const glin
         glint_clamp_colour(vertices.colour[i], draw->extra[index[i]]);
 }
 
-const glint_evaluation glint_per_vertex = {GLINT_LIT_AT_VERTICES, light_corners, glint_draw_lit, 0, 0};
+const glint_evaluation glint_per_vertex = {GLINT_LIT_AT_VERTICES, 0, light_corners, glint_draw_lit, glint_draw_lit, 0};

@@ -78,5 +78,5 @@ static void draw_node_sides(const glint_frame *frame, glint_workspace *workspace
 
 static const glint_node_stage stage = {glint_terms_prepare, glint_terms_measure, sizeof(glint_light_terms)};
 
-const glint_evaluation glint_per_node = {GLINT_LIT_AT_FRAGMENTS, glint_terms_light, draw_nodes, draw_node_sides,
-                                         &stage};
+const glint_evaluation glint_per_node = {GLINT_LIT_AT_FRAGMENTS, 0,     glint_terms_light, draw_nodes,
+                                         draw_node_sides,        &stage};

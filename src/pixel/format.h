@@ -43,8 +43,7 @@ typedef struct glint_fast {
     glint_status (*prepare)(glint_frame *frame); /* behind all shadings */
     /** Adds the bytes that a material takes at least, and its tables, which want as much room left behind them. */
     void (*need)(const glint_frame *frame, const struct glint_shading *shading, size_t *least, size_t *tables);
-    glint_light_triangle *light;
-    glint_kernel *draw;
+    const glint_evaluation *evaluation; /* of what it serves */
 } glint_fast;
 
 extern const glint_fast glint_fast_rgb565, glint_fast_rgb565_be;

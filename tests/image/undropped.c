@@ -406,11 +406,14 @@ static void draw_undropped(const glint_frame *frame, glint_workspace *workspace,
 
 const glint_format *undropped_format(const glint_format *format) {
     static glint_fast fast;
+    static glint_evaluation evaluation;
     static glint_format twin;
     if (format != &glint_format_rgb565)
         return format;
     fast = *format->fast;
-    fast.draw = draw_undropped;
+    evaluation = *fast.evaluation;
+    evaluation.kernel = draw_undropped;
+    fast.evaluation = &evaluation;
     twin = *format;
     twin.fast = &fast;
     return &twin;

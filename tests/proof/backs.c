@@ -37,10 +37,10 @@ static void any_triangle(void) {
      \subset((v)->attribute[0..2], (-32767..32767)) && (v)->flags <= GLINT_VERTEX_NORMAL)
 
 /* Any corners, normals of either sign. */
-PROOF(glint_turn_over) {
+PROOF(turn_over) {
     glint_vertex turned[3];
     any_triangle();
-    const int is_whole = glint_turn_over(&triangle, turned);
+    const int is_whole = turn_over(&triangle, turned);
     /*@ assert is_whole == 0 || is_whole == 1; */
     /*@ assert TURNED(&turned[0]) && TURNED(&turned[1]) && TURNED(&turned[2]); */
 }
@@ -82,13 +82,10 @@ static void any_kernel(const glint_frame *frame, glint_workspace *workspace, con
 
 static const glint_evaluation by_fragments = {.light = any_light, .kernel = any_kernel},
                               at_nodes = {.light = any_node_light, .kernel = any_kernel};
-static const glint_fast fast = {.light = any_light, .draw = any_kernel};
-static const glint_format format = {.fast = &fast};
 
 /* A draw of any other vertices, with terms of fast lighting and without; parts are counted or not. */
-static void any_draw(glint_frame *frame, glint_workspace *workspace, int has_terms) {
+static void any_draw(glint_workspace *workspace, int has_terms) {
     static glint_drawn drawn[GLINT_KERNELS];
-    frame->config.format = &format;
     workspace->drawn = ANY(0, 1) ? drawn : 0;
     part.top = 0;
     part.bottom = ANY_UNSIGNED(0, 2);
@@ -107,7 +104,7 @@ PROOF(glint_draw_back) {
     any_triangle();
     FOR_PARTS(kind, 0, 2) {
         int16_t nodes[3 * GLINT_KEPT_MAX];
-        any_draw(&frame, &workspace, kind == 1);
+        any_draw(&workspace, kind == 1);
         if (kind == 2)
             draw.evaluation = &at_nodes;
         glint_draw_back(&frame, &workspace, &draw, &triangle, &part, kind == 2 ? nodes : 0);
@@ -121,7 +118,7 @@ PROOF(glint_draw_sides) {
     any_triangle();
     FOR_PARTS(kind, 0, 3) {
         triangle.back = kind & 1;
-        any_draw(&frame, &workspace, kind >> 1);
+        any_draw(&workspace, kind >> 1);
         glint_draw_sides(&frame, &workspace, &draw, &triangle, &part);
     }
 }
