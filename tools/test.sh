@@ -3,14 +3,19 @@
 # Runs test suites, which are make targets, as many at once as there are cores: test.sh LOGS SUITE...
 # One make builds and runs them, so that what several take is built once; it builds most before it runs the first. What each
 # prints is kept in LOGS/SUITE.log (tools/suite.sh), and shown whole, in the order given.
+# Beside each in the summary is the time that it took of processors, less what it was built by.
 # Each closes with one line or several `N passed, N failed`; so does this, with their sums. A suite that fails without
 # a failed test, or closes without such a line, counts as one failure; none stops the others.
 set -u
 logs=$1
 shift
 mkdir -p "$logs"
-rm -f "$logs"/*.log "$logs"/*.status
+rm -f "$logs"/*.log "$logs"/*.status "$logs"/*.times
 jobs=$(nproc 2>/dev/null || echo 2)
+# Seconds that what a shell started took of processors, from what `times` printed: the second line of each pair.
+of_processors() {
+    awk -F '[ms ]+' 'NR % 2 == 0 { sum += 60 * ($1 + $3) + $2 + $4 } END { printf "%d", sum }' "$@" /dev/null
+}
 closing='^[0-9]+ passed, [0-9]+ failed$'
 passed=0 failed=0
 summary=() broken=()
@@ -43,7 +48,7 @@ for suite in "$@"; do
         bad=1 note=" (ran no test)"
     fi
     passed=$((passed + good)) failed=$((failed + bad))
-    summary+=("$(printf '%-22s %5d passed, %d failed%s' "$suite" "$good" "$bad" "$note")")
+    summary+=("$(printf '%-22s %5d passed, %d failed%s; %d s' "$suite" "$good" "$bad" "$note" "$(of_processors "$logs/$suite".times)")")
     [ "$bad" -eq 0 ] || broken+=("$suite")
 done
 wait "$make"
@@ -59,7 +64,7 @@ done
 printf '\n==== suites\n'
 printf '%s\n' "${summary[@]}"
 # user and system time of all that was run, after that of this shell alone
-times >"$logs/times"
-awk -v seconds="$SECONDS" -F '[ms ]+' 'NR == 2 { printf "%d s, %d s of processors\n", seconds, 60 * ($1 + $3) + $2 + $4 }' "$logs/times"
+times >"$logs/all.times"
+printf '%d s, %d s of processors\n' "$SECONDS" "$(of_processors "$logs/all.times")"
 printf '%d passed, %d failed\n' "$passed" "$failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -201,7 +201,7 @@ static GLINT_NOINLINE void draw_triangles(const glint_frame *frame, glint_worksp
     glint_triangle triangle;
     glint_part part;
     place_tile(frame, &part.window, tile);
-    if (!GLINT_SMALL && frame->has_costly && list->next != GLINT_LIST_END)
+    if (!GLINT_SMALL && frame->has_costly)
         hide_objects(frame, workspace, &part, list);
     for (uint32_t here = list->next; here != GLINT_LIST_END;) {
         const glint_reference *const reference = &references[here];

@@ -270,7 +270,7 @@ void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const 
                     const glint_triangle *triangle, const glint_part *part) {
     const glint_vertex *const *v = triangle->corners;
     const int16_t *const front[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
-    const int16_t *const *const colour = triangle->back && draw->double_sided ? triangle->extra : front;
+    const int16_t *const *const colour = triangle->back ? triangle->extra : front;
     const glint_format *const format = frame->config.format;
     lit_colours own;
     const lit_colours *const lit = find_lit(frame, workspace, triangle, part, colour, &own);

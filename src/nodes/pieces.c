@@ -223,7 +223,7 @@ int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, cons
                          .barycentric = &barycentric};
     glint_span spans[4][GLINT_TILE_MAX];
     glint_part cut = *part;
-    if (triangle->area * (int32_t)(draw->shading->terms->shown + 2) < PIECES_AREA || glint_is_deep(triangle) ||
+    if (triangle->area * (int32_t)(draw->shading->terms->shown + 2) < PIECES_AREA ||
         glint_slenderness(&part->gradients, triangle->area) > GLINT_SLENDER)
         return 0;
     p.frame = frame;

@@ -32,7 +32,8 @@ uint32_t glint_shape_away(const glint_draw *draw, const glint_shape *shape, glin
 int glint_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
                       glint_node *const nodes[], glint_terms *terms, glint_polynomials *polynomials);
 
-/** Draws a triangle by four pieces of its own. @return 0 where it is too small or too slender for them */
+/** Draws a triangle that is not deep by four pieces of its own. @return 0 where it is too small or too slender for them
+ */
 int glint_draw_pieces(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                       const glint_triangle *triangle, uint32_t lobes, const glint_part *part);
 

@@ -258,7 +258,7 @@ static void begin_term_planes(const glint_candidate *t, int32_t longer, const gl
 static int is_shapely(const glint_triangle *triangle, const glint_part *part) {
     const glint_vertex *const *v = triangle->corners;
     return v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_LIT &&
-           glint_slenderness(&part->gradients, triangle->area) <= GLINT_SLENDER && !glint_is_deep(triangle);
+           glint_slenderness(&part->gradients, triangle->area) <= GLINT_SLENDER;
 }
 
 /* May numbers at the middles, but for those of highlights, be found from the corners? */

@@ -338,7 +338,7 @@ void glint_draw_edges(const glint_frame *frame, glint_workspace *workspace, cons
 /** Lights the vertices of a triangle, unless they are; finds their normals alone where the material has no terms. */
 glint_light_triangle glint_terms_light;
 
-/** A triangle's light, from its corners on. @return 0 where polynomials do not fit */
+/** The light of a triangle that is not deep, from its corners on. @return 0 where polynomials do not fit */
 int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
                       const glint_part *part, glint_terms *terms, glint_polynomials *polynomials);
 

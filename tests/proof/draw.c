@@ -346,7 +346,7 @@ PROOF(glint_draw_lit) {
         const glint_format format = {.channel = {red, green, red}, .draw_channels = kind & 2 ? any_draw_channels : 0};
         frame.config.format = &format;
         frame.config.gamma = kind & 4 ? tables : 0;
-        draw.double_sided = (uint8_t)ANY(0, 1);
+        triangle.back = ANY(0, 1);
         glint_draw_lit(&frame, &workspace_of_all, &draw, &triangle, &part_of_all);
     }
 }
