@@ -14,9 +14,6 @@
 /** What makes vertices different. */
 #define VALUES 9
 
-/** Twice VERTICES_MAX: open addressing stays fast half full. */
-#define SLOT_COUNT 131072u
-
 const char *const quantise_position_names[] = {"int16", "int8", NULL};
 const char *const quantise_normal_names[] = {"int16", "octahedral", "octahedral16", NULL};
 const char *const quantise_index_names[] = {"16", "8", "auto", NULL};
@@ -31,13 +28,14 @@ typedef struct mesh_quantiser {
 typedef struct piece_vertex {
     int16_t values[VALUES]; /* position steps, normal, colour */
     mesh_corner corner;
-    uint32_t number; /* in order of first use */
+    uint32_t number, slot; /* in order of first use; where it is found */
 } piece_vertex;
 
 /** The piece that is being filled. */
 typedef struct mesh_piece {
     piece_vertex *vertices;
-    uint32_t *slots; /* vertex number plus one, by hash; 0 for free */
+    uint32_t *slots;     /* vertex number plus one, by hash; 0 for free */
+    uint32_t slot_count; /* twice as many as vertices or more: open addressing stays fast half full */
     uint16_t (*triangles)[3];
     size_t vertex_count, vertex_capacity, triangle_count, triangle_capacity;
     uint32_t material;
@@ -152,15 +150,15 @@ static uint32_t hash_values(const int16_t values[VALUES]) {
     for (int i = 0; i < VALUES; i++) {
         hash = (hash ^ (uint16_t)values[i]) * 16777619u;
     }
-    return (hash ^ hash >> 15) % SLOT_COUNT;
+    return hash ^ hash >> 15;
 }
 
 /** The slot that holds a vertex with these values, or the free one where it belongs. */
 static uint32_t *find_slot(const mesh_piece *piece, const int16_t values[VALUES]) {
-    uint32_t slot = hash_values(values);
+    uint32_t slot = hash_values(values) % piece->slot_count;
     while (piece->slots[slot] != 0 &&
            memcmp(piece->vertices[piece->slots[slot] - 1].values, values, VALUES * sizeof values[0]) != 0) {
-        slot = (slot + 1) % SLOT_COUNT;
+        slot = (slot + 1) % piece->slot_count;
     }
     return &piece->slots[slot];
 }
@@ -174,6 +172,7 @@ static uint16_t place_vertex(mesh_piece *piece, const int16_t values[VALUES], me
         memcpy(vertex->values, values, sizeof vertex->values);
         vertex->corner = corner;
         vertex->number = (uint32_t)piece->vertex_count++;
+        vertex->slot = (uint32_t)(slot - piece->slots);
         *slot = (uint32_t)piece->vertex_count;
     }
     return (uint16_t)(*slot - 1);
@@ -235,7 +234,9 @@ static void finish_piece(mesh_piece *piece, const glint_mesh *frame, bool colour
     made->triangle_count = (uint32_t)piece->triangle_count;
     out->vertex_count += piece->vertex_count;
     out->triangle_count += piece->triangle_count;
-    memset(piece->slots, 0, SLOT_COUNT * sizeof *piece->slots);
+    for (size_t i = 0; i < piece->vertex_count; i++) {
+        piece->slots[piece->vertices[i].slot] = 0;
+    }
     piece->triangles = NULL;
     piece->vertex_count = piece->triangle_count = piece->triangle_capacity = 0;
 }
@@ -381,7 +382,9 @@ bool quantise(const host_mesh *mesh, uint32_t flags, const quantise_types *types
     for (int axis = 0; axis < 3; axis++) {
         choose_range(&quantiser, axis, low[axis], high[axis], &frame);
     }
-    mesh_piece piece = {.slots = memory_new(SLOT_COUNT, sizeof *piece.slots)};
+    mesh_piece piece = {.slot_count = 2 * (uint32_t)(mesh->triangle_count < VERTICES_MAX / 3 ? 3 * mesh->triangle_count
+                                                                                             : VERTICES_MAX)};
+    piece.slots = memory_new(piece.slot_count, sizeof *piece.slots);
     size_t *order = by_material(mesh);
     for (size_t i = 0; i < mesh->triangle_count; i++) {
         place_triangle(&quantiser, order[i], &piece, &frame, out);
