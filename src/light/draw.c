@@ -134,12 +134,14 @@ static void draw_fragments(const glint_frame *frame, glint_workspace *workspace,
 
 void glint_draw_any(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                     const glint_triangle *triangle, const glint_part *part) {
-    int16_t facing[3][3];
-    const int16_t *const normals[3] = {facing[0], facing[1], facing[2]};
-    const int sign = triangle->back ? -1 : 1;
-    for (int i = 0; i < 3; i++)
+    const glint_vertex *const *v = triangle->corners;
+    const int16_t *normals[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
+    int16_t opposite[3][3];
+    for (int i = 0; i < 3 && triangle->back; i++) {
         for (int c = 0; c < 3; c++)
-            facing[i][c] = (int16_t)(sign * triangle->corners[i]->attribute[c]);
+            opposite[i][c] = (int16_t)-normals[i][c];
+        normals[i] = opposite[i];
+    }
     draw_fragments(frame, workspace, draw, triangle, part, normals, glint_shade);
 }
 
