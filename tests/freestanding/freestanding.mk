@@ -1,22 +1,21 @@
 # SPDX-License-Identifier: MIT
-# The library by itself, for every core: what it needs from outside, and what it must not contain.
+# The library by itself, for every core: what it needs from outside, and what it must not contain. Cores without an FPU have
+# it from the boards; nothing of a board is in it.
 
-freestanding_m0  := -mcpu=cortex-m0 -mthumb
-freestanding_m3  := -mcpu=cortex-m3 -mthumb
 freestanding_m4f := -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard
 
-# $(call freestanding_core,core,optimisation)
-define freestanding_core
-$(BUILD)/freestanding/$1-$2/%.o: %.c $(wildcard src/*.h src/*/*.h) tests/freestanding/freestanding.mk
+# $(call freestanding_fpu,optimisation)
+define freestanding_fpu
+$(BUILD)/freestanding/m4f-$1/%.o: %.c $(wildcard src/*.h src/*/*.h) tests/freestanding/freestanding.mk
 	@mkdir -p $$(@D)
-	$$(Q)$(CROSS)gcc $$(freestanding_$1) -std=c99 $(LIBRARY_WARNINGS) -$2 -ffreestanding -ffunction-sections -fdata-sections \
+	$$(Q)$(CROSS)gcc $$(freestanding_m4f) -std=c99 $(LIBRARY_WARNINGS) -$1 -ffreestanding -ffunction-sections -fdata-sections \
 	    -fcallgraph-info=su -Isrc -c $$< -o $$@
-FREESTANDING_OBJECTS += $(LIBRARY:%.c=$(BUILD)/freestanding/$1-$2/%.o) \
-    $(BUILD)/freestanding/$1-$2/tests/freestanding/planted.o
 endef
 
-$(foreach core,m0 m3 m4f,$(foreach level,Os O2,$(eval $(call freestanding_core,$(core),$(level)))))
+$(foreach level,Os O2,$(eval $(call freestanding_fpu,$(level))))
 
-test-freestanding: $(FREESTANDING_OBJECTS) ## the library needs nothing and has no float, data or recursion
-	@python3 tests/freestanding/freestanding.py --cross $(CROSS) \
-	    $(foreach core,m0 m3 m4f,$(foreach level,Os O2,$(BUILD)/freestanding/$(core)-$(level)))
+FREESTANDING := $(foreach board,mps2-an385-m0 mps2-an385,$(foreach level,Os O2,$(BUILD)/$(board)/$(level))) \
+    $(addprefix $(BUILD)/freestanding/m4f-,$(call pick,0,Os O2))
+
+test-freestanding: $(foreach folder,$(FREESTANDING),$(LIBRARY:%.c=$(folder)/%.o) $(folder)/tests/freestanding/planted.o) ## the library needs nothing and has no float, data or recursion
+	@python3 tests/freestanding/freestanding.py --cross $(CROSS) $(FREESTANDING)

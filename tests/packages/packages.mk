@@ -15,8 +15,9 @@ $(PACKAGES)/turntable: tests/packages/turntable.c examples/turntable/turntable.c
 
 SUITES += test-packages
 .PHONY: test-packages
-test-packages: $(PACKAGES)/minimal $(PACKAGES)/turntable $(BUILD)/host/panel_stream $(HOST_PROGRAM) single ## every package: what it builds, and what it says of itself
-	@python3 tests/packages/packages.py --build $(BUILD)
+test-packages: $(PACKAGES)/minimal $(PACKAGES)/turntable $(BUILD)/host/panel_stream $(HOST_PROGRAM) single ## packages that a seed picks: what each builds, and what it says of itself
+	@echo "$(if $(EVERY),every package,TEST_SEED=$(TEST_SEED))"
+	@python3 tests/packages/packages.py --build $(BUILD) $(if $(EVERY),,--seed $(TEST_SEED))
 
 # ---- Options: what else than a compiler's level decides what is compiled, one by one and in pairs. The core's own are set
 # ---- as another core has them. `small` alone is a part of test-matrix.

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Measures what each feature of the library costs: features.py --qemu QEMU --output DIRECTORY [--page PAGE [--check]]
+"""Measures what each feature of the library costs: features.py --qemu QEMU --output DIRECTORY [--page PAGE [--check LEVELS]]
 CORE=COMMAND...
 
 COMMAND compiles and links firmware of tools/features/feature.c for a core, with {level} where -Os or -O2's name goes;
 macros and the output's name are added. Writes DIRECTORY/features.csv, and the tables of PAGE anew, or with --check holds
-the figures there against those measured. Flash and frames in a row are those of one and the same firmware.
+the figures there of levels, Os or O2 or both by a comma, against those measured. Flash and frames in a row are those of one
+and the same firmware.
 """
 import argparse
 import collections
@@ -128,12 +129,12 @@ class Builder:
         return Row(flash, beside, *counted)
 
 
-def measure_all(builders):
+def measure_all(builders, levels):
     """@return {(feature, core, level): row}; the base itself is ''."""
     features = [("", {})] + [feature for _, group in GROUPS for feature in group]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as workers:
         running = {(name, builder.core, level): workers.submit(builder.measure, name or "nothing", level, macros)
-                   for level in LEVELS for name, macros in features for builder in builders}
+                   for level in levels for name, macros in features for builder in builders}
         return {key: result.result() for key, result in running.items()}
 
 
@@ -165,8 +166,8 @@ def table(level, rows, cores):
     return text
 
 
-def tables(rows, cores):
-    return "".join("\n## %s\n\n%s" % (title, table(level, rows, cores)) for level, title in LEVELS.items()) + "\n"
+def section(level, rows, cores):
+    return "\n## %s\n\n%s" % (LEVELS[level], table(level, rows, cores))
 
 
 def split_page(path):
@@ -190,8 +191,10 @@ def is_near(kept, now):
     return abs(kept - now) <= max(TOLERANCE * abs(now), TOLERANCE_BYTES if abs(now) >= 16 else 0.02)
 
 
-def check_page(tally, path, text):
-    kept, measured = split_page(path)[1].splitlines(), text.splitlines()
+def check_section(tally, path, level, text):
+    """A level's table of the page against what was measured."""
+    kept = next((part for part in re.split(r"(?m)^(?=\n## )", split_page(path)[1]) if LEVELS[level] in part), "").rstrip()
+    kept, measured = ("\n" + kept.lstrip()).splitlines(), text.rstrip().splitlines()
     tally.check(len(kept) == len(measured), "the page has %d lines of tables, not %d" % (len(kept), len(measured)))
     for line, now in zip(kept, measured):
         if not now.startswith("|"):
@@ -203,10 +206,10 @@ def check_page(tally, path, text):
                     "the page is out of date, run `make features`:\n  %s\n  %s" % (line, now))
 
 
-def check_claims(tally, rows, cores):
+def check_claims(tally, rows, cores, levels):
     """What the page says in words."""
     for core in cores:
-        for level in LEVELS:
+        for level in levels:
             of = {name: row for (name, *which), row in rows.items() if which == [core, level]}
             where = "%s, -%s: " % (core, level)
             for name, slower in CHEAPER.items():
@@ -228,22 +231,23 @@ def main():
     parser = argparse.ArgumentParser()
     for name in ("qemu", "output", "page"):
         parser.add_argument("--" + name, required=True)
-    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--check", type=lambda text: text.split(","), metavar="LEVELS")
     parser.add_argument("cores", nargs="+")
     arguments = parser.parse_args()
     builders = [Builder(arguments.qemu, arguments.output, *core.split("=", 1)) for core in arguments.cores]
     cores = [builder.core for builder in builders]
-    rows = measure_all(builders)
+    levels = arguments.check or list(LEVELS)
+    rows = measure_all(builders, levels)
     with open(os.path.join(arguments.output, "features.csv"), "w", newline="") as file:
         lines = csv.writer(file, lineterminator="\n")
         lines.writerow(COLUMNS)
         lines.writerows([(name or "base", core, level) + row for (name, core, level), row in rows.items()])
     tally = Tally()
-    check_claims(tally, rows, cores)
-    if arguments.check:
-        check_page(tally, arguments.page, tables(rows, cores))
-    else:
-        write_page(arguments.page, tables(rows, cores))
+    check_claims(tally, rows, cores, levels)
+    for level in arguments.check or []:
+        check_section(tally, arguments.page, level, section(level, rows, cores))
+    if not arguments.check:
+        write_page(arguments.page, "".join(section(level, rows, cores) for level in levels) + "\n")
     return tally.close()
 
 
