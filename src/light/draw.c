@@ -135,13 +135,7 @@ static void draw_fragments(const glint_frame *frame, glint_workspace *workspace,
 void glint_draw_any(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                     const glint_triangle *triangle, const glint_part *part) {
     const glint_vertex *const *v = triangle->corners;
-    const int16_t *normals[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
-    int16_t opposite[3][3];
-    for (int i = 0; i < 3 && triangle->back; i++) {
-        for (int c = 0; c < 3; c++)
-            opposite[i][c] = (int16_t)-normals[i][c];
-        normals[i] = opposite[i];
-    }
+    const int16_t *const normals[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
     draw_fragments(frame, workspace, draw, triangle, part, normals, glint_shade);
 }
 

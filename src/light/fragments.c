@@ -4,19 +4,20 @@
 
 #include "../pixel/format.h"
 #include "../raster/runs.h"
+#include "evaluation.h"
 
 /* An attribute of 16 bits over w: below 2^30. */
 static int32_t over_w(int32_t attribute, uint32_t w) {
     return attribute * (int32_t)(w >> 16) + glint_shift_right(attribute * (int32_t)(w & 0xffff), 16);
 }
 
-/* Planes of three attributes of 16 bits over w 2^-up. */
+/* Planes of three attributes of 16 bits over w 2^-up, times a sign. */
 static void triple(glint_plane planes[3], const glint_gradients *g, const glint_triangle *triangle, unsigned up,
-                   const int16_t *const attribute[3]) {
+                   const int16_t *const attribute[3], int32_t sign) {
     for (int c = 0; c < 3; c++) {
         int32_t scaled[3];
         for (int i = 0; i < 3; i++)
-            scaled[i] = over_w(attribute[i][c], (uint32_t)triangle->corners[i]->inverse_w << up);
+            scaled[i] = over_w(sign * attribute[i][c], (uint32_t)triangle->corners[i]->inverse_w << up);
         glint_plane_begin(&planes[c], g, scaled[0], scaled[1], scaled[2]);
     }
 }
@@ -31,9 +32,10 @@ void glint_gathering_begin(const glint_gathering *gathering, const glint_triangl
     fragments->attributes = attributes;
     fragments->scale = up;
     fragments->away = triangle->away;
-    triple(attributes->main, g, triangle, up, main);
+    const int is_opposite = triangle->back && gathering->draw->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS;
+    triple(attributes->main, g, triangle, up, main, is_opposite ? -1 : 1);
     if (gathering->draw->extra)
-        triple(attributes->extra, g, triangle, up, triangle->extra);
+        triple(attributes->extra, g, triangle, up, triangle->extra, 1);
 }
 
 /* Colours of fragments in levels: each takes the place of its colour. */

@@ -52,6 +52,7 @@ typedef struct glint_gathering {
 
 /**
  * Begins with no fragments of a triangle whose planes are made of `main`, and of its extra attributes if it has some.
+ * Where normals are lit, those of backs are turned over.
  */
 void glint_gathering_begin(const glint_gathering *gathering, const glint_triangle *triangle,
                            const int16_t *const main[3], glint_attributes *attributes);

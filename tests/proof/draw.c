@@ -193,7 +193,7 @@ static void any_triangle(int16_t least) {
     triangle.number = ANY_UNSIGNED(0, UINT16_MAX);
 }
 
-/* Corners of any normals and 1/w, of both sides. @contract glint_gathering_store draw_runs */
+/* Corners of any normals and 1/w. @contract glint_gathering_store draw_runs */
 PROOF(glint_draw_any) {
     static glint_draw draw;
     static glint_frame frame;
@@ -201,10 +201,7 @@ PROOF(glint_draw_any) {
     any_triangle(-32767);
     ANY_GRADIENTS(&part_of_all.gradients);
     workspace_of_all.gathered = &gathered;
-    FOR_PARTS(back, 0, 1) {
-        triangle.back = back;
-        glint_draw_any(&frame, &workspace_of_all, &draw, &triangle, &part_of_all);
-    }
+    glint_draw_any(&frame, &workspace_of_all, &draw, &triangle, &part_of_all);
 }
 
 /* Stands on the most of three, which is no less than the least. */

@@ -28,17 +28,21 @@ static glint_triangle triangle;
         corners[2].inverse_w = ANY(is_last ? (int32_t)((1u << bits) / 2) : 64, (int32_t)((1u << bits) - 1)), 1)
 
 /*
- * Corners of any normals, 1/w by the bits of the largest, first or last; with colours of their own and without.
+ * Corners of any normals, 1/w by the bits of the largest, first or last; with colours of their own and without;
+ * seen from both sides, lit at fragments and at vertices.
  * @contract glint_plane_begin
  * @unreached 2 leading zeros of 0
  */
 PROOF(glint_gathering_begin) {
     static int16_t extra[3][3];
+    const glint_evaluation evaluation = {.lit_at = (uint8_t)ANY(GLINT_LIT_AT_FRAGMENTS, GLINT_LIT_AT_VERTICES)};
     glint_draw draw;
     glint_part part;
     glint_fragments fragments;
     glint_attributes attributes;
     const glint_gathering gathering = {0, 0, &part, &draw, 0, &fragments};
+    draw.evaluation = &evaluation;
+    triangle.back = ANY(0, 1);
     const int16_t *const main[3] = {corners[0].attribute, corners[1].attribute, corners[2].attribute};
     for (int i = 0; i < 3; i++) {
         for (int c = 0; c < 3; c++) {
