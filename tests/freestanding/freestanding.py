@@ -71,11 +71,13 @@ def writable(cross, objects):
 
 
 def unreferenced(cross, objects):
-    """Static functions that nothing in their object refers to; each has a section of its own."""
+    """Static functions that nothing in their object refers to but what debuggers read; each has a section of its own."""
     found = []
     references, symbols = of_each((cross + "objdump", "-r"), objects), of_each((cross + "nm",), objects)
     for (path, relocations), (_, names) in zip(references, symbols):
-        targets = set(re.findall(r"\sR_ARM_\w+\s+(?:\.text\.)?([\w.$]+)", relocations))
+        sections = re.split(r"^RELOCATION RECORDS FOR \[", relocations, flags=re.MULTILINE)
+        code = "".join(section for section in sections if not section.startswith(".debug"))
+        targets = set(re.findall(r"\sR_ARM_\w+\s+(?:\.text\.)?([\w.$]+)", code))
         statics = re.findall(r"^[0-9a-f]+ t ([A-Za-z_][\w.]*)$", names, re.MULTILINE)
         found += ["%s: %s" % (path, name) for name in statics if name not in targets]
     return found
