@@ -12,10 +12,13 @@ FEATURES_BUILT := $(BUILD)/bench/bench_scenes.h $(foreach board,mps2-an385 mps2-
 FEATURES = python3 tools/features/features.py --qemu $(QEMU) --output $(BUILD) --page docs/features.md \
     $(call features_core,m3,mps2-an385) $(call features_core,m0,mps2-an385-m0)
 
+# Levels whose figures the suite measures.
+FEATURES_LEVELS := $(if $(EVERY),Os$(comma)O2,$(call pick,0,Os O2))
+
 .PHONY: features test-features
 features: $(FEATURES_BUILT) ## measure what each feature costs, and write it into docs/features.md
 	@$(FEATURES)
 
 test-features: $(FEATURES_BUILT) ## docs/features.md against what is measured, of one level that a seed picks
 	@echo "$(if $(EVERY),every level,TEST_SEED=$(TEST_SEED))"
-	@$(FEATURES) --check $(or $(if $(EVERY),Os$(comma)O2),$(call pick,0,Os O2))
+	@$(FEATURES) --check $(FEATURES_LEVELS)
