@@ -145,7 +145,7 @@ test-matrix: $(MATRIX_TESTED:%=$(BUILD)/tests/%/unit) ## unit tests by three com
 	@echo "$(if $(EVERY),every variant,TEST_SEED=$(TEST_SEED))"
 	$(call run_suites,$^)
 
-variants: ## suites matrix, options, board-identity, firmware and packages with every compiler, level, option, pair and package, where make test takes a sample
+variants: ## suites matrix, options, board-identity, firmware, packages, features and freestanding with every compiler, level, option, pair and package, where make test takes a sample
 	@$(MAKE) --no-print-directory EVERY=1 test-matrix test-options test-board-identity test-firmware test-packages test-features test-freestanding
 
 # ---- Tables of the unit tests, made anew when a pixel changes on purpose
