@@ -15,14 +15,14 @@ mps2-an386-m4f_PANEL   := $(mps2-an386_PANEL)
 
 PROGRAM_float          := tools/bench/float/frames.c $(FLOAT_RENDERER)
 PROGRAM_float-pictures := tests/float/pictures_board.c $(FLOAT_RENDERER)
-$(eval $(call firmware_objects,mps2-an386-m4f,O2))
+$(foreach level,Os O2,$(eval $(call firmware_objects,mps2-an386-m4f,$(level))))
 $(foreach program,float float-pictures,$(eval $(call firmware_program,mps2-an386-m4f,O2,$(program))))
 # They measure; `make boards` lists what is to run on a board.
 FIRMWARE := $(filter-out $(BUILD)/mps2-an386-m4f/%,$(FIRMWARE))
 
 $(BUILD)/mps2-an386-m4f/O2/%.o: FIRMWARE_CFLAGS += $(FLOAT_INCLUDES)
 $(BUILD)/mps2-an386-m4f/O2/tools/bench/workloads.o: $(BUILD)/bench/bench_scenes.h
--include $(wildcard $(foreach folders,* */* */*/*,$(BUILD)/mps2-an386-m4f/O2/$(folders)/*.d))
+-include $(wildcard $(foreach folders,* */* */*/*,$(BUILD)/mps2-an386-m4f/*/$(folders)/*.d))
 
 # ---- Its pictures against the double-precision reference: drawn by this machine, and by a Cortex-M4F, with fused
 # ---- products and what else its compiler makes of floats
