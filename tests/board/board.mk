@@ -39,9 +39,8 @@ IDENTITY_ELF    := $(foreach core,$(IDENTITY_CORES),$(foreach level,$(IDENTITY_L
 IDENTITY_PART   := sifive_e=$(BUILD)/sifive_e/release/identity-16k.elf lm3s811evb=$(BUILD)/lm3s811evb/release/identity-8k.elf
 IDENTITY_VARIANTS := $(MATRIX) sanitize threads
 IDENTITY_HOST   := $(patsubst %,$(BUILD)/identity/%,$(MATRIX_TESTED) sanitize threads)
-# Of each core what is built for speed, and one of two other levels.
-IDENTITY_TESTED := $(if $(EVERY),$(IDENTITY_ELF),$(foreach bit,1 2 3,$(foreach level,O2 $(call pick,$(bit),O0 Os),\
-    $(BUILD)/$(word $(bit),$(IDENTITY_CORES))/$(level)/identity.elf)))
+# Of each core what is built for speed, and one of all that is not.
+IDENTITY_TESTED := $(filter %/O2/identity.elf,$(IDENTITY_ELF)) $(call pick,1,$(filter-out %/O2/identity.elf,$(IDENTITY_ELF)))
 IDENTITY_LEFT   := $(filter-out $(IDENTITY_TESTED),$(IDENTITY_ELF))
 IDENTITY_SOURCES := tests/board/identity_host.c tests/board/identity.c tests/board/frames.c \
     examples/turntable/turntable.c $(EXAMPLE_SCENES)
@@ -60,11 +59,17 @@ FLASH_MOST   := 65536
 RAM_MOST     := 32768
 LIBRARY_MOST := 22016
 
+# Of the colour boards whose animation no other suite takes, one.
+ANIMATE_RUN   := mps2-an385 netduinoplus2 pico
+ANIMATE_OTHER := $(patsubst %,$(BUILD)/%/O2/animate.elf,$(filter-out $(ANIMATE_RUN),$(COLOUR_BOARDS)))
+FIRMWARE_LEFT := $(IDENTITY_LEFT) $(filter-out $(call pick,2,$(ANIMATE_OTHER)),$(ANIMATE_OTHER))
+
 # Files that are read later add firmware too.
 .SECONDEXPANSION:
-test-firmware: $$(filter-out $$(IDENTITY_LEFT),$$(FIRMWARE)) ## flash, RAM and library within their limits
+test-firmware: $$(filter-out $$(FIRMWARE_LEFT),$$(FIRMWARE)) ## flash, RAM and library within their limits
+	@echo "$(if $(EVERY),all firmware,TEST_SEED=$(TEST_SEED))"
 	@python3 tests/board/firmware.py --flash $(FLASH_MOST) --ram $(RAM_MOST) --library $(LIBRARY_MOST) \
-	    $(BUILD)/lm3s6965evb/release/turntable.map --programs $(filter-out $(IDENTITY_LEFT),$(FIRMWARE)) --examples examples/firmware/minimal.c examples/firmware/own_flush.c
+	    $(BUILD)/lm3s6965evb/release/turntable.map --programs $(filter-out $(FIRMWARE_LEFT),$(FIRMWARE)) --examples examples/firmware/minimal.c examples/firmware/own_flush.c
 
 # ---- The panel driver on a bus that records and fails
 
@@ -98,7 +103,7 @@ SHOW_BOARDS   := lm3s6965evb lm3s811evb microbit stm32vldiscovery netduinoplus2 
 SHOW_FIRMWARE := pico=$(BUILD)/pico/release/show.bin $(foreach board,$(SHOW_BOARDS),$(board)=$(BUILD)/$(board)/release/show.elf)
 # The example scenes in motion, on panels in colour; all of it takes the Pico's emulator a minute, so that a test has a part.
 ANIMATE_FIRMWARE := $(foreach board,$(COLOUR_BOARDS),$(board)=$(BUILD)/$(board)/O2/animate.$(if $(filter pico,$(board)),bin,elf))
-ANIMATE_TESTED   := $(filter mps2-an385=% netduinoplus2=% pico=%,$(ANIMATE_FIRMWARE))
+ANIMATE_TESTED   := $(filter $(ANIMATE_RUN:%=%=%),$(ANIMATE_FIRMWARE))
 ANIMATE := python3 tests/board/animate.py --host $(SHOW_HOST) --stream $(BUILD)/host/panel_stream
 
 SUITES += test-board-show test-board-animate test-board-compose test-board-moving test-board-own-flush

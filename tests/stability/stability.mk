@@ -15,7 +15,8 @@ $(foreach suite,regions kept search table,$(eval $(call test_suite,host,stabilit
 $(eval $(call test_suite,sanitize,stability_search))
 
 # A seed makes the same scene whoever compiles it.
-$(eval $(call test_suite,clang-O2,stability_kept))
+STABILITY_CLANG := $(firstword $(filter clang-%,$(MATRIX_TESTED)))
+$(eval $(call test_suite,$(STABILITY_CLANG),stability_kept))
 
 # Scenes and the first one's seed; those of the figures in docs/stability.md.
 SCENES ?= 100000
@@ -38,11 +39,11 @@ stability: $(BUILD)/stability/regions.md $(BUILD)/tests/host/stability_search ##
 
 SUITES += test-stability
 test-stability: $(BUILD)/stability/regions.md $(addprefix $(BUILD)/tests/host/stability_,regions kept search) \
-        $(BUILD)/tests/clang-O2/stability_kept $(BUILD)/tests/sanitize/stability_search ## where methods fail: the library does not; 2,000 random scenes
+        $(BUILD)/tests/$(STABILITY_CLANG)/stability_kept $(BUILD)/tests/sanitize/stability_search ## where methods fail: the library does not; 2,000 random scenes
 	@status=0; \
 	$(BUILD)/tests/host/stability_regions || status=1; \
 	$(BUILD)/tests/host/stability_kept || status=1; \
-	$(BUILD)/tests/clang-O2/stability_kept || status=1; \
+	$(BUILD)/tests/$(STABILITY_CLANG)/stability_kept || status=1; \
 	$(STABILITY_SEARCH) $(BUILD)/tests/host/stability_search --scenes 2000 --seed $(STABILITY_TEST_SEED) --test || status=1; \
 	$(STABILITY_SEARCH) $(BUILD)/tests/sanitize/stability_search --scenes 500 --seed $(STABILITY_TEST_SEED) --test || status=1; \
 	python3 $(STABILITY_DIR)/page.py docs/stability.md $< docs/stability.csv --check \

@@ -3,7 +3,7 @@
 
 # What people flash, and what is measured; tests take what stack they like.
 STACK_PROGRAMS = $(filter-out %/identity.elf %/identity-16k.elf %/identity-8k.elf %/methods.elf %/unit.elf %/unit-pico.elf %/unit-8k.elf %/faults-pico.elf \
-    %/faults-lm3s6965evb.elf %/power_cut.elf,$(FIRMWARE))
+    %/faults-lm3s6965evb.elf %/power_cut.elf $(FIRMWARE_LEFT),$(FIRMWARE))
 STACK_PLANTED := NOTHING RECURSION UNBOUNDED UNLISTED DEEP
 STACK         := python3 tools/stack/stack.py
 
