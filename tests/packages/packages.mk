@@ -48,7 +48,7 @@ SUITES += test-options
 test-options: $(OPTIONS_TESTED:%=$(BUILD)/tests/option-%/unit) single ## unit tests with each option, and with a pair that a seed picks; docs/packages.md against what they take
 	@echo "$(if $(EVERY),every pair,TEST_SEED=$(TEST_SEED))"
 	$(call run_suites,$(filter %/unit,$^))
-	@python3 tests/packages/options.py --build $(BUILD) $(foreach variant,$(OPTIONS_TESTED),"$(variant)=$(strip $(call option_flags,$(variant)))")
+	@python3 tests/packages/options.py --build $(BUILD) $(if $(EVERY),,--seed $(TEST_SEED)) $(foreach variant,$(OPTIONS_TESTED),"$(variant)=$(strip $(call option_flags,$(variant)))")
 
 options-page: single ## write what options take into docs/packages.md
 	@python3 tests/packages/options.py --build $(BUILD) --write
