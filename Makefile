@@ -68,7 +68,7 @@ test: ## run every suite, as many at once as there are cores; installs missing t
 lint: ## check format, static analysis, licence lines, version numbers and figures
 	@tools/setup.sh
 	@$(MAKE) --no-print-directory $(BUILD)/bench/bench_scenes.h $(BUILD)/bench/spot.h
-	@tools/lint.sh $(BUILD)/lint
+	@TEST_SEED=$(TEST_SEED) EVERY=$(EVERY) tools/lint.sh $(BUILD)/lint
 
 clean: ## remove everything that was built
 	rm -rf $(BUILD)
