@@ -411,47 +411,83 @@ static void more_clusters_than_numbers(void) {
 
 /* ---- Indices beyond the mesh ---- */
 
-/* Triangles that each cover the screen, one of which names a vertex that is not there: found with any arena. */
-static void bad_indices_are_found_in_any_arena(void) {
-    enum { COUNT = 200, VERTICES = 100 };
+/* Triangles that each cover the screen. */
+enum { COVERS = 200, COVERS_VERTICES = 100 };
+static int16_t places[COVERS_VERTICES][3], normals[COVERS_VERTICES][3];
+static uint16_t covers_list[COVERS][3];
+static const glint_mesh covers = {.positions = (const int16_t (*)[3])places,
+                                  .normals = (const int16_t (*)[3])normals,
+                                  .triangles = (const uint16_t (*)[3])covers_list,
+                                  .vertex_count = COVERS_VERTICES,
+                                  .triangle_count = COVERS,
+                                  .extent = {20 * GLINT_ONE, 20 * GLINT_ONE, 1}};
+
+/* @return what they need, in tiles of 8x8 */
+static glint_need build_covers(row *r, glint_config *config) {
     static const int16_t corners[3][3] = {{-32767, -32767, 0}, {32767, -32767, 0}, {0, 32767, 0}};
-    static int16_t places[VERTICES][3], normals[VERTICES][3];
-    static uint16_t list[COUNT][3];
-    const glint_mesh mesh = {.positions = (const int16_t(*)[3])places,
-                             .normals = (const int16_t(*)[3])normals,
-                             .triangles = (const uint16_t(*)[3])list,
-                             .vertex_count = VERTICES,
-                             .triangle_count = COUNT,
-                             .extent = {20 * GLINT_ONE, 20 * GLINT_ONE, 1}};
-    for (int i = 0; i < VERTICES; i++) {
+    glint_need need;
+    for (int i = 0; i < COVERS_VERTICES; i++) {
         memcpy(places[i], corners[i % 3], sizeof places[i]);
         memcpy(normals[i], points[3], sizeof normals[i]);
     }
-    for (int bad = -1; bad < COUNT; bad += bad < 0 ? 1 : COUNT - 1) {
+    for (int i = 0; i < COVERS; i++)
+        for (int c = 0; c < 3; c++)
+            covers_list[i][c] = (uint16_t)((3 * i + c) % (COVERS_VERTICES / 3 * 3));
+    build(r, 1, lambert);
+    r->objects[0].mesh = &covers;
+    r->objects[0].pose.m[0][3] = 0;
+    config->tile_width = config->tile_height = 8;
+    CHECK_EQUAL(glint_arena_need(config, &r->scene, &need), GLINT_OK);
+    return need;
+}
+
+static glint_status render_in(glint_config *config, const glint_scene *scene, size_t size, glint_renderer *renderer) {
+    config->arena = malloc(size);
+    config->arena_size = size;
+    CHECK(config->arena != NULL);
+    glint_status status = glint_init(renderer, config);
+    status = status == GLINT_OK ? glint_render(renderer, scene) : status;
+    free(config->arena);
+    return status;
+}
+
+/* One of them names a vertex that is not there: found with any arena. */
+static void bad_indices_are_found_in_any_arena(void) {
+    for (int bad = -1; bad < COVERS; bad += bad < 0 ? 1 : COVERS - 1) {
         screen got;
         row r;
-        glint_need need;
-        build(&r, 1, lambert);
-        r.objects[0].mesh = &mesh;
-        r.objects[0].pose.m[0][3] = 0;
-        for (int i = 0; i < COUNT; i++)
-            for (int c = 0; c < 3; c++)
-                list[i][c] = (uint16_t)((3 * i + c) % (VERTICES / 3 * 3));
         glint_config config = config_of(&got);
-        config.tile_width = config.tile_height = 8;
-        CHECK_EQUAL(glint_arena_need(&config, &r.scene, &need), GLINT_OK);
+        const glint_need need = build_covers(&r, &config);
         if (bad >= 0)
-            list[bad][2] = VERTICES;
+            covers_list[bad][2] = COVERS_VERTICES;
         for (size_t size = need.least; size <= need.one_pass; size += 8) {
             glint_renderer renderer;
-            config.arena = malloc(size);
-            config.arena_size = size;
-            CHECK(config.arena != NULL);
-            glint_status status = glint_init(&renderer, &config);
-            status = status == GLINT_OK ? glint_render(&renderer, &r.scene) : status;
-            free(config.arena);
+            const glint_status status = render_in(&config, &r.scene, size, &renderer);
             if (!CHECK_EQUAL(status, bad < 0 ? GLINT_OK : GLINT_ERROR_INDEX))
                 return;
+        }
+    }
+}
+
+/* Some are without area, or face away: each is counted as dropped, with any arena. */
+static void dropped_triangles_are_counted_in_any_arena(void) {
+    enum { DROPPED = 20 };
+    for (int kind = 0; kind < 2; kind++) {
+        screen got;
+        row r;
+        glint_config config = config_of(&got);
+        const glint_need need = build_covers(&r, &config);
+        for (int i = 0; i < DROPPED; i++) {
+            uint16_t *const corners = covers_list[7 * i];
+            const uint16_t first = corners[0];
+            corners[0] = corners[1];
+            corners[1] = kind ? first : corners[0];
+        }
+        for (size_t size = need.least; size <= need.one_pass; size += 64) {
+            glint_renderer renderer;
+            CHECK_EQUAL(render_in(&config, &r.scene, size, &renderer), GLINT_OK);
+            CHECK(renderer.stats.triangles >= COVERS);
+            CHECK(renderer.stats.facing_away >= DROPPED);
         }
     }
 }
@@ -567,6 +603,7 @@ int test_main(test_writer write) {
         TEST_CASE(frames_begun_by_the_caller),
         TEST_CASE(more_clusters_than_numbers),
         TEST_CASE(bad_indices_are_found_in_any_arena),
+        TEST_CASE(dropped_triangles_are_counted_in_any_arena),
         TEST_CASE(lists_of_most_references),
         TEST_CASE(lists_of_most_clipped),
     };
