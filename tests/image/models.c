@@ -22,20 +22,24 @@ typedef struct model_kind {
     const glint_model *model;
     uint32_t flags;
     int exponents; /* how many of them, 0 when the model has none */
+    int is_bright; /* ambient light alone is more than pixels hold */
 } model_kind;
 
 static const double exponents[] = {0.5, 1, 4, 50, 100, 1024};
 
 static const model_kind models[] = {
-    {"lambert", &glint_model_lambert, 0, 0},
-    {"phong", &glint_model_phong, 0, 6},
-    {"blinn-phong", &glint_model_blinn_phong, 0, 6},
-    {"unlit", &glint_model_unlit, 0, 0},
-    {"phong ungated", &glint_model_phong, GLINT_MATERIAL_UNGATED, 6},
-    {"blinn ungated", &glint_model_blinn_phong, GLINT_MATERIAL_UNGATED, 6},
-    {"lambert max", &glint_model_lambert, GLINT_MATERIAL_MAX, 0},
-    {"phong max", &glint_model_phong, GLINT_MATERIAL_MAX, 3},
-    {"blinn max ungated", &glint_model_blinn_phong, GLINT_MATERIAL_MAX | GLINT_MATERIAL_UNGATED, 3},
+    {"lambert", &glint_model_lambert, 0, 0, 0},
+    {"phong", &glint_model_phong, 0, 6, 0},
+    {"blinn-phong", &glint_model_blinn_phong, 0, 6, 0},
+    {"unlit", &glint_model_unlit, 0, 0, 0},
+    {"phong ungated", &glint_model_phong, GLINT_MATERIAL_UNGATED, 6, 0},
+    {"blinn ungated", &glint_model_blinn_phong, GLINT_MATERIAL_UNGATED, 6, 0},
+    {"lambert max", &glint_model_lambert, GLINT_MATERIAL_MAX, 0, 0},
+    {"phong max", &glint_model_phong, GLINT_MATERIAL_MAX, 3, 0},
+    {"blinn max ungated", &glint_model_blinn_phong, GLINT_MATERIAL_MAX | GLINT_MATERIAL_UNGATED, 3, 0},
+    {"lambert bright", &glint_model_lambert, 0, 0, 1},
+    {"lambert max bright", &glint_model_lambert, GLINT_MATERIAL_MAX, 0, 1},
+    {"blinn max bright", &glint_model_blinn_phong, GLINT_MATERIAL_MAX, 1, 1},
 };
 
 typedef struct evaluation_kind {
@@ -102,7 +106,7 @@ static void set_model(test_scene *scene, const model_kind *model, double exponen
         material->model = model->model;
         material->flags = model->flags;
         material->shininess = bench_q16(exponent);
-        material->ambient = colour(0.1, 0.08, 0.05);
+        material->ambient = model->is_bright ? colour(2.5, 1.1, 0.7) : colour(0.1, 0.08, 0.05);
         material->diffuse = i ? colour(0.2, 0.4, 0.5) : colour(0.5, 0.35, 0.2);
         material->specular = colour(0.4, 0.4, 0.3);
     }
