@@ -462,10 +462,48 @@ static void only_a_kept_arena_is_trusted(void) {
     }
 }
 
+static size_t need_of(const glint_scene *scene) {
+    glint_need need;
+    picture image = picture_open(WIDTH, HEIGHT, &glint_format_rgb888);
+    glint_config config = picture_config(&image, NULL);
+    config.keeps_arena = 1;
+    CHECK_EQUAL(glint_arena_need(&config, scene, &need), GLINT_OK);
+    picture_close(&image);
+    return need.one_pass;
+}
+
+/* Light that is too bright for nodes takes no room at vertices: two objects under it, as many as fit, take one pass, as
+ * if no frame had been before. */
+static void room_of_light_is_given_back(void) {
+    const glint_colour bright = {4 * GLINT_ONE, 4 * GLINT_ONE, 4 * GLINT_ONE};
+    test_scene scene;
+    keeper k;
+    build(&scene);
+    const glint_colour usual = scene.materials[0].diffuse;
+    scene.objects[0].evaluation = scene.objects[1].evaluation = &glint_per_node;
+    scene.objects[1].material = &scene.materials[0];
+    scene.scene.light_count = 2;
+    scene.lights[0].diffuse = scene.lights[1].diffuse = (glint_colour){2 * GLINT_ONE, 2 * GLINT_ONE, 2 * GLINT_ONE};
+    scene.materials[0].diffuse = bright;
+    keeper_open(&k, &glint_format_rgb888, need_of(&scene.scene));
+    scene.materials[0].diffuse = usual;
+    scene.scene.object_count = 1;
+    CHECK(draws_the_same(&k, &scene.scene));
+    scene.materials[0].diffuse = bright;
+    scene.scene.object_count = 2;
+    CHECK(draws_the_same(&k, &scene.scene));
+    CHECK_EQUAL(k.renderer.stats.passes, 1);
+    keeper_close(&k);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
-        TEST_CASE(every_change_shows),         TEST_CASE(frames_begun_again),           TEST_CASE(spoilt_arenas),
-        TEST_CASE(failed_frames_are_not_kept), TEST_CASE(only_a_kept_arena_is_trusted),
+        TEST_CASE(every_change_shows),
+        TEST_CASE(frames_begun_again),
+        TEST_CASE(spoilt_arenas),
+        TEST_CASE(failed_frames_are_not_kept),
+        TEST_CASE(only_a_kept_arena_is_trusted),
+        TEST_CASE(room_of_light_is_given_back),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }
