@@ -152,6 +152,43 @@ static void patches_at_nodes_keep_the_contract(void) {
     judge_patches(&glint_format_rgb888, &glint_per_node, 200);
 }
 
+/*
+ * A cylinder that runs away from the eye, its facets twice as far at one end as at the other: what lies far beside the
+ * highlight, where M is half as long, must not pass for part of it.
+ */
+static void a_long_cylinder_keeps_the_contract(void) {
+    static int16_t positions[24][3], normals[24][3];
+    static uint16_t triangles[32][3];
+    const glint_mesh_room room = {positions, normals, triangles, 24, 32};
+    const glint_colour white = {GLINT_ONE, GLINT_ONE, GLINT_ONE};
+    const glint_light light = {
+        .type = &glint_light_directional, .vector = {47362, 40564, 60655}, .diffuse = white, .specular = white};
+    const glint_material material = {.model = &glint_model_blinn_phong,
+                                     .ambient = {5000, 5000, 5000},
+                                     .diffuse = {30000, 20000, 10000},
+                                     .specular = {65536, 60000, 50000},
+                                     .shininess = 95 * GLINT_ONE + GLINT_ONE / 2};
+    glint_mesh mesh;
+    contract_result found;
+    CHECK_EQUAL(glint_generate_cylinder(&mesh, &room, 8, 2, GLINT_ONE, 5 * GLINT_ONE, 0), GLINT_OK);
+    const glint_object object = {
+        .mesh = &mesh,
+        .material = &material,
+        .pose = {{{141217, 48616, 849, -37121}, {0, 2607, -149330, -173444}, {-48624, 141195, 2465, -5 * GLINT_ONE}}}};
+    const glint_scene scene = {
+        .camera = {.pose = glint_pose_identity(), .field_of_view = 44 * GLINT_ONE, .near_plane = 20000},
+        .viewer = GLINT_VIEWER_INFINITE,
+        .ambient = white,
+        .lights = &light,
+        .light_count = 1,
+        .objects = &object,
+        .object_count = 1};
+    contract_judge(&scene, 160, 120, &glint_format_rgb565, &found);
+    CHECK_EQUAL(found.found.status, GLINT_OK);
+    CHECK(found.found.covered > 1000);
+    CHECK(contract_holds(&found));
+}
+
 /* Turns a patch over, corners and normals: its back looks as its front did. */
 static void turn_over(patch *p) {
     for (uint32_t i = 0; i < p->mesh.vertex_count; i++)
@@ -202,6 +239,7 @@ int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(fast_patches_keep_the_contract),
         TEST_CASE(patches_at_nodes_keep_the_contract),
+        TEST_CASE(a_long_cylinder_keeps_the_contract),
         TEST_CASE(backs_and_flags_leave_few_fragments),
     };
     return test_run(write, cases, TEST_COUNT(cases));
