@@ -329,11 +329,13 @@ static void check_apart(const glint_format *format, uint16_t tile, int waits) {
 }
 
 static void pixels_apart(void) {
-    static const glint_format *const formats[] = {&glint_format_rgb565, &glint_format_rgb888, &glint_format_rgb444,
-                                                  &glint_format_grey4_dithered, &glint_format_mono_dithered};
+    static const glint_format *const formats[] = {&glint_format_rgb565,        &glint_format_rgb888,
+                                                  &glint_format_rgb444,        &glint_format_grey4_dithered,
+                                                  &glint_format_mono_dithered, &glint_format_mono_pages_dithered};
     for (unsigned i = 0; i < TEST_COUNT(formats); i++) {
         check_apart(formats[i], 8, 0);
         check_apart(formats[i], 8, 1);
+        check_apart(formats[i], 32, 0);
         check_apart(formats[i], 32, 1);
     }
 }

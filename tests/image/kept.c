@@ -2,6 +2,7 @@
 /*
  * Suite: a renderer that keeps its arena draws what a new one draws, whatever changed since its last frame.
  */
+#include "fast/fast.h"
 #include "frame/frame.h"
 #include "harness.h"
 #include "light/shading.h"
@@ -462,6 +463,26 @@ static void only_a_kept_arena_is_trusted(void) {
     }
 }
 
+/* So are the tables of fast lighting. */
+static void only_fast_tables_of_a_kept_arena_are_trusted(void) {
+    for (unsigned keeps = 0; keeps < 2; keeps++) {
+        test_scene scene;
+        keeper k;
+        build(&scene);
+        keeper_open(&k, &glint_format_rgb565, 200000);
+        k.renderer.config.keeps_arena = (uint8_t)keeps;
+        CHECK(draws_the_same(&k, &scene.scene));
+        for (uint32_t i = 0; i < k.renderer.kept.count; i++) {
+            glint_fast_terms *const fast = (glint_fast_terms *)(uintptr_t)k.renderer.kept.shadings[i].fast;
+            const uint32_t entries = fast->specular_end >> 15;
+            memset((void *)(uintptr_t)fast->specular, 0, entries * sizeof *fast->specular);
+            fast->tables_sum = glint_sum(fast->specular, glint_fast_tables_size(entries));
+        }
+        CHECK_EQUAL(draws_the_same(&k, &scene.scene), !keeps);
+        keeper_close(&k);
+    }
+}
+
 static size_t need_of(const glint_scene *scene) {
     glint_need need;
     picture image = picture_open(WIDTH, HEIGHT, &glint_format_rgb888);
@@ -503,6 +524,7 @@ int test_main(test_writer write) {
         TEST_CASE(spoilt_arenas),
         TEST_CASE(failed_frames_are_not_kept),
         TEST_CASE(only_a_kept_arena_is_trusted),
+        TEST_CASE(only_fast_tables_of_a_kept_arena_are_trusted),
         TEST_CASE(room_of_light_is_given_back),
     };
     return test_run(write, cases, TEST_COUNT(cases));
