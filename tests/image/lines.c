@@ -645,6 +645,25 @@ static void extremes_stay_in_their_place(void) {
     picture_close(&image);
 }
 
+/* A line that lies in the near plane is where one twice as far and twice as long is. */
+static void lines_in_the_near_plane_show(void) {
+    const glint_config config = screen_of(WIDTH, HEIGHT);
+    const glint_camera camera = {
+        .pose = glint_pose_identity(), .field_of_view = 50 * GLINT_ONE, .near_plane = GLINT_ONE};
+    const glint_pose pose = glint_pose_identity();
+    const glint_colour white = {GLINT_ONE, GLINT_ONE, GLINT_ONE};
+    const glint_line lines[2] = {
+        {{-GLINT_ONE / 4, GLINT_ONE / 8, -GLINT_ONE}, {GLINT_ONE / 8, 0, -GLINT_ONE}, white},
+        {{-GLINT_ONE / 2, GLINT_ONE / 4, -2 * GLINT_ONE}, {GLINT_ONE / 4, 0, -2 * GLINT_ONE}, white}};
+    glint_segment segments[2];
+    CHECK_EQUAL(glint_lines_place(segments, &config, &camera, &pose, lines, 2), GLINT_OK);
+    for (int end = 0; end < 2; end++) {
+        CHECK(segments[0].colour && segments[1].colour);
+        CHECK_EQUAL(segments[0].x[end], segments[1].x[end]);
+        CHECK_EQUAL(segments[0].y[end], segments[1].y[end]);
+    }
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(ends_are_where_they_are),
@@ -658,6 +677,7 @@ int test_main(test_writer write) {
         TEST_CASE(edges_of_a_mesh_come_once),
         TEST_CASE(bad_input_is_refused),
         TEST_CASE(extremes_stay_in_their_place),
+        TEST_CASE(lines_in_the_near_plane_show),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }
