@@ -44,6 +44,14 @@ def fuzzed():
             for target, counts in sorted(runs.items())]
 
 
+def mutated():
+    """Of the last run of mutants, what became of them."""
+    run, = rows("docs/mutants.csv")
+    judged, killed, listed, survived, commit = (run[name] for name in ("judged", "killed", "listed", "survived", "commit"))
+    return (f"of {judged} changes of the sources at {commit}, those that a suite notices; that nothing can; left open",
+            f"{killed}; {listed}; {survived}", "`docs/mutants.csv`")
+
+
 def figures(calls):
     """Each as what it is of, the figure, the file or target that it is from."""
     lines, branches, conditions = found(r"\| `src/` \| ([\d.]+ %) of \d+ \| ([\d.]+ %) of \d+ \| ([\d.]+ %) of \d+", "docs/coverage.md")
@@ -60,6 +68,7 @@ def figures(calls):
         ("conditions that nothing can reach, each with its reason", len(rows("tools/coverage/exceptions.csv")), "`tools/coverage/exceptions.csv`"),
         ("branches and conditions that no test reaches so far", len(rows("tools/coverage/open.csv")), "`tools/coverage/open.csv`"),
         ("changes of the sources that nothing can notice, each with its reason", len(rows("tools/mutants/known.csv")), "`tools/mutants/known.csv`"),
+        mutated(),
         ("random scenes where the contract is to hold; where it does not", f"{count}; {broken}", "[stability](stability.md#what-falls-short)"),
         ("their pixels; of them covered otherwise than the reference has them", f"{judged}; {missed}", "[stability](stability.md)"),
         ("calls of `make attack`", calls, "`make attack`"),
