@@ -16,8 +16,9 @@ static inline void project(const glint_transform *transform, int32_t x, int32_t 
         nearest = glint_shift_left(nearest, up);
     }
     uint32_t inverse = glint_inverse((uint32_t)w);
-    int32_t depth = glint_scale(nearest, inverse); /* Q25 */
-    inverse -= inverse >> 10;                      /* GUARD_BAND is 1023 pixels, this in 1024: sixteenths are Q14 */
+    /* Q25. Of a coordinate the lowest byte need not count; of the nearest w, which may be far below w, it does. */
+    int32_t depth = glint_scale(nearest, inverse) + (int32_t)(((uint32_t)nearest & 0xff) * inverse >> 23);
+    inverse -= inverse >> 10; /* GUARD_BAND is 1023 pixels, this in 1024: sixteenths are Q14 */
     x = glint_scale(x, inverse) + transform->center_x;
     y = glint_scale(y, inverse) + transform->center_y;
     vertex->x = (int16_t)glint_shift_right(x, 11);

@@ -8,19 +8,28 @@ static int32_t cosine_of(glint_q16 degrees) {
     return (int32_t)glint_round_shift64(cosine * (GLINT_UNIT * GLINT_UNIT), 30);
 }
 
+/* The cosines of a cone's edges, and what lies between them. */
+static void prepare_edge(const glint_light *light, glint_prepared_light *prepared) {
+    const int32_t inner = cosine_of(light->inner), outer = cosine_of(light->outer),
+                  excess = glint_square_excess(prepared->direction);
+    const int32_t width = glint_most(inner - outer, 1);
+    const unsigned zeros = glint_leading_zeros((uint32_t)width);
+    prepared->spot.shift = zeros < 16 ? 16 - zeros : 0;
+    prepared->spot.slope = zeros < 17 ? (1 << 30) / (glint_shift_right(width, prepared->spot.shift) | 1) : 0;
+    prepared->spot.cosine_inner = inner + glint_excess(inner, excess);
+    prepared->spot.cosine_outer = outer + glint_excess(outer, excess);
+}
+
 static glint_status prepare_spot(const glint_light *light, glint_prepared_light *prepared, const glint_view *view) {
     if (light->inner < 0 || light->inner > light->outer || light->outer > 180 * GLINT_ONE)
         return GLINT_ERROR_CONE;
     if (glint_point_attenuation(light, prepared) != GLINT_OK)
         return GLINT_ERROR_ATTENUATION;
-    prepared->spot.cosine_inner = cosine_of(light->inner);
-    prepared->spot.cosine_outer = cosine_of(light->outer);
-    int32_t width = glint_shift_right(prepared->spot.cosine_inner - prepared->spot.cosine_outer, 15);
-    prepared->spot.slope = width > 0 ? (1 << 30) / width : 0;
     if (!glint_direction_to_camera(view, light->axis, prepared->direction))
         return GLINT_ERROR_DIRECTION;
     for (int i = 0; i < 3; i++)
         prepared->direction[i] = (int16_t)-prepared->direction[i];
+    prepare_edge(light, prepared);
     return GLINT_OK;
 }
 
@@ -35,11 +44,11 @@ static void illuminate_spot(const glint_prepared_light *light, glint_fragments *
     for (uint32_t i = 0; i < fragments->count; i++) {
         if (!fragments->strength[i])
             continue;
-        int32_t cosine = glint_dot(fragments->light[i], light->direction);
+        const int32_t cosine = glint_cone_cosine(light, fragments->light[i]);
         if (cosine >= light->spot.cosine_inner)
             continue;
         /* past is at most inner - outer, of which slope is the inverse */
-        const int32_t past = glint_shift_right(cosine - light->spot.cosine_outer, 15);
+        const int32_t past = glint_shift_right(cosine - light->spot.cosine_outer, light->spot.shift);
         const uint32_t step = past > 0 ? smooth_step(past, light->spot.slope) : 0;
         fragments->strength[i] = (uint16_t)(fragments->strength[i] * step >> 15);
     }

@@ -104,7 +104,7 @@ static uint32_t length_error(const glint_region *region, uint32_t levels, uint32
 
 /* The cone's edge may cross a region: by how much its ramp changes from node to node, Q12. */
 static uint32_t ramp_of(const glint_prepared_light *source, uint32_t near) {
-    const uint64_t range = (uint64_t)near * (uint32_t)source->spot.slope >> 15;
+    const uint64_t range = (uint64_t)near * (uint32_t)source->spot.slope >> source->spot.shift;
     return range > 1 << 20 ? 1 << 20 : (uint32_t)range;
 }
 

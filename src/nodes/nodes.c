@@ -112,8 +112,8 @@ static uint32_t light_lobe(const glint_shading *shading, uint32_t i, const glint
 /* How far within a cone L is: 1 at its inner edge, 0 at its outer. */
 static void find_cone(const glint_prepared_light *source, uint32_t i, const int16_t *light, glint_node *node,
                       int *is_lit) {
-    const int32_t cosine = glint_dot(light, source->direction);
-    const int32_t past = glint_shift_right(cosine - source->spot.cosine_outer, 15); /* 16 bits and a sign */
+    const int32_t cosine = glint_cone_cosine(source, light);
+    const int32_t past = glint_shift_right(cosine - source->spot.cosine_outer, source->spot.shift);
     const int64_t ramp = glint_shift_right64((int64_t)past * source->spot.slope, 18);
     const int32_t inside = (int32_t)(ramp > STEEP ? STEEP : ramp < -STEEP ? -STEEP : ramp);
     *is_lit = *is_lit && cosine > source->spot.cosine_inner + CLEARLY_IN_CONE;

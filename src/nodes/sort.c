@@ -8,6 +8,10 @@
 #define CLEAR_OF_EDGE 16
 #define INSIDE_CONE 64
 
+/* The widest region that is told from wider ones, over its depth, Q12; and the nearest light, over its distance. */
+#define WIDEST_REACH (4 << 12)
+#define NEAREST_LIGHT (2 << 12)
+
 /* sqrt(square), Q24 to Q12. */
 uint32_t glint_root_above(uint32_t square) {
     if (!square)
@@ -18,10 +22,11 @@ uint32_t glint_root_above(uint32_t square) {
 }
 
 void glint_region_measure(uint32_t pixel, uint32_t longest, const glint_w_range *w, glint_region *region) {
-    const uint32_t across = (uint32_t)glint_least((int32_t)(glint_product_unsigned(longest, pixel) >> 18), 1 << 14);
+    const uint32_t across =
+        (uint32_t)glint_least((int32_t)(glint_product_unsigned(longest, pixel) >> 18), WIDEST_REACH);
     const uint32_t slant = w->least > w->change >> 2 ? (w->change << 12) / w->least : 1 << 14;
     region->slant = slant * 474 >> 8;
-    region->reach = (uint32_t)glint_least((int32_t)glint_hypotenuse(across, slant), 1 << 14);
+    region->reach = (uint32_t)glint_least((int32_t)glint_hypotenuse(across, slant), WIDEST_REACH);
 }
 
 /* May a cone so near end between nodes that are outside of it by so much? A cosine's chord, from arcs. */
@@ -36,7 +41,9 @@ uint32_t glint_region_place(uint32_t all, uint32_t lights, glint_region *region)
         if (!(lights >> l & 1))
             continue;
         const uint32_t closeness = glint_closeness_of(region->nearness[l]), outside = region->outside >> l,
-                       near = (uint32_t)glint_least((int32_t)(region->reach * closeness >> 8), 1 << 13);
+                       near = region->reach < WIDEST_REACH
+                                  ? (uint32_t)glint_least((int32_t)(region->reach * closeness >> 8), NEAREST_LIGHT)
+                                  : NEAREST_LIGHT;
         region->near_of[l] = (uint16_t)near;
         away |= (uint32_t)((outside & 1 && !is_wide(near, INSIDE_CONE)) ||
                            (outside >> 8 & 1 && !is_wide(near, 8 * INSIDE_CONE)))

@@ -315,6 +315,10 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
         begin_term_planes(&t, longer, terms, &to);
         return 1;
     }
+    const int twice = shading->material->model->lobe == GLINT_LOBE_MIRROR; /* R turns as far as that */
+    const uint32_t apart = (uint32_t)glint_most_of(t.apart[0], t.apart[1], t.apart[2]);
+    if (!glint_keeps_digits(&part->gradients, triangle->area, apart << twice))
+        return 0;
     const glint_lengths *const over = fit == FIT_OVER_LENGTH ? &by : 0;
     if (over && (!t.is_between || !t.is_straight))
         glint_find_middle_lengths(&by);
@@ -323,7 +327,6 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
     if (over)
         region->margin = region->margin_over_length;
     region->has_edge |= has_edge(shading, &t, over);
-    const int twice = shading->material->model->lobe == GLINT_LOBE_MIRROR;
     glint_terms_name(frame, draw, region, over ? 1 + twice : 0, terms);
     begin_term_quadratics(&t, over, terms, &to);
     return 1;

@@ -111,7 +111,7 @@ void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[
 /** What is known of the light on a region; angles Q12, lights by bits. */
 typedef struct glint_region {
     uint32_t turn;                       /* of the normals, from corner to corner at most */
-    uint32_t reach;                      /* how far the corners lie apart, over their depth */
+    uint32_t reach;                      /* how far the corners lie apart, over their depth; 4 stands for all beyond */
     uint32_t slant;                      /* the change of 1/w, times 1.85 */
     uint32_t colour;                     /* by how much the surface's colours differ, of 1 */
     uint32_t levels;                     /* what light makes, Q4 */

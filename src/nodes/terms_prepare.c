@@ -144,19 +144,27 @@ static void set_mix(const glint_material *material, glint_light_terms *terms) {
     }
 }
 
-/* What need not show of a highlight: 1/8 of a level, Q8. */
+/* What need not show of a highlight: 1/8 of a level, Q8. Of all together it is twice that. */
 #define FAINT 32
 
-/* sin^2 where the brightest highlight falls below what need not show, Q30; 0 where none shows. */
-static uint32_t find_lobe_cut(const glint_frame *frame, const glint_shading *shading, const glint_light_terms *terms) {
-    uint32_t levels = 0;
-    for (uint32_t i = 0; i < frame->scene->light_count; i++)
-        if (shading->has_specular >> i & 1 && terms->specular_levels[i] > levels)
-            levels = terms->specular_levels[i];
+/* The levels that decide on where highlights end, Q8: of the brightest, or half of all if they lie in one place. */
+static uint32_t find_lobe_levels(const glint_frame *frame, const glint_shading *shading,
+                                 const glint_light_terms *terms) {
+    uint32_t brightest = 0, all = 0;
+    for (uint32_t i = 0; i < frame->scene->light_count; i++) {
+        const uint32_t one = shading->has_specular >> i & 1 ? terms->specular_levels[i] : 0;
+        brightest = one > brightest ? one : brightest;
+        all += one;
+    }
+    return brightest > all / 2 ? brightest : all / 2;
+}
+
+/* sin^2 where highlights of so many levels fall below what need not show, Q30; 0 where none shows. */
+static uint32_t find_lobe_cut(uint32_t levels, glint_q16 shininess) {
     if (levels <= FAINT)
         return 0;
-    const int64_t faint = glint_log2(FAINT << 11) - (int64_t)glint_log2(levels << 11); /* Q26 */
-    return (1u << 30) - glint_exp2((int32_t)((2 * faint * (1 << 16)) / shading->shininess));
+    const int64_t faint = glint_log2(FAINT << 10) - (int64_t)glint_log2(levels << 10); /* Q26 */
+    return (1u << 30) - glint_exp2((int32_t)((2 * faint * (1 << 16)) / shininess));
 }
 
 /* x^p, Q30, of x from 1/2 to 1 at interval i's start, or at the last's end beyond that. */
@@ -199,7 +207,7 @@ static void set_lobes(const glint_frame *frame, const glint_shading *shading, gl
             (uint32_t)glint_most(shading->shininess, 2 * GLINT_ONE) / 384; /* 2/3 of p: of 0.041 it makes 0.0275 */
         return;
     }
-    const uint32_t cut = find_lobe_cut(frame, shading, terms);
+    const uint32_t cut = find_lobe_cut(find_lobe_levels(frame, shading, terms), shading->shininess);
     const unsigned bits = 32 - glint_leading_zeros(cut);
     terms->lobes = cut ? shading->has_specular : 0;
     terms->lobe_shift = bits < LOBE_BITS + 2 ? (LOBE_BITS + 2 - bits) / 2 : 0;

@@ -115,7 +115,7 @@ static glint_status prepare_nearest(glint_view *view, const glint_config *config
     if (view->is_parallel)
         scene->camera.projection->set_range(view, nearest < farthest ? nearest : farthest, farthest);
     else if (nearest < INT64_MAX)
-        view->nearest = nearest;
+        view->nearest = nearest - (nearest >> 15); /* the nearest 1/w comes out as the top: 2^31 (1 - 2^-15) */
     return GLINT_OK;
 }
 

@@ -25,8 +25,9 @@ typedef struct glint_prepared_light {
         int32_t linear_shift, quadratic_shift; /* linear d 2^(this - 33), quadratic d^2 2^(this - 50) */
     } point;
     struct {
-        int32_t cosine_outer, cosine_inner; /* times GLINT_UNIT^2 */
-        int32_t slope;                      /* Q15: 2^30 / (difference >> 15) */
+        int32_t cosine_outer, cosine_inner; /* times GLINT_UNIT^2, and the axis's length over GLINT_UNIT */
+        int32_t slope;                      /* 2^30 / (difference >> shift); 0 of a hard edge */
+        uint32_t shift;                     /* leaves 16 bits of the difference */
     } spot;
 } glint_prepared_light;
 

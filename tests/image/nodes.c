@@ -48,30 +48,33 @@ typedef struct kind {
     const glint_model *model;
     double least, most; /* exponents */
     uint32_t flags;
-    int lights, has_colours, at_corner;
+    int lights, has_colours, at_corner, is_wall;
 } kind;
 
 static const kind kinds[] = {
-    {"directional, Lambert", &glint_light_directional, &glint_model_lambert, 1, 1, 0, 1, 0, 0},
-    {"directional, Lambert, mesh colours", &glint_light_directional, &glint_model_lambert, 1, 1, 0, 1, 1, 0},
-    {"directional, Blinn-Phong to 7", &glint_light_directional, &glint_model_blinn_phong, 1, 7, 0, 1, 0, 0},
-    {"directional, Blinn-Phong from 7", &glint_light_directional, &glint_model_blinn_phong, 7, 1024, 0, 1, 0, 0},
-    {"directional, Phong to 7", &glint_light_directional, &glint_model_phong, 1, 7, 0, 1, 0, 0},
-    {"directional, Phong from 7", &glint_light_directional, &glint_model_phong, 7, 1024, 0, 1, 0, 0},
+    {"directional, Lambert", &glint_light_directional, &glint_model_lambert, 1, 1, 0, 1, 0, 0, 0},
+    {"directional, Lambert, mesh colours", &glint_light_directional, &glint_model_lambert, 1, 1, 0, 1, 1, 0, 0},
+    {"directional, Blinn-Phong to 7", &glint_light_directional, &glint_model_blinn_phong, 1, 7, 0, 1, 0, 0, 0},
+    {"directional, Blinn-Phong from 7", &glint_light_directional, &glint_model_blinn_phong, 7, 1024, 0, 1, 0, 0, 0},
+    {"directional, Phong to 7", &glint_light_directional, &glint_model_phong, 1, 7, 0, 1, 0, 0, 0},
+    {"directional, Phong from 7", &glint_light_directional, &glint_model_phong, 7, 1024, 0, 1, 0, 0, 0},
     {"directional, ungated", &glint_light_directional, &glint_model_blinn_phong, 1, 1024, GLINT_MATERIAL_UNGATED, 1, 0,
-     0},
-    {"lamp, Lambert", &glint_light_point, &glint_model_lambert, 1, 1, 0, 1, 0, 0},
-    {"lamp, Blinn-Phong to 7", &glint_light_point, &glint_model_blinn_phong, 1, 7, 0, 1, 0, 0},
-    {"lamp, Blinn-Phong from 7", &glint_light_point, &glint_model_blinn_phong, 7, 1024, 0, 1, 0, 0},
-    {"lamp, Phong", &glint_light_point, &glint_model_phong, 1, 1024, 0, 1, 0, 0},
-    {"lamp, max, mesh colours", &glint_light_point, &glint_model_blinn_phong, 1, 256, GLINT_MATERIAL_MAX, 1, 1, 0},
-    {"spot, Lambert", &glint_light_spot, &glint_model_lambert, 1, 1, 0, 1, 0, 0},
-    {"spot, Blinn-Phong", &glint_light_spot, &glint_model_blinn_phong, 1, 1024, 0, 1, 0, 0},
-    {"spot, Phong, mesh colours", &glint_light_spot, &glint_model_phong, 1, 1024, 0, 1, 1, 0},
-    {"8 directional, Blinn-Phong", &glint_light_directional, &glint_model_blinn_phong, 1, 256, 0, 8, 0, 0},
-    {"8 lamps, Phong, mesh colours", &glint_light_point, &glint_model_phong, 1, 256, 0, 8, 1, 0},
-    {"8 spots, Blinn-Phong", &glint_light_spot, &glint_model_blinn_phong, 1, 256, 0, 8, 0, 0},
-    {"lamp at a corner, Blinn-Phong", &glint_light_point, &glint_model_blinn_phong, 1, 256, 0, 1, 0, 1},
+     0, 0},
+    {"lamp, Lambert", &glint_light_point, &glint_model_lambert, 1, 1, 0, 1, 0, 0, 0},
+    {"lamp, Blinn-Phong to 7", &glint_light_point, &glint_model_blinn_phong, 1, 7, 0, 1, 0, 0, 0},
+    {"lamp, Blinn-Phong from 7", &glint_light_point, &glint_model_blinn_phong, 7, 1024, 0, 1, 0, 0, 0},
+    {"lamp, Phong", &glint_light_point, &glint_model_phong, 1, 1024, 0, 1, 0, 0, 0},
+    {"lamp, max, mesh colours", &glint_light_point, &glint_model_blinn_phong, 1, 256, GLINT_MATERIAL_MAX, 1, 1, 0, 0},
+    {"spot, Lambert", &glint_light_spot, &glint_model_lambert, 1, 1, 0, 1, 0, 0, 0},
+    {"spot, Blinn-Phong", &glint_light_spot, &glint_model_blinn_phong, 1, 1024, 0, 1, 0, 0, 0},
+    {"spot, Phong, mesh colours", &glint_light_spot, &glint_model_phong, 1, 1024, 0, 1, 1, 0, 0},
+    {"8 directional, Blinn-Phong", &glint_light_directional, &glint_model_blinn_phong, 1, 256, 0, 8, 0, 0, 0},
+    {"8 lamps, Phong, mesh colours", &glint_light_point, &glint_model_phong, 1, 256, 0, 8, 1, 0, 0},
+    {"8 spots, Blinn-Phong", &glint_light_spot, &glint_model_blinn_phong, 1, 256, 0, 8, 0, 0, 0},
+    {"lamp at a corner, Blinn-Phong", &glint_light_point, &glint_model_blinn_phong, 1, 256, 0, 1, 0, 1, 0},
+    {"lamp before a wall, Lambert", &glint_light_point, &glint_model_lambert, 1, 1, 0, 1, 0, 0, 1},
+    {"lamp before a wall, Blinn-Phong", &glint_light_point, &glint_model_blinn_phong, 1, 256, 0, 1, 0, 0, 1},
+    {"spot before a wall, Phong", &glint_light_spot, &glint_model_phong, 1, 256, 0, 1, 0, 0, 1},
 };
 
 /* A triangle of its own mesh. */
@@ -115,11 +118,26 @@ static void lean(single *s, double by) {
     }
 }
 
-static void build_mesh(single *s, int has_colours) {
-    static const uint16_t triangle[1][3] = {{0, 1, 2}};
+static void place_corners(single *s) {
     const double size = across(0.1, 1), depth = across(0.01, 2);
     for (int i = 0; i < 3; i++)
         place_corner(s, i, size, depth);
+}
+
+/* Around the axis of view, across it, within the guard band. @return how far */
+static double place_wall(single *s) {
+    const double far = across(0.1, 1.5), turn = between(0, 6.28);
+    for (int i = 0; i < 3; i++) {
+        const double size = far * between(4, 8.5), at = turn + i * 2.09 + between(-0.5, 0.5);
+        s->positions[i][0] = whole(size * cos(at) * 2048);
+        s->positions[i][1] = whole(size * sin(at) * 2048);
+        s->positions[i][2] = whole(-far * 2048);
+    }
+    return far;
+}
+
+static void build_mesh(single *s, int has_colours) {
+    static const uint16_t triangle[1][3] = {{0, 1, 2}};
     lean(s, between(0, 1) < 0.5 ? across(0.01, 0.2) : between(0, 0.6));
     for (int i = 0; i < 9; i++)
         s->colours[i / 3][i % 3] = (uint8_t)between(0, 256);
@@ -162,10 +180,23 @@ static void put_at_corner(glint_light *light, const int16_t corner[3]) {
         *to[c] = bench_q16(corner[c] * 16 / 32767.0) + (glint_q16)lrint(between(-off, off));
 }
 
+/* About as near to a wall as the eye, and turned towards it; cones have soft edges. */
+static void put_before_wall(glint_light *light, double far) {
+    const double inner = between(10, 50);
+    light->vector = (glint_vector){bench_q16(between(-far, far)), bench_q16(between(-far, far)),
+                                   bench_q16(far * (across(0.1, 2) - 1))};
+    light->axis = (glint_vector){bench_q16(between(-1, 1)), bench_q16(between(-1, 1)), -GLINT_ONE};
+    light->inner = bench_q16(inner);
+    light->outer = bench_q16(inner + between(15, 35));
+}
+
 /* Weights sum to 1. */
 static void build(single *s, const kind *of, uint32_t seed) {
     random_state = seed * 2654435761u;
     scene_build_named(&s->scene, "mirrored");
+    const double far = of->is_wall ? place_wall(s) : 0;
+    if (!of->is_wall)
+        place_corners(s);
     build_mesh(s, of->has_colours);
     glint_material *material = &s->scene.materials[0];
     s->scene.objects[0] = (glint_object){.mesh = &s->mesh, .material = material, .pose = glint_pose_identity()};
@@ -175,7 +206,7 @@ static void build(single *s, const kind *of, uint32_t seed) {
                                  .specular = grey(0.4),
                                  .shininess = bench_q16(across(of->least, of->most)),
                                  .flags = of->flags};
-    s->scene.scene.camera = (glint_camera){glint_pose_identity(), 45 * GLINT_ONE, GLINT_ONE / 8};
+    s->scene.scene.camera = (glint_camera){glint_pose_identity(), 45 * GLINT_ONE, GLINT_ONE / 32};
     s->scene.scene.viewer = between(0, 1) < 0.5 ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
     s->scene.scene.ambient = grey(1);
     s->scene.scene.light_count = (uint32_t)of->lights;
@@ -184,6 +215,8 @@ static void build(single *s, const kind *of, uint32_t seed) {
         build_light(&s->scene.lights[i], of);
     if (of->at_corner)
         put_at_corner(&s->scene.lights[0], s->positions[(int)between(0, 3)]);
+    if (of->is_wall)
+        put_before_wall(&s->scene.lights[0], far);
 }
 
 /* ---- The bound ----------------------------------------------------------------------------------------------- */

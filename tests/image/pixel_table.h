@@ -7,68 +7,68 @@
 #include "pixel_sums.h"
 
 static const pixel_sums pixel_table[] = {
-    {0xc6c38835u, 0x84ae9397u}, /* regions */
-    {0x91848f99u, 0xdfa9fd32u}, /* regions */
-    {0x727f7d2eu, 0x52e0a7e8u}, /* random surfaces */
-    {0x0aa451f8u, 0xedc3288fu}, /* random surfaces */
-    {0x3c09bc93u, 0x747aaa0eu}, /* random surfaces */
-    {0x779047fbu, 0xc508f1e7u}, /* random surfaces */
-    {0x9b96b422u, 0x737a517eu}, /* random surfaces */
-    {0x15adb133u, 0x72f22cabu}, /* random surfaces */
-    {0x88b25687u, 0x9519d543u}, /* random scenes */
-    {0x98fa65b6u, 0x4c99c62cu}, /* random scenes */
-    {0x19e56de8u, 0x8c2e5a75u}, /* random scenes */
-    {0x997053eau, 0xe0f07b46u}, /* random scenes */
-    {0x035bb0bfu, 0xc328e372u}, /* benchmark */
-    {0xa33424adu, 0x368210edu}, /* benchmark */
+    {0x188a8828u, 0x37b0fe31u}, /* regions */
+    {0x0438665bu, 0x553296abu}, /* regions */
+    {0xbf9a21dfu, 0x52e0a7e8u}, /* random surfaces */
+    {0xb02bd9c8u, 0xd9635b3du}, /* random surfaces */
+    {0x256f0743u, 0x747aaa0eu}, /* random surfaces */
+    {0xa98e47aeu, 0xbc5ff3cfu}, /* random surfaces */
+    {0xbb7e1489u, 0x737a517eu}, /* random surfaces */
+    {0x9bd1b222u, 0xf92544bau}, /* random surfaces */
+    {0x3835fad8u, 0x9519d543u}, /* random scenes */
+    {0xed9d1605u, 0xb24b2c3fu}, /* random scenes */
+    {0xd69d0bffu, 0x8c2e5a75u}, /* random scenes */
+    {0x8d6eac80u, 0xcfd4bda0u}, /* random scenes */
+    {0x0fe1e726u, 0x76226b6eu}, /* benchmark */
+    {0x0cf4d4d2u, 0x368210edu}, /* benchmark */
     {0x6658b5afu, 0x0a5c35a1u}, /* benchmark */
-    {0xa0707570u, 0x2763f527u}, /* benchmark */
-    {0xfd55d9b1u, 0xf43a59e7u}, /* benchmark */
-    {0x0fbae097u, 0x1a617448u}, /* benchmark */
+    {0x9ca9ecc2u, 0x9103d0c3u}, /* benchmark */
+    {0xa3da9368u, 0xf43a59e7u}, /* benchmark */
+    {0x8d7ee942u, 0x1a617448u}, /* benchmark */
     {0xab125c40u, 0xd44e240fu}, /* benchmark */
-    {0x98dc6aa7u, 0xf7f75ff9u}, /* benchmark */
-    {0x2f025b8du, 0x3695144du}, /* benchmark */
-    {0x92dbe11bu, 0x4a30c1edu}, /* benchmark */
+    {0x0d6ca44au, 0x93e2f9e5u}, /* benchmark */
+    {0x9ec29cc1u, 0x3695144du}, /* benchmark */
+    {0x5a24968du, 0x4a30c1edu}, /* benchmark */
     {0xdaeeec08u, 0xb75fbaefu}, /* benchmark */
-    {0x2f025b8du, 0x3695144du}, /* benchmark */
-    {0xd938d48bu, 0x4f1d0282u}, /* benchmark */
-    {0x63c830cdu, 0xc7fbd867u}, /* benchmark */
+    {0x9ec29cc1u, 0x3695144du}, /* benchmark */
+    {0xbd062d63u, 0x4f1d0282u}, /* benchmark */
+    {0x26392efau, 0xc7fbd867u}, /* benchmark */
     {0x59fa9654u, 0xfab75cc7u}, /* benchmark */
-    {0x27c00c4au, 0x26df0d69u}, /* benchmark */
-    {0xb4347b65u, 0xe996f9d1u}, /* large */
-    {0xdf499056u, 0x6defdbb5u}, /* large */
+    {0x1af6dc58u, 0x26df0d69u}, /* benchmark */
+    {0x1c2e55e6u, 0xb54129fdu}, /* large */
+    {0x879762b3u, 0x6defdbb5u}, /* large */
     {0x4f12aabfu, 0x52d4f071u}, /* large */
-    {0x0914046bu, 0x7ed14a4cu}, /* large */
-    {0x5f7c1e95u, 0xf3de6e42u}, /* scenes */
-    {0x0eee8bd2u, 0x8d28316du}, /* scenes */
+    {0xfbf8b4a9u, 0x7ed14a4cu}, /* large */
+    {0xda80a1dfu, 0xf3de6e42u}, /* scenes */
+    {0x8c23adeeu, 0x8d28316du}, /* scenes */
     {0x2c7415e8u, 0xa621c721u}, /* scenes */
-    {0xe882d0b8u, 0xc94b0b50u}, /* scenes */
-    {0xcb44cda6u, 0xac240b6du}, /* surfaces */
-    {0xf598eaaau, 0xd79a30f2u}, /* surfaces */
-    {0xe96c20dcu, 0x0bdd11adu}, /* surfaces */
-    {0x230c4466u, 0x187094e5u}, /* surfaces */
+    {0x655b8157u, 0xc94b0b50u}, /* scenes */
+    {0x8e485e3du, 0xac240b6du}, /* surfaces */
+    {0x52a8ece3u, 0xd79a30f2u}, /* surfaces */
+    {0xe0797374u, 0x0bdd11adu}, /* surfaces */
+    {0xa682f8bbu, 0x187094e5u}, /* surfaces */
     {0xc5817913u, 0xffb0244fu}, /* gallery */
-    {0xec0ef5ecu, 0x8164326bu}, /* gallery */
-    {0x8c3cc172u, 0xdb27b9a0u}, /* gallery */
-    {0x5f4213f1u, 0x3229035eu}, /* gallery */
-    {0x0c5adc59u, 0xf89b3544u}, /* gallery */
-    {0x0dec0bbcu, 0x4e60b3bau}, /* gallery */
-    {0xde083c4eu, 0x4b449c07u}, /* formats */
-    {0x6345fb1du, 0xbdbd160au}, /* formats */
-    {0x56da57bcu, 0x4b449c07u}, /* formats */
-    {0xe0a1d003u, 0x4a35959du}, /* formats */
-    {0xb9097975u, 0xbdbd160au}, /* formats */
-    {0x7218e55cu, 0x4a35959du}, /* formats */
-    {0x651ae61fu, 0x4a35959du}, /* formats */
-    {0x6954a557u, 0x4a35959du}, /* formats */
-    {0xc05cccf3u, 0x4a35959du}, /* formats */
-    {0x043b16ebu, 0x350386ccu}, /* formats */
-    {0x2bedf2e9u, 0x4a35959du}, /* formats */
-    {0x9017074cu, 0x350386ccu}, /* formats */
-    {0x88a5e0fau, 0x4a35959du}, /* formats */
-    {0x040bb08fu, 0x4a35959du}, /* formats */
-    {0x2e1d986fu, 0x4a35959du}, /* formats */
-    {0x81c478fbu, 0x4a35959du}, /* formats */
+    {0x3015d508u, 0x8164326bu}, /* gallery */
+    {0xb3bd5a6bu, 0x105f45d8u}, /* gallery */
+    {0x689c319du, 0x2758c8deu}, /* gallery */
+    {0xb5267cacu, 0xda81c0feu}, /* gallery */
+    {0x6acaf068u, 0x4e60b3bau}, /* gallery */
+    {0x73d89c55u, 0x4b449c07u}, /* formats */
+    {0xba660524u, 0x609193f2u}, /* formats */
+    {0xc8dac629u, 0x4b449c07u}, /* formats */
+    {0xf77d2835u, 0x7ff45439u}, /* formats */
+    {0x12e2983eu, 0x609193f2u}, /* formats */
+    {0x2f5eb6f9u, 0x7ff45439u}, /* formats */
+    {0x2873c429u, 0x7ff45439u}, /* formats */
+    {0x6ac5662eu, 0x7ff45439u}, /* formats */
+    {0x39851ba0u, 0x7ff45439u}, /* formats */
+    {0x38ea8ab7u, 0x08344bbcu}, /* formats */
+    {0xc0de555du, 0x7ff45439u}, /* formats */
+    {0x2423f0b9u, 0x08344bbcu}, /* formats */
+    {0x88a5e0fau, 0x7ff45439u}, /* formats */
+    {0x040bb08fu, 0x7ff45439u}, /* formats */
+    {0x2e1d986fu, 0x7ff45439u}, /* formats */
+    {0x81c478fbu, 0x7ff45439u}, /* formats */
 };
 
 #endif

@@ -60,6 +60,7 @@ static void any_material(void) {
         terms.specular_levels[i] = ANY_UNSIGNED(0, LEVELS_Q8);
         view.lights[i].type = &types[ANY(0, 2)];
         view.lights[i].spot.slope = ANY(0, 1 << 30);
+        view.lights[i].spot.shift = ANY_UNSIGNED(0, 15);
     }
 }
 

@@ -11,6 +11,7 @@
 #include "../../src/frame/frame.h"
 #include "../../src/light/colour.h"
 #include "../../src/light/evaluation.h"
+#include "../../src/light/point.h"
 #include "../../src/pixel/format.h"
 #include "../../src/raster/runs.h"
 
@@ -18,6 +19,9 @@
  * (32764 + 2.3). */
 #define ANY_COMPONENT ((int16_t)ANY(-32767, 32767))
 #define COSINE_MOST 0x3fff8000
+
+/* A cone's cosine: GLINT_UNIT^2, and what its axis may be longer. */
+#define CONE_MOST (1073479696 + 80000)
 
 /*@ requires 0x10000000 <= c <= 0xC0000000;
     assigns \result \from c;
@@ -97,6 +101,17 @@ static inline void glint_unit_inline(int32_t x, int32_t y, int32_t z, int16_t ou
     assigns \result \from indirect: a[0 .. 2], indirect: b[0 .. 2];
     admit ensures -0x3fff8000 <= \result <= 0x3fff8000; */
 static inline int32_t glint_dot(const int16_t a[3], const int16_t b[3]);
+
+/* Stands on directions that are at most 2.4 longer or shorter than GLINT_UNIT: suites `numbers` and `point`. */
+/*@ requires \valid_read(unit + (0 .. 2));
+    assigns \result \from indirect: unit[0 .. 2];
+    admit ensures -160000 <= \result <= 160000; */
+static inline int32_t glint_square_excess(const int16_t unit[3]);
+
+/*@ requires \valid_read(light) && \valid_read(direction + (0 .. 2));
+    assigns \result \from indirect: *light, indirect: direction[0 .. 2];
+    ensures -0x40010000 <= \result <= 0x40010000; */
+static inline int32_t glint_cone_cosine(const glint_prepared_light *light, const int16_t direction[3]);
 
 /* Stands on an error of at most 3.1e-6, 3.3 steps: `make domains` takes every w. */
 /*@ requires 0x10000000 <= w <= 0x30000000;

@@ -6,9 +6,6 @@
 #include "../../src/nodes/nodes.c"
 #include "lit.h"
 
-/* GLINT_UNIT^2 */
-#define FULL 1073479696
-
 /*
  * Not proven: glint_nodes_light: it walks nodes and lights, and calls what is proven. Suite `nodes` under ASan and
  * UBSan, and fuzzing.
@@ -101,12 +98,13 @@ PROOF(signed_cosine) {
 static void any_source(glint_prepared_light *source) {
     any_unit(source->direction);
     any_unit(source->half_vector);
-    source->spot.cosine_inner = ANY(-FULL, FULL);
-    source->spot.cosine_outer = ANY(-FULL, FULL);
+    source->spot.cosine_inner = ANY(-CONE_MOST, CONE_MOST);
+    source->spot.cosine_outer = ANY(-CONE_MOST, CONE_MOST);
     source->spot.slope = ANY(0, 1 << 30);
+    source->spot.shift = ANY_UNSIGNED(0, 15);
 }
 
-/* Any cone, any direction, of any light. @contract glint_dot */
+/* Any cone, any direction, of any light. @contract glint_cone_cosine */
 PROOF(find_cone) {
     glint_prepared_light source;
     int16_t light[3];

@@ -76,6 +76,16 @@ PROOF(glint_magnitude_bits) {
     }
 }
 
+/* Sides of up to 15 bits, any area, any bulge. */
+PROOF(glint_keeps_digits) {
+    any_narrow(&g);
+    g.reach = ANY_UNSIGNED(0, INT16_MAX);
+    glint_keeps_digits(&g, ANY(1, INT32_MAX), ANY_UNSIGNED(0, 1u << 30));
+    any_wide(&g);
+    g.reach = ANY_UNSIGNED(0, INT16_MAX);
+    glint_keeps_digits(&g, ANY(1, INT32_MAX), ANY_UNSIGNED(0, 1u << 30));
+}
+
 /*
  * Any differences, by the bits and signs of the larger, first or last.
  * @contract glint_magnitude_bits

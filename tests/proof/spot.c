@@ -5,9 +5,6 @@
 #include "../../src/light/spot.c"
 #include "ranges.h"
 
-/* GLINT_UNIT^2 */
-#define FULL 1073479696
-
 /*@ requires \valid_read(light) && \valid(fragments);
     requires fragments->count == 1;
     assigns fragments->light[0][0 .. 2], fragments->strength[0] \from indirect: *light, indirect: *fragments;
@@ -16,9 +13,25 @@
     ensures fragments->strength[0] <= 0x8000; */
 void glint_point_illuminate(const glint_prepared_light *light, glint_fragments *fragments);
 
+/* Any cosine, any rounded vector. */
+PROOF(glint_excess) {
+    const int32_t excess = glint_excess(ANY(-0x3fff8000, 0x3fff8000), ANY(-160000, 160000));
+    /*@ assert -80000 <= excess <= 80000; */
+}
+
+/* Any direction, any axis. @contract glint_dot glint_square_excess */
+PROOF(glint_cone_cosine) {
+    glint_prepared_light light;
+    int16_t direction[3];
+    for (int i = 0; i < 3; i++)
+        light.direction[i] = direction[i] = ANY_COMPONENT;
+    const int32_t cosine = glint_cone_cosine(&light, direction);
+    /*@ assert -0x40010000 <= cosine <= 0x40010000; */
+}
+
 /* Stands on past slope <= 2^30, for past is at most the width that slope is the inverse of; and then on 3 t^2 - 2 t^3,
  * which rises from 0 to 1. The spots of the image tests, under UBSan too. */
-/*@ requires 0 <= past <= 0xffff;
+/*@ requires 0 <= past;
     requires 0 <= slope <= 0x40000000;
     assigns \result \from past, slope;
     admit ensures \result <= 0x8000; */
@@ -29,7 +42,23 @@ PROOF(cosine_of) {
     cosine_of(ANY_INT);
 }
 
-/* Any angles, attenuation, axis and camera. @contract glint_phase glint_sine glint_direction_to_camera */
+/* Any angles and axis, the outer one no less. @contract glint_phase glint_sine glint_square_excess
+ * @unreached 1 leading zeros of 0 */
+PROOF(prepare_edge) {
+    glint_light light;
+    glint_prepared_light prepared;
+    light.inner = ANY(0, 180 * GLINT_ONE);
+    light.outer = ANY(0, 180 * GLINT_ONE);
+    for (int i = 0; i < 3; i++)
+        prepared.direction[i] = ANY_COMPONENT;
+    prepare_edge(&light, &prepared);
+}
+
+/*@ requires \valid_read(light) && \valid(prepared);
+    assigns prepared->spot \from indirect: *light, indirect: prepared->direction[0 .. 2]; */
+static void prepare_edge(const glint_light *light, glint_prepared_light *prepared);
+
+/* Any angles, attenuation, axis and camera. @contract glint_phase glint_sine glint_direction_to_camera prepare_edge */
 PROOF(prepare_spot) {
     glint_view view;
     glint_light light;
@@ -57,13 +86,14 @@ PROOF(smooth_step) {
     }
 }
 
-/* Any cone and any fragment. @contract glint_point_illuminate glint_dot smooth_step */
+/* Any cone and any fragment. @contract glint_point_illuminate glint_cone_cosine smooth_step */
 PROOF(illuminate_spot) {
     glint_prepared_light light;
     glint_fragments fragments;
-    light.spot.cosine_inner = ANY(-FULL, FULL);
-    light.spot.cosine_outer = ANY(-FULL, FULL);
+    light.spot.cosine_inner = ANY(-CONE_MOST, CONE_MOST);
+    light.spot.cosine_outer = ANY(-CONE_MOST, CONE_MOST);
     light.spot.slope = ANY(0, 1 << 30);
+    light.spot.shift = ANY_UNSIGNED(0, 15);
     for (int i = 0; i < 3; i++)
         light.direction[i] = ANY_COMPONENT;
     fragments.count = 1;

@@ -122,26 +122,29 @@ PROOF(gather_shares) {
     }
 }
 
+/* Highlights of weights that add up to less than 15 in each channel. */
+PROOF(find_lobe_levels) {
+    any_frame(MOST);
+    for (int i = 0; i < GLINT_LIGHTS_MAX; i++)
+        terms.specular_levels[i] = ANY_UNSIGNED(0, 45 << 16 >> 3);
+    const uint32_t levels = find_lobe_levels(&frame, &shading, &terms);
+    /*@ assert levels <= 0x168000; */
+}
+
 /*
- * Any exponent from 7 up; two highlights, one of which need not show, the other of up to 16, by the 32nds of its bits.
+ * Any exponent from 7 up; highlights of up to 32, by the 32nds of their bits.
  * @contract glint_exp2
  * @unreached 5 logarithms of 0 and of 1, and leading zeros of 0
  */
 PROOF(find_lobe_cut) {
-    any_frame(MOST);
-    scene.light_count = 2;
-    shading.has_specular = 3;
-    shading.shininess = ANY(WIDE, INT32_MAX);
-    terms.specular_levels[0] = ANY_UNSIGNED(0, FAINT);
-    FOR_PARTS(up, 0, 14) {
+    const glint_q16 shininess = ANY(WIDE, INT32_MAX);
+    FOR_PARTS(up, 0, 15) {
         FOR_PARTS(i, up ? 32 : 33, 63) {
             const uint32_t least = (uint32_t)i << up;
-            terms.specular_levels[1] = ANY_UNSIGNED(least, (((uint32_t)i + 1) << up) - 1);
-            find_lobe_cut(&frame, &shading, &terms);
+            find_lobe_cut(ANY_UNSIGNED(least, (((uint32_t)i + 1) << up) - 1), shininess);
         }
     }
-    terms.specular_levels[1] = ANY_UNSIGNED(0, FAINT);
-    find_lobe_cut(&frame, &shading, &terms);
+    find_lobe_cut(ANY_UNSIGNED(0, FAINT), shininess);
 }
 
 /* Any interval, any exponent. @contract glint_power */
@@ -161,12 +164,17 @@ PROOF(fill_cosine) {
     ensures \initialized(cosine + (0 .. 95)); */
 static void fill_cosine(uint16_t *cosine, int32_t exponent);
 
+/*@ assigns \result \from indirect: levels, indirect: shininess;
+    ensures \result <= 0x40000000; */
+static uint32_t find_lobe_cut(uint32_t levels, glint_q16 shininess);
+
 /*@ requires \valid_read(frame) && \valid_read(shading) && \valid_read(terms);
     assigns \result \from indirect: *frame, indirect: *shading, indirect: *terms;
-    ensures \result <= 0x40000000; */
-static uint32_t find_lobe_cut(const glint_frame *frame, const glint_shading *shading, const glint_light_terms *terms);
+    ensures \result <= 0x168000; */
+static uint32_t find_lobe_levels(const glint_frame *frame, const glint_shading *shading,
+                                 const glint_light_terms *terms);
 
-/* Any exponent, highlights that end anywhere. @contract fill_cosine find_lobe_cut glint_square_root
+/* Any exponent, highlights that end anywhere. @contract fill_cosine find_lobe_levels find_lobe_cut glint_square_root
  * glint_highlight_slope */
 PROOF(set_lobes) {
     any_frame(MOST);

@@ -278,6 +278,7 @@ PROOF(farther) {
 
 /*
  * Up to 2 objects of any transform. @contract glint_transform_prepare glint_transform_nearest farther
+ * @alarms 1 of a number of 2^12 or more no more than its 2^15th part is taken: it has 2^12 left
  * @unreached 1 where a small build lets no transform wait
  */
 PROOF(prepare_nearest) {

@@ -155,11 +155,60 @@ static void nearness_of_every_closeness(void) {
     CHECK_EQUAL(unlike, 0);
 }
 
-/* ---- Spots and objects that they miss ---- */
+/* ---- Spots ---- */
 
 static double between(double a, double b) {
     return a + (b - a) * (random_bits() >> 8) / 16777216.0;
 }
+
+/* Any direction, of length 1. */
+static void make_direction(double v[3]) {
+    double square;
+    do {
+        for (int c = 0; c < 3; c++)
+            v[c] = between(-1, 1);
+        square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    } while (square > 1 || square < 0.01);
+    for (int c = 0; c < 3; c++)
+        v[c] /= sqrt(square);
+}
+
+static void round_direction(const double v[3], int16_t rounded[3]) {
+    int32_t wide[3];
+    for (int c = 0; c < 3; c++)
+        wide[c] = (int32_t)lrint(v[c] * 0x1p28);
+    glint_unit(wide[0], wide[1], wide[2], rounded);
+}
+
+/* Of a cone's cosine what turns a direction shows, not what lengthens it. */
+static void cosines_of_cones(void) {
+    double worst = 0, worst_without = 0;
+    for (int i = 0; i < 1000000; i++) {
+        double axis[3], beside[3], way[3], square = 0, cosine = 0;
+        const double lean = between(0, 0.35);
+        glint_prepared_light light;
+        int16_t direction[3];
+        make_direction(axis);
+        make_direction(beside);
+        for (int c = 0; c < 3; c++) {
+            way[c] = axis[c] + lean * beside[c];
+            square += way[c] * way[c];
+            cosine += way[c] * axis[c];
+        }
+        for (int c = 0; c < 3; c++)
+            way[c] /= sqrt(square);
+        round_direction(axis, light.direction);
+        round_direction(way, direction);
+        const double unit = (double)GLINT_UNIT * GLINT_UNIT, exact = cosine / sqrt(square);
+        const double longer = 1 + glint_square_excess(light.direction) / unit / 2;
+        worst = fmax(worst, fabs(glint_cone_cosine(&light, direction) / unit / longer - exact));
+        worst_without = fmax(worst_without, fabs(glint_dot(direction, light.direction) / unit - exact));
+    }
+    report("cosines within 20 degrees of an axis", worst, 0.8 / 32768);
+    CHECK(worst_without > 2.0 / 32768);
+}
+
+/* Objects that they miss. */
 
 static glint_q16 to_q16(double x) {
     return (glint_q16)lrint(x * GLINT_ONE);
@@ -526,6 +575,7 @@ int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(lights_of_every_size_and_place),
         TEST_CASE(nearness_of_every_closeness),
+        TEST_CASE(cosines_of_cones),
         TEST_CASE(objects_that_spots_miss),
         TEST_CASE(edges_of_squares),
         TEST_CASE(turns_of_squares),

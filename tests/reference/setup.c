@@ -114,6 +114,16 @@ static int draw(drawn *d, int32_t size, int32_t range) {
     return 1;
 }
 
+/* A pixel near a random place of a triangle, and what of it lies towards its other corners. @return is it inside? */
+static int find_pixel(const place p[3], double area, int32_t *x, int32_t *y, double *u, double *v) {
+    const double s = random_below(1000) / 1000.0, t = random_below(1000) / 1000.0 * (1 - s);
+    *x = (int32_t)floor((p[0].x + s * (p[1].x - p[0].x) + t * (p[2].x - p[0].x)) / 16 + 0.5);
+    *y = (int32_t)floor((p[0].y + s * (p[1].y - p[0].y) + t * (p[2].y - p[0].y)) / 16 + 0.5);
+    *u = ((16.0 * *x - p[0].x) * (p[2].y - p[0].y) - (16.0 * *y - p[0].y) * (p[2].x - p[0].x)) / area;
+    *v = ((16.0 * *y - p[0].y) * (p[1].x - p[0].x) - (16.0 * *x - p[0].x) * (p[1].y - p[0].y)) / area;
+    return *u >= 0 && *v >= 0 && *u + *v <= 1;
+}
+
 /* Largest error over the pixels of a triangle, as a part of the corners' largest difference, or of `least`. */
 static double worst_plane(const drawn *d, const glint_plane *plane, double least) {
     const place *p = d->places;
@@ -122,19 +132,38 @@ static double worst_plane(const drawn *d, const glint_plane *plane, double least
     const double da = d->corners[1].inverse_w - a, db = d->corners[2].inverse_w - a;
     double worst = 0;
     for (int tries = 0; tries < 64; tries++) {
-        /* a pixel near a random place of the triangle */
-        const double s = random_below(1000) / 1000.0, t = random_below(1000) / 1000.0 * (1 - s);
-        const int32_t x = (int32_t)floor((p[0].x + s * (p[1].x - p[0].x) + t * (p[2].x - p[0].x)) / 16 + 0.5);
-        const int32_t y = (int32_t)floor((p[0].y + s * (p[1].y - p[0].y) + t * (p[2].y - p[0].y)) / 16 + 0.5);
-        const double u = ((16.0 * x - p[0].x) * (p[2].y - p[0].y) - (16.0 * y - p[0].y) * (p[2].x - p[0].x)) / area;
-        const double v = ((16.0 * y - p[0].y) * (p[1].x - p[0].x) - (16.0 * x - p[0].x) * (p[1].y - p[0].y)) / area;
-        if (u < 0 || v < 0 || u + v > 1)
+        double u, v;
+        int32_t x, y;
+        if (!find_pixel(p, area, &x, &y, &u, &v))
             continue;
         const double found = glint_plane_at(plane, x - anchor_x, y - anchor_y);
         const double rounding = 4 + abs(x - anchor_x) + abs(y - anchor_y); /* slopes are whole */
         worst = fmax(worst, fabs(found - (a + u * da + v * db)) - rounding);
     }
     return worst / fmax(fmax(fabs(da), fabs(db)), least);
+}
+
+/* M.M of normals that are 1 at the corners and so far apart, squares in Q14: largest error over a triangle's pixels. */
+static double worst_square(const drawn *d, const int32_t apart[3]) {
+    const place *p = d->places;
+    const int32_t anchor_x = (p[0].x + 8) >> 4, anchor_y = (p[0].y + 8) >> 4;
+    const int32_t one[3] = {1 << 14, 1 << 14, 1 << 14}, bulge[3] = {-apart[0], -apart[1], -apart[2]};
+    const double area = -d->triangle.area;
+    glint_barycentric barycentric;
+    glint_quadratic q;
+    double worst = 0;
+    glint_barycentric_begin(&barycentric, &d->part.gradients, 16);
+    glint_polynomial_begin(&q, &barycentric, one, bulge);
+    for (int tries = 0; tries < 64; tries++) {
+        double u, v;
+        int32_t x, y;
+        if (!find_pixel(p, area, &x, &y, &u, &v))
+            continue;
+        const double found = (int32_t)glint_stride_begin(&q, x - anchor_x, y - anchor_y).value / 0x1p30;
+        const double exact = 1 - ((1 - u - v) * (u * apart[0] + v * apart[2]) + u * v * apart[1]) / 0x1p14;
+        worst = fmax(worst, fabs(found - exact));
+    }
+    return worst;
 }
 
 static void report(const char *name, double worst, double allowed) {
@@ -168,6 +197,32 @@ static void planes(void) {
     CHECK(worst_slender == 0); /* they are drawn, and all that they lack is rounding */
 }
 
+/* Slender triangles keep fewer digits, the fewer the further their normals turn. */
+static void squares_of_normals(void) {
+    long kept = 0, left = 0;
+    double worst = 0, worst_left = 0;
+    for (int i = 0; i < 1000000; i++) {
+        static drawn d;
+        if (!draw(&d, 64 << random_below(8), 1 << 16) || d.triangle.area < GLINT_POLYNOMIAL_LEAST_AREA ||
+            glint_slenderness(&d.part.gradients, d.triangle.area) > GLINT_SLENDER)
+            continue;
+        const int32_t most = (1 << (4 + random_below(11))) + 1; /* Q14: up to 1, 60 degrees */
+        const int32_t apart[3] = {random_below(most), random_below(most), random_below(most)};
+        const int32_t largest = glint_most_of(apart[0], apart[1], apart[2]);
+        const double error = worst_square(&d, apart);
+        if (glint_keeps_digits(&d.part.gradients, d.triangle.area, (uint32_t)largest << 12)) {
+            kept++;
+            worst = fmax(worst, error);
+        } else {
+            left++;
+            worst_left = fmax(worst_left, error);
+        }
+    }
+    CHECK(kept > 100000 && left > 1000);
+    report("squares of normals", worst, 0.0013);
+    CHECK(worst_left > 0x1p-9); /* it is these that are left out */
+}
+
 /* Depths at a corner that is the frame's nearest, on a pixel's centre: rounded up they still have 31 bits. */
 static void depth_at_the_nearest_corner(void) {
     const int32_t top = 0x7fff0000;
@@ -189,6 +244,21 @@ static void depth_at_the_nearest_corner(void) {
     }
     CHECK(judged > 10000);
     CHECK_EQUAL(above, 0);
+}
+
+/* 1/w of vertices, over the nearest's: where that is much nearer, too. */
+static void depth_far_behind_the_nearest(void) {
+    double worst = 0;
+    for (int i = 0; i < 3000000; i++) {
+        const int32_t w = (1 << 28) + random_below(1 << 29);
+        glint_transform transform = {.nearest = random_below(w >> random_below(20)) + 1};
+        const glint_position position = {0, 0, w};
+        glint_vertex vertex;
+        glint_project(&transform, &position, &vertex);
+        const double exact = fmin((double)transform.nearest / w, 0x7fff0000 / 0x1p31);
+        worst = fmax(worst, fabs(vertex.inverse_w / 0x1p31 - exact) / (exact * 0x1p-18 + 0x1p-25));
+    }
+    report("1/w of vertices", worst, 2);
 }
 
 /* The longest edge, whichever it is, to 2^-12 of it and a step. */
@@ -456,7 +526,9 @@ int test_main(test_writer write) {
         TEST_CASE(reciprocals_of_16_bits),
         TEST_CASE(crossings_of_all_short_edges),
         TEST_CASE(planes),
+        TEST_CASE(squares_of_normals),
         TEST_CASE(depth_at_the_nearest_corner),
+        TEST_CASE(depth_far_behind_the_nearest),
         TEST_CASE(longest_edges),
         TEST_CASE(clipping_leaves_all_corners),
         TEST_CASE(clipping_along_planes),
