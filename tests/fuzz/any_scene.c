@@ -124,7 +124,7 @@ static glint_pose take_pose(source *s) {
     pose = glint_pose_then(&pose, &z);
     pose.m[0][3] = any(s) / 16;
     pose.m[1][3] = any(s) / 16;
-    pose.m[2][3] = -likely(s, 4, 8 * GLINT_ONE);
+    pose.m[2][3] = (glint_q16)(0u - (uint32_t)likely(s, 4, 8 * GLINT_ONE)); /* the least stays as it is */
     return pose;
 }
 
