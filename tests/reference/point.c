@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Suite: directions and strengths of point lights against long double, at the errors point.h states; and how near they
- * are as nodes keep it; which objects spots miss; and where polynomials tell that a light's highlight ends. */
+ * are as nodes keep it; cosines of cones, and which objects these miss; and where polynomials tell that a light's
+ * highlight ends. */
 #include "light/point.h"
 #include "frame/frame.h"
 #include "glint.h"
