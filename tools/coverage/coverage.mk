@@ -82,7 +82,7 @@ COVERAGE_ALL   := $(COVERAGE_PROFILES) $(COVERAGE_PROGRAMS)=$(subst $() $(),$(co
 coverage: $(COVERAGE_LIBRARY) coverage-programs ## what tests reach: lines, branches and MC/DC of the library, panel drivers and host programs
 	@$(COVERAGE_JUDGE) $(COVERAGE_ALL)
 
-coverage-library: $(COVERAGE_LIBRARY) ## the same of the library and panel drivers alone, which .ci/run does
+coverage-library: $(COVERAGE_LIBRARY) ## the same of the library and panel drivers alone
 	@$(COVERAGE_JUDGE) $(COVERAGE_PROFILES)
 
 coverage-open: ## write the gaps that the last run found, and that are not beyond reach, into tools/coverage/open.csv
