@@ -68,9 +68,7 @@ static int serves(const glint_frame *frame, const glint_shading *shading, const 
     const glint_material *material = object->material;
     return has_simple_light(frame->scene, shading) && !frame->config.gamma &&
            (!object->evaluation || object->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS) &&
-           !glint_has_colours(object->mesh) &&
-           !(material->flags & ~(uint32_t)(GLINT_MATERIAL_MAX | GLINT_MATERIAL_UNGATED)) &&
-           least_lit_of(shading) <= MOST_LIT &&
+           !glint_has_colours(object->mesh) && least_lit_of(shading) <= MOST_LIT &&
            (material->model->lobe == GLINT_LOBE_NONE ||
             (material->model->lobe == GLINT_LOBE_HALF_VECTOR && material->shininess >= 2 * GLINT_ONE));
 }

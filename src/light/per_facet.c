@@ -4,8 +4,9 @@
 #include "shade.h"
 
 /*
- * Normal of a triangle in camera space, from clip coordinates: x and y there are focal length / guard band times too
- * large, so that z, the product of two of them, is scaled by the inverse of that.
+ * Normal of a triangle in camera space, from clip coordinates, towards the eye: x and y there are focal length / guard
+ * band times too large, so that z, the product of two of them, is scaled by the inverse of that. On which side the eye
+ * lies is told from them, which have 30 bits: of a facet seen on edge the unit normal's 15 are too few.
  */
 static void facet_normal(const glint_view *view, const glint_position *const p[3], int16_t normal[3]) {
     const int64_t ax = (int64_t)p[1]->x - p[0]->x, ay = (int64_t)p[0]->y - p[1]->y, az = (int64_t)p[0]->w - p[1]->w;
@@ -13,11 +14,16 @@ static void facet_normal(const glint_view *view, const glint_position *const p[3
     const int64_t cross[3] = {ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx};
     int32_t reduced[3];
     glint_reduce(cross, reduced);
+    const int64_t away = view->is_parallel ? -(int64_t)reduced[2]
+                                           : (int64_t)reduced[0] * p[0]->x - (int64_t)reduced[1] * p[0]->y -
+                                                 (int64_t)reduced[2] * p[0]->w;
     /* times focal length (twice, Q12) and guard band (the same) */
     const int64_t scaled[3] = {(int64_t)reduced[0] * view->focal, (int64_t)reduced[1] * view->focal,
                                (int64_t)reduced[2] * (2 * GLINT_GUARD_BAND * 4096)};
     glint_reduce(scaled, reduced);
     glint_unit(reduced[0], reduced[1], reduced[2], normal);
+    for (int c = 0; c < 3 && away > 0; c++)
+        normal[c] = (int16_t)-normal[c];
 }
 
 static int32_t average(const glint_draw *draw, const uint16_t *indices, int c) {
@@ -35,15 +41,8 @@ static void light_facet(const glint_frame *frame, glint_draw *draw, const glint_
     one.away = draw->unreached;
     glint_ray(transform, frame->view, sum, 3, one.ray[0], &one.inverse_w[0]);
     facet_normal(frame->view, p, one.normal[0]);
-    int64_t facing = 0;
-    for (int c = 0; c < 3; c++)
-        facing += (int64_t)one.normal[0][c] * one.ray[0][c];
-    if (frame->view->is_parallel)
-        facing = one.normal[0][2];
     for (int c = 0; c < 3 && draw->extra; c++)
         one.surface[0][c] = (int16_t)average(draw, indices, c);
-    for (int c = 0; c < 3 && facing < 0; c++)
-        one.normal[0][c] = (int16_t)-one.normal[0][c];
     glint_light_all(frame, &one, draw->shading, draw->extra != 0);
     glint_clamp_colour(one.colour[0], draw->facets[i]);
 }

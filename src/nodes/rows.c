@@ -19,15 +19,13 @@ typedef struct row_sums {
     unsigned shift;  /* binary logarithm of its width */
 } row_sums;
 
-/* M.M, Q30, that 1 / |M| is known from. */
+/* M.M, Q30, that 1 / |M| is known from: GLINT_LEAST_SQUARE keeps it, as rounded, above. */
 #define LEAST_LENGTH_SQUARE (1u << 28)
 
-/* 1 / |M|, Q15, of M.M less its least. */
+/* 1 / |M|, Q15, of M.M less its least; the longest is 1, but for rounding. */
 static inline uint32_t inverse_of(uint32_t square) {
-    uint32_t entry = (uint32_t)glint_shift_right((int32_t)square, 20);
-    if (entry >= 768)
-        entry = (int32_t)square < 0 ? 0 : 767;
-    return glint_root_table[entry];
+    const uint32_t entry = square >> 20;
+    return glint_root_table[entry < 768 ? entry : 767];
 }
 
 /* A base and a sum times 1 / |M|. */

@@ -21,8 +21,8 @@ static GLINT_NOINLINE int32_t to_30_bits(int32_t side, int32_t reciprocal, int32
     return (int32_t)glint_shift_right64((int64_t)glint_shift_left(side, 16 - (unsigned)size) * reciprocal, 17);
 }
 
-/* Sides times 1/area; slender ones' stay whole. A plane's value at a pixel of a wide
- * triangle is then off by at most 2^-18 of the corners' difference, or of 2^26 where that is less. */
+/* Sides times 1/area; slender ones' stay whole. A plane's value at a pixel of a wide triangle is then off by at most
+ * 2^-18 of the corners' difference, 2^-17 where the triangle is small, and a step for each pixel from the anchor. */
 static GLINT_NOINLINE void widen(glint_gradients *g, uint32_t area, uint32_t zeros) {
     /* 1 / area is this times 2^(zeros - 62) */
     const int32_t reciprocal = (int32_t)(glint_reciprocal(area << zeros) >> 1);
@@ -37,17 +37,17 @@ static GLINT_NOINLINE void widen(glint_gradients *g, uint32_t area, uint32_t zer
 }
 
 /*
- * Narrow triangles keep whole sides and a 1/area of 16 bits: slopes are sums of products without rounding, times
- * 1/area. A plane's value at a pixel of the triangle is then off by at most 2^-12 of the corners' difference, 2^-10
- * where the area is below 1/32 of a pixel, and a step for each pixel from the anchor.
+ * Narrow triangles, none of them steep, keep whole sides and a 1/area of 16 bits: slopes are sums of products without
+ * rounding, times 1/area. A plane's value at a pixel of the triangle is then off by at most 2^-12 of the corners'
+ * difference, 2^-10 where the area is below 1/32 of a pixel, and a step for each pixel from the anchor.
  * @return whether the triangle is narrow
  */
-static inline int gradients_begin(glint_gradients *g, uint32_t area) {
+static inline int gradients_begin(glint_gradients *g, uint32_t area, int steep) {
     const uint32_t reach = glint_magnitude_bits(g->x2) | glint_magnitude_bits(g->y2) | glint_magnitude_bits(g->x1) |
                            glint_magnitude_bits(g->y1);
     g->reach = reach;
     const uint32_t zeros = glint_leading_zeros(area);
-    if (reach >> NARROW_SIZE || reach >> NARROW_SLIVER > area) {
+    if (reach >> NARROW_SIZE || reach >> NARROW_SLIVER > area || steep) {
         g->reciprocal = 0;
         g->shift = 0;
         if (glint_slenderness(g, (int32_t)area) <= GLINT_SLENDER)
@@ -88,8 +88,14 @@ static inline void begin_narrow(glint_plane *p, const glint_gradients *g, int32_
                  glint_slope_of(d1 * g->y1 + d2 * g->y2, g->reciprocal), up - g->shift);
 }
 
+/* Of small triangles' differences no bit is lost that they have room for. */
 static inline void begin_wide(glint_plane *p, const glint_gradients *g, int32_t start, int32_t d1, int32_t d2) {
-    finish_plane(p, g, start, high_sum(d1, g->x1, d2, g->x2), high_sum(d1, g->y1, d2, g->y2), 16 - g->shift);
+    const int32_t down = 16 - g->shift;
+    const int32_t room = (int32_t)glint_leading_zeros(glint_magnitude_bits(d1) | glint_magnitude_bits(d2)) - 2;
+    const int32_t up = glint_most(glint_least(room, down + 5), 0);
+    d1 = glint_shift_left(d1, (unsigned)up);
+    d2 = glint_shift_left(d2, (unsigned)up);
+    finish_plane(p, g, start, high_sum(d1, g->x1, d2, g->x2), high_sum(d1, g->y1, d2, g->y2), down - up);
 }
 
 /*
@@ -164,6 +170,13 @@ static inline void begin_sides(glint_part *part, glint_triangle *t) {
     t->area = find_area(g);
 }
 
+/* Does a triangle reach more than 8 to 16 times as far as it begins, as the bits of 1/w have it? What narrow planes are
+ * off by is then too much of what is left of 1/w. */
+static inline int is_steep(int32_t w, int32_t w1, int32_t w2) {
+    const int32_t least = glint_shift_right(w | w1 | w2, 4);
+    return w < least || w1 < least || w2 < least;
+}
+
 /* Any triangle's depth; built for size, every one's. */
 static GLINT_NOINLINE void begin_depth(glint_part *part, const glint_triangle *t) {
     const int32_t w = t->corners[0]->inverse_w, w1 = t->corners[1]->inverse_w, w2 = t->corners[2]->inverse_w;
@@ -173,12 +186,12 @@ static GLINT_NOINLINE void begin_depth(glint_part *part, const glint_triangle *t
 }
 
 void glint_setup(glint_part *part, glint_triangle *t) {
+    const int32_t w = t->corners[0]->inverse_w, w1 = t->corners[1]->inverse_w, w2 = t->corners[2]->inverse_w;
     begin_sides(part, t);
-    if (!gradients_begin(&part->gradients, (uint32_t)t->area) || GLINT_SMALL) {
+    if (!gradients_begin(&part->gradients, (uint32_t)t->area, is_steep(w, w1, w2)) || GLINT_SMALL) {
         begin_depth(part, t);
         return;
     }
-    const int32_t w = t->corners[0]->inverse_w, w1 = t->corners[1]->inverse_w, w2 = t->corners[2]->inverse_w;
     const int32_t either = w1 | w2;
     begin_narrow(&part->depth, &part->gradients, w, w1 - w, w2 - w);
     if (comes_near(either))

@@ -8,7 +8,7 @@
 
 static const pixel_sums pixel_table[] = {
     {0x188a8828u, 0x37b0fe31u}, /* regions */
-    {0x0438665bu, 0x553296abu}, /* regions */
+    {0x5648969bu, 0x553296abu}, /* regions */
     {0xbf9a21dfu, 0x52e0a7e8u}, /* random surfaces */
     {0xb02bd9c8u, 0xd9635b3du}, /* random surfaces */
     {0x256f0743u, 0x747aaa0eu}, /* random surfaces */

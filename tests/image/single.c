@@ -139,7 +139,7 @@ static const single_triangle single_triangles[] = {
      0},
     {"normals that are half as long at its middle as at its corners",
      {{944, 2269, -8192}, {-2437, -317, -8192}, {1493, -1952, -8192}},
-     {{10903, 26198, 16386}, {-28140, -3658, 16386}, {17239, -22541, 16386}},
+     {{10882, 26148, 16480}, {-28086, -3651, 16480}, {17206, -22498, 16480}},
      {0, 0, GLINT_ONE},
      DIFFUSE,
      0,

@@ -39,11 +39,11 @@ static void begin_slender(glint_plane *p, const glint_gradients *g, int32_t star
 /*@ requires \valid(g) && 1 <= area <= 0x40000000;
     requires -0x8000 <= g->x1 < 0x8000 && -0x8000 <= g->y1 < 0x8000;
     requires -0x8000 <= g->x2 < 0x8000 && -0x8000 <= g->y2 < 0x8000;
-    assigns \result, g->x1, g->y1, g->x2, g->y2, g->reciprocal, g->shift, g->reach \from *g, area;
+    assigns \result, g->x1, g->y1, g->x2, g->y2, g->reciprocal, g->shift, g->reach \from *g, area, steep;
     ensures g->reach < 0x8000;
     ensures (\result == 1 && NARROW(g)) || (\result == 0 && WIDE(g) && g->shift >= 1) || (\result == 0 && SLENDER(g));
  */
-static inline int gradients_begin(glint_gradients *g, uint32_t area);
+static inline int gradients_begin(glint_gradients *g, uint32_t area, int steep);
 
 /*@ requires 1 <= size <= 16 && 0 <= reciprocal;
     requires -(1 << size) <= side <= 1 << size;
@@ -103,12 +103,16 @@ PROOF(begin_narrow) {
 }
 
 /*
- * Any differences.
+ * Any differences, by the shift.
+ * @contract glint_magnitude_bits
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  */
 PROOF(begin_wide) {
     any_wide(&g);
-    begin_wide(&plane, &g, ANY_INT, ANY_INT, ANY_INT);
+    FOR_PARTS(shift, -6, 27) {
+        g.shift = shift;
+        begin_wide(&plane, &g, ANY_INT, ANY_INT, ANY_INT);
+    }
 }
 
 /*
@@ -172,7 +176,7 @@ PROOF(gradients_begin) {
                 g.y1 = ANY(-1 - most, most);
                 g.x2 = ANY(-1 - most, most);
                 g.y2 = ANY(-1 - most, most);
-                gradients_begin(&g, area < 31 ? (uint32_t)any_of_bits(area, 0) : 1u << 30);
+                gradients_begin(&g, area < 31 ? (uint32_t)any_of_bits(area, 0) : 1u << 30, ANY(0, 1));
             }
         }
     }

@@ -187,7 +187,7 @@ static void planes(void) {
         if (g->reciprocal)
             *worst = fmax(*worst, worst_plane(&d, &d.part.depth, 1));
         else if (g->shift)
-            worst_wide = fmax(worst_wide, worst_plane(&d, &d.part.depth, 1 << 26));
+            worst_wide = fmax(worst_wide, worst_plane(&d, &d.part.depth, 1));
         else
             worst_slender = fmax(worst_slender, worst_plane(&d, &d.part.depth, 1));
     }
@@ -195,6 +195,33 @@ static void planes(void) {
     report("planes of those below 1/32 of a pixel", worst_tiny, 0x1p-10);
     report("planes of wide triangles", worst_wide, 0x1p-18);
     CHECK(worst_slender == 0); /* they are drawn, and all that they lack is rounding */
+}
+
+/* Of a few pixels, from a place to up to 2^20 times as far: what is left of 1/w there is as exact as if they were
+ * large.
+ */
+static void planes_of_steep_triangles(void) {
+    double worst = 0;
+    long narrow = 0, wide = 0;
+    for (int i = 0; i < 1000000; i++) {
+        static drawn d;
+        if (!draw(&d, 16 << random_below(7), 1 << 16))
+            continue;
+        const int32_t most = 0x7fc00000 >> random_below(16); /* not next to the top, below which planes are kept */
+        for (int k = 0; k < 3; k++)
+            d.corners[k].inverse_w = random_below(most) >> random_below(20);
+        d.corners[i % 3].inverse_w = most;
+        d.corners[(i + 1) % 3].inverse_w = most >> 5 >> random_below(16);
+        glint_setup(&d.part, &d.triangle);
+        narrow += d.part.gradients.reciprocal != 0;
+        if (!d.part.gradients.shift)
+            continue;
+        worst = fmax(worst, worst_plane(&d, &d.part.depth, 1));
+        wide++;
+    }
+    CHECK(wide > 100000);
+    CHECK_EQUAL(narrow, 0);
+    report("planes of steep triangles", worst, 0x1p-17);
 }
 
 /* Slender triangles keep fewer digits, the fewer the further their normals turn. */
@@ -526,6 +553,7 @@ int test_main(test_writer write) {
         TEST_CASE(reciprocals_of_16_bits),
         TEST_CASE(crossings_of_all_short_edges),
         TEST_CASE(planes),
+        TEST_CASE(planes_of_steep_triangles),
         TEST_CASE(squares_of_normals),
         TEST_CASE(depth_at_the_nearest_corner),
         TEST_CASE(depth_far_behind_the_nearest),
