@@ -259,16 +259,19 @@ static void find_colour(const panel_model *model, int x, int y, uint8_t rgb[3]) 
     }
 }
 
+void panel_model_pixel(const panel_model *model, int x, int y, uint8_t rgb[3]) {
+    memset(rgb, 0, 3);
+    if (model->is_on && model->is_awake && !model->in_reset && is_seen(model->module, x, y)) {
+        find_colour(model, x, y, rgb);
+    }
+}
+
 const panel_picture *panel_model_picture(panel_model *model) {
-    const int shows = model->is_on && model->is_awake && !model->in_reset;
     uint8_t *rgb = model->picture.rgb;
 
     for (int y = 0; y < model->picture.height; y++) {
         for (int x = 0; x < model->picture.width; x++, rgb += 3) {
-            memset(rgb, 0, 3);
-            if (shows && is_seen(model->module, x, y)) {
-                find_colour(model, x, y, rgb);
-            }
+            panel_model_pixel(model, x, y, rgb);
         }
     }
     return &model->picture;

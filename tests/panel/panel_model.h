@@ -81,6 +81,9 @@ void panel_model_reset(panel_model *model, int active);
 /** What is on the glass now. Filled in anew by each call; the model owns it. */
 const panel_picture *panel_model_picture(panel_model *model);
 
+/** A pixel of it. */
+void panel_model_pixel(const panel_model *model, int x, int y, uint8_t rgb[3]);
+
 /** Says that no more bytes come: a command that still waits for parameters is complained about. */
 void panel_model_finish(panel_model *model);
 

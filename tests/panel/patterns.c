@@ -66,9 +66,14 @@ void pattern_fill(const way *to, uint8_t *tile, size_t stride, const int rectang
 }
 
 void pattern_expect(const way *to, int x, int y, uint8_t rgb[3]) {
-    for (int channel = 0; channel < 3; channel++) {
+    const int is_grey = to->bits <= 4;
+
+    for (int channel = 0; channel < (is_grey ? 1 : 3); channel++) {
         const unsigned bits = channel_bits(to->bits, channel);
-        rgb[channel] = pattern_expand(pattern_level(x, y, to->bits > 4 ? channel : 0, bits), bits);
+        rgb[channel] = pattern_expand(pattern_level(x, y, channel, bits), bits);
+    }
+    if (is_grey) {
+        rgb[1] = rgb[2] = rgb[0];
     }
 }
 
