@@ -71,6 +71,12 @@ static const kept_scene kept_scenes[] = {
     {19, 1, 50167234u, 0xfd8c216d23abbaa5u, 0, 0,
      0}, /* large triangles at nodes: what 1 / |M| is rounded to, times p */
     {20, 0, 20011214u, 0xeb59b29a932eab56u, 0, 0, 0.56}, /* large triangles of any p at nodes: the same */
+    {11, 1, 63662u, 0x81d58069bfe59d81u, 0, 0, 0},       /* w ratios to 1:1000: a small triangle reaches far */
+    {11, 1, 50197634u, 0xafc397e9389a0ff3u, 0, 0, 0},    /* w ratios to 1:1000: the same */
+    {11, 0, 4008407u, 0x2f2c3da178792caeu, 0, 0, 0},     /* w ratios to 1:1000: the same */
+    {8, 0, 50144606u, 0xd45fd0182ef26ae8u, 0, 0, 0.5},   /* lights at the surface: a facet seen on edge */
+    {4, 0, 5022238u, 0xa409628ff6e87beau, 0, 0, 0},      /* slivers: the same */
+    {18, 0, 50030208u, 0x1bf5c8bb526446ffu, 0, 1, 4.43}, /* depth ratios to 2^33: the same, its first corner far away */
 };
 
 #endif
