@@ -19,7 +19,7 @@
 
 /* Of its bound, what a pixel may take where the contract is missed: docs/stability.md tells where it is, by up to 1.39.
  */
-#define KNOWN_SHARE 1.5
+#define KNOWN_SHARE 1.4
 
 /* Sum of weights up to which the contract's bound is within its two steps by far. */
 #define WEIGHTS_MAX 4
