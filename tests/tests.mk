@@ -218,6 +218,10 @@ FUZZ_WORDLESS := $(foreach target,panel render differential,tests/fuzz/fuzz_$(ta
     $(addprefix port/host/,cluster.c join.c mesh.c patch.c quantise.c simplify.c winding.c)
 $(FUZZ_LIBRARY) $(FUZZ_WORDLESS:%.c=$(BUILD)/fuzz/%.o): FUZZ_CFLAGS += -fno-sanitize-coverage=trace-cmp
 
+# What judges is not what is judged: it is compiled as it is, and no input is kept for its sake.
+FUZZ_JUDGES := $(wildcard tests/reference/*.c) tests/image/judge.c tests/panel/panels.c tests/panel/patterns.c
+$(FUZZ_JUDGES:%.c=$(BUILD)/fuzz/%.o): FUZZ_CFLAGS := $(filter-out -fsanitize=% -fno-sanitize-recover=% -fprofile-% -fcoverage-%,$(FUZZ_CFLAGS))
+
 # The program's main function, for the command line's target to call.
 $(BUILD)/fuzz/port/host/main.o: FUZZ_CFLAGS += -Dmain=glint_main
 

@@ -82,7 +82,7 @@ static void enclose_mesh(attack_stage *stage, const drawing *d, int which, int a
 void attack_stage_take(attack_stage *stage, source *s, int is_usual) {
     drawing d;
     if (is_usual)
-        take_usual_scene(s, &d);
+        take_usual_scene(s, &d, 1);
     else
         take_any_scene(s, &d);
     take_layouts(s, &d, 1);

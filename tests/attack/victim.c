@@ -143,7 +143,7 @@ void victim_open(victim *v) {
             bytes[i] = (uint8_t)next_random(&state);
         source s = {bytes, sizeof bytes};
         free_drawing(&sound);
-        take_usual_scene(&s, &sound);
+        take_usual_scene(&s, &sound, 1);
     } while (!sound.scene.object_count || glint_arena_need(&config, &sound.scene, &need) != GLINT_OK ||
              need.one_pass > ARENA_MOST / 4);
 }

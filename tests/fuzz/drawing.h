@@ -28,8 +28,9 @@ void take_any_scene(source *s, drawing *d);
 /**
  * What users draw: generated meshes with smooth normals, seen from around them, lit by lights of which some stand where
  * they are awkward. Every value is one that the library takes; only an object may be out of range.
+ * @param may_have_clusters half of the meshes have them then
  */
-void take_usual_scene(source *s, drawing *d);
+void take_usual_scene(source *s, drawing *d, int may_have_clusters);
 
 /** Stores arrays of meshes in layouts, now and then: sound ones, or any. */
 void take_layouts(source *s, drawing *d, int is_sound);

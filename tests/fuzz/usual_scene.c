@@ -92,7 +92,7 @@ static glint_status generate(const shape *of, glint_mesh *mesh, const glint_mesh
 }
 
 /* About 1 large. */
-static void take_mesh(source *s, glint_mesh *mesh) {
+static void take_mesh(source *s, glint_mesh *mesh, int may_have_clusters) {
     shape of;
     glint_mesh_room room = {0};
     of.kind = below(s, 8);
@@ -109,7 +109,7 @@ static void take_mesh(source *s, glint_mesh *mesh) {
     require(generate(&of, mesh, &room) == GLINT_OK);
     if (one_in(s, 8))
         mesh->flags = GLINT_MESH_DOUBLE_SIDED;
-    if (below(s, 2))
+    if (below(s, 2) && may_have_clusters)
         cluster_mesh(mesh);
     if (one_in(s, 8))
         take_mesh_colours(s, mesh);
@@ -304,11 +304,11 @@ static void take_lights(source *s, drawing *d, glint_q16 size, glint_vector back
 
 /* ---- Scene --------------------------------------------------------------------------------------------------- */
 
-void take_usual_scene(source *s, drawing *d) {
+void take_usual_scene(source *s, drawing *d, int may_have_clusters) {
     glint_vector centre = {0, 0, 0};
     memset(d, 0, sizeof *d);
     for (int i = 0; i < DRAWING_MESHES; i++)
-        take_mesh(s, &d->meshes[i]);
+        take_mesh(s, &d->meshes[i], may_have_clusters);
     const glint_q16 size = one_in(s, 4) ? across(s, -6, 6) : GLINT_ONE;
     if (one_in(s, 8))
         centre = take_offset(s, GLINT_ONE, 0, 11);
