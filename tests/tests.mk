@@ -146,11 +146,11 @@ test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery for
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order
 	$(call run_suites,$^)
 
-# Of the suites that take long one of two or three, which the seed picks.
+# Of the suites that take long one of three or four, which the seed picks.
 SANITIZED_LONG   := accuracy models compare formats identity gallery arenas nodes budget layouts pixels kept drops
 SANITIZED_TESTED := $(if $(SANITIZE_ALL),$(TEST_SUITES),$(filter-out $(SANITIZED_LONG),$(TEST_SUITES)) \
-    $(call pick,0,accuracy models compare) $(call pick,1,formats identity) $(call pick,2,gallery arenas) \
-    $(call pick,3,nodes budget) $(call pick,4,layouts pixels) $(call pick,5,kept drops))
+    $(call pick,0,accuracy models compare) $(call pick,1,formats identity gallery) $(call pick,2,arenas nodes budget) \
+    $(call pick,3,layouts pixels kept drops))
 
 test-sanitize: export GLINT_BUDGET_SCENES := $(if $(SANITIZE_ALL),250,40)
 test-sanitize: export GLINT_SAMPLE := $(if $(SANITIZE_ALL),1,5)

@@ -2,7 +2,7 @@
 # A board whose power is cut at any instruction; included by the Makefile after port/boards.mk.
 
 # As many within each part of what the firmware does, half of them with the panel's reset line.
-POWER_CUTS ?= 28
+POWER_CUTS ?= 14
 POWER_SEED ?= 1
 
 # Tables that frames keep in the arena are not of a library built for size.

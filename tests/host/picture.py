@@ -44,19 +44,29 @@ def chunks(data):
     return found
 
 
-def paeth(a, b, c):
-    near = [abs(b - c), abs(a - c), abs(a + b - 2 * c)]
-    return (a, b, c)[near.index(min(near))]
+def paeth(left, up, corner):
+    by_left, by_up, by_corner = abs(up - corner), abs(left - corner), abs(left + up - 2 * corner)
+    return left if by_left <= by_up and by_left <= by_corner else up if by_up <= by_corner else corner
 
 
 def unfilter(kind, row, above, step):
-    out = bytearray(row)
-    for i, value in enumerate(row):
-        left = out[i - step] if i >= step else 0
-        corner = above[i - step] if i >= step else 0
-        guess = (0, left, above[i], (left + above[i]) // 2, paeth(left, above[i], corner))[kind]
-        out[i] = (value + guess) & 255
-    return bytes(out)
+    out = bytearray(step) + row  # behind what is left of the row
+    if kind in (1, 3, 4):
+        corners = bytes(step) + above
+        for i, value in enumerate(row):
+            left, up, corner = out[i], above[i], corners[i]
+            if kind == 1:
+                guess = left
+            elif kind == 3:
+                guess = (left + up) // 2
+            else:
+                guess = paeth(left, up, corner)
+            out[i + step] = (value + guess) & 255
+    elif kind == 2:
+        return bytes([(value + up) & 255 for value, up in zip(row, above)])
+    elif kind != 0:
+        raise ValueError("no such filter")
+    return bytes(out[step:])
 
 
 def decode(data):
@@ -74,5 +84,5 @@ def decode(data):
     for y in range(height):
         line = raw[y * (size + 1):(y + 1) * (size + 1)]
         above = unfilter(line[0], line[1:], above, channels)
-        rows.append([tuple(above[i:i + channels]) for i in range(0, size, channels)])
+        rows.append(list(zip(*(above[c::channels] for c in range(channels)))))
     return Picture(width, height, channels, rows)
