@@ -506,12 +506,17 @@ static int put_wide(void *context, int x, int y, int width, int height, const vo
     return 0;
 }
 
-static void draw_wide(const row *r, uint16_t tile, size_t size, wide_screen *to) {
+static glint_config wide_config(uint16_t tile, wide_screen *to) {
     glint_config config = config_of(NULL);
-    glint_renderer renderer;
     config.width = config.height = WIDE;
     config.tile_width = config.tile_height = tile;
     config.flush = (glint_flush){put_wide, NULL, to};
+    return config;
+}
+
+static void draw_wide(const row *r, uint16_t tile, size_t size, wide_screen *to) {
+    glint_config config = wide_config(tile, to);
+    glint_renderer renderer;
     config.arena_size = size;
     config.arena = malloc(size);
     CHECK(config.arena != NULL);
@@ -590,6 +595,24 @@ static void lists_of_most_clipped(void) {
     check_crowd(0, 0, 4500, 64, 4 << 20);
 }
 
+/* Where a clipped triangle's first part is in many tiles, its second may find no room: in steps below a part's size. */
+static void parts_in_many_tiles(void) {
+    static wide_screen wanted, got;
+    static crowd c;
+    row r;
+    build_crowd(&r, &c, 0, 0, 3);
+    const glint_config config = wide_config(8, &wanted);
+    glint_need need = {0};
+    CHECK_EQUAL(glint_arena_need(&config, &r.scene, &need), GLINT_OK);
+    draw_wide(&r, 8, need.one_pass, &wanted);
+    for (size_t size = need.resident; size < need.one_pass; size += 32) {
+        memset(got, 0, sizeof got);
+        draw_wide(&r, 8, size, &got);
+        if (!CHECK(memcmp(wanted, got, sizeof got) == 0))
+            return;
+    }
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(matt_materials),
@@ -608,6 +631,7 @@ int test_main(test_writer write) {
         TEST_CASE(dropped_triangles_are_counted_in_any_arena),
         TEST_CASE(lists_of_most_references),
         TEST_CASE(lists_of_most_clipped),
+        TEST_CASE(parts_in_many_tiles),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }
