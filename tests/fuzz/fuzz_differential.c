@@ -16,8 +16,8 @@
 #define SHARES 64
 #define SHARES_IN_ONE 16
 
-/* Of its bound, what a pixel may take where the contract is missed: docs/stability.md tells where it is, by up to 1.39.
- */
+/* Of its bound, what a pixel may take where the contract is missed: docs/stability.md tells where it is, and which
+ * scenes pass this too. */
 #define KNOWN_SHARE 1.4
 
 /* Sum of weights up to which the contract's bound is within its two steps by far. */
