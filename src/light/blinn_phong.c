@@ -2,6 +2,13 @@
 /* Blinn-Phong lighting (Blinn, 1977): highlights by the half vector H = L + V. */
 #include "model.h"
 
+/* Where all of L + V is less, the light being straight behind, rounding alone gives it its direction. */
+#define LEAST_SUM 8
+
+static inline int is_rounding(int32_t x, int32_t y, int32_t z) {
+    return (glint_magnitude_bits(x) | glint_magnitude_bits(y) | glint_magnitude_bits(z)) < LEAST_SUM;
+}
+
 static uint32_t specular_of_half_vector(const glint_power_table *table, const glint_prepared_light *source,
                                         const int16_t normal[3], const int16_t light[3], const int16_t view[3]) {
     if (source) { /* the infinite viewer has one half vector */
@@ -17,6 +24,8 @@ static uint32_t specular_of_half_vector(const glint_power_table *table, const gl
     int32_t z = light[2] + view[2];
     int32_t along = normal[0] * x + normal[1] * y + normal[2] * z; /* |L + V| is at most 2 UNIT: below 2^31 */
     if (along <= 0)
+        return glint_power_of_zero(table);
+    if (along < 2 * LEAST_SUM * GLINT_UNIT && is_rounding(x, y, z))
         return glint_power_of_zero(table);
     /* |H|^2 = 2 (1 + L.V), unit vectors being off by 2.3: compare cos^2 |H|^2 / 4 with its floor, rounded to the safe
      * side.

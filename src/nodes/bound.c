@@ -159,7 +159,7 @@ int glint_region_sum_lobes(const glint_shading *shading, int has_surface, glint_
             region->shine += of_levels(glint_cube(turn, region->slant),
                                        levels_at_strength(light->specular_levels[l], region, l) >> 4);
     }
-    if (region->shine > 2 * light->limit)
+    if (region->shine > light->most)
         return 0;
     region->summed = summed;
     region->lobes &= ~summed;

@@ -161,7 +161,7 @@ static int find_shape_region(const glint_frame *frame, const glint_draw *draw, c
 
 /* Are quadratics close enough? */
 static int shape_fits(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
-    return glint_region_bound(frame, shading, region) && region->error <= 2 * shading->terms->limit;
+    return glint_region_bound(frame, shading, region) && region->error <= shading->terms->most;
 }
 
 /* ---- Polynomials ---- */

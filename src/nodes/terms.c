@@ -272,15 +272,15 @@ enum { FIT_NONE, FIT_PLANES, FIT_QUADRATICS, FIT_OVER_LENGTH };
 
 /* Which of them are, for highlights as they stand? Sets what of nodes between corners may be found from these. */
 static int choose_fit(const glint_frame *frame, const glint_shading *shading, glint_candidate *t) {
-    const uint32_t limit = shading->terms->limit;
+    const uint32_t limit = shading->terms->limit, most = shading->terms->most;
     glint_region *const region = &t->region;
     if (!(region->sides & region->lobes) && !region->has_edge &&
         glint_plane_error(shading, t->has_surface, region) <= limit)
         return FIT_PLANES;
     if (!glint_region_bound(frame, shading, region))
         return FIT_NONE;
-    const int is_over_length = region->error > 2 * limit;
-    const uint32_t error = is_over_length ? region->error_over_length : region->error, most = 2 * limit;
+    const int is_over_length = region->error > most;
+    const uint32_t error = is_over_length ? region->error_over_length : region->error;
     if (error > most)
         return FIT_NONE;
     t->is_mixed = (uint8_t)is_mixed(shading, region, is_over_length);

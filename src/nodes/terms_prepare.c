@@ -16,6 +16,9 @@
 /* Where weights add up to more than this, errors do not grow with them: pixels are to stay within a step. */
 #define MOST_WEIGHT 4
 
+/* Most of it for quadratics, which are given twice as much: their bound counts with all lights from one side. */
+#define MOST_OF_QUADRATICS 320
+
 /* Bits that a squared deviation has where narrow lobes end: deviations reach four times as far. */
 #define LOBE_BITS 24
 
@@ -285,6 +288,7 @@ static int find_light_terms(const glint_frame *frame, const glint_shading *shadi
     set_mix(shading->material, terms);
     set_lobes(frame, shading, terms);
     terms->limit = LIMIT * (uint32_t)glint_least(glint_most((int32_t)total, 1 << 12), MOST_WEIGHT << 12) >> 12;
+    terms->most = (uint32_t)glint_least(2 * (int32_t)terms->limit, MOST_OF_QUADRATICS);
     place_numbers(frame, shading, terms);
     return 1;
 }

@@ -128,6 +128,21 @@ static double noise_for_half_vector(double off) {
     return 255 * (1 - pow(fmax(cosine, 0), 32));
 }
 
+/* Lit per vertex, not gated: what one corner has of a light straight behind it shows all over the square. */
+static void measure_opposed_corner(region_figures *figures) {
+    random_scene s;
+    region_square(&s);
+    s.scene.viewer = GLINT_VIEWER_LOCAL;
+    s.materials[0].flags = GLINT_MATERIAL_UNGATED;
+    s.objects[0].evaluation = &glint_per_vertex;
+    for (int i = 0; i < 64; i++) {
+        const glint_q16 away = 5 * GLINT_ONE / 2 + i * (GLINT_ONE / 64);
+        s.objects[0].pose.m[2][3] = -away;
+        region_light(&s, i & 1 ? 1.00002 : -1.00002, i & 2 ? 1 : -1, -away / 65536.0);
+        region_judge_all(&s, figures);
+    }
+}
+
 static void measure_opposed(region_figures *figures) {
     random_scene s;
     for (int i = 0; i <= 20; i++)
@@ -138,6 +153,7 @@ static void measure_opposed(region_figures *figures) {
         s.materials[0].flags = ungated ? GLINT_MATERIAL_UNGATED : 0;
         region_judge_all(&s, figures);
     }
+    measure_opposed_corner(figures);
 }
 
 const region highlight_regions[] = {
@@ -155,7 +171,7 @@ const region highlight_regions[] = {
      "gates by N.L > 0 unless the material is ungated", 60, measure_terminator},
     {"N.L above 1 by rounding", "unit vectors of length 2^15 in int16", REGION_STEPS,
      "unit vectors have length 32764; weights make good for what is missing", 200, measure_above_one},
-    {"L = -V", "half vector made unit from what rounding left", REGION_STEPS, "a half vector of 0: cos is 0", 200,
-     measure_opposed},
+    {"L = -V", "half vector made unit from what rounding left", REGION_STEPS,
+     "a half vector that is rounding alone: cos is 0", 200, measure_opposed},
 };
 const unsigned highlight_region_count = sizeof highlight_regions / sizeof highlight_regions[0];
