@@ -139,7 +139,7 @@ $(foreach board,$(FAULT_BOARDS),$(eval PROGRAM_faults-$(board) := tests/board/fa
 # ---- The pattern
 
 # Freestanding and without a C library: memcpy and its like are in port/libc, 64-bit division in libgcc.
-FIRMWARE_CFLAGS = -std=c99 $(WARNINGS) -g -ffreestanding -ffunction-sections -fdata-sections -fstack-usage -fcallgraph-info=su \
+FIRMWARE_CFLAGS = -std=c99 $(WARNINGS) $(DEBUG) -ffreestanding -ffunction-sections -fdata-sections -fstack-usage -fcallgraph-info=su \
     -Isrc -Iport -Iport/libc -Iexamples -Itests -I$(BUILD)/bench -MMD -MP
 FIRMWARE_LDFLAGS = -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings -Llinker
 

@@ -101,11 +101,8 @@ $(foreach suite,$(TEST_SUITES),$(eval $(call test_suite,host,$(suite))))
 # numbers may wrap: sums of hashes do, and two's complement in words.
 SANITIZE := -O1 -fsanitize=address,undefined,integer -fno-sanitize=unsigned-integer-overflow,unsigned-shift-base \
     -fno-sanitize-recover=all -fno-omit-frame-pointer
-# What they put in takes most of the time, and a report names the file.
 $(eval $(call library,$(BUILD)/sanitize,clang $(SANITIZE)))
 $(eval $(call test_objects,sanitize,clang $(SANITIZE)))
-# Reports tell lines.
-$(BUILD)/sanitize/%.o: DEBUG := -g1
 # The double-precision reference, which takes most of the time and is run as it is by test-image, is not under them but in
 # `make sanitize`.
 SANITIZE_ALL ?=
@@ -187,7 +184,7 @@ FUZZ_SECONDS ?= 60
 # Another one tries other inputs.
 FUZZ_SEED    ?= 1
 FUZZ_CC      := clang
-FUZZ_CFLAGS  := -std=c99 $(WARNINGS) -g1 -O2 -Isrc -Iport -Iport/host -Itests -Itests/reference -Itests/image \
+FUZZ_CFLAGS  := -std=c99 $(WARNINGS) $(DEBUG) -O2 -Isrc -Iport -Iport/host -Itests -Itests/reference -Itests/image \
     -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer \
     -fprofile-instr-generate -fcoverage-mapping
 FUZZ_CORPUS  := tests/fuzz/corpus

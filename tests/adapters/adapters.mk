@@ -5,7 +5,7 @@ ADAPTER_FOLDER   := $(BUILD)/adapters
 ADAPTER_SOURCES  := $(wildcard examples/adapters/*.c examples/adapters/*.cpp tests/adapters/*.c tests/adapters/*.cpp) $(TEST_HARNESS)
 ADAPTER_OBJECTS  := $(patsubst %,$(ADAPTER_FOLDER)/%.o,$(ADAPTER_SOURCES))
 ADAPTER_INCLUDES := -Isrc -Iexamples -Itests -isystem tests/adapters/declarations -isystem /usr/include/libdrm
-ADAPTER_FLAGS    := $(WARNINGS) -g -O1 -pthread -D_GNU_SOURCE $(ADAPTER_INCLUDES) -MMD -MP
+ADAPTER_FLAGS    := $(WARNINGS) $(DEBUG) -O1 -pthread -D_GNU_SOURCE $(ADAPTER_INCLUDES) -MMD -MP
 ADAPTER_WRAPPED  := open close ioctl mmap munmap
 
 SUITES += test-adapters

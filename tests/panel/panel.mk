@@ -9,7 +9,7 @@ PANEL_HEADERS := $(wildcard tests/panel/*.h tests/*.h tests/image/*.h port/panel
 PANEL_STREAM := $(BUILD)/host/panel_stream
 $(PANEL_STREAM): tests/panel/panel_stream.c $(PANEL_MODEL) $(PANEL_HEADERS)
 	@mkdir -p $(@D)
-	$(Q)$(CC) -std=c99 $(WARNINGS) -g $(CFLAGS) -Itests/panel $(filter %.c,$^) -o $@
+	$(Q)$(CC) -std=c99 $(WARNINGS) $(DEBUG) $(CFLAGS) -Itests/panel $(filter %.c,$^) -o $@
 
 # The suites; under the sanitisers, for models and drivers count in bytes.
 PANEL_SUITES := pictures complaints faults i2c

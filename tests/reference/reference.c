@@ -309,8 +309,11 @@ static int clip(const drawing *draw, const corner c[3], corner kept[CORNERS_MAX]
     return count;
 }
 
-/* Once a triangle: at the mean of its corners, with the normal of its plane turned towards the eye. */
-static reference_light light_facet(const drawing *draw, const corner c[3]) {
+/*
+ * Once a triangle: at the mean of its corners, with the normal of its plane turned towards the eye: on the side that
+ * corners on the screen show, where they are known.
+ */
+static reference_light light_facet(const drawing *draw, const corner c[3], int is_known) {
     reference_surface surface;
     double a[3];
     double b[3];
@@ -325,7 +328,9 @@ static reference_light light_facet(const drawing *draw, const corner c[3]) {
         int last = (axis + 2) % 3;
         surface.normal[axis] = a[next] * b[last] - a[last] * b[next];
     }
-    double away = draw->scene->camera.projection ? -surface.normal[2] : reference_dot(surface.normal, surface.place);
+    double away = is_known                         ? (double)edge(&c[0], &c[1], c[2].x, c[2].y)
+                  : draw->scene->camera.projection ? -surface.normal[2]
+                                                   : reference_dot(surface.normal, surface.place);
     for (int axis = 0; axis < 3 && away > 0; axis++)
         surface.normal[axis] = -surface.normal[axis];
     return reference_shade(draw->scene, &draw->lights, draw->object->material, &surface);
@@ -371,17 +376,16 @@ static void draw_object_triangle(drawing *draw, uint32_t object, uint32_t triang
         corners[i] = make_corner(draw, object, indices[i]);
         known = known && positions[indices[i]].known && corners[i].w >= reference_real(draw->scene->camera.near_plane);
     }
-    if (source->evaluation == &glint_per_facet)
-        draw->facet = light_facet(draw, corners);
     draw->rounded_here = !known;
-    int count = clip(draw, corners, kept);
-    for (int i = 0; i < count; i++) {
-        snap(draw, &kept[i]);
-        if (known) {
-            kept[i].x = positions[indices[i]].x;
-            kept[i].y = positions[indices[i]].y;
-        }
+    for (int i = 0; i < 3 && known; i++) {
+        corners[i].x = positions[indices[i]].x;
+        corners[i].y = positions[indices[i]].y;
     }
+    if (source->evaluation == &glint_per_facet)
+        draw->facet = light_facet(draw, corners, known);
+    int count = clip(draw, corners, kept);
+    for (int i = 0; i < count && !known; i++)
+        snap(draw, &kept[i]);
     for (int i = 2; i < count; i++)
         draw_triangle(draw, &kept[0], &kept[i - 1], &kept[i], mirrored);
 }

@@ -7,7 +7,6 @@ SUITES += test-threads
 .PHONY: test-threads
 
 $(eval $(call test_variant,threads,clang -O1 -fsanitize=thread -pthread))
-$(BUILD)/threads/%.o: DEBUG := -g1
 $(foreach program,threads planted,\
     $(eval $(call test_program,$(BUILD)/tests/threads/$(program),threads,tests/threads/$(program).c $(THREADS_SHARED))))
 $(BUILD)/threads/tests/threads/planted.o: tests/threads/threads.c
