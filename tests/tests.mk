@@ -101,6 +101,7 @@ $(foreach suite,$(TEST_SUITES),$(eval $(call test_suite,host,$(suite))))
 # numbers may wrap: sums of hashes do, and two's complement in words.
 SANITIZE := -O1 -fsanitize=address,undefined,integer -fno-sanitize=unsigned-integer-overflow,unsigned-shift-base \
     -fno-sanitize-recover=all -fno-omit-frame-pointer
+# What they put in takes most of the time, and a report names the file.
 $(eval $(call library,$(BUILD)/sanitize,clang $(SANITIZE)))
 $(eval $(call test_objects,sanitize,clang $(SANITIZE)))
 # The double-precision reference, which takes most of the time and is run as it is by test-image, is not under them but in

@@ -14,6 +14,7 @@ typedef struct images {
     picture shaded;   /* in the task's format */
     picture coverage; /* the same triangles, evaluated the same way, white on black */
     double depth_scale;
+    int channels, most[3]; /* of the format */
 } images;
 
 static const glint_material white = {.model = &glint_model_blinn_phong, .ambient = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
@@ -73,11 +74,10 @@ static distance measure_pixel(const judge_task *task, const images *all, int x, 
     const reference_pixel *reference = &all->reference.pixels[y * all->reference.width + x];
     const picture *shaded = &all->shaded;
     const double threshold = picture_threshold(shaded->format, x, y);
-    const int channels = picture_channels(shaded->format);
     distance result = {0, 0, 1, 0};
-    for (int channel = 0; channel < channels; channel++) {
-        const int most = picture_level_max(shaded->format, channel);
-        double wanted = wanted_value(reference, channels, channel) * most;
+    for (int channel = 0; channel < all->channels; channel++) {
+        const int most = all->most[channel];
+        double wanted = wanted_value(reference, all->channels, channel) * most;
         int stored = picture_level(shaded, x, y, channel);
         double error = fabs(stored + 0.5 - threshold - wanted);
         double relative = (stored - wanted) / most;
@@ -91,10 +91,20 @@ static distance measure_pixel(const judge_task *task, const images *all, int x, 
     return result;
 }
 
+/* Is a pixel rounded to other levels than the reference's? */
+static int is_apart(const images *all, int x, int y) {
+    const reference_pixel *reference = &all->reference.pixels[y * all->reference.width + x];
+    const double threshold = picture_threshold(all->shaded.format, x, y);
+    int apart = 0;
+    for (int channel = 0; channel < all->channels; channel++)
+        apart |= picture_level(&all->shaded, x, y, channel) !=
+                 (int)(wanted_value(reference, all->channels, channel) * all->most[channel] + threshold);
+    return apart;
+}
+
 static void judge_pixel(const judge_task *task, const images *all, int x, int y, judgement *total) {
     const reference_pixel *reference = &all->reference.pixels[y * task->width + x];
     int drawn = picture_level(&all->coverage, x, y, 0) > 0;
-    distance error = measure_pixel(task, all, x, y);
     total->covered += reference->covered;
     if (reference->uncertain) {
         total->uncertain++;
@@ -105,11 +115,12 @@ static void judge_pixel(const judge_task *task, const images *all, int x, int y,
         return;
     }
     if (!reference->covered) {
-        total->spilled += error.rounded > 0;
+        total->spilled += is_apart(all, x, y);
         return;
     }
+    const distance error = measure_pixel(task, all, x, y);
     total->squares += error.squares;
-    total->samples += picture_channels(task->format);
+    total->samples += all->channels;
     if ((reference->nearest - reference->second) * all->depth_scale < JUDGE_CLOSE_STEPS) {
         total->close++;
         return;
@@ -149,7 +160,10 @@ static glint_status draw_all(const judge_task *task, images *all, judgement *tot
 void judge(const judge_task *task, judgement *total) {
     images all = {.reference = {.width = task->width, .height = task->height},
                   .shaded = picture_open(task->width, task->height, task->format),
-                  .coverage = picture_open(task->width, task->height, &glint_format_grey8)};
+                  .coverage = picture_open(task->width, task->height, &glint_format_grey8),
+                  .channels = picture_channels(task->format)};
+    for (int channel = 0; channel < all.channels; channel++)
+        all.most[channel] = picture_level_max(task->format, channel);
     all.reference.pixels = malloc((size_t)task->width * (size_t)task->height * sizeof *all.reference.pixels);
     glint_status status = all.reference.pixels ? draw_all(task, &all, total) : GLINT_ERROR_NULL;
     if (status != GLINT_OK)

@@ -118,7 +118,8 @@ const glint_format *picture_undithered(const glint_format *format) {
                                                    {&glint_format_rgb444_dithered, &glint_format_rgb444},
                                                    {&glint_format_mono_dithered, &glint_format_mono},
                                                    {&glint_format_mono_pages_dithered, &glint_format_mono_pages}};
-    if (format == &glint_format_rgb565 || format == &glint_format_rgb888) /* asked for each pixel of most suites */
+    if (format == &glint_format_rgb565 || format == &glint_format_rgb888 ||
+        format == &glint_format_grey8) /* asked for each pixel of most suites */
         return format;
     for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
         if (format == pairs[i][0])
@@ -164,15 +165,23 @@ static int level_of_444(const uint8_t *row, int x, int channel) {
     return nibble % 2 ? row[nibble / 2] & 15 : row[nibble / 2] >> 4;
 }
 
+/* Of 5, 6 and 5 bits. */
+static int level_of_565(uint16_t word, int channel) {
+    return channel == 0 ? word >> 11 : channel == 1 ? word >> 5 & 63 : word & 31;
+}
+
 int picture_level(const picture *image, int x, int y, int channel) {
     const glint_format *kind = picture_undithered(image->format);
     const uint8_t *row = image->bytes + (size_t)y * image->stride;
-    const uint8_t *pixel = row + glint_row_bytes(kind, (uint32_t)x);
     uint16_t word = 0;
+    if (kind == &glint_format_rgb565) {
+        memcpy(&word, row + 2 * x, sizeof word);
+        return level_of_565(word, channel);
+    }
     if (kind == &glint_format_rgb888)
-        return pixel[channel];
+        return row[3 * x + channel];
     if (kind == &glint_format_grey8)
-        return pixel[0];
+        return row[x];
     if (kind == &glint_format_grey4)
         return x % 2 ? row[x / 2] & 15 : row[x / 2] >> 4;
     if (kind == &glint_format_rgb444)
@@ -181,9 +190,5 @@ int picture_level(const picture *image, int x, int y, int channel) {
         return image->bytes[(size_t)(y / 8 * 8) * image->stride + (size_t)x] >> y % 8 & 1;
     if (kind == &glint_format_mono)
         return row[x / 8] >> x % 8 & 1;
-    if (kind == &glint_format_rgb565)
-        memcpy(&word, pixel, sizeof word);
-    else
-        word = (uint16_t)(pixel[0] << 8 | pixel[1]);
-    return channel == 0 ? word >> 11 : channel == 1 ? word >> 5 & 63 : word & 31;
+    return level_of_565((uint16_t)(row[2 * x] << 8 | row[2 * x + 1]), channel);
 }

@@ -3,14 +3,6 @@
 
 #include <math.h>
 
-double reference_real(glint_q16 value) {
-    return value / 65536.0;
-}
-
-double reference_dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 double reference_normalise(double v[3]) {
     double length = sqrt(reference_dot(v, v));
     for (int axis = 0; axis < 3 && length > 0; axis++)

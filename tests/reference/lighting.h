@@ -45,7 +45,9 @@ void reference_mesh_colour(const glint_mesh *mesh, uint32_t index, double colour
 
 /* ---- Vectors ------------------------------------------------------------------------------------------------- */
 
-double reference_dot(const double a[3], const double b[3]);
+static inline double reference_dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 /** Makes a vector unit; zero stays zero. @return its length before. */
 double reference_normalise(double v[3]);
@@ -54,6 +56,8 @@ double reference_normalise(double v[3]);
 void reference_to_camera(const glint_camera *camera, const double world[3], double result[3]);
 
 /** A Q16.16 number. */
-double reference_real(glint_q16 value);
+static inline double reference_real(glint_q16 value) {
+    return value / 65536.0;
+}
 
 #endif

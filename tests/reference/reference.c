@@ -4,6 +4,7 @@
 #include "lighting.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define CORNERS_MAX 4 /* a triangle cut by one plane */
@@ -362,7 +363,7 @@ static corner make_corner(const drawing *draw, uint32_t object, uint32_t index) 
     return result;
 }
 
-static void draw_object_triangle(drawing *draw, uint32_t object, uint32_t triangle,
+static void draw_object_triangle(drawing *draw, const corner *vertices, uint32_t triangle,
                                  const reference_position *positions) {
     const glint_object *source = draw->object;
     uint32_t indices[3];
@@ -373,7 +374,7 @@ static void draw_object_triangle(drawing *draw, uint32_t object, uint32_t triang
     int known = positions != NULL;
     reference_mesh_corners(source->mesh, triangle, indices);
     for (int i = 0; i < 3; i++) {
-        corners[i] = make_corner(draw, object, indices[i]);
+        corners[i] = vertices[indices[i]];
         known = known && positions[indices[i]].known && corners[i].w >= reference_real(draw->scene->camera.near_plane);
     }
     draw->rounded_here = !known;
@@ -388,6 +389,19 @@ static void draw_object_triangle(drawing *draw, uint32_t object, uint32_t triang
         snap(draw, &kept[i]);
     for (int i = 2; i < count; i++)
         draw_triangle(draw, &kept[0], &kept[i - 1], &kept[i], mirrored);
+}
+
+static void draw_object(drawing *draw, uint32_t object, const reference_position *positions) {
+    const glint_mesh *mesh = draw->scene->objects[object].mesh;
+    corner *vertices = malloc((mesh->vertex_count + 1) * sizeof *vertices);
+    if (vertices == NULL)
+        abort();
+    draw->object = &draw->scene->objects[object];
+    for (uint32_t index = 0; index < mesh->vertex_count; index++)
+        vertices[index] = make_corner(draw, object, index);
+    for (uint32_t triangle = 0; triangle < mesh->triangle_count; triangle++)
+        draw_object_triangle(draw, vertices, triangle, positions);
+    free(vertices);
 }
 
 /* ---- Scene --------------------------------------------------------------------------------------------------- */
@@ -405,9 +419,6 @@ void reference_render(const reference_image *image, const glint_scene *scene,
     drawing draw = {.image = image, .scene = scene, .focal = focal_length(scene, image->height)};
     clear(image, &scene->background);
     reference_prepare_lights(&draw.lights, scene);
-    for (uint32_t object = 0; object < scene->object_count; object++) {
-        draw.object = &scene->objects[object];
-        for (uint32_t triangle = 0; triangle < scene->objects[object].mesh->triangle_count; triangle++)
-            draw_object_triangle(&draw, object, triangle, positions ? positions[object] : NULL);
-    }
+    for (uint32_t object = 0; object < scene->object_count; object++)
+        draw_object(&draw, object, positions ? positions[object] : NULL);
 }

@@ -5,7 +5,7 @@ CORE=COMMAND...
 
 COMMAND compiles and links firmware of tools/features/feature.c for a core, with {level} where -Os or -O2's name goes;
 macros and the output's name are added. Writes DIRECTORY/features.csv, and the tables of PAGE anew, or with --check holds
-the figures there of levels, Os or O2 or both by a comma, against those measured. Flash and frames in a row are those of one
+the figures there of levels, Os or O2 or both by a comma, and of these cores, against those measured. Flash and frames in a row are those of one
 and the same firmware.
 """
 import argparse
@@ -182,6 +182,12 @@ def write_page(path, text):
         file.write(before + BEGIN + text + END + after)
 
 
+def of_cores(line, cores):
+    """A line of the page's tables without the cells of other cores."""
+    cells, places = line.split("|"), [2 + 4 * list(CORES).index(core) for core in cores]
+    return "|".join(cells[:2] + [cell for place in places for cell in cells[place:place + 4]] + cells[-1:]) if cells[1:] else line
+
+
 def figures(line):
     """The numbers of a line's cells but the first, in the order that they stand."""
     return [float(number) for number in re.findall(r"[-+]?\d+(?:\.\d+)?(?= M| \(|\)| \|)", line.split("|", 2)[2])]
@@ -191,10 +197,11 @@ def is_near(kept, now):
     return abs(kept - now) <= max(TOLERANCE * abs(now), TOLERANCE_BYTES if abs(now) >= 16 else 0.02)
 
 
-def check_section(tally, path, level, text):
-    """A level's table of the page against what was measured."""
+def check_section(tally, path, level, cores, text):
+    """A level's table of the page against what was measured of some cores."""
     kept = next((part for part in re.split(r"(?m)^(?=\n## )", split_page(path)[1]) if LEVELS[level] in part), "").rstrip()
-    kept, measured = ("\n" + kept.lstrip()).splitlines(), text.rstrip().splitlines()
+    kept = [of_cores(line, cores) for line in ("\n" + kept.lstrip()).splitlines()]
+    measured = text.rstrip().splitlines()
     tally.check(len(kept) == len(measured), "the page has %d lines of tables, not %d" % (len(kept), len(measured)))
     for line, now in zip(kept, measured):
         if not now.startswith("|"):
@@ -245,7 +252,7 @@ def main():
     tally = Tally()
     check_claims(tally, rows, cores, levels)
     for level in arguments.check or []:
-        check_section(tally, arguments.page, level, section(level, rows, cores))
+        check_section(tally, arguments.page, level, cores, section(level, rows, cores))
     if not arguments.check:
         write_page(arguments.page, "".join(section(level, rows, cores) for level in levels) + "\n")
     return tally.close()
