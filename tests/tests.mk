@@ -163,8 +163,8 @@ test-matrix: $(MATRIX_TESTED:%=$(BUILD)/tests/%/unit) ## unit tests by three com
 	@echo "$(if $(EVERY),every variant,TEST_SEED=$(TEST_SEED))"
 	$(call run_suites,$^)
 
-variants: ## suites matrix, options, machines, board-identity, firmware, stack, packages, features and freestanding with every compiler, level, option, pair, machine and package, where make test takes a sample
-	@$(MAKE) --no-print-directory EVERY=1 test-matrix test-options test-machines test-board-identity test-firmware test-stack test-packages test-features test-freestanding
+variants: ## suites matrix, options, machines, board-unit, board-identity, firmware, stack, packages, features and freestanding with every compiler, level, option, pair, machine, board and package, where make test takes a sample
+	@$(MAKE) --no-print-directory EVERY=1 test-matrix test-options test-machines test-board-unit test-board-identity test-firmware test-stack test-packages test-features test-freestanding
 
 # ---- Tables of the unit tests, made anew when a pixel changes on purpose
 

@@ -22,12 +22,18 @@ test-board-panel: $(PANEL_HOST) $(PANEL_PROGRAMS:%=$(BUILD)/lm3s6965evb/release/
 	@python3 tests/board/panel.py --qemu $(QEMU) --output $(BUILD)/board --host $(PANEL_HOST) \
 	    $(foreach program,$(PANEL_PROGRAMS),--$(program) $(BUILD)/lm3s6965evb/release/$(program).elf)
 
-# ---- The unit tests on every board; what a board leaves out it says by name
+# ---- The unit tests on boards; what a board leaves out it says by name
 
-UNIT_FIRMWARE := $(foreach board,$(UNIT_BOARDS),$(board)=$(BUILD)/$(board)/release/unit.elf)
+# Of two boards of one core, which link one library, one.
+UNIT_M3   := lm3s6965evb mps2-an385
+UNIT_M4   := netduinoplus2 mps2-an386
+UNIT_LEFT := $(filter-out $(call pick,3,$(UNIT_M3)),$(UNIT_M3)) $(filter-out $(call pick,4,$(UNIT_M4)),$(UNIT_M4))
+
+UNIT_FIRMWARE := $(foreach board,$(filter-out $(UNIT_LEFT),$(UNIT_BOARDS)),$(board)=$(BUILD)/$(board)/release/unit.elf)
 UNIT_PART     := $(foreach board,$(UNIT_8K_BOARDS),$(board)=$(BUILD)/$(board)/release/unit-8k.elf) pico=$(BUILD)/pico/release/unit-pico.bin
 test-board-unit: $(BUILD)/pico/emulator/installed \
-        $(foreach pair,$(UNIT_FIRMWARE) $(UNIT_PART),$(lastword $(subst =, ,$(pair)))) ## unit tests on every board
+        $(foreach pair,$(UNIT_FIRMWARE) $(UNIT_PART),$(lastword $(subst =, ,$(pair)))) ## unit tests on boards of every core
+	@echo "$(if $(EVERY),every board,TEST_SEED=$(TEST_SEED))"
 	@python3 tests/board/unit.py --qemu $(QEMU) --cases tests/unit/unit.h --part $(UNIT_PART) --whole $(UNIT_FIRMWARE)
 
 # ---- The same frames on every core, compiler and optimisation
@@ -62,7 +68,7 @@ LIBRARY_MOST := 22144
 # Of the colour boards whose animation no other suite takes, one.
 ANIMATE_RUN   := mps2-an385 netduinoplus2 pico
 ANIMATE_OTHER := $(patsubst %,$(BUILD)/%/O2/animate.elf,$(filter-out $(ANIMATE_RUN),$(COLOUR_BOARDS)))
-FIRMWARE_LEFT := $(IDENTITY_LEFT) $(filter-out $(call pick,2,$(ANIMATE_OTHER)),$(ANIMATE_OTHER))
+FIRMWARE_LEFT := $(IDENTITY_LEFT) $(UNIT_LEFT:%=$(BUILD)/%/release/unit.elf) $(filter-out $(call pick,2,$(ANIMATE_OTHER)),$(ANIMATE_OTHER))
 
 # Files that are read later add firmware too.
 .SECONDEXPANSION:
