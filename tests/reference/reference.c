@@ -363,7 +363,8 @@ static corner make_corner(const drawing *draw, uint32_t object, uint32_t index) 
     return result;
 }
 
-static void draw_object_triangle(drawing *draw, const corner *vertices, uint32_t triangle,
+/* Of vertices, or where there is none: without memory for them each is found whenever a triangle has it. */
+static void draw_object_triangle(drawing *draw, uint32_t object, const corner *vertices, uint32_t triangle,
                                  const reference_position *positions) {
     const glint_object *source = draw->object;
     uint32_t indices[3];
@@ -374,7 +375,7 @@ static void draw_object_triangle(drawing *draw, const corner *vertices, uint32_t
     int known = positions != NULL;
     reference_mesh_corners(source->mesh, triangle, indices);
     for (int i = 0; i < 3; i++) {
-        corners[i] = vertices[indices[i]];
+        corners[i] = vertices ? vertices[indices[i]] : make_corner(draw, object, indices[i]);
         known = known && positions[indices[i]].known && corners[i].w >= reference_real(draw->scene->camera.near_plane);
     }
     draw->rounded_here = !known;
@@ -394,13 +395,11 @@ static void draw_object_triangle(drawing *draw, const corner *vertices, uint32_t
 static void draw_object(drawing *draw, uint32_t object, const reference_position *positions) {
     const glint_mesh *mesh = draw->scene->objects[object].mesh;
     corner *vertices = malloc((mesh->vertex_count + 1) * sizeof *vertices);
-    if (vertices == NULL)
-        abort();
     draw->object = &draw->scene->objects[object];
-    for (uint32_t index = 0; index < mesh->vertex_count; index++)
+    for (uint32_t index = 0; index < mesh->vertex_count && vertices; index++)
         vertices[index] = make_corner(draw, object, index);
     for (uint32_t triangle = 0; triangle < mesh->triangle_count; triangle++)
-        draw_object_triangle(draw, vertices, triangle, positions);
+        draw_object_triangle(draw, object, vertices, triangle, positions);
     free(vertices);
 }
 
