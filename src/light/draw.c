@@ -167,12 +167,23 @@ static uint32_t find_difference(const int16_t *const colour[3]) {
     return most;
 }
 
+/* How far pixels of a triangle lie from its first corner, in x and y together. */
+static uint32_t find_farthest(const glint_vertex *const v[3]) {
+    int32_t most = 0;
+    for (int i = 1; i < 3; i++) {
+        const int32_t x = v[i]->x - v[0]->x, y = v[i]->y - v[0]->y;
+        most = glint_most(most, glint_most(x, -x) + glint_most(y, -y));
+    }
+    return (uint32_t)most >> 4;
+}
+
 /* How a triangle's colours are drawn. */
 typedef enum curve_fit { FITS_PLANES, FITS_QUADRATICS, FITS_NOTHING } curve_fit;
 
 /*
  * Where 1/w changes by a factor 1 + r, what is linear over w is at most r / 4 of its corners' difference from a plane,
- * and 0.0485 r^2 from a quadratic through the middles of the edges too; slivers have none.
+ * and 0.0485 r^2 from a quadratic through the middles of the edges too; slivers have none. Coefficients of the second
+ * degree, rounded down by up to 1, 2 and 1 of 2^-GLINT_CHANNEL_BITS, add that times the span's square.
  */
 static curve_fit find_fit(const glint_triangle *triangle, const glint_gradients *g, const glint_format *format,
                           const int16_t *const colour[3]) {
@@ -182,6 +193,9 @@ static curve_fit find_fit(const glint_triangle *triangle, const glint_gradients 
         return FITS_PLANES;
     if (16 * w.change > 7 * w.least || glint_slenderness(g, triangle->area) > GLINT_SLENDER ||
         triangle->area < GLINT_POLYNOMIAL_LEAST_AREA)
+        return FITS_NOTHING;
+    const uint32_t span = find_farthest(triangle->corners);
+    if (span * span > close << (GLINT_CHANNEL_BITS - 15))
         return FITS_NOTHING;
     const uint32_t ratio = (w.change << 12) / w.least; /* w.change is at most 2^15 */
     return apart * (ratio * ratio >> 12) <= (close * 20 << 12) ? FITS_QUADRATICS : FITS_NOTHING;

@@ -163,6 +163,29 @@ static void measure_depths(region_figures *figures) {
     }
 }
 
+/* Of a quadratic whose coefficients are rounded down to 2^-27: a pixel away across and down makes this of a step. */
+static double round_down(double away) {
+    return 255 * 4 * away * away / (1 << 27);
+}
+
+/* A square that reaches far beyond the screen and is nearly in a plane with it, lit at its corners. */
+static void measure_large_and_lit(region_figures *figures) {
+    static const double leaning[4][3] = {{-0.4, 0.1, 1}, {0.5, 0.2, 1}, {0.3, -0.4, 1}, {0, 0.5, 1}};
+    random_scene s;
+    figures->plain = round_down(700);
+    for (int i = 0; i < 16; i++) {
+        region_square(&s);
+        region_normals(&s, leaning);
+        s.objects[0].evaluation = &glint_per_vertex;
+        s.objects[0].pose = glint_pose_rotate_y((i & 1 ? 2 : -2) * GLINT_ONE);
+        s.objects[0].pose.m[0][3] = region_q16(i & 2 ? 0.92 : -0.92);
+        s.objects[0].pose.m[1][3] = region_q16(i & 4 ? 0.92 : -0.92);
+        s.objects[0].pose.m[2][3] = region_q16(-3);
+        s.scene.camera.field_of_view = (i & 8 ? 3 : 5) * GLINT_ONE;
+        region_judge_all(&s, figures);
+    }
+}
+
 /* Depth in 16 bits relative to the near plane: which of two squares is nearer, along their common middle. */
 static void measure_depth_steps(region_figures *figures) {
     const double near = 0.001;
@@ -206,6 +229,8 @@ const region triangle_regions[] = {
     {"everything behind the eye", "no clipping", PIXELS, "drops the object by its bounding box", 200, measure_behind},
     {"w from 0.5 to 500 in one triangle", "affine interpolation", REGION_STEPS, "interpolates N/w", 200,
      measure_depths},
+    {"triangles of 800 to 1400 pixels, lit at their corners", "quadratics with whole coefficients, of 2^-27",
+     REGION_STEPS, "quadratics only as far as their rounding keeps within a tenth of a step", 2, measure_large_and_lit},
     {"surfaces that cross, 3700 near planes away", "16-bit depth relative to the near plane", PIXELS,
      "depth relative to the frame's nearest geometry", 10, measure_depth_steps},
 };
