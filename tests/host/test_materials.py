@@ -239,7 +239,7 @@ def compiles(host, what):
 
 def test_large_material(host):
     """A material of more vertices than 16 bits can index becomes several objects of it."""
-    side = 300
+    side = 257
     rows = "".join(f"v {x} {y} {(x * y) % 7}\n" for y in range(side) for x in range(side))
     faces = "".join(f"f {y * side + x + 1} {y * side + x + 2} {(y + 1) * side + x + 1}\n"
                     for y in range(side - 1) for x in range(side - 1))
