@@ -103,14 +103,14 @@ static inline int32_t glint_scale_split(int32_t x, uint32_t r) {
     return glint_shift_right(glint_shift_right(x, 18) * (int32_t)r + (int32_t)low, 5);
 }
 
-/** floor(x r / 2^12): |x| at most 2^26, r from 0 to 2^16 + 2^11; or |x| at most 3 2^25, r up to 2^16. */
-static inline int32_t glint_slope_of_whole(int32_t x, int32_t r) {
-    return (int32_t)glint_shift_right64((int64_t)x * r, 12);
+/** floor(x r / 2^n), n from 12 to 15: |x| at most 3 2^(n + 13), r from 0 to 2^16. */
+static inline int32_t glint_slope_of_whole(int32_t x, int32_t r, unsigned n) {
+    return (int32_t)glint_shift_right64((int64_t)x * r, n);
 }
 
-static inline int32_t glint_slope_of_split(int32_t x, int32_t r) {
-    const uint32_t low = ((uint32_t)x & 0xfff) * (uint32_t)r;
-    return glint_shift_right(x, 12) * r + (int32_t)(low >> 12);
+static inline int32_t glint_slope_of_split(int32_t x, int32_t r, unsigned n) {
+    const uint32_t low = ((uint32_t)x & ((1u << n) - 1)) * (uint32_t)r;
+    return glint_shift_right(x, n) * r + (int32_t)(low >> n);
 }
 
 /** floor((a b + c d) / 2^15): b and d up to 2^15, and a sum below 2^46. */

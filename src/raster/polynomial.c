@@ -54,8 +54,8 @@ static inline void begin_slope(glint_quadratic *q, const glint_barycentric *bary
         q->dy = (uint32_t)plane.dy << 2;
         return;
     }
-    const int32_t dx = glint_slope_of(d1 * g->x1 + d2 * g->x2, g->reciprocal);
-    const int32_t dy = glint_slope_of(d1 * g->y1 + d2 * g->y2, g->reciprocal);
+    const int32_t dx = glint_slope_of(d1 * g->x1 + d2 * g->x2, g->reciprocal, 12);
+    const int32_t dy = glint_slope_of(d1 * g->y1 + d2 * g->y2, g->reciprocal, 12);
     q->start = shift(to_anchor(dx, dy, g), barycentric->slope) * 2;
     q->dx = shift(dx, barycentric->slope);
     q->dy = shift(dy, barycentric->slope);

@@ -38,8 +38,8 @@ static GLINT_NOINLINE void widen(glint_gradients *g, uint32_t area, uint32_t zer
 
 /*
  * Narrow triangles, none of them steep, keep whole sides and a 1/area of 16 bits: slopes are sums of products without
- * rounding, times 1/area. A plane's value at a pixel of the triangle is then off by at most 2^-12 of the corners'
- * difference, 2^-10 where the area is below 1/32 of a pixel, and a step for each pixel from the anchor.
+ * rounding, times 1/area. A plane's value at a pixel of the triangle is then off by at most 2^-15 of the corners'
+ * difference, 2^-12 where the area is below a pixel, 2^-10 below 1/32, and a step for each pixel from the anchor.
  * @return whether the triangle is narrow
  */
 static inline int gradients_begin(glint_gradients *g, uint32_t area, int steep) {
@@ -78,14 +78,14 @@ static inline void finish_plane(glint_plane *p, const glint_gradients *g, int32_
     }
 }
 
-/* Differences brought to 15 bits and a sign: they were 2^up as much. */
+/* Differences brought to 18 bits and a sign: they were 2^up as much. */
 static inline void begin_narrow(glint_plane *p, const glint_gradients *g, int32_t start, int32_t d1, int32_t d2) {
-    int32_t up = 17 - (int32_t)glint_leading_zeros(glint_magnitude_bits(d1) | glint_magnitude_bits(d2));
+    int32_t up = 14 - (int32_t)glint_leading_zeros(glint_magnitude_bits(d1) | glint_magnitude_bits(d2));
     up = up > 0 ? up : 0;
     d1 = glint_shift_right(d1, (unsigned)up);
     d2 = glint_shift_right(d2, (unsigned)up);
-    finish_plane(p, g, start, glint_slope_of(d1 * g->x1 + d2 * g->x2, g->reciprocal),
-                 glint_slope_of(d1 * g->y1 + d2 * g->y2, g->reciprocal), up - g->shift);
+    finish_plane(p, g, start, glint_slope_of(d1 * g->x1 + d2 * g->x2, g->reciprocal, 15),
+                 glint_slope_of(d1 * g->y1 + d2 * g->y2, g->reciprocal, 15), up + 3 - g->shift);
 }
 
 /* Of small triangles' differences no bit is lost that they have room for. */

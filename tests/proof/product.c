@@ -79,13 +79,13 @@ PROOF(glint_scale_itself) {
     glint_scale_split(ANY(-most, most), ANY_UNSIGNED(0, (1u << 18) - 1));
 }
 
-/* |x| at most 2^26, r from 0 to 2^16 + 2^11; |x| at most 3 2^25, r up to 2^16. Both forms. */
+/* |x| at most 3 2^(n + 13), r up to 2^16, n from 12 to 15. Both forms. */
 PROOF(glint_slope_of_itself) {
-    const int32_t most = 1 << 26;
-    glint_slope_of_whole(ANY(-most, most), ANY(0, (1 << 16) + (1 << 11)));
-    glint_slope_of_split(ANY(-most, most), ANY(0, (1 << 16) + (1 << 11)));
-    glint_slope_of_whole(ANY(-(3 << 25), 3 << 25), ANY(0, 1 << 16));
-    glint_slope_of_split(ANY(-(3 << 25), 3 << 25), ANY(0, 1 << 16));
+    FOR_PARTS(n, 12, 15) {
+        const int32_t most = 3 << (n + 13);
+        glint_slope_of_whole(ANY(-most, most), ANY(0, 1 << 16), (unsigned)n);
+        glint_slope_of_split(ANY(-most, most), ANY(0, 1 << 16), (unsigned)n);
+    }
 }
 
 /* a and c up to 30240 2^15, b and d up to 2^15. Both forms. */

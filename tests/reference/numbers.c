@@ -167,17 +167,15 @@ static void coordinates_over_w(void) {
 
 /* Both forms of slopes over an area, at the ends of their ranges and between. */
 static void slopes(void) {
-    const int32_t most = 1 << 26, last = (1 << 16) + (1 << 11);
-    for (int i = 0; i < 3000000; i++) {
+    const int32_t last = 1 << 16;
+    for (int i = 0; i < 4000000; i++) {
+        const unsigned n = 12 + (unsigned)i % 4;
+        const int32_t most = 3 << (n + 13);
         const int32_t x = i % 5 ? random_signed(31) % (most + 1) : i % 2 ? most : -most;
         const int32_t r = i % 3 ? (int32_t)(random_bits() % ((uint32_t)last + 1)) : last;
-        const int64_t exact = (int64_t)floorl((long double)x * r / 4096);
-        CHECK_EQUAL(glint_slope_of_whole(x, r), exact);
-        CHECK_EQUAL(glint_slope_of_split(x, r), exact);
-    }
-    for (int32_t x = 3 << 25; x >= -(3 << 25); x -= 3 << 26) {
-        CHECK_EQUAL(glint_slope_of_whole(x, 1 << 16), x * 16ll);
-        CHECK_EQUAL(glint_slope_of_split(x, 1 << 16), x * 16ll);
+        const int64_t exact = (int64_t)floorl((long double)x * r / (1 << n));
+        CHECK_EQUAL(glint_slope_of_whole(x, r, n), exact);
+        CHECK_EQUAL(glint_slope_of_split(x, r, n), exact);
     }
 }
 

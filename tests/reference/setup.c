@@ -177,21 +177,22 @@ static void report(const char *name, double worst, double allowed) {
 
 static void planes(void) {
     static const int32_t ranges[4] = {1 << 16, 1 << 24, 1 << 28, 0x7fff0000};
-    double worst_narrow = 0, worst_tiny = 0, worst_wide = 0, worst_slender = -1;
+    double worst_narrow = 0, worst_small = 0, worst_tiny = 0, worst_wide = 0, worst_slender = -1;
     for (int i = 0; i < 3000000; i++) {
         static drawn d;
         if (!draw(&d, 4 << random_below(13), ranges[i % 4]))
             continue;
         const glint_gradients *g = &d.part.gradients;
-        double *worst = d.triangle.area < 16 ? &worst_tiny : &worst_narrow;
+        double *worst = d.triangle.area < 16 ? &worst_tiny : d.triangle.area < 512 ? &worst_small : &worst_narrow;
         if (g->reciprocal)
-            *worst = fmax(*worst, worst_plane(&d, &d.part.depth, 1));
+            *worst = fmax(*worst, worst_plane(&d, &d.part.depth, 1 << 17));
         else if (g->shift)
             worst_wide = fmax(worst_wide, worst_plane(&d, &d.part.depth, 1));
         else
             worst_slender = fmax(worst_slender, worst_plane(&d, &d.part.depth, 1));
     }
-    report("planes of narrow triangles", worst_narrow, 0x1p-12);
+    report("planes of narrow triangles", worst_narrow, 0x1p-15);
+    report("planes of those below a pixel", worst_small, 0x1p-12);
     report("planes of those below 1/32 of a pixel", worst_tiny, 0x1p-10);
     report("planes of wide triangles", worst_wide, 0x1p-18);
     CHECK(worst_slender == 0); /* they are drawn, and all that they lack is rounding */
