@@ -194,7 +194,7 @@ static curve_fit find_fit(const glint_triangle *triangle, const glint_gradients 
     if (16 * w.change > 7 * w.least || glint_slenderness(g, triangle->area) > GLINT_SLENDER ||
         triangle->area < GLINT_POLYNOMIAL_LEAST_AREA)
         return FITS_NOTHING;
-    const uint32_t span = find_farthest(triangle->corners);
+    const uint32_t span = g->reciprocal ? 0 : find_farthest(triangle->corners); /* narrow ones reach no 128 pixels */
     if (span * span > close << (GLINT_CHANNEL_BITS - 15))
         return FITS_NOTHING;
     const uint32_t ratio = (w.change << 12) / w.least; /* w.change is at most 2^15 */
