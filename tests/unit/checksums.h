@@ -16,16 +16,16 @@ static const uint32_t expected_checksums[] = {
     0x36036016u, /* exponent_two */
     0xfb845b79u, /* exponent_1024 */
     0x8aa8f385u, /* exponents_beyond */
-    0x2f2d7e61u, /* curved */
-    0x356f0bc4u, /* curved_infinite */
-    0xd9d37d1fu, /* curved_exponent_8192 */
+    0xbbf2fb01u, /* curved */
+    0xc6d6728cu, /* curved_infinite */
+    0xb1578593u, /* curved_exponent_8192 */
     0x971aa1e9u, /* curved_exponent_1024 */
     0x908a4ba6u, /* curved_gently */
-    0x0d2f12ecu, /* curved_gently_infinite */
+    0x7e3a10c5u, /* curved_gently_infinite */
     0xfe55c663u, /* curved_gently_exponent_256 */
-    0x918b76bbu, /* eight_lights */
+    0x43a3c5dbu, /* eight_lights */
     0x04db6918u, /* eight_lights_infinite */
-    0x0c04f6e4u, /* saturated */
+    0x57e9bc99u, /* saturated */
     0x8bd854a8u, /* near_plane */
     0xda8a09c5u, /* floor_to_horizon */
     0x00c9afc6u, /* large_highlight */
@@ -36,7 +36,7 @@ static const uint32_t expected_checksums[] = {
     0x5b7f54fdu, /* turned_camera */
     0x77051dc5u, /* no_objects */
     0xfe7b377cu, /* big_endian */
-    0xcbc7907bu, /* rgb888_odd_size */
+    0x5e19852eu, /* rgb888_odd_size */
     0xd4c48de9u, /* grey8_odd_size */
     0x392c720cu, /* grey4_odd_size */
     0xa534a365u, /* rgb444_odd_size */
@@ -47,7 +47,7 @@ static const uint32_t expected_checksums[] = {
     0x8dc475ebu, /* lambert_infinite */
     0x6282db6bu, /* phong_ungated_max */
     0xa121b85fu, /* per_vertex */
-    0xee56db74u, /* per_vertex_clipped */
+    0x40d0ee1du, /* per_vertex_clipped */
     0xeb3475abu, /* per_facet */
     0x2b3439b3u, /* per_facet_clipped */
     0x0c8b9f5du, /* mesh_colours */
