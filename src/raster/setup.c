@@ -39,7 +39,8 @@ static GLINT_NOINLINE void widen(glint_gradients *g, uint32_t area, uint32_t zer
 /*
  * Narrow triangles, none of them steep, keep whole sides and a 1/area of 16 bits: slopes are sums of products without
  * rounding, times 1/area. A plane's value at a pixel of the triangle is then off by at most 2^-15 of the corners'
- * difference, 2^-12 where the area is below a pixel, 2^-10 below 1/32, and a step for each pixel from the anchor.
+ * difference, or of 2^17 if they differ by less; 2^-12 where the area is below a pixel, 2^-10 below 1/32; and a step
+ * for each pixel from the anchor.
  * @return whether the triangle is narrow
  */
 static inline int gradients_begin(glint_gradients *g, uint32_t area, int steep) {

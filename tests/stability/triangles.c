@@ -229,7 +229,7 @@ const region triangle_regions[] = {
     {"everything behind the eye", "no clipping", PIXELS, "drops the object by its bounding box", 200, measure_behind},
     {"w from 0.5 to 500 in one triangle", "affine interpolation", REGION_STEPS, "interpolates N/w", 200,
      measure_depths},
-    {"triangles of 800 to 1400 pixels, lit at their corners", "quadratics with whole coefficients, of 2^-27",
+    {"triangles of 490 to 815 pixels, lit at their corners", "quadratics with whole coefficients, of 2^-27",
      REGION_STEPS, "quadratics only as far as their rounding keeps within a tenth of a step", 2, measure_large_and_lit},
     {"surfaces that cross, 3700 near planes away", "16-bit depth relative to the near plane", PIXELS,
      "depth relative to the frame's nearest geometry", 10, measure_depth_steps},
