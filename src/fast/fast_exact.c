@@ -104,7 +104,8 @@ static inline int32_t square_of_sum(int32_t a, int32_t b, int32_t c) {
 /*
  * 1/w of the corners, the largest 32256: |M| then stays below 1 with all errors of its planes. Where the normals are
  * the same they need no weights.
- * @return 0 where M.M gets too small: by the turn of the normals, an edge's middle has it 1 - turn / 6
+ * @return 0 where M.M gets too small: by the turn of the normals, an edge's middle has it 1 - turn / 6. Corners that
+ * clipping makes may be short: what N.N lacks of 1 there counts three times in `turn`, and M.M is above 1 - turn / 3
  */
 static int find_weights(const glint_triangle *triangle, int32_t weight[3]) {
     const glint_vertex *const *v = triangle->corners;
@@ -121,8 +122,9 @@ static int find_weights(const glint_triangle *triangle, int32_t weight[3]) {
     weight[2] = (int32_t)(w2 * reciprocal >> 16);
     if (turn < 64 && a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[0] == c[0] && a[1] == c[1] && a[2] == c[2])
         weight[0] = weight[1] = weight[2] = 32256;
+    const unsigned is_made = v[0]->flags & GLINT_VERTEX_LIT ? 0 : 1;
     const int32_t smallest = glint_least_of(weight[0], weight[1], weight[2]),
-                  left = (6 << 12) - glint_shift_right(turn, 14);
+                  left = (6 << 12) - glint_shift_right(turn, 14 - is_made);
     return left > 0 && (uint32_t)(smallest * smallest >> 15) * (uint32_t)left > LEAST_EXACT_SQUARE;
 }
 

@@ -2,7 +2,7 @@
 /*
  * Suite: the table reads of fast lighting, and channels of colours at corners, which rest on how far a plane's value at
  * a pixel can lie from its corners'. Triangles of all sizes, slender ones too, that turn and change in depth as far as
- * is ever let through; every pixel.
+ * is ever let through; and such as clipping leaves, whose normals are short; every pixel.
  */
 #include "fast/fast_draw565.h"
 #include "harness.h"
@@ -35,8 +35,9 @@ static struct {
     int64_t diffuse_most, diffuse_least, gated_most, specular_most, stepped_most;
     uint32_t triangles[GLINT_KERNELS], stepped, pixels;
     uint32_t interpolated[2], interpolated_gated, curved[2];
+    uint32_t cut[2];
     int64_t root_most, bent_most, channel_most, channel_least;
-} seen = {-1, INT32_MAX, -1, -1, -1, {0}, 0, 0, {0}, 0, {0}, -1, -1, 0, 0};
+} seen = {-1, INT32_MAX, -1, -1, -1, {0}, 0, 0, {0}, 0, {0}, {0}, -1, -1, 0, 0};
 
 static int64_t more(int64_t a, int64_t b) {
     return a > b ? a : b;
@@ -124,6 +125,7 @@ static void see_quadratic(const glint_draw *draw, const glint_triangle *triangle
         return;
     const int shows = kind == GLINT_EXACT_SPECULAR;
     (fits ? seen.interpolated : seen.curved)[shows]++;
+    seen.cut[shows] += !(triangle->corners[0]->flags & GLINT_VERTEX_LIT);
     seen.interpolated_gated += fits && !shows && interpolated.gated;
     for (uint32_t row = part->top; row < part->bottom; row++) {
         for (int32_t column = part->spans[row].left; column < part->spans[row].right; column++) {
@@ -250,6 +252,19 @@ static void set_up_corners(glint_vertex corners[3], int32_t size) {
     }
 }
 
+/* As clipping leaves a triangle: each corner somewhere on an edge, its normal between that edge's, and so short. */
+static void cut_corners(glint_vertex corners[3]) {
+    for (int i = 0; i < 3; i++) {
+        int16_t other[3];
+        const int32_t t = random_bits() % 2 ? 0 : (int32_t)(random_bits() % (1 << 15));
+        random_unit(corners[i].attribute, 32767, other);
+        for (int c = 0; c < 3; c++)
+            corners[i].attribute[c] =
+                (int16_t)(corners[i].attribute[c] + glint_shift_right((other[c] - corners[i].attribute[c]) * t, 15));
+        corners[i].flags = 0; /* not lit */
+    }
+}
+
 /* All of a triangle, tile by tile of 64 x 64 pixels. */
 static void draw_tiles(glint_draw *draw, const glint_vertex corners[3]) {
     const int turned = glint_double_area(&corners[0], &corners[1], &corners[2]) > 0; /* to run counter-clockwise */
@@ -300,6 +315,8 @@ static void every_read_is_in_its_table(void) {
         place_light(&fast, corners[0].attribute);
         loosen_quadratics(&fast, &shading);
         glint_fast_light(0, &draw, 0, 0);
+        if (i % 8 == 0)
+            cut_corners(corners);
         draw_tiles(&draw, corners);
     }
     CHECK(seen.triangles[GLINT_FAST_DIFFUSE] > TRIANGLES / 100);
@@ -312,6 +329,8 @@ static void every_read_is_in_its_table(void) {
     CHECK(seen.interpolated_gated > TRIANGLES / 100);
     CHECK(seen.curved[0] > TRIANGLES / 100);
     CHECK(seen.curved[1] > TRIANGLES / 1000);
+    CHECK(seen.cut[0] > TRIANGLES / 1000);
+    CHECK(seen.cut[1] > TRIANGLES / 1000);
     test_write("  entries read: diffuse ");
     test_write_number(seen.diffuse_most);
     test_write(", gated ");
