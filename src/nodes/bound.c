@@ -289,14 +289,22 @@ static int32_t find_margin(const glint_region *region, uint32_t turn) {
     return 8 + (int32_t)most;
 }
 
+/* More than polynomials may be off by, with room for what is added. */
+#define TOO_MUCH (1u << 30)
+
+/* What light in sums is off by, unless that is too much on its own. */
+static inline uint32_t of_sums(const glint_light_terms *light, uint32_t error) {
+    return error > light->most_of_sums ? TOO_MUCH : error;
+}
+
 int glint_region_bound(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
     const glint_light_terms *light = shading->terms;
     const uint32_t slant = region->slant;
     if (is_cut_off(region))
         return 0;
     const uint32_t of_colour = scaled(region->of_colour, slant, 12 + 5);
-    region->error = sum_error(light, region, 0, region->turn, 0) + of_colour;
-    region->error_over_length = sum_error_over_length(light, region) + of_colour;
+    region->error = of_sums(light, sum_error(light, region, 0, region->turn, 0)) + of_colour;
+    region->error_over_length = of_sums(light, sum_error_over_length(light, region)) + of_colour;
     if (region->folds) /* colours times |M| are of a degree more, and ambient light with them */
         region->error_over_length +=
             of_levels(glint_cube(region->turn + region->place, slant), region->levels + (light->ambient_levels >> 4));

@@ -50,7 +50,8 @@ typedef struct glint_light_terms {
     uint32_t spread;                             /* how many times as fast as light highlights turn, Q4; 0: unknown */
     uint8_t lobe_is_wide;                        /* small p: of a deviation there is the cosine alone, Q14 */
     uint8_t lobe_has_strip;                      /* p < 1: near the horizon polynomials do not fit */
-    uint32_t limit, most;                        /* of the error of planes and of quadratics, levels in Q8 */
+    uint32_t limit, most;                        /* of the error of planes and of quadratics, levels in Q8; */
+    uint32_t most_of_sums;                       /* and of that of light in quadratics' sums */
     uint32_t pixel;                              /* 1/16 of one over the focal length, Q30 */
     uint16_t cosine[GLINT_COSINE_VALUES];        /* powers of the cosine, Q15, where lobes are wide */
 } glint_light_terms;

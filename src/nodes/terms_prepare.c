@@ -16,8 +16,12 @@
 /* Where weights add up to more than this, errors do not grow with them: pixels are to stay within a step. */
 #define MOST_WEIGHT 4
 
-/* Most of it for quadratics, which are given twice as much: their bound counts with all lights from one side. */
+/*
+ * Most of it for quadratics, which are given twice as much: their bound counts with all lights from one side, and with
+ * highlights in one place. What light in sums is off by counts on its own: lights from one side there are.
+ */
 #define MOST_OF_QUADRATICS 320
+#define MOST_OF_SUMS 160
 
 /* Bits that a squared deviation has where narrow lobes end: deviations reach four times as far. */
 #define LOBE_BITS 24
@@ -289,6 +293,7 @@ static int find_light_terms(const glint_frame *frame, const glint_shading *shadi
     set_lobes(frame, shading, terms);
     terms->limit = LIMIT * (uint32_t)glint_least(glint_most((int32_t)total, 1 << 12), MOST_WEIGHT << 12) >> 12;
     terms->most = (uint32_t)glint_least(2 * (int32_t)terms->limit, MOST_OF_QUADRATICS);
+    terms->most_of_sums = (uint32_t)glint_least((int32_t)terms->most, MOST_OF_SUMS);
     place_numbers(frame, shading, terms);
     return 1;
 }

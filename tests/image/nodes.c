@@ -21,9 +21,10 @@
 #define HEIGHT 96
 
 /* What polynomials may be off, in levels for each 1 that weights add up to: LIMIT of terms_prepare.c, doubled once; and
- * at most: MOST_OF_QUADRATICS. */
+ * at most: MOST_OF_QUADRATICS; of light without highlights, MOST_OF_SUMS. */
 #define ALLOWED (2 * 51 / 256.0)
 #define MOST_ALLOWED (320 / 256.0)
+#define MOST_ALLOWED_SUMS (160 / 256.0)
 
 /* What fragments may be off themselves by the contract, half a level of rounding aside. */
 #define OF_FRAGMENTS 0.3
@@ -280,7 +281,8 @@ static void within_the_bound(void) {
                  all.largest[0], (unsigned)all.seed[0], all.triangles[1], all.largest[1], (unsigned)all.seed[1]);
         test_write(line);
         CHECK(all.pixels[0] + all.pixels[1] > 0);
-        const double allowed = fmin(ALLOWED * kinds[k].sum, MOST_ALLOWED) + OF_FRAGMENTS;
+        const double most = kinds[k].model == &glint_model_lambert ? MOST_ALLOWED_SUMS : MOST_ALLOWED,
+                     allowed = fmin(ALLOWED * kinds[k].sum, most) + OF_FRAGMENTS;
         CHECK(all.largest[0] <= allowed);
         CHECK(all.largest[1] <= allowed);
     }
@@ -428,7 +430,7 @@ static void handed_on_or_found_anew(void) {
 static uint32_t over_length(uint32_t ambient, int folds) {
     static const glint_material material = {.model = &glint_model_lambert};
     static glint_frame frame;
-    glint_light_terms terms = {.ambient_levels = ambient};
+    glint_light_terms terms = {.ambient_levels = ambient, .most_of_sums = UINT32_MAX};
     const glint_shading shading = {.material = &material, .terms = &terms};
     glint_region region = {.turn = 1 << 11, .place = 1 << 10, .slant = 0, .levels = 63 << 4, .folds = folds};
     CHECK_EQUAL(glint_region_bound(&frame, &shading, &region), 1);
@@ -442,8 +444,32 @@ static void folded_colours_add_to_the_bound(void) {
     CHECK_EQUAL(over_length(63 << 8, 0), over_length(0, 0));
 }
 
+/* Light in sums that is off by too much on its own fits no limit, whatever all together may be off by. */
+static void sums_have_a_bound_of_their_own(void) {
+    static const glint_material material = {.model = &glint_model_lambert};
+    static glint_frame frame;
+    glint_light_terms terms = {.most_of_sums = UINT32_MAX};
+    const glint_shading shading = {.material = &material, .terms = &terms};
+    int within = 0, beyond = 0;
+    for (uint32_t turn = 0; turn < 4096; turn += 16) {
+        glint_region free = {.turn = turn, .place = turn / 2, .slant = 100, .levels = 4 * 63 << 4}, bound = free;
+        terms.most_of_sums = UINT32_MAX;
+        CHECK_EQUAL(glint_region_bound(&frame, &shading, &free), 1);
+        terms.most_of_sums = 160;
+        CHECK_EQUAL(glint_region_bound(&frame, &shading, &bound), 1);
+        CHECK(free.error <= 160 ? bound.error == free.error : bound.error > 1 << 20);
+        CHECK(free.error_over_length <= 160 ? bound.error_over_length == free.error_over_length
+                                            : bound.error_over_length > 1 << 20);
+        within += free.error <= 160 && free.error_over_length <= 160;
+        beyond += free.error > 160 && free.error_over_length > 160;
+    }
+    CHECK(within > 10);
+    CHECK(beyond > 10);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {TEST_CASE(within_the_bound), TEST_CASE(slow_motion),
-                                      TEST_CASE(handed_on_or_found_anew), TEST_CASE(folded_colours_add_to_the_bound)};
+                                      TEST_CASE(handed_on_or_found_anew), TEST_CASE(folded_colours_add_to_the_bound),
+                                      TEST_CASE(sums_have_a_bound_of_their_own)};
     return test_run(write, cases, TEST_COUNT(cases));
 }
