@@ -7,18 +7,18 @@
 #include "pixel_sums.h"
 
 static const pixel_sums pixel_table[] = {
-    {0xb6b82677u, 0x37b0fe31u}, /* regions */
+    {0xb6b82677u, 0x3d246bd9u}, /* regions */
     {0x83fe2bc3u, 0x553296abu}, /* regions */
     {0xee5088b9u, 0x52e0a7e8u}, /* random surfaces */
-    {0xdaa71e9bu, 0xd9635b3du}, /* random surfaces */
+    {0xe77126acu, 0xd9635b3du}, /* random surfaces */
     {0x284447bcu, 0x747aaa0eu}, /* random surfaces */
-    {0xc6489b2fu, 0x33bc59bdu}, /* random surfaces */
+    {0xda26d083u, 0xa5f5bb22u}, /* random surfaces */
     {0xa81c5c4bu, 0x737a517eu}, /* random surfaces */
-    {0x176d7d05u, 0xe4b06893u}, /* random surfaces */
+    {0xa27f4dc3u, 0xdc7252deu}, /* random surfaces */
     {0xb98cef10u, 0x9519d543u}, /* random scenes */
-    {0x6b606a02u, 0x64b39844u}, /* random scenes */
+    {0x80500f5du, 0x64b39844u}, /* random scenes */
     {0xe0ca6d30u, 0x8c2e5a75u}, /* random scenes */
-    {0xf99b1dcbu, 0xea5e36d0u}, /* random scenes */
+    {0xb4be836du, 0xea5e36d0u}, /* random scenes */
     {0x87c388eau, 0x76226b6eu}, /* benchmark */
     {0x0cf4d4d2u, 0x368210edu}, /* benchmark */
     {0x3daa6f6du, 0x0a5c35a1u}, /* benchmark */
@@ -49,9 +49,9 @@ static const pixel_sums pixel_table[] = {
     {0x56ad981cu, 0x187094e5u}, /* surfaces */
     {0x1e77fd84u, 0xffb0244fu}, /* gallery */
     {0x3015d508u, 0x8164326bu}, /* gallery */
-    {0x71ea559fu, 0x105f45d8u}, /* gallery */
+    {0x06328d7fu, 0x105f45d8u}, /* gallery */
     {0x68ec0604u, 0x2758c8deu}, /* gallery */
-    {0xb5267cacu, 0xda81c0feu}, /* gallery */
+    {0x668e36ddu, 0x6bf62151u}, /* gallery */
     {0xf9586c85u, 0x4e60b3bau}, /* gallery */
     {0x94a965c6u, 0x4b449c07u}, /* formats */
     {0xe5780f3fu, 0x609193f2u}, /* formats */
