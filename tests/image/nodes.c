@@ -444,6 +444,126 @@ static void folded_colours_add_to_the_bound(void) {
     CHECK_EQUAL(over_length(63 << 8, 0), over_length(0, 0));
 }
 
+/* A triangle across the axis of view, its longest side 1, with normals of its own, and a light: what light is there. */
+typedef struct lit_triangle {
+    double corner[3][2], normal[3][3], light[3], linear, quadratic;
+} lit_triangle;
+
+static double length_of(const double v[3]) {
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/* At barycentric coordinates l. @return N.L times strength; sets this and the distance */
+static double light_at(const lit_triangle *t, const double l[3], double *strength, double *distance) {
+    double normal[3] = {0}, way[3] = {t->light[0], t->light[1], t->light[2]}, cosine = 0;
+    for (int i = 0; i < 3; i++) {
+        way[0] -= l[i] * t->corner[i][0];
+        way[1] -= l[i] * t->corner[i][1];
+        for (int c = 0; c < 3; c++)
+            normal[c] += l[i] * t->normal[i][c];
+    }
+    *distance = length_of(way);
+    *strength = 1 / (1 + t->linear * *distance + t->quadratic * *distance * *distance);
+    for (int c = 0; c < 3; c++)
+        cosine += normal[c] * way[c] / (length_of(normal) * *distance);
+    return cosine * *strength;
+}
+
+static void build_lit(lit_triangle *t, double turn) {
+    double longest = 0, far = across(0.3, 6), base[3] = {between(-1, 1), between(-1, 1), between(-1, 1)};
+    for (int i = 0; i < 3; i++)
+        for (int c = 0; c < 2; c++)
+            t->corner[i][c] = between(-1, 1);
+    for (int i = 0; i < 3; i++)
+        longest = fmax(longest,
+                       hypot(t->corner[i][0] - t->corner[(i + 1) % 3][0], t->corner[i][1] - t->corner[(i + 1) % 3][1]));
+    const double size = length_of(base) + 1e-3;
+    for (int i = 0; i < 3; i++) {
+        for (int c = 0; c < 3; c++)
+            t->normal[i][c] = base[c] / size + between(-turn, turn);
+        const double length = length_of(t->normal[i]) + 1e-9;
+        for (int c = 0; c < 3; c++)
+            t->normal[i][c] /= length;
+        t->corner[i][0] /= longest;
+        t->corner[i][1] /= longest;
+    }
+    for (int c = 0; c < 3; c++)
+        t->light[c] = between(c == 2 ? 0.02 : -far, far);
+    t->linear = between(0, 1) < 0.5 ? 0 : across(0.02, 50);
+    t->quadratic = between(0, 1) < 0.5 ? 0 : across(0.002, 100);
+}
+
+/* How far quadratics, and planes whose chords are made longer, are off, of 1. */
+static void find_errors(const lit_triangle *t, double longer, double error[2]) {
+    static const double at[6][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}};
+    double v[6], strength, distance;
+    for (int i = 0; i < 6; i++)
+        v[i] = light_at(t, at[i], &strength, &distance);
+    error[0] = error[1] = 0;
+    for (int i = 0; i <= 64; i++) {
+        const double a = i % 8 / 8.0, b = i / 8 / 8.0, l[3] = {a, b, 1 - a - b};
+        if (l[2] < 0)
+            continue;
+        const double here = light_at(t, l, &strength, &distance), plane = a * v[0] + b * v[1] + l[2] * v[2],
+                     quadratic = a * (2 * a - 1) * v[0] + b * (2 * b - 1) * v[1] + l[2] * (2 * l[2] - 1) * v[2] +
+                                 4 * (a * b * v[3] + b * l[2] * v[4] + a * l[2] * v[5]);
+        error[0] = fmax(error[0], fabs(quadratic - here));
+        error[1] = fmax(error[1], fabs(plane * longer - here));
+    }
+}
+
+/* No polynomial of a light with a place, of any falling strength, is off by more than the laws make of its region. */
+static void places_turn_light_as_the_laws_say(void) {
+    static const glint_material material = {.model = &glint_model_lambert};
+    static glint_frame frame;
+    const glint_light_terms terms = {.most_of_sums = UINT32_MAX, .limit = 204, .most = 320, .placed = 1};
+    const glint_shading shading = {.material = &material, .terms = &terms, .lights = 1};
+    double largest[2] = {0, 0};
+    int judged[2] = {0, 0};
+    char line[120];
+    random_state = 4;
+    for (int n = 0; n < 200000; n++) {
+        static const double at[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        lit_triangle t;
+        double least = INFINITY, most = 0, turn = 0, error[2];
+        int is_held = 1;
+        build_lit(&t, n % 4 ? across(0.005, 0.5) : 0);
+        for (int i = 0; i < 3; i++) {
+            double apart[3], strength, distance;
+            is_held &= light_at(&t, at[i], &strength, &distance) > 0;
+            least = fmin(least, distance);
+            most = fmax(most, strength);
+            for (int c = 0; c < 3; c++)
+                apart[c] = t.normal[i][c] - t.normal[(i + 1) % 3][c];
+            turn = fmax(turn, length_of(apart));
+        }
+        if (!is_held || least < 4 / 3.0)
+            continue;
+        glint_region region = {.turn = (uint32_t)ceil(turn * 4096),
+                               .near = (uint32_t)ceil(4096 / least),
+                               .near_of = {(uint16_t)ceil(4096 / least)},
+                               .strength = {(uint16_t)floor(most * 16384)},
+                               .levels = (uint32_t)ceil(most * 4 * 63 * 16),
+                               .held = 1};
+        if (!glint_region_fits(&shading, 0, &region) || !glint_region_bound(&frame, &shading, &region))
+            continue;
+        find_errors(&t, 1 + turn * turn / 12, error);
+        const double allowed[2] = {region.error / 256.0, glint_plane_error(&shading, 0, &region) / 256.0};
+        for (int way = 0; way < 2; way++) {
+            if (allowed[way] < 0.05) /* steps of the bound */
+                continue;
+            judged[way]++;
+            largest[way] = fmax(largest[way], error[way] * 4 * 63 / allowed[way]);
+        }
+    }
+    snprintf(line, sizeof line, "lights with a place: quadratics off by %.2f of the law at most, planes %.2f\n",
+             largest[0], largest[1]);
+    test_write(line);
+    CHECK(judged[0] > 10000 && judged[1] > 10000);
+    CHECK(largest[0] <= 1 && largest[0] > 0.5);
+    CHECK(largest[1] <= 1 && largest[1] > 0.5);
+}
+
 /* Light in sums that is off by too much on its own fits no limit, whatever all together may be off by. */
 static void sums_have_a_bound_of_their_own(void) {
     static const glint_material material = {.model = &glint_model_lambert};
@@ -468,8 +588,11 @@ static void sums_have_a_bound_of_their_own(void) {
 }
 
 int test_main(test_writer write) {
-    static const test_case cases[] = {TEST_CASE(within_the_bound), TEST_CASE(slow_motion),
-                                      TEST_CASE(handed_on_or_found_anew), TEST_CASE(folded_colours_add_to_the_bound),
+    static const test_case cases[] = {TEST_CASE(within_the_bound),
+                                      TEST_CASE(slow_motion),
+                                      TEST_CASE(handed_on_or_found_anew),
+                                      TEST_CASE(folded_colours_add_to_the_bound),
+                                      TEST_CASE(places_turn_light_as_the_laws_say),
                                       TEST_CASE(sums_have_a_bound_of_their_own)};
     return test_run(write, cases, TEST_COUNT(cases));
 }
