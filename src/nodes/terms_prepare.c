@@ -21,7 +21,7 @@
  * highlights in one place. What light in sums is off by counts on its own: lights from one side there are.
  */
 #define MOST_OF_QUADRATICS 320
-#define MOST_OF_SUMS 128
+#define MOST_OF_SUMS 112
 
 /* Bits that a squared deviation has where narrow lobes end: deviations reach four times as far. */
 #define LOBE_BITS 24

@@ -24,7 +24,7 @@
  * at most: MOST_OF_QUADRATICS; of light without highlights, MOST_OF_SUMS. */
 #define ALLOWED (2 * 51 / 256.0)
 #define MOST_ALLOWED (320 / 256.0)
-#define MOST_ALLOWED_SUMS (128 / 256.0)
+#define MOST_ALLOWED_SUMS (112 / 256.0)
 
 /* What fragments may be off themselves by the contract, half a level of rounding aside. */
 #define OF_FRAGMENTS 0.3
@@ -575,13 +575,13 @@ static void sums_have_a_bound_of_their_own(void) {
         glint_region free = {.turn = turn, .place = turn / 2, .slant = 100, .levels = 4 * 63 << 4}, bound = free;
         terms.most_of_sums = UINT32_MAX;
         CHECK_EQUAL(glint_region_bound(&frame, &shading, &free), 1);
-        terms.most_of_sums = 128;
+        terms.most_of_sums = 112;
         CHECK_EQUAL(glint_region_bound(&frame, &shading, &bound), 1);
-        CHECK(free.error <= 128 ? bound.error == free.error : bound.error > 1 << 20);
-        CHECK(free.error_over_length <= 128 ? bound.error_over_length == free.error_over_length
+        CHECK(free.error <= 112 ? bound.error == free.error : bound.error > 1 << 20);
+        CHECK(free.error_over_length <= 112 ? bound.error_over_length == free.error_over_length
                                             : bound.error_over_length > 1 << 20);
-        within += free.error <= 128 && free.error_over_length <= 128;
-        beyond += free.error > 128 && free.error_over_length > 128;
+        within += free.error <= 112 && free.error_over_length <= 112;
+        beyond += free.error > 112 && free.error_over_length > 112;
     }
     CHECK(within > 10);
     CHECK(beyond > 10);
