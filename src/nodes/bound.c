@@ -118,7 +118,7 @@ static GLINT_NOINLINE uint32_t levels_at_strength(uint32_t levels, const glint_r
  * beside it its strength, which falls the faster the less of it is left: 1 + 0.4 t + 0.35 t^2 times that, t being what
  * is lost. Of random triangles and lights no polynomial is off by more than the laws make of it (suite nodes).
  */
-static uint32_t place_of(const glint_region *region, uint32_t l) {
+static uint32_t place_of_light(const glint_region *region, uint32_t l) {
     const uint32_t lost = (1u << 14) - region->strength[l];          /* Q14 */
     const uint32_t more = lost * (1638 + (lost * 1434 >> 14)) >> 14; /* Q12 */
     return region->near_of[l] * ((1u << 12) + more) >> 12;
@@ -129,7 +129,7 @@ static uint32_t find_place(const glint_region *region) {
     const uint32_t shown = region->held | region->sides | region->lobes;
     uint32_t most = 0;
     for (uint32_t l = 0; region->near && shown >> l; l++) {
-        const uint32_t place = shown >> l & 1 && region->near_of[l] ? place_of(region, l) : 0;
+        const uint32_t place = shown >> l & 1 && region->near_of[l] ? place_of_light(region, l) : 0;
         most = place > most ? place : most;
     }
     return most;
@@ -164,7 +164,7 @@ int glint_region_fits(const glint_shading *shading, int has_surface, glint_regio
  */
 static uint32_t turn_of_shine(const glint_shading *shading, const glint_region *region, uint32_t l) {
     const uint32_t turn = glint_lobe_turn(shading, region) + region->axis_of[l];
-    return (turn * shading->terms->spread >> 4) + place_of(region, l);
+    return (turn * shading->terms->spread >> 4) + place_of_light(region, l);
 }
 
 int glint_region_sum_lobes(const glint_shading *shading, int has_surface, glint_region *region) {
@@ -195,7 +195,7 @@ static inline int is_cut_off(const glint_region *region) {
 
 /* By how much its place turns a light in sums, at most as the nearest one's. */
 static uint32_t turn_of_place(const glint_region *region, uint32_t l) {
-    const uint32_t place = place_of(region, l) + (region->folds ? region->colour : 0);
+    const uint32_t place = place_of_light(region, l) + (region->folds ? region->colour : 0);
     return place < region->place ? place : region->place;
 }
 
