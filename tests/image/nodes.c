@@ -501,7 +501,8 @@ static void find_errors(const lit_triangle *t, double longer, double error[2]) {
         v[i] = light_at(t, at[i], &strength, &distance);
     error[0] = error[1] = 0;
     for (int i = 0; i <= 64; i++) {
-        const double a = i % 8 / 8.0, b = i / 8 / 8.0, l[3] = {a, b, 1 - a - b};
+        const int column = i % 8, row = i / 8;
+        const double a = column / 8.0, b = row / 8.0, l[3] = {a, b, 1 - a - b};
         if (l[2] < 0)
             continue;
         const double here = light_at(t, l, &strength, &distance), plane = a * v[0] + b * v[1] + l[2] * v[2],
