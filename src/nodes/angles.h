@@ -5,6 +5,9 @@
 
 #include "terms.h"
 
+/** Angles beyond this, Q12, have no polynomial. */
+#define GLINT_WIDEST (2 << 12)
+
 /** Products of angles up to 2, Q12. */
 static inline uint32_t glint_times(uint32_t a, uint32_t b) {
     return a * b >> 12;

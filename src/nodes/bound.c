@@ -6,9 +6,8 @@
 /* A region wider than three quarters of a light's distance has no polynomial, Q12. */
 #define TOO_NEAR (3 << 10)
 
-/* Of what 1/w changes by, times 1.85, and of angles: beyond, nothing fits. Q12 */
+/* Of what 1/w changes by, times 1.85: beyond, nothing fits. Q12 */
 #define STEEPEST (1 << 12)
-#define WIDEST (2 << 12)
 
 /* A cone's ramp is to be no longer over a region, Q12. */
 #define LONGEST_RAMP (4 << 12)
@@ -148,7 +147,7 @@ int glint_region_fits(const glint_shading *shading, int has_surface, glint_regio
     const uint32_t place = find_place(region), turn = region->turn + place + region->colour;
     if (!region->lobes)
         region->axis = 0;
-    if (glint_lobe_turn(shading, region) + region->axis > WIDEST || turn > WIDEST)
+    if (glint_lobe_turn(shading, region) + region->axis > GLINT_WIDEST || turn > GLINT_WIDEST)
         return 0;
     region->folds = has_surface && !region->sides && !(shading->material->flags & GLINT_MATERIAL_MAX) &&
                     of_levels(glint_cube(turn, region->slant), region->levels) <= light->limit;
@@ -175,7 +174,7 @@ int glint_region_sum_lobes(const glint_shading *shading, int has_surface, glint_
     region->shine = 0;
     for (uint32_t l = 0; summed >> l; l++) {
         const uint32_t turn = summed >> l & 1 ? turn_of_shine(shading, region, l) : 0;
-        if (turn > WIDEST)
+        if (turn > GLINT_WIDEST)
             return 0;
         if (turn)
             region->shine += of_levels(glint_cube(turn, region->slant),
@@ -261,6 +260,19 @@ static uint32_t sum_error_over_length(const glint_light_terms *light, const glin
     return each < whole ? each : whole;
 }
 
+/* More than polynomials may be off by, of each light, with room for what is added. */
+#define TOO_MUCH (1u << 27)
+
+/* What light in sums is off by, unless that is too much on its own; */
+static inline uint32_t of_sums(const glint_light_terms *light, uint32_t error) {
+    return error > light->most_of_sums ? TOO_MUCH : error;
+}
+
+/* and what a highlight is. */
+static inline uint32_t of_one(const glint_light_terms *light, uint32_t error) {
+    return error > light->most_of_one ? TOO_MUCH : error;
+}
+
 /* Adds what highlights may be off by. */
 static void add_gloss(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
     const glint_light_terms *light = shading->terms;
@@ -272,15 +284,16 @@ static void add_gloss(const glint_frame *frame, const glint_shading *shading, gl
                        near = region->near_of[l];
         if (!(lobes >> l & 1))
             continue;
-        region->error_between += between_error(light, slope, levels, turn, axis, slant);
+        region->error_between += of_one(light, between_error(light, slope, levels, turn, axis, slant));
         if (region->summed >> l & 1)
             continue;
-        region->error += lobe_error(slope, levels, lobe_third(turn + axis, slant), near, slant);
-        region->error_over_length += lobe_error(
-            slope, levels, lobe_third_over_length(turn, axis, glint_turn_of_rays(frame, region, l), slant, is_mirrored),
-            near, slant);
-        if (light->lobe_is_wide)
-            region->error_over_length += length_error(region, scaled(levels, slope, 8), 1 + (uint32_t)is_mirrored);
+        region->error += of_one(light, lobe_error(slope, levels, lobe_third(turn + axis, slant), near, slant));
+        const uint32_t third =
+                           lobe_third_over_length(turn, axis, glint_turn_of_rays(frame, region, l), slant, is_mirrored),
+                       of_length = light->lobe_is_wide
+                                       ? length_error(region, scaled(levels, slope, 8), 1 + (uint32_t)is_mirrored)
+                                       : 0;
+        region->error_over_length += of_one(light, lobe_error(slope, levels, third, near, slant) + of_length);
     }
 }
 
@@ -314,14 +327,6 @@ static int32_t find_margin(const glint_region *region, uint32_t turn) {
     return 8 + (int32_t)most;
 }
 
-/* More than polynomials may be off by, with room for what is added. */
-#define TOO_MUCH (1u << 30)
-
-/* What light in sums is off by, unless that is too much on its own. */
-static inline uint32_t of_sums(const glint_light_terms *light, uint32_t error) {
-    return error > light->most_of_sums ? TOO_MUCH : error;
-}
-
 int glint_region_bound(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
     const glint_light_terms *light = shading->terms;
     const uint32_t slant = region->slant;
@@ -343,72 +348,4 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
         region->error_over_length = UINT32_MAX;
     }
     return 1;
-}
-
-/*
- * A deviation is linear in N, and N over |M| where it is interpolated: with H fixed it lies no nearer to 0 than chords
- * between corners do. H turns by g while N turns by t: that adds g^2 / 6 + g t / 3, as planes are off by. R is a
- * quadratic form of N, which adds t^2 / 12, t being R's turn. And unit vectors are rounded.
- */
-int32_t glint_lobe_bulge(const glint_shading *shading, const glint_region *region, uint32_t light) {
-    const uint32_t turn = (uint32_t)glint_least((int32_t)glint_lobe_turn(shading, region), WIDEST),
-                   axis = (uint32_t)glint_least(region->axis_of[light], WIDEST);
-    const uint32_t mirrored = shading->material->model->lobe == GLINT_LOBE_MIRROR ? glint_times(turn, turn) / 2 : 0;
-    return (int32_t)((glint_times(axis, axis + 2 * turn) + mirrored) * 171 / 256 + 3) << shading->terms->lobe_shift;
-}
-
-glint_lobe_bounds glint_find_lobe_bounds(const glint_shading *shading, int32_t bulge) {
-    const glint_light_terms *light = shading->terms;
-    return (glint_lobe_bounds){light->lobe_is_wide,
-                               bulge,
-                               light->lobe_cut + bulge,
-                               light->lobe_diagonal + bulge + (bulge >> 1),
-                               shading->shininess ? -bulge : INT32_MIN,
-                               light->lobe_has_strip ? 2 * GLINT_HORIZON + bulge : INT32_MIN};
-}
-
-/* The nearest to 0 that a range of numbers comes. */
-static inline int32_t nearest_of(const glint_interval *range) {
-    return glint_most(range->least, -range->most);
-}
-
-/*
- * The slope of (1 - r^2)^(p/2) is p r (1 - r^2)^(p/2 - 1), which falls from r = 1/sqrt(p) on. A sixteenth more is for
- * the table. @param r Q14, beyond that
- */
-static uint32_t slope_from(const glint_shading *shading, int32_t r) {
-    const uint32_t steepest = shading->terms->slope, u = (uint32_t)(r * r) << 2, rest = (1u << 15) - (u >> 15);
-    const uint32_t power = glint_power_at(&shading->power, u) * (uint32_t)r / rest; /* Q14 */
-    const uint64_t slope = glint_product_unsigned(power + (power >> 4) + 1, (uint32_t)shading->shininess) >> 22;
-    return slope < steepest ? (uint32_t)slope : steepest;
-}
-
-/* Of a highlight that shows no nearer to 0 than this at nodes, and what deviations and polynomials are off by. */
-static uint32_t find_lobe_slope(const glint_shading *shading, const glint_region *region, uint32_t axis,
-                                int32_t nearest) {
-    const glint_light_terms *light = shading->terms;
-    if (light->lobe_is_wide || nearest <= light->crest)
-        return light->slope;
-    const uint32_t off = glint_cube(glint_lobe_turn(shading, region) + axis, region->slant) * 2687 >> 12; /* Q14 */
-    const int32_t r = glint_shift_right(nearest, light->lobe_shift) - glint_least((int32_t)off, 1 << 14);
-    return r <= glint_shift_right(light->crest, light->lobe_shift) ? light->slope
-                                                                   : slope_from(shading, glint_least(r, (1 << 14) - 1));
-}
-
-void glint_region_add_lobe(const glint_shading *shading, const glint_lobe_bounds *bounds, uint32_t light,
-                           const glint_lobe_range *at, glint_region *region) {
-    const int32_t straight = glint_most(nearest_of(&at->x), nearest_of(&at->y)),
-                  diagonal = glint_most(nearest_of(&at->rising), nearest_of(&at->falling));
-    const int is_unfit = region->unfit >> light & 1,
-              is_outside = bounds->is_wide ? at->x.most < bounds->below
-                                           : straight >= bounds->straight || diagonal >= bounds->diagonal;
-    if (is_outside && !is_unfit)
-        return;
-    region->lobes |= 1u << light;
-    if (is_unfit)
-        return;
-    region->has_edge |= bounds->is_wide && at->x.least < bounds->edge;
-    const int32_t nearest = glint_most(straight, glint_shift_right(diagonal * 23170, 15)) - bounds->bulge;
-    const uint32_t slope = find_lobe_slope(shading, region, region->axis_of[light], nearest);
-    region->slope = slope > region->slope ? slope : region->slope;
 }

@@ -51,7 +51,7 @@ typedef struct glint_light_terms {
     uint8_t lobe_is_wide;                        /* small p: of a deviation there is the cosine alone, Q14 */
     uint8_t lobe_has_strip;                      /* p < 1: near the horizon polynomials do not fit */
     uint32_t limit, most;                        /* of the error of planes and of quadratics, levels in Q8; */
-    uint32_t most_of_sums;                       /* and of that of light in quadratics' sums */
+    uint32_t most_of_sums, most_of_one;          /* of that of light in quadratics' sums, and of one highlight */
     uint32_t pixel;                              /* 1/16 of one over the focal length, Q30 */
     uint16_t cosine[GLINT_COSINE_VALUES];        /* powers of the cosine, Q15, where lobes are wide */
 } glint_light_terms;

@@ -18,10 +18,12 @@
 
 /*
  * Most of it for quadratics, which are given twice as much: their bound counts with all lights from one side, and with
- * highlights in one place. What light in sums is off by counts on its own: lights from one side there are.
+ * highlights in one place. What light in sums is off by counts on its own: lights from one side there are. So does each
+ * highlight: a step off is 3/2 of a level, of which rounding takes half and tables an eighth.
  */
 #define MOST_OF_QUADRATICS 320
 #define MOST_OF_SUMS 112
+#define MOST_OF_ONE 224
 
 /* Bits that a squared deviation has where narrow lobes end: deviations reach four times as far. */
 #define LOBE_BITS 24
@@ -294,6 +296,7 @@ static int find_light_terms(const glint_frame *frame, const glint_shading *shadi
     terms->limit = LIMIT * (uint32_t)glint_least(glint_most((int32_t)total, 1 << 12), MOST_WEIGHT << 12) >> 12;
     terms->most = (uint32_t)glint_least(2 * (int32_t)terms->limit, MOST_OF_QUADRATICS);
     terms->most_of_sums = (uint32_t)glint_least((int32_t)terms->most, MOST_OF_SUMS);
+    terms->most_of_one = (uint32_t)glint_least((int32_t)terms->most, MOST_OF_ONE);
     place_numbers(frame, shading, terms);
     return 1;
 }

@@ -588,12 +588,45 @@ static void sums_have_a_bound_of_their_own(void) {
     CHECK(beyond > 10);
 }
 
+/* So does each highlight, whatever it is off by: as quadratics, over length, or found between corners. */
+static void highlights_have_a_bound_each(void) {
+    static const glint_view view;
+    static const glint_frame frame = {.view = &view};
+    static const glint_material material = {.model = &glint_model_blinn_phong};
+    glint_light_terms terms = {.most_of_sums = UINT32_MAX, .specular_levels = {4 * 63 << 8, 4 * 63 << 8}};
+    const glint_shading shading = {.material = &material, .terms = &terms};
+    int within = 0, beyond = 0;
+    for (uint32_t turn = 0; turn < 4096; turn += 16) {
+        glint_region one = {.turn = turn, .slant = 100, .slope = 400, .lobes = 1}, two, bound;
+        one.axis_of[0] = one.axis_of[1] = (uint16_t)(turn / 2);
+        two = bound = one;
+        two.lobes = bound.lobes = 3;
+        terms.most_of_one = UINT32_MAX;
+        CHECK_EQUAL(glint_region_bound(&frame, &shading, &one), 1);
+        CHECK_EQUAL(glint_region_bound(&frame, &shading, &two), 1);
+        terms.most_of_one = 224;
+        CHECK_EQUAL(glint_region_bound(&frame, &shading, &bound), 1);
+        const uint32_t each[3] = {one.error, one.error_over_length, one.error_between},
+                       all[3] = {two.error, two.error_over_length, two.error_between},
+                       held[3] = {bound.error, bound.error_over_length, bound.error_between};
+        for (int way = 0; way < 3; way++) {
+            CHECK_EQUAL(all[way], 2 * each[way]);
+            CHECK(each[way] <= 224 ? held[way] == all[way] : held[way] > 1 << 20);
+            within += all[way] > 224 && each[way] <= 224;
+            beyond += each[way] > 224;
+        }
+    }
+    CHECK(within > 10);
+    CHECK(beyond > 10);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {TEST_CASE(within_the_bound),
                                       TEST_CASE(slow_motion),
                                       TEST_CASE(handed_on_or_found_anew),
                                       TEST_CASE(folded_colours_add_to_the_bound),
                                       TEST_CASE(places_turn_light_as_the_laws_say),
-                                      TEST_CASE(sums_have_a_bound_of_their_own)};
+                                      TEST_CASE(sums_have_a_bound_of_their_own),
+                                      TEST_CASE(highlights_have_a_bound_each)};
     return test_run(write, cases, TEST_COUNT(cases));
 }

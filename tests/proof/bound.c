@@ -4,6 +4,7 @@
 
 #include "../../src/math/tables.c"
 #include "../../src/nodes/bound.c"
+#include "../../src/nodes/reach.c"
 #include "../../src/nodes/sort.c"
 #include "lit.h"
 
@@ -55,6 +56,8 @@ static void any_material(void) {
     terms.crest = ANY(0, 1 << 16);
     terms.spread = ANY_UNSIGNED(0, 3245);
     terms.limit = ANY_UNSIGNED(0, 204);
+    terms.most_of_sums = ANY_UNSIGNED(0, 112);
+    terms.most_of_one = ANY_UNSIGNED(0, 224);
     for (int i = 0; i < GLINT_LIGHTS_MAX; i++) {
         terms.diffuse_levels[i] = ANY_UNSIGNED(0, LEVELS_Q8);
         terms.specular_levels[i] = ANY_UNSIGNED(0, LEVELS_Q8);
@@ -194,10 +197,10 @@ PROOF(glint_region_fits) {
 /* A region that polynomials may fit: its turn and its place are at most 2 together, by eighths; mirrored lobes turn
  * twice as far. */
 static void any_fitting(int eighth) {
-    const uint32_t turn = (uint32_t)eighth * WIDEST / 8, rest = WIDEST - turn;
+    const uint32_t turn = (uint32_t)eighth * GLINT_WIDEST / 8, rest = GLINT_WIDEST - turn;
     any_material();
     any_region();
-    region.turn = ANY_UNSIGNED(turn, turn + WIDEST / 8);
+    region.turn = ANY_UNSIGNED(turn, turn + GLINT_WIDEST / 8);
     region.near = ANY_UNSIGNED(0, TOO_NEAR);
     region.slant = ANY_UNSIGNED(0, STEEPEST);
     region.axis = ANY_UNSIGNED(0, rest);
