@@ -288,9 +288,9 @@ typedef struct glint_camera {
 /*
  * In perspective depths reach from the near plane to 2^33 times as far, the range of all coordinates, and all are
  * drawn. Up to 2^12 times as far as the nearest corner of any visible object's bounding box, colours are as exact as
- * anywhere. Beyond, 1/w has fewer than 13 bits: coverage is exact still and pixels are the same on every core, but what
- * is interpolated across a triangle, and lights with a position, are known to those bits only; from 2^16 times on all
- * depths tie.
+ * anywhere. Beyond, 1/w is known to fewer than 16 bits: coverage is exact still and pixels are the same on every core,
+ * but what is interpolated across a triangle, and lights with a position, are known to those bits only; from 2^16 times
+ * on all depths tie.
  */
 
 /** Where highlights are seen from. */

@@ -4,6 +4,23 @@
 
 #include "draw.h"
 
+/* The nearest w over w, Q25, by the inverse of w: of a coordinate the lowest byte need not count; of the nearest w,
+ * which may be far below w, it does. */
+static inline int32_t to_depth(int32_t nearest, uint32_t inverse) {
+    return glint_scale(nearest, inverse) + (int32_t)(((uint32_t)nearest & 0xff) * inverse >> 23);
+}
+
+/*
+ * The same, Q31; of what lies 64 to 128 times as far and farther with 6 bits more: the inverse itself has 18. The
+ * nearest surface ends up just below the top, so that a plane's rounding cannot pass it; the farthest above 0, so that
+ * 1/w can be divided by.
+ */
+static inline int32_t to_inverse_w(int32_t nearest, uint32_t inverse) {
+    if (nearest < 1 << 22)
+        return glint_most(to_depth(glint_shift_left(nearest, 6), inverse), 64);
+    return glint_least(to_depth(nearest, inverse), 0x7fff0000 >> 6) * 64;
+}
+
 /* Clip coordinates inside the guard band and beyond the near plane, w from 1 up and no less than the nearest. */
 static inline void project(const glint_transform *transform, int32_t x, int32_t y, int32_t w, glint_vertex *vertex) {
     int32_t nearest = transform->nearest;
@@ -16,17 +33,12 @@ static inline void project(const glint_transform *transform, int32_t x, int32_t 
         nearest = glint_shift_left(nearest, up);
     }
     uint32_t inverse = glint_inverse((uint32_t)w);
-    /* Q25. Of a coordinate the lowest byte need not count; of the nearest w, which may be far below w, it does. */
-    int32_t depth = glint_scale(nearest, inverse) + (int32_t)(((uint32_t)nearest & 0xff) * inverse >> 23);
+    vertex->inverse_w = to_inverse_w(nearest, inverse);
     inverse -= inverse >> 10; /* GUARD_BAND is 1023 pixels, this in 1024: sixteenths are Q14 */
     x = glint_scale(x, inverse) + transform->center_x;
     y = glint_scale(y, inverse) + transform->center_y;
     vertex->x = (int16_t)glint_shift_right(x, 11);
     vertex->y = (int16_t)glint_shift_right(y, 11);
-    /* The nearest surface ends up just below the top, so that a plane's rounding cannot pass it; the farthest one step
-     * above 0, so that 1/w can be divided by. */
-    depth = glint_least(depth, 0x7fff0000 >> 6);
-    vertex->inverse_w = glint_most(depth, 1) * 64;
 }
 
 void glint_project(const glint_transform *transform, const glint_position *position, glint_vertex *vertex) {

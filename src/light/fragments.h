@@ -7,12 +7,24 @@
 #include "../raster/setup.h"
 #include "shade.h"
 
+/** 1/w of a deep triangle's fragments, where its own plane has too few bits for places. */
+static inline void glint_find_depths(glint_fragments *fragments) {
+    const unsigned down = fragments->scale - 1;
+    for (uint32_t i = 0; i < fragments->count; i++) {
+        const int32_t x = fragments->part->x + fragments->column[i], y = fragments->part->y + fragments->row[i];
+        const int32_t w = glint_plane_at(&fragments->attributes->depth, x, y);
+        fragments->inverse_w[i] = glint_most(glint_shift_right(w, down), 0);
+    }
+}
+
 /** Rays of fragments against the one through their pixel's centre, in half pixels, Q12. */
 static inline void glint_find_rays(const glint_frame *frame, glint_fragments *fragments) {
     const glint_window *window = &fragments->part->window;
     const int32_t x = frame->config.width * 4096 - window->left * 512; /* the window is in sixteenths */
     const int32_t y = window->top * 512 - frame->config.height * 4096;
     const int32_t focal = frame->view->focal;
+    if (fragments->scale > GLINT_DEEP_SCALE)
+        glint_find_depths(fragments);
     for (uint32_t i = 0; i < fragments->count; i++) {
         fragments->ray[i][0] = x - fragments->column[i] * 8192;
         fragments->ray[i][1] = y + fragments->row[i] * 8192;

@@ -24,6 +24,7 @@ static void any_planes(glint_attributes *attributes) {
         any_plane(&attributes->main[c]);
         any_plane(&attributes->extra[c]);
     }
+    any_plane(&attributes->depth);
 }
 
 /* So many fragments of a triangle whose anchor the guard band holds, anywhere in a tile of the screen, or by a

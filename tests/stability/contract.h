@@ -16,7 +16,8 @@
  * - narrow: within the soft edge of a spot whose inner and outer cosines are less than 1/64 apart. The cosine of two
  * unit vectors of 15 bits is known to about 2^-14, which there is more than 1.5 steps of 256. Surfaces lit per vertex
  * or facet count as within wherever they are seen.
- * - far: more than 2^12 times as far as the frame's nearest geometry. 1/w has 13 bits there, and fewer beyond.
+ * - far: more than 2^12 times as far as the frame's nearest geometry. 1/w is known to 16 bits there, and fewer
+ * beyond.
  * - rounded: in a scene with a clipped object, where 1.5/16 of a pixel changes the light by over a quarter of a step,
  * or 1/w by more than two surfaces are apart. Library and reference cut on their own and round the cut corners, so that
  * their snapped vertices are not the same.

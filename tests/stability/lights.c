@@ -3,6 +3,7 @@
 #include "region.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Bytes added without a clamp. */
 static void measure_sums(region_figures *figures) {
@@ -83,6 +84,63 @@ static void measure_touching(region_figures *figures) {
     }
 }
 
+/* A surface so far away, its top and its foot so much farther and nearer or the other way round, with corners so many
+ * pixels across and down from the screen's middle; and a pixel 1 away, through a lens of one degree. */
+#define FAR 1000.0
+#define LEANING 12
+#define ASIDE 24
+#define FAR_PIXEL (tan(3.14159265358979323846 / 360) / 32)
+
+/* What a lamp so high above a surface is off by where 1/w is cut off to Q25. */
+static double misplaced(double height) {
+    const double off = FAR * FAR / (1 << 25);
+    double worst = 0;
+    for (int i = 0; i <= 1000; i++) {
+        const double aside = i * height / 250;
+        region_raise(&worst, 255 * fabs(height / hypot(height, aside) - (height - off) / hypot(height - off, aside)));
+    }
+    return worst;
+}
+
+/* That surface, and a small square 1 away. */
+static void make_far(random_scene *s, double leaning) {
+    random_mesh *mesh = &s->meshes[1];
+    double normals[4][3];
+    region_square(s);
+    *mesh = s->meshes[0];
+    mesh->mesh.positions = (const int16_t(*)[3])mesh->positions;
+    mesh->mesh.extent = (glint_vector){GLINT_ONE / 2048, GLINT_ONE / 2048, GLINT_ONE / 2048};
+    s->objects[1].mesh = &mesh->mesh;
+    s->objects[1].pose = glint_pose_translate(region_q16(0.007), region_q16(0.007), -GLINT_ONE);
+    for (int i = 0; i < 4; i++) {
+        const double w = FAR + (i < 2 ? -leaning : leaning), aside = ASIDE * FAR_PIXEL * w;
+        const double place[3] = {i % 3 ? aside : -aside, i < 2 ? -aside : aside, FAR - w};
+        for (int axis = 0; axis < 3; axis++)
+            s->meshes[0].positions[i][axis] = (int16_t)lrint(place[axis] * 1024);
+        memcpy(normals[i], (const double[3]){0, leaning, ASIDE * FAR_PIXEL * FAR}, sizeof normals[i]);
+    }
+    region_normals(s, (const double(*)[3])normals);
+    s->meshes[0].mesh.extent = (glint_vector){32 * GLINT_ONE, 32 * GLINT_ONE, 32 * GLINT_ONE};
+    s->objects[0].pose = glint_pose_translate(0, 0, -(glint_q16)FAR * GLINT_ONE);
+    s->scene.object_count = 2;
+    s->scene.camera.field_of_view = GLINT_ONE;
+}
+
+/* The lamp is above what the middle of the screen shows. */
+static void measure_far_lamp(region_figures *figures) {
+    const double height = 3 * FAR_PIXEL * FAR;
+    random_scene s;
+    figures->plain = misplaced(height);
+    for (int i = 0; i < 2; i++) {
+        const double leaning = i ? LEANING : -LEANING, up = ASIDE * FAR_PIXEL * FAR;
+        const double by = height / hypot(leaning, up);
+        make_far(&s, leaning);
+        region_weights(&s, 0, 1, 0);
+        make_point(&s, 0, by * leaning, by * up - (FAR - LEANING * LEANING / FAR));
+        region_judge_viewers(&s, figures);
+    }
+}
+
 /* From within, every normal leans away: nothing but ambient light is left. */
 static void measure_inside(region_figures *figures) {
     random_scene s;
@@ -128,6 +186,8 @@ const region light_regions[] = {
     {"light on the surface, at the eye", "direction over a length squared in Q16", REGION_STEPS,
      "scales each direction to its own size; nearer than 1/32768 of the way to the eye a light adds nothing", 200,
      measure_touching},
+    {"lamp 3 pixels from a surface 1000 times as far as the nearest", "1/w in Q25, relative to the nearest geometry",
+     REGION_STEPS, "keeps 6 bits more of a far corner's 1/w, and its triangle's plane in 30 bits", 2, measure_far_lamp},
     {"light inside the object", "N.L without its sign", REGION_STEPS, "skips what faces away from the light", 200,
      measure_inside},
     {"soft edge of a spot, 10 to 20 degrees", "cosine in 8 bits", REGION_STEPS, "cosine of 15-bit unit vectors", 10,
