@@ -50,9 +50,18 @@ static inline int32_t glint_mirror_one(int32_t twice, int32_t normal, int32_t li
     return glint_shift_right(glint_add_wrap(glint_multiply_wrap(twice, normal), -light * (1 << 15)), 15);
 }
 
-/** R = 2 (N.L) N - L, unit; N.L as glint_dot has it. */
+/* 2 N.L / N.N, Q15; N.L as glint_dot has it, N 32752 to 32768 long, or 0. */
+static inline int32_t glint_twice_over_square(int32_t cosine, const int16_t n[3]) {
+    const int32_t lacking = (1 << 30) - (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    return glint_shift_right(cosine + glint_shift_right(cosine, 15) * glint_shift_right(lacking + (1 << 14), 15), 14);
+}
+
+/**
+ * R = 2 (N.L) N - L, unit; N.L as glint_dot has it. N.N counts as it is: normals of vertices are of lengths that would
+ * turn R by up to 0.8 / 2^10, and at each vertex by another part of that.
+ */
 static inline void glint_mirror(int32_t cosine, const int16_t normal[3], const int16_t light[3], int16_t mirrored[3]) {
-    const int32_t twice = glint_shift_right(cosine + glint_shift_right(cosine, 12), 14); /* 2 N.L, Q15 */
+    const int32_t twice = glint_twice_over_square(cosine, normal);
     glint_unit(glint_mirror_one(twice, normal[0], light[0]), glint_mirror_one(twice, normal[1], light[1]),
                glint_mirror_one(twice, normal[2], light[2]), mirrored);
 }

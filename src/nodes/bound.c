@@ -101,6 +101,20 @@ static uint32_t length_error(const glint_region *region, uint32_t levels, uint32
     return scaled(square + glint_times(square, turn) / 3, levels * times, 24);
 }
 
+/* What narrow highlights lose over length is not counted up to a tenth of a level, Q8. */
+#define A_TENTH 26
+
+/*
+ * What a highlight loses over length: a wide one by the table, a narrow one by its numbers. These are times |M| there,
+ * or |M|^2 under Phong's model, and so rounded at nodes and cut off at pixels: 2^-14 of them is 2^-14 over |M|, or
+ * |M|^2, of a deviation.
+ */
+static uint32_t lobe_length_error(const glint_region *region, uint32_t levels, uint32_t times, int is_wide) {
+    const uint32_t slope = is_wide ? region->slope : region->slope >> 2,
+                   error = length_error(region, scaled(levels, slope, 8), times);
+    return is_wide || error > A_TENTH ? error : 0;
+}
+
 /* The cone's edge may cross a region: by how much its ramp changes from node to node, Q12. */
 static uint32_t ramp_of(const glint_prepared_light *source, uint32_t near) {
     const uint64_t range = (uint64_t)near * (uint32_t)source->spot.slope >> source->spot.shift;
@@ -290,9 +304,7 @@ static void add_gloss(const glint_frame *frame, const glint_shading *shading, gl
         region->error += of_one(light, lobe_error(slope, levels, lobe_third(turn + axis, slant), near, slant));
         const uint32_t third =
                            lobe_third_over_length(turn, axis, glint_turn_of_rays(frame, region, l), slant, is_mirrored),
-                       of_length = light->lobe_is_wide
-                                       ? length_error(region, scaled(levels, slope, 8), 1 + (uint32_t)is_mirrored)
-                                       : 0;
+                       of_length = lobe_length_error(region, levels, 1 + (uint32_t)is_mirrored, light->lobe_is_wide);
         region->error_over_length += of_one(light, lobe_error(slope, levels, third, near, slant) + of_length);
     }
 }

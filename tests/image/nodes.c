@@ -620,6 +620,83 @@ static void highlights_have_a_bound_each(void) {
     CHECK(beyond > 10);
 }
 
+/* ---- Deviations ----------------------------------------------------------------------------------------------- */
+
+/* What a light's deviation is off by at nodes, in steps of 2^-14. */
+typedef struct deviation_error {
+    double largest;
+    int count;
+} deviation_error;
+
+/* Adds that of R at a normal, with V along z: its x and y. */
+static void judge_deviation(const glint_frame *frame, const glint_shading *shading, const int16_t normal[3],
+                            deviation_error *to) {
+    const int16_t *const light = frame->view->lights[0].direction;
+    glint_fragments at = {.count = 1};
+    glint_node node, *const nodes[1] = {&node};
+    double square = 0, cosine = 0;
+    for (int c = 0; c < 3; c++) {
+        at.normal[0][c] = normal[c];
+        square += (double)normal[c] * normal[c];
+        cosine += (double)normal[c] * light[c];
+    }
+    glint_nodes_light(frame, shading, &at, 1, 1, nodes);
+    for (int c = 0; c < 2; c++) {
+        const double off =
+            node.number[0][GLINT_LOBE_X + c] - (2 * cosine / square * normal[c] - light[c]) / 2; /* of 2^15 */
+        to->largest = fmax(to->largest, fabs(off));
+    }
+    to->count++;
+}
+
+/* Mirrored deviations do not depend on how long a vertex's normal is. */
+static void mirrored_by_any_length(void) {
+    static const glint_material material = {.model = &glint_model_phong};
+    static const glint_light_terms terms;
+    const glint_shading shading = {.material = &material, .terms = &terms};
+    glint_view view = {.light_count = 1};
+    const glint_frame frame = {.view = &view};
+    deviation_error error = {0, 0};
+    char line[120];
+    random_state = 5;
+    view.lights[0].type = &glint_light_directional;
+    while (error.count < 20000) {
+        const double towards = between(0, 1.2), turn = towards / 2 + between(-0.2, 0.2), rise = between(-0.2, 0.2);
+        const double length = between(32752, 32768); /* of a vertex's normal: numeric.h */
+        const int16_t normal[3] = {whole(length * sin(turn) * cos(rise)), whole(length * sin(rise)),
+                                   whole(length * cos(turn) * cos(rise))};
+        view.lights[0].direction[0] = whole(GLINT_UNIT * sin(towards));
+        view.lights[0].direction[2] = whole(GLINT_UNIT * cos(towards));
+        judge_deviation(&frame, &shading, normal, &error);
+    }
+    snprintf(line, sizeof line, "mirrored deviations: off by %.2f steps at most\n", error.largest);
+    test_write(line);
+    CHECK(error.largest <= 2); /* R and a deviation are cut off and rounded, by a step each at most */
+}
+
+/* ---- Rounding over length -------------------------------------------------------------------------------------- */
+
+/* By how much highlights may be off over length that do not turn but with N, of so many levels. */
+static uint32_t narrow_over_length(const glint_model *model, uint32_t levels, uint32_t slope) {
+    static const glint_view view;
+    static const glint_frame frame = {.view = &view};
+    const glint_material material = {.model = model};
+    const glint_light_terms terms = {
+        .most_of_sums = UINT32_MAX, .most_of_one = UINT32_MAX, .specular_levels = {levels << 8}};
+    const glint_shading shading = {.material = &material, .terms = &terms};
+    glint_region region = {.turn = 1968, .slant = 807, .slope = slope, .lobes = 1}; /* as fuzzing has found it */
+    CHECK_EQUAL(glint_region_bound(&frame, &shading, &region), 1);
+    return region.error_over_length;
+}
+
+/* Steps of numbers count where highlights are bright and narrow, p = 1024, and not where they are as usual, p = 32. */
+static void steps_over_length_count(void) {
+    const uint32_t steep = 19 << 8, flat = 3 << 8;
+    CHECK(narrow_over_length(&glint_model_phong, 763, steep) > 3 * 256 * 7 / 10);
+    CHECK(narrow_over_length(&glint_model_blinn_phong, 763, steep) > 2 * 256 * 7 / 10);
+    CHECK(narrow_over_length(&glint_model_phong, 63, flat) < 26);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {TEST_CASE(within_the_bound),
                                       TEST_CASE(slow_motion),
@@ -627,6 +704,8 @@ int test_main(test_writer write) {
                                       TEST_CASE(folded_colours_add_to_the_bound),
                                       TEST_CASE(places_turn_light_as_the_laws_say),
                                       TEST_CASE(sums_have_a_bound_of_their_own),
-                                      TEST_CASE(highlights_have_a_bound_each)};
+                                      TEST_CASE(highlights_have_a_bound_each),
+                                      TEST_CASE(mirrored_by_any_length),
+                                      TEST_CASE(steps_over_length_count)};
     return test_run(write, cases, TEST_COUNT(cases));
 }

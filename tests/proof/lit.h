@@ -12,6 +12,13 @@
 /* N.L is rounded up to 32775; times a weight of 16: what one light's diffuse or specular part adds to a colour. */
 #define LIGHT_MOST ((32775u * (16u << 12)) >> 4)
 
+/* Stands on the lengths of normals: those of vertices are within HALF_TOLERANCE of HALF_LENGTH, twice (geometry.c), or
+ * made unit; or 0, and then the cosine is. Suite `nodes` takes such. */
+/*@ requires -0x3fff8000 <= cosine <= 0x3fff8000 && \valid_read(n + (0 .. 2));
+    assigns \result \from cosine, indirect: n[0 .. 2];
+    admit ensures -0x10040 <= \result <= 0x10040; */
+static inline int32_t glint_twice_over_square(int32_t cosine, const int16_t n[3]);
+
 static void any_unit(int16_t v[3]) {
     for (int c = 0; c < 3; c++)
         v[c] = ANY_COMPONENT;

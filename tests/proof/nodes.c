@@ -183,7 +183,7 @@ static int find_lobe_deviation(const int16_t *n, const int16_t *h, unsigned shif
 
 /*
  * Any light's highlight, of the half vector or of mirrored light, wide or narrow.
- * @contract glint_dot find_half find_lobe_deviation
+ * @contract glint_dot find_half find_lobe_deviation glint_twice_over_square
  * @alarms 1 an axis that points away is none; suite `nodes` under UBSan
  * @narrowing a mirrored vector is found modulo 2^32, and is below 1
  */

@@ -3,6 +3,7 @@
 #include "region.h"
 
 #include <math.h>
+#include <string.h>
 
 /* sin^2 along a row, (slope (x - centre))^2, by forward differences in Q32 that are cut off: the smallest drifts below
  * 0. */
@@ -156,6 +157,39 @@ static void measure_opposed(region_figures *figures) {
     measure_opposed_corner(figures);
 }
 
+/* What R = 2 (N.L) N - L turns by where N, from which L is so far, lacks this of its length. */
+static double turn_of_short(double lacking, double apart) {
+    const double along = (2 * (1 - lacking) * (1 - lacking) - 1) * cos(apart);
+    return atan2(sin(apart), along) - apart;
+}
+
+/* Normals of vertices lack up to 12 of 32764: squares of one normal each, on the slope of the highlight. */
+static void measure_short_normals(region_figures *figures) {
+    const double exponent = 1024, slope = 1 / sqrt(exponent), degree = 3.14159265358979323846 / 180;
+    random_scene s;
+    for (int i = 1; i < 90; i++) {
+        const double turn = turn_of_short(12.0 / 32764, i * degree);
+        for (int j = 0; j < 200; j++)
+            region_raise(&figures->plain,
+                         255 * (pow(cos(j / 1000.0), exponent) - pow(cos(j / 1000.0 + turn), exponent)));
+    }
+    for (int i = 0; i < 64; i++) {
+        const double lean = (20 + i / 4.0) * degree, light = 2 * lean - slope;
+        const double normal[3] = {sin(lean) * cos(i), sin(lean) * sin(i), cos(lean)};
+        double normals[4][3];
+        region_square(&s);
+        for (int corner = 0; corner < 4; corner++)
+            memcpy(normals[corner], normal, sizeof normal);
+        region_normals(&s, (const double(*)[3])normals);
+        region_light(&s, sin(light) * cos(i), sin(light) * sin(i), cos(light));
+        region_weights(&s, 0, 0, 1);
+        s.materials[0].model = &glint_model_phong;
+        s.materials[0].shininess = (glint_q16)exponent * GLINT_ONE;
+        s.objects[0].evaluation = &glint_per_vertex;
+        region_judge(&s, figures);
+    }
+}
+
 const region highlight_regions[] = {
     {"highlight's centre over the longest run of a tile, p = 1024",
      "forward differences of sin^2 in Q32 over 64 pixels, cut off", REGION_STEPS,
@@ -165,6 +199,8 @@ const region highlight_regions[] = {
      measure_high_exponents},
     {"p of 2048 to 32767.99, the largest that Q16.16 holds", "cosine rounded to Q16", REGION_STEPS,
      "the same; the table's window narrows with p", 30, measure_highest_exponents},
+    {"Phong's highlight at vertices, whose normals are up to 2^-11 short, p = 1024", "R with N taken for unit",
+     REGION_STEPS, "divides by N.N", 2, measure_short_normals},
     {"N.H < 0", "sin^2 alone, which is the same on the back", REGION_STEPS, "takes the sign of N.H first", 200,
      measure_behind},
     {"terminator across a highlight", "highlight without gate", REGION_STEPS,
