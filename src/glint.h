@@ -1010,8 +1010,8 @@ int glint_frame_next(glint_frame *frame);
 
 /**
  * Draws what this pass holds of a tile from frame->tile_first to frame->tile_end - 1. Reads the frame, writes the
- * workspace: callers with workspaces of their own may draw tiles of one pass at the same time. A tile that takes
- * several passes must be drawn into the same workspace in each.
+ * workspace and the tile's own list: callers with workspaces of their own may draw tiles of one pass at the same time,
+ * each another. A tile that takes several passes must be drawn into the same workspace in each.
  * @param frame a pass is prepared of
  * @param workspace where it is drawn
  * @param tile its number

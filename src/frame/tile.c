@@ -159,21 +159,30 @@ static const glint_draw *find_draw(const glint_frame *frame, const glint_draw *d
     return draw;
 }
 
-static void hide_behind(const glint_frame *frame, const glint_workspace *workspace, const glint_part *part) {
-    for (uint32_t y = part->top; y < part->bottom; y++) {
-        const glint_span span = part->spans[y];
-        glint_hide_behind(workspace->depth + (y << frame->tile_shift_x), span,
-                          glint_plane_at(&part->depth, part->x + span.left, part->y + (int32_t)y), part->depth.dx);
-    }
+/* Hides what lies behind a part. Out of line, where the loop has all registers. @return whether any of it may show */
+static GLINT_NOINLINE int hide_behind(const glint_frame *frame, const glint_workspace *workspace,
+                                      const glint_part *part) {
+    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
+    uint16_t *depth = workspace->depth + (part->top << frame->tile_shift_x);
+    int32_t z = (int32_t)glint_first_row(part, &part->depth);
+    int may_show = 0;
+    do {
+        const int32_t first = glint_add_wrap(z, glint_multiply_wrap(part->depth.dx, span->left));
+        may_show |= glint_hide_behind(depth, *span, first, part->depth.dx);
+        depth += 1u << frame->tile_shift_x;
+        z = glint_add_wrap(z, part->depth.dy);
+    } while (++span != last);
+    return may_show;
 }
 
 /*
  * Hides what of a costly object lies behind those that are drawn later: light that nobody sees costs more than depth
- * that is found twice. Pixels are the same whatever is hidden here.
+ * that is found twice. Of those that are drawn later, triangles that do not show leave the list, unless it is counted
+ * what is drawn. Pixels are the same whatever is hidden here.
  */
 static GLINT_NOINLINE void hide_objects(const glint_frame *frame, glint_workspace *workspace, glint_part *part,
-                                        const glint_reference *list) {
-    const glint_reference *const references = frame->references;
+                                        glint_reference *list) {
+    glint_reference *const references = frame->references;
     const glint_draw *const first = find_draw(frame, frame->draws, references[list->next].triangle);
     const uint32_t last = find_draw(frame, first, references[list->triangle].triangle)->object;
     draw_source from = {first, first->first, 0};
@@ -181,14 +190,20 @@ static GLINT_NOINLINE void hide_objects(const glint_frame *frame, glint_workspac
     glint_triangle triangle;
     if (first->object == last)
         return;
-    for (uint32_t here = list->next; here != GLINT_LIST_END; here = references[here].next) {
-        find_triangle(frame, &from, references[here].triangle, &triangle);
+    for (glint_reference *before = list, *here; before->next != GLINT_LIST_END; before = here) {
+        here = &references[before->next];
+        find_triangle(frame, &from, here->triangle, &triangle);
         if (from.draw->object < behind && from.draw->is_costly)
             behind = from.draw->object;
-        if (from.draw->object <= behind || !glint_raster(part, triangle.corners))
+        if (from.draw->object <= behind)
             continue;
-        glint_setup(part, &triangle);
-        hide_behind(frame, workspace, part);
+        if (glint_raster(part, triangle.corners)) {
+            glint_setup(part, &triangle);
+            if (hide_behind(frame, workspace, part) || workspace->drawn)
+                continue;
+        }
+        before->next = here->next;
+        here = before;
     }
 }
 
@@ -196,7 +211,7 @@ static GLINT_NOINLINE void hide_objects(const glint_frame *frame, glint_workspac
 
 /* Draws the triangles of a tile's list. Out of line, where the loop has all registers. */
 static GLINT_NOINLINE void draw_triangles(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
-    const glint_reference *const references = frame->references, *const list = &references[tile - frame->tile_first];
+    glint_reference *const references = frame->references, *const list = &references[tile - frame->tile_first];
     draw_source from = {frame->draws, 0, 0};
     glint_triangle triangle;
     glint_part part;

@@ -80,13 +80,21 @@ static inline int glint_is_visible(const glint_frame *frame, const glint_workspa
     return 0;
 }
 
-/** Hides what lies behind a span: stores its depth, a step less than it has, so that it still is nearer itself. */
-static inline void glint_hide_behind(uint16_t *depth, glint_span span, int32_t z, int32_t z_dx) {
-    for (uint32_t column = span.left; column < span.right; column++) {
-        if (glint_shift_right(z, 15) > depth[column])
-            depth[column] = (uint16_t)glint_shift_right(z, 15);
-        z = glint_add_wrap(z, z_dx);
+/**
+ * Hides what lies behind a span: stores its depth, a step less than it has, so that it still is nearer itself.
+ * @return whether a pixel of it may show; not where all lie behind what was there
+ */
+static inline int glint_hide_behind(uint16_t *depth, glint_span span, int32_t z, int32_t z_dx) {
+    const uint16_t *const end = depth + span.right;
+    int may_show = 0;
+    for (depth += span.left; depth < end; depth++, z = glint_add_wrap(z, z_dx)) {
+        const uint32_t here = (uint32_t)glint_most(z, 0) >> 15;
+        if (here >= *depth) {
+            *depth = (uint16_t)here;
+            may_show = 1;
+        }
     }
+    return may_show;
 }
 
 /** Pixels of a part's spans. */
