@@ -156,10 +156,9 @@ static int bin_each(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_
 
 /* ---- Draws ---- */
 
-/* Is a draw seen from one side, not mirrored, and nowhere clipped, in tiles from the screen's first on? */
+/* Is a draw nowhere clipped, in tiles from the screen's first on? */
 static int is_plain(const glint_frame *frame, const glint_draw *draw) {
-    return !draw->transform.clips && !draw->double_sided && !draw->mirrored && !frame->first_column &&
-           !frame->first_row;
+    return !draw->transform.clips && !frame->first_column && !frame->first_row;
 }
 
 int glint_bin_some(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end) {

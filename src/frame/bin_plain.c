@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Plain draws, seen from one side, not mirrored, and nowhere clipped: one loop culls and lists their triangles. */
+/* Plain draws, nowhere clipped: one loop culls and lists their triangles. */
 #include "lists.h"
 
 /* Keeps what a variable holds out of the registers. */
@@ -55,11 +55,19 @@ static inline int32_t y_of(uint32_t word) {
     return glint_shift_right((int32_t)word, 16);
 }
 
-/* Does a triangle face the eye, by its corners' words? The guard band keeps differences in 16 bits. */
-static inline int is_seen(const uint32_t w[3]) {
+/* Which triangles of a draw are seen: those whose corners run counter-clockwise on the screen, clockwise, or both. */
+#define COUNTER_CLOCKWISE 1u
+#define CLOCKWISE 2u
+
+static uint32_t turns_of(const glint_draw *draw) {
+    return draw->double_sided ? COUNTER_CLOCKWISE | CLOCKWISE : draw->mirrored ? CLOCKWISE : COUNTER_CLOCKWISE;
+}
+
+/* Is a triangle seen, by its corners' words? The guard band keeps differences in 16 bits. */
+static inline int is_seen(const uint32_t w[3], uint32_t turns) {
     const int32_t x1 = difference_of_x(w[1], w[0]), y1 = y_of(w[1]) - y_of(w[0]);
     const int32_t x2 = difference_of_x(w[2], w[0]), y2 = y_of(w[2]) - y_of(w[0]);
-    return x1 * y2 < x2 * y1;
+    return x1 * y2 < x2 * y1 ? (turns & COUNTER_CLOCKWISE) != 0 : x1 * y2 > x2 * y1 && (turns & CLOCKWISE);
 }
 
 /* From the last pixel centre before a corner. A carry from x to y comes from x < 0, which is on no tile. */
@@ -130,8 +138,10 @@ static inline uint32_t quadrant_beyond_side(uint32_t a, uint32_t b, uint32_t poi
 static GLINT_NOINLINE void list_four(const grid *g, uint32_t left, uint32_t tile, uint32_t point) {
     const uint16_t *indices = g->draw->triangles[g->end - left];
     const glint_vertex *vertices = g->draw->vertices;
-    const uint32_t a = word_of(&vertices[indices[0]]), b = word_of(&vertices[indices[1]]),
-                   c = word_of(&vertices[indices[2]]);
+    const uint32_t w[3] = {word_of(&vertices[indices[0]]), word_of(&vertices[indices[1]]),
+                           word_of(&vertices[indices[2]])};
+    const int is_clockwise = is_seen(w, CLOCKWISE);
+    const uint32_t a = w[0], b = w[is_clockwise ? 2 : 1], c = w[is_clockwise ? 1 : 2];
     const uint32_t beyond =
         quadrant_beyond_side(a, b, point) | quadrant_beyond_side(b, c, point) | quadrant_beyond_side(c, a, point);
     for (uint32_t i = 0; i < 4; i++)
@@ -173,7 +183,7 @@ static GLINT_NOINLINE int bin_several(const grid *g, uint32_t left) {
     return 1;
 }
 
-/* Bins a triangle that faces the eye, with so many left in the draw, itself too. @return 0 when the arena is full. */
+/* Bins a triangle that is seen, with so many left in the draw, itself too. @return 0 when the arena is full. */
 static GLINT_INLINE int bin_seen(const grid *g, const glint_vertex *const v[3], const uint32_t w[3], uint32_t left,
                                  int all_tiles) {
     uint32_t tile;
@@ -193,7 +203,8 @@ static GLINT_INLINE int bin_seen(const grid *g, const glint_vertex *const v[3], 
 }
 
 /* bin_each of a plain draw, up to a triangle, in a pass of all tiles or of some. */
-static GLINT_INLINE int bin_loop(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end, int all_tiles) {
+static GLINT_INLINE int bin_loop(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end, uint32_t turns,
+                                 int all_tiles) {
     grid g = grid_of(frame, draw, end);
     const glint_vertex *const vertices = draw->vertices;
     const uint32_t vertex_count = draw->vertex_count;
@@ -206,7 +217,7 @@ static GLINT_INLINE int bin_loop(glint_frame *frame, glint_draw *draw, uint32_t 
             return GLINT_ERROR_INDEX;
         const glint_vertex *const v[3] = {&vertices[a], &vertices[b], &vertices[c]};
         const uint32_t w[3] = {word_of(v[0]), word_of(v[1]), word_of(v[2])};
-        if (!is_seen(w)) {
+        if (!is_seen(w, turns)) {
             away++;
             continue;
         }
@@ -218,15 +229,17 @@ static GLINT_INLINE int bin_loop(glint_frame *frame, glint_draw *draw, uint32_t 
     return (int)(end - left);
 }
 
-static GLINT_NOINLINE int bin_for_all_tiles(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end) {
-    return bin_loop(frame, draw, next, end, 1);
+/* Most draws: of triangles seen from one side, not mirrored, in a pass of all tiles. */
+static GLINT_NOINLINE int bin_fronts(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end) {
+    return bin_loop(frame, draw, next, end, COUNTER_CLOCKWISE, 1);
 }
 
-static GLINT_NOINLINE int bin_for_some_tiles(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end) {
-    return bin_loop(frame, draw, next, end, 0);
+static GLINT_NOINLINE int bin_others(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end) {
+    return bin_loop(frame, draw, next, end, turns_of(draw), 0);
 }
 
 int glint_bin_plain(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end) {
-    return glint_pass_tiles(frame) == frame->tile_count ? bin_for_all_tiles(frame, draw, next, end)
-                                                        : bin_for_some_tiles(frame, draw, next, end);
+    return glint_pass_tiles(frame) == frame->tile_count && turns_of(draw) == COUNTER_CLOCKWISE
+               ? bin_fronts(frame, draw, next, end)
+               : bin_others(frame, draw, next, end);
 }

@@ -43,7 +43,7 @@ static inline void glint_list_light(const glint_frame *frame, glint_draw *draw, 
 /** Bins a triangle that is whole and faces the eye, wherever it lies. @return 0 when the arena is full. */
 int glint_bin_whole(glint_frame *frame, glint_draw *draw, uint32_t triangle);
 
-/** glint_bin_some of a draw that is seen from one side, not mirrored, and nowhere clipped. */
+/** glint_bin_some of a draw that is nowhere clipped, in tiles from the screen's first on. */
 int glint_bin_plain(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end);
 
 #endif
