@@ -100,6 +100,7 @@ static GLINT_INLINE void glint_fill_tile(const glint_target *t, uint32_t height,
 static GLINT_INLINE void glint_draw_even_spans(const glint_spans *s, const glint_target *t, const int32_t colour[3],
                                                glint_pack pack, glint_put put) {
     const glint_part *part = s->part;
+    const uint16_t *const ahead = glint_ahead_of(s);
     const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
     const uint32_t z_dx = (uint32_t)part->depth.dx, packed = t->dithered ? 0 : pack(colour, GLINT_NEAREST);
     uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS, column = 0;
@@ -114,7 +115,7 @@ static GLINT_INLINE void glint_draw_even_spans(const glint_spans *s, const glint
             uint8_t *const end = depth + 2 * (right - left);
             do {
                 if (glint_next_is_nearest(&depth, z)) {
-                    const uint32_t offset = glint_offset_of(s, depth);
+                    const uint32_t offset = glint_offset_of(ahead, depth);
                     put(t, offset, t->dithered ? pack(colour, glint_threshold(t, offset)) : packed);
                 }
                 glint_step(&depth);
@@ -155,6 +156,7 @@ static GLINT_INLINE void glint_draw_channel_spans(const glint_spans *s, const gl
                                                   const glint_quadratic channel[3], int is_curved, glint_pack pack,
                                                   glint_put put) {
     const glint_part *part = s->part;
+    const uint16_t *const ahead = glint_ahead_of(s);
     const uint32_t z_dx = (uint32_t)part->depth.dx;
     const uint32_t red_turn = 2 * channel[0].dxx, green_turn = 2 * channel[1].dxx, blue_turn = 2 * channel[2].dxx;
     for (uint32_t row = part->top; row < part->bottom; row++) {
@@ -171,7 +173,7 @@ static GLINT_INLINE void glint_draw_channel_spans(const glint_spans *s, const gl
         uint8_t *const end = depth + 2 * ((uint32_t)span.right - span.left);
         do {
             if (glint_next_is_nearest(&depth, z)) {
-                const uint32_t offset = glint_offset_of(s, depth);
+                const uint32_t offset = glint_offset_of(ahead, depth);
                 const int32_t colour[3] = {(int32_t)red.value, (int32_t)green.value, (int32_t)blue.value};
                 put(t, offset, pack(colour, glint_threshold(t, offset)));
             }
@@ -189,6 +191,7 @@ static GLINT_INLINE void glint_draw_mixed_inline(const glint_spans *s, const gli
                                                  const glint_quadratic *light, const glint_mix *of, int has_least,
                                                  glint_pack pack, glint_put put) {
     const glint_part *part = s->part;
+    const uint16_t *const ahead = glint_ahead_of(s);
     const glint_mix mix = *of;
     const uint32_t z_dx = (uint32_t)part->depth.dx, turn = 2 * light->dxx;
     for (uint32_t row = part->top; row < part->bottom; row++) {
@@ -202,7 +205,7 @@ static GLINT_INLINE void glint_draw_mixed_inline(const glint_spans *s, const gli
         uint8_t *const end = depth + 2 * ((uint32_t)span.right - span.left);
         do {
             if (glint_next_is_nearest(&depth, z)) {
-                const uint32_t offset = glint_offset_of(s, depth);
+                const uint32_t offset = glint_offset_of(ahead, depth);
                 const int32_t number[3] = {glint_shift_right((int32_t)amount.value, 16), 0, 0};
                 const int32_t colour[3] = {glint_mix_channel(&mix, 0, number, 0, has_least),
                                            glint_mix_channel(&mix, 1, number, 0, has_least),

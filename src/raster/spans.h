@@ -73,10 +73,18 @@ static inline void glint_step(uint8_t **place) {
 }
 #endif
 
+/** Where a loop is that has tested the depth of a tile's first pixel. Compilers are not to find it anew for each. */
+static inline const uint16_t *glint_ahead_of(const glint_spans *s) {
+    const uint16_t *ahead = s->depth + GLINT_AHEAD / 2;
+    if (GLINT_AHEAD)
+        GLINT_OPAQUE(ahead);
+    return ahead;
+}
+
 /** The pixel of a tile whose depth was tested last. As a difference of pixels: formats of 16 bits need no shifts then.
  */
-static inline uint32_t glint_offset_of(const glint_spans *s, const uint8_t *place) {
-    return (uint32_t)((const uint16_t *)(const void *)(place - GLINT_AHEAD) - s->depth);
+static inline uint32_t glint_offset_of(const uint16_t *ahead, const uint8_t *place) {
+    return (uint32_t)((const uint16_t *)(const void *)place - ahead);
 }
 
 /** A plane's step, for one loop over a span: ARMv6-M's compiler keeps it in a register there, if not from row to row.
