@@ -36,24 +36,59 @@ typedef struct edge {
     int32_t column, rest, step, step_rest, divisor;
 } edge;
 
-/* Any edge, exactly; `down` is from its top to the first row's centres. Numerators: |dx|, dy < 2^15, |x| < 2^15. */
-static void begin_exactly(edge *e, int32_t x, int32_t dx, int32_t dy, int32_t down) {
+/* Any edge, exactly, given `divisor` times the column of its first row. */
+static void begin_exactly(edge *e, int32_t first, int32_t dx, int32_t dy) {
     e->divisor = 16 * dy;
-    e->column = divide_floor(x * dy + down * dx + e->divisor - 1, e->divisor, &e->rest);
+    e->column = divide_floor(first, e->divisor, &e->rest);
     e->step = divide_floor(dx, dy, &e->step_rest);
     e->step_rest *= 16;
+}
+
+static inline void step_down(edge *e) {
+    e->column += e->step;
+    e->rest += e->step_rest;
+    if (e->rest >= e->divisor) {
+        e->rest -= e->divisor;
+        e->column++;
+    }
+}
+
+/* Walks an edge that keeps to the tile's columns. */
+static void walk_inside(edge *e, uint8_t *side, int32_t rows) {
+    for (; rows; rows--, side += sizeof(glint_span)) {
+        *side = (uint8_t)e->column;
+        step_down(e);
+    }
 }
 
 static void walk(edge *e, uint8_t *side, int32_t rows, int32_t width) {
     for (; rows; rows--, side += sizeof(glint_span)) {
         *side = (uint8_t)(e->column < 0 ? 0 : e->column > width ? width : e->column);
-        e->column += e->step;
-        e->rest += e->step_rest;
-        if (e->rest >= e->divisor) {
-            e->rest -= e->divisor;
-            e->column++;
-        }
+        step_down(e);
     }
+}
+
+/* One beyond them. */
+static void fill(uint8_t *side, int32_t rows, int32_t column) {
+    for (; rows; rows--, side += sizeof(glint_span))
+        *side = (uint8_t)column;
+}
+
+/* Any edge down some rows of a tile; `down` is from its top to the first row's centres. Numerators: |dx|, dy < 2^15,
+ * |x| < 2^15. */
+static void find_columns(uint8_t *side, int32_t rows, int32_t width, int32_t x, int32_t dx, int32_t dy, int32_t down) {
+    const int32_t divisor = 16 * dy, first = x * dy + down * dx + divisor - 1, last = first + 16 * dx * (rows - 1);
+    const int32_t low = glint_least(first, last), high = glint_most(first, last);
+    edge e;
+    if (high < divisor || low >= width * divisor) {
+        fill(side, rows, high < divisor ? 0 : width);
+        return;
+    }
+    begin_exactly(&e, first, dx, dy);
+    if (low >= 0 && high < (width + 1) * divisor)
+        walk_inside(&e, side, rows);
+    else
+        walk(&e, side, rows, width);
 }
 
 /* The first row of centres below a corner or at it, from the tile's first. */
@@ -75,9 +110,8 @@ static void find_side(glint_part *part, const glint_vertex *a, const glint_verte
         return;
     part->top = (uint32_t)glint_least((int32_t)part->top, top);
     part->bottom = (uint32_t)glint_most((int32_t)part->bottom, bottom);
-    edge e;
-    begin_exactly(&e, a->x - window->left, b->x - a->x, b->y - a->y, 16 * top + window->top - a->y);
-    walk(&e, column + sizeof(glint_span) * (uint32_t)top, bottom - top, window->width);
+    find_columns(column + sizeof(glint_span) * (uint32_t)top, bottom - top, window->width, a->x - window->left,
+                 b->x - a->x, b->y - a->y, 16 * top + window->top - a->y);
 }
 
 static GLINT_NOINLINE int find_any(glint_part *part, const glint_vertex *const v[3]) {
