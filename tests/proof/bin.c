@@ -57,7 +57,7 @@ PROOF(glint_find_tiles) {
 PROOF(is_seen) {
     const glint_vertex a = any_corner(0), b = any_corner(0), c = any_corner(0);
     const uint32_t w[3] = {word_of(&a), word_of(&b), word_of(&c)};
-    is_seen(w);
+    is_seen(w, ANY_UNSIGNED(1, 3));
 }
 
 /* Any side, from any corner to any point of any screen. */

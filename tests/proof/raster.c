@@ -26,16 +26,14 @@ static inline int has_pixels(glint_part *part);
  * @contract divide_floor
  * @options -eva-slevel 0 -eva-min-loop-unroll 65
  */
-PROOF(walk_exactly) {
+PROOF(find_columns) {
     glint_span spans[GLINT_TILE_MAX];
     FOR_PARTS(bits, 0, 13) {
         FOR_PARTS(quarter, bits < 2 ? 1 << bits : 4, bits < 2 ? (2 << bits) - 1 : 7) {
             const int32_t dy = (int32_t)(bits < 2 ? quarter : quarter << (bits - 2));
             const int32_t last = bits < 2 ? dy : dy + (1 << (bits - 2)) - 1;
-            edge e;
-            begin_exactly(&e, ANY(-MOST_PLACE, MOST_PLACE), ANY(-MOST_SIDE, MOST_SIDE), ANY(dy, last),
-                          ANY(0, MOST_PLACE));
-            walk(&e, &spans[0].left, ANY(1, GLINT_TILE_MAX), ANY(1, GLINT_TILE_MAX));
+            find_columns(&spans[0].left, ANY(1, GLINT_TILE_MAX), ANY(1, GLINT_TILE_MAX), ANY(-MOST_PLACE, MOST_PLACE),
+                         ANY(-MOST_SIDE, MOST_SIDE), ANY(dy, last), ANY(0, MOST_PLACE));
         }
     }
 }
