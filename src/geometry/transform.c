@@ -40,23 +40,23 @@ static int place_in_world(const glint_view *view, const glint_object *object, in
     return bits < (uint64_t)RANGE;
 }
 
-/* Three rows of four, the largest number brought to 30 bits. @return n: they were 2^n times as large. */
-static int rows_to_30_bits(int64_t x[3][4], int32_t out[3][4]) {
+/* Three rows of so many, the largest number brought to 30 bits. @return n: they were 2^n times as large. */
+static int rows_to_30_bits(int64_t x[3][4], int columns, int32_t out[3][4]) {
     uint64_t bits = 0;
     for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 4; j++)
+        for (int j = 0; j < columns; j++)
             bits |= glint_magnitude64(x[i][j]);
     int shift = (int)glint_bits64(bits) - 30;
     for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 4; j++)
+        for (int j = 0; j < columns; j++)
             out[i][j] = shift_round_to_30(x[i][j], shift);
     return shift;
 }
 
-/* The camera's rotation of columns below 2^30, times 2^4. */
-static void rotate(const glint_view *view, int32_t in[3][4], int64_t out[3][4]) {
+/* The camera's rotation of so many columns below 2^30, times 2^4. */
+static void rotate(const glint_view *view, int32_t in[3][4], int columns, int64_t out[3][4]) {
     for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 4; j++) {
+        for (int j = 0; j < columns; j++) {
             int64_t sum = 0;
             for (int k = 0; k < 3; k++)
                 sum += glint_product(view->rotation[i][k], in[k][j]);
@@ -168,10 +168,7 @@ static void scale_normals(glint_transform *transform, int32_t matrix[3][4]) {
                           (int32_t)glint_shift_round64(glint_product(matrix[i][j], factor), 17));
 }
 
-/*
- * Cofactors of the first three columns, brought to 30 bits by way of `wide`; the fourth column is 0 in both. @return
- * the determinant on their scale
- */
+/* Cofactors of the first three columns, brought to 30 bits by way of `wide`. @return the determinant on their scale */
 static GLINT_INLINE int64_t find_cofactors(int32_t p[3][4], int64_t wide[3][4], int32_t cofactor[3][4]) {
     static const uint8_t next[3] = {1, 2, 0};
     int64_t determinant = 0;
@@ -181,9 +178,8 @@ static GLINT_INLINE int64_t find_cofactors(int32_t p[3][4], int64_t wide[3][4], 
             int k = next[j], l = next[k];
             wide[i][j] = glint_product(a[k], b[l]) - glint_product(a[l], b[k]);
         }
-        wide[i][3] = p[i][3];
     }
-    rows_to_30_bits(wide, cofactor);
+    rows_to_30_bits(wide, 3, cofactor);
     for (int j = 0; j < 3; j++)
         determinant += glint_product(p[0][j], cofactor[0][j]);
     return determinant;
@@ -194,15 +190,15 @@ static int prepare_normals(glint_transform *transform, const glint_view *view, c
     int64_t wide[3][4];
     int32_t p[3][4], cofactor[3][4];
     for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 4; j++)
-            wide[i][j] = j < 3 ? pose->m[i][j] : 0;
-    rows_to_30_bits(wide, p);
+        for (int j = 0; j < 3; j++)
+            wide[i][j] = pose->m[i][j];
+    rows_to_30_bits(wide, 3, p);
     const int64_t determinant = find_cofactors(p, wide, cofactor);
     if (glint_magnitude64(determinant) < (uint64_t)1 << 36) /* 2^-24 of what orthogonal axes give */
         return 0;
     transform->mirrored = determinant < 0;
-    rotate(view, cofactor, wide);
-    rows_to_30_bits(wide, cofactor);
+    rotate(view, cofactor, 3, wide);
+    rows_to_30_bits(wide, 3, cofactor);
     scale_normals(transform, cofactor);
     return 1;
 }
@@ -261,8 +257,8 @@ static GLINT_NOINLINE glint_status prepare_object(glint_transform *transform, co
         return GLINT_ERROR_POSE;
     if (!place_in_world(view, object, wide))
         return GLINT_ERROR_RANGE;
-    int up = rows_to_30_bits(wide, world);
-    rotate(view, world, wide);
+    int up = rows_to_30_bits(wide, 4, world);
+    rotate(view, world, 4, wide);
     const uint64_t parallel = view->is_parallel ? in_rows(view->nearest, 4 - up) : 0;
     transform->exponent = 28 + 4 - up - bring_to_clip_space(transform, view, parallel, wide);
     transform->center_x = config->width * (8 << 11) + (1 << 10);
@@ -324,8 +320,8 @@ void glint_transform_eye(const glint_transform *transform, glint_eye *eye) {
     int32_t rows[3][4], cofactor[3][4];
     int64_t wide[3][4], place[3];
     for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 4; j++)
-            rows[i][j] = j < 3 ? glint_row_get(&transform->matrix[i], j) : 0;
+        for (int j = 0; j < 3; j++)
+            rows[i][j] = glint_row_get(&transform->matrix[i], j);
     const int64_t weight = find_cofactors(rows, wide, cofactor);
     const int32_t sign = transform->mirrored ? 1 : -1;
     const int is_parallel = transform->clips & GLINT_PARALLEL;

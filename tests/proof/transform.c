@@ -17,27 +17,32 @@
     admit ensures \result == 0 || \subset(world[2][0 .. 3], (-0x200000000000 .. 0x200000000000)); */
 static int place_in_world(const glint_view *view, const glint_object *object, int64_t world[3][4]);
 
-/*@ requires \subset(x[0][0 .. 3], (-0x3fffffffffffffff .. 0x3fffffffffffffff));
-    requires \subset(x[1][0 .. 3], (-0x3fffffffffffffff .. 0x3fffffffffffffff));
-    requires \subset(x[2][0 .. 3], (-0x3fffffffffffffff .. 0x3fffffffffffffff));
-    assigns \result, out[0][0 .. 3], out[1][0 .. 3], out[2][0 .. 3] \from x[0][0 .. 3], x[1][0 .. 3], x[2][0 .. 3];
+/*@ requires columns == 3 || columns == 4;
+    requires \subset(x[0][0 .. columns - 1], (-0x3fffffffffffffff .. 0x3fffffffffffffff));
+    requires \subset(x[1][0 .. columns - 1], (-0x3fffffffffffffff .. 0x3fffffffffffffff));
+    requires \subset(x[2][0 .. columns - 1], (-0x3fffffffffffffff .. 0x3fffffffffffffff));
+    assigns \result, out[0][0 .. columns - 1], out[1][0 .. columns - 1], out[2][0 .. columns - 1]
+        \from x[0][0 .. columns - 1], x[1][0 .. columns - 1], x[2][0 .. columns - 1], columns;
     ensures -30 <= \result <= 32;
-    ensures \initialized(&out[0][0 .. 3]) && \initialized(&out[1][0 .. 3]) && \initialized(&out[2][0 .. 3]);
-    ensures \subset(out[0][0 .. 3], (-0x40000000 .. 0x40000000));
-    ensures \subset(out[1][0 .. 3], (-0x40000000 .. 0x40000000));
-    ensures \subset(out[2][0 .. 3], (-0x40000000 .. 0x40000000)); */
-static int rows_to_30_bits(int64_t x[3][4], int32_t out[3][4]);
+    ensures \initialized(&out[0][0 .. columns - 1]) && \initialized(&out[1][0 .. columns - 1]);
+    ensures \initialized(&out[2][0 .. columns - 1]);
+    ensures \subset(out[0][0 .. columns - 1], (-0x40000000 .. 0x40000000));
+    ensures \subset(out[1][0 .. columns - 1], (-0x40000000 .. 0x40000000));
+    ensures \subset(out[2][0 .. columns - 1], (-0x40000000 .. 0x40000000)); */
+static int rows_to_30_bits(int64_t x[3][4], int columns, int32_t out[3][4]);
 
-/*@ requires \valid_read(view);
-    requires \subset(in[0][0 .. 3], (-0x40000000 .. 0x40000000));
-    requires \subset(in[1][0 .. 3], (-0x40000000 .. 0x40000000));
-    requires \subset(in[2][0 .. 3], (-0x40000000 .. 0x40000000));
-    assigns out[0][0 .. 3], out[1][0 .. 3], out[2][0 .. 3] \from *view, in[0][0 .. 3], in[1][0 .. 3], in[2][0 .. 3];
-    ensures \initialized(&out[0][0 .. 3]) && \initialized(&out[1][0 .. 3]) && \initialized(&out[2][0 .. 3]);
-    ensures \subset(out[0][0 .. 3], (-0x1800000000 .. 0x1800000000));
-    ensures \subset(out[1][0 .. 3], (-0x1800000000 .. 0x1800000000));
-    ensures \subset(out[2][0 .. 3], (-0x1800000000 .. 0x1800000000)); */
-static void rotate(const glint_view *view, int32_t in[3][4], int64_t out[3][4]);
+/*@ requires \valid_read(view) && (columns == 3 || columns == 4);
+    requires \subset(in[0][0 .. columns - 1], (-0x40000000 .. 0x40000000));
+    requires \subset(in[1][0 .. columns - 1], (-0x40000000 .. 0x40000000));
+    requires \subset(in[2][0 .. columns - 1], (-0x40000000 .. 0x40000000));
+    assigns out[0][0 .. columns - 1], out[1][0 .. columns - 1], out[2][0 .. columns - 1]
+        \from *view, in[0][0 .. columns - 1], in[1][0 .. columns - 1], in[2][0 .. columns - 1], columns;
+    ensures \initialized(&out[0][0 .. columns - 1]) && \initialized(&out[1][0 .. columns - 1]);
+    ensures \initialized(&out[2][0 .. columns - 1]);
+    ensures \subset(out[0][0 .. columns - 1], (-0x1800000000 .. 0x1800000000));
+    ensures \subset(out[1][0 .. columns - 1], (-0x1800000000 .. 0x1800000000));
+    ensures \subset(out[2][0 .. columns - 1], (-0x1800000000 .. 0x1800000000)); */
+static void rotate(const glint_view *view, int32_t in[3][4], int columns, int64_t out[3][4]);
 
 /* Stands on no row having a magnitude above the largest sum of a row's: what bring_to_clip_space adds up. */
 /*@ requires largest <= 0x2000000000000000;
@@ -62,24 +67,24 @@ static int bring_to_clip_space(glint_transform *transform, const glint_view *vie
 static uint64_t in_rows(int64_t x, int shift);
 
 /*@ requires \valid(transform);
-    requires \subset(matrix[0][0 .. 3], (-0x40000000 .. 0x40000000));
-    requires \subset(matrix[1][0 .. 3], (-0x40000000 .. 0x40000000));
-    requires \subset(matrix[2][0 .. 3], (-0x40000000 .. 0x40000000));
-    assigns transform->normal[0 .. 2] \from transform->mirrored, matrix[0][0 .. 3], matrix[1][0 .. 3],
-        matrix[2][0 .. 3]; */
+    requires \subset(matrix[0][0 .. 2], (-0x40000000 .. 0x40000000));
+    requires \subset(matrix[1][0 .. 2], (-0x40000000 .. 0x40000000));
+    requires \subset(matrix[2][0 .. 2], (-0x40000000 .. 0x40000000));
+    assigns transform->normal[0 .. 2] \from transform->mirrored, matrix[0][0 .. 2], matrix[1][0 .. 2],
+        matrix[2][0 .. 2]; */
 static void scale_normals(glint_transform *transform, int32_t matrix[3][4]);
 
-/*@ requires \subset(p[0][0 .. 3], (-0x40000000 .. 0x40000000));
-    requires \subset(p[1][0 .. 3], (-0x40000000 .. 0x40000000));
-    requires \subset(p[2][0 .. 3], (-0x40000000 .. 0x40000000));
-    assigns \result, wide[0][0 .. 3], wide[1][0 .. 3], wide[2][0 .. 3], cofactor[0][0 .. 3], cofactor[1][0 .. 3],
-        cofactor[2][0 .. 3] \from p[0][0 .. 3], p[1][0 .. 3], p[2][0 .. 3];
+/*@ requires \subset(p[0][0 .. 2], (-0x40000000 .. 0x40000000));
+    requires \subset(p[1][0 .. 2], (-0x40000000 .. 0x40000000));
+    requires \subset(p[2][0 .. 2], (-0x40000000 .. 0x40000000));
+    assigns \result, wide[0][0 .. 2], wide[1][0 .. 2], wide[2][0 .. 2], cofactor[0][0 .. 2], cofactor[1][0 .. 2],
+        cofactor[2][0 .. 2] \from p[0][0 .. 2], p[1][0 .. 2], p[2][0 .. 2];
     ensures -0x3000000000000000 <= \result <= 0x3000000000000000;
-    ensures \initialized(&cofactor[0][0 .. 3]) && \initialized(&cofactor[1][0 .. 3]);
-    ensures \initialized(&cofactor[2][0 .. 3]);
-    ensures \subset(cofactor[0][0 .. 3], (-0x40000000 .. 0x40000000));
-    ensures \subset(cofactor[1][0 .. 3], (-0x40000000 .. 0x40000000));
-    ensures \subset(cofactor[2][0 .. 3], (-0x40000000 .. 0x40000000)); */
+    ensures \initialized(&cofactor[0][0 .. 2]) && \initialized(&cofactor[1][0 .. 2]);
+    ensures \initialized(&cofactor[2][0 .. 2]);
+    ensures \subset(cofactor[0][0 .. 2], (-0x40000000 .. 0x40000000));
+    ensures \subset(cofactor[1][0 .. 2], (-0x40000000 .. 0x40000000));
+    ensures \subset(cofactor[2][0 .. 2], (-0x40000000 .. 0x40000000)); */
 static int64_t find_cofactors(int32_t p[3][4], int64_t wide[3][4], int32_t cofactor[3][4]);
 
 /*@ requires \valid(transform) && \valid_read(view) && \valid_read(pose);
@@ -166,14 +171,14 @@ PROOF(rows_to_30_bits) {
     int64_t rows[3][4];
     int32_t out[3][4];
     any_rows(rows, 0);
-    rows_to_30_bits(rows, out);
+    rows_to_30_bits(rows, 4, out);
     FOR_PARTS(bits, 1, 62) {
         const int64_t least = (int64_t)1 << (bits - 1), most = 2 * (least - 1) + 1;
         any_rows(rows, most);
         rows[0][0] = ANY_LONG(least, most);
-        rows_to_30_bits(rows, out);
+        rows_to_30_bits(rows, 4, out);
         rows[0][0] = ANY_LONG(-most, -least);
-        rows_to_30_bits(rows, out);
+        rows_to_30_bits(rows, 4, out);
     }
 }
 
@@ -184,7 +189,7 @@ PROOF(rotate) {
     int64_t out[3][4];
     any_view(&view);
     any_short_rows(in);
-    rotate(&view, in, out);
+    rotate(&view, in, 4, out);
 }
 
 /* Any sum up to 2^44, by the bits of 3/2 of it, and rows up to it; any up to 2^61, where rays are parallel. */
