@@ -43,7 +43,7 @@ static void light_batch(const batch *b, uint32_t outside) {
         return;
     glint_find_rays(b->from->frame, at);
     glint_find_surface(at, draw, glint_extend_colour);
-    glint_nodes_light(b->from->frame, shading, at, shading->lights & ~away, b->walk->lobes & ~away, b->to);
+    glint_nodes_light(b->from->frame, shading, at, shading->lights & ~away, b->walk->lobes & ~away, 1, b->to);
     for (uint32_t i = 0; i < at->count; i++) {
         glint_node *node = b->to[i];
         node->inverse_w = at->inverse_w[i];

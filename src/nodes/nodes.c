@@ -128,7 +128,7 @@ static void find_cone(const glint_prepared_light *source, uint32_t i, const int1
 
 /* One light at all points. */
 static void light_nodes(const glint_frame *frame, const glint_shading *shading, uint32_t i, glint_fragments *at,
-                        uint32_t lobes, glint_node *const nodes[]) {
+                        uint32_t lobes, int tells, glint_node *const nodes[]) {
     const glint_light_terms *terms = shading->terms;
     const glint_prepared_light *source = &frame->view->lights[i];
     const int has_position = source->type->illuminate != 0;
@@ -148,13 +148,15 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
         const int is_dark = cosine < -clearly && (!has_position || at->length[n]);
         if (source->type->has_cone)
             find_cone(source, i, light, node, &is_lit);
-        node->lit |= is_lit ? bit : 0;
-        node->dark |= is_dark ? bit : 0;
         node->number[i][GLINT_SIDE] = (int16_t)glint_shift_right(cosine * strength, 16);
         node->number[i][GLINT_STRENGTH] = (int16_t)glint_shift_right(strength, 1);
         uint32_t half = usual_half(shading);
         if (lobes & bit)
             half = light_lobe(shading, i, source, !has_position && !frame->view->local_viewer, at, n, light, dot, node);
+        if (!tells)
+            continue;
+        node->lit |= is_lit ? bit : 0;
+        node->dark |= is_dark ? bit : 0;
         node->number[i][GLINT_NEARNESS] =
             (int16_t)(uint16_t)glint_nearness_of(has_position ? glint_point_closeness(at, n) : 0, half);
         if ((!is_dark || cosine >= -nearly) && !(node->outside & bit))
@@ -163,7 +165,7 @@ static void light_nodes(const glint_frame *frame, const glint_shading *shading, 
 }
 
 void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at, uint32_t lights,
-                       uint32_t lobes, glint_node *const nodes[]) {
+                       uint32_t lobes, int tells, glint_node *const nodes[]) {
     if (lobes)
         glint_find_view_vectors(frame->view, at);
     for (uint32_t n = 0; n < at->count; n++) {
@@ -174,7 +176,7 @@ void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, g
     }
     for (uint32_t i = 0; lights >> i; i++)
         if (lights >> i & 1)
-            light_nodes(frame, shading, i, at, lobes, nodes);
+            light_nodes(frame, shading, i, at, lobes, tells, nodes);
 }
 
 /* Light of one node: channels, or Q15 of one chroma. */

@@ -88,9 +88,9 @@ typedef struct glint_node {
 } glint_node;
 
 /** Finds light at some points, but for its sum, each point for a node. Deviations are found of `lobes` among `lights`.
- */
+ * Unless it `tells` of regions, a node is without which lights it faces, how near they are, and what they make. */
 void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at, uint32_t lights,
-                       uint32_t lobes, glint_node *const nodes[]);
+                       uint32_t lobes, int tells, glint_node *const nodes[]);
 
 /** Sums light at a node, of lights that are `held`. */
 void glint_node_sum(const glint_light_terms *light, uint32_t held, glint_node *node);

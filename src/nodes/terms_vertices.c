@@ -75,7 +75,7 @@ void glint_terms_light(const glint_frame *frame, glint_draw *draw, const glint_t
         index[vertices.count] = corners[i];
         gather_corner(frame, vertex, &vertices);
     }
-    glint_nodes_light(frame, draw->shading, &vertices, lights, light->lobes & lights, to);
+    glint_nodes_light(frame, draw->shading, &vertices, lights, light->lobes & lights, 1, to);
     for (uint32_t i = 0; i < vertices.count; i++) {
         glint_node_sum(light, nodes[i].lit, &nodes[i]);
         glint_node_shine(draw->shading, nodes[i].lit & light->lobes, &nodes[i]);

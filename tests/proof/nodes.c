@@ -160,7 +160,7 @@ PROOF(light_nodes) {
             view.lights[i].type = &types[type];
             node.outside = (uint16_t)ANY(0, UINT16_MAX);
             node.levels = ANY_UNSIGNED(0, 8u << 13);
-            light_nodes(&frame, &shading, (uint32_t)i, &at, ANY_UNSIGNED(0, 0xff), nodes);
+            light_nodes(&frame, &shading, (uint32_t)i, &at, ANY_UNSIGNED(0, 0xff), ANY(0, 1), nodes);
         }
     }
 }
