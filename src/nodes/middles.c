@@ -131,7 +131,8 @@ static int light_middles(const glint_frame *frame, const glint_draw *draw, const
     at.count = 0;
     for (int e = 0; e < 3; e++)
         gather_middle(frame, triangle, t, e, &at);
-    glint_nodes_light(frame, draw->shading, &at, t->is_mixed ? lobes : region->held | region->sides | lobes, lobes, 0, to);
+    glint_nodes_light(frame, draw->shading, &at, t->is_mixed ? lobes : region->held | region->sides | lobes, lobes, 0,
+                      to);
     for (int e = 0; e < 3; e++)
         unfit |= (to[e]->unfit & lobes) | (to[e]->far & region->lobes) | (to[e]->steep & region->cones);
     return !unfit;

@@ -91,7 +91,8 @@ static void light_piece(pieces *p, const glint_shape *shape, glint_node *nodes[6
         to[at.count] = nodes[i];
         gather_piece(p, j, k, &at);
     }
-    glint_nodes_light(p->frame, p->draw->shading, &at, p->draw->shading->lights & ~p->triangle->away, shape->lobes, 1, to);
+    glint_nodes_light(p->frame, p->draw->shading, &at, p->draw->shading->lights & ~p->triangle->away, shape->lobes, 1,
+                      to);
     for (uint32_t i = 0; i < at.count; i++) {
         glint_node_leave(to[i], p->triangle->away);
         to[i]->inverse_w = at.inverse_w[i];

@@ -152,13 +152,15 @@ static GLINT_INLINE void add_lobe_inline(const glint_terms *terms, const light_p
     for (const glint_run *run = to->runs; run != to->end; run++) {
         glint_progress x = glint_run_start(&of->lobe[0], run, to), y = glint_run_start(&of->lobe[1], run, to);
         glint_progress strength = is_weak && of->strength ? glint_run_start(of->strength, run, to) : full_strength;
-        for (uint32_t n = run->count; n; n--, row++, glint_progress_next(&x), glint_progress_next(&y)) {
+        for (uint32_t n = run->count; n; n--, row++) {
             const int32_t dx = glint_shift_right((int32_t)x.value, 16), dy = glint_shift_right((int32_t)y.value, 16);
             const int32_t reach = (int32_t)strength.value;
-            const uint32_t over = times_over ? *inverse++ : 0;
             uint32_t square = (uint32_t)(dx * dx) + (uint32_t)(dy * dy);
+            glint_progress_next(&x);
+            glint_progress_next(&y);
             if (is_weak)
                 glint_progress_next(&strength);
+            const uint32_t over = times_over ? *inverse++ : 0;
             if (square >= table.end) /* it grows over length: glint_root_table has nothing below 1 */
                 continue;
             if (times_over) {
@@ -180,8 +182,10 @@ static GLINT_NOINLINE void add_lobe(const glint_terms *terms, const light_parts 
                                     const glint_pixel_runs *to, int is_chroma) {
     const int is_weak = of->side || of->strength || of->cone;
     const uint32_t over = terms->is_over_length;
-    if (GLINT_SMALL || (!is_chroma && (is_weak || over)))
+    if (GLINT_SMALL || (!is_chroma && (over > 1 || (is_weak && !over))))
         add_lobe_inline(terms, of, share, to, over, 1, is_chroma);
+    else if (!is_chroma && over)
+        add_lobe_inline(terms, of, share, to, 1, 1, 0);
     else if (!is_chroma)
         add_lobe_inline(terms, of, share, to, 0, 0, 0);
     else if (is_weak && over)
