@@ -62,7 +62,7 @@ static GLINT_INLINE void add_side_inline(const light_parts *of, const light_shar
         if (has_cone)
             cone = glint_run_start(of->cone, run, to);
         for (uint32_t n = run->count; n; n--, row++, glint_progress_next(&cosine)) {
-            const uint32_t over = is_over ? *inverse++ : 1u << 15;
+            const uint32_t over = !is_over ? 1u << 15 : is_chroma ? (uint32_t)(*row)[2] : *inverse++;
             const int32_t within = (int32_t)cone.value;
             if (has_cone)
                 glint_progress_next(&cone);
@@ -160,7 +160,7 @@ static GLINT_INLINE void add_lobe_inline(const glint_terms *terms, const light_p
             glint_progress_next(&y);
             if (is_weak)
                 glint_progress_next(&strength);
-            const uint32_t over = times_over ? *inverse++ : 0;
+            const uint32_t over = !times_over ? 0 : is_chroma ? (uint32_t)(*row)[2] : *inverse++;
             if (square >= table.end) /* it grows over length: glint_root_table has nothing below 1 */
                 continue;
             if (times_over) {
@@ -218,9 +218,9 @@ static GLINT_INLINE void add_wide_lobe_inline(const glint_terms *terms, const li
             if (is_weak)
                 glint_progress_next(&strength);
             if (inverse) {
+                const int32_t over = is_chroma ? (*row)[2] : *inverse++;
                 for (uint32_t times = terms->is_over_length; times; times--)
-                    x = glint_shift_right(x * *inverse, 15);
-                inverse++;
+                    x = glint_shift_right(x * over, 15);
             }
             if (x <= 0 && !at_zero)
                 continue;

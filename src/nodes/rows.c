@@ -8,8 +8,8 @@
 
 /*
  * What rows of a part begin with: depth, and sums of light over |M|, or not. Sums of one chroma are kept as two numbers
- * of a pixel, of light and of gloss, until rows are mixed; of three channels they are colours, to which `base` is
- * added.
+ * of a pixel, of light and of gloss, until rows are mixed, and 1 / |M| as a third; of three channels they are colours,
+ * to which `base` is added.
  */
 typedef struct row_sums {
     const glint_part *part;
@@ -41,6 +41,12 @@ typedef struct row_pixel {
     uint16_t *inverse;
 } row_pixel;
 
+/* Channel by channel: over lengths, all three at once take more registers than there are. */
+static GLINT_INLINE void part_channels(int is_over) {
+    if (is_over)
+        GLINT_BARRIER();
+}
+
 /* Begins a run at a pixel that is visible, i, j from the anchor, up to `right` or a pixel that is not. */
 static GLINT_INLINE void begin_run_inline(const row_sums *of, int32_t i, int32_t j, const uint16_t *right,
                                           row_pixel *at, int is_chroma, int is_over) {
@@ -66,29 +72,32 @@ static GLINT_INLINE void begin_run_inline(const row_sums *of, int32_t i, int32_t
     int32_t(*row)[3] = at->row;
     do {
         const uint32_t over = is_over ? inverse_of(square.value) : 0;
+        if (is_over)
+            glint_progress_next(&square);
         *depth++ = (uint16_t)(z >> 15);
         z += z_dx;
-        if (is_over)
-            *inverse++ = (uint16_t)over;
         if (is_chroma) {
             const int32_t amount = glint_shift_right((int32_t)one.value, 16);
             (*row)[0] = is_over ? glint_shift_right(amount * (int32_t)over, 15) : amount;
             (*row)[1] = 0;
+            if (is_over)
+                (*row)[2] = (int32_t)over;
         } else {
+            if (is_over)
+                *inverse++ = (uint16_t)over;
+            part_channels(is_over);
             /* NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): as above */
             (*row)[0] = is_over ? over_length(one.value, of->base[0], over) : (int32_t)one.value;
+            part_channels(is_over);
             (*row)[1] = is_over ? over_length(two.value, of->base[1], over) : (int32_t)two.value;
-            (*row)[2] = is_over ? over_length(three.value, of->base[2], over) : (int32_t)three.value;
-        }
-        row++;
-        GLINT_OPAQUE(row); /* else a second pointer runs beside it */
-        glint_progress_next(&one);
-        if (is_over)
-            glint_progress_next(&square);
-        if (!is_chroma) {
             glint_progress_next(&two);
+            part_channels(is_over);
+            (*row)[2] = is_over ? over_length(three.value, of->base[2], over) : (int32_t)three.value;
             glint_progress_next(&three);
         }
+        glint_progress_next(&one);
+        row++;
+        GLINT_OPAQUE(row); /* else a second pointer runs beside it */
     } while (depth < right && z >> 15 > *depth);
     *at = (row_pixel){depth, z, row, inverse};
 }
@@ -138,9 +147,8 @@ static GLINT_NOINLINE glint_run *begin_chroma(const row_sums *of, uint32_t *y, g
     return begin_rows_inline(of, y, run, row, 0, 1, 0);
 }
 
-static GLINT_NOINLINE glint_run *begin_chroma_over(const row_sums *of, uint32_t *y, glint_run *run, int32_t (*row)[3],
-                                                   uint16_t *inverse) {
-    return begin_rows_inline(of, y, run, row, inverse, 1, 1);
+static GLINT_NOINLINE glint_run *begin_chroma_over(const row_sums *of, uint32_t *y, glint_run *run, int32_t (*row)[3]) {
+    return begin_rows_inline(of, y, run, row, 0, 1, 1);
 }
 
 static GLINT_NOINLINE glint_run *begin_channels(const row_sums *of, uint32_t *y, glint_run *run, int32_t (*row)[3]) {
@@ -159,7 +167,7 @@ static glint_run *begin_rows(const glint_terms *terms, const row_sums *of, uint3
     if (GLINT_SMALL)
         return begin_rows_inline(of, y, run, row, inverse, is_chroma, is_over);
     if (is_over)
-        return is_chroma ? begin_chroma_over(of, y, run, row, inverse) : begin_channels_over(of, y, run, row, inverse);
+        return is_chroma ? begin_chroma_over(of, y, run, row) : begin_channels_over(of, y, run, row, inverse);
     return is_chroma ? begin_chroma(of, y, run, row) : begin_channels(of, y, run, row);
 }
 

@@ -5,7 +5,7 @@
 
 #include "terms.h"
 
-/** 1 / |M|, Q15, of pixels; or null: then it is 1. */
+/** 1 / |M|, Q15, of pixels, which those of one chroma have in their third number; or null: then it is 1. */
 typedef const uint16_t *glint_inverses;
 
 /** Pixels on their way, run after run. */

@@ -44,10 +44,17 @@ static void any_number(glint_quadratic *q) {
     q->start = ANY_UNSIGNED(0, UINT_MAX);
 }
 
+/* 1 / |M| of pixels, which those of one chroma have as a third number; or none. */
+static void take_inverses(int are_there) {
+    to.inverse = are_there ? inverse : 0;
+    for (int i = 0; i < PIXELS && are_there; i++)
+        row[i][2] = inverse[i];
+}
+
 static void any_inverses(int32_t least, int32_t most) {
     for (int i = 0; i < PIXELS; i++)
         inverse[i] = (uint16_t)ANY(least, most);
-    to.inverse = inverse;
+    take_inverses(1);
 }
 
 #endif

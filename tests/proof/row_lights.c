@@ -225,12 +225,12 @@ PROOF(add_lobe) {
                 FOR_LENGTHS_IF(part, times) {
                     const int32_t most = any_length((int)part, (int)times) / 2;
                     any_runs(0, 0);
-                    to.inverse = times ? inverse : 0;
+                    take_inverses((int)times);
                     any_polynomial(&lobe[0], signs & 1, most);
                     any_polynomial(&lobe[1], signs >> 1, most);
                     add_lobe(&terms, &of, &share, &to, 0);
                     any_runs(0, 0);
-                    to.inverse = times ? inverse : 0;
+                    take_inverses((int)times);
                     add_lobe(&terms, &of, &share, &to, 1);
                 }
             }
@@ -258,7 +258,7 @@ PROOF(add_wide_lobe) {
                 FOR_LENGTHS_IF(part, times) {
                     any_runs(0, 0);
                     any_polynomial(&lobe, signs & 1, any_length((int)part, (int)times));
-                    to.inverse = times ? inverse : 0;
+                    take_inverses((int)times);
                     add_wide_lobe(&terms, &of, &share, &to, ANY(0, 1));
                 }
             }
