@@ -60,11 +60,6 @@ void glint_point_place(const glint_light *light, glint_prepared_light *prepared,
     prepared->point.quadratic_shift -= 2 * shift;
 }
 
-/* The high half of a product. */
-static inline uint32_t high_product(uint32_t a, uint32_t b) {
-    return (uint32_t)(glint_product_unsigned(a, b) >> 32);
-}
-
 /* x 2^n for x below 2^31, at most 2^30: what is more counts as that. */
 static inline uint32_t shift_below(uint32_t x, int n) {
     if (n < 0)
@@ -92,11 +87,13 @@ static inline uint32_t attenuate(const glint_prepared_light *light, uint32_t inv
         return 0;
     unsigned zeros, up;
     const uint32_t ratio = distance * invert(inverse_w, &zeros);
-    const uint32_t d = high_product(ratio, (uint32_t)light->point.distance_mantissa);
+    const uint32_t d = glint_product_high_unsigned(ratio, (uint32_t)light->point.distance_mantissa);
     const int bits = exponent + (int)zeros;
-    const uint32_t linear = shift_below(high_product(d, light->point.linear), light->point.linear_shift + bits);
+    const uint32_t linear =
+        shift_below(glint_product_high_unsigned(d, light->point.linear), light->point.linear_shift + bits);
     const uint32_t quadratic =
-        shift_below(high_product(high_product(d, d), light->point.quadratic), light->point.quadratic_shift + 2 * bits);
+        shift_below(glint_product_high_unsigned(glint_product_high_unsigned(d, d), light->point.quadratic),
+                    light->point.quadratic_shift + 2 * bits);
     const uint32_t inverse = invert((1u << 16) + linear + quadratic, &up); /* of Q16, from 2^16 to 2^16 + 2^31 */
     return (inverse + (1u << (15 - up))) >> (16 - up);
 }
@@ -123,7 +120,7 @@ static inline int is_at_light(unsigned zeros, const int32_t ray[3]) {
 
 /* A component of Q (1/w), a product of 61 bits of which its high half is left, times 2^-down. */
 static inline int32_t part_of_position(int32_t mantissa, int32_t inverse_w, unsigned down) {
-    return glint_shift_right((int32_t)glint_shift_right64(glint_product(mantissa, inverse_w), 32), down);
+    return glint_shift_right(glint_product_high(mantissa, inverse_w), down);
 }
 
 /* Of a light as far away as what is drawn, or nearer. */
@@ -186,20 +183,26 @@ static inline void illuminate_one(const glint_prepared_light *light, glint_fragm
     const int32_t *const ray = fragments->ray[i], inverse_w = fragments->inverse_w[i];
     int16_t *const direction = fragments->light[i];
     towards v;
-    if (light->point.shift >= 32)
+    if (light->point.shift >= 32) {
         v = towards_near(light, inverse_w, ray);
-    else
-        towards_far(light, inverse_w, ray, &v);
+    } else {
+        towards far; /* of v itself no address is taken: it stays in registers */
+        towards_far(light, inverse_w, ray, &far);
+        v = far;
+    }
     const unsigned zeros = zeros_of(&v);
-    fragments->strength[i] = 0;
-    fragments->length[i] = 0;
     if (is_at_light(zeros, ray)) {
+        fragments->strength[i] = 0;
+        fragments->length[i] = 0;
         glint_unit(v.x, v.y, v.z, direction);
         return;
     }
     v = to_15_bits_of(&v, zeros);
-    if (fragments->is_gated && faces_away(fragments->normal[i], &v))
+    if (fragments->is_gated && faces_away(fragments->normal[i], &v)) {
+        fragments->strength[i] = 0;
+        fragments->length[i] = 0;
         return;
+    }
     const uint32_t length = find_distance(&v, direction);
     fragments->strength[i] = (uint16_t)attenuate(light, (uint32_t)inverse_w, length, v.exponent);
     fragments->length[i] = length;
@@ -211,7 +214,8 @@ uint32_t glint_point_closeness(const glint_fragments *fragments, uint32_t i) {
     if (!fragments->length[i])
         return UINT16_MAX;
     const uint32_t depth = (uint32_t)fragments->ray[i][2], inverse = invert(fragments->length[i], &zeros);
-    const uint32_t ratio = shift_below(high_product(depth, inverse << 15), (int)zeros - 22 - fragments->exponent[i]);
+    const uint32_t ratio =
+        shift_below(glint_product_high_unsigned(depth, inverse << 15), (int)zeros - 22 - fragments->exponent[i]);
     return (uint32_t)glint_least((int32_t)ratio, UINT16_MAX - 1) + 1;
 }
 

@@ -43,6 +43,27 @@ static inline uint64_t glint_product_unsigned_split(uint32_t a, uint32_t b) {
     return (uint64_t)high << 32 | second << 16 | (low & 0xffff);
 }
 
+/** The high half of these products: short enough to stand where it is needed. */
+static inline int32_t glint_product_high_whole(int32_t a, int32_t b) {
+    return (int32_t)glint_shift_right64((int64_t)a * b, 32);
+}
+
+static inline int32_t glint_product_high_split(int32_t a, int32_t b) {
+    const int32_t a0 = a & 0xffff, a1 = glint_shift_right(a, 16), b0 = b & 0xffff, b1 = glint_shift_right(b, 16);
+    const int32_t first = a0 * b1 + (int32_t)((uint32_t)a0 * (uint32_t)b0 >> 16), second = a1 * b0 + (first & 0xffff);
+    return a1 * b1 + glint_shift_right(first, 16) + glint_shift_right(second, 16);
+}
+
+static inline uint32_t glint_product_high_unsigned_whole(uint32_t a, uint32_t b) {
+    return (uint32_t)((uint64_t)a * b >> 32);
+}
+
+static inline uint32_t glint_product_high_unsigned_split(uint32_t a, uint32_t b) {
+    const uint32_t a0 = a & 0xffff, a1 = a >> 16, b0 = b & 0xffff, b1 = b >> 16;
+    const uint32_t first = a0 * b1 + (a0 * b0 >> 16), second = a1 * b0 + (first & 0xffff);
+    return a1 * b1 + (first >> 16) + (second >> 16);
+}
+
 /** Three entries of a matrix, times 2. */
 typedef struct glint_row_whole {
     int32_t entry[3];
@@ -129,6 +150,8 @@ typedef glint_row_split glint_row;
 #define glint_row_set glint_row_set_split
 #define glint_row_get glint_row_get_split
 #define glint_row_times glint_row_times_split
+#define glint_product_high glint_product_high_split
+#define glint_product_high_unsigned glint_product_high_unsigned_split
 #define glint_scale glint_scale_split
 #define glint_slope_of glint_slope_of_split
 #define glint_sum_of_products glint_sum_of_products_split
@@ -139,6 +162,8 @@ typedef glint_row_whole glint_row;
 #define glint_row_set glint_row_set_whole
 #define glint_row_get glint_row_get_whole
 #define glint_row_times glint_row_times_whole
+#define glint_product_high glint_product_high_whole
+#define glint_product_high_unsigned glint_product_high_unsigned_whole
 #define glint_scale glint_scale_whole
 #define glint_slope_of glint_slope_of_whole
 #define glint_sum_of_products glint_sum_of_products_whole

@@ -20,6 +20,10 @@ PROOF(glint_product_itself) {
     glint_product_split(ANY_INT, ANY_INT);
     glint_product_unsigned_whole(ANY_UNSIGNED(0, UINT_MAX), ANY_UNSIGNED(0, UINT_MAX));
     glint_product_unsigned_split(ANY_UNSIGNED(0, UINT_MAX), ANY_UNSIGNED(0, UINT_MAX));
+    glint_product_high_whole(ANY_INT, ANY_INT);
+    glint_product_high_split(ANY_INT, ANY_INT);
+    glint_product_high_unsigned_whole(ANY_UNSIGNED(0, UINT_MAX), ANY_UNSIGNED(0, UINT_MAX));
+    glint_product_high_unsigned_split(ANY_UNSIGNED(0, UINT_MAX), ANY_UNSIGNED(0, UINT_MAX));
 }
 
 /* Entries below 2^30. */

@@ -122,6 +122,8 @@ static void products(void) {
         const int64_t exact = (int64_t)(int32_t)a * (int32_t)b;
         CHECK_EQUAL(glint_product_whole((int32_t)a, (int32_t)b), exact);
         CHECK_EQUAL(glint_product_split((int32_t)a, (int32_t)b), exact);
+        CHECK_EQUAL(glint_product_high_split((int32_t)a, (int32_t)b), glint_shift_right64(exact, 32));
+        CHECK_EQUAL(glint_product_high_unsigned_split(a, b), (uint32_t)((uint64_t)a * b >> 32));
         CHECK(glint_product_unsigned_whole(a, b) == (uint64_t)a * b);
         CHECK(glint_product_unsigned_split(a, b) == (uint64_t)a * b);
     }
