@@ -44,7 +44,12 @@ static GLINT_INLINE uint32_t glint_saturate(int32_t x, unsigned bits, unsigned s
     __asm__("usat %0, %1, %2, asr %3" : "=r"(level) : "I"(bits), "r"(x), "I"(shift));
     return level;
 #else
-    return (uint32_t)glint_least(glint_most(glint_shift_right(x, shift), 0), (1 << bits) - 1);
+    const uint32_t most = (1u << bits) - 1;
+    uint32_t level = (uint32_t)glint_shift_right(x, shift);
+    if (level > most) /* one comparison for both ends: most channels are between */
+        level = most & ~(uint32_t)glint_shift_right(x, 31);
+    GLINT_OPAQUE(level); /* what follows is not to be there twice */
+    return level;
 #endif
 }
 
