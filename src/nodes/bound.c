@@ -137,15 +137,21 @@ static uint32_t place_of_light(const glint_region *region, uint32_t l) {
     return region->near_of[l] * ((1u << 12) + more) >> 12;
 }
 
-/* The most of it, of lights that show. */
-static uint32_t find_place(const glint_region *region) {
+/* Sets it for lights that show, if one of them is near. @return the most of it */
+static uint32_t find_places(glint_region *region) {
     const uint32_t shown = region->held | region->sides | region->lobes;
     uint32_t most = 0;
     for (uint32_t l = 0; region->near && shown >> l; l++) {
         const uint32_t place = shown >> l & 1 && region->near_of[l] ? place_of_light(region, l) : 0;
+        region->place_of[l] = (uint16_t)place;
         most = place > most ? place : most;
     }
     return most;
+}
+
+/* What has been set. */
+static inline uint32_t place_of(const glint_region *region, uint32_t l) {
+    return region->near ? region->place_of[l] : 0;
 }
 
 int glint_region_fits(const glint_shading *shading, int has_surface, glint_region *region) {
@@ -158,7 +164,7 @@ int glint_region_fits(const glint_shading *shading, int has_surface, glint_regio
         return 0;
     if (region->cones & region->steep)
         return 0;
-    const uint32_t place = find_place(region), turn = region->turn + place + region->colour;
+    const uint32_t place = find_places(region), turn = region->turn + place + region->colour;
     if (!region->lobes)
         region->axis = 0;
     if (glint_lobe_turn(shading, region) + region->axis > GLINT_WIDEST || turn > GLINT_WIDEST)
@@ -177,7 +183,7 @@ int glint_region_fits(const glint_shading *shading, int has_surface, glint_regio
  */
 static uint32_t turn_of_shine(const glint_shading *shading, const glint_region *region, uint32_t l) {
     const uint32_t turn = glint_lobe_turn(shading, region) + region->axis_of[l];
-    return (turn * shading->terms->spread >> 4) + place_of_light(region, l);
+    return (turn * shading->terms->spread >> 4) + place_of(region, l);
 }
 
 int glint_region_sum_lobes(const glint_shading *shading, int has_surface, glint_region *region) {
@@ -208,7 +214,7 @@ static inline int is_cut_off(const glint_region *region) {
 
 /* By how much its place turns a light in sums, at most as the nearest one's. */
 static uint32_t turn_of_place(const glint_region *region, uint32_t l) {
-    const uint32_t place = place_of_light(region, l) + (region->folds ? region->colour : 0);
+    const uint32_t place = place_of(region, l) + (region->folds ? region->colour : 0);
     return place < region->place ? place : region->place;
 }
 
@@ -287,30 +293,55 @@ static inline uint32_t of_one(const glint_light_terms *light, uint32_t error) {
     return error > light->most_of_one ? TOO_MUCH : error;
 }
 
-/* Adds what highlights may be off by. */
-static void add_gloss(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
+/* What highlights with terms of their own may be off by. */
+static uint32_t gloss_error(const glint_shading *shading, const glint_region *region) {
+    const glint_light_terms *light = shading->terms;
+    const uint32_t turn = glint_lobe_turn(shading, region);
+    uint32_t error = 0;
+    for (uint32_t l = 0; region->lobes >> l; l++) {
+        if (!(region->lobes >> l & 1))
+            continue;
+        const uint32_t levels = levels_at_strength(light->specular_levels[l], region, l),
+                       third = lobe_third(turn + region->axis_of[l], region->slant);
+        error += of_one(light, lobe_error(region->slope, levels, third, region->near_of[l], region->slant));
+    }
+    return error;
+}
+
+/* And over length. */
+static uint32_t gloss_error_over_length(const glint_frame *frame, const glint_shading *shading,
+                                        const glint_region *region) {
     const glint_light_terms *light = shading->terms;
     const uint32_t slant = region->slant, turn = glint_lobe_turn(shading, region), slope = region->slope;
     const int is_mirrored = shading->material->model->lobe == GLINT_LOBE_MIRROR;
-    region->error_between = 0;
-    for (uint32_t l = 0, lobes = region->lobes | region->summed; lobes >> l; l++) {
-        const uint32_t levels = levels_at_strength(light->specular_levels[l], region, l), axis = region->axis_of[l],
-                       near = region->near_of[l];
-        if (!(lobes >> l & 1))
+    uint32_t error = 0;
+    for (uint32_t l = 0; region->lobes >> l; l++) {
+        if (!(region->lobes >> l & 1))
             continue;
-        region->error_between += of_one(light, between_error(light, slope, levels, turn, axis, slant));
-        if (region->summed >> l & 1)
-            continue;
-        region->error += of_one(light, lobe_error(slope, levels, lobe_third(turn + axis, slant), near, slant));
-        const uint32_t third =
-                           lobe_third_over_length(turn, axis, glint_turn_of_rays(frame, region, l), slant, is_mirrored),
+        const uint32_t levels = levels_at_strength(light->specular_levels[l], region, l);
+        const uint32_t third = lobe_third_over_length(turn, region->axis_of[l], glint_turn_of_rays(frame, region, l),
+                                                      slant, is_mirrored),
                        of_length = lobe_length_error(region, levels, 1 + (uint32_t)is_mirrored, light->lobe_is_wide);
-        region->error_over_length += of_one(light, lobe_error(slope, levels, third, near, slant) + of_length);
+        error += of_one(light, lobe_error(slope, levels, third, region->near_of[l], slant) + of_length);
     }
+    return error;
 }
 
-/* Adds what cones may be off by. @return 0 where one is too steep */
-static int add_cones(const glint_frame *frame, const glint_light_terms *light, glint_region *region) {
+uint32_t glint_error_between(const glint_shading *shading, const glint_region *region) {
+    const glint_light_terms *light = shading->terms;
+    const uint32_t turn = glint_lobe_turn(shading, region), lobes = region->lobes | region->summed;
+    uint32_t error = 0;
+    for (uint32_t l = 0; lobes >> l; l++)
+        if (lobes >> l & 1)
+            error += of_one(light, between_error(light, region->slope,
+                                                 levels_at_strength(light->specular_levels[l], region, l), turn,
+                                                 region->axis_of[l], region->slant));
+    return error;
+}
+
+/* What cones may be off by. @return 0 where one is too steep */
+static int find_cone_error(const glint_frame *frame, const glint_light_terms *light, glint_region *region) {
+    region->cone_error = 0;
     for (uint32_t l = 0; region->cones >> l; l++) {
         const uint32_t near = region->near_of[l], place = near + region->slant;
         if (!(region->cones >> l & 1))
@@ -318,12 +349,10 @@ static int add_cones(const glint_frame *frame, const glint_light_terms *light, g
         const uint32_t ramp = ramp_of(&frame->view->lights[l], near);
         if (ramp > LONGEST_RAMP)
             return 0;
-        const uint32_t error = 3 *
-                               of_levels(glint_times(glint_times(ramp, place), place),
-                                         levels_at_strength(light->diffuse_levels[l], region, l) >> 4) /
-                               2; /* the step's slope */
-        region->error += error;
-        region->error_over_length += error;
+        region->cone_error += 3 *
+                              of_levels(glint_times(glint_times(ramp, place), place),
+                                        levels_at_strength(light->diffuse_levels[l], region, l) >> 4) /
+                              2; /* the step's slope */
     }
     return 1;
 }
@@ -339,25 +368,31 @@ static int32_t find_margin(const glint_region *region, uint32_t turn) {
     return 8 + (int32_t)most;
 }
 
+/* What a surface's colours make of them. */
+static inline uint32_t colour_error(const glint_region *region) {
+    return scaled(region->of_colour, region->slant, 12 + 5);
+}
+
 int glint_region_bound(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
     const glint_light_terms *light = shading->terms;
-    const uint32_t slant = region->slant;
-    if (is_cut_off(region))
+    if (is_cut_off(region) || !find_cone_error(frame, light, region))
         return 0;
-    const uint32_t of_colour = scaled(region->of_colour, slant, 12 + 5);
-    region->error = of_sums(light, sum_error(light, region, 0, region->turn, 0)) + of_colour;
-    region->error_over_length = of_sums(light, sum_error_over_length(light, region)) + of_colour;
-    if (region->folds) /* colours times |M| are of a degree more, and ambient light with them */
-        region->error_over_length +=
-            of_levels(glint_cube(region->turn + region->place, slant), region->levels + (light->ambient_levels >> 4));
+    region->error = of_sums(light, sum_error(light, region, 0, region->turn, 0)) + colour_error(region) +
+                    gloss_error(shading, region) + region->cone_error + (region->summed ? region->shine : 0);
     region->margin = find_margin(region, region->turn);
-    region->margin_over_length = find_margin(region, 0);
-    add_gloss(frame, shading, region);
-    if (!add_cones(frame, light, region))
-        return 0;
-    if (region->summed) { /* over length none are */
-        region->error += region->shine;
-        region->error_over_length = UINT32_MAX;
-    }
     return 1;
+}
+
+uint32_t glint_error_over_length(const glint_frame *frame, const glint_shading *shading, glint_region *region) {
+    const glint_light_terms *light = shading->terms;
+    if (region->summed) /* over length none are */
+        return UINT32_MAX;
+    region->margin = find_margin(region, 0);
+    const uint32_t error = of_sums(light, sum_error_over_length(light, region)) + colour_error(region) +
+                           gloss_error_over_length(frame, shading, region) + region->cone_error;
+    if (!region->folds)
+        return error;
+    /* colours times |M| are of a degree more, and ambient light with them */
+    return error + of_levels(glint_cube(region->turn + region->place, region->slant),
+                             region->levels + (light->ambient_levels >> 4));
 }

@@ -23,8 +23,8 @@ static inline uint32_t glint_closeness_of(uint32_t nearness) {
 
 /** The nearness of two points: of the larger closeness, and the lesser half vector. */
 static inline uint32_t glint_nearness_of_both(uint32_t a, uint32_t b) {
-    const uint32_t closeness = (a | 0x7f) > (b | 0x7f) ? a : b, half = (a & 0x7f) < (b & 0x7f) ? a : b;
-    return (closeness & ~0x7fu) | (half & 0x7f);
+    const uint32_t nearer = a > b ? a : b, half = (a & 0x7f) < (b & 0x7f) ? a & 0x7f : b & 0x7f;
+    return (nearer & ~0x7fu) | half;
 }
 
 #endif

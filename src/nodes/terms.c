@@ -280,14 +280,14 @@ static int choose_fit(const glint_frame *frame, const glint_shading *shading, gl
     if (!glint_region_bound(frame, shading, region))
         return FIT_NONE;
     const int is_over_length = region->error > most;
-    const uint32_t error = is_over_length ? region->error_over_length : region->error;
+    const uint32_t error = is_over_length ? glint_error_over_length(frame, shading, region) : region->error;
     if (error > most)
         return FIT_NONE;
     t->is_mixed = (uint8_t)is_mixed(shading, region, is_over_length);
     t->is_straight = (uint8_t)(is_over_length && !region->folds);
     t->is_between = t->is_mixed && (!(region->lobes | region->summed) ||
-                                    (error + region->error_between <= most && region->turn < 3072 &&
-                                     shading->material->model->lobe != GLINT_LOBE_MIRROR));
+                                    (region->turn < 3072 && shading->material->model->lobe != GLINT_LOBE_MIRROR &&
+                                     error + glint_error_between(shading, region) <= most));
     return is_over_length ? FIT_OVER_LENGTH : FIT_QUADRATICS;
 }
 
@@ -324,8 +324,6 @@ int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
         glint_find_middle_lengths(&by);
     if (!glint_find_middles(frame, draw, triangle, &t))
         return 0;
-    if (over)
-        region->margin = region->margin_over_length;
     region->has_edge |= has_edge(shading, &t, over);
     glint_terms_name(frame, draw, region, over ? 1 + twice : 0, terms);
     begin_term_quadratics(&t, over, terms, &to);

@@ -123,22 +123,20 @@ typedef struct glint_region {
     int16_t side_least[GLINT_LIGHTS_MAX],
         side_most[GLINT_LIGHTS_MAX]; /* and N.L times that, of those with a position */
     /* what is found */
-    int has_edge;                       /* may a highlight end at once within the region? */
-    int folds;                          /* may sums be multiplied by the surface's colours at nodes? */
-    uint32_t held, sides, cones, lobes; /* lights in sums, with terms of their own, of these with cones; highlights */
-    uint32_t summed;                    /* highlights in sums; `lobes` has the others */
-    uint32_t shine;                     /* what quadratics make of these may be off by, levels in Q8 */
-    uint16_t near_of[GLINT_LIGHTS_MAX]; /* how far corners lie apart, over the distance to a light, */
-    uint32_t near;                      /* and at most to one that shines */
-    uint16_t axis_of[GLINT_LIGHTS_MAX]; /* what a highlight's axis turns by, */
-    uint32_t axis;                      /* and at most */
-    uint32_t slope;                     /* of highlights that show, over their deviations, at most, Q8 */
-    uint32_t place, of_colour;          /* what sums turn by but for the normals, and what colours make over w */
-    uint32_t error;                     /* of quadratics, levels in Q8 */
-    int32_t margin;                     /* of a light's N.L, Q14, */
-    int32_t margin_over_length;         /* and where numbers are times the normal's length */
-    uint32_t error_over_length;         /* of those where numbers are times the normal's length */
-    uint32_t error_between;             /* what is more where nodes between corners are found from these */
+    int has_edge;                        /* may a highlight end at once within the region? */
+    int folds;                           /* may sums be multiplied by the surface's colours at nodes? */
+    uint32_t held, sides, cones, lobes;  /* lights in sums, with terms of their own, of these with cones; highlights */
+    uint32_t summed;                     /* highlights in sums; `lobes` has the others */
+    uint32_t shine;                      /* what quadratics make of these may be off by, levels in Q8 */
+    uint16_t near_of[GLINT_LIGHTS_MAX];  /* how far corners lie apart, over the distance to a light, */
+    uint32_t near;                       /* and at most to one that shines */
+    uint16_t place_of[GLINT_LIGHTS_MAX]; /* what a light turns by as a place in space does, */
+    uint16_t axis_of[GLINT_LIGHTS_MAX];  /* what a highlight's axis turns by, */
+    uint32_t axis;                       /* and at most */
+    uint32_t slope;                      /* of highlights that show, over their deviations, at most, Q8 */
+    uint32_t place, of_colour;           /* what sums turn by but for the normals, and what colours make over w */
+    uint32_t error, cone_error;          /* of quadratics, and of it what cones make, levels in Q8 */
+    int32_t margin;                      /* of a light's N.L, Q14 */
 } glint_region;
 
 /** sqrt(square), Q24 to Q12, to 2^-12 of it and a step. */
@@ -188,6 +186,13 @@ uint32_t glint_plane_error(const glint_shading *shading, int has_surface, const 
 
 /** Sets how far quadratics may be off. @return 0 where none fit */
 int glint_region_bound(const glint_frame *frame, const glint_shading *shading, glint_region *region);
+
+/** How far those may be where numbers are times the normal's length, levels in Q8, once the others' error is known;
+ * sets the margin for these. */
+uint32_t glint_error_over_length(const glint_frame *frame, const glint_shading *shading, glint_region *region);
+
+/** What is more where nodes between corners are found from these. */
+uint32_t glint_error_between(const glint_shading *shading, const glint_region *region);
 
 /** How far a light's deviations between a triangle's corners may lie beyond these, as kept: planes' error of
  * highlights. */

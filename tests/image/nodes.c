@@ -434,7 +434,7 @@ static uint32_t over_length(uint32_t ambient, int folds) {
     const glint_shading shading = {.material = &material, .terms = &terms};
     glint_region region = {.turn = 1 << 11, .place = 1 << 10, .slant = 0, .levels = 63 << 4, .folds = folds};
     CHECK_EQUAL(glint_region_bound(&frame, &shading, &region), 1);
-    return region.error_over_length;
+    return glint_error_over_length(&frame, &shading, &region);
 }
 
 /* Colours times the normal's length turn as the normal and the light do, and ambient light with them. */
@@ -576,16 +576,26 @@ static void sums_have_a_bound_of_their_own(void) {
         glint_region free = {.turn = turn, .place = turn / 2, .slant = 100, .levels = 4 * 63 << 4}, bound = free;
         terms.most_of_sums = UINT32_MAX;
         CHECK_EQUAL(glint_region_bound(&frame, &shading, &free), 1);
+        const uint32_t over = glint_error_over_length(&frame, &shading, &free);
         terms.most_of_sums = 112;
         CHECK_EQUAL(glint_region_bound(&frame, &shading, &bound), 1);
+        const uint32_t bound_over = glint_error_over_length(&frame, &shading, &bound);
         CHECK(free.error <= 112 ? bound.error == free.error : bound.error > 1 << 20);
-        CHECK(free.error_over_length <= 112 ? bound.error_over_length == free.error_over_length
-                                            : bound.error_over_length > 1 << 20);
-        within += free.error <= 112 && free.error_over_length <= 112;
-        beyond += free.error > 112 && free.error_over_length > 112;
+        CHECK(over <= 112 ? bound_over == over : bound_over > 1 << 20);
+        within += free.error <= 112 && over <= 112;
+        beyond += free.error > 112 && over > 112;
     }
     CHECK(within > 10);
     CHECK(beyond > 10);
+}
+
+/* What quadratics are off by, those over length, and what is more where nodes are found between corners. */
+static void find_errors_of(const glint_frame *frame, const glint_shading *shading, glint_region *region,
+                           uint32_t error[3]) {
+    CHECK_EQUAL(glint_region_bound(frame, shading, region), 1);
+    error[0] = region->error;
+    error[1] = glint_error_over_length(frame, shading, region);
+    error[2] = glint_error_between(shading, region);
 }
 
 /* So does each highlight, whatever it is off by: as quadratics, over length, or found between corners. */
@@ -601,14 +611,12 @@ static void highlights_have_a_bound_each(void) {
         one.axis_of[0] = one.axis_of[1] = (uint16_t)(turn / 2);
         two = bound = one;
         two.lobes = bound.lobes = 3;
+        uint32_t each[3], all[3], held[3];
         terms.most_of_one = UINT32_MAX;
-        CHECK_EQUAL(glint_region_bound(&frame, &shading, &one), 1);
-        CHECK_EQUAL(glint_region_bound(&frame, &shading, &two), 1);
+        find_errors_of(&frame, &shading, &one, each);
+        find_errors_of(&frame, &shading, &two, all);
         terms.most_of_one = 224;
-        CHECK_EQUAL(glint_region_bound(&frame, &shading, &bound), 1);
-        const uint32_t each[3] = {one.error, one.error_over_length, one.error_between},
-                       all[3] = {two.error, two.error_over_length, two.error_between},
-                       held[3] = {bound.error, bound.error_over_length, bound.error_between};
+        find_errors_of(&frame, &shading, &bound, held);
         for (int way = 0; way < 3; way++) {
             CHECK_EQUAL(all[way], 2 * each[way]);
             CHECK(each[way] <= 224 ? held[way] == all[way] : held[way] > 1 << 20);

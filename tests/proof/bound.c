@@ -207,6 +207,7 @@ static void any_fitting(int eighth) {
     region.place = ANY_UNSIGNED(0, rest);
     for (int i = 0; i < GLINT_LIGHTS_MAX; i++) {
         region.near_of[i] = (uint16_t)ANY(0, TOO_NEAR);
+        region.place_of[i] = (uint16_t)ANY(0, 7 << 11);
         region.axis_of[i] = (uint16_t)ANY(0, (int)rest);
     }
     region.of_colour = ANY_UNSIGNED(0, 1 << 23);
@@ -251,6 +252,23 @@ PROOF(glint_region_bound) {
     FOR_PARTS(eighth, 0, 7) {
         any_fitting((int)eighth);
         glint_region_bound(&frame, &shading, &region);
+    }
+}
+
+/* The same over length. @unsigned @options -eva-slevel 300 */
+PROOF(glint_error_over_length) {
+    FOR_PARTS(eighth, 0, 7) {
+        any_fitting((int)eighth);
+        region.cone_error = ANY_UNSIGNED(0, UINT_MAX);
+        glint_error_over_length(&frame, &shading, &region);
+    }
+}
+
+/* And between nodes. @unsigned @options -eva-slevel 300 */
+PROOF(glint_error_between) {
+    FOR_PARTS(eighth, 0, 7) {
+        any_fitting((int)eighth);
+        glint_error_between(&shading, &region);
     }
 }
 
