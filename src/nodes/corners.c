@@ -87,22 +87,15 @@ static uint32_t find_surface(const glint_triangle *triangle, glint_candidate *t)
     return (uint32_t)apart >> 3;
 }
 
-/* Do a triangle's corners keep light? */
-static int is_lit_at_corners(const glint_triangle *triangle) {
-    const glint_vertex *const *v = triangle->corners;
-    return v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_LIT;
-}
-
-glint_reach glint_find_reach(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle) {
+glint_reach glint_reach_of(const glint_draw *draw, const glint_region *region, int is_known) {
     const glint_shading *shading = draw->shading;
     glint_reach reach = {draw->unreached, shading->terms->lobes & ~draw->unreached};
-    glint_candidate t;
-    if (shading->terms->shown < 2 || !is_lit_at_corners(triangle))
+    if (shading->terms->shown < 2)
         return reach;
-    if (glint_find_region(frame, draw, triangle, &t)) /* else highlights may turn too far to tell */
-        reach.lobes &= t.region.lobes | t.region.far;
+    if (is_known) /* else highlights may turn too far to tell */
+        reach.lobes &= region->lobes | region->summed | region->far;
     if (!(shading->material->flags & GLINT_MATERIAL_UNGATED))
-        reach.away = shading->lights & ~(t.region.held | t.region.sides);
+        reach.away = shading->lights & ~(region->held | region->sides);
     return reach;
 }
 

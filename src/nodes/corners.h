@@ -26,6 +26,10 @@ typedef struct glint_candidate {
 int glint_find_region(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
                       glint_candidate *t);
 
+/** What such a region tells of its lights, where there are several; else any may shine on it. @param is_known may
+ * polynomials fit? */
+glint_reach glint_reach_of(const glint_draw *draw, const glint_region *region, int is_known);
+
 /** How far an edge bulges between such numbers of its ends, where its middle is found from them. */
 static inline int32_t glint_mix_bulge(const glint_candidate *t, int e, int32_t a, int32_t b) {
     return glint_shift_right(t->share[e][0] * a + t->share[e][1] * b + (1 << 14), 15);

@@ -15,9 +15,8 @@ static const glint_found_terms *find_whole(const glint_frame *frame, glint_works
         return before;
     glint_found_terms *const kept = glint_found_begin(workspace, triangle, part, sizeof *kept);
     glint_found_terms *const found = kept ? kept : own;
-    found->fits = (uint32_t)glint_terms_begin(frame, draw, triangle, part, &found->terms, &found->polynomials);
-    if (!found->fits)
-        found->reach = glint_find_reach(frame, draw, triangle);
+    found->fits =
+        (uint32_t)glint_terms_begin(frame, draw, triangle, part, &found->terms, &found->polynomials, &found->reach);
     if (kept)
         glint_found_keep(workspace, triangle, 0, glint_found_terms_size(kept));
     return found;

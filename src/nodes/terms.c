@@ -256,9 +256,13 @@ static void begin_term_planes(const glint_candidate *t, int32_t longer, const gl
 
 /* Do polynomials fit the triangle's shape? */
 static int is_shapely(const glint_triangle *triangle, const glint_part *part) {
+    return glint_slenderness(&part->gradients, triangle->area) <= GLINT_SLENDER;
+}
+
+/* Do a triangle's corners keep light? */
+static int is_lit_at_corners(const glint_triangle *triangle) {
     const glint_vertex *const *v = triangle->corners;
-    return v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_LIT &&
-           glint_slenderness(&part->gradients, triangle->area) <= GLINT_SLENDER;
+    return v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_LIT;
 }
 
 /* May numbers at the middles, but for those of highlights, be found from the corners? */
@@ -291,41 +295,54 @@ static int choose_fit(const glint_frame *frame, const glint_shading *shading, gl
     return is_over_length ? FIT_OVER_LENGTH : FIT_QUADRATICS;
 }
 
-int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
-                      const glint_part *part, glint_terms *terms, glint_polynomials *polynomials) {
+/* Finds polynomials of a triangle whose region they may fit. @return 0 where they do not */
+static int begin_candidate(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
+                           glint_candidate *t, const terms_target *to, glint_terms *terms) {
     const glint_shading *shading = draw->shading;
-    glint_candidate t;
-    glint_region *const region = &t.region;
+    const glint_part *part = to->part;
+    glint_region *const region = &t->region;
     glint_lengths by;
-    const terms_target to = {part, terms, polynomials};
-    if (!is_shapely(triangle, part) || !glint_find_region(frame, draw, triangle, &t))
-        return 0;
-    int fit = glint_region_sum_lobes(shading, t.has_surface, region) ? choose_fit(frame, shading, &t) : FIT_NONE;
+    int fit = glint_region_sum_lobes(shading, t->has_surface, region) ? choose_fit(frame, shading, t) : FIT_NONE;
     if (fit == FIT_NONE) {
         glint_region_part_lobes(region);
-        fit = choose_fit(frame, shading, &t);
+        fit = choose_fit(frame, shading, t);
     }
-    if (fit == FIT_NONE || (fit == FIT_OVER_LENGTH && !glint_find_lengths(triangle, t.apart, &by)))
+    if (fit == FIT_NONE || (fit == FIT_OVER_LENGTH && !glint_find_lengths(triangle, t->apart, &by)))
         return 0;
-    glint_sum_corners(shading, &t);
+    glint_sum_corners(shading, t);
     if (fit == FIT_PLANES) {
         glint_terms_name(frame, draw, region, 0, terms);
         terms->is_curved = 0;
         const int32_t longer = region->folds || region->summed ? 0 : (int32_t)(region->turn * region->turn / 12 >> 9);
-        begin_term_planes(&t, longer, terms, &to);
+        begin_term_planes(t, longer, terms, to);
         return 1;
     }
     const int twice = shading->material->model->lobe == GLINT_LOBE_MIRROR; /* R turns as far as that */
-    const uint32_t apart = (uint32_t)glint_most_of(t.apart[0], t.apart[1], t.apart[2]);
+    const uint32_t apart = (uint32_t)glint_most_of(t->apart[0], t->apart[1], t->apart[2]);
     if (!glint_keeps_digits(&part->gradients, triangle->area, apart << twice))
         return 0;
     const glint_lengths *const over = fit == FIT_OVER_LENGTH ? &by : 0;
-    if (over && (!t.is_between || !t.is_straight))
+    if (over && (!t->is_between || !t->is_straight))
         glint_find_middle_lengths(&by);
-    if (!glint_find_middles(frame, draw, triangle, &t))
+    if (!glint_find_middles(frame, draw, triangle, t))
         return 0;
-    region->has_edge |= has_edge(shading, &t, over);
+    region->has_edge |= has_edge(shading, t, over);
     glint_terms_name(frame, draw, region, over ? 1 + twice : 0, terms);
-    begin_term_quadratics(&t, over, terms, &to);
+    begin_term_quadratics(t, over, terms, to);
     return 1;
+}
+
+int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
+                      const glint_part *part, glint_terms *terms, glint_polynomials *polynomials, glint_reach *reach) {
+    const terms_target to = {part, terms, polynomials};
+    const int is_lit = is_lit_at_corners(triangle);
+    glint_candidate t;
+    const int is_known = is_lit && glint_find_region(frame, draw, triangle, &t);
+    if (is_known && is_shapely(triangle, part) && begin_candidate(frame, draw, triangle, &t, &to, terms))
+        return 1;
+    if (is_lit)
+        *reach = glint_reach_of(draw, &t.region, is_known);
+    else
+        *reach = (glint_reach){draw->unreached, draw->shading->terms->lobes & ~draw->unreached};
+    return 0;
 }

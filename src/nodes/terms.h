@@ -344,18 +344,15 @@ void glint_draw_edges(const glint_frame *frame, glint_workspace *workspace, cons
 /** Lights the vertices of a triangle, unless they are; finds their normals alone where the material has no terms. */
 glint_light_triangle glint_terms_light;
 
-/** The light of a triangle that is not deep, from its corners on. @return 0 where polynomials do not fit */
-int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
-                      const glint_part *part, glint_terms *terms, glint_polynomials *polynomials);
-
 /** Of a triangle: lights that do not shine on it, and those whose highlights may show where polynomials fit. */
 typedef struct glint_reach {
     uint32_t away, lobes;
 } glint_reach;
 
-/** Finds that from what its corners keep, where there are several lights; else any may shine on it. */
-GLINT_NOINLINE glint_reach glint_find_reach(const glint_frame *frame, const glint_draw *draw,
-                                            const glint_triangle *triangle);
+/** The light of a triangle that is not deep, from its corners on. @return 0 where polynomials do not fit: then sets its
+ * reach */
+int glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
+                      const glint_part *part, glint_terms *terms, glint_polynomials *polynomials, glint_reach *reach);
 
 /** What is found of a triangle, or of a piece of it. */
 typedef struct glint_found_terms {

@@ -520,6 +520,7 @@ static int begin_triangle(const lit_triangle *t, const corner_sides *s, glint_te
     const glint_vertex *const v = draw->vertices;
     glint_triangle triangle = {.corners = {&v[0], &v[1], &v[2]}};
     glint_polynomials polynomials;
+    glint_reach reach;
     glint_part part;
     for (int i = 0; i < 3; i++)
         keep_corner(t, s, i);
@@ -527,7 +528,7 @@ static int begin_triangle(const lit_triangle *t, const corner_sides *s, glint_te
     if (!CHECK(glint_raster(&part, triangle.corners)))
         return 0;
     glint_setup(&part, &triangle);
-    return glint_terms_begin(&t->frame, draw, &triangle, &part, terms, &polynomials);
+    return glint_terms_begin(&t->frame, draw, &triangle, &part, terms, &polynomials, &reach);
 }
 
 /*
