@@ -648,7 +648,7 @@ static void judge_deviation(const glint_frame *frame, const glint_shading *shadi
         square += (double)normal[c] * normal[c];
         cosine += (double)normal[c] * light[c];
     }
-    glint_nodes_light(frame, shading, &at, 1, 1, nodes);
+    glint_nodes_light(frame, shading, &at, 1, 1, 1, nodes);
     for (int c = 0; c < 2; c++) {
         const double off =
             node.number[0][GLINT_LOBE_X + c] - (2 * cosine / square * normal[c] - light[c]) / 2; /* of 2^15 */
@@ -694,7 +694,7 @@ static uint32_t narrow_over_length(const glint_model *model, uint32_t levels, ui
     const glint_shading shading = {.material = &material, .terms = &terms};
     glint_region region = {.turn = 1968, .slant = 807, .slope = slope, .lobes = 1}; /* as fuzzing has found it */
     CHECK_EQUAL(glint_region_bound(&frame, &shading, &region), 1);
-    return region.error_over_length;
+    return glint_error_over_length(&frame, &shading, &region);
 }
 
 /* Steps of numbers count where highlights are bright and narrow, p = 1024, and not where they are as usual, p = 32. */
