@@ -41,14 +41,9 @@ static inline uint32_t half_vector_lobe(const glint_power_table *table, const gl
 static inline uint32_t mirrored_lobe(const glint_power_table *table, const glint_prepared_light *source,
                                      const int16_t normal[3], const int16_t light[3], const int16_t view[3],
                                      int *is_inside) {
-    const int32_t cosine = glint_dot(normal, light);
-    const int32_t twice = glint_shift_right(cosine + glint_shift_right(cosine, 12), 14);
-    int32_t r[3];
     int16_t mirrored[3];
     (void)source;
-    for (int c = 0; c < 3; c++)
-        r[c] = glint_shift_right(glint_add_wrap(glint_multiply_wrap(twice, normal[c]), -light[c] * (1 << 15)), 15);
-    glint_unit(r[0], r[1], r[2], mirrored);
+    glint_mirror(glint_dot(normal, light), normal, light, mirrored);
     const int32_t along = glint_dot(mirrored, view);
     *is_inside = glint_in_window(table, along);
     return along > 0 ? glint_specular_power(table, mirrored, view, along) : glint_power_of_zero(table);
