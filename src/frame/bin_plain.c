@@ -134,14 +134,13 @@ static inline uint32_t quadrant_beyond_side(uint32_t a, uint32_t b, uint32_t poi
     return quadrant_beyond(difference_of_x(b, a), y_of(b) - y_of(a), difference_of_x(point, a), y_of(point) - y_of(a));
 }
 
-/* Lists a triangle with those of four tiles that it may reach; the first ends at a point. There is room. */
+/* Lists a triangle that runs counter-clockwise with those of four tiles that it may reach; the first ends at a point.
+ * There is room. */
 static GLINT_NOINLINE void list_four(const grid *g, uint32_t left, uint32_t tile, uint32_t point) {
     const uint16_t *indices = g->draw->triangles[g->end - left];
     const glint_vertex *vertices = g->draw->vertices;
-    const uint32_t w[3] = {word_of(&vertices[indices[0]]), word_of(&vertices[indices[1]]),
-                           word_of(&vertices[indices[2]])};
-    const int is_clockwise = is_seen(w, CLOCKWISE);
-    const uint32_t a = w[0], b = w[is_clockwise ? 2 : 1], c = w[is_clockwise ? 1 : 2];
+    const uint32_t a = word_of(&vertices[indices[0]]), b = word_of(&vertices[indices[1]]),
+                   c = word_of(&vertices[indices[2]]);
     const uint32_t beyond =
         quadrant_beyond_side(a, b, point) | quadrant_beyond_side(b, c, point) | quadrant_beyond_side(c, a, point);
     for (uint32_t i = 0; i < 4; i++)
@@ -176,7 +175,7 @@ static GLINT_NOINLINE int bin_several(const grid *g, uint32_t left) {
         return glint_bin_whole(frame, draw, triangle);
     if (!(flags & GLINT_VERTEX_NORMAL))
         glint_list_light(frame, draw, triangle);
-    if (more_columns == 1 && more_rows == 1)
+    if (more_columns == 1 && more_rows == 1 && turns_of(draw) == COUNTER_CLOCKWISE)
         list_four(g, left, tile, (column + 1) << g->shift_x | (row + 1) << g->shift_y);
     else
         append_all(g, tile, row_end, last, g->reference - (left << 16));

@@ -177,8 +177,8 @@ static GLINT_NOINLINE int hide_behind(const glint_frame *frame, const glint_work
 
 /*
  * Hides what of a costly object lies behind those that are drawn later: light that nobody sees costs more than depth
- * that is found twice. Of those that are drawn later, triangles that do not show leave the list, unless it is counted
- * what is drawn. Pixels are the same whatever is hidden here.
+ * that is found twice. Of those that are drawn later, triangles that do not show leave the list, unless what is
+ * drawn is counted. Pixels are the same whatever is hidden here.
  */
 static GLINT_NOINLINE void hide_objects(const glint_frame *frame, glint_workspace *workspace, glint_part *part,
                                         glint_reference *list) {

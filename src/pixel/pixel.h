@@ -120,7 +120,7 @@ static GLINT_INLINE void glint_draw_even_spans(const glint_spans *s, const glint
             uint8_t *const end = depth + 2 * (right - left);
             do {
                 if (glint_next_is_nearest(&depth, z)) {
-                    const uint32_t offset = glint_offset_of(ahead, depth);
+                    const uint32_t offset = glint_offset_of(s, ahead, depth);
                     put(t, offset, t->dithered ? pack(colour, glint_threshold(t, offset)) : packed);
                 }
                 glint_step(&depth);
@@ -178,7 +178,7 @@ static GLINT_INLINE void glint_draw_channel_spans(const glint_spans *s, const gl
         uint8_t *const end = depth + 2 * ((uint32_t)span.right - span.left);
         do {
             if (glint_next_is_nearest(&depth, z)) {
-                const uint32_t offset = glint_offset_of(ahead, depth);
+                const uint32_t offset = glint_offset_of(s, ahead, depth);
                 const int32_t colour[3] = {(int32_t)red.value, (int32_t)green.value, (int32_t)blue.value};
                 put(t, offset, pack(colour, glint_threshold(t, offset)));
             }
@@ -210,7 +210,7 @@ static GLINT_INLINE void glint_draw_mixed_inline(const glint_spans *s, const gli
         uint8_t *const end = depth + 2 * ((uint32_t)span.right - span.left);
         do {
             if (glint_next_is_nearest(&depth, z)) {
-                const uint32_t offset = glint_offset_of(ahead, depth);
+                const uint32_t offset = glint_offset_of(s, ahead, depth);
                 const int32_t number[3] = {glint_shift_right((int32_t)amount.value, 16), 0, 0};
                 const int32_t colour[3] = {glint_mix_channel(&mix, 0, number, 0, has_least),
                                            glint_mix_channel(&mix, 1, number, 0, has_least),

@@ -69,7 +69,7 @@ static void walk(edge *e, uint8_t *side, int32_t rows, int32_t width) {
 }
 
 /* One beyond them. */
-static void fill(uint8_t *side, int32_t rows, int32_t column) {
+static void fill_side(uint8_t *side, int32_t rows, int32_t column) {
     for (; rows; rows--, side += sizeof(glint_span))
         *side = (uint8_t)column;
 }
@@ -81,7 +81,7 @@ static void find_columns(uint8_t *side, int32_t rows, int32_t width, int32_t x, 
     const int32_t low = glint_least(first, last), high = glint_most(first, last);
     edge e;
     if (high < divisor || low >= width * divisor) {
-        fill(side, rows, high < divisor ? 0 : width);
+        fill_side(side, rows, high < divisor ? 0 : width);
         return;
     }
     begin_exactly(&e, first, dx, dy);

@@ -83,8 +83,8 @@ static inline const uint16_t *glint_ahead_of(const glint_spans *s) {
 
 /** The pixel of a tile whose depth was tested last. As a difference of pixels: formats of 16 bits need no shifts then.
  */
-static inline uint32_t glint_offset_of(const uint16_t *ahead, const uint8_t *place) {
-    return (uint32_t)((const uint16_t *)(const void *)place - ahead);
+static inline uint32_t glint_offset_of(const glint_spans *s, const uint16_t *ahead, const uint8_t *place) {
+    return (uint32_t)((const uint16_t *)(const void *)place - (GLINT_AHEAD ? ahead : s->depth));
 }
 
 /** A plane's step, for one loop over a span: ARMv6-M's compiler keeps it in a register there, if not from row to row.
