@@ -150,7 +150,10 @@ static GLINT_INLINE void add_lobe_inline(const glint_terms *terms, const light_p
     int32_t(*row)[3] = to->row;
     glint_inverses inverse = to->inverse;
     for (const glint_run *run = to->runs; run != to->end; run++) {
-        glint_progress x = glint_run_start(&of->lobe[0], run, to), y = glint_run_start(&of->lobe[1], run, to);
+        glint_progress x = glint_run_start(&of->lobe[0], run, to);
+        GLINT_BARRIER();
+        glint_progress y = glint_run_start(&of->lobe[1], run, to);
+        GLINT_BARRIER();
         glint_progress strength = is_weak && of->strength ? glint_run_start(of->strength, run, to) : full_strength;
         for (uint32_t n = run->count; n; n--, row++) {
             const int32_t dx = glint_shift_right((int32_t)x.value, 16), dy = glint_shift_right((int32_t)y.value, 16);

@@ -51,14 +51,15 @@ static GLINT_INLINE void part_channels(int is_over) {
 static GLINT_INLINE void begin_run_inline(const row_sums *of, int32_t i, int32_t j, const uint16_t *right,
                                           row_pixel *at, int is_chroma, int is_over) {
     const uint32_t z_dx = (uint32_t)of->part->depth.dx;
-    glint_progress square = {0, 0, 0}, one = glint_progress_begin(&of->sum[0], i, j), two = {0, 0, 0},
-                   three = {0, 0, 0};
+    glint_progress one = glint_progress_begin(&of->sum[0], i, j), square = {0, 0, 0}, two = square, three = square;
     if (is_over) {
         square = glint_progress_begin(of->square, i, j);
         square.value -= LEAST_LENGTH_SQUARE;
     }
     if (!is_chroma) {
+        part_channels(is_over);
         two = glint_progress_begin(&of->sum[1], i, j);
+        part_channels(is_over);
         three = glint_progress_begin(&of->sum[2], i, j);
     }
     if (!is_chroma && !is_over) {
@@ -114,8 +115,7 @@ static GLINT_INLINE glint_run *begin_rows_inline(const row_sums *of, uint32_t *y
     uint32_t j = *y, room = 2u << of->shift; /* pixels */
     uint32_t z_row = (uint32_t)glint_plane_at(&part->depth, part->x, part->y + (int32_t)j) + GLINT_DEPTH_BIAS;
     uint16_t *line = of->depth + (j << of->shift);
-    row_pixel at = {.row = row};
-    at.inverse = inverse;
+    row_pixel at = {.row = row, .inverse = inverse};
     do {
         const glint_span span = part->spans[j];
         const uint16_t *const right = line + span.right;
