@@ -150,7 +150,7 @@ static uint32_t find_places(glint_region *region) {
 }
 
 /* What has been set. */
-static inline uint32_t place_of(const glint_region *region, uint32_t l) {
+static inline uint32_t known_place(const glint_region *region, uint32_t l) {
     return region->near ? region->place_of[l] : 0;
 }
 
@@ -183,7 +183,7 @@ int glint_region_fits(const glint_shading *shading, int has_surface, glint_regio
  */
 static uint32_t turn_of_shine(const glint_shading *shading, const glint_region *region, uint32_t l) {
     const uint32_t turn = glint_lobe_turn(shading, region) + region->axis_of[l];
-    return (turn * shading->terms->spread >> 4) + place_of(region, l);
+    return (turn * shading->terms->spread >> 4) + known_place(region, l);
 }
 
 int glint_region_sum_lobes(const glint_shading *shading, int has_surface, glint_region *region) {
@@ -214,7 +214,7 @@ static inline int is_cut_off(const glint_region *region) {
 
 /* By how much its place turns a light in sums, at most as the nearest one's. */
 static uint32_t turn_of_place(const glint_region *region, uint32_t l) {
-    const uint32_t place = place_of(region, l) + (region->folds ? region->colour : 0);
+    const uint32_t place = known_place(region, l) + (region->folds ? region->colour : 0);
     return place < region->place ? place : region->place;
 }
 

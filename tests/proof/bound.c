@@ -245,7 +245,7 @@ PROOF(glint_region_part_lobes) {
 /*
  * Any region that polynomials may fit, by eighths of its turn.
  * @unsigned
- * @unreached 2 what planes are off by
+ * @unreached 4 what planes are off by, and slopes times more than highlights turn by here
  * @options -eva-slevel 300
  */
 PROOF(glint_region_bound) {
@@ -255,12 +255,17 @@ PROOF(glint_region_bound) {
     }
 }
 
-/* The same over length. @unsigned @options -eva-slevel 300 */
+/*
+ * The same over length.
+ * @unsigned
+ * @unreached 4 what planes are off by, and slopes times more than highlights turn by here
+ * @options -eva-slevel 300
+ */
 PROOF(glint_error_over_length) {
     FOR_PARTS(eighth, 0, 7) {
         any_fitting((int)eighth);
-        region.cone_error = ANY_UNSIGNED(0, UINT_MAX);
-        glint_error_over_length(&frame, &shading, &region);
+        if (glint_region_bound(&frame, &shading, &region))
+            glint_error_over_length(&frame, &shading, &region);
     }
 }
 

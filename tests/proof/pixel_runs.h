@@ -53,8 +53,8 @@ static void take_inverses(int are_there) {
 
 static void any_inverses(int32_t least, int32_t most) {
     for (int i = 0; i < PIXELS; i++)
-        inverse[i] = (uint16_t)ANY(least, most);
-    take_inverses(1);
+        row[i][2] = inverse[i] = (uint16_t)ANY(least, most);
+    to.inverse = inverse;
 }
 
 #endif
