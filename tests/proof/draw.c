@@ -325,19 +325,26 @@ void *glint_ring_begin(glint_workspace *workspace, size_t most);
 
 /*
  * Colours at any corners, seen from both sides; in formats with loops of their own and without, with output tables and
- * without.
- * @contract find_fit begin_channel_planes begin_channel_quadratics draw_runs glint_gathering_store glint_ring_find
- * glint_ring_begin
+ * without; of the first draw and of others, in front of any depths.
+ * @contract glint_is_visible find_fit begin_channel_planes begin_channel_quadratics draw_runs glint_gathering_store
+ * glint_ring_find glint_ring_begin
+ * @narrowing planes are evaluated modulo 2^32
  * @unreached 7 what is handed on between tiles
  */
 PROOF(glint_draw_lit) {
     static glint_draw draw;
     static glint_gathered gathered;
+    uint16_t depth[WIDTH];
     glint_frame frame;
+    for (int i = 0; i < WIDTH; i++)
+        depth[i] = (uint16_t)ANY(0, UINT16_MAX);
+    frame.draws = ANY(0, 1) ? &draw : 0;
+    workspace_of_all.depth = depth;
     workspace_of_all.gathered = &gathered;
     frame.tile_shift_x = (uint8_t)ANY(3, 6);
     any_triangle(0);
     ANY_GRADIENTS(&part_of_all.gradients);
+    any_plane(&part_of_all.depth);
     FOR_PARTS(kind, 0, 7) {
         const uint8_t green = kind & 1 ? 6 : 0, red = kind & 1 ? 5 : 0;
         const glint_format format = {.channel = {red, green, red}, .draw_channels = kind & 2 ? any_draw_channels : 0};
