@@ -8,7 +8,8 @@
 
 /*
  * Not proven: glint_find_region, find_lobes, find_lobe_range, find_corners_nearness, glint_reach_of: they walk corners
- * and lights, whose numbers are where place_numbers puts them, and call what is proven. Suites `nodes` and `identity` under ASan and UBSan, and fuzzing.
+ * and lights, whose numbers are where place_numbers puts them, and call what is proven. Suites `nodes` and `identity`
+ * under ASan and UBSan, and fuzzing.
  */
 
 /* A triangle that is not deep: its corners' 1/w with the largest at 15 bits. */

@@ -10,11 +10,12 @@
 #include "plane.h"
 
 /*
- * Not proven: glint_terms_light, glint_terms_begin, begin_candidate, is_lit_at_corners, choose_fit, light_middles, glint_find_middles, glint_sum_corners,
- * sum_node, shine_node, mix_sums, mix_lobes, take_kept, begin_term_planes, begin_term_quadratics, begin_light,
- * begin_sums_of, set_quadratic, set_straight, take_corners, take_numbers, take_sums, sum_at, mix_bulges, is_mixed,
- * is_mixed_kind, is_mixed_sum, find_normals, has_edge: they walk corners and lights, whose numbers are where
- * place_numbers puts them, and call what is proven. Suites `nodes` and `identity` under ASan and UBSan, and fuzzing.
+ * Not proven: glint_terms_light, glint_terms_begin, begin_candidate, is_lit_at_corners, choose_fit, light_middles,
+ * glint_find_middles, glint_sum_corners, sum_node, shine_node, mix_sums, mix_lobes, take_kept, begin_term_planes,
+ * begin_term_quadratics, begin_light, begin_sums_of, set_quadratic, set_straight, take_corners, take_numbers,
+ * take_sums, sum_at, mix_bulges, is_mixed, is_mixed_kind, is_mixed_sum, find_normals, has_edge: they walk corners and
+ * lights, whose numbers are where place_numbers puts them, and call what is proven. Suites `nodes` and `identity` under
+ * ASan and UBSan, and fuzzing.
  */
 
 /* Numbers of lights, and sums. */
