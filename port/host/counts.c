@@ -74,10 +74,10 @@ void __wrap_glint_draw_lit(const glint_frame *frame, glint_workspace *workspace,
 }
 
 void __wrap_glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at,
-                              uint32_t lights, uint32_t lobes, glint_node *const nodes[]) {
+                              uint32_t lights, uint32_t lobes, int tells, glint_node *const nodes[]) {
     count(COUNTS_node, at->count);
     count_lights(frame->view, at->count, lights, lobes, COUNTS_node_by_directional);
-    watch_nodes_light(frame, shading, at, lights, lobes, nodes);
+    watch_nodes_light(frame, shading, at, lights, lobes, tells, nodes);
 }
 
 /* Counts what a part is drawn by, unless the format's own loop does that. */
@@ -101,8 +101,9 @@ static void count_terms(const glint_terms *terms, const glint_part *part) {
 }
 
 int __wrap_glint_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
-                             const glint_part *part, glint_terms *terms, glint_polynomials *polynomials) {
-    const int fits = watch_terms_begin(frame, draw, triangle, part, terms, polynomials);
+                             const glint_part *part, glint_terms *terms, glint_polynomials *polynomials,
+                             glint_reach *reach) {
+    const int fits = watch_terms_begin(frame, draw, triangle, part, terms, polynomials, reach);
     count(COUNTS_region, 1);
     if (fits) {
         count(COUNTS_curved_region, terms->is_curved);

@@ -157,8 +157,8 @@ static node_place middle_of(node_place a, node_place b) {
 }
 
 int watch_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
-                      const glint_part *part, glint_terms *terms, glint_polynomials *polynomials) {
-    if (!__real_glint_terms_begin(frame, draw, triangle, part, terms, polynomials))
+                      const glint_part *part, glint_terms *terms, glint_polynomials *polynomials, glint_reach *reach) {
+    if (!__real_glint_terms_begin(frame, draw, triangle, part, terms, polynomials, reach))
         return 0;
     now.usual = terms->is_over_length ? WAY_OVER_LENGTH : terms->is_curved ? WAY_QUADRATICS : WAY_PLANES;
     now.of_region = now.usual;
@@ -178,12 +178,12 @@ int watch_terms_begin(const glint_frame *frame, const glint_draw *draw, const gl
 
 /* A point's ray tells where on the screen it lies: glint_find_ray. */
 void watch_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at, uint32_t lights,
-                       uint32_t lobes, glint_node *const nodes[]) {
+                       uint32_t lobes, int tells, glint_node *const nodes[]) {
     for (uint32_t i = 0; now.seen != NULL && i < at->count; i++)
         now.places[now.place_count++ % PLACES] = (placed){
             nodes[i],
             {(frame->config.width * 4096 - at->ray[i][0]) / 512, (frame->config.height * 4096 + at->ray[i][1]) / 512}};
-    __real_glint_nodes_light(frame, shading, at, lights, lobes, nodes);
+    __real_glint_nodes_light(frame, shading, at, lights, lobes, tells, nodes);
 }
 
 /* Where a node was lit last. */

@@ -75,9 +75,9 @@ void watch_draw_facet(const glint_frame *frame, glint_workspace *workspace, cons
 void watch_draw_lit(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                     const glint_triangle *triangle, const glint_part *part);
 void watch_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at, uint32_t lights,
-                       uint32_t lobes, glint_node *const nodes[]);
+                       uint32_t lobes, int tells, glint_node *const nodes[]);
 int watch_terms_begin(const glint_frame *frame, const glint_draw *draw, const glint_triangle *triangle,
-                      const glint_part *part, glint_terms *terms, glint_polynomials *polynomials);
+                      const glint_part *part, glint_terms *terms, glint_polynomials *polynomials, glint_reach *reach);
 int watch_shape_begin(const glint_frame *frame, const glint_draw *draw, const glint_shape *shape,
                       glint_node *const nodes[], glint_terms *terms, glint_polynomials *polynomials);
 void watch_terms_draw_part(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,

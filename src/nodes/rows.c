@@ -115,7 +115,8 @@ static GLINT_INLINE glint_run *begin_rows_inline(const row_sums *of, uint32_t *y
     uint32_t j = *y, room = 2u << of->shift; /* pixels */
     uint32_t z_row = (uint32_t)glint_plane_at(&part->depth, part->x, part->y + (int32_t)j) + GLINT_DEPTH_BIAS;
     uint16_t *line = of->depth + (j << of->shift);
-    row_pixel at = {.row = row, .inverse = inverse};
+    row_pixel at = {.row = row};
+    at.inverse = inverse;
     do {
         const glint_span span = part->spans[j];
         const uint16_t *const right = line + span.right;
@@ -137,8 +138,7 @@ static GLINT_INLINE glint_run *begin_rows_inline(const row_sums *of, uint32_t *y
         }
         line += 1u << of->shift;
         z_row += z_dy;
-        j++;
-    } while (j < bottom);
+    } while (++j < bottom);
     *y = j;
     return run;
 }
