@@ -276,13 +276,14 @@ static const lit_colours *find_lit(const glint_frame *frame, glint_workspace *wo
     return found;
 }
 
-/* Is a part hidden by what other objects have drawn? Most that are not show at their first pixel. */
+/* Is a part hidden by what other objects have drawn? Most that are not show at their first pixel. Of deep triangles
+ * what rounding takes below 0 counts as near: they may be drawn in vain. */
 static GLINT_NOINLINE int is_hidden(const glint_frame *frame, const glint_workspace *workspace,
-                                    const glint_triangle *triangle, const glint_part *part) {
+                                    const glint_part *part) {
     const uint32_t left = part->spans[part->top].left;
     const uint32_t z = glint_first_row(part, &part->depth) + (uint32_t)part->depth.dx * left + GLINT_DEPTH_BIAS;
     return z >> 15 <= workspace->depth[(part->top << frame->tile_shift_x) + left] && !workspace->drawn &&
-           !glint_is_deep(triangle) && !glint_is_visible(frame, workspace, part);
+           !glint_is_visible(frame, workspace, part);
 }
 
 void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
@@ -292,7 +293,7 @@ void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const 
     const int16_t *const *const colour = triangle->back ? triangle->extra : front;
     const glint_format *const format = frame->config.format;
     lit_colours own;
-    if (!GLINT_SMALL && draw != frame->draws && is_hidden(frame, workspace, triangle, part))
+    if (!GLINT_SMALL && draw != frame->draws && is_hidden(frame, workspace, part))
         return;
     const lit_colours *const lit = find_lit(frame, workspace, triangle, part, colour, &own);
     if (lit->how == FITS_NOTHING) {
