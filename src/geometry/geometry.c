@@ -4,25 +4,22 @@
 
 #include "draw.h"
 
-/* The nearest w over w, Q25, by the inverse of w: of a coordinate the lowest byte need not count; of the nearest w,
- * which may be far below w, it does. */
-static inline int32_t to_depth(int32_t nearest, uint32_t inverse) {
-    return glint_scale(nearest, inverse) + (int32_t)(((uint32_t)nearest & 0xff) * inverse >> 23);
-}
-
 /*
- * The same, Q31; of what lies 64 to 128 times as far and farther with 6 bits more: the inverse itself has 18. The
- * nearest surface ends up just below the top, so that a plane's rounding cannot pass it; the farthest above 0, so that
- * 1/w can be divided by.
+ * The nearest w over w, Q31, by the inverse of w; of what lies 64 to 128 times as far and farther with 6 bits more: the
+ * inverse itself has 18. Of a coordinate the lowest byte need not count; of the nearest w, which may be far below w, it
+ * does. The nearest surface ends up just below the top, so that a plane's rounding cannot pass it; the farthest above
+ * 0, so that 1/w can be divided by.
  */
 static inline int32_t to_inverse_w(int32_t nearest, uint32_t inverse) {
-    if (nearest < 1 << 22)
-        return glint_most(to_depth(glint_shift_left(nearest, 6), inverse), 64);
-    return glint_least(to_depth(nearest, inverse), 0x7fff0000 >> 6) * 64;
+    const unsigned more = nearest < (1 << 22) - (1 << 8) ? 6 : 0;
+    nearest = glint_shift_left(nearest, more);
+    const int32_t depth = glint_scale(nearest, inverse) + (int32_t)(((uint32_t)nearest & 0xff) * inverse >> 23);
+    return glint_most(glint_shift_left(glint_least(depth, 0x7fff0000 >> 6), 6 - more), 64);
 }
 
 /* Clip coordinates inside the guard band and beyond the near plane, w from 1 up and no less than the nearest. */
-static inline void project(const glint_transform *transform, int32_t x, int32_t y, int32_t w, glint_vertex *vertex) {
+static GLINT_INLINE void project_inline(const glint_transform *transform, int32_t x, int32_t y, int32_t w,
+                                        glint_vertex *vertex) {
     int32_t nearest = transform->nearest;
     if (w < 1 << 28) {
         unsigned up = 1;
@@ -39,6 +36,10 @@ static inline void project(const glint_transform *transform, int32_t x, int32_t 
     y = glint_scale(y, inverse) + transform->center_y;
     vertex->x = (int16_t)glint_shift_right(x, 11);
     vertex->y = (int16_t)glint_shift_right(y, 11);
+}
+
+static void project(const glint_transform *transform, int32_t x, int32_t y, int32_t w, glint_vertex *vertex) {
+    project_inline(transform, x, y, w, vertex);
 }
 
 void glint_project(const glint_transform *transform, const glint_position *position, glint_vertex *vertex) {
@@ -86,7 +87,7 @@ static GLINT_NOINLINE void transform_inside(const glint_transform *transform, co
         const glint_position here = to_clip_space(transform, *p);
         vertex->attribute[0] = (int16_t)(uint16_t)first;
         vertex->flags = 0;
-        project(transform, here.x, here.y, here.w, vertex);
+        project_inline(transform, here.x, here.y, here.w, vertex);
     }
 }
 

@@ -21,7 +21,7 @@ static inline glint_position to_clip_space(const glint_transform *transform, con
     ensures \initialized(&vertex->x) && \initialized(&vertex->y) && \initialized(&vertex->inverse_w);
     ensures -29000 <= vertex->x <= 29000 && -29000 <= vertex->y <= 29000;
     ensures 64 <= vertex->inverse_w <= 0x7fff0000; */
-static inline void project(const glint_transform *transform, int32_t x, int32_t y, int32_t w, glint_vertex *vertex);
+static void project_inline(const glint_transform *transform, int32_t x, int32_t y, int32_t w, glint_vertex *vertex);
 
 /*@ requires \valid_read(transform) && count <= 2 && \valid(vertex + (0 .. 1));
     requires \valid_read(&p[0 .. 1][0 .. 2]);
@@ -79,7 +79,7 @@ PROOF(project_split) {
 
 /*
  * Any positions from any number on, of an object that may be clipped.
- * @contract glint_row_times_whole project transform_inside
+ * @contract glint_row_times_whole project_inline transform_inside
  * @narrowing a vertex's number in its mesh is read back as uint16_t
  * @unreached 2 glint_project in perspective
  */
@@ -103,7 +103,7 @@ PROOF(glint_transform_array) {
 }
 
 /*
- * Any positions from any number on. @contract to_clip_space project
+ * Any positions from any number on. @contract to_clip_space project_inline
  * @narrowing a vertex's number in its mesh is read back as uint16_t
  */
 PROOF(transform_inside) {
