@@ -291,13 +291,12 @@ void glint_draw_edges(const glint_frame *frame, glint_workspace *workspace, cons
                       const glint_quadratic *polynomials, const glint_run *runs, const glint_run *end) {
     const int16_t *const normals[3] = NORMALS(triangle);
     const glint_gathering gathering = {frame, workspace, part, draw, glint_shade, &workspace->gathered->fragments};
-    glint_attributes attributes;
     uint8_t columns[GLINT_TILE_MAX];
     int has_begun = 0;
     for (const glint_run *run = runs; run != end; run++) {
         const uint32_t found = glint_terms_find_edge(terms, polynomials, part, run, columns);
         if (found && !has_begun) {
-            glint_gathering_begin(&gathering, triangle, normals, &attributes);
+            glint_gathering_begin(&gathering, triangle, normals, &workspace->gathered->attributes);
             gathering.fragments->away = ~(uint32_t)terms->shown;
         }
         has_begun |= found != 0;
