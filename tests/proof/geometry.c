@@ -64,7 +64,7 @@ static void project_parts(void) {
  * w from 1 to 3 2^28, x and y from -w to w, by parts of w and by signs. @contract glint_inverse
  * @narrowing a shift to the left, of coordinates up to w as w is; what is stored is within 29000
  */
-PROOF(project) {
+PROOF(project_inline) {
     project_parts();
 }
 
