@@ -215,7 +215,7 @@ COLOUR_BOARDS := mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 mps2-an505 netdu
 $(foreach board,$(filter-out $(MEASURED),$(COLOUR_BOARDS)),\
     $(eval $(call firmware_objects,$(board),O2,$(call twin,$(board),$(MEASURED) $(COLOUR_BOARDS)))))
 $(foreach board,$(COLOUR_BOARDS),\
-    $(eval $(call firmware_program,$(board),O2,animate,-Wl$(comma)--defsym=stack_size=9984)))
+    $(eval $(call firmware_program,$(board),O2,animate,-Wl$(comma)--defsym=stack_size=10112)))
 $(foreach program,compose moving own_flush,$(eval $(call firmware_program,mps2-an385,O2,$(program))))
 $(foreach board,$(FAULT_BOARDS),$(eval $(call firmware_program,$(board),release,faults-$(board))))
 $(eval $(call firmware_program,pico,release,unit-pico,-Wl$(comma)--defsym=stack_size=3840))

@@ -592,8 +592,9 @@ typedef struct glint_config {
      * then kept for as long as nothing that they come from changes, and made anew where something has written there;
      * not by a library built for size. */
     uint8_t keeps_arena;
-    uint8_t counts_drawn; /**< Not 0: glint_stats.drawn is counted too, for about 3 % more instructions. */
-    int16_t left, top;    /**< Where the screen's first pixel lies on the display: added to where tiles are sent. */
+    /** Not 0: glint_stats.drawn is counted too, for up to 1 % more instructions, 6 % where objects hide others. */
+    uint8_t counts_drawn;
+    int16_t left, top; /**< Where the screen's first pixel lies on the display: added to where tiles are sent. */
     /**
      * The part of the screen that is drawn and sent, all 0 for the whole: its pixels are those of the whole frame.
      * Where pixels share a byte, it ends where bytes do, or at the screen's edge: x and width are multiples of 2 in

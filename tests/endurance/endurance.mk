@@ -12,7 +12,7 @@ $(eval $(call test_program,$(BUILD)/tests/endurance,host,tests/endurance/enduran
 
 PROGRAM_endurance := tests/endurance/endurance_board.c $(ENDURANCE_SOURCES)
 $(BUILD)/mps2-an385/O2/tests/endurance/endurance_board.o: FIRMWARE_CFLAGS += -DENDURANCE_FRAMES=$(ENDURANCE_BOARD_FRAMES)
-$(eval $(call firmware_program,mps2-an385,O2,endurance,-Wl$(comma)--defsym=stack_size=9984))
+$(eval $(call firmware_program,mps2-an385,O2,endurance,-Wl$(comma)--defsym=stack_size=10112))
 
 SUITES += test-endurance
 .PHONY: endurance test-endurance

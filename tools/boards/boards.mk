@@ -13,8 +13,8 @@ $(BOARDS_STREAM): $(BUILD)/pico/release/show.bin $(BUILD)/pico/emulator/installe
 # The example scenes in motion: what each frame takes of the core by the model of cycles, and of the bus.
 PROGRAM_animate-marked := $(PROGRAM_animate) tools/boards/marked.c
 PROGRAM_animate-marked-polled := $(PROGRAM_animate-marked) tools/boards/marked_polled.c
-$(eval $(call firmware_program,mps2-an385,O2,animate-marked,-Wl$(comma)--defsym=stack_size=9984 -Wl$(comma)--wrap=glint_render))
-$(eval $(call firmware_program,netduinoplus2,O2,animate-marked-polled,-Wl$(comma)--defsym=stack_size=9984 \
+$(eval $(call firmware_program,mps2-an385,O2,animate-marked,-Wl$(comma)--defsym=stack_size=10112 -Wl$(comma)--wrap=glint_render))
+$(eval $(call firmware_program,netduinoplus2,O2,animate-marked-polled,-Wl$(comma)--defsym=stack_size=10112 \
     -Wl$(comma)--wrap=glint_render -Wl$(comma)--wrap=stm32_spi_send))
 # They measure; `make boards` lists what is to run on a board.
 FIRMWARE := $(filter-out %/animate-marked.elf %/animate-marked-polled.elf,$(FIRMWARE))
