@@ -11,7 +11,7 @@
  * 0, so that 1/w can be divided by.
  */
 static inline int32_t to_inverse_w(int32_t nearest, uint32_t inverse) {
-    const unsigned more = nearest < (1 << 22) - (1 << 8) ? 6 : 0;
+    const unsigned more = nearest < (1 << 22) - (1 << 8) ? 6 : 0; /* 64 times this stays below the top */
     nearest = glint_shift_left(nearest, more);
     const int32_t depth = glint_scale(nearest, inverse) + (int32_t)(((uint32_t)nearest & 0xff) * inverse >> 23);
     return glint_most(glint_shift_left(glint_least(depth, 0x7fff0000 >> 6), 6 - more), 64);

@@ -22,8 +22,8 @@ static void triple(glint_plane planes[3], const glint_gradients *g, const glint_
     }
 }
 
-/* 1/w of a deep triangle, with the bits that its own plane lacks. */
-static void begin_deep(glint_plane *depth, const glint_gradients *g, const glint_triangle *triangle, unsigned scale) {
+/* 1/w of a far triangle, with the bits that its own plane lacks. */
+static void begin_far(glint_plane *depth, const glint_gradients *g, const glint_triangle *triangle, unsigned scale) {
     const int32_t by = 1 << (scale - 1);
     const glint_vertex *const *v = triangle->corners;
     glint_plane_begin(depth, g, v[0]->inverse_w * by, v[1]->inverse_w * by, v[2]->inverse_w * by);
@@ -40,8 +40,8 @@ void glint_gathering_begin(const glint_gathering *gathering, const glint_triangl
     fragments->scale = up;
     fragments->away = triangle->away;
     const int is_opposite = triangle->back && gathering->draw->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS;
-    if (up > GLINT_DEEP_SCALE)
-        begin_deep(&attributes->depth, g, triangle, up);
+    if (up > GLINT_FAR_SCALE)
+        begin_far(&attributes->depth, g, triangle, up);
     triple(attributes->main, g, triangle, up, main, is_opposite ? -1 : 1);
     if (gathering->draw->extra)
         triple(attributes->extra, g, triangle, up, triangle->extra, 1);

@@ -7,7 +7,7 @@
 #include "../raster/setup.h"
 #include "shade.h"
 
-/** 1/w of a deep triangle's fragments, where its own plane has too few bits for places. */
+/** 1/w of a far triangle's fragments, where its own plane has too few bits for places. */
 static inline void glint_find_depths(glint_fragments *fragments) {
     const unsigned down = fragments->scale - 1;
     for (uint32_t i = 0; i < fragments->count; i++) {
@@ -23,7 +23,7 @@ static inline void glint_find_rays(const glint_frame *frame, glint_fragments *fr
     const int32_t x = frame->config.width * 4096 - window->left * 512; /* the window is in sixteenths */
     const int32_t y = window->top * 512 - frame->config.height * 4096;
     const int32_t focal = frame->view->focal;
-    if (fragments->scale > GLINT_DEEP_SCALE)
+    if (fragments->scale > GLINT_FAR_SCALE)
         glint_find_depths(fragments);
     for (uint32_t i = 0; i < fragments->count; i++) {
         fragments->ray[i][0] = x - fragments->column[i] * 8192;

@@ -14,14 +14,15 @@ struct glint_draw;
 /** Up to two triples: a normal over w or a lit colour, and the surface's own colour. */
 typedef struct glint_attributes {
     glint_plane main[3], extra[3];
-    glint_plane depth; /* 1/w 2^(scale - 1) of deep triangles, below */
+    glint_plane depth; /* 1/w 2^(scale - 1) of far triangles, below */
 } glint_attributes;
 
 /**
- * The scale, below, above which a triangle is deep. A plane of 1/w is off by up to a step for each pixel from the first
- * corner, of up to 2^9: of others, whose 1/w has 28 bits and more, by 2^-18 at most.
+ * The scale, below, above which a triangle is far, its corners more than 16 times as far as the nearest geometry. A
+ * plane of 1/w is off by up to a step for each pixel from the first corner, of up to 2^9: of others, whose 1/w has 28
+ * bits and more, by 2^-18 at most.
  */
-#define GLINT_DEEP_SCALE 3
+#define GLINT_FAR_SCALE 3
 
 /** Fragments of one triangle in a tile; or vertices or a triangle's middle, which have no place. */
 typedef struct glint_fragments {
