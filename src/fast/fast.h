@@ -9,16 +9,11 @@
 
 #include "../geometry/draw.h"
 #include "../light/shading.h"
+#include "../pixel/spread.h"
 #include "../raster/raster.h"
 
 /** Entries of a diffuse table: 256 for N.L from 0 to 1, the rest for what lengthened normals reach above it. */
 #define GLINT_DIFFUSE_ENTRIES 272
-
-/**
- * A colour as one word, "spread": blue in bits 0 to 8, red in 10 to 19, green in 21 to 30. Of these the lowest 4, 5 and
- * 4 are fractions of a level. The bit above each channel is clear, so that two words can be added.
- */
-#define GLINT_SPREAD_GUARD 0x80100200u
 
 /** A ray's z; its length goes into a table that ends at sqrt(12) times this. */
 #define GLINT_FAST_RAY_Z (1 << 14)
@@ -65,8 +60,8 @@ typedef struct glint_exact_limits {
 
 typedef struct glint_fast_terms {
     /* Tables, null where the arena had no room: then each word is computed when it is needed, the same to the bit. */
-    const uint32_t *diffuse;       /* ambient and diffuse light over N.L, spread, half a level included */
-    const uint16_t *diffuse_pixel; /* the same, packed */
+    const uint32_t *diffuse;       /* ambient and diffuse light over N.L, spread */
+    const uint16_t *diffuse_pixel; /* the same, packed; not where words are stored */
     const uint32_t *specular;      /* over the squared deviation, spread; `diffuse` lies behind it */
     uint32_t specular_end;         /* squared deviation where it ends; 0 where no highlight ever shows */
     uint16_t ambient;              /* packed */
@@ -97,6 +92,9 @@ typedef struct glint_fast_terms {
     int32_t center_x, center_y;  /* of the screen, 28.4 */
     int32_t lit_exactly;         /* as `lit`, Q15, of pixels that are gated one by one */
     uint32_t tables_sum;         /* glint_sum */
+    uint32_t ambient_word;
+    uint8_t bits[3];    /* of channels' levels */
+    uint8_t is_rounded; /* words hold half a level: they are stored as they are */
 } glint_fast_terms;
 
 /** How a triangle is drawn. */
@@ -115,18 +113,6 @@ typedef struct glint_fast_planes {
     glint_plane x, y;   /* scaled deviation in the high half: the sum of the squares is 2^15 a table's entry */
 } glint_fast_planes;
 
-/** A word packed into 16 bits: 5 red, 6 green, 5 blue; what is above them is to be cut off. */
-static inline uint32_t glint_spread_pack(uint32_t word) {
-    const uint32_t levels = word >> 4 & 0x07e0f81fu; /* red and blue in place, green 16 bits above its own */
-    return levels | levels >> 16;
-}
-
-/** A sum of two words, each channel clamped: a guard bit that is set sets the nine below. */
-static inline uint32_t glint_spread_clamp(uint32_t word) {
-    uint32_t over = word & GLINT_SPREAD_GUARD;
-    return word | (over - (over >> 9));
-}
-
 /** The weights of the one light that a material of fast lighting shows; 0 where it shows none. */
 const glint_weights *glint_weights_shown(const glint_shading *shading);
 
@@ -141,23 +127,23 @@ int glint_fast_serves(const glint_frame *frame, const glint_object *object);
 /** Bytes that a material takes, and its tables. */
 void glint_fast_need(const glint_frame *frame, const glint_shading *shading, size_t *least, size_t *tables);
 
-/** The largest levels of red, green and blue. */
+/** The largest levels of red, green and blue of the finest format. */
 static const uint32_t glint_fast_levels[3] = {31, 63, 31};
 
 /** Bytes of a material's tables, the specular one of so many entries. */
-size_t glint_fast_tables_size(uint32_t specular);
+size_t glint_fast_tables_size(const glint_format *format, uint32_t specular);
 
-/** Sets the colour of ambient light. */
-void glint_fast_prepare_ambient(glint_fast_terms *fast, const glint_shading *shading);
+/** Sets what words are like, and the colour of ambient light. */
+void glint_fast_prepare_words(glint_fast_terms *fast, const glint_format *format, const glint_shading *shading);
 
 /** Makes a material's tables, if they leave that much; not those that the last frame left. */
-void glint_fast_make_tables(glint_memory *memory, glint_fast_terms *fast, const glint_shading *shading);
+void glint_fast_make_tables(glint_frame *frame, glint_fast_terms *fast, const glint_shading *shading);
 
 /** Prepares the materials of a frame; they are what the arena holds last. */
 glint_status glint_fast_prepare(glint_frame *frame);
 
-/** A pixel, packed, as the tables make it: N.L in Q30, and the squared deviation. */
-uint32_t glint_fast_pixel(const glint_shading *shading, int32_t cosine, uint32_t square);
+/** A pixel's word as the tables make it: N.L in Q30, and the squared deviation. Channels may be beyond 1. */
+uint32_t glint_fast_word(const glint_shading *shading, int32_t cosine, uint32_t square);
 
 /** UNIT 2^15 / (UNIT + z), z from 0 to UNIT; linear interpolation, off by at most 2. */
 static inline int32_t glint_inverse_of_one_and(int32_t z) {
@@ -229,7 +215,7 @@ static inline const int16_t *glint_fast_terms_of(const glint_draw *draw, const g
 /** Lights the vertices of a triangle, unless they are. */
 glint_light_triangle glint_fast_light;
 
-/** The colour of a triangle that has but one, packed: that of its plane of N.L at the anchor. */
+/** The word of a triangle of one colour: that of its plane of N.L at the anchor. */
 uint32_t glint_fast_even(const glint_shading *shading, const glint_fast_planes *planes);
 
 /** Pixels of a part's spans. */

@@ -115,7 +115,7 @@ void glint_fast_need(const glint_frame *frame, const glint_shading *shading, siz
     if (!serves_some(frame, shading))
         return;
     *least += GLINT_ALIGNED(sizeof(glint_fast_terms));
-    *tables += glint_fast_tables_size(specular_entries(shading, find_highlight_end(shading)));
+    *tables += glint_fast_tables_size(frame->config.format, specular_entries(shading, find_highlight_end(shading)));
 }
 
 /* ---- What fits ---- */
@@ -258,7 +258,7 @@ static glint_status prepare_material(glint_frame *frame, glint_shading *shading)
     shading->fast = fast;
     prepare_rays(fast, frame);
     prepare_light(fast, frame->view, shading);
-    glint_fast_prepare_ambient(fast, shading);
+    glint_fast_prepare_words(fast, frame->config.format, shading);
     prepare_highlight(fast, shading);
     fast->lit = (int16_t)least_lit_of(shading);
     fast->lit_exactly = shading->material->flags ? 2 * fast->lit : INT16_MIN;
@@ -276,6 +276,6 @@ glint_status glint_fast_prepare(glint_frame *frame) {
     /* tables may take what is left once every material has what it must have */
     for (uint32_t i = 0; i < frame->shading_count && status == GLINT_OK; i++)
         if (shadings[i].fast)
-            glint_fast_make_tables(&frame->memory, (glint_fast_terms *)shadings[i].fast, &shadings[i]);
+            glint_fast_make_tables(frame, (glint_fast_terms *)shadings[i].fast, &shadings[i]);
     return status;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Fast lighting of pixels of 16 bits, high byte first. */
-#include "fast_draw565.h"
+#include "fast_draw.h"
 
-GLINT_DEFINE_FAST(rgb565_be, 1);
+GLINT_DEFINE_FAST(rgb565_be, GLINT_STORES_565_BE);

@@ -128,9 +128,8 @@ void glint_fast_light(const glint_frame *frame, glint_draw *draw, const glint_tr
 uint32_t glint_fast_even(const glint_shading *shading, const glint_fast_planes *planes) {
     const int32_t cosine = planes->cosine.start;
     if (!shading->lights || cosine <= 0)
-        return shading->fast->ambient;
-    return shading->fast->diffuse ? shading->fast->diffuse_pixel[cosine >> 22]
-                                  : glint_fast_pixel(shading, cosine, UINT32_MAX);
+        return shading->fast->ambient_word;
+    return shading->fast->diffuse ? shading->fast->diffuse[cosine >> 22] : glint_fast_word(shading, cosine, UINT32_MAX);
 }
 
 uint32_t glint_fast_covered(const glint_part *part) {

@@ -27,6 +27,7 @@ static inline int32_t glint_to_levels(int32_t channel, unsigned bits) {
 }
 
 struct glint_spans;
+struct glint_spread;
 struct glint_quadratic;
 struct glint_run;
 
@@ -44,9 +45,10 @@ typedef struct glint_fast {
     /** Adds the bytes that a material takes at least, and its tables, which want as much room left behind them. */
     void (*need)(const glint_frame *frame, const struct glint_shading *shading, size_t *least, size_t *tables);
     const glint_evaluation *evaluation; /* of what it serves */
+    int stores_spread;                  /* the format makes pixels of these */
 } glint_fast;
 
-extern const glint_fast glint_fast_rgb565, glint_fast_rgb565_be;
+extern const glint_fast glint_fast_rgb565, glint_fast_rgb565_be, glint_fast_spread;
 
 struct glint_format {
     uint8_t bits;       /* per pixel */
@@ -67,6 +69,9 @@ struct glint_format {
     /** Stores runs of a tile whose colours are mixed; without gloss, of the first number alone. */
     void (*store_mixed)(void *pixels, unsigned tile_shift_x, const struct glint_run *runs, const struct glint_run *end,
                         const glint_mix *mix, int has_gloss, const int32_t (*numbers)[3]);
+    /** Stores pixels of a tile whose colours are words without half a level. spread.h */
+    void (*store_spread)(void *pixels, unsigned tile_shift_x, const struct glint_spread *words,
+                         const struct glint_spread *end);
     const struct glint_fast *fast; /* or null */
 };
 

@@ -10,6 +10,7 @@
 #include "../raster/polynomial.h"
 #include "../raster/runs.h"
 #include "format.h"
+#include "spread.h"
 
 /** Thresholds of ordered dithering over 8 x 8 pixels in 1/128 level: 1, 3 .. 127, row by row (Bayer, 1973). */
 extern const uint8_t glint_dither_matrix[64];
@@ -26,6 +27,9 @@ typedef struct glint_target {
 
 /** What a format packs channels into; the threshold is in 1/128 level. */
 typedef uint32_t glint_pack(const int32_t colour[3], uint32_t threshold);
+
+/** What a format packs a word of spread.h into, which the threshold is added to. */
+typedef uint32_t glint_pack_spread(uint32_t word, uint32_t threshold);
 
 /** Puts a packed pixel at `offset` of the tile. */
 typedef void glint_put(const glint_target *target, uint32_t offset, uint32_t packed);
@@ -86,13 +90,25 @@ static GLINT_INLINE void glint_store_runs(const glint_target *t, const glint_run
     }
 }
 
+/** A format's `store_spread`. */
+static GLINT_INLINE void glint_store_spread(const glint_target *t, const glint_spread *words, const glint_spread *end,
+                                            glint_pack_spread pack, glint_put put) {
+    for (ptrdiff_t left = end - words; left; left--, words++)
+        put(t, words->offset, pack(words->colour, glint_threshold(t, words->offset)));
+}
+
 /** Copies the first `period` bytes all over the first `size`, which is a power of two times as many. */
 void glint_repeat(void *bytes, size_t period, size_t size);
+
+/** Does it matter which threshold is added to a colour? Levels grow with it. */
+static GLINT_INLINE int glint_is_dithered(const glint_target *t, const int32_t colour[3], glint_pack pack) {
+    return t->dithered && pack(colour, 1) != pack(colour, 127);
+}
 
 /** A format's `fill`: 8 pixels, repeated along their row, and this row, or 8 where they are dithered, down the tile. */
 static GLINT_INLINE void glint_fill_tile(const glint_target *t, uint32_t height, const int32_t colour[3], uint32_t bits,
                                          glint_pack pack, glint_put put) {
-    const uint32_t rows = t->dithered ? 8 : 1, row_bytes = bits << t->shift >> 3;
+    const uint32_t rows = glint_is_dithered(t, colour, pack) ? 8 : 1, row_bytes = bits << t->shift >> 3;
     for (uint32_t y = 0; y < rows; y++) {
         for (uint32_t x = 0; x < 8; x++)
             put(t, (y << t->shift) + x, pack(colour, glint_threshold(t, (y << t->shift) + x)));
@@ -305,27 +321,40 @@ static GLINT_INLINE void glint_store_mixed(const glint_target *t, const glint_ru
     }
 #endif
 
+/** `store_spread` of formats which fast lighting stores words of. */
+#define GLINT_DEFINE_SPREAD(suffix, pack, put, is_dithered)                                    \
+    static void store_spread_##suffix(void *pixels, unsigned shift, const glint_spread *words, \
+                                      const glint_spread *end) {                               \
+        const glint_target target = {pixels, shift, is_dithered};                              \
+        glint_store_spread(&target, words, end, pack, put);                                    \
+    }
+
 /** GLINT_FORMAT's `edge`: of formats whose pixels of a row share bytes, and of those where pixels of a column do. */
 #define GLINT_ROW_EDGE(bits) \
     { (bits) == 1 ? 7 : (bits) % 8 ? 1 : 0, 0 }
 #define GLINT_PAGE_EDGE(bits) \
     { 0, 7 }
 
+/** Fast lighting of a format: none, or that of words. */
+#define GLINT_FAST_NONE(suffix) 0, 0
+#define GLINT_FAST_SPREAD(suffix) store_spread_##suffix, &glint_fast_spread
+
 /** A format of so many bits a pixel, and of its channels, or 0 for luma. */
 #define GLINT_FORMAT(suffix, bits, edge, red, green, blue, fast)                                                      \
     {                                                                                                                 \
         bits, {red, green, blue}, edge(bits), store_##suffix, fill_##suffix, GLINT_FUSED(draw_even_##suffix),         \
             GLINT_FUSED(draw_channels_##suffix), GLINT_FUSED(draw_mixed_##suffix), GLINT_FUSED(store_mixed_##suffix), \
-            fast                                                                                                      \
+            fast(suffix)                                                                                              \
     }
 
 /** Defines a format and its dithered twin, which the linker keeps only where they are named. */
-#define GLINT_DEFINE_FORMAT(name, bits, edge, red, green, blue, pack, put, fill_tile, fast)          \
-    GLINT_DEFINE_STORES(name, bits, pack, put, fill_tile, 0)                                         \
-    GLINT_DEFINE_STORES(name##_dithered, bits, pack, put, fill_tile, 1)                              \
-    GLINT_DEFINE_FUSED(name, pack, put, 0)                                                           \
-    GLINT_DEFINE_FUSED(name##_dithered, pack, put, 1)                                                \
-    const glint_format glint_format_##name = GLINT_FORMAT(name, bits, edge, red, green, blue, fast); \
-    const glint_format glint_format_##name##_dithered = GLINT_FORMAT(name##_dithered, bits, edge, red, green, blue, 0)
+#define GLINT_DEFINE_FORMAT(name, bits, edge, red, green, blue, pack, put, fill_tile, fast, fast_dithered) \
+    GLINT_DEFINE_STORES(name, bits, pack, put, fill_tile, 0)                                               \
+    GLINT_DEFINE_STORES(name##_dithered, bits, pack, put, fill_tile, 1)                                    \
+    GLINT_DEFINE_FUSED(name, pack, put, 0)                                                                 \
+    GLINT_DEFINE_FUSED(name##_dithered, pack, put, 1)                                                      \
+    const glint_format glint_format_##name = GLINT_FORMAT(name, bits, edge, red, green, blue, fast);       \
+    const glint_format glint_format_##name##_dithered =                                                    \
+        GLINT_FORMAT(name##_dithered, bits, edge, red, green, blue, fast_dithered)
 
 #endif

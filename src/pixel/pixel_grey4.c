@@ -11,4 +11,5 @@ static inline void put_grey4(const glint_target *target, uint32_t offset, uint32
     *pair = (uint8_t)(offset & 1 ? (*pair & 0xf0u) | packed : (*pair & 0x0fu) | packed << 4);
 }
 
-GLINT_DEFINE_FORMAT(grey4, 4, GLINT_ROW_EDGE, 0, 0, 0, pack_grey4, put_grey4, glint_fill_tile, 0);
+GLINT_DEFINE_FORMAT(grey4, 4, GLINT_ROW_EDGE, 0, 0, 0, pack_grey4, put_grey4, glint_fill_tile, GLINT_FAST_NONE,
+                    GLINT_FAST_NONE);

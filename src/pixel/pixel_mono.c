@@ -12,4 +12,5 @@ static inline void put_mono(const glint_target *target, uint32_t offset, uint32_
     *eight = (uint8_t)((*eight & ~(1u << bit)) | packed << bit);
 }
 
-GLINT_DEFINE_FORMAT(mono, 1, GLINT_ROW_EDGE, 0, 0, 0, pack_mono, put_mono, glint_fill_tile, 0);
+GLINT_DEFINE_FORMAT(mono, 1, GLINT_ROW_EDGE, 0, 0, 0, pack_mono, put_mono, glint_fill_tile, GLINT_FAST_NONE,
+                    GLINT_FAST_NONE);

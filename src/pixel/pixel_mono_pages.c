@@ -23,4 +23,5 @@ static inline void fill_pages(const glint_target *t, uint32_t height, const int3
     glint_repeat(t->pixels, 8, height << t->shift >> 3);
 }
 
-GLINT_DEFINE_FORMAT(mono_pages, 1, GLINT_PAGE_EDGE, 0, 0, 0, pack_mono_pages, put_mono_pages, fill_pages, 0);
+GLINT_DEFINE_FORMAT(mono_pages, 1, GLINT_PAGE_EDGE, 0, 0, 0, pack_mono_pages, put_mono_pages, fill_pages,
+                    GLINT_FAST_NONE, GLINT_FAST_NONE);

@@ -15,7 +15,7 @@ static inline void put(const glint_target *target, uint32_t offset, uint32_t pac
     out[2] = (uint8_t)packed;
 }
 
-GLINT_DEFINE_FORMAT(fine, 24, GLINT_ROW_EDGE, 8, 8, 8, pack, put, glint_fill_tile, 0);
+GLINT_DEFINE_FORMAT(fine, 24, GLINT_ROW_EDGE, 8, 8, 8, pack, put, glint_fill_tile, GLINT_FAST_NONE, GLINT_FAST_NONE);
 
 double fine_level(const picture *image, int pixel) {
     const uint8_t *bytes = image->bytes + (size_t)3 * (size_t)pixel;

@@ -454,7 +454,7 @@ static void spoil_fast(glint_shading *shading) {
     glint_fast_terms *const fast = (glint_fast_terms *)(uintptr_t)shading->fast;
     const uint32_t entries = fast->specular_end >> 15;
     memset((void *)(uintptr_t)fast->specular, 0, entries * sizeof *fast->specular);
-    fast->tables_sum = glint_sum(fast->specular, glint_fast_tables_size(entries));
+    fast->tables_sum = glint_sum(fast->specular, glint_fast_tables_size(&glint_format_rgb565, entries));
 }
 
 static void check_trust(const glint_format *format, spoil_tables *spoil) {

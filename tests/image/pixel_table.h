@@ -54,17 +54,17 @@ static const pixel_sums pixel_table[] = {
     {0xd6d1f3f0u, 0xda81c0feu}, /* gallery */
     {0x2b62eba9u, 0x4e60b3bau}, /* gallery */
     {0x94a965c6u, 0x4b449c07u}, /* formats */
-    {0x5fa46c82u, 0x609193f2u}, /* formats */
+    {0xddf8e98cu, 0x4b449c07u}, /* formats */
     {0xc33a1b80u, 0x4b449c07u}, /* formats */
     {0x70a82de5u, 0x7ff45439u}, /* formats */
-    {0x6b0e5fd0u, 0x609193f2u}, /* formats */
+    {0x19d3d31eu, 0x4b449c07u}, /* formats */
     {0x45ec03f3u, 0x7ff45439u}, /* formats */
     {0xaf260e89u, 0x7ff45439u}, /* formats */
     {0xf6c3f843u, 0x7ff45439u}, /* formats */
     {0xbb10a850u, 0x7ff45439u}, /* formats */
-    {0x214a6960u, 0x08344bbcu}, /* formats */
+    {0x4aa8dedfu, 0xdc6903f1u}, /* formats */
     {0xcbb1267du, 0x7ff45439u}, /* formats */
-    {0xcc09f0a3u, 0x08344bbcu}, /* formats */
+    {0xb239bbd1u, 0xdc6903f1u}, /* formats */
     {0xf36bb08eu, 0x7ff45439u}, /* formats */
     {0x040bb08fu, 0x7ff45439u}, /* formats */
     {0x1caa0e3eu, 0x7ff45439u}, /* formats */

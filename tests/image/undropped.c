@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "undropped.h"
 
-#include "fast/fast_draw565.h"
+#include "fast/fast_draw.h"
 #include "light/model.h"
 #include "pixel/format.h"
 
@@ -161,23 +161,24 @@ static void begin_plane(glint_plane *plane, const glint_part *part, const int16_
 }
 
 /* The loop of highlights where N.L may be below 0: such light is found, and thrown away. */
-static void draw_gated(const glint_spans *s, const glint_fast_terms *fast, const glint_fast_planes *planes) {
-    const glint_part *part = s->part;
+static void draw_gated(const glint_fast_spans *s, const glint_fast_terms *fast, const glint_fast_planes *planes) {
+    const glint_part *part = s->of.part;
     for (uint32_t row = part->top; row < part->bottom; row++) {
         const int32_t x = part->x + part->spans[row].left, y = part->y + (int32_t)row;
         uint32_t z = (uint32_t)glint_plane_at(&part->depth, x, y) + GLINT_DEPTH_BIAS;
         uint32_t level = (uint32_t)glint_plane_at(&planes->cosine, x, y);
         uint32_t e_x = (uint32_t)glint_plane_at(&planes->x, x, y), e_y = (uint32_t)glint_plane_at(&planes->y, x, y);
-        uint32_t offset = (row << s->shift) + part->spans[row].left;
-        const uint32_t end = (row << s->shift) + part->spans[row].right;
+        uint32_t offset = (row << s->of.shift) + part->spans[row].left;
+        const uint32_t end = (row << s->of.shift) + part->spans[row].right;
         for (; offset < end; offset++) {
-            if (glint_is_nearest((uint8_t *)(s->depth + offset), z)) {
+            if (glint_is_nearest((uint8_t *)(s->of.depth + offset), z)) {
                 const int is_lit = (int32_t)level > 0;
                 const uint32_t square = glint_high_square(e_x) + glint_high_square(e_y);
                 uint32_t word = fast->diffuse[is_lit ? level >> 22 : 0];
                 if (square < fast->specular_end)
                     word = glint_spread_clamp(word + fast->specular[square >> 15]);
-                glint_put_565(s->pixels + 2 * offset, is_lit ? glint_spread_pack(word) : fast->ambient, 0);
+                glint_put_565(s->of.pixels + 2 * offset, is_lit ? glint_spread_pack(word) : fast->ambient,
+                              GLINT_STORES_565);
             }
             z += (uint32_t)part->depth.dx;
             level += (uint32_t)planes->cosine.dx;
@@ -206,28 +207,29 @@ static void begin_highlight(const glint_draw *draw, const glint_triangle *triang
 
 static GLINT_NOINLINE int draw_exactly(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                                        const glint_triangle *triangle, const glint_part *part) {
-    return glint_draw_exactly(frame, workspace, draw, triangle, part, 0);
+    return glint_draw_exactly(frame, workspace, draw, triangle, part, GLINT_STORES_565);
 }
 
 /* The loop of interpolated highlights where N.L may be below 0. */
-static void draw_interpolated_gated(const glint_spans *s, const glint_fast_terms *fast,
+static void draw_interpolated_gated(const glint_fast_spans *s, const glint_fast_terms *fast,
                                     const glint_interpolation *light) {
-    const glint_part *part = s->part;
+    const glint_part *part = s->of.part;
     for (uint32_t row = part->top; row < part->bottom; row++) {
         const int32_t x = part->x + part->spans[row].left, y = part->y + (int32_t)row;
         uint32_t z = (uint32_t)glint_plane_at(&part->depth, x, y) + GLINT_DEPTH_BIAS;
         glint_stride cosine = glint_stride_begin(&light->cosine, x, y);
         glint_stride e_x = glint_stride_begin(&light->x, x, y), e_y = glint_stride_begin(&light->y, x, y);
-        uint32_t offset = (row << s->shift) + part->spans[row].left;
-        const uint32_t end = (row << s->shift) + part->spans[row].right;
+        uint32_t offset = (row << s->of.shift) + part->spans[row].left;
+        const uint32_t end = (row << s->of.shift) + part->spans[row].right;
         for (; offset < end; offset++) {
-            if (glint_is_nearest((uint8_t *)(s->depth + offset), z)) {
+            if (glint_is_nearest((uint8_t *)(s->of.depth + offset), z)) {
                 const int is_lit = (int32_t)cosine.value > 0;
                 const uint32_t square = glint_high_square(e_x.value) + glint_high_square(e_y.value);
                 uint32_t word = fast->diffuse[is_lit ? cosine.value >> 22 : 0];
                 if (square < fast->specular_end)
                     word = glint_spread_clamp(word + fast->specular[square >> 15]);
-                glint_put_565(s->pixels + 2 * offset, is_lit ? glint_spread_pack(word) : fast->ambient, 0);
+                glint_put_565(s->of.pixels + 2 * offset, is_lit ? glint_spread_pack(word) : fast->ambient,
+                              GLINT_STORES_565);
             }
             z += (uint32_t)part->depth.dx;
             glint_stride_next(&cosine, &light->cosine);
@@ -238,20 +240,20 @@ static void draw_interpolated_gated(const glint_spans *s, const glint_fast_terms
 }
 
 /* What is interpolated, with its highlight where that fits. @return 0 for all else */
-static int draw_interpolated(glint_workspace *workspace, const glint_spans *spans, const glint_draw *draw,
+static int draw_interpolated(glint_workspace *workspace, const glint_fast_spans *spans, const glint_draw *draw,
                              const glint_triangle *triangle) {
     const glint_fast_terms *fast = draw->shading->fast;
     glint_interpolation light;
-    const glint_exact_kind kind = glint_interpolate_begin(draw, triangle, spans->part, &light);
+    const glint_exact_kind kind = glint_interpolate_begin(draw, triangle, spans->of.part, &light);
     if (kind == GLINT_EXACT_UNFIT)
         return 0;
     if (kind != GLINT_EXACT_DIFFUSE || !fast->specular_end || !glint_interpolate_highlight(draw, triangle, &light)) {
-        glint_draw_interpolated(workspace, spans, draw->shading, &light, kind, 0);
+        glint_draw_interpolated(workspace, spans, draw->shading, &light, kind, GLINT_STORES_565);
         return 1;
     }
     COUNT(parts_interpolated, 1);
     if (!fast->diffuse)
-        glint_draw_curved_without_tables(spans, draw->shading, 0, &light, 1, 0);
+        glint_draw_curved_without_tables(spans, draw->shading, 0, &light, 1, GLINT_STORES_565);
     else
         draw_interpolated_gated(spans, fast, &light);
     return 1;
@@ -276,7 +278,7 @@ static void draw_square(const glint_frame *frame, glint_workspace *workspace, co
                         glint_square square, glint_exact_light *light, glint_exact_kind whole) {
     glint_fast_terms *fast = (glint_fast_terms *)draw->shading->fast;
     const glint_fast_terms kept = *fast;
-    const glint_spans spans = {cut, workspace->depth, workspace->pixels, frame->tile_shift_x};
+    const glint_fast_spans spans = glint_fast_spans_of(frame, workspace, cut, GLINT_STORES_565);
     widen_highlight(fast);
     glint_exact_kind kind = glint_exact_bend(fast, triangle, part, &square, light);
     restore_highlight(fast, &kept);
@@ -290,7 +292,7 @@ static void draw_square(const glint_frame *frame, glint_workspace *workspace, co
     if (kind == GLINT_EXACT_UNFIT)
         glint_draw_any(frame, workspace, draw, triangle, cut);
     else
-        glint_draw_curved_kind(workspace, &spans, draw->shading, light, kind, 0);
+        glint_draw_curved_kind(workspace, &spans, draw->shading, light, kind, GLINT_STORES_565);
 }
 
 /* Is one half vector, known with its slope, enough for all of a triangle that is lit exactly? */
@@ -361,7 +363,7 @@ static void draw_curved(const glint_frame *frame, glint_workspace *workspace, co
                         const glint_triangle *triangle, const glint_part *part) {
     glint_fast_terms *fast = (glint_fast_terms *)draw->shading->fast; /* it lies in the arena */
     const glint_fast_terms kept = *fast;
-    const glint_spans spans = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
+    const glint_fast_spans spans = glint_fast_spans_of(frame, workspace, part, GLINT_STORES_565);
     int drawn = 0;
     if (draw_interpolated(workspace, &spans, draw, triangle) || draw_squares(frame, workspace, draw, triangle, part))
         return;
@@ -377,7 +379,7 @@ static void draw_curved(const glint_frame *frame, glint_workspace *workspace, co
 static void draw_undropped(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
                            const glint_triangle *triangle, const glint_part *part) {
     const glint_fast_terms *fast = draw->shading->fast;
-    const glint_spans spans = {part, workspace->depth, workspace->pixels, frame->tile_shift_x};
+    const glint_fast_spans spans = glint_fast_spans_of(frame, workspace, part, GLINT_STORES_565);
     glint_fast_planes planes;
     const glint_fast_kind kind = glint_fast_begin(draw, triangle, part, &planes);
     if (kind == GLINT_FAST_UNFIT) {
@@ -390,11 +392,11 @@ static void draw_undropped(const glint_frame *frame, glint_workspace *workspace,
         as_small.area = 0;
     }
     if (!fast->diffuse)
-        glint_draw_without_tables(frame, workspace, draw, &as_small, part, &planes, GLINT_FAST_SPECULAR, 0);
+        glint_draw_without_tables(&spans, draw->shading, &as_small, &planes, GLINT_FAST_SPECULAR, GLINT_STORES_565);
     else if (as_small.area >= GLINT_LARGE_AREA)
-        glint_draw_large(frame, workspace, draw, part, &planes, 0);
+        glint_draw_large(&spans, fast, &planes, GLINT_STORES_565);
     else if (kind == GLINT_FAST_SPECULAR || kind == GLINT_FAST_DIFFUSE)
-        glint_draw_highlight(&spans, fast, &planes, 0);
+        glint_draw_highlight(&spans, fast, &planes, GLINT_STORES_565);
     else
         draw_gated(&spans, fast, &planes);
 }

@@ -21,6 +21,14 @@ static glint_shading shading;
 static glint_fast_terms fast;
 
 /* A material that fast lighting takes, and its error budget. */
+/* Words of 4 to 6 bits a channel, half a level included or not. */
+static void any_words(void) {
+    for (int c = 0; c < 3; c++)
+        fast.bits[c] = (uint8_t)ANY(4, 6);
+    fast.is_rounded = (uint8_t)ANY(0, 1);
+    fast.ambient_word = ANY_UNSIGNED(0, UINT_MAX);
+}
+
 static void any_served(void) {
     any_shading(&shading, &material);
     material.shininess = ANY(2 * GLINT_ONE, INT32_MAX);
@@ -29,6 +37,7 @@ static void any_served(void) {
     fast.local_viewer = (uint8_t)ANY(0, 1);
     any_unit(fast.half_vector);
     fast.specular_end = ANY_UNSIGNED(0, 1024) << 15;
+    any_words();
 }
 
 /* Any exponent. @contract glint_square_root */
@@ -62,10 +71,14 @@ PROOF(prepare_highlight) {
     prepare_highlight(&fast, &shading);
 }
 
-/* Any ambient light. */
-PROOF(glint_fast_prepare_ambient) {
+/* Any ambient light, half a level included or not. */
+PROOF(glint_fast_prepare_words) {
     any_served();
-    glint_fast_prepare_ambient(&fast, &shading);
+    for (int stores_spread = 0; stores_spread < 2; stores_spread++) {
+        const glint_fast stored = {.stores_spread = stores_spread};
+        const glint_format format = {.channel = {4, 4, 4}, .fast = &stored};
+        glint_fast_prepare_words(&fast, &format, &shading);
+    }
 }
 
 /* Any ambient and diffuse light, sum and largest, highlights and none. @unreached 1 leading zeros of 0 */
@@ -140,12 +153,12 @@ static void any_highlight(int shift, uint32_t entries) {
  * @narrowing levels change modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 12
  */
-PROOF(glint_fast_pixel) {
+PROOF(glint_fast_word) {
     any_served();
     FOR_PARTS(shift, GLINT_POWER_FRACTION_BITS, 30 - GLINT_POWER_TABLE_BITS) {
         FOR_PARTS(level, 0, 3) {
             any_highlight((int)shift, ENTRIES(level));
-            glint_fast_pixel(&shading, ANY_INT, ANY_UNSIGNED(0, UINT_MAX));
+            glint_fast_word(&shading, ANY_INT, ANY_UNSIGNED(0, UINT_MAX));
         }
     }
 }
@@ -159,19 +172,25 @@ PROOF(glint_fast_pixel) {
  */
 PROOF(glint_fast_make_tables) {
     static uint32_t room[GLINT_DIFFUSE_ENTRIES * 3 / 2 + 1024];
-    glint_memory memory;
+    static glint_frame frame;
+    static const glint_fast stored[2] = {{.stores_spread = 0}, {.stores_spread = 1}};
+    static glint_format format;
+    glint_memory *const memory = &frame.memory;
     any_served();
-    FOR_PARTS(level, 0, 3) {
-        any_highlight(GLINT_POWER_FRACTION_BITS, ENTRIES(level));
-        memory.base = (uint8_t *)room;
-        memory.low = 0;
-        memory.high = 2 * (sizeof room - (1024 - ENTRIES(level)) * sizeof *room);
+    frame.config.format = &format;
+    FOR_PARTS(level, 0, 7) {
+        format.fast = &stored[level >> 2];
+        fast.is_rounded = level < 4;
+        any_highlight(GLINT_POWER_FRACTION_BITS, ENTRIES(level & 3));
+        memory->base = (uint8_t *)room;
+        memory->low = 0;
+        memory->high = 2 * (sizeof room - (1024 - ENTRIES(level & 3)) * sizeof *room);
         fast.diffuse = 0;
-        glint_fast_make_tables(&memory, &fast, &shading);
-        memory.low = 0;
-        glint_fast_make_tables(&memory, &fast, &shading); /* where they are */
-        memory.low = 0;
-        memory.high -= 8;
-        glint_fast_make_tables(&memory, &fast, &shading);
+        glint_fast_make_tables(&frame, &fast, &shading);
+        memory->low = 0;
+        glint_fast_make_tables(&frame, &fast, &shading); /* where they are */
+        memory->low = 0;
+        memory->high -= 8;
+        glint_fast_make_tables(&frame, &fast, &shading);
     }
 }

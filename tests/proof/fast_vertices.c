@@ -96,7 +96,7 @@ PROOF(glint_fast_light) {
     }
 }
 
-/* N.L, Q30, of up to 1/32 more than 1, with tables and without. @contract glint_fast_pixel */
+/* N.L, Q30, of up to 1/32 more than 1, with tables and without. @contract glint_fast_word */
 PROOF(glint_fast_even) {
     static uint16_t pixels[GLINT_DIFFUSE_ENTRIES];
     static uint32_t words[GLINT_DIFFUSE_ENTRIES];

@@ -39,6 +39,16 @@ static void store(const glint_format *format, uint8_t *tile) {
     }
 }
 
+/* Any words of the tile's first pixel and its last, and of none. */
+static void store_spread(const glint_format *format, uint8_t *tile) {
+    FOR_PARTS(shift, 3, 6) {
+        const uint32_t last = (SIDE << shift) - 1;
+        const glint_spread words[2] = {{0, ANY_UNSIGNED(0, UINT_MAX)}, {last, ANY_UNSIGNED(0, UINT_MAX)}};
+        format->store_spread(tile, (unsigned)shift, words, words + 2);
+        format->store_spread(tile, (unsigned)shift, words, words);
+    }
+}
+
 static void fill(const glint_format *format, uint8_t *tile) {
     int32_t colour[1][3];
     any_colours(colour, 1);
@@ -64,6 +74,16 @@ PROOF(glint_luma_level) {
         const int32_t colour[3] = {ANY_INT, ANY_INT, ANY_INT};
         glint_luma_level(colour, (1u << bits) - 1, ANY_UNSIGNED(0, 127));
     }
+}
+
+/* Any sum of two words. */
+PROOF(glint_spread_clamp) {
+    glint_spread_clamp(ANY_UNSIGNED(0, UINT_MAX));
+}
+
+/* Any word. */
+PROOF(glint_spread_pack) {
+    glint_spread_pack(ANY_UNSIGNED(0, UINT_MAX));
 }
 
 /* Any offset in a tile of any width, dithered and not. */
@@ -184,4 +204,24 @@ PROOF(mono_pages_fill) {
     static uint8_t tile[SIDE * SIDE * 1 / 8];
     fill(&glint_format_mono_pages, tile);
     fill(&glint_format_mono_pages_dithered, tile);
+}
+
+/* Any words in tiles of 8 to 64 columns, dithered. @unreached 1 the threshold of what is not */
+PROOF(rgb565_store_spread) {
+    static uint16_t room[SIDE * SIDE];
+    uint8_t *const tile = (uint8_t *)room;
+    store_spread(&glint_format_rgb565_dithered, tile);
+}
+
+/* Any words in tiles of 8 to 64 columns, dithered. @unreached 1 the threshold of what is not */
+PROOF(rgb565_be_store_spread) {
+    static uint8_t tile[SIDE * SIDE * 16 / 8];
+    store_spread(&glint_format_rgb565_be_dithered, tile);
+}
+
+/* Any words in tiles of 8 to 64 columns, plain and dithered. */
+PROOF(rgb444_store_spread) {
+    static uint8_t tile[SIDE * SIDE * 12 / 8];
+    store_spread(&glint_format_rgb444, tile);
+    store_spread(&glint_format_rgb444_dithered, tile);
 }

@@ -11,7 +11,7 @@
 #include "proof.h"
 
 /*@ assigns \result \from indirect: *shading, indirect: cosine, indirect: square; */
-uint32_t glint_fast_pixel(const glint_shading *shading, int32_t cosine, uint32_t square);
+uint32_t glint_fast_word(const glint_shading *shading, int32_t cosine, uint32_t square);
 
 static void any_plane(glint_plane *plane) {
     plane->start = ANY_INT;

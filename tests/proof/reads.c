@@ -4,7 +4,7 @@
  * a pixel can lie from its corners'. Triangles of all sizes, slender ones too, that turn and change in depth as far as
  * is ever let through; and such as clipping leaves, whose normals are short; every pixel.
  */
-#include "fast/fast_draw565.h"
+#include "fast/fast_draw.h"
 #include "harness.h"
 
 #define TRIANGLES 500000
@@ -73,7 +73,7 @@ static void see_pixel(glint_fast_kind kind, const glint_fast_terms *fast, const 
     }
 }
 
-/* As the loops of fast_exact565.h read. */
+/* As the loops of fast_interpolated_spans.h read. */
 static void see_interpolated(const glint_fast_terms *fast, const glint_interpolation *light, int shows, int32_t x,
                              int32_t y) {
     const int32_t level = (int32_t)glint_stride_begin(&light->cosine, x, y).value;

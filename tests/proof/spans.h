@@ -6,7 +6,7 @@
 #ifndef GLINT_PROOF_SPANS_H
 #define GLINT_PROOF_SPANS_H
 
-#include "../../src/fast/fast.h"
+#include "../../src/fast/fast_spans.h"
 #include "pixels.h"
 
 #define WIDTH 8
@@ -39,6 +39,25 @@ static glint_spans any_part(void) {
     part.bottom = 2;
     return spans;
 }
+
+/* What words are made pixels by: suite of each format (pixel.c). */
+static void store_words(void *pixels, unsigned shift, const glint_spread *from, const glint_spread *end) {
+    (void)pixels;
+    (void)shift;
+    (void)from;
+    (void)end;
+}
+
+/* The same for kernels of fast lighting, with room for words of three rows. */
+static glint_fast_spans any_fast_part(void) {
+    static const glint_format format = {.store_spread = store_words};
+    static glint_spread list[3 * WIDTH];
+    fast.ambient_word = ANY_UNSIGNED(0, UINT_MAX);
+    return (glint_fast_spans){any_part(), &format, list, WIDTH};
+}
+
+/* Pixels of 16 bits, in either order of bytes. */
+#define ANY_565 ((glint_fast_store)ANY(GLINT_STORES_565, GLINT_STORES_565_BE))
 
 /*
  * Every span of a row, and every column at which the row before it may have ended: what a loop carries from one to the

@@ -39,7 +39,7 @@ static const uint32_t expected_checksums[] = {
     0x5e19852eu, /* rgb888_odd_size */
     0xd4c48de9u, /* grey8_odd_size */
     0x392c720cu, /* grey4_odd_size */
-    0xa534a365u, /* rgb444_odd_size */
+    0xd9da79e9u, /* rgb444_odd_size */
     0x0d934524u, /* tall_and_thin */
     0x418a6b15u, /* one_pixel */
     0x6a9e76a7u, /* point_light */
@@ -53,9 +53,9 @@ static const uint32_t expected_checksums[] = {
     0x0c8b9f5du, /* mesh_colours */
     0x289e51a9u, /* mesh_colours565_per_vertex */
     0xc000fff1u, /* mesh_colours_unlit_facets */
-    0xe6b68816u, /* rgb565_dithered */
+    0x779ca5f7u, /* rgb565_dithered */
     0x7f400056u, /* grey4_dithered_odd_size */
-    0x90935931u, /* rgb444_dithered */
+    0x68c21dfbu, /* rgb444_dithered */
     0xb68aaf6au, /* mono_dithered_odd_size */
     0x969b287eu, /* elementary_functions */
     0x79785263u, /* unit_vectors */

@@ -2,7 +2,7 @@
 /* Kernels of exact lighting. */
 #include "proof.h"
 
-#include "../../src/fast/fast_draw565.h"
+#include "../../src/fast/fast_draw.h"
 #include "../../src/math/tables.c"
 #include "lit.h"
 #include "spans.h"
@@ -38,58 +38,67 @@ static void any_lights_of_triangle(void) {
  * Every span in two rows of a tile 8 pixels wide; any quadratics, gated and not.
  * @alarms 2 N.L at a pixel is within its table's 272 entries: suite `reads` looks at every pixel of half a million
  * triangles
+ * @unreached 2 words that are made pixels of before a part ends: two rows are not enough for that
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
 PROOF(glint_draw_interpolated_diffuse) {
-    const glint_spans spans = any_part();
+    const glint_fast_spans spans = any_fast_part();
     any_lights_of_triangle();
     FOR_SPANS() {
-        glint_draw_interpolated_diffuse(&spans, &fast, &interpolated, ANY(0, 1), ANY(0, 1));
+        glint_draw_interpolated_diffuse(&spans, &fast, &interpolated, ANY(0, 1), ANY_565);
+        glint_draw_interpolated_diffuse(&spans, &fast, &interpolated, ANY(0, 1), GLINT_STORES_SPREAD);
     }
 }
 
 /*
  * The same, clamped and not.
- * @alarms 3 N.L at a pixel is within its tables' 272 entries, and a squared deviation not below 0: suite `reads` looks
+ * @alarms 4 N.L at a pixel is within its tables' 272 entries, and a squared deviation not below 0: suite `reads` looks
  * at every pixel of half a million triangles
+ * @unreached 2 words that are made pixels of before a part ends: two rows are not enough for that
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
 PROOF(glint_draw_interpolated_specular) {
-    const glint_spans spans = any_part();
+    const glint_fast_spans spans = any_fast_part();
     any_lights_of_triangle();
     FOR_SPANS() {
-        glint_draw_interpolated_specular(&spans, &fast, &interpolated, ANY(0, 1), ANY(0, 1));
+        glint_draw_interpolated_specular(&spans, &fast, &interpolated, ANY(0, 1), ANY_565);
+        glint_draw_interpolated_specular(&spans, &fast, &interpolated, ANY(0, 1), GLINT_STORES_SPREAD);
     }
 }
 
 /*
  * The same of exact lighting.
- * @alarms 2 M.M at a pixel is within its table's 768 entries, and N.L within 272: suite `reads` looks at every
+ * @alarms 3 M.M at a pixel is within its table's 768 entries, and N.L within 272: suite `reads` looks at every
  * pixel of half a million triangles
+ * @unreached 2 words that are made pixels of before a part ends: two rows are not enough for that
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
 PROOF(glint_draw_curved_diffuse) {
-    const glint_spans spans = any_part();
+    const glint_fast_spans spans = any_fast_part();
     any_lights_of_triangle();
     FOR_SPANS() {
-        glint_draw_curved_diffuse(&spans, &fast, &light, ANY(0, 1));
+        glint_draw_curved_diffuse(&spans, &fast, &light, ANY_565);
+        glint_draw_curved_diffuse(&spans, &fast, &light, GLINT_STORES_SPREAD);
     }
 }
 
 /*
  * The same with highlights.
- * @alarms 3 M.M at a pixel is within its table's 768 entries, and N.L within 272 of both of its: suite `reads` looks
+ * @alarms 4 M.M at a pixel is within its table's 768 entries, and N.L within 272 of both of its: suite `reads` looks
  * at every pixel of half a million triangles
+ * @unreached 3 words that are made pixels of before a part ends: two rows are not enough for that; and a sum of
+ * words that are not clamped
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
 PROOF(glint_draw_curved_specular) {
-    const glint_spans spans = any_part();
+    const glint_fast_spans spans = any_fast_part();
     any_lights_of_triangle();
     FOR_SPANS() {
-        glint_draw_curved_specular(&spans, &fast, &light, ANY(0, 1));
+        glint_draw_curved_specular(&spans, &fast, &light, ANY_565);
+        glint_draw_curved_specular(&spans, &fast, &light, GLINT_STORES_SPREAD);
     }
 }

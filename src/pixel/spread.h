@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file spread.h
+ * A colour as one word, "spread": blue in bits 0 to 8, red in 10 to 19, green or luma in 21 to 30. The highest bits of
+ * a channel are its level, as many as the format has, the others a fraction of one. The bit above each channel is
+ * clear, so that two words can be added.
+ */
+#ifndef GLINT_SPREAD_H
+#define GLINT_SPREAD_H
+
+#include <stdint.h>
+
+#define GLINT_SPREAD_GUARD 0x80100200u
+
+/** A pixel of a tile, and its colour. */
+typedef struct glint_spread {
+    uint32_t offset, colour;
+} glint_spread;
+
+/** A word packed into 16 bits: 5 red, 6 green, 5 blue; what is above them is to be cut off. */
+static inline uint32_t glint_spread_pack(uint32_t word) {
+    const uint32_t levels = word >> 4 & 0x07e0f81fu; /* red and blue in place, green 16 bits above its own */
+    return levels | levels >> 16;
+}
+
+/** A sum of two words, each channel clamped: a guard bit that is set sets the nine below. */
+static inline uint32_t glint_spread_clamp(uint32_t word) {
+    uint32_t over = word & GLINT_SPREAD_GUARD;
+    return word | (over - (over >> 9));
+}
+
+#endif
