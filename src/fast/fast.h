@@ -60,12 +60,12 @@ typedef struct glint_exact_limits {
 
 typedef struct glint_fast_terms {
     /* Tables, null where the arena had no room: then each word is computed when it is needed, the same to the bit. */
-    const uint32_t *diffuse;       /* ambient and diffuse light over N.L, spread */
-    const uint16_t *diffuse_pixel; /* the same, packed; not where words are stored */
-    const uint32_t *specular;      /* over the squared deviation, spread; `diffuse` lies behind it */
-    uint32_t specular_end;         /* squared deviation where it ends; 0 where no highlight ever shows */
-    uint16_t ambient;              /* packed */
-    uint8_t local_viewer;          /* not without highlight */
+    const uint32_t *diffuse;    /* ambient and diffuse light over N.L, spread */
+    const void *diffuse_stored; /* the same as it is stored: packed into 16 bits, or `diffuse` */
+    const uint32_t *specular;   /* over the squared deviation, spread; `diffuse` lies behind it */
+    uint32_t specular_end;      /* squared deviation where it ends; 0 where no highlight ever shows */
+    uint16_t ambient;           /* packed */
+    uint8_t local_viewer;       /* not without highlight */
     /* N.L, Q14: from which on highlights add to what tables hold; up to which it is ambient light */
     int16_t lit, unlit;
     /* For each vertex, triangle or pixel, to the quadratic's `end`: in 128 bytes, which Cortex-M0 loads from at once */

@@ -12,8 +12,8 @@ static inline void glint_draw_curved_diffuse(const glint_fast_spans *s, const gl
                                              const glint_exact_light *light, glint_fast_store stores) {
     const glint_part *part = s->of.part;
     glint_fast_output to = glint_output_begin(s, stores);
-    const uint32_t *const diffuse = fast->diffuse;
-    const uint16_t *const packed = fast->diffuse_pixel, *const root = glint_root_table;
+    const void *const stored = fast->diffuse_stored;
+    const uint16_t *const root = glint_root_table;
     const uint32_t z_dx = (uint32_t)part->depth.dx, a_dx = (uint32_t)light->cosine.dx;
     const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
     uint8_t *row = (uint8_t *)(s->of.depth + (part->top << s->of.shift));
@@ -31,7 +31,7 @@ static inline void glint_draw_curved_diffuse(const glint_fast_spans *s, const gl
                 glint_output_put(&to, s, depth,
                                  (int32_t)a <= 0
                                      ? glint_ambient_of(fast, stores)
-                                     : glint_colour_at(diffuse, packed, (a >> 15) * root[c.value >> 22] >> 22, stores),
+                                     : glint_colour_at(stored, (a >> 15) * root[c.value >> 22] >> 22, stores),
                                  stores);
             glint_step(&depth);
             z += z_dx;
@@ -58,7 +58,7 @@ static inline uint32_t glint_exact_lit(const glint_fast_terms *fast, uint32_t a,
         if (square < fast->exact.end)
             return glint_colour_of(fast->diffuse[level] + fast->specular[square >> 20], 1, stores);
     }
-    return glint_colour_at(fast->diffuse, fast->diffuse_pixel, level, stores);
+    return glint_colour_at(fast->diffuse_stored, level, stores);
 }
 
 /* Diffuse and specular light. */

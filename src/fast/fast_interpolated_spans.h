@@ -23,8 +23,7 @@ static GLINT_INLINE void glint_draw_interpolated_diffuse(const glint_fast_spans 
     const glint_part *part = s->of.part;
     const ptrdiff_t stride = 2 << s->of.shift;
     glint_fast_output to = glint_output_begin(s, stores);
-    const uint32_t *const diffuse = fast->diffuse;
-    const uint16_t *const packed = fast->diffuse_pixel;
+    const void *const stored = fast->diffuse_stored;
     const uint32_t z_dx = (uint32_t)part->depth.dx;
     const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
     const uint32_t x = (uint32_t)part->x;
@@ -44,9 +43,8 @@ static GLINT_INLINE void glint_draw_interpolated_diffuse(const glint_fast_spans 
             do {
                 if (glint_next_is_nearest(&depth, z))
                     glint_output_put(&to, s, depth,
-                                     gated && (int32_t)c.value <= 0
-                                         ? glint_ambient_of(fast, stores)
-                                         : glint_colour_at(diffuse, packed, c.value >> 22, stores),
+                                     gated && (int32_t)c.value <= 0 ? glint_ambient_of(fast, stores)
+                                                                    : glint_colour_at(stored, c.value >> 22, stores),
                                      stores);
                 glint_step(&depth);
                 z += z_dx;
@@ -70,7 +68,7 @@ static GLINT_INLINE void glint_draw_interpolated_specular(const glint_fast_spans
     const glint_part *part = s->of.part;
     glint_fast_output to = glint_output_begin(s, stores);
     const uint32_t *const diffuse = fast->diffuse;
-    const uint16_t *const packed = fast->diffuse_pixel;
+    const void *const stored = fast->diffuse_stored;
     const unsigned early = GLINT_SPLIT_PRODUCTS ? 0 : 15; /* as in glint_draw_highlight */
     uint32_t less_end = 0u - fast->specular_end;
     GLINT_OPAQUE(less_end);
@@ -97,7 +95,7 @@ static GLINT_INLINE void glint_draw_interpolated_specular(const glint_fast_spans
                     const uint32_t word = diffuse[level] + diffuse[glint_shift_right(beyond, 15 - early)];
                     glint_output_put(&to, s, depth, glint_colour_of(word, clamped, stores), stores);
                 } else {
-                    glint_output_put(&to, s, depth, glint_colour_at(diffuse, packed, level, stores), stores);
+                    glint_output_put(&to, s, depth, glint_colour_at(stored, level, stores), stores);
                 }
             }
             glint_step(&depth);

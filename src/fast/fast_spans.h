@@ -94,10 +94,9 @@ static GLINT_INLINE uint32_t glint_colour_of(uint32_t word, int clamped, glint_f
     return stores == GLINT_STORES_SPREAD ? word : glint_spread_pack(clamped ? glint_spread_clamp(word) : word);
 }
 
-/** Of tables, the one that has colours as they are stored. */
-static GLINT_INLINE uint32_t glint_colour_at(const uint32_t *diffuse, const uint16_t *packed, uint32_t level,
-                                             glint_fast_store stores) {
-    return stores == GLINT_STORES_SPREAD ? diffuse[level] : packed[level];
+/** An entry of `diffuse_stored`. */
+static GLINT_INLINE uint32_t glint_colour_at(const void *stored, uint32_t level, glint_fast_store stores) {
+    return stores == GLINT_STORES_SPREAD ? ((const uint32_t *)stored)[level] : ((const uint16_t *)stored)[level];
 }
 
 static GLINT_INLINE uint32_t glint_ambient_of(const glint_fast_terms *fast, glint_fast_store stores) {
@@ -149,8 +148,7 @@ static inline void glint_draw_diffuse(const glint_fast_spans *s, const glint_fas
     const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
     const ptrdiff_t stride = 2 << s->of.shift;
     glint_fast_output to = glint_output_begin(s, stores);
-    const uint32_t *const diffuse = fast->diffuse;
-    const uint16_t *const packed = fast->diffuse_pixel;
+    const void *const stored = fast->diffuse_stored;
     const uint32_t z_dx = (uint32_t)part->depth.dx, level_dx = (uint32_t)cosine->dx;
     uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS, level = glint_first_row(part, cosine);
     uint32_t column = 0;
@@ -167,9 +165,8 @@ static inline void glint_draw_diffuse(const glint_fast_spans *s, const glint_fas
             do {
                 if (glint_next_is_nearest(&depth, z)) {
                     glint_output_put(&to, s, depth,
-                                     gated && (int32_t)level <= 0
-                                         ? glint_ambient_of(fast, stores)
-                                         : glint_colour_at(diffuse, packed, level >> 22, stores),
+                                     gated && (int32_t)level <= 0 ? glint_ambient_of(fast, stores)
+                                                                  : glint_colour_at(stored, level >> 22, stores),
                                      stores);
                 }
                 glint_step(&depth);
@@ -208,7 +205,7 @@ static GLINT_INLINE void glint_draw_highlight(const glint_fast_spans *s, const g
     const ptrdiff_t stride = 2 << s->of.shift;
     glint_fast_output to = glint_output_begin(s, stores);
     const uint32_t *const diffuse = fast->diffuse;
-    const uint16_t *const packed = fast->diffuse_pixel;
+    const void *const stored = fast->diffuse_stored;
     const unsigned early = GLINT_SPLIT_PRODUCTS ? 0 : 15; /* a shift tests the sign too; not so ARMv6-M's compiler */
     uint32_t less_end = 0u - fast->specular_end;
     GLINT_OPAQUE(less_end);
@@ -243,7 +240,7 @@ static GLINT_INLINE void glint_draw_highlight(const glint_fast_spans *s, const g
                             &to, s, depth,
                             glint_colour_of(*word + diffuse[glint_shift_right(beyond, 15 - early)], 1, stores), stores);
                     else
-                        glint_output_put(&to, s, depth, glint_colour_at(diffuse, packed, level >> 22, stores), stores);
+                        glint_output_put(&to, s, depth, glint_colour_at(stored, level >> 22, stores), stores);
                 }
                 glint_step(&depth);
                 z += z_step;
@@ -272,7 +269,7 @@ static inline void glint_draw_stepped(const glint_fast_spans *s, const glint_fas
     const ptrdiff_t stride = 2 << s->of.shift;
     glint_fast_output to = glint_output_begin(s, stores);
     const uint32_t *const diffuse = fast->diffuse;
-    const uint16_t *const packed = fast->diffuse_pixel;
+    const void *const stored = fast->diffuse_stored;
     const uint32_t z_dx = (uint32_t)part->depth.dx, level_dx = (uint32_t)planes->cosine.dx, x = (uint32_t)part->x;
     uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS;
     uint32_t level = glint_first_row(part, &planes->cosine), y = (uint32_t)part->y + part->top, column = 0;
@@ -299,7 +296,7 @@ static inline void glint_draw_stepped(const glint_fast_spans *s, const glint_fas
                     if (entry < 0)
                         glint_output_put(&to, s, depth, glint_colour_of(*word + diffuse[entry], 1, stores), stores);
                     else
-                        glint_output_put(&to, s, depth, glint_colour_at(diffuse, packed, level >> 22, stores), stores);
+                        glint_output_put(&to, s, depth, glint_colour_at(stored, level >> 22, stores), stores);
                 }
                 glint_step(&depth);
                 z += z_step;

@@ -172,7 +172,7 @@ void glint_fast_make_tables(glint_frame *frame, glint_fast_terms *fast, const gl
     uint16_t *pixels = (uint16_t *)(void *)(diffuse + GLINT_DIFFUSE_ENTRIES);
     fast->specular = specular;
     fast->diffuse = diffuse;
-    fast->diffuse_pixel = pixels;
+    fast->diffuse_stored = fast->is_rounded ? (const void *)pixels : diffuse;
     if (diffuse == kept && glint_sum(specular, size) == fast->tables_sum)
         return;
     if (entries)

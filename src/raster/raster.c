@@ -80,12 +80,12 @@ static void find_columns(uint8_t *side, int32_t rows, int32_t width, int32_t x, 
     const int32_t divisor = 16 * dy, first = x * dy + down * dx + divisor - 1, last = first + 16 * dx * (rows - 1);
     const int32_t low = glint_least(first, last), high = glint_most(first, last);
     edge e;
-    if (high < divisor || low >= width * divisor) {
+    if (!GLINT_SMALL && (high < divisor || low >= width * divisor)) {
         fill_side(side, rows, high < divisor ? 0 : width);
         return;
     }
     begin_exactly(&e, first, dx, dy);
-    if (low >= 0 && high < (width + 1) * divisor)
+    if (!GLINT_SMALL && low >= 0 && high < (width + 1) * divisor)
         walk_inside(&e, side, rows);
     else
         walk(&e, side, rows, width);

@@ -104,7 +104,7 @@ PROOF(glint_fast_even) {
     planes.cosine.start = ANY(-GLINT_UNIT / 2 * 0x10800, GLINT_UNIT / 2 * 0x10800);
     shading.fast = &fast;
     shading.lights = ANY_UNSIGNED(0, 1);
-    fast.diffuse_pixel = pixels;
+    fast.diffuse_stored = pixels;
     fast.diffuse = ANY(0, 1) ? words : 0;
     glint_fast_even(&shading, &planes);
 }

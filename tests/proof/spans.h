@@ -32,7 +32,7 @@ static glint_spans any_part(void) {
     part.y = ANY(-2047, 2047);
     fast.specular = words;
     fast.diffuse = words + 1024;
-    fast.diffuse_pixel = packed;
+    fast.diffuse_stored = packed;
     fast.specular_end = ANY_UNSIGNED(1, 1024) << 15;
     fast.ambient = (uint16_t)ANY(0, 0xffff);
     part.top = 0;
