@@ -10,7 +10,7 @@
 
 #include <stdio.h>
 
-#define FORMATS 3
+#define FORMATS 4
 
 /* Shares of the bound that are told apart: from 0 to 4, in sixteenths. */
 #define SHARES 64
@@ -96,7 +96,7 @@ static void tame(drawing *d) {
 /* Prints what is worse than all before. */
 static void keep(uint32_t format, const contract_result *result) {
     static double worst[FORMATS];
-    static const char *const names[FORMATS] = {"RGB565", "RGB888", "grey8"};
+    static const char *const names[FORMATS] = {"RGB565", "RGB888", "grey8", "RGB444"};
     const double share = result->worst_share;
     const double place = share * SHARES_IN_ONE;
     seen[format][place < SHARES ? (int)place : SHARES - 1] = 1;
@@ -119,11 +119,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     static const glint_format *const formats[FORMATS] = {&glint_format_rgb565, &glint_format_rgb888,
-                                                         &glint_format_grey8};
+                                                         &glint_format_grey8, &glint_format_rgb444};
     source s = {data, size};
     contract_result result;
     drawing d;
-    const uint32_t format = below(&s, 4) % FORMATS;
+    const uint32_t format = below(&s, FORMATS);
     const int width = 16 + (int)below(&s, 64), height = 16 + (int)below(&s, 48);
     take_usual_scene(&s, &d, 0); /* clusters may drop triangles that rounding turns round */
     tame(&d);
