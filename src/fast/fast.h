@@ -93,7 +93,6 @@ typedef struct glint_fast_terms {
     int32_t lit_exactly;         /* as `lit`, Q15, of pixels that are gated one by one */
     uint32_t tables_sum;         /* glint_sum */
     uint32_t ambient_word;
-    uint8_t bits[3];    /* of channels' levels */
     uint8_t is_rounded; /* words hold half a level: they are stored as they are */
 } glint_fast_terms;
 
@@ -127,7 +126,7 @@ int glint_fast_serves(const glint_frame *frame, const glint_object *object);
 /** Bytes that a material takes, and its tables. */
 void glint_fast_need(const glint_frame *frame, const glint_shading *shading, size_t *least, size_t *tables);
 
-/** The largest levels of red, green and blue of the finest format. */
+/** The largest levels of red, green and blue. */
 static const uint32_t glint_fast_levels[3] = {31, 63, 31};
 
 /** Bytes of a material's tables, the specular one of so many entries. */

@@ -27,11 +27,11 @@ static GLINT_INLINE void glint_draw_fast(const glint_frame *frame, glint_workspa
         glint_draw_constant(&spans, glint_colour_of(glint_fast_even(draw->shading, &planes), 0, stores), stores);
     else if (kind == GLINT_FAST_SPECULAR && fast->diffuse) {
         if (triangle->area >= GLINT_LARGE_AREA)
-            glint_draw_large(&spans, fast, &planes, stores);
+            glint_draw_large(frame, workspace, draw, part, &planes, stores);
         else
             glint_draw_highlight(&spans, fast, &planes, stores);
     } else if (!fast->diffuse)
-        glint_draw_without_tables(&spans, draw->shading, triangle, &planes, kind, stores);
+        glint_draw_without_tables(frame, workspace, draw, triangle, part, &planes, kind, stores);
     else if (!GLINT_SMALL && kind == GLINT_FAST_DIFFUSE)
         glint_draw_diffuse(&spans, fast, &planes.cosine, 0, stores);
     else

@@ -316,12 +316,14 @@ static inline void glint_draw_stepped(const glint_fast_spans *s, const glint_fas
 }
 
 /* A large triangle with a highlight. Out of line, where it has all registers for itself. */
-static GLINT_NOINLINE void glint_draw_large(const glint_fast_spans *s, const glint_fast_terms *fast,
+static GLINT_NOINLINE void glint_draw_large(const glint_frame *frame, const glint_workspace *workspace,
+                                            const glint_draw *draw, const glint_part *part,
                                             const glint_fast_planes *planes, glint_fast_store stores) {
-    if (glint_square_fits(&s->of.part->gradients, planes))
-        glint_draw_stepped(s, fast, planes, stores);
+    const glint_fast_spans spans = glint_fast_spans_of(frame, workspace, part, stores);
+    if (glint_square_fits(&part->gradients, planes))
+        glint_draw_stepped(&spans, draw->shading->fast, planes, stores);
     else
-        glint_draw_highlight(s, fast, planes, stores);
+        glint_draw_highlight(&spans, draw->shading->fast, planes, stores);
 }
 
 /* Stores one pixel of a tile. */
@@ -335,10 +337,12 @@ static GLINT_INLINE void glint_put_at(const glint_fast_spans *s, uint32_t offset
 }
 
 /* All of these, with words that are computed. */
-static GLINT_NOINLINE void glint_draw_without_tables(const glint_fast_spans *s, const glint_shading *shading,
-                                                     const glint_triangle *triangle, const glint_fast_planes *planes,
+static GLINT_NOINLINE void glint_draw_without_tables(const glint_frame *frame, const glint_workspace *workspace,
+                                                     const glint_draw *draw, const glint_triangle *triangle,
+                                                     const glint_part *part, const glint_fast_planes *planes,
                                                      glint_fast_kind kind, glint_fast_store stores) {
-    const glint_part *part = s->of.part;
+    const glint_shading *shading = draw->shading;
+    const glint_fast_spans s = glint_fast_spans_of(frame, workspace, part, stores);
     const int is_stepped = kind == GLINT_FAST_SPECULAR && triangle->area >= GLINT_LARGE_AREA &&
                            glint_square_fits(&part->gradients, planes);
     glint_quadratic sum = {0, 0, 0, 0, 0, 0};
@@ -348,8 +352,8 @@ static GLINT_NOINLINE void glint_draw_without_tables(const glint_fast_spans *s, 
         const glint_span span = part->spans[row];
         for (uint32_t column = span.left; column < span.right; column++) {
             const int32_t x = part->x + (int32_t)column, y = part->y + (int32_t)row;
-            const uint32_t offset = (row << s->of.shift) + column;
-            if (!glint_is_nearest((uint8_t *)(s->of.depth + offset),
+            const uint32_t offset = (row << s.of.shift) + column;
+            if (!glint_is_nearest((uint8_t *)(s.of.depth + offset),
                                   (uint32_t)glint_plane_at(&part->depth, x, y) + GLINT_DEPTH_BIAS))
                 continue;
             const int32_t level = glint_plane_at(&planes->cosine, x, y);
@@ -359,7 +363,7 @@ static GLINT_NOINLINE void glint_draw_without_tables(const glint_fast_spans *s, 
             else if (kind == GLINT_FAST_SPECULAR)
                 square = glint_high_square((uint32_t)glint_plane_at(&planes->x, x, y)) +
                          glint_high_square((uint32_t)glint_plane_at(&planes->y, x, y));
-            glint_put_at(s, offset, glint_fast_word(shading, level, square), stores);
+            glint_put_at(&s, offset, glint_fast_word(shading, level, square), stores);
         }
     }
 }

@@ -7,10 +7,15 @@ static inline uint32_t pack_rgb444(const int32_t colour[3], uint32_t threshold) 
            glint_level(colour[2], 4, threshold);
 }
 
-/* Thresholds in 1/32: all that words have of blue. */
+/* A channel of a word, which is `most` where it is 1, as one of 15 levels, with the threshold in 1/2^20 of one. */
+static inline uint32_t level_of(uint32_t channel, uint32_t most, uint32_t threshold) {
+    return glint_saturate((int32_t)(channel * (15 * (1u << 20) / most) + threshold), 4, 20);
+}
+
 static inline uint32_t pack_spread_rgb444(uint32_t word, uint32_t threshold) {
-    const uint32_t levels = glint_spread_clamp(word + (threshold >> 2) * 0x00400801u);
-    return (levels >> 8 & 0xf00u) | (levels >> 23 & 0xf0u) | (levels >> 5 & 0xfu);
+    const uint32_t clamped = glint_spread_clamp(word), at = threshold << 13;
+    return level_of(clamped >> 10 & 0x3ff, 31 << 5, at) << 8 | level_of(clamped >> 21 & 0x3ff, 63 << 4, at) << 4 |
+           level_of(clamped & 0x1ff, 31 << 4, at);
 }
 
 static inline void put_rgb444(const glint_target *target, uint32_t offset, uint32_t packed) {

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file spread.h
- * A colour as one word, "spread": blue in bits 0 to 8, red in 10 to 19, green in 21 to 30. The highest bits of a
- * channel are its level, as many as the format has, the others a fraction of one. The bit above each channel is clear,
- * so that two words can be added.
+ * A colour as one word, "spread": blue in bits 0 to 8, red in 10 to 19, green in 21 to 30. Of these the lowest 4, 5 and
+ * 4 are fractions of a level of 5, 5 and 6 bits. The bit above each channel is clear, so that two words can be added.
  */
 #ifndef GLINT_SPREAD_H
 #define GLINT_SPREAD_H

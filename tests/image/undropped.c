@@ -392,9 +392,10 @@ static void draw_undropped(const glint_frame *frame, glint_workspace *workspace,
         as_small.area = 0;
     }
     if (!fast->diffuse)
-        glint_draw_without_tables(&spans, draw->shading, &as_small, &planes, GLINT_FAST_SPECULAR, GLINT_STORES_565);
+        glint_draw_without_tables(frame, workspace, draw, &as_small, part, &planes, GLINT_FAST_SPECULAR,
+                                  GLINT_STORES_565);
     else if (as_small.area >= GLINT_LARGE_AREA)
-        glint_draw_large(&spans, fast, &planes, GLINT_STORES_565);
+        glint_draw_large(frame, workspace, draw, part, &planes, GLINT_STORES_565);
     else if (kind == GLINT_FAST_SPECULAR || kind == GLINT_FAST_DIFFUSE)
         glint_draw_highlight(&spans, fast, &planes, GLINT_STORES_565);
     else

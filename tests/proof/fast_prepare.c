@@ -21,10 +21,8 @@ static glint_shading shading;
 static glint_fast_terms fast;
 
 /* A material that fast lighting takes, and its error budget. */
-/* Words of 4 to 6 bits a channel, half a level included or not. */
+/* Half a level included or not. */
 static void any_words(void) {
-    for (int c = 0; c < 3; c++)
-        fast.bits[c] = (uint8_t)ANY(4, 6);
     fast.is_rounded = (uint8_t)ANY(0, 1);
     fast.ambient_word = ANY_UNSIGNED(0, UINT_MAX);
 }
@@ -76,7 +74,7 @@ PROOF(glint_fast_prepare_words) {
     any_served();
     for (int stores_spread = 0; stores_spread < 2; stores_spread++) {
         const glint_fast stored = {.stores_spread = stores_spread};
-        const glint_format format = {.channel = {4, 4, 4}, .fast = &stored};
+        const glint_format format = {.fast = &stored};
         glint_fast_prepare_words(&fast, &format, &shading);
     }
 }

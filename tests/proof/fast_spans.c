@@ -100,14 +100,26 @@ PROOF(glint_draw_stepped) {
 PROOF(glint_draw_without_tables) {
     const glint_fast_spans spans = any_fast_part();
     static glint_shading shading;
+    static glint_frame frame;
+    static glint_draw draw;
     static glint_triangle triangle;
+    glint_workspace workspace;
+    frame.tile_shift_x = (uint8_t)spans.of.shift;
+    frame.config.format = spans.format;
+    frame.config.tile_width = WIDTH;
+    draw.shading = &shading;
     triangle.area = ANY(1, INT32_MAX);
+    workspace.depth = spans.of.depth;
+    workspace.pixels = spans.of.pixels;
+    workspace.row = (int32_t(*)[3])(void *)spans.words;
     for (int row = 0; row < 2; row++) {
         part.spans[row].left = (uint8_t)ANY(0, WIDTH);
         part.spans[row].right = (uint8_t)ANY(0, WIDTH);
     }
-    glint_draw_without_tables(&spans, &shading, &triangle, &planes, GLINT_FAST_GATED, ANY_565);
-    glint_draw_without_tables(&spans, &shading, &triangle, &planes, GLINT_FAST_GATED, GLINT_STORES_SPREAD);
-    glint_draw_without_tables(&spans, &shading, &triangle, &planes, GLINT_FAST_SPECULAR, ANY_565);
-    glint_draw_without_tables(&spans, &shading, &triangle, &planes, GLINT_FAST_SPECULAR, GLINT_STORES_SPREAD);
+    glint_draw_without_tables(&frame, &workspace, &draw, &triangle, &part, &planes, GLINT_FAST_GATED, ANY_565);
+    glint_draw_without_tables(&frame, &workspace, &draw, &triangle, &part, &planes, GLINT_FAST_GATED,
+                              GLINT_STORES_SPREAD);
+    glint_draw_without_tables(&frame, &workspace, &draw, &triangle, &part, &planes, GLINT_FAST_SPECULAR, ANY_565);
+    glint_draw_without_tables(&frame, &workspace, &draw, &triangle, &part, &planes, GLINT_FAST_SPECULAR,
+                              GLINT_STORES_SPREAD);
 }

@@ -39,7 +39,7 @@ static const uint32_t expected_checksums[] = {
     0x5e19852eu, /* rgb888_odd_size */
     0xd4c48de9u, /* grey8_odd_size */
     0x392c720cu, /* grey4_odd_size */
-    0xd9da79e9u, /* rgb444_odd_size */
+    0x0e37d1a6u, /* rgb444_odd_size */
     0x0d934524u, /* tall_and_thin */
     0x418a6b15u, /* one_pixel */
     0x6a9e76a7u, /* point_light */
@@ -55,7 +55,7 @@ static const uint32_t expected_checksums[] = {
     0xc000fff1u, /* mesh_colours_unlit_facets */
     0x779ca5f7u, /* rgb565_dithered */
     0x7f400056u, /* grey4_dithered_odd_size */
-    0x68c21dfbu, /* rgb444_dithered */
+    0x3ebf27bbu, /* rgb444_dithered */
     0xb68aaf6au, /* mono_dithered_odd_size */
     0x969b287eu, /* elementary_functions */
     0x79785263u, /* unit_vectors */
