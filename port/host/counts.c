@@ -134,9 +134,9 @@ glint_status __wrap_glint_prepare_shading(const glint_frame *frame, glint_shadin
     return status;
 }
 
-void __wrap_glint_fast_make_tables(glint_memory *memory, glint_fast_terms *fast, const glint_shading *shading) {
+void __wrap_glint_fast_make_tables(glint_frame *frame, glint_fast_terms *fast, const glint_shading *shading) {
     count(COUNTS_fast_material, shading->changed != 0);
-    __real_glint_fast_make_tables(memory, fast, shading);
+    __real_glint_fast_make_tables(frame, fast, shading);
 }
 
 void __wrap_glint_polynomial_begin(glint_quadratic *q, const glint_barycentric *barycentric, const int32_t a[3],
@@ -145,12 +145,23 @@ void __wrap_glint_polynomial_begin(glint_quadratic *q, const glint_barycentric *
     __real_glint_polynomial_begin(q, barycentric, a, bulge);
 }
 
-/* Counts pixels that are stored in a way of their own; those of fast lighting are not. */
+/* Pixels of fast lighting where it stores words. */
+static double spread_pixels(const glint_format *format) {
+    return !format->fast || !format->fast->stores_spread
+               ? 0
+               : now.of[COUNTS_ambient_pixel] + now.of[COUNTS_diffuse_pixel] + now.of[COUNTS_gated_pixel] +
+                     now.of[COUNTS_specular_pixel] + now.of[COUNTS_curved_diffuse_pixel] +
+                     now.of[COUNTS_curved_specular_pixel];
+}
+
+/* Counts pixels that are stored in a way of their own. */
 static void count_format(const glint_config *config) {
     const glint_format *format = config->format;
     const framebuffer_format *known = framebuffer_find_format(NULL, format);
     const int is_dithered = known && known->dithered == format;
-    const double even = now.of[COUNTS_even_pixel], lit = now.of[COUNTS_general_pixel] + now.of[COUNTS_channels_pixel];
+    const double even = now.of[COUNTS_even_pixel], spread = spread_pixels(format),
+                 lit = now.of[COUNTS_general_pixel] + now.of[COUNTS_channels_pixel] + spread;
+    now.of[COUNTS_spread_pixel] += spread;
     now.of[COUNTS_gamma_pixel] += config->gamma ? lit : 0;
     now.of[COUNTS_dithered_pixel] += is_dithered ? lit : 0;
     now.of[COUNTS_dithered_even_pixel] += is_dithered ? even : 0;

@@ -68,6 +68,7 @@
     X(wide_lobe_pixel, "one of a wide highlight, more")                                       \
     X(surface_pixel, "the surface's colours at a pixel")                                      \
     X(gamma_pixel, "a pixel through output tables")                                           \
+    X(spread_pixel, "a pixel that fast lighting leaves to the format to pack")                \
     X(dithered_pixel, "a lit pixel dithered")                                                 \
     X(dithered_even_pixel, "a pixel of one colour dithered")                                  \
     X(grey_pixel, "a pixel of one channel")                                                   \

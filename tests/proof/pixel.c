@@ -219,7 +219,8 @@ PROOF(rgb565_be_store_spread) {
     store_spread(&glint_format_rgb565_be_dithered, tile);
 }
 
-/* Any words in tiles of 8 to 64 columns, plain and dithered. @unreached 3 shifts of what is below 0 */
+/* Any words in tiles of 8 to 64 columns, plain and dithered. @unreached 3 of glint_saturate, which the proof of
+ * glint_level passes through */
 PROOF(rgb444_store_spread) {
     static uint8_t tile[SIDE * SIDE * 12 / 8];
     store_spread(&glint_format_rgb444, tile);
