@@ -24,6 +24,7 @@ static inline int has_pixels(glint_part *part);
 /*
  * Sides of any length, by parts of a quarter of its rows' bits, in tiles of up to 64 rows and columns.
  * @contract divide_floor
+ * @unreached 1 what a library built for size does
  * @options -eva-slevel 0 -eva-min-loop-unroll 65
  */
 PROOF(find_columns) {
