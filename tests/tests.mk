@@ -150,9 +150,9 @@ SANITIZED_TESTED := $(if $(SANITIZE_ALL),$(TEST_SUITES),$(filter-out $(SANITIZED
     $(call pick,0,accuracy models compare) $(call pick,1,formats identity gallery) $(call pick,2,arenas nodes budget) \
     $(call pick,3,layouts pixels kept drops))
 
-test-sanitize: export GLINT_BUDGET_SCENES := $(if $(SANITIZE_ALL),250,40)
-test-sanitize: export GLINT_SAMPLE := $(if $(SANITIZE_ALL),1,5)
-test-sanitize: $(SANITIZED_TESTED:%=$(BUILD)/tests/sanitize/%) ## host suites that a seed picks under ASan and UBSan, but for their reference, with a fifth of random scenes and arenas; make sanitize is all
+test-sanitize: export GLINT_BUDGET_SCENES := $(if $(SANITIZE_ALL),250,30)
+test-sanitize: export GLINT_SAMPLE := $(if $(SANITIZE_ALL),1,8)
+test-sanitize: $(SANITIZED_TESTED:%=$(BUILD)/tests/sanitize/%) ## host suites that a seed picks under ASan and UBSan, but for their reference, with an eighth of random scenes and arenas; make sanitize is all
 	@echo "$(if $(SANITIZE_ALL),every suite,TEST_SEED=$(TEST_SEED))"
 	$(call run_suites,$^)
 
