@@ -26,8 +26,7 @@ typedef struct glint_fast_spans {
 
 static GLINT_INLINE glint_fast_spans glint_fast_spans_of(const glint_frame *frame, const glint_workspace *workspace,
                                                          const glint_part *part, glint_fast_store stores) {
-    glint_fast_spans s;
-    s.of = glint_spans_of(frame, workspace, part);
+    glint_fast_spans s = {glint_spans_of(frame, workspace, part), 0, 0, 0};
     if (stores == GLINT_STORES_SPREAD) {
         s.format = frame->config.format;
         s.words = (glint_spread *)(void *)workspace->row;

@@ -6,15 +6,6 @@
 #include "../raster/runs.h"
 #include "evaluation.h"
 
-void glint_find_depths(glint_fragments *fragments) {
-    const unsigned down = fragments->scale - 1;
-    for (uint32_t i = 0; i < fragments->count; i++) {
-        const int32_t x = fragments->part->x + fragments->column[i], y = fragments->part->y + fragments->row[i];
-        const int32_t w = glint_plane_at(&fragments->attributes->depth, x, y);
-        fragments->inverse_w[i] = glint_most(glint_shift_right(w, down), 0);
-    }
-}
-
 /* An attribute of 16 bits over w: below 2^30. */
 static int32_t over_w(int32_t attribute, uint32_t w) {
     return attribute * (int32_t)(w >> 16) + glint_shift_right(attribute * (int32_t)(w & 0xffff), 16);

@@ -7,8 +7,15 @@
 #include "../raster/setup.h"
 #include "shade.h"
 
-/** Finds 1/w of a far triangle's fragments, where its own plane has too few bits for places. */
-void glint_find_depths(glint_fragments *fragments);
+/** 1/w of a far triangle's fragments, where its own plane has too few bits for places. */
+static inline void glint_find_depths(glint_fragments *fragments) {
+    const unsigned down = fragments->scale - 1;
+    for (uint32_t i = 0; i < fragments->count; i++) {
+        const int32_t x = fragments->part->x + fragments->column[i], y = fragments->part->y + fragments->row[i];
+        const int32_t w = glint_plane_at(&fragments->attributes->depth, x, y);
+        fragments->inverse_w[i] = glint_most(glint_shift_right(w, down), 0);
+    }
+}
 
 /** Rays of fragments against the one through their pixel's centre, in half pixels, Q12. */
 static inline void glint_find_rays(const glint_frame *frame, glint_fragments *fragments) {

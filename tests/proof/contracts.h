@@ -11,7 +11,6 @@
 #include "../../src/frame/frame.h"
 #include "../../src/light/colour.h"
 #include "../../src/light/evaluation.h"
-#include "../../src/light/fragments.h"
 #include "../../src/light/point.h"
 #include "../../src/pixel/format.h"
 #include "../../src/raster/runs.h"
@@ -151,13 +150,6 @@ unsigned glint_reduce(const int64_t in[3], int32_t out[3]);
 int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_t out[3]);
 
 #define LIT(i) (fragments->count <= (i) || \initialized(&fragments->colour[i][0..2]))
-
-/*@ requires \valid(fragments) && \valid_read(fragments->attributes) && \valid_read(fragments->part);
-    requires 1 <= fragments->scale <= 31 && fragments->count <= GLINT_FRAGMENTS_MAX;
-    assigns fragments->inverse_w[0 .. GLINT_FRAGMENTS_MAX - 1]
-        \from *fragments, *fragments->attributes, *fragments->part;
-    ensures \subset(fragments->inverse_w[0 .. GLINT_FRAGMENTS_MAX - 1], (0 .. 0x7fffffff)); */
-void glint_find_depths(glint_fragments *fragments);
 
 /*@ requires 1 <= fragments->count <= GLINT_FRAGMENTS_MAX;
     requires \initialized(&fragments->normal[0 .. fragments->count - 1][0 .. 2]);

@@ -125,18 +125,3 @@ PROOF(glint_gather_lit) {
         /*@ assert 0 <= fragments.inverse_w[before]; */
     }
 }
-
-/* Any plane, of fragments anywhere. @narrowing planes are evaluated modulo 2^32: right wherever the true value fits */
-PROOF(glint_find_depths) {
-    glint_frame frame;
-    glint_part part;
-    glint_fragments fragments;
-    glint_attributes attributes;
-    any_planes(&attributes);
-    FOR_PARTS(count, 1, GLINT_FRAGMENTS_MAX) {
-        any_run(&frame, &fragments, &part, (uint32_t)count);
-        fragments.attributes = &attributes;
-        fragments.scale = ANY_UNSIGNED(GLINT_FAR_SCALE + 1, 30);
-        glint_find_depths(&fragments);
-    }
-}

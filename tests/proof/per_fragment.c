@@ -12,7 +12,7 @@ static void any_place_of_rays(const glint_frame *frame, glint_fragments *fragmen
 
 /*
  * Fragments anywhere on any screen, planes of any slopes, rays where they are needed.
- * @contract glint_unit_inline glint_resolve_colour glint_light_all glint_needs_rays glint_find_depths
+ * @contract glint_unit_inline glint_resolve_colour glint_light_all glint_needs_rays
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 9
  */

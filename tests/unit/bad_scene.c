@@ -232,7 +232,7 @@ static void set_up_draw(fixture *f, int kind) {
 
 /* The last index of a mesh, with an arena that takes one pass or many: found before the first tile all the same. */
 static void expect_last_index(int kind, int corner, int small) {
-    static uint16_t triangles[48][3];
+    static uint16_t triangles[44][3];
     fixture *f = fixture_begin();
     const uint32_t count = TEST_COUNT(triangles);
     set_up_draw(f, kind);
