@@ -15,24 +15,31 @@
  * makes pixels of. */
 typedef enum glint_fast_store { GLINT_STORES_565, GLINT_STORES_565_BE, GLINT_STORES_SPREAD } glint_fast_store;
 
-/** What kernels share. */
+/** What kernels share. Words go where rows do, which has room for those of three of the tile's rows. */
 typedef struct glint_fast_spans {
     glint_spans of;
-    /* of words: */
-    const glint_format *format;
-    glint_spread *words; /* room for those of three of the tile's rows */
-    uint32_t width;      /* of a row */
+    const glint_frame *frame; /* of words, and */
+    const glint_workspace *workspace;
 } glint_fast_spans;
 
 static GLINT_INLINE glint_fast_spans glint_fast_spans_of(const glint_frame *frame, const glint_workspace *workspace,
                                                          const glint_part *part, glint_fast_store stores) {
-    glint_fast_spans s = {glint_spans_of(frame, workspace, part), 0, 0, 0};
+    glint_fast_spans s = {glint_spans_of(frame, workspace, part), 0, 0};
     if (stores == GLINT_STORES_SPREAD) {
-        s.format = frame->config.format;
-        s.words = (glint_spread *)(void *)workspace->row;
-        s.width = frame->config.tile_width;
+        s.frame = frame;
+        s.workspace = workspace;
     }
     return s;
+}
+
+/** Where a part's words go. */
+static inline glint_spread *glint_words_of(const glint_fast_spans *s) {
+    return (glint_spread *)(void *)s->workspace->row;
+}
+
+/** Makes pixels of words. */
+static inline void glint_store_words(const glint_fast_spans *s, const glint_spread *words, const glint_spread *end) {
+    s->frame->config.format->store_spread(s->of.pixels, s->of.shift, words, end);
 }
 
 /** Where the pixels of a part go. */
@@ -46,7 +53,7 @@ static GLINT_INLINE glint_fast_output glint_output_begin(const glint_fast_spans 
     glint_fast_output to = {0, 0, 0};
     if (stores == GLINT_STORES_SPREAD) {
         to.ahead = glint_ahead_of(&s->of);
-        to.next = s->words;
+        to.next = glint_words_of(s);
     } else {
         to.to_pixels = s->of.pixels - (uint8_t *)s->of.depth - GLINT_AHEAD;
     }
@@ -75,17 +82,17 @@ static GLINT_INLINE void glint_output_put(glint_fast_output *to, const glint_fas
 /** Ends a row: makes pixels of words if there is no room for those of another. */
 static GLINT_INLINE void glint_output_end_row(glint_fast_output *to, const glint_fast_spans *s,
                                               glint_fast_store stores) {
-    if (stores != GLINT_STORES_SPREAD || to->next <= s->words + 2 * s->width)
+    if (stores != GLINT_STORES_SPREAD || to->next <= glint_words_of(s) + 2 * s->frame->config.tile_width)
         return;
-    s->format->store_spread(s->of.pixels, s->of.shift, s->words, to->next);
-    to->next = s->words;
+    glint_store_words(s, glint_words_of(s), to->next);
+    to->next = glint_words_of(s);
 }
 
 /** Ends a part. */
 static GLINT_INLINE void glint_output_end(const glint_fast_output *to, const glint_fast_spans *s,
                                           glint_fast_store stores) {
     if (stores == GLINT_STORES_SPREAD)
-        s->format->store_spread(s->of.pixels, s->of.shift, s->words, to->next);
+        glint_store_words(s, glint_words_of(s), to->next);
 }
 
 /** The colour of a word, as it is stored; those that may be beyond 1 are clamped. */
@@ -330,7 +337,7 @@ static GLINT_INLINE void glint_put_at(const glint_fast_spans *s, uint32_t offset
                                       glint_fast_store stores) {
     const glint_spread one = {offset, word};
     if (stores == GLINT_STORES_SPREAD)
-        s->format->store_spread(s->of.pixels, s->of.shift, &one, &one + 1);
+        glint_store_words(s, &one, &one + 1);
     else
         glint_put_565(s->of.pixels + 2 * offset, glint_colour_of(word, 1, stores), stores);
 }

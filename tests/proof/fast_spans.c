@@ -100,18 +100,15 @@ PROOF(glint_draw_stepped) {
 PROOF(glint_draw_without_tables) {
     const glint_fast_spans spans = any_fast_part();
     static glint_shading shading;
-    static glint_frame frame;
     static glint_draw draw;
     static glint_triangle triangle;
-    glint_workspace workspace;
+    glint_frame frame = *spans.frame;
+    glint_workspace workspace = *spans.workspace;
     frame.tile_shift_x = (uint8_t)spans.of.shift;
-    frame.config.format = spans.format;
-    frame.config.tile_width = WIDTH;
     draw.shading = &shading;
     triangle.area = ANY(1, INT32_MAX);
     workspace.depth = spans.of.depth;
     workspace.pixels = spans.of.pixels;
-    workspace.row = (int32_t(*)[3])(void *)spans.words;
     for (int row = 0; row < 2; row++) {
         part.spans[row].left = (uint8_t)ANY(0, WIDTH);
         part.spans[row].right = (uint8_t)ANY(0, WIDTH);

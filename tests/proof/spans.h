@@ -52,8 +52,13 @@ static void store_words(void *pixels, unsigned shift, const glint_spread *from, 
 static glint_fast_spans any_fast_part(void) {
     static const glint_format format = {.store_spread = store_words};
     static glint_spread list[3 * WIDTH];
+    static glint_frame frame;
+    static glint_workspace workspace;
+    frame.config.format = &format;
+    frame.config.tile_width = WIDTH;
+    workspace.row = (int32_t(*)[3])(void *)list;
     fast.ambient_word = ANY_UNSIGNED(0, UINT_MAX);
-    return (glint_fast_spans){any_part(), &format, list, WIDTH};
+    return (glint_fast_spans){any_part(), &frame, &workspace};
 }
 
 /* Pixels of 16 bits, in either order of bytes. */

@@ -232,18 +232,19 @@ static void set_up_draw(fixture *f, int kind) {
 
 /* The last index of a mesh, with an arena that takes one pass or many: found before the first tile all the same. */
 static void expect_last_index(int kind, int corner, int small) {
-    static uint16_t triangles[44][3];
+    static uint16_t triangles[48][3];
     fixture *f = fixture_begin();
     const uint32_t count = TEST_COUNT(triangles);
     set_up_draw(f, kind);
     f->torus.triangle_count = count;
-    f->config.arena_size = small ? fixture_need(f).least : f->config.arena_size;
     for (uint32_t i = 0; i < 3 * count; i++)
         triangles[i / 3][i % 3] = f->torus.triangles[i / 3][i % 3];
     f->torus.triangles = (const uint16_t(*)[3])triangles;
+    const glint_need need = fixture_need(f);
+    f->config.arena_size = small ? need.least : f->config.arena_size;
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
     CHECK(f->renderer.stats.clipped > 0 || !(kind & 1));
-    CHECK_EQUAL(f->renderer.stats.passes > 1, small);
+    CHECK(small ? f->renderer.stats.passes > 1 : f->renderer.stats.passes == 1 || need.one_pass > f->config.arena_size);
     triangles[count - 1][corner] = 72;
     fixture_expect_error(f, GLINT_ERROR_INDEX);
 }
