@@ -38,7 +38,7 @@ static void any_lights_of_triangle(void) {
  * Every span in two rows of a tile 8 pixels wide; any quadratics, gated and not.
  * @alarms 2 N.L at a pixel is within its table's 272 entries: suite `reads` looks at every pixel of half a million
  * triangles
- * @unreached 2 words that are made pixels of before a part ends: two rows are not enough for that
+ * @unreached 6 words that are made pixels of before a part ends: two rows are not enough for that
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
@@ -55,7 +55,7 @@ PROOF(glint_draw_interpolated_diffuse) {
  * The same, clamped and not.
  * @alarms 4 N.L at a pixel is within its tables' 272 entries, and a squared deviation not below 0: suite `reads` looks
  * at every pixel of half a million triangles
- * @unreached 2 words that are made pixels of before a part ends: two rows are not enough for that
+ * @unreached 6 words that are made pixels of before a part ends: two rows are not enough for that
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
@@ -72,7 +72,7 @@ PROOF(glint_draw_interpolated_specular) {
  * The same of exact lighting.
  * @alarms 3 M.M at a pixel is within its table's 768 entries, and N.L within 272: suite `reads` looks at every
  * pixel of half a million triangles
- * @unreached 2 words that are made pixels of before a part ends: two rows are not enough for that
+ * @unreached 6 words that are made pixels of before a part ends: two rows are not enough for that
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
@@ -89,7 +89,7 @@ PROOF(glint_draw_curved_diffuse) {
  * The same with highlights.
  * @alarms 4 M.M at a pixel is within its table's 768 entries, and N.L within 272 of both of its: suite `reads` looks
  * at every pixel of half a million triangles
- * @unreached 3 words that are made pixels of before a part ends: two rows are not enough for that; and a sum of
+ * @unreached 7 words that are made pixels of before a part ends: two rows are not enough for that; and a sum of
  * words that are not clamped
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46

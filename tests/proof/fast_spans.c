@@ -18,7 +18,7 @@ static inline glint_quadratic glint_square_begin(const glint_plane *x, const gli
 
 /*
  * Every span in two rows of a tile 8 pixels wide, any planes.
- * @unreached 2 words that are made pixels of before a part ends: two rows are not enough for that
+ * @unreached 6 words that are made pixels of before a part ends: two rows are not enough for that
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
@@ -34,7 +34,7 @@ PROOF(glint_draw_constant) {
  * The same, gated and not.
  * @alarms 2 N.L at a pixel is within its table's 272 entries: suite `reads` looks at every pixel of half a million
  * triangles
- * @unreached 2 words that are made pixels of before a part ends: two rows are not enough for that
+ * @unreached 6 words that are made pixels of before a part ends: two rows are not enough for that
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
  */
@@ -50,7 +50,7 @@ PROOF(glint_draw_diffuse) {
  * The same; every squared deviation.
  * @alarms 4 N.L at a pixel is within its tables' 272 entries, and a squared deviation not below 0: suite `reads` looks
  * at every pixel of half a million triangles
- * @unreached 3 words that are made pixels of before a part ends: two rows are not enough for that; and a sum of
+ * @unreached 7 words that are made pixels of before a part ends: two rows are not enough for that; and a sum of
  * words that are not clamped
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
@@ -77,7 +77,7 @@ PROOF(glint_square_fits) {
  * @contract glint_square_begin
  * @alarms 4 N.L at a pixel is within its tables' 272 entries, and a squared deviation not below 0: suite `reads` looks
  * at every pixel of half a million triangles
- * @unreached 3 words that are made pixels of before a part ends: two rows are not enough for that; and a sum of
+ * @unreached 7 words that are made pixels of before a part ends: two rows are not enough for that; and a sum of
  * words that are not clamped
  * @narrowing planes are evaluated modulo 2^32: right wherever the true value fits
  * @options -eva-slevel 0 -eva-min-loop-unroll 46
