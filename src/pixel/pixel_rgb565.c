@@ -7,17 +7,12 @@ static inline uint32_t pack_rgb565(const int32_t colour[3], uint32_t threshold) 
            glint_level(colour[2], 5, threshold);
 }
 
-/* Thresholds in 1/16: all that words have of blue and green. */
-static inline uint32_t pack_spread_rgb565(uint32_t word, uint32_t threshold) {
-    return glint_spread_pack(glint_spread_clamp(word + (threshold >> 3) * 0x00200801u));
-}
-
 static inline void put_rgb565(const glint_target *target, uint32_t offset, uint32_t packed) {
     ((uint16_t *)target->pixels)[offset] = (uint16_t)packed;
 }
 
 #define FAST_RGB565(suffix) 0, &glint_fast_rgb565
 
-GLINT_DEFINE_SPREAD(rgb565_dithered, pack_spread_rgb565, put_rgb565, 1)
+GLINT_DEFINE_SPREAD(rgb565_dithered, glint_spread_565, put_rgb565, 1)
 GLINT_DEFINE_FORMAT(rgb565, 16, GLINT_ROW_EDGE, 5, 6, 5, pack_rgb565, put_rgb565, glint_fill_tile, FAST_RGB565,
                     GLINT_FAST_SPREAD);

@@ -7,11 +7,6 @@ static inline uint32_t pack_rgb565_be(const int32_t colour[3], uint32_t threshol
            glint_level(colour[2], 5, threshold);
 }
 
-/* Thresholds in 1/16: all that words have of blue and green. */
-static inline uint32_t pack_spread_rgb565_be(uint32_t word, uint32_t threshold) {
-    return glint_spread_pack(glint_spread_clamp(word + (threshold >> 3) * 0x00200801u));
-}
-
 static inline void put_rgb565_be(const glint_target *target, uint32_t offset, uint32_t packed) {
     uint8_t *out = (uint8_t *)target->pixels + 2 * offset;
     out[0] = (uint8_t)(packed >> 8);
@@ -20,6 +15,6 @@ static inline void put_rgb565_be(const glint_target *target, uint32_t offset, ui
 
 #define FAST_RGB565_BE(suffix) 0, &glint_fast_rgb565_be
 
-GLINT_DEFINE_SPREAD(rgb565_be_dithered, pack_spread_rgb565_be, put_rgb565_be, 1)
+GLINT_DEFINE_SPREAD(rgb565_be_dithered, glint_spread_565, put_rgb565_be, 1)
 GLINT_DEFINE_FORMAT(rgb565_be, 16, GLINT_ROW_EDGE, 5, 6, 5, pack_rgb565_be, put_rgb565_be, glint_fill_tile,
                     FAST_RGB565_BE, GLINT_FAST_SPREAD);

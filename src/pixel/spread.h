@@ -28,4 +28,9 @@ static inline uint32_t glint_spread_clamp(uint32_t word) {
     return word | (over - (over >> 9));
 }
 
+/** A sum of two words with a threshold in 1/128 level, as 16 bits; of that, words have 1/16 of blue and green. */
+static inline uint32_t glint_spread_565(uint32_t word, uint32_t threshold) {
+    return glint_spread_pack(glint_spread_clamp(word + (threshold >> 3) * 0x00200801u));
+}
+
 #endif
