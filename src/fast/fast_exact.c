@@ -149,11 +149,18 @@ static glint_exact_kind find_infinite(const glint_fast_terms *fast, const glint_
     return behind ? GLINT_EXACT_UNFIT : GLINT_EXACT_SPECULAR;
 }
 
-static void find_linear(glint_quadratic *q, const exact_steps *s, int32_t size, const int16_t across[3]) {
+/* What a row of `across` makes of a change of M, from the planes' own: from the anchor steps of a few bits lead astray.
+ */
+static uint32_t change_across(const int16_t across[3], int32_t x, int32_t y, int32_t z) {
+    const int64_t sum = glint_product(across[0], x) + glint_product(across[1], y) + glint_product(across[2], z);
+    return (uint32_t)glint_shift_right64(sum, 15);
+}
+
+static void find_linear(glint_quadratic *q, const int32_t m[3], const glint_plane normal[3], const int16_t across[3]) {
     const int32_t t[3] = {across[0], across[1], across[2]};
-    *q = (glint_quadratic){(uint32_t)dot(t, s->m),
-                           scale_to_bits(dot(t, s->x), size - 15),
-                           scale_to_bits(dot(t, s->y), size - 15),
+    *q = (glint_quadratic){(uint32_t)dot(t, m),
+                           change_across(across, normal[0].dx, normal[1].dx, normal[2].dx),
+                           change_across(across, normal[0].dy, normal[1].dy, normal[2].dy),
                            0,
                            0,
                            0};
@@ -186,8 +193,8 @@ glint_exact_kind glint_exact_begin(const glint_draw *draw, const glint_triangle 
     find_steps(light, &s);
     find_square(&light->square, &s, light->size);
     if (kind == GLINT_EXACT_SPECULAR && !fast->local_viewer) {
-        find_linear(&light->x, &s, light->size, limits->across[0]);
-        find_linear(&light->y, &s, light->size, limits->across[1]);
+        find_linear(&light->x, s.m, light->normal, limits->across[0]);
+        find_linear(&light->y, s.m, light->normal, limits->across[1]);
     }
     return kind;
 }

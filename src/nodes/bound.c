@@ -86,8 +86,9 @@ static uint32_t lobe_third_over_length(uint32_t t, uint32_t g, uint32_t v, uint3
  * A highlight's by 0.041 of what its deviation has of third order and 2^-14, which rounding takes of N and its axis,
  * with its slope, and as a sum for its strength.
  */
-static uint32_t lobe_error(uint32_t slope, uint32_t levels, uint32_t third, uint32_t f, uint32_t b) {
-    return scaled(with_slope(slope, ((third >> 4) * 2687 >> 12) + 4), levels >> 4, 8) +
+static uint32_t lobe_error(uint32_t slope, uint32_t levels, uint32_t third, uint32_t f, uint32_t b, int is_wide) {
+    const uint32_t rounding = is_wide ? 6 : 4; /* 2^-14, Q16, and for a slope of two thirds */
+    return scaled(with_slope(slope, ((third >> 4) * 2687 >> 12) + rounding), levels >> 4, 8) +
            of_levels(glint_cube(f, b), levels >> 4);
 }
 
@@ -107,10 +108,11 @@ static uint32_t length_error(const glint_region *region, uint32_t levels, uint32
 /*
  * What a highlight loses over length: a wide one by the table, a narrow one by its numbers. These are times |M| there,
  * or |M|^2 under Phong's model, and so rounded at nodes and cut off at pixels: 2^-14 of them is 2^-14 over |M|, or
- * |M|^2, of a deviation.
+ * |M|^2, of a deviation. A wide one's slope is given as two thirds; it counts as 4/3, for what a table is off by is
+ * reached somewhere in any region, what polynomials are by hardly.
  */
 static uint32_t lobe_length_error(const glint_region *region, uint32_t levels, uint32_t times, int is_wide) {
-    const uint32_t slope = is_wide ? region->slope : region->slope >> 2,
+    const uint32_t slope = is_wide ? 2 * region->slope : region->slope >> 2,
                    error = length_error(region, scaled(levels, slope, 8), times);
     return is_wide || error > A_TENTH ? error : 0;
 }
@@ -303,7 +305,8 @@ static uint32_t gloss_error(const glint_shading *shading, const glint_region *re
             continue;
         const uint32_t levels = levels_at_strength(light->specular_levels[l], region, l),
                        third = lobe_third(turn + region->axis_of[l], region->slant);
-        error += of_one(light, lobe_error(region->slope, levels, third, region->near_of[l], region->slant));
+        error += of_one(
+            light, lobe_error(region->slope, levels, third, region->near_of[l], region->slant, light->lobe_is_wide));
     }
     return error;
 }
@@ -322,7 +325,8 @@ static uint32_t gloss_error_over_length(const glint_frame *frame, const glint_sh
         const uint32_t third = lobe_third_over_length(turn, region->axis_of[l], glint_turn_of_rays(frame, region, l),
                                                       slant, is_mirrored),
                        of_length = lobe_length_error(region, levels, 1 + (uint32_t)is_mirrored, light->lobe_is_wide);
-        error += of_one(light, lobe_error(slope, levels, third, region->near_of[l], slant) + of_length);
+        error +=
+            of_one(light, lobe_error(slope, levels, third, region->near_of[l], slant, light->lobe_is_wide) + of_length);
     }
     return error;
 }

@@ -41,7 +41,7 @@ uint32_t glint_region_place(uint32_t all, uint32_t lights, glint_region *region)
         if (!(lights >> l & 1))
             continue;
         const uint32_t closeness = glint_closeness_of(region->nearness[l]), outside = region->outside >> l,
-                       near = region->reach < WIDEST_REACH
+                       near = region->reach < WIDEST_REACH && closeness <= UINT16_MAX
                                   ? (uint32_t)glint_least((int32_t)(region->reach * closeness >> 8), NEAREST_LIGHT)
                                   : NEAREST_LIGHT;
         region->near_of[l] = (uint16_t)near;

@@ -8,6 +8,7 @@
 #include "glint.h"
 #include "harness.h"
 #include "nodes/angles.h"
+#include "nodes/nearness.h"
 #include "picture.h"
 #include "sample.h"
 #include "scenes.h"
@@ -685,12 +686,14 @@ static void mirrored_by_any_length(void) {
 /* ---- Rounding over length -------------------------------------------------------------------------------------- */
 
 /* By how much highlights may be off over length that do not turn but with N, of so many levels. */
-static uint32_t narrow_over_length(const glint_model *model, uint32_t levels, uint32_t slope) {
+static uint32_t highlight_over_length(const glint_model *model, uint32_t levels, uint32_t slope, uint8_t is_wide) {
     static const glint_view view;
     static const glint_frame frame = {.view = &view};
     const glint_material material = {.model = model};
-    const glint_light_terms terms = {
-        .most_of_sums = UINT32_MAX, .most_of_one = UINT32_MAX, .specular_levels = {levels << 8}};
+    const glint_light_terms terms = {.most_of_sums = UINT32_MAX,
+                                     .most_of_one = UINT32_MAX,
+                                     .specular_levels = {levels << 8},
+                                     .lobe_is_wide = is_wide};
     const glint_shading shading = {.material = &material, .terms = &terms};
     glint_region region = {.turn = 1968, .slant = 807, .slope = slope, .lobes = 1}; /* as fuzzing has found it */
     CHECK_EQUAL(glint_region_bound(&frame, &shading, &region), 1);
@@ -700,9 +703,36 @@ static uint32_t narrow_over_length(const glint_model *model, uint32_t levels, ui
 /* Steps of numbers count where highlights are bright and narrow, p = 1024, and not where they are as usual, p = 32. */
 static void steps_over_length_count(void) {
     const uint32_t steep = 19 << 8, flat = 3 << 8;
-    CHECK(narrow_over_length(&glint_model_phong, 763, steep) > 3 * 256 * 7 / 10);
-    CHECK(narrow_over_length(&glint_model_blinn_phong, 763, steep) > 2 * 256 * 7 / 10);
-    CHECK(narrow_over_length(&glint_model_phong, 63, flat) < 26);
+    CHECK(highlight_over_length(&glint_model_phong, 763, steep, 0) > 3 * 256 * 7 / 10);
+    CHECK(highlight_over_length(&glint_model_blinn_phong, 763, steep, 0) > 2 * 256 * 7 / 10);
+    CHECK(highlight_over_length(&glint_model_phong, 63, flat, 0) < 26);
+}
+
+/*
+ * 1 / |M| of the table is off by 2^-12 where |M| is 1, 1.08 times that where normals turn as here, 1.22 times where 1/w
+ * changes so, and a wide highlight's power p times.
+ */
+static void wide_highlights_count_the_table(void) {
+    const double p = 6.97, levels = 121, table = p * levels / 4096 * 1.08 * 1.22;
+    const uint32_t two_thirds = (uint32_t)(p * 2 / 3 * 256);
+    CHECK(highlight_over_length(&glint_model_blinn_phong, (uint32_t)levels, two_thirds, 1) > 256 * table);
+}
+
+/* ---- Lamps ------------------------------------------------------------------------------------------------------ */
+
+/* How far a region of this reach over its depth lies apart over the distance to a light, both Q12. */
+static uint32_t place_beside(uint32_t reach, uint32_t closeness) {
+    glint_region region = {.reach = reach, .nearness = {(uint16_t)glint_nearness_of(closeness, 0)}};
+    glint_region_place(1, 1, &region);
+    return region.near_of[0];
+}
+
+/* A lamp nearer than nearness tells is right there, however little of its depth a region reaches. */
+static void lamps_nearer_than_told_are_there(void) {
+    const uint32_t there = place_beside(1 << 12, UINT16_MAX);
+    for (uint32_t reach = 1; reach <= 1 << 12; reach *= 2)
+        CHECK_EQUAL(place_beside(reach, UINT16_MAX), there);
+    CHECK_EQUAL(place_beside(4, 1 << 15), 4 << 7);
 }
 
 int test_main(test_writer write) {
@@ -714,6 +744,8 @@ int test_main(test_writer write) {
                                       TEST_CASE(sums_have_a_bound_of_their_own),
                                       TEST_CASE(highlights_have_a_bound_each),
                                       TEST_CASE(mirrored_by_any_length),
-                                      TEST_CASE(steps_over_length_count)};
+                                      TEST_CASE(steps_over_length_count),
+                                      TEST_CASE(wide_highlights_count_the_table),
+                                      TEST_CASE(lamps_nearer_than_told_are_there)};
     return test_run(write, cases, TEST_COUNT(cases));
 }
