@@ -174,15 +174,18 @@ typedef struct glint_view_vector {
 int glint_fast_half_vector(const glint_fast_terms *fast, int32_t x, int32_t y, int16_t half_vector[3],
                            glint_view_vector *view);
 
-/** glint_fast_half_vector, where what the view holds may not be needed. */
+/** glint_fast_half_vector between two points, x and y the sums of theirs; what the view holds may not be needed. */
 static inline int glint_half_vector_inline(const glint_fast_terms *fast, int32_t x, int32_t y, int16_t half_vector[3],
                                            glint_view_vector *view) {
     int32_t z = GLINT_FAST_RAY_Z;
-    const uint32_t right = fast->ray_right - (uint32_t)x, down = fast->ray_bottom + (uint32_t)y;
+    const uint32_t right = fast->ray_right - (uint32_t)glint_shift_right(x, 1),
+                   down = fast->ray_bottom + (uint32_t)glint_shift_right(y, 1),
+                   half = (uint32_t)fast->ray_scale >> 1, left = (uint32_t)x & 1 ? half : 0,
+                   below = (uint32_t)y & 1 ? half : 0;
     if (right > fast->ray_span || down > fast->ray_span)
         return 0;
-    x = glint_shift_right((int32_t)(right * (uint32_t)fast->ray_scale + fast->ray_start), 16);
-    y = glint_shift_right((int32_t)(down * (uint32_t)fast->ray_scale + fast->ray_start), 16);
+    x = glint_shift_right((int32_t)(right * (uint32_t)fast->ray_scale + fast->ray_start - left), 16);
+    y = glint_shift_right((int32_t)(down * (uint32_t)fast->ray_scale + fast->ray_start + below), 16);
     int32_t root = glint_inverse_root_above((uint32_t)(x * x) + (uint32_t)(y * y)); /* z^2 is 2^28 */
     view->root = root;
     view->v[0] = glint_shift_right(x * root + 0x4000, 15);

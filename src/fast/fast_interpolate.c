@@ -126,7 +126,7 @@ static inline int find_local_bulges(const glint_fast_terms *fast, const glint_tr
     const glint_vertex *const a = triangle->corners[from], *const b = triangle->corners[to];
     int16_t h[3];
     glint_view_vector view;
-    if (!glint_half_vector_inline(fast, (a->x + b->x) >> 1, (a->y + b->y) >> 1, h, &view))
+    if (!glint_half_vector_inline(fast, a->x + b->x, a->y + b->y, h, &view))
         return 0;
     const int32_t nx = find_normal(e, a->attribute[0], b->attribute[0]);
     const int32_t ny = find_normal(e, a->attribute[1], b->attribute[1]);

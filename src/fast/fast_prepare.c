@@ -199,7 +199,7 @@ static void prepare_rays(glint_fast_terms *fast, const glint_frame *frame) {
     /* focal is twice the length in pixels, Q12: half of it in sixteenths is focal 2^-9 */
     uint64_t scale = ((uint64_t)GLINT_FAST_RAY_Z << (16 + 9)) / (uint32_t)frame->view->focal;
     fast->ray_scale = at_most(scale, INT32_MAX);
-    fast->ray_limit = INT32_MAX / fast->ray_scale;
+    fast->ray_limit = INT32_MAX / fast->ray_scale - 1; /* middles lie half a step further */
     fast->center_x = frame->config.width * 8;
     fast->center_y = frame->config.height * 8;
     fast->ray_right = (uint32_t)fast->center_x + (uint32_t)fast->ray_limit;

@@ -15,7 +15,7 @@
 
 int glint_fast_half_vector(const glint_fast_terms *fast, int32_t x, int32_t y, int16_t half_vector[3],
                            glint_view_vector *view) {
-    return glint_half_vector_inline(fast, x, y, half_vector, view);
+    return glint_half_vector_inline(fast, 2 * x, 2 * y, half_vector, view);
 }
 
 /* A deviation, Q14, rounded down. */
@@ -94,7 +94,7 @@ static inline uint32_t light_vertex(const glint_fast_terms *fast, const glint_ve
     if (fast->local_viewer) {
         int16_t half_vector[3];
         glint_view_vector view;
-        return glint_half_vector_inline(fast, vertex->x, vertex->y, half_vector, &view)
+        return glint_half_vector_inline(fast, 2 * vertex->x, 2 * vertex->y, half_vector, &view)
                    ? flags | find_terms(fast, vertex->attribute, half_vector, terms)
                    : GLINT_VERTEX_UNFIT;
     }

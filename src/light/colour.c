@@ -33,6 +33,8 @@ void glint_extend_colour(const glint_fragments *fragments, uint32_t i, const gli
         const int32_t value = glint_plane_at(&planes[c], x, y);
         const int32_t scaled = zeros < 16 ? glint_shift_right(value, 16 - zeros) : value; /* 1 has 15 bits */
         const int32_t most = (1 << 16) - 2;
-        out[c] = (int16_t)glint_shift_right(glint_most(glint_least(scaled, most), -most) * reciprocal + (1 << 14), 15);
+        const int32_t colour =
+            glint_shift_right(glint_most(glint_least(scaled, most), -most) * reciprocal + (1 << 14), 15);
+        out[c] = (int16_t)glint_most(glint_least(colour, INT16_MAX), -INT16_MAX);
     }
 }

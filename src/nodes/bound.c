@@ -56,32 +56,6 @@ static uint32_t between_error(const glint_light_terms *light, uint32_t slope, ui
     return scaled(with_slope(slope, of_axis << 4), levels >> 4, 12);
 }
 
-/* a b of angles up to 3, b of 13 bits: a Q24, Q16. */
-static inline uint32_t times_angle(uint32_t a, uint32_t b) {
-    return (a >> 12) * b >> 8;
-}
-
-/* What quadratics leave of a highlight's deviation whose N and axis turn by h together, in 0.041; 1/w changes by b. */
-static uint32_t lobe_third(uint32_t h, uint32_t b) {
-    return times_angle((h + b) * (h + b), h);
-}
-
-/*
- * The same over length. N there is linear, and R under Phong's model, times |M|^2, quadratic: their turn t is exact
- * alone, and what is left is what the axis turns by, g, alone and with them. Quadratics through the middles are off
- * from the product of a linear function that changes by x along edges and a quadratic one by 0.0281 x y, y being its
- * second derivative, of one sign as those of unit vectors are; 0.0281 is 0.685 of 0.041. That of the axis is g v, where
- * L and V turn by v and g is v / |L + V|. That of R |M|^2 = 2 (M.L) M - (M.M) L is twice the square of what M changes
- * by, which is t / 2 and what 1/w makes of it; dividing by M.M makes it 1 / cos^2(t / 4) times as much, less than 1 +
- * t^2 / 8.
- */
-static uint32_t lobe_third_over_length(uint32_t t, uint32_t g, uint32_t v, uint32_t b, int is_mirrored) {
-    const uint32_t square = glint_times(t, t),
-                   of_r = glint_times(square / 2 + glint_times(b, b), (1 << 12) + square / 8);
-    const uint32_t mixed = (t + b) * (v + b) + (is_mirrored ? of_r << 12 : 0);
-    return times_angle((g + b) * (g + b) + (mixed >> 4) * 11, g);
-}
-
 /*
  * A highlight's by 0.041 of what its deviation has of third order and 2^-14, which rounding takes of N and its axis,
  * with its slope, and as a sum for its strength.
@@ -296,7 +270,7 @@ static inline uint32_t of_one(const glint_light_terms *light, uint32_t error) {
 }
 
 /* What highlights with terms of their own may be off by. */
-static uint32_t gloss_error(const glint_shading *shading, const glint_region *region) {
+static uint32_t gloss_error(const glint_frame *frame, const glint_shading *shading, const glint_region *region) {
     const glint_light_terms *light = shading->terms;
     const uint32_t turn = glint_lobe_turn(shading, region);
     uint32_t error = 0;
@@ -304,7 +278,8 @@ static uint32_t gloss_error(const glint_shading *shading, const glint_region *re
         if (!(region->lobes >> l & 1))
             continue;
         const uint32_t levels = levels_at_strength(light->specular_levels[l], region, l),
-                       third = lobe_third(turn + region->axis_of[l], region->slant);
+                       third = glint_lobe_third(turn, region->axis_of[l], glint_turn_of_rays(frame, region, l),
+                                                region->slant);
         error += of_one(
             light, lobe_error(region->slope, levels, third, region->near_of[l], region->slant, light->lobe_is_wide));
     }
@@ -322,8 +297,8 @@ static uint32_t gloss_error_over_length(const glint_frame *frame, const glint_sh
         if (!(region->lobes >> l & 1))
             continue;
         const uint32_t levels = levels_at_strength(light->specular_levels[l], region, l);
-        const uint32_t third = lobe_third_over_length(turn, region->axis_of[l], glint_turn_of_rays(frame, region, l),
-                                                      slant, is_mirrored),
+        const uint32_t third = glint_lobe_third_over_length(turn, region->axis_of[l],
+                                                            glint_turn_of_rays(frame, region, l), slant, is_mirrored),
                        of_length = lobe_length_error(region, levels, 1 + (uint32_t)is_mirrored, light->lobe_is_wide);
         error +=
             of_one(light, lobe_error(slope, levels, third, region->near_of[l], slant, light->lobe_is_wide) + of_length);
@@ -382,7 +357,7 @@ int glint_region_bound(const glint_frame *frame, const glint_shading *shading, g
     if (is_cut_off(region) || !find_cone_error(frame, light, region))
         return 0;
     region->error = of_sums(light, sum_error(light, region, 0, region->turn, 0)) + colour_error(region) +
-                    gloss_error(shading, region) + region->cone_error + (region->summed ? region->shine : 0);
+                    gloss_error(frame, shading, region) + region->cone_error + (region->summed ? region->shine : 0);
     region->margin = find_margin(region, region->turn);
     return 1;
 }

@@ -3,6 +3,7 @@
  * Cells: a triangle's light on squares of the screen's lattice, by quadratics next to three rows of three nodes; and
  * polynomials of any region whose nodes are all there.
  */
+#include "angles.h"
 #include "nearness.h"
 #include "shapes.h"
 
@@ -40,7 +41,7 @@ static int find_w_range(const glint_shape *shape, glint_node *const nodes[], gli
     return 1;
 }
 
-/* By how much the surface's colours differ, Q12. */
+/* By how much the surface's colours differ, Q12; too much where they end at what a node holds. */
 static uint32_t find_colour(const glint_shape *shape, glint_node *const nodes[]) {
     int32_t apart = 0;
     for (int c = 0; c < 3; c++) {
@@ -49,6 +50,8 @@ static uint32_t find_colour(const glint_shape *shape, glint_node *const nodes[])
             least = glint_least(least, nodes[shape->corners[i]]->surface[c]);
             most = glint_most(most, nodes[shape->corners[i]]->surface[c]);
         }
+        if (least == -INT16_MAX || most == INT16_MAX)
+            return GLINT_WIDEST + 1;
         apart = glint_most(apart, most - least);
     }
     return (uint32_t)apart >> 2;
@@ -244,7 +247,7 @@ static int begin_apart(const shape_target *to, glint_node *const nodes[], const 
             continue;
         for (uint32_t i = 0; i < to->shape->count; i++)
             n[i] = nodes[i]->number[apart->light][kind];
-        if (!set_through(to, next++, n, 16, 0))
+        if (!set_through(to, next++, n, 16, glint_half_of(kind)))
             return 0;
     }
     return 1;

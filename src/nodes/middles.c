@@ -106,7 +106,7 @@ static void gather_middle(const glint_frame *frame, const glint_triangle *triang
                           glint_fragments *to) {
     const glint_vertex *const a = triangle->corners[glint_ends[e][0]], *const b = triangle->corners[glint_ends[e][1]];
     const uint32_t i = to->count++;
-    glint_find_ray(frame, (a->x + b->x) >> 1, (a->y + b->y) >> 1, to->ray[i]);
+    glint_find_ray(frame, a->x + b->x, a->y + b->y, to->ray[i]);
     to->inverse_w[i] = (a->inverse_w >> 1) + (b->inverse_w >> 1);
     if (t->is_mixed && !t->is_straight) {
         for (int c = 0; c < 3; c++)

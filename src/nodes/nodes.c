@@ -19,8 +19,8 @@
 #define LEAST_HALF_SQUARE (1 << 11)
 
 void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[3]) {
-    ray[0] = frame->config.width * 4096 - x * 512;
-    ray[1] = y * 512 - frame->config.height * 4096;
+    ray[0] = frame->config.width * 4096 - x * 256;
+    ray[1] = y * 256 - frame->config.height * 4096;
     ray[2] = frame->view->focal;
 }
 
@@ -59,8 +59,8 @@ static int find_lobe_deviation(const int16_t n[3], const int16_t h[3], unsigned 
         x += glint_shift_right(x, 14) * -cosine;
         y += glint_shift_right(y, 14) * -cosine;
     }
-    x = glint_shift_right(x, 15 - shift);
-    y = glint_shift_right(y, 15 - shift);
+    x = glint_shift_right(x + (1 << (14 - shift)), 15 - shift);
+    y = glint_shift_right(y + (1 << (14 - shift)), 15 - shift);
     if (cosine < -GLINT_UNIT / 2)
         x = INT32_MAX;
     const int is_far = (cosine < 0) | cut_off_number(&x) | cut_off_number(&y);

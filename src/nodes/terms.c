@@ -157,10 +157,10 @@ static void begin_light(const glint_candidate *t, const glint_lengths *by, const
             length = kind != GLINT_SIDE && to->terms->is_over_length > 1 ? by->square : by->length;
         if (length && is_mixed_kind(t, kind)) {
             take_corners(light, t, apart->light, kind, n.corner);
-            set_straight(to, next++, n.corner, length, 16, 0);
+            set_straight(to, next++, n.corner, length, 16, glint_half_of(kind));
         } else {
             take_numbers(light, t, apart->light, kind, length, &n);
-            set_quadratic(to, s, next++, &n, 16, 0);
+            set_quadratic(to, s, next++, &n, 16, glint_half_of(kind));
         }
     }
 }
@@ -247,7 +247,7 @@ static void begin_term_planes(const glint_candidate *t, int32_t longer, const gl
         for (uint32_t kind = 0; apart->kinds >> kind; kind++)
             if (apart->kinds >> kind & 1) {
                 take_corners(terms->light, t, apart->light, kind, n);
-                set_plane(to, next++, n, kind == GLINT_STRENGTH ? 1 << 15 : length, 16, 0);
+                set_plane(to, next++, n, kind == GLINT_STRENGTH ? 1 << 15 : length, 16, glint_half_of(kind));
             }
     }
 }

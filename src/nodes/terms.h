@@ -87,6 +87,11 @@ typedef struct glint_node {
     uint8_t left;                  /* lights without numbers here */
 } glint_node;
 
+/** Half a step of a polynomial whose high half is such a number: pixels' deviations are rounded to nearest. */
+static inline uint32_t glint_half_of(uint32_t kind) {
+    return kind == GLINT_LOBE_X || kind == GLINT_LOBE_Y ? 1u << 15 : 0;
+}
+
 /** Finds light at some points, but for its sum, each point for a node. Deviations are found of `lobes` among `lights`.
  * Unless it `tells` of regions, a node is without which lights it faces, how near they are, and what they make. */
 void glint_nodes_light(const glint_frame *frame, const glint_shading *shading, glint_fragments *at, uint32_t lights,
@@ -104,7 +109,7 @@ static inline void glint_node_leave(glint_node *node, uint32_t away) {
     node->outside |= (uint16_t)(away | away << 8);
 }
 
-/** Ray towards the eye from a point of the screen, 28.4. */
+/** Ray towards the eye from a point of the screen, 27.5: middles lie between sixteenths. */
 void glint_find_ray(const glint_frame *frame, int32_t x, int32_t y, int32_t ray[3]);
 
 /* ---- Bound: which polynomials are close enough ---- */

@@ -21,7 +21,7 @@ static void keep(const glint_light_terms *light, uint32_t lights, const glint_no
 
 static void gather_corner(const glint_frame *frame, const glint_vertex *v, glint_fragments *to) {
     const uint32_t i = to->count++;
-    glint_find_ray(frame, v->x, v->y, to->ray[i]);
+    glint_find_ray(frame, 2 * v->x, 2 * v->y, to->ray[i]);
     to->inverse_w[i] = v->inverse_w;
     for (int c = 0; c < 3; c++)
         to->normal[i][c] = v->attribute[c];

@@ -718,6 +718,18 @@ static void wide_highlights_count_the_table(void) {
     CHECK(highlight_over_length(&glint_model_blinn_phong, (uint32_t)levels, two_thirds, 1) > 256 * table);
 }
 
+/*
+ * Where normals do not turn, H alone leaves what a quadratic does of V, 3 v^3 / (72 sqrt 3), over |L + V|: most
+ * straight before a light, where that is 2.
+ */
+static void axes_turn_as_views_do(void) {
+    for (uint32_t v = 256; v <= 2048; v *= 2) {
+        const double left = 3 * pow(v / 4096.0, 3) / (72 * sqrt(3)) / 2;
+        CHECK(0.041 * glint_lobe_third(0, v / 2, v, 0) / 65536 >= left);
+        CHECK(0.041 * glint_lobe_third_over_length(0, v / 2, v, 0, 0) / 65536 >= left);
+    }
+}
+
 /* ---- Lamps ------------------------------------------------------------------------------------------------------ */
 
 /* How far a region of this reach over its depth lies apart over the distance to a light, both Q12. */
@@ -746,6 +758,7 @@ int test_main(test_writer write) {
                                       TEST_CASE(mirrored_by_any_length),
                                       TEST_CASE(steps_over_length_count),
                                       TEST_CASE(wide_highlights_count_the_table),
+                                      TEST_CASE(axes_turn_as_views_do),
                                       TEST_CASE(lamps_nearer_than_told_are_there)};
     return test_run(write, cases, TEST_COUNT(cases));
 }

@@ -23,6 +23,7 @@ typedef struct corner {
     attributes at;
     double w;
     int64_t x, y; /* 28.4 */
+    int is_given; /* they are those of the renderer under judgement */
 } corner;
 
 typedef struct drawing {
@@ -376,18 +377,23 @@ static void draw_object_triangle(drawing *draw, uint32_t object, const corner *v
     reference_mesh_corners(source->mesh, triangle, indices);
     for (int i = 0; i < 3; i++) {
         corners[i] = vertices ? vertices[indices[i]] : make_corner(draw, object, indices[i]);
-        known = known && positions[indices[i]].known && corners[i].w >= reference_real(draw->scene->camera.near_plane);
+        corner *const c = &corners[i];
+        c->is_given =
+            positions && positions[indices[i]].known && c->w >= reference_real(draw->scene->camera.near_plane);
+        known &= c->is_given;
+        if (c->is_given) {
+            c->x = positions[indices[i]].x;
+            c->y = positions[indices[i]].y;
+        }
     }
     draw->rounded_here = !known;
-    for (int i = 0; i < 3 && known; i++) {
-        corners[i].x = positions[indices[i]].x;
-        corners[i].y = positions[indices[i]].y;
-    }
     if (source->evaluation == &glint_per_facet)
         draw->facet = light_facet(draw, corners, known);
     int count = clip(draw, corners, kept);
-    for (int i = 0; i < count && !known; i++)
-        snap(draw, &kept[i]);
+    for (int i = 0; i < count; i++) {
+        if (!kept[i].is_given)
+            snap(draw, &kept[i]);
+    }
     for (int i = 2; i < count; i++)
         draw_triangle(draw, &kept[0], &kept[i - 1], &kept[i], mirrored);
 }

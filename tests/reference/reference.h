@@ -55,7 +55,8 @@ reference_vertex reference_transform(const glint_scene *scene, uint32_t object, 
 /**
  * Draws a scene.
  * @param positions per object, screen positions of its vertices; null, or null for an object, to round its own. A
- * triangle that crosses the near plane, or has a vertex without a known position, is clipped and rounded here.
+ * triangle that crosses the near plane, or has a vertex without a known position, is clipped here, and what has none
+ * rounded.
  */
 void reference_render(const reference_image *image, const glint_scene *scene,
                       const reference_position *const *positions);

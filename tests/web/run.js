@@ -82,7 +82,9 @@ const forget = (page) => page.evaluate(() => {
   delete document.body.dataset.settled;
 });
 
-const settle = (page) => page.waitForFunction(() => document.body.dataset.settled !== undefined, null, { timeout: 60000 });
+// What has come to rest is what was drawn last: under load an earlier state may come to rest after its change.
+const settle = (page) => page.waitForFunction(() => document.body.dataset.settled !== undefined &&
+  document.body.dataset.settled === document.body.dataset.drawn, null, { timeout: 60000 });
 
 async function after(page, action) {
   await forget(page);
