@@ -145,10 +145,11 @@ test-identity: $(BUILD)/tests/host/identity ## the same image for every tile siz
 	$(call run_suites,$^)
 
 # Of the suites that take long one of three or four, which the seed picks.
-SANITIZED_LONG   := accuracy models compare formats identity gallery arenas nodes budget layouts pixels kept drops
+SANITIZED_LONG   := accuracy models compare setup formats identity gallery reads arenas nodes budget orthographic layouts pixels kept drops \
+    numbers lines callbacks
 SANITIZED_TESTED := $(if $(SANITIZE_ALL),$(TEST_SUITES),$(filter-out $(SANITIZED_LONG),$(TEST_SUITES)) \
-    $(call pick,0,accuracy models compare) $(call pick,1,formats identity gallery) $(call pick,2,arenas nodes budget) \
-    $(call pick,3,layouts pixels kept drops))
+    $(call pick,0,accuracy models compare setup) $(call pick,1,formats identity gallery reads) $(call pick,2,arenas nodes budget orthographic) \
+    $(call pick,3,layouts pixels kept drops) $(call pick,4,numbers lines callbacks))
 
 test-sanitize: export GLINT_BUDGET_SCENES := $(if $(SANITIZE_ALL),250,30)
 test-sanitize: export GLINT_SAMPLE := $(if $(SANITIZE_ALL),1,8)

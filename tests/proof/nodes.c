@@ -48,7 +48,7 @@ PROOF(glint_find_ray) {
     any_view(&view);
     frame.config.width = (uint16_t)ANY(1, GLINT_SIZE_MAX);
     frame.config.height = (uint16_t)ANY(1, GLINT_SIZE_MAX);
-    glint_find_ray(&frame, ANY(INT16_MIN, INT16_MAX), ANY(INT16_MIN, INT16_MAX), ray);
+    glint_find_ray(&frame, ANY(2 * INT16_MIN, 2 * INT16_MAX), ANY(2 * INT16_MIN, 2 * INT16_MAX), ray);
 }
 
 /* Any light and view vector that is not behind. @contract glint_dot glint_unit */
@@ -77,7 +77,7 @@ static void any_half_vector(int16_t h[3]) {
 /*
  * Any normal, any half vector that is not behind, any shift.
  * @contract glint_dot glint_inverse_of_one_and
- * @alarms 10 a deviation is a part of a unit vector, at most 1, and N.H + nz <= sqrt(2 + 2 hz): the image tests under
+ * @alarms 12 a deviation is a part of a unit vector, at most 1, and N.H + nz <= sqrt(2 + 2 hz): the image tests under
  * UBSan, and suite `nodes`
  */
 PROOF(find_lobe_deviation) {
