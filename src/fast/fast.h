@@ -179,9 +179,8 @@ static inline int glint_half_vector_inline(const glint_fast_terms *fast, int32_t
                                            glint_view_vector *view) {
     int32_t z = GLINT_FAST_RAY_Z;
     const uint32_t right = fast->ray_right - (uint32_t)glint_shift_right(x, 1),
-                   down = fast->ray_bottom + (uint32_t)glint_shift_right(y, 1),
-                   half = (uint32_t)fast->ray_scale >> 1, left = (uint32_t)x & 1 ? half : 0,
-                   below = (uint32_t)y & 1 ? half : 0;
+                   down = fast->ray_bottom + (uint32_t)glint_shift_right(y, 1), half = (uint32_t)fast->ray_scale >> 1,
+                   left = (uint32_t)x & 1 ? half : 0, below = (uint32_t)y & 1 ? half : 0;
     if (right > fast->ray_span || down > fast->ray_span)
         return 0;
     x = glint_shift_right((int32_t)(right * (uint32_t)fast->ray_scale + fast->ray_start - left), 16);
