@@ -12,6 +12,8 @@
 typedef struct reference_lights {
     double vector[GLINT_LIGHTS_MAX][3]; /**< Directional: unit, towards the light; else its position. */
     double axis[GLINT_LIGHTS_MAX][3];   /**< Unit; of spots only. */
+    double pixel;                       /**< A pixel's width, 1 before the eye; of parallel rays anywhere. */
+    int is_parallel;
 } reference_lights;
 
 /** A point to be lit, in camera space. */
@@ -26,10 +28,11 @@ typedef struct reference_light {
     double colour[3]; /**< Clamped to 0..1. */
     double grazing;   /**< Distance to the nearest jump: the smallest |N.L| where a highlight is gated, half the
                          highlight's cosine where p < 1, the distance of the cosine from that of a cone without soft edge,
-                         0 where a light touches the point; 1 when there is none. */
+                         0 where a light touches the point: is within a pixel of it; 1 when there is none. */
 } reference_light;
 
-void reference_prepare_lights(reference_lights *lights, const glint_scene *scene);
+/** For an image so many pixels high. */
+void reference_prepare_lights(reference_lights *lights, const glint_scene *scene, int height);
 
 reference_light reference_shade(const glint_scene *scene, const reference_lights *lights,
                                 const glint_material *material, const reference_surface *surface);

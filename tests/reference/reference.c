@@ -423,7 +423,7 @@ void reference_render(const reference_image *image, const glint_scene *scene,
                       const reference_position *const *positions) {
     drawing draw = {.image = image, .scene = scene, .focal = focal_length(scene, image->height)};
     clear(image, &scene->background);
-    reference_prepare_lights(&draw.lights, scene);
+    reference_prepare_lights(&draw.lights, scene, image->height);
     for (uint32_t object = 0; object < scene->object_count; object++)
         draw_object(&draw, object, positions ? positions[object] : NULL);
 }

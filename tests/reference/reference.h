@@ -38,7 +38,7 @@ typedef struct reference_pixel {
     double second;    /**< 1/w of the next surface behind it, 0 when there is none. */
     double grazing;   /**< How near a jump of the colour is: the smallest |N.L| where a highlight is gated, half the
                          highlight's cosine where p < 1, the distance of a cosine from that of a cone without soft edge, 0
-                         where a light touches; 1 without any. */
+                         where a light touches: is within a pixel; 1 without any. */
     int covered;      /**< Whether any surface is seen. */
     int uncertain;    /**< Within 1.5/16 of a pixel of an edge that was rounded here, which another may round apart. */
 } reference_pixel;

@@ -239,7 +239,7 @@ static void look_closely(views *all, contract_result *result) {
         for (uint32_t vertex = 0; vertex < all->scene->objects[i].mesh->vertex_count; vertex++)
             all->clips |= !all->geometry.positions[i][vertex].known;
     }
-    reference_prepare_lights(&all->lights, all->scene);
+    reference_prepare_lights(&all->lights, all->scene, all->height);
     reference_render(&all->light, all->scene, (const reference_position *const *)all->geometry.positions);
     render_painted(all, 0, &all->object);
     render_painted(all, 1, &all->normal);

@@ -11,6 +11,9 @@
  * - gated: a cosine within 4.6 / 2^15 of a light's horizon, where a highlight's gate jumps, of a cone without soft
  * edge, or of 0 where it is raised to less than 1, from where it rises without bound: each of the two unit vectors is
  * off by up to 2.3 / 2^15;
+ * - touched: a light within a pixel of what it lights, as wide as pixels are there. The way to it is told in steps of
+ * 2^-13 of a pixel or more: its direction is known to fewer than 13 bits (the reference's lighting.c; counted as
+ * gated);
  * - short: a sum of unit vectors nearly cancels. An interpolated normal, or L + V of a light with Blinn's highlight, is
  *   shorter than a quarter, so that its direction is known to fewer than 13 bits.
  * - narrow: within the soft edge of a spot whose inner and outer cosines are less than 1/64 apart. The cosine of two
