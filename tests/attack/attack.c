@@ -30,6 +30,9 @@ static struct {
 /* Counts by what calls ended in, from GLINT_OK to the last error. */
 static uint32_t endings[30];
 
+/* Calls for which bits of a mesh, a number or an arena were flipped. */
+static uint32_t flips;
+
 /* Of what calls answered: the same from every compiler, which shows that they were the same calls. */
 static uint32_t checksum = 2166136261u;
 
@@ -88,6 +91,7 @@ static uint32_t draw_round(attack_stage *stage, victim *v, uint32_t most) {
         fill(&s, bytes, &state);
         place.call = calls;
         const victim_attack *const attack = &victim_attacks[next_random(&state) % victim_attack_count];
+        flips += strncmp(attack->name, "flipped", 7) == 0;
         place.name = attack->name;
         if (below(&s, 4))
             attack_stage_spoil(stage, &s);
@@ -129,8 +133,9 @@ int main(int argc, char **argv) {
         calls += draw_round(&stage, &v, wanted - calls);
     for (int i = 0; i <= -GLINT_ERROR_STRIDE; i++)
         all += endings[i];
-    printf("  %u calls in %u rounds, %u answers, %u of them without an error; checksum %08x\n", (unsigned)calls,
-           (unsigned)place.round, (unsigned)all, (unsigned)endings[0], (unsigned)checksum);
+    printf("  %u calls in %u rounds, %u with flipped bits; %u answers, %u of them without an error; checksum %08x\n",
+           (unsigned)calls, (unsigned)place.round, (unsigned)flips, (unsigned)all, (unsigned)endings[0],
+           (unsigned)checksum);
     const int passed = are_all_seen();
     printf("%d passed, %d failed\n", passed, !passed);
     return !passed;

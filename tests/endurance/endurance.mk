@@ -20,5 +20,7 @@ test-endurance: $(BUILD)/tests/endurance ## thousands of animated frames: each r
 	@$< $(ENDURANCE_TEST_FRAMES) > $<.log; status=$$?; tail -n 2 $<.log; exit $$status
 
 endurance: $(BUILD)/tests/endurance $(ENDURANCE_ELF) ## a million animated frames on the host, ten thousand on an emulated board: half an hour
-	@python3 tests/endurance/endurance.py --qemu $(QEMU) $(ENDURANCE_ELF) $(BUILD)/tests/endurance $(ENDURANCE_BOARD_FRAMES)
-	@$(BUILD)/tests/endurance $(ENDURANCE_FRAMES)
+	@$(call recorded,endurance,'frames on an emulated board=mps2-an385: frames ([0-9]+)',tests/endurance examples/scenes port) \
+	    python3 tests/endurance/endurance.py --qemu $(QEMU) $(ENDURANCE_ELF) $(BUILD)/tests/endurance $(ENDURANCE_BOARD_FRAMES)
+	@$(call recorded,endurance,'frames on the host=frames ([0-9]+)',tests/endurance examples/scenes) \
+	    $(BUILD)/tests/endurance $(ENDURANCE_FRAMES)

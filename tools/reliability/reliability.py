@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """The figures of docs/reliability.md, from files that other targets write:
 
-    reliability.py --suites "SUITE..." --calls N [--write]
+    reliability.py --suites "SUITE..." [--write]
 
 Without --write the page is held against them, and what it and SECURITY.md name against the tree and the targets that
 `make help` lists, on standard input. Closes with `N passed, N failed`; status 1 on a failure.
@@ -52,7 +52,12 @@ def mutated():
             f"{killed}; {listed}; {survived}", "`docs/mutants.csv`")
 
 
-def figures(calls):
+def recorded():
+    """Of each run that is too long for `make test`, what it counted last."""
+    return [(f"`make {row['run']}` at {row['commit']}: {row['what']}", row["count"], "`docs/runs.csv`") for row in rows("docs/runs.csv")]
+
+
+def figures():
     """Each as what it is of, the figure, the file or target that it is from."""
     lines, branches, conditions = found(r"\| `src/` \| ([\d.]+ %) of \d+ \| ([\d.]+ %) of \d+ \| ([\d.]+ %) of \d+", "docs/coverage.md")
     host, = found(r"\| `port/host/` \| ([\d.]+ %) of", "docs/coverage.md")
@@ -71,7 +76,7 @@ def figures(calls):
         mutated(),
         ("random scenes where the contract is to hold; where it does not", f"{count}; {broken}", "[stability](stability.md#what-falls-short)"),
         ("their pixels; of them covered otherwise than the reference has them", f"{judged}; {missed}", "[stability](stability.md)"),
-        ("calls of `make attack`", calls, "`make attack`"),
+        *recorded(),
         ("inputs of fuzz targets that are kept", corpus, "`tests/fuzz/corpus/`"),
         *fuzzed(),
         ("boards that run in emulators", len(rows("tools/boards/boards.csv")), "[boards](boards.md)"),
@@ -99,12 +104,11 @@ def named(name, targets):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--suites", required=True)
-    parser.add_argument("--calls", required=True)
     parser.add_argument("--write", action="store_true")
     arguments = parser.parse_args()
     suites = arguments.suites.split()
     page = read(PAGE)
-    wanted = with_table(page, table(figures(arguments.calls)))
+    wanted = with_table(page, table(figures()))
     if arguments.write:
         with open(os.path.join(ROOT, PAGE), "w", encoding="utf-8") as file:
             file.write(wanted)
