@@ -37,7 +37,7 @@ attack-arenas: $(ATTACK_ARENAS) $(ATTACK_ARENAS_SANITIZED) ## arenas of every si
 	@$(ATTACK_ARENAS_SANITIZED) 13
 
 attack: $(ATTACK) $(ATTACK_SANITIZED) ## a million calls with extreme arguments; ATTACK_SEED chooses which
-	@$(call recorded,attack,'calls=([0-9]+) calls' 'of these with flipped bits=([0-9]+) with flipped',$(ATTACK_SOURCES)) \
+	@$(call recorded,attack,'calls=([0-9]+) calls' 'calls with flipped bits=([0-9]+) with flipped',$(ATTACK_SOURCES)) \
 	    $(ATTACK) $(ATTACK_SEED) $(ATTACK_CALLS)
 	@$(call recorded,attack,'calls under sanitisers=([0-9]+) calls',$(ATTACK_SOURCES)) \
 	    $(ATTACK_SANITIZED) $(ATTACK_SEED) $(ATTACK_CALLS_SANITIZED)
