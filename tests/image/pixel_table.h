@@ -9,6 +9,23 @@
 static const pixel_sums pixel_table[] = {
     {0x6de0a2d3u, 0x04fde0edu}, /* regions */
     {0xaa3d13f3u, 0x04ca5563u}, /* regions */
+    {0xfc9fcb8au, 0xf0220baeu}, /* large regions */
+    {0xfbfaadbau, 0x48ce73efu}, /* large regions */
+    {0x998d2d70u, 0xe34c04e4u}, /* large regions */
+    {0x945147b6u, 0x9eb8de8cu}, /* varied regions */
+    {0x32c0e5e4u, 0xd806770eu}, /* varied regions */
+    {0x0194bb2fu, 0xefc62b8eu}, /* varied regions */
+    {0x1d48db76u, 0xf47dbeedu}, /* varied regions */
+    {0x5a0bc439u, 0x177e6bc1u}, /* varied regions */
+    {0x916816e6u, 0x0afee90fu}, /* varied regions */
+    {0xf205ce8bu, 0x2a1b41d9u}, /* varied regions */
+    {0x4bb07e63u, 0xc82f33a7u}, /* varied regions */
+    {0x049ae950u, 0x5fc679cfu}, /* varied benchmark */
+    {0x8c92f25eu, 0xf40a3cbfu}, /* varied benchmark */
+    {0x71e11ba9u, 0xc628c397u}, /* varied benchmark */
+    {0x5d698946u, 0x59a40868u}, /* varied benchmark */
+    {0x2ae324adu, 0x99eb84adu}, /* varied benchmark */
+    {0x12e25f1cu, 0x1a79747du}, /* varied benchmark */
     {0x9b053754u, 0x52e0a7e8u}, /* random surfaces */
     {0x6c70b664u, 0xba825368u}, /* random surfaces */
     {0xb4eee428u, 0x747aaa0eu}, /* random surfaces */

@@ -139,6 +139,35 @@ static void lights_of_every_size_and_place(void) {
 }
 
 /* What is kept errs to the safe side, by no more than its bits. */
+/* A light so many steps from a fragment, along an axis, whose ray is longest along another. */
+static void check_at_light(int ray_axis, int light_axis, int32_t ray_sign, unsigned bits) {
+    const int32_t apart = bits ? 1 << (bits - 1) : 0;
+    glint_prepared_light light;
+    glint_fragments at;
+    make_light(&light);
+    at.count = 1;
+    at.is_gated = 0;
+    at.inverse_w[0] = 1 << 30;
+    light.point.shift = 32;
+    for (int c = 0; c < 3; c++) {
+        at.ray[0][c] = c == ray_axis ? ray_sign * ((1 << 27) + (1 << 20)) : 1 << 10;
+        light.point.mantissa[c] = 4 * ((c == light_axis ? apart : 0) - at.ray[0][c]);
+    }
+    glint_point_illuminate(&light, &at);
+    CHECK_EQUAL(at.length[0] == 0, bits + 15 <= 28);
+    if (!at.length[0])
+        CHECK_EQUAL(at.strength[0], 0);
+}
+
+/* What decides is the longest component of the ray, and of the way to the light, whichever these are. */
+static void lights_where_fragments_are(void) {
+    for (int axes = 0; axes < 9; axes++)
+        for (unsigned bits = 0; bits < 28; bits++) {
+            check_at_light(axes / 3, axes % 3, 1, bits);
+            check_at_light(axes / 3, axes % 3, -1, bits);
+        }
+}
+
 static void nearness_of_every_closeness(void) {
     int unsafe = 0, far_off = 0, unlike = 0;
     for (uint32_t closeness = 0; closeness <= UINT16_MAX; closeness++) {
@@ -576,6 +605,7 @@ static void edges_of_triangles(void) {
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(lights_of_every_size_and_place),
+        TEST_CASE(lights_where_fragments_are),
         TEST_CASE(nearness_of_every_closeness),
         TEST_CASE(cosines_of_cones),
         TEST_CASE(objects_that_spots_miss),
