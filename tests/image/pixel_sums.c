@@ -260,8 +260,8 @@ static void draw_varied_bench(drawing *d, unsigned part) {
         scene.material.diffuse = take_colour(&left);
         left = hash_of(number + 300000);
         scene.material.specular = take_colour(&left);
-        scene.light.vector.x = ((int32_t)take(&left, 17) - 8) << 13;
-        scene.light.vector.y = ((int32_t)take(&left, 17) - 8) << 13;
+        scene.light.vector.x = ((int32_t)take(&left, 17) - 8) * 8192;
+        scene.light.vector.y = ((int32_t)take(&left, 17) - 8) * 8192;
         scene.scene.error_budget = take(&left, 4) ? 0 : (int32_t)take(&left, 3);
         draw(d, &scene.scene);
     }
