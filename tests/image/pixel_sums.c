@@ -238,7 +238,8 @@ static void draw_varied_regions(drawing *d, unsigned part) {
 
 /* Eighths, of 0 to 15. */
 static glint_colour take_colour(uint32_t *left) {
-    return (glint_colour){(int32_t)take(left, 16) << 13, (int32_t)take(left, 16) << 13, (int32_t)take(left, 16) << 13};
+    const uint32_t r = take(left, 16), g = take(left, 16), b = take(left, 16);
+    return (glint_colour){(int32_t)r << 13, (int32_t)g << 13, (int32_t)b << 13};
 }
 
 /* A mesh of the benchmark with any light, weights, exponent and budget: what fast lighting does. */
@@ -249,9 +250,11 @@ static void draw_varied_bench(drawing *d, unsigned part) {
         bench_scene scene;
         bench_build_scene(&scene, &bench_definitions[which], scene_clustered_mesh((int)which), (int)i % 10);
         uint32_t left = hash_of(number + 100000);
-        set_screen(d, take(&left, 4), take(&left, 3) ? 0 : 2);
+        const uint32_t screen = take(&left, 4), format = take(&left, 3), exponent = take(&left, sizeof exponents),
+                       is_high = take(&left, 4) == 0;
+        set_screen(d, screen, format ? 0 : 2);
         scene.scene.viewer = take(&left, 2) ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
-        scene.material.shininess = exponents[take(&left, sizeof exponents)] * (take(&left, 4) ? 1 : 20) * GLINT_ONE;
+        scene.material.shininess = exponents[exponent] * (is_high ? 20 : 1) * GLINT_ONE;
         scene.material.flags = take(&left, 4) ? 0 : take(&left, 4);
         scene.object.evaluation = evaluations[take(&left, 8) ? 0 : take(&left, 4)];
         scene.object.pose.m[2][3] += (int32_t)take(&left, 3) * GLINT_ONE / 2;

@@ -20,12 +20,12 @@ static const pixel_sums pixel_table[] = {
     {0x916816e6u, 0x0afee90fu}, /* varied regions */
     {0xf205ce8bu, 0x2a1b41d9u}, /* varied regions */
     {0x4bb07e63u, 0xc82f33a7u}, /* varied regions */
-    {0x049ae950u, 0x5fc679cfu}, /* varied benchmark */
-    {0x8c92f25eu, 0xf40a3cbfu}, /* varied benchmark */
-    {0x71e11ba9u, 0xc628c397u}, /* varied benchmark */
-    {0x5d698946u, 0x59a40868u}, /* varied benchmark */
-    {0x2ae324adu, 0x99eb84adu}, /* varied benchmark */
-    {0x12e25f1cu, 0x1a79747du}, /* varied benchmark */
+    {0xde5d4f0du, 0x644ff5f7u}, /* varied benchmark */
+    {0xae4ad891u, 0xde532779u}, /* varied benchmark */
+    {0xe2bcbf1eu, 0xf4f26b5bu}, /* varied benchmark */
+    {0xa74f06a4u, 0x728a8e96u}, /* varied benchmark */
+    {0xc43fd490u, 0x3615ef8au}, /* varied benchmark */
+    {0x49b02cd7u, 0x96944646u}, /* varied benchmark */
     {0x9b053754u, 0x52e0a7e8u}, /* random surfaces */
     {0x6c70b664u, 0xba825368u}, /* random surfaces */
     {0xb4eee428u, 0x747aaa0eu}, /* random surfaces */
