@@ -138,7 +138,6 @@ static void lights_of_every_size_and_place(void) {
     report("strength", worst.strength, 3.4L);
 }
 
-/* What is kept errs to the safe side, by no more than its bits. */
 /* A light so many steps from a fragment, along an axis, whose ray is longest along another. */
 static void check_at_light(int ray_axis, int light_axis, int32_t ray_sign, unsigned bits) {
     const int32_t apart = bits ? 1 << (bits - 1) : 0;
@@ -168,6 +167,7 @@ static void lights_where_fragments_are(void) {
         }
 }
 
+/* What is kept errs to the safe side, by no more than its bits. */
 static void nearness_of_every_closeness(void) {
     int unsafe = 0, far_off = 0, unlike = 0;
     for (uint32_t closeness = 0; closeness <= UINT16_MAX; closeness++) {
