@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Suite: every pixel of a few thousand pictures, and what was counted of them, is what it was: a change that moves one
+ * Suite: every pixel of thousands of pictures, and what was counted of them, is what it was: a change that moves one
  * shows in the commit that renews the table (`make unit-tables`).
  */
 #include "harness.h"
