@@ -24,8 +24,9 @@ lm3s811evb_CPU     := -mcpu=cortex-m3 -mthumb
 lm3s811evb_SOURCES := $(CORTEX_M) $(wildcard port/lm3s811evb/*.c) port/lm3s/clock.c
 lm3s811evb_LINKER  := linker/lm3s811evb.ld
 lm3s811evb_PANEL   := port/panel/panel.c port/panel/pages.c port/panel/ssd0303.c port/panel/i2c.c
-lm3s811evb_ARENA   := 5120
+lm3s811evb_ARENA   := 4624
 lm3s811evb_TILE    := 32 8
+lm3s811evb_MODELS  := 1
 
 microbit_CPU     := -mcpu=cortex-m0 -mthumb
 microbit_SOURCES := $(CORTEX_M) $(wildcard port/microbit/*.c)
@@ -86,7 +87,7 @@ stm32vldiscovery_CPU     := -mcpu=cortex-m3 -mthumb
 stm32vldiscovery_SOURCES := $(CORTEX_M) $(wildcard port/stm32vldiscovery/*.c) port/stm32/spi.c
 stm32vldiscovery_LINKER  := linker/stm32vldiscovery.ld
 stm32vldiscovery_PANEL   := $(microbit_PANEL)
-stm32vldiscovery_ARENA   := 5120
+stm32vldiscovery_ARENA   := 4416
 stm32vldiscovery_TILE    := 16
 
 # RISC-V without floating point, and without a global pointer to small data.
@@ -160,7 +161,7 @@ twin = $(firstword $(foreach other,$2,$(if $(subst $($(other)_CPU),,$($1_CPU)),,
 define firmware_objects
 $(BUILD)/$1/$2/%.o: %.c port/boards.mk
 	@mkdir -p $$(@D)
-	$$(Q)$(call cross,$1)gcc $$($1_CPU) $$(FIRMWARE_CFLAGS) $$(call optimise,$2,$$<) $(if $($1_ARENA),-DBOARD_ARENA=$($1_ARENA) -DBOARD_TILE_WIDTH=$(or $(firstword $($1_TILE)),0) -DBOARD_TILE_HEIGHT=$(or $(lastword $($1_TILE)),0)) \
+	$$(Q)$(call cross,$1)gcc $$($1_CPU) $$(FIRMWARE_CFLAGS) $$(call optimise,$2,$$<) $(if $($1_ARENA),-DBOARD_ARENA=$($1_ARENA) -DBOARD_TILE_WIDTH=$(or $(firstword $($1_TILE)),0) -DBOARD_TILE_HEIGHT=$(or $(lastword $($1_TILE)),0)) $(if $($1_MODELS),-DTURNTABLE_SHOWN=$($1_MODELS)) \
 	    $$(if $$(filter port/libc/%,$$<),-fno-tree-loop-distribute-patterns) -c $$< -o $$@
 $(call $(if $(filter-out $1,$3),shared_library,firmware_library),$1,$2,$3)
 endef
@@ -195,11 +196,11 @@ $(foreach board,$(MEASURED),$(foreach level,O0 Os O2,$(eval $(call firmware_obje
 
 $(foreach program,turntable minimal pattern,$(eval $(call firmware_program,lm3s6965evb,release,$(program))))
 # Example scenes are lit at nodes.
-$(eval $(call firmware_program,lm3s6965evb,release,scenes,-Wl$(comma)--defsym=stack_size=10240))
+$(eval $(call firmware_program,lm3s6965evb,release,scenes,-Wl$(comma)--defsym=stack_size=4608))
 # Vertices lit by lights that have positions take the deepest stack.
 UNIT_BOARDS := lm3s6965evb microbit netduinoplus2 mps2-an385 mps2-an386 mps2-an500 mps2-an505 virt sifive_e
 $(foreach board,$(UNIT_BOARDS),\
-    $(eval $(call firmware_program,$(board),release,unit,-Wl$(comma)--defsym=stack_size=3840)))
+    $(eval $(call firmware_program,$(board),release,unit,-Wl$(comma)--defsym=stack_size=4224)))
 $(eval $(call firmware_program,template,release,minimal))
 $(foreach board,mps2-an385 mps2-an385-m0 virt,$(foreach level,O0 Os O2,\
     $(eval $(call firmware_program,$(board),$(level),identity))))
@@ -215,10 +216,10 @@ COLOUR_BOARDS := mps2-an385 mps2-an385-m0 mps2-an386 mps2-an500 mps2-an505 netdu
 $(foreach board,$(filter-out $(MEASURED),$(COLOUR_BOARDS)),\
     $(eval $(call firmware_objects,$(board),O2,$(call twin,$(board),$(MEASURED) $(COLOUR_BOARDS)))))
 $(foreach board,$(COLOUR_BOARDS),\
-    $(eval $(call firmware_program,$(board),O2,animate,-Wl$(comma)--defsym=stack_size=10112)))
+    $(eval $(call firmware_program,$(board),O2,animate,-Wl$(comma)--defsym=stack_size=5120)))
 $(foreach program,compose moving own_flush,$(eval $(call firmware_program,mps2-an385,O2,$(program))))
 $(foreach board,$(FAULT_BOARDS),$(eval $(call firmware_program,$(board),release,faults-$(board))))
-$(eval $(call firmware_program,pico,release,unit-pico,-Wl$(comma)--defsym=stack_size=3840))
+$(eval $(call firmware_program,pico,release,unit-pico,-Wl$(comma)--defsym=stack_size=4224))
 UNIT_8K_BOARDS := lm3s811evb stm32vldiscovery
 $(foreach board,$(UNIT_8K_BOARDS),$(eval $(call firmware_program,$(board),release,unit-8k)))
 

@@ -14,17 +14,16 @@ TEST_JUDGE   := tests/image/library_geometry.c tests/image/judge.c tests/referen
 
 SUITE_unit      := $(TEST_HARNESS) $(TEST_UNIT)
 SUITE_numbers   := $(TEST_HARNESS) tests/reference/numbers.c
-SUITE_setup     := $(TEST_HARNESS) tests/reference/setup.c
-SUITE_point     := $(TEST_HARNESS) tests/reference/point.c
 SUITE_camera    := $(TEST_HARNESS) tests/reference/camera.c tests/reference/reference.c tests/reference/lighting.c
 SUITE_compare   := $(TEST_HARNESS) tests/image/compare.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_accuracy  := $(TEST_HARNESS) tests/image/accuracy.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_models    := $(TEST_HARNESS) tests/image/models.c tests/image/surfaces.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
+SUITE_corners   := $(TEST_HARNESS) tests/image/corners.c tests/image/picture.c $(TEST_JUDGE)
 SUITE_gallery   := $(TEST_HARNESS) tests/image/gallery.c tests/image/rows.c tests/image/picture.c $(TEST_JUDGE) \
     tests/stability/contract.c tests/stability/weights.c $(wildcard examples/scenes/*.c)
 SUITE_formats   := $(TEST_HARNESS) tests/image/formats.c tests/stability/contract.c tests/stability/random_scene.c \
     tests/stability/weights.c $(TEST_SCENES) $(TEST_JUDGE) $(wildcard examples/scenes/*.c)
-SUITE_output    := $(TEST_HARNESS) tests/image/output.c $(TEST_SCENES)
+SUITE_output    := $(TEST_HARNESS) tests/image/output.c tests/stability/weights.c $(TEST_SCENES)
 SUITE_extremes  := $(TEST_HARNESS) tests/image/extremes.c tests/image/single.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_highlights := $(TEST_HARNESS) tests/image/highlights.c $(TEST_SCENES)
 SUITE_fill_rule := $(TEST_HARNESS) tests/image/fill_rule.c $(TEST_SCENES) $(TEST_JUDGE)
@@ -44,20 +43,22 @@ SUITE_orthographic := $(TEST_HARNESS) tests/image/orthographic.c tests/stability
     $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_patches   := $(TEST_HARNESS) tests/image/patches.c tests/stability/contract.c tests/stability/weights.c tests/image/picture.c \
     $(TEST_JUDGE)
-SUITE_drops     := $(TEST_HARNESS) tests/image/drops.c tests/image/undropped.c tests/stability/random_scene.c \
+SUITE_motion    := $(TEST_HARNESS) tests/image/motion.c $(TEST_SCENES) $(TEST_JUDGE) $(wildcard examples/scenes/*.c)
+SUITE_dark      := $(TEST_HARNESS) tests/image/dark.c tests/stability/random_scene.c \
     tests/stability/weights.c $(TEST_SCENES) $(wildcard examples/scenes/*.c)
-SUITE_hidden    := $(TEST_HARNESS) tests/image/hidden.c tests/image/undropped.c tests/stability/random_scene.c \
+SUITE_hidden    := $(TEST_HARNESS) tests/image/hidden.c tests/stability/random_scene.c \
     tests/stability/weights.c $(TEST_SCENES) $(wildcard examples/scenes/*.c)
-SUITE_budget    := $(TEST_HARNESS) tests/image/budget.c tests/stability/random_scene.c tests/stability/weights.c \
-    $(TEST_SCENES) $(wildcard examples/scenes/*.c)
-SUITE_nodes     := $(TEST_HARNESS) tests/image/nodes.c tests/image/fine.c $(TEST_SCENES)
 SUITE_parts     := $(TEST_HARNESS) tests/host/parts.c \
     $(addprefix port/host/,compare.c numbered.c png_read.c inflate.c png.c deflate.c output.c memory.c problem.c)
 PIXEL_SUMS      := $(addprefix tests/image/,pixel_sums.c surfaces.c) tests/stability/random_scene.c tests/stability/weights.c \
     $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_pixels    := $(TEST_HARNESS) tests/image/pixels.c $(PIXEL_SUMS)
+SUITE_rooms     := $(TEST_HARNESS) tests/image/rooms.c tests/image/picture.c tests/stability/large_scene.c
+SUITE_checked   := $(TEST_HARNESS) tests/image/checked.c tests/stability/large_scene.c
+SUITE_views     := $(TEST_HARNESS) tests/image/views.c tests/image/picture.c
+SUITE_passes    := $(TEST_HARNESS) tests/image/passes.c tests/image/picture.c
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit parts numbers setup point compare accuracy models gallery formats output extremes highlights fill_rule identity pixels changes layouts region callbacks pick skipped diagnose camera kept arenas turned drops hidden budget opposed nodes lines orthographic patches
+TEST_SUITES     := unit parts numbers compare accuracy models gallery formats output extremes highlights fill_rule identity pixels changes layouts region callbacks pick skipped diagnose camera kept arenas turned dark motion hidden opposed lines orthographic patches corners rooms checked views passes
 
 # $(call test_objects,variant,compiler and flags): build/<variant>/<source>.o
 define test_objects
@@ -133,25 +134,30 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 	    echo "$$suite"; cat "$$suite.log"; [ "$$(cat "$$suite.status")" = 0 ] || status=1; \
 	done; exit $$status
 
-.PHONY: test-unit-host test-image test-identity test-sanitize sanitize test-matrix variants unit-tables
+.PHONY: rooms test-unit-host test-image test-identity test-sanitize sanitize test-matrix variants unit-tables
 
-test-unit-host: $(addprefix $(BUILD)/tests/host/,unit parts numbers setup point camera) ## unit tests on the host, arithmetic against libm, files of others
+test-unit-host: $(addprefix $(BUILD)/tests/host/,unit parts numbers camera) ## unit tests on the host, arithmetic against libm, files of others
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery formats output extremes highlights fill_rule pixels changes layouts region callbacks pick skipped diagnose kept arenas turned drops hidden budget opposed nodes lines orthographic patches) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery formats output extremes highlights fill_rule pixels changes layouts region callbacks pick skipped diagnose kept arenas turned dark motion hidden opposed lines orthographic patches corners rooms checked views passes) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order
 	$(call run_suites,$^)
 
-# Of the suites that take long one of three or four, which the seed picks.
-SANITIZED_LONG   := accuracy models compare setup formats identity gallery reads arenas nodes budget orthographic layouts pixels kept drops \
-    numbers lines callbacks
-SANITIZED_TESTED := $(if $(SANITIZE_ALL),$(TEST_SUITES),$(filter-out $(SANITIZED_LONG),$(TEST_SUITES)) \
-    $(call pick,0,accuracy models compare setup) $(call pick,1,formats identity gallery reads) $(call pick,2,arenas nodes budget orthographic) \
-    $(call pick,3,layouts pixels kept drops) $(call pick,4,numbers lines callbacks))
+ROOMS      ?= 100000
+ROOMS_SEED ?= 1
+rooms: export GLINT_ROOMS := $(ROOMS)
+rooms: export GLINT_ROOMS_SEED := $(ROOMS_SEED)
+rooms: $(BUILD)/tests/host/rooms $(BUILD)/tests/sanitize/rooms ## large triangles with the eye inside: ROOMS random scenes from ROOMS_SEED, also under sanitisers
+	$(call run_suites,$^)
 
-test-sanitize: export GLINT_BUDGET_SCENES := $(if $(SANITIZE_ALL),250,30)
+# Of the suites that take long one of three or four, which the seed picks.
+SANITIZED_LONG   := accuracy models compare formats identity gallery arenas motion orthographic layouts pixels kept numbers lines callbacks
+SANITIZED_TESTED := $(if $(SANITIZE_ALL),$(TEST_SUITES),$(filter-out $(SANITIZED_LONG),$(TEST_SUITES)) \
+    $(call pick,0,accuracy models compare) $(call pick,1,formats identity gallery) $(call pick,2,arenas motion orthographic) \
+    $(call pick,3,layouts pixels kept) $(call pick,4,numbers lines callbacks))
+
 test-sanitize: export GLINT_SAMPLE := $(if $(SANITIZE_ALL),1,8)
 test-sanitize: $(SANITIZED_TESTED:%=$(BUILD)/tests/sanitize/%) ## host suites that a seed picks under ASan and UBSan, but for their reference, with an eighth of random scenes and arenas; make sanitize is all
 	@echo "$(if $(SANITIZE_ALL),every suite,TEST_SEED=$(TEST_SEED))"
@@ -167,7 +173,7 @@ test-matrix: $(MATRIX_TESTED:%=$(BUILD)/tests/%/unit) ## unit tests by three com
 variants: ## suites matrix, options, machines, board-unit, board-identity, firmware, stack, packages, features and freestanding with every compiler, level, option, pair, machine, board and package, where make test takes a sample
 	@$(MAKE) --no-print-directory EVERY=1 test-matrix test-options test-machines test-board-unit test-board-identity test-firmware test-stack test-packages test-features test-freestanding
 
-# ---- Tables of the unit tests, made anew when a pixel changes on purpose
+# ---- Tables of the unit tests and of suite pixels, which make figures renews
 
 $(eval $(call test_program,$(BUILD)/tests/print_torus,host,tests/image/print_torus.c examples/bench/bench.c))
 $(eval $(call test_program,$(BUILD)/tests/print_checksums,host,tests/image/print_checksums.c tests/harness.c \
@@ -175,7 +181,7 @@ $(eval $(call test_program,$(BUILD)/tests/print_checksums,host,tests/image/print
 
 $(eval $(call test_program,$(BUILD)/tests/print_pixels,host,tests/image/print_pixels.c $(PIXEL_SUMS)))
 
-unit-tables: $(addprefix $(BUILD)/tests/,print_torus print_checksums print_pixels) ## write the unit tests' mesh and checksums anew, and those of suite pixels
+unit-tables: $(addprefix $(BUILD)/tests/,print_torus print_checksums print_pixels)
 	$(BUILD)/tests/print_torus > $(BUILD)/tests/torus.h && cp $(BUILD)/tests/torus.h tests/unit/
 	$(BUILD)/tests/print_checksums > $(BUILD)/tests/checksums.h && cp $(BUILD)/tests/checksums.h tests/unit/
 	$(BUILD)/tests/print_pixels > $(BUILD)/tests/pixel_table.h && cp $(BUILD)/tests/pixel_table.h tests/image/
@@ -229,32 +235,24 @@ $(BUILD)/fuzz/%.o: %.c
 	$(Q)$(FUZZ_CC) $(FUZZ_CFLAGS) -MMD -MP -c $< -o $@
 -include $(wildcard $(BUILD)/fuzz/*/*.d $(BUILD)/fuzz/*/*/*.d)
 
-.PHONY: fuzz fuzz-coverage fuzz-figures $(FUZZ_TARGETS:fuzz_%=fuzz-%)
+.PHONY: fuzz fuzz-coverage $(FUZZ_TARGETS:fuzz_%=fuzz-%)
 
 fuzz: $(FUZZ_TARGETS:fuzz_%=fuzz-%) ## random scenes and models for FUZZ_SECONDS each, under ASan and UBSan
 fuzz-differential: ## random scenes against the double-precision reference for FUZZ_SECONDS, the worst kept
-
-# What a target's runs are counted for: those of another commit's files are others. That of the library counts where it draws.
-FUZZ_COUNTED = tests/fuzz/fuzz_$*.c $(FUZZ_SOURCES_fuzz_$*) $(if $(filter render differential,$*),$(LIBRARY))
 
 # Goes on from the kept corpus, and from what was found before, with a seed for each time. An input that was reported goes
 # into the kept corpus, by the name of its SHA-1, with the mend; `fuzz_x -merge=1 -use_counters=0 NEW CORPUS...` makes a
 # small corpus of large ones. Little freed memory is held back, and inputs are not weighed by how rare their features are:
 # a third of the time of scenes.
 $(FUZZ_TARGETS:fuzz_%=fuzz-%): fuzz-%: $(BUILD)/fuzz/fuzz_%
-	@mkdir -p $<-corpus; touch $<.tally
+	@mkdir -p $<-corpus
 	@if ! LLVM_PROFILE_FILE=/dev/null ASAN_OPTIONS=quarantine_size_mb=4 $< -max_total_time=$(FUZZ_SECONDS) -timeout=10 -max_len=4096 -len_control=10 -entropic=0 \
-	        -seed=`expr $(FUZZ_SEED) + \`wc -l < $<.tally\`` -print_final_stats=1 -artifact_prefix=$<- $<-corpus $(FUZZ_CORPUS)/fuzz_$* > $<.log 2>&1; then \
+	        -seed=`expr $(FUZZ_SEED) + \`ls $<-corpus | wc -l\`` -print_final_stats=1 -artifact_prefix=$<- $<-corpus $(FUZZ_CORPUS)/fuzz_$* > $<.log 2>&1; then \
 	    grep -v '^#' $<.log; echo "$<: a report; the input is beside it"; exit 1; \
 	fi; \
 	grep '^worst' $<.log | tail -n 3; \
 	echo "$<: no report in $(FUZZ_SECONDS) s," `sed -n 's/^stat::number_of_executed_units: *//p' $<.log` runs
-	@python3 tests/fuzz/tally.py --programs $(BUILD)/fuzz fuzz_$* $(FUZZ_COUNTED)
-
-fuzz-figures: ## docs/fuzz.csv: runs of the fuzz targets so far, each with the commit of what it was built from
-	@python3 tests/fuzz/tally.py --programs $(BUILD)/fuzz --figures docs/fuzz.csv
 
 SUITES += fuzz-coverage
-fuzz-coverage: $(FUZZ_TARGETS:%=$(BUILD)/fuzz/%) ## the kept corpora: no report, and at least 90 % of the lines of each file; and what is counted
-	@python3 tests/fuzz/tally_test.py
+fuzz-coverage: $(FUZZ_TARGETS:%=$(BUILD)/fuzz/%) ## the kept corpora: no report, and at least 90 % of the lines of each file of the host, 75 % of each folder of the library
 	@python3 tests/fuzz/coverage.py --programs $(BUILD)/fuzz --corpora $(FUZZ_CORPUS)

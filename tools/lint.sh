@@ -129,9 +129,12 @@ reuse_all() {
     return 1
 }
 
-# The README shows all of a program, but for its licence line.
+# The README shows all of a program, but for its licence line; glint.h the same without comments.
 readme() {
-    diff <(tail -n +2 examples/firmware/own_flush.c) <(awk '/^```c$/ { on = 1; next } /^```$/ { on = 0 } on' README.md)
+    local program=examples/firmware/own_flush.c
+    diff <(tail -n +2 "$program") <(awk '/^```c$/ { on = 1; next } /^```$/ { on = 0 } on' README.md) &&
+        diff <(tail -n +2 "$program" | sed -E '/^\/\*.*\*\/$/d; s# +/\*.*\*/##') \
+            <(awk '/@code$/ { on = 1; next } /@endcode$/ { exit } on' src/glint.h | sed -E 's/^ \* ?//')
 }
 
 # The figures that explain the default size of a tile are those of the benchmark.

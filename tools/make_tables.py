@@ -39,14 +39,17 @@ table("uint16_t", "glint_quotient_table", "2^20 / i for i = 16 to 256",
       [min(65535, round(2**20 / i)) for i in range(16, 257)], 14)
 
 
-def inverse(index):
-    return 2**30 / (UNIT + index * 2**9)
+
+def over_length(index):
+    return 2**31 / math.sqrt(index * 2**24)
 
 
-table("uint16_t", "glint_inverse_table", "2^30 / (UNIT + i 2^9) for i = 0 to 64, less 1/16 of its second difference",
-      [round(chord(inverse, i, 1)) for i in range(65)], 14)
-table("uint16_t", "glint_root_table", "2^15 / sqrt((i + 1/2) / 1024) for i = 256 to 1023",
-      [round(2**15 / math.sqrt((i + 0.5) / 1024)) for i in range(256, 1024)], 14)
+nodes = [min(65535, round(chord(over_length, i, 1) + 0.5)) for i in range(64, 257)]  # results are cut off
+table("uint32_t", "glint_length_table",
+      "2^31 / sqrt(i 2^24) + 1/2 for i = 64 to 255, less 1/16 of its second difference, times 2^16; and the fall to the next",
+      [nodes[i] << 16 | (nodes[i] - nodes[i + 1]) for i in range(192)], 12)
+table("uint16_t", "glint_root_table", "2^14 / sqrt((i + 1/2) / 1024) for i = 64 to 1023",
+      [round(2**14 / math.sqrt((i + 0.5) / 1024)) for i in range(64, 1024)], 14)
 inverses = [round(2**31 / (1 + (i + 0.5) / 32)) for i in range(32)]
 table("uint32_t", "glint_log2_inverse_table", "Q31: 1 / (1 + (i + 1/2) / 32)", inverses, 8)
 table("uint32_t", "glint_log2_table", "Q31: minus the binary logarithm of the entry above",

@@ -153,7 +153,7 @@ ${list.code}    const glint_vector eye = ${braced(joined(eye()))}, at = {0, 0, 0
         .background = ${braced(channels(S.ground))},
         .ambient = {GLINT_ONE, GLINT_ONE, GLINT_ONE},${count ? `\n        .lights = lights,\n        .light_count = ${count},` : ""}
         .objects = objects,
-        .object_count = ${list.count},${S.budget ? `\n        .error_budget = ${S.budget},` : ""}
+        .object_count = ${list.count},
     };
 ${run("&scene", " || glint_camera_look_at(&scene.camera, eye, at, up)")}`;
   }
@@ -166,7 +166,7 @@ static example_stage stage;
 ${arena()}
 int main(void) {
 ${panelCode()}    example_${scenes[scene].name.replace(/-/g, "_")}.build(&stage, ${variant}, ${S.frame}); /* ${scenes[scene].variants[variant].name} */
-${S.budget ? `    stage.scene.error_budget = ${S.budget};\n` : ""}${run("&stage.scene", "")}`;
+${run("&stage.scene", "")}`;
   }
 
   return () => {

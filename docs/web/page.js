@@ -13,8 +13,7 @@ function decimal(value, digits = 4) {
 
 // ---- What there is to choose from
 
-const EVALUATIONS = [["flat", "Flat", "once a triangle"], ["vertex", "Per vertex", "Gouraud"],
-  ["node", "Per node", "few points"], ["fragment", "Per fragment", "every pixel"]];
+const EVALUATIONS = [["flat", "Flat", "once a triangle"], ["vertex", "Per vertex", "Gouraud"], ["fragment", "Per fragment", "every pixel"]];
 
 const REFLECTIONS = { "blinn-phong": "Blinn-Phong", phong: "Phong", lambert: "Lambert", unlit: "unlit" };
 
@@ -41,7 +40,7 @@ const PANELS = {
   own: { name: "another size" },
 };
 const FORMATS = { rgb565: "RGB565", rgb444: "RGB444", rgb888: "RGB888", grey8: "256 greys", grey4: "16 greys", mono: "1 bit" };
-const CORES = { m0: "Cortex-M0", m0plus: "Cortex-M0+", m3: "Cortex-M3", m4: "Cortex-M4", rv32: "RV32IMC" };
+const CORES = { m0: "Cortex-M0", m3: "Cortex-M3", m4: "Cortex-M4", rv32: "RV32IMC" };
 const TILES = [8, 16, 32, 64].flatMap((height) => [8, 16, 32, 64].map((width) => `${width}x${height}`));
 
 // ---- State
@@ -51,7 +50,7 @@ const DEFAULTS = {
   at: "fragment", model: "blinn-phong", p: 50, paint: "2f7fe0", ambient: 0.12, highlight: 0.7, metal: 0, local: 1, own: 0,
   lights: "dir,-40,45,5,ffffff,1,20",
   panel: "ili9341", w: 320, h: 240, format: "rgb565", dither: 0, ground: "000000",
-  tile: "32x32", arena: 0, budget: 0, show: "picture", against: "exact", core: "m3",
+  tile: "32x32", arena: 0, show: "picture", against: "exact", core: "m3",
 };
 const NEW_LIGHT = "point,60,10,4,ffb060,0.8,20";
 let S = { ...DEFAULTS };
@@ -68,7 +67,7 @@ function readAddress() {
   S.h = limit(Math.round(S.h), 8, 1024);
   S.panel = S.panel in PANELS ? S.panel : "own";
   const known = { at: EVALUATIONS.map(([key]) => key), model: Object.keys(REFLECTIONS), format: Object.keys(FORMATS), tile: TILES,
-    show: ["picture", "errors"], against: ["exact", "same"], core: Object.keys(CORES).filter((core) => core !== "m0plus") };
+    show: ["picture", "errors"], against: ["exact", "same"], core: Object.keys(CORES) };
   for (const [key, values] of Object.entries(known)) {
     S[key] = values.includes(S[key]) ? S[key] : DEFAULTS[key];
   }
@@ -146,8 +145,7 @@ const scaleOf = () => decimal(Number((1 / loaded.half).toPrecision(4)), 9);
 
 function outputWords() {
   return ["--size", `${S.w}x${S.h}`, "--format", S.format, ...(S.dither ? ["--dither"] : []),
-    ...(S.tile !== DEFAULTS.tile ? ["--tile", S.tile] : []), ...(S.arena ? ["--arena", String(S.arena)] : []),
-    ...(S.budget ? ["--budget", String(S.budget)] : [])];
+    ...(S.tile !== DEFAULTS.tile ? ["--tile", S.tile] : []), ...(S.arena ? ["--arena", String(S.arena)] : [])];
 }
 
 function surfaceWords() {
@@ -345,24 +343,14 @@ async function compare() {
 
 // ---- Words for numbers
 
-const million = (count) => (count >= 1e8 ? `${Math.round(count / 1e6)} M` : `${(count / 1e6).toPrecision(3)} M`);
 const bytes = (count) => (count >= 10240 ? `${(count / 1024).toFixed(1)} KB` : `${count} B`);
 const milliseconds = (value) => `${value >= 100 ? Math.round(value) : value.toPrecision(3)} ms`;
 const steps = (value) => (value < 10 ? value.toFixed(2) : value.toFixed(0));
-
-function timeOf(core) {
-  const name = Object.keys(stats).find((key) => key.startsWith(`ms_${core}_`));
-  return name ? { ms: stats[name], mhz: Number(name.match(/_(\d+)mhz/)[1]) } : null;
-}
 
 function showStats() {
   const parts = [];
   if (stats.psnr !== undefined) {
     parts.push(`${stats.psnr.toFixed(1)} dB PSNR, worst pixel ${steps(stats.worst_steps)} steps off`);
-  }
-  const instructions = stats[`instructions_${S.core}`], time = timeOf(S.core);
-  if (instructions) {
-    parts.push(`${million(instructions)} instructions${time ? `, ${milliseconds(time.ms)}` : ""} on ${CORES[S.core]}${time ? ` at ${time.mhz} MHz` : ""}`);
   }
   if (stats.passes) {
     parts.push(`${bytes(S.arena || stats.need_one_pass)} of working memory, ${stats.passes === 1 ? "one pass" : stats.passes + " passes"}`);
@@ -392,14 +380,7 @@ function chartState() {
   const viewer = S.local ? "local" : "infinite";
   const place = { flat: "facet" }[S.at] || S.at;
   const choices = S.model === "lambert" ? [`${place} Lambert`] : [`${place} ${REFLECTIONS[S.model]} ${viewer}`];
-  if (place === "node" && S.model !== "phong") {
-    choices.push(choices[0].replace("node", "fragment")); // the same there: fast lighting
-  }
-  if (S.budget && place === "fragment") {
-    choices.unshift(`${choices[0]} budget ${S.budget}`);
-  }
-  return { core: S.core, choices: isScene() ? [] : choices, psnr: stats.psnr, instructions: stats[`instructions_${S.core}`],
-    triangles: isScene() ? 0 : stats.scene_triangles, evaluation: place };
+  return { core: S.core, choices: isScene() ? [] : choices, triangles: isScene() ? 0 : stats.scene_triangles, evaluation: place };
 }
 
 // ---- Tables
@@ -424,18 +405,8 @@ function table(head, rows) {
 }
 
 function showTimes() {
-  if (!stats.instructions_m3) {
-    $("times").textContent = "The model knows frames of one pass only: give the arena more memory.";
-    return;
-  }
-  const rows = Object.keys(CORES).map((core) => {
-    const time = timeOf(core), instructions = stats[`instructions_${core}`];
-    const part = DATA.parts.find(([, cpu, name]) => cpu === core || (core === "m0plus" && name.endsWith("M0+")));
-    const send = part ? (stats.bytes_sent * 8) / (part[4] * 1000) : 0;
-    return { total: core === S.core, cells: [CORES[core] + (time ? `, ${time.mhz} MHz` : ""), instructions ? million(instructions) : "",
-      time ? milliseconds(time.ms) : "", send ? milliseconds(send) : ""] };
-  });
-  $("times").replaceChildren(table(["core", "instructions", "drawing", "sending"], rows));
+  $("times").replaceChildren(table(["part", "bus, MHz", "sending"], DATA.parts.map(([part, , , , mhz]) => (
+    { cells: [part, mhz, milliseconds((stats.bytes_sent * 8) / (mhz * 1000))] }))));
 }
 
 function showRam() {
@@ -458,7 +429,7 @@ function flashRows(of) {
   const rows = [[plain ? "RGB565, Blinn-Phong, per fragment" : start, of[start]]];
   const less = (a, b) => of[a].map((value, i) => value - of[b][i]);
   if (S.at !== "fragment") {
-    const name = { flat: "per facet", vertex: "per vertex", node: "per node" }[S.at];
+    const name = { flat: "per facet", vertex: "per vertex" }[S.at];
     rows.push([name, plain ? less(name, "the base") : less(`${name}, RGB888`, "RGB888")]);
   }
   if (S.model !== "blinn-phong") {
@@ -504,9 +475,7 @@ function makeThumbs() {
 function showThumb(evaluation, picture) {
   const label = document.querySelector(`#thumbs input[value="${evaluation}"]`).parentElement;
   show(label.querySelector("canvas"), picture);
-  const instructions = picture.stats[`instructions_${S.core}`];
-  label.querySelector("small").textContent = [picture.stats.psnr === undefined ? "" : `${picture.stats.psnr.toFixed(1)} dB`,
-    instructions ? million(instructions) : ""].filter(Boolean).join(", ");
+  label.querySelector("small").textContent = picture.stats.psnr === undefined ? "" : `${picture.stats.psnr.toFixed(1)} dB`;
 }
 
 // ---- Controls
@@ -533,7 +502,6 @@ const SLIDERS = {
   shininess: { get: () => Math.log2(Math.max(1, S.p)), set: (v) => ({ p: exponentOf(v) }), text: () => decimal(S.p, 1) },
   ambient: { get: () => S.ambient, set: (v) => ({ ambient: v }), text: (v) => `${Math.round(v * 100)} %` },
   highlight: { get: () => S.highlight, set: (v) => ({ highlight: v }), text: (v) => `${Math.round(v * 100)} %` },
-  budget: { get: () => S.budget, set: (v) => ({ budget: v }), text: (v) => (v ? `${v} step${v > 1 ? "s" : ""}` : "exact") },
   arena: { get: () => (S.arena && stats.need_one_pass > stats.need_least ? Math.min(99, Math.round((100 * (S.arena - stats.need_least)) / (stats.need_one_pass - stats.need_least))) : 100),
     set: (v) => ({ arena: v >= 100 || !stats.need_least ? 0 : Math.round(stats.need_least + ((stats.need_one_pass - stats.need_least) * v) / 100) }),
     text: () => bytes(S.arena || stats.need_one_pass || 0) },
@@ -664,7 +632,7 @@ function showControls() {
   Object.entries(CHOICES).forEach(([id, key]) => ($(id).value = S[key]));
   document.querySelectorAll('input[name="show"]').forEach((radio) => (radio.checked = radio.value === S.show));
   document.querySelectorAll('input[name="at"]').forEach((radio) => (radio.checked = radio.value === S.at));
-  $("shading-note").textContent = `PSNR against ${S.against === "same" ? "the same shading" : "light at every pixel"} in double precision, and instructions of a frame on ${CORES[S.core]}.`;
+  $("shading-note").textContent = `PSNR against ${S.against === "same" ? "the same shading" : "light at every pixel"} in double precision.`;
   showLights();
 }
 

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "compose.h"
 
+#include "glint_extras.h"
 #include "meshes/box.h"
 #include "meshes/torus576.h"
 #include "paint.h"
 
-#define RGB(r, g, b) \
-    { GLINT_Q16(r), GLINT_Q16(g), GLINT_Q16(b) }
 #define RGB565(r, g, b) ((uint32_t)(r) << 11 | (uint32_t)(g) << 5 | (uint32_t)(b))
 
 /* The model's view takes the left of the screen, the clock a square at the right. */
@@ -14,7 +13,7 @@
 #define CLOCK_SIZE 96
 #define CLOCK_TOP 24
 
-static const glint_colour white = RGB(1, 1, 1);
+static const glint_colour white = GLINT_COLOUR(1, 1, 1);
 
 /* ---- The model's view ---- */
 
@@ -64,12 +63,12 @@ static void write_number(char to[6], uint32_t number) {
 }
 
 static glint_status draw_model(glint_config config, int number) {
-    static const glint_material copper = {&glint_model_blinn_phong, RGB(0.08, 0.04, 0.02), RGB(0.6, 0.28, 0.12),
-                                          RGB(0.6, 0.4, 0.3), GLINT_Q16(40)};
+    static const glint_material copper = {&glint_model_blinn_phong, GLINT_COLOUR(0.08, 0.04, 0.02),
+                                          GLINT_COLOUR(0.6, 0.28, 0.12), GLINT_COLOUR(0.6, 0.4, 0.3), GLINT_Q16(40)};
     static const glint_light lamp = {.type = &glint_light_directional,
-                                     .vector = RGB(0.5, 0.8, 0.7),
-                                     .diffuse = RGB(1, 1, 1),
-                                     .specular = RGB(1, 1, 1)};
+                                     .vector = GLINT_VECTOR(0.5, 0.8, 0.7),
+                                     .diffuse = GLINT_COLOUR(1, 1, 1),
+                                     .specular = GLINT_COLOUR(1, 1, 1)};
     const glint_pose tilt = glint_pose_rotate_x(GLINT_Q16(-50)), turn = glint_pose_rotate_y(number * GLINT_Q16(6));
     const glint_object torus = {.mesh = &torus576_mesh, .material = &copper, .pose = glint_pose_then(&tilt, &turn)};
     glint_scene scene = {.ambient = white, .lights = &lamp, .light_count = 1, .objects = &torus, .object_count = 1};
@@ -127,12 +126,12 @@ static glint_pose turn_hand(glint_q16 length, glint_q16 width, glint_q16 angle, 
 
 /* The strip at the right, once; then only the region that the hands cover. */
 static glint_status draw_clock(glint_config config, int number) {
-    static const glint_material steel = {&glint_model_blinn_phong, RGB(0.1, 0.1, 0.12), RGB(0.5, 0.5, 0.55),
-                                         RGB(0.5, 0.5, 0.5), GLINT_Q16(20)};
+    static const glint_material steel = {&glint_model_blinn_phong, GLINT_COLOUR(0.1, 0.1, 0.12),
+                                         GLINT_COLOUR(0.5, 0.5, 0.55), GLINT_COLOUR(0.5, 0.5, 0.5), GLINT_Q16(20)};
     static const glint_light lamp = {.type = &glint_light_directional,
-                                     .vector = RGB(-0.6, 0.5, 0.7),
-                                     .diffuse = RGB(1, 1, 1),
-                                     .specular = RGB(1, 1, 1)};
+                                     .vector = GLINT_VECTOR(-0.6, 0.5, 0.7),
+                                     .diffuse = GLINT_COLOUR(1, 1, 1),
+                                     .specular = GLINT_COLOUR(1, 1, 1)};
     const glint_object hands[2] = {
         {.mesh = &box_mesh,
          .material = &steel,

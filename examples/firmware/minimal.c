@@ -2,8 +2,7 @@
 #include "board.h"
 #include "panel/ssd0323.h"
 
-#define GREY(level) \
-    { GLINT_Q16(level), GLINT_Q16(level), GLINT_Q16(level) }
+#define GREY(level) GLINT_COLOUR(level, level, level)
 
 static const int16_t points[4][3] = {{0, 32767, 0}, {-32767, -16384, 0}, {32767, -16384, 0}, {0, 0, 32767}};
 static const uint16_t sides[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}}; /* counter-clockwise from outside */

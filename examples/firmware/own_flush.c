@@ -5,8 +5,8 @@
 
 /* Sends a finished tile to a panel such as ST7735, ST7789 or ILI9341: its columns, its rows, its pixels. */
 static int take_tile(void *lcd, int x, int y, int width, int height, const void *pixels, size_t stride) {
-    const uint8_t window[] = {0, (uint8_t)x, 0, (uint8_t)(x + width - 1), 0, (uint8_t)y, 0, (uint8_t)(y + height - 1)};
-    int failed = lcd_send(lcd, 0x2a, window, 4) || lcd_send(lcd, 0x2b, window + 4, 4) || lcd_send(lcd, 0x2c, window, 0);
+    const uint8_t to[] = {0, (uint8_t)x, 0, (uint8_t)(x + width - 1), 0, (uint8_t)y, 0, (uint8_t)(y + height - 1)};
+    int failed = lcd_send(lcd, 0x2a, to, 4) || lcd_send(lcd, 0x2b, to + 4, 4) || lcd_send(lcd, 0x2c, to, 0);
     for (int row = 0; row < height && !failed; row++)
         failed = lcd_pixels(lcd, (const uint8_t *)pixels + (size_t)row * stride, 2 * (size_t)width);
     return failed; /* not 0: the frame ends with GLINT_ERROR_FLUSH */
@@ -14,11 +14,12 @@ static int take_tile(void *lcd, int x, int y, int width, int height, const void 
 
 int main(void) {
     static uint32_t arena[8192];
-    const glint_colour white = {GLINT_ONE, GLINT_ONE, GLINT_ONE}, orange = {GLINT_ONE, GLINT_Q16(0.5), 0};
-    const glint_material paint = glint_material_paint(&glint_model_blinn_phong, orange, GLINT_Q16(0.1), GLINT_Q16(32));
-    const glint_light sun = {&glint_light_directional, {-GLINT_ONE, GLINT_ONE, GLINT_ONE}, white, white};
-    const glint_camera camera = {glint_pose_translate(0, 0, GLINT_Q16(4)), GLINT_Q16(45), GLINT_Q16(0.1)};
-    glint_object torus = {&torus576_mesh, &paint, glint_pose_identity()};
+    const glint_colour white = GLINT_COLOUR(1, 1, 1), amber = GLINT_COLOUR(1, 0.5, 0);
+    const glint_material wax = glint_material_paint(&glint_model_blinn_phong, amber, GLINT_ONE / 10, 32 * GLINT_ONE);
+    const glint_vector above_left = GLINT_VECTOR(-1, 1, 1);
+    const glint_light sun = glint_sun(above_left, white);
+    const glint_camera camera = glint_camera_default();
+    glint_object torus = {&torus576_mesh, &wax, glint_pose_identity()};
     const glint_scene scene = {
         .camera = camera, .ambient = white, .lights = &sun, .light_count = 1, .objects = &torus, .object_count = 1};
     const glint_flush flush = {take_tile, 0, lcd_start()};

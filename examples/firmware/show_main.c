@@ -55,7 +55,7 @@ int main(void) {
                                  .arena_size = sizeof arena,
                                  .keeps_arena = 1};
     glint_status status = glint_init(&renderer, &config);
-    for (uint32_t i = 0; i < TURNTABLE_MODELS * FRAMES && status == GLINT_OK; i++) {
+    for (uint32_t i = 0; i < TURNTABLE_SHOWN * FRAMES && status == GLINT_OK; i++) {
         status = draw(&renderer, (turntable_model)(i / FRAMES), i % FRAMES);
     }
     report("stack used ", board_stack_used());

@@ -12,7 +12,7 @@
  * Tile buffers and, as far as it goes, the frame's vertices and bins; what does not fit costs another pass. All of the
  * 32 KB that this firmware allows itself but for the stack (linker script) and a few variables.
  */
-#define ARENA_SIZE (28 * 1024 + 512)
+#define ARENA_SIZE (28 * 1024)
 
 static uint32_t arena[ARENA_SIZE / sizeof(uint32_t)];
 

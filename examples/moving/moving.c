@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "moving.h"
-
-#define RGB(r, g, b) \
-    { GLINT_Q16(r), GLINT_Q16(g), GLINT_Q16(b) }
+#include "glint_extras.h"
 
 static glint_q16 times(glint_q16 a, glint_q16 b) {
     return (glint_q16)((int64_t)a * b / GLINT_ONE);
@@ -34,7 +32,7 @@ static const glint_layout wave_layout = {{&glint_type_int16, wave[0][0].position
                                          {0, 0, 0}};
 static const glint_mesh wave_mesh = {.vertex_count = SIDE * SIDE,
                                      .triangle_count = 2 * SQUARES * SQUARES,
-                                     .extent = RGB(1.2, 0.16, 1.2),
+                                     .extent = GLINT_VECTOR(1.2, 0.16, 1.2),
                                      .layout = &wave_layout};
 
 static int32_t magnitude(int32_t x) {
@@ -121,7 +119,7 @@ static const glint_layout arm_layout = {{&glint_type_int16, arm[0].position, siz
 static const glint_mesh arm_mesh = {.triangles = (const uint16_t (*)[3])arm_triangles,
                                     .vertex_count = ARM_VERTICES,
                                     .triangle_count = ARM_TRIANGLES,
-                                    .extent = RGB(1.5, 1.5, 1.5),
+                                    .extent = GLINT_VECTOR(1.5, 1.5, 1.5),
                                     .layout = &arm_layout};
 
 /* A direction turned by a bone, and a place. */
@@ -170,25 +168,25 @@ glint_status moving_set(int degrees) {
 }
 
 glint_status moving_draw(glint_renderer *renderer, int degrees) {
-    static const glint_material water = {&glint_model_blinn_phong, RGB(0.02, 0.05, 0.08), RGB(0.1, 0.35, 0.5),
-                                         RGB(0.5, 0.5, 0.5), GLINT_Q16(30)};
-    static const glint_material skin = {&glint_model_blinn_phong, RGB(0.06, 0.04, 0.03), RGB(0.55, 0.35, 0.25),
-                                        RGB(0.15, 0.15, 0.15), GLINT_Q16(12)};
+    static const glint_material water = {&glint_model_blinn_phong, GLINT_COLOUR(0.02, 0.05, 0.08),
+                                         GLINT_COLOUR(0.1, 0.35, 0.5), GLINT_COLOUR(0.5, 0.5, 0.5), GLINT_Q16(30)};
+    static const glint_material skin = {&glint_model_blinn_phong, GLINT_COLOUR(0.06, 0.04, 0.03),
+                                        GLINT_COLOUR(0.55, 0.35, 0.25), GLINT_COLOUR(0.15, 0.15, 0.15), GLINT_Q16(12)};
     static const glint_light lamp = {.type = &glint_light_directional,
-                                     .vector = RGB(-0.4, 1, 0.5),
-                                     .diffuse = RGB(1, 1, 1),
-                                     .specular = RGB(1, 1, 1)};
+                                     .vector = GLINT_VECTOR(-0.4, 1, 0.5),
+                                     .diffuse = GLINT_COLOUR(1, 1, 1),
+                                     .specular = GLINT_COLOUR(1, 1, 1)};
     const glint_pose side = glint_pose_rotate_y(GLINT_Q16(80)), left = glint_pose_translate(GLINT_Q16(-1.35), 0, 0),
                      right = glint_pose_translate(GLINT_Q16(1.45), GLINT_Q16(-0.35), 0);
     const glint_object objects[2] = {{.mesh = &wave_mesh, .material = &water, .pose = left},
                                      {.mesh = &arm_mesh, .material = &skin, .pose = glint_pose_then(&side, &right)}};
-    glint_scene scene = {.background = RGB(0.01, 0.015, 0.03),
-                         .ambient = RGB(1, 1, 1),
+    glint_scene scene = {.background = GLINT_COLOUR(0.01, 0.015, 0.03),
+                         .ambient = GLINT_COLOUR(1, 1, 1),
                          .lights = &lamp,
                          .light_count = 1,
                          .objects = objects,
                          .object_count = 2};
-    const glint_vector eye = RGB(0, 3.4, 4.4), at = RGB(0, 0, 0), up = RGB(0, 1, 0);
+    const glint_vector eye = GLINT_VECTOR(0, 3.4, 4.4), at = GLINT_VECTOR(0, 0, 0), up = GLINT_VECTOR(0, 1, 0);
     glint_status status = moving_set(degrees);
     if (status == GLINT_OK)
         status = glint_camera_look_at(&scene.camera, eye, at, up);

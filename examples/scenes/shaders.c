@@ -53,8 +53,8 @@ static const struct {
 } shaders[] = {
     {&glint_model_phong, &glint_per_vertex},
     {&glint_model_blinn_phong, &glint_per_vertex},
-    {&glint_model_blinn_phong, &glint_per_node},
-    {&glint_model_lambert, &glint_per_node},
+    {&glint_model_blinn_phong, &glint_per_fragment},
+    {&glint_model_lambert, &glint_per_fragment},
 };
 
 /* Scale, turns about x and z, and light that put a highlight where the shape can show it. */

@@ -32,7 +32,7 @@ glint_light *stage_light(example_stage *stage, const glint_light_type *type, gli
 glint_object *stage_add(example_stage *stage, const glint_mesh *mesh, const glint_material *material,
                         const glint_pose *pose) {
     glint_material *copy = &stage->materials[stage->scene.object_count];
-    const glint_object object = {mesh, copy, *pose, &glint_per_node};
+    const glint_object object = {mesh, copy, *pose, &glint_per_fragment};
     glint_object *added = &stage->objects[stage->scene.object_count++];
 
     *copy = *material;

@@ -8,12 +8,10 @@
 
 #include "scenes.h"
 
-/** Initialisers of a colour and of a vector from literals. */
-#define RGB(r, g, b) \
-    { GLINT_Q16(r), GLINT_Q16(g), GLINT_Q16(b) }
+/** Short names of what initialises a colour and a vector from literals. */
+#define RGB(r, g, b) GLINT_COLOUR(r, g, b)
 #define GREY(v) RGB(v, v, v)
-#define XYZ(x, y, z) \
-    { GLINT_Q16(x), GLINT_Q16(y), GLINT_Q16(z) }
+#define XYZ(x, y, z) GLINT_VECTOR(x, y, z)
 
 #define COUNT_OF(array) ((uint32_t)(sizeof(array) / sizeof((array)[0])))
 

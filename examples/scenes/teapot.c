@@ -23,9 +23,9 @@ static const struct {
     const glint_evaluation *evaluation;
     glint_q16 shininess;
 } options[COUNT_OF(variants)] = {
-    {&torus576_mesh, &glint_per_node, GLINT_Q16(100)},    {&torus576_mesh, &glint_per_vertex, GLINT_Q16(100)},
-    {&torus12x8_mesh, &glint_per_vertex, GLINT_Q16(100)}, {&torus48x24_mesh, &glint_per_vertex, GLINT_Q16(100)},
-    {&torus576_mesh, &glint_per_node, GLINT_ONE},         {&torus576_mesh, &glint_per_node, GLINT_Q16(0.25)},
+    {&torus576_mesh, &glint_per_fragment, GLINT_Q16(100)}, {&torus576_mesh, &glint_per_vertex, GLINT_Q16(100)},
+    {&torus12x8_mesh, &glint_per_vertex, GLINT_Q16(100)},  {&torus48x24_mesh, &glint_per_vertex, GLINT_Q16(100)},
+    {&torus576_mesh, &glint_per_fragment, GLINT_ONE},      {&torus576_mesh, &glint_per_fragment, GLINT_Q16(0.25)},
 };
 
 static void build(example_stage *stage, uint32_t variant, uint32_t frame) {

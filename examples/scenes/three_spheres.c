@@ -50,7 +50,7 @@ static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
         const glint_pose pose = glint_pose_then(&turn, &move);
 
         stage_add(stage, mesh_of(variant), &material, &pose)->evaluation =
-            variant == VERTEX || variant == VERTEX_DENSE ? &glint_per_vertex : &glint_per_node;
+            variant == VERTEX || variant == VERTEX_DENSE ? &glint_per_vertex : &glint_per_fragment;
         material.model = shiny;
         material.shininess = i == 0 ? GLINT_Q16(4) : GLINT_Q16(16);
     }

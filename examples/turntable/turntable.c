@@ -4,18 +4,16 @@
 #include "meshes/teapot.h"
 #include "meshes/torus576.h"
 
-#define COLOUR(r, g, b) \
-    { GLINT_Q16(r), GLINT_Q16(g), GLINT_Q16(b) }
-
 const char *turntable_name(turntable_model model) {
     return model == TURNTABLE_TORUS ? "torus576" : "teapot";
 }
 
 /* The benchmark scene: turned about y by 0.3 + 0.1 k and then about x by 0.04 k - 0.9 radians, 3.7 in front. */
 static void set_torus(turntable *table, uint32_t frame) {
-    const glint_light light = {&glint_light_directional, COLOUR(0.4, 0.6, 0.7), COLOUR(1, 1, 1), COLOUR(1, 1, 1)};
-    const glint_material material = {&glint_model_blinn_phong, COLOUR(0.135, 0.075, 0.045), COLOUR(0.765, 0.425, 0.255),
-                                     COLOUR(0.5, 0.5, 0.5), GLINT_Q16(32)};
+    const glint_light light = {&glint_light_directional, GLINT_VECTOR(0.4, 0.6, 0.7), GLINT_COLOUR(1, 1, 1),
+                               GLINT_COLOUR(1, 1, 1)};
+    const glint_material material = {&glint_model_blinn_phong, GLINT_COLOUR(0.135, 0.075, 0.045),
+                                     GLINT_COLOUR(0.765, 0.425, 0.255), GLINT_COLOUR(0.5, 0.5, 0.5), GLINT_Q16(32)};
     const glint_q16 k = (glint_q16)(frame % 256);
     const glint_pose turn_y = glint_pose_rotate_y(GLINT_Q16(17.18873) + k * GLINT_Q16(5.72958));
     const glint_pose turn_x = glint_pose_rotate_x(GLINT_Q16(-51.56620) + k * GLINT_Q16(2.29183));
@@ -28,19 +26,19 @@ static void set_torus(turntable *table, uint32_t frame) {
     table->object.pose = glint_pose_then(&turn, &move);
     table->scene.light_count = 1;
     table->scene.viewer = GLINT_VIEWER_LOCAL;
-    table->scene.ambient = (glint_colour)COLOUR(1, 1, 1);
+    table->scene.ambient = (glint_colour)GLINT_COLOUR(1, 1, 1);
     table->scene.camera.pose = glint_pose_identity();
     table->scene.camera.field_of_view = GLINT_Q16(60);
 }
 
 /* A tenth of a turn a frame; the camera stands still, a little above. */
 static void set_teapot(turntable *table, uint32_t frame) {
-    const glint_light key = {&glint_light_directional, COLOUR(-0.5, 0.8, 0.7), COLOUR(0.9, 0.9, 0.9),
-                             COLOUR(0.8, 0.8, 0.8)};
-    const glint_light rim = {&glint_light_directional, COLOUR(1, 0.2, -0.6), COLOUR(0.3, 0.3, 0.3),
-                             COLOUR(0.4, 0.4, 0.4)};
-    const glint_material material = {&glint_model_blinn_phong, COLOUR(0.7, 0.7, 0.7), COLOUR(0.7, 0.7, 0.7),
-                                     COLOUR(0.6, 0.6, 0.6), GLINT_Q16(50)};
+    const glint_light key = {&glint_light_directional, GLINT_VECTOR(-0.5, 0.8, 0.7), GLINT_COLOUR(0.9, 0.9, 0.9),
+                             GLINT_COLOUR(0.8, 0.8, 0.8)};
+    const glint_light rim = {&glint_light_directional, GLINT_VECTOR(1, 0.2, -0.6), GLINT_COLOUR(0.3, 0.3, 0.3),
+                             GLINT_COLOUR(0.4, 0.4, 0.4)};
+    const glint_material material = {&glint_model_blinn_phong, GLINT_COLOUR(0.7, 0.7, 0.7), GLINT_COLOUR(0.7, 0.7, 0.7),
+                                     GLINT_COLOUR(0.6, 0.6, 0.6), GLINT_Q16(50)};
     const glint_pose back = glint_pose_translate(0, 0, GLINT_Q16(2.75));
     const glint_pose above = glint_pose_rotate_x(GLINT_Q16(-19));
 
@@ -51,7 +49,7 @@ static void set_teapot(turntable *table, uint32_t frame) {
     table->object.pose = glint_pose_rotate_y((glint_q16)(frame % TURNTABLE_FRAMES) * GLINT_Q16(36));
     table->scene.light_count = 2;
     table->scene.viewer = GLINT_VIEWER_INFINITE;
-    table->scene.ambient = (glint_colour)COLOUR(0.15, 0.15, 0.15);
+    table->scene.ambient = (glint_colour)GLINT_COLOUR(0.15, 0.15, 0.15);
     table->scene.camera.field_of_view = GLINT_Q16(29);
     table->scene.camera.pose = glint_pose_then(&back, &above);
 }
@@ -65,7 +63,7 @@ void turntable_frame(turntable *table, turntable_model model, uint32_t frame) {
     scene->objects = &table->object;
     scene->object_count = 1;
     table->object = (glint_object){.material = &table->material, .evaluation = &glint_per_fragment};
-    if (model == TURNTABLE_TEAPOT)
+    if (TURNTABLE_SHOWN > TURNTABLE_TEAPOT && model == TURNTABLE_TEAPOT)
         set_teapot(table, frame);
     else
         set_torus(table, frame);

@@ -22,6 +22,11 @@ typedef enum turntable_model {
     TURNTABLE_MODELS
 } turntable_model;
 
+/** How many of them a program has, from the first; boards of little flash have fewer (port/boards.mk). */
+#ifndef TURNTABLE_SHOWN
+#define TURNTABLE_SHOWN TURNTABLE_MODELS
+#endif
+
 /** A scene with what it points to: not to be copied. */
 typedef struct turntable {
     glint_scene scene;

@@ -20,9 +20,9 @@ bool animation_check(const host_settings *settings, const char *command, host_pr
     if (settings->frame_given) {
         return problem_set(problem, 0, "%s: --frame and --animate exclude each other", command);
     }
-    if (settings->lit_map != NULL || settings->heat != NULL || settings->preview > 0 || settings->compare != NULL) {
-        return problem_set(
-            problem, 0, "%s: --lit-map, --heat, --preview and --compare take one frame: not with --animate", command);
+    if (settings->heat != NULL || settings->preview > 0 || settings->compare != NULL) {
+        return problem_set(problem, 0, "%s: --heat, --preview and --compare take one frame: not with --animate",
+                           command);
     }
     if (settings->stats) {
         return problem_set(problem, 0, "%s: --stats and --animate exclude each other", command);

@@ -54,7 +54,7 @@ static bool frames_keep(const host_settings *settings, const char *input, const 
 }
 
 bool command_keeps(const host_settings *settings, const char *file, const char *what) {
-    return keeps(settings->lit_map, file, what) && keeps(settings->heat, file, what) &&
+    return keeps(settings->heat, file, what) &&
            (settings->animate > 0 && settings->output != NULL ? frames_keep(settings, file, what)
                                                               : keeps(settings->output, file, what));
 }
@@ -134,14 +134,14 @@ static bool write_picture(const uint8_t *picture, const host_settings *settings,
     return ok;
 }
 
-int command_finish(const uint8_t *picture, const framebuffer *target, const frame_counts *counts,
+int command_finish(const uint8_t *picture, const framebuffer *target, const glint_stats *stats,
                    const host_settings *settings, const png_picture *other) {
     host_problem problem;
     if (!write_picture(picture, settings, &problem)) {
         return command_fail(settings->output, &problem);
     }
     if (settings->stats) {
-        command_print_stats(counts, target, settings);
+        command_print_stats(stats, target, settings);
     }
     if (other->pixels == NULL) {
         return 0;

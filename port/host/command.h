@@ -7,7 +7,6 @@
 #ifndef GLINT_HOST_COMMAND_H
 #define GLINT_HOST_COMMAND_H
 
-#include "counts.h"
 #include "load.h"
 #include "png.h"
 #include "quantise.h"
@@ -55,7 +54,7 @@ void command_print_warnings(const host_settings *settings, const host_model *mod
 void command_warn_of_size(const host_settings *settings, const quantised_mesh *mesh);
 
 /** Prints what a frame took, a name and a value a line. */
-void command_print_stats(const frame_counts *counts, const framebuffer *target, const host_settings *settings);
+void command_print_stats(const glint_stats *stats, const framebuffer *target, const host_settings *settings);
 
 /** Whether the settings say where the picture goes: to a file, the terminal, or into a comparison. */
 bool command_has_output(const host_settings *settings);
@@ -79,7 +78,7 @@ bool command_open_compared(const host_settings *settings, png_picture *other);
  * @param other as of command_open_compared
  * @return exit status, after a line where the picture cannot be written
  */
-int command_finish(const uint8_t *picture, const framebuffer *target, const frame_counts *counts,
+int command_finish(const uint8_t *picture, const framebuffer *target, const glint_stats *stats,
                    const host_settings *settings, const png_picture *other);
 
 #endif

@@ -98,11 +98,11 @@ static bool draw_view(const host_settings *settings, const host_model *model, co
                       const demo_cell *cell, uint8_t *sheet, host_problem *problem) {
     host_view view;
     framebuffer target;
-    frame_counts counts;
+    glint_stats stats;
     if (!view_make(&view, settings, &model->materials, mesh, problem)) {
         return false;
     }
-    const bool drawn = view_draw(&view.scene, settings, &target, &counts, problem);
+    const bool drawn = view_draw(&view.scene, settings, &target, &stats, problem);
     view_free(&view);
     if (drawn) {
         place_picture(&target, cell, sheet);

@@ -23,12 +23,6 @@ BARE_OBJECTS    := $(filter-out %/main.o %/scene.o %/simplify.o,$(HOST_OBJECTS))
 HOST_READER_SOURCES := $(addprefix port/host/,obj.c mtl.c text.c mesh.c polygon.c normals.c topology.c quantise.c cluster.c patch.c output.c \
     number.c memory.c problem.c)
 
-# Calls between the library's files that pass through counts.c and watch.c.
-HOST_WATCHED := glint_render_tile glint_light_all glint_gathering_store glint_draw_facet glint_draw_lit glint_nodes_light \
-    glint_terms_begin glint_shape_begin glint_terms_draw_part glint_polynomial_begin glint_prepare_shading \
-    glint_fast_make_tables glint_setup glint_draw_unlit glint_ring_find
-HOST_WATCH := $(HOST_WATCHED:%=-Wl,--wrap=%)
-
 # What reads other formats than OBJ is a program of its own, built where the compiler finds assimp (libassimp-dev).
 # glint itself simplifies meshes where it finds meshoptimizer (libmeshoptimizer-dev).
 HASH           := \#
@@ -75,10 +69,10 @@ $(BUILD)/host/port/simplify.o: HOST_CFLAGS += $(if $(HAS_SIMPLIFIER),-DHOST_WITH
 $(BUILD)/host/port/simplify.o: $(SIMPLIFIER_STAMP)
 
 $(HOST_PROGRAM): $(HOST_OBJECTS) $(HOST_JUDGE) $(SCENE_OBJECTS) $(BUILD)/host/libglint.a
-	$(Q)$(CC) $(HOST_CFLAGS) $(HOST_WATCH) $^ $(SIMPLIFIER) -lm -o $@
+	$(Q)$(CC) $(HOST_CFLAGS) $^ $(SIMPLIFIER) -lm -o $@
 
 $(HOST_CONVERTER): $(BARE_OBJECTS) $(HOST_JUDGE) $(BUILD)/host/libglint.a
-	$(Q)$(CC) $(HOST_CFLAGS) $(HOST_WATCH) $^ -lm -o $@
+	$(Q)$(CC) $(HOST_CFLAGS) $^ -lm -o $@
 
 include port/host/window/window.mk
 

@@ -132,12 +132,7 @@ int command_info(const host_settings *settings) {
            "pass:\n");
     host_problem problem;
     const report_subject subject = {settings, &model.materials, &mesh};
-    bool ok = print_panels(&subject, &problem);
-    if (ok) {
-        printf("\nA frame of it, framed, %ux%u in %s, lit at fragments by one directional light:\n",
-               settings->panel.width, settings->panel.height, settings->panel.format->name);
-        ok = report_cost(&subject, &settings->panel, &problem);
-    }
+    const bool ok = print_panels(&subject, &problem);
     if (ok) {
         print_types(&model);
         command_print_warnings(settings, &model);

@@ -12,7 +12,7 @@
  * Draws a scene as view_draw does, writes the maps, and prints what their colours stand for, a `name value` a line.
  * @param target set up by this, the caller frees it; untouched when the result is false
  */
-bool maps_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, frame_counts *counts,
+bool maps_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, glint_stats *stats,
                host_problem *problem);
 
 #endif

@@ -108,12 +108,27 @@ static bool read_colour(obj_reader *reader, const double *channels) {
     return true;
 }
 
-/** Gives the mesh its colours, when all positions have one. */
+/** Are all colours white? Then they change no pixel, and would cost flash and time. */
+static bool are_white(const obj_reader *reader, double white) {
+    for (size_t i = 0; i < reader->colour_count; i++) {
+        for (int c = 0; c < 3; c++) {
+            if (reader->colours[i][c] != white) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/** Gives the mesh its colours, when all positions have one and not all are white. */
 static void keep_colours(obj_reader *reader) {
     const double scale = text_find_note(&reader->notes, KIND_BYTE_COLOURS, position_word) != NULL ? 1.0 : 255.0;
     if (reader->colour_count > 0 && reader->bare_count > 0) {
         reader->notes.list[reader->notes.count++] =
             (text_note){KIND_NO_COLOUR, position_word, reader->bare_line, reader->bare_count - 1};
+        return;
+    }
+    if (are_white(reader, 255.0 / scale)) {
         return;
     }
     for (size_t i = 0; i < reader->colour_count; i++) {

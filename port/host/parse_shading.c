@@ -37,7 +37,6 @@ bool parse_shading(host_settings *settings, const char *text, host_problem *prob
     } places[] = {
         {"flat", &glint_per_facet},
         {"vertex", &glint_per_vertex},
-        {"node", &glint_per_node},
         {"fragment", &glint_per_fragment},
     };
     for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
@@ -46,7 +45,7 @@ bool parse_shading(host_settings *settings, const char *text, host_problem *prob
             return true;
         }
     }
-    return value_expected(problem, "takes flat, vertex, node or fragment");
+    return value_expected(problem, "takes flat, vertex or fragment");
 }
 
 bool parse_combine(host_settings *settings, const char *text, host_problem *problem) {
@@ -70,15 +69,6 @@ bool parse_dither(host_settings *settings, const char *text, host_problem *probl
     (void)text;
     (void)problem;
     settings->dither = true;
-    return true;
-}
-
-bool parse_budget(host_settings *settings, const char *text, host_problem *problem) {
-    int64_t value;
-    if (!number_integer(text, strlen(text), &value) || value < 0 || value > GLINT_BUDGET_MAX) {
-        return value_expected(problem, "takes steps from 0 to 8");
-    }
-    settings->budget = (int32_t)value;
     return true;
 }
 

@@ -18,7 +18,6 @@ bool parse_combine(host_settings *settings, const char *text, host_problem *prob
 bool parse_ungated(host_settings *settings, const char *text, host_problem *problem);
 bool parse_dither(host_settings *settings, const char *text, host_problem *problem);
 bool parse_gamma(host_settings *settings, const char *text, host_problem *problem);
-bool parse_budget(host_settings *settings, const char *text, host_problem *problem);
 
 bool parse_up_axis(host_settings *settings, const char *text, host_problem *problem);
 bool parse_centre(host_settings *settings, const char *text, host_problem *problem);

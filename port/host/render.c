@@ -2,7 +2,6 @@
 #include "command.h"
 
 #include "animation.h"
-#include "cost.h"
 #include "maps.h"
 #include "view.h"
 
@@ -30,17 +29,7 @@ static void print_times(const host_settings *settings, uint64_t bytes) {
     }
 }
 
-static void print_drawn(const glint_drawn *drawn) {
-    static const char *const names[GLINT_KERNELS] = {
-        "general", "ambient", "diffuse", "gated", "specular", "curved-diffuse", "curved-specular", "even", "channels"};
-    for (int kernel = 0; kernel < GLINT_KERNELS; kernel++) {
-        printf("parts_%s %lu\n", names[kernel], (unsigned long)drawn[kernel].parts);
-        printf("covered_%s %lu\n", names[kernel], (unsigned long)drawn[kernel].covered);
-    }
-}
-
-void command_print_stats(const frame_counts *counts, const framebuffer *target, const host_settings *settings) {
-    const glint_stats *stats = &counts->stats;
+void command_print_stats(const glint_stats *stats, const framebuffer *target, const host_settings *settings) {
     printf("passes %lu\n", (unsigned long)stats->passes);
     printf("tiles %lu\n", (unsigned long)stats->tiles);
     printf("vertices %lu\n", (unsigned long)stats->vertices);
@@ -51,9 +40,7 @@ void command_print_stats(const frame_counts *counts, const framebuffer *target, 
     printf("hidden %lu\n", (unsigned long)stats->hidden);
     printf("references %lu\n", (unsigned long)stats->references);
     printf("arena_used %lu\n", (unsigned long)stats->arena_used);
-    print_drawn(stats->drawn);
     printf("bytes_sent %llu\n", (unsigned long long)target->bytes_sent);
-    cost_print(counts);
     print_times(settings, target->bytes_sent);
 }
 
@@ -63,12 +50,12 @@ void command_print_stats(const frame_counts *counts, const framebuffer *target, 
 static int draw_still(const host_view *view, const host_settings *settings, const png_picture *other) {
     host_problem problem;
     framebuffer target;
-    frame_counts counts;
-    if (!maps_draw(&view->scene, settings, &target, &counts, &problem)) {
+    glint_stats stats;
+    if (!maps_draw(&view->scene, settings, &target, &stats, &problem)) {
         return command_fail(NULL, &problem);
     }
     uint8_t *picture = framebuffer_expand(&target);
-    const int status = command_finish(picture, &target, &counts, settings, other);
+    const int status = command_finish(picture, &target, &stats, settings, other);
     free(picture);
     framebuffer_free(&target);
     return status;
@@ -85,9 +72,9 @@ typedef struct turning_model {
 static uint8_t *draw_turned(void *context, uint32_t frame, host_problem *problem) {
     const turning_model *model = context;
     framebuffer target;
-    frame_counts counts;
+    glint_stats stats;
     view_turn(model->view, model->settings, frame);
-    if (!view_draw(&model->view->scene, model->settings, &target, &counts, problem)) {
+    if (!view_draw(&model->view->scene, model->settings, &target, &stats, problem)) {
         return NULL;
     }
     uint8_t *picture = framebuffer_expand(&target);

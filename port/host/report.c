@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "report.h"
 
-#include "cost.h"
 #include "memory.h"
 #include "view.h"
 
@@ -15,7 +14,6 @@ static host_settings on_panel(const report_subject *subject, const settings_pane
     framed.width = panel->width;
     framed.height = panel->height;
     framed.format = panel->format;
-    framed.stats = true;
     return framed;
 }
 
@@ -48,23 +46,6 @@ bool report_arena(const report_subject *subject, const settings_panel *panel, gl
     need->resident += decoded;
     need->one_pass += decoded;
     return true;
-}
-
-bool report_cost(const report_subject *subject, const settings_panel *panel, host_problem *problem) {
-    const host_settings framed = on_panel(subject, panel);
-    host_view view;
-    if (!view_make(&view, &framed, subject->materials, subject->mesh, problem)) {
-        return false;
-    }
-    framebuffer target;
-    frame_counts counts;
-    const bool drawn = view_draw(&view.scene, &framed, &target, &counts, problem);
-    view_free(&view);
-    if (drawn) {
-        framebuffer_free(&target);
-        cost_print(&counts);
-    }
-    return drawn;
 }
 
 /* ---- A converted mesh ------------------------------------------------------------------------------------------- */
@@ -107,7 +88,6 @@ bool report_print(const report_subject *subject, host_problem *problem) {
     if (ok) {
         printf("panel %ux%u %s\n", panel->width, panel->height, panel->format->name);
         printf("arena_least %zu\narena_resident %zu\narena_one_pass %zu\n", need.least, need.resident, need.one_pass);
-        ok = report_cost(&here, panel, problem);
     }
     free(moved.pieces);
     return ok;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file report.h
- * What a mesh takes of a board that draws it framed: arena, instructions, milliseconds.
+ * What a mesh costs a board that draws it framed: flash and arena.
  */
 #ifndef GLINT_HOST_REPORT_H
 #define GLINT_HOST_REPORT_H
@@ -24,14 +24,8 @@ typedef struct report_subject {
 bool report_arena(const report_subject *subject, const settings_panel *panel, glint_need *need, host_problem *problem);
 
 /**
- * Draws the framed model once, and prints by a cost model what a board would take for it, a name and a value a line.
- * @return false with a problem
- */
-bool report_cost(const report_subject *subject, const settings_panel *panel, host_problem *problem);
-
-/**
- * Prints what a mesh takes of flash and, on the settings' panel, of arena, instructions and milliseconds, a name and a
- * value a line. However large it is, and wherever, it is measured where a camera frames it.
+ * Prints what a mesh takes of flash and, on the settings' panel, of arena, a name and a value a line. However large it
+ * is, and wherever, it is measured where a camera frames it.
  * @return false with a problem
  */
 bool report_print(const report_subject *subject, host_problem *problem);

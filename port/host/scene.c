@@ -85,10 +85,9 @@ static bool check(const host_settings *settings, host_problem *problem) {
 /* ---- Pictures --------------------------------------------------------------------------------------------------- */
 
 /** Sets a scene up as it is in a frame; the caller frees it. */
-static example_stage *build(const chosen_scene *chosen, uint32_t frame, const host_settings *settings) {
+static example_stage *build(const chosen_scene *chosen, uint32_t frame) {
     example_stage *stage = memory_new(1, sizeof *stage);
     chosen->scene->build(stage, chosen->variant, frame % chosen->scene->frames);
-    stage->scene.error_budget = settings->budget;
     return stage;
 }
 
@@ -105,16 +104,16 @@ static uint8_t *expand(const chosen_scene *chosen, const host_settings *settings
 
 static int draw_still(const chosen_scene *chosen, const host_settings *settings, const png_picture *other) {
     framebuffer target;
-    frame_counts counts;
+    glint_stats stats;
     host_problem problem;
-    example_stage *stage = build(chosen, settings->frame, settings);
-    const bool drawn = maps_draw(&stage->scene, settings, &target, &counts, &problem);
+    example_stage *stage = build(chosen, settings->frame);
+    const bool drawn = maps_draw(&stage->scene, settings, &target, &stats, &problem);
     free(stage);
     if (!drawn) {
         return command_fail(NULL, &problem);
     }
     uint8_t *picture = expand(chosen, settings, &target);
-    const int status = command_finish(picture, &target, &counts, settings, other);
+    const int status = command_finish(picture, &target, &stats, settings, other);
     free(picture);
     framebuffer_free(&target);
     return status;
@@ -131,10 +130,10 @@ static uint8_t *draw_moving(void *context, uint32_t frame, host_problem *problem
     const moving_scene *moving = context;
     const host_settings *settings = moving->settings;
     framebuffer target;
-    frame_counts counts;
+    glint_stats stats;
     const uint64_t own = (uint64_t)frame * moving->chosen->scene->frames / settings->animate;
-    example_stage *stage = build(moving->chosen, (uint32_t)own, settings);
-    const bool drawn = view_draw(&stage->scene, settings, &target, &counts, problem);
+    example_stage *stage = build(moving->chosen, (uint32_t)own);
+    const bool drawn = view_draw(&stage->scene, settings, &target, &stats, problem);
     free(stage);
     if (!drawn) {
         return NULL;

@@ -186,11 +186,6 @@ static bool parse_help(host_settings *settings, const char *text, host_problem *
     return true;
 }
 
-static bool parse_lit_map(host_settings *settings, const char *text, host_problem *problem) {
-    settings->lit_map = text;
-    return text[0] != '\0' || value_expected(problem, "takes the name of a file");
-}
-
 static bool parse_heat(host_settings *settings, const char *text, host_problem *problem) {
     settings->heat = text;
     return text[0] != '\0' || value_expected(problem, "takes the name of a file");
@@ -231,8 +226,6 @@ static const host_option options[] = {
     {"--format", "NAME", "rgb565, rgb565_be, rgb444, rgb888, grey8, grey4 or mono; rgb888", COMMANDS_THAT_DRAW,
      parse_format},
     {"--dither", NULL, "ordered dithering of the format's levels", COMMANDS_THAT_DRAW, parse_dither},
-    {"--budget", "N", "steps of a channel by which the picture may differ, for fewer instructions, 0 to 8; 0",
-     COMMANDS_THAT_DRAW, parse_budget},
     {"--gamma", "G", "output is linear^(1/G), G from 0.1 to 10; 1", COMMANDS_THAT_DRAW, parse_gamma},
     {"--eye", "x,y,z", "where the camera stands; else the model is framed", COMMAND_RENDER, parse_eye},
     {"--at", "x,y,z", "what it looks at; 0,0,0 when --eye is given", COMMAND_RENDER, parse_at},
@@ -253,7 +246,7 @@ static const host_option options[] = {
      COMMAND_RENDER, parse_camera_lights},
     {"--model", "NAME", "lambert, phong, blinn-phong or unlit; the file's, or blinn-phong", COMMAND_RENDER,
      parse_model},
-    {"--shading", "NAME", "where light is evaluated: flat, vertex, node or fragment; fragment", COMMAND_RENDER,
+    {"--shading", "NAME", "where light is evaluated: flat, vertex or fragment; fragment", COMMAND_RENDER,
      parse_shading},
     {"--combine", "sum|max", "ambient with diffuse + specular: their sum or the larger; sum", COMMAND_RENDER,
      parse_combine},
@@ -277,8 +270,6 @@ static const host_option options[] = {
      COMMANDS_THAT_DRAW, parse_core},
     {"--instructions", "M", "--stats: millions that the frame takes on that core, see docs/bench.csv",
      COMMANDS_THAT_DRAW, parse_instructions},
-    {"--lit-map", "FILE", "write how each pixel was lit, and print what the colours stand for", COMMANDS_THAT_DRAW,
-     parse_lit_map},
     {"--heat", "FILE", "write how far each pixel is from double precision, and print the worst, in steps of the format",
      COMMANDS_THAT_DRAW, parse_heat},
     {"--preview", "N", "show the picture in the terminal, up to N characters wide; then -o is not needed",

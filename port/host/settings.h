@@ -50,7 +50,6 @@ typedef struct host_settings {
     glint_q16 field_of_view, near_plane;
     glint_q16 view_height; /**< Units of an orthographic picture's height; 0 for perspective. */
     glint_viewer viewer;
-    int32_t budget;      /**< As glint_scene.error_budget. */
     glint_q16 rotate[3]; /**< Degrees about x, y and z, in this order. */
     double scale[3];     /**< None 0. */
     bool scale_fit;      /**< In place of it the power of ten that suits Q16.16. */
@@ -69,9 +68,9 @@ typedef struct host_settings {
     uint32_t animate; /**< Frames of an animation; 0 for a still picture. */
     bool labels;      /**< Whether to draw a scene's labels over it. */
 
-    const char *lit_map, *heat; /**< Files of maps to write, or null. */
-    uint32_t preview;           /**< Characters of a picture in the terminal, across; 0 for none. */
-    const char *compare;        /**< File of a picture to compare with, or null. */
+    const char *heat;    /**< File of a map to write, or null. */
+    uint32_t preview;    /**< Characters of a picture in the terminal, across; 0 for none. */
+    const char *compare; /**< File of a picture to compare with, or null. */
 
     load_options load;
     const char *name;    /**< Of converted arrays, or null. */

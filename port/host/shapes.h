@@ -7,7 +7,7 @@
 #ifndef GLINT_HOST_SHAPES_H
 #define GLINT_HOST_SHAPES_H
 
-#include "glint.h"
+#include "glint_extras.h"
 #include "mesh.h"
 #include "problem.h"
 

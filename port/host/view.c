@@ -293,7 +293,6 @@ bool view_make(host_view *view, const host_settings *settings, const host_materi
         return false;
     }
     view->scene.viewer = settings->viewer;
-    view->scene.error_budget = settings->budget;
     view->scene.background = settings->background;
     view->scene.ambient = settings_grey(1);
     return true;
@@ -324,12 +323,13 @@ void view_turn(host_view *view, const host_settings *settings, uint32_t frame) {
 
 /* ---- Drawing ---------------------------------------------------------------------------------------------------- */
 
-static glint_status draw(const glint_scene *scene, glint_config *config, frame_counts *counts) {
+static glint_status draw(const glint_scene *scene, glint_config *config, glint_stats *stats) {
     glint_renderer renderer;
     config->arena = memory_new(config->arena_size, 1);
     glint_status status = glint_init(&renderer, config);
     if (status == GLINT_OK) {
-        status = counts_render(&renderer, scene, counts);
+        status = glint_render(&renderer, scene);
+        *stats = renderer.stats;
     }
     free(config->arena);
     return status;
@@ -348,7 +348,6 @@ static glint_config configure(const host_settings *settings, uint16_t tables[3][
     config.format = settings->dither ? settings->format->dithered : settings->format->format;
     config.tile_width = settings->tile_width;
     config.tile_height = settings->tile_height;
-    config.counts_drawn = settings->stats;
     if (settings->gamma < 1 || settings->gamma > 1) {
         view_gamma(settings->gamma, tables);
         config.gamma = (const uint16_t(*)[GLINT_GAMMA_ENTRIES])tables;
@@ -364,7 +363,7 @@ glint_status view_need(const glint_scene *scene, const host_settings *settings, 
     return glint_arena_need(&config, scene, need);
 }
 
-bool view_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, frame_counts *counts,
+bool view_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, glint_stats *stats,
                host_problem *problem) {
     uint16_t tables[3][GLINT_GAMMA_ENTRIES];
     glint_config config = configure(settings, tables);
@@ -374,7 +373,7 @@ bool view_draw(const glint_scene *scene, const host_settings *settings, framebuf
     glint_status status = glint_arena_need(&config, scene, &need);
     config.arena_size = settings->arena > 0 ? settings->arena : need.one_pass;
     if (status == GLINT_OK) {
-        status = draw(scene, &config, counts);
+        status = draw(scene, &config, stats);
     }
     if (status == GLINT_OK) {
         return true;

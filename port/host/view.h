@@ -6,7 +6,7 @@
 #ifndef GLINT_HOST_VIEW_H
 #define GLINT_HOST_VIEW_H
 
-#include "counts.h"
+#include "glint.h"
 #include "quantise.h"
 #include "settings.h"
 
@@ -47,9 +47,8 @@ glint_status view_need(const glint_scene *scene, const host_settings *settings, 
 /**
  * Draws a scene with the settings' size, format, tiles and arena.
  * @param target set up by this, the caller frees it; untouched when the result is false
- * @param counts of parts and pixels only where the settings ask for statistics
  */
-bool view_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, frame_counts *counts,
+bool view_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, glint_stats *stats,
                host_problem *problem);
 
 #endif

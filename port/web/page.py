@@ -182,7 +182,7 @@ def main():
     for file in sorted(PAGE.iterdir()):
         shutil.copyfile(file, folder / file.name)
     lines = ",\n".join(f"{json.dumps(name)}: {json.dumps(value, separators=(',', ':'))}" for name, value in data.items())
-    (folder / "data.js").write_text("// SPDX-License-Identifier: MIT\n// Made by `make web`, not to be edited.\n"
+    (folder / "data.js").write_text("// SPDX-License-Identifier: MIT\n// Made by `make figures`, not to be edited.\n"
                                     f'"use strict";\nconst DATA = {{\n{lines}\n}};\n')
 
 

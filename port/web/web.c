@@ -11,6 +11,7 @@
 #include "command.h"
 #include "files.h"
 #include "framebuffer.h"
+#include "glint_extras.h"
 #include "libc.h"
 #include "measure.h"
 #include "memory.h"
@@ -164,15 +165,15 @@ static const uint8_t *expand(void) {
 }
 
 static int draw(const glint_scene *scene) {
-    frame_counts counts;
+    glint_stats stats;
     host_problem problem;
     drawn = scene;
-    if (!view_draw(scene, &settings, &target, &counts, &problem)) {
+    if (!view_draw(scene, &settings, &target, &stats, &problem)) {
         problem_print(NULL, &problem);
         print_needs();
         return 0;
     }
-    command_print_stats(&counts, &target, &settings);
+    command_print_stats(&stats, &target, &settings);
     print_needs();
     print_meshes();
     shown.width = target.width;
@@ -209,7 +210,6 @@ int EXPORT(web_draw_scene)(uint32_t scene, uint32_t variant, char *words, size_t
         return 0;
     }
     example_scenes[scene]->build(&stage, variant, settings.frame % example_scenes[scene]->frames);
-    stage.scene.error_budget = settings.budget;
     return draw(&stage.scene);
 }
 

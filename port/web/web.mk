@@ -21,19 +21,12 @@ $(WEB)/scenes/meshes.c: port/web/meshes.py $(WEB_HEADERS)
 $(WEB)/scenes/meshes.o: $(WEB)/scenes/meshes.c port/web/web.mk
 	$(Q)$(WEB_CC) $(WEB_OPT) -c $< -o $@
 
-# All is compiled small, but the library takes the ways of one that is built for speed: those the cost model prices.
+# All is compiled small, but the library takes the ways of one that is built for speed: those of boards.
 $(WEB)/src/%.o: WEB_OPT := -Oz -U__OPTIMIZE_SIZE__
 $(WEB)/%.o: WEB_OPT := -Oz
 $(WEB)/%.o: %.c Makefile port/web/web.mk $(WEB)/scenes/meshes.c
 	@mkdir -p $(@D)
 	$(Q)$(WEB_CC) $(WEB_OPT) -MMD -MP -c $< -o $@
-# Calls that are watched: wasm-ld's --wrap would lead those within a file through counts.c too, so they are renamed here,
-# as the host's linker does it: in the file that has the function it is the real one.
-$(WEB)/src/%.o: src/%.c Makefile port/web/web.mk
-	@mkdir -p $(@D)
-	$(Q)$(WEB_CC) $(WEB_OPT) $$(for f in $(HOST_WATCHED); do \
-	    grep -qE "^[a-z].*[ *]$$f\(" $< && printf ' -D%s=__real_%s' $$f $$f || printf ' -D%s=__wrap_%s' $$f $$f; done) \
-	    -MMD -MP -c $< -o $@
 -include $(WEB_OBJECTS:.o=.d)
 
 $(WEB)/glint.wasm: $(WEB_OBJECTS)
@@ -44,7 +37,7 @@ $(WEB)/page/data.js: $(WEB)/glint.wasm port/web/page.py $(wildcard port/web/page
 	$(Q)python3 port/web/page.py $< $(@D)
 
 .PHONY: web
-web: $(WEB)/page/data.js ## write docs/web anew
+web: $(WEB)/page/data.js
 	$(Q)rm -rf docs/web
 	$(Q)mkdir -p docs/web
 	$(Q)cp $(WEB)/page/* docs/web/

@@ -3,7 +3,7 @@
 #ifndef GLINT_ARENA_H
 #define GLINT_ARENA_H
 
-#include "../glint.h"
+#include "../glint_extras.h"
 
 /** What everything in the arena is aligned to. */
 #define GLINT_ALIGNMENT (sizeof(void *))

@@ -90,7 +90,8 @@ static int list_clipped(glint_frame *frame, glint_draw *draw, uint32_t triangle)
     const glint_clipped *top = (const glint_clipped *)(const void *)(frame->memory.base + frame->memory.high);
     glint_corner corners[GLINT_CLIP_CORNERS];
     glint_range range;
-    glint_list_light(frame, draw, triangle);
+    if (draw->light)
+        draw->light(frame, draw, &draw->transform, triangle);
     gather_corners(draw, draw->triangles[triangle], corners);
     int count = glint_clip(&draw->transform, corners);
     frame->stats.clipped++;
@@ -122,8 +123,7 @@ GLINT_NOINLINE int glint_bin_whole(glint_frame *frame, glint_draw *draw, uint32_
         frame->stats.outside++;
         return 1;
     }
-    if (!(v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_NORMAL))
-        glint_list_light(frame, draw, triangle);
+    glint_list_light(frame, draw, v, triangle);
     return list_triangle(frame, &range, draw->first + triangle);
 }
 

@@ -157,9 +157,7 @@ static GLINT_NOINLINE int bin_several(const grid *g, uint32_t left) {
     const glint_vertex *const v[3] = {&draw->vertices[indices[0]], &draw->vertices[indices[1]],
                                       &draw->vertices[indices[2]]};
     const uint32_t a = word_of(v[0]), b = word_of(v[1]), c = word_of(v[2]);
-    uint32_t flags = v[0]->flags & v[1]->flags & v[2]->flags;
     int32_t x, y, right, bottom;
-    GLINT_OPAQUE(flags); /* else three pointers are kept for it */
     find_pixels((int32_t)(a << 16), (int32_t)(b << 16), (int32_t)(c << 16), frame->right, &x, &right);
     find_pixels((int32_t)a, (int32_t)b, (int32_t)c, frame->bottom, &y, &bottom);
     if (x >= right || y >= bottom) {
@@ -173,8 +171,7 @@ static GLINT_NOINLINE int bin_several(const grid *g, uint32_t left) {
     const uint32_t last = row_end + more_rows * g->columns;
     if (tile >= g->count || last >= g->count || frame->reference_count + (more_rows + 1) * (more_columns + 1) > g->most)
         return glint_bin_whole(frame, draw, triangle);
-    if (!(flags & GLINT_VERTEX_NORMAL))
-        glint_list_light(frame, draw, triangle);
+    glint_list_light(frame, draw, v, triangle);
     if (more_columns == 1 && more_rows == 1 && turns_of(draw) == COUNTER_CLOCKWISE)
         list_four(g, left, tile, (column + 1) << g->shift_x | (row + 1) << g->shift_y);
     else
@@ -194,8 +191,7 @@ static GLINT_INLINE int bin_seen(const grid *g, const glint_vertex *const v[3], 
     } else if (all_tiles || tile < g->count) {
         if (g->frame->reference_count >= g->most)
             return 0;
-        if (!(v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_NORMAL))
-            glint_list_light(g->frame, g->draw, g->end - left);
+        glint_list_light(g->frame, g->draw, v, g->end - left);
         glint_list_append(g->frame, tile, g->reference - (left << 16));
     }
     return 1;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Buffers: what drawing a tile takes. */
-#include "../light/shade.h"
+#include "../light/lamps.h"
 #include "../pixel/format.h"
 #include "frame.h"
 
@@ -16,11 +16,13 @@ static size_t size_pixels(const glint_config *config) {
 /* Bytes of its depth, and of rows. */
 static size_t size_depth(const glint_config *config) {
     const size_t rows = 2 * config->tile_width * sizeof(int32_t[3]);
-    return (rows < sizeof(glint_gathered) ? sizeof(glint_gathered) : rows) +
+    return (rows < sizeof(glint_lamps) ? sizeof(glint_lamps) : rows) +
            (size_t)config->tile_width * config->tile_height * sizeof(uint16_t);
 }
 
 size_t glint_workspace_size(const glint_config *config) {
+    if (!config)
+        return 0;
     glint_config full = *config;
     return glint_check_config(&full) == GLINT_OK ? size_depth(&full) + size_pixels(&full) : 0;
 }
@@ -36,6 +38,8 @@ static size_t count_tiles(const glint_config *config) {
 }
 
 size_t glint_pixels_need(const glint_config *config) {
+    if (!config)
+        return 0;
     glint_config full = *config;
     full.pixels = &full; /* anything but null */
     return glint_check_config(&full) == GLINT_OK ? glint_second_pixels(&full) * count_tiles(&full) : 0;

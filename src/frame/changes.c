@@ -73,6 +73,8 @@ static int wait_for_changes(void *context) {
 }
 
 uint32_t glint_changes_count(const glint_config *config) {
+    if (!config)
+        return 0;
     glint_config full = *config;
     if (glint_check_config(&full) != GLINT_OK)
         return 0;

@@ -88,8 +88,6 @@ glint_status glint_check_scene(const glint_config *config, const glint_scene *sc
         return GLINT_ERROR_CAMERA;
     if (scene->viewer != GLINT_VIEWER_INFINITE && scene->viewer != GLINT_VIEWER_LOCAL)
         return GLINT_ERROR_VIEWER;
-    if ((uint32_t)scene->error_budget > GLINT_BUDGET_MAX)
-        return GLINT_ERROR_BUDGET;
     if (!colour_is_valid(&scene->background) || !colour_is_valid(&scene->ambient))
         return GLINT_ERROR_COLOUR;
     const glint_status status = check_lights(scene);

@@ -79,9 +79,10 @@ static const char *name_of_camera(const glint_camera *camera) {
                ? "the camera's field of view is below 1 degree: is it GLINT_Q16(60), not 60?"
            : !is_parallel && (camera->field_of_view < GLINT_ONE || camera->field_of_view > 170 * GLINT_ONE)
                ? "the camera's field of view is not from 1 to 170 degrees"
-           : camera->near_plane <= 0 ? "the camera's near plane is not above 0: GLINT_Q16(0.1) serves most scenes"
-                                     : "the camera's axes are not unit and perpendicular: begin with "
-                                       "glint_pose_identity or glint_camera_look_at";
+           : camera->near_plane <= 0
+               ? "the camera's near plane is not above 0: GLINT_Q16(0.1) serves most scenes"
+               : "the camera's axes are not unit and perpendicular: its pose has no scale; begin with "
+                 "glint_pose_identity or glint_camera_look_at";
 }
 
 /* The error of a scene by itself, without lights and objects but these. */
@@ -195,7 +196,7 @@ static void remark_numbers(const glint_config *config, const glint_scene *scene,
         const subject about = {-1, (int32_t)i};
         if (is_hardly_meant_colour(&light->diffuse))
             remark(report, about, "a light's colour is below 1/128: is it GLINT_Q16(1), not 1?");
-        if (light->type->illuminate && is_place_hardly_meant(at))
+        if (light->type->has_place && is_place_hardly_meant(at))
             remark(report, about, "a light stands less than 1/128 from the origin: is it GLINT_Q16(4), not 4?");
     }
 }
@@ -247,11 +248,28 @@ static void remark_black(const glint_config *config, const glint_scene *scene, g
 
 /* ---- A frame that is not sent ---- */
 
+/* Most bytes of 8 pixels. */
+#define BYTES_OF_8 24
+
 typedef struct tally {
     uint32_t shown; /* pixels */
-    int is_lit;     /* is a byte of the frame not 0? */
+    int is_lit;     /* is a pixel of the frame not black? */
     const glint_format *format;
+    uint32_t bytes_of_8;          /* pixels of a row, or of a page, */
+    uint8_t black[8][BYTES_OF_8]; /* of which 8 rows hold all that black is, dithered too */
 } tally;
+
+/* Finds the bytes of black, which output tables may make any colour. */
+static void find_black(const glint_config *config, tally *sum) {
+    uint8_t pixels[8 * BYTES_OF_8];
+    int32_t colour[1][3] = {{0, 0, 0}};
+    glint_finish_colours(config, colour, 1);
+    config->format->fill(pixels, 3, 8, colour[0]);
+    const uint32_t rows = config->format->edge[1] ? 1 : 8;
+    sum->bytes_of_8 = config->format->edge[1] ? 8 : config->format->bits;
+    for (uint32_t i = 0; i < rows * sum->bytes_of_8; i++)
+        sum->black[i / sum->bytes_of_8][i % sum->bytes_of_8] = pixels[i];
+}
 
 static int send_nothing(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
     (void)context, (void)x, (void)y, (void)width, (void)height, (void)pixels, (void)stride;
@@ -262,11 +280,13 @@ static int look(void *context, const glint_tile *tile) {
     tally *const sum = context;
     for (int y = 0; y < tile->height; y++) {
         const uint8_t *const bytes = (const uint8_t *)tile->pixels + (size_t)y * tile->stride;
+        const uint8_t *const black = sum->black[(tile->y + y) & 7];
+        const size_t first = ((uint32_t)tile->x & 7) * sum->bytes_of_8 / 8;
         const size_t count = !sum->format->edge[1]             ? (size_t)tile->width * sum->format->bits / 8
                              : (y & sum->format->edge[1]) == 0 ? (size_t)tile->width
                                                                : 0;
         for (size_t i = 0; i < count; i++)
-            sum->is_lit |= bytes[i];
+            sum->is_lit |= bytes[i] != black[(first + i) % sum->bytes_of_8];
         for (int x = 0; x < tile->width; x++)
             sum->shown += tile->depth[(size_t)y * tile->depth_stride + (size_t)x] != 0;
     }
@@ -282,9 +302,9 @@ static glint_status look_at_frame(const glint_config *config, const glint_scene 
     as.flush = (glint_flush){.begin = send_nothing};
     as.background.paint = 0;
     as.overlay = (glint_painter){look, sum};
-    as.gamma = 0;
     on_black.background = (glint_colour){0, 0, 0};
     sum->format = config->format;
+    find_black(config, sum);
     glint_status status = glint_init(&renderer, &as);
     if (status == GLINT_OK)
         status = glint_render(&renderer, &on_black);
@@ -296,7 +316,7 @@ glint_status glint_check(const glint_config *config, const glint_scene *scene, g
     glint_renderer renderer;
     glint_need need;
     glint_stats stats;
-    tally sum = {0, 0, 0};
+    tally sum = {0};
     if (!report)
         return GLINT_ERROR_NULL;
     if (!config || !scene)

@@ -146,6 +146,7 @@ static glint_status find_of_object(glint_frame *frame, const glint_object *objec
     frame->stats.hidden += status == GLINT_OK && !sight->transform.visible;
     if (status != GLINT_OK || !sight->transform.visible)
         return status;
+    glint_transform_place(&sight->transform, frame->view);
     glint_sight_begin(sight, frame, object, memory, size);
     for (uint32_t i = 0; i < object->mesh->triangle_count && status == GLINT_OK; i++) {
         glint_range tiles;

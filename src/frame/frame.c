@@ -2,6 +2,7 @@
 /* Frame: from a scene to passes, each of which holds some tiles' triangles, or some triangles of one tile. */
 #include "frame.h"
 
+#include "../light/corners.h"
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
 #include "../scene/config.h"
@@ -10,13 +11,11 @@ static unsigned tile_shift(uint16_t size) {
     return 31u - glint_leading_zeros(size);
 }
 
-/* One shading for each distinct material, the one of the last frame where that left one here; and what lights nodes. */
+/* One shading for each distinct material, the one of the last frame where that left one here. */
 static glint_status prepare_materials(glint_frame *frame, const glint_kept *kept) {
     const glint_object *objects = frame->scene->objects;
     for (uint32_t i = 0; i < frame->scene->object_count; i++) {
         uint32_t earlier = 0;
-        if (objects[i].evaluation && objects[i].evaluation->nodes)
-            frame->nodes = objects[i].evaluation->nodes;
         while (objects[earlier].material != objects[i].material)
             earlier++;
         if (earlier < i)
@@ -49,6 +48,17 @@ static uint32_t count_waiting(const glint_frame *frame, size_t end) {
                                                : frame->scene->object_count;
 }
 
+/* Takes memory for the lights at corners, if any are lit. @return 0 when the arena is too small */
+static int take_corner_lights(glint_frame *frame) {
+    const size_t size = glint_corners_size(frame->scene);
+    if (!size)
+        return 1;
+    frame->corners = glint_take(&frame->memory, size);
+    if (frame->corners)
+        frame->corners->object = 0;
+    return frame->corners != 0;
+}
+
 static glint_status prepare_scene(glint_frame *frame, const glint_kept *kept) {
     glint_status status = glint_check_scene(&frame->config, frame->scene);
     if (status != GLINT_OK)
@@ -65,10 +75,10 @@ static glint_status prepare_scene(glint_frame *frame, const glint_kept *kept) {
     status = glint_prepare_view(view, &frame->config, frame->scene, glint_last_transform(frame), frame->waiting);
     if (status == GLINT_OK)
         status = prepare_materials(frame, kept);
-    if (status == GLINT_OK && frame->nodes)
-        status = frame->nodes->prepare(frame);
-    if (status == GLINT_OK && frame->config.format->fast)
-        status = frame->config.format->fast->prepare(frame);
+    if (status == GLINT_OK && !take_corner_lights(frame))
+        status = GLINT_ERROR_ARENA;
+    if (status == GLINT_OK && glint_find_suns(frame->scene))
+        status = glint_find_suns(frame->scene)->prepare(frame);
     if (status != GLINT_OK)
         return status;
     frame->prepared_end = frame->memory.low;

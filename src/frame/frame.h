@@ -124,10 +124,10 @@ size_t glint_draw_size(const glint_frame *frame, const glint_object *object, con
                        size_t vertices, size_t triangles, int has_list);
 
 /** Bytes beyond what is prepared with which any scene can be drawn: a part of one triangle, and its bin. */
-#define GLINT_LEAST_ROOM                                                                                             \
-    (GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(3 * sizeof(glint_vertex)) +                                   \
-     GLINT_ALIGNED(3 * sizeof(glint_position)) + GLINT_ALIGNED(18) + 2 * GLINT_ALIGNED(36) + 2 * GLINT_ALIGNED(12) + \
-     GLINT_ALIGNED(8) + GLINT_ALIGNED(6) + GLINT_BIN_RESERVE)
+#define GLINT_LEAST_ROOM                                                                                        \
+    (GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(3 * sizeof(glint_vertex)) +                              \
+     GLINT_ALIGNED(3 * sizeof(glint_position)) + GLINT_ALIGNED(24 * GLINT_LIGHTS_MAX) + 2 * GLINT_ALIGNED(36) + \
+     2 * GLINT_ALIGNED(12) + GLINT_ALIGNED(8) + GLINT_ALIGNED(6) + GLINT_BIN_RESERVE)
 
 /** Bytes that are to be free behind so many of tables: for any scene, light at a triangle's nodes, and some more. */
 static inline size_t glint_room_behind_tables(size_t tables) {

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Lines of a finished tile: one pixel in each column, or in each row, where nothing nearer is. */
 #include "../pixel/format.h"
-#include "../raster/runs.h"
 #include "frame.h"
 
 /* 1/w of a line's end over that of the frame's nearest, Q31: what is nearer by more than 2^14 counts as that. */
@@ -63,8 +62,8 @@ static void draw_pixel(const line_target *target, int32_t x, int32_t y, int64_t 
     if (here <= workspace->depth[offset])
         return;
     workspace->depth[offset] = here;
-    const glint_run run = {(uint8_t)column, (uint8_t)row, 1};
-    frame->config.format->store(workspace->pixels, frame->tile_shift_x, &run, &run + 1, colour);
+    const glint_list_pixel pixel = {offset, {colour[0][0], colour[0][1], colour[0][2]}};
+    frame->config.format->store_list(workspace->pixels, frame->tile_shift_x, &pixel, sizeof pixel, 1);
 }
 
 /* Draws columns, or rows, from `first` to before `end`: pixels whose other number is from `least` to before `most`. */
@@ -114,7 +113,8 @@ glint_status glint_lines_draw(const glint_tile *tile, const glint_segment *segme
     if (!tile || !tile->frame || !tile->workspace || (count && !segments))
         return GLINT_ERROR_NULL;
     const glint_view *const view = tile->frame->view;
-    const int64_t nearest = view->nearest + view->nearest * (1 << 14) / view->focal; /* below 2^55 */
+    /* below 2^55; of parallel rays, whose w may have 54 bits, none is asked for */
+    const int64_t nearest = view->is_parallel ? 1 : view->nearest + view->nearest * (1 << 14) / view->focal;
     const int32_t shift = (int32_t)glint_bits64((uint64_t)nearest) - 31;
     const uint32_t mantissa = (uint32_t)(shift > 0 ? nearest >> shift : nearest << -shift);
     const line_target target = {tile, mantissa, shift};

@@ -34,9 +34,10 @@ static inline void glint_list_append(glint_frame *frame, uint32_t tile, uint32_t
     glint_list_put(frame->references, here, tile, reference);
 }
 
-/** Lights a triangle that is going to be seen, as far as that comes before it is drawn. */
-static inline void glint_list_light(const glint_frame *frame, glint_draw *draw, uint32_t triangle) {
-    if (GLINT_SMALL || draw->light)
+/** Lights a triangle that is going to be seen, as far as that comes before it is drawn, unless its corners are lit. */
+static inline void glint_list_light(const glint_frame *frame, glint_draw *draw, const glint_vertex *const v[3],
+                                    uint32_t triangle) {
+    if (draw->light && !(v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_NORMAL))
         draw->light(frame, draw, &draw->transform, triangle);
 }
 

@@ -5,36 +5,40 @@
 #include "../pixel/format.h"
 #include "parts.h"
 
+/* Compilers call it even in freestanding code; here the library does. */
+void *memset(void *bytes, int value, size_t size);
+
 /* What lights an object. */
 static const glint_evaluation *evaluation_of(const glint_frame *frame, const glint_object *object) {
-    const glint_fast *fast = frame->config.format->fast;
-    if (fast && fast->serves(frame, object))
-        return fast->evaluation;
+    const glint_suns_stage *suns = glint_find_suns(frame->scene);
+    if (suns && suns->serves(frame, glint_shading_of(frame, object->material), object))
+        return suns->evaluation;
     return object->evaluation ? object->evaluation : &glint_per_fragment;
 }
 
 /* What a draw keeps beyond its vertices. */
-static int keeps_positions(const glint_evaluation *evaluation, const glint_transform *transform) {
-    return transform->clips || evaluation->lit_at != GLINT_LIT_AT_FRAGMENTS;
-}
-
 static int keeps_extra(const glint_evaluation *evaluation, const glint_object *object) {
     return glint_has_colours(object->mesh) ||
            (evaluation->lit_at == GLINT_LIT_AT_VERTICES && (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0);
+}
+
+/* Returns the bytes that a vertex keeps of lights. */
+static size_t terms_size(const glint_frame *frame, const glint_object *object, const glint_evaluation *evaluation) {
+    const glint_suns_stage *suns = glint_find_suns(frame->scene);
+    return suns && evaluation == suns->evaluation ? suns->vertex_size(glint_shading_of(frame, object->material)) : 0;
 }
 
 size_t glint_draw_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,
                        size_t vertices, size_t triangles, int has_list) {
     const glint_evaluation *evaluation = evaluation_of(frame, object);
     size_t size = GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(vertices * sizeof(glint_vertex));
-    if (keeps_positions(evaluation, transform))
+    if (transform->clips)
         size += GLINT_ALIGNED(vertices * sizeof(glint_position));
-    if (keeps_extra(evaluation, object) || evaluation->has_terms)
+    if (keeps_extra(evaluation, object))
         size += GLINT_ALIGNED(vertices * 3 * sizeof(int16_t));
+    size += GLINT_ALIGNED(vertices * terms_size(frame, object, evaluation));
     if (evaluation->lit_at == GLINT_LIT_AT_FACETS)
         size += GLINT_ALIGNED(triangles * 3 * sizeof(int16_t));
-    if (evaluation->nodes)
-        size += GLINT_ALIGNED(vertices * glint_shading_of(frame, object->material)->node_size);
     if (!has_list && glint_cull_of(object->mesh))
         size += GLINT_ALIGNED(object->mesh->clusters->count);
     if (has_list || !object->mesh->triangles)
@@ -57,7 +61,20 @@ static uint32_t find_unreached(const glint_frame *frame, const glint_object *obj
 /* Does nothing light an object, nor give it colours? */
 static int is_of_one_colour(const glint_object *object, const glint_draw *draw) {
     return !glint_has_colours(object->mesh) &&
-           (!object->material->model->light || !(draw->shading->lights & ~draw->unreached));
+           (!object->material->model->is_lit || !(draw->shading->lights & ~draw->unreached));
+}
+
+/* Sets the one colour of an object: that of the last one where both are of one material. */
+static void set_flat(const glint_frame *frame, glint_draw *draw, const glint_draw *last) {
+    int32_t colour[3];
+    if (last && last->shading == draw->shading && last->draw_triangle == draw->draw_triangle) {
+        draw->flat = last->flat;
+        draw->packed = last->packed;
+        return;
+    }
+    glint_channels_of(draw->shading->ambient, colour);
+    draw->flat = glint_flat_lanes(&frame->config, colour);
+    draw->packed = glint_pack(frame->config.format, draw->flat);
 }
 
 glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_transform *transform, uint32_t vertices,
@@ -65,41 +82,41 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
     const glint_object *object = &frame->scene->objects[frame->object];
     const glint_evaluation *evaluation = evaluation_of(frame, object);
     glint_draw *draw = glint_take(&frame->memory, sizeof *draw);
-    *draw = (glint_draw){0};
+    memset(draw, 0, offsetof(glint_draw, triangles));
     frame->memory.low += list;
     draw->vertices = glint_take(&frame->memory, vertices * sizeof *draw->vertices);
-    if (keeps_positions(evaluation, transform))
+    if (transform->clips)
         draw->positions = glint_take(&frame->memory, vertices * sizeof *draw->positions);
     if (keeps_extra(evaluation, object))
         draw->extra = glint_take(&frame->memory, vertices * sizeof *draw->extra);
     if (evaluation->lit_at == GLINT_LIT_AT_FACETS)
         draw->facets = glint_take(&frame->memory, triangles * sizeof *draw->facets);
-    if (evaluation->has_terms)
-        draw->terms = glint_take(&frame->memory, vertices * sizeof *draw->terms);
+    draw->terms = glint_take(&frame->memory, vertices * terms_size(frame, object, evaluation));
     draw->evaluation = evaluation;
     draw->light = evaluation->light;
     draw->double_sided = (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
-    draw->kernel = draw->double_sided ? evaluation->sides : evaluation->kernel;
+    draw->draw_triangle = evaluation->draw_triangle;
     draw->shading = glint_shading_of(frame, object->material);
     draw->unreached = find_unreached(frame, object, draw->shading->lights);
-    if (evaluation->nodes)
-        draw->nodes = glint_take(&frame->memory, vertices * draw->shading->node_size);
-    if (!GLINT_SMALL && is_of_one_colour(object, draw)) {
+    if (is_of_one_colour(object, draw)) {
         draw->light = 0;
-        draw->kernel = glint_draw_unlit;
-        glint_channels_of(draw->shading->ambient, draw->even);
-        glint_finish_colours(&frame->config, &draw->even, 1);
+        draw->draw_triangle = glint_flat_of(frame->config.format);
+        set_flat(frame, draw, last);
     }
-    draw->is_costly = !GLINT_SMALL && evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS && draw->light && !draw->terms;
+    draw->is_costly = !GLINT_SMALL && evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS && draw->light &&
+                      evaluation == &glint_per_fragment;
     draw->object = frame->object;
     draw->first_triangle = frame->triangle;
     draw->first = last ? (uint16_t)(last->first + last->count) : 0;
     draw->transform = *transform;
+    if (draw->light)
+        glint_transform_begin_normals(&draw->transform, frame->view, &object->pose);
     draw->cull = glint_cull_of(object->mesh);
     draw->normals = object->mesh->normals;
-    if (!draw->normals && draw->light && evaluation->lit_at != GLINT_LIT_AT_FACETS)
+    if (!draw->normals && draw->light && evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS)
         draw->light = object->mesh->layout->normals.type->stage->light;
     draw->mirrored = transform->mirrored;
+    draw->is_wide = glint_transform_is_wide(transform);
     frame->has_costly = !GLINT_SMALL && (draw->is_costly || (last && frame->has_costly));
     if (last)
         last->next = draw;
@@ -167,10 +184,11 @@ static void find_transform(const glint_frame *frame, glint_transform *transform)
     if (!behind ||
         (!GLINT_SMALL && behind < frame->waiting && (const uint8_t *)(glint_last_transform(frame) - behind) >= taken)) {
         *transform = *(glint_last_transform(frame) - behind);
-        glint_transform_place(transform, frame->view);
     } else {
         glint_transform_prepare(transform, frame->view, &frame->config, &frame->scene->objects[frame->object]);
     }
+    if (transform->visible)
+        glint_transform_place(transform, frame->view);
 }
 
 /* All objects. @return 0 when the arena is too small for them */

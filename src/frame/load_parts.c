@@ -172,6 +172,7 @@ static int load_object(glint_frame *frame, glint_draw **last, const glint_strip 
         frame->stats.hidden += !frame->extents; /* with them, it has been counted */
         return 1;
     }
+    glint_transform_place(&sight->transform, frame->view);
     if (!share_room(frame, object, transform, shown, &p))
         return 0;
     glint_sight_begin(sight, frame, object, p.seen, p.seen_size);
@@ -235,8 +236,8 @@ static void learn_bytes(glint_frame *frame, uint32_t tiles) {
     const uint32_t shown = frame->extents && frame->covers_end ? count_all_shown(frame, tiles) : 0;
     if (shown < 64) /* too few to tell */
         return;
-    const uint32_t used = (uint32_t)(frame->vertices_end - frame->prepared_end), bytes = 1 + (used + used / 2) / shown;
-    frame->part_bytes = (uint16_t)((frame->part_bytes + bytes + 1) / 2);
+    const size_t used = frame->vertices_end - frame->prepared_end, bytes = 1 + (used + used / 2) / shown;
+    frame->part_bytes = (frame->part_bytes + bytes + 1) / 2;
 }
 
 /* Bytes of a triangle that may show, until some were loaded, where vertices keep little. */
@@ -262,7 +263,7 @@ static glint_status begin_parts(glint_frame *frame) {
     for (uint32_t i = 0; i < frame->scene->object_count && !GLINT_SMALL; i++) {
         const size_t bytes = guess_bytes(frame, &frame->scene->objects[i]);
         if (bytes > frame->part_bytes)
-            frame->part_bytes = (uint16_t)bytes;
+            frame->part_bytes = bytes;
     }
     return glint_extents_find(frame);
 }
@@ -288,7 +289,8 @@ glint_status glint_load_parts(glint_frame *frame) {
         if (loaded > 0 || frame->pass_tiles == 1 || (loaded < 0 && loaded != GLINT_ERROR_ARENA))
             break;
         frame->pass_tiles = (uint16_t)((frame->pass_tiles + 1) / 2);
-        frame->part_bytes += frame->part_bytes / 2;
+        if (frame->part_bytes < frame->memory.high) /* beyond, no tile is added to a pass for what it may take */
+            frame->part_bytes += frame->part_bytes / 2;
     }
     if (loaded < 0)
         return (glint_status)loaded;

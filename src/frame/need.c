@@ -6,6 +6,7 @@
 #include "need.h"
 
 #include "../geometry/layout.h"
+#include "../light/corners.h"
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
 #include "cull.h"
@@ -56,22 +57,12 @@ static GLINT_NOINLINE glint_status count_triangle(const glint_frame *frame, cons
     return GLINT_OK;
 }
 
-/* What lights nodes; null where no object of the scene has them. */
-static const glint_node_stage *stage_of(const glint_scene *scene) {
-    for (uint32_t i = 0; i < scene->object_count; i++)
-        if (scene->objects[i].evaluation && scene->objects[i].evaluation->nodes)
-            return scene->objects[i].evaluation->nodes;
-    return 0;
-}
-
 GLINT_NOINLINE size_t glint_need_object(glint_frame *frame, const glint_object *object,
                                         const glint_transform *transform) {
     const glint_mesh *mesh = object->mesh;
-    const glint_node_stage *nodes = stage_of(frame->scene);
     glint_shading shading = {0};
     glint_prepare_shading(frame, &shading, object->material);
     frame->shading = &shading;
-    shading.node_size = nodes ? nodes->measure(frame, &shading) : 0;
     const size_t size = glint_draw_size(frame, object, transform, mesh->vertex_count, mesh->triangle_count, 0);
     frame->shading = 0;
     return size;
@@ -83,6 +74,7 @@ static glint_status count_object(glint_frame *frame, const glint_object *object,
     glint_transform transform;
     glint_walk walk;
     glint_transform_prepare(&transform, frame->view, &frame->config, object); /* the view had no error */
+    glint_transform_place(&transform, frame->view);
     if (!transform.visible)
         return GLINT_OK;
     glint_status status = GLINT_OK;
@@ -96,22 +88,10 @@ static glint_status count_object(glint_frame *frame, const glint_object *object,
     return status;
 }
 
-/* Adds what a material takes where nodes are lit. */
-static void count_terms(glint_frame *frame, const glint_shading *shading, glint_tally *sum) {
-    const glint_node_stage *stage = stage_of(frame->scene);
-    frame->shading = shading;
-    const size_t size = stage ? stage->measure(frame, shading) : 0;
-    frame->shading = 0;
-    if (!size)
-        return;
-    sum->materials += GLINT_ALIGNED(stage->size);
-    sum->nodes = GLINT_ALIGNED(3 * size) > sum->nodes ? GLINT_ALIGNED(3 * size) : sum->nodes;
-}
-
 /* Bytes of distinct materials, each checked. */
 static GLINT_NOINLINE glint_status count_materials(glint_frame *frame, glint_tally *sum) {
     const glint_scene *scene = frame->scene;
-    const glint_fast *fast = frame->config.format->fast;
+    const glint_suns_stage *suns = glint_find_suns(scene);
     glint_shading shading;
     glint_status status = GLINT_OK;
     for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++) {
@@ -123,10 +103,8 @@ static GLINT_NOINLINE glint_status count_materials(glint_frame *frame, glint_tal
         shading = (glint_shading){0};
         status = glint_prepare_shading(frame, &shading, scene->objects[i].material);
         sum->materials += GLINT_ALIGNED(sizeof shading);
-        if (status == GLINT_OK)
-            count_terms(frame, &shading, sum);
-        if (fast && status == GLINT_OK)
-            fast->need(frame, &shading, &sum->materials, &sum->tables);
+        if (suns && status == GLINT_OK)
+            suns->need(frame, &shading, &sum->materials, &sum->tables);
     }
     return status;
 }
@@ -158,13 +136,14 @@ glint_status glint_need_begin(glint_frame *frame, glint_view *view, const glint_
 
 void glint_need_end(const glint_frame *frame, const glint_tally *sum, glint_need *need) {
     const size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame->config) +
-                            GLINT_ALIGNED(glint_view_size(frame->scene)) + sum->materials;
+                            GLINT_ALIGNED(glint_view_size(frame->scene)) +
+                            GLINT_ALIGNED(glint_corners_size(frame->scene)) + sum->materials;
     const size_t behind = sum->tables ? glint_room_behind_tables(sum->tables) : 0;
     const size_t quarter = size_lists(sum, glint_quarter_of_tiles(frame),
                                       larger_of(larger_of(sum->of_quarter[0], sum->of_quarter[1]),
                                                 larger_of(sum->of_quarter[2], sum->of_quarter[3])));
     const size_t lists = size_lists(sum, frame->tile_count, sum->references);
-    need->least = prepared + GLINT_LEAST_ROOM + sum->nodes;
+    need->least = prepared + GLINT_LEAST_ROOM;
     need->resident = larger_of(prepared + sum->tables + larger_of(sum->vertices + quarter, behind), need->least);
     need->one_pass = prepared + sum->tables + larger_of(sum->vertices + lists, behind);
     need->one_pass = larger_of(need->one_pass, need->resident);

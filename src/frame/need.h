@@ -10,7 +10,6 @@ typedef struct glint_tally {
     size_t vertices, references, clipped; /* bytes, counts */
     size_t of_quarter[4];                 /* references in each quarter of the tiles */
     size_t materials, tables;             /* bytes */
-    size_t nodes;                         /* bytes of a triangle's */
 } glint_tally;
 
 /** Checks a scene, all but its meshes' indices, prepares frame and view, and begins a tally with the materials. */

@@ -5,7 +5,6 @@
  * and g^2 = f^2 + (half of the screen)^2: of points P and Q of an edge, of which Q lies on the screen, x_p - x_q is f
  * (X_p - X_q - (X_q / w_q) (w_p - w_q)) / w_p. Lengths are Q28 2^-down.
  */
-#include "../fast/fast.h"
 #include "../geometry/layout.h"
 #include "need.h"
 
@@ -194,6 +193,7 @@ static GLINT_NOINLINE glint_status count_turned(glint_frame *frame, const glint_
     glint_transform transform;
     turned_object t;
     glint_transform_prepare(&transform, frame->view, &frame->config, object); /* the view had no error */
+    glint_transform_place(&transform, frame->view);
     if (object->hidden || transform.skipped)
         return GLINT_OK;
     set_axes(&t, object);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Pick: which triangle a pixel shows. Draws that pixel with a kernel that keeps what passes the depth test last. */
-#include "../raster/runs.h"
+#include "../raster/depth.h"
+#include "../raster/triangle.h"
 #include "../scene/config.h"
 #include "frame.h"
 
@@ -31,31 +32,35 @@ static int is_clipped(const glint_frame *frame, const glint_triangle *triangle) 
     return corner >= (const uint8_t *)frame->clipped; /* up to the arena's end; vertices lie below */
 }
 
-static void pick_pixel(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                       const glint_triangle *triangle, const glint_part *part) {
-    picker *const p = (picker *)(void *)workspace; /* its first member */
-    const glint_span span = part->spans[p->row], pixel = {(uint8_t)p->column, (uint8_t)(p->column + 1)};
-    uint16_t *const depth = workspace->depth + (p->row << frame->tile_shift_x);
-    glint_run run;
-    if (p->row < part->top || p->row >= part->bottom || p->column < span.left || p->column >= span.right)
+/* Keeps a triangle that is the nearest so far at the pixel. */
+static void pick_pixel(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+    picker *const p = (picker *)(void *)walk->workspace; /* its first member */
+    const glint_draw *draw = walk->draw;
+    if (row != (int32_t)p->row || left > (int32_t)p->column || right <= (int32_t)p->column)
         return;
-    const uint32_t z = (uint32_t)glint_plane_at(&part->depth, part->x + (int32_t)p->column, part->y + (int32_t)p->row) +
-                       GLINT_DEPTH_BIAS;
-    if (glint_find_deep_runs(depth, pixel, z, 0, p->row, &run) == &run)
+    glint_begin_depth(walk);
+    uint16_t *const depth = walk->depth + (p->row << walk->shift) + p->column;
+    const int32_t z = glint_most((int32_t)glint_z_at(walk, row, (int32_t)p->column), GLINT_DEPTH_BIAS);
+    if (!glint_is_nearest((uint8_t *)depth, (uint32_t)z))
         return;
-    const uint32_t number = is_clipped(frame, triangle)
-                                ? ((const glint_clipped *)(const void *)triangle->corners[0])->triangle
-                                : find_number(draw, triangle);
+    const uint32_t number = is_clipped(walk->frame, &walk->triangle)
+                                ? ((const glint_clipped *)(const void *)walk->triangle.corners[0])->triangle
+                                : find_number(draw, &walk->triangle);
     p->found = 1;
     p->hit.object = draw->object;
     p->hit.triangle = draw->first_triangle + (draw->origin ? draw->origin[number] : number);
-    p->hit.depth = depth[p->column];
+    p->hit.depth = *depth;
 }
 
-/* Draws a pass with that kernel. */
+static void pick_triangle(glint_row_walk *walk) {
+    walk->draw_span = pick_pixel;
+    glint_walk_triangle(walk);
+}
+
+/* Draws a pass by that function. */
 static void pick_pass(glint_frame *frame, picker *p) {
     for (glint_draw *draw = frame->draws; draw; draw = draw->next)
-        draw->kernel = pick_pixel;
+        draw->draw_triangle = pick_triangle;
     frame->has_costly = 0;
     glint_render_tile(frame, &p->workspace, frame->tile_first);
 }

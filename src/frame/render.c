@@ -92,7 +92,7 @@ static void init_workspace(glint_workspace *workspace, const glint_config *confi
     } else if (config->flush.wait) {
         workspace->row = (void *)((uint8_t *)workspace->pixels + 2 * glint_second_pixels(config));
     }
-    workspace->gathered = (void *)workspace->row;
+    workspace->lamps = (void *)workspace->row;
 }
 
 glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
@@ -117,7 +117,6 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
     renderer->kept = (glint_kept){frame.shading, frame.shading_count, frame.prepared_end};
     uint8_t *first = workspace.pixels;
     uint8_t *second = config.flush.wait ? first + glint_second_pixels(&config) : first;
-    workspace.drawn = config.counts_drawn ? frame.stats.drawn : 0;
     sender s = {&config.flush, {first, second}, 0, 0, 0};
     status = render_passes(&frame, &workspace, &s);
     if (wait_for_flush(&s) && status == GLINT_OK)

@@ -2,17 +2,37 @@
 /* Tile: draws the triangles that a pass lists for one tile. */
 #include "../light/evaluation.h"
 #include "../pixel/pixel.h"
-#include "../raster/runs.h"
+#include "../raster/depth.h"
+#include "../raster/triangle.h"
 #include "frame.h"
-
-/* Compilers call these two even in freestanding code; here the library does. */
-void *memcpy(void *to, const void *from, size_t size);
-void *memset(void *bytes, int value, size_t size);
 
 void glint_repeat(void *bytes, size_t period, size_t size) {
     uint8_t *first = bytes;
     for (size_t done = period; done < size; done *= 2)
         memcpy(first + done, first, done);
+}
+
+/* Blocks of the loop below. */
+#define FILL_BLOCK 64
+
+void glint_fill_words(void *bytes, uint32_t word, size_t size) {
+#if defined(__GNUC__) && defined(__arm__) && !GLINT_SMALL
+    if (size % FILL_BLOCK == 0) { /* no compiler makes these instructions of C */
+        register uint32_t a __asm__("r2") = word, b __asm__("r3") = word, c __asm__("r4") = word,
+                            d __asm__("r5") = word;
+        uint8_t *to = bytes, *const end = to + size;
+        do
+            __asm__ volatile("stmia %0!, {%1, %2, %3, %4}\n\tstmia %0!, {%1, %2, %3, %4}\n\t"
+                             "stmia %0!, {%1, %2, %3, %4}\n\tstmia %0!, {%1, %2, %3, %4}"
+                             : "+l"(to)
+                             : "l"(a), "l"(b), "l"(c), "l"(d)
+                             : "memory");
+        while (to != end);
+        return;
+    }
+#endif
+    memcpy(bytes, &word, sizeof word);
+    glint_repeat(bytes, sizeof word, size);
 }
 
 static uint32_t tile_pixels(const glint_config *config) {
@@ -30,9 +50,8 @@ void glint_workspace_init(glint_workspace *workspace, const glint_config *config
     workspace->stride = glint_row_bytes(config->format, width);
     void *const last = (uint8_t *)workspace->pixels + workspace->stride * height;
     workspace->row = last;
-    workspace->gathered = last;
+    workspace->lamps = last;
     workspace->spare = (glint_spare){0, 0, 0};
-    workspace->drawn = 0;
 }
 
 static int paint(const glint_painter *painter, const glint_frame *frame, const glint_workspace *workspace,
@@ -78,11 +97,11 @@ static GLINT_NOINLINE void turn_round(glint_triangle *triangle, const glint_draw
     }
 }
 
-/* The draw whose triangles come now, and their numbers in the pass; none unless they are corners alone, of front faces.
- */
+/* The draw whose triangles come now, and their numbers in the pass; none where they are more than corners. */
 typedef struct draw_source {
     const glint_draw *draw;
     uint32_t first, count;
+    int may_turn; /* corners may run clockwise on the screen */
 } draw_source;
 
 static inline const uint16_t *find_corners(const glint_draw *draw, uint32_t i, glint_triangle *t) {
@@ -119,23 +138,27 @@ static GLINT_NOINLINE void find_any_triangle(const glint_frame *frame, draw_sour
         for (int i = 0; i < 3 && draw->extra; i++)
             t->extra[i] = draw->extra[indices[i]];
     }
-    const int one_side = !draw->mirrored && !draw->double_sided;
-    t->facet = draw->facets ? draw->facets[number] : 0;
+    t->index = number;
     t->back = 0;
-    if (!one_side)
-        turn_round(t, draw);
     from->draw = draw;
     from->first = draw->first;
-    from->count = one_side && !draw->facets && !draw->extra ? draw->count : 0;
+    from->count = draw->extra ? 0 : draw->count;
+    from->may_turn = draw->mirrored || draw->double_sided;
+    if (from->may_turn)
+        turn_round(t, draw);
 }
 
 /* A triangle by its number; a list names draws in order, none before the one that triangles come from. */
 static inline void find_triangle(const glint_frame *frame, draw_source *from, uint32_t number, glint_triangle *t) {
     const uint32_t i = number - from->first;
-    if (i < from->count)
+    if (i < from->count) {
         find_corners(from->draw, i, t);
-    else
+        t->index = i;
+        if (from->may_turn)
+            turn_round(t, from->draw);
+    } else {
         find_any_triangle(frame, from, number, t);
+    }
 }
 
 /* Where a tile lies: it is drawn from its first pixel on, wherever the region begins, to where that ends. */
@@ -159,49 +182,51 @@ static const glint_draw *find_draw(const glint_frame *frame, const glint_draw *d
     return draw;
 }
 
-/* Hides what lies behind a part. Out of line, where the loop has all registers. @return whether any of it may show */
-static GLINT_NOINLINE int hide_behind(const glint_frame *frame, const glint_workspace *workspace,
-                                      const glint_part *part) {
-    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
-    uint16_t *depth = workspace->depth + (part->top << frame->tile_shift_x);
-    int32_t z = (int32_t)glint_first_row(part, &part->depth);
-    int may_show = 0;
-    do {
-        const int32_t first = glint_add_wrap(z, glint_multiply_wrap(part->depth.dx, span->left));
-        may_show |= glint_hide_behind(depth, *span, first, part->depth.dx);
-        depth += 1u << frame->tile_shift_x;
-        z = glint_add_wrap(z, part->depth.dy);
-    } while (++span != last);
-    return may_show;
+/* Hides what lies behind a span: stores its depth, a step less than it has, so that it still is nearer itself. */
+static void hide_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+    uint16_t *depth = walk->depth + ((uint32_t)row << walk->shift) + left, *const end = depth + (right - left);
+    uint32_t z = glint_z_at(walk, row, left);
+    for (; depth < end; depth++, z += (uint32_t)walk->z.dx) {
+        const uint32_t here = ((uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS) >> 15) - 1;
+        if (here >= *depth) {
+            *depth = (uint16_t)here;
+            walk->packed = 1; /* it may show */
+        }
+    }
+}
+
+static void begin_hiding(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+    glint_begin_depth(walk);
+    walk->draw_span = hide_span;
+    hide_span(walk, row, left, right);
 }
 
 /*
  * Hides what of a costly object lies behind those that are drawn later: light that nobody sees costs more than depth
- * that is found twice. Of those that are drawn later, triangles that do not show leave the list, unless what is
- * drawn is counted. Pixels are the same whatever is hidden here.
+ * that is found twice. Of those that are drawn later, triangles that do not show leave the list. Pixels are the same
+ * whatever is hidden here.
  */
-static GLINT_NOINLINE void hide_objects(const glint_frame *frame, glint_workspace *workspace, glint_part *part,
-                                        glint_reference *list) {
+static GLINT_NOINLINE void hide_objects(const glint_frame *frame, glint_row_walk *walk, glint_reference *list) {
     glint_reference *const references = frame->references;
     const glint_draw *const first = find_draw(frame, frame->draws, references[list->next].triangle);
     const uint32_t last = find_draw(frame, first, references[list->triangle].triangle)->object;
-    draw_source from = {first, first->first, 0};
+    draw_source from = {first, first->first, 0, 0};
     uint32_t behind = last; /* the first costly object */
-    glint_triangle triangle;
     if (first->object == last)
         return;
     for (glint_reference *before = list, *here; before->next != GLINT_LIST_END; before = here) {
         here = &references[before->next];
-        find_triangle(frame, &from, here->triangle, &triangle);
+        find_triangle(frame, &from, here->triangle, &walk->triangle);
         if (from.draw->object < behind && from.draw->is_costly)
             behind = from.draw->object;
         if (from.draw->object <= behind)
             continue;
-        if (glint_raster(part, triangle.corners)) {
-            glint_setup(part, &triangle);
-            if (hide_behind(frame, workspace, part) || workspace->drawn)
-                continue;
-        }
+        walk->draw = from.draw;
+        walk->packed = 0;
+        walk->draw_span = begin_hiding;
+        glint_walk_triangle(walk);
+        if (walk->packed)
+            continue;
         before->next = here->next;
         here = before;
     }
@@ -209,25 +234,34 @@ static GLINT_NOINLINE void hide_objects(const glint_frame *frame, glint_workspac
 
 /* ---- Tiles ---- */
 
+/* Begins with the triangles of another draw. */
+static GLINT_NOINLINE void begin_draw(glint_row_walk *walk, const glint_draw *draw) {
+    walk->draw = draw;
+    walk->triangle.away = draw->unreached;
+    walk->lanes[0] = draw->flat;
+    walk->packed = draw->packed;
+}
+
 /* Draws the triangles of a tile's list. Out of line, where the loop has all registers. */
 static GLINT_NOINLINE void draw_triangles(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
     glint_reference *const references = frame->references, *const list = &references[tile - frame->tile_first];
-    draw_source from = {frame->draws, 0, 0};
-    glint_triangle triangle;
+    draw_source from = {frame->draws, 0, 0, 0};
+    glint_row_walk walk;
     glint_part part;
     place_tile(frame, &part.window, tile);
+    glint_walk_begin_tile(&walk, frame, workspace, &part);
+    glint_walk_begin_format(&walk, &frame->config);
     if (!GLINT_SMALL && frame->has_costly)
-        hide_objects(frame, workspace, &part, list);
+        hide_objects(frame, &walk, list);
+    walk.draw = 0;
     for (uint32_t here = list->next; here != GLINT_LIST_END;) {
         const glint_reference *const reference = &references[here];
-        triangle.number = reference->triangle;
-        find_triangle(frame, &from, triangle.number, &triangle);
-        triangle.away = from.draw->unreached;
+        walk.triangle.number = reference->triangle;
         here = reference->next;
-        if (!glint_raster(&part, triangle.corners))
-            continue;
-        glint_setup(&part, &triangle);
-        from.draw->kernel(frame, workspace, from.draw, &triangle, &part);
+        find_triangle(frame, &from, walk.triangle.number, &walk.triangle);
+        if (walk.draw != from.draw)
+            begin_draw(&walk, from.draw);
+        walk.draw->draw_triangle(&walk);
     }
 }
 
@@ -236,7 +270,7 @@ int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint
         if (clear(frame, workspace, tile))
             return GLINT_ERROR_PAINT;
         if (!glint_tile_is_empty(frame, tile) || frame->config.overlay.paint)
-            memset(workspace->depth, 0, tile_pixels(&frame->config) * sizeof *workspace->depth);
+            glint_fill_words(workspace->depth, 0, tile_pixels(&frame->config) * sizeof *workspace->depth);
     }
     if (frame->references[tile - frame->tile_first].next != GLINT_LIST_END)
         draw_triangles(frame, workspace, tile);

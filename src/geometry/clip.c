@@ -30,7 +30,7 @@ static int64_t distance(const glint_transform *transform, const glint_position *
 }
 
 /* a + (b - a) t, t Q31. */
-static int32_t mix(int32_t a, int32_t b, int64_t t) {
+static int32_t mix_ends(int32_t a, int32_t b, int64_t t) {
     return (int32_t)(a + glint_round_shift64(((int64_t)b - a) * t, 31));
 }
 
@@ -41,11 +41,11 @@ static int64_t crossing(int64_t inside, int64_t outside) {
 
 static void cut(const glint_corner *from, const glint_corner *to, int64_t inside, int64_t outside, glint_corner *out) {
     const int64_t t = crossing(inside, outside);
-    out->position.x = mix(from->position.x, to->position.x, t);
-    out->position.y = mix(from->position.y, to->position.y, t);
-    out->position.w = mix(from->position.w, to->position.w, t);
+    out->position.x = mix_ends(from->position.x, to->position.x, t);
+    out->position.y = mix_ends(from->position.y, to->position.y, t);
+    out->position.w = mix_ends(from->position.w, to->position.w, t);
     for (int i = 0; i < 6; i++)
-        out->attribute[i] = mix(from->attribute[i], to->attribute[i], t);
+        out->attribute[i] = mix_ends(from->attribute[i], to->attribute[i], t);
 }
 
 static int clip_at(const glint_transform *transform, int plane, const glint_corner *in, int count, glint_corner *out) {

@@ -2,6 +2,7 @@
 /* Geometry: vertices to clip space, to the screen, and their normals to camera space. */
 #include "geometry.h"
 
+#include "../math/division.h"
 #include "draw.h"
 
 /*
@@ -76,6 +77,40 @@ static GLINT_NOINLINE void transform_parallel(const glint_transform *transform, 
     }
 }
 
+/* Leading zeros of a w of 29 to 31 bits. */
+static inline uint32_t zeros_of_w(uint32_t w) {
+    if (GLINT_COUNTS_ZEROS)
+        return glint_leading_zeros(w);
+    return w >> 30 ? 1 : w >> 29 ? 2 : 3;
+}
+
+/*
+ * Vertices of objects that the short matrix serves. With w = W 2^zeros in 32 bits, its 16 high bits rounded, 2^47 / w
+ * is found to within 2^-16 of itself.
+ */
+static GLINT_NOINLINE void transform_brief(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
+                                           uint32_t count, glint_vertex *vertex) {
+    const glint_short_matrix *m = &transform->brief;
+    const int32_t center_x = transform->center_x, center_y = transform->center_y;
+    for (const glint_vertex *end = vertex + count; vertex < end; vertex++, p++, first++) {
+        GLINT_OPAQUE(m);      /* else all of it is copied to the stack, which saves no load */
+        GLINT_OPAQUE(vertex); /* else gcc counts in another way */
+        GLINT_OPAQUE(p);
+        GLINT_OPAQUE(first);
+        const int32_t x = (*p)[0], y = (*p)[1], z = (*p)[2];
+        const uint32_t w = (uint32_t)(m->w[3] + m->w[0] * x + m->w[1] * y + m->w[2] * z), zeros = zeros_of_w(w);
+        const int32_t r = glint_reciprocal16(((w << zeros >> 15) + 1) >> 1);
+        const int32_t sx = glint_shift_right(m->x[3] + m->x[0] * x + m->x[1] * y + m->x[2] * z, 16) * r;
+        const int32_t sy = glint_shift_right(m->y[3] + m->y[0] * x + m->y[1] * y + m->y[2] * z, 16) * r;
+        const uint32_t down = m->shift - zeros;
+        vertex->inverse_w = (int32_t)(m->nearest * (uint32_t)r >> (m->depth_shift - zeros));
+        vertex->x = (int16_t)glint_shift_right(glint_shift_right(sx, down) + center_x, 11);
+        vertex->y = (int16_t)glint_shift_right(glint_shift_right(sy, down) + center_y, 11);
+        vertex->attribute[0] = (int16_t)(uint16_t)first;
+        vertex->flags = 0;
+    }
+}
+
 /* Vertices that are nowhere clipped, and whose positions are not kept. */
 static GLINT_NOINLINE void transform_inside(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
                                             uint32_t count, glint_vertex *vertex) {
@@ -113,7 +148,11 @@ static GLINT_NOINLINE void transform_kept(const glint_transform *transform, cons
 /* Any vertices. */
 static GLINT_INLINE void transform_all(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
                                        uint32_t count, glint_vertex *vertex, glint_position *position) {
-    if (!position && !GLINT_SMALL)
+    if (transform->brief.serves) {
+        transform_brief(transform, p, first, count, vertex);
+        for (uint32_t i = 0; i < count && position; i++)
+            position[i] = to_clip_space(transform, p[i]);
+    } else if (!position && !GLINT_SMALL)
         transform_inside(transform, p, first, count, vertex);
     else if (transform->clips & GLINT_PARALLEL)
         transform_parallel(transform, p, first, count, vertex, position);
@@ -167,20 +206,4 @@ void glint_transform_normals(const glint_frame *frame, glint_draw *draw, const g
         if (!(vertex->flags & GLINT_VERTEX_NORMAL))
             glint_transform_normal(draw, vertex);
     }
-}
-
-void glint_ray(const glint_transform *transform, const glint_view *view, const int64_t sum[3], int32_t count,
-               int32_t ray[3], int32_t *inverse_w) {
-    /* Half pixels, Q12, as rays of fragments are: x and y in guard bands, w in focal lengths; below 2^60. */
-    const int64_t long_ray[3] = {-sum[0] * (2 * GLINT_GUARD_BAND * 4096), sum[1] * (2 * GLINT_GUARD_BAND * 4096),
-                                 sum[2] * view->focal};
-    /* 1/w is relative to the nearest w; only its ratio to the ray matters */
-    int64_t nearest = (int64_t)transform->nearest * count * ((int64_t)1 << 31);
-    uint64_t bits = (uint64_t)nearest;
-    for (int i = 0; i < 3; i++)
-        bits |= glint_magnitude64(long_ray[i]);
-    unsigned size = glint_bits64(bits), shift = size > 30 ? size - 30 : 0;
-    for (int i = 0; i < 3; i++)
-        ray[i] = (int32_t)glint_shift_right64(long_ray[i], shift);
-    *inverse_w = (int32_t)glint_shift_right64(nearest, shift);
 }

@@ -6,17 +6,33 @@
 #include "../math/product.h"
 #include "../scene/view.h"
 
+/**
+ * Mesh steps to the screen in products of 16 bits, for objects that are nowhere clipped, whose w differs by a factor of
+ * 4 at most, and that lie within a quarter of the guard band, 256 pixels, of the screen's centre. Off by less than half
+ * a sixteenth of a pixel beyond rounding, and by 2^-15 of 1/w.
+ */
+typedef struct glint_short_matrix {
+    /* Clip coordinates of a step, 15 bits and a sign, and of step 0, 31 bits, of x and y with a half for rounding; rows
+     * of x and y are times one power of two, that of w times another. */
+    int32_t x[4], y[4], w[4];
+    uint32_t nearest; /* of the frame, 16 bits */
+    uint8_t serves;
+    uint8_t shift;       /* from X / W to sixteenths, Q11, and from a reciprocal to 1/w, for a W of 31 bits */
+    uint8_t depth_shift; /* the same of 1/w */
+} glint_short_matrix;
+
 /** Mesh steps to clip space, and object normals to camera space. */
 typedef struct glint_transform {
     glint_row matrix[3]; /* rows x, y, w: clip coordinate of 2^15 steps */
     int32_t translation[3];
-    glint_row normal[3];
+    glint_row normal[3];         /* of draws that are lit */
     int32_t exponent;            /* a clip unit is 2^-exponent */
     int32_t near_plane, least_w; /* w of the near plane, and of the nearest corner of the box */
     int32_t nearest;             /* w of the frame, no more than any of the object's that is seen; of parallel rays w */
     int32_t center_x, center_y;  /* of the screen, 28.4 and 11 bits for rounding */
     uint8_t visible, clips, mirrored;
     uint8_t skipped; /* it has nothing to draw, and is left out */
+    glint_short_matrix brief;
 } glint_transform;
 
 /** A bit of glint_transform.clips: rays are parallel, and positions have their distance in place of w. */
@@ -33,9 +49,8 @@ typedef struct glint_eye {
 void glint_transform_eye(const glint_transform *transform, glint_eye *eye);
 
 #define GLINT_VERTEX_CLIP 1u   /* in front of the near plane or outside the guard band: x, y and 1/w are not valid */
-#define GLINT_VERTEX_LIT 2u    /* its terms of fast lighting are known */
+#define GLINT_VERTEX_LIT 2u    /* the vectors that it keeps are known: light/suns.c */
 #define GLINT_VERTEX_NORMAL 4u /* its normal is known; until then its number in the mesh stands in attribute[0] */
-/* The other flags tell of these terms: fast_vertices.c. */
 
 typedef struct glint_vertex {
     int32_t inverse_w;    /* Q31 */
@@ -61,11 +76,24 @@ static inline int glint_mesh_is_empty(const glint_mesh *mesh) {
 glint_status glint_transform_prepare(glint_transform *transform, const glint_view *view, const glint_config *config,
                                      const glint_object *object);
 
+/** Sets an object's matrix of normals. */
+void glint_transform_begin_normals(glint_transform *transform, const glint_view *view, const glint_pose *pose);
+
 /** The part of it that needs view->nearest, anew. */
 void glint_transform_place(glint_transform *transform, const glint_view *view);
 
 /** Smallest w of the object's bounding box, Q28, no less than the near plane. */
 int64_t glint_transform_nearest(const glint_transform *transform, const glint_view *view);
+
+/**
+ * May w of an object's corners differ by a factor above 8, or 1/w be so small that its differences need all their bits,
+ * or are rays parallel?
+ */
+static inline uint8_t glint_transform_is_wide(const glint_transform *transform) {
+    const int32_t least = transform->least_w, half = transform->translation[2] - least;
+    return transform->clips || half / 4 > least || /* the farthest is twice the half more */
+           glint_shift_right(least / 2 + half, 12) > transform->nearest;
+}
 
 /** Transforms vertices of a mesh from `first` on, all but their normals; positions may be null if nothing clips. */
 typedef void glint_transform_some(const glint_transform *transform, const glint_mesh *mesh, uint32_t first,
@@ -80,10 +108,6 @@ void glint_transform_steps(const glint_transform *transform, const int16_t (*p)[
 
 /** Screen position and 1/w of clip coordinates inside the guard band and beyond the near plane. */
 void glint_project(const glint_transform *transform, const glint_position *position, glint_vertex *vertex);
-
-/** Ray towards the eye and 1/w, as fragments have them, of the mean of some positions anywhere, given their sum. */
-void glint_ray(const glint_transform *transform, const glint_view *view, const int64_t sum[3], int32_t count,
-               int32_t ray[3], int32_t *inverse_w);
 
 /** Most corners of a clipped triangle: each of 5 planes adds one. */
 #define GLINT_CLIP_CORNERS 8

@@ -2,8 +2,6 @@
 /* Transform: an object's pose under the camera, with ranges checked once so that no vertex can overflow. */
 #include "geometry.h"
 
-#define RANGE ((int64_t)1 << 45) /* Q28: 2^17 units */
-
 /* Coordinates are rounded to a step or two: this keeps w above 0. */
 #define SMALLEST_W 16
 
@@ -11,89 +9,241 @@ int64_t glint_shift_round64(int64_t x, int shift) {
     return shift > 0 ? glint_round_shift64(x, (unsigned)shift) : x * ((int64_t)1 << -shift);
 }
 
-/* The same where the result has 30 bits: half of it is added in 32, but in a library built for size. */
-static inline int32_t shift_round_to_30(int64_t x, int shift) {
-    if (GLINT_SMALL)
-        return (int32_t)glint_shift_round64(x, shift);
-    if (shift <= 0)
-        return (int32_t)x * (1 << -shift);
-    const int32_t twice = (int32_t)glint_shift_right64(x, (unsigned)shift - 1);
-    return glint_shift_right(twice, 1) + (twice & 1);
-}
+/* ---- Poses ---- */
 
-/* Exact in 64 bits: pose times mesh extent, and the mesh's origin relative to the eye as a fourth column; Q28. */
-static int place_in_world(const glint_view *view, const glint_object *object, int64_t world[3][4]) {
-    const glint_mesh *mesh = object->mesh;
-    const int32_t extent[3] = {mesh->extent.x, mesh->extent.y, mesh->extent.z};
-    const int32_t offset[3] = {mesh->offset.x, mesh->offset.y, mesh->offset.z};
-    uint64_t bits = 0;
-    for (int i = 0; i < 3; i++) {
-        world[i][3] = ((int64_t)object->pose.m[i][3] - view->eye[i]) * (1 << 12);
-        for (int j = 0; j < 3; j++) {
-            world[i][j] = glint_shift_round64(glint_product(object->pose.m[i][j], extent[j]), 4);
-            if (GLINT_SMALL || offset[j])
-                world[i][3] += glint_shift_round64(glint_product(object->pose.m[i][j], offset[j]), 4);
-            bits |= glint_magnitude64(world[i][j]);
-        }
-        bits |= glint_magnitude64(world[i][3]);
-    }
-    return bits < (uint64_t)RANGE;
-}
-
-/* Three rows of so many, the largest number brought to 30 bits. @return n: they were 2^n times as large. */
-static int rows_to_30_bits(int64_t x[3][4], int columns, int32_t out[3][4]) {
+/* Three rows of three, the largest number brought to 30 bits. */
+static void rows_to_30_bits(int64_t x[3][3], int32_t out[3][3]) {
     uint64_t bits = 0;
     for (int i = 0; i < 3; i++)
-        for (int j = 0; j < columns; j++)
+        for (int j = 0; j < 3; j++)
             bits |= glint_magnitude64(x[i][j]);
-    int shift = (int)glint_bits64(bits) - 30;
+    const int shift = (int)glint_bits64(bits) - 30;
     for (int i = 0; i < 3; i++)
-        for (int j = 0; j < columns; j++)
-            out[i][j] = shift_round_to_30(x[i][j], shift);
-    return shift;
+        for (int j = 0; j < 3; j++)
+            out[i][j] = (int32_t)glint_shift_round64(x[i][j], shift);
 }
 
-/* The camera's rotation of so many columns below 2^30, times 2^4. */
-static void rotate(const glint_view *view, int32_t in[3][4], int columns, int64_t out[3][4]) {
+/* Cofactors of three columns, brought to 30 bits by way of `wide`. @return the determinant on their scale */
+static int64_t find_cofactors(int32_t p[3][3], int64_t wide[3][3], int32_t cofactor[3][3]) {
+    static const uint8_t next[3] = {1, 2, 0};
+    int64_t determinant = 0;
     for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < columns; j++) {
-            int64_t sum = 0;
-            for (int k = 0; k < 3; k++)
-                sum += glint_product(view->rotation[i][k], in[k][j]);
-            out[i][j] = glint_shift_round64(sum, 12);
+        const int32_t *a = p[next[i]], *b = p[next[next[i]]];
+        for (int j = 0; j < 3; j++) {
+            int k = next[j], l = next[k];
+            wide[i][j] = glint_product(a[k], b[l]) - glint_product(a[l], b[k]);
         }
     }
+    rows_to_30_bits(wide, cofactor);
+    for (int j = 0; j < 3; j++)
+        determinant += glint_product(p[0][j], cofactor[0][j]);
+    return determinant;
+}
+
+/* Finds a pose's cofactors, of 30 bits. @return its determinant, or 0 where it is singular: of orthogonal axes 2^60 */
+static int64_t find_pose_cofactors(const glint_pose *pose, int64_t wide[3][3], int32_t cofactor[3][3]) {
+    int32_t p[3][3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            wide[i][j] = pose->m[i][j];
+    rows_to_30_bits(wide, p);
+    const int64_t determinant = find_cofactors(p, wide, cofactor);
+    return glint_magnitude64(determinant) < (uint64_t)1 << 36 ? 0 : determinant;
+}
+
+/* Determinants of so much, of orthogonal axes of 14 bits about 2^28, are known by their sign. */
+#define CERTAIN (1 << 19)
+
+/* The sign of the determinant of a pose that has 28 bits, or 0 where it is singular: from 14 bits, where they tell. */
+static int find_sign(const glint_pose *pose, int32_t p[3][3]) {
+    int64_t wide[3][3];
+    int32_t q[3][3], cofactor[3][3], sum = 0;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            q[i][j] = glint_shift_right(p[i][j], 14);
+    for (int j = 0; j < 3; j++) {
+        const int k = j < 2 ? j + 1 : 0, l = 3 - j - k;
+        sum += q[0][j] * glint_shift_right(q[1][k] * q[2][l] - q[1][l] * q[2][k], 14);
+    }
+    if (sum > CERTAIN || sum < -CERTAIN)
+        return sum > 0 ? 1 : -1;
+    const int64_t determinant = find_pose_cofactors(pose, wide, cofactor);
+    return determinant > 0 ? 1 : determinant < 0 ? -1 : 0;
 }
 
 /*
- * Sets rows below 2^43, none of whose magnitudes sum up to more than `largest`, so that these sums are at most 2.67
- * 2^28, a third of 2^31. @return n: they were 2^n times that.
+ * The matrix of normals so scaled that a turn keeps lengths: with rows of about 2^13 UNIT if all three are as long.
+ * The squares of all entries then sum up to at most 3 2^56, so that a transformed normal is below 3 2^28.
  */
-static int set_rows(glint_transform *transform, int64_t rows[3][4], uint64_t largest) {
-    int shift = (int)glint_bits64(largest + largest / 2) - 30;
+static void scale_normals(glint_transform *transform, int32_t matrix[3][3]) {
+    uint64_t sum = 0; /* below 9 2^60 */
     for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++)
-            glint_row_set(&transform->matrix[i], j, shift_round_to_30(rows[i][j], shift));
-        transform->translation[i] = shift_round_to_30(rows[i][3], shift);
+        for (int j = 0; j < 3; j++) {
+            const int64_t entry = matrix[i][j];
+            sum += (uint64_t)(entry * entry);
+        }
     }
-    return shift;
+    uint32_t square = (uint32_t)(sum >> 32) / 3 * 4; /* less than 2^28 only when rows differ */
+    int32_t factor = glint_inverse_root(square < 1u << 28 ? 1u << 28 : square);
+    factor -= factor >> 13; /* lengths end up just below UNIT: no component passes int16 */
+    factor = transform->mirrored ? -factor : factor;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            glint_row_set(&transform->normal[i], j,
+                          (int32_t)glint_shift_round64(glint_product(matrix[i][j], factor), 17));
 }
 
-/* Clip rows x, y, w from rows below 2^38; `largest` is to fit as well. @return n: they were 2^n times that. */
-static int bring_to_clip_space(glint_transform *transform, const glint_view *view, uint64_t largest,
-                               int64_t rows[3][4]) {
+/* The inverse transpose up to its scale: cofactors, with the determinant's sign. */
+void glint_transform_begin_normals(glint_transform *transform, const glint_view *view, const glint_pose *pose) {
+    int64_t wide[3][3];
+    int32_t cofactor[3][3];
+    find_pose_cofactors(pose, wide, cofactor);
     for (int i = 0; i < 3; i++) {
-        uint64_t sum = 0; /* the largest magnitude that the bounding box takes */
-        for (int j = 0; j < 4; j++) {
-            if (i < 2)
-                rows[i][j] = glint_shift_round64(rows[i][j] * view->focal_mantissa, (int)view->focal_shift);
-            if (i > 0) /* screen y runs down, and z towards the eye */
-                rows[i][j] = -rows[i][j];
-            sum += glint_magnitude64(rows[i][j]);
+        for (int j = 0; j < 3; j++) {
+            int64_t sum = 0;
+            for (int k = 0; k < 3; k++)
+                sum += glint_product(view->rotation[i][k], cofactor[k][j]);
+            wide[i][j] = glint_shift_round64(sum, 12);
         }
-        largest = sum > largest ? sum : largest;
     }
-    return set_rows(transform, rows, largest);
+    rows_to_30_bits(wide, cofactor);
+    scale_normals(transform, cofactor);
+}
+
+/* ---- Places ---- */
+
+/* Bits of what the camera's rotation turns (glint_turn). */
+#define TURNED_BITS 28
+
+/* Brings numbers to 2^n times what they are, rounded down. */
+static void scale_all(int32_t *x, int count, int32_t n) {
+    int32_t *const end = x + count;
+    if (n >= 0)
+        for (; x < end; x++)
+            *x = glint_shift_left(*x, (unsigned)n);
+    else
+        for (const unsigned down = (unsigned)glint_least(-n, 31); x < end; x++)
+            *x = glint_shift_right(*x, down);
+}
+
+/* Returns x 2^-n to the nearest, halves up. */
+static inline int32_t round_by(int32_t x, int32_t n) {
+    if (n <= 0)
+        return glint_shift_left(x, (unsigned)-n);
+    return n > 31 ? 0 : glint_shift_right(glint_shift_right(x, (unsigned)n - 1) + 1, 1);
+}
+
+static inline int32_t bits_of(uint32_t x) {
+    return 32 - (int32_t)glint_leading_zeros(x);
+}
+
+static inline uint32_t magnitude(int32_t x) {
+    return x < 0 ? 0u - (uint32_t)x : (uint32_t)x;
+}
+
+/*
+ * The way from the eye to the mesh's origin, brought to TURNED_BITS: it was 2^*exponent units. @return 0 where it has
+ * 2^17 units or more in a direction
+ */
+static int find_way(const glint_view *view, const glint_object *object, int32_t way[3], int32_t *exponent) {
+    const int32_t offset[3] = {object->mesh->offset.x, object->mesh->offset.y, object->mesh->offset.z};
+    const int is_offset = (offset[0] | offset[1] | offset[2]) != 0;
+    int64_t wide[3]; /* Q16, where the mesh has an offset Q28 */
+    uint64_t all = 0;
+    for (int i = 0; i < 3; i++) {
+        wide[i] = (int64_t)object->pose.m[i][3] - view->eye[i];
+        if (is_offset) {
+            wide[i] *= 1 << 12;
+            for (int j = 0; j < 3; j++)
+                wide[i] += glint_shift_round64(glint_product(object->pose.m[i][j], offset[j]), 4);
+        }
+        all |= glint_magnitude64(wide[i]);
+    }
+    const int bits = (int)glint_bits64(all), down = bits - TURNED_BITS, fraction = is_offset ? 28 : 16;
+    *exponent = down - fraction;
+    for (int i = 0; i < 3; i++)
+        way[i] = down > 0 ? (int32_t)glint_shift_right64(wide[i], (unsigned)down)
+                          : glint_shift_left((int32_t)wide[i], (unsigned)-down);
+    return bits <= fraction + 17;
+}
+
+/* Is a mesh smaller than 2^17 units from its middle, along the axes of the world? */
+static GLINT_NOINLINE int is_in_range(const glint_object *object) {
+    const int32_t extent[3] = {object->mesh->extent.x, object->mesh->extent.y, object->mesh->extent.z};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            if (glint_magnitude64(glint_shift_round64(glint_product(object->pose.m[i][j], extent[j]), 4)) >> 45)
+                return 0;
+    return 1;
+}
+
+/* An object in the camera's space: columns of 2^15 steps and the way, times 2^ their exponents units; below 2^30. */
+typedef struct placed {
+    int32_t columns[3][3], way[3];
+    int32_t exponent, way_exponent;
+} placed;
+
+/* Places a pose under the camera. `turned` is the pose's rotation in TURNED_BITS, 2^-down of it. */
+static glint_status place(const glint_view *view, const glint_object *object, int32_t turned[3][3], int32_t down,
+                          placed *to) {
+    const int32_t extent[3] = {object->mesh->extent.x, object->mesh->extent.y, object->mesh->extent.z};
+    const uint32_t all = (uint32_t)extent[0] | (uint32_t)extent[1] | (uint32_t)extent[2];
+    const int32_t up = glint_most((int32_t)glint_leading_zeros(all) - 1, 0);
+    int32_t way[3];
+    if (!find_way(view, object, way, &to->way_exponent) ||
+        (TURNED_BITS + down + bits_of(all) > 48 && !is_in_range(object)))
+        return GLINT_ERROR_RANGE;
+    to->exponent = down - up;
+    for (int i = 0; i < 3; i++)
+        to->way[i] = glint_turn(view->rotation[i], way[0], way[1], way[2]);
+    for (int j = 0; j < 3; j++) {
+        const int32_t x = turned[0][j], y = turned[1][j], z = turned[2][j];
+        const int32_t scale = glint_shift_left(extent[j], (unsigned)up);
+        for (int i = 0; i < 3; i++)
+            to->columns[j][i] = glint_product_high(glint_turn(view->rotation[i], x, y, z), scale);
+    }
+    return GLINT_OK;
+}
+
+/* The bits of the largest magnitude that a row has in the bounding box, and half of that more. */
+static inline int32_t find_bits(uint32_t columns, uint32_t way) {
+    return bits_of(columns + columns / 2 + way + way / 2);
+}
+
+/*
+ * Sets clip rows x, y and w, so that magnitudes in the bounding box, and w of parallel rays, are at most 2.67 2^28, a
+ * third of 2^31. Screen y runs down, and z towards the eye.
+ */
+static void bring_to_clip_space(glint_transform *transform, const glint_view *view, placed *p) {
+    const int32_t more = 25 - (int32_t)view->focal_shift;              /* rows x and y are over 2^more */
+    const int32_t exponent = glint_most(p->exponent, p->way_exponent); /* of both in sums */
+    const unsigned down = (unsigned)glint_least(exponent - p->exponent, 31),
+                   way_down = (unsigned)glint_least(exponent - p->way_exponent, 31);
+    const int32_t focal = view->focal_mantissa << 7;
+    int32_t bits = INT32_MIN;
+    for (int i = 0; i < 3; i++) {
+        int32_t x = p->columns[0][i], y = p->columns[1][i], z = p->columns[2][i], t = p->way[i];
+        if (i < 2) {
+            x = glint_product_high(x, focal), y = glint_product_high(y, focal);
+            z = glint_product_high(z, focal), t = glint_product_high(t, focal);
+        }
+        if (i > 0)
+            x = -x, y = -y, z = -z, t = -t;
+        p->columns[0][i] = x, p->columns[1][i] = y, p->columns[2][i] = z, p->way[i] = t;
+        const int32_t here =
+            find_bits((magnitude(x) + magnitude(y) + magnitude(z) + 3) >> down, (magnitude(t) + 1) >> way_down);
+        bits = glint_most(bits, here + (i < 2 ? more : 0));
+    }
+    if (view->is_parallel)
+        bits = glint_most(bits, (int32_t)glint_bits64((uint64_t)(view->nearest + view->nearest / 2)) - 28 - exponent);
+    for (int i = 0; i < 3; i++) {
+        const int32_t cut = bits - 30 - (i < 2 ? more : 0);
+        const int32_t of_columns = cut + exponent - p->exponent;
+        for (int j = 0; j < 3; j++)
+            glint_row_set(&transform->matrix[i], j, round_by(p->columns[j][i], of_columns));
+        transform->translation[i] = round_by(p->way[i], cut + exponent - p->way_exponent);
+    }
+    transform->exponent = 30 - bits - exponent;
 }
 
 /*
@@ -112,95 +262,58 @@ static int32_t smallest(const int32_t x[4], const int32_t w[4], int32_t a, int32
 /* Bits that the matrix is cut by: row sums are below 2.67 2^17 times 2046 + 1025. */
 #define BOX_CUT 11
 
-/* Is any of the box on the screen, and does any of it pass the near plane or the guard band? To within what cutting
+static void cut_row(const glint_transform *transform, int i, int32_t cut[4]) {
+    for (int j = 0; j < 3; j++)
+        cut[j] = glint_shift_right(glint_row_get(&transform->matrix[i], j), BOX_CUT);
+    cut[3] = glint_shift_right(transform->translation[i], BOX_CUT);
+}
+
+/* Is any of the box on the screen in a direction, and does any of it pass the guard band? To within what cutting
  * takes at most, a step of each of four columns of both rows. */
-static void classify(glint_transform *transform, const glint_config *config, int is_parallel) {
-    const int32_t half[2] = {config->width, config->height}; /* in half pixels */
-    int32_t cut[3][4], extent = 0;
-    for (int i = 0; i < 3; i++) {
-        extent = 0;
-        for (int j = 0; j < 3; j++) {
-            const int32_t entry = glint_row_get(&transform->matrix[i], j);
-            extent = glint_add_wrap(extent, entry < 0 ? -entry : entry);
-            cut[i][j] = glint_shift_right(entry, BOX_CUT);
-        }
-        cut[i][3] = glint_shift_right(transform->translation[i], BOX_CUT);
+static GLINT_NOINLINE void classify_row(glint_transform *transform, int i, int32_t side) {
+    const int32_t band = 2 * GLINT_GUARD_BAND;
+    int32_t x[4], w[4] = {0, 0, 0, 0};
+    cut_row(transform, i, x);
+    if (transform->clips & GLINT_PARALLEL)
+        w[3] = glint_shift_right(transform->nearest, BOX_CUT);
+    else
+        cut_row(transform, 2, w);
+    for (int32_t sign = -1; sign <= 1; sign += 2) {
+        if (smallest(x, w, sign, 1) < 8)
+            transform->clips |= 1;
+        if (smallest(x, w, -sign * band, -side) > 4 * (band + side))
+            transform->visible = 0;
     }
-    transform->least_w = transform->translation[2] - extent;
-    transform->visible = transform->translation[2] + extent >= transform->near_plane;
-    transform->clips = transform->least_w < transform->near_plane;
-    if (is_parallel) {
-        transform->clips |= GLINT_PARALLEL;
-        transform->nearest = glint_most(transform->nearest, 1);
-        cut[2][0] = cut[2][1] = cut[2][2] = 0;
-        cut[2][3] = glint_shift_right(transform->nearest, BOX_CUT);
-    }
-    for (int row = 0; row < 2; row++) {
-        const int32_t band = 2 * GLINT_GUARD_BAND, side = half[row] + 1;
-        for (int32_t sign = -1; sign <= 1; sign += 2) {
-            if (smallest(cut[row], cut[2], sign, 1) < 8)
-                transform->clips |= 1;
-            if (smallest(cut[row], cut[2], -sign * band, -side) > 4 * (band + side))
-                transform->visible = 0;
-        }
-    }
+}
+
+/* The box's extent in a row. */
+static inline int32_t extent_of(const glint_row *row) {
+    const int32_t x = glint_row_get(row, 0), y = glint_row_get(row, 1), z = glint_row_get(row, 2);
+    return (x < 0 ? -x : x) + (y < 0 ? -y : y) + (z < 0 ? -z : z);
 }
 
 /*
- * The matrix of normals so scaled that a turn keeps lengths: with rows of about 2^13 UNIT if all three are as long.
- * The squares of all entries then sum up to at most 3 2^56, so that a transformed normal is below 3 2^28.
+ * Is any of the box on the screen, and does any of it pass the near plane or the guard band? Where its middle is on the
+ * screen, and all of it far from the band, nothing more is asked.
  */
-static void scale_normals(glint_transform *transform, int32_t matrix[3][4]) {
-    uint64_t sum = 0; /* below 9 2^60 */
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            const int64_t entry = matrix[i][j];
-            sum += (uint64_t)(entry * entry);
-        }
+static void classify(glint_transform *transform, const glint_config *config, int is_parallel) {
+    const int32_t extent = extent_of(&transform->matrix[2]);
+    int32_t w = transform->translation[2], least = w - extent;
+    transform->least_w = least;
+    transform->visible = w + extent >= transform->near_plane;
+    transform->clips = least < transform->near_plane;
+    if (is_parallel) {
+        transform->clips |= GLINT_PARALLEL;
+        transform->nearest = glint_most(transform->nearest, 1);
+        w = least = transform->nearest;
     }
-    uint32_t square = (uint32_t)(sum >> 32) / 3 * 4; /* less than 2^28 only when rows differ */
-    int32_t factor = glint_inverse_root(square < 1u << 28 ? 1u << 28 : square);
-    factor -= factor >> 13; /* lengths end up just below UNIT: no component passes int16 */
-    factor = transform->mirrored ? -factor : factor;
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            glint_row_set(&transform->normal[i], j,
-                          (int32_t)glint_shift_round64(glint_product(matrix[i][j], factor), 17));
-}
-
-/* Cofactors of the first three columns, brought to 30 bits by way of `wide`. @return the determinant on their scale */
-static GLINT_INLINE int64_t find_cofactors(int32_t p[3][4], int64_t wide[3][4], int32_t cofactor[3][4]) {
-    static const uint8_t next[3] = {1, 2, 0};
-    int64_t determinant = 0;
-    for (int i = 0; i < 3; i++) {
-        const int32_t *a = p[next[i]], *b = p[next[next[i]]];
-        for (int j = 0; j < 3; j++) {
-            int k = next[j], l = next[k];
-            wide[i][j] = glint_product(a[k], b[l]) - glint_product(a[l], b[k]);
-        }
+    for (int i = 0; i < 2; i++) {
+        const int32_t t = transform->translation[i], middle = t < 0 ? -t : t;
+        const int32_t side = (i ? config->height : config->width) + 1; /* in half pixels */
+        if (least - middle - extent_of(&transform->matrix[i]) < 17 << BOX_CUT ||
+            glint_shift_right(middle, BOX_CUT) * (2 * GLINT_GUARD_BAND) > glint_shift_right(w, BOX_CUT) * side)
+            classify_row(transform, i, side);
     }
-    rows_to_30_bits(wide, 3, cofactor);
-    for (int j = 0; j < 3; j++)
-        determinant += glint_product(p[0][j], cofactor[0][j]);
-    return determinant;
-}
-
-/* The inverse transpose up to its scale: cofactors, with the determinant's sign. @return 0 when it is singular. */
-static int prepare_normals(glint_transform *transform, const glint_view *view, const glint_pose *pose) {
-    int64_t wide[3][4];
-    int32_t p[3][4], cofactor[3][4];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            wide[i][j] = pose->m[i][j];
-    rows_to_30_bits(wide, 3, p);
-    const int64_t determinant = find_cofactors(p, wide, cofactor);
-    if (glint_magnitude64(determinant) < (uint64_t)1 << 36) /* 2^-24 of what orthogonal axes give */
-        return 0;
-    transform->mirrored = determinant < 0;
-    rotate(view, cofactor, 3, wide);
-    rows_to_30_bits(wide, 3, cofactor);
-    scale_normals(transform, cofactor);
-    return 1;
 }
 
 /* A w, Q28, in units of 2^shift; 2^30, which is farther than any coordinate, where it is more. */
@@ -208,18 +321,56 @@ static int32_t to_units(int64_t w, int shift) {
     return (int)glint_bits64((uint64_t)w) - shift > 30 ? 1 << 30 : (int32_t)glint_shift_round64(w, shift);
 }
 
-/* The near plane and the frame's nearest w in the object's units. */
-static void prepare_depth(glint_transform *transform, const glint_view *view, int exponent) {
-    int32_t near_plane = to_units(view->near_plane, 28 - exponent);
-    transform->near_plane = near_plane < SMALLEST_W ? SMALLEST_W : near_plane;
-    transform->nearest = to_units(view->nearest, 28 - exponent);
+/* Magnitudes of three entries and a translation. */
+static uint32_t row_sum(const glint_row *row, int32_t t) {
+    uint32_t sum = (uint32_t)(t < 0 ? -t : t);
+    for (int j = 0; j < 3; j++) {
+        const int32_t entry = glint_row_get(row, j);
+        sum += (uint32_t)(entry < 0 ? -entry : entry);
+    }
+    return sum;
 }
 
-/* Rounded to the object's units, the frame's nearest w must not pass any that is seen. */
-static void lower_nearest(glint_transform *transform) {
-    const int32_t least = transform->least_w > transform->near_plane ? transform->least_w : transform->near_plane;
-    if (transform->nearest > least && !(transform->clips & GLINT_PARALLEL))
-        transform->nearest = least;
+/* Sets entries of 16 bits and a translation of 31, 2^up times as large as those of clip space. */
+static void set_short_row(const glint_row *row, int32_t t, unsigned up, int32_t out[4]) {
+    for (int j = 0; j < 3; j++)
+        out[j] = glint_shift_right(glint_shift_left(glint_row_get(row, j), up) + (1 << 14), 15);
+    out[3] = glint_shift_left(t, up);
+}
+
+/* Takes 2^-10 off a row, since the guard band is 1023 pixels, this in 1024. */
+static void to_pixels(int32_t row[4]) {
+    for (int j = 0; j < 3; j++)
+        row[j] -= glint_shift_right(row[j] + (1 << 9), 10);
+    row[3] += (1 << 15) - glint_shift_right(row[3], 10); /* and half of what is cut off */
+}
+
+/* Sets the short matrix, where it serves. */
+static void set_short_matrix(glint_transform *transform) {
+    glint_short_matrix *m = &transform->brief;
+    const uint32_t x = row_sum(&transform->matrix[0], transform->translation[0]);
+    const uint32_t y = row_sum(&transform->matrix[1], transform->translation[1]);
+    const uint32_t w = row_sum(&transform->matrix[2], transform->translation[2]);
+    const unsigned up = glint_leading_zeros((x | y) + 4) - 2, up_w = glint_leading_zeros(w + 4) - 1;
+    m->serves = 0;
+    if (transform->clips || transform->least_w < glint_shift_right((int32_t)w, 2) ||
+        glint_shift_right(transform->least_w, 2) < (int32_t)(x > y ? x : y))
+        return;
+    const int32_t nearest = glint_most(transform->nearest, 1);
+    const int32_t bits = 32 - (int32_t)glint_leading_zeros((uint32_t)nearest);
+    const int32_t shift = 6 + (int32_t)up - (int32_t)up_w, depth_shift = 32 - bits - (int32_t)up_w;
+    if (shift < 3 || shift > 31 || depth_shift > 31)
+        return;
+    set_short_row(&transform->matrix[0], transform->translation[0], up, m->x);
+    set_short_row(&transform->matrix[1], transform->translation[1], up, m->y);
+    set_short_row(&transform->matrix[2], transform->translation[2], up_w, m->w);
+    to_pixels(m->x);
+    to_pixels(m->y);
+    m->nearest =
+        bits > 16 ? (uint32_t)glint_shift_right(nearest, (unsigned)bits - 16) : (uint32_t)nearest << (16 - bits);
+    m->shift = (uint8_t)shift;
+    m->depth_shift = (uint8_t)depth_shift;
+    m->serves = 1;
 }
 
 int64_t glint_transform_nearest(const glint_transform *transform, const glint_view *view) {
@@ -230,42 +381,46 @@ int64_t glint_transform_nearest(const glint_transform *transform, const glint_vi
     return nearest > view->near_plane ? nearest : view->near_plane;
 }
 
+/* Rounded to the object's units, the frame's nearest w must not pass any that is seen. */
 void glint_transform_place(glint_transform *transform, const glint_view *view) {
     if (transform->clips & GLINT_PARALLEL) /* then it does not depend on what else is seen */
         return;
-    prepare_depth(transform, view, transform->exponent);
-    lower_nearest(transform);
-}
-
-/* x 2^shift, at most 2^61, of an x above 0. */
-static uint64_t in_rows(int64_t x, int shift) {
-    if ((int)glint_bits64((uint64_t)x) + shift > 61)
-        return (uint64_t)1 << 61;
-    return shift < 0 ? (uint64_t)glint_shift_right64(x, (unsigned)-shift) : (uint64_t)x << shift;
+    transform->nearest = glint_least(to_units(view->nearest, 28 - transform->exponent),
+                                     glint_most(transform->least_w, transform->near_plane));
+    set_short_matrix(transform);
 }
 
 /* What is hidden is all 0. Out of line: in line, gcc 12 keeps a 0 in a register of the FPU. */
 static GLINT_NOINLINE glint_status prepare_object(glint_transform *transform, const glint_view *view,
                                                   const glint_config *config, const glint_object *object) {
-    int64_t wide[3][4];
-    int32_t world[3][4];
+    int32_t turned[3][3];
+    uint32_t all = 0;
+    placed at;
     if (object->hidden) {
         *transform = (glint_transform){0};
         return GLINT_OK;
     }
-    if (!prepare_normals(transform, view, &object->pose))
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            turned[i][j] = object->pose.m[i][j];
+            all |= glint_magnitude_bits(turned[i][j]);
+        }
+    }
+    const int32_t down = bits_of(all) - TURNED_BITS;
+    scale_all(turned[0], 9, -down);
+    const int sign = find_sign(&object->pose, turned);
+    if (!sign)
         return GLINT_ERROR_POSE;
-    if (!place_in_world(view, object, wide))
+    if (place(view, object, turned, down, &at) != GLINT_OK)
         return GLINT_ERROR_RANGE;
-    int up = rows_to_30_bits(wide, 4, world);
-    rotate(view, world, 4, wide);
-    const uint64_t parallel = view->is_parallel ? in_rows(view->nearest, 4 - up) : 0;
-    transform->exponent = 28 + 4 - up - bring_to_clip_space(transform, view, parallel, wide);
+    transform->mirrored = sign < 0;
+    bring_to_clip_space(transform, view, &at);
     transform->center_x = config->width * (8 << 11) + (1 << 10);
     transform->center_y = config->height * (8 << 11) + (1 << 10);
-    prepare_depth(transform, view, transform->exponent);
+    transform->near_plane = glint_most(to_units(view->near_plane, 28 - transform->exponent), SMALLEST_W);
+    transform->nearest = view->is_parallel ? to_units(view->nearest, 28 - transform->exponent) : 0;
     classify(transform, config, view->is_parallel);
-    lower_nearest(transform);
+    transform->brief.serves = 0;
     return GLINT_OK;
 }
 
@@ -317,8 +472,8 @@ static void set_eye(const int64_t place[3], int64_t weight, glint_eye *to) {
  * along -w: t is (0, 0, 1), and W is 0.
  */
 void glint_transform_eye(const glint_transform *transform, glint_eye *eye) {
-    int32_t rows[3][4], cofactor[3][4];
-    int64_t wide[3][4], place[3];
+    int32_t rows[3][3], cofactor[3][3];
+    int64_t wide[3][3], place[3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             rows[i][j] = glint_row_get(&transform->matrix[i], j);

@@ -1,48 +1,43 @@
 /* SPDX-License-Identifier: MIT */
 /* Blinn-Phong lighting (Blinn, 1977): highlights by the half vector H = L + V. */
+#include "corners.h"
+#include "lamps.h"
 #include "model.h"
 
 /* Where all of L + V is less, the light being straight behind, rounding alone gives it its direction. */
 #define LEAST_SUM 8
 
-static inline int is_rounding(int32_t x, int32_t y, int32_t z) {
-    return (glint_magnitude_bits(x) | glint_magnitude_bits(y) | glint_magnitude_bits(z)) < LEAST_SUM;
-}
-
-static uint32_t specular_of_half_vector(const glint_power_table *table, const glint_prepared_light *source,
-                                        const int16_t normal[3], const int16_t light[3], const int16_t view[3]) {
-    if (source) { /* the infinite viewer has one half vector */
-        int32_t cosine = glint_dot(normal, source->half_vector);
-        if (cosine <= 0)
-            return glint_power_of_zero(table);
-        if (!glint_in_window(table, cosine))
-            return 0;
-        return glint_specular_power(table, normal, source->half_vector, cosine);
-    }
-    int32_t x = light[0] + view[0];
-    int32_t y = light[1] + view[1];
-    int32_t z = light[2] + view[2];
-    int32_t along = normal[0] * x + normal[1] * y + normal[2] * z; /* |L + V| is at most 2 UNIT: below 2^31 */
-    if (along <= 0)
+/* The window is tested before H is made unit: (N.H)^2 against |H|^2 times its floor, rounded to the safe side. */
+static uint32_t highlight_of_half_vector(const glint_power_table *table, const int32_t normal[3],
+                                         const int32_t light[3], const int32_t view[3]) {
+    int32_t x = light[0] + view[0], y = light[1] + view[1], z = light[2] + view[2];
+    const int32_t along = normal[0] * x + normal[1] * y + normal[2] * z; /* |H| is at most 2 UNIT: below 2^31 */
+    const uint32_t square = (uint32_t)x * (uint32_t)x + (uint32_t)y * (uint32_t)y + (uint32_t)z * (uint32_t)z;
+    if (along <= 0 || square < LEAST_SUM * LEAST_SUM)
         return glint_power_of_zero(table);
-    if (along < 2 * LEAST_SUM * GLINT_UNIT && is_rounding(x, y, z))
-        return glint_power_of_zero(table);
-    /* |H|^2 = 2 (1 + L.V), unit vectors being off by 2.3: compare cos^2 |H|^2 / 4 with its floor, rounded to the safe
-     * side.
-     */
-    int32_t half_square = glint_shift_right(GLINT_UNIT * GLINT_UNIT + glint_dot(light, view), 16) - 3;
-    int32_t bound = glint_shift_right(along, 16) + 1;
-    if (bound * bound < table->cosine_square_floor * half_square)
+    const int32_t bound = glint_shift_right(along, 16) + 1;
+    if (bound * bound < table->cosine_square_floor * (int32_t)(square >> 17))
         return 0;
-    int16_t half_vector[3]; /* made unit only where a highlight is possible */
-    glint_unit(x, y, z, half_vector);
-    int32_t cosine = glint_dot(normal, half_vector);
-    return cosine > 0 ? glint_specular_power(table, normal, half_vector, cosine) : glint_power_of_zero(table);
+    if (square >= 1u << 30) { /* light and eye lie within 120 degrees */
+        const int32_t root = glint_inverse_root(square >> 2);
+        x = glint_shift_right(glint_shift_right(x, 1) * root + 0x4000, 15);
+        y = glint_shift_right(glint_shift_right(y, 1) * root + 0x4000, 15);
+        z = glint_shift_right(glint_shift_right(z, 1) * root + 0x4000, 15);
+    } else {
+        int32_t h[3] = {x, y, z}, exponent;
+        glint_corner_unit(h, &exponent);
+        x = h[0];
+        y = h[1];
+        z = h[2];
+    }
+    x -= normal[0];
+    y -= normal[1];
+    z -= normal[2];
+    return glint_power_of_chord(table, (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z));
 }
 
-static void light_blinn_phong(const glint_shading *shading, uint32_t index, const glint_view *view,
-                              glint_fragments *fragments, int has_surface) {
-    glint_light_fragments(shading, index, view, fragments, has_surface, specular_of_half_vector);
-}
-
-const glint_model glint_model_blinn_phong = {glint_prepare_specular, light_blinn_phong, GLINT_LOBE_HALF_VECTOR};
+const glint_model glint_model_blinn_phong = {.prepare = glint_prepare_specular,
+                                             .is_lit = 1,
+                                             .reflect = glint_reflect_half,
+                                             .lobe = GLINT_LOBE_HALF_VECTOR,
+                                             .highlight = highlight_of_half_vector};

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Directional lights: the same direction everywhere. */
 #include "../math/numeric.h"
-#include "../scene/view.h"
+#include "evaluation.h"
+#include "lamps.h"
 
 static glint_status prepare_directional(const glint_light *light, glint_prepared_light *prepared,
                                         const glint_view *view) {
@@ -13,4 +14,5 @@ static glint_status prepare_directional(const glint_light *light, glint_prepared
     return GLINT_OK;
 }
 
-const glint_light_type glint_light_directional = {prepare_directional, 0, 0, 0, 0};
+const glint_light_type glint_light_directional = {
+    .prepare = prepare_directional, .arrive = glint_arrive_along, .suns = &glint_suns_of_lights};

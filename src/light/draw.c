@@ -1,313 +1,370 @@
 /* SPDX-License-Identifier: MIT */
-/* Kernel: from the spans of a triangle to pixels, by runs of pixels that pass the depth test and a row of colours. */
-#include "../pixel/format.h"
-#include "../raster/found.h"
-#include "../raster/polynomial.h"
-#include "../raster/runs.h"
-#include "colour.h"
+/*
+ * Draws triangles of one colour, and triangles with colours at their corners.
+ *
+ * Colours at corners are linear on the screen over w. Where that is close to linear on the screen itself, a format's
+ * own loop steps them in two words; elsewhere they are divided by w at each pixel.
+ */
+#include "../math/division.h"
+#include "../pixel/pixel.h"
+#include "../raster/small.h"
 #include "evaluation.h"
-#include "fragments.h"
 
-/* ---- Triangles ---- */
+/* ---- One colour ---- */
 
-typedef struct colour_source colour_source;
-
-/* Draws a run. */
-typedef void drawer(const colour_source *from, const glint_run *run);
-
-/* What the colours of a triangle's pixels come from. */
-struct colour_source {
-    glint_gathering to; /* of runs that are gathered; of others it has no shader */
-    drawer *draw_run;
-    const glint_triangle *triangle;  /* of gather_run: */
-    const int16_t *const *main;      /* its corners' attributes */
-    const glint_quadratic *channels; /* of draw_channel_run */
-    int is_deep;
-};
-
-/* ---- Rows ---- */
-
-static void store_run(const colour_source *from, const glint_run *run) {
-    const glint_frame *frame = from->to.frame;
-    const glint_workspace *workspace = from->to.workspace;
-    frame->config.format->store(workspace->pixels, frame->tile_shift_x, run, run + 1,
-                                (const int32_t(*)[3])workspace->row);
+void glint_draw_facet(glint_row_walk *walk) {
+    const glint_format *format = walk->frame->config.format;
+    walk->lanes[0] = glint_lanes_of(walk->draw->facets[walk->triangle.index]);
+    walk->packed = glint_pack_lanes(walk->lanes[0], format->channel[0], glint_green_bits(format));
+    glint_flat_of(format)(walk);
 }
 
-static void draw_channel_run(const colour_source *from, const glint_run *run) {
-    const glint_config *config = &from->to.frame->config;
-    const glint_part *part = from->to.part;
-    int32_t(*const row)[3] = from->to.workspace->row;
-    for (int c = 0; c < 3; c++) {
-        const glint_quadratic *q = &from->channels[c];
-        glint_stride s = glint_stride_begin(q, part->x + run->x, part->y + run->y);
-        for (uint32_t i = 0; i < run->count; i++) {
-            row[i][c] = (int32_t)s.value;
-            glint_stride_next(&s, q);
-        }
-    }
-    if (config->gamma)
-        glint_finish_colours(config, row, run->count);
-    store_run(from, run);
+/* ---- Colours at corners, over w ---- */
+
+/*
+ * How far a colour that is linear over w may be from the plane through its corners: half a level. The plane that is
+ * drawn lies between, so that about half of that is left.
+ */
+#define CLOSE (1u << 14)
+
+/* Returns a channel, 1 = GLINT_COLOUR_ONE, cut to 0 and 1, off by at most 4 steps; 1/w = 2^-31 reciprocal 2^zeros. */
+static inline int16_t divide_channel(int32_t over_w, uint32_t zeros, int32_t reciprocal) {
+    const int32_t cut = glint_least(glint_most(over_w, 0), glint_shift_right(INT32_MAX, zeros));
+    const int32_t colour = glint_shift_right(glint_shift_right(glint_shift_left(cut, zeros), 16) * reciprocal, 15);
+    return (int16_t)glint_least(colour, GLINT_COLOUR_ONE);
 }
 
-/* Gathers the fragments of a run, and lights them whenever there are enough. Of a hidden triangle there is none. */
-static void gather_run(const colour_source *from, const glint_run *run) {
-    const glint_part *part = from->to.part;
-    if (!from->to.fragments->attributes)
-        glint_gathering_begin(&from->to, from->triangle, from->main, &from->to.workspace->gathered->attributes);
-    const uint32_t end = (uint32_t)run->x + run->count;
-    int32_t inverse_w = glint_plane_at(&part->depth, part->x + run->x, part->y + run->y);
-    for (uint32_t column = run->x; column < end && GLINT_SMALL; column++)
-        glint_gather_lit(&from->to, (int32_t)column, run->y);
-    for (uint32_t column = run->x; column < end && !GLINT_SMALL; column++) {
-        glint_gather(&from->to, (int32_t)column, run->y, inverse_w);
-        inverse_w = glint_add_wrap(inverse_w, part->depth.dx);
-        if (from->to.fragments->count == GLINT_FRAGMENTS_MAX)
-            glint_gathering_store(&from->to);
-    }
-}
-
-/* Draws a part by runs. @return pixels of its spans */
-static uint32_t draw_runs(const colour_source *from) {
-    const glint_part *part = from->to.part;
-    glint_run runs[GLINT_ROW_RUNS];
-    uint32_t covered = 0;
-    for (uint32_t y = part->top; y < part->bottom; y++) {
-        const glint_run *const end = glint_find_runs(from->to.frame, from->to.workspace, part, from->is_deep, y, runs);
-        covered += (uint32_t)part->spans[y].right - part->spans[y].left;
-        for (const glint_run *run = runs; run != end; run++)
-            from->draw_run(from, run);
-    }
-    return covered;
-}
-
-/* ---- Kernels ---- */
-
-/* Draws a part in one colour, which is finished. */
-static void draw_even(const glint_frame *frame, glint_workspace *workspace, const glint_triangle *triangle,
-                      const glint_part *part, const int32_t colour[3]) {
-    const int is_deep = glint_is_deep(triangle);
-    if (!GLINT_SMALL && frame->config.format->draw_even && !is_deep) {
-        const glint_spans spans = glint_spans_of(frame, workspace, part);
-        frame->config.format->draw_even(&spans, colour);
-    } else {
-        const colour_source from = {.to = {frame, workspace, part, 0, 0, 0}, .draw_run = store_run, .is_deep = is_deep};
-        for (uint32_t i = 0; i < frame->config.tile_width; i++)
-            for (int c = 0; c < 3; c++)
-                workspace->row[i][c] = colour[c];
-        draw_runs(&from);
-    }
-    if (workspace->drawn)
-        glint_count(workspace, GLINT_KERNEL_EVEN, glint_covered_by(part));
-}
-
-void glint_draw_unlit(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                      const glint_triangle *triangle, const glint_part *part) {
-    draw_even(frame, workspace, triangle, part, draw->even);
-}
-
-void glint_draw_facet(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                      const glint_triangle *triangle, const glint_part *part) {
-    int32_t colour[1][3];
-    (void)draw;
+/* Divides a colour by its 1/w, of which at least one step counts. @return whether that is above 0 */
+static GLINT_NOINLINE int divide_colour(const int32_t at[4], int16_t colour[3]) {
+    const uint32_t w = (uint32_t)glint_most(at[3], 1), zeros = glint_leading_zeros(w);
+    const int32_t reciprocal = glint_reciprocal16(w << zeros >> 16);
     for (int c = 0; c < 3; c++)
-        colour[0][c] = glint_channel_of(triangle->facet[c]);
-    glint_finish_colours(&frame->config, colour, 1);
-    draw_even(frame, workspace, triangle, part, colour[0]);
+        colour[c] = divide_channel(at[c], zeros, reciprocal);
+    return at[3] > 0;
 }
 
-/* Draws fragments that are coloured one by one. */
-static void draw_fragments(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                           const glint_triangle *triangle, const glint_part *part, const int16_t *const main[3],
-                           glint_shader *shade) {
-    const int is_deep = GLINT_SMALL || glint_is_deep(triangle);
-    glint_fragments *const fragments = &workspace->gathered->fragments;
-    const colour_source from = {
-        {frame, workspace, part, draw, shade, fragments}, gather_run, triangle, main, 0, is_deep};
-    fragments->count = 0;
-    fragments->attributes = 0;
-    const uint32_t covered = draw_runs(&from);
-    glint_gathering_store(&from.to);
-    glint_count(workspace, GLINT_KERNEL_GENERAL, covered);
+static GLINT_NOINLINE void draw_divided_pixels(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+    const glint_config *config = &walk->frame->config;
+    const glint_plane *const c = walk->channel;
+    const int32_t x = walk->part->x + left, y = walk->part->y + row;
+    int32_t at[4] = {glint_plane_at(&c[0], x, y), glint_plane_at(&c[1], x, y), glint_plane_at(&c[2], x, y),
+                     glint_plane_at(&walk->w, x, y)};
+    uint32_t z = glint_z_at(walk, row, left), pixel = ((uint32_t)row << walk->shift) + (uint32_t)left;
+    for (const uint32_t end = pixel + (uint32_t)(right - left); pixel < end; pixel++, z += (uint32_t)walk->z.dx) {
+        if (glint_is_nearest((uint8_t *)&walk->depth[pixel], (uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS))) {
+            int16_t colour[3];
+            divide_colour(at, colour);
+            if (config->gamma)
+                glint_finish_lane_levels(config, colour, colour);
+            config->format->put(walk, pixel, glint_lanes_of(colour));
+        }
+        for (int i = 0; i < 3; i++)
+            at[i] = glint_add_wrap(at[i], c[i].dx);
+        at[3] = glint_add_wrap(at[3], walk->w.dx);
+    }
 }
 
-void glint_draw_any(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                    const glint_triangle *triangle, const glint_part *part) {
-    const glint_vertex *const *v = triangle->corners;
-    const int16_t *const normals[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
-    draw_fragments(frame, workspace, draw, triangle, part, normals, glint_shade);
+/* Returns the larger of a number and the magnitude of another. */
+static inline int32_t most_apart(int32_t most, int32_t difference) {
+    const int32_t magnitude = difference < 0 ? -difference : difference;
+    return magnitude > most ? magnitude : most;
+}
+
+/* Returns the largest difference in any channel of colours from the first one. */
+static inline uint32_t find_apart(const int16_t *a, const int16_t *b, const int16_t *c) {
+    const int32_t red = most_apart(most_apart(0, b[0] - a[0]), c[0] - a[0]),
+                  green = most_apart(most_apart(red, b[1] - a[1]), c[1] - a[1]);
+    return (uint32_t)most_apart(most_apart(green, b[2] - a[2]), c[2] - a[2]);
+}
+
+/* Columns between two pixels whose colours are divided, those between them being linear; no tile divides them. */
+#define CHUNK_SHIFT 3
+
+/* A pixel whose colour has been divided. */
+typedef struct colour_node {
+    int16_t colour[3];
+    int is_valid;
+    int32_t w;
+} colour_node;
+
+static void find_node(const glint_row_walk *walk, int32_t row, int32_t column, colour_node *to) {
+    const int32_t x = walk->part->x + column, y = walk->part->y + row;
+    const int32_t at[4] = {glint_plane_at(&walk->channel[0], x, y), glint_plane_at(&walk->channel[1], x, y),
+                           glint_plane_at(&walk->channel[2], x, y), glint_plane_at(&walk->w, x, y)};
+    to->w = at[3];
+    to->is_valid = divide_colour(at, to->colour);
+}
+
+/* May colours between two nodes be linear: to a quarter of a level? Not where one is cut off at 0 or 1. */
+static int is_close(const glint_row_walk *walk, const colour_node *a, const colour_node *b) {
+    const unsigned bits = glint_green_bits(walk->frame->config.format);
+    const uint32_t least = (uint32_t)glint_least(a->w, b->w) >> 15, most = (uint32_t)glint_most(a->w, b->w) >> 15;
+    const uint32_t apart = find_apart(a->colour, b->colour, b->colour);
+    for (int c = 0; c < 3; c++)
+        if ((uint32_t)(a->colour[c] - 1) >= GLINT_COLOUR_ONE - 1 ||
+            (uint32_t)(b->colour[c] - 1) >= GLINT_COLOUR_ONE - 1)
+            return 0;
+    return a->is_valid && b->is_valid && apart * (most - least + 1) <= (CLOSE >> (bits > 4 ? bits : 6)) * least;
+}
+
+/* Sets lanes that are linear between two nodes, from the tile's first column on. */
+static void set_between(glint_row_walk *walk, const colour_node *a, const colour_node *b, int32_t column) {
+    const uint32_t x = (uint32_t)column;
+    int32_t step[3];
+    for (int c = 0; c < 3; c++) /* 2^-16 */
+        step[c] = glint_shift_right(2 * (b->colour[c] - a->colour[c]) + (1 << CHUNK_SHIFT >> 1), CHUNK_SHIFT);
+    glint_lanes *const to = walk->lanes;
+    to[0] = glint_lanes_of(a->colour);
+    to[1].red_blue = ((uint32_t)step[2] << 16) + (uint32_t)step[0];
+    to[1].green = (uint32_t)(b->colour[1] - a->colour[1]) << (17 - CHUNK_SHIFT);
+    to[2] = (glint_lanes){0, 0};
+    to[0].red_blue -= to[1].red_blue * x;
+    to[0].green -= to[1].green * x;
+}
+
+/* Pixels from which on two nodes cost less. */
+#define CHUNK_LEAST 4
+
+static void draw_divided(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+    int32_t column = glint_shift_right(left, CHUNK_SHIFT) * (1 << CHUNK_SHIFT), known = -1;
+    colour_node a, b = {{0, 0, 0}, 0, 0};
+    for (; left < right; column += 1 << CHUNK_SHIFT) {
+        const int32_t next = column + (1 << CHUNK_SHIFT), end = glint_least(next, right);
+        int is_linear = end - left >= CHUNK_LEAST;
+        if (is_linear) {
+            if (column == known)
+                a = b;
+            else
+                find_node(walk, row, column, &a);
+            find_node(walk, row, known = next, &b);
+            is_linear = is_close(walk, &a, &b);
+        }
+        if (is_linear) {
+            set_between(walk, &a, &b, column);
+            walk->frame->config.format->smooth(walk, row, left, end);
+        } else {
+            draw_divided_pixels(walk, row, left, end);
+        }
+        left = end;
+    }
+}
+
+/* The colour of a triangle's corner. */
+static inline const int16_t *colour_at(const glint_row_walk *walk, uint32_t corner) {
+    const glint_triangle *t = &walk->triangle;
+    return t->back ? t->extra[corner] : t->corners[corner]->attribute;
+}
+
+/* Planes of 1/w, its largest from 2^30 to 2^31, and of channels times that, 2^-16. */
+static GLINT_NOINLINE void begin_divided(glint_row_walk *walk) {
+    const glint_config *config = &walk->frame->config;
+    const glint_vertex *const *v = walk->triangle.corners;
+    const int16_t *const colour[3] = {colour_at(walk, 0), colour_at(walk, 1), colour_at(walk, 2)};
+    const glint_gradients *g = &walk->part->gradients;
+    const unsigned up = glint_find_room(v);
+    int32_t w[3];
+    if (walk->has_slopes)
+        glint_setup(walk->part, &walk->triangle);
+    for (int i = 0; i < 3; i++)
+        w[i] = glint_shift_left(v[i]->inverse_w, up);
+    glint_plane_begin(&walk->w, g, w[0], w[1], w[2]);
+    for (int c = 0; c < 3; c++)
+        glint_plane_begin(&walk->channel[c], g, glint_product_high(colour[0][c] * (1 << 16), w[0]),
+                          glint_product_high(colour[1][c] * (1 << 16), w[1]),
+                          glint_product_high(colour[2][c] * (1 << 16), w[2]));
+    walk->draw_span =
+        config->gamma || config->format->is_dithered || walk->is_deep ? draw_divided_pixels : draw_divided;
+}
+
+/* ---- Colours at corners, linear on the screen ---- */
+
+/* A channel's change per pixel in x and y, and its value at a pixel: Q29. */
+typedef struct lane {
+    int32_t dx, dy, start;
+} lane;
+
+/* Of any triangle, at its anchor. */
+static lane lane_of_gradients(const glint_gradients *g, int32_t a, int32_t b, int32_t c) {
+    glint_plane p;
+    glint_plane_begin(&p, g, a * (1 << 14), b * (1 << 14), c * (1 << 14));
+    return (lane){p.dx, p.dy, p.start};
+}
+
+/* Returns a small triangle's lane at the pixel at or after the top corner, modulo 2^32: a sliver's may wrap there. */
+static inline lane lane_of_slopes(const glint_slopes *s, int32_t a, int32_t d1, int32_t d2) {
+    return (lane){(int32_t)glint_weigh(d1, s->x1, d2, s->x2), (int32_t)glint_weigh(d1, s->y1, d2, s->y2),
+                  glint_add_wrap(a * (1 << 14), (int32_t)glint_weigh(d1, s->start1, d2, s->start2))};
+}
+
+/* Rounds Q29 to 2^-16. */
+static inline uint32_t to_half(int32_t channel) {
+    return (uint32_t)glint_shift_right(glint_add_wrap(channel, 1 << 12), 13);
+}
+
+/* Sets lanes from the tile's first pixel on, given those at pixel (x, y) of it. */
+static inline void set_red_blue(glint_lanes *to, const lane *red, const lane *blue, uint32_t x, uint32_t y) {
+    const uint32_t dx = (to_half(blue->dx) << 16) + to_half(red->dx), dy = (to_half(blue->dy) << 16) + to_half(red->dy);
+    to[0].red_blue = (to_half(blue->start) << 16) + to_half(red->start) - dx * x - dy * y;
+    to[1].red_blue = dx;
+    to[2].red_blue = dy;
+}
+
+static inline void set_green(glint_lanes *to, const lane *green, uint32_t x, uint32_t y) {
+    const uint32_t dx = (uint32_t)green->dx << 3, dy = (uint32_t)green->dy << 3;
+    to[0].green = ((uint32_t)green->start << 3) - dx * x - dy * y;
+    to[1].green = dx;
+    to[2].green = dy;
+}
+
+static GLINT_NOINLINE void begin_gradients(glint_row_walk *walk) {
+    const int16_t *a = colour_at(walk, 0), *b = colour_at(walk, 1), *c = colour_at(walk, 2);
+    const glint_gradients *g = &walk->part->gradients;
+    const uint32_t x = 0u - (uint32_t)walk->part->x, y = 0u - (uint32_t)walk->part->y;
+    const lane red = lane_of_gradients(g, a[0], b[0], c[0]), green = lane_of_gradients(g, a[1], b[1], c[1]),
+               blue = lane_of_gradients(g, a[2], b[2], c[2]);
+    set_red_blue(walk->lanes, &red, &blue, x, y);
+    set_green(walk->lanes, &green, x, y);
+}
+
+/*
+ * What is linear over w bends away from the plane through its corners, on the average over the triangle by
+ * (2 w1 - w2) / 12 w0 of its difference d1 between the second and the first corner, and the same of w2 and d2; w1 and
+ * w2 are differences too. Planes are moved by as much, which weights at the start are, 2^-14: by 2^-13 of a difference.
+ */
+static inline void add_curvature(glint_slopes *s, int32_t wa, int32_t wb, int32_t wc) {
+    const unsigned zeros = glint_leading_zeros((uint32_t)wa | 1);
+    const int32_t reciprocal = glint_reciprocal16((uint32_t)wa << zeros >> 16); /* 2^31 / w0, of 16 bits */
+    const int32_t twelfth = glint_shift_right(reciprocal * 5461, 16);
+    /* w1 and w2 are below 16 w0: these have 30 bits */
+    const int32_t w1 = glint_shift_left(glint_shift_right(wb - wa, 5), zeros - 1),
+                  w2 = glint_shift_left(glint_shift_right(wc - wa, 5), zeros - 1);
+    s->start1 = glint_add_wrap(s->start1, glint_shift_right(glint_shift_right(2 * w1 - w2, 14) * twelfth, 13));
+    s->start2 = glint_add_wrap(s->start2, glint_shift_right(glint_shift_right(2 * w2 - w1, 14) * twelfth, 13));
+}
+
+/*
+ * Rounding must keep within half of what has been added to levels (glint_finish_corner). Slopes of red and blue are
+ * rounded by half of 2^-16 a pixel, in x and in y; weights by half of 2^-14 of the corners' difference.
+ */
+static int has_room(const glint_format *format, const glint_vertex *const v[3], uint32_t most_apart) {
+    const int32_t x = glint_most_of(v[0]->x, v[1]->x, v[2]->x) - glint_least_of(v[0]->x, v[1]->x, v[2]->x);
+    const int32_t y = glint_most_of(v[0]->y, v[1]->y, v[2]->y) - glint_least_of(v[0]->y, v[1]->y, v[2]->y);
+    const int32_t span = glint_shift_right(x + y, 4) + 1, level = 1 << (16 - glint_green_bits(format));
+    const int32_t room =
+        format->is_dithered ? level / (2 * glint_dither_margin(glint_green_bits(format))) : level / 4; /* 2^-16 */
+    const int32_t apart = (int32_t)glint_least((int32_t)most_apart, INT16_MAX);
+    return glint_shift_right(apart * span, 14) + (format->channel[0] ? span / 2 : 0) <= room;
 }
 
 /* ---- Colours at corners ---- */
 
-/* Finds colours of fragments from those of vertices. */
-static void resolve(const glint_frame *frame, glint_fragments *fragments, const glint_draw *draw) {
-    (void)frame;
-    (void)draw;
-    for (uint32_t i = 0; i < fragments->count; i++) {
-        int16_t colour[3];
-        glint_resolve_colour(fragments, i, fragments->attributes->main, colour);
-        for (int c = 0; c < 3; c++) /* 32767 stands for 1 */
-            fragments->colour[i][c] = ((uint32_t)colour[c] << 8) + ((uint32_t)colour[c] >> 7);
-    }
+/* By how much 1/w changes over a triangle, and how much of it, times the largest difference of colours, is too much. */
+typedef struct colour_bend {
+    uint32_t change, level;
+} colour_bend;
+
+static inline colour_bend find_bend(const glint_row_walk *walk, int32_t wa, int32_t wb, int32_t wc) {
+    const uint32_t least = (uint32_t)glint_least_of(wa, wb, wc) >> 15, most = (uint32_t)glint_most_of(wa, wb, wc) >> 15;
+    return (colour_bend){most - least + 1, (4 * CLOSE >> walk->colour_bits) * least};
 }
 
-/* How far a polynomial may be from a colour that is linear over w: 1/10 of a level, Q15. */
-#define CLOSE ((1u << 15) / 10)
-
-/* Of all channels, what the corners' colours are apart at most. */
-static uint32_t find_difference(const int16_t *const colour[3]) {
-    uint32_t most = 0;
-    for (int c = 0; c < 3; c++) {
-        const uint32_t apart = (uint32_t)(glint_most_of(colour[0][c], colour[1][c], colour[2][c]) -
-                                          glint_least_of(colour[0][c], colour[1][c], colour[2][c]));
-        most = apart > most ? apart : most;
-    }
-    return most;
+/* Returns no less than find_apart, and less than twice as much. */
+static inline uint32_t bound_apart(const int16_t *a, const int16_t *b, const int16_t *c) {
+    return glint_magnitude_bits(b[0] - a[0]) | glint_magnitude_bits(b[1] - a[1]) | glint_magnitude_bits(b[2] - a[2]) |
+           glint_magnitude_bits(c[0] - a[0]) | glint_magnitude_bits(c[1] - a[1]) | glint_magnitude_bits(c[2] - a[2]);
 }
 
-/* How far pixels of a triangle lie from its first corner, in x and y together. */
-static uint32_t find_farthest(const glint_vertex *const v[3]) {
-    int32_t most = 0;
-    for (int i = 1; i < 3; i++) {
-        const int32_t x = v[i]->x - v[0]->x, y = v[i]->y - v[0]->y;
-        most = glint_most(most, glint_most(x, -x) + glint_most(y, -y));
-    }
-    return (uint32_t)most >> 4;
+/* May the colours of any triangle be linear on the screen? */
+static GLINT_NOINLINE int are_linear(const glint_row_walk *walk) {
+    const glint_vertex *const *v = walk->triangle.corners;
+    const uint32_t apart = find_apart(colour_at(walk, 0), colour_at(walk, 1), colour_at(walk, 2));
+    const colour_bend of = find_bend(walk, v[0]->inverse_w, v[1]->inverse_w, v[2]->inverse_w);
+    return walk->colour_bits && !walk->is_deep && apart * of.change <= of.level &&
+           has_room(walk->frame->config.format, v, apart);
 }
 
-/* How a triangle's colours are drawn. */
-typedef enum curve_fit { FITS_PLANES, FITS_QUADRATICS, FITS_NOTHING } curve_fit;
-
-/*
- * Where 1/w changes by a factor 1 + r, what is linear over w is at most r / 4 of its corners' difference from a plane,
- * and 0.0485 r^2 from a quadratic through the middles of the edges too; slivers have none. Coefficients of the second
- * degree, rounded down by up to 1, 2 and 1 of 2^-GLINT_CHANNEL_BITS, add that times the span's square.
- */
-static curve_fit find_fit(const glint_triangle *triangle, const glint_gradients *g, const glint_format *format,
-                          const int16_t *const colour[3]) {
-    const glint_w_range w = glint_find_w_range(triangle->corners);
-    const uint32_t close = CLOSE >> (format->channel[1] ? format->channel[1] : 8), apart = find_difference(colour);
-    if (apart * w.change <= 4 * close * w.least)
-        return FITS_PLANES;
-    if (16 * w.change > 7 * w.least || glint_slenderness(g, triangle->area) > GLINT_SLENDER ||
-        triangle->area < GLINT_POLYNOMIAL_LEAST_AREA)
-        return FITS_NOTHING;
-    const uint32_t span = g->reciprocal ? 0 : find_farthest(triangle->corners); /* narrow ones reach no 128 pixels */
-    if (span * span > close << (GLINT_CHANNEL_BITS - 15))
-        return FITS_NOTHING;
-    const uint32_t ratio = (w.change << 12) / w.least; /* w.change is at most 2^15 */
-    return apart * (ratio * ratio >> 12) <= (close * 20 << 12) ? FITS_QUADRATICS : FITS_NOTHING;
-}
-
-/* Of find_skew, where 1/w changes by at most 7/16. */
-#define MOST_SKEW 5898
-
-/*
- * Four times what a colour at the middle of an edge is more than the mean of its ends, over their difference: Q14. With
- * 1/w times 2^up, below 2^31.
- */
-static int32_t find_skew(const glint_vertex *a, const glint_vertex *b, unsigned up) {
-    const int32_t wa = a->inverse_w << up >> 16, wb = b->inverse_w << up >> 16;
-    const int32_t skew = wa == wb ? 0 : (wa - wb) * (1 << 15) / (wa + wb);
-    return glint_least(glint_most(skew, -MOST_SKEW), MOST_SKEW);
-}
-
-static void begin_channel_planes(glint_quadratic channel[3], const glint_gradients *g, int32_t a[3][3]) {
-    for (int c = 0; c < 3; c++) {
-        glint_plane plane;
-        const int32_t up = 1 << (GLINT_CHANNEL_BITS - 15);
-        glint_plane_begin(&plane, g, a[c][0] * up, a[c][1] * up, a[c][2] * up);
-        glint_quadratic_of(&channel[c], &plane);
-    }
-}
-
-static void begin_channel_quadratics(glint_quadratic channel[3], const glint_gradients *g,
-                                     const glint_vertex *const v[3], int32_t a[3][3]) {
-    const unsigned up = glint_find_room(v);
-    const int32_t skew[3] = {find_skew(v[0], v[1], up), find_skew(v[1], v[2], up), find_skew(v[0], v[2], up)};
-    glint_barycentric s;
-    glint_barycentric_begin(&s, g, GLINT_CHANNEL_BITS - 15);
-    for (int c = 0; c < 3; c++) {
-        const int32_t bulge[3] = {glint_shift_right((a[c][0] - a[c][1]) * skew[0], 14),
-                                  glint_shift_right((a[c][1] - a[c][2]) * skew[1], 14),
-                                  glint_shift_right((a[c][0] - a[c][2]) * skew[2], 14)};
-        glint_polynomial_begin(&channel[c], &s, a[c], bulge);
-    }
-}
-
-/* Colours of a triangle that is lit at its corners. */
-typedef struct lit_colours {
-    curve_fit how;
-    glint_quadratic channels[3];
-} lit_colours;
-
-static void find_lit_colours(const glint_config *config, const glint_triangle *triangle, const glint_gradients *g,
-                             const int16_t *const colour[3], lit_colours *to) {
-    const glint_format *const format = config->format;
-    int32_t a[3][3];
-    to->how = glint_is_deep(triangle) ? FITS_NOTHING : find_fit(triangle, g, format, colour);
-    if (to->how == FITS_NOTHING)
+/* Begins colours by gradients. */
+static void begin_large_colours(glint_row_walk *walk) {
+    if (!are_linear(walk)) {
+        begin_divided(walk);
         return;
-    for (int c = 0; c < 3; c++)
-        for (int i = 0; i < 3; i++)
-            a[c][i] = config->gamma || !format->channel[c] ? colour[i][c]
-                                                           : colour[i][c] - (colour[i][c] >> format->channel[c]);
-    if (to->how == FITS_PLANES)
-        begin_channel_planes(to->channels, g, a);
+    }
+    begin_gradients(walk);
+    walk->draw_span = walk->frame->config.format->smooth;
+}
+
+/* Begins the colours of a small triangle that has slopes. @return 0 where they are divided */
+static GLINT_NOINLINE int begin_small_colours(glint_row_walk *walk) {
+    static const uint8_t next[5] = {0, 1, 2, 0, 1};
+    const uint8_t *from = &next[walk->corners.top];
+    const glint_vertex *const *v = walk->triangle.corners, *p = v[from[0]], *q = v[from[1]], *r = v[from[2]];
+    const int16_t *a = p->attribute, *b = q->attribute, *c = r->attribute;
+    const int32_t wa = p->inverse_w, wb = q->inverse_w, wc = r->inverse_w;
+    if (walk->triangle.back)
+        a = colour_at(walk, from[0]), b = colour_at(walk, from[1]), c = colour_at(walk, from[2]);
+    const colour_bend of = find_bend(walk, wa, wb, wc);
+    if (walk->is_exacting ? !are_linear(walk)
+                          : of.change << 15 > of.level && bound_apart(a, b, c) * of.change > of.level &&
+                                find_apart(a, b, c) * of.change > of.level) {
+        begin_divided(walk);
+        return 0;
+    }
+    glint_slopes s;
+    glint_find_slopes(&walk->corners, &s);
+    const uint32_t x = (uint32_t)s.column, y = (uint32_t)s.row;
+    if (of.change << 17 > of.level)
+        add_curvature(&s, wa, wb, wc);
+    const lane red = lane_of_slopes(&s, a[0], b[0] - a[0], c[0] - a[0]),
+               blue = lane_of_slopes(&s, a[2], b[2] - a[2], c[2] - a[2]);
+    set_red_blue(walk->lanes, &red, &blue, x, y);
+    const lane green = lane_of_slopes(&s, a[1], b[1] - a[1], c[1] - a[1]);
+    set_green(walk->lanes, &green, x, y);
+    return 1;
+}
+
+/*
+ * Looks for the first pixel that passes the depth test: colours of what is hidden need not be found. The span is drawn
+ * from its begin on, which decides how its colours are divided.
+ */
+static void find_visible(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+    const uint16_t *depth = walk->depth + ((uint32_t)row << walk->shift) + left, *const end = depth + (right - left);
+    uint32_t z = glint_z_at(walk, row, left);
+    for (; z >> 15 <= *depth; z += (uint32_t)walk->z.dx)
+        if (++depth == end)
+            return;
+    begin_large_colours(walk);
+    walk->draw_span(walk, row, left, right);
+}
+
+static void begin_lit(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+    glint_begin_depth(walk);
+    walk->draw_span = find_visible;
+    if (walk->is_deep)
+        begin_large_colours(walk);
+    walk->draw_span(walk, row, left, right);
+}
+
+/* Draws the rows of a small triangle with colours that are linear. */
+static inline void draw_rows(glint_row_walk *walk) {
+    const glint_format *format = walk->frame->config.format;
+    walk->draw_span = format->smooth;
+    if (GLINT_SMALL)
+        glint_walk_small(walk);
     else
-        begin_channel_quadratics(to->channels, g, triangle->corners, a);
-    for (int c = 0; c < 3 && !config->gamma; c++)
-        to->channels[c].start += (uint32_t)glint_to_levels(0, format->channel[c]);
+        format->smooth_rows(walk);
 }
 
-/* These, found here unless another tile did. @param own room for them */
-static const lit_colours *find_lit(const glint_frame *frame, glint_workspace *workspace, const glint_triangle *triangle,
-                                   const glint_part *part, const int16_t *const colour[3], lit_colours *own) {
-    const lit_colours *const before = glint_found_find(workspace, triangle, part, 0);
-    if (before)
-        return before;
-    lit_colours *const kept = glint_found_begin(workspace, triangle, part, sizeof *kept);
-    lit_colours *const found = kept ? kept : own;
-    find_lit_colours(&frame->config, triangle, &part->gradients, colour, found);
-    if (kept)
-        glint_found_keep(workspace, triangle, 0, sizeof *kept);
-    return found;
-}
-
-/* Is a part hidden by what other objects have drawn? Most that are not show at their first pixel. Of deep triangles
- * what rounding takes below 0 counts as near: they may be drawn in vain. */
-static GLINT_NOINLINE int is_hidden(const glint_frame *frame, const glint_workspace *workspace,
-                                    const glint_part *part) {
-    const uint32_t left = part->spans[part->top].left;
-    const uint32_t z = glint_first_row(part, &part->depth) + (uint32_t)part->depth.dx * left + GLINT_DEPTH_BIAS;
-    return z >> 15 <= workspace->depth[(part->top << frame->tile_shift_x) + left] && !workspace->drawn &&
-           !glint_is_visible(frame, workspace, part);
-}
-
-void glint_draw_lit(const glint_frame *frame, glint_workspace *workspace, const glint_draw *draw,
-                    const glint_triangle *triangle, const glint_part *part) {
-    const glint_vertex *const *v = triangle->corners;
-    const int16_t *const front[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
-    const int16_t *const *const colour = triangle->back ? triangle->extra : front;
-    const glint_format *const format = frame->config.format;
-    lit_colours own;
-    if (!GLINT_SMALL && draw != frame->draws && is_hidden(frame, workspace, part))
-        return;
-    const lit_colours *const lit = find_lit(frame, workspace, triangle, part, colour, &own);
-    if (lit->how == FITS_NOTHING) {
-        draw_fragments(frame, workspace, draw, triangle, part, colour, resolve);
-        return;
-    }
-    if (!GLINT_SMALL && format->draw_channels && !frame->config.gamma) {
-        const glint_spans spans = glint_spans_of(frame, workspace, part);
-        format->draw_channels(&spans, lit->channels, lit->how == FITS_QUADRATICS);
+void glint_draw_lit(glint_row_walk *walk) {
+    glint_begun begun = glint_begin_triangle(walk);
+    if (begun == GLINT_IS_SMALL && walk->has_slopes) {
+        if (!glint_find_visible_row(walk))
+            return;
+        if (begin_small_colours(walk)) {
+            draw_rows(walk);
+            return;
+        }
     } else {
-        const colour_source from = {
-            .to = {frame, workspace, part, 0, 0, 0}, .draw_run = draw_channel_run, .channels = lit->channels};
-        draw_runs(&from);
+        walk->draw_span = begin_lit;
     }
-    if (workspace->drawn)
-        glint_count(workspace, GLINT_KERNEL_CHANNELS, glint_covered_by(part));
+    glint_walk_begun(walk, begun);
 }

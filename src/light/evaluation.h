@@ -10,28 +10,39 @@
 /** Where colours are found. */
 typedef enum glint_lit_at { GLINT_LIT_AT_FRAGMENTS, GLINT_LIT_AT_VERTICES, GLINT_LIT_AT_FACETS } glint_lit_at;
 
-/** What evaluations that light nodes link. */
-typedef struct glint_node_stage {
-    /** Behind all shadings: what each material makes of the frame's lights. Adds to frame->least_room. */
-    glint_status (*prepare)(glint_frame *frame);
-    /** Bytes that a vertex keeps of light in one material. @return 0 where nodes do not fit it, or none are lit of it
-     */
-    size_t (*measure)(const glint_frame *frame, const glint_shading *shading);
-    size_t size; /* bytes that what a material makes of the lights takes */
-} glint_node_stage;
-
 struct glint_evaluation {
-    uint8_t lit_at;                /* glint_lit_at */
-    uint8_t has_terms;             /* do vertices keep the terms of fast lighting? */
-    glint_light_triangle *light;   /* what comes before a triangle is drawn */
-    glint_kernel *kernel, *sides;  /* and of double-sided objects */
-    const glint_node_stage *nodes; /* or null */
+    uint8_t lit_at;              /* glint_lit_at */
+    glint_light_triangle *light; /* what comes before a triangle is drawn */
+    void (*draw_triangle)(glint_row_walk *walk);
 };
 
-/** The kernel for everything: fragments that pass the depth test are lit; those of backs by the opposite normals. */
-glint_kernel glint_draw_any;
+/** Light of directional lights alone, which is linked with these: suns.h. */
+typedef struct glint_suns_stage {
+    const glint_evaluation *evaluation;
+    /** Can an object be lit this way? Its material is prepared. */
+    int (*serves)(const glint_frame *frame, const glint_shading *shading, const glint_object *object);
+    /** Returns the bytes that a vertex of it keeps. */
+    size_t (*vertex_size)(const glint_shading *shading);
+    /** Prepares the materials of a frame; they are what the arena holds last. */
+    glint_status (*prepare)(glint_frame *frame);
+    /** Adds the bytes that a material takes at least, and its tables, which want as much room left behind them. */
+    void (*need)(const glint_frame *frame, const glint_shading *shading, size_t *least, size_t *tables);
+} glint_suns_stage;
 
-/** Kernels of triangles of one colour, and of those with colours at their corners. */
-glint_kernel glint_draw_facet, glint_draw_unlit, glint_draw_lit;
+extern const glint_suns_stage glint_suns_of_lights;
+
+/** Returns it where a scene has directional lights, or null. */
+static inline const glint_suns_stage *glint_find_suns(const glint_scene *scene) {
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        if (scene->lights[i].type->suns)
+            return scene->lights[i].type->suns;
+    return 0;
+}
+
+/** Draws a triangle of its own one colour. */
+void glint_draw_facet(glint_row_walk *walk);
+
+/** Draws a triangle with colours at its corners. */
+void glint_draw_lit(glint_row_walk *walk);
 
 #endif

@@ -15,9 +15,9 @@ static int32_t power_of_sine(uint32_t u, int32_t exponent) {
 }
 
 /* Where (1 - u)^(p/2) times the weight falls below what need not show; Q30. */
-static uint32_t find_window_end(int32_t exponent, uint32_t weight, uint32_t spare) {
-    unsigned bits = spare ? 0 : 12; /* 2^-12 is 1/16 of 1/255 */
-    while (bits < 16 && weight > (spare ? spare : 1) << bits)
+static uint32_t find_window_end(int32_t exponent, uint32_t weight) {
+    unsigned bits = 12; /* 2^-12 is 1/16 of 1/255 */
+    while (bits < 16 && weight > 1u << bits)
         bits++;
     int64_t y = ((int64_t)(2 * bits) << 42) / exponent; /* 2 bits / p, Q26 */
     return (1u << 30) - glint_exp2((int32_t)-y);
@@ -31,15 +31,27 @@ static uint32_t find_window(uint32_t cut) {
     return window;
 }
 
-void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t weight, uint32_t spare) {
+/* x^p for p < 2, by halves: of GLINT_POWER_OCTAVE nodes from 1/2 to 1, and at 2^-i behind them. */
+static void prepare_octaves(glint_power_table *table) {
+    const int32_t p = table->exponent;
+    for (uint32_t i = 0; i <= GLINT_POWER_OCTAVE; i++)
+        table->value[i] =
+            (uint16_t)((glint_power((1u << 30) + i * ((1u << 30) / GLINT_POWER_OCTAVE), p) + (1 << 14)) >> 15);
+    for (uint32_t i = 0; i < 32; i++)
+        table->value[GLINT_POWER_OCTAVE + 1 + i] = (uint16_t)((glint_power((1u << 31) >> i, p) + (1 << 14)) >> 15);
+}
+
+void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t weight) {
     table->exponent = exponent;
     table->direct = exponent < 2 * GLINT_ONE;
-    const uint32_t cut = table->direct ? 1u << 30 : find_window_end(exponent, weight, spare);
+    const uint32_t cut = table->direct ? 1u << 30 : find_window_end(exponent, weight);
     table->window = find_window(cut);
-    uint32_t inside = (1u << 30) - (spare ? cut : table->window);
+    uint32_t inside = (1u << 30) - table->window;
     table->cosine_square_floor = (int32_t)((inside - (inside >> 11)) >> 15);
-    if (table->direct)
+    if (table->direct) {
+        prepare_octaves(table);
         return;
+    }
     table->index_shift = 31u - glint_leading_zeros(table->window) - GLINT_POWER_TABLE_BITS;
     int32_t f[3]; /* at three nodes in a row, around node i where it has two neighbours */
     for (uint32_t i = 0; i < 3; i++)

@@ -3,7 +3,7 @@
 #include "shading.h"
 
 #include "../frame/arena.h"
-#include "../pixel/format.h"
+#include "../math/product.h"
 
 /* Products of two colours with `bits` fractional bits. @return the largest, below 0 when one passes GLINT_COLOUR_MAX.
  */
@@ -21,13 +21,6 @@ static int32_t weigh_colour(const glint_colour *a, const glint_colour *b, int bi
     return largest;
 }
 
-/* What the error budget allows, as a weight, Q12: its steps less a quarter for what is rounded otherwise. */
-static int32_t find_spare(const glint_frame *frame) {
-    const int32_t budget = frame->scene->error_budget, bits = (int32_t)frame->config.format->bits;
-    const int32_t levels = bits & 4 ? 15 : bits == 16 ? 63 : 255;
-    return budget && !frame->config.gamma ? (4096 * budget - 1024) / levels : 0;
-}
-
 /* Sets a number that tables are made from. */
 static inline void renew(glint_shading *shading, uint32_t *number, uint32_t value) {
     shading->changed |= GLINT_SMALL ? 0 : *number ^ value;
@@ -39,13 +32,10 @@ static void renew_colour(glint_shading *shading, uint32_t number[3], const uint3
         renew(shading, &number[c], value[c]);
 }
 
-/*
- * Weights of the lights that show, and what of the error budget they leave. @return the largest of specular light,
- * below 0 when one passes GLINT_COLOUR_MAX.
- */
-static int32_t weigh_lights(const glint_scene *scene, glint_shading *shading, int32_t spare) {
+/* Weights of the lights that show. @return the largest of specular light, below 0 when one passes GLINT_COLOUR_MAX */
+static int32_t weigh_lights(const glint_scene *scene, glint_shading *shading) {
     const glint_material *material = shading->material;
-    uint32_t lights = 0, has_specular = 0, shown = 0, weight[2][3] = {{0}};
+    uint32_t lights = 0, has_specular = 0, weight[2][3] = {{0}};
     int32_t largest = 0;
     for (uint32_t i = 0; i < scene->light_count; i++) {
         const glint_light *light = &scene->lights[i];
@@ -55,22 +45,12 @@ static int32_t weigh_lights(const glint_scene *scene, glint_shading *shading, in
             return -1;
         renew_colour(shading, shading->weights[i].diffuse, weight[0]);
         renew_colour(shading, shading->weights[i].specular, weight[1]);
-        if (specular > spare) {
-            has_specular |= 1u << i;
-            largest = glint_most(specular, largest);
-        } else {
-            spare -= specular;
-            if (diffuse <= spare) {
-                spare -= diffuse;
-                continue;
-            }
-        }
-        lights |= 1u << i;
-        shown++;
+        has_specular |= (uint32_t)(specular > 0) << i;
+        lights |= (uint32_t)((diffuse | specular) > 0) << i;
+        largest = glint_most(specular, largest);
     }
-    renew(shading, &shading->lights, material->model->light ? lights : 0);
+    renew(shading, &shading->lights, material->model->is_lit ? lights : 0);
     renew(shading, &shading->has_specular, material->model->prepare ? has_specular : 0);
-    renew(shading, &shading->spare, shown ? (uint32_t)spare / shown : 0);
     return largest;
 }
 
@@ -82,7 +62,7 @@ glint_status glint_prepare_shading(const glint_frame *frame, glint_shading *shad
     if (weigh_colour(&material->ambient, &frame->scene->ambient, 23, ambient) < 0)
         return GLINT_ERROR_COLOUR;
     renew_colour(shading, shading->ambient, ambient);
-    const int32_t largest = weigh_lights(frame->scene, shading, find_spare(frame));
+    const int32_t largest = weigh_lights(frame->scene, shading);
     if (largest < 0)
         return GLINT_ERROR_COLOUR;
     if (!GLINT_SMALL && frame->config.keeps_arena && !shading->changed)

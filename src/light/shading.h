@@ -3,21 +3,24 @@
 #ifndef GLINT_SHADING_H
 #define GLINT_SHADING_H
 
+#include "../glint_extras.h"
 #include "../scene/view.h"
 
-struct glint_fragments;
-struct glint_light_terms;
-struct glint_fast_terms;
+struct glint_suns;
 
 /** Intervals of a power table, and bits of the position within one that are used. */
 #define GLINT_POWER_TABLE_BITS 7
 #define GLINT_POWER_INTERVALS (1 << GLINT_POWER_TABLE_BITS)
 #define GLINT_POWER_FRACTION_BITS 12
 
-/** x^p for x = 1 - u, or for x itself where p < 2. */
+/** Intervals from 1/2 to 1 of the table of an exponent below 2. */
+#define GLINT_POWER_OCTAVE 64
+
+/** x^p: a table over u = 1 - x^2 or, where p < 2, over x between two powers of two, followed by that of these powers.
+ */
 typedef struct glint_power_table {
     int32_t exponent;            /* p, Q16.16 */
-    uint32_t direct;             /* p < 2: no table, the power is computed */
+    uint32_t direct;             /* p < 2: the table is over x; fragments compute the power */
     uint32_t window;             /* Q30: the table spans sin^2 from 0 to this power of two; beyond, the power is 0 */
     uint32_t index_shift;        /* sin^2 in Q30 >> this is the interval */
     int32_t cosine_square_floor; /* Q15: below this cos^2 lies outside the window */
@@ -35,14 +38,11 @@ typedef struct glint_shading {
     int32_t shininess;
     uint32_t ambient[3]; /* Q23 */
     glint_weights weights[GLINT_LIGHTS_MAX];
-    uint32_t lights;                       /* bit i: light i shows */
-    uint32_t has_specular;                 /* bit i: its specular light does */
-    uint32_t spare;                        /* of the error budget, Q12: what each light's specular light may lack */
-    uint32_t changed;                      /* 0: all above is what the last frame left here, and so are its tables */
-    const struct glint_fast_terms *fast;   /* tables of fast lighting, or null */
-    const struct glint_light_terms *terms; /* null where fragments are lit one by one */
-    size_t node_size;                      /* bytes that a vertex keeps of light; 0 where it keeps none */
-    uint32_t power_sum;                    /* of `power`, where the arena is kept */
+    uint32_t lights;               /* bit i: light i shows */
+    uint32_t has_specular;         /* bit i: its specular light does */
+    uint32_t changed;              /* 0: all above is what the last frame left here, and so are its tables */
+    const struct glint_suns *suns; /* of directional lights alone, or null */
+    uint32_t power_sum;            /* of `power`, where the arena is kept */
     glint_power_table power;
 } glint_shading;
 
@@ -54,17 +54,26 @@ static inline const glint_shading *glint_shading_of(const glint_frame *frame, co
     return shading;
 }
 
+/**
+ * Finds specular power at a point, Q15: of unit vectors, the normal as long as a point's, the others as GLINT_UNIT; all
+ * off by as much as corners.h says.
+ */
+typedef uint32_t glint_highlight(const glint_power_table *table, const int32_t normal[3], const int32_t light[3],
+                                 const int32_t view[3]);
+
 struct glint_model {
     /** Beyond the weights: what `light` needs. May be null. */
     void (*prepare)(glint_shading *shading, uint32_t largest_specular);
-    /** Adds what one light gives to the fragments' colours; null for surfaces that are not lit. */
-    void (*light)(const glint_shading *shading, uint32_t light, const glint_view *view,
-                  struct glint_fragments *fragments, int has_surface);
-    uint8_t lobe; /* what fast lighting takes it for */
+    /** Finds the colours of fragments: lamps.h. */
+    void (*reflect)(const struct glint_row_walk *walk, struct glint_lit_fragment *f,
+                    const struct glint_lit_fragment *end);
+    uint8_t is_lit; /* not of surfaces that show their ambient light alone */
+    uint8_t lobe;
+    glint_highlight *highlight; /* null for surfaces without highlights */
 };
 
 /* What a model's specular light lies around. */
-#define GLINT_LOBE_OTHER 0       /* what fast lighting does not know */
+#define GLINT_LOBE_OTHER 0       /* neither of these */
 #define GLINT_LOBE_NONE 1        /* there is none */
 #define GLINT_LOBE_HALF_VECTOR 2 /* Blinn's */
 #define GLINT_LOBE_MIRROR 3      /* Phong's */
@@ -76,9 +85,9 @@ struct glint_model {
 glint_status glint_prepare_shading(const glint_frame *frame, glint_shading *shading, const glint_material *material);
 
 /**
- * A power table for exponent p; weight, Q12, is the largest that its values are multiplied by. What falls below
- * `spare`, Q12, need not show: where that is 0, below 1/16 of an 8-bit step.
+ * A power table for exponent p; weight, Q12, is the largest that its values are multiplied by. What falls below 1/16 of
+ * an 8-bit step need not show.
  */
-void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t weight, uint32_t spare);
+void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t weight);
 
 #endif

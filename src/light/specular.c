@@ -1,19 +1,27 @@
 /* SPDX-License-Identifier: MIT */
-/* The specular power of a fragment, from the power table or, for the widest lobes, computed. */
+/* The specular power at a corner, from the power table or, for the widest lobes, from its octaves. */
 #include "model.h"
 
-/* sin^2 of the angle between two unit vectors, Q30. */
-static uint32_t sine_square(const int16_t a[3], const int16_t b[3]) {
-    int32_t x = glint_shift_right(a[1] * b[2] - a[2] * b[1] + 0x4000, 15);
-    int32_t y = glint_shift_right(a[2] * b[0] - a[0] * b[2] + 0x4000, 15);
-    int32_t z = glint_shift_right(a[0] * b[1] - a[1] * b[0] + 0x4000, 15);
-    return (uint32_t)(x * x + y * y + z * z);
+/* x^p, Q15, for p < 2, x Q31 from 1 to 2^31; off by at most 3 steps. */
+static uint32_t power_by_octaves(const glint_power_table *table, uint32_t x) {
+    const unsigned zeros = glint_leading_zeros(x);
+    if (!zeros)
+        return 1u << 15;
+    const uint32_t mantissa = (x << zeros) & 0x7fffffff; /* above 1/2 */
+    const uint16_t *node = &table->value[mantissa >> 25];
+    const uint32_t rise = (uint32_t)(node[1] - node[0]) * (mantissa >> 13 & 0xfff);
+    return (node[0] + (rise >> 12)) * table->value[GLINT_POWER_OCTAVE + zeros] >> 15;
 }
 
-uint32_t glint_specular_power(const glint_power_table *table, const int16_t a[3], const int16_t b[3], int32_t cosine) {
-    if (table->direct) {
-        uint32_t x = ((uint32_t)cosine << 1) + ((uint32_t)cosine >> 11); /* Q31; UNIT^2 is 2^30 less a part in 2^12 */
-        return (glint_power(x > 1u << 31 ? 1u << 31 : x, table->exponent) + (1u << 14)) >> 15;
-    }
-    return glint_power_at(table, sine_square(a, b));
+/* 2 UNIT^2: the square of a right angle's chord. */
+#define CHORD_OF_RIGHT_ANGLE (2u * GLINT_UNIT * GLINT_UNIT)
+
+uint32_t glint_power_of_chord(const glint_power_table *table, uint32_t chord) {
+    if (chord >= CHORD_OF_RIGHT_ANGLE)
+        return glint_power_of_zero(table);
+    const uint32_t lacking = chord >> 12; /* UNIT^2 is 2^30 less a part in 2^12 */
+    if (table->direct)                    /* cos = 1 - chord / 2 */
+        return power_by_octaves(table, (1u << 31) - chord - lacking);
+    const uint32_t half = chord >> 16; /* sin^2 = chord - (chord / 2)^2, as much short of 1 as the table expects */
+    return glint_power_at(table, chord - half * half - lacking);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Spots: point lights within a cone, with a smooth step from its inner to its outer angle. */
+#include "lamps.h"
 #include "point.h"
 
 /* Cosine of an angle in degrees, times UNIT^2. */
@@ -39,20 +40,42 @@ static uint32_t smooth_step(int32_t past, int32_t slope) {
     return (t * t >> 15) * ((3u << 15) - 2 * t) >> 15;
 }
 
-static void illuminate_spot(const glint_prepared_light *light, glint_fragments *fragments) {
-    glint_point_illuminate(light, fragments);
-    for (uint32_t i = 0; i < fragments->count; i++) {
-        if (!fragments->strength[i])
-            continue;
-        const int32_t cosine = glint_cone_cosine(light, fragments->light[i]);
-        if (cosine >= light->spot.cosine_inner)
-            continue;
-        /* past is at most inner - outer, of which slope is the inverse */
-        const int32_t past = glint_shift_right(cosine - light->spot.cosine_outer, light->spot.shift);
-        const uint32_t step = past > 0 ? smooth_step(past, light->spot.slope) : 0;
-        fragments->strength[i] = (uint16_t)(fragments->strength[i] * step >> 15);
-    }
+/* What of a spot's light falls where the way to it has a cosine, times GLINT_UNIT^2, with its axis: Q15. */
+static inline uint32_t find_part(const glint_prepared_light *light, int32_t cosine) {
+    if (cosine >= light->spot.cosine_inner)
+        return 1u << 15;
+    /* past is at most inner - outer, of which slope is the inverse */
+    const int32_t past = glint_shift_right(cosine - light->spot.cosine_outer, light->spot.shift);
+    return past > 0 ? smooth_step(past, light->spot.slope) : 0;
 }
+
+/* ---- Corners ---- */
+
+static void bring_spot(const glint_light *light, const glint_corner_space *space, int32_t place_exponent,
+                       glint_corner_light *to) {
+    const int64_t axis[3] = {-(int64_t)light->axis.x, -(int64_t)light->axis.y, -(int64_t)light->axis.z};
+    int32_t turned[3], exponent;
+    glint_point_bring(light, space, place_exponent, to);
+    glint_corner_turn(space, axis, turned);
+    glint_corner_unit(turned, &exponent);
+    for (int i = 0; i < 3; i++)
+        to->axis[i] = (int16_t)turned[i];
+    to->axis_excess = glint_dot(to->axis, to->axis) - glint_dot(to->source->direction, to->source->direction);
+}
+
+/* The cosine is corrected for the lengths of both vectors. */
+static uint32_t reach_spot(const glint_corner_light *light, const glint_lit_point *point, glint_corner_sight *to) {
+    const uint32_t strength = glint_point_reach(light, point, to);
+    const int32_t *const direction = to->direction;
+    if (!strength)
+        return 0;
+    const int32_t excess = glint_corner_dot(direction, direction) - GLINT_UNIT * GLINT_UNIT + light->axis_excess,
+                  cosine =
+                      direction[0] * light->axis[0] + direction[1] * light->axis[1] + direction[2] * light->axis[2];
+    return strength * find_part(light->source, cosine - glint_excess(cosine, excess)) >> 15;
+}
+
+/* ---- Objects that a cone misses ---- */
 
 /* Bits and a sign that a spot's way to an object, and the object's box, are brought to. */
 #define WAY_BITS 13
@@ -137,4 +160,11 @@ static int misses_cone(const glint_light *light, const glint_prepared_light *pre
     return least < 0 || (uint64_t)across * (uint32_t)(cosine * cosine) > (uint64_t)((int64_t)least * least) << 30;
 }
 
-const glint_light_type glint_light_spot = {prepare_spot, illuminate_spot, glint_point_place, misses_cone, 1};
+const glint_light_type glint_light_spot = {.prepare = prepare_spot,
+                                           .has_place = 1,
+                                           .place = glint_point_place,
+                                           .misses = misses_cone,
+                                           .has_cone = 1,
+                                           .arrive = glint_arrive_from_place,
+                                           .bring = bring_spot,
+                                           .reach = reach_spot};

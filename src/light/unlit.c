@@ -11,4 +11,4 @@ static void prepare_unlit(glint_shading *shading, uint32_t largest_specular) {
     shading->ambient[2] = (uint32_t)colour->b << 7;
 }
 
-const glint_model glint_model_unlit = {prepare_unlit, 0, GLINT_LOBE_OTHER};
+const glint_model glint_model_unlit = {.prepare = prepare_unlit, .lobe = GLINT_LOBE_OTHER};

@@ -9,10 +9,12 @@
 #include "numeric.h"
 
 /** Does the core divide in hardware? */
+#ifndef GLINT_DIVIDES
 #if (defined(__arm__) && !defined(__ARM_FEATURE_IDIV)) || (defined(__riscv) && !defined(__riscv_div))
 #define GLINT_DIVIDES 0
 #else
 #define GLINT_DIVIDES 1
+#endif
 #endif
 
 /** 2^20 / i, i from 16 to 256, to the nearest; 65535 for 16. */
@@ -78,9 +80,11 @@ static inline int32_t glint_slope_by_table(int32_t dx, int32_t dy) {
     return slope + glint_shift_right(glint_shift_right(rest, 6) * inverse, 14);
 }
 
-static inline int32_t glint_slope(int32_t dx, int32_t dy) {
-    return GLINT_DIVIDES ? glint_slope_by_division(dx, dy) : glint_slope_by_table(dx, dy);
-}
+#if GLINT_DIVIDES
+#define glint_slope glint_slope_by_division
+#else
+GLINT_CONST int32_t glint_slope(int32_t dx, int32_t dy); /* numeric.c: out of line, as it is long */
+#endif
 
 /** From an edge's top to where it crosses the first row of centres, `down` sixteenths below, from 0 to 15. */
 static inline int32_t glint_edge_start(int32_t slope, int32_t down) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "numeric.h"
 
+#include "division.h"
 #include "product.h"
 
 #if GLINT_SPLIT_PRODUCTS
@@ -10,6 +11,12 @@ int64_t glint_product(int32_t a, int32_t b) {
 
 uint64_t glint_product_unsigned(uint32_t a, uint32_t b) {
     return glint_product_unsigned_split(a, b);
+}
+#endif
+
+#if !GLINT_DIVIDES
+int32_t glint_slope(int32_t dx, int32_t dy) {
+    return glint_slope_by_table(dx, dy);
 }
 #endif
 

@@ -18,7 +18,7 @@
  * | 1/w of a fragment | screen | int32 Q31 of the frame's nearest | 0 to 2^31 - 1 | draw.c |
  * | depth | screen | uint16, (1/w >> 15) + 1 | 1 to 65535, 0 is empty | draw.c |
  * | normal or colour over w | screen | int32, scaled per triangle | +-2^30 | draw.c |
- * | colour of a vertex or facet | | int16, 1 = 32767 | 0 to 32767 | glint_clamp_colour |
+ * | colour of a vertex or facet | | int16, 1 = 32767 | 0 to 32767 | glint_finish_corner |
  * | strength of a light with a position | | uint16 Q15 | 0 to 2^15 | point.c |
  * | twice a triangle's area | screen | int32, 28.4 squared | < 2^31 | guard band |
  * | light weight (light times material) | | uint32 Q12 | 0 to 16 | shading.c |
@@ -56,6 +56,13 @@
 #define GLINT_CONST
 #endif
 
+/** Says that a condition is seldom true. */
+#if defined(__GNUC__)
+#define GLINT_RARELY(x) __builtin_expect((x) != 0, 0)
+#else
+#define GLINT_RARELY(x) (x)
+#endif
+
 /** Is the library built for size? Then shortcuts that change no result are left out. */
 #if defined(__OPTIMIZE_SIZE__)
 #define GLINT_SMALL 1
@@ -84,8 +91,8 @@ typedef char glint_arithmetic_shift[(-1 >> 1) == -1 ? 1 : -1];
 typedef char glint_int_of_32_bits[INT_MAX == 0x7fffffff ? 1 : -1];
 
 extern const uint16_t glint_inverse_root_table[354];
-extern const uint16_t glint_inverse_table[65];
-extern const uint16_t glint_root_table[768];
+extern const uint16_t glint_root_table[960];
+extern const uint32_t glint_length_table[192];
 extern const uint32_t glint_log2_inverse_table[32];
 extern const uint32_t glint_log2_table[32];
 extern const uint32_t glint_exp2_table[32];
@@ -121,10 +128,12 @@ static inline int32_t glint_multiply_wrap(int32_t x, int32_t y) {
 }
 
 /** Does the core count leading zeros? */
+#ifndef GLINT_COUNTS_ZEROS
 #if (defined(__arm__) && !defined(__ARM_FEATURE_CLZ)) || (defined(__riscv) && !defined(__riscv_zbb))
 #define GLINT_COUNTS_ZEROS 0
 #else
 #define GLINT_COUNTS_ZEROS 1
+#endif
 #endif
 
 /** Leading zero bits of x, 32 for 0; where neither core nor compiler count them. */
@@ -184,9 +193,11 @@ static inline int32_t glint_inverse_root(uint32_t c) {
     return glint_inverse_root_between(&glint_inverse_root_table[(c >> 23) - 32], c);
 }
 
-/** The same of c + 2^28. */
-static inline int32_t glint_inverse_root_above(uint32_t c) {
-    return glint_inverse_root_between(&glint_inverse_root_table[c >> 23], c);
+/** Returns 2^31 / sqrt(c) for c from 2^30 up: 2^15 to 2^16; relative error at most 4e-5. */
+static inline uint32_t glint_over_length(uint32_t c) {
+    const uint32_t word =
+        *(const uint32_t *)(const void *)((const uint8_t *)glint_length_table + (4 * (int32_t)(c >> 24) - 256));
+    return (word - (word & 0xffff) * (c >> 8 & 0xffff)) >> 16;
 }
 
 /** glint_unit, for the loops over fragments. */
@@ -214,13 +225,6 @@ static inline void glint_unit_inline(int32_t x, int32_t y, int32_t z, int16_t ou
  * Each component is off by at most 2.3 steps from direction times UNIT, length by at most 2.3.
  */
 void glint_unit(int32_t x, int32_t y, int32_t z, int16_t out[3]);
-
-/* Built for size, loops call it too. */
-#if defined(__OPTIMIZE_SIZE__)
-#define glint_unit_each glint_unit
-#else
-#define glint_unit_each glint_unit_inline
-#endif
 
 /** a . b of two unit vectors: 1 is UNIT^2, just below 2^30; rounding may pass it by 2^-12 of it. */
 static inline int32_t glint_dot(const int16_t a[3], const int16_t b[3]) {

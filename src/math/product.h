@@ -145,7 +145,23 @@ static inline int32_t glint_sum_of_products_split(int32_t a, int32_t b, int32_t 
            glint_shift_right((a & 0x7fff) * b + (c & 0x7fff) * d, 15);
 }
 
+/**
+ * floor(r . (x, y, z) / 2^16) of a row of a camera's rotation, Q16, whose length is at most 1.002; x, y and z are below
+ * 2^28. No sum of its products, of high or of low halves, passes 1.74 2^30.
+ */
+static inline int32_t glint_turn_whole(const int32_t r[3], int32_t x, int32_t y, int32_t z) {
+    return (int32_t)glint_shift_right64((int64_t)r[0] * x + (int64_t)r[1] * y + (int64_t)r[2] * z, 16);
+}
+
+static inline int32_t glint_turn_split(const int32_t r[3], int32_t x, int32_t y, int32_t z) {
+    const int32_t low = r[0] * (x & 0x3fff) + r[1] * (y & 0x3fff) + r[2] * (z & 0x3fff);
+    const int32_t high =
+        r[0] * glint_shift_right(x, 14) + r[1] * glint_shift_right(y, 14) + r[2] * glint_shift_right(z, 14);
+    return glint_shift_right(high + glint_shift_right(low, 14), 2);
+}
+
 #if GLINT_SPLIT_PRODUCTS
+#define glint_turn glint_turn_split
 typedef glint_row_split glint_row;
 #define glint_row_set glint_row_set_split
 #define glint_row_get glint_row_get_split
@@ -158,6 +174,7 @@ typedef glint_row_split glint_row;
 GLINT_CONST int64_t glint_product(int32_t a, int32_t b); /* numeric.c: out of line, as they are long */
 GLINT_CONST uint64_t glint_product_unsigned(uint32_t a, uint32_t b);
 #else
+#define glint_turn glint_turn_whole
 typedef glint_row_whole glint_row;
 #define glint_row_set glint_row_set_whole
 #define glint_row_get glint_row_get_whole

@@ -4,6 +4,7 @@
 #define GLINT_FORMAT_H
 
 #include "../geometry/draw.h"
+#include "../raster/triangle.h"
 
 /** Fractional bits of a channel on its way into a pixel: sums below 16 fit. */
 #define GLINT_CHANNEL_BITS 27
@@ -26,63 +27,98 @@ static inline int32_t glint_to_levels(int32_t channel, unsigned bits) {
     return bits ? channel - glint_shift_right(channel, bits) + (1 << (GLINT_CHANNEL_BITS - 1 - bits)) : channel;
 }
 
-struct glint_spans;
 struct glint_spread;
-struct glint_quadratic;
-struct glint_run;
+struct glint_sun_spans;
 
-/** Colours that are mixed of two numbers: base + light n0 + gloss n1, but no less than `least` if there is one, in
- * levels. */
-typedef struct glint_mix {
-    int32_t base[3], light[3], gloss[3], least[3];
-    int has_least;
-} glint_mix;
+extern const struct glint_sun_spans glint_sun_spans_rgb565, glint_sun_spans_rgb565_be;
 
-/** Fast lighting: what a format that has it links. fast.h. */
-typedef struct glint_fast {
-    int (*serves)(const glint_frame *frame, const glint_object *object);
-    glint_status (*prepare)(glint_frame *frame); /* behind all shadings */
-    /** Adds the bytes that a material takes at least, and its tables, which want as much room left behind them. */
-    void (*need)(const glint_frame *frame, const struct glint_shading *shading, size_t *least, size_t *tables);
-    const glint_evaluation *evaluation; /* of what it serves */
-    int stores_spread;                  /* the format makes pixels of these */
-} glint_fast;
-
-extern const glint_fast glint_fast_rgb565, glint_fast_rgb565_be, glint_fast_spread;
+/** A pixel of a tile, by its number, and its colour. */
+typedef struct glint_list_pixel {
+    uint32_t pixel;
+    int32_t colour[3];
+} glint_list_pixel;
 
 struct glint_format {
     uint8_t bits;       /* per pixel */
     uint8_t channel[3]; /* bits of each channel's levels; 0 where it goes into luma */
     uint8_t edge[2];    /* bits that are 0 in the x and the y of pixels with which bytes begin */
-    /** Stores runs of a tile, whose colours follow each other, in levels. */
-    void (*store)(void *pixels, unsigned tile_shift_x, const struct glint_run *runs, const struct glint_run *end,
-                  const int32_t (*colour)[3]);
+    uint8_t is_dithered;
+    /** Stores `count` pixels of a tile, so many bytes apart; of colours in levels. */
+    void (*store_list)(void *pixels, unsigned tile_shift_x, const glint_list_pixel *pixel, size_t stride,
+                       uint32_t count);
     /** Gives all of a tile one colour. */
     void (*fill)(void *pixels, unsigned tile_shift_x, uint32_t height, const int32_t colour[3]);
-    /* What the others do as well, in one loop; null in a library built for size. */
-    /** Draws spans of one colour. */
-    void (*draw_even)(const struct glint_spans *spans, const int32_t colour[3]);
-    /** Draws spans of three polynomials; those that are not curved have no second degree. */
-    void (*draw_channels)(const struct glint_spans *spans, const struct glint_quadratic *channels, int is_curved);
-    /** Draws spans of colours that are mixed of a polynomial's high half. */
-    void (*draw_mixed)(const struct glint_spans *spans, const struct glint_quadratic *light, const glint_mix *mix);
-    /** Stores runs of a tile whose colours are mixed; without gloss, of the first number alone. */
-    void (*store_mixed)(void *pixels, unsigned tile_shift_x, const struct glint_run *runs, const struct glint_run *end,
-                        const glint_mix *mix, int has_gloss, const int32_t (*numbers)[3]);
-    /** Stores pixels of a tile whose colours are words without half a level. spread.h */
+    /** Draws a triangle of one colour, walk->packed; null in a library built for size, where glint_draw_flat does. */
+    void (*flat)(glint_row_walk *walk);
+    /** Draws a small triangle of interpolated colours that has been begun, or null: then spans are to be drawn. */
+    void (*smooth_rows)(glint_row_walk *walk);
+    /** Draws a span of one colour, and one of interpolated colours. */
+    glint_draw_span *flat_span, *smooth;
+    /** Stores a pixel of the tile; a dithered format adds its threshold. */
+    void (*put)(const glint_row_walk *walk, uint32_t pixel, glint_lanes lanes);
+    /** Stores pixels of a tile whose colours are words of spread.h, or null; words have half a level where spans of one
+     * directional light have functions of their own, which store it so. */
     void (*store_spread)(void *pixels, unsigned tile_shift_x, const struct glint_spread *words,
                          const struct glint_spread *end);
-    const struct glint_fast *fast; /* or null */
+    const struct glint_sun_spans *sun_spans; /* or null */
 };
 
-/** One channel of what is mixed. */
-static GLINT_INLINE int32_t glint_mix_channel(const glint_mix *mix, int c, const int32_t number[3], int has_gloss,
-                                              int has_least) {
-    int32_t channel = mix->base[c] + number[0] * mix->light[c];
-    if (has_gloss)
-        channel += number[1] * mix->gloss[c];
-    return has_least ? glint_most(channel, mix->least[c]) : channel;
+/** Draws a triangle of one colour that has been begun by spans. */
+void glint_walk_flat(glint_row_walk *walk, glint_begun begun);
+
+/** Begins a triangle of one colour, and draws it by spans. */
+void glint_draw_flat(glint_row_walk *walk);
+
+/** Returns what draws triangles of one colour. */
+static inline void (*glint_flat_of(const glint_format *format))(glint_row_walk *walk) {
+    return GLINT_SMALL ? glint_draw_flat : format->flat;
 }
+
+/** Returns the bits of a format's green, or of its luma. */
+static inline unsigned glint_green_bits(const glint_format *format) {
+    return format->channel[1] ? format->channel[1] : format->bits;
+}
+
+/** Sets what a walk knows of its frame's format. */
+static inline void glint_walk_begin_format(glint_row_walk *walk, const glint_config *config) {
+    const unsigned bits = glint_green_bits(config->format);
+    walk->colour_bits = (uint8_t)(config->gamma ? 0 : bits > 4 ? bits : 6);
+    walk->is_exacting = config->gamma || config->format->is_dithered || bits > 6;
+}
+
+/** Dithered formats add such a part of a level to colours that are interpolated: less than the least threshold, so that
+ * black stays black and white stays white; of 1 bit, whose levels are far apart, no more than rounding asks for. */
+static inline int32_t glint_dither_margin(unsigned bits) {
+    return bits > 1 ? 256 : 2048;
+}
+
+/*
+ * Levels of a format: Q15 of as many as its channels have, half a level added where the format is not dithered. Luma
+ * comes three times. What rounding takes interpolated levels beyond their corners must not pass 0 or carry into the
+ * next channel: it is to be less than half of what has been added.
+ */
+
+/** Brings a colour, 1 = GLINT_COLOUR_ONE, to levels by way of the configuration's output tables, where there are any.
+ */
+void glint_finish_lane_levels(const glint_config *config, const int16_t colour[3], int16_t level[3]);
+
+/** Brings the colour of a facet, Q23, to levels, the same way. */
+void glint_finish_facet(const glint_config *config, const uint32_t colour[3], int16_t level[3]);
+
+/** Brings the colour of a corner, Q23, to levels that are interpolated; where there are output tables, to
+ * 1 = GLINT_COLOUR_ONE. */
+void glint_finish_corner(const glint_config *config, const uint32_t colour[3], int16_t level[3]);
+
+/** Returns the lanes of levels, which are 0 or above. */
+static inline glint_lanes glint_lanes_of(const int16_t level[3]) {
+    return (glint_lanes){(uint32_t)level[2] << 17 | (uint32_t)level[0] << 1, (uint32_t)level[1] << 17};
+}
+
+/** Returns the lanes of one colour, Q27 and 0 or above, by way of the output tables, where there are any. */
+glint_lanes glint_flat_lanes(const glint_config *config, const int32_t channel[3]);
+
+/** Returns the pixel of a colour that has half a level: for a format that is not dithered. */
+uint32_t glint_pack(const glint_format *format, glint_lanes lanes);
 
 /** Puts colours through the output tables, if there are any, and brings them to the format's levels. */
 void glint_finish_colours(const glint_config *config, int32_t (*colour)[3], uint32_t count);

@@ -7,8 +7,8 @@
 #ifndef GLINT_PIXEL_H
 #define GLINT_PIXEL_H
 
-#include "../raster/polynomial.h"
-#include "../raster/runs.h"
+#include "../raster/depth.h"
+#include "../raster/small.h"
 #include "format.h"
 #include "spread.h"
 
@@ -26,7 +26,7 @@ typedef struct glint_target {
 } glint_target;
 
 /** What a format packs channels into; the threshold is in 1/128 level. */
-typedef uint32_t glint_pack(const int32_t colour[3], uint32_t threshold);
+typedef uint32_t glint_pack_colour(const int32_t colour[3], uint32_t threshold);
 
 /** What a format packs a word of spread.h into, which the threshold is added to. */
 typedef uint32_t glint_pack_spread(uint32_t word, uint32_t threshold);
@@ -68,11 +68,26 @@ static GLINT_INLINE uint32_t glint_clamped(int32_t channel) {
     return glint_saturate(channel, 15, GLINT_CHANNEL_BITS - 15);
 }
 
-/** 0.299 R + 0.587 G + 0.114 B (ITU-R BT.601) of clamped channels that are not scaled, as one of 0 to `top` levels. */
+/** 0.299 R + 0.587 G + 0.114 B (ITU-R BT.601) of clamped channels that are not scaled: Q18, off by at most 3.3e-5. */
+static inline uint32_t glint_luma(const int32_t colour[3]) {
+    return (glint_clamped(colour[0]) * 9798 + glint_clamped(colour[1]) * 19235 + glint_clamped(colour[2]) * 3735) >> 12;
+}
+
+/** The same as one of 0 to `top` levels. */
 static inline uint32_t glint_luma_level(const int32_t colour[3], uint32_t top, uint32_t threshold) {
-    const uint32_t luma =
-        (glint_clamped(colour[0]) * 9798 + glint_clamped(colour[1]) * 19235 + glint_clamped(colour[2]) * 3735) >> 12;
-    return (luma * top + (threshold << 11)) >> 18; /* luma is Q18: off by at most 3.3e-5 */
+    return (glint_luma(colour) * top + (threshold << 11)) >> 18;
+}
+
+/** The same of a word of spread.h, as a level of so many bits, up to 4; channels count by their weight over what is 1.
+ */
+static GLINT_INLINE uint32_t glint_spread_luma(uint32_t word, unsigned bits, uint32_t threshold) {
+    const uint32_t clamped = glint_spread_clamp(word), top = (1u << bits) - 1,
+                   red = (uint32_t)glint_least((int32_t)(clamped >> 10 & 0x3ff), 31 << 5),
+                   green = (uint32_t)glint_least((int32_t)(clamped >> 21 & 0x3ff), 63 << 4),
+                   blue = (uint32_t)glint_least((int32_t)(clamped & 0x1ff), 31 << 4);
+    const uint32_t luma = red * (9798 * 512 * top / (31 << 5)) + green * (19235 * 512 * top / (63 << 4)) +
+                          blue * (3735 * 512 * top / (31 << 4));
+    return glint_saturate((int32_t)(luma + (threshold << 17)), bits, 24);
 }
 
 /** Threshold of a pixel; tiles start at multiples of 8. */
@@ -80,13 +95,12 @@ static inline uint32_t glint_threshold(const glint_target *t, uint32_t offset) {
     return t->dithered ? glint_dither_matrix[(offset >> t->shift & 7) * 8 + (offset & 7)] : GLINT_NEAREST;
 }
 
-/** A format's `store`. */
-static GLINT_INLINE void glint_store_runs(const glint_target *t, const glint_run *run, const glint_run *last,
-                                          const int32_t (*colour)[3], glint_pack pack, glint_put put) {
-    for (; run != last; run++) {
-        uint32_t offset = ((uint32_t)run->y << t->shift) + run->x;
-        for (const uint32_t end = offset + run->count; offset < end; offset++, colour++)
-            put(t, offset, pack(*colour, glint_threshold(t, offset)));
+/** A format's `store_list`. */
+static GLINT_INLINE void glint_store_list(const glint_target *t, const glint_list_pixel *pixel, size_t stride,
+                                          uint32_t count, glint_pack_colour pack, glint_put put) {
+    for (; count; count--) {
+        put(t, pixel->pixel, pack(pixel->colour, glint_threshold(t, pixel->pixel)));
+        pixel = (const glint_list_pixel *)(const void *)((const uint8_t *)pixel + stride);
     }
 }
 
@@ -97,18 +111,34 @@ static GLINT_INLINE void glint_store_spread(const glint_target *t, const glint_s
         put(t, words->offset, pack(words->colour, glint_threshold(t, words->offset)));
 }
 
+/* Compilers call it even in freestanding code; here the library does. */
+void *memcpy(void *to, const void *from, size_t size);
+
 /** Copies the first `period` bytes all over the first `size`, which is a power of two times as many. */
 void glint_repeat(void *bytes, size_t period, size_t size);
 
+/** Fills so many bytes, a multiple of 4, with words. */
+void glint_fill_words(void *bytes, uint32_t word, size_t size);
+
 /** Does it matter which threshold is added to a colour? Levels grow with it. */
-static GLINT_INLINE int glint_is_dithered(const glint_target *t, const int32_t colour[3], glint_pack pack) {
+static GLINT_INLINE int glint_is_dithered(const glint_target *t, const int32_t colour[3], glint_pack_colour pack) {
     return t->dithered && pack(colour, 1) != pack(colour, 127);
 }
 
 /** A format's `fill`: 8 pixels, repeated along their row, and this row, or 8 where they are dithered, down the tile. */
 static GLINT_INLINE void glint_fill_tile(const glint_target *t, uint32_t height, const int32_t colour[3], uint32_t bits,
-                                         glint_pack pack, glint_put put) {
+                                         glint_pack_colour pack, glint_put put) {
     const uint32_t rows = glint_is_dithered(t, colour, pack) ? 8 : 1, row_bytes = bits << t->shift >> 3;
+    if (bits == 16 && rows == 1) {
+        uint16_t pixel[2];
+        uint32_t word;
+        const glint_target two = {pixel, t->shift, t->dithered};
+        put(&two, 0, pack(colour, glint_threshold(t, 0)));
+        pixel[1] = pixel[0];
+        memcpy(&word, pixel, sizeof word);
+        glint_fill_words(t->pixels, word, height * row_bytes);
+        return;
+    }
     for (uint32_t y = 0; y < rows; y++) {
         for (uint32_t x = 0; x < 8; x++)
             put(t, (y << t->shift) + x, pack(colour, glint_threshold(t, (y << t->shift) + x)));
@@ -117,211 +147,170 @@ static GLINT_INLINE void glint_fill_tile(const glint_target *t, uint32_t height,
     glint_repeat(t->pixels, rows * row_bytes, height * row_bytes);
 }
 
-/** A format's `draw_even`: the pixels of a part, all of one colour. */
-static GLINT_INLINE void glint_draw_even_spans(const glint_spans *s, const glint_target *t, const int32_t colour[3],
-                                               glint_pack pack, glint_put put) {
-    const glint_part *part = s->part;
-    const uint16_t *const ahead = glint_ahead_of(s);
-    const glint_span *span = part->spans + part->top, *const last = part->spans + part->bottom;
-    const uint32_t z_dx = (uint32_t)part->depth.dx, packed = t->dithered ? 0 : pack(colour, GLINT_NEAREST);
-    uint32_t z = glint_first_row(part, &part->depth) + GLINT_DEPTH_BIAS, column = 0;
-    uint8_t *depth = (uint8_t *)(s->depth + (part->top << s->shift));
+/* ---- Spans of one colour, and of interpolated colours ---- */
+
+/** Adds a threshold, 1/128 level, to a colour's lanes, of a format of so many bits of red and blue, and of green. */
+static GLINT_INLINE void glint_add_threshold(glint_lanes *lanes, uint32_t threshold, unsigned red_blue,
+                                             unsigned green) {
+    if (red_blue)
+        lanes->red_blue += threshold * 0x10001u << (9 - red_blue);
+    lanes->green += threshold << (25 - green);
+}
+
+/** Packs lanes that have half a level or a threshold: red, green, blue from the highest bit down, or luma. */
+static GLINT_INLINE uint32_t glint_pack_lanes(glint_lanes lanes, unsigned red_blue, unsigned green) {
+    const uint32_t level = lanes.green >> (32 - green);
+    if (!red_blue)
+        return level;
+    return (lanes.red_blue >> (16 - red_blue) & ((1u << red_blue) - 1)) << (red_blue + green) | level << red_blue |
+           lanes.red_blue >> (32 - red_blue);
+}
+
+/** How a format keeps pixels: in 16 bits, of the core's byte order or the other one, or in any way. */
+enum { GLINT_KEEPS_ANY, GLINT_KEEPS_16, GLINT_KEEPS_SWAPPED };
+
+/** Swaps the bytes of a pixel of 16 bits, where the core has the low one first. */
+static GLINT_INLINE uint32_t glint_to_high_first(uint32_t packed) {
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    return packed;
+#else
+    return (packed >> 8 & 0xff) | (packed & 0xff) << 8;
+#endif
+}
+
+/** Where the loop over a row is: pixels of 16 bits lie as far from their depth as the first one does. */
+typedef struct glint_row_target {
+    glint_target target;
+    const uint16_t *ahead;
+    uintptr_t from_depth;
+} glint_row_target;
+
+static GLINT_INLINE glint_row_target glint_row_target_of(const glint_row_walk *w, int is_dithered) {
+    const uint16_t *const ahead = glint_ahead(w->depth);
+    return (glint_row_target){{w->pixels, w->shift, is_dithered}, ahead, w->from_depth};
+}
+
+/** Stores the pixel whose depth was tested last. */
+static GLINT_INLINE void glint_put_tested(const glint_row_target *to, const uint8_t *place, uint32_t packed,
+                                          glint_put put, int keeps) {
+    if (keeps == GLINT_KEEPS_ANY)
+        put(&to->target, glint_pixel_of(to->ahead, place), packed);
+    else
+        *(uint16_t *)((uintptr_t)place + to->from_depth) = (uint16_t)packed;
+}
+
+/** Draws a span of one colour. Its lanes have no half level where it is dithered. */
+static GLINT_INLINE void glint_draw_flat_span(const glint_row_walk *w, int32_t row, int32_t left, int32_t right,
+                                              unsigned red_blue, unsigned green, glint_put put, int keeps,
+                                              int is_dithered) {
+    const glint_row_target to = glint_row_target_of(w, is_dithered);
+    const uint32_t flat = keeps == GLINT_KEEPS_SWAPPED ? glint_to_high_first(w->packed) : w->packed;
+    uint8_t *const first = (uint8_t *)w->depth + ((uint32_t)row << w->shift) * 2, *depth = first + 2 * left;
+    const uint8_t *const end = first + 2 * right;
+    const uint32_t dx = (uint32_t)w->z.dx;
+    uint32_t z = glint_z_at(w, row, left);
     do {
-        const uint32_t left = span->left, right = span->right;
-        span++;
-        GLINT_OPAQUE(span);
-        if (left < right) {
-            depth += 2 * (int32_t)(left - column);
-            z += z_dx * (left - column);
-            uint8_t *const end = depth + 2 * (right - left);
-            do {
-                if (glint_next_is_nearest(&depth, z)) {
-                    const uint32_t offset = glint_offset_of(s, ahead, depth);
-                    put(t, offset, t->dithered ? pack(colour, glint_threshold(t, offset)) : packed);
-                }
-                glint_step(&depth);
-                z += z_dx;
-            } while (depth != end);
-            column = right;
-        }
-        depth += 2 << s->shift;
-        z += (uint32_t)part->depth.dy;
-    } while (span != last);
-}
-
-/* A channel on its way along a row. */
-typedef struct glint_channel_walk {
-    uint32_t value, step;
-} glint_channel_walk;
-
-static inline void glint_walk_begin(glint_channel_walk *w, const glint_quadratic *q, int32_t x, int32_t y,
-                                    int is_curved) {
-    if (is_curved) {
-        const glint_stride s = glint_stride_begin(q, x, y);
-        w->value = s.value;
-        w->step = s.across;
-    } else {
-        w->value = q->start + q->dx * (uint32_t)x + q->dy * (uint32_t)y;
-        w->step = q->dx;
-    }
-}
-
-static inline void glint_walk_next(glint_channel_walk *w, uint32_t turn, int is_curved) {
-    w->value += w->step;
-    if (is_curved)
-        w->step += turn;
-}
-
-/** A format's `draw_channels`: the pixels of a part, of three polynomials. */
-static GLINT_INLINE void glint_draw_channel_spans(const glint_spans *s, const glint_target *t,
-                                                  const glint_quadratic channel[3], int is_curved, glint_pack pack,
-                                                  glint_put put) {
-    const glint_part *part = s->part;
-    const uint16_t *const ahead = glint_ahead_of(s);
-    const uint32_t z_dx = (uint32_t)part->depth.dx;
-    const uint32_t red_turn = 2 * channel[0].dxx, green_turn = 2 * channel[1].dxx, blue_turn = 2 * channel[2].dxx;
-    for (uint32_t row = part->top; row < part->bottom; row++) {
-        const glint_span span = part->spans[row];
-        const int32_t x = part->x + span.left, y = part->y + (int32_t)row;
-        if (span.left >= span.right)
-            continue;
-        uint32_t z = (uint32_t)glint_plane_at(&part->depth, x, y) + GLINT_DEPTH_BIAS;
-        glint_channel_walk red, green, blue;
-        glint_walk_begin(&red, &channel[0], x, y, is_curved);
-        glint_walk_begin(&green, &channel[1], x, y, is_curved);
-        glint_walk_begin(&blue, &channel[2], x, y, is_curved);
-        uint8_t *depth = (uint8_t *)(s->depth + (row << s->shift) + span.left);
-        uint8_t *const end = depth + 2 * ((uint32_t)span.right - span.left);
-        do {
-            if (glint_next_is_nearest(&depth, z)) {
-                const uint32_t offset = glint_offset_of(s, ahead, depth);
-                const int32_t colour[3] = {(int32_t)red.value, (int32_t)green.value, (int32_t)blue.value};
-                put(t, offset, pack(colour, glint_threshold(t, offset)));
+        if (glint_next_is_nearest(&depth, z)) {
+            uint32_t packed = flat;
+            GLINT_BARRIER(); /* else what hidden pixels do not need is skipped one by one */
+            if (is_dithered) {
+                glint_lanes lanes = w->lanes[0];
+                const uint32_t offset = glint_pixel_of(to.ahead, depth);
+                glint_add_threshold(&lanes, glint_threshold(&to.target, offset), red_blue, green);
+                packed = glint_pack_lanes(lanes, red_blue, green);
+                packed = keeps == GLINT_KEEPS_SWAPPED ? glint_to_high_first(packed) : packed;
             }
-            glint_step(&depth);
-            z += z_dx;
-            glint_walk_next(&red, red_turn, is_curved);
-            glint_walk_next(&green, green_turn, is_curved);
-            glint_walk_next(&blue, blue_turn, is_curved);
-        } while (depth != end);
-    }
-}
-
-/* A part's pixels, mixed of a polynomial. */
-static GLINT_INLINE void glint_draw_mixed_inline(const glint_spans *s, const glint_target *t,
-                                                 const glint_quadratic *light, const glint_mix *of, int has_least,
-                                                 glint_pack pack, glint_put put) {
-    const glint_part *part = s->part;
-    const uint16_t *const ahead = glint_ahead_of(s);
-    const glint_mix mix = *of;
-    const uint32_t z_dx = (uint32_t)part->depth.dx, turn = 2 * light->dxx;
-    for (uint32_t row = part->top; row < part->bottom; row++) {
-        const glint_span span = part->spans[row];
-        const int32_t x = part->x + span.left, y = part->y + (int32_t)row;
-        if (span.left >= span.right)
-            continue;
-        uint32_t z = (uint32_t)glint_plane_at(&part->depth, x, y) + GLINT_DEPTH_BIAS;
-        glint_stride amount = glint_stride_begin(light, x, y);
-        uint8_t *depth = (uint8_t *)(s->depth + (row << s->shift) + span.left);
-        uint8_t *const end = depth + 2 * ((uint32_t)span.right - span.left);
-        do {
-            if (glint_next_is_nearest(&depth, z)) {
-                const uint32_t offset = glint_offset_of(s, ahead, depth);
-                const int32_t number[3] = {glint_shift_right((int32_t)amount.value, 16), 0, 0};
-                const int32_t colour[3] = {glint_mix_channel(&mix, 0, number, 0, has_least),
-                                           glint_mix_channel(&mix, 1, number, 0, has_least),
-                                           glint_mix_channel(&mix, 2, number, 0, has_least)};
-                put(t, offset, pack(colour, glint_threshold(t, offset)));
-            }
-            glint_step(&depth);
-            z += z_dx;
-            amount.value += amount.across;
-            amount.across += turn;
-        } while (depth != end);
-    }
-}
-
-/** A format's `draw_mixed`. */
-static GLINT_INLINE void glint_draw_mixed(const glint_spans *s, const glint_target *t, const glint_quadratic *light,
-                                          const glint_mix *mix, glint_pack pack, glint_put put) {
-    if (mix->has_least)
-        glint_draw_mixed_inline(s, t, light, mix, 1, pack, put);
-    else
-        glint_draw_mixed_inline(s, t, light, mix, 0, pack, put);
-}
-
-/* Runs whose colours are mixed. */
-static GLINT_INLINE void glint_store_mixed_inline(const glint_target *t, const glint_run *run, const glint_run *end,
-                                                  const glint_mix *of, const int32_t (*numbers)[3], int has_gloss,
-                                                  int has_least, glint_pack pack, glint_put put) {
-    const glint_mix mix = *of;
-    for (; run != end; run++) {
-        uint32_t offset = ((uint32_t)run->y << t->shift) + run->x;
-        for (uint32_t n = run->count; n; n--, numbers++, offset++) {
-            const int32_t colour[3] = {glint_mix_channel(&mix, 0, *numbers, has_gloss, has_least),
-                                       glint_mix_channel(&mix, 1, *numbers, has_gloss, has_least),
-                                       glint_mix_channel(&mix, 2, *numbers, has_gloss, has_least)};
-            put(t, offset, pack(colour, glint_threshold(t, offset)));
+            glint_put_tested(&to, depth, packed, put, keeps);
         }
-    }
+        glint_step(&depth);
+        z += dx;
+    } while (depth != end);
 }
 
-/** A format's `store_mixed`. */
-static GLINT_INLINE void glint_store_mixed(const glint_target *t, const glint_run *runs, const glint_run *end,
-                                           const glint_mix *mix, int has_gloss, const int32_t (*numbers)[3],
-                                           glint_pack pack, glint_put put) {
-    if (has_gloss && mix->has_least)
-        glint_store_mixed_inline(t, runs, end, mix, numbers, 1, 1, pack, put);
-    else if (has_gloss)
-        glint_store_mixed_inline(t, runs, end, mix, numbers, 1, 0, pack, put);
-    else if (mix->has_least)
-        glint_store_mixed_inline(t, runs, end, mix, numbers, 0, 1, pack, put);
-    else
-        glint_store_mixed_inline(t, runs, end, mix, numbers, 0, 0, pack, put);
+/** Draws a span of interpolated colours. */
+static GLINT_INLINE void glint_draw_smooth_span(const glint_row_walk *w, int32_t row, int32_t left, int32_t right,
+                                                unsigned red_blue, unsigned green, glint_put put, int keeps,
+                                                int is_dithered) {
+    const glint_row_target to = glint_row_target_of(w, is_dithered);
+    uint8_t *const first = (uint8_t *)w->depth + ((uint32_t)row << w->shift) * 2, *depth = first + 2 * left;
+    const uint8_t *const end = first + 2 * right;
+    const uint32_t dx = (uint32_t)w->z.dx, red_blue_dx = w->lanes[1].red_blue, green_dx = w->lanes[1].green;
+    uint32_t z = glint_z_at(w, row, left);
+    glint_lanes at = glint_lanes_at(w, row, left);
+    do {
+        if (glint_next_is_nearest(&depth, z)) {
+            glint_lanes lanes = at;
+            if (is_dithered) {
+                const uint32_t offset = glint_pixel_of(to.ahead, depth);
+                glint_add_threshold(&lanes, glint_threshold(&to.target, offset), red_blue, green);
+            }
+            const uint32_t packed = glint_pack_lanes(lanes, red_blue, green);
+            glint_put_tested(&to, depth, keeps == GLINT_KEEPS_SWAPPED ? glint_to_high_first(packed) : packed, put,
+                             keeps);
+        }
+        glint_step(&depth);
+        z += dx;
+        at.red_blue += red_blue_dx;
+        at.green += green_dx;
+    } while (depth != end);
 }
 
 /** The functions of a format, whose names end in `suffix`; `fill_tile` is glint_fill_tile, or its own. */
-#define GLINT_DEFINE_STORES(suffix, bits, pack, put, fill_tile, is_dithered)                              \
-    static void store_##suffix(void *pixels, unsigned shift, const glint_run *runs, const glint_run *end, \
-                               const int32_t(*colour)[3]) {                                               \
-        const glint_target target = {pixels, shift, is_dithered};                                         \
-        glint_store_runs(&target, runs, end, colour, pack, put);                                          \
-    }                                                                                                     \
-    static void fill_##suffix(void *pixels, unsigned shift, uint32_t height, const int32_t colour[3]) {   \
-        const glint_target target = {pixels, shift, is_dithered};                                         \
-        fill_tile(&target, height, colour, bits, pack, put);                                              \
+#define GLINT_DEFINE_STORES(suffix, bits, pack, put, fill_tile, is_dithered)                                    \
+    static void store_list_##suffix(void *pixels, unsigned shift, const glint_list_pixel *pixel, size_t stride, \
+                                    uint32_t count) {                                                           \
+        const glint_target target = {pixels, shift, is_dithered};                                               \
+        glint_store_list(&target, pixel, stride, count, pack, put);                                             \
+    }                                                                                                           \
+    static void fill_##suffix(void *pixels, unsigned shift, uint32_t height, const int32_t colour[3]) {         \
+        const glint_target target = {pixels, shift, is_dithered};                                               \
+        fill_tile(&target, height, colour, bits, pack, put);                                                    \
     }
 
-/** Those which a library built for size does without. */
-#if GLINT_SMALL
-#define GLINT_FUSED(loop) 0
-#define GLINT_DEFINE_FUSED(suffix, pack, put, is_dithered)
+/** Cores with many registers draw spans where they are found; ARMv6-M calls a function, which is cheaper there. */
+#if GLINT_SPLIT_PRODUCTS || GLINT_SMALL
+#define GLINT_SPAN GLINT_NOINLINE
 #else
-#define GLINT_FUSED(loop) loop
-#define GLINT_DEFINE_FUSED(suffix, pack, put, is_dithered)                                                      \
-    static void draw_even_##suffix(const glint_spans *s, const int32_t colour[3]) {                             \
-        const glint_target target = {s->pixels, s->shift, is_dithered};                                         \
-        glint_draw_even_spans(s, &target, colour, pack, put);                                                   \
-    }                                                                                                           \
-    static void draw_channels_##suffix(const glint_spans *s, const glint_quadratic channel[3], int is_curved) { \
-        const glint_target target = {s->pixels, s->shift, is_dithered};                                         \
-        if (is_curved)                                                                                          \
-            glint_draw_channel_spans(s, &target, channel, 1, pack, put);                                        \
-        else                                                                                                    \
-            glint_draw_channel_spans(s, &target, channel, 0, pack, put);                                        \
-    }                                                                                                           \
-    static void draw_mixed_##suffix(const glint_spans *s, const glint_quadratic *light, const glint_mix *mix) { \
-        const glint_target target = {s->pixels, s->shift, is_dithered};                                         \
-        glint_draw_mixed(s, &target, light, mix, pack, put);                                                    \
-    }                                                                                                           \
-    static void store_mixed_##suffix(void *pixels, unsigned shift, const glint_run *runs, const glint_run *end, \
-                                     const glint_mix *mix, int has_gloss, const int32_t(*numbers)[3]) {         \
-        const glint_target target = {pixels, shift, is_dithered};                                               \
-        glint_store_mixed(&target, runs, end, mix, has_gloss, numbers, pack, put);                              \
-    }
+#define GLINT_SPAN inline
 #endif
 
-/** `store_spread` of formats which fast lighting stores words of. */
+/** The functions that draw small triangles row by row; for size, they are drawn span by span, as others are. */
+#if GLINT_SMALL
+#define GLINT_DEFINE_ROWS(suffix)
+#define GLINT_ROWS(suffix) 0, 0
+#else
+#define GLINT_DEFINE_ROWS(suffix)                            \
+    static void flat_##suffix(glint_row_walk *walk) {        \
+        const glint_begun begun = glint_begin_inline(walk);  \
+        GLINT_OPAQUE(walk);                                  \
+        if (begun == GLINT_IS_SMALL && walk->has_slopes)     \
+            glint_draw_rows(walk, flat_span_##suffix);       \
+        else                                                 \
+            glint_walk_flat(walk, begun);                    \
+    }                                                        \
+    static void smooth_rows_##suffix(glint_row_walk *walk) { \
+        glint_draw_rows(walk, smooth_##suffix);              \
+    }
+#define GLINT_ROWS(suffix) flat_##suffix, smooth_rows_##suffix
+#endif
+
+/** The functions that draw spans and single pixels of lanes; they name the bits of red and blue, and of green. */
+#define GLINT_DEFINE_SPANS(suffix, red_blue, green, put_pixel, keeps, is_dithered)                              \
+    static GLINT_SPAN void flat_span_##suffix(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) { \
+        glint_draw_flat_span(walk, row, left, right, red_blue, green, put_pixel, keeps, is_dithered);           \
+    }                                                                                                           \
+    static GLINT_SPAN void smooth_##suffix(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {    \
+        glint_draw_smooth_span(walk, row, left, right, red_blue, green, put_pixel, keeps, is_dithered);         \
+    }                                                                                                           \
+    GLINT_DEFINE_ROWS(suffix)                                                                                   \
+    static void put_lanes_##suffix(const glint_row_walk *walk, uint32_t offset, glint_lanes lanes) {            \
+        const glint_target target = {walk->pixels, walk->shift, is_dithered};                                   \
+        if (is_dithered)                                                                                        \
+            glint_add_threshold(&lanes, glint_threshold(&target, offset), red_blue, green);                     \
+        put_pixel(&target, offset, glint_pack_lanes(lanes, red_blue, green));                                   \
+    }
+
+/** `store_spread` of formats that pack such words. */
 #define GLINT_DEFINE_SPREAD(suffix, pack, put, is_dithered)                                    \
     static void store_spread_##suffix(void *pixels, unsigned shift, const glint_spread *words, \
                                       const glint_spread *end) {                               \
@@ -335,26 +324,25 @@ static GLINT_INLINE void glint_store_mixed(const glint_target *t, const glint_ru
 #define GLINT_PAGE_EDGE(bits) \
     { 0, 7 }
 
-/** Fast lighting of a format: none, or that of words. */
-#define GLINT_FAST_NONE(suffix) 0, 0
-#define GLINT_FAST_SPREAD(suffix) store_spread_##suffix, &glint_fast_spread
+/** Words that a format stores: none, or any. */
+#define GLINT_SPREAD_NONE(suffix) 0, 0
+#define GLINT_SPREAD_ANY(suffix) store_spread_##suffix, 0
 
 /** A format of so many bits a pixel, and of its channels, or 0 for luma. */
-#define GLINT_FORMAT(suffix, bits, edge, red, green, blue, fast)                                                      \
-    {                                                                                                                 \
-        bits, {red, green, blue}, edge(bits), store_##suffix, fill_##suffix, GLINT_FUSED(draw_even_##suffix),         \
-            GLINT_FUSED(draw_channels_##suffix), GLINT_FUSED(draw_mixed_##suffix), GLINT_FUSED(store_mixed_##suffix), \
-            fast(suffix)                                                                                              \
+#define GLINT_FORMAT(suffix, bits, edge, red, green, blue, spread, is_dithered)                                    \
+    {                                                                                                              \
+        bits, {red, green, blue}, edge(bits), is_dithered, store_list_##suffix, fill_##suffix, GLINT_ROWS(suffix), \
+            flat_span_##suffix, smooth_##suffix, put_lanes_##suffix, spread(suffix)                                \
     }
 
 /** Defines a format and its dithered twin, which the linker keeps only where they are named. */
-#define GLINT_DEFINE_FORMAT(name, bits, edge, red, green, blue, pack, put, fill_tile, fast, fast_dithered) \
-    GLINT_DEFINE_STORES(name, bits, pack, put, fill_tile, 0)                                               \
-    GLINT_DEFINE_STORES(name##_dithered, bits, pack, put, fill_tile, 1)                                    \
-    GLINT_DEFINE_FUSED(name, pack, put, 0)                                                                 \
-    GLINT_DEFINE_FUSED(name##_dithered, pack, put, 1)                                                      \
-    const glint_format glint_format_##name = GLINT_FORMAT(name, bits, edge, red, green, blue, fast);       \
-    const glint_format glint_format_##name##_dithered =                                                    \
-        GLINT_FORMAT(name##_dithered, bits, edge, red, green, blue, fast_dithered)
+#define GLINT_DEFINE_FORMAT(name, bits, edge, red, green, blue, pack, put, fill_tile, keeps, spread, spread_dithered) \
+    GLINT_DEFINE_STORES(name, bits, pack, put, fill_tile, 0)                                                          \
+    GLINT_DEFINE_STORES(name##_dithered, bits, pack, put, fill_tile, 1)                                               \
+    GLINT_DEFINE_SPANS(name, red, (green) ? (green) : (bits), put, keeps, 0)                                          \
+    GLINT_DEFINE_SPANS(name##_dithered, red, (green) ? (green) : (bits), put, keeps, 1)                               \
+    const glint_format glint_format_##name = GLINT_FORMAT(name, bits, edge, red, green, blue, spread, 0);             \
+    const glint_format glint_format_##name##_dithered =                                                               \
+        GLINT_FORMAT(name##_dithered, bits, edge, red, green, blue, spread_dithered, 1)
 
 #endif

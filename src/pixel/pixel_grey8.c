@@ -10,5 +10,5 @@ static inline void put_grey8(const glint_target *target, uint32_t offset, uint32
     ((uint8_t *)target->pixels)[offset] = (uint8_t)packed;
 }
 
-GLINT_DEFINE_FORMAT(grey8, 8, GLINT_ROW_EDGE, 0, 0, 0, pack_grey8, put_grey8, glint_fill_tile, GLINT_FAST_NONE,
-                    GLINT_FAST_NONE);
+GLINT_DEFINE_FORMAT(grey8, 8, GLINT_ROW_EDGE, 0, 0, 0, pack_grey8, put_grey8, glint_fill_tile, GLINT_KEEPS_ANY,
+                    GLINT_SPREAD_NONE, GLINT_SPREAD_NONE);

@@ -6,6 +6,10 @@ static inline uint32_t pack_mono_pages(const int32_t colour[3], uint32_t thresho
     return glint_luma_level(colour, 1, threshold);
 }
 
+static inline uint32_t pack_spread_mono_pages(uint32_t word, uint32_t threshold) {
+    return glint_spread_luma(word, 1, threshold);
+}
+
 static inline void put_mono_pages(const glint_target *target, uint32_t offset, uint32_t packed) {
     const uint32_t x = offset & ((1u << target->shift) - 1), y = offset >> target->shift, bit = y & 7;
     uint8_t *eight = (uint8_t *)target->pixels + ((y >> 3 << target->shift) + x);
@@ -14,7 +18,7 @@ static inline void put_mono_pages(const glint_target *target, uint32_t offset, u
 
 /* 8 columns of a page, copied to all others. */
 static inline void fill_pages(const glint_target *t, uint32_t height, const int32_t colour[3], uint32_t bits,
-                              glint_pack pack_one, glint_put put_one) {
+                              glint_pack_colour pack_one, glint_put put_one) {
     (void)bits;
     for (uint32_t i = 0; i < 64; i++) {
         const uint32_t offset = (i >> 3 << t->shift) + (i & 7);
@@ -23,5 +27,7 @@ static inline void fill_pages(const glint_target *t, uint32_t height, const int3
     glint_repeat(t->pixels, 8, height << t->shift >> 3);
 }
 
+GLINT_DEFINE_SPREAD(mono_pages, pack_spread_mono_pages, put_mono_pages, 0)
+GLINT_DEFINE_SPREAD(mono_pages_dithered, pack_spread_mono_pages, put_mono_pages, 1)
 GLINT_DEFINE_FORMAT(mono_pages, 1, GLINT_PAGE_EDGE, 0, 0, 0, pack_mono_pages, put_mono_pages, fill_pages,
-                    GLINT_FAST_NONE, GLINT_FAST_NONE);
+                    GLINT_KEEPS_ANY, GLINT_SPREAD_ANY, GLINT_SPREAD_ANY);

@@ -31,5 +31,5 @@ static inline void put_rgb444(const glint_target *target, uint32_t offset, uint3
 
 GLINT_DEFINE_SPREAD(rgb444, pack_spread_rgb444, put_rgb444, 0)
 GLINT_DEFINE_SPREAD(rgb444_dithered, pack_spread_rgb444, put_rgb444, 1)
-GLINT_DEFINE_FORMAT(rgb444, 12, GLINT_ROW_EDGE, 4, 4, 4, pack_rgb444, put_rgb444, glint_fill_tile, GLINT_FAST_SPREAD,
-                    GLINT_FAST_SPREAD);
+GLINT_DEFINE_FORMAT(rgb444, 12, GLINT_ROW_EDGE, 4, 4, 4, pack_rgb444, put_rgb444, glint_fill_tile, GLINT_KEEPS_ANY,
+                    GLINT_SPREAD_ANY, GLINT_SPREAD_ANY);

@@ -11,8 +11,15 @@ static inline void put_rgb565(const glint_target *target, uint32_t offset, uint3
     ((uint16_t *)target->pixels)[offset] = (uint16_t)packed;
 }
 
-#define FAST_RGB565(suffix) 0, &glint_fast_rgb565
+/* Words have half a level already, and are clamped. */
+static inline uint32_t pack_spread_rgb565(uint32_t word, uint32_t threshold) {
+    (void)threshold;
+    return glint_spread_pack(word);
+}
 
+#define SPREAD_ROUNDED(suffix) store_spread_##suffix, &glint_sun_spans_rgb565
+
+GLINT_DEFINE_SPREAD(rgb565, pack_spread_rgb565, put_rgb565, 0)
 GLINT_DEFINE_SPREAD(rgb565_dithered, glint_spread_565, put_rgb565, 1)
-GLINT_DEFINE_FORMAT(rgb565, 16, GLINT_ROW_EDGE, 5, 6, 5, pack_rgb565, put_rgb565, glint_fill_tile, FAST_RGB565,
-                    GLINT_FAST_SPREAD);
+GLINT_DEFINE_FORMAT(rgb565, 16, GLINT_ROW_EDGE, 5, 6, 5, pack_rgb565, put_rgb565, glint_fill_tile, GLINT_KEEPS_16,
+                    SPREAD_ROUNDED, GLINT_SPREAD_ANY);

@@ -13,8 +13,15 @@ static inline void put_rgb565_be(const glint_target *target, uint32_t offset, ui
     out[1] = (uint8_t)packed;
 }
 
-#define FAST_RGB565_BE(suffix) 0, &glint_fast_rgb565_be
+/* Words have half a level already, and are clamped. */
+static inline uint32_t pack_spread_rgb565_be(uint32_t word, uint32_t threshold) {
+    (void)threshold;
+    return glint_spread_pack(word);
+}
 
+#define SPREAD_ROUNDED_BE(suffix) store_spread_##suffix, &glint_sun_spans_rgb565_be
+
+GLINT_DEFINE_SPREAD(rgb565_be, pack_spread_rgb565_be, put_rgb565_be, 0)
 GLINT_DEFINE_SPREAD(rgb565_be_dithered, glint_spread_565, put_rgb565_be, 1)
 GLINT_DEFINE_FORMAT(rgb565_be, 16, GLINT_ROW_EDGE, 5, 6, 5, pack_rgb565_be, put_rgb565_be, glint_fill_tile,
-                    FAST_RGB565_BE, GLINT_FAST_SPREAD);
+                    GLINT_KEEPS_SWAPPED, SPREAD_ROUNDED_BE, GLINT_SPREAD_ANY);

@@ -14,5 +14,5 @@ static inline void put_rgb888(const glint_target *target, uint32_t offset, uint3
     out[2] = (uint8_t)packed;
 }
 
-GLINT_DEFINE_FORMAT(rgb888, 24, GLINT_ROW_EDGE, 8, 8, 8, pack_rgb888, put_rgb888, glint_fill_tile, GLINT_FAST_NONE,
-                    GLINT_FAST_NONE);
+GLINT_DEFINE_FORMAT(rgb888, 24, GLINT_ROW_EDGE, 8, 8, 8, pack_rgb888, put_rgb888, glint_fill_tile, GLINT_KEEPS_ANY,
+                    GLINT_SPREAD_NONE, GLINT_SPREAD_NONE);

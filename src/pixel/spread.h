@@ -11,9 +11,9 @@
 
 #define GLINT_SPREAD_GUARD 0x80100200u
 
-/** A pixel of a tile, and its colour. */
+/** A pixel of a tile, and its colour; and N'.N' there, 1 = 2^32, and 2^14 over its root, where it is lit: suns.h. */
 typedef struct glint_spread {
-    uint32_t offset, colour;
+    uint32_t offset, colour, square, over;
 } glint_spread;
 
 /** A word packed into 16 bits: 5 red, 6 green, 5 blue; what is above them is to be cut off. */

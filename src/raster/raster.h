@@ -32,7 +32,7 @@ typedef struct glint_span {
 /** A tile on the screen: its first pixel's centre in sixteenths, and how much of it the screen shows, in pixels. */
 typedef struct glint_window {
     int32_t left, top, width, height;
-    uint32_t origin, beyond; /* raster's own: of places, and the bits that none in the tile has */
+    uint32_t origin; /* of corner words: triangle.h */
 } glint_window;
 
 /** Most rows of a triangle that raster walks as a whole. */
@@ -41,19 +41,16 @@ typedef struct glint_window {
 /** The part of a triangle that lies in one tile. Its anchor is the pixel of the triangle's first corner. */
 typedef struct glint_part {
     glint_window window;
-    int32_t x, y;         /* of the tile's first pixel, from the anchor: where planes are evaluated */
-    uint32_t top, bottom; /* rows of the tile; bottom is exclusive */
-    glint_plane depth;    /* 1/w, Q31 */
+    int32_t x, y;      /* of the tile's first pixel, from the anchor: where planes are evaluated */
+    glint_plane depth; /* 1/w, Q31 */
     glint_gradients gradients;
-    glint_span above[GLINT_SHORT_ROWS]; /* raster's own, of rows above the tile */
-    glint_span spans[GLINT_TILE_MAX];   /* of these rows */
 } glint_part;
 
 /** A triangle to draw. */
 typedef struct glint_triangle {
     const glint_vertex *corners[3]; /* counter-clockwise on the screen */
     const int16_t *extra[3];        /* where the draw has extra attributes */
-    const int16_t *facet;           /* its colour, where the draw is lit by facet */
+    uint32_t index;                 /* in its draw */
     int32_t area;                   /* twice its area, 28.4 squared, above 0 */
     int back;                       /* seen from the back */
     uint32_t away;                  /* lights that are known not to shine on it, by bits */
@@ -62,12 +59,5 @@ typedef struct glint_triangle {
 
 /** A window that shows so many pixels from pixel x, y of the screen on. */
 void glint_window_begin(glint_window *window, int x, int y, int width, int height);
-
-/**
- * Finds a triangle's rows and spans in a tile, the part's window. Corners v run counter-clockwise on the screen, within
- * 1535 pixels of the tile's first.
- * @return 0 when they hold no pixels: then neither does the part hold anything
- */
-int glint_raster(glint_part *part, const glint_vertex *const v[3]);
 
 #endif

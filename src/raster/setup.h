@@ -23,17 +23,6 @@ static inline int32_t glint_slenderness(const glint_gradients *gradients, int32_
     return 2 * side_bits - 31 + (int32_t)glint_leading_zeros((uint32_t)area);
 }
 
-/**
- * Do quadratics keep their digits on a triangle whose edges bulge by so much, Q26, M.M by the |Na - Nb|^2 of its
- * normals? What barycentric coordinates are rounded by grows as the square of its longest side over its area, and
- * quadratics are off by what that makes of bulges: by up to 0.0013 here. Coordinates of wide ones have two bits fewer.
- * Up to 7/4 the products of bulges have 31 bits.
- */
-static inline int glint_keeps_digits(const glint_gradients *gradients, int32_t area, uint32_t bulge) {
-    const uint64_t off = glint_product_unsigned(gradients->reach * gradients->reach, bulge);
-    return bulge <= 7u << 24 && off >> (gradients->reciprocal ? 29 : 27) <= (uint32_t)area;
-}
-
 /** A plane's value at a pixel, x and y from the anchor. */
 static inline int32_t glint_plane_at(const glint_plane *p, int32_t x, int32_t y) {
     return glint_add_wrap(p->start, glint_add_wrap(glint_multiply_wrap(p->dx, x), glint_multiply_wrap(p->dy, y)));

@@ -22,7 +22,7 @@ const char *glint_strerror(int status) {
         "an attenuation coefficient is below 0",
         "a spot's cone is wider inside than outside, or not from 0 to 180 degrees",
         "a generator has too few divisions, a size not above 0, or too little room",
-        "the error budget is not from 0 to 8",
+        "a number of former versions",
         "a mesh's or a material's flags have an unknown bit",
         "the memory of pixels is smaller than glint_pixels_need tells, or not aligned as a pointer is",
         "a region is not on the screen or panel, or its edges divide a byte of the format",

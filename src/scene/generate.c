@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Generators: surfaces of revolution, the plane and the box, with normals from their formulas. */
-#include "../glint.h"
+#include "../glint_extras.h"
 #include "../math/numeric.h"
 
 /* Q30 */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Orthographic projection: what parallel rays do in another way; view.h. */
 #include "../geometry/geometry.h"
-#include "../light/shade.h"
+#include "../scene/view.h"
 
 /* Steps of depth from the nearest to the farthest: pixels have one more, and planes room for their rounding. */
 #define STEPS 65533
@@ -81,15 +81,10 @@ static void finish_depths(const glint_view *view, const glint_transform *transfo
     }
 }
 
-/* 1/w is the same everywhere, and what lies along the axis is in the ray. */
-static void place_fragments(const glint_frame *frame, glint_fragments *fragments) {
-    const glint_depth_range *const range = range_of(frame->view);
-    for (uint32_t i = 0; i < fragments->count; i++) {
-        const int64_t nearer = glint_product(fragments->inverse_w[i], range->range_ray);
-        fragments->ray[i][2] = range->far_ray - (int32_t)glint_shift_right64(nearer, 31);
-        fragments->inverse_w[i] = INT32_MAX;
-    }
+static int32_t distance_of(const glint_view *view, int32_t depth) {
+    const glint_depth_range *const range = range_of(view);
+    return range->far_ray - (int32_t)glint_shift_right64(glint_product(depth, range->range_ray), 31);
 }
 
-const glint_projection glint_orthographic = {is_valid_view, find_same_w,     set_range,
-                                             finish_depths, place_fragments, depth_of_w};
+const glint_projection glint_orthographic = {is_valid_view, find_same_w, set_range,
+                                             finish_depths, distance_of, depth_of_w};

@@ -2,6 +2,7 @@
 /* Poses and cameras: the helpers that build a scene's matrices. */
 #include "../glint.h"
 #include "../math/numeric.h"
+#include "view.h"
 
 glint_q16 glint_sin(glint_q16 degrees) {
     return glint_shift_right(glint_sine(glint_phase(degrees)) + (1 << 13), 14);
@@ -53,14 +54,41 @@ static glint_q16 saturate(int64_t x) {
     return x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : (glint_q16)x;
 }
 
+/* 2^-14 in Q32: a rotation rounded to Q16.16 is within half of it. */
+#define ROTATION_TOLERANCE (1 << 18)
+
+/*
+ * Copies a pose's axes, and replaces those of a rotation by the unit and perpendicular axes next to them: one step of
+ * M (3 I - M^T M) / 2 (Bjorck and Bowie, 1971), which leaves an error below 2^-26.
+ * @return bits of fraction beyond Q16.16: 14 of a rotation, else 0
+ */
+static unsigned find_axes(const glint_pose *pose, int32_t axes[3][3]) {
+    int32_t error[3][3];
+    const int is_rotation = glint_axes_are_unit(pose, ROTATION_TOLERANCE, error);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            int64_t sum = 0; /* Q48, below 2^37 */
+            for (int k = 0; k < 3 && is_rotation; k++)
+                sum += (int64_t)pose->m[i][k] * error[k][j];
+            axes[i][j] =
+                is_rotation ? pose->m[i][j] * (1 << 14) - (int32_t)glint_round_shift64(sum, 19) : pose->m[i][j];
+        }
+    }
+    return is_rotation ? 14 : 0;
+}
+
+/* Without exact axes, a rotation's rounding to Q16.16 would shrink a pose that is turned every frame by 2^-19 each. */
 glint_pose glint_pose_then(const glint_pose *first, const glint_pose *second) {
     glint_pose pose;
+    int32_t inner[3][3], outer[3][3];
+    /* Each product loses two bits of fraction more, so that three and a translation fit 64 bits. */
+    const unsigned outer_shift = 2 + find_axes(second, outer), inner_shift = outer_shift + find_axes(first, inner);
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 4; j++) {
-            /* Each product is halved twice, so that three and a translation fit 64 bits. */
             int64_t sum = j == 3 ? (int64_t)second->m[i][3] * (1 << 14) : 0;
             for (int k = 0; k < 3; k++)
-                sum += glint_round_shift64((int64_t)second->m[i][k] * first->m[k][j], 2);
+                sum += j == 3 ? glint_round_shift64((int64_t)outer[i][k] * first->m[k][3], outer_shift)
+                              : glint_round_shift64((int64_t)outer[i][k] * inner[k][j], inner_shift);
             pose.m[i][j] = saturate(glint_round_shift64(sum, 14));
         }
     }
@@ -155,6 +183,11 @@ glint_vector glint_pose_apply(const glint_pose *pose, glint_vector point) {
         out[i] = saturate(glint_round_shift64(sum, 14));
     }
     return (glint_vector){out[0], out[1], out[2]};
+}
+
+glint_camera glint_camera_default(void) {
+    glint_camera camera = {glint_pose_translate(0, 0, 4 * GLINT_ONE), 45 * GLINT_ONE, GLINT_Q16(0.1), 0, 0};
+    return camera;
 }
 
 /* a x b, for |a|, |b| below 2^31. */

@@ -3,6 +3,7 @@
 #ifndef GLINT_SIGHT_H
 #define GLINT_SIGHT_H
 
+#include "../glint_extras.h"
 #include "view.h"
 
 /** Checks what places on a screen are found from. @return GLINT_ERROR_NULL, _SIZE or _CAMERA */

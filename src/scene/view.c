@@ -30,18 +30,9 @@ int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_
 
 /* Unit and perpendicular to within 2^-9, far more than rounding to Q16.16 takes away. */
 int glint_camera_is_valid(const glint_camera *camera) {
-    for (int i = 0; i < 3; i++) {
-        for (int j = i; j < 3; j++) {
-            int64_t dot = 0;
-            for (int k = 0; k < 3; k++) {
-                if ((uint32_t)camera->pose.m[k][i] + 2 * GLINT_ONE > 4 * GLINT_ONE)
-                    return 0;
-                dot += glint_product(camera->pose.m[k][i], camera->pose.m[k][j]);
-            }
-            if (glint_magnitude64(dot - (i == j ? (int64_t)1 << 32 : 0)) > (1u << 23))
-                return 0;
-        }
-    }
+    int32_t error[3][3];
+    if (!glint_axes_are_unit(&camera->pose, 1 << 23, error))
+        return 0;
     if (camera->projection)
         return camera->near_plane > 0 && camera->projection->is_valid(camera);
     return camera->field_of_view >= GLINT_ONE && camera->field_of_view <= 170 * GLINT_ONE && camera->near_plane > 0;
@@ -54,6 +45,18 @@ static void set_focal_length(glint_view *view, int64_t focal) {
     unsigned down = glint_bits64((uint64_t)ratio) - 24;
     view->focal_shift = 43 - down;
     view->focal_mantissa = (int32_t)glint_shift_right64(ratio, down);
+}
+
+/*
+ * The way to the eye of a corner of the screen gets 15 bits; half as much of parallel rays, whose z is found apart.
+ * Whole multiples of half pixels are exact.
+ */
+static void set_ray_scale(glint_view *view, const glint_config *config) {
+    const uint64_t focal = (uint64_t)view->focal >> 12, width = config->width + 16u,
+                   height = config->height + 16u; /* nodes may lie 8 pixels outside: light/cells.c */
+    const uint64_t square = width * width + height * height + (view->is_parallel ? 0 : focal * focal);
+    const uint32_t scale = (32767u << 12) / (glint_square_root(square) + 2) >> (view->is_parallel ? 1 : 0);
+    view->ray_scale = (int32_t)(scale >> 15 ? scale & ~0xfffu : scale);
 }
 
 /* Focal length from the vertical field of view: half the height over the tangent of half the angle. */
@@ -69,7 +72,7 @@ static glint_status prepare_lights(glint_view *view, const glint_scene *scene) {
     for (uint32_t i = 0; i < scene->light_count; i++) {
         const glint_light *light = &scene->lights[i];
         view->lights[i].type = light->type;
-        if (light->type->illuminate)
+        if (light->type->has_place)
             view->has_positions = 1;
         glint_status status = light->type->prepare(light, &view->lights[i], view);
         if (status != GLINT_OK)
@@ -114,8 +117,11 @@ static glint_status prepare_nearest(glint_view *view, const glint_config *config
     }
     if (view->is_parallel)
         scene->camera.projection->set_range(view, nearest < farthest ? nearest : farthest, farthest);
-    else if (nearest < INT64_MAX)
-        view->nearest = nearest - (nearest >> 15); /* the nearest 1/w comes out as the top: 2^31 (1 - 2^-15) */
+    else if (nearest < INT64_MAX) {
+        nearest -= nearest >> 7; /* leaves room for what planes of 1/w are rounded by */
+        const unsigned bits = glint_bits64((uint64_t)nearest), down = bits > 16 ? bits - 16 : 0;
+        view->nearest = nearest >> down << down; /* geometry keeps 16 bits: lights are placed by the same */
+    }
     return GLINT_OK;
 }
 
@@ -136,6 +142,7 @@ glint_status glint_prepare_view(glint_view *view, const glint_config *config, co
     } else {
         prepare_focal_length(view, config, camera->field_of_view);
     }
+    set_ray_scale(view, config);
     glint_status status = prepare_lights(view, scene);
     if (status == GLINT_OK)
         status = prepare_nearest(view, config, scene, last, count);

@@ -5,8 +5,17 @@
 
 #include "../glint.h"
 
-struct glint_fragments;
+struct glint_drawn_lamp;
+struct glint_arrival;
+struct glint_lit_fragment;
+struct glint_lit_view;
+struct glint_row_walk;
+struct glint_lamps;
 struct glint_transform;
+struct glint_corner_light;
+struct glint_corner_sight;
+struct glint_corner_space;
+struct glint_lit_point;
 
 /** Half width of the guard band in pixels: clip space x = w lies this far from the screen's centre. */
 #define GLINT_GUARD_BAND 1023
@@ -20,10 +29,15 @@ typedef struct glint_prepared_light {
         int32_t mantissa[3]; /* position times 2 focal lengths over the frame's nearest w: mantissa 2^-shift, Q12, over
                                 Q31 */
         int32_t shift;
-        int32_t distance_mantissa;  /* |light vector| UNIT / 2^15 over 1/w to world units, times a power of two */
-        uint32_t linear, quadratic; /* 2^31 or more, or 0. Of a distance d times that mantissa is lost: */
-        int32_t linear_shift, quadratic_shift; /* linear d 2^(this - 33), quadratic d^2 2^(this - 50) */
     } point;
+    struct {
+        int32_t
+            place[3]; /* of a light with a position, in the units of lamps.c times 2^-shift and 1/w, Q31: below 2^30 */
+        int32_t shift;
+        uint16_t linear,
+            quadratic; /* 14 bits; 1 weakened by this 2^-shift times a distance in units of 1/w = 2^31 is */
+        int16_t linear_shift, quadratic_shift;
+    } lamp;
     struct {
         int32_t cosine_outer, cosine_inner; /* times GLINT_UNIT^2, and the axis's length over GLINT_UNIT */
         int32_t slope;                      /* 2^30 / (difference >> shift); 0 of a hard edge */
@@ -38,6 +52,7 @@ typedef struct glint_view {
     int32_t focal;          /* twice the focal length in pixels, Q12 */
     int32_t focal_mantissa; /* focal length / guard band = mantissa 2^-shift, 2^23 to 2^24 */
     uint32_t focal_shift;
+    int32_t ray_scale;  /* Q12: half pixels times this are the way to the eye, of 15 bits */
     uint32_t skipped;   /* objects */
     int64_t near_plane; /* Q28 */
     int64_t nearest;    /* Q28: no visible w is smaller */
@@ -65,7 +80,6 @@ typedef struct glint_whole_view {
     glint_depth_range range;
 } glint_whole_view;
 
-struct glint_fragments;
 struct glint_vertex;
 
 /**
@@ -83,8 +97,8 @@ struct glint_projection {
     /** Brings vertices from their distance to depth. */
     void (*finish)(const glint_view *view, const struct glint_transform *transform, struct glint_vertex *vertices,
                    uint32_t count);
-    /** Brings fragments from their depth to rays and 1/w. */
-    void (*place)(const glint_frame *frame, struct glint_fragments *fragments);
+    /** Returns how far a depth, Q31, lies from the eye along the axis: half pixels, Q12. */
+    int32_t (*distance_of)(const glint_view *view, int32_t depth);
     /** Depth, Q31, of a distance Q28; it may be below 0 or beyond 2^31. */
     int64_t (*depth_at)(const glint_view *view, int64_t w);
 };
@@ -97,17 +111,29 @@ static inline size_t glint_view_size(const glint_scene *scene) {
     return GLINT_VIEW_SIZE(scene->light_count) + (scene->camera.projection ? sizeof(glint_depth_range) : 0);
 }
 
+/** Finds what a point sees of a light. @return its strength there, Q15; 0 where it is gated and the point faces away */
+typedef uint32_t glint_reach_light(const struct glint_corner_light *light, const struct glint_lit_point *point,
+                                   struct glint_corner_sight *to);
+
 struct glint_light_type {
     /** Brings a light to camera space. @return GLINT_ERROR_DIRECTION, _ATTENUATION or _CONE when it is not valid. */
     glint_status (*prepare)(const glint_light *light, glint_prepared_light *prepared, const glint_view *view);
-    /** Direction and strength at the fragments; null where both are the same everywhere. */
-    void (*illuminate)(const glint_prepared_light *light, struct glint_fragments *fragments);
     /** The part of `prepare` that needs the frame's nearest w; may be null. */
     void (*place)(const glint_light *light, glint_prepared_light *prepared, const glint_view *view);
     /** Does an object lie where none of this light goes, all of it? Null: light goes everywhere. */
     int (*misses)(const glint_light *light, const glint_prepared_light *prepared, const glint_view *view,
                   const glint_object *object);
-    uint8_t has_cone; /* prepared->spot holds one */
+    const struct glint_suns_stage *suns; /* of directional lights: light/evaluation.h; else null */
+    uint8_t has_place;                   /* light comes from one, not from the same direction everywhere */
+    uint8_t has_cone;                    /* prepared->spot holds one */
+    /** Finds what arrives of a light at a fragment: light/lamps.h. */
+    int (*arrive)(const struct glint_lamps *lamps, const struct glint_drawn_lamp *lamp, struct glint_lit_view *s,
+                  struct glint_arrival *to);
+    /** Sets what `reach` needs beyond the light's place in an object's space, of which the unit is 2^exponent times
+     * that of turned vectors in Q28. Null where light has no place. */
+    void (*bring)(const glint_light *light, const struct glint_corner_space *space, int32_t exponent,
+                  struct glint_corner_light *to);
+    glint_reach_light *reach; /* null as well */
 };
 
 /**
@@ -116,6 +142,30 @@ struct glint_light_type {
  */
 glint_status glint_prepare_view(glint_view *view, const glint_config *config, const glint_scene *scene,
                                 struct glint_transform *last, uint32_t count);
+
+/**
+ * Measures a pose's axes, its first three columns: error[i][j] is the scalar product of axes i and j, less 1 where they
+ * are the same; Q32.
+ * @param tolerance Q32, below 2^24
+ * @return 0 where an error is beyond the tolerance; then errors are of no use
+ */
+static inline int glint_axes_are_unit(const glint_pose *pose, int32_t tolerance, int32_t error[3][3]) {
+    const int32_t most = GLINT_ONE + GLINT_ONE / 2; /* any entry beyond 1 and the tolerance is an error */
+    for (int i = 0; i < 3; i++) {
+        for (int j = i; j < 3; j++) {
+            int64_t dot = i == j ? -((int64_t)1 << 32) : 0;
+            for (int k = 0; k < 3; k++) {
+                if (pose->m[k][i] < -most || pose->m[k][i] > most)
+                    return 0;
+                dot += (int64_t)pose->m[k][i] * pose->m[k][j];
+            }
+            if (dot < -tolerance || dot > tolerance)
+                return 0;
+            error[i][j] = error[j][i] = (int32_t)dot;
+        }
+    }
+    return 1;
+}
 
 /** Has a camera unit axes that are perpendicular, a field of view and a near plane? */
 int glint_camera_is_valid(const glint_camera *camera);

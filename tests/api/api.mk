@@ -4,7 +4,8 @@
 
 SUITE_old := $(TEST_HARNESS) tests/api/old.c
 SUITE_limits := $(TEST_HARNESS) tests/api/limits.c
-$(foreach suite,old limits,$(eval $(call test_suite,host,$(suite))))
+SUITE_helpers := $(TEST_HARNESS) tests/api/helpers.c
+$(foreach suite,old limits helpers,$(eval $(call test_suite,host,$(suite))))
 
 # By each compiler with every warning but the one of fields that are left out.
 OLD_WARNINGS := -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -Wno-missing-field-initializers
@@ -18,8 +19,8 @@ SUITES += test-api
 .PHONY: test-api
 API_PANELS := $(patsubst %.c,$(BUILD)/host/%.o,$(wildcard port/panel/*.c))
 
-test-api: $(BUILD)/tests/host/old $(BUILD)/tests/host/limits $(API_MESH) $(BUILD)/host/libglint.a $(API_PANELS) ## headers as C and C++, their names, and what older versions' users wrote
-	@$<; status=$$?; $(BUILD)/tests/host/limits || status=1; \
+test-api: $(addprefix $(BUILD)/tests/host/,old limits helpers) $(API_MESH) $(BUILD)/host/libglint.a $(API_PANELS) ## headers as C and C++, their names, and what older versions' users wrote
+	@$<; status=$$?; $(BUILD)/tests/host/limits || status=1; $(BUILD)/tests/host/helpers || status=1; \
 	for compiler in gcc clang; do \
 	    $$compiler $(OLD_WARNINGS) $(TEST_INCLUDES) -fsyntax-only tests/api/old.c || status=1; \
 	done; \

@@ -8,7 +8,7 @@
   have one file name;
 - no example names a member below `@privatesection`: each compiles where these have other names;
 - a function that returns an int answers 1 or 0, and says so; what can fail returns a glint_status;
-- each code of glint_status is one less than the one before it, and has a sentence.
+- each code of glint_status is below the one before it, and has a sentence, as former codes have.
 """
 import argparse
 import collections
@@ -36,7 +36,11 @@ MORE = {"c": ["-Wstrict-prototypes", "-Wmissing-prototypes"],
 
 # Macros that take something, as a user writes them; a list of bytes may stand for several numbers.
 CALLS = {"GLINT_Q16": ["GLINT_Q16(0.25)", "GLINT_Q16(-0.25)", "GLINT_Q16(3)"],
+         "GLINT_VECTOR": ["GLINT_VECTOR(0.25, -0.25, 3)"], "GLINT_COLOUR": ["GLINT_COLOUR(0, 0.25, 1)"],
          "GLINT_PANEL_SEND": ["GLINT_PANEL_SEND(2)"], "GLINT_PANEL_DELAY": ["GLINT_PANEL_DELAY(5)"]}
+
+# Macros that initialise a structure.
+VALUES = {"GLINT_VECTOR": "glint_vector", "GLINT_COLOUR": "glint_colour"}
 
 # Who names what: a board's own functions are its, and the library's are glint's.
 PREFIXES = {"port/board.h": "board_", "port/display.h": "glint_"}
@@ -65,6 +69,9 @@ def program(header, macros):
         if name.endswith("_H"):
             continue
         values = CALLS[name] if macros[name] else [name]
+        if name in VALUES:
+            lines += ["extern const %s use_%s;" % (VALUES[name], name), "const %s use_%s = %s;" % (VALUES[name], name, values[0])]
+            continue
         for at, value in enumerate(values):
             lines += ["extern const long use_%s_%d[];" % (name, at), "const long use_%s_%d[] = {%s};" % (name, at, value)]
     return "\n".join(lines + ["int use(void);", "int use(void) { return 0; }", ""])
@@ -149,7 +156,7 @@ def check_files(tally):
 
 
 def rename_private(text):
-    """glint.h with other names for what is private. @return it, and how many lines that were"""
+    """A header with other names for what is private. @return it, and how many lines that were"""
     lines, is_private, count = [], False, 0
     for line in text.splitlines():
         starts = line == "    /** @privatesection */"
@@ -162,16 +169,20 @@ def rename_private(text):
 
 
 def check_private(tally):
-    with open("src/glint.h") as file:
-        text, count = rename_private(file.read())
+    renamed = {}
+    for name in ("glint.h", "glint_extras.h"):
+        with open(os.path.join("src", name)) as file:
+            renamed[name] = rename_private(file.read())
+    count = sum(lines for _, lines in renamed.values())
     needs_sdk = glob.glob("examples/pico-sdk/*.c")
     examples = sorted(set(glob.glob("examples/*/*.c")) - set(needs_sdk))
     options = [option for path in ("src", "port", "port/host", "examples", "tests/adapters/declarations")
                for option in ("-I", path)] + ["-DBOARD_ARENA=65536", "-DBOARD_TILE_WIDTH=0", "-DBOARD_TILE_HEIGHT=0"]
     adapters = [path for path in examples if path.startswith("examples/adapters/")]
     with tempfile.TemporaryDirectory() as folder:
-        with open(os.path.join(folder, "glint.h"), "w") as file:
-            file.write(text)
+        for name, (text, _) in renamed.items():
+            with open(os.path.join(folder, name), "w") as file:
+                file.write(text)
         for path in examples:
             flags = ["-Iexamples/adapters", "-I/usr/include/libdrm"] if path in adapters else []
             done = run("gcc", "-std=gnu99", "-I" + folder, *options, *flags, "-fsyntax-only", path)
@@ -196,9 +207,10 @@ def check_statuses(tally):
         codes = [int(code) for code in re.findall(r"^    GLINT_(?:OK|ERROR_\w+) = (-?\d+)", file.read(), re.MULTILINE)]
     with open("src/scene/error.c") as file:
         sentences = re.findall(r'^        "[^"]+",$', file.read(), re.MULTILINE)
-    tally.check(codes == list(range(0, -len(codes), -1)) and len(codes) > 20, "codes of glint_status: %s" % codes)
-    tally.check(len(sentences) == len(codes) == len(set(sentences)),
-                "%d sentences for %d codes" % (len(sentences), len(codes)))
+    tally.check(codes == sorted(set(codes), reverse=True) and codes[0] == 0 and len(codes) > 20,
+                "codes of glint_status: %s" % codes)
+    tally.check(len(sentences) == 1 - codes[-1] == len(set(sentences)),
+                "%d sentences for codes to %d" % (len(sentences), codes[-1]))
 
 
 def main():

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Suite: arguments at and beyond the limits that the headers state, function by function. */
-#include "glint.h"
+#include "glint_extras.h"
 #include "glint_layout.h"
 #include "harness.h"
 
@@ -332,6 +332,23 @@ static void points_far_aside_saturate(void) {
     CHECK_EQUAL(place.y, INT32_MIN);
 }
 
+/* ---- Sizes ---- */
+
+/* 0 is the answer of what no configuration is, and of each that is not valid. */
+static void sizes_of_no_configuration_are_0(void) {
+    CHECK_EQUAL(glint_pixels_need(NULL), 0);
+    CHECK_EQUAL(glint_workspace_size(NULL), 0);
+    CHECK_EQUAL(glint_changes_count(NULL), 0);
+    stage *s = begin();
+    CHECK_AT_MOST(1, glint_pixels_need(&s->config));
+    CHECK_AT_MOST(1, glint_workspace_size(&s->config));
+    CHECK_EQUAL(glint_changes_count(&s->config), 1);
+    s->config.format = NULL;
+    CHECK_EQUAL(glint_pixels_need(&s->config), 0);
+    CHECK_EQUAL(glint_workspace_size(&s->config), 0);
+    CHECK_EQUAL(glint_changes_count(&s->config), 0);
+}
+
 /* ---- Generators ---- */
 
 static void generators_stop_at_their_limits(void) {
@@ -366,6 +383,7 @@ int test_main(void (*write)(const char *text)) {
         TEST_CASE(edges_saturate),
         TEST_CASE(widest_views_have_lines),
         TEST_CASE(points_far_aside_saturate),
+        TEST_CASE(sizes_of_no_configuration_are_0),
         TEST_CASE(generators_stop_at_their_limits),
     };
     return test_run(write, cases, TEST_COUNT(cases));

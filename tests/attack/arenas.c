@@ -4,6 +4,7 @@
  * where one ends: arenas STEP, every size or one in so many. Each is refused by a named error or draws the picture.
  */
 #include "every_format.h"
+#include "glint_extras.h"
 #include "pages.h"
 
 #include <signal.h>
@@ -50,10 +51,10 @@ static void require(int holds, const char *what) {
 
 /* ---- Scene: two tori, one of which reaches behind the near plane, in front of a sphere ---- */
 
-#define EVALUATIONS 4
+#define EVALUATIONS 3
 
 static const glint_evaluation *const evaluations[EVALUATIONS] = {&glint_per_fragment, &glint_per_vertex,
-                                                                 &glint_per_facet, &glint_per_node};
+                                                                 &glint_per_facet};
 
 typedef struct props {
     int16_t positions[2][VERTICES][3], normals[2][VERTICES][3];

@@ -107,7 +107,8 @@ static int are_all_seen(void) {
     int missing = 0;
     for (int i = 0; i <= -GLINT_ERROR_STRIDE; i++) {
         const int is_of_panels = i >= -GLINT_ERROR_TIMEOUT && i <= -GLINT_ERROR_ROTATION;
-        if (!is_of_panels && !endings[i])
+        const int is_left = strstr(glint_strerror(-i), "former versions") != NULL;
+        if (!is_of_panels && !is_left && !endings[i])
             missing += printf("never ended in: %s\n", glint_strerror(-i)) > 0;
     }
     return !missing;

@@ -243,12 +243,9 @@ static void spoil_scene(source *s, glint_scene *scene) {
         scene->viewer = (glint_viewer)below(s, 3);
         break;
     case 4:
-        scene->error_budget = (int32_t)attack_number(s, (uint32_t)scene->error_budget);
-        break;
-    case 5:
         spoil_number(s, &scene->background, sizeof scene->background + sizeof scene->ambient);
         break;
-    case 6:
+    case 5:
         camera->projection = &glint_orthographic;
         camera->view_height = (glint_q16)attack_number(s, GLINT_ONE);
         break;

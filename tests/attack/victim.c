@@ -2,6 +2,7 @@
 #include "victim.h"
 
 #include "every_format.h"
+#include "glint_extras.h"
 
 #include <string.h>
 
@@ -162,7 +163,6 @@ static void take_config(victim *v, source *s) {
     config->flush.wait = below(s, 2) ? wait : NULL;
     config->gamma = one_in(s, 8) ? glint_gamma_srgb : NULL; /* not written either */
     config->keeps_arena = (uint8_t)below(s, 2);
-    config->counts_drawn = (uint8_t)below(s, 2);
     config->skips_degenerate = (uint8_t)below(s, 2);
     config->left = (int16_t)take(s, 2);
     config->top = (int16_t)take(s, 2);

@@ -61,9 +61,9 @@ test-board-identity: $(IDENTITY_TESTED) $(foreach pair,$(IDENTITY_PART),$(lastwo
 # ---- What firmware may take, and that what is there to copy compiles
 
 # Bytes that the turntable, everything included, may take of lm3s6965evb.
-FLASH_MOST   := 65536
+FLASH_MOST   := 92160
 RAM_MOST     := 32768
-LIBRARY_MOST := 22272
+LIBRARY_MOST := 51200
 
 # Of the colour boards whose animation no other suite takes, one.
 ANIMATE_RUN   := mps2-an385 netduinoplus2 pico

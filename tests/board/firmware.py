@@ -10,11 +10,11 @@ from qemu import Tally
 
 
 def check_example(tally, example):
-    """At most 30 lines below that of the licence; and -Wextra asks for every field, which C++20's designated initialisers
+    """At most 31 lines below that of the licence; and -Wextra asks for every field, which C++20's designated initialisers
     need not name."""
     with open(example) as file:
         lines = len(file.readlines()) - 1
-    tally.check(lines <= 30, "%s has %d lines, more than 30" % (example, lines))
+    tally.check(lines <= 31, "%s has %d lines, more than 31" % (example, lines))
     compiled = subprocess.run(["clang++", "-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Werror",
                                "-Wno-missing-field-initializers", "-Isrc", "-Iport", "-Iexamples", "-fsyntax-only", "-x", "c++",
                                example], capture_output=True, text=True)

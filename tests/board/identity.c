@@ -26,7 +26,6 @@ static const struct {
     {"fragment", &glint_per_fragment},
     {"vertex", &glint_per_vertex},
     {"facet", &glint_per_facet},
-    {"node", &glint_per_node},
 };
 
 static const struct {
@@ -185,7 +184,7 @@ int identity_run_turntable(void (*write)(const char *text), const identity_forma
     const identity_format *widest = &chosen[count - 1];
     int failed = 0;
 
-    for (int model = 0; model < TURNTABLE_MODELS; model++) {
+    for (int model = 0; model < TURNTABLE_SHOWN; model++) {
         const frame_options options = {NULL, 0, 0, 0};
         for (uint32_t frame = 0; frame < TURNTABLE_FRAMES; frame++) {
             failed += draw(write, (turntable_model)model, frame, widest, options);

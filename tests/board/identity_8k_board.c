@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* As on boards of 16 KB of RAM; and 64 KB of flash hold both models, or RGB565, which has code of its own. */
+/* As on boards of 16 KB of RAM; and 64 KB of flash hold one model. */
 #include "board.h"
 #include "identity.h"
 

@@ -22,6 +22,7 @@ from qemu import Died, Machine, Tally, check_stack
 from picture import WRITE_MEMORY, Recorder, Wires, Wrong, read_netpbm, write_png
 
 FRAMES = ["torus576-0", "torus576-1", "teapot-0", "teapot-1"]
+ONE_MODEL = ("lm3s811evb",)  # boards whose flash holds but the torus
 
 
 def names_of(lines):
@@ -260,6 +261,8 @@ def run(arguments, tally, name, firmware, shown=(), program="show", frames=FRAME
     os.makedirs(host)
     drawn = draw_on_host(program, arguments.host, board, host)
     tally.check(drawn == frames, "%s: the host drew %s" % (name, drawn))
+    if program == "show" and name in ONE_MODEL:
+        frames = FRAMES[:2]
     stream = os.path.abspath(os.path.join(directory, "stream")) if board.module else directory
     try:
         lines = board.capture(firmware, stream)

@@ -134,11 +134,6 @@ static double exact_channel(int64_t x) {
     return (double)x * 0x1p27 / 32767;
 }
 
-static double exact_clamped_colour(int64_t x) {
-    return clamped(x) * 32767 / 0x1p23;
-}
-
-/* Between two entries of the table, which is of 65535 steps: the last entry is one less than the square. */
 static double exact_gamma_of_squares(int64_t x) {
     const double at = clamped(x) / 0x1p15, entry = floor(at);
     const double low = entry * entry - (entry == 256), high = (entry + 1) * (entry + 1) - (entry + 1 >= 256);
@@ -195,7 +190,6 @@ static const reference references[] = {
     {"luma_15", exact_level_15, 0.5005, 0, 0, FULL},
     {"luma_255", exact_level_255, 0.5084, 0, 0, FULL},
     {"channel", exact_channel, 1, 0, 0, 0},
-    {"clamped_colour", exact_clamped_colour, 1.5, 0, 0, FULL},
     {"gamma_of_squares", exact_gamma_of_squares, 3400, 0, 0, FULL},
     {"dither_threshold", exact_dither_threshold, 0, 0, 0, 0},
 };

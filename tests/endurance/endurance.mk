@@ -12,7 +12,7 @@ $(eval $(call test_program,$(BUILD)/tests/endurance,host,tests/endurance/enduran
 
 PROGRAM_endurance := tests/endurance/endurance_board.c $(ENDURANCE_SOURCES)
 $(BUILD)/mps2-an385/O2/tests/endurance/endurance_board.o: FIRMWARE_CFLAGS += -DENDURANCE_FRAMES=$(ENDURANCE_BOARD_FRAMES)
-$(eval $(call firmware_program,mps2-an385,O2,endurance,-Wl$(comma)--defsym=stack_size=10112))
+$(eval $(call firmware_program,mps2-an385,O2,endurance,-Wl$(comma)--defsym=stack_size=5120))
 
 SUITES += test-endurance
 .PHONY: endurance test-endurance
@@ -20,7 +20,5 @@ test-endurance: $(BUILD)/tests/endurance ## thousands of animated frames: each r
 	@$< $(ENDURANCE_TEST_FRAMES) > $<.log; status=$$?; tail -n 2 $<.log; exit $$status
 
 endurance: $(BUILD)/tests/endurance $(ENDURANCE_ELF) ## a million animated frames on the host, ten thousand on an emulated board: half an hour
-	@$(call recorded,endurance,'frames on an emulated board=mps2-an385: frames ([0-9]+)',tests/endurance examples/scenes port) \
-	    python3 tests/endurance/endurance.py --qemu $(QEMU) $(ENDURANCE_ELF) $(BUILD)/tests/endurance $(ENDURANCE_BOARD_FRAMES)
-	@$(call recorded,endurance,'frames on the host=frames ([0-9]+)',tests/endurance examples/scenes) \
-	    $(BUILD)/tests/endurance $(ENDURANCE_FRAMES)
+	@python3 tests/endurance/endurance.py --qemu $(QEMU) $(ENDURANCE_ELF) $(BUILD)/tests/endurance $(ENDURANCE_BOARD_FRAMES)
+	@$(BUILD)/tests/endurance $(ENDURANCE_FRAMES)

@@ -4,6 +4,7 @@
 
 - no undefined symbol but those listed below;
 - no floating point: no helper function, and on a core with an FPU no instruction of it;
+- no floating point in what a program makes of literals by glint.h's macros, without optimisation either;
 - no writable data;
 - no recursion through direct calls;
 - no function that nothing refers to: a compiler leaves one when it wrongly drops its calls (gcc 12's -Os has done so);
@@ -18,6 +19,7 @@ import os
 import re
 import subprocess
 import sys
+import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "board"))
 from qemu import Tally
@@ -54,6 +56,32 @@ def undefined(cross, objects, output):
     """Undefined symbols of all objects linked together."""
     run(cross + "ld", "-r", "-o", output, *objects)
     return [line.split()[-1] for line in run(cross + "nm", "-u", output).splitlines()]
+
+
+LITERALS = """#include "glint.h"
+glint_light use(glint_camera *camera);
+glint_light use(glint_camera *camera) {
+    const glint_vector place = GLINT_VECTOR(-1, 0.1, 2.7);
+    const glint_colour colour = GLINT_COLOUR(1, 0.5, 0.1);
+    *camera = glint_camera_default();
+    camera->near_plane = GLINT_Q16(-0.3);
+    return camera->projection ? glint_sun(place, colour) : glint_lamp(place, colour, GLINT_Q16(7.5));
+}
+"""
+
+
+def check_literals(tally, cross):
+    """The compiler folds literals, in C and in C++."""
+    for compiler, language in (("gcc", "c"), ("g++", "c++")):
+        for level in ("-O0", "-Os"):
+            with tempfile.TemporaryDirectory() as folder:
+                path = os.path.join(folder, "literals.o")
+                compiled = subprocess.run([cross + compiler, "-mcpu=cortex-m0", "-mthumb", level, "-Isrc", "-c", "-x", language,
+                                           "-", "-o", path], input=LITERALS, capture_output=True, text=True)
+                tally.check(compiled.returncode == 0, "literals: " + compiled.stderr)
+                names = [line.split()[-1] for line in run(cross + "nm", "-u", path).splitlines()]
+                floats = [name for name in names if FLOAT_HELPER.match(name)]
+                tally.check("glint_sun" in names and not floats, "literals in %s, %s: %s" % (language, level, floats))
 
 
 def writable(cross, objects):
@@ -118,8 +146,11 @@ def cycle(graph):
 
 
 def public_functions():
-    with open("src/glint.h") as file:
-        return re.findall(r"^[\w ]+[ *](glint_\w+)\(", file.read(), re.MULTILINE)
+    found = []
+    for header in ("src/glint.h", "src/glint_extras.h"):
+        with open(header) as file:
+            found += re.findall(r"^[\w ]+[ *](glint_\w+)\(", file.read(), re.MULTILINE)
+    return found
 
 
 def check_planted(tally, cross, directory):
@@ -157,7 +188,8 @@ def check_library(tally, cross, directory):
 
 
 # What firmware that names none of it is to be without, and what names it.
-OPTIONAL = (("glint_lines_draw", "walk_along"), ("glint_lines_place", "clip_line"), ("glint_orthographic", "set_range"))
+OPTIONAL = (("glint_lines_draw", "walk_along"), ("glint_lines_place", "clip_line"), ("glint_orthographic", "set_range"),
+            ("glint_sun", "glint_sun"), ("glint_lamp", "glint_lamp"), ("glint_spot", "glint_spot"))
 
 
 def check_linked(tally, cross, directory):
@@ -209,6 +241,7 @@ def main():
     check_int(tally)
     check_plain_c(tally)
     check_one_file(tally)
+    check_literals(tally, arguments.cross)
     for directory in arguments.directories:
         check_planted(tally, arguments.cross, directory)
         check_library(tally, arguments.cross, directory)

@@ -178,14 +178,7 @@ static void take_lights(source *s, drawing *d) {
 static void take_objects(source *s, drawing *d) {
     static const glint_model *const models[4] = {&glint_model_blinn_phong, &glint_model_phong, &glint_model_lambert,
                                                  &glint_model_unlit};
-    const glint_evaluation *const evaluations[8] = {NULL,
-                                                    &glint_per_fragment,
-                                                    &glint_per_vertex,
-                                                    &glint_per_facet,
-                                                    &glint_per_node,
-                                                    &glint_per_node,
-                                                    &glint_per_node,
-                                                    &glint_per_node};
+    const glint_evaluation *const evaluations[4] = {NULL, &glint_per_fragment, &glint_per_vertex, &glint_per_facet};
     d->scene.object_count = below(s, DRAWING_OBJECTS + 1);
     for (uint32_t i = 0; i < d->scene.object_count; i++) {
         d->materials[i].model = models[below(s, 4)];
@@ -197,7 +190,7 @@ static void take_objects(source *s, drawing *d) {
         d->objects[i] = (glint_object){0};
         d->objects[i].mesh = &d->meshes[below(s, DRAWING_MESHES)];
         d->objects[i].material = &d->materials[below(s, i + 1)];
-        d->objects[i].evaluation = evaluations[below(s, 8)];
+        d->objects[i].evaluation = evaluations[below(s, 4)];
         d->objects[i].pose = take_pose(s);
     }
     d->scene.objects = d->objects;
@@ -207,7 +200,6 @@ void take_any_scene(source *s, drawing *d) {
     memset(d, 0, sizeof *d);
     take_camera(s, &d->scene.camera);
     d->scene.viewer = (glint_viewer)(below(s, 64) == 1 ? 2 : below(s, 2));
-    d->scene.error_budget = below(s, 64) == 1 ? any(s) : (int32_t)below(s, GLINT_BUDGET_MAX + 1);
     d->scene.background = take_colour(s);
     d->scene.ambient = take_colour(s);
     for (int i = 0; i < DRAWING_MESHES; i++)

@@ -64,7 +64,7 @@ static void check_picture(const host_settings *settings) {
     require(is_tile_side(settings->tile_width) && is_tile_side(settings->tile_height));
     require(settings->format != NULL && settings->panel.format != NULL && is_within(settings->gamma, 0.1, 10));
     require((settings->core > 0) == (settings->instructions > 0) && settings->bus >= 0);
-    require(is_within(settings->budget, 0, GLINT_BUDGET_MAX) && settings->preview <= GLINT_SIZE_MAX);
+    require(settings->preview <= GLINT_SIZE_MAX);
     require(settings->animate <= 1000 && settings->frame <= 1000000);
 }
 
@@ -213,14 +213,6 @@ int command_demo(const host_settings *settings) {
     check_settings(settings);
     require(settings->model == NULL && settings->models != NULL);
     return 0;
-}
-
-/** Nothing is drawn: of a view, this alone would. */
-glint_status counts_render(glint_renderer *renderer, const glint_scene *scene, frame_counts *counts) {
-    (void)renderer;
-    (void)scene;
-    (void)counts;
-    return GLINT_ERROR_NULL;
 }
 
 /* ---- Arguments --------------------------------------------------------------------------------------------------- */

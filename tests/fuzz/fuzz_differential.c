@@ -65,14 +65,13 @@ static int soften(glint_light *light) {
 }
 
 /*
- * Into what the contract is for: exact, p from 1 to 1024, a near plane at a thousandth of the distances, which cuts
+ * Into what the contract is for: p from 1 to 1024, a near plane at a thousandth of the distances, which cuts
  * little: library and reference round what they cut on their own.
  */
 static void tame(drawing *d) {
     glint_camera *camera = &d->scene.camera;
     int has_position = 0;
     camera->near_plane = 1;
-    d->scene.error_budget = 0;
     d->scene.background =
         (glint_colour){GLINT_ONE / 5, GLINT_ONE / 5 * 2, GLINT_ONE / 5}; /* not halfway between steps */
     for (uint32_t i = 0; i < d->scene.light_count; i++)

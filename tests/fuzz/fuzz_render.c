@@ -7,6 +7,7 @@
  */
 #include "drawing.h"
 #include "every_format.h"
+#include "glint_extras.h"
 
 #include <string.h>
 
@@ -126,7 +127,6 @@ static void take_usual_config(source *s, glint_config *config) {
     config->tile_height = tiles[below(s, 5)];
     config->format = every_format[below(s, 2) ? below(s, FORMAT_COUNT) : below(s, 2)];
     config->gamma = take_gamma(s, 16);
-    config->counts_drawn = (uint8_t)below(s, 2);
 }
 
 /* ---- Frame --------------------------------------------------------------------------------------------------- */

@@ -3,6 +3,7 @@
 #include "drawing.h"
 
 #include "cluster.h"
+#include "glint_extras.h"
 
 #include <string.h>
 
@@ -175,7 +176,7 @@ static void take_material(source *s, glint_material *material) {
 
 static void take_objects(source *s, drawing *d, glint_q16 size, glint_vector centre) {
     const glint_evaluation *const evaluations[8] = {
-        NULL, NULL, &glint_per_fragment, &glint_per_vertex, &glint_per_node, NULL, &glint_per_node, &glint_per_facet};
+        NULL, NULL, &glint_per_fragment, &glint_per_vertex, &glint_per_vertex, NULL, NULL, &glint_per_facet};
     d->scene.object_count = 1 + below(s, DRAWING_OBJECTS);
     for (uint32_t i = 0; i < d->scene.object_count; i++) {
         glint_object *object = &d->objects[i];
@@ -316,7 +317,6 @@ void take_usual_scene(source *s, drawing *d, int may_have_clusters) {
     take_objects(s, d, size, centre);
     take_lights(s, d, size, back);
     d->scene.viewer = below(s, 2) ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
-    d->scene.error_budget = one_in(s, 4) ? (int32_t)below(s, GLINT_BUDGET_MAX + 1) : 0;
     d->scene.background = take_colour(s);
     d->scene.ambient = take_colour(s);
 }

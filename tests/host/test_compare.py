@@ -308,15 +308,14 @@ def test_what_is_compared_stays(host):
     own = host.render_bytes(*TORUS)
     host.write("other.png", own)
     os.symlink("other.png", host.path("link.png"))
-    for option, name in (("-o", "other.png"), ("-o", "link.png"), ("--heat", "./other.png"), ("--lit-map", "other.png")):
+    for option, name in (("-o", "other.png"), ("-o", "link.png"), ("--heat", "./other.png")):
         output = [] if option == "-o" else ["-o", "out.png"]
         host.refuses(f"{option} {name}", ["render", *TORUS, "--compare", "other.png", option, name, *output],
                      rf"{name}:0: cannot be written: it is the picture to compare with")
     host.equal("it stays", host.read("other.png"), own)
     host.write("model.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
-    for option in ("--heat", "--lit-map"):
-        host.refuses(f"{option} over the model", ["render", "model.obj", option, "model.obj", "-o", "out.png"],
-                     r"model\.obj:0: cannot be written: it is the model")
+    host.refuses("--heat over the model", ["render", "model.obj", "--heat", "model.obj", "-o", "out.png"],
+                 r"model\.obj:0: cannot be written: it is the model")
     for name in ("other.png", "link.png", "model.obj"):
         os.remove(host.path(name))
 

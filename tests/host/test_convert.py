@@ -308,6 +308,8 @@ def test_colours(host):
                (0, "partly.obj:2: warning: 'v' has no colour, as others have: no colour is kept\n"))
     host.check("colours of some only are left out", "colours" not in host.read("partly.h").decode().replace("no colours", ""))
     os.remove(host.path("partly.h"))
+    host.write("white.obj", "v 0 0 0 1 1 1\nv 1 0 0 1 1 1\nv 1 1 0 1 1 1\nv 0 1 0 1 1 1\n" + body)
+    host.check("colours that are all white cost no flash", "/* no colours */" in convert(host, "white.obj"))
     same = "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 0 0\nv 0 0 0 0 0 1\nv 1 1 0 0 0 1\nv 0 1 0 0 0 1\n"
     host.write("edge.obj", same + "f 1 2 3\nf 4 5 6\n")
     host.check("equal places of two colours stay two vertices", "edge_colours[6]" in convert(host, "edge.obj"))
@@ -415,26 +417,14 @@ def test_report(host):
         host.check(f"{options}: arena", all(alike(a, b, .001) for a, b in zip(arena, table.groups())), f"{arena} {table.groups()}")
         host.equal(f"{options}: flash", [got[n] for n in ("vertices", "triangles", "flash_bytes")],
                    [names[n] for n in ("vertices", "triangles", "flash_bytes")])
-        cores = [name for name in got if re.match("instructions_|ms_", name)]
-        host.check(f"{options}: cores", len(cores) >= 8, str(cores))
-        for name in cores:
-            host.check(f"{options}: {name}", alike(got[name], names[name], .02), f"{got[name]} {names[name]}")
     host.equal("with --panel info tells of that one", len(re.findall(r"^\d+x\d+ ", host.run("info", spot, "--panel", "9x9").stdout,
                                                                    re.MULTILINE)), 1)
-    told = host.run("render", spot, "--size", "128x64", "--format", "grey4", "--stats", "-o", "out.png").stdout
-    os.remove(host.path("out.png"))
-    wanted = re.search(r"^instructions_m3 (\S+)$", told, re.MULTILINE).group(1)
-    host.equal("it is what render tells of such a picture", report(host, spot, "--panel", "128x64:grey4")["instructions_m3"], wanted)
     plain = report(host, spot, "--rotate-x", "60")
-    turned, once = (re.search(r"^instructions_m3 (\S+)$", host.run("info", spot, "--rotate-x", angle).stdout, re.MULTILINE).group(1)
-                    for angle in ("120", "60"))
-    host.check("a turned mesh is turned once", alike(plain["instructions_m3"], once, .01) and not alike(turned, once, .02),
-               f"{plain['instructions_m3']} {once} {turned}")
     for scale in ("9000", "0.001"):
         got = report(host, spot, "--rotate-x", "60", "--scale", scale)
-        for name in ("flash_bytes", "arena_one_pass", "instructions_m3"): # steps round otherwise, and clusters with them
+        for name in ("flash_bytes", "arena_one_pass"): # steps round otherwise, and clusters with them
             host.check(f"scaled by {scale}: {name}", alike(got[name], plain[name], .02), f"{got[name]} {plain[name]}")
-    host.check("smaller panels take less", float(report(host, spot, "--panel", "128x128")["ms_m3_72mhz"]) < float(plain["ms_m3_72mhz"]))
+    host.check("smaller panels take less", int(report(host, spot, "--panel", "128x128")["arena_one_pass"]) < int(plain["arena_one_pass"]))
     host.write("a.obj", SQUARE)
     text = convert(host, "a.obj")
     host.equal("no report within the mesh", host.run("convert", "a.obj", "-o", "/dev/stdout").stdout, text)

@@ -32,10 +32,10 @@ def test_gallery(host):
                          capture_output=True, text=True, check=False)
     host.equal("gallery.py", (run.returncode, run.stdout, run.stderr), (0, "", ""))
     files = sorted(os.listdir(made))
-    host.equal("the gallery's files (make gallery)", sorted(os.listdir(GALLERY)) if os.path.isdir(GALLERY) else [], files)
+    host.equal("the gallery's files (make figures)", sorted(os.listdir(GALLERY)) if os.path.isdir(GALLERY) else [], files)
     for name in files:
         with open(os.path.join(made, name), "rb") as new, open(os.path.join(GALLERY, name), "rb") as old:
-            host.check(f"docs/gallery/{name} is up to date (make gallery)", new.read() == old.read())
+            host.check(f"docs/gallery/{name} is up to date (make figures)", new.read() == old.read())
     with open(os.path.join(made, "README.md"), encoding="utf-8") as file:
         page = file.read()
     shown = re.findall(r"!\[.*?\]\((.+?)\)", page)
@@ -84,4 +84,4 @@ def test_readme_picture(host):
                          capture_output=True, text=True, check=False)
     host.equal("demo", run.returncode, 0)
     with open(made, "rb") as new, open(os.path.join(ROOT, "docs", "demo.png"), "rb") as old:
-        host.check("docs/demo.png is up to date (make demo)", new.read() == old.read())
+        host.check("docs/demo.png is up to date (make figures)", new.read() == old.read())

@@ -219,12 +219,6 @@ def test_info(host):
                    host.render_bytes(*arguments, "--arena", best))
         host.check(f"info arena {size}, a byte less", host.run("render", *arguments, "--arena", str(int(smallest) - 1),
                                                                "-o", "x.png").returncode == 2)
-    head, *told = host.run("info", "torus:24x12").stdout.split("\n\n")[2].splitlines()
-    host.equal("info: a frame's cost, of what", head,
-               "A frame of it, framed, 320x240 in rgb565, lit at fragments by one directional light:")
-    drawn = host.run("render", "torus:24x12", "--format", "rgb565", "--stats", "-o", "x.png").stdout.splitlines()
-    os.remove(host.path("x.png"))
-    host.equal("info: a frame's cost is that of render", told, drawn[-len(told):])
 
 
 def test_topology(host):

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 """Options of `render`: what each does to the picture."""
-import csv
 import os
 import re
 import resource
@@ -115,45 +114,20 @@ def test_tiles_and_arenas(host):
         host.equal(f"--arena {arena}", host.render_bytes(*TORUS, "--viewer", "local", "--arena", str(arena)), plain)
 
 
-def test_budget(host):
-    """A picture within some steps of the exact one, for fewer instructions; of scenes too."""
-    torus = ["torus:48x24", "--eye", "0,0,5", "--format", "rgb565", "--viewer", "local"]
-    exact = host.render(*torus)
-    host.equal("--budget 0 is exact", host.render(*torus, "--budget", "0").rows, exact.rows)
-    loose = host.render(*torus, "--budget", "4")
-    worst = [max(abs(a[c] - b[c]) for p, q in zip(loose.rows, exact.rows) for a, b in zip(p, q)) for c in range(3)]
-    host.check("--budget 4 differs, by four steps at most and a rounding",
-               0 < max(worst) and worst[0] <= 5 * 255 / 31 and worst[1] <= 5 * 255 / 63 and worst[2] <= 5 * 255 / 31, str(worst))
-    host.check("--budget saves instructions",
-               stats(host, *torus, "--budget", "4")["instructions_m3"] < stats(host, *torus)["instructions_m3"])
-    def instructions(*options):
-        told = host.run("scene", "shaders:torus-50", "--format", "rgb565", *options, "--stats", "-o", "out.png").stdout
-        return int(re.search(r"instructions_m3 (\d+)", told).group(1))
-    host.check("--budget of a scene", instructions("--budget", "4") < instructions())
-    os.remove(host.path("out.png"))
-
-
 def stats(host, *arguments):
     run = host.run("render", *arguments, "--stats", "-o", "out.png")
-    return {name: value if name == "model" else float(value) if "." in value else int(value)
+    return {name: float(value) if "." in value else int(value)
             for name, value in (line.split(" ", 1) for line in run.stdout.splitlines())}
 
 
-KERNELS = ("general", "ambient", "diffuse", "gated", "specular", "curved-diffuse", "curved-specular", "even",
-           "channels")
 STATS = ["passes", "tiles", "vertices", "triangles", "facing_away", "outside", "clipped", "hidden", "references",
-         "arena_used"] + [what + kernel for kernel in KERNELS for what in ("parts_", "covered_")] + ["bytes_sent"]
-
-# What a board would take, by the cost model.
-COSTS = ["model"] + ["instructions_" + core for core in ("m0", "m3", "m4", "rv32")] + [
-    "ms_m0_48mhz", "ms_m0plus_125mhz", "ms_m3_72mhz", "ms_m4_168mhz"]
+         "arena_used", "bytes_sent"]
 
 
 def test_stats(host):
     values = stats(host, *TORUS)
-    host.equal("--stats names", list(values), STATS + COSTS)
-    host.check("--stats covered", values["covered_general"] > 1000)
-    host.check("--stats parts", 0 < values["parts_general"] <= values["references"])
+    host.equal("--stats names", list(values), STATS)
+    host.check("--stats references", values["references"] >= values["triangles"] - values["facing_away"] - values["outside"] > 100)
     host.equal("--stats passes", values["passes"], 1)
     host.equal("--stats triangles", values["triangles"], 576)
     host.equal("--stats bytes of rgb888", values["bytes_sent"], 320 * 240 * 3)
@@ -166,44 +140,6 @@ def test_stats(host):
     host.equal("sending while drawing", times["frame_ms_overlapped"], 30.72)
     host.equal("--bus alone", list(stats(host, *TORUS, "--bus", "40"))[-1], "bus_ms")
     host.check("--stats clipped", stats(host, *TORUS, "--near", "3.5")["clipped"] > 0)
-    os.remove(host.path("out.png"))
-
-
-def test_cost(host):
-    torus = [*TORUS, "--format", "rgb565"]
-    values = stats(host, *torus)
-    host.equal("--stats tells what it is", values["model"], "not validated on silicon: docs/cost.md")
-    host.check("--stats: a Cortex-M0 takes more than a Cortex-M3", values["instructions_m0"] > 1.3 * values["instructions_m3"])
-    host.check("--stats: cycles are no fewer than instructions",
-               values["ms_m3_72mhz"] * 72e3 > values["instructions_m3"] and values["ms_m4_168mhz"] * 168e3 > values["instructions_m4"])
-    host.check("--stats: three digits", all(len(str(values[name]).replace(".", "").strip("0")) <= 3 for name in COSTS[1:]))
-    light = ["--light", "point:1,2,3:1,1,1"]
-    one, four = (stats(host, *torus, *light * count)["instructions_m3"] for count in (1, 4))
-    host.check("--stats: lights cost", values["instructions_m3"] < one < four, f"{one} {four}")
-    large = stats(host, *torus, "--size", "640x480")["instructions_m3"]
-    host.check("--stats: pixels cost", large > 1.5 * values["instructions_m3"])
-    passes = stats(host, *torus, "--arena", "16000")
-    host.check("--stats: no model of more passes", passes["passes"] > 1 and passes["model"] == "none for more than one pass" and
-               "instructions_m3" not in passes)
-    os.remove(host.path("out.png"))
-
-
-def bench_row(name, variant, cpu):
-    with open(os.path.join(ROOT, "docs", "bench.csv"), newline="") as file:
-        return next(row for row in csv.DictReader(file)
-                    if (row["kind"], row["name"], row["variant"], row["cpu"]) == ("frame", name, variant, cpu))
-
-
-def test_cost_of_scenes(host):
-    """Against what the emulator counted of the same frames, to which prices were not fitted."""
-    for scene, variant, size, frame in (("halloween", "night", "320x240", 24), ("shaders", "torus-50", "320x180", 0),
-                                        ("three-spheres", "blinn-phong", "320x160", 0), ("surfaces", "metal", "320x160", 0)):
-        run = host.run("scene", f"{scene}:{variant}", "--format", "rgb565", "--frame", str(frame), "--stats", "-o", "out.png")
-        values = dict(line.split(" ", 1) for line in run.stdout.splitlines())
-        for cpu in ("m0", "m3", "m4", "rv32"):
-            counted = int(bench_row(scene, f"{size} local 32x32 {variant}", cpu)["instructions"])
-            told = int(values[f"instructions_{cpu}"])
-            host.check(f"{scene}:{variant} on {cpu}", abs(told / counted - 1) < 0.2, f"{told} for {counted}")
     os.remove(host.path("out.png"))
 
 
@@ -361,7 +297,7 @@ def test_help_and_version(host):
     host.equal("help is --help", host.run("--help").stdout, text)
     for option in ("size format eye at up fov near rotate-x rotate-y rotate-z up-axis centre scale light ambient diffuse specular shininess viewer "
                    "background tile arena stats crease double-sided name licence models model shading combine ungated "
-                   "dither budget gamma weights facets repair list frame animate compare camera-lights labels").split():
+                   "dither gamma weights facets repair list frame animate compare camera-lights labels").split():
         host.check(f"help names --{option}", f"--{option} " in text)
     for command in ("render", "info", "convert", "scene", "demo"):
         run = host.run(command, "--help")

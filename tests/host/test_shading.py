@@ -152,12 +152,9 @@ def test_camera_lights(host):
 
 def test_shading(host):
     torus = ["torus:24x12", "--eye", "1,1.5,3.2", "--size", "120x90"]
-    pictures = {name: host.render(*torus, "--shading", name) for name in ("flat", "vertex", "node", "fragment")}
+    pictures = {name: host.render(*torus, "--shading", name) for name in ("flat", "vertex", "fragment")}
     host.equal("fragment is the default", pictures["fragment"].rows, host.render(*torus).rows)
-    host.check("they differ", len({str(p.rows) for name, p in pictures.items() if name != "node"}) == 3)
-    worst = max(abs(a - b) for p, q in zip(pictures["node"].rows, pictures["fragment"].rows) for s, t in zip(p, q)
-                for a, b in zip(s, t))
-    host.check("node is fragment but for a step", worst <= 1, f"{worst} steps")
+    host.check("they differ", len({str(p.rows) for p in pictures.values()}) == 3)
     facets = host.render(*torus, "--facets")
     worst = max(abs(a[0] - b[0]) for p, q in zip(facets.rows, pictures["flat"].rows) for a, b in zip(p, q))
     host.check("flat is what facet normals give", worst <= 2, f"{worst} steps")

@@ -3,7 +3,7 @@
  * Suite: every size of arena, from none to one byte more than the best. Below the smallest it is refused, from there
  * on the picture is the same.
  */
-#include "glint.h"
+#include "glint_extras.h"
 #include "harness.h"
 #include "sample.h"
 
@@ -45,7 +45,7 @@ static void blinn_phong(row *r, uint32_t i) {
     r->materials[i].specular = (glint_colour){GLINT_ONE / 2, GLINT_ONE / 4, (glint_q16)i * GLINT_ONE / 8};
 }
 
-/* Fast lighting takes one in two. */
+/* Directional light alone takes one in two. */
 static void mixed(row *r, uint32_t i) {
     if (i % 2)
         lambert(r, i);
@@ -57,12 +57,6 @@ static void mixed(row *r, uint32_t i) {
 
 static void per_vertex(row *r, uint32_t i) {
     r->objects[i].evaluation = i % 3 == 0 ? &glint_per_vertex : i % 3 == 1 ? &glint_per_facet : &glint_per_fragment;
-}
-
-/* Vertices keep light of as many bytes as the material takes; a third of the pyramids keep none. */
-static void per_node(row *r, uint32_t i) {
-    mixed(r, i);
-    r->objects[i].evaluation = i % 3 == 2 ? &glint_per_fragment : &glint_per_node;
 }
 
 /* More objects than the smallest arenas have room for, which are all behind the eye. */
@@ -195,10 +189,6 @@ static void objects_of_all_evaluations(void) {
     check_variant(4, per_vertex);
 }
 
-static void objects_lit_at_nodes(void) {
-    check_variant(4, per_node);
-}
-
 static void objects_behind_the_eye(void) {
     check_variant(2, many_behind_the_eye);
 }
@@ -222,10 +212,8 @@ static void triangles_of_few_vertices(void) {
     check_variant(2, many_triangles_of_few_vertices);
 }
 
-/* Highlights so wide that no table serves them, at nodes. */
+/* Highlights so wide that no table serves them. */
 static void wide_lobes(row *r, uint32_t i) {
-    per_node(r, i);
-    r->objects[i].evaluation = &glint_per_node;
     r->materials[i].model = i % 2 ? &glint_model_phong : &glint_model_blinn_phong;
     r->materials[i].shininess = GLINT_ONE / 2 + (glint_q16)i * GLINT_ONE / 4;
     r->materials[i].specular = (glint_colour){GLINT_ONE / 2, GLINT_ONE / 2, GLINT_ONE / 2};
@@ -234,7 +222,7 @@ static void wide_lobes(row *r, uint32_t i) {
 /* What an arena held before does not matter. */
 static void arenas_of_any_content(void) {
     static const uint32_t contents[] = {0, 0x7fffffff, 0x80000000, 0xffffffff, 0x7fff8000};
-    static const variant variants[] = {wide_lobes, mixed, per_node, per_vertex};
+    static const variant variants[] = {wide_lobes, mixed, per_vertex};
     static uint32_t arena[16384];
     for (unsigned v = 0; v < TEST_COUNT(variants); v++) {
         screen wanted, got;
@@ -619,7 +607,6 @@ int test_main(test_writer write) {
         TEST_CASE(shining_materials),
         TEST_CASE(materials_of_all_models),
         TEST_CASE(objects_of_all_evaluations),
-        TEST_CASE(objects_lit_at_nodes),
         TEST_CASE(objects_behind_the_eye),
         TEST_CASE(triangles_of_few_vertices),
         TEST_CASE(arenas_of_any_content),

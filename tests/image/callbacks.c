@@ -3,7 +3,7 @@
  * Suite: flush callbacks and painters that fail at any tile end the frame by a named error, and the next one is whole;
  * callbacks that draw, pick and ask with a renderer of their own leave the frame that called them as it is.
  */
-#include "glint.h"
+#include "glint_extras.h"
 #include "harness.h"
 #include "scenes.h"
 

@@ -3,7 +3,7 @@
  * Suite: a panel that keeps its picture and is sent only the tiles that changed shows, after every frame, what a panel
  * shows that is sent all of them; also after transfers that failed.
  */
-#include "glint.h"
+#include "glint_extras.h"
 #include "harness.h"
 #include "picture.h"
 #include "scenes.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Suite: glint_check names what keeps a scene from being drawn, or makes it black, and finds nothing in sound scenes.
  */
-#include "glint.h"
+#include "glint_extras.h"
 #include "harness.h"
 #include "scenes.h"
 

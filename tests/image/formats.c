@@ -22,25 +22,30 @@
 typedef struct tested {
     const char *name;
     const glint_format *format;
-    double most_apart; /* share of the pixels that may be other than the rounded reference */
+    /*
+     * Share of the pixels that may be other than the rounded reference. Within 0.15 dB of that, as the contract of
+     * RGB565 says, are errors of 0.054 steps, root mean square; where they are uniform, 4.7 % of the pixels differ in
+     * one channel.
+     */
+    double most_apart;
 } tested;
 
 /* Its place in the table. */
 #define RGB888 4
 
 static const tested formats[] = {
-    {"RGB565", &glint_format_rgb565, 0.02},
-    {"RGB565 dithered", &glint_format_rgb565_dithered, 0.02},
-    {"RGB565 big-endian", &glint_format_rgb565_be, 0.02},
-    {"RGB565 big-endian, dithered", &glint_format_rgb565_be_dithered, 0.02},
+    {"RGB565", &glint_format_rgb565, 0.03},
+    {"RGB565 dithered", &glint_format_rgb565_dithered, 0.03},
+    {"RGB565 big-endian", &glint_format_rgb565_be, 0.03},
+    {"RGB565 big-endian, dithered", &glint_format_rgb565_be_dithered, 0.03},
     {"RGB888", &glint_format_rgb888, 0.06},
     {"RGB888 dithered", &glint_format_rgb888_dithered, 0.06},
     {"RGB444", &glint_format_rgb444, 0.01},
     {"RGB444 dithered", &glint_format_rgb444_dithered, 0.01},
     {"grey8", &glint_format_grey8, 0.03},
     {"grey8 dithered", &glint_format_grey8_dithered, 0.03},
-    {"grey4", &glint_format_grey4, 0.002},
-    {"grey4 dithered", &glint_format_grey4_dithered, 0.002},
+    {"grey4", &glint_format_grey4, 0.003},
+    {"grey4 dithered", &glint_format_grey4_dithered, 0.003},
     {"mono", &glint_format_mono, 0.0002},
     {"mono dithered", &glint_format_mono_dithered, 0.0002},
     {"mono in pages", &glint_format_mono_pages, 0.0002},
@@ -89,7 +94,7 @@ static void judge_some(unsigned count, const glint_scene *scene, int width, int 
 
 static void bench_scenes(void) {
     static const int exponents[] = {1, 2, 8, 32, 64, 256, 1024};
-    static const glint_evaluation *const evaluations[] = {&glint_per_fragment, &glint_per_node, &glint_per_vertex};
+    static const glint_evaluation *const evaluations[] = {&glint_per_fragment, &glint_per_vertex, &glint_per_facet};
     static const glint_model *const models[] = {&glint_model_blinn_phong, &glint_model_phong};
     for (unsigned i = 0; i < 4 * BENCH_SCENES * 7 * 3; i++) {
         bench_scene scene;
@@ -103,8 +108,8 @@ static void bench_scenes(void) {
     }
 }
 
-/* Coarse triangles whose highlights turn far, as the viewer's direction does too: at nodes in steps of 8 bits. */
-static void highlights_at_nodes(void) {
+/* Coarse triangles whose highlights turn far, as the viewer's direction does too: in steps of 8 bits. */
+static void highlights_in_8_bits(void) {
     static const int exponents[] = {2, 8, 32, 64, 256, 1024};
     static const unsigned coarse[] = {1, 3}; /* torus576 and sphere960 */
     for (unsigned i = 0; i < 480; i++) {
@@ -113,7 +118,6 @@ static void highlights_at_nodes(void) {
         bench_build_scene(&scene, &bench_definitions[which], scene_bench_mesh((int)which), (int)(i % 10));
         scene.material.model = is_phong ? &glint_model_phong : &glint_model_blinn_phong;
         scene.material.shininess = exponents[i / 10 % 6] * GLINT_ONE;
-        scene.object.evaluation = &glint_per_node;
         scene.scene.viewer = GLINT_VIEWER_LOCAL;
         judge_in(RGB888, &scene.scene, small ? 128 : 320, small ? 64 : 240, bench_definitions[which].name);
     }
@@ -156,6 +160,6 @@ static void few_are_apart(void) {
 
 int test_main(test_writer write) {
     static const test_case cases[] = {TEST_CASE(bench_scenes), TEST_CASE(example_variants), TEST_CASE(random_scenes),
-                                      TEST_CASE(few_are_apart), TEST_CASE(highlights_at_nodes)};
+                                      TEST_CASE(few_are_apart), TEST_CASE(highlights_in_8_bits)};
     return test_run(write, cases, TEST_COUNT(cases));
 }

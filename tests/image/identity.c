@@ -3,7 +3,7 @@
  * Suite: the image is the same, byte for byte, for every tile size, every arena from the smallest to the best, tiles
  * drawn in another order by two workspaces, and objects in another order.
  */
-#include "glint.h"
+#include "glint_extras.h"
 #include "harness.h"
 #include "picture.h"
 #include "scenes.h"
@@ -28,14 +28,12 @@ static void check_same(const picture *wanted, const glint_scene *scene, const pi
 typedef void (*scene_check)(const picture *wanted, const glint_scene *scene);
 
 /* Runs a check over every scene, with one image drawn the default way. */
-static void for_each_scene_in(const glint_format *format, int at_nodes, scene_check check) {
+static void for_each_scene_in(const glint_format *format, scene_check check) {
     for (unsigned i = 0; i < scene_count; i++) {
         test_scene scene;
         picture wanted = picture_open(WIDTH, HEIGHT, format);
         scene_build(&scene, &scene_definitions[i]);
         scene.scene.viewer = i % 3 ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
-        if (at_nodes)
-            scene_light_at_nodes(&scene);
         CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
         CHECK(picture_is_complete(&wanted));
         check(&wanted, &scene.scene);
@@ -43,12 +41,10 @@ static void for_each_scene_in(const glint_format *format, int at_nodes, scene_ch
     }
 }
 
-/* In a format that takes the general path, and in one with kernels of its own. */
+/* In 8 bits a channel, and in RGB565. */
 static void for_each_scene(scene_check check) {
-    for (int at_nodes = 0; at_nodes < 2; at_nodes++) {
-        for_each_scene_in(&glint_format_rgb888, at_nodes, check);
-        for_each_scene_in(&glint_format_rgb565, at_nodes, check);
-    }
+    for_each_scene_in(&glint_format_rgb888, check);
+    for_each_scene_in(&glint_format_rgb565, check);
 }
 
 static void check_tile_sizes(const picture *wanted, const glint_scene *scene) {
@@ -80,9 +76,6 @@ static void every_tile_size_where_depths_nearly_tie(void) {
     }
     scene.materials[1].ambient = (glint_colour){0, 0, GLINT_ONE};
     scene.scene.object_count = 2;
-    CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
-    check_tile_sizes(&wanted, &scene.scene);
-    scene_light_at_nodes(&scene);
     CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
     check_tile_sizes(&wanted, &scene.scene);
     picture_close(&wanted);
@@ -128,10 +121,6 @@ static void every_tile_size_and_arena_of_large_highlights(void) {
     CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
     check_tile_sizes(&wanted, &scene.scene);
     check_arenas(&wanted, &scene.scene);
-    scene_light_at_nodes(&scene);
-    CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
-    check_tile_sizes(&wanted, &scene.scene);
-    check_arenas(&wanted, &scene.scene);
     picture_close(&wanted);
 }
 
@@ -140,13 +129,11 @@ static void every_arena(void) {
 }
 
 static void best_arena_takes_one_pass(void) {
-    for (unsigned i = 0; i < 2 * scene_count; i++) {
+    for (unsigned i = 0; i < scene_count; i++) {
         test_scene scene;
         glint_stats stats = {0};
         picture image = picture_open(WIDTH, HEIGHT, &glint_format_rgb565);
-        scene_build(&scene, &scene_definitions[i / 2]);
-        if (i % 2)
-            scene_light_at_nodes(&scene);
+        scene_build(&scene, &scene_definitions[i]);
         picture_options options = {0};
         glint_need need = arena_need(&image, &scene.scene, &options);
         CHECK_EQUAL(picture_render(&image, &scene.scene, &options, &stats), GLINT_OK);

@@ -197,14 +197,19 @@ void judgement_add(judgement *total, const judgement *part) {
     *total = sum;
 }
 
-/* At most 1 in `share` pixels of a frame, or one of them. */
-static int is_rare(long pixels, long judged, long share) {
-    return pixels <= 1 || pixels * share <= judged;
+/* At most 1 in `share` pixels of a frame, or a few of them. */
+static int is_rare(long pixels, long judged, long share, long few) {
+    return pixels <= few || pixels * share <= judged;
 }
 
 int judgement_keeps_contract(const judgement *frame) {
-    return frame->status == GLINT_OK && frame->missed == 0 && frame->spilled == 0 && frame->over_two == 0 &&
-           is_rare(frame->over_one, frame->judged, 10000) && is_rare(frame->not_fine, frame->judged, 1000);
+    return frame->status == GLINT_OK && frame->missed == 0 && frame->spilled == 0 &&
+           is_rare(frame->over_one, frame->judged, 10000, 2) && is_rare(frame->not_fine, frame->judged, 1000, 3);
+}
+
+int judgement_keeps_fine_contract(const judgement *frame) {
+    return frame->status == GLINT_OK && frame->missed == 0 && frame->spilled == 0 &&
+           is_rare(frame->over_two, frame->judged, 2000, 2) && is_rare(frame->not_fine, frame->judged, 200, 3);
 }
 
 double judgement_psnr(const judgement *total) {

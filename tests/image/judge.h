@@ -56,10 +56,13 @@ void judge(const judge_task *task, judgement *total);
 void judgement_add(judgement *total, const judgement *part);
 
 /**
- * Does a single frame keep the contract? Coverage is right; at most 0.1 % of its judged pixels are not fine and 0.01 %
- * over one step, or one pixel where that is more; none is over two.
+ * Does a single frame keep the contract of formats up to 6 bits a channel? Coverage is right; at most 0.1 % of its
+ * judged pixels are not fine, or three, and 0.01 % over one step, or two.
  */
 int judgement_keeps_contract(const judgement *frame);
+
+/** The same of formats of 8 bits: at most 0.5 % are beyond one step, or three, and 0.05 % over two, or two. */
+int judgement_keeps_fine_contract(const judgement *frame);
 
 /** Peak signal to noise ratio of what was judged, decibels. */
 double judgement_psnr(const judgement *total);

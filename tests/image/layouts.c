@@ -3,7 +3,8 @@
  * Suite: a mesh whose attributes are laid out in any way is drawn as one whose arrays hold the decoded numbers, which
  * are decoded here by other means; meshes may change from frame to frame.
  */
-#include "geometry/layout.h"
+#include "glint_extras.h"
+#include "glint_layout.h"
 #include "harness.h"
 #include "judge.h"
 #include "picture.h"
@@ -55,12 +56,20 @@ static void put(uint8_t *to, size_t size, int value) {
     memcpy(to, size == 1 ? (const void *)&byte : (const void *)&word, size);
 }
 
+/* Bytes of an attribute of one vertex or triangle, as glint_layout.h says. */
+static uint32_t size_of(const glint_type *type) {
+    return type == &glint_type_int16 || type == &glint_type_uint16         ? 6
+           : type == &glint_type_octahedral16                              ? 4
+           : type == &glint_type_octahedral8 || type == &glint_type_rgb565 ? 2
+                                                                           : 3;
+}
+
 /* Where an attribute begins: within structs of 32 bytes, or by itself. */
 static uint8_t *place_of(pair *p, const variant *v, glint_attribute *a, const glint_type *type, int which,
                          uint32_t *step) {
     static const uint32_t at[3] = {2, 10, 20}; /* the bytes between hold nothing */
     uint8_t *const from = v->is_interleaved ? &p->vertices[0][at[which]] : &p->apart[which][0][0];
-    *step = v->is_interleaved ? sizeof p->vertices[0] : type->size;
+    *step = v->is_interleaved ? (uint32_t)sizeof p->vertices[0] : size_of(type);
     *a = (glint_attribute){type, from, v->is_interleaved ? *step : 0};
     return from;
 }
@@ -120,14 +129,14 @@ static void lay_normals(pair *p, const variant *v) {
             encode(n, 127, 258, code);
         else
             encode(n, 32767, 1, code);
-        put(to, v->normals->size / 2, code[0]);
-        put(to + v->normals->size / 2, v->normals->size / 2, code[1]);
+        put(to, size_of(v->normals) / 2, code[0]);
+        put(to + size_of(v->normals) / 2, size_of(v->normals) / 2, code[1]);
     }
     p->other.normals = NULL;
 }
 
 static void lay_triangles(pair *p, const variant *v) {
-    const uint32_t size = v->triangles->size / 3, step = v->is_interleaved ? sizeof p->faces[0] : 3 * size;
+    const uint32_t size = size_of(v->triangles) / 3, step = v->is_interleaved ? sizeof p->faces[0] : 3 * size;
     uint8_t *to = &p->faces[0][0];
     p->layout.triangles = (glint_attribute){v->triangles, to, v->is_interleaved ? step : 0};
     for (uint32_t i = 0; i < p->plain.triangle_count; i++, to += step)
@@ -336,8 +345,7 @@ static void every_scene_is_the_same(void) {
 
 static void every_evaluation_is_the_same(void) {
     static const char *const names[] = {"mirrored", "near plane, double-sided", "eight lights"};
-    static const glint_evaluation *const evaluations[] = {&glint_per_node, &glint_per_fragment, &glint_per_vertex,
-                                                          &glint_per_facet};
+    static const glint_evaluation *const evaluations[] = {&glint_per_fragment, &glint_per_vertex, &glint_per_facet};
     open_frames();
     for (unsigned v = 0; v < TEST_COUNT(variants); v++) {
         for (unsigned i = 0; i < TEST_COUNT(names) * TEST_COUNT(evaluations); i++) {
@@ -367,8 +375,7 @@ static void add_lines(glint_mesh *mesh, uint16_t (*triangles)[3]) {
 
 /* Lines are lit where they are clipped: vertices that a triangle names twice keep their own normals. */
 static void lines_change_no_normal(void) {
-    static const glint_evaluation *const evaluations[] = {&glint_per_node, &glint_per_fragment, &glint_per_vertex,
-                                                          &glint_per_facet};
+    static const glint_evaluation *const evaluations[] = {&glint_per_fragment, &glint_per_vertex, &glint_per_facet};
     static uint16_t triangles[SCENE_OBJECTS_MAX][TRIANGLES_MAX][3];
     static glint_mesh meshes[SCENE_OBJECTS_MAX];
     open_frames();
@@ -457,37 +464,65 @@ static void keeps_the_contract(void) {
 
 /* ---- Normals ---- */
 
-static void fetch(const glint_type *type, const void *data, int16_t normal[3]) {
-    const glint_attribute from = {type, data, 0};
-    glint_fetch(&from, 0, 1, (int16_t(*)[3])(void *)normal);
+#define GRID 64
+
+/* The direction that a code stands for, exactly. */
+static void unfold(int x, int y, int one, int scale, int16_t normal[3]) {
+    const int a = x < -one ? -one : x, b = y < -one ? -one : y, z = one - abs(a) - abs(b);
+    normal[0] = (int16_t)(scale * (z < 0 ? (one - abs(b)) * (a < 0 ? -1 : 1) : a));
+    normal[1] = (int16_t)(scale * (z < 0 ? (one - abs(a)) * (b < 0 ? -1 : 1) : b));
+    normal[2] = (int16_t)(scale * z);
 }
 
-/* Is a code decoded to the direction that it stands for, exactly? */
-static int is_exact(const int16_t normal[3], int x, int y, int one, int scale) {
-    const double a = x < -one ? -one : x, b = y < -one ? -one : y, z = one - fabs(a) - fabs(b);
-    const double wanted[3] = {z < 0 ? (one - fabs(b)) * sign_of(a) : a, z < 0 ? (one - fabs(a)) * sign_of(b) : b, z};
-    int wrong = 0;
-    for (int c = 0; c < 3; c++)
-        wrong += normal[c] < wanted[c] * scale || normal[c] > wanted[c] * scale;
-    return !wrong && abs(normal[0]) + abs(normal[1]) + abs(normal[2]) == one * scale;
-}
-
-static void octahedra_are_unfolded_exactly(void) {
-    int16_t normal[3];
-    long wrong = 0;
-    for (int i = 0; i < 65536; i++) {
-        const int8_t code[2] = {(int8_t)(i >> 8), (int8_t)i};
-        fetch(&glint_type_octahedral8, code, normal);
-        wrong += !is_exact(normal, code[0], code[1], 127, 258);
-    }
-    for (int x = -32768; x < 32768; x++) {
-        for (int y = -32768; y < 32768; y += x % 255 && x != -32768 ? 1021 : 1) {
-            const int16_t code[2] = {(int16_t)x, (int16_t)y};
-            fetch(&glint_type_octahedral16, code, normal);
-            wrong += !is_exact(normal, x, y, 32767, 1);
+/* A grid across the screen, a normal at each of its points: the i-th code from `first` on, in steps. */
+static void make_grid(pair *p, int is_small, uint32_t code, uint32_t step) {
+    *p = (pair){.layout = {.normals = {is_small ? &glint_type_octahedral8 : &glint_type_octahedral16, p->apart[1], 0}}};
+    for (uint32_t i = 0; i < GRID * GRID; i++, code += step) {
+        const int x = is_small ? (int8_t)(code >> 8) : (int16_t)(code >> 16),
+                  y = is_small ? (int8_t)code : (int16_t)code;
+        const uint32_t size = is_small ? 1 : 2;
+        p->positions[i][0] = (int16_t)((int)(i % GRID) * 1024 - 32256);
+        p->positions[i][1] = (int16_t)((int)(i / GRID) * 1024 - 32256);
+        unfold(x, y, is_small ? 127 : 32767, is_small ? 258 : 1, p->normals[i]);
+        put(&p->apart[1][0][0] + 2 * size * i, size, x);
+        put(&p->apart[1][0][0] + 2 * size * i + size, size, y);
+        if (i % GRID < GRID - 1 && i / GRID < GRID - 1) {
+            const uint16_t a = (uint16_t)i, corners[2][3] = {{a, (uint16_t)(a + 1), (uint16_t)(a + GRID + 1)},
+                                                             {a, (uint16_t)(a + GRID + 1), (uint16_t)(a + GRID)}};
+            memcpy(p->triangles[p->plain.triangle_count], corners, sizeof corners);
+            p->plain.triangle_count += 2;
         }
     }
-    CHECK_EQUAL(wrong, 0);
+    p->plain.vertex_count = GRID * GRID;
+    p->plain.extent = (glint_vector){GLINT_ONE, GLINT_ONE, GLINT_ONE};
+    p->plain.positions = (const int16_t(*)[3])p->positions;
+    p->plain.normals = (const int16_t(*)[3])p->normals;
+    p->plain.triangles = (const uint16_t(*)[3])p->triangles;
+    p->other = p->plain;
+    p->other.normals = NULL;
+    p->other.layout = &p->layout;
+}
+
+/* All codes of 8 bits, and some of 16, each at a vertex: lit there they show what their directions do. */
+static void octahedra_are_unfolded_exactly(void) {
+    static test_scene scene;
+    scene_build_named(&scene, "mirrored");
+    first.image = picture_open(2 * GRID, 2 * GRID, &glint_format_rgb888);
+    second.image = picture_open(2 * GRID, 2 * GRID, &glint_format_rgb888);
+    scene.scene.object_count = 1;
+    scene.scene.camera.projection = &glint_orthographic;
+    scene.scene.camera.view_height = 2 * GLINT_ONE;
+    scene.objects[0].mesh = &pairs[0].plain;
+    scene.objects[0].evaluation = &glint_per_vertex;
+    scene.objects[0].pose = scene.scene.camera.pose;
+    scene.objects[0].pose.m[2][3] -= 5 * GLINT_ONE;
+    for (uint32_t i = 0; i < 48; i++) {
+        make_grid(&pairs[0], i < 16, i < 16 ? i * GRID * GRID : i * 0x08000001u, i < 16 ? 1 : 0x000a2cb7u);
+        CHECK(compare(&scene, sizeof arena, 0, NULL));
+        const uint8_t *const bytes = first.image.bytes;
+        CHECK(memcmp(bytes, bytes + first.image.size / 2, first.image.size / 2) != 0);
+    }
+    close_frames();
 }
 
 /* The angle between two directions, degrees. */

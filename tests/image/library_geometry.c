@@ -2,6 +2,7 @@
 #include "library_geometry.h"
 
 #include "geometry/layout.h"
+#include "glint_extras.h"
 
 #include <stdlib.h>
 
@@ -20,6 +21,7 @@ static glint_status transform_object(library_geometry *geometry, const glint_fra
     glint_transform transform;
     glint_status status = glint_transform_prepare(&transform, frame->view, &frame->config, object);
     geometry->positions[index] = positions;
+    glint_transform_place(&transform, frame->view);
     if (positions == NULL || status != GLINT_OK)
         return positions == NULL ? GLINT_ERROR_NULL : status;
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Lines: which pixels they have, how deep they lie, and that neither tile nor arena, region or format changes that. */
 #include "every_format.h"
+#include "glint_extras.h"
 #include "harness.h"
 #include "library_geometry.h"
 #include "picture.h"

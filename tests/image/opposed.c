@@ -67,7 +67,7 @@ static int is_unlit(stage *s, int32_t x, int32_t y, int32_t z) {
     return picture_render(&s->shown, &s->scene, NULL, NULL) == GLINT_OK && picture_equal(&s->shown, &s->expected);
 }
 
-/* By the kernels of fast lighting, and by the one for everything. */
+/* Under one directional light, and under others. */
 static void for_both_formats(glint_viewer viewer, long (*count_lit)(stage *s)) {
     static const glint_format *const formats[2] = {&glint_format_rgb565, &glint_format_rgb888};
     for (int i = 0; i < 2; i++) {

@@ -3,7 +3,7 @@
  * Suite: what is picked at a pixel is what the frame shows there. The triangle that is named, alone in the scene, is as
  * near there as the whole frame; and nothing is picked just where the frame shows background.
  */
-#include "glint.h"
+#include "glint_extras.h"
 #include "harness.h"
 #include "scenes.h"
 

@@ -73,7 +73,6 @@ glint_config picture_config(picture *image, const picture_options *options) {
                           .tile_height = options ? options->tile_height : 0,
                           .format = image->format,
                           .gamma = options ? options->gamma : NULL,
-                          .counts_drawn = 1,
                           .flush = {.begin = begin, .context = image}};
 }
 

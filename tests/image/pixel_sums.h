@@ -9,17 +9,11 @@
 
 #include <stdint.h>
 
-/** Scenes of one kind. */
-typedef struct pixel_sums {
-    uint32_t pixels; /**< Of all bytes of the pictures. */
-    uint32_t counts; /**< Of what glint_stats counts of them, but bytes: what is dropped, and where. */
-} pixel_sums;
-
 extern const unsigned pixel_sums_count;
 
 const char *pixel_sums_name(unsigned index);
 
-/** Draws all scenes of a kind. @return 0 when the library refuses one */
-int pixel_sums_draw(unsigned index, pixel_sums *found);
+/** Draws all scenes of a kind. @param sum of all bytes of the pictures. @return 0 when the library refuses one */
+int pixel_sums_draw(unsigned index, uint32_t *sum);
 
 #endif

@@ -9,7 +9,7 @@ static void print(void) {
     /* REUSE-IgnoreStart */
     puts("/* SPDX-License-Identifier: MIT */\n"
          "/*\n"
-         " * Made by `make unit-tables`; not to be edited. Says only that every core and compiler computes the same\n"
+         " * Made by `make figures`; not to be edited. Says only that every core and compiler computes the same\n"
          " * bits: whether they are right is judged by the reference, tests/image/compare.c.\n"
          " */\n"
          "/* clang-format off */\n"

@@ -20,7 +20,7 @@ int main(void) {
     for (uint32_t i = 0; i < 3 * torus.mesh.triangle_count; i++)
         triangles[i / 3][i % 3] = (int16_t)torus.triangles[i / 3][i % 3];
     /* REUSE-IgnoreStart */
-    puts("/* SPDX-License-Identifier: MIT */\n/* Made by `make unit-tables`; not to be edited. */\n/* clang-format off "
+    puts("/* SPDX-License-Identifier: MIT */\n/* Made by `make figures`; not to be edited. */\n/* clang-format off "
          "*/");
     /* REUSE-IgnoreEnd */
     puts("#ifndef GLINT_UNIT_TORUS_H\n#define GLINT_UNIT_TORUS_H\n\n#include <stdint.h>\n");

@@ -404,11 +404,3 @@ void scene_build_named(test_scene *scene, const char *name) {
     fprintf(stderr, "no scene is called %s\n", name);
     exit(1);
 }
-
-void scene_light_at_nodes(test_scene *scene) {
-    for (uint32_t i = 0; i < scene->scene.object_count; i++) {
-        const glint_evaluation **evaluation = &scene->objects[i].evaluation;
-        if (*evaluation == NULL || *evaluation == &glint_per_fragment)
-            *evaluation = &glint_per_node;
-    }
-}

@@ -44,9 +44,6 @@ void scene_build(test_scene *scene, const scene_definition *definition);
 /** Builds the scene of that name; ends the program when there is none. */
 void scene_build_named(test_scene *scene, const char *name);
 
-/** Lights at nodes what a scene lights per fragment. */
-void scene_light_at_nodes(test_scene *scene);
-
 /** A square across z that faces along it, so far from its middle to a side; its box is so deep. */
 glint_mesh scene_square_mesh(glint_q16 half, glint_q16 depth);
 

@@ -3,10 +3,7 @@
 #ifndef GLINT_SINGLE_H
 #define GLINT_SINGLE_H
 
-/** Each keeps the contract, by a way of drawing that hardly another triangle has. */
+/** Each keeps the contract, however hard it is to light. */
 void triangles_at_the_bounds(void);
-
-/** Light that changes so fast is left to fragments. */
-void a_cone_of_one_degree(void);
 
 #endif

@@ -3,7 +3,7 @@
  * Suite: objects with nothing to draw. Where a configuration skips them, a scene with some is what it is without them:
  * pixels, arena, what is picked; and they are counted. Where it does not, they are errors.
  */
-#include "glint.h"
+#include "glint_extras.h"
 #include "harness.h"
 #include "picture.h"
 #include "scenes.h"
@@ -154,8 +154,6 @@ static void random_scenes(void) {
     for (uint32_t seed = 1; seed <= 60; seed++) {
         static test_scene s;
         scene_build_random(&s, seed);
-        if (seed % 3 == 0)
-            scene_light_at_nodes(&s);
         check_scene(&s.scene, (int)(seed % KINDS), seed % 2 ? &glint_format_rgb565 : &glint_format_grey8);
     }
 }

@@ -4,7 +4,7 @@
  * what the bounds promise, and these are not far above.
  */
 #include "bench.h"
-#include "glint.h"
+#include "glint_extras.h"
 #include "harness.h"
 #include "picture.h"
 #include "scenes.h"

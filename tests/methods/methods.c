@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "methods.h"
 
-static const method_list *const lists[] = {&methods_power,    &methods_normalise,   &methods_divide,
-                                           &methods_lighting, &methods_half_vector, &methods_colour,
-                                           &methods_rounding};
+static const method_list *const lists[] = {&methods_power, &methods_normalise};
 
 uint32_t methods_count(void) {
     uint32_t count = 0;
@@ -14,9 +12,6 @@ uint32_t methods_count(void) {
 }
 
 const method *methods_get(uint32_t index) {
-    uint32_t i = 0;
-    while (index >= lists[i]->count) {
-        index -= lists[i++]->count;
-    }
-    return &lists[i]->methods[index];
+    const method_list *const first = lists[0], *const second = lists[1];
+    return index < first->count ? &first->methods[index] : &second->methods[index - first->count];
 }

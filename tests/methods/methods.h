@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file methods.h
- * Candidate methods for each step of shading, every one a small integer implementation behind the same descriptor, so
- * that one test body, one accuracy body and one benchmark body serve them all. The library uses one or two of each
- * kind; those rows call its own functions. The others show why.
+ * Candidate methods for cos^p and for unit vectors, every one a small integer implementation behind the same
+ * descriptor, so that one test body, one accuracy body and one benchmark body serve them all. The library uses one or
+ * two of each kind; those rows call its own functions. The others show why.
  *
  * The methods and their inputs are freestanding and run on the boards; judge.h has the double-precision side.
  */
@@ -21,16 +21,8 @@ typedef enum method_quantity {
     METHOD_POWER_OF_COSINE,
     METHOD_POWER_OF_SINE,
     METHOD_POWER_OF_CHORD,
-    METHOD_POWER_OF_VECTORS,
     METHOD_ROOT,
     METHOD_UNIT_VECTOR,
-    METHOD_COLOUR_OVER_W,
-    METHOD_POSITION_OVER_W,
-    METHOD_LIGHTING,
-    METHOD_HALF_VECTOR,
-    METHOD_COLOUR,
-    METHOD_LEVEL,
-    METHOD_MEAN_LEVEL,
     METHOD_QUANTITIES
 } method_quantity;
 
@@ -86,21 +78,7 @@ typedef struct method_list {
 #define METHOD_LIST(array) \
     { array, sizeof(array) / sizeof((array)[0]) }
 
-extern const method_list methods_power, methods_normalise, methods_divide, methods_lighting, methods_half_vector,
-    methods_colour, methods_rounding;
-
-/** The screen over which half vectors are found, and twice its focal length in pixels, Q12: 60 degrees high. */
-enum { METHOD_SCREEN_WIDTH = 320, METHOD_SCREEN_HEIGHT = 240, METHOD_TILE = 16, METHOD_FOCAL = 1702676 };
-
-/** Ambient light, and weights of diffuse and specular light, by channel, Q12: of a material that never exceeds 1 and of
- * one that does. */
-extern const uint32_t methods_colour_weights[2][3][3];
-
-/** Weights of diffuse and specular light where runs are lit, Q12. */
-extern const uint32_t methods_lighting_weights[2][3];
-
-/** Does the material of a colour problem exceed 1? */
-int methods_colour_clamps(const method_problem *problem);
+extern const method_list methods_power, methods_normalise;
 
 /** Number of methods. */
 uint32_t methods_count(void);

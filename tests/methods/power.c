@@ -2,9 +2,8 @@
 /*
  * The specular power cos^p of an angle, result Q15. What is known of the angle is the method's variant: its cosine in
  * Q16, as products of rounded unit vectors give it; sin^2 or 1 - cos in Q30, which keep their digits at the centre of a
- * highlight; or the two unit vectors. Tables are built by the library's own power function.
+ * highlight. Tables are built by the library's own power function.
  */
-#include "light/model.h"
 #include "lookup.h"
 #include "methods.h"
 
@@ -15,12 +14,6 @@ static const int32_t exponents[] = {1 << 14, 1 << 15, 1 << 16, 1 << 17, 1 << 18,
                                     1 << 22, 1 << 23, 1 << 24, 1 << 25, 1 << 26, 1 << 27, 1 << 28};
 
 /* ---- What is known of the angle ---- */
-
-/* A vector at an angle to the x axis, and its sine times UNIT. */
-static void input_vector(uint64_t index, int32_t *in) {
-    in[0] = (int32_t)index;
-    in[1] = (int32_t)method_square_root((uint32_t)(GLINT_UNIT * GLINT_UNIT - in[0] * in[0]));
-}
 
 /* Inside the highlight at p = 64: sin^2 up to 0.18. */
 static void bench_cosine(uint32_t i, int32_t *in) {
@@ -35,19 +28,10 @@ static void bench_chord(uint32_t i, int32_t *in) {
     in[0] = (int32_t)(method_hash(i) % 98000000);
 }
 
-static void bench_vector(uint32_t i, int32_t *in) {
-    input_vector(method_hash(i) % 13900, in);
-}
-
 static inline void empty_one(const int32_t *in, int32_t *out) {
     out[0] = in[0];
 }
 METHOD_LOOP(empty, 1, 1)
-
-static inline void empty_vector_one(const int32_t *in, int32_t *out) {
-    out[0] = in[0] + in[1];
-}
-METHOD_LOOP(empty_vector, 2, 1)
 
 #define POWER_PROBLEM(name, quantity, words, items, step, text, in, bench, loop)                                      \
     static const method_problem name = {quantity,  "power",           text,     "call", 1,     words, 1, items, step, \
@@ -58,8 +42,6 @@ POWER_PROBLEM(power_of_sine, METHOD_POWER_OF_SINE, 1, (1u << 30) + 1, 16381, "ev
               empty);
 POWER_PROBLEM(power_of_chord, METHOD_POWER_OF_CHORD, 1, (1u << 30) + 1, 16381, "every 1 - cos in Q30", NULL,
               bench_chord, empty);
-POWER_PROBLEM(power_of_vectors, METHOD_POWER_OF_VECTORS, 2, GLINT_UNIT + 1, 1, "every sine of two unit vectors in Q15",
-              input_vector, bench_vector, empty_vector);
 
 /* ---- Tables over the cosine, from 0 to 1 ---- */
 
@@ -165,28 +147,6 @@ static inline void sine_256_one(const int32_t *in, int32_t *out) {
     out[0] = lookup_between(&node[u >> 22], (u >> 10) & 0xfff, 12);
 }
 METHOD_LOOP(sine_256, 1, 1)
-
-/* ---- The library's table: a window that is a power of two, nodes lowered by half the chord's error ---- */
-
-static glint_power_table library;
-
-static void prepare_library(int32_t p) {
-    glint_power_prepare(&library, p, 1u << 12, 0);
-}
-
-/* Its table, given sin^2. */
-static inline void library_table_one(const int32_t *in, int32_t *out) {
-    out[0] = lookup_power(&library, (uint32_t)in[0]);
-}
-METHOD_LOOP(library_table, 1, 1)
-
-static inline void library_vectors_one(const int32_t *in, int32_t *out) {
-    static const int16_t axis[3] = {GLINT_UNIT, 0, 0};
-    const int16_t vector[3] = {(int16_t)in[1], (int16_t)in[0], 0};
-    const int32_t cosine = glint_dot(axis, vector);
-    out[0] = cosine > 0 ? (int32_t)glint_specular_power(&library, axis, vector, cosine) : 0;
-}
-METHOD_LOOP(library_vectors, 2, 1)
 
 /* ---- Logarithm and exponential ---- */
 
@@ -382,13 +342,9 @@ static const method methods[] = {
            35900, 5560, 125, 125, 125, 125, 125, 125, 130, 135, 139, 143, 143, 141),
     METHOD(&power_of_sine, "window 256 linear", "sin^2", "", 0, 0, 1 << 15, 514, prepare_window_256, window_256, 83000,
            30200, 3910, 125, 125, 125, 125, 125, 125, 125, 125, 125, 125, 125, 125),
-    METHOD(&power_of_sine, "glint_power_prepare", "sin^2", "", 1, 2 * P1, 1 << 15, 258, prepare_library, library_table,
-           0, 0, 0, 140, 71, 71, 88, 87, 85, 84, 247, 250, 249, 248, 251),
     METHOD(&power_of_chord, "clipped 4th power", "1 - cos", "Lyon 1993", 0, 0, 1 << 15, 0, prepare_difference,
            difference, 196000, 150000, 80800, 23100, 40, 9870, 14500, 16700, 17800, 18400, 18600, 18800, 18800, 18900,
            18900),
-    METHOD(&power_of_vectors, "glint_specular_power", "vectors", "", 1, 0, 1 << 15, 258, prepare_library,
-           library_vectors, 6, 8, 10, 110, 16, 25, 63, 64, 66, 71, 248, 251, 252, 248, 251),
 };
 
 const method_list methods_power = METHOD_LIST(methods);

@@ -50,5 +50,5 @@ test-options: $(OPTIONS_TESTED:%=$(BUILD)/tests/option-%/unit) single ## unit te
 	$(call run_suites,$(filter %/unit,$^))
 	@python3 tests/packages/options.py --build $(BUILD) $(if $(EVERY),,--seed $(TEST_SEED)) $(foreach variant,$(OPTIONS_TESTED),"$(variant)=$(strip $(call option_flags,$(variant)))")
 
-options-page: single ## write what options take into docs/packages.md
+options-page: single
 	@python3 tests/packages/options.py --build $(BUILD) --write

@@ -96,6 +96,6 @@ def firmware(elf):
     check("v6S-M" in run("arm-none-eabi-readelf", "-A", elf), elf + ": not for ARMv6-M")
     for name in ("glint_render", "glint_format_grey4", "glint_model_blinn_phong", "glint_light_directional"):
         check(name in symbols, "%s: without %s" % (elf, name))
-    for name in ("glint_format_rgb888", "glint_format_mono", "glint_model_phong", "glint_light_spot", "glint_per_node",
+    for name in ("glint_format_rgb888", "glint_format_mono", "glint_model_phong", "glint_light_spot",
                  "glint_pick", "glint_generate_torus"):
         check(name not in symbols, "%s: with %s, which nothing names" % (elf, name))

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Generators, and what is loaded of a mesh. */
+/* Generators. */
 #include "proof.h"
 
-#include "../../src/frame/load.c"
 #include "../../src/scene/generate.c"
 #include "contracts.h"
 
@@ -10,11 +9,6 @@
  * Not proven: glint_generate_torus, glint_generate_cylinder, glint_generate_cone, glint_generate_plane: a ring's radius
  * and a step's place are parts of a whole, at most 1. Unit tests of generators under UBSan.
  */
-/*
- * Not proven: glint_load: addresses in the arena, which counts of bytes keep apart. Suite `identity`, every size of
- * arena, and fuzzing, under ASan.
- */
-
 #define ROOM 32
 
 static int16_t positions[ROOM][3], normals[ROOM][3];
@@ -49,27 +43,4 @@ PROOF(glint_generate_box) {
     glint_generate_box(&mesh, &room, GLINT_ONE, ANY(SIZE_MAX_Q16 + 1, INT32_MAX), ANY_INT);
     glint_generate_box(&mesh, &room, GLINT_ONE, GLINT_ONE, ANY(SIZE_MAX_Q16 + 1, INT32_MAX));
     glint_generate_box(ANY(0, 1) ? &mesh : 0, 0, GLINT_ONE, GLINT_ONE, GLINT_ONE);
-}
-
-/*
- * Any colour, of 24 bits and of 16, and none.
- * @unreached 6 colours of a layout: suite `layouts` under ASan and UBSan
- */
-PROOF(load_colours) {
-    static uint8_t colours[1][3];
-    static uint16_t colours565[1];
-    glint_mesh mesh = {0};
-    int16_t out[1][3];
-    Frama_C_make_unknown((char *)colours, sizeof colours);
-    Frama_C_make_unknown((char *)colours565, sizeof colours565);
-    mesh.colours = (const uint8_t(*)[3])colours;
-    mesh.colours565 = 0;
-    load_colours(&mesh, 0, 1, out);
-    /*@ assert \subset(out[0][0 .. 2], (0 .. 32767)); */
-    mesh.colours = 0;
-    mesh.colours565 = colours565;
-    load_colours(&mesh, 0, 1, out);
-    /*@ assert \subset(out[0][0 .. 2], (0 .. 32767)); */
-    mesh.colours565 = 0;
-    load_colours(&mesh, 0, 1, out);
 }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Poses, cameras and paints. */
+/* Poses, cameras, lights and paints. */
 #include "proof.h"
 
+#include "../../src/scene/lights.c"
 #include "../../src/scene/material.c"
 #include "../../src/scene/pose.c"
 #include "contracts.h"
@@ -16,6 +17,10 @@
     admit ensures \result == 0 || -0x20000 <= out[1] <= 0x20000;
     admit ensures \result == 0 || -0x20000 <= out[2] <= 0x20000; */
 static int normalise(const int64_t in[3], glint_q16 out[3]);
+
+/*@ requires \valid_read(first) && \valid_read(second);
+    assigns \result \from *first, *second; */
+glint_pose glint_pose_then(const glint_pose *first, const glint_pose *second);
 
 /*
  * Not proven: glint_pose_rotate, glint_pose_quaternion, glint_camera_project: quotients of lengths and of squares that
@@ -64,7 +69,7 @@ PROOF(glint_pose_apply) {
     glint_pose_apply(&pose, any_vector());
 }
 
-/* Any camera, target, angles and distance. @contract glint_sin glint_cos */
+/* Any camera, target, angles and distance. @contract glint_sin glint_cos glint_pose_then */
 PROOF(glint_camera_orbit) {
     glint_camera camera;
     glint_camera_orbit(&camera, any_vector(), ANY_INT, ANY_INT, ANY_INT);
@@ -75,6 +80,13 @@ PROOF(glint_camera_look_at) {
     glint_camera camera;
     glint_camera_look_at(0, any_vector(), any_vector(), any_vector());
     glint_camera_look_at(&camera, any_vector(), any_vector(), any_vector());
+}
+
+/* Any place, colour and range. @narrowing what is left of the square is below it, so that over the range it is below
+ * that */
+PROOF(glint_lamp) {
+    const glint_colour colour = {ANY_INT, ANY_INT, ANY_INT};
+    glint_lamp(any_vector(), colour, ANY_INT);
 }
 
 /* Any paint and fraction of 0 to 1, any shininess. */

@@ -5,7 +5,6 @@
 #include "../../src/math/product.h"
 #include "../../src/math/tables.c"
 #include "contracts.h"
-#include "gradients.h"
 
 /* Entries of a row: magnitudes sum up to 12 of these, 3 2^28. */
 #define UNIT_OF_SUM (1 << 26)
@@ -110,13 +109,18 @@ PROOF(glint_inverse) {
     }
 }
 
-/* Stands on `setup`, which takes every x, under UBSan too: how often the remainder is made good is a relation. */
+/*@ requires 0x8000 <= x <= 0x10000;
+    assigns \result \from x;
+    ensures 0x8000 <= \result <= 0x10000; */
+static inline int32_t glint_reciprocal16_by_division(uint32_t x);
+
+/* Stands on `numbers`, which takes every x, under UBSan too: how often the remainder is made good is a relation. */
 /*@ requires 0x8000 <= x <= 0x10000;
     assigns \result \from x;
     admit ensures 0x8000 <= \result <= 0x10000; */
 static inline int32_t glint_reciprocal16_by_table(uint32_t x);
 
-/* Stands on `setup`, which takes every dx and dy, under UBSan too: what is left of dx 2^20 is a relation. */
+/* Stands on `numbers`, which takes every dx and dy, under UBSan too: what is left of dx 2^20 is a relation. */
 /*@ requires 1 <= dy <= 511;
     assigns \result \from dx, dy; */
 static inline int32_t glint_slope_by_table(int32_t dx, int32_t dy);

@@ -5,15 +5,11 @@
 A driver passes when EVA reaches its end, raises no alarm, and finds every contract's precondition and postcondition
 true. A planted driver passes when one of these is not so. Contracts that no driver proves must say what they stand on.
 
-Beside the page stand digests of what was proven: of each driver that passed, and of all that it reaches, as EVA reads it. With --check the page must be
-what it is written as, and what is proven again is what has changed since, what is planted, and of the rest a sample.
+With --check the page must be what it is written as; with --page-only it is written, and nothing is proven.
 """
 import argparse
 import concurrent.futures
-import csv
-import hashlib
 import pathlib
-import random
 import re
 import subprocess
 import sys
@@ -26,10 +22,6 @@ DRIVER = re.compile(r"/\*((?:(?!\*/).)*)\*/\n(PROOF|PLANTED)\((\w+)\)", re.S)
 CONTRACT = re.compile(r"(?:/\* (Stands on [^/]*?) \*/\s*)?/\*@(?:(?!\*/).)*\*/\s*[\w ]*?[ *](\w+)\(", re.S)
 UNPROVEN = re.compile(r"/\*\s*(?:\* )?Not proven: ([\w, \n*]+): ((?:(?!\*/).)*?)\s*\*/", re.S)
 REACHED = re.compile(r"(\d+) statements reached \(out of (\d+)\)")
-
-
-# One driver of so many that have not changed is proven again.
-SHARE = 40
 
 
 class Driver:
@@ -104,118 +96,6 @@ def sources_of(path, include):
     return [path, *(pathlib.Path(include) / source for source in re.findall(r"@link (\S+)", path.read_text()))]
 
 
-def run(*command):
-    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
-
-
-def without_comments(text):
-    """As a compiler and EVA read it: of comments only annotations, any white space as one."""
-    text = re.sub(r"/\*(?!@)(?:(?!\*/).)*\*/|//(?!@)[^\n]*", " ", text, flags=re.S)
-    return " ".join(text.split())
-
-
-def preprocessed(path, include, share):
-    """The project's own text as EVA is given it, but for comments."""
-    text = run("gcc", "-E", "-C", "-I.", f"-I{share}/libc", "-D__FRAMAC__", "-D__FC_MACHDEP_GCC_X86_32", "-nostdinc", "-m32",
-               f"-I{include}", str(path))
-    kept, own = [], False
-    for line in text.splitlines():
-        marker = re.match(r'# \d+ "([^"]*)"', line)
-        if marker:
-            own = not marker[1].startswith(("/", "<"))
-        elif own:
-            kept.append(line)
-    return without_comments("\n".join(kept))
-
-
-def split_declarations(text):
-    """What stands at the top of a file, one by one: a function, a type, a variable, with annotations before them."""
-    parts, depth, start = [], 0, 0
-    for match in re.finditer(r"/\*@(?:(?!\*/).)*\*/|\"(?:\\.|[^\"])*\"|'(?:\\.|[^'])*'|[{}();]", text):
-        token, rest = match[0], text[match.end():match.end() + 8].lstrip()
-        depth += (token in ("{", "(")) - (token in ("}", ")"))
-        is_end = token == ";" or (token == "}" and "(" in OUTSIDE.sub("", text[start:match.start()]).split("{")[0])
-        if depth == 0 and is_end and not rest.startswith(";"):
-            parts.append(text[start:match.end()])
-            start = match.end()
-    return parts + [text[start:]]
-
-
-# Annotations and attributes.
-OUTSIDE = re.compile(r"/\*@(?:(?!\*/).)*\*/|__attribute__ ?\(\((?:(?!\)\)).)*\)\)")
-NAME = re.compile(r"[A-Za-z_]\w*")
-WORDS = {"typedef", "struct", "union", "enum"}
-
-
-def declared(part):
-    """@return the names that a declaration brings: of a type its tag and its values as well"""
-    head = OUTSIDE.sub(" ", part)
-    pointer = re.match(r"[^{}=;(]*\(\* ?(?:const )?(\w+)", head)
-    function = re.match(r"[^{}=;(]*?(\w+) ?\(", head)
-    if pointer or function:
-        return {(pointer or function)[1]}
-    if re.match(r" *(?:typedef )?(?:struct|union|enum)\b[^=]*\{", head):
-        is_enumeration = re.match(r" *(?:typedef )?enum\b", head)
-        return set(NAME.findall(head if is_enumeration else re.sub(r"\{.*\}", " ", head))) - WORDS
-    declarators = re.sub(r"\[[^\]]*\]|=.*", " ", head).split(",")
-    return {names[-1] for names in map(NAME.findall, declarators) if names}
-
-
-def reached_from(parts, name):
-    """The declarations that a function takes, directly or not, in their order."""
-    names = [declared(part) for part in parts]
-    holders = {}
-    for i, found in enumerate(names):
-        for one in found:
-            holders.setdefault(one, []).append(i)
-    reached, waiting = set(), [name]
-    seen = set(waiting)
-    while waiting:
-        for i in holders.get(waiting.pop(), ()):
-            if i not in reached:
-                reached.add(i)
-                fresh = set(NAME.findall(parts[i])) - seen
-                seen |= fresh
-                waiting += fresh
-    return [parts[i] for i in sorted(reached)]
-
-
-def find_digests(drivers, frama_c, include):
-    """@return of each driver, by its file and kernel, what changes when what EVA goes through does"""
-    share, version = run(frama_c, "-print-share-path").strip(), run(frama_c, "-version").strip()
-    files, digests = {}, {}
-    for d in drivers:
-        if d.path not in files:
-            files[d.path] = [part for source in sources_of(d.path, include)
-                             for part in split_declarations(preprocessed(source, include, share))]
-        parts = reached_from(files[d.path], "prove_" + d.kernel)
-        if not parts:
-            raise SystemExit(f"{d.path}: prove_{d.kernel} is not found")
-        told = repr((version, d.planted, d.flags(), d.allowed_alarms(), d.allowed_unreached(), parts))
-        digests[d.path.name, d.kernel] = hashlib.sha256(told.encode()).hexdigest()[:16]
-    return digests
-
-
-def read_digests(path):
-    with open(path, newline="") as file:
-        return {(row["file"], row["kernel"]): row["digest"] for row in csv.DictReader(file)}
-
-
-def write_digests(path, digests):
-    path.write_text("file,kernel,digest\n" + "".join(",".join((*key, digest)) + "\n" for key, digest in digests.items()))
-
-
-def choose(drivers, digests, kept, seed):
-    """@return the drivers to be proven again"""
-    changed = [d for d in drivers if kept.get((d.path.name, d.kernel)) != digests[d.path.name, d.kernel]]
-    old = [d for d in drivers if not d.planted and d not in changed]
-    sample = random.Random(seed).sample(old, -(-len(old) // SHARE))
-    chosen = [d for d in drivers if d not in old or d in sample]
-    print(f"{len(chosen)} of {len(drivers)} drivers: planted ones, {len(changed)} that have changed, and {len(sample)} that "
-          f"TEST_SEED={seed} chooses; make prove takes all", flush=True)
-    return chosen
-
-
 def read_drivers(folder):
     drivers = []
     for path in sorted(folder.glob("*.c")):
@@ -229,7 +109,7 @@ def read_drivers(folder):
 
 HEAD = """# Proofs
 
-Written by `make prove`; not to be edited.
+Written by `make figures`; not to be edited.
 
 [Frama-C](https://frama-c.com) EVA goes through {count} kernels with every input of the domain below. It finds no
 signed overflow, bad shift, access out of range, division by zero or read of what was never written, and no conversion
@@ -275,9 +155,9 @@ def main():
     parser.add_argument("--include", default="src")
     parser.add_argument("--folder", type=pathlib.Path, required=True)
     parser.add_argument("--output", type=pathlib.Path, required=True)
-    parser.add_argument("--page", type=pathlib.Path, required=True, help="written when everything passes, with digests beside it")
+    parser.add_argument("--page", type=pathlib.Path, required=True, help="written when everything passes")
     parser.add_argument("--check", action="store_true", help="compare the page instead")
-    parser.add_argument("--seed", type=int, default=1, help="of the sample that --check proves again")
+    parser.add_argument("--page-only", action="store_true", help="write the page, and prove nothing")
     parser.add_argument("--only", help="drivers whose name contains this")
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
@@ -289,11 +169,10 @@ def main():
         unproven += UNPROVEN.findall(path.read_text())
     if arguments.only:
         drivers = [d for d in drivers if arguments.only in d.kernel]
-    digests, chosen, beside = find_digests(drivers, arguments.frama_c, arguments.include), drivers, arguments.page.with_suffix(".csv")
-    if arguments.check:
-        chosen = choose(drivers, digests, read_digests(beside), arguments.seed)
+    if arguments.page_only:
+        arguments.page.write_text(page(drivers, contracts, unproven))
+        return 0
     passed = failed = 0
-    wrong = set()
 
     def tally(good, text):
         nonlocal passed, failed
@@ -303,11 +182,9 @@ def main():
 
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         jobs = [pool.submit(d.prove, arguments.frama_c, arguments.include, arguments.output / f"{d.kernel}.log")
-                for d in chosen]
+                for d in drivers]
         for job in jobs:
             d = job.result()
-            if bool(d.problems) != d.planted:
-                wrong.add((d.path.name, d.kernel))
             tally(bool(d.problems) == d.planted,
                   f"{d.path.name}: {d.kernel}: " + ("planted, and not found" if d.planted else "; ".join(d.problems[:3])))
     if not arguments.only:
@@ -318,11 +195,9 @@ def main():
         tally(used <= set(contracts), f"no contract: {used - set(contracts)}")
         text = page(drivers, contracts, unproven)
         if arguments.check:
-            tally(arguments.page.read_text() == text, f"{arguments.page} is not what make prove writes")
-        else:
-            write_digests(beside, {key: digest for key, digest in digests.items() if key not in wrong})
-            if not failed:
-                arguments.page.write_text(text)
+            tally(arguments.page.read_text() == text, f"{arguments.page} is not what make figures writes")
+        elif not failed:
+            arguments.page.write_text(text)
     print(f"{passed} passed, {failed} failed")
     return failed > 0
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Suite: turns, and where points show, against double precision. */
-#include "glint.h"
+#include "glint_extras.h"
 #include "harness.h"
 #include "reference.h"
 
@@ -89,6 +89,101 @@ static void turns_of_quaternions(void) {
     snprintf(line, sizeof line, "  of quaternions: %.2f steps of Q16.16 at most\n", worst);
     test_write(line);
     CHECK(worst <= 0.51);
+}
+
+/* ---- Poses that add up ---- */
+
+/* How far a pose's axes, and its rows, are from unit and perpendicular. */
+static double bent(const glint_pose *pose) {
+    double worst = 0;
+    for (int i = 0; i < 3; i++)
+        for (int j = i; j < 3; j++) {
+            double columns = 0, rows = 0;
+            for (int k = 0; k < 3; k++) {
+                columns += pose->m[k][i] / 65536.0 * (pose->m[k][j] / 65536.0);
+                rows += pose->m[i][k] / 65536.0 * (pose->m[j][k] / 65536.0);
+            }
+            if (i == j) /* lengths */
+                columns = sqrt(columns), rows = sqrt(rows);
+            worst = fmax(worst, fmax(fabs(columns - (i == j)), fabs(rows - (i == j))));
+        }
+    return worst;
+}
+
+static int is_camera(const glint_pose *pose) {
+    const glint_config config = {.width = 160, .height = 120};
+    const glint_camera camera = {*pose, 45 * GLINT_ONE, GLINT_ONE / 10};
+    glint_place place;
+    return glint_camera_project(&config, &camera, (glint_vector){0, 0, 0}, &place) >= 0;
+}
+
+/* The i-th of many axes, none of which is a coordinate axis. */
+static glint_vector axis_of(int i) {
+    return (glint_vector){(i * 7919 % 2001 - 1000) * 64 + 1, (i * 1543 % 2003 - 1001) * 64, i % 17 * 4096 - 32767};
+}
+
+/* 36,000 turns, in the world or about the pose's own axes, from a rotation or its mirror image. */
+static double turn_on(const glint_pose *start, const glint_pose *step, int in_world) {
+    glint_pose pose = *start;
+    double worst = 0;
+    for (int i = 1; i <= 36000; i++) {
+        pose = in_world ? glint_pose_then(&pose, step) : glint_pose_then(step, &pose);
+        worst = fmax(worst, bent(&pose));
+    }
+    CHECK(is_camera(&pose));
+    return worst;
+}
+
+static void rotations_stay_rotations(void) {
+    static const double degrees[] = {0.001, 0.25, 0.5, 1, 3, 7, 45, 90, 120, 359.9};
+    const glint_pose identity = glint_pose_identity(), mirror = glint_pose_scale(-GLINT_ONE, GLINT_ONE, GLINT_ONE);
+    double worst = 0;
+    for (int i = 0; i < 20; i++) {
+        const glint_q16 angle = (glint_q16)(degrees[i % 10] * 65536);
+        const glint_pose about_any = glint_pose_rotate(axis_of(i), angle), about_y = glint_pose_rotate_y(angle),
+                         *step = i < 10 ? &about_y : &about_any;
+        worst = fmax(worst, turn_on(&identity, step, 1));
+        worst = fmax(worst, turn_on(&mirror, step, 0));
+    }
+    char line[80];
+    snprintf(line, sizeof line, "  36,000 turns: %.2f steps of Q16.16 at most\n", worst * 65536);
+    test_write(line);
+    CHECK(worst <= 1.0 / 16384);
+}
+
+/* Each of 36,000 times another axis and angle. */
+static void any_turns_stay_rotations(void) {
+    glint_pose pose = glint_pose_identity();
+    double worst = 0;
+    for (int i = 0; i < 36000; i++) {
+        const glint_pose turn = glint_pose_rotate(axis_of(i), i % 720 * GLINT_ONE + i);
+        pose = i % 2 ? glint_pose_then(&pose, &turn) : glint_pose_then(&turn, &pose);
+        worst = fmax(worst, bent(&pose));
+    }
+    CHECK(worst <= 1.0 / 16384);
+    CHECK(is_camera(&pose));
+}
+
+/* Scales are the user's, however close to 1; turned, they are off by rounding alone. */
+static void scales_are_kept(void) {
+    const glint_pose step = glint_pose_scale(GLINT_ONE + 4, GLINT_ONE, GLINT_ONE - 4);
+    glint_pose pose = glint_pose_identity();
+    for (int i = 0; i < 10000; i++)
+        pose = glint_pose_then(&pose, &step);
+    CHECK(fabs(pose.m[0][0] / 65536.0 - pow(65540 / 65536.0, 10000)) < 0.1);
+    CHECK(pose.m[1][1] == GLINT_ONE);
+    CHECK(pose.m[2][2] < GLINT_Q16(0.6));
+
+    const glint_pose turn = glint_pose_rotate((glint_vector){GLINT_ONE, GLINT_ONE, GLINT_ONE}, 3 * GLINT_ONE);
+    pose = glint_pose_scale(GLINT_ONE / 2, GLINT_ONE, 2 * GLINT_ONE);
+    for (int i = 0; i < 36000; i++)
+        pose = glint_pose_then(&pose, &turn);
+    for (int j = 0; j < 3; j++) {
+        double square = 0;
+        for (int i = 0; i < 3; i++)
+            square += pow(pose.m[i][j] / 65536.0, 2);
+        CHECK(fabs(sqrt(square) * 2 / (1 << j) - 1) < 0.002);
+    }
 }
 
 /* ---- Places ---- */
@@ -190,11 +285,10 @@ static void orbits(void) {
 
 int test_main(test_writer write) {
     static const test_case cases[] = {
-        TEST_CASE(turns_about_an_axis),
-        TEST_CASE(turns_of_quaternions),
-        TEST_CASE(places_of_points),
-        TEST_CASE(far_aside_is_saturated),
-        TEST_CASE(orbits),
+        TEST_CASE(turns_about_an_axis),      TEST_CASE(turns_of_quaternions),
+        TEST_CASE(rotations_stay_rotations), TEST_CASE(any_turns_stay_rotations),
+        TEST_CASE(scales_are_kept),          TEST_CASE(places_of_points),
+        TEST_CASE(far_aside_is_saturated),   TEST_CASE(orbits),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

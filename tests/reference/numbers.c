@@ -3,10 +3,10 @@
  * Suite: the library's arithmetic of several arguments against libm in long double, at the largest errors its contracts
  * state; tests/domain has the functions of one.
  */
-#include "fast/fast_begin.h"
-#include "frame/cull.h"
 #include "glint.h"
 #include "harness.h"
+#include "math/division.h"
+#include "math/product.h"
 
 #include <math.h>
 
@@ -181,21 +181,6 @@ static void slopes(void) {
     }
 }
 
-/* Both forms of slopes of terms, at the ends of their ranges and between. */
-static void slopes_of_terms(void) {
-    const int32_t d = 30000, s = 1 << 10, last = (1 << 16) + (1 << 11);
-    for (int i = 0; i < 3000000; i++) {
-        const int32_t sign = i % 2 ? 1 : -1;
-        const int32_t d1 = i % 5 ? random_signed(31) % (d + 1) : sign * d,
-                      d2 = i % 5 ? random_signed(31) % (d + 1) : d1;
-        const int32_t s1 = i % 5 ? random_signed(11) : s, s2 = i % 5 ? random_signed(11) : s;
-        const int32_t r = i % 3 ? (int32_t)(random_bits() % ((uint32_t)last + 1)) : last;
-        const int64_t exact = (int64_t)floorl(((long double)d1 * s1 + (long double)d2 * s2) * r / 8192);
-        CHECK_EQUAL(glint_term_slope_whole(d1, s1, d2, s2, r), exact);
-        CHECK_EQUAL(glint_term_slope_split(d1, s1, d2, s2, r), exact);
-    }
-}
-
 /* Both forms of sums of two products, at the ends of their ranges and between. */
 static void sums_of_products(void) {
     const int32_t most = 32767 << 15, last = 1 << 15;
@@ -215,6 +200,26 @@ static glint_pose random_pose(unsigned bits) {
     for (int i = 0; i < 12; i++)
         pose.m[i / 4][i % 4] = random_signed(bits);
     return pose;
+}
+
+/* Both forms of a rotation's row times coordinates, at the ends of their range and between. */
+static void turned_coordinates(void) {
+    const int32_t most = (1 << 28) - 1;
+    for (int i = 0; i < 300000; i++) {
+        const glint_pose x = glint_pose_rotate_x(random_signed(26)), y = glint_pose_rotate_y(random_signed(26)),
+                         z = glint_pose_rotate_z(random_signed(26)), xy = glint_pose_then(&x, &y),
+                         turn = glint_pose_then(&xy, &z);
+        const int32_t *const r = turn.m[i % 3];
+        int64_t exact = 0;
+        int32_t v[3];
+        for (int k = 0; k < 3; k++) {
+            v[k] = i % 3 ? random_signed(31) % (most + 1) : random_bits() % 2 ? most : -most;
+            exact += (int64_t)r[k] * v[k];
+        }
+        exact = (int64_t)floorl((long double)exact / 65536);
+        CHECK_EQUAL(glint_turn_whole(r, v[0], v[1], v[2]), exact);
+        CHECK_EQUAL(glint_turn_split(r, v[0], v[1], v[2]), exact);
+    }
 }
 
 /* The thousandth is for the halves that the products may lose before they are added. */
@@ -297,137 +302,50 @@ static void cameras_look_at(void) {
     report("look at", worst, 5.22L);
 }
 
-/* ---- Transforms: what later stages take for granted of them */
-
-static int64_t magnitude(int64_t x) {
-    return x < 0 ? -x : x;
-}
-
-static void check_rows(const glint_transform *t) {
-    int64_t squares = 0;
-    for (int i = 0; i < 3; i++) {
-        int64_t sum = magnitude(t->translation[i]);
-        for (int j = 0; j < 3; j++) {
-            const int64_t normal = glint_row_get(&t->normal[i], j);
-            sum += magnitude(glint_row_get(&t->matrix[i], j));
-            squares += normal * normal;
-        }
-        CHECK_AT_MOST(sum, 0x7fffffff / 3 + 2); /* and so below 3 2^28 */
+static void reciprocals_of_16_bits(void) {
+    int wrong = 0;
+    for (uint32_t x = 1u << 15; x <= 1u << 16; x++) {
+        const int64_t nearest = (int64_t)floorl(2147483648.0L / x + 0.5L);
+        wrong += glint_reciprocal16_by_division(x) != nearest;
+        wrong += glint_reciprocal16_by_table(x) != nearest;
     }
-    CHECK_AT_MOST(squares, (int64_t)3 << 56);
+    CHECK_EQUAL(wrong, 0);
 }
 
-/* A box that is not clipped: all of it lies in front of the eye and within the guard band. */
-static void check_corners(const glint_transform *t) {
-    for (int corner = 0; corner < 8; corner++) {
-        int32_t step[3], clip[3];
-        for (int j = 0; j < 3; j++)
-            step[j] = corner >> j & 1 ? INT16_MAX : INT16_MIN;
-        for (int i = 0; i < 3; i++)
-            clip[i] = glint_row_times(&t->matrix[i], step[0], step[1], step[2], t->translation[i]);
-        CHECK(clip[2] >= 1);
-        CHECK_AT_MOST(magnitude(clip[0]), clip[2]);
-        CHECK_AT_MOST(magnitude(clip[1]), clip[2]);
-    }
-}
-
-/* The eye, times a weight and 2^-15, and the weight, from the same matrix. */
-static void exact_eye(const glint_transform *t, long double eye[3], long double *weight) {
-    long double determinant = 0;
-    for (int j = 0; j < 3; j++) {
-        eye[j] = 0;
-        for (int i = 0; i < 3; i++) {
-            const glint_row *a = &t->matrix[(i + 1) % 3], *b = &t->matrix[(i + 2) % 3];
-            const int k = (j + 1) % 3, l = (j + 2) % 3;
-            const long double cofactor = (long double)glint_row_get(a, k) * glint_row_get(b, l) -
-                                         (long double)glint_row_get(a, l) * glint_row_get(b, k);
-            eye[j] -= cofactor * t->translation[i];
-            determinant += i == 0 ? cofactor * glint_row_get(&t->matrix[0], j) : 0;
+/* Largest error of the crossings of an edge, in steps times 16 dy: at its first row and its last, for all positions. */
+static int64_t worst_crossing(int32_t slope, int32_t dx, int32_t dy) {
+    int64_t worst = 0;
+    for (int32_t first = 0; first < 16; first++) {
+        const int32_t last = first + (dy - 1 - first) / 16 * 16;
+        for (int32_t down = first; down<dy; down += last> first ? last - first : 16) {
+            const int64_t found = (int64_t)glint_edge_start(slope, first) + (int64_t)slope * ((down - first) / 16);
+            int64_t error = found * 16 * dy - (int64_t)down * dx * (1 << 20);
+            error = error < 0 ? -error : error;
+            worst = error > worst ? error : worst;
         }
     }
-    *weight = t->mirrored ? -determinant : determinant;
-    for (int j = 0; j < 3; j++)
-        eye[j] = t->mirrored ? -eye[j] : eye[j];
+    return worst;
 }
 
-/*
- * A cluster whose height lies near where it begins to face away is not told so before.
- * @return whether it is told to face away, -1 where nothing can tell
- */
-static int check_cluster(const glint_transform *t) {
-    static const uint16_t triangle[1][3] = {{1, 2, 3}};
-    const unsigned down = 24 + random_bits() % 8;
-    glint_cluster cluster = {{0, 0, 0}, (uint8_t)(random_bits() >> down), 0, 1, 4, 0};
-    const glint_clusters clusters = {&glint_cull_cones, &cluster, 0, 1};
-    const glint_mesh mesh = {.triangles = triangle, .vertex_count = 4, .triangle_count = 1, .clusters = &clusters};
-    glint_walk walk;
-    long double eye[3], weight;
-    exact_eye(t, eye, &weight);
-    if (weight < 0) /* so flat that rounding turned it inside out */
-        return -1;
-    long double reach = cluster.spread * sqrtl(eye[0] * eye[0] + eye[1] * eye[1] + eye[2] * eye[2]);
-    for (int j = 0; j < 3; j++) {
-        cluster.axis[j] = (int8_t)(random_bits() >> 24);
-        reach += cluster.axis[j] * eye[j];
+static void check_edges(const char *name, int32_t (*slope)(int32_t, int32_t), int32_t end) {
+    double worst = 0;
+    for (int32_t dy = 1; dy < end; dy++) {
+        for (int32_t dx = 1 - GLINT_EDGE_DX; dx < GLINT_EDGE_DX; dx++)
+            worst = fmax(worst, (double)worst_crossing(slope(dx, dy), dx, dy) / (16 * dy));
     }
-    const long double limit = weight > 0 ? 128 * reach / weight : 0;
-    const int near_limit = (int)(random_bits() % 8) - 4;
-    const long double height = floorl(limit) + near_limit + (random_bits() % 2 ? 0 : limit / 16);
-    cluster.height = (int16_t)fmaxl(fminl(height, INT16_MAX), INT16_MIN);
-    clusters.cull->begin(&walk, &mesh, t);
-    const int away = clusters.cull->corners(&walk, &mesh, 0) != triangle[0];
-    CHECK(!away || cluster.height * weight >= 128 * reach);
-    return away;
+    test_write("  ");
+    test_write(name);
+    test_write(": ");
+    test_write_number((int64_t)(worst * 1000 / GLINT_EDGE_ERROR));
+    test_write(" thousandths of the error allowed\n");
+    CHECK(worst < GLINT_EDGE_ERROR);
+    CHECK((1 << 20) / (16 * (end - 1)) >= 2 * GLINT_EDGE_ERROR); /* exact crossings lie so far apart */
 }
 
-/* Anything, of which most is out of range, or something in view, near and far, flat and stretched. */
-static void random_object(glint_object *object, glint_mesh *mesh, int anything) {
-    const unsigned bits = anything ? 1 + random_bits() % 32 : 8 + random_bits() % 16;
-    object->pose = random_pose(bits);
-    mesh->extent = random_vector(anything ? 1 + random_bits() % 32 : 3 + random_bits() % 10);
-    mesh->offset = random_vector(anything ? 1 + random_bits() % 32 : 3 + random_bits() % 10);
-    mesh->extent.x &= INT32_MAX, mesh->extent.y &= INT32_MAX, mesh->extent.z &= random_bits() % 8 ? INT32_MAX : 0;
-    if (anything)
-        return;
-    for (int i = 0; i < 3; i++)
-        object->pose.m[i][3] = random_signed(bits) / 8 - (i == 2) * (1 << (bits - 1));
-}
-
-static void transforms_keep_their_ranges(void) {
-    glint_mesh mesh = {0};
-    glint_object object = {.mesh = &mesh};
-    glint_scene scene = {.objects = &object, .object_count = 1};
-    int done = 0, whole = 0, away = 0, seen = 0;
-    for (int i = 0; i < 1000000; i++) {
-        glint_view view;
-        glint_transform t;
-        glint_config config = {.width = (uint16_t)(1 + random_bits() % GLINT_SIZE_MAX)};
-        config.height = (uint16_t)(1 + random_bits() % GLINT_SIZE_MAX);
-        const glint_vector eye = random_vector(16), at = {0, 0, -16 * GLINT_ONE}, up = {0, 1, 0};
-        random_object(&object, &mesh, i % 4 == 0);
-        if (glint_camera_look_at(&scene.camera, eye, at, up) != GLINT_OK)
-            continue;
-        scene.camera.field_of_view = GLINT_ONE + (int32_t)(random_bits() % (169 * GLINT_ONE + 1));
-        const uint32_t nearest = random_bits();
-        scene.camera.near_plane = 1 + (int32_t)(nearest >> (1 + random_bits() % 31));
-        if (glint_prepare_view(&view, &config, &scene, &t, 1) != GLINT_OK)
-            continue;
-        CHECK_EQUAL(glint_transform_prepare(&t, &view, &config, &object), GLINT_OK);
-        CHECK(view.focal >= 1 << 8 && view.focal <= 1 << 29 && view.nearest <= (int64_t)1 << 57);
-        CHECK(t.exponent >= 1 && t.exponent <= 92 && t.nearest >= 0 && t.near_plane >= 16);
-        check_rows(&t);
-        const int faces_away = check_cluster(&t);
-        away += faces_away == 1;
-        seen += faces_away == 0;
-        done++;
-        if (!t.visible || t.clips)
-            continue;
-        check_corners(&t);
-        whole++;
-    }
-    CHECK(done > 500000);
-    CHECK(away > 50000 && seen > 500000);
-    CHECK(whole > 30000);
+static void crossings_of_all_short_edges(void) {
+    check_edges("edges by division", glint_slope_by_division, 512);
+    check_edges("edges by table", glint_slope_by_table, 512);
+    CHECK(GLINT_EDGE_DY <= 512);
 }
 
 /* IEC 61966-2-1, rounded to nearest. */
@@ -453,12 +371,13 @@ int test_main(test_writer write) {
         TEST_CASE(products_of_rows),
         TEST_CASE(coordinates_over_w),
         TEST_CASE(slopes),
-        TEST_CASE(slopes_of_terms),
+        TEST_CASE(reciprocals_of_16_bits),
+        TEST_CASE(crossings_of_all_short_edges),
         TEST_CASE(sums_of_products),
+        TEST_CASE(turned_coordinates),
         TEST_CASE(poses_one_after_another),
         TEST_CASE(rotations_turn_right_handed),
         TEST_CASE(cameras_look_at),
-        TEST_CASE(transforms_keep_their_ranges),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

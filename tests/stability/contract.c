@@ -84,8 +84,7 @@ static double wanted_level(const double colour[3], const glint_format *format, i
 }
 
 static int is_per_fragment(const glint_object *object) {
-    return object->evaluation == NULL || object->evaluation == &glint_per_fragment ||
-           object->evaluation == &glint_per_node;
+    return object->evaluation == NULL || object->evaluation == &glint_per_fragment;
 }
 
 /* The place seen in a pixel, in camera space. */
@@ -270,7 +269,7 @@ void contract_judge(const glint_scene *scene, int width, int height, const glint
                              .format = format,
                              .leave_out_gates = 1,
                              .fine = strictest_bound(scene, format)};
-    *result = (contract_result){.bound = task.fine};
+    *result = (contract_result){.bound = task.fine, .is_fine = picture_level_max(format, 0) == 255};
     judge(&task, &result->found);
     result->worst_share = result->found.worst / task.fine;
     result->worst_x = result->found.worst_x;
@@ -289,5 +288,5 @@ void contract_judge(const glint_scene *scene, int width, int height, const glint
 }
 
 int contract_holds(const contract_result *result) {
-    return judgement_keeps_contract(&result->found);
+    return result->is_fine ? judgement_keeps_fine_contract(&result->found) : judgement_keeps_contract(&result->found);
 }

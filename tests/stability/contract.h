@@ -46,6 +46,7 @@ typedef struct contract_result {
     double worst_share; /**< Largest distance from the unrounded reference over the pixel's bound. */
     double bound;       /**< That pixel's. */
     int worst_x, worst_y;
+    int is_fine; /**< The format has 8 bits a channel. */
 } contract_result;
 
 /** Judges one scene. */

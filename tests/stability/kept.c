@@ -23,7 +23,7 @@ static void judge_kept(void) {
     static random_scene scene;
     const kept_scene *kept = &kept_scenes[kept_next++];
     contract_result result;
-    random_scene_make_in(&scene, kept->region, kept->at_nodes, kept->seed);
+    random_scene_make_in(&scene, kept->region, kept->seed);
     contract_judge(&scene.scene, scene.width, scene.height, scene.format, &result);
     print_scene(&scene, &result);
     CHECK_EQUAL(random_scene_checksum(&scene), kept->checksum);

@@ -63,7 +63,7 @@ def check(text, page, rows, program):
         failed += 1
         sys.stdout.writelines(difflib.unified_diff(page.splitlines(True), text.splitlines(True), "page", "as found"))
     if failed:
-        print("docs/stability.md is not what the library does; `make stability` writes it anew")
+        print("docs/stability.md is not what the library does; `make figures` writes it anew")
     print("%d passed, %d failed" % (len(rows) + 1 - failed, failed))
     return failed > 0
 

@@ -2,6 +2,7 @@
 #include "random_scene.h"
 
 #include "byte_order.h"
+#include "glint_extras.h"
 #include "weights.h"
 
 #include <math.h>
@@ -539,15 +540,7 @@ static void make_far(random_scene *s, source *random) {
         place_far(s, i, far * across(random, 0.1, 1), random);
 }
 
-/* ---- At nodes ------------------------------------------------------------------------------------------------ */
-
-static void light_at_nodes(random_scene *s) {
-    for (uint32_t i = 0; i < s->scene.object_count; i++) {
-        const glint_evaluation **evaluation = &s->objects[i].evaluation;
-        if (*evaluation == NULL || *evaluation == &glint_per_fragment)
-            *evaluation = &glint_per_node;
-    }
-}
+/* ---- Large triangles --------------------------------------------------------------------------------------------- */
 
 /* A lamp a little above an object, or inside it, or with the edge of its cone across it. */
 static void make_lamp_by_object(random_scene *s, glint_light *light, source *random) {
@@ -561,7 +554,7 @@ static void make_lamp_by_object(random_scene *s, glint_light *light, source *ran
     light->outer = q16(half) + (one_in(random, 4) ? 0 : q16(1));
 }
 
-/* As large as the screen, so that most triangles have nodes, and up to all lights that a scene may have. */
+/* As large as the screen, with up to all lights that a scene may have. */
 static void make_large(random_scene *s, source *random) {
     static const int most[3] = {2, 4, GLINT_LIGHTS_MAX};
     const uint32_t kind = below(random, 4);
@@ -589,7 +582,6 @@ static void make_large(random_scene *s, source *random) {
         s->materials[i].flags = below(random, 2) ? below(random, 4) : 0;
     s->width += 64;
     s->height += 64;
-    light_at_nodes(s);
 }
 
 /* The same with every exponent that there is. */
@@ -626,8 +618,8 @@ const random_region random_regions[] = {
     {"crossing objects", 1},
     {"odd screens", 1},
     {"depth ratios to 2^33", 1},
-    {"large triangles at nodes", 1},
-    {"large triangles of any p at nodes", 0},
+    {"large triangles", 1},
+    {"large triangles of any p", 0},
 };
 const unsigned random_region_count = sizeof random_regions / sizeof random_regions[0];
 
@@ -718,7 +710,7 @@ static void to_world(random_scene *s) {
     }
 }
 
-void random_scene_make_in(random_scene *s, unsigned region, int at_nodes, uint64_t seed) {
+void random_scene_make_in(random_scene *s, unsigned region, uint64_t seed) {
     source random = {seed};
     memset(s, 0, sizeof *s);
     s->seed = seed;
@@ -744,12 +736,10 @@ void random_scene_make_in(random_scene *s, unsigned region, int at_nodes, uint64
             random_colours(&s->meshes[i], &random);
     }
     to_world(s);
-    if (at_nodes)
-        light_at_nodes(s);
 }
 
 void random_scene_make(random_scene *s, uint64_t seed) {
-    random_scene_make_in(s, (unsigned)(seed % random_region_count), (int)(seed / random_region_count % 2), seed);
+    random_scene_make_in(s, (unsigned)(seed % random_region_count), seed);
 }
 
 /* Adds numbers of `each` bytes. */

@@ -44,13 +44,10 @@ typedef struct random_region {
 extern const random_region random_regions[];
 extern const unsigned random_region_count;
 
-/**
- * Makes the scene of a seed in a region: the same whatever other regions there are; lit at nodes where it would be per
- * fragment, if so asked.
- */
-void random_scene_make_in(random_scene *scene, unsigned region, int at_nodes, uint64_t seed);
+/** Makes the scene of a seed in a region: the same whatever other regions there are. */
+void random_scene_make_in(random_scene *scene, unsigned region, uint64_t seed);
 
-/** The same in the region seed modulo random_region_count, at nodes if the quotient is odd. */
+/** The same in the region seed modulo random_region_count. */
 void random_scene_make(random_scene *scene, uint64_t seed);
 
 /** FNV-1a (Fowler, Noll and Vo) over all that a scene says: tells whether a seed still makes the scene it made. */

@@ -2,6 +2,7 @@
 #include "region.h"
 
 #include "contract.h"
+#include "glint_extras.h"
 #include "harness.h"
 #include "weights.h"
 
@@ -36,9 +37,7 @@ static void check_format(const region *which, const region_figures *figures, int
     CHECK_EQUAL(found->status, GLINT_OK);
     CHECK_EQUAL(found->missed, 0);
     CHECK_EQUAL(found->spilled, 0);
-    CHECK_EQUAL(found->over_two, 0);
-    CHECK_AT_MOST(found->over_one * 10000, found->judged);
-    CHECK_AT_MOST(found->not_fine * 1000, found->judged);
+    CHECK(format == 0 ? judgement_keeps_fine_contract(found) : judgement_keeps_contract(found));
     if (strcmp(which->unit, REGION_STEPS) == 0) {
         CHECK(found->judged > 0);
         return;

@@ -28,9 +28,9 @@ double weights_slack(double sum, const glint_format *format) {
     const double whole = fmax(sum, 1);
     if (kind == &glint_format_rgb565 || kind == &glint_format_rgb565_be)
         return 0.25 * whole;
-    if (kind == &glint_format_rgb444)
-        return 0.25 * whole * 15 / 63;
-    return 0.3 * whole * picture_level_max(format, 0) / 255;
+    if (picture_level_max(format, 0) == 255)
+        return 0.5 * whole;
+    return 0.25 * whole * picture_level_max(format, 0) / 63;
 }
 
 double weights_bound(double sum, const glint_format *format) {

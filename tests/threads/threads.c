@@ -3,7 +3,7 @@
  * Suite: two callers draw the tiles of one prepared frame at the same time and get the same bits as one caller.
  * Run under ThreadSanitizer. Built with SHARED_WORKSPACE they share what must not be shared, which it must report.
  */
-#include "glint.h"
+#include "glint_extras.h"
 #include "harness.h"
 #include "picture.h"
 #include "scenes.h"
@@ -52,27 +52,13 @@ static int draw_pass(caller callers[CALLERS]) {
     return good && started == CALLERS;
 }
 
-/* Callers count each for themselves; together it is what one counts. */
-static void check_drawn(glint_drawn drawn[CALLERS][GLINT_KERNELS], const glint_drawn wanted[GLINT_KERNELS]) {
-    for (int kernel = 0; kernel < GLINT_KERNELS; kernel++) {
-        glint_drawn sum = {0, 0};
-        for (int i = 0; i < CALLERS; i++) {
-            sum.parts += drawn[i][kernel].parts;
-            sum.covered += drawn[i][kernel].covered;
-        }
-        CHECK_EQUAL(sum.parts, wanted[kernel].parts);
-        CHECK_EQUAL(sum.covered, wanted[kernel].covered);
-    }
-}
-
-static void draw_together(const picture *wanted, const glint_drawn counted[GLINT_KERNELS], const glint_scene *scene,
-                          const picture_options *options, size_t arena_size) {
+static void draw_together(const picture *wanted, const glint_scene *scene, const picture_options *options,
+                          size_t arena_size) {
     picture got = picture_open(wanted->width, wanted->height, wanted->format);
     glint_config config = picture_config(&got, options);
     glint_workspace workspaces[CALLERS];
     void *memory[CALLERS];
     caller callers[CALLERS];
-    glint_drawn drawn[CALLERS][GLINT_KERNELS] = {{{0}}};
     glint_frame frame;
     config.arena_size = arena_size;
     config.arena = malloc(arena_size);
@@ -80,7 +66,6 @@ static void draw_together(const picture *wanted, const glint_drawn counted[GLINT
         memory[i] = malloc(glint_workspace_size(&config));
         CHECK(memory[i] != NULL);
         glint_workspace_init(&workspaces[i], &config, memory[i]);
-        workspaces[i].drawn = drawn[i];
         callers[i] = (caller){.frame = &frame, .workspace = &workspaces[i], .image = &got, .number = i};
     }
 #ifdef SHARED_WORKSPACE
@@ -93,7 +78,6 @@ static void draw_together(const picture *wanted, const glint_drawn counted[GLINT
     CHECK_EQUAL(status, 0);
     CHECK(picture_is_complete(&got));
     CHECK(picture_equal(wanted, &got));
-    check_drawn(drawn, counted);
     for (uint32_t i = 0; i < CALLERS; i++)
         free(memory[i]);
     free(config.arena);
@@ -108,14 +92,13 @@ static void check_format(const glint_format *format) {
         picture wanted = picture_open(WIDTH, HEIGHT, format);
         glint_config config = picture_config(&wanted, &options);
         glint_need need = {0};
-        glint_stats stats = {0};
         scene_build(&scene, &scene_definitions[i]);
         scene.scene.viewer = i % 2 ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
-        CHECK_EQUAL(picture_render(&wanted, &scene.scene, &options, &stats), GLINT_OK);
+        CHECK_EQUAL(picture_render(&wanted, &scene.scene, &options, NULL), GLINT_OK);
         CHECK_EQUAL(glint_arena_need(&config, &scene.scene, &need), GLINT_OK);
-        draw_together(&wanted, stats.drawn, &scene.scene, &options, need.one_pass);
-        draw_together(&wanted, stats.drawn, &scene.scene, &options, need.least + (need.one_pass - need.least) / 3);
-        draw_together(&wanted, stats.drawn, &scene.scene, &options, need.least);
+        draw_together(&wanted, &scene.scene, &options, need.one_pass);
+        draw_together(&wanted, &scene.scene, &options, need.least + (need.one_pass - need.least) / 3);
+        draw_together(&wanted, &scene.scene, &options, need.least);
         picture_close(&wanted);
     }
 }

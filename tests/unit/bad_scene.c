@@ -64,12 +64,6 @@ void bad_cameras_are_refused(void) {
         f->scene.viewer = (glint_viewer)viewer;
         fixture_expect_error(f, GLINT_ERROR_VIEWER);
     }
-    static const int32_t budgets[] = {-1, GLINT_BUDGET_MAX + 1, INT32_MAX, INT32_MIN};
-    for (unsigned i = 0; i < TEST_COUNT(budgets); i++) {
-        fixture *f = fixture_begin();
-        f->scene.error_budget = budgets[i];
-        fixture_expect_error(f, GLINT_ERROR_BUDGET);
-    }
 }
 
 /* ---- Lights and colours -------------------------------------------------------------------------------------- */

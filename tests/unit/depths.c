@@ -70,9 +70,6 @@ void farthest_surfaces_are_lit(void) {
         &glint_per_fragment,
         &glint_per_vertex,
         &glint_per_facet,
-#if __STDC_HOSTED__ /* nodes take more stack than unit tests have on boards */
-        &glint_per_node,
-#endif
     };
     for (size_t which = 0; which < sizeof evaluations / sizeof evaluations[0]; which++) {
         int red[2];
@@ -91,7 +88,7 @@ void farthest_surfaces_are_lit(void) {
 
 /*
  * A triangle from just beyond the near plane to far away, its far edge through the centres of a row: its 1/w is so near
- * to 0 there that a plane's rounding may take it below. By the general path, and by fast lighting, where it is dark.
+ * to 0 there that a plane's rounding may take it below. By lamps, and by suns, where it is dark.
  */
 static uint32_t pixels_of_far_row(const glint_format *format, int bits, int row) {
     static int16_t positions[3][3];

@@ -2,7 +2,8 @@
 #include "domains.h"
 
 #include "fixture.h"
-#include "light/shade.h"
+#include "glint.h"
+#include "math/numeric.h"
 #include "pixel/pixel.h"
 
 static int64_t leading_zeros(int64_t x) {
@@ -93,13 +94,6 @@ static int64_t channel(int64_t x) {
     return glint_channel_of((int16_t)x);
 }
 
-static int64_t clamped_colour(int64_t x) {
-    const uint32_t colour[3] = {(uint32_t)x, (uint32_t)x, (uint32_t)x};
-    int16_t out[3];
-    glint_clamp_colour(colour, out);
-    return out[1];
-}
-
 /* An output table of squares: entry i is (i / 256)^2, the last one 1. */
 #define SQUARE(i) ((i) * (i) - (i) / 256)
 #define SQUARES4(i) SQUARE(i), SQUARE((i) + 1), SQUARE((i) + 2), SQUARE((i) + 3)
@@ -153,7 +147,6 @@ const domain domains[DOMAIN_COUNT] = {
     {"luma_15", COLOUR_RANGE, luma_15},
     {"luma_255", COLOUR_RANGE, luma_255},
     {"channel", 0, GLINT_COLOUR_ONE, channel},
-    {"clamped_colour", COLOUR_RANGE, clamped_colour},
     {"gamma_of_squares", COLOUR_RANGE, gamma_of_squares},
     {"dither_threshold", 0, 63, dither_threshold},
 };

@@ -14,7 +14,7 @@
 
 /** Bytes of the screen and of the arena. */
 #define FIXTURE_SCREEN_BYTES (FIXTURE_WIDTH * FIXTURE_HEIGHT * 2)
-#define FIXTURE_ARENA_BYTES (sizeof(void *) > 4 ? 6768 : 6512) /* pointers take more on a host */
+#define FIXTURE_ARENA_BYTES (sizeof(void *) > 4 ? 6768 : 6208) /* pointers take more on a host */
 
 #define FIXTURE_OBJECTS_MAX 3
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Generated meshes: counts, room, orientation, closed surfaces, and normals as their formulas say. */
 #include "fixture.h"
+#include "glint_extras.h"
 #include "harness.h"
 #include "unit.h"
 

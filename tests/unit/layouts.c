@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Layouts: errors are named, and what is drawn of a mesh in RAM, one struct a vertex, is what its arrays give. */
 #include "fixture.h"
-#include "geometry/layout.h"
+#include "glint_layout.h"
 #include "harness.h"
 #include "unit.h"
 
@@ -135,21 +135,4 @@ void layouts_draw_what_arrays_do(void) {
     draw_both(&glint_per_fragment, 1);
     draw_both(&glint_per_vertex, 1);
     draw_both(&glint_per_facet, 1);
-}
-
-/* All three channels of each colour, and nothing else. */
-static void expect_fetched(const glint_type *type, const void *from, const int16_t wanted[2][3]) {
-    int16_t to[3][3] = {{-1, -1, -1}, {-1, -1, -1}, {-1, -1, -1}};
-    type->fetch(from, type->size, 2, to);
-    for (int i = 0; i < 3; i++)
-        for (int c = 0; c < 3; c++)
-            CHECK_EQUAL(to[i][c], i < 2 ? wanted[i][c] : -1);
-}
-
-void colours_are_fetched_whole(void) {
-    static const uint16_t words[2] = {0xf81f, 0x07e0};
-    static const uint8_t bytes[2][3] = {{255, 0, 255}, {0, 255, 0}};
-    static const int16_t wanted[2][3] = {{INT16_MAX, 0, INT16_MAX}, {0, INT16_MAX, 0}};
-    expect_fetched(&glint_type_rgb565, words, wanted);
-    expect_fetched(&glint_type_rgb888, bytes, wanted);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Made by `make unit-tables`; not to be edited. */
+/* Made by `make figures`; not to be edited. */
 /* clang-format off */
 #ifndef GLINT_UNIT_TORUS_H
 #define GLINT_UNIT_TORUS_H

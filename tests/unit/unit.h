@@ -21,7 +21,6 @@
     CASE(bad_clusters_are_refused)                  \
     CASE(bad_layouts_are_refused)                   \
     CASE(layouts_draw_what_arrays_do)               \
-    CASE(colours_are_fetched_whole)                 \
     CASE(clusters_that_face_away_are_dropped)       \
     CASE(bad_poses_are_refused)                     \
     CASE(limits_are_accepted)                       \

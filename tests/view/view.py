@@ -76,7 +76,7 @@ def is_grey(rows):
 # ---- Keys whose picture the command line draws as well: (key, options), one after the other
 
 KEYS = [
-    ("1", ["--shading", "flat"]), ("2", ["--shading", "vertex"]), ("3", ["--shading", "node"]), ("4", ["--shading", "fragment"]),
+    ("1", ["--shading", "flat"]), ("2", ["--shading", "vertex"]), ("3", ["--shading", "fragment"]),
     ("m", ["--model", "lambert"]), ("m", ["--model", "phong"]), ("m", ["--model", "blinn-phong"]),
     ("v", ["--viewer", "local"]), ("v", ["--viewer", "infinite"]),
     ("u", ["--shininess", str(32 * 2 ** 0.5)]), ("o", ["--shininess", "32"]), ("o", ["--shininess", str(32 * 2 ** -0.5)]),
@@ -310,46 +310,6 @@ def test_dropped(test):
 # ---- Maps and grid
 
 # Colours of ways, as docs/charts/ways.svg has them, and of two more.
-FAST, EVEN, SINGLE, CORNERS, FACET = (141, 147, 156), (75, 79, 87), (224, 64, 42), (242, 177, 52), (168, 107, 214)
-BACKGROUND = (0, 0, 0)
-# By key: a way that must be there, and others that may.
-WAYS = [("1", FACET, set()), ("2", CORNERS, set()), ("4", FAST, {EVEN, SINGLE})]
-
-
-def colours(window):
-    return {pixel for row in window.picture().rows for pixel in row}
-
-
-def test_ways(test):
-    window = test.open(TORUS)
-    start = test.drawn("render", TORUS, *LEVELS)
-    test.shows("a torus", window, start)
-    window.keys("w")
-    for key, way, others in WAYS:
-        window.keys(key)
-        found = until(lambda way=way, others=others: {way} <= colours(window) - {BACKGROUND} <= {way} | others)
-        test.check(f"W {key}", found, str(colours(window)))
-        test.check(f"W {key}: where the torus is", all((a == BACKGROUND) == (b == BACKGROUND) for r, s in
-                                                      zip(window.picture().rows, start) for a, b in zip(r, s)))
-    window.keys("w")
-    test.shows("W: and the picture", window, start)
-    window.close()
-
-
-def test_ways_of_nodes(test):
-    window = test.open("phong-lighting")
-    test.shows("a scene", window, test.drawn("scene", "phong-lighting", *LEVELS))
-    window.keys("w")
-    planes, squares_of_16 = (195, 232, 141), (188, 217, 247)
-    test.check("light at nodes, in several ways", until(lambda: {planes, squares_of_16, SINGLE} <= colours(window)))
-    left = window.width - window.SIDE + window.MARGIN + 20
-    shares = [float(line.split()[-2]) for line in window.read(left, 500, window.width, window.height, 1) if line.endswith(" %")]
-    pixels = [pixel for row in window.picture().rows for pixel in row if pixel != BACKGROUND]
-    counted = [round(100 * pixels.count(colour) / len(pixels), 1) for colour in set(pixels)]
-    test.equal("the legend's shares", sorted(shares), sorted(counted))
-    window.close()
-
-
 def steps_of_colour(colour):
     """How many steps a colour of the map of errors stands for, up to 0.5: black to (16, 28, 70)."""
     return colour[2] / 140
@@ -394,7 +354,7 @@ def test_grid(test):
     window.close()
 
 
-# ---- Arena, cost, time
+# ---- Arena, bus
 
 def slider_mark(window):
     """Columns of the slider's mark, in pixels of its width; None where it is not."""
@@ -423,37 +383,18 @@ def test_arena(test):
     passes = test.says("takes passes", window, r"(\d+) passes, 80 tiles")
     stats = dict(line.split(" ", 1) for line in test.run("render", TORUS, *LEVELS, "--arena", str(least), "--stats", "-o", "out.png").stdout.splitlines())
     test.equal("as many as on the command line", passes[0], stats["passes"])
-    test.says("of which there is no model", window, "none for more than one pass")
     test.shows("and the same pixels", window, start)
     window.close()
 
 
-def test_cost(test):
+def test_bus(test):
     window = test.open(TORUS)
-    stats = dict(line.split(" ", 1) for line in test.run("render", TORUS, *LEVELS, "--stats", "-o", "out.png").stdout.splitlines())
-
-    def three(value):
-        return "%.3g" % value if value < 100 else "%.0f" % value
-
-    for core, clock in [("m0plus", 125), ("m3", 72), ("m4", 168), ("m0", 48)]:
-        modelled = float(stats[f"ms_{core}_{clock}mhz"])
-        found = test.says(f"P: {core}", window, rf"{core} {clock} MHz: draw ([\d.]+) ms")
-        test.check(f"P: {core} as on the command line", found and abs(float(found[0]) - modelled) <= 0.01 * modelled, f"{found} {modelled}")
-        instructions = stats.get(f"instructions_{core}")
-        test.says(f"{core}: a line of the table", window, rf"{core} +{three(float(instructions) / 1e6) if instructions else '-'} +{three(modelled)} +{clock}")
-        window.keys("p")
-    drawing = float(stats["ms_m0plus_125mhz"])
-    for key, clock in [("period", 133), ("comma", 125), ("comma", 100)]:
-        window.keys(key)
-        found = test.says(f"{key}: the clock", window, rf"m0plus {clock} MHz: draw ([\d.]+) ms")
-        test.check("and what it takes", found and abs(float(found[0]) - drawing * 125 / clock) < 0.01 * drawing, str(found))
     for key, bus in [("minus", 32), ("equal", 40), ("equal", 50)]:
         window.keys(key)
         test.says(f"{key}: the bus", window, rf"SPI {bus} MHz: send {320 * 240 * 16 / bus / 1000:.1f} ms")
     for key in ["minus"] * 6:
         window.keys(key)
     test.says("slow bus", window, "SPI 10 MHz: send 122.9 ms")
-    test.says("decides", window, r"8\.1 frames a second")
     window.close()
 
 

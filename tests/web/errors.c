@@ -19,10 +19,10 @@ static int complain(const host_problem *problem) {
 
 static int write_errors(const glint_scene *scene, const host_settings *settings, int same) {
     framebuffer target;
-    frame_counts counts;
+    glint_stats stats;
     host_problem problem;
     measured_errors sums;
-    if (!view_draw(scene, settings, &target, &counts, &problem)) {
+    if (!view_draw(scene, settings, &target, &stats, &problem)) {
         return complain(&problem);
     }
     float *errors = measure_errors(scene, settings, &target, same, &sums);
@@ -42,7 +42,6 @@ static int write_scene(const host_settings *settings, int same) {
             if (strncmp(scene->name, settings->model, strlen(scene->name)) == 0 && colon != NULL &&
                 strcmp(scene->variants[j].name, colon + 1) == 0) {
                 scene->build(&stage, j, settings->frame);
-                stage.scene.error_budget = settings->budget;
                 return write_errors(&stage.scene, settings, same);
             }
         }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Instructions of whole frames, of methods and of fragments, counted in QEMU; included by port/boards.mk.
+# Instructions of whole frames and of methods, counted in QEMU; included by port/boards.mk.
 
 $(BUILD)/bench/scenes: tools/bench/scenes.c examples/bench/bench.c examples/bench/bench.h \
         $(addprefix port/host/,cluster.c cluster.h patch.c patch.h memory.c memory.h) $(BUILD)/host/libglint.a
@@ -19,9 +19,7 @@ $(foreach board,$(MEASURED),$(eval $(call firmware_program,$(board),O2,workloads
 FIRMWARE := $(filter-out %/workloads.elf,$(FIRMWARE))
 
 PROGRAM_methods := tools/bench/methods.c $(METHODS)
-PROGRAM_fragments := tools/bench/fragments.c
 $(foreach board,$(MEASURED),$(eval $(call firmware_program,$(board),O2,methods)))
-$(foreach board,$(MEASURED),$(eval $(call firmware_program,$(board),O2,fragments)))
 
 # Name in the table, emulated machine and board of each core. ARMv6-M code runs on the M3's board.
 BENCH_CORES := m3=mps2-an385=mps2-an385 m0=mps2-an385=mps2-an385-m0 m4=mps2-an386=mps2-an386 rv32=virt=virt
@@ -37,13 +35,13 @@ bench_programs = $(foreach core,$(BENCH_CORES),\
 BENCH_FLOAT := $(BUILD)/mps2-an386-m4f/O2/float.elf
 
 .PHONY: bench bench-diff
-$(BUILD)/bench.csv: $(foreach core,$(BENCH_CORES),$(foreach program,frames workloads methods fragments,$(call bench_elf,$(core),$(program)))) \
+$(BUILD)/bench.csv: $(foreach core,$(BENCH_CORES),$(foreach program,frames workloads methods,$(call bench_elf,$(core),$(program)))) \
         $(BENCH_FLOAT) $(BUILD)/cycles/plugin.so $(wildcard tools/bench/*.py tools/cycles/*.py) tests/board/qemu.py
 	$(Q)python3 tools/bench/bench.py --qemu $(QEMU) --output $(BUILD) --plugin $(BUILD)/cycles/plugin.so --frames $(call bench_programs,frames) $(call bench_programs,workloads) \
 	    --float m4f=mps2-an386=$(BENCH_FLOAT) \
-	    --methods $(call bench_programs,methods) $(call bench_programs,fragments)
+	    --methods $(call bench_programs,methods)
 
-bench: $(BUILD)/bench.csv ## count the instructions of whole frames of every kind of scene, of methods and of fragments; writes build/bench.csv
+bench: $(BUILD)/bench.csv ## count the instructions of whole frames of every kind of scene, and of methods; writes build/bench.csv
 	@python3 tools/bench/table.py $<
 
 bench-diff: $(BUILD)/bench.csv ## what changed against docs/bench.csv; fails when anything did

@@ -7,6 +7,7 @@
  * drawn.
  */
 #include "framebuffer.h"
+#include "glint_extras.h"
 #include "measure.h"
 
 #include <bench_scenes.h>

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Tile sizes and shares of an arena in figures: tiles.py BENCH.csv ARENA.csv prints both tables; with --page PAGE, 1 when
-the page has others."""
+the page has others; with --write too, puts them into the page, between its markers."""
 import argparse
 import csv
 import sys
@@ -48,20 +48,27 @@ def shares(frames, arenas):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--page")
+    parser.add_argument("--write", action="store_true")
     parser.add_argument("frames")
     parser.add_argument("arenas")
     arguments = parser.parse_args()
     frames, arenas = read(arguments.frames), read(arguments.arenas)
-    texts = (table(frames, arenas), shares(frames, arenas))
+    texts = {"tile sizes": table(frames, arenas), "arena shares": shares(frames, arenas)}
     if not arguments.page:
-        sys.stdout.write("\n".join(texts))
+        sys.stdout.write("\n".join(texts.values()))
         return 0
     with open(arguments.page) as file:
         page = file.read()
-    missing = [text for text in texts if text not in page]
-    for text in missing:
-        print("%s does not have this table:\n%s" % (arguments.page, text))
-    return 1 if missing else 0
+    wanted = page
+    for name, text in texts.items():
+        head, rest = wanted.split("<!-- %s -->\n" % name)
+        wanted = head + "<!-- %s -->\n" % name + text + "<!-- end of" + rest.split("<!-- end of", 1)[1]
+    if arguments.write:
+        with open(arguments.page, "w") as file:
+            file.write(wanted)
+    elif wanted != page:
+        print("%s has other tables than the benchmark's: make figures" % arguments.page)
+    return 0 if arguments.write else wanted != page
 
 
 if __name__ == "__main__":

@@ -335,8 +335,8 @@ enum {
     EXAMPLES = COUNT_OF(examples)
 };
 
-/* Boxes have lights of two kinds: that of the benchmark, and four points. */
-enum { BOXES = 2 * BOXES_SCENES };
+/* Boxes have the benchmark's light, four points, or none. */
+enum { BOX_LOOKS = 3, BOXES = BOX_LOOKS * BOXES_SCENES };
 
 uint32_t workload_count(void) {
     return WORKLOADS_PLAIN + LOOKS + OUTPUTS + BOXES + EXAMPLES;
@@ -374,16 +374,19 @@ static workload output_workload(uint32_t number) {
 }
 
 static workload boxes_workload(uint32_t number) {
-    const boxes_definition *boxes = &boxes_definitions[number / 2];
+    const boxes_definition *boxes = &boxes_definitions[number / BOX_LOOKS];
     workload drawn = bench_workload(TORUS576, sizes[0]);
 
     drawn.scene = boxes->name;
     drawn.boxes = boxes;
     drawn.width = boxes->width;
     drawn.height = boxes->height;
-    if (number % 2) {
+    if (number % BOX_LOOKS == 1) {
         drawn.look = "4 points";
         drawn.change = four_points;
+    } else if (number % BOX_LOOKS == 2) {
+        drawn.look = "unlit";
+        drawn.change = unlit;
     }
     return drawn;
 }

@@ -2,18 +2,16 @@
 # SPDX-License-Identifier: MIT
 """Writes the tables and pictures of docs/boards.md and the README's table of one board, or checks that they are true.
 
-boards.py --build BUILD --host SHOW_HOST --stream STREAM --times CSV [--shown DIRECTORY --animated DIRECTORY] PAGE PICTURES README
+boards.py --build BUILD --host SHOW_HOST --stream STREAM --times CSV [--write] PAGE PICTURES README
 
-STREAM is what tests/pico/run.js wrote of that one board, CSV what times.py wrote of the example scenes. With --shown and
---animated (what tests/board/show.py and animate.py left there) the page and its pictures are written; without, they are
-checked: figures against the firmware that was built, within 2 %; pictures against what the host draws, which is what the
-panels show. Scenes that are not in CSV keep the times that the page has.
+STREAM is what tests/pico/run.js wrote of that one board, CSV what times.py wrote of the example scenes. With --write the page
+and its pictures are written; without, they are checked: figures against the firmware that was built, within 2 %; pictures
+against what the host draws, which is what the panels show (tests/board/show.py and animate.py). Scenes that are not in CSV keep the times that the page has.
 """
 import argparse
 import csv
 import os
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -27,7 +25,7 @@ import show  # noqa: E402
 import stack  # noqa: E402
 import times  # noqa: E402
 
-PICTURE = "teapot-0"
+PICTURE, PICTURE_OF_ONE_MODEL = "teapot-0", "torus576-0"
 
 # Panels in colour show the example scenes, these boards all of them; and how they move is seen on the last one.
 COLOUR = "RGB565"
@@ -150,8 +148,8 @@ def table_of_readme(build, table, stream):
 
 def table_of_entries(build, table):
     lines = ["| function | " + " | ".join(core for core, _ in ENTRY_CORES) + " |", "| --- |" + " ---: |" * len(ENTRY_CORES)]
-    header = os.path.join(HERE, "..", "..", "src", "glint.h")
-    found = [stack.entries(stack.read("%s/%s/O2/frames.elf" % (build, board), table), header) for _, board in ENTRY_CORES]
+    headers = [os.path.join(HERE, "..", "..", "src", name) for name in ("glint.h", "glint_extras.h")]
+    found = [stack.entries(stack.read("%s/%s/O2/frames.elf" % (build, board), table), headers) for _, board in ENTRY_CORES]
     for entry in ENTRIES:
         lines.append("| `%s` | " % entry + " | ".join(str(by_core[entry]) for by_core in found) + " |")
     return lines
@@ -176,33 +174,36 @@ def pixels(png):
     return body[:13] + zlib.decompress(body[13:])
 
 
+def pictures_of(row):
+    """@return {file: picture that the host draws} of a board"""
+    name = row["board"]
+    wanted = {name + ".png": PICTURE_OF_ONE_MODEL if name in show.ONE_MODEL else PICTURE}
+    wanted.update({"%s-%s.png" % (name, scene): scene + "-0" for scene in animate.SCENES if name in SCENE_BOARDS})
+    return wanted
+
+
 def check_pictures(tally, host, row, pictures):
     """Of a board, against what the host draws for it."""
-    name, program = row["board"], program_of(row)
-    wanted = {name + ".png": PICTURE}
-    wanted.update({"%s-%s.png" % (name, scene): scene + "-0" for scene in animate.SCENES if name in SCENE_BOARDS})
     with tempfile.TemporaryDirectory() as directory:
-        show.draw_on_host(program, host, show.BOARDS[name], directory)
-        for png, picture in wanted.items():
+        show.draw_on_host(program_of(row), host, show.BOARDS[row["board"]], directory)
+        for png, picture in pictures_of(row).items():
             drawn, png = os.path.join(directory, "drawn.png"), os.path.join(pictures, png)
             show.write_png(os.path.join(directory, picture + ".ppm"), drawn)
-            tally.check(os.path.exists(png) and pixels(png) == pixels(drawn), png + " is not what the panel shows")
-        if name == MOVIE_BOARD:
+            tally.check(os.path.exists(png) and pixels(png) == pixels(drawn), png + " is not what the panel shows: make figures")
+        if row["board"] == MOVIE_BOARD:
             movie = os.path.join(pictures, MOVIE)
             tally.check(os.path.exists(movie) and apng.read(movie)[0] == movie_of(directory),
-                        movie + " is not what the panel shows")
+                        movie + " is not what the panel shows: make figures")
 
 
-def write_pictures(arguments, row, taken):
-    """What the panel of a board showed."""
-    name = row["board"]
-    animated = os.path.join(arguments.animated, name)
-    shown = animated if is_in_colour(row) else os.path.join(arguments.shown, name)
-    shutil.copyfile(os.path.join(shown, PICTURE + ".png"), os.path.join(arguments.pictures, name + ".png"))
-    for scene in animate.SCENES if name in SCENE_BOARDS else ():
-        shutil.copyfile(os.path.join(animated, scene + "-0.png"), os.path.join(arguments.pictures, "%s-%s.png" % (name, scene)))
-    if name == MOVIE_BOARD:
-        write_movie(os.path.join(arguments.pictures, MOVIE), animated, taken)
+def write_pictures(host, row, pictures, taken):
+    """What the panel of a board shows."""
+    with tempfile.TemporaryDirectory() as directory:
+        show.draw_on_host(program_of(row), host, show.BOARDS[row["board"]], directory)
+        for png, picture in pictures_of(row).items():
+            show.write_png(os.path.join(directory, picture + ".ppm"), os.path.join(pictures, png))
+        if row["board"] == MOVIE_BOARD:
+            write_movie(os.path.join(pictures, MOVIE), directory, taken)
 
 
 def is_true(says, built):
@@ -219,7 +220,7 @@ def text_of(path):
 
 
 def check_page(tally, path, old, new):
-    tally.check(len(old.splitlines()) == len(new.splitlines()), "%s: rows are missing; see make boards-page" % path)
+    tally.check(len(old.splitlines()) == len(new.splitlines()), "%s: rows are missing; see make figures" % path)
     for says, built in zip(old.splitlines(), new.splitlines()):
         if built.startswith("|") and not built.startswith("| ---"):
             tally.check(is_true(says, built), "%s says\n  %s\ninstead of\n  %s" % (path, says, built))
@@ -229,8 +230,7 @@ def main():
     parser = argparse.ArgumentParser()
     for name in ("build", "host", "stream", "times"):
         parser.add_argument("--" + name, required=True)
-    parser.add_argument("--shown")
-    parser.add_argument("--animated")
+    parser.add_argument("--write", action="store_true")
     for name in ("page", "pictures", "readme"):
         parser.add_argument(name)
     arguments = parser.parse_args()
@@ -243,12 +243,12 @@ def main():
                               (arguments.page, "entries", table_of_entries(arguments.build, table)),
                               (arguments.readme, "one board", table_of_readme(arguments.build, table, arguments.stream))):
         new[path] = fill(new[path], name, lines)
-    if arguments.shown:
+    if arguments.write:
         for path, text in new.items():
             with open(path, "w") as file:
                 file.write(text)
         for row in read_boards():
-            write_pictures(arguments, row, taken)
+            write_pictures(os.path.abspath(arguments.host), row, arguments.pictures, taken)
         return 0
     tally = show.Tally()
     for path in old:

@@ -58,10 +58,10 @@ def check(figures, directory):
     draw(figures, directory)
     for name in CHARTS:
         drawn, kept = (os.path.join(place, name + ".svg") for place in (directory, KEPT))
-        tally.check(text_of(drawn) == text_of(kept), "%s is not what `make chart` draws: %s" % (kept, drawn))
+        tally.check(text_of(drawn) == text_of(kept), "%s is not what `make figures` draws: %s" % (kept, drawn))
         check_readable(tally, kept, text_of(kept))
     for path, blocks in PAGES.items():
-        tally.check(fill(text_of(path), blocks, figures) == text_of(path), "%s: run `make chart`" % path)
+        tally.check(fill(text_of(path), blocks, figures) == text_of(path), "%s: run `make figures`" % path)
     return tally.close()
 
 

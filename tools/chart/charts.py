@@ -3,15 +3,14 @@
 import math
 
 import timing
-from figures import ASKED, CPUS, LIGHT_COUNTS, LIGHTS, LIT, LIT_SIZE, budget_of, front, only
+from figures import ASKED, CPUS, LIGHT_COUNTS, LIGHTS, LIT, LIT_SIZE, front, only
 from plot import Axis, Chart, Panel
 
-# Exponents at which methods are compared: those for which their instructions are counted.
-POWER_P, LIGHTING_P = "64", "32"
+# The exponent at which methods are compared: that for which their instructions are counted.
+POWER_P = "64"
 
 EVALUATIONS = {"facet": ("per facet", "gold"), "vertex": ("per vertex", "blue"),
-               "node": ("per node", "teal"), "fragment": ("per fragment", "red")}
-BUDGETS = ("Blinn-Phong local within an error budget, steps", "violet")
+               "fragment": ("per fragment", "red")}
 
 
 def grid(chart, count, columns, left=64, top=86, gap=(66, 84), right=16, bottom=48):
@@ -39,10 +38,8 @@ def staircase(points, x_end):
     return line + [(x_end, line[-1][1])]
 
 
-# Points of one colour nearer to each other than this, in pixels, share a label; budgets sooner, whose labels would else
-# stand beside each other's points.
+# Points of one colour nearer to each other than this, in pixels, share a label.
 MERGED = 10
-MERGED_BUDGETS = 25
 
 
 def merge(panel, points):
@@ -50,9 +47,8 @@ def merge(panel, points):
     merged = []
     for x, y, label, colour in points:
         here = panel.place(x, y)
-        least = MERGED_BUDGETS if colour == BUDGETS[1] else MERGED
         near = [i for i, other in enumerate(merged)
-                if other[2] and other[3] == colour and math.dist(here, panel.place(*other[:2])) < least]
+                if other[2] and other[3] == colour and math.dist(here, panel.place(*other[:2])) < MERGED]
         if near:
             other = merged[near[0]]
             merged[near[0]] = (*other[:2], joined(other[2], label), colour)
@@ -62,28 +58,24 @@ def merge(panel, points):
 
 
 def joined(first, second):
-    """"Phong local" and "Blinn-Phong local" as "Phong, Blinn-Phong local", "budget 1" and "budget 2" as "budget 1, 2"."""
+    """"Phong local" and "Blinn-Phong local" as "Phong, Blinn-Phong local"."""
     head, _, tail = first.rpartition(" ")
     if head and second.endswith(" " + tail):
         first = head
-    before, _, last = second.rpartition(" ")
-    if last.isdigit() and first.startswith(before + " "):
-        second = last
     return first + ", " + second
 
 
 def mark_of(choice):
     """@return label and colour of a choice of shading"""
     evaluation, rest = choice.split(" ", 1)
-    budget = budget_of(choice)
-    return ("budget %d" % budget, BUDGETS[1]) if budget else (rest, EVALUATIONS[evaluation][1])
+    return rest, EVALUATIONS[evaluation][1]
 
 
 def frames(figures, scene="torus2304", size="320x240"):
     cpus = [cpu for cpu in ("m4", "m3", "m0", "rv32") if cpu in figures.cpus(figures.counts)]
     rows = (len(cpus) + 1) // 2
     chart = Chart("Whole frames of %s at %s: PSNR over instructions" % (scene, size),
-                  [*EVALUATIONS.values(), BUDGETS, ("other libraries", "grey"), ("dashed: best for their price", "green")],
+                  [*EVALUATIONS.values(), ("other libraries", "grey"), ("dashed: best for their price", "green")],
                   1020, 74 + 440 * rows)
     for cpu, box in zip(cpus, grid(chart, len(cpus), 2)):
         title = CPUS[cpu] + (", where others use the FPU" if cpu == "m4" else "")
@@ -95,7 +87,7 @@ def frames_scenes(figures):
     """The other benchmark scenes, on one core."""
     scenes = (("torus576", "320x240"), ("torus9216", "320x240"), ("sphere960", "320x240"), ("torus2304", "128x64"))
     chart = Chart("The other benchmark scenes on Cortex-M3: PSNR over instructions",
-                  [*EVALUATIONS.values(), BUDGETS, ("dashed: best for their price", "green")],
+                  [*EVALUATIONS.values(), ("dashed: best for their price", "green")],
                   1020, 74 + 440 * ((len(scenes) + 1) // 2))
     for (scene, size), box in zip(scenes, grid(chart, len(scenes), 2)):
         chart.panels.append(frames_panel(figures, "%s at %s" % (scene, size), scene, size, "m3", box))
@@ -103,9 +95,8 @@ def frames_scenes(figures):
 
 
 def frames_panel(figures, title, scene, size, cpu, box):
-    in_order = sorted(figures.choices(), key=lambda choice: not budget_of(choice)) # what is exact lies on top
     points = [(figures.instructions(scene, size, choice, cpu), figures.psnr(scene, size, choice),
-               *mark_of(choice)) for choice in in_order]
+               *mark_of(choice)) for choice in figures.choices()]
     with_fpu = "m4f" if cpu == "m4" else cpu
     others = [(float(row["million_instructions"]), float(row["psnr_db"]), "%s, %s" % (row["library"], row["mode"]), "grey")
               for row in figures.others
@@ -197,11 +188,6 @@ def normalise(figures):
     return methods(figures, "normalise", "", "One over a square root, and unit vectors: error over instructions", "call")
 
 
-def fragment(figures):
-    return methods(figures, "lighting", LIGHTING_P,
-                   "Lighting of a run of fragments, p = %s: error over instructions" % LIGHTING_P, "fragment", "16 pixels")
-
-
 def exponent(figures):
     colours = variant_colours(figures, "power")
     chart = Chart("cos^p: error over the exponent p", [*colours.items(), ("thick: the library's", "ink")], 1020, 640,
@@ -213,25 +199,6 @@ def exponent(figures):
         pairs = [(p, max(error, SMALLEST_ERROR)) for p, error in figures.errors("power", name, variant)]
         panel.line(pairs, colours[variant], 3 if shipped else 1.2, label=name)
     panel.rule(0.5, "half a step", right=True)
-    chart.panels.append(panel)
-    return chart.svg()
-
-
-# Every so many points of a lobe are drawn for the library, which lie on the true curve or beside it.
-LOBE_MARKS = 12
-
-
-def lobes(figures):
-    """The curve that a highlight follows from its centre to where it ends."""
-    chart = Chart("cos^s over the angle", [("marks: the library's", "blue"), ("lines: cos^s", "ink")], 820, 500)
-    panel = Panel("", grid(chart, 1, 1)[0], Axis("degrees from the highlight's centre", 0, 90), Axis("share of the light", 0, 1))
-    for p in dict.fromkeys(row["p"] for row in figures.lobes):
-        rows = only(figures.lobes, p=p)
-        panel.line([(float(row["degrees"]), float(row["true"])) for row in rows], "ink", 1)
-        marked = rows[::LOBE_MARKS]
-        middle = min(marked, key=lambda row: abs(float(row["true"]) - 0.55))
-        for row in marked:
-            panel.point(float(row["degrees"]), float(row["library"]), "s = " + p if row is middle else "", "blue")
     chart.panels.append(panel)
     return chart.svg()
 
@@ -323,6 +290,6 @@ def arena(figures):
     return chart.svg()
 
 
-CHARTS = {"power": power, "normalise": normalise, "fragment": fragment, "frames": frames, "frames-scenes": frames_scenes,
-          "exponent": exponent, "lobes": lobes, "shading": shading, "scaling": scaling, "bus": bus, "arena": arena,
+CHARTS = {"power": power, "normalise": normalise, "frames": frames, "frames-scenes": frames_scenes,
+          "exponent": exponent, "shading": shading, "scaling": scaling, "bus": bus, "arena": arena,
           "lights": lights}

@@ -15,7 +15,6 @@ typedef struct choice {
     const glint_model *model;
     glint_viewer viewer;
     int shininess_divisor; /**< Of the exponent, for the highlight that looks most like Blinn-Phong's. */
-    int32_t error_budget;  /**< Steps of an output channel. */
 } choice;
 
 /* The highlight of Phong has the size of Blinn-Phong's at a quarter of the exponent; Lambert has none, nor a viewer. */
@@ -27,26 +26,8 @@ typedef struct choice {
         name " Blinn-Phong local", evaluation, &glint_model_blinn_phong, GLINT_VIEWER_LOCAL, 1            \
     }
 
-/* Per node differs from per fragment where fast lighting does not serve: by the Phong model. */
-#define CHOICES_OF_NODES                                                                      \
-    {"node Phong infinite", &glint_per_node, &glint_model_phong, GLINT_VIEWER_INFINITE, 4}, { \
-        "node Phong local", &glint_per_node, &glint_model_phong, GLINT_VIEWER_LOCAL, 4        \
-    }
-
-/* What scenes ask for, with an error budget: held by that, not by the contract. */
-#define CHOICE_OF_BUDGET(steps)                                                                     \
-    {                                                                                               \
-        "fragment Blinn-Phong local budget " #steps, &glint_per_fragment, &glint_model_blinn_phong, \
-            GLINT_VIEWER_LOCAL, 1, steps                                                            \
-    }
-
-static const choice choices[] = {CHOICES_OF("facet", &glint_per_facet),
-                                 CHOICES_OF("vertex", &glint_per_vertex),
-                                 CHOICES_OF_NODES,
-                                 CHOICES_OF("fragment", &glint_per_fragment),
-                                 CHOICE_OF_BUDGET(1),
-                                 CHOICE_OF_BUDGET(2),
-                                 CHOICE_OF_BUDGET(4)};
+static const choice choices[] = {CHOICES_OF("facet", &glint_per_facet), CHOICES_OF("vertex", &glint_per_vertex),
+                                 CHOICES_OF("fragment", &glint_per_fragment)};
 #define CHOICES (sizeof choices / sizeof *choices)
 
 /** Sizes of the screen. */
@@ -59,7 +40,6 @@ static inline void choose(const choice *chosen, glint_scene *scene, glint_object
     material->model = chosen->model;
     material->shininess /= chosen->shininess_divisor;
     scene->viewer = chosen->viewer;
-    scene->error_budget = chosen->error_budget;
 }
 
 #endif

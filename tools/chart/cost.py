@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What choices cost, beside what they look like: torus576 at 320x240 in the benchmark's light, from `make bench`."""
 import timing
-from figures import one, only
+from figures import one
 from table import table
 
 SCENE, SIZE = "torus576", "320x240"
@@ -58,48 +58,5 @@ def tiles(figures):
                  [[what] + price(figures, variant) for what, variant in rows])
 
 
-def budgets(figures):
-    """Error budgets, in steps of the format."""
-    rows = [row for row in only(figures.modelled_counts, scene=SCENE, size=SIZE, cpu="m3") if row["way"].startswith(("exact", "budget"))]
-    exact = int(one(rows, way="exact")["instructions"])
-    return table(["", "million instructions, Cortex-M3", "times those without"],
-                 [[row["way"].replace("exact", "without").replace("budget", "error budget of") + " steps" * (row["way"] != "exact"),
-                   timing.cell(int(row["instructions"]) / 1e6), "%.2f" % (int(row["instructions"]) / exact)] for row in rows])
-
-
-# Columns of prices, and what they are called.
-PRICED = {"instructions_m0": "instructions, Cortex-M0", "instructions_m3": "Cortex-M3", "instructions_m4": "Cortex-M4",
-          "instructions_rv32": "RV32IMC", "cycles_m0": "cycles, Cortex-M0 that multiplies in 32", "cycles_m0plus": "Cortex-M0+",
-          "cycles_m3": "Cortex-M3", "cycles_m4": "Cortex-M4"}
-
-
-def prices(figures):
-    """What each item of a frame takes; items that add nothing are left out."""
-    def cell(row, column):
-        return "%.4g" % float(row[column]) if float(row[column]) < 1e4 else "%.0f" % float(row[column])
-    return table(["one", *PRICED.values()], [[row["one"]] + [cell(row, column) for column in PRICED] for row in figures.prices
-                                             if any(float(row[column]) for column in PRICED)])
-
-
-def judged_prices(columns, is_shown):
-    """What they are off by on frames that they were not fitted to, percent: those whose variant is shown."""
-    def block(figures):
-        judged = [row for row in figures.judged_prices if is_shown(row["variant"])]
-        rows, errors = [], {column: [float(row["error_percent"]) for row in only(judged, column=column)] for column in columns}
-        for name, variant in dict.fromkeys((row["name"], row["variant"]) for row in judged):
-            rows.append(["%s, %s" % (name, variant.replace(" local 32x32", ""))] +
-                        [one(judged, name=name, variant=variant, column=column)["error_percent"] for column in columns])
-        for what, of in (("mean, without sign", lambda values: sum(values) / len(values)), ("worst", max)):
-            rows.append(["**%s**" % what] + ["**%.1f**" % of(list(map(abs, errors[column]))) for column in columns])
-        return table(["off by, %"] + [PRICED[column] for column in columns], rows)
-    return block
-
-
-# Frames of the benchmark name size and tiles; pictures of the gallery have been counted on two cores.
-judged_frames = judged_prices(list(PRICED), lambda variant: " " in variant)
-judged_pictures = judged_prices(["instructions_m0", "instructions_m3"], lambda variant: " " not in variant)
-
-
 BLOCKS = {"cost shading": choices(SHADING), "cost materials": choices(MATERIALS), "cost lights": choices(LIGHTS),
-          "cost formats": choices(FORMATS), "cost tiles": tiles, "cost budgets": budgets,
-          "cost prices": prices, "cost judged": judged_frames, "cost pictures": judged_pictures}
+          "cost formats": choices(FORMATS), "cost tiles": tiles}

@@ -10,12 +10,6 @@ CPUS = {"m0": "Cortex-M0", "m3": "Cortex-M3", "m4": "Cortex-M4", "rv32": "RV32IM
 ASKED = "fragment Blinn-Phong local"
 
 
-def budget_of(choice):
-    """Of a choice of shading: the error budget, steps of an output channel; 0 for those held to be exact."""
-    before, _, steps = choice.rpartition(" budget ")
-    return int(steps) if before else 0
-
-
 # Kinds of light and numbers of them that frames of LIT are counted with, and what one and several of them are called.
 LIT, LIT_SIZE = "torus576", "320x240"
 LIGHTS = {"directional": ("directional", "directional"), "point": ("point", "points"), "spot": ("spot", "spots")}
@@ -73,13 +67,8 @@ class Figures:
         self.bench = read(directory, "bench.csv")
         self.accuracy = read(directory, "accuracy.csv")
         self.shading = read(os.path.join(directory, "charts"), "shading.csv")
-        self.lobes = read(os.path.join(directory, "charts"), "lobes.csv")
-        self.modelled = read(directory, "modelled.csv")
-        self.modelled_counts = read(directory, "modelled-instructions.csv")
         self.scaling = read(os.path.join(directory, "charts"), "scaling.csv")
         self.parts = read(directory, "parts.csv")
-        self.prices = read(directory, "prices.csv")
-        self.judged_prices = read(directory, "prices-judged.csv")
         self.arena = read(os.path.join(directory, "charts"), "arena.csv")
 
     def cpus(self, rows):

@@ -209,9 +209,7 @@ static void judge_own(int which, const uint16_t size[2], const choice *chosen, i
 static void judge_contract(int which, const uint16_t size[2], truth *right) {
     for (size_t i = 0; i < CHOICES; i++) {
         const int has_highlight = choices[i].model != &glint_model_lambert;
-        const int is_held =
-            (choices[i].evaluation == &glint_per_fragment || choices[i].evaluation == &glint_per_node) &&
-            !choices[i].error_budget;
+        const int is_held = choices[i].evaluation == &glint_per_fragment;
         for (size_t p = 0; p < EXPONENTS && is_held; p++)
             if (has_highlight || p == 0)
                 judge_own(which, size, &choices[i], exponents[p], right);

@@ -4,9 +4,8 @@ import re
 import textwrap
 
 import cost
-import modelled
 import timing
-from figures import ASKED, CPUS, LIGHTS, budget_of, front, one, only
+from figures import ASKED, CPUS, LIGHTS, front, one, only
 from table import bullets, listed, table
 
 EXPONENTS = ("1", "2", "8", "32", "64", "256", "1024")
@@ -84,7 +83,7 @@ def frames(figures):
     rows = []
     for choice in figures.choices():
         evaluation, rest = choice.split(" ", 1)
-        rows.append(["per " + evaluation, rest.replace(" budget", ", error budget"), "%.1f" % figures.psnr(SCENE, SIZE, choice)] +
+        rows.append(["per " + evaluation, rest, "%.1f" % figures.psnr(SCENE, SIZE, choice)] +
                     ["%.2f" % figures.instructions(SCENE, SIZE, choice, cpu) for cpu in cpus])
     return table(["evaluation", "model and viewer", "PSNR, dB"] + ["million instructions, " + CPUS[cpu] for cpu in cpus],
                  rows)
@@ -182,7 +181,7 @@ def cycles_beside_float(figures):
     said = ["%s at %s (%.2f times)" % (timing.name_of(frame), frame[1], ratios[frame]) for frame in less]
     return ("In cycles, [as they are modelled](boards.md#milliseconds-of-a-frame), glint on Cortex-M4 takes less than good float "
             "with an FPU in %s, and %.1f to %s as many in the other %d frames that are listed there." % (
-                listed(said), min(ratio for ratio in ratios.values() if ratio > 1), times(max(ratios.values())),
+                listed(said), min((ratio for ratio in ratios.values() if ratio > 1), default=1), times(max(ratios.values())),
                 len(ratios) - len(less)) if less else "In cycles glint takes more than good float everywhere.")
 
 
@@ -305,13 +304,6 @@ def ranges(errors):
     return ", ".join("%g" % errors[a][0] if a == b else "%g to %g" % (errors[a][0], errors[b][0]) for a, b in runs)
 
 
-def lobes(figures):
-    """How far the library's cos^s is from the true one."""
-    exponents = list(dict.fromkeys(row["p"] for row in figures.lobes))
-    worst = [max(255 * abs(float(row["library"]) - float(row["true"])) for row in only(figures.lobes, p=p)) for p in exponents]
-    return table(["s"] + exponents, [["largest error, steps of 8 bits"] + ["%.3f" % error for error in worst]])
-
-
 def shading(figures):
     """Errors and instructions of each evaluation over triangles, both formats side by side."""
     formats = list(dict.fromkeys(row["format"] for row in figures.shading))
@@ -332,8 +324,7 @@ def evaluation_matters_less(figures):
 
 def exact_is_ideal(figures):
     ideal = figures.psnr(SCENE, SIZE, "correctly rounded")
-    return all((figures.psnr(SCENE, SIZE, choice) > ideal - 0.5) == (choice == ASKED) for choice in figures.choices()
-               if not budget_of(choice))
+    return all((figures.psnr(SCENE, SIZE, choice) > ideal - 0.5) == (choice == ASKED) for choice in figures.choices())
 
 
 def facet_is_cheapest(figures):
@@ -351,8 +342,10 @@ def fragments_need_fewer(figures):
     words = []
     for format in dict.fromkeys(row["format"] for row in figures.shading):
         vertex = one(figures.shading, format=format, evaluation="vertex", triangles=MANY)
-        fragment = min((row for row in only(figures.shading, format=format, evaluation="fragment")
-                        if float(row["rms"]) <= float(vertex["rms"])), key=lambda row: int(row["triangles"]))
+        as_good = [row for row in only(figures.shading, format=format, evaluation="fragment") if float(row["rms"]) <= float(vertex["rms"])]
+        if not as_good:
+            continue
+        fragment = min(as_good, key=lambda row: int(row["triangles"]))
         words.append("%s: %s triangles per fragment reach what %s per vertex do (%.1f and %.1f steps), for %.1f in place of "
                      "%.1f million instructions." % (format.upper(), fragment["triangles"], MANY, float(fragment["rms"]),
                                                      float(vertex["rms"]), float(fragment["instructions"]) / 1e6,
@@ -369,53 +362,6 @@ def vertices_fall_behind(figures):
 def small_triangles_suit_fragments(figures):
     return all(figures.instructions("torus2304", "128x64", ASKED, cpu) <
                figures.instructions("torus2304", "128x64", "vertex Blinn-Phong local", cpu) for cpu in ("m3", "m4"))
-
-
-def budgets(figures):
-    """@return the choices with an error budget, and the steps that it has"""
-    return {choice: budget_of(choice) for choice in figures.choices() if budget_of(choice)}
-
-
-def saved(figures, scene, size, choice):
-    """Of what the exact picture takes on Cortex-M3, percent."""
-    return 100 * (1 - figures.instructions(scene, size, choice, "m3") / figures.instructions(scene, size, ASKED, "m3"))
-
-
-def lost(figures, scene, size, choice):
-    """Of the exact picture's PSNR, dB."""
-    return figures.psnr(scene, size, ASKED) - figures.psnr(scene, size, choice)
-
-
-def budgets_of_frame(figures):
-    found = budgets(figures)
-    return ("Within error budgets of %s steps the same picture takes %s %% fewer instructions on M3, and loses %s dB." % (
-        listed(map(str, found.values())), listed(["%.1f" % saved(figures, SCENE, SIZE, choice) for choice in found]),
-        listed(["%.1f" % lost(figures, SCENE, SIZE, choice) for choice in found])))
-
-
-def nothing_near_budgets(figures):
-    largest = max(budgets(figures), key=budgets(figures).get)
-    price, psnr = figures.instructions(SCENE, SIZE, largest, "m3"), figures.psnr(SCENE, SIZE, largest)
-    cheaper = [figures.psnr(SCENE, SIZE, choice) for choice in figures.choices()
-               if not budget_of(choice) and figures.instructions(SCENE, SIZE, choice, "m3") < price]
-    return ("No choice of shading that takes fewer instructions on M3 than a budget of %d steps comes within %d dB of it." % (
-        budget_of(largest), psnr - max(cheaper)) if cheaper else
-            "No choice of shading takes fewer instructions on M3 than a budget of %d steps." % budget_of(largest))
-
-
-def budgets_of_scenes(figures):
-    largest = max(budgets(figures), key=budgets(figures).get)
-    found = sorted((saved(figures, scene, size, largest), scene, size, lost(figures, scene, size, largest))
-                   for scene, size in dict.fromkeys((row["scene"], row["size"]) for row in figures.counts))
-    return ("A budget of %d steps saves from %.1f %% (%s at %s) to %.1f %% (%s at %s) of the instructions on M3, for %.1f to "
-            "%.1f dB." % (budget_of(largest), *found[0][:3], *found[-1][:3], min(row[3] for row in found),
-                          max(row[3] for row in found)))
-
-
-def large_triangles_gain(figures):
-    largest = max(budgets(figures), key=budgets(figures).get)
-    gains = [saved(figures, scene, SIZE, largest) for scene in ("torus9216", "torus2304", "torus576")]
-    return gains == sorted(gains)
 
 
 def always(figures):
@@ -435,14 +381,13 @@ frame_findings = findings(
      "fragment with an infinite one.", evaluation_matters_less),
     ("Per fragment with a local viewer is within half a decibel of what the format allows, and no other evaluation or viewer "
      "is.", exact_is_ideal),
-    (budgets_of_frame, always), (nothing_near_budgets, always),
     ("Per facet takes the fewest instructions on every core here, and shows every triangle.", facet_is_cheapest))
 
 scene_findings = findings(
     ("The larger the triangles, the further lighting per vertex falls behind.", vertices_fall_behind),
     ("Where triangles are a few pixels small, as in torus2304 at 128x64, lighting per fragment takes fewer instructions "
      "than lighting per vertex on M3 and M4.", small_triangles_suit_fragments),
-    (budgets_of_scenes, always), ("The larger the triangles of a torus, the more an error budget saves.", large_triangles_gain))
+    )
 
 float_findings = findings((benchmark_beside_float, always), (cycles_beside_float, always), (examples_behind_float, always))
 
@@ -450,23 +395,16 @@ light_findings = findings((each_light_takes, always), (few_and_many_lights, alwa
 
 shading_findings = findings((fragments_need_fewer, always))
 
-POWERS, LIGHTINGS = ("1", "8", "64", "256", "1024"), ("8", "32", "64", "256", "1024")
+POWERS = ("1", "8", "64", "256", "1024")
 
 PAGES = {
     "docs/accuracy.md": {
         "best": best, "contract": contract, "steps": steps, "gallery": gallery, "frames": frames, "frame findings": frame_findings, "scenes": scenes,
-        "modelled kernels": modelled.kernels, "modelled lightings": modelled.lightings,
-        "modelled savings": modelled.savings, "modelled findings": modelled.findings,
         "scene findings": scene_findings, "others": others, "float findings": float_findings,
         "examples in float": examples_in_float, "light findings": light_findings, "shading": shading, "shading findings": shading_findings,
-        "lighting cheapest": cheapest("lighting", "16 pixels", (8, 32, 64, 256, 1024)),
-        "power cheapest": cheapest("power", "sin^2", (2, 4, 8, 16, 32, 64, 128, 256, 512, 1024)),
         "normalise cheapest": cheapest("normalise", "vector", ()),
-        "half vector cheapest": cheapest("half_vector", "", (8, 32, 64, 256, 1024)),
-        "lighting": methods("lighting", "32", LIGHTINGS, "in runs of"), "power": methods("power", "64", POWERS),
-        "lobes": lobes, "breaks": breaks, "normalise": methods("normalise", "", ()), "divide": methods("divide", "", ()),
-        "half vector": methods("half_vector", "32", LIGHTINGS), "colour": methods("colour", "", ()),
-        "rounding": methods("rounding", "", ())},
+        "power": methods("power", "64", POWERS),
+        "breaks": breaks, "normalise": methods("normalise", "", ())},
     "docs/cost.md": cost.BLOCKS,
     "docs/boards.md": {"times": timing.frame_times},
 }
@@ -475,7 +413,7 @@ PAGES = {
 def fill(text, blocks, figures):
     """@return a page's text with what its blocks say now"""
     for name, block in blocks.items():
-        begin, end = "<!-- %s: made by make chart -->\n" % name, "<!-- end of %s -->" % name
+        begin, end = "<!-- %s: made by make figures -->\n" % name, "<!-- end of %s -->" % name
         if text.count(begin) != 1 or text.count(end) != 1:
             raise ValueError("no block '%s' in the page" % name)
         text = re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: begin + block(figures) + end, text, flags=re.S)

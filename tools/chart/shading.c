@@ -3,6 +3,7 @@
  * Errors against the true smooth surface, over pixels that both cover: a torus of many triangles in double precision
  * stands in for it. Prints format, evaluation, triangles, root mean square and largest error in steps of 8 bits.
  */
+#include "glint_extras.h"
 #include "picture.h"
 #include "reference.h"
 #include "shading_scene.h"

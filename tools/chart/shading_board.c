@@ -2,6 +2,7 @@
 /* Firmware that counts the instructions per frame of the same scenes, clear and stored pixels included. */
 #include "../bench/counter.h"
 #include "board.h"
+#include "glint_extras.h"
 #include "shading_scene.h"
 #include "text.h"
 

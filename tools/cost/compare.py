@@ -23,7 +23,7 @@ def main():
     for name in names:
         path = os.path.join(kept, name)
         tally.check(os.path.exists(path) and content(os.path.join(drawn, name)) == content(path),
-                    "%s is not what is drawn: make cost-pictures or page-pictures" % path)
+                    "%s is not what is drawn: make figures" % path)
         tally.check(name in shown, "%s do not show %s" % (pages, name))
     tally.check(shown <= set(names), "%s show what is not there: %s" % (pages, sorted(shown - set(names))))
     return tally.close()

@@ -18,9 +18,8 @@ COVERAGE_FUZZ    := fuzz_render fuzz_differential
 
 COVERAGE_SUITES_host  := $(TEST_SUITES) old limits stability_regions stability_kept threads
 COVERAGE_SUITES_panel := $(PANEL_SUITES) bus
-$(foreach build,small split divide zeros mixed,$(eval COVERAGE_SUITES_$(build) := unit stability_regions stability_kept fill_rule lines nodes))
-# Tests that look into the library know its rows whole.
-COVERAGE_SUITES_split := unit nodes
+$(foreach build,small split divide zeros mixed,$(eval COVERAGE_SUITES_$(build) := unit stability_regions stability_kept fill_rule lines))
+COVERAGE_SUITES_split := unit
 
 # Names of panels' tests are clang's to judge, as where they run under the sanitisers.
 $(eval $(call test_objects,coverage/panel/tests,clang-19 -O2))
@@ -72,21 +71,14 @@ coverage-programs:
 	@$(COVERAGE_PROGRAMS)/host/glint-import >/dev/null 2>&1; true
 	+@$(COVERAGE_MAKE) test-host-cli test-view
 
-# The page is written from what was measured last.
 COVERAGE_LIBRARY  := $(addprefix coverage-,$(COVERAGE_BUILDS) panel)
 COVERAGE_PROFILES := $(foreach build,$(COVERAGE_BUILDS),$(COVERAGE)/$(build)=$(COVERAGE)/$(build)/unit) \
     $(COVERAGE)/panel=$(COVERAGE)/panel/bus
-COVERAGE_JUDGE := python3 tools/coverage/coverage.py --exceptions tools/coverage/exceptions.csv --open tools/coverage/open.csv
+COVERAGE_JUDGE := python3 tools/coverage/coverage.py $(if $(GAPS),--gaps)
 COVERAGE_ALL   := $(COVERAGE_PROFILES) $(COVERAGE_PROGRAMS)=$(subst $() $(),$(comma),$(COVERAGE_HOST))
-.PHONY: coverage coverage-library coverage-open coverage-page
-coverage: $(COVERAGE_LIBRARY) coverage-programs ## what tests reach: lines, branches and MC/DC of the library, panel drivers and host programs
+.PHONY: coverage coverage-library
+coverage: $(COVERAGE_LIBRARY) coverage-programs ## what tests reach: lines, branches and MC/DC of the library, panel drivers and host programs (GAPS=1: what they do not)
 	@$(COVERAGE_JUDGE) $(COVERAGE_ALL)
 
 coverage-library: $(COVERAGE_LIBRARY) ## the same of the library and panel drivers alone
 	@$(COVERAGE_JUDGE) $(COVERAGE_PROFILES)
-
-coverage-open: ## write the gaps that the last run found, and that are not beyond reach, into tools/coverage/open.csv
-	@$(COVERAGE_JUDGE) --renew $(COVERAGE_PROFILES)
-
-coverage-page: ## write what `make coverage` measured into docs/coverage.md
-	@$(COVERAGE_JUDGE) --page docs/coverage.md $(COVERAGE_ALL)

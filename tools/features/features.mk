@@ -21,7 +21,7 @@ FEATURES_CORES  := $(call pick,8,m3 m0)
 FEATURES_LEVELS := $(call pick,0,Os O2)
 
 .PHONY: features test-features
-features: $(call features_built,m3 m0,Os O2) ## measure what each feature costs, and write it into docs/features.md
+features: $(call features_built,m3 m0,Os O2)
 	@$(call features,m3 m0)
 
 test-features: $(call features_built,$(FEATURES_CORES),$(FEATURES_LEVELS)) ## docs/features.md against what is measured, of a core and a level that a seed picks

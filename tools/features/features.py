@@ -34,10 +34,6 @@ GROUPS = (
         ("Lambert", {"MODEL": "glint_model_lambert"}),
         ("unlit", {"MODEL": "glint_model_unlit"}))),
     ("Evaluation, in place of every fragment", (
-        ("per node", {"EVALUATION": "glint_per_node"}),
-        ("per node, RGB888", {"EVALUATION": "glint_per_node", "FORMAT": "glint_format_rgb888"}),
-        ("per node, point", {"EVALUATION": "glint_per_node", "LIGHT": "glint_light_point"}),
-        ("per node, two directional", {"EVALUATION": "glint_per_node", "LIGHTS": "2"}),
         ("per vertex", {"EVALUATION": "glint_per_vertex"}),
         ("per facet", {"EVALUATION": "glint_per_facet"}),
         ("per vertex, RGB888", {"EVALUATION": "glint_per_vertex", "FORMAT": "glint_format_rgb888"}),
@@ -86,10 +82,6 @@ GROUPS = (
 OPTIONS, FUNCTIONS = GROUPS[-2][1], GROUPS[-1][1]
 
 COLUMNS = ("feature", "core", "level", "flash", "flash_beside_base", "instructions_320x240", "instructions_128x64")
-
-# Rows, and the same per fragment on the general path, which takes more: at 320x240, and for the first two at 128x64 too.
-CHEAPER = {"per vertex, RGB888": "RGB888", "per facet, RGB888": "RGB888",
-           "per node, RGB888": "RGB888", "per node, point": "point", "per node, two directional": "two directional"}
 
 # Rows of meshes in smaller types, beside the same mesh in arrays; what cannot be drawn: the torus has more than 256 vertices.
 PLAIN, SMALLER, NOT_DRAWN = "no clusters", "no clusters, ", "not drawn"
@@ -210,7 +202,7 @@ def check_section(tally, path, level, cores, text):
         name, says = now.split("|")[1].strip(), line.split("|")[1].strip() if "|" in line else line
         tally.check(name == says, "%s: the page says '%s'" % (now, says))
         tally.check(len(figures(line)) == len(figures(now)) and all(map(is_near, figures(line), figures(now))),
-                    "the page is out of date, run `make features`:\n  %s\n  %s" % (line, now))
+                    "the page is out of date, run `make figures`:\n  %s\n  %s" % (line, now))
 
 
 def check_claims(tally, rows, cores, levels):
@@ -219,12 +211,6 @@ def check_claims(tally, rows, cores, levels):
         for level in levels:
             of = {name: row for (name, *which), row in rows.items() if which == [core, level]}
             where = "%s, -%s: " % (core, level)
-            for name, slower in CHEAPER.items():
-                sizes = ("large",) if name.startswith("per node") else ("large", "small")
-                for count, fragment in ((getattr(of[name], size), getattr(of[slower], size)) for size in sizes):
-                    tally.check(count < fragment, where + "%s takes %d instructions, per fragment %d" % (name, count, fragment))
-            tally.check(of["per node"].large < 1.01 * of[""].large, where + "fast lighting does not serve per node")
-            tally.check(of[""].large < of["per vertex"].large, where + "per vertex takes fewer instructions than the base")
             for name in of:
                 if name.startswith(SMALLER):
                     tally.check(of[name].flash > of[PLAIN].flash, where + name + " takes no flash: was it linked?")

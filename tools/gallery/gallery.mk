@@ -18,7 +18,7 @@ $(BUILD)/gallery-instructions.csv: $(GALLERY_ELVES) tools/chart/count.py tools/b
 	    $(foreach pair,$(GALLERY_BOARDS),$(call chart_run,$(pair),gallery_costs)) > $@
 
 .PHONY: gallery
-gallery: $(HOST_PROGRAM) $(GALLERY_FIGURES) $(BUILD)/gallery-instructions.csv ## draw the example scenes into docs/gallery, and count what each picture takes
+gallery: $(HOST_PROGRAM) $(GALLERY_FIGURES) $(BUILD)/gallery-instructions.csv
 	cp $(BUILD)/gallery-instructions.csv docs/
 	python3 tools/gallery/gallery.py $(HOST_PROGRAM) $(GALLERY_FIGURES) docs/gallery-instructions.csv docs/gallery
 

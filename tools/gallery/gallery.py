@@ -12,7 +12,7 @@ import sys
 MOVING = {"halloween:night": 24, "phong-lighting:light": 18, "phong-lighting:turning": 18, "phong-lighting:orbit": 18}
 
 HEAD = """<!-- SPDX-License-Identifier: MIT -->
-<!-- Written by `make gallery`, not to be edited. -->
+<!-- Written by `make figures`, not to be edited. -->
 # Gallery
 
 The example scenes (`examples/scenes/`) as glint draws them. They come from four teaching texts: notes on the models of Phong and
@@ -23,8 +23,7 @@ by itself in RGB565, without labels, clear and copy to a framebuffer included (`
 [accuracy](../accuracy.md#whole-frames) have means of ten frames that follow each other.
 
 *Phong shading* is lighting per fragment, with the normal interpolated, whatever the model; the *Phong model* is a highlight around
-the reflected light, wherever it is evaluated. The scenes are lit [per node](../design.md#light-at-nodes), which is lighting per
-fragment within a fraction of a level, but for objects that are lit per vertex. Nothing in these scenes casts a shadow.
+the reflected light, wherever it is evaluated. The scenes are lit per fragment, but for objects that are lit per vertex. Nothing in these scenes casts a shadow.
 """
 
 # Of each text: what it says, where that is shown, and what is measured there, with figures by name.

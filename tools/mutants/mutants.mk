@@ -9,9 +9,8 @@ MUTANTS_FILES ?=
 MUTANTS_JOBS  ?= $(shell nproc)
 
 # What judges; which comes first follows from the time that they take, and from what they noticed before.
-MUTANTS_SUITES := unit pixels stability_kept changes diagnose camera pick output point highlights skipped region callbacks lines extremes hidden opposed \
-    fill_rule turned drops stability_regions orthographic layouts numbers kept arenas identity setup nodes budget gallery formats models \
-    accuracy compare patches
+MUTANTS_SUITES := unit pixels stability_kept changes diagnose camera pick output highlights skipped region callbacks lines extremes dark hidden opposed \
+    fill_rule turned stability_regions orthographic layouts numbers kept arenas identity gallery formats models accuracy compare patches
 # Those of panels, each a program of its own.
 MUTANTS_PANELS := pictures complaints faults i2c
 
@@ -23,12 +22,6 @@ mutants_run = python3 tools/mutants/mutants.py --build $(BUILD)/mutants --known 
     $(foreach suite,$(MUTANTS_SUITES),--suite "$(suite)=$(call mutants_sources,$(SUITE_$(suite)))") \
     $(foreach suite,$(MUTANTS_PANELS),--suite "panel_$(suite)=$(call mutants_sources,tests/panel/$(suite).c $(PANEL_SHARED))")
 
-.PHONY: mutants mutants-figures
+.PHONY: mutants
 mutants: ## change MUTANTS places of src/ and port/panel/, one at a time, from MUTANTS_SEED (MUTANTS_FILES: only there): does a suite notice?
 	@$(mutants_run) --files $(MUTANTS_FILES)
-
-# The run that docs/mutants.csv is about: `make mutants` with these, as often as it was stopped, then this.
-mutants-figures: MUTANTS := 500
-mutants-figures: MUTANTS_SEED := 2026
-mutants-figures: ## docs/mutants.csv: what `make mutants MUTANTS=500 MUTANTS_SEED=2026` has found so far
-	@$(mutants_run) --figures docs/mutants.csv

@@ -10,7 +10,7 @@ the library, is passed over.
 The work tree is only read: mutants are built from a copy, and only those objects that the change reaches. Each mutant
 goes through the suites, quick ones and those that noticed most first, up to the first that fails, crashes, or takes far
 more processor time than with the library itself. What was found is kept in results.csv: the next call goes on from there. Survivors stay in known.csv with
-the reason why nothing can notice them; any other makes the exit status 1.
+the reason why nothing can notice them; any other makes the exit status 1. An entry whose line has changed counts no more.
 """
 
 import argparse
@@ -474,35 +474,6 @@ def read_known(path):
         return {(row["file"], row["line"], row["mutant"]): row["reason"] for row in csv.DictReader(file)}
 
 
-def stale_of(known, mutants):
-    """Entries that are no mutants of the files at hand."""
-    there, files = {(m.file, m.before, m.after) for m in mutants}, {m.file for m in mutants}
-    return [entry for entry in known if entry not in there and (entry[0] in files or not os.path.exists(entry[0]))]
-
-
-def count_judged(results, known, mutants, count):
-    """@return what became of the first `count` mutants, as far as results tell: killed, known, survived or left"""
-    counts = collections.Counter()
-    for m in mutants:
-        result = "known" if (m.file, m.before, m.after) in known else results.get(m) or "left"
-        if result not in ("none", "same"):
-            counts[result if result in ("known", "survived", "left") else "killed"] += 1
-        if counts.total() == count:
-            break
-    return counts
-
-
-def write_figures(path, seed, places, counts):
-    """What pages show of a run: the last commit to what is mutated; `left` are those that not all suites have judged."""
-    last = subprocess.run(["git", "log", "-1", "--format=%h,%cs", "--", *MUTATED], check=True, capture_output=True, text=True)
-    commit, date = last.stdout.strip().split(",")
-    with open(path, "w", newline="") as file:
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(("commit", "date", "seed", "places", "judged", "killed", "listed", "survived", "left"))
-        table.writerow((commit, date, seed, places, counts.total() - counts["left"], counts["killed"], counts["known"],
-                        counts["survived"], counts["left"]))
-
-
 def judge_all(builder, results, known, mutants, count, jobs):
     """@return (mutant, result) of the first mutants that make `count` to be judged"""
     free = [os.path.join(builder.build, f"mutant{i}") for i in range(jobs)]
@@ -545,7 +516,6 @@ def main():
     parser.add_argument("--compiler", required=True)
     parser.add_argument("--flags", required=True, help="of the compiler")
     parser.add_argument("--files", nargs="*", default=[], help="of src/ and port/panel/; all unless some are named")
-    parser.add_argument("--figures", help="CSV to write of what was judged so far; nothing is judged then")
     parser.add_argument("--suite", action="append", required=True, metavar="NAME=SOURCES", help="suites, in order")
     arguments = parser.parse_args()
 
@@ -562,10 +532,6 @@ def main():
     os.makedirs(arguments.build, exist_ok=True)
     results = Results(os.path.join(arguments.build, "results.csv"), arguments.seed, library, others)
     known = read_known(arguments.known)
-    if arguments.figures:
-        counts = count_judged(results, known, mutants, arguments.count)
-        write_figures(arguments.figures, arguments.seed, len(mutants), counts)
-        return 0
     builder = Builder(arguments.build, arguments.compiler, arguments.flags, suites)
     builder.prepare(library + others, arguments.jobs)
     judged, done = judge_all(builder, results, known, mutants, arguments.count, arguments.jobs)
@@ -576,10 +542,7 @@ def main():
         print(f"{m.file}:{m.line}: {'known: ' + reason if reason else 'SURVIVED'}\n  - {m.before}\n  + {m.after}")
     print("by suite:", ", ".join(f"{name} {n}" for name, n in collections.Counter(r for _, r in judged).most_common()))
     print(f"{len(judged) - len(survivors)} of {len(judged)} killed, {done - len(judged)} passed over; {len(mutants)} in all")
-    stale = stale_of(known, mutants)
-    for file, before, after in stale:
-        print(f"{arguments.known}: {file} has no such place any more\n  - {before}\n  + {after}")
-    return bool(stale) or any(result == "survived" for _, result in judged)
+    return any(result == "survived" for _, result in judged)
 
 
 if __name__ == "__main__":

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-# What others take: the library as two files, installed, and as an archive of the sources.
+# What others take: the library as one source and two headers, installed, and as an archive of the sources.
 
 SINGLE := $(BUILD)/single
 PUBLIC_HEADERS := $(wildcard src/*.h)
 
 .PHONY: single install uninstall pack dist
 
-single: $(SINGLE)/glint.c ## the library as two files, glint.c and glint.h, in build/single
-$(SINGLE)/glint.c $(SINGLE)/glint.h &: tools/packages/single.py $(LIBRARY) $(wildcard src/*.h src/*/*.h)
+single: $(SINGLE)/glint.c ## the library as one source and two headers, in build/single
+$(SINGLE)/glint.c $(SINGLE)/glint.h $(SINGLE)/glint_extras.h &: tools/packages/single.py $(LIBRARY) $(wildcard src/*.h src/*/*.h)
 	$(Q)python3 $< $(SINGLE)
 
 # Below DESTDIR, as packagers want it, if that is set.

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the library as two files, glint.c and glint.h: single.py FOLDER.
+"""Writes the library as one source and two headers, glint.c, glint.h and glint_extras.h: single.py FOLDER.
 
-glint.h has all public headers, which are those directly in src/; glint.c has everything else, each header where it is
-first included. Macros that a .c file defines end with it.
+glint.h has the headers that it includes as well; glint.c has everything else, each header where it is first included.
+Macros that a .c file defines end with it.
 """
 import glob
 import os
@@ -45,7 +45,7 @@ def inline(path, done):
 def write(path, parts):
     with open(path, "w", encoding="utf-8") as file:
         # REUSE-IgnoreStart
-        file.write("/* SPDX-License-Identifier: MIT */\n/* glint as two files, glint.c and glint.h; `make single` writes them. */\n")
+        file.write("/* SPDX-License-Identifier: MIT */\n/* glint as one source and two headers; `make single` writes them. */\n")
         # REUSE-IgnoreEnd
         file.write("\n" + "\n".join(parts))
 
@@ -53,11 +53,11 @@ def write(path, parts):
 def main():
     folder = sys.argv[1]
     os.makedirs(folder, exist_ok=True)
-    main_header = os.path.join(SOURCES, "glint.h")
-    public = sorted(glob.glob(os.path.join(SOURCES, "*.h")), key=lambda path: (path != main_header, path))
     done = set()
-    write(os.path.join(folder, "glint.h"), [inline(path, done) for path in public if path not in done])
-    parts = ['#include "glint.h"\n', UNUSED]
+    write(os.path.join(folder, "glint.h"), [inline(os.path.join(SOURCES, "glint.h"), done)])
+    extras = inline(os.path.join(SOURCES, "glint_extras.h"), done)
+    write(os.path.join(folder, "glint_extras.h"), ['#include "glint.h"\n', extras])
+    parts = ['#include "glint_extras.h"\n', UNUSED]
     for path in sorted(glob.glob(os.path.join(SOURCES, "*", "*.c"))):
         ends = "".join("#undef %s\n" % name for name in sorted(set(DEFINE.findall(read(path)))))
         parts.append(inline(path, done) + ("\n" + ends if ends else ""))

@@ -10,10 +10,10 @@ $(PAGE_PICTURES): tools/pages/pictures.c $(foreach folder,compose lines moving,$
 WINDOW_PICTURE := $(BUILD)/pages/window
 $(WINDOW_PICTURE): tools/pages/window.c $(VIEW_OBJECTS) $(VIEW_HOST)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(HOST_CFLAGS) $(HOST_INCLUDES) -Iport/host -Iport/host/window $(HOST_WATCH) $^ $(SIMPLIFIER) -lm -o $@
+	$(Q)$(CC) $(HOST_CFLAGS) $(HOST_INCLUDES) -Iport/host -Iport/host/window $^ $(SIMPLIFIER) -lm -o $@
 
 .PHONY: page-pictures
-page-pictures: $(PAGE_PICTURES) $(WINDOW_PICTURE) ## draw the pictures of docs/compose.md, docs/black.md, docs/meshes.md and docs/view.md
+page-pictures: $(PAGE_PICTURES) $(WINDOW_PICTURE)
 	@mkdir -p docs/pages
 	$(PAGE_PICTURES) docs/pages
 	$(WINDOW_PICTURE) docs/pages

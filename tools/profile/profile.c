@@ -29,9 +29,7 @@ static const variant variants[] = {
     {"320x240 infinite", 320, 240, GLINT_VIEWER_INFINITE, 1, &glint_per_fragment},
     {"128x64 local", 128, 64, GLINT_VIEWER_LOCAL, 1, &glint_per_fragment},
     {"320x240 local 2 lights", 320, 240, GLINT_VIEWER_LOCAL, 2, &glint_per_fragment},
-    {"320x240 local 2 lights per node", 320, 240, GLINT_VIEWER_LOCAL, 2, &glint_per_node},
     {"128x64 local 2 lights", 128, 64, GLINT_VIEWER_LOCAL, 2, &glint_per_fragment},
-    {"128x64 local 2 lights per node", 128, 64, GLINT_VIEWER_LOCAL, 2, &glint_per_node},
 };
 
 static uint32_t arena[(1 << 20) / sizeof(uint32_t)];

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Instructions per stage and per unit: profile.py --qemu QEMU --nm NM --output CSV [--functions] CPU=ELF...
+"""Instructions per source file and per unit: profile.py --qemu QEMU --nm NM --output CSV [--functions] CPU=ELF...
 
 QEMU logs every block of code that it runs (-d exec) and, once, the instructions of each (-d in_asm). Summed by function
-and by the stage that a function's source file belongs to, they are exact: the same figure on every run.
+and by the source file that a function stands in, they are exact: the same figure on every run.
 """
 import argparse
 import bisect
@@ -15,28 +15,6 @@ import re
 import subprocess
 import sys
 import tempfile
-
-# Stage of a source file, or of one function in it. A file of the library that is not here is an error.
-STAGES = {
-    "prepare": ["prepare", "power", "directional", "config", "frame", "region", "buffers", "arena", "gamma", "check", "view", "shading",
-                "model:glint_prepare_specular", "terms_prepare", "fast_prepare", "fast_tables", "fast_interpolate_prepare",
-                "fast_exact_prepare"],
-    "vertices": ["transform", "cull", "load", "load_parts", "extents", "geometry", "fast_vertices", "terms_vertices"],
-    "bin": ["bin", "bin_plain", "clip"],
-    "set-up": ["setup"],
-    "raster": ["raster", "found", "runs", "spans", "tile:draw_triangles", "tile:hide_objects"],
-    "nodes": ["nodes", "lobes", "point", "corners", "middles", "terms", "bound", "reach", "sort", "fit", "lengths", "cells", "pieces", "per_node",
-              "lattice"],
-    "rows": ["rows", "row_lights"],
-    "shade": ["shade", "backs", "draw", "colour", "fragments", "per_fragment", "specular", "blinn_phong", "model", "fast",
-              "fast_begin", "fast_exact", "fast_exact_spans", "fast_interpolate", "fast_interpolated_spans", "fast_draw", "fast_rgb565", "polynomial"],
-    "pixel": ["pixel_rgb565", "pixel", "fast_spans", "spread"],
-    "clear": ["tile", "pixel_rgb565:fill_rgb565"],
-    "arithmetic": ["numeric", "product", "division"],
-    "flush": ["profile", "framebuffer", "render"],
-}
-WHERE = {place: stage for stage, places in STAGES.items() for place in places}
-ORDER = list(STAGES) + ["memory", "division"]
 
 TRACE = re.compile(r"Trace \d+: \S+ \[[0-9a-f]+/([0-9a-f]+)/")
 LISTED = re.compile(r"0x([0-9a-f]+):")
@@ -51,7 +29,7 @@ class Symbols:
             words, _, place = line.partition("\t")
             address, kind, name = words.split()
             if kind in "tTwW" and not name.startswith("$"):
-                rows.append((int(address, 16) & ~1, name, os.path.basename(place.split(":")[0])))
+                rows.append((int(address, 16) & ~1, name, "/".join(place.split(":")[0].split("/")[-2:])))
         rows.sort()
         self.addresses = [row[0] for row in rows]
         self.rows = rows
@@ -61,17 +39,12 @@ class Symbols:
 
 
 def stage_of(name, source):
-    part = source.rsplit(".", 1)[0]
+    """Folder and name of a file of src/; what compilers bring; None for the board's."""
     if name.startswith("mem"):
         return "memory"
-    if source in ("", "lib1funcs.S", "libgcc2.c") or name.startswith("__aeabi") or "div" in name:
+    if os.path.basename(source) in ("", "lib1funcs.S", "libgcc2.c") or name.startswith("__aeabi"):
         return "division"
-    if part in ("board", "text", "semihosting", "cortex-m", "start"):
-        return None
-    stage = WHERE.get("%s:%s" % (part, re.sub(r"\.(part|constprop|isra)\.\d+", "", name)), WHERE.get(part))
-    if stage is None:
-        raise SystemExit("%s in %s belongs to no stage: add it to tools/profile/profile.py" % (name, source))
-    return stage
+    return source.rsplit(".", 1)[0] if os.path.exists(os.path.join("src", source)) else "flush" if source.startswith("profile/") else None
 
 
 def follow(qemu, elf, mark):
@@ -145,10 +118,10 @@ def show(cpu, words, functions, calls, per_function):
     sums = stages(functions)
     print("\n%s %s, %s: %d instructions, %d vertices, %d triangles (%d culled), %d references, %d pixels" %
           (name, variant, cpu, sum(sums.values()), vertices, triangles, culled, references, pixels))
-    print("  %-12s %10s %10s %10s %10s %10s" % ("stage", "frame", "a vertex", "a triangle", "a tile's", "a pixel"))
-    for stage in ORDER:
+    print("  %-24s %10s %10s %10s %10s %10s" % ("stage", "frame", "a vertex", "a triangle", "a tile's", "a pixel"))
+    for stage in sorted(sums):
         if sums[stage]:
-            print("  %-12s %10d %10.1f %10.1f %10.1f %10.1f" % (
+            print("  %-24s %10d %10.1f %10.1f %10.1f %10.1f" % (
                 stage, sums[stage], sums[stage] / vertices, sums[stage] / triangles, sums[stage] / max(references, 1),
                 sums[stage] / max(pixels, 1)))
     if per_function:

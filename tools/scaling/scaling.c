@@ -8,6 +8,7 @@
 #include "bench/counter.h"
 #include "bench/framebuffer.h"
 #include "board.h"
+#include "glint_extras.h"
 #include "text.h"
 
 #include <bench_scenes.h>

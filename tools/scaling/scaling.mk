@@ -12,5 +12,5 @@ $(BUILD)/scaling.csv: $(foreach program,$(SCALING_PROGRAMS),$(lastword $(subst =
 	$(Q)python3 tools/scaling/scaling.py --qemu $(QEMU) --output $@ $(SCALING_PROGRAMS)
 
 .PHONY: scaling
-scaling: $(BUILD)/scaling.csv ## count frames of 100 to 50,000 triangles, 32x32 to 640x480, 1 to 8 lights, 1 to 30 objects, layers in either order, and keep the figures
+scaling: $(BUILD)/scaling.csv
 	cp $< docs/charts/scaling.csv

@@ -3,7 +3,8 @@
 """Worst-case stack of firmware: stack.py [--targets CSV] [--entries HEADER] ELF...
 
 Frames come from the compiler (-fstack-usage, files *.su beside the objects) or, for what is not C, from the prologue;
-calls from the disassembly; the targets of a call through a pointer from the table, by the source function it stands in.
+calls from the disassembly; the targets of a call through a pointer from the table, by the source function it stands in. A
+row `above>function` has those of a call from `function` where `above` is among its callers.
 Fails on recursion, on a frame without bound, on an indirect call whose function is not in the table, and when main and
 the deepest interrupt need more than the linker script reserves. With a header, also what each function declared there takes.
 The table is the targets.csv beside this file where no other is named.
@@ -24,6 +25,7 @@ EXCEPTION_FRAME = 36
 
 TARGETS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "targets.csv")
 
+# `calls` are by the function above, or None: that of a row `above>function` in place of others.
 Function = collections.namedtuple("Function", "name file frame calls")
 
 
@@ -114,14 +116,18 @@ def sources(tools, elf, addresses):
     return found
 
 
-def targets_of(place, table, known):
-    """Functions that an indirect call in a source function may reach."""
+def targets_of(place, table, known, above=""):
+    """Functions that an indirect call in a source function may reach, below another one."""
     for function, source in place:
-        for caller in ("%s:%s" % (source, function), function):
+        for caller in (above + "%s:%s" % (source, function), above + function):
             if caller in table:
                 return [address for address, (name, file) in known.items()
                         for pattern in table[caller] if fnmatch.fnmatch("%s:%s" % (file, name), pattern)]
     return None
+
+
+def functions_above(table):
+    return {caller.split(">")[0] for caller in table if ">" in caller}
 
 
 def read(elf, table):
@@ -135,10 +141,11 @@ def read(elf, table):
                 if is_indirect(operation, operands)]
     places = sources(tools, elf, starts + indirect)
     known = {start: (code[start][0].split(".")[0], places[start][-1][1]) for start in starts}
-    functions = {}
+    functions, all_above = {}, functions_above(table)
     for start in starts:
         name, file = known[start]
         calls, lines = set(), code[start][1]
+        reached_below = {above: set() for above in (None, *all_above)}
         for address, operation, operands in lines:
             target = re.search(r"\b(?:0x)?([0-9a-f]+) <([^+>]+)>", operands)
             if target and re.match(r"^(b|bl|jal|j|c\.j|tail|call|c\.jal|beq|bne|blt|bge|bgt|ble|bcc|bcs|bhi|bls|bmi|bpl)(\.[nw])?$", operation):
@@ -150,22 +157,26 @@ def read(elf, table):
                 if reached is None:
                     raise Wrong("an indirect call in %s (%s) is in no table: a row of it names what the call reaches (--targets)" % (
                         places[address][0][0], file))
-                calls.update(reached)
+                for above, of in reached_below.items():
+                    below = targets_of(places[address], table, known, above + ">") if above else None
+                    of.update(reached if below is None else below)
         frame = sizes.get((file, name))
-        functions[start] = Function(name, file, prologue(lines) if frame is None else frame, calls)
+        functions[start] = Function(name, file, prologue(lines) if frame is None else frame,
+                                    {above: calls | of for above, of in reached_below.items()})
     return functions
 
 
-def deepest(functions, start, path=(), known=None):
-    """(bytes, chain of names) of the worst chain of calls from a function."""
+def deepest(functions, start, path=(), known=None, above=None):
+    """(bytes, chain of names) of the worst chain of calls from a function, below another one or None."""
     known = {} if known is None else known
+    above = functions[start].name if functions[start].name in functions[start].calls else above
     if start in path:
         raise Wrong("recursion: " + " -> ".join(functions[a].name for a in path[path.index(start):] + (start,)))
-    if start not in known:
-        below = max((deepest(functions, call, path + (start,), known) for call in functions[start].calls),
+    if (start, above) not in known:
+        below = max((deepest(functions, call, path + (start,), known, above) for call in functions[start].calls[above]),
                     default=(0, []))
-        known[start] = below[0] + functions[start].frame, [functions[start].name] + below[1]
-    return known[start]
+        known[start, above] = below[0] + functions[start].frame, [functions[start].name] + below[1]
+    return known[start, above]
 
 
 def reserve(elf):
@@ -179,10 +190,12 @@ def read_table(path=TARGETS):
         return {row["caller"]: row["targets"].split() for row in csv.DictReader(file)}
 
 
-def entries(functions, header):
-    """{function that the header declares: bytes of its deepest chain}, of those that the firmware has."""
-    with open(header) as file:
-        declared = set(re.findall(r"^[a-z]\w* (?:\w+ )?\*?(glint_\w+)\(", file.read(), re.M))
+def entries(functions, headers):
+    """{function that a header declares: bytes of its deepest chain}, of those that the firmware has."""
+    declared = set()
+    for header in headers:
+        with open(header) as file:
+            declared.update(re.findall(r"^[a-z]\w* (?:\w+ )?\*?(glint_\w+)\(", file.read(), re.M))
     known = {}
     return {function.name: deepest(functions, address, known=known)[0]
             for address, function in functions.items() if function.name in declared}
@@ -216,7 +229,7 @@ def main():
             good = worst <= reserved
             print("%s: %d of %d bytes: %s" % (elf, worst, reserved, " > ".join(chain)))
             if arguments.entries:
-                print("".join("  %s %d\n" % pair for pair in sorted(entries(functions, arguments.entries).items())), end="")
+                print("".join("  %s %d\n" % pair for pair in sorted(entries(functions, [arguments.entries]).items())), end="")
         except (Wrong, OSError, subprocess.CalledProcessError) as problem:
             good = False
             print("%s: %s" % (elf, problem))

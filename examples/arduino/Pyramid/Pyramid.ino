@@ -45,8 +45,7 @@ static int sendTile(void *, int x, int y, int width, int height, const void *pix
 
 // ---- The scene
 
-#define GREY(level) \
-    { GLINT_Q16(level), GLINT_Q16(level), GLINT_Q16(level) }
+#define GREY(level) GLINT_COLOUR(level, level, level)
 
 static const int16_t points[4][3] = {{0, 32767, 0}, {-32767, -16384, 0}, {32767, -16384, 0}, {0, 0, 32767}};
 static const uint16_t sides[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}}; // counter-clockwise from outside
@@ -61,18 +60,12 @@ static glint_config config;
 static glint_renderer renderer;
 
 static bool begin() {
-    const glint_colour white = GREY(1);
-
-    sun.type = &glint_light_directional;
-    sun.vector.x = -GLINT_ONE;
-    sun.vector.y = sun.vector.z = GLINT_ONE;
-    sun.diffuse = sun.specular = white;
+    sun = glint_sun(GLINT_VECTOR(-1, 1, 1), GREY(1));
     object.mesh = &pyramid;
     object.material = &clay;
-    scene.camera.pose = glint_pose_translate(0, 0, GLINT_Q16(4));
-    scene.camera.field_of_view = GLINT_Q16(40);
-    scene.camera.near_plane = GLINT_Q16(0.1);
-    scene.ambient = white;
+    scene.camera = glint_camera_default();
+    scene.camera.field_of_view = 40 * GLINT_ONE;
+    scene.ambient = GREY(1);
     scene.lights = &sun;
     scene.light_count = 1;
     scene.objects = &object;

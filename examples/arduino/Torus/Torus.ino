@@ -2,7 +2,7 @@
 // A torus that turns on an ILI9341 of 320x240 pixels, at the board's SPI. Takes some 20 KB of RAM.
 #include <SPI.h>
 
-#include <glint.h>
+#include <glint_extras.h>
 
 // Wiring, beside SCK and MOSI; reset is tied to the board's own.
 const int PIN_SELECT = 10, PIN_DATA = 9;
@@ -74,37 +74,26 @@ static uint32_t arena[4096];
 
 static glint_mesh torus;
 static glint_material copper;
-static glint_light lamp;
+static glint_light sun;
 static glint_object object;
 static glint_scene scene;
 static glint_config config;
 static glint_renderer renderer;
 
-static glint_colour rgb(glint_q16 red, glint_q16 green, glint_q16 blue) {
-    const glint_colour colour = {red, green, blue};
-    return colour;
-}
-
 static bool begin() {
     const glint_mesh_room room = {positions, normals, triangles, 128, 256};
 
     copper.model = &glint_model_blinn_phong;
-    copper.ambient = rgb(GLINT_Q16(0.08), GLINT_Q16(0.04), GLINT_Q16(0.02));
-    copper.diffuse = rgb(GLINT_Q16(0.6), GLINT_Q16(0.28), GLINT_Q16(0.12));
-    copper.specular = rgb(GLINT_Q16(0.6), GLINT_Q16(0.4), GLINT_Q16(0.3));
-    copper.shininess = GLINT_Q16(40);
-    lamp.type = &glint_light_directional;
-    lamp.vector.x = GLINT_Q16(0.5);
-    lamp.vector.y = GLINT_Q16(0.8);
-    lamp.vector.z = GLINT_Q16(0.7);
-    lamp.diffuse = lamp.specular = rgb(GLINT_ONE, GLINT_ONE, GLINT_ONE);
+    copper.ambient = GLINT_COLOUR(0.08, 0.04, 0.02);
+    copper.diffuse = GLINT_COLOUR(0.6, 0.28, 0.12);
+    copper.specular = GLINT_COLOUR(0.6, 0.4, 0.3);
+    copper.shininess = 40 * GLINT_ONE;
+    sun = glint_sun(GLINT_VECTOR(0.5, 0.8, 0.7), GLINT_COLOUR(1, 1, 1));
     object.mesh = &torus;
     object.material = &copper;
-    scene.camera.pose = glint_pose_translate(0, 0, GLINT_Q16(4));
-    scene.camera.field_of_view = GLINT_Q16(45);
-    scene.camera.near_plane = GLINT_Q16(0.1);
-    scene.ambient = rgb(GLINT_ONE, GLINT_ONE, GLINT_ONE);
-    scene.lights = &lamp;
+    scene.camera = glint_camera_default();
+    scene.ambient = GLINT_COLOUR(1, 1, 1);
+    scene.lights = &sun;
     scene.light_count = 1;
     scene.objects = &object;
     scene.object_count = 1;

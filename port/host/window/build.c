@@ -3,6 +3,7 @@
  * @file build.c
  * From the state to a scene: what was loaded, with what keys and mouse changed of it.
  */
+#include "glint_extras.h"
 #include "window.h"
 
 #include "memory.h"
@@ -317,7 +318,6 @@ bool window_build(const window_state *state, window_scene *built, host_problem *
     } else {
         example_stage *stage = memory_new(1, sizeof *stage);
         state->scene->build(stage, state->variant, state->frame);
-        stage->scene.error_budget = state->settings.budget;
         example_fit(stage, state->scene, state->settings.width, state->settings.height);
         adopt(&stage->scene, built);
         change(state, built);

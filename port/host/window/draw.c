@@ -29,18 +29,9 @@ static uint8_t *expand(const framebuffer *target) {
     return colours;
 }
 
-static uint8_t *colour_ways(const uint8_t *ways, size_t count) {
-    uint8_t *colours = memory_new(count, 3);
-    for (size_t i = 0; i < count; i++) {
-        memcpy(colours + 3 * i, watch_looks[ways[i]].colour, 3);
-    }
-    return colours;
-}
-
 /** Draws with as much arena as the slider says. */
 static bool render(const window_state *state, const glint_scene *scene, window_frame *frame, host_problem *problem) {
     host_settings settings = state->settings;
-    settings.stats = true;
     const glint_status status = view_need(scene, &settings, &frame->need);
     if (status != GLINT_OK) {
         return problem_set(problem, 0, "%s", glint_strerror(status));
@@ -48,24 +39,13 @@ static bool render(const window_state *state, const glint_scene *scene, window_f
     const double more = (double)(frame->need.one_pass - frame->need.least);
     frame->arena = frame->need.least + (size_t)(state->arena * more);
     settings.arena = frame->arena;
-    const size_t count = (size_t)settings.width * settings.height;
-    watched seen = {settings.width, settings.height, NULL, NULL, NULL, 0};
-    if (state->map == WINDOW_WAYS) {
-        frame->ways = seen.ways = memory_new(count, 1);
-        watch_into(&seen);
-    }
-    const bool ok = view_draw(scene, &settings, &frame->target, &frame->counts, problem);
-    watch_into(NULL);
-    if (!ok) {
-        free(frame->ways);
+    if (!view_draw(scene, &settings, &frame->target, &frame->stats, problem)) {
         return false;
     }
     if (state->map == WINDOW_ERRORS) {
         heat_find(&frame->heat, scene, &settings, &frame->target);
     }
-    frame->picture = state->map == WINDOW_ERRORS ? heat_picture(&frame->heat)
-                     : state->map == WINDOW_WAYS ? colour_ways(frame->ways, count)
-                                                 : expand(&frame->target);
+    frame->picture = state->map == WINDOW_ERRORS ? heat_picture(&frame->heat) : expand(&frame->target);
     return true;
 }
 
@@ -83,7 +63,6 @@ bool window_render(const window_state *state, window_frame *frame, host_problem 
 void window_frame_free(window_frame *frame) {
     framebuffer_free(&frame->target);
     free(frame->picture);
-    free(frame->ways);
     heat_free(&frame->heat);
 }
 

@@ -164,7 +164,6 @@ static void print_lights(const data_writer *to, const glint_scene *scene) {
 static const char *name_evaluation(const glint_evaluation *evaluation) {
     return evaluation == &glint_per_facet    ? "&glint_per_facet"
            : evaluation == &glint_per_vertex ? "&glint_per_vertex"
-           : evaluation == &glint_per_node   ? "&glint_per_node"
                                              : "&glint_per_fragment";
 }
 
@@ -200,8 +199,7 @@ static void print_scene(const data_writer *to, const glint_scene *scene) {
                 (long)scene->ambient.g, (long)scene->ambient.b);
     bytes_print(to->out, "    .lights = %s_lights,\n    .light_count = %lu,\n    .objects = %s_objects,\n", to->name,
                 (unsigned long)scene->light_count, to->name);
-    bytes_print(to->out, "    .object_count = %lu,\n    .error_budget = %ld,\n};\n", (unsigned long)scene->object_count,
-                (long)scene->error_budget);
+    bytes_print(to->out, "    .object_count = %lu,\n};\n", (unsigned long)scene->object_count);
 }
 
 /** The table of a picture that has one, for all three channels. */

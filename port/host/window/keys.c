@@ -5,7 +5,6 @@
  */
 #include "window.h"
 
-#include "cost.h"
 #include "number.h"
 
 #include <math.h>
@@ -36,7 +35,7 @@ const window_help window_helps[] = {
     {"H", "diffuse + specular, specular, diffuse"},
     {"T", "squashed to half its height, or not"},
     {"Space", "plain, or colours at vertices"},
-    {"1 2 3 4", "flat, per vertex, per node, per fragment"},
+    {"1 2 3", "flat, per vertex, per fragment"},
     {"M", "Lambert, Phong, Blinn-Phong"},
     {"V", "viewer: infinite, local"},
     {"N", "one more light (Shift: one less)"},
@@ -49,11 +48,8 @@ const window_help window_helps[] = {
     {"D", "dithered, or not"},
     {"Q", "size of tiles"},
     {"Z", "grid of tiles"},
-    {"W", "map: how each pixel was lit"},
     {"E", "map: errors against double precision"},
     {"A", "less arena (Shift: more), or the slider"},
-    {"P", "core of the cost model"},
-    {", .", "its clock down, up"},
     {"- =", "clock of the panel's bus down, up"},
     {"PgUp PgDn", "other scenes and shapes"},
     {"Left Right", "frame of a scene"},
@@ -63,7 +59,6 @@ const window_help window_helps[] = {
     {NULL, NULL},
 };
 
-const double window_clocks[WINDOW_CLOCKS] = {8, 16, 24, 32, 48, 64, 72, 80, 100, 125, 133, 150, 168, 200, 240};
 const double window_buses[WINDOW_BUSES] = {4, 8, 10, 16, 20, 24, 32, 40, 50, 62.5, 80};
 
 /* ---- Lights ----------------------------------------------------------------------------------------------------- */
@@ -185,7 +180,7 @@ static void light_key(window_state *state, int key, bool fine) {
     window_scene_free(&built);
 }
 
-/* ---- Panel and cost --------------------------------------------------------------------------------------------- */
+/* ---- Panel ------------------------------------------------------------------------------------------------------ */
 
 static size_t step_round(size_t at, size_t count, bool back) {
     return back ? (at > 0 ? at : count) - 1 : (at + 1) % count;
@@ -223,20 +218,6 @@ static void change_tile(window_state *state, bool back) {
         at++;
     }
     state->settings.tile_width = state->settings.tile_height = sizes[step_round(at, 4, back)];
-}
-
-void window_choose_core(window_state *state, size_t core) {
-    const frame_counts none = {.stats = {.passes = 1}};
-    cost_figures figures = {.mhz = 0};
-    for (size_t tries = 0; tries < cost_cores(); tries++, core++) {
-        if (cost_find(&none, core % cost_cores(), &figures) && figures.cycles >= 0) {
-            state->core = core % cost_cores();
-            break;
-        }
-    }
-    for (size_t i = 0; i < WINDOW_CLOCKS; i++) {
-        state->clock = window_clocks[i] <= figures.mhz ? i : state->clock;
-    }
 }
 
 static size_t step_within(size_t at, size_t count, bool up) {
@@ -285,8 +266,7 @@ static void change_exponent(window_changes *changes, int by) {
 }
 
 static void evaluate(window_changes *changes, int digit) {
-    static const glint_evaluation *const places[] = {&glint_per_facet, &glint_per_vertex, &glint_per_node,
-                                                     &glint_per_fragment};
+    static const glint_evaluation *const places[] = {&glint_per_facet, &glint_per_vertex, &glint_per_fragment};
     changes->has_evaluation = true;
     changes->evaluation = places[digit - '1'];
 }
@@ -380,21 +360,11 @@ static void show_key(window_state *state, int key, bool back) {
     case 'Z':
         state->grid = !state->grid;
         break;
-    case 'W':
-        state->map = state->map == WINDOW_WAYS ? WINDOW_PICTURE : WINDOW_WAYS;
-        break;
     case 'E':
         state->map = state->map == WINDOW_ERRORS ? WINDOW_PICTURE : WINDOW_ERRORS;
         break;
     case 'A':
         change_arena(state, back ? 0.1 : -0.1);
-        break;
-    case 'P':
-        window_choose_core(state, state->core + 1);
-        break;
-    case ',':
-    case '.':
-        state->clock = step_within(state->clock, WINDOW_CLOCKS, key == '.');
         break;
     case '-':
     case '=':
@@ -418,7 +388,7 @@ static void show_key(window_state *state, int key, bool back) {
 
 void window_key(window_state *state, int key, bool fine) {
     state->message[0] = '\0';
-    if (key >= '1' && key <= '4') {
+    if (key >= '1' && key <= '3') {
         evaluate(&state->changes, key);
     } else if (key != 0 && key < 128 && strchr("IJKLNXC", key) != NULL) {
         light_key(state, key, fine);

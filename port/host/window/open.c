@@ -114,7 +114,6 @@ void window_init(window_state *state, const host_settings *settings) {
     state->changes.zoom = 1;
     state->arena = 1;
     state->bus = 7;
-    window_choose_core(state, 1);
 }
 
 bool window_open(window_state *state, const char *name, host_problem *problem) {

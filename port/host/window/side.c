@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file side.c
- * The text beside the picture: what is set, what the frame took, and what a board would take for it.
+ * The text beside the picture: what is set, and what the frame took.
  */
 #include "window.h"
 
-#include "cost.h"
 #include "number.h"
 
 #include <math.h>
@@ -76,10 +75,7 @@ static const char *name_model(const glint_model *model) {
 }
 
 static const char *name_place(const glint_evaluation *evaluation) {
-    return evaluation == &glint_per_facet    ? "flat"
-           : evaluation == &glint_per_vertex ? "per vertex"
-           : evaluation == &glint_per_node   ? "per node"
-                                             : "per fragment";
+    return evaluation == &glint_per_facet ? "flat" : evaluation == &glint_per_vertex ? "per vertex" : "per fragment";
 }
 
 static const char *name_kind(const glint_light *light) {
@@ -117,7 +113,7 @@ static void draw_slider(writer *to, window_state *state) {
 }
 
 static void print_frame(writer *to, window_state *state, const window_frame *frame) {
-    const glint_stats *stats = &frame->counts.stats;
+    const glint_stats *stats = &frame->stats;
     print_title(to, "Frame");
     print(to, ink, "%lu triangles, %lu vertices", (unsigned long)stats->triangles, (unsigned long)stats->vertices);
     print(to, ink, "%lu pass%s, %lu tiles", (unsigned long)stats->passes, stats->passes == 1 ? "" : "es",
@@ -127,68 +123,12 @@ static void print_frame(writer *to, window_state *state, const window_frame *fra
     print(to, dim, "%zu .. %zu", frame->need.least, frame->need.one_pass);
 }
 
-/** Three digits, or all before the point; "-" for what is not known. */
-static void print_number(char *text, size_t size, double value) {
-    snprintf(text, size, value < 0 ? "-" : value < 100 ? "%.3g" : "%.0f", value);
-}
-
 static void print_rate(writer *to, const window_state *state, const window_frame *frame) {
-    cost_figures figures;
-    const double clock = window_clocks[state->clock];
     const double bus = window_buses[state->bus];
-    const double sending = (double)frame->target.bytes_sent * 8 / (bus * 1e3);
-    print(to, ink, "SPI %g MHz: send %.1f ms", bus, sending);
-    if (cost_find(&frame->counts, state->core, &figures)) {
-        const double drawing = figures.cycles / (clock * 1e3);
-        print(to, ink, "%s %g MHz: draw %.1f ms", figures.core, clock, drawing);
-        print(to, mark, "%.1f frames a second", 1e3 / fmax(drawing, sending));
-    }
-}
-
-static void print_cost(writer *to, const window_state *state, const window_frame *frame) {
-    cost_figures figures;
-    print_title(to, "Cost, modelled");
-    if (frame->counts.stats.passes != 1) {
-        print(to, dim, "none for more than one pass");
-    } else {
-        print(to, dim, "core    Minstr.    ms at MHz");
-    }
-    for (size_t i = 0; i < cost_cores() && cost_find(&frame->counts, i, &figures); i++) {
-        char instructions[16];
-        char time[16];
-        char clock[16];
-        print_number(instructions, sizeof instructions, figures.instructions < 0 ? -1 : figures.instructions / 1e6);
-        print_number(time, sizeof time, figures.cycles < 0 ? -1 : figures.cycles / (1e3 * figures.mhz));
-        print_number(clock, sizeof clock, figures.cycles < 0 ? -1 : figures.mhz);
-        print(to, i == state->core ? ink : dim, "%-7s %7s %5s %5s", figures.core, instructions, time, clock);
-    }
-    print_rate(to, state, frame);
+    print(to, ink, "SPI %g MHz: send %.1f ms", bus, (double)frame->target.bytes_sent * 8 / (bus * 1e3));
 }
 
 /* ---- What maps mean --------------------------------------------------------------------------------------------- */
-
-static void print_ways(writer *to, const window_frame *frame) {
-    const size_t count = (size_t)frame->target.width * frame->target.height;
-    size_t pixels[WAYS] = {0};
-    size_t lit = 0;
-    for (size_t i = 0; i < count; i++) {
-        pixels[frame->ways[i]]++;
-        lit += frame->ways[i] != WAY_NONE;
-    }
-    print_title(to, "How pixels were lit");
-    for (int how = WAY_NONE + 1; how < WAYS; how++) {
-        if (pixels[how] > 0) {
-            label_fill(to->canvas, to->x, to->y, 14, 14, watch_looks[how].colour);
-            to->x += 20;
-            label_text(to->canvas, watch_looks[how].name, to->x, to->y + 4, 1, ink);
-            char share[16];
-            snprintf(share, sizeof share, "%.1f %%", 100.0 * (double)pixels[how] / (double)lit);
-            label_text(to->canvas, share, to->x + 34 * LABEL_COLUMN, to->y + 4, 1, ink);
-            to->x -= 20;
-            to->y += 2 * LABEL_LINE;
-        }
-    }
-}
 
 static void print_errors(writer *to, const window_frame *frame) {
     const heat_map *heat = &frame->heat;
@@ -221,10 +161,7 @@ void window_draw_side(window_state *state, const window_frame *frame, const labe
         window_scene_free(&built);
     }
     print_frame(&to, state, frame);
-    print_cost(&to, state, frame);
-    if (frame->ways != NULL) {
-        print_ways(&to, frame);
-    }
+    print_rate(&to, state, frame);
     if (frame->heat.steps != NULL) {
         print_errors(&to, frame);
     }

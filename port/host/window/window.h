@@ -11,7 +11,6 @@
 #include "label.h"
 #include "output.h"
 #include "view.h"
-#include "watch.h"
 
 /** A tick of what turns by itself, milliseconds: the example scenes are made for 25 frames a second. */
 #define WINDOW_TICK 40
@@ -35,7 +34,6 @@ enum {
 /** What the picture shows. */
 typedef enum window_map {
     WINDOW_PICTURE,
-    WINDOW_WAYS,   /**< How each pixel was lit. */
     WINDOW_ERRORS, /**< How far each is from the reference. */
 } window_map;
 
@@ -83,9 +81,7 @@ typedef struct window_state {
     window_map map;
     bool grid, help;
     double arena;      /**< From 0, the least that the scene takes, to 1, a single pass. */
-    size_t core;       /**< Of the cost model. */
-    size_t clock;      /**< Of the list of clocks; that is, the core's. */
-    size_t bus;        /**< Likewise, of the panel's bus. */
+    size_t bus;        /**< Of the list of clocks of a panel's bus. */
     window_box slider; /**< Where the arena was drawn last. */
     char message[160]; /**< What was done last, or went wrong. */
 } window_state;
@@ -145,12 +141,8 @@ typedef struct window_help {
 extern const window_help window_helps[];
 
 /** Clocks to choose from, MHz, from slow to fast. */
-#define WINDOW_CLOCKS 15
 #define WINDOW_BUSES 11
-extern const double window_clocks[WINDOW_CLOCKS], window_buses[WINDOW_BUSES];
-
-/** Chooses a core of the cost model that cycles are known of, and its usual clock. */
-void window_choose_core(window_state *state, size_t core);
+extern const double window_buses[WINDOW_BUSES];
 
 /** Takes a key. @param fine whether Shift is down */
 void window_key(window_state *state, int key, bool fine);
@@ -172,11 +164,10 @@ bool window_tick(window_state *state);
 /** A frame as it was drawn. */
 typedef struct window_frame {
     framebuffer target;
-    frame_counts counts;
+    glint_stats stats;
     glint_need need;
     size_t arena;
     uint8_t *picture; /**< 3 bytes a pixel: the picture, or the map. */
-    uint8_t *ways;    /**< A `way` a pixel; null where they do not show. */
     heat_map heat;    /**< Its `steps` is null where errors do not show. */
 } window_frame;
 

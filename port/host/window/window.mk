@@ -19,7 +19,7 @@ $(BUILD)/host/window/has-sdl2:
 	@command -v sdl2-config > /dev/null || { echo "the window takes SDL2: libsdl2-dev"; exit 1; }
 
 $(VIEW_PROGRAM): $(VIEW_OBJECTS) $(BUILD)/host/window/main.o $(VIEW_HOST)
-	$(Q)$(CC) $(HOST_CFLAGS) $(HOST_WATCH) $^ $$(sdl2-config --libs) $(SIMPLIFIER) -lm -o $@
+	$(Q)$(CC) $(HOST_CFLAGS) $^ $$(sdl2-config --libs) $(SIMPLIFIER) -lm -o $@
 
 view: $(VIEW_PROGRAM) ## show VIEW=torus:48x24, or a file, in a window; takes SDL2
 	$< $(VIEW)

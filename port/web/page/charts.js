@@ -5,8 +5,8 @@
 const Charts = (() => {
   let WIDTH = 560; // that of the box, so that letters keep their size
   const HEIGHT = 360, LEFT = 46, RIGHT = 14, TOP = 12, BOTTOM = 42;
-  const COLOURS = { facet: "var(--facet)", vertex: "var(--vertex)", node: "var(--node)", fragment: "var(--fragment)" };
-  const NAMES = { facet: "flat", vertex: "per vertex", node: "per node", fragment: "per fragment" };
+  const COLOURS = { facet: "var(--facet)", vertex: "var(--vertex)", fragment: "var(--fragment)" };
+  const NAMES = { facet: "flat", vertex: "per vertex", fragment: "per fragment" };
 
   function element(name, attributes, text) {
     const made = document.createElementNS("http://www.w3.org/2000/svg", name);
@@ -22,22 +22,11 @@ const Charts = (() => {
     const paths = {
       facet: `M${x - size},${y - size}h${2 * size}v${2 * size}h${-2 * size}z`,
       vertex: `M${x},${y - size * 1.2}l${size * 1.2},${size * 2.1}h${-size * 2.4}z`,
-      node: `M${x},${y - size * 1.3}l${size * 1.3},${size * 1.3}l${-size * 1.3},${size * 1.3}l${-size * 1.3},${-size * 1.3}z`,
       fragment: `M${x - size},${y}a${size},${size} 0 1 0 ${2 * size},0a${size},${size} 0 1 0 ${-2 * size},0z`,
     };
     return element("path", { d: paths[evaluation], fill: COLOURS[evaluation] });
   }
 
-  function star(x, y, size) {
-    let path = "";
-    for (let i = 0; i < 10; i++) {
-      const radius = i % 2 ? size * 0.45 : size, angle = (i * Math.PI) / 5 - Math.PI / 2;
-      path += `${i ? "L" : "M"}${(x + radius * Math.cos(angle)).toFixed(1)},${(y + radius * Math.sin(angle)).toFixed(1)}`;
-    }
-    return element("path", { d: path + "z", fill: "var(--accent)", stroke: "var(--ink)", "stroke-width": 1.2 });
-  }
-
-  // Logarithmic where `log`; ticks are those that lie within.
   function axis([least, most], from, to, log) {
     const f = log ? Math.log : (x) => x;
     const place = (value) => from + ((f(Math.min(most, Math.max(least, value))) - f(least)) / (f(most) - f(least))) * (to - from);
@@ -73,10 +62,8 @@ const Charts = (() => {
     const cpu = state.core;
     const rivals = others.filter(([, , core]) => core === cpu || (cpu === "m4" && core === "m4f"));
     const costs = [...choices.map(([, , cost]) => cost[cpu]), ...rivals.map(([, , , cost]) => cost)];
-    const own = state.psnr === undefined || !state.instructions ? null : [state.instructions / 1e6, Math.min(state.psnr, 60)];
-    const x = axis([Math.min(...costs, own ? own[0] : Infinity) * 0.8, Math.max(...costs, own ? own[0] : 0) * 1.25], LEFT, WIDTH - RIGHT, true);
-    const top = own && own[1] > 45 ? 62 : 46;
-    const y = axis([Math.min(18, own ? Math.max(5, own[1] - 2) : 18), top], HEIGHT - BOTTOM, TOP, false);
+    const x = axis([Math.min(...costs) * 0.8, Math.max(...costs) * 1.25], LEFT, WIDTH - RIGHT, true);
+    const y = axis([18, 46], HEIGHT - BOTTOM, TOP, false);
     const ticks = [10, 20, 30, 40, 50, 60].filter((tick) => tick >= y.least && tick <= y.most);
     const chosen = choices.find(([choice]) => choice === state.choices.find((one) => choices.some(([name]) => name === one)));
     const svg = frame(`Accuracy over instructions on ${CORES[cpu]}.${chosen ? ` Chosen: ${chosen[0]}, ${chosen[1]} decibels, ${chosen[2][cpu]} million instructions.` : ""}`,
@@ -91,10 +78,7 @@ const Charts = (() => {
     if (chosen) {
       svg.append(element("circle", { cx: x.place(chosen[2][cpu]), cy: y.place(chosen[1]), r: 11, fill: "none", stroke: "var(--ink)", "stroke-width": 2.5 }));
     }
-    if (own) {
-      svg.append(titled(star(x.place(own[0]), y.place(own[1]), 9), `your scene: ${state.psnr.toFixed(1)} dB, ${own[0].toPrecision(3)} M by the cost model`));
-    }
-    legend(svg, ["facet", "vertex", "node", "fragment"], WIDTH - 110, HEIGHT - BOTTOM - 66);
+    legend(svg, ["facet", "vertex", "fragment"], WIDTH - 110, HEIGHT - BOTTOM - 48);
     box.replaceChildren(svg);
   }
 

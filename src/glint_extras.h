@@ -1,0 +1,436 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file glint_extras.h
+ * This header has what a first program does without: generated meshes, a check that tells why a picture is black,
+ * points of the screen, lines, tiles that did not change, frames drawn tile by tile. The conventions are those of
+ * glint.h. A program links what it calls and nothing else.
+ */
+
+#ifndef GLINT_EXTRAS_H
+#define GLINT_EXTRAS_H
+
+#include "glint.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- Generated meshes -------------------------------------------------------------------------------------------- */
+
+/** This is where a generator writes. The caller owns it, and keeps it as long as the mesh. */
+typedef struct glint_mesh_room {
+    int16_t (*positions)[3];             /**< Room for vertex_room. */
+    int16_t (*normals)[3];               /**< Room for vertex_room. */
+    uint16_t (*triangles)[3];            /**< Room for triangle_room. */
+    uint32_t vertex_room, triangle_room; /**< How many fit. */
+} glint_mesh_room;
+
+/**
+ * @name Generators
+ * Each fills `room` with a surface and its normals, both from the formula, and sets `mesh` up to point there. They
+ * return GLINT_ERROR_GENERATOR when a size is not above 0, when there are fewer divisions than a solid needs or more
+ * vertices than uint16 can index, or when the room is too small: then mesh->vertex_count and mesh->triangle_count tell
+ * how much it takes, and the rest of the mesh is as it was. Sizes are Q16.16, up to 8192.
+ * @{
+ */
+
+/**
+ * A torus around the z axis.
+ * @param mesh,room as above
+ * @param around,along quads, 3 or more
+ * @param radius to the tube's centre
+ * @param tube the tube's own
+ * @return as above
+ */
+glint_status glint_generate_torus(glint_mesh *mesh, const glint_mesh_room *room, uint32_t around, uint32_t along,
+                                  glint_q16 radius, glint_q16 tube);
+
+/**
+ * A sphere, its poles on z.
+ * @param mesh,room as above
+ * @param around quads, 3 or more
+ * @param along steps from pole to pole, 2 or more
+ * @param radius its own
+ * @return as above
+ */
+glint_status glint_generate_sphere(glint_mesh *mesh, const glint_mesh_room *room, uint32_t around, uint32_t along,
+                                   glint_q16 radius);
+
+/**
+ * A cylinder around the z axis, from -half_height to half_height.
+ * @param mesh,room as above
+ * @param around quads, 3 or more
+ * @param along steps, 1 or more
+ * @param radius,half_height its size
+ * @param capped 0 where it is open
+ * @return as above
+ */
+glint_status glint_generate_cylinder(glint_mesh *mesh, const glint_mesh_room *room, uint32_t around, uint32_t along,
+                                     glint_q16 radius, glint_q16 half_height, int capped);
+
+/**
+ * A cone around the z axis, its base at -half_height, its tip at half_height.
+ * @param mesh,room as above
+ * @param around quads, 3 or more
+ * @param along steps, 1 or more
+ * @param radius,half_height its size
+ * @param capped 0 where its base is open
+ * @return as above
+ */
+glint_status glint_generate_cone(glint_mesh *mesh, const glint_mesh_room *room, uint32_t around, uint32_t along,
+                                 glint_q16 radius, glint_q16 half_height, int capped);
+
+/**
+ * A rectangle in the plane z = 0, seen from +z.
+ * @param mesh,room as above
+ * @param columns,rows quads, 1 or more
+ * @param half_width,half_height x and y are from minus to plus these
+ * @return as above
+ */
+glint_status glint_generate_plane(glint_mesh *mesh, const glint_mesh_room *room, uint32_t columns, uint32_t rows,
+                                  glint_q16 half_width, glint_q16 half_height);
+
+/**
+ * A box: six faces, each of its own vertices; 24 vertices, 12 triangles.
+ * @param mesh,room as above
+ * @param half_width,half_height,half_depth its size
+ * @return as above
+ */
+glint_status glint_generate_box(glint_mesh *mesh, const glint_mesh_room *room, glint_q16 half_width,
+                                glint_q16 half_height, glint_q16 half_depth);
+/** @} */
+
+/* ---- Why a picture is black -------------------------------------------------------------------------------------- */
+
+/** This is what glint_check found. */
+typedef struct glint_report {
+    glint_status status;  /**< What drawing the scene returns. */
+    const char *sentence; /**< In English, what is wrong or looks wrong; "" where nothing does. Never null. */
+    int32_t object;       /**< The object that it is about, or -1. */
+    int32_t light;        /**< The light that it is about, or -1. */
+    size_t bytes;         /**< How many bytes of arena, or of pixels, are missing; else 0. */
+    uint32_t shown;       /**< Pixels of the region that show an object, where the scene can be drawn. */
+} glint_report;
+
+/**
+ * Looks for what keeps a scene from being drawn, or makes it black: draws it with the configuration's arena, and sends
+ * nothing. For development: neither its time nor its flash is meant for a product. Not while a frame is on its way.
+ * @param config,scene what is to be drawn
+ * @param report what was found
+ * @return report->status, or GLINT_ERROR_NULL where `report` is null
+ */
+glint_status glint_check(const glint_config *config, const glint_scene *scene, glint_report *report);
+
+/* ---- From the screen to the scene, and back ---------------------------------------------------------------------- */
+
+/** This tells where a point shows. */
+typedef struct glint_place {
+    glint_q16 x, y;     /**< Pixels from the screen's left and top edge; saturated. */
+    glint_q16 distance; /**< From the eye along the camera's axis; saturated. */
+} glint_place;
+
+/**
+ * Finds where a point of the world shows on a screen of config->width and height: off by at most 1/128 of a pixel, on
+ * and around the screen. Nothing else of the configuration is looked at.
+ * @param config,camera what it is seen with
+ * @param point in the world
+ * @param to where it shows
+ * @return 1, 0 when it lies in front of the near plane: then `to` is as it was; GLINT_ERROR_NULL, _SIZE or _CAMERA
+ */
+int glint_camera_project(const glint_config *config, const glint_camera *camera, glint_vector point, glint_place *to);
+
+/** This tells what a pixel shows. */
+typedef struct glint_hit {
+    uint32_t object;   /**< Of the scene. */
+    uint32_t triangle; /**< Of the object's mesh. */
+    uint16_t depth;    /**< As glint_tile has it: larger is nearer. */
+} glint_hit;
+
+/**
+ * Finds which triangle glint_render shows at a pixel of the screen, by drawing that pixel; uses the renderer's arena,
+ * so not while a frame is on its way.
+ * @param renderer,scene what shows
+ * @param x,y the pixel
+ * @param hit what it shows
+ * @return 1, 0 when it shows background: then `hit` is as it was; GLINT_ERROR_REGION when the pixel is not on the
+ * screen, or an error of the scene
+ */
+int glint_pick(glint_renderer *renderer, const glint_scene *scene, int x, int y, glint_hit *hit);
+
+/* ---- Lines ------------------------------------------------------------------------------------------------------- */
+
+/*
+ * Straight lines in space: edges, axes, boxes. Each is one pixel wide and of one colour, which no light changes, and is
+ * hidden by what lies in front of it. They are placed on the screen before a frame, and drawn by its overlay:
+ *
+ *     glint_lines_place(segments, &config, &scene.camera, &pose, lines, count);      // and then glint_render
+ *     int paint(void *context, const glint_tile *tile) { return glint_lines_draw(tile, segments, count); }
+ *
+ * A line ends where it passes the near plane or lies 1023 pixels from the screen's centre in x or y. Its ends are then
+ * rounded to 1/16 of a pixel. Is it at least as wide as it is high, then it has one pixel in each column, from that of
+ * its left end to that of its right end, both included: the pixel that holds the point where the line passes the middle
+ * of the column or, where it ends before, its end. A steeper line has one pixel in each row, likewise. A point between
+ * two pixels belongs to the right or the lower one. The same pixels come from both directions, and for every tile,
+ * arena and region.
+ *
+ * A pixel's depth is that of this point, linear between the ends as that of a triangle is, and is tested and kept as a
+ * triangle's: what is drawn later lies in front where it is nearer. A line counts as nearer to the eye than it is, by
+ * the width of two pixels there: so it shows on a surface that it lies on, unless that leans by more than 75 degrees.
+ * Lines do not count where the depth's scale is found: beside those in front of all objects none is nearer than
+ * another, and where there are no objects, only the order counts.
+ */
+
+/** A line. Owned by the caller. */
+typedef struct glint_line {
+    glint_vector from, to; /**< Before the pose. */
+    glint_colour colour;   /**< Each channel from 0 to GLINT_COLOUR_MAX. */
+} glint_line;
+
+/** What a line is on the screen. Owned by the caller; written by glint_lines_place only. */
+typedef struct glint_segment {
+    /** @privatesection */
+    int16_t x[2], y[2];    /* its ends, 28.4 */
+    uint32_t inverse_w[2]; /* there: 1/w, w in Q28, is this over 2^exponent */
+    uint8_t exponent[2];
+    const glint_colour *colour; /* null where nothing of it shows */
+} glint_segment;
+
+/**
+ * Places lines on the screen of a configuration, of which width and height are looked at. Ends are first taken to the
+ * world, each coordinate rounded to nearest and saturated as glint_pose_apply does, and are then off by at most 1/64 of
+ * a pixel, on and around the screen, before they are rounded.
+ * @param segments `count` of them; like the lines, whose colours they point to, they stay until the frame is drawn
+ * @param config,camera what they are seen with
+ * @param pose of the lines, to the world
+ * @param lines `count` of them
+ * @param count how many
+ * @return GLINT_ERROR_NULL, _SIZE, _CAMERA or _COLOUR: then segments are as they were
+ */
+glint_status glint_lines_place(glint_segment *segments, const glint_config *config, const glint_camera *camera,
+                               const glint_pose *pose, const glint_line *lines, uint32_t count);
+
+/**
+ * Draws lines on a finished tile, for an overlay. Calls follow each other: what was drawn before hides what is drawn
+ * behind it. Tiles of one frame may be drawn by several callers at once.
+ * @param tile what the overlay is given
+ * @param segments `count` of them, placed
+ * @param count how many
+ * @return GLINT_OK, or GLINT_ERROR_NULL where there is no tile, or not one that a frame has handed out
+ */
+glint_status glint_lines_draw(const glint_tile *tile, const glint_segment *segments, uint32_t count);
+
+/** Sets the twelve edges of a box. @param lines set @param from,to opposite corners @param colour of all */
+void glint_lines_box(glint_line lines[12], glint_vector from, glint_vector to, glint_colour colour);
+
+/**
+ * Sets lines to the edges of a mesh, in object space, rounded to nearest and saturated; an edge of two triangles that
+ * name the same two vertices once, and one with a vertex that the mesh does not have left out. For meshes of a few
+ * hundred triangles: its time grows with their square.
+ * @param lines set
+ * @param room how many fit in `lines`, which may be null where it is 0
+ * @param mesh whose edges; with all that glint_render asks of it but for indices
+ * @param colour of all
+ * @return how many edges there are; those beyond `room` are left out
+ */
+uint32_t glint_lines_edges(glint_line *lines, uint32_t room, const glint_mesh *mesh, glint_colour colour);
+
+/* ---- Only what changed ------------------------------------------------------------------------------------------- */
+
+/*
+ * A panel keeps its picture: tiles that are what they were need not be sent. A filter between the renderer and the
+ * panel's flush knows each by a signature of 64 bits, 8 bytes a tile of the caller's memory. Tiles that differ have
+ * the same one with a chance of 2^-64, those that differ in four bytes only never.
+ *
+ *     static glint_signature signatures[80];                    // glint_changes_count(&config)
+ *     glint_changes_init(&changes, signatures, &config);
+ *     config.flush = glint_changes_flush(&changes);             // and then glint_init
+ *
+ * Tile size, format and arena are the configuration's own; a tile's pixels are aligned to 4 bytes, as the renderer has
+ * them.
+ */
+
+/** What a tile was sent as; 0 for one that has yet to be sent. */
+typedef struct glint_signature {
+    /** @privatesection */
+    uint32_t a, b;
+} glint_signature;
+
+/** The filter. Owned by the caller. */
+typedef struct glint_changes {
+    uint32_t sent, unchanged; /**< Tiles, since glint_changes_init. */
+    /** @privatesection */
+    glint_flush flush;
+    glint_signature *signatures, *sending, pending;
+    uint32_t count;
+    uint16_t columns, tile_width, tile_height, width, height;
+    int16_t left, top;
+    uint8_t is_part; /* is a part of a tile on its way? */
+} glint_changes;
+
+/** How many signatures a configuration takes. @param config with which is drawn @return 0 when it is null or not valid
+ */
+uint32_t glint_changes_count(const glint_config *config);
+
+/**
+ * Sets a filter up before config->flush; everything is yet to be sent. On failure the filter, if there is one, is all
+ * 0, and so is its flush, which glint_init refuses.
+ * @param changes the filter
+ * @param signatures glint_changes_count of them, the caller's as long as the filter
+ * @param config with which is to be drawn, its flush that of the panel
+ * @return GLINT_ERROR_NULL, _SIZE or _TILE.
+ */
+glint_status glint_changes_init(glint_changes *changes, glint_signature *signatures, const glint_config *config);
+
+/** Sends everything once more: for a panel that was started anew. A tile whose flush failed is sent again anyhow.
+ * @param changes the filter */
+void glint_changes_forget(glint_changes *changes);
+
+/** The flush to draw with. @param changes the filter, which must outlive it @return the flush */
+glint_flush glint_changes_flush(glint_changes *changes);
+
+/* ---- The arena of objects that turn ------------------------------------------------------------------------------ */
+
+/**
+ * The same for every frame in which each object is turned in any way about its origin, (0, 0, 0) of the mesh, all else
+ * being as it is: each pose may be any rotation of this one, with the same fourth column, rounded to Q16.16. `least` is
+ * exact; the others are bounds from the triangles' longest edges, all of which count as facing the eye and as lying
+ * where tiles meet. Objects that move as well need the most of the places where they come nearest.
+ * @param config,scene,need as for glint_arena_need
+ * @return as glint_arena_need: then `need` is as it was
+ */
+glint_status glint_arena_need_turned(const glint_config *config, const glint_scene *scene, glint_need *need);
+
+/* ---- Tile by tile ------------------------------------------------------------------------------------------------ */
+
+/*
+ * glint_render is a loop over these; use them to draw the tiles of a frame in another order, or on two cores:
+ *
+ *     glint_frame_begin(&frame, &config, &scene);
+ *     while ((status = glint_frame_next(&frame)) > 0)           // a pass
+ *         for (tile = frame.tile_first; tile < frame.tile_end; tile++)
+ *             if (glint_render_tile(&frame, &workspace, tile))  // any number of callers at once
+ *                 send it, glint_tile_find says where;
+ */
+
+/** Memory handed out from both ends; the bytes from `low` to `high` are free. */
+typedef struct glint_memory {
+    /** @privatesection */
+    uint8_t *base;
+    size_t low, high;
+} glint_memory;
+
+/** Everything that drawing the tiles of a pass reads; written by glint_frame_begin and glint_frame_next only. */
+typedef struct glint_frame {
+    /** @privatesection */
+    glint_config config;
+    const glint_scene *scene;
+    const struct glint_view *view;       /* camera and lights, prepared */
+    const struct glint_shading *shading; /* materials, prepared */
+    uint32_t shading_count;
+    glint_memory memory;
+    /** @publicsection */
+    uint16_t tile_first, tile_end; /**< Tiles of this pass: from the first to before the end. */
+    /** @privatesection */
+    uint16_t tile_columns, tile_count;   /* of the region */
+    uint16_t first_column, first_row;    /* of the screen's tiles, in the region */
+    uint16_t right, bottom;              /* behind the region's last pixels */
+    uint16_t pass_tiles;                 /* tiles that a pass may hold */
+    uint16_t loaded_end;                 /* what is loaded is for tiles before this */
+    uint8_t tile_shift_x, tile_shift_y;  /* binary logarithms of the tile's size */
+    uint8_t starts, ends;                /* the pass holds the scene's first triangle, its last */
+    uint8_t covers_end;                  /* what is loaded reaches the scene's end */
+    uint8_t resident;                    /* what is loaded is all of the scene */
+    uint8_t has_extents;                 /* they have been looked for */
+    uint8_t extent_shift;                /* binary logarithm of the triangles of an extent */
+    const struct glint_extent *extents;  /* null where all is loaded, or there is no room for them */
+    uint32_t object, triangle;           /* where the next pass goes on */
+    size_t prepared_end, vertices_end;   /* of the arena's use */
+    size_t part_bytes;                   /* about what a triangle that may show takes, where parts are loaded */
+    uint32_t waiting;                    /* transforms of the last objects that wait to be loaded */
+    size_t least_room;                   /* of the arena, behind what is prepared */
+    struct glint_corner_lights *corners; /* the lights of one object's corners; null where none are lit */
+    struct glint_draw *draws;            /* what this pass draws */
+    struct glint_reference *references;  /* first one for each of its tiles, with which the tile's list begins */
+    uint32_t reference_count;
+    uint8_t has_costly;            /* does this pass draw what is lit by fragments? */
+    struct glint_clipped *clipped; /* above the last; they grow downwards */
+    /** @publicsection */
+    glint_stats stats; /**< So far. */
+} glint_frame;
+
+/** Bytes of the arena that a pass leaves free, for what one of its tiles finds and others take up. */
+typedef struct glint_spare {
+    /** @privatesection */
+    void *memory; /* aligned as the arena; null where there are none */
+    uint32_t size;
+    uint32_t is_begun; /* not 0: something of this pass is there */
+} glint_spare;
+
+/** What drawing one tile needs. */
+typedef struct glint_workspace {
+    void *pixels;  /**< The finished tile. */
+    size_t stride; /**< Bytes from row to row. */
+    /** @privatesection */
+    uint16_t *depth;
+    int32_t (*row)[3];         /* colours of two rows of a tile; of use as long as nothing is drawn */
+    struct glint_lamps *lamps; /* in the same place: the lights of what is drawn now */
+    glint_spare spare;
+} glint_workspace;
+
+/** Bytes of a workspace. @param config with which is drawn @return 0 when it is null or not valid */
+size_t glint_workspace_size(const glint_config *config);
+
+/**
+ * Lays a workspace out.
+ * @param workspace set
+ * @param config with which is drawn
+ * @param memory of glint_workspace_size bytes, which are not 0, aligned as a pointer is
+ */
+void glint_workspace_init(glint_workspace *workspace, const glint_config *config, void *memory);
+
+/**
+ * Begins a frame: checks the scene and prepares camera, lights and materials in the arena, all of which it may use. On
+ * failure the frame, if there is one, is all 0.
+ * @param frame where config->keeps_arena is set, the last one drawn with this configuration, or all 0; else anything
+ * @param config how to draw; copied
+ * @param scene what to draw; it stays until the frame is done
+ * @return GLINT_OK, or why the frame cannot be drawn
+ */
+glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene);
+
+/** Prepares the next pass. @param frame begun @return 1 when there is one, 0 when the frame is done, or an error. */
+int glint_frame_next(glint_frame *frame);
+
+/**
+ * Draws what this pass holds of a tile from frame->tile_first to frame->tile_end - 1. Reads the frame, writes the
+ * workspace and the tile's own list: callers with workspaces of their own may draw tiles of one pass at the same time,
+ * each another. A tile that takes several passes must be drawn into the same workspace in each.
+ * @param frame a pass is prepared of
+ * @param workspace where it is drawn
+ * @param tile its number
+ * @return 1 when the tile is finished, 0 when a later pass adds to it, or GLINT_ERROR_PAINT.
+ */
+int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile);
+
+/**
+ * Where a tile lies on the screen, in pixels, cut at the screen's edges and at the region's.
+ * @param frame of which it is
+ * @param tile its number
+ * @param x,y,width,height set
+ */
+void glint_tile_rectangle(const glint_frame *frame, uint32_t tile, int *x, int *y, int *width, int *height);
+
+/**
+ * The same, with its pixels and its depth.
+ * @param frame of which it is
+ * @param workspace that holds it
+ * @param tile its number
+ * @param to set
+ */
+void glint_tile_find(const glint_frame *frame, const glint_workspace *workspace, uint32_t tile, glint_tile *to);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,312 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Cells: large triangles in squares of 8 x 8 pixels that are aligned to the screen. Light is found at nodes, each
+ * fourth pixel of each fourth row, which neighbours share. Where the nodes between others are close to the mean of
+ * these, colours between nodes are linear; elsewhere each fragment is lit. Values alone decide, none of them a matter
+ * of what is hidden or where a tile ends.
+ */
+#include "../pixel/format.h"
+#include "../raster/depth.h"
+#include "lamps.h"
+
+#define CELL 8
+#define NODE_STEP 4
+#define NODES (GLINT_TILE_MAX / NODE_STEP + 1)
+
+/* A node's colour: levels, Q14, with half a level or what dithering leaves free; up to 2. */
+typedef int16_t cell_node[3];
+
+#define COLOUR_BITS 14
+
+/* Dithered formats add this to red and blue: eight steps, rounded to 2^-16, take off at most 5 of these. Green
+ * and luma are exact. */
+#define LANE_MARGIN (2 << (COLOUR_BITS - 14))
+
+/* Rows of nodes above, in and below the cells of a row. */
+typedef struct cell_rows {
+    glint_row_walk *walk;
+    cell_node *row[3];
+    uint32_t known[3];      /* which of these nodes are known, by bits, */
+    uint32_t above[3];      /* and which have a channel above what is stored */
+    int32_t less[3];        /* half a level, but for what dithering leaves free; else 0 */
+    int32_t most[3];        /* the largest value that is stored */
+    uint32_t level_bits[3]; /* of a channel's levels; 8 where a format has fewer than 5 */
+    cell_node nodes[3][NODES];
+} cell_rows;
+
+void glint_keep_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+    glint_lamp_list *list = walk->list;
+    if (!list->bottom)
+        list->top = list->bottom = (uint32_t)row;
+    while (list->bottom < (uint32_t)row)
+        list->spans[list->bottom++] = (glint_span){0, 0};
+    list->spans[list->bottom++] = (glint_span){(uint8_t)left, (uint8_t)right};
+}
+
+/* ---- Nodes ---- */
+
+/* Sets a channel of a node. @return is it more than is stored? */
+static inline uint32_t set_channel(const cell_rows *r, int c, int32_t from, int16_t *to) {
+    const int32_t half = 1 << (GLINT_CHANNEL_BITS - COLOUR_BITS - 1),
+                  value = glint_shift_right(from + half, GLINT_CHANNEL_BITS - COLOUR_BITS) - r->less[c];
+    to[c] = (int16_t)glint_least(glint_most(value, 0), INT16_MAX);
+    return value > r->most[c];
+}
+
+/* Sets node n of a row from a colour in levels, Q27, half a level included. */
+static inline void set_node(cell_rows *r, int k, uint32_t n, const int32_t colour[3]) {
+    const glint_format *format = r->walk->frame->config.format;
+    int32_t from[3] = {colour[0], colour[1], colour[2]};
+    if (!format->channel[1]) { /* luma (ITU-R BT.601) */
+        int32_t part[3];       /* Q15, clamped */
+        for (int c = 0; c < 3; c++)
+            part[c] = glint_least(glint_most(glint_shift_right(colour[c], GLINT_CHANNEL_BITS - 15), 0), 1 << 15);
+        const int32_t luma = glint_shift_right(part[0] * 9798 + part[1] * 19235 + part[2] * 3735, 3);
+        from[0] = from[1] = from[2] = glint_to_levels(luma, format->bits);
+    }
+    int16_t *const to = r->row[k][n];
+    const uint32_t above =
+        set_channel(r, 0, from[0], to) | set_channel(r, 1, from[1], to) | set_channel(r, 2, from[2], to);
+    r->above[k] |= above << n;
+    r->known[k] |= 1u << n;
+}
+
+/* Lights nodes of a row, by bits; those whose 1/w is out of range, or around which light is rough, are not known. */
+static GLINT_NOINLINE void light_nodes(cell_rows *r, int k, uint32_t y, uint32_t missing) {
+    glint_row_walk *walk = r->walk;
+    glint_lit_fragment *const first = walk->list->fragment, *f = first;
+    for (uint32_t n = 0; missing >> n; n++) {
+        const int32_t column = (int32_t)(n * NODE_STEP), row = (int32_t)y, z = (int32_t)glint_z_at(walk, row, column);
+        if (missing >> n & 1 && z > (int32_t)GLINT_DEPTH_BIAS &&
+            (!walk->list->room || glint_lamp_plane(&walk->w, row, column) > 0)) {
+            f->at = y << 16 | (uint32_t)column;
+            f->n[0] = glint_lamp_plane(&walk->channel[0], row, column);
+            f->n[1] = glint_lamp_plane(&walk->channel[1], row, column);
+            f->n[2] = glint_lamp_plane(&walk->channel[2], row, column);
+            f->inverse_w = (z - (int32_t)GLINT_DEPTH_BIAS) | 1;
+            f->is_rough = 0;
+            f++;
+        }
+        if (f == first || (f != first + GLINT_LIST_MAX && missing >> n >> 1))
+            continue;
+        glint_lamps_light(walk, first, f);
+        while (f != first)
+            if (!(--f)->is_rough)
+                set_node(r, k, (f->at & 0xffff) / NODE_STEP, f->out.colour);
+    }
+}
+
+/* ---- Colours between nodes ---- */
+
+/* Twice what the middle of three nodes may be off the mean of the others, in levels, Q14: nodes of a square of 4
+ * pixels, and of one of 8. */
+#define CLOSE_OF_4 (7 << 10)
+#define CLOSE_OF_8 (7 << 9)
+
+/* Twice how far the middle of three nodes is off the mean of the others, in levels, Q14. */
+static inline int32_t node_bend_of(const cell_rows *r, int c, const int16_t *a, const int16_t *m, const int16_t *b) {
+    const int32_t bend = 2 * m[c] - a[c] - b[c];
+    return (bend < 0 ? -bend : bend) << r->level_bits[c];
+}
+
+static inline int32_t find_node_bend(const cell_rows *r, const int16_t *a, const int16_t *m, const int16_t *b) {
+    return glint_most_of(node_bend_of(r, 0, a, m, b), node_bend_of(r, 1, a, m, b), node_bend_of(r, 2, a, m, b));
+}
+
+/* Are some known nodes of a cell more than is stored, and others not? */
+static int cell_is_saturated(const cell_rows *r, uint32_t n) {
+    for (int c = 0; c < 3; c++) {
+        uint32_t above = 0, below = 0;
+        for (int k = 0; k < 3; k++) {
+            for (uint32_t i = n; i < n + 3; i++) {
+                const int is_above = r->known[k] >> i & 1 && r->row[k][i][c] > r->most[c];
+                above |= (uint32_t)is_above;
+                below |= r->known[k] >> i & (uint32_t)!is_above;
+            }
+        }
+        if (above & below & 1)
+            return 1;
+    }
+    return 0;
+}
+
+/* A channel of a square: at its first column, its change from column to column, and the changes of both from row to
+ * row; 2^-24. */
+typedef struct patch_channel {
+    int32_t value, step, down, turn;
+} patch_channel;
+
+static inline patch_channel begin_channel(const cell_rows *r, int c, unsigned bits, const int16_t *const node[4]) {
+    const int32_t most = r->most[c], up = 1 << (24 - COLOUR_BITS);
+    const int32_t v = glint_least(node[0][c], most), right = glint_least(node[1][c], most) - v,
+                  below = glint_least(node[2][c], most) - v, across = glint_least(node[3][c], most) - v - right - below;
+    return (patch_channel){v * up, glint_shift_right(right * up, bits), glint_shift_right(below * up, bits),
+                           glint_shift_right(across * up, 2 * bits)};
+}
+
+static inline void step_channel(patch_channel *p) {
+    p->value += p->down;
+    p->step += p->turn;
+}
+
+/* Draws a square of pixels between four nodes, 2^bits wide, of the kept spans. */
+static void draw_patch(const cell_rows *r, uint32_t x, uint32_t y, unsigned bits, const int16_t *a, const int16_t *b,
+                       const int16_t *below_a, const int16_t *below_b) {
+    glint_row_walk *walk = r->walk;
+    const glint_lamp_list *list = walk->list;
+    const uint32_t end_x = x + (1u << bits), end_y = y + (1u << bits);
+    const uint32_t end = end_y < list->bottom ? end_y : list->bottom;
+    const int16_t *const node[4] = {a, b, below_a, below_b};
+    glint_draw_span *const smooth = walk->frame->config.format->smooth;
+    patch_channel red = begin_channel(r, 0, bits, node), green = begin_channel(r, 1, bits, node),
+                  blue = begin_channel(r, 2, bits, node);
+    walk->lanes[2] = (glint_lanes){0, 0};
+    for (uint32_t row = y; row < end; row++) {
+        const uint32_t left = list->spans[row].left > x ? list->spans[row].left : x,
+                       right = list->spans[row].right < end_x ? list->spans[row].right : end_x;
+        if (row >= list->top && left < right) {
+            const uint32_t red_blue = ((uint32_t)glint_shift_right(blue.step + (1 << 7), 8) << 16) +
+                                      (uint32_t)glint_shift_right(red.step + (1 << 7), 8),
+                           green_step = (uint32_t)green.step << 8;
+            walk->lanes[1].red_blue = red_blue;
+            walk->lanes[1].green = green_step;
+            walk->lanes[0].red_blue = ((uint32_t)glint_shift_right(blue.value, 8) << 16) +
+                                      (uint32_t)glint_shift_right(red.value, 8) - red_blue * x;
+            walk->lanes[0].green = ((uint32_t)green.value << 8) - green_step * x;
+            smooth(walk, (int32_t)row, (int32_t)left, (int32_t)right);
+        }
+        step_channel(&red);
+        step_channel(&green);
+        step_channel(&blue);
+    }
+}
+
+/* ---- Cells ---- */
+
+/* The kept span of a row within so many columns. @return 0 where there is none */
+static inline int clip_to_columns(const glint_lamp_list *list, uint32_t row, uint32_t x, uint32_t end, uint32_t *left,
+                                  uint32_t *right) {
+    if (row < list->top || row >= list->bottom)
+        return 0;
+    *left = list->spans[row].left > x ? list->spans[row].left : x;
+    *right = list->spans[row].right < end ? list->spans[row].right : end;
+    return *left < *right;
+}
+
+/* Is a pixel of a cell nearer than what was there? */
+static int cell_is_seen(const glint_row_walk *walk, uint32_t x, uint32_t y) {
+    for (uint32_t row = y; row < y + CELL; row++) {
+        uint32_t left, right;
+        if (!clip_to_columns(walk->list, row, x, x + CELL, &left, &right))
+            continue;
+        const uint16_t *depth = walk->depth + (row << walk->shift);
+        uint32_t z = glint_z_at(walk, (int32_t)row, (int32_t)left);
+        for (; left < right; left++, z += (uint32_t)walk->z.dx)
+            if (z >> 15 > depth[left])
+                return 1;
+    }
+    return 0;
+}
+
+/* Finds which squares of a cell are not linear, by bits. @return 0 where all are and the cell is, too */
+static uint32_t find_bent(const cell_rows *r, uint32_t n) {
+    uint32_t bent = 0, is_bent = 0;
+    for (uint32_t k = 0; k < 3; k++) { /* a row or a column of nodes borders on two or four squares */
+        static const uint8_t of_row[3] = {3, 15, 12}, of_column[3] = {5, 15, 10};
+        const int is_row_known = (r->known[k] >> n & 7) == 7,
+                  is_column_known = (int)(r->known[0] >> (n + k) & r->known[1] >> (n + k) & r->known[2] >> (n + k) & 1);
+        const int32_t across = is_row_known ? find_node_bend(r, r->row[k][n], r->row[k][n + 1], r->row[k][n + 2])
+                                            : INT32_MAX,
+                      down = is_column_known ? find_node_bend(r, r->row[0][n + k], r->row[1][n + k], r->row[2][n + k])
+                                             : INT32_MAX;
+        is_bent |= glint_most(across, down) > CLOSE_OF_8 ? 16 : 0;
+        if (across > CLOSE_OF_4)
+            bent |= of_row[k];
+        if (down > CLOSE_OF_4)
+            bent |= of_column[k];
+    }
+    if ((r->above[0] | r->above[1] | r->above[2]) >> n & 7 && cell_is_saturated(r, n))
+        bent = 15;
+    return bent | is_bent;
+}
+
+/* Draws a cell from its first node on. */
+static void draw_cell(cell_rows *r, uint32_t x, uint32_t y) {
+    const uint32_t n = x / NODE_STEP, bent = find_bent(r, n);
+    if (!bent) {
+        draw_patch(r, x, y, 3, r->row[0][n], r->row[0][n + 2], r->row[2][n], r->row[2][n + 2]);
+        return;
+    }
+    for (uint32_t i = 0; i < 4; i++) {
+        const uint32_t left_x = x + (i & 1) * NODE_STEP, top = y + (i >> 1) * NODE_STEP;
+        cell_node *const above = r->row[i >> 1] + n + (i & 1), *const below = r->row[(i >> 1) + 1] + n + (i & 1);
+        if (!(bent >> i & 1)) {
+            draw_patch(r, left_x, top, 2, above[0], above[1], below[0], below[1]);
+            continue;
+        }
+        for (uint32_t row = top; row < top + NODE_STEP; row++) {
+            uint32_t left, right;
+            if (clip_to_columns(r->walk->list, row, left_x, left_x + NODE_STEP, &left, &right))
+                glint_list_span(r->walk, (int32_t)row, (int32_t)left, (int32_t)right);
+        }
+    }
+    if (r->walk->list->count)
+        glint_light_listed(r->walk);
+}
+
+/* Draws the cells of a row. */
+static void draw_cell_row(cell_rows *r, uint32_t y) {
+    const glint_lamp_list *list = r->walk->list;
+    uint32_t left = GLINT_TILE_MAX, right = 0, seen = 0, nodes = 0;
+    for (uint32_t row = y < list->top ? list->top : y; row < y + CELL && row < list->bottom; row++) {
+        const glint_span span = list->spans[row];
+        if (span.left >= span.right)
+            continue;
+        left = span.left < left ? span.left : left;
+        right = span.right > right ? span.right : right;
+    }
+    left &= ~(CELL - 1u);
+    for (uint32_t x = left; x < right; x += CELL) {
+        if (cell_is_seen(r->walk, x, y)) {
+            seen |= 1u << x / CELL;
+            nodes |= 7u << x / NODE_STEP;
+        }
+    }
+    for (int k = 0; k < 3; k++)
+        if (nodes & ~r->known[k])
+            light_nodes(r, k, y + (uint32_t)k * NODE_STEP, nodes & ~r->known[k]);
+    for (uint32_t x = left; x < right; x += CELL)
+        if (seen >> x / CELL & 1)
+            draw_cell(r, x, y);
+}
+
+/* The levels of the format's channels. */
+static void set_cell_levels(cell_rows *r) {
+    const glint_format *format = r->walk->frame->config.format;
+    for (int c = 0; c < 3; c++) {
+        const unsigned bits = format->channel[1] ? format->channel[c] : format->bits;
+        const int32_t level = 1 << (COLOUR_BITS - bits), margin = c == 1 || !format->channel[1] ? 0 : LANE_MARGIN;
+        r->less[c] = format->is_dithered ? level / 2 - margin : 0;
+        r->level_bits[c] = bits > 4 ? bits : 8;
+        r->most[c] = (1 << COLOUR_BITS) - (format->is_dithered ? level + margin : level / 2);
+    }
+}
+
+GLINT_NOINLINE void glint_draw_cells(glint_row_walk *walk) {
+    cell_rows r;
+    r.walk = walk;
+    for (int k = 0; k < 3; k++) {
+        r.row[k] = r.nodes[k];
+        r.known[k] = r.above[k] = 0;
+    }
+    set_cell_levels(&r);
+    for (uint32_t y = walk->list->top & ~(CELL - 1u); y < walk->list->bottom; y += CELL) {
+        draw_cell_row(&r, y);
+        cell_node *const last = r.row[0];
+        r.row[0] = r.row[2];
+        r.row[2] = last;
+        r.known[0] = r.known[2];
+        r.above[0] = r.above[2];
+        r.known[1] = r.known[2] = r.above[1] = r.above[2] = 0;
+    }
+}

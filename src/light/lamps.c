@@ -1,0 +1,573 @@
+/* SPDX-License-Identifier: MIT */
+/* Lamps: lights each fragment by any lights; lamps.h. */
+#include "lamps.h"
+
+#include "../math/division.h"
+#include "../pixel/format.h"
+#include "../raster/small.h"
+#include "evaluation.h"
+
+/* ---- A draw's lights ---- */
+
+/*
+ * Exponents from which on cosines of 15 bits are too coarse for a highlight around the half vector: off by 2^-14, they
+ * make it p 2^-14 more or less, which is to be a part of a level.
+ */
+#define NARROW_EXPONENT (120 * GLINT_ONE)
+
+/* Brings a weight, Q12, to levels of so many bits. */
+static int32_t lamp_weight(uint32_t weight, unsigned bits, unsigned headroom) {
+    const uint32_t scaled = bits ? weight - ((weight + (1u << (bits - 1))) >> bits) : weight;
+    return (int32_t)((scaled + (1u << headroom >> 1)) >> headroom);
+}
+
+/*
+ * Returns by how much colours are to be less, as a power of two, so that their sum stays below 15; below 7 where it is
+ * multiplied by a fragment's own, in 32 bits.
+ */
+static unsigned find_headroom(const glint_shading *shading, int has_colours) {
+    unsigned headroom = 0;
+    for (int c = 0; c < 3; c++) {
+        uint32_t sum = shading->ambient[c] >> 11;
+        for (uint32_t i = 0; shading->lights >> i; i++)
+            if (shading->lights >> i & 1)
+                sum += shading->weights[i].diffuse[c] +
+                       (shading->has_specular >> i & 1 ? shading->weights[i].specular[c] : 0);
+        while (sum >> headroom >= (has_colours ? 7u : 15u) << 12)
+            headroom++;
+    }
+    return headroom;
+}
+
+static void set_colours_of(glint_lamps *lamps, const glint_frame *frame) {
+    const glint_shading *shading = lamps->shading;
+    const uint8_t *bits = frame->config.format->channel;
+    const int is_last = !lamps->headroom && !lamps->takes_most && !lamps->has_colours;
+    for (int c = 0; c < 3; c++) {
+        const unsigned b = frame->config.gamma ? 0 : bits[c];
+        const int32_t ambient = (int32_t)((shading->ambient[c] < 15u << 23 ? shading->ambient[c] : 15u << 23) << 4);
+        lamps->half[c] = glint_to_levels(0, b);
+        lamps->base[c] = glint_to_levels(ambient, b) - (is_last ? 0 : lamps->half[c]);
+        lamps->base[c] = glint_shift_right(lamps->base[c], lamps->headroom);
+        lamps->first[c] = lamps->takes_most ? 0 : lamps->base[c];
+    }
+}
+
+/* Returns 1 / tan^2 of a spot's outer angle, Q8, below 2^16; 0 from a right angle on. */
+static uint16_t sharpness_of(const glint_prepared_light *source) {
+    const int32_t cosine = glint_shift_right(source->spot.cosine_outer, 15);
+    if (cosine <= 0)
+        return 0;
+    const uint32_t square = (uint32_t)(cosine * cosine), rest = square < 1u << 30 ? ((1u << 30) - square) >> 8 : 0;
+    return (uint16_t)glint_least((int32_t)(square / (rest > 1u << 14 ? rest : 1u << 14)), UINT16_MAX);
+}
+
+/*
+ * Chooses which highlights and ways are found with all bits. Cosines of 15 bits make others off by up to p / (1 + L.V)
+ * steps of 2^-15.
+ */
+static void set_highlights(glint_lamps *lamps, int has_8_bits) {
+    const int32_t p = glint_shift_right(glint_least(lamps->shading->power.exponent, NARROW_EXPONENT), 16);
+    lamps->near = has_8_bits ? 15u << 22 : 1u << 20;
+    lamps->nearest = has_8_bits ? lamps->near : 1u << 18;
+    const glint_power_table *power = &lamps->shading->power;
+    const int is_mirror = lamps->shading->material->model->lobe == GLINT_LOBE_MIRROR;
+    const int32_t narrow = NARROW_EXPONENT >> is_mirror;
+    lamps->is_rare = power->direct || power->exponent >= narrow;
+    lamps->power = power->value;
+    lamps->power_up = (31 - power->index_shift) & 31;
+    lamps->cut = 2 * (uint32_t)glint_most(power->cosine_square_floor, 0);
+    lamps->least_whole = glint_most(1 << 10, has_8_bits ? p << 8 : p << 6);
+    lamps->usual_whole = lamps->is_rare ? INT32_MAX : lamps->least_whole;
+}
+
+/* How much of N.D rounding may be, and whether D is near is not known. */
+#define GATE_MARGIN (4 << 15)
+
+/* Sets the lights of a draw in the walk's tile. */
+static GLINT_NOINLINE void set_lamps(glint_row_walk *walk) {
+    const glint_frame *frame = walk->frame;
+    const glint_view *view = frame->view;
+    const glint_draw *draw = walk->draw;
+    const glint_shading *shading = draw->shading;
+    const glint_window *window = &walk->part->window;
+    const uint8_t *bits = frame->config.format->channel;
+    glint_lamps *lamps = walk->workspace->lamps;
+    glint_drawn_lamp *to = lamps->lamps;
+    walk->lit = draw;
+    lamps->shading = shading;
+    lamps->gate = shading->material->flags & GLINT_MATERIAL_UNGATED ? INT32_MIN : 0;
+    lamps->near_gate = lamps->gate ? lamps->gate : -GATE_MARGIN;
+    lamps->far_gate = lamps->gate ? lamps->gate : GATE_MARGIN;
+    lamps->takes_most = (shading->material->flags & GLINT_MATERIAL_MAX) != 0;
+    lamps->has_colours = draw->extra != 0;
+    lamps->is_local = view->local_viewer;
+    lamps->least_view = view->local_viewer ? 1u << 28 : UINT32_MAX;
+    set_highlights(lamps, glint_green_bits(frame->config.format) > 6);
+    lamps->headroom = (uint8_t)find_headroom(shading, lamps->has_colours);
+    lamps->needs_w = lamps->has_colours;
+    lamps->has_gloss = 0;
+    lamps->unit = 32;
+    lamps->step = 2 * view->ray_scale;
+    const int32_t half = 1 << 11;
+    lamps->x = (frame->config.width - glint_shift_right(window->left, 3)) * view->ray_scale + half;
+    lamps->y = (glint_shift_right(window->top, 3) - frame->config.height) * view->ray_scale + half;
+    lamps->z = (int32_t)glint_shift_right64(glint_product(view->focal, view->ray_scale), 12) + half;
+    set_colours_of(lamps, frame);
+    lamps->is_mixed = lamps->has_colours | lamps->takes_most | (lamps->headroom != 0);
+    const uint32_t lights = shading->lights & ~draw->unreached;
+    for (uint32_t i = 0; lights >> i; i++) {
+        const glint_prepared_light *source = &view->lights[i];
+        if (!(lights >> i & 1))
+            continue;
+        to->source = source;
+        to->has_cone = source->type->has_cone;
+        to->has_place = source->type->has_place;
+        to->linear = source->lamp.linear;
+        to->quadratic = source->lamp.quadratic;
+        to->weakens = 0;
+        to->shines = shading->has_specular >> i & 1;
+        for (int c = 0; c < 3; c++) {
+            const unsigned b = frame->config.gamma ? 0 : bits[c];
+            to->diffuse[c] = lamp_weight(shading->weights[i].diffuse[c], b, lamps->headroom);
+            to->specular[c] = lamp_weight(shading->weights[i].specular[c], b, lamps->headroom);
+            to->at[c] = source->direction[c] + glint_shift_right(source->direction[c], 13);
+        }
+        lamps->has_gloss |= to->shines;
+        lamps->needs_w |= source->type->has_place;
+        to++;
+    }
+    lamps->count = (uint32_t)(to - lamps->lamps);
+}
+
+/*
+ * Brings lights to the unit of places where 1/w 2^-unit has 16 bits. A place lies within 2^15 of the eye, and so does a
+ * light: of one that is farther, both are taken 2^-k of what they are. With two bits for the sum of both, products with
+ * other vectors of 15 bits have 31.
+ */
+GLINT_NOINLINE void glint_set_lamps_unit(glint_lamps *lamps, int32_t unit) {
+    lamps->unit = unit;
+    for (glint_drawn_lamp *lamp = lamps->lamps, *end = lamp + lamps->count; lamp != end; lamp++) {
+        const glint_prepared_light *source = lamp->source;
+        if (!lamp->has_place)
+            continue;
+        const int32_t near_shift = source->lamp.shift - 15 - unit, k = glint_most(16 - near_shift, 0);
+        const unsigned shift = (unsigned)glint_least(near_shift + k, 30);
+        const int32_t half = (int32_t)(1u << shift); /* half a step, and what e lacks on the average */
+        for (int c = 0; c < 3; c++)
+            lamp->at[c] = glint_shift_right(source->lamp.place[c] + half, shift);
+        lamp->down = (uint8_t)glint_least(16 + k, 31);
+        /* few pixels: 12 of a fragment as far as places of this unit may be */
+        const uint32_t cell =
+            (uint32_t)glint_shift_right(glint_least(lamps->step >> 8, 1 << 14), (unsigned)glint_least(k, 15));
+        lamp->rough = cell * cell / 4 * 9;
+        const uint32_t sharpness = lamp->has_cone ? sharpness_of(source) : 0, most = 0x80000000u / (sharpness + 1),
+                       narrow = lamp->rough >> 8;
+        lamp->cone_rough = (narrow < most ? narrow : most) * sharpness;
+        lamp->cone_rough = lamp->cone_rough > lamp->rough ? lamp->cone_rough : lamp->rough;
+        lamp->near = k <= 3 ? lamps->near >> k : 0; /* farther ones are never so near */
+        lamp->fine_down = (uint8_t)glint_least(near_shift + k - 15, 31);
+        const int32_t linear_shift = source->lamp.linear_shift - (k - unit),
+                      quadratic_shift = source->lamp.quadratic_shift - 2 * (k - unit);
+        lamp->weakens = (lamp->linear | lamp->quadratic) != 0;
+        if ((lamp->linear && linear_shift < 0) || (lamp->quadratic && quadratic_shift < 0))
+            lamp->weakens = 2;
+        lamp->usual = lamp->near > lamp->rough ? lamp->near : lamp->rough;
+        if (lamp->has_cone || lamp->weakens != 1)
+            lamp->usual = UINT32_MAX;
+        lamp->linear_shift = (int8_t)glint_most(glint_least(linear_shift, 31), INT8_MIN);
+        lamp->quadratic_shift = (int8_t)glint_most(glint_least(quadratic_shift, 31), INT8_MIN);
+    }
+}
+
+/* ---- Fragments ---- */
+
+GLINT_NOINLINE uint32_t glint_lengthen_view(glint_lit_view *s, uint32_t square) {
+    const unsigned up = (glint_leading_zeros(square | 1) - 2) >> 1;
+    for (int c = 0; c < 3; c++)
+        s->v[c] = glint_shift_left(s->v[c], up);
+    return square << 2 * up;
+}
+
+/* Sets which 1/w are of the lamps' unit; where rays are parallel, none. */
+static void set_octave(const glint_row_walk *walk) {
+    glint_lamps *lamps = walk->workspace->lamps;
+    lamps->up = (uint32_t)(16 - lamps->unit) - walk->list->room;
+    lamps->least_w = lamps->up > 31 || walk->frame->view->is_parallel ? 0 : 0x80000000u >> lamps->up;
+}
+
+static void set_unit(const glint_row_walk *walk, int32_t unit) {
+    glint_lamps *lamps = walk->workspace->lamps;
+    if (unit != lamps->unit)
+        glint_set_lamps_unit(lamps, unit);
+    set_octave(walk);
+}
+
+/* V of parallel rays is brought to 14 bits times w of a power of two. */
+static void find_parallel(const glint_row_walk *walk, glint_lit_view *s) {
+    const glint_view *view = walk->frame->view;
+    const int32_t distance = walk->frame->scene->camera.projection->distance_of(view, s->at->inverse_w);
+    const int64_t far = glint_shift_right64(glint_product(distance, view->ray_scale), 24);
+    const unsigned bits = glint_bits64(glint_magnitude64(far)), down = bits > 14 ? bits - 14 : 0,
+                   rest = down > 16 ? down - 16 : 0;
+    s->v[0] = glint_shift_right(s->v[0], rest);
+    s->v[1] = glint_shift_right(s->v[1], rest);
+    s->v[2] = (int32_t)glint_shift_right64(far, rest);
+    s->w = 1 << (16 - (down - rest));
+    set_unit(walk, 16 - (int32_t)down);
+}
+
+GLINT_NOINLINE void glint_find_other_w(const glint_row_walk *walk, glint_lit_view *s) {
+    const uint32_t inverse_w = (uint32_t)s->at->inverse_w, zeros = glint_leading_zeros(inverse_w);
+    if (walk->frame->view->is_parallel) {
+        find_parallel(walk, s);
+        return;
+    }
+    set_unit(walk, 16 - (int32_t)zeros - (int32_t)walk->list->room);
+    s->w = glint_reciprocal16(inverse_w << zeros >> 16);
+}
+
+GLINT_NOINLINE void glint_mix_own_colour(const glint_row_walk *walk, glint_lit_fragment *f, int32_t w, uint32_t zeros,
+                                         const int32_t gloss[3]) {
+    const glint_lamps *lamps = walk->workspace->lamps;
+    int32_t *const to = f->out.colour, base[3] = {lamps->base[0], lamps->base[1], lamps->base[2]};
+    if (lamps->has_colours) {
+        const int is_parallel = walk->frame->view->is_parallel;
+        w = is_parallel ? 1 << 16 : w;
+        zeros = is_parallel ? 0 : zeros;
+        glint_multiply_by_own(walk->list, f, w, zeros, to);
+        if (lamps->takes_most)
+            glint_multiply_by_own(walk->list, f, w, zeros, base);
+    }
+    to[0] += gloss[0], to[1] += gloss[1], to[2] += gloss[2];
+    if (lamps->takes_most) {
+        to[0] = glint_most(to[0], base[0]);
+        to[1] = glint_most(to[1], base[1]);
+        to[2] = glint_most(to[2], base[2]);
+    }
+    for (int c = 0; c < 3 && lamps->headroom; c++)
+        to[c] = glint_shift_left(glint_least(to[c], (15 << GLINT_CHANNEL_BITS) >> lamps->headroom), lamps->headroom);
+    to[0] += lamps->half[0], to[1] += lamps->half[1], to[2] += lamps->half[2];
+}
+
+/* Finds the colours of fragments that no light reaches. */
+static GLINT_NOINLINE void show_ambient(const glint_row_walk *walk, glint_lit_fragment *f,
+                                        const glint_lit_fragment *end) {
+    static const int32_t gloss[3] = {0, 0, 0};
+    const glint_lamps *lamps = walk->workspace->lamps;
+    for (; f != end; f++) {
+        for (int c = 0; c < 3; c++)
+            f->out.colour[c] = lamps->first[c];
+        if (lamps->is_mixed) {
+            const uint32_t zeros = glint_leading_zeros((uint32_t)f->inverse_w | 1);
+            glint_mix_own_colour(walk, f, glint_reciprocal16((uint32_t)f->inverse_w << zeros >> 16), zeros, gloss);
+        }
+    }
+}
+
+/* Finds 1/w of the fragments of a far triangle. */
+static GLINT_NOINLINE void find_far_depths(const glint_row_walk *walk, glint_lit_fragment *f,
+                                           const glint_lit_fragment *end) {
+    for (; f != end; f++)
+        f->inverse_w = glint_most(glint_lamp_plane(&walk->w, glint_fragment_row(f), glint_fragment_column(f)), 1);
+}
+
+void glint_lamps_light(const glint_row_walk *walk, glint_lit_fragment *f, const glint_lit_fragment *end) {
+    const glint_lamps *lamps = walk->workspace->lamps;
+    if (walk->list->room)
+        find_far_depths(walk, f, end);
+    if (lamps->along || lamps->places)
+        lamps->shading->material->model->reflect(walk, f, end);
+    else
+        show_ambient(walk, f, end);
+}
+
+/* Lights the fragments of the list, and stores them. */
+GLINT_NOINLINE void glint_light_listed(const glint_row_walk *walk) {
+    glint_lamp_list *list = walk->list;
+    const glint_config *config = &walk->frame->config;
+    glint_lit_fragment *f = list->fragment;
+    const uint32_t count = list->count;
+    list->count = 0;
+    list->light(walk, f, f + count);
+    for (uint32_t i = 0; config->gamma && i < count; i++)
+        glint_finish_colours(config, &f[i].out.colour, 1);
+    config->format->store_list(walk->pixels, walk->shift, &f->out, sizeof *f, count);
+}
+
+/* ---- Triangles ---- */
+
+/* An attribute of 15 bits over w, 30 bits: also a corner's whose 1/w is a small part of the nearest one's. */
+static inline int32_t weigh_corner(int32_t attribute, const glint_vertex *v, unsigned up) {
+    const uint32_t w = (uint32_t)v->inverse_w << up;
+    return attribute * (int32_t)(w >> 16) + glint_shift_right(attribute * (int32_t)(w >> 1 & 0x7fff), 15);
+}
+
+/* x 2^n modulo 2^32. */
+static inline uint32_t scale_slope(int32_t x, int32_t n) {
+    return n < 0 ? (uint32_t)glint_shift_right(x, (unsigned)-n) : (uint32_t)x << n;
+}
+
+/* Returns a sum of products of differences, Q18, times 1/area in 16 bits. */
+static inline int32_t divide_by_area(int32_t sum, const glint_area *area) {
+    return glint_shift_right(sum, 15) * area->reciprocal +
+           (int32_t)((uint32_t)((sum & 0x7fff) * area->reciprocal) >> 15);
+}
+
+/*
+ * Sets the plane of an attribute, from the tile's first pixel on. Slopes of small triangles are sums of products
+ * without rounding, of differences of 18 bits, times 1/area in 16 bits: at a pixel of the triangle the plane is off by
+ * 2^-15 of the corners' difference.
+ */
+static void set_plane(const glint_row_walk *walk, glint_plane *to, const int32_t of[3]) {
+    if (walk->has_slopes) {
+        static const uint8_t next[5] = {0, 1, 2, 0, 1};
+        const glint_slopes *s = &walk->slopes;
+        const glint_corners *k = &walk->corners;
+        const uint8_t *from = &next[k->top];
+        const int32_t dx1 = glint_x_of(k->b) - glint_x_of(k->a), dx2 = glint_x_of(k->c) - glint_x_of(k->a);
+        const int32_t dy1 = glint_y_of(k->b) - glint_y_of(k->a), dy2 = glint_y_of(k->c) - glint_y_of(k->a);
+        const int32_t a = of[from[0]], to_b = of[from[1]] - a, to_c = of[from[2]] - a;
+        const uint32_t zeros = glint_leading_zeros(glint_magnitude_bits(to_b) | glint_magnitude_bits(to_c));
+        const uint32_t down = zeros < 14 ? 14 - zeros : 0;
+        const int32_t d1 = glint_shift_right(to_b, down), d2 = glint_shift_right(to_c, down);
+        const int32_t x = divide_by_area(d2 * dy1 - d1 * dy2, &k->area),
+                      y = divide_by_area(d1 * dx2 - d2 * dx1, &k->area);
+        const int32_t to_center =
+            glint_shift_right(x, 5) * (~glint_x_of(k->a) & 15) + glint_shift_right(y, 5) * (~glint_y_of(k->a) & 15);
+        const int32_t up = (int32_t)(k->area.zeros + down) - 28;
+        to->dx = (int32_t)scale_slope(x, up);
+        to->dy = (int32_t)scale_slope(y, up);
+        to->start = (int32_t)((uint32_t)a + scale_slope(to_center, up + 1) - (uint32_t)to->dx * (uint32_t)s->column -
+                              (uint32_t)to->dy * (uint32_t)s->row);
+        return;
+    }
+    glint_plane_begin(to, &walk->part->gradients, of[0], of[1], of[2]);
+    to->start = glint_plane_at(to, walk->part->x, walk->part->y);
+}
+
+void glint_set_fine_w(glint_row_walk *walk) {
+    const glint_vertex *const *v = walk->triangle.corners;
+    const unsigned up = walk->list->up;
+    const int32_t w[3] = {(int32_t)((uint32_t)v[0]->inverse_w << up >> 1),
+                          (int32_t)((uint32_t)v[1]->inverse_w << up >> 1),
+                          (int32_t)((uint32_t)v[2]->inverse_w << up >> 1)};
+    set_plane(walk, &walk->w, w);
+    walk->list->has_w = 1;
+}
+
+/* Planes of three attributes over w. */
+static void set_planes(const glint_row_walk *walk, glint_plane planes[3], const int16_t *const of[3], int32_t sign,
+                       unsigned up) {
+    const glint_vertex *const *v = walk->triangle.corners;
+    for (int c = 0; c < 3; c++) {
+        const int32_t corner[3] = {weigh_corner(sign * of[0][c], v[0], up), weigh_corner(sign * of[1][c], v[1], up),
+                                   weigh_corner(sign * of[2][c], v[2], up)};
+        set_plane(walk, &planes[c], corner);
+    }
+}
+
+/* Draws a span: lists the fragments that pass the depth test. */
+void glint_list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+    const glint_plane *const n = walk->channel;
+    glint_lamp_list *const list = walk->list;
+    glint_lit_fragment *f = &list->fragment[list->count];
+    uint32_t z = glint_z_at(walk, row, left), at = ((uint32_t)row << 16) + (uint32_t)left,
+             pixel = ((uint32_t)row << walk->shift) + (uint32_t)left;
+    uint8_t *depth = (uint8_t *)(walk->depth + ((uint32_t)row << walk->shift) + left), *const end =
+                                                                                           depth + 2 * (right - left);
+    int32_t nx = glint_lamp_plane(&n[0], row, left), ny = glint_lamp_plane(&n[1], row, left),
+            nz = glint_lamp_plane(&n[2], row, left);
+    for (;;) {
+        const uint32_t here = (uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS);
+        if (glint_is_nearest(depth, here)) {
+            f->at = at;
+            f->out.pixel = pixel;
+            f->n[0] = nx, f->n[1] = ny, f->n[2] = nz;
+            f->inverse_w = (int32_t)(here - GLINT_DEPTH_BIAS) | 1;
+            if (++f == &list->fragment[GLINT_LIST_MAX]) {
+                list->count = GLINT_LIST_MAX;
+                glint_light_listed(walk);
+                f = list->fragment;
+            }
+        }
+        depth += 2;
+        if (depth == end)
+            break;
+        at++;
+        pixel++;
+        z += (uint32_t)walk->z.dx;
+        nx = glint_add_wrap(nx, n[0].dx);
+        ny = glint_add_wrap(ny, n[1].dx);
+        nz = glint_add_wrap(nz, n[2].dx);
+    }
+    list->count = (uint32_t)(f - list->fragment);
+}
+
+/* May a plane leave 32 bits a few pixels beyond a triangle? */
+static inline int is_steep_plane(const glint_plane *p) {
+    const int32_t most = 1 << 25;
+    return p->dx > most || p->dx < -most || p->dy > most || p->dy < -most;
+}
+
+/*
+ * May light be found at nodes? Of a large triangle, whose planes keep in 32 bits as far as nodes lie outside of it, and
+ * where no highlight is so narrow that it is lost between them.
+ */
+static int may_have_cells(const glint_row_walk *walk) {
+    const glint_vertex *const *v = walk->triangle.corners;
+    const glint_lamps *lamps = walk->workspace->lamps;
+    const glint_power_table *power = &lamps->shading->power;
+    const glint_format *format = walk->frame->config.format;
+    if (walk->is_deep || walk->frame->config.gamma ||
+        (format->is_dithered && glint_green_bits(format) > 6) || /* nodes have no room for their thresholds */
+        (lamps->has_gloss && !power->direct && power->exponent >= NARROW_EXPONENT / 2))
+        return 0;
+    if (is_steep_plane(&walk->channel[0]) || is_steep_plane(&walk->channel[1]) || is_steep_plane(&walk->channel[2]) ||
+        is_steep_plane(&walk->z) || (walk->list->room && is_steep_plane(&walk->w)))
+        return 0;
+    return glint_magnitude_bits(glint_double_area(v[0], v[1], v[2])) >= 512 * GLINT_CELLS_LEAST;
+}
+
+GLINT_NOINLINE void glint_begin_lamp_list(glint_row_walk *walk) {
+    glint_lamp_list *list = walk->list;
+    if (walk->lit != walk->draw)
+        set_lamps(walk);
+    walk->workspace->lamps->walk = walk;
+    list->up = glint_find_room(walk->triangle.corners);
+    list->room = 0;
+    list->has_w = 0;
+    set_octave(walk);
+    if (walk->draw->extra)
+        set_planes(walk, list->surface, walk->triangle.extra, 1, list->up);
+}
+
+/*
+ * Finds the ways from a triangle's corners to the eye, in a unit of places for all. @return 0 where there is none, or a
+ * corner lies too far out
+ */
+static int find_corner_ways(const glint_row_walk *walk, int32_t e[3][3]) {
+    const glint_vertex *const *v = walk->triangle.corners;
+    const glint_config *config = &walk->frame->config;
+    const glint_lamps *lamps = walk->workspace->lamps;
+    const uint32_t zeros = glint_leading_zeros((uint32_t)v[0]->inverse_w | 1);
+    if (walk->frame->view->is_parallel)
+        return 0;
+    for (int j = 0; j < 3; j++) {
+        const uint32_t inverse_w = (uint32_t)v[j]->inverse_w;
+        const int64_t x = glint_product(8 * config->width - v[j]->x, lamps->step),
+                      y = glint_product(v[j]->y - 8 * config->height, lamps->step), limit = (int64_t)1 << 31;
+        if (inverse_w >> (31 - zeros) != 1 || x >= limit || x < -limit || y >= limit || y < -limit)
+            return 0;
+        const int32_t w = glint_reciprocal16(inverse_w << zeros >> 16);
+        e[j][0] = glint_shift_right((int32_t)x, 16) * w;
+        e[j][1] = glint_shift_right((int32_t)y, 16) * w;
+        e[j][2] = glint_shift_right(lamps->z, 12) * w;
+    }
+    set_unit(walk, 16 - (int32_t)zeros);
+    return 1;
+}
+
+/* N.D of a corner that faces a light by less than this part of a step is not taken for one that faces away. */
+#define DARK_MARGIN (16 << 14)
+
+/*
+ * May a triangle face a light? N.D over w^2 is a quadratic on the screen, between the products of all corners' N and D.
+ * It is below 0 where they are.
+ */
+static int may_face(const glint_row_walk *walk, const glint_drawn_lamp *lamp, const int32_t e[3][3]) {
+    for (int j = 0; j < 3; j++) {
+        const int32_t *const at = lamp->at;
+        int32_t x = at[0], y = at[1], z = at[2];
+        if (lamp->has_place) {
+            x += glint_shift_right(e[j][0], lamp->down);
+            y += glint_shift_right(e[j][1], lamp->down);
+            z += glint_shift_right(e[j][2], lamp->down);
+        }
+        x = glint_shift_right(x, 1), y = glint_shift_right(y, 1), z = glint_shift_right(z, 1);
+        for (int i = 0; i < 3; i++) {
+            const int16_t *const n = walk->triangle.corners[i]->attribute;
+            const int32_t cosine = n[0] * x + n[1] * y + n[2] * z;
+            if ((walk->triangle.back ? -cosine : cosine) > -DARK_MARGIN)
+                return 1;
+        }
+    }
+    return 0;
+}
+
+/* Pixels of a triangle from which on looking which lights it may face costs less than what it leaves out. */
+#define FACING_LEAST 32
+
+/* Finds which lights a triangle may face. */
+static GLINT_NOINLINE void find_faced(const glint_row_walk *walk) {
+    const glint_vertex *const *v = walk->triangle.corners;
+    glint_lamps *lamps = walk->workspace->lamps;
+    const int looks = !lamps->gate && glint_magnitude_bits(glint_double_area(v[0], v[1], v[2])) >= 512 * FACING_LEAST;
+    int32_t e[3][3];
+    const int has_ways = looks && lamps->needs_w && find_corner_ways(walk, e);
+    lamps->along = lamps->places = 0;
+    for (glint_drawn_lamp *lamp = lamps->lamps + lamps->count; lamp != lamps->lamps;) {
+        lamp--;
+        const glint_drawn_lamp **first = GLINT_SMALL || lamp->has_place ? &lamps->places : &lamps->along;
+        if (looks && (has_ways || !lamp->has_place) && !may_face(walk, lamp, (const int32_t(*)[3])e))
+            continue;
+        lamp->next = *first;
+        *first = lamp;
+    }
+}
+
+static GLINT_NOINLINE void begin_list(glint_row_walk *walk) {
+    const glint_triangle *triangle = &walk->triangle;
+    const glint_vertex *const *v = triangle->corners;
+    const int16_t *const normals[3] = {v[0]->attribute, v[1]->attribute, v[2]->attribute};
+    glint_lamp_list *list = walk->list;
+    glint_begin_lamp_list(walk);
+    const unsigned up = list->up;
+    if (up > 3 && walk->workspace->lamps->needs_w) {
+        glint_set_fine_w(walk);
+        list->room = up - 1;
+        set_octave(walk);
+    }
+    set_planes(walk, walk->channel, normals, triangle->back ? -1 : 1, up);
+    for (int c = 0; c < 3; c++)
+        walk->channel[c].start = glint_add_wrap(walk->channel[c].start, 1 << 14); /* what is cut off rounds */
+    find_faced(walk);
+    walk->draw_span = may_have_cells(walk) ? glint_keep_span : glint_list_span;
+}
+
+/* Looks for the first pixel that passes the depth test: what is hidden costs no more. */
+static void find_visible_fragment(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+    const uint16_t *depth = walk->depth + ((uint32_t)row << walk->shift) + left;
+    uint32_t z = glint_z_at(walk, row, left);
+    for (; (uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS) >> 15 <= *depth; depth++, z += (uint32_t)walk->z.dx)
+        if (++left == right)
+            return;
+    begin_list(walk);
+    walk->draw_span(walk, row, left, right);
+}
+
+static void begin_fragments(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+    glint_begin_depth(walk);
+    walk->draw_span = find_visible_fragment;
+    find_visible_fragment(walk, row, left, right);
+}
+
+void glint_draw_by_list(glint_row_walk *walk) {
+    glint_lamp_list *list = walk->list;
+    list->count = 0;
+    list->top = list->bottom = 0;
+    list->light = glint_lamps_light;
+    walk->draw_span = begin_fragments;
+    glint_walk_triangle(walk);
+    if (list->bottom)
+        glint_draw_cells(walk);
+    if (list->count)
+        glint_light_listed(walk);
+}
+
+void glint_draw_lamps(glint_row_walk *walk) {
+    glint_lamp_list list;
+    /* cppcheck-suppress autoVariables; the walk ends before this function does */
+    walk->list = &list;
+    glint_draw_by_list(walk);
+}

@@ -1,0 +1,228 @@
+/* SPDX-License-Identifier: MIT */
+/* Ramps: tables of packed colours, of what a material makes of N.L and of the angle from its highlight; suns.h. */
+#include "../frame/arena.h"
+#include "../math/numeric.h"
+#include "lamps.h"
+#include "model.h"
+#include "suns.h"
+
+/* A highlight ends where it is 2^-9 of one: below 1/8 of a level of 63 at weight 1. */
+#define CUT_BITS 9
+
+/* Binary logarithm of the entries of gloss for each node that is computed; it is linear between them. */
+#define NODE_BITS 3
+
+/* The largest levels of red, green and blue. */
+static const uint32_t most_level[3] = {31, 63, 31};
+
+/* Half of what `spread_levels` cuts off. */
+static const uint32_t cut_half[3] = {1 << 17, 1 << 18, 1 << 18};
+
+/* Half a level, Q23, where words are stored as they are; what a format packs has its thresholds added. */
+static inline uint32_t half_level(const glint_shading *shading) {
+    return shading->suns->is_rounded ? 1 << 22 : 0;
+}
+
+static inline uint32_t least(uint32_t a, uint32_t b) {
+    return a < b ? a : b;
+}
+
+/* A colour, Q23 times 31, 63 and 31, as a word. */
+static uint32_t spread_levels(const uint32_t level[3]) {
+    return (level[0] >> 18) << 10 | (level[1] >> 19) << 21 | level[2] >> 19;
+}
+
+/* A colour that changes by `step` from entry to entry, up to `most`. */
+typedef struct level_ramp {
+    uint32_t level[3], step[3], most[3];
+} level_ramp;
+
+/* Its first `count` words. */
+static void fill(const level_ramp *r, uint32_t *words, uint32_t count) {
+    uint32_t red = r->level[0], green = r->level[1], blue = r->level[2];
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t level[3] = {red, green, blue};
+        words[i] = spread_levels(level);
+        red = least(red + r->step[0], r->most[0]);
+        green = least(green + r->step[1], r->most[1]);
+        blue = least(blue + r->step[2], r->most[2]);
+    }
+}
+
+/* Diffuse light over N.L in 512 steps, the first at its middle; of an only light with what a sum begins with. */
+static void diffuse_ramp(const glint_shading *shading, const glint_drawn_sun *sun, level_ramp *r) {
+    const uint32_t *const weight = shading->weights[sun->number].diffuse;
+    const int has_base = !shading->suns->keeps;
+    for (int c = 0; c < 3; c++) {
+        const uint32_t base = has_base ? least(shading->ambient[c], 1u << 23) * most_level[c] + half_level(shading) : 0;
+        r->step[c] = weight[c] * most_level[c] << 2; /* Q12 to Q23, 512 steps; below 2^25 */
+        r->most[c] = (most_level[c] << 23) + (has_base ? half_level(shading) : 0) + cut_half[c];
+        r->level[c] = least(base + cut_half[c] + r->step[c] / 2, r->most[c]);
+    }
+}
+
+uint32_t glint_ramp_word(const glint_shading *shading, const glint_drawn_sun *sun, uint32_t index) {
+    level_ramp r;
+    diffuse_ramp(shading, sun, &r);
+    for (int c = 0; c < 3; c++) {
+        const uint64_t level = r.level[c] + (uint64_t)r.step[c] * index;
+        r.level[c] = level > r.most[c] ? r.most[c] : (uint32_t)level;
+    }
+    return spread_levels(r.level);
+}
+
+/* The highlight at node i, clamped at 1 in each channel; Q23 times 31, 63 and 31. */
+static void highlight(const glint_shading *shading, const glint_drawn_sun *sun, uint32_t i, uint32_t level[3]) {
+    const glint_suns *suns = shading->suns;
+    const uint32_t *const weight = shading->weights[sun->number].specular;
+    uint32_t sine = (i << NODE_BITS) << suns->shift; /* of Phong of half the angle, Q30 */
+    const uint32_t end = i << NODE_BITS >= GLINT_GLOSS_ENTRIES ? suns->end : sine;
+    sine = end < suns->end ? sine : suns->end;
+    if (suns->is_mirror)
+        sine = (uint32_t)((uint64_t)sine * ((1u << 30) - sine) >> 28);
+    const uint32_t power = end < suns->end ? glint_power_at(&shading->power, sine) : 0;
+    for (int c = 0; c < 3; c++)
+        level[c] = least(power * weight[c] >> 4, 1u << 23) * most_level[c];
+}
+
+/* From a node of the highlight to the next, the first entry at its middle; downwards modulo 2^32. */
+static void highlight_ramp(const uint32_t here[3], const uint32_t next[3], level_ramp *r) {
+    for (int c = 0; c < 3; c++) {
+        const int32_t change = (int32_t)(next[c] - here[c]);
+        r->step[c] = (uint32_t)glint_shift_right(change, NODE_BITS);
+        r->level[c] = here[c] + (uint32_t)glint_shift_right(change, NODE_BITS + 1) + cut_half[c];
+        r->most[c] = UINT32_MAX;
+    }
+}
+
+uint32_t glint_gloss_word(const glint_shading *shading, const glint_drawn_sun *sun, uint32_t index) {
+    uint32_t here[3], next[3];
+    level_ramp r;
+    highlight(shading, sun, index >> NODE_BITS, here);
+    highlight(shading, sun, (index >> NODE_BITS) + 1, next);
+    highlight_ramp(here, next, &r);
+    for (int c = 0; c < 3; c++)
+        r.level[c] += r.step[c] * (index & ((1 << NODE_BITS) - 1));
+    return spread_levels(r.level);
+}
+
+static void fill_gloss(const glint_shading *shading, const glint_drawn_sun *sun, uint32_t *words) {
+    uint32_t here[3], next[3];
+    highlight(shading, sun, 0, here);
+    for (uint32_t i = 0; i < GLINT_GLOSS_ENTRIES >> NODE_BITS; i++) {
+        level_ramp r;
+        highlight(shading, sun, i + 1, next);
+        highlight_ramp(here, next, &r);
+        fill(&r, words + (i << NODE_BITS), 1 << NODE_BITS);
+        for (int c = 0; c < 3; c++)
+            here[c] = next[c];
+    }
+}
+
+void glint_ramps_make(const glint_shading *shading, glint_drawn_sun *sun, uint32_t *at, const uint32_t *before) {
+    const size_t size = glint_ramps_size(sun);
+    level_ramp r;
+    sun->ramp = at;
+    sun->gloss = sun->shines ? at + GLINT_RAMP_ENTRIES + 3 : 0;
+    if (at == before && glint_sum(at, size) == sun->sum)
+        return;
+    diffuse_ramp(shading, sun, &r);
+    fill(&r, at, GLINT_RAMP_ENTRIES + 3);
+    if (sun->shines)
+        fill_gloss(shading, sun, at + GLINT_RAMP_ENTRIES + 3);
+    sun->sum = glint_sum(at, size);
+}
+
+/* ---- Where highlights end ---- */
+
+static uint32_t largest_specular(const glint_shading *shading) {
+    uint32_t largest = 0;
+    for (uint32_t i = 0; shading->has_specular >> i; i++)
+        for (int c = 0; c < 3; c++)
+            if (shading->has_specular >> i & 1 && shading->weights[i].specular[c] > largest)
+                largest = shading->weights[i].specular[c];
+    return largest;
+}
+
+/* sin^2 where the highlight ends, Q30; of Phong of half the angle. */
+static uint32_t find_highlight_end(const glint_shading *shading, uint32_t largest) {
+    const int more = shading->suns->bits > 6 ? shading->suns->bits - 6 : 0;
+    const int64_t bits =
+        (int64_t)glint_log2(largest << 15) + ((4 + CUT_BITS + more) << 26); /* Q26; the weight is Q12 */
+    if (!largest || bits <= 0)
+        return 0;
+    const int64_t twice = (2 * bits << 16) / shading->shininess;
+    if (!shading->suns->is_mirror)
+        return (1u << 30) - glint_exp2(twice < 31 << 26 ? (int32_t)-twice : -(31 << 26));
+    return (1u << 29) - glint_exp2(twice / 2 < 31 << 26 ? (int32_t) - (twice / 2) : -(31 << 26)) / 2;
+}
+
+/* sqrt(n / 48), Q15, n from 1 to 16. */
+static const uint16_t turn_root[16] = {4730,  6689,  8192,  9459,  10576, 11585, 12513, 13377,
+                                       14189, 14956, 15686, 16384, 17053, 17697, 18318, 18919};
+
+/* Sets sin^2, Q16, of the sums of an angle whose sin^2 is given, and of each of these, up to nearly a right angle. */
+static void set_far(glint_suns *suns, uint32_t end) {
+    const int32_t sine = (int32_t)glint_square_root(end), cosine = (int32_t)glint_square_root((1u << 30) - end);
+    int32_t i = 0;
+    for (; i < 16; i++) {
+        const int32_t more = turn_root[i], less = (1 << 15) - (i + 1) * ((1 << 14) / 48); /* no less than the cosine */
+        const int32_t both = (sine * less >> 15) + (cosine * more >> 15) + 2;
+        if ((cosine * less >> 15) - (sine * more >> 15) <= 0 || both >= 32000)
+            break;
+        suns->far[i] = (uint16_t)((uint32_t)(both * both) >> 14);
+    }
+    suns->far_count = (uint8_t)i;
+    const uint32_t apart = (uint32_t)sine + (1u << 11) + 2; /* sin(a + b) is at most sin a + b */
+    suns->apart = apart < 32000 ? apart * apart >> 14 : UINT16_MAX;
+}
+
+/*
+ * A highlight has 63 weight (0.61 sqrt(p) + 2.5 / p) levels a radian where it is the steepest. Where H turns by d, a
+ * linear one is off by up to 0.16 d^2, which may make 0.15 of a level (V by half of that, and in triangles with planes
+ * by an eighth); where N' turns by d over e pixels, slopes are off by up to 2^-15 d e, which may make a quarter. Of
+ * narrow highlights both may make half as much: errors count squared. H that counts by lengths of L + V may turn 1.4
+ * times as far, unless they are narrow; what it is then off by is too much for channels of 8 bits.
+ */
+#define BEND_LIMIT (15u << 24)
+#define TURN_LIMIT (1 << 13)
+#define STEEP_EXPONENT (48 * GLINT_ONE)
+
+/* Exponents up to which scalars are precise enough for a highlight; Phong's are half as wide. */
+#define MOST_EXPONENT (128 * GLINT_ONE)
+
+void glint_ramps_prepare(glint_suns *suns, const glint_shading *shading) {
+    uint32_t level[3], half[3];
+    for (int c = 0; c < 3; c++) {
+        half[c] = half_level(shading);
+        level[c] = least(shading->ambient[c], 1u << 23) * most_level[c] + (half[c] ? half[c] : cut_half[c]);
+    }
+    suns->dark = spread_levels(level);
+    suns->first = suns->takes_most ? spread_levels(half) : suns->dark;
+    suns->end = 0;
+    suns->shift = 0;
+    suns->bend = suns->bent = suns->turn = 0;
+    suns->small_bend = 0;
+    suns->is_narrow = 0;
+    if (!shading->has_specular)
+        return;
+    const uint32_t largest = largest_specular(shading), p = (uint32_t)shading->shininess,
+                   root = glint_square_root((uint64_t)p), slope = (root * 156 >> 8) + (640u << 16) / (p | 1);
+    suns->end = find_highlight_end(shading, largest);
+    while (suns->end >> suns->shift >= GLINT_GLOSS_ENTRIES)
+        suns->shift++;
+    set_far(suns, suns->end);
+    suns->is_narrow = !suns->is_mirror && shading->shininess > (suns->bits > 6 ? MOST_EXPONENT / 2 : MOST_EXPONENT);
+    if (shading->shininess > (suns->is_mirror ? MOST_EXPONENT / 4 : GLINT_CHORD_EXPONENT))
+        return; /* no triangle fits in which it is visible */
+    const unsigned narrow = shading->shininess > STEEP_EXPONENT && !suns->is_narrow;
+    const uint64_t steep = (uint64_t)largest * slope * (suns->bits > 6 ? 100 : 63) + 1; /* Q20 */
+    const uint64_t bend = ((uint64_t)BEND_LIMIT << (20 - narrow + 3 * suns->is_mirror)) / steep,
+                   turn = ((uint64_t)TURN_LIMIT << (20 - narrow)) / steep;
+    suns->bend = bend < 1u << 28 ? (uint32_t)bend : 1u << 28;
+    suns->bent = suns->is_mirror || suns->bits > 6 ? suns->bend : 2 * suns->bend >> narrow;
+    if (suns->is_narrow) /* where H tells no more than whether the highlight may be visible: lamps.h */
+        suns->bend = suns->bent = suns->end / 6;
+    suns->small_bend = (int32_t)(suns->bend >> (suns->is_mirror ? 4 : 2)) + (1 << 15); /* rounding takes 2^15 of it */
+    suns->turn = turn < 1u << 8 ? (uint32_t)(turn * turn) << 14 : UINT32_MAX;
+}

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Lists of fragments that directional lights light, by the scalars of suns.h, where packed words do not serve: of
+ * formats of 8 bits a channel, with output tables, and of surfaces with colours of their own. Numbers of 15
+ * bits take the place of tables.
+ */
+#include "../math/division.h"
+#include "../pixel/format.h"
+#include "../raster/depth.h"
+#include "../raster/small.h"
+#include "lamps.h"
+#include "model.h"
+#include "suns.h"
+
+static inline void add_reflected(int32_t colour[3], int32_t amount, const int32_t weight[3]) {
+    colour[0] += amount * weight[0];
+    colour[1] += amount * weight[1];
+    colour[2] += amount * weight[2];
+}
+
+/*
+ * Returns cos^p, Q15, given sin^2 N'.N', 1 = 2^32, and 2^15 over the length of N', at most 2^16.5. The table spans
+ * sin^2 to 2^window, Q30.
+ */
+static inline uint32_t power_of_scaled(const glint_power_table *table, uint32_t sine, uint32_t over) {
+    if (sine >= GLINT_SINE_WRAPPED)
+        sine = 0;
+    if (sine >> 2 >= table->window)
+        return 0;
+    const uint32_t scaled = sine >> (table->index_shift - 6); /* below 2^15 */
+    const uint32_t at = (scaled * over >> 16) * over;         /* sin^2 2^(29 - window) */
+    if (at >> 29)
+        return 0;
+    const uint16_t *node = &table->value[at >> 22];
+    const int32_t fraction = (int32_t)(at >> 7 & 0x7fff);
+    return (uint32_t)(node[0] - glint_shift_right((node[0] - node[1]) * fraction, 15));
+}
+
+/* Returns the highlight of a fragment, Q15, at so many columns and rows, given 2^15 over the length of N'. */
+static GLINT_INLINE uint32_t find_power(const glint_row_walk *walk, const glint_lit_sun *lit,
+                                        const glint_lit_fragment *f, uint32_t d, uint32_t i, uint32_t over,
+                                        int is_by_vectors) {
+    const glint_power_table *table = &walk->workspace->lamps->shading->power;
+    const glint_suns *suns = walk->suns->suns;
+    const glint_quadratic *q = &lit->half;
+    if (!is_by_vectors || lit->has_half) {
+        const int32_t h =
+            glint_shift_right((int32_t)(q->value + i * (q->y + i * q->yy) + d * (q->x + i * q->xy + d * q->xx)), 12);
+        const uint32_t sine = (uint32_t)f->n[0] - (uint32_t)h * (uint32_t)h;
+        if (h <= 0)
+            return 0;
+        if (!is_by_vectors)
+            return power_of_scaled(table, sine, over);
+        if (sine < GLINT_SINE_WRAPPED && ((sine >> 16) * over >> 15) * over >> 2 >= suns->end)
+            return 0;
+    }
+    return glint_power_at(
+        table, glint_sine_by_vectors(walk, lit->sun, glint_fragment_row(f), glint_fragment_column(f), over >> 1));
+}
+
+/* Returns the leading zeros of a fragment's 1/w, and sets its w. */
+static inline uint32_t find_w(const glint_row_walk *walk, const glint_lit_fragment *f, int32_t *w) {
+    *w = 1 << 16;
+    if (walk->frame->view->is_parallel)
+        return 0;
+    const uint32_t zeros = glint_leading_zeros((uint32_t)f->inverse_w);
+    *w = glint_reciprocal16((uint32_t)f->inverse_w << zeros >> 16);
+    return zeros;
+}
+
+/* Brings a fragment's light to what is stored. */
+static GLINT_NOINLINE void finish_fragment(const glint_row_walk *walk, glint_lit_fragment *f, const int32_t gloss[3]) {
+    int32_t w;
+    const uint32_t zeros = find_w(walk, f, &w);
+    glint_mix_own_colour(walk, f, w, zeros, gloss);
+}
+
+/* One light to which nothing else is done; one whose highlight needs vectors; one on a surface with its own colours;
+ * any. */
+enum { SUN_ONLY, SUN_BY_VECTORS, SUN_OWN, SUN_ANY };
+
+/* Finds the colours of listed fragments. */
+static GLINT_INLINE void light_sun_fragments(const glint_row_walk *walk, glint_lit_fragment *f,
+                                             const glint_lit_fragment *end, int kind) {
+    const glint_sun_triangle *t = walk->suns;
+    const glint_lamps *lamps = walk->workspace->lamps;
+    const glint_lit_sun *const last = t->lit + (kind == SUN_ANY ? t->count : 1);
+    for (; f != end; f++) {
+        const uint32_t i = (uint32_t)(glint_fragment_row(f) - walk->slopes.row),
+                       d = (uint32_t)(glint_fragment_column(f) - walk->slopes.column), square = (uint32_t)f->n[0];
+        const uint32_t is_short = !(square >> 30), over = glint_over_length(square << 2 * is_short) << is_short;
+        int32_t gloss[3], colour[3];
+        int32_t none = 0;
+        GLINT_OPAQUE(none); /* else compilers store two zeros from a register of the FPU */
+        for (int c = 0; c < 3; c++) {
+            colour[c] = lamps->first[c];
+            gloss[c] = none;
+        }
+        for (const glint_lit_sun *lit = t->lit; lit != last; lit++) {
+            const int32_t light = (int32_t)(lit->light.value + d * lit->light.x + i * lit->light.y);
+            const glint_drawn_lamp *lamp = lit->lamp;
+            if (light <= lamps->gate)
+                continue;
+            if (light > 0)
+                add_reflected(colour, (int32_t)(((uint32_t)light >> 14) * over >> 15), lamp->diffuse);
+            const int is_by_vectors =
+                kind == SUN_BY_VECTORS || (kind == SUN_ANY && lit->gloss == GLINT_GLOSS_BY_VECTORS);
+            const uint32_t power = lit->gloss ? find_power(walk, lit, f, d, i, over, is_by_vectors) : 0;
+            if (power && (kind == SUN_OWN || (kind == SUN_ANY && lamps->has_colours)))
+                add_reflected(gloss, (int32_t)power, lamp->specular);
+            else if (power)
+                add_reflected(colour, (int32_t)power, lamp->specular);
+        }
+        if (kind == SUN_OWN) {
+            int32_t w;
+            const uint32_t zeros = find_w(walk, f, &w);
+            glint_multiply_by_own(walk->list, f, w, zeros, colour);
+            colour[0] += gloss[0] + lamps->half[0];
+            colour[1] += gloss[1] + lamps->half[1];
+            colour[2] += gloss[2] + lamps->half[2];
+        }
+        f->out.colour[0] = colour[0], f->out.colour[1] = colour[1], f->out.colour[2] = colour[2];
+        if (kind == SUN_ANY && lamps->is_mixed)
+            finish_fragment(walk, f, gloss);
+    }
+}
+
+static void light_sun_list(const glint_row_walk *walk, glint_lit_fragment *f, const glint_lit_fragment *end) {
+    const glint_lamps *lamps = walk->workspace->lamps;
+    const int is_by_vectors = walk->suns->lit->gloss == GLINT_GLOSS_BY_VECTORS; /* of one light */
+    if (GLINT_SMALL || walk->suns->count != 1 || lamps->takes_most || lamps->headroom ||
+        (is_by_vectors && lamps->has_colours))
+        light_sun_fragments(walk, f, end, SUN_ANY);
+    else if (lamps->has_colours)
+        light_sun_fragments(walk, f, end, SUN_OWN);
+    else if (is_by_vectors)
+        light_sun_fragments(walk, f, end, SUN_BY_VECTORS);
+    else
+        light_sun_fragments(walk, f, end, SUN_ONLY);
+}
+
+/* Draws a span: lists the fragments that pass the depth test. */
+static void list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+    const glint_quadratic *q = &walk->suns->normal;
+    glint_lamp_list *const list = walk->list;
+    glint_lit_fragment *f = &list->fragment[list->count];
+    const uint32_t ud = (uint32_t)(left - walk->slopes.column), ui = (uint32_t)(row - walk->slopes.row);
+    const uint32_t slope = q->x + ui * q->xy, curve = ud * q->xx, bend = 2 * q->xx;
+    uint32_t square = q->value + ui * (q->y + ui * q->yy) + ud * (slope + curve), step = slope + 2 * curve + q->xx;
+    uint32_t z = glint_z_at(walk, row, left), at = ((uint32_t)row << 16) + (uint32_t)left,
+             pixel = ((uint32_t)row << walk->shift) + (uint32_t)left;
+    uint16_t *depth = walk->depth + pixel, *const end = depth + (right - left);
+    for (; depth != end; depth++) {
+        if (z >> 15 > *depth) {
+            *depth = (uint16_t)(z >> 15);
+            f->out.pixel = pixel;
+            f->at = at;
+            f->n[0] = (int32_t)square;
+            f->inverse_w = (int32_t)(z - GLINT_DEPTH_BIAS) | 1;
+            if (++f == &list->fragment[GLINT_LIST_MAX]) {
+                list->count = GLINT_LIST_MAX;
+                glint_light_listed(walk);
+                f = list->fragment;
+            }
+        }
+        at++;
+        pixel++;
+        z += (uint32_t)walk->z.dx;
+        square += step;
+        step += bend;
+    }
+    list->count = (uint32_t)(f - list->fragment);
+}
+
+glint_draw_span *glint_begin_fine_suns(glint_row_walk *walk) {
+    glint_sun_triangle *t = walk->suns;
+    if (walk->draw->extra && glint_find_room(walk->triangle.corners) > 3)
+        return 0;
+    glint_begin_lamp_list(walk);
+    walk->list->light = light_sun_list;
+    for (glint_lit_sun *lit = t->lit, *end = lit + t->count; lit != end; lit++)
+        lit->lamp = &walk->workspace->lamps->lamps[lit->sun - t->suns->suns];
+    return list_span;
+}

@@ -1,0 +1,324 @@
+/* SPDX-License-Identifier: MIT */
+/* A triangle under suns: its plane and quadratics, from what its corners keep. suns.h */
+#include "../raster/small.h"
+#include "suns.h"
+
+static inline int32_t dot16(const int32_t a[3], const int16_t b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* ---- Quadratics ---- */
+
+/*
+ * Brings a quadratic of barycentric coordinates to the screen; `up` of one whose values have 32 bits, else they have
+ * 28. Slopes are below 2^13 and all numbers are below 2^18: those that are cut off have 31 bits.
+ */
+static GLINT_INLINE void set_quadratic(glint_quadratic *q, uint32_t value, int32_t of1, int32_t of2, int32_t s,
+                                       int32_t t, int32_t u, const glint_slopes *o, const int up) {
+    const int32_t half = 1 << 13;
+    const int32_t u1 = glint_shift_right((int32_t)glint_weigh(s, o->x1, u, o->x2) + half, 14),
+                  u2 = glint_shift_right((int32_t)glint_weigh(u, o->x1, t, o->x2) + half, 14);
+    const int32_t v1 = glint_shift_right((int32_t)glint_weigh(s, o->y1, u, o->y2) + half, 14),
+                  v2 = glint_shift_right((int32_t)glint_weigh(u, o->y1, t, o->y2) + half, 14);
+    const uint32_t xx = glint_weigh(u1, o->x1, u2, o->x2), xy = glint_weigh(u1, o->y1, u2, o->y2),
+                   yy = glint_weigh(v1, o->y1, v2, o->y2); /* 2^30 */
+    const int32_t b = of1 + glint_shift_right((int32_t)glint_weigh(s, o->start1, u, o->start2), 13),
+                  c = of2 + glint_shift_right((int32_t)glint_weigh(u, o->start1, t, o->start2), 13);
+    const uint32_t x = glint_weigh(b, o->x1, c, o->x2), y = glint_weigh(b, o->y1, c, o->y2);
+    const uint32_t m = glint_weigh(of1 + b, o->start1, of2 + c, o->start2);
+    if (up) {
+        q->xx = xx << 2, q->xy = xy << 3, q->yy = yy << 2;
+        q->x = x << 2, q->y = y << 2;
+        q->value = value + (m << 1);
+    } else {
+        q->xx = (uint32_t)glint_shift_right((int32_t)xx, 2);
+        q->xy = (uint32_t)glint_shift_right((int32_t)xy, 1);
+        q->yy = (uint32_t)glint_shift_right((int32_t)yy, 2);
+        q->x = (uint32_t)glint_shift_right((int32_t)x, 2);
+        q->y = (uint32_t)glint_shift_right((int32_t)y, 2);
+        q->value = value + (uint32_t)glint_shift_right((int32_t)m, 3);
+    }
+}
+
+/* Returns products of 2^28 in 2^16. */
+static inline int32_t to_q16(int32_t x) {
+    return glint_shift_right(x + (1 << 11), 12);
+}
+
+/* ---- Triangles ---- */
+
+static inline uint32_t most_of(uint32_t a, uint32_t b, uint32_t c) {
+    const uint32_t most = a > b ? a : b;
+    return most > c ? most : c;
+}
+
+static inline uint32_t least_of(uint32_t a, uint32_t b, uint32_t c) {
+    const uint32_t least = a < b ? a : b;
+    return least < c ? least : c;
+}
+
+/* Largest square of a difference of normals, 1 = 2^28. */
+#define MOST_TURN (1u << 27)
+
+/* Sets N' at a corner. @return N'.N' */
+static GLINT_INLINE uint32_t set_normal(int32_t n[3], const int16_t *normal, int32_t over_w) {
+    const int32_t half = 1 << 15, x = glint_shift_right(normal[0] * over_w + half, 16),
+                  y = glint_shift_right(normal[1] * over_w + half, 16),
+                  z = glint_shift_right(normal[2] * over_w + half, 16);
+    n[0] = x, n[1] = y, n[2] = z;
+    return (uint32_t)(x * x + y * y + z * z);
+}
+
+/* Sets N' at corners, and N'.N'. @return 0 where normals turn too far, or 1/w changes too much */
+int glint_begin_sun_normals(const glint_row_walk *walk, glint_sun_triangle *t) {
+    const glint_vertex *a = t->corners[0], *b = t->corners[1], *c = t->corners[2];
+    const int32_t wa = a->inverse_w, wb = b->inverse_w, wc = c->inverse_w;
+    const uint32_t nearest = (uint32_t)glint_most_of(wa, wb, wc), up = glint_leading_zeros(nearest) - 1;
+    /* 2^30 over the nearest, of 15 bits; the top bit is always set */
+    int32_t inverse = glint_reciprocal16(nearest << up >> 15 | 1u << 15);
+    inverse -= inverse >> 9; /* N'.N' stays below 1 */
+    if (walk->triangle.back)
+        inverse = -inverse;
+    const uint32_t at_a = set_normal(t->n[0], a->attribute, glint_shift_right((wa << up >> 16) * inverse, 15)),
+                   at_b = set_normal(t->n[1], b->attribute, glint_shift_right((wb << up >> 16) * inverse, 15)),
+                   at_c = set_normal(t->n[2], c->attribute, glint_shift_right((wc << up >> 16) * inverse, 15));
+    const int32_t x = t->n[0][0], y = t->n[0][1], z = t->n[0][2], x1 = t->n[1][0] - x, y1 = t->n[1][1] - y,
+                  z1 = t->n[1][2] - z, x2 = t->n[2][0] - x, y2 = t->n[2][1] - y, z2 = t->n[2][2] - z;
+    t->d1[0] = x1, t->d1[1] = y1, t->d1[2] = z1;
+    t->d2[0] = x2, t->d2[1] = y2, t->d2[2] = z2;
+    const int32_t s = x1 * x1 + y1 * y1 + z1 * z1, q = x2 * x2 + y2 * y2 + z2 * z2, u = x1 * x2 + y1 * y2 + z1 * z2;
+    t->turn = most_of((uint32_t)s, (uint32_t)q, (uint32_t)(s + q - 2 * u));
+    t->least = least_of(at_a, at_b, at_c);
+    if (t->turn > MOST_TURN || t->least < GLINT_LEAST_NORMAL + t->turn / 2) /* between corners by a third of it less */
+        return 0;
+    set_quadratic(&t->normal, at_a << 4, to_q16((int32_t)(at_b - at_a) - s), to_q16((int32_t)(at_c - at_a) - q),
+                  glint_shift_right(s, 12), glint_shift_right(q, 12), glint_shift_right(u, 12), &walk->slopes, 1);
+    return 1;
+}
+
+/* The square of a difference of normals is 2/3 or more of that of their angle where N' are no shorter. */
+#define LEAST_TURNED (9u << 24)
+
+/* Binary logarithm of the squares of turns of one entry of `far`, 1 = 2^28. */
+#define TURN_STEP 24
+
+/*
+ * Do all fragments lie outside the highlight, given the least of what corners are outside by? A point of a triangle is
+ * nearer to some corner than 3^-1/2 of the longest side; so are its normal and half vector.
+ */
+static inline int is_gloss_outside(const glint_sun_triangle *t, uint32_t bend, uint32_t outside) {
+    const uint32_t large = t->turn > bend ? t->turn : bend,
+                   turn = large + large / 2 + 3 * (t->turn + bend - large); /* (a + b)^2 <= 3/2 a^2 + 3 b^2 */
+    return t->least >= LEAST_TURNED && turn >> TURN_STEP < t->suns->far_count &&
+           outside > t->suns->far[turn >> TURN_STEP];
+}
+
+/*
+ * Do all normals lie beyond a plane through the eye and the light's H? Of the half space that the mean of what corners'
+ * N' have across the first corner's H points to, N' are sine |N'| within, and so is what lies between them; H turn by
+ * 1/16 at most, which the sine has been made more by.
+ */
+static GLINT_NOINLINE int is_apart(const glint_sun_triangle *t, const int16_t h[3]) {
+    const int32_t(*const n)[3] = t->n;
+    const int32_t sum[3] = {3 * n[0][0] + t->d1[0] + t->d2[0], 3 * n[0][1] + t->d1[1] + t->d2[1],
+                            3 * n[0][2] + t->d1[2] + t->d2[2]};
+    const int32_t along = glint_shift_right(dot16(sum, h), 14);
+    int32_t m[3];
+    for (int c = 0; c < 3; c++)
+        m[c] = glint_shift_right(sum[c] - glint_shift_right(along * h[c], 14), 2);
+    const uint32_t square = (uint32_t)(m[0] * m[0]) + (uint32_t)(m[1] * m[1]) + (uint32_t)(m[2] * m[2]);
+    const uint32_t least = (square >> 12) * (t->suns->apart >> 4);
+    for (int k = 0; k < 3; k++) {
+        const int32_t within = glint_shift_right(n[k][0] * m[0] + n[k][1] * m[1] + n[k][2] * m[2], 14);
+        if (within <= 0 || (uint32_t)within * (uint32_t)within <= least)
+            return 0;
+    }
+    return 1;
+}
+
+/* Largest square of a turn of H that is_apart allows: of 1/16, 1 = 2^28. */
+#define MOST_APART (1u << 20)
+
+/* Products of differences of H or V, from the first corner. */
+typedef struct bends {
+    int32_t square1, square2, both;
+} bends;
+
+static inline void add_bends(bends *of, int32_t a, int32_t b, int32_t c) {
+    const int32_t e1 = b - a, e2 = c - a;
+    of->square1 += e1 * e1;
+    of->square2 += e2 * e2;
+    of->both += e1 * e2;
+}
+
+/* Products of differences of N' and those of H or V. */
+typedef struct turns {
+    int32_t s, q, u;
+} turns;
+
+static inline void add_turns(turns *of, int32_t x1, int32_t x2, int32_t a, int32_t b, int32_t c) {
+    const int32_t e1 = b - a, e2 = c - a;
+    of->s += x1 * e1;
+    of->q += x2 * e2;
+    of->u += x1 * e2 + x2 * e1;
+}
+
+/* Sets N'.H, H being unit between corners: less half of N'.H times the squares of its differences. */
+static GLINT_INLINE void set_half(const glint_row_walk *walk, const glint_sun_triangle *t, const bends *bent, turns of,
+                                  const int16_t *a, const int16_t *b, const int16_t *c, glint_quadratic *to) {
+    const int32_t at_a = dot16(t->n[0], a), at_b = dot16(t->n[1], b), at_c = dot16(t->n[2], c),
+                  k = glint_shift_right(at_a, 14);
+    add_turns(&of, t->d1[0], t->d2[0], a[0], b[0], c[0]);
+    add_turns(&of, t->d1[1], t->d2[1], a[1], b[1], c[1]);
+    add_turns(&of, t->d1[2], t->d2[2], a[2], b[2], c[2]);
+    of.s -= glint_shift_right(glint_shift_right(bent->square1, 14) * k, 1);
+    of.q -= glint_shift_right(glint_shift_right(bent->square2, 14) * k, 1);
+    of.u -= glint_shift_right(bent->both, 14) * k;
+    set_quadratic(to, (uint32_t)at_a + (1 << 11), to_q16(at_b - at_a - of.s), to_q16(at_c - at_a - of.q),
+                  glint_shift_right(of.s, 12), glint_shift_right(of.q, 12), glint_shift_right(of.u, 13), &walk->slopes,
+                  0);
+}
+
+static GLINT_NOINLINE void begin_half(const glint_row_walk *walk, const glint_sun_triangle *t, const bends *bent,
+                                      const int16_t *a, const int16_t *b, const int16_t *c, glint_quadratic *to) {
+    set_half(walk, t, bent, (turns){0, 0, 0}, a, b, c, to);
+}
+
+/* Returns (1 + L.V) / 2, 1 = 2^28. */
+static inline int32_t find_along(const glint_drawn_sun *sun, const int16_t v[3]) {
+    return (1 << 27) + glint_shift_right(dot16(sun->light, v), 2);
+}
+
+/* Returns what V, between corners of which one is farther from the eye, is nearer to that one by; times 2^28. */
+static inline turns lean(int32_t k1, int32_t k2, int32_t change1, int32_t change2) {
+    change1 = glint_shift_right(change1, 14);
+    change2 = glint_shift_right(change2, 14);
+    return (turns){-k1 * change1, -k2 * change2, -k1 * change2 - k2 * change1};
+}
+
+/*
+ * Sets N'.V and (1 + L.V) / 2. What is linear on the screen is V over its z: unit V of corners count by 1 / z, which
+ * adds to what is of second order.
+ */
+static GLINT_NOINLINE void begin_mirror(const glint_row_walk *walk, const glint_sun_triangle *t, const bends *bent,
+                                        const int16_t *a, const int16_t *b, const int16_t *c, glint_lit_sun *lit) {
+    const int32_t at_a = find_along(lit->sun, a), at_b = find_along(lit->sun, b), at_c = find_along(lit->sun, c),
+                  cosine = glint_shift_right(at_a, 12) - (1 << 15), /* L.V, 2^15 */
+        k1 = (a[2] - b[2]) * (1 << 14) / b[2], k2 = (a[2] - c[2]) * (1 << 14) / c[2], first = dot16(t->n[0], a);
+    set_half(walk, t, bent, lean(k1, k2, dot16(t->n[0], b) - first, dot16(t->n[0], c) - first), a, b, c, &lit->half);
+    const turns of = lean(k1, k2, at_b - at_a, at_c - at_a);
+    const int32_t s = glint_shift_right(of.s, 12) - glint_shift_right(to_q16(bent->square1) * cosine, 17),
+                  q = glint_shift_right(of.q, 12) - glint_shift_right(to_q16(bent->square2) * cosine, 17),
+                  u = glint_shift_right(of.u, 13) - glint_shift_right(to_q16(bent->both) * cosine, 17);
+    set_quadratic(&lit->along, (uint32_t)at_a + (1 << 11), to_q16(at_b - at_a) - s, to_q16(at_c - at_a) - q, s, q, u,
+                  &walk->slopes, 0);
+}
+
+/* Half of the length of L + V at a corner, and V's z, 1 = 2^14. */
+typedef struct half_way {
+    int32_t length, z;
+} half_way;
+
+static inline half_way find_half_way(const glint_drawn_sun *sun, const int16_t h[3]) {
+    const int32_t length = glint_shift_right(dot16(sun->light, h), 15); /* H.L */
+    return (half_way){length, glint_shift_right(length * h[2], 13) - glint_shift_right(sun->light[2], 1)};
+}
+
+/* Returns by what part L + V, over V's z, is longer at a corner than at another one, 1 = 2^14. */
+static inline int32_t find_longer(half_way than, half_way of) {
+    const int32_t product = glint_shift_right(than.length * of.z, 14);
+    return (of.length * than.z - than.length * of.z) / glint_most(product, 1);
+}
+
+/* Returns the square of V's turn between two corners, 1 = 2^28, given that of H. */
+static inline int32_t find_view_turn(half_way a, half_way b, int32_t square) {
+    const int32_t more = b.length - a.length;
+    return 4 * (more * more + glint_shift_right(a.length * b.length, 14) * glint_shift_right(square, 14));
+}
+
+/*
+ * Sets N'.H where H turns farther. Linear on the screen is (V + L) over V's z, but for 1 / z of the part with L, which
+ * is convex: the sum lacks half of the squares of V's turns times L.
+ */
+static GLINT_NOINLINE void begin_bent_half(const glint_row_walk *walk, const glint_sun_triangle *t, const bends *bent,
+                                           const int16_t *a, const int16_t *b, const int16_t *c, glint_lit_sun *lit) {
+    const half_way at_a = find_half_way(lit->sun, a), at_b = find_half_way(lit->sun, b),
+                   at_c = find_half_way(lit->sun, c);
+    const int32_t first = dot16(t->n[0], a), *n = t->n[0], *l = lit->sun->light,
+                  facing = glint_shift_right(n[0] * l[0] + n[1] * l[1] + n[2] * l[2], 15),
+                  across = (facing - glint_shift_right(glint_shift_right(first, 14) * at_a.length, 14)) * (1 << 12) /
+                           glint_most(at_a.length, 1); /* half of N'.L across H, over the length of L + V */
+    turns of = lean(find_longer(at_a, at_b), find_longer(at_a, at_c), dot16(n, b) - first, dot16(n, c) - first);
+    const int32_t turn1 = find_view_turn(at_a, at_b, bent->square1), turn2 = find_view_turn(at_a, at_c, bent->square2),
+                  turn3 = find_view_turn(at_b, at_c, bent->square1 + bent->square2 - 2 * bent->both);
+    of.s += glint_shift_right(turn1, 14) * across;
+    of.q += glint_shift_right(turn2, 14) * across;
+    of.u += glint_shift_right(turn1 + turn2 - turn3, 14) * across;
+    set_half(walk, t, bent, of, a, b, c, &lit->half);
+}
+
+/* Squares of turns of H, 1 = 2^28, that only a short L + V has: vectors of 15 bits do not serve there. */
+#define MOST_BEND (1u << 26)
+
+/* Sets the highlight of a light, given its terms at corners. @return 0 where it does not fit */
+static inline int begin_gloss(const glint_row_walk *walk, const glint_sun_triangle *t, glint_lit_sun *lit,
+                              const glint_sun_term *a, const glint_sun_term *b, const glint_sun_term *c) {
+    const glint_suns *suns = t->suns;
+    bends of = {0, 0, 0};
+    add_bends(&of, a->v[0], b->v[0], c->v[0]);
+    add_bends(&of, a->v[1], b->v[1], c->v[1]);
+    add_bends(&of, a->v[2], b->v[2], c->v[2]);
+    const uint32_t bend =
+        most_of((uint32_t)of.square1, (uint32_t)of.square2, (uint32_t)(of.square1 + of.square2 - 2 * of.both));
+    if (is_gloss_outside(t, bend, least_of(a->outside, b->outside, c->outside)) ||
+        (suns->is_narrow && bend <= MOST_APART && is_apart(t, a->v)))
+        return 1;
+    if (bend > MOST_BEND || !(a->v[0] | a->v[1] | a->v[2]) || !suns->bend ||
+        (t->turn >> 14) << (26 - walk->corners.area.zeros) > suns->turn)
+        return 0;
+    const int is_bent = bend > suns->bend;
+    lit->has_half = bend <= suns->bent;
+    lit->gloss = lit->has_half && !suns->is_narrow ? GLINT_GLOSS_BY_SCALARS : GLINT_GLOSS_BY_VECTORS;
+    lit->is_plain &= lit->gloss == GLINT_GLOSS_BY_SCALARS;
+    if (lit->has_half && suns->is_mirror)
+        begin_mirror(walk, t, &of, a->v, b->v, c->v, lit);
+    else if (lit->has_half && is_bent)
+        begin_bent_half(walk, t, &of, a->v, b->v, c->v, lit);
+    else if (lit->has_half)
+        begin_half(walk, t, &of, a->v, b->v, c->v, &lit->half);
+    return 1;
+}
+
+/* Sets a light. @return 0 where the triangle does not fit; without effect where no corner faces the light */
+static GLINT_NOINLINE int begin_sun(const glint_row_walk *walk, glint_sun_triangle *t, const glint_drawn_sun *sun,
+                                    const glint_sun_term *at_a, const glint_sun_term *at_b,
+                                    const glint_sun_term *at_c) {
+    glint_lit_sun *lit = &t->lit[t->count];
+    const glint_slopes *o = &walk->slopes;
+    const int32_t x = sun->light[0], y = sun->light[1], z = sun->light[2], gate = t->suns->gate;
+    const int32_t a = t->n[0][0] * x + t->n[0][1] * y + t->n[0][2] * z, d1 = t->d1[0] * x + t->d1[1] * y + t->d1[2] * z,
+                  d2 = t->d2[0] * x + t->d2[1] * y + t->d2[2] * z;
+    if (a <= gate && a + d1 <= gate && a + d2 <= gate)
+        return 1;
+    const int32_t l1 = glint_shift_right(d1 + (1 << 12), 13), l2 = glint_shift_right(d2 + (1 << 12), 13);
+    t->count++;
+    lit->sun = sun;
+    lit->gloss = GLINT_GLOSS_NONE;
+    lit->has_half = 0;
+    lit->is_plain = t->suns->is_plain && (!gate || (a > 0 && a + d1 > 0 && a + d2 > 0));
+    lit->light.x = (uint32_t)glint_shift_right((int32_t)glint_weigh(l1, o->x1, l2, o->x2), 1);
+    lit->light.y = (uint32_t)glint_shift_right((int32_t)glint_weigh(l1, o->y1, l2, o->y2), 1);
+    lit->light.value = (uint32_t)a + (uint32_t)glint_shift_right((int32_t)glint_weigh(l1, o->start1, l2, o->start2), 1);
+    return !sun->shines || begin_gloss(walk, t, lit, at_a, at_b, at_c);
+}
+
+/* Sets all lights. */
+int glint_begin_suns(const glint_row_walk *walk, glint_sun_triangle *t) {
+    const glint_sun_term *a = t->terms[0], *b = t->terms[1], *c = t->terms[2];
+    for (const glint_drawn_sun *sun = t->suns->suns, *end = sun + t->suns->count; sun != end; sun++) {
+        if (!begin_sun(walk, t, sun, a, b, c))
+            return 0;
+        a += sun->shines, b += sun->shines, c += sun->shines;
+    }
+    return 1;
+}

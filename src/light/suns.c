@@ -1,0 +1,286 @@
+/* SPDX-License-Identifier: MIT */
+/* Suns: light of directional lights at each fragment: materials, and what draws a triangle. suns.h */
+#include "suns.h"
+
+#include "../frame/frame.h"
+#include "../geometry/layout.h"
+#include "../pixel/format.h"
+#include "../raster/small.h"
+#include "evaluation.h"
+#include "lamps.h"
+
+/* ---- Triangles ---- */
+
+/* Slopes, 2^-14, from which on quadratics do not serve: of triangles that are two pixels wide; and leading zeros of
+ * twice their area, in sixteenths squared, from which on they do not pay: of four pixels. */
+#define MOST_SLOPE (1 << 13)
+#define SMALL_ZEROS 21
+
+/* Are what a triangle's vertices keep known? */
+static inline int is_lit(const glint_row_walk *walk) {
+    const glint_vertex *const *v = walk->triangle.corners;
+    return v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_LIT;
+}
+
+/* Is a triangle so small or narrow that its pixels are lit one by one? */
+static inline int is_small(const glint_row_walk *walk) {
+    const glint_slopes *s = &walk->slopes;
+    return walk->corners.area.zeros >= SMALL_ZEROS ||
+           (glint_magnitude_bits(s->x1) | glint_magnitude_bits(s->x2) | glint_magnitude_bits(s->y1) |
+            glint_magnitude_bits(s->y2)) >= MOST_SLOPE;
+}
+
+/* Brings together what spans of one light need at each pixel. */
+static inline void begin_only(const glint_row_walk *walk, glint_sun_triangle *t) {
+    const glint_lit_sun *lit = t->lit;
+    t->ramp = lit->sun->ramp;
+    t->gloss = lit->sun->gloss;
+    t->shift = t->suns->shift;
+    t->dark = t->suns->dark;
+    t->z_dx = (uint32_t)walk->z.dx;
+    t->from_depth = (uintptr_t)walk->pixels - (uintptr_t)walk->depth;
+    t->light_dx = lit->light.x;
+    t->square_bend = 2 * t->normal.xx;
+    if (lit->gloss) {
+        t->half_bend = 2 * lit->half.xx;
+        if (t->suns->is_mirror)
+            t->along_bend = 2 * lit->along.xx;
+    }
+}
+
+/* Sets a corner, and what it keeps. */
+static inline void set_corner(const glint_row_walk *walk, glint_sun_triangle *t, int k, const glint_vertex *v) {
+    t->corners[k] = v;
+    t->terms[k] = walk->draw->terms + (size_t)(v - walk->draw->vertices) * t->suns->terms;
+}
+
+/* Sets corners in the order of slopes. */
+static inline void set_corners(const glint_row_walk *walk, glint_sun_triangle *t) {
+    static const uint8_t next[5] = {0, 1, 2, 0, 1};
+    const glint_vertex *const *v = walk->triangle.corners;
+    const uint8_t *from = &next[walk->corners.top];
+    set_corner(walk, t, 0, v[from[0]]);
+    set_corner(walk, t, 1, v[from[1]]);
+    set_corner(walk, t, 2, v[from[2]]);
+}
+
+/* Chooses what draws the spans of a triangle that is visible. @return null where it does not fit */
+static inline glint_draw_span *choose_span(glint_row_walk *walk, glint_sun_triangle *t) {
+    const glint_suns *suns = t->suns;
+    const int is_listed = walk->draw->extra || suns->is_fine, is_few = is_small(walk);
+    if (!is_lit(walk) || (is_few && (is_listed || (suns->terms && !suns->bend))))
+        return 0;
+    set_corners(walk, t);
+    if (is_few) {
+        glint_begin_small_suns(walk, t);
+        return suns->small;
+    }
+    if (!glint_begin_sun_normals(walk, t) || !glint_begin_suns(walk, t))
+        return 0;
+    if (is_listed)
+        return t->least - GLINT_LEAST_NORMAL < GLINT_LEAST_NORMAL / 8 + t->turn / 2 ? 0 : glint_begin_fine_suns(walk);
+    if (!t->count && suns->is_rounded) {
+        walk->packed = glint_spread_pack(suns->dark);
+        return walk->frame->config.format->flat_span;
+    }
+    if (t->count != 1 || !suns->spans || t->lit->gloss == GLINT_GLOSS_BY_VECTORS)
+        return glint_draw_sun_list;
+    begin_only(walk, t);
+    return !t->lit->gloss ? suns->spans->matt : suns->is_mirror ? suns->spans->mirror : suns->spans->half;
+}
+
+/* Draws a triangle that is visible and has slopes. @return 0 where it does not fit */
+static GLINT_NOINLINE int draw_visible(glint_row_walk *walk) {
+    glint_sun_triangle t;
+    t.suns = walk->draw->shading->suns;
+    t.count = 0;
+    /* cppcheck-suppress autoVariables; the walk ends before this function does */
+    walk->suns = &t;
+    glint_find_slopes(&walk->corners, &walk->slopes);
+    walk->draw_span = choose_span(walk, &t);
+    if (!walk->draw_span)
+        return 0;
+    glint_walk_small(walk);
+    if (walk->list->count)
+        glint_light_listed(walk);
+    return 1;
+}
+
+/* Lamps draw what does not fit, when the numbers of suns have left the stack. */
+static void draw_suns(glint_row_walk *walk) {
+    glint_lamp_list list;
+    const glint_begun begun = glint_begin_triangle(walk);
+    const int has_slopes = begun == GLINT_IS_SMALL && walk->has_slopes;
+    if (begun == GLINT_NO_ROWS || (has_slopes && !glint_find_visible_row(walk)))
+        return;
+    list.count = 0;
+    /* cppcheck-suppress autoVariables; the walk ends before this function does */
+    walk->list = &list;
+    if (!has_slopes || !draw_visible(walk))
+        glint_draw_by_list(walk);
+}
+
+/* ---- Materials ---- */
+
+/* Returns how many lights a vertex keeps terms of. */
+static uint32_t count_terms(const glint_shading *shading) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; shading->has_specular >> i; i++)
+        count += shading->has_specular >> i & 1;
+    return count;
+}
+
+static size_t vertex_size(const glint_shading *shading) {
+    return count_terms(shading) * sizeof(glint_sun_term);
+}
+
+/* From exponents on, of highlights that a table over sin^2 serves. */
+#define LEAST_EXPONENT (2 * GLINT_ONE)
+
+/* Are a material's colours too fine for packed words? */
+static int is_fine(const glint_frame *frame) {
+    return frame->config.gamma || !frame->config.format->store_spread;
+}
+
+/* Can fragments of a material be listed, by sun_fine.c? */
+static int material_lists(const glint_shading *shading) {
+    return !shading->has_specular || shading->material->model->lobe != GLINT_LOBE_MIRROR;
+}
+
+static int serves_material(const glint_frame *frame, const glint_shading *shading) {
+    const glint_material *material = shading->material;
+    if (!shading->lights || (is_fine(frame) && !material_lists(shading)))
+        return 0;
+    for (uint32_t i = 0; shading->lights >> i; i++)
+        if (shading->lights >> i & 1 && frame->scene->lights[i].type != &glint_light_directional)
+            return 0;
+    return !shading->has_specular ||
+           (material->shininess >= LEAST_EXPONENT && material->model->lobe != GLINT_LOBE_OTHER);
+}
+
+static int serves(const glint_frame *frame, const glint_shading *shading, const glint_object *object) {
+    return (!object->evaluation || object->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS) &&
+           (!glint_has_colours(object->mesh) || material_lists(shading)) && serves_material(frame, shading);
+}
+
+static int serves_some(const glint_frame *frame, const glint_shading *shading) {
+    for (uint32_t i = 0; i < frame->scene->object_count; i++) {
+        const glint_object *object = &frame->scene->objects[i];
+        if (object->material == shading->material && serves(frame, shading, object))
+            return 1;
+    }
+    return 0;
+}
+
+/* Do packed words serve an object of a material? */
+static int has_words(const glint_frame *frame, const glint_shading *shading) {
+    for (uint32_t i = 0; i < frame->scene->object_count && !is_fine(frame); i++) {
+        const glint_object *object = &frame->scene->objects[i];
+        if (object->material == shading->material && !glint_has_colours(object->mesh) && serves(frame, shading, object))
+            return 1;
+    }
+    return 0;
+}
+
+static uint32_t count_lights(const glint_shading *shading) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; shading->lights >> i; i++)
+        count += shading->lights >> i & 1;
+    return count;
+}
+
+static void need(const glint_frame *frame, const glint_shading *shading, size_t *least, size_t *tables) {
+    if (!serves_some(frame, shading))
+        return;
+    *least += GLINT_SUNS_SIZE(count_lights(shading));
+    for (uint32_t i = 0; shading->lights >> i; i++) {
+        const glint_drawn_sun sun = {.shines = shading->has_specular >> i & 1};
+        if (shading->lights >> i & 1 && has_words(frame, shading))
+            *tables += GLINT_ALIGNED(glint_ramps_size(&sun));
+    }
+}
+
+/* All but the tables; `ramp` tells where the last frame left those. */
+static glint_status prepare_material(glint_frame *frame, glint_shading *shading) {
+    const glint_view *view = frame->view;
+    const glint_suns *last = shading->changed ? 0 : shading->suns;
+    const uint32_t flags = shading->material->flags, count = count_lights(shading);
+    shading->suns = 0;
+    if (!serves_some(frame, shading))
+        return GLINT_OK;
+    glint_suns *suns = glint_take(&frame->memory, GLINT_SUNS_SIZE(count));
+    if (!suns)
+        return GLINT_ERROR_ARENA;
+    const uint8_t is_mirror = shading->material->model->lobe == GLINT_LOBE_MIRROR;
+    const int takes_most =
+                  flags & GLINT_MATERIAL_MAX && (shading->ambient[0] | shading->ambient[1] | shading->ambient[2]),
+              is_ungated = flags & GLINT_MATERIAL_UNGATED && shading->has_specular;
+    const uint32_t keeps = count > 1 || takes_most || is_ungated || !frame->config.format->sun_spans ? UINT32_MAX : 0;
+    const int is_left = last == suns && suns->is_mirror == is_mirror && suns->keeps == keeps;
+    shading->suns = suns;
+    suns->count = count;
+    suns->is_mirror = is_mirror;
+    suns->is_fine = !has_words(frame, shading);
+    suns->bits = (uint8_t)(frame->config.gamma ? 8 : glint_green_bits(frame->config.format));
+    suns->takes_most = (uint8_t)takes_most;
+    suns->gate = is_ungated ? INT32_MIN : 0;
+    suns->keeps = keeps;
+    suns->terms = count_terms(shading);
+    suns->is_local = view->local_viewer;
+    suns->is_rounded = frame->config.format->sun_spans != 0;
+    suns->spans = 0;
+    suns->small = glint_draw_small_suns;
+    suns->ray_limit = GLINT_MOST_RAY * (1 << 15) / view->ray_scale;
+    suns->ray_z = (int32_t)glint_shift_right64(glint_product(view->focal, view->ray_scale) + (1 << 23), 24);
+    glint_drawn_sun *sun = suns->suns;
+    for (uint32_t i = 0; shading->lights >> i; i++) {
+        if (!(shading->lights >> i & 1))
+            continue;
+        if (!is_left)
+            sun->ramp = 0;
+        sun->gloss = 0;
+        sun->number = i;
+        sun->shines = shading->has_specular >> i & 1;
+        for (int c = 0; c < 3; c++)
+            sun->light[c] = view->lights[i].direction[c] + glint_shift_right(view->lights[i].direction[c], 13);
+        sun++;
+    }
+    glint_ramps_prepare(suns, shading);
+    return GLINT_OK;
+}
+
+/* A material's tables, if they leave room to draw any scene. */
+static void make_tables(glint_frame *frame, const glint_shading *shading, glint_suns *suns) {
+    suns->is_plain = suns->keeps != 0;
+    for (glint_drawn_sun *sun = suns->suns, *end = sun + suns->count; sun != end; sun++) {
+        const uint32_t *const before = sun->ramp;
+        const size_t size = glint_ramps_size(sun);
+        sun->ramp = 0;
+        if (frame->memory.high - GLINT_ALIGNED(frame->memory.low) >= size + glint_room_behind_tables(size))
+            glint_ramps_make(shading, sun, glint_take(&frame->memory, size), before);
+        else
+            suns->is_plain = 0;
+    }
+    if (suns->keeps || !suns->suns->ramp)
+        return;
+    suns->spans = frame->config.format->sun_spans;
+    if (suns->suns->shines && !suns->is_mirror && !suns->is_narrow)
+        suns->small = suns->spans->small;
+}
+
+static glint_status prepare(glint_frame *frame) {
+    glint_shading *const shadings = (glint_shading *)frame->shading;
+    glint_status status = GLINT_OK;
+    for (uint32_t i = 0; i < frame->shading_count && status == GLINT_OK; i++)
+        status = prepare_material(frame, &shadings[i]);
+    /* tables may take what is left once every material has what it must have */
+    for (uint32_t i = 0; i < frame->shading_count && status == GLINT_OK; i++)
+        if (shadings[i].suns && !shadings[i].suns->is_fine)
+            make_tables(frame, &shadings[i], (glint_suns *)shadings[i].suns);
+    return status;
+}
+
+static const glint_evaluation evaluation = {
+    .lit_at = GLINT_LIT_AT_FRAGMENTS, .light = glint_light_sun_vertices, .draw_triangle = draw_suns};
+
+const glint_suns_stage glint_suns_of_lights = {&evaluation, serves, vertex_size, prepare, need};

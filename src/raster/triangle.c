@@ -1,0 +1,172 @@
+/* SPDX-License-Identifier: MIT */
+/* Triangle: walks the left and the right side of any triangle down the rows of a tile at once. */
+#include "triangle.h"
+
+#include "small.h"
+
+/* ---- Tiles ---- */
+
+void glint_window_begin(glint_window *window, int x, int y, int width, int height) {
+    window->left = 16 * x + 8;
+    window->top = 16 * y + 8;
+    window->width = width;
+    window->height = height;
+    window->origin = ((uint32_t)(window->top - GLINT_TO_CENTER) << 16) + (uint32_t)(window->left - GLINT_TO_CENTER);
+}
+
+/* ---- Any triangle ---- */
+/* A side on its way down, exactly: the first column at or right of it, and rest / divisor of one beyond. */
+typedef struct exact_side {
+    int32_t column, rest, step, step_rest, divisor;
+} exact_side;
+
+/* floor(a / b), b above 0 */
+static int32_t floor_quotient(int32_t a, int32_t b, int32_t *rest) {
+    int32_t quotient = a / b;
+    *rest = a - quotient * b;
+    if (*rest < 0) {
+        quotient--;
+        *rest += b;
+    }
+    return quotient;
+}
+
+/* Begins a side at row `row` of the tile. Corners lie less than 2^15 sixteenths apart and from the tile, so that the
+ * numerator, which is dy times the column in sixteenths, has 31 bits. */
+static GLINT_NOINLINE void begin_exact_side(exact_side *side, glint_corner_word upper, glint_corner_word lower,
+                                            int32_t row) {
+    const int32_t dx = glint_x_of(lower) - glint_x_of(upper), dy = glint_y_of(lower) - glint_y_of(upper);
+    const int32_t x = glint_x_of(upper) - GLINT_X_BIAS - GLINT_TO_CENTER,
+                  down = 16 * row + GLINT_TO_CENTER - glint_y_of(upper);
+    side->divisor = 16 * dy;
+    side->column = floor_quotient(x * dy + down * dx + side->divisor - 1, side->divisor, &side->rest);
+    side->step = floor_quotient(dx, dy, &side->step_rest);
+    side->step_rest *= 16;
+}
+
+static inline void step_exact_side(exact_side *side) {
+    side->column += side->step;
+    side->rest += side->step_rest;
+    if (side->rest >= side->divisor) {
+        side->rest -= side->divisor;
+        side->column++;
+    }
+}
+
+static GLINT_NOINLINE void walk_any(glint_row_walk *walk) {
+    const glint_corners *const k = &walk->corners;
+    const glint_corner_word a = k->a, b = k->b, c = k->c;
+    const int32_t width = walk->part->window.width, left_end = glint_row_of(b), right_end = glint_row_of(c);
+    const int32_t end = walk->rows.end;
+    int32_t row = walk->rows.row;
+    const int is_below_b = row >= left_end, is_below_c = row >= right_end;
+    exact_side left, right;
+    begin_exact_side(&left, is_below_b ? b : a, is_below_b ? c : b, row);
+    begin_exact_side(&right, is_below_c ? c : a, is_below_c ? b : c, row);
+    for (;;) {
+        const int32_t from = glint_most(left.column, 0), to = glint_least(right.column, width);
+        if (from < to)
+            walk->draw_span(walk, row, from, to);
+        if (++row == end)
+            return;
+        step_exact_side(&left);
+        step_exact_side(&right);
+        if (row == left_end)
+            begin_exact_side(&left, b, c, row);
+        if (row == right_end)
+            begin_exact_side(&right, c, b, row);
+    }
+}
+
+/* ---- Small triangles ---- */
+
+static inline void draw_its_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+    walk->draw_span(walk, row, left, right);
+}
+
+void glint_walk_small(glint_row_walk *walk) {
+    glint_draw_rows(walk, draw_its_span);
+}
+
+int glint_find_visible_row(glint_row_walk *walk) {
+    const int32_t width = walk->part->window.width;
+    const uint32_t dx = (uint32_t)walk->z.dx;
+    glint_small_rows *const rows = &walk->rows; /* most triangles are visible in their first row */
+    for (;;) {
+        do {
+            int32_t from = glint_most(glint_shift_right(rows->left.x, 20), 0);
+            const int32_t to = glint_least(glint_shift_right(rows->right.x, 20), width);
+            if (from < to) {
+                const uint16_t *depth = walk->depth + ((uint32_t)rows->row << walk->shift) + from;
+                uint32_t z = glint_z_at(walk, rows->row, from);
+                for (; from < to; from++, depth++, z += dx)
+                    if (z >> 15 > *depth)
+                        return 1;
+            }
+            rows->left.x = glint_add_wrap(rows->left.x, rows->left.slope);
+            rows->right.x = glint_add_wrap(rows->right.x, rows->right.slope);
+        } while (++rows->row != rows->stop);
+        if (rows->row == rows->end)
+            return 0;
+        glint_take_third(rows);
+    }
+}
+
+/* ---- Triangles ---- */
+
+/* Finds area, plane of 1/w and slopes of a small triangle whose rows are walked, where slopes serve it. */
+static void begin_late_slopes(glint_row_walk *walk) {
+    static const uint8_t next[5] = {0, 1, 2, 0, 1};
+    const glint_vertex *const *of = walk->triangle.corners;
+    const uint8_t *from = &next[walk->corners.top];
+    const glint_vertex *const v[3] = {of[from[0]], of[from[1]], of[from[2]]};
+    glint_begin_slopes(walk, v);
+    if (walk->has_slopes)
+        glint_find_slopes(&walk->corners, &walk->slopes);
+}
+
+/* Begins the rows of a triangle, whose slopes are found once a row has a span. */
+static glint_begun begin_rows(glint_row_walk *walk) {
+    const glint_vertex *v[3];
+    const glint_begun begun = glint_find_rows(walk, v);
+    walk->has_slopes = 0;
+    if (begun == GLINT_IS_SMALL) {
+        walk->has_slopes = GLINT_SLOPES_UNKNOWN;
+        glint_find_sides(walk);
+    }
+    return begun;
+}
+
+glint_begun glint_begin_triangle(glint_row_walk *walk) {
+    if (!GLINT_SMALL)
+        return glint_begin_inline(walk);
+    const glint_begun begun = begin_rows(walk);
+    if (begun == GLINT_IS_SMALL)
+        begin_late_slopes(walk);
+    return begun;
+}
+
+void glint_walk_begun(glint_row_walk *walk, glint_begun begun) {
+    if (begun == GLINT_IS_SMALL)
+        glint_walk_small(walk);
+    else if (begun == GLINT_IS_LARGE)
+        walk_any(walk);
+}
+
+void glint_walk_triangle(glint_row_walk *walk) {
+    glint_walk_begun(walk, begin_rows(walk));
+}
+
+/* ---- Depth ---- */
+
+void glint_begin_depth(glint_row_walk *walk) {
+    const glint_part *part = walk->part;
+    if (walk->has_slopes == GLINT_SLOPES_UNKNOWN)
+        begin_late_slopes(walk);
+    if (walk->has_slopes)
+        return;
+    glint_setup(walk->part, &walk->triangle);
+    walk->is_deep = (uint8_t)glint_is_deep(&walk->triangle);
+    walk->z = part->depth;
+    walk->z.start = glint_add_wrap(glint_plane_at(&part->depth, part->x, part->y), GLINT_DEPTH_BIAS);
+}
