@@ -100,7 +100,7 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
     draw->unreached = find_unreached(frame, object, draw->shading->lights);
     if (is_of_one_colour(object, draw)) {
         draw->light = 0;
-        draw->draw_triangle = glint_flat_of(frame->config.format);
+        draw->draw_triangle = frame->config.format->flat;
         set_flat(frame, draw, last);
     }
     draw->is_costly = !GLINT_SMALL && evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS && draw->light &&

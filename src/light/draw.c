@@ -16,7 +16,7 @@ void glint_draw_facet(glint_row_walk *walk) {
     const glint_format *format = walk->frame->config.format;
     walk->lanes[0] = glint_lanes_of(walk->draw->facets[walk->triangle.index]);
     walk->packed = glint_pack_lanes(walk->lanes[0], format->channel[0], glint_green_bits(format));
-    glint_flat_of(format)(walk);
+    format->flat(walk);
 }
 
 /* ---- Colours at corners, over w ---- */
@@ -348,10 +348,7 @@ static void begin_lit(glint_row_walk *walk, int32_t row, int32_t left, int32_t r
 static inline void draw_rows(glint_row_walk *walk) {
     const glint_format *format = walk->frame->config.format;
     walk->draw_span = format->smooth;
-    if (GLINT_SMALL)
-        glint_walk_small(walk);
-    else
-        format->smooth_rows(walk);
+    format->smooth_rows(walk);
 }
 
 void glint_draw_lit(glint_row_walk *walk) {

@@ -356,6 +356,8 @@ static GLINT_INLINE void light_fragments(const glint_row_walk *walk, glint_lit_f
         begin_view(lamps, f, &s);
         if (!GLINT_RARELY(!lamps->needs_w))
             find_place(walk, lamps, &s);
+        else
+            s.e[0] = s.e[1] = s.e[2] = s.w = 0;
         if (model != MATT)
             find_facing(lamps, &s);
         for (int c = 0; c < 3; c++)

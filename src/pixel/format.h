@@ -48,9 +48,9 @@ struct glint_format {
                        uint32_t count);
     /** Gives all of a tile one colour. */
     void (*fill)(void *pixels, unsigned tile_shift_x, uint32_t height, const int32_t colour[3]);
-    /** Draws a triangle of one colour, walk->packed; null in a library built for size, where glint_draw_flat does. */
+    /** Draws a triangle of one colour, walk->packed. */
     void (*flat)(glint_row_walk *walk);
-    /** Draws a small triangle of interpolated colours that has been begun, or null: then spans are to be drawn. */
+    /** Draws a small triangle of interpolated colours that has been begun. */
     void (*smooth_rows)(glint_row_walk *walk);
     /** Draws a span of one colour, and one of interpolated colours. */
     glint_draw_span *flat_span, *smooth;
@@ -68,11 +68,6 @@ void glint_walk_flat(glint_row_walk *walk, glint_begun begun);
 
 /** Begins a triangle of one colour, and draws it by spans. */
 void glint_draw_flat(glint_row_walk *walk);
-
-/** Returns what draws triangles of one colour. */
-static inline void (*glint_flat_of(const glint_format *format))(glint_row_walk *walk) {
-    return GLINT_SMALL ? glint_draw_flat : format->flat;
-}
 
 /** Returns the bits of a format's green, or of its luma. */
 static inline unsigned glint_green_bits(const glint_format *format) {

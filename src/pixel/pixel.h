@@ -277,7 +277,7 @@ static GLINT_INLINE void glint_draw_smooth_span(const glint_row_walk *w, int32_t
 /** The functions that draw small triangles row by row; for size, they are drawn span by span, as others are. */
 #if GLINT_SMALL
 #define GLINT_DEFINE_ROWS(suffix)
-#define GLINT_ROWS(suffix) 0, 0
+#define GLINT_ROWS(suffix) glint_draw_flat, glint_walk_small
 #else
 #define GLINT_DEFINE_ROWS(suffix)                            \
     static void flat_##suffix(glint_row_walk *walk) {        \

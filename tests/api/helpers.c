@@ -87,8 +87,8 @@ static double left_at(const glint_light *lamp, double distance) {
 /* Every range from the least to the largest number, each 0.1 % above the one before it. */
 static void lamps_fade_to_half_a_step_at_their_range(void) {
     double worst = 0, worst_form = 0;
-    for (double range = 4096; range <= INT32_MAX; range = range * 1.001 + 1) {
-        const double units = (int32_t)range / 65536.0;
+    for (int64_t range = 4096; range <= INT32_MAX; range += range / 1000 + 1) {
+        const double units = (double)range / 65536;
         const glint_light lamp = glint_lamp((glint_vector)GLINT_VECTOR(0, 0, 0), white, (glint_q16)range);
         worst = fmax(worst, fabs(left_at(&lamp, units) * 126 - 1));
         if (units <= 250)

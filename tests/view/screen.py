@@ -88,10 +88,14 @@ class Window:
         self.measure()
 
     def measure(self):
-        """The window's place, once the server tells it: a window that is just being shown may have none."""
-        found = dict(line.split("=") for line in
-                     until(lambda: self.screen.xdotool("getwindowgeometry", "--shell", self.id).split()))
-        self.x, self.y, self.width, self.height = (int(found[name]) for name in ("X", "Y", "WIDTH", "HEIGHT"))
+        """The window's place, once the server tells all of it: of a window that is just being shown it may tell a part."""
+        names = ("X", "Y", "WIDTH", "HEIGHT")
+
+        def place():
+            found = dict(line.split("=") for line in
+                         self.screen.xdotool("getwindowgeometry", "--shell", self.id).split() if "=" in line)
+            return [int(found[name]) for name in names] if all(name in found for name in names) else None
+        self.x, self.y, self.width, self.height = until(place)
 
     def close(self):
         self.program.terminate()

@@ -19,8 +19,6 @@ import sys
 # Folder, and the least % of lines, branches and conditions that are reached.
 BARS = (("src/", 95, 90, 80), ("port/panel/", 100, 100, 100), ("port/host/", 98, 0, 0))
 
-# What no test names any more: lighting per node, which is to go.
-
 LINE = re.compile(r" *(\d+)\| *([\d.]+[kMGTPEZY]?)?\|")
 BRANCH = re.compile(r"Branch \((\d+):(\d+)\): \[True: ([^,]+), False: ([^]]+)\]")
 DECISION = re.compile(r"MC/DC Decision Region")
