@@ -331,8 +331,8 @@ glint_pose glint_pose_then(const glint_pose *first, const glint_pose *second);
 typedef struct glint_evaluation glint_evaluation;
 
 /**
- * At every fragment, with the normal interpolated and made unit (Phong, 1975). What a null pointer means. This was long
- * called Phong shading; it goes with any model, and is not the Phong model, which is one kind of highlight.
+ * At every fragment, with the normal interpolated and made unit (Phong, 1975). This was long called Phong shading; it
+ * goes with any model, and is not the Phong model, which is one kind of highlight.
  */
 extern const glint_evaluation glint_per_fragment;
 
@@ -344,11 +344,12 @@ extern const glint_evaluation glint_per_facet;
 
 /** A mesh of a material at a place. Owned by the caller; read while a frame is drawn, never written. */
 typedef struct glint_object {
-    const glint_mesh *mesh;             /**< What it looks like. */
-    const glint_material *material;     /**< What it is made of. */
-    glint_pose pose;                    /**< Object to world; scales may differ per axis and mirror. */
-    const glint_evaluation *evaluation; /**< Where it is lit; null for every fragment. */
-    uint8_t hidden;                     /**< Not 0: it is not drawn, and its pose may be anything. */
+    const glint_mesh *mesh;         /**< What it looks like. */
+    const glint_material *material; /**< What it is made of. */
+    glint_pose pose;                /**< Object to world; scales may differ per axis and mirror. */
+    const glint_evaluation
+        *evaluation; /**< Where it is lit; may be null where it is unlit and its mesh has no colours. */
+    uint8_t hidden;  /**< Not 0: it is not drawn, and its pose may be anything. */
 } glint_object;
 
 /* ---- Cameras ----------------------------------------------------------------------------------------------------- */

@@ -138,8 +138,10 @@ void bench_build_scene(bench_scene *scene, const bench_definition *definition, c
                                  .vector = {bench_q16(0.4), bench_q16(0.6), bench_q16(0.7)},
                                  .diffuse = scaled(white, 1),
                                  .specular = scaled(white, 1)};
-    scene->object = (glint_object){
-        .mesh = &mesh->mesh, .material = &scene->material, .pose = bench_turn(-0.9 + 0.04 * frame, 0.3 + 0.1 * frame)};
+    scene->object = (glint_object){.mesh = &mesh->mesh,
+                                   .material = &scene->material,
+                                   .evaluation = &glint_per_fragment,
+                                   .pose = bench_turn(-0.9 + 0.04 * frame, 0.3 + 0.1 * frame)};
     scene->object.pose.m[2][3] = bench_q16(-definition->distance);
     scene->scene = (glint_scene){.camera = {.field_of_view = 60 * GLINT_ONE, .near_plane = GLINT_ONE / 10},
                                  .viewer = GLINT_VIEWER_LOCAL,

@@ -70,7 +70,10 @@ static glint_status draw_model(glint_config config, int number) {
                                      .diffuse = GLINT_COLOUR(1, 1, 1),
                                      .specular = GLINT_COLOUR(1, 1, 1)};
     const glint_pose tilt = glint_pose_rotate_x(GLINT_Q16(-50)), turn = glint_pose_rotate_y(number * GLINT_Q16(6));
-    const glint_object torus = {.mesh = &torus576_mesh, .material = &copper, .pose = glint_pose_then(&tilt, &turn)};
+    const glint_object torus = {.mesh = &torus576_mesh,
+                                .material = &copper,
+                                .evaluation = &glint_per_fragment,
+                                .pose = glint_pose_then(&tilt, &turn)};
     glint_scene scene = {.ambient = white, .lights = &lamp, .light_count = 1, .objects = &torus, .object_count = 1};
     glint_renderer renderer;
     glint_place place;
@@ -135,9 +138,11 @@ static glint_status draw_clock(glint_config config, int number) {
     const glint_object hands[2] = {
         {.mesh = &box_mesh,
          .material = &steel,
+         .evaluation = &glint_per_fragment,
          .pose = turn_hand(GLINT_Q16(0.24), GLINT_Q16(0.06), number * GLINT_Q16(30), 0)},
         {.mesh = &box_mesh,
          .material = &steel,
+         .evaluation = &glint_per_fragment,
          .pose = turn_hand(GLINT_Q16(0.33), GLINT_Q16(0.04), number * GLINT_Q16(6), GLINT_Q16(0.12))}};
     glint_scene scene = {.ambient = white, .lights = &lamp, .light_count = 1, .objects = hands, .object_count = 2};
     glint_renderer renderer;

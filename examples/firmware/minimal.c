@@ -16,7 +16,7 @@ int main(void) {
     const glint_flush flush = glint_panel_flush(&panel);
     const glint_config config = {128, 64, 0, 0, panel.type->format, flush, arena, sizeof arena};
     const glint_camera camera = {glint_pose_translate(0, 0, GLINT_Q16(4)), GLINT_Q16(40), GLINT_Q16(0.1)};
-    glint_object object = {&pyramid, &clay, glint_pose_identity()};
+    glint_object object = {&pyramid, &clay, glint_pose_identity(), &glint_per_fragment};
     const glint_scene scene = {
         .camera = camera, .ambient = GREY(1), .lights = &sun, .light_count = 1, .objects = &object, .object_count = 1};
     glint_renderer renderer;

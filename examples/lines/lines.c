@@ -47,8 +47,11 @@ glint_status lines_draw(const glint_config *config) {
                      right = glint_pose_translate(GLINT_Q16(1.25), 0, GLINT_Q16(0.3)),
                      small = glint_pose_then(&half, &tilt);
     const glint_object objects[2] = {
-        {.mesh = &teapot_mesh, .material = &red, .pose = left},
-        {.mesh = &torus12x8_mesh, .material = &grey, .pose = glint_pose_then(&small, &right)}};
+        {.mesh = &teapot_mesh, .material = &red, .evaluation = &glint_per_fragment, .pose = left},
+        {.mesh = &torus12x8_mesh,
+         .material = &grey,
+         .evaluation = &glint_per_fragment,
+         .pose = glint_pose_then(&small, &right)}};
     glint_scene scene = {.background = GLINT_COLOUR(0.01, 0.015, 0.03),
                          .ambient = GLINT_COLOUR(1, 1, 1),
                          .lights = &lamp,

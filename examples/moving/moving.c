@@ -178,8 +178,12 @@ glint_status moving_draw(glint_renderer *renderer, int degrees) {
                                      .specular = GLINT_COLOUR(1, 1, 1)};
     const glint_pose side = glint_pose_rotate_y(GLINT_Q16(80)), left = glint_pose_translate(GLINT_Q16(-1.35), 0, 0),
                      right = glint_pose_translate(GLINT_Q16(1.45), GLINT_Q16(-0.35), 0);
-    const glint_object objects[2] = {{.mesh = &wave_mesh, .material = &water, .pose = left},
-                                     {.mesh = &arm_mesh, .material = &skin, .pose = glint_pose_then(&side, &right)}};
+    const glint_object objects[2] = {
+        {.mesh = &wave_mesh, .material = &water, .evaluation = &glint_per_fragment, .pose = left},
+        {.mesh = &arm_mesh,
+         .material = &skin,
+         .evaluation = &glint_per_fragment,
+         .pose = glint_pose_then(&side, &right)}};
     glint_scene scene = {.background = GLINT_COLOUR(0.01, 0.015, 0.03),
                          .ambient = GLINT_COLOUR(1, 1, 1),
                          .lights = &lamp,

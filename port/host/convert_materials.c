@@ -113,9 +113,10 @@ void convert_objects(const convert_names *names, const host_settings *settings, 
                 names->storage, names->name, mesh->piece_count);
     for (size_t i = 0; i < mesh->piece_count; i++) {
         const char *material = suffixes[first[mesh->materials[i]]].text;
-        bytes_print(
-            out, "    {&%s_mesh%s, &%s_material%s, {{{65536, 0, 0, 0}, {0, 65536, 0, 0}, {0, 0, 65536, 0}}}, 0, 0},\n",
-            names->name, suffixes[i].text, names->name, material);
+        bytes_print(out,
+                    "    {&%s_mesh%s, &%s_material%s, {{{65536, 0, 0, 0}, {0, 65536, 0, 0}, {0, 0, 65536, 0}}}, "
+                    "&glint_per_fragment, 0},\n",
+                    names->name, suffixes[i].text, names->name, material);
     }
     bytes_print(out, "};\n");
     free(first);

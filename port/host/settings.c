@@ -398,6 +398,7 @@ void settings_default(host_settings *settings) {
     settings->specular = settings_grey(0.4);
     settings->shininess = GLINT_Q16(32);
     settings->reflection = &glint_model_blinn_phong;
+    settings->evaluation = &glint_per_fragment;
     settings->gamma = 1.0;
     settings->load.crease = MESH_NO_CREASE;
     settings->load.weld = -1;

@@ -56,7 +56,7 @@ typedef struct host_settings {
     bool centre, z_up;
 
     const glint_model *reflection;
-    const glint_evaluation *evaluation; /**< Or null for the library's default. */
+    const glint_evaluation *evaluation;
     glint_colour ambient, diffuse, specular, background;
     glint_q16 shininess;
     uint32_t material_flags;

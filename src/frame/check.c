@@ -56,6 +56,12 @@ static glint_status check_material(const glint_material *material) {
     return material->shininess < 0 ? GLINT_ERROR_SHININESS : GLINT_OK;
 }
 
+/* What has one colour is lit nowhere. */
+static glint_status check_evaluation(const glint_object *object) {
+    const int needs = object->material->model->is_lit || glint_has_colours(object->mesh);
+    return needs && !object->evaluation ? GLINT_ERROR_NULL : GLINT_OK;
+}
+
 static glint_status check_lights(const glint_scene *scene) {
     if (scene->light_count > GLINT_LIGHTS_MAX)
         return GLINT_ERROR_LIGHTS;
@@ -75,6 +81,8 @@ static glint_status check_objects(const glint_config *config, const glint_scene 
         glint_status status = check_mesh(scene->objects[i].mesh, config);
         if (status == GLINT_OK)
             status = check_material(scene->objects[i].material);
+        if (status == GLINT_OK)
+            status = check_evaluation(&scene->objects[i]);
         if (status != GLINT_OK)
             return status;
     }

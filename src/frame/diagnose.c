@@ -68,7 +68,8 @@ static const char *name_null_of_object(const glint_object *object) {
            : is_missing(mesh->triangles, &layout->triangles) ? "a mesh's triangles are null"
            : layout->colours.type && !layout->colours.data   ? "a layout's colours are null"
            : !object->material                               ? "an object's material is null"
-                               : "a material's model is null: name one, such as &glint_model_blinn_phong";
+           : !object->material->model ? "a material's model is null: name one, such as &glint_model_blinn_phong"
+                                      : "an object's evaluation is null: name one, such as &glint_per_fragment";
 }
 
 static const char *name_of_camera(const glint_camera *camera) {

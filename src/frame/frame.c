@@ -48,6 +48,13 @@ static uint32_t count_waiting(const glint_frame *frame, size_t end) {
                                                : frame->scene->object_count;
 }
 
+size_t glint_corners_size(const glint_scene *scene) {
+    for (uint32_t i = 0; i < scene->object_count; i++)
+        if (scene->objects[i].evaluation && scene->objects[i].evaluation->lit_at != GLINT_LIT_AT_FRAGMENTS)
+            return offsetof(glint_corner_lights, lights) + scene->light_count * sizeof(glint_corner_light);
+    return 0;
+}
+
 /* Takes memory for the lights at corners, if any are lit. @return 0 when the arena is too small */
 static int take_corner_lights(glint_frame *frame) {
     const size_t size = glint_corners_size(frame->scene);

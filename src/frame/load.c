@@ -10,10 +10,11 @@ void *memset(void *bytes, int value, size_t size);
 
 /* What lights an object. */
 static const glint_evaluation *evaluation_of(const glint_frame *frame, const glint_object *object) {
+    static const glint_evaluation of_one_colour = {.lit_at = GLINT_LIT_AT_FRAGMENTS};
     const glint_suns_stage *suns = glint_find_suns(frame->scene);
     if (suns && suns->serves(frame, glint_shading_of(frame, object->material), object))
         return suns->evaluation;
-    return object->evaluation ? object->evaluation : &glint_per_fragment;
+    return object->evaluation ? object->evaluation : &of_one_colour;
 }
 
 /* What a draw keeps beyond its vertices. */
@@ -24,8 +25,7 @@ static int keeps_extra(const glint_evaluation *evaluation, const glint_object *o
 
 /* Returns the bytes that a vertex keeps of lights. */
 static size_t terms_size(const glint_frame *frame, const glint_object *object, const glint_evaluation *evaluation) {
-    const glint_suns_stage *suns = glint_find_suns(frame->scene);
-    return suns && evaluation == suns->evaluation ? suns->vertex_size(glint_shading_of(frame, object->material)) : 0;
+    return evaluation->vertex_size ? evaluation->vertex_size(glint_shading_of(frame, object->material)) : 0;
 }
 
 size_t glint_draw_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,
@@ -103,8 +103,7 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
         draw->draw_triangle = frame->config.format->flat;
         set_flat(frame, draw, last);
     }
-    draw->is_costly = !GLINT_SMALL && evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS && draw->light &&
-                      evaluation == &glint_per_fragment;
+    draw->is_costly = !GLINT_SMALL && draw->light && evaluation->is_costly;
     draw->object = frame->object;
     draw->first_triangle = frame->triangle;
     draw->first = last ? (uint16_t)(last->first + last->count) : 0;

@@ -8,50 +8,8 @@
 #include "../geometry/layout.h"
 #include "../pixel/format.h"
 #include "evaluation.h"
-#include "model.h"
-
-/* ---- Vectors ---- */
-
-uint32_t glint_corner_unit(int32_t v[3], int32_t *exponent) {
-    int32_t x = v[0], y = v[1], z = v[2];
-    const unsigned zeros =
-        glint_leading_zeros(glint_magnitude_bits(x) | glint_magnitude_bits(y) | glint_magnitude_bits(z));
-    if (zeros < 17) {
-        const unsigned down = 17 - zeros;
-        const int32_t half = 1 << (down - 1);
-        x = glint_shift_right(x + half, down);
-        y = glint_shift_right(y + half, down);
-        z = glint_shift_right(z + half, down);
-    } else {
-        x = glint_shift_left(x, zeros - 17);
-        y = glint_shift_left(y, zeros - 17);
-        z = glint_shift_left(z, zeros - 17);
-    }
-    const uint32_t square = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z); /* 2^28 .. 3 2^30, or 0 */
-    const int32_t root = square ? glint_inverse_root(square) : 0;
-    *exponent = 17 - (int32_t)zeros;
-    v[0] = glint_shift_right(x * root + 0x4000, 15);
-    v[1] = glint_shift_right(y * root + 0x4000, 15);
-    v[2] = glint_shift_right(z * root + 0x4000, 15);
-    return ((square + (1u << 13)) >> 14) * (uint32_t)root >> 16;
-}
-
-void glint_corner_see_near(const glint_corner_place *place, const glint_lit_point *point, glint_corner_sight *to) {
-    const int32_t half = 1 << place->down >> 1;
-    for (int i = 0; i < 3; i++)
-        to->direction[i] = place->at[i] - half - glint_shift_right(point->place[i], place->shift);
-    to->length = glint_corner_unit(to->direction, &to->exponent);
-    to->cosine = glint_shift_right(glint_corner_dot(point->normal, to->direction), 15);
-}
 
 /* ---- An object's lights ---- */
-
-size_t glint_corners_size(const glint_scene *scene) {
-    for (uint32_t i = 0; i < scene->object_count; i++)
-        if (scene->objects[i].evaluation && scene->objects[i].evaluation->lit_at != GLINT_LIT_AT_FRAGMENTS)
-            return offsetof(glint_corner_lights, lights) + scene->light_count * sizeof(glint_corner_light);
-    return 0;
-}
 
 int32_t glint_corner_turn(const glint_corner_space *space, const int64_t world[3], int32_t to[3]) {
     int32_t reduced[3];

@@ -106,6 +106,9 @@ static inline int32_t glint_corner_dot(const int32_t a[3], const int32_t b[3]) {
 /** Leading zeros up to which a way of 15 bits is precise enough: 13 bits are left. */
 #define GLINT_CORNER_ZEROS 6
 
+/** Highlights around the half vector and the mirrored light. */
+glint_highlight glint_highlight_of_half_vector GLINT_IF_LINKED, glint_highlight_of_mirror GLINT_IF_LINKED;
+
 /** The way from a point to a place that is nearer to it than to others, with all bits that there are. */
 void glint_corner_see_near(const glint_corner_place *place, const glint_lit_point *point, glint_corner_sight *to);
 

@@ -227,61 +227,6 @@ GLINT_NOINLINE void glint_find_other_w(const glint_row_walk *walk, glint_lit_vie
     s->w = glint_reciprocal16(inverse_w << zeros >> 16);
 }
 
-GLINT_NOINLINE void glint_mix_own_colour(const glint_row_walk *walk, glint_lit_fragment *f, int32_t w, uint32_t zeros,
-                                         const int32_t gloss[3]) {
-    const glint_lamps *lamps = walk->workspace->lamps;
-    int32_t *const to = f->out.colour, base[3] = {lamps->base[0], lamps->base[1], lamps->base[2]};
-    if (lamps->has_colours) {
-        const int is_parallel = walk->frame->view->is_parallel;
-        w = is_parallel ? 1 << 16 : w;
-        zeros = is_parallel ? 0 : zeros;
-        glint_multiply_by_own(walk->list, f, w, zeros, to);
-        if (lamps->takes_most)
-            glint_multiply_by_own(walk->list, f, w, zeros, base);
-    }
-    to[0] += gloss[0], to[1] += gloss[1], to[2] += gloss[2];
-    if (lamps->takes_most) {
-        to[0] = glint_most(to[0], base[0]);
-        to[1] = glint_most(to[1], base[1]);
-        to[2] = glint_most(to[2], base[2]);
-    }
-    for (int c = 0; c < 3 && lamps->headroom; c++)
-        to[c] = glint_shift_left(glint_least(to[c], (15 << GLINT_CHANNEL_BITS) >> lamps->headroom), lamps->headroom);
-    to[0] += lamps->half[0], to[1] += lamps->half[1], to[2] += lamps->half[2];
-}
-
-/* Finds the colours of fragments that no light reaches. */
-static GLINT_NOINLINE void show_ambient(const glint_row_walk *walk, glint_lit_fragment *f,
-                                        const glint_lit_fragment *end) {
-    static const int32_t gloss[3] = {0, 0, 0};
-    const glint_lamps *lamps = walk->workspace->lamps;
-    for (; f != end; f++) {
-        for (int c = 0; c < 3; c++)
-            f->out.colour[c] = lamps->first[c];
-        if (lamps->is_mixed) {
-            const uint32_t zeros = glint_leading_zeros((uint32_t)f->inverse_w | 1);
-            glint_mix_own_colour(walk, f, glint_reciprocal16((uint32_t)f->inverse_w << zeros >> 16), zeros, gloss);
-        }
-    }
-}
-
-/* Finds 1/w of the fragments of a far triangle. */
-static GLINT_NOINLINE void find_far_depths(const glint_row_walk *walk, glint_lit_fragment *f,
-                                           const glint_lit_fragment *end) {
-    for (; f != end; f++)
-        f->inverse_w = glint_most(glint_lamp_plane(&walk->w, glint_fragment_row(f), glint_fragment_column(f)), 1);
-}
-
-void glint_lamps_light(const glint_row_walk *walk, glint_lit_fragment *f, const glint_lit_fragment *end) {
-    const glint_lamps *lamps = walk->workspace->lamps;
-    if (walk->list->room)
-        find_far_depths(walk, f, end);
-    if (lamps->along || lamps->places)
-        lamps->shading->material->model->reflect(walk, f, end);
-    else
-        show_ambient(walk, f, end);
-}
-
 /* Lights the fragments of the list, and stores them. */
 GLINT_NOINLINE void glint_light_listed(const glint_row_walk *walk) {
     glint_lamp_list *list = walk->list;

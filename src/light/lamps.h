@@ -111,14 +111,15 @@ typedef struct glint_lamps {
 /** Finds what arrives of a light at a fragment. @return 0 for nothing */
 typedef int glint_arrive(const glint_lamps *lamps, const glint_drawn_lamp *lamp, glint_lit_view *s, glint_arrival *to);
 #if GLINT_SMALL
-glint_arrive glint_arrive_along, glint_arrive_from_place;
+glint_arrive glint_arrive_along GLINT_IF_LINKED, glint_arrive_from_place GLINT_IF_LINKED;
 #else /* they are part of the models' loops */
 #define glint_arrive_along 0
 #define glint_arrive_from_place 0
 #endif
 
 /** Adds what lights of each model add. */
-glint_reflect glint_reflect_matt, glint_reflect_half, glint_reflect_mirror;
+glint_reflect glint_reflect_matt GLINT_IF_LINKED, glint_reflect_half GLINT_IF_LINKED,
+    glint_reflect_mirror GLINT_IF_LINKED;
 
 /** Returns the value of a plane that begins with the tile's first pixel; modulo 2^32. */
 static inline int32_t glint_lamp_plane(const glint_plane *p, int32_t row, int32_t column) {

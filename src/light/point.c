@@ -5,16 +5,9 @@
 
 #include "../math/division.h"
 
-glint_status glint_point_attenuation(const glint_light *light, glint_prepared_light *prepared) {
-    if (light->linear < 0 || light->quadratic < 0)
-        return GLINT_ERROR_ATTENUATION;
-    (void)prepared;
-    return GLINT_OK;
-}
-
 static glint_status prepare_point(const glint_light *light, glint_prepared_light *prepared, const glint_view *view) {
-    (void)view;
-    return glint_point_attenuation(light, prepared);
+    (void)prepared, (void)view;
+    return glint_light_grows(light) ? GLINT_ERROR_ATTENUATION : GLINT_OK;
 }
 
 /* Quotients of 31 bits, with a sign: scaled / n 2^wide, scaled up to 2^59, n from 2^30 to 2^31. @return wide */
@@ -75,63 +68,6 @@ void glint_point_place(const glint_light *light, glint_prepared_light *prepared,
     /* position Q32 / nearest Q28 is 2^-4, and 1/w is Q31 */
     prepared->point.shift = bits + 4 - up + 31 + find_mantissas(scaled, n, prepared->point.mantissa);
     place_lamp(light, prepared, view, n, bits);
-}
-
-/* x 2^n for x below 2^31, at most 2^30: what is more counts as that. */
-static inline uint32_t shift_below(uint32_t x, int n) {
-    if (n < 0)
-        return n > -32 ? x >> -n : 0;
-    if ((int)glint_leading_zeros(x) > n + 1)
-        return x << n;
-    return x ? 1u << 30 : 0;
-}
-
-/* 2^(31 - zeros) 2^16 / x, from 2^15 to 2^16, for x of so many leading zeros; x is not 0. */
-static inline uint32_t invert(uint32_t x, unsigned *zeros) {
-    *zeros = glint_leading_zeros(x);
-    return (uint32_t)glint_reciprocal16(x << *zeros >> 16);
-}
-
-/* ---- Corners ---- */
-
-/* Brings x to at most `bits` bits. @return n: it is 2^n times the result */
-static int32_t to_bits(uint64_t x, unsigned bits, uint16_t *to) {
-    const int32_t down = (int32_t)glint_bits64(x) - (int32_t)bits;
-    *to = (uint16_t)(down > 0 ? x >> down : x);
-    return glint_most(down, 0);
-}
-
-void glint_point_bring(const glint_light *light, const glint_corner_space *space, int32_t place_exponent,
-                       glint_corner_light *to) {
-    const uint32_t inverse = space->inverse + (space->inverse >> 13); /* lengths are that part too short */
-    /* a length of a unit of places in those of the world: inverse 2^exponent */
-    const int32_t exponent = space->inverse_exponent - 28 + place_exponent;
-    const uint64_t linear = glint_product_unsigned((uint32_t)light->linear, inverse),
-                   quadratic = glint_product_unsigned((uint32_t)light->quadratic, inverse * (inverse >> 2) >> 14);
-    to->linear_exponent = (int16_t)(to_bits(linear, 16, &to->linear) + exponent);
-    to->quadratic_exponent = (int16_t)(to_bits(quadratic, 15, &to->quadratic) + 16 + 15 + 2 * exponent);
-}
-
-/* 1 / (1 + linear d + quadratic d^2), Q15, at a distance length 2^exponent, length of 16 bits. */
-static inline uint32_t fade(const glint_corner_light *light, uint32_t length, int32_t exponent) {
-    unsigned up;
-    if (!(light->linear | light->quadratic))
-        return 1u << 15;
-    const uint32_t linear = shift_below(light->linear * length >> 1, light->linear_exponent + exponent + 1),
-                   quadratic = shift_below((length * length >> 15) * light->quadratic >> 1,
-                                           light->quadratic_exponent + 2 * exponent + 1);
-    const uint32_t inverse = invert((1u << 16) + linear + quadratic, &up);
-    return (inverse + (1u << (15 - up))) >> (16 - up);
-}
-
-/* Bits of a way, in units of places, below which rounding alone tells where the light is. */
-#define LEAST_WAY_BITS 10
-
-uint32_t glint_point_reach(const glint_corner_light *light, const glint_lit_point *point, glint_corner_sight *to) {
-    if (!glint_corner_see(&light->place, point, light->is_gated, to) ||
-        to->exponent + light->place.shift <= LEAST_WAY_BITS - 15 || (light->is_gated && to->cosine <= 0))
-        return 0;
-    return fade(light, to->length, to->exponent);
 }
 
 const glint_light_type glint_light_point = {.prepare = prepare_point,

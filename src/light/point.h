@@ -21,14 +21,15 @@ static inline int32_t glint_excess(int32_t cosine, int32_t square_excess) {
     return glint_shift_right(glint_shift_right(cosine, 18) * square_excess, 13);
 }
 
-/** Sets how a light weakens with distance in an object's space; its place there is known. */
-void glint_point_bring(const glint_light *light, const glint_corner_space *space, int32_t place_exponent,
-                       glint_corner_light *to);
+/** Sets how a light weakens with distance in an object's space, where its place is known; of a spot its axis too. */
+glint_bring_light glint_point_bring GLINT_IF_LINKED, glint_spot_bring GLINT_IF_LINKED;
 
 /** Finds what a point sees of a light; view.h. Strength is off by at most 8 of Q15. */
-uint32_t glint_point_reach(const glint_corner_light *light, const glint_lit_point *point, glint_corner_sight *to);
+glint_reach_light glint_point_reach GLINT_IF_LINKED, glint_spot_reach GLINT_IF_LINKED;
 
-/** Takes over how a light weakens with distance. @return GLINT_ERROR_ATTENUATION where it would grow */
-glint_status glint_point_attenuation(const glint_light *light, glint_prepared_light *prepared);
+/** Does a light grow with distance? */
+static inline int glint_light_grows(const glint_light *light) {
+    return light->linear < 0 || light->quadratic < 0;
+}
 
 #endif

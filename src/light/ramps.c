@@ -3,7 +3,6 @@
 #include "../frame/arena.h"
 #include "../math/numeric.h"
 #include "lamps.h"
-#include "model.h"
 #include "suns.h"
 
 /* A highlight ends where it is 2^-9 of one: below 1/8 of a level of 63 at weight 1. */

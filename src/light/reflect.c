@@ -77,28 +77,6 @@ typedef struct lobe {
     int32_t a[3], b[3];
 } lobe;
 
-/*
- * Returns 1 - cos^2 between N and L + V, Q30, of vectors of 15 bits: from the chord between both, which is short where
- * a highlight is, so that errors of their lengths count squared. Off by 2^-14.5 of an angle.
- */
-GLINT_NOINLINE uint32_t glint_sine_by_chord(const int32_t n[3], const int32_t v[3], const int32_t l[3]) {
-    const int32_t x = glint_shift_right(v[0] + l[0], 1), y = glint_shift_right(v[1] + l[1], 1),
-                  z = glint_shift_right(v[2] + l[2], 1);
-    uint32_t square = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
-    if (square < 1u << 16)
-        return 1u << 30;
-    square = square < 1u << 30 ? square : (1u << 30) - 1;
-    const unsigned zeros = glint_leading_zeros(square) & ~1u, down = 16 - zeros / 2;
-    const int32_t over = (int32_t)glint_over_length(square << zeros), half = 1 << (down - 1);
-    const int32_t dx = glint_shift_right(x * over + half, down) - n[0],
-                  dy = glint_shift_right(y * over + half, down) - n[1],
-                  dz = glint_shift_right(z * over + half, down) - n[2];
-    const uint32_t chord = (uint32_t)dx * (uint32_t)dx + (uint32_t)dy * (uint32_t)dy + (uint32_t)dz * (uint32_t)dz;
-    if (chord < 1u << 30)
-        return chord - ((chord >> 15) * (chord >> 15) >> 2);
-    return chord < 1u << 31 ? chord - (chord >> 16) * (chord >> 16) : 1u << 30;
-}
-
 /* Finds N and L + V of a fragment and a light, or V and the mirrored L. */
 static GLINT_NOINLINE void find_lobe(const glint_lamps *lamps, const glint_drawn_lamp *lamp, const glint_lit_view *s,
                                      int is_mirror, lobe *to) {
@@ -339,6 +317,29 @@ static GLINT_INLINE void find_facing(const glint_lamps *lamps, glint_lit_view *s
     s->facing = glint_shift_right(dot * (int32_t)((uint32_t)s->over_n * over >> 16), 14);
 }
 
+GLINT_NOINLINE void glint_mix_own_colour(const glint_row_walk *walk, glint_lit_fragment *f, int32_t w, uint32_t zeros,
+                                         const int32_t gloss[3]) {
+    const glint_lamps *lamps = walk->workspace->lamps;
+    int32_t *const to = f->out.colour, base[3] = {lamps->base[0], lamps->base[1], lamps->base[2]};
+    if (lamps->has_colours) {
+        const int is_parallel = walk->frame->view->is_parallel;
+        w = is_parallel ? 1 << 16 : w;
+        zeros = is_parallel ? 0 : zeros;
+        glint_multiply_by_own(walk->list, f, w, zeros, to);
+        if (lamps->takes_most)
+            glint_multiply_by_own(walk->list, f, w, zeros, base);
+    }
+    to[0] += gloss[0], to[1] += gloss[1], to[2] += gloss[2];
+    if (lamps->takes_most) {
+        to[0] = glint_most(to[0], base[0]);
+        to[1] = glint_most(to[1], base[1]);
+        to[2] = glint_most(to[2], base[2]);
+    }
+    for (int c = 0; c < 3 && lamps->headroom; c++)
+        to[c] = glint_shift_left(glint_least(to[c], (15 << GLINT_CHANNEL_BITS) >> lamps->headroom), lamps->headroom);
+    to[0] += lamps->half[0], to[1] += lamps->half[1], to[2] += lamps->half[2];
+}
+
 /* Finds what arrives of a light: a library built for size asks its type, so that no other is linked. */
 #if GLINT_SMALL
 #define ARRIVE(from, lamps, lamp, s, a, has_gloss) (lamp)->source->type->arrive(lamps, lamp, s, a)
@@ -385,4 +386,38 @@ void glint_reflect_half(const glint_row_walk *walk, glint_lit_fragment *f, const
 
 void glint_reflect_mirror(const glint_row_walk *walk, glint_lit_fragment *f, const glint_lit_fragment *end) {
     light_fragments(walk, f, end, MIRROR);
+}
+
+/* ---- Fragments ---- */
+
+/* Finds the colours of fragments that no light reaches. */
+static GLINT_NOINLINE void show_ambient(const glint_row_walk *walk, glint_lit_fragment *f,
+                                        const glint_lit_fragment *end) {
+    static const int32_t gloss[3] = {0, 0, 0};
+    const glint_lamps *lamps = walk->workspace->lamps;
+    for (; f != end; f++) {
+        for (int c = 0; c < 3; c++)
+            f->out.colour[c] = lamps->first[c];
+        if (lamps->is_mixed) {
+            const uint32_t zeros = glint_leading_zeros((uint32_t)f->inverse_w | 1);
+            glint_mix_own_colour(walk, f, glint_reciprocal16((uint32_t)f->inverse_w << zeros >> 16), zeros, gloss);
+        }
+    }
+}
+
+/* Finds 1/w of the fragments of a far triangle. */
+static GLINT_NOINLINE void find_far_depths(const glint_row_walk *walk, glint_lit_fragment *f,
+                                           const glint_lit_fragment *end) {
+    for (; f != end; f++)
+        f->inverse_w = glint_most(glint_lamp_plane(&walk->w, glint_fragment_row(f), glint_fragment_column(f)), 1);
+}
+
+void glint_lamps_light(const glint_row_walk *walk, glint_lit_fragment *f, const glint_lit_fragment *end) {
+    const glint_lamps *lamps = walk->workspace->lamps;
+    if (walk->list->room)
+        find_far_depths(walk, f, end);
+    if (lamps->along || lamps->places)
+        lamps->shading->material->model->reflect(walk, f, end);
+    else
+        show_ambient(walk, f, end);
 }

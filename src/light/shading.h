@@ -4,6 +4,7 @@
 #define GLINT_SHADING_H
 
 #include "../glint_extras.h"
+#include "../math/numeric.h"
 #include "../scene/view.h"
 
 struct glint_suns;
@@ -89,5 +90,15 @@ glint_status glint_prepare_shading(const glint_frame *frame, glint_shading *shad
  * an 8-bit step need not show.
  */
 void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t weight);
+
+/** cos^p, Q15, for sin^2 in Q30 from the table; p is 2 or more. */
+static inline uint32_t glint_power_at(const glint_power_table *table, uint32_t u) {
+    if (u >= table->window)
+        return 0;
+    const uint16_t *node = &table->value[u >> table->index_shift];
+    int32_t fraction =
+        (int32_t)((u >> (table->index_shift - GLINT_POWER_FRACTION_BITS)) & ((1u << GLINT_POWER_FRACTION_BITS) - 1));
+    return (uint32_t)(node[0] + glint_shift_right((node[1] - node[0]) * fraction, GLINT_POWER_FRACTION_BITS));
+}
 
 #endif

@@ -24,7 +24,7 @@ static void prepare_edge(const glint_light *light, glint_prepared_light *prepare
 static glint_status prepare_spot(const glint_light *light, glint_prepared_light *prepared, const glint_view *view) {
     if (light->inner < 0 || light->inner > light->outer || light->outer > 180 * GLINT_ONE)
         return GLINT_ERROR_CONE;
-    if (glint_point_attenuation(light, prepared) != GLINT_OK)
+    if (glint_light_grows(light))
         return GLINT_ERROR_ATTENUATION;
     if (!glint_direction_to_camera(view, light->axis, prepared->direction))
         return GLINT_ERROR_DIRECTION;
@@ -32,47 +32,6 @@ static glint_status prepare_spot(const glint_light *light, glint_prepared_light 
         prepared->direction[i] = (int16_t)-prepared->direction[i];
     prepare_edge(light, prepared);
     return GLINT_OK;
-}
-
-/* t^2 (3 - 2 t), Q15, for t = past slope / 2^30: past from 0 up, the product at most 2^30. */
-static uint32_t smooth_step(int32_t past, int32_t slope) {
-    uint32_t t = (uint32_t)glint_shift_right(past * slope, 15);
-    return (t * t >> 15) * ((3u << 15) - 2 * t) >> 15;
-}
-
-/* What of a spot's light falls where the way to it has a cosine, times GLINT_UNIT^2, with its axis: Q15. */
-static inline uint32_t find_part(const glint_prepared_light *light, int32_t cosine) {
-    if (cosine >= light->spot.cosine_inner)
-        return 1u << 15;
-    /* past is at most inner - outer, of which slope is the inverse */
-    const int32_t past = glint_shift_right(cosine - light->spot.cosine_outer, light->spot.shift);
-    return past > 0 ? smooth_step(past, light->spot.slope) : 0;
-}
-
-/* ---- Corners ---- */
-
-static void bring_spot(const glint_light *light, const glint_corner_space *space, int32_t place_exponent,
-                       glint_corner_light *to) {
-    const int64_t axis[3] = {-(int64_t)light->axis.x, -(int64_t)light->axis.y, -(int64_t)light->axis.z};
-    int32_t turned[3], exponent;
-    glint_point_bring(light, space, place_exponent, to);
-    glint_corner_turn(space, axis, turned);
-    glint_corner_unit(turned, &exponent);
-    for (int i = 0; i < 3; i++)
-        to->axis[i] = (int16_t)turned[i];
-    to->axis_excess = glint_dot(to->axis, to->axis) - glint_dot(to->source->direction, to->source->direction);
-}
-
-/* The cosine is corrected for the lengths of both vectors. */
-static uint32_t reach_spot(const glint_corner_light *light, const glint_lit_point *point, glint_corner_sight *to) {
-    const uint32_t strength = glint_point_reach(light, point, to);
-    const int32_t *const direction = to->direction;
-    if (!strength)
-        return 0;
-    const int32_t excess = glint_corner_dot(direction, direction) - GLINT_UNIT * GLINT_UNIT + light->axis_excess,
-                  cosine =
-                      direction[0] * light->axis[0] + direction[1] * light->axis[1] + direction[2] * light->axis[2];
-    return strength * find_part(light->source, cosine - glint_excess(cosine, excess)) >> 15;
 }
 
 /* ---- Objects that a cone misses ---- */
@@ -166,5 +125,5 @@ const glint_light_type glint_light_spot = {.prepare = prepare_spot,
                                            .misses = misses_cone,
                                            .has_cone = 1,
                                            .arrive = glint_arrive_from_place,
-                                           .bring = bring_spot,
-                                           .reach = reach_spot};
+                                           .bring = glint_spot_bring,
+                                           .reach = glint_spot_reach};

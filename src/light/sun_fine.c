@@ -9,7 +9,6 @@
 #include "../raster/depth.h"
 #include "../raster/small.h"
 #include "lamps.h"
-#include "model.h"
 #include "suns.h"
 
 static inline void add_reflected(int32_t colour[3], int32_t amount, const int32_t weight[3]) {

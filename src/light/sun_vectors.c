@@ -125,6 +125,28 @@ static GLINT_NOINLINE void find_normal(const glint_row_walk *walk, int32_t row, 
     }
 }
 
+/*
+ * Returns 1 - cos^2 between N and L + V, Q30, of vectors of 15 bits: from the chord between both, which is short where
+ * a highlight is, so that errors of their lengths count squared. Off by 2^-14.5 of an angle.
+ */
+GLINT_NOINLINE uint32_t glint_sine_by_chord(const int32_t n[3], const int32_t v[3], const int32_t l[3]) {
+    const int32_t x = glint_shift_right(v[0] + l[0], 1), y = glint_shift_right(v[1] + l[1], 1),
+                  z = glint_shift_right(v[2] + l[2], 1);
+    uint32_t square = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
+    if (square < 1u << 16)
+        return 1u << 30;
+    square = square < 1u << 30 ? square : (1u << 30) - 1;
+    const unsigned zeros = glint_leading_zeros(square) & ~1u, down = 16 - zeros / 2;
+    const int32_t over = (int32_t)glint_over_length(square << zeros), half = 1 << (down - 1);
+    const int32_t dx = glint_shift_right(x * over + half, down) - n[0],
+                  dy = glint_shift_right(y * over + half, down) - n[1],
+                  dz = glint_shift_right(z * over + half, down) - n[2];
+    const uint32_t chord = (uint32_t)dx * (uint32_t)dx + (uint32_t)dy * (uint32_t)dy + (uint32_t)dz * (uint32_t)dz;
+    if (chord < 1u << 30)
+        return chord - ((chord >> 15) * (chord >> 15) >> 2);
+    return chord < 1u << 31 ? chord - (chord >> 16) * (chord >> 16) : 1u << 30;
+}
+
 uint32_t glint_find_sine(const glint_row_walk *walk, const glint_drawn_sun *sun, int32_t row, int32_t column,
                          const int32_t n[3]) {
     const glint_window *window = &walk->part->window;

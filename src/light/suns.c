@@ -159,7 +159,7 @@ static int serves_material(const glint_frame *frame, const glint_shading *shadin
 }
 
 static int serves(const glint_frame *frame, const glint_shading *shading, const glint_object *object) {
-    return (!object->evaluation || object->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS) &&
+    return object->evaluation && object->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS &&
            (!glint_has_colours(object->mesh) || material_lists(shading)) && serves_material(frame, shading);
 }
 
@@ -215,7 +215,8 @@ static glint_status prepare_material(glint_frame *frame, glint_shading *shading)
     const int takes_most =
                   flags & GLINT_MATERIAL_MAX && (shading->ambient[0] | shading->ambient[1] | shading->ambient[2]),
               is_ungated = flags & GLINT_MATERIAL_UNGATED && shading->has_specular;
-    const uint32_t keeps = count > 1 || takes_most || is_ungated || !frame->config.format->sun_spans ? UINT32_MAX : 0;
+    const uint32_t keeps =
+        count > 1 || takes_most || is_ungated || frame->config.format->sun_spans == GLINT_SPANS_OF_ANY ? UINT32_MAX : 0;
     const int is_left = last == suns && suns->is_mirror == is_mirror && suns->keeps == keeps;
     shading->suns = suns;
     suns->count = count;
@@ -227,7 +228,7 @@ static glint_status prepare_material(glint_frame *frame, glint_shading *shading)
     suns->keeps = keeps;
     suns->terms = count_terms(shading);
     suns->is_local = view->local_viewer;
-    suns->is_rounded = frame->config.format->sun_spans != 0;
+    suns->is_rounded = frame->config.format->sun_spans != GLINT_SPANS_OF_ANY;
     suns->spans = 0;
     suns->small = glint_draw_small_suns;
     suns->ray_limit = GLINT_MOST_RAY * (1 << 15) / view->ray_scale;
@@ -251,6 +252,7 @@ static glint_status prepare_material(glint_frame *frame, glint_shading *shading)
 
 /* A material's tables, if they leave room to draw any scene. */
 static void make_tables(glint_frame *frame, const glint_shading *shading, glint_suns *suns) {
+    static const glint_sun_spans *const *const spans[] = {0, &glint_spans_of_rgb565, &glint_spans_of_rgb565_be};
     suns->is_plain = suns->keeps != 0;
     for (glint_drawn_sun *sun = suns->suns, *end = sun + suns->count; sun != end; sun++) {
         const uint32_t *const before = sun->ramp;
@@ -263,7 +265,7 @@ static void make_tables(glint_frame *frame, const glint_shading *shading, glint_
     }
     if (suns->keeps || !suns->suns->ramp)
         return;
-    suns->spans = frame->config.format->sun_spans;
+    suns->spans = *spans[frame->config.format->sun_spans];
     if (suns->suns->shines && !suns->is_mirror && !suns->is_narrow)
         suns->small = suns->spans->small;
 }
@@ -280,7 +282,16 @@ static glint_status prepare(glint_frame *frame) {
     return status;
 }
 
-static const glint_evaluation evaluation = {
-    .lit_at = GLINT_LIT_AT_FRAGMENTS, .light = glint_light_sun_vertices, .draw_triangle = draw_suns};
+static const glint_evaluation evaluation = {.lit_at = GLINT_LIT_AT_FRAGMENTS,
+                                            .light = glint_light_sun_vertices,
+                                            .draw_triangle = draw_suns,
+                                            .vertex_size = vertex_size};
 
-const glint_suns_stage glint_suns_of_lights = {&evaluation, serves, vertex_size, prepare, need};
+const glint_suns_stage glint_suns_of_lights = {&evaluation, serves, prepare, need};
+
+/* Lighting at every fragment by any lights, with the normal interpolated and made unit (Phong, 1975). It stands here so
+ * that what lights by directional ones is linked where both are named. */
+const glint_evaluation glint_per_fragment = {.lit_at = GLINT_LIT_AT_FRAGMENTS,
+                                             .is_costly = 1,
+                                             .light = glint_transform_normals,
+                                             .draw_triangle = glint_draw_lamps};

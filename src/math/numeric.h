@@ -63,6 +63,16 @@
 #define GLINT_RARELY(x) (x)
 #endif
 
+/**
+ * Declares what a descriptor names and only another descriptor needs: it stands in a file that the other brings into
+ * the link, and is null elsewhere. So a light type and an evaluation link what takes both.
+ */
+#if defined(__ELF__) && defined(__GNUC__)
+#define GLINT_IF_LINKED __attribute__((weak))
+#else
+#define GLINT_IF_LINKED
+#endif
+
 /** Is the library built for size? Then shortcuts that change no result are left out. */
 #if defined(__OPTIMIZE_SIZE__)
 #define GLINT_SMALL 1

@@ -32,6 +32,12 @@ struct glint_sun_spans;
 
 extern const struct glint_sun_spans glint_sun_spans_rgb565, glint_sun_spans_rgb565_be;
 
+/** What draws spans of one directional light: each format of 16 bits refers to its own beside itself, where only these
+ * lights look. */
+typedef enum glint_spans_of { GLINT_SPANS_OF_ANY, GLINT_SPANS_OF_RGB565, GLINT_SPANS_OF_RGB565_BE } glint_spans_of;
+extern const struct glint_sun_spans *const glint_spans_of_rgb565 GLINT_IF_LINKED, *const glint_spans_of_rgb565_be
+                                                                                      GLINT_IF_LINKED;
+
 /** A pixel of a tile, by its number, and its colour. */
 typedef struct glint_list_pixel {
     uint32_t pixel;
@@ -60,7 +66,7 @@ struct glint_format {
      * directional light have functions of their own, which store it so. */
     void (*store_spread)(void *pixels, unsigned tile_shift_x, const struct glint_spread *words,
                          const struct glint_spread *end);
-    const struct glint_sun_spans *sun_spans; /* or null */
+    uint8_t sun_spans; /* glint_spans_of */
 };
 
 /** Draws a triangle of one colour that has been begun by spans. */

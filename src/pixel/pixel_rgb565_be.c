@@ -19,9 +19,11 @@ static inline uint32_t pack_spread_rgb565_be(uint32_t word, uint32_t threshold) 
     return glint_spread_pack(word);
 }
 
-#define SPREAD_ROUNDED_BE(suffix) store_spread_##suffix, &glint_sun_spans_rgb565_be
+#define SPREAD_ROUNDED_BE(suffix) store_spread_##suffix, GLINT_SPANS_OF_RGB565_BE
 
 GLINT_DEFINE_SPREAD(rgb565_be, pack_spread_rgb565_be, put_rgb565_be, 0)
 GLINT_DEFINE_SPREAD(rgb565_be_dithered, glint_spread_565, put_rgb565_be, 1)
 GLINT_DEFINE_FORMAT(rgb565_be, 16, GLINT_ROW_EDGE, 5, 6, 5, pack_rgb565_be, put_rgb565_be, glint_fill_tile,
                     GLINT_KEEPS_SWAPPED, SPREAD_ROUNDED_BE, GLINT_SPREAD_ANY);
+
+const struct glint_sun_spans *const glint_spans_of_rgb565_be = &glint_sun_spans_rgb565_be;

@@ -115,6 +115,11 @@ static inline size_t glint_view_size(const glint_scene *scene) {
 typedef uint32_t glint_reach_light(const struct glint_corner_light *light, const struct glint_lit_point *point,
                                    struct glint_corner_sight *to);
 
+/** Sets what `reach` needs beyond a light's place in an object's space, of which the unit is 2^exponent times that of
+ * turned vectors in Q28. */
+typedef void glint_bring_light(const glint_light *light, const struct glint_corner_space *space, int32_t exponent,
+                               struct glint_corner_light *to);
+
 struct glint_light_type {
     /** Brings a light to camera space. @return GLINT_ERROR_DIRECTION, _ATTENUATION or _CONE when it is not valid. */
     glint_status (*prepare)(const glint_light *light, glint_prepared_light *prepared, const glint_view *view);
@@ -129,11 +134,8 @@ struct glint_light_type {
     /** Finds what arrives of a light at a fragment: light/lamps.h. */
     int (*arrive)(const struct glint_lamps *lamps, const struct glint_drawn_lamp *lamp, struct glint_lit_view *s,
                   struct glint_arrival *to);
-    /** Sets what `reach` needs beyond the light's place in an object's space, of which the unit is 2^exponent times
-     * that of turned vectors in Q28. Null where light has no place. */
-    void (*bring)(const glint_light *light, const struct glint_corner_space *space, int32_t exponent,
-                  struct glint_corner_light *to);
-    glint_reach_light *reach; /* null as well */
+    glint_bring_light *bring; /* null where light has no place, */
+    glint_reach_light *reach; /* as well */
 };
 
 /**

@@ -40,7 +40,8 @@ static glint_status draw(const glint_light *light) {
                                  .flush = {.begin = take},
                                  .arena = arena,
                                  .arena_size = sizeof arena};
-    const glint_object object = {.mesh = &wall, .material = &white_paint, .pose = glint_pose_identity()};
+    const glint_object object = {
+        .mesh = &wall, .material = &white_paint, .evaluation = &glint_per_fragment, .pose = glint_pose_identity()};
     const glint_scene scene = {
         .camera = glint_camera_default(), .lights = light, .light_count = 1, .objects = &object, .object_count = 1};
     glint_renderer renderer;

@@ -51,7 +51,10 @@ static stage *begin(void) {
     s.material = (glint_material){.model = &glint_model_lambert, .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
     s.light = (glint_light){
         .type = &glint_light_directional, .vector = {0, 0, GLINT_ONE}, .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
-    s.object = (glint_object){.mesh = &s.mesh, .material = &s.material, .pose = glint_pose_translate(0, 0, 0)};
+    s.object = (glint_object){.mesh = &s.mesh,
+                              .material = &s.material,
+                              .evaluation = &glint_per_fragment,
+                              .pose = glint_pose_translate(0, 0, 0)};
     s.scene = (glint_scene){.camera = {.field_of_view = 53 * GLINT_ONE, .near_plane = GLINT_ONE / 8},
                             .lights = &s.light,
                             .light_count = 1,

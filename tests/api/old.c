@@ -2,7 +2,7 @@
 /*
  * Suite: what was written for version 0.1.0 compiles and means what it meant. Structures have grown at their ends
  * alone: initialisers by position fill the fields that they filled. What they leave out is 0, and draws what 0.1.0
- * drew.
+ * drew; but for an object's evaluation, without which nothing is lit.
  */
 #include "glint_extras.h"
 #include "harness.h"
@@ -198,7 +198,7 @@ static void draw_by_position(screen *to) {
     const glint_config config = {WIDTH, HEIGHT, 0, 0, &glint_format_rgb888, {keep, NULL, to}, arena, sizeof arena};
     const glint_camera camera = {
         {{{GLINT_ONE, 0, 0, 0}, {0, GLINT_ONE, 0, 0}, {0, 0, GLINT_ONE, GLINT_Q16(4)}}}, GLINT_Q16(40), GLINT_Q16(0.1)};
-    const glint_object object = {&pyramid, &clay, glint_pose_rotate_y(GLINT_Q16(30))};
+    const glint_object object = {&pyramid, &clay, glint_pose_rotate_y(GLINT_Q16(30)), &glint_per_fragment};
     const glint_scene scene = {camera, GLINT_VIEWER_INFINITE, GREY(0), GREY(1), &sun, 1, &object, 1};
     glint_renderer renderer;
     CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
@@ -213,7 +213,10 @@ static void draw_by_name(screen *to) {
                                  .flush = {.begin = keep, .context = to},
                                  .arena = arena,
                                  .arena_size = sizeof arena};
-    const glint_object object = {.mesh = &pyramid, .material = &clay, .pose = glint_pose_rotate_y(GLINT_Q16(30))};
+    const glint_object object = {.mesh = &pyramid,
+                                 .material = &clay,
+                                 .evaluation = &glint_per_fragment,
+                                 .pose = glint_pose_rotate_y(GLINT_Q16(30))};
     const glint_scene scene = {.camera = {.pose = glint_pose_translate(0, 0, GLINT_Q16(4)),
                                           .field_of_view = GLINT_Q16(40),
                                           .near_plane = GLINT_Q16(0.1)},
@@ -242,6 +245,7 @@ static void draw_by_assignment(screen *to) {
     config.arena_size = sizeof arena;
     object.mesh = &pyramid;
     object.material = &clay;
+    object.evaluation = &glint_per_fragment;
     object.pose = glint_pose_rotate_y(GLINT_Q16(30));
     scene.camera.pose = glint_pose_translate(0, 0, GLINT_Q16(4));
     scene.camera.field_of_view = GLINT_Q16(40);

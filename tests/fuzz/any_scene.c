@@ -178,7 +178,8 @@ static void take_lights(source *s, drawing *d) {
 static void take_objects(source *s, drawing *d) {
     static const glint_model *const models[4] = {&glint_model_blinn_phong, &glint_model_phong, &glint_model_lambert,
                                                  &glint_model_unlit};
-    const glint_evaluation *const evaluations[4] = {NULL, &glint_per_fragment, &glint_per_vertex, &glint_per_facet};
+    const glint_evaluation *const evaluations[4] = {&glint_per_fragment, &glint_per_fragment, &glint_per_vertex,
+                                                    &glint_per_facet};
     d->scene.object_count = below(s, DRAWING_OBJECTS + 1);
     for (uint32_t i = 0; i < d->scene.object_count; i++) {
         d->materials[i].model = models[below(s, 4)];

@@ -175,8 +175,9 @@ static void take_material(source *s, glint_material *material) {
 }
 
 static void take_objects(source *s, drawing *d, glint_q16 size, glint_vector centre) {
-    const glint_evaluation *const evaluations[8] = {
-        NULL, NULL, &glint_per_fragment, &glint_per_vertex, &glint_per_vertex, NULL, NULL, &glint_per_facet};
+    const glint_evaluation *const evaluations[8] = {&glint_per_fragment, &glint_per_fragment, &glint_per_fragment,
+                                                    &glint_per_vertex,   &glint_per_vertex,   &glint_per_fragment,
+                                                    &glint_per_fragment, &glint_per_facet};
     d->scene.object_count = 1 + below(s, DRAWING_OBJECTS);
     for (uint32_t i = 0; i < d->scene.object_count; i++) {
         glint_object *object = &d->objects[i];

@@ -84,7 +84,8 @@ static void build(row *r, uint32_t count, variant change) {
         r->materials[i] = (glint_material){.model = &glint_model_blinn_phong, .shininess = 20 * GLINT_ONE};
         r->materials[i].diffuse = (glint_colour){level, GLINT_ONE - level, level / 2};
         r->materials[i].ambient.g = GLINT_ONE / 16;
-        r->objects[i] = (glint_object){.mesh = &pyramid, .material = &r->materials[i]};
+        r->objects[i] =
+            (glint_object){.mesh = &pyramid, .material = &r->materials[i], .evaluation = &glint_per_fragment};
         r->objects[i].pose = glint_pose_translate(((glint_q16)i - 4) * GLINT_ONE, 0, -5 * GLINT_ONE);
         change(r, i);
     }

@@ -69,7 +69,7 @@ static void make_box(box *b) {
     glint_generate_box(&b->mesh, &room, GLINT_ONE, GLINT_ONE, GLINT_ONE);
     b->material = glint_material_paint(&glint_model_blinn_phong, white, GLINT_ONE / 10, 32 * GLINT_ONE);
     b->light = (glint_light){&glint_light_directional, {-GLINT_ONE, GLINT_ONE, GLINT_ONE}, white, white};
-    b->object = (glint_object){&b->mesh, &b->material, glint_pose_rotate_y(30 * GLINT_ONE)};
+    b->object = (glint_object){&b->mesh, &b->material, glint_pose_rotate_y(30 * GLINT_ONE), &glint_per_fragment};
     b->scene = (glint_scene){.camera = {glint_pose_translate(0, 0, 5 * GLINT_ONE), 45 * GLINT_ONE, GLINT_ONE / 10},
                              .ambient = white,
                              .lights = &b->light,

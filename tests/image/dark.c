@@ -79,7 +79,7 @@ static void no_light_is_as_good_as_dark_ones(void) {
     for (unsigned i = 0; i < 2 * TEST_COUNT(formats); i++) {
         bench_scene scene;
         glint_light lights[GLINT_LIGHTS_MAX];
-        build_torus(&scene, (glint_viewer)(i % 2), NULL);
+        build_torus(&scene, (glint_viewer)(i % 2), &glint_per_fragment);
         fill_dark(lights, &scene.scene.lights[0]);
         glint_scene dark = scene.scene;
         dark.lights = lights;

@@ -41,8 +41,10 @@ static void begin(patient *p) {
                                        .vector = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
                                        .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
     for (int i = 0; i < 2; i++)
-        p->scene.objects[i] = (glint_object){
-            .mesh = &p->mesh, .material = &p->scene.materials[0], .pose = glint_pose_translate(i * GLINT_ONE, 0, 0)};
+        p->scene.objects[i] = (glint_object){.mesh = &p->mesh,
+                                             .material = &p->scene.materials[0],
+                                             .evaluation = &glint_per_fragment,
+                                             .pose = glint_pose_translate(i * GLINT_ONE, 0, 0)};
     p->scene.scene = (glint_scene){.camera = {.field_of_view = GLINT_Q16(45), .near_plane = GLINT_Q16(0.1)},
                                    .lights = p->scene.lights,
                                    .light_count = 1,
@@ -117,6 +119,7 @@ static void errors_have_a_place(void) {
     CASE(p.mesh.positions = NULL; p.mesh.layout = &wrong, GLINT_ERROR_TYPE, "type", 0, -1)
     CASE(p.mesh.normals = NULL; p.mesh.layout = &odd, GLINT_ERROR_STRIDE, "stride", 0, -1)
     CASE(p.scene.objects[1].material = NULL, GLINT_ERROR_NULL, "material", 1, -1)
+    CASE(p.scene.objects[1].evaluation = NULL, GLINT_ERROR_NULL, "evaluation", 1, -1)
     CASE(p.scene.objects[1].pose.m[1][1] = 0, GLINT_ERROR_POSE, "singular", 1, -1)
     CASE(p.scene.objects[1].pose.m[1][1] = 0; p.scene.objects[1].hidden = 1, GLINT_OK, "", -1, -1)
     CASE(p.mesh.vertex_count = 9, GLINT_ERROR_INDEX, "vertex", 0, -1)

@@ -123,7 +123,7 @@ static void fields_of_view(void) {
 static void least_exponents(void) {
     static const glint_q16 exponents[] = {0, 1, 2, 655};
     const glint_model *const models[2] = {&glint_model_blinn_phong, &glint_model_phong};
-    const glint_evaluation *const evaluations[2] = {NULL, &glint_per_vertex};
+    const glint_evaluation *const evaluations[2] = {&glint_per_fragment, &glint_per_vertex};
     static const char *const names[2] = {"fragment", "vertex"};
     row_print_heading();
     for (unsigned i = 0; i < 4 * TEST_COUNT(exponents); i++) {

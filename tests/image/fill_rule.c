@@ -48,7 +48,10 @@ static void patch_begin(patch *p) {
                            .normals = (const int16_t(*)[3])p->normals,
                            .triangles = (const uint16_t(*)[3])p->triangles,
                            .extent = {4 * GLINT_ONE, 4 * GLINT_ONE, 4 * GLINT_ONE}};
-    p->object = (glint_object){.mesh = &p->mesh, .material = &white, .pose = glint_pose_translate(0, 0, -GLINT_ONE)};
+    p->object = (glint_object){.mesh = &p->mesh,
+                               .material = &white,
+                               .evaluation = &glint_per_fragment,
+                               .pose = glint_pose_translate(0, 0, -GLINT_ONE)};
     p->scene = (glint_scene){
         .camera = {.pose = glint_pose_identity(), .field_of_view = 90 * GLINT_ONE, .near_plane = GLINT_ONE / 16},
         .ambient = {GLINT_ONE, GLINT_ONE, GLINT_ONE},

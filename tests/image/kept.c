@@ -207,7 +207,7 @@ static void both_per_vertex(test_scene *s) {
 }
 
 static void second_per_fragment(test_scene *s) {
-    s->objects[1].evaluation = NULL;
+    s->objects[1].evaluation = &glint_per_fragment;
 }
 
 static void infinite_viewer(test_scene *s) {

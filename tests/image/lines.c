@@ -342,8 +342,10 @@ static void lines_far_from_all_else_keep_their_side(void) {
     const glint_config config = screen_of(WIDTH, HEIGHT);
     picture image = open_picture(how.format);
     for (int away = 40; away <= 12000; away += away / 7) {
-        const glint_object object = {
-            .mesh = &square, .material = &paint, .pose = glint_pose_translate(0, 0, -away * GLINT_ONE)};
+        const glint_object object = {.mesh = &square,
+                                     .material = &paint,
+                                     .evaluation = &glint_per_fragment,
+                                     .pose = glint_pose_translate(0, 0, -away * GLINT_ONE)};
         const glint_scene flat = {
             .camera = {.pose = at, .near_plane = 1, .projection = &glint_orthographic, .view_height = 100 * GLINT_ONE},
             .objects = &object,

@@ -44,7 +44,7 @@ static void open(stage *s, const glint_format *format, glint_viewer viewer) {
                                    .specular = white,
                                    .shininess = 32 * GLINT_ONE};
     s->light = (glint_light){.type = &glint_light_directional, .diffuse = white, .specular = white};
-    s->object = (glint_object){&s->mesh, &s->material, glint_pose_translate(0, 0, -5 * GLINT_ONE), NULL};
+    s->object = (glint_object){&s->mesh, &s->material, glint_pose_translate(0, 0, -5 * GLINT_ONE), &glint_per_fragment};
     s->scene = (glint_scene){.camera = {glint_pose_identity(), 10 * GLINT_ONE, GLINT_ONE},
                              .viewer = viewer,
                              .ambient = white,

@@ -141,7 +141,10 @@ static void lamps_near_the_end_of_rays_light_as_close_by(void) {
         const glint_light lamp = {.type = &glint_light_point,
                                   .vector = {0, 0, GLINT_ONE - away},
                                   .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
-        const glint_object object = {.mesh = &square, .material = &paint, .pose = glint_pose_translate(0, 0, -away)};
+        const glint_object object = {.mesh = &square,
+                                     .material = &paint,
+                                     .evaluation = &glint_per_fragment,
+                                     .pose = glint_pose_translate(0, 0, -away)};
         const glint_scene scene = {.camera = {.pose = glint_pose_identity(),
                                               .near_plane = GLINT_ONE / 4,
                                               .projection = &glint_orthographic,
@@ -246,8 +249,10 @@ static void depth_is_rounded(void) {
         glint_renderer renderer;
         glint_object objects[3];
         for (int k = 0; k < 3; k++)
-            objects[k] = (glint_object){
-                .mesh = &square, .material = &paint, .pose = glint_pose_translate((k - 1) * 40 * GLINT_ONE, 0, -z[k])};
+            objects[k] = (glint_object){.mesh = &square,
+                                        .material = &paint,
+                                        .evaluation = &glint_per_fragment,
+                                        .pose = glint_pose_translate((k - 1) * 40 * GLINT_ONE, 0, -z[k])};
         const glint_scene scene = {.camera = {.pose = glint_pose_identity(),
                                               .near_plane = GLINT_ONE,
                                               .projection = &glint_orthographic,
@@ -530,7 +535,8 @@ static void build_squares(test_scene *s) {
     s->scene.ambient = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
     for (int i = 0; i < 2; i++) {
         s->materials[i] = (glint_material){.model = &glint_model_unlit, .diffuse = {.g = GLINT_ONE / (i + 1)}};
-        s->objects[i] = (glint_object){.mesh = &square, .material = &s->materials[i]};
+        s->objects[i] =
+            (glint_object){.mesh = &square, .material = &s->materials[i], .evaluation = &glint_per_fragment};
         s->objects[i].pose = glint_pose_translate(2000 * i * GLINT_ONE, 0, -(100 + i) * GLINT_ONE);
     }
 }

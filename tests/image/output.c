@@ -23,8 +23,10 @@ static void draw_flat(picture *image, const double rgb[3], int as_object, const 
     const glint_mesh square = scene_square_mesh(100 * GLINT_ONE, GLINT_ONE);
     const glint_colour colour = {bench_q16(rgb[0]), bench_q16(rgb[1]), bench_q16(rgb[2])};
     const glint_material paint = {.model = &glint_model_unlit, .diffuse = colour};
-    const glint_object object = {
-        .mesh = &square, .material = &paint, .pose = glint_pose_translate(0, 0, -2 * GLINT_ONE)};
+    const glint_object object = {.mesh = &square,
+                                 .material = &paint,
+                                 .evaluation = &glint_per_fragment,
+                                 .pose = glint_pose_translate(0, 0, -2 * GLINT_ONE)};
     const glint_scene scene = {
         .camera = {.pose = glint_pose_identity(), .field_of_view = 60 * GLINT_ONE, .near_plane = GLINT_ONE},
         .background = as_object ? (glint_colour){0, 0, 0} : colour,

@@ -110,7 +110,8 @@ static void build(patch *p, uint32_t number, uint32_t flags) {
                              .vector = {fixed(beside * cos(side)), fixed(beside * sin(side)), fixed(front)},
                              .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
                              .specular = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
-    p->object = (glint_object){.mesh = &p->mesh, .material = &p->material, .pose = glint_pose_identity()};
+    p->object = (glint_object){
+        .mesh = &p->mesh, .material = &p->material, .evaluation = &glint_per_fragment, .pose = glint_pose_identity()};
     p->scene = (glint_scene){.viewer = below(3) ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE,
                              .ambient = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
                              .camera = {glint_pose_identity(), 45 * GLINT_ONE, GLINT_ONE / 8, 0, 0},
@@ -174,6 +175,7 @@ static void a_long_cylinder_keeps_the_contract(void) {
     const glint_object object = {
         .mesh = &mesh,
         .material = &material,
+        .evaluation = &glint_per_fragment,
         .pose = {{{141217, 48616, 849, -37121}, {0, 2607, -149330, -173444}, {-48624, 141195, 2465, -5 * GLINT_ONE}}}};
     const glint_scene scene = {
         .camera = {.pose = glint_pose_identity(), .field_of_view = 44 * GLINT_ONE, .near_plane = 20000},

@@ -264,7 +264,8 @@ static void vary_light(glint_light *light, const glint_object *near) {
 static void vary_object(glint_object *object, glint_material *material, glint_mesh *own) {
     static const glint_model *const kinds[] = {&glint_model_blinn_phong, &glint_model_phong, &glint_model_lambert,
                                                &glint_model_unlit};
-    const glint_evaluation *const places[] = {NULL, &glint_per_fragment, &glint_per_vertex, &glint_per_facet};
+    const glint_evaluation *const places[] = {&glint_per_fragment, &glint_per_fragment, &glint_per_vertex,
+                                              &glint_per_facet};
     material->model = kinds[below(8) % 4 % 3 == 2 ? 2 + below(2) : below(2)];
     material->flags = below(4);
     object->evaluation = places[below(4)];

@@ -162,7 +162,10 @@ static void boxes(void) {
         const double size = 0.01 * pow(2, i);
         CHECK_EQUAL(glint_generate_box(&mesh, &room, bench_q16(size), bench_q16(0.7 * size), bench_q16(0.4 * size)),
                     GLINT_OK);
-        const glint_object object = {.mesh = &mesh, .material = &paint, .pose = glint_pose_translate(GLINT_ONE, 0, 0)};
+        const glint_object object = {.mesh = &mesh,
+                                     .material = &paint,
+                                     .evaluation = &glint_per_fragment,
+                                     .pose = glint_pose_translate(GLINT_ONE, 0, 0)};
         const glint_scene scene = {.camera = {.pose = glint_pose_translate(0, 0, 8 * GLINT_ONE),
                                               .field_of_view = 50 * GLINT_ONE,
                                               .near_plane = GLINT_ONE / 8},
@@ -201,7 +204,7 @@ static void check_sizes(build_box *build, int first, int last) {
     glint_need least = {0};
     for (int i = first; i <= last; i++) {
         glint_mesh mesh;
-        glint_object object = {.mesh = &mesh, .material = &paint};
+        glint_object object = {.mesh = &mesh, .material = &paint, .evaluation = &glint_per_fragment};
         glint_scene scene = {.objects = &object, .object_count = 1};
         glint_need bound = {0};
         CHECK_EQUAL(glint_generate_box(&mesh, &room, GLINT_ONE, GLINT_ONE, GLINT_ONE), GLINT_OK);
@@ -239,8 +242,10 @@ static void axes_need_the_same(void) {
                                  .vertex_count = 3,
                                  .triangle_count = 1,
                                  .extent = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
-        const glint_object object = {
-            .mesh = &mesh, .material = &paint, .pose = glint_pose_translate(0, 0, -8 * GLINT_ONE)};
+        const glint_object object = {.mesh = &mesh,
+                                     .material = &paint,
+                                     .evaluation = &glint_per_fragment,
+                                     .pose = glint_pose_translate(0, 0, -8 * GLINT_ONE)};
         const glint_scene scene = {
             .camera = {.pose = glint_pose_identity(), .field_of_view = 50 * GLINT_ONE, .near_plane = GLINT_ONE / 8},
             .objects = &object,
@@ -273,6 +278,7 @@ static void quarters_need_the_same(void) {
             objects[i] =
                 (glint_object){.mesh = &square,
                                .material = &paint,
+                               .evaluation = &glint_per_fragment,
                                .pose = glint_pose_translate(0, (96 - 64 * quarter) * GLINT_ONE, -(2 + i) * GLINT_ONE)};
         glint_need need = {0};
         glint_stats stats = {0};

@@ -150,7 +150,8 @@ static void paint_mesh(large_mesh *mesh, source *random) {
 static void add_object(large_scene *s, source *random) {
     static const glint_model *const models[4] = {&glint_model_unlit, &glint_model_lambert, &glint_model_phong,
                                                  &glint_model_blinn_phong};
-    const glint_evaluation *const evaluations[4] = {NULL, &glint_per_fragment, &glint_per_vertex, &glint_per_facet};
+    const glint_evaluation *const evaluations[4] = {&glint_per_fragment, &glint_per_fragment, &glint_per_vertex,
+                                                    &glint_per_facet};
     const uint32_t i = s->scene.object_count++;
     glint_material *const material = &s->materials[i];
     paint_mesh(&s->meshes[i], random);

@@ -678,8 +678,9 @@ static void make_screen(random_scene *s, source *random) {
 }
 
 static void make_object(random_scene *s, uint32_t i, source *random) {
-    const glint_evaluation *const evaluations[8] = {
-        NULL, NULL, NULL, NULL, &glint_per_fragment, &glint_per_fragment, &glint_per_vertex, &glint_per_facet};
+    const glint_evaluation *const evaluations[8] = {&glint_per_fragment, &glint_per_fragment, &glint_per_fragment,
+                                                    &glint_per_fragment, &glint_per_fragment, &glint_per_fragment,
+                                                    &glint_per_vertex,   &glint_per_facet};
     make_solid(&s->meshes[i], random);
     make_material(&s->materials[i], random);
     s->objects[i].mesh = &s->meshes[i].mesh;

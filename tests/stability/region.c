@@ -100,6 +100,7 @@ static void begin(random_scene *s) {
         s->materials[i] = (glint_material){.model = &glint_model_blinn_phong, .shininess = 32 * GLINT_ONE};
         s->objects[i] = (glint_object){.mesh = &s->meshes[0].mesh,
                                        .material = &s->materials[0],
+                                       .evaluation = &glint_per_fragment,
                                        .pose = glint_pose_translate(0, 0, -3 * GLINT_ONE)};
     }
     region_weights(s, 0.1, 0.4, 0.5);

@@ -5,14 +5,14 @@
 #include "unit.h"
 
 void null_pointers_in_scenes_are_refused(void) {
-    for (int which = 0; which < 9; which++) {
+    for (int which = 0; which < 10; which++) {
         fixture *f = fixture_begin();
-        const void **const pointers[9] = {
+        const void **const pointers[10] = {
             (const void **)(void *)&f->scene.lights,        (const void **)(void *)&f->scene.objects,
             (const void **)(void *)&f->lights[0].type,      (const void **)(void *)&f->objects[0].mesh,
             (const void **)(void *)&f->objects[0].material, (const void **)(void *)&f->materials[0].model,
             (const void **)(void *)&f->torus.positions,     (const void **)(void *)&f->torus.normals,
-            (const void **)(void *)&f->torus.triangles};
+            (const void **)(void *)&f->torus.triangles,     (const void **)(void *)&f->objects[0].evaluation};
         *pointers[which] = 0;
         fixture_expect_error(f, GLINT_ERROR_NULL);
     }

@@ -140,6 +140,7 @@ static void set_up_objects(fixture *f) {
         f->materials[i].shininess = 32 * GLINT_ONE;
         f->objects[i].mesh = &f->torus;
         f->objects[i].material = &f->materials[i];
+        f->objects[i].evaluation = &glint_per_fragment;
         f->objects[i].pose = turn;
         f->objects[i].pose.m[2][3] = GLINT_Q16(-3.7);
     }

@@ -79,7 +79,7 @@ static glint_status measure(glint_config *config, const glint_scene *scene, glin
 
 static glint_status measure_variant(uint32_t which, const variant *v, measured *result) {
     glint_mesh mesh = *bench_scenes[which].mesh;
-    glint_object object = {.mesh = &mesh, .material = &bench_material};
+    glint_object object = {.mesh = &mesh, .material = &bench_material, .evaluation = &glint_per_fragment};
     glint_scene scene = {.viewer = v->viewer,
                          .ambient = {BENCH_AMBIENT, BENCH_AMBIENT, BENCH_AMBIENT},
                          .lights = &bench_light,

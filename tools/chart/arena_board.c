@@ -76,7 +76,8 @@ static int draw_in_arenas(const glint_scene *scene, const heading *h) {
 
 /* A mesh in the benchmark's material and light, at a pose. */
 static int draw_mesh(const glint_mesh *mesh, const glint_pose *pose, const heading *h) {
-    const glint_object object = {.mesh = mesh, .material = &bench_material, .pose = *pose};
+    const glint_object object = {
+        .mesh = mesh, .material = &bench_material, .evaluation = &glint_per_fragment, .pose = *pose};
     const glint_scene scene = {.camera = {glint_pose_identity(), BENCH_FIELD_OF_VIEW, BENCH_NEAR_PLANE},
                                .viewer = GLINT_VIEWER_LOCAL,
                                .ambient = {BENCH_AMBIENT, BENCH_AMBIENT, BENCH_AMBIENT},

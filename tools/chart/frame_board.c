@@ -43,7 +43,7 @@ static uint32_t draw_frames(const glint_config *config, const glint_scene *scene
 
 static uint32_t measure(uint32_t which, const uint16_t size[2], const choice *chosen) {
     glint_material material = bench_material;
-    glint_object object = {.mesh = bench_scenes[which].mesh, .material = &material};
+    glint_object object = {.mesh = bench_scenes[which].mesh, .material = &material, .evaluation = &glint_per_fragment};
     glint_scene scene = {.ambient = {BENCH_AMBIENT, BENCH_AMBIENT, BENCH_AMBIENT},
                          .lights = &bench_light,
                          .light_count = 1,

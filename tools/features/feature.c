@@ -21,6 +21,9 @@
 #ifndef FEATURE_EVALUATION
 #define FEATURE_EVALUATION glint_per_fragment
 #endif
+#ifndef FEATURE_EVALUATION_POINTER
+#define FEATURE_EVALUATION_POINTER &FEATURE_EVALUATION
+#endif
 #ifndef FEATURE_FORMAT
 #define FEATURE_FORMAT glint_format_rgb565
 #endif
@@ -229,7 +232,7 @@ int main(void) {
     glint_mesh mesh = FEATURE_MESH;
     glint_material material = bench_material;
     glint_light lights[FEATURE_LIGHTS];
-    glint_object object = {.mesh = &mesh, .material = &material, .evaluation = &FEATURE_EVALUATION};
+    glint_object object = {.mesh = &mesh, .material = &material, .evaluation = FEATURE_EVALUATION_POINTER};
     glint_scene scene = {.viewer = FEATURE_VIEWER,
                          .ambient = {BENCH_AMBIENT, BENCH_AMBIENT, BENCH_AMBIENT},
                          .lights = lights,

@@ -32,7 +32,7 @@ GROUPS = (
     ("Models, in place of Blinn-Phong", (
         ("Phong", {"MODEL": "glint_model_phong"}),
         ("Lambert", {"MODEL": "glint_model_lambert"}),
-        ("unlit", {"MODEL": "glint_model_unlit"}))),
+        ("unlit", {"MODEL": "glint_model_unlit", "EVALUATION_POINTER": "0"}))),
     ("Evaluation, in place of every fragment", (
         ("per vertex", {"EVALUATION": "glint_per_vertex"}),
         ("per facet", {"EVALUATION": "glint_per_facet"}),
@@ -86,6 +86,13 @@ COLUMNS = ("feature", "core", "level", "flash", "flash_beside_base", "instructio
 # Rows of meshes in smaller types, beside the same mesh in arrays; what cannot be drawn: the torus has more than 256 vertices.
 PLAIN, SMALLER, NOT_DRAWN = "no clusters", "no clusters, ", "not drawn"
 
+# Files of the library of which a scene links nothing, as it names nothing that they are for.
+SUNS = ("sun_setup", "sun_lists", "sun_fine", "sun_spans", "sun_small", "ramps")
+PER_FRAGMENT = ("lamps", "cells", "reflect", "arrive", "suns", "sun_vectors") + SUNS
+PER_CORNER = ("corners", "reach")
+LEFT_OUT = {"": PER_CORNER, "Lambert": PER_CORNER + ("power",), "unlit": PER_FRAGMENT + PER_CORNER + ("draw", "power"),
+            "per vertex": PER_FRAGMENT, "per facet": PER_FRAGMENT, "point": SUNS + PER_CORNER, "spot": SUNS + PER_CORNER}
+
 # What stands in place of something that the base names; firmware that has both takes more flash.
 IN_PLACE = ("MODEL", "EVALUATION", "LIGHT", "FORMAT")
 
@@ -101,10 +108,13 @@ class Builder:
         self.directory = os.path.join(output, "features")
         os.makedirs(self.directory, exist_ok=True)
 
-    def build(self, name, level, macros, with_base=False):
+    def path(self, name, level, with_base=False):
         """@return the path of the firmware, without its ending."""
-        words = [name, self.core, level] + (["base"] if with_base else [])
-        path = os.path.join(self.directory, re.sub(r"[^\w]+", "-", "-".join(words)))
+        words = [name or "nothing", self.core, level] + (["base"] if with_base else [])
+        return os.path.join(self.directory, re.sub(r"[^\w]+", "-", "-".join(words)))
+
+    def build(self, name, level, macros, with_base=False):
+        path = self.path(name, level, with_base)
         defines = ["-DFEATURE_%s=%s" % pair for pair in macros.items()]
         defines += ["-DFEATURE_WITH_BASE"] if with_base else []
         command = shlex.split(self.command.replace("{level}", level))
@@ -125,7 +135,7 @@ def measure_all(builders, levels):
     """@return {(feature, core, level): row}; the base itself is ''."""
     features = [("", {})] + [feature for _, group in GROUPS for feature in group]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as workers:
-        running = {(name, builder.core, level): workers.submit(builder.measure, name or "nothing", level, macros)
+        running = {(name, builder.core, level): workers.submit(builder.measure, name, level, macros)
                    for level in levels for name, macros in features for builder in builders}
         return {key: result.result() for key, result in running.items()}
 
@@ -220,6 +230,16 @@ def check_claims(tally, rows, cores, levels):
                 tally.check(of[name].flash > of[""].flash, where + name + " takes no flash: was it linked?")
 
 
+def check_left_out(tally, builders, levels):
+    """A scene pays for what it names."""
+    for builder in builders:
+        for level in levels:
+            for name, files in LEFT_OUT.items():
+                for file in files:
+                    count = library_bytes(builder.path(name, level) + ".map", file + ".o)")
+                    tally.check(not count, "%s, -%s: %s links %d bytes of %s.c" % (builder.core, level, name or "the base", count, file))
+
+
 def main():
     parser = argparse.ArgumentParser()
     for name in ("qemu", "output", "page"):
@@ -237,6 +257,7 @@ def main():
         lines.writerows([(name or "base", core, level) + row for (name, core, level), row in rows.items()])
     tally = Tally()
     check_claims(tally, rows, cores, levels)
+    check_left_out(tally, builders, levels)
     for level in arguments.check or []:
         check_section(tally, arguments.page, level, cores, section(level, rows, cores))
     if not arguments.check:

@@ -198,7 +198,10 @@ static void build(patient *p) {
                              .vector = {GLINT_Q16(0.5), GLINT_Q16(0.7), GLINT_ONE},
                              .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
                              .specular = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
-    p->object = (glint_object){.mesh = &p->mesh, .material = &p->material, .pose = glint_pose_rotate_x(GLINT_Q16(-50))};
+    p->object = (glint_object){.mesh = &p->mesh,
+                               .material = &p->material,
+                               .evaluation = &glint_per_fragment,
+                               .pose = glint_pose_rotate_x(GLINT_Q16(-50))};
     p->scene = (glint_scene){.camera = {glint_pose_translate(0, 0, GLINT_Q16(4)), GLINT_Q16(45), GLINT_Q16(0.1)},
                              .viewer = GLINT_VIEWER_LOCAL,
                              .background = {GLINT_Q16(0.02), GLINT_Q16(0.03), GLINT_Q16(0.08)},

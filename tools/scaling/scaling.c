@@ -100,7 +100,8 @@ static void place_objects(glint_object *objects, const glint_mesh *mesh, uint32_
 
     for (uint32_t i = 0; i < count; i++) {
         glint_pose *pose = &objects[i].pose;
-        objects[i] = (glint_object){.mesh = mesh, .material = &bench_material, .pose = turn};
+        objects[i] =
+            (glint_object){.mesh = mesh, .material = &bench_material, .evaluation = &glint_per_fragment, .pose = turn};
         if (where == SIDE_BY_SIDE) {
             pose->m[0][3] = ((int32_t)(i % 6) * 2 - 5) * GLINT_Q16(1.3);
             pose->m[1][3] = ((int32_t)(i / 6) * 2 - 4) * GLINT_Q16(1.3);

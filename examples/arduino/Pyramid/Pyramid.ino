@@ -63,6 +63,7 @@ static bool begin() {
     sun = glint_sun(GLINT_VECTOR(-1, 1, 1), GREY(1));
     object.mesh = &pyramid;
     object.material = &clay;
+    object.evaluation = &glint_per_fragment;
     scene.camera = glint_camera_default();
     scene.camera.field_of_view = 40 * GLINT_ONE;
     scene.ambient = GREY(1);

@@ -91,6 +91,7 @@ static bool begin() {
     sun = glint_sun(GLINT_VECTOR(0.5, 0.8, 0.7), GLINT_COLOUR(1, 1, 1));
     object.mesh = &torus;
     object.material = &copper;
+    object.evaluation = &glint_per_fragment;
     scene.camera = glint_camera_default();
     scene.ambient = GLINT_COLOUR(1, 1, 1);
     scene.lights = &sun;

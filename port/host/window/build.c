@@ -258,7 +258,8 @@ static void show_light(const glint_light *light, window_scene *built) {
     const glint_material material = {
         .model = &glint_model_unlit,
         .diffuse = {shown_channel(colour.r, most), shown_channel(colour.g, most), shown_channel(colour.b, most)}};
-    const glint_object object = {.mesh = ball(), .material = &built->materials[i], .pose = pose};
+    const glint_object object = {
+        .mesh = ball(), .material = &built->materials[i], .evaluation = &glint_per_fragment, .pose = pose};
     built->materials[i] = material;
     built->objects[i] = object;
 }
