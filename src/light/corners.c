@@ -436,15 +436,20 @@ static GLINT_NOINLINE void stretch_normal(const int32_t area[3], int32_t normal[
         normal[i] = glint_product_high(area[i], glint_shift_left(normal[i], zeros - 1));
 }
 
-/* Finds b x c of edges between steps, of 16 bits and a sign: exact where they have 15. */
+/*
+ * Finds b x c of edges between steps, of 16 bits and a sign, brought to 31 bits. Products are whole: those of a
+ * sliver's edges are next to equal.
+ */
 static inline void multiply_edges(int32_t bx, int32_t by, int32_t bz, int32_t cx, int32_t cy, int32_t cz,
                                   int32_t normal[3]) {
     const uint32_t all = glint_magnitude_bits(bx) | glint_magnitude_bits(by) | glint_magnitude_bits(bz) |
                          glint_magnitude_bits(cx) | glint_magnitude_bits(cy) | glint_magnitude_bits(cz);
-    const unsigned down = all >> 15;
-    if (down) {
-        bx = glint_shift_right(bx, down), by = glint_shift_right(by, down), bz = glint_shift_right(bz, down);
-        cx = glint_shift_right(cx, down), cy = glint_shift_right(cy, down), cz = glint_shift_right(cz, down);
+    if (all >> 15) {
+        const int64_t whole[3] = {glint_product(by, cz) - glint_product(bz, cy),
+                                  glint_product(bz, cx) - glint_product(bx, cz),
+                                  glint_product(bx, cy) - glint_product(by, cx)};
+        glint_reduce(whole, normal);
+        return;
     }
     normal[0] = by * cz - bz * cy; /* of products of at most 2^30, one of them below */
     normal[1] = bz * cx - bx * cz;

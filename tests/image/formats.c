@@ -144,6 +144,19 @@ static void random_scenes(void) {
     }
 }
 
+/* Facets whose longest edges are next to parallel, of 16 bits: what these lose turns the normal. */
+static void facets_of_slivers(void) {
+    static const uint64_t seeds[] = {319, 4918, 6745, 18694, 20920, 29656};
+    static random_scene scene;
+    for (unsigned i = 0; i < TEST_COUNT(seeds); i++) {
+        contract_result found;
+        random_scene_make(&scene, seeds[i]);
+        contract_judge(&scene.scene, scene.width, scene.height, scene.format, &found);
+        CHECK_EQUAL(found.found.status, GLINT_OK);
+        CHECK_EQUAL(found.found.over_one, 0);
+    }
+}
+
 static void few_are_apart(void) {
     test_write("                              scenes    pixels  of the slack  not as rounded, %   > 1\n");
     for (unsigned kind = 0; kind < TEST_COUNT(formats); kind++) {
@@ -159,7 +172,8 @@ static void few_are_apart(void) {
 }
 
 int test_main(test_writer write) {
-    static const test_case cases[] = {TEST_CASE(bench_scenes), TEST_CASE(example_variants), TEST_CASE(random_scenes),
+    static const test_case cases[] = {TEST_CASE(bench_scenes),  TEST_CASE(example_variants),
+                                      TEST_CASE(random_scenes), TEST_CASE(facets_of_slivers),
                                       TEST_CASE(few_are_apart), TEST_CASE(highlights_in_8_bits)};
     return test_run(write, cases, TEST_COUNT(cases));
 }
