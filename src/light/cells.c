@@ -80,9 +80,6 @@ static GLINT_NOINLINE void light_nodes(cell_rows *r, int k, uint32_t y, uint32_t
         if (missing >> n & 1 && z > (int32_t)GLINT_DEPTH_BIAS &&
             (!walk->list->room || glint_lamp_plane(&walk->w, row, column) > 0)) {
             f->at = y << 16 | (uint32_t)column;
-            f->n[0] = glint_lamp_plane(&walk->channel[0], row, column);
-            f->n[1] = glint_lamp_plane(&walk->channel[1], row, column);
-            f->n[2] = glint_lamp_plane(&walk->channel[2], row, column);
             f->inverse_w = (z - (int32_t)GLINT_DEPTH_BIAS) | 1;
             f->is_rough = 0;
             f++;

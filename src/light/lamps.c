@@ -314,21 +314,17 @@ static void set_planes(const glint_row_walk *walk, glint_plane planes[3], const 
 
 /* Draws a span: lists the fragments that pass the depth test. */
 void glint_list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
-    const glint_plane *const n = walk->channel;
     glint_lamp_list *const list = walk->list;
     glint_lit_fragment *f = &list->fragment[list->count];
     uint32_t z = glint_z_at(walk, row, left), at = ((uint32_t)row << 16) + (uint32_t)left,
              pixel = ((uint32_t)row << walk->shift) + (uint32_t)left;
     uint8_t *depth = (uint8_t *)(walk->depth + ((uint32_t)row << walk->shift) + left), *const end =
                                                                                            depth + 2 * (right - left);
-    int32_t nx = glint_lamp_plane(&n[0], row, left), ny = glint_lamp_plane(&n[1], row, left),
-            nz = glint_lamp_plane(&n[2], row, left);
     for (;;) {
         const uint32_t here = (uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS);
         if (glint_is_nearest(depth, here)) {
             f->at = at;
             f->out.pixel = pixel;
-            f->n[0] = nx, f->n[1] = ny, f->n[2] = nz;
             f->inverse_w = (int32_t)(here - GLINT_DEPTH_BIAS) | 1;
             if (++f == &list->fragment[GLINT_LIST_MAX]) {
                 list->count = GLINT_LIST_MAX;
@@ -342,9 +338,6 @@ void glint_list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t ri
         at++;
         pixel++;
         z += (uint32_t)walk->z.dx;
-        nx = glint_add_wrap(nx, n[0].dx);
-        ny = glint_add_wrap(ny, n[1].dx);
-        nz = glint_add_wrap(nz, n[2].dx);
     }
     list->count = (uint32_t)(f - list->fragment);
 }

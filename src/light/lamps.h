@@ -24,8 +24,8 @@
 typedef struct glint_lit_fragment {
     glint_list_pixel out; /* colours are Q27, in levels */
     uint32_t at;          /* its row in the tile 2^16, and its column */
-    int32_t n[3];         /* N/w, 30 bits, and half of what 15 bits cut off */
     int32_t inverse_w;    /* 1/w, Q31, with glint_lamp_list's room */
+    uint32_t square;      /* N'.N' of suns */
     uint8_t is_rough;     /* light changes so much around it that cells do not see how */
 } glint_lit_fragment;
 

@@ -258,28 +258,32 @@ static GLINT_INLINE void reflect(const glint_lamps *lamps, const glint_drawn_lam
 
 /* Brings N that is short or long, of 30 bits and half of what 15 bits cut off, to 15 bits. @return the square of its
  * length */
-static GLINT_INLINE uint32_t lengthen_normal(glint_lit_view *s, const int32_t n[3], uint32_t square) {
+static GLINT_INLINE uint32_t lengthen_normal(glint_lit_view *s, int32_t nx, int32_t ny, int32_t nz, uint32_t square) {
     const unsigned up = (glint_leading_zeros(square | 1) - 2) >> 1, down = square >> 30 ? 16 : up < 15 ? 15 - up : 0;
     const int32_t half = (1 << down >> 1) - (1 << 14); /* in place of what was added for 15 bits: 0 stays 0 */
-    const int32_t x = glint_shift_right(n[0] + half, down), y = glint_shift_right(n[1] + half, down),
-                  z = glint_shift_right(n[2] + half, down);
+    const int32_t x = glint_shift_right(nx + half, down), y = glint_shift_right(ny + half, down),
+                  z = glint_shift_right(nz + half, down);
     square = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
     s->n[0] = x, s->n[1] = y, s->n[2] = z;
     return square < 1u << 28 ? 1u << 28 : square < 1u << 30 ? square : (1u << 30) - 1;
 }
 
 /* Begins with a fragment: N of 15 bits, and the way to the eye. */
-static GLINT_INLINE void begin_view(const glint_lamps *lamps, glint_lit_fragment *f, glint_lit_view *s) {
-    const int32_t x = glint_shift_right(f->n[0], 15), y = glint_shift_right(f->n[1], 15),
-                  z = glint_shift_right(f->n[2], 15);
+static GLINT_INLINE void begin_view(const glint_row_walk *walk, const glint_lamps *lamps, glint_lit_fragment *f,
+                                    glint_lit_view *s) {
+    const int32_t row = glint_fragment_row(f), column = glint_fragment_column(f);
+    const int32_t nx = glint_lamp_plane(&walk->channel[0], row, column),
+                  ny = glint_lamp_plane(&walk->channel[1], row, column),
+                  nz = glint_lamp_plane(&walk->channel[2], row, column);
+    const int32_t x = glint_shift_right(nx, 15), y = glint_shift_right(ny, 15), z = glint_shift_right(nz, 15);
     uint32_t square = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
     s->at = f;
     s->n[0] = x, s->n[1] = y, s->n[2] = z;
     if (GLINT_RARELY(square - (1u << 28) >= 3u << 28))
-        square = lengthen_normal(s, f->n, square);
+        square = lengthen_normal(s, nx, ny, nz, square);
     s->over_n = (int32_t)glint_over_length(square << 2);
-    s->v[0] = glint_shift_right(lamps->x - lamps->step * glint_fragment_column(f), 12);
-    s->v[1] = glint_shift_right(lamps->y + lamps->step * glint_fragment_row(f), 12);
+    s->v[0] = glint_shift_right(lamps->x - lamps->step * column, 12);
+    s->v[1] = glint_shift_right(lamps->y + lamps->step * row, 12);
     s->v[2] = glint_shift_right(lamps->z, 12);
 }
 
@@ -354,7 +358,7 @@ static GLINT_INLINE void light_fragments(const glint_row_walk *walk, glint_lit_f
     for (; f != end; f++) {
         glint_lit_view s;
         glint_arrival a;
-        begin_view(lamps, f, &s);
+        begin_view(walk, lamps, f, &s);
         if (!GLINT_RARELY(!lamps->needs_w))
             find_place(walk, lamps, &s);
         else

@@ -45,7 +45,7 @@ static GLINT_INLINE uint32_t find_power(const glint_row_walk *walk, const glint_
     if (!is_by_vectors || lit->has_half) {
         const int32_t h =
             glint_shift_right((int32_t)(q->value + i * (q->y + i * q->yy) + d * (q->x + i * q->xy + d * q->xx)), 12);
-        const uint32_t sine = (uint32_t)f->n[0] - (uint32_t)h * (uint32_t)h;
+        const uint32_t sine = f->square - (uint32_t)h * (uint32_t)h;
         if (h <= 0)
             return 0;
         if (!is_by_vectors)
@@ -86,7 +86,7 @@ static GLINT_INLINE void light_sun_fragments(const glint_row_walk *walk, glint_l
     const glint_lit_sun *const last = t->lit + (kind == SUN_ANY ? t->count : 1);
     for (; f != end; f++) {
         const uint32_t i = (uint32_t)(glint_fragment_row(f) - walk->slopes.row),
-                       d = (uint32_t)(glint_fragment_column(f) - walk->slopes.column), square = (uint32_t)f->n[0];
+                       d = (uint32_t)(glint_fragment_column(f) - walk->slopes.column), square = f->square;
         const uint32_t is_short = !(square >> 30), over = glint_over_length(square << 2 * is_short) << is_short;
         int32_t gloss[3], colour[3];
         int32_t none = 0;
@@ -154,7 +154,7 @@ static void list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t r
             *depth = (uint16_t)(z >> 15);
             f->out.pixel = pixel;
             f->at = at;
-            f->n[0] = (int32_t)square;
+            f->square = square;
             f->inverse_w = (int32_t)(z - GLINT_DEPTH_BIAS) | 1;
             if (++f == &list->fragment[GLINT_LIST_MAX]) {
                 list->count = GLINT_LIST_MAX;
