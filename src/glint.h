@@ -665,7 +665,8 @@ typedef struct glint_need {
 
 /**
  * How much arena a scene needs when drawn by glint_render with this configuration (its arena is not looked at, nor the
- * size of its pixels).
+ * size of its pixels). Where objects move, `resident` and `one_pass` are those of this frame: for all frames, take the
+ * largest of their poses.
  * @param config,scene what is to be drawn
  * @param need set
  * @return the error that drawing the scene would give: then `need` is as it was

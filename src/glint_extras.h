@@ -288,18 +288,6 @@ void glint_changes_forget(glint_changes *changes);
 /** The flush to draw with. @param changes the filter, which must outlive it @return the flush */
 glint_flush glint_changes_flush(glint_changes *changes);
 
-/* ---- The arena of objects that turn ------------------------------------------------------------------------------ */
-
-/**
- * The same for every frame in which each object is turned in any way about its origin, (0, 0, 0) of the mesh, all else
- * being as it is: each pose may be any rotation of this one, with the same fourth column, rounded to Q16.16. `least` is
- * exact; the others are bounds from the triangles' longest edges, all of which count as facing the eye and as lying
- * where tiles meet. Objects that move as well need the most of the places where they come nearest.
- * @param config,scene,need as for glint_arena_need
- * @return as glint_arena_need: then `need` is as it was
- */
-glint_status glint_arena_need_turned(const glint_config *config, const glint_scene *scene, glint_need *need);
-
 /* ---- Tile by tile ------------------------------------------------------------------------------------------------ */
 
 /*

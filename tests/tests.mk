@@ -30,7 +30,6 @@ SUITE_fill_rule := $(TEST_HARNESS) tests/image/fill_rule.c $(TEST_SCENES) $(TEST
 SUITE_opposed   := $(TEST_HARNESS) tests/image/opposed.c tests/image/picture.c
 SUITE_kept      := $(TEST_HARNESS) tests/image/kept.c $(TEST_SCENES)
 SUITE_arenas    := $(TEST_HARNESS) tests/image/arenas.c
-SUITE_turned    := $(TEST_HARNESS) tests/image/turned.c $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_changes   := $(TEST_HARNESS) tests/image/changes.c $(TEST_SCENES)
 SUITE_layouts   := $(TEST_HARNESS) tests/image/layouts.c tests/image/surfaces.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_diagnose  := $(TEST_HARNESS) tests/image/diagnose.c $(TEST_SCENES)
@@ -58,7 +57,7 @@ SUITE_checked   := $(TEST_HARNESS) tests/image/checked.c tests/stability/large_s
 SUITE_views     := $(TEST_HARNESS) tests/image/views.c tests/image/picture.c
 SUITE_passes    := $(TEST_HARNESS) tests/image/passes.c tests/image/picture.c
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit parts numbers compare accuracy models gallery formats output extremes highlights fill_rule identity pixels changes layouts region callbacks pick skipped diagnose camera kept arenas turned dark motion hidden opposed lines orthographic patches corners rooms checked views passes
+TEST_SUITES     := unit parts numbers compare accuracy models gallery formats output extremes highlights fill_rule identity pixels changes layouts region callbacks pick skipped diagnose camera kept arenas dark motion hidden opposed lines orthographic patches corners rooms checked views passes
 
 # $(call test_objects,variant,compiler and flags): build/<variant>/<source>.o
 define test_objects
@@ -139,7 +138,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit parts numbers camera) ## unit tests on the host, arithmetic against libm, files of others
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery formats output extremes highlights fill_rule pixels changes layouts region callbacks pick skipped diagnose kept arenas turned dark motion hidden opposed lines orthographic patches corners rooms checked views passes) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery formats output extremes highlights fill_rule pixels changes layouts region callbacks pick skipped diagnose kept arenas dark motion hidden opposed lines orthographic patches corners rooms checked views passes) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order

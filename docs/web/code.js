@@ -125,8 +125,8 @@ ${list.map((mesh) => `        {.mesh = ${mesh}, .material = &material, .pose = p
   }
 
   function arena() {
-    const size = S.arena || (isScene() ? stats.need_one_pass : stats.turned_one_pass || stats.need_one_pass);
-    return `static uint32_t arena[${Math.ceil(size / 4)}]; /* ${S.arena ? "more of it takes fewer passes" : isScene() ? "of one pass" : "of one pass, however the model turns"} */\n`;
+    const size = S.arena || stats.need_one_pass;
+    return `static uint32_t arena[${Math.ceil(size / 4)}]; /* ${S.arena ? "more of it takes fewer passes" : "of one pass"} */\n`;
   }
 
   const run = (scene, before) => `    glint_renderer renderer;

@@ -415,7 +415,6 @@ function showRam() {
     { cells: ["the least that draws it", need("need_least")] },
     { cells: ["each vertex once a frame", need("need_resident")] },
     { cells: ["one pass", need("need_one_pass")] },
-    { cells: ["one pass, however it turns", need("turned_one_pass")] },
     { cells: ["chosen", bytes(S.arena || stats.need_one_pass || 0)], total: true },
   ]));
 }

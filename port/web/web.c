@@ -125,17 +125,14 @@ double EXPORT(web_half_side)(void) {
 
 /* ---- Drawing ----------------------------------------------------------------------------------------------------- */
 
-/** Prints how much arena the scene takes, now and however its objects turn. */
+/** Prints how much arena the scene takes. */
 static void print_needs(void) {
     const glint_config config = measure_configuration(&settings);
     glint_need need = {0};
-    glint_need turned = {0};
     if (glint_arena_need(&config, drawn, &need) != GLINT_OK) {
         return;
     }
-    (void)glint_arena_need_turned(&config, drawn, &turned);
     printf("need_least %zu\nneed_resident %zu\nneed_one_pass %zu\n", need.least, need.resident, need.one_pass);
-    printf("turned_resident %zu\nturned_one_pass %zu\n", turned.resident, turned.one_pass);
 }
 
 static void print_meshes(void) {

@@ -3,16 +3,22 @@
  * Need: goes through a scene as a pass would, with no arena at all, and counts what it would take. What is large on the
  * stack is out of line, so that it is not there at the same time.
  */
-#include "need.h"
-
 #include "../geometry/layout.h"
 #include "../light/corners.h"
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
 #include "cull.h"
+#include "frame.h"
+
+/* What the parts of a scene add up to. */
+typedef struct need_tally {
+    size_t vertices, references, clipped; /* bytes, counts */
+    size_t of_quarter[4];                 /* references in each quarter of the tiles */
+    size_t materials, tables;             /* bytes */
+} need_tally;
 
 /* Counts references in each quarter of the tiles, of a triangle that may touch those from `first` to before `end`. */
-static void count_row(const glint_frame *frame, int32_t first, int32_t end, glint_tally *sum) {
+static void count_row(const glint_frame *frame, int32_t first, int32_t end, need_tally *sum) {
     const int32_t quarter = (int32_t)glint_quarter_of_tiles(frame);
     for (int32_t i = 0; i < 4; i++) {
         const int32_t inside = glint_least(end, (i + 1) * quarter) - glint_most(first, i * quarter);
@@ -21,7 +27,7 @@ static void count_row(const glint_frame *frame, int32_t first, int32_t end, glin
 }
 
 static void count_part(const glint_frame *frame, const glint_transform *transform, const glint_mesh *mesh,
-                       const glint_vertex *const v[3], int clipped, glint_tally *sum) {
+                       const glint_vertex *const v[3], int clipped, need_tally *sum) {
     glint_range range;
     int double_sided = (mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
     if (!glint_faces(transform->mirrored, double_sided, v) || !glint_find_tiles(frame, v, &range))
@@ -33,7 +39,7 @@ static void count_part(const glint_frame *frame, const glint_transform *transfor
 }
 
 static GLINT_NOINLINE glint_status count_triangle(const glint_frame *frame, const glint_transform *transform,
-                                                  const glint_mesh *mesh, const uint16_t *indices, glint_tally *sum) {
+                                                  const glint_mesh *mesh, const uint16_t *indices, need_tally *sum) {
     glint_vertex vertices[GLINT_CLIP_CORNERS];
     glint_corner corners[GLINT_CLIP_CORNERS] = {0};
     uint32_t flags = 0;
@@ -57,8 +63,9 @@ static GLINT_NOINLINE glint_status count_triangle(const glint_frame *frame, cons
     return GLINT_OK;
 }
 
-GLINT_NOINLINE size_t glint_need_object(glint_frame *frame, const glint_object *object,
-                                        const glint_transform *transform) {
+/* Bytes of a draw of all of an object, whose material is prepared for it. */
+static GLINT_NOINLINE size_t size_object(glint_frame *frame, const glint_object *object,
+                                         const glint_transform *transform) {
     const glint_mesh *mesh = object->mesh;
     glint_shading shading = {0};
     glint_prepare_shading(frame, &shading, object->material);
@@ -68,7 +75,7 @@ GLINT_NOINLINE size_t glint_need_object(glint_frame *frame, const glint_object *
     return size;
 }
 
-static glint_status count_object(glint_frame *frame, const glint_object *object, glint_tally *sum) {
+static glint_status count_object(glint_frame *frame, const glint_object *object, need_tally *sum) {
     const glint_mesh *mesh = object->mesh;
     const glint_cull *cull = glint_cull_of(mesh);
     glint_transform transform;
@@ -78,7 +85,7 @@ static glint_status count_object(glint_frame *frame, const glint_object *object,
     if (!transform.visible)
         return GLINT_OK;
     glint_status status = GLINT_OK;
-    sum->vertices += glint_need_object(frame, object, &transform);
+    sum->vertices += size_object(frame, object, &transform);
     if (cull)
         cull->begin(&walk, mesh, &transform);
     for (uint32_t i = 0; i < mesh->triangle_count && status == GLINT_OK; i++) {
@@ -89,7 +96,7 @@ static glint_status count_object(glint_frame *frame, const glint_object *object,
 }
 
 /* Bytes of distinct materials, each checked. */
-static GLINT_NOINLINE glint_status count_materials(glint_frame *frame, glint_tally *sum) {
+static GLINT_NOINLINE glint_status count_materials(glint_frame *frame, need_tally *sum) {
     const glint_scene *scene = frame->scene;
     const glint_suns_stage *suns = glint_find_suns(scene);
     glint_shading shading;
@@ -110,7 +117,7 @@ static GLINT_NOINLINE glint_status count_materials(glint_frame *frame, glint_tal
 }
 
 /* Bytes of the lists of so many tiles, and of all clipped triangles. */
-static size_t size_lists(const glint_tally *sum, size_t tiles, size_t references) {
+static size_t size_lists(const need_tally *sum, size_t tiles, size_t references) {
     return GLINT_ALIGNED(tiles * sizeof(glint_reference)) + GLINT_ALIGNED(references * sizeof(glint_reference)) +
            GLINT_ALIGNED(sum->clipped * sizeof(glint_clipped)) + GLINT_BIN_RESERVE;
 }
@@ -119,11 +126,12 @@ static size_t larger_of(size_t a, size_t b) {
     return a > b ? a : b;
 }
 
-glint_status glint_need_begin(glint_frame *frame, glint_view *view, const glint_config *config,
-                              const glint_scene *scene, glint_tally *sum) {
+/* Checks a scene, all but its meshes' indices, prepares frame and view, and begins a tally with the materials. */
+static GLINT_NOINLINE glint_status begin_need(glint_frame *frame, glint_view *view, const glint_config *config,
+                                              const glint_scene *scene, need_tally *sum) {
     glint_transform transform;
     glint_status status = glint_frame_grid(frame, config, scene);
-    *sum = (glint_tally){0};
+    *sum = (need_tally){0};
     if (status == GLINT_OK)
         status = glint_check_scene(config, scene);
     if (status == GLINT_OK)
@@ -134,7 +142,8 @@ glint_status glint_need_begin(glint_frame *frame, glint_view *view, const glint_
     return status;
 }
 
-void glint_need_end(const glint_frame *frame, const glint_tally *sum, glint_need *need) {
+/* What a tally of all objects comes to. */
+static void finish_need(const glint_frame *frame, const need_tally *sum, glint_need *need) {
     const size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame->config) +
                             GLINT_ALIGNED(glint_view_size(frame->scene)) +
                             GLINT_ALIGNED(glint_corners_size(frame->scene)) + sum->materials;
@@ -154,11 +163,11 @@ glint_status glint_arena_need(const glint_config *config, const glint_scene *sce
         return GLINT_ERROR_NULL;
     glint_frame frame;
     glint_whole_view whole;
-    glint_tally sum;
-    glint_status status = glint_need_begin(&frame, &whole.view, config, scene, &sum);
+    need_tally sum;
+    glint_status status = begin_need(&frame, &whole.view, config, scene, &sum);
     for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++)
         status = count_object(&frame, &scene->objects[i], &sum);
     if (status == GLINT_OK)
-        glint_need_end(&frame, &sum, need);
+        finish_need(&frame, &sum, need);
     return status;
 }

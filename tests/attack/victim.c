@@ -323,19 +323,19 @@ static void judge_need(victim *v, const attack_stage *stage, const glint_need *n
 
 static void attack_need(victim *v, attack_stage *stage, source *s) {
     glint_need *const need = place_out(v, s, sizeof *need);
-    const int turned = (int)below(s, 2), asks = one_in(s, 4);
+    const int asks = one_in(s, 4);
     glint_config config = v->config;
     if (one_in(s, 4))
         spoil_sizes(&config, s);
     const glint_config *const by = one_in(s, 64) ? NULL : &config;
     const glint_scene *const scene = one_in(s, 64) ? NULL : &stage->now->scene;
     glint_need *const answer = one_in(s, 64) ? NULL : need;
-    const glint_status status = (turned ? glint_arena_need_turned : glint_arena_need)(by, scene, answer);
+    const glint_status status = glint_arena_need(by, scene, answer);
     judge_answer(v, status);
     if (status != GLINT_OK)
         return;
     attack_require(need->least <= need->resident && need->resident <= need->one_pass, "needs in order");
-    if (asks && !turned && config.width == v->config.width && config.height == v->config.height &&
+    if (asks && config.width == v->config.width && config.height == v->config.height &&
         config.tile_width == v->config.tile_width && config.tile_height == v->config.tile_height)
         judge_need(v, stage, need, s);
 }

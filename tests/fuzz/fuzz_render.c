@@ -445,14 +445,12 @@ static void ask(source s, const glint_config *wanted, const glint_scene *scene) 
     glint_config config = *wanted;
     glint_renderer renderer;
     glint_report report;
-    glint_need need;
     glint_hit hit;
     glint_place place;
     glint_camera camera = scene->camera;
     screen none;
     const uint32_t chosen = take(&s, 1);
     const glint_vector point = {any(&s), any(&s), any(&s)}, at = {any(&s), any(&s), any(&s)};
-    (void)glint_arena_need_turned(&config, scene, &need);
     (void)glint_camera_project(&config, &camera, point, &place);
     (void)glint_camera_look_at(&camera, point, at, point);
     (void)glint_camera_look_at(&camera, point, at, (glint_vector){0, GLINT_ONE, 0});

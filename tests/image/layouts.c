@@ -274,9 +274,9 @@ static int compare(test_scene *scene, size_t arena_size, uint16_t tile, const gl
            CHECK(picture_equal(&first.image, &second.image));
 }
 
-static glint_need need_of(const glint_config *config, const glint_scene *scene, int is_turned) {
+static glint_need need_of(const glint_config *config, const glint_scene *scene) {
     glint_need need = {0, 0, 0};
-    CHECK_EQUAL((is_turned ? glint_arena_need_turned : glint_arena_need)(config, scene, &need), GLINT_OK);
+    CHECK_EQUAL(glint_arena_need(config, scene, &need), GLINT_OK);
     return need;
 }
 
@@ -289,19 +289,17 @@ static size_t bytes_beyond(const test_scene *scene) {
     return bytes;
 }
 
-static void check_need(test_scene *scene, int is_turned) {
+static void check_need(test_scene *scene) {
     const glint_rectangle all = {0, 0, 0, 0};
     first.config.region = all;
     first.config.tile_width = first.config.tile_height = 0;
     use_plain(scene, pairs);
-    const glint_need plain = need_of(&first.config, &scene->scene, is_turned);
+    const glint_need plain = need_of(&first.config, &scene->scene);
     use_other(scene, pairs);
-    const glint_need other = need_of(&first.config, &scene->scene, is_turned);
+    const glint_need other = need_of(&first.config, &scene->scene);
     CHECK_EQUAL(other.least, plain.least);
     CHECK(other.resident >= plain.resident && other.resident <= plain.resident + bytes_beyond(scene));
     CHECK(other.one_pass >= plain.one_pass && other.one_pass <= plain.one_pass + bytes_beyond(scene));
-    if (is_turned)
-        return;
     draw(&second, &scene->scene, other.one_pass, 0, NULL);
     CHECK_EQUAL(second.stats.passes, 1);
     CHECK(second.stats.arena_used <= other.one_pass);
@@ -312,15 +310,14 @@ static void compare_all(test_scene *scene, const char *name, const variant *v) {
     if (!lay_scene(scene, pairs, v))
         return;
     int same = compare(scene, sizeof arena, 0, NULL);
-    const glint_need need = need_of(&second.config, &scene->scene, 0);
+    const glint_need need = need_of(&second.config, &scene->scene);
     same &= compare(scene, need.least, 0, NULL);
     same &= compare(scene, (need.least + need.resident) / 2, 16, NULL);
     same &= compare(scene, need.resident, 0, NULL);
     same &= compare(scene, sizeof arena, 8, &region);
     if (!same)
         report(name, v);
-    check_need(scene, 0);
-    check_need(scene, 1);
+    check_need(scene);
 }
 
 static void set_evaluation(test_scene *scene, const glint_evaluation *evaluation) {
@@ -631,7 +628,7 @@ static void kept_arenas_keep_no_mesh(void) {
     glint_config config = picture_config(&second.image, NULL);
     config.arena = kept;
     config.keeps_arena = 1;
-    const glint_need need = need_of(&config, &scene.scene, 0);
+    const glint_need need = need_of(&config, &scene.scene);
     for (int small = 0; small < 2; small++) {
         config.arena_size = small ? need.least : sizeof kept;
         CHECK_EQUAL(glint_init(&keeper, &config), GLINT_OK);

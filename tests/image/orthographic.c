@@ -292,7 +292,7 @@ static picture draw(const glint_scene *scene, uint16_t tile_width, uint16_t tile
     return image;
 }
 
-static glint_need need_of(const glint_scene *scene, uint16_t tile_width, uint16_t tile_height, int is_turned) {
+static glint_need need_of(const glint_scene *scene, uint16_t tile_width, uint16_t tile_height) {
     const glint_config config = {.width = WIDTH,
                                  .height = HEIGHT,
                                  .tile_width = tile_width,
@@ -300,19 +300,19 @@ static glint_need need_of(const glint_scene *scene, uint16_t tile_width, uint16_
                                  .format = &glint_format_rgb565,
                                  .flush = {.begin = NULL}};
     glint_need need = {0, 0, 0};
-    CHECK_EQUAL((is_turned ? glint_arena_need_turned : glint_arena_need)(&config, scene, &need), GLINT_OK);
+    CHECK_EQUAL(glint_arena_need(&config, scene, &need), GLINT_OK);
     return need;
 }
 
 static void check_same(const glint_scene *scene) {
     static const uint16_t sizes[] = {8, 16, 32, 64};
-    const glint_need need = need_of(scene, 0, 0, 0);
+    const glint_need need = need_of(scene, 0, 0);
     glint_stats stats;
     picture whole = draw(scene, 0, 0, need.one_pass, NULL, &stats);
     CHECK_EQUAL(stats.passes, 1);
     for (int i = 0; i < 3; i++) {
         const uint16_t width = sizes[any(0, 3)], height = sizes[any(0, 3)];
-        const glint_need other = need_of(scene, width, height, 0);
+        const glint_need other = need_of(scene, width, height);
         const size_t size = i == 0   ? other.least
                             : i == 1 ? other.resident
                                      : (size_t)any((int)other.least, (int)other.one_pass);
@@ -363,34 +363,6 @@ static void viewers_are_the_same(void) {
         CHECK(picture_equal(&local, &infinite));
         picture_close(&local);
         picture_close(&infinite);
-    }
-}
-
-/* A bound for all turns holds for some: of two triangles in many small tiles, up to beyond the guard band. */
-static void turned_objects_need_no_more(void) {
-    for (uint32_t number = 1; number <= 60; number++) {
-        const glint_q16 size = GLINT_ONE / 4 << number % 8; /* the screen is 4 high */
-        glint_mesh plane = scene_square_mesh(size, size);
-        plane.flags = GLINT_MESH_DOUBLE_SIDED;
-        test_scene s;
-        scene_build_random(&s, number);
-        seed = number;
-        s.scene.camera = (glint_camera){.pose = glint_pose_identity(),
-                                        .near_plane = GLINT_ONE,
-                                        .projection = &glint_orthographic,
-                                        .view_height = 4 * GLINT_ONE};
-        s.scene.object_count = 1;
-        s.objects[0].mesh = &plane;
-        s.objects[0].pose = glint_pose_translate(any(-GLINT_ONE, GLINT_ONE), 0, -(number % 2 ? 100 : 2) * GLINT_ONE);
-        const glint_pose place = s.objects[0].pose;
-        const glint_need bound = need_of(&s.scene, 8, 8, 1);
-        for (int turn = 0; turn < 20; turn++) {
-            const glint_pose about =
-                glint_pose_rotate((glint_vector){any(-9, 9), any(-9, 9), any(1, 20)}, any(0, 359) * GLINT_ONE);
-            s.objects[0].pose = glint_pose_then(&about, &place);
-            const glint_need here = need_of(&s.scene, 8, 8, 0);
-            CHECK(here.least <= bound.least && here.resident <= bound.resident && here.one_pass <= bound.one_pass);
-        }
     }
 }
 
@@ -606,7 +578,6 @@ int test_main(test_writer write) {
         TEST_CASE(depth_is_rounded),
         TEST_CASE(tiles_arenas_and_regions_change_nothing),
         TEST_CASE(viewers_are_the_same),
-        TEST_CASE(turned_objects_need_no_more),
         TEST_CASE(points_are_placed),
         TEST_CASE(pixels_can_be_picked),
         TEST_CASE(bad_cameras_are_refused),

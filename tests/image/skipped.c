@@ -110,9 +110,6 @@ static void check_picks(const glint_config *of, const glint_scene *scene, const 
 static void check_needs(const glint_config *config, const glint_scene *scene, const glint_scene *without,
                         glint_need *need) {
     glint_need wanted;
-    CHECK_EQUAL(glint_arena_need_turned(config, scene, need), GLINT_OK);
-    CHECK_EQUAL(glint_arena_need_turned(config, without, &wanted), GLINT_OK);
-    CHECK(!memcmp(need, &wanted, sizeof wanted));
     CHECK_EQUAL(glint_arena_need(config, scene, need), GLINT_OK);
     CHECK_EQUAL(glint_arena_need(config, without, &wanted), GLINT_OK);
     CHECK(!memcmp(need, &wanted, sizeof wanted));
@@ -222,7 +219,6 @@ static void errors_unasked(void) {
         CHECK_EQUAL(glint_pick(&renderer, &scene, 1, 1, &hit), wanted);
         CHECK_EQUAL(glint_frame_begin(&frame, &config, &scene), wanted);
         CHECK_EQUAL(glint_arena_need(&config, &scene, &need), wanted);
-        CHECK_EQUAL(glint_arena_need_turned(&config, &scene, &need), wanted);
         CHECK_EQUAL(glint_check(&config, &scene, &report), wanted);
         CHECK_EQUAL(report.object, 1);
         objects[1].hidden = 1;
