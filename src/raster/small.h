@@ -125,30 +125,28 @@ static GLINT_INLINE void glint_find_slopes(const glint_corners *k, glint_slopes 
     s->start2 = glint_shift_right(s->x2 * right + s->y2 * below, 4);
 }
 
-/* Returns a change of 1/w, Q31, modulo 2^32, from a sum of products of differences, Q18, and sides. */
+/* Returns how 1/w, Q31, changes in a sixteenth of a pixel, modulo 2^32, from a sum of products of differences, Q18, and
+ * sides. */
 static inline uint32_t glint_depth_change(int32_t sum, const glint_area *area) {
-    const int32_t change = glint_slope_of(sum, area->reciprocal, 15); /* times 2^(15 - zeros) */
-    return area->zeros <= 15 ? (uint32_t)glint_shift_right(change, 15 - area->zeros)
-                             : (uint32_t)change << (area->zeros - 15);
+    const int32_t change = glint_slope_of(sum, area->reciprocal, 15); /* times 2^(19 - zeros) */
+    return area->zeros <= 19 ? (uint32_t)glint_shift_right(change, 19 - area->zeros)
+                             : (uint32_t)change << (area->zeros - 19);
 }
 
 /**
  * The plane of 1/w, Q31, with GLINT_DEPTH_BIAS, from the tile's first pixel on. It is of sums of products without
  * rounding, times 1/area in 16 bits: off by 2^-15 of the corners' difference across the triangle, and by half a step of
- * depth.
+ * depth. Changes per pixel are 16 times those of a sixteenth, so that any tile gives a pixel the same value.
  */
 static GLINT_INLINE glint_plane glint_small_depth(glint_corner_word a, const glint_sides *s, const glint_area *area,
                                                   int32_t wa, int32_t wb, int32_t wc) {
     const int32_t d1 = glint_shift_right(wb - wa, 13), d2 = glint_shift_right(wc - wa, 13);
-    const int32_t sum_x = d2 * s->dy1 - d1 * s->dy2, sum_y = d1 * s->dx2 - d2 * s->dx1; /* at most 2^28, 2^29 */
-    const int32_t right = ~glint_x_of(a) & 15, below = ~glint_y_of(a) & 15;
-    const uint32_t x = (uint32_t)(glint_shift_right(glint_x_of(a), 4) - (GLINT_X_BIAS >> 4)),
-                   y = (uint32_t)glint_row_of(a);
-    const uint32_t dx = glint_depth_change(sum_x, area), dy = glint_depth_change(sum_y, area);
-    const uint32_t start =
-        (uint32_t)wa + GLINT_DEPTH_BIAS +
-        glint_depth_change(glint_shift_right(sum_x, 4) * right + glint_shift_right(sum_y, 4) * below, area);
-    return (glint_plane){(int32_t)(start - dx * x - dy * y), (int32_t)dx, (int32_t)dy};
+    const uint32_t dx = glint_depth_change(d2 * s->dy1 - d1 * s->dy2, area); /* of at most 2^28, */
+    const uint32_t dy = glint_depth_change(d1 * s->dx2 - d2 * s->dx1, area); /* and 2^29 */
+    const uint32_t x = (uint32_t)(glint_x_of(a) - GLINT_X_BIAS - GLINT_TO_CENTER),
+                   y = (uint32_t)(glint_y_of(a) - GLINT_TO_CENTER);
+    const uint32_t start = (uint32_t)wa + GLINT_DEPTH_BIAS - dx * x - dy * y;
+    return (glint_plane){(int32_t)start, (int32_t)(dx << 4), (int32_t)(dy << 4)};
 }
 
 /* The least 1/w, Q31, whose differences may be cut to 17 bits. */
