@@ -231,13 +231,13 @@ static GLINT_NOINLINE void begin_gradients(glint_row_walk *walk) {
  * (2 w1 - w2) / 12 w0 of its difference d1 between the second and the first corner, and the same of w2 and d2; w1 and
  * w2 are differences too. Planes are moved by as much, which weights at the start are, 2^-14: by 2^-13 of a difference.
  */
-static inline void add_curvature(glint_slopes *s, int32_t wa, int32_t wb, int32_t wc) {
+static inline void add_curvature(glint_slopes *s, int32_t wa, int32_t to_b, int32_t to_c) {
     const unsigned zeros = glint_leading_zeros((uint32_t)wa | 1);
     const int32_t reciprocal = glint_reciprocal16((uint32_t)wa << zeros >> 16); /* 2^31 / w0, of 16 bits */
     const int32_t twelfth = glint_shift_right(reciprocal * 5461, 16);
     /* w1 and w2 are below 16 w0: these have 30 bits */
-    const int32_t w1 = glint_shift_left(glint_shift_right(wb - wa, 5), zeros - 1),
-                  w2 = glint_shift_left(glint_shift_right(wc - wa, 5), zeros - 1);
+    const int32_t w1 = glint_shift_left(glint_shift_right(to_b, 5), zeros - 1),
+                  w2 = glint_shift_left(glint_shift_right(to_c, 5), zeros - 1);
     s->start1 = glint_add_wrap(s->start1, glint_shift_right(glint_shift_right(2 * w1 - w2, 14) * twelfth, 13));
     s->start2 = glint_add_wrap(s->start2, glint_shift_right(glint_shift_right(2 * w2 - w1, 14) * twelfth, 13));
 }
@@ -263,9 +263,11 @@ typedef struct colour_bend {
     uint32_t change, level;
 } colour_bend;
 
-static inline colour_bend find_bend(const glint_row_walk *walk, int32_t wa, int32_t wb, int32_t wc) {
-    const uint32_t least = (uint32_t)glint_least_of(wa, wb, wc) >> 15, most = (uint32_t)glint_most_of(wa, wb, wc) >> 15;
-    return (colour_bend){most - least + 1, (4 * CLOSE >> walk->colour_bits) * least};
+/* Of 1/w at a corner, and its differences at the others. */
+static inline colour_bend find_bend(const glint_row_walk *walk, int32_t w, int32_t to_b, int32_t to_c) {
+    const int32_t least = glint_least_of(0, to_b, to_c), most = glint_most_of(0, to_b, to_c);
+    return (colour_bend){((uint32_t)(most - least) >> 15) + 1,
+                         (4 * CLOSE >> walk->colour_bits) * ((uint32_t)(w + least) >> 15)};
 }
 
 /* Returns no less than find_apart, and less than twice as much. */
@@ -277,8 +279,9 @@ static inline uint32_t bound_apart(const int16_t *a, const int16_t *b, const int
 /* May the colours of any triangle be linear on the screen? */
 static GLINT_NOINLINE int are_linear(const glint_row_walk *walk) {
     const glint_vertex *const *v = walk->triangle.corners;
+    const int32_t w = v[0]->inverse_w;
     const uint32_t apart = find_apart(colour_at(walk, 0), colour_at(walk, 1), colour_at(walk, 2));
-    const colour_bend of = find_bend(walk, v[0]->inverse_w, v[1]->inverse_w, v[2]->inverse_w);
+    const colour_bend of = find_bend(walk, w, v[1]->inverse_w - w, v[2]->inverse_w - w);
     return walk->colour_bits && !walk->is_deep && apart * of.change <= of.level &&
            has_room(walk->frame->config.format, v, apart);
 }
@@ -293,27 +296,36 @@ static void begin_large_colours(glint_row_walk *walk) {
     walk->draw_span = walk->frame->config.format->smooth;
 }
 
+/* May the colours of a small triangle be linear? */
+static inline int are_close(const glint_row_walk *walk, int32_t w, int32_t to_b, int32_t to_c, const int16_t *a,
+                            const int16_t *b, const int16_t *c) {
+    if (walk->is_exacting)
+        return are_linear(walk);
+    const colour_bend of = find_bend(walk, w, to_b, to_c);
+    return bound_apart(a, b, c) * of.change <= of.level || find_apart(a, b, c) * of.change <= of.level;
+}
+
 /* Begins the colours of a small triangle that has slopes. @return 0 where they are divided */
 static GLINT_NOINLINE int begin_small_colours(glint_row_walk *walk) {
     static const uint8_t next[5] = {0, 1, 2, 0, 1};
-    const uint8_t *from = &next[walk->corners.top];
-    const glint_vertex *const *v = walk->triangle.corners, *p = v[from[0]], *q = v[from[1]], *r = v[from[2]];
-    const int16_t *a = p->attribute, *b = q->attribute, *c = r->attribute;
-    const int32_t wa = p->inverse_w, wb = q->inverse_w, wc = r->inverse_w;
-    if (walk->triangle.back)
-        a = colour_at(walk, from[0]), b = colour_at(walk, from[1]), c = colour_at(walk, from[2]);
-    const colour_bend of = find_bend(walk, wa, wb, wc);
-    if (walk->is_exacting ? !are_linear(walk)
-                          : of.change << 15 > of.level && bound_apart(a, b, c) * of.change > of.level &&
-                                find_apart(a, b, c) * of.change > of.level) {
+    const glint_vertex *const *v = walk->corners.of;
+    const int16_t *a = v[0]->attribute, *b = v[1]->attribute, *c = v[2]->attribute;
+    const int32_t wa = v[0]->inverse_w, w1 = v[1]->inverse_w - wa, w2 = v[2]->inverse_w - wa;
+    const uint32_t bend = glint_magnitude_bits(w1) | glint_magnitude_bits(w2);
+    if (walk->triangle.back) {
+        const uint8_t *from = &next[walk->corners.top];
+        a = walk->triangle.extra[from[0]], b = walk->triangle.extra[from[1]], c = walk->triangle.extra[from[2]];
+    }
+    const int is_bent = bend > (uint32_t)wa >> 6 || walk->is_exacting;
+    if (is_bent && !are_close(walk, wa, w1, w2, a, b, c)) {
         begin_divided(walk);
         return 0;
     }
     glint_slopes s;
     glint_find_slopes(&walk->corners, &s);
     const uint32_t x = (uint32_t)s.column, y = (uint32_t)s.row;
-    if (of.change << 17 > of.level)
-        add_curvature(&s, wa, wb, wc);
+    if (is_bent)
+        add_curvature(&s, wa, w1, w2);
     const lane red = lane_of_slopes(&s, a[0], b[0] - a[0], c[0] - a[0]),
                blue = lane_of_slopes(&s, a[2], b[2] - a[2], c[2] - a[2]);
     set_red_blue(walk->lanes, &red, &blue, x, y);
@@ -344,24 +356,19 @@ static void begin_lit(glint_row_walk *walk, int32_t row, int32_t left, int32_t r
     walk->draw_span(walk, row, left, right);
 }
 
-/* Draws the rows of a small triangle with colours that are linear. */
-static inline void draw_rows(glint_row_walk *walk) {
-    const glint_format *format = walk->frame->config.format;
-    walk->draw_span = format->smooth;
-    format->smooth_rows(walk);
-}
-
 void glint_draw_lit(glint_row_walk *walk) {
-    glint_begun begun = glint_begin_triangle(walk);
+    const glint_begun begun = glint_begin_triangle(walk);
+    const glint_format *format = walk->frame->config.format;
+    walk->draw_span = begin_lit;
     if (begun == GLINT_IS_SMALL && walk->has_slopes) {
-        if (!glint_find_visible_row(walk))
-            return;
-        if (begin_small_colours(walk)) {
-            draw_rows(walk);
+        if (!GLINT_SMALL) {
+            format->smooth_rows(walk, begin_small_colours);
             return;
         }
-    } else {
-        walk->draw_span = begin_lit;
+        if (!glint_find_visible_row(walk))
+            return;
+        if (begin_small_colours(walk))
+            walk->draw_span = format->smooth;
     }
     glint_walk_begun(walk, begun);
 }

@@ -44,6 +44,9 @@ typedef struct glint_list_pixel {
     int32_t colour[3];
 } glint_list_pixel;
 
+/** Begins the colours of a triangle that is visible. @return 0 where walk->draw_span is to draw it */
+typedef int glint_begin_colours(glint_row_walk *walk);
+
 struct glint_format {
     uint8_t bits;       /* per pixel */
     uint8_t channel[3]; /* bits of each channel's levels; 0 where it goes into luma */
@@ -56,8 +59,8 @@ struct glint_format {
     void (*fill)(void *pixels, unsigned tile_shift_x, uint32_t height, const int32_t colour[3]);
     /** Draws a triangle of one colour, walk->packed. */
     void (*flat)(glint_row_walk *walk);
-    /** Draws a small triangle of interpolated colours that has been begun. */
-    void (*smooth_rows)(glint_row_walk *walk);
+    /** Draws a small triangle of interpolated colours, whose rows have been begun; null in a library built for size. */
+    void (*smooth_rows)(glint_row_walk *walk, glint_begin_colours *begin);
     /** Draws a span of one colour, and one of interpolated colours. */
     glint_draw_span *flat_span, *smooth;
     /** Stores a pixel of the tile; a dithered format adds its threshold. */

@@ -267,6 +267,19 @@ static GLINT_INLINE void glint_draw_smooth_span(const glint_row_walk *w, int32_t
         fill_tile(&target, height, colour, bits, pack, put);                                                    \
     }
 
+/** Draws the rows of a small triangle of interpolated colours, which are begun once a pixel is visible. */
+static GLINT_INLINE void glint_draw_visible_rows(glint_row_walk *walk, glint_begin_colours *begin,
+                                                 glint_draw_span *smooth) {
+    glint_row_state at = glint_begin_rows(walk);
+    if (!glint_seek_visible(walk, &at))
+        return;
+    glint_keep_rows(walk, &at);
+    if (begin(walk))
+        glint_draw_rows(walk, glint_begin_rows(walk), smooth);
+    else
+        glint_walk_small(walk);
+}
+
 /** Cores with many registers draw spans where they are found; ARMv6-M calls a function, which is cheaper there. */
 #if GLINT_SPLIT_PRODUCTS || GLINT_SMALL
 #define GLINT_SPAN GLINT_NOINLINE
@@ -277,19 +290,20 @@ static GLINT_INLINE void glint_draw_smooth_span(const glint_row_walk *w, int32_t
 /** The functions that draw small triangles row by row; for size, they are drawn span by span, as others are. */
 #if GLINT_SMALL
 #define GLINT_DEFINE_ROWS(suffix)
-#define GLINT_ROWS(suffix) glint_draw_flat, glint_walk_small
+#define GLINT_ROWS(suffix) glint_draw_flat, 0
 #else
-#define GLINT_DEFINE_ROWS(suffix)                            \
-    static void flat_##suffix(glint_row_walk *walk) {        \
-        const glint_begun begun = glint_begin_inline(walk);  \
-        GLINT_OPAQUE(walk);                                  \
-        if (begun == GLINT_IS_SMALL && walk->has_slopes)     \
-            glint_draw_rows(walk, flat_span_##suffix);       \
-        else                                                 \
-            glint_walk_flat(walk, begun);                    \
-    }                                                        \
-    static void smooth_rows_##suffix(glint_row_walk *walk) { \
-        glint_draw_rows(walk, smooth_##suffix);              \
+#define GLINT_DEFINE_ROWS(suffix)                                                        \
+    static void flat_##suffix(glint_row_walk *walk) {                                    \
+        const glint_vertex *v[3];                                                        \
+        const glint_begun begun = glint_begin_inline(walk, v);                           \
+        GLINT_OPAQUE(walk);                                                              \
+        if (begun == GLINT_IS_SMALL && walk->has_slopes)                                 \
+            glint_draw_rows(walk, glint_begin_rows(walk), flat_span_##suffix);           \
+        else                                                                             \
+            glint_walk_flat(walk, begun);                                                \
+    }                                                                                    \
+    static void smooth_rows_##suffix(glint_row_walk *walk, glint_begin_colours *begin) { \
+        glint_draw_visible_rows(walk, begin, smooth_##suffix);                           \
     }
 #define GLINT_ROWS(suffix) flat_##suffix, smooth_rows_##suffix
 #endif

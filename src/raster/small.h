@@ -171,15 +171,6 @@ static GLINT_INLINE int glint_is_small(const glint_corners *k, int32_t rows) {
 
 /* ---- Rows ---- */
 
-/** Takes the third side in place of the one that has ended. */
-static GLINT_INLINE void glint_take_third(glint_small_rows *rows) {
-    if (rows->is_left)
-        rows->left = rows->third;
-    else
-        rows->right = rows->third;
-    rows->stop = rows->end;
-}
-
 /**
  * Begins the sides of a small triangle at its first row in the tile: a long one from the top to the lowest corner, and
  * two short ones, of which the second takes the place of the first at the middle corner.
@@ -241,9 +232,8 @@ static GLINT_INLINE void glint_find_sides(glint_row_walk *walk) {
         glint_begin_sides(k->a, k->c, k->b, 0, &walk->rows);
 }
 
-/** glint_begin_triangle, within its caller. */
-static GLINT_INLINE glint_begun glint_begin_inline(glint_row_walk *walk) {
-    const glint_vertex *v[3];
+/** glint_begin_triangle, within its caller, which is given the corners in order. */
+static GLINT_INLINE glint_begun glint_begin_inline(glint_row_walk *walk, const glint_vertex *v[3]) {
     const glint_begun begun = glint_find_rows(walk, v);
     if (begun != GLINT_IS_SMALL) {
         walk->has_slopes = 0;
@@ -255,29 +245,71 @@ static GLINT_INLINE glint_begun glint_begin_inline(glint_row_walk *walk) {
     return GLINT_IS_SMALL;
 }
 
-/** Draws the rows of a small triangle, span by span. */
-static GLINT_INLINE void glint_draw_rows(glint_row_walk *walk, glint_draw_span *draw_span) {
+/** Where a walk down the rows of a small triangle is. */
+typedef struct glint_row_state {
+    glint_side left, right;
+    int32_t row, stop;
+} glint_row_state;
+
+static GLINT_INLINE glint_row_state glint_begin_rows(const glint_row_walk *walk) {
     const glint_small_rows *const rows = &walk->rows;
+    return (glint_row_state){rows->left, rows->right, rows->row, rows->stop};
+}
+
+static GLINT_INLINE void glint_keep_rows(glint_row_walk *walk, const glint_row_state *at) {
+    glint_small_rows *const rows = &walk->rows;
+    rows->left = at->left, rows->right = at->right;
+    rows->row = at->row, rows->stop = at->stop;
+}
+
+/** Finds the columns of a row. @return 0 where there are none */
+static GLINT_INLINE int glint_find_span(const glint_row_state *at, int32_t width, int32_t *from, int32_t *to) {
+    *from = glint_most(glint_shift_right(at->left.x, 20), 0);
+    *to = glint_least(glint_shift_right(at->right.x, 20), width);
+    return *from < *to;
+}
+
+/** Steps to the next row. @return 0 behind the last one */
+static GLINT_INLINE int glint_next_row(const glint_row_walk *walk, glint_row_state *at) {
+    at->left.x = glint_add_wrap(at->left.x, at->left.slope);
+    at->right.x = glint_add_wrap(at->right.x, at->right.slope);
+    if (++at->row != at->stop)
+        return 1;
+    at->stop = walk->rows.end;
+    if (at->row == at->stop)
+        return 0;
+    if (walk->rows.is_left)
+        at->left = walk->rows.third;
+    else
+        at->right = walk->rows.third;
+    return 1;
+}
+
+/** Moves on to the first row that has a visible pixel. @return 0 where there is none */
+static GLINT_INLINE int glint_seek_visible(const glint_row_walk *walk, glint_row_state *at) {
     const int32_t width = walk->part->window.width;
-    glint_side left = rows->left, right = rows->right;
-    int32_t row = rows->row, stop = rows->stop;
-    for (;;) {
-        do {
-            const int32_t from = glint_most(glint_shift_right(left.x, 20), 0),
-                          to = glint_least(glint_shift_right(right.x, 20), width);
-            if (from < to)
-                draw_span(walk, row, from, to);
-            left.x = glint_add_wrap(left.x, left.slope);
-            right.x = glint_add_wrap(right.x, right.slope);
-        } while (++row != stop);
-        stop = rows->end;
-        if (row == stop)
-            return;
-        if (rows->is_left)
-            left = rows->third;
-        else
-            right = rows->third;
-    }
+    const uint32_t dx = (uint32_t)walk->z.dx;
+    do {
+        int32_t from, to;
+        if (!glint_find_span(at, width, &from, &to))
+            continue;
+        const uint16_t *depth = walk->depth + ((uint32_t)at->row << walk->shift) + from;
+        uint32_t z = glint_z_at(walk, at->row, from);
+        for (; from < to; from++, depth++, z += dx)
+            if (z >> 15 > *depth)
+                return 1;
+    } while (glint_next_row(walk, at));
+    return 0;
+}
+
+/** Draws the rows of a small triangle from there on, span by span. */
+static GLINT_INLINE void glint_draw_rows(glint_row_walk *walk, glint_row_state at, glint_draw_span *draw_span) {
+    const int32_t width = walk->part->window.width;
+    do {
+        int32_t from, to;
+        if (glint_find_span(&at, width, &from, &to))
+            draw_span(walk, at.row, from, to);
+    } while (glint_next_row(walk, &at));
 }
 
 #endif

@@ -85,50 +85,28 @@ static inline void draw_its_span(glint_row_walk *walk, int32_t row, int32_t left
 }
 
 void glint_walk_small(glint_row_walk *walk) {
-    glint_draw_rows(walk, draw_its_span);
+    glint_draw_rows(walk, glint_begin_rows(walk), draw_its_span);
 }
 
 int glint_find_visible_row(glint_row_walk *walk) {
-    const int32_t width = walk->part->window.width;
-    const uint32_t dx = (uint32_t)walk->z.dx;
-    glint_small_rows *const rows = &walk->rows; /* most triangles are visible in their first row */
-    for (;;) {
-        do {
-            int32_t from = glint_most(glint_shift_right(rows->left.x, 20), 0);
-            const int32_t to = glint_least(glint_shift_right(rows->right.x, 20), width);
-            if (from < to) {
-                const uint16_t *depth = walk->depth + ((uint32_t)rows->row << walk->shift) + from;
-                uint32_t z = glint_z_at(walk, rows->row, from);
-                for (; from < to; from++, depth++, z += dx)
-                    if (z >> 15 > *depth)
-                        return 1;
-            }
-            rows->left.x = glint_add_wrap(rows->left.x, rows->left.slope);
-            rows->right.x = glint_add_wrap(rows->right.x, rows->right.slope);
-        } while (++rows->row != rows->stop);
-        if (rows->row == rows->end)
-            return 0;
-        glint_take_third(rows);
-    }
+    glint_row_state at = glint_begin_rows(walk);
+    const int is_visible = glint_seek_visible(walk, &at);
+    glint_keep_rows(walk, &at);
+    return is_visible;
 }
 
 /* ---- Triangles ---- */
 
 /* Finds area, plane of 1/w and slopes of a small triangle whose rows are walked, where slopes serve it. */
 static void begin_late_slopes(glint_row_walk *walk) {
-    static const uint8_t next[5] = {0, 1, 2, 0, 1};
-    const glint_vertex *const *of = walk->triangle.corners;
-    const uint8_t *from = &next[walk->corners.top];
-    const glint_vertex *const v[3] = {of[from[0]], of[from[1]], of[from[2]]};
-    glint_begin_slopes(walk, v);
+    glint_begin_slopes(walk, walk->corners.of);
     if (walk->has_slopes)
         glint_find_slopes(&walk->corners, &walk->slopes);
 }
 
 /* Begins the rows of a triangle, whose slopes are found once a row has a span. */
 static glint_begun begin_rows(glint_row_walk *walk) {
-    const glint_vertex *v[3];
-    const glint_begun begun = glint_find_rows(walk, v);
+    const glint_begun begun = glint_find_rows(walk, walk->corners.of);
     walk->has_slopes = 0;
     if (begun == GLINT_IS_SMALL) {
         walk->has_slopes = GLINT_SLOPES_UNKNOWN;
@@ -139,7 +117,7 @@ static glint_begun begin_rows(glint_row_walk *walk) {
 
 glint_begun glint_begin_triangle(glint_row_walk *walk) {
     if (!GLINT_SMALL)
-        return glint_begin_inline(walk);
+        return glint_begin_inline(walk, walk->corners.of);
     const glint_begun begun = begin_rows(walk);
     if (begun == GLINT_IS_SMALL)
         begin_late_slopes(walk);

@@ -27,8 +27,9 @@ typedef struct glint_area {
 /** A triangle's corners, counter-clockwise from the top one on: their words. */
 typedef struct glint_corners {
     glint_corner_word a, b, c;
-    uint32_t top;    /* which of the triangle's corners is the top one: 0, 1 or 2 */
-    glint_area area; /* of a small triangle that has slopes */
+    uint32_t top;              /* which of the triangle's corners is the top one: 0, 1 or 2 */
+    const glint_vertex *of[3]; /* in that order */
+    glint_area area;           /* of a small triangle that has slopes */
 } glint_corners;
 
 /**
