@@ -172,23 +172,22 @@ static void set_far(glint_suns *suns, uint32_t end) {
         suns->far[i] = (uint16_t)((uint32_t)(both * both) >> 14);
     }
     suns->far_count = (uint8_t)i;
-    const uint32_t apart = (uint32_t)sine + (1u << 11) + 2; /* sin(a + b) is at most sin a + b */
-    suns->apart = apart < 32000 ? apart * apart >> 14 : UINT16_MAX;
 }
 
 /*
  * A highlight has 63 weight (0.61 sqrt(p) + 2.5 / p) levels a radian where it is the steepest. Where H turns by d, a
- * linear one is off by up to 0.16 d^2, which may make 0.15 of a level (V by half of that, and in triangles with planes
- * by an eighth); where N' turns by d over e pixels, slopes are off by up to 2^-15 d e, which may make a quarter. Of
- * narrow highlights both may make half as much: errors count squared. H that counts by lengths of L + V may turn 1.4
- * times as far, unless they are narrow; what it is then off by is too much for channels of 8 bits.
+ * linear one is off by up to 0.16 d^2, which may make 0.3 of a level; V by half of that, and in triangles with planes
+ * by an eighth.
  */
-#define BEND_LIMIT (15u << 24)
-#define TURN_LIMIT (1 << 13)
-#define STEEP_EXPONENT (48 * GLINT_ONE)
+#define BEND_LIMIT (15u << 25)
 
-/* Exponents up to which scalars are precise enough for a highlight; Phong's are half as wide. */
-#define MOST_EXPONENT (128 * GLINT_ONE)
+/* Exponents up to which scalars are precise enough for a highlight: of Phong, of channels of 8 bits, and of others. */
+#define MOST_MIRRORED (32 * GLINT_ONE)
+#define MOST_FINE (128 * GLINT_ONE)
+#define MOST_EXPONENT (512 * GLINT_ONE)
+
+/* Exponents from which on a highlight is so small a part of a triangle that H may turn no less. */
+#define SMALL_EXPONENT (64 * GLINT_ONE)
 
 void glint_ramps_prepare(glint_suns *suns, const glint_shading *shading) {
     uint32_t level[3], half[3];
@@ -200,28 +199,21 @@ void glint_ramps_prepare(glint_suns *suns, const glint_shading *shading) {
     suns->first = suns->takes_most ? spread_levels(half) : suns->dark;
     suns->end = 0;
     suns->shift = 0;
-    suns->bend = suns->bent = suns->turn = 0;
+    suns->bend = 0;
     suns->small_bend = 0;
-    suns->is_narrow = 0;
     if (!shading->has_specular)
         return;
-    const uint32_t largest = largest_specular(shading), p = (uint32_t)shading->shininess,
-                   root = glint_square_root((uint64_t)p), slope = (root * 156 >> 8) + (640u << 16) / (p | 1);
+    const uint32_t largest = largest_specular(shading), p = least((uint32_t)shading->shininess, SMALL_EXPONENT),
+                   slope = (glint_square_root(p) * 156 >> 8) + (640u << 16) / (p | 1);
+    const int32_t most = suns->is_mirror ? MOST_MIRRORED : suns->bits > 6 ? MOST_FINE : MOST_EXPONENT;
     suns->end = find_highlight_end(shading, largest);
     while (suns->end >> suns->shift >= GLINT_GLOSS_ENTRIES)
         suns->shift++;
     set_far(suns, suns->end);
-    suns->is_narrow = !suns->is_mirror && shading->shininess > (suns->bits > 6 ? MOST_EXPONENT / 2 : MOST_EXPONENT);
-    if (shading->shininess > (suns->is_mirror ? MOST_EXPONENT / 4 : GLINT_CHORD_EXPONENT))
+    if (shading->shininess > most)
         return; /* no triangle fits in which it is visible */
-    const unsigned narrow = shading->shininess > STEEP_EXPONENT && !suns->is_narrow;
-    const uint64_t steep = (uint64_t)largest * slope * (suns->bits > 6 ? 100 : 63) + 1; /* Q20 */
-    const uint64_t bend = ((uint64_t)BEND_LIMIT << (20 - narrow + 3 * suns->is_mirror)) / steep,
-                   turn = ((uint64_t)TURN_LIMIT << (20 - narrow)) / steep;
+    const uint64_t steep = (uint64_t)largest * slope * (suns->bits > 6 ? 200 : 63) + 1, /* Q20 */
+        bend = ((uint64_t)BEND_LIMIT << (20 + 2 * suns->is_mirror)) / steep;
     suns->bend = bend < 1u << 28 ? (uint32_t)bend : 1u << 28;
-    suns->bent = suns->is_mirror || suns->bits > 6 ? suns->bend : 2 * suns->bend >> narrow;
-    if (suns->is_narrow) /* where H tells no more than whether the highlight may be visible: lamps.h */
-        suns->bend = suns->bent = suns->end / 6;
     suns->small_bend = (int32_t)(suns->bend >> (suns->is_mirror ? 4 : 2)) + (1 << 15); /* rounding takes 2^15 of it */
-    suns->turn = turn < 1u << 8 ? (uint32_t)(turn * turn) << 14 : UINT32_MAX;
 }

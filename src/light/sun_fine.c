@@ -36,25 +36,14 @@ static inline uint32_t power_of_scaled(const glint_power_table *table, uint32_t 
 }
 
 /* Returns the highlight of a fragment, Q15, at so many columns and rows, given 2^15 over the length of N'. */
-static GLINT_INLINE uint32_t find_power(const glint_row_walk *walk, const glint_lit_sun *lit,
-                                        const glint_lit_fragment *f, uint32_t d, uint32_t i, uint32_t over,
-                                        int is_by_vectors) {
-    const glint_power_table *table = &walk->workspace->lamps->shading->power;
-    const glint_suns *suns = walk->suns->suns;
+static inline uint32_t find_power(const glint_row_walk *walk, const glint_lit_sun *lit, const glint_lit_fragment *f,
+                                  uint32_t d, uint32_t i, uint32_t over) {
     const glint_quadratic *q = &lit->half;
-    if (!is_by_vectors || lit->has_half) {
-        const int32_t h =
-            glint_shift_right((int32_t)(q->value + i * (q->y + i * q->yy) + d * (q->x + i * q->xy + d * q->xx)), 12);
-        const uint32_t sine = f->square - (uint32_t)h * (uint32_t)h;
-        if (h <= 0)
-            return 0;
-        if (!is_by_vectors)
-            return power_of_scaled(table, sine, over);
-        if (sine < GLINT_SINE_WRAPPED && ((sine >> 16) * over >> 15) * over >> 2 >= suns->end)
-            return 0;
-    }
-    return glint_power_at(
-        table, glint_sine_by_vectors(walk, lit->sun, glint_fragment_row(f), glint_fragment_column(f), over >> 1));
+    const int32_t h =
+        glint_shift_right((int32_t)(q->value + i * (q->y + i * q->yy) + d * (q->x + i * q->xy + d * q->xx)), 12);
+    if (h <= 0)
+        return 0;
+    return power_of_scaled(&walk->workspace->lamps->shading->power, f->square - (uint32_t)h * (uint32_t)h, over);
 }
 
 /* Returns the leading zeros of a fragment's 1/w, and sets its w. */
@@ -74,9 +63,8 @@ static GLINT_NOINLINE void finish_fragment(const glint_row_walk *walk, glint_lit
     glint_mix_own_colour(walk, f, w, zeros, gloss);
 }
 
-/* One light to which nothing else is done; one whose highlight needs vectors; one on a surface with its own colours;
- * any. */
-enum { SUN_ONLY, SUN_BY_VECTORS, SUN_OWN, SUN_ANY };
+/* One light to which nothing else is done; one on a surface with its own colours; any. */
+enum { SUN_ONLY, SUN_OWN, SUN_ANY };
 
 /* Finds the colours of listed fragments. */
 static GLINT_INLINE void light_sun_fragments(const glint_row_walk *walk, glint_lit_fragment *f,
@@ -102,9 +90,7 @@ static GLINT_INLINE void light_sun_fragments(const glint_row_walk *walk, glint_l
                 continue;
             if (light > 0)
                 add_reflected(colour, (int32_t)(((uint32_t)light >> 14) * over >> 15), lamp->diffuse);
-            const int is_by_vectors =
-                kind == SUN_BY_VECTORS || (kind == SUN_ANY && lit->gloss == GLINT_GLOSS_BY_VECTORS);
-            const uint32_t power = lit->gloss ? find_power(walk, lit, f, d, i, over, is_by_vectors) : 0;
+            const uint32_t power = lit->gloss ? find_power(walk, lit, f, d, i, over) : 0;
             if (power && (kind == SUN_OWN || (kind == SUN_ANY && lamps->has_colours)))
                 add_reflected(gloss, (int32_t)power, lamp->specular);
             else if (power)
@@ -126,14 +112,10 @@ static GLINT_INLINE void light_sun_fragments(const glint_row_walk *walk, glint_l
 
 static void light_sun_list(const glint_row_walk *walk, glint_lit_fragment *f, const glint_lit_fragment *end) {
     const glint_lamps *lamps = walk->workspace->lamps;
-    const int is_by_vectors = walk->suns->lit->gloss == GLINT_GLOSS_BY_VECTORS; /* of one light */
-    if (GLINT_SMALL || walk->suns->count != 1 || lamps->takes_most || lamps->headroom ||
-        (is_by_vectors && lamps->has_colours))
+    if (GLINT_SMALL || walk->suns->count != 1 || lamps->takes_most || lamps->headroom)
         light_sun_fragments(walk, f, end, SUN_ANY);
     else if (lamps->has_colours)
         light_sun_fragments(walk, f, end, SUN_OWN);
-    else if (is_by_vectors)
-        light_sun_fragments(walk, f, end, SUN_BY_VECTORS);
     else
         light_sun_fragments(walk, f, end, SUN_ONLY);
 }

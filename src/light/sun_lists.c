@@ -124,9 +124,9 @@ static GLINT_NOINLINE void light_list_any(const glint_row_walk *walk, const glin
                                           uint32_t begin, glint_spread *p, const glint_spread *end) {
     const uint32_t i = (uint32_t)(row - walk->slopes.row);
     uint32_t half = 0, half_x = 0, half_xx = 0, along = 0, along_x = 0, along_xx = 0;
-    if (lit->has_half)
+    if (lit->gloss)
         set_row(&lit->half, i, &half, &half_x, &half_xx);
-    if (lit->has_half && walk->suns->suns->is_mirror)
+    if (lit->gloss && walk->suns->suns->is_mirror)
         set_row(&lit->along, i, &along, &along_x, &along_xx);
     for (; p != end; p++) {
         const uint32_t d = p->offset - begin;
@@ -135,40 +135,6 @@ static GLINT_NOINLINE void light_list_any(const glint_row_walk *walk, const glin
         if (of.light > walk->suns->suns->gate)
             glint_add_sun(walk, lit->sun, p, of.light,
                           lit->gloss ? find_entry(walk->suns->suns, p, of) : GLINT_GLOSS_ENTRIES);
-    }
-}
-
-/* The same of a light whose highlight needs vectors, where scalars do not tell that it is far. */
-static GLINT_NOINLINE void light_list_vectors(const glint_row_walk *walk, const glint_lit_sun *lit, int32_t row,
-                                              uint32_t begin, glint_spread *p, const glint_spread *end) {
-    const glint_sun_triangle *t = walk->suns;
-    const glint_suns *suns = t->suns;
-    const glint_slopes *o = &walk->slopes;
-    const uint32_t i = (uint32_t)(row - o->row), b = (uint32_t)o->start1 + i * (uint32_t)o->y1,
-                   c = (uint32_t)o->start2 + i * (uint32_t)o->y2;
-    uint32_t half = 0, half_x = 0, half_xx = 0, n0[3], step[3];
-    if (lit->has_half) /* narrow */
-        set_row(&lit->half, i, &half, &half_x, &half_xx);
-    for (int k = 0; k < 3; k++) {
-        n0[k] = (uint32_t)t->n[0][k] * (1u << 14) + glint_weigh(t->d1[k], (int32_t)b, t->d2[k], (int32_t)c);
-        step[k] = glint_weigh(t->d1[k], o->x1, t->d2[k], o->x2);
-    }
-    for (; p != end; p++) {
-        const uint32_t d = p->offset - begin;
-        const int32_t light = (int32_t)(lit->light.value + i * lit->light.y + d * lit->light.x),
-                      over = (int32_t)p->over;
-        if (light <= suns->gate)
-            continue;
-        const sun_scalars of = {light, half + d * (half_x + d * half_xx), 0};
-        uint32_t at = lit->has_half ? find_entry(suns, p, of) : 0;
-        if (at < 2 * GLINT_GLOSS_ENTRIES) {
-            const int32_t n[3] = {
-                glint_shift_right(glint_shift_right((int32_t)(n0[0] + d * step[0]), 13) * over + (1 << 13), 14),
-                glint_shift_right(glint_shift_right((int32_t)(n0[1] + d * step[1]), 13) * over + (1 << 13), 14),
-                glint_shift_right(glint_shift_right((int32_t)(n0[2] + d * step[2]), 13) * over + (1 << 13), 14)};
-            at = glint_find_sine(walk, lit->sun, row, o->column + (int32_t)d, n) >> suns->shift;
-        }
-        glint_add_sun(walk, lit->sun, p, light, at);
     }
 }
 
@@ -192,9 +158,7 @@ void glint_draw_sun_list(glint_row_walk *walk, int32_t row, int32_t left, int32_
         if (end == list)
             continue;
         for (const glint_lit_sun *lit = t->lit, *last = lit + t->count; lit != last; lit++) {
-            if (lit->gloss == GLINT_GLOSS_BY_VECTORS)
-                light_list_vectors(walk, lit, row, begin, list, end);
-            else if (!lit->is_plain)
+            if (!lit->is_plain)
                 light_list_any(walk, lit, row, begin, list, end);
             else if (!lit->gloss)
                 light_list_matt(walk, lit, row, begin, list, end);

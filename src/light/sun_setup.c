@@ -113,32 +113,6 @@ static inline int is_gloss_outside(const glint_sun_triangle *t, uint32_t bend, u
            outside > t->suns->far[turn >> TURN_STEP];
 }
 
-/*
- * Do all normals lie beyond a plane through the eye and the light's H? Of the half space that the mean of what corners'
- * N' have across the first corner's H points to, N' are sine |N'| within, and so is what lies between them; H turn by
- * 1/16 at most, which the sine has been made more by.
- */
-static GLINT_NOINLINE int is_apart(const glint_sun_triangle *t, const int16_t h[3]) {
-    const int32_t(*const n)[3] = t->n;
-    const int32_t sum[3] = {3 * n[0][0] + t->d1[0] + t->d2[0], 3 * n[0][1] + t->d1[1] + t->d2[1],
-                            3 * n[0][2] + t->d1[2] + t->d2[2]};
-    const int32_t along = glint_shift_right(dot16(sum, h), 14);
-    int32_t m[3];
-    for (int c = 0; c < 3; c++)
-        m[c] = glint_shift_right(sum[c] - glint_shift_right(along * h[c], 14), 2);
-    const uint32_t square = (uint32_t)(m[0] * m[0]) + (uint32_t)(m[1] * m[1]) + (uint32_t)(m[2] * m[2]);
-    const uint32_t least = (square >> 12) * (t->suns->apart >> 4);
-    for (int k = 0; k < 3; k++) {
-        const int32_t within = glint_shift_right(n[k][0] * m[0] + n[k][1] * m[1] + n[k][2] * m[2], 14);
-        if (within <= 0 || (uint32_t)within * (uint32_t)within <= least)
-            return 0;
-    }
-    return 1;
-}
-
-/* Largest square of a turn of H that is_apart allows: of 1/16, 1 = 2^28. */
-#define MOST_APART (1u << 20)
-
 /* Products of differences of H or V, from the first corner. */
 typedef struct bends {
     int32_t square1, square2, both;
@@ -163,10 +137,17 @@ static inline void add_turns(turns *of, int32_t x1, int32_t x2, int32_t a, int32
     of->u += x1 * e2 + x2 * e1;
 }
 
+/* Returns a.b, 1 = 2^28, where b, 1 = 2^14, is to be unit: rounding makes it up to 2^-14 longer or shorter. */
+static inline int32_t along_unit(const int32_t a[3], const int16_t b[3]) {
+    const int32_t dot = dot16(a, b), lacking = (1 << 28) - b[0] * b[0] - b[1] * b[1] - b[2] * b[2];
+    return dot + glint_shift_right(glint_shift_right(dot, 14) * lacking, 15);
+}
+
 /* Sets N'.H, H being unit between corners: less half of N'.H times the squares of its differences. */
-static GLINT_INLINE void set_half(const glint_row_walk *walk, const glint_sun_triangle *t, const bends *bent, turns of,
-                                  const int16_t *a, const int16_t *b, const int16_t *c, glint_quadratic *to) {
-    const int32_t at_a = dot16(t->n[0], a), at_b = dot16(t->n[1], b), at_c = dot16(t->n[2], c),
+static GLINT_NOINLINE void set_half(const glint_row_walk *walk, const glint_sun_triangle *t, const bends *bent,
+                                    turns of, const int16_t *a, const int16_t *b, const int16_t *c,
+                                    glint_quadratic *to) {
+    const int32_t at_a = along_unit(t->n[0], a), at_b = along_unit(t->n[1], b), at_c = along_unit(t->n[2], c),
                   k = glint_shift_right(at_a, 14);
     add_turns(&of, t->d1[0], t->d2[0], a[0], b[0], c[0]);
     add_turns(&of, t->d1[1], t->d2[1], a[1], b[1], c[1]);
@@ -177,11 +158,6 @@ static GLINT_INLINE void set_half(const glint_row_walk *walk, const glint_sun_tr
     set_quadratic(to, (uint32_t)at_a + (1 << 11), to_q16(at_b - at_a - of.s), to_q16(at_c - at_a - of.q),
                   glint_shift_right(of.s, 12), glint_shift_right(of.q, 12), glint_shift_right(of.u, 13), &walk->slopes,
                   0);
-}
-
-static GLINT_NOINLINE void begin_half(const glint_row_walk *walk, const glint_sun_triangle *t, const bends *bent,
-                                      const int16_t *a, const int16_t *b, const int16_t *c, glint_quadratic *to) {
-    set_half(walk, t, bent, (turns){0, 0, 0}, a, b, c, to);
 }
 
 /* Returns (1 + L.V) / 2, 1 = 2^28. */
@@ -214,52 +190,6 @@ static GLINT_NOINLINE void begin_mirror(const glint_row_walk *walk, const glint_
                   &walk->slopes, 0);
 }
 
-/* Half of the length of L + V at a corner, and V's z, 1 = 2^14. */
-typedef struct half_way {
-    int32_t length, z;
-} half_way;
-
-static inline half_way find_half_way(const glint_drawn_sun *sun, const int16_t h[3]) {
-    const int32_t length = glint_shift_right(dot16(sun->light, h), 15); /* H.L */
-    return (half_way){length, glint_shift_right(length * h[2], 13) - glint_shift_right(sun->light[2], 1)};
-}
-
-/* Returns by what part L + V, over V's z, is longer at a corner than at another one, 1 = 2^14. */
-static inline int32_t find_longer(half_way than, half_way of) {
-    const int32_t product = glint_shift_right(than.length * of.z, 14);
-    return (of.length * than.z - than.length * of.z) / glint_most(product, 1);
-}
-
-/* Returns the square of V's turn between two corners, 1 = 2^28, given that of H. */
-static inline int32_t find_view_turn(half_way a, half_way b, int32_t square) {
-    const int32_t more = b.length - a.length;
-    return 4 * (more * more + glint_shift_right(a.length * b.length, 14) * glint_shift_right(square, 14));
-}
-
-/*
- * Sets N'.H where H turns farther. Linear on the screen is (V + L) over V's z, but for 1 / z of the part with L, which
- * is convex: the sum lacks half of the squares of V's turns times L.
- */
-static GLINT_NOINLINE void begin_bent_half(const glint_row_walk *walk, const glint_sun_triangle *t, const bends *bent,
-                                           const int16_t *a, const int16_t *b, const int16_t *c, glint_lit_sun *lit) {
-    const half_way at_a = find_half_way(lit->sun, a), at_b = find_half_way(lit->sun, b),
-                   at_c = find_half_way(lit->sun, c);
-    const int32_t first = dot16(t->n[0], a), *n = t->n[0], *l = lit->sun->light,
-                  facing = glint_shift_right(n[0] * l[0] + n[1] * l[1] + n[2] * l[2], 15),
-                  across = (facing - glint_shift_right(glint_shift_right(first, 14) * at_a.length, 14)) * (1 << 12) /
-                           glint_most(at_a.length, 1); /* half of N'.L across H, over the length of L + V */
-    turns of = lean(find_longer(at_a, at_b), find_longer(at_a, at_c), dot16(n, b) - first, dot16(n, c) - first);
-    const int32_t turn1 = find_view_turn(at_a, at_b, bent->square1), turn2 = find_view_turn(at_a, at_c, bent->square2),
-                  turn3 = find_view_turn(at_b, at_c, bent->square1 + bent->square2 - 2 * bent->both);
-    of.s += glint_shift_right(turn1, 14) * across;
-    of.q += glint_shift_right(turn2, 14) * across;
-    of.u += glint_shift_right(turn1 + turn2 - turn3, 14) * across;
-    set_half(walk, t, bent, of, a, b, c, &lit->half);
-}
-
-/* Squares of turns of H, 1 = 2^28, that only a short L + V has: vectors of 15 bits do not serve there. */
-#define MOST_BEND (1u << 26)
-
 /* Sets the highlight of a light, given its terms at corners. @return 0 where it does not fit */
 static inline int begin_gloss(const glint_row_walk *walk, const glint_sun_triangle *t, glint_lit_sun *lit,
                               const glint_sun_term *a, const glint_sun_term *b, const glint_sun_term *c) {
@@ -270,22 +200,15 @@ static inline int begin_gloss(const glint_row_walk *walk, const glint_sun_triang
     add_bends(&of, a->v[2], b->v[2], c->v[2]);
     const uint32_t bend =
         most_of((uint32_t)of.square1, (uint32_t)of.square2, (uint32_t)(of.square1 + of.square2 - 2 * of.both));
-    if (is_gloss_outside(t, bend, least_of(a->outside, b->outside, c->outside)) ||
-        (suns->is_narrow && bend <= MOST_APART && is_apart(t, a->v)))
+    if (is_gloss_outside(t, bend, least_of(a->outside, b->outside, c->outside)))
         return 1;
-    if (bend > MOST_BEND || !(a->v[0] | a->v[1] | a->v[2]) || !suns->bend ||
-        (t->turn >> 14) << (26 - walk->corners.area.zeros) > suns->turn)
+    if (bend > suns->bend || !(a->v[0] | a->v[1] | a->v[2]) || !suns->bend)
         return 0;
-    const int is_bent = bend > suns->bend;
-    lit->has_half = bend <= suns->bent;
-    lit->gloss = lit->has_half && !suns->is_narrow ? GLINT_GLOSS_BY_SCALARS : GLINT_GLOSS_BY_VECTORS;
-    lit->is_plain &= lit->gloss == GLINT_GLOSS_BY_SCALARS;
-    if (lit->has_half && suns->is_mirror)
+    lit->gloss = 1;
+    if (suns->is_mirror)
         begin_mirror(walk, t, &of, a->v, b->v, c->v, lit);
-    else if (lit->has_half && is_bent)
-        begin_bent_half(walk, t, &of, a->v, b->v, c->v, lit);
-    else if (lit->has_half)
-        begin_half(walk, t, &of, a->v, b->v, c->v, &lit->half);
+    else
+        set_half(walk, t, &of, (turns){0, 0, 0}, a->v, b->v, c->v, &lit->half);
     return 1;
 }
 
@@ -303,8 +226,7 @@ static GLINT_NOINLINE int begin_sun(const glint_row_walk *walk, glint_sun_triang
     const int32_t l1 = glint_shift_right(d1 + (1 << 12), 13), l2 = glint_shift_right(d2 + (1 << 12), 13);
     t->count++;
     lit->sun = sun;
-    lit->gloss = GLINT_GLOSS_NONE;
-    lit->has_half = 0;
+    lit->gloss = 0;
     lit->is_plain = t->suns->is_plain && (!gate || (a > 0 && a + d1 > 0 && a + d2 > 0));
     lit->light.x = (uint32_t)glint_shift_right((int32_t)glint_weigh(l1, o->x1, l2, o->x2), 1);
     lit->light.y = (uint32_t)glint_shift_right((int32_t)glint_weigh(l1, o->y1, l2, o->y2), 1);

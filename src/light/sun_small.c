@@ -52,9 +52,7 @@ static GLINT_NOINLINE uint32_t find_small_entry(const glint_row_walk *walk, cons
                    (uint32_t)glint_shift_right(light, 14) * (uint32_t)h;
         } else if (h <= 0)
             return GLINT_GLOSS_ENTRIES;
-        const uint32_t at = glint_entry_of_sine(suns, sine, p->over);
-        if (!suns->is_narrow || at >= 2 * GLINT_GLOSS_ENTRIES)
-            return at;
+        return glint_entry_of_sine(suns, sine, p->over);
     }
     const int32_t unit[3] = {glint_shift_right(n[0] * over, 14), glint_shift_right(n[1] * over, 14),
                              glint_shift_right(n[2] * over, 14)};

@@ -111,20 +111,6 @@ void glint_light_sun_vertices(const glint_frame *frame, glint_draw *draw, const 
 
 /* ---- Fragments ---- */
 
-/* Sets N of a fragment, 1 = 2^15, given 2^14 over the length of N'. */
-static GLINT_NOINLINE void find_normal(const glint_row_walk *walk, int32_t row, int32_t column, uint32_t over,
-                                       int32_t n[3]) {
-    const glint_sun_triangle *t = walk->suns;
-    const glint_slopes *o = &walk->slopes;
-    const uint32_t i = (uint32_t)(row - o->row), d = (uint32_t)(column - o->column);
-    const int32_t b = (int32_t)((uint32_t)o->start1 + d * (uint32_t)o->x1 + i * (uint32_t)o->y1),
-                  c = (int32_t)((uint32_t)o->start2 + d * (uint32_t)o->x2 + i * (uint32_t)o->y2);
-    for (int k = 0; k < 3; k++) {
-        const int32_t of_28 = glint_add_wrap(t->n[0][k] * (1 << 14), (int32_t)glint_weigh(t->d1[k], b, t->d2[k], c));
-        n[k] = glint_shift_right(glint_shift_right(of_28, 13) * (int32_t)over + (1 << 13), 14);
-    }
-}
-
 /*
  * Returns 1 - cos^2 between N and L + V, Q30, of vectors of 15 bits: from the chord between both, which is short where
  * a highlight is, so that errors of their lengths count squared. Off by 2^-14.5 of an angle.
@@ -155,11 +141,4 @@ uint32_t glint_find_sine(const glint_row_walk *walk, const glint_drawn_sun *sun,
     if (!walk->suns->suns->is_mirror)
         return glint_sine_by_chord(n, v, sun->light);
     return (uint32_t)glint_most(sine_of_mirrored(n, sun->light, v), 0);
-}
-
-uint32_t glint_sine_by_vectors(const glint_row_walk *walk, const glint_drawn_sun *sun, int32_t row, int32_t column,
-                               uint32_t over) {
-    int32_t n[3];
-    find_normal(walk, row, column, over, n);
-    return glint_find_sine(walk, sun, row, column, n);
 }

@@ -83,7 +83,7 @@ static inline glint_draw_span *choose_span(glint_row_walk *walk, glint_sun_trian
         walk->packed = glint_spread_pack(suns->dark);
         return walk->frame->config.format->flat_span;
     }
-    if (t->count != 1 || !suns->spans || t->lit->gloss == GLINT_GLOSS_BY_VECTORS)
+    if (t->count != 1 || !suns->spans)
         return glint_draw_sun_list;
     begin_only(walk, t);
     return !t->lit->gloss ? suns->spans->matt : suns->is_mirror ? suns->spans->mirror : suns->spans->half;
@@ -266,7 +266,7 @@ static void make_tables(glint_frame *frame, const glint_shading *shading, glint_
     if (suns->keeps || !suns->suns->ramp)
         return;
     suns->spans = *spans[frame->config.format->sun_spans];
-    if (suns->suns->shines && !suns->is_mirror && !suns->is_narrow)
+    if (suns->suns->shines && !suns->is_mirror)
         suns->small = suns->spans->small;
 }
 

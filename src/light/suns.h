@@ -64,17 +64,13 @@ typedef struct glint_suns {
     uint32_t end;     /* sin^2, Q30, where highlights end; 0 where none is visible */
     uint16_t far[16]; /* sin^2, Q16, that is outside at corners which turn so far: suns.c, up to a number */
     uint8_t far_count;
-    uint32_t apart;     /* sin^2, Q16, that is outside where H turns by 1/16 at most */
-    uint32_t bend;      /* largest square of a turn of H, linear between corners, in a triangle whose highlight */
-    uint32_t bent;      /* scalars give, 1 = 2^28; and of one that counts by lengths of L + V; */
+    uint32_t bend;      /* largest square of a turn of H in a triangle whose highlight scalars give, 1 = 2^28; */
     int32_t small_bend; /* what |H|^2, 1 = 2^28, may lack of 1 between corners that bend so far */
-    uint32_t turn;      /* the same of N' times 8 of its area in pixels, 1 = 2^14 */
     int32_t gate;       /* N'.L up to this is not lit */
     uint32_t terms;     /* how many of these a vertex keeps */
     uint8_t is_local, is_mirror, takes_most, is_rounded;
     uint8_t is_fine;              /* no packed words serve: all triangles are lit by lists, */
     uint8_t bits;                 /* of channels of so many bits */
-    uint8_t is_narrow;            /* highlights are found by vectors */
     uint8_t is_plain;             /* lights add to what there is, and their tables are there */
     const glint_sun_spans *spans; /* of an only light whose ramp holds all light, or null */
     glint_draw_span *small;       /* of small triangles */
@@ -98,17 +94,12 @@ typedef struct glint_sun_plane {
     uint32_t value, x, y;
 } glint_sun_plane;
 
-/** A light's highlight in a triangle: nowhere; found by scalars; by vectors of each fragment, where scalars are not
- * precise enough. */
-typedef enum glint_sun_gloss { GLINT_GLOSS_NONE, GLINT_GLOSS_BY_SCALARS, GLINT_GLOSS_BY_VECTORS } glint_sun_gloss;
-
 /** What of a light a triangle has. */
 typedef struct glint_lit_sun {
     const glint_drawn_sun *sun;
     const struct glint_drawn_lamp *lamp; /* the same: sun_fine.c */
     uint8_t is_plain;                    /* add_sun */
-    uint8_t gloss;                       /* glint_sun_gloss */
-    uint8_t has_half;                    /* `half` is set */
+    uint8_t gloss;                       /* its highlight may be visible, and `half` is set */
     glint_sun_plane light;               /* N'.L */
     glint_quadratic half;                /* N'.H, or N'.V of Phong */
     glint_quadratic along;               /* (1 + L.V) / 2, of Phong */
@@ -149,10 +140,6 @@ void glint_light_sun_vertices(const glint_frame *frame, glint_draw *draw, const 
 /** Returns sin^2 of an angle from a highlight, Q30, of Phong of half of it, by vectors, given N, 1 = 2^15. */
 uint32_t glint_find_sine(const glint_row_walk *walk, const glint_drawn_sun *sun, int32_t row, int32_t column,
                          const int32_t n[3]);
-
-/** The same of a fragment of a triangle that is set up, given 2^14 over the length of its N'. */
-uint32_t glint_sine_by_vectors(const glint_row_walk *walk, const glint_drawn_sun *sun, int32_t row, int32_t column,
-                               uint32_t over);
 
 /** Sets N' at corners, and N'.N'. @return 0 where normals turn too far, or 1/w changes too much */
 int glint_begin_sun_normals(const glint_row_walk *walk, glint_sun_triangle *t);
