@@ -6,7 +6,7 @@ import re
 import subprocess
 import tempfile
 
-import picture
+import png
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 MODELS = os.path.join(ROOT, "examples", "models")
@@ -79,7 +79,7 @@ class Host:
         return data
 
     def render(self, *arguments):
-        return picture.decode(self.render_bytes(*arguments))
+        return png.decode(self.render_bytes(*arguments))
 
     def info(self, model, *arguments):
         """The `name value` lines of `info`, as a dictionary of strings."""

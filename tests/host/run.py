@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Drives the host program from outside: run.py PROGRAM. Closes with `N passed, N failed`; status 1 on a failure."""
+import os
 import sys
 import traceback
 
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
 import test_animate
 import test_clusters
 import test_compare

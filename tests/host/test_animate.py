@@ -2,7 +2,7 @@
 """--animate: a model's turn, and frames as files of their own, by names with a number."""
 import os
 
-import picture
+import png
 from harness import Preloaded
 from test_output import REFUSING
 from test_render import near
@@ -59,7 +59,7 @@ def test_place_of_a_turn(host):
         host.run("render", "wedge.obj", *arguments, "-o", "turn.png")
         own, _ = decode_movie(host, *take_away(host, "turn.png"), "at the origin")
         host.check(f"{options}: on the spot", all(sum(not near(p, q, 2) for r, s in zip(a, b) for p, q in zip(r, s)) <= 6 for a, b in zip(movie, own)))
-        boxes = [picture.Picture(len(rows[0]), len(rows), 3, rows).box((0, 0, 255)) for rows in movie]
+        boxes = [png.Picture(len(rows[0]), len(rows), 3, rows).box((0, 0, 255)) for rows in movie]
         width, height = len(movie[0][0]), len(movie[0])
         edges = [min(b[0] for b in boxes), min(b[1] for b in boxes), width - 1 - max(b[2] for b in boxes), height - 1 - max(b[3] for b in boxes)]
         host.check(f"{options}: in the picture", 1 <= min(edges) <= 6, str(edges))
@@ -75,7 +75,7 @@ def test_files(host):
         run, files = run_for_files(host, *command, "--animate", "11", "-o", "frame%02d.png")
         names = [f"frame{i:02}.png" for i in range(11)]
         host.equal(f"{command[:2]}: their names", (run.returncode, run.stdout, run.stderr, files), (0, "", "", names))
-        host.equal(f"{command[:2]}: their pictures", [picture.decode(data).rows for data in take_away(host, *names)], movie)
+        host.equal(f"{command[:2]}: their pictures", [png.decode(data).rows for data in take_away(host, *names)], movie)
 
 
 def test_names(host):
@@ -107,7 +107,7 @@ def test_what_goes_wrong(host):
     host.equal("the others are there", files, ["f0.png", "f1.png", "f2.png"])
     os.rmdir(host.path("f3.png"))
     for data in take_away(host, "f0.png", "f1.png", "f2.png"):
-        picture.decode(data)
+        png.decode(data)
     host.refuses("none can be written", [*draw, "no/f%d.png"],
                  r"no/f0\.png:0: cannot be written: No such file or directory; 0 of 5 frames were written")
     with Preloaded(host, REFUSING) as library:
@@ -115,7 +115,7 @@ def test_what_goes_wrong(host):
         host.equal("a disk that fills up", (run.returncode, run.stderr, files),
                    (2, "f2.png:0: cannot be written: No space left on device; 2 of 5 frames were written\n", ["f0.png", "f1.png"]))
     for data in take_away(host, "f0.png", "f1.png"):
-        picture.decode(data)
+        png.decode(data)
     host.refuses("no room in the arena", ["render", "torus:48x24", "--arena", "900", "--animate", "3", "-o", "f%d.png"],
                  r"glint: --arena 900: .*; 0 of 3 frames were written")
 

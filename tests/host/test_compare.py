@@ -3,11 +3,11 @@
 import math
 import os
 import random
-import struct
 import subprocess
 import zlib
 
-import picture
+import png
+from png import chunk
 
 TORUS = ["torus:24x12", "--size", "40x30"]
 GREY, COLOUR, PALETTE, GREY_ALPHA, COLOUR_ALPHA = 0, 2, 3, 4, 6
@@ -15,14 +15,10 @@ CHANNELS = {GREY: 1, COLOUR: 3, PALETTE: 1, GREY_ALPHA: 2, COLOUR_ALPHA: 4}
 EQUAL = {"pixels_different": "0", "psnr_db": "inf", "first_difference": "none"}
 
 
-# ---- A writer of PNG that shares nothing with the program's
-
-def chunk(kind, body):
-    return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-
+# ---- A writer of PNG in every form
 
 def head(width, height, depth=8, colour=COLOUR, methods=(0, 0, 0)):
-    return chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, depth, colour, *methods))
+    return png.head(width, height, depth, colour, methods)
 
 
 def pack_row(levels, depth):
@@ -36,7 +32,7 @@ def filter_row(kind, row, above, step):
     out = bytearray([kind])
     for i, value in enumerate(row):
         left, up, corner = (row[i - step], above[i], above[i - step]) if i >= step else (0, above[i], 0)
-        out.append(value - (0, left, up, (left + up) // 2, picture.paeth(left, up, corner))[kind] & 255)
+        out.append(value - (0, left, up, (left + up) // 2, png.paeth(left, up, corner))[kind] & 255)
     return bytes(out)
 
 
@@ -49,7 +45,7 @@ def encode(rows, colour=COLOUR, depth=8, filters=(0, 1, 2, 3, 4), pack=zlib.comp
         above = line
     data = pack(raw)
     size = -(-len(data) // parts)
-    return b"".join([picture.SIGNATURE, head(len(rows[0]), len(rows), depth, colour), middle,
+    return b"".join([png.SIGNATURE, head(len(rows[0]), len(rows), depth, colour), middle,
                      *(chunk(b"IDAT", data[i * size:(i + 1) * size]) for i in range(parts)), chunk(b"IEND", b"")])
 
 
@@ -87,11 +83,11 @@ def test_differences(host):
     host.equal("none", compare(host, "render", *TORUS), (0, {"pixels_compared": "1200", "largest_difference": "0,0,0", **EQUAL}))
     run = host.run("render", *TORUS, "--compare", "other.png", "-o", "out.png", "--stats")
     host.check("beside other output", run.returncode == 0 and run.stdout.startswith("passes 1\n") and run.stdout.endswith(
-        "\nfirst_difference none\n") and picture.decode(host.read("out.png")).rows == rows)
+        "\nfirst_difference none\n") and png.decode(host.read("out.png")).rows == rows)
     host.write("other.png", encode(changed))
     os.remove(host.path("out.png"))
     run = host.run("render", *TORUS, "--compare", "other.png", "-o", "out.png")
-    host.check("what differs is written", run.returncode == 1 and picture.decode(host.read("out.png")).rows == rows)
+    host.check("what differs is written", run.returncode == 1 and png.decode(host.read("out.png")).rows == rows)
     host.check("and followed by what a model says", "warning" not in run.stderr)
     for name in ("out.png", "other.png"):
         os.remove(host.path(name))
@@ -189,7 +185,7 @@ def test_noise(host):
         step = CHANNELS[colour]
         noise = random.Random(width).randbytes(width * height * step)
         raw = b"".join(b"\0" + noise[y * width * step:(y + 1) * width * step] for y in range(height))
-        host.write("other.png", picture.SIGNATURE + head(width, height, 8, colour) + chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b""))
+        host.write("other.png", png.SIGNATURE + head(width, height, 8, colour) + chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b""))
         status, said = compare(host, "render", "sphere:8x4", "--size", f"{width}x{height}", "--eye", "0,0,9", "--at", "0,0,20")
         largest = [max(noise[c::step]) for c in range(min(step, 3))] * (3 if step == 1 else 1) + [255 - min(noise[3::4])] * (step == 4)
         host.equal(f"{width}x{height} of noise", (status, said["largest_difference"]), (1, ",".join(map(str, largest))))
@@ -206,7 +202,7 @@ def bad_files(rows):
     data = zlib.compress(raw)
 
     def of(*parts):
-        return b"".join([picture.SIGNATURE, *parts])
+        return b"".join([png.SIGNATURE, *parts])
 
     def of_data(packed, *more):
         return of(head(40, 30), *more, chunk(b"IDAT", packed), chunk(b"IEND", b""))
@@ -214,7 +210,7 @@ def bad_files(rows):
     end, whole, colours = chunk(b"IEND", b""), chunk(b"IDAT", data), chunk(b"PLTE", b"\0" * 6)
     early, stream = r"is broken: it ends early", r"is broken: its data end early"
     order, length = r"is broken: its chunk {} is out of order", r"is broken: its chunk {} has a wrong length"
-    files = [("empty", b"", r"is no PNG file"), ("a signature only", picture.SIGNATURE, early), ("a JPEG", b"\xff\xd8\xff" * 9, r"is no PNG file"),
+    files = [("empty", b"", r"is no PNG file"), ("a signature only", png.SIGNATURE, early), ("a JPEG", b"\xff\xd8\xff" * 9, r"is no PNG file"),
              ("text mode", good.replace(b"\r\n", b"\n"), r"is no PNG file"),
              ("no head", of(whole, end), r"is broken: its chunk IDAT comes before IHDR"),
              ("two heads", of(head(40, 30), head(40, 30), whole, end), r"is broken: its chunk IHDR comes twice"),
@@ -287,14 +283,14 @@ def test_mutations(host):
     rows = [[(x * y % 256, x, y) for x in range(9)] for y in range(7)]
     host.write("plain.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     for trial in range(150):
-        parts = picture.chunks(encode(rows, pack=packer(trial % 10, trial % 5)))
+        parts = png.chunks(encode(rows, pack=packer(trial % 10, trial % 5)))
         body = bytearray(parts[1][1])
         body[generator.randrange(len(body))] ^= 1 << generator.randrange(8)
-        data = picture.SIGNATURE + b"".join(chunk(kind, bytes(body) if kind == b"IDAT" else own) for kind, own in parts)
+        data = png.SIGNATURE + b"".join(chunk(kind, bytes(body) if kind == b"IDAT" else own) for kind, own in parts)
         host.write("other.png", data)
         run = host.run("render", "plain.obj", "--size", "9x7", "--compare", "other.png")
         try:
-            picture.decode(data)
+            png.decode(data)
             read += 1
             host.equal(f"mutation {trial} is read", (run.returncode, run.stderr), (1, ""))
         except (ValueError, IndexError, zlib.error):

@@ -6,9 +6,9 @@ import os
 import re
 import struct
 
-import picture
+import png
 from harness import MODELS
-from test_convert import array, convert, mesh
+from test_convert import convert, mesh
 
 # A lopsided solid, wound counter-clockwise from outside, as every format below has it.
 POINTS = [(-.7, -.5, -.4), (.8, -.5, -.3), (.1, .9, .2), (.3, -.4, .9)]
@@ -207,7 +207,7 @@ def test_against_our_own_reader(host):
         lines = [[line for line in run.stdout.splitlines() if not skipped.match(line)] for run in runs]
         host.equal(f"{name}: info", lines[1], lines[0])
         run = host.run("render", name + ".xyz", "-o", "other.png", env=env)
-        images = host.render(source), picture.decode(host.read("other.png"))
+        images = host.render(source), png.decode(host.read("other.png"))
         count = sum(s != t for p, q in zip(*(i.rows for i in images)) for s, t in zip(p, q))
         host.check(f"{name}: picture", run.stderr == "" and count < 100, f"{count} {run.stderr}")
         os.remove(host.path("other.png"))

@@ -5,7 +5,7 @@ import os
 import re
 import subprocess
 
-import picture
+import png
 from harness import ROOT
 from test_scene import SMALL, decode_movie, draw, scenes
 
@@ -191,8 +191,8 @@ def test_shaders(host):
     for shape, labels in shader_labels().items():
         for exponent in (50, 100):
             name = f"shaders:{shape}-{exponent}"
-            plain = picture.decode(draw(host, name)).rows
-            drawn = picture.decode(draw(host, name, "--labels")).rows
+            plain = png.decode(draw(host, name)).rows
+            drawn = png.decode(draw(host, name, "--labels")).rows
             host.equal(f"{name} has labels", drawn, label_rows(host, plain, labels))
             host.check(f"{name} has them with --labels only", WHITE in changes(plain, drawn).values())
         counts = []
@@ -210,8 +210,8 @@ def test_formats(host):
     for options in ([["--format", f] for f in ("rgb565", "rgb565_be", "rgb444", "rgb888", "grey8", "grey4", "mono")] +
                     [["--dither", "--format", "mono"], ["--gamma", "2.2"], ["--tile", "8x8"], ["--size", "640x360"],
                      ["--size", "500x180"], ["--size", "100x180"], SMALL, ["--size", "1x1"]]):
-        plain = picture.decode(draw(host, "shaders", *options)).rows
-        host.equal(f"labels with {' '.join(options)}", picture.decode(draw(host, "shaders", *options, "--labels")).rows,
+        plain = png.decode(draw(host, "shaders", *options)).rows
+        host.equal(f"labels with {' '.join(options)}", png.decode(draw(host, "shaders", *options, "--labels")).rows,
                    label_rows(host, plain, labels, (320, 180)))
 
 
@@ -222,10 +222,10 @@ def test_scenes(host):
         has_labels = "example_label" in source_of(name)
         for variant in variants:
             plain, drawn = (draw(host, f"{name}:{variant}", *size, *labels) for labels in ([], ["--labels"]))
-            levels = changes(picture.decode(plain).rows, picture.decode(drawn).rows).values()
+            levels = changes(png.decode(plain).rows, png.decode(drawn).rows).values()
             host.check(f"{name}:{variant} --labels: black and white", set(levels) <= {BLACK, WHITE})
             if not has_labels:
                 host.equal(f"{name}:{variant} has no labels", drawn, plain)
         movie, _ = decode_movie(host, draw(host, name, *size, "--labels", "--animate", "3"), f"{name} with labels")
-        host.check(f"{name}: every frame has labels", movie == [picture.decode(draw(
+        host.check(f"{name}: every frame has labels", movie == [png.decode(draw(
             host, name, *size, "--labels", "--frame", str(i * frames // 3))).rows for i in range(3)])

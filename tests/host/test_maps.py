@@ -3,7 +3,7 @@
 import os
 
 from harness import MODELS
-import picture
+import png
 
 UNJUDGED = (70, 70, 70)
 TORUS = ["torus:48x24", "--format", "rgb565"]
@@ -26,7 +26,7 @@ def test_the_picture_stays(host):
 def test_heat(host):
     # what 1 bit is off by is known from 8 of them to within 1/510; up to half a step the map goes from black to 70 of blue
     said = draw(host, "render", "torus:48x24", "--format", "mono", "--heat", "heat.png")
-    mono, heat = picture.decode(host.read("out.png")).rows, picture.decode(host.read("heat.png")).rows
+    mono, heat = png.decode(host.read("out.png")).rows, png.decode(host.read("heat.png")).rows
     fine = host.render("torus:48x24", "--format", "grey8").rows
     wanted = [[abs(a[0] - b[0]) / 255 for a, b in zip(r, s)] for r, s in zip(fine, mono)]
     off = max(abs(p[2] / 140 - w) for r, s in zip(heat, wanted) for p, w in zip(r, s) if p != UNJUDGED)

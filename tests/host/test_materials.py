@@ -5,7 +5,7 @@ import re
 import shutil
 import subprocess
 
-import picture
+import png
 from test_convert import STRICT, fnv1a
 
 # Two squares beside each other that face the camera, the left one of the first material.
@@ -63,7 +63,7 @@ def test_formulas(host):
         run = host.run("render", "pair.obj", *VIEW, *LIGHT, "-o", "pair.png")
         host.equal(f"{name}: the other material is missing", (run.returncode, run.stderr),
                    (0, "pair.obj:10: warning: 'blue' is not among the materials: the default one stands\n"))
-        image = picture.decode(host.read("pair.png"))
+        image = png.decode(host.read("pair.png"))
         host.check(f"{name}", close(image.at(36, 24), colour), f"{image.at(36, 24)}, not {colour}")
         host.check(f"{name}: the default", close(image.at(60, 24), (1.1,) * 3), str(image.at(60, 24)))
         os.remove(host.path("pair.png"))

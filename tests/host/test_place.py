@@ -3,7 +3,7 @@
 import os
 import re
 
-import picture
+import png
 from harness import MODELS, torus_text
 from test_convert import mesh
 
@@ -26,7 +26,7 @@ def noted(host, name, *options, pattern):
     run = host.run("render", name, *options, "-o", "placed.png")
     host.check(f"{name} {' '.join(options)} is said to be scaled", run.returncode == 0 and
                re.fullmatch(re.escape(name) + pattern, run.stderr) is not None, f"{run.returncode} {run.stderr!r}")
-    image = picture.decode(host.read("placed.png"))
+    image = png.decode(host.read("placed.png"))
     os.remove(host.path("placed.png"))
     return image
 

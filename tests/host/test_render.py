@@ -6,7 +6,7 @@ import resource
 import signal
 
 from harness import MODELS, ROOT, SQUARE, SQUARE_VIEW
-import picture
+import png
 
 BLACK = (0, 0, 0)
 TORUS = ["torus:24x12", "--eye", "1,1.5,3.2"]
@@ -21,7 +21,7 @@ def near(pixel, wanted, steps=1):
 
 def test_defaults(host):
     plain = host.render_bytes("torus:24x12")
-    image = picture.decode(plain)
+    image = png.decode(plain)
     host.equal("default size and format", (image.width, image.height, image.channels), (320, 240, 3))
     host.equal("default background", image.at(0, 0), BLACK)
     spelled = host.render_bytes("torus:24x12", "--size", "320x240", "--format", "rgb888", "--up", "0,1,0", "--fov", "45",
@@ -279,7 +279,7 @@ def test_output(host):
 def test_demo(host):
     run = host.run("demo", "--models", MODELS, "-o", "sheet.png")
     host.equal("demo names its file last", (run.returncode, run.stdout.splitlines()[-1:]), (0, ["sheet.png"]))
-    image = picture.decode(host.read("sheet.png"))
+    image = png.decode(host.read("sheet.png"))
     os.remove(host.path("sheet.png"))
     host.equal("demo size", (image.width, image.height), (960, 720))
     for x, y, width, height in [(0, 0, 640, 480), (640, 0, 320, 240), (640, 240, 320, 240), (0, 480, 320, 240),

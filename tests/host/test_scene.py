@@ -5,7 +5,7 @@ import re
 import struct
 import zlib
 
-import picture
+import png
 from test_render import STATS
 
 SMALL = ["--size", "64x48"]
@@ -44,7 +44,7 @@ def test_names(host):
 
 def test_every_variant(host):
     for name, (width, height, _, variants) in scenes(host).items():
-        image = picture.decode(draw(host, name))
+        image = png.decode(draw(host, name))
         host.equal(f"{name}: composed size", (image.width, image.height, image.channels), (width, height, 3))
         host.equal(f"{name}: the first variant is the default", draw(host, name, *SMALL),
                    draw(host, f"{name}:{variants[0]}", *SMALL))
@@ -63,12 +63,12 @@ def test_frames(host):
 
 
 def test_options(host):
-    plain = picture.decode(draw(host, "teapot"))
+    plain = png.decode(draw(host, "teapot"))
     for options in (["--format", "grey4"], ["--format", "rgb565"], ["--dither", "--format", "rgb565"], ["--gamma", "2.2"],
                     ["--frame", "3"], SMALL):
-        host.check(f"scene {' '.join(options)}", picture.decode(draw(host, "teapot", *options)).rows != plain.rows)
+        host.check(f"scene {' '.join(options)}", png.decode(draw(host, "teapot", *options)).rows != plain.rows)
     for options in (["--tile", "8x64"], ["--tile", "64x8"], ["--arena", "30000"], ["--gamma", "1"], ["--format", "rgb888"]):
-        host.equal(f"scene {' '.join(options)}", picture.decode(draw(host, "teapot", *options)).rows, plain.rows)
+        host.equal(f"scene {' '.join(options)}", png.decode(draw(host, "teapot", *options)).rows, plain.rows)
     run = host.run("scene", "teapot", "--stats", "-o", "scene.png")
     os.remove(host.path("scene.png"))
     host.equal("scene --stats", [line.split(" ")[0] for line in run.stdout.splitlines()],
@@ -77,7 +77,7 @@ def test_options(host):
 
 def decode_movie(host, data, name):
     """[rows of each frame] and [delay] of an APNG, whose structure is checked on the way."""
-    parts = picture.chunks(data)
+    parts = png.chunks(data)
     width, height, _, colour = struct.unpack(">IIBB", parts[0][1][:10])
     step = 3 if colour == 2 else 1
     kinds = [kind for kind, _ in parts]
@@ -95,7 +95,7 @@ def decode_movie(host, data, name):
         raw, above = zlib.decompress(body if kind == b"IDAT" else body[4:]), bytes(wide * step)
         for y in range(high):
             line = raw[y * (wide * step + 1):(y + 1) * (wide * step + 1)]
-            above = picture.unfilter(line[0], line[1:], above, step)
+            above = png.unfilter(line[0], line[1:], above, step)
             at = ((top + y) * width + left) * step
             canvas[at:at + wide * step] = above
         frames.append([[tuple(canvas[(y * width + x) * step:(y * width + x + 1) * step]) for x in range(width)]
@@ -109,7 +109,7 @@ def test_animation(host):
         for count, options in ((1, SMALL), (5, SMALL), (3, [*SMALL, "--format", "grey4", "--dither"])):
             title = f"{name} in {count}"
             movie, delays = decode_movie(host, draw(host, name, *options, "--animate", str(count)), title)
-            stills = [picture.decode(draw(host, name, *options, "--frame", str(i * frames // count))).rows for i in range(count)]
+            stills = [png.decode(draw(host, name, *options, "--frame", str(i * frames // count))).rows for i in range(count)]
             host.check(f"{title}: its frames are the stills", movie == stills)
             host.check(f"{title}: at 25 of its own a second", all(n / d * count == frames / 25 for n, d in delays), str(delays))
     host.equal("same scene, same bytes", draw(host, "teapot", *SMALL, "--animate", "4"),

@@ -12,14 +12,15 @@ import os
 import re
 import sys
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
+import markdown  # noqa: E402
 from tree import FIRMWARE, LINK, path, paths, read, run
 from qemu import Tally
 
 CORES = {"Cortex-M3": ["-mcpu=cortex-m3", "-mthumb", "-ffreestanding"],
          "Cortex-M0": ["-mcpu=cortex-m0", "-mthumb", "-ffreestanding"]}
 ROWS = [(core, level) for core in CORES for level in ("Os", "O2")]
-HEAD = "| minimal.c, two files | flash with 0 | flash with 1 | RAM with 0 | RAM with 1 |\n| --- | ---: | ---: | ---: | ---: |\n"
-BEGIN, END = "<!-- options -->\n", "<!-- end of options -->\n"
+HEAD = ["minimal.c, two files", "flash with 0", "flash with 1", "RAM with 0", "RAM with 1"]
 
 # A figure of the page may be off by so much of itself.
 MOST = 0.02
@@ -53,8 +54,12 @@ def measured_rows(b, rows):
     lines = {}
     for (core, level), (whole, split) in found.items():
         (flash0, ram0), (flash1, ram1) = whole.result(), split.result()
-        lines[core, level] = "| %s, `-%s` | %d | %d | %d | %d |\n" % (core, level, flash0, flash1, ram0, ram1)
+        lines[core, level] = ["%s, `-%s`" % (core, level)] + list(map(str, (flash0, flash1, ram0, ram1)))
     return lines
+
+
+def page_table(rows):
+    return markdown.table(HEAD, rows, right=range(1, 5))
 
 
 def is_near(says, built):
@@ -70,13 +75,13 @@ def main():
     parser.add_argument("--write", action="store_true")
     parser.add_argument("variants", nargs="*")
     arguments = parser.parse_args()
-    before, rest = read("docs/packages.md").split(BEGIN)
-    old, after = rest.split(END)
+    page = read("docs/packages.md")
+    old = markdown.split(page, "options")[1].splitlines(keepends=True)
     picked = ROWS if arguments.seed is None else [ROWS[arguments.seed % len(ROWS)]]
     measured = measured_rows(arguments.build, picked)
     if arguments.write:
         with open(path("docs/packages.md"), "w", encoding="utf-8") as file:
-            file.write(before + BEGIN + HEAD + "".join(measured.values()) + END + after)
+            file.write(markdown.fill(page, "options", page_table(measured.values())))
         return 0
     tally = Tally()
     default = macros("")
@@ -84,9 +89,10 @@ def main():
         wanted = dict(default, **dict(SETS[part] for part in variant.split("-")))
         got = macros(flags)
         tally.check(all(got[name] == wanted[name] for name, _ in SETS.values()), "%s: sets %s" % (variant, got))
-    shown = dict(zip(ROWS, old[len(HEAD):].splitlines(keepends=True)))
-    tally.check(old == HEAD + "".join(shown.values()) and all(is_near(shown[row], line) for row, line in measured.items()),
-                "docs/packages.md: another table than `make figures` writes:\n" + "".join(measured.values()))
+    head, shown = page_table([]), dict(zip(ROWS, old[2:]))
+    tally.check(old == head.splitlines(keepends=True) + list(shown.values()) and
+                all(is_near(shown[row], markdown.row(cells)) for row, cells in measured.items()),
+                "docs/packages.md: another table than `make figures` writes:\n" + page_table(measured.values()))
     return tally.close()
 
 

@@ -5,11 +5,11 @@ import os
 import subprocess
 import sys
 import tempfile
-import zlib
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "board"))
 from qemu import Tally  # noqa: E402
+from picture import png  # noqa: E402
 
 TOOL = os.path.join(HERE, "..", "..", "tools", "panel", "picture.py")
 WIDTH, HEIGHT = 128, 64
@@ -22,23 +22,8 @@ SELECT, DC, CLOCK, BIT = 3, 4, 5, 6
 
 
 def wanted():
-    """Which pixels are lit, row by row: bytes are columns of 8, the top one lowest."""
-    return [MEMORY[y // 8 * WIDTH + x] >> y % 8 & 1 for y in range(HEIGHT) for x in range(WIDTH)]
-
-
-def read_png(path):
-    """@return width, height, whether each pixel is white"""
-    with open(path, "rb") as file:
-        data = file.read()
-    at, parts = 8, {}
-    while at < len(data):
-        length, kind = int.from_bytes(data[at:at + 4], "big"), data[at + 4:at + 8]
-        parts[kind] = parts.get(kind, b"") + data[at + 8:at + 8 + length]
-        at += 12 + length
-    width, height = (int.from_bytes(parts[b"IHDR"][i:i + 4], "big") for i in (0, 4))
-    raw, row = zlib.decompress(parts[b"IDAT"]), 3 * width + 1
-    return width, height, [int(raw[y * row + 1 + 3 * x:y * row + 4 + 3 * x] == b"\xff\xff\xff")
-                           for y in range(height) for x in range(width)]
+    """Lit pixels are white: bytes are columns of 8, the top one lowest."""
+    return [[(255 * (MEMORY[y // 8 * WIDTH + x] >> y % 8 & 1),) * 3 for x in range(WIDTH)] for y in range(HEIGHT)]
 
 
 def written(address, value):
@@ -118,7 +103,7 @@ class Tool:
         self.tally.check(said in done.stdout, "%s: %s" % (what, done.stdout))
 
     def check_picture(self, what, pixels):
-        self.tally.check(os.path.exists(self.picture) and read_png(self.picture) == (WIDTH, HEIGHT, pixels), what + ": another picture")
+        self.tally.check(os.path.exists(self.picture) and png.read(self.picture).rows == pixels, what + ": another picture")
 
 
 def test_wirings(tool):
@@ -126,7 +111,7 @@ def test_wirings(tool):
         tool.run(wiring.__name__, trace_of(wiring()), wiring.flags, 0, " 0 complaints")
         tool.check_picture(wiring.__name__, wanted())
     tool.run("turned", trace_of(Held()), Held.flags + ["--turn", "180"], 0)
-    tool.check_picture("turned", wanted()[::-1])
+    tool.check_picture("turned", [row[::-1] for row in wanted()[::-1]])
 
 
 def test_text(tool):

@@ -9,10 +9,14 @@ With --check the page must be what it is written as; with --page-only it is writ
 """
 import argparse
 import concurrent.futures
+import os
 import pathlib
 import re
 import subprocess
 import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
+import markdown  # noqa: E402
 
 # Without the plug-ins that EVA does not need, frama-c starts in half the time.
 FLAGS = ("-no-autoload-plugins -load-module eva -machdep gcc_x86_32 -kernel-warn-key annot:missing-spec=inactive -eva "
@@ -123,8 +127,7 @@ proven here. Domains are cut into parts, because EVA keeps a range of each varia
 
 
 def table(heads, rows):
-    lines = [heads, ["---"] * len(heads)] + sorted(rows)
-    return "".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |\n" for line in lines)
+    return markdown.table(heads, [[cell.replace("|", "\\|") for cell in row] for row in sorted(rows)])
 
 
 def plain(text):

@@ -8,11 +8,13 @@ REGIONS holds the first table as it is to stand; SEARCH.csv is search.py's.
 import argparse
 import csv
 import difflib
+import os
 import sys
 
 from search import search
 
-BEGIN, END = "<!-- begin of the %s -->\n", "<!-- end of the %s -->\n"
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
+from markdown import fill, table  # noqa: E402
 
 
 def percent(part, whole):
@@ -22,26 +24,18 @@ def percent(part, whole):
 def describe_search(rows):
     total = {name: sum(int(row[name]) for row in rows) for name in
              ("scenes", "judged", "left_out", "over_fine", "over_one", "over_two", "missed")}
-    lines = ["%d scenes from seed %s, %d pixels judged. Left out beyond a bound: %d." % (
-        total["scenes"], rows[0]["first_seed"], total["judged"], total["left_out"]), "",
-        "| region | scenes | pixels | % beyond the bound | beyond one step | beyond two | wrongly covered "
-        "| left out | worst, of its bound | its seed |", "| --- |" + " ---: |" * 9]
+    head = ["region", "scenes", "pixels", "% beyond the bound", "beyond one step", "beyond two", "wrongly covered", "left out",
+            "worst, of its bound", "its seed"]
+    lines = []
     for row in rows:
         judged = int(row["judged"])
-        lines.append("| %s | %s | %d | %s | %s | %s | %s | %s | %.2f of %.2f | %s |" % (
-            row["region"] + ("" if row["in_contract"] == "1" else " (beyond the contract)"), row["scenes"], judged,
-            percent(int(row["over_fine"]), judged), row["over_one"], row["over_two"], row["missed"], row["left_out"],
-            float(row["worst"]), float(row["bound"]), row["worst_seed"]))
-    lines.append("| **all** | %d | %d | %s | %d | %d | %d | %d | | |" % (
-        total["scenes"], total["judged"], percent(total["over_fine"], total["judged"]), total["over_one"],
-        total["over_two"], total["missed"], total["left_out"]))
-    return "\n".join(lines) + "\n"
-
-
-def replace(text, name, table):
-    begin, end = BEGIN % name, END % name
-    before, rest = text.split(begin, 1)
-    return before + begin + table + end + rest.split(end, 1)[1]
+        lines.append([row["region"] + ("" if row["in_contract"] == "1" else " (beyond the contract)"), row["scenes"], row["judged"],
+                      percent(int(row["over_fine"]), judged), row["over_one"], row["over_two"], row["missed"], row["left_out"],
+                      "%.2f of %.2f" % (float(row["worst"]), float(row["bound"])), row["worst_seed"]])
+    lines.append(["**all**", str(total["scenes"]), str(total["judged"]), percent(total["over_fine"], total["judged"])] +
+                 [str(total[name]) for name in ("over_one", "over_two", "missed", "left_out")] + ["", ""])
+    return "%d scenes from seed %s, %d pixels judged. Left out beyond a bound: %d.\n\n" % (
+        total["scenes"], rows[0]["first_seed"], total["judged"], total["left_out"]) + table(head, lines, right=range(1, 10))
 
 
 def check_worst(program, rows):
@@ -79,10 +73,10 @@ def main():
     with open(arguments.page) as file:
         page = file.read()
     with open(arguments.regions) as file:
-        text = replace(page, "regions", file.read())
+        text = fill(page, "regions", file.read())
     with open(arguments.search, newline="") as file:
         rows = list(csv.DictReader(file))
-    text = replace(text, "search", describe_search(rows))
+    text = fill(text, "search", describe_search(rows))
     if arguments.check:
         return check(text, page, rows, arguments.program)
     with open(arguments.page, "w") as file:

@@ -9,8 +9,8 @@ import tempfile
 import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path.insert(0, os.path.join(ROOT, "tests", "host"))
-from picture import Picture  # noqa: E402
+sys.path.insert(0, os.path.join(ROOT, "tools"))
+import png  # noqa: E402
 
 DEADLINE = 30  # seconds until what should show counts as missing; nothing waits longer than it takes
 
@@ -137,7 +137,7 @@ class Window:
         for row in self.blocks()[scale // 2::scale]:
             columns = [row[3 * (scale // 2) + c::3 * scale] for c in range(3)]
             rows.append(list(zip(*columns)))
-        return Picture(self.size[0], self.size[1], 3, rows)
+        return png.Picture(self.size[0], self.size[1], 3, rows)
 
     def read(self, left, top, right, bottom, scale=2):
         """Lines of text in a part of the canvas, each as far as its glyphs are known."""

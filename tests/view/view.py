@@ -10,10 +10,9 @@ import sys
 import traceback
 
 import drop
-from screen import ROOT, Screen, Window, until
+from screen import ROOT, Screen, Window, png, until
 
 sys.path.insert(0, os.path.join(ROOT, "tests", "host"))
-import picture  # noqa: E402
 from harness import Host  # noqa: E402
 
 UNJUDGED = (70, 70, 70)  # in the map of errors
@@ -37,7 +36,7 @@ class Test(Host):
         run = self.run(command, *arguments, "-o", "out.png")
         if run.returncode != 0:
             raise AssertionError(run.stderr)
-        return [[pixel * (3 // len(pixel)) for pixel in row] for row in picture.decode(self.read("out.png")).rows]
+        return [[pixel * (3 // len(pixel)) for pixel in row] for row in png.decode(self.read("out.png")).rows]
 
     def shows(self, name, window, wanted):
         """The window comes to show these rows."""
@@ -422,11 +421,11 @@ def test_screenshot(test):
     window.keys("F2")
     test.check("F2", until(lambda: files(window, ".png") == ["torus_48x24-1.png"]), str(os.listdir(window.folder.name)))
     with open(os.path.join(window.folder.name, "torus_48x24-1.png"), "rb") as file:
-        test.equal("F2: the picture", picture.decode(file.read()).rows, start)
+        test.equal("F2: the picture", png.decode(file.read()).rows, start)
     window.keys("w", "F2")
     test.check("F2: another", until(lambda: files(window, ".png") == ["torus_48x24-1.png", "torus_48x24-2.png"]))
     with open(os.path.join(window.folder.name, "torus_48x24-2.png"), "rb") as file:
-        test.equal("F2: the map", picture.decode(file.read()).rows, window.picture().rows)
+        test.equal("F2: the map", png.decode(file.read()).rows, window.picture().rows)
     window.close()
 
 
@@ -450,7 +449,7 @@ def check_exported(test, window, name):
     test.check(f"{name} is drawn", run.returncode == 0 and passes, f"{run.returncode} {run.stdout}")
     test.says(f"{name}: in as many passes", window, rf"{passes[1]} pass(es)?, \d+ tiles")
     with open(os.path.join(window.folder.name, "exported.png"), "rb") as file:
-        drawn = [[pixel * (3 // len(pixel)) for pixel in row] for row in picture.decode(file.read()).rows]
+        drawn = [[pixel * (3 // len(pixel)) for pixel in row] for row in png.decode(file.read()).rows]
     test.check(f"{name} is the same picture", drawn == rows, difference(drawn, rows))
     return rows
 

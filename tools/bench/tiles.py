@@ -4,7 +4,11 @@
 the page has others; with --write too, puts them into the page, between its markers."""
 import argparse
 import csv
+import os
 import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from markdown import fill, table  # noqa: E402
 
 SIZES = ("16x16", "32x16", "32x32", "64x32", "64x64")
 SCENE, VARIANT = "torus2304", "320x240 local "
@@ -15,16 +19,15 @@ def read(path):
         return list(csv.DictReader(file))
 
 
-def table(frames, arenas):
-    lines = ["| %s at 320x240 | " % SCENE + " | ".join(SIZES) + " |", "| --- |" + " --- |" * len(SIZES)]
+def sizes(frames, arenas):
+    rows = []
     for cpu, title in (("m3", "Cortex-M3"), ("m0", "ARMv6-M")):
         counts = {row["variant"]: int(row["instructions"]) for row in frames
                   if row["name"] == SCENE and row["cpu"] == cpu}
-        lines.append("| million instructions, %s | " % title +
-                     " | ".join("%.2f" % (counts[VARIANT + size] / 1e6) for size in SIZES) + " |")
+        rows.append(["million instructions, %s" % title] + ["%.2f" % (counts[VARIANT + size] / 1e6) for size in SIZES])
     smallest = {row["variant"]: int(row["least"]) for row in arenas if row["name"] == SCENE}
-    lines.append("| smallest arena, bytes | " + " | ".join("%d" % smallest[VARIANT + size] for size in SIZES) + " |")
-    return "\n".join(lines) + "\n"
+    rows.append(["smallest arena, bytes"] + ["%d" % smallest[VARIANT + size] for size in SIZES])
+    return table(["%s at 320x240" % SCENE, *SIZES], rows)
 
 
 SHARES = ("half", "quarter", "sixteenth")
@@ -36,13 +39,12 @@ def shares(frames, arenas):
     counts = {(row["name"], row["variant"]): int(row["instructions"]) for row in frames
               if row["name"] in MESHES and row["cpu"] == "m3"}
     best = {row["name"]: int(row["one_pass"]) for row in arenas if row["variant"] == VARIANT + "32x32"}
-    lines = ["| 320x240, Cortex-M3 | one pass, bytes | " + " | ".join(SHARES) + " |",
-             "| --- | --- |" + " --- |" * len(SHARES)]
+    rows = []
     for mesh in MESHES:
         whole = counts[mesh, VARIANT + "32x32"]
-        lines.append("| %s | %d | " % (mesh, best[mesh]) +
-                     " | ".join("%.1f" % (counts[mesh, VARIANT + "32x32 " + share] / whole) for share in SHARES) + " |")
-    return "\n".join(lines) + "\n"
+        rows.append([mesh, "%d" % best[mesh]] +
+                    ["%.1f" % (counts[mesh, VARIANT + "32x32 " + share] / whole) for share in SHARES])
+    return table(["320x240, Cortex-M3", "one pass, bytes", *SHARES], rows)
 
 
 def main():
@@ -53,7 +55,7 @@ def main():
     parser.add_argument("arenas")
     arguments = parser.parse_args()
     frames, arenas = read(arguments.frames), read(arguments.arenas)
-    texts = {"tile sizes": table(frames, arenas), "arena shares": shares(frames, arenas)}
+    texts = {"tile sizes": sizes(frames, arenas), "arena shares": shares(frames, arenas)}
     if not arguments.page:
         sys.stdout.write("\n".join(texts.values()))
         return 0
@@ -61,8 +63,7 @@ def main():
         page = file.read()
     wanted = page
     for name, text in texts.items():
-        head, rest = wanted.split("<!-- %s -->\n" % name)
-        wanted = head + "<!-- %s -->\n" % name + text + "<!-- end of" + rest.split("<!-- end of", 1)[1]
+        wanted = fill(wanted, name, text)
     if arguments.write:
         with open(arguments.page, "w") as file:
             file.write(wanted)

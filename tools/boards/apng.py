@@ -1,8 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Animated PNG files (PNG specification, third edition), of frames that each hold the rectangle that changed."""
 import collections
+import os
 import struct
+import sys
 import zlib
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from png import SIGNATURE, chunk, chunks, head  # noqa: E402
 
 # A rectangle of a picture: rows behind their filters, not yet compressed.
 Part = collections.namedtuple("Part", "x y width height rows")
@@ -39,11 +44,7 @@ def parts_of(pictures, width, height):
 
 def write(path, parts, milliseconds):
     """The first part is the whole picture; each stays so long."""
-    def chunk(kind, body):
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-
-    out = [b"\x89PNG\r\n\x1a\n", chunk(b"IHDR", struct.pack(">2I5B", parts[0].width, parts[0].height, 8, 2, 0, 0, 0)),
-           chunk(b"acTL", struct.pack(">2I", len(parts), 0))]
+    out = [SIGNATURE, head(parts[0].width, parts[0].height, 8, 2), chunk(b"acTL", struct.pack(">2I", len(parts), 0))]
     sequence = 0
     for i, (part, stays) in enumerate(zip(parts, milliseconds)):
         out.append(chunk(b"fcTL", struct.pack(">5I2H2B", sequence, part.width, part.height, part.x, part.y, stays, 1000, 0, 0)))
@@ -56,17 +57,14 @@ def write(path, parts, milliseconds):
 
 def read(path):
     """Parts of a file that `write` wrote, and how many milliseconds each stays."""
+    parts, stays, place = [], [], None
     with open(path, "rb") as file:
         data = file.read()
-    parts, stays, place, at = [], [], None, 8
-    while at < len(data):
-        length, kind = struct.unpack_from(">I4s", data, at)
-        body = data[at + 8:at + 8 + length]
+    for kind, body in chunks(data):
         if kind == b"fcTL":
             _, width, height, x, y, milliseconds = struct.unpack_from(">5IH", body)
             place = (x, y, width, height)
             stays.append(milliseconds)
         elif kind in (b"IDAT", b"fdAT"):
             parts.append(Part(*place, zlib.decompress(body[4 if kind == b"fdAT" else 0:])))
-        at += 12 + length
     return parts, stays

@@ -12,18 +12,18 @@ import argparse
 import csv
 import os
 import re
-import subprocess
 import sys
 import tempfile
-import zlib
 
 HERE = os.path.dirname(__file__)
-sys.path += [os.path.join(HERE, "..", "stack"), os.path.join(HERE, "..", "..", "tests", "board")]
+sys.path += [os.path.join(HERE, ".."), os.path.join(HERE, "..", "stack"), os.path.join(HERE, "..", "..", "tests", "board")]
 import animate  # noqa: E402
 import apng  # noqa: E402
+import png  # noqa: E402
 import show  # noqa: E402
 import stack  # noqa: E402
 import times  # noqa: E402
+from markdown import fill, table  # noqa: E402
 
 PICTURE, PICTURE_OF_ONE_MODEL = "teapot-0", "torus576-0"
 
@@ -55,22 +55,22 @@ def read_size(path):
         return map(int, re.search(r"flash (\d+) \(library (\d+)\), RAM (\d+) \(stack (\d+)\)", file.read()).groups())
 
 
-def measure_board(build, table, board):
+def measure_board(build, costs, board):
     """@return flash, of it the library, RAM, the deepest stack and what is reserved for it, in bytes"""
     elf = "%s/%s/release/show.elf" % (build, board)
     flash, library, ram, reserved = read_size(elf[:-len(".elf")] + ".size")
-    return flash, library, ram, stack.check(elf, stack.read(elf, table))[0], reserved
+    return flash, library, ram, stack.check(elf, stack.read(elf, costs))[0], reserved
 
 
-def table_of_boards(build, table):
-    lines = ["| board | core | emulator | panel | bus | pixels go | flash | of it glint | RAM | stack, at most | shows | command |",
-             "| --- | --- | --- | --- | --- | --- | ---: | ---: | ---: | ---: | --- | --- |"]
+def table_of_boards(build, costs):
+    head = ["board", "core", "emulator", "panel", "bus", "pixels go", "flash", "of it glint", "RAM", "stack, at most", "shows", "command"]
+    lines = []
     for row in read_boards():
-        lines.append("| %s | %s | %s | %s | %s | %s | %d | %d | %d | %d of %d | ![%s](boards/%s.png) | `make run BOARD=%s` |" % (
-            row["name"], row["core"], row["emulator"], row["panel"], row["bus"], row["sent"],
-            *measure_board(build, table, row["board"]), row["board"], row["board"],
-            row["board"] + (" PROGRAM=animate" if is_in_colour(row) else "")))
-    return lines
+        name, (*sizes, worst, reserved) = row["board"], measure_board(build, costs, row["board"])
+        lines.append([row[key] for key in ("name", "core", "emulator", "panel", "bus", "sent")] + list(map(str, sizes)) +
+                     ["%d of %d" % (worst, reserved), "![%s](boards/%s.png)" % (name, name),
+                      "`make run BOARD=%s`" % (name + (" PROGRAM=animate" if is_in_colour(row) else ""))])
+    return table(head, lines, right=range(6, 10))
 
 
 def is_in_colour(row):
@@ -104,13 +104,12 @@ def cell_of_scene(page, taken, board, scene):
 
 def table_of_scenes(build, page, taken):
     rows = {row["board"]: row for row in read_boards()}
-    lines = ["| | " + " | ".join("%s: %s at %.0f MHz<br>%s, %s, %s" % (
+    head = ["%s: %s at %.0f MHz<br>%s, %s, %s" % (
         rows[board]["name"], rows[board]["core"], times.TIMED[board].clock / 1e6, rows[board]["panel"], rows[board]["bus"],
-        rows[board]["sent"]) for board in SCENE_BOARDS) + " |", "| --- |" + " --- |" * len(SCENE_BOARDS)]
-    for scene in animate.SCENES:
-        lines.append("| %s | " % scene + " | ".join(cell_of_scene(page, taken, board, scene) for board in SCENE_BOARDS) + " |")
+        rows[board]["sent"]) for board in SCENE_BOARDS]
+    lines = [[scene] + [cell_of_scene(page, taken, board, scene) for board in SCENE_BOARDS] for scene in animate.SCENES]
     sizes = [tuple(read_size("%s/%s/O2/animate.size" % (build, board))) for board in SCENE_BOARDS]
-    return lines + ["| bytes | " + " | ".join("flash %d, of it glint %d<br>RAM %d, of it stack %d" % size for size in sizes) + " |"]
+    return table(["", *head], lines + [["bytes"] + ["flash %d, of it glint %d<br>RAM %d, of it stack %d" % size for size in sizes]])
 
 
 def movie_of(directory):
@@ -133,45 +132,23 @@ def instructions_until(stream):
                 re.findall(r"^# instructions (\d+) nanoseconds \d+ bus \d+\nP (\S+)\.ppm$", file.read(), re.M)}
 
 
-def table_of_readme(build, table, stream):
+def table_of_readme(build, costs, stream):
     """Flash, RAM, stack and instructions of one and the same firmware."""
     board = next(row for row in read_boards() if row["board"] == README_BOARD)
-    flash, library, ram, worst, reserved = measure_board(build, table, README_BOARD)
+    flash, library, ram, worst, reserved = measure_board(build, costs, README_BOARD)
     until = instructions_until(stream)
-    return ["| %s: %s, %s | |" % (board["name"], board["core"], board["panel"]), "| --- | ---: |",
-            "| flash, bytes | %d, of it glint %d |" % (flash, library),
-            "| RAM, bytes, stack and arena included | %d |" % ram,
-            "| stack, bytes, at most | %d of %d |" % (worst, reserved)] + [
-                "| instructions a frame: %s | %d |" % (title, until[name + "-1"] - until[name + "-0"])
-                for title, name in README_FRAMES]
+    return table(["%s: %s, %s" % (board["name"], board["core"], board["panel"]), ""], [
+        ["flash, bytes", "%d, of it glint %d" % (flash, library)], ["RAM, bytes, stack and arena included", "%d" % ram],
+        ["stack, bytes, at most", "%d of %d" % (worst, reserved)]] + [
+            ["instructions a frame: " + title, "%d" % (until[name + "-1"] - until[name + "-0"])]
+            for title, name in README_FRAMES], right=[1])
 
 
-def table_of_entries(build, table):
-    lines = ["| function | " + " | ".join(core for core, _ in ENTRY_CORES) + " |", "| --- |" + " ---: |" * len(ENTRY_CORES)]
+def table_of_entries(build, costs):
     headers = [os.path.join(HERE, "..", "..", "src", name) for name in ("glint.h", "glint_extras.h")]
-    found = [stack.entries(stack.read("%s/%s/O2/frames.elf" % (build, board), table), headers) for _, board in ENTRY_CORES]
-    for entry in ENTRIES:
-        lines.append("| `%s` | " % entry + " | ".join(str(by_core[entry]) for by_core in found) + " |")
-    return lines
-
-
-def fill(page, name, lines):
-    """The page with what stands between its markers of this name replaced."""
-    begin, end = "<!-- %s -->\n" % name, "<!-- end of %s -->\n" % name
-    head, rest = page.split(begin)
-    return head + begin + "\n".join(lines) + "\n" + end + rest.split(end)[1]
-
-
-def pixels(png):
-    """Of a picture that show.write_png wrote."""
-    with open(png, "rb") as file:
-        data = file.read()
-    at, body = 8, b""
-    while at < len(data):
-        length, kind = int.from_bytes(data[at:at + 4], "big"), data[at + 4:at + 8]
-        body += data[at + 8:at + 8 + length] if kind in (b"IHDR", b"IDAT") else b""
-        at += 12 + length
-    return body[:13] + zlib.decompress(body[13:])
+    found = [stack.entries(stack.read("%s/%s/O2/frames.elf" % (build, board), costs), headers) for _, board in ENTRY_CORES]
+    return table(["function"] + [core for core, _ in ENTRY_CORES],
+                 [["`%s`" % entry] + [str(by_core[entry]) for by_core in found] for entry in ENTRIES], right=range(1, 4))
 
 
 def pictures_of(row):
@@ -186,10 +163,9 @@ def check_pictures(tally, host, row, pictures):
     """Of a board, against what the host draws for it."""
     with tempfile.TemporaryDirectory() as directory:
         show.draw_on_host(program_of(row), host, show.BOARDS[row["board"]], directory)
-        for png, picture in pictures_of(row).items():
-            drawn, png = os.path.join(directory, "drawn.png"), os.path.join(pictures, png)
-            show.write_png(os.path.join(directory, picture + ".ppm"), drawn)
-            tally.check(os.path.exists(png) and pixels(png) == pixels(drawn), png + " is not what the panel shows: make figures")
+        for file, picture in pictures_of(row).items():
+            path, drawn = os.path.join(pictures, file), show.read_netpbm(os.path.join(directory, picture + ".ppm"))
+            tally.check(os.path.exists(path) and png.read(path).as_bytes() == drawn, path + " is not what the panel shows: make figures")
         if row["board"] == MOVIE_BOARD:
             movie = os.path.join(pictures, MOVIE)
             tally.check(os.path.exists(movie) and apng.read(movie)[0] == movie_of(directory),
@@ -200,8 +176,8 @@ def write_pictures(host, row, pictures, taken):
     """What the panel of a board shows."""
     with tempfile.TemporaryDirectory() as directory:
         show.draw_on_host(program_of(row), host, show.BOARDS[row["board"]], directory)
-        for png, picture in pictures_of(row).items():
-            show.write_png(os.path.join(directory, picture + ".ppm"), os.path.join(pictures, png))
+        for file, picture in pictures_of(row).items():
+            show.write_png(os.path.join(directory, picture + ".ppm"), os.path.join(pictures, file))
         if row["board"] == MOVIE_BOARD:
             write_movie(os.path.join(pictures, MOVIE), directory, taken)
 
@@ -234,15 +210,15 @@ def main():
     for name in ("page", "pictures", "readme"):
         parser.add_argument(name)
     arguments = parser.parse_args()
-    table = stack.read_table()
+    costs = stack.read_table()
     old = {path: text_of(path) for path in (arguments.page, arguments.readme)}
     new = dict(old)
     taken = read_times(arguments.times)
-    for path, name, lines in ((arguments.page, "boards", table_of_boards(arguments.build, table)),
+    for path, name, text in ((arguments.page, "boards", table_of_boards(arguments.build, costs)),
                               (arguments.page, "scenes", table_of_scenes(arguments.build, old[arguments.page], taken)),
-                              (arguments.page, "entries", table_of_entries(arguments.build, table)),
-                              (arguments.readme, "one board", table_of_readme(arguments.build, table, arguments.stream))):
-        new[path] = fill(new[path], name, lines)
+                              (arguments.page, "entries", table_of_entries(arguments.build, costs)),
+                              (arguments.readme, "one board", table_of_readme(arguments.build, costs, arguments.stream))):
+        new[path] = fill(new[path], name, text)
     if arguments.write:
         for path, text in new.items():
             with open(path, "w") as file:

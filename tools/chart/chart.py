@@ -10,6 +10,7 @@ import os
 import re
 import sys
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from charts import CHARTS
 from figures import Figures
 from page import PAGES, fill

@@ -2,7 +2,7 @@
 """What choices cost, beside what they look like: torus576 at 320x240 in the benchmark's light, from `make bench`."""
 import timing
 from figures import one
-from table import table
+from markdown import table
 
 SCENE, SIZE = "torus576", "320x240"
 PART = "STM32F103"

@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: MIT
 """What pages say in figures: each block of text between a page's markers, as a function of the figures."""
-import re
+import os
+import sys
 import textwrap
 
 import cost
 import timing
 from figures import ASKED, CPUS, LIGHTS, front, one, only
-from table import bullets, listed, table
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+import markdown  # noqa: E402
+from markdown import bullets, listed, table  # noqa: E402
 
 EXPONENTS = ("1", "2", "8", "32", "64", "256", "1024")
 
@@ -413,8 +417,5 @@ PAGES = {
 def fill(text, blocks, figures):
     """@return a page's text with what its blocks say now"""
     for name, block in blocks.items():
-        begin, end = "<!-- %s: made by make figures -->\n" % name, "<!-- end of %s -->" % name
-        if text.count(begin) != 1 or text.count(end) != 1:
-            raise ValueError("no block '%s' in the page" % name)
-        text = re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: begin + block(figures) + end, text, flags=re.S)
+        text = markdown.fill(text, name, block(figures))
     return text

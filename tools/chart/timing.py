@@ -3,7 +3,7 @@
 import math
 
 from figures import one
-from table import table
+from markdown import table
 
 # Scene, size and look of `make bench`.
 BENCHMARK = (("torus2304", "320x240", ""), ("torus576", "320x240", ""), ("torus576", "320x240", "8 points"),

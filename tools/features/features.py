@@ -19,11 +19,14 @@ import subprocess
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "bench"))
-from emulate import Tally, library_bytes, lines_of
+from emulate import Tally, library_bytes, lines_of  # noqa: E402
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+import markdown  # noqa: E402
 
 LEVELS = {"Os": "Built for size, `-Os`", "O2": "Built for speed, `-O2`"}
 CORES = {"m3": "Cortex-M3", "m0": "ARMv6-M"}
-BEGIN, END = "<!-- begin of the tables -->\n", "<!-- end of the tables -->\n"
+PART = "tables"  # of the page
 
 # A page's figures may be this far from what another release of the compiler gives.
 TOLERANCE, TOLERANCE_BYTES = 0.03, 48
@@ -154,34 +157,31 @@ def line_of(name, level, rows, cores):
     cells = [name or "the base"]
     for core in cores:
         cells += cells_of(rows[(name, core, level)], rows[("", core, level)])
-    return "| " + " | ".join(cells) + " |\n"
+    return cells
 
 
 def table(level, rows, cores):
     head = ["feature"] + ["%s: %s" % (CORES[core], what) for core in cores
                           for what in ("flash", "flash beside the base", "frame of 320x240", "of 128x64")]
-    text = "| " + " | ".join(head) + " |\n|" + " --- |" * len(head) + "\n" + line_of("", level, rows, cores)
+    lines = [line_of("", level, rows, cores)]
     for title, group in GROUPS:
-        text += "| **%s** |%s\n" % (title, " |" * 4 * len(cores))
-        for name, _ in group:
-            text += line_of(name, level, rows, cores)
-    return text
+        lines += [["**%s**" % title] + [""] * 4 * len(cores)] + [line_of(name, level, rows, cores) for name, _ in group]
+    return markdown.table(head, lines)
 
 
 def section(level, rows, cores):
     return "\n## %s\n\n%s" % (LEVELS[level], table(level, rows, cores))
 
 
-def split_page(path):
+def part_of(path):
     with open(path) as file:
-        before, rest = file.read().split(BEGIN)
-    return before, *rest.split(END)
+        return markdown.split(file.read(), PART)
 
 
 def write_page(path, text):
-    before, _, after = split_page(path)
+    before, _, after = part_of(path)
     with open(path, "w") as file:
-        file.write(before + BEGIN + text + END + after)
+        file.write(before + text + after)
 
 
 def of_cores(line, cores):
@@ -201,7 +201,7 @@ def is_near(kept, now):
 
 def check_section(tally, path, level, cores, text):
     """A level's table of the page against what was measured of some cores."""
-    kept = next((part for part in re.split(r"(?m)^(?=\n## )", split_page(path)[1]) if LEVELS[level] in part), "").rstrip()
+    kept = next((part for part in re.split(r"(?m)^(?=\n## )", part_of(path)[1]) if LEVELS[level] in part), "").rstrip()
     kept = [of_cores(line, cores) for line in ("\n" + kept.lstrip()).splitlines()]
     measured = text.rstrip().splitlines()
     tally.check(len(kept) == len(measured), "the page has %d lines of tables, not %d" % (len(kept), len(measured)))

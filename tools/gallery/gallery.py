@@ -8,6 +8,9 @@ import re
 import subprocess
 import sys
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from markdown import table  # noqa: E402
+
 # What is shown moving, in so many frames, as a panel of 16 bits shows it, which keeps the files small.
 MOVING = {"halloween:night": 24, "phong-lighting:light": 18, "phong-lighting:turning": 18, "phong-lighting:orbit": 18}
 
@@ -126,10 +129,11 @@ def file_of(title):
 def draw_statements(figures):
     page = ""
     for text, statements in TEXTS:
-        page += "\n## %s\n\n| the text | shown in | measured |\n| --- | --- | --- |\n" % text
+        rows = []
         for statement, titles, measured in statements:
             shown = "<br>".join("[%s](%s)" % (title, file_of(title)) for title in titles)
-            page += "| %s | %s | %s |\n" % (statement, shown, fill(measured, figures))
+            rows.append([statement, shown, fill(measured, figures)])
+        page += "\n## %s\n\n%s" % (text, table(["the text", "shown in", "measured"], rows))
     return page
 
 

@@ -19,11 +19,12 @@ import argparse
 import io
 import os
 import re
-import struct
 import subprocess
 import sys
 import tempfile
-import zlib
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+import png  # noqa: E402
 
 STREAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "build", "host", "panel_stream")
 
@@ -56,16 +57,8 @@ def read_netpbm(path):
 
 def write_png(source, target):
     """Writes a PPM as a PNG."""
-    width, height, channels, data = read_netpbm(source)
-    row = width * channels
-    raw = b"".join(b"\0" + data[y * row:(y + 1) * row] for y in range(height))
-
-    def chunk(kind, body):
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-
     with open(target, "wb") as file:
-        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0)) +
-                   chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b""))
+        file.write(png.encode(*read_netpbm(source)))
 
 
 # ---- A bus as its registers show it

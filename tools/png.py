@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A PNG decoder that shares nothing with the writer under test: zlib and CRC are Python's own."""
+"""Reads and writes PNG files for tests and tools; shares nothing with the writer under test: zlib and CRC are Python's own."""
 import struct
 import zlib
 
@@ -15,6 +15,10 @@ class Picture:
     def at(self, x, y):
         return self.rows[y][x]
 
+    def as_bytes(self):
+        """(width, height, channels, bytes)"""
+        return self.width, self.height, self.channels, bytes(level for row in self.rows for pixel in row for level in pixel)
+
     def levels(self, channel=0):
         return {pixel[channel] for row in self.rows for pixel in row}
 
@@ -27,7 +31,23 @@ class Picture:
         return min(columns), min(lines), max(columns), max(lines)
 
 
+def chunk(kind, body):
+    return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+
+def head(width, height, depth, colour, methods=(0, 0, 0)):
+    return chunk(b"IHDR", struct.pack(">2I5B", width, height, depth, colour, *methods))
+
+
+def encode(width, height, channels, data):
+    """A PNG of grey or RGB bytes, without filters."""
+    row = width * channels
+    raw = b"".join(b"\0" + data[y * row:(y + 1) * row] for y in range(height))
+    return SIGNATURE + head(width, height, 8, 2 if channels == 3 else 0) + chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b"")
+
+
 def chunks(data):
+    """[(kind, body)] of a file's bytes, whose order and checksums are right."""
     if data[:8] != SIGNATURE:
         raise ValueError("no PNG signature")
     at, found = 8, []
@@ -86,3 +106,8 @@ def decode(data):
         above = unfilter(line[0], line[1:], above, channels)
         rows.append(list(zip(*(above[c::channels] for c in range(channels)))))
     return Picture(width, height, channels, rows)
+
+
+def read(path):
+    with open(path, "rb") as file:
+        return decode(file.read())
