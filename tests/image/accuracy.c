@@ -12,6 +12,7 @@
 #include "harness.h"
 #include "judge.h"
 #include "picture.h"
+#include "random.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -154,14 +155,6 @@ static void flat_faces(void) {
 }
 
 /* ---- Random scenes ---- */
-
-static uint32_t random_state;
-
-/* From a to b, by a linear congruential generator (Numerical Recipes). */
-static double between(double a, double b) {
-    random_state = random_state * 1664525u + 1013904223u;
-    return a + (b - a) * (random_state >> 8) / 16777216.0;
-}
 
 /* As between, every factor as likely as another. */
 static double between_logs(double a, double b) {

@@ -7,20 +7,13 @@
 #include "glint.h"
 #include "harness.h"
 #include "judge.h"
+#include "random.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #define SIZE 32
-
-static uint32_t random_state;
-
-/* From a to b, by a linear congruential generator (Numerical Recipes). */
-static double between(double a, double b) {
-    random_state = random_state * 1664525u + 1013904223u;
-    return a + (b - a) * (random_state >> 8) / 16777216.0;
-}
 
 static double between_logs(double a, double b) {
     return exp(between(log(a), log(b)));

@@ -8,6 +8,7 @@
 #include "harness.h"
 #include "library_geometry.h"
 #include "picture.h"
+#include "random.h"
 #include "reference.h"
 #include "scenes.h"
 
@@ -34,13 +35,6 @@ typedef struct patch {
 } patch;
 
 static const glint_material white = {.model = &glint_model_blinn_phong, .ambient = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
-
-static uint32_t random_state = 1;
-
-static int random_below(int limit) {
-    random_state = random_state * 1664525u + 1013904223u;
-    return (int)((random_state >> 8) % (unsigned)limit);
-}
 
 static void patch_begin(patch *p) {
     memset(p, 0, sizeof *p);
@@ -137,13 +131,13 @@ static int check_patch(const glint_scene *scene) {
  * half a pixel, puts vertices and edges through pixel centres.
  */
 static void build_fan(patch *p, int spokes, int grid) {
-    int x = (26 * 16 + random_below(12 * 16)) / grid * grid;
-    int y = (26 * 16 + random_below(12 * 16)) / grid * grid;
+    int x = (26 * 16 + any(0, 12 * 16 - 1)) / grid * grid;
+    int y = (26 * 16 + any(0, 12 * 16 - 1)) / grid * grid;
     patch_begin(p);
     patch_vertex(p, x, y);
     for (int i = 0; i < spokes; i++) {
         double angle = -6.283185307 * i / spokes;
-        double radius = 16 * (10 + random_below(18));
+        double radius = 16 * (10 + any(0, 17));
         patch_vertex(p, x + (int)lrint(radius * cos(angle)) / grid * grid,
                      y + (int)lrint(radius * sin(angle)) / grid * grid);
     }
@@ -155,7 +149,7 @@ static void fans(void) {
     static const int grids[4] = {1, 4, 8, 16};
     for (int i = 0; i < 60; i++) {
         static patch p;
-        build_fan(&p, 3 + random_below(12), grids[i % 4]);
+        build_fan(&p, 3 + any(0, 11), grids[i % 4]);
         CHECK(check_patch(&p.scene) > 100);
     }
 }
@@ -165,8 +159,8 @@ static void build_lattice(patch *p, int grid, int jitter) {
     const int pitch = 8 * 16;
     patch_begin(p);
     for (int i = 0; i < 49; i++) {
-        int x = (i % 7 + 1) * pitch + (random_below(2 * jitter + 1) - jitter) / grid * grid;
-        int y = (i / 7 + 1) * pitch + (random_below(2 * jitter + 1) - jitter) / grid * grid;
+        int x = (i % 7 + 1) * pitch + (any(0, 2 * jitter + 1 - 1) - jitter) / grid * grid;
+        int y = (i / 7 + 1) * pitch + (any(0, 2 * jitter + 1 - 1) - jitter) / grid * grid;
         patch_vertex(p, x, y);
     }
     for (int i = 0; i < 36; i++) {
@@ -216,12 +210,12 @@ static void reversed_winding(void) {
 /* A zigzag strip along y, or along x, whose two rails are `width` apart. */
 static void build_sliver_strip(patch *p, int width, int lying) {
     const int corners = 14;
-    int across = 8 + random_below(48 * 16);
-    int along = random_below(8 * 16);
+    int across = 8 + any(0, 48 * 16 - 1);
+    int along = any(0, 8 * 16 - 1);
     patch_begin(p);
     for (int k = 0; k < corners; k++) {
         int a = across + (k & 1 ? width : 0);
-        int b = along + k * 64 + random_below(16);
+        int b = along + k * 64 + any(0, 15);
         patch_vertex(p, lying ? b : a, lying ? a : b);
     }
     for (int k = 0; k + 2 < corners; k++) {
@@ -308,8 +302,8 @@ static void clipped_at_the_guard_band(void) {
         build_lattice(&p, 1, 40);
         for (int axis = 0; axis < 2; axis++)
             p.object.pose.m[axis][axis] = (60 + 13 * i) * GLINT_ONE;
-        p.object.pose.m[0][3] = random_below(20 * GLINT_ONE) - 10 * GLINT_ONE;
-        p.object.pose.m[1][3] = random_below(20 * GLINT_ONE) - 10 * GLINT_ONE;
+        p.object.pose.m[0][3] = any(0, 20 * GLINT_ONE - 1) - 10 * GLINT_ONE;
+        p.object.pose.m[1][3] = any(0, 20 * GLINT_ONE - 1) - 10 * GLINT_ONE;
         CHECK_EQUAL(check_clipped(&p.scene), SIZE * SIZE);
     }
 }
@@ -346,9 +340,9 @@ static void check_closed(int which, double about_x, double about_y, double dista
 
 static void closed_meshes_have_no_holes(void) {
     for (int i = 0; i < 40; i++) {
-        double about_x = random_below(6283) / 1000.0;
-        double about_y = random_below(6283) / 1000.0;
-        double distance = 2.5 + random_below(4000) / 1000.0;
+        double about_x = any(0, 6282) / 1000.0;
+        double about_y = any(0, 6282) / 1000.0;
+        double distance = 2.5 + any(0, 3999) / 1000.0;
         for (int which = 0; which < BENCH_SCENES; which++)
             check_closed(which, about_x, about_y, distance);
     }
@@ -386,9 +380,9 @@ static int check_clustered(int which, double about_x, double about_y, double dis
 static void clustered_meshes_have_no_holes(void) {
     int fewer = 0;
     for (int i = 0; i < 40; i++) {
-        double about_x = random_below(6283) / 1000.0;
-        double about_y = random_below(6283) / 1000.0;
-        double distance = 2.5 + random_below(4000) / 1000.0;
+        double about_x = any(0, 6282) / 1000.0;
+        double about_y = any(0, 6282) / 1000.0;
+        double distance = 2.5 + any(0, 3999) / 1000.0;
         for (int which = 0; which < BENCH_SCENES; which++)
             fewer += check_clustered(which, about_x, about_y, distance, i % 2);
     }

@@ -6,6 +6,7 @@
 #include "glint_extras.h"
 #include "harness.h"
 #include "picture.h"
+#include "random.h"
 #include "scenes.h"
 
 #include <stdlib.h>
@@ -160,10 +161,9 @@ static uint16_t fine_triangles[FINE_TRIANGLES][3];
 
 /* Swaps each triangle with one anywhere. */
 static void shuffle_triangles(void) {
-    uint32_t seed = 1;
+    random_state = 1;
     for (uint32_t i = 0; i < FINE_TRIANGLES; i++) {
-        seed = seed * 1664525 + 1013904223; /* Knuth's and Lewis's */
-        const uint32_t other = (uint32_t)((uint64_t)seed * FINE_TRIANGLES >> 32);
+        const uint32_t other = below(FINE_TRIANGLES);
         for (int c = 0; c < 3; c++) {
             const uint16_t corner = fine_triangles[i][c];
             fine_triangles[i][c] = fine_triangles[other][c];

@@ -5,6 +5,7 @@
 #include "glint_extras.h"
 #include "harness.h"
 #include "picture.h"
+#include "random.h"
 #include "sample.h"
 #include "scenes.h"
 
@@ -285,15 +286,14 @@ static const glint_format *const formats[] = {&glint_format_rgb565, &glint_forma
 
 /* One change after the other, in their order and in others, with arenas with room for tables and without. */
 static void every_change_shows(void) {
-    uint32_t random = 1;
+    random_state = 1;
     for (uint32_t run = 0; run < 36; run++) {
         test_scene scene;
         keeper k;
         build(&scene);
         keeper_open(&k, formats[run % 3], run % 4 == 3 ? 20000 : 200000);
         for (uint32_t i = 0; i < CHANGES; i++) {
-            random = random * 1664525u + 1013904223u; /* Numerical Recipes */
-            const uint32_t which = run < 3 ? i : (random >> 8) % CHANGES;
+            const uint32_t which = run < 3 ? i : below(CHANGES);
             changes[which](&scene);
             if (scene.materials[0].shininess > 1000 * GLINT_ONE)
                 scene.materials[0].shininess = 2 * GLINT_ONE;

@@ -5,6 +5,7 @@
 #include "harness.h"
 #include "library_geometry.h"
 #include "picture.h"
+#include "random.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -14,13 +15,6 @@
 #define WIDTH 150
 #define HEIGHT 101
 #define LINES 40
-
-static uint32_t seed;
-
-static int any(int least, int most) {
-    seed = seed * 1664525u + 1013904223u;
-    return least + (int)((seed >> 8) % (uint32_t)(most - least + 1));
-}
 
 static double real(glint_q16 x) {
     return x / 65536.0;
@@ -117,7 +111,7 @@ static sight see(const glint_scene *scene, const glint_pose *pose, glint_vector 
     return s;
 }
 
-static sight between(const sight *a, const sight *b, double t) {
+static sight point_between(const sight *a, const sight *b, double t) {
     sight s;
     for (int i = 0; i < 3; i++)
         s.place[i] = a->place[i] + (b->place[i] - a->place[i]) * t;
@@ -141,9 +135,9 @@ static int cut(const glint_scene *scene, const glint_pose *pose, const glint_lin
         if (a < 0 && b < 0)
             return 0;
         if (a < 0)
-            s[0] = between(&s[0], &s[1], a / (a - b));
+            s[0] = point_between(&s[0], &s[1], a / (a - b));
         if (b < 0)
-            s[1] = between(&s[0], &s[1], a / (a - b));
+            s[1] = point_between(&s[0], &s[1], a / (a - b));
     }
     for (int i = 0; i < 2; i++) {
         const int is_parallel = scene->camera.projection != NULL;
@@ -198,7 +192,7 @@ static void build(line_scene *s, uint32_t number) {
     scene_build_random(&s->at, number);
     const glint_object *const object = &s->at.objects[0];
     const glint_vector extent = object->mesh->extent;
-    seed = number;
+    random_state = number;
     s->pose = object->pose;
     if (number % 3 == 0) {
         s->at.scene.camera.projection = &glint_orthographic;
@@ -611,7 +605,7 @@ static void extremes_stay_in_their_place(void) {
     test_scene torus;
     int seen = 0, wrong = 0;
     scene_build_named(&torus, "mirrored");
-    seed = 5;
+    random_state = 5;
     for (int i = 0; i < 30000; i++) {
         const glint_config config = i % 256 == 0 ? screen_of(WIDTH, HEIGHT) : screen_of(any(1, 1024), any(1, 1024));
         const glint_vector axis = any_vector(GLINT_ONE);

@@ -5,6 +5,7 @@
 #include "judge.h"
 #include "library_geometry.h"
 #include "picture.h"
+#include "random.h"
 #include "scenes.h"
 #include "stability/contract.h"
 
@@ -14,13 +15,6 @@
 
 #define WIDTH 150
 #define HEIGHT 101
-
-static uint32_t seed;
-
-static int any(int least, int most) {
-    seed = seed * 1664525u + 1013904223u;
-    return least + (int)((seed >> 8) % (uint32_t)(most - least + 1));
-}
 
 /* Makes a scene's camera orthographic: as high as what it sees at the first object's origin. */
 static void make_parallel(glint_scene *scene) {
@@ -106,7 +100,7 @@ static void lights_keep_the_contract(void) {
         s.scene.objects = s.objects;
         s.scene.lights = s.lights;
         s.scene.light_count = 2;
-        seed = number;
+        random_state = number;
         for (int i = 0; i < 2; i++) {
             const int reach = number % 3 ? 2 * GLINT_ONE : 40 * GLINT_ONE;
             const glint_pose *const at = &s.objects[0].pose;
@@ -338,7 +332,7 @@ static void tiles_arenas_and_regions_change_nothing(void) {
         scene_build_random(&s, number);
         make_parallel(&s.scene);
         light_at(&s, (int)(number % 3));
-        seed = number;
+        random_state = number;
         check_same(&s.scene);
     }
     for (unsigned i = 0; i < scene_count; i++) {
@@ -370,7 +364,7 @@ static void viewers_are_the_same(void) {
 
 static void points_are_placed(void) {
     double worst = 0;
-    seed = 1;
+    random_state = 1;
     for (int i = 0; i < 20000; i++) {
         glint_camera camera = {glint_pose_rotate((glint_vector){any(-9, 9), any(-9, 9), 1}, any(0, 359) * GLINT_ONE), 0,
                                GLINT_ONE / 10, &glint_orthographic, any(GLINT_ONE, 200 * GLINT_ONE)};
@@ -468,7 +462,7 @@ static void extremes_are_drawn_or_refused(void) {
         scene_build_random(&s, number);
         make_parallel(&s.scene);
         light_at(&s, (int)(number % 3));
-        seed = number;
+        random_state = number;
         for (uint32_t i = 0; i < s.scene.object_count; i++)
             for (int row = 0; row < 3; row++)
                 for (int column = 0; column < 4; column++)

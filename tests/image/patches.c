@@ -6,6 +6,7 @@
 #include "glint_extras.h"
 #include "harness.h"
 #include "picture.h"
+#include "random.h"
 #include "stability/contract.h"
 
 #include <math.h>
@@ -28,17 +29,6 @@ typedef struct patch {
     glint_object object;
     glint_scene scene;
 } patch;
-
-static uint32_t seed;
-
-static double any(double least, double most) {
-    seed = seed * 1664525u + 1013904223u;
-    return least + (most - least) * (seed >> 8) / (1 << 24);
-}
-
-static int below(int count) {
-    return (int)any(0, count - 0.001);
-}
 
 static glint_q16 fixed(double number) {
     return (glint_q16)lrint(number * GLINT_ONE);
@@ -68,8 +58,8 @@ static void set_vertex(patch *p, int i, double u, double v, const double bend[2]
 }
 
 static void build_mesh(patch *p) {
-    const int side = 4 + below(SIDE_MAX - 3);
-    const double bend[2] = {any(0, 2.6), any(0, 2.6)}, angle[2] = {any(0, 6.28), any(-1.2, 1.2)};
+    const int side = 4 + any(0, SIDE_MAX - 4);
+    const double bend[2] = {between(0, 2.6), between(0, 2.6)}, angle[2] = {between(0, 6.28), between(-1.2, 1.2)};
     uint32_t count = 0;
     for (int i = 0; i < side * side; i++) {
         const int row = i / side, column = i % side;
@@ -96,16 +86,18 @@ static void build_mesh(patch *p) {
 /* Ambient light is up to 3/5 of what diffuse light is at most, channel by channel another part. */
 static void build(patch *p, uint32_t number, uint32_t flags) {
     static const double exponents[] = {2, 5, 10, 20, 50, 100, 300};
-    seed = number * 7919u + 12345u;
+    random_state = number * 7919u + 12345u;
     build_mesh(p);
-    const double diffuse = any(0.1, 1), ambient = any(0, 0.6) * diffuse, specular = below(3) ? any(0.05, 1) : 0;
-    const double side = any(0, 6.28), front = any(-0.6, 1), beside = sqrt(1 - front * front);
-    p->material = (glint_material){.model = &glint_model_blinn_phong,
-                                   .ambient = {fixed(ambient), fixed(ambient * any(0.3, 1.2)), fixed(ambient * 0.5)},
-                                   .diffuse = {fixed(diffuse), fixed(diffuse * 0.8), fixed(diffuse * 0.6)},
-                                   .specular = {fixed(specular), fixed(specular), fixed(specular * 0.8)},
-                                   .shininess = fixed(exponents[below((int)TEST_COUNT(exponents))]),
-                                   .flags = flags};
+    const double diffuse = between(0.1, 1), ambient = between(0, 0.6) * diffuse,
+                 specular = below(3) ? between(0.05, 1) : 0;
+    const double side = between(0, 6.28), front = between(-0.6, 1), beside = sqrt(1 - front * front);
+    p->material =
+        (glint_material){.model = &glint_model_blinn_phong,
+                         .ambient = {fixed(ambient), fixed(ambient * between(0.3, 1.2)), fixed(ambient * 0.5)},
+                         .diffuse = {fixed(diffuse), fixed(diffuse * 0.8), fixed(diffuse * 0.6)},
+                         .specular = {fixed(specular), fixed(specular), fixed(specular * 0.8)},
+                         .shininess = fixed(exponents[below(TEST_COUNT(exponents))]),
+                         .flags = flags};
     p->light = (glint_light){.type = &glint_light_directional,
                              .vector = {fixed(beside * cos(side)), fixed(beside * sin(side)), fixed(front)},
                              .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE},

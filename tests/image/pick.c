@@ -5,6 +5,7 @@
  */
 #include "glint_extras.h"
 #include "harness.h"
+#include "random.h"
 #include "scenes.h"
 
 #include <string.h>
@@ -27,13 +28,6 @@ static int keep_depth(void *context, const glint_tile *tile) {
         memcpy(&depth[tile->y + y][tile->x], tile->depth + (size_t)y * tile->depth_stride,
                (size_t)tile->width * sizeof(uint16_t));
     return 0;
-}
-
-static uint32_t seed;
-
-static int any(int count) {
-    seed = seed * 1664525u + 1013904223u;
-    return (int)((seed >> 8) % (uint32_t)count);
 }
 
 /* Depth of a pixel of the scene where all but one triangle of it have no area. */
@@ -68,7 +62,7 @@ static void check_picks(const glint_config *config, const test_scene *scene, int
     memcpy(shown, depth, sizeof depth);
     CHECK_EQUAL(glint_init(&renderer, &plain), GLINT_OK);
     for (int i = 0; i < count; i++) {
-        const int x = any(WIDTH), y = any(HEIGHT);
+        const int x = any(0, WIDTH - 1), y = any(0, HEIGHT - 1);
         glint_hit hit = {77, 77, 77};
         const int found = glint_pick(&renderer, &scene->scene, x, y, &hit);
         CHECK_EQUAL(found, shown[y][x] != 0);
@@ -92,12 +86,12 @@ static void what_is_picked_is_what_shows(void) {
             test_scene scene;
             glint_need need;
             scene_build(&scene, &scene_definitions[i]);
-            seed = 2 * i + (unsigned)small;
+            random_state = 2 * i + (unsigned)small;
             glint_config config = {.width = WIDTH,
                                    .height = HEIGHT,
-                                   .tile_width = tiles[any(4)],
-                                   .tile_height = tiles[any(4)],
-                                   .format = any(2) ? &glint_format_mono_pages : &glint_format_rgb565,
+                                   .tile_width = tiles[any(0, 3)],
+                                   .tile_height = tiles[any(0, 3)],
+                                   .format = any(0, 1) ? &glint_format_mono_pages : &glint_format_rgb565,
                                    .flush = {.begin = nothing},
                                    .arena = arena,
                                    .arena_size = sizeof arena,

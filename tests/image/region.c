@@ -7,6 +7,7 @@
 #include "glint_extras.h"
 #include "harness.h"
 #include "picture.h"
+#include "random.h"
 #include "scenes.h"
 
 #include <stdlib.h>
@@ -117,13 +118,6 @@ static int is_part(const glint_rectangle *region, int left, int top) {
     return wrong == 0;
 }
 
-static uint32_t seed;
-
-static int any(int least, int most) {
-    seed = seed * 1664525u + 1013904223u;
-    return least + (int)((seed >> 8) % (uint32_t)(most - least + 1));
-}
-
 /* Steps of a region's edges. */
 static void steps_of(const glint_format *format, int *step_x, int *step_y) {
     const size_t bits = glint_row_bytes(format, 8);
@@ -175,7 +169,7 @@ static void regions_are_parts_of_the_whole(void) {
         for (unsigned f = 0; f < TEST_COUNT(formats); f++) {
             test_scene scene;
             scene_build(&scene, &scene_definitions[i]);
-            seed = i * 16 + f;
+            random_state = i * 16 + f;
             check_regions(&scene.scene, formats[f], 6);
         }
 }

@@ -2,6 +2,7 @@
 #include "scenes.h"
 
 #include "cluster.h"
+#include "random.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -235,14 +236,6 @@ static void build_far(test_scene *scene) {
 }
 
 /* ---- Random scenes ------------------------------------------------------------------------------------------- */
-
-static uint32_t random_state;
-
-/* From a to b, by a linear congruential generator (Numerical Recipes). */
-static double between(double a, double b) {
-    random_state = random_state * 1664525u + 1013904223u;
-    return a + (b - a) * (random_state >> 8) / 16777216.0;
-}
 
 static glint_vector random_vector(double reach) {
     glint_vector vector;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "surfaces.h"
+#include "random.h"
 
 #include <math.h>
 
@@ -239,13 +240,6 @@ static void build_floor_through_the_eye(test_scene *scene) {
 
 /* ---- Random scenes ------------------------------------------------------------------------------------------- */
 
-static uint32_t state;
-
-static uint32_t below(uint32_t limit) {
-    state = state * 1664525u + 1013904223u;
-    return (state >> 8) % limit;
-}
-
 static void vary_light(glint_light *light, const glint_object *near) {
     static const glint_light_type *const types[] = {&glint_light_directional, &glint_light_point, &glint_light_spot};
     light->type = types[below(3)];
@@ -280,7 +274,7 @@ void surface_build_random(test_scene *scene, uint32_t seed) {
     static glint_mesh meshes[SCENE_OBJECTS_MAX];
     scene_build_random(scene, seed);
     fill_colours();
-    state = seed * 2246822519u;
+    random_state = seed * 2246822519u;
     for (uint32_t i = 0; i < scene->scene.object_count; i++)
         vary_object(&scene->objects[i], &scene->materials[i], &meshes[i]);
     for (uint32_t i = 0; i < scene->scene.light_count; i++)
