@@ -146,7 +146,7 @@ static inline void glint_find_fine_ray(const glint_lamps *lamps, const glint_lit
 
 /** Multiplies a channel by a plane over w times that: by 15 bits. The plane has `down` bits more than 15, or `up` less.
  */
-static GLINT_INLINE int32_t glint_multiply_by_plane(const glint_plane *plane, int32_t row, int32_t column,
+static inline int32_t glint_multiply_by_plane(const glint_plane *plane, int32_t row, int32_t column,
                                                     uint32_t down, uint32_t up, int32_t w, int32_t channel) {
     int32_t of_15 = glint_shift_right(glint_lamp_plane(plane, row, column), down);
     if (GLINT_RARELY(up))
@@ -158,7 +158,7 @@ static GLINT_INLINE int32_t glint_multiply_by_plane(const glint_plane *plane, in
 }
 
 /** Multiplies a fragment's colour by its own; its 1/w has so many leading zeros, and its w is known. */
-static GLINT_INLINE void glint_multiply_by_own(const glint_lamp_list *list, const glint_lit_fragment *f, int32_t w,
+static inline void glint_multiply_by_own(const glint_lamp_list *list, const glint_lit_fragment *f, int32_t w,
                                                uint32_t zeros, int32_t colour[3]) {
     const int32_t row = glint_fragment_row(f), column = glint_fragment_column(f), half_w = glint_shift_right(w, 1);
     const int32_t more = 16 - (int32_t)(zeros + list->room) + (int32_t)list->up;
