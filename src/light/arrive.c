@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Arrive: finds what arrives of lights that are near, and of any where it is not put into loops; arrive.h. */
+/* Arrive: ways to lights that are near, and what arrives of any where that is not put into loops; arrive.h. */
 #include "arrive.h"
 
 #include "../math/product.h"
@@ -46,7 +46,7 @@ GLINT_NOINLINE void glint_find_fine_way(const glint_lamps *lamps, const glint_dr
     add_place(lamp, e, way);
 }
 
-/* ---- What arrives ---- */
+/* ---- Near lights ---- */
 
 /* x 2^-shift, at most 2^30. */
 static uint32_t weaken_by(uint32_t x, int32_t shift) {
@@ -61,12 +61,9 @@ GLINT_NOINLINE uint32_t glint_sum_attenuation(const glint_drawn_lamp *lamp, uint
            weaken_by((square >> 16) * lamp->quadratic, lamp->quadratic_shift + (int32_t)up);
 }
 
-/*
- * Finds what arrives of a light whose way, or what of it is along N, is too short for its bits. A way of a quarter of a
- * step is no more than rounding leaves: of a lamp at the surface nothing arrives.
- */
-GLINT_NOINLINE int glint_arrive_near(const glint_lamps *lamps, const glint_drawn_lamp *lamp, const glint_lit_view *s,
-                                     glint_arrival *to, uint32_t coarse_square, int32_t coarse_cosine) {
+/* A way of a quarter of a step is no more than rounding leaves: of a lamp at the surface nothing arrives. */
+GLINT_NOINLINE int glint_find_near_way(const glint_lamps *lamps, const glint_drawn_lamp *lamp, const glint_lit_view *s,
+                                       uint32_t coarse_square, int32_t coarse_cosine, glint_lamp_way *way) {
     int32_t d[3];
     if (coarse_square < lamp->rough || lamp->has_cone)
         s->at->is_rough = 1;
@@ -80,13 +77,15 @@ GLINT_NOINLINE int glint_arrive_near(const glint_lamps *lamps, const glint_drawn
         return 0;
     const unsigned down = zeros < 17 ? 17 - zeros : 0;
     const int32_t half = (int32_t)(1u << down >> 1);
-    const int32_t x = glint_shift_right(d[0] + half, down), y = glint_shift_right(d[1] + half, down),
-                  z = glint_shift_right(d[2] + half, down);
-    const uint32_t square = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
-    const int32_t cosine = s->n[0] * x + s->n[1] * y + s->n[2] * z;
-    if (cosine <= lamps->gate)
-        return 0;
-    return arrive_by(lamp, s, to, cosine, x, y, z, square, 2 * (15 - down), lamps->has_gloss, 1);
+    way->square = 0;
+    way->cosine = 0;
+    for (int c = 0; c < 3; c++) {
+        const int32_t x = way->at[c] = glint_shift_right(d[c] + half, down);
+        way->square += (uint32_t)(x * x);
+        way->cosine += s->n[c] * x;
+    }
+    way->more = 2 * (15 - down);
+    return way->cosine > lamps->gate;
 }
 
 GLINT_NOINLINE void glint_mark_rough(const glint_drawn_lamp *lamp, glint_lit_fragment *f, int32_t x, int32_t y,

@@ -10,9 +10,16 @@
 /** Returns the sum of attenuate_lamp of any light. */
 uint32_t glint_sum_attenuation(const glint_drawn_lamp *lamp, uint32_t distance, uint32_t square, uint32_t up);
 
-/** Finds what arrives of a light whose way, or what of it is along N, is too short for its bits. */
-int glint_arrive_near(const glint_lamps *lamps, const glint_drawn_lamp *lamp, const glint_lit_view *s,
-                      glint_arrival *to, uint32_t square, int32_t cosine);
+/** A way to a light, as a vector below 2^15, its square, 4^more of what that is in the unit of places, and N.D. */
+typedef struct glint_lamp_way {
+    int32_t at[3], cosine;
+    uint32_t square, more;
+} glint_lamp_way;
+
+/** Finds the way to a light where it, or what of it is along N, is too short for its bits. @return 0 where the light is
+ * not seen */
+int glint_find_near_way(const glint_lamps *lamps, const glint_drawn_lamp *lamp, const glint_lit_view *s,
+                        uint32_t square, int32_t cosine, glint_lamp_way *way);
 
 /** Marks a fragment as rough that is within a few pixels of a light, or, twice over, of a narrow cone's axis. */
 void glint_mark_rough(const glint_drawn_lamp *lamp, glint_lit_fragment *f, int32_t x, int32_t y, int32_t z,
@@ -51,17 +58,15 @@ static inline uint32_t attenuate_any(const glint_drawn_lamp *lamp, uint32_t squa
  * A spot's step between its angles, Q15; of a way's part along the axis, times 2^15, and 2^31 over the way's length,
  * which has 16 bits.
  */
-static inline uint32_t cone_at(const glint_prepared_light *source, int32_t along, uint32_t over) {
+static inline uint32_t cone_at(const glint_drawn_lamp *lamp, int32_t along, uint32_t over) {
     const uint32_t size = (uint32_t)(along < 0 ? -along : along) >> 15;
     const int32_t whole = (int32_t)(size * over >> 15), magnitude = whole - (whole >> 13), /* times GLINT_UNIT / 2^15 */
-        cosine = along < 0 ? -magnitude : magnitude;                                       /* Q16 */
-    const int32_t outer = glint_shift_right(source->spot.cosine_outer, 14),
-                  width = glint_shift_right(source->spot.cosine_inner, 14) - outer, past = cosine - outer;
+        past = (along < 0 ? -magnitude : magnitude) - lamp->cone_outer;                    /* Q16 */
     if (past <= 0)
         return 0;
-    if (past >= width)
+    if (past >= lamp->cone_width)
         return 1u << 15;
-    const uint32_t t = (uint32_t)past * ((1u << 30) / (uint32_t)width) >> 15;
+    const uint32_t t = (uint32_t)past * lamp->over_width >> 15;
     return (t * t >> 15) * ((3u << 15) - 2 * t) >> 15;
 }
 
@@ -78,7 +83,7 @@ static GLINT_INLINE int arrive_by(const glint_drawn_lamp *lamp, const glint_lit_
     uint32_t strength = 1u << 15;
     if (is_odd && lamp->has_cone) {
         const int16_t *axis = lamp->source->direction;
-        strength = cone_at(lamp->source, glint_shift_left(axis[0] * x + axis[1] * y + axis[2] * z, up), over);
+        strength = cone_at(lamp, glint_shift_left(axis[0] * x + axis[1] * y + axis[2] * z, up), over);
         if (!strength)
             return 0;
     }
@@ -96,19 +101,26 @@ static GLINT_INLINE int arrive_by(const glint_drawn_lamp *lamp, const glint_lit_
 static GLINT_INLINE int arrive_from_place(const glint_lamps *lamps, const glint_drawn_lamp *lamp, glint_lit_view *s,
                                           glint_arrival *to, int has_gloss) {
     const unsigned down = lamp->down;
-    const int32_t x = lamp->at[0] + glint_shift_right(s->e[0], down),
-                  y = lamp->at[1] + glint_shift_right(s->e[1], down),
-                  z = lamp->at[2] + glint_shift_right(s->e[2], down);
-    const int32_t cosine = s->n[0] * x + s->n[1] * y + s->n[2] * z;
-    if (cosine <= lamps->near_gate)
+    int32_t x = lamp->at[0] + glint_shift_right(s->e[0], down), y = lamp->at[1] + glint_shift_right(s->e[1], down),
+            z = lamp->at[2] + glint_shift_right(s->e[2], down);
+    int32_t cosine = s->n[0] * x + s->n[1] * y + s->n[2] * z;
+    const int is_dim = cosine <= lamps->far_gate;
+    if (is_dim && cosine <= lamps->near_gate)
         return 0;
-    const uint32_t square = (uint32_t)x * (uint32_t)x + (uint32_t)y * (uint32_t)y + (uint32_t)z * (uint32_t)z;
-    if (GLINT_RARELY(square < lamp->usual || cosine <= lamps->far_gate)) {
-        if (square < lamp->near || cosine <= lamps->far_gate)
-            return glint_arrive_near(lamps, lamp, s, to, square, cosine);
-        if (square < lamp->cone_rough)
+    uint32_t square = (uint32_t)x * (uint32_t)x + (uint32_t)y * (uint32_t)y + (uint32_t)z * (uint32_t)z, more = 0;
+    if (GLINT_RARELY(is_dim || square < lamp->usual)) {
+        if (is_dim || square < lamp->near) {
+            glint_lamp_way way;
+            if (!glint_find_near_way(lamps, lamp, s, square, cosine, &way))
+                return 0;
+            x = way.at[0], y = way.at[1], z = way.at[2];
+            cosine = way.cosine;
+            square = way.square;
+            more = way.more;
+        } else if (square < lamp->cone_rough) {
             glint_mark_rough(lamp, s->at, x, y, z, square);
-        return arrive_by(lamp, s, to, cosine, x, y, z, square, 0, has_gloss, 1);
+        }
+        return arrive_by(lamp, s, to, cosine, x, y, z, square, more, has_gloss, 1);
     }
     return arrive_by(lamp, s, to, cosine, x, y, z, square, 0, has_gloss, 0);
 }

@@ -125,6 +125,11 @@ static GLINT_NOINLINE void set_lamps(glint_row_walk *walk) {
         to->has_place = source->type->has_place;
         to->linear = source->lamp.linear;
         to->quadratic = source->lamp.quadratic;
+        if (to->has_cone) {
+            to->cone_outer = glint_shift_right(source->spot.cosine_outer, 14);
+            to->cone_width = glint_shift_right(source->spot.cosine_inner, 14) - to->cone_outer;
+            to->over_width = (1u << 30) / (uint32_t)glint_most(to->cone_width, 1);
+        }
         to->weakens = 0;
         to->shines = shading->has_specular >> i & 1;
         for (int c = 0; c < 3; c++) {

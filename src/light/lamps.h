@@ -71,8 +71,10 @@ typedef struct glint_drawn_lamp {
     uint32_t usual;      /* the same; of a light with a cone, or that does not weaken as most do, no less than all */
     uint32_t rough;      /* the square of a way that few pixels are as long as */
     uint32_t cone_rough; /* the same, or of ways along which few pixels are as wide as the cone */
-    int32_t diffuse[3], specular[3];      /* Q12, in levels */
-    uint16_t linear, quadratic;           /* the source's, or 0 where it has no place */
+    int32_t diffuse[3], specular[3]; /* Q12, in levels */
+    int32_t cone_outer, cone_width;  /* of a cone: the cosine of its outer angle, and what that of the inner one is */
+    uint32_t over_width;             /* more, Q16; and 2^30 over that */
+    uint16_t linear, quadratic;      /* the source's, or 0 where it has no place */
     int8_t linear_shift, quadratic_shift; /* beyond those of the source */
     uint8_t down, fine_down;              /* place 2^-fine_down is `at` with 15 bits more */
     uint8_t shines, weakens, has_cone, has_place;
@@ -146,8 +148,8 @@ static inline void glint_find_fine_ray(const glint_lamps *lamps, const glint_lit
 
 /** Multiplies a channel by a plane over w times that: by 15 bits. The plane has `down` bits more than 15, or `up` less.
  */
-static inline int32_t glint_multiply_by_plane(const glint_plane *plane, int32_t row, int32_t column,
-                                                    uint32_t down, uint32_t up, int32_t w, int32_t channel) {
+static inline int32_t glint_multiply_by_plane(const glint_plane *plane, int32_t row, int32_t column, uint32_t down,
+                                              uint32_t up, int32_t w, int32_t channel) {
     int32_t of_15 = glint_shift_right(glint_lamp_plane(plane, row, column), down);
     if (GLINT_RARELY(up))
         of_15 = glint_shift_left(glint_most(glint_least(of_15, 1 << 15 >> up), 0), up);
@@ -159,7 +161,7 @@ static inline int32_t glint_multiply_by_plane(const glint_plane *plane, int32_t 
 
 /** Multiplies a fragment's colour by its own; its 1/w has so many leading zeros, and its w is known. */
 static inline void glint_multiply_by_own(const glint_lamp_list *list, const glint_lit_fragment *f, int32_t w,
-                                               uint32_t zeros, int32_t colour[3]) {
+                                         uint32_t zeros, int32_t colour[3]) {
     const int32_t row = glint_fragment_row(f), column = glint_fragment_column(f), half_w = glint_shift_right(w, 1);
     const int32_t more = 16 - (int32_t)(zeros + list->room) + (int32_t)list->up;
     const uint32_t down = (uint32_t)glint_least(glint_most(more, 0), 31),

@@ -146,12 +146,12 @@ static int32_t lobe_cosine(const lobe *of) {
 
 /* Returns the highlight of narrow lobes and of exponents below 2, Q15. */
 static GLINT_NOINLINE uint32_t find_rare_power(const glint_lamps *lamps, const glint_drawn_lamp *lamp,
-                                               const glint_lit_view *s, const glint_arrival *a, int is_mirror) {
+                                               const glint_lit_view *s, glint_arrival a, int is_mirror) {
     const glint_power_table *table = &lamps->shading->power;
     const uint32_t cut = (uint32_t)glint_most(table->cosine_square_floor, 0);
-    const int32_t whole = glint_most((1 << 15) - 2 + a->along, 0);
-    const int32_t over = is_mirror ? glint_shift_right(a->cosine * s->facing, 14) - a->along + 2
-                                   : glint_least(a->cosine + s->facing, 0xffff);
+    const int32_t whole = glint_most((1 << 15) - 2 + a.along, 0);
+    const int32_t over = is_mirror ? glint_shift_right(a.cosine * s->facing, 14) - a.along + 2
+                                   : glint_least(a.cosine + s->facing, 0xffff);
     lobe of;
     if (!table->direct) {
         if (over <= 0 || (uint32_t)over * (uint32_t)over < cut * (is_mirror ? 1u << 15 : 2 * (uint32_t)whole))
@@ -169,8 +169,8 @@ static GLINT_NOINLINE uint32_t find_rare_power(const glint_lamps *lamps, const g
     }
     if (is_mirror)
         return power_by_logarithm(table, 2 * (over - 2), 1 << 16);
-    if ((1 << 15) + a->along >= lamps->least_whole)
-        return power_by_logarithm(table, a->cosine + s->facing, (1 << 15) + a->along);
+    if ((1 << 15) + a.along >= lamps->least_whole)
+        return power_by_logarithm(table, a.cosine + s->facing, (1 << 15) + a.along);
     find_lobe(lamps, lamp, s, 0, &of);
     return power_by_logarithm(table, 2 * lobe_cosine(&of), 1 << 16);
 }
@@ -179,12 +179,12 @@ static GLINT_NOINLINE uint32_t find_rare_power(const glint_lamps *lamps, const g
 
 /* Finds a rare highlight, or one of a half vector that is short, Q15. */
 static GLINT_NOINLINE uint32_t find_odd_power(const glint_lamps *lamps, const glint_drawn_lamp *lamp,
-                                              const glint_lit_view *s, const glint_arrival *a) {
+                                              const glint_lit_view *s, glint_arrival a) {
     const glint_power_table *table = &lamps->shading->power;
     lobe of;
     if (lamps->is_rare)
         return find_rare_power(lamps, lamp, s, a, 0);
-    if (a->cosine + s->facing < 0)
+    if (a.cosine + s->facing < 0)
         return 0;
     find_lobe(lamps, lamp, s, 0, &of);
     const int32_t cosine = lobe_cosine(&of);
@@ -198,9 +198,9 @@ static GLINT_NOINLINE uint32_t find_odd_power(const glint_lamps *lamps, const gl
  * is what cutting off takes away from that above. Q15.
  */
 static GLINT_INLINE uint32_t find_half_power(const glint_lamps *lamps, const glint_drawn_lamp *lamp,
-                                             const glint_lit_view *s, const glint_arrival *a) {
-    const uint32_t whole = (uint32_t)((1 << 15) - 2 + a->along) | 1; /* where it is below 0, nothing is inside */
-    uint32_t half = (uint32_t)(a->cosine + s->facing);
+                                             const glint_lit_view *s, glint_arrival a) {
+    const uint32_t whole = (uint32_t)((1 << 15) - 2 + a.along) | 1; /* where it is below 0, nothing is inside */
+    uint32_t half = (uint32_t)(a.cosine + s->facing);
     if (GLINT_RARELY((int32_t)whole < lamps->usual_whole)) {
         return find_odd_power(lamps, lamp, s, a);
     }
@@ -218,11 +218,11 @@ static GLINT_INLINE uint32_t find_half_power(const glint_lamps *lamps, const gli
 
 /* Phong: R.V = 2 N.L N.V - L.V, counted as two steps more. Q15. */
 static GLINT_INLINE uint32_t find_mirror_power(const glint_lamps *lamps, const glint_drawn_lamp *lamp,
-                                               const glint_lit_view *s, const glint_arrival *a) {
+                                               const glint_lit_view *s, glint_arrival a) {
     if (GLINT_RARELY(lamps->is_rare)) {
         return find_rare_power(lamps, lamp, s, a, 1);
     }
-    const int32_t mirrored = glint_shift_right(a->cosine * s->facing, 14) - a->along + 2;
+    const int32_t mirrored = glint_shift_right(a.cosine * s->facing, 14) - a.along + 2;
     const uint32_t square = (uint32_t)(mirrored * mirrored);
     if (mirrored <= 0 || square < lamps->cut << 14)
         return 0;
@@ -238,7 +238,7 @@ static GLINT_INLINE void reflect(const glint_lamps *lamps, const glint_drawn_lam
                                  const glint_arrival *a, int32_t colour[3], int32_t gloss[3], int model) {
     int32_t power = 0;
     if (model != MATT && lamp->shines)
-        power = (int32_t)(model == HALF ? find_half_power(lamps, lamp, s, a) : find_mirror_power(lamps, lamp, s, a));
+        power = (int32_t)(model == HALF ? find_half_power(lamps, lamp, s, *a) : find_mirror_power(lamps, lamp, s, *a));
     const int32_t amount = (int32_t)((uint32_t)glint_most(a->cosine, 0) * a->strength >> 15);
     int32_t red = colour[0] + amount * lamp->diffuse[0], green = colour[1] + amount * lamp->diffuse[1],
             blue = colour[2] + amount * lamp->diffuse[2];
