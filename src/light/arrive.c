@@ -39,11 +39,111 @@ static inline void add_place(const glint_drawn_lamp *lamp, const int32_t e[3], i
         way[c] = glint_shift_right(e[c], lamp->down - 15u) + glint_shift_right(place[c], lamp->fine_down);
 }
 
-GLINT_NOINLINE void glint_find_fine_way(const glint_lamps *lamps, const glint_drawn_lamp *lamp, const glint_lit_view *s,
-                                        int32_t way[3]) {
+static GLINT_NOINLINE void find_fine_way(const glint_lamps *lamps, const glint_drawn_lamp *lamp,
+                                         const glint_lit_view *s, int32_t way[3]) {
     int32_t e[3];
     find_fine_place(lamps, s, e);
     add_place(lamp, e, way);
+}
+
+/* ---- Units of places ---- */
+
+/* Returns 1 / tan^2 of a spot's outer angle, Q8, below 2^16; 0 from a right angle on. */
+static uint16_t sharpness_of(const glint_prepared_light *source) {
+    const int32_t cosine = glint_shift_right(source->spot.cosine_outer, 15);
+    if (cosine <= 0)
+        return 0;
+    const uint32_t square = (uint32_t)(cosine * cosine), rest = square < 1u << 30 ? ((1u << 30) - square) >> 8 : 0;
+    return (uint16_t)glint_least((int32_t)(square / (rest > 1u << 14 ? rest : 1u << 14)), UINT16_MAX);
+}
+
+/*
+ * Brings lights to the unit of places where 1/w 2^-unit has 16 bits. A place lies within 2^15 of the eye, and so does a
+ * light: of one that is farther, both are taken 2^-k of what they are. With two bits for the sum of both, products with
+ * other vectors of 15 bits have 31.
+ */
+static void bring_to_unit(glint_lamps *lamps) {
+    const int32_t unit = lamps->unit;
+    for (glint_drawn_lamp *lamp = lamps->lamps, *end = lamp + lamps->count; lamp != end; lamp++) {
+        const glint_prepared_light *source = lamp->source;
+        if (!lamp->has_place)
+            continue;
+        const int32_t near_shift = source->lamp.shift - 15 - unit, k = glint_most(16 - near_shift, 0);
+        const unsigned shift = (unsigned)glint_least(near_shift + k, 30);
+        const int32_t half = (int32_t)(1u << shift); /* half a step, and what e lacks on the average */
+        for (int c = 0; c < 3; c++)
+            lamp->at[c] = glint_shift_right(source->lamp.place[c] + half, shift);
+        lamp->down = (uint8_t)glint_least(16 + k, 31);
+        /* few pixels: 12 of a fragment as far as places of this unit may be */
+        const uint32_t cell =
+            (uint32_t)glint_shift_right(glint_least(lamps->step >> 8, 1 << 14), (unsigned)glint_least(k, 15));
+        lamp->rough = cell * cell / 4 * 9;
+        const uint32_t sharpness = lamp->has_cone ? sharpness_of(source) : 0, most = 0x80000000u / (sharpness + 1),
+                       narrow = lamp->rough >> 8;
+        lamp->cone_rough = (narrow < most ? narrow : most) * sharpness;
+        lamp->cone_rough = lamp->cone_rough > lamp->rough ? lamp->cone_rough : lamp->rough;
+        lamp->near = k <= 3 ? lamps->near >> k : 0; /* farther ones are never so near */
+        lamp->fine_down = (uint8_t)glint_least(near_shift + k - 15, 31);
+        const int32_t linear_shift = source->lamp.linear_shift - (k - unit),
+                      quadratic_shift = source->lamp.quadratic_shift - 2 * (k - unit);
+        lamp->weakens = (lamp->linear | lamp->quadratic) != 0;
+        if ((lamp->linear && linear_shift < 0) || (lamp->quadratic && quadratic_shift < 0))
+            lamp->weakens = 2;
+        lamp->usual = lamp->near > lamp->rough ? lamp->near : lamp->rough;
+        if (lamp->has_cone || lamp->weakens != 1)
+            lamp->usual = UINT32_MAX;
+        lamp->linear_shift = (int8_t)glint_most(glint_least(linear_shift, 31), INT8_MIN);
+        lamp->quadratic_shift = (int8_t)glint_most(glint_least(quadratic_shift, 31), INT8_MIN);
+    }
+}
+
+/*
+ * Finds the ways from a triangle's corners to the eye, in a unit of places for all. @return the leading zeros of 1/w
+ * there, or below 0 where a corner lies in another octave or too far out
+ */
+static int32_t find_corner_ways(const glint_row_walk *walk, int32_t e[3][3]) {
+    const glint_vertex *const *v = walk->triangle.corners;
+    const glint_config *config = &walk->frame->config;
+    const glint_lamps *lamps = walk->workspace->lamps;
+    const uint32_t zeros = glint_leading_zeros((uint32_t)v[0]->inverse_w | 1);
+    if (walk->frame->view->is_parallel)
+        return -1;
+    for (int j = 0; j < 3; j++) {
+        const uint32_t inverse_w = (uint32_t)v[j]->inverse_w;
+        const int64_t x = glint_product(8 * config->width - v[j]->x, lamps->step),
+                      y = glint_product(v[j]->y - 8 * config->height, lamps->step), limit = (int64_t)1 << 31;
+        if (inverse_w >> (31 - zeros) != 1 || x >= limit || x < -limit || y >= limit || y < -limit)
+            return -1;
+        const int32_t w = glint_reciprocal16(inverse_w << zeros >> 16);
+        e[j][0] = glint_shift_right((int32_t)x, 16) * w;
+        e[j][1] = glint_shift_right((int32_t)y, 16) * w;
+        e[j][2] = glint_shift_right(lamps->z, 12) * w;
+    }
+    return (int32_t)zeros;
+}
+
+/* V of parallel rays is brought to 14 bits times w of a power of two. */
+static void find_parallel(const glint_row_walk *walk, glint_lit_view *s) {
+    const glint_view *view = walk->frame->view;
+    const int32_t distance = walk->frame->scene->camera.projection->distance_of(view, s->at->inverse_w);
+    const int64_t far = glint_shift_right64(glint_product(distance, view->ray_scale), 24);
+    const unsigned bits = glint_bits64(glint_magnitude64(far)), down = bits > 14 ? bits - 14 : 0,
+                   rest = down > 16 ? down - 16 : 0;
+    s->v[0] = glint_shift_right(s->v[0], rest);
+    s->v[1] = glint_shift_right(s->v[1], rest);
+    s->v[2] = (int32_t)glint_shift_right64(far, rest);
+    s->w = 1 << (16 - (down - rest));
+    glint_set_lamps_unit(walk, 16 - (int32_t)down);
+}
+
+GLINT_NOINLINE void glint_find_other_w(const glint_row_walk *walk, glint_lit_view *s) {
+    const uint32_t inverse_w = (uint32_t)s->at->inverse_w, zeros = glint_leading_zeros(inverse_w);
+    if (walk->frame->view->is_parallel) {
+        find_parallel(walk, s);
+        return;
+    }
+    glint_set_lamps_unit(walk, 16 - (int32_t)zeros - (int32_t)walk->list->room);
+    s->w = glint_reciprocal16(inverse_w << zeros >> 16);
 }
 
 /* ---- Near lights ---- */
@@ -68,7 +168,7 @@ GLINT_NOINLINE int glint_find_near_way(const glint_lamps *lamps, const glint_dra
     if (coarse_square < lamp->rough || lamp->has_cone)
         s->at->is_rough = 1;
     if (coarse_square < lamps->nearest >> (lamp->down - 16) || coarse_cosine <= lamps->far_gate)
-        glint_find_fine_way(lamps, lamp, s, d);
+        find_fine_way(lamps, lamp, s, d);
     else
         add_place(lamp, s->e, d);
     const unsigned zeros =
@@ -99,6 +199,10 @@ GLINT_NOINLINE void glint_mark_rough(const glint_drawn_lamp *lamp, glint_lit_fra
     }
     f->is_rough = 1;
 }
+
+/* ---- What lamps call ---- */
+
+const glint_places glint_lamp_places = {bring_to_unit, find_corner_ways, find_fine_way};
 
 #if GLINT_SMALL
 int glint_arrive_from_place(const glint_lamps *lamps, const glint_drawn_lamp *lamp, glint_lit_view *s,

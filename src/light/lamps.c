@@ -53,15 +53,6 @@ static void set_colours_of(glint_lamps *lamps, const glint_frame *frame) {
     }
 }
 
-/* Returns 1 / tan^2 of a spot's outer angle, Q8, below 2^16; 0 from a right angle on. */
-static uint16_t sharpness_of(const glint_prepared_light *source) {
-    const int32_t cosine = glint_shift_right(source->spot.cosine_outer, 15);
-    if (cosine <= 0)
-        return 0;
-    const uint32_t square = (uint32_t)(cosine * cosine), rest = square < 1u << 30 ? ((1u << 30) - square) >> 8 : 0;
-    return (uint16_t)glint_least((int32_t)(square / (rest > 1u << 14 ? rest : 1u << 14)), UINT16_MAX);
-}
-
 /*
  * Chooses which highlights and ways are found with all bits. Cosines of 15 bits make others off by up to p / (1 + L.V)
  * steps of 2^-15.
@@ -107,6 +98,7 @@ static GLINT_NOINLINE void set_lamps(glint_row_walk *walk) {
     lamps->headroom = (uint8_t)find_headroom(shading, lamps->has_colours);
     lamps->needs_w = lamps->has_colours;
     lamps->has_gloss = 0;
+    lamps->placed = 0;
     lamps->unit = 32;
     lamps->step = 2 * view->ray_scale;
     const int32_t half = 1 << 11;
@@ -139,50 +131,13 @@ static GLINT_NOINLINE void set_lamps(glint_row_walk *walk) {
             to->at[c] = source->direction[c] + glint_shift_right(source->direction[c], 13);
         }
         lamps->has_gloss |= to->shines;
-        lamps->needs_w |= source->type->has_place;
+        if (to->has_place) {
+            lamps->needs_w = 1;
+            lamps->placed = source->type->places;
+        }
         to++;
     }
     lamps->count = (uint32_t)(to - lamps->lamps);
-}
-
-/*
- * Brings lights to the unit of places where 1/w 2^-unit has 16 bits. A place lies within 2^15 of the eye, and so does a
- * light: of one that is farther, both are taken 2^-k of what they are. With two bits for the sum of both, products with
- * other vectors of 15 bits have 31.
- */
-GLINT_NOINLINE void glint_set_lamps_unit(glint_lamps *lamps, int32_t unit) {
-    lamps->unit = unit;
-    for (glint_drawn_lamp *lamp = lamps->lamps, *end = lamp + lamps->count; lamp != end; lamp++) {
-        const glint_prepared_light *source = lamp->source;
-        if (!lamp->has_place)
-            continue;
-        const int32_t near_shift = source->lamp.shift - 15 - unit, k = glint_most(16 - near_shift, 0);
-        const unsigned shift = (unsigned)glint_least(near_shift + k, 30);
-        const int32_t half = (int32_t)(1u << shift); /* half a step, and what e lacks on the average */
-        for (int c = 0; c < 3; c++)
-            lamp->at[c] = glint_shift_right(source->lamp.place[c] + half, shift);
-        lamp->down = (uint8_t)glint_least(16 + k, 31);
-        /* few pixels: 12 of a fragment as far as places of this unit may be */
-        const uint32_t cell =
-            (uint32_t)glint_shift_right(glint_least(lamps->step >> 8, 1 << 14), (unsigned)glint_least(k, 15));
-        lamp->rough = cell * cell / 4 * 9;
-        const uint32_t sharpness = lamp->has_cone ? sharpness_of(source) : 0, most = 0x80000000u / (sharpness + 1),
-                       narrow = lamp->rough >> 8;
-        lamp->cone_rough = (narrow < most ? narrow : most) * sharpness;
-        lamp->cone_rough = lamp->cone_rough > lamp->rough ? lamp->cone_rough : lamp->rough;
-        lamp->near = k <= 3 ? lamps->near >> k : 0; /* farther ones are never so near */
-        lamp->fine_down = (uint8_t)glint_least(near_shift + k - 15, 31);
-        const int32_t linear_shift = source->lamp.linear_shift - (k - unit),
-                      quadratic_shift = source->lamp.quadratic_shift - 2 * (k - unit);
-        lamp->weakens = (lamp->linear | lamp->quadratic) != 0;
-        if ((lamp->linear && linear_shift < 0) || (lamp->quadratic && quadratic_shift < 0))
-            lamp->weakens = 2;
-        lamp->usual = lamp->near > lamp->rough ? lamp->near : lamp->rough;
-        if (lamp->has_cone || lamp->weakens != 1)
-            lamp->usual = UINT32_MAX;
-        lamp->linear_shift = (int8_t)glint_most(glint_least(linear_shift, 31), INT8_MIN);
-        lamp->quadratic_shift = (int8_t)glint_most(glint_least(quadratic_shift, 31), INT8_MIN);
-    }
 }
 
 /* ---- Fragments ---- */
@@ -201,35 +156,14 @@ static void set_octave(const glint_row_walk *walk) {
     lamps->least_w = lamps->up > 31 || walk->frame->view->is_parallel ? 0 : 0x80000000u >> lamps->up;
 }
 
-static void set_unit(const glint_row_walk *walk, int32_t unit) {
+void glint_set_lamps_unit(const glint_row_walk *walk, int32_t unit) {
     glint_lamps *lamps = walk->workspace->lamps;
-    if (unit != lamps->unit)
-        glint_set_lamps_unit(lamps, unit);
-    set_octave(walk);
-}
-
-/* V of parallel rays is brought to 14 bits times w of a power of two. */
-static void find_parallel(const glint_row_walk *walk, glint_lit_view *s) {
-    const glint_view *view = walk->frame->view;
-    const int32_t distance = walk->frame->scene->camera.projection->distance_of(view, s->at->inverse_w);
-    const int64_t far = glint_shift_right64(glint_product(distance, view->ray_scale), 24);
-    const unsigned bits = glint_bits64(glint_magnitude64(far)), down = bits > 14 ? bits - 14 : 0,
-                   rest = down > 16 ? down - 16 : 0;
-    s->v[0] = glint_shift_right(s->v[0], rest);
-    s->v[1] = glint_shift_right(s->v[1], rest);
-    s->v[2] = (int32_t)glint_shift_right64(far, rest);
-    s->w = 1 << (16 - (down - rest));
-    set_unit(walk, 16 - (int32_t)down);
-}
-
-GLINT_NOINLINE void glint_find_other_w(const glint_row_walk *walk, glint_lit_view *s) {
-    const uint32_t inverse_w = (uint32_t)s->at->inverse_w, zeros = glint_leading_zeros(inverse_w);
-    if (walk->frame->view->is_parallel) {
-        find_parallel(walk, s);
-        return;
+    if (unit != lamps->unit) {
+        lamps->unit = unit;
+        if (lamps->placed)
+            lamps->placed->bring_to_unit(lamps);
     }
-    set_unit(walk, 16 - (int32_t)zeros - (int32_t)walk->list->room);
-    s->w = glint_reciprocal16(inverse_w << zeros >> 16);
+    set_octave(walk);
 }
 
 /* Lights the fragments of the list, and stores them. */
@@ -385,32 +319,6 @@ GLINT_NOINLINE void glint_begin_lamp_list(glint_row_walk *walk) {
         set_planes(walk, list->surface, walk->triangle.extra, 1, list->up);
 }
 
-/*
- * Finds the ways from a triangle's corners to the eye, in a unit of places for all. @return 0 where there is none, or a
- * corner lies too far out
- */
-static int find_corner_ways(const glint_row_walk *walk, int32_t e[3][3]) {
-    const glint_vertex *const *v = walk->triangle.corners;
-    const glint_config *config = &walk->frame->config;
-    const glint_lamps *lamps = walk->workspace->lamps;
-    const uint32_t zeros = glint_leading_zeros((uint32_t)v[0]->inverse_w | 1);
-    if (walk->frame->view->is_parallel)
-        return 0;
-    for (int j = 0; j < 3; j++) {
-        const uint32_t inverse_w = (uint32_t)v[j]->inverse_w;
-        const int64_t x = glint_product(8 * config->width - v[j]->x, lamps->step),
-                      y = glint_product(v[j]->y - 8 * config->height, lamps->step), limit = (int64_t)1 << 31;
-        if (inverse_w >> (31 - zeros) != 1 || x >= limit || x < -limit || y >= limit || y < -limit)
-            return 0;
-        const int32_t w = glint_reciprocal16(inverse_w << zeros >> 16);
-        e[j][0] = glint_shift_right((int32_t)x, 16) * w;
-        e[j][1] = glint_shift_right((int32_t)y, 16) * w;
-        e[j][2] = glint_shift_right(lamps->z, 12) * w;
-    }
-    set_unit(walk, 16 - (int32_t)zeros);
-    return 1;
-}
-
 /* N.D of a corner that faces a light by less than this part of a step is not taken for one that faces away. */
 #define DARK_MARGIN (16 << 14)
 
@@ -447,7 +355,10 @@ static GLINT_NOINLINE void find_faced(const glint_row_walk *walk) {
     glint_lamps *lamps = walk->workspace->lamps;
     const int looks = !lamps->gate && glint_magnitude_bits(glint_double_area(v[0], v[1], v[2])) >= 512 * FACING_LEAST;
     int32_t e[3][3];
-    const int has_ways = looks && lamps->needs_w && find_corner_ways(walk, e);
+    const int32_t zeros = looks && lamps->placed ? lamps->placed->find_corner_ways(walk, e) : -1;
+    const int has_ways = zeros >= 0;
+    if (has_ways)
+        glint_set_lamps_unit(walk, 16 - zeros);
     lamps->along = lamps->places = 0;
     for (glint_drawn_lamp *lamp = lamps->lamps + lamps->count; lamp != lamps->lamps;) {
         lamp--;

@@ -83,15 +83,16 @@ typedef struct glint_drawn_lamp {
 /** The lights of a draw in a tile; they stand in the workspace. */
 typedef struct glint_lamps {
     const glint_shading *shading;
-    int32_t gate;           /* N.L up to this is not lit, */
-    int32_t near_gate;      /* N.D up to this is not lit, */
-    int32_t far_gate;       /* and from there to this by finer numbers */
-    glint_row_walk *walk;   /* the triangle's */
-    int32_t x, y, z, step;  /* the way to the eye of the tile's first pixel, Q12; from pixel to pixel */
-    int32_t base[3];        /* ambient light, Q27 in levels; with half a level where nothing follows */
-    int32_t first[3];       /* what fragments begin with */
-    int32_t half[3];        /* half a level, Q27 */
-    int32_t unit;           /* 1/w 2^-unit has 16 bits: what places are in */
+    const struct glint_places *placed; /* where a light has a place, or null */
+    int32_t gate;                      /* N.L up to this is not lit, */
+    int32_t near_gate;                 /* N.D up to this is not lit, */
+    int32_t far_gate;                  /* and from there to this by finer numbers */
+    glint_row_walk *walk;              /* the triangle's */
+    int32_t x, y, z, step;             /* the way to the eye of the tile's first pixel, Q12; from pixel to pixel */
+    int32_t base[3];                   /* ambient light, Q27 in levels; with half a level where nothing follows */
+    int32_t first[3];                  /* what fragments begin with */
+    int32_t half[3];                   /* half a level, Q27 */
+    int32_t unit;                      /* 1/w 2^-unit has 16 bits: what places are in */
     uint32_t least_w, up;   /* such a fragment's 1/w is from least_w up, and has `up` leading zeros; 0: look */
     uint32_t near, nearest; /* as in glint_drawn_lamp, of a light that is not far */
     int32_t least_whole;    /* 1 + L.V, Q15, below which L + V is too short for cosines of 15 bits, */
@@ -180,12 +181,20 @@ uint32_t glint_sine_by_chord(const int32_t n[3], const int32_t v[3], const int32
 /** Sets walk->w: 1/w times 2^(up - 1), with the digits that depth lacks. */
 void glint_set_fine_w(glint_row_walk *walk);
 
-/** Finds the way from a fragment to a light with a place, with 15 bits more than glint_drawn_lamp's `at`: 31 bits. */
-void glint_find_fine_way(const glint_lamps *lamps, const glint_drawn_lamp *lamp, const glint_lit_view *s,
-                         int32_t way[3]);
-
 /** Brings the lights of a draw to a unit of places. */
-void glint_set_lamps_unit(glint_lamps *lamps, int32_t unit);
+void glint_set_lamps_unit(const glint_row_walk *walk, int32_t unit);
+
+/** What lamps do with lights that have a place. */
+typedef struct glint_places {
+    /** Brings the lights of a draw to lamps->unit. */
+    void (*bring_to_unit)(glint_lamps *lamps);
+    /** Finds the ways from a triangle's corners to the eye. @return the leading zeros of 1/w there, or below 0 */
+    int32_t (*find_corner_ways)(const glint_row_walk *walk, int32_t e[3][3]);
+    /** Finds the way from a fragment to a light, with 15 bits more than glint_drawn_lamp's `at`: 31 bits. */
+    void (*find_fine_way)(const glint_lamps *lamps, const glint_drawn_lamp *lamp, const glint_lit_view *s,
+                          int32_t way[3]);
+} glint_places;
+extern const glint_places glint_lamp_places GLINT_IF_LINKED;
 
 /** Lengthens V of a wide field of view. @return the square of its length */
 uint32_t glint_lengthen_view(glint_lit_view *s, uint32_t square);

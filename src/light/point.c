@@ -72,6 +72,7 @@ void glint_point_place(const glint_light *light, glint_prepared_light *prepared,
 
 const glint_light_type glint_light_point = {.prepare = prepare_point,
                                             .has_place = 1,
+                                            .places = &glint_lamp_places,
                                             .place = glint_point_place,
                                             .arrive = glint_arrive_from_place,
                                             .bring = glint_point_bring,

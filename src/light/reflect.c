@@ -92,7 +92,7 @@ static GLINT_NOINLINE void find_lobe(const glint_lamps *lamps, const glint_drawn
         make_unit(v);
     }
     if (lamp->has_place)
-        glint_find_fine_way(lamps, lamp, s, l);
+        lamps->placed->find_fine_way(lamps, lamp, s, l);
     make_unit(n);
     make_unit(l);
     const int64_t dot = glint_product(n[0], l[0]) + glint_product(n[1], l[1]) + glint_product(n[2], l[2]);

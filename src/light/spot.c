@@ -121,6 +121,7 @@ static int misses_cone(const glint_light *light, const glint_prepared_light *pre
 
 const glint_light_type glint_light_spot = {.prepare = prepare_spot,
                                            .has_place = 1,
+                                           .places = &glint_lamp_places,
                                            .place = glint_point_place,
                                            .misses = misses_cone,
                                            .has_cone = 1,

@@ -129,6 +129,7 @@ struct glint_light_type {
     int (*misses)(const glint_light *light, const glint_prepared_light *prepared, const glint_view *view,
                   const glint_object *object);
     const struct glint_suns_stage *suns; /* of directional lights: light/evaluation.h; else null */
+    const struct glint_places *places;   /* what lamps do with such lights: light/lamps.h */
     uint8_t has_place;                   /* light comes from one, not from the same direction everywhere */
     uint8_t has_cone;                    /* prepared->spot holds one */
     /** Finds what arrives of a light at a fragment: light/lamps.h. */
