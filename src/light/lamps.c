@@ -181,12 +181,6 @@ GLINT_NOINLINE void glint_light_listed(const glint_row_walk *walk) {
 
 /* ---- Triangles ---- */
 
-/* An attribute of 15 bits over w, 30 bits: also a corner's whose 1/w is a small part of the nearest one's. */
-static inline int32_t weigh_corner(int32_t attribute, const glint_vertex *v, unsigned up) {
-    const uint32_t w = (uint32_t)v->inverse_w << up;
-    return attribute * (int32_t)(w >> 16) + glint_shift_right(attribute * (int32_t)(w >> 1 & 0x7fff), 15);
-}
-
 /* x 2^n modulo 2^32. */
 static inline uint32_t scale_slope(int32_t x, int32_t n) {
     return n < 0 ? (uint32_t)glint_shift_right(x, (unsigned)-n) : (uint32_t)x << n;
@@ -198,57 +192,84 @@ static inline int32_t divide_by_area(int32_t sum, const glint_area *area) {
            (int32_t)((uint32_t)((sum & 0x7fff) * area->reciprocal) >> 15);
 }
 
+/* Returns the sides of a small triangle. */
+static inline glint_sides sides_of(const glint_corners *k) {
+    return (glint_sides){glint_x_of(k->b) - glint_x_of(k->a), glint_y_of(k->b) - glint_y_of(k->a),
+                         glint_x_of(k->c) - glint_x_of(k->a), glint_y_of(k->c) - glint_y_of(k->a)};
+}
+
+/* Returns the order in which set_plane takes a triangle's corners. */
+static inline const uint8_t *order_of(const glint_row_walk *walk) {
+    static const uint8_t next[5] = {0, 1, 2, 0, 1};
+    return &next[walk->has_slopes ? walk->corners.top : 0];
+}
+
 /*
  * Sets the plane of an attribute, from the tile's first pixel on. Slopes of small triangles are sums of products
  * without rounding, of differences of 18 bits, times 1/area in 16 bits: at a pixel of the triangle the plane is off by
  * 2^-15 of the corners' difference.
  */
-static void set_plane(const glint_row_walk *walk, glint_plane *to, const int32_t of[3]) {
-    if (walk->has_slopes) {
-        static const uint8_t next[5] = {0, 1, 2, 0, 1};
-        const glint_slopes *s = &walk->slopes;
-        const glint_corners *k = &walk->corners;
-        const uint8_t *from = &next[k->top];
-        const int32_t dx1 = glint_x_of(k->b) - glint_x_of(k->a), dx2 = glint_x_of(k->c) - glint_x_of(k->a);
-        const int32_t dy1 = glint_y_of(k->b) - glint_y_of(k->a), dy2 = glint_y_of(k->c) - glint_y_of(k->a);
-        const int32_t a = of[from[0]], to_b = of[from[1]] - a, to_c = of[from[2]] - a;
-        const uint32_t zeros = glint_leading_zeros(glint_magnitude_bits(to_b) | glint_magnitude_bits(to_c));
-        const uint32_t down = zeros < 14 ? 14 - zeros : 0;
-        const int32_t d1 = glint_shift_right(to_b, down), d2 = glint_shift_right(to_c, down);
-        const int32_t x = divide_by_area(d2 * dy1 - d1 * dy2, &k->area),
-                      y = divide_by_area(d1 * dx2 - d2 * dx1, &k->area);
-        const int32_t to_center =
-            glint_shift_right(x, 5) * (~glint_x_of(k->a) & 15) + glint_shift_right(y, 5) * (~glint_y_of(k->a) & 15);
-        const int32_t up = (int32_t)(k->area.zeros + down) - 28;
-        to->dx = (int32_t)scale_slope(x, up);
-        to->dy = (int32_t)scale_slope(y, up);
-        to->start = (int32_t)((uint32_t)a + scale_slope(to_center, up + 1) - (uint32_t)to->dx * (uint32_t)s->column -
-                              (uint32_t)to->dy * (uint32_t)s->row);
+static inline void set_plane(const glint_row_walk *walk, const glint_sides *sides, glint_plane *to, int32_t a,
+                             int32_t b, int32_t c) {
+    const glint_corners *k = &walk->corners;
+    if (!walk->has_slopes) {
+        glint_plane_begin(to, &walk->part->gradients, a, b, c);
+        to->start = glint_plane_at(to, walk->part->x, walk->part->y);
         return;
     }
-    glint_plane_begin(to, &walk->part->gradients, of[0], of[1], of[2]);
-    to->start = glint_plane_at(to, walk->part->x, walk->part->y);
+    const int32_t to_b = b - a, to_c = c - a;
+    const uint32_t zeros = glint_leading_zeros(glint_magnitude_bits(to_b) | glint_magnitude_bits(to_c));
+    const uint32_t down = zeros < 14 ? 14 - zeros : 0;
+    const int32_t d1 = glint_shift_right(to_b, down), d2 = glint_shift_right(to_c, down);
+    const int32_t x = divide_by_area(d2 * sides->dy1 - d1 * sides->dy2, &k->area),
+                  y = divide_by_area(d1 * sides->dx2 - d2 * sides->dx1, &k->area);
+    const int32_t to_center =
+        glint_shift_right(x, 5) * (~glint_x_of(k->a) & 15) + glint_shift_right(y, 5) * (~glint_y_of(k->a) & 15);
+    const int32_t up = (int32_t)(k->area.zeros + down) - 28;
+    to->dx = (int32_t)scale_slope(x, up);
+    to->dy = (int32_t)scale_slope(y, up);
+    to->start =
+        (int32_t)((uint32_t)a + scale_slope(to_center, up + 1) - (uint32_t)to->dx * (uint32_t)walk->slopes.column -
+                  (uint32_t)to->dy * (uint32_t)walk->slopes.row);
 }
 
 void glint_set_fine_w(glint_row_walk *walk) {
-    const glint_vertex *const *v = walk->triangle.corners;
-    const unsigned up = walk->list->up;
-    const int32_t w[3] = {(int32_t)((uint32_t)v[0]->inverse_w << up >> 1),
-                          (int32_t)((uint32_t)v[1]->inverse_w << up >> 1),
-                          (int32_t)((uint32_t)v[2]->inverse_w << up >> 1)};
-    set_plane(walk, &walk->w, w);
+    const glint_sides sides = sides_of(&walk->corners);
+    const uint8_t *from = order_of(walk);
+    int32_t w[3];
+    for (int i = 0; i < 3; i++)
+        w[i] = (int32_t)((uint32_t)walk->triangle.corners[from[i]]->inverse_w << walk->list->up >> 1);
+    set_plane(walk, &sides, &walk->w, w[0], w[1], w[2]);
     walk->list->has_w = 1;
 }
 
-/* Planes of three attributes over w. */
-static void set_planes(const glint_row_walk *walk, glint_plane planes[3], const int16_t *const of[3], int32_t sign,
-                       unsigned up) {
-    const glint_vertex *const *v = walk->triangle.corners;
-    for (int c = 0; c < 3; c++) {
-        const int32_t corner[3] = {weigh_corner(sign * of[0][c], v[0], up), weigh_corner(sign * of[1][c], v[1], up),
-                                   weigh_corner(sign * of[2][c], v[2], up)};
-        set_plane(walk, &planes[c], corner);
-    }
+/* A corner's attributes, and 1/w of 15 bits and 15 more. */
+typedef struct weighed_corner {
+    const int16_t *of;
+    int32_t high, low;
+} weighed_corner;
+
+static inline weighed_corner weigh_corner(const glint_row_walk *walk, const int16_t *of, uint32_t corner,
+                                          int32_t sign) {
+    const uint32_t w = (uint32_t)walk->triangle.corners[corner]->inverse_w << walk->list->up;
+    return (weighed_corner){of, sign * (int32_t)(w >> 16), sign * (int32_t)(w >> 1 & 0x7fff)};
+}
+
+/* Returns an attribute of 15 bits over w, 30 bits: also a corner's whose 1/w is a small part of the nearest one's. */
+static inline int32_t attribute_of(const weighed_corner *corner, int c) {
+    return corner->of[c] * corner->high + glint_shift_right(corner->of[c] * corner->low, 15);
+}
+
+/* Sets the planes of three attributes over w. */
+static GLINT_NOINLINE void set_planes(const glint_row_walk *walk, glint_plane planes[3], const int16_t *const of[3],
+                                      int32_t sign) {
+    const glint_sides sides = sides_of(&walk->corners);
+    const uint8_t *from = order_of(walk);
+    const weighed_corner p = weigh_corner(walk, of[from[0]], from[0], sign),
+                         q = weigh_corner(walk, of[from[1]], from[1], sign),
+                         r = weigh_corner(walk, of[from[2]], from[2], sign);
+    for (int c = 0; c < 3; c++)
+        set_plane(walk, &sides, &planes[c], attribute_of(&p, c), attribute_of(&q, c), attribute_of(&r, c));
 }
 
 /* Draws a span: lists the fragments that pass the depth test. */
@@ -316,7 +337,7 @@ GLINT_NOINLINE void glint_begin_lamp_list(glint_row_walk *walk) {
     list->has_w = 0;
     set_octave(walk);
     if (walk->draw->extra)
-        set_planes(walk, list->surface, walk->triangle.extra, 1, list->up);
+        set_planes(walk, list->surface, walk->triangle.extra, 1);
 }
 
 /* N.D of a corner that faces a light by less than this part of a step is not taken for one that faces away. */
@@ -382,7 +403,7 @@ static GLINT_NOINLINE void begin_list(glint_row_walk *walk) {
         list->room = up - 1;
         set_octave(walk);
     }
-    set_planes(walk, walk->channel, normals, triangle->back ? -1 : 1, up);
+    set_planes(walk, walk->channel, normals, triangle->back ? -1 : 1);
     for (int c = 0; c < 3; c++)
         walk->channel[c].start = glint_add_wrap(walk->channel[c].start, 1 << 14); /* what is cut off rounds */
     find_faced(walk);
