@@ -95,7 +95,8 @@ static void load(glint_frame *frame, glint_draw *draw, const glint_mesh *mesh) {
         load_clusters(frame, draw, mesh);
 }
 
-static int bin(glint_frame *frame, glint_draw *draw, uint32_t next) {
+static int bin(glint_bin_pass *pass, glint_draw *draw, uint32_t next) {
+    glint_frame *const frame = pass->frame;
     const glint_clusters *clusters = frame->scene->objects[draw->object].mesh->clusters;
     int32_t end = 0;
     for (uint32_t i = 0; i < clusters->count; i++) {
@@ -104,7 +105,7 @@ static int bin(glint_frame *frame, glint_draw *draw, uint32_t next) {
         if (!draw->away[i] || end <= (int32_t)next)
             continue;
         if ((int32_t)next < begin) {
-            const int binned = glint_bin_some(frame, draw, next, (uint32_t)begin);
+            const int binned = glint_bin_some(pass, draw, next, (uint32_t)begin);
             if (binned != begin)
                 return binned;
             next = (uint32_t)begin;
@@ -112,7 +113,7 @@ static int bin(glint_frame *frame, glint_draw *draw, uint32_t next) {
         frame->stats.facing_away += (uint32_t)end - next;
         next = (uint32_t)end;
     }
-    return glint_bin_some(frame, draw, next, draw->count);
+    return glint_bin_some(pass, draw, next, draw->count);
 }
 
 /* ---- Runs ---- */

@@ -5,6 +5,8 @@
 
 #include "../geometry/draw.h"
 
+struct glint_bin_pass;
+
 /** A mesh's clusters, one after the other. */
 typedef struct glint_walk {
     glint_eye eye;
@@ -21,7 +23,7 @@ struct glint_cull {
     /** Loads the vertices of a draw of all that is left of a mesh. */
     void (*load)(glint_frame *frame, glint_draw *draw, const glint_mesh *mesh);
     /** glint_bin_some of all from `next` on, but for clusters that face away. */
-    int (*bin)(glint_frame *frame, glint_draw *draw, uint32_t next);
+    int (*bin)(struct glint_bin_pass *pass, glint_draw *draw, uint32_t next);
     /** Begins a run of triangles. */
     void (*begin)(glint_walk *walk, const glint_mesh *mesh, const glint_transform *transform);
     /** Corners of a run's triangles, in order: all the same where a cluster faces away. */

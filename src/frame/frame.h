@@ -55,6 +55,17 @@ typedef struct glint_range {
 /** Checks a scene, all but its meshes' indices. */
 glint_status glint_check_scene(const glint_config *config, const glint_scene *scene);
 
+/** What listing a triangle in a tile takes, found once a pass. A place is a word of two halves, x and y in 28.4. */
+typedef struct glint_bin_pass {
+    glint_frame *frame;
+    uint32_t shift_x, shift_y;      /* from a place to the column and row of its tile */
+    uint32_t above;                 /* the bits of these */
+    uint32_t last;                  /* the last place of the region */
+    uint32_t columns, first, count; /* tiles: of a row, before the pass, in the pass */
+    uint32_t most;                  /* references that there may be */
+    uint32_t end, reference;        /* behind the last triangle: its number and what would refer to it */
+} glint_bin_pass;
+
 /** Puts triangles from (frame->object, frame->triangle) on into the lists of the pass's tiles. */
 glint_status glint_bin(glint_frame *frame, int *complete);
 
@@ -80,7 +91,7 @@ void glint_load_vertices(glint_frame *frame, glint_draw *draw, const glint_mesh 
  * Bins the triangles of a draw from number `next` to before `end`.
  * @return the first that the arena had no room for, `end`, or GLINT_ERROR_INDEX
  */
-int glint_bin_some(glint_frame *frame, glint_draw *draw, uint32_t next, uint32_t end);
+int glint_bin_some(glint_bin_pass *pass, glint_draw *draw, uint32_t next, uint32_t end);
 
 /**
  * A draw at the end of the list, behind `last`, with room for so many vertices and triangles, and `list` bytes behind

@@ -13,25 +13,6 @@ typedef struct picker {
     glint_hit hit;
 } picker;
 
-/* The number in its mesh of a triangle of a draw, from the numbers of its corners, in any order. */
-static uint32_t find_number(const glint_draw *draw, const glint_triangle *triangle) {
-    const glint_vertex *const *v = triangle->corners;
-    uint32_t i = 0;
-    for (; i < draw->count; i++) {
-        const uint16_t *index = draw->triangles[i];
-        const glint_vertex *const second = &draw->vertices[index[1]], *const third = &draw->vertices[index[2]];
-        if (&draw->vertices[index[0]] == v[0] &&
-            ((second == v[1] && third == v[2]) || (second == v[2] && third == v[1])))
-            break;
-    }
-    return i;
-}
-
-static int is_clipped(const glint_frame *frame, const glint_triangle *triangle) {
-    const uint8_t *const corner = (const uint8_t *)triangle->corners[0];
-    return corner >= (const uint8_t *)frame->clipped; /* up to the arena's end; vertices lie below */
-}
-
 /* Keeps a triangle that is the nearest so far at the pixel. */
 static void pick_pixel(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     picker *const p = (picker *)(void *)walk->workspace; /* its first member */
@@ -43,9 +24,7 @@ static void pick_pixel(glint_row_walk *walk, int32_t row, int32_t left, int32_t 
     const int32_t z = glint_most((int32_t)glint_z_at(walk, row, (int32_t)p->column), GLINT_DEPTH_BIAS);
     if (!glint_is_nearest((uint8_t *)depth, (uint32_t)z))
         return;
-    const uint32_t number = is_clipped(walk->frame, &walk->triangle)
-                                ? ((const glint_clipped *)(const void *)walk->triangle.corners[0])->triangle
-                                : find_number(draw, &walk->triangle);
+    const uint32_t number = walk->triangle.index;
     p->found = 1;
     p->hit.object = draw->object;
     p->hit.triangle = draw->first_triangle + (draw->origin ? draw->origin[number] : number);

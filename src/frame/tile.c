@@ -97,18 +97,18 @@ static GLINT_NOINLINE void turn_round(glint_triangle *triangle, const glint_draw
     }
 }
 
-/* The draw whose triangles come now, and their numbers in the pass; none where they are more than corners. */
-typedef struct draw_source {
-    const glint_draw *draw;
+/* The triangles of walk->draw, by their numbers in the pass, that have no more than corners: none of some draws. */
+typedef struct plain_triangles {
     uint32_t first, count;
     int may_turn; /* corners may run clockwise on the screen */
-} draw_source;
+} plain_triangles;
 
 static inline const uint16_t *find_corners(const glint_draw *draw, uint32_t i, glint_triangle *t) {
     const uint16_t *indices = draw->triangles[i];
     t->corners[0] = &draw->vertices[indices[0]];
     t->corners[1] = &draw->vertices[indices[1]];
     t->corners[2] = &draw->vertices[indices[2]];
+    t->index = i;
     return indices;
 }
 
@@ -118,47 +118,59 @@ static const glint_clipped *clipped_of(const glint_frame *frame, uint32_t number
     return top - 1 - (GLINT_CLIPPED_TOP - number);
 }
 
-/* Any triangle, of this draw, of one that follows, or made by clipping. */
-static GLINT_NOINLINE void find_any_triangle(const glint_frame *frame, draw_source *from, uint32_t number,
-                                             glint_triangle *t) {
-    const glint_draw *draw = from->draw;
+/* The draw of a triangle, this one or one that follows. */
+static const glint_draw *find_draw(const glint_frame *frame, const glint_draw *draw, uint32_t number) {
+    if (number > GLINT_TRIANGLES_MAX)
+        return clipped_of(frame, number)->draw;
+    while (number - draw->first >= draw->count)
+        draw = draw->next;
+    return draw;
+}
+
+/* Begins with the triangles of a draw. */
+static void begin_draw(glint_row_walk *walk, const glint_draw *draw) {
+    walk->draw = draw;
+    walk->triangle.away = draw->unreached;
+    walk->lanes[0] = draw->flat;
+    walk->packed = draw->packed;
+}
+
+/* Any triangle, of the walk's draw, of one that follows, or made by clipping. */
+static GLINT_NOINLINE void find_any_triangle(glint_row_walk *walk, plain_triangles *plain, uint32_t number) {
+    glint_triangle *const t = &walk->triangle;
+    const glint_draw *const draw = find_draw(walk->frame, walk->draw, number);
     if (number > GLINT_TRIANGLES_MAX) {
-        const glint_clipped *clipped = clipped_of(frame, number);
+        const glint_clipped *clipped = clipped_of(walk->frame, number);
         for (int i = 0; i < 3; i++) {
             t->corners[i] = &clipped->corners[i];
             t->extra[i] = clipped->extra[i];
         }
-        draw = clipped->draw;
-        number = clipped->triangle;
+        t->index = clipped->triangle;
     } else {
-        while (number - draw->first >= draw->count)
-            draw = draw->next;
-        number -= draw->first;
-        const uint16_t *indices = find_corners(draw, number, t);
+        const uint16_t *indices = find_corners(draw, number - draw->first, t);
         for (int i = 0; i < 3 && draw->extra; i++)
             t->extra[i] = draw->extra[indices[i]];
     }
-    t->index = number;
+    if (draw != walk->draw)
+        begin_draw(walk, draw);
     t->back = 0;
-    from->draw = draw;
-    from->first = draw->first;
-    from->count = draw->extra ? 0 : draw->count;
-    from->may_turn = draw->mirrored || draw->double_sided;
-    if (from->may_turn)
+    plain->first = draw->first;
+    plain->count = draw->extra ? 0 : draw->count;
+    plain->may_turn = draw->mirrored || draw->double_sided;
+    if (plain->may_turn)
         turn_round(t, draw);
 }
 
-/* A triangle by its number; a list names draws in order, none before the one that triangles come from. */
-static inline void find_triangle(const glint_frame *frame, draw_source *from, uint32_t number, glint_triangle *t) {
-    const uint32_t i = number - from->first;
-    if (i < from->count) {
-        find_corners(from->draw, i, t);
-        t->index = i;
-        if (from->may_turn)
-            turn_round(t, from->draw);
-    } else {
-        find_any_triangle(frame, from, number, t);
+/* A triangle by its number; a list names draws in order, none before the walk's. */
+static inline void find_triangle(glint_row_walk *walk, plain_triangles *plain, uint32_t number) {
+    const uint32_t i = number - plain->first;
+    if (i >= plain->count) {
+        find_any_triangle(walk, plain, number);
+        return;
     }
+    find_corners(walk->draw, i, &walk->triangle);
+    if (plain->may_turn)
+        turn_round(&walk->triangle, walk->draw);
 }
 
 /* Where a tile lies: it is drawn from its first pixel on, wherever the region begins, to where that ends. */
@@ -172,15 +184,6 @@ static void place_tile(const glint_frame *frame, glint_window *window, uint32_t 
 }
 
 /* ---- Hidden draws ---- */
-
-/* The draw of a triangle, this one or one that follows. */
-static const glint_draw *find_draw(const glint_frame *frame, const glint_draw *draw, uint32_t number) {
-    if (number > GLINT_TRIANGLES_MAX)
-        return clipped_of(frame, number)->draw;
-    while (number - draw->first >= draw->count)
-        draw = draw->next;
-    return draw;
-}
 
 /* Hides what lies behind a span: stores its depth, a step less than it has, so that it still is nearer itself. */
 static void hide_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
@@ -210,18 +213,17 @@ static GLINT_NOINLINE void hide_objects(const glint_frame *frame, glint_row_walk
     glint_reference *const references = frame->references;
     const glint_draw *const first = find_draw(frame, frame->draws, references[list->next].triangle);
     const uint32_t last = find_draw(frame, first, references[list->triangle].triangle)->object;
-    draw_source from = {first, first->first, 0, 0};
+    plain_triangles plain = {0, 0, 0};
     uint32_t behind = last; /* the first costly object */
     if (first->object == last)
         return;
     for (glint_reference *before = list, *here; before->next != GLINT_LIST_END; before = here) {
         here = &references[before->next];
-        find_triangle(frame, &from, here->triangle, &walk->triangle);
-        if (from.draw->object < behind && from.draw->is_costly)
-            behind = from.draw->object;
-        if (from.draw->object <= behind)
+        find_triangle(walk, &plain, here->triangle);
+        if (walk->draw->object < behind && walk->draw->is_costly)
+            behind = walk->draw->object;
+        if (walk->draw->object <= behind)
             continue;
-        walk->draw = from.draw;
         walk->packed = 0;
         walk->draw_span = begin_hiding;
         glint_walk_triangle(walk);
@@ -234,33 +236,24 @@ static GLINT_NOINLINE void hide_objects(const glint_frame *frame, glint_row_walk
 
 /* ---- Tiles ---- */
 
-/* Begins with the triangles of another draw. */
-static GLINT_NOINLINE void begin_draw(glint_row_walk *walk, const glint_draw *draw) {
-    walk->draw = draw;
-    walk->triangle.away = draw->unreached;
-    walk->lanes[0] = draw->flat;
-    walk->packed = draw->packed;
-}
-
 /* Draws the triangles of a tile's list. Out of line, where the loop has all registers. */
 static GLINT_NOINLINE void draw_triangles(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
     glint_reference *const references = frame->references, *const list = &references[tile - frame->tile_first];
-    draw_source from = {frame->draws, 0, 0, 0};
+    plain_triangles plain = {0, 0, 0};
     glint_row_walk walk;
     glint_part part;
     place_tile(frame, &part.window, tile);
     glint_walk_begin_tile(&walk, frame, workspace, &part);
     glint_walk_begin_format(&walk, &frame->config);
-    if (!GLINT_SMALL && frame->has_costly)
+    begin_draw(&walk, frame->draws);
+    if (!GLINT_SMALL && frame->has_costly) {
         hide_objects(frame, &walk, list);
-    walk.draw = 0;
+        begin_draw(&walk, frame->draws);
+    }
     for (uint32_t here = list->next; here != GLINT_LIST_END;) {
         const glint_reference *const reference = &references[here];
-        walk.triangle.number = reference->triangle;
         here = reference->next;
-        find_triangle(frame, &from, walk.triangle.number, &walk.triangle);
-        if (walk.draw != from.draw)
-            begin_draw(&walk, from.draw);
+        find_triangle(&walk, &plain, reference->triangle);
         walk.draw->draw_triangle(&walk);
     }
 }

@@ -54,7 +54,6 @@ typedef struct glint_triangle {
     int32_t area;                   /* twice its area, 28.4 squared, above 0 */
     int back;                       /* seen from the back */
     uint32_t away;                  /* lights that are known not to shine on it, by bits */
-    uint32_t number;                /* in the pass; 16 bits */
 } glint_triangle;
 
 /** A window that shows so many pixels from pixel x, y of the screen on. */
