@@ -220,7 +220,7 @@ static uint32_t count_all_shown(const glint_frame *frame, uint32_t tiles) {
     return shown;
 }
 
-/* Chooses how many tiles to load for: about as many as last time, by what their triangles took then. */
+/* Chooses how many tiles to load for: as many as last time, halved or doubled as far as the arena is likely to hold. */
 static void choose_tiles(glint_frame *frame) {
     const size_t room = frame->memory.high - frame->prepared_end;
     const size_t most = room / frame->part_bytes;
@@ -231,40 +231,14 @@ static void choose_tiles(glint_frame *frame) {
             (uint16_t)(2u * frame->pass_tiles < frame->tile_count ? 2u * frame->pass_tiles : frame->tile_count);
 }
 
-/* What a triangle that may show took, and half as much for what cannot be foreseen: the mean of now and before. */
-static void learn_bytes(glint_frame *frame, uint32_t tiles) {
-    const uint32_t shown = frame->extents && frame->covers_end ? count_all_shown(frame, tiles) : 0;
-    if (shown < 64) /* too few to tell */
-        return;
-    const size_t used = frame->vertices_end - frame->prepared_end, bytes = 1 + (used + used / 2) / shown;
-    frame->part_bytes = (frame->part_bytes + bytes + 1) / 2;
-}
-
-/* Bytes of a triangle that may show, until some were loaded, where vertices keep little. */
-#define PART_BYTES 20
-
-/* Bytes of a triangle's numbers, and of its entries in lists. */
-#define TRIANGLE_BYTES 18
-
-/*
- * Bytes of a triangle that may show, where vertices keep as much as an object's: half are seen, each with a vertex. The
- * part's own count as one more or two.
- */
-static size_t guess_bytes(const glint_frame *frame, const glint_object *object) {
-    const glint_transform inside = {.clips = 0};
-    return (glint_draw_size(frame, object, &inside, 64, 0, 1) / 64 + TRIANGLE_BYTES) / 2;
-}
+/* About what a triangle that may show takes of the arena: half face the eye, each with a vertex and its references. */
+#define PART_BYTES 28
 
 static glint_status begin_parts(glint_frame *frame) {
     frame->memory.low = frame->prepared_end;
     frame->stats.hidden = 0;
     frame->has_extents = 1;
     frame->part_bytes = PART_BYTES;
-    for (uint32_t i = 0; i < frame->scene->object_count && !GLINT_SMALL; i++) {
-        const size_t bytes = guess_bytes(frame, &frame->scene->objects[i]);
-        if (bytes > frame->part_bytes)
-            frame->part_bytes = bytes;
-    }
     return glint_extents_find(frame);
 }
 
@@ -297,6 +271,5 @@ glint_status glint_load_parts(glint_frame *frame) {
     frame->covers_end = loaded > 0;
     frame->loaded_end = (uint16_t)end;
     frame->vertices_end = frame->memory.low;
-    learn_bytes(frame, end - frame->tile_first);
     return GLINT_OK;
 }
