@@ -34,13 +34,12 @@ static inline int16_t divide_channel(int32_t over_w, uint32_t zeros, int32_t rec
     return (int16_t)glint_least(colour, GLINT_COLOUR_ONE);
 }
 
-/* Divides a colour by its 1/w, of which at least one step counts. @return whether that is above 0 */
-static GLINT_NOINLINE int divide_colour(const int32_t at[4], int16_t colour[3]) {
+/* Divides a colour by its 1/w, of which at least one step counts. */
+static GLINT_NOINLINE void divide_colour(const int32_t at[4], int16_t colour[3]) {
     const uint32_t w = (uint32_t)glint_most(at[3], 1), zeros = glint_leading_zeros(w);
     const int32_t reciprocal = glint_reciprocal16(w << zeros >> 16);
     for (int c = 0; c < 3; c++)
         colour[c] = divide_channel(at[c], zeros, reciprocal);
-    return at[3] > 0;
 }
 
 static GLINT_NOINLINE void draw_divided_pixels(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
@@ -77,13 +76,17 @@ static inline uint32_t find_apart(const int16_t *a, const int16_t *b, const int1
     return (uint32_t)most_apart(most_apart(green, b[2] - a[2]), c[2] - a[2]);
 }
 
-/* Columns between two pixels whose colours are divided, those between them being linear; no tile divides them. */
+/*
+ * Columns between two pixels whose colours are divided, those between them being linear. No tile divides the short
+ * chunks; long ones are aligned to the screen, and tried where a triangle is large.
+ */
 #define CHUNK_SHIFT 3
+#define LONG_CHUNK_SHIFT 5
+#define LONG_CHUNK_REACH 1024 /* sixteenths of a pixel */
 
 /* A pixel whose colour has been divided. */
 typedef struct colour_node {
     int16_t colour[3];
-    int is_valid;
     int32_t w;
 } colour_node;
 
@@ -92,42 +95,47 @@ static void find_node(const glint_row_walk *walk, int32_t row, int32_t column, c
     const int32_t at[4] = {glint_plane_at(&walk->channel[0], x, y), glint_plane_at(&walk->channel[1], x, y),
                            glint_plane_at(&walk->channel[2], x, y), glint_plane_at(&walk->w, x, y)};
     to->w = at[3];
-    to->is_valid = divide_colour(at, to->colour);
+    divide_colour(at, to->colour);
 }
 
-/* May colours between two nodes be linear: to a quarter of a level? Not where one is cut off at 0 or 1. */
+/* May colours between two nodes be linear: to a quarter of a level, an eighth of many? Not where one is cut off at 0
+ * or 1. */
 static int is_close(const glint_row_walk *walk, const colour_node *a, const colour_node *b) {
     const unsigned bits = glint_green_bits(walk->frame->config.format);
     const uint32_t least = (uint32_t)glint_least(a->w, b->w) >> 15, most = (uint32_t)glint_most(a->w, b->w) >> 15;
     const uint32_t apart = find_apart(a->colour, b->colour, b->colour);
+    if (a->w <= 0 || b->w <= 0)
+        return 0;
     for (int c = 0; c < 3; c++)
         if ((uint32_t)(a->colour[c] - 1) >= GLINT_COLOUR_ONE - 1 ||
             (uint32_t)(b->colour[c] - 1) >= GLINT_COLOUR_ONE - 1)
             return 0;
-    return a->is_valid && b->is_valid && apart * (most - least + 1) <= (CLOSE >> (bits > 4 ? bits : 6)) * least;
+    return apart * (most - least + 1) <= (CLOSE >> (bits > 6 ? bits : 5)) * least;
 }
 
-/* Sets lanes that are linear between two nodes, from the tile's first column on. */
-static void set_between(glint_row_walk *walk, const colour_node *a, const colour_node *b, int32_t column) {
+/* Draws pixels of a chunk with colours that are linear between its nodes. */
+static void draw_between(glint_row_walk *walk, const colour_node *a, const colour_node *b, int32_t column,
+                         unsigned shift, int32_t row, int32_t left, int32_t right) {
     const uint32_t x = (uint32_t)column;
     int32_t step[3];
     for (int c = 0; c < 3; c++) /* 2^-16 */
-        step[c] = glint_shift_right(2 * (b->colour[c] - a->colour[c]) + (1 << CHUNK_SHIFT >> 1), CHUNK_SHIFT);
+        step[c] = glint_shift_right(2 * (b->colour[c] - a->colour[c]) + (1 << shift >> 1), shift);
     glint_lanes *const to = walk->lanes;
     to[0] = glint_lanes_of(a->colour);
     to[1].red_blue = ((uint32_t)step[2] << 16) + (uint32_t)step[0];
-    to[1].green = (uint32_t)(b->colour[1] - a->colour[1]) << (17 - CHUNK_SHIFT);
+    to[1].green = (uint32_t)(b->colour[1] - a->colour[1]) << (17 - shift);
     to[2] = (glint_lanes){0, 0};
     to[0].red_blue -= to[1].red_blue * x;
     to[0].green -= to[1].green * x;
+    walk->frame->config.format->smooth(walk, row, left, right);
 }
 
 /* Pixels from which on two nodes cost less. */
 #define CHUNK_LEAST 4
 
-static void draw_divided(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+static void draw_chunks(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     int32_t column = glint_shift_right(left, CHUNK_SHIFT) * (1 << CHUNK_SHIFT), known = -1;
-    colour_node a, b = {{0, 0, 0}, 0, 0};
+    colour_node a, b = {{0, 0, 0}, 0};
     for (; left < right; column += 1 << CHUNK_SHIFT) {
         const int32_t next = column + (1 << CHUNK_SHIFT), end = glint_least(next, right);
         int is_linear = end - left >= CHUNK_LEAST;
@@ -139,12 +147,26 @@ static void draw_divided(glint_row_walk *walk, int32_t row, int32_t left, int32_
             find_node(walk, row, known = next, &b);
             is_linear = is_close(walk, &a, &b);
         }
-        if (is_linear) {
-            set_between(walk, &a, &b, column);
-            walk->frame->config.format->smooth(walk, row, left, end);
-        } else {
+        if (is_linear)
+            draw_between(walk, &a, &b, column, CHUNK_SHIFT, row, left, end);
+        else
             draw_divided_pixels(walk, row, left, end);
-        }
+        left = end;
+    }
+}
+
+/* Draws pixels in long chunks, and where that does not do in short ones. */
+static void draw_long_chunks(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+    const int32_t size = 1 << LONG_CHUNK_SHIFT, x = glint_shift_right(walk->part->window.left, 4);
+    colour_node a, b;
+    while (left < right) {
+        const int32_t column = ((x + left) & -size) - x, end = glint_least(column + size, right);
+        find_node(walk, row, column, &a);
+        find_node(walk, row, column + size, &b);
+        if (is_close(walk, &a, &b))
+            draw_between(walk, &a, &b, column, LONG_CHUNK_SHIFT, row, left, end);
+        else
+            draw_chunks(walk, row, left, end);
         left = end;
     }
 }
@@ -168,12 +190,19 @@ static GLINT_NOINLINE void begin_divided(glint_row_walk *walk) {
     for (int i = 0; i < 3; i++)
         w[i] = glint_shift_left(v[i]->inverse_w, up);
     glint_plane_begin(&walk->w, g, w[0], w[1], w[2]);
-    for (int c = 0; c < 3; c++)
+    uint32_t steps = glint_magnitude_bits(walk->w.dx);
+    for (int c = 0; c < 3; c++) {
         glint_plane_begin(&walk->channel[c], g, glint_product_high(colour[0][c] * (1 << 16), w[0]),
                           glint_product_high(colour[1][c] * (1 << 16), w[1]),
                           glint_product_high(colour[2][c] * (1 << 16), w[2]));
-    walk->draw_span =
-        config->gamma || config->format->is_dithered || walk->is_deep ? draw_divided_pixels : draw_divided;
+        steps |= glint_magnitude_bits(walk->channel[c].dx);
+    }
+    /* within a chunk planes may wrap once, which shows */
+    if (config->gamma || config->format->is_dithered || walk->is_deep || steps >> (31 - CHUNK_SHIFT))
+        walk->draw_span = draw_divided_pixels;
+    else
+        walk->draw_span =
+            g->reach < LONG_CHUNK_REACH || steps >> (31 - LONG_CHUNK_SHIFT) ? draw_chunks : draw_long_chunks;
 }
 
 /* ---- Colours at corners, linear on the screen ---- */
