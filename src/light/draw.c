@@ -363,25 +363,9 @@ static GLINT_NOINLINE int begin_small_colours(glint_row_walk *walk) {
     return 1;
 }
 
-/*
- * Looks for the first pixel that passes the depth test: colours of what is hidden need not be found. The span is drawn
- * from its begin on, which decides how its colours are divided.
- */
-static void find_visible(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
-    const uint16_t *depth = walk->depth + ((uint32_t)row << walk->shift) + left, *const end = depth + (right - left);
-    uint32_t z = glint_z_at(walk, row, left);
-    for (; z >> 15 <= *depth; z += (uint32_t)walk->z.dx)
-        if (++depth == end)
-            return;
-    begin_large_colours(walk);
-    walk->draw_span(walk, row, left, right);
-}
-
 static void begin_lit(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     glint_begin_depth(walk);
-    walk->draw_span = find_visible;
-    if (walk->is_deep)
-        begin_large_colours(walk);
+    begin_large_colours(walk);
     walk->draw_span(walk, row, left, right);
 }
 
