@@ -6,7 +6,7 @@
 
 /* Pixels that are lit together: fewer take less stack, and change no bit. */
 #if GLINT_SMALL
-#define LIST_MAX 2
+#define LIST_MAX 8
 #else
 #define LIST_MAX 16
 #endif
@@ -158,7 +158,7 @@ void glint_draw_sun_list(glint_row_walk *walk, int32_t row, int32_t left, int32_
         if (end == list)
             continue;
         for (const glint_lit_sun *lit = t->lit, *last = lit + t->count; lit != last; lit++) {
-            if (!lit->is_plain)
+            if (GLINT_SMALL || !lit->is_plain)
                 light_list_any(walk, lit, row, begin, list, end);
             else if (!lit->gloss)
                 light_list_matt(walk, lit, row, begin, list, end);

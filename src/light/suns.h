@@ -161,8 +161,8 @@ void glint_take_larger(uint32_t dark, glint_spread *p, const glint_spread *end);
 void glint_begin_small_suns(const glint_row_walk *walk, glint_sun_triangle *t);
 glint_draw_span glint_draw_small_suns;
 
-/** Lights a pixel of a small triangle, at barycentric coordinates, 1 = 2^14, and stores it. */
-void glint_draw_small_pixel(const glint_row_walk *walk, int32_t row, int32_t column, int32_t b, int32_t c);
+/** The same of one light with a highlight around H, stored in 16 bits a pixel. */
+glint_draw_span glint_draw_small_rgb565, glint_draw_small_rgb565_be;
 
 /** Begins with a triangle that fits, whose fragments are to be listed. @return what draws its spans, or null where it
  * does not fit for that */

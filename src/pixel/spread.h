@@ -18,8 +18,20 @@ typedef struct glint_spread {
 
 /** A word packed into 16 bits: 5 red, 6 green, 5 blue; what is above them is to be cut off. */
 static inline uint32_t glint_spread_pack(uint32_t word) {
+#if defined(__ARM_FEATURE_SAT) && defined(__GNUC__)
+    union {
+        uint32_t word;
+        struct {
+            uint32_t blue : 5, green : 6, red : 21;
+        } part;
+    } packed; /* green is inserted by one instruction */
+    packed.word = word >> 4;
+    packed.part.green = word >> 25 & 63;
+    return packed.word;
+#else
     const uint32_t levels = word >> 4 & 0x07e0f81fu; /* red and blue in place, green 16 bits above its own */
     return levels | levels >> 16;
+#endif
 }
 
 /** A sum of two words, each channel clamped: a guard bit that is set sets the nine below. */
