@@ -3,6 +3,10 @@
 #include "../raster/small.h"
 #include "suns.h"
 
+static inline int32_t dot(const int32_t a[3], const int32_t b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 static inline int32_t dot16(const int32_t a[3], const int16_t b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -13,8 +17,8 @@ static inline int32_t dot16(const int32_t a[3], const int16_t b[3]) {
  * Brings a quadratic of barycentric coordinates to the screen; `up` of one whose values have 32 bits, else they have
  * 28. Slopes are below 2^13 and all numbers are below 2^18: those that are cut off have 31 bits.
  */
-static GLINT_INLINE void set_quadratic(glint_quadratic *q, uint32_t value, int32_t of1, int32_t of2, int32_t s,
-                                       int32_t t, int32_t u, const glint_slopes *o, const int up) {
+static GLINT_SPECIAL void set_quadratic(glint_quadratic *q, uint32_t value, int32_t of1, int32_t of2, int32_t s,
+                                        int32_t t, int32_t u, const glint_slopes *o, const int up) {
     const int32_t half = 1 << 13;
     const int32_t u1 = glint_shift_right((int32_t)glint_weigh(s, o->x1, u, o->x2) + half, 14),
                   u2 = glint_shift_right((int32_t)glint_weigh(u, o->x1, t, o->x2) + half, 14);
@@ -61,7 +65,7 @@ static inline uint32_t least_of(uint32_t a, uint32_t b, uint32_t c) {
 #define MOST_TURN (1u << 27)
 
 /* Sets N' at a corner. @return N'.N' */
-static GLINT_INLINE uint32_t set_normal(int32_t n[3], const int16_t *normal, int32_t over_w) {
+static GLINT_SPECIAL uint32_t set_normal(int32_t n[3], const int16_t *normal, int32_t over_w) {
     const int32_t half = 1 << 15, x = glint_shift_right(normal[0] * over_w + half, 16),
                   y = glint_shift_right(normal[1] * over_w + half, 16),
                   z = glint_shift_right(normal[2] * over_w + half, 16);
@@ -218,9 +222,8 @@ static GLINT_NOINLINE int begin_sun(const glint_row_walk *walk, glint_sun_triang
                                     const glint_sun_term *at_c) {
     glint_lit_sun *lit = &t->lit[t->count];
     const glint_slopes *o = &walk->slopes;
-    const int32_t x = sun->light[0], y = sun->light[1], z = sun->light[2], gate = t->suns->gate;
-    const int32_t a = t->n[0][0] * x + t->n[0][1] * y + t->n[0][2] * z, d1 = t->d1[0] * x + t->d1[1] * y + t->d1[2] * z,
-                  d2 = t->d2[0] * x + t->d2[1] * y + t->d2[2] * z;
+    const int32_t gate = t->suns->gate, a = dot(t->n[0], sun->light), d1 = dot(t->d1, sun->light),
+                  d2 = dot(t->d2, sun->light);
     if (a <= gate && a + d1 <= gate && a + d2 <= gate)
         return 1;
     const int32_t l1 = glint_shift_right(d1 + (1 << 12), 13), l2 = glint_shift_right(d2 + (1 << 12), 13);

@@ -6,7 +6,7 @@
 #include "suns.h"
 
 /* Makes a vector below GLINT_MOST_RAY unit, 1 = 2^bits, up to 15; one of less than `least`, squared, becomes 0. */
-static GLINT_INLINE void make_vector_unit(int32_t v[3], uint32_t least, unsigned bits) {
+static GLINT_SPECIAL void make_vector_unit(int32_t v[3], uint32_t least, unsigned bits) {
     uint32_t square = (uint32_t)(v[0] * v[0]) + (uint32_t)v[1] * (uint32_t)v[1] + (uint32_t)v[2] * (uint32_t)v[2];
     if (square < least) {
         v[0] = v[1] = v[2] = 0;
@@ -24,8 +24,8 @@ static GLINT_INLINE void make_vector_unit(int32_t v[3], uint32_t least, unsigned
 }
 
 /* Finds the unit vector to the eye from a point of the screen, 28.4. @return 0 where it lies too far out */
-static GLINT_INLINE int find_view(const glint_frame *frame, const glint_suns *suns, int32_t x, int32_t y, int32_t v[3],
-                                  unsigned bits) {
+static GLINT_SPECIAL int find_view(const glint_frame *frame, const glint_suns *suns, int32_t x, int32_t y, int32_t v[3],
+                                   unsigned bits) {
     const int32_t scale = frame->view->ray_scale;
     int32_t none = 0;
     GLINT_OPAQUE(none); /* else compilers store two zeros from a register of the FPU */

@@ -122,16 +122,15 @@ static void draw_suns(glint_row_walk *walk) {
 
 /* ---- Materials ---- */
 
-/* Returns how many lights a vertex keeps terms of. */
-static uint32_t count_terms(const glint_shading *shading) {
+static uint32_t count_lights(uint32_t lights) {
     uint32_t count = 0;
-    for (uint32_t i = 0; shading->has_specular >> i; i++)
-        count += shading->has_specular >> i & 1;
+    for (; lights; lights >>= 1)
+        count += lights & 1;
     return count;
 }
 
 static size_t vertex_size(const glint_shading *shading) {
-    return count_terms(shading) * sizeof(glint_sun_term);
+    return count_lights(shading->has_specular) * sizeof(glint_sun_term);
 }
 
 /* From exponents on, of highlights that a table over sin^2 serves. */
@@ -182,17 +181,10 @@ static int has_words(const glint_frame *frame, const glint_shading *shading) {
     return 0;
 }
 
-static uint32_t count_lights(const glint_shading *shading) {
-    uint32_t count = 0;
-    for (uint32_t i = 0; shading->lights >> i; i++)
-        count += shading->lights >> i & 1;
-    return count;
-}
-
 static void need(const glint_frame *frame, const glint_shading *shading, size_t *least, size_t *tables) {
     if (!serves_some(frame, shading))
         return;
-    *least += GLINT_SUNS_SIZE(count_lights(shading));
+    *least += GLINT_SUNS_SIZE(count_lights(shading->lights));
     for (uint32_t i = 0; shading->lights >> i; i++) {
         const glint_drawn_sun sun = {.shines = shading->has_specular >> i & 1};
         if (shading->lights >> i & 1 && has_words(frame, shading))
@@ -204,7 +196,7 @@ static void need(const glint_frame *frame, const glint_shading *shading, size_t 
 static glint_status prepare_material(glint_frame *frame, glint_shading *shading) {
     const glint_view *view = frame->view;
     const glint_suns *last = shading->changed ? 0 : shading->suns;
-    const uint32_t flags = shading->material->flags, count = count_lights(shading);
+    const uint32_t flags = shading->material->flags, count = count_lights(shading->lights);
     shading->suns = 0;
     if (!serves_some(frame, shading))
         return GLINT_OK;
@@ -226,7 +218,7 @@ static glint_status prepare_material(glint_frame *frame, glint_shading *shading)
     suns->takes_most = (uint8_t)takes_most;
     suns->gate = is_ungated ? INT32_MIN : 0;
     suns->keeps = keeps;
-    suns->terms = count_terms(shading);
+    suns->terms = count_lights(shading->has_specular);
     suns->is_local = view->local_viewer;
     suns->is_rounded = frame->config.format->sun_spans != GLINT_SPANS_OF_ANY;
     suns->spans = 0;

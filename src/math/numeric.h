@@ -80,6 +80,13 @@
 #define GLINT_SMALL 0
 #endif
 
+/** Forces inlining into callers that each know some arguments; for size, there is one function for all. */
+#if GLINT_SMALL
+#define GLINT_SPECIAL GLINT_NOINLINE
+#else
+#define GLINT_SPECIAL GLINT_INLINE
+#endif
+
 /** Hides the value of a loop variable from the compiler, so that it does not transform the loop. */
 #if defined(__GNUC__)
 #define GLINT_OPAQUE(x) __asm__("" : "+r"(x))
