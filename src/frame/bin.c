@@ -230,7 +230,8 @@ static inline int32_t area_of_words(uint32_t a, uint32_t b, uint32_t c) {
 int glint_bin_some(glint_bin_pass *pass, glint_draw *draw, uint32_t next, uint32_t end) {
     const glint_vertex *const vertices = draw->vertices;
     const uint16_t *indices = draw->triangles[next];
-    const uint32_t whole = draw->transform.clips ? 0 : draw->vertex_count; /* triangles of vertices below this are */
+    const uint32_t whole =
+        draw->transform.clips ? 0 : draw->vertex_count; /* vertices below are valid and not clipped */
     const int sees_clockwise = draw->mirrored || draw->double_sided,
               sees_others = !draw->mirrored || draw->double_sided;
     uint32_t left = end - next, away = 0;
@@ -238,18 +239,16 @@ int glint_bin_some(glint_bin_pass *pass, glint_draw *draw, uint32_t next, uint32
     pass->reference = reference_to(draw->first + end);
     for (; left; left--, indices += 3) {
         const uint32_t a = indices[0], b = indices[1], c = indices[2];
-        if ((a | b | c) >= whole) {
-            if (a >= draw->vertex_count || b >= draw->vertex_count || c >= draw->vertex_count)
-                return GLINT_ERROR_INDEX;
-            if ((vertices[a].flags | vertices[b].flags | vertices[c].flags) & GLINT_VERTEX_CLIP) {
-                if (!list_clipped(pass->frame, draw, end - left))
-                    break;
-                if (!GLINT_SMALL)
-                    pass->most = most_references(pass->frame);
-                continue;
-            }
-        }
+        if ((a | b | c) >= whole && (a >= draw->vertex_count || b >= draw->vertex_count || c >= draw->vertex_count))
+            return GLINT_ERROR_INDEX;
         const glint_vertex *const v[3] = {&vertices[a], &vertices[b], &vertices[c]};
+        if (!whole && (v[0]->flags | v[1]->flags | v[2]->flags) & GLINT_VERTEX_CLIP) {
+            if (!list_clipped(pass->frame, draw, end - left))
+                break;
+            if (!GLINT_SMALL)
+                pass->most = most_references(pass->frame);
+            continue;
+        }
         const uint32_t w[3] = {word_of(v[0]), word_of(v[1]), word_of(v[2])};
         const int32_t area = area_of_words(w[0], w[1], w[2]);
         if (area < 0 ? !sees_others : !sees_clockwise || !area) {
