@@ -156,22 +156,14 @@ static uint32_t find_highlight_end(const glint_shading *shading, uint32_t larges
     return (1u << 29) - glint_exp2(twice / 2 < 31 << 26 ? (int32_t) - (twice / 2) : -(31 << 26)) / 2;
 }
 
-/* sqrt(n / 48), Q15, n from 1 to 16. */
-static const uint16_t turn_root[16] = {4730,  6689,  8192,  9459,  10576, 11585, 12513, 13377,
-                                       14189, 14956, 15686, 16384, 17053, 17697, 18318, 18919};
-
-/* Sets sin^2, Q16, of the sums of an angle whose sin^2 is given, and of each of these, up to nearly a right angle. */
+/*
+ * sin^2(a + b) = sin^2 a + sin^2 b (1 - 2 sin^2 a) + 2 k sin b cos b, k = sin a cos a; of that, the last part is at
+ * most k (t + sin^2 b / t) for any t, which is precise where b is about t: 1/4.
+ */
 static void set_far(glint_suns *suns, uint32_t end) {
-    const int32_t sine = (int32_t)glint_square_root(end), cosine = (int32_t)glint_square_root((1u << 30) - end);
-    int32_t i = 0;
-    for (; i < 16; i++) {
-        const int32_t more = turn_root[i], less = (1 << 15) - (i + 1) * ((1 << 14) / 48); /* no less than the cosine */
-        const int32_t both = (sine * less >> 15) + (cosine * more >> 15) + 2;
-        if ((cosine * less >> 15) - (sine * more >> 15) <= 0 || both >= 32000)
-            break;
-        suns->far[i] = (uint16_t)((uint32_t)(both * both) >> 14);
-    }
-    suns->far_count = (uint8_t)i;
+    const uint32_t k = glint_square_root((uint64_t)end * ((1u << 30) - end) >> 30); /* Q15 */
+    suns->far = (end >> 14) + k / 2 + 4;
+    suns->far_turned = ((1u << 15) + 4 * k - 2 * least(end >> 15, (1u << 14) + 2 * k)) / 96 + 1;
 }
 
 /*

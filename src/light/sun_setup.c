@@ -103,9 +103,6 @@ int glint_begin_sun_normals(const glint_row_walk *walk, glint_sun_triangle *t) {
 /* The square of a difference of normals is 2/3 or more of that of their angle where N' are no shorter. */
 #define LEAST_TURNED (9u << 24)
 
-/* Binary logarithm of the squares of turns of one entry of `far`, 1 = 2^28. */
-#define TURN_STEP 24
-
 /*
  * Do all fragments lie outside the highlight, given the least of what corners are outside by? A point of a triangle is
  * nearer to some corner than 3^-1/2 of the longest side; so are its normal and half vector.
@@ -113,8 +110,7 @@ int glint_begin_sun_normals(const glint_row_walk *walk, glint_sun_triangle *t) {
 static inline int is_gloss_outside(const glint_sun_triangle *t, uint32_t bend, uint32_t outside) {
     const uint32_t large = t->turn > bend ? t->turn : bend,
                    turn = large + large / 2 + 3 * (t->turn + bend - large); /* (a + b)^2 <= 3/2 a^2 + 3 b^2 */
-    return t->least >= LEAST_TURNED && turn >> TURN_STEP < t->suns->far_count &&
-           outside > t->suns->far[turn >> TURN_STEP];
+    return t->least >= LEAST_TURNED && outside > t->suns->far + ((turn >> 12) * t->suns->far_turned >> 10);
 }
 
 /* Products of differences of H or V, from the first corner. */

@@ -57,17 +57,17 @@ typedef struct glint_sun_spans {
 /** The directional lights on a material. */
 typedef struct glint_suns {
     uint32_t count;
-    uint32_t keeps;   /* all bits, or 0 where the only light's ramp holds ambient light */
-    uint32_t first;   /* the word that a sum of lights begins with */
-    uint32_t dark;    /* the word of ambient light */
-    uint32_t shift;   /* sin^2, Q30, 2^-shift is an entry of gloss */
-    uint32_t end;     /* sin^2, Q30, where highlights end; 0 where none is visible */
-    uint16_t far[16]; /* sin^2, Q16, that is outside at corners which turn so far: suns.c, up to a number */
-    uint8_t far_count;
-    uint32_t bend;      /* largest square of a turn of H in a triangle whose highlight scalars give, 1 = 2^28; */
-    int32_t small_bend; /* what |H|^2, 1 = 2^28, may lack of 1 between corners that bend so far */
-    int32_t gate;       /* N'.L up to this is not lit */
-    uint32_t terms;     /* how many of these a vertex keeps */
+    uint32_t keeps;      /* all bits, or 0 where the only light's ramp holds ambient light */
+    uint32_t first;      /* the word that a sum of lights begins with */
+    uint32_t dark;       /* the word of ambient light */
+    uint32_t shift;      /* sin^2, Q30, 2^-shift is an entry of gloss */
+    uint32_t end;        /* sin^2, Q30, where highlights end; 0 where none is visible */
+    uint32_t far;        /* sin^2, Q16, that is outside at corners which turn by nothing, */
+    uint32_t far_turned; /* and how much more it is for a third of a turn squared, Q10 */
+    uint32_t bend;       /* largest square of a turn of H in a triangle whose highlight scalars give, 1 = 2^28; */
+    int32_t small_bend;  /* what |H|^2, 1 = 2^28, may lack of 1 between corners that bend so far */
+    int32_t gate;        /* N'.L up to this is not lit */
+    uint32_t terms;      /* how many of these a vertex keeps */
     uint8_t is_local, is_mirror, takes_most, is_rounded;
     uint8_t is_fine;              /* no packed words serve: all triangles are lit by lists, */
     uint8_t bits;                 /* of channels of so many bits */
