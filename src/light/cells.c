@@ -146,6 +146,16 @@ static inline void step_channel(patch_channel *p) {
     p->step += p->turn;
 }
 
+/* The kept span of a row within so many columns. @return 0 where there is none */
+static inline int clip_to_columns(const glint_lamp_list *list, uint32_t row, uint32_t x, uint32_t end, uint32_t *left,
+                                  uint32_t *right) {
+    if (row < list->top || row >= list->bottom)
+        return 0;
+    *left = list->spans[row].left > x ? list->spans[row].left : x;
+    *right = list->spans[row].right < end ? list->spans[row].right : end;
+    return *left < *right;
+}
+
 /* Draws a square of pixels between four nodes, 2^bits wide, of the kept spans. */
 static void draw_patch(const cell_rows *r, uint32_t x, uint32_t y, unsigned bits, const int16_t *a, const int16_t *b,
                        const int16_t *below_a, const int16_t *below_b) {
@@ -159,9 +169,8 @@ static void draw_patch(const cell_rows *r, uint32_t x, uint32_t y, unsigned bits
                   blue = begin_channel(r, 2, bits, node);
     walk->lanes[2] = (glint_lanes){0, 0};
     for (uint32_t row = y; row < end; row++) {
-        const uint32_t left = list->spans[row].left > x ? list->spans[row].left : x,
-                       right = list->spans[row].right < end_x ? list->spans[row].right : end_x;
-        if (row >= list->top && left < right) {
+        uint32_t left, right;
+        if (clip_to_columns(list, row, x, end_x, &left, &right)) {
             const uint32_t red_blue = ((uint32_t)glint_shift_right(blue.step + (1 << 7), 8) << 16) +
                                       (uint32_t)glint_shift_right(red.step + (1 << 7), 8),
                            green_step = (uint32_t)green.step << 8;
@@ -179,16 +188,6 @@ static void draw_patch(const cell_rows *r, uint32_t x, uint32_t y, unsigned bits
 }
 
 /* ---- Cells ---- */
-
-/* The kept span of a row within so many columns. @return 0 where there is none */
-static inline int clip_to_columns(const glint_lamp_list *list, uint32_t row, uint32_t x, uint32_t end, uint32_t *left,
-                                  uint32_t *right) {
-    if (row < list->top || row >= list->bottom)
-        return 0;
-    *left = list->spans[row].left > x ? list->spans[row].left : x;
-    *right = list->spans[row].right < end ? list->spans[row].right : end;
-    return *left < *right;
-}
 
 /* Is a pixel of a cell nearer than what was there? */
 static int cell_is_seen(const glint_row_walk *walk, uint32_t x, uint32_t y) {
