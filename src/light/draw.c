@@ -337,7 +337,7 @@ static inline int are_close(const glint_row_walk *walk, int32_t w, int32_t to_b,
 /* Begins the colours of a small triangle that has slopes. @return 0 where they are divided */
 static GLINT_NOINLINE int begin_small_colours(glint_row_walk *walk) {
     static const uint8_t next[5] = {0, 1, 2, 0, 1};
-    const glint_vertex *const *v = walk->corners.of;
+    const glint_vertex *const *v = walk->from_top;
     const int16_t *a = v[0]->attribute, *b = v[1]->attribute, *c = v[2]->attribute;
     const int32_t wa = v[0]->inverse_w, w1 = v[1]->inverse_w - wa, w2 = v[2]->inverse_w - wa;
     const uint32_t bend = glint_magnitude_bits(w1) | glint_magnitude_bits(w2);

@@ -99,14 +99,14 @@ int glint_find_visible_row(glint_row_walk *walk) {
 
 /* Finds area, plane of 1/w and slopes of a small triangle whose rows are walked, where slopes serve it. */
 static void begin_late_slopes(glint_row_walk *walk) {
-    glint_begin_slopes(walk, walk->corners.of);
+    glint_begin_slopes(walk, walk->from_top);
     if (walk->has_slopes)
         glint_find_slopes(&walk->corners, &walk->slopes);
 }
 
 /* Begins the rows of a triangle, whose slopes are found once a row has a span. */
 static glint_begun begin_rows(glint_row_walk *walk) {
-    const glint_begun begun = glint_find_rows(walk, walk->corners.of);
+    const glint_begun begun = glint_find_rows(walk, walk->from_top);
     walk->has_slopes = 0;
     if (begun == GLINT_IS_SMALL) {
         walk->has_slopes = GLINT_SLOPES_UNKNOWN;
@@ -117,7 +117,7 @@ static glint_begun begin_rows(glint_row_walk *walk) {
 
 glint_begun glint_begin_triangle(glint_row_walk *walk) {
     if (!GLINT_SMALL)
-        return glint_begin_inline(walk, walk->corners.of);
+        return glint_begin_inline(walk, walk->from_top);
     const glint_begun begun = begin_rows(walk);
     if (begun == GLINT_IS_SMALL)
         begin_late_slopes(walk);

@@ -27,9 +27,8 @@ typedef struct glint_area {
 /** A triangle's corners, counter-clockwise from the top one on: their words. */
 typedef struct glint_corners {
     glint_corner_word a, b, c;
-    uint32_t top;              /* which of the triangle's corners is the top one: 0, 1 or 2 */
-    const glint_vertex *of[3]; /* in that order */
-    glint_area area;           /* of a small triangle that has slopes */
+    uint32_t top;    /* which of the triangle's corners is the top one: 0, 1 or 2 */
+    glint_area area; /* of a small triangle that has slopes */
 } glint_corners;
 
 /**
@@ -84,6 +83,7 @@ typedef struct glint_row_walk {
     glint_slopes slopes;        /* where has_slopes, of glint_begin_depth */
     uint8_t has_slopes;         /* slopes serve it, and z is known; else gradients do, once glint_begin_depth ran */
     uint8_t is_deep;            /* rounding may take the plane of 1/w below 0 */
+    const glint_vertex *from_top[3]; /* its corners in the order of `corners` */
     /* Of its pixels: from the tile's first pixel on, and changes per pixel in x and y */
     glint_plane z;             /* 1/w, Q31, with GLINT_DEPTH_BIAS */
     uint32_t packed;           /* the pixel of a flat colour */
