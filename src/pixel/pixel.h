@@ -292,20 +292,20 @@ static GLINT_INLINE void glint_draw_visible_rows(glint_row_walk *walk, glint_beg
 #define GLINT_DEFINE_ROWS(suffix)
 #define GLINT_ROWS(suffix) glint_draw_flat, 0
 #else
-#define GLINT_DEFINE_ROWS(suffix)                                                        \
-    static void flat_##suffix(glint_row_walk *walk) {                                    \
-        const glint_vertex *v[3];                                                        \
-        const glint_begun begun = glint_begin_inline(walk, v);                           \
-        GLINT_OPAQUE(walk);                                                              \
-        if (begun == GLINT_IS_SMALL && walk->has_slopes)                                 \
-            glint_draw_rows(walk, glint_begin_rows(walk), flat_span_##suffix);           \
-        else                                                                             \
-            glint_walk_flat(walk, begun);                                                \
-    }                                                                                    \
-    static void smooth_rows_##suffix(glint_row_walk *walk, glint_begin_colours *begin) { \
-        glint_draw_visible_rows(walk, begin, smooth_##suffix);                           \
+#define GLINT_DEFINE_ROWS(suffix)                                                 \
+    static void flat_##suffix(glint_row_walk *walk) {                             \
+        const glint_vertex *v[3];                                                 \
+        const glint_begun begun = glint_begin_inline(walk, v);                    \
+        GLINT_OPAQUE(walk);                                                       \
+        if (begun == GLINT_IS_SMALL && walk->has_slopes)                          \
+            glint_draw_rows(walk, glint_begin_rows(walk), flat_span_##suffix);    \
+        else                                                                      \
+            glint_walk_flat(walk, begun);                                         \
+    }                                                                             \
+    static void rows_##suffix(glint_row_walk *walk, glint_begin_colours *begin) { \
+        glint_draw_visible_rows(walk, begin, smooth_##suffix);                    \
     }
-#define GLINT_ROWS(suffix) flat_##suffix, smooth_rows_##suffix
+#define GLINT_ROWS(suffix) flat_##suffix, rows_##suffix
 #endif
 
 /** The functions that draw spans and single pixels of lanes; they name the bits of red and blue, and of green. */
