@@ -56,12 +56,9 @@ static inline void set_corner(const glint_row_walk *walk, glint_sun_triangle *t,
 
 /* Sets corners in the order of slopes. */
 static inline void set_corners(const glint_row_walk *walk, glint_sun_triangle *t) {
-    static const uint8_t next[5] = {0, 1, 2, 0, 1};
-    const glint_vertex *const *v = walk->triangle.corners;
-    const uint8_t *from = &next[walk->corners.top];
-    set_corner(walk, t, 0, v[from[0]]);
-    set_corner(walk, t, 1, v[from[1]]);
-    set_corner(walk, t, 2, v[from[2]]);
+    set_corner(walk, t, 0, walk->from_top[0]);
+    set_corner(walk, t, 1, walk->from_top[1]);
+    set_corner(walk, t, 2, walk->from_top[2]);
 }
 
 /* Chooses what draws the spans of a triangle that is visible. @return null where it does not fit */
