@@ -103,6 +103,12 @@ typedef struct plain_triangles {
     int may_turn; /* corners may run clockwise on the screen */
 } plain_triangles;
 
+static inline plain_triangles no_triangles(void) {
+    uint32_t none = 0;
+    GLINT_OPAQUE(none); /* else compilers store two zeros from a register of the FPU */
+    return (plain_triangles){none, none, 0};
+}
+
 static inline const uint16_t *find_corners(const glint_draw *draw, uint32_t i, glint_triangle *t) {
     const uint16_t *indices = draw->triangles[i];
     t->corners[0] = &draw->vertices[indices[0]];
@@ -213,7 +219,7 @@ static GLINT_NOINLINE void hide_objects(const glint_frame *frame, glint_row_walk
     glint_reference *const references = frame->references;
     const glint_draw *const first = find_draw(frame, frame->draws, references[list->next].triangle);
     const uint32_t last = find_draw(frame, first, references[list->triangle].triangle)->object;
-    plain_triangles plain = {0, 0, 0};
+    plain_triangles plain = no_triangles();
     uint32_t behind = last; /* the first costly object */
     if (first->object == last)
         return;
@@ -239,7 +245,7 @@ static GLINT_NOINLINE void hide_objects(const glint_frame *frame, glint_row_walk
 /* Draws the triangles of a tile's list. Out of line, where the loop has all registers. */
 static GLINT_NOINLINE void draw_triangles(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
     glint_reference *const references = frame->references, *const list = &references[tile - frame->tile_first];
-    plain_triangles plain = {0, 0, 0};
+    plain_triangles plain = no_triangles();
     glint_row_walk walk;
     glint_part part;
     place_tile(frame, &part.window, tile);

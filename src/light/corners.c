@@ -53,7 +53,7 @@ static int has_even_columns(int32_t m[3][3]) {
     const int32_t slack = (int32_t)((square[0] >> 13) + (1u << 15));
     for (int j = 0; j < 3; j++) {
         const int next = j < 2 ? j + 1 : 0;
-        const int32_t dot = glint_corner_dot(column[j], column[next]), difference = (int32_t)(square[next] - square[j]);
+        const int32_t dot = glint_dot32(column[j], column[next]), difference = (int32_t)(square[next] - square[j]);
         if (dot > slack || dot < -slack || difference > slack || difference < -slack)
             return 0;
     }
@@ -272,7 +272,7 @@ static GLINT_NOINLINE void add_point_lights(const glint_corner_lights *lights, c
             direction = towards.direction;
             cosine = towards.cosine;
         } else {
-            cosine = glint_shift_right(glint_corner_dot(point->normal, direction), 15);
+            cosine = glint_shift_right(glint_dot32(point->normal, direction), 15);
         }
         if (cosine > 0) { /* 1 is a part in 2^13 to 2^12 too small */
             const uint32_t amount = (uint32_t)(cosine + glint_shift_right(cosine, 13));

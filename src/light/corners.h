@@ -98,11 +98,6 @@ int32_t glint_corner_turn(const glint_corner_space *space, const int64_t world[3
  */
 uint32_t glint_corner_unit(int32_t v[3], int32_t *exponent);
 
-/** a . b, which fits 32 bits. */
-static inline int32_t glint_corner_dot(const int32_t a[3], const int32_t b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /** Leading zeros up to which a way of 15 bits is precise enough: 13 bits are left. */
 #define GLINT_CORNER_ZEROS 6
 

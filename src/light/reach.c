@@ -35,7 +35,7 @@ void glint_corner_see_near(const glint_corner_place *place, const glint_lit_poin
     for (int i = 0; i < 3; i++)
         to->direction[i] = place->at[i] - half - glint_shift_right(point->place[i], place->shift);
     to->length = glint_corner_unit(to->direction, &to->exponent);
-    to->cosine = glint_shift_right(glint_corner_dot(point->normal, to->direction), 15);
+    to->cosine = glint_shift_right(glint_dot32(point->normal, to->direction), 15);
 }
 
 /* ---- Point lights ---- */
@@ -130,7 +130,7 @@ uint32_t glint_spot_reach(const glint_corner_light *light, const glint_lit_point
     const int32_t *const direction = to->direction;
     if (!strength)
         return 0;
-    const int32_t excess = glint_corner_dot(direction, direction) - GLINT_UNIT * GLINT_UNIT + light->axis_excess,
+    const int32_t excess = glint_dot32(direction, direction) - GLINT_UNIT * GLINT_UNIT + light->axis_excess,
                   cosine =
                       direction[0] * light->axis[0] + direction[1] * light->axis[1] + direction[2] * light->axis[2];
     return strength * find_part(light->source, cosine - glint_excess(cosine, excess)) >> 15;
@@ -177,7 +177,7 @@ static uint32_t power_of_chord(const glint_power_table *table, uint32_t chord) {
  */
 uint32_t glint_highlight_of_mirror(const glint_power_table *table, const int32_t normal[3], const int32_t light[3],
                                    const int32_t view[3]) {
-    const int32_t lacking = (1 << 30) - glint_corner_dot(normal, normal), cosine = glint_corner_dot(normal, light);
+    const int32_t lacking = (1 << 30) - glint_dot32(normal, normal), cosine = glint_dot32(normal, light);
     const int32_t share = cosine + glint_shift_right(cosine, 15) * glint_shift_right(lacking + (1 << 14), 15);
     const int32_t along = glint_shift_right(share + (1 << 14), 15);
     const int32_t x = glint_shift_right(along * normal[0] + (1 << 13), 14) - light[0] - view[0],

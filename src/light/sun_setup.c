@@ -3,10 +3,6 @@
 #include "../raster/small.h"
 #include "suns.h"
 
-static inline int32_t dot(const int32_t a[3], const int32_t b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static inline int32_t dot16(const int32_t a[3], const int16_t b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -218,8 +214,8 @@ static GLINT_NOINLINE int begin_sun(const glint_row_walk *walk, glint_sun_triang
                                     const glint_sun_term *at_c) {
     glint_lit_sun *lit = &t->lit[t->count];
     const glint_slopes *o = &walk->slopes;
-    const int32_t gate = t->suns->gate, a = dot(t->n[0], sun->light), d1 = dot(t->d1, sun->light),
-                  d2 = dot(t->d2, sun->light);
+    const int32_t gate = t->suns->gate, a = glint_dot32(t->n[0], sun->light), d1 = glint_dot32(t->d1, sun->light),
+                  d2 = glint_dot32(t->d2, sun->light);
     if (a <= gate && a + d1 <= gate && a + d2 <= gate)
         return 1;
     const int32_t l1 = glint_shift_right(d1 + (1 << 12), 13), l2 = glint_shift_right(d2 + (1 << 12), 13);

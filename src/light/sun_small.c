@@ -23,11 +23,7 @@ static GLINT_INLINE uint32_t find_normal(const glint_sun_triangle *t, small_pixe
 }
 
 /* The least N'.N' of which find_normal's bits serve; N' of corners may be opposite. 1 = 2^30 */
-#define LEAST_SQUARE (1u << 28)
-
-static inline int32_t dot(const int32_t a[3], const int32_t b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+#define LEAST_SMALL_SQUARE (1u << 28)
 
 /* Brings a component of a vector, of 16 bits, from corners to a pixel. */
 static inline int32_t mix_corners(const small_pixel *of, int32_t a, int32_t b, int32_t c) {
@@ -48,8 +44,9 @@ static GLINT_INLINE small_half find_half(const glint_sun_triangle *t, const smal
 }
 
 /* Returns the entry of gloss of a pixel, given its light's first term, and N'.L, 1 = 2^30. */
-static GLINT_NOINLINE uint32_t find_entry(const glint_row_walk *walk, const glint_drawn_sun *sun, const small_pixel *of,
-                                          const glint_spread *p, uint32_t term, int32_t light) {
+static GLINT_NOINLINE uint32_t find_small_entry(const glint_row_walk *walk, const glint_drawn_sun *sun,
+                                                const small_pixel *of, const glint_spread *p, uint32_t term,
+                                                int32_t light) {
     const glint_suns *suns = walk->suns->suns;
     const small_half half = find_half(walk->suns, of, term);
     const int32_t *n = of->n, over = (int32_t)p->over;
@@ -62,7 +59,7 @@ static GLINT_NOINLINE uint32_t find_entry(const glint_row_walk *walk, const glin
         return half.along <= 0
                    ? GLINT_GLOSS_ENTRIES
                    : glint_entry_of_sine(suns, p->square - (uint32_t)half.along * (uint32_t)half.along, p->over);
-    const int32_t along = glint_shift_right(dot(sun->light, half.v), 14); /* L.V, 2^15 */
+    const int32_t along = glint_shift_right(glint_dot32(sun->light, half.v), 14); /* L.V, 2^15 */
     return glint_entry_of_sine(
         suns,
         (p->square >> 16) *
@@ -78,18 +75,18 @@ static GLINT_NOINLINE void draw_small_pixel(const glint_row_walk *walk, int32_t 
     const glint_suns *suns = t->suns;
     small_pixel of = {row, column, (1 << 14) - b - c, b, c, {0}};
     uint32_t square = find_normal(t, &of), term = 0;
-    while (square < LEAST_SQUARE) {
+    while (square < LEAST_SMALL_SQUARE) {
         of.n[0] *= 2, of.n[1] *= 2, of.n[2] = 2 * of.n[2] + !square;
-        square = (uint32_t)dot(of.n, of.n);
+        square = (uint32_t)glint_dot32(of.n, of.n);
     }
     square <<= 2;
     glint_spread p = {((uint32_t)row << walk->shift) + (uint32_t)column, suns->first, square,
                       glint_over_normal(square)};
     for (const glint_drawn_sun *sun = suns->suns, *end = sun + suns->count; sun != end; sun++) {
-        const int32_t light = dot(of.n, sun->light);
+        const int32_t light = glint_dot32(of.n, sun->light);
         if (light > suns->gate)
             glint_add_sun(walk, sun, &p, glint_shift_right(light, 1),
-                          sun->shines ? find_entry(walk, sun, &of, &p, term, light) : GLINT_GLOSS_ENTRIES);
+                          sun->shines ? find_small_entry(walk, sun, &of, &p, term, light) : GLINT_GLOSS_ENTRIES);
         term += sun->shines;
     }
     if (suns->takes_most)
@@ -103,8 +100,8 @@ static GLINT_INLINE uint32_t light_pixel(const glint_sun_triangle *t, int32_t b,
     const glint_suns *suns = t->suns;
     small_pixel of = {0, 0, (1 << 14) - b - c, b, c, {0}};
     uint32_t square = find_normal(t, &of);
-    const int32_t light = dot(of.n, suns->suns->light);
-    if (square < LEAST_SQUARE)
+    const int32_t light = glint_dot32(of.n, suns->suns->light);
+    if (square < LEAST_SMALL_SQUARE)
         return 0;
     if (light <= 0)
         return suns->dark;
@@ -120,7 +117,8 @@ static GLINT_INLINE uint32_t light_pixel(const glint_sun_triangle *t, int32_t b,
 enum { ANY_FORMAT, IN_RGB565, IN_RGB565_BE };
 
 /* Draws a span of a small triangle, pixel by pixel. */
-static GLINT_INLINE void draw_span(const glint_row_walk *walk, int32_t row, int32_t left, int32_t right, int format) {
+static GLINT_INLINE void draw_small_span(const glint_row_walk *walk, int32_t row, int32_t left, int32_t right,
+                                         int format) {
     const glint_slopes *s = &walk->slopes;
     const uint32_t d = (uint32_t)(left - s->column), i = (uint32_t)(row - s->row), first = (uint32_t)row << walk->shift;
     uint16_t *const depth = walk->depth + first, *const pixels = (uint16_t *)walk->pixels + first;
@@ -143,16 +141,16 @@ static GLINT_INLINE void draw_span(const glint_row_walk *walk, int32_t row, int3
 }
 
 void glint_draw_small_suns(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
-    draw_span(walk, row, left, right, ANY_FORMAT);
+    draw_small_span(walk, row, left, right, ANY_FORMAT);
 }
 
 #if !GLINT_SMALL
 void glint_draw_small_rgb565(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
-    draw_span(walk, row, left, right, IN_RGB565);
+    draw_small_span(walk, row, left, right, IN_RGB565);
 }
 
 void glint_draw_small_rgb565_be(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
-    draw_span(walk, row, left, right, IN_RGB565_BE);
+    draw_small_span(walk, row, left, right, IN_RGB565_BE);
 }
 #endif
 

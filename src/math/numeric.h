@@ -248,6 +248,11 @@ static inline int32_t glint_dot(const int16_t a[3], const int16_t b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/** a . b, which fits 32 bits. */
+static inline int32_t glint_dot32(const int32_t a[3], const int32_t b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 /**
  * floor-ish 2^63 / x for x from 2^31: below 2^32, relative error at most 1.64e-9.
  * One Newton step from a 16-bit division.

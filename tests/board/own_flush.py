@@ -15,7 +15,7 @@ import show
 from qemu import Died, Tally, read_netpbm
 
 # By its path: another module here has its name.
-SPEC = importlib.util.spec_from_file_location("png", os.path.join(os.path.dirname(__file__), "..", "host", "picture.py"))
+SPEC = importlib.util.spec_from_file_location("png", os.path.join(os.path.dirname(__file__), "..", "..", "tools", "png.py"))
 png = importlib.util.module_from_spec(SPEC)
 SPEC.loader.exec_module(png)
 
