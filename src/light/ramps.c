@@ -168,10 +168,10 @@ static void set_far(glint_suns *suns, uint32_t end) {
 
 /*
  * A highlight has 63 weight (0.61 sqrt(p) + 2.5 / p) levels a radian where it is the steepest. Where H turns by d, a
- * linear one is off by up to 0.16 d^2, which may make 0.3 of a level; V by half of that, and in triangles with planes
+ * linear one is off by up to 0.16 d^2, which may make 0.23 of a level; V by half of that, and in triangles with planes
  * by an eighth.
  */
-#define BEND_LIMIT (15u << 25)
+#define BEND_LIMIT (45u << 23)
 
 /* Exponents up to which scalars are precise enough for a highlight: of Phong, of channels of 8 bits, and of others. */
 #define MOST_MIRRORED (32 * GLINT_ONE)
@@ -204,7 +204,7 @@ void glint_ramps_prepare(glint_suns *suns, const glint_shading *shading) {
     set_far(suns, suns->end);
     if (shading->shininess > most)
         return; /* no triangle fits in which it is visible */
-    const uint64_t steep = (uint64_t)largest * slope * (suns->bits > 6 ? 200 : 63) + 1, /* Q20 */
+    const uint64_t steep = (uint64_t)largest * slope * (suns->bits > 6 ? 150 : 63) + 1, /* Q20 */
         bend = ((uint64_t)BEND_LIMIT << (20 + 2 * suns->is_mirror)) / steep;
     suns->bend = bend < 1u << 28 ? (uint32_t)bend : 1u << 28;
     suns->small_bend = (int32_t)(suns->bend >> (suns->is_mirror ? 4 : 2)) + (1 << 15); /* rounding takes 2^15 of it */

@@ -9,31 +9,45 @@ static inline int32_t dot16(const int32_t a[3], const int16_t b[3]) {
 
 /* ---- Quadratics ---- */
 
+/* Slopes of triangles so large that the second order takes 3 bits more are below this: errors of it grow with size. */
+#define FINE_SLOPE (1u << 11)
+
+static inline unsigned fine_bits(const glint_slopes *o) {
+    const uint32_t most = glint_magnitude_bits(o->x1) | glint_magnitude_bits(o->x2) | glint_magnitude_bits(o->y1) |
+                          glint_magnitude_bits(o->y2);
+    return most < FINE_SLOPE ? 3 : 0;
+}
+
 /*
  * Brings a quadratic of barycentric coordinates to the screen; `up` of one whose values have 32 bits, else they have
- * 28. Slopes are below 2^13 and all numbers are below 2^18: those that are cut off have 31 bits.
+ * 28. Of second order are s, t, u, below 2^27, 2^28 of 1; slopes are below 2^13. Those that are cut off have 31 bits.
  */
 static GLINT_SPECIAL void set_quadratic(glint_quadratic *q, uint32_t value, int32_t of1, int32_t of2, int32_t s,
-                                        int32_t t, int32_t u, const glint_slopes *o, const int up) {
+                                        int32_t t, int32_t u, const glint_slopes *o, unsigned fine, const int up) {
     const int32_t half = 1 << 13;
-    const int32_t u1 = glint_shift_right((int32_t)glint_weigh(s, o->x1, u, o->x2) + half, 14),
-                  u2 = glint_shift_right((int32_t)glint_weigh(u, o->x1, t, o->x2) + half, 14);
-    const int32_t v1 = glint_shift_right((int32_t)glint_weigh(s, o->y1, u, o->y2) + half, 14),
-                  v2 = glint_shift_right((int32_t)glint_weigh(u, o->y1, t, o->y2) + half, 14);
-    const uint32_t xx = glint_weigh(u1, o->x1, u2, o->x2), xy = glint_weigh(u1, o->y1, u2, o->y2),
-                   yy = glint_weigh(v1, o->y1, v2, o->y2); /* 2^30 */
+    const int32_t s_fine = glint_shift_right(s, 12 - fine), t_fine = glint_shift_right(t, 12 - fine),
+                  u_fine = glint_shift_right(u, 12 - fine);
+    const int32_t u1 = glint_shift_right((int32_t)glint_weigh(s_fine, o->x1, u_fine, o->x2) + half, 14),
+                  u2 = glint_shift_right((int32_t)glint_weigh(u_fine, o->x1, t_fine, o->x2) + half, 14);
+    const int32_t v1 = glint_shift_right((int32_t)glint_weigh(s_fine, o->y1, u_fine, o->y2) + half, 14),
+                  v2 = glint_shift_right((int32_t)glint_weigh(u_fine, o->y1, t_fine, o->y2) + half, 14);
+    const int32_t xx = (int32_t)glint_weigh(u1, o->x1, u2, o->x2), xy = (int32_t)glint_weigh(u1, o->y1, u2, o->y2),
+                  yy = (int32_t)glint_weigh(v1, o->y1, v2, o->y2); /* 2^(30 + fine) */
+    s = glint_shift_right(s, 12), t = glint_shift_right(t, 12), u = glint_shift_right(u, 12);
     const int32_t b = of1 + glint_shift_right((int32_t)glint_weigh(s, o->start1, u, o->start2), 13),
                   c = of2 + glint_shift_right((int32_t)glint_weigh(u, o->start1, t, o->start2), 13);
     const uint32_t x = glint_weigh(b, o->x1, c, o->x2), y = glint_weigh(b, o->y1, c, o->y2);
     const uint32_t m = glint_weigh(of1 + b, o->start1, of2 + c, o->start2);
     if (up) {
-        q->xx = xx << 2, q->xy = xy << 3, q->yy = yy << 2;
+        q->xx = fine ? (uint32_t)glint_shift_right(xx, 1) : (uint32_t)xx << 2;
+        q->xy = fine ? (uint32_t)xy : (uint32_t)xy << 3;
+        q->yy = fine ? (uint32_t)glint_shift_right(yy, 1) : (uint32_t)yy << 2;
         q->x = x << 2, q->y = y << 2;
         q->value = value + (m << 1);
     } else {
-        q->xx = (uint32_t)glint_shift_right((int32_t)xx, 2);
-        q->xy = (uint32_t)glint_shift_right((int32_t)xy, 1);
-        q->yy = (uint32_t)glint_shift_right((int32_t)yy, 2);
+        q->xx = (uint32_t)glint_shift_right(xx, 2 + fine);
+        q->xy = (uint32_t)glint_shift_right(xy, 1 + fine);
+        q->yy = (uint32_t)glint_shift_right(yy, 2 + fine);
         q->x = (uint32_t)glint_shift_right((int32_t)x, 2);
         q->y = (uint32_t)glint_shift_right((int32_t)y, 2);
         q->value = value + (uint32_t)glint_shift_right((int32_t)m, 3);
@@ -87,12 +101,13 @@ int glint_begin_sun_normals(const glint_row_walk *walk, glint_sun_triangle *t) {
     t->d1[0] = x1, t->d1[1] = y1, t->d1[2] = z1;
     t->d2[0] = x2, t->d2[1] = y2, t->d2[2] = z2;
     const int32_t s = x1 * x1 + y1 * y1 + z1 * z1, q = x2 * x2 + y2 * y2 + z2 * z2, u = x1 * x2 + y1 * y2 + z1 * z2;
+    t->fine = fine_bits(&walk->slopes);
     t->turn = most_of((uint32_t)s, (uint32_t)q, (uint32_t)(s + q - 2 * u));
     t->least = least_of(at_a, at_b, at_c);
     if (t->turn > MOST_TURN || t->least < GLINT_LEAST_NORMAL + t->turn / 2) /* between corners by a third of it less */
         return 0;
-    set_quadratic(&t->normal, at_a << 4, to_q16((int32_t)(at_b - at_a) - s), to_q16((int32_t)(at_c - at_a) - q),
-                  glint_shift_right(s, 12), glint_shift_right(q, 12), glint_shift_right(u, 12), &walk->slopes, 1);
+    set_quadratic(&t->normal, at_a << 4, to_q16((int32_t)(at_b - at_a) - s), to_q16((int32_t)(at_c - at_a) - q), s, q,
+                  u, &walk->slopes, t->fine, 1);
     return 1;
 }
 
@@ -151,9 +166,8 @@ static GLINT_NOINLINE void set_half(const glint_row_walk *walk, const glint_sun_
     of.s -= glint_shift_right(glint_shift_right(bent->square1, 14) * k, 1);
     of.q -= glint_shift_right(glint_shift_right(bent->square2, 14) * k, 1);
     of.u -= glint_shift_right(bent->both, 14) * k;
-    set_quadratic(to, (uint32_t)at_a + (1 << 11), to_q16(at_b - at_a - of.s), to_q16(at_c - at_a - of.q),
-                  glint_shift_right(of.s, 12), glint_shift_right(of.q, 12), glint_shift_right(of.u, 13), &walk->slopes,
-                  0);
+    set_quadratic(to, (uint32_t)at_a + (1 << 11), to_q16(at_b - at_a - of.s), to_q16(at_c - at_a - of.q), of.s, of.q,
+                  glint_shift_right(of.u, 1), &walk->slopes, t->fine, 0);
 }
 
 /* Returns (1 + L.V) / 2, 1 = 2^28. */
@@ -182,8 +196,8 @@ static GLINT_NOINLINE void begin_mirror(const glint_row_walk *walk, const glint_
     const int32_t s = glint_shift_right(of.s, 12) - glint_shift_right(to_q16(bent->square1) * cosine, 17),
                   q = glint_shift_right(of.q, 12) - glint_shift_right(to_q16(bent->square2) * cosine, 17),
                   u = glint_shift_right(of.u, 13) - glint_shift_right(to_q16(bent->both) * cosine, 17);
-    set_quadratic(&lit->along, (uint32_t)at_a + (1 << 11), to_q16(at_b - at_a) - s, to_q16(at_c - at_a) - q, s, q, u,
-                  &walk->slopes, 0);
+    set_quadratic(&lit->along, (uint32_t)at_a + (1 << 11), to_q16(at_b - at_a) - s, to_q16(at_c - at_a) - q,
+                  glint_shift_left(s, 12), glint_shift_left(q, 12), glint_shift_left(u, 12), &walk->slopes, t->fine, 0);
 }
 
 /* Sets the highlight of a light, given its terms at corners. @return 0 where it does not fit */
