@@ -15,17 +15,14 @@ TEST_JUDGE   := tests/image/library_geometry.c tests/image/judge.c tests/referen
 SUITE_unit      := $(TEST_HARNESS) $(TEST_UNIT)
 SUITE_numbers   := $(TEST_HARNESS) tests/reference/numbers.c
 SUITE_camera    := $(TEST_HARNESS) tests/reference/camera.c tests/reference/reference.c tests/reference/lighting.c
-SUITE_compare   := $(TEST_HARNESS) tests/image/compare.c $(TEST_SCENES) $(TEST_JUDGE)
-SUITE_accuracy  := $(TEST_HARNESS) tests/image/accuracy.c $(TEST_SCENES) $(TEST_JUDGE)
-SUITE_models    := $(TEST_HARNESS) tests/image/models.c tests/image/surfaces.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
-SUITE_corners   := $(TEST_HARNESS) tests/image/corners.c tests/image/picture.c $(TEST_JUDGE)
-SUITE_gallery   := $(TEST_HARNESS) tests/image/gallery.c tests/image/rows.c tests/image/picture.c $(TEST_JUDGE) \
+SUITE_accuracy  := $(TEST_HARNESS) tests/image/accuracy.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
+SUITE_models    := $(TEST_HARNESS) tests/image/models.c tests/image/surfaces.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE) \
     tests/stability/contract.c tests/stability/weights.c $(wildcard examples/scenes/*.c)
+SUITE_corners   := $(TEST_HARNESS) tests/image/corners.c tests/image/picture.c $(TEST_JUDGE)
 SUITE_formats   := $(TEST_HARNESS) tests/image/formats.c tests/stability/contract.c tests/stability/random_scene.c \
     tests/stability/weights.c $(TEST_SCENES) $(TEST_JUDGE) $(wildcard examples/scenes/*.c)
 SUITE_output    := $(TEST_HARNESS) tests/image/output.c tests/stability/weights.c $(TEST_SCENES)
 SUITE_extremes  := $(TEST_HARNESS) tests/image/extremes.c tests/image/single.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
-SUITE_highlights := $(TEST_HARNESS) tests/image/highlights.c $(TEST_SCENES)
 SUITE_fill_rule := $(TEST_HARNESS) tests/image/fill_rule.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_opposed   := $(TEST_HARNESS) tests/image/opposed.c tests/image/picture.c
 SUITE_kept      := $(TEST_HARNESS) tests/image/kept.c $(TEST_SCENES)
@@ -55,9 +52,8 @@ SUITE_pixels    := $(TEST_HARNESS) tests/image/pixels.c $(PIXEL_SUMS)
 SUITE_rooms     := $(TEST_HARNESS) tests/image/rooms.c tests/image/picture.c tests/stability/large_scene.c
 SUITE_checked   := $(TEST_HARNESS) tests/image/checked.c tests/stability/large_scene.c
 SUITE_views     := $(TEST_HARNESS) tests/image/views.c tests/image/picture.c
-SUITE_passes    := $(TEST_HARNESS) tests/image/passes.c tests/image/picture.c
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit parts numbers compare accuracy models gallery formats output extremes highlights fill_rule identity pixels changes layouts region callbacks pick skipped diagnose camera kept arenas dark motion hidden opposed lines orthographic patches corners rooms checked views passes
+TEST_SUITES     := unit parts numbers accuracy models formats output extremes fill_rule identity pixels changes layouts region callbacks pick skipped diagnose camera kept arenas dark motion hidden opposed lines orthographic patches corners rooms checked views
 
 # $(call test_objects,variant,compiler and flags): build/<variant>/<source>.o
 define test_objects
@@ -138,7 +134,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit parts numbers camera) ## unit tests on the host, arithmetic against libm, files of others
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,compare accuracy models gallery formats output extremes highlights fill_rule pixels changes layouts region callbacks pick skipped diagnose kept arenas dark motion hidden opposed lines orthographic patches corners rooms checked views passes) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,accuracy models formats output extremes fill_rule pixels changes layouts region callbacks pick skipped diagnose kept arenas dark motion hidden opposed lines orthographic patches corners rooms checked views) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order
@@ -152,9 +148,9 @@ rooms: $(BUILD)/tests/host/rooms $(BUILD)/tests/sanitize/rooms ## large triangle
 	$(call run_suites,$^)
 
 # Of the suites that take long one of three or four, which the seed picks.
-SANITIZED_LONG   := accuracy models compare formats identity gallery arenas motion orthographic layouts pixels kept numbers lines callbacks
+SANITIZED_LONG   := accuracy models formats identity arenas motion orthographic layouts pixels kept numbers lines callbacks
 SANITIZED_TESTED := $(if $(SANITIZE_ALL),$(TEST_SUITES),$(filter-out $(SANITIZED_LONG),$(TEST_SUITES)) \
-    $(call pick,0,accuracy models compare) $(call pick,1,formats identity gallery) $(call pick,2,arenas motion orthographic) \
+    $(call pick,0,accuracy models) $(call pick,1,formats identity) $(call pick,2,arenas motion orthographic) \
     $(call pick,3,layouts pixels kept) $(call pick,4,numbers lines callbacks))
 
 test-sanitize: export GLINT_SAMPLE := $(if $(SANITIZE_ALL),1,8)

@@ -6,6 +6,7 @@
  * more, are within 0.75 step of the unrounded reference in every channel where the light weights (diffuse + specular,
  * times the light's colour) sum to at most 1, and within 0.5 + 0.25 times that sum above it; 99.99%, or all but one,
  * are within one step of the rounded reference, and all within two. Pixels where N.L is 0 within rounding are left out.
+ * Scenes under more lights, brighter and clipped ones too, are within one step.
  */
 #include "bench.h"
 #include "glint.h"
@@ -13,6 +14,7 @@
 #include "judge.h"
 #include "picture.h"
 #include "random.h"
+#include "rows.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -78,6 +80,9 @@ static void bench_scene_keeps(int which, int exponent, glint_viewer viewer, int 
     CHECK(found.judged > 0);
     CHECK_AT_MOST(found.over_one * 10000, found.judged); /* as README.md says */
     CHECK(found.gated * 4096 < found.covered);
+    CHECK_EQUAL(found.uncertain, 0);
+    CHECK(found.close * 500 < found.covered);
+    CHECK(found.vertex_error <= 1.0 / 16);
     if (which == 0 && width == 320 && exponent == 32 && viewer == GLINT_VIEWER_LOCAL)
         CHECK(judgement_psnr(&found) >= 41.5);
 }
@@ -92,6 +97,37 @@ static void bench_scenes(void) {
             }
         }
     }
+}
+
+/* ---- Scenes of all that a renderer gets wrong: no light is left out, of any number and brightness ---- */
+
+static void scene_keeps(const scene_definition *definition, glint_viewer viewer, int width, int height) {
+    judge_task task = {.width = width, .height = height, .format = &glint_format_rgb565, .fine = 0.75};
+    judgement found = {0};
+    test_scene scene;
+    scene_build(&scene, definition);
+    scene.scene.viewer = viewer;
+    task.scene = &scene.scene;
+    task.leave_out_gates = width == GLINT_SIZE_MAX && scene.materials[0].shininess == 0; /* the jump is full height */
+    judge(&task, &found);
+    row_print(definition->name, &found);
+    row_check(&found, 1);
+    if (task.leave_out_gates)
+        CHECK(found.gated * 2048 < found.covered);
+}
+
+static void scenes(void) {
+    row_print_heading();
+    for (unsigned i = 0; i < scene_count; i++) {
+        scene_keeps(&scene_definitions[i], GLINT_VIEWER_INFINITE, 320, 240);
+        scene_keeps(&scene_definitions[i], GLINT_VIEWER_LOCAL, 320, 240);
+    }
+}
+
+static void scenes_on_the_largest_screen(void) {
+    row_print_heading();
+    for (unsigned i = 0; i < scene_count; i++)
+        scene_keeps(&scene_definitions[i], GLINT_VIEWER_LOCAL, GLINT_SIZE_MAX, GLINT_SIZE_MAX);
 }
 
 /* ---- Flat faces ---- */
@@ -253,7 +289,12 @@ static void hard_scenes(void) {
 }
 
 int test_main(test_writer write) {
-    static const test_case cases[] = {TEST_CASE(bench_scenes), TEST_CASE(flat_faces), TEST_CASE(random_scenes),
-                                      TEST_CASE(hard_scenes), TEST_CASE(every_compiler_draws_the_same_scenes)};
+    static const test_case cases[] = {TEST_CASE(bench_scenes),
+                                      TEST_CASE(scenes),
+                                      TEST_CASE(scenes_on_the_largest_screen),
+                                      TEST_CASE(flat_faces),
+                                      TEST_CASE(random_scenes),
+                                      TEST_CASE(hard_scenes),
+                                      TEST_CASE(every_compiler_draws_the_same_scenes)};
     return test_run(write, cases, TEST_COUNT(cases));
 }

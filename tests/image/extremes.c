@@ -161,97 +161,6 @@ static void largest_exponents(void) {
     }
 }
 
-/* ---- More triangles than a pass holds ------------------------------------------------------------------------ */
-
-#define COLUMNS 250
-#define ROWS 240
-#define VERTICES ((COLUMNS + 1) * (ROWS + 1))
-#define TRIANGLES (2 * COLUMNS * ROWS)
-#define SIDE 96
-
-/* A plane of 120,000 triangles, all of which are seen, one under the other at most by a pixel. */
-static void build_plane(test_scene *scene, glint_mesh *mesh) {
-    static int16_t positions[VERTICES][3], normals[VERTICES][3];
-    static uint16_t triangles[TRIANGLES][3];
-    const glint_mesh_room room = {positions, normals, triangles, VERTICES, TRIANGLES};
-    CHECK_EQUAL(glint_generate_plane(mesh, &room, COLUMNS, ROWS, GLINT_ONE, GLINT_ONE), GLINT_OK);
-    for (int i = 0; i < VERTICES; i++) { /* bent, so that colours tell places apart */
-        normals[i][0] = (int16_t)(positions[i][0] / 2);
-        normals[i][1] = (int16_t)(positions[i][1] / 3);
-    }
-    build(scene);
-    scene->objects[0].mesh = mesh;
-    scene->objects[0].pose = glint_pose_rotate_z(10 * GLINT_ONE);
-    scene->objects[0].pose.m[2][3] = -3 * GLINT_ONE;
-    scene->scene.background = (glint_colour){GLINT_ONE, 0, GLINT_ONE};
-}
-
-/* No pixel is of two triangles, so that the whole is what its parts, which a pass has room for, show together. */
-static void many_triangles(void) {
-    const picture_options large = {.tile_width = 64, .tile_height = 64};
-    const picture_options small = {.tile_width = 64, .tile_height = 64, .arena_size = 100000};
-    picture whole = picture_open(SIDE, SIDE, &glint_format_rgb888);
-    picture other = picture_open(SIDE, SIDE, &glint_format_rgb888);
-    test_scene scene;
-    glint_mesh mesh;
-    glint_stats stats;
-    build_plane(&scene, &mesh);
-    CHECK_EQUAL(picture_render(&whole, &scene.scene, &large, &stats), GLINT_OK);
-    CHECK(stats.passes > 1);
-    CHECK_EQUAL(stats.hidden, 0);
-    CHECK_EQUAL(picture_render(&other, &scene.scene, &small, &stats), GLINT_OK);
-    CHECK(picture_equal(&whole, &other));
-    static uint8_t sum[SIDE * SIDE][3];
-    for (uint32_t part = 0; part < 3; part++) {
-        mesh.triangle_count = TRIANGLES / 3;
-        CHECK_EQUAL(picture_render(&other, &scene.scene, &large, &stats), GLINT_OK);
-        CHECK_EQUAL(stats.passes, 1);
-        mesh.triangles += TRIANGLES / 3;
-        for (int i = 0; i < SIDE * SIDE; i++)
-            if (part == 0 || other.bytes[3 * i] != 255 || other.bytes[3 * i + 1] != 0)
-                memcpy(sum[i], other.bytes + (size_t)3 * (size_t)i, 3);
-    }
-    CHECK(memcmp(sum, whole.bytes, sizeof sum) == 0);
-    picture_close(&whole);
-    picture_close(&other);
-}
-
-/* Two objects that a pass has room for, but not for both: a part of the second one ends where numbers do. */
-static void many_triangles_of_two_objects(void) {
-    enum { CELLS = 175, WIDE = 512 };
-    static int16_t positions[(CELLS + 1) * (CELLS + 1)][3], normals[(CELLS + 1) * (CELLS + 1)][3];
-    static uint16_t triangles[2 * CELLS * CELLS][3];
-    const glint_mesh_room room = {positions, normals, triangles, TEST_COUNT(positions), TEST_COUNT(triangles)};
-    const picture_options large = {.tile_width = 64, .tile_height = 64, .arena_size = 1 << 24};
-    const picture_options small = {.tile_width = 64, .tile_height = 64, .arena_size = 200000};
-    picture whole = picture_open(WIDE, WIDE, &glint_format_rgb888);
-    picture other = picture_open(WIDE, WIDE, &glint_format_rgb888);
-    test_scene scene;
-    glint_mesh halves[2];
-    glint_stats stats;
-    CHECK_EQUAL(glint_generate_plane(&halves[0], &room, CELLS, CELLS, GLINT_ONE, GLINT_ONE), GLINT_OK);
-    for (unsigned i = 0; i < TEST_COUNT(positions); i++)
-        normals[i][0] = (int16_t)(positions[i][0] / 2);
-    build(&scene);
-    halves[0].triangle_count /= 2;
-    halves[1] = halves[0];
-    halves[1].triangles += halves[0].triangle_count;
-    scene.scene.object_count = 2;
-    scene.objects[1] = scene.objects[0];
-    for (int i = 0; i < 2; i++) {
-        scene.objects[i].mesh = &halves[i];
-        scene.objects[i].pose = glint_pose_rotate_z(10 * GLINT_ONE);
-        scene.objects[i].pose.m[2][3] = -3 * GLINT_ONE;
-    }
-    CHECK_EQUAL(picture_render(&whole, &scene.scene, &large, &stats), GLINT_OK);
-    CHECK_EQUAL(stats.outside, 0); /* no triangle is so small that it has no number */
-    CHECK(stats.passes > 1);
-    CHECK_EQUAL(picture_render(&other, &scene.scene, &small, &stats), GLINT_OK);
-    CHECK(picture_equal(&whole, &other));
-    picture_close(&whole);
-    picture_close(&other);
-}
-
 /* ---- Near the eye -------------------------------------------------------------------------------------------- */
 
 /* Draws a scene, and compares it. */
@@ -336,8 +245,6 @@ int test_main(test_writer write) {
         TEST_CASE(fields_of_view),
         TEST_CASE(least_exponents),
         TEST_CASE(largest_exponents),
-        TEST_CASE(many_triangles),
-        TEST_CASE(many_triangles_of_two_objects),
         TEST_CASE(triangle_around_the_eye),
         TEST_CASE(box_just_beyond_the_near_plane),
         TEST_CASE(triangles_at_the_bounds),

@@ -108,6 +108,18 @@ static void bench_scenes(void) {
     }
 }
 
+/* Clipped, mirrored and stretched objects, up to eight lights, colours beyond 1. */
+static void scenes(void) {
+    for (unsigned i = 0; i < scene_count; i++) {
+        test_scene scene;
+        scene_build(&scene, &scene_definitions[i]);
+        const int is_too_bright = scene.materials[0].diffuse.r > GLINT_ONE; /* for a contract in steps of 8 bits */
+        for (unsigned kind = 0; kind < TEST_COUNT(formats); kind++)
+            if (!is_too_bright || (kind != RGB888 && kind != RGB888 + 1))
+                judge_in(kind, &scene.scene, 157, 93, scene_definitions[i].name);
+    }
+}
+
 /* Coarse triangles whose highlights turn far, as the viewer's direction does too: in steps of 8 bits. */
 static void highlights_in_8_bits(void) {
     static const int exponents[] = {2, 8, 32, 64, 256, 1024};
@@ -172,8 +184,9 @@ static void few_are_apart(void) {
 }
 
 int test_main(test_writer write) {
-    static const test_case cases[] = {TEST_CASE(bench_scenes),  TEST_CASE(example_variants),
-                                      TEST_CASE(random_scenes), TEST_CASE(facets_of_slivers),
-                                      TEST_CASE(few_are_apart), TEST_CASE(highlights_in_8_bits)};
+    static const test_case cases[] = {TEST_CASE(bench_scenes),        TEST_CASE(example_variants),
+                                      TEST_CASE(random_scenes),       TEST_CASE(facets_of_slivers),
+                                      TEST_CASE(few_are_apart),       TEST_CASE(scenes),
+                                      TEST_CASE(highlights_in_8_bits)};
     return test_run(write, cases, TEST_COUNT(cases));
 }

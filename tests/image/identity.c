@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Suite: the image is the same, byte for byte, for every tile size, every arena from the smallest to the best, tiles
- * drawn in another order by two workspaces, and objects in another order.
+ * Suite: the image is the same, byte for byte, for every tile size, region and arena from the smallest to the best, for
+ * tiles drawn in another order by two workspaces, and for objects in another order. The best arena takes one pass, and
+ * meshes of more triangles than a pass can number cost no more passes than they ask for.
  */
+#include "every_format.h"
 #include "glint_extras.h"
 #include "harness.h"
 #include "picture.h"
@@ -17,46 +19,100 @@
 
 static const uint16_t tile_sizes[4] = {8, 16, 32, 64};
 
-/* Draws with options and holds the bytes against `wanted`; both arguments' pictures have the same size. */
-static void check_same(const picture *wanted, const glint_scene *scene, const picture_options *options) {
-    picture got = picture_open(wanted->width, wanted->height, wanted->format);
-    CHECK_EQUAL(picture_render(&got, scene, options, NULL), GLINT_OK);
-    CHECK(picture_is_complete(&got));
-    CHECK(picture_equal(wanted, &got));
-    picture_close(&got);
+/* Every tile size in one pass. */
+static void check_tile_sizes(const picture *wanted, const glint_scene *scene) {
+    for (int i = 0; i < 16; i++) {
+        const picture_options options = {.tile_width = tile_sizes[i % 4], .tile_height = tile_sizes[i / 4]};
+        glint_stats stats;
+        CHECK(picture_draws_same(wanted, scene, &options, &stats));
+        CHECK_EQUAL(stats.passes, 1);
+        CHECK_AT_MOST(stats.arena_used, picture_need(wanted, scene, &options).one_pass);
+    }
+}
+
+/* From the smallest arena, which takes many passes, to beyond the best, which takes one. */
+static void check_arenas(const picture *wanted, const glint_scene *scene) {
+    for (int i = 0; i < 3; i++) {
+        picture_options options = {.tile_width = tile_sizes[i], .tile_height = tile_sizes[(i + 1) % 3]};
+        const glint_need need = picture_need(wanted, scene, &options);
+        picture image = *wanted;
+        glint_stats stats;
+        CHECK(need.least <= need.resident && need.resident <= need.one_pass);
+        for (uint32_t eighth = 0; eighth <= 9; eighth++) {
+            options.arena_size = picture_arena(&need, 32 * eighth) + (eighth & 3);
+            CHECK(picture_draws_same(wanted, scene, &options, &stats));
+            CHECK_AT_MOST(stats.arena_used, options.arena_size);
+        }
+        options.arena_size = need.resident;
+        CHECK(picture_draws_same(wanted, scene, &options, NULL));
+        options.arena_size = need.least - 1;
+        CHECK_EQUAL(picture_render(&image, scene, &options, NULL), GLINT_ERROR_ARENA);
+    }
+}
+
+/* Parts of the screen, in steps of 8 pixels, in small and large arenas. */
+static void check_regions(const picture *wanted, const glint_scene *scene) {
+    for (int i = 0; i < 4; i++) {
+        const int x = 8 * any(0, 17), y = 8 * any(0, 11), width = 8 * any(1, 19 - x / 8),
+                  height = 8 * any(1, 13 - y / 8);
+        picture_options options = {.tile_width = tile_sizes[any(0, 3)], .tile_height = tile_sizes[any(0, 3)]};
+        options.region = (glint_rectangle){(int16_t)x, (int16_t)y, (int16_t)(x + width > WIDTH ? WIDTH - x : width),
+                                           (int16_t)(y + height > HEIGHT ? HEIGHT - y : height)};
+        const glint_need need = picture_need(wanted, scene, &options);
+        options.arena_size = picture_arena(&need, i ? below(257) : 0);
+        CHECK(picture_draws_same(wanted, scene, &options, NULL));
+    }
 }
 
 typedef void (*scene_check)(const picture *wanted, const glint_scene *scene);
 
-/* Runs a check over every scene, with one image drawn the default way. */
-static void for_each_scene_in(const glint_format *format, scene_check check) {
+/* Runs a check over a scene, with one image drawn the default way. */
+static void check_in(const glint_format *format, const glint_scene *scene, scene_check check) {
+    picture wanted = picture_open(WIDTH, HEIGHT, format);
+    CHECK_EQUAL(picture_render(&wanted, scene, NULL, NULL), GLINT_OK);
+    CHECK(picture_is_complete(&wanted));
+    check(&wanted, scene);
+    picture_close(&wanted);
+}
+
+/* All scenes in 8 bits a channel, in RGB565, and each in a format of its own; also with parallel rays. */
+static void for_each_scene(scene_check check) {
+    random_state = 1;
     for (unsigned i = 0; i < scene_count; i++) {
         test_scene scene;
-        picture wanted = picture_open(WIDTH, HEIGHT, format);
         scene_build(&scene, &scene_definitions[i]);
         scene.scene.viewer = i % 3 ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
-        CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
-        CHECK(picture_is_complete(&wanted));
-        check(&wanted, &scene.scene);
-        picture_close(&wanted);
-    }
-}
-
-/* In 8 bits a channel, and in RGB565. */
-static void for_each_scene(scene_check check) {
-    for_each_scene_in(&glint_format_rgb888, check);
-    for_each_scene_in(&glint_format_rgb565, check);
-}
-
-static void check_tile_sizes(const picture *wanted, const glint_scene *scene) {
-    for (int i = 0; i < 16; i++) {
-        const picture_options options = {.tile_width = tile_sizes[i % 4], .tile_height = tile_sizes[i / 4]};
-        check_same(wanted, scene, &options);
+        check_in(&glint_format_rgb888, &scene.scene, check);
+        check_in(&glint_format_rgb565, &scene.scene, check);
+        scene_evaluate(&scene, scene_evaluations[i % 3]);
+        check_in(every_format[i % FORMAT_COUNT], &scene.scene, check);
+        scene_make_parallel(&scene.scene);
+        check_in(&glint_format_rgb565, &scene.scene, check);
     }
 }
 
 static void every_tile_size(void) {
     for_each_scene(check_tile_sizes);
+}
+
+static void every_arena(void) {
+    for_each_scene(check_arenas);
+}
+
+static void every_region(void) {
+    for_each_scene(check_regions);
+}
+
+/* Parallel rays, by each evaluation. */
+static void random_scenes_of_parallel_rays(void) {
+    for (uint32_t number = 1; number <= 40; number++) {
+        test_scene scene;
+        scene_build_random(&scene, number);
+        scene_make_parallel(&scene.scene);
+        scene_evaluate(&scene, scene_evaluations[number % 3]);
+        random_state = number;
+        check_in(&glint_format_rgb565, &scene.scene, check_regions);
+    }
 }
 
 /*
@@ -65,7 +121,6 @@ static void every_tile_size(void) {
  */
 static void every_tile_size_where_depths_nearly_tie(void) {
     test_scene scene;
-    picture wanted = picture_open(WIDTH, HEIGHT, &glint_format_rgb888);
     scene_build_named(&scene, "floor to the horizon");
     for (int i = 0; i < 2; i++) {
         glint_pose tilt = glint_pose_rotate_x(80 * GLINT_ONE + i * GLINT_ONE / 4);
@@ -77,76 +132,7 @@ static void every_tile_size_where_depths_nearly_tie(void) {
     }
     scene.materials[1].ambient = (glint_colour){0, 0, GLINT_ONE};
     scene.scene.object_count = 2;
-    CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
-    check_tile_sizes(&wanted, &scene.scene);
-    picture_close(&wanted);
-}
-
-static glint_need arena_need(const picture *like, const glint_scene *scene, const picture_options *options) {
-    picture image = *like;
-    glint_config config = picture_config(&image, options);
-    glint_need need = {0};
-    CHECK_EQUAL(glint_arena_need(&config, scene, &need), GLINT_OK);
-    CHECK(need.least <= need.one_pass);
-    return need;
-}
-
-/* From the smallest arena, which takes many passes, to beyond the best, which takes one. */
-static void check_arenas(const picture *wanted, const glint_scene *scene) {
-    for (int i = 0; i < 3; i++) {
-        picture_options options = {.tile_width = tile_sizes[i], .tile_height = tile_sizes[(i + 1) % 3]};
-        glint_need need = arena_need(wanted, scene, &options);
-        for (int eighth = 0; eighth <= 9; eighth++) {
-            options.arena_size = need.least + (need.one_pass - need.least) / 8 * (size_t)eighth + (eighth & 3);
-            check_same(wanted, scene, &options);
-        }
-        options.arena_size = need.least;
-        check_same(wanted, scene, &options);
-        options.arena_size = need.one_pass;
-        check_same(wanted, scene, &options);
-    }
-}
-
-/* Two triangles of a thousand pixels, lit by stepped squares: in tiles of every size, with tables and without. */
-static void every_tile_size_and_arena_of_large_highlights(void) {
-    test_scene scene;
-    picture wanted = picture_open(WIDTH, HEIGHT, &glint_format_rgb565);
-    const glint_pose small = glint_pose_scale(GLINT_ONE / 60, GLINT_ONE / 60, GLINT_ONE / 60);
-    const glint_pose up = glint_pose_rotate_x(75 * GLINT_ONE), stand = glint_pose_then(&small, &up);
-    scene_build_named(&scene, "floor to the horizon");
-    scene.objects[0].pose = stand;
-    scene.objects[0].pose.m[2][3] = -12 * GLINT_ONE;
-    scene.scene.camera.field_of_view = 12 * GLINT_ONE;
-    scene.scene.viewer = GLINT_VIEWER_LOCAL;
-    scene.lights[0].vector = (glint_vector){GLINT_Q16(0.1), GLINT_Q16(0.5), GLINT_ONE};
-    CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
-    check_tile_sizes(&wanted, &scene.scene);
-    check_arenas(&wanted, &scene.scene);
-    picture_close(&wanted);
-}
-
-static void every_arena(void) {
-    for_each_scene(check_arenas);
-}
-
-static void best_arena_takes_one_pass(void) {
-    for (unsigned i = 0; i < scene_count; i++) {
-        test_scene scene;
-        glint_stats stats = {0};
-        picture image = picture_open(WIDTH, HEIGHT, &glint_format_rgb565);
-        scene_build(&scene, &scene_definitions[i]);
-        picture_options options = {0};
-        glint_need need = arena_need(&image, &scene.scene, &options);
-        CHECK_EQUAL(picture_render(&image, &scene.scene, &options, &stats), GLINT_OK);
-        CHECK_EQUAL(stats.passes, 1);
-        CHECK_AT_MOST(stats.arena_used, need.one_pass);
-        options.arena_size = need.least;
-        CHECK_EQUAL(picture_render(&image, &scene.scene, &options, &stats), GLINT_OK);
-        CHECK_AT_MOST(stats.arena_used, need.least);
-        options.arena_size = need.least - 1;
-        CHECK_EQUAL(picture_render(&image, &scene.scene, &options, &stats), GLINT_ERROR_ARENA);
-        picture_close(&image);
-    }
+    check_in(&glint_format_rgb888, &scene.scene, check_tile_sizes);
 }
 
 /* ---- Less than all vertices ---- */
@@ -173,23 +159,19 @@ static void shuffle_triangles(void) {
 }
 
 /* With so many sixteenths of what one pass takes above the smallest: how often is a vertex transformed, at most? */
-static void check_share(const picture *wanted, const glint_scene *scene, int sixteenths, uint32_t most) {
-    picture got = picture_open(wanted->width, wanted->height, wanted->format);
-    picture_options options = {0};
-    glint_stats stats = {0};
-    const glint_need need = arena_need(wanted, scene, &options);
-    options.arena_size = need.least + (need.one_pass - need.least) / 16 * (size_t)sixteenths;
-    CHECK_EQUAL(picture_render(&got, scene, &options, &stats), GLINT_OK);
-    CHECK(picture_equal(wanted, &got));
+static void check_share(const picture *wanted, const glint_scene *scene, uint32_t sixteenths, uint32_t most) {
+    const glint_need need = picture_need(wanted, scene, NULL);
+    const picture_options options = {.arena_size = picture_arena(&need, 16 * sixteenths)};
+    glint_stats stats;
+    CHECK(picture_draws_same(wanted, scene, &options, &stats));
     CHECK_AT_MOST(stats.vertices, most * FINE_VERTICES);
     CHECK_AT_MOST(stats.passes, 4 * stats.tiles);
-    picture_close(&got);
 }
 
 /* Where an arena does not hold all vertices, what a frame takes grows by and by as the arena shrinks. */
 static void parts_of_a_mesh(void) {
     static const uint32_t most[2][4] = {{1, 6, 5, 14}, {1, 80, 85, 170}};
-    static const int sixteenths[4] = {16, 8, 4, 1};
+    static const uint32_t sixteenths[4] = {16, 8, 4, 1};
     const glint_mesh_room room = {fine_positions, fine_normals, fine_triangles, FINE_VERTICES, FINE_TRIANGLES};
     test_scene scene;
     glint_mesh mesh;
@@ -264,10 +246,9 @@ static void draw_backwards(const picture *wanted, const glint_scene *scene, size
 
 static void check_tile_order(const picture *wanted, const glint_scene *scene) {
     const picture_options options = {.tile_width = 16, .tile_height = 8};
-    glint_need need = arena_need(wanted, scene, &options);
-    draw_backwards(wanted, scene, need.one_pass);
-    draw_backwards(wanted, scene, need.least + (need.one_pass - need.least) / 3);
-    draw_backwards(wanted, scene, need.least);
+    const glint_need need = picture_need(wanted, scene, &options);
+    for (uint32_t third = 0; third <= 3; third++)
+        draw_backwards(wanted, scene, picture_arena(&need, 256 * third / 3));
 }
 
 static void two_workspaces_in_another_tile_order(void) {
@@ -304,7 +285,7 @@ static void every_order_of_objects(void) {
             objects[i] = scene.objects[picks[i]];
         glint_scene shuffled = scene.scene;
         shuffled.objects = objects;
-        check_same(&wanted, &shuffled, NULL);
+        CHECK(picture_draws_same(&wanted, &shuffled, NULL, NULL));
     }
     picture_close(&wanted);
 }
@@ -319,7 +300,127 @@ static void first_of_ties_wins(void) {
     scene.objects[1].material = &scene.materials[1];
     scene.materials[1].diffuse = (glint_colour){0, GLINT_ONE, 0};
     scene.scene.object_count = 2;
-    check_same(&wanted, &scene.scene, NULL);
+    CHECK(picture_draws_same(&wanted, &scene.scene, NULL, NULL));
+    picture_close(&wanted);
+}
+
+/* ---- More triangles than a pass can number ---- */
+
+#define PASS_WIDTH 128
+#define PASS_HEIGHT 96
+#define PASS_TILES (PASS_WIDTH / 8 * PASS_HEIGHT / 8)
+#define PASS_TRIANGLES 200000u
+
+/* Vertices transformed for a pass of one or two triangles, a look at which tiles they touch included. Each strip of
+ * tiles that is loaded in vain adds to them: an estimate of bytes that wraps makes it 23. */
+#define VERTICES_OF_PASS 12
+
+/* Numbers of the mesh's triangles that are visible; all others have no area. */
+static const uint32_t visible[] = {0, 1, 65536 + 2, 131072 + 40, PASS_TRIANGLES - 1};
+
+static const uint8_t half_colours[4][3] = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 0}};
+
+/* Halves of a square, in turn. */
+static void set_half(uint16_t triangle[3], unsigned number) {
+    triangle[0] = 0;
+    triangle[1] = (uint16_t)(1 + number % 2);
+    triangle[2] = (uint16_t)(2 + number % 2);
+}
+
+static glint_status draw_halves(const uint16_t (*triangles)[3], uint32_t count, const glint_evaluation *evaluation,
+                                size_t arena_size, picture *image, glint_stats *stats) {
+    glint_mesh mesh = scene_square_mesh(20 * GLINT_ONE, GLINT_ONE);
+    const glint_material paint = {.model = &glint_model_lambert,
+                                  .ambient = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
+                                  .diffuse = {GLINT_ONE / 2, GLINT_ONE / 2, GLINT_ONE / 2}};
+    const glint_light light = {.type = &glint_light_directional,
+                               .vector = {GLINT_ONE, 0, GLINT_ONE},
+                               .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
+    const glint_object object = {&mesh, &paint, glint_pose_identity(), evaluation};
+    const glint_scene scene = {
+        .camera = {glint_pose_translate(0, 0, 4 * GLINT_ONE), 45 * GLINT_ONE, GLINT_ONE / 10},
+        .ambient = {GLINT_ONE / 2, GLINT_ONE / 2, GLINT_ONE / 2},
+        .lights = &light,
+        .light_count = 1,
+        .objects = &object,
+        .object_count = 1,
+    };
+    const picture_options options = {.tile_width = 8, .tile_height = 8, .arena_size = arena_size};
+    mesh.triangles = triangles;
+    mesh.triangle_count = count;
+    mesh.colours = half_colours;
+    return picture_render(image, &scene, &options, stats);
+}
+
+static void large_meshes_cost_few_passes(void) {
+    static const size_t arenas[] = {0, 1 << 15, 1 << 18, 1 << 22, 1 << 26};
+    static uint16_t all[PASS_TRIANGLES][3];
+    uint16_t few[TEST_COUNT(visible)][3];
+    for (unsigned i = 0; i < TEST_COUNT(visible); i++) {
+        set_half(all[visible[i]], i);
+        set_half(few[i], i);
+    }
+    for (unsigned e = 0; e < TEST_COUNT(scene_evaluations); e++) {
+        glint_stats stats;
+        picture wanted = picture_open(PASS_WIDTH, PASS_HEIGHT, &glint_format_rgb565);
+        CHECK_EQUAL(
+            draw_halves((const uint16_t(*)[3])few, TEST_COUNT(visible), scene_evaluations[e], 0, &wanted, &stats),
+            GLINT_OK);
+        for (unsigned i = 0; i < TEST_COUNT(arenas); i++) {
+            picture got = picture_open(PASS_WIDTH, PASS_HEIGHT, &glint_format_rgb565);
+            CHECK_EQUAL(
+                draw_halves((const uint16_t(*)[3])all, PASS_TRIANGLES, scene_evaluations[e], arenas[i], &got, &stats),
+                GLINT_OK);
+            CHECK(picture_equal(&got, &wanted));
+            CHECK_AT_MOST(stats.passes, PASS_TILES * TEST_COUNT(visible));
+            CHECK_AT_MOST(stats.vertices, VERTICES_OF_PASS * stats.passes);
+            picture_close(&got);
+        }
+        picture_close(&wanted);
+    }
+}
+
+/*
+ * A plane of 120,000 triangles, all of which are seen: as one object, of which a pass has no room for all; as two, of
+ * which the second has more than a part's numbers reach; and as three.
+ */
+static void many_triangles_of_few_objects(void) {
+    enum { COLUMNS = 250, ROWS = 240, WIDE = 96, THIRD = 2 * COLUMNS * ROWS / 3 };
+    static int16_t positions[(COLUMNS + 1) * (ROWS + 1)][3], bent[(COLUMNS + 1) * (ROWS + 1)][3];
+    static uint16_t triangles[2 * COLUMNS * ROWS][3];
+    const glint_mesh_room room = {positions, bent, triangles, TEST_COUNT(positions), TEST_COUNT(triangles)};
+    picture wanted = picture_open(WIDE, WIDE, &glint_format_rgb888);
+    test_scene scene;
+    glint_mesh plane, parts[3];
+    scene_build_named(&scene, "mirrored");
+    CHECK_EQUAL(glint_generate_plane(&plane, &room, COLUMNS, ROWS, GLINT_ONE, GLINT_ONE), GLINT_OK);
+    for (unsigned i = 0; i < TEST_COUNT(positions); i++) { /* so that colours tell places apart */
+        bent[i][0] = (int16_t)(positions[i][0] / 2);
+        bent[i][1] = (int16_t)(positions[i][1] / 3);
+    }
+    for (uint32_t count = 3; count > 0; count--) {
+        picture_options options = {.tile_width = 64, .tile_height = 64, .arena_size = 1 << 24};
+        glint_stats stats;
+        scene.scene.object_count = count;
+        for (uint32_t i = 0; i < count; i++) {
+            parts[i] = plane;
+            parts[i].triangles += i * THIRD;
+            parts[i].triangle_count = i + 1 < count ? THIRD : (3 - i) * THIRD;
+            scene.objects[i] = scene.objects[0];
+            scene.objects[i].mesh = &parts[i];
+            scene.objects[i].pose = glint_pose_rotate_z(10 * GLINT_ONE);
+            scene.objects[i].pose.m[2][3] = -3 * GLINT_ONE;
+        }
+        if (count == 3)
+            CHECK_EQUAL(picture_render(&wanted, &scene.scene, &options, NULL), GLINT_OK);
+        CHECK(picture_draws_same(&wanted, &scene.scene, &options, &stats));
+        CHECK_EQUAL(stats.outside, 0); /* no triangle is so small that it has no number */
+        CHECK(count == 3 || stats.passes > 1);
+        for (options.arena_size = 0; options.arena_size <= 200000; options.arena_size += 100000) {
+            CHECK(picture_draws_same(&wanted, &scene.scene, &options, &stats));
+            CHECK(count == 3 || stats.passes > 1);
+        }
+    }
     picture_close(&wanted);
 }
 
@@ -327,10 +428,12 @@ int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(every_tile_size),
         TEST_CASE(every_tile_size_where_depths_nearly_tie),
-        TEST_CASE(every_tile_size_and_arena_of_large_highlights),
         TEST_CASE(every_arena),
-        TEST_CASE(best_arena_takes_one_pass),
+        TEST_CASE(every_region),
+        TEST_CASE(random_scenes_of_parallel_rays),
         TEST_CASE(parts_of_a_mesh),
+        TEST_CASE(large_meshes_cost_few_passes),
+        TEST_CASE(many_triangles_of_few_objects),
         TEST_CASE(two_workspaces_in_another_tile_order),
         TEST_CASE(every_order_of_objects),
         TEST_CASE(first_of_ties_wins),

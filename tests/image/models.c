@@ -8,6 +8,8 @@
 #include "harness.h"
 #include "rows.h"
 #include "scenes.h"
+#include "scenes/scenes.h"
+#include "stability/contract.h"
 #include "surfaces.h"
 
 #include <stdio.h>
@@ -219,11 +221,48 @@ static void every_compiler_draws_the_same_scenes(void) {
     CHECK_EQUAL(scene_checksum_of_seeds(surface_build_random), 0x805d3daeu);
 }
 
+/* ---- Every variant of every example scene, as composed: each frame keeps the contract, by the pixels that count ----
+ */
+
+/* The first frame, and one past the middle of a scene that moves. */
+static void judge_variant(const example_scene *scene, uint32_t variant, const glint_format *format) {
+    static example_stage stage;
+    judgement total = {0};
+    char name[80];
+    for (uint32_t frame = 0; frame < scene->frames; frame += scene->frames / 2 + 1) {
+        contract_result result;
+        scene->build(&stage, variant, frame);
+        contract_judge(&stage.scene, scene->width, scene->height, format, &result);
+        CHECK(contract_holds(&result));
+        judgement_add(&total, &result.found);
+    }
+    snprintf(name, sizeof name, "%s %s, %s", scene->name, scene->variants[variant].name,
+             format == &glint_format_rgb565 ? "RGB565" : "RGB888");
+    row_print(name, &total);
+    row_check(&total, row_is_per_fragment(&stage.scene));
+    CHECK(total.gated * 50 < total.covered);
+}
+
+static void gallery(void) {
+    row_print_heading();
+    for (unsigned i = 0; i < EXAMPLE_SCENES; i++) {
+        CHECK(example_scenes[i]->variant_count > 0);
+        for (uint32_t variant = 0; variant < example_scenes[i]->variant_count; variant++) {
+            judge_variant(example_scenes[i], variant, &glint_format_rgb565);
+            judge_variant(example_scenes[i], variant, &glint_format_rgb888);
+        }
+    }
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
-        TEST_CASE(models_per_fragment), TEST_CASE(models_per_vertex),
-        TEST_CASE(models_per_facet),    TEST_CASE(surfaces),
-        TEST_CASE(random_scenes),       TEST_CASE(every_compiler_draws_the_same_scenes),
+        TEST_CASE(models_per_fragment),
+        TEST_CASE(models_per_vertex),
+        TEST_CASE(models_per_facet),
+        TEST_CASE(surfaces),
+        TEST_CASE(random_scenes),
+        TEST_CASE(every_compiler_draws_the_same_scenes),
+        TEST_CASE(gallery),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

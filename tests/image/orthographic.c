@@ -16,24 +16,6 @@
 #define WIDTH 150
 #define HEIGHT 101
 
-/* Makes a scene's camera orthographic: as high as what it sees at the first object's origin. */
-static void make_parallel(glint_scene *scene) {
-    const glint_camera *const camera = &scene->camera;
-    double away = 0;
-    for (int i = 0; i < 3; i++)
-        away += ((double)camera->pose.m[i][3] - scene->objects[0].pose.m[i][3]) * camera->pose.m[i][2] / 65536;
-    const double height = 2 * away * tan(camera->field_of_view / 65536.0 * 3.14159265358979323846 / 360);
-    scene->camera.projection = &glint_orthographic;
-    scene->camera.view_height = height > 256 ? (glint_q16)height : 256;
-}
-
-static const glint_evaluation *const evaluations[3] = {&glint_per_fragment, &glint_per_vertex, &glint_per_facet};
-
-static void light_at(test_scene *s, int evaluation) {
-    for (uint32_t i = 0; i < s->scene.object_count; i++)
-        s->objects[i].evaluation = evaluations[evaluation];
-}
-
 /* ---- Images ---- */
 
 static void report(const judgement *all) {
@@ -64,8 +46,8 @@ static void scenes_keep_the_contract(void) {
         for (int evaluation = 0; evaluation < 3; evaluation++) {
             test_scene s;
             scene_build(&s, &scene_definitions[i]);
-            make_parallel(&s.scene);
-            light_at(&s, evaluation);
+            scene_make_parallel(&s.scene);
+            scene_evaluate(&s, scene_evaluations[evaluation]);
             judge_scene(&s, formats[i % 3], &all);
         }
     report(&all);
@@ -77,8 +59,8 @@ static void random_scenes_keep_the_contract(void) {
     for (uint32_t number = 1; number <= 150; number++) {
         test_scene s;
         scene_build_random(&s, number);
-        make_parallel(&s.scene);
-        light_at(&s, (int)(number % 3));
+        scene_make_parallel(&s.scene);
+        scene_evaluate(&s, scene_evaluations[number % 3]);
         judge_scene(&s, formats[number / 4 % 3], &all);
         test_write("");
     }
@@ -115,8 +97,8 @@ static void lights_keep_the_contract(void) {
             s.lights[i].axis =
                 (glint_vector){-s.lights[i].vector.x, -s.lights[i].vector.y, at->m[2][3] - s.lights[i].vector.z};
         }
-        make_parallel(&s.scene);
-        light_at(&s, (int)(number / 2 % 3));
+        scene_make_parallel(&s.scene);
+        scene_evaluate(&s, scene_evaluations[number / 2 % 3]);
         judge_scene(&s, &glint_format_rgb565, &all);
     }
     report(&all);
@@ -203,7 +185,7 @@ static void depth_is_linear(void) {
         double nearest = HUGE_VAL, farthest = 0;
         scene_build_random(&s, number);
         s.scene.object_count = 1; /* then it is visible */
-        make_parallel(&s.scene);
+        scene_make_parallel(&s.scene);
         config.overlay.paint = keep_depth;
         config.arena_size = 1 << 21;
         config.arena = malloc(config.arena_size);
@@ -267,93 +249,22 @@ static void depth_is_rounded(void) {
     CHECK_AT_MOST((int)(1000 * worst), 500 + 100);
 }
 
-/* ---- The same bits ---- */
-
-static picture draw(const glint_scene *scene, uint16_t tile_width, uint16_t tile_height, size_t arena_size,
-                    const glint_rectangle *region, glint_stats *stats) {
+static picture draw(const glint_scene *scene) {
     picture image = picture_open(WIDTH, HEIGHT, &glint_format_rgb565);
-    const picture_options options = {.tile_width = tile_width, .tile_height = tile_height};
-    glint_config config = picture_config(&image, &options);
-    glint_renderer renderer;
-    if (region)
-        config.region = *region;
-    config.arena_size = arena_size;
-    config.arena = malloc(arena_size);
-    CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
-    CHECK_EQUAL(glint_render(&renderer, scene), GLINT_OK);
-    *stats = renderer.stats;
-    free(config.arena);
+    CHECK_EQUAL(picture_render(&image, scene, NULL, NULL), GLINT_OK);
     return image;
-}
-
-static glint_need need_of(const glint_scene *scene, uint16_t tile_width, uint16_t tile_height) {
-    const glint_config config = {.width = WIDTH,
-                                 .height = HEIGHT,
-                                 .tile_width = tile_width,
-                                 .tile_height = tile_height,
-                                 .format = &glint_format_rgb565,
-                                 .flush = {.begin = NULL}};
-    glint_need need = {0, 0, 0};
-    CHECK_EQUAL(glint_arena_need(&config, scene, &need), GLINT_OK);
-    return need;
-}
-
-static void check_same(const glint_scene *scene) {
-    static const uint16_t sizes[] = {8, 16, 32, 64};
-    const glint_need need = need_of(scene, 0, 0);
-    glint_stats stats;
-    picture whole = draw(scene, 0, 0, need.one_pass, NULL, &stats);
-    CHECK_EQUAL(stats.passes, 1);
-    for (int i = 0; i < 3; i++) {
-        const uint16_t width = sizes[any(0, 3)], height = sizes[any(0, 3)];
-        const glint_need other = need_of(scene, width, height);
-        const size_t size = i == 0   ? other.least
-                            : i == 1 ? other.resident
-                                     : (size_t)any((int)other.least, (int)other.one_pass);
-        picture part = draw(scene, width, height, size, NULL, &stats);
-        CHECK(picture_equal(&whole, &part));
-        CHECK(i != 1 || stats.vertices <= 10000);
-        picture_close(&part);
-    }
-    const glint_rectangle region = {(int16_t)any(0, 70), (int16_t)any(0, 50), (int16_t)any(1, 80), (int16_t)any(1, 51)};
-    picture part = draw(scene, 0, 0, need.least, &region, &stats);
-    int wrong = 0;
-    for (int y = region.y; y < region.y + region.height; y++)
-        wrong += memcmp(part.bytes + (size_t)y * part.stride + 2 * (size_t)region.x,
-                        whole.bytes + (size_t)y * whole.stride + 2 * (size_t)region.x, 2 * (size_t)region.width) != 0;
-    CHECK_EQUAL(wrong, 0);
-    picture_close(&part);
-    picture_close(&whole);
-}
-
-static void tiles_arenas_and_regions_change_nothing(void) {
-    for (uint32_t number = 1; number <= 40; number++) {
-        test_scene s;
-        scene_build_random(&s, number);
-        make_parallel(&s.scene);
-        light_at(&s, (int)(number % 3));
-        random_state = number;
-        check_same(&s.scene);
-    }
-    for (unsigned i = 0; i < scene_count; i++) {
-        test_scene s;
-        scene_build(&s, &scene_definitions[i]);
-        make_parallel(&s.scene);
-        check_same(&s.scene);
-    }
 }
 
 static void viewers_are_the_same(void) {
     for (uint32_t number = 1; number <= 20; number++) {
         test_scene s;
-        glint_stats stats;
         scene_build_random(&s, number);
-        make_parallel(&s.scene);
-        light_at(&s, (int)(number % 3));
+        scene_make_parallel(&s.scene);
+        scene_evaluate(&s, scene_evaluations[number % 3]);
         s.scene.viewer = GLINT_VIEWER_LOCAL;
-        picture local = draw(&s.scene, 0, 0, 1 << 21, NULL, &stats);
+        picture local = draw(&s.scene);
         s.scene.viewer = GLINT_VIEWER_INFINITE;
-        picture infinite = draw(&s.scene, 0, 0, 1 << 21, NULL, &stats);
+        picture infinite = draw(&s.scene);
         CHECK(picture_equal(&local, &infinite));
         picture_close(&local);
         picture_close(&infinite);
@@ -395,11 +306,10 @@ static void points_are_placed(void) {
 
 static void pixels_can_be_picked(void) {
     test_scene s;
-    glint_stats stats;
     glint_renderer renderer;
     scene_build_named(&s, "interlocked");
-    make_parallel(&s.scene);
-    picture image = draw(&s.scene, 0, 0, 1 << 21, NULL, &stats);
+    scene_make_parallel(&s.scene);
+    picture image = draw(&s.scene);
     glint_config config = picture_config(&image, NULL);
     config.arena_size = 1 << 21;
     config.arena = malloc(config.arena_size);
@@ -432,7 +342,7 @@ static void bad_cameras_are_refused(void) {
         glint_need need;
         glint_report found;
         scene_build_random(&s, 1);
-        make_parallel(&s.scene);
+        scene_make_parallel(&s.scene);
         s.scene.camera.view_height = cases[i].view_height;
         s.scene.camera.near_plane = cases[i].near_plane;
         s.scene.camera.field_of_view = cases[i].field_of_view;
@@ -460,8 +370,8 @@ static void extremes_are_drawn_or_refused(void) {
         picture image = picture_open(48, 40, &glint_format_rgb565);
         test_scene s;
         scene_build_random(&s, number);
-        make_parallel(&s.scene);
-        light_at(&s, (int)(number % 3));
+        scene_make_parallel(&s.scene);
+        scene_evaluate(&s, scene_evaluations[number % 3]);
         random_state = number;
         for (uint32_t i = 0; i < s.scene.object_count; i++)
             for (int row = 0; row < 3; row++)
@@ -509,8 +419,7 @@ static void build_squares(test_scene *s) {
 
 /* Is the picture that of both squares? */
 static int has_near_square(const test_scene *s, const picture *both) {
-    glint_stats stats;
-    picture image = draw(&s->scene, 0, 0, 1 << 21, NULL, &stats);
+    picture image = draw(&s->scene);
     const int is_same = picture_equal(&image, both);
     picture_close(&image);
     return is_same;
@@ -520,9 +429,8 @@ static int has_near_square(const test_scene *s, const picture *both) {
  * of one is drawn as at it, still before all else. */
 static void near_plane_between_coordinates(void) {
     test_scene s;
-    glint_stats stats;
     build_squares(&s);
-    picture both = draw(&s.scene, 0, 0, 1 << 21, NULL, &stats);
+    picture both = draw(&s.scene);
     s.scene.object_count = 1;
     CHECK(!has_near_square(&s, &both));
     s.scene.object_count = 2;
@@ -539,7 +447,6 @@ static void near_plane_between_coordinates(void) {
  * band's width, Q28 and rounded, is hardly more than a multiple of 2^43, but for the widest view. */
 static void specks_in_wide_views(void) {
     test_scene s;
-    glint_stats stats;
     glint_mesh speck;
     build_squares(&s);
     s.scene.object_count = 2;
@@ -550,11 +457,11 @@ static void specks_in_wide_views(void) {
     for (int64_t i = 1; i <= 10; i++) {
         s.scene.camera.view_height = i < 10 ? (glint_q16)((i << 43) * HEIGHT / (1023 << 12) + 1) : INT32_MAX;
         s.scene.object_count = 2;
-        picture without = draw(&s.scene, 0, 0, 1 << 21, NULL, &stats);
+        picture without = draw(&s.scene);
         s.scene.object_count = 3;
         for (int away = 1; away <= 1 << 20; away *= 4) {
             s.objects[2].pose = glint_pose_translate(0, 0, -away);
-            picture image = draw(&s.scene, 0, 0, 1 << 21, NULL, &stats);
+            picture image = draw(&s.scene);
             CHECK(picture_equal(&image, &without));
             picture_close(&image);
         }
@@ -570,7 +477,6 @@ int test_main(test_writer write) {
         TEST_CASE(lamps_near_the_end_of_rays_light_as_close_by),
         TEST_CASE(depth_is_linear),
         TEST_CASE(depth_is_rounded),
-        TEST_CASE(tiles_arenas_and_regions_change_nothing),
         TEST_CASE(viewers_are_the_same),
         TEST_CASE(points_are_placed),
         TEST_CASE(pixels_can_be_picked),

@@ -147,25 +147,6 @@ static void thresholds_are_bayers(void) {
     picture_close(&coarse);
 }
 
-/* The pattern belongs to the screen, not to tiles or passes. */
-static void dithered_alike_for_every_tile(void) {
-    static const uint16_t sizes[] = {8, 16, 32, 64};
-    for (unsigned kind = 0; kind < TEST_COUNT(dithered); kind++) {
-        picture wanted = picture_open(150, 93, dithered[kind]);
-        picture got = picture_open(150, 93, dithered[kind]);
-        test_scene scene;
-        scene_build_named(&scene, "interlocked");
-        CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
-        for (unsigned i = 0; i < 16; i++) {
-            const picture_options options = {.tile_width = sizes[i % 4], .tile_height = sizes[i / 4]};
-            CHECK_EQUAL(picture_render(&got, &scene.scene, &options, NULL), GLINT_OK);
-            CHECK(picture_equal(&wanted, &got));
-        }
-        picture_close(&wanted);
-        picture_close(&got);
-    }
-}
-
 /* ---- Output tables ------------------------------------------------------------------------------------------- */
 
 typedef uint16_t gamma_tables[3][GLINT_GAMMA_ENTRIES];
@@ -262,9 +243,9 @@ static void tables_apply_to_every_evaluation(void) {
 
 int test_main(test_writer write) {
     static const test_case cases[] = {
-        TEST_CASE(blocks_mean_their_colour),       TEST_CASE(thresholds_are_bayers),
-        TEST_CASE(dithered_alike_for_every_tile),  TEST_CASE(identity_table_changes_nothing),
-        TEST_CASE(tables_apply_and_stay_monotone), TEST_CASE(tables_apply_to_every_evaluation),
+        TEST_CASE(blocks_mean_their_colour),         TEST_CASE(thresholds_are_bayers),
+        TEST_CASE(identity_table_changes_nothing),   TEST_CASE(tables_apply_and_stay_monotone),
+        TEST_CASE(tables_apply_to_every_evaluation),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

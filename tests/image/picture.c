@@ -73,14 +73,59 @@ glint_config picture_config(picture *image, const picture_options *options) {
                           .tile_height = options ? options->tile_height : 0,
                           .format = image->format,
                           .gamma = options ? options->gamma : NULL,
+                          .region = options ? options->region : (glint_rectangle){0, 0, 0, 0},
+                          .overlay = options ? options->overlay : (glint_painter){NULL, NULL},
                           .flush = {.begin = begin, .context = image}};
+}
+
+glint_need picture_need(const picture *image, const glint_scene *scene, const picture_options *options) {
+    picture unused = *image;
+    const glint_config config = picture_config(&unused, options);
+    glint_need need;
+    const glint_status status = glint_arena_need(&config, scene, &need);
+    if (status != GLINT_OK) {
+        fprintf(stderr, "no need: %s\n", glint_strerror(status));
+        exit(1);
+    }
+    return need;
+}
+
+size_t picture_arena(const glint_need *need, uint32_t share) {
+    return need->least + (need->one_pass - need->least) * share / 256;
+}
+
+int picture_count_empty(void *context, const glint_tile *tile) {
+    uint32_t *const empty = context;
+    for (int y = 0; y < tile->height; y++)
+        for (int x = 0; x < tile->width; x++)
+            *empty += tile->depth[(size_t)y * tile->depth_stride + (size_t)x] == 0;
+    return 0;
+}
+
+/* Where the depth of tiles goes, and what else is painted over them. */
+typedef struct depths {
+    const picture_options *options;
+    int width;
+} depths;
+
+static int keep_depth(void *context, const glint_tile *tile) {
+    const depths *const to = context;
+    const glint_painter *const over = &to->options->overlay;
+    const int failed = over->paint ? over->paint(over->context, tile) : 0;
+    for (int y = 0; y < tile->height; y++)
+        memcpy(to->options->depth + (size_t)(tile->y + y) * (size_t)to->width + tile->x,
+               tile->depth + (size_t)y * tile->depth_stride, (size_t)tile->width * sizeof *tile->depth);
+    return failed;
 }
 
 glint_status picture_render(picture *image, const glint_scene *scene, const picture_options *options,
                             glint_stats *stats) {
     glint_config config = picture_config(image, options);
+    depths to = {options, image->width};
     glint_renderer renderer;
     glint_need need;
+    if (options && options->depth)
+        config.overlay = (glint_painter){keep_depth, &to};
     glint_status status = glint_arena_need(&config, scene, &need);
     if (status != GLINT_OK)
         return status;
@@ -96,12 +141,31 @@ glint_status picture_render(picture *image, const glint_scene *scene, const pict
     return status;
 }
 
-int picture_is_complete(const picture *image) {
+/* Was each pixel of a region, or of the whole, sent once, and no other? */
+static int is_sent_once(const picture *image, const glint_rectangle *part) {
+    const int all = part->width == 0;
     for (int i = 0; i < image->width * image->height; i++) {
-        if (image->sent[i] != 1)
+        const int x = i % image->width - part->x, y = i / image->width - part->y;
+        if (image->sent[i] != (all || (x >= 0 && x < part->width && y >= 0 && y < part->height)))
             return 0;
     }
     return 1;
+}
+
+int picture_is_complete(const picture *image) {
+    return is_sent_once(image, &(glint_rectangle){0, 0, 0, 0});
+}
+
+int picture_draws_same(const picture *whole, const glint_scene *scene, const picture_options *options,
+                       glint_stats *stats) {
+    static const picture_options usual;
+    picture again = picture_open(whole->width, whole->height, whole->format);
+    options = options ? options : &usual;
+    memcpy(again.bytes, whole->bytes, whole->size);
+    const int same = picture_render(&again, scene, options, stats) == GLINT_OK &&
+                     is_sent_once(&again, &options->region) && picture_equal(&again, whole);
+    picture_close(&again);
+    return same;
 }
 
 int picture_equal(const picture *a, const picture *b) {

@@ -17,11 +17,14 @@ typedef struct picture {
     uint8_t *sent; /**< Per pixel, times it was sent, 255 for more. */
 } picture;
 
-/** How to draw; zeros for the defaults and the best arena. */
+/** How to draw; zeros for the defaults and the arena of one pass. */
 typedef struct picture_options {
     uint16_t tile_width, tile_height;
     size_t arena_size;
     const uint16_t (*gamma)[GLINT_GAMMA_ENTRIES];
+    glint_rectangle region;
+    glint_painter overlay;
+    uint16_t *depth; /**< Where not null, receives the depth of each pixel sent, row by row of the picture. */
 } picture_options;
 
 /** Allocates an empty picture; ends the program when there is no memory. Free with picture_close. */
@@ -32,15 +35,31 @@ void picture_close(picture *image);
 /** A configuration for drawing into `image`, without an arena. */
 glint_config picture_config(picture *image, const picture_options *options);
 
-/** Draws a scene with glint_render and an arena of the size asked for. */
+/** What a scene needs, drawn into `image`; ends the program where that is an error. */
+glint_need picture_need(const picture *image, const glint_scene *scene, const picture_options *options);
+
+/** An arena between the least, 0 of 256, and that of one pass, 256 of 256. */
+size_t picture_arena(const glint_need *need, uint32_t share);
+
+/** Draws a scene with glint_render and an arena of the size asked for, which has no byte more. */
 glint_status picture_render(picture *image, const glint_scene *scene, const picture_options *options,
                             glint_stats *stats);
 
 /** Copies a finished tile into `image`: what the flush callback does. @return 1 when it lies outside. */
 int picture_put(picture *image, const int rectangle[4], const void *pixels, size_t stride);
 
+/** A painter that adds to a uint32_t, its context, the pixels where no object is. */
+int picture_count_empty(void *context, const glint_tile *tile);
+
 /** Whether every pixel was sent once. */
 int picture_is_complete(const picture *image);
+
+/**
+ * Draws a scene with these options over a copy of its picture. @return whether that is GLINT_OK, nothing changes, and
+ * each pixel of the region is sent once and no other
+ */
+int picture_draws_same(const picture *whole, const glint_scene *scene, const picture_options *options,
+                       glint_stats *stats);
 
 /** Whether two pictures hold the same bytes. */
 int picture_equal(const picture *a, const picture *b);

@@ -10,7 +10,7 @@ static void print(void) {
     puts("/* SPDX-License-Identifier: MIT */\n"
          "/*\n"
          " * Made by `make figures`; not to be edited. Says only that every core and compiler computes the same\n"
-         " * bits: whether they are right is judged by the reference, tests/image/compare.c.\n"
+         " * bits: whether they are right is judged by the reference, tests/image/accuracy.c.\n"
          " */\n"
          "/* clang-format off */\n"
          "#ifndef GLINT_UNIT_CHECKSUMS_H\n#define GLINT_UNIT_CHECKSUMS_H\n\n#include <stdint.h>\n\n"

@@ -22,60 +22,27 @@ typedef struct way {
     glint_rectangle region;
 } way;
 
-/* Pixels where no object is, of a frame. */
-static int count_empty(void *context, const glint_tile *tile) {
-    uint32_t *const empty = context;
-    for (int y = 0; y < tile->height; y++)
-        for (int x = 0; x < tile->width; x++)
-            *empty += tile->depth[(size_t)y * tile->depth_stride + (size_t)x] == 0;
-    return 0;
-}
-
 /*
- * Draws into `image`, over what is there. The arena has no byte more than it is said to have, and nothing is counted:
- * where what kernels draw is counted, no hidden triangle is left out.
+ * Draws a scene in a way: over a copy of its picture, which does not change, or into `whole`. Nothing is counted: where
+ * what kernels draw is counted, no hidden triangle is left out. @return whether the picture is, or has become, the
+ * scene's
  */
-static glint_status draw(const glint_scene *scene, picture *image, const way *by, uint32_t *empty) {
-    const picture_options options = {.tile_width = by->tile_width, .tile_height = by->tile_height};
-    glint_config config = picture_config(image, &options);
-    glint_renderer renderer;
-    glint_need need;
-    config.region = by->region;
-    config.overlay = (glint_painter){count_empty, empty};
+static int draws_same(const glint_scene *scene, picture *whole, const way *by, uint32_t *empty) {
+    picture_options options = {.tile_width = by->tile_width,
+                               .tile_height = by->tile_height,
+                               .region = by->region,
+                               .overlay = {picture_count_empty, empty}};
+    const glint_need need = picture_need(whole, scene, &options);
+    options.arena_size = picture_arena(&need, by->arena);
     *empty = 0;
-    glint_status status = glint_arena_need(&config, scene, &need);
-    if (status != GLINT_OK)
-        return status;
-    config.arena_size = need.least + (need.one_pass - need.least) * by->arena / 256;
-    config.arena = malloc(config.arena_size);
-    status = config.arena ? glint_init(&renderer, &config) : GLINT_ERROR_NULL;
-    if (status == GLINT_OK)
-        status = glint_render(&renderer, scene);
-    free(config.arena);
-    return status;
+    return picture_draws_same(whole, scene, &options, NULL);
 }
 
-/* Was each pixel of a way's region sent once, and no other? */
-static int is_sent_once(const picture *image, const glint_rectangle *region) {
-    const int all = region->width == 0;
-    for (int y = 0; y < image->height; y++)
-        for (int x = 0; x < image->width; x++) {
-            const int inside = all || (x >= region->x && x < region->x + region->width && y >= region->y &&
-                                       y < region->y + region->height);
-            if (image->sent[(size_t)y * (size_t)image->width + (size_t)x] != inside)
-                return 0;
-        }
-    return 1;
-}
-
-/* Draws a scene in a way, over a picture of it: nothing changes. */
-static int changes_nothing(const glint_scene *scene, const picture *whole, const way *by, uint32_t *empty) {
-    picture again = picture_open(whole->width, whole->height, whole->format);
-    memcpy(again.bytes, whole->bytes, whole->size);
-    const glint_status status = draw(scene, &again, by, empty);
-    const int same = status == GLINT_OK && is_sent_once(&again, &by->region) && picture_equal(&again, whole);
-    picture_close(&again);
-    return same;
+/* Draws a scene in one pass. */
+static glint_status draw(const glint_scene *scene, picture *image, uint32_t *empty) {
+    const picture_options options = {.overlay = {picture_count_empty, empty}};
+    *empty = 0;
+    return picture_render(image, scene, &options, NULL);
 }
 
 /* ---- Scenes that were wrong ---------------------------------------------------------------------------------- */
@@ -98,7 +65,7 @@ static void far_colours_are_drawn(void) {
             .camera = {glint_pose_identity(), 50 * GLINT_ONE, 1}, .objects = &object, .object_count = 1};
         picture image = picture_open(160, 120, &glint_format_rgb565);
         uint32_t empty;
-        CHECK_EQUAL(draw(&scene, &image, &in_one_pass, &empty), GLINT_OK);
+        CHECK_EQUAL(draw(&scene, &image, &empty), GLINT_OK);
         CHECK(picture_is_complete(&image));
         CHECK(empty > 0 && empty < 160 * 120 / 2);
         picture_close(&image);
@@ -141,11 +108,11 @@ static void far_triangles_are_not_hidden(void) {
         .background = {0, 0, GLINT_ONE}};
     picture image = picture_open(24, 8, &glint_format_rgb888);
     uint32_t empty, again;
-    CHECK_EQUAL(draw(&scene, &image, &in_one_pass, &empty), GLINT_OK);
+    CHECK_EQUAL(draw(&scene, &image, &empty), GLINT_OK);
     CHECK_EQUAL(empty, 24 * 8 - 42);
     CHECK_AT_MOST(largest_step(&image), 64); /* of noise, 255 */
     for (unsigned i = 0; i < TEST_COUNT(ways); i++) {
-        CHECK(changes_nothing(&scene, &image, &ways[i], &again));
+        CHECK(draws_same(&scene, &image, &ways[i], &again));
         CHECK_EQUAL(again, empty);
     }
     picture_close(&image);
@@ -199,7 +166,7 @@ static void report(const large_scene *s, const way *by, const char *what) {
 static void check_scene(const large_scene *s) {
     uint32_t state = (uint32_t)s->seed, empty, again;
     picture whole = picture_open(s->width, s->height, s->format);
-    const glint_status status = draw(&s->scene, &whole, &in_one_pass, &empty);
+    const glint_status status = draw(&s->scene, &whole, &empty);
     drawn += status == GLINT_OK;
     refused += status != GLINT_OK;
     if (status != GLINT_OK && !CHECK_EQUAL(status, GLINT_ERROR_RANGE))
@@ -208,7 +175,7 @@ static void check_scene(const large_scene *s) {
         report(s, &in_one_pass, "holes");
     for (uint32_t i = 0; i < 4 && status == GLINT_OK; i++) {
         const way by = take_way(&state, s, i);
-        if (!CHECK(changes_nothing(&s->scene, &whole, &by, &again)))
+        if (!CHECK(draws_same(&s->scene, &whole, &by, &again)))
             report(s, &by, "other pixels");
     }
     picture_close(&whole);
@@ -231,17 +198,7 @@ static void random_scenes_in_every_way(void) {
 
 /* ---- Picking and needs --------------------------------------------------------------------------------------- */
 
-enum { WIDEST = 128, HIGHEST = 80 };
-
-static uint16_t depths[HIGHEST][WIDEST];
-
-static int keep_depths(void *context, const glint_tile *tile) {
-    (void)context;
-    for (int y = 0; y < tile->height; y++)
-        memcpy(&depths[tile->y + y][tile->x], tile->depth + (size_t)y * tile->depth_stride,
-               (size_t)tile->width * sizeof depths[0][0]);
-    return 0;
-}
+static uint16_t depths[128 * 80];
 
 /* Picks some pixels of a scene that has been drawn. */
 static void pick_some(glint_renderer *renderer, const large_scene *s) {
@@ -250,7 +207,8 @@ static void pick_some(glint_renderer *renderer, const large_scene *s) {
         const uint32_t x = take(&state, (uint32_t)s->width), y = take(&state, (uint32_t)s->height);
         glint_hit hit = {0};
         const int found = glint_pick(renderer, &s->scene, (int)x, (int)y, &hit);
-        if (!CHECK_EQUAL(found, depths[y][x] != 0) || !CHECK_EQUAL(hit.depth, depths[y][x]))
+        const uint16_t depth = depths[y * (uint32_t)s->width + x];
+        if (!CHECK_EQUAL(found, depth != 0) || !CHECK_EQUAL(hit.depth, depth))
             report(s, &in_one_pass, "another pick");
     }
 }
@@ -264,12 +222,12 @@ static void what_is_visible_is_picked(void) {
         glint_config config = picture_config(&image, NULL);
         glint_renderer renderer;
         glint_need need;
-        config.overlay = (glint_painter){keep_depths, NULL};
+        const picture_options options = {.depth = depths};
         config.arena = arena;
         config.arena_size = sizeof arena;
         CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
         if (glint_arena_need(&config, &s.scene, &need) == GLINT_OK) {
-            CHECK_EQUAL(glint_render(&renderer, &s.scene), GLINT_OK);
+            CHECK_EQUAL(picture_render(&image, &s.scene, &options, NULL), GLINT_OK);
             pick_some(&renderer, &s);
         }
         picture_close(&image);

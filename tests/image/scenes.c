@@ -363,6 +363,23 @@ uint32_t scene_checksum_of_seeds(void (*build)(test_scene *scene, uint32_t seed)
     return checksum;
 }
 
+void scene_make_parallel(glint_scene *scene) {
+    const glint_camera *const camera = &scene->camera;
+    double away = 0;
+    for (int i = 0; i < 3; i++)
+        away += ((double)camera->pose.m[i][3] - scene->objects[0].pose.m[i][3]) * camera->pose.m[i][2] / 65536;
+    const double height = 2 * away * tan(camera->field_of_view / 65536.0 * 3.14159265358979323846 / 360);
+    scene->camera.projection = &glint_orthographic;
+    scene->camera.view_height = height > 256 ? (glint_q16)height : 256;
+}
+
+const glint_evaluation *const scene_evaluations[3] = {&glint_per_fragment, &glint_per_vertex, &glint_per_facet};
+
+void scene_evaluate(test_scene *scene, const glint_evaluation *evaluation) {
+    for (uint32_t i = 0; i < scene->scene.object_count; i++)
+        scene->objects[i].evaluation = evaluation;
+}
+
 const scene_definition scene_definitions[] = {
     {"near plane", build_near_plane},
     {"near plane, double-sided", build_near_double_sided},

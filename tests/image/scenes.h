@@ -44,6 +44,15 @@ void scene_build(test_scene *scene, const scene_definition *definition);
 /** Builds the scene of that name; ends the program when there is none. */
 void scene_build_named(test_scene *scene, const char *name);
 
+/** Makes a scene's camera orthographic: as high as what it sees at the first object's origin. */
+void scene_make_parallel(glint_scene *scene);
+
+/** Lights all objects by one evaluation. */
+void scene_evaluate(test_scene *scene, const glint_evaluation *evaluation);
+
+/** Lighting per fragment, per vertex, per facet. */
+extern const glint_evaluation *const scene_evaluations[3];
+
 /** A square across z that faces along it, so far from its middle to a side; its box is so deep. */
 glint_mesh scene_square_mesh(glint_q16 half, glint_q16 depth);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Made by `make figures`; not to be edited. Says only that every core and compiler computes the same
- * bits: whether they are right is judged by the reference, tests/image/compare.c.
+ * bits: whether they are right is judged by the reference, tests/image/accuracy.c.
  */
 /* clang-format off */
 #ifndef GLINT_UNIT_CHECKSUMS_H
