@@ -23,8 +23,8 @@ SUITE_formats   := $(TEST_HARNESS) tests/image/formats.c tests/stability/contrac
     tests/stability/weights.c $(TEST_SCENES) $(TEST_JUDGE) $(wildcard examples/scenes/*.c)
 SUITE_output    := $(TEST_HARNESS) tests/image/output.c tests/stability/weights.c $(TEST_SCENES)
 SUITE_extremes  := $(TEST_HARNESS) tests/image/extremes.c tests/image/single.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
-SUITE_fill_rule := $(TEST_HARNESS) tests/image/fill_rule.c $(TEST_SCENES) $(TEST_JUDGE)
-SUITE_opposed   := $(TEST_HARNESS) tests/image/opposed.c tests/image/picture.c
+SUITE_coverage  := $(TEST_HARNESS) tests/image/coverage.c tests/stability/random_scene.c tests/stability/weights.c $(TEST_SCENES) \
+    $(TEST_JUDGE) $(wildcard examples/scenes/*.c)
 SUITE_kept      := $(TEST_HARNESS) tests/image/kept.c $(TEST_SCENES)
 SUITE_arenas    := $(TEST_HARNESS) tests/image/arenas.c
 SUITE_changes   := $(TEST_HARNESS) tests/image/changes.c $(TEST_SCENES)
@@ -42,8 +42,6 @@ SUITE_patches   := $(TEST_HARNESS) tests/image/patches.c tests/stability/contrac
 SUITE_motion    := $(TEST_HARNESS) tests/image/motion.c $(TEST_SCENES) $(TEST_JUDGE) $(wildcard examples/scenes/*.c)
 SUITE_dark      := $(TEST_HARNESS) tests/image/dark.c tests/stability/random_scene.c \
     tests/stability/weights.c $(TEST_SCENES) $(wildcard examples/scenes/*.c)
-SUITE_hidden    := $(TEST_HARNESS) tests/image/hidden.c tests/stability/random_scene.c \
-    tests/stability/weights.c $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_parts     := $(TEST_HARNESS) tests/host/parts.c \
     $(addprefix port/host/,compare.c numbered.c png_read.c inflate.c png.c deflate.c output.c memory.c problem.c)
 PIXEL_SUMS      := $(addprefix tests/image/,pixel_sums.c surfaces.c) tests/stability/random_scene.c tests/stability/weights.c \
@@ -53,7 +51,7 @@ SUITE_rooms     := $(TEST_HARNESS) tests/image/rooms.c tests/image/picture.c tes
 SUITE_checked   := $(TEST_HARNESS) tests/image/checked.c tests/stability/large_scene.c
 SUITE_views     := $(TEST_HARNESS) tests/image/views.c tests/image/picture.c
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit parts numbers accuracy models formats output extremes fill_rule identity pixels changes layouts region callbacks pick skipped diagnose camera kept arenas dark motion hidden opposed lines orthographic patches corners rooms checked views
+TEST_SUITES     := unit parts numbers accuracy models formats output extremes coverage identity pixels changes layouts region callbacks pick skipped diagnose camera kept arenas dark motion lines orthographic patches corners rooms checked views
 
 # $(call test_objects,variant,compiler and flags): build/<variant>/<source>.o
 define test_objects
@@ -134,7 +132,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit parts numbers camera) ## unit tests on the host, arithmetic against libm, files of others
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,accuracy models formats output extremes fill_rule pixels changes layouts region callbacks pick skipped diagnose kept arenas dark motion hidden opposed lines orthographic patches corners rooms checked views) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,accuracy models formats output extremes coverage pixels changes layouts region callbacks pick skipped diagnose kept arenas dark motion lines orthographic patches corners rooms checked views) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order

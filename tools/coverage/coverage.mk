@@ -18,7 +18,7 @@ COVERAGE_FUZZ    := fuzz_render fuzz_differential
 
 COVERAGE_SUITES_host  := $(TEST_SUITES) old limits stability_regions stability_kept threads
 COVERAGE_SUITES_panel := $(PANEL_SUITES) bus
-$(foreach build,small split divide zeros mixed,$(eval COVERAGE_SUITES_$(build) := unit stability_regions stability_kept fill_rule lines))
+$(foreach build,small split divide zeros mixed,$(eval COVERAGE_SUITES_$(build) := unit stability_regions stability_kept coverage lines))
 COVERAGE_SUITES_split := unit
 
 # Names of panels' tests are clang's to judge, as where they run under the sanitisers.

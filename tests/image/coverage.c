@@ -1,18 +1,23 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Suite: the fill rule. Triangles that share edges cover each pixel of their union exactly once: every triangle is
- * drawn on its own, unlit white on black, and the coverages are added. Closed meshes have no holes.
+ * Suite: which pixels objects cover. Triangles that share edges cover each pixel of their union exactly once: every
+ * triangle is drawn on its own, unlit white on black, and the coverages are added. Closed meshes have no holes. Objects
+ * that hide each other show the bits that each shows alone where it is nearest.
  */
 #include "bench.h"
 #include "glint.h"
+#include "glint_extras.h"
 #include "harness.h"
 #include "library_geometry.h"
 #include "picture.h"
 #include "random.h"
 #include "reference.h"
 #include "scenes.h"
+#include "scenes/scenes.h"
+#include "stability/random_scene.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -389,6 +394,133 @@ static void clustered_meshes_have_no_holes(void) {
     CHECK_EQUAL(fewer, 40 * BENCH_SCENES); /* vertices were left out each time */
 }
 
+/* ---- Objects that hide each other: alone, and of what they show the nearest pixel, of the first where two are as near
+ * ---- */
+
+#define OBJECTS_MAX 32
+
+/* How many pixels an object covers that a later one hides, and that a later one is as near as. */
+static long hidden, tied;
+
+/* An image and its depth, 0 where nothing is. */
+typedef struct layer {
+    picture image;
+    uint16_t *depth;
+} layer;
+
+static layer layer_open(int width, int height, const glint_format *format) {
+    return (layer){picture_open(width, height, format), calloc((size_t)width * (size_t)height, sizeof(uint16_t))};
+}
+
+static void layer_close(layer *l) {
+    picture_close(&l->image);
+    free(l->depth);
+}
+
+/* Draws a scene in an arena of this size. */
+static void draw_layer(const glint_scene *scene, size_t arena_size, layer *to) {
+    const picture_options options = {.tile_width = 16, .tile_height = 16, .arena_size = arena_size, .depth = to->depth};
+    CHECK_EQUAL(picture_render(&to->image, scene, &options, NULL), GLINT_OK);
+}
+
+static void copy_pixel(const picture *from, picture *to, int i) {
+    const size_t size = from->stride / (size_t)from->width;
+    memcpy(to->bytes + (size_t)i * size, from->bytes + (size_t)i * size, size);
+}
+
+/* Puts an object's pixels where they are nearer than what was there. */
+static void put_over(const layer *one, layer *to) {
+    for (int i = 0; i < to->image.width * to->image.height; i++) {
+        hidden += to->depth[i] && one->depth[i] > to->depth[i];
+        tied += one->depth[i] && one->depth[i] == to->depth[i];
+        if (one->depth[i] <= to->depth[i])
+            continue;
+        copy_pixel(&one->image, &to->image, i);
+        to->depth[i] = one->depth[i];
+    }
+}
+
+/* The scene with one of its objects; of the others there is a triangle without area. */
+static glint_scene leave_one(const glint_scene *scene, uint32_t which, glint_object *objects, glint_mesh *meshes) {
+    static const uint16_t nothing[1][3] = {{0, 0, 0}};
+    glint_scene one = *scene;
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        objects[i] = scene->objects[i];
+        if (i == which)
+            continue;
+        meshes[i] = *objects[i].mesh;
+        meshes[i].clusters = NULL;
+        meshes[i].triangles = nothing;
+        meshes[i].triangle_count = 1;
+        objects[i].mesh = &meshes[i];
+    }
+    one.objects = objects;
+    return one;
+}
+
+/* In a format of whole bytes a pixel, and arenas of one pass and of many. */
+static void check_layers(const glint_scene *scene, int width, int height, const glint_format *format,
+                         const char *name) {
+    static glint_object objects[OBJECTS_MAX];
+    static glint_mesh meshes[OBJECTS_MAX];
+    layer whole = layer_open(width, height, format), wanted = layer_open(width, height, format),
+          one = layer_open(width, height, format);
+    const glint_need need = picture_need(&whole.image, scene, &(picture_options){.tile_width = 16, .tile_height = 16});
+    if (CHECK(scene->object_count <= OBJECTS_MAX)) {
+        const size_t sizes[3] = {need.one_pass, picture_arena(&need, 85), need.least};
+        for (uint32_t i = 0; i < scene->object_count; i++) {
+            const glint_scene alone = leave_one(scene, i, objects, meshes);
+            draw_layer(&alone, need.one_pass, i ? &one : &wanted);
+            if (i)
+                put_over(&one, &wanted);
+        }
+        for (int i = 0; i < (scene->object_count > 1 ? 3 : 0); i++) {
+            draw_layer(scene, sizes[i], &whole);
+            if (!CHECK(picture_equal(&whole.image, &wanted.image))) {
+                char line[160];
+                snprintf(line, sizeof line, "  %s, arena of %lu bytes\n", name, (unsigned long)sizes[i]);
+                test_write(line);
+            }
+        }
+    }
+    layer_close(&whole);
+    layer_close(&wanted);
+    layer_close(&one);
+}
+
+static void hidden_in_the_gallery(void) {
+    static example_stage stage;
+    for (unsigned i = 0; i < EXAMPLE_SCENES; i++) {
+        for (uint32_t variant = 0; variant < example_scenes[i]->variant_count; variant++) {
+            example_scenes[i]->build(&stage, variant, example_scenes[i]->frames / 3);
+            check_layers(&stage.scene, 160, 120, &glint_format_rgb888, example_scenes[i]->name);
+        }
+    }
+}
+
+/* At the same place as another, each third time, of another material. */
+static void hidden_in_random_scenes(void) {
+    static random_scene scene;
+    char name[60];
+    for (uint32_t seed = 1; seed <= 1200; seed++) {
+        random_scene_make(&scene, seed);
+        if (scene.scene.object_count > 1 && seed % 3 == 0) {
+            scene.objects[1].mesh = scene.objects[0].mesh;
+            scene.objects[1].pose = scene.objects[0].pose;
+        }
+        snprintf(name, sizeof name, "seed %u, %s", (unsigned)seed, random_regions[scene.region].name);
+        check_layers(&scene.scene, scene.width, scene.height, scene.format, name);
+    }
+}
+
+static void objects_were_hidden(void) {
+    char line[80];
+    snprintf(line, sizeof line, "  %ld pixels hidden by later objects, %ld as near\n", hidden, tied);
+    test_write(line);
+    CHECK(hidden > 10000);
+    CHECK(tied > 10000);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(fans),
@@ -400,6 +532,9 @@ int test_main(test_writer write) {
         TEST_CASE(clipped_at_the_guard_band),
         TEST_CASE(closed_meshes_have_no_holes),
         TEST_CASE(clustered_meshes_have_no_holes),
+        TEST_CASE(hidden_in_the_gallery),
+        TEST_CASE(hidden_in_random_scenes),
+        TEST_CASE(objects_were_hidden),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }
