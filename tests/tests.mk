@@ -49,9 +49,8 @@ PIXEL_SUMS      := $(addprefix tests/image/,pixel_sums.c surfaces.c) tests/stabi
 SUITE_pixels    := $(TEST_HARNESS) tests/image/pixels.c $(PIXEL_SUMS)
 SUITE_rooms     := $(TEST_HARNESS) tests/image/rooms.c tests/image/picture.c tests/stability/large_scene.c
 SUITE_checked   := $(TEST_HARNESS) tests/image/checked.c tests/stability/large_scene.c
-SUITE_views     := $(TEST_HARNESS) tests/image/views.c tests/image/picture.c
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit parts numbers accuracy models formats output extremes coverage identity pixels changes layouts region callbacks pick skipped diagnose camera kept arenas dark motion lines orthographic patches corners rooms checked views
+TEST_SUITES     := unit parts numbers accuracy models formats output extremes coverage identity pixels changes layouts region callbacks pick skipped diagnose camera kept arenas dark motion lines orthographic patches corners rooms checked
 
 # $(call test_objects,variant,compiler and flags): build/<variant>/<source>.o
 define test_objects
@@ -132,7 +131,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit parts numbers camera) ## unit tests on the host, arithmetic against libm, files of others
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,accuracy models formats output extremes coverage pixels changes layouts region callbacks pick skipped diagnose kept arenas dark motion lines orthographic patches corners rooms checked views) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,accuracy models formats output extremes coverage pixels changes layouts region callbacks pick skipped diagnose kept arenas dark motion lines orthographic patches corners rooms checked) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order

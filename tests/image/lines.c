@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Lines: which pixels they have, how deep they lie, and that neither tile nor arena, region or format changes that. */
+/*
+ * Suite: lines. Which pixels they have, how deep they lie, and that neither tile nor arena, region or format changes
+ * that, through any view: a line across the screen has a pixel in each column.
+ */
 #include "every_format.h"
 #include "glint_extras.h"
 #include "harness.h"
 #include "library_geometry.h"
 #include "picture.h"
 #include "random.h"
+#include "sample.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -22,55 +26,42 @@ static double real(glint_q16 x) {
 
 /* ---- Drawing ---- */
 
-/* What an overlay draws, and what depth it leaves. */
+/* What an overlay draws, and what depth it finds and leaves. */
 typedef struct overlay {
     const glint_segment *segments;
-    uint32_t first, count;
-    int result;
+    uint32_t count;
     uint16_t before[HEIGHT][WIDTH], after[HEIGHT][WIDTH];
 } overlay;
 
+static overlay over;
+
 static void keep_depth(const glint_tile *tile, uint16_t to[HEIGHT][WIDTH]) {
     for (int y = 0; y < tile->height; y++)
-        for (int x = 0; x < tile->width; x++)
-            to[tile->y + y][tile->x + x] = tile->depth[(size_t)y * tile->depth_stride + (size_t)x];
+        memcpy(&to[tile->y + y][tile->x], tile->depth + (size_t)y * tile->depth_stride,
+               (size_t)tile->width * sizeof(uint16_t));
 }
 
 static int draw_overlay(void *context, const glint_tile *tile) {
     overlay *const o = context;
     keep_depth(tile, o->before);
-    o->result |= glint_lines_draw(tile, o->segments + o->first, o->count);
+    const int result = glint_lines_draw(tile, o->segments, o->count);
     keep_depth(tile, o->after);
-    return o->result;
+    return result;
 }
 
-typedef struct drawing {
-    const glint_format *format;
-    uint16_t tile_width, tile_height;
-    int is_small; /* as little arena as there can be */
-    const glint_rectangle *region;
-} drawing;
-
-static void draw(const glint_scene *scene, const drawing *how, overlay *over, picture *image) {
-    const picture_options options = {.tile_width = how->tile_width, .tile_height = how->tile_height};
-    glint_config config = picture_config(image, &options);
-    glint_renderer renderer;
-    glint_need need;
-
-    if (over) {
-        memset(over->before, 0, sizeof over->before);
-        memset(over->after, 0, sizeof over->after);
-        config.overlay = (glint_painter){draw_overlay, over};
+/* Draws a scene, and lines over it. */
+static void draw_with(const glint_scene *scene, const picture_options *how, const glint_segment *segments,
+                      uint32_t count, picture *image) {
+    picture_options options = *how;
+    if (segments) {
+        over = (overlay){.segments = segments, .count = count};
+        options.overlay = (glint_painter){draw_overlay, &over};
     }
-    if (how->region)
-        config.region = *how->region;
-    if (!CHECK_EQUAL(glint_arena_need(&config, scene, &need), GLINT_OK))
-        return;
-    config.arena_size = how->is_small ? need.least : need.one_pass;
-    config.arena = malloc(config.arena_size);
-    CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
-    CHECK_EQUAL(glint_render(&renderer, scene), GLINT_OK);
-    free(config.arena);
+    CHECK_EQUAL(picture_render(image, scene, &options, NULL), GLINT_OK);
+}
+
+static void draw(const glint_scene *scene, const glint_segment *segments, uint32_t count, picture *image) {
+    draw_with(scene, &(picture_options){0}, segments, count, image);
 }
 
 static picture open_picture(const glint_format *format) {
@@ -219,8 +210,6 @@ static void place(line_scene *s) {
 /* ---- Cases ---- */
 
 static line_scene scene;
-static overlay over;
-
 /* Ends lie where they do in double precision, before these are rounded to sixteenths: up to 1/64 more. */
 static void ends_are_where_they_are(void) {
     int seen = 0, gone = 0;
@@ -267,12 +256,11 @@ static double find_farthest(const glint_scene *of) {
 }
 
 static void pixels_are_those_of_the_rule(void) {
-    const drawing how = {.format = &glint_format_rgb888};
     static double covered[HEIGHT][WIDTH];
     int drawn = 0, hidden = 0, close = 0;
     for (uint32_t number = 1; number <= 18; number++) {
         library_geometry geometry;
-        picture plain = open_picture(how.format), image = open_picture(how.format);
+        picture plain = open_picture(&glint_format_rgb888), image = open_picture(&glint_format_rgb888);
         const glint_config config = picture_config(&plain, &(picture_options){0});
         build(&scene, number);
         place(&scene);
@@ -282,14 +270,11 @@ static void pixels_are_those_of_the_rule(void) {
         const double farthest = is_parallel ? find_farthest(&scene.at.scene) : 0; /* begins with depth 1 */
         const double scale = geometry.depth_scale * (is_parallel ? 1 : 1 + 2 / focal_length(&scene.at.scene));
         const double before = is_parallel ? REFERENCE_FAR - farthest - 2 / pixels_of_unit(&scene.at.scene) : 0;
-        draw(&scene.at.scene, &how, NULL, &plain);
+        draw(&scene.at.scene, NULL, 0, &plain);
         for (uint32_t i = 0; i < LINES; i++) {
             point ends[2];
             int wrong = 0;
-            over.segments = scene.segments;
-            over.first = i;
-            over.count = 1;
-            draw(&scene.at.scene, &how, &over, &image);
+            draw(&scene.at.scene, &scene.segments[i], 1, &image);
             if (cut(&scene.at.scene, &scene.pose, &scene.lines[i], ends))
                 cover(&scene.segments[i], ends, covered);
             else
@@ -330,11 +315,10 @@ static void pixels_are_those_of_the_rule(void) {
  */
 static void lines_far_from_all_else_keep_their_side(void) {
     const glint_mesh square = scene_square_mesh(100 * GLINT_ONE, 1);
-    const drawing how = {.format = &glint_format_rgb888};
     const glint_material paint = {.model = &glint_model_unlit};
     const glint_pose at = glint_pose_identity();
     const glint_config config = screen_of(WIDTH, HEIGHT);
-    picture image = open_picture(how.format);
+    picture image = open_picture(&glint_format_rgb888);
     for (int away = 40; away <= 12000; away += away / 7) {
         const glint_object object = {.mesh = &square,
                                      .material = &paint,
@@ -352,10 +336,7 @@ static void lines_far_from_all_else_keep_their_side(void) {
                 glint_segment segment;
                 int wrong = 0;
                 CHECK_EQUAL(glint_lines_place(&segment, &config, &flat.camera, &at, &one, 1), GLINT_OK);
-                over.segments = &segment;
-                over.first = 0;
-                over.count = 1;
-                draw(&flat, &how, &over, &image);
+                draw(&flat, &segment, 1, &image);
                 for (int x = WIDTH / 2 - 5; x < WIDTH / 2 + 5; x++)
                     wrong += is_behind ? over.after[HEIGHT / 2][x] != over.before[HEIGHT / 2][x]
                                        : over.after[HEIGHT / 2][x] != 0xffff;
@@ -367,31 +348,26 @@ static void lines_far_from_all_else_keep_their_side(void) {
 }
 
 static void directions_and_copies_change_nothing(void) {
-    const drawing how = {.format = &glint_format_grey8};
     for (uint32_t number = 1; number <= 20; number++) {
-        picture a = open_picture(how.format), b = open_picture(how.format);
+        picture a = open_picture(&glint_format_grey8), b = open_picture(&glint_format_grey8);
         build(&scene, number);
         place(&scene);
-        over.segments = scene.segments;
-        over.first = 0;
-        over.count = LINES;
-        draw(&scene.at.scene, &how, &over, &a);
+        draw(&scene.at.scene, scene.segments, LINES, &a);
         for (int i = 0; i < LINES; i++) {
             const glint_vector from = scene.lines[i].from;
             scene.lines[i].from = scene.lines[i].to;
             scene.lines[i].to = from;
         }
         place(&scene);
-        draw(&scene.at.scene, &how, &over, &b);
+        draw(&scene.at.scene, scene.segments, LINES, &b);
         CHECK(picture_equal(&a, &b));
         for (int i = LINES / 2; i < LINES; i++) { /* what ties with what is there is not drawn */
             scene.lines[i] = scene.lines[i - LINES / 2];
             scene.lines[i].colour = (glint_colour){0, 0, GLINT_ONE};
         }
         place(&scene);
-        draw(&scene.at.scene, &how, &over, &b);
-        over.count = LINES / 2;
-        draw(&scene.at.scene, &how, &over, &a);
+        draw(&scene.at.scene, scene.segments, LINES, &b);
+        draw(&scene.at.scene, scene.segments, LINES / 2, &a);
         CHECK(picture_equal(&a, &b));
         picture_close(&a);
         picture_close(&b);
@@ -400,19 +376,15 @@ static void directions_and_copies_change_nothing(void) {
 
 /* Does a picture show, where lines are, what a screen of their colour shows, and elsewhere what there is without? */
 static void check_format(const glint_format *format, uint32_t number) {
-    const drawing how = {.format = format};
     picture plain = open_picture(format), lines = open_picture(format), even = open_picture(format);
     int wrong = 0, counted = 0;
     build(&scene, number);
     place(&scene);
-    over.segments = scene.segments;
-    over.first = 0;
-    over.count = LINES;
-    draw(&scene.at.scene, &how, NULL, &plain);
-    draw(&scene.at.scene, &how, &over, &lines);
+    draw(&scene.at.scene, NULL, 0, &plain);
+    draw(&scene.at.scene, scene.segments, LINES, &lines);
     scene.at.scene.object_count = 0;
     scene.at.scene.background = scene.lines[0].colour;
-    draw(&scene.at.scene, &how, NULL, &even);
+    draw(&scene.at.scene, NULL, 0, &even);
     for (int y = 0; y < HEIGHT; y++)
         for (int x = 0; x < WIDTH; x++)
             for (int c = 0; c < picture_channels(format); c++) {
@@ -438,22 +410,18 @@ static void tiles_arenas_and_regions_change_nothing(void) {
         for (uint32_t f = 0; f < TEST_COUNT(every_format); f += 3) {
             picture whole = open_picture(every_format[f]), other = open_picture(every_format[f]);
             const glint_rectangle parts[4] = {{0, 0, 56, 40}, {56, 0, 94, 40}, {0, 40, 56, 61}, {56, 40, 94, 61}};
-            drawing how = {.format = every_format[f]};
             build(&scene, number);
             place(&scene);
-            over.segments = scene.segments;
-            over.first = 0;
-            over.count = LINES;
-            draw(&scene.at.scene, &how, &over, &whole);
-            how.tile_width = sizes[any(0, 3)];
-            how.tile_height = sizes[any(0, 3)];
-            how.is_small = 1;
-            draw(&scene.at.scene, &how, &over, &other);
+            draw(&scene.at.scene, scene.segments, LINES, &whole);
+            picture_options how = {.tile_width = sizes[any(0, 3)], .tile_height = sizes[any(0, 3)]};
+            how.arena_size = picture_need(&other, &scene.at.scene, &how).least;
+            draw_with(&scene.at.scene, &how, scene.segments, LINES, &other);
             CHECK(picture_equal(&whole, &other));
             memset(other.bytes, 0, other.size);
             for (int i = 0; i < 4; i++) {
-                how.region = &parts[i];
-                draw(&scene.at.scene, &how, &over, &other);
+                how.region = parts[i];
+                how.arena_size = 0;
+                draw_with(&scene.at.scene, &how, scene.segments, LINES, &other);
             }
             CHECK(picture_equal(&whole, &other));
             picture_close(&whole);
@@ -470,10 +438,9 @@ static void edges_show_on_their_mesh(void) {
     static glint_segment segments[864];
     static double covered[HEIGHT][WIDTH];
     static reference_pixel pixels[HEIGHT][WIDTH];
-    const drawing how = {.format = &glint_format_rgb888};
     const glint_config config = screen_of(WIDTH, HEIGHT);
     const reference_image image = {WIDTH, HEIGHT, pixels[0]};
-    picture drawn = open_picture(how.format);
+    picture drawn = open_picture(&glint_format_rgb888);
     bench_scene torus;
     int shown = 0, lost = 0, hidden = 0, seen_through = 0;
     bench_build_scene(&torus, &bench_definitions[1], scene_bench_mesh(1), 3);
@@ -481,10 +448,7 @@ static void edges_show_on_their_mesh(void) {
     if (!CHECK_EQUAL(glint_lines_edges(lines, 864, mesh, (glint_colour){GLINT_ONE, 0, 0}), 864))
         return;
     CHECK_EQUAL(glint_lines_place(segments, &config, &torus.scene.camera, &torus.object.pose, lines, 864), GLINT_OK);
-    over.segments = segments;
-    over.first = 0;
-    over.count = 864;
-    draw(&torus.scene, &how, &over, &drawn);
+    draw(&torus.scene, segments, 864, &drawn);
     memset(pixels, 0, sizeof pixels);
     reference_render(&image, &torus.scene, NULL);
     for (uint32_t i = 0; i < 864; i++) {
@@ -556,7 +520,6 @@ static void edges_of_a_mesh_come_once(void) {
 }
 
 static void bad_input_is_refused(void) {
-    const drawing how = {.format = &glint_format_rgb888};
     glint_config config = screen_of(WIDTH, HEIGHT);
     build(&scene, 1);
     const glint_camera camera = scene.at.scene.camera;
@@ -583,10 +546,8 @@ static void bad_input_is_refused(void) {
     CHECK_EQUAL(glint_lines_place(NULL, &config, &camera, &scene.pose, NULL, 0), GLINT_OK);
     CHECK_EQUAL(glint_lines_draw(NULL, scene.segments, 1), GLINT_ERROR_NULL);
     CHECK_EQUAL(glint_lines_draw(&(glint_tile){0}, scene.segments, 1), GLINT_ERROR_NULL);
-    picture image = open_picture(how.format);
-    over.segments = scene.segments;
-    over.first = over.count = 0;
-    draw(&scene.at.scene, &how, &over, &image); /* no lines at all */
+    picture image = open_picture(&glint_format_rgb888);
+    draw(&scene.at.scene, scene.segments, 0, &image); /* no lines at all */
     picture_close(&image);
 }
 
@@ -600,8 +561,7 @@ static glint_q16 any_number(void) {
 
 /* Any numbers whatever, of any camera: ends stay within the guard band, and what is drawn on the screen. */
 static void extremes_stay_in_their_place(void) {
-    const drawing how = {.format = &glint_format_grey4};
-    picture image = open_picture(how.format);
+    picture image = open_picture(&glint_format_grey4);
     test_scene torus;
     int seen = 0, wrong = 0;
     scene_build_named(&torus, "mirrored");
@@ -632,10 +592,7 @@ static void extremes_stay_in_their_place(void) {
                      abs(segment.y[end] - 8 * config.height) > 16 * 1023;
         if (i % 256 != 0)
             continue;
-        over.segments = &segment;
-        over.first = 0;
-        over.count = 1;
-        draw(&torus.scene, &how, &over, &image);
+        draw(&torus.scene, &segment, 1, &image);
     }
     CHECK_EQUAL(wrong, 0);
     CHECK(seen > 1000);
@@ -661,6 +618,113 @@ static void lines_in_the_near_plane_show(void) {
     }
 }
 
+/* ---- Any views: screens of 1/256 to 32767 units, fields of view of 1 to 170 degrees, near planes of any number ----
+ */
+
+#define VIEW_LINES 12
+
+/* From least to most, of any numbers. */
+static int32_t any_wide(int32_t least, int32_t most) {
+    const uint32_t high = random_bits() >> 8;
+    const uint64_t count = (uint64_t)((int64_t)most - least) + 1, number = (uint64_t)high << 16 | random_bits() >> 8;
+    return (int32_t)(least + (int64_t)(number * count >> 32));
+}
+
+/* From 1 to most, each number of bits as likely. */
+static int32_t any_size(int32_t most) {
+    const int32_t bits = any_wide(0, 30);
+    return any_wide(1, most >> bits ? most >> bits : 1);
+}
+
+/* Draws lines and nothing else. @return pixels that they have */
+static uint32_t draw_view(const glint_camera *camera, const glint_line *lines, uint32_t count, uint16_t tile,
+                          picture *image) {
+    const glint_config config = picture_config(image, NULL);
+    const glint_pose pose = glint_pose_identity();
+    const glint_scene view = {.camera = *camera};
+    glint_segment segments[VIEW_LINES];
+    uint32_t marked = 0;
+    CHECK_EQUAL(glint_lines_place(segments, &config, camera, &pose, lines, count), GLINT_OK);
+    draw_with(&view, &(picture_options){.tile_width = tile, .tile_height = tile}, segments, count, image);
+    for (int y = 0; y < image->height; y++)
+        for (int x = 0; x < image->width; x++)
+            marked += over.after[y][x] != 0;
+    return marked;
+}
+
+static glint_camera any_camera(void) {
+    glint_camera camera = {.field_of_view = 45 * GLINT_ONE};
+    const glint_vector axis = {any_wide(-9, 9), any_wide(-9, 9), any_wide(1, 9)};
+    camera.pose = glint_pose_rotate(axis, any_wide(0, 360 * GLINT_ONE));
+    camera.near_plane = any_size(INT32_MAX);
+    camera.field_of_view = any_wide(GLINT_ONE, 170 * GLINT_ONE);
+    if (any_wide(0, 2)) {
+        camera.projection = &glint_orthographic;
+        camera.view_height = GLINT_ONE / 256 - 1 + any_size(INT32_MAX - GLINT_ONE);
+    }
+    return camera;
+}
+
+static const glint_colour white = {GLINT_ONE, GLINT_ONE, GLINT_ONE};
+
+/* Half of what a square screen shows, with a quarter more, at the near plane. */
+static int64_t half_of_view(const glint_camera *camera) {
+    if (camera->projection)
+        return (int64_t)camera->view_height * 5 / 8 + 2;
+    const glint_q16 half = camera->field_of_view / 2;
+    return (int64_t)camera->near_plane * glint_sin(half) / glint_cos(half) * 5 / 4 + 2;
+}
+
+static void lines_across_views_have_every_column(void) {
+    uint32_t drawn = 0, reported = 0;
+    for (uint32_t i = 0; i < 4000 / sample_share(); i++) {
+        random_state = i + 1;
+        const glint_camera camera = any_camera();
+        const int size = any_wide(1, 70);
+        const int64_t half = half_of_view(&camera);
+        const glint_q16 near_plane = camera.near_plane;
+        if (half > 18000 * (int64_t)GLINT_ONE || near_plane > 18000 * GLINT_ONE || half < 1000 * size ||
+            half < near_plane >> 10)
+            continue; /* ends leave the range, or they or the turn are rounded to whole pixels */
+        /* behind the near plane by more than the turn's rounding brings an end towards it */
+        const glint_q16 away = -(near_plane + near_plane / 64 + (glint_q16)(half >> 12) + 2);
+        const glint_vector left = {(glint_q16)-half, 0, away}, right = {(glint_q16)half, 0, away};
+        const glint_line line = {glint_pose_apply(&camera.pose, left), glint_pose_apply(&camera.pose, right), white};
+        picture image = picture_open(size, size, &glint_format_rgb565);
+        if (!CHECK_EQUAL(draw_view(&camera, &line, 1, 16, &image), size) && reported++ < 8) {
+            test_write("  view ");
+            test_write_number(i);
+            test_write("\n");
+        }
+        picture_close(&image);
+        drawn++;
+    }
+    CHECK(drawn > 400 / sample_share());
+}
+
+static void any_lines_are_the_same_in_all_tiles(void) {
+    for (uint32_t i = 0; i < 3000 / sample_share(); i++) {
+        random_state = i + 1;
+        const glint_camera camera = any_camera();
+        const int width = any_wide(1, 70), height = any_wide(1, 70);
+        const int32_t most = any_size(INT32_MAX);
+        glint_line lines[VIEW_LINES];
+        for (uint32_t l = 0; l < VIEW_LINES; l++)
+            lines[l] = (glint_line){{any_wide(-most, most), any_wide(-most, most), any_wide(-most, most)},
+                                    {any_wide(-most, most), any_wide(-most, most), any_wide(-most, most)},
+                                    {any_wide(0, GLINT_ONE), any_wide(0, GLINT_ONE), any_wide(0, GLINT_ONE)}};
+        picture whole = picture_open(width, height, &glint_format_rgb565);
+        const uint32_t marked = draw_view(&camera, lines, VIEW_LINES, 64, &whole);
+        for (uint16_t tile = 8; tile < 64; tile *= 2) {
+            picture again = picture_open(width, height, &glint_format_rgb565);
+            CHECK_EQUAL(draw_view(&camera, lines, VIEW_LINES, tile, &again), marked);
+            CHECK(picture_equal(&again, &whole));
+            picture_close(&again);
+        }
+        picture_close(&whole);
+    }
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(ends_are_where_they_are),
@@ -675,6 +739,8 @@ int test_main(test_writer write) {
         TEST_CASE(bad_input_is_refused),
         TEST_CASE(extremes_stay_in_their_place),
         TEST_CASE(lines_in_the_near_plane_show),
+        TEST_CASE(lines_across_views_have_every_column),
+        TEST_CASE(any_lines_are_the_same_in_all_tiles),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Parallel rays: images against the reference, and the same bits from every arena, tile and region. */
+/* Suite: parallel rays. Images and depth against the reference, needs, and what is refused. */
 #include "glint_extras.h"
 #include "harness.h"
 #include "judge.h"
@@ -146,14 +146,7 @@ static void lamps_near_the_end_of_rays_light_as_close_by(void) {
 /* ---- Depth ---- */
 
 static uint16_t depths[HEIGHT][WIDTH];
-
-static int keep_depth(void *context, const glint_tile *tile) {
-    (void)context;
-    for (int y = 0; y < tile->height; y++)
-        for (int x = 0; x < tile->width; x++)
-            depths[tile->y + y][tile->x + x] = tile->depth[(size_t)y * tile->depth_stride + (size_t)x];
-    return 0;
-}
+static const picture_options with_depth = {.depth = depths[0]};
 
 /* How far the corners of a mesh's box are along the camera's axis. */
 static void extend(const glint_scene *scene, const glint_object *object, double *nearest, double *farthest) {
@@ -179,18 +172,13 @@ static void depth_is_linear(void) {
     long seen = 0, wrong = 0;
     for (uint32_t number = 1; number <= 30; number++) {
         test_scene s;
-        glint_renderer renderer;
         picture drawn = picture_open(WIDTH, HEIGHT, &glint_format_rgb565);
-        glint_config config = picture_config(&drawn, NULL);
+        const glint_config config = picture_config(&drawn, NULL);
         double nearest = HUGE_VAL, farthest = 0;
         scene_build_random(&s, number);
         s.scene.object_count = 1; /* then it is visible */
         scene_make_parallel(&s.scene);
-        config.overlay.paint = keep_depth;
-        config.arena_size = 1 << 21;
-        config.arena = malloc(config.arena_size);
-        CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
-        CHECK_EQUAL(glint_render(&renderer, &s.scene), GLINT_OK);
+        CHECK_EQUAL(picture_render(&drawn, &s.scene, &with_depth, NULL), GLINT_OK);
         library_geometry geometry; /* where its corners are rounded to: a sixteenth of a pixel may be many steps */
         CHECK_EQUAL(library_geometry_open(&geometry, &config, &s.scene), GLINT_OK);
         reference_render(&image, &s.scene, (const reference_position *const *)geometry.positions);
@@ -206,7 +194,6 @@ static void depth_is_linear(void) {
                 seen++;
                 wrong += fabs(exact - depths[y][x]) > 2;
             }
-        free(config.arena);
         picture_close(&drawn);
     }
     CHECK(seen > 40000);
@@ -221,8 +208,6 @@ static void depth_is_rounded(void) {
     for (int i = 0; i < 200; i++) {
         const glint_q16 z[3] = {100 * GLINT_ONE, 100 * GLINT_ONE + 131072 * i + 977 * (i + 1), 700 * GLINT_ONE};
         picture drawn = picture_open(WIDTH, HEIGHT, &glint_format_rgb565);
-        glint_config config = picture_config(&drawn, NULL);
-        glint_renderer renderer;
         glint_object objects[3];
         for (int k = 0; k < 3; k++)
             objects[k] = (glint_object){.mesh = &square,
@@ -235,15 +220,10 @@ static void depth_is_rounded(void) {
                                               .view_height = 100 * GLINT_ONE},
                                    .objects = objects,
                                    .object_count = 3};
-        config.overlay.paint = keep_depth;
-        config.arena_size = 1 << 20;
-        config.arena = malloc(config.arena_size);
-        CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
-        CHECK_EQUAL(glint_render(&renderer, &scene), GLINT_OK);
+        CHECK_EQUAL(picture_render(&drawn, &scene, &with_depth, NULL), GLINT_OK);
         const double exact = 2 + 65533.0 * (z[2] - z[1]) / (z[2] - z[0]);
         const int found = depths[HEIGHT / 2][WIDTH / 2];
         worst = fmax(worst, fabs(exact - found));
-        free(config.arena);
         picture_close(&drawn);
     }
     CHECK_AT_MOST((int)(1000 * worst), 500 + 100);
@@ -302,28 +282,6 @@ static void points_are_placed(void) {
         CHECK(fabs(place.distance / 65536.0 + sight[2]) < 1e-3);
     }
     CHECK_AT_MOST((int)(1000000 * worst), 1000000 / 128);
-}
-
-static void pixels_can_be_picked(void) {
-    test_scene s;
-    glint_renderer renderer;
-    scene_build_named(&s, "interlocked");
-    scene_make_parallel(&s.scene);
-    picture image = draw(&s.scene);
-    glint_config config = picture_config(&image, NULL);
-    config.arena_size = 1 << 21;
-    config.arena = malloc(config.arena_size);
-    config.overlay.paint = keep_depth;
-    CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
-    CHECK_EQUAL(glint_render(&renderer, &s.scene), GLINT_OK);
-    for (int y = 3; y < HEIGHT; y += 9)
-        for (int x = 2; x < WIDTH; x += 11) {
-            glint_hit hit = {0, 0, 0};
-            CHECK_EQUAL(glint_pick(&renderer, &s.scene, x, y, &hit), depths[y][x] != 0);
-            CHECK_EQUAL(hit.depth, depths[y][x]);
-        }
-    free(config.arena);
-    picture_close(&image);
 }
 
 static void bad_cameras_are_refused(void) {
@@ -479,7 +437,6 @@ int test_main(test_writer write) {
         TEST_CASE(depth_is_rounded),
         TEST_CASE(viewers_are_the_same),
         TEST_CASE(points_are_placed),
-        TEST_CASE(pixels_can_be_picked),
         TEST_CASE(bad_cameras_are_refused),
         TEST_CASE(extremes_are_drawn_or_refused),
         TEST_CASE(near_plane_between_coordinates),
