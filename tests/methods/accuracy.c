@@ -2,7 +2,7 @@
 /*
  * What methods are off by, as rows of CSV: `accuracy` prints how many methods there are, `accuracy N` measures method N
  * over its whole domain and fails when it is off by other than its descriptor states; `accuracy header` prints the
- * columns' names, `accuracy stated N` the errors as a descriptor states them.
+ * columns' names.
  */
 #include "judge.h"
 
@@ -36,20 +36,6 @@ static int print_rows(const method *m) {
     return failed;
 }
 
-/* Rounded up to three digits. */
-static void print_stated(const method *m) {
-    printf("%s|%s|%s|", m->problem->kind, m->name, m->variant);
-    for (uint32_t point = 0; point < m->problem->point_count; point++) {
-        double error = method_takes(m, point) ? method_measure(m, point, 1).largest * 1000 : 0;
-        double unit = 1;
-        while (error >= 1000 * unit) {
-            unit *= 10;
-        }
-        printf("%s%.0f", point ? ", " : "", ceil(error / unit) * unit);
-    }
-    printf("\n");
-}
-
 int main(int argc, char **argv) {
     const char *last = argc > 1 ? argv[argc - 1] : "";
     if (argc < 2) {
@@ -63,10 +49,6 @@ int main(int argc, char **argv) {
     const unsigned long index = strtoul(last, NULL, 10);
     if (index >= methods_count()) {
         return 2;
-    }
-    if (argc > 2) {
-        print_stated(methods_get((uint32_t)index));
-        return 0;
     }
     return print_rows(methods_get((uint32_t)index));
 }

@@ -65,7 +65,8 @@ static int is_beyond(const judged *j, double q) {
     return any == 0 && pow(1 - j->in[0] * 0x1p-30, q) < 1e-10;
 }
 
-static void judge_complement(const judged *j, double q) {
+static void judge_sine(const judged *j) {
+    const double q = j->p / 2;
     series s = {-1, 0, 0, 0};
     if (is_beyond(j, q)) {
         j->errors->samples += j->count;
@@ -77,14 +78,6 @@ static void judge_complement(const judged *j, double q) {
         note(&errors, j->out[i] * one - series_power(&s, j->in[i], q));
     }
     *j->errors = errors;
-}
-
-static void judge_sine(const judged *j) {
-    judge_complement(j, j->p / 2);
-}
-
-static void judge_chord(const judged *j) {
-    judge_complement(j, j->p);
 }
 
 /* ---- Normalisation ---- */
@@ -108,8 +101,9 @@ static void judge_unit(const judged *j) {
 }
 
 static void (*const judges[METHOD_QUANTITIES])(const judged *j) = {
-    [METHOD_POWER_OF_COSINE] = judge_cosine, [METHOD_POWER_OF_SINE] = judge_sine,
-    [METHOD_POWER_OF_CHORD] = judge_chord,   [METHOD_ROOT] = judge_root,
+    [METHOD_POWER_OF_COSINE] = judge_cosine,
+    [METHOD_POWER_OF_SINE] = judge_sine,
+    [METHOD_ROOT] = judge_root,
     [METHOD_UNIT_VECTOR] = judge_unit,
 };
 

@@ -29,7 +29,7 @@ static const method_problem root = {METHOD_ROOT, "normalise", "every c from 1/4 
                                     no_points,   1,           0,
                                     input_root,  bench_root,  empty_root};
 
-static uint16_t table[769]; /* 1/sqrt, Q15; 1/sqrt(1/4) does not fit and is 65535 */
+static uint16_t table[49]; /* 1/sqrt, Q15; 1/sqrt(1/4) does not fit and is 65535 */
 
 /* 2^30 / sqrt(c), c from 2^28 to 2^30: Q15. */
 static uint32_t root_q15(uint32_t c) {
@@ -44,26 +44,11 @@ static uint16_t clamp16(uint32_t x) {
 }
 
 /* Each entry is right in the middle of what it stands for. */
-static void prepare_nearest(unsigned bits) {
-    const uint32_t first = 1u << (bits - 2);
-    for (uint32_t i = 0; i < 3 * first; i++) {
-        table[i] = clamp16(root_q15(((first + i) << (30 - bits)) + (1u << (29 - bits))));
+static void prepare_nearest(int32_t p) {
+    (void)p;
+    for (uint32_t i = 0; i < 48; i++) {
+        table[i] = clamp16(root_q15(((16 + i) << 24) + (1u << 23)));
     }
-}
-
-static void prepare_nearest_8(int32_t p) {
-    (void)p;
-    prepare_nearest(8);
-}
-
-static void prepare_nearest_10(int32_t p) {
-    (void)p;
-    prepare_nearest(10);
-}
-
-static void prepare_nearest_6(int32_t p) {
-    (void)p;
-    prepare_nearest(6);
 }
 
 /* Nodes lowered by half of what a chord lies above the curve, where they have neighbours. */
@@ -78,45 +63,16 @@ static void prepare_linear(int32_t p) {
     }
 }
 
-static inline uint32_t nearest_8(uint32_t c) {
-    return table[(c >> 22) - 64];
-}
-
-static inline uint32_t nearest_10(uint32_t c) {
-    return table[(c >> 20) - 256];
-}
-
 static inline uint32_t linear_6(uint32_t c) {
     const uint16_t *at = &table[(c >> 24) - 16];
     return (uint32_t)(at[0] - glint_shift_right((at[0] - at[1]) * (int32_t)(c >> 8 & 0xffff), 16));
 }
 
 /* r (3 - c r^2) / 2 (Newton), r Q15 below 2^16. */
-static inline uint32_t refine(uint32_t c, uint32_t r) {
+static inline uint32_t newton(uint32_t c) {
+    const uint32_t r = table[(c >> 24) - 16];
     const uint32_t product = (c >> 14) * ((r * r) >> 16); /* c r^2, Q30 */
     return (r * (((3u << 30) - product) >> 16) + 0x4000) >> 15;
-}
-
-static inline uint32_t newton_1(uint32_t c) {
-    return refine(c, table[(c >> 24) - 16]);
-}
-
-static inline uint32_t newton_2(uint32_t c) {
-    const uint32_t r = newton_1(c);
-    return refine(c, r < 65536 ? r : 65535);
-}
-
-/* The bits of c, Q30, as a single-precision number; half of them taken from a constant; and back. */
-static inline uint32_t guess(uint32_t c) {
-    const unsigned zeros = glint_leading_zeros(c); /* 2 or 3 */
-    const uint32_t bits = (128 - zeros) << 23 | ((c << zeros) >> 8 & 0x7fffff);
-    const uint32_t inverse = 0x5f3759df - (bits >> 1);
-    const uint32_t r = ((inverse & 0x7fffff) | 0x800000) >> (135 - (inverse >> 23));
-    return r < 65536 ? r : 65535;
-}
-
-static inline uint32_t guess_1(uint32_t c) {
-    return refine(c, guess(c));
 }
 
 static inline uint32_t root_and_divide(uint32_t c) {
@@ -134,13 +90,8 @@ static inline uint32_t library_root(uint32_t c) {
     }                                                                       \
     METHOD_LOOP(root_##name, 1, 1)
 
-ROOT(nearest_8)
-ROOT(nearest_10)
 ROOT(linear_6)
-ROOT(newton_1)
-ROOT(newton_2)
-ROOT(guess)
-ROOT(guess_1)
+ROOT(newton)
 ROOT(root_and_divide)
 ROOT(library_root)
 
@@ -220,20 +171,7 @@ static inline void scale(const int32_t v[3], uint32_t r, unsigned down, int32_t 
     }                                                                         \
     METHOD_LOOP(vector_##name, 3, 3)
 
-VECTOR(nearest_8)
-VECTOR(nearest_10)
 VECTOR(linear_6)
-VECTOR(newton_1)
-
-/* Each component over the length, both in integers. */
-static inline void vector_divide_one(const int32_t *in, int32_t *out) {
-    int32_t v[3];
-    const int32_t length = (int32_t)method_square_root(reduce(in, v));
-    for (int i = 0; i < 3; i++) {
-        out[i] = v[i] * 32768 / length;
-    }
-}
-METHOD_LOOP(vector_divide, 3, 3)
 
 /* 64 bits throughout: what a general fixed-point library does. */
 static inline void vector_wide_one(const int32_t *in, int32_t *out) {
@@ -270,21 +208,11 @@ static inline void vector_library_one(const int32_t *in, int32_t *out) {
 METHOD_LOOP(vector_library, 3, 3)
 
 static const method methods[] = {
-    METHOD(&root, "table 8 bit nearest", "root", "", 0, 0, 1 << 15, 384, prepare_nearest_8, root_nearest_8, 993),
-    METHOD(&root, "table 10 bit nearest", "root", "", 0, 0, 1 << 15, 1536, prepare_nearest_10, root_nearest_10, 250),
     METHOD(&root, "table 6 bit linear", "root", "", 0, 0, 1 << 15, 98, prepare_linear, root_linear_6, 71),
-    METHOD(&root, "table 6 bit and Newton", "root", "", 0, 0, 1 << 15, 96, prepare_nearest_6, root_newton_1, 94),
-    METHOD(&root, "table 6 bit and Newton twice", "root", "", 0, 0, 1 << 15, 96, prepare_nearest_6, root_newton_2, 11),
-    METHOD(&root, "integer guess", "root", "Lomont 2003", 0, 0, 1 << 15, 0, 0, root_guess, 8780),
-    METHOD(&root, "integer guess and Newton", "root", "Lomont 2003", 0, 0, 1 << 15, 0, 0, root_guess_1, 459),
+    METHOD(&root, "table 6 bit and Newton", "root", "", 0, 0, 1 << 15, 96, prepare_nearest, root_newton, 94),
     METHOD(&root, "square root and division", "root", "Woo 1985", 0, 0, 1 << 15, 0, 0, root_root_and_divide, 18),
     METHOD(&root, "glint_inverse_root", "root", "", 1, 0, GLINT_UNIT, 708, 0, root_library_root, 14),
-    METHOD(&vector, "table 8 bit nearest", "vector", "", 0, 0, 1 << 15, 384, prepare_nearest_8, vector_nearest_8, 997),
-    METHOD(&vector, "table 10 bit nearest", "vector", "", 0, 0, 1 << 15, 1536, prepare_nearest_10, vector_nearest_10,
-           252),
     METHOD(&vector, "table 6 bit linear", "vector", "", 0, 0, 1 << 15, 98, prepare_linear, vector_linear_6, 76),
-    METHOD(&vector, "table 6 bit and Newton", "vector", "", 0, 0, 1 << 15, 96, prepare_nearest_6, vector_newton_1, 98),
-    METHOD(&vector, "square root and divisions", "vector", "Woo 1985", 0, 0, 1 << 15, 0, 0, vector_divide, 34),
     METHOD(&vector, "64 bit root and divisions", "vector", "", 0, 0, 1 << 15, 0, 0, vector_wide, 8),
     METHOD(&vector, "glint_unit", "vector", "", 1, 0, GLINT_UNIT, 708, 0, vector_library, 19),
 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The specular power cos^p of an angle, result Q15. What is known of the angle is the method's variant: its cosine in
- * Q16, as products of rounded unit vectors give it; sin^2 or 1 - cos in Q30, which keep their digits at the centre of a
+ * Q16, as products of rounded unit vectors give it; or sin^2 in Q30, which keeps its digits at the centre of a
  * highlight. Tables are built by the library's own power function.
  */
 #include "lookup.h"
@@ -24,10 +24,6 @@ static void bench_sine(uint32_t i, int32_t *in) {
     in[0] = (int32_t)(method_hash(i) % 193000000);
 }
 
-static void bench_chord(uint32_t i, int32_t *in) {
-    in[0] = (int32_t)(method_hash(i) % 98000000);
-}
-
 static inline void empty_one(const int32_t *in, int32_t *out) {
     out[0] = in[0];
 }
@@ -40,38 +36,26 @@ METHOD_LOOP(empty, 1, 1)
 POWER_PROBLEM(power_of_cosine, METHOD_POWER_OF_COSINE, 1, 65537, 1, "every cos in Q16", NULL, bench_cosine, empty);
 POWER_PROBLEM(power_of_sine, METHOD_POWER_OF_SINE, 1, (1u << 30) + 1, 16381, "every sin^2 in Q30", NULL, bench_sine,
               empty);
-POWER_PROBLEM(power_of_chord, METHOD_POWER_OF_CHORD, 1, (1u << 30) + 1, 16381, "every 1 - cos in Q30", NULL,
-              bench_chord, empty);
+/* ---- A table over the cosine, from 0 to 1 ---- */
 
-/* ---- Tables over the cosine, from 0 to 1 ---- */
-
-static uint16_t node[1025]; /* Q15 */
+static uint16_t node[257]; /* Q15 */
 
 /* (x / 2^31)^p, Q15. */
 static uint16_t power_q15(uint32_t x, int32_t p) {
     return (uint16_t)((glint_power(x, p) + (1u << 14)) >> 15);
 }
 
-#define COSINE_TABLE(bits, size)                                                   \
-    static void prepare_cosine_##size(int32_t p) {                                 \
-        for (uint32_t i = 0; i <= (size); i++) {                                   \
-            node[i] = power_q15(i << (31 - (bits)), p);                            \
-        }                                                                          \
-    }                                                                              \
-    static inline void nearest_##size##_one(const int32_t *in, int32_t *out) {     \
-        out[0] = node[(in[0] + (1 << (15 - (bits)))) >> (16 - (bits))];            \
-    }                                                                              \
-    METHOD_LOOP(nearest_##size, 1, 1)                                              \
-    static inline void linear_##size##_one(const int32_t *in, int32_t *out) {      \
-        const int32_t x = in[0] < 65536 ? in[0] : 65535;                           \
-        const int32_t fraction = x & ((1 << (16 - (bits))) - 1);                   \
-        out[0] = lookup_between(&node[x >> (16 - (bits))], fraction, 16 - (bits)); \
-    }                                                                              \
-    METHOD_LOOP(linear_##size, 1, 1)
+static void prepare_cosine_256(int32_t p) {
+    for (uint32_t i = 0; i <= 256; i++) {
+        node[i] = power_q15(i << 23, p);
+    }
+}
 
-COSINE_TABLE(6, 64)
-COSINE_TABLE(8, 256)
-COSINE_TABLE(10, 1024)
+static inline void linear_256_one(const int32_t *in, int32_t *out) {
+    const int32_t x = in[0] < 65536 ? in[0] : 65535;
+    out[0] = lookup_between(&node[x >> 8], x & 255, 8);
+}
+METHOD_LOOP(linear_256, 1, 1)
 
 /* ---- Tables over a window: [cut, 1] ---- */
 
@@ -85,68 +69,38 @@ static uint32_t find_cut(int32_t q) {
     return (1u << 30) - glint_exp2(y > 31 << 26 ? -(31 << 26) : (int32_t)-y);
 }
 
-static void prepare_window(uint32_t end) {
-    cut = end;
-    shift = 16 - glint_leading_zeros(end);
-    factor = (1u << 31) / (end >> shift);
-}
-
 /* Nodes of (1 - u)^q for u from 0 to the cut. */
-static void prepare_window_nodes(uint32_t intervals, int32_t q) {
-    prepare_window(find_cut(q));
-    for (uint32_t i = 0; i <= intervals; i++) {
-        node[i] = power_q15((1u << 31) - 2 * (uint32_t)((uint64_t)cut * i / intervals), q);
+static void prepare_window_nodes(int32_t q) {
+    cut = find_cut(q);
+    shift = 16 - glint_leading_zeros(cut);
+    factor = (1u << 31) / (cut >> shift);
+    for (uint32_t i = 0; i <= 128; i++) {
+        node[i] = power_q15((1u << 31) - 2 * (uint32_t)((uint64_t)cut * i / 128), q);
     }
 }
 
-#define SINE_WINDOW(bits, size)                                                                          \
-    static void prepare_window_##size(int32_t p) {                                                       \
-        prepare_window_nodes(size, p / 2);                                                               \
-    }                                                                                                    \
-    static inline void window_##size##_one(const int32_t *in, int32_t *out) {                            \
-        const uint32_t u = (uint32_t)in[0];                                                              \
-        if (u >= cut) {                                                                                  \
-            out[0] = 0;                                                                                  \
-            return;                                                                                      \
-        }                                                                                                \
-        const uint32_t at = (u >> shift) * factor; /* below 2^31 */                                      \
-        out[0] = lookup_between(&node[at >> (31 - (bits))], (int32_t)(at >> (19 - (bits)) & 0xfff), 12); \
-    }                                                                                                    \
-    METHOD_LOOP(window_##size, 1, 1)
+static inline int32_t look_up_window(uint32_t u) {
+    if (u >= cut) {
+        return 0;
+    }
+    const uint32_t at = (u >> shift) * factor; /* below 2^31 */
+    return lookup_between(&node[at >> 24], (int32_t)(at >> 12 & 0xfff), 12);
+}
 
-SINE_WINDOW(6, 64)
-SINE_WINDOW(7, 128)
-SINE_WINDOW(8, 256)
+static void prepare_sine_window(int32_t p) {
+    prepare_window_nodes(p / 2);
+}
+
+static inline void sine_window_one(const int32_t *in, int32_t *out) {
+    out[0] = look_up_window((uint32_t)in[0]);
+}
+METHOD_LOOP(sine_window, 1, 1)
 
 /* The window over 1 - cos, of a cosine in Q16. */
-static void prepare_cosine_window(int32_t p) {
-    prepare_window_nodes(128, p);
-}
-
 static inline void cosine_window_one(const int32_t *in, int32_t *out) {
-    const uint32_t u = (uint32_t)(65536 - in[0]) << 14;
-    if (u >= cut) {
-        out[0] = 0;
-        return;
-    }
-    const uint32_t at = (u >> shift) * factor;
-    out[0] = lookup_between(&node[at >> 24], (int32_t)(at >> 12 & 0xfff), 12);
+    out[0] = look_up_window((uint32_t)(65536 - in[0]) << 14);
 }
 METHOD_LOOP(cosine_window, 1, 1)
-
-/* ---- A table over all of sin^2 ---- */
-
-static void prepare_sine_256(int32_t p) {
-    for (uint32_t i = 0; i <= 256; i++) {
-        node[i] = power_q15((1u << 31) - (i << 23), p / 2);
-    }
-}
-
-static inline void sine_256_one(const int32_t *in, int32_t *out) {
-    const int32_t u = in[0] < 1 << 30 ? in[0] : (1 << 30) - 1;
-    out[0] = lookup_between(&node[u >> 22], (u >> 10) & 0xfff, 12);
-}
-METHOD_LOOP(sine_256, 1, 1)
 
 /* ---- Logarithm and exponential ---- */
 
@@ -181,10 +135,6 @@ static inline uint32_t exponential_linear(uint32_t fraction) {
     return (uint32_t)lookup_between(&exponential[fraction >> 10], (int32_t)(fraction & 1023), 10);
 }
 
-static inline uint32_t identity(uint32_t fraction) {
-    return fraction;
-}
-
 static inline void logarithm_64_one(const int32_t *in, int32_t *out) {
     const uint32_t x = (uint32_t)in[0];
     out[0] = 0;
@@ -201,22 +151,6 @@ static inline void logarithm_64_one(const int32_t *in, int32_t *out) {
     }
 }
 METHOD_LOOP(logarithm_64, 1, 1)
-
-/* log2(1 + f) taken for f, and 2^f for 1 + f. */
-static inline void mitchell_one(const int32_t *in, int32_t *out) {
-    const uint32_t x = (uint32_t)in[0];
-    out[0] = 0;
-    if (x == 0) {
-        return;
-    }
-    const unsigned zeros = glint_leading_zeros(x);
-    const uint32_t log2 = (x << zeros) >> 15 & 0xffff;
-    const uint64_t y = (uint64_t)((zeros - 15) * 65536u - log2) * (uint32_t)exponent >> 16;
-    if (y < 16 << 16) {
-        out[0] = EXPONENTIAL((uint32_t)y, identity);
-    }
-}
-METHOD_LOOP(mitchell, 1, 1)
 
 /* ---- Squarings ---- */
 
@@ -240,53 +174,6 @@ static inline void squaring_one(const int32_t *in, int32_t *out) {
 }
 METHOD_LOOP(squaring, 1, 1)
 
-/* ---- (1 - k (1 - x))^m, clipped at 0 ---- */
-
-/*
- * x^p as (1 - k (1 - x))^16. At k = p/16 the slopes agree at x = 1; the largest error is halved by
- * k = p/16 - 0.0416 (p/16 - 1): to second order the error is e^-s (d s - s^2) (1/32 - 1/(2p)) at s = p (1 - x), whose
- * two extremes are equal at d = 1.33.
- */
-static void prepare_clipped(int32_t p) {
-    const int32_t k = p / 16 - (int32_t)((int64_t)(p / 16 - 65536) * 2726 / 65536);
-    prepare_window(k > 65536 ? (uint32_t)(((uint64_t)1 << 46) / (uint32_t)k) : 1u << 30);
-    factor = (uint32_t)(((uint64_t)(uint32_t)k << shift) >> 15); /* k (1 - x) of 1 - x >> shift, Q31 */
-}
-
-static inline void clipped_one(const int32_t *in, int32_t *out) {
-    const uint32_t u = (uint32_t)(65536 - in[0]) << 14;
-    if (u >= cut) {
-        out[0] = 0;
-        return;
-    }
-    const uint32_t down = ((u >> shift) * factor) >> 15; /* Q16 */
-    uint32_t x = down < 65536 ? 65536 - down : 0;
-    x = x < 65536 ? x : 65535;
-    x = square_q16(square_q16(square_q16(square_q16(x))));
-    out[0] = (int32_t)((x + 1) >> 1);
-}
-METHOD_LOOP(clipped, 1, 1)
-
-/* cos^p as (1 - p |N - H|^2 / 8)^4, by |N - H|^2 / 2 = 1 - cos. */
-static void prepare_difference(int32_t p) {
-    prepare_window(p > 4 << 16 ? (uint32_t)(((uint64_t)4 << 46) / (uint32_t)p) : 1u << 30);
-    factor = (uint32_t)(((uint64_t)(uint32_t)p << shift) >> 17);
-}
-
-static inline void difference_one(const int32_t *in, int32_t *out) {
-    const uint32_t u = (uint32_t)in[0];
-    if (u >= cut) {
-        out[0] = 0;
-        return;
-    }
-    const uint32_t down = ((u >> shift) * factor) >> 15;
-    uint32_t x = down < 65536 ? 65536 - down : 0;
-    x = x < 65536 ? x : 65535;
-    x = square_q16(square_q16(x));
-    out[0] = (int32_t)((x + 1) >> 1);
-}
-METHOD_LOOP(difference, 1, 1)
-
 /* ---- A rational function: x / (p - p x + x) ---- */
 
 static uint32_t rational_shift;
@@ -306,45 +193,20 @@ METHOD_LOOP(rational, 1, 1)
 #define P1 (1 << 16)
 
 static const method methods[] = {
-    METHOD(&power_of_cosine, "table 64 nearest", "cos", "", 0, 0, 1 << 15, 130, prepare_cosine_64, nearest_64, 75900,
-           22600, 2000, 3980, 7890, 15600, 30200, 56700, 101000, 162000, 221000, 251000, 256000, 256000, 256000),
-    METHOD(&power_of_cosine, "table 64 linear", "cos", "", 0, 0, 1 << 15, 130, prepare_cosine_64, linear_64, 42700,
-           7990, 8, 20, 102, 431, 1710, 6200, 19900, 52600, 105000, 158000, 196000, 220000, 235000),
-    METHOD(&power_of_cosine, "table 256 nearest", "cos", "", 0, 0, 1 << 15, 514, prepare_cosine_256, nearest_256, 53600,
-           11300, 501, 1000, 2000, 3980, 7890, 15600, 30200, 56700, 101000, 162000, 221000, 251000, 256000),
     METHOD(&power_of_cosine, "table 256 linear", "cos", "", 0, 0, 1 << 15, 514, prepare_cosine_256, linear_256, 30300,
            4020, 8, 16, 17, 43, 144, 515, 1850, 6420, 20200, 52800, 106000, 158000, 196000),
-    METHOD(&power_of_cosine, "table 1024 nearest", "cos", "", 0, 0, 1 << 15, 2050, prepare_cosine_1024, nearest_1024,
-           37800, 5600, 127, 255, 506, 1020, 2020, 4020, 7980, 15700, 30500, 57300, 102000, 163000, 222000),
-    METHOD(&power_of_cosine, "table 1024 linear", "cos", "", 0, 0, 1 << 15, 2050, prepare_cosine_1024, linear_1024,
-           21700, 2060, 8, 16, 19, 32, 63, 125, 250, 700, 2200, 7040, 21200, 54100, 107000),
-    METHOD(&power_of_cosine, "window 128 linear", "cos", "", 0, 0, 1 << 15, 258, prepare_cosine_window, cosine_window,
+    METHOD(&power_of_cosine, "window 128 linear", "cos", "", 0, 0, 1 << 15, 258, prepare_window_nodes, cosine_window,
            36000, 5580, 127, 125, 125, 125, 125, 147, 221, 344, 589, 1080, 2050, 3960, 7860),
-    METHOD(&power_of_cosine, "clipped 16th power", "cos", "Beaudoin and Guardado 2002", 0, 0, 1 << 15, 0,
-           prepare_clipped, clipped, 87200, 77200, 46100, 18400, 6910, 2160, 109, 1130, 1700, 2050, 2330, 2720, 3410,
-           4830, 8060),
     METHOD(&power_of_cosine, "rational", "cos", "Schlick 1994", 0, 0, 1 << 15, 0, prepare_rational, rational, 78200,
            34500, 6, 23100, 36700, 44100, 48000, 50000, 51000, 51500, 51800, 52000, 52100, 52300, 52700),
     METHOD(&power_of_cosine, "repeated squaring", "cos", "", 0, P1, 1 << 15, 0, prepare_exponent, squaring, 0, 0, 6, 10,
            17, 32, 63, 125, 250, 499, 997, 1990, 3970, 7870, 15500),
-    METHOD(&power_of_cosine, "log2 and exp2 unrefined", "cos", "Mitchell 1962", 0, 0, 1 << 15, 0, prepare_exponent,
-           mitchell, 13500, 11000, 6, 16000, 22000, 24700, 27100, 28700, 29400, 29800, 30100, 30400, 30800, 31600,
-           33100),
     METHOD(&power_of_cosine, "log2 and exp2 64 linear", "cos", "", 0, 0, 1 << 15, 260, prepare_logarithm, logarithm_64,
            13500, 705, 14, 24, 41, 73, 138, 259, 483, 931, 1830, 3520, 6530, 12100, 23300),
     METHOD(&power_of_cosine, "glint_power", "cos", "", 1, 0, 1 << 15, 384, prepare_exponent, library_power, 13500, 705,
            6, 8, 12, 20, 35, 66, 128, 252, 499, 995, 1990, 3960, 7860),
-    METHOD(&power_of_sine, "table 256 linear", "sin^2", "", 0, 0, 1 << 15, 514, prepare_sine_256, sine_256, 83000,
-           30200, 4000, 8, 12, 12, 30, 118, 465, 1760, 6250, 20000, 52500, 105000, 158000),
-    METHOD(&power_of_sine, "window 64 linear", "sin^2", "", 0, 0, 1 << 15, 130, prepare_window_64, window_64, 98700,
-           42700, 7890, 125, 125, 125, 194, 293, 365, 409, 436, 449, 455, 456, 459),
-    METHOD(&power_of_sine, "window 128 linear", "sin^2", "", 0, 0, 1 << 15, 258, prepare_window_128, window_128, 90500,
-           35900, 5560, 125, 125, 125, 125, 125, 125, 130, 135, 139, 143, 143, 141),
-    METHOD(&power_of_sine, "window 256 linear", "sin^2", "", 0, 0, 1 << 15, 514, prepare_window_256, window_256, 83000,
-           30200, 3910, 125, 125, 125, 125, 125, 125, 125, 125, 125, 125, 125, 125),
-    METHOD(&power_of_chord, "clipped 4th power", "1 - cos", "Lyon 1993", 0, 0, 1 << 15, 0, prepare_difference,
-           difference, 196000, 150000, 80800, 23100, 40, 9870, 14500, 16700, 17800, 18400, 18600, 18800, 18800, 18900,
-           18900),
+    METHOD(&power_of_sine, "window 128 linear", "sin^2", "", 0, 0, 1 << 15, 258, prepare_sine_window, sine_window,
+           90500, 35900, 5560, 125, 125, 125, 125, 125, 125, 130, 135, 139, 143, 143, 141),
 };
 
 const method_list methods_power = METHOD_LIST(methods);
