@@ -27,10 +27,7 @@ SUITE_coverage  := $(TEST_HARNESS) tests/image/coverage.c tests/stability/random
     $(TEST_JUDGE) $(wildcard examples/scenes/*.c)
 SUITE_kept      := $(TEST_HARNESS) tests/image/kept.c $(TEST_SCENES)
 SUITE_arenas    := $(TEST_HARNESS) tests/image/arenas.c
-SUITE_changes   := $(TEST_HARNESS) tests/image/changes.c $(TEST_SCENES)
 SUITE_layouts   := $(TEST_HARNESS) tests/image/layouts.c tests/image/surfaces.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
-SUITE_diagnose  := $(TEST_HARNESS) tests/image/diagnose.c $(TEST_SCENES)
-SUITE_skipped   := $(TEST_HARNESS) tests/image/skipped.c $(TEST_SCENES)
 SUITE_pick      := $(TEST_HARNESS) tests/image/pick.c $(TEST_SCENES)
 SUITE_region    := $(TEST_HARNESS) tests/image/region.c $(TEST_SCENES)
 SUITE_callbacks := $(TEST_HARNESS) tests/image/callbacks.c $(TEST_SCENES)
@@ -48,9 +45,9 @@ PIXEL_SUMS      := $(addprefix tests/image/,pixel_sums.c surfaces.c) tests/stabi
     $(TEST_SCENES) $(wildcard examples/scenes/*.c)
 SUITE_pixels    := $(TEST_HARNESS) tests/image/pixels.c $(PIXEL_SUMS)
 SUITE_rooms     := $(TEST_HARNESS) tests/image/rooms.c tests/image/picture.c tests/stability/large_scene.c
-SUITE_checked   := $(TEST_HARNESS) tests/image/checked.c tests/stability/large_scene.c
+SUITE_checked   := $(TEST_HARNESS) tests/image/checked.c tests/stability/large_scene.c $(TEST_SCENES)
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit parts numbers accuracy models formats output extremes coverage identity pixels changes layouts region callbacks pick skipped diagnose camera kept arenas dark motion lines orthographic patches corners rooms checked
+TEST_SUITES     := unit parts numbers accuracy models formats output extremes coverage identity pixels layouts region callbacks pick camera kept arenas dark motion lines orthographic patches corners rooms checked
 
 # $(call test_objects,variant,compiler and flags): build/<variant>/<source>.o
 define test_objects
@@ -131,7 +128,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit parts numbers camera) ## unit tests on the host, arithmetic against libm, files of others
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,accuracy models formats output extremes coverage pixels changes layouts region callbacks pick skipped diagnose kept arenas dark motion lines orthographic patches corners rooms checked) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,accuracy models formats output extremes coverage pixels layouts region callbacks pick kept arenas dark motion lines orthographic patches corners rooms checked) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order

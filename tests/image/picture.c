@@ -73,6 +73,7 @@ glint_config picture_config(picture *image, const picture_options *options) {
                           .tile_height = options ? options->tile_height : 0,
                           .format = image->format,
                           .gamma = options ? options->gamma : NULL,
+                          .skips_degenerate = options ? options->skips_degenerate : 0,
                           .region = options ? options->region : (glint_rectangle){0, 0, 0, 0},
                           .overlay = options ? options->overlay : (glint_painter){NULL, NULL},
                           .flush = {.begin = begin, .context = image}};

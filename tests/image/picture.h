@@ -24,6 +24,7 @@ typedef struct picture_options {
     const uint16_t (*gamma)[GLINT_GAMMA_ENTRIES];
     glint_rectangle region;
     glint_painter overlay;
+    uint8_t skips_degenerate;
     uint16_t *depth; /**< Where not null, receives the depth of each pixel sent, row by row of the picture. */
 } picture_options;
 

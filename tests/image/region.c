@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Suite: a region holds the pixels that the whole frame has there, and nothing else is sent; painters of background and
- * overlay see each pixel once, and where objects show; what they report as failed ends the frame.
+ * overlay see each pixel once, and where objects show. A panel that is sent only the tiles that changed shows, after
+ * every frame, what a panel shows that is sent all of them.
  */
 #include "every_format.h"
 #include "glint_extras.h"
@@ -266,17 +267,16 @@ static void changes_know_regions(void) {
 /* ---- Painters ---- */
 
 typedef struct painting {
-    uint8_t value;           /* of each byte */
-    uint32_t calls, fail_at; /* the call that fails, or NOTHING */
-    uint32_t pixels;         /* how many were painted */
+    uint8_t value; /* of each byte */
+    uint32_t calls;
+    uint32_t pixels; /* how many were painted */
     int is_overlay;
     uint8_t drawn[HEIGHT][WIDTH]; /* where depth says that an object shows */
 } painting;
 
 static int paint(void *context, const glint_tile *tile) {
     painting *p = context;
-    if (p->calls++ == p->fail_at)
-        return 1;
+    p->calls++;
     for (int y = 0; y < tile->height; y++)
         for (int x = 0; x < tile->width; x++) {
             p->pixels++;
@@ -297,8 +297,8 @@ static void painters_see_every_pixel_once(void) {
             uint32_t wrong = 0;
             scene_build(&scene, &scene_definitions[i]);
             glint_config config = configure(&whole, &glint_format_grey8, 0);
-            under = (painting){.value = 10, .fail_at = NOTHING};
-            over = (painting){.is_overlay = 1, .fail_at = NOTHING};
+            under = (painting){.value = 10};
+            over = (painting){.is_overlay = 1};
             config.background = (glint_painter){paint, &under};
             CHECK_EQUAL(glint_arena_need(&config, &scene.scene, &need), GLINT_OK);
             config.arena_size = small ? need.least : need.one_pass;
@@ -341,18 +341,159 @@ static void overlays_are_sent(void) {
     CHECK(at(&part, 6, 6) != 77 && at(&part, 33, 32) != 77);
 }
 
-static void failed_painters_end_the_frame(void) {
-    for (int which = 0; which < 2; which++)
-        for (uint32_t call = 0; call < 21; call += 4) {
-            static painting failing;
-            test_scene scene;
-            scene_build_random(&scene, 5);
-            glint_config config = configure(&part, &glint_format_grey8, 0);
-            failing = (painting){.is_overlay = which, .fail_at = call};
-            *(which ? &config.overlay : &config.background) = (glint_painter){paint, &failing};
-            CHECK_EQUAL(draw(&config, &scene.scene), call < 20 ? GLINT_ERROR_PAINT : GLINT_OK);
-            CHECK_EQUAL(part.calls, call < 20 ? call : 20);
+/* ---- Only what changed is sent, also after transfers that failed: the panel shows what one shows that is sent all
+ * ---- */
+
+#define TILES_MAX (19 * 13)
+#define FRAMES 12
+
+/* A panel whose transfers fail now and then, as they begin or as they end; what was on its way is then lost. */
+typedef struct panel {
+    picture shown;
+    glint_flush flush;
+    uint32_t calls, fail_every; /* 0: never */
+    int has_wait;
+    int rectangle[4]; /* on its way */
+    const void *pixels;
+    size_t stride;
+} panel;
+
+static int fails(panel *p) {
+    return p->fail_every != 0 && ++p->calls % p->fail_every == 0;
+}
+
+static int finish(panel *p) {
+    if (fails(p))
+        return 1;
+    return picture_put(&p->shown, p->rectangle, p->pixels, p->stride);
+}
+
+static int begin_transfer(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    panel *p = context;
+    const int rectangle[4] = {x, y, width, height};
+    memcpy(p->rectangle, rectangle, sizeof rectangle);
+    p->pixels = pixels;
+    p->stride = stride;
+    return fails(p) || (!p->has_wait && finish(p));
+}
+
+static int end_transfer(void *context) {
+    return finish(context);
+}
+
+static glint_config configure_panel(panel *p, const glint_format *format, uint16_t tile, int has_wait) {
+    *p = (panel){.shown = picture_open(WIDTH, HEIGHT, format), .has_wait = has_wait};
+    p->flush = (glint_flush){begin_transfer, has_wait ? end_transfer : 0, p};
+    return (glint_config){.width = WIDTH,
+                          .height = HEIGHT,
+                          .tile_width = tile,
+                          .tile_height = tile,
+                          .format = format,
+                          .flush = p->flush,
+                          .arena = arena,
+                          .arena_size = sizeof arena};
+}
+
+/* A torus that moves through the picture and stands still in every third frame. */
+static void build(test_scene *scene, int frame) {
+    scene_build(scene, &scene_definitions[0]);
+    scene->objects[0].pose.m[0][3] += (frame - frame / 3 - FRAMES / 3) * GLINT_ONE / 8;
+}
+
+static void check_shown(const panel *p, const glint_scene *scene) {
+    picture wanted = picture_open(WIDTH, HEIGHT, p->shown.format);
+    CHECK_EQUAL(picture_render(&wanted, scene, NULL, NULL), GLINT_OK);
+    CHECK(memcmp(wanted.bytes, p->shown.bytes, wanted.size) == 0);
+    picture_close(&wanted);
+}
+
+static void follow(const glint_format *format, uint16_t tile, int has_wait) {
+    static glint_signature signatures[TILES_MAX];
+    glint_changes changes;
+    panel p;
+    glint_config config = configure_panel(&p, format, tile, has_wait);
+    CHECK_AT_MOST(glint_changes_count(&config), TILES_MAX);
+    CHECK_EQUAL(glint_changes_init(&changes, signatures, &config), GLINT_OK);
+    config.flush = glint_changes_flush(&changes);
+    for (int frame = 0; frame < FRAMES; frame++) {
+        test_scene scene;
+        const uint32_t before = changes.sent, all = glint_changes_count(&config);
+        build(&scene, frame);
+        CHECK_EQUAL(draw(&config, &scene.scene), GLINT_OK);
+        check_shown(&p, &scene.scene);
+        CHECK_EQUAL(changes.sent + changes.unchanged, (uint32_t)(frame + 1) * all);
+        if (frame == 0)
+            CHECK_EQUAL(changes.sent, all);
+        else if (frame % 3 == 0)
+            CHECK_EQUAL(changes.sent, before);
+        else
+            CHECK(changes.sent > before && changes.sent < before + all);
+    }
+    glint_changes_forget(&changes);
+    const uint32_t before = changes.sent;
+    test_scene scene;
+    build(&scene, FRAMES - 1);
+    CHECK_EQUAL(draw(&config, &scene.scene), GLINT_OK);
+    CHECK_EQUAL(changes.sent, before + glint_changes_count(&config));
+    picture_close(&p.shown);
+}
+
+static void only_what_changed_is_sent(void) {
+    follow(&glint_format_rgb565, 32, 0);
+    follow(&glint_format_rgb565, 16, 1);
+    follow(&glint_format_rgb888, 16, 1);
+    follow(&glint_format_grey4_dithered, 8, 0);
+}
+
+/* What failed is sent again, however it failed, until the picture is whole. */
+static void failed_transfers_are_sent_again(void) {
+    static glint_signature signatures[TILES_MAX];
+    for (uint32_t every = 1; every < 40; every += 3) {
+        glint_changes changes;
+        panel p;
+        glint_config config = configure_panel(&p, &glint_format_rgb565, 32, every % 2 == 0);
+        glint_changes_init(&changes, signatures, &config);
+        config.flush = glint_changes_flush(&changes);
+        test_scene scene;
+        for (int frame = 0; frame < FRAMES; frame++) {
+            build(&scene, frame);
+            p.fail_every = every;
+            const glint_status status = draw(&config, &scene.scene);
+            CHECK(status == GLINT_OK || status == GLINT_ERROR_FLUSH);
+            if (status == GLINT_OK)
+                check_shown(&p, &scene.scene);
         }
+        p.fail_every = 0;
+        CHECK_EQUAL(draw(&config, &scene.scene), GLINT_OK);
+        check_shown(&p, &scene.scene);
+        picture_close(&p.shown);
+    }
+}
+
+/* A filter that was refused has no flush to draw with. */
+static void expect_refused(glint_signature *signatures, const glint_config *config, glint_status expected) {
+    glint_changes changes;
+    memset(&changes, 0xff, sizeof changes);
+    CHECK_EQUAL(glint_changes_init(&changes, signatures, config), expected);
+    CHECK(!changes.sent && !changes.unchanged && !changes.signatures && !changes.count);
+    const glint_flush flush = glint_changes_flush(&changes);
+    CHECK(!flush.begin && !flush.wait && !flush.context);
+}
+
+static void bad_arguments_are_refused(void) {
+    glint_signature signature;
+    panel p;
+    glint_config config = configure_panel(&p, &glint_format_rgb565, 32, 0);
+    CHECK_EQUAL(glint_changes_init(NULL, &signature, &config), GLINT_ERROR_NULL);
+    expect_refused(NULL, &config, GLINT_ERROR_NULL);
+    expect_refused(&signature, NULL, GLINT_ERROR_NULL);
+    config.tile_width = 5;
+    expect_refused(&signature, &config, GLINT_ERROR_TILE);
+    CHECK_EQUAL(glint_changes_count(&config), 0);
+    config.tile_width = 32;
+    config.flush.begin = 0;
+    expect_refused(&signature, &config, GLINT_ERROR_NULL);
+    picture_close(&p.shown);
 }
 
 int test_main(test_writer write) {
@@ -360,7 +501,8 @@ int test_main(test_writer write) {
         TEST_CASE(regions_are_parts_of_the_whole), TEST_CASE(regions_side_by_side_make_the_whole),
         TEST_CASE(bad_regions_are_refused),        TEST_CASE(changes_know_regions),
         TEST_CASE(painters_see_every_pixel_once),  TEST_CASE(overlays_are_sent),
-        TEST_CASE(failed_painters_end_the_frame),
+        TEST_CASE(only_what_changed_is_sent),      TEST_CASE(failed_transfers_are_sent_again),
+        TEST_CASE(bad_arguments_are_refused),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }
