@@ -26,7 +26,7 @@ SUITE_extremes  := $(TEST_HARNESS) tests/image/extremes.c tests/image/single.c t
 SUITE_coverage  := $(TEST_HARNESS) tests/image/coverage.c tests/stability/random_scene.c tests/stability/weights.c $(TEST_SCENES) \
     $(TEST_JUDGE) $(wildcard examples/scenes/*.c)
 SUITE_kept      := $(TEST_HARNESS) tests/image/kept.c $(TEST_SCENES)
-SUITE_arenas    := $(TEST_HARNESS) tests/image/arenas.c
+SUITE_arenas    := $(TEST_HARNESS) tests/image/arenas.c tests/image/picture.c
 SUITE_layouts   := $(TEST_HARNESS) tests/image/layouts.c tests/image/surfaces.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_pick      := $(TEST_HARNESS) tests/image/pick.c $(TEST_SCENES)
 SUITE_region    := $(TEST_HARNESS) tests/image/region.c $(TEST_SCENES)

@@ -74,6 +74,7 @@ glint_config picture_config(picture *image, const picture_options *options) {
                           .format = image->format,
                           .gamma = options ? options->gamma : NULL,
                           .skips_degenerate = options ? options->skips_degenerate : 0,
+                          .keeps_arena = options ? options->keeps_arena : 0,
                           .region = options ? options->region : (glint_rectangle){0, 0, 0, 0},
                           .overlay = options ? options->overlay : (glint_painter){NULL, NULL},
                           .flush = {.begin = begin, .context = image}};
@@ -127,15 +128,20 @@ glint_status picture_render(picture *image, const glint_scene *scene, const pict
     glint_need need;
     if (options && options->depth)
         config.overlay = (glint_painter){keep_depth, &to};
-    glint_status status = glint_arena_need(&config, scene, &need);
+    config.arena_size = options ? options->arena_size : 0;
+    glint_status status = config.arena_size ? GLINT_OK : glint_arena_need(&config, scene, &need);
     if (status != GLINT_OK)
         return status;
-    memset(image->sent, 0, (size_t)image->width * (size_t)image->height);
-    config.arena_size = options && options->arena_size ? options->arena_size : need.one_pass;
-    config.arena = allocate(config.arena_size);
+    if (!config.arena_size)
+        config.arena_size = need.one_pass;
+    config.arena = malloc(config.arena_size); /* what it holds is not told, so that MSan sees what is read of it */
+    if (!config.arena)
+        return GLINT_ERROR_NULL;
     status = glint_init(&renderer, &config);
-    if (status == GLINT_OK)
+    for (int frame = 0; frame <= config.keeps_arena && status == GLINT_OK; frame++) {
+        memset(image->sent, 0, (size_t)image->width * (size_t)image->height);
         status = glint_render(&renderer, scene);
+    }
     if (stats != NULL)
         *stats = renderer.stats;
     free(config.arena);

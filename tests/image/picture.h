@@ -25,7 +25,8 @@ typedef struct picture_options {
     glint_rectangle region;
     glint_painter overlay;
     uint8_t skips_degenerate;
-    uint16_t *depth; /**< Where not null, receives the depth of each pixel sent, row by row of the picture. */
+    uint8_t keeps_arena; /**< Two frames are drawn. */
+    uint16_t *depth;     /**< Where not null, receives the depth of each pixel sent, row by row of the picture. */
 } picture_options;
 
 /** Allocates an empty picture; ends the program when there is no memory. Free with picture_close. */
