@@ -22,7 +22,7 @@ SUITE_corners   := $(TEST_HARNESS) tests/image/corners.c tests/image/picture.c $
 SUITE_formats   := $(TEST_HARNESS) tests/image/formats.c tests/stability/contract.c tests/stability/random_scene.c \
     tests/stability/weights.c $(TEST_SCENES) $(TEST_JUDGE) $(wildcard examples/scenes/*.c)
 SUITE_output    := $(TEST_HARNESS) tests/image/output.c tests/stability/weights.c $(TEST_SCENES)
-SUITE_extremes  := $(TEST_HARNESS) tests/image/extremes.c tests/image/single.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
+SUITE_extremes  := $(TEST_HARNESS) tests/image/extremes.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_coverage  := $(TEST_HARNESS) tests/image/coverage.c tests/stability/random_scene.c tests/stability/weights.c $(TEST_SCENES) \
     $(TEST_JUDGE) $(wildcard examples/scenes/*.c)
 SUITE_kept      := $(TEST_HARNESS) tests/image/kept.c $(TEST_SCENES)

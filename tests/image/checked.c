@@ -246,6 +246,11 @@ static glint_report expect_found(patient *p, glint_status status, const char *wo
     return report;
 }
 
+static void make_parallel(patient *p, glint_q16 view_height) {
+    p->scene.scene.camera.projection = &glint_orthographic;
+    p->scene.scene.camera.view_height = view_height;
+}
+
 #define CASE(spoil, status, word, object, light)       \
     {                                                  \
         static patient p;                              \
@@ -281,6 +286,12 @@ static void errors_have_a_place(void) {
     CASE(p.scene.scene.camera.field_of_view = GLINT_Q16(175), GLINT_ERROR_CAMERA, "170", -1, -1)
     CASE(p.scene.scene.camera.near_plane = 0, GLINT_ERROR_CAMERA, "near", -1, -1)
     CASE(p.scene.scene.camera.pose.m[0][0] = 0, GLINT_ERROR_CAMERA, "axes", -1, -1)
+    CASE(make_parallel(&p, 256); p.scene.scene.camera.field_of_view = -5, GLINT_OK, "", -1, -1)
+    CASE(make_parallel(&p, INT32_MAX); p.config.arena_size = 0, GLINT_ERROR_ARENA, "arena", -1, -1)
+    CASE(make_parallel(&p, 255), GLINT_ERROR_CAMERA, "view height", -1, -1)
+    CASE(make_parallel(&p, 0), GLINT_ERROR_CAMERA, "view height", -1, -1)
+    CASE(make_parallel(&p, INT32_MIN), GLINT_ERROR_CAMERA, "view height", -1, -1)
+    CASE(make_parallel(&p, GLINT_ONE); p.scene.scene.camera.near_plane = 0, GLINT_ERROR_CAMERA, "near plane", -1, -1)
     CASE(p.scene.scene.light_count = 9, GLINT_ERROR_LIGHTS, "8", -1, -1)
     CASE(p.scene.scene.lights = NULL, GLINT_ERROR_NULL, "scene->lights", -1, -1)
     CASE(p.scene.scene.objects = NULL, GLINT_ERROR_NULL, "scene->objects", -1, -1)

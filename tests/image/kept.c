@@ -52,223 +52,69 @@ static void build(test_scene *scene) {
 
 /* ---- What may change from frame to frame ---- */
 
-static void nothing(test_scene *s) {
-    (void)s;
-}
+static const glint_colour black = {0, 0, 0}, white = {GLINT_ONE, GLINT_ONE, GLINT_ONE};
 
-static void pose(test_scene *s) {
-    s->objects[0].pose.m[0][3] += GLINT_ONE / 4;
-}
+#define CHANGE(name, what)            \
+    static void name(test_scene *s) { \
+        what;                         \
+    }
 
-static void camera(test_scene *s) {
-    s->scene.camera.field_of_view += 5 * GLINT_ONE;
-}
-
-static void shininess(test_scene *s) {
-    s->materials[0].shininess *= 3;
-}
-
-static void low_shininess(test_scene *s) {
-    s->materials[1].shininess = GLINT_ONE;
-}
-
-static void specular(test_scene *s) {
-    s->materials[0].specular.g /= 2;
-}
-
-static void brighter_specular(test_scene *s) {
-    s->materials[0].specular.r = 4 * GLINT_ONE;
-}
-
-static void no_specular(test_scene *s) {
-    s->materials[1].specular = (glint_colour){0, 0, 0};
-}
-
-static void diffuse(test_scene *s) {
-    s->materials[1].diffuse.b = GLINT_ONE;
-}
-
-static void ambient(test_scene *s) {
-    s->materials[0].ambient.r += GLINT_ONE / 4;
-}
-
-static void ambient_light(test_scene *s) {
-    s->scene.ambient.b /= 2;
-}
-
-static void light_colour(test_scene *s) {
-    s->lights[0].diffuse.r /= 2;
-}
-
-static void light_specular(test_scene *s) {
-    s->lights[0].specular.b /= 4;
-}
-
-static void light_direction(test_scene *s) {
-    s->lights[0].vector.y = -s->lights[0].vector.y;
-}
-
-static void two_lights(test_scene *s) {
-    s->scene.light_count = 2;
-}
-
-static void one_light(test_scene *s) {
-    s->scene.light_count = 1;
-}
-
+CHANGE(nothing, (void)s)
+CHANGE(pose, s->objects[0].pose.m[0][3] += GLINT_ONE / 4)
+CHANGE(camera, s->scene.camera.field_of_view += 5 * GLINT_ONE)
+CHANGE(shininess, s->materials[0].shininess *= 3)
+CHANGE(low_shininess, s->materials[1].shininess = GLINT_ONE)
+CHANGE(specular, s->materials[0].specular.g /= 2)
+CHANGE(brighter_specular, s->materials[0].specular.r = 4 * GLINT_ONE)
+CHANGE(no_specular, s->materials[1].specular = black)
+CHANGE(diffuse, s->materials[1].diffuse.b = GLINT_ONE)
+CHANGE(ambient, s->materials[0].ambient.r += GLINT_ONE / 4)
+CHANGE(ambient_light, s->scene.ambient.b /= 2)
+CHANGE(light_colour, s->lights[0].diffuse.r /= 2)
+CHANGE(light_specular, s->lights[0].specular.b /= 4)
+CHANGE(light_direction, s->lights[0].vector.y = -s->lights[0].vector.y)
+CHANGE(two_lights, s->scene.light_count = 2)
+CHANGE(one_light, s->scene.light_count = 1)
 /* Of two lights of the same colours one shows. */
-static void only_second_light(test_scene *s) {
-    s->scene.light_count = 2;
-    s->lights[1].diffuse = s->lights[1].specular = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
-    s->lights[0].diffuse = s->lights[0].specular = (glint_colour){0, 0, 0};
-}
-
-static void only_first_light(test_scene *s) {
-    s->scene.light_count = 2;
-    s->lights[0].diffuse = s->lights[0].specular = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
-    s->lights[1].diffuse = s->lights[1].specular = (glint_colour){0, 0, 0};
-}
-
-static void no_light(test_scene *s) {
-    s->scene.light_count = 0;
-}
-
-static void model(test_scene *s) {
-    s->materials[0].model = &glint_model_phong;
-}
-
-static void lambert(test_scene *s) {
-    s->materials[0].model = &glint_model_lambert;
-}
-
-static void blinn_phong(test_scene *s) {
-    s->materials[0].model = &glint_model_blinn_phong;
-}
-
+CHANGE(only_second_light, s->scene.light_count = 2; s->lights[1].diffuse = s->lights[1].specular = white;
+       s->lights[0].diffuse = s->lights[0].specular = black)
+CHANGE(only_first_light, s->scene.light_count = 2; s->lights[0].diffuse = s->lights[0].specular = white;
+       s->lights[1].diffuse = s->lights[1].specular = black)
+CHANGE(no_light, s->scene.light_count = 0)
+CHANGE(model, s->materials[0].model = &glint_model_phong)
+CHANGE(lambert, s->materials[0].model = &glint_model_lambert)
+CHANGE(blinn_phong, s->materials[0].model = &glint_model_blinn_phong)
 /* Its colour happens to be what the ambient light of the next change gives. */
-static void unlit(test_scene *s) {
-    s->materials[0].model = &glint_model_unlit;
-    s->materials[0].diffuse = s->scene.ambient;
-}
-
-static void unlit_ambient(test_scene *s) {
-    s->materials[0].ambient = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
-}
-
-static void unlit_colour(test_scene *s) {
-    s->materials[0].diffuse.g = GLINT_ONE / 8;
-}
-
-static void flags(test_scene *s) {
-    s->materials[1].flags = GLINT_MATERIAL_UNGATED;
-}
-
-static void no_flags(test_scene *s) {
-    s->materials[1].flags = 0;
-}
-
-static void other_order(test_scene *s) {
-    const glint_object first = s->objects[0];
-    s->objects[0] = s->objects[1];
-    s->objects[1] = first;
-}
-
-static void same_material(test_scene *s) {
-    s->objects[1].material = s->objects[0].material;
-}
-
-static void third_material(test_scene *s) {
-    s->materials[2] = s->materials[1];
-    s->materials[2].specular.r += GLINT_ONE / 8;
-    s->objects[1].material = &s->materials[2];
-}
-
-static void fewer_objects(test_scene *s) {
-    s->scene.object_count = 1;
-}
-
-static void no_objects(test_scene *s) {
-    s->scene.object_count = 0;
-}
-
-static void more_objects(test_scene *s) {
-    s->scene.object_count = 2;
-}
-
-static void evaluation(test_scene *s) {
-    s->objects[0].evaluation = &glint_per_vertex;
-}
-
-static void per_fragment(test_scene *s) {
-    s->objects[0].evaluation = &glint_per_fragment;
-}
-
-static void both_per_vertex(test_scene *s) {
-    s->objects[0].evaluation = s->objects[1].evaluation = &glint_per_vertex;
-}
-
-static void second_per_fragment(test_scene *s) {
-    s->objects[1].evaluation = &glint_per_fragment;
-}
-
-static void infinite_viewer(test_scene *s) {
-    s->scene.viewer = GLINT_VIEWER_INFINITE;
-}
+CHANGE(unlit, s->materials[0].model = &glint_model_unlit; s->materials[0].diffuse = s->scene.ambient)
+CHANGE(unlit_ambient, s->materials[0].ambient = white)
+CHANGE(unlit_colour, s->materials[0].diffuse.g = GLINT_ONE / 8)
+CHANGE(flags, s->materials[1].flags = GLINT_MATERIAL_UNGATED)
+CHANGE(no_flags, s->materials[1].flags = 0)
+CHANGE(other_order, const glint_object first = s->objects[0]; s->objects[0] = s->objects[1]; s->objects[1] = first)
+CHANGE(same_material, s->objects[1].material = s->objects[0].material)
+CHANGE(third_material, s->materials[2] = s->materials[1]; s->materials[2].specular.r += GLINT_ONE / 8;
+       s->objects[1].material = &s->materials[2])
+CHANGE(fewer_objects, s->scene.object_count = 1)
+CHANGE(no_objects, s->scene.object_count = 0)
+CHANGE(more_objects, s->scene.object_count = 2)
+CHANGE(evaluation, s->objects[0].evaluation = &glint_per_vertex)
+CHANGE(per_fragment, s->objects[0].evaluation = &glint_per_fragment)
+CHANGE(both_per_vertex, s->objects[0].evaluation = s->objects[1].evaluation = &glint_per_vertex)
+CHANGE(second_per_fragment, s->objects[1].evaluation = &glint_per_fragment)
+CHANGE(infinite_viewer, s->scene.viewer = GLINT_VIEWER_INFINITE)
 
 typedef void (*change)(test_scene *scene);
 
+/* clang-format off */
 static const change changes[] = {
-    nothing,
-    pose,
-    camera,
-    shininess,
-    low_shininess,
-    specular,
-    brighter_specular,
-    no_specular,
-    diffuse,
-    ambient,
-    ambient_light,
-    light_colour,
-    light_specular,
-    light_direction,
-    two_lights,
-    one_light,
-    no_light,
-    one_light,
-    model,
-    lambert,
-    blinn_phong,
-    unlit,
-    unlit_ambient,
-    unlit_colour,
-    blinn_phong,
-    flags,
-    no_flags,
-    other_order,
-    same_material,
-    third_material,
-    fewer_objects,
-    more_objects,
-    no_objects,
-    more_objects,
-    evaluation,
-    per_fragment,
-    two_lights,
-    specular,
-    blinn_phong,
-    both_per_vertex,
-    third_material,
-    per_fragment,
-    fewer_objects,
-    more_objects,
-    second_per_fragment,
-    per_fragment,
-    only_second_light,
-    only_first_light,
-    infinite_viewer,
-    only_second_light,
+    nothing, pose, camera, shininess, low_shininess, specular, brighter_specular, no_specular, diffuse, ambient,
+    ambient_light, light_colour, light_specular, light_direction, two_lights, one_light, no_light, one_light, model,
+    lambert, blinn_phong, unlit, unlit_ambient, unlit_colour, blinn_phong, flags, no_flags, other_order,
+    same_material, third_material, fewer_objects, more_objects, no_objects, more_objects, evaluation, per_fragment,
+    two_lights, specular, blinn_phong, both_per_vertex, third_material, per_fragment, fewer_objects, more_objects,
+    second_per_fragment, per_fragment, only_second_light, only_first_light, infinite_viewer, only_second_light
 };
+/* clang-format on */
 
 #define CHANGES (sizeof changes / sizeof changes[0])
 

@@ -320,11 +320,6 @@ static void compare_all(test_scene *scene, const char *name, const variant *v) {
     check_need(scene);
 }
 
-static void set_evaluation(test_scene *scene, const glint_evaluation *evaluation) {
-    for (uint32_t i = 0; i < scene->scene.object_count; i++)
-        scene->objects[i].evaluation = evaluation;
-}
-
 static void every_scene_is_the_same(void) {
     open_frames();
     for (unsigned v = 0; v < TEST_COUNT(variants); v++) {
@@ -342,14 +337,13 @@ static void every_scene_is_the_same(void) {
 
 static void every_evaluation_is_the_same(void) {
     static const char *const names[] = {"mirrored", "near plane, double-sided", "eight lights"};
-    static const glint_evaluation *const evaluations[] = {&glint_per_fragment, &glint_per_vertex, &glint_per_facet};
     open_frames();
     for (unsigned v = 0; v < TEST_COUNT(variants); v++) {
-        for (unsigned i = 0; i < TEST_COUNT(names) * TEST_COUNT(evaluations); i++) {
+        for (unsigned i = 0; i < TEST_COUNT(names) * TEST_COUNT(scene_evaluations); i++) {
             static test_scene scene;
-            scene_build_named(&scene, names[i / TEST_COUNT(evaluations)]);
-            set_evaluation(&scene, evaluations[i % TEST_COUNT(evaluations)]);
-            compare_all(&scene, names[i / TEST_COUNT(evaluations)], &variants[v]);
+            scene_build_named(&scene, names[i / TEST_COUNT(scene_evaluations)]);
+            scene_evaluate(&scene, scene_evaluations[i % TEST_COUNT(scene_evaluations)]);
+            compare_all(&scene, names[i / TEST_COUNT(scene_evaluations)], &variants[v]);
         }
     }
     close_frames();
@@ -372,15 +366,14 @@ static void add_lines(glint_mesh *mesh, uint16_t (*triangles)[3]) {
 
 /* Lines are lit where they are clipped: vertices that a triangle names twice keep their own normals. */
 static void lines_change_no_normal(void) {
-    static const glint_evaluation *const evaluations[] = {&glint_per_fragment, &glint_per_vertex, &glint_per_facet};
     static uint16_t triangles[SCENE_OBJECTS_MAX][TRIANGLES_MAX][3];
     static glint_mesh meshes[SCENE_OBJECTS_MAX];
     open_frames();
     for (unsigned v = 0; v < TEST_COUNT(variants); v++) {
-        for (unsigned i = 0; i < TEST_COUNT(evaluations); i++) {
+        for (unsigned i = 0; i < TEST_COUNT(scene_evaluations); i++) {
             static test_scene scene;
             scene_build_named(&scene, "near plane, double-sided");
-            set_evaluation(&scene, evaluations[i]);
+            scene_evaluate(&scene, scene_evaluations[i]);
             for (uint32_t j = 0; j < scene.scene.object_count; j++) {
                 meshes[j] = *scene.objects[j].mesh;
                 add_lines(&meshes[j], triangles[j]);
@@ -522,56 +515,6 @@ static void octahedra_are_unfolded_exactly(void) {
     close_frames();
 }
 
-/* The angle between two directions, degrees. */
-static double angle(const double a[3], const double b[3]) {
-    const double cross[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-    return atan2(sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]),
-                 a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) *
-           57.29577951308232;
-}
-
-static void direction_of(double x, double y, double one, double to[3]) {
-    to[0] = x;
-    to[1] = y;
-    to[2] = one - x - y;
-}
-
-/* How far a direction between the codes (x, y) and (x + 1, y + 1) may be from the nearest of these four, in the octant
- * of positive coordinates; by steps of 1/24 of a code. */
-static double worst_between(int x, int y, int one) {
-    double worst = 0;
-    for (int i = 0; i <= 24; i++) {
-        for (int j = 0; j <= 24; j++) {
-            double to[3], nearest = 180;
-            direction_of(x + i / 24.0, y + j / 24.0, one, to);
-            if (to[2] < 0)
-                continue;
-            for (int corner = 0; corner < 4; corner++) {
-                double code[3];
-                direction_of(x + (corner & 1), y + (corner >> 1), one, code);
-                if (code[2] >= 0)
-                    nearest = fmin(nearest, angle(to, code));
-            }
-            worst = fmax(worst, nearest);
-        }
-    }
-    return worst;
-}
-
-/* All eight octants hold the same codes: half of z below 0 is the mirror image of that above. */
-static void octahedra_are_as_fine_as_is_said(void) {
-    double of8 = 0, of16 = 0;
-    for (int x = 0; x < 127; x++)
-        for (int y = 0; x + y < 127; y++)
-            of8 = fmax(of8, worst_between(x, y, 127));
-    for (int x = 0; x < 32767; x += 331)
-        for (int y = 0; x + y < 32767; y += 331)
-            of16 = fmax(of16, worst_between(x, y, 32767));
-    printf("  degrees to the nearest normal stored: %.4f of octahedral8, %.5f of octahedral16\n", of8, of16);
-    CHECK(of8 > 0.63 && of8 <= 0.64);
-    CHECK(of16 > 0.0024 && of16 <= 0.0025);
-}
-
 /* ---- Meshes that change ---- */
 
 #define RING 24
@@ -655,7 +598,6 @@ int test_main(test_writer write) {
         TEST_CASE(edges_are_the_same),
         TEST_CASE(keeps_the_contract),
         TEST_CASE(octahedra_are_unfolded_exactly),
-        TEST_CASE(octahedra_are_as_fine_as_is_said),
         TEST_CASE(kept_arenas_keep_no_mesh),
     };
     return test_run(write, cases, TEST_COUNT(cases));

@@ -43,11 +43,9 @@ static void draw_small(drawing *d, const glint_scene *scene, uint32_t number) {
 
 /* ---- Kinds --------------------------------------------------------------------------------------------------- */
 
-static const glint_evaluation *const evaluations[3] = {&glint_per_fragment, &glint_per_vertex, &glint_per_facet};
-
 static void evaluate(glint_object *objects, uint32_t count, unsigned evaluation) {
     for (uint32_t i = 0; i < count; i++)
-        objects[i].evaluation = evaluations[evaluation];
+        objects[i].evaluation = scene_evaluations[evaluation];
 }
 
 /* A mesh of the benchmark with all exponents, models and viewers. */
@@ -231,7 +229,7 @@ static void draw_varied_bench(drawing *d, unsigned part) {
         scene.scene.viewer = take(&left, 2) ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
         scene.material.shininess = exponents[exponent] * (is_high ? 20 : 1) * GLINT_ONE;
         scene.material.flags = take(&left, 4) ? 0 : take(&left, 4);
-        scene.object.evaluation = evaluations[take(&left, 8) ? 0 : take(&left, 3)];
+        scene.object.evaluation = scene_evaluations[take(&left, 8) ? 0 : take(&left, 3)];
         scene.object.pose.m[2][3] += (int32_t)take(&left, 3) * GLINT_ONE / 2;
         left = hash_of(number + 200000);
         scene.material.ambient = take_colour(&left);

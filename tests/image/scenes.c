@@ -301,68 +301,6 @@ void scene_build_random(test_scene *scene, uint32_t seed) {
     }
 }
 
-static uint32_t add_number(uint32_t checksum, int32_t number) {
-    for (int shift = 0; shift < 32; shift += 8)
-        checksum = (checksum ^ ((uint32_t)number >> shift & 0xff)) * 16777619u;
-    return checksum;
-}
-
-static uint32_t add_vector(uint32_t checksum, int32_t x, int32_t y, int32_t z) {
-    return add_number(add_number(add_number(checksum, x), y), z);
-}
-
-static uint32_t add_colour(uint32_t checksum, const glint_colour *c) {
-    return add_vector(checksum, c->r, c->g, c->b);
-}
-
-static uint32_t add_pose(uint32_t checksum, const glint_pose *pose) {
-    for (int i = 0; i < 12; i++)
-        checksum = add_number(checksum, pose->m[i / 4][i % 4]);
-    return checksum;
-}
-
-static uint32_t add_object(uint32_t checksum, const glint_object *object) {
-    const glint_material *material = object->material;
-    checksum = add_pose(checksum, &object->pose);
-    checksum = add_vector(checksum, (int32_t)object->mesh->vertex_count, (int32_t)object->mesh->triangle_count,
-                          (int32_t)object->mesh->flags);
-    checksum = add_colour(checksum, &material->ambient);
-    checksum = add_colour(checksum, &material->diffuse);
-    checksum = add_colour(checksum, &material->specular);
-    checksum = add_number(checksum, material->shininess);
-    return add_number(checksum, (int32_t)material->flags);
-}
-
-static uint32_t add_light(uint32_t checksum, const glint_light *light) {
-    checksum = add_vector(checksum, light->vector.x, light->vector.y, light->vector.z);
-    checksum = add_vector(checksum, light->axis.x, light->axis.y, light->axis.z);
-    checksum = add_colour(checksum, &light->diffuse);
-    checksum = add_colour(checksum, &light->specular);
-    checksum = add_vector(checksum, light->inner, light->outer, light->linear);
-    return add_number(checksum, light->quadratic);
-}
-
-static uint32_t add_scene(uint32_t checksum, const test_scene *scene) {
-    const glint_camera *camera = &scene->scene.camera;
-    checksum = add_pose(checksum, &camera->pose);
-    checksum = add_vector(checksum, camera->field_of_view, camera->near_plane, (int32_t)scene->scene.viewer);
-    for (uint32_t i = 0; i < scene->scene.object_count; i++)
-        checksum = add_object(checksum, &scene->objects[i]);
-    for (uint32_t i = 0; i < scene->scene.light_count; i++)
-        checksum = add_light(checksum, &scene->lights[i]);
-    return checksum;
-}
-
-uint32_t scene_checksum_of_seeds(void (*build)(test_scene *scene, uint32_t seed)) {
-    uint32_t checksum = 2166136261u;
-    for (uint32_t seed = 1; seed <= 20; seed++) {
-        test_scene scene;
-        build(&scene, seed);
-        checksum = add_scene(checksum, &scene);
-    }
-    return checksum;
-}
-
 void scene_make_parallel(glint_scene *scene) {
     const glint_camera *const camera = &scene->camera;
     double away = 0;

@@ -32,12 +32,6 @@ extern const unsigned scene_count;
 /** Builds one of endlessly many scenes of one to three objects, none of which crosses the near plane. */
 void scene_build_random(test_scene *scene, uint32_t seed);
 
-/**
- * FNV-1a (Fowler, Noll and Vo) over the scenes of seeds 1 to 20, without what their meshes hold. Compilers choose the
- * order that C leaves open: it shows whether the scenes depend on it.
- */
-uint32_t scene_checksum_of_seeds(void (*build)(test_scene *scene, uint32_t seed));
-
 /** Builds a scene; its meshes are shared and built on first use. */
 void scene_build(test_scene *scene, const scene_definition *definition);
 

@@ -2,30 +2,11 @@
 #include "large_scene.h"
 
 #include "every_format.h"
+#include "source.h"
 
 #include <string.h>
 
 /* ---- Numbers ------------------------------------------------------------------------------------------------- */
-
-typedef struct source {
-    uint64_t state;
-} source;
-
-/* SplitMix64 (Steele, Lea and Flood, 2014). No expression draws twice: C leaves open in which order. */
-static uint64_t next(source *random) {
-    uint64_t z = random->state += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
-static uint32_t below(source *random, uint32_t limit) {
-    return (uint32_t)((next(random) >> 32) * limit >> 32);
-}
-
-static int one_in(source *random, uint32_t count) {
-    return below(random, count) == 0;
-}
 
 /* From least to most, both included. */
 static int32_t between(source *random, int32_t least, int32_t most) {

@@ -3,6 +3,7 @@
 
 #include "byte_order.h"
 #include "glint_extras.h"
+#include "source.h"
 #include "weights.h"
 
 #include <math.h>
@@ -11,31 +12,8 @@
 
 /* ---- Numbers ------------------------------------------------------------------------------------------------- */
 
-typedef struct source {
-    uint64_t state;
-} source;
-
-/* C leaves open in which order the arguments of a call, the items of a list and the operands of an operator are
- * computed: no expression draws twice. */
-
-/* SplitMix64 (Steele, Lea and Flood, 2014). */
-static uint64_t next(source *random) {
-    uint64_t z = random->state += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
 static double between(source *random, double least, double most) {
     return least + (most - least) * (double)(next(random) >> 11) / 9007199254740992.0;
-}
-
-static uint32_t below(source *random, uint32_t limit) {
-    return (uint32_t)((next(random) >> 32) * limit >> 32);
-}
-
-static int one_in(source *random, uint32_t count) {
-    return below(random, count) == 0;
 }
 
 /* From least to most, each factor of two as likely as the others. */
