@@ -58,7 +58,7 @@ tidy() {
             "examples/$system/*.c" "tests/packages/$system/*.c" || status=1
     done
     tidy_files "-Isrc -Iport -Iport/libc $(arm_fpu)" 'tests/cycles/*.c' || status=1
-    tidy_files "-Isrc -Iport -Iport/libc -Itools/bench -Itools/bench/float -I$bench $(arm_fpu)" 'tools/bench/float/*.c' 'tests/float/*_board.c' || status=1
+    tidy_files "-Isrc -Iport -Iport/libc -Itools/bench -Itools/bench/float -I$bench $(arm_fpu)" 'tools/bench/float/*.c' || status=1
     tidy_files "-Isrc -Iport -Iport/host -Iport/web -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit -Itools/bench -Itools/bench/float" \
         'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' 'examples/scenes/*.c' 'tools/chart/*.c' 'tools/mutants/*.c' ':!tests/proof' ':!tests/cycles' ':!tests/adapters' ':!tests/packages' ':!tests/view' \
         ':!tests/stack' ':!tests/board/faults.c' ':!tools/chart/*_board.c' ':!tests/*/*_board.c' ':!tests/board/pattern.c' ':!tests/board/unit.c' || status=1
