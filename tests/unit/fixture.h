@@ -54,6 +54,22 @@ glint_status fixture_render(fixture *f);
 /** Draws the scene expecting an error: the status is it, nothing is sent; then a sound frame comes out right. */
 void fixture_expect_error(fixture *f, glint_status expected);
 
+/** Spoils the fixture `f` by statements, and checks that it is refused. */
+#define REFUSED(error, ...)             \
+    do {                                \
+        fixture *f = fixture_begin();   \
+        __VA_ARGS__;                    \
+        fixture_expect_error(f, error); \
+    } while (0)
+
+/** The same where it is drawn. */
+#define ACCEPTED(...)                             \
+    do {                                          \
+        fixture *f = fixture_begin();             \
+        __VA_ARGS__;                              \
+        CHECK_EQUAL(fixture_render(f), GLINT_OK); \
+    } while (0)
+
 /** Bytes that the scene needs, for the configuration as it stands. */
 glint_need fixture_need(const fixture *f);
 
