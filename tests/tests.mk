@@ -21,7 +21,6 @@ SUITE_models    := $(TEST_HARNESS) tests/image/models.c tests/image/surfaces.c t
 SUITE_corners   := $(TEST_HARNESS) tests/image/corners.c tests/image/picture.c $(TEST_JUDGE)
 SUITE_formats   := $(TEST_HARNESS) tests/image/formats.c tests/stability/contract.c tests/stability/random_scene.c \
     tests/stability/weights.c $(TEST_SCENES) $(TEST_JUDGE) $(wildcard examples/scenes/*.c)
-SUITE_output    := $(TEST_HARNESS) tests/image/output.c tests/stability/weights.c $(TEST_SCENES)
 SUITE_extremes  := $(TEST_HARNESS) tests/image/extremes.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_coverage  := $(TEST_HARNESS) tests/image/coverage.c tests/stability/random_scene.c tests/stability/weights.c $(TEST_SCENES) \
     $(TEST_JUDGE) $(wildcard examples/scenes/*.c)
@@ -47,7 +46,7 @@ SUITE_pixels    := $(TEST_HARNESS) tests/image/pixels.c $(PIXEL_SUMS)
 SUITE_rooms     := $(TEST_HARNESS) tests/image/rooms.c tests/image/picture.c tests/stability/large_scene.c
 SUITE_checked   := $(TEST_HARNESS) tests/image/checked.c tests/stability/large_scene.c $(TEST_SCENES)
 SUITE_identity  := $(TEST_HARNESS) tests/image/identity.c $(TEST_SCENES)
-TEST_SUITES     := unit parts numbers accuracy models formats output extremes coverage identity pixels layouts region callbacks pick camera kept arenas dark motion lines orthographic patches corners rooms checked
+TEST_SUITES     := unit parts numbers accuracy models formats extremes coverage identity pixels layouts region callbacks pick camera kept arenas dark motion lines orthographic patches corners rooms checked
 
 # $(call test_objects,variant,compiler and flags): build/<variant>/<source>.o
 define test_objects
@@ -128,7 +127,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit parts numbers camera) ## unit tests on the host, arithmetic against libm, files of others
 	$(call run_suites,$^)
 
-test-image: $(addprefix $(BUILD)/tests/host/,accuracy models formats output extremes coverage pixels layouts region callbacks pick kept arenas dark motion lines orthographic patches corners rooms checked) ## images against the double-precision reference
+test-image: $(addprefix $(BUILD)/tests/host/,accuracy models formats extremes coverage pixels layouts region callbacks pick kept arenas dark motion lines orthographic patches corners rooms checked) ## images against the double-precision reference
 	$(call run_suites,$^)
 
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order
