@@ -25,7 +25,7 @@ SUITE_extremes  := $(TEST_HARNESS) tests/image/extremes.c tests/image/rows.c $(T
 SUITE_coverage  := $(TEST_HARNESS) tests/image/coverage.c tests/stability/random_scene.c tests/stability/weights.c $(TEST_SCENES) \
     $(TEST_JUDGE) $(wildcard examples/scenes/*.c)
 SUITE_kept      := $(TEST_HARNESS) tests/image/kept.c $(TEST_SCENES)
-SUITE_arenas    := $(TEST_HARNESS) tests/image/arenas.c tests/image/picture.c
+SUITE_arenas    := $(TEST_HARNESS) tests/image/arenas.c $(TEST_SCENES)
 SUITE_layouts   := $(TEST_HARNESS) tests/image/layouts.c tests/image/surfaces.c tests/image/rows.c $(TEST_SCENES) $(TEST_JUDGE)
 SUITE_pick      := $(TEST_HARNESS) tests/image/pick.c $(TEST_SCENES)
 SUITE_region    := $(TEST_HARNESS) tests/image/region.c $(TEST_SCENES)
@@ -141,10 +141,10 @@ rooms: $(BUILD)/tests/host/rooms $(BUILD)/tests/sanitize/rooms ## large triangle
 	$(call run_suites,$^)
 
 # Of the suites that take long one of three or four, which the seed picks.
-SANITIZED_LONG   := accuracy models formats identity arenas motion orthographic layouts pixels kept numbers lines callbacks
+SANITIZED_LONG   := accuracy models formats identity motion orthographic layouts pixels kept numbers callbacks
 SANITIZED_TESTED := $(if $(SANITIZE_ALL),$(TEST_SUITES),$(filter-out $(SANITIZED_LONG),$(TEST_SUITES)) \
-    $(call pick,0,accuracy models) $(call pick,1,formats identity) $(call pick,2,arenas motion orthographic) \
-    $(call pick,3,layouts pixels kept) $(call pick,4,numbers lines callbacks))
+    $(call pick,0,accuracy models) $(call pick,1,formats identity) $(call pick,2,motion orthographic) \
+    $(call pick,3,layouts pixels kept) $(call pick,4,numbers callbacks))
 
 test-sanitize: export GLINT_SAMPLE := $(if $(SANITIZE_ALL),1,8)
 test-sanitize: $(SANITIZED_TESTED:%=$(BUILD)/tests/sanitize/%) ## host suites that a seed picks under ASan and UBSan, but for their reference, with an eighth of random scenes and arenas; make sanitize is all

@@ -7,6 +7,7 @@
 #include "harness.h"
 #include "picture.h"
 #include "sample.h"
+#include "scenes.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -553,6 +554,41 @@ static void parts_in_many_tiles(void) {
     picture_close(&wanted);
 }
 
+/* Squares that all lie in one quarter of the tiles need as much in each, and are transformed once a frame there. */
+static void quarters_need_the_same(void) {
+    enum { SQUARES = 40 };
+    const glint_mesh square = scene_square_mesh(28 * GLINT_ONE, GLINT_ONE);
+    const glint_material paint = {.model = &glint_model_unlit};
+    picture image = picture_open(64, 256, &glint_format_rgb565);
+    picture_options options = {.tile_width = 8, .tile_height = 8};
+    glint_config config = picture_config(&image, &options);
+    glint_object objects[SQUARES];
+    const glint_scene scene = {.camera = {.pose = glint_pose_identity(),
+                                          .near_plane = GLINT_ONE,
+                                          .projection = &glint_orthographic,
+                                          .view_height = 256 * GLINT_ONE},
+                               .objects = objects,
+                               .object_count = SQUARES};
+    glint_need first = {0};
+    for (int quarter = 0; quarter < 4; quarter++) {
+        for (int i = 0; i < SQUARES; i++)
+            objects[i] =
+                (glint_object){.mesh = &square,
+                               .material = &paint,
+                               .pose = glint_pose_translate(0, (96 - 64 * quarter) * GLINT_ONE, -(2 + i) * GLINT_ONE)};
+        glint_need need = {0};
+        glint_stats stats = {0};
+        CHECK_EQUAL(glint_arena_need(&config, &scene, &need), GLINT_OK);
+        first = quarter ? first : need;
+        CHECK(need.least < need.resident);
+        CHECK_EQUAL(need.resident, first.resident);
+        options.arena_size = need.resident;
+        CHECK_EQUAL(picture_render(&image, &scene, &options, &stats), GLINT_OK);
+        CHECK_EQUAL(stats.vertices, 4 * SQUARES);
+    }
+    picture_close(&image);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(matt_materials),
@@ -571,6 +607,7 @@ int test_main(test_writer write) {
         TEST_CASE(lists_of_most_references),
         TEST_CASE(lists_of_most_clipped),
         TEST_CASE(parts_in_many_tiles),
+        TEST_CASE(quarters_need_the_same),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

@@ -10,7 +10,7 @@ MUTANTS_JOBS  ?= $(shell nproc)
 
 # What judges; which comes first follows from the time that they take, and from what they noticed before.
 MUTANTS_SUITES := unit pixels stability_kept checked camera pick region callbacks lines extremes dark \
-    coverage turned stability_regions orthographic layouts numbers kept arenas identity formats models accuracy patches
+    coverage stability_regions orthographic layouts numbers kept arenas identity formats models accuracy patches
 # Those of panels, each a program of its own.
 MUTANTS_PANELS := pictures complaints faults i2c
 
