@@ -201,24 +201,16 @@ static uint8_t arena[1 << 20];
 
 typedef struct frame {
     picture image;
-    glint_config config;
     glint_status status;
     glint_stats stats;
 } frame;
 
 static void draw(frame *f, const glint_scene *scene, size_t arena_size, uint16_t tile, const glint_rectangle *region) {
-    const picture_options options = {.tile_width = tile, .tile_height = tile};
-    glint_renderer renderer;
+    picture_options options = {.tile_width = tile, .tile_height = tile, .arena_size = arena_size};
     memset(f->image.bytes, 0x5a, f->image.size);
-    f->config = picture_config(&f->image, &options);
-    f->config.arena = arena;
-    f->config.arena_size = arena_size;
     if (region)
-        f->config.region = *region;
-    f->status = glint_init(&renderer, &f->config);
-    if (f->status == GLINT_OK)
-        f->status = glint_render(&renderer, scene);
-    f->stats = renderer.stats;
+        options.region = *region;
+    f->status = picture_render(&f->image, scene, &options, &f->stats);
 }
 
 /* The scene with other meshes; `pairs` are made of a variant. @return how many of its meshes that fits */
@@ -274,12 +266,6 @@ static int compare(test_scene *scene, size_t arena_size, uint16_t tile, const gl
            CHECK(picture_equal(&first.image, &second.image));
 }
 
-static glint_need need_of(const glint_config *config, const glint_scene *scene) {
-    glint_need need = {0, 0, 0};
-    CHECK_EQUAL(glint_arena_need(config, scene, &need), GLINT_OK);
-    return need;
-}
-
 /* What triangles take beyond, where they are decoded: up to 8 bytes to align each list. */
 static size_t bytes_beyond(const test_scene *scene) {
     size_t bytes = 0;
@@ -290,13 +276,10 @@ static size_t bytes_beyond(const test_scene *scene) {
 }
 
 static void check_need(test_scene *scene) {
-    const glint_rectangle all = {0, 0, 0, 0};
-    first.config.region = all;
-    first.config.tile_width = first.config.tile_height = 0;
     use_plain(scene, pairs);
-    const glint_need plain = need_of(&first.config, &scene->scene);
+    const glint_need plain = picture_need(&first.image, &scene->scene, NULL);
     use_other(scene, pairs);
-    const glint_need other = need_of(&first.config, &scene->scene);
+    const glint_need other = picture_need(&first.image, &scene->scene, NULL);
     CHECK_EQUAL(other.least, plain.least);
     CHECK(other.resident >= plain.resident && other.resident <= plain.resident + bytes_beyond(scene));
     CHECK(other.one_pass >= plain.one_pass && other.one_pass <= plain.one_pass + bytes_beyond(scene));
@@ -310,7 +293,7 @@ static void compare_all(test_scene *scene, const char *name, const variant *v) {
     if (!lay_scene(scene, pairs, v))
         return;
     int same = compare(scene, sizeof arena, 0, NULL);
-    const glint_need need = need_of(&second.config, &scene->scene);
+    const glint_need need = picture_need(&second.image, &scene->scene, NULL);
     same &= compare(scene, need.least, 0, NULL);
     same &= compare(scene, (need.least + need.resident) / 2, 16, NULL);
     same &= compare(scene, need.resident, 0, NULL);
@@ -394,8 +377,10 @@ static void picks_are_the_same(void) {
         glint_renderer renderer;
         scene_build_named(&scene, "mirrored");
         lay_scene(&scene, pairs, &variants[v]);
-        draw(&first, &scene.scene, sizeof arena, 0, NULL);
-        CHECK_EQUAL(glint_init(&renderer, &first.config), GLINT_OK);
+        glint_config config = picture_config(&first.image, NULL);
+        config.arena = arena;
+        config.arena_size = sizeof arena;
+        CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
         for (int i = 0; i < 200; i++) {
             glint_hit plain = {0, 0, 0}, other = {0, 0, 0};
             const int x = i * 37 % WIDTH, y = i * 23 % HEIGHT;
@@ -571,7 +556,7 @@ static void kept_arenas_keep_no_mesh(void) {
     glint_config config = picture_config(&second.image, NULL);
     config.arena = kept;
     config.keeps_arena = 1;
-    const glint_need need = need_of(&config, &scene.scene);
+    const glint_need need = picture_need(&second.image, &scene.scene, NULL);
     for (int small = 0; small < 2; small++) {
         config.arena_size = small ? need.least : sizeof kept;
         CHECK_EQUAL(glint_init(&keeper, &config), GLINT_OK);
