@@ -25,7 +25,7 @@
  *     const glint_vector above_left = GLINT_VECTOR(-1, 1, 1);
  *     const glint_light sun = glint_sun(above_left, white);
  *     const glint_camera camera = glint_camera_default();
- *     glint_object torus = {&torus576_mesh, &wax, glint_pose_identity()};
+ *     glint_object torus = {&torus576_mesh, &wax, glint_pose_identity(), &glint_per_fragment};
  *     const glint_scene scene = {
  *         .camera = camera, .ambient = white, .lights = &sun, .light_count = 1, .objects = &torus, .object_count = 1};
  *     const glint_flush flush = {take_tile, 0, lcd_start()};

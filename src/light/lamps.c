@@ -72,6 +72,20 @@ static void set_highlights(glint_lamps *lamps, int has_8_bits) {
     lamps->usual_whole = lamps->is_rare ? INT32_MAX : lamps->least_whole;
 }
 
+static GLINT_INLINE void set_source(glint_drawn_lamp *to, const glint_prepared_light *source) {
+    to->source = source;
+    to->has_cone = source->type->has_cone;
+    to->has_place = source->type->has_place;
+    to->linear = source->lamp.linear;
+    to->quadratic = source->lamp.quadratic;
+    if (to->has_cone) {
+        to->cone_outer = glint_shift_right(source->spot.cosine_outer, 14);
+        to->cone_width = glint_shift_right(source->spot.cosine_inner, 14) - to->cone_outer;
+        to->over_width = (1u << 30) / (uint32_t)glint_most(to->cone_width, 1);
+    }
+    to->weakens = 0;
+}
+
 /* How much of N.D rounding may be, and whether D is near is not known. */
 #define GATE_MARGIN (4 << 15)
 
@@ -112,17 +126,7 @@ static GLINT_NOINLINE void set_lamps(glint_row_walk *walk) {
         const glint_prepared_light *source = &view->lights[i];
         if (!(lights >> i & 1))
             continue;
-        to->source = source;
-        to->has_cone = source->type->has_cone;
-        to->has_place = source->type->has_place;
-        to->linear = source->lamp.linear;
-        to->quadratic = source->lamp.quadratic;
-        if (to->has_cone) {
-            to->cone_outer = glint_shift_right(source->spot.cosine_outer, 14);
-            to->cone_width = glint_shift_right(source->spot.cosine_inner, 14) - to->cone_outer;
-            to->over_width = (1u << 30) / (uint32_t)glint_most(to->cone_width, 1);
-        }
-        to->weakens = 0;
+        set_source(to, source);
         to->shines = shading->has_specular >> i & 1;
         for (int c = 0; c < 3; c++) {
             const unsigned b = frame->config.gamma ? 0 : bits[c];

@@ -67,7 +67,7 @@
  * Declares what a descriptor names and only another descriptor needs: it stands in a file that the other brings into
  * the link, and is null elsewhere. So a light type and an evaluation link what takes both.
  */
-#if defined(__ELF__) && defined(__GNUC__)
+#if (defined(__ELF__) || defined(__wasm__)) && defined(__GNUC__)
 #define GLINT_IF_LINKED __attribute__((weak))
 #else
 #define GLINT_IF_LINKED
