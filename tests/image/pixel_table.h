@@ -7,78 +7,78 @@
 #include <stdint.h>
 
 static const uint32_t pixel_table[] = {
-    0x98d035d8u, /* regions */
-    0x8db7b7a9u, /* regions */
-    0xa34a20b8u, /* large regions */
-    0x9ee27324u, /* large regions */
-    0xeb0f0090u, /* large regions */
-    0x314d414au, /* varied regions */
-    0xe481090du, /* varied regions */
-    0x95d4be71u, /* varied regions */
-    0x0f90d331u, /* varied regions */
-    0x2e7deb67u, /* varied regions */
-    0x2aa40affu, /* varied regions */
-    0x7a4dd66eu, /* varied regions */
-    0x0837162au, /* varied regions */
-    0x9d4a33e0u, /* varied benchmark */
-    0xbc436839u, /* varied benchmark */
-    0x11a0d0b9u, /* varied benchmark */
-    0xc9de8576u, /* varied benchmark */
-    0x5e6a2287u, /* varied benchmark */
-    0x5c8faecau, /* varied benchmark */
-    0xc1ac99c1u, /* random surfaces */
-    0xe5c6d40eu, /* random surfaces */
-    0x34bbe712u, /* random surfaces */
-    0x82748abdu, /* random surfaces */
-    0x4a8d30a6u, /* random surfaces */
-    0x919e9647u, /* random surfaces */
-    0x019f5407u, /* random scenes */
-    0xa02e1a7cu, /* random scenes */
-    0x07b7f21fu, /* random scenes */
-    0xbf1d8aeeu, /* random scenes */
-    0xf91337a0u, /* benchmark */
-    0xf607d0edu, /* benchmark */
+    0x73765d57u, /* regions */
+    0xd24f8860u, /* regions */
+    0x5aba87d6u, /* large regions */
+    0x053f6e5cu, /* large regions */
+    0x7cc8fee9u, /* large regions */
+    0xb5bf5820u, /* varied regions */
+    0xc99eea17u, /* varied regions */
+    0xf4d86f79u, /* varied regions */
+    0xcfe63fc6u, /* varied regions */
+    0x438a66a2u, /* varied regions */
+    0x74eb675eu, /* varied regions */
+    0x98dafd2fu, /* varied regions */
+    0x48f065e1u, /* varied regions */
+    0x2874cf57u, /* varied benchmark */
+    0x83b00cc6u, /* varied benchmark */
+    0xd58f700du, /* varied benchmark */
+    0x3f42beddu, /* varied benchmark */
+    0xf5135f8au, /* varied benchmark */
+    0x817846f5u, /* varied benchmark */
+    0x880c7cbeu, /* random surfaces */
+    0x44a117c9u, /* random surfaces */
+    0xdd265c1eu, /* random surfaces */
+    0x135be48eu, /* random surfaces */
+    0x1fde0842u, /* random surfaces */
+    0xcbd0ee75u, /* random surfaces */
+    0x37293094u, /* random scenes */
+    0xf57fd393u, /* random scenes */
+    0xef25b1a4u, /* random scenes */
+    0xe2edcf26u, /* random scenes */
+    0xf8a4ac66u, /* benchmark */
+    0x21408097u, /* benchmark */
     0x27e9fa9bu, /* benchmark */
-    0xfb17c2deu, /* benchmark */
-    0x267ac755u, /* benchmark */
+    0xc4d929e4u, /* benchmark */
+    0x10929c94u, /* benchmark */
     0xb841ddb7u, /* benchmark */
-    0x6a8e66bbu, /* benchmark */
-    0x8fe1958eu, /* benchmark */
+    0x78917246u, /* benchmark */
+    0x99f5ba96u, /* benchmark */
     0x18d255d6u, /* benchmark */
-    0xb7efa4aau, /* benchmark */
-    0x441eb64au, /* benchmark */
+    0x8d4ac401u, /* benchmark */
+    0xdee06880u, /* benchmark */
     0xf195f825u, /* benchmark */
-    0xa352b875u, /* large */
-    0x09a50031u, /* large */
-    0xb79ab7e8u, /* large */
-    0x6e0729b6u, /* large */
-    0x77aa3eb8u, /* scenes */
-    0x9aa98bccu, /* scenes */
+    0xb37dabc3u, /* large */
+    0x4fc9e88fu, /* large */
+    0xb0ea14eeu, /* large */
+    0x973566b7u, /* large */
+    0xeb98e6fcu, /* scenes */
+    0x14445194u, /* scenes */
     0x833b6538u, /* scenes */
-    0x4fbddf8cu, /* surfaces */
-    0x8a9f2ff4u, /* surfaces */
+    0xe4318ed2u, /* surfaces */
+    0x624930c8u, /* surfaces */
     0x7c203683u, /* surfaces */
-    0x0e006bfau, /* gallery */
-    0xcf826517u, /* gallery */
-    0x66c94c6du, /* gallery */
-    0xfd83d5c2u, /* gallery */
+    0xefe6ffffu, /* gallery */
+    0x05f48cb6u, /* gallery */
+    0xb8747bb6u, /* gallery */
+    0xad6ee463u, /* gallery */
     0x8ed31963u, /* gallery */
-    0x7fb78c7du, /* gallery */
-    0xc90124efu, /* formats */
-    0xdacdd0d5u, /* formats */
-    0xd7d1bbefu, /* formats */
-    0x1d21d2ccu, /* formats */
-    0x8038d785u, /* formats */
-    0xb6189a34u, /* formats */
-    0x7b61e4e7u, /* formats */
-    0xce1bd813u, /* formats */
-    0x2b629cf0u, /* formats */
-    0xd9d338d2u, /* formats */
-    0xaff7d145u, /* formats */
-    0x611b98c5u, /* formats */
-    0x0ad5f33au, /* formats */
+    0x3a0a50b8u, /* gallery */
+    0x269d2e6au, /* formats */
+    0x5636eed2u, /* formats */
+    0x9384c374u, /* formats */
+    0xf69a339bu, /* formats */
+    0x5491c668u, /* formats */
+    0x21c27329u, /* formats */
+    0xdd365380u, /* formats */
+    0xecb02cbcu, /* formats */
+    0xab024f0fu, /* formats */
+    0x61ff53e9u, /* formats */
+    0x36cbf9ecu, /* formats */
+    0x04cf825au, /* formats */
+    0x7b068518u, /* formats */
     0x585d55b5u, /* formats */
-    0x05b3a0f6u, /* formats */
+    0x69ef9076u, /* formats */
     0x7062d471u, /* formats */
 };
 
