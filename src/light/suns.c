@@ -218,6 +218,7 @@ static glint_status prepare_material(glint_frame *frame, glint_shading *shading)
     suns->terms = count_lights(shading->has_specular);
     suns->is_local = view->local_viewer;
     suns->is_rounded = frame->config.format->sun_spans != GLINT_SPANS_OF_ANY;
+    suns->is_plain = 0;
     suns->spans = 0;
     suns->small = glint_draw_small_suns;
     suns->ray_limit = GLINT_MOST_RAY * (1 << 15) / view->ray_scale;
