@@ -63,7 +63,7 @@ static void set_highlights(glint_lamps *lamps, int has_8_bits) {
     lamps->nearest = has_8_bits ? lamps->near : 1u << 18;
     const glint_power_table *power = &lamps->shading->power;
     const int is_mirror = lamps->shading->material->model->lobe == GLINT_LOBE_MIRROR;
-    const int32_t narrow = NARROW_EXPONENT >> is_mirror;
+    const int32_t narrow = NARROW_EXPONENT >> (is_mirror + has_8_bits);
     lamps->is_rare = power->direct || power->exponent >= narrow;
     lamps->power = power->value;
     lamps->power_up = (31 - power->index_shift) & 31;
