@@ -170,9 +170,9 @@ static GLINT_NOINLINE void set_half(const glint_row_walk *walk, const glint_sun_
                   glint_shift_right(of.u, 1), &walk->slopes, t->fine, 0);
 }
 
-/* Returns (1 + L.V) / 2, 1 = 2^28. */
+/* Returns (1 + L.V) / 2, 1 = 2^28: two steps of a fragment's at least, so that rounding makes none of them negative. */
 static inline int32_t find_along(const glint_drawn_sun *sun, const int16_t v[3]) {
-    return (1 << 27) + glint_shift_right(dot16(sun->light, v), 2);
+    return glint_most((1 << 27) + glint_shift_right(dot16(sun->light, v), 2), 1 << 13);
 }
 
 /* Returns what V, between corners of which one is farther from the eye, is nearer to that one by; times 2^28. */

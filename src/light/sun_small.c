@@ -59,7 +59,8 @@ static GLINT_NOINLINE uint32_t find_small_entry(const glint_row_walk *walk, cons
         return half.along <= 0
                    ? GLINT_GLOSS_ENTRIES
                    : glint_entry_of_sine(suns, p->square - (uint32_t)half.along * (uint32_t)half.along, p->over);
-    const int32_t along = glint_shift_right(glint_dot32(sun->light, half.v), 14); /* L.V, 2^15 */
+    const int32_t along =
+        glint_most(glint_shift_right(glint_dot32(sun->light, half.v), 14), 4 - (1 << 15)); /* L.V, 2^15 */
     return glint_entry_of_sine(
         suns,
         (p->square >> 16) *
