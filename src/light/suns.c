@@ -75,7 +75,7 @@ static inline glint_draw_span *choose_span(glint_row_walk *walk, glint_sun_trian
     if (!glint_begin_sun_normals(walk, t) || !glint_begin_suns(walk, t))
         return 0;
     if (is_listed)
-        return t->least - GLINT_LEAST_NORMAL < GLINT_LEAST_NORMAL / 8 + t->turn / 2 ? 0 : glint_begin_fine_suns(walk);
+        return t->least < 4 * GLINT_LEAST_NORMAL + t->turn / 2 ? 0 : glint_begin_fine_suns(walk);
     if (!t->count && suns->is_rounded) {
         walk->packed = glint_spread_pack(suns->dark);
         return walk->frame->config.format->flat_span;
