@@ -176,7 +176,7 @@ static void set_far(glint_suns *suns, uint32_t end) {
 /* Exponents up to which scalars are precise enough for a highlight: of Phong, of channels of 8 bits, and of others. */
 #define MOST_MIRRORED (32 * GLINT_ONE)
 #define MOST_FINE (128 * GLINT_ONE)
-#define MOST_EXPONENT (512 * GLINT_ONE)
+#define MOST_EXPONENT (256 * GLINT_ONE)
 
 /* Exponents from which on a highlight is so small a part of a triangle that H may turn no less. */
 #define SMALL_EXPONENT (64 * GLINT_ONE)

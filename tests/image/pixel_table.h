@@ -7,24 +7,24 @@
 #include <stdint.h>
 
 static const uint32_t pixel_table[] = {
-    0xf2f124c0u, /* regions */
-    0xd24f8860u, /* regions */
+    0x84955e76u, /* regions */
+    0x16871e2cu, /* regions */
     0x5aba87d6u, /* large regions */
     0x053f6e5cu, /* large regions */
-    0x7cc8fee9u, /* large regions */
-    0xa15094d7u, /* varied regions */
-    0xd0f73a2du, /* varied regions */
+    0xe544aa42u, /* large regions */
+    0x2719f229u, /* varied regions */
+    0x57db7628u, /* varied regions */
     0xd622b190u, /* varied regions */
-    0x1ecdcc8du, /* varied regions */
-    0x355b46d7u, /* varied regions */
+    0x900a836du, /* varied regions */
+    0x569070d0u, /* varied regions */
     0x5620129bu, /* varied regions */
     0xa202fd32u, /* varied regions */
-    0xead0c7feu, /* varied regions */
-    0x2874cf57u, /* varied benchmark */
+    0xf74ba22bu, /* varied regions */
+    0x74ee3d4cu, /* varied benchmark */
     0x83b00cc6u, /* varied benchmark */
-    0xd58f700du, /* varied benchmark */
-    0x3f42beddu, /* varied benchmark */
-    0xf5135f8au, /* varied benchmark */
+    0x99724f34u, /* varied benchmark */
+    0xa2e231f3u, /* varied benchmark */
+    0x38ee46fau, /* varied benchmark */
     0x817846f5u, /* varied benchmark */
     0x0c1e43c5u, /* random surfaces */
     0x44a117c9u, /* random surfaces */
@@ -32,10 +32,10 @@ static const uint32_t pixel_table[] = {
     0x135be48eu, /* random surfaces */
     0x71b8c927u, /* random surfaces */
     0xcbd0ee75u, /* random surfaces */
-    0x1827b19cu, /* random scenes */
-    0xf57fd393u, /* random scenes */
-    0xd12c053fu, /* random scenes */
-    0xcb86ebb3u, /* random scenes */
+    0x74770310u, /* random scenes */
+    0x5e07e185u, /* random scenes */
+    0xd44315bau, /* random scenes */
+    0x508eaa95u, /* random scenes */
     0xf4d7e09cu, /* benchmark */
     0x21408097u, /* benchmark */
     0x27e9fa9bu, /* benchmark */
@@ -52,7 +52,7 @@ static const uint32_t pixel_table[] = {
     0x4fc9e88fu, /* large */
     0xb0ea14eeu, /* large */
     0x973566b7u, /* large */
-    0x20e83928u, /* scenes */
+    0x48851d14u, /* scenes */
     0x14445194u, /* scenes */
     0x833b6538u, /* scenes */
     0xe4318ed2u, /* surfaces */
