@@ -327,7 +327,7 @@ glint_pose glint_pose_then(const glint_pose *first, const glint_pose *second);
 
 /* ---- Objects ----------------------------------------------------------------------------------------------------- */
 
-/** Where lighting is evaluated; a descriptor, one of those below. */
+/** An evaluation says where light is found; it is one of the descriptors below. */
 typedef struct glint_evaluation glint_evaluation;
 
 /**

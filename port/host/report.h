@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file report.h
- * What a mesh costs a board that draws it framed: flash and arena.
+ * Tells the flash and the arena that a mesh takes of a board that draws it framed.
  */
 #ifndef GLINT_HOST_REPORT_H
 #define GLINT_HOST_REPORT_H

@@ -56,7 +56,7 @@ static glint_status check_material(const glint_material *material) {
     return material->shininess < 0 ? GLINT_ERROR_SHININESS : GLINT_OK;
 }
 
-/* What has one colour is lit nowhere. */
+/* Checks that an object names where it is lit; an object of one colour need not. */
 static glint_status check_evaluation(const glint_object *object) {
     const int needs = object->material->model->is_lit || glint_has_colours(object->mesh);
     return needs && !object->evaluation ? GLINT_ERROR_NULL : GLINT_OK;

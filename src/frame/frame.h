@@ -55,7 +55,7 @@ typedef struct glint_range {
 /** Checks a scene, all but its meshes' indices. */
 glint_status glint_check_scene(const glint_config *config, const glint_scene *scene);
 
-/** What listing a triangle in a tile takes, found once a pass. A place is a word of two halves, x and y in 28.4. */
+/** A pass finds once what it takes to list a triangle in a tile. A place is a word of two halves, x and y in 28.4. */
 typedef struct glint_bin_pass {
     glint_frame *frame;
     uint32_t shift_x, shift_y;      /* from a place to the column and row of its tile */

@@ -10,7 +10,7 @@
 #include "cull.h"
 #include "frame.h"
 
-/* What the parts of a scene add up to. */
+/* Holds what the parts of a scene add up to. */
 typedef struct need_tally {
     size_t vertices, references, clipped; /* bytes, counts */
     size_t of_quarter[4];                 /* references in each quarter of the tiles */
@@ -142,7 +142,7 @@ static GLINT_NOINLINE glint_status begin_need(glint_frame *frame, glint_view *vi
     return status;
 }
 
-/* What a tally of all objects comes to. */
+/* Sets the bytes that a tally of all objects comes to. */
 static void finish_need(const glint_frame *frame, const need_tally *sum, glint_need *need) {
     const size_t prepared = GLINT_ALIGNMENT - 1 + glint_tile_buffers_size(&frame->config) +
                             GLINT_ALIGNED(glint_view_size(frame->scene)) +
