@@ -31,20 +31,25 @@ static uint32_t spread_levels(const uint32_t level[3]) {
     return (level[0] >> 18) << 10 | (level[1] >> 19) << 21 | level[2] >> 19;
 }
 
-/* A colour that changes by `step` from entry to entry, up to `most`. */
+/* This is a colour that changes by `step` from entry to entry; entries have no more than `most`. */
 typedef struct level_ramp {
     uint32_t level[3], step[3], most[3];
 } level_ramp;
 
-/* Its first `count` words. */
-static void fill(const level_ramp *r, uint32_t *words, uint32_t count) {
-    uint32_t red = r->level[0], green = r->level[1], blue = r->level[2];
+/* Returns an entry of a ramp. */
+static uint32_t word_of(const level_ramp *r) {
+    const uint32_t level[3] = {least(r->level[0], r->most[0]), least(r->level[1], r->most[1]),
+                               least(r->level[2], r->most[2])};
+    return spread_levels(level);
+}
+
+/* Stores the first `count` words of a ramp. One that rises stays below `most` and a step. */
+static void fill(level_ramp *r, uint32_t *words, uint32_t count) {
     for (uint32_t i = 0; i < count; i++) {
-        const uint32_t level[3] = {red, green, blue};
-        words[i] = spread_levels(level);
-        red = least(red + r->step[0], r->most[0]);
-        green = least(green + r->step[1], r->most[1]);
-        blue = least(blue + r->step[2], r->most[2]);
+        words[i] = word_of(r);
+        for (int c = 0; c < 3; c++)
+            if (r->level[c] <= r->most[c] || r->step[c] >> 31)
+                r->level[c] += r->step[c];
     }
 }
 
@@ -70,7 +75,7 @@ uint32_t glint_ramp_word(const glint_shading *shading, const glint_drawn_sun *su
     return spread_levels(r.level);
 }
 
-/* The highlight at node i, clamped at 1 in each channel; Q23 times 31, 63 and 31. */
+/* Finds the highlight at node i, below 4 in each channel; Q23 times 31, 63 and 31. */
 static void highlight(const glint_shading *shading, const glint_drawn_sun *sun, uint32_t i, uint32_t level[3]) {
     const glint_suns *suns = shading->suns;
     const uint32_t *const weight = shading->weights[sun->number].specular;
@@ -81,7 +86,7 @@ static void highlight(const glint_shading *shading, const glint_drawn_sun *sun, 
         sine = (uint32_t)((uint64_t)sine * ((1u << 30) - sine) >> 28);
     const uint32_t power = end < suns->end ? glint_power_at(&shading->power, sine) : 0;
     for (int c = 0; c < 3; c++)
-        level[c] = least(power * weight[c] >> 4, 1u << 23) * most_level[c];
+        level[c] = least(power * weight[c] >> 4, (1u << 25) - 1) * most_level[c];
 }
 
 /* From a node of the highlight to the next, the first entry at its middle; downwards modulo 2^32. */
@@ -90,7 +95,7 @@ static void highlight_ramp(const uint32_t here[3], const uint32_t next[3], level
         const int32_t change = (int32_t)(next[c] - here[c]);
         r->step[c] = (uint32_t)glint_shift_right(change, NODE_BITS);
         r->level[c] = here[c] + (uint32_t)glint_shift_right(change, NODE_BITS + 1) + cut_half[c];
-        r->most[c] = UINT32_MAX;
+        r->most[c] = (most_level[c] << 23) + cut_half[c];
     }
 }
 
@@ -102,7 +107,7 @@ uint32_t glint_gloss_word(const glint_shading *shading, const glint_drawn_sun *s
     highlight_ramp(here, next, &r);
     for (int c = 0; c < 3; c++)
         r.level[c] += r.step[c] * (index & ((1 << NODE_BITS) - 1));
-    return spread_levels(r.level);
+    return word_of(&r);
 }
 
 static void fill_gloss(const glint_shading *shading, const glint_drawn_sun *sun, uint32_t *words) {
@@ -205,7 +210,7 @@ void glint_ramps_prepare(glint_suns *suns, const glint_shading *shading) {
     if (shading->shininess > most)
         return; /* no triangle fits in which it is visible */
     const uint64_t steep = (uint64_t)largest * slope * (suns->bits > 6 ? 150 : 63) + 1, /* Q20 */
-        bend = ((uint64_t)BEND_LIMIT << (20 + 2 * suns->is_mirror)) / steep;
+        bend = ((uint64_t)BEND_LIMIT << (20 + suns->is_mirror)) / steep;
     suns->bend = bend < 1u << 28 ? (uint32_t)bend : 1u << 28;
-    suns->small_bend = (int32_t)(suns->bend >> (suns->is_mirror ? 4 : 2)) + (1 << 15); /* rounding takes 2^15 of it */
+    suns->small_bend = (int32_t)(suns->bend >> (suns->is_mirror ? 3 : 2)) + (1 << 15); /* rounding takes 2^15 of it */
 }

@@ -49,7 +49,7 @@ static inline uint32_t find_entry(const glint_suns *suns, const glint_spread *p,
         return glint_entry_of_sine(
             suns, (p->square >> 16) * (of.along >> 12) - (uint32_t)glint_shift_right(of.light, 13) * (uint32_t)h,
             p->over);
-    return h <= 0 ? GLINT_GLOSS_ENTRIES : glint_entry_of_sine(suns, p->square - (uint32_t)h * (uint32_t)h, p->over);
+    return glint_entry_of_sine(suns, p->square - (uint32_t)h * (uint32_t)h, p->over);
 }
 
 /* Adds a light to a pixel's colour, given N'.L and its entry of gloss. */
@@ -75,8 +75,7 @@ static inline void set_row(const glint_quadratic *q, uint32_t i, uint32_t *at, u
 
 /*
  * Adds a light to the pixels of a row from p to before the end; the row's first column is that of pixel `begin`. It is
- * plain: it is gated or all corners face it, it adds to what is there, and its tables are there; N.H is then above 0
- * wherever a highlight is.
+ * plain: it is gated or all corners face it, it adds to what is there, and its tables are there.
  */
 static GLINT_INLINE void light_list(const glint_row_walk *walk, const glint_lit_sun *lit, int32_t row, uint32_t begin,
                                     glint_spread *p, const glint_spread *end, int shines, int is_mirror) {

@@ -9,13 +9,11 @@ static inline int32_t dot16(const int32_t a[3], const int16_t b[3]) {
 
 /* ---- Quadratics ---- */
 
-/* Slopes of triangles so large that the second order takes 3 bits more are below this: errors of it grow with size. */
-#define FINE_SLOPE (1u << 11)
-
+/* Returns the bits that the second order of a quadratic has beyond 16: errors of it grow with a triangle's size. */
 static inline unsigned fine_bits(const glint_slopes *o) {
     const uint32_t most = glint_magnitude_bits(o->x1) | glint_magnitude_bits(o->x2) | glint_magnitude_bits(o->y1) |
                           glint_magnitude_bits(o->y2);
-    return most < FINE_SLOPE ? 3 : 0;
+    return most < 1u << 11 ? 3 : glint_leading_zeros(most) - 18;
 }
 
 /*
@@ -39,9 +37,9 @@ static GLINT_SPECIAL void set_quadratic(glint_quadratic *q, uint32_t value, int3
     const uint32_t x = glint_weigh(b, o->x1, c, o->x2), y = glint_weigh(b, o->y1, c, o->y2);
     const uint32_t m = glint_weigh(of1 + b, o->start1, of2 + c, o->start2);
     if (up) {
-        q->xx = fine ? (uint32_t)glint_shift_right(xx, 1) : (uint32_t)xx << 2;
-        q->xy = fine ? (uint32_t)xy : (uint32_t)xy << 3;
-        q->yy = fine ? (uint32_t)glint_shift_right(yy, 1) : (uint32_t)yy << 2;
+        q->xx = (uint32_t)glint_shift_right(xx, 1) << (3 - fine);
+        q->xy = (uint32_t)xy << (3 - fine);
+        q->yy = (uint32_t)glint_shift_right(yy, 1) << (3 - fine);
         q->x = x << 2, q->y = y << 2;
         q->value = value + (m << 1);
     } else {
@@ -154,10 +152,20 @@ static inline int32_t along_unit(const int32_t a[3], const int16_t b[3]) {
     return dot + glint_shift_right(glint_shift_right(dot, 14) * lacking, 15);
 }
 
-/* Sets N'.H, H being unit between corners: less half of N'.H times the squares of its differences. */
-static GLINT_NOINLINE void set_half(const glint_row_walk *walk, const glint_sun_triangle *t, const bends *bent,
-                                    turns of, const int16_t *a, const int16_t *b, const int16_t *c,
-                                    glint_quadratic *to) {
+/*
+ * Sets whether a highlight may be visible, given N'.H at corners, some of them below 0: not where all are. @return 0
+ * where the one around -H would show, which sin^2 does not tell from that around H
+ */
+static int is_told(const glint_sun_triangle *t, glint_lit_sun *lit, int32_t a, int32_t b, int32_t c) {
+    const int32_t least = glint_shift_right(glint_least_of(a, b, c), 14);
+    lit->gloss = glint_most_of(a, b, c) > 0;
+    return !lit->gloss || (uint32_t)(least * least) <= (t->least >> 14) * (((1u << 30) - t->suns->end) >> 16);
+}
+
+/* Sets N'.H, H being unit between corners: less half of N'.H times the squares of its differences. @return 0 where it
+ * does not fit */
+static GLINT_NOINLINE int set_half(const glint_row_walk *walk, const glint_sun_triangle *t, const bends *bent, turns of,
+                                   const int16_t *a, const int16_t *b, const int16_t *c, glint_lit_sun *lit) {
     const int32_t at_a = along_unit(t->n[0], a), at_b = along_unit(t->n[1], b), at_c = along_unit(t->n[2], c),
                   k = glint_shift_right(at_a, 14);
     add_turns(&of, t->d1[0], t->d2[0], a[0], b[0], c[0]);
@@ -166,8 +174,9 @@ static GLINT_NOINLINE void set_half(const glint_row_walk *walk, const glint_sun_
     of.s -= glint_shift_right(glint_shift_right(bent->square1, 14) * k, 1);
     of.q -= glint_shift_right(glint_shift_right(bent->square2, 14) * k, 1);
     of.u -= glint_shift_right(bent->both, 14) * k;
-    set_quadratic(to, (uint32_t)at_a + (1 << 11), to_q16(at_b - at_a - of.s), to_q16(at_c - at_a - of.q), of.s, of.q,
-                  glint_shift_right(of.u, 1), &walk->slopes, t->fine, 0);
+    set_quadratic(&lit->half, (uint32_t)at_a + (1 << 11), to_q16(at_b - at_a - of.s), to_q16(at_c - at_a - of.q), of.s,
+                  of.q, glint_shift_right(of.u, 1), &walk->slopes, t->fine, 0);
+    return (at_a | at_b | at_c) >= 0 || t->suns->is_mirror || is_told(t, lit, at_a, at_b, at_c);
 }
 
 /* Returns (1 + L.V) / 2, 1 = 2^28: two steps of a fragment's at least, so that rounding makes none of them negative. */
@@ -191,7 +200,7 @@ static GLINT_NOINLINE void begin_mirror(const glint_row_walk *walk, const glint_
     const int32_t at_a = find_along(lit->sun, a), at_b = find_along(lit->sun, b), at_c = find_along(lit->sun, c),
                   cosine = glint_shift_right(at_a, 12) - (1 << 15), /* L.V, 2^15 */
         k1 = (a[2] - b[2]) * (1 << 14) / b[2], k2 = (a[2] - c[2]) * (1 << 14) / c[2], first = dot16(t->n[0], a);
-    set_half(walk, t, bent, lean(k1, k2, dot16(t->n[0], b) - first, dot16(t->n[0], c) - first), a, b, c, &lit->half);
+    (void)set_half(walk, t, bent, lean(k1, k2, dot16(t->n[0], b) - first, dot16(t->n[0], c) - first), a, b, c, lit);
     const turns of = lean(k1, k2, at_b - at_a, at_c - at_a);
     const int32_t s = glint_shift_right(of.s, 12) - glint_shift_right(to_q16(bent->square1) * cosine, 17),
                   q = glint_shift_right(of.q, 12) - glint_shift_right(to_q16(bent->square2) * cosine, 17),
@@ -215,10 +224,9 @@ static inline int begin_gloss(const glint_row_walk *walk, const glint_sun_triang
     if (bend > suns->bend || !(a->v[0] | a->v[1] | a->v[2]) || !suns->bend)
         return 0;
     lit->gloss = 1;
-    if (suns->is_mirror)
-        begin_mirror(walk, t, &of, a->v, b->v, c->v, lit);
-    else
-        set_half(walk, t, &of, (turns){0, 0, 0}, a->v, b->v, c->v, &lit->half);
+    if (!suns->is_mirror)
+        return set_half(walk, t, &of, (turns){0, 0, 0}, a->v, b->v, c->v, lit);
+    begin_mirror(walk, t, &of, a->v, b->v, c->v, lit);
     return 1;
 }
 
