@@ -371,17 +371,9 @@ static void begin_lit(glint_row_walk *walk, int32_t row, int32_t left, int32_t r
 
 void glint_draw_lit(glint_row_walk *walk) {
     const glint_begun begun = glint_begin_triangle(walk);
-    const glint_format *format = walk->frame->config.format;
     walk->draw_span = begin_lit;
-    if (begun == GLINT_IS_SMALL && walk->has_slopes) {
-        if (!GLINT_SMALL) {
-            format->smooth_rows(walk, begin_small_colours);
-            return;
-        }
-        if (!glint_find_visible_row(walk))
-            return;
-        if (begin_small_colours(walk))
-            walk->draw_span = format->smooth;
-    }
-    glint_walk_begun(walk, begun);
+    if (begun == GLINT_IS_SMALL && walk->has_slopes)
+        walk->frame->config.format->smooth_rows(walk, begin_small_colours);
+    else
+        glint_walk_begun(walk, begun);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Flat: triangles of one colour that a format does not draw whole, span by span. */
+/* Flat: triangles that a format does not draw whole, span by span. */
 #include "../raster/depth.h"
 #include "format.h"
 
@@ -25,4 +25,12 @@ void glint_walk_flat(glint_row_walk *walk, glint_begun begun) {
 
 void glint_draw_flat(glint_row_walk *walk) {
     glint_walk_flat(walk, glint_begin_triangle(walk));
+}
+
+void glint_draw_smooth_rows(glint_row_walk *walk, glint_begin_colours *begin) {
+    if (!glint_find_visible_row(walk))
+        return;
+    if (begin(walk))
+        walk->draw_span = walk->frame->config.format->smooth;
+    glint_walk_small(walk);
 }

@@ -59,7 +59,7 @@ struct glint_format {
     void (*fill)(void *pixels, unsigned tile_shift_x, uint32_t height, const int32_t colour[3]);
     /** Draws a triangle of one colour, walk->packed. */
     void (*flat)(glint_row_walk *walk);
-    /** Draws a small triangle of interpolated colours, whose rows have been begun; null in a library built for size. */
+    /** Draws a small triangle of interpolated colours, whose rows have been begun. */
     void (*smooth_rows)(glint_row_walk *walk, glint_begin_colours *begin);
     /** Draws a span of one colour, and one of interpolated colours. */
     glint_draw_span *flat_span, *smooth;
@@ -77,6 +77,9 @@ void glint_walk_flat(glint_row_walk *walk, glint_begun begun);
 
 /** Begins a triangle of one colour, and draws it by spans. */
 void glint_draw_flat(glint_row_walk *walk);
+
+/** Draws a small triangle of interpolated colours by spans. */
+void glint_draw_smooth_rows(glint_row_walk *walk, glint_begin_colours *begin);
 
 /** Returns the bits of a format's green, or of its luma. */
 static inline unsigned glint_green_bits(const glint_format *format) {

@@ -290,7 +290,7 @@ static GLINT_INLINE void glint_draw_visible_rows(glint_row_walk *walk, glint_beg
 /** The functions that draw small triangles row by row; for size, they are drawn span by span, as others are. */
 #if GLINT_SMALL
 #define GLINT_DEFINE_ROWS(suffix)
-#define GLINT_ROWS(suffix) glint_draw_flat, 0
+#define GLINT_ROWS(suffix) glint_draw_flat, glint_draw_smooth_rows
 #else
 #define GLINT_DEFINE_ROWS(suffix)                                                 \
     static void flat_##suffix(glint_row_walk *walk) {                             \
