@@ -305,19 +305,20 @@ static inline uint32_t bound_apart(const int16_t *a, const int16_t *b, const int
            glint_magnitude_bits(c[0] - a[0]) | glint_magnitude_bits(c[1] - a[1]) | glint_magnitude_bits(c[2] - a[2]);
 }
 
-/* May the colours of any triangle be linear on the screen? */
-static GLINT_NOINLINE int are_linear(const glint_row_walk *walk) {
+/* May the colours of any triangle be linear on the screen, by a plane that is moved, 1, or by the one through its
+ * corners, which is off by twice as much, 2? */
+static GLINT_NOINLINE int are_linear(const glint_row_walk *walk, uint32_t off) {
     const glint_vertex *const *v = walk->triangle.corners;
     const int32_t w = v[0]->inverse_w;
     const uint32_t apart = find_apart(colour_at(walk, 0), colour_at(walk, 1), colour_at(walk, 2));
     const colour_bend of = find_bend(walk, w, v[1]->inverse_w - w, v[2]->inverse_w - w);
-    return walk->colour_bits && !walk->is_deep && apart * of.change <= of.level &&
+    return walk->colour_bits && !walk->is_deep && apart * of.change <= of.level / off &&
            has_room(walk->frame->config.format, v, apart);
 }
 
 /* Begins colours by gradients. */
 static void begin_large_colours(glint_row_walk *walk) {
-    if (!are_linear(walk)) {
+    if (!are_linear(walk, 2)) {
         begin_divided(walk);
         return;
     }
@@ -329,7 +330,7 @@ static void begin_large_colours(glint_row_walk *walk) {
 static inline int are_close(const glint_row_walk *walk, int32_t w, int32_t to_b, int32_t to_c, const int16_t *a,
                             const int16_t *b, const int16_t *c) {
     if (walk->is_exacting)
-        return are_linear(walk);
+        return are_linear(walk, 1);
     const colour_bend of = find_bend(walk, w, to_b, to_c);
     return bound_apart(a, b, c) * of.change <= of.level || find_apart(a, b, c) * of.change <= of.level;
 }
