@@ -178,12 +178,14 @@ static void few_are_apart(void) {
     for (unsigned kind = 0; kind < TEST_COUNT(formats); kind++) {
         const tally *t = &tallies[kind];
         const double apart = (double)t->found.apart / (double)t->found.judged;
+        /* a sample has up to three standard deviations of a count more than all */
+        const double of_sample = sample_share() > 1 ? 3 * sqrt(formats[kind].most_apart / (double)t->found.judged) : 0;
         char line[160];
         snprintf(line, sizeof line, "%-28s %7ld %9ld %13.3f %18.4f %5ld\n", formats[kind].name, t->scenes,
                  t->found.judged, t->worst_share, 100 * apart, t->found.over_one);
         test_write(line);
         CHECK(t->found.judged > 100000);
-        CHECK(apart <= formats[kind].most_apart);
+        CHECK(apart <= formats[kind].most_apart + of_sample);
     }
 }
 
