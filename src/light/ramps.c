@@ -178,7 +178,8 @@ static void set_far(glint_suns *suns, uint32_t end) {
  */
 #define BEND_LIMIT (45u << 23)
 
-/* Exponents up to which scalars are precise enough for a highlight: of Phong, of channels of 8 bits, and of others. */
+/* Exponents, times weights above 1, up to which scalars are precise enough for a highlight: of Phong, of channels of 8
+ * bits, and of others. */
 #define MOST_MIRRORED (32 * GLINT_ONE)
 #define MOST_FINE (128 * GLINT_ONE)
 #define MOST_EXPONENT (256 * GLINT_ONE)
@@ -207,7 +208,7 @@ void glint_ramps_prepare(glint_suns *suns, const glint_shading *shading) {
     while (suns->end >> suns->shift >= GLINT_GLOSS_ENTRIES)
         suns->shift++;
     set_far(suns, suns->end);
-    if (shading->shininess > most)
+    if ((uint64_t)shading->shininess * (largest > 1u << 12 ? largest : 1u << 12) >> 12 > (uint32_t)most)
         return; /* no triangle fits in which it is visible */
     const uint64_t steep = (uint64_t)largest * slope * (suns->bits > 6 ? 150 : 63) + 1, /* Q20 */
         bend = ((uint64_t)BEND_LIMIT << (20 + suns->is_mirror)) / steep;
