@@ -19,7 +19,8 @@ typedef struct views {
     const glint_scene *scene;
     reference_lights lights;
     library_geometry geometry;
-    int clips; /* some object is clipped */
+    int clips;                          /* some object is clipped */
+    int has_short[LIBRARY_OBJECTS_MAX]; /* at some vertex L + V is too short, of an object that is lit there */
     picture shaded;
     reference_image light, object, normal;
 } views;
@@ -128,15 +129,37 @@ static int is_short(const views *all, const double towards[3], const double plac
     return sqrt(reference_dot(sum, sum)) < CONTRACT_SHORT;
 }
 
+/* The unit vector from a place towards a light. */
+static void find_towards(const views *all, uint32_t light, const double place[3], double towards[3]) {
+    const int placed = all->scene->lights[light].type != &glint_light_directional;
+    for (int axis = 0; axis < 3; axis++)
+        towards[axis] = all->lights.vector[light][axis] - (placed ? place[axis] : 0);
+    reference_normalise(towards);
+}
+
+/* Is L + V of any light too short at a vertex of an object that is lit there? */
+static int has_short(const views *all, uint32_t index) {
+    const glint_object *object = &all->scene->objects[index];
+    int found = 0;
+    if (is_per_fragment(object) || object->material->model != &glint_model_blinn_phong)
+        return 0;
+    for (uint32_t i = 0; i < object->mesh->vertex_count; i++) {
+        const reference_vertex vertex = reference_transform(all->scene, index, i, all->width, all->height);
+        for (uint32_t light = 0; light < all->scene->light_count; light++) {
+            double towards[3];
+            find_towards(all, light, vertex.place, towards);
+            found |= is_short(all, towards, vertex.place);
+        }
+    }
+    return found;
+}
+
 /* Does the last bit of a light's direction decide? */
 static int is_ill_lit(const views *all, const glint_object *object, const double place[3]) {
-    int found = 0;
+    int found = all->has_short[object - all->scene->objects];
     for (uint32_t light = 0; light < all->scene->light_count; light++) {
-        const int placed = all->scene->lights[light].type != &glint_light_directional;
         double towards[3];
-        for (int axis = 0; axis < 3; axis++)
-            towards[axis] = all->lights.vector[light][axis] - (placed ? place[axis] : 0);
-        reference_normalise(towards);
+        find_towards(all, light, place, towards);
         found |= is_narrow(all, light, is_per_fragment(object) ? towards : NULL);
         found |= object->material->model == &glint_model_blinn_phong && is_short(all, towards, place);
     }
@@ -170,6 +193,12 @@ static int is_rounded(const views *all, int x, int y) {
     const reference_pixel *here = &all->light.pixels[(size_t)y * (size_t)all->width + (size_t)x];
     const change largest = find_change(all, x, y);
     return largest.light * 1.5 / 16 > 0.25 || here->nearest - here->second < largest.inverse_w * 1.5 / 16;
+}
+
+/* Are the two nearest surfaces so close that rounding decides which is nearer? */
+static int are_close(const views *all, const reference_pixel *here, int x, int y) {
+    const double apart = here->nearest - here->second;
+    return apart * all->geometry.depth_scale < JUDGE_CLOSE_STEPS || apart < find_change(all, x, y).inverse_w / 64;
 }
 
 /* Does 1/w have too few bits there? */
@@ -208,8 +237,7 @@ static void judge_distance(const views *all, int x, int y, double bound, int is_
 static void judge_pixel(const views *all, int x, int y, contract_result *result) {
     const size_t at = (size_t)y * (size_t)all->width + (size_t)x;
     const reference_pixel *wanted = &all->light.pixels[at];
-    if (!wanted->covered || wanted->uncertain || wanted->grazing < GATE ||
-        (wanted->nearest - wanted->second) * all->geometry.depth_scale < JUDGE_CLOSE_STEPS)
+    if (!wanted->covered || wanted->uncertain || wanted->grazing < GATE || are_close(all, wanted, x, y))
         return;
     const glint_object *object = &all->scene->objects[lrint(255 * all->object.pixels[at].colour[0])];
     double bound = weights_bound(weights_sum(all->scene, object->material), all->shaded.format);
@@ -239,6 +267,8 @@ static void look_closely(views *all, contract_result *result) {
             all->clips |= !all->geometry.positions[i][vertex].known;
     }
     reference_prepare_lights(&all->lights, all->scene, all->height);
+    for (uint32_t i = 0; i < all->scene->object_count; i++)
+        all->has_short[i] = has_short(all, i);
     reference_render(&all->light, all->scene, (const reference_position *const *)all->geometry.positions);
     render_painted(all, 0, &all->object);
     render_painted(all, 1, &all->normal);

@@ -6,7 +6,8 @@
  * for 99.99 %, or for all but one where that is more, and within two for all.
  *
  * Left out are pixels where the last bit of an input decides, by rules that do not look at the outcome:
- * - close: two surfaces less than 2 depth steps apart (judge.h);
+ * - close: two surfaces less than 2 depth steps apart (judge.h), or than depth changes by over 1/64 of a pixel, a
+ * quarter of what vertices are snapped to;
  * - uncertain: beside an edge that library and reference each clip and round (judge.h);
  * - gated: a cosine within 4.6 / 2^15 of a light's horizon, where a highlight's gate jumps, of a cone without soft
  * edge, or of 0 where it is raised to less than 1, from where it rises without bound: each of the two unit vectors is
@@ -15,7 +16,8 @@
  * 2^-13 of a pixel or more: its direction is known to fewer than 13 bits (the reference's lighting.c; counted as
  * gated);
  * - short: a sum of unit vectors nearly cancels. An interpolated normal, or L + V of a light with Blinn's highlight, is
- *   shorter than a quarter, so that its direction is known to fewer than 13 bits.
+ *   shorter than a quarter, so that its direction is known to fewer than 13 bits. An object that is lit per vertex or
+ *   facet is left out whole where L + V of one of its vertices is.
  * - narrow: within the soft edge of a spot whose inner and outer cosines are less than 1/64 apart. The cosine of two
  * unit vectors of 15 bits is known to about 2^-14, which there is more than 1.5 steps of 256. Surfaces lit per vertex
  * or facet count as within wherever they are seen.
