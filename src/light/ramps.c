@@ -9,7 +9,7 @@
 #define CUT_BITS 9
 
 /* Binary logarithm of the entries of gloss for each node that is computed; it is linear between them. */
-#define NODE_BITS 3
+#define NODE_BITS 2
 
 /* The largest levels of red, green and blue. */
 static const uint32_t most_level[3] = {31, 63, 31};
@@ -185,7 +185,7 @@ static void set_far(glint_suns *suns, uint32_t end) {
 #define MOST_EXPONENT (256 * GLINT_ONE)
 
 /* Exponents from which on a highlight is so small a part of a triangle that H may turn no less. */
-#define SMALL_EXPONENT (64 * GLINT_ONE)
+#define SMALL_EXPONENT (96 * GLINT_ONE)
 
 void glint_ramps_prepare(glint_suns *suns, const glint_shading *shading) {
     uint32_t level[3], half[3];

@@ -9,11 +9,21 @@ static inline int32_t dot16(const int32_t a[3], const int16_t b[3]) {
 
 /* ---- Quadratics ---- */
 
-/* Returns the bits that the second order of a quadratic has beyond 16: errors of it grow with a triangle's size. */
-static inline unsigned fine_bits(const glint_slopes *o) {
-    const uint32_t most = glint_magnitude_bits(o->x1) | glint_magnitude_bits(o->x2) | glint_magnitude_bits(o->y1) |
-                          glint_magnitude_bits(o->y2);
-    return most < 1u << 11 ? 3 : glint_leading_zeros(most) - 18;
+/* Returns the leading zeros of a triangle's slopes, at least 19. */
+static inline unsigned slope_zeros(const glint_slopes *o) {
+    return glint_leading_zeros(glint_magnitude_bits(o->x1) | glint_magnitude_bits(o->x2) | glint_magnitude_bits(o->y1) |
+                               glint_magnitude_bits(o->y2) | 1);
+}
+
+/*
+ * Returns the bits beyond 16 that a second order keeps while it is brought to the screen, so that products with slopes
+ * have 31 bits: errors of it grow with the square of a triangle's size.
+ */
+static inline unsigned fine_bits(int32_t s, int32_t t, int32_t u, unsigned zeros) {
+    const int32_t most = (int32_t)(zeros + glint_leading_zeros(glint_magnitude_bits(s) | glint_magnitude_bits(t) |
+                                                               glint_magnitude_bits(u) | 1)) -
+                         22;
+    return (unsigned)glint_most(glint_least(most, 6), 0);
 }
 
 /*
@@ -21,8 +31,9 @@ static inline unsigned fine_bits(const glint_slopes *o) {
  * 28. Of second order are s, t, u, below 2^27, 2^28 of 1; slopes are below 2^13. Those that are cut off have 31 bits.
  */
 static GLINT_SPECIAL void set_quadratic(glint_quadratic *q, uint32_t value, int32_t of1, int32_t of2, int32_t s,
-                                        int32_t t, int32_t u, const glint_slopes *o, unsigned fine, const int up) {
+                                        int32_t t, int32_t u, const glint_slopes *o, unsigned zeros, const int up) {
     const int32_t half = 1 << 13;
+    const unsigned fine = fine_bits(s, t, u, zeros);
     const int32_t s_fine = glint_shift_right(s, 12 - fine), t_fine = glint_shift_right(t, 12 - fine),
                   u_fine = glint_shift_right(u, 12 - fine);
     const int32_t u1 = glint_shift_right((int32_t)glint_weigh(s_fine, o->x1, u_fine, o->x2) + half, 14),
@@ -37,9 +48,9 @@ static GLINT_SPECIAL void set_quadratic(glint_quadratic *q, uint32_t value, int3
     const uint32_t x = glint_weigh(b, o->x1, c, o->x2), y = glint_weigh(b, o->y1, c, o->y2);
     const uint32_t m = glint_weigh(of1 + b, o->start1, of2 + c, o->start2);
     if (up) {
-        q->xx = (uint32_t)glint_shift_right(xx, 1) << (3 - fine);
-        q->xy = (uint32_t)xy << (3 - fine);
-        q->yy = (uint32_t)glint_shift_right(yy, 1) << (3 - fine);
+        q->xx = (uint32_t)glint_shift_right(xx, fine) << 2;
+        q->xy = (uint32_t)glint_shift_right(xy, fine) << 3;
+        q->yy = (uint32_t)glint_shift_right(yy, fine) << 2;
         q->x = x << 2, q->y = y << 2;
         q->value = value + (m << 1);
     } else {
@@ -99,13 +110,13 @@ int glint_begin_sun_normals(const glint_row_walk *walk, glint_sun_triangle *t) {
     t->d1[0] = x1, t->d1[1] = y1, t->d1[2] = z1;
     t->d2[0] = x2, t->d2[1] = y2, t->d2[2] = z2;
     const int32_t s = x1 * x1 + y1 * y1 + z1 * z1, q = x2 * x2 + y2 * y2 + z2 * z2, u = x1 * x2 + y1 * y2 + z1 * z2;
-    t->fine = fine_bits(&walk->slopes);
+    t->zeros = slope_zeros(&walk->slopes);
     t->turn = most_of((uint32_t)s, (uint32_t)q, (uint32_t)(s + q - 2 * u));
     t->least = least_of(at_a, at_b, at_c);
     if (t->turn > MOST_TURN || t->least < GLINT_LEAST_NORMAL + t->turn / 2) /* between corners by a third of it less */
         return 0;
     set_quadratic(&t->normal, at_a << 4, to_q16((int32_t)(at_b - at_a) - s), to_q16((int32_t)(at_c - at_a) - q), s, q,
-                  u, &walk->slopes, t->fine, 1);
+                  u, &walk->slopes, t->zeros, 1);
     return 1;
 }
 
@@ -175,7 +186,7 @@ static GLINT_NOINLINE int set_half(const glint_row_walk *walk, const glint_sun_t
     of.q -= glint_shift_right(glint_shift_right(bent->square2, 14) * k, 1);
     of.u -= glint_shift_right(bent->both, 14) * k;
     set_quadratic(&lit->half, (uint32_t)at_a + (1 << 11), to_q16(at_b - at_a - of.s), to_q16(at_c - at_a - of.q), of.s,
-                  of.q, glint_shift_right(of.u, 1), &walk->slopes, t->fine, 0);
+                  of.q, glint_shift_right(of.u, 1), &walk->slopes, t->zeros, 0);
     return (at_a | at_b | at_c) >= 0 || t->suns->is_mirror || is_told(t, lit, at_a, at_b, at_c);
 }
 
@@ -206,7 +217,8 @@ static GLINT_NOINLINE void begin_mirror(const glint_row_walk *walk, const glint_
                   q = glint_shift_right(of.q, 12) - glint_shift_right(to_q16(bent->square2) * cosine, 17),
                   u = glint_shift_right(of.u, 13) - glint_shift_right(to_q16(bent->both) * cosine, 17);
     set_quadratic(&lit->along, (uint32_t)at_a + (1 << 11), to_q16(at_b - at_a) - s, to_q16(at_c - at_a) - q,
-                  glint_shift_left(s, 12), glint_shift_left(q, 12), glint_shift_left(u, 12), &walk->slopes, t->fine, 0);
+                  glint_shift_left(s, 12), glint_shift_left(q, 12), glint_shift_left(u, 12), &walk->slopes, t->zeros,
+                  0);
 }
 
 /* Sets the highlight of a light, given its terms at corners. @return 0 where it does not fit */

@@ -119,7 +119,7 @@ typedef struct glint_sun_triangle {
     int32_t n[3][3], d1[3], d2[3]; /* N' at corners, and differences from the first one */
     uint32_t least;                /* the least N'.N' there, 1 = 2^28 */
     uint32_t turn;                 /* largest square of a difference of two corners */
-    unsigned fine;                 /* bits that its second order has more: sun_setup.c */
+    unsigned zeros;                /* leading zeros of its slopes */
     glint_quadratic normal;        /* N'.N' */
     uint32_t count;
     glint_lit_sun lit[GLINT_LIGHTS_MAX];
