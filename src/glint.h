@@ -22,8 +22,8 @@
  *     static uint32_t arena[8192];
  *     const glint_colour white = GLINT_COLOUR(1, 1, 1), amber = GLINT_COLOUR(1, 0.5, 0);
  *     const glint_material wax = glint_material_paint(&glint_model_blinn_phong, amber, GLINT_ONE / 10, 32 * GLINT_ONE);
- *     const glint_vector above_left = GLINT_VECTOR(-1, 1, 1);
- *     const glint_light sun = glint_sun(above_left, white);
+ *     const glint_vector down_right = GLINT_VECTOR(1, -1, -1);
+ *     const glint_light sun = glint_sun(down_right, white);
  *     const glint_camera camera = glint_camera_default();
  *     glint_object torus = {&torus576_mesh, &wax, glint_pose_identity(), &glint_per_fragment};
  *     const glint_scene scene = {
@@ -51,8 +51,9 @@
  * - Structures may grow at their end from version to version, and 0 stands for what was so before: initialise them, or
  *   set them to {0} before fields are assigned one by one.
  * - Structures with the library's own state are declared in full, so that they can be static. Fields below a line
- *   `@privatesection`, to the end or to `@publicsection`, are neither to be read nor to be written, and change with any
- *   version.
+ *   `@privatesection` are neither to be read nor to be written, and change with any version.
+ * - Descriptors (shading models, types of lights and of attributes, evaluations, projections, formats, culls) are
+ *   incomplete types: programs name those of the library by their address, and can neither copy nor make any.
  * - Nothing is allocated and no global is written: everything lives in the caller's structures and arena, so that any
  *   number of renderers work side by side.
  */
@@ -107,8 +108,7 @@ typedef struct glint_colour {
 
 /**
  * Initialises a vector from literals: `const glint_vector up = GLINT_VECTOR(0, 1, 0);`. In an argument C wants its
- * type,
- * `(glint_vector)GLINT_VECTOR(0, 1, 0)`, C++11 does not.
+ * type, `(glint_vector)GLINT_VECTOR(0, 1, 0)`, C++11 does not.
  * @param x,y,z as GLINT_Q16 takes them
  */
 #define GLINT_VECTOR(x, y, z) \
@@ -140,53 +140,55 @@ typedef struct glint_pose {
  * relies on what a mesh was before.
  */
 typedef struct glint_mesh {
-    const int16_t (*positions)[3];  /**< vertex_count positions, steps. */
-    const int16_t (*normals)[3];    /**< vertex_count outward normals in object space, Q15; any length but 0. */
-    const uint16_t (*triangles)[3]; /**< triangle_count index triples, counter-clockwise from outside. */
-    uint32_t vertex_count;          /**< 1 to 65536. */
-    uint32_t triangle_count;        /**< 1 or more. */
-    glint_vector offset;            /**< Object-space position of step 0. */
-    glint_vector extent;            /**< Object-space length of 32768 steps, 0 or more. */
-    uint32_t flags;                 /**< 0 or GLINT_MESH_DOUBLE_SIDED. */
-    const uint8_t (*colours)[3];    /**< vertex_count red, green, blue times 255, or null: the material's ambient and
-                                         diffuse colours are multiplied by them. */
-    const uint16_t *colours565;     /**< The same in 16 bits, or null. */
-    const glint_clusters *clusters; /**< As `glint convert` writes them (glint_clusters.h), or null; not used on
-                                         double-sided meshes. Null where positions change. */
-    const glint_layout *layout;     /**< What stands in place of arrays that are null (glint_layout.h), or null. */
+    const int16_t (*positions)[3];   /**< vertex_count positions, steps. */
+    const int16_t (*normals)[3];     /**< vertex_count outward normals in object space, Q15; any length but 0. */
+    const uint16_t (*triangles)[3];  /**< triangle_count index triples, counter-clockwise from outside. */
+    uint32_t vertex_count;           /**< 1 to 65536. */
+    uint32_t triangle_count;         /**< 1 or more. */
+    glint_vector offset;             /**< Object-space position of step 0. */
+    glint_vector extent;             /**< Object-space length of 32768 steps, 0 or more. */
+    uint32_t flags;                  /**< 0 or GLINT_MESH_DOUBLE_SIDED. */
+    const uint8_t (*colours)[3];     /**< vertex_count red, green, blue times 255, or null: the material's ambient and
+                                          diffuse colours are multiplied by them. */
+    const uint16_t *colours565;      /**< The same in 16 bits, or null. */
+    const glint_clusters *clusters;  /**< As `glint convert` writes them (glint_clusters.h), or null; not used on
+                                          double-sided meshes. Null where positions change. */
+    const glint_mesh_layout *layout; /**< What stands in place of arrays that are null (glint_layout.h), or null. */
 } glint_mesh;
 
 /* ---- Materials --------------------------------------------------------------------------------------------------- */
 
 /** How a surface reflects; a descriptor, one of those below. */
-typedef struct glint_model glint_model;
+typedef struct glint_shading_model glint_shading_model;
 
 /** Ambient + diffuse max(N.L, 0) (Lambert, 1760). */
-extern const glint_model glint_model_lambert;
+extern const glint_shading_model glint_model_lambert;
 
 /** The same + specular max(R.V, 0)^shininess where N.L > 0, R = 2 (N.L) N - L (Phong, 1975). */
-extern const glint_model glint_model_phong;
+extern const glint_shading_model glint_model_phong;
 
 /** The same + specular max(N.H, 0)^shininess where N.L > 0, H = (L + V) / |L + V| (Blinn, 1977). */
-extern const glint_model glint_model_blinn_phong;
+extern const glint_shading_model glint_model_blinn_phong;
 
 /** The diffuse colour as it is, whatever the lights. */
-extern const glint_model glint_model_unlit;
+extern const glint_shading_model glint_model_unlit;
 
 /** Specular light also where N.L <= 0: the highlight shines through. */
-#define GLINT_MATERIAL_UNGATED 1u
+#define GLINT_MATERIAL_SPECULAR_UNGATED 1u
 
 /** The larger of diffuse + specular and ambient, channel by channel, in place of their sum. */
-#define GLINT_MATERIAL_MAX 2u
+#define GLINT_MATERIAL_MAX_WITH_AMBIENT 2u
 
 /** What an object is made of. Each channel from 0 to GLINT_COLOUR_MAX. */
 typedef struct glint_material {
-    const glint_model *model; /**< How it reflects. */
-    glint_colour ambient;     /**< Times the scene's ambient light. */
-    glint_colour diffuse;     /**< Times each light's diffuse colour. */
-    glint_colour specular;    /**< Times each light's specular colour: white for plastic, the diffuse one for metal. */
-    glint_q16 shininess;      /**< Specular exponent p, 0 or more, any real number; 0^0 is 1. */
-    uint32_t flags;           /**< 0, or GLINT_MATERIAL_UNGATED and GLINT_MATERIAL_MAX. */
+    const glint_shading_model *model; /**< How it reflects. */
+    glint_colour ambient;             /**< Times the scene's ambient light. */
+    glint_colour diffuse;             /**< Times each light's diffuse colour. */
+    glint_colour specular;            /**< Times each light's specular colour: white for plastic, the diffuse one for
+                                           metal. */
+    glint_q16 shininess;              /**< Specular exponent p, 0 or more, any real number; 0^0 is 1. */
+    uint32_t flags;                   /**< 0, or GLINT_MATERIAL_SPECULAR_UNGATED and
+                                           GLINT_MATERIAL_MAX_WITH_AMBIENT. */
 } glint_material;
 
 /**
@@ -199,7 +201,7 @@ typedef struct glint_material {
  * @param shininess specular exponent, 0 or more
  * @return the material
  */
-glint_material glint_material_paint(const glint_model *model, glint_colour paint, glint_q16 ambient_fraction,
+glint_material glint_material_paint(const glint_shading_model *model, glint_colour paint, glint_q16 ambient_fraction,
                                     glint_q16 shininess);
 
 /* ---- Lights ------------------------------------------------------------------------------------------------------ */
@@ -207,16 +209,16 @@ glint_material glint_material_paint(const glint_model *model, glint_colour paint
 /** What kind of light; a descriptor, one of those below. */
 typedef struct glint_light_type glint_light_type;
 
-/** Light from infinitely far: `vector` points towards it, of any length but 0. */
+/** Light from infinitely far, the same everywhere. It has a direction and no position. */
 extern const glint_light_type glint_light_directional;
 
 /**
- * Light from the point `vector`, weaker with its distance d: 1 / (1 + linear d + quadratic d^2). Adds nothing at d = 0,
- * that is, nearer than about 1/32768 of the way to the eye.
+ * Light from a position to all sides, weaker with its distance d: 1 / (1 + linear d + quadratic d^2). Adds nothing at
+ * d = 0, that is, nearer than about 1/32768 of the way to the eye.
  */
 extern const glint_light_type glint_light_point;
 
-/** A point light along `axis`: full up to `inner` degrees from it, none from `outer` on, a smooth step between.
+/** A point light with a direction: full up to `inner` degrees from it, none from `outer` on, a smooth step between.
  * Unit vectors of 15 bits tell cosines to about 2^-14: a step shows their rounding where the cosines of `inner` and
  * `outer` are less than 1/64 apart. */
 extern const glint_light_type glint_light_spot;
@@ -224,17 +226,18 @@ extern const glint_light_type glint_light_spot;
 /** A light, in world space. Ambient light is the scene's. */
 typedef struct glint_light {
     const glint_light_type *type; /**< What kind. */
-    glint_vector vector;          /**< Direction towards the light, or its position. */
+    glint_vector position;        /**< Of point lights and spots: where they stand. */
+    glint_vector direction;       /**< Of directional lights and spots: the way that the light travels, from the light
+                                       to what it lights; of any length but 0. */
     glint_colour diffuse;         /**< For diffuse terms. */
     glint_colour specular;        /**< For highlights. */
     glint_q16 linear, quadratic;  /**< Attenuation, per unit and per unit squared, 0 or more. */
-    glint_vector axis;            /**< Of a spot: where it points, of any length but 0. */
-    glint_q16 inner, outer;       /**< Of a spot: degrees from the axis, 0 <= inner <= outer <= 180. */
+    glint_q16 inner, outer;       /**< Of a spot: degrees from its direction, 0 <= inner <= outer <= 180. */
 } glint_light;
 
 /**
  * Returns a directional light, such as the sun's.
- * @param direction towards the light, in world space, of any length but 0
+ * @param direction in which the light travels, in world space, of any length but 0: GLINT_VECTOR(0, -1, 0) shines down
  * @param colour of its diffuse and specular light, each channel from 0 to GLINT_COLOUR_MAX
  * @return the light; a direction of length 0 gives GLINT_ERROR_DIRECTION when it is drawn with
  */
@@ -254,11 +257,11 @@ glint_light glint_sun(glint_vector direction, glint_colour colour);
 glint_light glint_lamp(glint_vector position, glint_colour colour, glint_q16 range);
 
 /**
- * Returns a spot that points at a place: full up to half its angle from the axis, none from the angle on. Set `inner`
- * of the result for another edge.
+ * Returns a spot that points at a place: full up to half its angle from its direction, none from the angle on. Set
+ * `inner` of the result for another edge.
  * @param position,colour,range as for glint_lamp
- * @param at a point on its axis, in world space: any other than `position`
- * @param angle between the axis and the cone's edge, degrees, Q16.16, 0 to 180
+ * @param at a point that it shines at, in world space: any other than `position`
+ * @param angle between its direction and the cone's edge, degrees, Q16.16, 0 to 180
  * @return the light; when it is drawn with, GLINT_ERROR_ATTENUATION as for glint_lamp, GLINT_ERROR_DIRECTION where `at`
  * is its position, GLINT_ERROR_CONE where the angle is not from 0 to 180 degrees
  */
@@ -557,8 +560,8 @@ typedef enum glint_status {
     GLINT_ERROR_TILE = -3,         /**< Tile width or height is not 8, 16, 32 or 64. */
     GLINT_ERROR_ARENA = -4,        /**< The arena is smaller than the smallest this scene can be drawn with. */
     GLINT_ERROR_CAMERA = -5,       /**< The camera's axes are not unit and perpendicular, its field of view is not from
-                                        1 to 170 degrees, its near plane or view height is not above 0, or eye, target and up
-                                      lie on       one line. */
+                                        1 to 170 degrees, its near plane or view height is not above 0, or eye, target and
+                                        up lie on one line. */
     GLINT_ERROR_LIGHTS = -6,       /**< More than GLINT_LIGHTS_MAX lights. */
     GLINT_ERROR_DIRECTION = -7,    /**< A light's direction has length 0. */
     GLINT_ERROR_COLOUR = -8,       /**< A colour channel, or a light's times a material's, is not from 0 to 16. */

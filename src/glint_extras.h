@@ -123,11 +123,11 @@ glint_status glint_check(const glint_config *config, const glint_scene *scene, g
 
 /* ---- From the screen to the scene, and back ---------------------------------------------------------------------- */
 
-/** This tells where a point shows. */
-typedef struct glint_place {
+/** This tells where a point shows on the screen. */
+typedef struct glint_screen_point {
     glint_q16 x, y;     /**< Pixels from the screen's left and top edge; saturated. */
     glint_q16 distance; /**< From the eye along the camera's axis; saturated. */
-} glint_place;
+} glint_screen_point;
 
 /**
  * Finds where a point of the world shows on a screen of config->width and height: off by at most 1/128 of a pixel, on
@@ -137,7 +137,8 @@ typedef struct glint_place {
  * @param to where it shows
  * @return 1, 0 when it lies in front of the near plane: then `to` is as it was; GLINT_ERROR_NULL, _SIZE or _CAMERA
  */
-int glint_camera_project(const glint_config *config, const glint_camera *camera, glint_vector point, glint_place *to);
+int glint_camera_project(const glint_config *config, const glint_camera *camera, glint_vector point,
+                         glint_screen_point *to);
 
 /** This tells what a pixel shows. */
 typedef struct glint_hit {
@@ -161,9 +162,9 @@ int glint_pick(glint_renderer *renderer, const glint_scene *scene, int x, int y,
 
 /*
  * Straight lines in space: edges, axes, boxes. Each is one pixel wide and of one colour, which no light changes, and is
- * hidden by what lies in front of it. They are placed on the screen before a frame, and drawn by its overlay:
+ * hidden by what lies in front of it. They are projected to the screen before a frame, and drawn by its overlay:
  *
- *     glint_lines_place(segments, &config, &scene.camera, &pose, lines, count);      // and then glint_render
+ *     glint_lines_project(segments, &config, &scene.camera, &pose, lines, count);    // and then glint_render
  *     int paint(void *context, const glint_tile *tile) { return glint_lines_draw(tile, segments, count); }
  *
  * A line ends where it passes the near plane or lies 1023 pixels from the screen's centre in x or y. Its ends are then
@@ -186,7 +187,7 @@ typedef struct glint_line {
     glint_colour colour;   /**< Each channel from 0 to GLINT_COLOUR_MAX. */
 } glint_line;
 
-/** What a line is on the screen. Owned by the caller; written by glint_lines_place only. */
+/** What a line is on the screen. Owned by the caller; written by glint_lines_project only. */
 typedef struct glint_segment {
     /** @privatesection */
     int16_t x[2], y[2];    /* its ends, 28.4 */
@@ -196,7 +197,7 @@ typedef struct glint_segment {
 } glint_segment;
 
 /**
- * Places lines on the screen of a configuration, of which width and height are looked at. Ends are first taken to the
+ * Projects lines to the screen of a configuration, of which width and height are looked at. Ends are first taken to the
  * world, each coordinate rounded to nearest and saturated as glint_pose_apply does, and are then off by at most 1/64 of
  * a pixel, on and around the screen, before they are rounded.
  * @param segments `count` of them; like the lines, whose colours they point to, they stay until the frame is drawn
@@ -206,14 +207,14 @@ typedef struct glint_segment {
  * @param count how many
  * @return GLINT_ERROR_NULL, _SIZE, _CAMERA or _COLOUR: then segments are as they were
  */
-glint_status glint_lines_place(glint_segment *segments, const glint_config *config, const glint_camera *camera,
-                               const glint_pose *pose, const glint_line *lines, uint32_t count);
+glint_status glint_lines_project(glint_segment *segments, const glint_config *config, const glint_camera *camera,
+                                 const glint_pose *pose, const glint_line *lines, uint32_t count);
 
 /**
  * Draws lines on a finished tile, for an overlay. Calls follow each other: what was drawn before hides what is drawn
  * behind it. Tiles of one frame may be drawn by several callers at once.
  * @param tile what the overlay is given
- * @param segments `count` of them, placed
+ * @param segments `count` of them, projected
  * @param count how many
  * @return GLINT_OK, or GLINT_ERROR_NULL where there is no tile, or not one that a frame has handed out
  */
@@ -241,52 +242,53 @@ uint32_t glint_lines_edges(glint_line *lines, uint32_t room, const glint_mesh *m
  * panel's flush knows each by a signature of 64 bits, 8 bytes a tile of the caller's memory. Tiles that differ have
  * the same one with a chance of 2^-64, those that differ in four bytes only never.
  *
- *     static glint_signature signatures[80];                    // glint_changes_count(&config)
- *     glint_changes_init(&changes, signatures, &config);
- *     config.flush = glint_changes_flush(&changes);             // and then glint_init
+ *     static glint_tile_signature signatures[80];               // glint_tile_signature_count(&config)
+ *     glint_change_filter_init(&filter, signatures, &config);
+ *     config.flush = glint_change_filter_flush(&filter);        // and then glint_init
  *
  * Tile size, format and arena are the configuration's own; a tile's pixels are aligned to 4 bytes, as the renderer has
  * them.
  */
 
 /** What a tile was sent as; 0 for one that has yet to be sent. */
-typedef struct glint_signature {
+typedef struct glint_tile_signature {
     /** @privatesection */
     uint32_t a, b;
-} glint_signature;
+} glint_tile_signature;
 
-/** The filter. Owned by the caller. */
-typedef struct glint_changes {
-    uint32_t sent, unchanged; /**< Tiles, since glint_changes_init. */
+/** A filter that lets only changed tiles pass to the panel. Owned by the caller. */
+typedef struct glint_change_filter {
+    uint32_t sent, unchanged; /**< Tiles, since glint_change_filter_init. */
     /** @privatesection */
     glint_flush flush;
-    glint_signature *signatures, *sending, pending;
+    glint_tile_signature *signatures, *sending, pending;
     uint32_t count;
     uint16_t columns, tile_width, tile_height, width, height;
     int16_t left, top;
     uint8_t is_part; /* is a part of a tile on its way? */
-} glint_changes;
+} glint_change_filter;
 
 /** How many signatures a configuration takes. @param config with which is drawn @return 0 when it is null or not valid
  */
-uint32_t glint_changes_count(const glint_config *config);
+uint32_t glint_tile_signature_count(const glint_config *config);
 
 /**
  * Sets a filter up before config->flush; everything is yet to be sent. On failure the filter, if there is one, is all
  * 0, and so is its flush, which glint_init refuses.
- * @param changes the filter
- * @param signatures glint_changes_count of them, the caller's as long as the filter
+ * @param filter the filter
+ * @param signatures glint_tile_signature_count of them, the caller's as long as the filter
  * @param config with which is to be drawn, its flush that of the panel
  * @return GLINT_ERROR_NULL, _SIZE or _TILE.
  */
-glint_status glint_changes_init(glint_changes *changes, glint_signature *signatures, const glint_config *config);
+glint_status glint_change_filter_init(glint_change_filter *filter, glint_tile_signature *signatures,
+                                      const glint_config *config);
 
 /** Sends everything once more: for a panel that was started anew. A tile whose flush failed is sent again anyhow.
- * @param changes the filter */
-void glint_changes_forget(glint_changes *changes);
+ * @param filter the filter */
+void glint_change_filter_forget(glint_change_filter *filter);
 
-/** The flush to draw with. @param changes the filter, which must outlive it @return the flush */
-glint_flush glint_changes_flush(glint_changes *changes);
+/** The flush to draw with. @param filter the filter, which must outlive it @return the flush */
+glint_flush glint_change_filter_flush(glint_change_filter *filter);
 
 /* ---- Tile by tile ------------------------------------------------------------------------------------------------ */
 
@@ -294,7 +296,7 @@ glint_flush glint_changes_flush(glint_changes *changes);
  * glint_render is a loop over these; use them to draw the tiles of a frame in another order, or on two cores:
  *
  *     glint_frame_begin(&frame, &config, &scene);
- *     while ((status = glint_frame_next(&frame)) > 0)           // a pass
+ *     while ((status = glint_frame_next_pass(&frame)) > 0)      // a pass
  *         for (tile = frame.tile_first; tile < frame.tile_end; tile++)
  *             if (glint_render_tile(&frame, &workspace, tile))  // any number of callers at once
  *                 send it, glint_tile_find says where;
@@ -307,8 +309,10 @@ typedef struct glint_memory {
     size_t low, high;
 } glint_memory;
 
-/** Everything that drawing the tiles of a pass reads; written by glint_frame_begin and glint_frame_next only. */
+/** Everything that drawing the tiles of a pass reads; written by glint_frame_begin and glint_frame_next_pass only. */
 typedef struct glint_frame {
+    uint16_t tile_first, tile_end; /**< Tiles of this pass: from the first to before the end. */
+    glint_stats stats;             /**< So far. */
     /** @privatesection */
     glint_config config;
     const glint_scene *scene;
@@ -316,9 +320,6 @@ typedef struct glint_frame {
     const struct glint_shading *shading; /* materials, prepared */
     uint32_t shading_count;
     glint_memory memory;
-    /** @publicsection */
-    uint16_t tile_first, tile_end; /**< Tiles of this pass: from the first to before the end. */
-    /** @privatesection */
     uint16_t tile_columns, tile_count;   /* of the region */
     uint16_t first_column, first_row;    /* of the screen's tiles, in the region */
     uint16_t right, bottom;              /* behind the region's last pixels */
@@ -342,8 +343,6 @@ typedef struct glint_frame {
     uint32_t reference_count;
     uint8_t has_costly;            /* does this pass draw what is lit by fragments? */
     struct glint_clipped *clipped; /* above the last; they grow downwards */
-    /** @publicsection */
-    glint_stats stats; /**< So far. */
 } glint_frame;
 
 /** Bytes of the arena that a pass leaves free, for what one of its tiles finds and others take up. */
@@ -387,7 +386,7 @@ void glint_workspace_init(glint_workspace *workspace, const glint_config *config
 glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, const glint_scene *scene);
 
 /** Prepares the next pass. @param frame begun @return 1 when there is one, 0 when the frame is done, or an error. */
-int glint_frame_next(glint_frame *frame);
+int glint_frame_next_pass(glint_frame *frame);
 
 /**
  * Draws what this pass holds of a tile from frame->tile_first to frame->tile_end - 1. Reads the frame, writes the

@@ -135,7 +135,7 @@ void bench_build_scene(bench_scene *scene, const bench_definition *definition, c
                                        .specular = scaled(white, 0.5),
                                        .shininess = 32 * GLINT_ONE};
     scene->light = (glint_light){.type = &glint_light_directional,
-                                 .vector = {bench_q16(0.4), bench_q16(0.6), bench_q16(0.7)},
+                                 .direction = {bench_q16(-0.4), bench_q16(-0.6), bench_q16(-0.7)},
                                  .diffuse = scaled(white, 1),
                                  .specular = scaled(white, 1)};
     scene->object = (glint_object){.mesh = &mesh->mesh,

@@ -66,7 +66,7 @@ static glint_status draw_model(glint_config config, int number) {
     static const glint_material copper = {&glint_model_blinn_phong, GLINT_COLOUR(0.08, 0.04, 0.02),
                                           GLINT_COLOUR(0.6, 0.28, 0.12), GLINT_COLOUR(0.6, 0.4, 0.3), GLINT_Q16(40)};
     static const glint_light lamp = {.type = &glint_light_directional,
-                                     .vector = GLINT_VECTOR(0.5, 0.8, 0.7),
+                                     .direction = GLINT_VECTOR(-0.5, -0.8, -0.7),
                                      .diffuse = GLINT_COLOUR(1, 1, 1),
                                      .specular = GLINT_COLOUR(1, 1, 1)};
     const glint_pose tilt = glint_pose_rotate_x(GLINT_Q16(-50)), turn = glint_pose_rotate_y(number * GLINT_Q16(6));
@@ -76,7 +76,7 @@ static glint_status draw_model(glint_config config, int number) {
                                 .pose = glint_pose_then(&tilt, &turn)};
     glint_scene scene = {.ambient = white, .lights = &lamp, .light_count = 1, .objects = &torus, .object_count = 1};
     glint_renderer renderer;
-    glint_place place;
+    glint_screen_point place;
     glint_hit hit;
     view v = {.cursor_x = VIEW_WIDTH / 2 + 32, .cursor_y = 150, .number = "NONE"};
 
@@ -132,7 +132,7 @@ static glint_status draw_clock(glint_config config, int number) {
     static const glint_material steel = {&glint_model_blinn_phong, GLINT_COLOUR(0.1, 0.1, 0.12),
                                          GLINT_COLOUR(0.5, 0.5, 0.55), GLINT_COLOUR(0.5, 0.5, 0.5), GLINT_Q16(20)};
     static const glint_light lamp = {.type = &glint_light_directional,
-                                     .vector = GLINT_VECTOR(-0.6, 0.5, 0.7),
+                                     .direction = GLINT_VECTOR(0.6, -0.5, -0.7),
                                      .diffuse = GLINT_COLOUR(1, 1, 1),
                                      .specular = GLINT_COLOUR(1, 1, 1)};
     const glint_object hands[2] = {

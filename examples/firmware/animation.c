@@ -28,14 +28,17 @@ static uint32_t find_variant(const example_scene *scene, const char *name) {
     return variant;
 }
 
-/* Turns the directions of all lights about the y axis. */
+/* Turns where directional lights shine, and where others stand, about the y axis. */
 static void turn_lights(example_stage *stage, glint_q16 degrees) {
     const glint_q16 sine = glint_sin(degrees), cosine = glint_cos(degrees);
 
     for (uint32_t i = 0; i < stage->scene.light_count; i++) {
-        const glint_vector from = stage->lights[i].vector;
-        stage->lights[i].vector.x = stage_multiply(from.x, cosine) + stage_multiply(from.z, sine);
-        stage->lights[i].vector.z = stage_multiply(from.z, cosine) - stage_multiply(from.x, sine);
+        glint_light *light = &stage->lights[i];
+        glint_vector *turned = light->type == &glint_light_directional ? &light->direction : &light->position;
+        const glint_vector from = *turned;
+
+        turned->x = stage_multiply(from.x, cosine) + stage_multiply(from.z, sine);
+        turned->z = stage_multiply(from.z, cosine) - stage_multiply(from.x, sine);
     }
 }
 

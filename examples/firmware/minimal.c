@@ -8,7 +8,7 @@ static const int16_t points[4][3] = {{0, 32767, 0}, {-32767, -16384, 0}, {32767,
 static const uint16_t sides[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}}; /* counter-clockwise from outside */
 static const glint_mesh pyramid = {points, points /* as normals */, sides, 4, 4, {0, 0, 0}, GREY(1), 0};
 static const glint_material clay = {&glint_model_blinn_phong, GREY(0.1), GREY(0.6), GREY(0.4), GLINT_Q16(32)};
-static const glint_light sun = {&glint_light_directional, {-GLINT_ONE, GLINT_ONE, GLINT_ONE}, GREY(1), GREY(1)};
+static const glint_light sun = {&glint_light_directional, {0}, GLINT_VECTOR(1, -1, -1), GREY(1), GREY(1)};
 static uint32_t arena[3072];
 
 int main(void) {

@@ -16,8 +16,8 @@ int main(void) {
     static uint32_t arena[8192];
     const glint_colour white = GLINT_COLOUR(1, 1, 1), amber = GLINT_COLOUR(1, 0.5, 0);
     const glint_material wax = glint_material_paint(&glint_model_blinn_phong, amber, GLINT_ONE / 10, 32 * GLINT_ONE);
-    const glint_vector above_left = GLINT_VECTOR(-1, 1, 1);
-    const glint_light sun = glint_sun(above_left, white);
+    const glint_vector down_right = GLINT_VECTOR(1, -1, -1);
+    const glint_light sun = glint_sun(down_right, white);
     const glint_camera camera = glint_camera_default();
     glint_object torus = {&torus576_mesh, &wax, glint_pose_identity(), &glint_per_fragment};
     const glint_scene scene = {

@@ -39,7 +39,7 @@ glint_status lines_draw(const glint_config *config) {
     static const glint_material grey = {&glint_model_blinn_phong, GLINT_COLOUR(0.04, 0.04, 0.05),
                                         GLINT_COLOUR(0.3, 0.32, 0.4), GLINT_COLOUR(0.2, 0.2, 0.2), GLINT_Q16(20)};
     static const glint_light lamp = {.type = &glint_light_directional,
-                                     .vector = GLINT_VECTOR(-0.5, 0.9, 0.7),
+                                     .direction = GLINT_VECTOR(0.5, -0.9, -0.7),
                                      .diffuse = GLINT_COLOUR(1, 1, 1),
                                      .specular = GLINT_COLOUR(1, 1, 1)};
     const glint_pose left = glint_pose_translate(GLINT_Q16(-0.75), 0, 0), tilt = glint_pose_rotate_x(GLINT_Q16(-60)),
@@ -69,11 +69,11 @@ glint_status lines_draw(const glint_config *config) {
                     (glint_colour)GLINT_COLOUR(0.8, 0.8, 0.8));
     if (glint_lines_edges(edges, EDGES, &torus12x8_mesh, (glint_colour)GLINT_COLOUR(0.1, 0.9, 0.8)) != EDGES)
         return GLINT_ERROR_MESH;
-    glint_status status = glint_lines_place(over.axes, &local, &scene.camera, &left, axes, 3);
+    glint_status status = glint_lines_project(over.axes, &local, &scene.camera, &left, axes, 3);
     if (status == GLINT_OK)
-        status = glint_lines_place(over.box, &local, &scene.camera, &left, box, BOX);
+        status = glint_lines_project(over.box, &local, &scene.camera, &left, box, BOX);
     if (status == GLINT_OK)
-        status = glint_lines_place(over.edges, &local, &scene.camera, &objects[1].pose, edges, EDGES);
+        status = glint_lines_project(over.edges, &local, &scene.camera, &objects[1].pose, edges, EDGES);
     local.overlay = (glint_painter){draw_overlay, &over};
     if (status == GLINT_OK)
         status = glint_init(&renderer, &local);

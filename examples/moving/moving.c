@@ -26,10 +26,10 @@ typedef struct wave_vertex {
 
 static wave_vertex wave[SIDE][SIDE];
 static uint8_t wave_triangles[2 * SQUARES * SQUARES][3];
-static const glint_layout wave_layout = {{&glint_type_int16, wave[0][0].position, sizeof(wave_vertex)},
-                                         {&glint_type_octahedral8, wave[0][0].normal, sizeof(wave_vertex)},
-                                         {&glint_type_uint8, wave_triangles, 0},
-                                         {0, 0, 0}};
+static const glint_mesh_layout wave_layout = {{&glint_attribute_int16, wave[0][0].position, sizeof(wave_vertex)},
+                                              {&glint_attribute_octahedral8, wave[0][0].normal, sizeof(wave_vertex)},
+                                              {&glint_attribute_uint8, wave_triangles, 0},
+                                              {0, 0, 0}};
 static const glint_mesh wave_mesh = {.vertex_count = SIDE * SIDE,
                                      .triangle_count = 2 * SQUARES * SQUARES,
                                      .extent = GLINT_VECTOR(1.2, 0.16, 1.2),
@@ -111,10 +111,10 @@ static int16_t rest_positions[ARM_VERTICES][3], rest_normals[ARM_VERTICES][3];
 static uint16_t arm_triangles[ARM_TRIANGLES][3];
 static glint_mesh rest;
 static arm_vertex arm[ARM_VERTICES];
-static const glint_layout arm_layout = {{&glint_type_int16, arm[0].position, sizeof(arm_vertex)},
-                                        {&glint_type_int16, arm[0].normal, sizeof(arm_vertex)},
-                                        {0, 0, 0},
-                                        {0, 0, 0}};
+static const glint_mesh_layout arm_layout = {{&glint_attribute_int16, arm[0].position, sizeof(arm_vertex)},
+                                             {&glint_attribute_int16, arm[0].normal, sizeof(arm_vertex)},
+                                             {0, 0, 0},
+                                             {0, 0, 0}};
 /* As far as the arm reaches, however it bends. */
 static const glint_mesh arm_mesh = {.triangles = (const uint16_t (*)[3])arm_triangles,
                                     .vertex_count = ARM_VERTICES,
@@ -173,7 +173,7 @@ glint_status moving_draw(glint_renderer *renderer, int degrees) {
     static const glint_material skin = {&glint_model_blinn_phong, GLINT_COLOUR(0.06, 0.04, 0.03),
                                         GLINT_COLOUR(0.55, 0.35, 0.25), GLINT_COLOUR(0.15, 0.15, 0.15), GLINT_Q16(12)};
     static const glint_light lamp = {.type = &glint_light_directional,
-                                     .vector = GLINT_VECTOR(-0.4, 1, 0.5),
+                                     .direction = GLINT_VECTOR(0.4, -1, -0.5),
                                      .diffuse = GLINT_COLOUR(1, 1, 1),
                                      .specular = GLINT_COLOUR(1, 1, 1)};
     const glint_pose side = glint_pose_rotate_y(GLINT_Q16(80)), left = glint_pose_translate(GLINT_Q16(-1.35), 0, 0),

@@ -202,19 +202,19 @@ static const lantern lanterns[] = {
 static void add_candle_light(example_stage *stage, const lantern *jack, glint_q16 bright) {
     const glint_colour warm = times((glint_colour)RGB(5.5, 3, 0.9), stage_multiply(bright, jack->size));
     const glint_colour beam = times((glint_colour)RGB(1.7, 0.85, 0.22), stage_multiply(bright, jack->size));
-    glint_light *inside = stage_light(stage, &glint_light_spot, jack->middle, warm);
-    glint_light *out = stage_light(stage, &glint_light_spot, jack->middle, beam);
+    glint_light *inside = stage_lamp(stage, &glint_light_spot, jack->middle, warm);
+    glint_light *out = stage_lamp(stage, &glint_light_spot, jack->middle, beam);
 
-    inside->axis.x = -glint_sin(jack->turn);
-    inside->axis.y = GLINT_Q16(0.7);
-    inside->axis.z = -glint_cos(jack->turn);
+    inside->direction.x = -glint_sin(jack->turn);
+    inside->direction.y = GLINT_Q16(0.7);
+    inside->direction.z = -glint_cos(jack->turn);
     inside->inner = GLINT_Q16(30);
     inside->outer = GLINT_Q16(62);
     inside->quadratic = GLINT_Q16(4);
     /* What falls through the face. */
-    out->axis.x = glint_sin(jack->turn);
-    out->axis.y = GLINT_Q16(-0.45);
-    out->axis.z = glint_cos(jack->turn);
+    out->direction.x = glint_sin(jack->turn);
+    out->direction.y = GLINT_Q16(-0.45);
+    out->direction.z = glint_cos(jack->turn);
     out->inner = GLINT_Q16(8);
     out->outer = GLINT_Q16(38);
     out->quadratic = GLINT_Q16(0.12);
@@ -286,17 +286,16 @@ static void add_bat(example_stage *stage, uint32_t frame, int start, glint_q16 s
 }
 
 static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
-    const glint_vector moon = XYZ(0.55, 0.75, 0.35), sun = XYZ(-0.4, 0.8, 0.7);
+    const glint_vector moonlight = XYZ(-0.55, -0.75, -0.35), sunlight = XYZ(0.4, -0.8, -0.7);
     const glint_vector eye = {stage_multiply(GLINT_Q16(0.5), wave(frame, 1, 0)), GLINT_Q16(1.9), GLINT_Q16(7.6)};
 
     stage_clear(stage, (glint_colour)RGB(0.01, 0.01, 0.04));
     stage_look(stage, eye, (glint_vector)XYZ(0.15, 1.3, 0), GLINT_Q16(33));
     stage->scene.camera.near_plane = GLINT_ONE;
     if (variant != FLOODLIT)
-        stage_light(stage, &glint_light_directional, moon, (glint_colour)RGB(0.42, 0.53, 0.8))->specular =
-            (glint_colour)RGB(0.6, 0.75, 1.1);
+        stage_sun(stage, moonlight, (glint_colour)RGB(0.42, 0.53, 0.8))->specular = (glint_colour)RGB(0.6, 0.75, 1.1);
     else
-        stage_light(stage, &glint_light_directional, sun, (glint_colour)GREY(0.9));
+        stage_sun(stage, sunlight, (glint_colour)GREY(0.9));
     add_sky(stage);
     add_land(stage);
     add_fence(stage);

@@ -194,7 +194,7 @@ static void add_cylinder(example_stage *stage, const struct option *option, cons
 
 static void add_light(example_stage *stage, glint_vector position, uint32_t flags) {
     const glint_material glow = {&glint_model_unlit, GREY(0), RGB(1, 1, 0.8), GREY(0), 0, 0};
-    glint_light *light = stage_light(stage, &glint_light_point, position, (glint_colour)GREY(1));
+    glint_light *light = stage_lamp(stage, &glint_light_point, position, (glint_colour)GREY(1));
 
     if (flags & INVERSE_SQUARE)
         light->quadratic = GLINT_Q16(0.25);

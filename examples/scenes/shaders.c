@@ -48,7 +48,7 @@ static const glint_mesh *const meshes[3][2] = {{&torus12x8_mesh, &torus48x24_mes
                                                {&sphere10x6_mesh, &sphere48x32_mesh}};
 
 static const struct {
-    const glint_model *model;
+    const glint_shading_model *model;
     const glint_evaluation *evaluation;
 } shaders[] = {
     {&glint_model_phong, &glint_per_vertex},
@@ -57,14 +57,14 @@ static const struct {
     {&glint_model_lambert, &glint_per_fragment},
 };
 
-/* Scale, turns about x and z, and light that put a highlight where the shape can show it. */
+/* Scale, turns about x and z, and a direction of light that put a highlight where the shape can show it. */
 static const struct {
     glint_q16 scale, tilt, lean;
     glint_vector light;
 } views[3] = {
-    {GLINT_Q16(0.74), GLINT_Q16(-35), GLINT_Q16(20), XYZ(-0.5, 0.6, 0.8)},
-    {GLINT_Q16(0.77), GLINT_Q16(-73), GLINT_Q16(-48), XYZ(-0.75, 0.08, 0.65)},
-    {GLINT_Q16(1.05), GLINT_Q16(-70), 0, XYZ(-0.5, 0.6, 0.8)},
+    {GLINT_Q16(0.74), GLINT_Q16(-35), GLINT_Q16(20), XYZ(0.5, -0.6, -0.8)},
+    {GLINT_Q16(0.77), GLINT_Q16(-73), GLINT_Q16(-48), XYZ(0.75, -0.08, -0.65)},
+    {GLINT_Q16(1.05), GLINT_Q16(-70), 0, XYZ(0.5, -0.6, -0.8)},
 };
 
 static glint_pose place(uint32_t shape, glint_q16 x, glint_q16 y) {
@@ -89,7 +89,7 @@ static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
     stage_clear(stage, (glint_colour)GREY(0));
     stage_look(stage, eye, at, GLINT_Q16(7.9));
     stage->scene.ambient = light;
-    stage_light(stage, &glint_light_directional, views[shape].light, light);
+    stage_sun(stage, views[shape].light, light);
     for (uint32_t row = 0; row < 2; row++) {
         for (uint32_t i = 0; i < COUNT_OF(shaders); i++) {
             const glint_material material = glint_material_paint(shaders[i].model, paint, GLINT_Q16(0.2), shininess);

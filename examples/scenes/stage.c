@@ -21,12 +21,22 @@ void stage_look(example_stage *stage, glint_vector eye, glint_vector at, glint_q
     (void)glint_camera_look_at(&stage->scene.camera, eye, at, up); /* fails for no scene: none looks straight down */
 }
 
-glint_light *stage_light(example_stage *stage, const glint_light_type *type, glint_vector vector, glint_colour colour) {
-    const glint_light light = {type, vector, colour, colour};
+static glint_light *add_light(example_stage *stage, glint_light light) {
     glint_light *added = &stage->lights[stage->scene.light_count++];
 
     *added = light;
     return added;
+}
+
+glint_light *stage_sun(example_stage *stage, glint_vector direction, glint_colour colour) {
+    return add_light(stage, glint_sun(direction, colour));
+}
+
+glint_light *stage_lamp(example_stage *stage, const glint_light_type *type, glint_vector position,
+                        glint_colour colour) {
+    const glint_light light = {.type = type, .position = position, .diffuse = colour, .specular = colour};
+
+    return add_light(stage, light);
 }
 
 glint_object *stage_add(example_stage *stage, const glint_mesh *mesh, const glint_material *material,

@@ -21,8 +21,11 @@ void stage_clear(example_stage *stage, glint_colour background);
 /** Sets the camera, y up. `eye` must not be straight above or below `at`. */
 void stage_look(example_stage *stage, glint_vector eye, glint_vector at, glint_q16 field_of_view);
 
-/** Adds a light of one colour without attenuation; the caller may change it. */
-glint_light *stage_light(example_stage *stage, const glint_light_type *type, glint_vector vector, glint_colour colour);
+/** Adds a directional light of one colour that shines in a direction; the caller may change it. */
+glint_light *stage_sun(example_stage *stage, glint_vector direction, glint_colour colour);
+
+/** Adds a point light or a spot of one colour without attenuation; the caller may change it. */
+glint_light *stage_lamp(example_stage *stage, const glint_light_type *type, glint_vector position, glint_colour colour);
 
 /** Adds an object with a copy of `material`; the caller may change it. */
 glint_object *stage_add(example_stage *stage, const glint_mesh *mesh, const glint_material *material,

@@ -96,9 +96,12 @@ static void add_terms(example_stage *stage) {
 
 static void add_ungated(example_stage *stage) {
     for (int i = 0; i < 2; i++) {
-        const glint_material material = {
-            &glint_model_blinn_phong,      part(blue, GLINT_Q16(0.3)), blue, GREY(0.8), GLINT_Q16(12),
-            i ? GLINT_MATERIAL_UNGATED : 0};
+        const glint_material material = {&glint_model_blinn_phong,
+                                         part(blue, GLINT_Q16(0.3)),
+                                         blue,
+                                         GREY(0.8),
+                                         GLINT_Q16(12),
+                                         i ? GLINT_MATERIAL_SPECULAR_UNGATED : 0};
 
         add(stage, &sphere48x32_mesh, i, 2, GLINT_Q16(0.95), &material);
     }
@@ -133,14 +136,14 @@ static void add_twice(example_stage *stage) {
 static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
     static void (*const adders[])(example_stage * stage) = {add_metal,     add_terms, add_ungated,
                                                             add_exponents, add_twice, add_twice};
-    static const glint_vector lights[] = {XYZ(-0.4, 0.6, 0.8), XYZ(-0.4, 0.6, 0.8), XYZ(0.5, 0.35, -0.6),
-                                          XYZ(-0.4, 0.6, 0.8), XYZ(-0.06, 0.09, 1), XYZ(-1, 0.35, 0.15)};
+    static const glint_vector directions[] = {XYZ(0.4, -0.6, -0.8), XYZ(0.4, -0.6, -0.8), XYZ(-0.5, -0.35, 0.6),
+                                              XYZ(0.4, -0.6, -0.8), XYZ(0.06, -0.09, -1), XYZ(1, -0.35, -0.15)};
     const glint_vector eye = XYZ(0, 0, 180), at = XYZ(0, 0, 0);
 
     (void)frame;
     stage_clear(stage, (glint_colour)GREY(0));
     stage_look(stage, eye, at, GLINT_Q16(1.0186)); /* from so far that all bodies are seen alike: 50 pixels a unit */
-    stage_light(stage, &glint_light_directional, lights[variant], (glint_colour)GREY(1));
+    stage_sun(stage, directions[variant], (glint_colour)GREY(1));
     adders[variant](stage);
 }
 

@@ -29,10 +29,11 @@ static const struct {
 };
 
 static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
-    const glint_vector light = XYZ(-0.45, 0.8, 0.75), eye = XYZ(0, 3.2, 8.5), at = XYZ(0, -0.05, 0);
+    const glint_vector light = XYZ(0.45, -0.8, -0.75), eye = XYZ(0, 3.2, 8.5), at = XYZ(0, -0.05, 0);
     /* The larger of ambient and the rest: its shadows are all one colour. */
-    const glint_material plastic = {&glint_model_blinn_phong,   RGB(0.11, 0.15, 0.22), RGB(0.34, 0.46, 0.66), GREY(0.7),
-                                    options[variant].shininess, GLINT_MATERIAL_MAX};
+    const glint_material plastic = {&glint_model_blinn_phong,   RGB(0.11, 0.15, 0.22),
+                                    RGB(0.34, 0.46, 0.66),      GREY(0.7),
+                                    options[variant].shininess, GLINT_MATERIAL_MAX_WITH_AMBIENT};
     glint_material gold = plastic;
     const glint_evaluation *evaluation = options[variant].evaluation;
     const glint_q16 turn = (glint_q16)(frame % FRAMES) * (360 / FRAMES) * GLINT_ONE;
@@ -46,7 +47,7 @@ static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
     gold.specular = (glint_colour)RGB(0.9, 0.6, 0.22); /* a metal's highlight has the metal's own hue */
     stage_clear(stage, (glint_colour)RGB(0, 0, 0));
     stage_look(stage, eye, at, GLINT_Q16(14));
-    stage_light(stage, &glint_light_directional, light, (glint_colour)GREY(1));
+    stage_sun(stage, light, (glint_colour)GREY(1));
     stage_add(stage, &teapot_mesh, &plastic, &pot)->evaluation = evaluation;
     stage_add(stage, options[variant].torus, &gold, &ring)->evaluation = evaluation;
 }

@@ -28,9 +28,9 @@ static const glint_mesh *mesh_of(uint32_t variant) {
 }
 
 static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
-    const glint_vector rear_left = XYZ(-1, 0, -0.5), front_upper_right = XYZ(1, 1, 0.5);
+    const glint_vector from_rear_left = XYZ(1, 0, 0.5), from_front_upper_right = XYZ(-1, -1, -0.5);
     const glint_vector eye = XYZ(0, 0, 16), at = XYZ(0, 0, 0);
-    const glint_model *shiny = variant == BLINN_PHONG ? &glint_model_blinn_phong : &glint_model_phong;
+    const glint_shading_model *shiny = variant == BLINN_PHONG ? &glint_model_blinn_phong : &glint_model_phong;
     /* Ambient light of 0.2, tinted with the paint. */
     glint_material material = {&glint_model_lambert, RGB(0.17, 0.07, 0.05), RGB(0.6, 0.23, 0.15), GREY(0.4), 0, 0};
 
@@ -41,8 +41,8 @@ static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
     }
     stage_clear(stage, (glint_colour)RGB(0, 0, 0));
     stage_look(stage, eye, at, GLINT_Q16(12));
-    stage_light(stage, &glint_light_directional, rear_left, (glint_colour)RGB(0.3, 0.4, 0.6));
-    stage_light(stage, &glint_light_directional, front_upper_right, (glint_colour)GREY(1));
+    stage_sun(stage, from_rear_left, (glint_colour)RGB(0.3, 0.4, 0.6));
+    stage_sun(stage, from_front_upper_right, (glint_colour)GREY(1));
     for (int i = 0; i < 3; i++) {
         /* turned, so that no vertex lies right where a light begins */
         const glint_pose turn = glint_pose_rotate_z(variant == VERTEX ? GLINT_Q16(7) : 0);

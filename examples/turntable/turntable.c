@@ -10,8 +10,10 @@ const char *turntable_name(turntable_model model) {
 
 /* The benchmark scene: turned about y by 0.3 + 0.1 k and then about x by 0.04 k - 0.9 radians, 3.7 in front. */
 static void set_torus(turntable *table, uint32_t frame) {
-    const glint_light light = {&glint_light_directional, GLINT_VECTOR(0.4, 0.6, 0.7), GLINT_COLOUR(1, 1, 1),
-                               GLINT_COLOUR(1, 1, 1)};
+    const glint_light light = {.type = &glint_light_directional,
+                               .direction = GLINT_VECTOR(-0.4, -0.6, -0.7),
+                               .diffuse = GLINT_COLOUR(1, 1, 1),
+                               .specular = GLINT_COLOUR(1, 1, 1)};
     const glint_material material = {&glint_model_blinn_phong, GLINT_COLOUR(0.135, 0.075, 0.045),
                                      GLINT_COLOUR(0.765, 0.425, 0.255), GLINT_COLOUR(0.5, 0.5, 0.5), GLINT_Q16(32)};
     const glint_q16 k = (glint_q16)(frame % 256);
@@ -33,10 +35,14 @@ static void set_torus(turntable *table, uint32_t frame) {
 
 /* A tenth of a turn a frame; the camera stands still, a little above. */
 static void set_teapot(turntable *table, uint32_t frame) {
-    const glint_light key = {&glint_light_directional, GLINT_VECTOR(-0.5, 0.8, 0.7), GLINT_COLOUR(0.9, 0.9, 0.9),
-                             GLINT_COLOUR(0.8, 0.8, 0.8)};
-    const glint_light rim = {&glint_light_directional, GLINT_VECTOR(1, 0.2, -0.6), GLINT_COLOUR(0.3, 0.3, 0.3),
-                             GLINT_COLOUR(0.4, 0.4, 0.4)};
+    const glint_light key = {.type = &glint_light_directional,
+                             .direction = GLINT_VECTOR(0.5, -0.8, -0.7),
+                             .diffuse = GLINT_COLOUR(0.9, 0.9, 0.9),
+                             .specular = GLINT_COLOUR(0.8, 0.8, 0.8)};
+    const glint_light rim = {.type = &glint_light_directional,
+                             .direction = GLINT_VECTOR(-1, -0.2, 0.6),
+                             .diffuse = GLINT_COLOUR(0.3, 0.3, 0.3),
+                             .specular = GLINT_COLOUR(0.4, 0.4, 0.4)};
     const glint_material material = {&glint_model_blinn_phong, GLINT_COLOUR(0.7, 0.7, 0.7), GLINT_COLOUR(0.7, 0.7, 0.7),
                                      GLINT_COLOUR(0.6, 0.6, 0.6), GLINT_Q16(50)};
     const glint_pose back = glint_pose_translate(0, 0, GLINT_Q16(2.75));

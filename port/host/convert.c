@@ -208,13 +208,13 @@ static void print_attribute(const header_writer *writer, bool is_array, const ch
     if (is_array) {
         bytes_print(writer->out, "    {0, 0, 0}, /* %s */\n", what);
     } else {
-        bytes_print(writer->out, "    {&glint_type_%s, %s_%s%s, 0},\n", type, writer->name, what, suffix);
+        bytes_print(writer->out, "    {&glint_attribute_%s, %s_%s%s, 0},\n", type, writer->name, what, suffix);
     }
 }
 
 static void print_layout(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {
     const quantise_types *types = &writer->mesh->types;
-    bytes_print(writer->out, "\nstatic const glint_layout %s_layout%s = {\n", writer->name, suffix);
+    bytes_print(writer->out, "\nstatic const glint_mesh_layout %s_layout%s = {\n", writer->name, suffix);
     print_attribute(writer, types->positions == QUANTISE_POSITIONS_INT16, "int8", "positions", suffix);
     print_attribute(writer, types->normals == QUANTISE_NORMALS_INT16,
                     types->normals == QUANTISE_NORMALS_OCTAHEDRAL ? "octahedral8" : "octahedral16", "normals", suffix);

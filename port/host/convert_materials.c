@@ -68,7 +68,7 @@ header_suffix *convert_suffixes(const host_materials *materials, const quantised
 
 /* ---- Materials and objects -------------------------------------------------------------------------------------- */
 
-static const char *model_name(const glint_model *model) {
+static const char *model_name(const glint_shading_model *model) {
     return model == &glint_model_lambert ? "lambert" : model == &glint_model_unlit ? "unlit" : "blinn_phong";
 }
 

@@ -82,12 +82,17 @@ static bool parse_strength(const light_field *fields, size_t count, glint_light 
 static bool parse_fields(const light_kind *kind, const light_field *fields, size_t count, glint_light *light,
                          host_problem *problem) {
     light->type = kind->type;
-    const bool far = kind->type == &glint_light_directional;
-    if (!(far ? value_direction : value_vector)(fields[0].start, fields[0].length, &light->vector, problem)) {
+    if (kind->type == &glint_light_directional) {
+        glint_vector from; /* no number of it is below -32767 */
+        if (!value_direction(fields[0].start, fields[0].length, &from, problem)) {
+            return false;
+        }
+        light->direction = (glint_vector){-from.x, -from.y, -from.z};
+    } else if (!value_vector(fields[0].start, fields[0].length, &light->position, problem)) {
         return false;
     }
     if (kind->type == &glint_light_spot &&
-        (!value_direction(fields[1].start, fields[1].length, &light->axis, problem) ||
+        (!value_direction(fields[1].start, fields[1].length, &light->direction, problem) ||
          !parse_cone(fields[2], light, problem))) {
         return false;
     }

@@ -13,7 +13,7 @@
 bool parse_model(host_settings *settings, const char *text, host_problem *problem) {
     static const struct {
         const char *name;
-        const glint_model *model;
+        const glint_shading_model *model;
     } models[] = {
         {"lambert", &glint_model_lambert},
         {"phong", &glint_model_phong},
@@ -53,15 +53,15 @@ bool parse_combine(host_settings *settings, const char *text, host_problem *prob
     if (!larger && strcmp(text, "sum") != 0) {
         return value_expected(problem, "takes sum or max");
     }
-    settings->material_flags &= ~GLINT_MATERIAL_MAX;
-    settings->material_flags |= larger ? GLINT_MATERIAL_MAX : 0;
+    settings->material_flags &= ~GLINT_MATERIAL_MAX_WITH_AMBIENT;
+    settings->material_flags |= larger ? GLINT_MATERIAL_MAX_WITH_AMBIENT : 0;
     return true;
 }
 
 bool parse_ungated(host_settings *settings, const char *text, host_problem *problem) {
     (void)text;
     (void)problem;
-    settings->material_flags |= GLINT_MATERIAL_UNGATED;
+    settings->material_flags |= GLINT_MATERIAL_SPECULAR_UNGATED;
     return true;
 }
 

@@ -55,7 +55,7 @@ typedef struct host_settings {
     bool scale_fit;      /**< In place of it the power of ten that suits Q16.16. */
     bool centre, z_up;
 
-    const glint_model *reflection;
+    const glint_shading_model *reflection;
     const glint_evaluation *evaluation;
     glint_colour ambient, diffuse, specular, background;
     glint_q16 shininess;

@@ -181,9 +181,9 @@ double view_framing_distance(const host_settings *settings, double half_side) {
 
 /** From the upper left of the camera and half behind it, white. */
 static glint_light default_light(const glint_camera *camera) {
-    static const vector3 direction = {{-0.5, 0.7, 0.7}};
+    static const vector3 direction = {{0.5, -0.7, -0.7}};
     glint_light light = {.type = &glint_light_directional, .diffuse = settings_grey(1), .specular = settings_grey(1)};
-    light.vector = to_q16(transform(&camera->pose, direction, 0.0));
+    light.direction = to_q16(transform(&camera->pose, direction, 0.0));
     return light;
 }
 
@@ -195,16 +195,15 @@ static glint_vector turn_direction(const glint_pose *pose, glint_vector directio
 
 /** Takes a light from camera space to world space. @return false with a problem when it then lies too far out */
 static bool place_light(const glint_camera *camera, glint_light *light, host_problem *problem) {
-    light->axis = turn_direction(&camera->pose, light->axis);
+    light->direction = turn_direction(&camera->pose, light->direction);
     if (light->type == &glint_light_directional) {
-        light->vector = turn_direction(&camera->pose, light->vector);
         return true;
     }
-    const vector3 place = transform(&camera->pose, from_q16(light->vector), 1.0);
+    const vector3 place = transform(&camera->pose, from_q16(light->position), 1.0);
     if (reach_of(place) > NUMBER_Q16_MAX) {
         return problem_set(problem, 0, "--camera-lights: a light lies beyond +-32767 in world space");
     }
-    light->vector = to_q16(place);
+    light->position = to_q16(place);
     return true;
 }
 

@@ -13,11 +13,11 @@ static int colour_is_valid(const glint_colour *colour) {
 
 /* Attributes in place of arrays. What checks them is linked with any type. */
 static glint_status check_layout(const glint_mesh *mesh) {
-    const glint_layout *layout = mesh->layout;
-    const glint_type *const type = layout->positions.type   ? layout->positions.type
-                                   : layout->normals.type   ? layout->normals.type
-                                   : layout->triangles.type ? layout->triangles.type
-                                                            : layout->colours.type;
+    const glint_mesh_layout *layout = mesh->layout;
+    const glint_attribute_type *const type = layout->positions.type   ? layout->positions.type
+                                             : layout->normals.type   ? layout->normals.type
+                                             : layout->triangles.type ? layout->triangles.type
+                                                                      : layout->colours.type;
     if (type)
         return type->stage->check(mesh);
     return mesh->positions && mesh->normals && mesh->triangles ? GLINT_OK : GLINT_ERROR_NULL;
@@ -51,7 +51,7 @@ static glint_status check_material(const glint_material *material) {
     if (!colour_is_valid(&material->ambient) || !colour_is_valid(&material->diffuse) ||
         !colour_is_valid(&material->specular))
         return GLINT_ERROR_COLOUR;
-    if (material->flags > (GLINT_MATERIAL_UNGATED | GLINT_MATERIAL_MAX))
+    if (material->flags > (GLINT_MATERIAL_SPECULAR_UNGATED | GLINT_MATERIAL_MAX_WITH_AMBIENT))
         return GLINT_ERROR_FLAGS;
     return material->shininess < 0 ? GLINT_ERROR_SHININESS : GLINT_OK;
 }

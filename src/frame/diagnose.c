@@ -54,14 +54,14 @@ static glint_status check_memory(const glint_config *config, const glint_need *n
 /* ---- Parts of a scene ---- */
 
 /* Is there neither an array nor an attribute in place of it? */
-static int is_missing(const void *array, const glint_attribute *attribute) {
+static int is_missing(const void *array, const glint_mesh_attribute *attribute) {
     return !array && (!attribute->type || !attribute->data);
 }
 
 static const char *name_null_of_object(const glint_object *object) {
-    static const glint_layout none = {{0}, {0}, {0}, {0}};
+    static const glint_mesh_layout none = {{0}, {0}, {0}, {0}};
     const glint_mesh *const mesh = object->mesh;
-    const glint_layout *const layout = mesh && mesh->layout ? mesh->layout : &none;
+    const glint_mesh_layout *const layout = mesh && mesh->layout ? mesh->layout : &none;
     return !mesh                                             ? "an object's mesh is null"
            : is_missing(mesh->positions, &layout->positions) ? "a mesh's positions are null"
            : is_missing(mesh->normals, &layout->normals)     ? "a mesh's normals are null"
@@ -193,7 +193,7 @@ static void remark_numbers(const glint_config *config, const glint_scene *scene,
     }
     for (uint32_t i = 0; i < scene->light_count; i++) {
         const glint_light *const light = &scene->lights[i];
-        const glint_q16 at[3] = {light->vector.x, light->vector.y, light->vector.z};
+        const glint_q16 at[3] = {light->position.x, light->position.y, light->position.z};
         const subject about = {-1, (int32_t)i};
         if (is_hardly_meant_colour(&light->diffuse))
             remark(report, about, "a light's colour is below 1/128: is it GLINT_Q16(1), not 1?");

@@ -202,7 +202,7 @@ static glint_status begin_pass(glint_frame *frame) {
     return status == GLINT_OK ? bin_tiles(frame) : status;
 }
 
-int glint_frame_next(glint_frame *frame) {
+int glint_frame_next_pass(glint_frame *frame) {
     if (!frame || !frame->scene)
         return GLINT_ERROR_NULL;
     if (!advance(frame))

@@ -11,7 +11,7 @@
 /* ---- Check ---- */
 
 /* May an attribute be read for one use? */
-static glint_status check_attribute(const glint_attribute *a, uint32_t use) {
+static glint_status check_attribute(const glint_mesh_attribute *a, uint32_t use) {
     if (!a->type || !a->data)
         return GLINT_ERROR_NULL;
     if (!(a->type->uses & use))
@@ -23,7 +23,7 @@ static glint_status check_attribute(const glint_attribute *a, uint32_t use) {
 }
 
 static glint_status check_layout_of(const glint_mesh *mesh) {
-    const glint_layout *layout = mesh->layout;
+    const glint_mesh_layout *layout = mesh->layout;
     glint_status status = mesh->positions ? GLINT_OK : check_attribute(&layout->positions, GLINT_OF_POSITIONS);
     if (status == GLINT_OK && !mesh->normals)
         status = check_attribute(&layout->normals, GLINT_OF_NORMALS);
@@ -56,7 +56,7 @@ static void transform_fetched(const glint_transform *transform, const glint_mesh
  * they are. Until then no flag but that of clipping is set, and their numbers stand in attribute[0]. */
 static void light_fetched(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
                           uint32_t triangle) {
-    const glint_layout *layout = frame->scene->objects[draw->object].mesh->layout;
+    const glint_mesh_layout *layout = frame->scene->objects[draw->object].mesh->layout;
     const uint16_t *const corners = draw->triangles[triangle];
     int16_t fetched[3][3];
     for (int corner = 0; corner < 3; corner++) {

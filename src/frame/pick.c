@@ -71,7 +71,7 @@ int glint_pick(glint_renderer *renderer, const glint_scene *scene, int x, int y,
     config.arena = memory + buffers;
     config.arena_size -= buffers;
     int status = glint_frame_begin(&frame, &config, scene);
-    while (status == GLINT_OK && (status = glint_frame_next(&frame)) > 0) {
+    while (status == GLINT_OK && (status = glint_frame_next_pass(&frame)) > 0) {
         pick_pass(&frame, &p);
         status = GLINT_OK;
     }

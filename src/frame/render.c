@@ -69,7 +69,7 @@ static int finish_tile(sender *s, const glint_frame *frame, glint_workspace *wor
 
 static glint_status render_passes(glint_frame *frame, glint_workspace *workspace, sender *s) {
     int pass;
-    while ((pass = glint_frame_next(frame)) > 0) {
+    while ((pass = glint_frame_next_pass(frame)) > 0) {
         workspace->spare = glint_find_spare(frame);
         for (uint32_t tile = frame->tile_first; tile < frame->tile_end; tile++) {
             const int finished = finish_tile(s, frame, workspace, tile);

@@ -25,7 +25,7 @@ extern const glint_layout_stage glint_layouts;
 /** What types serve, as bits. */
 enum { GLINT_OF_POSITIONS = 1, GLINT_OF_NORMALS = 2, GLINT_OF_TRIANGLES = 4, GLINT_OF_COLOURS = 8 };
 
-struct glint_type {
+struct glint_attribute_type {
     uint8_t uses, size, alignment;
     /** Decodes `count` of them to three numbers each, as a mesh's own arrays have them; of colours, 2^15 less 1 is 1.
      */
@@ -34,7 +34,7 @@ struct glint_type {
 };
 
 /** Decodes `count` of an attribute from number `first` on. */
-static inline void glint_fetch(const glint_attribute *from, uint32_t first, uint32_t count, int16_t (*to)[3]) {
+static inline void glint_fetch(const glint_mesh_attribute *from, uint32_t first, uint32_t count, int16_t (*to)[3]) {
     const size_t stride = from->stride ? from->stride : from->type->size;
     from->type->fetch((const uint8_t *)from->data + first * stride, stride, count, to);
 }

@@ -14,5 +14,5 @@ static void fetch565(const uint8_t *from, size_t stride, uint32_t count, int16_t
             to[i][c] = glint_channel_from565(*(const uint16_t *)(const void *)from, c);
 }
 
-const glint_type glint_type_rgb888 = {GLINT_OF_COLOURS, 3, 1, fetch888, &glint_layouts};
-const glint_type glint_type_rgb565 = {GLINT_OF_COLOURS, 2, 2, fetch565, &glint_layouts};
+const glint_attribute_type glint_attribute_rgb888 = {GLINT_OF_COLOURS, 3, 1, fetch888, &glint_layouts};
+const glint_attribute_type glint_attribute_rgb565 = {GLINT_OF_COLOURS, 2, 2, fetch565, &glint_layouts};

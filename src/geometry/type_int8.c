@@ -8,4 +8,5 @@ static void fetch_int8(const uint8_t *from, size_t stride, uint32_t count, int16
             to[i][c] = (int16_t)((int8_t)from[c] * 256);
 }
 
-const glint_type glint_type_int8 = {GLINT_OF_POSITIONS | GLINT_OF_NORMALS, 3, 1, fetch_int8, &glint_layouts};
+const glint_attribute_type glint_attribute_int8 = {GLINT_OF_POSITIONS | GLINT_OF_NORMALS, 3, 1, fetch_int8,
+                                                   &glint_layouts};

@@ -28,5 +28,5 @@ static void fetch16(const uint8_t *from, size_t stride, uint32_t count, int16_t 
     }
 }
 
-const glint_type glint_type_octahedral8 = {GLINT_OF_NORMALS, 2, 1, fetch8, &glint_layouts};
-const glint_type glint_type_octahedral16 = {GLINT_OF_NORMALS, 4, 2, fetch16, &glint_layouts};
+const glint_attribute_type glint_attribute_octahedral8 = {GLINT_OF_NORMALS, 2, 1, fetch8, &glint_layouts};
+const glint_attribute_type glint_attribute_octahedral16 = {GLINT_OF_NORMALS, 4, 2, fetch16, &glint_layouts};

@@ -8,4 +8,4 @@ static void fetch_uint8(const uint8_t *from, size_t stride, uint32_t count, int1
             to[i][c] = from[c];
 }
 
-const glint_type glint_type_uint8 = {GLINT_OF_TRIANGLES, 3, 1, fetch_uint8, &glint_layouts};
+const glint_attribute_type glint_attribute_uint8 = {GLINT_OF_TRIANGLES, 3, 1, fetch_uint8, &glint_layouts};

@@ -10,5 +10,6 @@ static void fetch_words(const uint8_t *from, size_t stride, uint32_t count, int1
     }
 }
 
-const glint_type glint_type_int16 = {GLINT_OF_POSITIONS | GLINT_OF_NORMALS, 6, 2, fetch_words, &glint_layouts};
-const glint_type glint_type_uint16 = {GLINT_OF_TRIANGLES, 6, 2, fetch_words, &glint_layouts};
+const glint_attribute_type glint_attribute_int16 = {GLINT_OF_POSITIONS | GLINT_OF_NORMALS, 6, 2, fetch_words,
+                                                    &glint_layouts};
+const glint_attribute_type glint_attribute_uint16 = {GLINT_OF_TRIANGLES, 6, 2, fetch_words, &glint_layouts};

@@ -11,7 +11,7 @@
 
 /* ---- An object's lights ---- */
 
-int32_t glint_corner_turn(const glint_corner_space *space, const int64_t world[3], int32_t to[3]) {
+static int32_t turn_vector(const glint_corner_space *space, const int64_t world[3], int32_t to[3]) {
     int32_t reduced[3];
     int64_t sum[3];
     const unsigned down = glint_reduce(world, reduced);
@@ -159,7 +159,7 @@ static int32_t bring_place(const glint_corner_space *space, const int32_t world[
     uint32_t most = 0;
     for (int i = 0; i < 3; i++)
         way[i] = (int64_t)world[i] * (1 << 12) - space->middle[i];
-    const int32_t exact = glint_corner_turn(space, way, to->at) - space->exponent, shift = glint_most(exact, 0);
+    const int32_t exact = turn_vector(space, way, to->at) - space->exponent, shift = glint_most(exact, 0);
     to->shift = (uint8_t)glint_least(shift, 31);
     for (int i = 0; i < 3; i++) {
         if (exact < 0)
@@ -172,20 +172,24 @@ static int32_t bring_place(const glint_corner_space *space, const int32_t world[
     return shift;
 }
 
-static void bring_direction(const glint_corner_space *space, const int32_t world[3], int32_t to[3]) {
-    const int64_t wide[3] = {world[0], world[1], world[2]};
+static void bring_direction(const glint_corner_space *space, const int64_t world[3], int32_t to[3]) {
     int32_t exponent;
-    glint_corner_turn(space, wide, to);
+    turn_vector(space, world, to);
     glint_corner_unit(to, &exponent);
 }
 
+void glint_corner_towards(const glint_corner_space *space, const glint_light *light, int32_t to[3]) {
+    const int64_t towards[3] = {-(int64_t)light->direction.x, -(int64_t)light->direction.y,
+                                -(int64_t)light->direction.z};
+    bring_direction(space, towards, to);
+}
+
 static void bring_light(const glint_corner_space *space, const glint_light *light, glint_corner_light *to) {
-    const int32_t vector[3] = {light->vector.x, light->vector.y, light->vector.z};
-    if (!light->type->bring) {
-        bring_direction(space, vector, to->place.at);
-        return;
-    }
-    light->type->bring(light, space, bring_place(space, vector, &to->place) + space->exponent, to);
+    const int32_t position[3] = {light->position.x, light->position.y, light->position.z};
+    if (light->type->bring)
+        light->type->bring(light, space, bring_place(space, position, &to->place) + space->exponent, to);
+    else
+        glint_corner_towards(space, light, to->place.at);
 }
 
 /* Sets products of two extents, the largest brought to 30 bits. */
@@ -214,15 +218,17 @@ static void bring_lights(const glint_frame *frame, const glint_draw *draw, glint
     to->is_cubic = extent->x == extent->y && extent->y == extent->z;
     if (draw->facets && !to->is_cubic)
         set_areas(extent, to->area);
-    to->takes_largest = flags & GLINT_MATERIAL_MAX && shading->material->model->is_lit;
+    to->takes_largest = flags & GLINT_MATERIAL_MAX_WITH_AMBIENT && shading->material->model->is_lit;
     if (!lights)
         return;
     set_space(&space, to, frame->view, object);
+    const int32_t *const back = frame->view->rotation[2];
+    const int64_t towards_eye[3] = {back[0], back[1], back[2]};
     to->is_local = frame->view->local_viewer;
     if (to->is_local)
         bring_place(&space, frame->view->eye, &to->eye);
     else
-        bring_direction(&space, frame->view->rotation[2], to->eye.at);
+        bring_direction(&space, towards_eye, to->eye.at);
     for (uint32_t i = 0; lights >> i; i++) {
         glint_corner_light *light = &to->lights[to->count];
         if (!(lights >> i & 1))
@@ -231,7 +237,7 @@ static void bring_lights(const glint_frame *frame, const glint_draw *draw, glint
         light->reach = light->source->type->reach;
         light->weights = &shading->weights[i];
         light->shines = shading->has_specular >> i & 1;
-        light->is_gated = !(flags & GLINT_MATERIAL_UNGATED);
+        light->is_gated = !(flags & GLINT_MATERIAL_SPECULAR_UNGATED);
         bring_light(&space, &frame->scene->lights[i], light);
         to->count++;
     }

@@ -85,11 +85,8 @@ typedef struct glint_corner_sight {
 /** Bytes of the lights at corners that a scene has; 0 where no object is lit at its corners. */
 size_t glint_corners_size(const glint_scene *scene);
 
-/**
- * Turns a vector of the world.
- * @return n: what it is in Q28 is turned to 2^n times `to`, of 30 bits
- */
-int32_t glint_corner_turn(const glint_corner_space *space, const int64_t world[3], int32_t to[3]);
+/** Brings the opposite of a light's direction to an object's space, unit, 1 = GLINT_UNIT. */
+void glint_corner_towards(const glint_corner_space *space, const glint_light *light, int32_t to[3]);
 
 /**
  * Makes a vector below 2^31 - 2^15 unit, 1 = GLINT_UNIT, each component off by at most 2.3 steps; 0 stays 0.

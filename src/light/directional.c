@@ -6,7 +6,7 @@
 
 static glint_status prepare_directional(const glint_light *light, glint_prepared_light *prepared,
                                         const glint_view *view) {
-    if (!glint_direction_to_camera(view, light->vector, prepared->direction))
+    if (!glint_light_to_camera(view, light, 1, prepared->direction))
         return GLINT_ERROR_DIRECTION;
     /* H = L + V, V = (0, 0, 1). L is up to 2.3 steps too long or too short: a z of 2 or less may be all rounding. */
     const int32_t z = prepared->direction[2] + GLINT_UNIT;

@@ -101,10 +101,10 @@ static GLINT_NOINLINE void set_lamps(glint_row_walk *walk) {
     glint_drawn_lamp *to = lamps->lamps;
     walk->lit = draw;
     lamps->shading = shading;
-    lamps->gate = shading->material->flags & GLINT_MATERIAL_UNGATED ? INT32_MIN : 0;
+    lamps->gate = shading->material->flags & GLINT_MATERIAL_SPECULAR_UNGATED ? INT32_MIN : 0;
     lamps->near_gate = lamps->gate ? lamps->gate : -GATE_MARGIN;
     lamps->far_gate = lamps->gate ? lamps->gate : GATE_MARGIN;
-    lamps->takes_most = (shading->material->flags & GLINT_MATERIAL_MAX) != 0;
+    lamps->takes_most = (shading->material->flags & GLINT_MATERIAL_MAX_WITH_AMBIENT) != 0;
     lamps->has_colours = draw->extra != 0;
     lamps->is_local = view->local_viewer;
     lamps->least_view = view->local_viewer ? 1u << 28 : UINT32_MAX;

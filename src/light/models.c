@@ -19,21 +19,21 @@ static void prepare_unlit(glint_shading *shading, uint32_t largest_specular) {
     shading->ambient[2] = (uint32_t)colour->b << 7;
 }
 
-const glint_model glint_model_unlit = {.prepare = prepare_unlit, .lobe = GLINT_LOBE_OTHER};
+const glint_shading_model glint_model_unlit = {.prepare = prepare_unlit, .lobe = GLINT_LOBE_OTHER};
 
 /* Matt surfaces (Lambert, 1760): ambient and diffuse light only. */
-const glint_model glint_model_lambert = {.is_lit = 1, .reflect = glint_reflect_matt, .lobe = GLINT_LOBE_NONE};
+const glint_shading_model glint_model_lambert = {.is_lit = 1, .reflect = glint_reflect_matt, .lobe = GLINT_LOBE_NONE};
 
 /* Phong lighting (Phong, 1975): highlights by the mirrored light R = 2 (N.L) N - L. */
-const glint_model glint_model_phong = {.prepare = prepare_specular,
-                                       .is_lit = 1,
-                                       .reflect = glint_reflect_mirror,
-                                       .lobe = GLINT_LOBE_MIRROR,
-                                       .highlight = glint_highlight_of_mirror};
+const glint_shading_model glint_model_phong = {.prepare = prepare_specular,
+                                               .is_lit = 1,
+                                               .reflect = glint_reflect_mirror,
+                                               .lobe = GLINT_LOBE_MIRROR,
+                                               .highlight = glint_highlight_of_mirror};
 
 /* Blinn-Phong lighting (Blinn, 1977): highlights by the half vector H = L + V. */
-const glint_model glint_model_blinn_phong = {.prepare = prepare_specular,
-                                             .is_lit = 1,
-                                             .reflect = glint_reflect_half,
-                                             .lobe = GLINT_LOBE_HALF_VECTOR,
-                                             .highlight = glint_highlight_of_half_vector};
+const glint_shading_model glint_model_blinn_phong = {.prepare = prepare_specular,
+                                                     .is_lit = 1,
+                                                     .reflect = glint_reflect_half,
+                                                     .lobe = GLINT_LOBE_HALF_VECTOR,
+                                                     .highlight = glint_highlight_of_half_vector};

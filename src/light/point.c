@@ -51,7 +51,7 @@ static void place_lamp(const glint_light *light, glint_prepared_light *prepared,
 }
 
 void glint_point_place(const glint_light *light, glint_prepared_light *prepared, const glint_view *view) {
-    const int32_t world[3] = {light->vector.x, light->vector.y, light->vector.z};
+    const int32_t world[3] = {light->position.x, light->position.y, light->position.z};
     int64_t relative[3];
     int32_t reduced[3];
     for (int i = 0; i < 3; i++) {

@@ -114,13 +114,11 @@ static inline uint32_t find_part(const glint_prepared_light *light, int32_t cosi
 
 void glint_spot_bring(const glint_light *light, const glint_corner_space *space, int32_t place_exponent,
                       glint_corner_light *to) {
-    const int64_t axis[3] = {-(int64_t)light->axis.x, -(int64_t)light->axis.y, -(int64_t)light->axis.z};
-    int32_t turned[3], exponent;
+    int32_t towards[3];
     glint_point_bring(light, space, place_exponent, to);
-    glint_corner_turn(space, axis, turned);
-    glint_corner_unit(turned, &exponent);
+    glint_corner_towards(space, light, towards);
     for (int i = 0; i < 3; i++)
-        to->axis[i] = (int16_t)turned[i];
+        to->axis[i] = (int16_t)towards[i];
     to->axis_excess = glint_dot(to->axis, to->axis) - glint_dot(to->source->direction, to->source->direction);
 }
 

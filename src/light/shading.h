@@ -62,7 +62,7 @@ static inline const glint_shading *glint_shading_of(const glint_frame *frame, co
 typedef uint32_t glint_highlight(const glint_power_table *table, const int32_t normal[3], const int32_t light[3],
                                  const int32_t view[3]);
 
-struct glint_model {
+struct glint_shading_model {
     /** Beyond the weights: what `light` needs. May be null. */
     void (*prepare)(glint_shading *shading, uint32_t largest_specular);
     /** Finds the colours of fragments: lamps.h. */

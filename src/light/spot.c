@@ -26,7 +26,7 @@ static glint_status prepare_spot(const glint_light *light, glint_prepared_light 
         return GLINT_ERROR_CONE;
     if (glint_light_grows(light))
         return GLINT_ERROR_ATTENUATION;
-    if (!glint_direction_to_camera(view, light->axis, prepared->direction))
+    if (!glint_light_to_camera(view, light, 0, prepared->direction))
         return GLINT_ERROR_DIRECTION;
     for (int i = 0; i < 3; i++)
         prepared->direction[i] = (int16_t)-prepared->direction[i];
@@ -49,7 +49,7 @@ typedef struct sighted {
 
 static void sight(const glint_light *light, const glint_view *view, const glint_object *object, sighted *to) {
     const glint_vector *const extent = &object->mesh->extent, *const offset = &object->mesh->offset;
-    const int32_t at[3] = {light->vector.x, light->vector.y, light->vector.z},
+    const int32_t at[3] = {light->position.x, light->position.y, light->position.z},
                   size[3] = {extent->x, extent->y, extent->z}, middle[3] = {offset->x, offset->y, offset->z};
     int64_t way[3], half[3][3];
     uint64_t all = 0;

@@ -201,9 +201,9 @@ static glint_status prepare_material(glint_frame *frame, glint_shading *shading)
     if (!suns)
         return GLINT_ERROR_ARENA;
     const uint8_t is_mirror = shading->material->model->lobe == GLINT_LOBE_MIRROR;
-    const int takes_most =
-                  flags & GLINT_MATERIAL_MAX && (shading->ambient[0] | shading->ambient[1] | shading->ambient[2]),
-              is_ungated = flags & GLINT_MATERIAL_UNGATED && shading->has_specular;
+    const int takes_most = flags & GLINT_MATERIAL_MAX_WITH_AMBIENT &&
+                           (shading->ambient[0] | shading->ambient[1] | shading->ambient[2]),
+              is_ungated = flags & GLINT_MATERIAL_SPECULAR_UNGATED && shading->has_specular;
     const uint32_t keeps =
         count > 1 || takes_most || is_ungated || frame->config.format->sun_spans == GLINT_SPANS_OF_ANY ? UINT32_MAX : 0;
     const int is_left = last == suns && suns->is_mirror == is_mirror && suns->keeps == keeps;

@@ -22,31 +22,34 @@ static void set_attenuation(glint_light *light, glint_q16 range) {
     light->linear = (glint_q16)((weakened % square / (uint32_t)range + (1 << 15)) >> 16);
 }
 
-static glint_light begin_light(const glint_light_type *type, glint_vector vector, glint_colour colour) {
+static glint_light begin_light(const glint_light_type *type, glint_colour colour) {
     glint_light light = {0};
     light.type = type;
-    light.vector = vector;
     light.diffuse = light.specular = colour;
     return light;
 }
 
 glint_light glint_sun(glint_vector direction, glint_colour colour) {
-    return begin_light(&glint_light_directional, direction, colour);
+    glint_light light = begin_light(&glint_light_directional, colour);
+    light.direction = direction;
+    return light;
 }
 
 glint_light glint_lamp(glint_vector position, glint_colour colour, glint_q16 range) {
-    glint_light light = begin_light(&glint_light_point, position, colour);
+    glint_light light = begin_light(&glint_light_point, colour);
+    light.position = position;
     set_attenuation(&light, range);
     return light;
 }
 
 glint_light glint_spot(glint_vector position, glint_vector at, glint_colour colour, glint_q16 range, glint_q16 angle) {
-    glint_light light = begin_light(&glint_light_spot, position, colour);
+    glint_light light = begin_light(&glint_light_spot, colour);
     const int64_t way[3] = {(int64_t)at.x - position.x, (int64_t)at.y - position.y, (int64_t)at.z - position.z};
-    int32_t axis[3];
+    int32_t direction[3];
     set_attenuation(&light, range);
-    glint_reduce(way, axis);
-    light.axis = (glint_vector){axis[0], axis[1], axis[2]};
+    glint_reduce(way, direction);
+    light.position = position;
+    light.direction = (glint_vector){direction[0], direction[1], direction[2]};
     light.inner = angle / 2;
     light.outer = angle;
     return light;

@@ -45,7 +45,8 @@ static glint_q16 place_on_screen(int64_t x, int64_t distance, int64_t focal, int
     return place > INT32_MAX ? INT32_MAX : place < INT32_MIN ? INT32_MIN : (glint_q16)place;
 }
 
-int glint_camera_project(const glint_config *config, const glint_camera *camera, glint_vector point, glint_place *to) {
+int glint_camera_project(const glint_config *config, const glint_camera *camera, glint_vector point,
+                         glint_screen_point *to) {
     const glint_status status = to ? glint_check_sight(config, camera) : GLINT_ERROR_NULL;
     int64_t sight[3];
     if (status != GLINT_OK)

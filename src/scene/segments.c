@@ -99,8 +99,8 @@ static void place_line(const line_camera *by, const glint_line *line, glint_segm
     to->colour = &line->colour;
 }
 
-glint_status glint_lines_place(glint_segment *segments, const glint_config *config, const glint_camera *camera,
-                               const glint_pose *pose, const glint_line *lines, uint32_t count) {
+glint_status glint_lines_project(glint_segment *segments, const glint_config *config, const glint_camera *camera,
+                                 const glint_pose *pose, const glint_line *lines, uint32_t count) {
     const glint_status status = glint_check_sight(config, camera);
     if (status != GLINT_OK)
         return status;

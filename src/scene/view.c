@@ -14,14 +14,16 @@ unsigned glint_reduce(const int64_t in[3], int32_t out[3]) {
     return down;
 }
 
-int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_t out[3]) {
-    const int32_t in[3] = {world.x, world.y, world.z};
+int glint_light_to_camera(const glint_view *view, const glint_light *light, int opposite, int16_t out[3]) {
+    const int32_t in[3] = {light->direction.x, light->direction.y, light->direction.z};
     int64_t sum[3];
     int32_t reduced[3];
     for (int i = 0; i < 3; i++) {
         sum[i] = 0;
         for (int j = 0; j < 3; j++)
             sum[i] += glint_product(view->rotation[i][j], in[j]); /* below 2^50 */
+        if (opposite)
+            sum[i] = -sum[i];
     }
     glint_reduce(sum, reduced);
     glint_unit(reduced[0], reduced[1], reduced[2], out);

@@ -173,8 +173,12 @@ static inline int glint_axes_are_unit(const glint_pose *pose, int32_t tolerance,
 /** Has a camera unit axes that are perpendicular, a field of view and a near plane? */
 int glint_camera_is_valid(const glint_camera *camera);
 
-/** Brings a world direction to camera space, unit. @return 0 when it has length 0. */
-int glint_direction_to_camera(const glint_view *view, glint_vector world, int16_t out[3]);
+/**
+ * Brings a light's direction to camera space, unit.
+ * @param opposite not 0: the way towards the light in its place
+ * @return 0 when the direction has length 0
+ */
+int glint_light_to_camera(const glint_view *view, const glint_light *light, int opposite, int16_t out[3]);
 
 /** x / 2^shift, rounded to nearest, halves up; shift from -62 to 62, |x| and the result below 2^62. */
 int64_t glint_shift_round64(int64_t x, int shift);

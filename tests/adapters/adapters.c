@@ -14,7 +14,8 @@
 const glint_scene *adapted_scene(void) {
     static const glint_material copper = {&glint_model_blinn_phong, RGB(0.1, 0.1, 0.1), RGB(0.7, 0.4, 0.2),
                                           RGB(0.4, 0.4, 0.4), GLINT_Q16(24)};
-    static const glint_light lamp = {&glint_light_directional, RGB(-0.5, 0.8, 0.7), RGB(1, 1, 1), RGB(1, 1, 1)};
+    static const glint_light lamp = {
+        &glint_light_directional, {0, 0, 0}, RGB(0.5, -0.8, -0.7), RGB(1, 1, 1), RGB(1, 1, 1)};
     static glint_object torus = {.mesh = &torus576_mesh, .material = &copper, .evaluation = &glint_per_fragment};
     static glint_scene scene = {.viewer = GLINT_VIEWER_LOCAL,
                                 .background = RGB(0.1, 0.2, 0.4),

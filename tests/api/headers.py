@@ -160,7 +160,7 @@ def rename_private(text):
     lines, is_private, count = [], False, 0
     for line in text.splitlines():
         starts = line == "    /** @privatesection */"
-        is_private = starts or (is_private and "@publicsection" not in line and not line.startswith("}"))
+        is_private = starts or (is_private and not line.startswith("}"))
         if is_private and not starts:
             count += 1
             line = re.sub(r"(\w+)(?=(\)?(\[[^\]]*\])*[,;]))", r"private_\1", line.split("/*")[0])

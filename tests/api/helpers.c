@@ -67,13 +67,16 @@ static void literals_are_rounded(void) {
 
 /* ---- Lights ---- */
 
-static void suns_shine_from_their_direction(void) {
-    glint_light sun = glint_sun((glint_vector)GLINT_VECTOR(0, 0, 7), (glint_colour)GLINT_COLOUR(1, 0.5, 0));
+static void suns_shine_in_their_direction(void) {
+    glint_light sun = glint_sun((glint_vector)GLINT_VECTOR(0, 0, -7), (glint_colour)GLINT_COLOUR(1, 0.5, 0));
     CHECK(sun.type == &glint_light_directional && sun.linear == 0 && sun.quadratic == 0);
     CHECK_EQUAL(draw(&sun), GLINT_OK);
     CHECK_EQUAL(shown[MIDDLE][MIDDLE], 31 << 11 | 32 << 5);
     CHECK_EQUAL(sun.specular.g, GLINT_ONE / 2);
-    sun = glint_sun((glint_vector)GLINT_VECTOR(0, 0, -1), white);
+    sun = glint_sun((glint_vector){0, 0, INT32_MIN}, white);
+    CHECK_EQUAL(draw(&sun), GLINT_OK);
+    CHECK_EQUAL(shown[MIDDLE][MIDDLE], 0xffff);
+    sun = glint_sun((glint_vector)GLINT_VECTOR(0, 0, 1), white);
     CHECK_EQUAL(draw(&sun), GLINT_OK);
     CHECK_EQUAL(shown[MIDDLE][MIDDLE], 0);
     sun = glint_sun((glint_vector)GLINT_VECTOR(0, 0, 0), white);
@@ -108,10 +111,10 @@ static void nothing_shows_beyond_a_range(void) {
         glint_light lamp = glint_lamp((glint_vector){0, 0, range - hundredth}, white, range);
         CHECK_EQUAL(draw(&lamp), GLINT_OK);
         CHECK_EQUAL(green(MIDDLE, MIDDLE), 1);
-        lamp.vector.z = range + hundredth;
+        lamp.position.z = range + hundredth;
         CHECK_EQUAL(draw(&lamp), GLINT_OK);
         CHECK_EQUAL(shown[MIDDLE][MIDDLE], 0);
-        lamp.vector.z = range / 5;
+        lamp.position.z = range / 5;
         CHECK_EQUAL(draw(&lamp), GLINT_OK);
         CHECK_AT_MOST(green(MIDDLE, MIDDLE), 11); /* 63 / 6, of far ranges 63 / 26 */
         CHECK_AT_MOST(ranges[i] <= 300 ? 10 : 2, green(MIDDLE, MIDDLE));
@@ -156,15 +159,15 @@ static void spots_point_at_their_place(void) {
 static void spots_point_far_away(void) {
     const glint_vector least = {INT32_MIN, INT32_MIN, INT32_MIN}, most = {INT32_MAX, INT32_MAX, INT32_MAX};
     const glint_light spot = glint_spot(least, most, white, GLINT_ONE, GLINT_ONE);
-    CHECK(spot.axis.x > 1 << 28 && spot.axis.x == spot.axis.y && spot.axis.x == spot.axis.z);
+    CHECK(spot.direction.x > 1 << 28 && spot.direction.x == spot.direction.y && spot.direction.x == spot.direction.z);
     const glint_light near = glint_spot((glint_vector){5, 5, 5}, (glint_vector){5, 4, 5}, white, GLINT_ONE, GLINT_ONE);
-    CHECK(near.axis.x == 0 && near.axis.y == -1 && near.axis.z == 0);
+    CHECK(near.direction.x == 0 && near.direction.y == -1 && near.direction.z == 0);
 }
 
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(literals_are_rounded),
-        TEST_CASE(suns_shine_from_their_direction),
+        TEST_CASE(suns_shine_in_their_direction),
         TEST_CASE(lamps_fade_to_half_a_step_at_their_range),
         TEST_CASE(nothing_shows_beyond_a_range),
         TEST_CASE(ranges_too_short_are_refused),

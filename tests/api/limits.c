@@ -22,7 +22,7 @@ typedef struct stage {
     glint_renderer renderer;
     glint_scene scene;
     glint_mesh mesh;
-    glint_layout layout;
+    glint_mesh_layout layout;
     glint_material material;
     glint_object object;
     glint_light light;
@@ -49,8 +49,9 @@ static stage *begin(void) {
                           .triangle_count = 1,
                           .extent = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
     s.material = (glint_material){.model = &glint_model_lambert, .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
-    s.light = (glint_light){
-        .type = &glint_light_directional, .vector = {0, 0, GLINT_ONE}, .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
+    s.light = (glint_light){.type = &glint_light_directional,
+                            .direction = {0, 0, -GLINT_ONE},
+                            .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
     s.object = (glint_object){.mesh = &s.mesh,
                               .material = &s.material,
                               .evaluation = &glint_per_fragment,
@@ -81,10 +82,10 @@ static void expect(stage *s, glint_status status, const char *words) {
 /* A stage whose mesh has all its attributes in a layout, and no array. */
 static stage *begin_layout(void) {
     stage *s = begin();
-    s->layout = (glint_layout){.positions = {&glint_type_int16, corners, 0},
-                               .normals = {&glint_type_int16, normals, 0},
-                               .triangles = {&glint_type_uint16, triangle, 0},
-                               .colours = {&glint_type_rgb888, colours, 0}};
+    s->layout = (glint_mesh_layout){.positions = {&glint_attribute_int16, corners, 0},
+                                    .normals = {&glint_attribute_int16, normals, 0},
+                                    .triangles = {&glint_attribute_uint16, triangle, 0},
+                                    .colours = {&glint_attribute_rgb888, colours, 0}};
     s->mesh.positions = s->mesh.normals = NULL;
     s->mesh.triangles = NULL;
     s->mesh.layout = &s->layout;
@@ -283,10 +284,10 @@ static void colours_of_lines_are_checked(void) {
     const glint_pose pose = glint_pose_translate(0, 0, 0);
     glint_line lines[2] = {{{0, 0, 0}, {GLINT_ONE, 0, 0}, {0, GLINT_COLOUR_MAX, 0}}};
     glint_segment segments[2];
-    CHECK_EQUAL(glint_lines_place(segments, &s->config, &s->scene.camera, &pose, lines, 1), GLINT_OK);
+    CHECK_EQUAL(glint_lines_project(segments, &s->config, &s->scene.camera, &pose, lines, 1), GLINT_OK);
     for (unsigned i = 0; i < TEST_COUNT(bad); i++) {
         lines[1].colour = bad[i];
-        CHECK_EQUAL(glint_lines_place(segments, &s->config, &s->scene.camera, &pose, lines, 2), GLINT_ERROR_COLOUR);
+        CHECK_EQUAL(glint_lines_project(segments, &s->config, &s->scene.camera, &pose, lines, 2), GLINT_ERROR_COLOUR);
     }
 }
 
@@ -311,7 +312,7 @@ static void widest_views_have_lines(void) {
     s->config.height = 8;
     s->scene.camera.projection = &glint_orthographic;
     s->scene.camera.view_height = INT32_MAX;
-    CHECK_EQUAL(glint_lines_place(&segment, &s->config, &s->scene.camera, &pose, &line, 1), GLINT_OK);
+    CHECK_EQUAL(glint_lines_project(&segment, &s->config, &s->scene.camera, &pose, &line, 1), GLINT_OK);
     CHECK(segment.colour == &line.colour);
     CHECK_EQUAL(segment.x[0], 16 * (WIDTH / 2 + 2)); /* a quarter of the height right of the centre */
     CHECK_EQUAL(segment.y[0], 16 * 4);
@@ -321,7 +322,7 @@ static void widest_views_have_lines(void) {
 
 static void points_far_aside_saturate(void) {
     stage *s = begin();
-    glint_place place = {1, 2, 3};
+    glint_screen_point place = {1, 2, 3};
     s->scene.camera.near_plane = 1;
     s->scene.camera.pose = glint_pose_translate(0, 0, 0);
     CHECK_EQUAL(glint_camera_project(&s->config, &s->scene.camera, (glint_vector){0, 0, -1}, NULL), GLINT_ERROR_NULL);
@@ -341,15 +342,15 @@ static void points_far_aside_saturate(void) {
 static void sizes_of_no_configuration_are_0(void) {
     CHECK_EQUAL(glint_pixels_need(NULL), 0);
     CHECK_EQUAL(glint_workspace_size(NULL), 0);
-    CHECK_EQUAL(glint_changes_count(NULL), 0);
+    CHECK_EQUAL(glint_tile_signature_count(NULL), 0);
     stage *s = begin();
     CHECK_AT_MOST(1, glint_pixels_need(&s->config));
     CHECK_AT_MOST(1, glint_workspace_size(&s->config));
-    CHECK_EQUAL(glint_changes_count(&s->config), 1);
+    CHECK_EQUAL(glint_tile_signature_count(&s->config), 1);
     s->config.format = NULL;
     CHECK_EQUAL(glint_pixels_need(&s->config), 0);
     CHECK_EQUAL(glint_workspace_size(&s->config), 0);
-    CHECK_EQUAL(glint_changes_count(&s->config), 0);
+    CHECK_EQUAL(glint_tile_signature_count(&s->config), 0);
 }
 
 /* ---- Generators ---- */

@@ -37,7 +37,7 @@ static void scenes(void) {
     const glint_clusters clusters = {&glint_cull_cones, &cluster, numbers[0], 9};
     const glint_mesh mesh = {triples, triples, numbers, 1, 2, {3, 4, 5}, {6, 7, 8}, 9, bytes, numbers[0], &clusters};
     const glint_material material = {&glint_model_phong, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}, 10, 11};
-    const glint_light light = {&glint_light_spot, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}, 10, 11, {12, 13, 14}, 15, 16};
+    const glint_light light = {&glint_light_spot, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {10, 11, 12}, 13, 14, 15, 16};
     const glint_object object = {
         &mesh, &material, {{{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}}}, &glint_per_facet, 13};
     const glint_scene scene = {{{{{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}}}, 13, 14},
@@ -57,8 +57,9 @@ static void scenes(void) {
           mesh.colours == bytes && mesh.colours565 == numbers[0] && mesh.clusters == &clusters);
     CHECK(material.model == &glint_model_phong && material.ambient.r == 1 && material.diffuse.g == 5 &&
           material.specular.b == 9 && material.shininess == 10 && material.flags == 11);
-    CHECK(light.type == &glint_light_spot && light.vector.x == 1 && light.diffuse.g == 5 && light.specular.b == 9 &&
-          light.linear == 10 && light.quadratic == 11 && light.axis.z == 14 && light.inner == 15 && light.outer == 16);
+    CHECK(light.type == &glint_light_spot && light.position.x == 1 && light.direction.y == 5 && light.diffuse.b == 9 &&
+          light.specular.g == 11 && light.linear == 13 && light.quadratic == 14 && light.inner == 15 &&
+          light.outer == 16);
     CHECK(object.mesh == &mesh && object.material == &material && object.pose.m[2][3] == 12 &&
           object.evaluation == &glint_per_facet && object.hidden == 13);
     CHECK(scene.camera.pose.m[1][0] == 5 && scene.camera.field_of_view == 13 && scene.camera.near_plane == 14 &&
@@ -106,7 +107,7 @@ static void results(void) {
     const glint_stats stats = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
     const glint_need need = {1, 2, 3};
     const glint_report report = {GLINT_ERROR_MESH, "", 1, 2, 3, 4};
-    const glint_place place = {1, 2, 3};
+    const glint_screen_point place = {1, 2, 3};
     const glint_hit hit = {1, 2, 3};
     CHECK(stats.passes == 1 && stats.tiles == 2 && stats.vertices == 3 && stats.triangles == 4 &&
           stats.facing_away == 5 && stats.outside == 6 && stats.clipped == 7 && stats.hidden == 8 &&
@@ -169,7 +170,8 @@ static const int16_t points[4][3] = {{0, 32767, 0}, {-32767, -16384, 0}, {32767,
 static const uint16_t sides[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
 static const glint_mesh pyramid = {points, points, sides, 4, 4, {0, 0, 0}, GREY(1), 0};
 static const glint_material clay = {&glint_model_blinn_phong, GREY(0.1), GREY(0.6), GREY(0.4), GLINT_Q16(32)};
-static const glint_light sun = {&glint_light_directional, {-GLINT_ONE, GLINT_ONE, GLINT_ONE}, GREY(1), GREY(1)};
+static const glint_light sun = {
+    &glint_light_directional, {0, 0, 0}, {GLINT_ONE, -GLINT_ONE, -GLINT_ONE}, GREY(1), GREY(1)};
 
 typedef struct screen {
     uint8_t pixels[HEIGHT][WIDTH][3];

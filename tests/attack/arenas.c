@@ -81,10 +81,14 @@ static void build_meshes(props *p) {
 
 static void build(props *p, const glint_evaluation *evaluation) {
     const glint_colour white = {GLINT_ONE, GLINT_ONE, GLINT_ONE}, paint = {GLINT_ONE / 2, GLINT_ONE / 4, GLINT_ONE};
-    const glint_model *const models[3] = {&glint_model_blinn_phong, &glint_model_phong, &glint_model_lambert};
+    const glint_shading_model *const models[3] = {&glint_model_blinn_phong, &glint_model_phong, &glint_model_lambert};
     memset(p, 0, sizeof *p);
     build_meshes(p);
-    p->lights[0] = (glint_light){&glint_light_directional, {GLINT_ONE, GLINT_ONE, GLINT_ONE}, white, white};
+    p->lights[0] = (glint_light){.type = &glint_light_directional,
+                                 .position = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
+                                 .direction = {-GLINT_ONE, -GLINT_ONE, -GLINT_ONE},
+                                 .diffuse = white,
+                                 .specular = white};
     p->lights[1] = p->lights[0];
     p->lights[1].type = &glint_light_point;
     for (int i = 0; i < 3; i++) {

@@ -34,20 +34,20 @@ static const void *enclose(pages *into, const void *from, size_t size, size_t al
     return to;
 }
 
-static size_t size_of(const glint_type *type) {
-    return type == &glint_type_octahedral16                                          ? 4
-           : type == &glint_type_octahedral8 || type == &glint_type_rgb565           ? 2
-           : type == &glint_type_int16 || type == &glint_type_uint16 || type == NULL ? 6
-                                                                                     : 3;
+static size_t size_of(const glint_attribute_type *type) {
+    return type == &glint_attribute_octahedral16                                               ? 4
+           : type == &glint_attribute_octahedral8 || type == &glint_attribute_rgb565           ? 2
+           : type == &glint_attribute_int16 || type == &glint_attribute_uint16 || type == NULL ? 6
+                                                                                               : 3;
 }
 
-static void enclose_attribute(pages *into, glint_attribute *attribute, uint32_t count, int at_end) {
+static void enclose_attribute(pages *into, glint_mesh_attribute *attribute, uint32_t count, int at_end) {
     const size_t size = size_of(attribute->type), stride = attribute->stride ? attribute->stride : size;
     attribute->data = enclose(into, attribute->data, stride * (count - 1) + size, size % 2 ? 1 : 2, at_end);
 }
 
-static void enclose_layout(pages into[4], glint_mesh *mesh, glint_layout *layout, int at_end) {
-    glint_attribute *const each[4] = {&layout->positions, &layout->normals, &layout->triangles, &layout->colours};
+static void enclose_layout(pages into[4], glint_mesh *mesh, glint_mesh_layout *layout, int at_end) {
+    glint_mesh_attribute *const each[4] = {&layout->positions, &layout->normals, &layout->triangles, &layout->colours};
     for (int i = 0; i < 4; i++)
         enclose_attribute(&into[i], each[i], i == 2 ? mesh->triangle_count : mesh->vertex_count, at_end);
 }
@@ -168,19 +168,20 @@ static void spoil_mesh(source *s, glint_mesh *mesh, const glint_mesh *sound) {
     }
 }
 
-static void spoil_layout(source *s, glint_layout *layout) {
-    static const glint_type *const types[] = {NULL,
-                                              &glint_type_int16,
-                                              &glint_type_int8,
-                                              &glint_type_octahedral16,
-                                              &glint_type_octahedral8,
-                                              &glint_type_rgb888,
-                                              &glint_type_rgb565};
-    glint_attribute *const each[4] = {&layout->positions, &layout->normals, &layout->triangles, &layout->colours};
-    glint_attribute *const one = each[below(s, 4)];
+static void spoil_layout(source *s, glint_mesh_layout *layout) {
+    static const glint_attribute_type *const types[] = {NULL,
+                                                        &glint_attribute_int16,
+                                                        &glint_attribute_int8,
+                                                        &glint_attribute_octahedral16,
+                                                        &glint_attribute_octahedral8,
+                                                        &glint_attribute_rgb888,
+                                                        &glint_attribute_rgb565};
+    glint_mesh_attribute *const each[4] = {&layout->positions, &layout->normals, &layout->triangles, &layout->colours};
+    glint_mesh_attribute *const one = each[below(s, 4)];
     switch (below(s, 3)) {
     case 0: /* one that takes no more bytes, or none that serves */
-        one->type = one->type == &glint_type_int16 || one->type == &glint_type_uint16 ? types[below(s, 7)] : NULL;
+        one->type =
+            one->type == &glint_attribute_int16 || one->type == &glint_attribute_uint16 ? types[below(s, 7)] : NULL;
         break;
     case 1:
         one->stride = below(s, 2) ? 1 : one->stride ? one->stride - 1 : 0;
@@ -259,9 +260,9 @@ static void spoil_light(source *s, glint_light *light) {
     if (one_in(s, 8))
         light->type = NULL;
     else if (one_in(s, 8))
-        *(below(s, 2) ? &light->vector : &light->axis) = (glint_vector){0, 0, 0};
+        *(below(s, 2) ? &light->position : &light->direction) = (glint_vector){0, 0, 0};
     else
-        spoil_number(s, &light->vector, sizeof *light - offsetof(glint_light, vector));
+        spoil_number(s, &light->position, sizeof *light - offsetof(glint_light, position));
 }
 
 static void spoil_material(source *s, glint_material *material) {

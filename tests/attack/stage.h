@@ -13,7 +13,7 @@
 typedef struct props {
     glint_object objects[DRAWING_OBJECTS];
     glint_material materials[DRAWING_OBJECTS];
-    glint_layout layouts[DRAWING_MESHES];
+    glint_mesh_layout layouts[DRAWING_MESHES];
     glint_clusters clusters[DRAWING_MESHES];
     glint_mesh meshes[DRAWING_MESHES];
     glint_scene scene;

@@ -9,7 +9,7 @@
 #define ARENA_MOST (192u << 10)
 #define PIXELS_MOST (2u * 64 * 64 * 3 + 256)
 #define OUT_MOST 8192u
-#define SIGNATURES_MOST (16384u * sizeof(glint_signature))
+#define SIGNATURES_MOST (16384u * sizeof(glint_tile_signature))
 
 /* What a buffer holds that only an answer may change. */
 #define PATTERN 0xa5
@@ -386,7 +386,7 @@ static glint_vector take_vector(source *s) {
 }
 
 static void attack_project(victim *v, attack_stage *stage, source *s) {
-    glint_place *const place = place_out(v, s, sizeof *place);
+    glint_screen_point *const place = place_out(v, s, sizeof *place);
     glint_config config = v->config;
     if (one_in(s, 4))
         spoil_sizes(&config, s);
@@ -435,7 +435,7 @@ static void attack_lines(victim *v, attack_stage *stage, source *s) {
         spoil_sizes(&config, s);
     glint_segment *const answer = one_in(s, 64) ? NULL : segments;
     const glint_pose *const pose = one_in(s, 64) ? NULL : &stage->now->objects[0].pose;
-    const glint_status status = glint_lines_place(answer, &config, &stage->now->scene.camera, pose, w.lines, LINES);
+    const glint_status status = glint_lines_project(answer, &config, &stage->now->scene.camera, pose, w.lines, LINES);
     judge_answer(v, status);
     attack_require(glint_lines_draw(NULL, segments, LINES) == GLINT_ERROR_NULL, "no tile, no lines");
     if (status != GLINT_OK)
@@ -450,17 +450,17 @@ static void attack_lines(victim *v, attack_stage *stage, source *s) {
 /* ---- Attacks: changes, and tile by tile ---- */
 
 static void attack_changes(victim *v, attack_stage *stage, source *s) {
-    glint_changes *const changes = place_out(v, s, sizeof *changes);
+    glint_change_filter *const changes = place_out(v, s, sizeof *changes);
     glint_config config = v->config;
     if (one_in(s, 2))
         spoil_config(v, &config, s);
-    const uint32_t count = glint_changes_count(&config);
+    const uint32_t count = glint_tile_signature_count(&config);
     void *const signatures =
-        pages_place(&v->signatures, count * sizeof(glint_signature), sizeof(uint32_t), (int)below(s, 2));
-    glint_signature *const kept = one_in(s, 64) ? NULL : signatures;
-    const glint_status status = glint_changes_init(changes, kept, one_in(s, 64) ? NULL : &config);
+        pages_place(&v->signatures, count * sizeof(glint_tile_signature), sizeof(uint32_t), (int)below(s, 2));
+    glint_tile_signature *const kept = one_in(s, 64) ? NULL : signatures;
+    const glint_status status = glint_change_filter_init(changes, kept, one_in(s, 64) ? NULL : &config);
     attack_ended(status);
-    config.flush = glint_changes_flush(changes);
+    config.flush = glint_change_filter_flush(changes);
     if (status != GLINT_OK)
         attack_require(are_all(changes, sizeof *changes, 0) && !config.flush.begin, "a filter that is all 0");
     glint_status drawn = glint_init(v->drawing, &config);
@@ -480,7 +480,7 @@ static void attack_changes(victim *v, attack_stage *stage, source *s) {
 /* Draws tiles of a frame that is begun. @return how many, or an error */
 static int draw_tiles(glint_frame *frame, glint_workspace *workspace) {
     int status, tiles = 0;
-    while ((status = glint_frame_next(frame)) > 0)
+    while ((status = glint_frame_next_pass(frame)) > 0)
         for (uint32_t tile = frame->tile_first; tile < frame->tile_end; tile++)
             if (glint_render_tile(frame, workspace, tile)) {
                 int at[4];
@@ -507,7 +507,7 @@ static void attack_tiles(victim *v, attack_stage *stage, source *s) {
     attack_ended(status);
     if (status != GLINT_OK) {
         attack_require(are_all(frame, sizeof *frame, 0), "a frame that is all 0");
-        attack_require(glint_frame_next(frame) == GLINT_ERROR_NULL, "no pass of a frame that is all 0");
+        attack_require(glint_frame_next_pass(frame) == GLINT_ERROR_NULL, "no pass of a frame that is all 0");
     } else {
         void *const memory = pages_place(&v->signatures, glint_workspace_size(&config), sizeof(void *), 1);
         glint_workspace_init(&workspace, &config, memory);
@@ -538,7 +538,7 @@ static void attack_flip(victim *v, attack_stage *stage, source *s) {
     uint8_t *numbers[3];
     numbers[0] = (uint8_t *)&now->objects[below(s, DRAWING_OBJECTS)].pose;
     numbers[1] = (uint8_t *)&now->materials[below(s, DRAWING_OBJECTS)].ambient;
-    numbers[2] = (uint8_t *)&now->lights[below(s, GLINT_LIGHTS_MAX)].vector;
+    numbers[2] = (uint8_t *)&now->lights[below(s, GLINT_LIGHTS_MAX)].position;
     pages *const array = take_array(stage, s);
     const size_t bit = array->size ? take(s, 4) % (8 * array->size) : 0;
     pages_unseal(&stage->structures);

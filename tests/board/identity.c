@@ -141,13 +141,13 @@ static void build_lit(int light, int evaluation) {
     example_teapot.build(&stage, 0, 5);
     lamp->type = lights[light].type;
     if (lamp->type != &glint_light_directional) { /* nearer, nodes are no fewer than fragments */
-        lamp->vector = (glint_vector){GLINT_Q16(-0.9), GLINT_Q16(2.4), GLINT_Q16(2.2)};
+        lamp->direction = (glint_vector){GLINT_Q16(0.2), -GLINT_ONE, GLINT_Q16(-0.8)};
+        lamp->position = (glint_vector){GLINT_Q16(-0.9), GLINT_Q16(2.4), GLINT_Q16(2.2)};
     }
     lamp->linear = GLINT_Q16(0.1);
     lamp->quadratic = GLINT_Q16(0.05);
     lamp->inner = GLINT_Q16(20);
     lamp->outer = GLINT_Q16(60);
-    lamp->axis = (glint_vector){GLINT_Q16(0.2), -GLINT_ONE, GLINT_Q16(-0.8)};
     stage.scene.objects = &stage.objects[1];
     stage.scene.object_count = 1;
     stage.objects[1].evaluation = evaluations[evaluation].evaluation;

@@ -188,7 +188,7 @@ def check_library(tally, cross, directory):
 
 
 # What firmware that names none of it is to be without, and what names it.
-OPTIONAL = (("glint_lines_draw", "walk_along"), ("glint_lines_place", "clip_line"), ("glint_orthographic", "set_range"),
+OPTIONAL = (("glint_lines_draw", "walk_along"), ("glint_lines_project", "clip_line"), ("glint_orthographic", "set_range"),
             ("glint_sun", "glint_sun"), ("glint_lamp", "glint_lamp"), ("glint_spot", "glint_spot"))
 
 

@@ -150,6 +150,14 @@ static void take_camera(source *s, glint_camera *camera) {
     camera->near_plane = likely(s, 8, GLINT_ONE) | 1;
 }
 
+static glint_q16 negated(glint_q16 x) {
+    return x == INT32_MIN ? INT32_MAX : -x;
+}
+
+static glint_vector opposite(glint_vector v) {
+    return (glint_vector){negated(v.x), negated(v.y), negated(v.z)};
+}
+
 /* What lamps have beside the rest: mostly sound, so that frames are drawn. */
 static void take_lamp(source *s, glint_light *light) {
     static const glint_light_type *const types[4] = {&glint_light_directional, &glint_light_point, &glint_light_spot,
@@ -159,7 +167,7 @@ static void take_lamp(source *s, glint_light *light) {
         return;
     light->linear = likely(s, 32, GLINT_ONE);
     light->quadratic = likely(s, 32, GLINT_ONE);
-    light->axis = any_vector(s);
+    light->direction = any_vector(s);
     light->outer = likely(s, 32, 180 * GLINT_ONE);
     light->inner = below(s, 4) == 1 ? light->outer : likely(s, 32, light->outer < 0 ? 0 : light->outer);
 }
@@ -168,7 +176,11 @@ static void take_lights(source *s, drawing *d) {
     d->scene.light_count = below(s, 32) == 1 ? GLINT_LIGHTS_MAX + 1 : below(s, GLINT_LIGHTS_MAX + 1);
     for (uint32_t i = 0; i < d->scene.light_count; i++) {
         take_lamp(s, &d->lights[i]);
-        d->lights[i].vector = any_vector(s);
+        const glint_vector vector = any_vector(s);
+        if (d->lights[i].type == &glint_light_directional)
+            d->lights[i].direction = opposite(vector);
+        else
+            d->lights[i].position = vector;
         d->lights[i].diffuse = take_colour(s);
         d->lights[i].specular = take_colour(s);
     }
@@ -176,8 +188,8 @@ static void take_lights(source *s, drawing *d) {
 }
 
 static void take_objects(source *s, drawing *d) {
-    static const glint_model *const models[4] = {&glint_model_blinn_phong, &glint_model_phong, &glint_model_lambert,
-                                                 &glint_model_unlit};
+    static const glint_shading_model *const models[4] = {&glint_model_blinn_phong, &glint_model_phong,
+                                                         &glint_model_lambert, &glint_model_unlit};
     const glint_evaluation *const evaluations[4] = {&glint_per_fragment, &glint_per_fragment, &glint_per_vertex,
                                                     &glint_per_facet};
     d->scene.object_count = below(s, DRAWING_OBJECTS + 1);

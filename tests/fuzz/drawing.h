@@ -13,9 +13,9 @@
  */
 typedef struct drawing {
     glint_mesh meshes[DRAWING_MESHES];
-    glint_layout layouts[DRAWING_MESHES]; /**< Of those that have one, */
-    void *stored[DRAWING_MESHES][4];      /**< and what they point to. */
-    int is_loose;                         /**< How it looks may depend on the arena. */
+    glint_mesh_layout layouts[DRAWING_MESHES]; /**< Of those that have one, */
+    void *stored[DRAWING_MESHES][4];           /**< and what they point to. */
+    int is_loose;                              /**< How it looks may depend on the arena. */
     glint_material materials[DRAWING_OBJECTS];
     glint_light lights[GLINT_LIGHTS_MAX + 1];
     glint_object objects[DRAWING_OBJECTS];

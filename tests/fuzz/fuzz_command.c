@@ -48,8 +48,8 @@ static bool is_direction(glint_vector vector) {
 static void check_light(const glint_light *light) {
     check_channels(light->diffuse);
     require(light->type != NULL && light->linear >= 0 && light->quadratic >= 0);
-    require(light->type != &glint_light_directional || is_direction(light->vector));
-    require(light->type != &glint_light_spot || is_direction(light->axis));
+    require(light->type != &glint_light_directional || is_direction(light->direction));
+    require(light->type != &glint_light_spot || is_direction(light->direction));
     require(light->inner >= 0 && light->inner <= light->outer && light->outer <= 180 * GLINT_ONE);
 }
 

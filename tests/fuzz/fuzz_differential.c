@@ -82,7 +82,7 @@ static void tame(drawing *d) {
         const double sum = weights_sum(&d->scene, material);
         camera->near_plane = camera->near_plane > nearest ? camera->near_plane : nearest;
         material->shininess = clamp(material->shininess, GLINT_ONE, 1024 * GLINT_ONE);
-        material->flags |= has_position ? GLINT_MATERIAL_UNGATED : 0;
+        material->flags |= has_position ? GLINT_MATERIAL_SPECULAR_UNGATED : 0;
         if (sum > WEIGHTS_MAX) {
             scale_colour(&material->diffuse, WEIGHTS_MAX / sum);
             scale_colour(&material->specular, WEIGHTS_MAX / sum);

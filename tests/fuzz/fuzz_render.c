@@ -207,15 +207,15 @@ static void draw_changes(source *s, const glint_config *wanted_config, const gli
     const glint_scene other = other_scene(scene);
     glint_config config = *wanted_config;
     glint_renderer renderer;
-    glint_changes changes;
+    glint_change_filter changes;
     screen got;
     open_screen(&got, wanted_config);
     config.flush.context = &got;
     if (below(s, 2))
         config.flush = (glint_flush){.begin = begin_and_end, .context = &got};
-    glint_signature *signatures = allocate(glint_changes_count(&config) * sizeof *signatures);
-    require(glint_changes_init(&changes, signatures, &config) == GLINT_OK);
-    config.flush = glint_changes_flush(&changes);
+    glint_tile_signature *signatures = allocate(glint_tile_signature_count(&config) * sizeof *signatures);
+    require(glint_change_filter_init(&changes, signatures, &config) == GLINT_OK);
+    config.flush = glint_change_filter_flush(&changes);
     config.arena = allocate(size);
     config.arena_size = size;
     require(glint_init(&renderer, &config) == GLINT_OK);
@@ -269,7 +269,7 @@ static void draw_tiles(const glint_config *wanted_config, const glint_scene *sce
     void *memory = allocate(glint_workspace_size(&config));
     glint_workspace_init(&workspace, &config, memory);
     require(glint_frame_begin(&frame, &config, scene) == GLINT_OK);
-    while ((status = glint_frame_next(&frame)) > 0)
+    while ((status = glint_frame_next_pass(&frame)) > 0)
         for (uint32_t tile = frame.tile_first; tile < frame.tile_end; tile++)
             if (glint_render_tile(&frame, &workspace, tile)) {
                 int x, y, width, height;
@@ -355,10 +355,11 @@ static void draw_anyhow(const glint_config *config, const glint_scene *scene, co
 
 /* What cannot be drawn is refused before anything is sent, and for a reason. */
 static void draw_refused(const glint_config *config, const glint_scene *scene, glint_status status) {
-    glint_changes changes;
-    glint_signature signature;
+    glint_change_filter changes;
+    glint_tile_signature signature;
     screen refused;
-    require(glint_changes_count(config) > 0 || glint_changes_init(&changes, &signature, config) != GLINT_OK);
+    require(glint_tile_signature_count(config) > 0 ||
+            glint_change_filter_init(&changes, &signature, config) != GLINT_OK);
     open_screen(&refused, config);
     require(draw(config, scene, 65536, 0, &refused) != GLINT_OK && refused.calls == 0);
     require(strcmp(glint_strerror(status), "unknown status") != 0);
@@ -446,7 +447,7 @@ static void ask(source s, const glint_config *wanted, const glint_scene *scene) 
     glint_renderer renderer;
     glint_report report;
     glint_hit hit;
-    glint_place place;
+    glint_screen_point place;
     glint_camera camera = scene->camera;
     screen none;
     const uint32_t chosen = take(&s, 1);
@@ -513,7 +514,7 @@ static void take_wires(source *s, glint_config *config, const drawing *d, wires 
     }
     for (uint32_t more = below(s, 12); more > 0; more--)
         w->lines[w->count++] = (glint_line){take_point(s), take_point(s), colour};
-    if (glint_lines_place(w->segments, config, &d->scene.camera, &pose, w->lines, w->count) == GLINT_OK)
+    if (glint_lines_project(w->segments, config, &d->scene.camera, &pose, w->lines, w->count) == GLINT_OK)
         config->overlay = (glint_painter){paint_wires, w};
 }
 

@@ -6,7 +6,7 @@
 
 /* How one thing is stored: bytes of it, and whether it has to lie on even addresses. */
 typedef struct storing {
-    const glint_type *type;
+    const glint_attribute_type *type;
     uint32_t size;
     int is_even;
     void (*store)(uint8_t *to, const void *from);
@@ -48,23 +48,24 @@ static void store_low_bytes(uint8_t *to, const void *from) {
 }
 
 /* Moves an array of `count` things of `size` bytes into an attribute. @return what holds it; the array is gone */
-static void *move(source *s, const storing *how, const void *array, size_t size, uint32_t count, glint_attribute *to) {
+static void *move(source *s, const storing *how, const void *array, size_t size, uint32_t count,
+                  glint_mesh_attribute *to) {
     const uint32_t stride = how->size + (how->is_even ? 2 : 1) * below(s, 4), used = stride ? stride : how->size;
     const size_t bytes = (size_t)used * (count - 1) + how->size;
     uint8_t *const memory = memset(allocate(bytes), 0, bytes); /* what lies between may be read with another stride */
     for (uint32_t i = 0; i < count; i++)
         how->store(memory + (size_t)used * i, (const uint8_t *)array + size * i);
-    *to = (glint_attribute){how->type, memory, stride == how->size && below(s, 2) ? 0 : stride};
+    *to = (glint_mesh_attribute){how->type, memory, stride == how->size && below(s, 2) ? 0 : stride};
     free((void *)(uintptr_t)array);
     return memory;
 }
 
-static void spoil(source *s, glint_layout *layout) {
-    glint_attribute *const each[4] = {&layout->positions, &layout->normals, &layout->triangles, &layout->colours};
-    glint_attribute *const one = each[below(s, 4)];
+static void spoil(source *s, glint_mesh_layout *layout) {
+    glint_mesh_attribute *const each[4] = {&layout->positions, &layout->normals, &layout->triangles, &layout->colours};
+    glint_mesh_attribute *const one = each[below(s, 4)];
     switch (below(s, 3)) {
     case 0:
-        one->type = below(s, 2) ? &glint_type_rgb565 : NULL;
+        one->type = below(s, 2) ? &glint_attribute_rgb565 : NULL;
         break;
     case 1:
         one->stride = 1;
@@ -75,16 +76,17 @@ static void spoil(source *s, glint_layout *layout) {
     }
 }
 
-static void take_layout(source *s, glint_mesh *mesh, glint_layout *layout, void *stored[4]) {
-    const storing positions[2] = {{&glint_type_int16, 6, 1, store_three_words},
-                                  {&glint_type_int8, 3, 0, store_high_bytes}},
+static void take_layout(source *s, glint_mesh *mesh, glint_mesh_layout *layout, void *stored[4]) {
+    const storing positions[2] = {{&glint_attribute_int16, 6, 1, store_three_words},
+                                  {&glint_attribute_int8, 3, 0, store_high_bytes}},
                   normals[4] = {positions[0],
                                 positions[1],
-                                {&glint_type_octahedral16, 4, 1, store_two_words},
-                                {&glint_type_octahedral8, 2, 0, store_two_high_bytes}},
-                  triangles[2] = {{&glint_type_uint16, 6, 1, store_three_words},
-                                  {&glint_type_uint8, 3, 0, store_low_bytes}},
-                  colours[2] = {{&glint_type_rgb888, 3, 0, store_three_bytes}, {&glint_type_rgb565, 2, 1, store_word}};
+                                {&glint_attribute_octahedral16, 4, 1, store_two_words},
+                                {&glint_attribute_octahedral8, 2, 0, store_two_high_bytes}},
+                  triangles[2] = {{&glint_attribute_uint16, 6, 1, store_three_words},
+                                  {&glint_attribute_uint8, 3, 0, store_low_bytes}},
+                  colours[2] = {{&glint_attribute_rgb888, 3, 0, store_three_bytes},
+                                {&glint_attribute_rgb565, 2, 1, store_word}};
     const uint32_t which = below(s, 16), vertices = mesh->vertex_count;
     if (!which)
         return;

@@ -159,10 +159,10 @@ static glint_q16 take_shininess(source *s) {
 }
 
 static void take_material(source *s, glint_material *material) {
-    static const glint_model *const models[8] = {
+    static const glint_shading_model *const models[8] = {
         &glint_model_blinn_phong, &glint_model_blinn_phong, &glint_model_blinn_phong, &glint_model_lambert,
         &glint_model_blinn_phong, &glint_model_phong,       &glint_model_blinn_phong, &glint_model_unlit};
-    const glint_model *model = models[below(s, 8)];
+    const glint_shading_model *model = models[below(s, 8)];
     const glint_q16 shininess = take_shininess(s);
     const glint_colour paint = take_colour(s);
     *material = glint_material_paint(model, paint, GLINT_ONE / 8, shininess);
@@ -273,15 +273,15 @@ static glint_vector take_towards(source *s, const glint_camera *camera, glint_ve
 
 static void take_lamp(source *s, const drawing *d, glint_q16 size, glint_vector back, glint_light *light) {
     const glint_pose *first = &d->objects[0].pose;
-    light->vector = take_place(s, d, size, back);
+    light->position = take_place(s, d, size, back);
     if (below(s, 2)) {
         light->linear = across(s, -6, 1);
         light->quadratic = across(s, -8, 1);
     }
-    light->axis = (glint_vector){first->m[0][3] - light->vector.x, first->m[1][3] - light->vector.y,
-                                 first->m[2][3] - light->vector.z};
-    if (!(light->axis.x | light->axis.y | light->axis.z))
-        light->axis = scaled(back, -GLINT_ONE);
+    light->direction = (glint_vector){first->m[0][3] - light->position.x, first->m[1][3] - light->position.y,
+                                      first->m[2][3] - light->position.z};
+    if (!(light->direction.x | light->direction.y | light->direction.z))
+        light->direction = scaled(back, -GLINT_ONE);
     light->outer = one_in(s, 4) ? between(s, 0, 180 * GLINT_ONE) : between(s, 5 * GLINT_ONE, 60 * GLINT_ONE);
     light->inner = one_in(s, 4) ? light->outer : between(s, 0, light->outer);
 }
@@ -295,7 +295,7 @@ static void take_lights(source *s, drawing *d, glint_q16 size, glint_vector back
         glint_light *light = &d->lights[i];
         light->type = types[below(s, 8)];
         if (light->type == &glint_light_directional)
-            light->vector = take_towards(s, &d->scene.camera, back);
+            light->direction = scaled(take_towards(s, &d->scene.camera, back), -GLINT_ONE);
         else
             take_lamp(s, d, size, back, light);
         light->diffuse = take_colour(s);

@@ -220,9 +220,9 @@ static void build_random(test_scene *scene, uint32_t seed) {
     random_state = seed * 2246822519u;
     scene->scene.light_count = 1;
     light->type = &glint_light_directional;
-    light->vector.x = bench_q16(between(-1, 1));
-    light->vector.y = bench_q16(between(-1, 1));
-    light->vector.z = bench_q16(between(-1, 1));
+    light->direction.x = -bench_q16(between(-1, 1));
+    light->direction.y = -bench_q16(between(-1, 1));
+    light->direction.z = -bench_q16(between(-1, 1));
     light->diffuse = seed % 4 < 2 ? random_colour(1) : white;
     light->specular = seed % 4 < 2 ? random_colour(1) : white;
     material->model = seed % 8 == 3 ? &glint_model_lambert : &glint_model_blinn_phong;

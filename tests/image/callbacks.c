@@ -236,7 +236,7 @@ static void call_library(screen *s) {
     const glint_rectangle part = {16, 8, 24, 16};
     glint_need need;
     glint_report report;
-    glint_place place;
+    glint_screen_point place;
     glint_hit hit;
     glint_segment segment;
     glint_frame frame;
@@ -255,11 +255,11 @@ static void call_library(screen *s) {
         break;
     case 4:
         CHECK(glint_camera_project(config, &scene->camera, (glint_vector){0, 0, 0}, &place) >= 0);
-        CHECK_EQUAL(glint_lines_place(&segment, config, &scene->camera, &scene->objects[0].pose, &line, 1), GLINT_OK);
+        CHECK_EQUAL(glint_lines_project(&segment, config, &scene->camera, &scene->objects[0].pose, &line, 1), GLINT_OK);
         break;
     case 5:
         CHECK_EQUAL(glint_frame_begin(&frame, config, scene), GLINT_OK);
-        CHECK(glint_frame_next(&frame) > 0);
+        CHECK(glint_frame_next_pass(&frame) > 0);
         break;
     case 6:
         open_screen(&of->screen);

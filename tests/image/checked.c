@@ -71,7 +71,7 @@ static void make_box(box *b) {
     memset(b, 0, sizeof *b);
     glint_generate_box(&b->mesh, &room, GLINT_ONE, GLINT_ONE, GLINT_ONE);
     b->material = glint_material_paint(&glint_model_blinn_phong, white, GLINT_ONE / 10, 32 * GLINT_ONE);
-    b->light = (glint_light){&glint_light_directional, {-GLINT_ONE, GLINT_ONE, GLINT_ONE}, white, white};
+    b->light = (glint_light){&glint_light_directional, {0, 0, 0}, {GLINT_ONE, -GLINT_ONE, -GLINT_ONE}, white, white};
     b->object = (glint_object){&b->mesh, &b->material, glint_pose_rotate_y(30 * GLINT_ONE), &glint_per_fragment};
     b->scene = (glint_scene){.camera = {glint_pose_translate(0, 0, 5 * GLINT_ONE), 45 * GLINT_ONE, GLINT_ONE / 10},
                              .ambient = white,
@@ -215,7 +215,7 @@ static void begin_patient(patient *p) {
     p->scene.materials[0] = glint_material_paint(&glint_model_blinn_phong, (glint_colour){GLINT_ONE, 0, GLINT_ONE / 2},
                                                  GLINT_ONE / 8, GLINT_Q16(20));
     p->scene.lights[0] = (glint_light){.type = &glint_light_directional,
-                                       .vector = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
+                                       .direction = {-GLINT_ONE, -GLINT_ONE, -GLINT_ONE},
                                        .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
     for (int i = 0; i < 2; i++)
         p->scene.objects[i] = (glint_object){.mesh = &p->mesh,
@@ -297,12 +297,12 @@ static void errors_have_a_place(void) {
     CASE(p.scene.scene.objects = NULL, GLINT_ERROR_NULL, "scene->objects", -1, -1)
     CASE(p.scene.lights[1] = p.scene.lights[0]; p.scene.lights[1].type = NULL;
          p.scene.scene.light_count = 2, GLINT_ERROR_NULL, "type", -1, 1)
-    CASE(p.scene.lights[0].vector = ((glint_vector){0, 0, 0}), GLINT_ERROR_DIRECTION, "direction", -1, 0)
+    CASE(p.scene.lights[0].direction = ((glint_vector){0, 0, 0}), GLINT_ERROR_DIRECTION, "direction", -1, 0)
     CASE(p.scene.objects[1].mesh = NULL, GLINT_ERROR_NULL, "mesh", 1, -1)
     CASE(p.mesh.normals = NULL, GLINT_ERROR_NULL, "normals", 0, -1)
-    static const glint_layout none = {{0}, {0}, {0}, {0}};
-    static const glint_layout wrong = {{&glint_type_uint8, arena, 0}, {0}, {0}, {0}},
-                              odd = {{0}, {&glint_type_octahedral8, arena, 1}, {0}, {0}};
+    static const glint_mesh_layout none = {{0}, {0}, {0}, {0}};
+    static const glint_mesh_layout wrong = {{&glint_attribute_uint8, arena, 0}, {0}, {0}, {0}},
+                                   odd = {{0}, {&glint_attribute_octahedral8, arena, 1}, {0}, {0}};
     CASE(p.mesh.triangles = NULL; p.mesh.layout = &none, GLINT_ERROR_NULL, "triangles", 0, -1)
     CASE(p.mesh.positions = NULL; p.mesh.layout = &wrong, GLINT_ERROR_TYPE, "type", 0, -1)
     CASE(p.mesh.normals = NULL; p.mesh.layout = &odd, GLINT_ERROR_STRIDE, "stride", 0, -1)
@@ -315,7 +315,7 @@ static void errors_have_a_place(void) {
 
 /* Of several errors the one that drawing returns. */
 static void errors_beside_others_are_passed_over(void) {
-    CASE(p.scene.lights[0].vector = ((glint_vector){0, 0, 0});
+    CASE(p.scene.lights[0].direction = ((glint_vector){0, 0, 0});
          p.scene.objects[1].material = NULL, GLINT_ERROR_NULL, "material", 1, -1)
     CASE(p.scene.scene.camera.near_plane = 0; p.scene.scene.objects = NULL, GLINT_ERROR_NULL, "scene->objects", -1, -1)
     CASE(p.scene.objects[0].pose.m[1][1] = 0; p.scene.objects[1].mesh = NULL, GLINT_ERROR_NULL, "mesh", 1, -1)
@@ -370,7 +370,7 @@ static void black_pictures_have_a_reason(void) {
          memset(&p.scene.materials[0].ambient, 0, sizeof(glint_colour));
          memset(&p.scene.materials[0].specular, 0, sizeof(glint_colour)), GLINT_OK, "materials are black", -1, -1)
     CASE(flatten(&p, 0);
-         p.scene.lights[0].vector = ((glint_vector){0, 0, -GLINT_ONE}), GLINT_OK, "no light reaches", -1, -1)
+         p.scene.lights[0].direction = ((glint_vector){0, 0, GLINT_ONE}), GLINT_OK, "no light reaches", -1, -1)
 }
 
 static void numbers_that_look_like_integers_are_told(void) {
@@ -380,7 +380,7 @@ static void numbers_that_look_like_integers_are_told(void) {
     CASE(p.scene.objects[1].pose = glint_pose_translate(0, 0, -1), GLINT_OK, "pose", 1, -1)
     CASE(p.scene.objects[1].pose = glint_pose_translate(1, 0, GLINT_Q16(-0.5)), GLINT_OK, "", -1, -1)
     CASE(p.scene.lights[0].type = &glint_light_point;
-         p.scene.lights[0].vector = ((glint_vector){2, 3, 4}), GLINT_OK, "a light stands", -1, 0)
+         p.scene.lights[0].position = ((glint_vector){2, 3, 4}), GLINT_OK, "a light stands", -1, 0)
 }
 
 /* ---- Objects with nothing to draw: where they are skipped, a scene is what it is without them; else they are errors
@@ -528,9 +528,9 @@ static void nothing_else(void) {
         scene.object_count = 1;
         CHECK_EQUAL(glint_frame_begin(&frame, &config, &scene), GLINT_OK);
         CHECK_EQUAL(frame.stats.skipped, 1);
-        CHECK_EQUAL(glint_frame_next(&frame), 1);
+        CHECK_EQUAL(glint_frame_next_pass(&frame), 1);
         CHECK_EQUAL(frame.stats.hidden, 1);
-        CHECK_EQUAL(glint_frame_next(&frame), 0);
+        CHECK_EQUAL(glint_frame_next_pass(&frame), 0);
         CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
         CHECK_EQUAL(glint_pick(&renderer, &scene, WIDTH / 2, HEIGHT / 2, &hit), 0);
         CHECK_EQUAL(glint_check(&config, &scene, &report), GLINT_OK);

@@ -158,19 +158,21 @@ static void make_light(stage *s, light_kind kind, const double centre[3]) {
     random_direction(aside);
     s->light = (glint_light){.type = types[kind], .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
     s->light.specular = s->light.diffuse;
-    const double *vector = kind == DIRECTIONAL ? s->towards : s->place;
-    s->light.vector = (glint_vector){q16(vector[0]), q16(vector[1]), q16(vector[2])};
-    if (kind != DIRECTIONAL) {
+    if (kind == DIRECTIONAL) {
+        s->light.direction = (glint_vector){q16(-s->towards[0]), q16(-s->towards[1]), q16(-s->towards[2])};
+    } else {
+        s->light.position = (glint_vector){q16(s->place[0]), q16(s->place[1]), q16(s->place[2])};
         s->light.linear = q16(between(0, 0.3) / distance);
         s->light.quadratic = q16(between(0, 0.3) / distance / distance);
     }
-    s->light.axis = (glint_vector){q16(0.2 * aside[0] - s->towards[0]), q16(0.2 * aside[1] - s->towards[1]),
-                                   q16(0.2 * aside[2] - s->towards[2])};
+    if (kind == SPOT)
+        s->light.direction = (glint_vector){q16(0.2 * aside[0] - s->towards[0]), q16(0.2 * aside[1] - s->towards[1]),
+                                            q16(0.2 * aside[2] - s->towards[2])};
     s->light.inner = q16(between(1, 10));
     s->light.outer = s->light.inner + q16(between(3, 20));
 }
 
-static void make_stage(stage *s, uint32_t seed, light_kind kind, double exponent, const glint_model *model,
+static void make_stage(stage *s, uint32_t seed, light_kind kind, double exponent, const glint_shading_model *model,
                        const glint_evaluation *evaluation) {
     static const glint_q16 grey = GLINT_ONE / 16;
     random_state = seed * 2246822519u + (uint32_t)lrint(exponent * 97);
@@ -179,7 +181,8 @@ static void make_stage(stage *s, uint32_t seed, light_kind kind, double exponent
     s->material.ambient = (glint_colour){grey, grey, grey};
     s->material.diffuse = (glint_colour){q16(0.3), q16(0.5), q16(0.9)};
     s->material.specular = (glint_colour){q16(0.7), q16(0.5), q16(0.1)};
-    s->material.flags = (seed & 1 ? GLINT_MATERIAL_UNGATED : 0u) | (seed & 2 ? GLINT_MATERIAL_MAX : 0u);
+    s->material.flags =
+        (seed & 1 ? GLINT_MATERIAL_SPECULAR_UNGATED : 0u) | (seed & 2 ? GLINT_MATERIAL_MAX_WITH_AMBIENT : 0u);
     s->object = (glint_object){.mesh = &s->mesh, .material = &s->material, .evaluation = evaluation};
     s->scene = (glint_scene){.lights = &s->light, .light_count = 1, .objects = &s->object, .object_count = 1};
     s->scene.camera.pose = glint_pose_identity();
@@ -222,7 +225,7 @@ static const double exponents[] = {0, 0.5, 1, 1.5, 2, 3, 8, 32, 128, 512, 1024, 
 
 /* GLINT_CORNERS sets how many pictures a row has. */
 static void judge_row(const char *where, const glint_evaluation *evaluation, light_kind kind, const char *name,
-                      const glint_model *model, double exponent, uint32_t pictures) {
+                      const glint_shading_model *model, double exponent, uint32_t pictures) {
     judgement found = {0};
     char line[160];
     for (uint32_t seed = 0; seed < pictures; seed++) {

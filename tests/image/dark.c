@@ -43,13 +43,14 @@ static void build_torus(bench_scene *scene, glint_viewer viewer, const glint_eva
 static void fill_dark(glint_light lights[GLINT_LIGHTS_MAX], const glint_light *like) {
     for (int i = 0; i < GLINT_LIGHTS_MAX; i++) {
         lights[i] = *like;
-        lights[i].vector.x += i * GLINT_ONE;
+        lights[i].direction.x -= i * GLINT_ONE;
+        lights[i].position = (glint_vector){-lights[i].direction.x, -lights[i].direction.y, -lights[i].direction.z};
         lights[i].diffuse = i % 2 ? blue : black;
         lights[i].specular = i % 3 ? blue : black;
     }
     lights[GLINT_LIGHTS_MAX / 2].type = &glint_light_point;
     lights[GLINT_LIGHTS_MAX / 3].type = &glint_light_spot;
-    lights[GLINT_LIGHTS_MAX / 3].axis = (glint_vector){0, 0, -GLINT_ONE};
+    lights[GLINT_LIGHTS_MAX / 3].direction = (glint_vector){0, 0, -GLINT_ONE};
     lights[GLINT_LIGHTS_MAX / 3].outer = 40 * GLINT_ONE;
 }
 
@@ -136,7 +137,7 @@ static void each_material_has_a_light_of_its_own(void) {
     s.objects[0].pose.m[0][3] -= 2 * GLINT_ONE;
     s.objects[1].pose.m[0][3] += 2 * GLINT_ONE;
     s.lights[1] = s.lights[0];
-    s.lights[1].vector.x = -s.lights[0].vector.x;
+    s.lights[1].direction.x = -s.lights[0].direction.x;
     s.scene.background = s.scene.ambient = black;
     for (int i = 0; i < 2; i++) {
         const glint_colour only = {i ? 0 : GLINT_ONE, i ? GLINT_ONE : 0, 0};
@@ -165,10 +166,10 @@ static void flags_without_an_effect(void) {
         one.scene.viewer = other.scene.viewer = (glint_viewer)(i % 2);
         if (i / 2 % 3 == 0) {
             one.scene.light_count = other.scene.light_count = 0;
-            other.material.flags = GLINT_MATERIAL_MAX | GLINT_MATERIAL_UNGATED;
+            other.material.flags = GLINT_MATERIAL_MAX_WITH_AMBIENT | GLINT_MATERIAL_SPECULAR_UNGATED;
         } else if (i / 2 % 3 == 1) {
             one.material.specular = other.material.specular = black;
-            other.material.flags = GLINT_MATERIAL_UNGATED;
+            other.material.flags = GLINT_MATERIAL_SPECULAR_UNGATED;
             other.material.shininess = 5 * GLINT_ONE;
         } else {
             one.material.specular = other.material.specular = black;
@@ -228,7 +229,7 @@ static void close_stage(stage *s) {
 }
 
 static int is_unlit(stage *s, int32_t x, int32_t y, int32_t z) {
-    s->light.vector = (glint_vector){x, y, z};
+    s->light.direction = (glint_vector){-x, -y, -z};
     return picture_render(&s->shown, &s->scene, NULL, NULL) == GLINT_OK && picture_equal(&s->shown, &s->expected);
 }
 

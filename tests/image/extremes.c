@@ -35,7 +35,7 @@ static void build(test_scene *scene) {
     scene->scene.ambient = grey(1);
     scene->scene.light_count = 1;
     scene->lights[0] = (glint_light){.type = &glint_light_directional,
-                                     .vector = {bench_q16(0.4), bench_q16(0.6), bench_q16(0.7)},
+                                     .direction = {bench_q16(-0.4), bench_q16(-0.6), bench_q16(-0.7)},
                                      .diffuse = grey(1),
                                      .specular = grey(1)};
 }
@@ -68,8 +68,8 @@ static void lights_far_off(void) {
         build(&scene);
         scene.objects[0].evaluation = evaluations[i % 3];
         scene.lights[0].type = i / 3 % 2 ? &glint_light_spot : &glint_light_point;
-        scene.lights[0].vector = *place;
-        scene.lights[0].axis = (glint_vector){-(place->x / 2), -(place->y / 2), -(place->z / 2)};
+        scene.lights[0].position = *place;
+        scene.lights[0].direction = (glint_vector){-(place->x / 2), -(place->y / 2), -(place->z / 2)};
         scene.lights[0].inner = 10 * GLINT_ONE;
         scene.lights[0].outer = 20 * GLINT_ONE;
         snprintf(name, sizeof name, "%s far off, place %u, evaluation %u", i / 3 % 2 ? "spot" : "point", i / 6, i % 3);
@@ -83,7 +83,7 @@ static void light_far_off_fades(void) {
     row_print_heading();
     build(&scene);
     scene.lights[0].type = &glint_light_point;
-    scene.lights[0].vector = (glint_vector){0, 0, INT32_MAX};
+    scene.lights[0].position = (glint_vector){0, 0, INT32_MAX};
     scene.lights[0].linear = 1; /* 1 / (1 + 1/2) */
     judge_viewers("point far off, a third less", &scene);
     scene.lights[0].quadratic = 1; /* 1 / (1 + 1/2 + 2^14) */
@@ -108,9 +108,8 @@ static void fields_of_view(void) {
         scene.scene.camera.field_of_view = views[i / 2].degrees;
         scene.objects[0].pose.m[2][3] = bench_q16(-views[i / 2].distance);
         scene.lights[0].type = types[i % 2];
-        scene.lights[0].vector = (glint_vector){2 * GLINT_ONE, 3 * GLINT_ONE, bench_q16(4 - views[i / 2].distance)};
-        if (i % 2 == 0)
-            scene.lights[0].vector.z = 4 * GLINT_ONE;
+        scene.lights[0].position = (glint_vector){2 * GLINT_ONE, 3 * GLINT_ONE, bench_q16(4 - views[i / 2].distance)};
+        scene.lights[0].direction = (glint_vector){-2 * GLINT_ONE, -3 * GLINT_ONE, -4 * GLINT_ONE};
         snprintf(name, sizeof name, "%d degrees, at %g, %s", views[i / 2].degrees / GLINT_ONE, views[i / 2].distance,
                  i % 2 ? "point" : "directional");
         judge_viewers(name, &scene);
@@ -121,7 +120,7 @@ static void fields_of_view(void) {
 
 static void least_exponents(void) {
     static const glint_q16 exponents[] = {0, 1, 2, 655};
-    const glint_model *const models[2] = {&glint_model_blinn_phong, &glint_model_phong};
+    const glint_shading_model *const models[2] = {&glint_model_blinn_phong, &glint_model_phong};
     const glint_evaluation *const evaluations[2] = {&glint_per_fragment, &glint_per_vertex};
     static const char *const names[2] = {"fragment", "vertex"};
     row_print_heading();
@@ -141,7 +140,7 @@ static void least_exponents(void) {
 
 /* A highlight that narrow fills a part of the screen where the field of view is narrow too. */
 static void largest_exponents(void) {
-    const glint_model *const models[2] = {&glint_model_blinn_phong, &glint_model_phong};
+    const glint_shading_model *const models[2] = {&glint_model_blinn_phong, &glint_model_phong};
     row_print_heading();
     for (int i = 0; i < 6; i++) {
         test_scene scene;
@@ -149,7 +148,7 @@ static void largest_exponents(void) {
         build(&scene);
         scene.objects[0].mesh = &scene_bench_mesh(3)->mesh;
         scene.scene.camera.field_of_view = 2 * GLINT_ONE;
-        scene.lights[0].vector = (glint_vector){GLINT_ONE / 100, 0, GLINT_ONE};
+        scene.lights[0].direction = (glint_vector){-GLINT_ONE / 100, 0, -GLINT_ONE};
         scene.materials[0].model = models[i % 2];
         scene.materials[0].shininess = i / 2 ? INT32_MAX : 16384 * GLINT_ONE;
         if (i / 2 == 2) /* the least that shows, on the smallest place */
@@ -325,8 +324,10 @@ static void build_single(test_scene *scene, glint_mesh *mesh, const single_trian
     scene->materials[0].shininess = of->shininess;
     scene->scene.ambient = grey(1);
     scene->scene.light_count = 1;
-    scene->lights[0] =
-        (glint_light){.type = &glint_light_directional, .vector = of->light, .diffuse = grey(1), .specular = grey(1)};
+    scene->lights[0] = (glint_light){.type = &glint_light_directional,
+                                     .direction = {-of->light.x, -of->light.y, -of->light.z},
+                                     .diffuse = grey(1),
+                                     .specular = grey(1)};
     scene->scene.viewer = GLINT_VIEWER_LOCAL;
     scene->scene.camera = (glint_camera){glint_pose_identity(), of->field_of_view, GLINT_ONE / 8};
 }

@@ -99,7 +99,7 @@ static void judge_some(unsigned count, const glint_scene *scene, int width, int 
 
 static void bench_scenes(void) {
     static const int exponents[] = {1, 2, 8, 32, 64, 256, 1024};
-    static const glint_model *const models[] = {&glint_model_blinn_phong, &glint_model_phong};
+    static const glint_shading_model *const models[] = {&glint_model_blinn_phong, &glint_model_phong};
     for (unsigned i = 0; i < 4 * BENCH_SCENES * 7 * 3; i++) {
         bench_scene scene;
         const unsigned which = i / 84, viewer = i / 42 % 2;
@@ -285,8 +285,8 @@ static void add_light(test_scene *scene) {
     if (scene->scene.light_count > 1)
         return;
     const glint_colour weak = {GLINT_ONE / 16, GLINT_ONE / 16, GLINT_ONE / 16};
-    scene->lights[scene->scene.light_count] =
-        (glint_light){.type = &glint_light_directional, .vector = {GLINT_ONE, 0, 0}, .diffuse = weak, .specular = weak};
+    scene->lights[scene->scene.light_count] = (glint_light){
+        .type = &glint_light_directional, .direction = {-GLINT_ONE, 0, 0}, .diffuse = weak, .specular = weak};
     scene->scene.light_count++;
 }
 

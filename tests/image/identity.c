@@ -231,7 +231,7 @@ static void draw_backwards(const picture *wanted, const glint_scene *scene, size
     glint_frame frame;
     int status = CHECK(config.arena != NULL) ? (int)glint_frame_begin(&frame, &config, scene) : GLINT_ERROR_NULL;
     CHECK_EQUAL(status, GLINT_OK);
-    while (status >= 0 && (status = glint_frame_next(&frame)) > 0) {
+    while (status >= 0 && (status = glint_frame_next_pass(&frame)) > 0) {
         for (uint32_t tile = frame.tile_end; tile-- > frame.tile_first;)
             draw_tile(&frame, &workspaces.of[tile % 2], tile, &got);
     }
@@ -334,7 +334,7 @@ static glint_status draw_halves(const uint16_t (*triangles)[3], uint32_t count, 
                                   .ambient = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
                                   .diffuse = {GLINT_ONE / 2, GLINT_ONE / 2, GLINT_ONE / 2}};
     const glint_light light = {.type = &glint_light_directional,
-                               .vector = {GLINT_ONE, 0, GLINT_ONE},
+                               .direction = {-GLINT_ONE, 0, -GLINT_ONE},
                                .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
     const glint_object object = {&mesh, &paint, glint_pose_identity(), evaluation};
     const glint_scene scene = {

@@ -47,7 +47,7 @@ static void build(test_scene *scene) {
     scene->objects[1].pose.m[2][3] -= GLINT_ONE;
     scene->scene.object_count = 2;
     scene->lights[1] = scene->lights[0];
-    scene->lights[1].vector.x = -scene->lights[0].vector.x;
+    scene->lights[1].direction.x = -scene->lights[0].direction.x;
 }
 
 /* ---- What may change from frame to frame ---- */
@@ -72,7 +72,7 @@ CHANGE(ambient, s->materials[0].ambient.r += GLINT_ONE / 4)
 CHANGE(ambient_light, s->scene.ambient.b /= 2)
 CHANGE(light_colour, s->lights[0].diffuse.r /= 2)
 CHANGE(light_specular, s->lights[0].specular.b /= 4)
-CHANGE(light_direction, s->lights[0].vector.y = -s->lights[0].vector.y)
+CHANGE(light_direction, s->lights[0].direction.y = -s->lights[0].direction.y)
 CHANGE(two_lights, s->scene.light_count = 2)
 CHANGE(one_light, s->scene.light_count = 1)
 /* Of two lights of the same colours one shows. */
@@ -88,7 +88,7 @@ CHANGE(blinn_phong, s->materials[0].model = &glint_model_blinn_phong)
 CHANGE(unlit, s->materials[0].model = &glint_model_unlit; s->materials[0].diffuse = s->scene.ambient)
 CHANGE(unlit_ambient, s->materials[0].ambient = white)
 CHANGE(unlit_colour, s->materials[0].diffuse.g = GLINT_ONE / 8)
-CHANGE(flags, s->materials[1].flags = GLINT_MATERIAL_UNGATED)
+CHANGE(flags, s->materials[1].flags = GLINT_MATERIAL_SPECULAR_UNGATED)
 CHANGE(no_flags, s->materials[1].flags = 0)
 CHANGE(other_order, const glint_object first = s->objects[0]; s->objects[0] = s->objects[1]; s->objects[1] = first)
 CHANGE(same_material, s->objects[1].material = s->objects[0].material)
@@ -182,7 +182,7 @@ static int draws_the_same_tiles(beginner *b, const glint_scene *scene) {
     CHECK_EQUAL(picture_render(&wanted, scene, NULL, NULL), GLINT_OK);
     int status = begin(b, scene);
     CHECK_EQUAL(status, GLINT_OK);
-    while (status >= 0 && (status = glint_frame_next(&b->frame)) > 0) {
+    while (status >= 0 && (status = glint_frame_next_pass(&b->frame)) > 0) {
         for (uint32_t tile = b->frame.tile_first; tile < b->frame.tile_end; tile++) {
             int to[4];
             if (!glint_render_tile(&b->frame, &b->workspace, tile))

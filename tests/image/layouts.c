@@ -25,23 +25,25 @@
 /* What of a mesh is laid out anew; types that are null leave the mesh's own array. */
 typedef struct variant {
     const char *name;
-    const glint_type *positions, *normals, *triangles, *colours;
+    const glint_attribute_type *positions, *normals, *triangles, *colours;
     int is_interleaved;
 } variant;
 
 static const variant variants[] = {
-    {"int16, uint16, apart", &glint_type_int16, &glint_type_int16, &glint_type_uint16, &glint_type_rgb888, 1},
-    {"int8, octahedral8", &glint_type_int8, &glint_type_octahedral8, NULL, NULL, 0},
-    {"int8, octahedral16, apart", &glint_type_int8, &glint_type_octahedral16, &glint_type_uint8, &glint_type_rgb565, 1},
-    {"normals alone", NULL, &glint_type_octahedral8, NULL, NULL, 0},
-    {"triangles alone", NULL, NULL, &glint_type_uint8, NULL, 0},
-    {"int8, int8", &glint_type_int8, &glint_type_int8, &glint_type_uint16, &glint_type_rgb888, 0},
+    {"int16, uint16, apart", &glint_attribute_int16, &glint_attribute_int16, &glint_attribute_uint16,
+     &glint_attribute_rgb888, 1},
+    {"int8, octahedral8", &glint_attribute_int8, &glint_attribute_octahedral8, NULL, NULL, 0},
+    {"int8, octahedral16, apart", &glint_attribute_int8, &glint_attribute_octahedral16, &glint_attribute_uint8,
+     &glint_attribute_rgb565, 1},
+    {"normals alone", NULL, &glint_attribute_octahedral8, NULL, NULL, 0},
+    {"triangles alone", NULL, NULL, &glint_attribute_uint8, NULL, 0},
+    {"int8, int8", &glint_attribute_int8, &glint_attribute_int8, &glint_attribute_uint16, &glint_attribute_rgb888, 0},
 };
 
 /* A mesh in arrays of its own, and the same laid out in another way. */
 typedef struct pair {
     glint_mesh plain, other;
-    glint_layout layout;
+    glint_mesh_layout layout;
     int16_t positions[VERTICES_MAX][3], normals[VERTICES_MAX][3];
     uint16_t triangles[TRIANGLES_MAX][3];
     uint8_t colours[VERTICES_MAX][3];
@@ -57,27 +59,27 @@ static void put(uint8_t *to, size_t size, int value) {
 }
 
 /* Bytes of an attribute of one vertex or triangle, as glint_layout.h says. */
-static uint32_t size_of(const glint_type *type) {
-    return type == &glint_type_int16 || type == &glint_type_uint16         ? 6
-           : type == &glint_type_octahedral16                              ? 4
-           : type == &glint_type_octahedral8 || type == &glint_type_rgb565 ? 2
-                                                                           : 3;
+static uint32_t size_of(const glint_attribute_type *type) {
+    return type == &glint_attribute_int16 || type == &glint_attribute_uint16         ? 6
+           : type == &glint_attribute_octahedral16                                   ? 4
+           : type == &glint_attribute_octahedral8 || type == &glint_attribute_rgb565 ? 2
+                                                                                     : 3;
 }
 
 /* Where an attribute begins: within structs of 32 bytes, or by itself. */
-static uint8_t *place_of(pair *p, const variant *v, glint_attribute *a, const glint_type *type, int which,
-                         uint32_t *step) {
+static uint8_t *place_of(pair *p, const variant *v, glint_mesh_attribute *a, const glint_attribute_type *type,
+                         int which, uint32_t *step) {
     static const uint32_t at[3] = {2, 10, 20}; /* the bytes between hold nothing */
     uint8_t *const from = v->is_interleaved ? &p->vertices[0][at[which]] : &p->apart[which][0][0];
     *step = v->is_interleaved ? (uint32_t)sizeof p->vertices[0] : size_of(type);
-    *a = (glint_attribute){type, from, v->is_interleaved ? *step : 0};
+    *a = (glint_mesh_attribute){type, from, v->is_interleaved ? *step : 0};
     return from;
 }
 
 static void lay_positions(pair *p, const variant *v) {
     uint32_t step;
     uint8_t *to = place_of(p, v, &p->layout.positions, v->positions, 0, &step);
-    const int is_small = v->positions == &glint_type_int8;
+    const int is_small = v->positions == &glint_attribute_int8;
     for (uint32_t i = 0; i < p->plain.vertex_count; i++, to += step)
         for (int c = 0; c < 3; c++) {
             if (is_small) {
@@ -115,9 +117,9 @@ static void lay_normals(pair *p, const variant *v) {
         int16_t *const n = p->normals[i];
         const int is_null = !(n[0] | n[1] | n[2]);
         int code[2] = {0, 0};
-        if (v->normals == &glint_type_int16 || v->normals == &glint_type_int8) {
+        if (v->normals == &glint_attribute_int16 || v->normals == &glint_attribute_int8) {
             for (int c = 0; c < 3; c++) {
-                const int is_small = v->normals == &glint_type_int8;
+                const int is_small = v->normals == &glint_attribute_int8;
                 n[c] = (int16_t)(is_small ? n[c] / 256 * 256 : n[c]);
                 put(to + (is_small ? c : 2 * c), is_small ? 1 : 2, is_small ? n[c] / 256 : n[c]);
             }
@@ -125,7 +127,7 @@ static void lay_normals(pair *p, const variant *v) {
         }
         if (is_null)
             n[2] = 1; /* which no code stands for */
-        if (v->normals == &glint_type_octahedral8)
+        if (v->normals == &glint_attribute_octahedral8)
             encode(n, 127, 258, code);
         else
             encode(n, 32767, 1, code);
@@ -138,7 +140,7 @@ static void lay_normals(pair *p, const variant *v) {
 static void lay_triangles(pair *p, const variant *v) {
     const uint32_t size = size_of(v->triangles) / 3, step = v->is_interleaved ? sizeof p->faces[0] : 3 * size;
     uint8_t *to = &p->faces[0][0];
-    p->layout.triangles = (glint_attribute){v->triangles, to, v->is_interleaved ? step : 0};
+    p->layout.triangles = (glint_mesh_attribute){v->triangles, to, v->is_interleaved ? step : 0};
     for (uint32_t i = 0; i < p->plain.triangle_count; i++, to += step)
         for (uint32_t c = 0; c < 3; c++)
             put(to + c * size, size, p->triangles[i][c]);
@@ -149,7 +151,7 @@ static void lay_colours(pair *p, const variant *v) {
     uint32_t step;
     uint8_t *to = place_of(p, v, &p->layout.colours, v->colours, 2, &step);
     for (uint32_t i = 0; i < p->plain.vertex_count; i++, to += step) {
-        if (v->colours == &glint_type_rgb888)
+        if (v->colours == &glint_attribute_rgb888)
             memcpy(to, p->colours[i], 3);
         else
             put(to, 2, p->colours565[i]);
@@ -160,7 +162,7 @@ static void lay_colours(pair *p, const variant *v) {
 
 static void copy_mesh(pair *p, const glint_mesh *mesh) {
     p->plain = *mesh;
-    p->layout = (glint_layout){0};
+    p->layout = (glint_mesh_layout){0};
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         memcpy(p->positions[i], mesh->positions[i], sizeof p->positions[0]);
         memcpy(p->normals[i], mesh->normals[i], sizeof p->normals[0]);
@@ -179,7 +181,7 @@ static void copy_mesh(pair *p, const glint_mesh *mesh) {
 
 /* Both meshes of a pair, of a mesh and a variant. @return 0 where the variant does not fit the mesh */
 static int make_pair(pair *p, const glint_mesh *mesh, const variant *v) {
-    if (v->triangles == &glint_type_uint8 && mesh->vertex_count > 256)
+    if (v->triangles == &glint_attribute_uint8 && mesh->vertex_count > 256)
         return 0;
     copy_mesh(p, mesh);
     p->other = p->plain;
@@ -190,7 +192,8 @@ static int make_pair(pair *p, const glint_mesh *mesh, const variant *v) {
         lay_normals(p, v);
     if (v->triangles)
         lay_triangles(p, v);
-    if ((v->colours == &glint_type_rgb888 && mesh->colours) || (v->colours == &glint_type_rgb565 && mesh->colours565))
+    if ((v->colours == &glint_attribute_rgb888 && mesh->colours) ||
+        (v->colours == &glint_attribute_rgb565 && mesh->colours565))
         lay_colours(p, v);
     return 1;
 }
@@ -451,7 +454,8 @@ static void unfold(int x, int y, int one, int scale, int16_t normal[3]) {
 
 /* A grid across the screen, a normal at each of its points: the i-th code from `first` on, in steps. */
 static void make_grid(pair *p, int is_small, uint32_t code, uint32_t step) {
-    *p = (pair){.layout = {.normals = {is_small ? &glint_type_octahedral8 : &glint_type_octahedral16, p->apart[1], 0}}};
+    *p = (pair){.layout = {.normals = {is_small ? &glint_attribute_octahedral8 : &glint_attribute_octahedral16,
+                                       p->apart[1], 0}}};
     for (uint32_t i = 0; i < GRID * GRID; i++, code += step) {
         const int x = is_small ? (int8_t)(code >> 8) : (int16_t)(code >> 16),
                   y = is_small ? (int8_t)code : (int16_t)code;
@@ -513,7 +517,7 @@ typedef struct point {
 typedef struct tube {
     point points[2 * RING];
     uint8_t triangles[2 * RING][3];
-    glint_layout layout;
+    glint_mesh_layout layout;
     glint_mesh mesh;
 } tube;
 
@@ -531,10 +535,10 @@ static void change(tube *t, int phase) {
         t->triangles[i][1] = (uint8_t)(i < RING ? (i + 1) % RING : i % RING);
         t->triangles[i][2] = (uint8_t)(i < RING ? i + RING : RING + (i + RING - 1) % RING);
     }
-    t->layout = (glint_layout){{&glint_type_int8, t->points[0].position, sizeof(point)},
-                               {&glint_type_octahedral8, t->points[0].normal, sizeof(point)},
-                               {&glint_type_uint8, t->triangles, 0},
-                               {&glint_type_rgb888, t->points[0].colour, sizeof(point)}};
+    t->layout = (glint_mesh_layout){{&glint_attribute_int8, t->points[0].position, sizeof(point)},
+                                    {&glint_attribute_octahedral8, t->points[0].normal, sizeof(point)},
+                                    {&glint_attribute_uint8, t->triangles, 0},
+                                    {&glint_attribute_rgb888, t->points[0].colour, sizeof(point)}};
     t->mesh = (glint_mesh){.vertex_count = 2 * RING,
                            .triangle_count = (uint32_t)(2 * RING - phase),
                            .extent = {GLINT_ONE, GLINT_ONE, GLINT_ONE},

@@ -204,7 +204,7 @@ static glint_config screen_of(int width, int height) {
 
 static void place(line_scene *s) {
     const glint_config config = screen_of(WIDTH, HEIGHT);
-    CHECK_EQUAL(glint_lines_place(s->segments, &config, &s->at.scene.camera, &s->pose, s->lines, LINES), GLINT_OK);
+    CHECK_EQUAL(glint_lines_project(s->segments, &config, &s->at.scene.camera, &s->pose, s->lines, LINES), GLINT_OK);
 }
 
 /* ---- Cases ---- */
@@ -335,7 +335,7 @@ static void lines_far_from_all_else_keep_their_side(void) {
                 const glint_line one = {{-9 * GLINT_ONE, 0, z[is_behind]}, {9 * GLINT_ONE, 0, z[is_behind]}, {0, 0, 0}};
                 glint_segment segment;
                 int wrong = 0;
-                CHECK_EQUAL(glint_lines_place(&segment, &config, &flat.camera, &at, &one, 1), GLINT_OK);
+                CHECK_EQUAL(glint_lines_project(&segment, &config, &flat.camera, &at, &one, 1), GLINT_OK);
                 draw(&flat, &segment, 1, &image);
                 for (int x = WIDTH / 2 - 5; x < WIDTH / 2 + 5; x++)
                     wrong += is_behind ? over.after[HEIGHT / 2][x] != over.before[HEIGHT / 2][x]
@@ -447,7 +447,7 @@ static void edges_show_on_their_mesh(void) {
     const glint_mesh *const mesh = torus.object.mesh;
     if (!CHECK_EQUAL(glint_lines_edges(lines, 864, mesh, (glint_colour){GLINT_ONE, 0, 0}), 864))
         return;
-    CHECK_EQUAL(glint_lines_place(segments, &config, &torus.scene.camera, &torus.object.pose, lines, 864), GLINT_OK);
+    CHECK_EQUAL(glint_lines_project(segments, &config, &torus.scene.camera, &torus.object.pose, lines, 864), GLINT_OK);
     draw(&torus.scene, segments, 864, &drawn);
     memset(pixels, 0, sizeof pixels);
     reference_render(&image, &torus.scene, NULL);
@@ -526,24 +526,26 @@ static void bad_input_is_refused(void) {
     glint_camera bad = camera;
     memset(scene.segments, 0x5a, sizeof scene.segments);
     bad.near_plane = 0;
-    CHECK_EQUAL(glint_lines_place(NULL, &config, &camera, &scene.pose, scene.lines, LINES), GLINT_ERROR_NULL);
-    CHECK_EQUAL(glint_lines_place(scene.segments, NULL, &camera, &scene.pose, scene.lines, LINES), GLINT_ERROR_NULL);
-    CHECK_EQUAL(glint_lines_place(scene.segments, &config, NULL, &scene.pose, scene.lines, LINES), GLINT_ERROR_NULL);
-    CHECK_EQUAL(glint_lines_place(scene.segments, &config, &camera, NULL, scene.lines, LINES), GLINT_ERROR_NULL);
-    CHECK_EQUAL(glint_lines_place(scene.segments, &config, &camera, &scene.pose, NULL, LINES), GLINT_ERROR_NULL);
-    CHECK_EQUAL(glint_lines_place(scene.segments, &config, &bad, &scene.pose, scene.lines, LINES), GLINT_ERROR_CAMERA);
+    CHECK_EQUAL(glint_lines_project(NULL, &config, &camera, &scene.pose, scene.lines, LINES), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_lines_project(scene.segments, NULL, &camera, &scene.pose, scene.lines, LINES), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_lines_project(scene.segments, &config, NULL, &scene.pose, scene.lines, LINES), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_lines_project(scene.segments, &config, &camera, NULL, scene.lines, LINES), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_lines_project(scene.segments, &config, &camera, &scene.pose, NULL, LINES), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_lines_project(scene.segments, &config, &bad, &scene.pose, scene.lines, LINES),
+                GLINT_ERROR_CAMERA);
     config.height = GLINT_SIZE_MAX + 1;
-    CHECK_EQUAL(glint_lines_place(scene.segments, &config, &camera, &scene.pose, scene.lines, LINES), GLINT_ERROR_SIZE);
+    CHECK_EQUAL(glint_lines_project(scene.segments, &config, &camera, &scene.pose, scene.lines, LINES),
+                GLINT_ERROR_SIZE);
     config.height = HEIGHT;
     scene.lines[LINES - 1].colour.g = GLINT_COLOUR_MAX + 1;
-    CHECK_EQUAL(glint_lines_place(scene.segments, &config, &camera, &scene.pose, scene.lines, LINES),
+    CHECK_EQUAL(glint_lines_project(scene.segments, &config, &camera, &scene.pose, scene.lines, LINES),
                 GLINT_ERROR_COLOUR);
     scene.lines[LINES - 1].colour.g = -1;
-    CHECK_EQUAL(glint_lines_place(scene.segments, &config, &camera, &scene.pose, scene.lines, LINES),
+    CHECK_EQUAL(glint_lines_project(scene.segments, &config, &camera, &scene.pose, scene.lines, LINES),
                 GLINT_ERROR_COLOUR);
     for (int i = 0; i < LINES; i++)
         CHECK(scene.segments[i].x[0] == 0x5a5a && scene.segments[i].exponent[1] == 0x5a);
-    CHECK_EQUAL(glint_lines_place(NULL, &config, &camera, &scene.pose, NULL, 0), GLINT_OK);
+    CHECK_EQUAL(glint_lines_project(NULL, &config, &camera, &scene.pose, NULL, 0), GLINT_OK);
     CHECK_EQUAL(glint_lines_draw(NULL, scene.segments, 1), GLINT_ERROR_NULL);
     CHECK_EQUAL(glint_lines_draw(&(glint_tile){0}, scene.segments, 1), GLINT_ERROR_NULL);
     picture image = open_picture(&glint_format_rgb888);
@@ -582,7 +584,7 @@ static void extremes_stay_in_their_place(void) {
             for (int column = 0; column < 4; column++)
                 pose.m[row][column] = any_number();
         }
-        if (!CHECK_EQUAL(glint_lines_place(&segment, &config, &camera, &pose, &line, 1), GLINT_OK))
+        if (!CHECK_EQUAL(glint_lines_project(&segment, &config, &camera, &pose, &line, 1), GLINT_OK))
             return;
         if (!segment.colour)
             continue;
@@ -610,7 +612,7 @@ static void lines_in_the_near_plane_show(void) {
         {{-GLINT_ONE / 4, GLINT_ONE / 8, -GLINT_ONE}, {GLINT_ONE / 8, 0, -GLINT_ONE}, white},
         {{-GLINT_ONE / 2, GLINT_ONE / 4, -2 * GLINT_ONE}, {GLINT_ONE / 4, 0, -2 * GLINT_ONE}, white}};
     glint_segment segments[2];
-    CHECK_EQUAL(glint_lines_place(segments, &config, &camera, &pose, lines, 2), GLINT_OK);
+    CHECK_EQUAL(glint_lines_project(segments, &config, &camera, &pose, lines, 2), GLINT_OK);
     for (int end = 0; end < 2; end++) {
         CHECK(segments[0].colour && segments[1].colour);
         CHECK_EQUAL(segments[0].x[end], segments[1].x[end]);
@@ -644,7 +646,7 @@ static uint32_t draw_view(const glint_camera *camera, const glint_line *lines, u
     const glint_scene view = {.camera = *camera};
     glint_segment segments[VIEW_LINES];
     uint32_t marked = 0;
-    CHECK_EQUAL(glint_lines_place(segments, &config, camera, &pose, lines, count), GLINT_OK);
+    CHECK_EQUAL(glint_lines_project(segments, &config, camera, &pose, lines, count), GLINT_OK);
     draw_with(&view, &(picture_options){.tile_width = tile, .tile_height = tile}, segments, count, image);
     for (int y = 0; y < image->height; y++)
         for (int x = 0; x < image->width; x++)

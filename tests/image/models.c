@@ -21,7 +21,7 @@
 
 typedef struct model_kind {
     const char *name;
-    const glint_model *model;
+    const glint_shading_model *model;
     uint32_t flags;
     int exponents; /* how many of them, 0 when the model has none */
     int is_bright; /* ambient light alone is more than pixels hold */
@@ -34,14 +34,15 @@ static const model_kind models[] = {
     {"phong", &glint_model_phong, 0, 6, 0},
     {"blinn-phong", &glint_model_blinn_phong, 0, 6, 0},
     {"unlit", &glint_model_unlit, 0, 0, 0},
-    {"phong ungated", &glint_model_phong, GLINT_MATERIAL_UNGATED, 6, 0},
-    {"blinn ungated", &glint_model_blinn_phong, GLINT_MATERIAL_UNGATED, 6, 0},
-    {"lambert max", &glint_model_lambert, GLINT_MATERIAL_MAX, 0, 0},
-    {"phong max", &glint_model_phong, GLINT_MATERIAL_MAX, 3, 0},
-    {"blinn max ungated", &glint_model_blinn_phong, GLINT_MATERIAL_MAX | GLINT_MATERIAL_UNGATED, 3, 0},
+    {"phong ungated", &glint_model_phong, GLINT_MATERIAL_SPECULAR_UNGATED, 6, 0},
+    {"blinn ungated", &glint_model_blinn_phong, GLINT_MATERIAL_SPECULAR_UNGATED, 6, 0},
+    {"lambert max", &glint_model_lambert, GLINT_MATERIAL_MAX_WITH_AMBIENT, 0, 0},
+    {"phong max", &glint_model_phong, GLINT_MATERIAL_MAX_WITH_AMBIENT, 3, 0},
+    {"blinn max ungated", &glint_model_blinn_phong, GLINT_MATERIAL_MAX_WITH_AMBIENT | GLINT_MATERIAL_SPECULAR_UNGATED,
+     3, 0},
     {"lambert bright", &glint_model_lambert, 0, 0, 1},
-    {"lambert max bright", &glint_model_lambert, GLINT_MATERIAL_MAX, 0, 1},
-    {"blinn max bright", &glint_model_blinn_phong, GLINT_MATERIAL_MAX, 1, 1},
+    {"lambert max bright", &glint_model_lambert, GLINT_MATERIAL_MAX_WITH_AMBIENT, 0, 1},
+    {"blinn max bright", &glint_model_blinn_phong, GLINT_MATERIAL_MAX_WITH_AMBIENT, 1, 1},
 };
 
 typedef struct evaluation_kind {
@@ -54,11 +55,11 @@ static const glint_evaluation *const vertex = &glint_per_vertex;
 static const glint_evaluation *const facet = &glint_per_facet;
 static const evaluation_kind evaluations[] = {{"fragment", &fragment}, {"vertex", &vertex}, {"facet", &facet}};
 
-/* Positions are relative to the middle between the two objects. */
+/* Places are relative to the middle between the two objects; a directional light comes from there. */
 typedef struct light_kind {
     const char *name;
     const glint_light_type *type;
-    double vector[3];
+    double place[3];
     double linear, quadratic;
     double inner, outer;
 } light_kind;
@@ -113,15 +114,14 @@ static void set_model(test_scene *scene, const model_kind *model, double exponen
 }
 
 static void set_light(test_scene *scene, const light_kind *kind) {
-    const double *v = kind->vector;
-    const int directional = kind->type == &glint_light_directional;
+    const double *v = kind->place;
     scene->lights[0] = (glint_light){.type = kind->type,
-                                     .vector = vector(v[0], v[1], directional ? v[2] : v[2] - 3.5),
+                                     .position = vector(v[0], v[1], v[2] - 3.5),
+                                     .direction = vector(-v[0], -v[1], -v[2]),
                                      .diffuse = colour(1, 1, 1),
                                      .specular = colour(1, 1, 1),
                                      .linear = bench_q16(kind->linear),
                                      .quadratic = bench_q16(kind->quadratic),
-                                     .axis = vector(-v[0], -v[1], -v[2]),
                                      .inner = bench_q16(kind->inner),
                                      .outer = bench_q16(kind->outer)};
 }
@@ -178,7 +178,7 @@ static void models_per_facet(void) {
 /* ---- Surfaces and lights that are hard ----------------------------------------------------------------------- */
 
 static void judge_surface(const scene_definition *definition, const evaluation_kind *evaluation) {
-    const glint_model *const kinds[] = {&glint_model_blinn_phong, &glint_model_phong};
+    const glint_shading_model *const kinds[] = {&glint_model_blinn_phong, &glint_model_phong};
     judgement total = {0};
     char name[80];
     for (int i = 0; i < 4; i++) {

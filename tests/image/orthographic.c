@@ -88,14 +88,14 @@ static void lights_keep_the_contract(void) {
             const glint_pose *const at = &s.objects[0].pose;
             s.lights[i] = (glint_light){
                 .type = i ? &glint_light_spot : &glint_light_point,
-                .vector = {any(-reach, reach), any(-reach, reach), at->m[2][3] + any(GLINT_ONE / 2, reach)},
+                .position = {any(-reach, reach), any(-reach, reach), at->m[2][3] + any(GLINT_ONE / 2, reach)},
                 .diffuse = {GLINT_ONE, GLINT_ONE / 2, GLINT_ONE / 2},
                 .specular = {GLINT_ONE / 2, GLINT_ONE / 2, GLINT_ONE},
                 .quadratic = GLINT_ONE / 16 * any(0, 2),
                 .inner = 20 * GLINT_ONE,
                 .outer = 50 * GLINT_ONE};
-            s.lights[i].axis =
-                (glint_vector){-s.lights[i].vector.x, -s.lights[i].vector.y, at->m[2][3] - s.lights[i].vector.z};
+            s.lights[i].direction =
+                (glint_vector){-s.lights[i].position.x, -s.lights[i].position.y, at->m[2][3] - s.lights[i].position.z};
         }
         scene_make_parallel(&s.scene);
         scene_evaluate(&s, scene_evaluations[number / 2 % 3]);
@@ -115,7 +115,7 @@ static void lamps_near_the_end_of_rays_light_as_close_by(void) {
         const glint_q16 away = i ? (glint_q16)((125.7 + 0.1 * i) * band) : 10 * GLINT_ONE;
         const glint_material paint = {.model = &glint_model_lambert, .diffuse = white};
         const glint_light lamp = {.type = &glint_light_point,
-                                  .vector = {0, 0, GLINT_ONE - away},
+                                  .position = {0, 0, GLINT_ONE - away},
                                   .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
         const glint_object object = {.mesh = &square,
                                      .material = &paint,
@@ -262,7 +262,7 @@ static void points_are_placed(void) {
         const glint_config config = {.width = (uint16_t)any(1, 1024), .height = (uint16_t)any(1, 1024)};
         const glint_q16 reach = 200 * GLINT_ONE;
         const glint_vector point = {any(-reach, reach), any(-reach, reach), any(-reach, reach)};
-        glint_place place;
+        glint_screen_point place;
         double sight[3] = {0, 0, 0};
         for (int k = 0; k < 3; k++)
             camera.pose.m[k][3] = any(-reach, reach);
@@ -304,7 +304,7 @@ static void extremes_are_drawn_or_refused(void) {
                     if (any(0, 2) == 0)
                         s.objects[i].pose.m[row][column] = any_number();
         for (uint32_t i = 0; i < s.scene.light_count; i++)
-            s.lights[i].vector.x = any(0, 1) ? any_number() : s.lights[i].vector.x;
+            s.lights[i].direction.x = any(0, 1) ? any_number() : s.lights[i].direction.x;
         s.scene.camera.view_height = any(256, 1 << any(9, 30));
         s.scene.camera.near_plane = any(1, 1 << any(1, 30));
         for (int row = 0; row < 3; row++)

@@ -99,7 +99,7 @@ static void build(patch *p, uint32_t number, uint32_t flags) {
                          .shininess = fixed(exponents[below(TEST_COUNT(exponents))]),
                          .flags = flags};
     p->light = (glint_light){.type = &glint_light_directional,
-                             .vector = {fixed(beside * cos(side)), fixed(beside * sin(side)), fixed(front)},
+                             .direction = {-fixed(beside * cos(side)), -fixed(beside * sin(side)), -fixed(front)},
                              .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
                              .specular = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
     p->object = (glint_object){
@@ -155,7 +155,7 @@ static void a_long_cylinder_keeps_the_contract(void) {
     const glint_mesh_room room = {positions, normals, triangles, 24, 32};
     const glint_colour white = {GLINT_ONE, GLINT_ONE, GLINT_ONE};
     const glint_light light = {
-        .type = &glint_light_directional, .vector = {47362, 40564, 60655}, .diffuse = white, .specular = white};
+        .type = &glint_light_directional, .direction = {-47362, -40564, -60655}, .diffuse = white, .specular = white};
     const glint_material material = {.model = &glint_model_blinn_phong,
                                      .ambient = {5000, 5000, 5000},
                                      .diffuse = {30000, 20000, 10000},

@@ -50,7 +50,8 @@ static void evaluate(glint_object *objects, uint32_t count, unsigned evaluation)
 
 /* A mesh of the benchmark with all exponents, models and viewers. */
 static void draw_bench(drawing *d, unsigned which) {
-    static const glint_model *const models[] = {&glint_model_blinn_phong, &glint_model_phong, &glint_model_lambert};
+    static const glint_shading_model *const models[] = {&glint_model_blinn_phong, &glint_model_phong,
+                                                        &glint_model_lambert};
     static const double exponents[] = {0.5, 1, 2, 3, 8, 32, 100, 256, 1024};
     for (uint32_t i = 0; i < 108; i++) {
         bench_scene scene;
@@ -181,7 +182,8 @@ static void vary(drawing *d, random_scene *scene, picture_options *options, uint
         options->gamma = glint_gamma_srgb;
     if (lit == 0)
         for (unsigned i = 0; i < RANDOM_OBJECTS_MAX; i++)
-            scene->materials[i].flags = GLINT_MATERIAL_MAX | (value % 2 ? GLINT_MATERIAL_UNGATED : 0);
+            scene->materials[i].flags =
+                GLINT_MATERIAL_MAX_WITH_AMBIENT | (value % 2 ? GLINT_MATERIAL_SPECULAR_UNGATED : 0);
     else if (lit == 1)
         evaluate(scene->objects, scene->scene.object_count, value % 3);
     else if (lit == 2)
@@ -236,8 +238,8 @@ static void draw_varied_bench(drawing *d, unsigned part) {
         scene.material.diffuse = take_colour(&left);
         left = hash_of(number + 300000);
         scene.material.specular = take_colour(&left);
-        scene.light.vector.x = ((int32_t)take(&left, 17) - 8) * 8192;
-        scene.light.vector.y = ((int32_t)take(&left, 17) - 8) * 8192;
+        scene.light.direction.x = (8 - (int32_t)take(&left, 17)) * 8192;
+        scene.light.direction.y = (8 - (int32_t)take(&left, 17)) * 8192;
         draw(d, &scene.scene);
     }
 }

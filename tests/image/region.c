@@ -240,17 +240,17 @@ static void bad_regions_are_refused(void) {
 
 /* Regions go through the filter, and what they showed of a tile is not taken for the tile. */
 static void changes_know_regions(void) {
-    static glint_signature signatures[5 * 4];
+    static glint_tile_signature signatures[5 * 4];
     test_scene scene;
-    glint_changes changes;
+    glint_change_filter changes;
     glint_renderer renderer;
     scene_build_random(&scene, 3);
     glint_config config = configure(&part, &glint_format_rgb565, 0);
     config.left = 3;
     config.top = -2;
-    CHECK_EQUAL(glint_changes_count(&config), 20);
-    CHECK_EQUAL(glint_changes_init(&changes, signatures, &config), GLINT_OK);
-    config.flush = glint_changes_flush(&changes);
+    CHECK_EQUAL(glint_tile_signature_count(&config), 20);
+    CHECK_EQUAL(glint_change_filter_init(&changes, signatures, &config), GLINT_OK);
+    config.flush = glint_change_filter_flush(&changes);
     CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
     CHECK_EQUAL(glint_render(&renderer, &scene.scene), GLINT_OK);
     CHECK_EQUAL(changes.sent, 20);
@@ -408,16 +408,16 @@ static void check_shown(const panel *p, const glint_scene *scene) {
 }
 
 static void follow(const glint_format *format, uint16_t tile, int has_wait) {
-    static glint_signature signatures[TILES_MAX];
-    glint_changes changes;
+    static glint_tile_signature signatures[TILES_MAX];
+    glint_change_filter changes;
     panel p;
     glint_config config = configure_panel(&p, format, tile, has_wait);
-    CHECK_AT_MOST(glint_changes_count(&config), TILES_MAX);
-    CHECK_EQUAL(glint_changes_init(&changes, signatures, &config), GLINT_OK);
-    config.flush = glint_changes_flush(&changes);
+    CHECK_AT_MOST(glint_tile_signature_count(&config), TILES_MAX);
+    CHECK_EQUAL(glint_change_filter_init(&changes, signatures, &config), GLINT_OK);
+    config.flush = glint_change_filter_flush(&changes);
     for (int frame = 0; frame < FRAMES; frame++) {
         test_scene scene;
-        const uint32_t before = changes.sent, all = glint_changes_count(&config);
+        const uint32_t before = changes.sent, all = glint_tile_signature_count(&config);
         build(&scene, frame);
         CHECK_EQUAL(draw(&config, &scene.scene), GLINT_OK);
         check_shown(&p, &scene.scene);
@@ -429,12 +429,12 @@ static void follow(const glint_format *format, uint16_t tile, int has_wait) {
         else
             CHECK(changes.sent > before && changes.sent < before + all);
     }
-    glint_changes_forget(&changes);
+    glint_change_filter_forget(&changes);
     const uint32_t before = changes.sent;
     test_scene scene;
     build(&scene, FRAMES - 1);
     CHECK_EQUAL(draw(&config, &scene.scene), GLINT_OK);
-    CHECK_EQUAL(changes.sent, before + glint_changes_count(&config));
+    CHECK_EQUAL(changes.sent, before + glint_tile_signature_count(&config));
     picture_close(&p.shown);
 }
 
@@ -447,13 +447,13 @@ static void only_what_changed_is_sent(void) {
 
 /* What failed is sent again, however it failed, until the picture is whole. */
 static void failed_transfers_are_sent_again(void) {
-    static glint_signature signatures[TILES_MAX];
+    static glint_tile_signature signatures[TILES_MAX];
     for (uint32_t every = 1; every < 40; every += 3) {
-        glint_changes changes;
+        glint_change_filter changes;
         panel p;
         glint_config config = configure_panel(&p, &glint_format_rgb565, 32, every % 2 == 0);
-        glint_changes_init(&changes, signatures, &config);
-        config.flush = glint_changes_flush(&changes);
+        glint_change_filter_init(&changes, signatures, &config);
+        config.flush = glint_change_filter_flush(&changes);
         test_scene scene;
         for (int frame = 0; frame < FRAMES; frame++) {
             build(&scene, frame);
@@ -471,25 +471,25 @@ static void failed_transfers_are_sent_again(void) {
 }
 
 /* A filter that was refused has no flush to draw with. */
-static void expect_refused(glint_signature *signatures, const glint_config *config, glint_status expected) {
-    glint_changes changes;
+static void expect_refused(glint_tile_signature *signatures, const glint_config *config, glint_status expected) {
+    glint_change_filter changes;
     memset(&changes, 0xff, sizeof changes);
-    CHECK_EQUAL(glint_changes_init(&changes, signatures, config), expected);
+    CHECK_EQUAL(glint_change_filter_init(&changes, signatures, config), expected);
     CHECK(!changes.sent && !changes.unchanged && !changes.signatures && !changes.count);
-    const glint_flush flush = glint_changes_flush(&changes);
+    const glint_flush flush = glint_change_filter_flush(&changes);
     CHECK(!flush.begin && !flush.wait && !flush.context);
 }
 
 static void bad_arguments_are_refused(void) {
-    glint_signature signature;
+    glint_tile_signature signature;
     panel p;
     glint_config config = configure_panel(&p, &glint_format_rgb565, 32, 0);
-    CHECK_EQUAL(glint_changes_init(NULL, &signature, &config), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_change_filter_init(NULL, &signature, &config), GLINT_ERROR_NULL);
     expect_refused(NULL, &config, GLINT_ERROR_NULL);
     expect_refused(&signature, NULL, GLINT_ERROR_NULL);
     config.tile_width = 5;
     expect_refused(&signature, &config, GLINT_ERROR_TILE);
-    CHECK_EQUAL(glint_changes_count(&config), 0);
+    CHECK_EQUAL(glint_tile_signature_count(&config), 0);
     config.tile_width = 32;
     config.flush.begin = 0;
     expect_refused(&signature, &config, GLINT_ERROR_NULL);

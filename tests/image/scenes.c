@@ -164,7 +164,7 @@ static void build_eight_lights(test_scene *scene) {
     for (int i = 0; i < 8; i++) {
         const double *v = towards[i];
         scene->lights[i] = scene->lights[0];
-        scene->lights[i].vector = (glint_vector){bench_q16(v[0]), bench_q16(v[1]), bench_q16(v[2])};
+        scene->lights[i].direction = (glint_vector){bench_q16(-v[0]), bench_q16(-v[1]), bench_q16(-v[2])};
         scene->lights[i].diffuse = colour(i & 1 ? 0.3 : 0.05, i & 2 ? 0.25 : 0, i & 4 ? 0.2 : 0.1);
         scene->lights[i].specular = colour(0.4, i & 1 ? 0.1 : 0.5, 0.3);
     }
@@ -206,8 +206,8 @@ static void build_low_exponents(test_scene *scene) {
 static void build_opposed_lights(test_scene *scene) {
     begin(scene, 0);
     scene->lights[1] = scene->lights[0];
-    scene->lights[0].vector = (glint_vector){0, 0, -GLINT_ONE};
-    scene->lights[1].vector = (glint_vector){0, 0, GLINT_ONE};
+    scene->lights[0].direction = (glint_vector){0, 0, GLINT_ONE};
+    scene->lights[1].direction = (glint_vector){0, 0, -GLINT_ONE};
     scene->scene.light_count = 2;
 }
 
@@ -295,7 +295,8 @@ void scene_build_random(test_scene *scene, uint32_t seed) {
     }
     for (uint32_t i = 0; i < scene->scene.light_count; i++) {
         scene->lights[i].type = &glint_light_directional;
-        scene->lights[i].vector = random_vector(1);
+        const glint_vector from = random_vector(1);
+        scene->lights[i].direction = (glint_vector){-from.x, -from.y, -from.z};
         scene->lights[i].diffuse = random_colour(1);
         scene->lights[i].specular = random_colour(1);
     }

@@ -39,7 +39,7 @@ static void begin(test_scene *scene) {
         scene->materials[i] = clay;
     scene->scene.ambient = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
     scene->lights[0] = lamp;
-    scene->lights[0].vector = vector(1, 1.5, -1.5);
+    scene->lights[0].position = vector(1, 1.5, -1.5);
 }
 
 /* The camera-space point at (x, y, z) of the torus's own space. */
@@ -57,13 +57,13 @@ static glint_vector on_object(const test_scene *scene, double x, double y, doubl
 
 static void build_light_on_surface(test_scene *scene) {
     begin(scene);
-    scene->lights[0].vector = on_object(scene, 1.2828, 0, 0.2828);
+    scene->lights[0].position = on_object(scene, 1.2828, 0, 0.2828);
 }
 
 static void build_light_on_vertex(test_scene *scene) {
     begin(scene);
     const int16_t *steps = mesh.positions[2];
-    scene->lights[0].vector =
+    scene->lights[0].position =
         on_object(scene, mesh.extent.x / 65536.0 * steps[0] / 32768, mesh.extent.y / 65536.0 * steps[1] / 32768,
                   mesh.extent.z / 65536.0 * steps[2] / 32768);
 }
@@ -71,32 +71,32 @@ static void build_light_on_vertex(test_scene *scene) {
 /* A twentieth above the surface: its light ends at a sharp edge. */
 static void build_light_above_surface(test_scene *scene) {
     begin(scene);
-    scene->lights[0].vector = on_object(scene, 1.0, 0, 0.45);
+    scene->lights[0].position = on_object(scene, 1.0, 0, 0.45);
     scene->lights[0].linear = GLINT_ONE;
 }
 
 /* Within the tube, which is open to it: the other side of the torus is lit. */
 static void build_light_inside(test_scene *scene) {
     begin(scene);
-    scene->lights[0].vector = on_object(scene, 1, 0, 0);
+    scene->lights[0].position = on_object(scene, 1, 0, 0);
     scene->lights[0].linear = GLINT_ONE / 2;
 }
 
 static void build_light_at_the_eye(test_scene *scene) {
     begin(scene);
-    scene->lights[0].vector = vector(0, 0, 0);
+    scene->lights[0].position = vector(0, 0, 0);
 }
 
 static void build_light_far_away(test_scene *scene) {
     begin(scene);
-    scene->lights[0].vector = vector(20000, 16000, 12000);
+    scene->lights[0].position = vector(20000, 16000, 12000);
 }
 
 static void build_strong_attenuation(test_scene *scene) {
     begin(scene);
     scene->lights[0].linear = INT32_MAX;
     scene->lights[0].quadratic = INT32_MAX;
-    scene->lights[0].vector = on_object(scene, 1.0, 0, 0.41);
+    scene->lights[0].position = on_object(scene, 1.0, 0, 0.41);
 }
 
 static void build_square_of_distance(test_scene *scene) {
@@ -106,8 +106,8 @@ static void build_square_of_distance(test_scene *scene) {
 
 static void make_spot(glint_light *light, double inner, double outer) {
     light->type = &glint_light_spot;
-    light->vector = vector(0.5, 1, -1.5);
-    light->axis = vector(-0.5, -0.8, -2);
+    light->position = vector(0.5, 1, -1.5);
+    light->direction = vector(-0.5, -0.8, -2);
     light->inner = bench_q16(inner);
     light->outer = bench_q16(outer);
 }
@@ -130,13 +130,13 @@ static void build_wide_step(test_scene *scene) {
 static void build_half_space(test_scene *scene) {
     begin(scene);
     make_spot(&scene->lights[0], 90, 90);
-    scene->lights[0].vector = vector(0.5, 1, -3.5);
+    scene->lights[0].position = vector(0.5, 1, -3.5);
 }
 
 static void build_all_but_a_cone(test_scene *scene) {
     begin(scene);
     make_spot(&scene->lights[0], 160, 175);
-    scene->lights[0].axis = vector(0.5, 0.8, 2);
+    scene->lights[0].direction = vector(0.5, 0.8, 2);
 }
 
 /* ---- Meshes -------------------------------------------------------------------------------------------------- */
@@ -170,7 +170,7 @@ static void build_unlit_colours(test_scene *scene) {
 
 static void build_largest_of_colours(test_scene *scene) {
     build_colours565(scene);
-    scene->materials[0].flags = GLINT_MATERIAL_MAX;
+    scene->materials[0].flags = GLINT_MATERIAL_MAX_WITH_AMBIENT;
     scene->materials[0].ambient = (glint_colour){GLINT_Q16(0.4), GLINT_Q16(0.3), GLINT_Q16(0.2)};
 }
 
@@ -179,7 +179,7 @@ static void build_double_sided(test_scene *scene) {
     begin(scene);
     mesh.flags = GLINT_MESH_DOUBLE_SIDED;
     mesh.triangle_count = mesh.triangle_count / 2;
-    scene->lights[0].vector = vector(0, 0.4, -3.5);
+    scene->lights[0].position = vector(0, 0.4, -3.5);
 }
 
 static void build_double_sided_mirrored(test_scene *scene) {
@@ -194,7 +194,7 @@ static void build_clipped(test_scene *scene) {
     begin(scene);
     place(&scene->objects[0], 0.2, 0.1, -0.7);
     scene->scene.camera.near_plane = bench_q16(0.5);
-    scene->lights[0].vector = vector(0.3, 1, 0.5);
+    scene->lights[0].position = vector(0.3, 1, 0.5);
 }
 
 static void build_clipped_double_sided(test_scene *scene) {
@@ -214,7 +214,7 @@ static void build_long_floor(test_scene *scene) {
     scene->materials[0] = clay;
     scene->scene.ambient = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
     scene->lights[0] = lamp;
-    scene->lights[0].vector = vector(0.2, 1, -1.5);
+    scene->lights[0].position = vector(0.2, 1, -1.5);
     scene->lights[0].linear = GLINT_ONE / 4;
 }
 
@@ -243,21 +243,22 @@ static void build_floor_through_the_eye(test_scene *scene) {
 static void vary_light(glint_light *light, const glint_object *near) {
     static const glint_light_type *const types[] = {&glint_light_directional, &glint_light_point, &glint_light_spot};
     light->type = types[below(3)];
-    light->axis = light->vector;
+    const glint_vector from = {-light->direction.x, -light->direction.y, -light->direction.z};
     light->inner = bench_q16(below(90));
     light->outer = light->inner + bench_q16(below(90));
     light->linear = bench_q16(below(4) / 4.0);
     light->quadratic = bench_q16(below(4) / 4.0);
     if (light->type == &glint_light_directional)
         return;
-    light->vector.x = near->pose.m[0][3] + 3 * light->vector.x;
-    light->vector.y = near->pose.m[1][3] + 3 * light->vector.y;
-    light->vector.z = near->pose.m[2][3] + 3 * light->vector.z;
+    light->direction = from;
+    light->position.x = near->pose.m[0][3] + 3 * from.x;
+    light->position.y = near->pose.m[1][3] + 3 * from.y;
+    light->position.z = near->pose.m[2][3] + 3 * from.z;
 }
 
 static void vary_object(glint_object *object, glint_material *material, glint_mesh *own) {
-    static const glint_model *const kinds[] = {&glint_model_blinn_phong, &glint_model_phong, &glint_model_lambert,
-                                               &glint_model_unlit};
+    static const glint_shading_model *const kinds[] = {&glint_model_blinn_phong, &glint_model_phong,
+                                                       &glint_model_lambert, &glint_model_unlit};
     const glint_evaluation *const places[] = {&glint_per_fragment, &glint_per_fragment, &glint_per_vertex,
                                               &glint_per_facet};
     material->model = kinds[below(8) % 4 % 3 == 2 ? 2 + below(2) : below(2)];

@@ -113,7 +113,7 @@ static double bent(const glint_pose *pose) {
 static int is_camera(const glint_pose *pose) {
     const glint_config config = {.width = 160, .height = 120};
     const glint_camera camera = {*pose, 45 * GLINT_ONE, GLINT_ONE / 10};
-    glint_place place;
+    glint_screen_point place;
     return glint_camera_project(&config, &camera, (glint_vector){0, 0, 0}, &place) >= 0;
 }
 
@@ -220,7 +220,7 @@ static void places_of_points(void) {
         const double reach = i % 3 ? 10 : 3000;
         const glint_vector point = {any_q16(-reach, reach), any_q16(-reach, reach), any_q16(-reach, reach)};
         const reference_vertex wanted = show(&camera, point, config.width, config.height);
-        glint_place place = {1, 2, 3};
+        glint_screen_point place = {1, 2, 3};
         const int found = glint_camera_project(&config, &camera, point, &place);
         const double distance = -wanted.place[2], from_near = distance - camera.near_plane / 65536.0;
         wrong += fabs(from_near) > 0.001 && found != (from_near > 0);
@@ -247,7 +247,7 @@ static void places_of_points(void) {
 static void far_aside_is_saturated(void) {
     const glint_config config = {.width = 320, .height = 240};
     const glint_camera camera = {glint_pose_identity(), 60 * GLINT_ONE, 1};
-    glint_place place;
+    glint_screen_point place;
     CHECK_EQUAL(glint_camera_project(&config, &camera, (glint_vector){INT32_MAX, INT32_MIN, -1}, &place), 1);
     CHECK_EQUAL(place.x, INT32_MAX);
     CHECK_EQUAL(place.y, INT32_MAX);

@@ -19,7 +19,7 @@ void reference_to_camera(const glint_camera *camera, const double world[3], doub
 }
 
 /* What an attribute of a layout holds, of element `index`. */
-static const void *element_of(const glint_attribute *attribute, uint32_t index, size_t size) {
+static const void *element_of(const glint_mesh_attribute *attribute, uint32_t index, size_t size) {
     return (const char *)attribute->data + (attribute->stride ? attribute->stride : size) * index;
 }
 
@@ -32,8 +32,8 @@ static void unfold_octahedron(double x, double y, double normal[3]) {
     normal[1] = normal[2] < 0 ? (1 - fabs(x)) * (y < 0 ? -1 : 1) : y;
 }
 
-static void three_of(const glint_attribute *attribute, uint32_t index, double to[3]) {
-    const int is_small = attribute->type == &glint_type_int8;
+static void three_of(const glint_mesh_attribute *attribute, uint32_t index, double to[3]) {
+    const int is_small = attribute->type == &glint_attribute_int8;
     const int16_t *const words = element_of(attribute, index, 6);
     const int8_t *const bytes = element_of(attribute, index, 3);
     for (int axis = 0; axis < 3; axis++)
@@ -55,11 +55,11 @@ void reference_mesh_normal(const glint_mesh *mesh, uint32_t index, double normal
             normal[axis] = mesh->normals[index][axis];
         return;
     }
-    const glint_attribute *const from = &mesh->layout->normals;
-    if (from->type == &glint_type_octahedral8) {
+    const glint_mesh_attribute *const from = &mesh->layout->normals;
+    if (from->type == &glint_attribute_octahedral8) {
         const int8_t *code = element_of(from, index, 2);
         unfold_octahedron(code[0] / 127.0, code[1] / 127.0, normal);
-    } else if (from->type == &glint_type_octahedral16) {
+    } else if (from->type == &glint_attribute_octahedral16) {
         const int16_t *code = element_of(from, index, 4);
         unfold_octahedron(code[0] / 32767.0, code[1] / 32767.0, normal);
     } else {
@@ -71,7 +71,7 @@ void reference_mesh_corners(const glint_mesh *mesh, uint32_t triangle, uint32_t 
     for (int i = 0; i < 3; i++) {
         if (mesh->triangles)
             corners[i] = mesh->triangles[triangle][i];
-        else if (mesh->layout->triangles.type == &glint_type_uint8)
+        else if (mesh->layout->triangles.type == &glint_attribute_uint8)
             corners[i] = ((const uint8_t *)element_of(&mesh->layout->triangles, triangle, 3))[i];
         else
             corners[i] = ((const uint16_t *)element_of(&mesh->layout->triangles, triangle, 6))[i];
@@ -82,8 +82,8 @@ void reference_mesh_colour(const glint_mesh *mesh, uint32_t index, double colour
     const uint8_t *levels = mesh->colours ? mesh->colours[index] : NULL;
     const uint16_t *packed = mesh->colours565 ? mesh->colours565 + index : NULL;
     if (!levels && !packed && mesh->layout && mesh->layout->colours.type) {
-        const glint_attribute *const from = &mesh->layout->colours;
-        if (from->type == &glint_type_rgb888)
+        const glint_mesh_attribute *const from = &mesh->layout->colours;
+        if (from->type == &glint_attribute_rgb888)
             levels = element_of(from, index, 3);
         else
             packed = element_of(from, index, 2);
@@ -111,24 +111,22 @@ void reference_prepare_lights(reference_lights *lights, const glint_scene *scene
     lights->pixel = (lights->is_parallel ? reference_real(camera->view_height) : 2 * tan(half_angle)) / height;
     for (uint32_t index = 0; index < scene->light_count; index++) {
         const glint_light *light = &scene->lights[index];
-        double vector[3] = {reference_real(light->vector.x), reference_real(light->vector.y),
-                            reference_real(light->vector.z)};
-        const double axis[3] = {reference_real(light->axis.x), reference_real(light->axis.y),
-                                reference_real(light->axis.z)};
-        for (int row = 0; row < 3 && has_position(light); row++)
-            vector[row] -= reference_real(camera->pose.m[row][3]);
-        reference_to_camera(camera, vector, lights->vector[index]);
-        reference_to_camera(camera, axis, lights->axis[index]);
-        reference_normalise(lights->axis[index]);
-        if (!has_position(light))
-            reference_normalise(lights->vector[index]);
+        double position[3] = {reference_real(light->position.x), reference_real(light->position.y),
+                              reference_real(light->position.z)};
+        const double direction[3] = {reference_real(light->direction.x), reference_real(light->direction.y),
+                                     reference_real(light->direction.z)};
+        for (int row = 0; row < 3; row++)
+            position[row] -= reference_real(camera->pose.m[row][3]);
+        reference_to_camera(camera, position, lights->position[index]);
+        reference_to_camera(camera, direction, lights->direction[index]);
+        reference_normalise(lights->direction[index]);
     }
 }
 
 /* How much of a spot's light falls in the direction of a point: t^2 (3 - 2 t). */
-static double cone(const glint_light *light, const double axis[3], const double towards[3], double *grazing) {
+static double cone(const glint_light *light, const double direction[3], const double towards[3], double *grazing) {
     const double degree = 3.14159265358979323846 / 180;
-    double cosine = -reference_dot(axis, towards);
+    double cosine = -reference_dot(direction, towards);
     double inner = cos(reference_real(light->inner) * degree);
     double outer = cos(reference_real(light->outer) * degree);
     if (light->inner == light->outer)
@@ -155,11 +153,16 @@ static int touches(const reference_lights *lights, const double place[3], double
     return distance < TOUCHING * sqrt(reference_dot(place, place)) || distance < TOUCHING_PIXELS * pixel;
 }
 
+void reference_find_way(const glint_light *light, const reference_lights *lights, uint32_t index, const double place[3],
+                        double way[3]) {
+    for (int axis = 0; axis < 3; axis++)
+        way[axis] = has_position(light) ? lights->position[index][axis] - place[axis] : -lights->direction[index][axis];
+}
+
 /* Direction to a light, unit. @return how much of it arrives. */
 static double illuminate(const glint_light *light, const reference_lights *lights, uint32_t index,
                          const double place[3], double towards[3], double *grazing) {
-    for (int axis = 0; axis < 3; axis++)
-        towards[axis] = lights->vector[index][axis] - (has_position(light) ? place[axis] : 0);
+    reference_find_way(light, lights, index, place, towards);
     double distance = reference_normalise(towards);
     if (!has_position(light))
         return 1;
@@ -170,7 +173,7 @@ static double illuminate(const glint_light *light, const reference_lights *light
     double strength =
         1 / (1 + reference_real(light->linear) * distance + reference_real(light->quadratic) * distance * distance);
     if (light->type == &glint_light_spot)
-        strength *= cone(light, lights->axis[index], towards, grazing);
+        strength *= cone(light, lights->direction[index], towards, grazing);
     return strength;
 }
 
@@ -202,7 +205,7 @@ static void product(const glint_colour *a, const glint_colour *b, double result[
 static void add_light(const glint_light *light, const glint_material *material, const reference_surface *surface,
                       const double towards[3], const double view[3], double strength, reference_light *result) {
     const int has_highlight = material->model == &glint_model_phong || material->model == &glint_model_blinn_phong;
-    const int gated = has_highlight && !(material->flags & GLINT_MATERIAL_UNGATED);
+    const int gated = has_highlight && !(material->flags & GLINT_MATERIAL_SPECULAR_UNGATED);
     double n_dot_l = reference_dot(surface->normal, towards);
     double shine = 0;
     double diffuse[3];
@@ -243,7 +246,7 @@ static reference_light light_all(const glint_scene *scene, const reference_light
     product(&material->ambient, &scene->ambient, ambient);
     for (int channel = 0; channel < 3; channel++) {
         double base = ambient[channel] * surface->colour[channel];
-        if (material->flags & GLINT_MATERIAL_MAX)
+        if (material->flags & GLINT_MATERIAL_MAX_WITH_AMBIENT)
             result.colour[channel] = fmax(result.colour[channel], base);
         else
             result.colour[channel] += base;

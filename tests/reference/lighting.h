@@ -10,9 +10,9 @@
 
 /** Lights in camera space. */
 typedef struct reference_lights {
-    double vector[GLINT_LIGHTS_MAX][3]; /**< Directional: unit, towards the light; else its position. */
-    double axis[GLINT_LIGHTS_MAX][3];   /**< Unit; of spots only. */
-    double pixel;                       /**< A pixel's width, 1 before the eye; of parallel rays anywhere. */
+    double position[GLINT_LIGHTS_MAX][3];  /**< From the eye; of point lights and spots. */
+    double direction[GLINT_LIGHTS_MAX][3]; /**< Unit; of directional lights and spots. */
+    double pixel;                          /**< A pixel's width, 1 before the eye; of parallel rays anywhere. */
     int is_parallel;
 } reference_lights;
 
@@ -33,6 +33,10 @@ typedef struct reference_light {
 
 /** For an image so many pixels high. */
 void reference_prepare_lights(reference_lights *lights, const glint_scene *scene, int height);
+
+/** Sets the way from a place, in camera space, to a light; that to a directional one is unit. */
+void reference_find_way(const glint_light *light, const reference_lights *lights, uint32_t index, const double place[3],
+                        double way[3]);
 
 reference_light reference_shade(const glint_scene *scene, const reference_lights *lights,
                                 const glint_material *material, const reference_surface *surface);

@@ -112,7 +112,7 @@ static int is_narrow(const views *all, uint32_t light, const double *towards) {
     const double outer = cos(reference_real(spot->outer) * degree);
     if (spot->type != &glint_light_spot || inner - outer >= CONTRACT_NARROW)
         return 0;
-    double cosine = towards ? -reference_dot(all->lights.axis[light], towards) : inner;
+    double cosine = towards ? -reference_dot(all->lights.direction[light], towards) : inner;
     return cosine <= inner + GATE && cosine >= outer - GATE;
 }
 
@@ -131,9 +131,7 @@ static int is_short(const views *all, const double towards[3], const double plac
 
 /* The unit vector from a place towards a light. */
 static void find_towards(const views *all, uint32_t light, const double place[3], double towards[3]) {
-    const int placed = all->scene->lights[light].type != &glint_light_directional;
-    for (int axis = 0; axis < 3; axis++)
-        towards[axis] = all->lights.vector[light][axis] - (placed ? place[axis] : 0);
+    reference_find_way(&all->scene->lights[light], &all->lights, light, place, towards);
     reference_normalise(towards);
 }
 

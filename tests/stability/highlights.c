@@ -78,7 +78,7 @@ static void measure_behind(region_figures *figures) {
     region_square(&s);
     region_normals(&s, away);
     region_weights(&s, 0.1, 0.4, 0.5);
-    s.materials[0].flags = GLINT_MATERIAL_UNGATED;
+    s.materials[0].flags = GLINT_MATERIAL_SPECULAR_UNGATED;
     for (int degrees = 90; degrees <= 180; degrees++) {
         double cosine = cos(degrees * 3.14159265358979323846 / 180);
         double of_sine = pow(1 - (1 - cosine * cosine), 32 / 2.0);
@@ -134,7 +134,7 @@ static void measure_opposed_corner(region_figures *figures) {
     random_scene s;
     region_square(&s);
     s.scene.viewer = GLINT_VIEWER_LOCAL;
-    s.materials[0].flags = GLINT_MATERIAL_UNGATED;
+    s.materials[0].flags = GLINT_MATERIAL_SPECULAR_UNGATED;
     s.objects[0].evaluation = &glint_per_vertex;
     for (int i = 0; i < 64; i++) {
         const glint_q16 away = 5 * GLINT_ONE / 2 + i * (GLINT_ONE / 64);
@@ -151,7 +151,7 @@ static void measure_opposed(region_figures *figures) {
     for (int ungated = 0; ungated < 2; ungated++) {
         region_sphere(&s, 9, 8);
         region_light(&s, 0, 0, -1);
-        s.materials[0].flags = ungated ? GLINT_MATERIAL_UNGATED : 0;
+        s.materials[0].flags = ungated ? GLINT_MATERIAL_SPECULAR_UNGATED : 0;
         region_judge_all(&s, figures);
     }
     measure_opposed_corner(figures);

@@ -129,8 +129,8 @@ static void paint_mesh(large_mesh *mesh, source *random) {
 
 /* Adds an object where its mesh is, lit in any way. */
 static void add_object(large_scene *s, source *random) {
-    static const glint_model *const models[4] = {&glint_model_unlit, &glint_model_lambert, &glint_model_phong,
-                                                 &glint_model_blinn_phong};
+    static const glint_shading_model *const models[4] = {&glint_model_unlit, &glint_model_lambert, &glint_model_phong,
+                                                         &glint_model_blinn_phong};
     const glint_evaluation *const evaluations[4] = {&glint_per_fragment, &glint_per_fragment, &glint_per_vertex,
                                                     &glint_per_facet};
     const uint32_t i = s->scene.object_count++;
@@ -153,17 +153,19 @@ static void make_lights(large_scene *s, source *random, glint_q16 size) {
     for (uint32_t i = 0; i < s->scene.light_count; i++) {
         glint_light *const light = &s->lights[i];
         light->type = types[below(random, 4)];
-        light->vector = direction(random);
+        const glint_vector from = direction(random);
         if (light->type != &glint_light_directional) {
-            light->vector.x = between(random, -size, size);
-            light->vector.y = between(random, -size, size);
-            light->vector.z = between(random, -size, size);
+            light->position.x = between(random, -size, size);
+            light->position.y = between(random, -size, size);
+            light->position.z = between(random, -size, size);
         }
         light->diffuse = colour(random, GLINT_ONE);
         light->specular = colour(random, GLINT_ONE);
         light->linear = one_in(random, 2) ? 0 : across(random, 1, GLINT_ONE);
         light->quadratic = one_in(random, 2) ? 0 : across(random, 1, GLINT_ONE);
-        light->axis = direction(random);
+        light->direction = direction(random);
+        if (light->type == &glint_light_directional)
+            light->direction = (glint_vector){-from.x, -from.y, -from.z};
         light->inner = between(random, 0, 90 * GLINT_ONE);
         light->outer = light->inner + between(random, 0, 90 * GLINT_ONE);
     }

@@ -17,7 +17,7 @@ static void measure_sums(region_figures *figures) {
         region_weights(&s, 16, 16, 16);
         s.scene.light_count = (uint32_t)lights;
         for (int i = 0; i < lights; i++)
-            s.lights[i].vector = (glint_vector){GLINT_ONE * (i - 1), GLINT_ONE, GLINT_ONE / 2 * i};
+            s.lights[i].direction = (glint_vector){GLINT_ONE * (1 - i), -GLINT_ONE, -GLINT_ONE / 2 * i};
         region_judge_viewers(&s, figures);
     }
 }
@@ -170,7 +170,7 @@ static void measure_spot(region_figures *figures) {
     region_square(&s);
     make_point(&s, 0.3, 0.1, 0);
     s.lights[0].type = &glint_light_spot;
-    s.lights[0].axis = (glint_vector){-GLINT_ONE / 4, 0, -3 * GLINT_ONE};
+    s.lights[0].direction = (glint_vector){-GLINT_ONE / 4, 0, -3 * GLINT_ONE};
     s.lights[0].inner = 10 * GLINT_ONE;
     s.lights[0].outer = 20 * GLINT_ONE;
     region_judge_viewers(&s, figures);

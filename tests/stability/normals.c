@@ -44,7 +44,7 @@ static void measure_zero(region_figures *figures) {
     memset(s.meshes[0].normals, 0, sizeof s.meshes[0].normals);
     figures->plain = 255 * pow(1 - 0, 32 / 2.0);
     for (int ungated = 0; ungated < 2; ungated++) {
-        s.materials[0].flags = ungated ? GLINT_MATERIAL_UNGATED : 0;
+        s.materials[0].flags = ungated ? GLINT_MATERIAL_SPECULAR_UNGATED : 0;
         for (int viewer = 0; viewer < 2; viewer++) {
             s.scene.viewer = viewer ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
             region_judge_all(&s, figures);

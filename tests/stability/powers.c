@@ -7,14 +7,14 @@
 #include <stdlib.h>
 
 static void judge_exponent(double p, region_figures *figures) {
-    static const glint_model *const models[2] = {&glint_model_blinn_phong, &glint_model_phong};
+    static const glint_shading_model *const models[2] = {&glint_model_blinn_phong, &glint_model_phong};
     for (int i = 0; i < 4; i++) {
         random_scene s;
         region_sphere(&s, 9, 8);
         region_light(&s, 0.6, 0.5, 0.2);
         s.materials[0].shininess = region_q16(p);
         s.materials[0].model = models[i % 2];
-        s.materials[0].flags = i / 2 ? GLINT_MATERIAL_UNGATED : 0;
+        s.materials[0].flags = i / 2 ? GLINT_MATERIAL_SPECULAR_UNGATED : 0;
         region_judge_viewers(&s, figures);
     }
 }
@@ -130,7 +130,7 @@ static void measure_terminator(region_figures *figures) {
     s.materials[0].model = &glint_model_blinn_phong;
     region_judge_viewers(&s, figures);
     s.materials[0].model = &glint_model_phong;
-    s.materials[0].flags = GLINT_MATERIAL_UNGATED;
+    s.materials[0].flags = GLINT_MATERIAL_SPECULAR_UNGATED;
     region_judge_viewers(&s, figures);
     s.scene.viewer = GLINT_VIEWER_INFINITE;
     figures->library[0] = largest_jump(&s, &glint_format_rgb888);

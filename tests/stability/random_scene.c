@@ -234,7 +234,7 @@ static void make_directional(glint_light *light, source *random) {
     if (one_in(random, 2))
         v[2] = fabs(v[2]); /* more often from the viewer's side */
     light->type = &glint_light_directional;
-    light->vector = vector(v[0], v[1], v[2]);
+    light->direction = vector(-v[0], -v[1], -v[2]);
 }
 
 /* Near the first object's centre, outside of it more often than not. */
@@ -244,8 +244,8 @@ static void make_point(random_scene *s, glint_light *light, source *random, doub
     double v[3];
     direction(random, v);
     light->type = &glint_light_point;
-    light->vector = vector(near->m[0][3] / 65536.0 + reach * v[0], near->m[1][3] / 65536.0 + reach * v[1],
-                           near->m[2][3] / 65536.0 + reach * fabs(v[2]));
+    light->position = vector(near->m[0][3] / 65536.0 + reach * v[0], near->m[1][3] / 65536.0 + reach * v[1],
+                             near->m[2][3] / 65536.0 + reach * fabs(v[2]));
     light->linear = one_in(random, 2) ? q16(across(random, 0.01, 4)) : 0;
     light->quadratic = one_in(random, 2) ? q16(across(random, 0.01, 4)) : 0;
 }
@@ -255,9 +255,9 @@ static void make_spot(random_scene *s, glint_light *light, source *random) {
     const glint_pose *near = &s->objects[0].pose;
     make_point(s, light, random, 1, 6);
     light->type = &glint_light_spot;
-    light->axis.x = near->m[0][3] - light->vector.x + q16(between(random, -0.3, 0.3));
-    light->axis.y = near->m[1][3] - light->vector.y + q16(between(random, -0.3, 0.3));
-    light->axis.z = near->m[2][3] - light->vector.z + q16(between(random, -0.3, 0.3));
+    light->direction.x = near->m[0][3] - light->position.x + q16(between(random, -0.3, 0.3));
+    light->direction.y = near->m[1][3] - light->position.y + q16(between(random, -0.3, 0.3));
+    light->direction.z = near->m[2][3] - light->position.z + q16(between(random, -0.3, 0.3));
     light->inner = q16(between(random, 0, 40));
     light->outer = light->inner + (one_in(random, 4) ? 0 : q16(across(random, 0.25, 40)));
 }
@@ -278,7 +278,7 @@ static void make_light(random_scene *s, glint_light *light, source *random) {
 }
 
 static void make_material(glint_material *material, source *random) {
-    static const glint_model *const models[8] = {
+    static const glint_shading_model *const models[8] = {
         &glint_model_blinn_phong, &glint_model_blinn_phong, &glint_model_blinn_phong, &glint_model_blinn_phong,
         &glint_model_blinn_phong, &glint_model_phong,       &glint_model_phong,       &glint_model_lambert};
     material->model = one_in(random, 40) ? &glint_model_unlit : models[below(random, 8)];
@@ -381,7 +381,7 @@ static void make_near_lights(random_scene *s, source *random) {
     for (uint32_t i = 0; i < s->scene.light_count; i++)
         make_point(s, &s->lights[i], random, 0.01, 1.2);
     if (one_in(random, 3))
-        s->lights[0].vector = vector(0, 0, 0); /* at the eye */
+        s->lights[0].position = vector(0, 0, 0); /* at the eye */
 }
 
 static void make_spots(random_scene *s, source *random) {
@@ -418,7 +418,7 @@ static void make_deep(random_scene *s, source *random) {
 static void set_low_exponent(glint_material *material, double p, source *random) {
     material->shininess = q16(p);
     material->model = one_in(random, 2) ? &glint_model_phong : &glint_model_blinn_phong;
-    material->flags = below(random, 2) ? GLINT_MATERIAL_UNGATED : 0;
+    material->flags = below(random, 2) ? GLINT_MATERIAL_SPECULAR_UNGATED : 0;
 }
 
 static void make_lowest_exponents(random_scene *s, source *random) {
@@ -449,10 +449,10 @@ static void make_opposed_lights(random_scene *s, source *random) {
         double off = one_in(random, 4) ? 0 : across(random, 0.001, 0.3);
         double around = between(random, 0, 6.283185307179586);
         s->lights[i].type = &glint_light_directional;
-        s->lights[i].vector = vector(off * cos(around), off * sin(around), one_in(random, 4) ? 1 : -1);
+        s->lights[i].direction = vector(-off * cos(around), -off * sin(around), one_in(random, 4) ? -1 : 1);
     }
     for (uint32_t i = 0; i < s->scene.object_count; i++)
-        s->materials[i].flags = below(random, 2) ? GLINT_MATERIAL_UNGATED : 0;
+        s->materials[i].flags = below(random, 2) ? GLINT_MATERIAL_SPECULAR_UNGATED : 0;
 }
 
 /* Objects through one another. */
@@ -674,18 +674,17 @@ static void to_world(random_scene *s) {
         s->objects[i].pose = glint_pose_then(&s->objects[i].pose, camera);
     for (uint32_t i = 0; i < s->scene.light_count; i++) {
         glint_light *light = &s->lights[i];
-        const int placed = light->type != &glint_light_directional;
-        const glint_vector v = light->vector;
-        const glint_vector a = light->axis;
+        const glint_vector p = light->position;
+        const glint_vector d = light->direction;
         int32_t position[3];
-        int32_t axis[3];
+        int32_t direction[3];
         for (int row = 0; row < 3; row++) {
             const double m[3] = {camera->m[row][0] / 65536.0, camera->m[row][1] / 65536.0, camera->m[row][2] / 65536.0};
-            position[row] = (int32_t)lrint(m[0] * v.x + m[1] * v.y + m[2] * v.z) + (placed ? camera->m[row][3] : 0);
-            axis[row] = (int32_t)lrint(m[0] * a.x + m[1] * a.y + m[2] * a.z);
+            position[row] = (int32_t)lrint(m[0] * p.x + m[1] * p.y + m[2] * p.z) + camera->m[row][3];
+            direction[row] = (int32_t)lrint(m[0] * d.x + m[1] * d.y + m[2] * d.z);
         }
-        light->vector = (glint_vector){position[0], position[1], position[2]};
-        light->axis = (glint_vector){axis[0], axis[1], axis[2]};
+        light->position = (glint_vector){position[0], position[1], position[2]};
+        light->direction = (glint_vector){direction[0], direction[1], direction[2]};
     }
 }
 
@@ -742,7 +741,10 @@ uint64_t random_scene_checksum(const random_scene *s) {
         sum = add(sum, &s->materials[i].ambient, 3 * sizeof(glint_colour), 4);
         sum = add(sum, &s->materials[i].shininess, sizeof s->materials[i].shininess, 4);
     }
-    for (uint32_t i = 0; i < s->scene.light_count; i++)
-        sum = add(sum, &s->lights[i].vector, sizeof s->lights[i].vector, 4);
+    for (uint32_t i = 0; i < s->scene.light_count; i++) {
+        const glint_light *light = &s->lights[i];
+        const glint_vector d = light->direction, towards = {-d.x, -d.y, -d.z};
+        sum = add(sum, light->type == &glint_light_directional ? &towards : &light->position, sizeof towards, 4);
+    }
     return sum;
 }

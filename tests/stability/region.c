@@ -71,7 +71,10 @@ static glint_colour grey(double value) {
 }
 
 void region_light(random_scene *s, double x, double y, double z) {
-    s->lights[0].vector = (glint_vector){region_q16(x), region_q16(y), region_q16(z)};
+    if (s->lights[0].type == &glint_light_directional)
+        s->lights[0].direction = (glint_vector){region_q16(-x), region_q16(-y), region_q16(-z)};
+    else
+        s->lights[0].position = (glint_vector){region_q16(x), region_q16(y), region_q16(z)};
 }
 
 void region_weights(random_scene *s, double ambient, double diffuse, double specular) {
@@ -94,7 +97,7 @@ static void begin(random_scene *s) {
     s->width = s->height = 64;
     for (int i = 0; i < RANDOM_LIGHTS_MAX; i++) {
         s->lights[i] = (glint_light){.type = &glint_light_directional, .diffuse = grey(1), .specular = grey(1)};
-        s->lights[i].vector.z = GLINT_ONE;
+        s->lights[i].direction.z = -GLINT_ONE;
     }
     for (int i = 0; i < RANDOM_OBJECTS_MAX; i++) {
         s->materials[i] = (glint_material){.model = &glint_model_blinn_phong, .shininess = 32 * GLINT_ONE};

@@ -73,7 +73,7 @@ static void draw_together(const picture *wanted, const glint_scene *scene, const
 #endif
     int status = (int)glint_frame_begin(&frame, &config, scene);
     CHECK_EQUAL(status, GLINT_OK);
-    while (status >= 0 && (status = glint_frame_next(&frame)) > 0)
+    while (status >= 0 && (status = glint_frame_next_pass(&frame)) > 0)
         CHECK(draw_pass(callers));
     CHECK_EQUAL(status, 0);
     CHECK(picture_is_complete(&got));

@@ -47,7 +47,7 @@ void null_pointers_are_refused(void) {
     CHECK_EQUAL(glint_frame_begin(0, &f->config, &f->scene), GLINT_ERROR_NULL);
     CHECK_EQUAL(glint_frame_begin(&frame, 0, &f->scene), GLINT_ERROR_NULL);
     CHECK_EQUAL(glint_frame_begin(&frame, &f->config, 0), GLINT_ERROR_NULL);
-    CHECK_EQUAL(glint_frame_next(0), GLINT_ERROR_NULL);
+    CHECK_EQUAL(glint_frame_next_pass(0), GLINT_ERROR_NULL);
     CHECK_EQUAL(glint_camera_look_at(0, zero, at, up), GLINT_ERROR_NULL);
     CHECK_EQUAL(glint_init(&f->renderer, &f->config), GLINT_OK);
     CHECK_EQUAL(glint_render(&f->renderer, 0), GLINT_ERROR_NULL);
@@ -129,7 +129,7 @@ void failed_begin_leaves_zeros(void) {
         CHECK_EQUAL(glint_frame_begin(&frame, how ? &config : 0, how == 6 ? 0 : &f->scene), expected);
         CHECK(is_zero(&frame.config));
         CHECK(!frame.scene && !frame.view && !frame.shading && !frame.shading_count && !frame.tile_count);
-        CHECK_EQUAL(glint_frame_next(&frame), GLINT_ERROR_NULL);
+        CHECK_EQUAL(glint_frame_next_pass(&frame), GLINT_ERROR_NULL);
     }
 }
 

@@ -62,7 +62,7 @@ void bad_lights_are_refused(void) {
     REFUSED(GLINT_ERROR_LIGHTS, f->scene.light_count = GLINT_LIGHTS_MAX + 1);
     REFUSED(GLINT_ERROR_LIGHTS, f->scene.light_count = 0xffffffffu);
     REFUSED(GLINT_ERROR_DIRECTION, f->scene.light_count = GLINT_LIGHTS_MAX,
-            f->lights[GLINT_LIGHTS_MAX - 1].vector = zero);
+            f->lights[GLINT_LIGHTS_MAX - 1].direction = zero);
     for (unsigned i = 0; i < TEST_COUNT(exponents); i++)
         REFUSED(GLINT_ERROR_SHININESS, f->materials[0].shininess = exponents[i]);
 }
@@ -72,7 +72,7 @@ static glint_light *last_spot(fixture *f) {
     glint_light *light = &f->lights[GLINT_LIGHTS_MAX - 1];
     f->scene.light_count = GLINT_LIGHTS_MAX;
     light->type = &glint_light_spot;
-    light->axis.z = -1;
+    light->direction = (glint_vector){0, 0, -1};
     light->outer = GLINT_ONE;
     return light;
 }
@@ -107,11 +107,11 @@ void bad_lamps_are_refused(void) {
     ACCEPTED(set_cone(f, 45 * GLINT_ONE, 45 * GLINT_ONE));
     ACCEPTED(set_cone(f, 0, 180 * GLINT_ONE));
     ACCEPTED(set_cone(f, 180 * GLINT_ONE, 180 * GLINT_ONE));
-    REFUSED(GLINT_ERROR_DIRECTION, last_spot(f)->axis.z = 0);
+    REFUSED(GLINT_ERROR_DIRECTION, last_spot(f)->direction.z = 0);
     fixture *f = fixture_begin(); /* a position may be anywhere, and the rest is no spot's */
     glint_light *light = last_spot(f);
     light->type = &glint_light_point;
-    light->vector.x = light->vector.y = light->vector.z = light->axis.z = 0;
+    light->direction.z = 0;
     light->inner = 2 * GLINT_ONE;
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
 }
@@ -150,7 +150,7 @@ void unknown_flags_are_refused(void) {
             ACCEPTED(f->torus.flags = flag);
         else
             REFUSED(GLINT_ERROR_FLAGS, f->torus.flags = flag);
-        if (flag & (GLINT_MATERIAL_UNGATED | GLINT_MATERIAL_MAX))
+        if (flag & (GLINT_MATERIAL_SPECULAR_UNGATED | GLINT_MATERIAL_MAX_WITH_AMBIENT))
             ACCEPTED(f->materials[0].flags = flag);
         else
             REFUSED(GLINT_ERROR_FLAGS, f->materials[0].flags = flag);
@@ -310,8 +310,8 @@ void limits_are_accepted(void) {
     ACCEPTED(f->scene.camera.field_of_view = 170 * GLINT_ONE);
     ACCEPTED(f->scene.camera.near_plane = 1);
     ACCEPTED(f->scene.camera.near_plane = INT32_MAX);
-    ACCEPTED(f->lights[0].vector.x = f->lights[0].vector.y = f->lights[0].vector.z = INT32_MIN);
-    ACCEPTED(f->lights[0].vector.x = f->lights[0].vector.y = 0, f->lights[0].vector.z = 1);
+    ACCEPTED(f->lights[0].direction.x = f->lights[0].direction.y = f->lights[0].direction.z = INT32_MIN);
+    ACCEPTED(f->lights[0].direction.x = f->lights[0].direction.y = 0, f->lights[0].direction.z = -1);
     ACCEPTED(f->scene.light_count = 0, f->scene.lights = 0);
     ACCEPTED(f->scene.background.r = f->materials[0].ambient.r = f->lights[0].diffuse.g = GLINT_COLOUR_MAX);
     ACCEPTED(f->materials[0].shininess = INT32_MAX);

@@ -62,7 +62,7 @@ static void exponents_beyond(fixture *f) {
 /* Triangles of many pixels whose normals turn far, lit from beside and behind: the terminator crosses the highlight. */
 static void curved(fixture *f) {
     f->objects[0].pose.m[2][3] = GLINT_Q16(-1.9);
-    f->lights[0].vector = (glint_vector){GLINT_Q16(0.9), GLINT_Q16(0.3), GLINT_Q16(-0.3)};
+    f->lights[0].direction = (glint_vector){GLINT_Q16(-0.9), GLINT_Q16(-0.3), GLINT_Q16(0.3)};
     f->materials[0].shininess = 12 * GLINT_ONE;
     local_viewer(f);
 }
@@ -74,7 +74,7 @@ static void curved_infinite(fixture *f) {
 
 static void curved_exponent_8192(fixture *f) {
     curved(f);
-    f->lights[0].vector = (glint_vector){GLINT_Q16(0.3), GLINT_Q16(0.6), GLINT_ONE};
+    f->lights[0].direction = (glint_vector){GLINT_Q16(-0.3), GLINT_Q16(-0.6), -GLINT_ONE};
     f->materials[0].shininess = 8192 * GLINT_ONE;
     infinite_viewer(f);
 }
@@ -90,7 +90,7 @@ static void curved_gently(fixture *f) {
     curved(f);
     scale(&f->objects[0], GLINT_ONE, GLINT_ONE, GLINT_Q16(0.4));
     f->objects[0].pose.m[2][3] = GLINT_Q16(-1.9);
-    f->lights[0].vector = (glint_vector){GLINT_ONE, GLINT_Q16(0.3), GLINT_Q16(0.3)};
+    f->lights[0].direction = (glint_vector){-GLINT_ONE, GLINT_Q16(-0.3), GLINT_Q16(-0.3)};
 }
 
 static void curved_gently_infinite(fixture *f) {
@@ -101,15 +101,15 @@ static void curved_gently_infinite(fixture *f) {
 
 static void curved_gently_exponent_256(fixture *f) {
     curved_gently(f);
-    f->lights[0].vector = (glint_vector){GLINT_Q16(0.3), GLINT_Q16(0.6), GLINT_ONE};
+    f->lights[0].direction = (glint_vector){GLINT_Q16(-0.3), GLINT_Q16(-0.6), -GLINT_ONE};
     f->materials[0].shininess = 256 * GLINT_ONE;
     infinite_viewer(f);
 }
 
 static void eight_lights(fixture *f) {
     for (int i = 0; i < GLINT_LIGHTS_MAX; i++) {
-        const glint_vector towards = {glint_cos(45 * i * GLINT_ONE), glint_sin(45 * i * GLINT_ONE), (i - 2) * 9000};
-        f->lights[i].vector = towards;
+        const glint_vector direction = {-glint_cos(45 * i * GLINT_ONE), -glint_sin(45 * i * GLINT_ONE), (2 - i) * 9000};
+        f->lights[i].direction = direction;
         f->lights[i].diffuse = colour(GLINT_ONE / (1 + i), GLINT_ONE / (8 - i), GLINT_ONE / 4);
     }
     f->scene.light_count = GLINT_LIGHTS_MAX;
@@ -147,7 +147,7 @@ static void large_highlight(fixture *f) {
     f->objects[0].pose = glint_pose_then(&stand, &turn);
     f->objects[0].pose.m[2][3] = -12 * GLINT_ONE;
     f->scene.camera.field_of_view = 12 * GLINT_ONE;
-    f->lights[0].vector = (glint_vector){GLINT_Q16(0.3), GLINT_Q16(0.5), GLINT_ONE};
+    f->lights[0].direction = (glint_vector){GLINT_Q16(-0.3), GLINT_Q16(-0.5), -GLINT_ONE};
     f->materials[0].shininess = 32 * GLINT_ONE;
     f->materials[0].specular = colour(GLINT_ONE / 4, GLINT_ONE / 4, GLINT_ONE / 4);
     f->config.tile_width = f->config.tile_height = 8;
@@ -228,16 +228,16 @@ static void one_pixel(fixture *f) {
 static void point_light(fixture *f) {
     const glint_vector position = {GLINT_ONE, GLINT_Q16(1.2), GLINT_Q16(-2.4)};
     f->lights[0].type = &glint_light_point;
-    f->lights[0].vector = position;
+    f->lights[0].position = position;
     f->lights[0].linear = GLINT_ONE / 8;
     f->lights[0].quadratic = GLINT_ONE / 16;
 }
 
 static void spot_phong(fixture *f) {
-    const glint_vector axis = {-GLINT_ONE, -GLINT_ONE, -GLINT_ONE};
+    const glint_vector direction = {-GLINT_ONE, -GLINT_ONE, -GLINT_ONE};
     point_light(f);
     f->lights[0].type = &glint_light_spot;
-    f->lights[0].axis = axis;
+    f->lights[0].direction = direction;
     f->lights[0].inner = 15 * GLINT_ONE;
     f->lights[0].outer = 40 * GLINT_ONE;
     f->materials[0].model = &glint_model_phong;
@@ -250,7 +250,7 @@ static void lambert_infinite(fixture *f) {
 
 static void phong_ungated_max(fixture *f) {
     f->materials[0].model = &glint_model_phong;
-    f->materials[0].flags = GLINT_MATERIAL_UNGATED | GLINT_MATERIAL_MAX;
+    f->materials[0].flags = GLINT_MATERIAL_SPECULAR_UNGATED | GLINT_MATERIAL_MAX_WITH_AMBIENT;
     f->materials[0].shininess = GLINT_Q16(3.5);
 }
 

@@ -142,7 +142,7 @@ static void half_begin(half *h, const fixture *f, int which) {
 /* Draws one tile, or prepares a pass. */
 static void half_step(half *h) {
     if (h->tile == h->frame.tile_end) {
-        h->status = glint_frame_next(&h->frame);
+        h->status = glint_frame_next_pass(&h->frame);
         h->tile = h->frame.tile_first;
         return;
     }
@@ -367,9 +367,9 @@ void unlit_white_square_fills_the_screen(void) {
 /* N.L = 0.6, N.H = cos(half of 53.13 degrees) = 0.894427, to the power 4: 0.64. */
 void light_on_a_facing_square(void) {
     fixture *f = begin_square();
-    const glint_vector towards = {4 * GLINT_ONE, 0, 3 * GLINT_ONE};
+    const glint_vector direction = {-4 * GLINT_ONE, 0, -3 * GLINT_ONE};
     f->scene.viewer = GLINT_VIEWER_INFINITE;
-    f->lights[0].vector = towards;
+    f->lights[0].direction = direction;
     f->materials[0].shininess = 4 * GLINT_ONE;
     f->materials[0].ambient.r = f->materials[0].ambient.g = f->materials[0].ambient.b = GLINT_ONE / 10;
     f->materials[0].diffuse.r = GLINT_ONE / 2;
@@ -380,7 +380,7 @@ void light_on_a_facing_square(void) {
     static const int wanted[3] = {102, 107, 255}; /* 255 x 0.4, 0.42, 1.38 */
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
     CHECK_AT_MOST(worst_difference(f, wanted), 1);
-    f->lights[0].vector.z = -1; /* from just behind: ambient alone */
+    f->lights[0].direction.z = 1; /* from just behind: ambient alone */
     static const int unlit[3] = {26, 26, 26};
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
     CHECK_AT_MOST(worst_difference(f, unlit), 1);
@@ -400,8 +400,7 @@ void light_from_behind_has_no_highlight(void) {
             f->floor.normals = normals;
             f->floor.flags = 0;
             f->scene.viewer = GLINT_VIEWER_INFINITE;
-            f->lights[0].vector.x = f->lights[0].vector.y = 0;
-            f->lights[0].vector.z = -z;
+            f->lights[0].direction = (glint_vector){0, 0, z};
             CHECK_EQUAL(fixture_render(f), GLINT_OK);
             const uint32_t with = fixture_checksum(f);
             f->lights[0].specular.r = f->lights[0].specular.g = f->lights[0].specular.b = 0;
@@ -431,12 +430,11 @@ static int red_of_facet(int depth, int light_above) {
     f->objects[0].evaluation = &glint_per_facet;
     f->objects[0].pose.m[2][3] = -depth * GLINT_ONE;
     f->lights[0].type = &glint_light_point;
-    f->lights[0].vector.x = f->lights[0].vector.y = 0;
-    f->lights[0].vector.z = (light_above - depth) * GLINT_ONE;
+    f->lights[0].position = (glint_vector){0, 0, (light_above - depth) * GLINT_ONE};
     f->materials[0].ambient.r = f->materials[0].ambient.g = f->materials[0].ambient.b = GLINT_ONE / 5;
     f->materials[0].specular.r = GLINT_ONE;
     f->materials[0].shininess = 0;
-    f->materials[0].flags = GLINT_MATERIAL_UNGATED;
+    f->materials[0].flags = GLINT_MATERIAL_SPECULAR_UNGATED;
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
     return fixture_row(f, f->config.height / 2)[3 * (f->config.width / 2)];
 }
@@ -456,12 +454,11 @@ void light_at_the_only_pixel_is_left_out(void) {
     f->scene.camera.field_of_view = 170 * GLINT_ONE;
     f->objects[0].pose.m[2][3] = -3 * GLINT_ONE;
     f->lights[0].type = &glint_light_point;
-    f->lights[0].vector.x = f->lights[0].vector.y = 0;
-    f->lights[0].vector.z = -3 * GLINT_ONE;
+    f->lights[0].position = (glint_vector){0, 0, -3 * GLINT_ONE};
     f->materials[0].ambient.r = GLINT_ONE / 5;
     f->materials[0].specular.r = GLINT_ONE;
     f->materials[0].shininess = 0;
-    f->materials[0].flags = GLINT_MATERIAL_UNGATED;
+    f->materials[0].flags = GLINT_MATERIAL_SPECULAR_UNGATED;
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
     CHECK_EQUAL(fixture_row(f, 0)[0], 51);
 }
@@ -480,8 +477,7 @@ void longest_normals_are_made_unit(void) {
     f->scene.camera.pose = glint_pose_rotate_y(90 * GLINT_ONE);
     f->objects[0].pose.m[0][3] = -10 * GLINT_ONE;
     f->objects[0].pose.m[2][3] = 0;
-    f->lights[0].vector.x = GLINT_ONE;
-    f->lights[0].vector.y = f->lights[0].vector.z = 0;
+    f->lights[0].direction = (glint_vector){-GLINT_ONE, 0, 0};
     f->scene.ambient.r = f->scene.ambient.g = f->scene.ambient.b = 0;
     f->materials[0].diffuse.r = GLINT_ONE;
     f->materials[0].diffuse.g = f->materials[0].diffuse.b = 0;
@@ -496,7 +492,7 @@ void mirrored_light_is_at_full_strength(void) {
     static const int wanted[3] = {0, 255, 0};
     fixture *f = begin_square();
     f->scene.viewer = GLINT_VIEWER_INFINITE;
-    f->lights[0].vector = (glint_vector){0, 0, GLINT_Q16(1.0064)};
+    f->lights[0].direction = (glint_vector){0, 0, GLINT_Q16(-1.0064)};
     f->floor.normals = normals;
     f->objects[0].evaluation = &glint_per_vertex;
     f->materials[0].model = &glint_model_phong;
@@ -550,7 +546,7 @@ void far_squares_without_depth(void) {
     f->objects[0].evaluation = &glint_per_facet; /* a light at the eye, which nothing weakens, reaches it */
     f->scene.light_count = 1;
     f->lights[0].type = &glint_light_point;
-    f->lights[0].vector = (glint_vector){0, 0, 0};
+    f->lights[0].position = (glint_vector){0, 0, 0};
     f->materials[0].ambient = f->materials[0].specular = (glint_colour){0, 0, 0};
     f->materials[0].diffuse = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
     CHECK_EQUAL(fixture_render(f), GLINT_OK);

@@ -148,9 +148,9 @@ static void set_up_objects(fixture *f) {
 
 static void set_up_scene(fixture *f) {
     for (int i = 0; i <= GLINT_LIGHTS_MAX; i++) {
-        const glint_vector towards = {GLINT_Q16(0.4), GLINT_Q16(0.6), GLINT_Q16(0.7)};
+        const glint_vector direction = {GLINT_Q16(-0.4), GLINT_Q16(-0.6), GLINT_Q16(-0.7)};
         f->lights[i].type = &glint_light_directional;
-        f->lights[i].vector = towards;
+        f->lights[i].direction = direction;
         f->lights[i].diffuse = f->lights[i].specular = colour(GLINT_ONE, GLINT_ONE, GLINT_ONE);
     }
     f->scene.camera.pose = glint_pose_identity();

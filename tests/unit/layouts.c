@@ -16,7 +16,7 @@ typedef struct place {
 typedef struct laid_out {
     place places[4];
     uint8_t faces[2][3];
-    glint_layout layout;
+    glint_mesh_layout layout;
 } laid_out;
 
 static fixture *show_floor(void) {
@@ -37,10 +37,10 @@ static fixture *lay_out(laid_out *to) {
         }
     for (uint32_t i = 0; i < 3 * 2; i++)
         to->faces[i / 3][i % 3] = (uint8_t)f->floor.triangles[i / 3][i % 3];
-    to->layout = (glint_layout){{&glint_type_int16, to->places[0].position, sizeof(place)},
-                                {&glint_type_int16, to->places[0].normal, sizeof(place)},
-                                {&glint_type_uint8, to->faces, 0},
-                                {&glint_type_rgb888, to->places[0].colour, sizeof(place)}};
+    to->layout = (glint_mesh_layout){{&glint_attribute_int16, to->places[0].position, sizeof(place)},
+                                     {&glint_attribute_int16, to->places[0].normal, sizeof(place)},
+                                     {&glint_attribute_uint8, to->faces, 0},
+                                     {&glint_attribute_rgb888, to->places[0].colour, sizeof(place)}};
     f->floor.positions = 0;
     f->floor.normals = 0;
     f->floor.triangles = 0;
@@ -52,26 +52,27 @@ static fixture *lay_out(laid_out *to) {
 static const uint32_t numbers[4];
 
 /* Draws with one attribute spoiled. */
-static void expect_attribute(int which, const glint_type *type, const void *data, uint32_t stride, glint_status error) {
+static void expect_attribute(int which, const glint_attribute_type *type, const void *data, uint32_t stride,
+                             glint_status error) {
     laid_out to;
     fixture *f = lay_out(&to);
-    glint_attribute *const all[4] = {&to.layout.positions, &to.layout.normals, &to.layout.triangles,
-                                     &to.layout.colours};
-    *all[which] = (glint_attribute){type, data, stride};
+    glint_mesh_attribute *const all[4] = {&to.layout.positions, &to.layout.normals, &to.layout.triangles,
+                                          &to.layout.colours};
+    *all[which] = (glint_mesh_attribute){type, data, stride};
     fixture_expect_error(f, error);
 }
 
 static void expect_null(int which) {
-    expect_attribute(which, &glint_type_int16, 0, 0, GLINT_ERROR_NULL);
+    expect_attribute(which, &glint_attribute_int16, 0, 0, GLINT_ERROR_NULL);
     if (which < 3)
         expect_attribute(which, 0, numbers, 0, GLINT_ERROR_NULL);
 }
 
-static void expect_type(int which, const glint_type *type) {
+static void expect_type(int which, const glint_attribute_type *type) {
     expect_attribute(which, type, numbers, 0, GLINT_ERROR_TYPE);
 }
 
-static void expect_stride(int which, const glint_type *type, uint32_t offset, uint32_t stride) {
+static void expect_stride(int which, const glint_attribute_type *type, uint32_t offset, uint32_t stride) {
     expect_attribute(which, type, (const uint8_t *)numbers + offset, stride, GLINT_ERROR_STRIDE);
 }
 
@@ -86,26 +87,26 @@ static void expect_index(uint8_t index, int small) {
 void bad_layouts_are_refused(void) {
     for (int which = 0; which < 4; which++)
         expect_null(which);
-    expect_type(0, &glint_type_octahedral8);
-    expect_type(0, &glint_type_octahedral16);
-    expect_type(0, &glint_type_uint16);
-    expect_type(0, &glint_type_uint8);
-    expect_type(1, &glint_type_rgb888);
-    expect_type(1, &glint_type_uint8);
-    expect_type(2, &glint_type_int16);
-    expect_type(2, &glint_type_int8);
-    expect_type(3, &glint_type_int8);
-    expect_type(3, &glint_type_octahedral8);
-    expect_stride(0, &glint_type_int16, 0, 4);
-    expect_stride(0, &glint_type_int16, 0, 7);
-    expect_stride(0, &glint_type_int16, 1, 0);
-    expect_stride(0, &glint_type_int8, 1, 2);
-    expect_stride(1, &glint_type_octahedral16, 0, 2);
-    expect_stride(1, &glint_type_octahedral16, 3, 8);
-    expect_stride(1, &glint_type_octahedral8, 0, 1);
-    expect_stride(2, &glint_type_uint16, 0, 9);
-    expect_stride(2, &glint_type_uint8, 0, 1);
-    expect_stride(3, &glint_type_rgb565, 1, 2);
+    expect_type(0, &glint_attribute_octahedral8);
+    expect_type(0, &glint_attribute_octahedral16);
+    expect_type(0, &glint_attribute_uint16);
+    expect_type(0, &glint_attribute_uint8);
+    expect_type(1, &glint_attribute_rgb888);
+    expect_type(1, &glint_attribute_uint8);
+    expect_type(2, &glint_attribute_int16);
+    expect_type(2, &glint_attribute_int8);
+    expect_type(3, &glint_attribute_int8);
+    expect_type(3, &glint_attribute_octahedral8);
+    expect_stride(0, &glint_attribute_int16, 0, 4);
+    expect_stride(0, &glint_attribute_int16, 0, 7);
+    expect_stride(0, &glint_attribute_int16, 1, 0);
+    expect_stride(0, &glint_attribute_int8, 1, 2);
+    expect_stride(1, &glint_attribute_octahedral16, 0, 2);
+    expect_stride(1, &glint_attribute_octahedral16, 3, 8);
+    expect_stride(1, &glint_attribute_octahedral8, 0, 1);
+    expect_stride(2, &glint_attribute_uint16, 0, 9);
+    expect_stride(2, &glint_attribute_uint8, 0, 1);
+    expect_stride(3, &glint_attribute_rgb565, 1, 2);
     for (int small = 0; small < 2; small++) {
         expect_index(4, small);
         expect_index(255, small);

@@ -41,8 +41,8 @@ static const variant variants[] = {
 
 static uint32_t arena[(1 << 20) / sizeof(uint32_t)];
 static uint16_t framebuffer[HEIGHT][WIDTH];
-static glint_signature signatures[80];
-static glint_changes changes;
+static glint_tile_signature signatures[80];
+static glint_change_filter changes;
 
 static int copy_tile(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
     (void)context;
@@ -102,9 +102,9 @@ static glint_status measure_variant(uint32_t which, const variant *v, measured *
     scene.camera.field_of_view = BENCH_FIELD_OF_VIEW;
     scene.camera.near_plane = BENCH_NEAR_PLANE;
     config.flush.begin = copy_tile;
-    if (v->changes && glint_changes_count(&config) <= sizeof signatures / sizeof signatures[0]) {
-        glint_changes_init(&changes, signatures, &config);
-        config.flush = glint_changes_flush(&changes);
+    if (v->changes && glint_tile_signature_count(&config) <= sizeof signatures / sizeof signatures[0]) {
+        glint_change_filter_init(&changes, signatures, &config);
+        config.flush = glint_change_filter_flush(&changes);
     }
     return measure(&config, &scene, &object, bench_scenes[which].poses, v->share, result);
 }

@@ -87,7 +87,7 @@ static void write_light_and_material(void) {
     write_colour("specular", scene.material.specular);
     printf("    .shininess = %ld,\n};\n", (long)scene.material.shininess);
     printf("static const glint_light bench_light = {\n    .type = &glint_light_directional,\n");
-    write_vector("vector", scene.light.vector.x, scene.light.vector.y, scene.light.vector.z);
+    write_vector("direction", scene.light.direction.x, scene.light.direction.y, scene.light.direction.z);
     write_colour("diffuse", scene.light.diffuse);
     write_colour("specular", scene.light.specular);
     printf("};\n#define BENCH_FIELD_OF_VIEW %ld\n#define BENCH_NEAR_PLANE %ld\n#define BENCH_AMBIENT %ld\n",

@@ -44,25 +44,24 @@ static void light_with_points(workload_stage *stage, uint32_t count, glint_q16 b
     stage->example.scene.light_count = 0;
     for (uint32_t i = 0; i < count; i++) {
         glint_light *light =
-            stage_light(&stage->example, &glint_light_point, points[i].position, dimmed(points[i].colour, brightness));
+            stage_lamp(&stage->example, &glint_light_point, points[i].position, dimmed(points[i].colour, brightness));
 
         light->linear = GLINT_Q16(0.1);
         light->quadratic = GLINT_Q16(0.05);
     }
 }
 
-/* Each where a point is, seen from the torus's centre; the scene's own and the second are near the first two. */
+/* Each from where a point is, towards the torus's centre; the scene's own and the second are near the first two. */
 static void add_directional(workload_stage *stage, uint32_t count, glint_q16 brightness) {
     for (uint32_t i = stage->example.scene.light_count; i < count; i++) {
-        stage_light(&stage->example, &glint_light_directional, between(centre, points[i].position),
-                    dimmed(points[i].colour, brightness));
+        stage_sun(&stage->example, between(points[i].position, centre), dimmed(points[i].colour, brightness));
     }
 }
 
 static void two_directional(workload_stage *stage) {
-    const glint_vector left = XYZ(-0.7, 0.2, 0.5);
+    const glint_vector from_left = XYZ(0.7, -0.2, -0.5);
 
-    stage_light(&stage->example, &glint_light_directional, left, (glint_colour)GREY(0.7));
+    stage_sun(&stage->example, from_left, (glint_colour)GREY(0.7));
 }
 
 static void four_directional(workload_stage *stage) {
@@ -76,9 +75,9 @@ static void eight_directional(workload_stage *stage) {
 }
 
 static void second_black(workload_stage *stage) {
-    const glint_vector left = XYZ(-0.7, 0.2, 0.5);
+    const glint_vector from_left = XYZ(0.7, -0.2, -0.5);
 
-    stage_light(&stage->example, &glint_light_directional, left, (glint_colour)GREY(0));
+    stage_sun(&stage->example, from_left, (glint_colour)GREY(0));
 }
 
 static void one_point(workload_stage *stage) {
@@ -103,7 +102,7 @@ static void make_spots(workload_stage *stage) {
         glint_light *light = &stage->example.lights[i];
 
         light->type = &glint_light_spot;
-        light->axis = between(light->vector, centre);
+        light->direction = between(light->position, centre);
         light->inner = GLINT_Q16(18);
         light->outer = GLINT_Q16(28);
     }
@@ -144,11 +143,11 @@ static void mesh_colours(workload_stage *stage) {
 }
 
 static void flag_max(workload_stage *stage) {
-    material_of(stage)->flags = GLINT_MATERIAL_MAX;
+    material_of(stage)->flags = GLINT_MATERIAL_MAX_WITH_AMBIENT;
 }
 
 static void flag_ungated(workload_stage *stage) {
-    material_of(stage)->flags = GLINT_MATERIAL_UNGATED;
+    material_of(stage)->flags = GLINT_MATERIAL_SPECULAR_UNGATED;
 }
 
 static void double_sided(workload_stage *stage) {

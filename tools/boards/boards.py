@@ -42,7 +42,7 @@ README_FRAMES = (("torus of 576 triangles, one light", "torus576"), ("teapot of 
 
 # Firmware of the benchmark, which has all that the library draws.
 ENTRY_CORES = (("Cortex-M0", "mps2-an385-m0"), ("Cortex-M3", "mps2-an385"), ("RV32IMC", "virt"))
-ENTRIES = ("glint_init", "glint_arena_need", "glint_render", "glint_frame_begin", "glint_frame_next", "glint_render_tile")
+ENTRIES = ("glint_init", "glint_arena_need", "glint_render", "glint_frame_begin", "glint_frame_next_pass", "glint_render_tile")
 
 
 def read_boards():

@@ -12,7 +12,7 @@
 typedef struct choice {
     const char *name; /**< Evaluation, model, viewer. */
     const glint_evaluation *evaluation;
-    const glint_model *model;
+    const glint_shading_model *model;
     glint_viewer viewer;
     int shininess_divisor; /**< Of the exponent, for the highlight that looks most like Blinn-Phong's. */
 } choice;

@@ -49,7 +49,7 @@ static void shading_build(shading_scene *s, const glint_mesh *mesh, const glint_
     s->material = glint_material_paint(&glint_model_blinn_phong, paint, GLINT_Q16(0.2), GLINT_Q16(50));
     s->material.specular = (glint_colour){GLINT_Q16(0.5), GLINT_Q16(0.5), GLINT_Q16(0.5)};
     s->light = (glint_light){.type = &glint_light_directional,
-                             .vector = {GLINT_Q16(0.4), GLINT_Q16(0.6), GLINT_Q16(0.7)},
+                             .direction = {GLINT_Q16(-0.4), GLINT_Q16(-0.6), GLINT_Q16(-0.7)},
                              .diffuse = white,
                              .specular = white};
     s->object = (glint_object){.mesh = mesh, .material = &s->material, .evaluation = evaluation};

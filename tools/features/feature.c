@@ -15,8 +15,11 @@
 #ifndef FEATURE_MODEL
 #define FEATURE_MODEL glint_model_blinn_phong
 #endif
-#ifndef FEATURE_LIGHT
+#ifdef FEATURE_LIGHT
+#define FEATURE_DIRECTION_Z (-GLINT_Q16(3))
+#else
 #define FEATURE_LIGHT glint_light_directional
+#define FEATURE_DIRECTION_Z bench_light.direction.z
 #endif
 #ifndef FEATURE_EVALUATION
 #define FEATURE_EVALUATION glint_per_fragment
@@ -86,10 +89,11 @@ enum { TRIANGLES = sizeof torus576_triangles / sizeof torus576_triangles[0] };
 static int8_t small_positions[VERTICES][3], small_normals[VERTICES][2];
 static int16_t octahedral_normals[VERTICES][2];
 static uint8_t small_triangles[TRIANGLES][3];
-static const glint_layout positions_layout = {.positions = {&glint_type_int8, small_positions, 0}};
-static const glint_layout octahedral8_layout = {.normals = {&glint_type_octahedral8, small_normals, 0}};
-static const glint_layout octahedral16_layout = {.normals = {&glint_type_octahedral16, octahedral_normals, 0}};
-static const glint_layout indices_layout = {.triangles = {&glint_type_uint8, small_triangles, 0}};
+static const glint_mesh_layout positions_layout = {.positions = {&glint_attribute_int8, small_positions, 0}};
+static const glint_mesh_layout octahedral8_layout = {.normals = {&glint_attribute_octahedral8, small_normals, 0}};
+static const glint_mesh_layout octahedral16_layout = {
+    .normals = {&glint_attribute_octahedral16, octahedral_normals, 0}};
+static const glint_mesh_layout indices_layout = {.triangles = {&glint_attribute_uint8, small_triangles, 0}};
 
 #define SMALLER_MESH(name, positions_or_null, normals_or_null, triangles_or_null, of)    \
     extern const glint_mesh name;                                                        \
@@ -174,9 +178,10 @@ static void set_lights(glint_light lights[FEATURE_LIGHTS]) {
     for (int i = 0; i < FEATURE_LIGHTS; i++) {
         lights[i] = bench_light;
         lights[i].type = &FEATURE_LIGHT;
-        lights[i].vector.x = i == 0 ? bench_light.vector.x : -bench_light.vector.x;
+        lights[i].direction.x = i == 0 ? bench_light.direction.x : -bench_light.direction.x;
+        lights[i].position = (glint_vector){-lights[i].direction.x, -lights[i].direction.y, -lights[i].direction.z};
+        lights[i].direction.z = FEATURE_DIRECTION_Z;
         lights[i].linear = GLINT_Q16(0.25);
-        lights[i].axis = (glint_vector){-lights[i].vector.x, -lights[i].vector.y, -GLINT_Q16(3)};
         lights[i].inner = GLINT_Q16(20);
         lights[i].outer = GLINT_Q16(40);
     }

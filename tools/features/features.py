@@ -71,8 +71,8 @@ GROUPS = (
         ("local viewer", {"VIEWER": "GLINT_VIEWER_LOCAL"}),
         ("colours in the mesh, 888", {"COLOURS": "feature_colours"}),
         ("colours in the mesh, 565", {"COLOURS565": "feature_colours565"}),
-        ("ungated highlight", {"MATERIAL_FLAGS": "GLINT_MATERIAL_UNGATED"}),
-        ("largest in place of sum", {"MATERIAL_FLAGS": "GLINT_MATERIAL_MAX"}),
+        ("ungated highlight", {"MATERIAL_FLAGS": "GLINT_MATERIAL_SPECULAR_UNGATED"}),
+        ("largest in place of sum", {"MATERIAL_FLAGS": "GLINT_MATERIAL_MAX_WITH_AMBIENT"}),
         ("double-sided mesh", {"MESH_FLAGS": "GLINT_MESH_DOUBLE_SIDED"}),
         ("gamma tables", {"GAMMA": "feature_gamma"}))),
     ("Functions, not called while instructions are counted", tuple(

@@ -79,10 +79,10 @@ static void add_light(uint64_t *sum, const glint_light *light) {
     static const void *const types[] = {&glint_light_directional, &glint_light_point, &glint_light_spot};
     const glint_q16 numbers[] = {light->linear, light->quadratic, light->inner, light->outer};
     ADD_WHICH(sum, light->type, types);
-    ADD(sum, light->vector);
+    ADD(sum, light->position);
+    ADD(sum, light->direction);
     ADD(sum, light->diffuse);
     ADD(sum, light->specular);
-    ADD(sum, light->axis);
     ADD(sum, numbers);
 }
 

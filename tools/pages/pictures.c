@@ -142,7 +142,7 @@ static void no_light(patient *p) {
 }
 
 static void from_behind(patient *p) {
-    p->light.vector = (glint_vector){GLINT_ONE / 3, 0, -GLINT_ONE};
+    p->light.direction = (glint_vector){-GLINT_ONE / 3, 0, GLINT_ONE};
 }
 
 static void turned_normals(patient *p) {
@@ -195,7 +195,7 @@ static void build(patient *p) {
         glint_material_paint(&glint_model_blinn_phong, (glint_colour){GLINT_Q16(0.8), GLINT_Q16(0.4), GLINT_Q16(0.1)},
                              GLINT_Q16(0.15), GLINT_Q16(30));
     p->light = (glint_light){.type = &glint_light_directional,
-                             .vector = {GLINT_Q16(0.5), GLINT_Q16(0.7), GLINT_ONE},
+                             .direction = {GLINT_Q16(-0.5), GLINT_Q16(-0.7), -GLINT_ONE},
                              .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
                              .specular = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
     p->object = (glint_object){.mesh = &p->mesh,

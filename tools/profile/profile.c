@@ -96,7 +96,7 @@ static glint_status draw(uint32_t which, const variant *v) {
                            .keeps_arena = 1};
     glint_renderer renderer;
 
-    lights[1].vector.x = -bench_light.vector.x;
+    lights[1].direction.x = -bench_light.direction.x;
     scene.camera.pose = glint_pose_identity();
     scene.camera.field_of_view = BENCH_FIELD_OF_VIEW;
     scene.camera.near_plane = BENCH_NEAR_PLANE;

@@ -126,7 +126,7 @@ static void place_lights(glint_light *lights, uint32_t count) {
         lights[i] = bench_light;
         lights[i].diffuse = lights[i].specular = (glint_colour){share, share, share};
         if (i > 0) {
-            lights[i].vector = (glint_vector){glint_cos(angle), glint_sin(angle), GLINT_ONE};
+            lights[i].direction = (glint_vector){-glint_cos(angle), -glint_sin(angle), -GLINT_ONE};
         }
     }
 }

@@ -60,7 +60,7 @@ static glint_config config;
 static glint_renderer renderer;
 
 static bool begin() {
-    sun = glint_sun(GLINT_VECTOR(-1, 1, 1), GREY(1));
+    sun = glint_sun(GLINT_VECTOR(1, -1, -1), GREY(1));
     object.mesh = &pyramid;
     object.material = &clay;
     object.evaluation = &glint_per_fragment;

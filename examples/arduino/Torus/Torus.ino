@@ -88,7 +88,7 @@ static bool begin() {
     copper.diffuse = GLINT_COLOUR(0.6, 0.28, 0.12);
     copper.specular = GLINT_COLOUR(0.6, 0.4, 0.3);
     copper.shininess = 40 * GLINT_ONE;
-    sun = glint_sun(GLINT_VECTOR(0.5, 0.8, 0.7), GLINT_COLOUR(1, 1, 1));
+    sun = glint_sun(GLINT_VECTOR(-0.5, -0.8, -0.7), GLINT_COLOUR(1, 1, 1));
     object.mesh = &torus;
     object.material = &copper;
     object.evaluation = &glint_per_fragment;

@@ -215,8 +215,8 @@ static void change_lights(const window_changes *changes, window_scene *built) {
     for (uint32_t i = 0; i < changes->light_count; i++) {
         const window_light *light = &changes->lights[i];
         built->lights[i] = light->light;
-        built->lights[i].vector = vector_of(light->vector);
-        built->lights[i].axis = vector_of(light->axis);
+        built->lights[i].position = vector_of(light->position);
+        built->lights[i].direction = vector_of(light->direction);
     }
     built->scene.lights = built->lights;
     built->scene.light_count = changes->light_count;
@@ -243,8 +243,10 @@ static glint_q16 shown_channel(glint_q16 channel, glint_q16 most) {
 /** Adds an object where a light is, or from where it comes. */
 static void show_light(const glint_light *light, window_scene *built) {
     const uint32_t i = built->scene.object_count++;
-    const double vector[3] = {number_from_q16(light->vector.x), number_from_q16(light->vector.y),
-                              number_from_q16(light->vector.z)};
+    const double position[3] = {number_from_q16(light->position.x), number_from_q16(light->position.y),
+                                number_from_q16(light->position.z)};
+    const double direction[3] = {number_from_q16(light->direction.x), number_from_q16(light->direction.y),
+                                 number_from_q16(light->direction.z)};
     const glint_colour colour = light->diffuse;
     const glint_q16 most =
         colour.r > colour.g ? (colour.r > colour.b ? colour.r : colour.b) : (colour.g > colour.b ? colour.g : colour.b);
@@ -252,8 +254,9 @@ static void show_light(const glint_light *light, window_scene *built) {
     const glint_pose scale = glint_pose_scale(held(radius), held(radius), held(radius));
     glint_pose pose = scale;
     for (int row = 0; row < 3; row++) {
-        const double far = built->target[row] + LIGHT_DISTANCE * built->reach * vector[row] / sqrt(dot(vector, vector));
-        pose.m[row][3] = held(light->type == &glint_light_directional ? far : vector[row]);
+        const double far =
+            built->target[row] - LIGHT_DISTANCE * built->reach * direction[row] / sqrt(dot(direction, direction));
+        pose.m[row][3] = held(light->type == &glint_light_directional ? far : position[row]);
     }
     const glint_material material = {
         .model = &glint_model_unlit,

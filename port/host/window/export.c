@@ -118,7 +118,7 @@ static void print_pose(const data_writer *to, const glint_pose *pose) {
     bytes_print(to->out, "}}");
 }
 
-static const char *name_model(const glint_model *model) {
+static const char *name_model(const glint_shading_model *model) {
     return model == &glint_model_lambert ? "lambert"
            : model == &glint_model_phong ? "phong"
            : model == &glint_model_unlit ? "unlit"
@@ -145,18 +145,18 @@ static void print_lights(const data_writer *to, const glint_scene *scene) {
                 (unsigned long)(scene->light_count > 0 ? scene->light_count : 1));
     for (uint32_t i = 0; i < scene->light_count; i++) {
         const glint_light *light = &scene->lights[i];
-        bytes_print(to->out, "    {.type = &glint_light_%s,\n     .vector = ",
+        bytes_print(to->out, "    {.type = &glint_light_%s,\n     .position = ",
                     light->type == &glint_light_point  ? "point"
                     : light->type == &glint_light_spot ? "spot"
                                                        : "directional");
-        print_vector(to, light->vector);
+        print_vector(to, light->position);
+        bytes_print(to->out, ",\n     .direction = ");
+        print_vector(to, light->direction);
         bytes_print(to->out, ",\n");
         print_colour(to, "diffuse", light->diffuse);
         print_colour(to, "specular", light->specular);
-        bytes_print(to->out, "     .linear = %ld,\n     .quadratic = %ld,\n     .axis = ", (long)light->linear,
-                    (long)light->quadratic);
-        print_vector(to, light->axis);
-        bytes_print(to->out, ",\n     .inner = %ld,\n     .outer = %ld},\n", (long)light->inner, (long)light->outer);
+        bytes_print(to->out, "     .linear = %ld,\n     .quadratic = %ld,\n     .inner = %ld,\n     .outer = %ld},\n",
+                    (long)light->linear, (long)light->quadratic, (long)light->inner, (long)light->outer);
     }
     bytes_print(to->out, scene->light_count > 0 ? "};\n" : "    {0}, /* none */\n};\n");
 }

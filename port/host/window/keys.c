@@ -73,13 +73,13 @@ static void own_lights(const window_scene *built, window_changes *changes) {
     for (uint32_t i = 0; i < changes->light_count; i++) {
         window_light *own = &changes->lights[i];
         const glint_light *light = &built->scene.lights[i];
-        const double vector[3] = {number_from_q16(light->vector.x), number_from_q16(light->vector.y),
-                                  number_from_q16(light->vector.z)};
-        const double axis[3] = {number_from_q16(light->axis.x), number_from_q16(light->axis.y),
-                                number_from_q16(light->axis.z)};
+        const double position[3] = {number_from_q16(light->position.x), number_from_q16(light->position.y),
+                                    number_from_q16(light->position.z)};
+        const double direction[3] = {number_from_q16(light->direction.x), number_from_q16(light->direction.y),
+                                     number_from_q16(light->direction.z)};
         own->light = *light;
-        memcpy(own->vector, vector, sizeof vector);
-        memcpy(own->axis, axis, sizeof axis);
+        memcpy(own->position, position, sizeof position);
+        memcpy(own->direction, direction, sizeof direction);
     }
 }
 
@@ -90,21 +90,20 @@ static void turn_light(const window_scene *built, window_changes *changes, const
         return;
     }
     window_light *light = &changes->lights[changes->chosen];
-    const double placed = light->light.type == &glint_light_directional ? 0 : 1;
     for (int i = 0; i < 3; i++) {
-        light->vector[i] -= placed * built->target[i];
+        light->position[i] -= built->target[i];
     }
-    window_turn(light->vector, axis, degrees);
-    window_turn(light->axis, axis, degrees);
+    window_turn(light->position, axis, degrees);
+    window_turn(light->direction, axis, degrees);
     for (int i = 0; i < 3; i++) {
-        light->vector[i] += placed * built->target[i];
+        light->position[i] += built->target[i];
     }
 }
 
 /** One more light from a side of its own, or one less. */
 static void change_count(const window_scene *built, window_changes *changes, bool less) {
     static const struct {
-        double direction[3]; /* right, up, back */
+        double from[3]; /* right, up, back */
         double colour[3];
     } added[GLINT_LIGHTS_MAX] = {{{-0.5, 0.7, 0.7}, {1, 1, 1}},        {{0.9, 0.2, 0.4}, {0.8, 0.4, 0.2}},
                                  {{-0.8, -0.3, 0.5}, {0.2, 0.4, 0.8}}, {{0.1, -0.9, 0.4}, {0.2, 0.6, 0.3}},
@@ -123,9 +122,9 @@ static void change_count(const window_scene *built, window_changes *changes, boo
         light->light.diffuse.g = light->light.specular.g = number_q16(added[i].colour[1]);
         light->light.diffuse.b = light->light.specular.b = number_q16(added[i].colour[2]);
         for (int axis = 0; axis < 3; axis++) {
-            light->vector[axis] = added[i].direction[0] * built->right[axis] + added[i].direction[1] * built->up[axis] +
-                                  added[i].direction[2] * built->back[axis];
-            light->axis[axis] = 0;
+            light->position[axis] = 0;
+            light->direction[axis] = -(added[i].from[0] * built->right[axis] + added[i].from[1] * built->up[axis] +
+                                       added[i].from[2] * built->back[axis]);
         }
         changes->chosen = i;
     }
@@ -141,15 +140,16 @@ static void change_kind(const window_scene *built, window_changes *changes) {
     glint_light *light = &own->light;
     const bool gets_place = light->type == &glint_light_directional;
     const bool is_spot = light->type == &glint_light_spot;
+    double towards[3];
     double length = 0;
     for (int i = 0; i < 3; i++) {
-        own->vector[i] -= gets_place ? 0 : built->target[i];
-        length += own->vector[i] * own->vector[i];
+        towards[i] = gets_place ? -own->direction[i] : own->position[i] - built->target[i];
+        length += towards[i] * towards[i];
     }
     const double factor = gets_place ? 1.5 * built->reach / sqrt(length) : 1;
     for (int i = 0; i < 3; i++) {
-        own->axis[i] = -own->vector[i];
-        own->vector[i] = own->vector[i] * factor + (is_spot ? 0 : built->target[i]);
+        own->direction[i] = -towards[i];
+        own->position[i] = towards[i] * factor + built->target[i];
     }
     light->type = gets_place ? &glint_light_point : is_spot ? &glint_light_directional : &glint_light_spot;
     light->inner = GLINT_Q16(14);
@@ -231,15 +231,16 @@ static void change_arena(window_state *state, double by) {
 /* ---- Keys ------------------------------------------------------------------------------------------------------- */
 
 static void change_reflection(window_state *state) {
-    static const glint_model *const models[] = {&glint_model_lambert, &glint_model_phong, &glint_model_blinn_phong};
+    static const glint_shading_model *const models[] = {&glint_model_lambert, &glint_model_phong,
+                                                        &glint_model_blinn_phong};
     window_scene built;
     host_problem problem;
-    const glint_model *now = NULL;
+    const glint_shading_model *now = NULL;
     if (!window_build(state, &built, &problem)) {
         return;
     }
     for (uint32_t i = 0; now == NULL && i < built.scene.object_count; i++) { /* the first that is lit */
-        const glint_model *model = built.objects[i].material->model;
+        const glint_shading_model *model = built.objects[i].material->model;
         now = model != &glint_model_unlit ? model : NULL;
     }
     window_scene_free(&built);

@@ -67,7 +67,7 @@ static const glint_object *find_lit(const glint_scene *scene) {
     return scene->object_count > 0 ? &scene->objects[0] : NULL;
 }
 
-static const char *name_model(const glint_model *model) {
+static const char *name_model(const glint_shading_model *model) {
     return model == &glint_model_lambert ? "Lambert"
            : model == &glint_model_phong ? "Phong"
            : model == &glint_model_unlit ? "unlit"

@@ -40,10 +40,10 @@ typedef enum window_map {
 /** Which terms of the lights are drawn. */
 enum { WINDOW_BOTH, WINDOW_SPECULAR, WINDOW_DIFFUSE, WINDOW_TERMS };
 
-/** A light whose direction or position is moved in double precision: it does not drift as it turns. */
+/** A light whose position and direction are moved in double precision: it does not drift as it turns. */
 typedef struct window_light {
     glint_light light;
-    double vector[3], axis[3];
+    double position[3], direction[3];
 } window_light;
 
 /** What keys and mouse have changed of the scene as it was loaded; zeroed, but for `zoom`, it changes nothing. */
@@ -54,7 +54,7 @@ typedef struct window_changes {
     uint32_t light_count, chosen; /**< The one that keys move. */
     bool has_evaluation, has_viewer;
     const glint_evaluation *evaluation;
-    const glint_model *reflection; /**< Or null for the materials' own. */
+    const glint_shading_model *reflection; /**< Or null for the materials' own. */
     glint_viewer viewer;
     int exponent; /**< Eighths of a doubling. */
     int terms;    /**< WINDOW_BOTH and so on. */

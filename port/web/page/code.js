@@ -20,6 +20,7 @@ const sceneAsC = (() => {
   const driver = () => (DRIVERS[S.panel] && DRIVERS[S.panel].formats.includes(S.format) ? DRIVERS[S.panel] : null);
   const q16 = (text) => (text === "0" ? "0" : `GLINT_Q16(${text})`);
   const braced = (text) => `{${text.split(",").map(q16).join(", ")}}`;
+  const negated = (text) => text.split(",").map((one) => (one === "0" ? one : one.startsWith("-") ? one.slice(1) : `-${one}`)).join(",");
   const three = (text) => (text.includes(",") ? text : `${text},${text},${text}`);
 
   // Options of the command line are what the program was drawn by: the same numbers.
@@ -39,11 +40,12 @@ const sceneAsC = (() => {
   }
 
   function light(word) {
-    const [kind, vector, ...rest] = word.split(":");
+    const [kind, place, ...rest] = word.split(":");
     const colour = braced(rest[rest.length - 1]);
     const [inner, outer] = kind === "spot" ? rest[1].split(",") : [];
-    const cone = kind === "spot" ? `\n     .axis = ${braced(rest[0])}, .inner = ${q16(inner)}, .outer = ${q16(outer)},` : "";
-    return `    {.type = &glint_light_${TYPES[kind]}, .vector = ${braced(vector)},${cone}
+    const cone = kind === "spot" ? `\n     .direction = ${braced(rest[0])}, .inner = ${q16(inner)}, .outer = ${q16(outer)},` : "";
+    const at = kind === "dir" ? `.direction = ${braced(negated(place))}` : `.position = ${braced(place)}`;
+    return `    {.type = &glint_light_${TYPES[kind]}, ${at},${cone}
      .diffuse = ${colour}, .specular = ${colour}},
 `;
   }

@@ -65,17 +65,19 @@ static float_triple from_eye(const glint_camera *camera, glint_q16 x, glint_q16 
 
 static void prepare_light(float_light *light, const glint_light *from, const glint_camera *camera) {
     if (from->type == &glint_light_directional) {
-        light->vector = unit(to_camera(camera, vector_of(&from->vector)));
+        const float_triple shines = unit(to_camera(camera, vector_of(&from->direction)));
+
+        light->vector = triple(-shines.x, -shines.y, -shines.z);
         return;
     }
-    light->vector = to_camera(camera, from_eye(camera, from->vector.x, from->vector.y, from->vector.z));
+    light->vector = to_camera(camera, from_eye(camera, from->position.x, from->position.y, from->position.z));
     light->square = dot(light->vector, light->vector);
     light->linear = float_of(from->linear);
     light->quadratic = float_of(from->quadratic);
     if (from->type == &glint_light_spot) {
         const float inner = cosine(float_of(from->inner));
 
-        light->axis = unit(to_camera(camera, vector_of(&from->axis)));
+        light->axis = unit(to_camera(camera, vector_of(&from->direction)));
         light->axis_position = dot(light->axis, light->vector);
         light->outer = cosine(float_of(from->outer));
         light->soft = inner > light->outer ? 1 / (inner - light->outer) : 1e9f;
@@ -193,7 +195,7 @@ static void prepare_highlight(float_frame *frame, const glint_material *material
     surface->square = surface->model == FLOAT_BLINN_PHONG ? 2 : 1; /* the half vector's square is taken without its 2 */
     surface->scale = frame->powers.scale / surface->square;
     surface->offset = frame->powers.offset;
-    surface->options |= (material->flags & GLINT_MATERIAL_UNGATED ? FLOAT_UNGATED : 0) |
+    surface->options |= (material->flags & GLINT_MATERIAL_SPECULAR_UNGATED ? FLOAT_UNGATED : 0) |
                         (material->shininess < 2 * GLINT_ONE ? FLOAT_LOW : 0);
 }
 
@@ -210,7 +212,7 @@ void float_prepare_surface(float_frame *frame, float_draw *draw) {
         surface->dark = float_pixel(sum(surface->diffuse, surface->half));
         return;
     }
-    surface->options |= material->flags & GLINT_MATERIAL_MAX ? FLOAT_MAX : 0;
+    surface->options |= material->flags & GLINT_MATERIAL_MAX_WITH_AMBIENT ? FLOAT_MAX : 0;
     surface->ambient = levels(product(colour_of(&material->ambient), colour_of(&frame->scene->ambient)));
     surface->base = sum(surface->ambient, surface->half);
     surface->dark = float_pixel(surface->base);
