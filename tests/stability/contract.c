@@ -152,6 +152,18 @@ static int has_short(const views *all, uint32_t index) {
     return found;
 }
 
+/* Is a light so near that a sixteenth of a pixel, to which vertices are snapped, moves it by a 128th of the way? */
+static int is_next_to(const views *all, uint32_t light, const double place[3]) {
+    const double half_angle = reference_real(all->scene->camera.field_of_view) * 3.14159265358979323846 / 360;
+    const double tall = all->scene->camera.projection ? reference_real(all->scene->camera.view_height)
+                                                      : -2 * place[2] * tan(half_angle);
+    double way[3];
+    if (all->scene->lights[light].type == &glint_light_directional || picture_level_max(all->shaded.format, 0) < 255)
+        return 0;
+    reference_find_way(&all->scene->lights[light], &all->lights, light, place, way);
+    return sqrt(reference_dot(way, way)) < CONTRACT_NEXT * tall / all->height;
+}
+
 /* Does the last bit of a light's direction decide? */
 static int is_ill_lit(const views *all, const glint_object *object, const double place[3]) {
     int found = all->has_short[object - all->scene->objects];
@@ -159,6 +171,7 @@ static int is_ill_lit(const views *all, const glint_object *object, const double
         double towards[3];
         find_towards(all, light, place, towards);
         found |= is_narrow(all, light, is_per_fragment(object) ? towards : NULL);
+        found |= is_next_to(all, light, place);
         found |= object->material->model == &glint_model_blinn_phong && is_short(all, towards, place);
     }
     return found;
