@@ -37,7 +37,7 @@ typedef struct level_ramp {
 } level_ramp;
 
 /* Returns an entry of a ramp. */
-static uint32_t word_of(const level_ramp *r) {
+static uint32_t entry_of(const level_ramp *r) {
     const uint32_t level[3] = {least(r->level[0], r->most[0]), least(r->level[1], r->most[1]),
                                least(r->level[2], r->most[2])};
     return spread_levels(level);
@@ -46,7 +46,7 @@ static uint32_t word_of(const level_ramp *r) {
 /* Stores the first `count` words of a ramp. One that rises stays below `most` and a step. */
 static void fill(level_ramp *r, uint32_t *words, uint32_t count) {
     for (uint32_t i = 0; i < count; i++) {
-        words[i] = word_of(r);
+        words[i] = entry_of(r);
         for (int c = 0; c < 3; c++)
             if (r->level[c] <= r->most[c] || r->step[c] >> 31)
                 r->level[c] += r->step[c];
@@ -107,7 +107,7 @@ uint32_t glint_gloss_word(const glint_shading *shading, const glint_drawn_sun *s
     highlight_ramp(here, next, &r);
     for (int c = 0; c < 3; c++)
         r.level[c] += r.step[c] * (index & ((1 << NODE_BITS) - 1));
-    return word_of(&r);
+    return entry_of(&r);
 }
 
 static void fill_gloss(const glint_shading *shading, const glint_drawn_sun *sun, uint32_t *words) {
