@@ -7,7 +7,10 @@ BUILD    := build
 LIBRARY_WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
 WARNINGS := $(LIBRARY_WARNINGS) -Wno-missing-field-initializers
 CFLAGS   ?= -O2
+# Lines, for reports and profiles. Debuggers show variables with DEBUG=-g, which takes a quarter of a compiler's time.
+DEBUG    := -g1
 LIBRARY  := $(wildcard src/*/*.c)
+EXAMPLE_SCENES := $(wildcard examples/scenes/*.c)
 
 # Commands are printed with V=1.
 Q := $(if $(V),,@)
@@ -19,23 +22,26 @@ EVERY     ?=
 # $(call pick,bit,words): one of the words, or every one
 pick = $(if $(EVERY),$2,$(word $(shell echo $$((($(TEST_SEED) >> $1) % $(words $2) + 1))),$2))
 
+comma := ,
+# $(call objects,folder,sources)
+objects = $(patsubst %.c,$1/%.o,$2)
+
 # Python leaves nothing beside its sources.
 export PYTHONDONTWRITEBYTECODE := 1
 
 .DELETE_ON_ERROR:
+# Objects of suites stay.
+.SECONDARY:
 .PHONY: help
 help: ## list what can be made
 	@sed -n 's/^\([a-z][a-z-]*\):.*## \(.*\)/\1\t\2/p' $(filter-out %.d,$(MAKEFILE_LIST)) | sort | awk -F '\t' '{ printf "make %-19s %s\n", $$1, $$2 }'
-
-# Lines, for reports and profiles. Debuggers show variables with DEBUG=-g, which takes a quarter of a compiler's time.
-DEBUG := -g1
 
 # $(call library,folder,compiler and flags): <folder>/libglint.a, for programs of this machine
 define library
 $1/src/%.o: src/%.c Makefile
 	@mkdir -p $$(@D)
 	$$(Q)$2 -std=c99 $(LIBRARY_WARNINGS) $$(DEBUG) -Isrc -MMD -MP -c $$< -o $$@
-$1/libglint.a: $(LIBRARY:%.c=$1/%.o)
+$1/libglint.a: $(call objects,$1,$(LIBRARY))
 	@rm -f $$@
 	$$(Q)$(AR) rcs $$@ $$^
 -include $$(wildcard $1/src/*/*.d)
@@ -46,10 +52,13 @@ $(eval $(call library,$(BUILD)/host,$(CC) $(CFLAGS) -ffreestanding))
 
 # Every suite that `make test` runs, each a phony target that closes with `N passed, N failed`.
 SUITES := test-unit-host test-image test-identity test-sanitize test-matrix test-host-cli \
-    test-panel-bus test-board-panel test-board-unit test-board-identity test-freestanding test-firmware test-features
+    test-panel-bus test-board-panel test-board-unit test-board-identity test-freestanding test-firmware test-features \
+    fuzz-coverage test-adapters test-api test-attack test-board-show test-board-animate test-board-compose test-board-moving \
+    test-board-own-flush test-board-faults test-small-ram test-board-power test-dist test-domains test-endurance test-levels \
+    test-machines test-methods test-packages test-options test-panel test-prove test-stability test-stack test-threads test-view \
+    test-web test-float test-boards-page test-chart test-cost test-cycles test-pages test-reliability
 
-# A folder of tests or tools that needs targets of its own brings them, and adds its suites to SUITES.
--include port/host/host.mk port/boards.mk port/web/web.mk tests/tests.mk $(sort $(wildcard tests/*/*.mk tools/*/*.mk))
+include port/boards.mk port/host.mk port/web.mk tests/tests.mk tests/board.mk tests/fuzz.mk tools/tools.mk tools/coverage.mk
 
 # While tools/test.sh runs them, each suite writes into a file of its own.
 ifdef SUITE_LOGS

@@ -40,12 +40,9 @@ def mesh(text, name):
 
 def checked_in():
     """[(header, arguments)] of the meshes that `make meshes` writes."""
-    meshes = [("torus576", ["torus:24x12", "--name", "torus576", "--licence", "MIT", "--no-clusters"]),
-              ("teapot", [os.path.join(MODELS, "teapot.obj"), "--licence", "MIT", "--no-clusters"])]
     with open(os.path.join(ROOT, "examples", "scenes", "meshes.mk"), encoding="utf-8") as file:
-        for name, arguments in re.findall(r"^SCENE_MESH_(\w+) := (.+)$", file.read(), re.MULTILINE):
-            meshes.append((name, arguments.replace("examples/models", MODELS).split()))
-    return meshes
+        return [(name, arguments.replace("examples/models", MODELS).split())
+                for name, arguments in re.findall(r"^MESH_(\w+) := (.+)$", file.read(), re.MULTILINE)]
 
 
 def test_checked_in_meshes(host):

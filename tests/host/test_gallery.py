@@ -26,7 +26,7 @@ def costs_counted(path):
 
 def test_gallery(host):
     made = host.path("gallery")
-    figures = os.path.join(os.path.dirname(host.program), "gallery-figures")
+    figures = os.path.join(os.path.dirname(host.program), "..", "tests", "host", "gallery_figures")
     costs = os.path.join(ROOT, "docs", "gallery-instructions.csv")
     run = subprocess.run([sys.executable, os.path.join(ROOT, "tools", "gallery", "gallery.py"), host.program, figures, costs, made],
                          capture_output=True, text=True, check=False)
@@ -63,7 +63,7 @@ TRUE_OF_FIGURES = (
 
 def test_figures(host):
     """The sentences of the gallery's page are true of what is measured."""
-    program = os.path.join(os.path.dirname(host.program), "gallery-figures")
+    program = os.path.join(os.path.dirname(host.program), "..", "tests", "host", "gallery_figures")
     text = subprocess.run([program], capture_output=True, text=True, check=True).stdout
     figures = {name.replace("-", "_"): float(value) for name, value in
                (line.split(",", 1) for line in text.splitlines()[1:]) if not value.startswith("(")}

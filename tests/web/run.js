@@ -299,7 +299,7 @@ function runProgram(text, name, { panel, width, height, format }) {
   const sources = fs.readdirSync("port/panel").filter((file) => file.endsWith(".c")).map((file) => `port/panel/${file}`);
   const display = panel ? [] : [`-DWIDTH=${width}`, `-DHEIGHT=${height}`, `-DFORMAT=${format}`];
   const flags = "-std=c99 -O1 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -Wno-missing-field-initializers -Isrc -Iport -Iexamples -Itests/image";
-  const scenes = text.includes("scenes/scenes.h") ? fs.readdirSync("build/host/scenes").filter((file) => file.endsWith(".o")).map((file) => `build/host/scenes/${file}`) : [];
+  const scenes = text.includes("scenes/scenes.h") ? fs.readdirSync("build/host/examples/scenes").filter((file) => file.endsWith(".o")).map((file) => `build/host/examples/scenes/${file}`) : [];
   const compiled = run("gcc", [...flags.split(" "), "-Dmain=scene_main", "-c", source, "-o", `${program}.o`]);
   const linked = compiled.status === 0 && run("gcc", [...flags.split(" "), ...display, `${program}.o`, "tests/web/board.c", "tests/image/picture.c", ...sources, ...scenes,
     "build/host/libglint.a", "-o", program]);

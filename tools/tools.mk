@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: MIT
+# What is measured, drawn and written to docs/, and what packages take. What was measured is kept in docs/ as CSV;
+# `make figures` draws from that.
+
+# ---- Programs of this machine
+
+SUITE_scenes           := tools/bench/scenes.c examples/bench/bench.c $(addprefix port/host/,cluster.c patch.c memory.c)
+SUITE_frame_accuracy   := tools/chart/frame_accuracy.c examples/bench/bench.c $(addprefix port/host/,cluster.c patch.c memory.c) $(JUDGE_SOURCES)
+SUITE_shading          := tools/chart/shading.c $(JUDGE_SOURCES)
+SUITE_gallery_accuracy := tools/chart/gallery_accuracy.c $(TEST_CONTRACT) $(EXAMPLE_SCENES)
+SUITE_gallery_figures  := tools/gallery/figures.c tests/image/picture.c $(EXAMPLE_SCENES)
+SUITE_cost_pictures    := tools/cost/pictures.c tools/bench/workloads.c tools/bench/boxes.c $(EXAMPLE_SCENES) $(PNG_SOURCES)
+SUITE_page_pictures    := tools/pages/pictures.c $(wildcard examples/compose/*.c examples/lines/*.c examples/moving/*.c) $(PNG_SOURCES)
+HOST_TOOLS             := $(BUILD)/tests/host
+
+$(BUILD)/bench/bench_scenes.h: $(HOST_TOOLS)/scenes
+	@mkdir -p $(@D)
+	$(Q)$< > $@
+$(BUILD)/bench/spot.h: examples/models/spot.obj $(HOST_PROGRAM)
+	@mkdir -p $(@D)
+	$(HOST_PROGRAM) convert $< -o $@ > /dev/null
+
+# ---- Instructions, counted in QEMU; the plugin counts them by kind, for the model of a core's cycles (costs.py)
+
+# $(call machine,core): the emulated machine. Cores without floating point, and ARMv6-M, run on another core's.
+machine   = $(patsubst %-m0,%,$(BOARD_$(1:m4f=m4)))
+# $(call core_elf,core,program), the firmware of several cores, and CORE=FIRMWARE and CORE=MACHINE=FIRMWARE of each
+core_elf  = $(BUILD)/$(BOARD_$1)/O2/$2.elf
+core_elfs = $(foreach core,$1,$(call core_elf,$(core),$2))
+core_runs = $(foreach core,$1,$(core)=$(call core_elf,$(core),$2))
+machine_runs = $(foreach core,$1,$(core)=$(call machine,$(core))=$(call core_elf,$(core),$2))
+COUNT     := python3 tools/chart/count.py --qemu $(QEMU)
+
+CYCLES_PLUGIN := $(BUILD)/cycles/plugin.so
+$(CYCLES_PLUGIN): $(wildcard tools/cycles/*.c tools/cycles/*.h)
+	@mkdir -p $(@D)
+	$(Q)$(CC) -std=c99 $(WARNINGS) -O2 -fPIC -shared -fvisibility=hidden $(filter %.c,$^) -o $@
+
+test-cycles: $(CYCLES_PLUGIN) $(call core_elfs,m0 m3 m4 m4f,loops) ## loops whose cycles are counted by hand, against the model of cores
+	@python3 tests/cycles/loops.py --qemu $(QEMU) --plugin $(CYCLES_PLUGIN) $(call machine_runs,m0 m3 m4 m4f,loops)
+
+.PHONY: bench bench-diff profile scaling
+BENCH_CORES := m3 m0 m4 rv32
+$(BUILD)/bench.csv: $(foreach program,frames workloads methods,$(call core_elfs,$(BENCH_CORES),$(program))) $(call core_elf,m4f,float) \
+        $(CYCLES_PLUGIN) $(wildcard tools/bench/*.py tools/cycles/*.py) tests/board/qemu.py
+	$(Q)python3 tools/bench/bench.py --qemu $(QEMU) --output $(BUILD) --plugin $(CYCLES_PLUGIN) \
+	    --frames $(call machine_runs,$(BENCH_CORES),frames) $(call machine_runs,$(BENCH_CORES),workloads) \
+	    --float $(call machine_runs,m4f,float) --methods $(call machine_runs,$(BENCH_CORES),methods)
+
+bench: $(BUILD)/bench.csv ## count the instructions of whole frames of every kind of scene, and of methods; writes build/bench.csv
+	@python3 tools/bench/table.py $<
+
+bench-diff: $(BUILD)/bench.csv ## what changed against docs/bench.csv; fails when anything did
+	@python3 tools/bench/table.py $< --against docs/bench.csv
+
+profile: $(call core_elfs,m3 m0,profile) ## instructions per stage and unit of one frame of each benchmark scene (FUNCTIONS=1: per function)
+	$(Q)python3 tools/profile/profile.py --qemu $(QEMU) --nm $(CROSS)nm $(if $(FUNCTIONS),--functions) \
+	    --output $(BUILD)/profile.csv $(call core_runs,m3 m0,profile)
+
+$(BUILD)/scaling.csv: $(call core_elfs,m3 m0,scaling) tools/scaling/scaling.py tools/bench/emulate.py
+	$(Q)python3 tools/scaling/scaling.py --qemu $(QEMU) --output $@ $(call core_runs,m3 m0,scaling)
+scaling: $(BUILD)/scaling.csv
+	cp $< docs/charts/scaling.csv
+
+# ---- What each feature costs, for a core and a level that the seed picks
+
+# $(call features_core,core): compiles and links; {level} stands for the level of optimisation
+features_core = "$1=$(call board_gcc,$(BOARD_$1)) $(FIRMWARE_CFLAGS) -{level} $(FIRMWARE_LDFLAGS) -T $(call linker,$(BOARD_$1)) \
+    tools/features/feature.c $(call objects,$(BUILD)/$(BOARD_$1)/Os,$(call port_sources,$(BOARD_$1))) $(BUILD)/$(BOARD_$1)/{level}/libglint.a -lgcc"
+# $(call features_built,cores,levels): what that takes
+features_built = $(BUILD)/bench/bench_scenes.h $(foreach core,$1,$(call objects,$(BUILD)/$(BOARD_$(core))/Os,$(call port_sources,$(BOARD_$(core)))) \
+    $(foreach level,$2,$(BUILD)/$(BOARD_$(core))/$(level)/libglint.a))
+features = python3 tools/features/features.py --qemu $(QEMU) --output $(BUILD) --page docs/features.md $(foreach core,$1,$(call features_core,$(core)))
+
+FEATURES_CORES  := $(call pick,8,m3 m0)
+FEATURES_LEVELS := $(call pick,0,Os O2)
+.PHONY: features
+features: $(call features_built,m3 m0,Os O2)
+	@$(call features,m3 m0)
+
+test-features: $(call features_built,$(FEATURES_CORES),$(FEATURES_LEVELS)) ## docs/features.md against what is measured, of a core and a level that a seed picks
+	$(call sample,core and level)
+	@$(call features,$(FEATURES_CORES)) --check $(subst $() $(),$(comma),$(FEATURES_LEVELS))
+
+# ---- Charts, and the pages that walk through them
+
+CHART_CORES := m0 m3 m4 rv32
+$(BUILD)/%-accuracy.csv: $(HOST_TOOLS)/%_accuracy
+	$< > $@
+$(BUILD)/frame-instructions.csv: $(call core_elfs,$(CHART_CORES),frame_board) tools/chart/count.py tools/bench/emulate.py
+	$(COUNT) --head scene,size,format,choice,cpu,instructions $(call machine_runs,$(CHART_CORES),frame_board) > $@
+$(BUILD)/arena.csv: $(call core_elf,m3,arena_board) tools/chart/count.py tools/bench/emulate.py
+	$(COUNT) --head scene,size,arena,passes,cpu,instructions $(call machine_runs,m3,arena_board) > $@
+$(BUILD)/gallery-instructions.csv: $(call core_elfs,m0 m3,gallery_costs) tools/chart/count.py tools/bench/emulate.py
+	$(Q)$(COUNT) --head scene,variant,size,cpu,instructions $(call machine_runs,m0 m3,gallery_costs) > $@
+# Errors and instructions in one table.
+$(BUILD)/shading.csv: $(HOST_TOOLS)/shading $(call core_elf,m3,shading_board) tools/chart/count.py
+	@mkdir -p $(BUILD)/chart
+	$< > $(BUILD)/chart/errors.csv
+	$(COUNT) --head format,evaluation,triangles,cpu,instructions $(call machine_runs,m3,shading_board) > $(BUILD)/chart/instructions.csv
+	paste -d, $(BUILD)/chart/errors.csv $(BUILD)/chart/instructions.csv | cut -d, -f1-5,9-10 > $@
+
+.PHONY: chart-figures chart gallery
+CHART_TABLES := $(addprefix $(BUILD)/,bench.csv frame-accuracy.csv gallery-accuracy.csv frame-instructions.csv)
+chart-figures: $(CHART_TABLES) $(BUILD)/shading.csv $(BUILD)/arena.csv
+	cp $(CHART_TABLES) $(BUILD)/bench-arena.csv docs/
+	cp $(BUILD)/shading.csv $(BUILD)/arena.csv docs/charts/
+
+chart:
+	@tools/setup.sh
+	@python3 tools/chart/chart.py
+
+test-chart: ## charts and figures in pages against the CSV files kept in docs
+	@python3 tools/chart/chart.py --check $(BUILD)/chart
+
+# The gallery: every example scene and variant, what is measured in the pictures, and what each costs to draw.
+gallery: $(HOST_PROGRAM) $(HOST_TOOLS)/gallery_figures $(BUILD)/gallery-instructions.csv
+	cp $(BUILD)/gallery-instructions.csv docs/
+	python3 tools/gallery/gallery.py $(HOST_PROGRAM) $(HOST_TOOLS)/gallery_figures docs/gallery-instructions.csv docs/gallery
+
+# ---- docs/boards.md: a row for each board, and what its panel shows. The README has a table of one board.
+
+BOARDS_STREAM := $(BUILD)/pico/release/show.stream
+BOARDS_PAGE   := python3 tools/boards/boards.py --build $(BUILD) --host $(SHOW_HOST) --stream $(BOARDS_STREAM)
+BOARDS_BUILT  := $(SHOW_HOST) $(foreach board,$(filter-out template mps2-an385-m0,$(BOARDS)),$(BUILD)/$(board)/release/show.elf) \
+    $(call core_elfs,m0 m3 rv32,frames) $(ANIMATE_RUN:%=$(BUILD)/%/O2/animate.elf) $(BOARDS_STREAM)
+
+# On a bus that takes no time: instructions that wait for it are not counted.
+$(BOARDS_STREAM): $(BUILD)/pico/release/show.bin $(PICO_EMULATOR) tests/pico/run.js
+	$(Q)node tests/pico/run.js $< $@ free > /dev/null
+
+# The example scenes in motion: what each frame takes of the core by the model of cycles, and of the bus.
+ANIMATE_MARKED := mps2-an385=$(BUILD)/mps2-an385/O2/animate-marked.elf \
+    netduinoplus2=$(BUILD)/netduinoplus2/O2/animate-marked-polled.elf pico=$(BUILD)/pico/O2/animate.bin
+$(BUILD)/animate-times.csv $(BUILD)/animate-times-part.csv: $(call files,$(ANIMATE_MARKED)) $(CYCLES_PLUGIN) $(PICO_EMULATOR) \
+        tools/boards/times.py tools/cycles/costs.py tests/pico/run.js
+	$(Q)python3 tools/boards/times.py --plugin $(CYCLES_PLUGIN) $(if $(findstring part,$@),--part) $(ANIMATE_MARKED) > $@
+
+.PHONY: boards-page
+boards-page: $(BOARDS_BUILT) $(BUILD)/animate-times.csv
+	@mkdir -p docs/boards
+	$(Q)$(BOARDS_PAGE) --times $(BUILD)/animate-times.csv --write docs/boards.md docs/boards README.md
+
+test-boards-page: $(BOARDS_BUILT) $(BUILD)/animate-times-part.csv ## the figures and pictures of docs/boards.md and the README are true
+	@$(BOARDS_PAGE) --times $(BUILD)/animate-times-part.csv docs/boards.md docs/boards README.md
+
+# ---- Pictures of pages
+
+WINDOW_PICTURE := $(BUILD)/pages/window
+$(WINDOW_PICTURE): $(BUILD)/host/tools/pages/window.o $(VIEW_OBJECTS) $(HOST_PARTS)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(HOST_CFLAGS) $^ $(SIMPLIFIER) -lm -o $@
+
+.PHONY: cost-pictures page-pictures demo-picture web-picture
+cost-pictures: $(HOST_TOOLS)/cost_pictures
+	@mkdir -p docs/cost
+	$< docs/cost
+
+page-pictures: $(HOST_TOOLS)/page_pictures $(WINDOW_PICTURE)
+	@mkdir -p docs/pages
+	$(HOST_TOOLS)/page_pictures docs/pages
+	$(WINDOW_PICTURE) docs/pages
+
+demo-picture: $(HOST_PROGRAM)
+	$(Q)$(HOST_PROGRAM) demo -o docs/demo.png
+
+web-picture: web $(WEB_TEST)/node_modules/installed
+	NODE_MODULES=$(abspath $(WEB_TEST)/node_modules) node tests/web/picture.js docs/web/index.html docs/web.png
+
+test-cost: $(HOST_TOOLS)/cost_pictures ## the pictures of docs/cost.md against what is drawn
+	@rm -rf $(BUILD)/cost/drawn && mkdir -p $(BUILD)/cost/drawn
+	@$< $(BUILD)/cost/drawn
+	@python3 tools/cost/compare.py $(BUILD)/cost/drawn docs/cost docs/cost.md
+
+test-pages: $(HOST_TOOLS)/page_pictures $(WINDOW_PICTURE) ## the pictures of docs/compose.md, docs/black.md, docs/meshes.md and docs/view.md against what is drawn
+	@rm -rf $(BUILD)/pages/drawn && mkdir -p $(BUILD)/pages/drawn
+	@$(HOST_TOOLS)/page_pictures $(BUILD)/pages/drawn
+	@$(WINDOW_PICTURE) $(BUILD)/pages/drawn
+	@python3 tools/cost/compare.py $(BUILD)/pages/drawn docs/pages docs/compose.md docs/black.md docs/meshes.md docs/view.md
+
+# ---- After a changed pixel, or a changed instruction: everything that a test or lint compares, and all that pages show. In
+# ---- this order: what is measured, what is written from that, and the page, which holds both.
+
+FIGURES := unit-tables chart-figures scaling gallery features options-page stability boards-page cost-pictures page-pictures \
+    demo-picture proofs-page chart tile-tables web web-picture
+.PHONY: figures tile-tables options-page
+figures: ## after a changed pixel: measure, draw and write anew all that pages show and that tests compare
+	@tools/setup.sh
+	+@for step in $(FIGURES); do printf '######## %s\n' $$step; $(MAKE) --no-print-directory $$step || exit 1; done
+
+tile-tables:
+	$(Q)python3 tools/bench/tiles.py --page docs/design.md --write docs/bench.csv docs/bench-arena.csv
+
+options-page: single
+	@python3 tests/packages/options.py --build $(BUILD) --write
+
+# What docs/reliability.md and SECURITY.md name is there.
+test-reliability: ## the targets, files and links that docs/reliability.md and SECURITY.md name
+	@$(MAKE) --no-print-directory help | python3 tools/reliability/reliability.py --suites "$(SUITES)"
+
+# ---- Packages: one source and two headers, a CMSIS-Pack, an archive of the sources; the headers as pages
+
+SINGLE := $(BUILD)/single
+.PHONY: single pack dist doxygen mutants
+single: $(SINGLE)/glint.c ## the library as one source and two headers, in build/single
+$(SINGLE)/glint.c $(SINGLE)/glint.h $(SINGLE)/glint_extras.h &: tools/packages/single.py $(LIBRARY) $(wildcard src/*.h src/*/*.h)
+	$(Q)python3 $< $(SINGLE)
+
+pack: ## the library as a CMSIS-Pack, in build/pack
+	@python3 tools/packages/pack.py $(BUILD)/pack `tools/version.sh print`
+
+dist: ## the sources of the last commit as an archive, the same bytes anywhere, with its SHA256SUMS in build/dist
+	@tools/packages/dist.sh $(BUILD)/dist
+
+doxygen: ## the public headers as pages, in build/doxygen/html; what is not documented is an error
+	@mkdir -p $(BUILD)/doxygen
+	@doxygen tools/doxygen/Doxyfile
+
+# ---- Single changes to src/ and port/panel/ that some suite should notice. Not part of `make test`: to compile and time all
+# ---- suites takes minutes, a mutant seconds, a survivor a minute.
+
+# How many are judged, in the order of a seed; files of src/ and port/panel/ that they are in, all unless some are named.
+MUTANTS       ?= 20
+MUTANTS_SEED  ?= 1
+MUTANTS_FILES ?=
+MUTANTS_JOBS  ?= $(shell nproc)
+# Which suite comes first follows from the time that they take, and from what they noticed before.
+MUTANTS_SUITES := $(filter-out parts motion corners rooms,$(TEST_SUITES)) stability_kept stability_regions $(PANEL_SUITES)
+# A suite's sources, with the harness that ends at the first failed check, and the judge of images that remembers.
+mutants_sources = tools/mutants/harness.c $(patsubst tests/image/judge.c,tools/mutants/judge.c,$(filter-out $(TEST_HARNESS),$1))
+mutants: ## change MUTANTS places of src/ and port/panel/, one at a time, from MUTANTS_SEED (MUTANTS_FILES: only there): does a suite notice?
+	@python3 tools/mutants/mutants.py --build $(BUILD)/mutants --known tools/mutants/known.csv --count $(MUTANTS) \
+	    --seed $(MUTANTS_SEED) --jobs $(MUTANTS_JOBS) --compiler "$(CC)" --flags "-std=c99 $(TEST_INCLUDES)" \
+	    $(foreach suite,$(MUTANTS_SUITES),--suite "$(suite)=$(call mutants_sources,$(call suite_sources,$(suite)))") --files $(MUTANTS_FILES)
