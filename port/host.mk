@@ -2,14 +2,14 @@
 # The host port: the glint program, its demo, the meshes that it generates, the window, and what is installed.
 
 HOST_PROGRAM   := $(BUILD)/host/glint
-# The double-precision reference, which maps of errors hold pictures against, and what writes pictures.
+# The double-precision reference with the library's own geometry, and what writes pictures.
 JUDGE_SOURCES  := tests/reference/reference.c tests/reference/lighting.c tests/image/library_geometry.c tests/image/picture.c
-PNG_SOURCES    := $(addprefix port/host/,framebuffer.c png.c deflate.c output.c memory.c problem.c)
+PNG_SOURCES    := $(addprefix port/host/,framebuffer.c png.c deflate.c output.c basics.c)
 IMPORT_SOURCES := $(wildcard port/host/import/*.c)
 HOST_SOURCES   := $(wildcard port/host/*.c)
 HOST_OBJECTS   := $(call objects,$(BUILD)/host,$(HOST_SOURCES))
 # Programs beside glint link all of it but its main function.
-HOST_PARTS     := $(filter-out %/main.o,$(HOST_OBJECTS)) $(call objects,$(BUILD)/host,$(JUDGE_SOURCES) $(EXAMPLE_SCENES)) \
+HOST_PARTS     := $(filter-out %/main.o,$(HOST_OBJECTS)) $(call objects,$(BUILD)/host,$(EXAMPLE_SCENES)) \
     $(BUILD)/host/libglint.a
 
 # The example scenes read the meshes that `make meshes` writes: so a program without scenes writes them. It has no library

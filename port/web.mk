@@ -3,7 +3,7 @@
 
 WEB := $(BUILD)/web
 WEB_SOURCES := $(filter-out %_rgb565_be.c %_mono_pages.c,$(LIBRARY)) port/web/formats.c \
-    $(filter-out %/main.c %/output.c %/importer.c %/child.c %/progress.c,$(HOST_SOURCES)) $(EXAMPLE_SCENES) $(JUDGE_SOURCES) \
+    $(filter-out %/main.c %/output.c %/importer.c %/child.c,$(HOST_SOURCES)) $(EXAMPLE_SCENES) $(JUDGE_SOURCES) \
     $(addprefix port/web/,web.c measure.c files.c libc/libc.c) port/libc/memory.c
 WEB_OBJECTS := $(call objects,$(WEB),$(WEB_SOURCES)) $(WEB)/scenes/meshes.o
 # Scenes take the arrays of these two.

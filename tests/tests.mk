@@ -88,7 +88,7 @@ $(foreach variant,host sanitize $(UNNUMBERED) threads sanitize-small,$(eval $(ca
 
 # ---- Suites: their sources. Without a SUITE_x line, suite x is x.c in one of three folders, and what tests share.
 
-CLUSTERS      := $(addprefix port/host/,cluster.c patch.c memory.c)
+CLUSTERS      := $(addprefix port/host/,cluster.c basics.c)
 TEST_HARNESS  := tests/harness.c tests/main.c
 TEST_SCENES   := tests/image/picture.c tests/image/scenes.c examples/bench/bench.c $(CLUSTERS)
 TEST_JUDGE    := $(filter-out %/picture.c,$(JUDGE_SOURCES)) tests/image/judge.c
@@ -109,7 +109,7 @@ TEST_SUITES  := unit parts numbers camera identity $(IMAGE_SUITES)
 PANEL_SUITES := panel_pictures panel_complaints panel_faults panel_i2c
 
 SUITE_unit  := $(TEST_HARNESS) $(wildcard tests/unit/*.c)
-SUITE_parts := $(TEST_HARNESS) tests/host/parts.c $(PNG_SOURCES) $(addprefix port/host/,compare.c numbered.c png_read.c inflate.c)
+SUITE_parts := $(TEST_HARNESS) tests/host/parts.c $(PNG_SOURCES) $(addprefix port/host/,compare.c values.c number.c png_read.c inflate.c)
 SUITE_stability_regions := $(TEST_HARNESS) tests/stability/regions.c $(STABILITY_REGIONS)
 SUITE_stability_kept    := $(TEST_HARNESS) tests/stability/kept.c tests/stability/random_scene.c $(TEST_CONTRACT)
 SUITE_stability_search  := tests/stability/search.c tests/stability/random_scene.c $(TEST_CONTRACT)
@@ -413,7 +413,7 @@ PACKAGES := $(BUILD)/packages
 $(PACKAGES)/minimal: tests/packages/board.c examples/firmware/minimal.c $(addprefix port/panel/,$(lm3s6965evb_PANEL)) $(BUILD)/host/libglint.a
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iport $^ -o $@
-$(PACKAGES)/turntable: tests/packages/turntable.c examples/turntable/turntable.c $(addprefix port/host/,framebuffer.c memory.c problem.c) $(BUILD)/host/libglint.a
+$(PACKAGES)/turntable: tests/packages/turntable.c examples/turntable/turntable.c $(addprefix port/host/,framebuffer.c basics.c) $(BUILD)/host/libglint.a
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iport/host -Iexamples $^ -o $@
 test-packages: $(PACKAGES)/minimal $(PACKAGES)/turntable $(PANEL_STREAM) $(HOST_PROGRAM) single ## packages that a seed picks: what each builds, and what it says of itself

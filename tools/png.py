@@ -89,6 +89,18 @@ def unfilter(kind, row, above, step):
     return bytes(out[step:])
 
 
+def unpack(packed, width, height, channels):
+    """Rows of bytes; ValueError or zlib.error when they are not right."""
+    raw, size = zlib.decompress(packed), width * channels
+    if len(raw) != height * (size + 1):
+        raise ValueError("wrong amount of data")
+    rows = []
+    for y in range(height):
+        line = raw[y * (size + 1):(y + 1) * (size + 1)]
+        rows.append(unfilter(line[0], line[1:], rows[-1] if rows else bytes(size), channels))
+    return rows
+
+
 def decode(data):
     """The Picture in a PNG file's bytes; ValueError or zlib.error when they are not right."""
     parts = chunks(data)
@@ -96,16 +108,25 @@ def decode(data):
     if depth != 8 or colour not in (0, 2) or methods != [0, 0, 0]:
         raise ValueError("neither 8-bit grey nor RGB")
     channels = 3 if colour == 2 else 1
-    raw = zlib.decompress(b"".join(body for kind, body in parts if kind == b"IDAT"))
-    size = width * channels
-    if len(raw) != height * (size + 1):
-        raise ValueError("wrong amount of data")
-    rows, above = [], bytes(size)
-    for y in range(height):
-        line = raw[y * (size + 1):(y + 1) * (size + 1)]
-        above = unfilter(line[0], line[1:], above, channels)
-        rows.append(list(zip(*(above[c::channels] for c in range(channels)))))
-    return Picture(width, height, channels, rows)
+    rows = unpack(b"".join(body for kind, body in parts if kind == b"IDAT"), width, height, channels)
+    return Picture(width, height, channels, [list(zip(*(row[c::channels] for c in range(channels)))) for row in rows])
+
+
+def shown(data):
+    """What a PNG or an APNG shows, however it is packed: its chunks, with rows of bytes in place of packed data."""
+    parts, found, packed = chunks(data), [], b""
+    *size, _, colour = struct.unpack(">IIBB", parts[0][1][:10])
+    for kind, body in parts:
+        if kind in (b"IDAT", b"fdAT"):
+            packed += body[4:] if kind == b"fdAT" else body
+            continue
+        if packed:
+            found.append(unpack(packed, *size, 3 if colour == 2 else 1))
+            packed = b""
+        if kind == b"fcTL":
+            size = struct.unpack(">2I", body[4:12])
+        found.append((kind, body))
+    return found
 
 
 def read(path):

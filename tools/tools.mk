@@ -4,8 +4,8 @@
 
 # ---- Programs of this machine
 
-SUITE_scenes           := tools/bench/scenes.c examples/bench/bench.c $(addprefix port/host/,cluster.c patch.c memory.c)
-SUITE_frame_accuracy   := tools/chart/frame_accuracy.c examples/bench/bench.c $(addprefix port/host/,cluster.c patch.c memory.c) $(JUDGE_SOURCES)
+SUITE_scenes           := tools/bench/scenes.c examples/bench/bench.c $(addprefix port/host/,cluster.c basics.c)
+SUITE_frame_accuracy   := tools/chart/frame_accuracy.c examples/bench/bench.c $(addprefix port/host/,cluster.c basics.c) $(JUDGE_SOURCES)
 SUITE_shading          := tools/chart/shading.c $(JUDGE_SOURCES)
 SUITE_gallery_accuracy := tools/chart/gallery_accuracy.c $(TEST_CONTRACT) $(EXAMPLE_SCENES)
 SUITE_gallery_figures  := tools/gallery/figures.c tests/image/picture.c $(EXAMPLE_SCENES)

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #define _XOPEN_SOURCE 700 /* POSIX of 2008: poll, fork, limits, clocks */
 
-#include "child.h"
+#include "model.h"
 
-#include "memory.h"
+#include "basics.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -26,9 +26,7 @@ typedef struct child_process {
     const child_limits *limits;
     pid_t process;
     int output, errors; /* ends of pipes to read from */
-    host_bytes *out;
-    char said[SAID_MAX + 1];
-    size_t said_count;
+    host_bytes *out, said;
 } child_process;
 
 /* ---- In the child ----------------------------------------------------------------------------------------------- */
@@ -71,22 +69,12 @@ static double now(void) {
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-/** Reads what has come. @return false at the end */
-static bool take_output(child_process *child) {
-    host_bytes *out = child->out;
-    out->data = memory_grow(out->data, &out->capacity, out->count + 65536, 1);
-    const ssize_t got = read(child->output, out->data + out->count, 65536);
-    out->count += got > 0 ? (size_t)got : 0;
-    return got > 0 || (got < 0 && errno == EINTR);
-}
-
-/** The same for stderr, of which only the beginning is kept. */
-static bool take_errors(child_process *child) {
-    char part[512];
-    const ssize_t got = read(child->errors, part, sizeof part);
-    for (ssize_t i = 0; i < got && child->said_count < SAID_MAX; i++) {
-        child->said[child->said_count++] = part[i];
-    }
+/** Reads what has come, and keeps it up to a limit. @return false at the end */
+static bool take(int pipe, host_bytes *bytes, size_t most) {
+    bytes->data = memory_grow(bytes->data, &bytes->capacity, bytes->count + 65536, 1);
+    const ssize_t got = read(pipe, bytes->data + bytes->count, 65536);
+    bytes->count += got > 0 ? (size_t)got : 0;
+    bytes->count = bytes->count < most ? bytes->count : most;
     return got > 0 || (got < 0 && errno == EINTR);
 }
 
@@ -102,10 +90,10 @@ static bool read_all(child_process *child, host_problem *problem) {
         if (poll(pipes, 2, (int)(left * 1000) + 1) <= 0) {
             continue;
         }
-        if (pipes[0].revents != 0 && !take_output(child)) {
+        if (pipes[0].revents != 0 && !take(child->output, child->out, child->limits->output + 1)) {
             pipes[0].fd = -1;
         }
-        if (pipes[1].revents != 0 && !take_errors(child)) {
+        if (pipes[1].revents != 0 && !take(child->errors, &child->said, SAID_MAX)) {
             pipes[1].fd = -1;
         }
         if (child->out->count > child->limits->output) {
@@ -119,8 +107,8 @@ static bool read_all(child_process *child, host_problem *problem) {
 static bool judge(const child_process *child, int status, host_problem *problem) {
     char quote[SAID_MAX + 1];
     size_t length = 0;
-    for (; length < child->said_count && child->said[length] != '\n'; length++) {
-        const char c = child->said[length];
+    for (; length < child->said.count && child->said.data[length] != '\n'; length++) {
+        const char c = (char)child->said.data[length];
         quote[length] = (char)(c >= ' ' && c <= '~' ? c : '?');
     }
     quote[length] = '\0';
@@ -187,6 +175,7 @@ bool child_run(char *const arguments[], const child_limits *limits, host_bytes *
     child.output = output[0];
     child.errors = errors[0];
     const bool ok = attend(&child, problem);
+    free(child.said.data);
     if (!ok) {
         free(out->data);
     }

@@ -7,7 +7,8 @@
 #ifndef GLINT_HOST_COMMAND_H
 #define GLINT_HOST_COMMAND_H
 
-#include "load.h"
+#include "basics.h"
+#include "model.h"
 #include "png.h"
 #include "quantise.h"
 #include "settings.h"
@@ -54,16 +55,10 @@ void command_print_warnings(const host_settings *settings, const host_model *mod
 void command_warn_of_size(const host_settings *settings, const quantised_mesh *mesh);
 
 /** Prints what a frame took, a name and a value a line. */
-void command_print_stats(const glint_stats *stats, const framebuffer *target, const host_settings *settings);
+void command_print_stats(const glint_stats *stats, const framebuffer *target);
 
 /** Whether the settings say where the picture goes: to a file, the terminal, or into a comparison. */
 bool command_has_output(const host_settings *settings);
-
-/**
- * Refuses, with a line, to write over a file that is read.
- * @param what the file is to the user
- */
-bool command_keeps(const host_settings *settings, const char *file, const char *what);
 
 /**
  * Reads the picture to compare with, or prints why not.
@@ -71,14 +66,37 @@ bool command_keeps(const host_settings *settings, const char *file, const char *
  */
 bool command_open_compared(const host_settings *settings, png_picture *other);
 
+/** A picture, or frames that follow each other. */
+typedef struct command_picture {
+    /**
+     * Draws a frame, counted from 0.
+     * @param target set up by this, the caller frees it; untouched when the result is null
+     * @return the picture as png_encode takes it, for the caller to free; null with a problem
+     */
+    uint8_t *(*draw)(void *context, uint32_t frame, framebuffer *target, glint_stats *stats, host_problem *problem);
+    void *context;
+    uint32_t duration, rate; /**< It repeats after duration / rate seconds; each from 1 to 65535. */
+} command_picture;
+
 /**
- * Writes a picture to the settings' output and shows it, prints what it took, and how it differs from another, each
- * where the settings say so.
- * @param picture expanded from `target`, and drawn over perhaps
- * @param other as of command_open_compared
- * @return exit status, after a line where the picture cannot be written
+ * Checks the options beside --animate, and the name of what is to be written; without --animate nothing.
+ * @param command what a problem begins with
+ * @return false with a problem
  */
-int command_finish(const uint8_t *picture, const framebuffer *target, const glint_stats *stats,
-                   const host_settings *settings, const png_picture *other);
+bool command_check_frames(const host_settings *settings, const char *command, host_problem *problem);
+
+/**
+ * Draws and writes what the settings say: a picture, which is shown, measured and compared with another; or as many
+ * frames as they say, to one file, or to one each where its name has a %d. Prints what is wrong.
+ * @param other as of command_open_compared
+ * @return exit status
+ */
+int command_draw(const command_picture *shown, const host_settings *settings, const png_picture *other);
+
+/** Prints a mesh as NAME_meshSUFFIX, behind its arrays. @param name at most 65 characters */
+void convert_mesh(host_bytes *out, const char *name, const glint_mesh *mesh, const char *suffix);
+
+/** A character as an identifier may have it: what is no letter, digit or underscore becomes an underscore. */
+char convert_plain(char c);
 
 #endif

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT */
+/**
+ * @file convert.c
+ * What the converter writes: a header, or a source and its header.
+ */
 #include "command.h"
 
-#include "convert.h"
-#include "number.h"
-#include "output.h"
-#include "report.h"
+#include "basics.h"
+#include "values.h"
+#include "view.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,13 +19,119 @@
 /** Part of a mesh's side by which positions may move unsaid: a quarter of a pixel of 1024, the largest display. */
 #define STEP_MAX (1.0 / 4096.0)
 
+/** Characters that are kept of a material's name. */
+#define NAME_KEPT 40
+
+/** Room for what tells a piece's names from those of others: 40 characters of a material's name, and two numbers. */
+typedef struct header_suffix {
+    char text[64];
+} header_suffix;
+
 typedef struct header_writer {
     host_bytes *out;
     const host_settings *settings;
     const quantised_mesh *mesh;
-    const char *storage; /* of meshes, materials and objects */
+    const char *storage;           /* of meshes, materials and objects */
+    const header_suffix *suffixes; /* a piece each */
     char name[NAME_SIZE];
 } header_writer;
+
+char convert_plain(char c) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    return (char)(plain ? c : '_');
+}
+
+/* ---- Names ------------------------------------------------------------------------------------------------------ */
+
+/** Whether another piece has a piece's material. */
+static bool shares_material(const quantised_mesh *mesh, size_t piece) {
+    const uint32_t material = mesh->materials[piece];
+    return (piece > 0 && mesh->materials[piece - 1] == material) ||
+           (piece + 1 < mesh->piece_count && mesh->materials[piece + 1] == material);
+}
+
+static bool is_taken(const header_suffix *suffixes, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(suffixes[i].text, suffixes[count].text) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/** Names a piece by its material; with a number from 2 on where an earlier piece has that name. */
+static void name_piece(const char *material, bool counted, header_suffix *suffixes, size_t piece) {
+    char base[NAME_KEPT + 16];
+    size_t length = 0;
+    for (const char *letter = material; *letter != '\0' && length < NAME_KEPT; letter++) {
+        base[length++] = convert_plain(*letter);
+    }
+    base[length] = '\0';
+    char *suffix = suffixes[piece].text;
+    const size_t size = sizeof suffixes[piece].text;
+    snprintf(suffix, size, counted ? "_%s_1" : "_%s", base);
+    for (unsigned number = 2; is_taken(suffixes, piece); number++) {
+        snprintf(suffix, size, "_%s_%u", base, number);
+    }
+}
+
+/**
+ * A suffix for each piece: empty for one piece without materials; its number where there are several; with materials
+ * the name of its own, followed by numbers where that alone is not unique. @return the caller frees them
+ */
+static header_suffix *find_suffixes(const host_materials *materials, const quantised_mesh *mesh) {
+    header_suffix *suffixes = memory_new(mesh->piece_count, sizeof *suffixes);
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        const mtl_material *material = materials_find(materials, mesh->materials[i]);
+        if (materials->used_count > 0) {
+            name_piece(material != NULL ? material->name : "default", shares_material(mesh, i), suffixes, i);
+        } else if (mesh->piece_count > 1) {
+            snprintf(suffixes[i].text, sizeof suffixes[i].text, "_%u", (unsigned)i);
+        }
+    }
+    return suffixes;
+}
+
+/* ---- The head --------------------------------------------------------------------------------------------------- */
+
+/** Whether an output's name asks for a source and its header: it ends with .c. False for null. */
+static bool is_pair(const char *output) {
+    const size_t length = output != NULL ? strlen(path_base_name(output)) : 0;
+    return length > 2 && strcmp(path_base_name(output) + length - 2, ".c") == 0;
+}
+
+/** The header's name of a source's. @return the caller frees it */
+static char *header_of(const char *source) {
+    const size_t length = strlen(source);
+    char *header = memory_new(length + 1, 1);
+    strcpy(header, source);
+    header[length - 1] = 'h';
+    return header;
+}
+
+/** Whether a pair can have the names that it would; says why not. True for what is no pair. */
+static bool check_pair(const host_settings *settings) {
+    host_problem problem;
+    if (!is_pair(settings->output)) {
+        return true;
+    }
+    for (const char *letter = path_base_name(settings->output); *letter != '\0'; letter++) {
+        if ((unsigned char)*letter < ' ' || *letter == '"' || *letter == '\\') {
+            problem_set(&problem, 0,
+                        "cannot be written: #include of its header takes no quotes, backslashes or control characters");
+            problem_print(settings->output, &problem);
+            return false;
+        }
+    }
+    char *header = header_of(settings->output);
+    const bool is_model = path_is_same_file(settings->model, header);
+    if (is_model) {
+        problem_set(&problem, 0, "cannot be written: it is the model");
+        problem_print(header, &problem);
+    }
+    free(header);
+    return !is_model;
+}
 
 static bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -106,7 +215,7 @@ static void print_command_line(const header_writer *writer) {
     if (settings->double_sided) {
         bytes_print(writer->out, " --double-sided");
     }
-    if (convert_is_pair(settings->output)) {
+    if (is_pair(settings->output)) {
         bytes_print(writer->out, " -o ");
         print_in_comment(writer->out, path_base_name(settings->output));
     }
@@ -166,6 +275,8 @@ static void print_guard(const header_writer *writer, const char *directive) {
     }
     bytes_print(writer->out, "_MESH_H\n");
 }
+
+/* ---- Arrays ----------------------------------------------------------------------------------------------------- */
 
 /** Begins a row of 6 items, or goes on with one. */
 static void print_gap(const header_writer *writer, size_t item) {
@@ -338,13 +449,105 @@ void convert_mesh(host_bytes *out, const char *name, const glint_mesh *mesh, con
     print_single(&writer, mesh, suffix);
 }
 
+/* ---- Materials and objects -------------------------------------------------------------------------------------- */
+
+static const char *model_name(const glint_shading_model *model) {
+    return model == &glint_model_lambert ? "lambert" : model == &glint_model_unlit ? "unlit" : "blinn_phong";
+}
+
+static void print_colour(host_bytes *out, glint_colour colour, const char *what) {
+    bytes_print(out, "    {%ld, %ld, %ld}, /* %s */\n", (long)colour.r, (long)colour.g, (long)colour.b, what);
+}
+
+static void print_material(const header_writer *writer, const char *suffix, const glint_material *material) {
+    host_bytes *out = writer->out;
+    bytes_print(out, "\n%s glint_material %s_material%s = {\n    &glint_model_%s,\n", writer->storage, writer->name,
+                suffix, model_name(material->model));
+    print_colour(out, material->ambient, "ambient");
+    print_colour(out, material->diffuse, "diffuse");
+    print_colour(out, material->specular, "specular");
+    bytes_print(out, "    %ld, /* shininess */\n    0,\n};\n", (long)material->shininess);
+}
+
+/** The first piece of each material, by its number. @return the caller frees them */
+static size_t *first_pieces(const host_materials *materials, const quantised_mesh *mesh) {
+    size_t *first = memory_new(materials->used_count + 1, sizeof *first);
+    for (size_t i = mesh->piece_count; i-- > 0;) {
+        first[mesh->materials[i]] = i;
+    }
+    return first;
+}
+
+/** Prints the materials NAME_material_MATERIAL, and NAME_objects: an object for each piece. */
+static void print_objects(const header_writer *writer, const host_materials *materials, const quantised_mesh *mesh) {
+    host_bytes *out = writer->out;
+    const header_suffix *suffixes = writer->suffixes;
+    size_t *first = first_pieces(materials, mesh);
+    bytes_print(out, "\n/* Materials: Q16.16, for ambient light of 1 in the scene. */\n");
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        if (first[mesh->materials[i]] == i) {
+            const glint_material material =
+                settings_material(writer->settings, materials_find(materials, mesh->materials[i]));
+            print_material(writer, suffixes[i].text, &material);
+        }
+    }
+    bytes_print(out,
+                "\n/* Objects of one scene, all with the same pose: copy them where they move. */\n"
+                "%s glint_object %s_objects[%zu] = {\n",
+                writer->storage, writer->name, mesh->piece_count);
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        const char *material = suffixes[first[mesh->materials[i]]].text;
+        bytes_print(out,
+                    "    {&%s_mesh%s, &%s_material%s, {{{65536, 0, 0, 0}, {0, 65536, 0, 0}, {0, 0, 65536, 0}}}, "
+                    "&glint_per_fragment, 0},\n",
+                    writer->name, suffixes[i].text, writer->name, material);
+    }
+    bytes_print(out, "};\n");
+    free(first);
+}
+
+/* ---- Files ------------------------------------------------------------------------------------------------------ */
+
+/** Declares each piece's mesh, each material, and the objects. */
+static void declare_painted(const header_writer *writer, const host_materials *materials, const quantised_mesh *mesh) {
+    size_t *first = first_pieces(materials, mesh);
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        bytes_print(writer->out, "%s glint_mesh %s_mesh%s;\n", writer->storage, writer->name, writer->suffixes[i].text);
+    }
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        if (first[mesh->materials[i]] == i) {
+            bytes_print(writer->out, "%s glint_material %s_material%s;\n", writer->storage, writer->name,
+                        writer->suffixes[i].text);
+        }
+    }
+    bytes_print(writer->out,
+                "%s glint_object %s_objects[%zu]; /* all with the same pose: copy them where they move */\n",
+                writer->storage, writer->name, mesh->piece_count);
+    free(first);
+}
+
+/** Declares what a source defines: the meshes, and the materials and objects that there are. */
+static void print_declarations(const header_writer *writer, const host_materials *materials,
+                               const quantised_mesh *mesh) {
+    bytes_print(writer->out, "\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
+    if (materials->used_count > 0) {
+        declare_painted(writer, materials, mesh);
+    } else if (mesh->piece_count > 1) {
+        bytes_print(writer->out, "%s glint_mesh %s_meshes[%zu]; /* one object for each */\n", writer->storage,
+                    writer->name, mesh->piece_count);
+    } else {
+        bytes_print(writer->out, "%s glint_mesh %s_mesh;\n", writer->storage, writer->name);
+    }
+    bytes_print(writer->out, "\n#ifdef __cplusplus\n}\n#endif\n");
+}
+
 /** Several pieces of no material as the array NAME_meshes. */
-static void print_array(const header_writer *writer, const quantised_mesh *mesh, const header_suffix *suffixes) {
+static void print_array(const header_writer *writer, const quantised_mesh *mesh) {
     bytes_print(writer->out, "\n/* More vertices than 16 bits can index: one object for each of these. */\n");
     bytes_print(writer->out, "%s glint_mesh %s_meshes[%zu] = {\n", writer->storage, writer->name, mesh->piece_count);
     for (size_t i = 0; i < mesh->piece_count; i++) {
         bytes_print(writer->out, "    {\n");
-        print_mesh(writer, &mesh->pieces[i], suffixes[i].text);
+        print_mesh(writer, &mesh->pieces[i], writer->suffixes[i].text);
         bytes_print(writer->out, "    },\n");
     }
     bytes_print(writer->out, "};\n");
@@ -352,22 +555,20 @@ static void print_array(const header_writer *writer, const quantised_mesh *mesh,
 
 /** One mesh as NAME_mesh, several as NAME_meshes; with materials each as NAME_mesh_MATERIAL. */
 static void print_meshes(const header_writer *writer, const host_model *model, const quantised_mesh *mesh) {
-    header_suffix *suffixes = convert_suffixes(&model->materials, mesh);
+    const header_suffix *suffixes = writer->suffixes;
     const bool painted = model->materials.used_count > 0;
     for (size_t i = 0; i < mesh->piece_count; i++) {
         print_arrays(writer, &mesh->pieces[i], suffixes[i].text);
     }
     if (!painted && mesh->piece_count > 1) {
-        print_array(writer, mesh, suffixes);
+        print_array(writer, mesh);
     }
     for (size_t i = 0; painted ? i < mesh->piece_count : i < 1 && mesh->piece_count == 1; i++) {
         print_single(writer, &mesh->pieces[i], suffixes[i].text);
     }
     if (painted) {
-        const convert_names names = {writer->out, writer->storage, writer->name, suffixes};
-        convert_objects(&names, writer->settings, &model->materials, mesh);
+        print_objects(writer, &model->materials, mesh);
     }
-    free(suffixes);
 }
 
 /** Says on stderr when steps of Q16.16 are too coarse for the mesh. */
@@ -419,11 +620,8 @@ static void print_header(const header_writer *writer, const host_model *model, c
     print_guard(writer, "#ifndef");
     print_guard(writer, "#define");
     bytes_print(writer->out, "\n#include \"glint.h\"\n");
-    if (convert_is_pair(writer->settings->output)) {
-        header_suffix *suffixes = convert_suffixes(&model->materials, mesh);
-        const convert_names names = {writer->out, "extern const", writer->name, suffixes};
-        convert_declarations(&names, &model->materials, mesh);
-        free(suffixes);
+    if (is_pair(writer->settings->output)) {
+        print_declarations(writer, &model->materials, mesh);
     } else {
         print_meshes(writer, model, mesh);
     }
@@ -453,7 +651,7 @@ static bool write_header(const header_writer *like, const host_model *model, con
 }
 
 static bool write_pair(const header_writer *like, const host_model *model, const quantised_mesh *mesh) {
-    char *header = convert_header_of(like->settings->output);
+    char *header = header_of(like->settings->output);
     host_file pair[2] = {{{NULL, 0, 0}, like->settings->output}, {{NULL, 0, 0}, header}};
     host_problem problem;
     const char *wrong;
@@ -462,6 +660,7 @@ static bool write_pair(const header_writer *like, const host_model *model, const
     writer.out = &pair[0].bytes;
     print_source(&writer, header, model, mesh);
     writer.out = &pair[1].bytes;
+    writer.storage = "extern const";
     print_header(&writer, model, mesh);
     const bool ok = bytes_write_pair(pair, &wrong, &problem);
     if (!ok) {
@@ -476,12 +675,13 @@ static bool write_pair(const header_writer *like, const host_model *model, const
 int command_convert(const host_settings *settings) {
     host_model model;
     quantised_mesh mesh;
-    if (!convert_check_pair(settings) || !command_load(settings, true, &model, &mesh)) {
+    if (!check_pair(settings) || !command_load(settings, true, &model, &mesh)) {
         return COMMAND_FAILED;
     }
-    header_writer writer = {.settings = settings, .mesh = &mesh};
+    header_suffix *suffixes = find_suffixes(&model.materials, &mesh);
+    header_writer writer = {.settings = settings, .mesh = &mesh, .suffixes = suffixes};
     choose_name(settings, writer.name);
-    const bool ok = (convert_is_pair(settings->output) ? write_pair : write_header)(&writer, &model, &mesh);
+    const bool ok = (is_pair(settings->output) ? write_pair : write_header)(&writer, &model, &mesh);
     if (ok) {
         print_report(settings, &model, &mesh);
         command_print_warnings(settings, &model);
@@ -489,6 +689,7 @@ int command_convert(const host_settings *settings) {
         warn_of_steps(settings->model, &model, &mesh);
         warn_of_winding(settings->model, &model.mesh);
     }
+    free(suffixes);
     quantised_free(&mesh);
     model_free(&model);
     return ok ? 0 : COMMAND_FAILED;

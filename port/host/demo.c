@@ -5,8 +5,7 @@
  */
 #include "command.h"
 
-#include "memory.h"
-#include "output.h"
+#include "basics.h"
 #include "png.h"
 #include "view.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "framebuffer.h"
 
-#include "memory.h"
+#include "basics.h"
 
 #include <stdlib.h>
 #include <string.h>

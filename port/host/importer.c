@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #define _XOPEN_SOURCE 700 /* POSIX of 2008: readlink, access */
 
-#include "importer.h"
+#include "model.h"
 
 #include <limits.h>
 #include <stdlib.h>

@@ -5,8 +5,7 @@
  */
 #include "mesh.h"
 
-#include "memory.h"
-#include "output.h"
+#include "basics.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "load.h"
+#include "model.h"
 
-#include "importer.h"
-#include "output.h"
-#include "shapes.h"
-#include "simplify.h"
+#include "basics.h"
+#include "mesh.h"
 
 #include <math.h>
 #include <stdlib.h>

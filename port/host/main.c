@@ -5,8 +5,8 @@
  */
 #include "command.h"
 
-#include "nearest.h"
-#include "shapes.h"
+#include "model.h"
+#include "values.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -62,8 +62,7 @@ static int print_help(void) {
         "file\n"
         "to write replaces an older one, or the one that a link of its name leads to, whole or not at all; it may not "
         "be\n"
-        "one that is read. Of numbered frames those before a failure stay, and the line says how many. On a terminal,\n"
-        "stderr tells what goes on for longer than a second.\n");
+        "one that is read. Of numbered frames those before a failure stay, and the line says how many.\n");
     return 0;
 }
 

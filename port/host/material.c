@@ -5,7 +5,7 @@
  */
 #include "settings.h"
 
-#include "number.h"
+#include "values.h"
 
 #include <math.h>
 
@@ -50,8 +50,10 @@ static glint_material from_file(const host_settings *settings, const mtl_materia
 }
 
 glint_material settings_material(const host_settings *settings, const mtl_material *file) {
+    const uint32_t flags = (settings->takes_larger ? (uint32_t)GLINT_MATERIAL_MAX_WITH_AMBIENT : 0) |
+                           (settings->ungated ? (uint32_t)GLINT_MATERIAL_SPECULAR_UNGATED : 0);
     glint_material material = {settings->reflection, settings->ambient,   settings->diffuse,
-                               settings->specular,   settings->shininess, settings->material_flags};
+                               settings->specular,   settings->shininess, flags};
     if (file == NULL) {
         return material;
     }

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "materials.h"
+#include "model.h"
 
-#include "memory.h"
-#include "output.h"
-#include "text.h"
+#include "basics.h"
 
 #include <stdio.h>
 #include <stdlib.h>

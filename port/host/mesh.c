@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "mesh.h"
 
-#include "memory.h"
+#include "basics.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "mtl.h"
+#include "model.h"
 
-#include "memory.h"
-#include "number.h"
-#include "text.h"
+#include "basics.h"
+#include "values.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -32,8 +31,6 @@ typedef struct mtl_reader {
     mtl_material *material; /* the one that is read, or null */
     text_notes notes;
 } mtl_reader;
-
-typedef void mtl_statement_reader(mtl_reader *reader, text_token keyword);
 
 static void note(mtl_reader *reader, int kind, text_token word) {
     text_note_add(&reader->notes, kind, word, reader->text.line);
@@ -70,101 +67,70 @@ static int read_numbers(mtl_reader *reader, double most, double values[3]) {
     return count;
 }
 
-static bool read_colour(mtl_reader *reader, text_token keyword, double colour[3]) {
+typedef struct mtl_statement mtl_statement;
+
+struct mtl_statement {
+    const char *keyword;
+    void (*read)(mtl_reader *reader, const mtl_statement *statement, text_token keyword); /* null: it is skipped */
+    size_t at;      /* of the value in the material */
+    unsigned given; /* what it gives */
+    double most;
+};
+
+static void read_colour(mtl_reader *reader, const mtl_statement *statement, text_token keyword) {
+    double *colour = (double *)(void *)((char *)reader->material + statement->at);
     double values[3];
     const int count = read_numbers(reader, MTL_COLOUR_MAX, values);
     if (count != 1 && count != 3) {
         note(reader, KIND_COLOUR, keyword);
-        return false;
+        return;
     }
     for (int i = 0; i < 3; i++) {
         colour[i] = values[count == 3 ? i : 0];
     }
-    return true;
+    reader->material->given |= statement->given;
 }
 
-static void read_ambient(mtl_reader *reader, text_token keyword) {
-    reader->material->given |= read_colour(reader, keyword, reader->material->ambient) ? MTL_AMBIENT : 0;
-}
-
-static void read_diffuse(mtl_reader *reader, text_token keyword) {
-    reader->material->given |= read_colour(reader, keyword, reader->material->diffuse) ? MTL_DIFFUSE : 0;
-}
-
-static void read_specular(mtl_reader *reader, text_token keyword) {
-    read_colour(reader, keyword, reader->material->specular);
-}
-
-static void read_emission(mtl_reader *reader, text_token keyword) {
-    read_colour(reader, keyword, reader->material->emission);
-}
-
-/** Reads one number from 0 to `most`. @return false with a note when there is none */
-static bool read_number(mtl_reader *reader, text_token keyword, double most, double *value) {
+static void read_number(mtl_reader *reader, const mtl_statement *statement, text_token keyword) {
     double values[3];
-    if (read_numbers(reader, most, values) != 1) {
+    if (read_numbers(reader, statement->most, values) != 1) {
         note(reader, KIND_NUMBER, keyword);
-        return false;
-    }
-    *value = values[0];
-    return true;
-}
-
-static void read_shininess(mtl_reader *reader, text_token keyword) {
-    const bool read = read_number(reader, keyword, MTL_SHININESS_MAX, &reader->material->shininess);
-    reader->material->given |= read ? MTL_SHININESS : 0;
-}
-
-static void read_illumination(mtl_reader *reader, text_token keyword) {
-    double value;
-    if (read_number(reader, keyword, 10, &value)) {
-        if (value > 2) {
+    } else if (statement->given != 0) {
+        *(double *)(void *)((char *)reader->material + statement->at) = values[0];
+        reader->material->given |= statement->given;
+    } else {
+        if (values[0] > 2) {
             note(reader, KIND_ILLUMINATION, keyword);
         }
-        reader->material->illumination = value > 2 ? 2 : (int)value;
+        reader->material->illumination = values[0] > 2 ? 2 : (int)values[0];
     }
 }
 
-/** d, with its -halo: what is not 1 is not followed. */
-static void read_dissolve(mtl_reader *reader, text_token keyword) {
+/** Reads d, with its -halo, Tr, and Tf, which may have three numbers: what lets light through is not followed. */
+static void read_transparency(mtl_reader *reader, const mtl_statement *statement, text_token keyword) {
+    const bool reversed = text_token_is(keyword, "Tr");
     double values[3];
-    if (read_numbers(reader, 1, values) != 1 || values[0] < 1) {
+    const int count = read_numbers(reader, statement->most, values);
+    bool opaque = count == 1 || (count == 3 && text_token_is(keyword, "Tf"));
+    for (int i = 0; opaque && i < count; i++) {
+        opaque = reversed ? values[i] <= 0 : values[i] >= 1;
+    }
+    if (!opaque) {
         note(reader, KIND_TRANSPARENT, keyword);
     }
 }
 
-static void read_transparency(mtl_reader *reader, text_token keyword) {
-    double values[3];
-    if (read_numbers(reader, 1, values) != 1 || values[0] > 0) {
-        note(reader, KIND_TRANSPARENT, keyword);
-    }
-}
-
-static void read_filter(mtl_reader *reader, text_token keyword) {
-    double values[3];
-    const int count = read_numbers(reader, 1, values);
-    bool clear = count == 1 || count == 3;
-    for (int i = 0; clear && i < count; i++) {
-        clear = values[i] >= 1;
-    }
-    if (!clear) {
-        note(reader, KIND_TRANSPARENT, keyword);
-    }
-}
-
-static void skip(mtl_reader *reader, text_token keyword) {
-    (void)reader;
-    (void)keyword;
-}
-
-static const struct mtl_statement {
-    const char *keyword;
-    mtl_statement_reader *read;
-} statements[] = {
-    {"Ka", read_ambient},  {"Kd", read_diffuse},      {"Ks", read_specular},
-    {"Ke", read_emission}, {"Ns", read_shininess},    {"illum", read_illumination},
-    {"d", read_dissolve},  {"Tr", read_transparency}, {"Tf", read_filter},
-    {"Ni", skip},
+static const mtl_statement statements[] = {
+    {"Ka", read_colour, offsetof(mtl_material, ambient), MTL_AMBIENT, 0},
+    {"Kd", read_colour, offsetof(mtl_material, diffuse), MTL_DIFFUSE, 0},
+    {"Ks", read_colour, offsetof(mtl_material, specular), 0, 0},
+    {"Ke", read_colour, offsetof(mtl_material, emission), 0, 0},
+    {"Ns", read_number, offsetof(mtl_material, shininess), MTL_SHININESS, MTL_SHININESS_MAX},
+    {"illum", read_number, 0, 0, 10},
+    {"d", read_transparency, 0, 0, 1},
+    {"Tr", read_transparency, 0, 0, 1},
+    {"Tf", read_transparency, 0, 0, 1},
+    {"Ni", NULL, 0, 0, 0},
 };
 
 static bool is_texture(text_token keyword) {
@@ -190,8 +156,8 @@ static void read_statement(mtl_reader *reader) {
         if (text_token_is(keyword, statements[i].keyword)) {
             if (reader->material == NULL) {
                 note(reader, KIND_ORPHAN, keyword);
-            } else {
-                statements[i].read(reader, keyword);
+            } else if (statements[i].read != NULL) {
+                statements[i].read(reader, &statements[i], keyword);
             }
             return;
         }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "number.h"
+#include "values.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "obj.h"
+#include "model.h"
 
-#include "memory.h"
-#include "number.h"
-#include "output.h"
-#include "text.h"
+#include "basics.h"
+#include "values.h"
 
 #include <math.h>
 #include <stdio.h>

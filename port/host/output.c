@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#define _XOPEN_SOURCE 700 /* POSIX of 2008: open, rename, signals, realpath */
+#define _XOPEN_SOURCE 700 /* POSIX of 2008: open, signals, realpath */
 
-#include "output.h"
-
-#include "memory.h"
+#include "basics.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -12,7 +10,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -104,57 +101,6 @@ static bool write_directly(const host_bytes *bytes, const char *path, host_probl
 
 /* ---- Files that are replaced ------------------------------------------------------------------------------------ */
 
-/** What ends the program while it writes. */
-static const int ends[] = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU, SIGXFSZ};
-
-#define END_COUNT (sizeof ends / sizeof ends[0])
-
-/** Most files that are replaced at once. */
-#define FILES_MAX 2
-
-/** The files that are written beside their places, null for none; they exist while remove_unfinished may be called. */
-static char *unfinished[FILES_MAX];
-
-/** Handles a signal once: raised again, it ends the program as it would have without this. */
-static void remove_unfinished(int number) {
-    for (size_t i = 0; i < FILES_MAX; i++) {
-        if (unfinished[i] != NULL) {
-            unlink(unfinished[i]);
-        }
-    }
-    raise(number);
-}
-
-static sigset_t hold_signals(void) {
-    sigset_t held;
-    sigset_t before;
-    sigemptyset(&held);
-    for (size_t i = 0; i < END_COUNT; i++) {
-        sigaddset(&held, ends[i]);
-    }
-    sigprocmask(SIG_BLOCK, &held, &before);
-    return before;
-}
-
-/** Has signals remove the unfinished files, but for those that the program was started to ignore. */
-static void handle_signals(struct sigaction before[END_COUNT]) {
-    struct sigaction action = {.sa_handler = remove_unfinished};
-    sigfillset(&action.sa_mask);
-    action.sa_flags = (int)SA_RESETHAND;
-    for (size_t i = 0; i < END_COUNT; i++) {
-        sigaction(ends[i], NULL, &before[i]);
-        if (before[i].sa_handler != SIG_IGN) {
-            sigaction(ends[i], &action, NULL);
-        }
-    }
-}
-
-static void restore_signals(const struct sigaction before[END_COUNT]) {
-    for (size_t i = 0; i < END_COUNT; i++) {
-        sigaction(ends[i], &before[i], NULL);
-    }
-}
-
 /** A file that is replaced, or made. */
 typedef struct replacement {
     const host_bytes *bytes;
@@ -162,9 +108,7 @@ typedef struct replacement {
     struct stat older; /* the older file, when that exists */
     bool exists;
     bool is_direct; /* what is no regular file is written to as it is */
-    bool is_moved;  /* the new file is at its place */
-    char *beside;   /* the new file's name until then, null for none */
-    char *kept;     /* the older file's name while it may have to come back, null for none */
+    char *beside;   /* the new file's name until it is at its place, null for none */
 } replacement;
 
 /** Whether a link is the system's name for a file that is open: such as /dev/stdout, /dev/fd/1 and /proc/self/fd/1. */
@@ -185,153 +129,52 @@ static bool find_place(const char *path, replacement *file, host_problem *proble
     return file->place != NULL || problem_set(problem, 0, "cannot be written: it is a link to nothing");
 }
 
-/** Room for the name of a file in the folder of `path`; the caller frees it. */
-static char *new_name(const char *path, size_t *folder, size_t *size) {
-    *folder = (size_t)(path_base_name(path) - path);
-    *size = *folder + 64;
-    char *name = memory_new(*size, 1);
-    memcpy(name, path, *folder);
-    return name;
-}
-
-/** Makes a new file, empty or as another name of `older`. @return its descriptor, 0 for a name, or -1 */
-static int create(const char *name, const char *older) {
-    return older != NULL ? link(older, name) : open(name, O_WRONLY | O_CREAT | O_EXCL, 0666);
-}
-
-/**
- * Makes a new file in the folder of `path`: empty, or as another name of `older`.
- * @return as create does; the caller frees the name, null for -1
- */
-static int create_beside(const char *path, const char *older, char **name) {
-    size_t folder;
-    size_t size;
-    int file = -1;
-    *name = new_name(path, &folder, &size);
+/** Writes the new file beside its place. @return false, with errno, when that fails; `beside` is then to be removed */
+static bool write_beside(replacement *file) {
+    const size_t folder = (size_t)(path_base_name(file->place) - file->place);
+    const size_t size = folder + 64;
+    char *name = memory_new(size, 1);
+    int made = -1;
+    memcpy(name, file->place, folder);
     errno = EEXIST;
-    for (unsigned i = 0; file < 0 && errno == EEXIST && i < 1000; i++) {
-        snprintf(*name + folder, size - folder, "glint-%ld-%u.part", (long)getpid(), i);
-        file = create(*name, older);
+    for (unsigned i = 0; made < 0 && errno == EEXIST && i < 1000; i++) {
+        snprintf(name + folder, size - folder, "glint-%ld-%u.part", (long)getpid(), i);
+        made = open(name, O_WRONLY | O_CREAT | O_EXCL, 0666);
     }
-    if (file < 0) {
+    if (made < 0) {
         const int error = errno;
-        free(*name);
-        *name = NULL;
+        free(name);
         errno = error;
-    }
-    return file;
-}
-
-/** Writes the new file beside its place, as unfinished file `number`; signals come meanwhile as `mask` lets them. */
-static bool write_beside(replacement *file, size_t number, const sigset_t *mask) {
-    const int descriptor = create_beside(file->place, NULL, &file->beside);
-    if (descriptor < 0) {
         return false;
     }
-    unfinished[number] = file->beside;
-    sigprocmask(SIG_SETMASK, mask, NULL);
-    const bool ok = !file->exists || fchmod(descriptor, file->older.st_mode & 0777) == 0;
-    const bool is_written = write_and_close(descriptor, file->bytes);
-    hold_signals();
-    return is_written && ok;
+    file->beside = name;
+    const bool ok = !file->exists || fchmod(made, file->older.st_mode & 0777) == 0;
+    return write_and_close(made, file->bytes) && ok;
 }
 
-/** Moves the older file aside, if there is one. @return false, with errno and the file as it was, when that fails */
-static bool move_older(replacement *file) {
-    const int name_only = create_beside(file->place, NULL, &file->kept);
-    if (name_only < 0) {
-        return false;
-    }
-    close(name_only);
-    if (rename(file->place, file->kept) == 0) {
-        return true;
-    }
-    const int error = errno;
-    unlink(file->kept);
-    free(file->kept);
-    file->kept = NULL;
-    errno = error;
-    return error == ENOENT;
-}
-
-/**
- * Gives the older file, if there is one, a second name, so that its place is never empty; where files have one name
- * only, moves it aside.
- */
-static bool keep_older(replacement *file) {
-    return create_beside(file->place, file->place, &file->kept) == 0 || errno == ENOENT || move_older(file);
-}
-
-/** Moves the new file to its place. */
-static bool move_into_place(replacement *file) {
-    file->is_moved = rename(file->beside, file->place) == 0;
-    return file->is_moved;
-}
-
-/** Leaves the new file at its place and nothing else, or what was there before. */
-static void finish(replacement *file, bool ok) {
-    if (file->beside != NULL && !file->is_moved) {
-        unlink(file->beside);
-    }
-    if (file->kept != NULL) {
-        if (ok || rename(file->kept, file->place) == 0) {
-            unlink(file->kept); /* after rename as well, which leaves two names of one file */
-        }
-    } else if (!ok && file->is_moved) {
-        unlink(file->place);
-    }
-    free(file->beside);
-    free(file->kept);
-}
-
-/** Waits until no other writer of a pair moves files in the folder of `path`. @return what to close, or -1 for none */
-static int lock_folder(const char *path, const sigset_t *mask) {
-    size_t folder;
-    size_t size;
-    char *name = new_name(path, &folder, &size);
-    snprintf(name + folder, size - folder, ".");
-    const int lock = open(name, O_RDONLY);
-    free(name);
-    sigprocmask(SIG_SETMASK, mask, NULL);
-    while (lock >= 0 && flock(lock, LOCK_EX) != 0 && errno == EINTR) {
-    }
-    hold_signals();
-    return lock;
-}
-
-/** Moves new files to their places; older ones are kept before, as long as a later move may fail. @return how many */
-static size_t move_files(replacement *files, size_t count) {
-    for (size_t i = 0; i < count; i++) {
-        const bool may_come_back = i + 1 < count;
-        if ((may_come_back && !keep_older(&files[i])) || !move_into_place(&files[i])) {
-            return i;
-        }
-    }
-    return count;
-}
-
-/** Replaces all files or none. @param[out] wrong which of them it failed at */
+/** Replaces files, none of them before all are written. Signals wait. @param[out] wrong which of them it failed at */
 static bool replace(replacement *files, size_t count, size_t *wrong, host_problem *problem) {
-    struct sigaction actions[END_COUNT];
-    const sigset_t mask = hold_signals(); /* none comes while a file is there and not known, or known and not there */
-    handle_signals(actions);
-    size_t done = 0;
-    while (done < count && write_beside(&files[done], done, &mask)) {
-        done++;
+    sigset_t all;
+    sigset_t before;
+    size_t written = 0;
+    size_t moved = 0;
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, &before);
+    while (written < count && write_beside(&files[written])) {
+        written++;
     }
-    const int lock = count > 1 && done == count ? lock_folder(files[0].place, &mask) : -1;
-    done = done == count ? move_files(files, count) : done;
-    const bool ok = done == count || cannot_be_written(problem);
-    *wrong = done;
+    while (written == count && moved < count && rename(files[moved].beside, files[moved].place) == 0) {
+        moved++;
+    }
+    const bool ok = moved == count || cannot_be_written(problem);
+    *wrong = written < count ? written : moved;
     for (size_t i = 0; i < count; i++) {
-        finish(&files[i], ok);
-        unfinished[i] = NULL;
+        if (i >= moved && files[i].beside != NULL) {
+            unlink(files[i].beside);
+        }
+        free(files[i].beside);
     }
-    if (lock >= 0) {
-        close(lock);
-    }
-    restore_signals(actions);
-    sigprocmask(SIG_SETMASK, &mask, NULL);
+    sigprocmask(SIG_SETMASK, &before, NULL);
     return ok;
 }
 

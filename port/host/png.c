@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "png.h"
 
-#include "deflate.h"
-#include "memory.h"
+#include "basics.h"
 
 #include <stdlib.h>
 #include <string.h>

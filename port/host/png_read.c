@@ -6,8 +6,7 @@
  */
 #include "png.h"
 
-#include "inflate.h"
-#include "memory.h"
+#include "basics.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -5,7 +5,7 @@
  */
 #include "mesh.h"
 
-#include "memory.h"
+#include "basics.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "quantise.h"
 
-#include "cluster.h"
-#include "memory.h"
-#include "number.h"
+#include "basics.h"
+#include "values.h"
 
 #include <math.h>
 #include <stdlib.h>

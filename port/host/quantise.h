@@ -6,9 +6,9 @@
 #ifndef GLINT_HOST_QUANTISE_H
 #define GLINT_HOST_QUANTISE_H
 
+#include "basics.h"
 #include "glint.h"
 #include "mesh.h"
-#include "problem.h"
 
 /** Largest coordinate of a mesh: offset and extent then fit Q16.16 with room for a rounding. */
 #define QUANTISE_COORDINATE_MAX 32766.0
@@ -71,7 +71,7 @@ bool quantised_small_indices(const quantised_mesh *mesh, const glint_mesh *piece
 /** The code of an octahedral normal whose decoded numbers a piece has. */
 void quantised_code(const quantised_mesh *mesh, const int16_t normal[3], int code[2]);
 
-/** Gives each piece clusters, where they pay: its vertices and triangles are then in their order (cluster.h). */
+/** Gives each piece clusters, where they pay: its vertices and triangles are then in their order (cluster_mesh). */
 void quantised_cluster(quantised_mesh *mesh);
 
 /** Bytes of flash that its arrays take. */
@@ -85,5 +85,20 @@ void quantised_free(quantised_mesh *mesh);
 
 /** Object-space position of a vertex, as the library sees it. */
 void quantised_position(const glint_mesh *mesh, uint32_t vertex, double position[3]);
+
+/*
+ * Groups the triangles of a mesh into clusters (glint_cluster), so that those that face away are dropped together.
+ */
+
+/**
+ * Gives a mesh clusters: puts its triangles and vertices into their order, which draws the same, and sets `clusters`.
+ * Leaves a mesh as it is where clusters would not pay: one of few triangles, of triangles that all face much the same
+ * way, or drawn from both sides.
+ * @param mesh without clusters; what it points to must be the caller's to write
+ */
+void cluster_mesh(glint_mesh *mesh);
+
+/** Frees what cluster_mesh made. */
+void cluster_free(glint_mesh *mesh);
 
 #endif

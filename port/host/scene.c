@@ -5,10 +5,8 @@
  */
 #include "command.h"
 
-#include "animation.h"
+#include "basics.h"
 #include "label.h"
-#include "maps.h"
-#include "memory.h"
 #include "scenes/scenes.h"
 #include "view.h"
 
@@ -79,75 +77,36 @@ static bool check(const host_settings *settings, host_problem *problem) {
     if (!command_has_output(settings)) {
         return problem_set(problem, 0, "scene: the file to write is missing: -o FILE");
     }
-    return animation_check(settings, "scene", problem);
+    return command_check_frames(settings, "scene", problem);
 }
 
 /* ---- Pictures --------------------------------------------------------------------------------------------------- */
 
-/** Sets a scene up as it is in a frame; the caller frees it. */
-static example_stage *build(const chosen_scene *chosen, uint32_t frame) {
-    example_stage *stage = memory_new(1, sizeof *stage);
-    chosen->scene->build(stage, chosen->variant, frame % chosen->scene->frames);
-    return stage;
-}
-
-/** The picture of a frame, with its labels when they are asked for. The caller frees it. */
-static uint8_t *expand(const chosen_scene *chosen, const host_settings *settings, const framebuffer *target) {
-    const example_scene *scene = chosen->scene;
-    const example_variant *variant = &scene->variants[chosen->variant];
-    const label_picture picture = {framebuffer_expand(target), target->width, target->height, target->format->channels};
-    if (settings->labels) {
-        label_draw(&picture, variant->labels, variant->label_count, scene->width, scene->height);
-    }
-    return picture.pixels;
-}
-
-static int draw_still(const chosen_scene *chosen, const host_settings *settings, const png_picture *other) {
-    framebuffer target;
-    glint_stats stats;
-    host_problem problem;
-    example_stage *stage = build(chosen, settings->frame);
-    const bool drawn = maps_draw(&stage->scene, settings, &target, &stats, &problem);
-    free(stage);
-    if (!drawn) {
-        return command_fail(NULL, &problem);
-    }
-    uint8_t *picture = expand(chosen, settings, &target);
-    const int status = command_finish(picture, &target, &stats, settings, other);
-    free(picture);
-    framebuffer_free(&target);
-    return status;
-}
-
-/** A scene that moves. */
+/** A scene that may move. */
 typedef struct moving_scene {
     const chosen_scene *chosen;
     const host_settings *settings;
 } moving_scene;
 
-/** Draws a frame of an animation, whose frames are spread over the scene's own. */
-static uint8_t *draw_moving(void *context, uint32_t frame, host_problem *problem) {
+/** Draws a frame: of an animation, whose frames are spread over the scene's own, or of these. */
+static uint8_t *draw(void *context, uint32_t frame, framebuffer *target, glint_stats *stats, host_problem *problem) {
     const moving_scene *moving = context;
     const host_settings *settings = moving->settings;
-    framebuffer target;
-    glint_stats stats;
-    const uint64_t own = (uint64_t)frame * moving->chosen->scene->frames / settings->animate;
-    example_stage *stage = build(moving->chosen, (uint32_t)own);
-    const bool drawn = view_draw(&stage->scene, settings, &target, &stats, problem);
+    const example_scene *scene = moving->chosen->scene;
+    const example_variant *variant = &scene->variants[moving->chosen->variant];
+    const uint64_t own = settings->animate > 0 ? (uint64_t)frame * scene->frames / settings->animate : frame;
+    example_stage *stage = memory_new(1, sizeof *stage);
+    scene->build(stage, moving->chosen->variant, (uint32_t)(own % scene->frames));
+    const bool drawn = view_draw(&stage->scene, settings, target, stats, problem);
     free(stage);
     if (!drawn) {
         return NULL;
     }
-    uint8_t *picture = expand(moving->chosen, settings, &target);
-    framebuffer_free(&target);
-    return picture;
-}
-
-static int draw_animation(const chosen_scene *chosen, const host_settings *settings) {
-    const uint32_t period = chosen->scene->frames > UINT16_MAX ? UINT16_MAX : chosen->scene->frames;
-    moving_scene moving = {chosen, settings};
-    const animation movie = {draw_moving, &moving, period, FRAME_RATE};
-    return animation_write(&movie, settings);
+    const label_picture picture = {framebuffer_expand(target), target->width, target->height, target->format->channels};
+    if (settings->labels) {
+        label_draw(&picture, variant->labels, variant->label_count, scene->width, scene->height);
+    }
+    return picture.pixels;
 }
 
 int command_scene(const host_settings *settings) {
@@ -168,7 +127,10 @@ int command_scene(const host_settings *settings) {
     if (!command_open_compared(&sized, &other)) {
         return COMMAND_FAILED;
     }
-    const int status = settings->animate > 0 ? draw_animation(&chosen, &sized) : draw_still(&chosen, &sized, &other);
+    moving_scene moving = {&chosen, &sized};
+    const uint32_t period = chosen.scene->frames > UINT16_MAX ? UINT16_MAX : chosen.scene->frames;
+    const command_picture shown = {draw, &moving, period, FRAME_RATE};
+    const int status = command_draw(&shown, &sized, &other);
     free(other.pixels);
     return status;
 }

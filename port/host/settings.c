@@ -1,316 +1,343 @@
 /* SPDX-License-Identifier: MIT */
+/**
+ * @file settings.c
+ * The command line: one table has each option's name, help, kind of value, range and place in the settings.
+ */
 #include "settings.h"
 
-#include "mesh.h"
-#include "nearest.h"
-#include "number.h"
-#include "parsers.h"
 #include "values.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-/** Largest --arena: far more than any scene needs, and sure to be a size_t. */
-#define ARENA_MAX 1073741824
+/** Smallest factor: takes the largest coordinate that is read to 1. */
+#define SCALE_MIN 1e-30
 
-/* ---- Options ---------------------------------------------------------------------------------------------------- */
-
-static bool parse_output(host_settings *settings, const char *text, host_problem *problem) {
-    settings->output = text;
-    return text[0] != '\0' || value_expected(problem, "takes the name of a file");
-}
+/* ---- Values of a form of their own ------------------------------------------------------------------------------ */
 
 static bool parse_size(host_settings *settings, const char *text, host_problem *problem) {
-    int64_t width;
-    int64_t height;
-    if (!value_pair(text, &width, &height) || width < 1 || height < 1 || width > GLINT_SIZE_MAX ||
-        height > GLINT_SIZE_MAX) {
-        return value_expected(problem, "takes WxH, each from 1 to 1024");
-    }
-    settings->size_given = true;
-    settings->width = (uint16_t)width;
-    settings->height = (uint16_t)height;
-    return true;
+    return value_pair(text, GLINT_SIZE_MAX, &settings->width, &settings->height) ||
+           problem_set(problem, 0, "takes WxH, each from 1 to 1024");
 }
 
-static bool is_tile_size(int64_t size) {
-    return size == 8 || size == 16 || size == 32 || size == 64;
+static bool is_tile_side(uint16_t side) {
+    return side == 8 || side == 16 || side == 32 || side == 64;
 }
 
 static bool parse_tile(host_settings *settings, const char *text, host_problem *problem) {
-    int64_t width;
-    int64_t height;
-    if (!value_pair(text, &width, &height) || !is_tile_size(width) || !is_tile_size(height)) {
-        return value_expected(problem, "takes WxH, each 8, 16, 32 or 64");
-    }
-    settings->tile_width = (uint16_t)width;
-    settings->tile_height = (uint16_t)height;
-    return true;
+    return (value_pair(text, 64, &settings->tile_width, &settings->tile_height) && is_tile_side(settings->tile_width) &&
+            is_tile_side(settings->tile_height)) ||
+           problem_set(problem, 0, "takes WxH, each 8, 16, 32 or 64");
 }
 
 static bool parse_format(host_settings *settings, const char *text, host_problem *problem) {
-    const framebuffer_format *format = framebuffer_find_format(text, NULL);
-    if (format == NULL) {
-        return value_expected(problem, "takes rgb565, rgb565_be, rgb444, rgb888, grey8, grey4 or mono");
+    settings->format = framebuffer_find_format(text, NULL);
+    return settings->format != NULL ||
+           problem_set(problem, 0, "takes rgb565, rgb565_be, rgb444, rgb888, grey8, grey4 or mono");
+}
+
+static bool parse_panel(host_settings *settings, const char *text, host_problem *problem) {
+    settings_panel *panel = &settings->panel;
+    const size_t length = strcspn(text, ":");
+    char size[16] = "";
+    memcpy(size, text, length < sizeof size ? length : 0);
+    if (text[length] == ':') {
+        panel->format = framebuffer_find_format(text + length + 1, NULL);
     }
-    settings->format = format;
-    return true;
+    return (value_pair(size, GLINT_SIZE_MAX, &panel->width, &panel->height) && panel->format != NULL) ||
+           problem_set(problem, 0, "takes WxH[:FORMAT], as in 128x64:grey4; each side from 1 to 1024");
 }
 
-static bool parse_eye(host_settings *settings, const char *text, host_problem *problem) {
-    settings->eye_given = true;
-    return value_vector(text, strlen(text), &settings->eye, problem);
-}
-
-static bool parse_at(host_settings *settings, const char *text, host_problem *problem) {
-    settings->at_given = true;
-    return value_vector(text, strlen(text), &settings->at, problem);
-}
-
-static bool parse_up(host_settings *settings, const char *text, host_problem *problem) {
-    return value_direction(text, strlen(text), &settings->up, problem);
-}
-
-static bool parse_fov(host_settings *settings, const char *text, host_problem *problem) {
-    double value;
-    if (!value_real(text, 1, 170, &value)) {
-        return value_expected(problem, "takes degrees from 1 to 170");
+static bool parse_scale(host_settings *settings, const char *text, host_problem *problem) {
+    double *scale = settings->scale;
+    settings->scale_fit = strcmp(text, "fit") == 0;
+    if (settings->scale_fit) {
+        return true;
     }
-    settings->field_of_view = number_q16(value);
-    return true;
-}
-
-static bool parse_orthographic(host_settings *settings, const char *text, host_problem *problem) {
-    double value;
-    if (!value_real(text, 1.0 / 256.0, NUMBER_Q16_MAX, &value)) {
-        return value_expected(problem, "takes a height from 1/256 to 32767");
+    bool ok = number_list(text, strlen(text), ',', 3, scale);
+    if (!ok && number_list(text, strlen(text), ',', 1, scale)) {
+        scale[1] = scale[2] = scale[0];
+        ok = true;
     }
-    settings->view_height = number_q16(value);
-    return true;
-}
-
-static bool parse_near(host_settings *settings, const char *text, host_problem *problem) {
-    double value;
-    if (!value_real(text, 1.0 / 65536.0, NUMBER_Q16_MAX, &value)) {
-        return value_expected(problem, "takes a distance from 1/65536 to 32767");
+    for (int i = 0; ok && i < 3; i++) {
+        ok = fabs(scale[i]) >= SCALE_MIN && fabs(scale[i]) <= NUMBER_Q16_MAX;
     }
-    settings->near_given = true;
-    settings->near_plane = number_q16(value);
-    return true;
+    return ok || problem_set(problem, 0, "takes fit, sx,sy,sz or one factor, each not 0 and from -32767 to 32767");
 }
 
-static bool parse_ambient(host_settings *settings, const char *text, host_problem *problem) {
-    settings->ambient_given = true;
-    return value_colour(text, strlen(text), &settings->ambient, problem);
-}
-
-static bool parse_diffuse(host_settings *settings, const char *text, host_problem *problem) {
-    settings->diffuse_given = true;
-    return value_colour(text, strlen(text), &settings->diffuse, problem);
-}
-
-static bool parse_specular(host_settings *settings, const char *text, host_problem *problem) {
-    settings->specular_given = true;
-    return value_colour(text, strlen(text), &settings->specular, problem);
-}
-
-static bool parse_background(host_settings *settings, const char *text, host_problem *problem) {
-    return value_colour(text, strlen(text), &settings->background, problem);
-}
-
-static bool parse_shininess(host_settings *settings, const char *text, host_problem *problem) {
-    double value;
-    if (!value_real(text, 0, NUMBER_Q16_MAX, &value)) {
-        return value_expected(problem, "takes an exponent from 0 to 32767");
+static bool parse_light(host_settings *settings, const char *text, host_problem *problem) {
+    if (settings->light_count == GLINT_LIGHTS_MAX) {
+        return problem_set(problem, 0, "can be given 8 times at most");
     }
-    settings->shininess_given = true;
-    settings->shininess = number_q16(value);
-    return true;
+    settings->light_count++;
+    return value_light(text, &settings->lights[settings->light_count - 1], problem);
 }
 
-static bool parse_viewer(host_settings *settings, const char *text, host_problem *problem) {
-    const bool local = strcmp(text, "local") == 0;
-    if (!local && strcmp(text, "infinite") != 0) {
-        return value_expected(problem, "takes infinite or local");
-    }
-    settings->viewer = local ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
-    return true;
+static bool parse_name(host_settings *settings, const char *text, host_problem *problem) {
+    settings->name = text;
+    const size_t plain = strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
+    const bool ok = plain > 0 && text[plain] == '\0' && !(text[0] >= '0' && text[0] <= '9') && plain <= 64;
+    return ok || problem_set(problem, 0, "takes a C identifier of at most 64 characters");
 }
 
-static bool parse_arena(host_settings *settings, const char *text, host_problem *problem) {
-    int64_t value;
-    if (!number_integer(text, strlen(text), &value) || value < 1 || value > ARENA_MAX) {
-        return value_expected(problem, "takes bytes, from 1 to 1073741824");
-    }
-    settings->arena = (size_t)value;
-    return true;
+static bool parse_licence(host_settings *settings, const char *text, host_problem *problem) {
+    settings->licence = text;
+    const size_t plain = strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 -.+()");
+    return (plain > 0 && plain <= 100 && text[plain] == '\0') ||
+           problem_set(problem, 0, "takes an SPDX licence expression");
 }
 
-static bool parse_stats(host_settings *settings, const char *text, host_problem *problem) {
-    (void)text;
-    (void)problem;
-    settings->stats = true;
-    return true;
-}
+/* ---- Options ---------------------------------------------------------------------------------------------------- */
 
-static bool parse_bus(host_settings *settings, const char *text, host_problem *problem) {
-    return value_real(text, 0.001, 1000, &settings->bus) || value_expected(problem, "takes MHz from 0.001 to 1000");
-}
+typedef enum option_kind {
+    KIND_SWITCH, /* takes no value */
+    KIND_TEXT,   /* anything but nothing */
+    KIND_REAL,   /* a double */
+    KIND_Q16,    /* a number as Q16.16 */
+    KIND_COUNT,  /* an integer from 0, of 32 bits or a size_t */
+    KIND_WORD,   /* one of some names: its place among them in an enumeration or a bool... */
+    KIND_CHOICE, /* ...or what stands for it, a pointer */
+    KIND_VECTOR,
+    KIND_DIRECTION,
+    KIND_COLOUR,
+    KIND_OWN /* has a parser of its own */
+} option_kind;
 
-static bool parse_core(host_settings *settings, const char *text, host_problem *problem) {
-    return value_real(text, 0.001, 10000, &settings->core) || value_expected(problem, "takes MHz from 0.001 to 10000");
-}
-
-static bool parse_instructions(host_settings *settings, const char *text, host_problem *problem) {
-    return value_real(text, 0.001, 100000, &settings->instructions) ||
-           value_expected(problem, "takes millions from 0.001 to 100000");
-}
-
-static bool parse_double_sided(host_settings *settings, const char *text, host_problem *problem) {
-    (void)text;
-    (void)problem;
-    settings->double_sided = true;
-    return true;
-}
-
-static bool parse_models(host_settings *settings, const char *text, host_problem *problem) {
-    settings->models = text;
-    return text[0] != '\0' || value_expected(problem, "takes a folder");
-}
-
-static bool parse_help(host_settings *settings, const char *text, host_problem *problem) {
-    (void)text;
-    (void)problem;
-    settings->help = true;
-    return true;
-}
-
-static bool parse_heat(host_settings *settings, const char *text, host_problem *problem) {
-    settings->heat = text;
-    return text[0] != '\0' || value_expected(problem, "takes the name of a file");
-}
-
-static bool parse_preview(host_settings *settings, const char *text, host_problem *problem) {
-    int64_t value;
-    if (!number_integer(text, strlen(text), &value) || value < 1 || value > GLINT_SIZE_MAX) {
-        return value_expected(problem, "takes characters, from 1 to 1024");
-    }
-    settings->preview = (uint32_t)value;
-    return true;
-}
-
-static bool parse_compare(host_settings *settings, const char *text, host_problem *problem) {
-    settings->compare = text;
-    return text[0] != '\0' || value_expected(problem, "takes the name of a file");
-}
-
-/** An option; one without `argument` is a switch. */
 typedef struct host_option {
     const char *name;
-    const char *argument;
+    const char *argument; /* null for a switch */
     const char *help;
     int commands; /* that take it */
+    option_kind kind;
+    size_t at, size; /* of the value in the settings */
+    size_t given;    /* of a bool that says that there is one; 0 for none */
+    double least, most;
+    const char *takes;         /* what a number should be */
+    const char *const *words;  /* the names, ended by a null pointer */
+    const void *const *chosen; /* and what they stand for */
     bool (*parse)(host_settings *settings, const char *text, host_problem *problem);
 } host_option;
 
-#define COMMANDS_THAT_DRAW (COMMAND_RENDER | COMMAND_SCENE)
-#define COMMANDS_WITH_MESH (COMMAND_RENDER | COMMAND_INFO | COMMAND_CONVERT)
+#define AT(field) .at = offsetof(host_settings, field), .size = sizeof((host_settings *)0)->field
+#define GIVEN(field) .given = offsetof(host_settings, field)
+#define SWITCH(field) .kind = KIND_SWITCH, AT(field)
+#define TEXT(field, what) .kind = KIND_TEXT, AT(field), .takes = what
+#define REAL(field, low, high, what) .kind = KIND_REAL, AT(field), .least = (low), .most = (high), .takes = what
+#define Q16(field, low, high, what) .kind = KIND_Q16, AT(field), .least = (low), .most = (high), .takes = what
+#define COUNT(field, low, high, what) .kind = KIND_COUNT, AT(field), .least = (low), .most = (high), .takes = what
+#define WORD(field, names) .kind = KIND_WORD, AT(field), .words = names
+#define CHOICE(field, names, list) .kind = KIND_CHOICE, AT(field), .words = names, .chosen = list
+#define OWN(function) .kind = KIND_OWN, .parse = function
+
+static const char *const model_names[] = {"lambert", "phong", "blinn-phong", "unlit", NULL};
+static const void *const models[] = {&glint_model_lambert, &glint_model_phong, &glint_model_blinn_phong,
+                                     &glint_model_unlit};
+static const char *const shading_names[] = {"flat", "vertex", "fragment", NULL};
+static const void *const shadings[] = {&glint_per_facet, &glint_per_vertex, &glint_per_fragment};
+static const char *const combinations[] = {"sum", "max", NULL};
+static const char *const viewers[] = {"infinite", "local", NULL}; /* as glint_viewer has them */
+static const char *const up_axes[] = {"y", "z", NULL};
+
+#define DRAW (COMMAND_RENDER | COMMAND_SCENE)
+#define MESH (COMMAND_RENDER | COMMAND_INFO | COMMAND_CONVERT)
+#define ALL (MESH | COMMAND_DEMO | COMMAND_SCENE)
 
 static const host_option options[] = {
-    {"-o", "FILE", "the file to write", COMMANDS_THAT_DRAW | COMMAND_DEMO, parse_output},
+    {"-o", "FILE", "the file to write", DRAW | COMMAND_DEMO, TEXT(output, "the name of a file")},
     {"-o", "FILE", "a header; or NAME.c: a source, with NAME.h that declares what is in it", COMMAND_CONVERT,
-     parse_output},
-    {"--size", "WxH", "of the picture, up to 1024x1024; 320x240, or what a scene is composed for", COMMANDS_THAT_DRAW,
-     parse_size},
-    {"--format", "NAME", "rgb565, rgb565_be, rgb444, rgb888, grey8, grey4 or mono; rgb888", COMMANDS_THAT_DRAW,
-     parse_format},
-    {"--dither", NULL, "ordered dithering of the format's levels", COMMANDS_THAT_DRAW, parse_dither},
-    {"--gamma", "G", "output is linear^(1/G), G from 0.1 to 10; 1", COMMANDS_THAT_DRAW, parse_gamma},
-    {"--eye", "x,y,z", "where the camera stands; else the model is framed", COMMAND_RENDER, parse_eye},
-    {"--at", "x,y,z", "what it looks at; 0,0,0 when --eye is given", COMMAND_RENDER, parse_at},
-    {"--up", "x,y,z", "what it sees upwards; 0,1,0", COMMAND_RENDER, parse_up},
-    {"--fov", "DEG", "vertical field of view, 1 to 170; 45", COMMAND_RENDER, parse_fov},
+     TEXT(output, "the name of a file")},
+    {"--size", "WxH", "of the picture, up to 1024x1024; 320x240, or what a scene is composed for", DRAW,
+     OWN(parse_size), GIVEN(size_given)},
+    {"--format", "NAME", "rgb565, rgb565_be, rgb444, rgb888, grey8, grey4 or mono; rgb888", DRAW, OWN(parse_format)},
+    {"--dither", NULL, "ordered dithering of the format's levels", DRAW, SWITCH(dither)},
+    {"--gamma", "G", "output is linear^(1/G), G from 0.1 to 10; 1", DRAW,
+     REAL(gamma, 0.1, 10, "a number from 0.1 to 10")},
+    {"--eye", "x,y,z", "where the camera stands; else the model is framed", COMMAND_RENDER, .kind = KIND_VECTOR,
+     AT(eye), GIVEN(eye_given)},
+    {"--at", "x,y,z", "what it looks at; 0,0,0 when --eye is given", COMMAND_RENDER, .kind = KIND_VECTOR, AT(at),
+     GIVEN(at_given)},
+    {"--up", "x,y,z", "what it sees upwards; 0,1,0", COMMAND_RENDER, .kind = KIND_DIRECTION, AT(up)},
+    {"--fov", "DEG", "vertical field of view, 1 to 170; 45", COMMAND_RENDER,
+     Q16(field_of_view, 1, 170, "degrees from 1 to 170")},
     {"--orthographic", "H", "parallel rays: the picture is H units high, whatever the field of view", COMMAND_RENDER,
-     parse_orthographic},
-    {"--near", "N", "distance of the near plane; 0.1, or less to frame a small model", COMMAND_RENDER, parse_near},
-    {"--up-axis", "y|z", "which axis of the model points up: z turns it to y; y", COMMANDS_WITH_MESH, parse_up_axis},
-    {"--centre", NULL, "move the middle of the model's box to the origin", COMMANDS_WITH_MESH, parse_centre},
-    {"--scale", "sx,sy,sz", "factors per axis, one for all, or fit: a power of ten for Q16.16; after --centre",
-     COMMANDS_WITH_MESH, parse_scale},
-    {"--rotate-x", "DEG", "turn about the x axis, after --scale", COMMANDS_WITH_MESH, parse_rotate_x},
-    {"--rotate-y", "DEG", "then about the y axis", COMMANDS_WITH_MESH, parse_rotate_y},
-    {"--rotate-z", "DEG", "then about the z axis", COMMANDS_WITH_MESH, parse_rotate_z},
-    {"--light", "LIGHT", "see below; up to 8 times; one from the upper left", COMMAND_RENDER, parse_light},
+     Q16(view_height, 1.0 / 256, NUMBER_Q16_MAX, "a height from 1/256 to 32767")},
+    {"--near", "N", "distance of the near plane; 0.1, or less to frame a small model", COMMAND_RENDER,
+     Q16(near_plane, 1.0 / 65536, NUMBER_Q16_MAX, "a distance from 1/65536 to 32767"), GIVEN(near_given)},
+    {"--up-axis", "y|z", "which axis of the model points up: z turns it to y; y", MESH, WORD(z_up, up_axes)},
+    {"--centre", NULL, "move the middle of the model's box to the origin", MESH, SWITCH(centre)},
+    {"--scale", "sx,sy,sz", "factors per axis, one for all, or fit: a power of ten for Q16.16; after --centre", MESH,
+     OWN(parse_scale)},
+    {"--rotate-x", "DEG", "turn about the x axis, after --scale", MESH,
+     Q16(rotate[0], -NUMBER_Q16_MAX, NUMBER_Q16_MAX, "degrees from -32767 to 32767")},
+    {"--rotate-y", "DEG", "then about the y axis", MESH,
+     Q16(rotate[1], -NUMBER_Q16_MAX, NUMBER_Q16_MAX, "degrees from -32767 to 32767")},
+    {"--rotate-z", "DEG", "then about the z axis", MESH,
+     Q16(rotate[2], -NUMBER_Q16_MAX, NUMBER_Q16_MAX, "degrees from -32767 to 32767")},
+    {"--light", "LIGHT", "see below; up to 8 times; one from the upper left", COMMAND_RENDER, OWN(parse_light)},
     {"--camera-lights", NULL, "all --light are in camera space: x right, y up, z backwards; else in world space",
-     COMMAND_RENDER, parse_camera_lights},
+     COMMAND_RENDER, SWITCH(camera_lights)},
     {"--model", "NAME", "lambert, phong, blinn-phong or unlit; the file's, or blinn-phong", COMMAND_RENDER,
-     parse_model},
+     CHOICE(reflection, model_names, models), GIVEN(reflection_given)},
     {"--shading", "NAME", "where light is evaluated: flat, vertex or fragment; fragment", COMMAND_RENDER,
-     parse_shading},
+     CHOICE(evaluation, shading_names, shadings)},
     {"--combine", "sum|max", "ambient with diffuse + specular: their sum or the larger; sum", COMMAND_RENDER,
-     parse_combine},
-    {"--ungated", NULL, "specular light also where a surface faces away from the light", COMMAND_RENDER, parse_ungated},
+     WORD(takes_larger, combinations)},
+    {"--ungated", NULL, "specular light also where a surface faces away from the light", COMMAND_RENDER,
+     SWITCH(ungated)},
     {"--ambient", "r,g,b", "final ambient colour, whatever the file says, or one grey level; the file's, or 0.1",
-     COMMAND_RENDER, parse_ambient},
+     COMMAND_RENDER, .kind = KIND_COLOUR, AT(ambient), GIVEN(ambient_given)},
     {"--diffuse", "r,g,b", "times each light, whatever the file says; the file's, or 0.6", COMMAND_RENDER,
-     parse_diffuse},
+     .kind = KIND_COLOUR, AT(diffuse), GIVEN(diffuse_given)},
     {"--specular", "r,g,b", "times each light, whatever the file says; the file's, or 0.4", COMMAND_RENDER,
-     parse_specular},
+     .kind = KIND_COLOUR, AT(specular), GIVEN(specular_given)},
     {"--shininess", "P", "specular exponent, any real number from 0; the file's, or 32", COMMAND_RENDER,
-     parse_shininess},
-    {"--viewer", "infinite|local", "where highlights are seen from; infinite", COMMAND_RENDER, parse_viewer},
-    {"--background", "r,g,b", "colour of the background; 0", COMMAND_RENDER, parse_background},
-    {"--tile", "WxH", "size of the tiles, each 8, 16, 32 or 64", COMMANDS_THAT_DRAW, parse_tile},
-    {"--arena", "BYTES", "working memory; what one pass takes", COMMANDS_THAT_DRAW, parse_arena},
-    {"--stats", NULL, "print what the frame took, and what a model says of boards, a `name value` a line",
-     COMMANDS_THAT_DRAW, parse_stats},
-    {"--bus", "MHZ", "--stats: clock of a panel's bus, for the time that sending takes", COMMANDS_THAT_DRAW, parse_bus},
-    {"--core", "MHZ", "--stats: clock of a core, for the time that drawing takes, an instruction a clock",
-     COMMANDS_THAT_DRAW, parse_core},
-    {"--instructions", "M", "--stats: millions that the frame takes on that core, see docs/bench.csv",
-     COMMANDS_THAT_DRAW, parse_instructions},
-    {"--heat", "FILE", "write how far each pixel is from double precision, and print the worst, in steps of the format",
-     COMMANDS_THAT_DRAW, parse_heat},
-    {"--preview", "N", "show the picture in the terminal, up to N characters wide; then -o is not needed",
-     COMMANDS_THAT_DRAW, parse_preview},
+     Q16(shininess, 0, NUMBER_Q16_MAX, "an exponent from 0 to 32767"), GIVEN(shininess_given)},
+    {"--viewer", "infinite|local", "where highlights are seen from; infinite", COMMAND_RENDER, WORD(viewer, viewers)},
+    {"--background", "r,g,b", "colour of the background; 0", COMMAND_RENDER, .kind = KIND_COLOUR, AT(background)},
+    {"--tile", "WxH", "size of the tiles, each 8, 16, 32 or 64", DRAW, OWN(parse_tile)},
+    {"--arena", "BYTES", "working memory; what one pass takes", DRAW,
+     COUNT(arena, 1, 1073741824, "bytes, from 1 to 1073741824")},
+    {"--stats", NULL, "print what the frame took, a `name value` a line", DRAW, SWITCH(stats)},
+    {"--preview", "N", "show the picture in the terminal, up to N characters wide; then -o is not needed", DRAW,
+     COUNT(preview, 1, GLINT_SIZE_MAX, "characters, from 1 to 1024")},
     {"--compare", "FILE", "print how the picture differs from a PNG, status 1 where it does; then -o is not needed",
-     COMMANDS_THAT_DRAW, parse_compare},
+     DRAW, TEXT(compare, "the name of a file")},
     {"--animate", "N", "one turn about --up in N frames, 1 to 1000: an APNG, or a PNG each for -o NAME%03d.png",
-     COMMAND_RENDER, parse_animate},
-    {"--crease", "DEG", "make all normals anew, split at edges sharper than that", COMMANDS_WITH_MESH, parse_crease},
-    {"--weights", "NAME", "what triangles weigh in the normals that are made: equal, area or angle; area",
-     COMMANDS_WITH_MESH, parse_weights},
-    {"--weld", "D", "make one of positions within that distance, in the model's units; 0 for equal ones",
-     COMMANDS_WITH_MESH, parse_weld},
-    {"--simplify", "N", "at most N triangles, by meshoptimizer", COMMANDS_WITH_MESH, parse_simplify},
-    {"--facets", NULL, "make all normals anew, the triangles' own", COMMANDS_WITH_MESH, parse_facets},
-    {"--repair", NULL, "turn triangles so that connected parts are wound consistently and face outwards",
-     COMMANDS_WITH_MESH, parse_repair},
-    {"--no-clusters", NULL, "make no clusters, keep the model's order: where flash is short or light is costly",
-     COMMANDS_WITH_MESH, parse_no_clusters},
-    {"--positions", "TYPE", "how positions are stored: int16 or int8; int16", COMMANDS_WITH_MESH, parse_positions},
-    {"--normals", "TYPE", "how normals are stored: int16, octahedral (2 bytes) or octahedral16 (4 bytes); int16",
-     COMMANDS_WITH_MESH, parse_normals},
-    {"--indices", "BITS", "how indices are stored: 16, 8 or auto, which is 8 up to 256 vertices; 16",
-     COMMANDS_WITH_MESH, parse_indices},
-    {"--import-seconds", "S", "time for reading another format than OBJ; 60", COMMANDS_WITH_MESH, parse_import_seconds},
-    {"--import-memory", "MB", "memory for it; 2048", COMMANDS_WITH_MESH, parse_import_memory},
-    {"--list", NULL, "print the scenes and their variants", COMMAND_SCENE, parse_list},
-    {"--frame", "N", "which frame, counted from 0; 0", COMMAND_SCENE, parse_frame},
+     COMMAND_RENDER, COUNT(animate, 1, 1000, "a number of frames, from 1 to 1000")},
+    {"--crease", "DEG", "make all normals anew, split at edges sharper than that", MESH,
+     REAL(load.crease, 0, 180, "degrees from 0 to 180")},
+    {"--weights", "NAME", "what triangles weigh in the normals that are made: area, angle or equal; area", MESH,
+     WORD(load.weights, mesh_weight_names)},
+    {"--weld", "D", "make one of positions within that distance, in the model's units; 0 for equal ones", MESH,
+     REAL(load.weld, 0, OBJ_COORDINATE_MAX, "a distance from 0")},
+    {"--simplify", "N", "at most N triangles, by meshoptimizer", MESH,
+     COUNT(load.simplify, 1, OBJ_ITEMS_MAX, "triangles from 1 to 4000000")},
+    {"--facets", NULL, "make all normals anew, the triangles' own", MESH, SWITCH(load.facets)},
+    {"--repair", NULL, "turn triangles so that connected parts are wound consistently and face outwards", MESH,
+     SWITCH(load.repair)},
+    {"--no-clusters", NULL, "make no clusters, keep the model's order: where flash is short or light is costly", MESH,
+     SWITCH(load.plain)},
+    {"--positions", "TYPE", "how positions are stored: int16 or int8; int16", MESH,
+     WORD(load.types.positions, quantise_position_names)},
+    {"--normals", "TYPE", "how normals are stored: int16, octahedral (2 bytes) or octahedral16 (4 bytes); int16", MESH,
+     WORD(load.types.normals, quantise_normal_names)},
+    {"--indices", "BITS", "how indices are stored: 16, 8 or auto, which is 8 up to 256 vertices; 16", MESH,
+     WORD(load.types.indices, quantise_index_names)},
+    {"--import-seconds", "S", "time for reading another format than OBJ; 60", MESH,
+     COUNT(load.import.seconds, 1, 86400, "seconds from 1 to 86400")},
+    {"--import-memory", "MB", "memory for it; 2048", MESH,
+     COUNT(load.import.megabytes, 1, 1048576, "MB from 1 to 1048576")},
+    {"--list", NULL, "print the scenes and their variants", COMMAND_SCENE, SWITCH(list)},
+    {"--frame", "N", "which frame, counted from 0; 0", COMMAND_SCENE,
+     COUNT(frame, 0, 1000000, "a frame, from 0 to 1000000"), GIVEN(frame_given)},
     {"--animate", "N", "N frames, 1 to 1000, until the scene repeats: an APNG, or a PNG each for -o NAME%03d.png",
-     COMMAND_SCENE, parse_animate},
-    {"--labels", NULL, "words beside the subject, where the variant has some", COMMAND_SCENE, parse_labels},
-    {"--double-sided", NULL, "draw triangles from both sides", COMMAND_RENDER | COMMAND_CONVERT, parse_double_sided},
+     COMMAND_SCENE, COUNT(animate, 1, 1000, "a number of frames, from 1 to 1000")},
+    {"--labels", NULL, "words beside the subject, where the variant has some", COMMAND_SCENE, SWITCH(labels)},
+    {"--double-sided", NULL, "draw triangles from both sides", COMMAND_RENDER | COMMAND_CONVERT, SWITCH(double_sided)},
     {"--panel", "WxH[:FORMAT]", "what the mesh takes is told for that panel; 320x240:rgb565",
-     COMMAND_INFO | COMMAND_CONVERT, parse_panel},
-    {"--name", "NAME", "C identifier that the arrays' names begin with", COMMAND_CONVERT, parse_name},
-    {"--licence", "SPDX", "licence that each file states", COMMAND_CONVERT, parse_licence},
-    {"--models", "DIR", "folder of the models; examples/models", COMMAND_DEMO, parse_models},
-    {"--help", NULL, "print this", COMMANDS_WITH_MESH | COMMAND_DEMO | COMMAND_SCENE, parse_help},
+     COMMAND_INFO | COMMAND_CONVERT, OWN(parse_panel), GIVEN(panel_given)},
+    {"--name", "NAME", "C identifier that the arrays' names begin with", COMMAND_CONVERT, OWN(parse_name)},
+    {"--licence", "SPDX", "licence that each file states", COMMAND_CONVERT, OWN(parse_licence)},
+    {"--models", "DIR", "folder of the models; examples/models", COMMAND_DEMO, TEXT(models, "a folder")},
+    {"--help", NULL, "print this", ALL, SWITCH(help)},
 };
 
 #define OPTION_COUNT (sizeof options / sizeof options[0])
+
+/* ---- Values ----------------------------------------------------------------------------------------------------- */
+
+/** Says which words there are. @return false */
+static bool expect_word(const char *const *words, host_problem *problem) {
+    char list[80];
+    size_t used = 0;
+    for (size_t i = 0; words[i] != NULL; i++) {
+        const char *gap = i == 0 ? "" : words[i + 1] != NULL ? ", " : " or ";
+        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", gap, words[i]);
+    }
+    return problem_set(problem, 0, "takes %s", list);
+}
+
+static bool parse_word(const host_option *option, const char *text, void *at, host_problem *problem) {
+    unsigned i = 0;
+    while (option->words[i] != NULL && strcmp(option->words[i], text) != 0) {
+        i++;
+    }
+    if (option->words[i] == NULL) {
+        return expect_word(option->words, problem);
+    }
+    if (option->kind == KIND_CHOICE) {
+        memcpy(at, &option->chosen[i], option->size);
+    } else if (option->size == sizeof(bool)) {
+        *(bool *)at = i == 1;
+    } else {
+        memcpy(at, &i, option->size); /* an enumeration, of the size of its unsigned integers */
+    }
+    return true;
+}
+
+static bool parse_number(const host_option *option, const char *text, void *at, host_problem *problem) {
+    double value = 0;
+    int64_t integer = 0;
+    const bool is_count = option->kind == KIND_COUNT;
+    bool ok = is_count ? number_integer(text, strlen(text), &integer) : number_real(text, strlen(text), &value);
+    value = is_count ? (double)integer : value;
+    ok = ok && value >= option->least && value <= option->most;
+    if (!ok) {
+        return problem_set(problem, 0, "takes %s", option->takes);
+    }
+    if (option->kind == KIND_REAL) {
+        *(double *)at = value;
+    } else if (option->kind == KIND_Q16) {
+        *(glint_q16 *)at = number_q16(value);
+    } else if (option->size == sizeof(uint32_t)) {
+        *(uint32_t *)at = (uint32_t)integer;
+    } else {
+        *(size_t *)at = (size_t)integer;
+    }
+    return true;
+}
+
+/** Parses a value, empty for a switch, into its place. */
+static bool store_value(host_settings *settings, const host_option *option, const char *text, host_problem *problem) {
+    void *at = (uint8_t *)settings + option->at;
+    switch (option->kind) {
+    case KIND_SWITCH:
+        *(bool *)at = true;
+        return true;
+    case KIND_TEXT:
+        *(const char **)at = text;
+        return text[0] != '\0' || problem_set(problem, 0, "takes %s", option->takes);
+    case KIND_WORD:
+    case KIND_CHOICE:
+        return parse_word(option, text, at, problem);
+    case KIND_VECTOR:
+        return value_vector(text, strlen(text), at, problem);
+    case KIND_DIRECTION:
+        return value_direction(text, strlen(text), at, problem);
+    case KIND_COLOUR:
+        return value_colour(text, strlen(text), at, problem);
+    case KIND_OWN:
+        return option->parse(settings, text, problem);
+    default:
+        return parse_number(option, text, at, problem);
+    }
+}
+
+/** Parses a value and puts the option's name and the value before what is wrong with it. */
+static bool parse_value(host_settings *settings, const host_option *option, const char *value, host_problem *problem) {
+    if (option->given > 0) {
+        *(bool *)((uint8_t *)settings + option->given) = true;
+    }
+    if (store_value(settings, option, value, problem)) {
+        return true;
+    }
+    char quote[PROBLEM_QUOTE_SIZE];
+    const host_problem wrong = *problem;
+    return problem_set(problem, 0, "%s %s: %s", option->name, problem_quote(quote, value, strlen(value)), wrong.text);
+}
+
+/* ---- Arguments -------------------------------------------------------------------------------------------------- */
 
 /** The option that an argument names, up to its end or to an equals sign. */
 static const host_option *find_option(const char *argument, int command) {
@@ -322,16 +349,6 @@ static const host_option *find_option(const char *argument, int command) {
         }
     }
     return NULL;
-}
-
-/** Parses a value and puts the option's name and the value before what is wrong with it. */
-static bool parse_value(host_settings *settings, const host_option *option, const char *value, host_problem *problem) {
-    if (option->parse(settings, value, problem)) {
-        return true;
-    }
-    char quote[PROBLEM_QUOTE_SIZE];
-    const host_problem wrong = *problem;
-    return problem_set(problem, 0, "%s %s: %s", option->name, problem_quote(quote, value, strlen(value)), wrong.text);
 }
 
 /** Says that there is no such option, and which was meant. @return 0 */
@@ -365,7 +382,7 @@ static int take_option(host_settings *settings, int command, int count, char **a
         return problem_set(problem, 0, "%s takes no value", option->name);
     }
     if (option->argument == NULL) {
-        return option->parse(settings, "", problem) ? 1 : 0;
+        return parse_value(settings, option, "", problem) ? 1 : 0;
     }
     if (equals == NULL && count < 2) {
         return problem_set(problem, 0, "%s takes a value: %s", option->name, option->argument);
@@ -417,15 +434,12 @@ bool settings_parse(host_settings *settings, int command, int count, char **argu
             continue;
         }
         char quote[PROBLEM_QUOTE_SIZE];
-        if (settings->model != NULL || (command & (COMMANDS_WITH_MESH | COMMAND_SCENE)) == 0) {
+        if (settings->model != NULL || (command & (MESH | COMMAND_SCENE)) == 0) {
             return problem_set(problem, 0, "unexpected argument '%s'",
                                problem_quote(quote, arguments[i], strlen(arguments[i])));
         }
         settings->model = arguments[i];
         taken = 1;
-    }
-    if ((settings->core > 0) != (settings->instructions > 0)) {
-        return problem_set(problem, 0, "--core and --instructions go together");
     }
     return true;
 }

@@ -6,9 +6,9 @@
 #ifndef GLINT_HOST_SETTINGS_H
 #define GLINT_HOST_SETTINGS_H
 
+#include "basics.h"
 #include "framebuffer.h"
-#include "load.h"
-#include "problem.h"
+#include "model.h"
 
 /** Commands, as bits: which of them take an option. */
 enum {
@@ -40,8 +40,6 @@ typedef struct host_settings {
     bool panel_given;
 
     bool help, list, stats;    /**< What to print. */
-    double bus, core;          /**< Clocks of a panel's bus and of a core, MHz; 0 for none. */
-    double instructions;       /**< Millions that the core takes for the frame; 0 for unknown. */
     bool dither, double_sided; /**< How to draw. */
     bool size_given, eye_given, at_given, near_given, frame_given;
     bool ambient_given, diffuse_given, specular_given, shininess_given, reflection_given;
@@ -59,7 +57,7 @@ typedef struct host_settings {
     const glint_evaluation *evaluation;
     glint_colour ambient, diffuse, specular, background;
     glint_q16 shininess;
-    uint32_t material_flags;
+    bool takes_larger, ungated; /**< Flags of the material. */
     glint_light lights[GLINT_LIGHTS_MAX];
     uint32_t light_count; /**< 0 for the default light. */
     bool camera_lights;   /**< Whether the lights are in camera space, else in world space. */
@@ -68,7 +66,6 @@ typedef struct host_settings {
     uint32_t animate; /**< Frames of an animation; 0 for a still picture. */
     bool labels;      /**< Whether to draw a scene's labels over it. */
 
-    const char *heat;    /**< File of a map to write, or null. */
     uint32_t preview;    /**< Characters of a picture in the terminal, across; 0 for none. */
     const char *compare; /**< File of a picture to compare with, or null. */
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "shapes.h"
+#include "model.h"
 
-#include "memory.h"
-#include "number.h"
+#include "basics.h"
 #include "quantise.h"
+#include "values.h"
 
 #include <stdlib.h>
 #include <string.h>

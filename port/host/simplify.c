@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "simplify.h"
+#include "mesh.h"
 
-#include "memory.h"
+#include "basics.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "text.h"
+#include "model.h"
 
-#include "memory.h"
+#include "basics.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,22 +1,84 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file values.h
- * Values of options from text. Each returns false with a problem that says what the value should have been.
+ * Numbers, names and values of options from text.
  */
 #ifndef GLINT_HOST_VALUES_H
 #define GLINT_HOST_VALUES_H
 
+#include "basics.h"
 #include "glint.h"
-#include "problem.h"
 
-/** Says what a value should have been. @return false, as all parsers do then */
-bool value_expected(host_problem *problem, const char *what);
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* ---- Numbers from text, strictly and the same in every locale, and numbers as Q16.16 ---- */
+
+/** Largest magnitude that Q16.16 holds, rounded down. */
+#define NUMBER_Q16_MAX 32767.0
+
+/**
+ * Reads a decimal number: sign, digits with at most one point, exponent; nothing before, nothing after. Correctly
+ * rounded up to 15 digits with a power of ten within 22, within 3 units in the last place beyond.
+ * @return false when it is none, or not finite as a double; `*value` is then untouched
+ */
+bool number_real(const char *text, size_t length, double *value);
+
+/** Reads a decimal integer with an optional minus, at most 18 digits. @return false when it is none. */
+bool number_integer(const char *text, size_t length, int64_t *value);
+
+/**
+ * Reads exactly `count` numbers with one `separator` between each two.
+ * @return false when the text is anything else; `values` may then be changed
+ */
+bool number_list(const char *text, size_t length, char separator, size_t count, double *values);
+
+/** Nearest Q16.16, halves away from zero; `value` must be within +-NUMBER_Q16_MAX. */
+glint_q16 number_q16(double value);
+
+/** Q16.16 as a double: exact. */
+double number_from_q16(glint_q16 value);
+
+/* ---- The word that was meant ---- */
+
+/**
+ * By how many letters more, fewer or other a word is another (Levenshtein, 1966). Only the first 32 bytes count.
+ * @param length of `word`, which need not be terminated
+ */
+size_t nearest_distance(const char *word, size_t length, const char *other);
+
+/** Whether a word so far from another may have been meant: one letter in three is wrong at most. */
+int nearest_is_meant(size_t length, size_t distance);
+
+/* ---- Names of files that are numbered ---- */
+
+/** A name, taken apart. Its text is the caller's. */
+typedef struct numbered_name {
+    const char *text;
+    bool has_number;
+    size_t at, length; /**< Where in the text the number goes, and the bytes there that stand for it. */
+    uint32_t digits;   /**< That the number has at least, zeros before it. */
+} numbered_name;
+
+/**
+ * Takes a name apart: at most one %d, or %0Nd for N from 1 to 9 digits, stands for the number, and %% for a percent.
+ * @return false with a problem of line 0 for any other percent
+ */
+bool numbered_parse(numbered_name *name, const char *text, host_problem *problem);
+
+/** The name with a number in it, percents undone; the caller frees it. */
+char *numbered_make(const numbered_name *name, uint32_t number);
+
+/*
+ * Values of options from text. Each returns false with a problem that says what the value should have been.
+ */
 
 /** A number from `least` to `most`; without a problem of its own. */
 bool value_real(const char *text, double least, double most, double *value);
 
-/** Two integers with an x between them; without a problem of its own. */
-bool value_pair(const char *text, int64_t *first, int64_t *second);
+/** Two integers with an x between them, each from 1 to `most`; without a problem of its own. */
+bool value_pair(const char *text, uint16_t most, uint16_t *first, uint16_t *second);
 
 /** A vector x,y,z, each within what Q16.16 holds. */
 bool value_vector(const char *text, size_t length, glint_vector *vector, host_problem *problem);
@@ -26,5 +88,8 @@ bool value_direction(const char *text, size_t length, glint_vector *vector, host
 
 /** A colour r,g,b or a grey level, each from 0 to 16. */
 bool value_colour(const char *text, size_t length, glint_colour *colour, host_problem *problem);
+
+/** A light: a kind and its fields, with colons between them. It stays as it was where the result is false. */
+bool value_light(const char *text, glint_light *light, host_problem *problem);
 
 #endif

@@ -1,14 +1,32 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file view.h
- * From settings and a mesh to a scene, and from a scene to pixels.
+ * From settings and a model to a scene, and from a scene to pixels.
  */
 #ifndef GLINT_HOST_VIEW_H
 #define GLINT_HOST_VIEW_H
 
 #include "glint.h"
+#include "model.h"
 #include "quantise.h"
 #include "settings.h"
+
+/* ---- Where a model is put before it is quantised, and how large ---- */
+
+/**
+ * Puts a model where options say: --up-axis, --centre, --scale and, when `turned`, --rotate-x, -y and -z, in this
+ * order. Sets the model's box.
+ */
+void place_model(host_model *model, const host_settings *settings, bool turned);
+
+/**
+ * Moves the middle of a model's box to the origin and scales it by a power of ten to a half side of 0.3 to 3, where
+ * Q16.16 does not hold its coordinates, or is too coarse or too narrow for a camera that frames it. Sets model->fit and
+ * the model's note. The model's box stays what it was.
+ */
+void place_to_fit(host_model *model, const host_settings *settings);
+
+/* ---- From settings and a mesh to a scene, and from a scene to pixels ---- */
 
 /** A scene with all that it points to but the mesh. It points into itself: not to be copied. */
 typedef struct host_view {
@@ -50,5 +68,21 @@ glint_status view_need(const glint_scene *scene, const host_settings *settings, 
  */
 bool view_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, glint_stats *stats,
                host_problem *problem);
+
+/* ---- Tells the flash and the arena that a mesh takes of a board that draws it framed ---- */
+
+/** A model, and how it is drawn. */
+typedef struct report_subject {
+    const host_settings *settings;
+    const host_materials *materials;
+    const quantised_mesh *mesh;
+} report_subject;
+
+/**
+ * Prints what a mesh takes of flash and, on the settings' panel, of arena, a name and a value a line. However large it
+ * is, and wherever, it is measured where a camera frames it.
+ * @return false with a problem
+ */
+bool report_print(const report_subject *subject, host_problem *problem);
 
 #endif

@@ -2,13 +2,12 @@
 /**
  * @file files.c
  * Files in memory, in place of the host's output.c: those that the page was given, and one that is written. No other
- * program is run, in place of importer.c, and no terminal is told what goes on, in place of progress.c.
+ * program is run, in place of importer.c.
  */
 #include "files.h"
 
-#include "importer.h"
-#include "memory.h"
-#include "progress.h"
+#include "model.h"
+#include "basics.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -121,17 +120,4 @@ bool importer_load(const char *name, const child_limits *limits, host_mesh *mesh
 const char *path_base_name(const char *path) {
     const char *slash = strrchr(path, '/');
     return slash != NULL ? slash + 1 : path;
-}
-
-void progress_begin(const char *doing, const char *name) {
-    (void)doing;
-    (void)name;
-}
-
-void progress_frame(uint32_t frame, uint32_t count) {
-    (void)frame;
-    (void)count;
-}
-
-void progress_end(void) {
 }

@@ -3,7 +3,7 @@
 #ifndef GLINT_WEB_FILES_H
 #define GLINT_WEB_FILES_H
 
-#include "output.h"
+#include "basics.h"
 
 /** Most files at a time: the models that the page brings along, one more, and its materials. */
 #define WEB_FILES_MAX 48

@@ -2,7 +2,7 @@
 #include "measure.h"
 
 #include "library_geometry.h"
-#include "memory.h"
+#include "basics.h"
 #include "picture.h"
 #include "reference.h"
 

@@ -14,7 +14,7 @@
 #include "glint_extras.h"
 #include "libc.h"
 #include "measure.h"
-#include "memory.h"
+#include "basics.h"
 #include "meshes.h"
 #include "scenes/scenes.h"
 #include "view.h"
@@ -170,7 +170,7 @@ static int draw(const glint_scene *scene) {
         print_needs();
         return 0;
     }
-    command_print_stats(&stats, &target, &settings);
+    command_print_stats(&stats, &target);
     print_needs();
     print_meshes();
     shown.width = target.width;

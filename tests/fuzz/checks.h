@@ -4,7 +4,7 @@
 #define GLINT_FUZZ_CHECKS_H
 
 #include "mesh.h"
-#include "mtl.h"
+#include "model.h"
 #include "source.h"
 
 /** One line of printable characters. */

@@ -21,8 +21,7 @@ REACHES = {
     "fuzz_obj": ("port/host/obj.c", "port/host/text.c", "port/host/polygon.c", "port/host/topology.c"),
     "fuzz_mtl": ("port/host/mtl.c", "port/host/text.c", "port/host/material.c"),
     "fuzz_import": ("port/host/importer.c", "port/host/join.c"),
-    "fuzz_command": tuple("port/host/" + name for name in ("main.c", "settings.c", "parse_", "values.c", "number.c",
-                                                           "nearest.c", "numbered.c", "shapes.c")),
+    "fuzz_command": tuple("port/host/" + name for name in ("main.c", "settings.c", "values.c", "number.c", "shapes.c")),
     "fuzz_panel": ("port/panel/",),
     "fuzz_png": ("port/host/png_read.c", "port/host/inflate.c"),
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "drawing.h"
 
-#include "cluster.h"
+#include "quantise.h"
 
 void take_mesh_colours(source *s, glint_mesh *mesh) {
     uint32_t choice = below(s, 6);

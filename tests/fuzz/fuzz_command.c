@@ -8,11 +8,9 @@
  */
 #include "checks.h"
 #include "command.h"
-#include "number.h"
-#include "numbered.h"
-#include "place.h"
-#include "shapes.h"
+#include "values.h"
 #include "view.h"
+#include "model.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -63,7 +61,6 @@ static void check_picture(const host_settings *settings) {
             is_within(settings->panel.height, 1, GLINT_SIZE_MAX));
     require(is_tile_side(settings->tile_width) && is_tile_side(settings->tile_height));
     require(settings->format != NULL && settings->panel.format != NULL && is_within(settings->gamma, 0.1, 10));
-    require((settings->core > 0) == (settings->instructions > 0) && settings->bus >= 0);
     require(settings->preview <= GLINT_SIZE_MAX);
     require(settings->animate <= 1000 && settings->frame <= 1000000);
 }

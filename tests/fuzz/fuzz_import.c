@@ -8,7 +8,7 @@
 #define _POSIX_C_SOURCE 200112L /* setenv */
 
 #include "checks.h"
-#include "importer.h"
+#include "model.h"
 
 #include <string.h>
 

@@ -5,7 +5,7 @@
  * can be made for and that quantises into meshes, with clusters, as the library documents them.
  */
 #include "checks.h"
-#include "obj.h"
+#include "model.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

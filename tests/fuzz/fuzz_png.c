@@ -4,8 +4,6 @@
  * The reader of PNG on any bytes (libFuzzer): as a file; as one whose chunks have the checksums that they should; and
  * as rows, which are packed here and must be read as they are. It either reports one problem or gives a picture.
  */
-#include "deflate.h"
-#include "inflate.h"
 #include "png.h"
 
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 /* Scenes as users have them: what the fast ways of lighting take, beside what they must leave to others. */
 #include "drawing.h"
 
-#include "cluster.h"
+#include "quantise.h"
 #include "glint_extras.h"
 
 #include <string.h>

@@ -3,12 +3,9 @@
  * @file parts.c
  * Parts of the host program that read what others wrote, one by one: so that sanitisers see them.
  */
-#include "compare.h"
-#include "deflate.h"
-#include "harness.h"
-#include "inflate.h"
-#include "numbered.h"
 #include "png.h"
+#include "harness.h"
+#include "values.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -13,7 +13,6 @@ import test_errors
 import test_gallery
 import test_import
 import test_labels
-import test_maps
 import test_materials
 import test_normals
 import test_obj
@@ -32,7 +31,7 @@ from harness import Host
 def main():
     host = Host(sys.argv[1])
     for module in (test_render, test_shading, test_obj, test_materials, test_place, test_winding, test_shapes, test_normals, test_errors, test_convert, test_import, test_simplify,
-                   test_clusters, test_scene, test_labels, test_maps, test_compare, test_animate, test_terminal, test_output, test_gallery):
+                   test_clusters, test_scene, test_labels, test_compare, test_animate, test_terminal, test_output, test_gallery):
         for name in (name for name in vars(module) if name.startswith("test_")):
             try:
                 vars(module)[name](host)

@@ -124,9 +124,9 @@ def test_refused(host):
     draw = ["render", "torus:3x3", "--animate"]
     for value in ("0", "1001", "-1", "x", ""):
         host.refuses(f"--animate '{value}'", [*draw, value, "-o", "out.png"], rf"glint: --animate {value}: takes a number of frames, from 1 to 1000")
-    for options in (["--heat", "heat.png"], ["--preview", "40"], ["--compare", "other.png"]):
+    for options in (["--preview", "40"], ["--compare", "other.png"]):
         host.refuses(f"--animate and {options[0]}", [*draw, "2", *options, "-o", "out.png"],
-                     r"glint: render: --heat, --preview and --compare take one frame: not with --animate")
+                     r"glint: render: --preview and --compare take one frame: not with --animate")
     host.refuses("--animate and --preview alone", [*draw, "2", "--preview", "9"], r"glint: render: .* take one frame: not with --animate")
     host.refuses("--animate and --stats", [*draw, "2", "--stats", "-o", "out.png"], r"glint: render: --stats and --animate exclude each other")
     host.refuses("--animate alone", [*draw, "2"], r"glint: render: the file to write is missing: -o FILE")

@@ -12,7 +12,7 @@ from harness import MODELS, SQUARE, Preloaded
 
 SMALL = ["--size", "64x48"]
 
-# Between the halves of the file that the program writes, or of the second one, it is sent a signal.
+# Between the halves of the file that the program writes it is sent a signal.
 INTERRUPTED = """
 #define _GNU_SOURCE
 #include <signal.h>
@@ -22,8 +22,7 @@ INTERRUPTED = """
 
 ssize_t write(int file, const void *bytes, size_t count) {
     static int begun;
-    const char *second = getenv("INTERRUPTED_IN_SECOND");
-    if (file <= 2 || begun++ != (second != NULL))
+    if (file <= 2 || begun++ != 0)
         return syscall(SYS_write, file, bytes, count);
     ssize_t written = syscall(SYS_write, file, bytes, count / 2);
     raise(atoi(getenv("INTERRUPTED_BY")));
@@ -101,23 +100,20 @@ def test_other_files_stay(host):
 
 
 def test_signals(host):
-    """In the middle of writing: the older file stays, nothing is left, the status is the signal's."""
+    """In the middle of writing: the file becomes whole, nothing is left beside it, the status is the signal's."""
     files = host.files()
+    wanted = host.render_bytes("torus:8x8", *SMALL, to="other.png")
     with Interrupted(host) as interrupted:
         for number in ENDING:
-            for older in (None, "older"):
-                if older:
-                    host.write("out.png", older)
-                run = host.run("render", "torus:8x8", *SMALL, "-o", "out.png", env=interrupted.by(number), before=as_in_a_terminal)
-                host.equal(f"{number.name}: status", run.returncode, -number)
-                host.equal(f"{number.name}: files", host.files(), sorted([*files, "out.png"]) if older else files)
-                if older:
-                    host.equal(f"{number.name}: older file", host.read("out.png"), b"older")
-                    os.remove(host.path("out.png"))
+            run = host.run("render", "torus:8x8", *SMALL, "-o", "out.png", env=interrupted.by(number), before=as_in_a_terminal)
+            host.equal(f"{number.name}: status", run.returncode, -number)
+            host.equal(f"{number.name}: files", host.files(), sorted([*files, "out.png"]))
+            host.check(f"{number.name}: picture", host.read("out.png") == wanted)
+            os.remove(host.path("out.png"))
         run = host.run("render", "torus:8x8", *SMALL, "-o", "out.png", env=interrupted.by(signal.SIGHUP),
                        before=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
         host.equal("an ignored signal is ignored", run.returncode, 0)
-        host.equal("its picture", host.read("out.png"), host.render_bytes("torus:8x8", *SMALL, to="other.png"))
+        host.equal("its picture", host.read("out.png"), wanted)
         os.remove(host.path("out.png"))
 
     def small_files_only():
@@ -131,129 +127,39 @@ def test_signals(host):
     os.remove(host.path("out.png"))
 
 
-def test_signals_in_pairs(host):
-    """In the middle of either file: both older ones stay, or none of the new ones is there."""
-    files = host.files()
-    with Interrupted(host) as interrupted:
-        for which in ({}, {"INTERRUPTED_IN_SECOND": "1"}):
-            for older in ([], ["out.c"], ["out.h"], ["out.c", "out.h"]):
-                for name in older:
-                    host.write(name, "older")
-                run = host.run("convert", "torus:8x8", "-o", "out.c", env={**interrupted.by(signal.SIGTERM), **which}, before=as_in_a_terminal)
-                host.equal(f"{which} {older}: status", run.returncode, -signal.SIGTERM)
-                host.equal(f"{which} {older}: files", host.files(), sorted(files + older))
-                for name in older:
-                    host.equal(f"{which} {older}: {name}", host.read(name), b"older")
-                    os.remove(host.path(name))
-
-
-# Moves of files that fail, by their number, or after the first of which the program stops; files that cannot have two
-# names; and locks, for which the program stops before it waits.
+# Moves of files that fail, by their number.
 MOVING = """
 #define _GNU_SOURCE
 #include <errno.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
 int rename(const char *from, const char *to) {
     static int begun;
-    const char *fails = getenv("MOVE_FAILS");
-    if (getenv("NEVER_WITHOUT") != NULL && access(getenv("NEVER_WITHOUT"), F_OK) != 0)
-        abort();
-    if (begun++ == (fails != NULL ? atoi(fails) : -1)) {
+    if (begun++ == atoi(getenv("MOVE_FAILS"))) {
         errno = EIO;
         return -1;
     }
-    const int result = (int)syscall(SYS_renameat2, -100, from, -100, to, 0);
-    if (begun == 1 && getenv("STOPS_AFTER_MOVE") != NULL)
-        raise(SIGSTOP);
-    return result;
-}
-
-int link(const char *from, const char *to) {
-    errno = EPERM;
-    return getenv("ONE_NAME_ONLY") != NULL ? -1 : (int)syscall(SYS_linkat, -100, from, -100, to, 0);
-}
-
-int flock(int file, int operation) {
-    if (syscall(SYS_flock, file, operation | 4) == 0)
-        return 0;
-    raise(SIGSTOP);
-    return (int)syscall(SYS_flock, file, operation);
+    return (int)syscall(SYS_renameat2, -100, from, -100, to, 0);
 }
 """
 
 
 def test_moves_of_pairs(host):
-    """Whichever move fails: both older files stay, or none of the new ones is there. Where files may have two names, the
-    older one is at its place until the new one is."""
-    with Preloaded(host, MOVING) as library:
-        for older in ([], ["out.c"], ["out.h"], ["out.c", "out.h"]):
-            never = {"NEVER_WITHOUT": "out.c"} if "out.c" in older else {}
-            fail_each_move(host, {"LD_PRELOAD": library, **never}, older, 2)
-            fail_each_move(host, {"LD_PRELOAD": library, "ONE_NAME_ONLY": "1"}, older, 3)
-
-
-def fail_each_move(host, env, older, moves):
-    files = host.files()
-    for number in range(moves + 1):
-        for name in older:
-            host.write(name, "older")
-        run = host.run("convert", "torus:8x8", "-o", "out.c", env={**env, "MOVE_FAILS": str(number)})
-        done = number == moves
-        name = f"{older}, {'ONE_NAME_ONLY' in env}: move {number}"
-        host.equal(f"{name}: files", host.files(), sorted({*files, *(["out.c", "out.h"] if done else older)}))
-        host.check(f"{name}: status", run.returncode == 0 if done else run.returncode == 2 and run.stdout == "" and re.fullmatch(
-            r"out\.[ch]:0: cannot be written: Input/output error\n", run.stderr) is not None, f"{run.returncode} {run.stderr}")
-        for file in ["out.c", "out.h"] if done else older:
-            host.equal(f"{name}: {file}", host.read(file) != b"older", done)
-            os.remove(host.path(file))
-
-
-def read_pair(host):
-    return [host.read(name) for name in ("out.c", "out.h")]
-
-
-def test_writers_of_one_pair(host):
-    """Both files are one writer's, also when another comes between its moves: that one waits."""
-    shapes = [f"torus:{4 + i}x8" for i in range(4)]
-    pairs = []
-    for shape in shapes:
-        host.run("convert", shape, "-o", "out.c")
-        pairs.append(read_pair(host))
+    """Neither file is replaced before both are written; nothing is left beside them."""
     files = host.files()
     with Preloaded(host, MOVING) as library:
-        def start(shape, **env):
-            """A writer that has stopped, or ended, of itself."""
-            writer = subprocess.Popen([host.program, "convert", shape, "-o", "out.c"], cwd=host.folder.name,
-                                      stdout=subprocess.DEVNULL, env={**os.environ, "LD_PRELOAD": library, **env})
-            started.append(writer)
-            return writer, os.WIFSTOPPED(os.waitpid(writer.pid, os.WUNTRACED)[1])
-
-        started = []
-        try:
-            first, _ = start(shapes[0], STOPS_AFTER_MOVE="1")
-            host.equal("between the moves", read_pair(host), [pairs[0][0], pairs[-1][1]])
-            second, waits = start(shapes[1])
-            host.check("a second writer waits", waits)
-            host.equal("and moves nothing", read_pair(host), [pairs[0][0], pairs[-1][1]])
-            first.send_signal(signal.SIGCONT)
-            host.equal("the first writer goes on", (first.wait(timeout=60), read_pair(host)), (0, pairs[0]))
-            second.send_signal(signal.SIGCONT)
-            host.equal("then the second", (second.wait(timeout=60), read_pair(host)), (0, pairs[1]))
-        finally:
-            for writer in started:
-                writer.kill()
-                writer.wait()
-    for _ in range(10):
-        writers = [subprocess.Popen([host.program, "convert", shape, "-o", "out.c"], cwd=host.folder.name, stdout=subprocess.DEVNULL) for shape in shapes]
-        host.equal("writers at once", [writer.wait(timeout=60) for writer in writers], [0] * len(shapes))
-        host.check("the pair of one of them", read_pair(host) in pairs)
-    host.equal("nothing beside it", host.files(), files)
-    for name in ("out.c", "out.h"):
-        os.remove(host.path(name))
+        for number, name in enumerate(("out.c", "out.h")):
+            for file in ("out.c", "out.h"):
+                host.write(file, "older")
+            run = host.run("convert", "torus:8x8", "-o", "out.c", env={"LD_PRELOAD": library, "MOVE_FAILS": str(number)})
+            host.equal(f"move {number}", (run.returncode, run.stdout, run.stderr), (2, "", f"{name}:0: cannot be written: Input/output error\n"))
+            host.equal(f"move {number}: files", host.files(), sorted([*files, "out.c", "out.h"]))
+            host.equal(f"move {number}: what could not be moved stays", host.read("out.h"), b"older")
+            host.equal(f"move {number}: the source", host.read("out.c") == b"older", number == 0)
+    for file in ("out.c", "out.h"):
+        os.remove(host.path(file))
 
 
 def test_places_of_pairs(host):

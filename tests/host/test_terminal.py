@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
 """What shows in a terminal: the preview, help for a command, words that were meant, completion, the manual page."""
 import os
-import pty
 import re
 import subprocess
 
-from harness import ROOT, Preloaded
+from harness import ROOT
 
 CELL = re.compile("\033\\[38;2;(\\d+);(\\d+);(\\d+);48;2;(\\d+);(\\d+);(\\d+)m\u2580")
 
@@ -75,7 +74,7 @@ def test_completion(host):
     host.check("scenes", {"teapot", "teapot:vertex"} <= set(complete(host, "scene", "teapot")), str(complete(host, "scene", "teapot")))
     host.write("a-model.obj", "")
     host.check("files", "a-model.obj" in complete(host, "render", "a-m"))
-    for command, option in (("render", "--compare"), ("scene", "--compare"), ("scene", "-o"), ("scene", "--heat")):
+    for command, option in (("render", "--compare"), ("scene", "--compare"), ("scene", "-o")):
         host.equal(f"files for {command} {option}", complete(host, command, option, "a-"), ["a-model.obj"])
     host.check("shapes", "torus:" in complete(host, "info", "tor"))
     os.remove(host.path("a-model.obj"))
@@ -90,108 +89,3 @@ def test_manual(host):
             text = page.split(f".SS glint {command} ")[1].split(".SS")[0].split(".SH")[0]
             host.equal(f"it has the options of {command}", re.findall(r"^\.B (--?[a-z-]+)", text, re.M), options(host, command))
     host.check("and what else there is", all(f".SH {name}" in page for name in ["NAME", "SYNOPSIS", "COMMANDS", '"EXIT STATUS"', "MODELS"]))
-
-
-# A second that passes whenever the test wants: a library in place of the timer, which notes what it is set to and, where
-# RINGS is set, rings at each piece of memory that the program takes.
-TIMER = """
-#define _GNU_SOURCE
-#include <signal.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/syscall.h>
-#include <sys/time.h>
-#include <unistd.h>
-
-extern void *__libc_calloc(size_t count, size_t size);
-static int is_set;
-
-int setitimer(__itimer_which_t which, const struct itimerval *timer, struct itimerval *before) {
-    char text[64];
-    is_set = timer->it_value.tv_sec + timer->it_value.tv_usec > 0;
-    snprintf(text, sizeof text, "%ld.%06ld\\n", (long)timer->it_value.tv_sec, (long)timer->it_value.tv_usec);
-    return syscall(SYS_write, atoi(getenv("TIMERS")), text, strlen(text)) < 0;
-}
-
-void *calloc(size_t count, size_t size) {
-    if (is_set && getenv("RINGS") != NULL)
-        raise(SIGALRM);
-    return __libc_calloc(count, size);
-}
-"""
-
-
-class Terminal(Preloaded):
-    """Runs the program with a terminal as stderr, and with that library."""
-
-    def __init__(self, host):
-        super().__init__(host, TIMER)
-        self.host = host
-
-    def __enter__(self):
-        return self
-
-    def run(self, *arguments, rings=True, is_terminal=True):
-        """@return exit status, what was written to stderr, and what timers were set to"""
-        screen, stderr = pty.openpty() if is_terminal else os.pipe()
-        timers, noted = os.pipe()
-        environment = {**os.environ, "LD_PRELOAD": self.library, "TIMERS": str(noted), **({"RINGS": "1"} if rings else {})}
-        with subprocess.Popen([self.host.program, *arguments], cwd=self.host.folder.name, stdout=subprocess.DEVNULL,
-                              stderr=stderr, pass_fds=[noted], env=environment) as process:
-            os.close(stderr)
-            os.close(noted)
-            written = b""
-            try:
-                while part := os.read(screen, 4096):
-                    written += part
-            except OSError:  # so a terminal ends
-                pass
-            set_to = os.read(timers, 65536).decode().split()
-        os.close(screen)
-        os.close(timers)
-        return process.returncode, written.decode(), set_to
-
-
-def lines_shown(written):
-    """The lines that stood on a terminal one after the other, and what stands there in the end."""
-    shown, line, at = [""], "", 0
-    for piece in re.findall(r"\r|\n|[^\r\n]+", written):
-        if piece == "\n":
-            line = ""
-        elif piece != "\r":
-            line = (line[:at] + piece + line[at + len(piece):]).rstrip(" ")
-        at = at + len(piece) if piece not in "\r\n" else 0
-        if line != shown[-1] and at:
-            shown.append(line)
-    return [text for text in shown if text], line
-
-
-def test_progress(host):
-    host.write("of this name.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
-    frames = ["glint: drawing", *(f"glint: drawing frame {i} of 3" for i in (1, 2, 3))]
-    small = ["--size", "32x24"]
-    reading = "glint: reading of this name.obj"
-    with Terminal(host) as terminal:
-        for arguments, lines in ((["render", "of this name.obj", *small, "--heat", "heat.png", "-o", "out.png"],
-                                  [reading, "glint: drawing", "glint: drawing in double precision"]),
-                                 (["scene", "teapot", *small, "-o", "out.png"], ["glint: drawing"]),
-                                 (["scene", "teapot", *small, "--animate", "3", "-o", "out.png"], frames),
-                                 (["render", "of this name.obj", *small, "--animate", "3", "-o", "out%d.png"], [reading, *frames]),
-                                 (["convert", "of this name.obj", "-o", "out.h"], [reading])):
-            title = " ".join(arguments)
-            pieces = len([line for line in lines if "frame" not in line]) or 1
-            status, written, timers = terminal.run(*arguments)
-            shown, last = lines_shown(written)
-            host.equal(f"{title}: after a second", (status, shown, last), (0, lines, ""))
-            host.equal(f"{title}: a second it is", timers[:2], ["1.000000", "0.000000"])
-            host.check(f"{title}: once for each piece of work", timers == ["1.000000", "0.000000"] * (len(timers) // 2) and
-                       len(timers) // 2 >= pieces, str(timers))
-            host.equal(f"{title}: within a second", terminal.run(*arguments, rings=False)[:2], (0, ""))
-            host.equal(f"{title}: no terminal", terminal.run(*arguments, is_terminal=False), (0, "", []))
-        host.write("flat.obj", "v 0 0 0\nv 1 0 0\nf 1 1 2\n")
-        status, written, _ = terminal.run("render", "flat.obj", "-o", "out.png")
-        host.equal("what is wrong stands alone", (status, lines_shown(written)[0]),
-                   (2, ["glint: reading flat.obj", "flat.obj:0: all 1 triangles are without area"]))
-    for name in ("flat.obj", "of this name.obj", "heat.png", "out.png", "out0.png", "out1.png", "out2.png", "out.h"):
-        os.remove(host.path(name))

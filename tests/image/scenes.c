@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "scenes.h"
 
-#include "cluster.h"
+#include "quantise.h"
 #include "random.h"
 
 #include <math.h>

@@ -15,7 +15,6 @@ from screen import ROOT, Screen, Window, png, until
 sys.path.insert(0, os.path.join(ROOT, "tests", "host"))
 from harness import Host  # noqa: E402
 
-UNJUDGED = (70, 70, 70)  # in the map of errors
 MARK = b"\xff\xc8\x3c"  # of the grid and of the slider
 TORUS, BALL = "torus:48x24", "sphere:48x32"
 LEVELS = ["--format", "rgb565"]
@@ -306,31 +305,7 @@ def test_dropped(test):
     window.close()
 
 
-# ---- Maps and grid
-
-# Colours of ways, as docs/charts/ways.svg has them, and of two more.
-def steps_of_colour(colour):
-    """How many steps a colour of the map of errors stands for, up to 0.5: black to (16, 28, 70)."""
-    return colour[2] / 140
-
-
-def test_errors(test):
-    window = test.open(TORUS)
-    window.keys("f", "f", "f", "e")
-    fine = test.drawn("render", TORUS, "--format", "grey8")
-    mono = test.drawn("render", TORUS, "--format", "mono")
-    # what 1 bit is off by is known from 8 of them to within 1/510
-    wanted = [[abs(a[0] - b[0]) / 255 for a, b in zip(r, s)] for r, s in zip(fine, mono)]
-    test.check("E: 1 bit beside 8", until(lambda: all(abs(steps_of_colour(p) - w) < 0.012 for r, s in zip(window.picture().rows, wanted)
-                                                     for p, w in zip(r, s) if p != UNJUDGED)))
-    worst = max(max(row) for row in wanted)
-    found = test.says("E: the worst", window, r"worst ([\d.]+) at \d+,\d+")
-    test.check("E: the worst is that of the pixels", found and abs(float(found[0]) - worst) < 0.01, f"{found} {worst}")
-    test.says("E: nothing is off by a step", window, "over one step 0")
-    window.keys("e")
-    test.shows("E: and the picture", window, mono)
-    window.close()
-
+# ---- Grid
 
 def grid_lines(window):
     """Columns and rows of the canvas in which the grid lies."""

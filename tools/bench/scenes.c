@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Writes the benchmark scenes as constant data, bench_scenes.h: what firmware without floating point includes. */
 #include "bench/bench.h"
-#include "cluster.h"
+#include "quantise.h"
 
 #include <stdio.h>
 

@@ -6,7 +6,7 @@
  */
 #include "bench.h"
 #include "choices.h"
-#include "cluster.h"
+#include "quantise.h"
 #include "judge.h"
 #include "library_geometry.h"
 #include "picture.h"

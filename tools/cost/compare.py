@@ -5,7 +5,8 @@ import os
 import re
 import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "tests", "board"))
+sys.path[:0] = [os.path.join(os.path.dirname(__file__), ".."), os.path.join(os.path.dirname(__file__), "..", "..", "tests", "board")]
+import png
 from qemu import Tally
 
 
@@ -22,7 +23,7 @@ def main():
     shown = set(re.findall(os.path.basename(kept) + r"/([\w.-]+\.png)", "".join(content(page).decode() for page in pages)))
     for name in names:
         path = os.path.join(kept, name)
-        tally.check(os.path.exists(path) and content(os.path.join(drawn, name)) == content(path),
+        tally.check(os.path.exists(path) and png.shown(content(os.path.join(drawn, name))) == png.shown(content(path)),
                     "%s is not what is drawn: make figures" % path)
         tally.check(name in shown, "%s do not show %s" % (pages, name))
     tally.check(shown <= set(names), "%s show what is not there: %s" % (pages, sorted(shown - set(names))))

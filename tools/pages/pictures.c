@@ -8,7 +8,7 @@
 #include "lines/lines.h"
 #include "meshes/torus576.h"
 #include "moving/moving.h"
-#include "output.h"
+#include "basics.h"
 #include "png.h"
 
 #include <stdio.h>

@@ -4,7 +4,7 @@
  * It is the window's canvas, after keys, without a window.
  */
 #include "window.h"
-#include "memory.h"
+#include "basics.h"
 #include "png.h"
 
 #include <stdio.h>

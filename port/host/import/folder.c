@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #define _XOPEN_SOURCE 700 /* POSIX of 2008: realpath, stat */
 
-#include "folder.h"
+#include "import.h"
 
 #include <limits.h>
 #include <stdio.h>

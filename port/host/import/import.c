@@ -6,12 +6,10 @@
  *
  * `glint` runs it in a process of its own, under limits, and trusts nothing that it prints.
  */
-#include "folder.h"
-#include "paint.h"
+#include "import.h"
 
 #include <assimp/cimport.h>
 #include <assimp/postprocess.h>
-#include <assimp/scene.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

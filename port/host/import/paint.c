@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "paint.h"
+#include "import.h"
 
 #include <assimp/material.h>
 #include <math.h>

@@ -6,8 +6,8 @@
 #include "glint_extras.h"
 #include "window.h"
 
-#include "memory.h"
-#include "number.h"
+#include "basics.h"
+#include "values.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file draw.c
- * The canvas: the picture or a map of it, magnified, the grid of tiles, the help, and the text beside (side.c).
+ * The canvas: the magnified picture, the grid of tiles, the help, and the text beside (side.c).
  */
 #include "window.h"
 
-#include "memory.h"
+#include "basics.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -42,10 +42,7 @@ static bool render(const window_state *state, const glint_scene *scene, window_f
     if (!view_draw(scene, &settings, &frame->target, &frame->stats, problem)) {
         return false;
     }
-    if (state->map == WINDOW_ERRORS) {
-        heat_find(&frame->heat, scene, &settings, &frame->target);
-    }
-    frame->picture = state->map == WINDOW_ERRORS ? heat_picture(&frame->heat) : expand(&frame->target);
+    frame->picture = expand(&frame->target);
     return true;
 }
 
@@ -63,7 +60,6 @@ bool window_render(const window_state *state, window_frame *frame, host_problem 
 void window_frame_free(window_frame *frame) {
     framebuffer_free(&frame->target);
     free(frame->picture);
-    heat_free(&frame->heat);
 }
 
 /* ---- Canvas ----------------------------------------------------------------------------------------------------- */

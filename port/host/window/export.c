@@ -5,7 +5,7 @@
  */
 #include "window.h"
 
-#include "convert.h"
+#include "command.h"
 #include "png.h"
 
 #include <stdio.h>

@@ -5,7 +5,7 @@
  */
 #include "window.h"
 
-#include "number.h"
+#include "values.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -48,7 +48,6 @@ const window_help window_helps[] = {
     {"D", "dithered, or not"},
     {"Q", "size of tiles"},
     {"Z", "grid of tiles"},
-    {"E", "map: errors against double precision"},
     {"A", "less arena (Shift: more), or the slider"},
     {"- =", "clock of the panel's bus down, up"},
     {"PgUp PgDn", "other scenes and shapes"},
@@ -286,6 +285,24 @@ static void change_frame(window_state *state, int by) {
     }
 }
 
+/** Keys that turn something on and off. @return whether it is one */
+static bool toggle_key(window_state *state, int key) {
+    window_changes *changes = &state->changes;
+    const struct {
+        int key;
+        bool *is_on;
+    } toggles[] = {{'G', &changes->dark},        {'T', &changes->squashed},    {'Y', &changes->shows_lights},
+                   {'B', &changes->lights_turn}, {' ', &changes->colours},     {'D', &state->settings.dither},
+                   {'Z', &state->grid},          {WINDOW_KEY_F1, &state->help}};
+    for (size_t i = 0; i < sizeof toggles / sizeof toggles[0]; i++) {
+        if (toggles[i].key == key) {
+            *toggles[i].is_on = !*toggles[i].is_on;
+            return true;
+        }
+    }
+    return false;
+}
+
 /** Keys of what is drawn. @return whether it is one */
 static bool scene_key(window_state *state, int key, bool fine) {
     window_changes *changes = &state->changes;
@@ -296,23 +313,8 @@ static bool scene_key(window_state *state, int key, bool fine) {
     case 'O':
         change_exponent(changes, fine ? -EXPONENT_FINE : -EXPONENT_STEP);
         return true;
-    case 'G':
-        changes->dark = !changes->dark;
-        return true;
     case 'H':
         changes->terms = (changes->terms + 1) % WINDOW_TERMS;
-        return true;
-    case 'T':
-        changes->squashed = !changes->squashed;
-        return true;
-    case 'Y':
-        changes->shows_lights = !changes->shows_lights;
-        return true;
-    case 'B':
-        changes->lights_turn = !changes->lights_turn;
-        return true;
-    case ' ':
-        changes->colours = !changes->colours;
         return true;
     case 'M':
         change_reflection(state);
@@ -352,17 +354,8 @@ static void show_key(window_state *state, int key, bool back) {
     case 'F':
         change_format(state, back);
         break;
-    case 'D':
-        state->settings.dither = !state->settings.dither;
-        break;
     case 'Q':
         change_tile(state, back);
-        break;
-    case 'Z':
-        state->grid = !state->grid;
-        break;
-    case 'E':
-        state->map = state->map == WINDOW_ERRORS ? WINDOW_PICTURE : WINDOW_ERRORS;
         break;
     case 'A':
         change_arena(state, back ? 0.1 : -0.1);
@@ -370,9 +363,6 @@ static void show_key(window_state *state, int key, bool back) {
     case '-':
     case '=':
         state->bus = step_within(state->bus, WINDOW_BUSES, key == '=');
-        break;
-    case WINDOW_KEY_F1:
-        state->help = !state->help;
         break;
     case WINDOW_KEY_F2:
         window_screenshot(state);
@@ -393,7 +383,7 @@ void window_key(window_state *state, int key, bool fine) {
         evaluate(&state->changes, key);
     } else if (key != 0 && key < 128 && strchr("IJKLNXC", key) != NULL) {
         light_key(state, key, fine);
-    } else if (!scene_key(state, key, fine)) {
+    } else if (!toggle_key(state, key) && !scene_key(state, key, fine)) {
         show_key(state, key, fine);
     }
 }

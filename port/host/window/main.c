@@ -6,8 +6,8 @@
  */
 #include "window.h"
 
+#include "basics.h"
 #include "command.h"
-#include "memory.h"
 
 #include <SDL.h>
 #include <stdio.h>

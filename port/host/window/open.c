@@ -5,9 +5,9 @@
  */
 #include "window.h"
 
+#include "basics.h"
 #include "command.h"
-#include "memory.h"
-#include "shapes.h"
+#include "model.h"
 
 #include <stdio.h>
 #include <stdlib.h>

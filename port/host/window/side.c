@@ -5,7 +5,7 @@
  */
 #include "window.h"
 
-#include "number.h"
+#include "values.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -128,29 +128,6 @@ static void print_rate(writer *to, const window_state *state, const window_frame
     print(to, ink, "SPI %g MHz: send %.1f ms", bus, (double)frame->target.bytes_sent * 8 / (bus * 1e3));
 }
 
-/* ---- What maps mean --------------------------------------------------------------------------------------------- */
-
-static void print_errors(writer *to, const window_frame *frame) {
-    const heat_map *heat = &frame->heat;
-    const int width = WINDOW_SIDE - 2 * WINDOW_MARGIN;
-    print_title(to, "Error, steps of a level");
-    for (int i = 0; i < width; i++) {
-        uint8_t colour[3];
-        heat_colour(3.0 * i / width, colour);
-        label_fill(to->canvas, to->x + i, to->y, 1, 14, colour);
-    }
-    to->y += 16;
-    for (int step = 0; step < 3; step++) {
-        const char digit[2] = {(char)('0' + step), '\0'};
-        label_text(to->canvas, digit, to->x + width * step / 3, to->y, 2, dim);
-    }
-    to->y += 2 * LABEL_LINE;
-    print(to, ink, "worst %.2f at %lu,%lu", heat->worst, (unsigned long)heat->worst_x, (unsigned long)heat->worst_y);
-    print(to, ink, "over half a step %ld", heat->over_half);
-    print(to, ink, "over one step %ld", heat->over_one);
-    print(to, dim, "of %ld pixels", heat->judged);
-}
-
 void window_draw_side(window_state *state, const window_frame *frame, const label_picture *canvas) {
     writer to = {canvas, (int)canvas->width - WINDOW_SIDE + WINDOW_MARGIN, WINDOW_MARGIN};
     window_scene built;
@@ -162,8 +139,5 @@ void window_draw_side(window_state *state, const window_frame *frame, const labe
     }
     print_frame(&to, state, frame);
     print_rate(&to, state, frame);
-    if (frame->heat.steps != NULL) {
-        print_errors(&to, frame);
-    }
     label_text(canvas, "F1: help", to.x, (int)canvas->height - 2 * LABEL_LINE - WINDOW_MARGIN, 2, dim);
 }

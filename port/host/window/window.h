@@ -7,9 +7,8 @@
 #ifndef GLINT_WINDOW_H
 #define GLINT_WINDOW_H
 
-#include "heat.h"
+#include "basics.h"
 #include "label.h"
-#include "output.h"
 #include "view.h"
 
 /** A tick of what turns by itself, milliseconds: the example scenes are made for 25 frames a second. */
@@ -30,12 +29,6 @@ enum {
     WINDOW_KEY_PAGE_DOWN,
     WINDOW_KEY_HOME,
 };
-
-/** What the picture shows. */
-typedef enum window_map {
-    WINDOW_PICTURE,
-    WINDOW_ERRORS, /**< How far each is from the reference. */
-} window_map;
 
 /** Which terms of the lights are drawn. */
 enum { WINDOW_BOTH, WINDOW_SPECULAR, WINDOW_DIFFUSE, WINDOW_TERMS };
@@ -78,7 +71,6 @@ typedef struct window_state {
     bool runs; /**< Whether the scene's frames follow each other. */
 
     window_changes changes;
-    window_map map;
     bool grid, help;
     double arena;      /**< From 0, the least that the scene takes, to 1, a single pass. */
     size_t bus;        /**< Of the list of clocks of a panel's bus. */
@@ -167,8 +159,7 @@ typedef struct window_frame {
     glint_stats stats;
     glint_need need;
     size_t arena;
-    uint8_t *picture; /**< 3 bytes a pixel: the picture, or the map. */
-    heat_map heat;    /**< Its `steps` is null where errors do not show. */
+    uint8_t *picture; /**< 3 bytes a pixel. */
 } window_frame;
 
 /** Draws the scene. @return false with a problem; nothing is then to be freed, else with window_frame_free */

@@ -1,0 +1,370 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file model.h
+ * Models: files, the materials that they name, and generated shapes.
+ */
+#ifndef GLINT_HOST_MODEL_H
+#define GLINT_HOST_MODEL_H
+
+#include "basics.h"
+#include "glint.h"
+#include "glint_extras.h"
+#include "mesh.h"
+#include "quantise.h"
+
+#include <stdint.h>
+
+/*
+ * Lines and tokens of Wavefront's text files, OBJ and MTL, and what is noted of them on the way.
+ *
+ * A statement is a line; a backslash at its end continues it on the next. `#` begins a comment. Line ends are LF, CRLF
+ * or CR.
+ */
+
+/** Bytes of a text, not terminated. */
+typedef struct text_token {
+    const char *start;
+    size_t length;
+} text_token;
+
+typedef struct text_reader {
+    const char *at, *end;
+    size_t line; /**< That `at` is on. */
+} text_reader;
+
+/** A reader at the first byte of a text, behind a byte order mark. */
+text_reader text_begin(const char *text, size_t length);
+
+/** The next token of the statement. @return false at its end, where a comment counts as one */
+bool text_next_token(text_reader *reader, text_token *token);
+
+/** What is left of the line without the blanks around it, comment included: names may hold blanks and `#`. */
+text_token text_rest_of_line(text_reader *reader);
+
+/** A copy ended by 0, for the caller to free; bytes of 0 within become '?'. */
+char *text_copy(text_token token);
+
+/** Skips what is left of a statement, its comment and its line end. */
+void text_skip_statement(text_reader *reader);
+
+bool text_token_is(text_token token, const char *word);
+
+bool text_same_token(text_token a, text_token b);
+
+/** Kinds of notes that this module knows of; an input's own are from TEXT_KINDS on. */
+enum {
+    TEXT_WORD,       /**< One note for each different word... */
+    TEXT_TEXTURE,    /**< ...and likewise for these... */
+    TEXT_MORE_WORDS, /**< ...and one for words of both beyond words_max. */
+    TEXT_KINDS
+};
+
+/** Where a kind, or a word of its own, was first seen. */
+typedef struct text_note {
+    int kind;
+    text_token word;
+    size_t line;
+    size_t more; /**< Times after the first. */
+} text_note;
+
+/** The notes of a text, in the order in which they were made. There are at most PROBLEM_WARNINGS_MAX. */
+typedef struct text_notes {
+    text_note list[PROBLEM_WARNINGS_MAX];
+    size_t count, word_count;
+    size_t words_max; /**< Different words that get a note of their own. */
+} text_notes;
+
+/** The note of a kind, or null. */
+text_note *text_find_note(text_notes *notes, int kind, text_token word);
+
+/** Counts what is not followed; words beyond the first few are counted together. */
+void text_note_add(text_notes *notes, int kind, text_token word, size_t line);
+
+/** Writes a warning for each note: its word, the text of its kind, and how often it was seen. */
+void text_notes_write(const text_notes *notes, const char *const texts[], host_warnings *warnings);
+
+/*
+ * Wavefront OBJ files.
+ *
+ * Read: `v` (3 coordinates; a weight after them is checked and skipped; a colour, 0 to 1, is kept when all have one),
+ * `vn`, `vt` (checked and skipped), and `f` with corners v, v/t, v//n or v/t/n, counting from 1 or, negative, back from
+ * the last one read; a corner may refer only to what stands before it. Polygons become triangles. `g` and `o` are
+ * counted. `usemtl` names the material of the faces after it and `mtllib` the files of materials: a name is the rest of
+ * its line. Comments, CRLF, lone CR, a backslash at a line's end that continues it, a byte order mark, and a last line
+ * without an end are all right. Smoothing groups and settings of other renderers are skipped.
+ *
+ * With a warning of each kind, at the first line of it: textures, elements other than faces, and words that are no
+ * keywords of the format are skipped with their line; an index left empty after a slash is taken as not given; when a
+ * colour is above 1, all are taken as 0 to 255; when only some positions have a colour, none is kept.
+ *
+ * What cannot be drawn is an error: no faces, indices of what is not there, words where numbers should be, and colours
+ * below 0 or above 255. In a file without faces it is the first word that is no keyword, for it is of another kind.
+ */
+
+/** Largest coordinate that is read; what Q16.16 holds is far less, but a model may be scaled first. */
+#define OBJ_COORDINATE_MAX 1e30
+
+/** Most bytes of a file, and most positions, normals and triangles: far more than microcontrollers hold. */
+#define OBJ_FILE_MAX 500000000u
+#define OBJ_ITEMS_MAX 4000000u
+
+/** Most corners of a face. */
+#define OBJ_CORNERS_MAX 65536u
+
+/** Most different materials that faces name. */
+#define OBJ_MATERIALS_MAX 1024
+
+/** Most different files of materials. */
+#define OBJ_LIBRARIES_MAX 64
+
+/** A name in the file, and its first line. */
+typedef struct obj_name {
+    char *text; /**< Ended by 0; bytes of 0 within are shown as '?'. */
+    size_t line;
+} obj_name;
+
+/** Slots to find a name by: twice the most of them. */
+#define OBJ_NAME_SLOTS 2048
+
+/** Different names in the order of the file; owns them. */
+typedef struct obj_names {
+    uint16_t slots[OBJ_NAME_SLOTS]; /**< The place of a name plus one, by hash; 0 for free. */
+    obj_name *list;
+    size_t count, capacity;
+} obj_names;
+
+/** What the file says of materials; zeroed it is empty. */
+typedef struct obj_materials {
+    obj_names used;      /**< Names of usemtl: triangles of a mesh have 1 for the first of them. */
+    obj_names libraries; /**< Of mtllib: a file's name, or several with blanks between them. */
+} obj_materials;
+
+/**
+ * Reads a model from memory. Corners without a normal, or whose normal is of length 0, get MESH_NO_NORMAL.
+ * @param text `length` bytes, any, not terminated
+ * @param mesh set up, whatever it held before; the caller frees it with mesh_free
+ * @param materials set, whatever it held before; the caller frees it with obj_materials_free
+ * @param warnings set, in the order of their lines but for the colours'
+ * @return false with a problem; nothing is then to be freed
+ */
+bool obj_read(const char *text, size_t length, host_mesh *mesh, obj_materials *materials, host_warnings *warnings,
+              host_problem *problem);
+
+/** Frees what obj_materials owns and makes it empty. */
+void obj_materials_free(obj_materials *materials);
+
+/*
+ * Wavefront MTL files: the materials of an OBJ file.
+ *
+ * Read: `newmtl`, whose name is the rest of its line; `Ka`, `Kd`, `Ks` and `Ke`, with three numbers or one for all
+ * channels; `Ns`; `illum` 0 to 2. With a warning of each kind, at its first line: `illum` 3 to 10 counts as 2, `d`
+ * below 1, `Tr` above 0 and `Tf` other than 1 are skipped, as are textures, numbers out of range, what stands before
+ * the first `newmtl`, and other words. `Ni`, which says nothing of an opaque surface, and `d 1` are skipped without.
+ */
+
+/** Largest channel of a colour: the library's. */
+#define MTL_COLOUR_MAX 16.0
+
+/** Largest exponent: what Q16.16 holds. */
+#define MTL_SHININESS_MAX 32767.0
+
+/** Most bytes of a file, and most materials. */
+#define MTL_FILE_MAX 4000000u
+#define MTL_MATERIALS_MAX 65536u
+
+/** What of a material the file gives. */
+enum {
+    MTL_AMBIENT = 1,
+    MTL_DIFFUSE = 2,
+    MTL_SHININESS = 4,
+};
+
+/** A material as it stands in the file. */
+typedef struct mtl_material {
+    char *name;         /**< Ended by 0; bytes of 0 within are shown as '?'. */
+    double ambient[3];  /**< Ka. */
+    double diffuse[3];  /**< Kd. */
+    double specular[3]; /**< Ks; 0 when not given. */
+    double emission[3]; /**< Ke; 0 when not given. */
+    double shininess;   /**< Ns. */
+    int illumination;   /**< illum: 0, 1 or 2, which holds when not given. */
+    unsigned given;     /**< Bits of the enumeration above. */
+} mtl_material;
+
+/** Owns its materials; zeroed it has none. */
+typedef struct mtl_library {
+    mtl_material *list;
+    size_t count, capacity;
+} mtl_library;
+
+/**
+ * Adds the materials of a file in memory to a library: any bytes will do, nothing in them is an error.
+ * @param warnings set, in the order of their lines
+ */
+void mtl_read(const char *text, size_t length, mtl_library *library, host_warnings *warnings);
+
+/** Frees what a library owns and makes it empty. */
+void mtl_free(mtl_library *library);
+
+/*
+ * The materials of a model: from the names in an OBJ file to what its MTL files say, and to the library's own.
+ */
+
+/** A file of materials that was read. */
+typedef struct host_library {
+    char *path;
+    uint64_t hash; /**< FNV-1a, 64 bits, of its bytes. */
+    host_warnings warnings;
+} host_library;
+
+/** Owns its arrays; zeroed it has no materials. */
+typedef struct host_materials {
+    mtl_library all;
+    size_t *used; /**< Triangles of material i are of all.list[used[i - 1]]; those of material 0 are of none. */
+    size_t used_count;
+    host_library *libraries;
+    size_t library_count, library_capacity;
+} host_materials;
+
+/**
+ * Reads the MTL files that a model names, from its folder, and gives its triangles the materials that these define:
+ * numbers that count from 1. Of several materials of one name the first holds. A name that none has leaves its
+ * triangles without a material.
+ * @param model the model's path
+ * @param mesh its triangles are numbered as `named` has it, and then as `materials` has it
+ * @param materials set, whatever it held before; the caller frees it with materials_free
+ * @param warnings what is missing is added to these
+ */
+void materials_load(const char *model, const obj_materials *named, host_mesh *mesh, host_materials *materials,
+                    host_warnings *warnings);
+
+/**
+ * Gives the triangles of a mesh the materials of `materials->all`, by the names that they have; the rest as above.
+ * @param materials with no material in use
+ */
+void materials_name(const obj_materials *named, host_mesh *mesh, host_materials *materials, host_warnings *warnings);
+
+/** The material of a number; null for 0. */
+const mtl_material *materials_find(const host_materials *materials, uint32_t number);
+
+/** Prints the warnings of the MTL files, a line each. */
+void materials_print_warnings(const host_materials *materials);
+
+/** Frees what materials_load made. */
+void materials_free(host_materials *materials);
+
+/*
+ * The library's generators under names such as `torus:24x12` or `cone:32x4:1,2`, taken wherever a model file is: a
+ * name, its counts unless it has none, and its sizes unless they are the usual ones.
+ */
+
+/** Most sizes of a shape. */
+#define SHAPE_SIZES_MAX 3
+
+/** What can be generated. */
+typedef struct host_shape {
+    const char *name;    /**< What stands before the first colon. */
+    const char *syntax;  /**< What stands after the name. */
+    const char *help;    /**< What counts and sizes mean, in a few words. */
+    uint32_t least[2];   /**< Smallest value of each count; 0 when the shape has none. */
+    uint32_t size_count; /**< How many sizes it has. */
+    double sizes[SHAPE_SIZES_MAX];
+    /** Calls the generator; what it returns is the library's. */
+    glint_status (*generate)(glint_mesh *mesh, const glint_mesh_room *room, const uint32_t counts[2],
+                             const glint_q16 sizes[SHAPE_SIZES_MAX]);
+} host_shape;
+
+/** All shapes, ended by one without a name. */
+extern const host_shape host_shapes[];
+
+/** The shape that a model's name begins with, or null when it is a file's name. */
+const host_shape *shape_find(const char *name);
+
+/**
+ * Generates the mesh of a name that shape_find knows, and reads it back.
+ * @return false with a problem when counts or sizes are bad; nothing is then to be freed
+ */
+bool shape_make(const host_shape *shape, const char *name, host_mesh *mesh, host_problem *problem);
+
+/* ---- A program run under limits, for what may crash, hang, or eat memory. Takes POSIX ---- */
+
+/** What a program may take. */
+typedef struct child_limits {
+    unsigned seconds;   /**< Of time that passes, and of a core's. */
+    unsigned megabytes; /**< Of memory, in units of 2^20 bytes. */
+    size_t output;      /**< Bytes that it may print. */
+} child_limits;
+
+/**
+ * Runs a program, which reads nothing, and keeps what it prints on stdout. It can write
+ * nothing into files. It is over when this
+ * returns, whatever it did.
+ * @param arguments the program, with or without its folder as for execvp, what it takes, and a null pointer
+ * @param out set; the caller frees its data
+ * @return false with a problem of line 0 when it could not be run, did not end in time, printed too much, was ended by
+ *         a signal, or has an exit status other than 0: then it says what its first line on stderr does; nothing is
+ *         then to be freed
+ */
+bool child_run(char *const arguments[], const child_limits *limits, host_bytes *out, host_problem *problem);
+
+/*
+ * Models in other formats than OBJ, by the program glint-import (port/host/import), which is there where libassimp-dev
+ * was when `make` ran. It runs under limits, and what it prints is read as any OBJ file is. Takes POSIX.
+ */
+
+/** Whether a file's name has an ending, and that is not .obj, in letters of either case. */
+bool importer_takes(const char *name);
+
+/**
+ * Loads a model. Positions that are the same, and have the same colour, become one. The environment variable
+ * GLINT_IMPORT names the program to run; else it is glint-import in the folder of this one.
+ * @param mesh set up, whatever it held before; the caller frees it with mesh_free
+ * @param materials set, whatever it held before; the caller frees it with materials_free
+ * @param warnings set
+ * @return false with a problem of line 0; nothing is then to be freed
+ */
+bool importer_load(const char *name, const child_limits *limits, host_mesh *mesh, host_materials *materials,
+                   host_warnings *warnings, host_problem *problem);
+
+/* ---- A model by its name on the command line: a file or a generated shape ---- */
+
+/** What becomes of a model when it is loaded. */
+typedef struct load_options {
+    double crease; /**< As for mesh_average_normals. */
+    mesh_weights weights;
+    bool facets;          /**< Facet normals in place of averages. */
+    bool repair;          /**< Turn triangles that are wound the wrong way. */
+    quantise_types types; /**< How the mesh is stored. */
+    bool plain;           /**< Without clusters, in the order of the model. */
+    double weld;          /**< Distance within which positions become one; below 0 for not at all. */
+    size_t simplify;      /**< Most triangles; 0 for as many as there are. */
+    child_limits import;  /**< For what reads other formats than OBJ. */
+} load_options;
+
+/** A model with normals at every corner. */
+typedef struct host_model {
+    host_mesh mesh;
+    host_materials materials; /**< As the triangles number them. */
+    uint64_t hash;            /**< FNV-1a, 64 bits, of the file's bytes, or of a shape's name. */
+    size_t corner_count;      /**< Corners of all triangles... */
+    size_t given_normals;     /**< ...and those of them whose normal came with the model. */
+    size_t welded_count;      /**< Positions that became one with others. */
+    size_t read_count;        /**< Triangles before the model was simplified... */
+    double error;             /**< ...and by how much it moved, in the file's units. */
+    size_t turned_count;      /**< Triangles turned by the repair. */
+    host_warnings warnings;
+    double low[3], high[3]; /**< Its box, as options have it (view.h). */
+    double fit;             /**< By what it was then scaled to fit; 1 for not at all. */
+    host_problem note;      /**< That says so; empty for not at all. */
+} host_model;
+
+/**
+ * Loads a model and makes the normals that are missing.
+ * @return false with a problem; nothing is then to be freed, else the model with model_free
+ */
+bool load_model(const char *name, const load_options *options, host_model *model, host_problem *problem);
+
+/** Frees what load_model made. */
+void model_free(host_model *model);
+
+#endif
