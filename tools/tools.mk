@@ -108,7 +108,7 @@ chart-figures: $(CHART_TABLES) $(BUILD)/shading.csv $(BUILD)/arena.csv
 
 chart:
 	@tools/setup.sh
-	@python3 tools/chart/chart.py
+	@python3 tools/chart/chart.py $(BUILD)/chart
 
 test-chart: ## charts and figures in pages against the CSV files kept in docs
 	@python3 tools/chart/chart.py --check $(BUILD)/chart

@@ -1,25 +1,37 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws the charts of docs/charts and fills the figures into docs/accuracy.md and other pages: chart.py [--check DIRECTORY]
+"""Draws the charts of docs/charts and fills the figures into docs/accuracy.md and other pages: chart.py [--check] DIRECTORY
 
-With --check the charts are drawn into DIRECTORY and held against those kept, and the pages against what they should say.
+DIRECTORY gets the rows that the gnuplot scripts beside this file draw. With --check the charts are drawn there too and held
+against those kept, and the pages against what they should say.
 """
 import argparse
 import html
 import os
 import re
+import subprocess
 import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from charts import CHARTS
-from figures import Figures
-from page import PAGES, fill
-from plot import overlap, text_width
-
-sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "tests", "board"))
-from qemu import Tally
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.join(HERE, ".."), os.path.join(HERE, "..", "..", "tests", "board")]
+from figures import Figures  # noqa: E402
+from page import PAGES, fill  # noqa: E402
+from qemu import Tally  # noqa: E402
+from series import CHARTS  # noqa: E402
 
 DATA, KEPT = "docs", "docs/charts"
+
+TITLES = {
+    "power": "cos^p, p = 64: error over instructions",
+    "normalise": "One over a square root, and unit vectors: error over instructions",
+    "frames": "Whole frames of torus2304 at 320x240: PSNR over instructions",
+    "frames-scenes": "The other benchmark scenes on Cortex-M3: PSNR over instructions",
+    "exponent": "cos^p: error over the exponent p (thick: the library's)",
+    "shading": "A torus with a highlight (p = 50), 320x240: error against the true smooth surface",
+    "scaling": "How the cost of a frame grows (lines: straight, fitted to the points)",
+    "bus": "Time of a frame in RGB565: what the core takes against what the bus takes",
+    "arena": "What a smaller arena costs, Cortex-M3",
+    "lights": "torus576 at 320x240: glint on Cortex-M3, good float on Cortex-M4 with FPU"}
 
 
 def text_of(path):
@@ -32,51 +44,64 @@ def write(path, text):
         file.write(text)
 
 
-def draw(figures, directory):
-    os.makedirs(directory, exist_ok=True)
-    for name, chart in CHARTS.items():
-        write(os.path.join(directory, name + ".svg"), chart(figures))
+def quoted(words):
+    return " ".join('\\"%s\\"' % word for word in dict.fromkeys(words))
+
+
+def draw(name, rows, directory):
+    """@return the SVG that a chart's script draws of its rows"""
+    data = os.path.join(directory, name + ".tsv")
+    write(data, "".join("%s\t%s\t%.9g\t%.9g\n" % row for row in rows))
+    variables = 'data = "%s"; heading = "%s"; panels = "%s"; series = "%s"' % (
+        data, TITLES[name], quoted(row[0] for row in rows), quoted(row[1] for row in rows))
+    drawn = subprocess.run(["gnuplot", "-e", variables, os.path.join("tools/chart", name + ".gp")], capture_output=True, text=True,
+                           check=True)
+    svg = drawn.stdout.replace('font-family="DejaVu Sans"', 'font-family="DejaVu Sans,Verdana,Helvetica,sans-serif"')
+    return "\n".join(line.rstrip() for line in svg.splitlines() if line.strip()) + "\n"
 
 
 def texts(svg):
-    """@return the box of every level text in an SVG by gnuplot, and the text"""
+    """@return the box of every level text in an SVG by gnuplot, and the text; a letter is 0.6 of its height wide, on average"""
     pattern = (r'<g transform="translate\(([-\d.]+),([-\d.]+)\)"[^>]* font-size="([\d.]+)"\s*text-anchor="(\w+)">\s*'
                r'<text>([^<]*)</text>')
     for x, y, size, anchor, text in re.findall(pattern, svg):
-        width, height = text_width(html.unescape(text), float(size)), float(size)
+        width, height = 0.6 * float(size) * len(html.unescape(text)), float(size)
         left = float(x) - width * {"start": 0, "middle": 0.5, "end": 1}[anchor]
         yield (left, float(y) - 0.8 * height, left + width, float(y)), text
+
+
+def overlap(a, b):
+    """Returns whether two boxes (left, top, right, bottom) share an area."""
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
 
 
 def check_readable(tally, name, svg):
     placed = list(texts(svg))
     pairs = [(a[1], b[1]) for i, a in enumerate(placed) for b in placed[:i] if overlap(a[0], b[0])]
     tally.check(placed and not pairs, "%s: texts cover each other: %s" % (name, pairs))
-
-
-def check(figures, directory):
-    tally = Tally()
-    draw(figures, directory)
-    for name in CHARTS:
-        drawn, kept = (os.path.join(place, name + ".svg") for place in (directory, KEPT))
-        tally.check(text_of(drawn) == text_of(kept), "%s is not what `make figures` draws: %s" % (kept, drawn))
-        check_readable(tally, kept, text_of(kept))
-    for path, blocks in PAGES.items():
-        tally.check(fill(text_of(path), blocks, figures) == text_of(path), "%s: run `make figures`" % path)
-    return tally.close()
+    width = int(re.search(r'<svg\s+width="(\d+)"', svg)[1])
+    beyond = [text for box, text in placed if box[0] < 0 or box[2] > width]
+    tally.check(not beyond, "%s: texts leave the chart: %s" % (name, beyond))
 
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("--check", metavar="DIRECTORY")
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("directory")
     arguments = parser.parse_args()
-    figures = Figures(DATA)
-    if arguments.check:
-        return check(figures, arguments.check)
-    draw(figures, KEPT)
+    figures, tally = Figures(DATA), Tally()
+    os.makedirs(arguments.directory, exist_ok=True)
+    for name, rows_of in CHARTS.items():
+        kept, svg = os.path.join(KEPT, name + ".svg"), draw(name, rows_of(figures), arguments.directory)
+        write(os.path.join(arguments.directory, name + ".svg") if arguments.check else kept, svg)
+        tally.check(text_of(kept) == svg, "%s is not what `make figures` draws" % kept)
+        check_readable(tally, kept, svg)
     for path, blocks in PAGES.items():
-        write(path, fill(text_of(path), blocks, figures))
-    return 0
+        now, filled = text_of(path), fill(text_of(path), blocks, figures)
+        if not arguments.check:
+            write(path, filled)
+        tally.check(not arguments.check or now == filled, "%s: run `make figures`" % path)
+    return tally.close()
 
 
 if __name__ == "__main__":
