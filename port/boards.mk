@@ -136,7 +136,6 @@ STACK_endurance   := 5120
 PROGRAM_frames    := tools/bench/frames.c
 METHODS           := $(addprefix tests/methods/,methods.c power.c normalise.c)
 PROGRAM_methods   := tools/bench/methods.c $(METHODS)
-PROGRAM_profile   := tools/profile/profile.c
 PROGRAM_scaling   := tools/scaling/scaling.c
 
 # These measure, and are not for a board to run.
@@ -183,7 +182,7 @@ FIRMWARE := $(patsubst %,$(BUILD)/%.elf, \
     $(COLOUR_BOARDS:%=%/O2/animate) $(addprefix mps2-an385/O2/,compose moving own_flush) \
     $(foreach board,$(FAULT_BOARDS),$(board)/release/faults-$(board)) pico/release/unit-pico $(UNIT_8K_BOARDS:%=%/release/unit-8k) \
     mps2-an385/O2/power_cut mps2-an385/O2/endurance $(MEASURED:%=%/O2/methods) \
-    $(foreach board,mps2-an385 mps2-an385-m0,$(board)/O2/profile $(board)/O2/scaling))
+    $(foreach board,mps2-an385 mps2-an385-m0,$(board)/O2/scaling))
 MEASURING := $(patsubst %,$(BUILD)/%.elf,$(MEASURED:%=%/O2/workloads) $(MEASURED:%=%/O2/frame_board) \
     $(foreach board,mps2-an385 mps2-an385-m0 mps2-an386 mps2-an386-m4f,$(board)/O2/loops) mps2-an386-m4f/O2/float \
     mps2-an385/O2/animate-marked netduinoplus2/O2/animate-marked-polled mps2-an385/O2/shading_board mps2-an385/O2/arena_board \
@@ -245,7 +244,7 @@ $(FIRMWARE) $(MEASURING): $(BUILD)/%.elf: $$(call objects,$$(@D),$$(call firmwar
 
 # These read the benchmark's scenes, which a program of this machine writes.
 $(foreach folder,$(filter %/Os %/O2,$(FOLDERS)),$(addprefix $(BUILD)/$(folder)/tools/,bench/frames.o bench/workloads.o \
-    chart/frame_board.o chart/arena_board.o profile/profile.o scaling/scaling.o)): $(BUILD)/bench/bench_scenes.h
+    chart/frame_board.o chart/arena_board.o scaling/scaling.o)): $(BUILD)/bench/bench_scenes.h
 $(BUILD)/mps2-an385/O2/tools/chart/arena_board.o: $(BUILD)/bench/spot.h
 $(BUILD)/mps2-an386-m4f/O2/%.o: FIRMWARE_CFLAGS += -Itools/bench -Itools/bench/float
 

@@ -39,7 +39,7 @@ $(CYCLES_PLUGIN): $(wildcard tools/cycles/*.c tools/cycles/*.h)
 test-cycles: $(CYCLES_PLUGIN) $(call core_elfs,m0 m3 m4 m4f,loops) ## loops whose cycles are counted by hand, against the model of cores
 	@python3 tests/cycles/loops.py --qemu $(QEMU) --plugin $(CYCLES_PLUGIN) $(call machine_runs,m0 m3 m4 m4f,loops)
 
-.PHONY: bench bench-diff profile scaling
+.PHONY: bench bench-diff scaling
 BENCH_CORES := m3 m0 m4 rv32
 $(BUILD)/bench.csv: $(foreach program,frames workloads methods,$(call core_elfs,$(BENCH_CORES),$(program))) $(call core_elf,m4f,float) \
         $(CYCLES_PLUGIN) $(wildcard tools/bench/*.py tools/cycles/*.py) tests/board/qemu.py
@@ -52,10 +52,6 @@ bench: $(BUILD)/bench.csv ## count the instructions of whole frames of every kin
 
 bench-diff: $(BUILD)/bench.csv ## what changed against docs/bench.csv; fails when anything did
 	@python3 tools/bench/table.py $< --against docs/bench.csv
-
-profile: $(call core_elfs,m3 m0,profile) ## instructions per stage and unit of one frame of each benchmark scene (FUNCTIONS=1: per function)
-	$(Q)python3 tools/profile/profile.py --qemu $(QEMU) --nm $(CROSS)nm $(if $(FUNCTIONS),--functions) \
-	    --output $(BUILD)/profile.csv $(call core_runs,m3 m0,profile)
 
 $(BUILD)/scaling.csv: $(call core_elfs,m3 m0,scaling) tools/scaling/scaling.py tools/bench/emulate.py
 	$(Q)python3 tools/scaling/scaling.py --qemu $(QEMU) --output $@ $(call core_runs,m3 m0,scaling)
