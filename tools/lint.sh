@@ -60,7 +60,7 @@ tidy() {
     tidy_files "-Isrc -Iport -Iport/libc $(arm_fpu)" 'tests/cycles/*.c' || status=1
     tidy_files "-Isrc -Iport -Iport/libc -Itools/bench -Itools/bench/float -I$bench $(arm_fpu)" 'tools/bench/float/*.c' || status=1
     tidy_files "-Isrc -Iport -Iport/host -Iport/web -Iexamples -Iexamples/bench -Itests -Itests/reference -Itests/image -Itests/unit -Itools/bench -Itools/bench/float" \
-        'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' 'examples/scenes/*.c' 'tools/chart/*.c' 'tools/mutants/*.c' ':!tests/proof' ':!tests/cycles' ':!tests/adapters' ':!tests/packages' ':!tests/view' \
+        'tests/*.c' 'examples/turntable/*.c' 'examples/bench/*.c' 'examples/scenes/*.c' 'tools/chart/*.c' ':!tests/proof' ':!tests/cycles' ':!tests/adapters' ':!tests/packages' ':!tests/view' \
         ':!tests/stack' ':!tests/board/faults.c' ':!tools/chart/*_board.c' ':!tests/*/*_board.c' ':!tests/board/pattern.c' ':!tests/board/unit.c' || status=1
     return $status
 }
@@ -137,14 +137,8 @@ readme() {
             <(awk '/@code$/ { on = 1; next } /@endcode$/ { exit } on' src/glint.h | sed -E 's/^ \* ?//')
 }
 
-# The figures that explain the default size of a tile are those of the benchmark.
-tile_sizes() {
-    python3 tools/bench/tiles.py --page docs/design.md docs/bench.csv docs/bench-arena.csv
-}
-
 check format format
 check readme readme
-check tile-sizes tile_sizes
 check licence licence
 check reuse reuse_all
 check version tools/version.sh

@@ -39,6 +39,7 @@ look() {
     need gcc-riscv64-unknown-elf riscv64-unknown-elf-gcc
     need qemu-system-misc qemu-system-riscv32
     need gnuplot-nox gnuplot
+    need bsdextrautils column
     need nodejs node
     need npm npm
     need cmake cmake

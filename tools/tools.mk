@@ -48,10 +48,10 @@ $(BUILD)/bench.csv: $(foreach program,frames workloads methods,$(call core_elfs,
 	    --float $(call machine_runs,m4f,float) --methods $(call machine_runs,$(BENCH_CORES),methods)
 
 bench: $(BUILD)/bench.csv ## count the instructions of whole frames of every kind of scene, and of methods; writes build/bench.csv
-	@python3 tools/bench/table.py $<
+	@column -s , -t $<
 
 bench-diff: $(BUILD)/bench.csv ## what changed against docs/bench.csv; fails when anything did
-	@python3 tools/bench/table.py $< --against docs/bench.csv
+	@git --no-pager diff --no-index --word-diff=plain --word-diff-regex='[^,]+' -U0 docs/bench.csv $<
 
 $(BUILD)/scaling.csv: $(call core_elfs,m3 m0,scaling) tools/scaling/scaling.py tools/bench/emulate.py
 	$(Q)python3 tools/scaling/scaling.py --qemu $(QEMU) --output $@ $(call core_runs,m3 m0,scaling)
@@ -178,14 +178,11 @@ test-pages: $(HOST_TOOLS)/page_pictures $(WINDOW_PICTURE) ## the pictures of doc
 # ---- this order: what is measured, what is written from that, and the page, which holds both.
 
 FIGURES := unit-tables chart-figures scaling gallery features options-page stability boards-page cost-pictures page-pictures \
-    demo-picture proofs-page chart tile-tables web web-picture
-.PHONY: figures tile-tables options-page
+    demo-picture proofs-page chart web web-picture
+.PHONY: figures options-page
 figures: ## after a changed pixel: measure, draw and write anew all that pages show and that tests compare
 	@tools/setup.sh
 	+@for step in $(FIGURES); do printf '######## %s\n' $$step; $(MAKE) --no-print-directory $$step || exit 1; done
-
-tile-tables:
-	$(Q)python3 tools/bench/tiles.py --page docs/design.md --write docs/bench.csv docs/bench-arena.csv
 
 options-page: single
 	@python3 tests/packages/options.py --build $(BUILD) --write

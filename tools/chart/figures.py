@@ -65,6 +65,7 @@ class Figures:
         self.counts = read(directory, "frame-instructions.csv")
         self.others = read(directory, "other-libraries.csv")
         self.bench = read(directory, "bench.csv")
+        self.bench_arena = read(directory, "bench-arena.csv")
         self.accuracy = read(directory, "accuracy.csv")
         self.shading = read(os.path.join(directory, "charts"), "shading.csv")
         self.scaling = read(os.path.join(directory, "charts"), "scaling.csv")

@@ -399,6 +399,30 @@ light_findings = findings((each_light_takes, always), (few_and_many_lights, alwa
 
 shading_findings = findings((fragments_need_fewer, always))
 
+# Of tables of tile sizes and of shares of the arena: sizes, shares, meshes, and how variants of SCENE begin.
+TILES, SHARES = ("16x16", "32x16", "32x32", "64x32", "64x64"), ("half", "quarter", "sixteenth")
+MESHES, VARIANT = ("torus576", "sphere960", "torus2304", "torus9216"), "320x240 local "
+
+
+def tile_sizes(figures):
+    rows = [["million instructions, " + title] + ["%.2f" % (int(one(figures.bench, kind="frame", name=SCENE, cpu=cpu,
+                                                                    variant=VARIANT + tile)["instructions"]) / 1e6) for tile in TILES]
+            for cpu, title in (("m3", "Cortex-M3"), ("m0", "ARMv6-M"))]
+    rows.append(["smallest arena, bytes"] + [one(figures.bench_arena, name=SCENE, variant=VARIANT + tile)["least"] for tile in TILES])
+    return table(["%s at 320x240" % SCENE, *TILES], rows)
+
+
+def arena_shares(figures):
+    """Instructions in a part of the arena, over those where all is drawn in one pass."""
+    rows = []
+    for mesh in MESHES:
+        whole, *parts = (int(one(figures.bench, kind="frame", name=mesh, cpu="m3", variant=VARIANT + "32x32" + share)["instructions"])
+                         for share in ("", *(" " + share for share in SHARES)))
+        rows.append([mesh, one(figures.bench_arena, name=mesh, variant=VARIANT + "32x32")["one_pass"]] +
+                    ["%.1f" % (part / whole) for part in parts])
+    return table(["320x240, Cortex-M3", "one pass, bytes", *SHARES], rows)
+
+
 POWERS = ("1", "8", "64", "256", "1024")
 
 PAGES = {
@@ -410,6 +434,7 @@ PAGES = {
         "power": methods("power", "64", POWERS),
         "breaks": breaks, "normalise": methods("normalise", "", ())},
     "docs/cost.md": cost.BLOCKS,
+    "docs/design.md": {"tile sizes": tile_sizes, "arena shares": arena_shares},
     "docs/boards.md": {"times": timing.frame_times},
 }
 
