@@ -209,19 +209,17 @@ doxygen: ## the public headers as pages, in build/doxygen/html; what is not docu
 	@mkdir -p $(BUILD)/doxygen
 	@doxygen tools/doxygen/Doxyfile
 
-# ---- Single changes to src/ and port/panel/ that some suite should notice. Not part of `make test`: to compile and time all
-# ---- suites takes minutes, a mutant seconds, a survivor a minute.
+# ---- Single changes to src/ and port/panel/ that some suite should notice. Not part of `make test`: to build and time all
+# ---- suites takes minutes, a mutant seconds, a survivor minutes.
 
 # How many are judged, in the order of a seed; files of src/ and port/panel/ that they are in, all unless some are named.
 MUTANTS       ?= 20
 MUTANTS_SEED  ?= 1
 MUTANTS_FILES ?=
 MUTANTS_JOBS  ?= $(shell nproc)
-# Which suite comes first follows from the time that they take, and from what they noticed before.
-MUTANTS_SUITES := $(filter-out parts motion corners rooms,$(TEST_SUITES)) stability_kept stability_regions $(PANEL_SUITES)
-# A suite's sources, with the harness that ends at the first failed check, and the judge of images that remembers.
-mutants_sources = tools/mutants/harness.c $(patsubst tests/image/judge.c,tools/mutants/judge.c,$(filter-out $(TEST_HARNESS),$1))
+# What judges the library; quick suites come first. Drivers of panels are judged by the suites of panels.
+MUTANTS_SUITES := $(filter-out parts motion corners rooms,$(TEST_SUITES)) stability_kept stability_regions
 mutants: ## change MUTANTS places of src/ and port/panel/, one at a time, from MUTANTS_SEED (MUTANTS_FILES: only there): does a suite notice?
 	@python3 tools/mutants/mutants.py --build $(BUILD)/mutants --known tools/mutants/known.csv --count $(MUTANTS) \
-	    --seed $(MUTANTS_SEED) --jobs $(MUTANTS_JOBS) --compiler "$(CC)" --flags "-std=c99 $(TEST_INCLUDES)" \
-	    $(foreach suite,$(MUTANTS_SUITES),--suite "$(suite)=$(call mutants_sources,$(call suite_sources,$(suite)))") --files $(MUTANTS_FILES)
+	    --seed $(MUTANTS_SEED) --jobs $(MUTANTS_JOBS) --library $(MUTANTS_SUITES:%=build/tests/host/%) \
+	    --panels $(PANEL_SUITES:%=build/tests/host/%) --files $(MUTANTS_FILES)
