@@ -56,12 +56,12 @@ coverage-programs:
 	@$(COVERAGE_PROGRAMS)/host/glint-import >/dev/null 2>&1; true
 	+@$(COVERAGE_MAKE) test-host-cli test-view
 
-COVERAGE_PROFILES := $(foreach build,$(COVERAGE_BUILDS),$(COVERAGE)/$(build)=$(COVERAGE)/$(build)/unit) \
-    $(COVERAGE)/panel=$(COVERAGE)/panel/bus
-COVERAGE_JUDGE := python3 tools/coverage/coverage.py $(if $(GAPS),--gaps)
+# $(call coverage_judge,folder,least % of lines,branches and conditions,folders of profiles,programs)
+coverage_judge = @tools/coverage/report.sh $(COVERAGE)/report/$1 $1 $2 "$3" $4
 .PHONY: coverage coverage-library coverage-programs $(COVERAGE_LIBRARY)
-coverage: $(COVERAGE_LIBRARY) coverage-programs ## what tests reach: lines, branches and MC/DC of the library, panel drivers and host programs (GAPS=1: what they do not)
-	@$(COVERAGE_JUDGE) $(COVERAGE_PROFILES) $(COVERAGE_PROGRAMS)=$(subst $() $(),$(comma),$(COVERAGE_HOST))
+coverage-library: $(COVERAGE_LIBRARY) ## what tests reach: lines, branches and MC/DC of the library and panel drivers; build/coverage/report/ shows what they do not
+	$(call coverage_judge,src,95 90 80,$(COVERAGE_BUILDS:%=$(COVERAGE)/%),$(COVERAGE_BUILDS:%=$(COVERAGE)/%/unit))
+	$(call coverage_judge,port/panel,100 100 100,$(COVERAGE)/panel,$(COVERAGE)/panel/bus)
 
-coverage-library: $(COVERAGE_LIBRARY) ## the same of the library and panel drivers alone
-	@$(COVERAGE_JUDGE) $(COVERAGE_PROFILES)
+coverage: coverage-library coverage-programs ## the same, and lines of the host programs
+	$(call coverage_judge,port/host,98 0 0,$(COVERAGE_PROGRAMS),$(COVERAGE_HOST))
