@@ -112,16 +112,16 @@ static glint_status measure_variant(uint32_t which, const variant *v, measured *
 static void report(const char *name, const variant *v, const measured *result) {
     board_write(name);
     board_write(",");
-    measure_write_number(v->width, "x");
-    measure_write_number(v->height, v->viewer == GLINT_VIEWER_LOCAL ? " local " : " infinite ");
-    measure_write_number(v->tile_width, "x");
-    measure_write_number(v->tile_height, v->changes      ? " changes,"
-                                         : v->anew       ? " anew,"
-                                         : v->plain      ? " plain,"
-                                         : v->share == 8 ? " half,"
-                                         : v->share == 4 ? " quarter,"
-                                         : v->share      ? " sixteenth,"
-                                                         : ",");
+    write_number(v->width, "x");
+    write_number(v->height, v->viewer == GLINT_VIEWER_LOCAL ? " local " : " infinite ");
+    write_number(v->tile_width, "x");
+    write_number(v->tile_height, v->changes      ? " changes,"
+                                 : v->anew       ? " anew,"
+                                 : v->plain      ? " plain,"
+                                 : v->share == 8 ? " half,"
+                                 : v->share == 4 ? " quarter,"
+                                 : v->share      ? " sixteenth,"
+                                                 : ",");
     measure_write(result, BENCH_FRAMES);
 }
 

@@ -8,10 +8,8 @@
 #define GLINT_BENCH_MEASURE_H
 
 #include "../cycles/marks.h"
-#include "board.h"
 #include "counter.h"
 #include "glint.h"
-#include "text.h"
 
 typedef struct measured {
     uint64_t ticks;         /**< Of all frames. */
@@ -53,20 +51,13 @@ static inline glint_status measure_frame(const glint_config *config, const glint
     return status;
 }
 
-static inline void measure_write_number(uint32_t number, const char *end) {
-    char digits[TEXT_NUMBER_SIZE];
-
-    board_write(text_number(digits, number));
-    board_write(end);
-}
-
 /** The end of a line: instructions, the mean of so many frames, the least arena and that of one pass. */
 static inline void measure_write(const measured *result, uint32_t frames) {
     const uint64_t instructions = result->ticks * COUNTER_INSTRUCTIONS_PER_TICK;
 
-    measure_write_number(frames ? (uint32_t)(instructions / frames) : 0, ",");
-    measure_write_number((uint32_t)result->least, ",");
-    measure_write_number((uint32_t)result->one_pass, "\n");
+    write_number(frames ? (uint32_t)(instructions / frames) : 0, ",");
+    write_number((uint32_t)result->least, ",");
+    write_number((uint32_t)result->one_pass, "\n");
     CYCLES_WRITE();
 }
 

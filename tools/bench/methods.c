@@ -7,9 +7,7 @@
  */
 #include "methods/methods.h"
 
-#include "board.h"
 #include "counter.h"
-#include "text.h"
 
 /** Units that a figure is the mean of; a tick then is less than a hundredth of an instruction. */
 enum { UNITS = 8192 };
@@ -43,13 +41,6 @@ static uint32_t measure(const method *m) {
     const uint32_t all = count_ticks(m->run, items, repeats), loop = count_ticks(problem->empty, items, repeats);
     const uint64_t hundredths = (uint64_t)(all > loop ? all - loop : 0) * (100 * COUNTER_INSTRUCTIONS_PER_TICK);
     return (uint32_t)(hundredths / ((uint64_t)items * problem->units * repeats));
-}
-
-static void write_number(uint32_t number, const char *end) {
-    char digits[TEXT_NUMBER_SIZE];
-
-    board_write(text_number(digits, number));
-    board_write(end);
 }
 
 static void write_field(const char *text) {

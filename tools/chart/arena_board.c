@@ -7,8 +7,6 @@
 #include "../../examples/scenes/scenes.h"
 #include "../bench/counter.h"
 #include "../bench/framebuffer.h"
-#include "board.h"
-#include "text.h"
 
 #include <bench_scenes.h>
 #include <spot.h>
@@ -28,13 +26,6 @@ static int copy_tile(void *context, int x, int y, int width, int height, const v
     (void)context;
     framebuffer_copy(&framebuffer[y][x], sizeof framebuffer[0], pixels, stride, 2 * (size_t)width, height);
     return 0;
-}
-
-static void write_number(uint32_t number, const char *end) {
-    char digits[TEXT_NUMBER_SIZE];
-
-    board_write(text_number(digits, number));
-    board_write(end);
 }
 
 /* @return 0, or 1 after an error */

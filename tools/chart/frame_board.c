@@ -7,9 +7,7 @@
  */
 #include "../bench/counter.h"
 #include "../bench/framebuffer.h"
-#include "board.h"
 #include "choices.h"
-#include "text.h"
 
 #include <bench_scenes.h>
 
@@ -62,13 +60,6 @@ static uint32_t measure(uint32_t which, const uint16_t size[2], const choice *ch
     scene.camera.field_of_view = BENCH_FIELD_OF_VIEW;
     scene.camera.near_plane = BENCH_NEAR_PLANE;
     return draw_frames(&config, &scene, &object, bench_scenes[which].poses);
-}
-
-static void write_number(uint32_t number, const char *end) {
-    char digits[TEXT_NUMBER_SIZE];
-
-    board_write(text_number(digits, number));
-    board_write(end);
 }
 
 static int report(uint32_t which, const uint16_t size[2], const choice *chosen) {

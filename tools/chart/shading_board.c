@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Firmware that counts the instructions per frame of the same scenes, clear and stored pixels included. */
 #include "../bench/counter.h"
-#include "board.h"
 #include "glint_extras.h"
 #include "shading_scene.h"
-#include "text.h"
 
 #define VERTICES 4608
 
@@ -25,7 +23,6 @@ static int measure(size_t format, const glint_mesh *mesh, size_t which) {
                                  .flush = {discard_tile, 0, 0},
                                  .arena = arena,
                                  .arena_size = sizeof arena};
-    char number[TEXT_NUMBER_SIZE];
     glint_renderer renderer;
     shading_scene s;
     shading_build(&s, mesh, shading_evaluations[which].evaluation);
@@ -37,10 +34,8 @@ static int measure(size_t format, const glint_mesh *mesh, size_t which) {
     board_write(",");
     board_write(shading_evaluations[which].name);
     board_write(",");
-    board_write(text_number(number, mesh->triangle_count));
-    board_write(",");
-    board_write(text_number(number, ticks * COUNTER_INSTRUCTIONS_PER_TICK));
-    board_write("\n");
+    write_number(mesh->triangle_count, ",");
+    write_number(ticks * COUNTER_INSTRUCTIONS_PER_TICK, "\n");
     return 0;
 }
 

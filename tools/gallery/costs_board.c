@@ -29,8 +29,8 @@ static void write_heading(const example_scene *scene, uint32_t variant) {
     board_write(",");
     board_write(scene->variants[variant].name);
     board_write(",");
-    measure_write_number(scene->width, "x");
-    measure_write_number(scene->height, ",");
+    write_number(scene->width, "x");
+    write_number(scene->height, ",");
 }
 
 /* @return 0, or 1 when it cannot be drawn */
@@ -52,7 +52,7 @@ static int count(const example_scene *scene, uint32_t variant) {
         board_write("\n");
         return 1;
     }
-    measure_write_number((uint32_t)(result.ticks * COUNTER_INSTRUCTIONS_PER_TICK), "\n");
+    write_number((uint32_t)(result.ticks * COUNTER_INSTRUCTIONS_PER_TICK), "\n");
     return 0;
 }
 

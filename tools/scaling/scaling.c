@@ -7,9 +7,7 @@
  */
 #include "bench/counter.h"
 #include "bench/framebuffer.h"
-#include "board.h"
 #include "glint_extras.h"
-#include "text.h"
 
 #include <bench_scenes.h>
 
@@ -160,13 +158,6 @@ static glint_status draw(const workload *w, const glint_mesh *mesh, uint32_t *in
     }
     *instructions = counter_ticks_since(start) * COUNTER_INSTRUCTIONS_PER_TICK;
     return status == GLINT_OK && renderer.stats.passes != 1 ? GLINT_ERROR_ARENA : status;
-}
-
-static void write_number(uint32_t number, const char *end) {
-    char digits[TEXT_NUMBER_SIZE];
-
-    board_write(text_number(digits, number));
-    board_write(end);
 }
 
 int main(void) {

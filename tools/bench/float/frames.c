@@ -7,10 +7,8 @@
 #include "../../cycles/marks.h"
 #include "../counter.h"
 #include "../workloads.h"
-#include "board.h"
 #include "fpu.h"
 #include "renderer.h"
-#include "text.h"
 
 /** The largest screen. */
 enum { PIXELS = 320 * 240 };
@@ -20,13 +18,6 @@ static uint32_t colour[PIXELS / 2];
 static int32_t depth[PIXELS];
 static float_memory memory;
 static workload_stage stage;
-
-static void write_number(uint32_t number, const char *end) {
-    char digits[TEXT_NUMBER_SIZE];
-
-    board_write(text_number(digits, number));
-    board_write(end);
-}
 
 /* @return 0, or 1 when it cannot be drawn */
 static int count(const workload *drawn) {
