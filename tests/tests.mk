@@ -123,8 +123,6 @@ SUITE_methods := tests/methods/test.c tests/methods/judge.c $(METHODS) $(TEST_HA
 SUITE_float   := $(TEST_HARNESS) tests/float/pictures.c tests/reference/reference.c tests/reference/lighting.c $(FLOAT_RENDERER)
 SUITE_frames  := tests/board/identity_host.c $(IDENTITY_FRAMES)
 SUITE_levels  := tests/levels/draw.c tests/image/picture.c $(addprefix tests/stability/,random_scene.c large_scene.c weights.c)
-SUITE_attack  := $(addprefix tests/attack/,attack.c victim.c stage.c pages.c) $(FUZZ_SCENES)
-SUITE_attack_arenas := tests/attack/arenas.c tests/attack/pages.c
 SUITE_endurance     := tests/endurance/endurance_host.c tests/endurance/endurance.c $(EXAMPLE_SCENES)
 SUITE_bus           := $(TEST_HARNESS) tests/board/bus.c $(wildcard port/panel/*.c)
 SUITE_stm32_spi     := $(TEST_HARNESS) tests/board/stm32_spi.c port/stm32/spi.c
@@ -164,7 +162,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 # $(call sample,what): prints what the seed picks from
 sample = @echo "$(if $(EVERY),every $1,TEST_SEED=$(TEST_SEED))"
 
-.PHONY: rooms sanitize variants unit-tables attack attack-arenas levels domains accuracy stability endurance proofs-page panel-stream
+.PHONY: rooms sanitize variants unit-tables levels domains accuracy stability endurance proofs-page panel-stream
 
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit parts numbers camera) ## unit tests on the host, arithmetic against libm, files of others
 	$(call run_suites,$^)
@@ -249,35 +247,6 @@ test-api: $(addprefix $(BUILD)/tests/host/,old limits helpers) $(API_MESH) $(BUI
 	done; \
 	python3 tests/api/headers.py --mesh $(API_MESH) --library $(BUILD)/host/libglint.a \
 	    --panels $(API_PANELS) || status=1; exit $$status
-
-# ---- Extreme arguments between forbidden pages, arenas of every size, bits that flip
-
-ATTACK           := $(BUILD)/tests/host/attack
-ATTACK_SANITIZED := $(BUILD)/tests/sanitize/attack
-ATTACK_SEED  ?= 1
-ATTACK_CALLS ?= 1000000
-# Under the sanitisers each call takes several times as long.
-ATTACK_CALLS_SANITIZED ?= 200000
-# A report of a sanitiser tells in which call it is.
-attack attack-arenas test-attack: export ASAN_OPTIONS := abort_on_error=1
-attack attack-arenas test-attack: export UBSAN_OPTIONS := abort_on_error=1
-
-# The first round held a clipped triangle of one vertex three times, with its normal in a layout: it was read beyond the end.
-test-attack: $(foreach program,$(ATTACK) $(ATTACK_SANITIZED),$(program) $(program)_arenas) ## extreme arguments, between pages that must not be touched
-	@$(ATTACK) 1 60000 24372
-	@$(ATTACK) 2 12000 > $(ATTACK).log; status=$$?; cat $(ATTACK).log; exit $$status
-	@$(ATTACK_SANITIZED) 2 12000 > $(ATTACK_SANITIZED).log; status=$$?; cat $(ATTACK_SANITIZED).log; exit $$status
-	@cmp $(ATTACK).log $(ATTACK_SANITIZED).log || { echo "two compilers, other calls or other answers"; exit 1; }
-	@$(ATTACK)_arenas 97
-	@$(ATTACK_SANITIZED)_arenas 1009
-
-attack-arenas: $(ATTACK)_arenas $(ATTACK_SANITIZED)_arenas ## arenas of every size, at both ends of pages that must not be touched: minutes
-	@$(ATTACK)_arenas 1
-	@$(ATTACK_SANITIZED)_arenas 13
-
-attack: $(ATTACK) $(ATTACK_SANITIZED) ## a million calls with extreme arguments; ATTACK_SEED chooses which
-	@$(ATTACK) $(ATTACK_SEED) $(ATTACK_CALLS)
-	@$(ATTACK_SANITIZED) $(ATTACK_SEED) $(ATTACK_CALLS_SANITIZED)
 
 # ---- Functions of one argument against double precision; methods, whose cost tools/bench counts; many frames
 

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Runs fuzz targets over their kept corpora and holds what these reach: coverage.py --programs FOLDER --corpora FOLDER.
 
-An input that is reported fails, and so does a folder of the library of which the renderer's corpus runs fewer than 75 % of
+Each corpus is replayed; the renderer's is also changed at random, RANDOM times by a fixed seed. An input that is reported
+fails, and so does a folder of the library of which the renderer's corpus runs fewer than 75 % of
 the lines, and a file of which fewer than 90 % are run: those of the readers of OBJ, MTL, PNG and what glint-import prints, of the command line
 and of panels' drivers by their own. Closes with `N passed, N failed`.
 """
@@ -10,6 +11,9 @@ import argparse
 import os
 import subprocess
 import sys
+import tempfile
+
+RANDOM = {"fuzz_render": 2000}
 
 LEAST = 90  # % of a file's lines
 LEAST_OF_FOLDER = 75  # % of the lines of a folder of the library
@@ -42,10 +46,16 @@ def replay(program, corpus, profile):
     done = run(program, "-runs=0", "-timeout=60", "-artifact_prefix=%s-" % program, corpus,
                env=dict(os.environ, LLVM_PROFILE_FILE=profile))
     count = len(os.listdir(corpus))
+    more = RANDOM.get(os.path.basename(program), 0)
+    if more and done.returncode == 0:
+        with tempfile.TemporaryDirectory() as found:
+            done = run(program, "-runs=%d" % (count + more), "-seed=1", "-timeout=60", "-max_len=4096",
+                       "-artifact_prefix=%s-" % program, found, corpus, env=dict(os.environ, LLVM_PROFILE_FILE="/dev/null"))
     for line in done.stdout.splitlines():
         if done.returncode or line.startswith("worst"):
             print("    " + line)
-    print("    %s: %d inputs, %s" % (os.path.basename(program), count, "a report" if done.returncode else "no report"))
+    print("    %s: %d inputs and %d random ones, %s" % (os.path.basename(program), count, more,
+                                                        "a report" if done.returncode else "no report"))
     return done.returncode == 0 and count > 0
 
 

@@ -3,12 +3,14 @@
  * libFuzzer target: bytes become a scene and a configuration: half of them any values, half what users draw. The
  * sanitizers watch the library; the target itself ends the program when a frame does not send every pixel once, when
  * the arena that glint_arena_need asks for does not suffice, or when other tiles, another arena, a renderer that keeps
- * its arena or one that sends changes alone give another image.
+ * its arena or one that sends changes alone give another image; and when a scene with spoilt numbers and pointers is
+ * not refused by a named error, or changes the next frame.
  */
 #include "drawing.h"
 #include "every_format.h"
 #include "glint_extras.h"
 
+#include <stddef.h>
 #include <string.h>
 
 #define PIXELS_MAX 8192
@@ -528,6 +530,148 @@ static void take_projection(source *s, glint_camera *camera, int is_sound) {
         camera->view_height = any(s);
 }
 
+/* ---- Spoilt scenes ------------------------------------------------------------------------------------------- */
+
+/* Sets one of the 32-bit numbers from `first` on to an extreme, to any, or one up or down. */
+static void spoil_number(source *s, void *first, size_t bytes) {
+    static const uint32_t extremes[] = {0, 1, 0xffffffff, 0x80000000, 0x7fffffff, 0x10000, 0xffff0000, 0x100001};
+    uint8_t *const at = (uint8_t *)first + 4 * below(s, (uint32_t)(bytes / 4));
+    uint32_t number;
+    memcpy(&number, at, sizeof number);
+    switch (below(s, 4)) {
+    case 0:
+        number += below(s, 2) ? 1 : 0xffffffff;
+        break;
+    case 1:
+        number = (uint32_t)any(s);
+        break;
+    default:
+        number = extremes[below(s, sizeof extremes / sizeof *extremes)];
+        break;
+    }
+    memcpy(at, &number, sizeof number);
+}
+
+/* Removes what a pointer points to, or changes a count, never to more than arrays hold. */
+static void spoil_structure(source *s, drawing *d, glint_mesh *mesh, glint_object *object) {
+    switch (below(s, 12)) {
+    case 0:
+        mesh->positions = NULL;
+        break;
+    case 1:
+        mesh->normals = NULL;
+        break;
+    case 2:
+        mesh->triangles = NULL;
+        break;
+    case 3:
+        mesh->layout = NULL;
+        break;
+    case 4:
+        mesh->vertex_count = below(s, mesh->vertex_count + 1);
+        break;
+    case 5:
+        mesh->triangle_count = below(s, mesh->triangle_count + 1);
+        break;
+    case 6:
+        object->mesh = NULL;
+        break;
+    case 7:
+        object->material = NULL;
+        break;
+    case 8:
+        d->lights[0].type = NULL;
+        break;
+    case 9:
+        d->materials[0].model = NULL;
+        break;
+    case 10:
+        d->scene.light_count = GLINT_LIGHTS_MAX + 1 + take(s, 2);
+        break;
+    default:
+        object->hidden ^= 1;
+        break;
+    }
+}
+
+static void spoil(source *s, drawing *d) {
+    glint_mesh *const mesh = &d->meshes[below(s, DRAWING_MESHES)];
+    glint_object *const object = &d->objects[below(s, DRAWING_OBJECTS)];
+    glint_material *const material = &d->materials[below(s, DRAWING_OBJECTS)];
+    glint_light *const light = &d->lights[below(s, GLINT_LIGHTS_MAX)];
+    switch (below(s, 8)) {
+    case 0:
+        spoil_number(s, &mesh->offset, offsetof(glint_mesh, flags) + 4 - offsetof(glint_mesh, offset));
+        break;
+    case 1:
+        spoil_number(s, &material->ambient, offsetof(glint_material, flags) + 4 - offsetof(glint_material, ambient));
+        break;
+    case 2:
+        spoil_number(s, &light->position, offsetof(glint_light, outer) + 4 - offsetof(glint_light, position));
+        break;
+    case 3:
+        spoil_number(s, &d->scene.camera.pose, offsetof(glint_camera, near_plane) + 4 - offsetof(glint_camera, pose));
+        break;
+    case 4:
+        spoil_number(s, &d->scene.background, 2 * sizeof(glint_colour));
+        break;
+    case 5:
+        spoil_number(s, &object->pose, sizeof object->pose);
+        break;
+    default:
+        spoil_structure(s, d, mesh, object);
+        break;
+    }
+}
+
+/* Draws into a new screen, which the caller closes. */
+static glint_status draw_with(glint_renderer *renderer, const glint_scene *scene, screen *to) {
+    open_screen(to, &renderer->config);
+    renderer->config.flush.context = to;
+    return glint_render(renderer, scene);
+}
+
+/*
+ * A scene some of whose numbers and pointers are spoilt, between two frames of the sound one by the same renderer: it
+ * is drawn, or refused by the error that glint_check names before anything is sent; an answer stays as it was on an
+ * error; and both sound frames are the same.
+ */
+static void draw_spoilt(source *s, const glint_config *wanted_config, const drawing *d) {
+    drawing spoilt = *d;
+    glint_config config = *wanted_config;
+    glint_need need = {1, 2, 3};
+    glint_renderer renderer;
+    glint_report report;
+    screen before, between, after;
+    if (!below(s, 2))
+        return;
+    for (uint32_t i = 0; i < d->scene.object_count; i++) {
+        spoilt.objects[i].mesh = &spoilt.meshes[d->objects[i].mesh - d->meshes];
+        spoilt.objects[i].material = &spoilt.materials[d->objects[i].material - d->materials];
+    }
+    spoilt.scene.objects = spoilt.objects;
+    spoilt.scene.lights = spoilt.lights;
+    for (uint32_t count = 1 + below(s, 3); count > 0; count--)
+        spoil(s, &spoilt);
+    config.arena_size = 65536;
+    config.arena = allocate(config.arena_size);
+    if (glint_init(&renderer, &config) == GLINT_OK) {
+        const glint_status first = draw_with(&renderer, &d->scene, &before);
+        const glint_status told = glint_check(&config, &spoilt.scene, &report);
+        const glint_status drawn = draw_with(&renderer, &spoilt.scene, &between);
+        require(drawn == told && (drawn == GLINT_OK || between.calls == 0));
+        require(glint_arena_need(&config, &spoilt.scene, &need) == GLINT_OK ||
+                (need.least == 1 && need.resident == 2 && need.one_pass == 3));
+        require(draw_with(&renderer, &d->scene, &after) == first);
+        if (first == GLINT_OK && !d->is_loose)
+            require_same(&before, &after);
+        close_screen(&before);
+        close_screen(&between);
+        close_screen(&after);
+    }
+    free(config.arena);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -560,6 +704,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     else
         draw_ways(&choices, &config, &d.scene, &need);
     ask(asked, &config, &d.scene);
+    draw_spoilt(&s, &config, &d);
     free_drawing(&d);
     free((void *)(uintptr_t)config.gamma);
     return 0;
