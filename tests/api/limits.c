@@ -92,25 +92,6 @@ static stage *begin_layout(void) {
     return s;
 }
 
-static void missing_attributes_are_named(void) {
-    stage *s = begin_layout();
-    expect(s, GLINT_OK, "");
-    s->layout.positions.data = NULL;
-    expect(s, GLINT_ERROR_NULL, "positions are null");
-    s = begin_layout();
-    s->layout.normals.data = NULL;
-    expect(s, GLINT_ERROR_NULL, "normals are null");
-    s = begin_layout();
-    s->layout.triangles.type = NULL;
-    expect(s, GLINT_ERROR_NULL, "triangles are null");
-    s = begin_layout();
-    s->layout.colours.data = NULL;
-    expect(s, GLINT_ERROR_NULL, "colours are null");
-    s = begin_layout();
-    s->material.model = NULL;
-    expect(s, GLINT_ERROR_NULL, "model is null");
-}
-
 /* A layout that names no type stands for no array. */
 static void empty_layouts_are_none(void) {
     stage *s = begin();
@@ -176,15 +157,6 @@ static void picking_looks_at_the_screen_alone(void) {
     CHECK(same.object == hit.object && same.triangle == hit.triangle && same.depth == hit.depth);
 }
 
-static void regions_are_asked_for(void) {
-    stage *s = begin();
-    static const glint_rectangle whole = {0, 0, WIDTH, HEIGHT};
-    CHECK_EQUAL(glint_init(&s->renderer, &s->config), GLINT_OK);
-    CHECK_EQUAL(glint_render_region(NULL, &s->scene, &whole), GLINT_ERROR_NULL);
-    CHECK_EQUAL(glint_render_region(&s->renderer, &s->scene, NULL), GLINT_ERROR_NULL);
-    CHECK_EQUAL(glint_render_region(&s->renderer, &s->scene, &whole), GLINT_OK);
-}
-
 /* ---- Arenas ---- */
 
 #define TORUS_VERTICES (48 * 24)
@@ -195,34 +167,6 @@ static void begin_torus(stage *s, uint16_t numbers[TORUS_TRIANGLES][3]) {
     static int16_t positions[TORUS_VERTICES][3], directions[TORUS_VERTICES][3];
     const glint_mesh_room room = {positions, directions, numbers, TORUS_VERTICES, TORUS_TRIANGLES};
     CHECK_EQUAL(glint_generate_torus(&s->mesh, &room, 48, 24, GLINT_ONE / 2, GLINT_ONE / 4), GLINT_OK);
-}
-
-/* A bad index is told in whatever arena there is, however its mesh is loaded: wherever a sound mesh is drawn. */
-static void bad_indices_are_told_in_every_arena(void) {
-    static uint16_t numbers[TORUS_TRIANGLES][3];
-    static const uint32_t bad[] = {0, TORUS_TRIANGLES / 2, TORUS_TRIANGLES - 1};
-    unsigned drawn = 0;
-    stage *s = begin();
-    begin_torus(s, numbers);
-    static glint_object objects[2];
-    objects[0] = objects[1] = s->object;
-    s->scene.objects = objects;
-    s->scene.object_count = 2;
-    for (s->config.arena_size = 2048; s->config.arena_size < sizeof arena; s->config.arena_size += 512) {
-        if (glint_init(&s->renderer, &s->config) != GLINT_OK)
-            continue;
-        const glint_status sound = glint_render(&s->renderer, &s->scene);
-        CHECK(sound == GLINT_OK || sound == GLINT_ERROR_ARENA);
-        drawn += sound == GLINT_OK;
-        for (unsigned i = 0; i < TEST_COUNT(bad); i++) {
-            const uint16_t kept = numbers[bad[i]][1];
-            numbers[bad[i]][1] = TORUS_VERTICES;
-            const glint_status status = glint_render(&s->renderer, &s->scene);
-            CHECK(status == GLINT_ERROR_INDEX || (status == GLINT_ERROR_ARENA && sound == GLINT_ERROR_ARENA));
-            numbers[bad[i]][1] = kept;
-        }
-    }
-    CHECK(drawn > 50);
 }
 
 /* What is hidden takes nothing of the arena. */
@@ -374,21 +318,14 @@ static void generators_stop_at_their_limits(void) {
 
 int test_main(void (*write)(const char *text)) {
     static const test_case cases[] = {
-        TEST_CASE(missing_attributes_are_named),
-        TEST_CASE(empty_layouts_are_none),
-        TEST_CASE(arrays_come_first),
-        TEST_CASE(what_is_missing_is_named),
-        TEST_CASE(picking_looks_at_the_screen_alone),
-        TEST_CASE(regions_are_asked_for),
-        TEST_CASE(bad_indices_are_told_in_every_arena),
-        TEST_CASE(hidden_objects_need_nothing),
-        TEST_CASE(lines_are_drawn_on_tiles_of_a_frame),
-        TEST_CASE(colours_of_lines_are_checked),
-        TEST_CASE(edges_saturate),
-        TEST_CASE(widest_views_have_lines),
-        TEST_CASE(points_far_aside_saturate),
-        TEST_CASE(sizes_of_no_configuration_are_0),
-        TEST_CASE(generators_stop_at_their_limits),
+
+        TEST_CASE(empty_layouts_are_none),          TEST_CASE(arrays_come_first),
+        TEST_CASE(what_is_missing_is_named),        TEST_CASE(picking_looks_at_the_screen_alone),
+
+        TEST_CASE(hidden_objects_need_nothing),     TEST_CASE(lines_are_drawn_on_tiles_of_a_frame),
+        TEST_CASE(colours_of_lines_are_checked),    TEST_CASE(edges_saturate),
+        TEST_CASE(widest_views_have_lines),         TEST_CASE(points_far_aside_saturate),
+        TEST_CASE(sizes_of_no_configuration_are_0), TEST_CASE(generators_stop_at_their_limits),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

@@ -252,21 +252,6 @@ static void judge_random(uint32_t seed, judgement *found) {
     judge_frame(&task, name, found);
 }
 
-/* GLINT_ACCURACY_SCENES sets how many, GLINT_ACCURACY_SEED the first. */
-static void random_scenes(void) {
-    const char *wanted = getenv("GLINT_ACCURACY_SCENES"), *first = getenv("GLINT_ACCURACY_SEED");
-    const uint32_t scenes = wanted ? (uint32_t)atoi(wanted) : 300, seed = first ? (uint32_t)atoi(first) : 1;
-    judgement found = {0};
-    char name[80];
-    for (uint32_t i = 0; i < scenes; i++)
-        judge_random(seed + i, &found);
-    print_heading();
-    snprintf(name, sizeof name, "%u random scenes", scenes);
-    print_row(name, &found);
-    CHECK(found.judged > 0);
-    CHECK(found.gated * 2048 < found.covered);
-}
-
 /*
  * Of tens of thousands, those that missed the contract by most with wider limits: for planes and for quadratics, by
  * the turn of normals, by 1/w and by the half vector, at low and at high p; and slivers whose normals turn so far that
@@ -285,8 +270,8 @@ static void hard_scenes(void) {
 }
 
 int test_main(test_writer write) {
-    static const test_case cases[] = {
-        TEST_CASE(bench_scenes), TEST_CASE(scenes),        TEST_CASE(scenes_on_the_largest_screen),
-        TEST_CASE(flat_faces),   TEST_CASE(random_scenes), TEST_CASE(hard_scenes)};
+    static const test_case cases[] = {TEST_CASE(bench_scenes), TEST_CASE(scenes),
+                                      TEST_CASE(scenes_on_the_largest_screen), TEST_CASE(flat_faces),
+                                      TEST_CASE(hard_scenes)};
     return test_run(write, cases, TEST_COUNT(cases));
 }

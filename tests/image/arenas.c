@@ -327,35 +327,6 @@ static void same_picture_apart(void) {
     picture_close(&apart);
 }
 
-/* A caller's own arena, without tile buffers: what has become enough stays so. */
-static void frames_begun_by_the_caller(void) {
-    picture none = open_picture();
-    row r;
-    glint_config config = picture_config(&none, &small);
-    build(&r, MATERIALS_MAX, lambert);
-    const glint_need need = picture_need(&none, &r.scene, &small);
-    glint_status last = GLINT_ERROR_ARENA;
-    for (size_t size = 0; size <= need.one_pass; size++) {
-        glint_frame frame;
-        void *arena = malloc(size ? size : 1);
-        CHECK(arena != NULL);
-        config.arena = arena;
-        config.arena_size = size;
-        glint_status status = glint_frame_begin(&frame, &config, &r.scene);
-        if (last == GLINT_OK || size >= need.least)
-            CHECK_EQUAL(status, GLINT_OK);
-        else
-            CHECK(status == GLINT_OK || status == GLINT_ERROR_ARENA);
-        last = status;
-        int more = status == GLINT_OK;
-        while (more > 0)
-            more = glint_frame_next_pass(&frame);
-        CHECK_EQUAL(more, 0);
-        free(arena);
-    }
-    picture_close(&none);
-}
-
 /* Clusters are numbered in 16 bits: one more is refused, though they add up to the mesh. */
 static void more_clusters_than_numbers(void) {
     enum { MOST = 65536 };
@@ -601,7 +572,7 @@ int test_main(test_writer write) {
         TEST_CASE(arenas_of_any_content),
         TEST_CASE(pixels_apart),
         TEST_CASE(same_picture_apart),
-        TEST_CASE(frames_begun_by_the_caller),
+
         TEST_CASE(more_clusters_than_numbers),
         TEST_CASE(bad_indices_are_found_in_any_arena),
         TEST_CASE(dropped_triangles_are_counted_in_any_arena),

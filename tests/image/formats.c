@@ -259,67 +259,6 @@ static void blocks_mean_their_colour(void) {
 
 /* ---- Dithered images ----------------------------------------------------------------------------------------- */
 
-/*
- * A stored level is the value plus the pixel's threshold, cut off; rounding replaces it by 1/2. From the image in finer
- * steps the value is known to half such a step, so that the level is one of two at most. Where light is found in
- * another way in either, values may be as far apart as the contract of RGB565 lets them.
- */
-static int count_misplaced(const picture *coarse, const picture *fine, double apart) {
-    int misplaced = 0;
-    for (int i = 0; i < coarse->width * coarse->height; i++) {
-        int x = i % coarse->width;
-        int y = i / coarse->width;
-        for (int channel = 0; channel < 3; channel++) {
-            double value = picture_level(fine, x, y, channel) / 255.0 * picture_level_max(coarse->format, channel);
-            double slack = 0.6 / 255 * picture_level_max(coarse->format, channel) + apart;
-            double threshold = picture_threshold(&glint_format_rgb565_dithered, x, y);
-            int level = picture_level(coarse, x, y, channel);
-            misplaced += level < (int)floor(value + threshold - slack) || level > (int)floor(value + threshold + slack);
-        }
-    }
-    return misplaced;
-}
-
-/* One light has loops of its own in some formats. */
-static void add_light(test_scene *scene) {
-    if (scene->scene.light_count > 1)
-        return;
-    const glint_colour weak = {GLINT_ONE / 16, GLINT_ONE / 16, GLINT_ONE / 16};
-    scene->lights[scene->scene.light_count] = (glint_light){
-        .type = &glint_light_directional, .direction = {-GLINT_ONE, 0, 0}, .diffuse = weak, .specular = weak};
-    scene->scene.light_count++;
-}
-
-/* How far the contract of RGB565 lets values be off: the more, the more weights add up to. */
-static double slack_of(const glint_scene *scene) {
-    double most = 0;
-    for (uint32_t i = 0; i < scene->object_count; i++)
-        most = fmax(most, weights_slack(weights_sum(scene, scene->objects[i].material), &glint_format_rgb565));
-    return most;
-}
-
-static void thresholds_are_bayers(void) {
-    picture fine = picture_open(160, 120, &glint_format_rgb888);
-    picture plain = picture_open(160, 120, &glint_format_rgb565);
-    picture coarse = picture_open(160, 120, &glint_format_rgb565_dithered);
-    for (unsigned i = 0; i < 2 * scene_count; i++) {
-        test_scene scene;
-        scene_build(&scene, &scene_definitions[i / 2]);
-        if (i % 2)
-            add_light(&scene);
-        scene.scene.background = (glint_colour){GLINT_ONE / 7, GLINT_ONE / 3, GLINT_Q16(0.9)};
-        CHECK_EQUAL(picture_render(&fine, &scene.scene, NULL, NULL), GLINT_OK);
-        CHECK_EQUAL(picture_render(&plain, &scene.scene, NULL, NULL), GLINT_OK);
-        CHECK_EQUAL(picture_render(&coarse, &scene.scene, NULL, NULL), GLINT_OK);
-        const double apart = slack_of(&scene.scene);
-        CHECK_EQUAL(count_misplaced(&coarse, &fine, apart), 0);
-        CHECK(apart > 0.25 || count_misplaced(&plain, &fine, apart) > 0);
-    }
-    picture_close(&fine);
-    picture_close(&plain);
-    picture_close(&coarse);
-}
-
 /* ---- Output tables ------------------------------------------------------------------------------------------- */
 
 typedef uint16_t gamma_tables[3][GLINT_GAMMA_ENTRIES];
@@ -337,32 +276,6 @@ static double look_up(const uint16_t table[GLINT_GAMMA_ENTRIES], double value) {
     int entry = (int)(value * 256);
     double fraction = value * 256 - entry;
     return (table[entry] + (entry < 256 ? fraction * (table[entry + 1] - table[entry]) : 0)) / 65535;
-}
-
-static int largest_difference(const picture *a, const picture *b) {
-    int largest = 0;
-    for (size_t i = 0; i < a->size; i++) {
-        int difference = abs(a->bytes[i] - b->bytes[i]);
-        largest = difference > largest ? difference : largest;
-    }
-    return largest;
-}
-
-static void identity_table_changes_nothing(void) {
-    static gamma_tables tables;
-    picture plain = picture_open(160, 120, &glint_format_rgb888);
-    picture tabled = picture_open(160, 120, &glint_format_rgb888);
-    const picture_options options = {.gamma = (const uint16_t(*)[GLINT_GAMMA_ENTRIES])tables};
-    fill_tables(tables, 1, 1, 1);
-    for (unsigned i = 0; i < scene_count; i++) {
-        test_scene scene;
-        scene_build(&scene, &scene_definitions[i]);
-        CHECK_EQUAL(picture_render(&plain, &scene.scene, NULL, NULL), GLINT_OK);
-        CHECK_EQUAL(picture_render(&tabled, &scene.scene, &options, NULL), GLINT_OK);
-        CHECK_AT_MOST(largest_difference(&plain, &tabled), 2); /* either may be a step off */
-    }
-    picture_close(&plain);
-    picture_close(&tabled);
 }
 
 /* Each channel by its own table, the background and what is drawn alike, never darker for a brighter colour. */
@@ -422,8 +335,7 @@ int test_main(test_writer write) {
         TEST_CASE(scenes),
         TEST_CASE(highlights_in_8_bits),
         TEST_CASE(blocks_mean_their_colour),
-        TEST_CASE(thresholds_are_bayers),
-        TEST_CASE(identity_table_changes_nothing),
+
         TEST_CASE(tables_apply_and_stay_monotone),
         TEST_CASE(tables_apply_to_every_evaluation),
     };

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Suite: the image is the same, byte for byte, for every tile size, region and arena from the smallest to the best, for
- * tiles drawn in another order by two workspaces, and for objects in another order. The best arena takes one pass, and
- * meshes of more triangles than a pass can number cost no more passes than they ask for.
+ * Suite: the image is the same, byte for byte, for every tile size and arena from the smallest to the best. The best
+ * arena takes one pass, and meshes of more triangles than a pass can number cost no more passes than they ask for.
  */
 #include "every_format.h"
 #include "glint_extras.h"
@@ -10,8 +9,6 @@
 #include "picture.h"
 #include "random.h"
 #include "scenes.h"
-
-#include <stdlib.h>
 
 /* A size that no tile divides. */
 #define WIDTH 150
@@ -50,20 +47,6 @@ static void check_arenas(const picture *wanted, const glint_scene *scene) {
     }
 }
 
-/* Parts of the screen, in steps of 8 pixels, in small and large arenas. */
-static void check_regions(const picture *wanted, const glint_scene *scene) {
-    for (int i = 0; i < 4; i++) {
-        const int x = 8 * any(0, 17), y = 8 * any(0, 11), width = 8 * any(1, 19 - x / 8),
-                  height = 8 * any(1, 13 - y / 8);
-        picture_options options = {.tile_width = tile_sizes[any(0, 3)], .tile_height = tile_sizes[any(0, 3)]};
-        options.region = (glint_rectangle){(int16_t)x, (int16_t)y, (int16_t)(x + width > WIDTH ? WIDTH - x : width),
-                                           (int16_t)(y + height > HEIGHT ? HEIGHT - y : height)};
-        const glint_need need = picture_need(wanted, scene, &options);
-        options.arena_size = picture_arena(&need, i ? below(257) : 0);
-        CHECK(picture_draws_same(wanted, scene, &options, NULL));
-    }
-}
-
 typedef void (*scene_check)(const picture *wanted, const glint_scene *scene);
 
 /* Runs a check over a scene, with one image drawn the default way. */
@@ -97,22 +80,6 @@ static void every_tile_size(void) {
 
 static void every_arena(void) {
     for_each_scene(check_arenas);
-}
-
-static void every_region(void) {
-    for_each_scene(check_regions);
-}
-
-/* Parallel rays, by each evaluation. */
-static void random_scenes_of_parallel_rays(void) {
-    for (uint32_t number = 1; number <= 40; number++) {
-        test_scene scene;
-        scene_build_random(&scene, number);
-        scene_make_parallel(&scene.scene);
-        scene_evaluate(&scene, scene_evaluations[number % 3]);
-        random_state = number;
-        check_in(&glint_format_rgb565, &scene.scene, check_regions);
-    }
 }
 
 /*
@@ -189,118 +156,6 @@ static void parts_of_a_mesh(void) {
         for (int i = 0; i < 4; i++)
             check_share(&wanted, &scene.scene, sixteenths[i], most[is_shuffled][i]);
     }
-    picture_close(&wanted);
-}
-
-/* ---- Tile by tile -------------------------------------------------------------------------------------------- */
-
-typedef struct two_workspaces {
-    glint_workspace of[2];
-    void *memory[2];
-} two_workspaces;
-
-static two_workspaces workspaces_open(const glint_config *config) {
-    two_workspaces workspaces;
-    for (int i = 0; i < 2; i++) {
-        workspaces.memory[i] = malloc(glint_workspace_size(config));
-        CHECK(workspaces.memory[i] != NULL);
-        glint_workspace_init(&workspaces.of[i], config, workspaces.memory[i]);
-    }
-    return workspaces;
-}
-
-static void draw_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile, picture *image) {
-    int rectangle[4];
-    if (!glint_render_tile(frame, workspace, tile))
-        return;
-    glint_tile_rectangle(frame, tile, &rectangle[0], &rectangle[1], &rectangle[2], &rectangle[3]);
-    CHECK_EQUAL(picture_put(image, rectangle, workspace->pixels, workspace->stride), 0);
-}
-
-/*
- * The last tile of a pass first, workspaces in turn. Only the last tile of a pass may need a later one, which must find
- * it in the same workspace: a workspace is chosen by the tile's number, and no other tile may come between.
- */
-static void draw_backwards(const picture *wanted, const glint_scene *scene, size_t arena_size) {
-    const picture_options options = {.tile_width = 16, .tile_height = 8};
-    picture got = picture_open(wanted->width, wanted->height, wanted->format);
-    glint_config config = picture_config(&got, &options);
-    config.arena_size = arena_size;
-    config.arena = malloc(arena_size);
-    two_workspaces workspaces = workspaces_open(&config);
-    glint_frame frame;
-    int status = CHECK(config.arena != NULL) ? (int)glint_frame_begin(&frame, &config, scene) : GLINT_ERROR_NULL;
-    CHECK_EQUAL(status, GLINT_OK);
-    while (status >= 0 && (status = glint_frame_next_pass(&frame)) > 0) {
-        for (uint32_t tile = frame.tile_end; tile-- > frame.tile_first;)
-            draw_tile(&frame, &workspaces.of[tile % 2], tile, &got);
-    }
-    CHECK_EQUAL(status, 0);
-    CHECK(picture_is_complete(&got));
-    CHECK(picture_equal(wanted, &got));
-    free(workspaces.memory[0]);
-    free(workspaces.memory[1]);
-    free(config.arena);
-    picture_close(&got);
-}
-
-static void check_tile_order(const picture *wanted, const glint_scene *scene) {
-    const picture_options options = {.tile_width = 16, .tile_height = 8};
-    const glint_need need = picture_need(wanted, scene, &options);
-    for (uint32_t third = 0; third <= 3; third++)
-        draw_backwards(wanted, scene, picture_arena(&need, 256 * third / 3));
-}
-
-static void two_workspaces_in_another_tile_order(void) {
-    for_each_scene(check_tile_order);
-}
-
-/* ---- Object order -------------------------------------------------------------------------------------------- */
-
-/* Four spheres one behind the other, overlapping on the screen and nowhere touching. */
-static void build_row_of_spheres(test_scene *scene) {
-    scene_build_named(scene, "p of 0, 0.5, 1, 1.5");
-    for (int i = 0; i < 4; i++) {
-        scene->objects[i].pose.m[0][3] = (i - 1) * GLINT_ONE / 2;
-        scene->objects[i].pose.m[1][3] = (i % 3 - 1) * GLINT_ONE / 4;
-        scene->objects[i].pose.m[2][3] = -(4 + 3 * i) * GLINT_ONE;
-    }
-}
-
-static void every_order_of_objects(void) {
-    test_scene scene;
-    build_row_of_spheres(&scene);
-    picture wanted = picture_open(WIDTH, HEIGHT, &glint_format_rgb888);
-    CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
-    for (int order = 0; order < 4 * 4 * 4; order++) {
-        int picks[4] = {order % 4, order / 4 % 4, order / 16, 0};
-        picks[3] = 6 - picks[0] - picks[1] - picks[2];
-        glint_object objects[4];
-        int seen = 0;
-        for (int i = 0; i < 4; i++)
-            seen |= picks[i] >= 0 && picks[i] < 4 ? 1 << picks[i] : 0;
-        if (seen != 15)
-            continue;
-        for (int i = 0; i < 4; i++)
-            objects[i] = scene.objects[picks[i]];
-        glint_scene shuffled = scene.scene;
-        shuffled.objects = objects;
-        CHECK(picture_draws_same(&wanted, &shuffled, NULL, NULL));
-    }
-    picture_close(&wanted);
-}
-
-/* The same object twice in two colours: where depths tie, the first drawn wins. */
-static void first_of_ties_wins(void) {
-    test_scene scene;
-    scene_build(&scene, &scene_definitions[0]);
-    picture wanted = picture_open(WIDTH, HEIGHT, &glint_format_rgb888);
-    CHECK_EQUAL(picture_render(&wanted, &scene.scene, NULL, NULL), GLINT_OK);
-    scene.objects[1] = scene.objects[0];
-    scene.objects[1].material = &scene.materials[1];
-    scene.materials[1].diffuse = (glint_colour){0, GLINT_ONE, 0};
-    scene.scene.object_count = 2;
-    CHECK(picture_draws_same(&wanted, &scene.scene, NULL, NULL));
     picture_close(&wanted);
 }
 
@@ -429,14 +284,11 @@ int test_main(test_writer write) {
         TEST_CASE(every_tile_size),
         TEST_CASE(every_tile_size_where_depths_nearly_tie),
         TEST_CASE(every_arena),
-        TEST_CASE(every_region),
-        TEST_CASE(random_scenes_of_parallel_rays),
+
         TEST_CASE(parts_of_a_mesh),
         TEST_CASE(large_meshes_cost_few_passes),
         TEST_CASE(many_triangles_of_few_objects),
-        TEST_CASE(two_workspaces_in_another_tile_order),
-        TEST_CASE(every_order_of_objects),
-        TEST_CASE(first_of_ties_wins),
+
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

@@ -103,6 +103,20 @@ CHANGE(both_per_vertex, s->objects[0].evaluation = s->objects[1].evaluation = &g
 CHANGE(second_per_fragment, s->objects[1].evaluation = &glint_per_fragment)
 CHANGE(infinite_viewer, s->scene.viewer = GLINT_VIEWER_INFINITE)
 
+/* A mesh in RAM, whose vertices move: the arrays are the same, and their numbers are not. */
+static void moving_mesh(test_scene *s) {
+    static int16_t positions[BENCH_VERTICES_MAX][3];
+    static glint_mesh mesh;
+    static int round;
+    mesh = scene_bench_mesh(1)->mesh;
+    round++;
+    for (uint32_t i = 0; i < mesh.vertex_count; i++)
+        for (int axis = 0; axis < 3; axis++)
+            positions[i][axis] = (int16_t)(mesh.positions[i][axis] / (1 + (round + axis) % 3));
+    mesh.positions = (const int16_t(*)[3])positions;
+    s->objects[0].mesh = &mesh;
+}
+
 typedef void (*change)(test_scene *scene);
 
 /* clang-format off */
@@ -112,7 +126,8 @@ static const change changes[] = {
     lambert, blinn_phong, unlit, unlit_ambient, unlit_colour, blinn_phong, flags, no_flags, other_order,
     same_material, third_material, fewer_objects, more_objects, no_objects, more_objects, evaluation, per_fragment,
     two_lights, specular, blinn_phong, both_per_vertex, third_material, per_fragment, fewer_objects, more_objects,
-    second_per_fragment, per_fragment, only_second_light, only_first_light, infinite_viewer, only_second_light
+    second_per_fragment, per_fragment, only_second_light, only_first_light, infinite_viewer, only_second_light,
+    moving_mesh, moving_mesh, moving_mesh
 };
 /* clang-format on */
 

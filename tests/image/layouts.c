@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Suite: a mesh whose attributes are laid out in any way is drawn as one whose arrays hold the decoded numbers, which
- * are decoded here by other means; meshes may change from frame to frame.
+ * are decoded here by other means.
  */
 #include "glint_extras.h"
 #include "glint_layout.h"
 #include "harness.h"
-#include "judge.h"
 #include "picture.h"
 #include "surfaces.h"
 
@@ -414,32 +413,6 @@ static void edges_are_the_same(void) {
     }
 }
 
-/* The library's picture against the reference's, which decodes by itself. */
-static void keeps_the_contract(void) {
-    static test_scene scene;
-    for (unsigned v = 0; v < TEST_COUNT(variants); v++) {
-        for (int colours = 0; colours < 2; colours++) {
-            judgement found = {0};
-            scene_build_named(&scene, "mirrored");
-            for (unsigned i = 0; i < surface_count && colours; i++)
-                if (!strcmp(surface_definitions[i].name, v == 2 ? "mesh colours in 16 bits" : "mesh colours"))
-                    scene_build(&scene, &surface_definitions[i]);
-            if (!lay_scene(&scene, pairs, &variants[v]))
-                continue;
-            use_other(&scene, pairs);
-            const judge_task task = {.scene = &scene.scene,
-                                     .width = WIDTH,
-                                     .height = HEIGHT,
-                                     .format = &glint_format_rgb565,
-                                     .leave_out_gates = 1,
-                                     .fine = 0.75};
-            judge(&task, &found);
-            CHECK_EQUAL(found.status, GLINT_OK);
-            CHECK(found.judged > 500 && judgement_keeps_contract(&found));
-        }
-    }
-}
-
 /* ---- Normals ---- */
 
 #define GRID 64
@@ -504,80 +477,6 @@ static void octahedra_are_unfolded_exactly(void) {
     close_frames();
 }
 
-/* ---- Meshes that change ---- */
-
-#define RING 24
-
-/* A tube in RAM whose radius is another one each frame; ever fewer triangles. */
-typedef struct point {
-    int8_t position[3], normal[2];
-    uint8_t colour[3];
-} point;
-
-typedef struct tube {
-    point points[2 * RING];
-    uint8_t triangles[2 * RING][3];
-    glint_mesh_layout layout;
-    glint_mesh mesh;
-} tube;
-
-static void change(tube *t, int phase) {
-    for (int i = 0; i < 2 * RING; i++) {
-        const double turn = i % RING * 6.283185307179586 / RING, radius = 60 + 40 * sin(turn * 3 + phase);
-        point *p = &t->points[i];
-        p->position[0] = (int8_t)(radius * cos(turn));
-        p->position[1] = (int8_t)(radius * sin(turn));
-        p->position[2] = (int8_t)(i < RING ? -80 : 80);
-        p->normal[0] = (int8_t)(127 * cos(turn) / (fabs(cos(turn)) + fabs(sin(turn))));
-        p->normal[1] = (int8_t)(127 * sin(turn) / (fabs(cos(turn)) + fabs(sin(turn))));
-        p->colour[0] = (uint8_t)(i * 5 + phase * 40);
-        t->triangles[i][0] = (uint8_t)(i % RING + i / RING * RING);
-        t->triangles[i][1] = (uint8_t)(i < RING ? (i + 1) % RING : i % RING);
-        t->triangles[i][2] = (uint8_t)(i < RING ? i + RING : RING + (i + RING - 1) % RING);
-    }
-    t->layout = (glint_mesh_layout){{&glint_attribute_int8, t->points[0].position, sizeof(point)},
-                                    {&glint_attribute_octahedral8, t->points[0].normal, sizeof(point)},
-                                    {&glint_attribute_uint8, t->triangles, 0},
-                                    {&glint_attribute_rgb888, t->points[0].colour, sizeof(point)}};
-    t->mesh = (glint_mesh){.vertex_count = 2 * RING,
-                           .triangle_count = (uint32_t)(2 * RING - phase),
-                           .extent = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
-                           .flags = GLINT_MESH_DOUBLE_SIDED,
-                           .layout = &t->layout};
-}
-
-static void kept_arenas_keep_no_mesh(void) {
-    static test_scene scene;
-    static tube t;
-    static uint8_t kept[1 << 16];
-    glint_renderer keeper;
-    picture before = picture_open(WIDTH, HEIGHT, &glint_format_rgb565);
-    open_frames();
-    scene_build_named(&scene, "mirrored");
-    scene.objects[0].mesh = &t.mesh;
-    scene.scene.object_count = 1;
-    change(&t, 0);
-    glint_config config = picture_config(&second.image, NULL);
-    config.arena = kept;
-    config.keeps_arena = 1;
-    const glint_need need = picture_need(&second.image, &scene.scene, NULL);
-    for (int small = 0; small < 2; small++) {
-        config.arena_size = small ? need.least : sizeof kept;
-        CHECK_EQUAL(glint_init(&keeper, &config), GLINT_OK);
-        for (int phase = 0; phase < 8; phase++) {
-            change(&t, phase);
-            memset(second.image.bytes, 0x5a, second.image.size);
-            CHECK_EQUAL(glint_render(&keeper, &scene.scene), GLINT_OK);
-            draw(&first, &scene.scene, sizeof arena, 0, NULL);
-            CHECK(picture_equal(&first.image, &second.image));
-            CHECK(!phase || !picture_equal(&first.image, &before));
-            memcpy(before.bytes, first.image.bytes, before.size);
-        }
-    }
-    picture_close(&before);
-    close_frames();
-}
-
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(every_scene_is_the_same),
@@ -585,9 +484,9 @@ int test_main(test_writer write) {
         TEST_CASE(lines_change_no_normal),
         TEST_CASE(picks_are_the_same),
         TEST_CASE(edges_are_the_same),
-        TEST_CASE(keeps_the_contract),
+
         TEST_CASE(octahedra_are_unfolded_exactly),
-        TEST_CASE(kept_arenas_keep_no_mesh),
+
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

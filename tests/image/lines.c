@@ -404,31 +404,6 @@ static void every_format_shows_their_colour(void) {
         check_format(every_format[i], i + 1);
 }
 
-static void tiles_arenas_and_regions_change_nothing(void) {
-    static const uint16_t sizes[] = {8, 16, 32, 64};
-    for (uint32_t number = 1; number <= 6; number++)
-        for (uint32_t f = 0; f < TEST_COUNT(every_format); f += 3) {
-            picture whole = open_picture(every_format[f]), other = open_picture(every_format[f]);
-            const glint_rectangle parts[4] = {{0, 0, 56, 40}, {56, 0, 94, 40}, {0, 40, 56, 61}, {56, 40, 94, 61}};
-            build(&scene, number);
-            place(&scene);
-            draw(&scene.at.scene, scene.segments, LINES, &whole);
-            picture_options how = {.tile_width = sizes[any(0, 3)], .tile_height = sizes[any(0, 3)]};
-            how.arena_size = picture_need(&other, &scene.at.scene, &how).least;
-            draw_with(&scene.at.scene, &how, scene.segments, LINES, &other);
-            CHECK(picture_equal(&whole, &other));
-            memset(other.bytes, 0, other.size);
-            for (int i = 0; i < 4; i++) {
-                how.region = parts[i];
-                how.arena_size = 0;
-                draw_with(&scene.at.scene, &how, scene.segments, LINES, &other);
-            }
-            CHECK(picture_equal(&whole, &other));
-            picture_close(&whole);
-            picture_close(&other);
-        }
-}
-
 /*
  * Edges of a mesh show on it: in the middle of each, where the reference sees no other surface far in front, or where
  * it does, they are hidden.
@@ -734,7 +709,7 @@ int test_main(test_writer write) {
         TEST_CASE(lines_far_from_all_else_keep_their_side),
         TEST_CASE(directions_and_copies_change_nothing),
         TEST_CASE(every_format_shows_their_colour),
-        TEST_CASE(tiles_arenas_and_regions_change_nothing),
+
         TEST_CASE(edges_show_on_their_mesh),
         TEST_CASE(boxes_have_twelve_edges),
         TEST_CASE(edges_of_a_mesh_come_once),

@@ -170,6 +170,9 @@ static void regions_are_parts_of_the_whole(void) {
         for (unsigned f = 0; f < TEST_COUNT(formats); f++) {
             test_scene scene;
             scene_build(&scene, &scene_definitions[i]);
+            scene_evaluate(&scene, scene_evaluations[f % 3]);
+            if ((i + f) % 2)
+                scene_make_parallel(&scene.scene);
             random_state = i * 16 + f;
             check_regions(&scene.scene, formats[f], 6);
         }

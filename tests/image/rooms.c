@@ -198,44 +198,11 @@ static void random_scenes_in_every_way(void) {
 
 /* ---- Picking and needs --------------------------------------------------------------------------------------- */
 
-static uint16_t depths[128 * 80];
-
-/* Picks some pixels of a scene that has been drawn. */
-static void pick_some(glint_renderer *renderer, const large_scene *s) {
-    uint32_t state = (uint32_t)s->seed;
-    for (int i = 0; i < 4; i++) {
-        const uint32_t x = take(&state, (uint32_t)s->width), y = take(&state, (uint32_t)s->height);
-        glint_hit hit = {0};
-        const int found = glint_pick(renderer, &s->scene, (int)x, (int)y, &hit);
-        const uint16_t depth = depths[y * (uint32_t)s->width + x];
-        if (!CHECK_EQUAL(found, depth != 0) || !CHECK_EQUAL(hit.depth, depth))
-            report(s, &in_one_pass, "another pick");
-    }
-}
-
-static void what_is_visible_is_picked(void) {
-    static large_scene s;
-    static uint32_t arena[1 << 16];
-    for (uint32_t seed = 1; seed <= 2000 / sample_share(); seed++) {
-        large_scene_make(&s, seed);
-        picture image = picture_open(s.width, s.height, s.format);
-        glint_config config = picture_config(&image, NULL);
-        glint_renderer renderer;
-        glint_need need;
-        const picture_options options = {.depth = depths};
-        config.arena = arena;
-        config.arena_size = sizeof arena;
-        CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
-        if (glint_arena_need(&config, &s.scene, &need) == GLINT_OK) {
-            CHECK_EQUAL(picture_render(&image, &s.scene, &options, NULL), GLINT_OK);
-            pick_some(&renderer, &s);
-        }
-        picture_close(&image);
-    }
-}
-
 int test_main(test_writer write) {
-    static const test_case cases[] = {TEST_CASE(far_colours_are_drawn), TEST_CASE(far_triangles_are_not_hidden),
-                                      TEST_CASE(random_scenes_in_every_way), TEST_CASE(what_is_visible_is_picked)};
+    static const test_case cases[] = {
+        TEST_CASE(far_colours_are_drawn),
+        TEST_CASE(far_triangles_are_not_hidden),
+        TEST_CASE(random_scenes_in_every_way),
+    };
     return test_run(write, cases, TEST_COUNT(cases));
 }
