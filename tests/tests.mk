@@ -125,7 +125,6 @@ SUITE_frames  := tests/board/identity_host.c $(IDENTITY_FRAMES)
 SUITE_levels  := tests/levels/draw.c tests/image/picture.c $(addprefix tests/stability/,random_scene.c large_scene.c weights.c)
 SUITE_endurance     := tests/endurance/endurance_host.c tests/endurance/endurance.c $(EXAMPLE_SCENES)
 SUITE_bus           := $(TEST_HARNESS) tests/board/bus.c $(wildcard port/panel/*.c)
-SUITE_stm32_spi     := $(TEST_HARNESS) tests/board/stm32_spi.c port/stm32/spi.c
 SUITE_panel_pictures   := tests/panel/pictures.c $(PANEL_SHARED)
 SUITE_panel_complaints := tests/panel/complaints.c $(PANEL_SHARED)
 SUITE_panel_faults     := tests/panel/faults.c $(PANEL_SHARED)
@@ -341,7 +340,7 @@ $(BUILD)/tests/host/stm32_slow: tests/board/stm32_slow.c port/stm32/spi.c $(TEST
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Itests/board/slow -Iport -Itests $(filter %.c,$^) -o $@
 
-test-panel-bus: $(addprefix $(BUILD)/tests/host/,bus stm32_spi stm32_slow) ## what the panel driver sends, and what it does when the bus fails
+test-panel-bus: $(addprefix $(BUILD)/tests/host/,bus stm32_slow) ## what the panel driver sends, and what it does when the bus fails
 	$(call run_suites,$^)
 
 # ---- Adapters of examples/adapters/ against declarations of what they serve, and doubles that keep what arrives there

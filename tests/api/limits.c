@@ -318,10 +318,8 @@ static void generators_stop_at_their_limits(void) {
 
 int test_main(void (*write)(const char *text)) {
     static const test_case cases[] = {
-
         TEST_CASE(empty_layouts_are_none),          TEST_CASE(arrays_come_first),
         TEST_CASE(what_is_missing_is_named),        TEST_CASE(picking_looks_at_the_screen_alone),
-
         TEST_CASE(hidden_objects_need_nothing),     TEST_CASE(lines_are_drawn_on_tiles_of_a_frame),
         TEST_CASE(colours_of_lines_are_checked),    TEST_CASE(edges_saturate),
         TEST_CASE(widest_views_have_lines),         TEST_CASE(points_far_aside_saturate),

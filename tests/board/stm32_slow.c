@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The STM32's SPI on a bus that works, but slowly: each byte leaves after so many looks at the port. What takes as long
- * as the clock allows is sent; what takes far longer ends by a named error, within bounds.
+ * as the clock allows is sent; what takes far longer, or for ever, ends by a named error, within bounds.
  */
 #include "harness.h"
 #include "slow/cortex-m/cortex-m.h"
@@ -17,6 +17,7 @@ static struct {
     uint32_t registers[REGISTERS];
     uint32_t byte_looks, looks_left; /* of each byte; until the last one has left */
     uint32_t looks, sent;
+    uint32_t stands, status; /* the status, of a port that stands still */
 } port;
 
 volatile uint32_t *cortex_m_register(uintptr_t address) {
@@ -25,7 +26,7 @@ volatile uint32_t *cortex_m_register(uintptr_t address) {
     if (offset == STATUS) {
         port.looks++;
         port.looks_left -= port.looks_left > 0;
-        port.registers[STATUS / 4] = port.looks_left ? BUSY : TX_EMPTY;
+        port.registers[STATUS / 4] = port.stands ? port.status : port.looks_left ? BUSY : TX_EMPTY;
     } else if (offset == DATA) {
         port.looks_left = port.byte_looks;
         port.sent++;
@@ -76,10 +77,29 @@ static void a_slow_transfer_times_out(void) {
     }
 }
 
+/* Waits end for a port that takes no byte, and for one that never sends the last it took; one that works again sends.
+ */
+static void a_port_that_stands_still_times_out(void) {
+    static const uint32_t stuck[] = {0, BUSY, TX_EMPTY | BUSY};
+
+    start(0);
+    for (unsigned i = 0; i < TEST_COUNT(stuck); i++) {
+        port.stands = 1;
+        port.status = stuck[i];
+        CHECK_EQUAL(send(1), GLINT_ERROR_TIMEOUT);
+        CHECK_EQUAL(port.sent, (stuck[i] & TX_EMPTY ? ROW * ROWS : 0) + 1); /* and what came back is taken */
+        CHECK(!stm32_spi_is_idle(SPI));
+        port.stands = 0;
+        CHECK_EQUAL(send(1), GLINT_OK);
+        CHECK(stm32_spi_is_idle(SPI));
+    }
+}
+
 int test_main(void (*write)(const char *text)) {
     static const test_case cases[] = {
         TEST_CASE(transfers_at_every_speed_end),
         TEST_CASE(a_slow_transfer_times_out),
+        TEST_CASE(a_port_that_stands_still_times_out),
     };
 
     return test_run(write, cases, TEST_COUNT(cases));
