@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Runs fuzz targets over their kept corpora and holds what these reach: coverage.py --programs FOLDER --corpora FOLDER.
 
-Each corpus is replayed; the renderer's is also changed at random, RANDOM times by a fixed seed. An input that is reported
-fails, and so does a folder of the library of which the renderer's corpus runs fewer than 75 % of
-the lines, and a file of which fewer than 90 % are run: those of the readers of OBJ, MTL, PNG and what glint-import prints, of the command line
+Each corpus is replayed; the renderer's is also changed at random, RANDOM times by a fixed seed. An input that is
+reported fails, and so does a folder of the library of which the renderer's corpus runs fewer than 75 % of the lines, and
+a file of which fewer than 90 % are run: those of the readers of OBJ, MTL, PNG and what glint-import prints, of the command line
 and of panels' drivers by their own. Closes with `N passed, N failed`.
 """
 import argparse
@@ -33,8 +33,6 @@ REACHES = {
 
 # What other cores than the host run in its place: the host's forms alone are run here.
 OTHER_CORES = ("src/math/division.h", "src/math/product.h")
-
-# What no test names any more: lighting per node, which is to go.
 
 
 def run(*command, **options):

@@ -385,64 +385,6 @@ static void draw_region(source s, glint_renderer *renderer, const glint_scene *s
     close_screen(&got);
 }
 
-/* A scene or a configuration that lacks something is told so, and not drawn. */
-static void check_without(uint32_t what, const glint_config *wanted, const glint_scene *whole) {
-    glint_config config = *wanted;
-    glint_scene scene = *whole;
-    glint_object object = {0};
-    glint_mesh mesh = {0};
-    glint_light light = {0};
-    glint_report report;
-    if (scene.object_count && scene.objects[0].mesh) {
-        object = scene.objects[0];
-        mesh = *object.mesh;
-        object.mesh = &mesh;
-        object.hidden = 0;
-        scene.objects = &object;
-        scene.object_count = 1;
-    }
-    switch (what) {
-    case 0:
-        config.format = NULL;
-        break;
-    case 1:
-        config.flush.begin = NULL;
-        break;
-    case 2:
-        config.arena = NULL;
-        break;
-    case 3:
-        config.arena_size = glint_workspace_size(&config);
-        break;
-    case 4:
-        object.mesh = NULL;
-        break;
-    case 5:
-        mesh.positions = NULL;
-        mesh.layout = NULL;
-        break;
-    case 6:
-        scene.objects = NULL;
-        scene.object_count = 1;
-        break;
-    case 7:
-        scene.lights = &light;
-        scene.light_count = 1;
-        break;
-    case 8:
-        scene.lights = NULL;
-        scene.light_count = 1;
-        break;
-    default:
-        config.pixels = &config;
-        config.pixels_size = 0;
-        break;
-    }
-    const glint_status status = glint_check(&config, &scene, &report);
-    require(status == report.status && report.sentence != NULL);
-    require(status != GLINT_OK || what == 3 || (!scene.object_count && (what == 4 || what == 5)));
-}
-
 /* What else can be asked of any scene. */
 static void ask(source s, const glint_config *wanted, const glint_scene *scene) {
     glint_config config = *wanted;
@@ -466,8 +408,6 @@ static void ask(source s, const glint_config *wanted, const glint_scene *scene) 
     config.arena = allocate(config.arena_size);
     (void)glint_check(&config, scene, &report);
     require(report.sentence != NULL && none.calls == 0);
-    check_without(chosen % 10, &config, scene);
-    require(none.calls == 0);
     if (glint_init(&renderer, &config) == GLINT_OK) {
         (void)glint_pick(&renderer, scene, config.width * (int)(2 * (chosen % 4) + 1) / 8, config.height / 2, &hit);
         require(none.calls == 0);

@@ -265,7 +265,7 @@ static void clipped_at_the_guard_band(void) {
     }
 }
 
-/* ---- Closed meshes ------------------------------------------------------------------------------------------- */
+/* ---- Clustered meshes -------------------------------------------------------------------------------------------- */
 
 /*
  * Clusters drop triangles that face away as they are, not as their corners were rounded: pixels may differ where the

@@ -196,8 +196,6 @@ static void random_scenes_in_every_way(void) {
     CHECK_AT_MOST(20 * refused, drawn);
 }
 
-/* ---- Picking and needs --------------------------------------------------------------------------------------- */
-
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(far_colours_are_drawn),

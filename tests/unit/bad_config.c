@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Bad configurations, arenas and flush callbacks. */
+/* Bad configurations and arenas, and a flush callback without a wait. */
 #include "fixture.h"
 #include "glint_extras.h"
 #include "harness.h"
@@ -239,33 +239,6 @@ void frames_refuse_bad_configurations(void) {
 }
 
 /* ---- Flush --------------------------------------------------------------------------------------------------- */
-
-/* After the failure no tile is begun, and the next frame is right. */
-static void fail_at(uint32_t begin, uint32_t wait, uint32_t wanted) {
-    fixture *f = fixture_begin();
-    f->fail_begin = begin;
-    f->fail_wait = wait;
-    CHECK_EQUAL(fixture_render(f), GLINT_ERROR_FLUSH);
-    CHECK(begin == FIXTURE_NEVER || f->begins == begin + 1);
-    CHECK(wait == FIXTURE_NEVER || f->waits == wait + 1);
-    CHECK_EQUAL(f->renderer.stats.flush_error, begin == FIXTURE_NEVER ? FIXTURE_WAIT_FAILED : FIXTURE_BEGIN_FAILED);
-    f->fail_begin = f->fail_wait = FIXTURE_NEVER;
-    CHECK_EQUAL(fixture_render(f), GLINT_OK);
-    CHECK_EQUAL(f->renderer.stats.flush_error, 0);
-    CHECK_EQUAL(fixture_checksum(f), wanted);
-}
-
-void failing_flush_ends_the_frame(void) {
-    fixture *f = fixture_begin();
-    CHECK_EQUAL(fixture_render(f), GLINT_OK);
-    uint32_t wanted = fixture_checksum(f);
-    uint32_t tiles = f->begins;
-    CHECK_EQUAL(tiles, (FIXTURE_WIDTH / 16) * (FIXTURE_HEIGHT / 16));
-    for (uint32_t tile = 0; tile < tiles; tile++) {
-        fail_at(tile, FIXTURE_NEVER, wanted);
-        fail_at(FIXTURE_NEVER, tile, wanted);
-    }
-}
 
 static uint32_t tiles_taken;
 

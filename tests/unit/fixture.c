@@ -76,8 +76,6 @@ static int in_place(fixture *f, int x, int y, int width, int height) {
 static int begin(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
     fixture *f = context;
     f->begins++;
-    if (f->begins - 1 == f->fail_begin)
-        return FIXTURE_BEGIN_FAILED;
     if (f->sending != 0 || !in_place(f, x, y, width, height)) {
         f->flaws++;
         return 1;
@@ -97,7 +95,7 @@ static int wait(void *context) {
     f->waits++;
     f->flaws += f->sending == 0 || f->sending_checksum != sending_checksum(f);
     f->sending = 0;
-    return f->waits - 1 == f->fail_wait ? FIXTURE_WAIT_FAILED : 0;
+    return 0;
 }
 
 /* ---- Scene --------------------------------------------------------------------------------------------------- */
@@ -176,7 +174,6 @@ static void set_up_config(fixture *f) {
     f->config.flush.context = f;
     f->config.arena = memory.arena;
     f->config.arena_size = FIXTURE_ARENA_BYTES;
-    f->fail_begin = f->fail_wait = FIXTURE_NEVER;
 }
 
 fixture *fixture_begin(void) {

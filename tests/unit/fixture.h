@@ -18,13 +18,6 @@
 
 #define FIXTURE_OBJECTS_MAX 3
 
-/** What a flush call that fails returns. */
-#define FIXTURE_BEGIN_FAILED (-5)
-#define FIXTURE_WAIT_FAILED 7
-
-/** Flush calls of a frame that never fails. */
-#define FIXTURE_NEVER 0xffffffffu
-
 typedef struct fixture {
     glint_config config; /**< 64x32, RGB565, tiles of 16x16, the whole arena. */
     glint_renderer renderer;
@@ -35,8 +28,7 @@ typedef struct fixture {
     glint_object objects[FIXTURE_OBJECTS_MAX]; /**< Tori; the first is shown. */
     glint_scene scene;
 
-    uint32_t fail_begin, fail_wait; /**< Number of the call that reports failure, from 0. */
-    uint32_t begins, waits;         /**< Calls since fixture_render. */
+    uint32_t begins, waits; /**< Calls since fixture_render. */
     uint32_t pixels_sent;
     uint32_t flaws;         /**< Calls out of order, rectangles out of place, pixels changed before wait. */
     const uint8_t *sending; /**< The tile between begin and wait. */

@@ -26,7 +26,6 @@
     CASE(limits_are_accepted)                       \
     CASE(arena_one_byte_short_is_refused)           \
     CASE(frames_refuse_bad_configurations)          \
-    CASE(failing_flush_ends_the_frame)              \
     CASE(flush_without_wait)                        \
     CASE(status_sentences)                          \
     CASE(statistics)                                \
