@@ -12,14 +12,12 @@
 #include "glint.h"
 #include "harness.h"
 #include "judge.h"
-#include "picture.h"
 #include "random.h"
 #include "rows.h"
 #include "scenes.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 static const int exponents[] = {1, 2, 3, 5, 8, 13, 32, 64, 100, 256, 600, 1024};
 

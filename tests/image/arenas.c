@@ -307,25 +307,7 @@ static void pixels_apart(void) {
     }
 }
 
-/* The same picture, wherever pixels are. */
-static void same_picture_apart(void) {
-    static uint32_t pixels[2048], arena[25000];
-    picture within = open_picture(), apart = open_picture();
-    row r;
-    glint_renderer renderer;
-    build(&r, 4, mixed);
-    CHECK_EQUAL(picture_render(&within, &r.scene, &small, NULL), GLINT_OK);
-    glint_config config = picture_config(&apart, &small);
-    config.pixels = pixels;
-    config.pixels_size = sizeof pixels;
-    config.arena = arena;
-    config.arena_size = sizeof arena;
-    CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
-    CHECK_EQUAL(glint_render(&renderer, &r.scene), GLINT_OK);
-    CHECK(picture_equal(&within, &apart));
-    picture_close(&within);
-    picture_close(&apart);
-}
+/* ---- Clusters ---- */
 
 /* Clusters are numbered in 16 bits: one more is refused, though they add up to the mesh. */
 static void more_clusters_than_numbers(void) {
@@ -571,8 +553,6 @@ int test_main(test_writer write) {
         TEST_CASE(triangles_of_few_vertices),
         TEST_CASE(arenas_of_any_content),
         TEST_CASE(pixels_apart),
-        TEST_CASE(same_picture_apart),
-
         TEST_CASE(more_clusters_than_numbers),
         TEST_CASE(bad_indices_are_found_in_any_arena),
         TEST_CASE(dropped_triangles_are_counted_in_any_arena),

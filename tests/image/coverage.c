@@ -438,12 +438,10 @@ static void objects_were_hidden(void) {
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(fans),
-
         TEST_CASE(reversed_winding),
 
         TEST_CASE(clipped_at_the_near_plane),
         TEST_CASE(clipped_at_the_guard_band),
-
         TEST_CASE(clustered_meshes_have_no_holes),
         TEST_CASE(hidden_in_the_gallery),
         TEST_CASE(hidden_in_random_scenes),

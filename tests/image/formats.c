@@ -20,7 +20,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 /* ---- What is stored, against the reference ---- */
 
@@ -335,7 +334,6 @@ int test_main(test_writer write) {
         TEST_CASE(scenes),
         TEST_CASE(highlights_in_8_bits),
         TEST_CASE(blocks_mean_their_colour),
-
         TEST_CASE(tables_apply_and_stay_monotone),
         TEST_CASE(tables_apply_to_every_evaluation),
     };

@@ -284,11 +284,9 @@ int test_main(test_writer write) {
         TEST_CASE(every_tile_size),
         TEST_CASE(every_tile_size_where_depths_nearly_tie),
         TEST_CASE(every_arena),
-
         TEST_CASE(parts_of_a_mesh),
         TEST_CASE(large_meshes_cost_few_passes),
         TEST_CASE(many_triangles_of_few_objects),
-
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

@@ -10,7 +10,6 @@
 #include "scenes.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #define WIDTH 96
 #define HEIGHT 64

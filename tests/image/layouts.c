@@ -479,14 +479,9 @@ static void octahedra_are_unfolded_exactly(void) {
 
 int test_main(test_writer write) {
     static const test_case cases[] = {
-        TEST_CASE(every_scene_is_the_same),
-        TEST_CASE(every_evaluation_is_the_same),
-        TEST_CASE(lines_change_no_normal),
-        TEST_CASE(picks_are_the_same),
-        TEST_CASE(edges_are_the_same),
-
-        TEST_CASE(octahedra_are_unfolded_exactly),
-
+        TEST_CASE(every_scene_is_the_same), TEST_CASE(every_evaluation_is_the_same),
+        TEST_CASE(lines_change_no_normal),  TEST_CASE(picks_are_the_same),
+        TEST_CASE(edges_are_the_same),      TEST_CASE(octahedra_are_unfolded_exactly),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

@@ -709,7 +709,6 @@ int test_main(test_writer write) {
         TEST_CASE(lines_far_from_all_else_keep_their_side),
         TEST_CASE(directions_and_copies_change_nothing),
         TEST_CASE(every_format_shows_their_colour),
-
         TEST_CASE(edges_show_on_their_mesh),
         TEST_CASE(boxes_have_twelve_edges),
         TEST_CASE(edges_of_a_mesh_come_once),

@@ -10,8 +10,6 @@
 #include "stability/contract.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #define WIDTH 150
 #define HEIGHT 101
@@ -367,7 +365,6 @@ int test_main(test_writer write) {
         TEST_CASE(depth_is_rounded),
         TEST_CASE(viewers_are_the_same),
         TEST_CASE(points_are_placed),
-
         TEST_CASE(near_plane_between_coordinates),
         TEST_CASE(specks_in_wide_views),
     };

@@ -11,7 +11,6 @@
 #include "random.h"
 #include "scenes.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* Neither is a multiple of a tile. */

@@ -12,7 +12,6 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* ---- One way to draw a scene --------------------------------------------------------------------------------- */
 
