@@ -256,8 +256,6 @@ static void blocks_mean_their_colour(void) {
     }
 }
 
-/* ---- Dithered images ----------------------------------------------------------------------------------------- */
-
 /* ---- Output tables ------------------------------------------------------------------------------------------- */
 
 typedef uint16_t gamma_tables[3][GLINT_GAMMA_ENTRIES];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Suite: every lighting model under every kind of light, evaluated per fragment, per node, per vertex and per facet,
- * against the double-precision reference. Light weights sum to 1. A row stands for both viewers and all exponents.
+ * Suite: every lighting model under every kind of light, evaluated per fragment, per vertex and per facet, against
+ * the double-precision reference. Light weights sum to 1. A row stands for both viewers and all exponents.
  */
 #include "bench.h"
 #include "glint.h"

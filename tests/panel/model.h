@@ -96,6 +96,15 @@ uint8_t model_level(unsigned level, unsigned top);
 /** Steps `at` through its range, or back to it from beyond. @return 1 when it has begun again. */
 int model_step(int *at, int first, int last);
 
+/** Takes the current command's parameter as a register's value, and complains of one out of its range. */
+void model_take_value(panel_model *model, uint8_t *value, uint8_t least, uint8_t most);
+
+/**
+ * What a glass of one bit a pixel shows of a memory of so many rows at a column and at common line `row`. Lines beyond
+ * the multiplex ratio are not driven.
+ */
+void model_show_bit(const panel_model *model, int column, int row, int rows, uint8_t rgb[3]);
+
 extern const model_controller model_ili9341, model_ili9488, model_st7789, model_st7735, model_st7735_large,
     model_gc9a01;
 extern const model_controller model_ssd0323, model_ssd1306, model_ssd1351;

@@ -114,34 +114,27 @@ static uint8_t find_lowest(const panel_model *model, uint8_t byte) {
     return byte;
 }
 
-static void take_value(panel_model *model, uint8_t *value, uint8_t least, uint8_t most) {
-    *value = model->parameters[0];
-    if (*value < least || *value > most) {
-        model_complain(model, PANEL_COMPLAINT_VALUE);
-    }
-}
-
 static void set_registers(panel_model *model) {
     uint8_t value;
 
     switch (model->current) {
     case LINES:
-        take_value(model, &model->lines, 15, 63);
+        model_take_value(model, &model->lines, 15, 63);
         break;
     case OFFSET:
-        take_value(model, &model->offset, 0, 63);
+        model_take_value(model, &model->offset, 0, 63);
         break;
     case COM_PINS:
-        take_value(model, &model->com_pins, 0x02, 0x12);
+        model_take_value(model, &model->com_pins, 0x02, 0x12);
         break;
     case CONVERTER:
-        take_value(model, &model->pump, CONVERTER_OFF, CONVERTER_ON);
+        model_take_value(model, &model->pump, CONVERTER_OFF, CONVERTER_ON);
         break;
     case BOOSTER:
-        take_value(model, &value, 0, 1);
+        model_take_value(model, &value, 0, 1);
         break;
     case CONTRAST:
-        take_value(model, &value, 0, is_lcd(model) ? 63 : 255);
+        model_take_value(model, &value, 0, is_lcd(model) ? 63 : 255);
         break;
     default:
         break;
@@ -225,15 +218,9 @@ static void command(panel_model *model, uint8_t byte) {
 
 /* ---- Glass ------------------------------------------------------------------------------------------------------ */
 
-/* `row` is the number of a common line, `column` that of a segment. Lines beyond the multiplex ratio are not driven. */
+/* `column` is the number of a segment. */
 static void show(const panel_model *model, int column, int row, uint8_t rgb[3]) {
-    const int line = model->scan_reversed ? model->lines - row : row;
-    const uint8_t *cell = model_cell(model, model->segments_reversed ? WIDTH - 1 - column : column,
-                                     (line + model->start_line + model->offset + HEIGHT) % HEIGHT);
-    const int is_driven = line >= 0 && line <= model->lines;
-    const int is_lit = model->forces_on || (cell[0] != 0) != model->is_inverse;
-
-    rgb[0] = rgb[1] = rgb[2] = is_driven && is_lit ? 255 : 0;
+    model_show_bit(model, model->segments_reversed ? WIDTH - 1 - column : column, row, HEIGHT, rgb);
 }
 
 #define PAGES_CONTROLLER(height, own) \

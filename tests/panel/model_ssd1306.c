@@ -107,17 +107,10 @@ static void set_range(panel_model *model, int *first, int *last, int *at, int li
     model->is_full = 0;
 }
 
-static void take_value(panel_model *model, uint8_t *value, uint8_t least, uint8_t most) {
-    *value = model->parameters[0];
-    if (*value < least || *value > most) {
-        model_complain(model, PANEL_COMPLAINT_VALUE);
-    }
-}
-
 static void set_registers(panel_model *model) {
     switch (model->current) {
     case SET_MODE:
-        take_value(model, &model->mode, MODE_HORIZONTAL, MODE_PAGE);
+        model_take_value(model, &model->mode, MODE_HORIZONTAL, MODE_PAGE);
         break;
     case SET_COLUMNS:
         set_range(model, &model->first_x, &model->last_x, &model->x, WIDTH);
@@ -126,16 +119,16 @@ static void set_registers(panel_model *model) {
         set_range(model, &model->first_y, &model->last_y, &model->y, PAGES);
         break;
     case CHARGE_PUMP:
-        take_value(model, &model->pump, 0x10, 0x14);
+        model_take_value(model, &model->pump, 0x10, 0x14);
         break;
     case LINES:
-        take_value(model, &model->lines, 15, 63);
+        model_take_value(model, &model->lines, 15, 63);
         break;
     case OFFSET:
-        take_value(model, &model->offset, 0, 63);
+        model_take_value(model, &model->offset, 0, 63);
         break;
     case COM_PINS:
-        take_value(model, &model->com_pins, 0x02, 0x32);
+        model_take_value(model, &model->com_pins, 0x02, 0x32);
         if (model->com_pins != PINS_ALTERNATE) {
             model_complain(model, PANEL_COMPLAINT_WIRING);
         }
@@ -204,14 +197,8 @@ static void command(panel_model *model, uint8_t byte) {
 
 /* ---- Glass ------------------------------------------------------------------------------------------------------ */
 
-/* `row` is the number of a common line. Lines beyond the multiplex ratio are not driven. */
 static void show(const panel_model *model, int column, int row, uint8_t rgb[3]) {
-    const int line = model->scan_reversed ? model->lines - row : row;
-    const uint8_t *cell = model_cell(model, column, (line + model->start_line + model->offset + HEIGHT) % HEIGHT);
-    const int is_driven = line >= 0 && line <= model->lines;
-    const int is_lit = model->forces_on || (cell[0] != 0) != model->is_inverse;
-
-    rgb[0] = rgb[1] = rgb[2] = is_driven && is_lit ? 255 : 0;
+    model_show_bit(model, column, row, HEIGHT, rgb);
 }
 
 /* A serial clock cycle of 100 ns; reset held for 3 us and waited for as long. */

@@ -234,6 +234,22 @@ int model_step(int *at, int first, int last) {
     return 0;
 }
 
+void model_take_value(panel_model *model, uint8_t *value, uint8_t least, uint8_t most) {
+    *value = model->parameters[0];
+    if (*value < least || *value > most) {
+        model_complain(model, PANEL_COMPLAINT_VALUE);
+    }
+}
+
+void model_show_bit(const panel_model *model, int column, int row, int rows, uint8_t rgb[3]) {
+    const int line = model->scan_reversed ? model->lines - row : row;
+    const uint8_t *cell = model_cell(model, column, (line + model->start_line + model->offset + rows) % rows);
+    const int is_driven = line >= 0 && line <= model->lines;
+    const int is_lit = model->forces_on || (cell[0] != 0) != model->is_inverse;
+
+    rgb[0] = rgb[1] = rgb[2] = is_driven && is_lit ? 255 : 0;
+}
+
 /* On a round glass, pixels are seen whose centres lie in its circle. */
 static int is_seen(const model_module *module, int x, int y) {
     const int across = 2 * x + 1 - module->width;

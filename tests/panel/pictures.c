@@ -345,26 +345,6 @@ static void pixels_without_a_name_are_refused(void) {
     wire_close(&line);
 }
 
-static void windows_off_the_glass_are_refused(void) {
-    static const uint8_t pixels[2 * SIDE_MAX];
-
-    for (unsigned i = 0; i < tested_panel_count; i++) {
-        wire line;
-        const glint_panel driver = {tested_panels[i].type, &line.bus};
-        const int right = glint_panel_width(&driver);
-        const int bottom = glint_panel_height(&driver);
-        const int wrong[][4] = {{-8, 0, 8, 8}, {0, -8, 8, 8}, {right - 8, 0, 16, 8},     {0, bottom - 8, 8, 16},
-                                {0, 0, 0, 8},  {0, 0, 8, 0},  {0, 0, right + 8, bottom}, {right, 0, 8, 8}};
-        wire_open(&line, tested_panels[i].module, 0, 1);
-        for (unsigned j = 0; j < TEST_COUNT(wrong); j++) {
-            CHECK_EQUAL(glint_panel_begin(&driver, wrong[j][0], wrong[j][1], wrong[j][2], wrong[j][3], pixels, 16),
-                        GLINT_ERROR_REGION);
-        }
-        CHECK_EQUAL(panel_model_bytes(line.model), 0);
-        wire_close(&line);
-    }
-}
-
 /* Left and right edges on whole bytes; pages begin on theirs. */
 static void split_bytes_are_refused(void) {
     static const uint8_t pixels[64];
@@ -408,7 +388,6 @@ int test_main(test_writer write) {
         TEST_CASE(no_byte_too_many),
         TEST_CASE(what_a_panel_cannot_is_refused),
         TEST_CASE(pixels_without_a_name_are_refused),
-        TEST_CASE(windows_off_the_glass_are_refused),
         TEST_CASE(split_bytes_are_refused),
         TEST_CASE(pairs_of_pixels_are_taken),
     };
