@@ -92,6 +92,25 @@ static stage *begin_layout(void) {
     return s;
 }
 
+static void missing_attributes_are_named(void) {
+    stage *s = begin_layout();
+    expect(s, GLINT_OK, "");
+    s->layout.positions.data = NULL;
+    expect(s, GLINT_ERROR_NULL, "positions are null");
+    s = begin_layout();
+    s->layout.normals.data = NULL;
+    expect(s, GLINT_ERROR_NULL, "normals are null");
+    s = begin_layout();
+    s->layout.triangles.type = NULL;
+    expect(s, GLINT_ERROR_NULL, "triangles are null");
+    s = begin_layout();
+    s->layout.colours.data = NULL;
+    expect(s, GLINT_ERROR_NULL, "colours are null");
+    s = begin_layout();
+    s->material.model = NULL;
+    expect(s, GLINT_ERROR_NULL, "model is null");
+}
+
 /* A layout that names no type stands for no array. */
 static void empty_layouts_are_none(void) {
     stage *s = begin();
@@ -318,12 +337,19 @@ static void generators_stop_at_their_limits(void) {
 
 int test_main(void (*write)(const char *text)) {
     static const test_case cases[] = {
-        TEST_CASE(empty_layouts_are_none),          TEST_CASE(arrays_come_first),
-        TEST_CASE(what_is_missing_is_named),        TEST_CASE(picking_looks_at_the_screen_alone),
-        TEST_CASE(hidden_objects_need_nothing),     TEST_CASE(lines_are_drawn_on_tiles_of_a_frame),
-        TEST_CASE(colours_of_lines_are_checked),    TEST_CASE(edges_saturate),
-        TEST_CASE(widest_views_have_lines),         TEST_CASE(points_far_aside_saturate),
-        TEST_CASE(sizes_of_no_configuration_are_0), TEST_CASE(generators_stop_at_their_limits),
+        TEST_CASE(missing_attributes_are_named),
+        TEST_CASE(empty_layouts_are_none),
+        TEST_CASE(arrays_come_first),
+        TEST_CASE(what_is_missing_is_named),
+        TEST_CASE(picking_looks_at_the_screen_alone),
+        TEST_CASE(hidden_objects_need_nothing),
+        TEST_CASE(lines_are_drawn_on_tiles_of_a_frame),
+        TEST_CASE(colours_of_lines_are_checked),
+        TEST_CASE(edges_saturate),
+        TEST_CASE(widest_views_have_lines),
+        TEST_CASE(points_far_aside_saturate),
+        TEST_CASE(sizes_of_no_configuration_are_0),
+        TEST_CASE(generators_stop_at_their_limits),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

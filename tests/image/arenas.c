@@ -370,12 +370,15 @@ static glint_status render_in(const row *r, size_t size, picture *image, glint_s
     return picture_render(image, &r->scene, &options, stats);
 }
 
-/* One of them names a vertex that is not there: found with any arena. */
+/* One of them names a vertex that is not there, and another object follows: found with any arena. */
 static void bad_indices_are_found_in_any_arena(void) {
     for (int bad = -1; bad < COVERS; bad += bad < 0 ? 1 : COVERS - 1) {
         picture got = open_picture();
         row r;
-        const glint_need need = build_covers(&r, &got);
+        build_covers(&r, &got);
+        r.objects[1] = r.objects[0];
+        r.scene.object_count = 2;
+        const glint_need need = picture_need(&got, &r.scene, &smallest);
         if (bad >= 0)
             covers_list[bad][2] = COVERS_VERTICES;
         for (size_t size = need.least; size <= need.one_pass; size += 8) {

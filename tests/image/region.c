@@ -236,6 +236,8 @@ static void bad_regions_are_refused(void) {
         CHECK_EQUAL(glint_arena_need(&config, &scene.scene, &need), cases[i].status);
     }
     CHECK_EQUAL(glint_render_region(NULL, &scene.scene, &cases[0].region), GLINT_ERROR_NULL);
+    glint_renderer renderer = {0};
+    CHECK_EQUAL(glint_render_region(&renderer, &scene.scene, NULL), GLINT_ERROR_NULL);
 }
 
 /* ---- Only what changed ---- */
