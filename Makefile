@@ -69,10 +69,13 @@ $(SUITES:%=ended-%): ended-%: %
 	@echo 0 > $(SUITE_LOGS)/$*.status
 endif
 
-.PHONY: test lint clean $(SUITES)
+.PHONY: test test-quick lint clean $(SUITES)
 test: ## run every suite, as many at once as there are cores; installs missing tools first
 	@tools/setup.sh
 	@tools/test.sh $(BUILD)/test $(SUITES)
+
+test-quick: ## what most changes of src/ break, in two minutes: unit tests, images, formats and the README's program on a board
+	@tools/test.sh $(BUILD)/test-quick test-unit-host test-image test-identity test-board-own-flush
 
 lint: ## check format, static analysis, licence lines, version numbers and figures
 	@tools/setup.sh

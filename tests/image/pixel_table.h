@@ -7,79 +7,79 @@
 #include <stdint.h>
 
 static const uint32_t pixel_table[] = {
-    0x84955e76u, /* regions */
+    0x8e2d454fu, /* regions */
     0x16871e2cu, /* regions */
-    0x5aba87d6u, /* large regions */
-    0x053f6e5cu, /* large regions */
-    0xe544aa42u, /* large regions */
-    0x2719f229u, /* varied regions */
-    0x57db7628u, /* varied regions */
-    0xd622b190u, /* varied regions */
-    0x900a836du, /* varied regions */
-    0x569070d0u, /* varied regions */
-    0x5620129bu, /* varied regions */
-    0xa202fd32u, /* varied regions */
-    0xf74ba22bu, /* varied regions */
-    0x74ee3d4cu, /* varied benchmark */
-    0x83b00cc6u, /* varied benchmark */
-    0x99724f34u, /* varied benchmark */
-    0xa2e231f3u, /* varied benchmark */
-    0x38ee46fau, /* varied benchmark */
-    0x817846f5u, /* varied benchmark */
-    0x0c1e43c5u, /* random surfaces */
-    0x44a117c9u, /* random surfaces */
-    0xcd823259u, /* random surfaces */
-    0x135be48eu, /* random surfaces */
-    0x71b8c927u, /* random surfaces */
-    0xcbd0ee75u, /* random surfaces */
-    0x74770310u, /* random scenes */
-    0x5e07e185u, /* random scenes */
-    0xd44315bau, /* random scenes */
-    0x508eaa95u, /* random scenes */
-    0xf4d7e09cu, /* benchmark */
-    0x21408097u, /* benchmark */
+    0x59e10b36u, /* large regions */
+    0x75179d60u, /* large regions */
+    0x5909b7cfu, /* large regions */
+    0xb445bc6cu, /* varied regions */
+    0xf417677cu, /* varied regions */
+    0x15ea8867u, /* varied regions */
+    0x0400e1f0u, /* varied regions */
+    0xe5e4de63u, /* varied regions */
+    0x1c7a263cu, /* varied regions */
+    0x8cb917a9u, /* varied regions */
+    0x01d3d72bu, /* varied regions */
+    0x64399fbeu, /* varied benchmark */
+    0x651e031eu, /* varied benchmark */
+    0x22c43a58u, /* varied benchmark */
+    0x5187d498u, /* varied benchmark */
+    0xda0ccec9u, /* varied benchmark */
+    0x06b2f65fu, /* varied benchmark */
+    0xe436d8d0u, /* random surfaces */
+    0xf0223d0bu, /* random surfaces */
+    0xa915aaafu, /* random surfaces */
+    0x5c8d425au, /* random surfaces */
+    0x10b2b335u, /* random surfaces */
+    0x08219756u, /* random surfaces */
+    0x75df0c6du, /* random scenes */
+    0x683f2926u, /* random scenes */
+    0xc83c20bau, /* random scenes */
+    0x3a8dc5a5u, /* random scenes */
+    0x88582764u, /* benchmark */
+    0x4dee89f9u, /* benchmark */
     0x27e9fa9bu, /* benchmark */
-    0x6742439cu, /* benchmark */
-    0x10929c94u, /* benchmark */
+    0xe9fd3c9du, /* benchmark */
+    0xf0c9e555u, /* benchmark */
     0xb841ddb7u, /* benchmark */
-    0x186a0b38u, /* benchmark */
+    0x29f6db6du, /* benchmark */
     0x99f5ba96u, /* benchmark */
     0x18d255d6u, /* benchmark */
-    0x7e78c147u, /* benchmark */
-    0xdee06880u, /* benchmark */
+    0xa18761a8u, /* benchmark */
+    0xabfa282fu, /* benchmark */
     0xf195f825u, /* benchmark */
-    0xb37dabc3u, /* large */
-    0x4fc9e88fu, /* large */
-    0xb0ea14eeu, /* large */
-    0x973566b7u, /* large */
-    0x48851d14u, /* scenes */
-    0x14445194u, /* scenes */
+    0x7d285006u, /* large */
+    0xc1acaeb0u, /* large */
+    0x486f08f2u, /* large */
+    0xd6f7dbfau, /* large */
+    0x75003dfbu, /* scenes */
+    0x5f4e59adu, /* scenes */
     0x833b6538u, /* scenes */
     0xe4318ed2u, /* surfaces */
-    0x624930c8u, /* surfaces */
+    0x42309271u, /* surfaces */
     0x7c203683u, /* surfaces */
-    0xefe6ffffu, /* gallery */
-    0x05f48cb6u, /* gallery */
+    0x184d1c84u, /* gallery */
+    0xfbc19b11u, /* gallery */
     0xb8747bb6u, /* gallery */
-    0xad6ee463u, /* gallery */
+    0xcaa53b64u, /* gallery */
     0x8ed31963u, /* gallery */
-    0x3a0a50b8u, /* gallery */
-    0x269d2e6au, /* formats */
-    0x5636eed2u, /* formats */
-    0x9384c374u, /* formats */
-    0xf69a339bu, /* formats */
-    0x5491c668u, /* formats */
-    0x21c27329u, /* formats */
-    0xdd365380u, /* formats */
-    0xecb02cbcu, /* formats */
-    0xab024f0fu, /* formats */
-    0x61ff53e9u, /* formats */
-    0x36cbf9ecu, /* formats */
-    0x04cf825au, /* formats */
+    0x4ed12ff5u, /* gallery */
+    0xaf44b5dfu, /* formats */
+    0x44d652c7u, /* formats */
+    0x96eb7e1bu, /* formats */
+    0x522e65abu, /* formats */
+    0x495b462fu, /* formats */
+    0x45bc7166u, /* formats */
+    0xa8243e52u, /* formats */
+    0x4694e360u, /* formats */
+    0xd2e4c508u, /* formats */
+    0x2fabd39au, /* formats */
+    0x568003e3u, /* formats */
+    0x90964451u, /* formats */
     0x7b068518u, /* formats */
-    0x585d55b5u, /* formats */
+    0x9631304du, /* formats */
     0x69ef9076u, /* formats */
-    0x7062d471u, /* formats */
+    0xedcbe5aeu, /* formats */
 };
 
 #endif
