@@ -101,7 +101,7 @@ cppcheck_all() {
 }
 
 # What follows no range of a count, and no number of turns of a loop, takes shifts for too far and elements for unset;
-# Frama-C, which does, proves that neither happens (docs/proofs.md). To the host's files problem_set, which answers
+# Frama-C, which does, proves that neither happens (tests/proof). To the host's files problem_set, which answers
 # false, is any function.
 analyzer() {
     files 'src/*.c' 'port/panel/*.c' 'port/host/*.c' ':!port/host/import' ':!port/host/window' | xargs -n 1 -P "$jobs" \

@@ -178,7 +178,7 @@ test-pages: $(HOST_TOOLS)/page_pictures $(WINDOW_PICTURE) ## the pictures of doc
 # ---- this order: what is measured, what is written from that, and the page, which holds both.
 
 FIGURES := unit-tables chart-figures scaling gallery features options-page stability boards-page cost-pictures page-pictures \
-    demo-picture proofs-page chart web web-picture
+    demo-picture chart web web-picture
 .PHONY: figures options-page
 figures: ## after a changed pixel: measure, draw and write anew all that pages show and that tests compare
 	@tools/setup.sh

@@ -3,10 +3,10 @@
  * @file proof.h
  * Drivers for Frama-C EVA: PROOF(kernel) calls a kernel with inputs that range over all that its contract allows.
  *
- * The comment above a driver is its row in docs/proofs.md: the kernel's domain, in one sentence. It may go on with
+ * The comment above a driver is its row in the page that prove.py writes: the kernel's domain, in one sentence. It may go on with
  * lines of words for prove.py:
  * - `@contract f g`: these callees stand as their contracts below, which drivers of their own prove of their bodies
- *   or docs/proofs.md lists; their preconditions are proven here.
+ *   or that page lists; their preconditions are proven here.
  * - `@narrowing reason`: conversions to narrower signed types are no alarms here.
  * - `@alarms n reason`: so many alarms are expected, which a relation rules out; the test that stands in.
  * - `@unreached n reason`: so many statements no input reaches.

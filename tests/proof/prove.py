@@ -1,11 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Proves the drivers of tests/proof with Frama-C EVA, and writes docs/proofs.md from what it found.
+"""Proves the drivers of tests/proof with Frama-C EVA, and writes a page of what it found, proofs.md in the output folder.
 
 A driver passes when EVA reaches its end, raises no alarm, and finds every contract's precondition and postcondition
 true. A planted driver passes when one of these is not so. Contracts that no driver proves must say what they stand on.
-
-With --check the page must be what it is written as; with --page-only it is written, and nothing is proven.
 """
 import argparse
 import concurrent.futures
@@ -113,7 +111,7 @@ def read_drivers(folder):
 
 HEAD = """# Proofs
 
-Written by `make figures`; not to be edited.
+Written by `make test-prove`.
 
 [Frama-C](https://frama-c.com) EVA goes through {count} kernels with every input of the domain below. It finds no
 signed overflow, bad shift, access out of range, division by zero or read of what was never written, and no conversion
@@ -158,9 +156,6 @@ def main():
     parser.add_argument("--include", default="src")
     parser.add_argument("--folder", type=pathlib.Path, required=True)
     parser.add_argument("--output", type=pathlib.Path, required=True)
-    parser.add_argument("--page", type=pathlib.Path, required=True, help="written when everything passes")
-    parser.add_argument("--check", action="store_true", help="compare the page instead")
-    parser.add_argument("--page-only", action="store_true", help="write the page, and prove nothing")
     parser.add_argument("--only", help="drivers whose name contains this")
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
@@ -172,9 +167,6 @@ def main():
         unproven += UNPROVEN.findall(path.read_text())
     if arguments.only:
         drivers = [d for d in drivers if arguments.only in d.kernel]
-    if arguments.page_only:
-        arguments.page.write_text(page(drivers, contracts, unproven))
-        return 0
     passed = failed = 0
 
     def tally(good, text):
@@ -196,11 +188,7 @@ def main():
             tally(bool(reason) or name in names, f"contract of {name}: has neither a driver nor what it stands on")
         used = {c for d in drivers for c in d.contracts}
         tally(used <= set(contracts), f"no contract: {used - set(contracts)}")
-        text = page(drivers, contracts, unproven)
-        if arguments.check:
-            tally(arguments.page.read_text() == text, f"{arguments.page} is not what make figures writes")
-        elif not failed:
-            arguments.page.write_text(text)
+        (arguments.output / "proofs.md").write_text(page(drivers, contracts, unproven))
     print(f"{passed} passed, {failed} failed")
     return failed > 0
 
