@@ -397,7 +397,7 @@ $(WEB_TEST)/node_modules/installed: tests/web/package.json tests/web/package-loc
 	$(Q)cp $^ $(WEB_TEST)
 	$(Q)cd $(WEB_TEST) && npm ci --no-audit --no-fund --silent
 	@touch $@
-$(WEB_TEST)/errors: $(call objects,$(BUILD)/host,tests/web/errors.c port/web/measure.c) $(HOST_PARTS)
+$(WEB_TEST)/errors: $(call objects,$(BUILD)/host,tests/web/errors.c port/web/measure.c $(JUDGE_SOURCES)) $(HOST_PARTS)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) $^ $(SIMPLIFIER) -lm -o $@
 test-web: $(WEB)/page/data.js $(WEB_TEST)/node_modules/installed $(WEB_TEST)/errors $(HOST_PROGRAM) $(PANEL_STREAM) ## the web page in a browser
