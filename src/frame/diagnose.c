@@ -243,7 +243,7 @@ static void remark_black(const glint_config *config, const glint_scene *scene, g
     remark_numbers(config, scene, report);
     remark(
         report, the_frame,
-        "no light reaches what shows: a directional light's vector points towards the light, normals point outwards, "
+        "no light reaches what shows: a directional light's direction is the way it travels, normals point outwards, "
         "and where no light falls materials show ambient light alone");
 }
 
