@@ -46,7 +46,8 @@ def test_pico_firmware(b):
     """No more than the SDK itself is missing when the sample is linked for its core."""
     folder = sample(b, "pico-m0", path("examples/pico-sdk"), cross("cortex-m0"), "-DCMAKE_EXE_LINKER_FLAGS=-r -nostdlib",
                     env=PICO)
-    missing = run("arm-none-eabi-nm", "-u", os.path.join(folder, "teapot")).split()[1::2]
+    words = run("arm-none-eabi-nm", "-u", os.path.join(folder, "teapot")).split()
+    missing = [name for kind, name in zip(words[::2], words[1::2]) if kind == "U"]  # a weak one may be missing
     check("spi_init" in missing, "the sample does not call the SDK")
     check(not [name for name in missing if name.startswith("glint")], "of glint: %s" % missing)
 
