@@ -6,8 +6,8 @@
  */
 #include "files.h"
 
-#include "model.h"
 #include "basics.h"
+#include "model.h"
 
 #include <stdarg.h>
 #include <stdio.h>

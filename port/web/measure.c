@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "measure.h"
 
-#include "library_geometry.h"
 #include "basics.h"
+#include "library_geometry.h"
 #include "picture.h"
 #include "reference.h"
 

@@ -8,13 +8,13 @@
  * The page adds the models that it brings along and calls web_start. web_begin forgets what came after that: files are
  * added, and then a model is loaded once and drawn any number of times. Memory of a drawing is taken back by the next.
  */
+#include "basics.h"
 #include "command.h"
 #include "files.h"
 #include "framebuffer.h"
 #include "glint_extras.h"
 #include "libc.h"
 #include "measure.h"
-#include "basics.h"
 #include "meshes.h"
 #include "scenes/scenes.h"
 #include "view.h"

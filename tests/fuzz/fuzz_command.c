@@ -8,9 +8,9 @@
  */
 #include "checks.h"
 #include "command.h"
+#include "model.h"
 #include "values.h"
 #include "view.h"
-#include "model.h"
 
 #include <stdio.h>
 #include <string.h>

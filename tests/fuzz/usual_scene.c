@@ -2,8 +2,8 @@
 /* Scenes as users have them: what the fast ways of lighting take, beside what they must leave to others. */
 #include "drawing.h"
 
-#include "quantise.h"
 #include "glint_extras.h"
+#include "quantise.h"
 
 #include <string.h>
 

@@ -3,8 +3,8 @@
  * @file parts.c
  * Parts of the host program that read what others wrote, one by one: so that sanitisers see them.
  */
-#include "png.h"
 #include "harness.h"
+#include "png.h"
 #include "values.h"
 
 #include <stdlib.h>

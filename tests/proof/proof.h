@@ -3,8 +3,8 @@
  * @file proof.h
  * Drivers for Frama-C EVA: PROOF(kernel) calls a kernel with inputs that range over all that its contract allows.
  *
- * The comment above a driver is its row in the page that prove.py writes: the kernel's domain, in one sentence. It may go on with
- * lines of words for prove.py:
+ * The comment above a driver is its row in the page that prove.py writes: the kernel's domain, in one sentence. It may
+ * go on with lines of words for prove.py:
  * - `@contract f g`: these callees stand as their contracts below, which drivers of their own prove of their bodies
  *   or that page lists; their preconditions are proven here.
  * - `@narrowing reason`: conversions to narrower signed types are no alarms here.

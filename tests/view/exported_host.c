@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Draws a scene as the window exported it, with the arena that it was drawn with there: exported_host OUT.png */
-#include "framebuffer.h"
 #include "basics.h"
+#include "framebuffer.h"
 #include "png.h"
 
 #include EXPORTED_HEADER

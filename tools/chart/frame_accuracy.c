@@ -6,10 +6,10 @@
  */
 #include "bench.h"
 #include "choices.h"
-#include "quantise.h"
 #include "judge.h"
 #include "library_geometry.h"
 #include "picture.h"
+#include "quantise.h"
 #include "reference.h"
 
 #include <math.h>

@@ -3,12 +3,12 @@
  * Draws the pictures of docs/compose.md, docs/black.md and docs/meshes.md: pictures DIRECTORY
  * They are what a panel of 16 bits shows.
  */
+#include "basics.h"
 #include "compose/compose.h"
 #include "framebuffer.h"
 #include "lines/lines.h"
 #include "meshes/torus576.h"
 #include "moving/moving.h"
-#include "basics.h"
 #include "png.h"
 
 #include <stdio.h>
