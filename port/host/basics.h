@@ -45,7 +45,7 @@ typedef struct host_problem {
 /** Most warnings of an input. */
 #define PROBLEM_WARNINGS_MAX 24
 
-/** What an input says and is not followed, though all else of it is. */
+/** Tells of statements of an input that are ignored while all others are followed. */
 typedef struct host_warnings {
     host_problem list[PROBLEM_WARNINGS_MAX];
     size_t count;
@@ -112,10 +112,10 @@ typedef struct host_file {
  */
 bool bytes_write_pair(const host_file pair[2], const char **wrong, host_problem *problem);
 
-/** Whether two paths lead to one regular file, by links or not. */
+/** Returns whether two paths name the same regular file, directly or by links. */
 bool path_is_same_file(const char *a, const char *b);
 
-/** Whether a path leads to what the program prints to. */
+/** Returns whether a path names the file that standard output goes to. */
 bool path_is_stdout(const char *path);
 
 /** The part of a path after its last slash. */

@@ -18,7 +18,7 @@
 /** Length of a triangle's direction. */
 #define PATCH_DIRECTION_ONE 1048576.0
 
-/** What a patch costs, in triangles that are drawn for nothing half of the time. */
+/** The cost of a patch equals that of so many triangles, which are drawn for nothing half of the time. */
 #define PATCH_COST 1.5
 
 /** Most triangles of a patch. */
@@ -48,7 +48,7 @@ typedef struct mesh_patches {
  * less what is drawn for nothing more than before. A patch is seen from half of all directions and sin(spread) / 2
  * more.
  *
- * What is compared are integers, some of them rounded from doubles: the patches are the same everywhere.
+ * Integers are compared, some of them rounded from doubles: the patches are the same everywhere.
  */
 
 /** A sine of 1. */
@@ -156,7 +156,7 @@ static int64_t product(const int32_t direction[3], const int64_t vector[3]) {
     return direction[0] * vector[0] + direction[1] * vector[1] + direction[2] * vector[2];
 }
 
-/** Of a patch's triangles with area, the one that is turned farthest from `vector`; or PATCH_NONE. */
+/** Returns the triangle of a patch, of those with area, that faces farthest from `vector`; or PATCH_NONE. */
 static uint32_t patch_farthest(const mesh_patches *patches, uint32_t patch, const int64_t vector[3]) {
     int64_t smallest = INT64_MAX;
     uint32_t farthest = PATCH_NONE;
