@@ -105,14 +105,18 @@ static GLINT_INLINE int arrive_from_place(const glint_lamps *lamps, const glint_
             z = lamp->at[2] + glint_shift_right(s->e[2], down);
     int32_t cosine = s->n[0] * x + s->n[1] * y + s->n[2] * z;
     const int is_dim = cosine <= lamps->far_gate;
-    if (is_dim && cosine <= lamps->near_gate)
+    if (is_dim && cosine <= lamps->near_gate) {
+        s->at->unseen++;
         return 0;
+    }
     uint32_t square = (uint32_t)x * (uint32_t)x + (uint32_t)y * (uint32_t)y + (uint32_t)z * (uint32_t)z, more = 0;
     if (GLINT_RARELY(is_dim || square < lamp->usual)) {
         if (is_dim || square < lamp->near) {
             glint_lamp_way way;
-            if (!glint_find_near_way(lamps, lamp, s, square, cosine, &way))
+            if (!glint_find_near_way(lamps, lamp, s, square, cosine, &way)) {
+                s->at->unseen++;
                 return 0;
+            }
             x = way.at[0], y = way.at[1], z = way.at[2];
             cosine = way.cosine;
             square = way.square;
@@ -129,8 +133,10 @@ static GLINT_INLINE int arrive_along(const glint_lamps *lamps, const glint_drawn
                                      glint_arrival *to, int has_gloss) {
     const int32_t x = lamp->at[0], y = lamp->at[1], z = lamp->at[2];
     const int32_t cosine = s->n[0] * x + s->n[1] * y + s->n[2] * z;
-    if (cosine <= lamps->gate)
+    if (cosine <= lamps->gate) {
+        s->at->unseen++;
         return 0;
+    }
     to->cosine = glint_shift_right(glint_shift_right(cosine, 15) * s->over_n, 15);
     to->strength = 1u << 15;
     if (has_gloss)

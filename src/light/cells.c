@@ -13,8 +13,10 @@
 #define NODE_STEP 4
 #define NODES (GLINT_TILE_MAX / NODE_STEP + 1)
 
-/* A node's colour: levels, Q14, with half a level or what dithering leaves free; up to 2. */
-typedef int16_t cell_node[3];
+/* A node's colour: levels, Q14, with half a level or what dithering leaves free; up to 2. Last, lights that its surface
+ * faces away from. */
+typedef int16_t cell_node[4];
+enum { UNSEEN = 3 };
 
 #define COLOUR_BITS 14
 
@@ -53,9 +55,10 @@ static inline uint32_t set_channel(const cell_rows *r, int c, int32_t from, int1
     return value > r->most[c];
 }
 
-/* Sets node n of a row from a colour in levels, Q27, half a level included. */
-static inline void set_node(cell_rows *r, int k, uint32_t n, const int32_t colour[3]) {
+/* Sets node n of a row from a fragment, whose colour is in levels, Q27, half a level included. */
+static inline void set_node(cell_rows *r, int k, uint32_t n, const glint_lit_fragment *f) {
     const glint_format *format = r->walk->frame->config.format;
+    const int32_t *const colour = f->out.colour;
     int32_t from[3] = {colour[0], colour[1], colour[2]};
     if (!format->channel[1]) { /* luma (ITU-R BT.601) */
         int32_t part[3];       /* Q15, clamped */
@@ -67,6 +70,7 @@ static inline void set_node(cell_rows *r, int k, uint32_t n, const int32_t colou
     int16_t *const to = r->row[k][n];
     const uint32_t above =
         set_channel(r, 0, from[0], to) | set_channel(r, 1, from[1], to) | set_channel(r, 2, from[2], to);
+    to[UNSEEN] = f->unseen;
     r->above[k] |= above << n;
     r->known[k] |= 1u << n;
 }
@@ -81,7 +85,7 @@ static GLINT_NOINLINE void light_nodes(cell_rows *r, int k, uint32_t y, uint32_t
             (!walk->list->room || glint_lamp_plane(&walk->w, row, column) > 0)) {
             f->at = y << 16 | (uint32_t)column;
             f->inverse_w = (z - (int32_t)GLINT_DEPTH_BIAS) | 1;
-            f->is_rough = 0;
+            f->is_rough = f->unseen = 0;
             f++;
         }
         if (f == first || (f != first + GLINT_LIST_MAX && missing >> n >> 1))
@@ -89,7 +93,7 @@ static GLINT_NOINLINE void light_nodes(cell_rows *r, int k, uint32_t y, uint32_t
         glint_lamps_light(walk, first, f);
         while (f != first)
             if (!(--f)->is_rough)
-                set_node(r, k, (f->at & 0xffff) / NODE_STEP, f->out.colour);
+                set_node(r, k, (f->at & 0xffff) / NODE_STEP, f);
     }
 }
 
@@ -100,13 +104,28 @@ static GLINT_NOINLINE void light_nodes(cell_rows *r, int k, uint32_t y, uint32_t
 #define CLOSE_OF_4 (7 << 10)
 #define CLOSE_OF_8 (7 << 9)
 
+/* Levels, Q14, that nodes on both sides of a horizon may differ by. */
+#define HORIZON_CHANGE (1 << 14)
+
 /* Twice how far the middle of three nodes is off the mean of the others, in levels, Q14. */
 static inline int32_t node_bend_of(const cell_rows *r, int c, const int16_t *a, const int16_t *m, const int16_t *b) {
     const int32_t bend = 2 * m[c] - a[c] - b[c];
     return (bend < 0 ? -bend : bend) << r->level_bits[c];
 }
 
+/* Does a light's horizon pass between nodes whose colours differ? The bend of others may make up for it at nodes. */
+static inline int has_horizon(const cell_rows *r, const int16_t *a, const int16_t *m, const int16_t *b) {
+    int32_t most = 0;
+    if (a[UNSEEN] == m[UNSEEN] && m[UNSEEN] == b[UNSEEN])
+        return 0;
+    for (int c = 0; c < 3; c++)
+        most = glint_most(most, (a[c] < b[c] ? b[c] - a[c] : a[c] - b[c]) << r->level_bits[c]);
+    return most > HORIZON_CHANGE;
+}
+
 static inline int32_t find_node_bend(const cell_rows *r, const int16_t *a, const int16_t *m, const int16_t *b) {
+    if (has_horizon(r, a, m, b))
+        return INT32_MAX;
     return glint_most_of(node_bend_of(r, 0, a, m, b), node_bend_of(r, 1, a, m, b), node_bend_of(r, 2, a, m, b));
 }
 

@@ -307,18 +307,22 @@ static inline uint32_t bound_apart(const int16_t *a, const int16_t *b, const int
 
 /* May the colours of any triangle be linear on the screen, by a plane that is moved, 1, or by the one through its
  * corners, which is off by twice as much, 2? */
-static GLINT_NOINLINE int are_linear(const glint_row_walk *walk, uint32_t off) {
+static GLINT_NOINLINE int are_linear(const glint_row_walk *walk, uint32_t off, uint32_t apart) {
     const glint_vertex *const *v = walk->triangle.corners;
     const int32_t w = v[0]->inverse_w;
-    const uint32_t apart = find_apart(colour_at(walk, 0), colour_at(walk, 1), colour_at(walk, 2));
     const colour_bend of = find_bend(walk, w, v[1]->inverse_w - w, v[2]->inverse_w - w);
-    return walk->colour_bits && !walk->is_deep && apart * of.change <= of.level / off &&
-           has_room(walk->frame->config.format, v, apart);
+    return walk->colour_bits && !walk->is_deep && apart * of.change <= of.level / off;
+}
+
+/* The same of colours in two words. */
+static GLINT_NOINLINE int are_linear_lanes(const glint_row_walk *walk, uint32_t off) {
+    const uint32_t apart = find_apart(colour_at(walk, 0), colour_at(walk, 1), colour_at(walk, 2));
+    return are_linear(walk, off, apart) && has_room(walk->frame->config.format, walk->triangle.corners, apart);
 }
 
 /* Begins colours by gradients. */
 static void begin_large_colours(glint_row_walk *walk) {
-    if (!are_linear(walk, 2)) {
+    if (!are_linear_lanes(walk, 2)) {
         begin_divided(walk);
         return;
     }
@@ -330,9 +334,19 @@ static void begin_large_colours(glint_row_walk *walk) {
 static inline int are_close(const glint_row_walk *walk, int32_t w, int32_t to_b, int32_t to_c, const int16_t *a,
                             const int16_t *b, const int16_t *c) {
     if (walk->is_exacting)
-        return are_linear(walk, 1);
+        return are_linear_lanes(walk, 1);
     const colour_bend of = find_bend(walk, w, to_b, to_c);
     return bound_apart(a, b, c) * of.change <= of.level || find_apart(a, b, c) * of.change <= of.level;
+}
+
+int glint_bend_slopes(const glint_row_walk *walk, glint_slopes *slopes, const int16_t *a, const int16_t *b,
+                      const int16_t *c) {
+    const glint_vertex *const *v = walk->from_top;
+    const int32_t wa = v[0]->inverse_w;
+    if (!are_linear(walk, 1, find_apart(a, b, c)))
+        return 0;
+    add_curvature(slopes, wa, v[1]->inverse_w - wa, v[2]->inverse_w - wa);
+    return 1;
 }
 
 /* Begins the colours of a small triangle that has slopes. @return 0 where they are divided */

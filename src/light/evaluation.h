@@ -39,6 +39,12 @@ static inline const glint_suns_stage *glint_find_suns(const glint_scene *scene) 
     return 0;
 }
 
+/** Moves the slopes of a small triangle so that colours of its corners, in the order of slopes, are linear on the
+ * screen.
+ * @return 0 where they are not */
+int glint_bend_slopes(const glint_row_walk *walk, glint_slopes *slopes, const int16_t *a, const int16_t *b,
+                      const int16_t *c);
+
 /** Draws a triangle of its own one colour. */
 void glint_draw_facet(glint_row_walk *walk);
 

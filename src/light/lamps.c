@@ -68,7 +68,7 @@ static void set_highlights(glint_lamps *lamps, int has_8_bits) {
     lamps->power = power->value;
     lamps->power_up = (31 - power->index_shift) & 31;
     lamps->cut = 2 * (uint32_t)glint_most(power->cosine_square_floor, 0);
-    lamps->least_whole = glint_most(1 << 10, has_8_bits ? p << 8 : p << 6);
+    lamps->least_whole = glint_most(1 << 10, p << 8);
     lamps->usual_whole = lamps->is_rare ? INT32_MAX : lamps->least_whole;
 }
 
@@ -288,6 +288,7 @@ void glint_list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t ri
         const uint32_t here = (uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS);
         if (glint_is_nearest(depth, here)) {
             f->at = at;
+            f->unseen = 0;
             f->out.pixel = pixel;
             f->inverse_w = (int32_t)(here - GLINT_DEPTH_BIAS) | 1;
             if (++f == &list->fragment[GLINT_LIST_MAX]) {

@@ -27,6 +27,7 @@ typedef struct glint_lit_fragment {
     int32_t inverse_w;    /* 1/w, Q31, with glint_lamp_list's room */
     uint32_t square;      /* N'.N' of suns */
     uint8_t is_rough;     /* light changes so much around it that cells do not see how */
+    uint8_t unseen;       /* lights that its surface faces away from; where cells look, as is_rough */
 } glint_lit_fragment;
 
 /** A view holds the vectors of a fragment while it is lit; they have any length. */

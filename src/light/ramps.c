@@ -194,7 +194,8 @@ void glint_ramps_prepare(glint_suns *suns, const glint_shading *shading) {
         level[c] = least(shading->ambient[c], 1u << 23) * most_level[c] + (half[c] ? half[c] : cut_half[c]);
     }
     suns->dark = spread_levels(level);
-    suns->first = suns->takes_most ? spread_levels(half) : suns->dark;
+    suns->half = spread_levels(half);
+    suns->first = suns->takes_most ? suns->half : suns->dark;
     suns->end = 0;
     suns->shift = 0;
     suns->bend = 0;

@@ -144,6 +144,37 @@ static int32_t lobe_cosine(const lobe *of) {
     return glint_least(cosine + glint_shift_right(cosine, 13), (1 << 15) - 1);
 }
 
+/* The square of a way to a light, 15 bits, of which a step is 2^-12 of it. */
+#define MOST_NEAR (1u << 24)
+
+/* Finds the unit vector to a light, 1 = 2^15. @return 0 where it is so near that the way to it has too few bits */
+static int find_unit_way(const glint_drawn_lamp *lamp, const glint_lit_view *s, int32_t l[3]) {
+    uint32_t square = 0;
+    for (int c = 0; c < 3; c++) {
+        l[c] = lamp->at[c] + (lamp->has_place ? glint_shift_right(s->e[c], lamp->down) : 0);
+        square += (uint32_t)l[c] * (uint32_t)l[c];
+    }
+    if (!lamp->has_place)
+        return 1;
+    if (square < MOST_NEAR)
+        return 0;
+    const uint32_t zeros = glint_leading_zeros(square) & 30;
+    const int32_t over = (int32_t)glint_over_length(square << zeros);
+    for (int c = 0; c < 3; c++)
+        l[c] = glint_shift_right(glint_shift_left(l[c], zeros / 2) * (over >> 1), 15);
+    return 1;
+}
+
+/* Returns 1 - cos^2 between N and L + V, Q30, given L. */
+static uint32_t find_sine(const glint_lit_view *s, const int32_t l[3]) {
+    int32_t n[3], v[3];
+    for (int c = 0; c < 3; c++) {
+        n[c] = glint_shift_right(s->n[c] * s->over_n, 15);
+        v[c] = glint_shift_right(s->v[c] * s->over_v, 15);
+    }
+    return glint_sine_by_chord(n, v, l);
+}
+
 /* Returns the highlight of narrow lobes and of exponents below 2, Q15. */
 static GLINT_NOINLINE uint32_t find_rare_power(const glint_lamps *lamps, const glint_drawn_lamp *lamp,
                                                const glint_lit_view *s, glint_arrival a, int is_mirror) {
@@ -156,14 +187,8 @@ static GLINT_NOINLINE uint32_t find_rare_power(const glint_lamps *lamps, const g
     if (!table->direct) {
         if (over <= 0 || (uint32_t)over * (uint32_t)over < cut * (is_mirror ? 1u << 15 : 2 * (uint32_t)whole))
             return 0;
-        if (!is_mirror && !lamp->has_place && table->exponent <= GLINT_CHORD_EXPONENT) {
-            int32_t n[3], v[3];
-            for (int c = 0; c < 3; c++) {
-                n[c] = glint_shift_right(s->n[c] * s->over_n, 15);
-                v[c] = glint_shift_right(s->v[c] * s->over_v, 15);
-            }
-            return power_of_narrow(table, glint_sine_by_chord(n, v, lamp->at));
-        }
+        if (!is_mirror && table->exponent <= GLINT_CHORD_EXPONENT && find_unit_way(lamp, s, of.b))
+            return power_of_narrow(table, find_sine(s, of.b));
         find_lobe(lamps, lamp, s, is_mirror, &of);
         return power_of_narrow(table, sine_by_product(&of));
     }
@@ -177,6 +202,18 @@ static GLINT_NOINLINE uint32_t find_rare_power(const glint_lamps *lamps, const g
 
 /* ---- Highlights ---- */
 
+/* The least 1 + L.V, Q15, of which L + V of 15 bits tells its direction to 2^-12: as the contract asks for it. */
+#define LEAST_CHORD (1 << 10)
+
+/* What sums of two cosines of 15 bits may be off by. */
+#define COSINE_MARGIN 8
+
+/* Is a fragment surely outside a highlight, given N.L + N.V and 1 + L.V, Q15? */
+static inline int is_beyond(const glint_lamps *lamps, int32_t half, int32_t whole) {
+    const int32_t most = half + COSINE_MARGIN, least = glint_most(whole - COSINE_MARGIN, 0);
+    return most <= 0 || (most < 1 << 16 && (uint32_t)most * (uint32_t)most < lamps->cut * (uint32_t)least);
+}
+
 /* Finds a rare highlight, or one of a half vector that is short, Q15. */
 static GLINT_NOINLINE uint32_t find_odd_power(const glint_lamps *lamps, const glint_drawn_lamp *lamp,
                                               const glint_lit_view *s, glint_arrival a) {
@@ -184,8 +221,10 @@ static GLINT_NOINLINE uint32_t find_odd_power(const glint_lamps *lamps, const gl
     lobe of;
     if (lamps->is_rare)
         return find_rare_power(lamps, lamp, s, a, 0);
-    if (a.cosine + s->facing < 0)
+    if (is_beyond(lamps, a.cosine + s->facing, (1 << 15) + a.along))
         return 0;
+    if ((1 << 15) + a.along >= LEAST_CHORD && find_unit_way(lamp, s, of.b))
+        return power_of_narrow(table, find_sine(s, of.b));
     find_lobe(lamps, lamp, s, 0, &of);
     const int32_t cosine = lobe_cosine(&of);
     const uint32_t square = (uint32_t)(cosine * cosine), cut = (uint32_t)glint_most(table->cosine_square_floor, 0)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Lists of fragments that directional lights light, by the scalars of suns.h, where packed words do not serve: of
- * formats of 8 bits a channel, with output tables, and of surfaces with colours of their own. Numbers of 15
- * bits take the place of tables.
+ * formats of 8 bits a channel, with output tables, and of surfaces with colours of their own that are not linear on the
+ * screen or that light above 1 falls on. Numbers of 15 bits take the place of tables.
  */
 #include "../math/division.h"
 #include "../pixel/format.h"
@@ -63,8 +63,8 @@ static GLINT_NOINLINE void finish_fragment(const glint_row_walk *walk, glint_lit
     glint_mix_own_colour(walk, f, w, zeros, gloss);
 }
 
-/* One light to which nothing else is done; one on a surface with its own colours; any. */
-enum { SUN_ONLY, SUN_OWN, SUN_ANY };
+/* One light to which nothing else is done; any. */
+enum { SUN_ONLY, SUN_ANY };
 
 /* Finds the colours of listed fragments. */
 static GLINT_INLINE void light_sun_fragments(const glint_row_walk *walk, glint_lit_fragment *f,
@@ -91,18 +91,10 @@ static GLINT_INLINE void light_sun_fragments(const glint_row_walk *walk, glint_l
             if (light > 0)
                 add_reflected(colour, (int32_t)(((uint32_t)light >> 14) * over >> 15), lamp->diffuse);
             const uint32_t power = lit->gloss ? find_power(walk, lit, f, d, i, over) : 0;
-            if (power && (kind == SUN_OWN || (kind == SUN_ANY && lamps->has_colours)))
+            if (power && kind == SUN_ANY && lamps->has_colours)
                 add_reflected(gloss, (int32_t)power, lamp->specular);
             else if (power)
                 add_reflected(colour, (int32_t)power, lamp->specular);
-        }
-        if (kind == SUN_OWN) {
-            int32_t w;
-            const uint32_t zeros = find_w(walk, f, &w);
-            glint_multiply_by_own(walk->list, f, w, zeros, colour);
-            colour[0] += gloss[0] + lamps->half[0];
-            colour[1] += gloss[1] + lamps->half[1];
-            colour[2] += gloss[2] + lamps->half[2];
         }
         f->out.colour[0] = colour[0], f->out.colour[1] = colour[1], f->out.colour[2] = colour[2];
         if (kind == SUN_ANY && lamps->is_mixed)
@@ -112,10 +104,8 @@ static GLINT_INLINE void light_sun_fragments(const glint_row_walk *walk, glint_l
 
 static void light_sun_list(const glint_row_walk *walk, glint_lit_fragment *f, const glint_lit_fragment *end) {
     const glint_lamps *lamps = walk->workspace->lamps;
-    if (GLINT_SMALL || walk->suns->count != 1 || lamps->takes_most || lamps->headroom)
+    if (GLINT_SMALL || walk->suns->count != 1 || lamps->is_mixed)
         light_sun_fragments(walk, f, end, SUN_ANY);
-    else if (lamps->has_colours)
-        light_sun_fragments(walk, f, end, SUN_OWN);
     else
         light_sun_fragments(walk, f, end, SUN_ONLY);
 }

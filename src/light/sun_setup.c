@@ -127,10 +127,10 @@ int glint_begin_sun_normals(const glint_row_walk *walk, glint_sun_triangle *t) {
  * Do all fragments lie outside the highlight, given the least of what corners are outside by? A point of a triangle is
  * nearer to some corner than 3^-1/2 of the longest side; so are its normal and half vector.
  */
-static inline int is_gloss_outside(const glint_sun_triangle *t, uint32_t bend, uint32_t outside) {
-    const uint32_t large = t->turn > bend ? t->turn : bend,
-                   turn = large + large / 2 + 3 * (t->turn + bend - large); /* (a + b)^2 <= 3/2 a^2 + 3 b^2 */
-    return t->least >= LEAST_TURNED && outside > t->suns->far + ((turn >> 12) * t->suns->far_turned >> 10);
+static inline int is_gloss_outside(const glint_suns *suns, uint32_t turn, uint32_t bend, uint32_t outside) {
+    const uint32_t large = turn > bend ? turn : bend,
+                   both = large + large / 2 + 3 * (turn + bend - large); /* (a + b)^2 <= 3/2 a^2 + 3 b^2 */
+    return outside > suns->far + ((both >> 12) * suns->far_turned >> 10);
 }
 
 /* Products of differences of H or V, from the first corner. */
@@ -143,6 +143,16 @@ static inline void add_bends(bends *of, int32_t a, int32_t b, int32_t c) {
     of->square1 += e1 * e1;
     of->square2 += e2 * e2;
     of->both += e1 * e2;
+}
+
+/* Finds the bends of a light's terms. @return the largest square of a difference */
+static GLINT_INLINE uint32_t find_bends(bends *of, const glint_sun_term *a, const glint_sun_term *b,
+                                        const glint_sun_term *c) {
+    *of = (bends){0, 0, 0};
+    add_bends(of, a->v[0], b->v[0], c->v[0]);
+    add_bends(of, a->v[1], b->v[1], c->v[1]);
+    add_bends(of, a->v[2], b->v[2], c->v[2]);
+    return most_of((uint32_t)of->square1, (uint32_t)of->square2, (uint32_t)(of->square1 + of->square2 - 2 * of->both));
 }
 
 /* Products of differences of N' and those of H or V. */
@@ -225,13 +235,9 @@ static GLINT_NOINLINE void begin_mirror(const glint_row_walk *walk, const glint_
 static inline int begin_gloss(const glint_row_walk *walk, const glint_sun_triangle *t, glint_lit_sun *lit,
                               const glint_sun_term *a, const glint_sun_term *b, const glint_sun_term *c) {
     const glint_suns *suns = t->suns;
-    bends of = {0, 0, 0};
-    add_bends(&of, a->v[0], b->v[0], c->v[0]);
-    add_bends(&of, a->v[1], b->v[1], c->v[1]);
-    add_bends(&of, a->v[2], b->v[2], c->v[2]);
-    const uint32_t bend =
-        most_of((uint32_t)of.square1, (uint32_t)of.square2, (uint32_t)(of.square1 + of.square2 - 2 * of.both));
-    if (is_gloss_outside(t, bend, least_of(a->outside, b->outside, c->outside)))
+    bends of;
+    const uint32_t bend = find_bends(&of, a, b, c);
+    if (t->least >= LEAST_TURNED && is_gloss_outside(suns, t->turn, bend, least_of(a->outside, b->outside, c->outside)))
         return 1;
     if (bend > suns->bend || !(a->v[0] | a->v[1] | a->v[2]) || !suns->bend)
         return 0;
@@ -271,5 +277,38 @@ int glint_begin_suns(const glint_row_walk *walk, glint_sun_triangle *t) {
             return 0;
         a += sun->shines, b += sun->shines, c += sun->shines;
     }
+    return 1;
+}
+
+/* ---- Triangles of one colour ---- */
+
+/* Is a triangle's highlight of a light out of sight, its normals being one? */
+static int is_matt(const glint_row_walk *walk, const glint_suns *suns, size_t term) {
+    const glint_draw *draw = walk->draw;
+    const glint_sun_term *at[3];
+    bends of;
+    for (int k = 0; k < 3; k++)
+        at[k] = draw->terms + (size_t)(walk->triangle.corners[k] - draw->vertices) * suns->terms + term;
+    const uint32_t bend = find_bends(&of, at[0], at[1], at[2]);
+    return is_gloss_outside(suns, 0, bend, least_of(at[0]->outside, at[1]->outside, at[2]->outside));
+}
+
+/* Of one normal, N.L is one number, and it alone tells the colour where no highlight is visible. */
+GLINT_NOINLINE int glint_find_one_word(const glint_row_walk *walk, uint32_t *word) {
+    const glint_suns *suns = walk->draw->shading->suns;
+    const int16_t *n = walk->triangle.corners[0]->attribute;
+    glint_spread p = {0, suns->first, 0, 1u << 14};
+    size_t term = 0;
+    for (const glint_drawn_sun *sun = suns->suns, *end = sun + suns->count; sun != end; sun++) {
+        const int32_t along = dot16(sun->light, n), light = walk->triangle.back ? -along : along;
+        if (light > suns->gate && sun->shines && !is_matt(walk, suns, term))
+            return 0;
+        if (light > 0)
+            glint_add_sun(walk, sun, &p, glint_shift_right(light, 1), GLINT_GLOSS_ENTRIES);
+        term += sun->shines;
+    }
+    if (suns->takes_most)
+        glint_take_larger(suns->dark, &p, &p + 1);
+    *word = p.colour;
     return 1;
 }

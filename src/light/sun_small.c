@@ -69,13 +69,39 @@ static GLINT_NOINLINE uint32_t find_small_entry(const glint_row_walk *walk, cons
         p->over);
 }
 
+/* Adds all lights to a pixel: their diffuse part, highlights, or both. */
+static GLINT_INLINE void add_lights(const glint_row_walk *walk, const small_pixel *of, glint_spread *p, int is_diffuse,
+                                    int is_gloss) {
+    const glint_suns *suns = walk->suns->suns;
+    uint32_t term = 0;
+    for (const glint_drawn_sun *sun = suns->suns, *end = sun + suns->count; sun != end; sun++) {
+        const int32_t light = glint_dot32(of->n, sun->light);
+        if (light > suns->gate)
+            glint_add_sun(walk, sun, p, is_diffuse ? glint_shift_right(light, 1) : 0,
+                          is_gloss && sun->shines ? find_small_entry(walk, sun, of, p, term, light)
+                                                  : GLINT_GLOSS_ENTRIES);
+        term += sun->shines;
+    }
+}
+
+/* Lights a pixel of a surface with its own colours. */
+static GLINT_NOINLINE void add_lights_to_own(const glint_row_walk *walk, const small_pixel *of, glint_spread *p) {
+    const glint_sun_triangle *t = walk->suns;
+    const int16_t *a = t->own_at[0], *b = t->own_at[1], *c = t->own_at[2];
+    p->colour = t->suns->dark - t->suns->half;
+    add_lights(walk, of, p, 1, 0);
+    p->colour = glint_multiply_word(t->suns, p->colour, mix_corners(of, a[0], b[0], c[0]),
+                                    mix_corners(of, a[1], b[1], c[1]), mix_corners(of, a[2], b[2], c[2]));
+    add_lights(walk, of, p, 0, 1);
+}
+
 /* Lights a pixel by all lights, and stores it. */
 static GLINT_NOINLINE void draw_small_pixel(const glint_row_walk *walk, int32_t row, int32_t column, int32_t b,
                                             int32_t c) {
     const glint_sun_triangle *t = walk->suns;
     const glint_suns *suns = t->suns;
     small_pixel of = {row, column, (1 << 14) - b - c, b, c, {0}};
-    uint32_t square = find_normal(t, &of), term = 0;
+    uint32_t square = find_normal(t, &of);
     while (square < LEAST_SMALL_SQUARE) {
         of.n[0] *= 2, of.n[1] *= 2, of.n[2] = 2 * of.n[2] + !square;
         square = (uint32_t)glint_dot32(of.n, of.n);
@@ -83,13 +109,10 @@ static GLINT_NOINLINE void draw_small_pixel(const glint_row_walk *walk, int32_t 
     square <<= 2;
     glint_spread p = {((uint32_t)row << walk->shift) + (uint32_t)column, suns->first, square,
                       glint_over_normal(square)};
-    for (const glint_drawn_sun *sun = suns->suns, *end = sun + suns->count; sun != end; sun++) {
-        const int32_t light = glint_dot32(of.n, sun->light);
-        if (light > suns->gate)
-            glint_add_sun(walk, sun, &p, glint_shift_right(light, 1),
-                          sun->shines ? find_small_entry(walk, sun, &of, &p, term, light) : GLINT_GLOSS_ENTRIES);
-        term += sun->shines;
-    }
+    if (walk->draw->extra)
+        add_lights_to_own(walk, &of, &p);
+    else
+        add_lights(walk, &of, &p, 1, 1);
     if (suns->takes_most)
         glint_take_larger(suns->dark, &p, &p + 1);
     walk->frame->config.format->store_spread(walk->pixels, walk->shift, &p, &p + 1);

@@ -61,19 +61,35 @@ static inline void set_corners(const glint_row_walk *walk, glint_sun_triangle *t
     set_corner(walk, t, 2, walk->from_top[2]);
 }
 
+/* Begins the colours of a surface that has its own. @return 0 where they are not linear on the screen */
+static GLINT_NOINLINE int begin_own(const glint_row_walk *walk, glint_sun_triangle *t) {
+    static const uint8_t next[5] = {0, 1, 2, 0, 1};
+    const uint8_t *from = &next[walk->corners.top];
+    glint_slopes s = walk->slopes;
+    for (int k = 0; k < 3; k++)
+        t->own_at[k] = walk->triangle.extra[from[k]];
+    if (!glint_bend_slopes(walk, &s, t->own_at[0], t->own_at[1], t->own_at[2]))
+        return 0;
+    glint_begin_own(t, &s);
+    return 1;
+}
+
 /* Chooses what draws the spans of a triangle that is visible. @return null where it does not fit */
 static inline glint_draw_span *choose_span(glint_row_walk *walk, glint_sun_triangle *t) {
     const glint_suns *suns = t->suns;
-    const int is_listed = walk->draw->extra || suns->is_fine, is_few = is_small(walk);
+    const int has_own = walk->draw->extra && suns->has_own && begin_own(walk, t),
+              is_listed = (walk->draw->extra && !has_own) || suns->is_fine, is_few = is_small(walk);
     if (!is_lit(walk) || (is_few && (is_listed || (suns->terms && !suns->bend))))
         return 0;
     set_corners(walk, t);
     if (is_few) {
         glint_begin_small_suns(walk, t);
-        return suns->small;
+        return has_own ? glint_draw_small_suns : suns->small;
     }
-    if (!glint_begin_sun_normals(walk, t) || !glint_begin_suns(walk, t))
+    if (!glint_begin_sun_normals(walk, t) || !glint_begin_suns(walk, t) || (is_listed && suns->is_mirror))
         return 0;
+    if (has_own)
+        return glint_draw_own_list;
     if (is_listed)
         return t->least < 4 * GLINT_LEAST_NORMAL + t->turn / 2 ? 0 : glint_begin_fine_suns(walk);
     if (!t->count && suns->is_rounded) {
@@ -103,12 +119,30 @@ static GLINT_NOINLINE int draw_visible(glint_row_walk *walk) {
     return 1;
 }
 
+/* Draws a triangle that has one normal and no visible highlight, in a format whose pixels are words that are cut off.
+ * @return 0 where it is another */
+static GLINT_NOINLINE int draw_one_colour(glint_row_walk *walk, glint_begun begun) {
+    const glint_vertex *const *v = walk->triangle.corners;
+    const glint_suns *suns = walk->draw->shading->suns;
+    const int16_t *a = v[0]->attribute, *b = v[1]->attribute, *c = v[2]->attribute;
+    uint32_t word;
+    if (a[1] != b[1] || a[2] != b[2] || a[0] != c[0] || a[1] != c[1] || a[2] != c[2] || !is_lit(walk) ||
+        !suns->is_rounded || suns->is_fine || walk->draw->extra || glint_is_deep(&walk->triangle) ||
+        !glint_find_one_word(walk, &word))
+        return 0;
+    walk->packed = glint_spread_pack(word);
+    glint_walk_flat(walk, begun);
+    return 1;
+}
+
 /* Lamps draw what does not fit, when the numbers of suns have left the stack. */
 static void draw_suns(glint_row_walk *walk) {
     glint_lamp_list list;
     const glint_begun begun = glint_begin_triangle(walk);
     const int has_slopes = begun == GLINT_IS_SMALL && walk->has_slopes;
-    if (begun == GLINT_NO_ROWS || (has_slopes && !glint_find_visible_row(walk)))
+    const glint_vertex *const *v = walk->triangle.corners;
+    if (begun == GLINT_NO_ROWS || (v[0]->attribute[0] == v[1]->attribute[0] && draw_one_colour(walk, begun)) ||
+        (has_slopes && !glint_find_visible_row(walk)))
         return;
     list.count = 0;
     /* cppcheck-suppress autoVariables; the walk ends before this function does */
@@ -138,6 +172,27 @@ static int is_fine(const glint_frame *frame) {
     return frame->config.gamma || !frame->config.format->store_spread;
 }
 
+/* Does a material show the larger of its ambient and its other light? */
+static int takes_most(const glint_shading *shading) {
+    return shading->material->flags & GLINT_MATERIAL_MAX_WITH_AMBIENT &&
+           (shading->ambient[0] | shading->ambient[1] | shading->ambient[2]);
+}
+
+/* Does no sum of ambient and diffuse light, which a surface's own colour multiplies, pass 1 by more than words show? */
+static int has_own_words(const glint_frame *frame, const glint_shading *shading) {
+    if (is_fine(frame) || takes_most(shading))
+        return 0;
+    for (int c = 0; c < 3; c++) {
+        uint32_t sum = shading->ambient[c] < 1u << 24 ? shading->ambient[c] : 1u << 24;
+        for (uint32_t i = 0; shading->lights >> i; i++)
+            if (shading->lights >> i & 1)
+                sum += shading->weights[i].diffuse[c] << 11;
+        if (sum > (1u << 23) + (1u << 14))
+            return 0;
+    }
+    return 1;
+}
+
 /* Can fragments of a material be listed, by sun_fine.c? */
 static int material_lists(const glint_shading *shading) {
     return !shading->has_specular || shading->material->model->lobe != GLINT_LOBE_MIRROR;
@@ -156,7 +211,8 @@ static int serves_material(const glint_frame *frame, const glint_shading *shadin
 
 static int serves(const glint_frame *frame, const glint_shading *shading, const glint_object *object) {
     return object->evaluation && object->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS &&
-           (!glint_has_colours(object->mesh) || material_lists(shading)) && serves_material(frame, shading);
+           (!glint_has_colours(object->mesh) || material_lists(shading) || has_own_words(frame, shading)) &&
+           serves_material(frame, shading);
 }
 
 static int serves_some(const glint_frame *frame, const glint_shading *shading) {
@@ -168,14 +224,19 @@ static int serves_some(const glint_frame *frame, const glint_shading *shading) {
     return 0;
 }
 
-/* Do packed words serve an object of a material? */
-static int has_words(const glint_frame *frame, const glint_shading *shading) {
+/* Do packed words serve an object of a material, with or without colours of its own? */
+static int has_words_of(const glint_frame *frame, const glint_shading *shading, int is_own) {
     for (uint32_t i = 0; i < frame->scene->object_count && !is_fine(frame); i++) {
         const glint_object *object = &frame->scene->objects[i];
-        if (object->material == shading->material && !glint_has_colours(object->mesh) && serves(frame, shading, object))
+        if (object->material == shading->material && glint_has_colours(object->mesh) == is_own &&
+            (!is_own || has_own_words(frame, shading)) && serves(frame, shading, object))
             return 1;
     }
     return 0;
+}
+
+static int has_words(const glint_frame *frame, const glint_shading *shading) {
+    return has_words_of(frame, shading, 0) || has_words_of(frame, shading, 1);
 }
 
 static void need(const glint_frame *frame, const glint_shading *shading, size_t *least, size_t *tables) {
@@ -201,18 +262,20 @@ static glint_status prepare_material(glint_frame *frame, glint_shading *shading)
     if (!suns)
         return GLINT_ERROR_ARENA;
     const uint8_t is_mirror = shading->material->model->lobe == GLINT_LOBE_MIRROR;
-    const int takes_most = flags & GLINT_MATERIAL_MAX_WITH_AMBIENT &&
-                           (shading->ambient[0] | shading->ambient[1] | shading->ambient[2]),
+    const int has_own = has_words_of(frame, shading, 1),
               is_ungated = flags & GLINT_MATERIAL_SPECULAR_UNGATED && shading->has_specular;
-    const uint32_t keeps =
-        count > 1 || takes_most || is_ungated || frame->config.format->sun_spans == GLINT_SPANS_OF_ANY ? UINT32_MAX : 0;
+    const uint32_t keeps = count > 1 || takes_most(shading) || is_ungated || has_own ||
+                                   frame->config.format->sun_spans == GLINT_SPANS_OF_ANY
+                               ? UINT32_MAX
+                               : 0;
     const int is_left = last == suns && suns->is_mirror == is_mirror && suns->keeps == keeps;
     shading->suns = suns;
     suns->count = count;
     suns->is_mirror = is_mirror;
     suns->is_fine = !has_words(frame, shading);
     suns->bits = (uint8_t)(frame->config.gamma ? 8 : glint_green_bits(frame->config.format));
-    suns->takes_most = (uint8_t)takes_most;
+    suns->takes_most = (uint8_t)takes_most(shading);
+    suns->has_own = (uint8_t)has_own;
     suns->gate = is_ungated ? INT32_MIN : 0;
     suns->keeps = keeps;
     suns->terms = count_lights(shading->has_specular);

@@ -59,7 +59,8 @@ typedef struct glint_suns {
     uint32_t count;
     uint32_t keeps;      /* all bits, or 0 where the only light's ramp holds ambient light */
     uint32_t first;      /* the word that a sum of lights begins with */
-    uint32_t dark;       /* the word of ambient light */
+    uint32_t dark;       /* the word of ambient light, */
+    uint32_t half;       /* of which this is half a level, or 0 */
     uint32_t shift;      /* sin^2, Q30, 2^-shift is an entry of gloss */
     uint32_t end;        /* sin^2, Q30, where highlights end; 0 where none is visible */
     uint32_t far;        /* sin^2, Q16, that is outside at corners which turn by nothing, */
@@ -72,6 +73,7 @@ typedef struct glint_suns {
     uint8_t is_fine;              /* no packed words serve: all triangles are lit by lists, */
     uint8_t bits;                 /* of channels of so many bits */
     uint8_t is_plain;             /* lights add to what there is, and their tables are there */
+    uint8_t has_own;              /* words serve surfaces with colours of their own, too */
     const glint_sun_spans *spans; /* of an only light whose ramp holds all light, or null */
     glint_draw_span *small;       /* of small triangles */
     int32_t ray_limit;            /* from the centre of the screen, sixteenths */
@@ -117,6 +119,8 @@ typedef struct glint_sun_triangle {
     const glint_sun_term *terms[3];
     int32_t weight[3];             /* of a small triangle: 1/w at corners, 15 bits, below 0 of a back */
     int32_t n[3][3], d1[3], d2[3]; /* N' at corners, and differences from the first one */
+    const int16_t *own_at[3];      /* the surface's own colours at corners, 1 = GLINT_COLOUR_ONE; */
+    glint_sun_plane own[3];        /* and between, 1 = 2^29 */
     uint32_t least;                /* the least N'.N' there, 1 = 2^28 */
     uint32_t turn;                 /* largest square of a difference of two corners */
     unsigned zeros;                /* leading zeros of its slopes */
@@ -148,8 +152,20 @@ int glint_begin_sun_normals(const glint_row_walk *walk, glint_sun_triangle *t);
 /** Sets all lights that a corner faces. @return 0 where the triangle does not fit */
 int glint_begin_suns(const glint_row_walk *walk, glint_sun_triangle *t);
 
+/** Finds the word of a triangle whose corners have one normal. @return 0 where it may have a highlight */
+int glint_find_one_word(const glint_row_walk *walk, uint32_t *word);
+
 /** Draws a span: lists its pixels, each light goes over the list, and all are stored. */
 glint_draw_span glint_draw_sun_list;
+
+/** The same of a surface with its own colours, which multiply ambient and diffuse light. */
+glint_draw_span glint_draw_own_list;
+
+/** Sets how a surface's own colours change over a triangle. */
+void glint_begin_own(glint_sun_triangle *t, const glint_slopes *slopes);
+
+/** Multiplies a word by a surface's own colour, 1 = 2^15, and adds half a level where a format asks for it. */
+uint32_t glint_multiply_word(const glint_suns *suns, uint32_t word, int32_t red, int32_t green, int32_t blue);
 
 /** Adds a light to a pixel's colour, given N'.L and its entry of gloss. */
 void glint_add_sun(const glint_row_walk *walk, const glint_drawn_sun *sun, glint_spread *p, int32_t light,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Bent patches, seen from both sides, of materials that take the larger light and whose highlights show behind the
- * horizon: against the reference, and by which kernels they are drawn.
+ * horizon: against the reference. Some have colours of their own, some are of flat facets.
  */
 #include "glint_extras.h"
 #include "harness.h"
@@ -10,6 +10,7 @@
 #include "stability/contract.h"
 
 #include <math.h>
+#include <string.h>
 
 #define WIDTH 128
 #define HEIGHT 96
@@ -17,15 +18,19 @@
 /** Vertices along a side, at most. */
 #define SIDE_MAX 14
 
+/* Flat facets have corners of their own. */
+#define FACETS_MAX (2 * SIDE_MAX * SIDE_MAX)
+
 /* Steps of a mesh from its middle to a side; 2048 are 1. */
 #define HALF_SIDE 9000
 
 typedef struct patch {
-    int16_t positions[SIDE_MAX * SIDE_MAX][3], normals[SIDE_MAX * SIDE_MAX][3];
-    uint16_t triangles[2 * SIDE_MAX * SIDE_MAX][3];
+    int16_t positions[3 * FACETS_MAX][3], normals[3 * FACETS_MAX][3];
+    uint16_t triangles[FACETS_MAX][3];
+    uint8_t colours[3 * FACETS_MAX][3];
     glint_mesh mesh;
     glint_material material;
-    glint_light light;
+    glint_light lights[2];
     glint_object object;
     glint_scene scene;
 } patch;
@@ -98,28 +103,95 @@ static void build(patch *p, uint32_t number, uint32_t flags) {
                          .specular = {fixed(specular), fixed(specular), fixed(specular * 0.8)},
                          .shininess = fixed(exponents[below(TEST_COUNT(exponents))]),
                          .flags = flags};
-    p->light = (glint_light){.type = &glint_light_directional,
-                             .direction = {-fixed(beside * cos(side)), -fixed(beside * sin(side)), -fixed(front)},
-                             .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
-                             .specular = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
+    p->lights[0] = (glint_light){.type = &glint_light_directional,
+                                 .direction = {-fixed(beside * cos(side)), -fixed(beside * sin(side)), -fixed(front)},
+                                 .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
+                                 .specular = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
     p->object = (glint_object){
         .mesh = &p->mesh, .material = &p->material, .evaluation = &glint_per_fragment, .pose = glint_pose_identity()};
     p->scene = (glint_scene){.viewer = below(3) ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE,
                              .ambient = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
                              .camera = {glint_pose_identity(), 45 * GLINT_ONE, GLINT_ONE / 8, 0, 0},
-                             .lights = &p->light,
+                             .lights = p->lights,
                              .light_count = 1,
                              .objects = &p->object,
                              .object_count = 1};
 }
 
+/* Gives vertices colours of their own, and half of the patches less light: all of their sums are then below 1. */
+static void add_colours(patch *p) {
+    for (uint32_t i = 0; i < p->mesh.vertex_count; i++)
+        for (int c = 0; c < 3; c++)
+            p->colours[i][c] = (uint8_t)below(256);
+    p->mesh.colours = (const uint8_t(*)[3])p->colours;
+    if (below(2))
+        p->material.ambient = (glint_colour){GLINT_ONE - p->material.diffuse.r, GLINT_ONE / 32, 0};
+}
+
+/* Gives each triangle three vertices of its own, with its normal. */
+static void cut_facets(patch *p) {
+    static int16_t places[SIDE_MAX * SIDE_MAX][3];
+    memcpy(places, p->positions, sizeof places);
+    for (uint32_t t = 0; t < p->mesh.triangle_count; t++) {
+        double side[2][3], normal[3];
+        for (int c = 0; c < 3; c++)
+            for (int k = 0; k < 2; k++)
+                side[k][c] = places[p->triangles[t][k + 1]][c] - places[p->triangles[t][0]][c];
+        for (int c = 0; c < 3; c++)
+            normal[c] = side[0][(c + 1) % 3] * side[1][(c + 2) % 3] - side[0][(c + 2) % 3] * side[1][(c + 1) % 3];
+        const double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+        for (uint32_t k = 0; k < 3; k++) {
+            const uint32_t to = 3 * t + k;
+            memcpy(p->positions[to], places[p->triangles[t][k]], sizeof p->positions[to]);
+            for (int c = 0; c < 3; c++)
+                p->normals[to][c] = (int16_t)lrint(32767 * normal[c] / length);
+            p->triangles[t][k] = (uint16_t)to;
+        }
+    }
+    p->mesh.vertex_count = 3 * p->mesh.triangle_count;
+}
+
+/* A second light, from elsewhere, of half of them. */
+static void add_light(patch *p) {
+    const glint_vector from = p->lights[0].direction;
+    p->lights[1] = p->lights[0];
+    p->lights[1].direction = (glint_vector){from.y, from.z, from.x};
+    p->scene.light_count = 1 + below(2);
+}
+
+static void smooth(patch *p) {
+    (void)p;
+}
+
+static void coloured(patch *p) {
+    add_light(p);
+    add_colours(p);
+}
+
+static void faceted(patch *p) {
+    add_light(p);
+    cut_facets(p);
+}
+
+/* Of lamps, three away from the patch's middle. */
+static void lamplit(patch *p) {
+    add_light(p);
+    for (uint32_t i = 0; i < p->scene.light_count; i++) {
+        glint_light *light = &p->lights[i];
+        light->type = &glint_light_point;
+        light->position =
+            (glint_vector){-3 * light->direction.x, -3 * light->direction.y, -3 * light->direction.z - 4 * GLINT_ONE};
+    }
+}
+
 static patch drawn;
 
-static void judge_patches(const glint_format *format, uint32_t count) {
+static void judge_patches(const glint_format *format, uint32_t count, void (*change)(patch *)) {
     long judged = 0, not_fine = 0;
     for (uint32_t i = 0; i < count; i++) {
         contract_result found;
         build(&drawn, i, i % 4);
+        change(&drawn);
         contract_judge(&drawn.scene, WIDTH, HEIGHT, format, &found);
         CHECK_EQUAL(found.found.status, GLINT_OK);
         if (!CHECK(contract_holds(&found))) {
@@ -138,11 +210,23 @@ static void judge_patches(const glint_format *format, uint32_t count) {
 }
 
 static void patches_keep_the_contract(void) {
-    judge_patches(&glint_format_rgb565, 400);
+    judge_patches(&glint_format_rgb565, 400, smooth);
+}
+
+static void coloured_patches_keep_the_contract(void) {
+    judge_patches(&glint_format_rgb565, 300, coloured);
+}
+
+static void lamplit_patches_keep_the_contract(void) {
+    judge_patches(&glint_format_rgb565, 300, lamplit);
+}
+
+static void faceted_patches_keep_the_contract(void) {
+    judge_patches(&glint_format_rgb565, 300, faceted);
 }
 
 static void patches_in_8_bits_keep_the_contract(void) {
-    judge_patches(&glint_format_rgb888, 200);
+    judge_patches(&glint_format_rgb888, 200, smooth);
 }
 
 /*
@@ -185,9 +269,9 @@ static void a_long_cylinder_keeps_the_contract(void) {
 
 int test_main(test_writer write) {
     static const test_case cases[] = {
-        TEST_CASE(patches_keep_the_contract),
-        TEST_CASE(patches_in_8_bits_keep_the_contract),
-        TEST_CASE(a_long_cylinder_keeps_the_contract),
+        TEST_CASE(patches_keep_the_contract),           TEST_CASE(coloured_patches_keep_the_contract),
+        TEST_CASE(lamplit_patches_keep_the_contract),   TEST_CASE(faceted_patches_keep_the_contract),
+        TEST_CASE(patches_in_8_bits_keep_the_contract), TEST_CASE(a_long_cylinder_keeps_the_contract),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }

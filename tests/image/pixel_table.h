@@ -7,35 +7,35 @@
 #include <stdint.h>
 
 static const uint32_t pixel_table[] = {
-    0x8e2d454fu, /* regions */
+    0x80565640u, /* regions */
     0x16871e2cu, /* regions */
-    0x59e10b36u, /* large regions */
-    0x75179d60u, /* large regions */
-    0x5909b7cfu, /* large regions */
-    0xb445bc6cu, /* varied regions */
-    0xf417677cu, /* varied regions */
-    0x15ea8867u, /* varied regions */
-    0x0400e1f0u, /* varied regions */
-    0xe5e4de63u, /* varied regions */
-    0x1c7a263cu, /* varied regions */
-    0x8cb917a9u, /* varied regions */
-    0x01d3d72bu, /* varied regions */
+    0x840fe551u, /* large regions */
+    0xc4606b3du, /* large regions */
+    0xe44efc3fu, /* large regions */
+    0xf0588a39u, /* varied regions */
+    0xc6706a41u, /* varied regions */
+    0x040870d9u, /* varied regions */
+    0xc6a52218u, /* varied regions */
+    0x8b6cf655u, /* varied regions */
+    0x2ded7db9u, /* varied regions */
+    0x8e5267fau, /* varied regions */
+    0xdd6d4f69u, /* varied regions */
     0x64399fbeu, /* varied benchmark */
-    0x651e031eu, /* varied benchmark */
+    0x14e6723eu, /* varied benchmark */
     0x22c43a58u, /* varied benchmark */
-    0x5187d498u, /* varied benchmark */
+    0xb430e455u, /* varied benchmark */
     0xda0ccec9u, /* varied benchmark */
     0x06b2f65fu, /* varied benchmark */
-    0xe436d8d0u, /* random surfaces */
-    0xf0223d0bu, /* random surfaces */
-    0xa915aaafu, /* random surfaces */
+    0x765c7ea9u, /* random surfaces */
+    0x8b2d1d9du, /* random surfaces */
+    0x3219e201u, /* random surfaces */
     0x5c8d425au, /* random surfaces */
-    0x10b2b335u, /* random surfaces */
+    0x380cd212u, /* random surfaces */
     0x08219756u, /* random surfaces */
-    0x75df0c6du, /* random scenes */
-    0x683f2926u, /* random scenes */
-    0xc83c20bau, /* random scenes */
-    0x3a8dc5a5u, /* random scenes */
+    0x1350d543u, /* random scenes */
+    0xd3c0a99au, /* random scenes */
+    0x2a487148u, /* random scenes */
+    0x5ce928c7u, /* random scenes */
     0x88582764u, /* benchmark */
     0x4dee89f9u, /* benchmark */
     0x27e9fa9bu, /* benchmark */
@@ -52,7 +52,7 @@ static const uint32_t pixel_table[] = {
     0xc1acaeb0u, /* large */
     0x486f08f2u, /* large */
     0xd6f7dbfau, /* large */
-    0x75003dfbu, /* scenes */
+    0xb033ecf7u, /* scenes */
     0x5f4e59adu, /* scenes */
     0x833b6538u, /* scenes */
     0xe4318ed2u, /* surfaces */
@@ -62,16 +62,16 @@ static const uint32_t pixel_table[] = {
     0xfbc19b11u, /* gallery */
     0xb8747bb6u, /* gallery */
     0xcaa53b64u, /* gallery */
-    0x8ed31963u, /* gallery */
+    0xda8968a0u, /* gallery */
     0x4ed12ff5u, /* gallery */
     0xaf44b5dfu, /* formats */
     0x44d652c7u, /* formats */
     0x96eb7e1bu, /* formats */
-    0x522e65abu, /* formats */
+    0x12411e0cu, /* formats */
     0x495b462fu, /* formats */
-    0x45bc7166u, /* formats */
-    0xa8243e52u, /* formats */
-    0x4694e360u, /* formats */
+    0xe89dba29u, /* formats */
+    0x786910ecu, /* formats */
+    0x9cf516acu, /* formats */
     0xd2e4c508u, /* formats */
     0x2fabd39au, /* formats */
     0x568003e3u, /* formats */

@@ -152,16 +152,18 @@ static int has_short(const views *all, uint32_t index) {
     return found;
 }
 
-/* Is a light so near that a sixteenth of a pixel, to which vertices are snapped, moves it by a 128th of the way? */
+/* Is a light so near that snapping moves N.L by more than the bound leaves? (contract.h, "next to it") */
 static int is_next_to(const views *all, uint32_t light, const double place[3]) {
     const double half_angle = reference_real(all->scene->camera.field_of_view) * 3.14159265358979323846 / 360;
     const double tall = all->scene->camera.projection ? reference_real(all->scene->camera.view_height)
                                                       : -2 * place[2] * tan(half_angle);
+    const double left = 4 * weights_slack(0, all->shaded.format),
+                 pixels = picture_level_max(all->shaded.format, 1) / (16 * left);
     double way[3];
-    if (all->scene->lights[light].type == &glint_light_directional || picture_level_max(all->shaded.format, 0) < 255)
+    if (all->scene->lights[light].type == &glint_light_directional)
         return 0;
     reference_find_way(&all->scene->lights[light], &all->lights, light, place, way);
-    return sqrt(reference_dot(way, way)) < CONTRACT_NEXT * tall / all->height;
+    return sqrt(reference_dot(way, way)) < pixels * tall / all->height;
 }
 
 /* Does the last bit of a light's direction decide? */

@@ -15,8 +15,9 @@
  * - touched: a light within a pixel of what it lights, as wide as pixels are there. The way to it is told in steps of
  * 2^-13 of a pixel or more: its direction is known to fewer than 13 bits (the reference's lighting.c; counted as
  * gated);
- * - next to it: in 8 bits a channel, a light within 8 pixels. What is lit is snapped to sixteenths of a pixel, a 128th
- * of the way, by which N.L is off: two levels of 255;
+ * - next to it: a light so near that a sixteenth of a pixel, to which vertices are snapped, changes N.L by four times
+ * what the bound leaves beside rounding: by two levels of 255 in 8 bits a channel, within 8 pixels, and by one of 63 in
+ * RGB565, within 4;
  * - short: a sum of unit vectors nearly cancels. An interpolated normal, or L + V of a light with Blinn's highlight, is
  *   shorter than a quarter, so that its direction is known to fewer than 13 bits. An object that is lit per vertex or
  *   facet is left out whole where L + V of one of its vertices is.
@@ -40,9 +41,6 @@
 
 /** Difference of cosines below which a spot's edge counts as narrow. */
 #define CONTRACT_NARROW (1.0 / 64)
-
-/** Pixels below which a light counts as next to what it lights. */
-#define CONTRACT_NEXT 8
 
 /** Depth over that of the frame's nearest geometry from which on a surface counts as far. */
 #define CONTRACT_FAR 4096
