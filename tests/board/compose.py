@@ -16,18 +16,13 @@ NAMES = ["compose-%d" % frame for frame in range(3)]
 WHOLE, PARTS = 2 * 320 * 240, 2 * (224 * 240 + 96 * 96)
 
 
-def frame_at(count):
-    """The frame that ends with so many bytes of pixels, or None."""
-    return (count - WHOLE) // PARTS if count >= WHOLE and (count - WHOLE) % PARTS == 0 else None
-
-
 def main():
     arguments = show.read_arguments()
     tally = Tally()
     for pair in arguments.firmware:
         name, firmware = pair.split("=", 1)
-        show.BOARDS[name].frame_at = frame_at
-        show.run(arguments, tally, name, firmware, shown=list(zip(NAMES, NAMES)), program="compose", frames=NAMES)
+        show.run(arguments, tally, name, firmware, shown=list(zip(NAMES, NAMES)), program="compose", frames=NAMES,
+                 sent=[WHOLE, PARTS, PARTS])
         paths = [os.path.join(arguments.output, name, frame + ".ppm") for frame in NAMES]
         tally.check(all(map(os.path.exists, paths)) and len({read_netpbm(path)[3] for path in paths}) == len(paths),
                     "%s: the pictures are not all there, or the same" % name)

@@ -44,7 +44,6 @@ def main():
     tally = Tally()
     name, firmware = arguments.firmware[0].split("=", 1)
     board = show.BOARDS[name]
-    board.frame_at = lambda count: count // BYTES - 1 if count % BYTES == 0 else None
     os.makedirs(arguments.output)
     stream = os.path.abspath(os.path.join(arguments.output, "stream"))
     try:
@@ -53,6 +52,7 @@ def main():
         tally.check(False, "%s: %s" % (name, problem))
         return tally.close()
     tally.check(lines == ["own %d done" % frame for frame in range(FRAMES)], "%s: %s" % (name, lines))
+    tally.check(board.sent == [BYTES] * FRAMES, "%s: %s bytes of pixels are sent" % (name, board.sent))
     show.show_stream(arguments, tally, name, board, firmware, arguments.output, stream, True)
     outside = None
     for frame in range(FRAMES):

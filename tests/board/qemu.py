@@ -55,12 +55,12 @@ class Machine:
         for line in self.process.stderr:
             self.errors.append(line.decode("utf-8", "replace").rstrip())
 
-    def line(self):
-        """The next line the firmware writes; None when it has ended."""
+    def line(self, seconds=None):
+        """The next line the firmware writes; None when it has ended. Died after a silence."""
         try:
-            return self.lines.get(timeout=SILENCE)
+            return self.lines.get(timeout=seconds or SILENCE)
         except queue.Empty:
-            raise Died("no output for %d s" % SILENCE)
+            raise Died("no output for %d s" % (seconds or SILENCE))
 
     def go_on(self):
         self.process.stdin.write(b"\n")

@@ -12,10 +12,12 @@ import argparse
 import collections
 import os
 import re
+import select
 import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 
 from panel import glass
 from qemu import Died, Machine, Tally, check_stack
@@ -32,20 +34,26 @@ def names_of(lines):
 
 class Pico:
     """Raspberry Pi Pico in rp2040js."""
-    module, width, height, format, rotation = "st7789-240x240", 240, 240, "rgb565", 0
+    module, width, height, format, rotation, takes = "st7789-240x240", 240, 240, "rgb565", 0, ".bin"
     frames = None  # the emulator ends after so many, where it is told so
+    patience = None  # seconds that it may take, where it is told so
 
     @staticmethod
-    def run(firmware, stream, bus="real", frames=None):
-        """@return what the firmware wrote, line by line, and its exit status."""
+    def run(firmware, stream, bus="real", frames=None, seconds=None):
+        """@return what the firmware wrote, line by line, and its exit status: 0 when it has run for so many seconds."""
         script = os.path.join(os.path.dirname(__file__), "..", "pico", "run.js")
-        run = subprocess.run(["node", script, firmware, stream, bus] + ([str(frames)] if frames else []),
-                             stdout=subprocess.PIPE, text=True)
+        try:
+            run = subprocess.run(["node", script, firmware, stream, bus] + ([str(frames)] if frames else []),
+                                 stdout=subprocess.PIPE, text=True, timeout=seconds)
+        except subprocess.TimeoutExpired as late:
+            with open(stream, "rb+") as file:  # whole lines
+                file.truncate(file.read().rfind(b"\n") + 1)
+            return (late.stdout or b"").decode().splitlines(), 0
         return run.stdout.splitlines(), run.returncode
 
     def capture(self, firmware, stream, bus="real"):
         """@return what the firmware wrote; Died when it did not end well."""
-        lines, status = self.run(firmware, stream, bus, self.frames)
+        lines, status = self.run(firmware, stream, bus, self.frames, self.patience)
         if status:
             raise Died("exit status %d: %s" % (status, lines[-5:]))
         return lines
@@ -68,66 +76,75 @@ class Pico:
         tally.check(on_bus - waited > min(on_bus, total_free) / 4, "the core waits for the bus: DMA does not overlap")
 
 
-class Dumped:
-    """A board whose panel QEMU has: what its screen shows, at each checkpoint. Nothing of ours stands in between."""
-    module, rotation = None, 0
+class Emulated:
+    """A board in QEMU, which stops at each checkpoint to be looked at."""
+    qemu, module, options, rotation, takes = "qemu-system-arm", None, (), 0, ".elf"
+    frames = None  # it ends after so many, where it is told so
+    patience = None  # seconds without a word after which it is looked at and ends, where it is told so
+
+    def next_line(self, machine):
+        """What the firmware writes next; in place of a silence, that a last picture is done."""
+        try:
+            return machine.line(self.patience)
+        except Died:
+            if self.patience is None:
+                raise
+            machine.command("stop")
+            self.frames = 0
+            return "last 0 done"
+
+    def capture(self, firmware, output):
+        """@return what the firmware wrote, line by line; Died when it did not end well. Firmware that says "reset 0 done" is
+        reset there, and runs on to its first checkpoint."""
+        lines, prefix = [], ""
+        with Machine(self.qemu, self.machine, firmware, ["stop"], options=self.options) as machine:
+            for line in iter(lambda: self.next_line(machine), None):
+                lines.append(line)
+                if line == "reset 0 done":
+                    machine.command("system_reset")
+                    prefix = "reset-"  # a newline now would be read after the reset, and let the next picture go
+                elif line.endswith(" done"):
+                    name = prefix + line[:-len(" done")].replace(" ", "-") + ".ppm"
+                    self.look(machine, firmware, output, name)
+                    if prefix or self.frames is not None and len(names_of(lines)) >= self.frames:
+                        return lines
+                    machine.go_on()
+            status = machine.process.wait(60)
+        if status:
+            raise Died("exit status %d: %s" % (status, lines[-5:]))
+        return lines
+
+
+class Dumped(Emulated):
+    """A board whose panel QEMU has: what its screen shows. Nothing of ours stands in between."""
 
     def __init__(self, machine, width, height, format, step):
         """`step`: from one of the panel's levels to the next on QEMU's screen."""
         self.machine, self.width, self.height, self.format, self.step = machine, width, height, format, step
 
-    def levels(self, dump):
-        return bytes(self.step * level for level in glass(dump, self.width, self.height, self.step))
-
-    def capture(self, firmware, directory):
-        """Firmware that says "reset 0 done" is reset there, and runs on to its first checkpoint."""
-        lines, prefix = [], ""
-        dump = os.path.join(directory, "screen.ppm")
-        with Machine("qemu-system-arm", self.machine, firmware, ["stop"]) as machine:
-            for line in iter(machine.line, None):
-                lines.append(line)
-                if line == "reset 0 done":
-                    machine.command("system_reset")
-                    prefix = "reset-"
-                    continue  # a newline now would be read after the reset, and let the next picture go
-                elif line.endswith(" done"):
-                    machine.screendump(dump)
-                    with open(os.path.join(directory, prefix + line[:-len(" done")].replace(" ", "-") + ".ppm"), "wb") as file:
-                        file.write(b"P6\n%d %d\n255\n" % (self.width, self.height) +
-                                   bytes(level for level in self.levels(dump) for _ in range(3)))
-                    if prefix:
-                        return lines
-                if line.endswith(" done"):
-                    machine.go_on()
-            status = machine.process.wait(60)
-        if status:
-            raise Died("exit status %d: %s" % (status, lines[-1:]))
-        return lines
+    def look(self, machine, _, directory, name):
+        dump = os.path.join(directory, "screen")
+        machine.screendump(dump)
+        levels = bytes(self.step * level for level in glass(dump, self.width, self.height, self.step) for _ in range(3))
+        with open(os.path.join(directory, name), "wb") as file:
+            file.write(b"P6\n%d %d\n255\n" % (self.width, self.height) + levels)
 
 
-class Virt:
-    """QEMU's RISC-V machine: no panel, but a framebuffer, read out of memory at each checkpoint."""
-    module, width, height, format, rotation = None, 320, 240, "rgb565", 0
+class Virt(Emulated):
+    """QEMU's RISC-V machine: no panel, but a framebuffer, read out of memory."""
+    qemu, machine = "qemu-system-riscv32", "virt"
+    width, height, format = 320, 240, "rgb565"
 
     @staticmethod
     def address(elf, name):
         table = subprocess.run(["riscv64-unknown-elf-nm", elf], stdout=subprocess.PIPE, text=True, check=True).stdout
         return int(re.search(r"^([0-9a-f]+) . %s$" % name, table, re.M)[1], 16)
 
-    def capture(self, firmware, directory):
-        lines, memory = [], os.path.join(os.path.abspath(directory), "framebuffer")
-        with Machine("qemu-system-riscv32", "virt", firmware, ["stop"]) as machine:
-            for line in iter(machine.line, None):
-                lines.append(line)
-                if line.endswith(" done"):
-                    machine.command("pmemsave", val=self.address(firmware, "virt_framebuffer"),
-                                    size=2 * self.width * self.height, filename=memory)
-                    self.convert(memory, os.path.join(directory, line[:-len(" done")].replace(" ", "-") + ".ppm"))
-                    machine.go_on()
-            status = machine.process.wait(60)
-        if status:
-            raise Died("exit status %d: %s" % (status, lines[-1:]))
-        return lines
+    def look(self, machine, firmware, directory, name):
+        memory = os.path.join(os.path.abspath(directory), "framebuffer")
+        machine.command("pmemsave", val=self.address(firmware, "virt_framebuffer"), size=2 * self.width * self.height,
+                        filename=memory)
+        self.convert(memory, os.path.join(directory, name))
 
     def convert(self, source, target):
         with open(source, "rb") as file:
@@ -153,42 +170,71 @@ def colour_panel(module):
 SSD1306, SH1106 = (Panel(module, 128, 64, "mono", 0, 128 * 64 // 8, None) for module in ("ssd1306", "sh1106"))
 
 
-class Traced:
-    """A board in QEMU, which logs every write to a register (tools/panel/picture.py).
+class Trace(threading.Thread):
+    """Records what QEMU writes into a pipe in place of a file, which would have thousands of bytes for each of a picture's."""
 
-    A frame ends when so many pixel bytes have been sent as it has."""
+    def __init__(self, path, recorder):
+        super().__init__(daemon=True)
+        os.mkfifo(path)
+        self.pipe = os.open(path, os.O_RDWR | os.O_NONBLOCK)  # as a writer too: so it has no end
+        self.recorder, self.rest, self.problem = recorder, "", None
+        self.lock, self.is_over = threading.Lock(), False
+
+    def run(self):
+        while not self.is_over:
+            if select.select([self.pipe], [], [], 0.1)[0]:
+                self.catch_up()
+
+    def catch_up(self):
+        """Reads all that is in the pipe."""
+        with self.lock:
+            while select.select([self.pipe], [], [], 0)[0]:
+                *lines, self.rest = (self.rest + os.read(self.pipe, 1 << 20).decode()).split("\n")
+                try:
+                    for line in lines if self.problem is None else ():
+                        self.recorder.read(line)
+                except Wrong as problem:
+                    self.problem = problem
+
+    def end(self):
+        """@return what was wrong with it, or None"""
+        self.is_over = True
+        self.join()
+        self.catch_up()
+        os.close(self.pipe)
+        return self.problem
+
+
+class Traced(Emulated):
+    """A board in QEMU, which logs every write to a register (tools/panel/picture.py). `sent`: bytes of pixels of each picture."""
 
     def __init__(self, machine, panel, wires):
         self.machine, self.panel, self.wires = machine, panel, wires
         self.module, self.width, self.height, self.format, self.rotation = panel[:5]
 
-    def frame_at(self, count):
-        """The frame that ends with so many bytes of pixels, or None."""
-        return count // self.panel.frame_bytes - 1 if count % self.panel.frame_bytes == 0 else None
+    def look(self, _machine, _firmware, _stream, name):
+        self.trace.catch_up()
+        self.sent.append(self.recorder.pixel_bytes - sum(self.sent))
+        self.recorder.note("P " + name)
 
     def capture(self, firmware, stream):
-        with tempfile.TemporaryDirectory() as directory:
-            trace = os.path.join(directory, "trace")
-            with Machine("qemu-system-arm", self.machine, firmware,
-                         options=("-trace", "memory_region_ops_write", "-D", trace)) as machine:
-                lines = list(iter(machine.line, None))
-                status = machine.process.wait(60)
-            if status:
-                raise Died("exit status %d: %s" % (status, lines[-5:]))
-            names = names_of(lines)
-
-            def end_frames(recorder, count):
-                number = self.frame_at(count)
-                if number is not None and number >= len(names):
-                    raise Died("pixels of more frames than the firmware names")
-                if number is not None:
-                    recorder.note("P %s.ppm" % names[number])
-
+        self.sent = []
+        with tempfile.TemporaryDirectory() as directory, open(stream, "w") as out:
+            path = os.path.join(directory, "trace")
+            self.options = ("-trace", "memory_region_ops_write", "-D", path)
+            self.recorder = Recorder(self.wires, out, self.panel.starts_pixels)
+            self.trace = Trace(path, self.recorder)
+            self.trace.start()
             try:
-                with open(trace) as file, open(stream, "w") as out:
-                    Recorder(self.wires, out, self.panel.starts_pixels, end_frames).record(file)
-            except Wrong as problem:
-                raise Died(str(problem))
+                lines = super().capture(firmware, stream)
+            finally:
+                problem = self.trace.end()
+            try:
+                self.recorder.end()
+            except Wrong as wrong:
+                problem = problem or wrong
+        if problem:
+            raise Died(str(problem))
         return lines
 
 
@@ -253,8 +299,9 @@ def draw_on_host(program, host, board, directory):
                           stdout=subprocess.PIPE, text=True, check=True).stdout.split()
 
 
-def run(arguments, tally, name, firmware, shown=(), program="show", frames=FRAMES):
-    """Runs firmware and compares what it showed, (picture, the host's frame) each. @return what it wrote, line by line."""
+def run(arguments, tally, name, firmware, shown=(), program="show", frames=FRAMES, sent=None):
+    """Runs firmware and compares what it showed, (picture, the host's frame) each. `sent`: bytes of pixels that each sends
+    over a bus that is traced, where that is not the whole picture. @return what it wrote, line by line."""
     board = BOARDS[name]
     directory = os.path.join(arguments.output, name)
     host = os.path.join(directory, "host")
@@ -272,6 +319,9 @@ def run(arguments, tally, name, firmware, shown=(), program="show", frames=FRAME
     for line in lines:
         print("  %s: %s" % (name, line))
         check_stack(tally, os.path.splitext(firmware)[0] + ".elf", line)
+    if isinstance(board, Traced):
+        wanted = sent or [board.panel.frame_bytes] * len(names_of(lines))
+        tally.check(board.sent == wanted, "%s: %s bytes of pixels are sent, not %s" % (name, board.sent, wanted))
     if board.module:
         show_stream(arguments, tally, name, board, firmware, directory, stream, shown)
     for picture, frame in shown or zip(frames, frames):

@@ -95,14 +95,15 @@ class Wires:
 
 class Recorder:
     """Writes what goes over a bus as the text that panel_stream reads. The trace tells no times: the model gets all that it
-    may want before each command. `starts_pixels` is the command whose data are pixels; None: all data are. `at_pixels` is
-    called with their bytes so far, and may note more."""
+    may want before each command. `starts_pixels` is the command whose data are pixels, which are counted; None: all data
+    are."""
 
-    def __init__(self, wires, out, starts_pixels=WRITE_MEMORY, at_pixels=None):
-        self.wires, self.out, self.starts_pixels, self.at_pixels = wires, out, starts_pixels, at_pixels
+    def __init__(self, wires, out, starts_pixels=WRITE_MEMORY):
+        self.wires, self.out, self.starts_pixels = wires, out, starts_pixels
         self.levels = dict.fromkeys(wires.lines)
-        self.pending, self.bits = bytearray(), []
+        self.pending, self.bits, self.writes = bytearray(), [], 0
         self.is_pixel, self.pixel_bytes = starts_pixels is None, 0
+        self.note("R 1\nT 100000\nR 0")
 
     def note(self, line):
         """Writes a line, behind the data before it."""
@@ -119,10 +120,7 @@ class Recorder:
             self.is_pixel = self.starts_pixels in (None, value)
             return
         self.pending.append(value)
-        if self.is_pixel:
-            self.pixel_bytes += 1
-            if self.at_pixels:
-                self.at_pixels(self, self.pixel_bytes)
+        self.pixel_bytes += self.is_pixel
 
     def write(self, address, value):
         """A write to a register."""
@@ -141,17 +139,17 @@ class Recorder:
         if self.levels["select"] and self.bits:
             raise Wrong("a byte of %d bits" % len(self.bits))
 
-    def record(self, trace):
-        """All of a trace, line by line."""
-        self.note("R 1\nT 100000\nR 0")
-        writes = 0
-        for line in trace:
-            match = WRITE.search(line)
-            writes += bool(match)
-            if match and int(match[1], 16) in self.wires.registers:
-                self.write(int(match[1], 16), int(match[2], 16))
+    def read(self, line):
+        """A line of a trace."""
+        match = WRITE.search(line)
+        self.writes += bool(match)
+        if match and int(match[1], 16) in self.wires.registers:
+            self.write(int(match[1], 16), int(match[2], 16))
+
+    def end(self):
+        """The trace is over."""
         self.note("# end")
-        if not writes:
+        if not self.writes:
             raise Wrong("no write of a register: was it traced with memory_region_ops_write?")
 
 
@@ -187,7 +185,10 @@ def main():
         with open(arguments.trace) as trace:
             if is_traced:
                 text = io.StringIO()
-                Recorder(Wires(arguments.dc, arguments.select, arguments.data, arguments.clock, arguments.bit), text).record(trace)
+                recorder = Recorder(Wires(arguments.dc, arguments.select, arguments.data, arguments.clock, arguments.bit), text)
+                for line in trace:
+                    recorder.read(line)
+                recorder.end()
                 text = text.getvalue()
             else:
                 text = trace.read()
