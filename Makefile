@@ -53,7 +53,7 @@ $(eval $(call library,$(BUILD)/host,$(CC) $(CFLAGS) -ffreestanding))
 # Every suite that `make test` runs, each a phony target that closes with `N passed, N failed`.
 SUITES := test-unit-host test-image test-identity test-sanitize test-matrix test-host-cli \
     test-panel-bus test-board-panel test-board-unit test-board-identity test-freestanding test-firmware test-features \
-    fuzz-coverage test-adapters test-api test-board-show test-board-animate test-board-compose test-board-moving \
+    fuzz-coverage test-adapters test-api test-board-show test-board-run test-board-animate test-board-compose test-board-moving \
     test-board-own-flush test-board-faults test-small-ram test-board-power test-dist test-domains test-endurance test-levels \
     test-machines test-methods test-packages test-options test-panel test-prove test-stability test-stack test-threads test-view \
     test-web test-float test-boards-page test-chart test-cost test-cycles test-pages test-reliability

@@ -117,6 +117,7 @@ PROGRAM_compose   := examples/firmware/compose_main.c $(wildcard examples/compos
 PROGRAM_moving    := examples/firmware/moving_main.c examples/moving/moving.c
 PROGRAM_own_flush := examples/firmware/own_flush.c tests/board/lcd.c
 PROGRAM_minimal   := examples/firmware/minimal.c
+PROGRAM_model     := examples/firmware/model_main.c
 PROGRAM_pattern   := tests/board/pattern.c
 IDENTITY_FRAMES   := tests/board/identity.c tests/board/frames.c examples/turntable/turntable.c $(EXAMPLE_SCENES)
 PROGRAM_identity     := tests/board/identity_board.c $(IDENTITY_FRAMES)
@@ -232,9 +233,27 @@ $(SHARED:%=$(BUILD)/%/libglint.a): $(BUILD)/%/libglint.a: $(BUILD)/$$(call twin,
 	@rm -rf $(@D)/src && ln -s ../../$(call twin,$*)/src $(@D)/src
 	$(Q)cp $< $@
 
+# `make run` builds MODEL, or PROGRAM: one of those above, or somebody's own, which is built each time, from wherever it lies,
+# and may have warnings. Where there is room it gets the stack of scenes.
+PROGRAM     ?= $(if $(MODEL),model,show)
+RUN_OWN     := $(if $(PROGRAM_$(PROGRAM)),,$(PROGRAM))
+PROGRAM_run := $(or $(PROGRAM_$(PROGRAM)),$(PROGRAM)) tests/board/watched.c
+run_folder   = $(BUILD)/$1/$(if $(filter $1,$(COLOUR_BOARDS)),O2,release)
+RUN         := $(if $(filter $(BOARD),$(BOARDS)),$(call run_folder,$(BOARD)))
+STACK       ?= $(or $(STACK_$(PROGRAM)),$(if $(filter %/O2,$(RUN)),$(STACK_animate)))
+STACK_run   := $(STACK)
+WRAP_run     = main $(if $(shell grep -l board_checkpoint $(filter-out %/watched.c,$(PROGRAM_run))),,glint_render)
+RUN_MODEL   := $(BUILD)/run/model.h
+.PHONY: FORCE
+$(RUN:%=%/run.elf) $(RUN_MODEL) $(call objects,$(RUN),$(RUN_OWN)): FORCE
+$(call objects,$(RUN),$(RUN_OWN)): FIRMWARE_CFLAGS += -Wno-error
+$(call objects,$(RUN),$(PROGRAM_model)): $(RUN_MODEL)
+$(call objects,$(RUN),$(PROGRAM_model)): FIRMWARE_CFLAGS += -DMODEL_HEADER=\"$(abspath $(RUN_MODEL))\" \
+    $$(grep -q model_objects $(RUN_MODEL) && echo -DMODEL_HAS_MATERIALS)
+
 # $(call firmware_sources,board/level/program): also the board's
 firmware_sources = $(PROGRAM_$(notdir $1)) $(call board_sources,$(call board,$1))
-$(FIRMWARE) $(MEASURING): $(BUILD)/%.elf: $$(call objects,$$(@D),$$(call firmware_sources,$$*)) \
+$(FIRMWARE) $(MEASURING) $(RUN:%=%/run.elf): $(BUILD)/%.elf: $$(call objects,$$(@D),$$(call firmware_sources,$$*)) \
         $$(@D)/libglint.a $$(call linker,$$(call board,$$*)) linker/sections.ld
 	$(Q)$(call board_gcc,$(call board,$*)) $(FIRMWARE_LDFLAGS) $(STACK_$(*F):%=-Wl,--defsym=stack_size=%) \
 	    $(WRAP_$(*F):%=-Wl,--wrap=%) -Wl,-Map=$(@:.elf=.map) -T $(call linker,$(call board,$*)) $(filter %.o,$^) \

@@ -45,13 +45,29 @@ test-board-animate: $(HOST_SIDE) $(PICO_EMULATOR) $(call files,$(ANIMATE_TESTED)
 test-board-animate-all: $(HOST_SIDE) $(PICO_EMULATOR) $(call files,$(ANIMATE_FIRMWARE)) ## all of them on every board in colour: minutes
 	@python3 tests/board/animate.py $(BY_HOST) --output $(BUILD)/animate $(ANIMATE_FIRMWARE)
 
-PROGRAM ?= show
-RUN_ANY := $(if $(filter animate,$(PROGRAM)),$(ANIMATE_FIRMWARE),$(SHOW_FIRMWARE))
-RUN     := $(filter $(BOARD)=%,$(RUN_ANY))
-run: $(HOST_SIDE) $(PICO_EMULATOR) $(call files,$(RUN)) ## run one board, BOARD=pico PROGRAM=show (or animate) say, and write what its panel shows to build/run
-	@test -n "$(RUN)" || { echo "BOARD must be one of: $(foreach pair,$(RUN_ANY),$(firstword $(subst =, ,$(pair))))"; exit 1; }
-	@python3 tests/board/$(PROGRAM).py $(BY_HOST) --output $(BUILD)/run $(RUN)
-	@ls $(BUILD)/run/$(BOARD)/*.png
+$(RUN_MODEL): $(HOST_PROGRAM) $(if $(filter-out %.obj,$(firstword $(MODEL))),$(IMPORT_PROGRAM))
+	@mkdir -p $(@D)
+	$(Q)$(HOST_PROGRAM) convert --centre --scale fit $(MODEL) --name model -o $@ > $(@:.h=.txt)
+
+# $(call or_say,condition,sentence)
+or_say = @$1 || { echo "$2" >&2; exit 1; }
+# An emulator takes the ELF file or, that of the Pico, the plain one; a programmer or a boot loader the others.
+RUN_FILES = $(addprefix $(RUN)/run.,elf hex $(if $(filter pico,$(BOARD)),bin uf2))
+FRAMES   ?= 4
+run: ## build MODEL=my.obj, or PROGRAM=main.c (or show, animate), for BOARD=pico, run it, and write what the panel shows to build/run
+	$(call or_say,test -n "$(RUN)",there is no board '$(BOARD)': BOARD is one of $(BOARDS))
+	$(call or_say,command -v $(call cross,$(BOARD))gcc > /dev/null,the compiler $(call cross,$(BOARD))gcc is missing: tools/setup.sh installs it)
+	$(call or_say,ls $(PROGRAM_run) > /dev/null 2>&1,there is no program '$(PROGRAM)': PROGRAM is a C file or show or animate)
+	@$(MAKE) --no-print-directory $(RUN_FILES) $(PANEL_STREAM) $(if $(filter pico,$(BOARD)),$(PICO_EMULATOR))
+	@python3 tests/board/run.py --stream $(PANEL_STREAM) --output $(BUILD)/run/$(BOARD) \
+	    $(if $(PROGRAM_$(PROGRAM):$(PROGRAM_model)=),,--frames $(FRAMES)) $(BOARD) $(RUN_FILES)
+
+# A board that the seed picks; its objects are there before another make builds the program.
+RUN_TESTED := $(call pick,5,$(SHOW_BOARDS) pico)
+run_parts   = $(call objects,$1,$(call board_sources,$(call board,$(1:$(BUILD)/%=%)))) $1/libglint.a
+test-board-run: $(HOST_PROGRAM) $(PANEL_STREAM) $(PICO_EMULATOR) $(foreach board,$(RUN_TESTED) template,$(call run_parts,$(call run_folder,$(board)))) ## make run: a model and a program of one's own on a board that a seed picks, against glint render; what it says
+	$(call sample,board)
+	@for board in $(RUN_TESTED); do python3 tests/board/run_test.py --host $(HOST_PROGRAM) --build $(BUILD) $$board || exit 1; done
 
 test-board-compose: $(HOST_SIDE) $(BUILD)/mps2-an385/O2/compose.elf ## a user interface with 3D in it, on a board, against the host
 	@python3 tests/board/compose.py $(BY_HOST) --output $(BUILD)/compose mps2-an385=$(BUILD)/mps2-an385/O2/compose.elf
