@@ -115,7 +115,7 @@ PROGRAM_animate   := examples/firmware/animate_main.c examples/firmware/animatio
 STACK_animate     := 5120
 PROGRAM_compose   := examples/firmware/compose_main.c $(wildcard examples/compose/*.c)
 PROGRAM_moving    := examples/firmware/moving_main.c examples/moving/moving.c
-PROGRAM_own_flush := examples/firmware/own_flush.c tests/board/lcd.c
+PROGRAM_own_flush := $(BUILD)/readme/own_flush.c tests/board/lcd.c
 PROGRAM_minimal   := examples/firmware/minimal.c
 PROGRAM_model     := examples/firmware/model_main.c
 PROGRAM_pattern   := tests/board/pattern.c
@@ -266,6 +266,12 @@ $(foreach folder,$(filter %/Os %/O2,$(FOLDERS)),$(addprefix $(BUILD)/$(folder)/t
     chart/frame_board.o chart/arena_board.o scaling/scaling.o)): $(BUILD)/bench/bench_scenes.h
 $(BUILD)/mps2-an385/O2/tools/chart/arena_board.o: $(BUILD)/bench/spot.h
 $(BUILD)/mps2-an386-m4f/O2/%.o: FIRMWARE_CFLAGS += -Itools/bench -Itools/bench/float
+
+# The README's program, as it stands there.
+$(BUILD)/readme/own_flush.c: README.md
+	@mkdir -p $(@D)
+	$(Q)awk '/^```c$$/ { on = 1; next } /^```$$/ { on = 0 } on' $< > $@
+$(BUILD)/mps2-an385/O2/$(BUILD)/readme/own_flush.o: FIRMWARE_CFLAGS += -Iexamples/firmware
 
 # Programmers and boot loaders take these.
 $(BUILD)/%.hex: $(BUILD)/%.elf

@@ -6,7 +6,7 @@
 #include "text.h"
 
 /** Bytes of a frame, and frames. */
-#define FRAME_BYTES (2 * 160 * 128)
+#define FRAME_BYTES (2 * 320 * 240)
 #define FRAMES 4
 
 typedef struct lcd_state {
