@@ -348,7 +348,7 @@ test-panel-bus: $(addprefix $(BUILD)/tests/host/,bus stm32_slow) ## what the pan
 ADAPTERS        := $(BUILD)/adapters
 ADAPTER_SOURCES := $(wildcard examples/adapters/*.c examples/adapters/*.cpp tests/adapters/*.c tests/adapters/*.cpp) $(TEST_HARNESS)
 ADAPTER_OBJECTS := $(ADAPTER_SOURCES:%=$(ADAPTERS)/%.o)
-ADAPTER_FLAGS   := $(WARNINGS) $(DEBUG) -O1 -pthread -D_GNU_SOURCE -Isrc -Iexamples -Itests -isystem tests/adapters/declarations \
+ADAPTER_FLAGS   := $(WARNINGS) $(DEBUG) -O1 -pthread -D_GNU_SOURCE -Isrc -Iexamples -Iport -Itests -isystem tests/adapters/declarations \
     -isystem /usr/include/libdrm -MMD -MP
 $(ADAPTERS)/%.c.o: %.c
 	@mkdir -p $(@D)
@@ -360,7 +360,7 @@ $(ADAPTERS)/adapters: $(ADAPTER_OBJECTS) $(BUILD)/host/libglint.a
 	$(Q)gcc -pthread $(patsubst %,-Wl$(comma)--wrap=%,open close ioctl mmap munmap) $^ -o $@
 -include $(wildcard $(ADAPTER_OBJECTS:.o=.d))
 
-test-adapters: $(ADAPTERS)/adapters ## LVGL, Zephyr, u8g2, TFT_eSPI, Linux and FreeRTOS, by doubles of each
+test-adapters: $(ADAPTERS)/adapters ## LVGL, Zephyr, u8g2, TFT_eSPI, STM32's HAL, Linux and FreeRTOS, by doubles of each
 	$(Q)$<
 
 # ---- The host's programs, packages, the archive that is released, the web page, proofs

@@ -99,6 +99,8 @@ static const test_case cases[] = {
     TEST_CASE(u8x8_is_sent_the_scene),
     TEST_CASE(u8x8_error_ends_the_frame),
     TEST_CASE(tft_espi_is_sent_the_scene),
+    TEST_CASE(stm32_hal_sends_by_dma),
+    TEST_CASE(stm32_hal_gives_a_dead_bus_up),
     TEST_CASE(linux_fb_shows_the_scene),
     TEST_CASE(linux_fb_of_32_bits_is_refused),
     TEST_CASE(linux_drm_shows_the_scene),

@@ -45,6 +45,8 @@ void zephyr_error_is_kept(void);
 void u8x8_is_sent_the_scene(void);
 void u8x8_error_ends_the_frame(void);
 void tft_espi_is_sent_the_scene(void);
+void stm32_hal_sends_by_dma(void);
+void stm32_hal_gives_a_dead_bus_up(void);
 void linux_fb_shows_the_scene(void);
 void linux_fb_of_32_bits_is_refused(void);
 void linux_drm_shows_the_scene(void);

@@ -124,6 +124,7 @@ def test_wrong(tool):
     half = bus.pin(DC, 0) + bus.pin(SELECT, 0) + bus.byte(0)[:-300] + bus.pin(SELECT, 1)
     tool.run("half a byte", half, ByHand.flags, 2, "a byte of ")
     tool.run("not selected", written(PORT, 1 << SELECT) + written(DATA, 0), Held.flags, 2, "chip select is not low")
+    tool.run("no such register", written(DATA, 0), Held.flags, 2, "no write before it is to 0x%x: does QEMU" % PORT)
     tool.run("no trace", "nothing\n", Held.flags, 2, "no write of a register")
     tool.run("no line", "", ["--dc", "A4", "--select", "0x1.1", "--data", "0x2"], 2, "A4 is no line")
     tool.run("no data", "", Held.flags[:4], 2, "--data or --clock and --bit")

@@ -91,6 +91,7 @@ class Wires:
                       (("select", select), ("dc", dc), ("clock", clock), ("bit", bit)) if text}
         self.data, self.others = data, others or {}
         self.registers = {data, *self.others} | {effect[0] for line in self.lines.values() for effect in line.effects}
+        self.registers.discard(None)
 
 
 class Recorder:
@@ -101,7 +102,7 @@ class Recorder:
     def __init__(self, wires, out, starts_pixels=WRITE_MEMORY):
         self.wires, self.out, self.starts_pixels = wires, out, starts_pixels
         self.levels = dict.fromkeys(wires.lines)
-        self.pending, self.bits, self.writes = bytearray(), [], 0
+        self.pending, self.bits, self.writes, self.seen = bytearray(), [], 0, set()
         self.is_pixel, self.pixel_bytes = starts_pixels is None, 0
         self.note("R 1\nT 100000\nR 0")
 
@@ -114,7 +115,9 @@ class Recorder:
 
     def byte(self, value):
         if self.levels["dc"] is None or self.levels["select"] is not False:
-            raise Wrong("a byte for no panel: chip select is not low, or D/C was never set")
+            unseen = ["0x%x" % address for address in sorted(self.wires.registers - self.seen)]
+            raise Wrong("a byte for no panel: chip select is not low, or D/C was never set" +
+                        ("; no write before it is to %s: does QEMU have a register there?" % ", ".join(unseen) if unseen else ""))
         if not self.levels["dc"]:
             self.note("T 200000\nC %02x" % value)
             self.is_pixel = self.starts_pixels in (None, value)
@@ -124,6 +127,7 @@ class Recorder:
 
     def write(self, address, value):
         """A write to a register."""
+        self.seen.add(address)
         before = dict(self.levels)
         for name, line in self.wires.lines.items():
             self.levels[name] = line.after(address, value, self.levels[name])
