@@ -89,6 +89,12 @@ sifive_e_ARENA := 10240
 sifive_e_TILE  := 64 8
 sifive_e_TOOLS := riscv64-unknown-elf-
 
+# An Xtensa LX106, the core of an ESP8266, in QEMU: no board, but the same bits on a core of another kind. Literals lie
+# beside their code.
+xtensa_CPU   := -mtext-section-literals
+xtensa_PORT  := xtensa libc
+xtensa_TOOLS := xtensa-lx106-elf-
+
 template_CPU   := -mcpu=cortex-m3 -mthumb
 template_PORT  := $(CORTEX_M) template
 template_PANEL := panel.c solomon.c ssd0323.c
@@ -179,7 +185,8 @@ FAULT_BOARDS   := lm3s6965evb pico
 FIRMWARE := $(patsubst %,$(BUILD)/%.elf, \
     $(addprefix lm3s6965evb/release/,turntable minimal pattern scenes) $(UNIT_BOARDS:%=%/release/unit) template/release/minimal \
     $(foreach board,mps2-an385 mps2-an385-m0 virt,$(addprefix $(board)/,O0/identity Os/identity O2/identity)) \
-    sifive_e/release/identity-16k lm3s811evb/release/identity-8k $(MEASURED:%=%/O2/frames) $(BOARDS:%=%/release/show) \
+    xtensa/Os/identity xtensa/O2/identity sifive_e/release/identity-16k lm3s811evb/release/identity-8k \
+    $(MEASURED:%=%/O2/frames) $(BOARDS:%=%/release/show) \
     $(COLOUR_BOARDS:%=%/O2/animate) $(addprefix mps2-an385/O2/,compose moving own_flush) \
     $(foreach board,$(FAULT_BOARDS),$(board)/release/faults-$(board)) pico/release/unit-pico $(UNIT_8K_BOARDS:%=%/release/unit-8k) \
     mps2-an385/O2/power_cut mps2-an385/O2/endurance $(MEASURED:%=%/O2/methods) \
@@ -191,7 +198,8 @@ MEASURING := $(patsubst %,$(BUILD)/%.elf,$(MEASURED:%=%/O2/workloads) $(MEASURED
 
 # Boards and levels that objects are built for, as <board>/<level>.
 FOLDERS := $(BOARDS:%=%/release) $(foreach board,$(MEASURED),$(board)/O0 $(board)/Os $(board)/O2) \
-    $(patsubst %,%/O2,$(filter-out $(MEASURED),$(COLOUR_BOARDS))) mps2-an386-m4f/Os mps2-an386-m4f/O2
+    $(patsubst %,%/O2,$(filter-out $(MEASURED),$(COLOUR_BOARDS))) mps2-an386-m4f/Os mps2-an386-m4f/O2 \
+    xtensa/Os xtensa/O2
 
 # ---- The rules
 

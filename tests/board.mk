@@ -112,7 +112,7 @@ IDENTITY_PART   := sifive_e=$(BUILD)/sifive_e/release/identity-16k.elf lm3s811ev
 test-board-identity: $(IDENTITY_TESTED) $(call files,$(IDENTITY_PART)) $(IDENTITY_HOST) ## the same bits from every core, by compilers and levels that a seed picks; small boards draw a part
 	$(call sample,variant)
 	@python3 tests/board/identity.py --qemu $(QEMU) --host $(IDENTITY_HOST) \
-	    --firmware $(foreach elf,$(IDENTITY_TESTED),$(if $(findstring /virt/,$(elf)),virt,mps2-an385)=$(elf)) --part $(IDENTITY_PART)
+	    --firmware $(foreach elf,$(IDENTITY_TESTED),$(or $(if $(findstring /virt/,$(elf)),virt),$(if $(findstring /xtensa/,$(elf)),sim),mps2-an385)=$(elf)) --part $(IDENTITY_PART)
 
 # ---- What firmware takes: bytes of flash, RAM and library that the turntable, everything included, may take of lm3s6965evb;
 # ---- its stack; RAM that is too small. Firmware of which no suite runs all is sampled.

@@ -37,7 +37,8 @@ look() {
     need gcc-riscv64-linux-gnu riscv64-linux-gnu-gcc
     need qemu-user qemu-i386 qemu-arm qemu-s390x qemu-riscv64
     need gcc-riscv64-unknown-elf riscv64-unknown-elf-gcc
-    need qemu-system-misc qemu-system-riscv32
+    need gcc-xtensa-lx106 xtensa-lx106-elf-gcc
+    need qemu-system-misc qemu-system-riscv32 qemu-system-xtensa
     need gnuplot-nox gnuplot
     need bsdextrautils column
     need nodejs node

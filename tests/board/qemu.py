@@ -20,6 +20,7 @@ SILENCE = 180
 
 # Machines that an emulator of their own runs, and what it must be told; all others are Arm's.
 OTHER_EMULATORS = dict.fromkeys(("virt", "sifive_e"), [os.environ.get("QEMU_RISCV", "qemu-system-riscv32"), "-bios", "none"])
+OTHER_EMULATORS["sim"] = ["qemu-system-xtensa", "-cpu", "lx106"]
 
 
 class Died(Exception):
