@@ -33,9 +33,10 @@ def sketch(b, name, panel, turn):
     got = b.glass(panel, run(compile_sketch(b, name, "host")), turn)
     folder = b.folder("sketch-" + name)
     program, picture = os.path.join(folder, "sketch"), os.path.join(folder, "expected.ppm")
-    include = ["-I" + os.path.join(PLATFORM, at) for at in ("cores/test", "libraries/SPI", "libraries/Wire")]
-    sources = [os.path.join(HERE, "arduino", "sketch.cpp")] + [os.path.join(PLATFORM, at) for at in
-                                                              ("cores/test/main.cpp", "libraries/SPI/SPI.cpp", "libraries/Wire/Wire.cpp")]
+    libraries = ("SPI", "Wire", "TFT_eSPI", "LovyanGFX")
+    include = ["-I" + os.path.join(PLATFORM, at) for at in ["cores/test"] + ["libraries/" + library for library in libraries]]
+    sources = [os.path.join(HERE, "arduino", "sketch.cpp"), os.path.join(PLATFORM, "cores/test/main.cpp")] + \
+        [os.path.join(PLATFORM, "libraries", library, library + ".cpp") for library in libraries]
     run("g++", "-std=gnu++11", *include, "-I" + path("src"), '-DSKETCH="%s"' % path("examples/arduino", name, name + ".ino"),
         *sources, os.path.join(b.build, "host", "libglint.a"), "-o", program)
     run(program, picture)
@@ -46,6 +47,14 @@ def sketch(b, name, panel, turn):
 
 def test_arduino_torus(b):
     sketch(b, "Torus", "ili9341", 90)
+
+
+def test_arduino_tft_espi(b):
+    sketch(b, "TorusTFT_eSPI", "ili9341", 90)
+
+
+def test_arduino_lovyangfx(b):
+    sketch(b, "TorusLovyanGFX", "ili9341", 90)
 
 
 def test_arduino_pyramid(b):
@@ -78,7 +87,7 @@ def test_arduino_manifest(_):
 def test_arduino_tree(_):
     """The IDE takes a folder below examples/ for a sketch by a file of its name; no other folder has one."""
     sketches = find("examples/arduino/*/*.ino")
-    check(len(sketches) == 2, "sketches: %s" % sketches)
+    check(len(sketches) == 4, "sketches: %s" % sketches)
     for name in find("**/*.ino") + find("*/*/*.ino") + find("*/*/*/*.ino"):
         if not name.startswith("build/"):
             check(name in sketches, name + ": a stray sketch")

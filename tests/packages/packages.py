@@ -20,7 +20,8 @@ MODULES = [builds, arduino, systems]
 GROUPS = [("test_copy", "test_copy_firmware", "test_single_gcc", "test_single_clang"),
           ("test_cmake_subdirectory", "test_cmake_fetch", "test_cmake_firmware"),
           ("test_meson_subproject", "test_meson_installed", "test_meson_firmware"),
-          ("test_arduino_torus", "test_arduino_pyramid", "test_pico", "test_pico_firmware"),
+          ("test_arduino_torus", "test_arduino_pyramid", "test_arduino_tft_espi", "test_arduino_lovyangfx"),
+          ("test_pico", "test_pico_firmware"),
           ("test_esp_idf", "test_esp_idf_firmware", "test_zephyr", "test_zephyr_firmware")]
 
 
