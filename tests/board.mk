@@ -57,8 +57,9 @@ FRAMES   ?= 4
 run: ## build MODEL=my.obj, or PROGRAM=main.c (or show, animate), for BOARD=pico, run it, and write what the panel shows to build/run
 	$(call or_say,test -n "$(RUN)",there is no board '$(BOARD)': BOARD is one of $(BOARDS))
 	$(call or_say,command -v $(call cross,$(BOARD))gcc > /dev/null,the compiler $(call cross,$(BOARD))gcc is missing: tools/setup.sh installs it)
+	$(call or_say,command -v $(if $(filter pico,$(BOARD)),npm,true) > /dev/null,npm is missing; the Pico's emulator comes by it: tools/setup.sh installs npm)
 	$(call or_say,ls $(PROGRAM_run) > /dev/null 2>&1,there is no program '$(PROGRAM)': PROGRAM is a C file or show or animate)
-	@$(MAKE) --no-print-directory $(RUN_FILES) $(PANEL_STREAM) $(if $(filter pico,$(BOARD)),$(PICO_EMULATOR))
+	@$(MAKE) --no-print-directory $(if $(V),,-s) $(RUN_FILES) $(PANEL_STREAM) $(if $(filter pico,$(BOARD)),$(PICO_EMULATOR))
 	@python3 tests/board/run.py --stream $(PANEL_STREAM) --output $(BUILD)/run/$(BOARD) \
 	    $(if $(PROGRAM_$(PROGRAM):$(PROGRAM_model)=),,--frames $(FRAMES)) $(BOARD) $(RUN_FILES)
 
