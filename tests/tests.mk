@@ -104,7 +104,7 @@ PANEL_SHARED  := $(addprefix tests/panel/,wire.c panels.c patterns.c) $(PANEL_MO
 suite_sources = $(or $(SUITE_$1),$(wildcard tests/image/$1.c tests/reference/$1.c tests/api/$1.c) $(TEST_SHARED))
 
 IMAGE_SUITES := accuracy models formats extremes coverage pixels layouts region callbacks pick kept arenas dark motion lines \
-    orthographic patches corners rooms checked
+    orthographic patches corners rooms checked workloads
 TEST_SUITES  := unit parts numbers camera identity $(IMAGE_SUITES)
 PANEL_SUITES := panel_pictures panel_complaints panel_faults panel_i2c
 
@@ -121,6 +121,7 @@ SUITE_planted := $(TEST_HARNESS) tests/threads/planted.c $(TEST_SCENES)
 SUITE_domains := tests/domain/domains.c tests/unit/domains.c tests/unit/fixture.c tests/harness.c
 SUITE_methods := tests/methods/test.c tests/methods/judge.c $(METHODS) $(TEST_HARNESS)
 SUITE_float   := $(TEST_HARNESS) tests/float/pictures.c tests/reference/reference.c tests/reference/lighting.c $(FLOAT_RENDERER)
+SUITE_workloads := $(TEST_HARNESS) tests/image/workloads.c tools/bench/workloads.c tools/bench/boxes.c $(EXAMPLE_SCENES) $(TEST_CONTRACT)
 SUITE_frames  := tests/board/identity_host.c $(IDENTITY_FRAMES)
 SUITE_levels  := tests/levels/draw.c tests/image/picture.c $(addprefix tests/stability/,random_scene.c large_scene.c weights.c)
 SUITE_endurance     := tests/endurance/endurance_host.c tests/endurance/endurance.c $(EXAMPLE_SCENES)

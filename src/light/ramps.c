@@ -173,10 +173,10 @@ static void set_far(glint_suns *suns, uint32_t end) {
 
 /*
  * A highlight has 63 weight (0.61 sqrt(p) + 2.5 / p) levels a radian where it is the steepest. Where H turns by d, a
- * linear one is off by up to 0.16 d^2, which may make 0.23 of a level; V by half of that, and in triangles with planes
+ * linear one is off by up to 0.16 d^2, which may make 0.3 of a level; V by half of that, and in triangles with planes
  * by an eighth.
  */
-#define BEND_LIMIT (45u << 23)
+#define BEND_LIMIT (60u << 23)
 
 /* Exponents, times weights above 1, up to which scalars are precise enough for a highlight: of Phong, of channels of 8
  * bits, and of others. */

@@ -167,6 +167,18 @@ static inline void add_turns(turns *of, int32_t x1, int32_t x2, int32_t a, int32
     of->u += x1 * e2 + x2 * e1;
 }
 
+/*
+ * Returns what linear vectors lack of unit ones along another vector, whose products with them at corners are given,
+ * 1 = 2^14: along each side half of the square of its bend, times the mean of both ends. Times 2^28.
+ */
+static inline turns weigh_bends(const bends *of, int32_t a, int32_t b, int32_t c) {
+    const int32_t across = of->square1 + of->square2 - 2 * of->both;
+    const int32_t s = glint_shift_right(of->square1, 14) * glint_shift_right(a + b, 1),
+                  q = glint_shift_right(of->square2, 14) * glint_shift_right(a + c, 1),
+                  r = glint_shift_right(across, 14) * glint_shift_right(b + c, 1);
+    return (turns){glint_shift_right(s, 1), glint_shift_right(q, 1), glint_shift_right(s + q - r, 1)};
+}
+
 /* Returns a.b, 1 = 2^28, where b, 1 = 2^14, is to be unit: rounding makes it up to 2^-14 longer or shorter. */
 static inline int32_t along_unit(const int32_t a[3], const int16_t b[3]) {
     const int32_t dot = dot16(a, b), lacking = (1 << 28) - b[0] * b[0] - b[1] * b[1] - b[2] * b[2];
@@ -187,14 +199,13 @@ static int is_told(const glint_sun_triangle *t, glint_lit_sun *lit, int32_t a, i
  * does not fit */
 static GLINT_NOINLINE int set_half(const glint_row_walk *walk, const glint_sun_triangle *t, const bends *bent, turns of,
                                    const int16_t *a, const int16_t *b, const int16_t *c, glint_lit_sun *lit) {
-    const int32_t at_a = along_unit(t->n[0], a), at_b = along_unit(t->n[1], b), at_c = along_unit(t->n[2], c),
-                  k = glint_shift_right(at_a, 14);
+    const int32_t at_a = along_unit(t->n[0], a), at_b = along_unit(t->n[1], b), at_c = along_unit(t->n[2], c);
+    const turns lacking =
+        weigh_bends(bent, glint_shift_right(at_a, 14), glint_shift_right(at_b, 14), glint_shift_right(at_c, 14));
     add_turns(&of, t->d1[0], t->d2[0], a[0], b[0], c[0]);
     add_turns(&of, t->d1[1], t->d2[1], a[1], b[1], c[1]);
     add_turns(&of, t->d1[2], t->d2[2], a[2], b[2], c[2]);
-    of.s -= glint_shift_right(glint_shift_right(bent->square1, 14) * k, 1);
-    of.q -= glint_shift_right(glint_shift_right(bent->square2, 14) * k, 1);
-    of.u -= glint_shift_right(bent->both, 14) * k;
+    of.s -= lacking.s, of.q -= lacking.q, of.u -= lacking.u;
     set_quadratic(&lit->half, (uint32_t)at_a + (1 << 11), to_q16(at_b - at_a - of.s), to_q16(at_c - at_a - of.q), of.s,
                   of.q, glint_shift_right(of.u, 1), &walk->slopes, t->zeros, 0);
     return (at_a | at_b | at_c) >= 0 || t->suns->is_mirror || is_told(t, lit, at_a, at_b, at_c);
@@ -203,6 +214,11 @@ static GLINT_NOINLINE int set_half(const glint_row_walk *walk, const glint_sun_t
 /* Returns (1 + L.V) / 2, 1 = 2^28: two steps of a fragment's at least, so that rounding makes none of them negative. */
 static inline int32_t find_along(const glint_drawn_sun *sun, const int16_t v[3]) {
     return glint_most((1 << 27) + glint_shift_right(dot16(sun->light, v), 2), 1 << 13);
+}
+
+/* Returns L.V, 1 = 2^14, given (1 + L.V) / 2. */
+static inline int32_t find_cosine(int32_t along) {
+    return glint_shift_right(along, 13) - (1 << 14);
 }
 
 /* Returns what V, between corners of which one is farther from the eye, is nearer to that one by; times 2^28. */
@@ -219,13 +235,14 @@ static inline turns lean(int32_t k1, int32_t k2, int32_t change1, int32_t change
 static GLINT_NOINLINE void begin_mirror(const glint_row_walk *walk, const glint_sun_triangle *t, const bends *bent,
                                         const int16_t *a, const int16_t *b, const int16_t *c, glint_lit_sun *lit) {
     const int32_t at_a = find_along(lit->sun, a), at_b = find_along(lit->sun, b), at_c = find_along(lit->sun, c),
-                  cosine = glint_shift_right(at_a, 12) - (1 << 15), /* L.V, 2^15 */
-        k1 = (a[2] - b[2]) * (1 << 14) / b[2], k2 = (a[2] - c[2]) * (1 << 14) / c[2], first = dot16(t->n[0], a);
+                  k1 = (a[2] - b[2]) * (1 << 14) / b[2], k2 = (a[2] - c[2]) * (1 << 14) / c[2],
+                  first = dot16(t->n[0], a);
     (void)set_half(walk, t, bent, lean(k1, k2, dot16(t->n[0], b) - first, dot16(t->n[0], c) - first), a, b, c, lit);
-    const turns of = lean(k1, k2, at_b - at_a, at_c - at_a);
-    const int32_t s = glint_shift_right(of.s, 12) - glint_shift_right(to_q16(bent->square1) * cosine, 17),
-                  q = glint_shift_right(of.q, 12) - glint_shift_right(to_q16(bent->square2) * cosine, 17),
-                  u = glint_shift_right(of.u, 13) - glint_shift_right(to_q16(bent->both) * cosine, 17);
+    const turns of = lean(k1, k2, at_b - at_a, at_c - at_a),
+                lacking = weigh_bends(bent, find_cosine(at_a), find_cosine(at_b), find_cosine(at_c));
+    const int32_t s = glint_shift_right(of.s - glint_shift_right(lacking.s, 1), 12),
+                  q = glint_shift_right(of.q - glint_shift_right(lacking.q, 1), 12),
+                  u = glint_shift_right(of.u - glint_shift_right(lacking.u, 1), 13);
     set_quadratic(&lit->along, (uint32_t)at_a + (1 << 11), to_q16(at_b - at_a) - s, to_q16(at_c - at_a) - q,
                   glint_shift_left(s, 12), glint_shift_left(q, 12), glint_shift_left(u, 12), &walk->slopes, t->zeros,
                   0);

@@ -72,7 +72,7 @@ static inline void find_term(const glint_suns *suns, const glint_drawn_sun *sun,
         h[2] += glint_shift_right(sun->light[2], 1);
         make_vector_unit(h, LEAST_HALF, 14);
         const int32_t cosine = glint_shift_right(n[0] * h[0] + n[1] * h[1] + n[2] * h[2], 14);
-        sine = (1 << 30) - cosine * cosine;
+        sine = h[0] | h[1] | h[2] ? (1 << 30) - cosine * cosine : 0;
     }
     to->v[0] = (int16_t)h[0], to->v[1] = (int16_t)h[1], to->v[2] = (int16_t)h[2];
     to->outside = (uint16_t)glint_least(glint_most(glint_shift_right(sine, 14) - OUTSIDE_MARGIN, 0), UINT16_MAX);

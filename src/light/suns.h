@@ -45,7 +45,8 @@ typedef struct glint_drawn_sun {
 /** What a vertex keeps of a light that shines. */
 typedef struct glint_sun_term {
     int16_t v[3];     /* H, or 0 where L + V is too short; V of Phong */
-    uint16_t outside; /* sin^2 of the angle from the highlight, of Phong of half of it, Q16; rather less than more */
+    uint16_t outside; /* sin^2 of the angle from the highlight, of Phong of half of it, Q16; rather less than more, and
+                         0 where L + V is too short */
 } glint_sun_term;
 
 /** Draws spans of one light: without highlight, by the half vector, by the mirrored one. */

@@ -10,7 +10,7 @@
 #include "reference.h"
 
 /** Most objects in a scene of the image tests. */
-#define LIBRARY_OBJECTS_MAX 32
+#define LIBRARY_OBJECTS_MAX 256
 
 typedef struct library_geometry {
     uint32_t object_count;

@@ -190,6 +190,8 @@ static void draw_fragment(const drawing *draw, const corner *const c[3], const i
     for (int i = 0; i < 3; i++)
         depth += is_parallel ? weight[i] * (REFERENCE_FAR - c[i]->w) : weight[i] / c[i]->w;
     if (depth <= pixel->nearest) {
+        if (depth > pixel->second)
+            pixel->rounded[1] = draw->rounded_here;
         pixel->second = fmax(pixel->second, depth);
         return;
     }
@@ -199,7 +201,9 @@ static void draw_fragment(const drawing *draw, const corner *const c[3], const i
     place_on_ray(draw, x, y, depth, at.place);
     const reference_light light = light_fragment(draw, &at);
     pixel->second = pixel->nearest;
+    pixel->rounded[1] = pixel->rounded[0];
     pixel->nearest = depth;
+    pixel->rounded[0] = draw->rounded_here;
     pixel->covered = 1;
     pixel->grazing = light.grazing;
     memcpy(pixel->colour, light.colour, sizeof pixel->colour);

@@ -40,6 +40,7 @@ typedef struct reference_pixel {
                          highlight's cosine where p < 1, the distance of a cosine from that of a cone without soft edge, 0
                          where a light touches: is within a pixel; 1 without any. */
     int covered;      /**< Whether any surface is seen. */
+    int rounded[2];   /**< Whether a corner of the triangle that is seen was rounded here, and of that behind it. */
     int uncertain;    /**< Within 1.5/16 of a pixel of an edge that was rounded here, which another may round apart. */
 } reference_pixel;
 

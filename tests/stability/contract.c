@@ -19,11 +19,48 @@ typedef struct views {
     const glint_scene *scene;
     reference_lights lights;
     library_geometry geometry;
-    int clips;                          /* some object is clipped */
-    int has_short[LIBRARY_OBJECTS_MAX]; /* at some vertex L + V is too short, of an object that is lit there */
     picture shaded;
-    reference_image light, object, normal;
+    reference_image light, object, normal, shortened; /* the last is not 0 where a corner has a short L + V */
 } views;
+
+/* ---- Short sums ---------------------------------------------------------------------------------------------- */
+
+static int is_per_fragment(const glint_object *object) {
+    return object->evaluation == NULL || object->evaluation == &glint_per_fragment;
+}
+
+/* Is L + V too short to tell its direction? */
+static int is_short(const views *all, const double towards[3], const double place[3], double least) {
+    const int local = all->scene->viewer == GLINT_VIEWER_LOCAL;
+    double view[3];
+    double sum[3];
+    for (int axis = 0; axis < 3; axis++)
+        view[axis] = local ? -place[axis] : axis == 2;
+    reference_normalise(view);
+    for (int axis = 0; axis < 3; axis++)
+        sum[axis] = towards[axis] + view[axis];
+    return sqrt(reference_dot(sum, sum)) < least;
+}
+
+/* The unit vector from a place towards a light. */
+static void find_towards(const views *all, uint32_t light, const double place[3], double towards[3]) {
+    reference_find_way(&all->scene->lights[light], &all->lights, light, place, towards);
+    reference_normalise(towards);
+}
+
+/* Is L + V of any light too short at a vertex or facet, whose light is found there? */
+static int has_short(const views *all, uint32_t index, const double place[3]) {
+    const glint_object *object = &all->scene->objects[index];
+    int found = 0;
+    if (is_per_fragment(object) || object->material->model != &glint_model_blinn_phong)
+        return 0;
+    for (uint32_t light = 0; light < all->scene->light_count; light++) {
+        double towards[3];
+        find_towards(all, light, place, towards);
+        found |= is_short(all, towards, place, CONTRACT_SHORT);
+    }
+    return found;
+}
 
 /* ---- What the reference sees beside light: as unlit colours of the vertices ------------------------------------ */
 
@@ -33,36 +70,42 @@ static uint8_t encode(double value) {
     return (uint8_t)lrint(127.5 + 127.5 * fmax(-1, fmin(1, value)));
 }
 
-/* Unit normals of an object's vertices, or its number, as colours. */
-static void paint_vertices(const views *all, uint32_t object, int is_normal, uint8_t (*colours)[3]) {
+/* What vertices are painted with: the object's number, unit normals, or whether L + V is too short where light is found
+ * there. */
+typedef enum painted { PAINTED_NUMBER, PAINTED_NORMAL, PAINTED_SHORT } painted;
+
+static void paint_vertices(const views *all, uint32_t object, painted what, uint8_t (*colours)[3]) {
     for (uint32_t i = 0; i < all->scene->objects[object].mesh->vertex_count; i++) {
         reference_vertex vertex = reference_transform(all->scene, object, i, all->width, all->height);
+        const uint8_t is_short = what == PAINTED_SHORT && has_short(all, object, vertex.place) ? 255 : 0;
         for (int axis = 0; axis < 3; axis++)
-            colours[i][axis] = is_normal ? encode(vertex.normal[axis]) : (uint8_t)object;
+            colours[i][axis] = what == PAINTED_NUMBER   ? (uint8_t)object
+                               : what == PAINTED_NORMAL ? encode(vertex.normal[axis])
+                                                        : is_short;
     }
 }
 
-static void render_painted(const views *all, int is_normal, const reference_image *image) {
-    glint_object objects[LIBRARY_OBJECTS_MAX];
-    glint_mesh meshes[LIBRARY_OBJECTS_MAX];
+static void render_painted(const views *all, painted what, const reference_image *image) {
+    static glint_object objects[LIBRARY_OBJECTS_MAX];
+    static glint_mesh meshes[LIBRARY_OBJECTS_MAX];
     uint8_t(*colours[LIBRARY_OBJECTS_MAX])[3];
-    glint_scene painted = *all->scene;
-    for (uint32_t i = 0; i < painted.object_count; i++) {
-        objects[i] = painted.objects[i];
+    glint_scene scene = *all->scene;
+    for (uint32_t i = 0; i < scene.object_count; i++) {
+        objects[i] = scene.objects[i];
         meshes[i] = *objects[i].mesh;
         colours[i] = calloc(meshes[i].vertex_count, sizeof *colours[i]);
         if (colours[i] == NULL)
             abort();
-        paint_vertices(all, i, is_normal, colours[i]);
+        paint_vertices(all, i, what, colours[i]);
         meshes[i].colours = (const uint8_t(*)[3])colours[i];
         meshes[i].colours565 = NULL;
         objects[i].mesh = &meshes[i];
         objects[i].material = &paint;
         objects[i].evaluation = NULL;
     }
-    painted.objects = objects;
-    reference_render(image, &painted, (const reference_position *const *)all->geometry.positions);
-    for (uint32_t i = 0; i < painted.object_count; i++)
+    scene.objects = objects;
+    reference_render(image, &scene, (const reference_position *const *)all->geometry.positions);
+    for (uint32_t i = 0; i < scene.object_count; i++)
         free(colours[i]);
 }
 
@@ -82,10 +125,6 @@ static double wanted_level(const double colour[3], const glint_format *format, i
     if (picture_channels(format) == 1)
         value = 0.299 * colour[0] + 0.587 * colour[1] + 0.114 * colour[2];
     return value * picture_level_max(format, channel);
-}
-
-static int is_per_fragment(const glint_object *object) {
-    return object->evaluation == NULL || object->evaluation == &glint_per_fragment;
 }
 
 /* The place seen in a pixel, in camera space. */
@@ -116,42 +155,6 @@ static int is_narrow(const views *all, uint32_t light, const double *towards) {
     return cosine <= inner + GATE && cosine >= outer - GATE;
 }
 
-/* Is L + V too short to tell its direction? */
-static int is_short(const views *all, const double towards[3], const double place[3]) {
-    const int local = all->scene->viewer == GLINT_VIEWER_LOCAL;
-    double view[3];
-    double sum[3];
-    for (int axis = 0; axis < 3; axis++)
-        view[axis] = local ? -place[axis] : axis == 2;
-    reference_normalise(view);
-    for (int axis = 0; axis < 3; axis++)
-        sum[axis] = towards[axis] + view[axis];
-    return sqrt(reference_dot(sum, sum)) < CONTRACT_SHORT;
-}
-
-/* The unit vector from a place towards a light. */
-static void find_towards(const views *all, uint32_t light, const double place[3], double towards[3]) {
-    reference_find_way(&all->scene->lights[light], &all->lights, light, place, towards);
-    reference_normalise(towards);
-}
-
-/* Is L + V of any light too short at a vertex of an object that is lit there? */
-static int has_short(const views *all, uint32_t index) {
-    const glint_object *object = &all->scene->objects[index];
-    int found = 0;
-    if (is_per_fragment(object) || object->material->model != &glint_model_blinn_phong)
-        return 0;
-    for (uint32_t i = 0; i < object->mesh->vertex_count; i++) {
-        const reference_vertex vertex = reference_transform(all->scene, index, i, all->width, all->height);
-        for (uint32_t light = 0; light < all->scene->light_count; light++) {
-            double towards[3];
-            find_towards(all, light, vertex.place, towards);
-            found |= is_short(all, towards, vertex.place);
-        }
-    }
-    return found;
-}
-
 /* Is a light so near that snapping moves N.L by more than the bound leaves? (contract.h, "next to it") */
 static int is_next_to(const views *all, uint32_t light, const double place[3]) {
     const double half_angle = reference_real(all->scene->camera.field_of_view) * 3.14159265358979323846 / 360;
@@ -166,33 +169,45 @@ static int is_next_to(const views *all, uint32_t light, const double place[3]) {
     return sqrt(reference_dot(way, way)) < pixels * tall / all->height;
 }
 
-/* Does the last bit of a light's direction decide? */
-static int is_ill_lit(const views *all, const glint_object *object, const double place[3]) {
-    int found = all->has_short[object - all->scene->objects];
+/* By which rule does the last bit of a light's direction decide? */
+static contract_rule find_light_rule(const views *all, const glint_object *object, const double place[3]) {
     for (uint32_t light = 0; light < all->scene->light_count; light++) {
         double towards[3];
         find_towards(all, light, place, towards);
-        found |= is_narrow(all, light, is_per_fragment(object) ? towards : NULL);
-        found |= is_next_to(all, light, place);
-        found |= object->material->model == &glint_model_blinn_phong && is_short(all, towards, place);
+        if (is_narrow(all, light, is_per_fragment(object) ? towards : NULL))
+            return CONTRACT_NARROW_EDGE;
+        if (is_next_to(all, light, place))
+            return CONTRACT_NEXT_TO;
+        if (is_per_fragment(object) && object->material->model == &glint_model_blinn_phong &&
+            is_short(all, towards, place, CONTRACT_SHORT_HALF))
+            return CONTRACT_SHORT_SUM;
     }
-    return found;
+    return CONTRACT_JUDGED;
 }
 
-/* What changes, at most, from a pixel to the next: light in steps, and 1/w. */
+/* The number of the object that is seen in a pixel. */
+static long find_object(const views *all, size_t at) {
+    return lrint(255 * all->object.pixels[at].colour[0]);
+}
+
+/* What changes, at most, from a pixel to the next of the same object: light in steps, and 1/w. */
 typedef struct change {
     double light, inverse_w;
 } change;
 
 static change find_change(const views *all, int x, int y) {
-    const reference_pixel *here = &all->light.pixels[(size_t)y * (size_t)all->width + (size_t)x];
+    const size_t at = (size_t)y * (size_t)all->width + (size_t)x;
+    const reference_pixel *here = &all->light.pixels[at];
     change largest = {0, 0};
     for (int i = 0; i < 9; i++) {
         int column = x + i % 3 - 1;
         int row = y + i / 3 - 1;
         if (column < 0 || row < 0 || column >= all->width || row >= all->height)
             continue;
-        const reference_pixel *there = &all->light.pixels[(size_t)row * (size_t)all->width + (size_t)column];
+        const size_t next = (size_t)row * (size_t)all->width + (size_t)column;
+        const reference_pixel *there = &all->light.pixels[next];
+        if (!there->covered || find_object(all, next) != find_object(all, at))
+            continue;
         largest.inverse_w = fmax(largest.inverse_w, fabs(there->nearest - here->nearest));
         for (int channel = 0; channel < picture_channels(all->shaded.format); channel++)
             largest.light = fmax(largest.light, fabs(wanted_level(there->colour, all->shaded.format, channel) -
@@ -205,7 +220,8 @@ static change find_change(const views *all, int x, int y) {
 static int is_rounded(const views *all, int x, int y) {
     const reference_pixel *here = &all->light.pixels[(size_t)y * (size_t)all->width + (size_t)x];
     const change largest = find_change(all, x, y);
-    return largest.light * 1.5 / 16 > 0.25 || here->nearest - here->second < largest.inverse_w * 1.5 / 16;
+    return (here->rounded[0] && largest.light * 1.5 / 16 > 0.25) ||
+           ((here->rounded[0] || here->rounded[1]) && here->nearest - here->second < largest.inverse_w * 1.5 / 16);
 }
 
 /* Are the two nearest surfaces so close that rounding decides which is nearer? */
@@ -247,19 +263,38 @@ static void judge_distance(const views *all, int x, int y, double bound, int is_
     }
 }
 
-static void judge_pixel(const views *all, int x, int y, contract_result *result) {
+/* By which rule is a covered pixel left out? */
+static contract_rule find_rule(const views *all, const glint_object *object, int x, int y) {
     const size_t at = (size_t)y * (size_t)all->width + (size_t)x;
     const reference_pixel *wanted = &all->light.pixels[at];
-    if (!wanted->covered || wanted->uncertain || wanted->grazing < GATE || are_close(all, wanted, x, y))
-        return;
-    const glint_object *object = &all->scene->objects[lrint(255 * all->object.pixels[at].colour[0])];
-    double bound = weights_bound(weights_sum(all->scene, object->material), all->shaded.format);
     double place[3];
+    if (wanted->uncertain)
+        return CONTRACT_UNCERTAIN;
+    if (wanted->grazing < GATE)
+        return CONTRACT_GATED;
+    if (are_close(all, wanted, x, y))
+        return CONTRACT_CLOSE;
+    if (is_far(all, wanted))
+        return CONTRACT_DISTANT;
+    if (all->shortened.pixels[at].colour[0] > 0 || (is_per_fragment(object) && normal_length(all, at) < CONTRACT_SHORT))
+        return CONTRACT_SHORT_SUM;
     find_place(all, x, y, wanted->nearest, place);
-    judge_distance(all, x, y, bound,
-                   is_far(all, wanted) || (is_per_fragment(object) && normal_length(all, at) < CONTRACT_SHORT) ||
-                       is_ill_lit(all, object, place) || (all->clips && is_rounded(all, x, y)),
-                   result);
+    const contract_rule rule = find_light_rule(all, object, place);
+    if (rule == CONTRACT_JUDGED && is_rounded(all, x, y))
+        return CONTRACT_ROUNDED;
+    return rule;
+}
+
+static void judge_pixel(const views *all, int x, int y, contract_result *result) {
+    const size_t at = (size_t)y * (size_t)all->width + (size_t)x;
+    if (!all->light.pixels[at].covered)
+        return;
+    const glint_object *object = &all->scene->objects[find_object(all, at)];
+    const double bound = weights_bound(weights_sum(all->scene, object->material), all->shaded.format);
+    const contract_rule rule = find_rule(all, object, x, y);
+    result->pixels[rule]++;
+    if (rule != CONTRACT_UNCERTAIN && rule != CONTRACT_GATED && rule != CONTRACT_CLOSE)
+        judge_distance(all, x, y, bound, rule != CONTRACT_JUDGED, result);
 }
 
 static reference_image open_image(int width, int height) {
@@ -275,16 +310,11 @@ static void look_closely(views *all, contract_result *result) {
     glint_config config = picture_config(&all->shaded, NULL);
     library_geometry_open(&all->geometry, &config, all->scene);
     picture_render(&all->shaded, all->scene, NULL, NULL);
-    for (uint32_t i = 0; i < all->geometry.object_count; i++) {
-        for (uint32_t vertex = 0; vertex < all->scene->objects[i].mesh->vertex_count; vertex++)
-            all->clips |= !all->geometry.positions[i][vertex].known;
-    }
     reference_prepare_lights(&all->lights, all->scene, all->height);
-    for (uint32_t i = 0; i < all->scene->object_count; i++)
-        all->has_short[i] = has_short(all, i);
     reference_render(&all->light, all->scene, (const reference_position *const *)all->geometry.positions);
-    render_painted(all, 0, &all->object);
-    render_painted(all, 1, &all->normal);
+    render_painted(all, PAINTED_NUMBER, &all->object);
+    render_painted(all, PAINTED_NORMAL, &all->normal);
+    render_painted(all, PAINTED_SHORT, &all->shortened);
     result->found.not_fine = result->found.over_one = result->found.over_two = 0;
     result->worst_share = result->found.worst = 0;
     for (int y = 0; y < all->height; y++) {
@@ -304,8 +334,9 @@ static double strictest_bound(const glint_scene *scene, const glint_format *form
     return least;
 }
 
-void contract_judge(const glint_scene *scene, int width, int height, const glint_format *format,
-                    contract_result *result) {
+/* Judges by the strictest bound, all rules but those of judge.h aside. */
+static void judge_first(const glint_scene *scene, int width, int height, const glint_format *format,
+                        contract_result *result) {
     const judge_task task = {.scene = scene,
                              .width = width,
                              .height = height,
@@ -317,17 +348,31 @@ void contract_judge(const glint_scene *scene, int width, int height, const glint
     result->worst_share = result->found.worst / task.fine;
     result->worst_x = result->found.worst_x;
     result->worst_y = result->found.worst_y;
-    if (result->found.status != GLINT_OK || result->found.not_fine + result->found.over_one == 0)
-        return;
+}
+
+void contract_judge_closely(const glint_scene *scene, int width, int height, const glint_format *format,
+                            contract_result *result) {
     views all = {.width = width, .height = height, .scene = scene, .shaded = picture_open(width, height, format)};
-    all.light = open_image(width, height);
-    all.object = open_image(width, height);
-    all.normal = open_image(width, height);
-    look_closely(&all, result);
-    free(all.light.pixels);
-    free(all.object.pixels);
-    free(all.normal.pixels);
+    judge_first(scene, width, height, format, result);
+    if (result->found.status == GLINT_OK) {
+        all.light = open_image(width, height);
+        all.object = open_image(width, height);
+        all.normal = open_image(width, height);
+        all.shortened = open_image(width, height);
+        look_closely(&all, result);
+        free(all.light.pixels);
+        free(all.object.pixels);
+        free(all.normal.pixels);
+        free(all.shortened.pixels);
+    }
     picture_close(&all.shaded);
+}
+
+void contract_judge(const glint_scene *scene, int width, int height, const glint_format *format,
+                    contract_result *result) {
+    judge_first(scene, width, height, format, result);
+    if (result->found.not_fine + result->found.over_one > 0)
+        contract_judge_closely(scene, width, height, format, result);
 }
 
 int contract_holds(const contract_result *result) {

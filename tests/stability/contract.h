@@ -36,8 +36,9 @@
 #include "glint.h"
 #include "judge.h"
 
-/** Length below which a sum of unit vectors counts as short. */
+/** Lengths below which a sum of unit vectors counts as short: normals, L + V at a vertex, and L + V at a fragment. */
 #define CONTRACT_SHORT 0.25
+#define CONTRACT_SHORT_HALF (1.0 / 16)
 
 /** Difference of cosines below which a spot's edge counts as narrow. */
 #define CONTRACT_NARROW (1.0 / 64)
@@ -45,18 +46,38 @@
 /** Depth over that of the frame's nearest geometry from which on a surface counts as far. */
 #define CONTRACT_FAR 4096
 
+/** Why a covered pixel is left out, or that it is judged; where several hold, the first one in the order that pixels
+ * are asked for them. */
+typedef enum contract_rule {
+    CONTRACT_JUDGED,
+    CONTRACT_UNCERTAIN,
+    CONTRACT_GATED,
+    CONTRACT_CLOSE,
+    CONTRACT_DISTANT,
+    CONTRACT_SHORT_SUM,
+    CONTRACT_NARROW_EDGE,
+    CONTRACT_NEXT_TO,
+    CONTRACT_ROUNDED,
+    CONTRACT_RULES
+} contract_rule;
+
 typedef struct contract_result {
-    judgement found;    /**< Its worst and its counts over bounds are those of the pixels that count. */
-    long excused;       /**< Pixels over a bound that were left out as short, narrow, far or rounded. */
-    double worst_share; /**< Largest distance from the unrounded reference over the pixel's bound. */
-    double bound;       /**< That pixel's. */
+    judgement found;             /**< Its worst and its counts over bounds are those of the pixels that count. */
+    long excused;                /**< Pixels over a bound that were left out as short, narrow, far or rounded. */
+    long pixels[CONTRACT_RULES]; /**< Covered pixels by rule. */
+    double worst_share;          /**< Largest distance from the unrounded reference over the pixel's bound. */
+    double bound;                /**< That pixel's. */
     int worst_x, worst_y;
     int is_fine; /**< The format has 8 bits a channel. */
 } contract_result;
 
-/** Judges one scene. */
+/** Judges one scene; pixels are counted by rule only if some are beyond the strictest bound. */
 void contract_judge(const glint_scene *scene, int width, int height, const glint_format *format,
                     contract_result *result);
+
+/** The same, with pixels counted in any case. */
+void contract_judge_closely(const glint_scene *scene, int width, int height, const glint_format *format,
+                            contract_result *result);
 
 /** Whether the frame keeps the contract, by the pixels that count. */
 int contract_holds(const contract_result *result);

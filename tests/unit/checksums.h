@@ -20,7 +20,7 @@ static const uint32_t expected_checksums[] = {
     0xbff4ac0au, /* curved_infinite */
     0x294bd448u, /* curved_exponent_8192 */
     0x8323b46au, /* curved_exponent_1024 */
-    0xbd182c57u, /* curved_gently */
+    0xbd1c1d72u, /* curved_gently */
     0x9fdba25du, /* curved_gently_infinite */
     0x8448c7cdu, /* curved_gently_exponent_256 */
     0xb7db161cu, /* eight_lights */
@@ -28,7 +28,7 @@ static const uint32_t expected_checksums[] = {
     0x1bf103c9u, /* saturated */
     0x087c66a6u, /* near_plane */
     0xda8a09c5u, /* floor_to_horizon */
-    0xb2ff4de2u, /* large_highlight */
+    0x47143e8bu, /* large_highlight */
     0x2071d918u, /* guard_band */
     0xf879c326u, /* mirrored_double_sided */
     0x17c15145u, /* squashed */
