@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Bin: culls triangles, clips those that need it, and lists the rest with the tiles that they may touch. */
-#include "cull.h"
 #include "frame.h"
 
 /* ---- Tiles and lists ---- */

@@ -1,9 +1,44 @@
 /* SPDX-License-Identifier: MIT */
-/* Check: a scene, all but its meshes' indices, before a frame begins. */
-#include "../geometry/layout.h"
+/* Checks a configuration and a scene, all but the indices of its meshes, before a frame begins. */
 #include "../light/shading.h"
-#include "cull.h"
+#include "../pixel/format.h"
 #include "frame.h"
+
+/* ---- Configurations ---- */
+
+/* Puts the default in place of 0. @return is it a tile's width or height? */
+static GLINT_NOINLINE int complete_tile_size(uint16_t *size) {
+    if (!*size)
+        *size = GLINT_TILE_DEFAULT;
+    return *size >= 8 && *size <= GLINT_TILE_MAX && (*size & (*size - 1)) == 0;
+}
+
+glint_status glint_check_config(glint_config *config) {
+    if (!config->format)
+        return GLINT_ERROR_NULL;
+    if (config->width < 1 || config->width > GLINT_SIZE_MAX || config->height < 1 || config->height > GLINT_SIZE_MAX)
+        return GLINT_ERROR_SIZE;
+    return complete_tile_size(&config->tile_width) && complete_tile_size(&config->tile_height) ? GLINT_OK
+                                                                                               : GLINT_ERROR_TILE;
+}
+
+glint_status glint_check_region(glint_config *config) {
+    glint_rectangle *const region = &config->region;
+    const uint8_t *const edge = config->format->edge;
+    if (!(region->x | region->y | region->width | region->height)) {
+        region->width = (int16_t)config->width;
+        region->height = (int16_t)config->height;
+    }
+    const int32_t right = region->x + region->width, bottom = region->y + region->height;
+    if ((region->x | region->y | (region->width - 1) | (region->height - 1) | (config->width - right) |
+         (config->height - bottom)) < 0)
+        return GLINT_ERROR_REGION;
+    const int32_t across = region->x | (right < config->width ? right : 0),
+                  down = region->y | (bottom < config->height ? bottom : 0);
+    return (across & edge[0]) | (down & edge[1]) ? GLINT_ERROR_REGION : GLINT_OK;
+}
+
+/* ---- Scenes ---- */
 
 /* Below 0 is far above the largest when unsigned. */
 static int colour_is_valid(const glint_colour *colour) {
@@ -100,4 +135,43 @@ glint_status glint_check_scene(const glint_config *config, const glint_scene *sc
         return GLINT_ERROR_COLOUR;
     const glint_status status = check_lights(scene);
     return status == GLINT_OK ? check_objects(config, scene) : status;
+}
+
+/* ---- Sentences ---- */
+
+const char *glint_strerror(int status) {
+    static const char *const sentences[] = {
+        "no error",
+        "a required pointer is null",
+        "width or height is not from 1 to 1024",
+        "tile width or height is not 8, 16, 32 or 64",
+        "the arena is too small for this scene",
+        "the camera's axes, field of view, view height or near plane are not valid",
+        "more than 8 lights",
+        "a light's direction has length 0",
+        "a colour, or a light's times a material's, is not from 0 to 16",
+        "a shininess exponent is below 0",
+        "a mesh's numbers of vertices or triangles, its extent or its clusters are not valid",
+        "a triangle refers to a vertex that its mesh does not have",
+        "an object's pose is singular",
+        "an object is too far from the camera or too large",
+        "the flush callback reported a failure",
+        "the viewer is neither infinite nor local",
+        "an attenuation coefficient is below 0",
+        "a spot's cone is wider inside than outside, or not from 0 to 180 degrees",
+        "a generator has too few divisions, a size not above 0, or too little room",
+        "a number of former versions",
+        "a mesh's or a material's flags have an unknown bit",
+        "the memory of pixels is smaller than glint_pixels_need tells, or not aligned as a pointer is",
+        "a region is not on the screen or panel, or its edges divide a byte of the format",
+        "the background or overlay callback reported a failure",
+        "the panel's bus took no byte, or did not fall idle, in time",
+        "the panel's bus reported a failed transfer",
+        "the panel does not take pixels of this size, or its bus no words",
+        "the panel's controller cannot turn the picture so",
+        "a layout's type does not serve its attribute",
+        "a layout's stride is less than its type takes, or not aligned as that is, or its data are not",
+    };
+    const int count = (int)(sizeof sentences / sizeof *sentences);
+    return status > 0 || status <= -count ? "unknown status" : sentences[-status];
 }

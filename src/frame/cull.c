@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Cull: clusters of triangles that face away as a whole, and the vertices that nothing else looks at. */
-#include "cull.h"
 
-#include "../geometry/layout.h"
 #include "frame.h"
 
 /* Compilers call it even in freestanding code; here the library does. */

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Frame: from a scene to passes, each of which holds some tiles' triangles, or some triangles of one tile. */
+/* Takes a scene to passes, each of which holds some tiles' triangles, or some triangles of one tile. */
 #include "frame.h"
 
 #include "../light/corners.h"
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
-#include "../scene/config.h"
 
 static unsigned tile_shift(uint16_t size) {
     return 31u - glint_leading_zeros(size);
@@ -93,6 +92,26 @@ static glint_status prepare_scene(glint_frame *frame, const glint_kept *kept) {
     return has_least_room(frame) ? GLINT_OK : GLINT_ERROR_ARENA;
 }
 
+/* Tiles from the one with the first of some pixels to the one with the last. */
+static uint16_t count_tiles_along(int32_t first, int32_t pixels, unsigned shift) {
+    return (uint16_t)(((first + pixels - 1) >> shift) - (first >> shift) + 1);
+}
+
+static glint_status begin_region(glint_frame *frame) {
+    const glint_rectangle *const region = &frame->config.region;
+    const glint_status status = glint_check_region(&frame->config);
+    if (status != GLINT_OK)
+        return status;
+    const uint32_t rows = count_tiles_along(region->y, region->height, frame->tile_shift_y);
+    frame->first_column = (uint16_t)(region->x >> frame->tile_shift_x);
+    frame->first_row = (uint16_t)(region->y >> frame->tile_shift_y);
+    frame->tile_columns = count_tiles_along(region->x, region->width, frame->tile_shift_x);
+    frame->tile_count = (uint16_t)(frame->tile_columns * rows);
+    frame->right = (uint16_t)(region->x + region->width);
+    frame->bottom = (uint16_t)(region->y + region->height);
+    return GLINT_OK;
+}
+
 glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
     *frame = (glint_frame){0};
     frame->config = *config;
@@ -102,7 +121,7 @@ glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, co
         return status;
     frame->tile_shift_x = (uint8_t)tile_shift(frame->config.tile_width);
     frame->tile_shift_y = (uint8_t)tile_shift(frame->config.tile_height);
-    status = glint_region_begin(frame);
+    status = begin_region(frame);
     frame->pass_tiles = frame->tile_count;
     return status;
 }
@@ -130,6 +149,15 @@ glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, c
     if (status != GLINT_OK)
         *frame = (glint_frame){0}; /* what failed is not to be drawn, nor kept */
     return status;
+}
+
+/* Brings stats.arena_used up to date after binning. */
+static void count_arena(glint_frame *frame) {
+    const uint8_t *base = frame->memory.base;
+    const uint8_t *low = (const uint8_t *)(frame->references + frame->reference_count);
+    size_t used = (size_t)(low - base) + (size_t)(base + frame->memory.high - (const uint8_t *)frame->clipped);
+    if (used > frame->stats.arena_used)
+        frame->stats.arena_used = (uint32_t)used;
 }
 
 /* Goes on where the last pass stopped. @return 0 when the frame is done. */
@@ -211,7 +239,7 @@ int glint_frame_next_pass(glint_frame *frame) {
     const glint_status status = begin_pass(frame);
     if (status != GLINT_OK)
         return status;
-    glint_count_arena(frame);
+    count_arena(frame);
     frame->stats.references += frame->reference_count - glint_pass_tiles(frame);
     frame->stats.passes++;
     frame->stats.tiles += frame->ends ? glint_pass_tiles(frame) : 0;

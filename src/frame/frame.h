@@ -1,41 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/** @file frame.h Stages of a frame: load, bin, tile. */
+/** @file frame.h The stages of a frame: check, load, bin, draw tiles. */
 #ifndef GLINT_FRAME_H
 #define GLINT_FRAME_H
 
 #include "../geometry/draw.h"
-#include "arena.h"
 
-/** A triangle made by clipping. */
-typedef struct glint_clipped {
-    glint_vertex corners[3];
-    int16_t extra[3][3];
-    uint16_t triangle; /* of the draw */
-    const glint_draw *draw;
-} glint_clipped;
-
-/** Two halves that are stored and loaded as one word. */
-#if defined(__GNUC__)
-#define GLINT_WORD __attribute__((aligned(4)))
-#else
-#define GLINT_WORD
-#endif
-
-/**
- * A triangle in a tile's list, by its number: of a draw from 0 up, of the clipped from GLINT_CLIPPED_TOP down. The
- * first reference of a list is its tile's: it has no triangle, but the number of the last reference there, its own
- * where the list is empty.
- */
-typedef struct GLINT_WORD glint_reference {
-    uint16_t next; /* number of the next reference, or GLINT_LIST_END */
-    uint16_t triangle;
-} glint_reference;
-
-#define GLINT_LIST_END 0xffffu
-#define GLINT_CLIPPED_TOP 0xfffeu
-
-/** Most triangles of draws in a pass: numbers above are left to clipped ones. */
-#define GLINT_TRIANGLES_MAX 0xe000u
+/** Fills in defaults. @return GLINT_ERROR_NULL, _SIZE or _TILE. */
+glint_status glint_check_config(glint_config *config);
 
 /** Tiles of a pass. */
 static inline uint32_t glint_pass_tiles(const glint_frame *frame) {
@@ -69,12 +40,6 @@ typedef struct glint_bin_pass {
 /** Puts triangles from (frame->object, frame->triangle) on into the lists of the pass's tiles. */
 glint_status glint_bin(glint_frame *frame, int *complete);
 
-/** Brings stats.arena_used up to date after binning. */
-void glint_count_arena(glint_frame *frame);
-
-/** What a pass leaves free of the arena. */
-glint_spare glint_find_spare(const glint_frame *frame);
-
 /**
  * Where the last object's transform waits from when the view is prepared until vertices are loaded: at the arena's high
  * end, which none of that takes. Those of objects before it wait below, as long as nothing takes their place.
@@ -107,9 +72,6 @@ glint_status glint_load(glint_frame *frame);
 /** Checks the configuration's region, which becomes the whole screen where it is all 0. */
 glint_status glint_check_region(glint_config *config);
 
-/** Sets the tiles of a frame whose tile size is set: those of its region. */
-glint_status glint_region_begin(glint_frame *frame);
-
 /** Sets up all of a frame but its arena. */
 glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, const glint_scene *scene);
 
@@ -125,27 +87,110 @@ size_t glint_tile_buffers_size(const glint_config *config);
 /** Bytes from the first tile's pixels to the second's. */
 size_t glint_second_pixels(const glint_config *config);
 
-/** Free bytes with which any triangle can be binned into one tile. */
-#define GLINT_BIN_RESERVE                   \
-    GLINT_ALIGNED(sizeof(glint_reference) + \
-                  (GLINT_CLIP_CORNERS - 2) * (sizeof(glint_reference) + sizeof(glint_clipped)))
-
 /** Bytes of arena that a draw of so many vertices and triangles takes, its own index list included if it has one. */
 size_t glint_draw_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,
                        size_t vertices, size_t triangles, int has_list);
 
-/** Bytes beyond what is prepared with which any scene can be drawn: a part of one triangle, and its bin. */
-#define GLINT_LEAST_ROOM                                                                                        \
-    (GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(3 * sizeof(glint_vertex)) +                              \
-     GLINT_ALIGNED(3 * sizeof(glint_position)) + GLINT_ALIGNED(24 * GLINT_LIGHTS_MAX) + 2 * GLINT_ALIGNED(36) + \
-     2 * GLINT_ALIGNED(12) + GLINT_ALIGNED(8) + GLINT_ALIGNED(6) + GLINT_BIN_RESERVE)
-
-/** Bytes that are to be free behind so many of tables: for any scene, light at a triangle's nodes, and some more. */
-static inline size_t glint_room_behind_tables(size_t tables) {
-    return GLINT_LEAST_ROOM + 512 + tables / 4;
-}
-
 /** Is all that a tile shows background, now that this pass is prepared? */
 int glint_tile_is_empty(const glint_frame *frame, uint32_t tile);
+
+/* ---- Clusters ---- */
+
+/** A mesh's clusters, one after the other. */
+typedef struct glint_walk {
+    glint_eye eye;
+    const glint_cluster *cluster; /* the next */
+    uint32_t end;                 /* its first triangle */
+    uint8_t away;                 /* does the last one face away? */
+    uint16_t fetched[3];          /* corners of a triangle that the mesh has no array of */
+} glint_walk;
+
+/** What is linked where meshes have clusters. */
+struct glint_cull {
+    /** @return GLINT_ERROR_NULL where there is no list, GLINT_ERROR_MESH where clusters do not add up to the mesh */
+    glint_status (*check)(const glint_mesh *mesh);
+    /** Loads the vertices of a draw of all that is left of a mesh. */
+    void (*load)(glint_frame *frame, glint_draw *draw, const glint_mesh *mesh);
+    /** glint_bin_some of all from `next` on, but for clusters that face away. */
+    int (*bin)(glint_bin_pass *pass, glint_draw *draw, uint32_t next);
+    /** Begins a run of triangles. */
+    void (*begin)(glint_walk *walk, const glint_mesh *mesh, const glint_transform *transform);
+    /** Corners of a run's triangles, in order: all the same where a cluster faces away. */
+    const uint16_t *(*corners)(glint_walk *walk, const glint_mesh *mesh, uint32_t triangle);
+};
+
+/** What drops a mesh's clusters; null where it has none. */
+static inline const glint_cull *glint_cull_of(const glint_mesh *mesh) {
+    return mesh->clusters ? mesh->clusters->cull : 0;
+}
+
+/* ---- Parts of objects, where not all vertices fit ---- */
+
+/**
+ * The tiles that 2^frame->extent_shift triangles of a mesh, which follow each other, may show; right and bottom are
+ * exclusive, and 255 is as far as there is.
+ */
+typedef struct glint_extent {
+    uint8_t left, top, right, bottom;
+} glint_extent;
+
+/** The triangles of an object, one after the other. */
+typedef struct glint_sight {
+    glint_transform transform;
+    glint_frame *frame;
+    const glint_mesh *mesh;
+    const uint16_t *(*corners)(glint_walk *walk, const glint_mesh *mesh, uint32_t triangle); /* or null: in its array */
+    glint_walk walk;
+    glint_vertex *seen;  /* vertices as they were seen last, by the low bits of their numbers */
+    uint32_t seen_count; /* a power of two, or 0 */
+    glint_vertex own[3]; /* of a triangle, where none are kept */
+    glint_transform_some *bring;
+    glint_position *position, clipped; /* where positions go, which nothing looks at; null where none may be clipped */
+} glint_sight;
+
+/** Where it stands: at the arena's high end, in what is kept for binning. */
+static inline glint_sight *glint_sight_of(const glint_frame *frame) {
+    return (glint_sight *)(void *)(frame->memory.base + frame->memory.high) - 1;
+}
+
+/** Bytes for vertices that were seen: no more than these, nor than are worth having. */
+size_t glint_sight_size(size_t room);
+
+/** Begins before the first triangle of an object whose transform is there, with that many bytes. */
+void glint_sight_begin(glint_sight *sight, glint_frame *frame, const glint_object *object, void *memory, size_t size);
+
+/**
+ * Looks at a triangle of a number above the last one's.
+ * @return its corners, and sets the tiles that it may show; null where there are none, or in case of GLINT_ERROR_INDEX
+ */
+const uint16_t *glint_sight_next(glint_sight *sight, uint32_t number, glint_range *tiles, glint_status *status);
+
+/** Tiles that follow each other: from a row and a column to another, themselves too. */
+typedef struct glint_strip {
+    int32_t first_row, first_column, last_row, last_column;
+} glint_strip;
+
+/** The tiles from frame->tile_first to before `end`. */
+void glint_strip_begin(glint_strip *strip, const glint_frame *frame, uint32_t end);
+
+/** Is one of these tiles in a strip? */
+int glint_is_in_strip(const glint_strip *strip, const glint_range *tiles);
+
+/** Finds the extents of all objects, where there is room for them. */
+glint_status glint_extents_find(glint_frame *frame);
+
+/** May triangles of this extent, counted through all objects, show in a strip? */
+int glint_extent_shows(const glint_frame *frame, const glint_strip *strip, uint32_t index);
+
+/** Extents of a mesh of so many triangles. */
+static inline uint32_t glint_extents_of(const glint_frame *frame, uint32_t triangles) {
+    return (triangles + (1u << frame->extent_shift) - 1) >> frame->extent_shift;
+}
+
+/**
+ * Loads what of the scene, from (frame->object, frame->triangle) on, the tiles from frame->tile_first on may show: of
+ * as many tiles as frame->pass_tiles says and the arena has room for; or of one, as many triangles as it has room for.
+ */
+glint_status glint_load_parts(glint_frame *frame);
 
 #endif

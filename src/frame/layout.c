@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Layout: meshes whose attributes are stored in another way than in arrays of their own; linked with any type of one.
+/* Meshes whose attributes are stored otherwise than in arrays of their own; linked with any type of such an attribute.
  */
-#include "../geometry/layout.h"
-
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
-#include "cull.h"
 #include "frame.h"
 
 /* ---- Check ---- */
@@ -89,3 +86,83 @@ static const uint16_t (*list_fetched(glint_frame *frame, const glint_mesh *mesh)
 
 const glint_layout_stage glint_layouts = {check_layout_of, transform_fetched, light_fetched, corners_fetched,
                                           list_fetched};
+
+/* ---- Types ---- */
+
+/* Types of 16 bits, as the arrays of a mesh have them. */
+static void fetch_words(const uint8_t *from, size_t stride, uint32_t count, int16_t (*to)[3]) {
+    for (uint32_t i = 0; i < count; i++, from += stride) {
+        const int16_t *word = (const int16_t *)(const void *)from;
+        for (int c = 0; c < 3; c++)
+            to[i][c] = word[c];
+    }
+}
+
+const glint_attribute_type glint_attribute_int16 = {GLINT_OF_POSITIONS | GLINT_OF_NORMALS, 6, 2, fetch_words,
+                                                    &glint_layouts};
+const glint_attribute_type glint_attribute_uint16 = {GLINT_OF_TRIANGLES, 6, 2, fetch_words, &glint_layouts};
+
+/* Positions and normals of 8 bits: the high halves of 16. */
+static void fetch_int8(const uint8_t *from, size_t stride, uint32_t count, int16_t (*to)[3]) {
+    for (uint32_t i = 0; i < count; i++, from += stride)
+        for (int c = 0; c < 3; c++)
+            to[i][c] = (int16_t)((int8_t)from[c] * 256);
+}
+
+const glint_attribute_type glint_attribute_int8 = {GLINT_OF_POSITIONS | GLINT_OF_NORMALS, 3, 1, fetch_int8,
+                                                   &glint_layouts};
+
+/* Triangles of meshes of up to 256 vertices. */
+static void fetch_uint8(const uint8_t *from, size_t stride, uint32_t count, int16_t (*to)[3]) {
+    for (uint32_t i = 0; i < count; i++, from += stride)
+        for (int c = 0; c < 3; c++)
+            to[i][c] = from[c];
+}
+
+const glint_attribute_type glint_attribute_uint8 = {GLINT_OF_TRIANGLES, 3, 1, fetch_uint8, &glint_layouts};
+
+/* Colours of vertices. */
+static void fetch888(const uint8_t *from, size_t stride, uint32_t count, int16_t (*to)[3]) {
+    for (uint32_t i = 0; i < count; i++, from += stride)
+        for (int c = 0; c < 3; c++)
+            to[i][c] = glint_channel_from8(from[c]);
+}
+
+static void fetch565(const uint8_t *from, size_t stride, uint32_t count, int16_t (*to)[3]) {
+    for (uint32_t i = 0; i < count; i++, from += stride)
+        for (int c = 0; c < 3; c++)
+            to[i][c] = glint_channel_from565(*(const uint16_t *)(const void *)from, c);
+}
+
+const glint_attribute_type glint_attribute_rgb888 = {GLINT_OF_COLOURS, 3, 1, fetch888, &glint_layouts};
+const glint_attribute_type glint_attribute_rgb565 = {GLINT_OF_COLOURS, 2, 2, fetch565, &glint_layouts};
+
+/* Normals as points of an octahedron that is folded onto a square (Meyer et al., 2010; Cigolle et al., 2014). */
+/*
+ * The normal of x and y, |x| + |y| + |z| = one: exact. One up to 32767; what is below -one stands for -one. Where z < 0
+ * a coordinate is one less the other's magnitude, with its own sign: that is itself and z more or less.
+ */
+static inline void unfold(int32_t x, int32_t y, int32_t one, int32_t scale, int16_t to[3]) {
+    x = x < -one ? -one : x;
+    y = y < -one ? -one : y;
+    const int32_t z = one - (x < 0 ? -x : x) - (y < 0 ? -y : y);
+    const int32_t folded = z < 0 ? z : 0;
+    to[0] = (int16_t)((x < 0 ? x - folded : x + folded) * scale);
+    to[1] = (int16_t)((y < 0 ? y - folded : y + folded) * scale);
+    to[2] = (int16_t)(z * scale);
+}
+
+static void fetch8(const uint8_t *from, size_t stride, uint32_t count, int16_t (*to)[3]) {
+    for (uint32_t i = 0; i < count; i++, from += stride)
+        unfold((int8_t)from[0], (int8_t)from[1], 127, 258, to[i]);
+}
+
+static void fetch16(const uint8_t *from, size_t stride, uint32_t count, int16_t (*to)[3]) {
+    for (uint32_t i = 0; i < count; i++, from += stride) {
+        const int16_t *word = (const int16_t *)(const void *)from;
+        unfold(word[0], word[1], 32767, 1, to[i]);
+    }
+}
+
+const glint_attribute_type glint_attribute_octahedral8 = {GLINT_OF_NORMALS, 2, 1, fetch8, &glint_layouts};
+const glint_attribute_type glint_attribute_octahedral16 = {GLINT_OF_NORMALS, 4, 2, fetch16, &glint_layouts};

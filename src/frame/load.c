@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Load: the vertices of a frame's objects, where the arena holds them all; else parts of them: load_parts.c. */
-#include "../geometry/layout.h"
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
-#include "parts.h"
+#include "frame.h"
 
 /* Compilers call it even in freestanding code; here the library does. */
 void *memset(void *bytes, int value, size_t size);

@@ -3,11 +3,9 @@
  * Need: goes through a scene as a pass would, with no arena at all, and counts what it would take. What is large on the
  * stack is out of line, so that it is not there at the same time.
  */
-#include "../geometry/layout.h"
 #include "../light/corners.h"
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
-#include "cull.h"
 #include "frame.h"
 
 /* Holds what the parts of a scene add up to. */

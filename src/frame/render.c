@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Render: every tile of a frame through the flush callback, one sent while the next is drawn. */
-#include "../scene/config.h"
+/* Draws every tile of a frame through the flush callback, one sent while the next is drawn. */
 #include "frame.h"
 
 glint_status glint_init(glint_renderer *renderer, const glint_config *config) {
@@ -67,10 +66,17 @@ static int finish_tile(sender *s, const glint_frame *frame, glint_workspace *wor
     return glint_render_tile(frame, workspace, tile);
 }
 
+/* Finds what a pass leaves free of the arena. */
+static glint_spare find_spare(const glint_frame *frame) {
+    uint8_t *const low = glint_align(frame->references + frame->reference_count);
+    uint8_t *const high = (uint8_t *)frame->clipped;
+    return (glint_spare){low, low < high ? (uint32_t)(high - low) : 0, 0};
+}
+
 static glint_status render_passes(glint_frame *frame, glint_workspace *workspace, sender *s) {
     int pass;
     while ((pass = glint_frame_next_pass(frame)) > 0) {
-        workspace->spare = glint_find_spare(frame);
+        workspace->spare = find_spare(frame);
         for (uint32_t tile = frame->tile_first; tile < frame->tile_end; tile++) {
             const int finished = finish_tile(s, frame, workspace, tile);
             if (!finished)
@@ -124,5 +130,15 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
     frame.stats.arena_used += (uint32_t)(buffers + GLINT_ALIGNMENT - 1);
     frame.stats.flush_error = s.error;
     renderer->stats = frame.stats;
+    return status;
+}
+
+glint_status glint_render_region(glint_renderer *renderer, const glint_scene *scene, const glint_rectangle *region) {
+    if (!renderer || !region)
+        return GLINT_ERROR_NULL;
+    const glint_rectangle whole = renderer->config.region;
+    renderer->config.region = *region;
+    const glint_status status = glint_render(renderer, scene);
+    renderer->config.region = whole;
     return status;
 }

@@ -1,10 +1,112 @@
 /* SPDX-License-Identifier: MIT */
-/* Tile: draws the triangles that a pass lists for one tile. */
+/* Draws the triangles that a pass lists for one tile, into buffers whose sizes are found here. */
 #include "../light/evaluation.h"
+#include "../light/lamps.h"
 #include "../pixel/pixel.h"
 #include "../raster/depth.h"
-#include "../raster/triangle.h"
 #include "frame.h"
+
+/* ---- Buffers ---- */
+
+size_t glint_row_bytes(const glint_format *format, uint32_t width) {
+    return ((size_t)width * format->bits + 7) / 8;
+}
+
+/* Bytes of a tile's pixels. */
+static size_t size_pixels(const glint_config *config) {
+    return glint_row_bytes(config->format, config->tile_width) * config->tile_height;
+}
+
+/* Bytes of its depth, and of rows. */
+static size_t size_depth(const glint_config *config) {
+    const size_t rows = 2 * config->tile_width * sizeof(int32_t[3]);
+    return (rows < sizeof(glint_lamps) ? sizeof(glint_lamps) : rows) +
+           (size_t)config->tile_width * config->tile_height * sizeof(uint16_t);
+}
+
+size_t glint_workspace_size(const glint_config *config) {
+    if (!config)
+        return 0;
+    glint_config full = *config;
+    return glint_check_config(&full) == GLINT_OK ? size_depth(&full) + size_pixels(&full) : 0;
+}
+
+size_t glint_second_pixels(const glint_config *config) {
+    const size_t size = size_pixels(config);
+    return config->pixels ? (size + GLINT_CACHE_LINE - 1) / GLINT_CACHE_LINE * GLINT_CACHE_LINE : size;
+}
+
+/* One tile is drawn while another is sent. */
+static size_t count_tiles(const glint_config *config) {
+    return config->flush.wait ? 2 : 1;
+}
+
+size_t glint_pixels_need(const glint_config *config) {
+    if (!config)
+        return 0;
+    glint_config full = *config;
+    full.pixels = &full; /* anything but null */
+    return glint_check_config(&full) == GLINT_OK ? glint_second_pixels(&full) * count_tiles(&full) : 0;
+}
+
+size_t glint_tile_buffers_size(const glint_config *config) {
+    const size_t pixels = config->pixels ? 0 : count_tiles(config) * size_pixels(config);
+    return GLINT_ALIGNED(size_depth(config) + pixels);
+}
+
+static uint32_t or_default(uint32_t size) {
+    return size ? size : GLINT_TILE_DEFAULT;
+}
+
+void glint_workspace_init(glint_workspace *workspace, const glint_config *config, void *memory) {
+    const uint32_t width = or_default(config->tile_width), height = or_default(config->tile_height);
+    workspace->depth = memory;
+    workspace->pixels = workspace->depth + width * height;
+    workspace->stride = glint_row_bytes(config->format, width);
+    void *const last = (uint8_t *)workspace->pixels + workspace->stride * height;
+    workspace->row = last;
+    workspace->lamps = last;
+    workspace->spare = (glint_spare){0, 0, 0};
+}
+
+/* Sets where a tile lies, and how far its part of the region begins from its first pixel. */
+static void cut_tile(const glint_frame *frame, uint32_t tile, glint_tile *to, uint32_t *across, uint32_t *down) {
+    const glint_config *const config = &frame->config;
+    const uint32_t row = tile / frame->tile_columns, column = tile % frame->tile_columns;
+    const int x = (int)((column + frame->first_column) << frame->tile_shift_x),
+              y = (int)((row + frame->first_row) << frame->tile_shift_y);
+    to->x = glint_most(x, config->region.x);
+    to->y = glint_most(y, config->region.y);
+    to->width = glint_least(x + config->tile_width, frame->right) - to->x;
+    to->height = glint_least(y + config->tile_height, frame->bottom) - to->y;
+    *across = (uint32_t)(to->x - x);
+    *down = (uint32_t)(to->y - y);
+}
+
+void glint_tile_find(const glint_frame *frame, const glint_workspace *workspace, uint32_t tile, glint_tile *to) {
+    const glint_format *const format = frame->config.format;
+    uint32_t across, down;
+    cut_tile(frame, tile, to, &across, &down);
+    to->stride = workspace->stride;
+    to->pixels =
+        (uint8_t *)workspace->pixels + down * to->stride + (format->edge[1] ? across : across * format->bits / 8);
+    to->depth_stride = frame->config.tile_width;
+    to->depth = workspace->depth + down * to->depth_stride + across;
+    to->frame = frame;
+    to->workspace = workspace;
+}
+
+void glint_tile_rectangle(const glint_frame *frame, uint32_t tile, int *x, int *y, int *width, int *height) {
+    glint_tile to;
+    uint32_t across, down;
+    cut_tile(frame, tile, &to, &across, &down);
+    *x = to.x;
+    *y = to.y;
+    *width = to.width;
+    *height = to.height;
+}
+
+/* ---- Backgrounds ---- */
 
 void glint_repeat(void *bytes, size_t period, size_t size) {
     uint8_t *first = bytes;
@@ -37,21 +139,6 @@ void glint_fill_words(void *bytes, uint32_t word, size_t size) {
 
 static uint32_t tile_pixels(const glint_config *config) {
     return (uint32_t)config->tile_width * config->tile_height;
-}
-
-static uint32_t or_default(uint32_t size) {
-    return size ? size : GLINT_TILE_DEFAULT;
-}
-
-void glint_workspace_init(glint_workspace *workspace, const glint_config *config, void *memory) {
-    const uint32_t width = or_default(config->tile_width), height = or_default(config->tile_height);
-    workspace->depth = memory;
-    workspace->pixels = workspace->depth + width * height;
-    workspace->stride = glint_row_bytes(config->format, width);
-    void *const last = (uint8_t *)workspace->pixels + workspace->stride * height;
-    workspace->row = last;
-    workspace->lamps = last;
-    workspace->spare = (glint_spare){0, 0, 0};
 }
 
 static int paint(const glint_painter *painter, const glint_frame *frame, const glint_workspace *workspace,

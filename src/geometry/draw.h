@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/** @file draw.h What a pass draws: objects, or runs of their triangles. */
+/** @file draw.h What a pass draws: objects, or runs of their triangles; what clipping makes; and the room that these
+ * take. */
 #ifndef GLINT_DRAW_H
 #define GLINT_DRAW_H
 
-#include "../glint_extras.h"
+#include "../scene/arena.h"
 #include "geometry.h"
 
-struct glint_draw;
 struct glint_triangle;
 struct glint_part;
 struct glint_shading;
@@ -25,10 +25,6 @@ struct glint_row_walk;
 
 /** Draws the pixels of a row of the tile from column `left` to before `right`; there is at least one. */
 typedef void glint_draw_span(struct glint_row_walk *walk, int32_t row, int32_t left, int32_t right);
-
-/** Lights triangle i of a draw. */
-typedef void glint_light_triangle(const glint_frame *frame, struct glint_draw *draw, const glint_transform *transform,
-                                  uint32_t i);
 
 /** An object, or a part of its triangles. */
 typedef struct glint_draw {
@@ -67,5 +63,52 @@ void glint_transform_normal(const glint_draw *draw, glint_vertex *vertex);
 
 /** Brings the normals of a triangle's corners to camera space, unless they are. */
 glint_light_triangle glint_transform_normals;
+
+/** A triangle made by clipping. */
+typedef struct glint_clipped {
+    glint_vertex corners[3];
+    int16_t extra[3][3];
+    uint16_t triangle; /* of the draw */
+    const glint_draw *draw;
+} glint_clipped;
+
+/** Two halves that are stored and loaded as one word. */
+#if defined(__GNUC__)
+#define GLINT_WORD __attribute__((aligned(4)))
+#else
+#define GLINT_WORD
+#endif
+
+/**
+ * A triangle in a tile's list, by its number: of a draw from 0 up, of the clipped from GLINT_CLIPPED_TOP down. The
+ * first reference of a list is its tile's: it has no triangle, but the number of the last reference there, its own
+ * where the list is empty.
+ */
+typedef struct GLINT_WORD glint_reference {
+    uint16_t next; /* number of the next reference, or GLINT_LIST_END */
+    uint16_t triangle;
+} glint_reference;
+
+#define GLINT_LIST_END 0xffffu
+#define GLINT_CLIPPED_TOP 0xfffeu
+
+/** Most triangles of draws in a pass: numbers above are left to clipped ones. */
+#define GLINT_TRIANGLES_MAX 0xe000u
+
+/** Free bytes with which any triangle can be binned into one tile. */
+#define GLINT_BIN_RESERVE                   \
+    GLINT_ALIGNED(sizeof(glint_reference) + \
+                  (GLINT_CLIP_CORNERS - 2) * (sizeof(glint_reference) + sizeof(glint_clipped)))
+
+/** Bytes beyond what is prepared with which any scene can be drawn: a part of one triangle, and its bin. */
+#define GLINT_LEAST_ROOM                                                                                        \
+    (GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(3 * sizeof(glint_vertex)) +                              \
+     GLINT_ALIGNED(3 * sizeof(glint_position)) + GLINT_ALIGNED(24 * GLINT_LIGHTS_MAX) + 2 * GLINT_ALIGNED(36) + \
+     2 * GLINT_ALIGNED(12) + GLINT_ALIGNED(8) + GLINT_ALIGNED(6) + GLINT_BIN_RESERVE)
+
+/** Bytes that are to be free behind so many of tables: for any scene, light at a triangle's nodes, and some more. */
+static inline size_t glint_room_behind_tables(size_t tables) {
+    return GLINT_LEAST_ROOM + 512 + tables / 4;
+}
 
 #endif

@@ -1,52 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/** @file geometry.h From a mesh's steps to the screen: transforms, vertices, clipping. */
+/** @file geometry.h Vertices from the steps of a mesh to the screen, clipping, and how attributes of meshes are stored.
+ */
 #ifndef GLINT_GEOMETRY_H
 #define GLINT_GEOMETRY_H
 
-#include "../math/product.h"
 #include "../scene/view.h"
-
-/**
- * Mesh steps to the screen in products of 16 bits, for objects that are nowhere clipped, whose w differs by a factor of
- * 4 at most, and that lie within a quarter of the guard band, 256 pixels, of the screen's centre. Off by less than half
- * a sixteenth of a pixel beyond rounding, and by 2^-15 of 1/w.
- */
-typedef struct glint_short_matrix {
-    /* Clip coordinates of a step, 15 bits and a sign, and of step 0, 31 bits, of x and y with a half for rounding; rows
-     * of x and y are times one power of two, that of w times another. */
-    int32_t x[4], y[4], w[4];
-    uint32_t nearest; /* of the frame, 16 bits */
-    uint8_t serves;
-    uint8_t shift;       /* from X / W to sixteenths, Q11, and from a reciprocal to 1/w, for a W of 31 bits */
-    uint8_t depth_shift; /* the same of 1/w */
-} glint_short_matrix;
-
-/** Mesh steps to clip space, and object normals to camera space. */
-typedef struct glint_transform {
-    glint_row matrix[3]; /* rows x, y, w: clip coordinate of 2^15 steps */
-    int32_t translation[3];
-    glint_row normal[3];         /* of draws that are lit */
-    int32_t exponent;            /* a clip unit is 2^-exponent */
-    int32_t near_plane, least_w; /* w of the near plane, and of the nearest corner of the box */
-    int32_t nearest;             /* w of the frame, no more than any of the object's that is seen; of parallel rays w */
-    int32_t center_x, center_y;  /* of the screen, 28.4 and 11 bits for rounding */
-    uint8_t visible, clips, mirrored;
-    uint8_t skipped; /* it has nothing to draw, and is left out */
-    glint_short_matrix brief;
-} glint_transform;
-
-/** A bit of glint_transform.clips: rays are parallel, and positions have their distance in place of w. */
-#define GLINT_PARALLEL 2u
-
-/** The eye among a mesh's steps, homogeneous. */
-typedef struct glint_eye {
-    int32_t x, y, z;  /* times weight 2^-8: 20 bits and a sign */
-    int32_t distance; /* from step 0, or a little more; times the same */
-    int32_t weight;   /* 13 bits */
-} glint_eye;
-
-/** Finds the eye from an object's transform. */
-void glint_transform_eye(const glint_transform *transform, glint_eye *eye);
 
 #define GLINT_VERTEX_CLIP 1u   /* in front of the near plane or outside the guard band: x, y and 1/w are not valid */
 #define GLINT_VERTEX_LIT 2u    /* the vectors that it keeps are known: light/suns.c */
@@ -66,34 +24,6 @@ typedef struct glint_vertex {
 typedef struct glint_position {
     int32_t x, y, w;
 } glint_position;
-
-/** Has a mesh nothing to draw? */
-static inline int glint_mesh_is_empty(const glint_mesh *mesh) {
-    return !mesh->vertex_count || !mesh->triangle_count;
-}
-
-/** An object's transform. Takes view->nearest as it stands. */
-glint_status glint_transform_prepare(glint_transform *transform, const glint_view *view, const glint_config *config,
-                                     const glint_object *object);
-
-/** Sets an object's matrix of normals. */
-void glint_transform_begin_normals(glint_transform *transform, const glint_view *view, const glint_pose *pose);
-
-/** The part of it that needs view->nearest, anew. */
-void glint_transform_place(glint_transform *transform, const glint_view *view);
-
-/** Smallest w of the object's bounding box, Q28, no less than the near plane. */
-int64_t glint_transform_nearest(const glint_transform *transform, const glint_view *view);
-
-/**
- * May w of an object's corners differ by a factor above 8, or 1/w be so small that its differences need all their bits,
- * or are rays parallel?
- */
-static inline uint8_t glint_transform_is_wide(const glint_transform *transform) {
-    const int32_t least = transform->least_w, half = transform->translation[2] - least;
-    return transform->clips || half / 4 > least || /* the farthest is twice the half more */
-           glint_shift_right(least / 2 + half, 12) > transform->nearest;
-}
 
 /** Transforms vertices of a mesh from `first` on, all but their normals; positions may be null if nothing clips. */
 typedef void glint_transform_some(const glint_transform *transform, const glint_mesh *mesh, uint32_t first,
@@ -137,6 +67,100 @@ static inline int32_t glint_double_area(const glint_vertex *a, const glint_verte
 static inline int glint_faces(int mirrored, int double_sided, const glint_vertex *const v[3]) {
     int32_t area = glint_double_area(v[0], v[1], v[2]);
     return area != 0 && (double_sided || (area > 0) == mirrored);
+}
+
+/* ---- Attributes that are stored otherwise than in the arrays of a mesh ---- */
+
+struct glint_draw;
+
+/** Lights triangle i of a draw. */
+typedef void glint_light_triangle(const glint_frame *frame, struct glint_draw *draw, const glint_transform *transform,
+                                  uint32_t i);
+
+struct glint_walk;
+
+/** What is linked with any type of a layout. */
+typedef struct glint_layout_stage {
+    /** @return GLINT_ERROR_NULL, _TYPE or _STRIDE */
+    glint_status (*check)(const glint_mesh *mesh);
+    glint_transform_some *transform; /* of a mesh that has no array of positions */
+    /** Lights a triangle of a mesh that has no array of normals. */
+    glint_light_triangle *light;
+    /** Corners of a triangle of a mesh that has no array of them. */
+    const uint16_t *(*corners)(struct glint_walk *walk, const glint_mesh *mesh, uint32_t triangle);
+    /** Takes memory for all triangles of a mesh that has no array of them. */
+    const uint16_t (*(*list)(glint_frame *frame, const glint_mesh *mesh))[3];
+} glint_layout_stage;
+
+extern const glint_layout_stage glint_layouts;
+
+/** What types serve, as bits. */
+enum { GLINT_OF_POSITIONS = 1, GLINT_OF_NORMALS = 2, GLINT_OF_TRIANGLES = 4, GLINT_OF_COLOURS = 8 };
+
+struct glint_attribute_type {
+    uint8_t uses, size, alignment;
+    /** Decodes `count` of them to three numbers each, as a mesh's own arrays have them; of colours, 2^15 less 1 is 1.
+     */
+    void (*fetch)(const uint8_t *from, size_t stride, uint32_t count, int16_t (*to)[3]);
+    const glint_layout_stage *stage;
+};
+
+/** Decodes `count` of an attribute from number `first` on. */
+static inline void glint_fetch(const glint_mesh_attribute *from, uint32_t first, uint32_t count, int16_t (*to)[3]) {
+    const size_t stride = from->stride ? from->stride : from->type->size;
+    from->type->fetch((const uint8_t *)from->data + first * stride, stride, count, to);
+}
+
+/** A position of a mesh, in steps; decoded to `fetched` where it has no array of them. */
+static inline const int16_t *glint_steps_of(const glint_mesh *mesh, uint32_t index, int16_t fetched[3]) {
+    if (mesh->positions)
+        return mesh->positions[index];
+    glint_fetch(&mesh->layout->positions, index, 1, (int16_t(*)[3])(void *)fetched);
+    return fetched;
+}
+
+/** The same of a triangle's corners. */
+static inline const uint16_t *glint_triangle_of(const glint_mesh *mesh, uint32_t triangle, uint16_t fetched[3]) {
+    if (mesh->triangles)
+        return mesh->triangles[triangle];
+    glint_fetch(&mesh->layout->triangles, triangle, 1, (int16_t(*)[3])(void *)fetched);
+    return fetched;
+}
+
+/** The same in a run of triangles; they stand in walk->fetched where the mesh has no array of them. */
+static inline const uint16_t *glint_corners_of(struct glint_walk *walk, const glint_mesh *mesh, uint32_t triangle) {
+    return mesh->triangles ? mesh->triangles[triangle]
+                           : mesh->layout->triangles.type->stage->corners(walk, mesh, triangle);
+}
+
+/** What transforms a mesh's vertices. */
+static inline glint_transform_some *glint_transform_of(const glint_mesh *mesh) {
+    return mesh->positions ? glint_transform_array : mesh->layout->positions.type->stage->transform;
+}
+
+/** Transforms vertices of any mesh. */
+static inline void glint_transform_vertices(const glint_transform *transform, const glint_mesh *mesh, uint32_t first,
+                                            uint32_t count, glint_vertex *vertex, glint_position *position) {
+    if (mesh->positions)
+        glint_transform_array(transform, mesh, first, count, vertex, position);
+    else
+        mesh->layout->positions.type->stage->transform(transform, mesh, first, count, vertex, position);
+}
+
+/** Have the vertices of a mesh colours of their own? */
+static inline int glint_has_colours(const glint_mesh *mesh) {
+    return mesh->colours || mesh->colours565 || (mesh->layout && mesh->layout->colours.type);
+}
+
+/** A channel of a vertex's own colour from 8 bits, 1 = GLINT_COLOUR_ONE; factors are 2^15 over the highest level, Q8.
+ */
+static inline int16_t glint_channel_from8(uint32_t level) {
+    return (int16_t)(level * 32896u >> 8);
+}
+
+/** Channel c of one in RGB565. */
+static inline int16_t glint_channel_from565(uint32_t packed, int c) {
+    return (int16_t)(c == 1 ? (packed >> 5 & 63) * 133152u >> 8 : (packed >> (c ? 0 : 11) & 31) * 1057u);
 }
 
 #endif

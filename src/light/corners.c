@@ -5,7 +5,7 @@
  */
 #include "corners.h"
 
-#include "../geometry/layout.h"
+#include "../geometry/geometry.h"
 #include "../pixel/format.h"
 #include "evaluation.h"
 

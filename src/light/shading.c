@@ -2,7 +2,7 @@
 /* Shading: what a material makes of the scene's lights, and which of them show. */
 #include "shading.h"
 
-#include "../frame/arena.h"
+#include "../scene/arena.h"
 #include "../math/product.h"
 
 /* Products of two colours with `bits` fractional bits. @return the largest, below 0 when one passes GLINT_COLOUR_MAX.

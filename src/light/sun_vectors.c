@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The vectors of suns: what vertices keep, and highlights that are found at each fragment. suns.h */
-#include "../frame/frame.h"
+#include "../geometry/draw.h"
 #include "../raster/small.h"
 #include "lamps.h"
 #include "suns.h"

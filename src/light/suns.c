@@ -2,8 +2,8 @@
 /* Suns: light of directional lights at each fragment: materials, and what draws a triangle. suns.h */
 #include "suns.h"
 
-#include "../frame/frame.h"
-#include "../geometry/layout.h"
+#include "../geometry/draw.h"
+#include "../geometry/geometry.h"
 #include "../pixel/format.h"
 #include "../raster/small.h"
 #include "evaluation.h"

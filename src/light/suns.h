@@ -21,7 +21,7 @@
 #ifndef GLINT_SUNS_H
 #define GLINT_SUNS_H
 
-#include "../pixel/spread.h"
+#include "../pixel/format.h"
 #include "../raster/triangle.h"
 #include "shading.h"
 

@@ -10,7 +10,6 @@
 #include "../raster/depth.h"
 #include "../raster/small.h"
 #include "format.h"
-#include "spread.h"
 
 /** Thresholds of ordered dithering over 8 x 8 pixels in 1/128 level: 1, 3 .. 127, row by row (Bayer, 1973). */
 extern const uint8_t glint_dither_matrix[64];
@@ -61,6 +60,18 @@ static GLINT_INLINE uint32_t glint_saturate(int32_t x, unsigned bits, unsigned s
 static GLINT_INLINE uint32_t glint_level(int32_t channel, unsigned bits, uint32_t threshold) {
     const int32_t rest = ((int32_t)threshold - GLINT_NEAREST) * (1 << (GLINT_CHANNEL_BITS - 7 - bits));
     return glint_saturate(channel + rest, bits, GLINT_CHANNEL_BITS - bits);
+}
+
+/** Packs channels as RGB565: red is in the highest bits. */
+static inline uint32_t glint_pack_565(const int32_t colour[3], uint32_t threshold) {
+    return glint_level(colour[0], 5, threshold) << 11 | glint_level(colour[1], 6, threshold) << 5 |
+           glint_level(colour[2], 5, threshold);
+}
+
+/** Packs a spread word that is clamped and has half a level already: the threshold does not count. */
+static inline uint32_t glint_pack_spread_565(uint32_t word, uint32_t threshold) {
+    (void)threshold;
+    return glint_spread_pack(word);
 }
 
 /** A channel clamped to 0 and 1, Q15; 1 is 2^15 - 1. */

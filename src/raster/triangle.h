@@ -1,15 +1,127 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file triangle.h
- * From three corners on the screen to the rows of a triangle in a tile. Whatever colours its pixels is a function that
- * draws one span; the walk calls it row by row, from the top.
+ * From three corners on the screen to the rows of a triangle in a tile, and to its attributes as planes. Whatever
+ * colours its pixels is a function that draws one span; the walk calls it row by row, from the top.
  */
 #ifndef GLINT_TRIANGLE_H
 #define GLINT_TRIANGLE_H
 
 #include "../geometry/draw.h"
 #include "depth.h"
-#include "setup.h"
+
+/** Tile width and height where the configuration says 0. */
+#define GLINT_TILE_DEFAULT 32
+
+/** Largest tile width and height. */
+#define GLINT_TILE_MAX 64
+
+/** A linear function of the pixel: value at the anchor, change per pixel in x and y. */
+typedef struct glint_plane {
+    int32_t start, dx, dy;
+} glint_plane;
+
+/**
+ * How a triangle's planes come from values at its corners. Narrow: the sides across from the second and the third
+ * corner, turned by a right angle, in sixteenths, and 1/area = reciprocal 2^-(16 + shift). Wide: these sides times
+ * 1/area, the change of the corners' barycentric coordinates per pixel, times 2^shift, 31 bits; reciprocal is 0.
+ * Slender, and not narrow: the sides; reciprocal and shift are 0.
+ */
+typedef struct glint_gradients {
+    int32_t x1, y1, x2, y2;
+    int32_t reciprocal, shift;
+    uint32_t reach; /* no less than the other corners lie from the first in x or y, in sixteenths, less 1 */
+    int32_t to_center_x, to_center_y; /* from the first corner to the anchor's centre, in sixteenths */
+} glint_gradients;
+
+/** Pixels of one row of a tile: from column `left` to before `right`, none where they are equal. */
+typedef struct glint_span {
+    uint8_t left, right;
+} glint_span;
+
+/** A tile on the screen: its first pixel's centre in sixteenths, and how much of it the screen shows, in pixels. */
+typedef struct glint_window {
+    int32_t left, top, width, height;
+    uint32_t origin; /* of corner words */
+} glint_window;
+
+/** Most rows of a triangle that raster walks as a whole. */
+#define GLINT_SHORT_ROWS 31
+
+/** The part of a triangle that lies in one tile. Its anchor is the pixel of the triangle's first corner. */
+typedef struct glint_part {
+    glint_window window;
+    int32_t x, y;      /* of the tile's first pixel, from the anchor: where planes are evaluated */
+    glint_plane depth; /* 1/w, Q31 */
+    glint_gradients gradients;
+} glint_part;
+
+/** A triangle to draw. */
+typedef struct glint_triangle {
+    const glint_vertex *corners[3]; /* counter-clockwise on the screen */
+    const int16_t *extra[3];        /* where the draw has extra attributes */
+    uint32_t index;                 /* in its draw */
+    int32_t area;                   /* twice its area, 28.4 squared, above 0 */
+    int back;                       /* seen from the back */
+    uint32_t away;                  /* lights that are known not to shine on it, by bits */
+} glint_triangle;
+
+/** A window that shows so many pixels from pixel x, y of the screen on. */
+void glint_window_begin(glint_window *window, int x, int y, int width, int height);
+
+/* ---- Planes ---- */
+
+/** Gradients, area and depth plane of a triangle, from its corners, counter-clockwise; the rest of the part stays. */
+void glint_setup(glint_part *part, glint_triangle *triangle);
+
+/**
+ * The plane of an attribute that is a0, a1, a2 at the corners; below 2^31 apart. Slivers have slopes above 2^31: those
+ * wrap, as their values do.
+ */
+void glint_plane_begin(glint_plane *plane, const glint_gradients *gradients, int32_t a0, int32_t a1, int32_t a2);
+
+/** Slenderness, below, up to which a triangle's polynomials keep their digits; planes of others take whole slopes. */
+#define GLINT_SLENDER 7
+
+/** How many bits a triangle's longest side has, twice, beyond those of its area: of an equilateral one at most 2. */
+static inline int32_t glint_slenderness(const glint_gradients *gradients, int32_t area) {
+    const int32_t side_bits = 32 - (int32_t)glint_leading_zeros(gradients->reach + 1);
+    return 2 * side_bits - 31 + (int32_t)glint_leading_zeros((uint32_t)area);
+}
+
+/** A plane's value at a pixel, x and y from the anchor. */
+static inline int32_t glint_plane_at(const glint_plane *p, int32_t x, int32_t y) {
+    return glint_add_wrap(p->start, glint_add_wrap(glint_multiply_wrap(p->dx, x), glint_multiply_wrap(p->dy, y)));
+}
+
+/** How 1/w changes across a triangle, Q16. */
+typedef struct glint_w_range {
+    uint32_t least, change;
+} glint_w_range;
+
+static inline glint_w_range glint_find_w_range(const glint_vertex *const v[3]) {
+    const int32_t a = v[0]->inverse_w, b = v[1]->inverse_w, c = v[2]->inverse_w;
+    const uint32_t low = (uint32_t)glint_least_of(a, b, c) >> 15, high = (uint32_t)glint_most_of(a, b, c) >> 15;
+    return (glint_w_range){low, high - low + 1};
+}
+
+/** The shift that brings the largest 1/w of the corners, none 0, to 2^30 .. 2^31. */
+static inline unsigned glint_find_room(const glint_vertex *const v[3]) {
+    return glint_leading_zeros((uint32_t)(v[0]->inverse_w | v[1]->inverse_w | v[2]->inverse_w)) - 1;
+}
+
+/**
+ * May rounding take the plane of 1/w below 0: by 2^-10 of the corners' difference and some pixels' steps? It is asked
+ * for some times that.
+ */
+static inline int glint_is_deep(const glint_triangle *triangle) {
+    const int32_t a = triangle->corners[0]->inverse_w, b = triangle->corners[1]->inverse_w,
+                  c = triangle->corners[2]->inverse_w;
+    const int32_t least = glint_least_of(a, b, c), most = glint_most_of(a, b, c);
+    return least < 1 << 21 && least < glint_most(glint_shift_right(most, 6), 1 << 17);
+}
+
+/* ---- Rows ---- */
 
 /**
  * A corner as one word, 2^16 y + 2^15 + x in sixteenths of a pixel, 15 more than from the centre of the tile's first

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* View: brings camera and lights into the form that a frame reads. */
+/* Brings camera and lights into the form that a frame reads, and finds the scale of depth. */
 #include "view.h"
-
-#include "../geometry/geometry.h"
 
 unsigned glint_reduce(const int64_t in[3], int32_t out[3]) {
     uint64_t bits = 0;

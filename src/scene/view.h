@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/** @file view.h What a scene's camera and lights become, once a frame. */
+/** @file view.h What camera, lights and poses of a scene become, once a frame. */
 #ifndef GLINT_VIEW_H
 #define GLINT_VIEW_H
 
-#include "../glint.h"
+#include "../glint_extras.h"
+#include "../math/product.h"
 
 struct glint_drawn_lamp;
 struct glint_arrival;
@@ -185,5 +186,91 @@ int64_t glint_shift_round64(int64_t x, int shift);
 
 /** Scales a vector of 64 bits to one of 30, its direction kept. @return n: it is 2^n times the result. */
 unsigned glint_reduce(const int64_t in[3], int32_t out[3]);
+
+/* ---- Objects under the camera ---- */
+
+/** Has a mesh nothing to draw? */
+static inline int glint_mesh_is_empty(const glint_mesh *mesh) {
+    return !mesh->vertex_count || !mesh->triangle_count;
+}
+
+/**
+ * Mesh steps to the screen in products of 16 bits, for objects that are nowhere clipped, whose w differs by a factor of
+ * 4 at most, and that lie within a quarter of the guard band, 256 pixels, of the screen's centre. Off by less than half
+ * a sixteenth of a pixel beyond rounding, and by 2^-15 of 1/w.
+ */
+typedef struct glint_short_matrix {
+    /* Clip coordinates of a step, 15 bits and a sign, and of step 0, 31 bits, of x and y with a half for rounding; rows
+     * of x and y are times one power of two, that of w times another. */
+    int32_t x[4], y[4], w[4];
+    uint32_t nearest; /* of the frame, 16 bits */
+    uint8_t serves;
+    uint8_t shift;       /* from X / W to sixteenths, Q11, and from a reciprocal to 1/w, for a W of 31 bits */
+    uint8_t depth_shift; /* the same of 1/w */
+} glint_short_matrix;
+
+/** Mesh steps to clip space, and object normals to camera space. */
+typedef struct glint_transform {
+    glint_row matrix[3]; /* rows x, y, w: clip coordinate of 2^15 steps */
+    int32_t translation[3];
+    glint_row normal[3];         /* of draws that are lit */
+    int32_t exponent;            /* a clip unit is 2^-exponent */
+    int32_t near_plane, least_w; /* w of the near plane, and of the nearest corner of the box */
+    int32_t nearest;             /* w of the frame, no more than any of the object's that is seen; of parallel rays w */
+    int32_t center_x, center_y;  /* of the screen, 28.4 and 11 bits for rounding */
+    uint8_t visible, clips, mirrored;
+    uint8_t skipped; /* it has nothing to draw, and is left out */
+    glint_short_matrix brief;
+} glint_transform;
+
+/** A bit of glint_transform.clips: rays are parallel, and positions have their distance in place of w. */
+#define GLINT_PARALLEL 2u
+
+/** The eye among a mesh's steps, homogeneous. */
+typedef struct glint_eye {
+    int32_t x, y, z;  /* times weight 2^-8: 20 bits and a sign */
+    int32_t distance; /* from step 0, or a little more; times the same */
+    int32_t weight;   /* 13 bits */
+} glint_eye;
+
+/** Finds the eye from an object's transform. */
+void glint_transform_eye(const glint_transform *transform, glint_eye *eye);
+
+/** An object's transform. Takes view->nearest as it stands. */
+glint_status glint_transform_prepare(glint_transform *transform, const glint_view *view, const glint_config *config,
+                                     const glint_object *object);
+
+/** Sets an object's matrix of normals. */
+void glint_transform_begin_normals(glint_transform *transform, const glint_view *view, const glint_pose *pose);
+
+/** The part of it that needs view->nearest, anew. */
+void glint_transform_place(glint_transform *transform, const glint_view *view);
+
+/** Smallest w of the object's bounding box, Q28, no less than the near plane. */
+int64_t glint_transform_nearest(const glint_transform *transform, const glint_view *view);
+
+/**
+ * May w of an object's corners differ by a factor above 8, or 1/w be so small that its differences need all their bits,
+ * or are rays parallel?
+ */
+static inline uint8_t glint_transform_is_wide(const glint_transform *transform) {
+    const int32_t least = transform->least_w, half = transform->translation[2] - least;
+    return transform->clips || half / 4 > least || /* the farthest is twice the half more */
+           glint_shift_right(least / 2 + half, 12) > transform->nearest;
+}
+
+/* ---- Points as a camera sees them, for helpers that know no frame ---- */
+
+/** Checks what places on a screen are found from. @return GLINT_ERROR_NULL, _SIZE or _CAMERA */
+glint_status glint_check_sight(const glint_config *config, const glint_camera *camera);
+
+/** A point from the eye: right, down and away, Q31, below 2^52. */
+void glint_find_sight(const glint_camera *camera, glint_vector point, int64_t sight[3]);
+
+/** Twice the focal length in pixels, Q12, below 2^29; of parallel rays, the guard band's width. */
+int64_t glint_find_focal_length(const glint_config *config, const glint_camera *camera);
+
+/** What x and y are divided by, Q31: how far away a point is, or the w of parallel rays, below 2^58. */
+int64_t glint_find_divisor(const glint_config *config, const glint_camera *camera, const int64_t sight[3]);
 
 #endif

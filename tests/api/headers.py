@@ -205,7 +205,7 @@ def check_answers(tally, headers):
 def check_statuses(tally):
     with open("src/glint.h") as file:
         codes = [int(code) for code in re.findall(r"^    GLINT_(?:OK|ERROR_\w+) = (-?\d+)", file.read(), re.MULTILINE)]
-    with open("src/scene/error.c") as file:
+    with open("src/frame/check.c") as file:
         sentences = re.findall(r'^        "[^"]+",$', file.read(), re.MULTILINE)
     tally.check(codes == sorted(set(codes), reverse=True) and codes[0] == 0 and len(codes) > 20,
                 "codes of glint_status: %s" % codes)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "library_geometry.h"
 
-#include "geometry/layout.h"
+#include "geometry/geometry.h"
 #include "glint_extras.h"
 
 #include <stdlib.h>

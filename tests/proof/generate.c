@@ -2,7 +2,7 @@
 /* Generators. */
 #include "proof.h"
 
-#include "../../src/scene/generate.c"
+#include "../../src/extras/generate.c"
 #include "contracts.h"
 
 /*

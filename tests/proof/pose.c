@@ -2,9 +2,7 @@
 /* Poses, cameras, lights and paints. */
 #include "proof.h"
 
-#include "../../src/scene/lights.c"
-#include "../../src/scene/material.c"
-#include "../../src/scene/pose.c"
+#include "../../src/scene/helpers.c"
 #include "contracts.h"
 
 /* Stands on the root being that of a square of 2^58 to 3 2^60, found bit by bit: `numbers` tries 200,000 cameras, and

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Generators: surfaces of revolution, the plane and the box, with normals from their formulas. */
+/* Generates surfaces of revolution, the plane and the box, with normals from their formulas. */
 #include "../glint_extras.h"
 #include "../math/numeric.h"
 

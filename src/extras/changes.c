@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Changes: a flush that leaves out tiles which are, pixel for pixel, what was sent last; parts of tiles are sent. */
-#include "../math/numeric.h"
-#include "../scene/config.h"
-#include "arena.h"
+/* A flush that leaves out tiles which are, pixel for pixel, what was sent last; parts of tiles are sent. */
+#include "../frame/frame.h"
 
 /*
  * Two independent sums of 32 bits, each step of which is one to one, so that tiles that differ in a single word never

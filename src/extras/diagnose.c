@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Diagnose: why a scene is not drawn, or why its picture is black; links only where it is called. */
+/* Finds why a scene is not drawn, or why its picture is black. */
+#include "../frame/frame.h"
 #include "../light/shading.h"
 #include "../pixel/format.h"
-#include "frame.h"
 
 /* ---- What is said ---- */
 

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Pick: which triangle a pixel shows. Draws that pixel with a kernel that keeps what passes the depth test last. */
+/* Finds which triangle a pixel shows: draws that pixel with a kernel that keeps what passes the depth test last. */
+#include "../frame/frame.h"
 #include "../raster/depth.h"
 #include "../raster/triangle.h"
-#include "../scene/config.h"
-#include "frame.h"
 
 /* A workspace, and what has been found so far. */
 typedef struct picker {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Poses and cameras: the helpers that build a scene's matrices. */
-#include "../glint.h"
-#include "../math/numeric.h"
+/* Helpers that fill a scene in: poses, cameras, materials and lights; and where a camera sees a point. */
 #include "view.h"
+
+/* ---- Poses ---- */
 
 glint_q16 glint_sin(glint_q16 degrees) {
     return glint_shift_right(glint_sine(glint_phase(degrees)) + (1 << 13), 14);
@@ -234,4 +234,133 @@ void glint_camera_orbit(glint_camera *camera, glint_vector at, glint_q16 yaw, gl
     camera->pose.m[0][3] = saturate((int64_t)place.x + at.x);
     camera->pose.m[1][3] = saturate((int64_t)place.y + at.y);
     camera->pose.m[2][3] = saturate((int64_t)place.z + at.z);
+}
+
+/* ---- Materials ---- */
+
+glint_material glint_material_paint(const glint_shading_model *model, glint_colour paint, glint_q16 ambient_fraction,
+                                    glint_q16 shininess) {
+    glint_material material = {model, paint, paint, {GLINT_ONE, GLINT_ONE, GLINT_ONE}, shininess, 0};
+    glint_q16 *const ambient[3] = {&material.ambient.r, &material.ambient.g, &material.ambient.b};
+    for (int c = 0; c < 3; c++)
+        *ambient[c] = (glint_q16)glint_round_shift64((int64_t)*ambient[c] * ambient_fraction, 16);
+    return material;
+}
+
+/* ---- Lights ---- */
+
+/* What a lamp is weakened by at its range: 126 = 1 + 125, of which light is half a step of green's 63. */
+#define WEAKENED 125
+
+/* Where the quadratic coefficient would be beyond Q16.16: 1/16. */
+#define RANGE_LEAST (GLINT_ONE / 16)
+
+/*
+ * Sets attenuation so that linear range + quadratic range^2 is WEAKENED. What the quadratic coefficient loses by its 16
+ * bits of fraction, all beyond a range of 2862, is the linear one's.
+ */
+static void set_attenuation(glint_light *light, glint_q16 range) {
+    if (range < RANGE_LEAST) {
+        light->quadratic = -1; /* GLINT_ERROR_ATTENUATION */
+        return;
+    }
+    const uint64_t square = (uint64_t)range * (uint32_t)range, weakened = (uint64_t)WEAKENED << 48; /* Q32; Q48 */
+    light->quadratic = (glint_q16)(weakened / square);
+    light->linear = (glint_q16)((weakened % square / (uint32_t)range + (1 << 15)) >> 16);
+}
+
+static glint_light begin_light(const glint_light_type *type, glint_colour colour) {
+    glint_light light = {0};
+    light.type = type;
+    light.diffuse = light.specular = colour;
+    return light;
+}
+
+glint_light glint_sun(glint_vector direction, glint_colour colour) {
+    glint_light light = begin_light(&glint_light_directional, colour);
+    light.direction = direction;
+    return light;
+}
+
+glint_light glint_lamp(glint_vector position, glint_colour colour, glint_q16 range) {
+    glint_light light = begin_light(&glint_light_point, colour);
+    light.position = position;
+    set_attenuation(&light, range);
+    return light;
+}
+
+glint_light glint_spot(glint_vector position, glint_vector at, glint_colour colour, glint_q16 range, glint_q16 angle) {
+    glint_light light = begin_light(&glint_light_spot, colour);
+    const int64_t way[3] = {(int64_t)at.x - position.x, (int64_t)at.y - position.y, (int64_t)at.z - position.z};
+    int32_t direction[3];
+    set_attenuation(&light, range);
+    glint_reduce(way, direction);
+    light.position = position;
+    light.direction = (glint_vector){direction[0], direction[1], direction[2]};
+    light.inner = angle / 2;
+    light.outer = angle;
+    return light;
+}
+
+/* ---- Points on the screen ---- */
+
+glint_status glint_check_sight(const glint_config *config, const glint_camera *camera) {
+    if (!config || !camera)
+        return GLINT_ERROR_NULL;
+    if (config->width < 1 || config->width > GLINT_SIZE_MAX || config->height < 1 || config->height > GLINT_SIZE_MAX)
+        return GLINT_ERROR_SIZE;
+    return glint_camera_is_valid(camera) ? GLINT_OK : GLINT_ERROR_CAMERA;
+}
+
+int64_t glint_find_focal_length(const glint_config *config, const glint_camera *camera) {
+    if (camera->projection)
+        return 2 * GLINT_GUARD_BAND << 12;
+    const uint32_t phase = glint_phase(camera->field_of_view) >> 1;
+    const int64_t sine = glint_sine(phase), cosine = glint_sine(phase + 0x40000000u);
+    return glint_round_shift64((cosine << 31) / sine * config->height, 31 - 12);
+}
+
+int64_t glint_find_divisor(const glint_config *config, const glint_camera *camera, const int64_t sight[3]) {
+    return camera->projection ? camera->projection->find_w(config, camera) * 8 : sight[2];
+}
+
+void glint_find_sight(const glint_camera *camera, glint_vector point, int64_t sight[3]) {
+    const glint_q16 world[3] = {point.x, point.y, point.z};
+    for (int i = 0; i < 3; i++) {
+        sight[i] = 0;
+        for (int j = 0; j < 3; j++) {
+            const int64_t from_eye = (int64_t)world[j] - camera->pose.m[j][3]; /* 33 bits */
+            sight[i] += glint_shift_right64(from_eye * camera->pose.m[j][i], 1) * (i ? -1 : 1);
+        }
+    }
+}
+
+/* Half the size + focal length x / distance, Q16 and saturated; a distance of 30 bits at most. */
+static glint_q16 place_on_screen(int64_t x, int64_t distance, int64_t focal, int32_t size) {
+    const int shift =
+        32 + (int)glint_bits64((uint64_t)distance) - (int)glint_bits64(glint_magnitude64(x)); /* ratio: 33 bits */
+    if (shift < 4)
+        return x < 0 ? INT32_MIN : INT32_MAX;
+    const int64_t ratio = x * ((int64_t)1 << shift) / distance;
+    const int64_t place = ((int64_t)size << 15) + glint_round_shift64(ratio * focal, (unsigned)shift - 3);
+    return place > INT32_MAX ? INT32_MAX : place < INT32_MIN ? INT32_MIN : (glint_q16)place;
+}
+
+int glint_camera_project(const glint_config *config, const glint_camera *camera, glint_vector point,
+                         glint_screen_point *to) {
+    const glint_status status = to ? glint_check_sight(config, camera) : GLINT_ERROR_NULL;
+    int64_t sight[3];
+    if (status != GLINT_OK)
+        return status;
+    glint_find_sight(camera, point, sight);
+    if (sight[2] < (int64_t)camera->near_plane * (1 << 15))
+        return 0;
+    const int64_t focal = glint_find_focal_length(config, camera), away = glint_shift_right64(sight[2], 15);
+    const int64_t divisor = glint_find_divisor(config, camera, sight);
+    const unsigned bits = glint_bits64((uint64_t)divisor), down = bits > 30 ? bits - 30 : 0;
+    const int64_t distance = (divisor >> down) + (divisor == 0); /* which no valid camera sees */
+    to->x = place_on_screen(glint_shift_right64(sight[0], down), distance, focal, config->width);
+    to->y = place_on_screen(glint_shift_right64(sight[1], down), distance, focal, config->height);
+    to->distance = away > INT32_MAX ? INT32_MAX : (glint_q16)away;
+    return 1;
 }

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Setup: attributes of a triangle as planes. A plane is one integer polynomial per triangle, anchored at its first
+ * Sets attributes of a triangle up as planes. A plane is one integer polynomial per triangle, anchored at its first
  * corner and evaluated modulo 2^32, so that a pixel gets the same value whatever tile it is drawn in.
  */
-#include "setup.h"
-
 #include "../math/division.h"
+#include "triangle.h"
 
 /* Narrow triangles: most bits of a side, and by how many it may pass the area. */
 #define NARROW_SIZE 10

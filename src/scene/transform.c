@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Transform: an object's pose under the camera, with ranges checked once so that no vertex can overflow. */
-#include "geometry.h"
+/* Brings an object's pose under the camera, and checks ranges once so that no vertex can overflow. */
+#include "view.h"
 
 /* Coordinates are rounded to a step or two: this keeps w above 0. */
 #define SMALLEST_W 16

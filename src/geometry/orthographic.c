@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Orthographic projection: what parallel rays do in another way; view.h. */
-#include "../geometry/geometry.h"
-#include "../scene/view.h"
+/* Orthographic projection: what differs for parallel rays; view.h describes how. */
+#include "geometry.h"
 
 /* Steps of depth from the nearest to the farthest: pixels have one more, and planes room for their rounding. */
 #define STEPS 65533
