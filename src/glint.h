@@ -60,9 +60,6 @@
 #ifndef GLINT_H
 #define GLINT_H
 
-#include "glint_clusters.h"
-#include "glint_layout.h"
-
 #include <stddef.h>
 #include <stdint.h>
 
@@ -131,6 +128,10 @@ typedef struct glint_pose {
 
 /* ---- Meshes ------------------------------------------------------------------------------------------------------ */
 
+/** A layout and clusters of a mesh: the end of this header has both. */
+typedef struct glint_mesh_layout glint_mesh_layout;
+typedef struct glint_clusters glint_clusters;
+
 /** Triangles are drawn from both sides; seen from the back they are lit with the normal flipped. */
 #define GLINT_MESH_DOUBLE_SIDED 1u
 
@@ -151,9 +152,9 @@ typedef struct glint_mesh {
     const uint8_t (*colours)[3];     /**< vertex_count red, green, blue times 255, or null: the material's ambient and
                                           diffuse colours are multiplied by them. */
     const uint16_t *colours565;      /**< The same in 16 bits, or null. */
-    const glint_clusters *clusters;  /**< As `glint convert` writes them (glint_clusters.h), or null; not used on
+    const glint_clusters *clusters;  /**< As `glint convert` writes them, or null; not used on
                                           double-sided meshes. Null where positions change. */
-    const glint_mesh_layout *layout; /**< What stands in place of arrays that are null (glint_layout.h), or null. */
+    const glint_mesh_layout *layout; /**< What stands in place of arrays that are null, or null. */
 } glint_mesh;
 
 /* ---- Materials --------------------------------------------------------------------------------------------------- */
@@ -704,6 +705,97 @@ glint_status glint_camera_look_at(glint_camera *camera, glint_vector eye, glint_
  * @param distance from `at`
  */
 void glint_camera_orbit(glint_camera *camera, glint_vector at, glint_q16 yaw, glint_q16 pitch, glint_q16 distance);
+
+/* ---- Layouts of meshes ------------------------------------------------------------------------------------------- */
+
+/*
+ * A layout stores attributes of a mesh in fewer bits than its arrays do, or in structs of the caller's. Firmware that
+ * names no type of these has no code for them.
+ */
+
+/** How an attribute is stored: a descriptor, one of those below. Numbers are the machine's own. */
+typedef struct glint_attribute_type glint_attribute_type;
+
+/** Positions: three int16, steps. Normals: three int16, any length but 0. 6 bytes, aligned to 2. */
+extern const glint_attribute_type glint_attribute_int16;
+
+/** Positions: three int8, each 256 steps. Normals: three int8, any length but 0. 3 bytes. */
+extern const glint_attribute_type glint_attribute_int8;
+
+/**
+ * Normals: x and y of the octahedron |x| + |y| + |z| = 1, whose half with z < 0 is folded outwards onto a square (Meyer
+ * et al., 2010; Cigolle et al., 2014). Two int16, 32767 for 1, -32768 as -32767: 4 bytes, aligned to 2. They are
+ * decoded exactly, but for the length; no direction is more than 0.0025 degrees from the nearest one stored.
+ */
+extern const glint_attribute_type glint_attribute_octahedral16;
+
+/** The same: two int8, 127 for 1, -128 as -127. 2 bytes; no direction is more than 0.64 degrees from the nearest. */
+extern const glint_attribute_type glint_attribute_octahedral8;
+
+/** Triangles: three uint16, 6 bytes, aligned to 2; and three uint8, 3 bytes: for up to 256 vertices. */
+extern const glint_attribute_type glint_attribute_uint16, glint_attribute_uint8;
+
+/** Colours: red, green, blue times 255, 3 bytes; and RGB565, 2 bytes, aligned to 2. */
+extern const glint_attribute_type glint_attribute_rgb888, glint_attribute_rgb565;
+
+/** Where an attribute of a mesh is stored. */
+typedef struct glint_mesh_attribute {
+    const glint_attribute_type *type; /**< Null for none. */
+    const void *data;                 /**< The first vertex's, or triangle's. */
+    uint32_t stride;                  /**< Bytes from one to the next; 0: one follows the other. */
+} glint_mesh_attribute;
+
+/**
+ * Attributes in place of those arrays of a mesh that are null. Positions, normals and colours are decoded as they are
+ * needed; triangles take 6 bytes of arena each while their mesh is drawn whole. Owned by the caller, as arrays are.
+ */
+struct glint_mesh_layout {
+    glint_mesh_attribute positions; /**< glint_attribute_int16 or _int8. */
+    glint_mesh_attribute normals;   /**< glint_attribute_int16, _int8, _octahedral8 or _octahedral16. */
+    glint_mesh_attribute triangles; /**< glint_attribute_uint16 or _uint8. */
+    glint_mesh_attribute colours;   /**< glint_attribute_rgb888 or _rgb565; used where both arrays of colours are
+                                         null. */
+};
+
+/* ---- Clusters of meshes ------------------------------------------------------------------------------------------ */
+
+/* `glint convert` writes clusters, and nothing else has to. */
+
+/** Drops triangles that face away, many at once; a descriptor, one of those below. */
+typedef struct glint_cull glint_cull;
+
+/** Clusters whose triangles all face away, by their normals' cones. */
+extern const glint_cull glint_cull_cones;
+
+/**
+ * Triangles that lie together and face much the same way, and vertices: those of a mesh follow each other as its
+ * clusters do. `glint convert` makes clusters, and leaves them out with `--no-clusters`: where flash is short, or most
+ * of a frame is lighting on the general path, which they do not save.
+ *
+ * With the eye at e, in steps, a triangle in the plane n.p = h faces away where n.e <= h. The normal n of each triangle
+ * of a cluster can be scaled so that |n - axis| <= spread and h >= 256 height: where axis.e + spread |e| <= 256 height
+ * all of them face away. Degenerate triangles constrain neither value.
+ */
+typedef struct glint_cluster {
+    int8_t axis[3];     /**< As above. */
+    uint8_t spread;     /**< As above. */
+    int16_t height;     /**< As above. */
+    uint16_t triangles; /**< Number of triangles. */
+    uint16_t vertices;  /**< Number of vertices first used by this cluster. */
+    uint16_t borrowers; /**< Number of other clusters with triangles at these vertices. */
+} glint_cluster;
+
+/**
+ * Clusters of all triangles and vertices of a mesh. A triangle that faces away so little that rounding its corners to
+ * 1/16 of a pixel turns it round is dropped with its cluster too.
+ */
+struct glint_clusters {
+    const glint_cull *cull;    /**< glint_cull_cones; null for no clusters. */
+    const glint_cluster *list; /**< The clusters. */
+    const uint16_t *borrowers; /**< Indices of the borrowers, cluster after cluster; an index >= count means "always
+                                    visible". Null: every borrower is. */
+    uint32_t count;            /**< 1 to 65536 clusters. */
+};
 
 #ifdef __cplusplus
 }

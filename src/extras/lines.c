@@ -113,7 +113,7 @@ glint_status glint_lines_project(glint_segment *segments, const glint_config *co
         if ((uint32_t)c->r > GLINT_COLOUR_MAX || (uint32_t)c->g > GLINT_COLOUR_MAX || (uint32_t)c->b > GLINT_COLOUR_MAX)
             return GLINT_ERROR_COLOUR;
     }
-    const int64_t focal = glint_find_focal_length(config, camera);
+    const int64_t focal = glint_round_shift64(glint_focal_length(config, camera), 31 - 12);
     const unsigned bits = glint_bits64((uint64_t)focal), down = bits > 22 ? bits - 22 : 0;
     const line_camera by = {config, camera, pose, (int32_t)(focal >> down), down};
     for (uint32_t i = 0; i < count; i++)

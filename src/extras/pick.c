@@ -62,13 +62,7 @@ int glint_pick(glint_renderer *renderer, const glint_scene *scene, int x, int y,
     renderer->kept = (glint_kept){0};
     picker p = {.column = (uint32_t)x & (config.tile_width - 1u), .row = (uint32_t)y & (config.tile_height - 1u)};
     glint_frame frame;
-    uint8_t *const memory = glint_align(config.arena);
-    const size_t buffers = glint_tile_buffers_size(&config);
-    glint_workspace_init(&p.workspace, &config, memory);
-    if (config.pixels)
-        p.workspace.pixels = config.pixels;
-    config.arena = memory + buffers;
-    config.arena_size -= buffers;
+    glint_take_buffers(&config, &p.workspace);
     int status = glint_frame_begin(&frame, &config, scene);
     while (status == GLINT_OK && (status = glint_frame_next_pass(&frame)) > 0) {
         pick_pass(&frame, &p);

@@ -12,12 +12,8 @@ static unsigned tile_shift(uint16_t size) {
 
 /* One shading for each distinct material, the one of the last frame where that left one here. */
 static glint_status prepare_materials(glint_frame *frame, const glint_kept *kept) {
-    const glint_object *objects = frame->scene->objects;
     for (uint32_t i = 0; i < frame->scene->object_count; i++) {
-        uint32_t earlier = 0;
-        while (objects[earlier].material != objects[i].material)
-            earlier++;
-        if (earlier < i)
+        if (!glint_is_first_of_material(frame->scene, i))
             continue;
         glint_shading *shading = glint_take(&frame->memory, sizeof *shading);
         if (!shading)
@@ -27,7 +23,7 @@ static glint_status prepare_materials(glint_frame *frame, const glint_kept *kept
         if (frame->shading != kept->shadings || frame->shading_count >= kept->count)
             *shading = (glint_shading){0};
         frame->shading_count++;
-        glint_status status = glint_prepare_shading(frame, shading, objects[i].material);
+        glint_status status = glint_prepare_shading(frame, shading, frame->scene->objects[i].material);
         if (status != GLINT_OK)
             return status;
     }

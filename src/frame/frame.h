@@ -18,6 +18,14 @@ static inline uint32_t glint_quarter_of_tiles(const glint_frame *frame) {
     return (frame->tile_count + 3u) / 4;
 }
 
+/** Is an object the first of its material in a scene? */
+static inline int glint_is_first_of_material(const glint_scene *scene, uint32_t object) {
+    uint32_t first = 0;
+    while (scene->objects[first].material != scene->objects[object].material)
+        first++;
+    return first == object;
+}
+
 /** A rectangle of pixels or tiles; right and bottom are exclusive. */
 typedef struct glint_range {
     int32_t left, top, right, bottom;
@@ -81,6 +89,12 @@ int glint_find_tiles(const glint_frame *frame, const glint_vertex *const v[3], g
 /** Bytes of arena that glint_render keeps for tiles. */
 size_t glint_tile_buffers_size(const glint_config *config);
 
+/**
+ * Takes these from the arena of a configuration, and lays the workspace of glint_render out there: the pixels of two
+ * tiles lie behind each other, all else lies before or behind both. @return the bytes
+ */
+size_t glint_take_buffers(glint_config *config, glint_workspace *workspace);
+
 /** Pixels apart from the arena begin at multiples of so many bytes from the first. */
 #define GLINT_CACHE_LINE 64
 
@@ -124,72 +138,43 @@ static inline const glint_cull *glint_cull_of(const glint_mesh *mesh) {
     return mesh->clusters ? mesh->clusters->cull : 0;
 }
 
-/* ---- Parts of objects, where not all vertices fit ---- */
+/* ---- Triangles of an object, in order ---- */
 
-/**
- * The tiles that 2^frame->extent_shift triangles of a mesh, which follow each other, may show; right and bottom are
- * exclusive, and 255 is as far as there is.
- */
-typedef struct glint_extent {
-    uint8_t left, top, right, bottom;
-} glint_extent;
-
-/** The triangles of an object, one after the other. */
+/** A look at the triangles of an object, one after the other. */
 typedef struct glint_sight {
     glint_transform transform;
     glint_frame *frame;
     const glint_mesh *mesh;
-    const uint16_t *(*corners)(glint_walk *walk, const glint_mesh *mesh, uint32_t triangle); /* or null: in its array */
+    /** Finds the corners of a triangle; null where they lie in the array of the mesh. */
+    const uint16_t *(*find_corners)(glint_walk *walk, const glint_mesh *mesh, uint32_t triangle);
+    const uint16_t *corners; /* of the last triangle */
+    int is_clipped;          /* whether that was clipped */
     glint_walk walk;
-    glint_vertex *seen;  /* vertices as they were seen last, by the low bits of their numbers */
-    uint32_t seen_count; /* a power of two, or 0 */
-    glint_vertex own[3]; /* of a triangle, where none are kept */
+    glint_vertex *cache; /* vertices that were transformed last, by the low bits of their numbers */
+    uint32_t cached;     /* entries, a power of two, or 0 */
+    glint_vertex own[3]; /* corners that the cache does not hold */
     glint_transform_some *bring;
-    glint_position *position, clipped; /* where positions go, which nothing looks at; null where none may be clipped */
+    glint_position *position, clipped; /* where unused clip positions go; null where the object is not clipped */
 } glint_sight;
 
-/** Where it stands: at the arena's high end, in what is kept for binning. */
+/** Returns the frame's sight: it lies at the arena's high end, in the room that is kept for binning. */
 static inline glint_sight *glint_sight_of(const glint_frame *frame) {
     return (glint_sight *)(void *)(frame->memory.base + frame->memory.high) - 1;
 }
 
-/** Bytes for vertices that were seen: no more than these, nor than are worth having. */
-size_t glint_sight_size(size_t room);
-
-/** Begins before the first triangle of an object whose transform is there, with that many bytes. */
-void glint_sight_begin(glint_sight *sight, glint_frame *frame, const glint_object *object, void *memory, size_t size);
+/** Begins before the first triangle of an object, without a cache. @return 0 where the object is not visible */
+int glint_sight_begin(glint_sight *sight, glint_frame *frame, const glint_object *object);
 
 /**
- * Looks at a triangle of a number above the last one's.
- * @return its corners, and sets the tiles that it may show; null where there are none, or in case of GLINT_ERROR_INDEX
+ * Looks at a triangle whose number is above the last one's. Sets the tiles that it may touch; a clipped triangle sets
+ * those of each of its parts.
+ * @return how many of `tiles` are set, 0 where the triangle is not visible, or GLINT_ERROR_INDEX
  */
-const uint16_t *glint_sight_next(glint_sight *sight, uint32_t number, glint_range *tiles, glint_status *status);
-
-/** Tiles that follow each other: from a row and a column to another, themselves too. */
-typedef struct glint_strip {
-    int32_t first_row, first_column, last_row, last_column;
-} glint_strip;
-
-/** The tiles from frame->tile_first to before `end`. */
-void glint_strip_begin(glint_strip *strip, const glint_frame *frame, uint32_t end);
-
-/** Is one of these tiles in a strip? */
-int glint_is_in_strip(const glint_strip *strip, const glint_range *tiles);
-
-/** Finds the extents of all objects, where there is room for them. */
-glint_status glint_extents_find(glint_frame *frame);
-
-/** May triangles of this extent, counted through all objects, show in a strip? */
-int glint_extent_shows(const glint_frame *frame, const glint_strip *strip, uint32_t index);
-
-/** Extents of a mesh of so many triangles. */
-static inline uint32_t glint_extents_of(const glint_frame *frame, uint32_t triangles) {
-    return (triangles + (1u << frame->extent_shift) - 1) >> frame->extent_shift;
-}
+int glint_sight_next(glint_sight *sight, uint32_t number, glint_range tiles[GLINT_CLIP_CORNERS - 2]);
 
 /**
- * Loads what of the scene, from (frame->object, frame->triangle) on, the tiles from frame->tile_first on may show: of
- * as many tiles as frame->pass_tiles says and the arena has room for; or of one, as many triangles as it has room for.
+ * Loads what the tiles from frame->tile_first on may show of the scene, from (frame->object, frame->triangle) on: for
+ * as many tiles as frame->pass_tiles says and the arena has room for, or for one as many triangles as fit.
  */
 glint_status glint_load_parts(glint_frame *frame);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Need: goes through a scene as a pass would, with no arena at all, and counts what it would take. What is large on the
- * stack is out of line, so that it is not there at the same time.
+ * Goes through a scene as a pass would, without an arena, and counts what a pass would use. What is large on the stack
+ * is out of line, so that it is not there at the same time.
  */
 #include "../light/corners.h"
 #include "../light/evaluation.h"
@@ -15,53 +15,20 @@ typedef struct need_tally {
     size_t materials, tables;             /* bytes */
 } need_tally;
 
-/* Counts references in each quarter of the tiles, of a triangle that may touch those from `first` to before `end`. */
-static void count_row(const glint_frame *frame, int32_t first, int32_t end, need_tally *sum) {
+/* Counts references to a triangle that may touch some tiles: all, and those in each quarter of the frame's tiles. */
+static void count_references(const glint_frame *frame, const glint_range *range, need_tally *sum) {
     const int32_t quarter = (int32_t)glint_quarter_of_tiles(frame);
-    for (int32_t i = 0; i < 4; i++) {
-        const int32_t inside = glint_least(end, (i + 1) * quarter) - glint_most(first, i * quarter);
-        sum->of_quarter[i] += (size_t)glint_most(inside, 0);
+    sum->references += (size_t)((range->right - range->left) * (range->bottom - range->top));
+    for (int32_t row = range->top; row < range->bottom; row++) {
+        const int32_t first = row * frame->tile_columns + range->left, end = first + range->right - range->left;
+        for (int32_t i = 0; i < 4; i++) {
+            const int32_t inside = glint_least(end, (i + 1) * quarter) - glint_most(first, i * quarter);
+            sum->of_quarter[i] += (size_t)glint_most(inside, 0);
+        }
     }
 }
 
-static void count_part(const glint_frame *frame, const glint_transform *transform, const glint_mesh *mesh,
-                       const glint_vertex *const v[3], int clipped, need_tally *sum) {
-    glint_range range;
-    int double_sided = (mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
-    if (!glint_faces(transform->mirrored, double_sided, v) || !glint_find_tiles(frame, v, &range))
-        return;
-    sum->references += (size_t)((range.right - range.left) * (range.bottom - range.top));
-    for (int32_t row = range.top; row < range.bottom; row++)
-        count_row(frame, row * frame->tile_columns + range.left, row * frame->tile_columns + range.right, sum);
-    sum->clipped += (size_t)clipped;
-}
-
-static GLINT_NOINLINE glint_status count_triangle(const glint_frame *frame, const glint_transform *transform,
-                                                  const glint_mesh *mesh, const uint16_t *indices, need_tally *sum) {
-    glint_vertex vertices[GLINT_CLIP_CORNERS];
-    glint_corner corners[GLINT_CLIP_CORNERS] = {0};
-    uint32_t flags = 0;
-    int count = 3, clips = transform->clips;
-    for (int i = 0; i < 3; i++) {
-        if (indices[i] >= mesh->vertex_count)
-            return GLINT_ERROR_INDEX;
-        glint_transform_vertices(transform, mesh, indices[i], 1, &vertices[i], clips ? &corners[i].position : 0);
-        flags |= vertices[i].flags;
-    }
-    clips = (flags & GLINT_VERTEX_CLIP) != 0;
-    if (clips) {
-        count = glint_clip(transform, corners);
-        for (int i = 0; i < count; i++)
-            glint_project(transform, &corners[i].position, &vertices[i]);
-    }
-    for (int i = 2; i < count; i++) {
-        const glint_vertex *const part[3] = {&vertices[0], &vertices[i - 1], &vertices[i]};
-        count_part(frame, transform, mesh, part, clips, sum);
-    }
-    return GLINT_OK;
-}
-
-/* Bytes of a draw of all of an object, whose material is prepared for it. */
+/* Returns the bytes of a draw of all of an object, whose material is prepared for it. */
 static GLINT_NOINLINE size_t size_object(glint_frame *frame, const glint_object *object,
                                          const glint_transform *transform) {
     const glint_mesh *mesh = object->mesh;
@@ -74,38 +41,31 @@ static GLINT_NOINLINE size_t size_object(glint_frame *frame, const glint_object 
 }
 
 static glint_status count_object(glint_frame *frame, const glint_object *object, need_tally *sum) {
-    const glint_mesh *mesh = object->mesh;
-    const glint_cull *cull = glint_cull_of(mesh);
-    glint_transform transform;
-    glint_walk walk;
-    glint_transform_prepare(&transform, frame->view, &frame->config, object); /* the view had no error */
-    glint_transform_place(&transform, frame->view);
-    if (!transform.visible)
+    glint_range tiles[GLINT_CLIP_CORNERS - 2];
+    glint_sight sight;
+    if (!glint_sight_begin(&sight, frame, object))
         return GLINT_OK;
-    glint_status status = GLINT_OK;
-    sum->vertices += size_object(frame, object, &transform);
-    if (cull)
-        cull->begin(&walk, mesh, &transform);
-    for (uint32_t i = 0; i < mesh->triangle_count && status == GLINT_OK; i++) {
-        const uint16_t *corners = cull ? cull->corners(&walk, mesh, i) : glint_corners_of(&walk, mesh, i);
-        status = count_triangle(frame, &transform, mesh, corners, sum);
+    sum->vertices += size_object(frame, object, &sight.transform);
+    for (uint32_t i = 0; i < object->mesh->triangle_count; i++) {
+        const int parts = glint_sight_next(&sight, i, tiles);
+        if (parts < 0)
+            return (glint_status)parts;
+        for (int part = 0; part < parts; part++)
+            count_references(frame, &tiles[part], sum);
+        sum->clipped += sight.is_clipped ? (size_t)parts : 0;
     }
-    return status;
+    return GLINT_OK;
 }
 
-/* Bytes of distinct materials, each checked. */
+/* Counts the bytes of distinct materials, and checks each. */
 static GLINT_NOINLINE glint_status count_materials(glint_frame *frame, need_tally *sum) {
     const glint_scene *scene = frame->scene;
     const glint_suns_stage *suns = glint_find_suns(scene);
-    glint_shading shading;
     glint_status status = GLINT_OK;
     for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++) {
-        uint32_t earlier = 0;
-        while (scene->objects[earlier].material != scene->objects[i].material)
-            earlier++;
-        if (earlier < i)
+        if (!glint_is_first_of_material(scene, i))
             continue;
-        shading = (glint_shading){0};
+        glint_shading shading = {0};
         status = glint_prepare_shading(frame, &shading, scene->objects[i].material);
         sum->materials += GLINT_ALIGNED(sizeof shading);
         if (suns && status == GLINT_OK)
@@ -114,7 +74,7 @@ static GLINT_NOINLINE glint_status count_materials(glint_frame *frame, need_tall
     return status;
 }
 
-/* Bytes of the lists of so many tiles, and of all clipped triangles. */
+/* Returns the bytes of the lists of so many tiles, and of all clipped triangles. */
 static size_t size_lists(const need_tally *sum, size_t tiles, size_t references) {
     return GLINT_ALIGNED(tiles * sizeof(glint_reference)) + GLINT_ALIGNED(references * sizeof(glint_reference)) +
            GLINT_ALIGNED(sum->clipped * sizeof(glint_clipped)) + GLINT_BIN_RESERVE;

@@ -89,8 +89,9 @@ static glint_status render_passes(glint_frame *frame, glint_workspace *workspace
     return (glint_status)pass;
 }
 
-/* Two tiles' pixels lie behind each other, and what else a workspace has is before or behind both. */
-static void init_workspace(glint_workspace *workspace, const glint_config *config, uint8_t *memory) {
+size_t glint_take_buffers(glint_config *config, glint_workspace *workspace) {
+    uint8_t *const memory = glint_align(config->arena);
+    const size_t size = glint_tile_buffers_size(config);
     glint_workspace_init(workspace, config, memory);
     if (config->pixels) {
         workspace->row = (void *)workspace->pixels;
@@ -99,6 +100,9 @@ static void init_workspace(glint_workspace *workspace, const glint_config *confi
         workspace->row = (void *)((uint8_t *)workspace->pixels + 2 * glint_second_pixels(config));
     }
     workspace->lamps = (void *)workspace->row;
+    config->arena = memory + size;
+    config->arena_size -= size; /* glint_frame_begin gives up what aligning costs */
+    return size;
 }
 
 glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
@@ -107,11 +111,7 @@ glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
     glint_config config = renderer->config;
     glint_frame frame;
     glint_workspace workspace;
-    uint8_t *memory = glint_align(config.arena);
-    size_t buffers = glint_tile_buffers_size(&config);
-    init_workspace(&workspace, &config, memory);
-    config.arena = memory + buffers;
-    config.arena_size -= buffers; /* what aligning took is given up in glint_frame_begin */
+    const size_t buffers = glint_take_buffers(&config, &workspace);
     frame.shading = renderer->kept.shadings;
     frame.shading_count = renderer->kept.count;
     frame.prepared_end = renderer->kept.end;

@@ -127,15 +127,15 @@ GLINT_DEFINE_FORMAT(grey4, 4, GLINT_ROW_EDGE, 0, 0, 0, pack_grey4, put_grey4, gl
 
 /* ---- One bit: the left pixel of eight is in the lowest bit of their byte ---- */
 
-static inline uint32_t pack_mono(const int32_t colour[3], uint32_t threshold) {
+static GLINT_SPECIAL uint32_t pack_mono(const int32_t colour[3], uint32_t threshold) {
     return glint_luma_level(colour, 1, threshold);
 }
 
-static inline uint32_t pack_spread_mono(uint32_t word, uint32_t threshold) {
+static GLINT_SPECIAL uint32_t pack_spread_mono(uint32_t word, uint32_t threshold) {
     return glint_spread_luma(word, 1, threshold);
 }
 
-static inline void put_bit(uint8_t *eight, uint32_t bit, uint32_t packed) {
+static GLINT_INLINE void put_bit(uint8_t *eight, uint32_t bit, uint32_t packed) {
     *eight = (uint8_t)((*eight & ~(1u << bit)) | packed << bit);
 }
 
@@ -156,8 +156,8 @@ static inline void put_mono_pages(const glint_target *target, uint32_t offset, u
 }
 
 /* Fills 8 columns of a page and copies them to all others. */
-static inline void fill_pages(const glint_target *t, uint32_t height, const int32_t colour[3], uint32_t bits,
-                              glint_pack_colour pack_one, glint_put put_one) {
+static GLINT_INLINE void fill_pages(const glint_target *t, uint32_t height, const int32_t colour[3], uint32_t bits,
+                                    glint_pack_colour pack_one, glint_put put_one) {
     (void)bits;
     for (uint32_t i = 0; i < 64; i++) {
         const uint32_t offset = (i >> 3 << t->shift) + (i & 7);

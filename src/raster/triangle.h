@@ -94,17 +94,6 @@ static inline int32_t glint_plane_at(const glint_plane *p, int32_t x, int32_t y)
     return glint_add_wrap(p->start, glint_add_wrap(glint_multiply_wrap(p->dx, x), glint_multiply_wrap(p->dy, y)));
 }
 
-/** How 1/w changes across a triangle, Q16. */
-typedef struct glint_w_range {
-    uint32_t least, change;
-} glint_w_range;
-
-static inline glint_w_range glint_find_w_range(const glint_vertex *const v[3]) {
-    const int32_t a = v[0]->inverse_w, b = v[1]->inverse_w, c = v[2]->inverse_w;
-    const uint32_t low = (uint32_t)glint_least_of(a, b, c) >> 15, high = (uint32_t)glint_most_of(a, b, c) >> 15;
-    return (glint_w_range){low, high - low + 1};
-}
-
 /** The shift that brings the largest 1/w of the corners, none 0, to 2^30 .. 2^31. */
 static inline unsigned glint_find_room(const glint_vertex *const v[3]) {
     return glint_leading_zeros((uint32_t)(v[0]->inverse_w | v[1]->inverse_w | v[2]->inverse_w)) - 1;

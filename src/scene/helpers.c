@@ -312,14 +312,6 @@ glint_status glint_check_sight(const glint_config *config, const glint_camera *c
     return glint_camera_is_valid(camera) ? GLINT_OK : GLINT_ERROR_CAMERA;
 }
 
-int64_t glint_find_focal_length(const glint_config *config, const glint_camera *camera) {
-    if (camera->projection)
-        return 2 * GLINT_GUARD_BAND << 12;
-    const uint32_t phase = glint_phase(camera->field_of_view) >> 1;
-    const int64_t sine = glint_sine(phase), cosine = glint_sine(phase + 0x40000000u);
-    return glint_round_shift64((cosine << 31) / sine * config->height, 31 - 12);
-}
-
 int64_t glint_find_divisor(const glint_config *config, const glint_camera *camera, const int64_t sight[3]) {
     return camera->projection ? camera->projection->find_w(config, camera) * 8 : sight[2];
 }
@@ -355,7 +347,8 @@ int glint_camera_project(const glint_config *config, const glint_camera *camera,
     glint_find_sight(camera, point, sight);
     if (sight[2] < (int64_t)camera->near_plane * (1 << 15))
         return 0;
-    const int64_t focal = glint_find_focal_length(config, camera), away = glint_shift_right64(sight[2], 15);
+    const int64_t focal = glint_round_shift64(glint_focal_length(config, camera), 31 - 12),
+                  away = glint_shift_right64(sight[2], 15);
     const int64_t divisor = glint_find_divisor(config, camera, sight);
     const unsigned bits = glint_bits64((uint64_t)divisor), down = bits > 30 ? bits - 30 : 0;
     const int64_t distance = (divisor >> down) + (divisor == 0); /* which no valid camera sees */

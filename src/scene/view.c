@@ -59,11 +59,12 @@ static void set_ray_scale(glint_view *view, const glint_config *config) {
     view->ray_scale = (int32_t)(scale >> 15 ? scale & ~0xfffu : scale);
 }
 
-/* Focal length from the vertical field of view: half the height over the tangent of half the angle. */
-static void prepare_focal_length(glint_view *view, const glint_config *config, glint_q16 field_of_view) {
-    uint32_t phase = glint_phase(field_of_view) >> 1;
-    int64_t sine = glint_sine(phase), cosine = glint_sine(phase + 0x40000000u);
-    set_focal_length(view, (cosine << 31) / sine * config->height);
+int64_t glint_focal_length(const glint_config *config, const glint_camera *camera) {
+    if (camera->projection)
+        return (int64_t)GLINT_GUARD_BAND << 32;
+    const uint32_t phase = glint_phase(camera->field_of_view) >> 1;
+    const int64_t sine = glint_sine(phase), cosine = glint_sine(phase + 0x40000000u);
+    return (cosine << 31) / sine * config->height;
 }
 
 static glint_status prepare_lights(glint_view *view, const glint_scene *scene) {
@@ -136,12 +137,9 @@ glint_status glint_prepare_view(glint_view *view, const glint_config *config, co
     view->near_plane = (int64_t)camera->near_plane << 12;
     view->is_parallel = camera->projection != 0;
     view->local_viewer = scene->viewer == GLINT_VIEWER_LOCAL && !view->is_parallel;
-    if (view->is_parallel) {
+    if (view->is_parallel)
         view->nearest = camera->projection->find_w(config, camera);
-        set_focal_length(view, (int64_t)GLINT_GUARD_BAND << 32);
-    } else {
-        prepare_focal_length(view, config, camera->field_of_view);
-    }
+    set_focal_length(view, glint_focal_length(config, camera));
     set_ray_scale(view, config);
     glint_status status = prepare_lights(view, scene);
     if (status == GLINT_OK)

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Suite: arguments at and beyond the limits that the headers state, function by function. */
 #include "glint_extras.h"
-#include "glint_layout.h"
 #include "harness.h"
 
 #include <string.h>

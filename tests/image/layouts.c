@@ -4,7 +4,6 @@
  * are decoded here by other means.
  */
 #include "glint_extras.h"
-#include "glint_layout.h"
 #include "harness.h"
 #include "picture.h"
 #include "surfaces.h"
@@ -57,7 +56,7 @@ static void put(uint8_t *to, size_t size, int value) {
     memcpy(to, size == 1 ? (const void *)&byte : (const void *)&word, size);
 }
 
-/* Bytes of an attribute of one vertex or triangle, as glint_layout.h says. */
+/* Bytes of an attribute of one vertex or triangle, as glint.h says. */
 static uint32_t size_of(const glint_attribute_type *type) {
     return type == &glint_attribute_int16 || type == &glint_attribute_uint16         ? 6
            : type == &glint_attribute_octahedral16                                   ? 4
